@@ -1,0 +1,58 @@
+# The few commands a person needs. Each installs what it lacks first (tools/packages.txt) and is
+# quick when nothing is missing.
+#
+#   make demo       build the program, run a helical pair through it, say where the files are
+#   make test       configure, build and test: cmake --workflow --preset check
+#   make test-long  the tests whose names start with Long
+#   make bench      benchmarks
+#   make lint       formatting (must be clean) and clang-tidy (advice)
+#   make package    .deb and .tgz in build/release
+#   make clean      remove build/
+
+.PHONY: demo test test-long bench lint package clean
+JOBS ?= $(shell nproc)
+export CMAKE_BUILD_PARALLEL_LEVEL ?= $(JOBS)
+DEMO = examples/helical_pair.toml
+DEMO_OUT = build/demo/helical_pair_out
+
+demo:
+	@tools/install_packages.sh core step
+	@cmake --preset release -DGEARWRIGHT_STEP=ON
+	@cmake --build --preset release --target gearwright_cli
+	build/release/gearwright run $(DEMO) --out $(DEMO_OUT)
+	@echo
+	@echo "Report     $(CURDIR)/$(DEMO_OUT)/report.html"
+	@echo "CAD files"
+	@cd $(DEMO_OUT) && ls -1 *.step *.stl *.3mf *.dxf *.svg *.glb | sed 's#^#  $(CURDIR)/$(DEMO_OUT)/#'
+
+test:
+	@tools/install_packages.sh core step test
+	@tools/install_npm_tools.sh
+	@cmake --workflow --preset check
+
+test-long:
+	@tools/install_packages.sh core step test
+	@tools/install_npm_tools.sh
+	@cmake --preset release
+	@cmake --build --preset release
+	@ctest --preset long
+
+bench:
+	@tools/install_packages.sh core step test
+	@cmake --preset release
+	@cmake --build --preset release --target bench
+	build/release/bench/bench
+
+lint:
+	@tools/install_packages.sh core step test lint
+	@cmake --preset release > /dev/null
+	@tools/lint.sh
+
+package:
+	@tools/install_packages.sh core step package
+	@cmake --preset release
+	@cmake --build --preset release
+	@cd build/release && cpack
+
+clean:
+	rm -rf build

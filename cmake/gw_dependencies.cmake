@@ -1,0 +1,56 @@
+# What the build needs from outside. tools/packages.txt names the Debian packages of each.
+include_guard()
+
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(Boost 1.74 REQUIRED)  # headers only
+find_package(fmt 9 REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_package(ZLIB REQUIRED)
+set(THREADS_PREFER_PTHREAD_FLAG ON)
+find_package(Threads REQUIRED)
+if(GEARWRIGHT_CLI)
+  find_package(CLI11 2.1 QUIET)
+endif()
+
+# OCCT without a version: its version file refuses everything but the exact patch level.
+if(NOT DEFINED GEARWRIGHT_STEP OR GEARWRIGHT_STEP)
+  find_package(OpenCASCADE CONFIG QUIET)
+endif()
+set(gw_occt_default OFF)
+set(why_no_occt "switched off (GEARWRIGHT_STEP=OFF)")
+if(OpenCASCADE_FOUND)
+  set(gw_occt_default ON)
+elseif(NOT DEFINED GEARWRIGHT_STEP)
+  set(why_no_occt "OCCT not found (Debian: libocct-data-exchange-dev)")
+endif()
+if(NOT DEFINED GEARWRIGHT_STEP AND NOT OpenCASCADE_FOUND)
+  # Not cached: the package may be there at the next configure.
+  set(GEARWRIGHT_STEP OFF)
+else()
+  option(GEARWRIGHT_STEP "Write STEP files (needs OCCT)" ${gw_occt_default})
+endif()
+if(GEARWRIGHT_STEP AND NOT OpenCASCADE_FOUND)
+  message(FATAL_ERROR "GEARWRIGHT_STEP=ON, but OCCT was not found. "
+                      "On Debian: apt-get install libocct-data-exchange-dev")
+endif()
+set(gw_occt_libraries
+  TKernel TKMath TKG2d TKG3d TKGeomBase TKBRep TKGeomAlgo TKTopAlgo TKPrim TKShHealing TKMesh
+  TKXSBase TKSTEPBase TKSTEPAttr TKSTEP TKXCAF TKLCAF TKCDF TKXDESTEP)
+# Shared OCCT libraries are linked by file: as targets they would drag in the viewer's own needs
+# (X11, OpenGL, TBB, fonts), whose development packages nobody needs who writes STEP files.
+set(gw_occt_files "")
+if(OpenCASCADE_FOUND)
+  foreach(library IN LISTS gw_occt_libraries)
+    get_target_property(type ${library} TYPE)
+    if(type STREQUAL "SHARED_LIBRARY")
+      list(APPEND gw_occt_files $<TARGET_LINKER_FILE:${library}>)
+    else()
+      list(APPEND gw_occt_files ${library})
+    endif()
+  endforeach()
+endif()
+
+# Scripts run on the system's Python, where Debian's modules are, not on the first of the PATH.
+find_program(GEARWRIGHT_PYTHON python3 HINTS /usr/bin NO_CMAKE_ENVIRONMENT_PATH
+             DOC "Python that runs the script tests")

@@ -1,0 +1,84 @@
+# Installing and packaging: find_package(gearwright COMPONENTS core cad), pkg-config, DEB and TGZ.
+#
+# Component `runtime` holds the program and shared libraries, `dev` what a compiler needs.
+include_guard()
+include(CMakePackageConfigHelpers)
+
+set(gw_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/gearwright)
+
+function(gw_install_library target export)
+  install(TARGETS ${target} EXPORT ${export}
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime NAMELINK_COMPONENT dev
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev)
+  install(EXPORT ${export} NAMESPACE gearwright:: DESTINATION ${gw_cmake_dir} COMPONENT dev)
+  set_target_properties(${target} PROPERTIES INSTALL_RPATH "$ORIGIN")
+endfunction()
+
+gw_install_library(gearwright gearwrightTargets)
+if(has_step)
+  gw_install_library(gearwright_cad gearwrightCadTargets)
+endif()
+install(CODE "set(gw_source ${PROJECT_SOURCE_DIR})
+set(gw_headers_to ${CMAKE_INSTALL_INCLUDEDIR})" COMPONENT dev)
+install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/gw_install_headers.cmake COMPONENT dev)
+if(has_cli)
+  file(RELATIVE_PATH bin_to_lib ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
+  set_target_properties(gearwright_cli PROPERTIES INSTALL_RPATH "$ORIGIN/${bin_to_lib}")
+  install(TARGETS gearwright_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
+endif()
+
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/gearwrightConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/gearwrightConfig.cmake INSTALL_DESTINATION ${gw_cmake_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/gearwrightConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/gearwrightConfig.cmake
+  ${PROJECT_BINARY_DIR}/gearwrightConfigVersion.cmake DESTINATION ${gw_cmake_dir} COMPONENT dev)
+
+# pkg-config: the paths follow the file, so that the prefix can be moved.
+set(pc_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+file(RELATIVE_PATH pc_to_prefix ${CMAKE_INSTALL_PREFIX}/${pc_dir} ${CMAKE_INSTALL_PREFIX})
+string(REGEX REPLACE "/$" "" pc_to_prefix "${pc_to_prefix}")
+set(pc_requires "eigen3")
+set(pc_requires_private "fmt, tomlplusplus, zlib")
+if(NOT BUILD_SHARED_LIBS)
+  # A static archive needs its own needs, with and without --static.
+  string(APPEND pc_requires ", ${pc_requires_private}")
+  set(pc_requires_private "")
+endif()
+configure_file(${CMAKE_CURRENT_LIST_DIR}/gearwright.pc.in ${PROJECT_BINARY_DIR}/gearwright.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/gearwright.pc DESTINATION ${pc_dir} COMPONENT dev)
+
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT dev)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/gearwright-cli
+        COMPONENT runtime)
+
+if(PROJECT_IS_TOP_LEVEL)
+  set(CPACK_GENERATOR DEB TGZ)
+  set(CPACK_PACKAGE_CONTACT "The Gearwright developers")
+  set(CPACK_PACKAGE_VENDOR "The Gearwright developers")
+  set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
+  set(CPACK_STRIP_FILES ON)
+  set(CPACK_COMPONENTS_ALL dev)
+  if(has_cli OR BUILD_SHARED_LIBS)
+    list(APPEND CPACK_COMPONENTS_ALL runtime)
+  endif()
+  set(CPACK_ARCHIVE_COMPONENT_INSTALL OFF)
+  set(CPACK_DEB_COMPONENT_INSTALL ON)
+  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_PACKAGE_SECTION science)
+  set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+  set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME gearwright)
+  set(CPACK_DEBIAN_DEV_PACKAGE_NAME libgearwright-dev)
+  set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
+  set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
+      "libeigen3-dev, libfmt-dev, libtomlplusplus-dev, zlib1g-dev")
+  if(has_step)
+    set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS "libocct-data-exchange-dev")
+  endif()
+  if(BUILD_SHARED_LIBS)
+    string(APPEND CPACK_DEBIAN_DEV_PACKAGE_DEPENDS ", gearwright (= ${PROJECT_VERSION})")
+    # The libraries of this very build, for dpkg-shlibdeps.
+    set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR})
+  endif()
+  include(CPack)
+endif()

@@ -1,0 +1,26 @@
+# How every target of the project is compiled.
+#
+# Same input, same bits: no contraction into fused multiply-adds, never -ffast-math. -DNDEBUG silences
+# the asserts of the libraries we include; our own contracts do not look at it and stay on.
+include_guard()
+
+set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+endif()
+
+if(CMAKE_CXX_FLAGS MATCHES "-ffast-math|-Ofast|-funsafe-math")
+  message(FATAL_ERROR "CMAKE_CXX_FLAGS asks for fast math; the results would not be reproducible")
+endif()
+
+function(gw_target target)
+  target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic
+                         $<$<BOOL:${GEARWRIGHT_WERROR}>:-Werror>)
+  if(UNIX AND NOT APPLE)
+    # A program loads only the libraries that it calls: OCCT alone is twenty.
+    target_link_options(${target} PRIVATE LINKER:--as-needed)
+  endif()
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+endfunction()

@@ -1,0 +1,48 @@
+// Angle: radians that say so. Public interfaces take angles as Angle, formulas inside use rad().
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+namespace gearwright {
+
+class Angle {
+ public:
+  constexpr Angle() = default;
+  static constexpr Angle radians(double value) { return Angle(value); }
+  static constexpr Angle degrees(double value) { return Angle(value * (std::numbers::pi / 180.0)); }
+  constexpr double rad() const { return rad_; }
+  constexpr double deg() const { return rad_ * (180.0 / std::numbers::pi); }
+  constexpr Angle operator-() const { return Angle(-rad_); }
+  friend constexpr Angle operator+(Angle a, Angle b) { return Angle(a.rad_ + b.rad_); }
+  friend constexpr Angle operator-(Angle a, Angle b) { return Angle(a.rad_ - b.rad_); }
+  friend constexpr bool operator==(Angle a, Angle b) = default;
+  friend constexpr auto operator<=>(Angle a, Angle b) = default;
+
+ private:
+  constexpr explicit Angle(double rad) : rad_(rad) {}
+  double rad_ = 0.0;
+};
+
+namespace literals {
+constexpr Angle operator""_deg(long double value) {
+  return Angle::degrees(static_cast<double>(value));
+}
+constexpr Angle operator""_deg(unsigned long long value) {
+  return Angle::degrees(static_cast<double>(value));
+}
+}  // namespace literals
+
+struct SinCos {
+  double sin;
+  double cos;
+};
+
+/// Sine and cosine of the turn 2π k/n, k and n integers.
+///
+/// Accuracy  the quarter turns are exact ({0,1}, {1,0}, {0,-1}, {-1,0}) and k ≡ k + n bit for bit:
+///           k is reduced as an integer, into the first eighth of the turn
+/// Domain    n ≥ 1 (contract)
+SinCos sincos_turn(long long k, long long n);
+
+}  // namespace gearwright

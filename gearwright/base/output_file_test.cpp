@@ -1,0 +1,125 @@
+// Output files appear whole or not at all: after a failure the folder is as it was before.
+#include "gearwright/base/output_file.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace gearwright {
+namespace {
+
+namespace fs = std::filesystem;
+
+class OutputFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "gearwright_output_XXXXXX").string();
+    ASSERT_NE(::mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+  void TearDown() override {
+    fs::permissions(folder_, fs::perms::owner_all);
+    fs::remove_all(folder_);
+  }
+
+  std::vector<std::string> names() const {
+    std::vector<std::string> found;
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+      found.push_back(entry.path().filename().string());
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+  static std::string content(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  fs::path folder_;
+};
+
+std::string message_of(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const IoError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST_F(OutputFile, HoldsEveryByte) {
+  std::string bytes;
+  for (int i = 0; i < 3'000'000; ++i) bytes.push_back(static_cast<char>(i * 7 + i / 251));
+  write_file(folder_ / "a.stl", bytes);
+  EXPECT_EQ(content(folder_ / "a.stl"), bytes);
+  write_file(folder_ / "a.stl", "");  // an existing file is replaced whole
+  EXPECT_EQ(content(folder_ / "a.stl"), "");
+  EXPECT_EQ(names(), std::vector<std::string>{"a.stl"});
+}
+
+TEST_F(OutputFile, MissingFolderIsAnIoErrorThatNamesThePath) {
+  const fs::path path = folder_ / "nowhere" / "a.stl";
+  const std::string message = message_of([&] { write_file(path, "solid"); });
+  EXPECT_NE(message.find(path.string()), std::string::npos) << message;
+  EXPECT_NE(message.find("No such file or directory"), std::string::npos) << message;
+  EXPECT_TRUE(names().empty());
+}
+
+TEST_F(OutputFile, FailureAtTheRenameLeavesNothing) {
+  const fs::path path = folder_ / "a.stl";
+  fs::create_directory(path);  // a folder cannot be replaced by a file
+  EXPECT_THROW(write_file(path, "solid"), IoError);
+  EXPECT_THROW(write_file_by(path, [](const fs::path& part) { std::ofstream(part) << "solid"; }),
+               IoError);
+  EXPECT_EQ(names(), std::vector<std::string>{"a.stl"});
+  EXPECT_TRUE(fs::is_directory(path));
+}
+
+TEST_F(OutputFile, NoPermissionIsAnIoError) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
+  fs::permissions(folder_, fs::perms::owner_read | fs::perms::owner_exec);
+  const std::string message = message_of([&] { write_file(folder_ / "a.stl", "solid"); });
+  EXPECT_NE(message.find("Permission denied"), std::string::npos) << message;
+  EXPECT_TRUE(names().empty());
+}
+
+TEST_F(OutputFile, AFailedWriterLeavesTheOldFile) {
+  const fs::path path = folder_ / "a.step";
+  write_file(path, "old");
+  EXPECT_THROW(write_file_by(path,
+                             [](const fs::path& part) {
+                               std::ofstream(part) << "half";
+                               throw std::runtime_error("the writer gave up");
+                             }),
+               std::runtime_error);
+  EXPECT_EQ(content(path), "old");
+  EXPECT_EQ(names(), std::vector<std::string>{"a.step"});
+}
+
+TEST_F(OutputFile, AWriterThatWritesNothingIsAnIoError) {
+  EXPECT_THROW(write_file_by(folder_ / "a.step", [](const fs::path&) {}), IoError);
+  EXPECT_TRUE(names().empty());
+}
+
+TEST_F(OutputFile, AWriterGetsAPathBesideTheFile) {
+  const fs::path path = folder_ / "a.step";
+  fs::path seen;
+  write_file_by(path, [&](const fs::path& part) {
+    seen = part;
+    EXPECT_FALSE(fs::exists(path));
+    std::ofstream(part) << "whole";
+  });
+  EXPECT_EQ(seen.parent_path(), folder_);  // one file system: the rename cannot tear
+  EXPECT_EQ(content(path), "whole");
+  EXPECT_EQ(names(), std::vector<std::string>{"a.step"});
+}
+
+}  // namespace
+}  // namespace gearwright

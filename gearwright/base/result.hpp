@@ -1,0 +1,48 @@
+// Result<T>: a value, or the reason why there is none.
+//
+// Facts about gears (no working angle, a tooth that cannot exist) are answers, not accidents. The
+// error carries what a person needs to mend the input: the key, its value, what is allowed and what
+// would help, in one sentence.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "gearwright/base/contract.hpp"
+
+namespace gearwright {
+
+struct Error {
+  std::string key;      ///< dotted path of the input, "gear1.normal_module_mm"; empty if none
+  std::string value;    ///< its value as given
+  std::string message;  ///< one sentence: what is wrong, what is allowed, what would help
+};
+
+template <class T>
+class [[nodiscard]] Result {
+ public:
+  Result(T value) : state_(std::move(value)) {}      // NOLINT(google-explicit-constructor)
+  Result(Error error) : state_(std::move(error)) {}  // NOLINT(google-explicit-constructor)
+
+  explicit operator bool() const noexcept { return state_.index() == 0; }
+  const T& value() const {
+    GW_EXPECTS(state_.index() == 0);
+    return std::get<0>(state_);
+  }
+  const Error& error() const {
+    GW_EXPECTS(state_.index() == 1);
+    return std::get<1>(state_);
+  }
+  const T& operator*() const { return value(); }
+  const T* operator->() const { return &value(); }
+  T take() && {
+    GW_EXPECTS(state_.index() == 0);
+    return std::get<0>(std::move(state_));
+  }
+
+ private:
+  std::variant<T, Error> state_;
+};
+
+}  // namespace gearwright

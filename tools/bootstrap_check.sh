@@ -1,0 +1,108 @@
+#!/usr/bin/env bash
+# From nothing to a tested build: a minimal Debian 12 in DIR, a clean clone in it, make demo, make test.
+#
+#   tools/bootstrap_check.sh [--prepare-only] DIR
+#
+# DIR must be new or made by this script. The mirror is the one that this machine's package sources
+# name. Needs root and debootstrap. --prepare-only stops before make; mounts are undone in any case.
+set -euo pipefail
+
+prepare_only=no
+if [ "${1:-}" = --prepare-only ]; then
+  prepare_only=yes
+  shift
+fi
+if [ $# -ne 1 ] || [ -z "$1" ]; then
+  echo "usage: tools/bootstrap_check.sh [--prepare-only] DIR" >&2
+  exit 2
+fi
+source_dir=$(cd "$(dirname "$0")/.." && pwd)
+root=$(realpath -m "$1")
+say() { printf 'bootstrap_check: %s\n' "$*" >&2; }
+
+if [ "$(id -u)" -ne 0 ]; then say "needs root (debootstrap, chroot)"; exit 3; fi
+if ! command -v debootstrap >/dev/null; then
+  say "needs debootstrap (apt-get install debootstrap)"
+  exit 3
+fi
+marker=$root/etc/gearwright_bootstrap
+if [ -e "$root" ] && [ ! -e "$marker" ] && [ -n "$(ls -A "$root")" ]; then
+  say "$root is not empty and was not made by this script"
+  exit 2
+fi
+
+# The first archive that offers the suite bookworm, from either format of the sources.
+mirror=$(apt-get indextargets --format '$(RELEASE) $(SITE)' 'Created-By: Packages' 2>/dev/null |
+  awk '$1 == "bookworm" { print $2; exit }')
+if [ -z "$mirror" ]; then say "this machine's package sources name no bookworm mirror"; exit 3; fi
+
+mounts=()
+undo() {
+  local i
+  for ((i = ${#mounts[@]} - 1; i >= 0; --i)); do umount -l "${mounts[$i]}" || true; done
+}
+trap undo EXIT
+trap 'say "stopped at line $LINENO"' ERR
+trap 'exit 130' INT TERM
+
+proxy=$(apt-config shell p Acquire::http::Proxy | sed "s/^p='\(.*\)'$/\1/")
+if [ ! -e "$marker" ]; then
+  say "debootstrap into $root"
+  mkdir -p "$root"
+  http_proxy=${http_proxy:-$proxy} debootstrap --variant=minbase \
+    --include=ca-certificates,make,git bookworm "$root" "$mirror" >"$root.log" 2>&1 ||
+    { tail -n 20 "$root.log" >&2; say "debootstrap failed, see $root.log"; exit 3; }
+  touch "$marker"
+fi
+
+say "copying this machine's package configuration"
+rm -rf "$root"/etc/apt/sources.list.d "$root"/etc/apt/sources.list
+mkdir -p "$root"/etc/apt/sources.list.d "$root"/etc/apt/apt.conf.d "$root"/etc/apt/keyrings
+# Debian's own sources only: the check is about a plain machine.
+for file in /etc/apt/sources.list /etc/apt/sources.list.d/*; do
+  if [ -f "$file" ] && grep -qF "$mirror" "$file"; then
+    cp "$file" "$root/etc/apt/${file#/etc/apt/}"
+  fi
+done
+for folder in apt.conf.d auth.conf.d; do
+  if [ -d /etc/apt/$folder ]; then
+    mkdir -p "$root/etc/apt/$folder"
+    # What names a proxy, an authority or a transport; hooks of other packages stay behind.
+    for file in /etc/apt/$folder/*; do
+      if grep -qsE '^ *Acquire|^ *machine ' "$file"; then cp "$file" "$root$file"; fi
+    done
+  fi
+done
+cp -L /etc/ssl/certs/ca-certificates.crt "$root/etc/ssl/certs/ca-certificates.crt"
+for file in /etc/resolv.conf /etc/hosts; do
+  if [ -f $file ]; then cp -L $file "$root$file"; fi
+done
+if command -v npm >/dev/null; then
+  registry=$(npm config get registry 2>/dev/null || true)
+  [ -z "$registry" ] || echo "registry=$registry" >"$root/root/.npmrc"
+fi
+
+for point in proc dev dev/pts; do
+  mount --bind /$point "$root/$point"
+  mounts+=("$root/$point")
+done
+
+say "cloning"
+rm -rf "$root/root/gearwright"
+git clone -q --no-hardlinks "$source_dir" "$root/root/gearwright"
+
+inside() {
+  chroot "$root" env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \
+    ${http_proxy:+http_proxy="$http_proxy"} ${https_proxy:+https_proxy="$https_proxy"} \
+    NODE_EXTRA_CA_CERTS=/etc/ssl/certs/ca-certificates.crt \
+    bash -euc "cd /root/gearwright && $1"
+}
+inside 'make --version | head -n 1; git --version; git status --short | head; apt-get -q update'
+if [ $prepare_only = yes ]; then say "prepared: $root"; exit 0; fi
+
+for goal in demo demo test; do
+  say "make $goal"
+  begin=$SECONDS
+  inside "make $goal"
+  say "make $goal took $((SECONDS - begin)) s"
+done

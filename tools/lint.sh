@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# Formatting must be clean; clang-tidy gives advice on what the release build compiles.
+#
+#   tools/lint.sh [--fix]     --fix formats in place instead of complaining
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+mapfile -t sources < <(find gearwright apps tests bench -name node_modules -prune -o \
+  \( -name '*.cpp' -o -name '*.hpp' \) -print | sort)
+if [ "${1:-}" = --fix ]; then
+  clang-format -i "${sources[@]}"
+  exit 0
+fi
+clang-format --dry-run --Werror "${sources[@]}"
+echo "lint: ${#sources[@]} files are formatted"
+
+# Headers are checked through the sources that include them.
+mapfile -t units < <(printf '%s\n' "${sources[@]}" |
+  grep -E '^(gearwright|apps)/.*\.cpp$' | grep -v '_test\.cpp$')
+run-clang-tidy -quiet -p build/release -j "${JOBS:-$(nproc)}" "${units[@]/#/$PWD/}" 2>/dev/null |
+  sed 's/\x1b\[[0-9;]*m//g' | grep -vE '^clang-tidy|^$' || true
