@@ -1,0 +1,69 @@
+// A curve by its own length: how far along is t, and which t lies s millimetres along.
+//
+//   W(t)   point of the curve, mm           s(t) = ∫ |W'| dt from t0, mm       L = s(t1)
+//
+// A Curve gives points, not speeds, so the speed comes from the points: on panels of [t0, t1],
+// halved until the series stops, W is interpolated at Chebyshev points (degree 16), differentiated,
+// and |W'| is integrated term by term (Trefethen, Approximation Theory and Approximation Practice,
+// ch. 19, 21).
+//
+// Why by length: the trochoid of a rounded cutter tip runs by the angle of a rack normal, which
+// crowds its speed towards one end; a quintic with uniform knots to 1e-6 mm takes 25 poles there, by
+// length 13 (20 teeth, module 2). A curve with a cusp at its end is the other way round.
+//
+//   Laws  (1) parameter(0) = t0 and parameter(L) = t1, bit for bit
+//         (2) parameter(length_to(t)) = t up to rounding divided by the speed
+//         (3) walking the curve backwards gives the same length
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "gearwright/curve/curve.hpp"
+
+namespace gearwright {
+
+class ArcLength {
+ public:
+  /// Domain    t0 ≠ t1 (contract); t1 < t0 walks the curve backwards, s still grows from 0
+  /// Accuracy  |error of L| < 1e-13 (L + max|W|) for curves analytic on [t0, t1], cusps at an end
+  ///           included; otherwise error_estimate() says what is left. At most 1024 panels.
+  ArcLength(const Curve& curve, double t0, double t1);
+
+  double length() const { return length_; }  ///< L  mm
+
+  /// t at the distance s from the start; s outside [0, L] gives the nearer end.
+  double parameter(double s) const;
+
+  /// s at t; t outside [t0, t1] gives the nearer end.
+  double length_to(double t) const;
+
+  /// mm: the first neglected terms of all panels, summed.
+  double error_estimate() const { return error_estimate_; }
+
+  int panels() const { return static_cast<int>(panels_.size()); }
+
+ private:
+  static constexpr int kDegree = 16;
+  using Series = std::array<double, kDegree + 2>;  // coefficients of Chebyshev polynomials
+
+  struct Panel {
+    double t_begin;
+    double t_end;
+    double s_begin;    ///< mm before this panel
+    double s_end;      ///< mm to its end
+    Series speed;      ///< |dW/dx|, x in [−1, 1] over the panel, mm
+    Series travelled;  ///< its integral from x = −1, mm
+  };
+
+  void add(const Curve& curve, double t_begin, double t_end, double scale, int depth);
+  static double value(const Series& series, double x);
+
+  double t0_;
+  double t1_;
+  double length_ = 0.0;
+  double error_estimate_ = 0.0;
+  std::vector<Panel> panels_;
+};
+
+}  // namespace gearwright

@@ -1,0 +1,12 @@
+// The five parts of half a tooth, root to tip (ISO 21771): every arc of a cutter cuts one of them.
+#pragma once
+
+#include <string_view>
+
+namespace gearwright {
+
+enum class ArcName { root_land, root_fillet, flank, tip_fillet, tip_land };
+
+std::string_view to_string(ArcName name);
+
+}  // namespace gearwright

@@ -1,0 +1,78 @@
+// Clamped B-splines and their interpolation at the Greville abscissae.
+//
+//   p      degree                          n     number of poles, n ≥ p + 1
+//   t_j    knots, n + p + 1 of them: p + 1 equal ones at each end, non-decreasing between
+//   N_i    basis functions, i = 0 … n−1: each lives on [t_i, t_(i+p+1)], at every u they sum to 1
+//   g_i    Greville abscissae (t_(i+1) + … + t_(i+p)) / p; poles g_i give the function u itself
+//   P_i    poles, rows of an n × dim matrix;  C(u) = Σ N_i(u) P_i
+//
+// Interpolation at g_i is well posed (Schoenberg-Whitney: N_i(g_i) > 0) and the collocation matrix
+// A_ij = N_j(g_i) is banded and totally positive, so elimination without pivoting is backward
+// stable and fills nothing in (de Boor, A Practical Guide to Splines, ch. XIII).
+//
+//   Laws  (1) the first and last pole are the first and last sample, bit for bit
+//         (2) polynomials of degree ≤ p are reproduced
+//         (3) poles mirrored end to end draw the same curve backwards (symmetric knots)
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace gearwright {
+
+class BSplineBasis {
+ public:
+  /// Uniform knots on [0, 1].
+  /// Domain    degree ≥ 1, poles ≥ degree + 1 (contract)
+  BSplineBasis(int degree, int poles);
+
+  /// Given knots, clamped at both ends, inner multiplicity at most `degree`.
+  /// Domain    non-decreasing, ends repeated degree + 1 times (contract)
+  BSplineBasis(int degree, std::vector<double> knots);
+
+  int degree() const { return degree_; }
+  int poles() const { return poles_; }
+
+  /// Full knot vector, every knot as often as its multiplicity: poles + degree + 1 numbers.
+  const std::vector<double>& knots() const { return knots_; }
+
+  /// The different knots, growing; multiplicities() stands beside it (the form OCCT wants).
+  std::vector<double> distinct_knots() const;
+  std::vector<int> multiplicities() const;
+
+  /// g_i; the first and last are the ends of the knot vector exactly.
+  const std::vector<double>& greville() const { return greville_; }
+
+  /// Poles of the spline through `samples`: row i of the result belongs to row i of `samples`.
+  ///
+  /// Units     those of the samples
+  /// Domain    samples.rows() == poles() (contract); any number of columns
+  /// Accuracy  backward stable; the columns do not influence each other
+  Eigen::MatrixXd interpolate(const Eigen::MatrixXd& samples) const;
+
+  /// C(u) for poles in rows.   Domain: knots.front() ≤ u ≤ knots.back() (contract)
+  Eigen::VectorXd evaluate(const Eigen::MatrixXd& poles, double u) const;
+
+  /// dᵏC/duᵏ; zero for k > degree; at a knot the derivative from the right (from the left at the
+  /// end).
+  Eigen::VectorXd derivative(const Eigen::MatrixXd& poles, double u, int k = 1) const;
+
+  /// The p + 1 basis functions that live at u: values[j] belongs to pole first + j.
+  struct Local {
+    int first;
+    std::vector<double> values;
+  };
+  Local local(double u) const;
+
+ private:
+  void prepare();
+  int span(double u) const;
+
+  int degree_;
+  int poles_;
+  std::vector<double> knots_;
+  std::vector<double> greville_;
+  Eigen::MatrixXd factors_;  ///< A = L U in one banded matrix; L has ones on its diagonal
+};
+
+}  // namespace gearwright

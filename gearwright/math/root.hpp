@@ -1,0 +1,29 @@
+// One-dimensional roots with a bracket: TOMS 748 (Alefeld, Potra, Shi 1995) by Boost.Math.
+//
+// A solver says where it ended, how large the residual is, how many evaluations it took and why it
+// stopped. The bracket is the guarantee: no start value, no divergence.
+#pragma once
+
+#include <functional>
+
+namespace gearwright {
+
+enum class RootStop {
+  exact,         ///< f(x) = 0
+  bracket,       ///< |b − a| ≤ 2 ulp of the larger end
+  no_bracket,    ///< f(lo), f(hi) have the same sign: nothing was solved, x is the better end
+  evaluations,   ///< the budget of 256 evaluations ran out before the bracket closed
+};
+
+struct Root {
+  double x;
+  double residual;
+  int evaluations;
+  RootStop stop;
+  bool found() const { return stop == RootStop::exact || stop == RootStop::bracket; }
+};
+
+/// Root of f in [lo, hi].   Domain: lo ≤ hi (contract)
+Root find_root(const std::function<double(double)>& f, double lo, double hi);
+
+}  // namespace gearwright

@@ -1,0 +1,67 @@
+// A solver that says why it stopped: every reason, and what each costs.
+#include "gearwright/math/root.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace gearwright {
+namespace {
+
+TEST(Root, closes_its_bracket_on_a_simple_root) {
+  const Root root = find_root([](double x) { return std::cos(x) - x; }, 0.0, 1.0);
+  EXPECT_TRUE(root.found());
+  EXPECT_NEAR(root.x, 0.73908513321516064166, 4 * std::numeric_limits<double>::epsilon());
+  EXPECT_LE(std::abs(root.residual), 4 * std::numeric_limits<double>::epsilon());
+}
+
+// Work counter: TOMS 748 needs 6 to 9 evaluations for a smooth root, and two ends twice.
+TEST(Root, work_on_smooth_functions) {
+  int calls = 0;
+  const Root root = find_root([&](double x) { return ++calls, std::exp(x) - 2.0; }, 0.0, 1.0);
+  EXPECT_TRUE(root.found());
+  EXPECT_LE(calls, 12);
+  EXPECT_GE(root.evaluations, calls - 4);
+  EXPECT_LE(root.evaluations, calls + 4);
+}
+
+TEST(Root, an_end_that_is_the_root) {
+  const Root lo = find_root([](double x) { return x; }, 0.0, 1.0);
+  EXPECT_EQ(lo.stop, RootStop::exact);
+  EXPECT_EQ(lo.x, 0.0);
+  EXPECT_EQ(lo.evaluations, 1);
+  const Root hi = find_root([](double x) { return x - 1.0; }, 0.0, 1.0);
+  EXPECT_EQ(hi.stop, RootStop::exact);
+  EXPECT_EQ(hi.x, 1.0);
+  EXPECT_EQ(hi.evaluations, 2);
+}
+
+TEST(Root, without_a_bracket_it_solves_nothing_and_says_so) {
+  const Root root = find_root([](double x) { return x * x + 1.0; }, -1.0, 0.5);
+  EXPECT_EQ(root.stop, RootStop::no_bracket);
+  EXPECT_FALSE(root.found());
+  EXPECT_EQ(root.x, 0.5);
+  EXPECT_EQ(root.residual, 1.25);
+}
+
+// Flat at the root: the bracket closes where rounding has taken the sign.
+TEST(Root, a_triple_root_ends_all_the_same) {
+  const Root root = find_root([](double x) { return (x - 0.3) * (x - 0.3) * (x - 0.3); }, 0.0, 1.0);
+  EXPECT_TRUE(root.found());
+  EXPECT_NEAR(root.x, 0.3, 1e-9);
+  EXPECT_LE(root.evaluations, 260);
+}
+
+TEST(Root, a_step_is_bracketed_to_two_ulp) {
+  const Root root = find_root([](double x) { return x < 0.7 ? -1.0 : 1.0; }, 0.0, 1.0);
+  EXPECT_EQ(root.stop, RootStop::bracket);
+  EXPECT_NEAR(root.x, 0.7, 4 * std::numeric_limits<double>::epsilon());
+}
+
+TEST(RootDeathTest, the_interval_runs_upward) {
+  EXPECT_DEATH(find_root([](double x) { return x; }, 1.0, 0.0), "precondition");
+}
+
+}  // namespace
+}  // namespace gearwright
