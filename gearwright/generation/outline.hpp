@@ -1,0 +1,39 @@
+// The transverse outline of half a tooth: named arcs from the middle of the space to the middle of
+// the tooth, on the side y > 0, with the tooth's centre line on the x axis.
+//
+//   Laws  (1) the end of each arc is the start of the next, to the last bit
+//         (2) the first point has the polar angle π/|z|, the last one 0
+//         (3) radii never decrease from the first arc to the last (external teeth)
+#pragma once
+
+#include <vector>
+
+#include "gearwright/curve/arc_name.hpp"
+#include "gearwright/curve/curve.hpp"
+
+namespace gearwright {
+
+struct Arc {
+  ArcName name;
+  CurvePtr curve;
+  double begin;      ///< curve parameter at the root side
+  double end;        ///< curve parameter at the tip side
+  Vec2 begin_point;  ///< shared bit for bit with the previous arc's end_point
+  Vec2 end_point;
+
+  /// Point at u in [0, 1], root side to tip side; the two ends are begin_point and end_point.
+  Vec2 point(double u) const;
+  CurvePoint at(double u) const;
+};
+
+struct Outline {
+  int teeth = 0;  ///< z, negative for a ring
+  std::vector<Arc> arcs;
+
+  const Arc* find(ArcName name) const;  ///< first arc of that name, or null
+};
+
+/// n points per arc, both ends included.   Domain: n ≥ 2 (contract)
+std::vector<Vec2> sample(const Arc& arc, int n);
+
+}  // namespace gearwright

@@ -1,0 +1,100 @@
+#include "gearwright/generation/rack_envelope.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "gearwright/math/involute.hpp"
+#include "gearwright/math/polynomial.hpp"
+
+namespace gearwright {
+
+RackTrochoid::RackTrochoid(const RackMotion& motion, const EdgeCircle& circle)
+    : motion_(motion), circle_(circle) {
+  circle_.center.x() += motion.shift;
+}
+
+Vec2 RackTrochoid::point(double tau) const {
+  const double s = std::sin(tau);
+  const double c = std::cos(tau);
+  const double x = circle_.center.x() + circle_.q * s;
+  const double y = (circle_.center.y() + circle_.q * c) / motion_.cos_beta;
+  const double k = x * motion_.cos_beta * c / s;
+  const double phi = (y - k) / motion_.pitch_radius;
+  const double u = motion_.pitch_radius + x;
+  const double sin_phi = std::sin(phi);
+  const double cos_phi = std::cos(phi);
+  return {u * cos_phi - k * sin_phi, u * sin_phi + k * cos_phi};
+}
+
+double RackTrochoid::polar_angle(double tau) const {
+  const double s = std::sin(tau);
+  const double c = std::cos(tau);
+  const double x = circle_.center.x() + circle_.q * s;
+  const double y = (circle_.center.y() + circle_.q * c) / motion_.cos_beta;
+  const double k = x * motion_.cos_beta * c / s;
+  return (y - k) / motion_.pitch_radius + std::atan2(k, motion_.pitch_radius + x);
+}
+
+CurvePoint RackTrochoid::at(double tau) const {
+  const double r = motion_.pitch_radius;
+  const double cb = motion_.cos_beta;
+  const double s = std::sin(tau);
+  const double c = std::cos(tau);
+  const double q = circle_.q;
+  const double x = circle_.center.x() + q * s;
+  const double k = x * cb * c / s;
+  const double phi = ((circle_.center.y() + q * c) / cb - k) / r;
+  const double tau_t = std::atan2(s, cb * c);
+  const double square = s * s + cb * cb * c * c;
+  // dW/dτ = v e^{i(φ − τ_t)},  v = F √(s² + cos²β c²)/(s³ r cos β).                           [T3.9]
+  const double f = evaluate_polynomial(cusp_polynomial(), s);
+  const double v = f * std::sqrt(square) / (s * s * s * r * cb);
+  const double phi_1 = (-q * s / cb - (q * c * c * cb / s - x * cb / (s * s))) / r;
+  const double turn = phi_1 - cb / square;
+  return {point(tau), phi - tau_t + (v < 0.0 ? std::numbers::pi : 0.0), turn / std::abs(v)};
+}
+
+std::vector<double> RackTrochoid::cusp_polynomial() const {
+  const double r = motion_.pitch_radius;
+  const double cos2 = motion_.cos_beta * motion_.cos_beta;
+  const double sin2 = 1.0 - cos2;
+  const double q = circle_.q;
+  const double x_c = circle_.center.x();
+  return {-cos2 * x_c * x_c, -cos2 * x_c * q, 0.0, q * (r + sin2 * x_c), sin2 * q * q};
+}
+
+std::vector<double> RackTrochoid::neck_angles(double tau_lo, double tau_hi) const {
+  // r sin²τ_t + x = 0 times (s² + cos²β c²).
+  const double cos2 = motion_.cos_beta * motion_.cos_beta;
+  const double sin2 = 1.0 - cos2;
+  const double q = circle_.q;
+  const double x_c = circle_.center.x();
+  const double c[] = {x_c * cos2, q * cos2, motion_.pitch_radius + x_c * sin2, q * sin2};
+  std::vector<double> angles;
+  for (double s : polynomial_roots(c, std::sin(tau_lo), std::sin(tau_hi))) angles.push_back(std::asin(s));
+  return angles;
+}
+
+namespace {
+
+double transverse(const RackMotion& motion, double tau) {
+  return std::atan2(std::sin(tau), motion.cos_beta * std::cos(tau));
+}
+
+}  // namespace
+
+Involute rack_involute(const RackMotion& motion, const EdgeLine& line) {
+  const double alpha_t = transverse(motion, line.tau);
+  // The line's half width on the pitch circle, then down to the base circle.
+  const double y_pitch = (line.y_datum + motion.shift * std::tan(line.tau)) / motion.cos_beta;
+  return {motion.pitch_radius * std::cos(alpha_t), y_pitch / motion.pitch_radius + involute(alpha_t)};
+}
+
+double rack_involute_roll(const RackMotion& motion, const EdgeLine& line, double x) {
+  const double alpha_t = transverse(motion, line.tau);
+  const double s = std::sin(alpha_t);
+  // ξ = (r sin α_t + x/sin α_t)/r_b, written so that the cusp x = −r sin²α_t is exactly 0.
+  return (motion.pitch_radius * s * s + x) / (motion.pitch_radius * s * std::cos(alpha_t));
+}
+
+}  // namespace gearwright

@@ -1,0 +1,56 @@
+// The envelope of a rack cutter's edge in the transverse section of the gear it cuts.
+//
+//   r    pitch radius, mm        β    helix angle        e    height of the datum line over the pitch circle, mm
+//   (x, y, τ)  a point of the cutter's edge with its normal angle (tool/cutter_edge.hpp); x here includes e
+//
+// The point is cut when its normal passes through the pitch point. With k = x cot τ cos β the gear has
+// then turned by φ = (y/cos β − k)/r and the point of the gear is                                    [T3.7]
+//
+//   W = (r + x + ik) e^{iφ},   tangent e^{i(φ − τ_t)},   tan τ_t = tan τ / cos β
+//
+// A straight piece of the edge cuts an involute (closed form), a circle or a corner a trochoid.
+#pragma once
+
+#include <vector>
+
+#include "gearwright/curve/basic_curves.hpp"
+#include "gearwright/curve/curve.hpp"
+#include "gearwright/tool/cutter_edge.hpp"
+
+namespace gearwright {
+
+struct RackMotion {
+  double pitch_radius;  ///< r  mm
+  double cos_beta;      ///< cos β
+  double shift;         ///< e = x_E m_n  mm
+};
+
+/// What a circular piece of the edge cuts; the parameter is the normal angle τ of the normal section.
+///
+/// Laws  (1) d|W|²/dτ = 2 F cos τ / sin³τ with the quartic F of [T3.9]: where F keeps its sign the
+///           radius is monotone, and a zero of F is a cusp
+///       (2) dθ/d|W| does not depend on the circle's radius
+class RackTrochoid final : public Curve {
+ public:
+  RackTrochoid(const RackMotion& motion, const EdgeCircle& circle);
+  Vec2 point(double tau) const override;
+  CurvePoint at(double tau) const override;
+  double polar_angle(double tau) const override;
+
+  /// F(sin τ), lowest power first.                                                            [T3.9]
+  std::vector<double> cusp_polynomial() const;
+  /// The normal angles between the ends at which the tooth's half angle is stationary: the neck. [T3.10]
+  std::vector<double> neck_angles(double tau_lo, double tau_hi) const;
+
+ private:
+  RackMotion motion_;
+  EdgeCircle circle_;  // its centre already lifted by e
+};
+
+/// The involute that a straight piece cuts.                                                   [T3.8]
+Involute rack_involute(const RackMotion& motion, const EdgeLine& line);
+
+/// Roll angle ξ of the point cut by the line's point at height x (e included).
+double rack_involute_roll(const RackMotion& motion, const EdgeLine& line, double x);
+
+}  // namespace gearwright

@@ -1,0 +1,100 @@
+// A finished half-tooth outline held against the swept rack that should have cut it.
+//
+//   outline   points (x, y) from the middle of the space to the tooth's end, side y ≥ 0, without
+//   the
+//             tip land on the blank (the blank is turned, not cut)
+//   n         normal into the material: the chord of the two neighbours, turned clockwise
+//
+// Two questions.  Is every point on the surface: |clearance| small? And is it the surface there,
+// with material on one side and none on the other: clearance > 0 a nudge inwards, < 0 a nudge
+// outwards? A loop of a trochoid that another position has cut away fails the first, a point in the
+// midst of a slot fails the second.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "tests/oracle/swept_rack.hpp"
+
+namespace gearwright::oracle {
+
+/// The nudge, mm: a thousand times what `worst` may be, a thousandth of what machines can make.
+inline constexpr double kNudge = 1e-6;
+
+struct OutlineAgainstSweep {
+  double worst = 0.0;  ///< greatest |clearance|  mm
+  std::size_t worst_index = 0;
+  double least_inward = std::numeric_limits<double>::infinity();  ///< mm, must be > 0
+  std::size_t least_inward_index = 0;
+  double greatest_outward = -std::numeric_limits<double>::infinity();  ///< mm, must be < 0
+  std::size_t greatest_outward_index = 0;
+  double longest_step = 0.0;  ///< mm between neighbours: a hole in the outline shows here
+
+  /// On the surface to `tolerance` mm, with material inside and none outside at every point.
+  bool holds(double tolerance) const {
+    return worst <= tolerance && least_inward > 0.0 && greatest_outward < 0.0;
+  }
+};
+
+namespace outline_detail {
+
+/// From {x, y} or from anything with x() and y().
+template <class P>
+PlanePoint plane_point(const P& p) {
+  if constexpr (requires { p.x(); }) {
+    return {p.x(), p.y()};
+  } else {
+    return {p.x, p.y};
+  }
+}
+
+inline double distance(PlanePoint a, PlanePoint b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+/// Unit normal into the material at point i. Neighbours nearer than a nudge (the doubled points at
+/// the joints of arcs) say nothing about the direction and are passed over. A tooth that ends in a
+/// point on its centre line has its own mirror image as the next neighbour.
+inline PlanePoint inward_normal(const std::vector<PlanePoint>& points, std::size_t i) {
+  std::size_t before = i, after = i;
+  while (before > 0 && distance(points[before], points[i]) < kNudge) --before;
+  while (after + 1 < points.size() && distance(points[after], points[i]) < kNudge) ++after;
+  PlanePoint from = points[before], to = points[after];
+  if (distance(to, points[i]) < kNudge && std::abs(points[i].y) < kNudge) to = {from.x, -from.y};
+  const double length = distance(from, to);
+  return {(to.y - from.y) / length, -(to.x - from.x) / length};
+}
+
+}  // namespace outline_detail
+
+/// Domain    at least two points, further apart than kNudge; `Points` a range of {x, y} or of types
+///           with x() and y(), in mm
+/// Cost      three clearances a point
+template <class Points>
+OutlineAgainstSweep outline_against_sweep(const Points& outline, const SweptRack& rack) {
+  std::vector<PlanePoint> points;
+  for (const auto& p : outline) points.push_back(outline_detail::plane_point(p));
+
+  OutlineAgainstSweep result;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const PlanePoint p = points[i], n = outline_detail::inward_normal(points, i);
+    const double on = std::abs(rack.clearance(p));
+    const double in = rack.clearance({p.x + kNudge * n.x, p.y + kNudge * n.y});
+    const double out = rack.clearance({p.x - kNudge * n.x, p.y - kNudge * n.y});
+    // Negated, so that a NaN is the worst there is and stays so.
+    if (!(on <= result.worst)) result.worst = on, result.worst_index = i;
+    if (!(in >= result.least_inward)) result.least_inward = in, result.least_inward_index = i;
+    if (!(out <= result.greatest_outward)) {
+      result.greatest_outward = out;
+      result.greatest_outward_index = i;
+    }
+    if (i > 0) {
+      result.longest_step =
+          std::max(result.longest_step, outline_detail::distance(p, points[i - 1]));
+    }
+  }
+  return result;
+}
+
+}  // namespace gearwright::oracle
