@@ -1,0 +1,184 @@
+#include "gearwright/gear/gear.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace gearwright {
+
+namespace {
+
+Error bad(const char* key, double value, const std::string& why) {
+  return {key, fmt::format("{}", value), fmt::format("{} = {}: {}", key, value, why)};
+}
+
+std::optional<Error> check(const CylindricalSpec& spec) {
+  if (spec.teeth == 0) return bad("teeth", 0, "must not be 0; negative for an internal gear (ring)");
+  if (!(std::isfinite(spec.normal_module) && spec.normal_module > 0.0)) {
+    return bad("normal_module_mm", spec.normal_module, "must be greater than 0");
+  }
+  const double alpha = spec.normal_pressure_angle.deg();
+  if (!(alpha > 0.0 && alpha < 90.0)) {
+    return bad("normal_pressure_angle_deg", alpha, "must lie between 0 and 90, usually 14.5 to 30");
+  }
+  const double beta = spec.helix_angle.deg();
+  if (!(std::abs(beta) < 90.0)) {
+    return bad("helix_angle_deg", beta, "must lie between -90 (left hand) and 90 (right hand)");
+  }
+  if (!std::isfinite(spec.profile_shift)) {
+    return bad("profile_shift", spec.profile_shift, "must be a finite number of modules");
+  }
+  if (!std::isfinite(spec.thickness_allowance)) {
+    return bad("thickness_allowance_mm", spec.thickness_allowance, "must be a finite length");
+  }
+  if (!(std::isfinite(spec.face_width) && spec.face_width > 0.0)) {
+    return bad("face_width_mm", spec.face_width, "must be greater than 0");
+  }
+  if (spec.tip_diameter && !(std::isfinite(*spec.tip_diameter) && *spec.tip_diameter > 0.0)) {
+    return bad("tip_diameter_mm", *spec.tip_diameter, "must be greater than 0");
+  }
+  return std::nullopt;
+}
+
+void warn(Gear& gear, const char* code, std::string message) {
+  gear.warnings.push_back({code, std::move(message), 0});
+}
+
+void warn_about_tooth(Gear& gear) {
+  const GeneratedTooth& tooth = *gear.tooth;
+  if (tooth.through_axis) {
+    warn(gear, "through_axis",
+         fmt::format("The cutter passes the gear's axis (root diameter {:.4f} mm): there is no gear. More "
+                     "teeth, more profile shift or a smaller dedendum would help.", gear.root_diameter));
+    return;
+  }
+  if (tooth.severed) {
+    warn(gear, "severed",
+         "The root fillets of both sides meet: the tooth is cut off. More profile shift helps; the "
+         "undercut-free shift is " + fmt::format("{:.4f}.", gear.undercut_free_profile_shift));
+    return;
+  }
+  if (gear.undercut) {
+    warn(gear, "undercut",
+         fmt::format("Undercut: the usable flank starts at {}; a profile shift of at least {:.4f} "
+                     "avoids it.",
+                     tooth.form_radius ? fmt::format("{:.4f} mm diameter", 2 * *tooth.form_radius)
+                                       : std::string("no diameter"),
+                     gear.undercut_free_profile_shift));
+  }
+  if (!tooth.form_radius) {
+    warn(gear, "no_flank", "No usable involute flank is left between root fillet and tip.");
+  }
+  if (tooth.pointed) {
+    warn(gear, "pointed",
+         fmt::format("Pointed: the tooth ends at {:.4f} mm diameter, before the blank's {:.4f} mm.",
+                     2 * tooth.tip_radius, gear.tip_diameter));
+  } else if (gear.tip_tooth_thickness_normal &&
+             *gear.tip_tooth_thickness_normal < 0.2 * gear.spec.normal_module) {
+    warn(gear, "thin_tip",
+         fmt::format("Thin tip: {:.4f} mm, less than 0.2 modules ({:.4f} mm).",
+                     *gear.tip_tooth_thickness_normal, 0.2 * gear.spec.normal_module));
+  }
+  if (tooth.tip_cut_by_rack) {
+    warn(gear, "tip_cut_by_rack",
+         fmt::format("The cutter's bottom land tops the tooth at {:.4f} mm diameter, below the blank's "
+                     "{:.4f} mm.", 2 * tooth.tip_radius, gear.tip_diameter));
+  }
+}
+
+// Normal thickness of the finished tooth at its tip: the land that is left, 0 at a point.
+std::optional<double> tip_thickness(const Gear& gear) {
+  if (!gear.exists()) return std::nullopt;
+  const double d_b = gear.reference.base_diameter;
+  if (gear.tooth) {
+    if (gear.tooth->pointed) return 0.0;
+    const double d_end = 2 * gear.tooth->tip_radius;
+    const Arc& land = gear.tooth->outline.arcs.back();
+    // A tip on the base circle itself may lie an ulp inside it.
+    const bool plain = gear.tooth->tip_form_radius == gear.tooth->tip_radius && d_end >= d_b;
+    const double s_t = plain ? tooth_thickness_transverse(gear.spec.teeth, d_b,
+                                                          gear.reference.base_tooth_thickness, d_end)
+                             : d_end * land.begin;
+    return s_t * cos_helix_at(d_b, gear.reference.base_helix_angle, d_end);
+  }
+  if (gear.tip_diameter < d_b) return std::nullopt;
+  return tooth_thickness_transverse(gear.spec.teeth, d_b, gear.reference.base_tooth_thickness,
+                                    gear.tip_diameter) *
+         cos_helix_at(d_b, gear.reference.base_helix_angle, gear.tip_diameter);
+}
+
+}  // namespace
+
+std::optional<double> Gear::root_form_radius() const {
+  return tooth ? tooth->form_radius : std::nullopt;
+}
+
+double Gear::tip_form_radius() const {
+  if (tooth && tooth->tip_form_radius) return *tooth->tip_form_radius;
+  return tip_diameter / 2;
+}
+
+double Gear::actual_tip_radius() const { return tooth && exists() ? tooth->tip_radius : tip_diameter / 2; }
+
+double Gear::twist() const { return lead == 0.0 ? 0.0 : 2 * std::numbers::pi / lead; }
+
+Result<Gear> make_gear(const CylindricalSpec& spec) {
+  if (auto error = check(spec)) return *error;
+  Gear gear{};
+  gear.spec = spec;
+  gear.reference = reference_geometry<double>({spec.teeth, spec.normal_module,
+                                               spec.normal_pressure_angle.rad(), spec.helix_angle.rad(),
+                                               spec.profile_shift, spec.thickness_allowance});
+  auto rack_edge = make_edge(spec.rack, spec.normal_module, spec.normal_pressure_angle);
+  if (!rack_edge) return rack_edge.error();
+  const CutterEdge& edge = rack_edge->edge;
+
+  const double m = spec.normal_module;
+  const double d = gear.reference.reference_diameter;
+  const double x_E = gear.reference.generating_profile_shift;
+  const double sign = gear.internal() ? -1.0 : 1.0;
+  const double beta = spec.helix_angle.rad();
+  gear.tip_diameter = spec.tip_diameter.value_or(d + sign * 2 * m * (spec.rack.addendum + spec.profile_shift));
+  gear.root_diameter = d - sign * 2 * m * (spec.rack.dedendum - x_E);
+  gear.lead = beta == 0.0 ? 0.0 : std::numbers::pi * d / std::tan(beta);
+  const double sin_alpha_t = std::sin(gear.reference.transverse_pressure_angle);
+  gear.undercut_free_profile_shift =
+      edge.flank_begin_depth / m - std::abs(spec.teeth) * sin_alpha_t * sin_alpha_t / (2 * std::cos(beta));
+  const double psi_b = gear.reference.base_tooth_thickness / gear.reference.base_diameter;
+  // A ring's flanks meet beyond its root, at inv α = −ψ_b.
+  const double y = sign * psi_b;
+  if (y >= 0.0) gear.pointed_diameter = gear.reference.base_diameter / std::cos(inverse_involute(y));
+
+  if (rack_edge->became_full_radius) {
+    warn(gear, "full_radius_root",
+         fmt::format("The rack's root fillet radius {} does not fit at this pressure angle; the full "
+                     "radius {:.6f} is used.", spec.rack.root_fillet_radius,
+                     full_radius(spec.rack, spec.normal_pressure_angle)));
+  }
+  if (gear.internal()) {
+    if (!(gear.tip_diameter < gear.root_diameter)) {
+      return bad("tip_diameter_mm", gear.tip_diameter,
+                 fmt::format("must be less than the ring's root diameter {} mm", gear.root_diameter));
+    }
+    gear.undercut = false;
+    gear.tip_tooth_thickness_normal = tip_thickness(gear);
+    if (gear.tip_diameter < gear.reference.base_diameter) {
+      warn(gear, "tip_below_base",
+           fmt::format("The ring's tip {:.4f} mm lies inside its base circle {:.4f} mm: the flank has no "
+                       "involute there.", gear.tip_diameter, gear.reference.base_diameter));
+    }
+    return gear;
+  }
+  gear.undercut = x_E < gear.undercut_free_profile_shift;
+  const RackMotion motion{d / 2, std::cos(beta), x_E * m};
+  auto tooth = cut_by_rack(edge, motion, spec.teeth, gear.tip_diameter / 2);
+  if (!tooth) return tooth.error();
+  gear.tooth = std::move(tooth).take();
+  gear.root_diameter = 2 * gear.tooth->root_radius;
+  gear.tip_tooth_thickness_normal = tip_thickness(gear);
+  warn_about_tooth(gear);
+  return gear;
+}
+
+}  // namespace gearwright

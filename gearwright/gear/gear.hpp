@@ -1,0 +1,68 @@
+// A cylindrical gear: its numbers as on the drawing, what follows from them, and the tooth as cut.
+//
+// Symbols of ISO 21771; see gear/reference.hpp and docs/theory/00-notation.md.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gearwright/base/angle.hpp"
+#include "gearwright/base/result.hpp"
+#include "gearwright/gear/reference.hpp"
+#include "gearwright/generation/generate.hpp"
+#include "gearwright/tool/straight_rack.hpp"
+
+namespace gearwright {
+
+struct CylindricalSpec {
+  int teeth = 0;                                      ///< z     negative for a ring
+  double normal_module = 0.0;                         ///< m_n   mm
+  Angle normal_pressure_angle = Angle::degrees(20);   ///< α_n
+  Angle helix_angle = Angle::degrees(0);              ///< β     > 0 right hand
+  double profile_shift = 0.0;                         ///< x
+  double thickness_allowance = 0.0;                   ///< E_sn  mm, < 0 thins the tooth
+  double face_width = 0.0;                            ///< b     mm
+  std::optional<double> tip_diameter;                 ///< d_a   mm; else from the rack
+  StraightRack rack;
+};
+
+/// Something a person should know about a gear or a pair that is not an error.
+struct Warning {
+  std::string code;     ///< fixed word for programs: "undercut"
+  std::string message;  ///< one sentence for people
+  int gear = 0;         ///< 1, 2, or 0 for the pair
+};
+
+struct Gear {
+  CylindricalSpec spec;
+  ReferenceGeometry<double> reference;
+  double tip_diameter;       ///< d_a   mm, of the blank
+  double root_diameter;      ///< d_f   mm, negative when the rack passes the axis
+  double lead;               ///< p_z   mm, signed; 0 for a spur gear (no lead exists)
+  double undercut_free_profile_shift;        ///< least x_E without undercut, signed
+  bool undercut;                             ///< x_E below that
+  std::optional<double> pointed_diameter;    ///< where the two flanks meet, mm
+  std::optional<double> tip_tooth_thickness_normal;  ///< s_an  mm, of the finished tooth
+  std::optional<GeneratedTooth> tooth;       ///< none for a ring: its outline comes from a pinion cutter
+  std::vector<Warning> warnings;
+
+  bool internal() const { return spec.teeth < 0; }
+  bool exists() const { return !tooth || (!tooth->through_axis && !tooth->severed); }
+  double base_radius() const { return reference.base_diameter / 2; }
+  /// d_Ff/2, where the usable flank starts; none for a ring or when no flank is left.
+  std::optional<double> root_form_radius() const;
+  /// d_Fa/2, where it ends; a ring's is its tip.
+  double tip_form_radius() const;
+  /// The radius at which the finished tooth ends: blank, cutter's bottom, or its point.
+  double actual_tip_radius() const;
+  double twist() const;  ///< 2π/p_z  rad/mm, signed, 0 for a spur gear
+};
+
+/// Makes the gear: closed-form data, then the tooth by generation.
+///
+/// Errors    the key as in the spec file ("teeth", "normal_module_mm", "rack.dedendum", …), without
+///           the gear's table name. Undercut, pointed, severed teeth are data and warnings.
+Result<Gear> make_gear(const CylindricalSpec& spec);
+
+}  // namespace gearwright
