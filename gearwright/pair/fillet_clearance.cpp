@@ -1,0 +1,136 @@
+// The path of a tip corner through the mate's root, and how close it comes to the fillet.
+//
+//   ρ_c, θ_c   radius and half angle of the corner on its own tooth     u = z_gear/z_mate
+//   η          half the backlash as a rotation of the mate: the flanks of this side touch
+//   w          orbit parameter: 0 where the corner crosses the centre line, its deepest place
+//
+// Held still, the gear sees the mate's axis orbit. The corner stands at                         [T2.26]
+//   P(w) = e^{iφ} (a − ρ_c e^{iw}),  w = uφ − (θ_c + η)      external pair
+//   P(w) = e^{iφ} (ρ_c e^{iw} − a),  w = (θ_c + η) − uφ      pinion in its ring
+// with the space's centre line on the x axis; the fillet beside it is that of the tooth at π/z.
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+
+#include "gearwright/pair/pair.hpp"
+
+namespace gearwright {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+struct Corner {
+  double radius;
+  double half_angle;
+};
+
+// The corners at which a tooth ends: the flank's end, and the land's where a fillet lies between.
+std::vector<Corner> tip_corners(const Gear& mate) {
+  if (mate.internal()) {
+    const double r = mate.tip_diameter / 2;
+    if (r < mate.base_radius()) return {};
+    const double d_b = mate.reference.base_diameter;
+    return {{r, tooth_thickness_transverse(mate.spec.teeth, d_b, mate.reference.base_tooth_thickness, 2 * r) /
+                    (2 * r)}};
+  }
+  std::vector<Corner> corners;
+  for (const Arc& arc : mate.tooth->outline.arcs) {
+    if (arc.name == ArcName::root_land || arc.name == ArcName::tip_land) continue;
+    const Corner end{arc.end_point.norm(), std::atan2(arc.end_point.y(), arc.end_point.x())};
+    if (arc.name == ArcName::root_fillet) {
+      corners = {end};  // only if nothing follows
+    } else if (arc.name == ArcName::flank) {
+      corners = {end};
+    } else {
+      corners.push_back(end);
+    }
+  }
+  return corners;
+}
+
+struct Orbit {
+  double a, u, play;  // play = η
+  bool external;
+  double half_space;  // π/z
+
+  // The corner in the frame of the tooth beside the space, mirrored to its side y > 0.
+  Vec2 place(const Corner& c, double w) const {
+    const double kappa = c.half_angle + play;
+    const double phi = (external ? kappa + w : kappa - w) / u;
+    const Complex turn = std::polar(c.radius, w);
+    const Complex p = std::polar(1.0, phi - half_space) * (external ? a - turn : turn - a);
+    return {p.real(), -p.imag()};
+  }
+};
+
+constexpr int kHalfDigits = std::numeric_limits<double>::digits / 2;
+
+// Distance from p to an arc, > 0 on the space's side of it.
+double signed_distance(const Arc& arc, const Vec2& p) {
+  const auto distance = [&](double u) { return (arc.point(u) - p).norm(); };
+  constexpr int kSteps = 8;
+  int best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= kSteps; ++i) {
+    const double d = distance(static_cast<double>(i) / kSteps);
+    if (d < least) {
+      least = d;
+      best = i;
+    }
+  }
+  const double lo = std::max(0, best - 1) / static_cast<double>(kSteps);
+  const double hi = std::min(kSteps, best + 1) / static_cast<double>(kSteps);
+  const double u = boost::math::tools::brent_find_minima(distance, lo, hi, kHalfDigits).first;
+  least = std::min(least, distance(u));
+  const double rho = std::clamp(p.norm(), arc.begin_point.norm(), arc.end_point.norm());
+  const double theta = arc.curve->polar_angle(arc.curve->parameter_at_radius(rho, arc.begin, arc.end));
+  return std::atan2(p.y(), p.x()) >= theta ? least : -least;
+}
+
+}  // namespace
+
+std::optional<double> fillet_clearance(const Pair& pair, int which) {
+  GW_EXPECTS(which == 1 || which == 2);
+  const Gear& gear = pair.gears[which - 1];
+  const Gear& mate = pair.gears[2 - which];
+  if (gear.internal()) return std::nullopt;
+  const double a = pair.center_distance;
+  const bool external = pair.kind == PairKind::parallel_external;
+  const double play =
+      (which == 1 ? pair.mesh.backlash_rotation_2 : pair.mesh.backlash_rotation_1) / 2;
+  const Orbit orbit{a, gear.spec.teeth / std::abs(static_cast<double>(mate.spec.teeth)), play, external,
+                    std::numbers::pi / gear.spec.teeth};
+  std::optional<double> least;
+  for (const Corner& corner : tip_corners(mate)) {
+    for (const Arc& arc : gear.tooth->outline.arcs) {
+      if (arc.name != ArcName::root_fillet) continue;
+      // The corner is below the arc's upper end while cos w is above this.
+      const double r = arc.end_point.norm();
+      const double c = (a * a + corner.radius * corner.radius - r * r) / (2 * a * corner.radius);
+      if (c >= 1.0) continue;  // never gets that deep
+      const double w_end = std::acos(std::max(-1.0, c));
+      const auto gap = [&](double s) { return signed_distance(arc, orbit.place(corner, external ? -s : s)); };
+      constexpr int kSteps = 24;
+      int best = 0;
+      double found = std::numeric_limits<double>::infinity();
+      for (int i = 0; i <= kSteps; ++i) {
+        const double g = gap(w_end * i / kSteps);
+        if (g < found) {
+          found = g;
+          best = i;
+        }
+      }
+      const double lo = w_end * std::max(0, best - 1) / kSteps;
+      const double hi = w_end * std::min(kSteps, best + 1) / kSteps;
+      found = std::min(found, boost::math::tools::brent_find_minima(gap, lo, hi, kHalfDigits).second);
+      if (!least || found < *least) least = found;
+    }
+  }
+  return least;
+}
+
+}  // namespace gearwright
