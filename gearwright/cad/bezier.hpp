@@ -1,0 +1,29 @@
+// An arc of the outline as cubic Bézier curves, for SVG.
+//
+//   L    length of one piece, mm      T    unit tangent of the exact curve
+//
+// Each piece has its handles L/3 along the exact tangents at its ends: run at unit speed, the cubic
+// then meets the curve to the fourth order in L, and neighbours share their tangent. Pieces are as
+// long as the tolerance allows.
+#pragma once
+
+#include <vector>
+
+#include "gearwright/generation/outline.hpp"
+
+namespace gearwright {
+
+struct BezierChain {
+  std::vector<Vec2> points;  ///< 3n + 1, mm, root to tip; every third lies on the exact curve
+  double deviation_mm;       ///< greatest normal distance, 64 points per piece
+};
+
+/// Chain of cubics within `tolerance_mm` of the exact curve.
+///
+/// Units     mm
+/// Domain    tolerance_mm > 0 (contract)
+/// Accuracy  deviation_mm ≤ tolerance_mm wherever 2¹² pieces suffice: the caller looks
+/// Laws      the ends are the arc's, bit for bit
+BezierChain fit_beziers(const Arc& arc, double tolerance_mm);
+
+}  // namespace gearwright

@@ -1,0 +1,154 @@
+#include "gearwright/cad/biarc.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/cad/circle_distance.hpp"
+#include "gearwright/cad/longest_step.hpp"
+
+namespace gearwright {
+namespace {
+
+constexpr double kStraight = 1e-9;   // mm of sagitta, below which an arc is a line
+constexpr double kOneCircle = 1e-9;  // rad between the tangents that make two arcs one
+constexpr StepLimits kLimits{1.0 / 4096, 1.0 / 128};  // of the arc's parameter
+constexpr int kVerify = 256;  // points per biarc that vouch for the tolerance
+
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+// Half the angle from the tangent at the start to the chord has this tangent; so the bulge of the
+// arc that starts in direction t and ends at the chord's end.
+double bulge_of(const Vec2& tangent, const Vec2& chord) {
+  const double length = chord.norm();
+  const double bulge = cross(tangent, chord) / (length + tangent.dot(chord));
+  return std::abs(bulge) * length < 2.0 * kStraight ? 0.0 : bulge;
+}
+
+struct End {
+  Vec2 point;
+  Vec2 tangent;
+};
+
+struct Biarc {
+  Vec2 joint;  // equal to the end when there is one arc
+  int arcs;    // 1 or 2
+  double bulges[2];
+};
+
+Biarc join(const End& a, const End& b) {
+  const Vec2 v = b.point - a.point;
+  const double length = v.norm();
+  const double turn_a = std::atan2(cross(a.tangent, v), a.tangent.dot(v));
+  const double turn_b = std::atan2(cross(v, b.tangent), v.dot(b.tangent));
+  if (std::abs(turn_a - turn_b) < kOneCircle) return {b.point, 1, {bulge_of(a.tangent, v), 0.0}};
+  const double along = v.dot(a.tangent + b.tangent);
+  const double open = 2.0 * (1.0 - a.tangent.dot(b.tangent));
+  // The positive root without cancellation.
+  const double d = length * length / (along + std::sqrt(along * along + open * length * length));
+  const Vec2 joint = 0.5 * (a.point + b.point) + 0.5 * d * (a.tangent - b.tangent);
+  // The second arc is the first of the pair run backwards.
+  return {joint, 2, {bulge_of(a.tangent, joint - a.point), -bulge_of(-b.tangent, joint - b.point)}};
+}
+
+// A circle where the arc (from, bulge, to) touches it.
+struct Touch {
+  Vec2 from;
+  Vec2 normal;
+  double kappa;
+};
+
+Touch touch(const Vec2& from, const Vec2& to, double bulge) {
+  const Vec2 chord = to - from;
+  const double length = chord.norm();
+  const double scale = 1.0 / (1.0 + bulge * bulge);
+  const double cosine = (1.0 - bulge * bulge) * scale;
+  const double sine = 2.0 * bulge * scale;
+  const Vec2 unit = chord / length;
+  const Vec2 tangent(cosine * unit.x() + sine * unit.y(), cosine * unit.y() - sine * unit.x());
+  return {from, {-tangent.y(), tangent.x()}, 2.0 * sine / length};
+}
+
+class Fitter {
+ public:
+  Fitter(const Arc& arc, int looks) : arc_(arc), looks_(looks) {}
+
+  End end(double u) const {
+    const double angle = arc_.at(u).tangent_angle;
+    return {arc_.point(u), {std::cos(angle), std::sin(angle)}};
+  }
+
+  // Greatest distance of the exact curve between u0 and u1 from the biarc. What lies behind the
+  // normal of the joint belongs to the second arc.
+  double deviation(const Biarc& biarc, const End& a, const End& b, double u0, double u1,
+                   int looks) const {
+    const Touch first = touch(a.point, biarc.joint, biarc.bulges[0]);
+    const Touch second = biarc.arcs == 2 ? touch(biarc.joint, b.point, biarc.bulges[1]) : first;
+    const Vec2 forward(second.normal.y(), -second.normal.x());
+    double worst = 0.0;
+    for (int i = 0; i < looks; ++i) {
+      const Vec2 p = arc_.point(u0 + (u1 - u0) * ((i + 0.5) / looks));
+      const bool behind = biarc.arcs == 2 && (p - biarc.joint).dot(forward) > 0.0;
+      const Touch& t = behind ? second : first;
+      worst = std::max(worst, circle_distance(p - t.from, t.normal, t.kappa));
+    }
+    return worst;
+  }
+
+  BiarcChain chain(double tolerance) const {
+    BiarcChain result{{arc_.begin_point}, {}, 0.0};
+    const auto fits = [&](double u0, const End& a, double u1) {
+      const End b = end(u1);
+      if (b.point == a.point) return false;
+      return deviation(join(a, b), a, b, u0, u1, looks_) <= tolerance;
+    };
+    double u0 = 0.0;
+    double step = 1.0;
+    End a = end(0.0);
+    while (u0 < 1.0) {
+      const double u1 =
+          longest_step(u0, 1.0, step, kLimits, [&](double u) { return fits(u0, a, u); });
+      const End b = end(u1);
+      const Biarc biarc = join(a, b);
+      for (int i = 0; i < biarc.arcs; ++i) {
+        result.bulges.push_back(biarc.bulges[i]);
+        result.points.push_back(i + 1 < biarc.arcs ? biarc.joint : b.point);
+      }
+      result.deviation_mm = std::max(result.deviation_mm, deviation(biarc, a, b, u0, u1, kVerify));
+      step = u1 - u0;
+      u0 = u1;
+      a = b;
+    }
+    return result;
+  }
+
+ private:
+  const Arc& arc_;
+  int looks_;
+};
+
+}  // namespace
+
+BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm) {
+  GW_EXPECTS(tolerance_mm > 0.0);
+  GW_EXPECTS(arc.begin_point != arc.end_point);
+  // 24 looks see the crest of an error of a hump or two to a hundredth; where a parameter runs
+  // unevenly they do not, the verification says so, and four times as many look again.
+  BiarcChain chain{};
+  for (const int looks : {24, 96, kVerify}) {
+    chain = Fitter(arc, looks).chain(0.98 * tolerance_mm);
+    // Far off, the looks are not to blame: 4096 steps are too few, or rounding too coarse.
+    if (chain.deviation_mm <= tolerance_mm || chain.deviation_mm > 2.0 * tolerance_mm) break;
+  }
+  return chain;
+}
+
+double bulge_area(const Vec2& from, const Vec2& to, double bulge) {
+  if (bulge == 0.0) return 0.0;
+  const double half = 2.0 * std::atan(bulge);  // half the sweep, signed
+  const double chord = (to - from).norm();
+  const double radius = chord / (2.0 * std::sin(half));
+  return 0.5 * radius * radius * (2.0 * half - std::sin(2.0 * half));
+}
+
+}  // namespace gearwright

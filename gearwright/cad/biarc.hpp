@@ -1,0 +1,42 @@
+// An arc of the outline as a chain of true circular arcs with common tangents: biarcs.
+//
+//   P_i   points of the chain, on the exact curve at every second joint or so, mm
+//   T     unit tangents of the exact curve at the ends of one biarc
+//   b     bulge of an arc: tan(sweep/4), > 0 counter-clockwise; 0 is a line (the DXF convention)
+//
+// A biarc joins (P0, T0) and (P1, T1) by two arcs whose tangents meet at J; with tangents of equal
+// length d from both ends
+//     J = (P0 + P1)/2 + d (T0 − T1)/2,   |v|² − 2d v·(T0 + T1) − 2d²(1 − T0·T1) = 0,  v = P1 − P0
+// (Bolton, Biarc curves, CAD 7 (1975)). On a curve of monotone curvature its error grows with its
+// length, so taking each as long as the tolerance allows gives the fewest of them. A stretch that
+// is a circle already becomes one arc.
+#pragma once
+
+#include <vector>
+
+#include "gearwright/generation/outline.hpp"
+
+namespace gearwright {
+
+struct BiarcChain {
+  std::vector<Vec2> points;    ///< mm, root side to tip side; the ends are the arc's, bit for bit
+  std::vector<double> bulges;  ///< one fewer than points; bulges[i] leads to points[i + 1]
+  double deviation_mm;  ///< greatest normal distance of the exact curve, 256 points per biarc
+};
+
+/// Chain of arcs within `tolerance_mm` of the exact curve.
+///
+/// Units     mm
+/// Domain    tolerance_mm > 0 (contract); the curve has a tangent everywhere
+/// Accuracy  deviation_mm ≤ tolerance_mm wherever 2¹² biarcs suffice: the caller looks;
+///           tangents of neighbours agree to 1e-9 rad, or to 4e-9 mm over the arc's length where an
+///           arc of less than 1e-9 mm sagitta became a line
+/// Laws      (1) arcs as long as the tolerance allows: about tolerance^(−1/3) of them
+///           (2) an arc of a circle gives one arc
+BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm);
+
+/// Area between an arc and its chord, mm²; > 0 to the right of the chord (a counter-clockwise
+/// bulge).
+double bulge_area(const Vec2& from, const Vec2& to, double bulge);
+
+}  // namespace gearwright

@@ -1,0 +1,35 @@
+// How far a point lies from a circle that is given where it touches, good for lines too.
+//
+//   e    the point, seen from a point of the circle, mm      κ    curvature, 1/mm
+//   N    unit normal there, to the left: the centre is N/κ away
+//
+// |e − N/κ|² = (1 + κq)/κ² with q = κ|e|² − 2e·N, hence | |e − N/κ| − 1/|κ| | = |q|/(1 + √(1 +
+// κq)): nothing is divided by κ, and nothing cancels where the radius is huge.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/curve/curve.hpp"
+
+namespace gearwright {
+
+/// Distance of e from the circle through the origin with normal N and curvature κ.
+///
+/// Units     mm
+/// Domain    |N| = 1; κ = 0 is the straight line
+/// Accuracy  |error| < 4 ε (|e| + κ|e|²)
+inline double circle_distance(const Vec2& e, const Vec2& normal, double kappa) {
+  const double q = kappa * e.squaredNorm() - 2.0 * e.dot(normal);
+  return std::abs(q) / (1.0 + std::sqrt(std::max(0.0, 1.0 + kappa * q)));
+}
+
+/// Normal distance of p from a curve near the point w of it: from the osculating circle at w.
+///
+/// Accuracy  third order in the distance from w along the curve
+inline double osculating_distance(const CurvePoint& w, const Vec2& p) {
+  const Vec2 normal(-std::sin(w.tangent_angle), std::cos(w.tangent_angle));
+  return circle_distance(p - w.point, normal, w.curvature);
+}
+
+}  // namespace gearwright

@@ -1,0 +1,58 @@
+// The closed outline of the whole gear in its transverse section z = 0, piece by piece.
+//
+//   p     a point of the half tooth as a complex number x + iy, mm
+//   k     tooth, 0 … |z| − 1; tooth k is tooth 0 times e^{2πik/|z|}, exact in the quarters
+//
+// Counter-clockwise about the axis, for a ring too: the tip land of tooth 0, its upper half from
+// tip to root, the root land, the lower (mirrored) half of tooth 1 from root to tip, its tip land,
+// … The halves of a land meet in one piece, a true circle about the axis; everything else is an arc
+// of the outline, mirrored and turned. A drawing renders each arc of the half tooth once and places
+// the points that came out (`placed`), so all teeth are the same tooth.
+//
+//   Laws  (1) the end of each piece is the begin of the next, bit for bit, the last closes on the
+//   first
+//         (2) |z| times as many pieces as one tooth has
+//         (3) a pointed tooth has no tip land, a full-radius root no root land; their ends then
+//         meet
+//             in one point, on the middle of the tooth or of the space
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "gearwright/base/result.hpp"
+#include "gearwright/generation/outline.hpp"
+
+namespace gearwright {
+
+struct ContourPiece {
+  std::size_t arc;  ///< index into Outline::arcs
+  int tooth;        ///< k; of a root land, the tooth before it
+  bool mirrored;    ///< lower half of the tooth, run from root to tip; else upper half, tip to root
+  bool land;        ///< a circle about the axis, both halves of it, run by `sweep`
+  Vec2 begin;       ///< mm
+  Vec2 end;         ///< mm
+  double sweep;     ///< rad, > 0 of a land; else 0
+};
+
+struct Contour {
+  int teeth;  ///< |z|
+  std::vector<ContourPiece> pieces;
+  double inner_radius;  ///< smallest radius of the outline, mm (of the points looked at)
+  double outer_radius;  ///< greatest radius of the outline, mm
+};
+
+/// Chains the teeth. Arcs shorter than 1e-6 mm give no piece: the next begins where they began.
+///
+/// Facts     refused: an outline that crosses the middle of the tooth or of the space (severed)
+/// Domain    teeth ≠ 0, at least one arc, arcs joined bit for bit, the first point on the ray π/|z|
+///           and the last one on the x axis within 1e-6 mm (contract)
+Result<Contour> closed_contour(const Outline& outline);
+
+/// Points of the half outline's arc, root to tip, as the piece runs: mirrored or reversed, turned,
+/// first and last replaced by the piece's own ends.
+/// Domain    not a land, at least two points, the ends within 1e-6 mm of the arc's ends (contract)
+std::vector<Vec2> placed(const Contour& contour, const ContourPiece& piece,
+                         const std::vector<Vec2>& root_to_tip);
+
+}  // namespace gearwright

@@ -1,0 +1,140 @@
+#include "gearwright/cad/dxf.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/cad/biarc.hpp"
+#include "gearwright/cad/contour.hpp"
+#include "gearwright/cad/dxf_document.hpp"
+#include "gearwright/cad/screw_spline.hpp"
+
+namespace gearwright {
+namespace {
+
+constexpr const char* kProfile = "PROFILE";
+constexpr const char* kBore = "BORE";
+
+// Arcs of the outline that make pieces of other kind than lands.
+std::vector<bool> arcs_to_fit(const Outline& outline, const Contour& contour) {
+  std::vector<bool> wanted(outline.arcs.size(), false);
+  for (const ContourPiece& piece : contour.pieces) {
+    if (!piece.land) wanted[piece.arc] = true;
+  }
+  return wanted;
+}
+
+struct Facts {
+  int segments = 0;
+  double deviation_mm = 0.0;
+};
+
+// Mirroring turns a bulge over, and so does running it backwards: pieces do one or the other.
+Result<Facts> draw_biarcs(const Outline& outline, const Contour& contour, double tolerance,
+                          DxfEntities& entities) {
+  Facts facts;
+  std::vector<std::optional<BiarcChain>> chains(outline.arcs.size());
+  const std::vector<bool> wanted = arcs_to_fit(outline, contour);
+  for (std::size_t i = 0; i < chains.size(); ++i) {
+    if (!wanted[i]) continue;
+    chains[i] = fit_biarcs(outline.arcs[i], tolerance);
+    const double deviation = chains[i]->deviation_mm;
+    if (!(deviation <= tolerance)) return beyond_tolerance(outline.arcs[i], deviation, tolerance);
+    facts.deviation_mm = std::max(facts.deviation_mm, deviation);
+  }
+  std::vector<Vec2> points;
+  std::vector<double> bulges;
+  for (const ContourPiece& piece : contour.pieces) {
+    if (piece.land) {
+      points.push_back(piece.begin);
+      bulges.push_back(std::tan(piece.sweep / 4.0));
+      continue;
+    }
+    const BiarcChain& chain = *chains[piece.arc];
+    const std::vector<Vec2> here = placed(contour, piece, chain.points);
+    points.insert(points.end(), here.begin(), here.end() - 1);
+    const std::size_t n = chain.bulges.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      bulges.push_back(-chain.bulges[piece.mirrored ? i : n - 1 - i]);
+    }
+  }
+  facts.segments = static_cast<int>(points.size());
+  entities.closed_polyline(kProfile, points, bulges);
+  return facts;
+}
+
+Result<Facts> draw_splines(const Outline& outline, const Contour& contour, double tolerance,
+                           DxfEntities& entities) {
+  struct Fit {
+    int degree;
+    std::vector<double> knots;
+    std::vector<double> knots_backwards;
+    std::vector<Vec2> poles;
+  };
+  Facts facts;
+  std::vector<Fit> fits(outline.arcs.size());
+  const std::vector<bool> wanted = arcs_to_fit(outline, contour);
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    if (!wanted[i]) continue;
+    const Arc& arc = outline.arcs[i];
+    const auto complex = [](const Vec2& p) { return Complex(p.x(), p.y()); };
+    const SectionSpline spline =
+        fit_section(arc, complex(arc.begin_point), complex(arc.end_point), tolerance);
+    if (!(spline.deviation_mm <= tolerance)) {
+      return beyond_tolerance(arc, spline.deviation_mm, tolerance);
+    }
+    facts.deviation_mm = std::max(facts.deviation_mm, spline.deviation_mm);
+    Fit& fit = fits[i];
+    fit.degree = spline.basis.degree();
+    fit.knots = spline.basis.knots();
+    for (std::size_t k = fit.knots.size(); k-- > 0;) {
+      fit.knots_backwards.push_back(1.0 - fit.knots[k]);
+    }
+    for (const Complex& c : spline.poles) fit.poles.emplace_back(c.real(), c.imag());
+  }
+  for (const ContourPiece& piece : contour.pieces) {
+    if (piece.land) {
+      entities.arc(kProfile, piece.begin, piece.end);
+      continue;
+    }
+    const Fit& fit = fits[piece.arc];
+    entities.spline(kProfile, fit.degree, piece.mirrored ? fit.knots : fit.knots_backwards,
+                    placed(contour, piece, fit.poles));
+  }
+  facts.segments = static_cast<int>(contour.pieces.size());
+  return facts;
+}
+
+}  // namespace
+
+Result<Drawing> dxf_drawing(const ToothedBody& body, const ContourOptions& options) {
+  const bool biarcs = options.style == ContourOptions::Style::biarcs;
+  const double tolerance =
+      options.tolerance_mm.value_or(biarcs ? kBiarcTolerance_mm : kSplineTolerance_mm);
+  GW_EXPECTS(tolerance > 0.0);
+  const auto contour = closed_contour(body.outline);
+  if (!contour) return contour.error();
+  const auto bore = bore_contour(body, contour->inner_radius, contour->outer_radius);
+  if (!bore) return bore.error();
+
+  DxfEntities entities;
+  const auto drawn = biarcs ? draw_biarcs(body.outline, *contour, tolerance, entities)
+                            : draw_splines(body.outline, *contour, tolerance, entities);
+  if (!drawn) return drawn.error();
+  Facts facts = *drawn;
+  double reach = contour->outer_radius;
+  if (const auto& b = *bore) {
+    if (b->keyway) {
+      entities.closed_polyline(kBore, b->points, b->bulges);
+    } else {
+      entities.circle(kBore, b->radius);
+    }
+    facts.segments += b->keyway ? static_cast<int>(b->points.size()) : 1;
+    reach = std::max(reach, b->radius);
+  }
+  return Drawing{dxf_document(entities, {{kProfile, 7}, {kBore, 5}}, reach), facts.segments,
+                 facts.deviation_mm, tolerance};
+}
+
+}  // namespace gearwright

@@ -1,0 +1,28 @@
+// DXF drawings of the transverse section: AutoCAD 2000 (AC1015), millimetres.
+//
+//   layer PROFILE   the closed outline of all teeth       layer BORE   bore with keyway; a ring's
+//   rim
+//
+//   biarcs    PROFILE is one closed LWPOLYLINE whose bulges are true arcs; lands are one arc each
+//   splines   PROFILE is one SPLINE per arc of the outline and one ARC per land; poles at the ends
+//   of
+//             neighbouring splines are equal text
+//
+// Numbers are the shortest decimals that read back to the same double, so equal points are equal
+// text. A bore without keyway is a CIRCLE, else a closed LWPOLYLINE.
+#pragma once
+
+#include "gearwright/cad/drawing.hpp"
+
+namespace gearwright {
+
+/// The text of a DXF file of the body's section z = 0.
+///
+/// Units     mm ($INSUNITS 4)
+/// Domain    tolerance_mm > 0; the outline's laws hold within 1e-6 mm (contract)
+/// Facts     a severed tooth; a bore that leaves the root; an arc that does not meet the tolerance
+/// Accuracy  deviation_mm ≤ tolerance_mm
+/// Laws      (1) same body, same options, same bytes   (2) segments grow in proportion to |z|
+Result<Drawing> dxf_drawing(const ToothedBody& body, const ContourOptions& options = {});
+
+}  // namespace gearwright

@@ -1,0 +1,48 @@
+// The frame of a DXF file: what every reader of AutoCAD 2000 drawings wants around the entities.
+//
+// DXF is a list of pairs, a group code on one line and its value on the next. Every object carries
+// a handle (code 5, hexadecimal) and names its owner (330); entities belong to *Model_Space.
+// Sections: HEADER, CLASSES, TABLES, BLOCKS, ENTITIES, OBJECTS (Autodesk, DXF Reference, AutoCAD
+// 2000).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gearwright/curve/curve.hpp"
+
+namespace gearwright {
+
+/// Collects entities; coordinates in mm, in the xy plane, angles in degrees in the file only.
+class DxfEntities {
+ public:
+  /// Closed LWPOLYLINE; bulges[i] leads from points[i] to the next, the last one to the first.
+  void closed_polyline(const std::string& layer, const std::vector<Vec2>& points,
+                       const std::vector<double>& bulges);
+  void circle(const std::string& layer, double radius);
+  /// ARC about the origin, counter-clockwise.
+  void arc(const std::string& layer, const Vec2& begin, const Vec2& end);
+  /// Clamped non-rational SPLINE.
+  void spline(const std::string& layer, int degree, const std::vector<double>& knots,
+              const std::vector<Vec2>& poles);
+
+  const std::string& text() const { return text_; }
+  int next_handle() const { return handle_; }
+
+ private:
+  void begin(const char* type, const std::string& layer, const char* subclass);
+
+  std::string text_;
+  int handle_ = 0x100;  // below lies the frame
+};
+
+struct DxfLayer {
+  std::string name;
+  int color;  ///< AutoCAD colour index
+};
+
+/// The whole file. `reach`: half the side of the square about the origin that holds everything, mm.
+std::string dxf_document(const DxfEntities& entities, const std::vector<DxfLayer>& layers,
+                         double reach);
+
+}  // namespace gearwright

@@ -1,0 +1,288 @@
+#include "gearwright/cad/dxf.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include "gearwright/cad/biarc.hpp"
+#include "gearwright/cad/section.hpp"
+#include "gearwright/cad/testing/odd_outlines.hpp"
+#include "gearwright/cad/testing/sample_outlines.hpp"
+
+namespace gearwright {
+namespace {
+
+using testing::kPi;
+
+using Pair = std::pair<int, std::string>;
+
+std::vector<Pair> pairs_of(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<Pair> pairs;
+  for (std::string code, value; std::getline(in, code) && std::getline(in, value);) {
+    pairs.emplace_back(std::stoi(code), value);
+  }
+  return pairs;
+}
+
+struct Entity {
+  std::string type;
+  std::string layer;
+  std::vector<Pair> pairs;
+
+  std::vector<double> reals(int code) const {
+    std::vector<double> result;
+    for (const Pair& p : pairs) {
+      if (p.first == code) result.push_back(std::stod(p.second));
+    }
+    return result;
+  }
+  std::vector<std::string> words(int code) const {
+    std::vector<std::string> result;
+    for (const Pair& p : pairs) {
+      if (p.first == code) result.push_back(p.second);
+    }
+    return result;
+  }
+};
+
+// What stands in the ENTITIES section.
+std::vector<Entity> entities_of(const std::string& text) {
+  std::vector<Entity> entities;
+  bool inside = false;
+  const std::vector<Pair> pairs = pairs_of(text);
+  for (const Pair& p : pairs) {
+    if (p == Pair{2, "ENTITIES"})
+      inside = true;
+    else if (inside && p == Pair{0, "ENDSEC"})
+      break;
+    else if (inside && p.first == 0)
+      entities.push_back({p.second, "", {}});
+    else if (inside) {
+      entities.back().pairs.push_back(p);
+      if (p.first == 8) entities.back().layer = p.second;
+    }
+  }
+  return entities;
+}
+
+// Points and bulges of an LWPOLYLINE.
+struct Polyline {
+  std::vector<Vec2> points;
+  std::vector<double> bulges;
+
+  explicit Polyline(const Entity& e) {
+    for (const auto& [code, value] : e.pairs) {
+      if (code == 10) {
+        points.emplace_back(std::stod(value), 0.0);
+        bulges.push_back(0.0);
+      }
+      if (code == 20) points.back().y() = std::stod(value);
+      if (code == 42) bulges.back() = std::stod(value);
+    }
+  }
+  double area() const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vec2& a = points[i];
+      const Vec2& b = points[(i + 1) % points.size()];
+      sum += 0.5 * (a.x() * b.y() - a.y() * b.x()) + bulge_area(a, b, bulges[i]);
+    }
+    return sum;
+  }
+  double length() const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double chord = (points[(i + 1) % points.size()] - points[i]).norm();
+      const double half = 2 * std::atan(bulges[i]);
+      sum += half == 0.0 ? chord : chord * half / std::sin(half);
+    }
+    return sum;
+  }
+};
+
+std::vector<ToothedBody> bodies() {
+  ToothedBody keyed = testing::sample_body({});
+  keyed.bore = Bore{16.0, 5.0, 2.3};
+  ToothedBody bored = testing::sample_body({.teeth = 31, .beta = 0.3, .chamfer = 0.2});
+  bored.bore = Bore{20.0};
+  return {keyed,
+          bored,
+          testing::sample_body({.pointed = true, .full_radius_root = true}),
+          testing::undercut_body(8, 2.0, 1.25, 0.8, 0.0, 10.0),
+          testing::few_tooth_body(1, 5.0, 0.0, 10.0),
+          testing::few_tooth_body(2, 5.0, 0.0, 10.0),
+          testing::ring_body(40, 2.0, 0.0, 10.0, 100.0)};
+}
+
+Drawing drawing_of(const ToothedBody& body, const ContourOptions& options = {}) {
+  const auto drawing = dxf_drawing(body, options);
+  EXPECT_TRUE(static_cast<bool>(drawing)) << (drawing ? "" : drawing.error().message);
+  return *drawing;
+}
+
+TEST(Dxf, AreaOfThePolylineIsThatOfTheGear) {
+  for (const ToothedBody& body : bodies()) {
+    for (const double tolerance : {1e-2, 1e-3, 1e-5}) {
+      const Drawing drawing = drawing_of(body, {.tolerance_mm = tolerance});
+      EXPECT_LE(drawing.deviation_mm, tolerance);
+      const std::vector<Entity> entities = entities_of(drawing.text);
+      ASSERT_FALSE(entities.empty());
+      ASSERT_EQ(entities[0].type, "LWPOLYLINE");
+      EXPECT_EQ(entities[0].layer, "PROFILE");
+      EXPECT_EQ(entities[0].words(70), std::vector<std::string>{"1"});  // closed
+      const Polyline profile(entities[0]);
+      EXPECT_EQ(std::to_string(profile.points.size()), entities[0].words(90).front());
+      // A boundary within δ of the exact one encloses its area to within δ times its length.
+      const double allowed = drawing.deviation_mm * profile.length() + 1e-9;
+      EXPECT_NEAR(profile.area(), section_area(body.outline), allowed) << body.name;
+    }
+  }
+}
+
+TEST(Dxf, NeighboursAreTangentWhereTheOutlineIs) {
+  // A spur gear's only corners are at the tip circle: two per tooth.
+  const Polyline profile(entities_of(drawing_of(testing::sample_body({})).text)[0]);
+  const std::size_t n = profile.points.size();
+  int corners = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 in = profile.points[(i + 1) % n] - profile.points[i];
+    const Vec2 out = profile.points[(i + 2) % n] - profile.points[(i + 1) % n];
+    const double turn = std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out)) -
+                        2 * std::atan(profile.bulges[i]) -
+                        2 * std::atan(profile.bulges[(i + 1) % n]);
+    if (std::abs(std::remainder(turn, 2 * kPi)) > 1e-8) ++corners;
+  }
+  EXPECT_EQ(corners, 2 * 20);
+}
+
+TEST(Dxf, SegmentsGrowWithTheTeeth) {  // law 2
+  const auto segments = [](int teeth, ContourOptions::Style style) {
+    return drawing_of(testing::plain_body(teeth, 20.0, 0.6 * kPi / teeth, 24.0, 0.3 * kPi / teeth),
+                      {.style = style})
+        .segments;
+  };
+  for (const auto style : {ContourOptions::Style::biarcs, ContourOptions::Style::splines}) {
+    EXPECT_EQ(segments(30, style), 3 * segments(10, style));
+    EXPECT_EQ(segments(1, style), 4);
+  }
+  EXPECT_EQ(drawing_of(testing::sample_body({})).segments, 20 * (2 * (6 + 6) + 2));
+}
+
+TEST(Dxf, SameBodySameBytes) {  // law 1
+  for (const auto style : {ContourOptions::Style::biarcs, ContourOptions::Style::splines}) {
+    EXPECT_EQ(drawing_of(bodies()[1], {.style = style}).text,
+              drawing_of(bodies()[1], {.style = style}).text);
+  }
+}
+
+TEST(Dxf, SplinesShareTheirEndsAsText) {
+  for (const ToothedBody& body : bodies()) {
+    const Drawing drawing = drawing_of(body, {.style = ContourOptions::Style::splines});
+    EXPECT_LE(drawing.deviation_mm, 1e-6);
+    std::vector<Entity> profile;
+    for (Entity& e : entities_of(drawing.text)) {
+      if (e.layer == "PROFILE") profile.push_back(std::move(e));
+    }
+    ASSERT_FALSE(profile.empty());
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+      const Entity& a = profile[i];
+      const Entity& b = profile[(i + 1) % profile.size()];
+      if (a.type == "SPLINE" && b.type == "SPLINE") {
+        EXPECT_EQ(a.words(10).back(), b.words(10).front());
+        EXPECT_EQ(a.words(20).back(), b.words(20).front());
+      }
+      if (a.type == "ARC") {
+        // Ends by radius and angle: as near as degrees in a double tell.
+        const double r = a.reals(40).front();
+        const double angle = a.reals(51).front() * (kPi / 180);
+        ASSERT_EQ(b.type, "SPLINE");
+        EXPECT_NEAR(r * std::cos(angle), b.reals(10).front(), 1e-14 * r);
+        EXPECT_NEAR(r * std::sin(angle), b.reals(20).front(), 1e-14 * r);
+      }
+      if (a.type == "SPLINE") {
+        const std::vector<double> knots = a.reals(40);
+        EXPECT_EQ(knots.size(), a.words(10).size() + static_cast<std::size_t>(a.reals(71)[0]) + 1);
+        EXPECT_EQ(knots.front(), 0.0);
+        EXPECT_EQ(knots.back(), 1.0);
+        EXPECT_TRUE(std::is_sorted(knots.begin(), knots.end()));
+      }
+    }
+  }
+}
+
+TEST(Dxf, BoreAndKeyway) {
+  for (const ToothedBody& body : bodies()) {
+    const std::vector<Entity> entities = entities_of(drawing_of(body).text);
+    ASSERT_EQ(entities.size(), body.bore ? 2U : 1U);
+    if (!body.bore) continue;
+    EXPECT_EQ(entities[1].layer, "BORE");
+    if (body.bore->keyway_width == 0.0) {
+      EXPECT_EQ(entities[1].type, "CIRCLE");
+      EXPECT_EQ(entities[1].reals(40), std::vector<double>{body.bore->diameter / 2});
+      continue;
+    }
+    const Polyline bore(entities[1]);
+    EXPECT_EQ(entities[1].words(70), std::vector<std::string>{"1"});
+    EXPECT_NEAR(bore.area(), bore_area(*body.bore), 1e-12 * bore.area());
+    double top = 0.0;
+    for (const Vec2& p : bore.points) top = std::max(top, p.y());
+    EXPECT_EQ(top, 8.0 + 2.3);
+  }
+}
+
+TEST(Dxf, EveryHandleIsUsedOnceAndTheSeedIsAboveThem) {
+  for (const auto style : {ContourOptions::Style::biarcs, ContourOptions::Style::splines}) {
+    const std::vector<Pair> pairs = pairs_of(drawing_of(bodies()[0], {.style = style}).text);
+    std::set<unsigned long> handles;
+    std::set<unsigned long> wanted;
+    unsigned long seed = 0;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const auto number = [&] { return std::stoul(pairs[i].second, nullptr, 16); };
+      if (i > 0 && pairs[i - 1].second == "$HANDSEED") {
+        seed = number();
+      } else if (pairs[i].first == 5 || pairs[i].first == 105) {
+        EXPECT_TRUE(handles.insert(number()).second) << pairs[i].second;
+      } else if (pairs[i].first == 330 || pairs[i].first == 340 || pairs[i].first == 350 ||
+                 pairs[i].first == 390) {
+        wanted.insert(number());
+      }
+    }
+    ASSERT_FALSE(handles.empty());
+    EXPECT_GT(seed, *handles.rbegin());
+    wanted.erase(0);
+    for (const unsigned long h : wanted) EXPECT_EQ(handles.count(h), 1U) << std::hex << h;
+    EXPECT_EQ(pairs.back(), (Pair{0, "EOF"}));
+  }
+}
+
+TEST(Dxf, RefusesWhatIsNoGear) {
+  ToothedBody body = testing::sample_body({});
+  body.bore = Bore{34.9};  // root diameter 35, but the keyway's corner lies beyond
+  EXPECT_TRUE(static_cast<bool>(dxf_drawing(body)));
+  body.bore = Bore{35.1};
+  const auto wide = dxf_drawing(body);
+  ASSERT_FALSE(wide);
+  EXPECT_NE(wide.error().key.find("bore.diameter_mm"), std::string::npos);
+  body.bore = Bore{34.0, 8.0, 3.0};
+  EXPECT_FALSE(dxf_drawing(body));
+  ToothedBody ring = testing::ring_body(40, 2.0, 0.0, 10.0, 84.0);
+  EXPECT_FALSE(dxf_drawing(ring));
+  EXPECT_FALSE(dxf_drawing(testing::plain_body(12, 20.0, -0.02, 24.0, 0.05)));
+}
+
+TEST(Dxf, SaysWhatToleranceItCanKeep) {
+  // Nothing in doubles is within 1e-18 mm.
+  const auto drawing = dxf_drawing(testing::sample_body({}), {.tolerance_mm = 1e-18});
+  ASSERT_FALSE(drawing);
+  EXPECT_EQ(drawing.error().key, "tolerance_mm");
+  EXPECT_NE(drawing.error().message.find("root_fillet"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace gearwright

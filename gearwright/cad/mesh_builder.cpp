@@ -1,0 +1,199 @@
+#include "gearwright/cad/mesh_builder.hpp"
+
+#include <cmath>
+
+#include "gearwright/base/contract.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// A normal that jumps by more than this (rad) makes a crease; tangent arcs meet within rounding.
+constexpr double kCrease = 1e-3;
+
+bool is_crease(const Column& column) { return (column.before - column.after).norm() > kCrease; }
+
+SinCos sincos(double angle) { return {std::sin(angle), std::cos(angle)}; }
+
+// Normal of the screw surface: across the section's tangent and across the screw's, (τJP, 1).
+Vec3 screw_normal(const Vec2& p, const Vec2& n, double twist) {
+  return Vec3(n.x(), n.y(), twist * (n.x() * p.y() - n.y() * p.x())).normalized();
+}
+
+// Of the two diagonals of the quad between two columns, whether the rising one (this column at the
+// bottom, the next at the top) lies nearer to the surface. The section bulges from its chord by
+// chord·(n_2 − n_1)/8 along its normal.
+bool rising_diagonal(const Column& one, const Column& two, const Levels& levels) {
+  const double turn = levels.twist * levels.width / levels.steps;
+  const double bulge = (two.before - one.after).dot(two.point - one.point) / 8.0;
+  const SinCos full = sincos(turn);
+  const SinCos half = sincos(0.5 * turn);
+  const Vec2 middle = turned(0.5 * (one.point + two.point), half);
+  const Vec2 normal = turned((one.after + two.before).normalized(), half);
+  const Vec2 rising = 0.5 * (one.point + turned(two.point, full)) - middle;
+  const Vec2 falling = 0.5 * (two.point + turned(one.point, full)) - middle;
+  return std::abs(rising.dot(normal) - bulge) <= std::abs(falling.dot(normal) - bulge);
+}
+
+// Once per part: the screw carries the choice to every level and tooth.
+std::vector<char> rising_diagonals(const std::vector<Column>& part, int copies,
+                                   const Levels& levels) {
+  Column beyond = part.front();
+  const SinCos pitch = sincos_turn(1, copies);
+  beyond.point = turned(beyond.point, pitch);
+  beyond.before = turned(beyond.before, pitch);
+  std::vector<char> rising(part.size());
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const Column& next = i + 1 < part.size() ? part[i + 1] : beyond;
+    rising[i] = rising_diagonal(part[i], next, levels) ? 1 : 0;
+  }
+  return rising;
+}
+
+}  // namespace
+
+MeshBuilder::Shades MeshBuilder::shades(const std::vector<Column>& part) {
+  Shades result;
+  for (const Column& column : part) {
+    result.before.push_back(result.count);
+    if (is_crease(column)) ++result.count;
+    result.after.push_back(result.count++);
+  }
+  return result;
+}
+
+void MeshBuilder::add_shaded(std::uint32_t vertex, const Vec3& normal) {
+  mesh_.shaded_vertices.push_back(vertex);
+  mesh_.normals.push_back(normal);
+}
+
+void MeshBuilder::add_rings(const std::vector<Column>& part, int copies, const Levels& levels) {
+  for (int level = 0; level <= levels.steps; ++level) {
+    const double z = levels.z(level);
+    const SinCos screw = sincos(levels.twist * z);
+    // The level of copy 0 once, then its turned copies.
+    struct Placed {
+      Vec2 point;
+      Vec3 before, after;
+      bool crease;
+    };
+    std::vector<Placed> ring;
+    ring.reserve(part.size());
+    const auto screwed = [&](const Vec2& p, const Vec2& n) {
+      const Vec3 normal = screw_normal(p, n, levels.twist);
+      const Vec2 plane = turned(normal.head<2>(), screw);
+      return Vec3(plane.x(), plane.y(), normal.z());
+    };
+    for (const Column& column : part) {
+      const bool crease = is_crease(column);
+      const Vec2 smooth = (column.before + column.after).normalized();
+      ring.push_back({turned(column.point, screw),
+                      screwed(column.point, crease ? column.before : smooth),
+                      screwed(column.point, crease ? column.after : smooth), crease});
+    }
+    for (int k = 0; k < copies; ++k) {
+      const SinCos tooth = sincos_turn(k, copies);
+      const auto copied = [&](const Vec3& v) {
+        const Vec2 plane = turned(v.head<2>(), tooth);
+        return Vec3(plane.x(), plane.y(), v.z());
+      };
+      for (const Placed& placed : ring) {
+        const std::uint32_t vertex = next_vertex();
+        const Vec2 p = turned(placed.point, tooth);
+        mesh_.vertices.emplace_back(p.x(), p.y(), z);
+        add_shaded(vertex, copied(placed.before));
+        if (placed.crease) add_shaded(vertex, copied(placed.after));
+      }
+    }
+  }
+}
+
+WallEnds MeshBuilder::add_wall(const std::vector<Column>& part, int copies, const Levels& levels,
+                               bool inward) {
+  GW_EXPECTS(!part.empty() && copies >= 1 && levels.steps >= 1);
+  const std::size_t columns = part.size();
+  const std::size_t ring = columns * static_cast<std::size_t>(copies);
+  const std::size_t first = mesh_.vertices.size();
+  const std::size_t first_shaded = mesh_.shaded_vertices.size();
+  add_rings(part, copies, levels);
+
+  const Shades shade_of = shades(part);
+  const std::size_t ring_shaded = shade_of.count * static_cast<std::size_t>(copies);
+  const std::vector<char> rising = rising_diagonals(part, copies, levels);
+  const auto index = [](std::size_t i) { return static_cast<std::uint32_t>(i); };
+  for (int step = 0; step < levels.steps; ++step) {
+    const std::size_t low = first + ring * static_cast<std::size_t>(step);
+    const std::size_t low_shaded = first_shaded + ring_shaded * static_cast<std::size_t>(step);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(copies); ++k) {
+      for (std::size_t i = 0; i < columns; ++i) {
+        const std::size_t next_i = (i + 1) % columns;
+        const std::size_t next_k = (k + (i + 1) / columns) % static_cast<std::size_t>(copies);
+        const std::size_t here = low + k * columns + i;
+        const std::size_t next = low + next_k * columns + next_i;
+        const std::size_t shade = low_shaded + k * shade_of.count + shade_of.after[i];
+        const std::size_t shade_next =
+            low_shaded + next_k * shade_of.count + shade_of.before[next_i];
+        add_quad({index(here), index(next), index(next + ring), index(here + ring)},
+                 {index(shade), index(shade_next), index(shade_next + ring_shaded),
+                  index(shade + ring_shaded)},
+                 rising[i] != 0, inward);
+      }
+    }
+  }
+  return {index(first), index(first + ring * static_cast<std::size_t>(levels.steps))};
+}
+
+void MeshBuilder::add_quad(const std::array<std::uint32_t, 4>& corners,
+                           const std::array<std::uint32_t, 4>& shaded, bool rising, bool inward) {
+  // Corners counter-clockwise from the lower one seen with the material behind, if not inward.
+  const std::array<std::size_t, 6> order = rising ? std::array<std::size_t, 6>{0, 1, 2, 0, 2, 3}
+                                                  : std::array<std::size_t, 6>{0, 1, 3, 1, 2, 3};
+  for (std::size_t t = 0; t < order.size(); t += 3) {
+    const std::size_t a = order[t];
+    const std::size_t b = order[t + (inward ? 2 : 1)];
+    const std::size_t c = order[t + (inward ? 1 : 2)];
+    mesh_.triangles.push_back({corners[a], corners[b], corners[c]});
+    mesh_.shaded_triangles.push_back({shaded[a], shaded[b], shaded[c]});
+  }
+}
+
+std::uint32_t MeshBuilder::add_points(const std::vector<Vec2>& part, int copies, double z) {
+  const std::uint32_t first = next_vertex();
+  for (int k = 0; k < copies; ++k) {
+    const SinCos tooth = sincos_turn(k, copies);
+    for (const Vec2& point : part) {
+      const Vec2 p = turned(point, tooth);
+      mesh_.vertices.emplace_back(p.x(), p.y(), z);
+    }
+  }
+  return first;
+}
+
+void MeshBuilder::begin_cap(bool up) {
+  up_ = up;
+  ranges_.clear();
+}
+
+void MeshBuilder::use_in_cap(std::uint32_t first, std::size_t count) {
+  ranges_.push_back({first, count, static_cast<std::uint32_t>(mesh_.shaded_vertices.size())});
+  for (std::size_t i = 0; i < count; ++i) {
+    add_shaded(static_cast<std::uint32_t>(first + i), Vec3(0.0, 0.0, up_ ? 1.0 : -1.0));
+  }
+}
+
+std::uint32_t MeshBuilder::cap_shade(std::uint32_t vertex) const {
+  for (const Range& range : ranges_) {
+    if (vertex >= range.first && vertex - range.first < range.count) {
+      return range.shaded + (vertex - range.first);
+    }
+  }
+  contract_failed("precondition", "cap corner in a range", __FILE__, __LINE__);
+}
+
+void MeshBuilder::add_cap_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  if (!up_) std::swap(b, c);
+  mesh_.triangles.push_back({a, b, c});
+  mesh_.shaded_triangles.push_back({cap_shade(a), cap_shade(b), cap_shade(c)});
+}
+
+}  // namespace gearwright

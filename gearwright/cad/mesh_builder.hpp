@@ -1,0 +1,91 @@
+// Grows a triangle mesh from walls and caps, in step with its shaded twin.
+//
+//   τ  twist, rad/mm     ζ  height, mm     column  a vertex per level     ring  a level's vertices
+//
+// A wall is one part of a section, repeated around the axis and screwed along it; a cap is plane
+// and uses the end rings of walls. A vertex where the normal jumps is shaded once per side.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "gearwright/base/angle.hpp"
+#include "gearwright/cad/mesh.hpp"
+
+namespace gearwright {
+
+/// One column of a wall.
+struct Column {
+  Vec2 point;   ///< mm, in the section ζ = 0 of the first copy
+  Vec2 before;  ///< unit section normal, out of the material, towards the column before (clockwise)
+  Vec2 after;   ///< the same towards the column after (counter-clockwise)
+};
+
+struct Levels {
+  int steps;     ///< of equal height, ≥ 1
+  double twist;  ///< τ  rad/mm
+  double width;  ///< b  mm, from −b/2 to b/2
+
+  double z(int level) const { return width * (2 * level - steps) / (2.0 * steps); }
+};
+
+/// The end rings of a wall: column i of copy k is vertex `bottom` (or `top`) + k·columns + i.
+struct WallEnds {
+  std::uint32_t bottom;
+  std::uint32_t top;
+};
+
+inline Vec2 turned(const Vec2& v, const SinCos& a) {
+  return {a.cos * v.x() - a.sin * v.y(), a.sin * v.x() + a.cos * v.y()};
+}
+
+inline Vec2 mirrored(const Vec2& v) { return {v.x(), -v.y()}; }
+
+class MeshBuilder {
+ public:
+  /// A closed wall of `copies` equal parts; `inward`: the material lies outside of it.
+  /// Copy k is copy 0 turned by sincos_turn(k, copies), bit for bit.
+  WallEnds add_wall(const std::vector<Column>& part, int copies, const Levels& levels, bool inward);
+
+  /// Vertices inside a cap, `copies` turned copies of `part`; returns the first one's index.
+  std::uint32_t add_points(const std::vector<Vec2>& part, int copies, double z);
+
+  /// Begins a cap that faces up (+z) or down.
+  void begin_cap(bool up);
+  /// The vertices first … first + count − 1 may be corners of this cap.
+  void use_in_cap(std::uint32_t first, std::size_t count);
+  /// A triangle of the cap, counter-clockwise seen from +z, whichever way the cap faces.
+  void add_cap_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+
+  TriangleMesh take() && { return std::move(mesh_); }
+  const TriangleMesh& mesh() const { return mesh_; }
+
+ private:
+  struct Range {
+    std::uint32_t first;
+    std::size_t count;
+    std::uint32_t shaded;
+  };
+  // Shaded columns of one part; `before` of a column ends the quad before it.
+  struct Shades {
+    std::vector<std::uint32_t> before;
+    std::vector<std::uint32_t> after;
+    std::uint32_t count = 0;
+  };
+
+  static Shades shades(const std::vector<Column>& part);
+  void add_rings(const std::vector<Column>& part, int copies, const Levels& levels);
+  void add_shaded(std::uint32_t vertex, const Vec3& normal);
+  void add_quad(const std::array<std::uint32_t, 4>& corners,
+                const std::array<std::uint32_t, 4>& shaded, bool rising, bool inward);
+  std::uint32_t next_vertex() const { return static_cast<std::uint32_t>(mesh_.vertices.size()); }
+  std::uint32_t cap_shade(std::uint32_t vertex) const;
+
+  TriangleMesh mesh_;
+  std::vector<Range> ranges_;
+  bool up_ = false;
+};
+
+}  // namespace gearwright

@@ -1,0 +1,76 @@
+// What tessellate refuses, by which key, and with which way out.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <memory>
+#include <string>
+
+#include "gearwright/cad/mesh.hpp"
+#include "gearwright/cad/testing/odd_outlines.hpp"
+#include "gearwright/cad/testing/sample_outlines.hpp"
+
+namespace gearwright {
+namespace {
+
+using testing::kPi;
+using testing::ring_body;
+using testing::sample_body;
+
+TEST(MeshRefusal, ABoreThatCutsTheRoot) {
+  ToothedBody body = sample_body({});  // root radius 20 − 2.5
+  body.bore = Bore{36.0};
+  auto wide = tessellate(body);
+  ASSERT_FALSE(wide);
+  EXPECT_EQ(wide.error().key, "bore.diameter_mm");
+  EXPECT_EQ(wide.error().value, "36");
+  EXPECT_NE(wide.error().message.find("at most 34.998 mm"), std::string::npos)
+      << wide.error().message;
+  body.bore = Bore{34.998};
+  EXPECT_TRUE(tessellate(body));
+
+  body.bore = Bore{30.0, 8.0, 3.5};  // corner at hypot(4, 18.5) = 18.93
+  const auto corner = tessellate(body);
+  ASSERT_FALSE(corner);
+  EXPECT_EQ(corner.error().key, "bore.diameter_mm");
+  const double largest = std::floor(2e3 * (std::sqrt(17.499 * 17.499 - 16.0) - 3.5)) / 1e3;
+  EXPECT_NE(corner.error().message.find(std::to_string(largest).substr(0, 6)), std::string::npos)
+      << corner.error().message;
+  body.bore->diameter = largest;
+  EXPECT_TRUE(tessellate(body));
+  body.bore = Bore{6.0, 36.0, 1.0};
+  EXPECT_EQ(tessellate(body).error().key, "bore.keyway_width_mm");
+  body.bore = Bore{0.0};
+  EXPECT_EQ(tessellate(body).error().key, "bore.diameter_mm");
+  body.bore = Bore{20.0, 6.0, -1.0};
+  EXPECT_EQ(tessellate(body).error().key, "bore.keyway_depth_mm");
+}
+
+TEST(MeshRefusal, WhatIsNoBody) {
+  ToothedBody ring = ring_body(40, 2, 0.0, 15, 84);  // roots at 85 mm
+  EXPECT_EQ(tessellate(ring).error().key, "bore.diameter_mm");
+  ring.bore.reset();
+  EXPECT_EQ(tessellate(ring).error().key, "bore.diameter_mm");
+  ring.bore = Bore{95.0, 4.0, 2.0};
+  EXPECT_EQ(tessellate(ring).error().key, "bore.keyway_width_mm");
+
+  ToothedBody none = sample_body({});
+  none.outline.arcs.clear();
+  EXPECT_EQ(tessellate(none).error().key, "teeth");
+
+  // Flanks that cross the tooth's centre line: a severed tooth.
+  ToothedBody severed{"severed", {3, {}}, 0.0, 5.0, std::nullopt, Eigen::Isometry3d::Identity()};
+  const auto corner = [](double x, double y) { return testing::C(x, y); };
+  const auto root = std::polar(5.0, kPi / 3);
+  testing::append(severed.outline, ArcName::root_fillet,
+                  std::make_shared<testing::SampleLine>(root, corner(6, -0.5)), 0, 1);
+  testing::append(severed.outline, ArcName::flank,
+                  std::make_shared<testing::SampleLine>(corner(6, -0.5), corner(8, 0.0)), 0, 1);
+  EXPECT_EQ(tessellate(severed).error().key, "teeth");
+
+  EXPECT_EQ(tessellate(sample_body({.beta = 0.3}), {.chord_tolerance_mm = 1e-9}).error().key,
+            "chord_tolerance_mm");
+}
+
+}  // namespace
+}  // namespace gearwright

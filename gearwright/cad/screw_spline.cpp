@@ -1,0 +1,202 @@
+#include "gearwright/cad/screw_spline.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/curve/arc_length.hpp"
+
+namespace gearwright {
+namespace {
+
+constexpr int kDegree = 5;
+constexpr int kChecksPerSpan = 24;
+constexpr double kShortestSpan = 1e-9;
+constexpr double kSlowest = 0.01;  // of the mean speed, for the curve's own parameter
+
+using ParameterAt = std::function<double(double)>;  // u in [0, 1] to the curve's parameter
+
+Complex value(const BSplineBasis& basis, const std::vector<Complex>& poles, double u) {
+  const BSplineBasis::Local local = basis.local(u);
+  Complex sum = 0.0;
+  for (std::size_t j = 0; j < local.values.size(); ++j) {
+    sum += local.values[j] * poles[static_cast<std::size_t>(local.first) + j];
+  }
+  return sum;
+}
+
+std::vector<Complex> interpolate(const BSplineBasis& basis, const std::vector<Complex>& samples) {
+  Eigen::MatrixXd xy(basis.poles(), 2);
+  for (int i = 0; i < basis.poles(); ++i) {
+    const Complex& w = samples[static_cast<std::size_t>(i)];
+    xy.row(i) << w.real(), w.imag();
+  }
+  const Eigen::MatrixXd p = basis.interpolate(xy);
+  std::vector<Complex> poles;
+  poles.reserve(samples.size());
+  for (int i = 0; i < basis.poles(); ++i) poles.emplace_back(p(i, 0), p(i, 1));
+  return poles;
+}
+
+// Abscissae between the knots, by rule none a Greville point: (k + ½)/24 of each span.
+std::vector<std::vector<double>> checks(const BSplineBasis& basis) {
+  const std::vector<double> knots = basis.distinct_knots();
+  std::vector<std::vector<double>> spans;
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+    std::vector<double> u;
+    for (int k = 0; k < kChecksPerSpan; ++k) {
+      u.push_back(knots[i] + (knots[i + 1] - knots[i]) * (k + 0.5) / kChecksPerSpan);
+    }
+    spans.push_back(std::move(u));
+  }
+  return spans;
+}
+
+// Normal distance from q to the curve near its parameter t: what is left of q − W after the foot
+// point moved along the tangent, on the osculating circle. Third order in the way along; where that
+// way is not short against the radius of curvature the whole distance is taken, which is more.
+double normal_distance(const Curve& curve, double t, Complex q) {
+  const CurvePoint w = curve.at(t);
+  const Vec2 d = Vec2(q.real(), q.imag()) - w.point;
+  const double c = std::cos(w.tangent_angle);
+  const double s = std::sin(w.tangent_angle);
+  const double along = c * d.x() + s * d.y();
+  const double bend = w.curvature * along;
+  if (!(std::abs(bend) < 0.01)) return d.norm();
+  return std::abs(-s * d.x() + c * d.y() - 0.5 * bend * along);
+}
+
+struct Candidate {
+  BSplineBasis basis;
+  std::vector<Complex> poles;
+  std::vector<double> span_deviation;
+  double deviation;
+};
+
+Candidate fit(BSplineBasis basis, const Curve& curve, const ParameterAt& t_at, Complex begin,
+              Complex end) {
+  std::vector<Complex> samples;
+  for (const double g : basis.greville()) {
+    const Vec2 w = curve.point(t_at(g));
+    samples.emplace_back(w.x(), w.y());
+  }
+  samples.front() = begin;
+  samples.back() = end;
+  std::vector<Complex> poles = interpolate(basis, samples);
+  std::vector<double> spans;
+  for (const std::vector<double>& span : checks(basis)) {
+    double worst = 0.0;
+    for (const double u : span) {
+      worst = std::max(worst, normal_distance(curve, t_at(u), value(basis, poles, u)));
+    }
+    spans.push_back(worst);
+  }
+  const double worst = *std::max_element(spans.begin(), spans.end());
+  return {std::move(basis), std::move(poles), std::move(spans), worst};
+}
+
+// Knots of `old`, with every span halved that misses the target; none, where all of those are
+// already shorter than kShortestSpan: the arc is torn there and no knot would mend it.
+std::optional<BSplineBasis> refined(const Candidate& old, double target) {
+  std::vector<double> knots = old.basis.knots();
+  const std::size_t before = knots.size();
+  const std::vector<double> at = old.basis.distinct_knots();
+  for (std::size_t i = 0; i + 1 < at.size(); ++i) {
+    if (old.span_deviation[i] > target && at[i + 1] - at[i] > kShortestSpan) {
+      knots.push_back(0.5 * (at[i] + at[i + 1]));
+    }
+  }
+  if (knots.size() == before) return std::nullopt;
+  std::sort(knots.begin(), knots.end());
+  return BSplineBasis(kDegree, std::move(knots));
+}
+
+// Fewest poles first: uniform knots up to 40 poles, then halving spans from 16 of them on.
+Candidate fit_to(const Curve& curve, const ParameterAt& t_at, Complex begin, Complex end,
+                 double target) {
+  std::optional<Candidate> best;
+  const auto good = [&](Candidate candidate) {
+    if (!best || candidate.deviation < best->deviation) best = std::move(candidate);
+    return best->deviation <= target;
+  };
+  for (int poles = kDegree + 1; poles <= 40; poles += 1 + poles / 10) {
+    if (good(fit(BSplineBasis(kDegree, poles), curve, t_at, begin, end))) return *best;
+  }
+  Candidate current = fit(BSplineBasis(kDegree, kDegree + 16), curve, t_at, begin, end);
+  while (true) {
+    std::optional<BSplineBasis> next = refined(current, target);
+    if (!next || next->poles() > kMostPoles) return *best;
+    current = fit(*std::move(next), curve, t_at, begin, end);
+    if (good(current)) return *best;
+  }
+}
+
+// Is the slowest speed over equal steps of the own parameter above kSlowest of the mean?
+bool runs_evenly(const Arc& arc) {
+  constexpr int kSteps = 64;
+  double slowest = 0.0;
+  double sum = 0.0;
+  Vec2 last = arc.point(0.0);
+  for (int i = 1; i <= kSteps; ++i) {
+    const Vec2 next = arc.point(static_cast<double>(i) / kSteps);
+    const double step = (next - last).norm();
+    slowest = i == 1 ? step : std::min(slowest, step);
+    sum += step;
+    last = next;
+  }
+  return slowest * kSteps > kSlowest * sum;
+}
+
+double distance(Complex a, const Vec2& b) { return std::hypot(a.real() - b.x(), a.imag() - b.y()); }
+
+}  // namespace
+
+Complex SectionSpline::at(double u) const { return value(basis, poles, u); }
+Complex HelixSpline::at(double v) const { return value(basis, poles, v); }
+
+SectionSpline fit_section(const Arc& arc, Complex begin, Complex end, double target_mm) {
+  GW_EXPECTS(distance(begin, arc.begin_point) < 1e-5 && distance(end, arc.end_point) < 1e-5);
+  const Curve& curve = *arc.curve;
+  const ArcLength length(curve, arc.begin, arc.end);
+  const Candidate by_length = fit_to(
+      curve, [&](double u) { return length.parameter(u * length.length()); }, begin, end,
+      target_mm);
+  if (runs_evenly(arc)) {
+    const Candidate own = fit_to(
+        curve, [&](double u) { return arc.begin + u * (arc.end - arc.begin); }, begin, end,
+        target_mm);
+    const bool own_good = own.deviation <= target_mm;
+    const bool length_good = by_length.deviation <= target_mm;
+    const bool own_wins = own_good && length_good ? own.basis.poles() < by_length.basis.poles()
+                                                  : own.deviation < by_length.deviation;
+    if (own_wins) return {own.basis, own.poles, own.deviation, false};
+  }
+  return {by_length.basis, by_length.poles, by_length.deviation, true};
+}
+
+HelixSpline fit_helix(double delta, double radius, double target_mm) {
+  GW_EXPECTS(std::abs(delta) <= std::numbers::pi);
+  GW_EXPECTS(radius > 0.0);
+  if (delta == 0.0) return {BSplineBasis(1, 2), {1.0, 1.0}, 0.0};
+  const double target = std::max(target_mm / radius, 1e-14);
+  for (int poles = kDegree + 1;; ++poles) {
+    GW_ENSURES(poles <= kMostPoles);
+    BSplineBasis basis(kDegree, poles);
+    std::vector<Complex> samples;
+    for (const double g : basis.greville()) samples.push_back(std::polar(1.0, delta * (g - 0.5)));
+    std::vector<Complex> h = interpolate(basis, samples);
+    double worst = 0.0;
+    for (const std::vector<double>& span : checks(basis)) {
+      for (const double v : span) {
+        worst = std::max(worst, std::abs(value(basis, h, v) - std::polar(1.0, delta * (v - 0.5))));
+      }
+    }
+    if (worst <= target) return {std::move(basis), std::move(h), worst};
+  }
+}
+
+}  // namespace gearwright

@@ -1,0 +1,76 @@
+// A screw surface as a tensor-product B-spline that is a product: section spline times helix
+// spline.
+//
+//   W(u)   arc of the transverse outline, a complex number x + iy, mm; u in [0, 1]
+//   φ      angle by which the section has turned, rad; over one slice φ runs from −Δ/2 to Δ/2
+//   C(u)   spline of the section, C ≈ W        H(v)   spline of the turn, H ≈ e^{iφ}, φ linear in v
+//   S      the surface: S_xy(u, v) = H(v) C(u), z linear in v; its poles are the products h_j c_i
+//
+// The exact surface is e^{iφ} W, so interpolating it on the grid of Greville points gives just the
+// product of the two interpolants: the section is fitted once, whatever the helix, and the distance
+// to the exact surface is that of two plane curves. With H = e^{iφ}(1 + ε) a point of S, turned
+// back by φ, is C(1 + ε): its distance from W is at most e + |C||ε|, e the normal distance from C
+// to W; in space the distance is smaller still, the surface being steeper than its section.
+#pragma once
+
+#include <complex>
+#include <vector>
+
+#include "gearwright/generation/outline.hpp"
+#include "gearwright/math/bspline.hpp"
+
+namespace gearwright {
+
+using Complex = std::complex<double>;
+
+/// e aimed at, and the most that is handed on, mm. The aim is 1/50 of the finest tolerance that
+/// profile measurement of gears knows (1 µm); what misses even the most is an error, not a surface.
+inline constexpr double kSectionTarget_mm = 2e-5;
+inline constexpr double kSectionMost_mm = 1e-4;
+/// R|ε| aimed at, mm: half of 1e-7, the tolerance of every edge and vertex, since the spline of a
+/// helix is the common edge of a flank and of a true cylinder.
+inline constexpr double kHelixTarget_mm = 5e-8;
+
+struct SectionSpline {
+  BSplineBasis basis;
+  std::vector<Complex> poles;  ///< c_i  mm; the first and the last are the ends of the arc
+  double deviation_mm;         ///< e, greatest of 24 points between neighbouring knots
+  bool by_length;              ///< u is the arc length over the whole, else the curve's parameter
+
+  Complex at(double u) const;
+};
+
+/// Spline of degree 5 through the arc from `begin` to `end`, with as few poles as the target asks.
+///
+/// Both the curve's own parameter and its arc length are tried (a trochoid wants the length, an
+/// involute near its base circle the roll angle) and the fewer poles win; the own parameter only
+/// where its slowest speed is above 1/100 of the mean, so that no corner loses its normal. Where
+/// uniform knots do not converge, spans that miss the target are halved.
+///
+/// Units     mm
+/// Domain    begin and end lie within 1e-5 mm of the arc's ends (contract)
+/// Accuracy  deviation_mm ≤ target, or the best that kMostPoles gave: the caller looks. The error
+/// has
+///           at most 5 lobes between two knots; 24 points miss the top of a lobe by a half step of
+///           π/9.6 at most, so the true maximum is below 1.06 deviation_mm
+SectionSpline fit_section(const Arc& arc, Complex begin, Complex end,
+                          double target_mm = kSectionTarget_mm);
+
+inline constexpr int kMostPoles = 240;
+
+struct HelixSpline {
+  BSplineBasis basis;          ///< degree 5; degree 1 without twist
+  std::vector<Complex> poles;  ///< h_j for φ from −Δ/2 to Δ/2; 1, 1 without twist
+  double deviation;            ///< |ε|, greatest of 24 points between neighbouring knots
+
+  Complex at(double v) const;
+};
+
+/// Spline of the turn by Δ over one slice, good to `target_mm` at the radius `radius`.
+///
+/// Units     Δ in rad, signed; mm
+/// Domain    |Δ| ≤ π, radius > 0 (contract)
+/// Accuracy  radius · deviation ≤ max(target, 1e-14 radius) (contract, it always converges)
+HelixSpline fit_helix(double delta, double radius, double target_mm = kHelixTarget_mm);
+
+}  // namespace gearwright

@@ -1,0 +1,38 @@
+// Areas of the transverse section: what the exact solid weighs, whatever renders it.
+//
+//   A    area enclosed by the outline of all teeth, mm²
+//   r    bore radius, w keyway width, t keyway depth from the bore circle, mm
+//
+// Green's theorem, A = ½ ∮ (x dy − y dx): the two rays that bound half a tooth pass through the
+// axis and give nothing, so A = 2|z| times the integral over the half outline. A curve gives points
+// but no speed; dy/dt and dx/dt are those of the polynomial through the points at 16 Gauss nodes,
+// for which the quadrature is exact, and the panels are halved until the sum stands still.
+#pragma once
+
+#include "gearwright/cad/toothed_body.hpp"
+#include "gearwright/generation/outline.hpp"
+
+namespace gearwright {
+
+/// Area enclosed by the closed outline of |z| teeth; of a ring: the area of its hole.
+///
+/// Formula   2|z| Σ_arcs ½ ∫ (x dy − y dx)
+/// Units     mm²
+/// Domain    teeth ≠ 0, at least one arc (contract)
+/// Accuracy  |relative error| < 1e-12 where the curves are smooth between their ends
+/// Laws      (1) scaling every point by c scales A by c²   (2) a circle of radius r gives π r²
+double section_area(const Outline& outline);
+
+/// Area of the bore with its keyway: π r² + w (r + t) − (w/2 √(r² − w²/4) + r² asin(w/2r)).
+///
+/// Units     mm²
+/// Domain    0 ≤ w < 2r, t ≥ 0 (contract)
+double bore_area(const Bore& bore);
+
+/// Area of the metal in a transverse section: outline less bore; of a ring: rim less outline.
+///
+/// Units     mm²
+/// Domain    a ring has a bore, its rim (contract)
+double metal_area(const ToothedBody& body);
+
+}  // namespace gearwright

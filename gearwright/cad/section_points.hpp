@@ -1,0 +1,38 @@
+// Points on half a tooth's section, as few as a chord tolerance allows.
+//
+//   κ   curvature, 1/mm      a   chord of a segment, mm     Δ   turn of the grid's next level, rad
+//   ε   chord tolerance, mm  ρ   largest radius, mm
+//
+// The density of points solves (M1) of mesh.hpp for equality with d = κa²/8:
+//     κa² + 2a|Δ| + ρΔ² = 8ε   =>   1/a = (|Δ| + √(Δ² + κE)) / E,   E = 8ε − ρΔ².
+// Its integral along an arc counts the segments; equal parts of the integral place the points.
+#pragma once
+
+#include <vector>
+
+#include "gearwright/generation/outline.hpp"
+
+namespace gearwright {
+
+struct SectionPoint {
+  Vec2 point;        ///< mm
+  Vec2 root_normal;  ///< unit, out of the material, on the side of the root
+  Vec2 tip_normal;   ///< the same on the side of the tip; differs at a corner of the outline
+};
+
+struct SectionTolerance {
+  double chord;       ///< ε  mm
+  double facet_turn;  ///< rad, largest turn of the tangent over a segment (by the curvature)
+  double level_turn;  ///< |Δ|  rad
+  double radius;      ///< ρ  mm
+};
+
+/// Points from the middle of the space to the middle of the tooth. The first lies on the ray π/|z|
+/// and the last on the x axis to the last bit. No two neighbours are closer than chord/50: nearer
+/// ones are joined, which moves the boundary by less than that.
+///
+/// Accuracy  (M1) < ε on every segment, with d measured at five points inside it
+/// Domain    ρΔ² < 8ε, ends on their rays to 1e-6 ρ (contract)
+std::vector<SectionPoint> section_points(const Outline& outline, const SectionTolerance& tolerance);
+
+}  // namespace gearwright

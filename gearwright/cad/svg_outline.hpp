@@ -1,0 +1,25 @@
+// SVG of the transverse section: one path, in millimetres.
+//
+// The profile is the first subpath, bore or rim the second, filled by the even-odd rule: a gear
+// shows its bore, a ring its rim. Lands are elliptical arc commands (A), true circles; other arcs
+// cubic Bézier curves (C). SVG's y axis points down: y is written negated, so that the picture
+// stands up as the gear frame does, without a transformation that some readers leave out.
+#pragma once
+
+#include "gearwright/cad/drawing.hpp"
+
+namespace gearwright {
+
+struct SvgOptions {
+  double tolerance_mm = kSvgTolerance_mm;  ///< normal distance of the Bézier curves
+};
+
+/// The text of an SVG file of the body's section z = 0; width, height and viewBox in mm.
+///
+/// Units     mm, written with ten decimals
+/// Domain    tolerance_mm > 0; the outline's laws hold within 1e-6 mm (contract)
+/// Facts     as dxf_drawing
+/// Accuracy  deviation_mm ≤ tolerance_mm
+Result<Drawing> svg_drawing(const ToothedBody& body, const SvgOptions& options = {});
+
+}  // namespace gearwright

@@ -1,0 +1,32 @@
+// How far a point of a drawing lies from an exact arc, by search: for tests, it shares nothing with
+// the osculating circles by which the fits measure themselves.
+#pragma once
+
+#include <algorithm>
+
+#include "gearwright/generation/outline.hpp"
+
+namespace gearwright::testing {
+
+/// Distance from q to the arc, mm: the nearest of 400 samples, then ternary section around it.
+inline double distance_to_arc(const Arc& arc, const Vec2& q) {
+  constexpr int kSteps = 400;
+  const auto distance = [&](double u) { return (arc.point(u) - q).norm(); };
+  int nearest = 0;
+  for (int i = 1; i <= kSteps; ++i) {
+    const double u = static_cast<double>(i) / kSteps;
+    if (distance(u) < distance(static_cast<double>(nearest) / kSteps)) nearest = i;
+  }
+  double lo = std::max(0.0, (nearest - 1.0) / kSteps);
+  double hi = std::min(1.0, (nearest + 1.0) / kSteps);
+  double best = distance(static_cast<double>(nearest) / kSteps);
+  for (int i = 0; i < 60; ++i) {
+    const double a = lo + (hi - lo) / 3, b = hi - (hi - lo) / 3;
+    const double d_a = distance(a), d_b = distance(b);
+    (d_a < d_b ? hi : lo) = d_a < d_b ? b : a;
+    best = std::min({best, d_a, d_b});
+  }
+  return best;
+}
+
+}  // namespace gearwright::testing

@@ -1,0 +1,32 @@
+// What the CAD rooms need of a gear: one outline, screwed along the face, with an optional bore.
+//
+//   τ    twist, rad/mm: 2π/lead, signed, > 0 right hand, 0 spur
+//   b    face width, mm; the body fills −b/2 ≤ z ≤ b/2, the outline is its section z = 0
+//
+// The section at height z is the section z = 0 turned by τz. Tip, root and bore are cylinders.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <string>
+
+#include "gearwright/generation/outline.hpp"
+
+namespace gearwright {
+
+struct Bore {
+  double diameter;             ///< mm
+  double keyway_width = 0.0;   ///< mm, 0: no keyway
+  double keyway_depth = 0.0;   ///< mm, into the hub from the bore, along +y of the gear frame
+};
+
+struct ToothedBody {
+  std::string name;        ///< "gear1", the name a CAD tree shows
+  Outline outline;         ///< half a tooth; |outline.teeth| copies make the gear
+  double twist = 0.0;      ///< τ  rad/mm
+  double face_width = 0.0; ///< b  mm
+  std::optional<Bore> bore;
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< gear frame to housing frame
+};
+
+}  // namespace gearwright

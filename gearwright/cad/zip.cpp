@@ -1,0 +1,98 @@
+#include "gearwright/cad/zip.hpp"
+
+#include <zlib.h>
+
+#include <utility>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/cad/little_endian.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr std::uint16_t kVersion = 20;  // 2.0, the first with deflate
+constexpr std::uint16_t kDeflate = 8;
+constexpr std::uint16_t kMidnight = 0;
+constexpr std::uint16_t kNewYear1980 = (1U << 5U) | 1U;  // year 0 since 1980, month 1, day 1
+constexpr std::size_t kSizeMax = 0xfffffffeU;            // 0xffffffff announces ZIP64
+constexpr int kLevel = 6;
+constexpr int kRawDeflate = -15;  // a 32 kB window, no zlib header
+constexpr int kMemory = 8;
+
+std::string deflated(std::string_view content) {
+  z_stream stream{};
+  int status = deflateInit2(&stream, kLevel, Z_DEFLATED, kRawDeflate, kMemory, Z_DEFAULT_STRATEGY);
+  GW_ENSURES(status == Z_OK);
+  std::string out(deflateBound(&stream, static_cast<uLong>(content.size())), '\0');
+  // zlib's interface predates const; it does not write to its input.
+  stream.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(content.data()));
+  stream.avail_in = static_cast<uInt>(content.size());
+  stream.next_out = reinterpret_cast<Bytef*>(out.data());
+  stream.avail_out = static_cast<uInt>(out.size());
+  status = deflate(&stream, Z_FINISH);
+  GW_ENSURES(status == Z_STREAM_END);
+  out.resize(stream.total_out);
+  deflateEnd(&stream);
+  return out;
+}
+
+}  // namespace
+
+// What the local header and the directory share, from the version to the length of the extra field.
+void ZipWriter::append_common(const Entry& entry) {
+  append_u16(bytes_, kVersion);
+  append_u16(bytes_, 0);  // flags
+  append_u16(bytes_, kDeflate);
+  append_u16(bytes_, kMidnight);
+  append_u16(bytes_, kNewYear1980);
+  append_u32(bytes_, entry.crc);
+  append_u32(bytes_, entry.packed);
+  append_u32(bytes_, entry.size);
+  append_u16(bytes_, static_cast<std::uint16_t>(entry.name.size()));
+  append_u16(bytes_, 0);  // extra field
+}
+
+void ZipWriter::add(std::string_view name, std::string_view content) {
+  GW_EXPECTS(content.size() <= kSizeMax && name.size() <= 0xffffU && entries_.size() < 0xfffeU);
+  const std::string packed = deflated(content);
+  GW_EXPECTS(bytes_.size() + packed.size() <= kSizeMax);
+  const auto crc =
+      crc32(0, reinterpret_cast<const Bytef*>(content.data()), static_cast<uInt>(content.size()));
+  const Entry entry{
+      std::string(name), static_cast<std::uint32_t>(crc), static_cast<std::uint32_t>(packed.size()),
+      static_cast<std::uint32_t>(content.size()), static_cast<std::uint32_t>(bytes_.size())};
+  append_u32(bytes_, 0x04034b50U);
+  append_common(entry);
+  bytes_ += entry.name;
+  bytes_ += packed;
+  entries_.push_back(entry);
+}
+
+std::string ZipWriter::finish() && {
+  const std::size_t directory = bytes_.size();
+  for (const Entry& entry : entries_) {
+    append_u32(bytes_, 0x02014b50U);
+    append_u16(bytes_, kVersion);  // made by
+    append_common(entry);
+    append_u16(bytes_, 0);  // comment
+    append_u16(bytes_, 0);  // disk
+    append_u16(bytes_, 0);  // internal attributes
+    append_u32(bytes_, 0);  // external attributes
+    append_u32(bytes_, entry.offset);
+    bytes_ += entry.name;
+  }
+  const std::size_t size = bytes_.size() - directory;
+  GW_EXPECTS(bytes_.size() <= kSizeMax);
+  append_u32(bytes_, 0x06054b50U);
+  append_u16(bytes_, 0);  // this disk
+  append_u16(bytes_, 0);  // the directory's disk
+  append_u16(bytes_, static_cast<std::uint16_t>(entries_.size()));
+  append_u16(bytes_, static_cast<std::uint16_t>(entries_.size()));
+  append_u32(bytes_, static_cast<std::uint32_t>(size));
+  append_u32(bytes_, static_cast<std::uint32_t>(directory));
+  append_u16(bytes_, 0);  // comment
+  return std::move(bytes_);
+}
+
+}  // namespace gearwright

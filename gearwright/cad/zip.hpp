@@ -1,0 +1,37 @@
+// A ZIP archive in memory, the container of 3MF.
+//
+// Deflate by zlib, every entry dated 1 January 1980, the oldest date ZIP knows: same input, same
+// bytes (of one zlib release).     Format: PKWARE APPNOTE 6.3.3, without ZIP64.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gearwright {
+
+class ZipWriter {
+ public:
+  /// Domain    entries and archive below 2³² bytes, fewer than 65535 entries (contract)
+  void add(std::string_view name, std::string_view content);
+
+  /// The archive with its directory; the writer is spent.
+  std::string finish() &&;
+
+ private:
+  struct Entry {
+    std::string name;
+    std::uint32_t crc;
+    std::uint32_t packed;
+    std::uint32_t size;
+    std::uint32_t offset;
+  };
+
+  void append_common(const Entry& entry);
+
+  std::string bytes_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace gearwright

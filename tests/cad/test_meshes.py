@@ -1,0 +1,158 @@
+"""Mesh files, read by programs that are not ours.
+
+  test_meshes.py [FILE.stl FILE.glb FILE.3mf ...]
+
+Without files, the program ($GW_BIN) writes a helical pair with a keyway, together and gear by gear.
+
+  .stl  admesh: every edge shared, nothing degenerate, nothing to repair; parts as many as gears
+  .3mf  lib3mf 1.8 through lib3mf_read_test.cpp, and Python's zipfile
+  .glb  the Khronos validator, and manifold-3d for the two others: check_meshes.mjs
+
+A reader that is not installed is named and left out. Exit status 0: nothing wrong; 1: something is;
+77: no reader at all is installed.
+"""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import zipfile
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+SPEC = """
+title = "mesh files"
+[gear1]
+teeth = 17
+normal_module_mm = 2.5
+helix_angle_deg = 15
+profile_shift = 0.3
+face_width_mm = 25
+[gear1.bore]
+diameter_mm = 14
+keyway_width_mm = 5
+keyway_depth_mm = 2.3
+[gear2]
+teeth = 31
+face_width_mm = 25
+normal_module_mm = 2.5
+helix_angle_deg = -15
+"""
+
+readers = 0
+faults = []
+
+
+def fault(file, message):
+    faults.append(f"{file}: {message}")
+
+
+def run(command, **options):
+    return subprocess.run([str(c) for c in command], capture_output=True, text=True, **options)
+
+
+def write_files(folder):
+    spec = folder / "pair.toml"
+    spec.write_text(SPEC)
+    files = []
+    for gears in (["--gear", "1"], ["--gear", "2"], []):
+        stem = "gear" + gears[1] if gears else "pair"
+        made = [folder / f"{stem}.{kind}" for kind in ("stl", "glb", "3mf")]
+        command = [os.environ["GW_BIN"], "export", spec, *gears]
+        for file in made:
+            command += ["--" + file.suffix[1:], file]
+        result = run(command)
+        if result.returncode != 0:
+            sys.exit(f"{' '.join(map(str, command))}\n{result.stderr}")
+        files += made
+    return files
+
+
+def check_stl(files):
+    global readers
+    if not shutil.which("admesh"):
+        print("admesh: not installed")
+        return
+    readers += 1
+    # Names as admesh 0.98 prints them, and what they must be before any repair.
+    zero = ("Total disconnected facets", "Degenerate facets", "Edges fixed", "Facets removed",
+            "Facets added", "Facets reversed", "Backwards edges", "Normals fixed")
+    for file in files:
+        text = run(["admesh", file]).stdout
+        print(f"{file.name}: admesh")
+        for name in zero:
+            found = re.search(rf"{name}\s*:\s*(\d+)", text)
+            if not found or found[1] != "0":
+                fault(file, f"admesh: {name} {found[1] if found else 'not printed'}")
+        parts = re.search(r"Number of parts\s*:\s*(\d+)", text)
+        volume = re.search(r"Volume\s*:\s*(-?[\d.]+)", text)
+        expected = "2" if file.stem == "pair" else "1"
+        if not parts or parts[1] != expected:
+            fault(file, f"admesh: {parts[1] if parts else 'no'} parts, not {expected}")
+        if not volume or float(volume[1]) <= 0:
+            fault(file, "admesh: volume not positive")
+
+
+def check_3mf(files, folder):
+    global readers
+    for file in files:
+        bad = zipfile.ZipFile(file).testzip()
+        if bad:
+            fault(file, f"zip: {bad}")
+    include = Path("/usr/include/lib3mf")
+    compiler = os.environ.get("GW_CXX") or shutil.which("c++")
+    if not include.is_dir() or not compiler:
+        print("lib3mf: not installed")
+        return
+    reader = folder / "lib3mf_read_test"
+    built = run([compiler, "-std=c++17", "-w", "-isystem", include, HERE / "lib3mf_read_test.cpp",
+                 "-l3MF", "-o", reader])
+    if built.returncode != 0:
+        fault("lib3mf_read_test.cpp", built.stderr)
+        return
+    readers += 1
+    result = run([reader, *files])
+    print(result.stdout, end="")
+    if result.returncode != 0:
+        fault("lib3mf", result.stderr)
+
+
+def check_by_node(files):
+    global readers
+    node = os.environ.get("GW_NODE") or shutil.which("node")
+    if not node:
+        print("node: not installed")
+        return
+    modules = os.environ.get("GW_NODE_MODULES")
+    result = run([node, HERE / "check_meshes.mjs", *files, *(["--modules", modules] if modules else [])])
+    print(result.stdout, end="")
+    if result.returncode == 77:
+        print(f"check_meshes.mjs: {result.stderr}", end="")
+        return
+    readers += 1
+    if result.returncode != 0:
+        fault("check_meshes.mjs", result.stderr)
+
+
+def main():
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        files = [Path(a) for a in sys.argv[1:]] or write_files(folder)
+        by_kind = {kind: [f for f in files if f.suffix == kind] for kind in (".stl", ".3mf", ".glb")}
+        if sum(map(len, by_kind.values())) != len(files):
+            sys.exit("only .stl, .3mf and .glb files")
+        if by_kind[".stl"]:
+            check_stl(by_kind[".stl"])
+        if by_kind[".3mf"]:
+            check_3mf(by_kind[".3mf"], folder)
+        check_by_node(files)
+    for line in faults:
+        print(line, file=sys.stderr)
+    if faults:
+        return 1
+    return 0 if readers else 77
+
+
+sys.exit(main())
