@@ -1,0 +1,171 @@
+#include "gearwright/report/gear_shape.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/report/html_text.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr int kMostHalvings = 12;  // 4096 chords per arc: a bound for curves with a cusp
+
+double distance_to_chord(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const Vec2 ab = b - a;
+  const double square = ab.squaredNorm();
+  const double t = square > 0.0 ? std::clamp((p - a).dot(ab) / square, 0.0, 1.0) : 0.0;
+  return (p - a - t * ab).norm();
+}
+
+void halve(const Arc& arc, double u0, double u1, const Vec2& p0, const Vec2& p1, double tolerance,
+           int depth, std::vector<Vec2>& out) {
+  const double um = 0.5 * (u0 + u1);
+  const Vec2 pm = arc.point(um);
+  double deviation = distance_to_chord(pm, p0, p1);
+  for (const double u : {0.5 * (u0 + um), 0.5 * (um + u1)}) {
+    deviation = std::max(deviation, distance_to_chord(arc.point(u), p0, p1));
+  }
+  if (deviation > tolerance && depth < kMostHalvings) {
+    halve(arc, u0, um, p0, pm, tolerance, depth + 1, out);
+    halve(arc, um, u1, pm, p1, tolerance, depth + 1, out);
+    return;
+  }
+  out.push_back(p1);
+}
+
+bool about_the_axis(const Arc& arc) {
+  return arc.name == ArcName::root_land || arc.name == ArcName::tip_land;
+}
+
+// Integer path commands; a point that rounds to the one before is left out.
+class Pen {
+ public:
+  explicit Pen(double unit_mm) : unit_(unit_mm) {}
+
+  void move(const Vec2& p) {
+    set(p);
+    text_ += fmt::format("M{} {}", x_, y_);
+    last_ = 'M';
+  }
+  void line(const Vec2& p) {
+    const auto [dx, dy] = step(p);
+    if (dx == 0 && dy == 0) return;
+    number(last_ == 'l' ? 0 : 'l', dx);
+    number(' ', dy);
+    last_ = 'l';
+  }
+  // About the axis, `clockwise` on the screen.
+  void arc(double radius_mm, bool clockwise, const Vec2& p) {
+    const auto [dx, dy] = step(p);
+    if (dx == 0 && dy == 0) return;
+    text_ += fmt::format("a{0} {0} 0 0 {1} {2} {3}", std::lround(radius_mm / unit_),
+                         clockwise ? 1 : 0, dx, dy);
+    last_ = 'a';
+  }
+  std::string take() { return std::move(text_); }
+
+ private:
+  void set(const Vec2& p) {
+    x_ = std::lround(p.x() / unit_);
+    y_ = std::lround(-p.y() / unit_);
+  }
+  std::pair<long, long> step(const Vec2& p) {
+    const long x = x_;
+    const long y = y_;
+    set(p);
+    return {x_ - x, y_ - y};
+  }
+  // A minus sign separates by itself.
+  void number(char before, long value) {
+    if (before == 'l') {
+      text_ += 'l';
+    } else if (value >= 0) {
+      text_ += ' ';
+    }
+    text_ += fmt::format("{}", value);
+  }
+
+  double unit_;
+  std::string text_;
+  long x_ = 0;
+  long y_ = 0;
+  char last_ = 0;
+};
+
+double chord_tolerance(const Gear& gear) {
+  // Rounding both ends of a chord moves it by at most half a unit in each coordinate.
+  static_assert(kOutlineTolerance > 0.75 * kOutlineUnit);
+  return (kOutlineTolerance - 0.75 * kOutlineUnit) * gear.spec.normal_module;
+}
+
+Vec2 on_side(const Vec2& p, int side) { return {p.x(), side * p.y()}; }
+
+// Draws the arc from where the pen stands, root to tip or back.
+void draw(Pen& pen, const Gear& gear, const Arc& arc, int side, bool to_tip) {
+  const Vec2 target = on_side(to_tip ? arc.end_point : arc.begin_point, side);
+  if (about_the_axis(arc)) {
+    // Towards the tip the polar angle falls on the generated side: clockwise there, y is up.
+    pen.arc(arc.begin_point.norm(), to_tip == (side > 0), target);
+    return;
+  }
+  std::vector<Vec2> points = chords(arc, chord_tolerance(gear));
+  if (!to_tip) std::reverse(points.begin(), points.end());
+  for (std::size_t i = 1; i < points.size(); ++i) pen.line(on_side(points[i], side));
+}
+
+}  // namespace
+
+bool has_outline(const Gear& gear) {
+  return gear.tooth && gear.exists() && !gear.tooth->outline.arcs.empty();
+}
+
+double outline_unit_mm(const Gear& gear) { return kOutlineUnit * gear.spec.normal_module; }
+
+std::vector<Vec2> chords(const Arc& arc, double tolerance) {
+  GW_EXPECTS(tolerance > 0.0);
+  std::vector<Vec2> points{arc.begin_point};
+  // Two halves at least: a curve that crosses its chord in the middle must not pass for straight.
+  const Vec2 middle = arc.point(0.5);
+  halve(arc, 0.0, 0.5, arc.begin_point, middle, tolerance, 1, points);
+  halve(arc, 0.5, 1.0, middle, arc.end_point, tolerance, 1, points);
+  return points;
+}
+
+std::string arc_path(const Gear& gear, const Arc& arc, int side) {
+  Pen pen(outline_unit_mm(gear));
+  pen.move(on_side(arc.begin_point, side));
+  draw(pen, gear, arc, side, true);
+  return pen.take();
+}
+
+std::string tooth_path(const Gear& gear) {
+  GW_EXPECTS(has_outline(gear));
+  const std::vector<Arc>& arcs = gear.tooth->outline.arcs;
+  Pen pen(outline_unit_mm(gear));
+  pen.move(arcs.front().begin_point);
+  for (const Arc& arc : arcs) draw(pen, gear, arc, +1, true);
+  for (auto arc = arcs.rbegin(); arc != arcs.rend(); ++arc) draw(pen, gear, *arc, -1, false);
+  return pen.take();
+}
+
+std::string gear_definition(const Gear& gear, const std::string& name) {
+  if (!has_outline(gear)) return {};
+  // The chord that closes a tooth's fill lies inside the root circle, which the disc fills. Colours
+  // come from where the shape is used; the effect must stand here, style sheets do not reach
+  // inside.
+  std::string text = fmt::format(
+      "<path id=\"{0}-tooth\" vector-effect=\"non-scaling-stroke\" d=\"{1}\"/>\n<g "
+      "id=\"{0}\"><circle stroke=\"none\" r=\"{2}\"/>",
+      name, tooth_path(gear), std::lround(gear.tooth->root_radius / outline_unit_mm(gear)));
+  const int z = gear.spec.teeth;
+  for (int k = 0; k < z; ++k) {
+    text += fmt::format("<use href=\"#{}-tooth\" transform=\"rotate({})\"/>", name,
+                        fixed(360.0 * k / z, 6));
+  }
+  return text + "</g>\n";
+}
+
+}  // namespace gearwright

@@ -1,0 +1,113 @@
+#include "gearwright/report/gear_shape.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "gearwright/report/testing/sample_reports.hpp"
+
+namespace gearwright {
+namespace {
+
+// Reads M, l and a back into points, mm, y up; circles as chords too short to matter.
+std::vector<Vec2> points_of(const std::string& path, double unit) {
+  std::string spaced;
+  for (const char c : path) {
+    if (c == 'M' || c == 'l' || c == 'a') {
+      spaced += std::string(" ") + c + " ";
+    } else if (c == '-') {
+      spaced += " -";
+    } else {
+      spaced += c;
+    }
+  }
+  std::istringstream in(spaced);
+  std::vector<Vec2> points;
+  Vec2 pen = Vec2::Zero();
+  std::string word;
+  char command = 0;
+  while (in >> word) {
+    if (word == "M" || word == "l" || word == "a") {
+      command = word[0];
+      if (!(in >> word)) break;
+    }
+    std::vector<double> n{std::stod(word)};
+    const std::size_t count = command == 'a' ? 7 : 2;
+    while (n.size() < count && in >> word) n.push_back(std::stod(word));
+    const Vec2 step(n[count - 2], n[count - 1]);
+    const Vec2 next = command == 'M' ? step : Vec2(pen + step);
+    if (command == 'a') {
+      // About the origin, the short way.
+      const double from = std::atan2(pen.y(), pen.x());
+      const double turn =
+          std::remainder(std::atan2(next.y(), next.x()) - from, 2 * std::acos(-1.0));
+      EXPECT_EQ(n[4] > 0.5, turn > 0.0) << "clockwise on the screen, y down";
+      for (int k = 1; k < 64; ++k) {
+        const double angle = from + turn * k / 64;
+        points.push_back(n[0] * Vec2(std::cos(angle), std::sin(angle)));
+      }
+    }
+    points.push_back(next);
+    pen = next;
+  }
+  for (Vec2& p : points) p = unit * Vec2(p.x(), -p.y());
+  return points;
+}
+
+double distance(const Vec2& p, const std::vector<Vec2>& chain) {
+  double least = 1e300;
+  for (std::size_t i = 1; i < chain.size(); ++i) {
+    const Vec2 ab = chain[i] - chain[i - 1];
+    const double t = ab.squaredNorm() > 0
+                         ? std::clamp((p - chain[i - 1]).dot(ab) / ab.squaredNorm(), 0.0, 1.0)
+                         : 0.0;
+    least = std::min(least, (p - chain[i - 1] - t * ab).norm());
+  }
+  return least;
+}
+
+class GearShape : public ::testing::TestWithParam<int> {};
+
+TEST_P(GearShape, FollowsTheOutline) {
+  const int z = GetParam();
+  const Gear gear =
+      testing::sample_gear(z, 2.5, z == 17 ? 25.0 : 0.0, z < 12 ? 0.5 : 0.0, z == 60 ? 0.3 : 0.0);
+  ASSERT_TRUE(has_outline(gear));
+  const std::vector<Vec2> chain = points_of(tooth_path(gear), outline_unit_mm(gear));
+  double worst = 0.0;
+  for (const Arc& arc : gear.tooth->outline.arcs) {
+    for (int k = 0; k <= 400; ++k) {
+      const Vec2 p = arc.point(k / 400.0);
+      for (const double side : {1.0, -1.0})
+        worst = std::max(worst, distance({p.x(), side * p.y()}, chain));
+    }
+  }
+  EXPECT_LT(worst, kOutlineTolerance * gear.spec.normal_module);
+  EXPECT_GT(worst, 0.2 * kOutlineTolerance * gear.spec.normal_module)
+      << "more points than the eye needs";
+  EXPECT_LT(tooth_path(gear).size(), 3000u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Teeth, GearShape, ::testing::Values(6, 8, 17, 25, 60, 300));
+
+TEST(GearShape, OneToothIsUsedZTimes) {
+  const Gear gear = testing::sample_gear(23, 2, 0, 0);
+  const std::string text = gear_definition(gear, "g");
+  std::size_t uses = 0;
+  for (std::size_t at = text.find("#g-tooth"); at != text.npos; at = text.find("#g-tooth", at + 1))
+    ++uses;
+  EXPECT_EQ(uses, 23u);
+  EXPECT_NE(text.find("rotate(344.347826)"), text.npos);  // 360·22/23
+}
+
+TEST(GearShape, WhatHasNoOutlineHasNoShape) {
+  EXPECT_EQ(gear_definition(testing::sample_gear(-60, 2, 0, 0), "g"), "");
+  EXPECT_EQ(gear_definition(testing::sample_gear(3, 2, 0, -0.6), "g"), "");
+}
+
+}  // namespace
+}  // namespace gearwright

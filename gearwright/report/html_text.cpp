@@ -1,0 +1,122 @@
+#include "gearwright/report/html_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <vector>
+
+namespace gearwright {
+
+namespace {
+
+bool is_letter_or_digit(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
+
+enum class Place { base, below, above };
+
+struct Piece {
+  std::string text;
+  Place place;
+};
+
+// A subscript runs from '_' over letters, digits and UTF-8 bytes; '*' stands above.
+std::vector<Piece> pieces_of(std::string_view symbol) {
+  std::vector<Piece> pieces;
+  Place place = Place::base;
+  for (const char c : symbol) {
+    if (c == '_') {
+      place = Place::below;
+      pieces.push_back({"", place});
+      continue;
+    }
+    const bool word = is_letter_or_digit(c) || static_cast<unsigned char>(c) >= 0x80;
+    if (c == '*') {
+      pieces.push_back({"*", Place::above});
+      place = Place::base;
+      continue;
+    }
+    if (place == Place::below && !word) place = Place::base;
+    if (pieces.empty() || pieces.back().place != place) pieces.push_back({"", place});
+    pieces.back().text += c;
+  }
+  return pieces;
+}
+
+}  // namespace
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  result.reserve(text.size());
+  for (const char c : text) {
+    switch (c) {
+      case '&': result += "&amp;"; break;
+      case '<': result += "&lt;"; break;
+      case '>': result += "&gt;"; break;
+      case '"': result += "&quot;"; break;
+      case '\'': result += "&#39;"; break;
+      case '\n':
+      case '\t': result += c; break;
+      case '\r': break;  // a line ends with its line feed
+      default:
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+          result += "\xEF\xBF\xBD";
+        } else {
+          result += c;
+        }
+    }
+  }
+  return result;
+}
+
+std::string file_link(std::string_view name) {
+  std::string result = "./";  // so that a colon in the name names no protocol
+  for (const char c : name) {
+    if (is_letter_or_digit(c) || c == '-' || c == '.' || c == '_' || c == '~' || c == '/') {
+      result += c;
+    } else {
+      result += fmt::format("%{:02X}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+    }
+  }
+  return result;
+}
+
+std::string fixed(double value, int decimals) {
+  if (!std::isfinite(value)) return std::string(kNoValue);
+  std::string text = fmt::format("{:.{}f}", value, decimals);
+  if (text.front() == '-' && text.find_first_not_of("-0.") == std::string::npos) text.erase(0, 1);
+  return text;
+}
+
+std::string fixed(const std::optional<double>& value, int decimals) {
+  return value ? fixed(*value, decimals) : std::string(kNoValue);
+}
+
+std::string symbol_html(std::string_view symbol) {
+  std::string result;
+  for (const Piece& piece : pieces_of(symbol)) {
+    switch (piece.place) {
+      case Place::base: result += "<var>" + piece.text + "</var>"; break;
+      case Place::below: result += "<sub>" + piece.text + "</sub>"; break;
+      case Place::above: result += "<sup>" + piece.text + "</sup>"; break;
+    }
+  }
+  return result;
+}
+
+std::string symbol_svg(std::string_view symbol) {
+  std::string result;
+  int shift = 0;  // of the baseline, px down
+  for (const Piece& piece : pieces_of(symbol)) {
+    const int wanted = piece.place == Place::base ? 0 : piece.place == Place::below ? 3 : -4;
+    const char* style = wanted == 0 ? "v" : "s";
+    result += fmt::format("<tspan class=\"{}\"", style);
+    if (wanted != shift) result += fmt::format(" dy=\"{}\"", wanted - shift);
+    result += ">" + piece.text + "</tspan>";
+    shift = wanted;
+  }
+  if (shift != 0) result += fmt::format("<tspan dy=\"{}\">\xE2\x80\x8B</tspan>", -shift);
+  return result;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,35 @@
+// Text for HTML and SVG: escaped words, numbers with the digits of a drawing, symbols with indices.
+//
+// Symbols are written as in our comments, "d_Ff", "h_aP*", "k m_n", and set with real indices.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace gearwright {
+
+constexpr int kLengthDigits = 4;  ///< mm: 0.1 µm, the last digit that a gear drawing carries
+constexpr int kAngleDigits = 5;   ///< degrees: 0.17 µm on a radius of 1 m
+constexpr int kRatioDigits = 4;   ///< pure numbers
+
+/// A sign for "there is no such value".
+constexpr std::string_view kNoValue = "–";
+
+/// The text with & < > " ' as references; control characters but line feed and tab become U+FFFD.
+std::string escaped(std::string_view text);
+
+/// A relative link to a file of that name: everything but letters, digits, - . _ ~ and / in
+/// percent.
+std::string file_link(std::string_view name);
+
+/// Fixed decimals, never "-0.000"; kNoValue when it is not finite.
+std::string fixed(double value, int decimals);
+std::string fixed(const std::optional<double>& value, int decimals);
+
+/// "d_Ff" as <var>d</var><sub>Ff</sub>; the symbol is ours and is not escaped.
+std::string symbol_html(std::string_view symbol);
+/// The same as tspans for an SVG text.
+std::string symbol_svg(std::string_view symbol);
+
+}  // namespace gearwright

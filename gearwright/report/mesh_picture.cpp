@@ -1,0 +1,271 @@
+#include "gearwright/report/mesh_picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "gearwright/report/gear_shape.hpp"
+#include "gearwright/report/html_text.hpp"
+#include "gearwright/report/svg.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kMeshWidth = 640.0;
+constexpr double kMeshHeight = 560.0;
+constexpr double kWholeWidth = 420.0;
+constexpr double kWholeHeight = 360.0;
+constexpr double kDegree = 180.0 / std::numbers::pi;
+constexpr double kLetterRoom = 17.0;  // px between two letters on one side of the line
+
+const std::array<const char*, 2> kBody{"body g1", "body g2"};
+const std::array<const char*, 2> kOutline{"outline g1", "outline g2"};
+const std::array<const char*, 2> kInk{"g1", "g2"};
+
+Vec2 flat(const Point<Housing>& p) { return {p.r.x(), p.r.y()}; }
+
+Vec2 axis_of(const Pair& pair, std::size_t i) { return {i == 0 ? 0.0 : pair.center_distance, 0.0}; }
+
+double outer_radius(const Gear& gear) {
+  return gear.internal() ? gear.root_diameter / 2 : gear.actual_tip_radius();
+}
+
+// Where the x axes of the gears point when drawn, degrees counter-clockwise.
+std::array<double, 2> drawn_angles(const Pair& pair) {
+  const std::array<double, 2> phi = rotation_to_pitch_point(pair);
+  const auto angle = [](const Eigen::Isometry3d& x) { return std::atan2(x(1, 0), x(0, 0)); };
+  return {kDegree * (angle(pair.pose_1().isometry()) + phi[0]),
+          kDegree * (angle(pair.pose_2().isometry()) + phi[1])};
+}
+
+void draw_bodies(Svg& svg, const Viewport& view, const Pair& pair,
+                 const std::array<std::string, 2>& shapes) {
+  const std::array<double, 2> angles = drawn_angles(pair);
+  // Outlines after both bodies: where the teeth overlap, both are seen.
+  for (const auto& styles : {kBody, kOutline}) {
+    for (const std::size_t i : {1, 0}) {
+      const Gear& gear = pair.gears[i];
+      if (!has_outline(gear)) continue;
+      svg.use(shapes[i], view.px(axis_of(pair, i)), view.scale * outline_unit_mm(gear), angles[i],
+              styles[i]);
+    }
+  }
+}
+
+struct MeshCircle {
+  std::string symbol;
+  double radius;  // mm
+  const char* style;
+};
+
+std::vector<MeshCircle> circles_of(const Pair& pair, std::size_t i) {
+  const Gear& gear = pair.gears[i];
+  const double r_w = i == 0 ? pair.mesh.working_pitch_radius_1 : pair.mesh.working_pitch_radius_2;
+  const std::string n = std::to_string(i + 1);
+  std::vector<MeshCircle> circles{{"d_a" + n, gear.actual_tip_radius(), ""},
+                                  {"d_w" + n, r_w, " dashdot"},
+                                  {"d_b" + n, gear.base_radius(), " dash"}};
+  if (!has_outline(gear)) circles.push_back({"d_f" + n, gear.root_diameter / 2, ""});
+  return circles;
+}
+
+// Circles with labels where they leave the window: gear 1's at the top, gear 2's at the bottom.
+void draw_circles(Svg& svg, const Viewport& view, const Pair& pair, std::size_t i) {
+  const std::vector<MeshCircle> circles = circles_of(pair, i);
+  const Vec2 axis = view.px(axis_of(pair, i));
+  // The side of the axis on which the mesh is, on the screen.
+  const double side =
+      view.px(flat(pair.on_line_of_action(pair.mesh.rho1_C))).x() > axis.x() ? 1.0 : -1.0;
+  const double edge = i == 0 ? 30.0 : view.height - 30.0;
+  std::vector<double> wanted;
+  std::vector<std::string> symbols;
+  for (const MeshCircle& c : circles) {
+    const double r = c.radius * view.scale;
+    svg.circle(axis, r, std::string("thin ") + kInk[i] + c.style);
+    const double dy = edge - axis.y();
+    if (r < std::abs(dy)) continue;
+    const double x = axis.x() + side * std::sqrt((r - dy) * (r + dy));
+    if (x < 0.0 || x > view.width) continue;  // leaves the window elsewhere
+    wanted.push_back(x);
+    symbols.push_back(c.symbol);
+  }
+  const std::vector<double> placed = spread(wanted, 36.0, 20.0, view.width - 20.0);
+  for (std::size_t k = 0; k < symbols.size(); ++k) {
+    const double y = i == 0 ? 18.0 : view.height - 11.0;
+    svg.line({wanted[k], edge}, {placed[k], i == 0 ? y + 4 : y - 12}, "leader");
+    svg.text({placed[k], y}, symbol_svg(symbols[k]), Anchor::middle,
+             std::string("halo ") + kInk[i]);
+  }
+}
+
+// The line of action with A … E; letters change sides where they would touch.
+void draw_path(Svg& svg, const Viewport& view, const Pair& pair) {
+  const ParallelMesh<double>& mesh = pair.mesh;
+  const auto at = [&](double rho1) { return view.px(flat(pair.on_line_of_action(rho1))); };
+  // Base tangent points: ρ_1 = 0 and ρ_2 = 0 (a ring's lies on the same side as gear 1's).
+  const double sigma = pair.kind == PairKind::parallel_external ? 1.0 : -1.0;
+  const double T2 = sigma * mesh.base_tangent_distance;
+  const double from = std::min({0.0, T2, mesh.rho1_A});
+  const double to = std::max({0.0, T2, mesh.rho1_E});
+  svg.line(at(from), at(to), "action-line");
+  svg.line(at(mesh.rho1_A), at(mesh.rho1_E), "action");
+
+  struct Mark {
+    std::string letter;
+    double rho1;
+    const char* style;
+  };
+  std::vector<Mark> marks{{"A", mesh.rho1_A, "mark action-dot"},
+                          {"B", mesh.rho1_B, "mark action-dot"},
+                          {"C", mesh.rho1_C, "mark pitch-dot"},
+                          {"D", mesh.rho1_D, "mark action-dot"},
+                          {"E", mesh.rho1_E, "mark action-dot"},
+                          {"T_1", 0.0, "mark hollow"},
+                          {"T_2", T2, "mark hollow"}};
+  std::sort(marks.begin(), marks.end(),
+            [](const Mark& a, const Mark& b) { return a.rho1 < b.rho1; });
+  const Vec2 along = (at(to) - at(from)).normalized();
+  const Vec2 across(-along.y(), along.x());
+  std::array<double, 2> last{-1e9, -1e9};
+  for (const Mark& mark : marks) {
+    const Vec2 p = at(mark.rho1);
+    svg.dot(p, 3.2, mark.style);
+    const double s = p.dot(along);
+    const std::size_t side = s - last[0] >= kLetterRoom || s - last[0] >= s - last[1] ? 0 : 1;
+    last[side] = s;
+    svg.text(p, symbol_svg(mark.letter), Anchor::middle, "letter halo",
+             (side == 0 ? 14.0 : -14.0) * across + Vec2(0.0, 5.0));
+  }
+}
+
+Viewport mesh_window(const Pair& pair) {
+  const ParallelMesh<double>& mesh = pair.mesh;
+  const double m = pair.gears[0].spec.normal_module;
+  const double reach =
+      std::max(std::abs(mesh.rho1_A - mesh.rho1_C), std::abs(mesh.rho1_E - mesh.rho1_C));
+  const double half =
+      std::max(reach * std::cos(mesh.working_transverse_pressure_angle), 2.2 * m) + 1.2 * m;
+  return {kMeshWidth, kMeshHeight, flat(pair.on_line_of_action(mesh.rho1_C)),
+          kMeshHeight / (2 * half)};
+}
+
+std::string mesh_svg(const Pair& pair, const std::array<std::string, 2>& shapes) {
+  const Viewport view = mesh_window(pair);
+  Svg svg("mesh", kMeshWidth, kMeshHeight, "The mesh at the pitch point",
+          "Both gears near the pitch point C in the transverse section, with pitch, base and tip "
+          "circles, "
+          "the line of action and the points A to E of the path of contact on it.");
+  draw_bodies(svg, view, pair, shapes);
+  // The centre line reaches past both axes, for readers who zoom out.
+  svg.line(view.px({-0.5 * pair.center_distance, 0}), view.px({1.5 * pair.center_distance, 0}),
+           "thin dashdot");
+  for (const std::size_t i : {0, 1}) draw_circles(svg, view, pair, i);
+  draw_path(svg, view, pair);
+  return svg.str();
+}
+
+// An arrow on the circle `radius` px about `axis`, over its top, in the sense of rotation.
+void draw_turn(Svg& svg, const Vec2& axis, double radius, bool clockwise, const char* ink) {
+  const double half = 0.55;  // rad
+  const double s = clockwise ? 1.0 : -1.0;
+  const auto on = [&](double angle, double r) {
+    return Vec2(axis.x() + s * r * std::sin(angle), axis.y() - r * std::cos(angle));
+  };
+  std::vector<Vec2> arc;
+  for (int k = 0; k <= 16; ++k) arc.push_back(on(-half + k * half / 8, radius));
+  svg.polyline(arc, std::string("turn ") + ink);
+  const double back = half - 9.0 / radius;
+  svg.polygon({on(half + 2.0 / radius, radius), on(back, radius - 4.5), on(back, radius + 4.5)},
+              std::string("head ") + ink);
+}
+
+std::string whole_svg(const Pair& pair, const std::array<std::string, 2>& shapes) {
+  const bool external = pair.kind == PairKind::parallel_external;
+  const double a = pair.center_distance;
+  const double R1 = outer_radius(pair.gears[0]);
+  const double R2 = outer_radius(pair.gears[1]);
+  const double left = std::min(-R1, a - R2);
+  const double right = std::max(R1, a + R2);
+  const double tall = 2 * std::max(R1, R2);
+  const double scale = 0.94 * std::min(kWholeWidth / (right - left), kWholeHeight / tall);
+  // No taller than the pair needs.
+  const double height = std::max(120.0, std::min(kWholeHeight, scale * tall + 24.0));
+  const Viewport view{kWholeWidth, height, Vec2((left + right) / 2, 0.0), scale};
+
+  Svg svg(
+      "whole", kWholeWidth, height, "The whole pair",
+      external
+          ? "Both gears in place with their axes and directions of rotation; a frame marks the "
+            "part that the picture of the mesh shows."
+          : "The pinion in the ring, whose circles alone are drawn, with axes and directions of "
+            "rotation; a frame marks the part that the picture of the mesh shows.");
+  draw_bodies(svg, view, pair, shapes);
+  for (const std::size_t i : {0, 1}) {
+    for (const MeshCircle& c : circles_of(pair, i)) {
+      svg.circle(view.px(axis_of(pair, i)), c.radius * scale,
+                 std::string("thin ") + kInk[i] + c.style);
+    }
+  }
+  svg.line(view.px({left, 0}), view.px({right, 0}), "thin dashdot");
+  const Viewport mesh = mesh_window(pair);
+  const Vec2 corner = view.px(mesh.mm({0, 0}));
+  const Vec2 size = view.px(mesh.mm({mesh.width, mesh.height})) - corner;
+  svg.rect(corner.x(), corner.y(), size.x(), size.y(), "frame");
+  for (const std::size_t i : {0, 1}) {
+    const Vec2 axis = view.px(axis_of(pair, i));
+    const Gear& gear = pair.gears[i];
+    const double r = 0.66 * scale * gear.root_diameter / 2;
+    const bool readable = r > 20.0 && !gear.internal();  // a ring's arrow would lie on its pinion
+    if (readable) draw_turn(svg, axis, r, i == 0, kInk[i]);
+    svg.line(axis - Vec2(5, 0), axis + Vec2(5, 0), "cross");
+    svg.line(axis - Vec2(0, 5), axis + Vec2(0, 5), "cross");
+    if (external) {
+      svg.text(axis, std::to_string(i + 1), Anchor::middle, "letter", {0.0, 19.0});
+    }
+  }
+  return svg.str();
+}
+
+}  // namespace
+
+std::array<double, 2> rotation_to_pitch_point(const Pair& pair) {
+  const double inv_w = involute(pair.mesh.working_transverse_pressure_angle);
+  const auto base_half = [&](std::size_t i) {
+    const Gear& gear = pair.gears[i];
+    return gear.reference.base_tooth_thickness / gear.reference.base_diameter;
+  };
+  const double sigma = pair.kind == PairKind::parallel_external ? 1.0 : -1.0;
+  const double psi_1 = base_half(0) - inv_w;
+  const double psi_2 = base_half(1) - sigma * inv_w;
+  return {psi_1, -sigma * (std::numbers::pi / std::abs(pair.input.z2) - psi_2)};
+}
+
+std::string mesh_figures(const Pair& pair, const std::array<std::string, 2>& shapes) {
+  const bool ring = pair.kind == PairKind::parallel_internal;
+  return fmt::format(
+      "<div class=\"figures mesh\">\n<figure>{}<figcaption><strong>The mesh</strong> at the pitch "
+      "point C, "
+      "gear 1 driving clockwise. <span class=\"key\"><i class=\"swatch g1\"></i>gear 1</span> "
+      "<span "
+      "class=\"key\"><i class=\"swatch g2\"></i>gear 2</span> <span class=\"key\"><i "
+      "class=\"swatch "
+      "action\"></i>path of contact A–E</span> Tip circles full, pitch circles dash-dot, base "
+      "circles "
+      "dashed; T: base tangent points.{}</figcaption></figure>\n<figure>{}<figcaption><strong>The "
+      "whole "
+      "pair</strong>, centre distance {} mm; the frame is the picture of the "
+      "mesh.</figcaption></figure>\n"
+      "</div>\n",
+      mesh_svg(pair, shapes),
+      ring ? " <strong>The ring’s outline is not part of this version</strong>: its tip and root "
+             "circles "
+             "stand for it."
+           : "",
+      whole_svg(pair, shapes), fixed(pair.center_distance, kLengthDigits));
+}
+
+}  // namespace gearwright

@@ -1,0 +1,262 @@
+#include "gearwright/report/path_picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "gearwright/report/html_text.hpp"
+#include "gearwright/report/svg.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kWidth = 640.0;
+constexpr double kLeft = 46.0;
+constexpr double kRight = 22.0;
+constexpr double kStripTop = 34.0;
+constexpr double kStripHeight = 26.0;
+constexpr double kPlotTop = 112.0;
+constexpr double kPlotHeight = 230.0;
+constexpr double kHeight = kPlotTop + kPlotHeight + 58.0;
+constexpr double kDeepest =
+    -4.0;  // specific sliding shown; below it the oil film is no question any more
+
+struct Axis {
+  double lo, hi;    // values
+  double from, to;  // px
+  double operator()(double v) const { return from + (v - lo) / (hi - lo) * (to - from); }
+};
+
+std::string count_words(int pairs, double width) {
+  if (pairs == 0) return width > 80 ? "no contact" : "0";
+  if (width < 14) return "";
+  if (width < 56) return std::to_string(pairs);
+  return fmt::format("{} pair{}", pairs, pairs == 1 ? "" : "s");
+}
+
+void draw_strip(Svg& svg, const Pair& pair, const Axis& x) {
+  const ParallelMesh<double>& mesh = pair.mesh;
+  const std::vector<ContactZone> zones = contact_zones(mesh);
+  int most = 0;
+  for (const ContactZone& zone : zones) most = std::max(most, zone.pairs);
+  for (const ContactZone& zone : zones) {
+    const double left = x(zone.rho1_begin);
+    const double width = x(zone.rho1_end) - left;
+    svg.rect(left, kStripTop, width, kStripHeight,
+             zone.pairs == 0      ? "zone none"
+             : zone.pairs == most ? "zone more"
+                                  : "zone fewer");
+    svg.text({left + width / 2, kStripTop + kStripHeight / 2 + 5}, count_words(zone.pairs, width),
+             Anchor::middle, "inzone");
+  }
+  const double end = std::max(mesh.rho1_E, mesh.rho1_D);
+  struct Mark {
+    const char* letter;
+    double rho1;
+  };
+  std::vector<Mark> marks{{"A", mesh.rho1_A},
+                          {"B", mesh.rho1_B},
+                          {"C", mesh.rho1_C},
+                          {"D", mesh.rho1_D},
+                          {"E", mesh.rho1_E}};
+  // ε_α > 2: a period's end lies beyond the path, and B and D say nothing.
+  std::erase_if(marks, [&](const Mark& m) { return m.rho1 < mesh.rho1_A || m.rho1 > end; });
+  std::vector<double> wanted;
+  for (const Mark& m : marks) wanted.push_back(x(m.rho1));
+  const std::vector<double> letters = spread(wanted, 16.0, 10.0, kWidth - 10.0);
+  const std::vector<double> values = spread(wanted, 58.0, 30.0, kWidth - 30.0);
+  const double foot = kPlotTop + kPlotHeight;
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    svg.polyline({{letters[i], kStripTop - 9}, {wanted[i], kStripTop - 3}, {wanted[i], foot}},
+                 "leader");
+    svg.text({letters[i], kStripTop - 14}, marks[i].letter, Anchor::middle, "letter");
+    svg.line({wanted[i], foot}, {values[i], foot + 10}, "leader");
+    svg.text({values[i], foot + 23}, fixed(marks[i].rho1 - mesh.rho1_C, 3), Anchor::middle, "tick");
+  }
+  svg.text({(x.from + x.to) / 2, kHeight - 8},
+           "distance from the pitch point C along the line of action, mm", Anchor::middle, "tick");
+
+  // What is left of the path when it is clipped to the usable flanks.
+  const double clip = 1e-9 * mesh.path_length;
+  const bool clipped =
+      mesh.rho1_true_begin > mesh.rho1_A + clip || mesh.rho1_true_end < mesh.rho1_E - clip;
+  if (!clipped) return;
+  const double y = kStripTop + kStripHeight + 9;
+  if (mesh.rho1_true_end > mesh.rho1_true_begin) {
+    svg.line({x(mesh.rho1_true_begin), y}, {x(mesh.rho1_true_end), y}, "usable");
+  }
+  svg.text({(x(mesh.rho1_A) + x(mesh.rho1_E)) / 2, y + 18},
+           mesh.rho1_true_end > mesh.rho1_true_begin ? "usable flanks touch along this part only"
+                                                     : "no part where both flanks are usable",
+           Anchor::middle, "tick halo");
+}
+
+std::optional<double> zeta(const Pair& pair, int gear, double rho1) {
+  const SpecificSliding<double> s = specific_sliding(pair.input, pair.mesh, rho1);
+  return gear == 1 ? s.zeta_1 : s.zeta_2;
+}
+
+// From the lower of the ends, a little more, in halves.
+double lowest_shown(const Pair& pair) {
+  double low = -0.5;
+  for (const SpecificSliding<double>& s : {pair.sliding_A, pair.sliding_E}) {
+    for (const auto& z : {s.zeta_1, s.zeta_2}) low = std::min(low, z ? *z : kDeepest);
+  }
+  return std::max(kDeepest, std::floor(2 * low - 0.3) / 2);
+}
+
+void draw_curve(Svg& svg, const Pair& pair, int gear, const Axis& x, const Axis& y) {
+  constexpr int kSteps = 96;
+  std::vector<Vec2> points;
+  for (int k = 0; k <= kSteps; ++k) {
+    const double t = static_cast<double>(k) / kSteps;
+    const double rho1 = pair.mesh.rho1_A + t * pair.mesh.path_length;
+    const auto z = zeta(pair, gear, rho1);
+    if (z && std::isfinite(*z)) points.push_back({x(rho1), y(std::max(*z, 2 * kDeepest))});
+  }
+  if (points.size() > 1) svg.polyline(points, gear == 1 ? "curve g1" : "curve g2 dash");
+}
+
+// The four values at the ends, beside their curves and out of each other's way.
+void label_end(Svg& svg, const Pair& pair, bool at_A, const Axis& x, const Axis& y) {
+  const double rho1 = at_A ? pair.mesh.rho1_A : pair.mesh.rho1_E;
+  const SpecificSliding<double>& s = at_A ? pair.sliding_A : pair.sliding_E;
+  const std::array<std::optional<double>, 2> values{s.zeta_1, s.zeta_2};
+  std::vector<double> wanted;
+  for (const auto& v : values) {
+    const double shown = std::max(v.value_or(kDeepest), y.lo);
+    // Below the end of a curve that rises from it, above one that falls.
+    wanted.push_back(y(shown) + (shown > 0.0 ? -10.0 : 6.0));
+    if (v && *v >= y.lo) svg.dot({x(rho1), y(*v)}, 3.0, wanted.size() == 1 ? "mark g1" : "mark g2");
+  }
+  const std::vector<double> placed = spread(wanted, 17.0, kPlotTop - 6, kPlotTop + kPlotHeight - 6);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::string value = values[i] ? fixed(*values[i], 3) : std::string("no involute");
+    svg.text({x(rho1), placed[i]},
+             symbol_svg(i == 0 ? "ζ_1" : "ζ_2") + fmt::format("({}) = {}", at_A ? "A" : "E", value),
+             at_A ? Anchor::start : Anchor::end, i == 0 ? "halo g1" : "halo g2",
+             {at_A ? 8.0 : -8.0, 4.0});
+  }
+}
+
+std::string path_svg(const Pair& pair) {
+  const ParallelMesh<double>& mesh = pair.mesh;
+  const double end = std::max(mesh.rho1_E, mesh.rho1_D);
+  const Axis x{mesh.rho1_A,
+               std::max(mesh.rho1_E, mesh.transverse_contact_ratio < 1.0 ? end : mesh.rho1_E),
+               kLeft + 14, kWidth - kRight};
+  const Axis y{lowest_shown(pair), 1.0, kPlotTop + kPlotHeight, kPlotTop};
+  Svg svg(
+      "path", kWidth, kHeight, "Path of contact and specific sliding",
+      "A strip from A to E with the number of tooth pairs in contact, and below it the specific "
+      "sliding of both gears over the path.");
+  const double step = y.hi - y.lo > 3.0 ? 1.0 : 0.5;
+  for (double v = std::ceil(y.lo / step) * step; v <= 1.0; v += step) {
+    svg.line({kLeft, y(v)}, {kWidth - kRight, y(v)}, v == 0.0 ? "axis" : "grid");
+    svg.text({kLeft - 6, y(v) + 4}, fixed(v, 1), Anchor::end, "tick");
+  }
+  draw_strip(svg, pair, x);
+  svg.begin_clip(kLeft, kPlotTop, kWidth - kRight - kLeft, kPlotHeight);
+  for (const int gear : {1, 2}) draw_curve(svg, pair, gear, x, y);
+  svg.end_group();
+  for (const bool at_A : {true, false}) label_end(svg, pair, at_A, x, y);
+  return svg.str();
+}
+
+std::string ratio_svg(const Pair& pair) {
+  const ParallelMesh<double>& mesh = pair.mesh;
+  const double e_alpha = mesh.transverse_contact_ratio;
+  const double e_true = mesh.transverse_contact_ratio_true;
+  const double e_beta = mesh.overlap_ratio;
+  constexpr double kBarLeft = 150.0;
+  constexpr double kRow = 34.0;
+  constexpr double kTop = 26.0;
+  const double most =
+      std::max(2.0, std::ceil(std::max(pair.contact_ratio(), pair.contact_ratio_true()) + 0.15));
+  const Axis x{0.0, most, kBarLeft, kWidth - 70.0};
+  const double height = kTop + 3 * kRow + 10;
+  Svg svg("ratios", kWidth, height, "Contact ratios",
+          "Bars of the transverse contact ratio, the overlap ratio and their sum; a line marks 1.");
+  const double by = std::max(1.0, std::ceil(most / 12));
+  for (double v = 0.0; v <= most; v += by) {
+    svg.line({x(v), kTop - 6}, {x(v), height - 8}, v == 1.0 ? "one" : "grid");
+    svg.text({x(v), kTop - 11}, fixed(v, 0), Anchor::middle, "tick");
+  }
+  struct Bar {
+    const char* words;
+    const char* symbol;
+    double from_alpha, from_beta, formula;
+  };
+  const std::array<Bar, 3> bars{{{"transverse", "ε_α", e_true, 0.0, e_alpha},
+                                 {"overlap", "ε_β", 0.0, e_beta, e_beta},
+                                 {"total", "ε_γ", e_true, e_beta, e_alpha + e_beta}}};
+  for (std::size_t i = 0; i < bars.size(); ++i) {
+    const Bar& bar = bars[i];
+    const double top = kTop + static_cast<double>(i) * kRow + 4;
+    const double tall = kRow - 12;
+    svg.text({12, top + 16}, bar.words);
+    svg.text({kBarLeft - 12, top + 16}, symbol_svg(bar.symbol), Anchor::end);
+    if (bar.from_alpha > 0.0) svg.rect(x(0), top, x(bar.from_alpha) - x(0), tall, "bar alpha");
+    if (bar.from_beta > 0.0) {
+      svg.rect(x(bar.from_alpha), top, x(bar.from_beta) - x(0), tall, "bar beta");
+    }
+    const double sum = bar.from_alpha + bar.from_beta;
+    if (bar.formula - sum > 1e-9) svg.rect(x(0), top, x(bar.formula) - x(0), tall, "bar formula");
+    svg.text({x(std::max(sum, bar.formula)) + 7, top + 16}, fixed(sum, 3), Anchor::start, "halo");
+  }
+  return svg.str();
+}
+
+}  // namespace
+
+std::vector<ContactZone> contact_zones(const ParallelMesh<double>& mesh) {
+  const double p = mesh.rho1_E - mesh.rho1_B;
+  const double A = mesh.rho1_A;
+  const double E = mesh.rho1_E;
+  // A pair leaves at E − k p on the scale of its follower, and comes in at A + k p.
+  const double ratio = (E - A) / p;
+  const int whole = static_cast<int>(std::floor(ratio));
+  std::vector<double> cuts{A, E};
+  for (int k = 1; k <= whole; ++k) {
+    cuts.push_back(A + k * p);
+    cuts.push_back(E - k * p);
+  }
+  std::sort(cuts.begin(), cuts.end());
+  const double nothing = 1e-9 * p;  // a whole contact ratio makes pairs of equal cuts
+  std::vector<ContactZone> zones;
+  double begin = A;
+  for (const double cut : cuts) {
+    if (cut - begin < nothing) continue;
+    const double middle = 0.5 * (begin + cut);
+    const int pairs = static_cast<int>(std::floor((E - middle) / p)) +
+                      static_cast<int>(std::floor((middle - A) / p)) + 1;
+    zones.push_back({begin, cut, pairs});
+    begin = cut;
+  }
+  if (ratio < 1.0) zones.push_back({E, A + p, 0});
+  return zones;
+}
+
+std::string path_figures(const Pair& pair) {
+  const bool differs =
+      std::abs(pair.mesh.transverse_contact_ratio - pair.mesh.transverse_contact_ratio_true) > 1e-9;
+  return fmt::format(
+      "<figure>{}<figcaption><strong>Path of contact</strong>, zones of tooth "
+      "pairs in contact in one transverse section. Specific sliding: <span class=\"key\"><i "
+      "class=\"swatch g1\"></i>gear 1</span> <span class=\"key\"><i class=\"swatch g2\"></i>gear 2 "
+      "(dashed)</span></figcaption></figure>\n<figure>{}<figcaption><strong>Contact "
+      "ratios</strong>; "
+      "from 1 on contact never stops.{} <span class=\"key\"><i class=\"swatch "
+      "alpha\"></i>transverse</span> <span class=\"key\"><i "
+      "class=\"swatch beta\"></i>overlap</span></figcaption></figure>\n",
+      path_svg(pair), ratio_svg(pair),
+      differs ? " Filled: of the usable flanks; outlined: from tip to tip, as the formula has it."
+              : "");
+}
+
+}  // namespace gearwright

@@ -1,0 +1,172 @@
+#include "gearwright/report/report.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdlib>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/report/gear_shape.hpp"
+#include "gearwright/report/html_text.hpp"
+#include "gearwright/report/mesh_picture.hpp"
+#include "gearwright/report/page_style.hpp"
+#include "gearwright/report/path_picture.hpp"
+#include "gearwright/report/report_tables.hpp"
+#include "gearwright/report/tooth_picture.hpp"
+#include "gearwright/report/verdict.hpp"
+
+namespace gearwright {
+
+namespace {
+
+const std::array<std::string, 2> kShapes{"gear1", "gear2"};
+
+std::string default_title(const ReportInput& input) {
+  const int z1 = input.gears[0]->spec.teeth;
+  if (input.gears.size() == 1) {
+    return fmt::format("{} with {} teeth", z1 < 0 ? "Ring gear" : "Gear", std::abs(z1));
+  }
+  return fmt::format("{} {} / {}", input.pair ? "Gear pair" : "Gears", z1,
+                     input.gears[1]->spec.teeth);
+}
+
+std::string kind_of(const ReportInput& input) {
+  const bool helical = input.gears[0]->spec.helix_angle.rad() != 0.0;
+  if (input.pair) {
+    return fmt::format("{} gear pair on parallel axes{}", helical ? "Helical" : "Spur",
+                       input.pair->kind == PairKind::parallel_internal ? ", internal" : "");
+  }
+  if (input.gears.size() == 2) return "Two cylindrical gears, not mounted";
+  return fmt::format("{} {}", helical ? "Helical" : "Spur",
+                     input.gears[0]->internal() ? "ring gear" : "gear");
+}
+
+std::string warning_list(const ReportInput& input) {
+  std::string text;
+  // The worst first; within a kind as they came.
+  for (const Severity severity : {Severity::problem, Severity::caution, Severity::note}) {
+    const char* name = severity == Severity::problem   ? "problem"
+                       : severity == Severity::caution ? "caution"
+                                                       : "note";
+    const char* word = severity == Severity::problem   ? "Problem"
+                       : severity == Severity::caution ? "Caution"
+                                                       : "Note";
+    for (const Warning& w : input.warnings) {
+      if (severity_of(w, input.gears) != severity) continue;
+      const std::string where =
+          w.gear == 0 ? std::string(input.pair ? "Pair" : "") : fmt::format("Gear {}", w.gear);
+      text += fmt::format("<li class=\"{}\"><b>{}</b><span class=\"where\">{}</span>{}</li>\n",
+                          name, word, where, escaped(w.message));
+    }
+  }
+  return text.empty() ? text : "<ul class=\"warnings\">\n" + text + "</ul>\n";
+}
+
+std::string head(const ReportInput& input, const std::string& title) {
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
+      "name=\"viewport\" "
+      "content=\"width=device-width, initial-scale=1\">\n<meta name=\"generator\" "
+      "content=\"Gearwright "
+      "{}\">\n<title>{}</title>\n<style>{}</style>\n</head>\n",
+      escaped(input.version), escaped(title), page_style());
+}
+
+std::string definitions(const ReportInput& input) {
+  std::string shapes;
+  for (std::size_t i = 0; i < input.gears.size(); ++i)
+    shapes += gear_definition(*input.gears[i], kShapes[i]);
+  if (shapes.empty()) return {};
+  return "<svg class=\"definitions\" aria-hidden=\"true\" focusable=\"false\"><defs>\n" + shapes +
+         "</defs></svg>\n";
+}
+
+std::string gear_section(const ReportInput& input) {
+  std::string pictures;
+  for (std::size_t i = 0; i < input.gears.size(); ++i) {
+    pictures += tooth_figure(*input.gears[i], kShapes[i], fmt::format("Gear {}", i + 1));
+  }
+  const std::string hint =
+      "<p class=\"hint\" id=\"hint\" hidden>Pictures: wheel zooms, drag moves, double click "
+      "restores; with "
+      "the keyboard + − 0 and arrows.</p>\n";
+  const std::string table = gear_table(input.gears);
+  if (input.gears.size() == 1) {
+    return fmt::format(
+        "<section>\n<h2>Gear</h2>\n{}<div class=\"columns\"><div>{}</div><div>{}</div></div>\n"
+        "</section>\n",
+        hint, table, pictures);
+  }
+  return fmt::format(
+      "<section>\n<h2>Gears</h2>\n{}<div class=\"figures\">\n{}</div>\n{}</section>\n", hint,
+      pictures, table);
+}
+
+std::string pair_section(const Pair& pair) {
+  return fmt::format(
+      "<section class=\"pair\">\n<h2>Pair</h2>\n{}<div "
+      "class=\"columns\"><div>{}{}</div><div>{}{}</div></div>\n"
+      "</section>\n",
+      mesh_figures(pair, kShapes), pair_table(pair), interference_table(pair), path_figures(pair),
+      path_table(pair));
+}
+
+std::string file_section(const std::vector<ReportFile>& files) {
+  if (files.empty()) return {};
+  std::string text =
+      "<section>\n<h2>Files</h2>\n<div class=\"scroll\"><table>\n<thead><tr><th scope=\"col\">"
+      "File</th><th scope=\"col\">What it is</th><th "
+      "scope=\"col\">Note</th></tr></thead>\n<tbody>\n";
+  for (const ReportFile& file : files) {
+    text += fmt::format(
+        "<tr><th scope=\"row\"><a href=\"{}\">{}</a></th><td>{}</td><td>{}</td></tr>\n",
+        file_link(file.name), escaped(file.name), escaped(file.what), escaped(file.note));
+  }
+  return text + "</tbody></table></div>\n</section>\n";
+}
+
+std::string spec_section(const std::string& spec) {
+  if (spec.empty()) return {};
+  return fmt::format(
+      "<section>\n<h2>Specification</h2>\n<details><summary>The specification this report was "
+      "made from</summary>\n<pre>{}</pre></details>\n</section>\n",
+      escaped(spec));
+}
+
+std::string foot(const ReportInput& input) {
+  const std::string version = input.version.empty() ? std::string() : " " + escaped(input.version);
+  return fmt::format(
+      "<footer>\n<p>Gearwright{}. Nominal geometry of the teeth as cut by the given racks; symbols "
+      "and terms "
+      "of ISO 21771. Lengths in mm, angles in degrees, “{}”: there is no such "
+      "value.</p>\n<p>Accuracy: "
+      "numbers come from closed formulas or are solved to rounding, in double precision, and are "
+      "shown rounded "
+      "to {} decimals of a millimetre and {} of a degree; pictures follow the exact curves within "
+      "{} normal "
+      "modules. Manufacturing deviations, load, deflection and temperature are not considered, nor "
+      "is "
+      "strength.</p>\n</footer>\n",
+      version, kNoValue, kLengthDigits, kAngleDigits, fmt::format("{:g}", kOutlineTolerance));
+}
+
+}  // namespace
+
+std::string report_html(const ReportInput& input) {
+  GW_EXPECTS(input.gears.size() == 1 || input.gears.size() == 2);
+  for (const Gear* gear : input.gears) GW_EXPECTS(gear != nullptr);
+  GW_EXPECTS(input.pair == nullptr || input.gears.size() == 2);
+  const std::string title = input.title.empty() ? default_title(input) : input.title;
+  std::string page = head(input, title);
+  page += "<body>\n" + definitions(input);
+  page += fmt::format(
+      "<header>\n<p class=\"kind\">{}</p>\n<h1>{}</h1>\n<p class=\"verdict\">{}</p>\n{}</header>\n",
+      kind_of(input), escaped(title), escaped(verdict(input)), warning_list(input));
+  page += "<main>\n" + gear_section(input);
+  if (input.pair) page += pair_section(*input.pair);
+  page += file_section(input.files) + spec_section(input.spec_text) + "</main>\n" + foot(input);
+  page += fmt::format("<script>{}</script>\n</body>\n</html>\n", page_script());
+  return page;
+}
+
+}  // namespace gearwright

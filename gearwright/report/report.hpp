@@ -1,0 +1,43 @@
+// One HTML page about the gears and their pair, for people: words, tables and pictures in one file
+// that needs nothing else and can be handed on.
+//
+// The page is a function of its input alone: no clock, no random number, no path of a machine.
+// Every number it shows is read from the gears and the pair, rounded to the digits of a drawing.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gearwright/gear/gear.hpp"
+#include "gearwright/pair/pair.hpp"
+
+namespace gearwright {
+
+/// A file that was written beside the report.
+struct ReportFile {
+  std::string name;  ///< relative to the report, "gear1.step"
+  std::string what;  ///< "STEP AP242 solid of gear 1"
+  std::string note;  ///< numbers about it, may be empty: "within 0.9 µm"
+};
+
+struct ReportInput {
+  std::string title;               ///< empty: one is made from the tooth numbers
+  std::vector<const Gear*> gears;  ///< one or two, with a pair its gears
+  const Pair* pair = nullptr;      ///< null: the gears are not mounted
+  std::vector<Warning> warnings;   ///< of gears and pair, `gear` set
+  std::vector<ReportFile> files;
+  std::string spec_text;  ///< the spec, verbatim; empty: left out
+  std::string version;    ///< of the program
+};
+
+/// The page, UTF-8.
+///
+///   Laws      (1) same input, same bytes
+///             (2) no request leaves the page: style, script and pictures are in it
+///             (3) title, spec, warnings and file names are text, whatever they contain
+/// Units     shown lengths mm to 0.1 µm, angles degrees to 0.00001°; what does not exist is “–”
+/// Accuracy  outlines within 1e-4 normal modules (kOutlineTolerance in report/gear_shape.hpp)
+/// Domain    one or two gears, none null; with a pair two (contract)
+std::string report_html(const ReportInput& input);
+
+}  // namespace gearwright

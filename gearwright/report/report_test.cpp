@@ -1,0 +1,218 @@
+#include "gearwright/report/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "gearwright/report/testing/sample_reports.hpp"
+#include "gearwright/report/testing/strict_html.hpp"
+#include "gearwright/report/verdict.hpp"
+
+namespace gearwright {
+namespace {
+
+using testing::helical_pair;
+using testing::internal_pair;
+using testing::report_input;
+using testing::sample_gear;
+using testing::sample_pair;
+using testing::StrictHtml;
+using testing::undercut_pair;
+
+std::string printed(double value, int decimals) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return text;
+}
+
+// The values of the table row that begins with these words; the first such row.
+std::vector<std::string> row(const std::string& page, const std::string& words) {
+  const std::size_t at = page.find("<tr><th scope=\"row\">" + words + "</th>");
+  if (at == page.npos) return {"no such row"};
+  const std::string line = page.substr(at, page.find("</tr>", at) - at);
+  std::vector<std::string> values;
+  for (std::size_t from = line.find("class=\"value\""); from != line.npos;
+       from = line.find("class=\"value\"", from + 1)) {
+    const std::size_t begin = line.find('>', from) + 1;
+    values.push_back(line.substr(begin, line.find('<', begin) - begin));
+  }
+  return values;
+}
+
+using Values = std::vector<std::string>;
+
+void expect_sound(const std::string& page) {
+  const auto facts = StrictHtml::read(page);
+  for (const std::string& fault : facts.faults) ADD_FAILURE() << fault;
+  for (const std::string& link : facts.links) {
+    EXPECT_TRUE(link.rfind("#", 0) == 0 || link.rfind("./", 0) == 0) << link;
+  }
+  for (const char* reach :
+       {"http:", "https:", "@import", "src=", "url(\"", "url('", "fetch(", "XMLHttp"}) {
+    EXPECT_EQ(page.find(reach), page.npos) << reach;
+  }
+}
+
+TEST(StrictHtml, SeesWhatIsBroken) {
+  const auto broken = [](const std::string& body) {
+    return !StrictHtml::read("<!DOCTYPE html>\n" + body).faults.empty();
+  };
+  EXPECT_FALSE(broken("<p class=\"a\">x &amp; y<br></p>"));
+  for (const char* body :
+       {"<p>", "<p></b>", "a < b", "a > b", "a & b", "<p a=b></p>", "<p a=\"1\" a=\"2\"></p>",
+        "<a href=\"#x\"></a>", "<p id=\"x\"></p><p id=\"x\"></p>", "a\x01"}) {
+    EXPECT_TRUE(broken(body)) << body;
+  }
+}
+
+TEST(Report, IsWellFormedAndReachesForNothing) {
+  for (const Pair& pair : {helical_pair(), undercut_pair(), internal_pair()}) {
+    expect_sound(report_html(report_input(pair)));
+  }
+  for (const Gear& gear :
+       {sample_gear(8, 2, 0, 0), sample_gear(3, 2, 0, -0.6), sample_gear(5, 2, 0, -0.8),
+        sample_gear(-60, 2, 10, 0), sample_gear(20, 2, 0, 0, 0.3)}) {
+    expect_sound(report_html(report_input(gear)));
+  }
+}
+
+TEST(Report, SameInputSameBytes) {
+  const std::string first = report_html(report_input(helical_pair()));
+  EXPECT_EQ(first, report_html(report_input(helical_pair())));
+}
+
+TEST(Report, GearNumbersAreTheGears) {
+  const Pair pair = helical_pair();
+  const std::string page = report_html(report_input(pair));
+  // d = z m_n/cos β and d_b = d cos α_t by hand, the rest as the gears have it.
+  const double pi = std::numbers::pi;
+  const double cos_beta = std::cos(15 * pi / 180);
+  const double cos_t = std::cos(std::atan(std::tan(20 * pi / 180) / cos_beta));
+  const double d1 = 17 * 2.5 / cos_beta;
+  const double d2 = 43 * 2.5 / cos_beta;
+  EXPECT_EQ(row(page, "Number of teeth"), (Values{"17", "43"}));
+  EXPECT_EQ(row(page, "Reference"), (Values{printed(d1, 4), printed(d2, 4)}));
+  EXPECT_EQ(row(page, "Base"), (Values{printed(d1 * cos_t, 4), printed(d2 * cos_t, 4)}));
+  EXPECT_EQ(row(page, "Helix angle"), (Values{"15.00000", "-15.00000"}));
+  EXPECT_EQ(row(page, "Hand of helix"), (Values{"right", "left"}));
+  EXPECT_EQ(row(page, "Lead"),
+            (Values{printed(pair.gears[0].lead, 4), printed(pair.gears[1].lead, 4)}));
+  EXPECT_EQ(row(page, "Allowance contained in it"), (Values{"-0.0600", "0.0000"}));
+  EXPECT_EQ(row(page, "Root form, start of the usable flank"),
+            (Values{printed(2 * *pair.gears[0].root_form_radius(), 4),
+                    printed(2 * *pair.gears[1].root_form_radius(), 4)}));
+  EXPECT_EQ(row(page, "Tip thickness, normal"),
+            (Values{printed(*pair.gears[0].tip_tooth_thickness_normal, 4),
+                    printed(*pair.gears[1].tip_tooth_thickness_normal, 4)}));
+}
+
+TEST(Report, PairNumbersAreThePairs) {
+  const Pair pair = helical_pair();
+  const std::string page = report_html(report_input(pair));
+  const ParallelMesh<double>& m = pair.mesh;
+  const double degree = 180 / std::numbers::pi;
+  EXPECT_EQ(row(page, "Centre distance"), (Values{"78.6056"}));
+  EXPECT_EQ(row(page, "Working pressure angle, transverse"),
+            (Values{printed(degree * m.working_transverse_pressure_angle, 5)}));
+  EXPECT_EQ(row(page, "Working helix angle"),
+            (Values{printed(degree * m.working_helix_angle, 5),
+                    printed(-degree * m.working_helix_angle, 5)}));
+  EXPECT_EQ(row(page, "Transverse contact ratio, tip to tip"),
+            (Values{printed(m.transverse_contact_ratio, 4)}));
+  EXPECT_EQ(row(page, "Total contact ratio of the usable flanks"),
+            (Values{printed(pair.contact_ratio_true(), 4)}));
+  EXPECT_EQ(row(page, "Along the common normal"), (Values{printed(m.backlash_normal_base, 4)}));
+  EXPECT_EQ(row(page, "Rotation, the mate held"),
+            (Values{printed(degree * m.backlash_rotation_1, 5),
+                    printed(degree * m.backlash_rotation_2, 5)}));
+  EXPECT_EQ(row(page, "Own tip to the mate’s root"),
+            (Values{printed(pair.tip_clearance[0], 4), printed(pair.tip_clearance[1], 4)}));
+  EXPECT_EQ(row(page, "<strong>E</strong> tip of gear 1 goes out"),
+            (Values{printed(m.rho1_E - m.rho1_C, 4), printed(m.rho1_E, 4),
+                    printed(m.base_tangent_distance - m.rho1_E, 4),
+                    printed(*pair.sliding_E.zeta_1, 4), printed(*pair.sliding_E.zeta_2, 4)}));
+}
+
+TEST(Report, WhatDoesNotExistIsADash) {
+  const Gear spur = sample_gear(20, 2, 0, 0);
+  EXPECT_EQ(row(report_html(report_input(spur)), "Lead"), Values{"–"});
+  const std::string undercut = report_html(report_input(undercut_pair()));
+  EXPECT_EQ(row(undercut, "Specific sliding at A"), (Values{"–", "–"}));
+  EXPECT_EQ(row(undercut, "Contact starts at diameter").front(), "–");
+}
+
+TEST(Report, TextIsText) {
+  const Pair pair = helical_pair();
+  ReportInput input = report_input(pair);
+  const std::string evil = "<script>alert(1)</script>\"'&\x01";
+  input.title = evil;
+  input.spec_text = "</pre>" + evil;
+  input.version = evil;
+  input.warnings.push_back({"unheard_of", evil, 1});
+  input.files.push_back({"javascript:alert(1)//\"<b>", evil, evil});
+  const std::string page = report_html(input);
+  expect_sound(page);
+  const auto facts = StrictHtml::read(page);
+  EXPECT_EQ(facts.elements.at("script"), 1);
+  EXPECT_EQ(facts.elements.at("pre"), 1);
+  EXPECT_EQ(facts.elements.count("b"), 1u);  // the warning's own
+  EXPECT_EQ(facts.elements.at("b"), 1);
+  EXPECT_EQ(page.find("<script>alert"), page.npos);
+  EXPECT_NE(page.find("&lt;script&gt;alert(1)&lt;/script&gt;&quot;&#39;&amp;"), page.npos);
+}
+
+TEST(Report, PicturesThatApply) {
+  const auto ids = [](const ReportInput& input) {
+    return StrictHtml::read(report_html(input)).ids;
+  };
+  const Pair helical = helical_pair();
+  for (const char* id : {"tooth-gear1", "tooth-gear2", "mesh", "whole", "path", "ratios"}) {
+    EXPECT_EQ(ids(report_input(helical)).count(id), 1u) << id;
+  }
+  const Pair internal = internal_pair();
+  EXPECT_EQ(ids(report_input(internal)).count("tooth-gear2"), 0u);
+  EXPECT_EQ(ids(report_input(internal)).count("mesh"), 1u);
+  EXPECT_NE(report_html(report_input(internal)).find("outline is not part of this version"),
+            std::string::npos);
+  const Gear one = sample_gear(20, 2, 0, 0);
+  EXPECT_EQ(ids(report_input(one)).count("mesh"), 0u);
+  EXPECT_EQ(report_html(report_input(one)).find("<h2>Pair</h2>"), std::string::npos);
+}
+
+TEST(Report, GearsThatDoNotExistSayWhy) {
+  const Gear through = sample_gear(3, 2, 0, -0.6);
+  const Gear severed = sample_gear(5, 2, 0, -0.8);
+  ASSERT_TRUE(through.tooth->through_axis);
+  ASSERT_TRUE(severed.tooth->severed);
+  for (const Gear* gear : {&through, &severed}) {
+    const std::string page = report_html(report_input(*gear));
+    EXPECT_EQ(page.find("<svg class=\"zoom\""), page.npos);
+    EXPECT_NE(page.find("Gear 1: no picture."), page.npos);
+    EXPECT_NE(verdict(report_input(*gear)).find("cannot be made"), std::string::npos);
+  }
+}
+
+TEST(Report, VerdictFollowsTheFacts) {
+  const Pair good = helical_pair();
+  EXPECT_NE(verdict(report_input(good)).find("The pair runs"), std::string::npos);
+  const Pair tight = sample_pair(sample_gear(20, 2, 0, 0), sample_gear(40, 2, 0, 0), 59.9);
+  ASSERT_LT(tight.mesh.backlash_normal, 0.0);
+  EXPECT_NE(verdict(report_input(tight)).find("too thick"), std::string::npos);
+  const Pair loose = sample_pair(sample_gear(20, 2, 0, 0), sample_gear(40, 2, 0, 0), 62.5);
+  ASSERT_LT(loose.contact_ratio_true(), 1.0);
+  EXPECT_NE(verdict(report_input(loose)).find("not continuous"), std::string::npos);
+}
+
+TEST(Report, StaysSmall) {
+  const Pair pair = sample_pair(sample_gear(60, 2, 0, 0, 0.3), sample_gear(60, 2, 0, 0, 0.3), 120);
+  const std::size_t size = report_html(report_input(pair)).size();
+  EXPECT_GT(size, 20'000u);
+  EXPECT_LT(size, 150'000u);
+}
+
+}  // namespace
+}  // namespace gearwright

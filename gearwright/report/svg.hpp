@@ -1,0 +1,82 @@
+// A small builder of inline SVG pictures, and what their labels need to keep out of each other's
+// way.
+//
+// Positions are pixels of the picture, y down; a Viewport carries millimetres there. Colours and
+// widths are classes of the page's style (report/page_style.hpp), so that one picture serves light,
+// dark and paper. Strokes do not grow when a reader zooms, nor do marks and labels: those are
+// groups of class "lb" at their place, which the page's script scales back.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gearwright/curve/curve.hpp"
+
+namespace gearwright {
+
+/// A window on a plane in millimetres.
+struct Viewport {
+  double width;       ///< px
+  double height;      ///< px
+  Vec2 center;        ///< mm, the point in the middle of the picture
+  double scale;       ///< px/mm
+  bool x_up = false;  ///< the plane's x axis points up (a tooth stands upright), else to the right
+
+  Vec2 px(const Vec2& mm) const;
+  Vec2 mm(const Vec2& px) const;
+};
+
+enum class Anchor { start, middle, end };
+
+class Svg {
+ public:
+  /// `id` is unique in the page; title and description are plain text, read aloud by screen
+  /// readers.
+  Svg(std::string_view id, double width, double height, std::string_view title,
+      std::string_view description);
+
+  /// What follows is seen only inside this rectangle, until end_group.
+  void begin_clip(double x, double y, double width, double height);
+  void begin_group(std::string_view attributes);
+  void end_group();
+
+  void line(const Vec2& a, const Vec2& b, std::string_view style);
+  void polyline(const std::vector<Vec2>& points, std::string_view style);
+  void polygon(const std::vector<Vec2>& points, std::string_view style);
+  void circle(const Vec2& center, double radius, std::string_view style);
+  void rect(double x, double y, double width, double height, std::string_view style);
+  void path(std::string_view d, std::string_view style);
+  /// A shape of the page's definitions: centre in px, px per unit of the shape, turned
+  /// counter-clockwise by `degrees`.
+  void use(std::string_view shape, const Vec2& center, double scale, double degrees,
+           std::string_view style);
+  /// `markup` is SVG text content: escaped by the caller or of symbol_svg. It stands `offset` px
+  /// from `at`, at every zoom.
+  void text(const Vec2& at, std::string_view markup, Anchor anchor = Anchor::start,
+            std::string_view style = "", const Vec2& offset = Vec2::Zero());
+  /// A dot that keeps its size.
+  void dot(const Vec2& at, double radius, std::string_view style);
+
+  std::string str() const;  ///< the element; every group is closed (contract)
+
+ private:
+  std::string id_;
+  double width_;
+  double height_;
+  std::string head_;
+  std::string body_;
+  int open_groups_ = 0;
+  int clips_ = 0;
+};
+
+/// Places labels that want to stand at `wanted`, at least `gap` apart and within [lo, hi], each as
+/// near to its wish as the sum of squares allows; the order is kept.
+///
+/// Domain    gap ≥ 0; (n − 1) gap ≤ hi − lo, else the labels share [lo, hi] evenly
+std::vector<double> spread(const std::vector<double>& wanted, double gap, double lo, double hi);
+
+/// A pixel coordinate with two decimals and no zeros at its end: 0.01 px is seen by nobody.
+std::string pixel(double value);
+
+}  // namespace gearwright

@@ -1,0 +1,89 @@
+#include "gearwright/report/svg.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "gearwright/report/html_text.hpp"
+
+namespace gearwright {
+namespace {
+
+TEST(Spread, LeavesWhatHasRoom) {
+  const std::vector<double> wanted{10.0, 50.0, 30.0};
+  EXPECT_EQ(spread(wanted, 15.0, 0.0, 100.0), wanted);
+}
+
+TEST(Spread, PushesEvenlyApart) {
+  const auto placed = spread({50.0, 50.0}, 10.0, 0.0, 100.0);
+  EXPECT_DOUBLE_EQ(placed[0], 45.0);
+  EXPECT_DOUBLE_EQ(placed[1], 55.0);
+}
+
+TEST(Spread, KeepsGapOrderAndBounds) {
+  std::mt19937 random(7);
+  for (int round = 0; round < 300; ++round) {
+    std::vector<double> wanted(1 + random() % 8);
+    for (double& w : wanted) w = static_cast<double>(random() % 1400) / 10.0 - 20.0;
+    const auto placed = spread(wanted, 13.0, 0.0, 100.0);
+    const double gap =
+        std::min(13.0, wanted.size() > 1 ? 100.0 / static_cast<double>(wanted.size() - 1) : 13.0);
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      EXPECT_GE(placed[i], -1e-9);
+      EXPECT_LE(placed[i], 100.0 + 1e-9);
+      for (std::size_t j = 0; j < wanted.size(); ++j) {
+        if (wanted[i] < wanted[j]) {
+          EXPECT_LE(placed[i] + gap, placed[j] + 1e-9);
+        }
+      }
+    }
+  }
+}
+
+TEST(Viewport, PixelAndBack) {
+  for (const bool up : {false, true}) {
+    const Viewport view{400, 300, Vec2(12, -3), 7.5, up};
+    const Vec2 p(15.25, -1.5);
+    EXPECT_LT((view.mm(view.px(p)) - p).norm(), 1e-12);
+    EXPECT_EQ(view.px(view.center), Vec2(200, 150));
+  }
+  // y grows upwards; with x_up the x axis does, and y goes to the left.
+  EXPECT_LT((Viewport{100, 100, Vec2(0, 0), 1}).px({0, 10}).y(), 50);
+  EXPECT_LT((Viewport{100, 100, Vec2(0, 0), 1, true}).px({10, 0}).y(), 50);
+  EXPECT_LT((Viewport{100, 100, Vec2(0, 0), 1, true}).px({0, 10}).x(), 50);
+}
+
+TEST(HtmlText, Numbers) {
+  EXPECT_EQ(fixed(-0.00001, 4), "0.0000");
+  EXPECT_EQ(fixed(-0.00006, 4), "-0.0001");
+  EXPECT_EQ(fixed(43.99923, 4), "43.9992");
+  EXPECT_EQ(fixed(std::numeric_limits<double>::quiet_NaN(), 4), "–");
+  EXPECT_EQ(fixed(-std::numeric_limits<double>::infinity(), 4), "–");
+  EXPECT_EQ(fixed(std::optional<double>(), 4), "–");
+  EXPECT_EQ(pixel(12.0), "12");
+  EXPECT_EQ(pixel(-0.001), "0");
+  EXPECT_EQ(pixel(100.5), "100.5");
+}
+
+TEST(HtmlText, Symbols) {
+  EXPECT_EQ(symbol_html("d_Ff"), "<var>d</var><sub>Ff</sub>");
+  EXPECT_EQ(symbol_html("h_aP*"), "<var>h</var><sub>aP</sub><sup>*</sup>");
+  EXPECT_EQ(symbol_html("ε_α"), "<var>ε</var><sub>α</sub>");
+  EXPECT_EQ(symbol_html("k m_n"), "<var>k m</var><sub>n</sub>");
+  EXPECT_NE(symbol_svg("d_b").find("dy=\"3\">b</tspan><tspan dy=\"-3\">"), std::string::npos);
+}
+
+TEST(HtmlText, Escapes) {
+  EXPECT_EQ(escaped("<a href=\"x\">'&'</a>"),
+            "&lt;a href=&quot;x&quot;&gt;&#39;&amp;&#39;&lt;/a&gt;");
+  EXPECT_EQ(escaped(std::string("a\0b\r\n", 5)),
+            "a\xEF\xBF\xBD"
+            "b\n");
+  EXPECT_EQ(file_link("out dir/gear1.step"), "./out%20dir/gear1.step");
+  EXPECT_EQ(file_link("javascript:x"), "./javascript%3Ax");
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,62 @@
+#include "gearwright/report/table_builder.hpp"
+
+#include <fmt/format.h>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/report/html_text.hpp"
+
+namespace gearwright {
+
+TableBuilder::TableBuilder(std::string_view caption, const std::vector<std::string>& columns)
+    : columns_(columns.size()) {
+  GW_EXPECTS(columns_ > 0);
+  text_ = fmt::format(
+      "<div class=\"scroll\"><table>\n<caption>{}</caption>\n<thead><tr><th "
+      "scope=\"col\">Quantity</th>"
+      "<th scope=\"col\">Symbol</th><th scope=\"col\">Unit</th>",
+      escaped(caption));
+  for (std::size_t i = 0; i < columns_; ++i) {
+    text_ += fmt::format("<th scope=\"col\" class=\"value\">{}</th>", escaped(columns[i]));
+  }
+  text_ += "</tr></thead>\n";
+}
+
+void TableBuilder::group(std::string_view title) {
+  if (in_group_) text_ += "</tbody>\n";
+  in_group_ = true;
+  text_ +=
+      fmt::format("<tbody><tr class=\"group\"><th scope=\"rowgroup\" colspan=\"{}\">{}</th></tr>\n",
+                  columns_ + 3, escaped(title));
+}
+
+void TableBuilder::open_row(std::string_view words, std::string_view symbol,
+                            std::string_view unit) {
+  if (!in_group_) text_ += "<tbody>\n";
+  in_group_ = true;
+  text_ += fmt::format(
+      "<tr><th scope=\"row\">{}</th><td class=\"symbol\">{}</td><td class=\"unit\">{}</td>",
+      escaped(words), symbol_html(symbol), escaped(unit));
+}
+
+void TableBuilder::row(std::string_view words, std::string_view symbol, std::string_view unit,
+                       const std::vector<std::string>& values) {
+  GW_EXPECTS(values.size() == columns_);
+  open_row(words, symbol, unit);
+  for (const std::string& value : values) {
+    text_ += fmt::format("<td class=\"value\">{}</td>", escaped(value));
+  }
+  text_ += "</tr>\n";
+}
+
+void TableBuilder::common(std::string_view words, std::string_view symbol, std::string_view unit,
+                          const std::string& value) {
+  open_row(words, symbol, unit);
+  text_ +=
+      fmt::format("<td class=\"value\" colspan=\"{}\">{}</td></tr>\n", columns_, escaped(value));
+}
+
+std::string TableBuilder::str() const {
+  return text_ + (in_group_ ? "</tbody>\n" : "") + "</table></div>\n";
+}
+
+}  // namespace gearwright

@@ -1,0 +1,129 @@
+#include "gearwright/report/verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "gearwright/report/html_text.hpp"
+
+namespace gearwright {
+
+namespace {
+
+struct Meaning {
+  const char* code;
+  Severity severity;
+  const char* reason;  // completes "does not run as specified: …"
+};
+
+constexpr std::array<Meaning, 17> kMeanings{{
+    {"through_axis", Severity::problem, "the cutter passes the axis"},
+    {"severed", Severity::problem, "the teeth are cut off at their roots"},
+    {"no_flank", Severity::problem, "a gear has no usable flank"},
+    {"negative_backlash", Severity::problem, "the teeth are too thick for this centre distance"},
+    {"contact_ratio", Severity::problem, "contact is not continuous"},
+    {"base_tangent", Severity::problem, "a tip reaches where the mate has no involute"},
+    {"form_circle", Severity::problem, "a tip reaches below the mate’s usable flank"},
+    {"tip_to_fillet", Severity::problem, "a tip corner cuts into a root fillet"},
+    {"root", Severity::problem, "a tip cuts into the mate’s root"},
+    {"trochoid", Severity::problem, "the tips strike each other"},
+    {"undercut", Severity::caution, ""},
+    {"pointed", Severity::caution, ""},
+    {"thin_tip", Severity::caution, ""},
+    {"trimming", Severity::caution, ""},
+    {"full_radius_root", Severity::note, ""},
+    {"tip_cut_by_rack", Severity::note, ""},
+    {"default_face_width", Severity::note, ""},
+}};
+
+const Meaning* meaning_of(const std::string& code) {
+  for (const Meaning& meaning : kMeanings) {
+    if (code == meaning.code) return &meaning;
+  }
+  return nullptr;
+}
+
+std::vector<std::string> reasons(const ReportInput& input) {
+  std::vector<std::string> list;
+  for (const Warning& w : input.warnings) {
+    if (severity_of(w, input.gears) != Severity::problem) continue;
+    std::string reason = meaning_of(w.code)->reason;
+    if (std::find(list.begin(), list.end(), reason) == list.end())
+      list.push_back(std::move(reason));
+  }
+  return list;
+}
+
+std::string joined(const std::vector<std::string>& list) {
+  std::string text;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (i > 0) text += i + 1 == list.size() ? " and " : ", ";
+    text += list[i];
+  }
+  return text;
+}
+
+std::string cautions(const ReportInput& input) {
+  const auto n = std::count_if(input.warnings.begin(), input.warnings.end(), [&](const Warning& w) {
+    return severity_of(w, input.gears) == Severity::caution;
+  });
+  if (n == 0) return "";
+  return n == 1 ? " One point to look at follows."
+                : fmt::format(" {} points to look at follow.", n);
+}
+
+}  // namespace
+
+Severity severity_of(const Warning& warning, const std::vector<const Gear*>& gears) {
+  const Meaning* meaning = meaning_of(warning.code);
+  if (meaning == nullptr) return Severity::caution;
+  if (warning.code == "form_circle" || warning.code == "base_tangent") {
+    // These warnings speak for the pair (gear 0): any undercut gear may be the one that is meant.
+    for (const Gear* gear : gears) {
+      if (gear->undercut) return Severity::caution;
+    }
+  }
+  return meaning->severity;
+}
+
+std::string verdict(const ReportInput& input) {
+  for (std::size_t i = 0; i < input.gears.size(); ++i) {
+    if (input.gears[i]->exists()) continue;
+    return fmt::format("Gear {} cannot be made as specified: {}.", i + 1,
+                       input.gears[i]->tooth->through_axis
+                           ? "the cutter passes its axis"
+                           : "its teeth are cut off at their roots");
+  }
+  const std::vector<std::string> against = reasons(input);
+  const bool ring = std::any_of(input.gears.begin(), input.gears.end(),
+                                [](const Gear* gear) { return gear->internal(); });
+  if (input.pair == nullptr) {
+    const char* who = input.gears.size() == 1 ? "The gear" : "Each gear";
+    if (!against.empty()) return fmt::format("{} has a problem: {}.", who, joined(against));
+    if (ring) {
+      return fmt::format(
+          "{} has the data below; the outline of a ring is not part of this version and is not "
+          "checked.{}",
+          who, cautions(input));
+    }
+    return fmt::format("{} can be cut as specified.{}", who, cautions(input));
+  }
+  const Pair& p = *input.pair;
+  if (!against.empty())
+    return fmt::format("The pair does not run as specified: {}.", joined(against));
+  // A backlash that the report shows as 0.0000 mm is none.
+  const double j = p.mesh.backlash_normal;
+  const std::string backlash =
+      std::abs(j) < 0.5e-4 ? std::string("no backlash")
+                           : fmt::format("a normal backlash of {} mm", fixed(j, kLengthDigits));
+  return fmt::format(
+      "The pair runs: contact is continuous (total contact ratio {}), there is {}{}.{}{}",
+      fixed(p.contact_ratio_true(), 3), backlash,
+      p.interference.empty() ? " and no interference" : "",
+      ring ? " The ring’s root fillet is not part of this version and is not checked." : "",
+      cautions(input));
+}
+
+}  // namespace gearwright

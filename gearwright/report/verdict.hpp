@@ -1,0 +1,24 @@
+// What a person wants to know first: does it work, and if not, why.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gearwright/report/report.hpp"
+
+namespace gearwright {
+
+enum class Severity {
+  problem,  ///< as specified it cannot be made or does not run
+  caution,  ///< it works; somebody should look at this
+  note,     ///< a default or a consequence that is good to know
+};
+
+/// By the warning's code; one that is not known is a caution. What an undercut has taken away can
+/// no longer interfere: flank limits passed on an undercut gear are cautions.
+Severity severity_of(const Warning& warning, const std::vector<const Gear*>& gears);
+
+/// One sentence in plain words, not escaped.
+std::string verdict(const ReportInput& input);
+
+}  // namespace gearwright
