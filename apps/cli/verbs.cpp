@@ -1,0 +1,219 @@
+#include "apps/cli/verbs.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "gearwright/base/output_file.hpp"
+#include "gearwright/job/files.hpp"
+#include "gearwright/job/result_json.hpp"
+#include "gearwright/job/listing.hpp"
+#include "gearwright/job/verify.hpp"
+
+namespace gearwright::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// All of stdout in one piece, so that a full disk behind it is seen.
+void print(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
+    throw IoError(std::string("cannot write to standard output: ") + std::strerror(errno));
+  }
+}
+
+int fail(const Options& o, const Error& error) {
+  std::fprintf(stderr, "gearwright: %s\n", error.message.c_str());
+  if (o.json) print(error_json(error).dump(2) + "\n");
+  return 1;
+}
+
+int usage(const std::string& message) {
+  std::fprintf(stderr, "gearwright: %s\n", message.c_str());
+  return 2;
+}
+
+std::string read_text(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  if (!file || !(text << file.rdbuf())) throw IoError("cannot read " + path + ": " + std::strerror(errno));
+  return text.str();
+}
+
+Result<Design> solve_file(const Options& o, Scope scope) {
+  const auto spec = read_spec_file(o.spec);
+  if (!spec) return spec.error();
+  return solve(*spec, scope);
+}
+
+// Says on stderr what is being made, but only when it takes more than a second.
+class SlowProgress {
+ public:
+  void operator()(std::string_view what) {
+    if (std::chrono::steady_clock::now() - start_ > std::chrono::seconds(1)) {
+      std::fprintf(stderr, "gearwright: writing %.*s\n", static_cast<int>(what.size()), what.data());
+    }
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+FileOptions file_options(const Options& o) {
+  FileOptions options;
+#ifdef GEARWRIGHT_HAS_STEP
+  options.step = [](const std::vector<ToothedBody>& bodies, const fs::path& path) {
+    return write_step(bodies, path);
+  };
+#endif
+  options.progress = SlowProgress();
+  options.mesh_tolerance_mm = o.mesh_tolerance;
+  options.drawing_tolerance_mm = o.drawing_tolerance;
+  options.drawing_splines = o.drawing_splines;
+  return options;
+}
+
+void print_json(const Json& j) { print(j.dump(2) + "\n"); }
+
+}  // namespace
+
+int gear_verb(const Options& o) {
+  const auto design = solve_file(o, Scope::gears);
+  if (!design) return fail(o, design.error());
+  if (o.json) {
+    print_json(design_json(*design));
+  } else {
+    print(gear_listing(*design) + warning_listing(design->warnings));
+  }
+  return 0;
+}
+
+int pair_verb(const Options& o) {
+  const auto design = solve_file(o, Scope::pair);
+  if (!design) return fail(o, design.error());
+  if (o.json) {
+    print_json(design_json(*design));
+  } else {
+    print(gear_listing(*design) + pair_listing(*design->pair) + warning_listing(design->warnings));
+  }
+  return 0;
+}
+
+int outline_verb(const Options& o) {
+  const auto design = solve_file(o, Scope::gears);
+  if (!design) return fail(o, design.error());
+  const int which = o.gear.value_or(1);
+  if (which > static_cast<int>(design->gears.size())) {
+    return fail(o, {"gear2", "", "gear2: is missing from the spec, --gear 2 asks for its outline"});
+  }
+  const auto body = make_body(*design, which, false);
+  if (!body) return fail(o, body.error());
+  if (o.json) {
+    Json j = outline_json(body->outline, o.points);
+    j["warnings"] = warnings_json(design->warnings);
+    print_json(j);
+  } else {
+    print(outline_listing(body->outline, o.points));
+  }
+  return 0;
+}
+
+int run_verb(const Options& o) {
+  auto solved = solve_file(o, Scope::everything);
+  if (!solved) return fail(o, solved.error());
+  Design design = std::move(solved).take();
+  fs::path out = o.out;
+  if (out.empty()) {
+    out = fs::path(o.spec);
+    if (out.extension() == ".toml" || out.extension() == ".json") out.replace_extension();
+    out += "_out";
+  }
+  const auto files = write_everything(design, read_text(o.spec), out, file_options(o));
+  if (!files) return fail(o, files.error());
+  if (o.json) {
+    Json j = design_json(design);
+    j["files"] = files_json(*files);
+    print_json(j);
+  } else {
+    print(gear_listing(design) + (design.pair ? pair_listing(*design.pair) : std::string()) +
+          warning_listing(design.warnings) + file_listing(*files));
+  }
+  return 0;
+}
+
+int export_verb(const Options& o) {
+  const std::vector<std::pair<FileKind, const std::string*>> wanted{
+      {FileKind::step, &o.step}, {FileKind::stl, &o.stl},  {FileKind::glb, &o.glb},
+      {FileKind::threemf, &o.threemf}, {FileKind::dxf, &o.dxf}, {FileKind::svg, &o.svg}};
+  bool any = false;
+  for (const auto& [kind, path] : wanted) any = any || !path->empty();
+  if (!any) return usage("export needs at least one of --step, --stl, --glb, --3mf, --dxf, --svg with a file name");
+  const auto design = solve_file(o, o.gear ? Scope::gears : Scope::everything);
+  if (!design) return fail(o, design.error());
+  const int count = static_cast<int>(design->gears.size());
+  if (o.gear && *o.gear > count) {
+    return fail(o, {"gear2", "", "gear2: is missing from the spec, --gear 2 asks for its files"});
+  }
+  if (!o.gear && count == 2 && (!o.dxf.empty() || !o.svg.empty())) {
+    return usage("--dxf and --svg draw one gear: choose it with --gear 1 or --gear 2");
+  }
+  std::vector<ToothedBody> bodies;
+  for (int which = 1; which <= count; ++which) {
+    if (o.gear && *o.gear != which) continue;
+    auto body = make_body(*design, which, !o.gear);
+    if (!body) return fail(o, body.error());
+    bodies.push_back(std::move(body).take());
+  }
+  std::vector<WrittenFile> files;
+  const FileOptions options = file_options(o);
+  for (const auto& [kind, path] : wanted) {
+    if (path->empty()) continue;
+    auto file = write_bodies(kind, bodies, *path, options);
+    if (!file) return fail(o, file.error());
+    files.push_back(std::move(file).take());
+  }
+  if (o.json) {
+    print_json({{"files", files_json(files)}, {"warnings", warnings_json(design->warnings)}});
+  } else {
+    print(warning_listing(design->warnings) + file_listing(files));
+  }
+  return 0;
+}
+
+int verify_verb(const Options& o) {
+  Json list = Json::array();
+  std::string lines;
+  int cases = 0;
+  int values = 0;
+  int bad = 0;
+  for (const std::string& path : o.cases) {
+    const auto outcomes = verify_cases(read_text(path));
+    if (!outcomes) {
+      Error error = outcomes.error();
+      error.message = path + ": " + error.message;
+      return fail(o, error);
+    }
+    for (const CaseOutcome& c : *outcomes) {
+      ++cases;
+      values += c.values;
+      bad += c.differences.empty() ? 0 : 1;
+      for (const std::string& d : c.differences) lines += fmt::format("{}  {}: {}\n", path, c.id, d);
+      list.push_back({{"file", path}, {"id", c.id}, {"values", c.values}, {"differences", c.differences}});
+    }
+  }
+  if (o.json) {
+    print_json({{"cases", list}, {"held", cases - bad}, {"failed", bad}, {"values", values}});
+  } else {
+    print(lines + fmt::format("{} of {} cases hold ({} values)\n", cases - bad, cases, values));
+  }
+  if (bad > 0) std::fprintf(stderr, "gearwright: %d of %d cases differ\n", bad, cases);
+  return bad == 0 ? 0 : 1;
+}
+
+}  // namespace gearwright::cli

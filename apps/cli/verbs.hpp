@@ -1,0 +1,31 @@
+// One function per verb: each reads a spec, calls the job room, prints, and gives the exit status.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gearwright::cli {
+
+struct Options {
+  std::string spec;
+  bool json = false;
+  std::string out;
+  std::optional<int> gear;
+  int points = 50;
+  std::string step, stl, glb, threemf, dxf, svg;
+  double mesh_tolerance = 0.005;     // mm
+  double drawing_tolerance = 0.001;  // mm
+  bool drawing_splines = false;
+  std::vector<std::string> cases;
+};
+
+// All throw IoError when the outside world fails.
+int run_verb(const Options& o);
+int gear_verb(const Options& o);
+int outline_verb(const Options& o);
+int pair_verb(const Options& o);
+int export_verb(const Options& o);
+int verify_verb(const Options& o);
+
+}  // namespace gearwright::cli

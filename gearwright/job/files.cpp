@@ -1,0 +1,182 @@
+#include "gearwright/job/files.hpp"
+
+#include <fmt/format.h>
+
+#include <system_error>
+
+#include "gearwright/base/output_file.hpp"
+#include "gearwright/cad/dxf.hpp"
+#include "gearwright/cad/glb.hpp"
+#include "gearwright/cad/stl.hpp"
+#include "gearwright/cad/svg_outline.hpp"
+#include "gearwright/cad/threemf.hpp"
+#include "gearwright/cad/walls.hpp"
+#include "gearwright/job/result_json.hpp"
+#include "gearwright/job/version.hpp"
+#include "gearwright/report/report.hpp"
+
+namespace gearwright {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string gear_name(int which) { return "gear" + std::to_string(which); }
+
+// CAD errors name a body's key; a user knows it under the gear's table.
+Error of_gear(Error error, const std::string& name) {
+  if (!error.key.empty() && error.key.rfind("gear", 0) != 0) error.key = name + "." + error.key;
+  return error;
+}
+
+Result<WrittenFile> write_mesh(FileKind kind, const std::vector<ToothedBody>& bodies, const fs::path& path,
+                               const FileOptions& options) {
+  std::vector<MeshPart> parts;
+  std::size_t triangles = 0;
+  for (const ToothedBody& body : bodies) {
+    auto mesh = tessellate(body, {.chord_tolerance_mm = options.mesh_tolerance_mm});
+    if (!mesh) return of_gear(mesh.error(), body.name);
+    triangles += mesh->triangles.size();
+    parts.push_back({body.name, std::move(mesh).take(), body.pose});
+  }
+  const char* what = kind == FileKind::stl ? "STL" : kind == FileKind::glb ? "GLB" : "3MF";
+  write_file(path, kind == FileKind::stl   ? stl_bytes(parts)
+                   : kind == FileKind::glb ? glb_bytes(parts)
+                                           : threemf_bytes(parts));
+  return WrittenFile{path, what, options.mesh_tolerance_mm, fmt::format("{} triangles", triangles)};
+}
+
+Result<WrittenFile> write_drawing(FileKind kind, const std::vector<ToothedBody>& bodies, const fs::path& path,
+                                  const FileOptions& options) {
+  const ToothedBody& body = bodies.front();
+  const auto style = options.drawing_splines ? ContourOptions::Style::splines : ContourOptions::Style::biarcs;
+  std::optional<double> tolerance;
+  if (!options.drawing_splines) tolerance = options.drawing_tolerance_mm;
+  auto drawing = kind == FileKind::svg ? svg_drawing(body) : dxf_drawing(body, {style, tolerance});
+  if (!drawing) return of_gear(drawing.error(), body.name);
+  write_file(path, drawing->text);
+  const char* what = kind == FileKind::svg       ? "SVG outline"
+                     : options.drawing_splines   ? "DXF, splines"
+                                                 : "DXF, arcs";
+  return WrittenFile{path, what, drawing->deviation_mm, fmt::format("{} segments", drawing->segments)};
+}
+
+std::vector<ReportFile> report_files(const std::vector<WrittenFile>& files) {
+  std::vector<ReportFile> rows;
+  for (const WrittenFile& f : files) {
+    std::string note = f.note;
+    if (f.deviation_mm) note += fmt::format("; within {:.3g} µm of the exact surface", *f.deviation_mm * 1e3);
+    rows.push_back({f.path.filename().string(), f.what, note});
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::string_view ending(FileKind kind) {
+  switch (kind) {
+    case FileKind::step: return ".step";
+    case FileKind::stl: return ".stl";
+    case FileKind::glb: return ".glb";
+    case FileKind::threemf: return ".3mf";
+    case FileKind::dxf: return ".dxf";
+    case FileKind::svg: return ".svg";
+  }
+  contract_failed("postcondition", "known file kind", __FILE__, __LINE__);
+}
+
+Result<ToothedBody> make_body(const Design& design, int which, bool in_place) {
+  const Gear& gear = design.gears[static_cast<std::size_t>(which - 1)];
+  const std::string name = gear_name(which);
+  if (gear.internal()) {
+    return Error{name + ".teeth", fmt::format("{}", gear.spec.teeth),
+                 fmt::format("{}.teeth = {}: a ring's outline is cut by a pinion cutter, which is not in this "
+                             "version; its closed-form data are, by the verbs gear and pair",
+                             name, gear.spec.teeth)};
+  }
+  if (!gear.exists()) {
+    return Error{name + ".profile_shift", fmt::format("{}", gear.spec.profile_shift),
+                 fmt::format("{}.profile_shift = {}: {}", name, gear.spec.profile_shift,
+                             gear.warnings.back().message)};
+  }
+  ToothedBody body{name, gear.tooth->outline, gear.twist(), gear.spec.face_width, design.bore(which),
+                   Eigen::Isometry3d::Identity()};
+  if (in_place && design.pair) {
+    body.pose = which == 1 ? design.pair->pose_1().isometry() : design.pair->pose_2().isometry();
+  }
+  return body;
+}
+
+Result<WrittenFile> write_bodies(FileKind kind, const std::vector<ToothedBody>& bodies, const fs::path& path,
+                                 const FileOptions& options) {
+  GW_EXPECTS(!bodies.empty());
+  if (options.progress) options.progress(path.filename().string());
+  if (kind == FileKind::dxf || kind == FileKind::svg) return write_drawing(kind, bodies, path, options);
+  if (kind != FileKind::step) return write_mesh(kind, bodies, path, options);
+  if (!options.step) {
+    return Error{"", "", "this build of gearwright has no STEP: it was configured without OCCT"};
+  }
+  auto report = options.step(bodies, path);
+  if (!report) return of_gear(report.error(), bodies.front().name);
+  GW_ENSURES(report->valid);
+  return WrittenFile{path, "STEP, AP242", report->max_deviation_mm, fmt::format("{} faces", report->face_count)};
+}
+
+Result<std::vector<WrittenFile>> write_everything(Design& design, const std::string& spec_text,
+                                                  const fs::path& folder, const FileOptions& options) {
+  // Everything that can be refused is refused before the first file.
+  std::vector<std::pair<int, ToothedBody>> bodies;
+  for (int which = 1; which <= static_cast<int>(design.gears.size()); ++which) {
+    auto body = make_body(design, which, false);
+    if (!body) {
+      design.warnings.push_back({"no_outline", body.error().message, which});
+      continue;
+    }
+    if (const auto walls = make_walls(*body); !walls) return of_gear(walls.error(), body->name);
+    bodies.emplace_back(which, std::move(body).take());
+  }
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw IoError("cannot make the folder " + folder.string() + ": " + error.message());
+  std::vector<WrittenFile> files;
+  std::vector<ToothedBody> mounted;
+  for (const auto& [which, body] : bodies) {
+    for (FileKind kind : {FileKind::step, FileKind::stl, FileKind::threemf, FileKind::dxf, FileKind::svg}) {
+      if (kind == FileKind::step && !options.step) continue;
+      auto file = write_bodies(kind, {body}, folder / (gear_name(which) + std::string(ending(kind))), options);
+      if (!file) return file.error();
+      files.push_back(std::move(file).take());
+    }
+    if (design.pair) mounted.push_back(make_body(design, which, true).value());
+  }
+  if (mounted.size() == 2) {
+    for (FileKind kind : {FileKind::step, FileKind::glb}) {
+      if (kind == FileKind::step && !options.step) continue;
+      auto file = write_bodies(kind, mounted, folder / ("pair" + std::string(ending(kind))), options);
+      if (!file) return file.error();
+      files.push_back(std::move(file).take());
+    }
+  }
+  if (!options.step) {
+    design.warnings.push_back({"no_step", "This build has no STEP: it was configured without OCCT.", 0});
+  }
+
+  ReportInput report;
+  report.title = design.spec.title.empty() ? "Gear data" : design.spec.title;
+  for (const Gear& g : design.gears) report.gears.push_back(&g);
+  report.pair = design.pair ? &*design.pair : nullptr;
+  report.warnings = design.warnings;
+  report.files = report_files(files);
+  report.spec_text = spec_text;
+  report.version = kVersion;
+  write_file(folder / "report.html", report_html(report));
+  files.insert(files.begin(), {folder / "report.html", "report", std::nullopt, "one self-contained page"});
+
+  Json result = design_json(design);
+  result["files"] = files_json(files);
+  write_file(folder / "result.json", result.dump(2) + "\n");
+  files.insert(files.begin(), {folder / "result.json", "result", std::nullopt, "every number, as JSON"});
+  return files;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,182 @@
+#include "gearwright/job/result_json.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace gearwright {
+
+namespace {
+
+double deg(double rad) { return Angle::radians(rad).deg(); }
+
+Json optional(const std::optional<double>& value, double factor = 1.0) {
+  return value ? Json(factor * *value) : Json(nullptr);
+}
+
+Json point(const Point<Housing>& p) { return Json::array({p.r.x(), p.r.y(), p.r.z()}); }
+
+Json line_json(const Pair& p) {
+  Json line;
+  line["length_mm"] = p.mesh.path_length;
+  line["leading"] = {point(p.on_line_of_action(p.mesh.rho1_A)), point(p.on_line_of_action(p.mesh.rho1_E))};
+  line["trailing"] = {point(p.on_trailing_line(p.mesh.rho1_A)), point(p.on_trailing_line(p.mesh.rho1_E))};
+  return line;
+}
+
+// A…E by their distance from the pitch point along the line, and both curvature radii.
+Json path_points(const Pair& p) {
+  const double N = p.mesh.base_tangent_distance;
+  const double sigma = p.kind == PairKind::parallel_external ? 1.0 : -1.0;
+  Json points = Json::object();
+  const auto add = [&](const char* name, double rho1) {
+    points[name] = {{"from_A_mm", rho1 - p.mesh.rho1_A},
+                    {"from_pitch_point_mm", rho1 - p.mesh.rho1_C},
+                    {"rho1_mm", rho1},
+                    {"rho2_mm", N - sigma * rho1},
+                    {"point_mm", point(p.on_line_of_action(rho1))}};
+  };
+  add("A", p.mesh.rho1_A);
+  add("B", p.mesh.rho1_B);
+  add("C", p.mesh.rho1_C);
+  add("D", p.mesh.rho1_D);
+  add("E", p.mesh.rho1_E);
+  return points;
+}
+
+}  // namespace
+
+Json gear_json(const Gear& g) {
+  const bool exists = g.exists();
+  Json j;
+  j["teeth"] = g.spec.teeth;
+  j["kind"] = "involute";
+  j["normal_module_mm"] = g.spec.normal_module;
+  j["normal_pressure_angle_deg"] = g.spec.normal_pressure_angle.deg();
+  j["transverse_pressure_angle_deg"] = deg(g.reference.transverse_pressure_angle);
+  j["helix_angle_deg"] = g.spec.helix_angle.deg();
+  j["base_helix_angle_deg"] = deg(g.reference.base_helix_angle);
+  j["profile_shift"] = g.spec.profile_shift;
+  j["generating_profile_shift"] = g.reference.generating_profile_shift;
+  j["face_width_mm"] = g.spec.face_width;
+  j["lead_mm"] = g.lead == 0.0 ? Json(nullptr) : Json(g.lead);
+  j["reference_diameter_mm"] = g.reference.reference_diameter;
+  j["base_diameter_mm"] = g.reference.base_diameter;
+  j["tip_diameter_mm"] = g.tip_diameter;
+  j["root_diameter_mm"] = g.root_diameter;
+  j["root_form_diameter_mm"] = exists ? optional(g.root_form_radius(), 2.0) : Json(nullptr);
+  j["tip_form_diameter_mm"] =
+      !exists || (g.tooth && !g.tooth->tip_form_radius) ? Json(nullptr) : Json(2 * g.tip_form_radius());
+  j["finished_tip_diameter_mm"] = exists ? Json(2 * g.actual_tip_radius()) : Json(nullptr);
+  j["base_tooth_thickness_mm"] = g.reference.base_tooth_thickness;
+  j["reference_tooth_thickness_normal_mm"] = g.reference.reference_tooth_thickness_normal;
+  j["tip_tooth_thickness_normal_mm"] = optional(g.tip_tooth_thickness_normal);
+  j["pointed_diameter_mm"] = optional(g.pointed_diameter);
+  j["normal_base_pitch_mm"] = g.reference.base_pitch_normal;
+  j["transverse_base_pitch_mm"] = g.reference.base_pitch_transverse;
+  j["undercut"] = g.undercut;
+  j["undercut_free_profile_shift"] = g.undercut_free_profile_shift;
+  const GeneratedTooth* tooth = g.tooth ? &*g.tooth : nullptr;
+  j["pointed"] = tooth && tooth->pointed;
+  j["severed"] = tooth && tooth->severed;
+  j["through_axis"] = tooth && tooth->through_axis;
+  j["tip_cut_by_rack"] = tooth && tooth->tip_cut_by_rack;
+  j["neck_thickness_mm"] = tooth && tooth->neck_half_angle
+                               ? Json(2 * *tooth->neck_radius * std::sin(*tooth->neck_half_angle))
+                               : Json(nullptr);
+  return j;
+}
+
+Json pair_json(const Pair& p) {
+  const double hand_1 = p.gears[0].spec.helix_angle.rad() < 0.0 ? -1.0 : 1.0;
+  const double hand_2 = p.kind == PairKind::parallel_external ? -hand_1 : hand_1;
+  const double beta_w = deg(p.mesh.working_helix_angle);
+  const double alpha_wt = deg(p.mesh.working_transverse_pressure_angle);
+  const bool spur = p.mesh.working_helix_angle == 0.0;
+  Json j;
+  j["kind"] = p.kind == PairKind::parallel_external ? "parallel_external" : "parallel_internal";
+  j["gear_ratio"] = p.gear_ratio();
+  j["shaft_angle_deg"] = 0.0;
+  j["center_distance_mm"] = p.center_distance;
+  j["reference_center_distance_mm"] = p.reference_center_distance;
+  j["backlash_free_center_distance_mm"] = optional(p.backlash_free_center_distance);
+  j["extended_center_distance_mm"] = p.extended_center_distance;
+  j["working_normal_pressure_angle_deg"] = deg(p.mesh.working_normal_pressure_angle);
+  j["working_transverse_pressure_angle_deg"] = {alpha_wt, alpha_wt};
+  j["working_helix_angle_deg"] = {spur ? 0.0 : hand_1 * beta_w, spur ? 0.0 : hand_2 * beta_w};
+  j["working_pitch_diameter_mm"] = {2 * p.mesh.working_pitch_radius_1, 2 * p.mesh.working_pitch_radius_2};
+  j["contact_ratio"] = p.contact_ratio();
+  j["transverse_contact_ratio"] = p.mesh.transverse_contact_ratio;
+  j["contact_ratio_true"] = p.contact_ratio_true();
+  j["overlap_ratio"] = p.mesh.overlap_ratio;
+  j["line_of_action"] = line_json(p);
+  j["base_tangent_distance_mm"] = p.mesh.base_tangent_distance;
+  j["path"] = path_points(p);
+  j["interference"] = Json::array();
+  for (const Interference& i : p.interference) {
+    j["interference"].push_back({{"code", i.code}, {"gear", i.gear}, {"amount", i.amount}, {"message", i.message}});
+  }
+  j["tip_clearance_mm"] = {p.tip_clearance[0], p.tip_clearance[1]};
+  j["contact_root_diameter_mm"] = {optional(p.contact_root_diameter[0]), optional(p.contact_root_diameter[1])};
+  j["form_clearance_mm"] = {optional(p.form_clearance[0]), optional(p.form_clearance[1])};
+  j["fillet_clearance_mm"] = {optional(p.fillet_clearance[0]), optional(p.fillet_clearance[1])};
+  j["tip_shortening_mm"] = p.tip_shortening;
+  j["specific_sliding"] = {
+      {"gear1", {optional(p.sliding_A.zeta_1), optional(p.sliding_E.zeta_1)}},
+      {"gear2", {optional(p.sliding_A.zeta_2), optional(p.sliding_E.zeta_2)}}};
+  j["backlash"] = {{"normal_base_mm", p.mesh.backlash_normal_base},
+                   {"normal_mm", p.mesh.backlash_normal},
+                   {"circumferential_mm", {p.mesh.backlash_circumferential, p.mesh.backlash_circumferential}},
+                   {"rotation_deg", {deg(p.mesh.backlash_rotation_1), deg(p.mesh.backlash_rotation_2)}}};
+  if (p.kind == PairKind::parallel_internal) {
+    j["internal"] = {{"involute_margin_mm", optional(p.involute_margin)},
+                     {"trochoid_margin_deg", optional(p.trochoid_margin, 180 / std::numbers::pi)},
+                     {"trimming_margin_deg", optional(p.trimming_margin, 180 / std::numbers::pi)}};
+  }
+  return j;
+}
+
+Json warnings_json(const std::vector<Warning>& warnings) {
+  Json list = Json::array();
+  for (const Warning& w : warnings) {
+    list.push_back({{"code", w.code}, {"message", w.message}, {"gear", w.gear ? Json(w.gear) : Json(nullptr)}});
+  }
+  return list;
+}
+
+Json design_json(const Design& design) {
+  Json j;
+  if (!design.spec.title.empty()) j["title"] = design.spec.title;
+  j["gears"] = Json::array();
+  for (const Gear& g : design.gears) j["gears"].push_back(gear_json(g));
+  if (design.pair) j["pair"] = pair_json(*design.pair);
+  j["warnings"] = warnings_json(design.warnings);
+  return j;
+}
+
+Json outline_json(const Outline& outline, int n) {
+  GW_EXPECTS(!outline.arcs.empty());
+  Json arcs = Json::array();
+  for (const Arc& arc : outline.arcs) {
+    Json points = Json::array();
+    for (const Vec2& p : sample(arc, n)) points.push_back({p.x(), p.y()});
+    arcs.push_back({{"name", to_string(arc.name)}, {"points", std::move(points)}});
+  }
+  return {{"arcs", std::move(arcs)}};
+}
+
+Json files_json(const std::vector<WrittenFile>& files) {
+  Json list = Json::array();
+  for (const WrittenFile& f : files) {
+    list.push_back({{"file", f.path.filename().string()},
+                    {"what", f.what},
+                    {"max_deviation_um", optional(f.deviation_mm, 1e3)},
+                    {"note", f.note}});
+  }
+  return list;
+}
+
+Json error_json(const Error& error) {
+  return {{"error", {{"key", error.key}, {"value", error.value}, {"message", error.message}}}};
+}
+
+}  // namespace gearwright

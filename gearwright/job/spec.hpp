@@ -1,0 +1,58 @@
+// The spec file: a gear or a pair as on a drawing, in TOML or JSON.
+//
+// Lengths in mm and angles in degrees, said in the key. Absent keys are absent here too: what follows
+// from what is decided in job/design.hpp, in one place.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "gearwright/base/result.hpp"
+#include "gearwright/cad/toothed_body.hpp"
+#include "gearwright/gear/gear.hpp"
+#include "gearwright/pair/shift.hpp"
+
+namespace gearwright {
+
+/// [gear1], [gear2]: the gear's numbers; `cylindrical.profile_shift` is used once `profile_shift` is known.
+struct GearInput {
+  CylindricalSpec cylindrical;
+  std::optional<double> profile_shift;  ///< x
+  bool face_width_given = false;        ///< else 10 m_n, and a warning says so
+  std::optional<Bore> bore;
+};
+
+/// [pair]
+struct PairInput {
+  std::optional<double> center_distance;  ///< a  mm
+  Mounting mounting = Mounting::tight;
+  bool shorten_tips = false;              ///< tips cut back by k m_n, where no tip diameter is given
+  std::optional<double> friction_coefficient;
+};
+
+struct JobSpec {
+  std::string title;
+  std::array<std::optional<GearInput>, 2> gears;
+  PairInput pair;
+};
+
+enum class SpecFormat { toml, json };
+
+/// Reads a spec from text.
+///
+/// Errors    the key with its table ("gear1.normal_module_mm"), its value, what is allowed; syntax
+///           errors with line and column; unknown keys with the nearest known one
+Result<JobSpec> read_spec(std::string_view text, SpecFormat format);
+
+/// Reads a spec file; JSON when its name ends in .json.
+///
+/// Throws    IoError when the file cannot be read
+/// Errors    as read_spec; files over kLargestSpec bytes are refused unread
+Result<JobSpec> read_spec_file(const std::filesystem::path& path);
+
+constexpr std::size_t kLargestSpec = 4 << 20;  ///< bytes: no drawing has that many numbers
+
+}  // namespace gearwright

@@ -1,0 +1,144 @@
+#include "gearwright/job/table_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace gearwright {
+
+namespace {
+
+// A value as a person wrote it, cut to a length that fits a sentence.
+std::string show(const Json& value) {
+  std::string s;
+  if (value.is_number_float()) {
+    s = fmt::format("{}", value.get<double>());  // nan and inf too, which JSON cannot say
+  } else {
+    s = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  }
+  if (s.size() > 60) s = s.substr(0, 57) + "...";
+  return s;
+}
+
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t above = row[j];
+      row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      diagonal = above;
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+std::string nearest_word(const std::string& word, const std::vector<std::string>& known) {
+  std::string best;
+  std::size_t least = std::numeric_limits<std::size_t>::max();
+  const std::string cut = word.substr(0, 80);
+  for (const std::string& k : known) {
+    const std::size_t d = edit_distance(cut, k);
+    if (d < least) {
+      least = d;
+      best = k;
+    }
+  }
+  return best;
+}
+
+TableReader::TableReader(const Json& node, std::string path) : node_(node), path_(std::move(path)) {}
+
+void TableReader::fail(const std::string& key, const std::string& why) const {
+  const auto it = node_.find(key);
+  const std::string value = it == node_.end() ? "" : show(*it);
+  const std::string message = value.empty() ? fmt::format("{}: {}", name(key), why)
+                                            : fmt::format("{} = {}: {}", name(key), value, why);
+  throw SpecError{{name(key), value, message}};
+}
+
+const Json* TableReader::find(const std::string& key) {
+  known_.push_back(key);
+  const auto it = node_.find(key);
+  return it == node_.end() ? nullptr : &*it;
+}
+
+bool TableReader::has(const std::string& key) { return find(key) != nullptr; }
+
+const Json* TableReader::any(const std::string& key) { return find(key); }
+
+std::optional<double> TableReader::number(const std::string& key) {
+  const Json* value = find(key);
+  if (!value) return std::nullopt;
+  if (!value->is_number()) fail(key, "must be a number");
+  const double x = value->get<double>();
+  if (!std::isfinite(x)) fail(key, "must be a finite number");
+  return x;
+}
+
+std::optional<double> TableReader::positive(const std::string& key) {
+  const std::optional<double> x = number(key);
+  if (x && !(*x > 0.0)) fail(key, "must be greater than 0");
+  return x;
+}
+
+std::optional<int> TableReader::integer(const std::string& key) {
+  const std::optional<double> x = number(key);
+  if (!x) return std::nullopt;
+  if (*x != std::floor(*x)) fail(key, "must be a whole number");
+  if (std::abs(*x) > 1e6) fail(key, "must lie between -1000000 and 1000000");
+  return static_cast<int>(*x);
+}
+
+std::optional<bool> TableReader::boolean(const std::string& key) {
+  const Json* value = find(key);
+  if (!value) return std::nullopt;
+  if (!value->is_boolean()) fail(key, "must be true or false");
+  return value->get<bool>();
+}
+
+std::optional<std::string> TableReader::text(const std::string& key) {
+  const Json* value = find(key);
+  if (!value) return std::nullopt;
+  if (!value->is_string()) fail(key, "must be a text in quotes");
+  return value->get<std::string>();
+}
+
+std::optional<std::string> TableReader::one_of(const std::string& key,
+                                               const std::vector<std::string>& allowed) {
+  const std::optional<std::string> word = text(key);
+  if (word && std::find(allowed.begin(), allowed.end(), *word) == allowed.end()) {
+    fail(key, fmt::format("must be one of \"{}\"", fmt::join(allowed, "\", \"")));
+  }
+  return word;
+}
+
+const Json* TableReader::table(const std::string& key) {
+  const Json* value = find(key);
+  if (value && !value->is_object()) fail(key, fmt::format("must be a table, [{}]", name(key)));
+  return value;
+}
+
+void TableReader::refuse(const std::string& key, const std::string& why) {
+  if (find(key)) fail(key, why);
+}
+
+void TableReader::ignore(const std::string& key) { find(key); }
+
+void TableReader::finish() const {
+  for (const auto& [key, value] : node_.items()) {
+    if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
+    const std::string where = path_.empty() ? "the file" : fmt::format("[{}]", path_);
+    fail(key, fmt::format("unknown key in {}; the nearest known one is {}", where,
+                          nearest_word(key, known_)));
+  }
+}
+
+}  // namespace gearwright

@@ -1,0 +1,45 @@
+// The accuracy ledger: every closed form of production against the same template in 50 digits.
+//
+// A row names a quantity, where it was measured, what is claimed and what was found. Errors are relative,
+// or, for differences that cancel (backlash near zero, curvature radii near a base tangent point),
+// in normal modules. The worst input of each row is kept in words. docs/accuracy.md is made from these
+// rows: GW_WRITE_LEDGER=docs/accuracy.md build/release/tests/accuracy_tests
+#pragma once
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <string>
+#include <vector>
+
+namespace gearwright::ledger {
+
+using Exact = boost::multiprecision::cpp_bin_float_50;
+
+struct Row {
+  std::string name;
+  std::string where;       ///< domain and number of inputs
+  std::string unit;        ///< "relative" or "modules"
+  double claimed;
+  double measured = 0.0;
+  std::string worst_input;
+
+  /// Keeps the greatest error seen.
+  void see(double error, const std::string& input) {
+    if (!(error <= measured)) {
+      measured = error;
+      worst_input = input;
+    }
+  }
+};
+
+/// |got − exact| / |exact|; 0/0 is 0.
+double relative_error(double got, const Exact& exact);
+/// |got − exact| / m_n.
+double error_in_modules(double got, const Exact& exact, double normal_module);
+
+std::vector<Row> involute_rows();
+std::vector<Row> gear_rows();
+std::vector<Row> mesh_rows();
+
+std::string markdown(const std::vector<Row>& rows);
+
+}  // namespace gearwright::ledger

@@ -1,0 +1,72 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "tests/accuracy/ledger.hpp"
+
+namespace gearwright::ledger {
+
+std::string markdown(const std::vector<Row>& rows) {
+  std::string out =
+      "# Accuracy ledger\n\n"
+      "Every closed form as the program computes it in double, against the same formula in 50 digits. Made by the\n"
+      "accuracy tests, which fail when an error is greater than claimed. *relative*: |error|/|value|. *modules*:\n"
+      "|error|/m_n, for differences that cancel (a backlash near zero, a curvature radius near the base tangent\n"
+      "point); shifts are in modules themselves. Inputs are seeded and the same everywhere; the worst one is named.\n\n"
+      "| quantity | unit | claimed | measured | where | worst input |\n|---|---|---|---|---|---|\n";
+  for (const Row& r : rows) {
+    out += fmt::format("| `{}` | {} | {:.0e} | {:.1e} | {} | {} |\n", r.name, r.unit, r.claimed, r.measured, r.where,
+                       r.worst_input);
+  }
+  return out;
+}
+
+namespace {
+
+std::vector<Row> all_rows() {
+  std::vector<Row> rows = involute_rows();
+  for (Row& r : gear_rows()) rows.push_back(std::move(r));
+  for (Row& r : mesh_rows()) rows.push_back(std::move(r));
+  return rows;
+}
+
+std::vector<std::string> claims(const std::string& table) {
+  std::vector<std::string> list;
+  std::istringstream lines(table);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("| `", 0) != 0) continue;
+    // quantity, unit, claimed: the measured column may differ in its last digit between math libraries.
+    std::size_t at = 0;
+    for (int bar = 0; bar < 4; ++bar) at = line.find('|', at) + 1;
+    list.push_back(line.substr(0, at));
+  }
+  return list;
+}
+
+TEST(Ledger, ErrorsAreWithinTheirClaims) {
+  const std::vector<Row> rows = all_rows();
+  for (const Row& r : rows) {
+    EXPECT_LE(r.measured, r.claimed) << r.name << ": " << r.worst_input;
+    EXPECT_GT(r.measured, 0.0) << r.name << ": nothing was measured";
+  }
+  if (const char* path = std::getenv("GW_WRITE_LEDGER")) {
+    std::ofstream(path) << markdown(rows);
+  }
+  std::ifstream file(std::string(GW_SOURCE_DIR) + "/docs/accuracy.md");
+  std::ostringstream text;
+  text << file.rdbuf();
+  EXPECT_EQ(claims(text.str()), claims(markdown(rows)))
+      << "docs/accuracy.md is not of these rows: write it anew with GW_WRITE_LEDGER=docs/accuracy.md";
+}
+
+TEST(Ledger, SeesAnErrorOfOneInTenToTheTwelve) {
+  Row row{"probe", "", "relative", 1e-12, 0.0, ""};
+  row.see(relative_error(1.0 + 1.1e-12, Exact(1)), "1");
+  EXPECT_GT(row.measured, row.claimed);
+}
+
+}  // namespace
+}  // namespace gearwright::ledger

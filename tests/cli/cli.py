@@ -1,0 +1,53 @@
+"""Runs the built program in a folder of its own; shared by the tests of the command line."""
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+
+BIN = os.environ["GW_BIN"]
+SOURCE = pathlib.Path(os.environ["GW_SOURCE"])
+HAS_STEP = os.environ.get("GW_HAS_STEP", "OFF") == "ON"
+
+PAIR = """
+title = "helical pair"
+[gear1]
+teeth = 17
+normal_module_mm = 2.5
+helix_angle_deg = 15
+profile_shift = 0.3
+face_width_mm = 25
+[gear2]
+teeth = 43
+normal_module_mm = 2.5
+helix_angle_deg = -15
+profile_shift = 0.1
+face_width_mm = 25
+"""
+
+
+class Run:
+    """One run: exit status, stdout, stderr, parsed JSON or None, and the folder it ran in."""
+
+    def __init__(self, verb, spec=PAIR, *args, name="case.toml", folder=None, stdout=subprocess.PIPE):
+        self.folder = pathlib.Path(folder or tempfile.mkdtemp(prefix="gearwright_cli_"))
+        self.spec = self.folder / name
+        if isinstance(spec, bytes):
+            self.spec.write_bytes(spec)
+        elif spec is not None:
+            self.spec.write_text(spec)
+        command = [BIN, verb, str(self.spec), *map(str, args)]
+        p = subprocess.run(command, stdout=stdout, stderr=subprocess.PIPE, text=True, cwd=self.folder,
+                           timeout=120)
+        self.status, self.out, self.err = p.returncode, p.stdout or "", p.stderr
+        try:
+            self.json = json.loads(self.out)
+        except ValueError:
+            self.json = None
+
+    def files(self):
+        return sorted(str(f.relative_to(self.folder)) for f in self.folder.rglob("*") if f.is_file())
+
+
+def raw(*args):
+    return subprocess.run([BIN, *args], capture_output=True, text=True, timeout=120)

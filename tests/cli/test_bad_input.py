@@ -1,0 +1,136 @@
+"""Wrong input of each kind: the exit status of the interface, a sentence that names the key, no half-written file."""
+import os
+import subprocess
+import unittest
+
+from cli import BIN, PAIR, Run, raw
+
+GEAR = "[gear1]\nteeth = 20\nnormal_module_mm = 2\nface_width_mm = 10\n"
+
+
+def two(extra1="", extra2="", pair=""):
+    body = "teeth = 20\nnormal_module_mm = 2\nface_width_mm = 10\n"
+    return f"[gear1]\n{body}{extra1}\n[gear2]\n{body}{extra2}\n[pair]\n{pair}\n"
+
+
+class BadInput(unittest.TestCase):
+    def refused(self, spec, key, *words, verb="pair"):
+        r = Run(verb, spec, "--json")
+        self.assertEqual(r.status, 1, f"{spec}\n{r.err}")
+        self.assertEqual(r.json["error"]["key"], key, r.err)
+        for word in words:
+            self.assertIn(word, r.err)
+        self.assertEqual(r.files(), ["case.toml"])
+
+    def test_values_out_of_range(self):
+        for line, key in (("teeth = 0", "teeth"), ("teeth = 17.5", "teeth"), ("normal_module_mm = -1", "normal_module_mm"),
+                          ("normal_module_mm = inf", "normal_module_mm"), ("normal_module_mm = \"2\"", "normal_module_mm")):
+            spec = "\n".join(line if l.startswith(key) else l for l in GEAR.splitlines())
+            self.refused(spec, "gear1." + key, key, verb="gear")
+        for line in ("helix_angle_deg = 95", "profile_shift = nan", "tip_diameter_mm = 10", "normal_pressure_angle_deg = 0",
+                     "thickness_allowance_mm = inf"):
+            self.refused(GEAR + line, "gear1." + line.split(" =")[0], line.split(" =")[0], verb="gear")
+
+    def test_unknown_key_names_the_nearest(self):
+        self.refused(GEAR.replace("teeth", "teeeth"), "gear1.teeeth", "teeth", verb="gear")
+        self.refused(GEAR + "profile_shfit = 0.1", "gear1.profile_shfit", "profile_shift", verb="gear")
+        self.refused(GEAR + "[gear1.rack]\ndedendumm = 1.2", "gear1.rack.dedendumm", "dedendum", verb="gear")
+        self.refused(GEAR + "[gear3]\nteeth = 3", "gear3", "gear", verb="gear")
+
+    def test_contradictions_name_both(self):
+        self.refused(GEAR + "normal_diametral_pitch_per_in = 10", "gear1.normal_diametral_pitch_per_in",
+                     "normal_module_mm", verb="gear")
+        self.refused(GEAR + "helix_angle_deg = 10\nlead_angle_deg = 70\nhand = \"right\"", "gear1.lead_angle_deg",
+                     "helix_angle_deg", verb="gear")
+        # the same thing said twice is accepted when it agrees
+        self.assertEqual(Run("gear", GEAR + "normal_diametral_pitch_per_in = 12.7").status, 0)
+
+    def test_impossible_pairs(self):
+        self.refused(two(pair="center_distance_mm = 30"), "pair.center_distance_mm", "greater than")
+        self.refused(two("helix_angle_deg = 10", "helix_angle_deg = 10"), "gear2.helix_angle_deg", "-10")
+        self.refused(two("", "").replace("normal_module_mm = 2\nface_width_mm = 10\n\n[pair]", "normal_module_mm = 3\n[pair]"),
+                     "gear2.normal_module_mm", "base pitch")
+        self.refused(two("profile_shift = -0.5", "profile_shift = -0.5"), "profile_shift", "greater than")
+        self.refused(two("", "").replace("teeth = 20", "teeth = -20", 1), "gear1.teeth", "ring")
+        self.refused(GEAR, "gear2", "gear2")
+        self.refused(two("teeth_ = 1"), "gear1.teeth_", "teeth")
+
+    def test_too_small_a_distance_is_negative_backlash_not_an_error(self):
+        r = Run("pair", two("profile_shift = 0.2", "profile_shift = 0.2", "center_distance_mm = 40.5"), "--json")
+        self.assertEqual(r.status, 0, r.err)
+        self.assertLess(r.json["pair"]["backlash"]["normal_mm"], 0)
+        self.assertIn("negative_backlash", [w["code"] for w in r.json["warnings"]])
+
+    def test_gears_that_cannot_exist_are_answers(self):
+        r = Run("gear", GEAR.replace("20", "3") + "profile_shift = -1", "--json")
+        self.assertEqual(r.status, 0, r.err)
+        gear = r.json["gears"][0]
+        self.assertTrue(gear["severed"] or gear["through_axis"])
+        for verb in ("outline", "run"):
+            self.assertIn(Run(verb, GEAR.replace("20", "3") + "profile_shift = -1").status, (0, 1))
+        self.assertEqual(Run("outline", GEAR.replace("20", "3") + "profile_shift = -1").status, 1)
+
+    def test_racks(self):
+        rack = GEAR + "[gear1.rack]\n"
+        self.refused(rack + "root_fillet_radius = 0.9", "gear1.rack.root_fillet_radius", "greatest", verb="gear")
+        self.refused(rack + "dedendum = 9", "gear1.rack.dedendum", "greatest", verb="gear")
+        self.refused(rack + "semi_topping_angle_deg = 45", "gear1.rack.semi_topping_angle_deg", "tool_addendum", verb="gear")
+        self.refused(rack + "protuberance = 0.1\nprotuberance_angle_deg = 25", "gear1.rack.protuberance_angle_deg", verb="gear")
+        self.refused(GEAR + "rack = \"ISO53-E\"", "gear1.rack", "ISO53-A", verb="gear")
+
+    def test_bores(self):
+        r = Run("export", GEAR + "[gear1.bore]\ndiameter_mm = 39", "--stl", "a.stl", "--json")
+        self.assertEqual(r.status, 1)
+        self.assertEqual(r.json["error"]["key"], "gear1.bore.diameter_mm")
+        self.assertEqual(r.files(), ["case.toml"])
+
+    def test_what_is_not_in_this_version_says_so(self):
+        self.refused(GEAR + "[gear1.tip_fillet]\nkind = \"circular\"\nradius_mm = 0.3", "gear1.tip_fillet", "not in this version", verb="gear")
+        self.refused(two(pair="shaft_angle_deg = 90"), "pair.shaft_angle_deg", "parallel")
+        p = raw("contact", "x.toml")
+        self.assertEqual(p.returncode, 2)
+        self.assertIn("not in this version", p.stderr)
+
+    def test_files_that_are_no_spec(self):
+        for text in ("", "   \n", "[", "teeth", "[gear1]\nteeth = ", "[gear1", b"\xef\xb3\xbf", b"\x00\x01\xff", "x = 1979-05-27"):
+            r = Run("gear", text, "--json")
+            self.assertEqual(r.status, 1, repr(text))
+            self.assertTrue(r.json["error"]["message"])
+        for text in ("{", "[]", "{\"gear1\": 3}", "{\"gear1\": {\"teeth\": 1e400}}"):
+            self.assertEqual(Run("gear", text, "--json", name="case.json").status, 1, text)
+
+    def test_huge_file_is_refused_at_once(self):
+        r = Run("gear", b"# " + b"x" * 100_000_000, "--json")
+        self.assertEqual(r.status, 1)
+        self.assertIn("bytes", r.err)
+
+    def test_command_line(self):
+        for args in ((), ("nonsense",), ("gear",), ("gear", "x.toml", "--bogus"), ("outline", "x.toml", "--gear", "3"),
+                     ("outline", "x.toml", "--points", "1"), ("export", "x.toml")):
+            self.assertEqual(raw(*args).returncode, 2, args)
+
+    def test_outside_world(self):
+        self.assertEqual(raw("gear", "/no/such/file.toml").returncode, 3)
+        self.assertEqual(raw("gear", "/").returncode, 3)
+        r = Run("run", PAIR, "--out", "/proc/nothing/here")
+        self.assertEqual(r.status, 3, r.err)
+        r = Run("export", PAIR, "--gear", 1, "--stl", "/no/such/folder/a.stl")
+        self.assertEqual(r.status, 3)
+        self.assertIn("/no/such/folder/a.stl", r.err)
+        with open("/dev/full", "w") as full:
+            p = subprocess.run([BIN, "gear", r.spec], stdout=full, stderr=subprocess.PIPE, text=True)
+        self.assertEqual(p.returncode, 3)
+
+    def test_full_disk_leaves_no_half_file(self):
+        # A file size limit is a disk that fills up in the middle of a file.
+        r = Run("gear", PAIR)
+        p = subprocess.run(["bash", "-c", f"ulimit -f 8; trap '' XFSZ; exec '{BIN}' run '{r.spec}' --out '{r.folder}/o'"],
+                           capture_output=True, text=True)
+        self.assertEqual(p.returncode, 3, p.stderr)
+        for f in os.listdir(r.folder / "o"):
+            self.assertFalse(f.endswith(".part"), f)
+            self.assertLess((r.folder / "o" / f).stat().st_size, 8 * 1024 + 1)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,127 @@
+"""The verbs as a user types them: outputs, exit status, files."""
+import json
+import math
+import unittest
+
+from cli import HAS_STEP, PAIR, SOURCE, Run, raw
+
+
+class Verbs(unittest.TestCase):
+    def test_gear_json_has_every_key_of_the_interface(self):
+        r = Run("gear", PAIR, "--json")
+        self.assertEqual(r.status, 0, r.err)
+        keys = """teeth kind normal_module_mm normal_pressure_angle_deg transverse_pressure_angle_deg
+          helix_angle_deg base_helix_angle_deg profile_shift lead_mm reference_diameter_mm base_diameter_mm
+          tip_diameter_mm root_diameter_mm root_form_diameter_mm tip_form_diameter_mm base_tooth_thickness_mm
+          reference_tooth_thickness_normal_mm tip_tooth_thickness_normal_mm pointed_diameter_mm undercut
+          undercut_free_profile_shift pointed severed through_axis tip_cut_by_rack neck_thickness_mm""".split()
+        for gear in r.json["gears"]:
+            self.assertEqual([k for k in keys if k not in gear], [])
+        self.assertIn("warnings", r.json)
+
+    def test_pair_json_has_every_key_of_the_interface(self):
+        r = Run("pair", PAIR, "--json")
+        self.assertEqual(r.status, 0, r.err)
+        keys = """kind gear_ratio shaft_angle_deg center_distance_mm reference_center_distance_mm
+          backlash_free_center_distance_mm working_normal_pressure_angle_deg
+          working_transverse_pressure_angle_deg working_helix_angle_deg working_pitch_diameter_mm contact_ratio
+          transverse_contact_ratio contact_ratio_true overlap_ratio extended_center_distance_mm line_of_action
+          interference tip_clearance_mm specific_sliding backlash""".split()
+        self.assertEqual([k for k in keys if k not in r.json["pair"]], [])
+        self.assertEqual(r.json["pair"]["kind"], "parallel_external")
+        line = r.json["pair"]["line_of_action"]
+        a, b = line["leading"]
+        self.assertAlmostEqual(math.dist(a, b), line["length_mm"], places=12)
+
+    def test_outline_runs_from_space_to_tooth_without_gaps(self):
+        r = Run("outline", PAIR, "--gear", 2, "--points", 7, "--json")
+        self.assertEqual(r.status, 0, r.err)
+        arcs = r.json["arcs"]
+        self.assertEqual([a["name"] for a in arcs], ["root_land", "root_fillet", "flank", "tip_land"])
+        for a in arcs:
+            self.assertEqual(len(a["points"]), 7)
+        for a, b in zip(arcs, arcs[1:]):
+            self.assertEqual(a["points"][-1], b["points"][0])
+        x, y = arcs[0]["points"][0]
+        self.assertAlmostEqual(math.atan2(y, x), math.pi / 43, places=15)
+        self.assertEqual(arcs[-1]["points"][-1][1], 0)
+
+    def test_run_writes_everything_and_nothing_else(self):
+        r = Run("run", PAIR, "--json")
+        self.assertEqual(r.status, 0, r.err)
+        want = ["result.json", "report.html", "pair.glb"]
+        for g in ("gear1", "gear2"):
+            want += [g + e for e in (".stl", ".3mf", ".dxf", ".svg")]
+        if HAS_STEP:
+            want += ["gear1.step", "gear2.step", "pair.step"]
+        self.assertEqual(r.files(), sorted(["case.toml"] + ["case_out/" + w for w in want]))
+        on_disk = json.loads((r.folder / "case_out/result.json").read_text())
+        self.assertEqual(on_disk["pair"], r.json["pair"])
+        for f in r.json["files"]:
+            if f["file"].endswith(".step"):
+                self.assertLessEqual(f["max_deviation_um"], 0.1)
+
+    def test_run_of_a_single_gear(self):
+        r = Run("run", "[gear1]\nteeth = 21\nnormal_module_mm = 2\nface_width_mm = 9\n")
+        self.assertEqual(r.status, 0, r.err)
+        self.assertNotIn("case_out/pair.glb", r.files())
+        self.assertIn("case_out/gear1.stl", r.files())
+
+    def test_ring_pair_gives_data_and_says_what_is_missing(self):
+        spec = "[gear1]\nteeth = 18\nnormal_module_mm = 2\nprofile_shift = 0.3\n[gear2]\nteeth = -60\nnormal_module_mm = 2\nprofile_shift = -0.3\n"
+        r = Run("run", spec, "--json")
+        self.assertEqual(r.status, 0, r.err)
+        self.assertEqual(r.json["pair"]["kind"], "parallel_internal")
+        self.assertIn("no_outline", [w["code"] for w in r.json["warnings"]])
+        r = Run("outline", spec, "--gear", 2, "--json")
+        self.assertEqual(r.status, 1)
+        self.assertEqual(r.json["error"]["key"], "gear2.teeth")
+
+    def test_same_spec_same_bytes(self):
+        a, b = Run("run", PAIR), Run("run", PAIR)
+        for f in a.files():
+            self.assertEqual((a.folder / f).read_bytes(), (b.folder / f).read_bytes(), f)
+
+    def test_json_spec_is_the_same_door(self):
+        a = Run("pair", PAIR, "--json")
+        tree = {"title": "helical pair",
+                "gear1": {"teeth": 17, "normal_module_mm": 2.5, "helix_angle_deg": 15, "profile_shift": 0.3, "face_width_mm": 25},
+                "gear2": {"teeth": 43, "normal_module_mm": 2.5, "helix_angle_deg": -15, "profile_shift": 0.1, "face_width_mm": 25}}
+        b = Run("pair", json.dumps(tree), "--json", name="case.json")
+        self.assertEqual(a.out, b.out)
+
+    def test_export_writes_the_named_files_only(self):
+        r = Run("export", PAIR, "--gear", 1, "--stl", "a.stl", "--dxf", "a.dxf", "--json")
+        self.assertEqual(r.status, 0, r.err)
+        self.assertEqual(r.files(), ["a.dxf", "a.stl", "case.toml"])
+
+    def test_verify_runs_the_golden_cases(self):
+        p = raw("verify", *[str(f) for f in sorted((SOURCE / "tests/golden").glob("*.json"))])
+        self.assertEqual(p.returncode, 0, p.stdout + p.stderr)
+        self.assertRegex(p.stdout, r"(\d+) of \1 cases hold")
+
+    def test_help_teaches_by_example(self):
+        p = raw("--help")
+        self.assertEqual(p.returncode, 0)
+        self.assertIn("gearwright run pair.toml", p.stdout)
+        for verb in ("run", "gear", "outline", "pair", "export", "verify"):
+            p = raw(verb, "--help")
+            self.assertEqual(p.returncode, 0)
+            self.assertIn("Example:", p.stdout)
+
+    def test_tables_for_people(self):
+        r = Run("pair", PAIR)
+        self.assertEqual(r.status, 0)
+        for word in ("centre distance", "ε_α", "j_bn", "gear 2"):
+            self.assertIn(word, r.out)
+
+    def test_every_example_runs(self):
+        examples = sorted((SOURCE / "examples").glob("*.toml"))
+        self.assertTrue(examples)
+        for example in examples:
+            r = Run("run", example.read_text(), name=example.name)
+            self.assertEqual(r.status, 0, example.name + r.err)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,43 @@
+// Any bytes as a spec: every one ends in gears, a pair, or an error with a sentence. Never a crash, a
+// broken contract or an empty message.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "gearwright/job/design.hpp"
+#include "gearwright/job/result_json.hpp"
+
+namespace {
+
+void require(bool condition) {
+  if (!condition) std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace gearwright;
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  const SpecFormat format = !text.empty() && text.front() == '{' ? SpecFormat::json : SpecFormat::toml;
+  const auto spec = read_spec(text, format);
+  if (!spec) {
+    require(!spec.error().message.empty());
+    return 0;
+  }
+  for (const Scope scope : {Scope::gears, Scope::everything}) {
+    const auto design = solve(*spec, scope);
+    if (!design) {
+      require(!design.error().message.empty() && !design.error().key.empty());
+      continue;
+    }
+    require(!design_json(*design).dump().empty());
+    for (const Gear& gear : design->gears) {
+      if (!gear.tooth || !gear.exists()) continue;
+      for (const Arc& arc : gear.tooth->outline.arcs) {
+        for (const Vec2& p : sample(arc, 5)) require(p.allFinite());
+      }
+    }
+  }
+  return 0;
+}
