@@ -1,7 +1,8 @@
 # Run at install time: copies the public headers, which show the standard library, Eigen and our own.
 #
-# A header that includes anything else serves our own sources only and stays here, as do the headers
-# of tests. That no public header needs one of those, tests/consumer compiles and so proves.
+# A header that includes anything else serves our own sources only and stays here, as do one whose
+# comment says "Internal to ..." and those of tests. That no public header needs one of those,
+# tests/consumer compiles and so proves.
 #
 #   gw_source       the source folder             gw_headers_to   include folder under the prefix
 file(GLOB_RECURSE headers RELATIVE ${gw_source} ${gw_source}/gearwright/*.hpp)
@@ -12,7 +13,8 @@ foreach(header IN LISTS headers)
   # <vector> and <Eigen/Core> are public; <boost/...>, <fmt/...>, <gp_Pnt.hxx>, <toml++/toml.h> are not.
   file(STRINGS ${gw_source}/${header} foreign REGEX "^ *# *include +<[^>]*[./][^>]*>")
   list(FILTER foreign EXCLUDE REGEX "<Eigen/|<unsupported/Eigen/")
-  if(foreign)
+  file(STRINGS ${gw_source}/${header} internal REGEX "^//.* Internal to ")
+  if(foreign OR internal)
     message(STATUS "Kept inside: ${header}")
     continue()
   endif()
