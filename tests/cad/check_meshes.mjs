@@ -11,6 +11,8 @@ import {basename, dirname, join, resolve} from 'node:path';
 import {fileURLToPath, pathToFileURL} from 'node:url';
 import {inflateRawSync} from 'node:zlib';
 
+import {readStl} from './read_stl.mjs';
+
 const args = process.argv.slice(2);
 const at = args.indexOf('--modules');
 const folder = at >= 0 ? resolve(args.splice(at, 2)[1]) : dirname(fileURLToPath(import.meta.url));
@@ -61,23 +63,12 @@ function checkBody(file, name, vertices, triangles) {
 }
 
 function checkStl(file) {
-  const bytes = readFileSync(file);
-  const count = bytes.readUInt32LE(80);
-  expect(bytes.length === 84 + 50 * count, file, `${bytes.length} bytes for ${count} triangles`);
-  // Corners are one vertex where their twelve bytes agree.
-  const index = new Map(), vertices = [], triangles = [];
-  for (let t = 0; t < count; ++t) {
-    for (let c = 0; c < 3; ++c) {
-      const start = 84 + 50 * t + 12 + 12 * c;
-      const key = bytes.toString('latin1', start, start + 12);
-      if (!index.has(key)) {
-        index.set(key, vertices.length / 3);
-        for (let i = 0; i < 3; ++i) vertices.push(bytes.readFloatLE(start + 4 * i));
-      }
-      triangles.push(index.get(key));
-    }
+  try {
+    const {vertices, triangles} = readStl(file);
+    checkBody(file, 'all', vertices, triangles);
+  } catch (error) {
+    expect(false, file, error.message);
   }
-  checkBody(file, 'all', vertices, triangles);
 }
 
 function unzip(file) {

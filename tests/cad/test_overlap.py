@@ -1,0 +1,68 @@
+"""The mounted pair, as exported: no overlap at the backlash-free distance, overlap 0.05 mm closer.
+
+The meshes are turned through a pitch in five steps and intersected by manifold-3d. Flanks are convex, so
+their chords lie inside the tooth and touching flanks leave no common volume but that of the coordinates'
+rounding (float32, about 2 nm, times some square millimetres); 0.05 mm closer the flanks overlap by
+0.05 sin α = 0.017 mm along at least the face width times a tenth of a millimetre.
+"""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+BIN, NODE = os.environ["GW_BIN"], os.environ.get("GW_NODE") or "node"
+TOLERANCE = 0.0005  # mm, of the meshes
+
+PAIRS = {
+    "helical": dict(z=(17, 31), m=2.5, beta=15, x=(0.3, 0.1), b=12),
+    "spur": dict(z=(20, 33), m=2, beta=0, x=(0.0, 0.0), b=8),
+    "undercut pinion": dict(z=(9, 40), m=3, beta=0, x=(0.2, -0.2), b=8),
+    "left hand": dict(z=(13, 29), m=1.5, beta=-25, x=(0.4, 0.5), b=10),
+}
+
+
+def spec(p):
+    lines = []
+    for i in (0, 1):
+        lines += [f"[gear{i + 1}]", f"teeth = {p['z'][i]}", f"normal_module_mm = {p['m']}",
+                  f"helix_angle_deg = {p['beta'] * (1, -1)[i]}", f"profile_shift = {p['x'][i]}",
+                  f"face_width_mm = {p['b']}"]
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    faults = []
+    for name, p in PAIRS.items():
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "pair.toml"
+            file.write_text(spec(p))
+            pair = json.loads(subprocess.run([BIN, "pair", file, "--json"], capture_output=True, check=True).stdout)["pair"]
+            for gear in (1, 2):
+                subprocess.run([BIN, "export", file, "--gear", str(gear), "--stl", f"{folder}/{gear}.stl",
+                                "--mesh-tolerance", str(TOLERANCE)], check=True, capture_output=True)
+            a = pair["backlash_free_center_distance_mm"]
+            modules = ["--modules", os.environ["GW_MODULES"]] if os.environ.get("GW_MODULES") else []
+            run = subprocess.run([NODE, HERE / "check_overlap.mjs", f"{folder}/1.stl", f"{folder}/2.stl",
+                                  *map(str, p["z"]), "5", str(a), str(a - 0.05), *modules],
+                                 capture_output=True, text=True)
+            if run.returncode != 0:
+                print(run.stderr)
+                sys.exit(run.returncode)
+            touching, closer = (r["overlap_mm3"] for r in json.loads(run.stdout))
+            allowed = 2e-6 * 10.0
+            print(f"{name}: {touching:.2e} mm3 touching (allowed {allowed:.1e}), {closer:.3f} mm3 at 0.05 mm closer")
+            if touching > allowed:
+                faults.append(f"{name}: {touching} mm3 overlap at the backlash-free distance")
+            if closer < 0.017 * 0.1 * p["b"]:
+                faults.append(f"{name}: only {closer} mm3 overlap 0.05 mm closer")
+    for f in faults:
+        print(f)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
