@@ -34,6 +34,18 @@ double outer_radius(const Gear& gear) {
   return gear.internal() ? gear.root_diameter / 2 : gear.actual_tip_radius();
 }
 
+// What the pair covers, mm.
+struct Extent {
+  double left, right, tall;
+};
+
+Extent extent_of(const Pair& pair) {
+  const double a = pair.center_distance;
+  const double R1 = outer_radius(pair.gears[0]);
+  const double R2 = outer_radius(pair.gears[1]);
+  return {std::min(-R1, a - R2), std::max(R1, a + R2), 2 * std::max(R1, R2)};
+}
+
 // Where the x axes of the gears point when drawn, degrees counter-clockwise.
 std::array<double, 2> drawn_angles(const Pair& pair) {
   const std::array<double, 2> phi = rotation_to_pitch_point(pair);
@@ -160,9 +172,9 @@ std::string mesh_svg(const Pair& pair, const std::array<std::string, 2>& shapes)
           "circles, "
           "the line of action and the points A to E of the path of contact on it.");
   draw_bodies(svg, view, pair, shapes);
-  // The centre line reaches past both axes, for readers who zoom out.
-  svg.line(view.px({-0.5 * pair.center_distance, 0}), view.px({1.5 * pair.center_distance, 0}),
-           "thin dashdot");
+  // The centre line reaches over both gears, for readers who zoom out.
+  const Extent across = extent_of(pair);
+  svg.line(view.px({across.left, 0}), view.px({across.right, 0}), "thin dashdot");
   for (const std::size_t i : {0, 1}) draw_circles(svg, view, pair, i);
   draw_path(svg, view, pair);
   return svg.str();
@@ -185,12 +197,7 @@ void draw_turn(Svg& svg, const Vec2& axis, double radius, bool clockwise, const 
 
 std::string whole_svg(const Pair& pair, const std::array<std::string, 2>& shapes) {
   const bool external = pair.kind == PairKind::parallel_external;
-  const double a = pair.center_distance;
-  const double R1 = outer_radius(pair.gears[0]);
-  const double R2 = outer_radius(pair.gears[1]);
-  const double left = std::min(-R1, a - R2);
-  const double right = std::max(R1, a + R2);
-  const double tall = 2 * std::max(R1, R2);
+  const auto [left, right, tall] = extent_of(pair);
   const double scale = 0.94 * std::min(kWholeWidth / (right - left), kWholeHeight / tall);
   // No taller than the pair needs.
   const double height = std::max(120.0, std::min(kWholeHeight, scale * tall + 24.0));

@@ -131,7 +131,7 @@ void label_end(Svg& svg, const Pair& pair, bool at_A, const Axis& x, const Axis&
   for (const auto& v : values) {
     const double shown = std::max(v.value_or(kDeepest), y.lo);
     // Below the end of a curve that rises from it, above one that falls.
-    wanted.push_back(y(shown) + (shown > 0.0 ? -10.0 : 6.0));
+    wanted.push_back(y(shown) + (shown > 0.0 ? -10.0 : 13.0));
     if (v && *v >= y.lo) svg.dot({x(rho1), y(*v)}, 3.0, wanted.size() == 1 ? "mark g1" : "mark g2");
   }
   const std::vector<double> placed = spread(wanted, 17.0, kPlotTop - 6, kPlotTop + kPlotHeight - 6);
@@ -178,7 +178,7 @@ std::string ratio_svg(const Pair& pair) {
   constexpr double kTop = 26.0;
   const double most =
       std::max(2.0, std::ceil(std::max(pair.contact_ratio(), pair.contact_ratio_true()) + 0.15));
-  const Axis x{0.0, most, kBarLeft, kWidth - 70.0};
+  const Axis x{0.0, most, kBarLeft, kWidth - 110.0};
   const double height = kTop + 3 * kRow + 10;
   Svg svg("ratios", kWidth, height, "Contact ratios",
           "Bars of the transverse contact ratio, the overlap ratio and their sum; a line marks 1.");
@@ -207,7 +207,9 @@ std::string ratio_svg(const Pair& pair) {
     }
     const double sum = bar.from_alpha + bar.from_beta;
     if (bar.formula - sum > 1e-9) svg.rect(x(0), top, x(bar.formula) - x(0), tall, "bar formula");
-    svg.text({x(std::max(sum, bar.formula)) + 7, top + 16}, fixed(sum, 3), Anchor::start, "halo");
+    std::string value = fixed(sum, 3);
+    if (bar.formula - sum > 1e-9) value += " of " + fixed(bar.formula, 3);
+    svg.text({x(std::max(sum, bar.formula)), top + 16}, value, Anchor::start, "halo", {7.0, 0.0});
   }
   return svg.str();
 }

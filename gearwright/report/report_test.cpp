@@ -207,6 +207,22 @@ TEST(Report, VerdictFollowsTheFacts) {
   EXPECT_NE(verdict(report_input(loose)).find("not continuous"), std::string::npos);
 }
 
+TEST(Report, SeverityLooksAtTheGearThatIsMeant) {
+  const auto severity = [](const Pair& pair, const std::string& code) {
+    const ReportInput input = report_input(pair);
+    for (const Warning& w : input.warnings) {
+      if (w.code == code) return severity_of(w, input);
+    }
+    ADD_FAILURE() << "no warning " << code;
+    return Severity::note;
+  };
+  // Gear 1 is undercut and loses contact there; a ring's tip below the pinion's base is in the way.
+  EXPECT_EQ(severity(undercut_pair(), "base_tangent"), Severity::caution);
+  const Pair internal = sample_pair(sample_gear(18, 2, 0, 0.2), sample_gear(-60, 2, 0, 0.1), 41.8);
+  EXPECT_EQ(severity(internal, "base_tangent"), Severity::problem);
+  EXPECT_EQ(severity_of({"unheard_of", "", 0}, report_input(internal)), Severity::caution);
+}
+
 TEST(Report, StaysSmall) {
   const Pair pair = sample_pair(sample_gear(60, 2, 0, 0, 0.3), sample_gear(60, 2, 0, 0, 0.3), 120);
   const std::size_t size = report_html(report_input(pair)).size();

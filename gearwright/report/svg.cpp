@@ -49,7 +49,7 @@ std::string pixel(double value) {
 
 Svg::Svg(std::string_view id, double width, double height, std::string_view title,
          std::string_view description)
-    : id_(id), width_(width), height_(height) {
+    : id_(id) {
   head_ = fmt::format(
       "<svg class=\"zoom\" id=\"{0}\" viewBox=\"0 0 {1} {2}\" width=\"{1}\" height=\"{2}\" "
       "role=\"img\" tabindex=\"0\" aria-labelledby=\"{0}-t {0}-d\">\n"

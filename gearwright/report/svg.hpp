@@ -62,8 +62,6 @@ class Svg {
 
  private:
   std::string id_;
-  double width_;
-  double height_;
   std::string head_;
   std::string body_;
   int open_groups_ = 0;

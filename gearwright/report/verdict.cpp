@@ -48,7 +48,7 @@ const Meaning* meaning_of(const std::string& code) {
 std::vector<std::string> reasons(const ReportInput& input) {
   std::vector<std::string> list;
   for (const Warning& w : input.warnings) {
-    if (severity_of(w, input.gears) != Severity::problem) continue;
+    if (severity_of(w, input) != Severity::problem) continue;
     std::string reason = meaning_of(w.code)->reason;
     if (std::find(list.begin(), list.end(), reason) == list.end())
       list.push_back(std::move(reason));
@@ -67,7 +67,7 @@ std::string joined(const std::vector<std::string>& list) {
 
 std::string cautions(const ReportInput& input) {
   const auto n = std::count_if(input.warnings.begin(), input.warnings.end(), [&](const Warning& w) {
-    return severity_of(w, input.gears) == Severity::caution;
+    return severity_of(w, input) == Severity::caution;
   });
   if (n == 0) return "";
   return n == 1 ? " One point to look at follows."
@@ -76,13 +76,16 @@ std::string cautions(const ReportInput& input) {
 
 }  // namespace
 
-Severity severity_of(const Warning& warning, const std::vector<const Gear*>& gears) {
+Severity severity_of(const Warning& warning, const ReportInput& input) {
   const Meaning* meaning = meaning_of(warning.code);
   if (meaning == nullptr) return Severity::caution;
-  if (warning.code == "form_circle" || warning.code == "base_tangent") {
-    // These warnings speak for the pair (gear 0): any undercut gear may be the one that is meant.
-    for (const Gear* gear : gears) {
-      if (gear->undercut) return Severity::caution;
+  if (input.pair && (warning.code == "form_circle" || warning.code == "base_tangent")) {
+    // The warning speaks for the pair; which gear is meant stands in the interference it came from.
+    for (const Interference& i : input.pair->interference) {
+      const bool same = i.code == warning.code && i.message == warning.message;
+      if (same && input.pair->gears[static_cast<std::size_t>(i.gear - 1)].undercut) {
+        return Severity::caution;
+      }
     }
   }
   return meaning->severity;

@@ -14,9 +14,9 @@ enum class Severity {
   note,     ///< a default or a consequence that is good to know
 };
 
-/// By the warning's code; one that is not known is a caution. What an undercut has taken away can
-/// no longer interfere: flank limits passed on an undercut gear are cautions.
-Severity severity_of(const Warning& warning, const std::vector<const Gear*>& gears);
+/// By the warning's code; one that is not known is a caution. Where an undercut has taken the flank
+/// away, a mate's tip that reaches below the flank meets nothing: a caution too.
+Severity severity_of(const Warning& warning, const ReportInput& input);
 
 /// One sentence in plain words, not escaped.
 std::string verdict(const ReportInput& input);
