@@ -13,30 +13,55 @@ Error bad(const char* key, double value, const std::string& why) {
   return {key, fmt::format("{}", value), fmt::format("{} = {}: {}", key, value, why)};
 }
 
+// What a spec may say. The limits lie far beyond every gear that was ever cut and keep each formula
+// inside the domain it was measured in.
+constexpr int kMostTeeth = 100'000;
+constexpr double kLeastModule = 1e-3;    // mm
+constexpr double kGreatestModule = 1e3;  // mm
+constexpr double kGreatestHelix = 89.0;  // degrees
+constexpr double kLeastPressure = 1.0;   // degrees
+constexpr double kGreatestPressure = 60.0;
+constexpr double kGreatestShift = 100.0;     // modules
+constexpr double kGreatestAllowance = 10.0;  // modules
+constexpr double kGreatestFace = 1e5;        // modules
+constexpr double kGreatestTip = 1e3;         // times the reference diameter
+
 std::optional<Error> check(const CylindricalSpec& spec) {
+  const auto within = [](double v, double lo, double hi) { return v >= lo && v <= hi; };  // false for NaN
   if (spec.teeth == 0) return bad("teeth", 0, "must not be 0; negative for an internal gear (ring)");
-  if (!(std::isfinite(spec.normal_module) && spec.normal_module > 0.0)) {
-    return bad("normal_module_mm", spec.normal_module, "must be greater than 0");
+  if (std::abs(spec.teeth) > kMostTeeth) {
+    return bad("teeth", spec.teeth, fmt::format("must be at most {} (a ring: at least -{})", kMostTeeth, kMostTeeth));
+  }
+  const double m = spec.normal_module;
+  if (!within(m, kLeastModule, kGreatestModule)) {
+    return bad("normal_module_mm", m, fmt::format("must lie between {} and {} mm", kLeastModule, kGreatestModule));
   }
   const double alpha = spec.normal_pressure_angle.deg();
-  if (!(alpha > 0.0 && alpha < 90.0)) {
-    return bad("normal_pressure_angle_deg", alpha, "must lie between 0 and 90, usually 14.5 to 30");
+  if (!within(alpha, kLeastPressure, kGreatestPressure)) {
+    return bad("normal_pressure_angle_deg", alpha, fmt::format("must lie between {} and {}, usually 14.5 to 30",
+                                                               kLeastPressure, kGreatestPressure));
   }
   const double beta = spec.helix_angle.deg();
-  if (!(std::abs(beta) < 90.0)) {
-    return bad("helix_angle_deg", beta, "must lie between -90 (left hand) and 90 (right hand)");
+  if (!within(beta, -kGreatestHelix, kGreatestHelix)) {
+    return bad("helix_angle_deg", beta, fmt::format("must lie between -{} (left hand) and {} (right hand)",
+                                                    kGreatestHelix, kGreatestHelix));
   }
-  if (!std::isfinite(spec.profile_shift)) {
-    return bad("profile_shift", spec.profile_shift, "must be a finite number of modules");
+  if (!within(spec.profile_shift, -kGreatestShift, kGreatestShift)) {
+    return bad("profile_shift", spec.profile_shift,
+               fmt::format("must lie between -{} and {} modules", kGreatestShift, kGreatestShift));
   }
-  if (!std::isfinite(spec.thickness_allowance)) {
-    return bad("thickness_allowance_mm", spec.thickness_allowance, "must be a finite length");
+  const double allowance = kGreatestAllowance * m;
+  if (!within(spec.thickness_allowance, -allowance, allowance)) {
+    return bad("thickness_allowance_mm", spec.thickness_allowance,
+               fmt::format("must lie between -{} and {} mm (10 modules)", allowance, allowance));
   }
-  if (!(std::isfinite(spec.face_width) && spec.face_width > 0.0)) {
-    return bad("face_width_mm", spec.face_width, "must be greater than 0");
+  if (!(spec.face_width > 0.0 && spec.face_width <= kGreatestFace * m)) {
+    return bad("face_width_mm", spec.face_width, fmt::format("must be greater than 0 and at most {} mm", kGreatestFace * m));
   }
-  if (spec.tip_diameter && !(std::isfinite(*spec.tip_diameter) && *spec.tip_diameter > 0.0)) {
-    return bad("tip_diameter_mm", *spec.tip_diameter, "must be greater than 0");
+  const double d = m / std::cos(spec.helix_angle.rad()) * std::abs(spec.teeth);
+  if (spec.tip_diameter && !(*spec.tip_diameter > 0.0 && *spec.tip_diameter <= kGreatestTip * d)) {
+    return bad("tip_diameter_mm", *spec.tip_diameter,
+               fmt::format("must be greater than 0 and at most {} mm", kGreatestTip * d));
   }
   return std::nullopt;
 }

@@ -11,6 +11,8 @@ namespace gearwright {
 
 namespace {
 
+constexpr double kGreatestNumber = 1e9;  // of any quantity of a spec, in its unit
+
 // A value as a person wrote it, cut to a length that fits a sentence.
 std::string show(const Json& value) {
   std::string s;
@@ -80,6 +82,7 @@ std::optional<double> TableReader::number(const std::string& key) {
   if (!value->is_number()) fail(key, "must be a number");
   const double x = value->get<double>();
   if (!std::isfinite(x)) fail(key, "must be a finite number");
+  if (std::abs(x) > kGreatestNumber) fail(key, fmt::format("must lie between -{0} and {0}", kGreatestNumber));
   return x;
 }
 

@@ -241,9 +241,10 @@ Result<Pair> mount_parallel(Gear gear_1, Gear gear_2, const PairSpec& spec) {
   p.center_distance = spec.center_distance;
   p.input = mesh_input(gear_1, gear_2, spec.center_distance);
   const double least = base_radius_sum(p.input);
-  if (!(std::isfinite(p.center_distance) && p.center_distance > least)) {
+  if (!(p.center_distance > least && p.center_distance <= kGreatestDistance * least)) {
     return bad("pair.center_distance_mm", p.center_distance,
-               fmt::format("there is no working pressure angle; it must be greater than {} mm", least));
+               fmt::format("there is no working pressure angle; it must be greater than {} mm and at most {} "
+                           "times that", least, kGreatestDistance));
   }
   p.gears = {std::move(gear_1), std::move(gear_2)};
   const Gear& g1 = p.gears[0];

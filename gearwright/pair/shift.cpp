@@ -20,12 +20,12 @@ Result<ShiftSolution> complete_shifts(const ShiftProblem& p) {
   const double least = a_d * std::cos(p.transverse_pressure_angle);
   if (p.center_distance) {
     const double a = *p.center_distance;
-    if (!(std::isfinite(a) && a > least)) {
+    if (!(a > least && a <= kGreatestDistance * least)) {
       return Error{"pair.center_distance_mm", fmt::format("{}", a),
                    fmt::format("pair.center_distance_mm = {}: there is no working pressure angle; it must "
-                               "be greater than {} mm, the {} of the base radii (reference centre "
-                               "distance: {} mm)",
-                               a, least, external ? "sum" : "difference", a_d)};
+                               "be greater than {} mm, the {} of the base radii, and at most {} times that "
+                               "(reference centre distance: {} mm)",
+                               a, least, external ? "sum" : "difference", kGreatestDistance, a_d)};
     }
     s.center_distance = a;
     if (p.x1 && p.x2) return s;

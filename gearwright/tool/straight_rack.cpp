@@ -10,6 +10,8 @@ namespace gearwright {
 namespace {
 
 constexpr double kHalfPi = std::numbers::pi / 2;
+// No cutter is that large in modules; within it nothing overflows.
+constexpr double kMostModules = 1e4;
 
 Error bad(const char* key, double value, std::string why) {
   return {std::string("rack.") + key, fmt::format("{}", value),
@@ -27,16 +29,20 @@ EdgeArc circle(ArcName cuts, const EdgeCircle& piece, bool smooth) {
 // Checks what can be said of each number alone.
 std::optional<Error> check_numbers(const StraightRack& rack, double alpha) {
   const double alpha_deg = Angle::radians(alpha).deg();
-  if (!(rack.addendum >= 0.0)) return bad("addendum", rack.addendum, "must be 0 or greater");
-  if (!(rack.dedendum > 0.0)) return bad("dedendum", rack.dedendum, "must be greater than 0");
-  if (!(rack.root_fillet_radius >= 0.0)) {
-    return bad("root_fillet_radius", rack.root_fillet_radius, "must be 0 (a sharp corner) or greater");
+  if (!(rack.addendum >= 0.0 && rack.addendum <= kMostModules)) {
+    return bad("addendum", rack.addendum, fmt::format("must lie between 0 and {}", kMostModules));
   }
-  if (!(rack.tip_fillet_radius >= 0.0)) {
-    return bad("tip_fillet_radius", rack.tip_fillet_radius, "must be 0 (none) or greater");
+  if (!(rack.dedendum > 0.0 && rack.dedendum <= kMostModules)) {
+    return bad("dedendum", rack.dedendum, fmt::format("must be greater than 0 and at most {}", kMostModules));
   }
-  if (!(rack.protuberance >= 0.0)) {
-    return bad("protuberance", rack.protuberance, "must be 0 (none) or greater");
+  if (!(rack.root_fillet_radius >= 0.0 && rack.root_fillet_radius <= kMostModules)) {
+    return bad("root_fillet_radius", rack.root_fillet_radius, fmt::format("must lie between 0 (a sharp corner) and {}", kMostModules));
+  }
+  if (!(rack.tip_fillet_radius >= 0.0 && rack.tip_fillet_radius <= kMostModules)) {
+    return bad("tip_fillet_radius", rack.tip_fillet_radius, fmt::format("must lie between 0 (none) and {}", kMostModules));
+  }
+  if (!(rack.protuberance >= 0.0 && rack.protuberance <= kMostModules)) {
+    return bad("protuberance", rack.protuberance, fmt::format("must lie between 0 (none) and {}", kMostModules));
   }
   if (rack.protuberance > 0.0) {
     const double a = rack.protuberance_angle.deg();
@@ -44,6 +50,10 @@ std::optional<Error> check_numbers(const StraightRack& rack, double alpha) {
       return bad("protuberance_angle_deg", a,
                  fmt::format("must be greater than 0 and less than the pressure angle {}°", alpha_deg));
     }
+  }
+  if (rack.tool_addendum && !(std::abs(*rack.tool_addendum) <= kMostModules)) {
+    return bad("tool_addendum", *rack.tool_addendum,
+               fmt::format("must lie between {} and {}", -kMostModules, kMostModules));
   }
   if (rack.semi_topping_angle) {
     const double a = rack.semi_topping_angle->deg();
