@@ -134,7 +134,7 @@ int run_verb(const Options& o) {
     if (out.extension() == ".toml" || out.extension() == ".json") out.replace_extension();
     out += "_out";
   }
-  const auto files = write_everything(design, read_text(o.spec), out, file_options(o));
+  const auto files = write_everything(design, out, file_options(o));
   if (!files) return fail(o, files.error());
   if (o.json) {
     Json j = design_json(design);

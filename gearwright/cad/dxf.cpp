@@ -95,7 +95,7 @@ Result<Facts> draw_splines(const Outline& outline, const Contour& contour, doubl
   }
   for (const ContourPiece& piece : contour.pieces) {
     if (piece.land) {
-      entities.arc(kProfile, piece.begin, piece.end);
+      entities.circular_spline(kProfile, piece.begin, piece.end, piece.sweep);
       continue;
     }
     const Fit& fit = fits[piece.arc];

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <iterator>
 #include <numbers>
@@ -218,11 +219,6 @@ void objects(Pairs& out, double reach) {
   out.word(0, "ENDSEC");
 }
 
-double degrees_from_x(const Vec2& p) {
-  const double angle = std::atan2(p.y(), p.x()) * (180.0 / std::numbers::pi);
-  return angle < 0.0 ? angle + 360.0 : angle;
-}
-
 }  // namespace
 
 void DxfEntities::begin(const char* type, const std::string& layer, const char* subclass) {
@@ -252,11 +248,31 @@ void DxfEntities::circle(const std::string& layer, double radius) {
   Pairs(text_).point(10, 0, 0, 0).real(40, radius);
 }
 
-void DxfEntities::arc(const std::string& layer, const Vec2& begin_point, const Vec2& end_point) {
-  begin("ARC", layer, "AcDbCircle");
+void DxfEntities::circular_spline(const std::string& layer, const Vec2& begin_point, const Vec2& end_point,
+                                  double sweep) {
+  // Pieces of at most a quarter turn: P0, the corner of the tangents with weight cos(δ/2), P1.
+  const int pieces = static_cast<int>(std::ceil(std::abs(sweep) / (std::numbers::pi / 2 + 1e-9)));
+  const double half = sweep / (2 * pieces);
+  const double weight = std::cos(half);
+  begin("SPLINE", layer, "AcDbSpline");
   Pairs out(text_);
-  out.point(10, 0, 0, 0).real(40, begin_point.norm()).word(100, "AcDbArc");
-  out.real(50, degrees_from_x(begin_point)).real(51, degrees_from_x(end_point));
+  const int poles = 2 * pieces + 1;
+  out.point(210, 0, 0, 1).integer(70, 12).integer(71, 2);  // 4: rational, 8: planar
+  out.integer(72, poles + 3).integer(73, poles).integer(74, 0).real(42, 1e-9).real(43, 1e-9);
+  for (int i = 0; i < 3; ++i) out.real(40, 0);
+  for (int i = 1; i < pieces; ++i) {
+    for (int twice = 0; twice < 2; ++twice) out.real(40, static_cast<double>(i) / pieces);
+  }
+  for (int i = 0; i < 3; ++i) out.real(40, 1);
+  for (int i = 0; i < poles; ++i) out.real(41, i % 2 == 0 ? 1 : weight);
+  for (int i = 0; i < poles; ++i) {
+    Vec2 p = i == 0 ? begin_point : end_point;
+    if (i > 0 && i < poles - 1) {
+      p = Eigen::Rotation2Dd(half * i) * begin_point;
+      if (i % 2 == 1) p /= weight;
+    }
+    out.point(10, p.x(), p.y(), 0);
+  }
 }
 
 void DxfEntities::spline(const std::string& layer, int degree, const std::vector<double>& knots,

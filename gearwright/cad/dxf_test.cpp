@@ -193,17 +193,26 @@ TEST(Dxf, SplinesShareTheirEndsAsText) {
     for (std::size_t i = 0; i < profile.size(); ++i) {
       const Entity& a = profile[i];
       const Entity& b = profile[(i + 1) % profile.size()];
-      if (a.type == "SPLINE" && b.type == "SPLINE") {
-        EXPECT_EQ(a.words(10).back(), b.words(10).front());
-        EXPECT_EQ(a.words(20).back(), b.words(20).front());
-      }
-      if (a.type == "ARC") {
-        // Ends by radius and angle: as near as degrees in a double tell.
-        const double r = a.reals(40).front();
-        const double angle = a.reals(51).front() * (kPi / 180);
-        ASSERT_EQ(b.type, "SPLINE");
-        EXPECT_NEAR(r * std::cos(angle), b.reals(10).front(), 1e-14 * r);
-        EXPECT_NEAR(r * std::sin(angle), b.reals(20).front(), 1e-14 * r);
+      ASSERT_EQ(a.type, "SPLINE");
+      EXPECT_EQ(a.words(10).back(), b.words(10).front());
+      EXPECT_EQ(a.words(20).back(), b.words(20).front());
+      if (a.reals(70).front() == 12) {
+        // A land: rational, and on its circle everywhere.
+        const std::vector<double> weights = a.reals(41);
+        const std::vector<double> x = a.reals(10);
+        const std::vector<double> y = a.reals(20);
+        ASSERT_EQ(weights.size(), x.size());
+        const double r = std::hypot(x[0], y[0]);
+        for (std::size_t k = 0; k + 2 < x.size(); k += 2) {
+          for (double t = 0.0; t <= 1.0; t += 0.125) {
+            const double b0 = (1 - t) * (1 - t);
+            const double b1 = 2 * t * (1 - t) * weights[k + 1];
+            const double b2 = t * t;
+            const double w = b0 + b1 + b2;
+            EXPECT_NEAR(std::hypot(b0 * x[k] + b1 * x[k + 1] + b2 * x[k + 2],
+                                   b0 * y[k] + b1 * y[k + 1] + b2 * y[k + 2]) / w, r, 1e-13 * r);
+          }
+        }
       }
       if (a.type == "SPLINE") {
         const std::vector<double> knots = a.reals(40);

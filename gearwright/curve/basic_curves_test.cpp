@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kEps = std::numeric_limits<double>::epsilon();
 
-// Tangent angle and curvature from points alone: central differences of step h err by h² W‴/6 and by
-// 2 ε |W|/h²; both are below 1e-6 for the curves here.
+// Tangent angle and curvature from points alone: central differences of step h err by h² W‴/6 and
+// by 2 ε |W|/h²; both are below 1e-6 for the curves here.
 void expect_tangent_and_curvature(const Curve& curve, double t) {
   const double h = 1e-4;
   const Vec2 before = curve.point(t - h), here = curve.point(t), after = curve.point(t + h);
@@ -43,11 +43,11 @@ TEST(Involute, laws_of_the_header) {
   const Involute curve(20.0, 0.12);
   for (const double xi : {0.0, 1e-6, 0.1, 0.27, 0.5, 1.3}) {
     const Vec2 p = curve.point(xi);
-    EXPECT_NEAR(p.norm(), 20.0 * std::hypot(1.0, xi), 4 * kEps * 30);           // (1)
+    EXPECT_NEAR(p.norm(), 20.0 * std::hypot(1.0, xi), 4 * kEps * 30);              // (1)
     EXPECT_NEAR(std::atan2(p.y(), p.x()), 0.12 - (xi - std::atan(xi)), 8 * kEps);  // (2)
     EXPECT_NEAR(curve.polar_angle(xi), std::atan2(p.y(), p.x()), 8 * kEps);
     if (xi == 0.0) continue;
-    EXPECT_EQ(curve.at(xi).curvature, -1.0 / (20.0 * xi));                       // (3)
+    EXPECT_EQ(curve.at(xi).curvature, -1.0 / (20.0 * xi));  // (3)
     if (xi >= 0.1) {
       expect_tangent_and_curvature(curve, xi);
     }

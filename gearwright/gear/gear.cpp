@@ -27,24 +27,31 @@ constexpr double kGreatestFace = 1e5;        // modules
 constexpr double kGreatestTip = 1e3;         // times the reference diameter
 
 std::optional<Error> check(const CylindricalSpec& spec) {
-  const auto within = [](double v, double lo, double hi) { return v >= lo && v <= hi; };  // false for NaN
-  if (spec.teeth == 0) return bad("teeth", 0, "must not be 0; negative for an internal gear (ring)");
+  const auto within = [](double v, double lo, double hi) {
+    return v >= lo && v <= hi;
+  };  // false for NaN
+  if (spec.teeth == 0)
+    return bad("teeth", 0, "must not be 0; negative for an internal gear (ring)");
   if (std::abs(spec.teeth) > kMostTeeth) {
-    return bad("teeth", spec.teeth, fmt::format("must be at most {} (a ring: at least -{})", kMostTeeth, kMostTeeth));
+    return bad("teeth", spec.teeth,
+               fmt::format("must be at most {} (a ring: at least -{})", kMostTeeth, kMostTeeth));
   }
   const double m = spec.normal_module;
   if (!within(m, kLeastModule, kGreatestModule)) {
-    return bad("normal_module_mm", m, fmt::format("must lie between {} and {} mm", kLeastModule, kGreatestModule));
+    return bad("normal_module_mm", m,
+               fmt::format("must lie between {} and {} mm", kLeastModule, kGreatestModule));
   }
   const double alpha = spec.normal_pressure_angle.deg();
   if (!within(alpha, kLeastPressure, kGreatestPressure)) {
-    return bad("normal_pressure_angle_deg", alpha, fmt::format("must lie between {} and {}, usually 14.5 to 30",
-                                                               kLeastPressure, kGreatestPressure));
+    return bad("normal_pressure_angle_deg", alpha,
+               fmt::format("must lie between {} and {}, usually 14.5 to 30", kLeastPressure,
+                           kGreatestPressure));
   }
   const double beta = spec.helix_angle.deg();
   if (!within(beta, -kGreatestHelix, kGreatestHelix)) {
-    return bad("helix_angle_deg", beta, fmt::format("must lie between -{} (left hand) and {} (right hand)",
-                                                    kGreatestHelix, kGreatestHelix));
+    return bad("helix_angle_deg", beta,
+               fmt::format("must lie between -{} (left hand) and {} (right hand)", kGreatestHelix,
+                           kGreatestHelix));
   }
   if (!within(spec.profile_shift, -kGreatestShift, kGreatestShift)) {
     return bad("profile_shift", spec.profile_shift,
@@ -56,7 +63,8 @@ std::optional<Error> check(const CylindricalSpec& spec) {
                fmt::format("must lie between -{} and {} mm (10 modules)", allowance, allowance));
   }
   if (!(spec.face_width > 0.0 && spec.face_width <= kGreatestFace * m)) {
-    return bad("face_width_mm", spec.face_width, fmt::format("must be greater than 0 and at most {} mm", kGreatestFace * m));
+    return bad("face_width_mm", spec.face_width,
+               fmt::format("must be greater than 0 and at most {} mm", kGreatestFace * m));
   }
   const double d = m / std::cos(spec.helix_angle.rad()) * std::abs(spec.teeth);
   if (spec.tip_diameter && !(*spec.tip_diameter > 0.0 && *spec.tip_diameter <= kGreatestTip * d)) {
@@ -74,14 +82,17 @@ void warn_about_tooth(Gear& gear) {
   const GeneratedTooth& tooth = *gear.tooth;
   if (tooth.through_axis) {
     warn(gear, "through_axis",
-         fmt::format("The cutter passes the gear's axis (root diameter {:.4f} mm): there is no gear. More "
-                     "teeth, more profile shift or a smaller dedendum would help.", gear.root_diameter));
+         fmt::format(
+             "The cutter passes the gear's axis (root diameter {:.4f} mm): there is no gear. More "
+             "teeth, more profile shift or a smaller dedendum would help.",
+             gear.root_diameter));
     return;
   }
   if (tooth.severed) {
     warn(gear, "severed",
          "The root fillets of both sides meet: the tooth is cut off. More profile shift helps; the "
-         "undercut-free shift is " + fmt::format("{:.4f}.", gear.undercut_free_profile_shift));
+         "undercut-free shift is " +
+             fmt::format("{:.4f}.", gear.undercut_free_profile_shift));
     return;
   }
   if (gear.undercut) {
@@ -107,8 +118,10 @@ void warn_about_tooth(Gear& gear) {
   }
   if (tooth.tip_cut_by_rack) {
     warn(gear, "tip_cut_by_rack",
-         fmt::format("The cutter's bottom land tops the tooth at {:.4f} mm diameter, below the blank's "
-                     "{:.4f} mm.", 2 * tooth.tip_radius, gear.tip_diameter));
+         fmt::format(
+             "The cutter's bottom land tops the tooth at {:.4f} mm diameter, below the blank's "
+             "{:.4f} mm.",
+             2 * tooth.tip_radius, gear.tip_diameter));
   }
 }
 
@@ -122,8 +135,8 @@ std::optional<double> tip_thickness(const Gear& gear) {
     const Arc& land = gear.tooth->outline.arcs.back();
     // A tip on the base circle itself may lie an ulp inside it.
     const bool plain = gear.tooth->tip_form_radius == gear.tooth->tip_radius && d_end >= d_b;
-    const double s_t = plain ? tooth_thickness_transverse(gear.spec.teeth, d_b,
-                                                          gear.reference.base_tooth_thickness, d_end)
+    const double s_t = plain ? tooth_thickness_transverse(
+                                   gear.spec.teeth, d_b, gear.reference.base_tooth_thickness, d_end)
                              : d_end * land.begin;
     return s_t * cos_helix_at(d_b, gear.reference.base_helix_angle, d_end);
   }
@@ -144,7 +157,9 @@ double Gear::tip_form_radius() const {
   return tip_diameter / 2;
 }
 
-double Gear::actual_tip_radius() const { return tooth && exists() ? tooth->tip_radius : tip_diameter / 2; }
+double Gear::actual_tip_radius() const {
+  return tooth && exists() ? tooth->tip_radius : tip_diameter / 2;
+}
 
 double Gear::twist() const { return lead == 0.0 ? 0.0 : 2 * std::numbers::pi / lead; }
 
@@ -152,9 +167,9 @@ Result<Gear> make_gear(const CylindricalSpec& spec) {
   if (auto error = check(spec)) return *error;
   Gear gear{};
   gear.spec = spec;
-  gear.reference = reference_geometry<double>({spec.teeth, spec.normal_module,
-                                               spec.normal_pressure_angle.rad(), spec.helix_angle.rad(),
-                                               spec.profile_shift, spec.thickness_allowance});
+  gear.reference = reference_geometry<double>(
+      {spec.teeth, spec.normal_module, spec.normal_pressure_angle.rad(), spec.helix_angle.rad(),
+       spec.profile_shift, spec.thickness_allowance});
   auto rack_edge = make_edge(spec.rack, spec.normal_module, spec.normal_pressure_angle);
   if (!rack_edge) return rack_edge.error();
   const CutterEdge& edge = rack_edge->edge;
@@ -164,34 +179,41 @@ Result<Gear> make_gear(const CylindricalSpec& spec) {
   const double x_E = gear.reference.generating_profile_shift;
   const double sign = gear.internal() ? -1.0 : 1.0;
   const double beta = spec.helix_angle.rad();
-  gear.tip_diameter = spec.tip_diameter.value_or(d + sign * 2 * m * (spec.rack.addendum + spec.profile_shift));
+  gear.tip_diameter =
+      spec.tip_diameter.value_or(d + sign * 2 * m * (spec.rack.addendum + spec.profile_shift));
   gear.root_diameter = d - sign * 2 * m * (spec.rack.dedendum - x_E);
   gear.lead = beta == 0.0 ? 0.0 : std::numbers::pi * d / std::tan(beta);
   const double sin_alpha_t = std::sin(gear.reference.transverse_pressure_angle);
-  gear.undercut_free_profile_shift =
-      edge.flank_begin_depth / m - std::abs(spec.teeth) * sin_alpha_t * sin_alpha_t / (2 * std::cos(beta));
+  gear.undercut_free_profile_shift = edge.flank_begin_depth / m - std::abs(spec.teeth) *
+                                                                      sin_alpha_t * sin_alpha_t /
+                                                                      (2 * std::cos(beta));
   const double psi_b = gear.reference.base_tooth_thickness / gear.reference.base_diameter;
   // A ring's flanks meet beyond its root, at inv α = −ψ_b.
   const double y = sign * psi_b;
-  if (y >= 0.0) gear.pointed_diameter = gear.reference.base_diameter / std::cos(inverse_involute(y));
+  if (y >= 0.0)
+    gear.pointed_diameter = gear.reference.base_diameter / std::cos(inverse_involute(y));
 
   if (rack_edge->became_full_radius) {
     warn(gear, "full_radius_root",
-         fmt::format("The rack's root fillet radius {} does not fit at this pressure angle; the full "
-                     "radius {:.6f} is used.", spec.rack.root_fillet_radius,
-                     full_radius(spec.rack, spec.normal_pressure_angle)));
+         fmt::format(
+             "The rack's root fillet radius {} does not fit at this pressure angle; the full "
+             "radius {:.6f} is used.",
+             spec.rack.root_fillet_radius, full_radius(spec.rack, spec.normal_pressure_angle)));
   }
   if (gear.internal()) {
-    if (!(gear.tip_diameter < gear.root_diameter)) {
+    if (!(gear.tip_diameter > 0.0 && gear.tip_diameter < gear.root_diameter)) {
       return bad("tip_diameter_mm", gear.tip_diameter,
-                 fmt::format("must be less than the ring's root diameter {} mm", gear.root_diameter));
+                 fmt::format("must be greater than 0 and less than the ring's root diameter {} mm",
+                             gear.root_diameter));
     }
     gear.undercut = false;
     gear.tip_tooth_thickness_normal = tip_thickness(gear);
     if (gear.tip_diameter < gear.reference.base_diameter) {
       warn(gear, "tip_below_base",
-           fmt::format("The ring's tip {:.4f} mm lies inside its base circle {:.4f} mm: the flank has no "
-                       "involute there.", gear.tip_diameter, gear.reference.base_diameter));
+           fmt::format(
+               "The ring's tip {:.4f} mm lies inside its base circle {:.4f} mm: the flank has no "
+               "involute there.",
+               gear.tip_diameter, gear.reference.base_diameter));
     }
     return gear;
   }

@@ -62,7 +62,8 @@ TEST(MakeGear, lead_has_the_sign_of_the_hand) {
   EXPECT_GT(right.lead, 0.0);
   EXPECT_EQ(left.lead, -right.lead);
   EXPECT_EQ(left.twist(), -right.twist());
-  EXPECT_NEAR(right.lead, std::numbers::pi * 30 * 2.0 / std::sin(std::numbers::pi / 12), 1e-12 * right.lead);
+  EXPECT_NEAR(right.lead, std::numbers::pi * 30 * 2.0 / std::sin(std::numbers::pi / 12),
+              1e-12 * right.lead);
 }
 
 // An allowance thins the tooth: flanks and root with x_E, the tip with x.
@@ -170,15 +171,19 @@ TEST(MakeGear, errors_name_their_key) {
               "normal_pressure_angle_deg");
   }
   for (const double bad : {90.0, -90.0, kNaN, kInfinity}) {
-    EXPECT_EQ(key([&](CylindricalSpec& s) { s.helix_angle = Angle::degrees(bad); }), "helix_angle_deg");
+    EXPECT_EQ(key([&](CylindricalSpec& s) { s.helix_angle = Angle::degrees(bad); }),
+              "helix_angle_deg");
   }
   for (const double bad : {kNaN, kInfinity, -kInfinity}) {
     EXPECT_EQ(key([&](CylindricalSpec& s) { s.profile_shift = bad; }), "profile_shift");
-    EXPECT_EQ(key([&](CylindricalSpec& s) { s.thickness_allowance = bad; }), "thickness_allowance_mm");
+    EXPECT_EQ(key([&](CylindricalSpec& s) { s.thickness_allowance = bad; }),
+              "thickness_allowance_mm");
     EXPECT_EQ(key([&](CylindricalSpec& s) { s.rack.addendum = bad; }), "rack.addendum");
     EXPECT_EQ(key([&](CylindricalSpec& s) { s.rack.dedendum = bad; }), "rack.dedendum");
-    EXPECT_EQ(key([&](CylindricalSpec& s) { s.rack.root_fillet_radius = bad; }), "rack.root_fillet_radius");
-    EXPECT_EQ(key([&](CylindricalSpec& s) { s.rack.tip_fillet_radius = bad; }), "rack.tip_fillet_radius");
+    EXPECT_EQ(key([&](CylindricalSpec& s) { s.rack.root_fillet_radius = bad; }),
+              "rack.root_fillet_radius");
+    EXPECT_EQ(key([&](CylindricalSpec& s) { s.rack.tip_fillet_radius = bad; }),
+              "rack.tip_fillet_radius");
     EXPECT_EQ(key([&](CylindricalSpec& s) { s.rack.tool_addendum = bad; }), "rack.tool_addendum");
     EXPECT_EQ(key([&](CylindricalSpec& s) { s.rack.protuberance = bad; }), "rack.protuberance");
   }
@@ -186,6 +191,12 @@ TEST(MakeGear, errors_name_their_key) {
   EXPECT_EQ(key([](CylindricalSpec& s) {
               s.teeth = -20;
               s.tip_diameter = 50.0;
+            }),
+            "tip_diameter_mm");
+  // A ring whose teeth would reach past its axis.
+  EXPECT_EQ(key([](CylindricalSpec& s) {
+              s.teeth = -4;
+              s.profile_shift = 2.0;
             }),
             "tip_diameter_mm");
 }

@@ -26,12 +26,14 @@ TEST(Reference, helical_gear_by_hand) {
   // tan β_b = tan β cos α_t, the other of ISO's two formulas.
   EXPECT_NEAR(std::tan(g.base_helix_angle), std::tan(15 * kDegree) * std::cos(alpha_t), 4 * kEps);
   EXPECT_NEAR(g.base_pitch_normal, kPi * 2.5 * std::cos(20 * kDegree), 4 * kEps * 8);
-  EXPECT_NEAR(g.base_pitch_transverse * std::cos(g.base_helix_angle), g.base_pitch_normal, 8 * kEps * 8);
+  EXPECT_NEAR(g.base_pitch_transverse * std::cos(g.base_helix_angle), g.base_pitch_normal,
+              8 * kEps * 8);
   EXPECT_NEAR(g.reference_tooth_thickness_normal, 2.5 * (kPi / 2 + 0.6 * std::tan(20 * kDegree)),
               4 * kEps * 5);
   // The involute through the reference thickness.
   EXPECT_NEAR(g.base_tooth_thickness / g.base_diameter,
-              g.reference_tooth_thickness_transverse / g.reference_diameter + involute(alpha_t), 4 * kEps);
+              g.reference_tooth_thickness_transverse / g.reference_diameter + involute(alpha_t),
+              4 * kEps);
 }
 
 TEST(Reference, base_cylinder_does_not_know_the_shift) {
@@ -80,11 +82,14 @@ TEST(Reference, spur_is_exact) {
 
 TEST(ToothThickness, on_the_reference_circle_and_at_the_point) {
   const auto g = reference_geometry(helical());
-  EXPECT_NEAR(tooth_thickness_transverse(17, g.base_diameter, g.base_tooth_thickness, g.reference_diameter),
-              g.reference_tooth_thickness_transverse, 16 * kEps * g.reference_diameter);
-  EXPECT_EQ(tooth_thickness_transverse(17, g.base_diameter, g.base_tooth_thickness, g.base_diameter),
-            g.base_tooth_thickness);
-  const double pointed = g.base_diameter / std::cos(inverse_involute(g.base_tooth_thickness / g.base_diameter));
+  EXPECT_NEAR(
+      tooth_thickness_transverse(17, g.base_diameter, g.base_tooth_thickness, g.reference_diameter),
+      g.reference_tooth_thickness_transverse, 16 * kEps * g.reference_diameter);
+  EXPECT_EQ(
+      tooth_thickness_transverse(17, g.base_diameter, g.base_tooth_thickness, g.base_diameter),
+      g.base_tooth_thickness);
+  const double pointed =
+      g.base_diameter / std::cos(inverse_involute(g.base_tooth_thickness / g.base_diameter));
   EXPECT_NEAR(tooth_thickness_transverse(17, g.base_diameter, g.base_tooth_thickness, pointed), 0.0,
               64 * kEps * pointed);
   // A ring's teeth grow thicker outward.

@@ -53,7 +53,9 @@ void add_line(std::vector<Branch>& branches, const RackMotion& motion, const Edg
   if (!(xi_end > 0.0)) return;  // all of it lies behind the cusp
   auto curve = std::make_shared<Involute>(rack_involute(motion, line));
   const double r_b = curve->base_radius();
-  const auto radius = [&](double xi) { return std::isinf(xi) ? kInfinity : r_b * std::hypot(1.0, xi); };
+  const auto radius = [&](double xi) {
+    return std::isinf(xi) ? kInfinity : r_b * std::hypot(1.0, xi);
+  };
   const double xi_lo = std::max(0.0, xi_begin);
   branches.push_back({arc.cuts, curve, xi_lo, xi_end, radius(xi_lo), radius(xi_end),
                       arc.smooth_start && xi_begin >= 0.0});
@@ -143,7 +145,8 @@ std::vector<Branch> assemble(const std::vector<Branch>& branches, double tip_rad
   std::vector<Branch> chain;
   const Branch* before = nullptr;  // the branch that ends the chain, whole
   for (const Branch& branch : branches) {
-    if (branch.rho_lo >= tip_radius && !chain.empty() && chain.back().rho_hi >= tip_radius) continue;
+    if (branch.rho_lo >= tip_radius && !chain.empty() && chain.back().rho_hi >= tip_radius)
+      continue;
     Branch next = branch;
     if (chain.empty() || (next.smooth_start && before == &branch - 1)) {
       chain.push_back(next);
@@ -240,8 +243,8 @@ void write_outline(const std::vector<Branch>& chain, double y_root_land, const R
   }
   if (!tooth.pointed) {
     const double theta_tip = chain.back().curve->polar_angle(chain.back().t_hi);
-    outline.arcs.push_back({ArcName::tip_land, std::make_shared<AxisCircle>(tooth.tip_radius), theta_tip,
-                            0.0, joint, Vec2(tooth.tip_radius, 0.0)});
+    outline.arcs.push_back({ArcName::tip_land, std::make_shared<AxisCircle>(tooth.tip_radius),
+                            theta_tip, 0.0, joint, Vec2(tooth.tip_radius, 0.0)});
   }
 }
 

@@ -1,4 +1,5 @@
-// Teeth as cut: what each kind of edge leaves, every flag, and the places where branches only touch.
+// Teeth as cut: what each kind of edge leaves, every flag, and the places where branches only
+// touch.
 #include "gearwright/generation/generate.hpp"
 
 #include <gtest/gtest.h>
@@ -67,7 +68,8 @@ TEST(CutByRack, plain_tooth) {
   EXPECT_EQ(tooth.tip_radius, 16.0);
   EXPECT_EQ(tooth.tip_form_radius, 16.0);
   EXPECT_FALSE(tooth.pointed || tooth.severed || tooth.through_axis || tooth.tip_cut_by_rack);
-  // No undercut: the flank starts where the rounding ends, x = −h_Ff, ξ = (r sin²α + x)/(r sin α cos α).
+  // No undercut: the flank starts where the rounding ends, x = −h_Ff, ξ = (r sin²α + x)/(r sin α
+  // cos α).
   const double s = std::sin(std::numbers::pi / 9), c = std::cos(std::numbers::pi / 9);
   const double xi = (15 * s * s - (1.25 - 0.38 * (1 - s))) / (15 * s * c);
   EXPECT_NEAR(*tooth.form_radius, 15 * c * std::hypot(1.0, xi), 1e-13);
@@ -86,8 +88,9 @@ TEST(CutByRack, full_radius_has_no_root_land) {
   cut.rack.root_fillet_radius = full_radius(cut.rack, cut.alpha);
   const GeneratedTooth tooth = tooth_of(cut);
   EXPECT_EQ(names(tooth), (std::vector{root_fillet, flank, tip_land}));
-  EXPECT_NEAR(std::atan2(tooth.outline.arcs[0].begin_point.y(), tooth.outline.arcs[0].begin_point.x()),
-              std::numbers::pi / 20, 1e-15);
+  EXPECT_NEAR(
+      std::atan2(tooth.outline.arcs[0].begin_point.y(), tooth.outline.arcs[0].begin_point.x()),
+      std::numbers::pi / 20, 1e-15);
 }
 
 TEST(CutByRack, bottom_rounding_ends_on_the_land) {
@@ -103,7 +106,8 @@ TEST(CutByRack, bottom_rounding_ends_on_the_land) {
   // Tangent to the land: the outline turns onto the circle without an edge.
   const Arc& fillet = tooth.outline.arcs[3];
   const CurvePoint end = fillet.at(1.0);
-  EXPECT_NEAR(std::abs(std::sin(end.tangent_angle - fillet.curve->polar_angle(fillet.end))), 1.0, 1e-12);
+  EXPECT_NEAR(std::abs(std::sin(end.tangent_angle - fillet.curve->polar_angle(fillet.end))), 1.0,
+              1e-12);
 }
 
 TEST(CutByRack, semi_topping_cuts_a_chamfer) {
@@ -158,8 +162,8 @@ TEST(CutByRack, a_blank_below_the_root_is_an_error) {
   EXPECT_EQ(tooth.error().key, "tip_diameter_mm");
 }
 
-// Undercut that begins just here: the swallowtail between fillet and flank is smaller than an ulp, in
-// either direction, and the two arcs simply touch.
+// Undercut that begins just here: the swallowtail between fillet and flank is smaller than an ulp,
+// in either direction, and the two arcs simply touch.
 TEST(CutByRack, undercut_begins_within_rounding) {
   for (const int teeth : {1, 4, 8, 12, 17, 40}) {
     for (const double rho : {0.0, 0.2, 0.38}) {

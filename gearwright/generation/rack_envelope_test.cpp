@@ -63,7 +63,8 @@ TEST(RackTrochoid, tangent_and_curvature) {
     const RackTrochoid curve(motion, circle);
     for (const double tau : {0.5, 0.9, 1.3}) {
       const double h = 1e-4;
-      const Vec2 before = curve.point(tau - h), here = curve.point(tau), after = curve.point(tau + h);
+      const Vec2 before = curve.point(tau - h), here = curve.point(tau),
+                 after = curve.point(tau + h);
       const Vec2 d = (after - before) / (2 * h), dd = (after - 2 * here + before) / (h * h);
       const CurvePoint p = curve.at(tau);
       EXPECT_NEAR(d.normalized().x(), std::cos(p.tangent_angle), 1e-5);
@@ -114,11 +115,12 @@ TEST(RackTrochoid, neck_is_where_the_half_angle_is_least) {
     EXPECT_GT(curve.polar_angle(necks[0] - d), least);
     EXPECT_GT(curve.polar_angle(necks[0] + d), least);
   }
-  EXPECT_TRUE(RackTrochoid({200.0, 1.0, 0.0}, kTip).neck_angles(kTip.end_tau, kTip.begin_tau).empty());
+  EXPECT_TRUE(
+      RackTrochoid({200.0, 1.0, 0.0}, kTip).neck_angles(kTip.end_tau, kTip.begin_tau).empty());
 }
 
-// The involute of the rack's flank: base circle r cos α_t, and on the pitch circle half the thickness
-// that the rack leaves there.
+// The involute of the rack's flank: base circle r cos α_t, and on the pitch circle half the
+// thickness that the rack leaves there.
 TEST(RackInvolute, base_circle_and_thickness) {
   for (const RackMotion& motion : {kSpur, kHelical}) {
     const EdgeLine flank{kPi / 9, 1.57, -2.0, 3.0};

@@ -122,8 +122,8 @@ Result<WrittenFile> write_bodies(FileKind kind, const std::vector<ToothedBody>& 
   return WrittenFile{path, "STEP, AP242", report->max_deviation_mm, fmt::format("{} faces", report->face_count)};
 }
 
-Result<std::vector<WrittenFile>> write_everything(Design& design, const std::string& spec_text,
-                                                  const fs::path& folder, const FileOptions& options) {
+Result<std::vector<WrittenFile>> write_everything(Design& design, const fs::path& folder,
+                                                  const FileOptions& options) {
   // Everything that can be refused is refused before the first file.
   std::vector<std::pair<int, ToothedBody>> bodies;
   for (int which = 1; which <= static_cast<int>(design.gears.size()); ++which) {
@@ -167,7 +167,7 @@ Result<std::vector<WrittenFile>> write_everything(Design& design, const std::str
   report.pair = design.pair ? &*design.pair : nullptr;
   report.warnings = design.warnings;
   report.files = report_files(files);
-  report.spec_text = spec_text;
+  report.spec_text = design.spec.text;
   report.version = kVersion;
   write_file(folder / "report.html", report_html(report));
   files.insert(files.begin(), {folder / "report.html", "report", std::nullopt, "one self-contained page"});

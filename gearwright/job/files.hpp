@@ -53,8 +53,7 @@ Result<WrittenFile> write_bodies(FileKind kind, const std::vector<ToothedBody>& 
 
 /// `run`: everything that applies, into `folder`: result.json, report.html, gear1.*, gear2.*, pair.*
 /// Gears without an outline get a warning in the design instead of files.
-Result<std::vector<WrittenFile>> write_everything(Design& design, const std::string& spec_text,
-                                                  const std::filesystem::path& folder,
+Result<std::vector<WrittenFile>> write_everything(Design& design, const std::filesystem::path& folder,
                                                   const FileOptions& options);
 
 }  // namespace gearwright

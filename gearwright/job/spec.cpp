@@ -240,6 +240,11 @@ JobSpec read_tree(const Json& tree) {
   return spec;
 }
 
+JobSpec with_text(JobSpec spec, std::string_view text) {
+  spec.text = text;
+  return spec;
+}
+
 Error syntax_error(const std::string& what) { return {"", "", "the spec cannot be read: " + what}; }
 
 }  // namespace
@@ -252,9 +257,9 @@ Result<JobSpec> read_spec(std::string_view text, SpecFormat format) {
     if (format == SpecFormat::json) {
       const Json tree = Json::parse(text.begin(), text.end());
       if (!tree.is_object()) return syntax_error("a JSON spec is one object, {\"gear1\": {...}}");
-      return read_tree(tree);
+      return with_text(read_tree(tree), text);
     }
-    return read_tree(to_json(toml::parse(text)));
+    return with_text(read_tree(to_json(toml::parse(text))), text);
   } catch (const SpecError& e) {
     return e.error;
   } catch (const toml::parse_error& e) {

@@ -34,6 +34,7 @@ struct PairInput {
 };
 
 struct JobSpec {
+  std::string text;   ///< the spec as read, for the report
   std::string title;
   std::array<std::optional<GearInput>, 2> gears;
   PairInput pair;

@@ -16,7 +16,9 @@ Pose<Housing, Gear1> some_pose() {
 }
 
 template <class A, class B>
-concept Composes = requires(A a, B b) { a * b; };
+concept Composes = requires(A a, B b) {
+  a* b;
+};
 
 TEST(Pose, frames_must_cancel) {
   static_assert(Composes<Pose<Gear2, Housing>, Pose<Housing, Gear1>>);

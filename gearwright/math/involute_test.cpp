@@ -1,5 +1,5 @@
-// The involute and its inverse against 20 digits (mpmath, 40 digits), and the seams between a series
-// and the plain formula.
+// The involute and its inverse against 20 digits (mpmath, 40 digits), and the seams between a
+// series and the plain formula.
 #include "gearwright/math/involute.hpp"
 
 #include <gtest/gtest.h>
@@ -20,15 +20,14 @@ struct Known {
 
 TEST(Involute, known_values) {
   // tan and the subtraction lose 3ε/α² above the series' end at 0.46: 14 ε there.
-  for (const auto& [alpha, inv] :
-       {Known{0.000017453292519943296, 1.7721923116185322917e-15},
-        {0.0087266462599716479, 2.2153078714144991774e-7},
-        {0.25307274153917778865, 0.0055448428167124932231},
-        {0.34906585039886591538, 0.014904383867336445966},
-        {0.45378560551852569538, 0.033946983047335732773},
-        {0.47123889803846898577, 0.038286551455959824744},
-        {0.78539816339744830962, 0.21460183660255169038},
-        {1.3962634015954636615, 4.2750184180222458695}}) {
+  for (const auto& [alpha, inv] : {Known{0.000017453292519943296, 1.7721923116185322917e-15},
+                                   {0.0087266462599716479, 2.2153078714144991774e-7},
+                                   {0.25307274153917778865, 0.0055448428167124932231},
+                                   {0.34906585039886591538, 0.014904383867336445966},
+                                   {0.45378560551852569538, 0.033946983047335732773},
+                                   {0.47123889803846898577, 0.038286551455959824744},
+                                   {0.78539816339744830962, 0.21460183660255169038},
+                                   {1.3962634015954636615, 4.2750184180222458695}}) {
     // The last line's input is rounded too: relative condition α tan²α/inv α ≤ 11.
     EXPECT_NEAR(involute(alpha), inv, 16 * kEps * inv) << alpha;
     EXPECT_EQ(involute(-alpha), -involute(alpha));

@@ -25,7 +25,8 @@ Root find_root(const std::function<double(double)>& f, double lo, double hi) {
     return {low ? lo : hi, low ? f_lo : f_hi, 2, RootStop::no_bracket};
   }
   const auto closed = [](double a, double b) {
-    return std::abs(b - a) <= 2 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
+    return std::abs(b - a) <=
+           2 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
   };
   std::uintmax_t budget = kBudget;
   const auto [a, b] = boost::math::tools::toms748_solve(f, lo, hi, f_lo, f_hi, closed, budget);
@@ -33,9 +34,9 @@ Root find_root(const std::function<double(double)>& f, double lo, double hi) {
   const double f_b = f(b);
   const bool low = std::abs(f_a) <= std::abs(f_b);
   const double residual = low ? f_a : f_b;
-  const RootStop stop = residual == 0.0   ? RootStop::exact
-                        : closed(a, b)    ? RootStop::bracket
-                                          : RootStop::evaluations;
+  const RootStop stop = residual == 0.0 ? RootStop::exact
+                        : closed(a, b)  ? RootStop::bracket
+                                        : RootStop::evaluations;
   return {low ? a : b, residual, static_cast<int>(budget) + 4, stop};
 }
 

@@ -162,8 +162,8 @@ void find_internal_margins(Pair& p) {
 }
 
 void warn_about_mesh(Pair& p) {
-  const auto warn = [&](const char* code, std::string message) {
-    p.warnings.push_back({code, std::move(message), 0});
+  const auto warn = [&](const std::string& code, std::string message, int gear = 0) {
+    p.warnings.push_back({code, std::move(message), gear});
   };
   // Rounding of a backlash-free distance is not a backlash: 1e-12 of the base pitch.
   const double noise = 1e-12 * p.gears[0].reference.base_pitch_normal;
@@ -184,7 +184,7 @@ void warn_about_mesh(Pair& p) {
                      "least {:.2f} mm is needed.", p.mesh.transverse_contact_ratio_true,
                      (1 - p.mesh.transverse_contact_ratio_true) * p.input.face_width / p.mesh.overlap_ratio));
   }
-  for (const Interference& i : p.interference) warn(i.code.c_str(), i.message);
+  for (const Interference& i : p.interference) warn(i.code, i.message, i.gear);
 }
 
 }  // namespace

@@ -79,14 +79,11 @@ std::string cautions(const ReportInput& input) {
 Severity severity_of(const Warning& warning, const ReportInput& input) {
   const Meaning* meaning = meaning_of(warning.code);
   if (meaning == nullptr) return Severity::caution;
-  if (input.pair && (warning.code == "form_circle" || warning.code == "base_tangent")) {
-    // The warning speaks for the pair; which gear is meant stands in the interference it came from.
-    for (const Interference& i : input.pair->interference) {
-      const bool same = i.code == warning.code && i.message == warning.message;
-      if (same && input.pair->gears[static_cast<std::size_t>(i.gear - 1)].undercut) {
-        return Severity::caution;
-      }
-    }
+  // Past the flank that an undercut has taken nothing strikes: contact is lost there.
+  const bool past_limit = warning.code == "form_circle" || warning.code == "base_tangent";
+  if (past_limit && input.pair && warning.gear > 0 &&
+      input.pair->gears[static_cast<std::size_t>(warning.gear - 1)].undercut) {
+    return Severity::caution;
   }
   return meaning->severity;
 }

@@ -33,22 +33,27 @@ std::optional<Error> check_numbers(const StraightRack& rack, double alpha) {
     return bad("addendum", rack.addendum, fmt::format("must lie between 0 and {}", kMostModules));
   }
   if (!(rack.dedendum > 0.0 && rack.dedendum <= kMostModules)) {
-    return bad("dedendum", rack.dedendum, fmt::format("must be greater than 0 and at most {}", kMostModules));
+    return bad("dedendum", rack.dedendum,
+               fmt::format("must be greater than 0 and at most {}", kMostModules));
   }
   if (!(rack.root_fillet_radius >= 0.0 && rack.root_fillet_radius <= kMostModules)) {
-    return bad("root_fillet_radius", rack.root_fillet_radius, fmt::format("must lie between 0 (a sharp corner) and {}", kMostModules));
+    return bad("root_fillet_radius", rack.root_fillet_radius,
+               fmt::format("must lie between 0 (a sharp corner) and {}", kMostModules));
   }
   if (!(rack.tip_fillet_radius >= 0.0 && rack.tip_fillet_radius <= kMostModules)) {
-    return bad("tip_fillet_radius", rack.tip_fillet_radius, fmt::format("must lie between 0 (none) and {}", kMostModules));
+    return bad("tip_fillet_radius", rack.tip_fillet_radius,
+               fmt::format("must lie between 0 (none) and {}", kMostModules));
   }
   if (!(rack.protuberance >= 0.0 && rack.protuberance <= kMostModules)) {
-    return bad("protuberance", rack.protuberance, fmt::format("must lie between 0 (none) and {}", kMostModules));
+    return bad("protuberance", rack.protuberance,
+               fmt::format("must lie between 0 (none) and {}", kMostModules));
   }
   if (rack.protuberance > 0.0) {
     const double a = rack.protuberance_angle.deg();
     if (!(a > 0.0 && a < alpha_deg)) {
-      return bad("protuberance_angle_deg", a,
-                 fmt::format("must be greater than 0 and less than the pressure angle {}°", alpha_deg));
+      return bad(
+          "protuberance_angle_deg", a,
+          fmt::format("must be greater than 0 and less than the pressure angle {}°", alpha_deg));
     }
   }
   if (rack.tool_addendum && !(std::abs(*rack.tool_addendum) <= kMostModules)) {
@@ -63,7 +68,8 @@ std::optional<Error> check_numbers(const StraightRack& rack, double alpha) {
     }
     if (rack.tip_fillet_radius > 0.0) {
       return bad("semi_topping_angle_deg", a,
-                 "stands beside tip_fillet_radius: a cutter's bottom has a ramp or a rounding, leave one out");
+                 "stands beside tip_fillet_radius: a cutter's bottom has a ramp or a rounding, "
+                 "leave one out");
     }
     if (!rack.tool_addendum) {
       return bad("semi_topping_angle_deg", a,
@@ -73,7 +79,7 @@ std::optional<Error> check_numbers(const StraightRack& rack, double alpha) {
   return std::nullopt;
 }
 
-// Half width of the cutter's space at height x, mm: where the flank stands.                   [T3.1]
+// Half width of the cutter's space at height x, mm: where the flank stands. [T3.1]
 double flank_y(double m, double alpha, double x) {
   return std::numbers::pi * m / 4 - x * std::tan(alpha);
 }
@@ -108,7 +114,8 @@ double full_radius(const StraightRack& rack, Angle normal_pressure_angle) {
   return (std::numbers::pi / 4 * c - rack.dedendum * s + rack.protuberance) / (1 - s);
 }
 
-Result<StraightRackEdge> make_edge(const StraightRack& rack, double m, Angle normal_pressure_angle) {
+Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
+                                   Angle normal_pressure_angle) {
   const double alpha = normal_pressure_angle.rad();
   if (auto error = check_numbers(rack, alpha)) return *error;
   const double s = std::sin(alpha);
@@ -117,9 +124,11 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m, Angle nor
   const double greatest = full_radius(rack, normal_pressure_angle);
   if (!(greatest > 0.0)) {
     const double deepest = (std::numbers::pi / 4 * c + rack.protuberance) / s;
-    return bad("dedendum", rack.dedendum,
-               fmt::format("the cutter's tooth is pointed before it gets that deep; the greatest at "
-                           "α_n = {}° is {}", normal_pressure_angle.deg(), deepest));
+    return bad(
+        "dedendum", rack.dedendum,
+        fmt::format("the cutter's tooth is pointed before it gets that deep; the greatest at "
+                    "α_n = {}° is {}",
+                    normal_pressure_angle.deg(), deepest));
   }
   StraightRackEdge result;
   double rho = rack.root_fillet_radius;
@@ -127,7 +136,8 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m, Angle nor
     if (!rack.named) {
       return bad("root_fillet_radius", rho,
                  fmt::format("does not fit between the flanks of the cutter's tip; the greatest "
-                             "(full radius) is {}", greatest));
+                             "(full radius) is {}",
+                             greatest));
     }
     rho = greatest;
     result.became_full_radius = true;
@@ -139,13 +149,13 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m, Angle nor
   edge.tip_depth = rack.dedendum * m;
   const double pr = rack.protuberance * m;
   const double x_c = -edge.tip_depth + rho;
-  // A full radius has its centre in the middle, to the last bit.                              [T3.3]
-  const double y_c = full ? std::numbers::pi * m / 2
-                          : std::numbers::pi * m / 4 + (rho - pr - x_c * s) / c;
+  // A full radius has its centre in the middle, to the last bit. [T3.3]
+  const double y_c =
+      full ? std::numbers::pi * m / 2 : std::numbers::pi * m / 4 + (rho - pr - x_c * s) / c;
   edge.tip_land_end = y_c;
 
   // A small protuberance is all rounding: the circle, pr proud of the flank at τ = α, cuts it at
-  // ρ cos(α − τ) = ρ − pr before it gets down to α_pr.                                        [T3.4]
+  // ρ cos(α − τ) = ρ − pr before it gets down to α_pr. [T3.4]
   double round_end = alpha;
   bool proud_line = pr > 0.0;
   if (pr > 0.0) {
@@ -156,7 +166,7 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m, Angle nor
   }
   edge.arcs.push_back(circle(ArcName::root_fillet, {{x_c, y_c}, -rho, kHalfPi, round_end}, true));
   if (proud_line) {
-    // The proud line is tangent to the rounding at τ = α_pr and runs up to the flank.         [T3.4]
+    // The proud line is tangent to the rounding at τ = α_pr and runs up to the flank. [T3.4]
     const double a = round_end;
     const double x_begin = x_c - rho * std::sin(a);
     const double y_begin = y_c - rho * std::cos(a);
@@ -164,10 +174,11 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m, Angle nor
     const double x_end = (std::numbers::pi * m / 4 - y_datum) / (std::tan(alpha) - std::tan(a));
     const double meeting = std::numbers::pi * m / 4 / std::tan(alpha);
     if (!(x_end < meeting)) {
-      return bad("protuberance", rack.protuberance,
-                 fmt::format("at protuberance_angle_deg = {} the proud line ends {} modules above the "
-                             "datum line, where no flank is left; a smaller protuberance or angle helps",
-                             rack.protuberance_angle.deg(), x_end / m));
+      return bad(
+          "protuberance", rack.protuberance,
+          fmt::format("at protuberance_angle_deg = {} the proud line ends {} modules above the "
+                      "datum line, where no flank is left; a smaller protuberance or angle helps",
+                      rack.protuberance_angle.deg(), x_end / m));
     }
     edge.arcs.push_back(line(ArcName::root_fillet, {a, y_datum, x_begin, x_end}, true));
     edge.flank_begin_depth = -x_end;
@@ -176,7 +187,7 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m, Angle nor
     if (pr == 0.0) edge.flank_begin_depth = edge.tip_depth - rho * (1 - s);
   }
 
-  // Where the flank ends and what follows it.                                                  [T3.5]
+  // Where the flank ends and what follows it. [T3.5]
   const double rho_1 = rack.tip_fillet_radius * m;
   if (rack.tool_addendum) {
     edge.flank_end_height = *rack.tool_addendum * m;
@@ -186,13 +197,18 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m, Angle nor
     edge.flank_end_height = std::numeric_limits<double>::infinity();
   }
   if (!(edge.flank_end_height > -edge.flank_begin_depth)) {
-    return bad("tool_addendum", edge.flank_end_height / m,
-               fmt::format("the straight flank would end before it starts; it starts {} modules from "
-                           "the datum line", -edge.flank_begin_depth / m));
+    return bad(
+        "tool_addendum", edge.flank_end_height / m,
+        fmt::format("the straight flank would end before it starts; it starts {} modules from "
+                    "the datum line",
+                    -edge.flank_begin_depth / m));
   }
-  edge.arcs.push_back(line(ArcName::flank, {alpha, std::numbers::pi * m / 4, -edge.flank_begin_depth,
-                                            edge.flank_end_height}, !(pr > 0.0)));
-  const double y_end = std::isinf(edge.flank_end_height) ? 0.0 : flank_y(m, alpha, edge.flank_end_height);
+  edge.arcs.push_back(
+      line(ArcName::flank,
+           {alpha, std::numbers::pi * m / 4, -edge.flank_begin_depth, edge.flank_end_height},
+           !(pr > 0.0)));
+  const double y_end =
+      std::isinf(edge.flank_end_height) ? 0.0 : flank_y(m, alpha, edge.flank_end_height);
   if (y_end < 0.0) {
     return bad("tool_addendum", edge.flank_end_height / m,
                fmt::format("the two flanks of the cutter's space meet below; the greatest is {}",
@@ -202,19 +218,22 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m, Angle nor
     const Vec2 center(edge.flank_end_height - rho_1 * s, y_end - rho_1 * c);
     if (center.y() < 0.0) {
       // With the flank's end given its half width decides; without, the end rises with ρ_1*.
-      const double greatest_1 = rack.tool_addendum
-                                    ? y_end / (m * c)
-                                    : (std::numbers::pi / 4 - rack.addendum * s / c) / (c - (1 - s) * s / c);
+      const double greatest_1 =
+          rack.tool_addendum
+              ? y_end / (m * c)
+              : (std::numbers::pi / 4 - rack.addendum * s / c) / (c - (1 - s) * s / c);
       return bad("tip_fillet_radius", rack.tip_fillet_radius,
-                 fmt::format("does not fit into the cutter's bottom; the greatest there is {}", greatest_1));
+                 fmt::format("does not fit into the cutter's bottom; the greatest there is {}",
+                             greatest_1));
     }
     edge.arcs.push_back(circle(ArcName::tip_fillet, {center, rho_1, alpha, kHalfPi}, true));
     edge.bottom_height = edge.flank_end_height + rho_1 * (1 - s);
   } else if (rack.semi_topping_angle) {
     const double a = rack.semi_topping_angle->rad();
     const double y_datum = y_end + edge.flank_end_height * std::tan(a);
-    edge.arcs.push_back(line(ArcName::tip_fillet, {a, y_datum, edge.flank_end_height,
-                                                   std::numeric_limits<double>::infinity()}, false));
+    edge.arcs.push_back(
+        line(ArcName::tip_fillet,
+             {a, y_datum, edge.flank_end_height, std::numeric_limits<double>::infinity()}, false));
   } else if (rack.tool_addendum) {
     edge.bottom_height = edge.flank_end_height;
   }

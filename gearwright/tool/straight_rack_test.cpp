@@ -54,8 +54,15 @@ std::vector<StraightRack> racks() {
   land.tool_addendum = 0.9;
   StraightRack full = proud;
   full.root_fillet_radius = full_radius(full, 20_deg);
-  return {*iso53_rack("ISO53-A"), *iso53_rack("ISO53-D"), sharp, round, chamfer, proud, slightly_proud,
-          land, full};
+  return {*iso53_rack("ISO53-A"),
+          *iso53_rack("ISO53-D"),
+          sharp,
+          round,
+          chamfer,
+          proud,
+          slightly_proud,
+          land,
+          full};
 }
 
 TEST(StraightRack, edges_obey_the_laws_of_an_edge) {
@@ -73,11 +80,11 @@ TEST(StraightRack, edges_obey_the_laws_of_an_edge) {
         EXPECT_NEAR(begin.x, last.x, 1e-14 * m);  // (1)
         EXPECT_NEAR(begin.y, last.y, 1e-14 * m);
         EXPECT_EQ(arc.smooth_start, std::abs(begin.tau - last.tau) < 1e-12);
-        EXPECT_GT(end.tau, 0.0);                  // (2)
+        EXPECT_GT(end.tau, 0.0);  // (2)
         EXPECT_LE(end.tau, kPi / 2);
-        EXPECT_GE(end.x, begin.x);                // (3)
+        EXPECT_GE(end.x, begin.x);  // (3)
         if (std::isfinite(end.x)) {
-          EXPECT_GE(end.y, -1e-15 * m);           // (4)
+          EXPECT_GE(end.y, -1e-15 * m);  // (4)
           EXPECT_LE(end.y, begin.y);
         }
         last = end;
@@ -103,8 +110,8 @@ TEST(StraightRack, flank_starts_where_iso_says) {
   EXPECT_FALSE(iso53_rack("iso53-a"));
 }
 
-// The rounding is full when its centre is in the middle of the cutter's tooth: then h_f, α and ρ obey
-// the known formula, and one that is a trifle smaller leaves a tip land.
+// The rounding is full when its centre is in the middle of the cutter's tooth: then h_f, α and ρ
+// obey the known formula, and one that is a trifle smaller leaves a tip land.
 TEST(StraightRack, full_radius) {
   StraightRack rack;
   const double full = full_radius(rack, 20_deg);
@@ -180,7 +187,8 @@ TEST(StraightRack, what_is_impossible_is_named) {
               r.protuberance_angle = 19.5_deg;
             }),
             "rack.protuberance");
-  EXPECT_EQ(key([](StraightRack& r) { r.semi_topping_angle = 45_deg; }), "rack.semi_topping_angle_deg");
+  EXPECT_EQ(key([](StraightRack& r) { r.semi_topping_angle = 45_deg; }),
+            "rack.semi_topping_angle_deg");
   EXPECT_EQ(key([](StraightRack& r) {
               r.semi_topping_angle = 15_deg;
               r.tool_addendum = 0.7;

@@ -1,0 +1,48 @@
+// Times of one gear: from the spec to the outline, and the outline's points.
+#include <benchmark/benchmark.h>
+
+#include "gearwright/gear/gear.hpp"
+
+namespace {
+
+using namespace gearwright;
+
+CylindricalSpec spec(int teeth) {
+  CylindricalSpec s;
+  s.teeth = teeth;
+  s.normal_module = 2.0;
+  s.helix_angle = Angle::degrees(15);
+  s.face_width = 20.0;
+  s.rack = *iso53_rack("ISO53-A");
+  return s;
+}
+
+// 9 teeth are undercut (a crossing to solve), 25 are not.
+void make_gear_only(benchmark::State& state) {
+  const CylindricalSpec s = spec(static_cast<int>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(make_gear(s));
+}
+BENCHMARK(make_gear_only)->Arg(9)->Arg(25)->Unit(benchmark::kMicrosecond);
+
+void make_gear_and_200_points_per_arc(benchmark::State& state) {
+  const CylindricalSpec s = spec(static_cast<int>(state.range(0)));
+  for (auto _ : state) {
+    const auto gear = make_gear(s);
+    for (const Arc& arc : gear->tooth->outline.arcs) benchmark::DoNotOptimize(sample(arc, 200));
+  }
+}
+BENCHMARK(make_gear_and_200_points_per_arc)->Arg(9)->Arg(25)->Unit(benchmark::kMicrosecond);
+
+// θ(ρ) of the fillet has no closed form: one bracketed solve a call.
+void fillet_half_angle_at_a_radius(benchmark::State& state) {
+  const auto gear = make_gear(spec(25));
+  const Arc& arc = *gear->tooth->outline.find(ArcName::root_fillet);
+  const double rho = 0.5 * (arc.begin_point.norm() + arc.end_point.norm());
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(
+        arc.curve->polar_angle(arc.curve->parameter_at_radius(rho, arc.begin, arc.end)));
+  }
+}
+BENCHMARK(fillet_half_angle_at_a_radius)->Unit(benchmark::kNanosecond);
+
+}  // namespace
