@@ -32,31 +32,53 @@ void rename_into_place(const fs::path& from, const fs::path& to) {
   }
 }
 
+// Where the bytes go in the end: a link leads to its target, which keeps its place and its link.
+struct Target {
+  fs::path path;
+  bool straight;  // a device or a pipe: there is nothing to rename over, bytes go in as they come
+};
+
+Target target_of(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);  // of what a link leads to
+  if (fs::is_directory(status)) fail(path, EISDIR);
+  if (fs::exists(status) && !fs::is_regular_file(status)) return {path, true};
+  return {fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path, false};
+}
+
+// Writes all of `content` and gives 0 or the system's error number.
+int write_all(int file, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t written = ::write(file, content.data(), content.size());
+    if (written >= 0) {
+      content.remove_prefix(static_cast<std::size_t>(written));
+    } else if (errno != EINTR) {
+      return errno;
+    }
+  }
+  return 0;
+}
+
 }  // namespace
 
 void write_file(const fs::path& path, std::string_view content) {
-  const fs::path part = beside(path);
+  const Target target = target_of(path);
+  const fs::path part = target.straight ? target.path : beside(target.path);
   const int file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (file < 0) fail(path, errno);
-  int error = 0;
-  while (!content.empty() && error == 0) {
-    const ssize_t written = ::write(file, content.data(), content.size());
-    if (written < 0) {
-      if (errno != EINTR) error = errno;
-    } else {
-      content.remove_prefix(static_cast<std::size_t>(written));
-    }
-  }
+  int error = write_all(file, content);
   if (::close(file) != 0 && error == 0) error = errno;
   if (error != 0) {
-    ::unlink(part.c_str());
+    if (!target.straight) ::unlink(part.c_str());
     fail(path, error);
   }
-  rename_into_place(part, path);
+  if (!target.straight) rename_into_place(part, target.path);
 }
 
 void write_file_by(const fs::path& path, const std::function<void(const fs::path&)>& write) {
-  const fs::path part = beside(path);
+  const Target target = target_of(path);
+  if (target.straight) throw IoError("cannot write " + path.string() + ": it is a device or a pipe");
+  const fs::path part = beside(target.path);
   try {
     write(part);
   } catch (...) {
@@ -65,7 +87,7 @@ void write_file_by(const fs::path& path, const std::function<void(const fs::path
     throw;
   }
   if (!fs::exists(part)) throw IoError("cannot write " + path.string() + ": nothing was written");
-  rename_into_place(part, path);
+  rename_into_place(part, target.path);
 }
 
 }  // namespace gearwright

@@ -2,6 +2,8 @@
 #include "gearwright/base/output_file.hpp"
 
 #include <gtest/gtest.h>
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -81,6 +83,33 @@ TEST_F(OutputFile, FailureAtTheRenameLeavesNothing) {
                IoError);
   EXPECT_EQ(names(), std::vector<std::string>{"a.stl"});
   EXPECT_TRUE(fs::is_directory(path));
+}
+
+TEST_F(OutputFile, DevicesAndPipesAreWrittenNotReplaced) {
+  const fs::path pipe = folder_ / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  ASSERT_GE(reader, 0);
+  write_file(pipe, "solid");
+  char text[6] = {};
+  EXPECT_EQ(::read(reader, text, 5), 5);
+  ::close(reader);
+  EXPECT_STREQ(text, "solid");
+  EXPECT_TRUE(fs::is_fifo(pipe));
+  EXPECT_THROW(write_file_by(pipe, [](const fs::path&) {}), IoError);
+  EXPECT_EQ(names(), std::vector<std::string>{"pipe"});
+}
+
+TEST_F(OutputFile, ALinkKeepsLeadingToTheFile) {
+  write_file(folder_ / "real.stl", "old");
+  fs::create_symlink("real.stl", folder_ / "link.stl");
+  write_file(folder_ / "link.stl", "new");
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link.stl"));
+  EXPECT_EQ(content(folder_ / "real.stl"), "new");
+}
+
+TEST_F(OutputFile, AFolderIsRefused) {
+  EXPECT_NE(message_of([&] { write_file(folder_, "solid"); }).find("directory"), std::string::npos);
 }
 
 // Root may write everywhere, so the writing is done by a child that is nobody.

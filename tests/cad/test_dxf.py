@@ -65,6 +65,10 @@ def edges_of(entity):
         return edges
     if kind == "CIRCLE":
         return [Edge(arc_points(entity.dxf.center, entity.dxf.radius, 0.0, 2 * math.pi, 64))]
+    if kind == "ARC":
+        begin, end = math.radians(entity.dxf.start_angle), math.radians(entity.dxf.end_angle)
+        end += 2 * math.pi if end <= begin else 0.0
+        return [Edge(arc_points(entity.dxf.center, entity.dxf.radius, begin, end))]
     if kind == "SPLINE":
         return [Edge([(p.x, p.y) for p in entity.construction_tool().approximate(16)])]
     if kind == "LINE":
