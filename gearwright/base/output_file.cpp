@@ -19,7 +19,8 @@ namespace {
 
 fs::path beside(const fs::path& path) {
   // Same folder, so that the rename stays on one file system; the process id keeps two runs apart.
-  return path.parent_path() / ("." + path.filename().string() + "." + std::to_string(::getpid()) + ".part");
+  return path.parent_path() /
+         ("." + path.filename().string() + "." + std::to_string(::getpid()) + ".part");
 }
 
 void rename_into_place(const fs::path& from, const fs::path& to) {
@@ -77,7 +78,8 @@ void write_file(const fs::path& path, std::string_view content) {
 
 void write_file_by(const fs::path& path, const std::function<void(const fs::path&)>& write) {
   const Target target = target_of(path);
-  if (target.straight) throw IoError("cannot write " + path.string() + ": it is a device or a pipe");
+  if (target.straight)
+    throw IoError("cannot write " + path.string() + ": it is a device or a pipe");
   const fs::path part = beside(target.path);
   try {
     write(part);

@@ -1,8 +1,8 @@
 // Output files appear whole or not at all: after a failure the folder is as it was before.
 #include "gearwright/base/output_file.hpp"
 
-#include <gtest/gtest.h>
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>

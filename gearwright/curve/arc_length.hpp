@@ -8,8 +8,8 @@
 // ch. 19, 21).
 //
 // Why by length: the trochoid of a rounded cutter tip runs by the angle of a rack normal, which
-// crowds its speed towards one end; a quintic with uniform knots to 1e-6 mm takes 25 poles there, by
-// length 13 (20 teeth, module 2). A curve with a cusp at its end is the other way round.
+// crowds its speed towards one end; a quintic with uniform knots to 1e-6 mm takes 25 poles there,
+// by length 13 (20 teeth, module 2). A curve with a cusp at its end is the other way round.
 //
 //   Laws  (1) parameter(0) = t0 and parameter(L) = t1, bit for bit
 //         (2) parameter(length_to(t)) = t up to rounding divided by the speed

@@ -1,15 +1,15 @@
 // The two curves every gear has: circles about its axis and involutes of its base circle.
 //
-//   r     radius, mm              W(t)   point as a complex number, mm      theory: docs/theory/01-frames.md
-//   r_b   base radius, mm         ξ      roll angle, rad: the distance rolled on the base circle is r_b ξ
-//   ψ_b   half angle of the tooth on the base circle, rad
+//   r     radius, mm              W(t)   point as a complex number, mm      theory:
+//   docs/theory/01-frames.md r_b   base radius, mm         ξ      roll angle, rad: the distance
+//   rolled on the base circle is r_b ξ ψ_b   half angle of the tooth on the base circle, rad
 #pragma once
 
 #include "gearwright/curve/curve.hpp"
 
 namespace gearwright {
 
-/// Circle about the gear axis by its polar angle,  W(θ) = r e^{iθ}.                            [T1.3]
+/// Circle about the gear axis by its polar angle,  W(θ) = r e^{iθ}. [T1.3]
 class AxisCircle final : public Curve {
  public:
   explicit AxisCircle(double radius) : radius_(radius) {}
@@ -22,7 +22,8 @@ class AxisCircle final : public Curve {
   double radius_;
 };
 
-/// The flank on the side y > 0 of a tooth about the x axis,  W(ξ) = r_b (1 + iξ) e^{i(ψ_b − ξ)}.    [T2.4]
+/// The flank on the side y > 0 of a tooth about the x axis,  W(ξ) = r_b (1 + iξ) e^{i(ψ_b − ξ)}.
+/// [T2.4]
 ///
 /// Laws  (1) |W| = r_b √(1 + ξ²)   (2) arg W = ψ_b − (ξ − atan ξ)   (3) curvature radius r_b ξ
 /// Domain  any ξ; ξ < 0 is the branch behind the cusp, never a part of a tooth

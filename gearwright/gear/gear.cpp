@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -23,6 +24,7 @@ constexpr double kLeastPressure = 1.0;   // degrees
 constexpr double kGreatestPressure = 60.0;
 constexpr double kGreatestShift = 100.0;     // modules
 constexpr double kGreatestAllowance = 10.0;  // modules
+constexpr double kLeastFace = 1e-3;          // modules
 constexpr double kGreatestFace = 1e5;        // modules
 constexpr double kGreatestTip = 1e3;         // times the reference diameter
 
@@ -62,9 +64,9 @@ std::optional<Error> check(const CylindricalSpec& spec) {
     return bad("thickness_allowance_mm", spec.thickness_allowance,
                fmt::format("must lie between -{} and {} mm (10 modules)", allowance, allowance));
   }
-  if (!(spec.face_width > 0.0 && spec.face_width <= kGreatestFace * m)) {
+  if (!within(spec.face_width, kLeastFace * m, kGreatestFace * m)) {
     return bad("face_width_mm", spec.face_width,
-               fmt::format("must be greater than 0 and at most {} mm", kGreatestFace * m));
+               fmt::format("must lie between {} and {} mm", kLeastFace * m, kGreatestFace * m));
   }
   const double d = m / std::cos(spec.helix_angle.rad()) * std::abs(spec.teeth);
   if (spec.tip_diameter && !(*spec.tip_diameter > 0.0 && *spec.tip_diameter <= kGreatestTip * d)) {
@@ -76,6 +78,46 @@ std::optional<Error> check(const CylindricalSpec& spec) {
 
 void warn(Gear& gear, const char* code, std::string message) {
   gear.warnings.push_back({code, std::move(message), 0});
+}
+
+// The shift that a drawing would need for x_E to reach the limit: the allowance is on top.
+double shift_for(const Gear& gear, double x_E) {
+  return x_E - (gear.reference.generating_profile_shift - gear.spec.profile_shift);
+}
+
+void warn_about_tip(Gear& gear) {
+  const auto& s_an = gear.tip_tooth_thickness_normal;
+  if (gear.pointed()) {
+    const double end = gear.tooth ? 2 * gear.tooth->tip_radius : *gear.pointed_diameter;
+    warn(gear, "pointed",
+         fmt::format(
+             "Pointed: the tooth ends at {:.4f} mm diameter, before the tip diameter {:.4f} mm.",
+             end, gear.tip_diameter));
+  } else if (s_an && *s_an < 0.2 * gear.spec.normal_module) {
+    warn(gear, "thin_tip",
+         fmt::format("Thin tip: {:.4f} mm, less than 0.2 modules ({:.4f} mm).", *s_an,
+                     0.2 * gear.spec.normal_module));
+  }
+}
+
+// What the numbers of a rack say of a ring: nothing beyond addendum and dedendum.
+void warn_about_ring(Gear& gear) {
+  const StraightRack& rack = gear.spec.rack;
+  if (rack.tip_fillet_radius > 0.0 || rack.tool_addendum || rack.semi_topping_angle ||
+      rack.protuberance > 0.0) {
+    warn(gear, "rack_not_used",
+         "A ring is not cut by a rack: tip_fillet_radius, tool_addendum, semi_topping_angle_deg "
+         "and protuberance "
+         "have no effect on it.");
+  }
+  if (gear.tip_diameter < gear.reference.base_diameter) {
+    warn(gear, "tip_below_base",
+         fmt::format(
+             "The ring's tip {:.4f} mm lies inside its base circle {:.4f} mm: the flank has no "
+             "involute there.",
+             gear.tip_diameter, gear.reference.base_diameter));
+  }
+  warn_about_tip(gear);
 }
 
 void warn_about_tooth(Gear& gear) {
@@ -90,9 +132,11 @@ void warn_about_tooth(Gear& gear) {
   }
   if (tooth.severed) {
     warn(gear, "severed",
-         "The root fillets of both sides meet: the tooth is cut off. More profile shift helps; the "
-         "undercut-free shift is " +
-             fmt::format("{:.4f}.", gear.undercut_free_profile_shift));
+         fmt::format("The root fillets of both sides meet: the tooth is cut off. {}",
+                     gear.undercut
+                         ? fmt::format("More profile shift helps; without undercut it is {:.4f}.",
+                                       shift_for(gear, gear.undercut_free_profile_shift))
+                         : std::string("Less profile shift or a thicker tooth would help.")));
     return;
   }
   if (gear.undercut) {
@@ -101,21 +145,12 @@ void warn_about_tooth(Gear& gear) {
                      "avoids it.",
                      tooth.form_radius ? fmt::format("{:.4f} mm diameter", 2 * *tooth.form_radius)
                                        : std::string("no diameter"),
-                     gear.undercut_free_profile_shift));
+                     shift_for(gear, gear.undercut_free_profile_shift)));
   }
   if (!tooth.form_radius) {
     warn(gear, "no_flank", "No usable involute flank is left between root fillet and tip.");
   }
-  if (tooth.pointed) {
-    warn(gear, "pointed",
-         fmt::format("Pointed: the tooth ends at {:.4f} mm diameter, before the blank's {:.4f} mm.",
-                     2 * tooth.tip_radius, gear.tip_diameter));
-  } else if (gear.tip_tooth_thickness_normal &&
-             *gear.tip_tooth_thickness_normal < 0.2 * gear.spec.normal_module) {
-    warn(gear, "thin_tip",
-         fmt::format("Thin tip: {:.4f} mm, less than 0.2 modules ({:.4f} mm).",
-                     *gear.tip_tooth_thickness_normal, 0.2 * gear.spec.normal_module));
-  }
+  warn_about_tip(gear);
   if (tooth.tip_cut_by_rack) {
     warn(gear, "tip_cut_by_rack",
          fmt::format(
@@ -152,9 +187,14 @@ std::optional<double> Gear::root_form_radius() const {
   return tooth ? tooth->form_radius : std::nullopt;
 }
 
+bool Gear::pointed() const {
+  if (tooth) return tooth->pointed;
+  return pointed_diameter && *pointed_diameter > tip_diameter;
+}
+
 double Gear::tip_form_radius() const {
   if (tooth && tooth->tip_form_radius) return *tooth->tip_form_radius;
-  return tip_diameter / 2;
+  return internal() ? std::max(tip_diameter / 2, base_radius()) : tip_diameter / 2;
 }
 
 double Gear::actual_tip_radius() const {
@@ -188,7 +228,7 @@ Result<Gear> make_gear(const CylindricalSpec& spec) {
                                                                       sin_alpha_t * sin_alpha_t /
                                                                       (2 * std::cos(beta));
   const double psi_b = gear.reference.base_tooth_thickness / gear.reference.base_diameter;
-  // A ring's flanks meet beyond its root, at inv α = −ψ_b.
+  // A ring's tooth thins inward: its flanks meet at inv α = −ψ_b, if they do.
   const double y = sign * psi_b;
   if (y >= 0.0)
     gear.pointed_diameter = gear.reference.base_diameter / std::cos(inverse_involute(y));
@@ -208,13 +248,7 @@ Result<Gear> make_gear(const CylindricalSpec& spec) {
     }
     gear.undercut = false;
     gear.tip_tooth_thickness_normal = tip_thickness(gear);
-    if (gear.tip_diameter < gear.reference.base_diameter) {
-      warn(gear, "tip_below_base",
-           fmt::format(
-               "The ring's tip {:.4f} mm lies inside its base circle {:.4f} mm: the flank has no "
-               "involute there.",
-               gear.tip_diameter, gear.reference.base_diameter));
-    }
+    warn_about_ring(gear);
     return gear;
   }
   gear.undercut = x_E < gear.undercut_free_profile_shift;

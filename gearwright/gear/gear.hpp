@@ -16,14 +16,14 @@
 namespace gearwright {
 
 struct CylindricalSpec {
-  int teeth = 0;                                      ///< z     negative for a ring
-  double normal_module = 0.0;                         ///< m_n   mm
-  Angle normal_pressure_angle = Angle::degrees(20);   ///< α_n
-  Angle helix_angle = Angle::degrees(0);              ///< β     > 0 right hand
-  double profile_shift = 0.0;                         ///< x
-  double thickness_allowance = 0.0;                   ///< E_sn  mm, < 0 thins the tooth
-  double face_width = 0.0;                            ///< b     mm
-  std::optional<double> tip_diameter;                 ///< d_a   mm; else from the rack
+  int teeth = 0;                                     ///< z     negative for a ring
+  double normal_module = 0.0;                        ///< m_n   mm
+  Angle normal_pressure_angle = Angle::degrees(20);  ///< α_n
+  Angle helix_angle = Angle::degrees(0);             ///< β     > 0 right hand
+  double profile_shift = 0.0;                        ///< x
+  double thickness_allowance = 0.0;                  ///< E_sn  mm, < 0 thins the tooth
+  double face_width = 0.0;                           ///< b     mm
+  std::optional<double> tip_diameter;                ///< d_a   mm; else from the rack
   StraightRack rack;
 };
 
@@ -37,14 +37,14 @@ struct Warning {
 struct Gear {
   CylindricalSpec spec;
   ReferenceGeometry<double> reference;
-  double tip_diameter;       ///< d_a   mm, of the blank
-  double root_diameter;      ///< d_f   mm, negative when the rack passes the axis
-  double lead;               ///< p_z   mm, signed; 0 for a spur gear (no lead exists)
-  double undercut_free_profile_shift;        ///< least x_E without undercut, signed
-  bool undercut;                             ///< x_E below that
-  std::optional<double> pointed_diameter;    ///< where the two flanks meet, mm
+  double tip_diameter;                     ///< d_a   mm, of the blank
+  double root_diameter;                    ///< d_f   mm, negative when the rack passes the axis
+  double lead;                             ///< p_z   mm, signed; 0 for a spur gear (no lead exists)
+  double undercut_free_profile_shift;      ///< least x_E without undercut, signed
+  bool undercut;                           ///< x_E below that
+  std::optional<double> pointed_diameter;  ///< where the two flanks meet, mm
   std::optional<double> tip_tooth_thickness_normal;  ///< s_an  mm, of the finished tooth
-  std::optional<GeneratedTooth> tooth;       ///< none for a ring: its outline comes from a pinion cutter
+  std::optional<GeneratedTooth> tooth;  ///< none for a ring: its outline comes from a pinion cutter
   std::vector<Warning> warnings;
 
   bool internal() const { return spec.teeth < 0; }
@@ -52,7 +52,9 @@ struct Gear {
   double base_radius() const { return reference.base_diameter / 2; }
   /// d_Ff/2, where the usable flank starts; none for a ring or when no flank is left.
   std::optional<double> root_form_radius() const;
-  /// d_Fa/2, where it ends; a ring's is its tip.
+  /// Two flanks meet before the tip: a pointed tooth, or a ring's that thins to nothing inward.
+  bool pointed() const;
+  /// d_Fa/2, where it ends; a ring's is its tip, or its base circle where the tip lies inside that.
   double tip_form_radius() const;
   /// The radius at which the finished tooth ends: blank, cutter's bottom, or its point.
   double actual_tip_radius() const;

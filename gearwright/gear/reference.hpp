@@ -3,7 +3,8 @@
 //   z    teeth, negative for a ring          m_n, m_t   normal and transverse module, mm
 //   α_n, α_t  pressure angles, rad           β, β_b     helix angles, rad, > 0 right hand
 //   d, d_b    reference and base diameter    s_n, s_t, s_bt   tooth thicknesses, mm
-//   x    profile shift, x_E with the thickness allowance E_sn               theory: docs/theory/02-involute-and-pair.md
+//   x    profile shift, x_E with the thickness allowance E_sn               theory:
+//   docs/theory/02-involute-and-pair.md
 //
 // Templates over the scalar: double in production, 50 digits in the accuracy ledger.
 #pragma once
@@ -27,17 +28,17 @@ struct ReferenceInput {
 
 template <class T>
 struct ReferenceGeometry {
-  T transverse_module;           ///< m_t   mm
-  T transverse_pressure_angle;   ///< α_t   rad
-  T base_helix_angle;            ///< β_b   rad, signed
-  T reference_diameter;          ///< d     mm
-  T base_diameter;               ///< d_b   mm
-  T generating_profile_shift;    ///< x_E
+  T transverse_module;                     ///< m_t   mm
+  T transverse_pressure_angle;             ///< α_t   rad
+  T base_helix_angle;                      ///< β_b   rad, signed
+  T reference_diameter;                    ///< d     mm
+  T base_diameter;                         ///< d_b   mm
+  T generating_profile_shift;              ///< x_E
   T reference_tooth_thickness_normal;      ///< s_n   mm, with the allowance
   T reference_tooth_thickness_transverse;  ///< s_t   mm
-  T base_tooth_thickness;        ///< s_bt  mm, transverse; a ring's is extrapolated, may be negative
-  T base_pitch_normal;           ///< p_bn  mm
-  T base_pitch_transverse;       ///< p_bt  mm
+  T base_tooth_thickness;   ///< s_bt  mm, transverse; a ring's is extrapolated, may be negative
+  T base_pitch_normal;      ///< p_bn  mm
+  T base_pitch_transverse;  ///< p_bt  mm
 };
 
 /// Formula   ISO 21771-1, clauses 5 and 6; [T2.5]…[T2.10]
@@ -68,7 +69,8 @@ ReferenceGeometry<T> reference_geometry(const ReferenceInput<T>& in) {
   g.generating_profile_shift =
       in.profile_shift + in.thickness_allowance / (T(2) * in.normal_module * tan_alpha_n);
   g.reference_tooth_thickness_normal =
-      in.normal_module * (pi / T(2) + T(2) * in.profile_shift * tan_alpha_n) + in.thickness_allowance;
+      in.normal_module * (pi / T(2) + T(2) * in.profile_shift * tan_alpha_n) +
+      in.thickness_allowance;
   g.reference_tooth_thickness_transverse = g.reference_tooth_thickness_normal / cos_beta;
   const T half_sum = g.reference_tooth_thickness_transverse / g.reference_diameter;
   const T inv_alpha_t = involute(g.transverse_pressure_angle);
@@ -79,7 +81,8 @@ ReferenceGeometry<T> reference_geometry(const ReferenceInput<T>& in) {
   return g;
 }
 
-/// Transverse tooth thickness (arc) at the diameter d_y, mm; negative beyond the point of the tooth.
+/// Transverse tooth thickness (arc) at the diameter d_y, mm; negative beyond the point of the
+/// tooth.
 ///
 /// Formula   s_yt = d_y (s_bt/d_b ∓ inv α_y), minus external; [T2.11]
 /// Domain    d_y ≥ d_b (contract)
@@ -94,7 +97,7 @@ T tooth_thickness_transverse(int teeth, const T& base_diameter, const T& base_to
   return d_y * (teeth > 0 ? T(half - inv) : T(half + inv));
 }
 
-/// cos β_y on the cylinder d_y:  tan β_y = d_y tan β_b / d_b.                                  [T2.12]
+/// cos β_y on the cylinder d_y:  tan β_y = d_y tan β_b / d_b. [T2.12]
 template <class T>
 T cos_helix_at(const T& base_diameter, const T& base_helix_angle, const T& d_y) {
   using std::sqrt;

@@ -1,10 +1,11 @@
-// From a cutter's edge to the finished half tooth: envelope every arc, keep what no other arc has cut
-// away, end it at the root circle and at the tip.
+// From a cutter's edge to the finished half tooth: envelope every arc, keep what no other arc has
+// cut away, end it at the root circle and at the tip.
 //
 // Each arc of the edge gives branches along which the radius grows (a cusp ends a branch; what runs
 // backward lies inside the cut). The tooth is what the branches leave standing, |θ| < min θ(ρ). Two
 // neighbours that do not join smoothly meet in a true intersection, found in closed bracket.
-//                                                theory: docs/theory/03-rack-and-generation.md, [T3.11]…[T3.13]
+//                                                theory: docs/theory/03-rack-and-generation.md,
+//                                                [T3.11]…[T3.13]
 #pragma once
 
 #include <optional>
@@ -16,19 +17,19 @@
 
 namespace gearwright {
 
-/// A half tooth as it was cut, and what happened on the way. A tooth that cannot exist has flags and
-/// no arcs.
+/// A half tooth as it was cut, and what happened on the way. A tooth that cannot exist has flags
+/// and no arcs.
 struct GeneratedTooth {
-  Outline outline;            ///< empty when `through_axis` or `severed`
-  double root_radius;         ///< mm, signed: negative when the cutter passes the axis
-  double tip_radius;          ///< mm, where the tooth really ends: blank, cutter's bottom or point
-  std::optional<double> form_radius;      ///< mm, where the flank starts; none when no flank is left
+  Outline outline;     ///< empty when `through_axis` or `severed`
+  double root_radius;  ///< mm, signed: negative when the cutter passes the axis
+  double tip_radius;   ///< mm, where the tooth really ends: blank, cutter's bottom or point
+  std::optional<double> form_radius;  ///< mm, where the flank starts; none when no flank is left
   std::optional<double> tip_form_radius;  ///< mm, where it ends
   std::optional<double> neck_half_angle;  ///< rad, smallest half angle of the root fillet, signed
   std::optional<double> neck_radius;      ///< mm, where that is
-  bool through_axis = false;     ///< the root circle would have no or a negative radius
-  bool severed = false;          ///< the root fillets of both sides meet: the tooth falls off
-  bool pointed = false;          ///< the sides meet before the blank or the cutter's bottom ends them
+  bool through_axis = false;              ///< the root circle would have no or a negative radius
+  bool severed = false;  ///< the root fillets of both sides meet: the tooth falls off
+  bool pointed = false;  ///< the sides meet before the blank or the cutter's bottom ends them
   bool tip_cut_by_rack = false;  ///< the cutter's bottom land, not the blank, ends the tooth
 };
 

@@ -46,7 +46,7 @@ CurvePoint RackTrochoid::at(double tau) const {
   const double phi = ((circle_.center.y() + q * c) / cb - k) / r;
   const double tau_t = std::atan2(s, cb * c);
   const double square = s * s + cb * cb * c * c;
-  // dW/dτ = v e^{i(φ − τ_t)},  v = F √(s² + cos²β c²)/(s³ r cos β).                           [T3.9]
+  // dW/dτ = v e^{i(φ − τ_t)},  v = F √(s² + cos²β c²)/(s³ r cos β). [T3.9]
   const double f = evaluate_polynomial(cusp_polynomial(), s);
   const double v = f * std::sqrt(square) / (s * s * s * r * cb);
   const double phi_1 = (-q * s / cb - (q * c * c * cb / s - x * cb / (s * s))) / r;
@@ -71,7 +71,8 @@ std::vector<double> RackTrochoid::neck_angles(double tau_lo, double tau_hi) cons
   const double x_c = circle_.center.x();
   const double c[] = {x_c * cos2, q * cos2, motion_.pitch_radius + x_c * sin2, q * sin2};
   std::vector<double> angles;
-  for (double s : polynomial_roots(c, std::sin(tau_lo), std::sin(tau_hi))) angles.push_back(std::asin(s));
+  for (double s : polynomial_roots(c, std::sin(tau_lo), std::sin(tau_hi)))
+    angles.push_back(std::asin(s));
   return angles;
 }
 
@@ -87,7 +88,8 @@ Involute rack_involute(const RackMotion& motion, const EdgeLine& line) {
   const double alpha_t = transverse(motion, line.tau);
   // The line's half width on the pitch circle, then down to the base circle.
   const double y_pitch = (line.y_datum + motion.shift * std::tan(line.tau)) / motion.cos_beta;
-  return {motion.pitch_radius * std::cos(alpha_t), y_pitch / motion.pitch_radius + involute(alpha_t)};
+  return {motion.pitch_radius * std::cos(alpha_t),
+          y_pitch / motion.pitch_radius + involute(alpha_t)};
 }
 
 double rack_involute_roll(const RackMotion& motion, const EdgeLine& line, double x) {

@@ -1,10 +1,11 @@
 // The envelope of a rack cutter's edge in the transverse section of the gear it cuts.
 //
-//   r    pitch radius, mm        β    helix angle        e    height of the datum line over the pitch circle, mm
-//   (x, y, τ)  a point of the cutter's edge with its normal angle (tool/cutter_edge.hpp); x here includes e
+//   r    pitch radius, mm        β    helix angle        e    height of the datum line over the
+//   pitch circle, mm (x, y, τ)  a point of the cutter's edge with its normal angle
+//   (tool/cutter_edge.hpp); x here includes e
 //
-// The point is cut when its normal passes through the pitch point. With k = x cot τ cos β the gear has
-// then turned by φ = (y/cos β − k)/r and the point of the gear is                                    [T3.7]
+// The point is cut when its normal passes through the pitch point. With k = x cot τ cos β the gear
+// has then turned by φ = (y/cos β − k)/r and the point of the gear is [T3.7]
 //
 //   W = (r + x + ik) e^{iφ},   tangent e^{i(φ − τ_t)},   tan τ_t = tan τ / cos β
 //
@@ -25,7 +26,8 @@ struct RackMotion {
   double shift;         ///< e = x_E m_n  mm
 };
 
-/// What a circular piece of the edge cuts; the parameter is the normal angle τ of the normal section.
+/// What a circular piece of the edge cuts; the parameter is the normal angle τ of the normal
+/// section.
 ///
 /// Laws  (1) d|W|²/dτ = 2 F cos τ / sin³τ with the quartic F of [T3.9]: where F keeps its sign the
 ///           radius is monotone, and a zero of F is a cusp
@@ -37,9 +39,10 @@ class RackTrochoid final : public Curve {
   CurvePoint at(double tau) const override;
   double polar_angle(double tau) const override;
 
-  /// F(sin τ), lowest power first.                                                            [T3.9]
+  /// F(sin τ), lowest power first. [T3.9]
   std::vector<double> cusp_polynomial() const;
-  /// The normal angles between the ends at which the tooth's half angle is stationary: the neck. [T3.10]
+  /// The normal angles between the ends at which the tooth's half angle is stationary: the neck.
+  /// [T3.10]
   std::vector<double> neck_angles(double tau_lo, double tau_hi) const;
 
  private:
@@ -47,7 +50,7 @@ class RackTrochoid final : public Curve {
   EdgeCircle circle_;  // its centre already lifted by e
 };
 
-/// The involute that a straight piece cuts.                                                   [T3.8]
+/// The involute that a straight piece cuts. [T3.8]
 Involute rack_involute(const RackMotion& motion, const EdgeLine& line);
 
 /// Roll angle ξ of the point cut by the line's point at height x (e included).

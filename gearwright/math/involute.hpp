@@ -1,4 +1,5 @@
-// Involute functions of the transverse profile.            theory: docs/theory/02-involute-and-pair.md
+// Involute functions of the transverse profile.            theory:
+// docs/theory/02-involute-and-pair.md
 //
 //   α    pressure angle at a point, rad        ξ = tan α   roll angle, rad
 //   r_b  base radius, mm                       inv α       polar angle of the point, rad
@@ -54,7 +55,7 @@ T involute_of_roll(const T& xi) {
   return xi - atan(xi);
 }
 
-/// Pressure angle α with inv α = y: Halley's iteration from a start good to 2.2 %.
+/// Pressure angle α with inv α = y: Halley's iteration from a start good to 2.4 %.
 ///
 /// Formula   [T2.3]; the iteration is monotone from the second step on
 /// Units     rad; odd in y

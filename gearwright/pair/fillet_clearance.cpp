@@ -4,7 +4,7 @@
 //   η          half the backlash as a rotation of the mate: the flanks of this side touch
 //   w          orbit parameter: 0 where the corner crosses the centre line, its deepest place
 //
-// Held still, the gear sees the mate's axis orbit. The corner stands at                         [T2.26]
+// Held still, the gear sees the mate's axis orbit. The corner stands at [T2.26]
 //   P(w) = e^{iφ} (a − ρ_c e^{iw}),  w = uφ − (θ_c + η)      external pair
 //   P(w) = e^{iφ} (ρ_c e^{iw} − a),  w = (θ_c + η) − uφ      pinion in its ring
 // with the space's centre line on the x axis; the fillet beside it is that of the tooth at π/z.
@@ -34,7 +34,8 @@ std::vector<Corner> tip_corners(const Gear& mate) {
     const double r = mate.tip_diameter / 2;
     if (r < mate.base_radius()) return {};
     const double d_b = mate.reference.base_diameter;
-    return {{r, tooth_thickness_transverse(mate.spec.teeth, d_b, mate.reference.base_tooth_thickness, 2 * r) /
+    return {{r, tooth_thickness_transverse(mate.spec.teeth, d_b,
+                                           mate.reference.base_tooth_thickness, 2 * r) /
                     (2 * r)}};
   }
   std::vector<Corner> corners;
@@ -87,7 +88,8 @@ double signed_distance(const Arc& arc, const Vec2& p) {
   const double u = boost::math::tools::brent_find_minima(distance, lo, hi, kHalfDigits).first;
   least = std::min(least, distance(u));
   const double rho = std::clamp(p.norm(), arc.begin_point.norm(), arc.end_point.norm());
-  const double theta = arc.curve->polar_angle(arc.curve->parameter_at_radius(rho, arc.begin, arc.end));
+  const double theta =
+      arc.curve->polar_angle(arc.curve->parameter_at_radius(rho, arc.begin, arc.end));
   return std::atan2(p.y(), p.x()) >= theta ? least : -least;
 }
 
@@ -102,8 +104,8 @@ std::optional<double> fillet_clearance(const Pair& pair, int which) {
   const bool external = pair.kind == PairKind::parallel_external;
   const double play =
       (which == 1 ? pair.mesh.backlash_rotation_2 : pair.mesh.backlash_rotation_1) / 2;
-  const Orbit orbit{a, gear.spec.teeth / std::abs(static_cast<double>(mate.spec.teeth)), play, external,
-                    std::numbers::pi / gear.spec.teeth};
+  const Orbit orbit{a, gear.spec.teeth / std::abs(static_cast<double>(mate.spec.teeth)), play,
+                    external, std::numbers::pi / gear.spec.teeth};
   std::optional<double> least;
   for (const Corner& corner : tip_corners(mate)) {
     for (const Arc& arc : gear.tooth->outline.arcs) {
@@ -113,7 +115,9 @@ std::optional<double> fillet_clearance(const Pair& pair, int which) {
       const double c = (a * a + corner.radius * corner.radius - r * r) / (2 * a * corner.radius);
       if (c >= 1.0) continue;  // never gets that deep
       const double w_end = std::acos(std::max(-1.0, c));
-      const auto gap = [&](double s) { return signed_distance(arc, orbit.place(corner, external ? -s : s)); };
+      const auto gap = [&](double s) {
+        return signed_distance(arc, orbit.place(corner, external ? -s : s));
+      };
       constexpr int kSteps = 24;
       int best = 0;
       double found = std::numeric_limits<double>::infinity();
@@ -126,7 +130,8 @@ std::optional<double> fillet_clearance(const Pair& pair, int which) {
       }
       const double lo = w_end * std::max(0, best - 1) / kSteps;
       const double hi = w_end * std::min(kSteps, best + 1) / kSteps;
-      found = std::min(found, boost::math::tools::brent_find_minima(gap, lo, hi, kHalfDigits).second);
+      found =
+          std::min(found, boost::math::tools::brent_find_minima(gap, lo, hi, kHalfDigits).second);
       if (!least || found < *least) least = found;
     }
   }

@@ -3,10 +3,11 @@
 //   z, r_b, s_bt, β_b   each gear as itself: teeth, base radius, base thickness, base helix
 //   σ    +1 external pair, −1 internal pair (gear 2 is the ring)
 //   a    centre distance, mm        α_wt  working transverse pressure angle, rad
-//   ρ_1  curvature radius of flank 1 at a point of the path, mm; N = a sin α_wt     theory: docs/theory/02-involute-and-pair.md
+//   ρ_1  curvature radius of flank 1 at a point of the path, mm; N = a sin α_wt     theory:
+//   docs/theory/02-involute-and-pair.md
 //
-// A gear is what its base cylinder says, no rack is needed here. Templates over the scalar: double in
-// production, 50 digits in the accuracy ledger.
+// A gear is what its base cylinder says, no rack is needed here. Templates over the scalar: double
+// in production, 50 digits in the accuracy ledger.
 #pragma once
 
 #include <cmath>
@@ -22,31 +23,33 @@ template <class T>
 struct ParallelMeshInput {
   int z1 = 0;
   int z2 = 0;
-  T base_radius_1{}, base_radius_2{};        ///< r_b
-  T base_thickness_1{}, base_thickness_2{};  ///< s_bt  transverse; a ring's extrapolated
-  T base_helix_angle{};                      ///< |β_b|
-  T tip_form_radius_1{}, tip_form_radius_2{};///< d_Fa/2
+  T base_radius_1{}, base_radius_2{};          ///< r_b
+  T base_thickness_1{}, base_thickness_2{};    ///< s_bt  transverse; a ring's extrapolated
+  T base_helix_angle{};                        ///< |β_b|
+  T tip_form_radius_1{}, tip_form_radius_2{};  ///< d_Fa/2
   std::optional<T> root_form_radius_1, root_form_radius_2;  ///< d_Ff/2, none: no such limit known
-  T face_width{};                            ///< common face b
-  T center_distance{};                       ///< a
+  T face_width{};                                           ///< common face b
+  T center_distance{};                                      ///< a
 };
 
 template <class T>
 struct ParallelMesh {
-  T working_transverse_pressure_angle;  ///< α_wt
-  T working_normal_pressure_angle;      ///< α_wn
-  T working_helix_angle;                ///< |β_w|
+  T working_transverse_pressure_angle;               ///< α_wt
+  T working_normal_pressure_angle;                   ///< α_wn
+  T working_helix_angle;                             ///< |β_w|
   T working_pitch_radius_1, working_pitch_radius_2;  ///< r_w
-  T base_tangent_distance;              ///< N = a sin α_wt, between the base tangent points
-  T rho1_A, rho1_B, rho1_C, rho1_D, rho1_E;  ///< ρ_1 along the path, A … E; negative: beyond the base tangent
-  T path_length;                        ///< g_α = ρ_1E − ρ_1A
-  T rho1_true_begin, rho1_true_end;     ///< the path clipped to the usable flanks; begin ≥ end: no contact
-  T transverse_contact_ratio;           ///< ε_α
-  T overlap_ratio;                      ///< ε_β
-  T transverse_contact_ratio_true;      ///< of the clipped path, ≥ 0
-  T backlash_normal_base;               ///< j_bn  along the common normal; < 0 the teeth overlap
-  T backlash_normal;                    ///< j_n = j_bn / cos α_wn
-  T backlash_circumferential;           ///< j_wt  at the working pitch circles
+  T base_tangent_distance;  ///< N = a sin α_wt, between the base tangent points
+  T rho1_A, rho1_B, rho1_C, rho1_D,
+      rho1_E;     ///< ρ_1 along the path, A … E; negative: beyond the base tangent
+  T path_length;  ///< g_α = ρ_1E − ρ_1A
+  T rho1_true_begin,
+      rho1_true_end;           ///< the path clipped to the usable flanks; begin ≥ end: no contact
+  T transverse_contact_ratio;  ///< ε_α
+  T overlap_ratio;             ///< ε_β
+  T transverse_contact_ratio_true;  ///< of the clipped path, ≥ 0
+  T backlash_normal_base;           ///< j_bn  along the common normal; < 0 the teeth overlap
+  T backlash_normal;                ///< j_n = j_bn / cos α_wn
+  T backlash_circumferential;       ///< j_wt  at the working pitch circles
   T backlash_rotation_1, backlash_rotation_2;  ///< rad, the mate held
 };
 
@@ -67,10 +70,12 @@ T backlash_free_involute(const ParallelMeshInput<T>& in) {
   return sigma * sum / (n2 + sigma * n1);
 }
 
-/// Σ of the base radii (external) or their difference (internal): the least centre distance.  [T2.14]
+/// Σ of the base radii (external) or their difference (internal): the least centre distance.
+/// [T2.14]
 template <class T>
 T base_radius_sum(const ParallelMeshInput<T>& in) {
-  return in.z2 > 0 ? T(in.base_radius_2 + in.base_radius_1) : T(in.base_radius_2 - in.base_radius_1);
+  return in.z2 > 0 ? T(in.base_radius_2 + in.base_radius_1)
+                   : T(in.base_radius_2 - in.base_radius_1);
 }
 
 /// The mesh at the centre distance of the input.
@@ -97,7 +102,7 @@ ParallelMesh<T> parallel_mesh(const ParallelMeshInput<T>& in) {
   GW_EXPECTS(r_b_sum > T(0) && a > r_b_sum);
 
   ParallelMesh<T> m;
-  // N and α_wt by the right triangle (a, Σr_b): no arc cosine near 0.                          [T2.14]
+  // N and α_wt by the right triangle (a, Σr_b): no arc cosine near 0. [T2.14]
   const T N = sqrt((a - r_b_sum) * (a + r_b_sum));
   m.base_tangent_distance = N;
   m.working_transverse_pressure_angle = atan2(N, r_b_sum);
@@ -124,8 +129,8 @@ ParallelMesh<T> parallel_mesh(const ParallelMeshInput<T>& in) {
   m.transverse_contact_ratio = m.path_length / p_bt;
   m.overlap_ratio = in.face_width * tan_bb / p_bt;
 
-  // Clip to what both flanks have: ρ_1 above gear 1's form point and, on the other side, ρ_2 = N − σρ_1
-  // above gear 2's (a ring's form point limits from outside).                                  [T2.19]
+  // Clip to what both flanks have: ρ_1 above gear 1's form point and, on the other side, ρ_2 = N −
+  // σρ_1 above gear 2's (a ring's form point limits from outside). [T2.19]
   T begin = m.rho1_A > T(0) ? m.rho1_A : T(0);
   T end = m.rho1_E;
   if (in.root_form_radius_1) {
@@ -144,8 +149,8 @@ ParallelMesh<T> parallel_mesh(const ParallelMeshInput<T>& in) {
   m.rho1_true_end = end;
   m.transverse_contact_ratio_true = end > begin ? T((end - begin) / p_bt) : T(0);
 
-  // j_bt = p_bt − s_b1 − s_b2 + σ 2 (r_b2 + σ r_b1) inv α_wt, from the distance to the backlash-free
-  // involute so that nothing large cancels.                                                    [T2.24]
+  // j_bt = p_bt − s_b1 − s_b2 + σ 2 (r_b2 + σ r_b1) inv α_wt, from the distance to the
+  // backlash-free involute so that nothing large cancels. [T2.24]
   const T inv_w = involute(m.working_transverse_pressure_angle);
   const T j_bt = sigma * T(2) * r_b_sum * (inv_w - backlash_free_involute(in));
   m.backlash_normal_base = j_bt * cos_bb;

@@ -1,10 +1,11 @@
 // Profile shifts and centre distance: whichever is absent follows from the rest.
 //
 //   Σx = x1 + x2   σ = +1 external, −1 internal      a, a_d   centre distance, reference one, mm
-//   inv α_wt = inv α_t + 2 tan α_n Σx/(z1 + z2)      theory: docs/theory/02-involute-and-pair.md, [T2.15]…[T2.18]
+//   inv α_wt = inv α_t + 2 tan α_n Σx/(z1 + z2)      theory: docs/theory/02-involute-and-pair.md,
+//   [T2.15]…[T2.18]
 //
-// Everything here speaks of the nominal teeth: a thickness allowance makes backlash, it does not move
-// the centre distance.
+// Everything here speaks of the nominal teeth: a thickness allowance makes backlash, it does not
+// move the centre distance.
 #pragma once
 
 #include <cmath>
@@ -18,20 +19,20 @@ namespace gearwright {
 
 enum class Mounting { tight, extended };
 
-/// Greatest centre distance, in sums (internal: differences) of the base radii: a working angle of 89.4°,
-/// where no tooth is left to reach the other.
+/// Greatest centre distance, in sums (internal: differences) of the base radii: a working angle
+/// of 89.4°, where no tooth is left to reach the other.
 inline constexpr double kGreatestDistance = 100.0;
 
 struct ShiftProblem {
-  int z1 = 0, z2 = 0;                       ///< ring: z2 < 0
-  double normal_module = 0.0;               ///< m_n  mm
-  double normal_pressure_angle = 0.0;       ///< α_n  rad
-  double transverse_pressure_angle = 0.0;   ///< α_t  rad
-  double cos_beta = 1.0;                    ///< cos β
-  std::optional<double> x1, x2;             ///< absent: wanted
-  std::optional<double> center_distance;    ///< a    mm
+  int z1 = 0, z2 = 0;                      ///< ring: z2 < 0
+  double normal_module = 0.0;              ///< m_n  mm
+  double normal_pressure_angle = 0.0;      ///< α_n  rad
+  double transverse_pressure_angle = 0.0;  ///< α_t  rad
+  double cos_beta = 1.0;                   ///< cos β
+  std::optional<double> x1, x2;            ///< absent: wanted
+  std::optional<double> center_distance;   ///< a    mm
   Mounting mounting = Mounting::tight;
-  double lambda = 0.625;                    ///< λ of [T2.18a] when both shifts are wanted (external)
+  double lambda = 0.625;  ///< λ of [T2.18a] when both shifts are wanted (external)
 };
 
 struct ShiftSolution {
@@ -39,20 +40,21 @@ struct ShiftSolution {
   double center_distance;  ///< a  mm: the given one, else that of the mounting
 };
 
-/// Reference centre distance a_d = m_n |z1 + z2| / (2 cos β), mm.                              [T2.15]
+/// Reference centre distance a_d = m_n |z1 + z2| / (2 cos β), mm. [T2.15]
 template <class T>
 T reference_center_distance(int z1, int z2, const T& normal_module, const T& cos_beta) {
   return normal_module * T(std::abs(z1 + z2)) / (T(2) * cos_beta);
 }
 
-/// inv α_wt of the backlash-free mesh of nominal teeth; negative: there is none.                [T2.16]
+/// inv α_wt of the backlash-free mesh of nominal teeth; negative: there is none. [T2.16]
 template <class T>
 T nominal_working_involute(int z1, int z2, const T& alpha_n, const T& alpha_t, const T& sum_x) {
   using std::tan;
   return involute(alpha_t) + T(2) * tan(alpha_n) * sum_x / T(z1 + z2);
 }
 
-/// Backlash-free centre distance of nominal teeth, mm.   Domain: nominal_working_involute ≥ 0  [T2.17]
+/// Backlash-free centre distance of nominal teeth, mm.   Domain: nominal_working_involute ≥ 0
+/// [T2.17]
 template <class T>
 T tight_center_distance(int z1, int z2, const T& normal_module, const T& alpha_n, const T& alpha_t,
                         const T& cos_beta, const T& sum_x) {
@@ -63,9 +65,10 @@ T tight_center_distance(int z1, int z2, const T& normal_module, const T& alpha_n
          cos(inverse_involute(nominal_working_involute(z1, z2, alpha_n, alpha_t, sum_x)));
 }
 
-/// Extended centre distance a_d + σ m_n Σx, mm (both pitch circles shifted by their x).        [T2.18]
+/// Extended centre distance a_d + σ m_n Σx, mm (both pitch circles shifted by their x). [T2.18]
 template <class T>
-T extended_center_distance(int z1, int z2, const T& normal_module, const T& cos_beta, const T& sum_x) {
+T extended_center_distance(int z1, int z2, const T& normal_module, const T& cos_beta,
+                           const T& sum_x) {
   const T a_d = reference_center_distance(z1, z2, normal_module, cos_beta);
   return z1 + z2 > 0 ? T(a_d + normal_module * sum_x) : T(a_d - normal_module * sum_x);
 }
@@ -88,7 +91,8 @@ T tight_shift_sum(int z1, int z2, const T& normal_module, const T& alpha_n, cons
 
 /// Fills in what is absent (docs/spec.md, Shift and centre distance).
 ///
-/// Errors    `pair.center_distance_mm` too small for a working angle; `profile_shift` when the shifts
+/// Errors    `pair.center_distance_mm` too small for a working angle; `profile_shift` when the
+/// shifts
 ///           leave no backlash-free distance
 Result<ShiftSolution> complete_shifts(const ShiftProblem& problem);
 

@@ -1,9 +1,10 @@
-// A cutter's edge in its normal section: a chain of named arcs from the middle of the cutter's tooth
-// to the middle of its space.
+// A cutter's edge in its normal section: a chain of named arcs from the middle of the cutter's
+// tooth to the middle of its space.
 //
-//   x    height above the datum line, away from the gear axis, mm        theory: docs/theory/03-rack-and-generation.md
-//   y    along the datum line, 0 in the middle of the cutter's space (= of the gear tooth), y ≥ 0 here
-//   τ    normal angle: the outward normal of the gear surface cut there is (sin τ, cos τ)
+//   x    height above the datum line, away from the gear axis, mm        theory:
+//   docs/theory/03-rack-and-generation.md y    along the datum line, 0 in the middle of the
+//   cutter's space (= of the gear tooth), y ≥ 0 here τ    normal angle: the outward normal of the
+//   gear surface cut there is (sin τ, cos τ)
 //
 // A new cutter is a function that returns such a chain; generation/ does the rest.
 //   Laws  (1) arcs follow each other without a gap   (2) 0 < τ ≤ π/2
@@ -21,30 +22,31 @@ namespace gearwright {
 
 /// A straight piece; `end_height` may be infinite (a flank that reaches past every tip).
 struct EdgeLine {
-  double tau;           ///< τ  rad, constant
-  double y_datum;       ///< y where the (prolonged) line crosses x = 0, mm:  y = y_datum − x tan τ
+  double tau;      ///< τ  rad, constant
+  double y_datum;  ///< y where the (prolonged) line crosses x = 0, mm:  y = y_datum − x tan τ
   double begin_height;  ///< x  mm
   double end_height;    ///< x  mm
 };
 
 /// A circular piece, points  centre + q (sin τ, cos τ).
 struct EdgeCircle {
-  Vec2 center;       ///< (x, y) mm
-  double q;          ///< mm; < 0 the cutter's convex tip rounding, > 0 its concave bottom, 0 a corner
+  Vec2 center;  ///< (x, y) mm
+  double q;     ///< mm; < 0 the cutter's convex tip rounding, > 0 its concave bottom, 0 a corner
   double begin_tau;  ///< rad
   double end_tau;    ///< rad
 };
 
 struct EdgeArc {
-  ArcName cuts;                       ///< the part of the tooth it cuts
-  std::optional<EdgeLine> line;       ///< exactly one of the two is set
+  ArcName cuts;                  ///< the part of the tooth it cuts
+  std::optional<EdgeLine> line;  ///< exactly one of the two is set
   std::optional<EdgeCircle> circle;
-  bool smooth_start = true;           ///< same point and same normal as the end of the arc before
+  bool smooth_start = true;  ///< same point and same normal as the end of the arc before
 };
 
 struct CutterEdge {
-  double tip_depth;    ///< depth of the tip land below the datum line, mm
-  double tip_land_end; ///< y where the tip land ends and the first arc begins, mm; it starts at πm/2
+  double tip_depth;  ///< depth of the tip land below the datum line, mm
+  double
+      tip_land_end;  ///< y where the tip land ends and the first arc begins, mm; it starts at πm/2
   std::vector<EdgeArc> arcs;
   double bottom_height = std::numeric_limits<double>::infinity();  ///< of the bottom land, mm
   double flank_begin_depth;  ///< h_Ff  mm below the datum line: where the straight flank starts

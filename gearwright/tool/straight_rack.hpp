@@ -2,7 +2,8 @@
 //
 //   m_n     normal module, mm                 α_n     normal pressure angle, rad
 //   h_aP*   addendum, h_fP* dedendum, ρ_fP* tip rounding: all in modules (ISO 53, ISO 21771)
-//                                              theory: docs/theory/03-rack-and-generation.md, [T3.1]…[T3.6]
+//                                              theory: docs/theory/03-rack-and-generation.md,
+//                                              [T3.1]…[T3.6]
 #pragma once
 
 #include <optional>
@@ -16,13 +17,13 @@
 namespace gearwright {
 
 struct StraightRack {
-  double addendum = 1.0;             ///< h_aP*  of the gear tooth above the datum line
-  double dedendum = 1.25;            ///< h_fP*  how deep the cutter goes
-  double root_fillet_radius = 0.38;  ///< ρ_fP*  the cutter's tip rounding
-  double tip_fillet_radius = 0.0;    ///< ρ_1*   the cutter's bottom rounding
-  std::optional<double> tool_addendum;         ///< where the straight flank ends above the datum line
-  std::optional<Angle> semi_topping_angle;     ///< pressure angle of the ramp that follows instead
-  double protuberance = 0.0;                   ///< pr_P*
+  double addendum = 1.0;                    ///< h_aP*  of the gear tooth above the datum line
+  double dedendum = 1.25;                   ///< h_fP*  how deep the cutter goes
+  double root_fillet_radius = 0.38;         ///< ρ_fP*  the cutter's tip rounding
+  double tip_fillet_radius = 0.0;           ///< ρ_1*   the cutter's bottom rounding
+  std::optional<double> tool_addendum;      ///< where the straight flank ends above the datum line
+  std::optional<Angle> semi_topping_angle;  ///< pressure angle of the ramp that follows instead
+  double protuberance = 0.0;                ///< pr_P*
   Angle protuberance_angle = Angle::degrees(10);  ///< α_pr
   bool named = false;  ///< of ISO 53: a radius that does not fit becomes the full radius
 };
@@ -30,7 +31,8 @@ struct StraightRack {
 /// "ISO53-A" … "ISO53-D", or nothing.   Source: ISO 53:1998, table 2
 std::optional<StraightRack> iso53_rack(std::string_view name);
 
-/// The greatest ρ_fP* that fits: the full radius, whose two sides meet in the middle of the tip.  [T3.2]
+/// The greatest ρ_fP* that fits: the full radius, whose two sides meet in the middle of the tip.
+/// [T3.2]
 double full_radius(const StraightRack& rack, Angle normal_pressure_angle);
 
 struct StraightRackEdge {

@@ -1,0 +1,110 @@
+// The least distance between a tip corner's path and the mate's root fillet, against a plain scan
+// that turns the gears one by one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "gearwright/pair/pair.hpp"
+
+namespace gearwright {
+namespace {
+
+using namespace literals;
+
+Gear gear(int teeth, double x = 0.0, double fillet = 0.38, double tip = 0.0) {
+  CylindricalSpec s;
+  s.teeth = teeth;
+  s.normal_module = 2.0;
+  s.profile_shift = x;
+  s.face_width = 20.0;
+  s.rack.root_fillet_radius = fillet;
+  if (tip > 0.0) s.tip_diameter = tip;
+  auto made = make_gear(s);
+  EXPECT_TRUE(made) << made.error().message;
+  return std::move(made).take();
+}
+
+Pair mounted(const Gear& g1, const Gear& g2, double a) {
+  auto pair = mount_parallel(g1, g2, {a});
+  EXPECT_TRUE(pair) << pair.error().message;
+  return std::move(pair).take();
+}
+
+// The fillet of gear 1 as 2000 points of the space's upper side in gear 1's frame (tooth 0 on the x
+// axis: y < 0 is its lower side, the space below it), and the corner of gear 2's tooth as it passes
+// in 4000 rotations. Both flanks of the pair touch at zero backlash, so no play comes in.
+double scanned(const Pair& p) {
+  const Gear& g1 = p.gears[0];
+  const Gear& g2 = p.gears[1];
+  std::vector<Vec2> fillet;
+  for (const Arc& arc : g1.tooth->outline.arcs) {
+    if (arc.name != ArcName::root_fillet) continue;
+    for (const Vec2& q : sample(arc, 2000)) fillet.push_back(q);
+  }
+  const Vec2 corner = g2.tooth->outline.arcs.back().begin_point;  // the tip land's start
+  const double rho = corner.norm(), theta = std::atan2(corner.y(), corner.x());
+  const double z1 = g1.spec.teeth, z2 = g2.spec.teeth;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = -2000; i <= 2000; ++i) {
+    // Gear 1 turned so that its space k = half a pitch above tooth 0 meets tooth 0 of gear 2 at
+    // rest.
+    const double turn_2 = std::numbers::pi / z2 * i / 1000;
+    const double turn_1 = -turn_2 * z2 / z1;
+    for (const double side : {-1.0, 1.0}) {
+      const double angle = std::numbers::pi + turn_2 + side * theta;
+      const Vec2 c(p.center_distance + rho * std::cos(angle), rho * std::sin(angle));
+      // Into the frame of gear 1's tooth that stands half a pitch beside the space.
+      const double back = -turn_1 + std::numbers::pi / z1;
+      const Vec2 q(c.x() * std::cos(back) - c.y() * std::sin(back),
+                   c.x() * std::sin(back) + c.y() * std::cos(back));
+      if (q.norm() > g1.tooth->outline.find(ArcName::flank)->begin_point.norm()) continue;
+      for (const Vec2& f : fillet) least = std::min(least, (q - f).norm());
+    }
+  }
+  return least;
+}
+
+// The scan is never too small, and too large by no more than half a step of the fillet's points and
+// of the corner: 2000 of 1.5 mm and 2000 of the 1.5 mm that it moves through a space.
+TEST(FilletClearance, agrees_with_a_scan) {
+  for (const auto& [z1, z2, fillet] : {std::tuple{20, 40, 0.38}, {30, 30, 0.25}, {17, 90, 0.38}}) {
+    const Pair p = mounted(gear(z1, 0.0, fillet), gear(z2, 0.0, fillet), z1 + z2);
+    const auto clearance = fillet_clearance(p, 1);
+    ASSERT_TRUE(clearance);
+    const double scan = scanned(p);
+    EXPECT_LE(*clearance, scan + 1e-12) << z1 << " " << z2;
+    EXPECT_GE(*clearance, scan - 1e-3) << z1 << " " << z2;
+  }
+}
+
+TEST(FilletClearance, shrinks_with_the_tip_and_goes_negative) {
+  double last = std::numeric_limits<double>::infinity();
+  for (const double tip : {83.6, 84.0, 84.4, 84.8, 85.4}) {
+    const Pair p = mounted(gear(20), gear(40, 0.0, 0.38, tip), 60.0);
+    const auto c = fillet_clearance(p, 1);
+    ASSERT_TRUE(c);
+    EXPECT_LT(*c, last);
+    last = *c;
+  }
+  EXPECT_LT(last, 0.0);
+}
+
+// Two equal gears: what one does to the other, the other does to the one.
+TEST(FilletClearance, equal_gears_have_equal_clearances) {
+  const Pair p = mounted(gear(30, 0.1), gear(30, 0.1), 60.3);
+  EXPECT_EQ(*fillet_clearance(p, 1), *fillet_clearance(p, 2));
+}
+
+TEST(FilletClearance, a_ring_has_no_fillet_here) {
+  const Pair p = mounted(gear(20), gear(-60), 40.0);
+  EXPECT_FALSE(fillet_clearance(p, 2));
+  EXPECT_TRUE(fillet_clearance(p, 1));
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,245 @@
+// Every spec ends in a tooth that obeys its laws and that the swept rack agrees with, in flags, or
+// in an error that names its key. Never in a broken contract.
+//
+// When a contract does break, the spec at hand is printed before the program ends: it is the
+// reproducer.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <limits>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "gearwright/gear/gear.hpp"
+#include "tests/oracle/engine_numbers.hpp"
+#include "tests/oracle/swept_tooth.hpp"
+#include "tests/property/outline_laws.hpp"
+#include "tests/property/random_spec.hpp"
+
+namespace gearwright::property {
+namespace {
+
+using oracle::SweptRack;
+
+std::string at_hand;  // the spec being made; the handler below may read it
+
+extern "C" void print_spec_at_hand(int) {
+  std::fprintf(stderr, "the spec at hand: %s\n", at_hand.c_str());
+}
+
+struct PrintsSpecOnAbort {
+  PrintsSpecOnAbort() : old(std::signal(SIGABRT, print_spec_at_hand)) {}
+  ~PrintsSpecOnAbort() { std::signal(SIGABRT, old); }
+  void (*old)(int);
+};
+
+// The keys that a gear's spec has; a message that names another helps nobody.
+bool known_key(const std::string& key) {
+  static const std::array<const char*, 16> keys = {"teeth",
+                                                   "normal_module_mm",
+                                                   "normal_pressure_angle_deg",
+                                                   "helix_angle_deg",
+                                                   "profile_shift",
+                                                   "thickness_allowance_mm",
+                                                   "face_width_mm",
+                                                   "tip_diameter_mm",
+                                                   "rack.addendum",
+                                                   "rack.dedendum",
+                                                   "rack.root_fillet_radius",
+                                                   "rack.tip_fillet_radius",
+                                                   "rack.tool_addendum",
+                                                   "rack.semi_topping_angle_deg",
+                                                   "rack.protuberance",
+                                                   "rack.protuberance_angle_deg"};
+  return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+std::string broken_error(const Error& e) {
+  if (!known_key(e.key)) return "error names no key of the spec: '" + e.key + "'";
+  if (e.value.empty() || e.message.find(e.key) == std::string::npos) {
+    return "the message does not name key and value: " + e.message;
+  }
+  return {};
+}
+
+// Does the oracle's rack exist? An acute sharp cutter is the one thing it leaves to the engine
+// alone.
+std::optional<SweptRack> swept_rack_of(const Gear& gear, std::string& broken) {
+  try {
+    return SweptRack(oracle::numbers_of(gear));
+  } catch (const std::invalid_argument& refused) {
+    if (std::string(refused.what()) != "dedendum: a sharp cutter needs a tip land") {
+      broken = std::string("the oracle refuses this cutter: ") + refused.what();
+    }
+    return std::nullopt;
+  }
+}
+
+enum class Ending { error, through_axis, severed, tooth };
+
+struct Outcome {
+  Ending ending;
+  std::string broken;  // what is wrong, empty when all is well
+};
+
+// Within 1e-9 mm at gears up to a metre across; beyond, the doubles' own rounding grows along.
+double tolerance(double scale) { return 1e-9 * std::max(1.0, scale / 500.0); }
+
+Outcome outcome_of(const CylindricalSpec& spec, bool walk_centre_line) {
+  const auto made = make_gear(spec);
+  if (!made) return {Ending::error, broken_error(made.error())};
+  const Gear& gear = *made;
+  if (gear.internal()) return {Ending::tooth, gear.tooth ? "a ring has a rack-cut tooth" : ""};
+  const GeneratedTooth& tooth = *gear.tooth;
+  const double scale = std::max(tooth.tip_radius, gear.reference.reference_diameter / 2);
+  std::string broken;
+  const std::optional<SweptRack> rack = swept_rack_of(gear, broken);
+  if (!broken.empty()) return {Ending::tooth, broken};
+
+  if (tooth.through_axis || tooth.severed) {
+    const Ending ending = tooth.through_axis ? Ending::through_axis : Ending::severed;
+    if (!tooth.outline.arcs.empty()) return {ending, "a tooth that does not exist has arcs"};
+    if (gear.exists() || gear.warnings.empty()) return {ending, "nothing is said about it"};
+    if (!rack) return {ending, {}};
+    if (tooth.through_axis && rack->deepest_radius() > tolerance(scale)) {
+      return {ending, "the oracle's cutter does not reach the axis"};
+    }
+    // The centre line is cut where the fillets' half angle passes 0, at or below the neck.
+    if (tooth.severed && walk_centre_line &&
+        !oracle::surface_radius(*rack, 0.0, 0.0, *tooth.neck_radius * (1 + 1e-9))) {
+      return {ending, "the oracle finds the neck whole"};
+    }
+    return {ending, {}};
+  }
+
+  broken = broken_law(tooth, 9, scale);
+  if (!broken.empty() || !rack) return {Ending::tooth, broken};
+  if (tooth.form_radius.has_value() != tooth.tip_form_radius.has_value() ||
+      tooth.form_radius.has_value() != (tooth.outline.find(ArcName::flank) != nullptr)) {
+    return {Ending::tooth, "form radii without a flank"};
+  }
+  for (const Vec2& p : oracle::cut_points(tooth, 4)) {
+    const double off = rack->clearance({p.x(), p.y()});
+    if (!(std::abs(off) <= tolerance(scale))) {
+      return {Ending::tooth,
+              fmt::format("the oracle finds ({}, {}) off by {} mm", p.x(), p.y(), off)};
+    }
+  }
+  // Below its tip the tooth stands: the middle of the neck (or of the root) is material.
+  const double middle = tooth.neck_radius ? *tooth.neck_radius : tooth.root_radius;
+  if (!(rack->clearance({middle, 0.0}) > -tolerance(scale))) {
+    return {Ending::tooth, "the oracle finds the tooth severed"};
+  }
+  return {Ending::tooth, {}};
+}
+
+std::map<Ending, int> check_specs(std::uint64_t seed, int n) {
+  const PrintsSpecOnAbort handler;
+  Random random(seed);
+  std::map<Ending, int> count;
+  int failures = 0;
+  for (int i = 0; i < n && failures < 10; ++i) {
+    const CylindricalSpec spec = random_spec(random);
+    at_hand = describe(spec);
+    const Outcome outcome = outcome_of(spec, i % 16 == 0);
+    ++count[outcome.ending];
+    if (!outcome.broken.empty()) {
+      ++failures;
+      ADD_FAILURE() << outcome.broken << "\n  spec " << i << " of seed " << seed << ": " << at_hand;
+    }
+  }
+  return count;
+}
+
+// Shares of the four endings, so that no change of the generator empties one unseen.
+void expect_all_endings(const std::map<Ending, int>& count, int n) {
+  EXPECT_GT(count.at(Ending::tooth), 0.45 * n);
+  EXPECT_GT(count.at(Ending::error), 0.1 * n);
+  EXPECT_GT(count.at(Ending::severed), 0.05 * n);
+  EXPECT_GT(count.at(Ending::through_axis), 0.05 * n);
+}
+
+TEST(Specs, end_in_a_tooth_a_flag_or_an_error) {
+  constexpr int n = 30000;
+  expect_all_endings(check_specs(20240607, n), n);
+}
+
+TEST(LongSpecs, end_in_a_tooth_a_flag_or_an_error) {
+  constexpr int n = 100000;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) expect_all_endings(check_specs(seed, n), n);
+}
+
+// Numbers that no drawing has: each in turn in a spec that was in order.
+TEST(Specs, wild_numbers_are_refused_or_survived) {
+  const PrintsSpecOnAbort handler;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const double wild[] = {std::numeric_limits<double>::quiet_NaN(),
+                         kInfinity,
+                         -kInfinity,
+                         0.0,
+                         -0.0,
+                         -1.0,
+                         1e300,
+                         -1e300,
+                         1e-300,
+                         std::numeric_limits<double>::denorm_min(),
+                         1e16,
+                         1e-16};
+  Random random(7);
+  for (int i = 0; i < 200; ++i) {
+    const CylindricalSpec base = random_spec(random);
+    for (const double v : wild) {
+      for (int field = 0; field < 14; ++field) {
+        CylindricalSpec s = base;
+        switch (field) {
+          case 0: s.normal_module = v; break;
+          case 1: s.normal_pressure_angle = Angle::degrees(v); break;
+          case 2: s.helix_angle = Angle::degrees(v); break;
+          case 3: s.profile_shift = v; break;
+          case 4: s.thickness_allowance = v; break;
+          case 5: s.face_width = v; break;
+          case 6: s.tip_diameter = v; break;
+          case 7: s.rack.addendum = v; break;
+          case 8: s.rack.dedendum = v; break;
+          case 9: s.rack.root_fillet_radius = v; break;
+          case 10: s.rack.tip_fillet_radius = v; break;
+          case 11: s.rack.tool_addendum = v; break;
+          case 12: s.rack.protuberance = v; break;
+          default: s.rack.semi_topping_angle = Angle::degrees(v); break;
+        }
+        at_hand = describe(s);
+        const auto gear = make_gear(s);
+        if (!gear) {
+          EXPECT_EQ(broken_error(gear.error()), "") << at_hand;
+          continue;
+        }
+        for (const Arc& arc : gear->tooth->outline.arcs) {
+          EXPECT_TRUE(arc.begin_point.allFinite() && arc.end_point.allFinite()) << at_hand;
+        }
+      }
+    }
+  }
+}
+
+// Rings: no tooth from a rack, but never a broken contract either.
+TEST(Specs, rings) {
+  const PrintsSpecOnAbort handler;
+  Random random(11);
+  for (int i = 0; i < 20000; ++i) {
+    CylindricalSpec spec = random_spec(random);
+    spec.teeth = -spec.teeth;
+    at_hand = describe(spec);
+    const Outcome outcome = outcome_of(spec, false);
+    EXPECT_EQ(outcome.broken, "") << at_hand;
+  }
+}
+
+}  // namespace
+}  // namespace gearwright::property
