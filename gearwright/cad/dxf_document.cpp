@@ -248,8 +248,8 @@ void DxfEntities::circle(const std::string& layer, double radius) {
   Pairs(text_).point(10, 0, 0, 0).real(40, radius);
 }
 
-void DxfEntities::circular_spline(const std::string& layer, const Vec2& begin_point, const Vec2& end_point,
-                                  double sweep) {
+void DxfEntities::circular_spline(const std::string& layer, const Vec2& begin_point,
+                                  const Vec2& end_point, double sweep) {
   // Pieces of at most a quarter turn: P0, the corner of the tangents with weight cos(δ/2), P1.
   const int pieces = static_cast<int>(std::ceil(std::abs(sweep) / (std::numbers::pi / 2 + 1e-9)));
   const double half = sweep / (2 * pieces);

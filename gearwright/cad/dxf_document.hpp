@@ -20,8 +20,8 @@ class DxfEntities {
   void closed_polyline(const std::string& layer, const std::vector<Vec2>& points,
                        const std::vector<double>& bulges);
   void circle(const std::string& layer, double radius);
-  /// An arc about the origin from `begin` to `end`, `sweep` rad, as a rational quadratic SPLINE: exact,
-  /// and its ends are the given points, which an ARC entity knows only as angles in degrees.
+  /// An arc about the origin from `begin` to `end`, `sweep` rad, as a rational quadratic SPLINE:
+  /// exact, and its ends are the given points, which an ARC entity knows only as angles in degrees.
   void circular_spline(const std::string& layer, const Vec2& begin, const Vec2& end, double sweep);
   /// Clamped non-rational SPLINE.
   void spline(const std::string& layer, int degree, const std::vector<double>& knots,

@@ -210,7 +210,9 @@ TEST(Dxf, SplinesShareTheirEndsAsText) {
             const double b2 = t * t;
             const double w = b0 + b1 + b2;
             EXPECT_NEAR(std::hypot(b0 * x[k] + b1 * x[k + 1] + b2 * x[k + 2],
-                                   b0 * y[k] + b1 * y[k + 1] + b2 * y[k + 2]) / w, r, 1e-13 * r);
+                                   b0 * y[k] + b1 * y[k + 1] + b2 * y[k + 2]) /
+                            w,
+                        r, 1e-13 * r);
           }
         }
       }

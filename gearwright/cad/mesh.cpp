@@ -33,9 +33,9 @@ constexpr double kWallMin_mm = 1e-3;
 // The chords of a thin wall's two sides must not meet: its tolerance is this part of its thickness.
 constexpr double kWallShare = 0.25;
 
-// Refused beyond: 8 GB of memory, and some seconds for the caps of a tooth (the square of its
-// points).
-constexpr double kVerticesMax = 1e8;
+// Refused beyond: a file of 200 MB that no printer reads, and some seconds for the caps of a tooth
+// (the square of its points).
+constexpr double kVerticesMax = 2e6;
 constexpr std::size_t kHalfPointsMax = 20000;
 
 // The columns of one pitch, counter-clockwise from the middle of a space to just before the next.

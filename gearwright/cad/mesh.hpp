@@ -60,7 +60,7 @@ struct MeshPart {
 ///           a quarter of their distance takes the tolerance's place
 /// Errors    bore.diameter_mm (names the largest that fits), bore.keyway_*, teeth when the outline
 ///           bounds no body (severed tooth, root beyond the axis), chord_tolerance_mm when the mesh
-///           would have more than 10⁸ vertices or 20 000 points on half a tooth
+///           would have more than 2·10⁶ vertices or 20 000 points on half a tooth
 /// Domain    face width, tolerances > 0, teeth ≠ 0, an outline that obeys its laws (contract)
 Result<TriangleMesh> tessellate(const ToothedBody& body, const MeshOptions& options = {});
 

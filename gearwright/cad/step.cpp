@@ -1,5 +1,7 @@
 #include "gearwright/cad/step.hpp"
 
+#include <fmt/format.h>
+
 #include <APIHeaderSection_MakeHeader.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <Interface_Static.hxx>
@@ -7,6 +9,7 @@
 #include <Message_Messenger.hxx>
 #include <STEPCAFControl_Writer.hxx>
 #include <STEPControl_Controller.hxx>
+#include <Standard_Failure.hxx>
 #include <StepData_Protocol.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepData_StepWriter.hxx>
@@ -28,6 +31,7 @@
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/cad/section.hpp"
 #include "gearwright/cad/step_solid.hpp"
+#include "gearwright/cad/walls.hpp"
 
 namespace gearwright {
 namespace {
@@ -131,21 +135,31 @@ std::string text_of(const std::vector<Part>& parts, const std::string& file_name
   return std::move(stream).str();
 }
 
-}  // namespace
-
-Result<StepDocument> step_document(const std::vector<ToothedBody>& bodies,
+Result<StepDocument> make_document(const std::vector<ToothedBody>& bodies,
                                    const std::string& file_name) {
-  GW_EXPECTS(!bodies.empty());
   StepReport report;
-  report.valid = true;
+  report.checked = true;
   std::vector<Part> parts;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const ToothedBody& body = bodies[i];
-    auto made = make_solid(body);
-    if (!made) {
-      const Error& error = made.error();
-      return Error{error.key, error.value, body.name + ": " + error.message};
+    const auto of_body = [&](Error error) {
+      error.message = body.name + ": " + error.message;
+      return error;
+    };
+    const auto walls = make_walls(body);
+    if (!walls) return of_body(walls.error());
+    const std::size_t faces =
+        walls->teeth.walls.size() * static_cast<std::size_t>(walls->teeth.slices);
+    if (faces > kStepFacesMost) {
+      return of_body(
+          {"faces", fmt::format("{}", faces),
+           fmt::format(
+               "a STEP solid of {} faces; the most is {}: fewer teeth, a narrower face or a "
+               "longer lead would help",
+               faces, kStepFacesMost)});
     }
+    auto made = make_solid(body);
+    if (!made) return of_body(made.error());
     for (StepFace face : made->faces) {
       face.body = i;
       report.max_deviation_mm = std::max(report.max_deviation_mm, face.max_deviation_mm);
@@ -154,10 +168,29 @@ Result<StepDocument> step_document(const std::vector<ToothedBody>& bodies,
     report.volume_mm3 += metal_area(body) * body.face_width;
     report.face_count += made->face_count;
     report.edge_count += made->edge_count;
-    report.valid = report.valid && BRepCheck_Analyzer(made->solid).IsValid();
+    if (made->face_count > kStepCheckedFaces) {
+      report.checked = false;
+    } else if (!BRepCheck_Analyzer(made->solid).IsValid()) {
+      return of_body(
+          {"faces", fmt::format("{}", faces), "the CAD kernel's check refuses the solid"});
+    }
     parts.push_back({body.name, body.pose, made->solid});
   }
   return StepDocument{text_of(parts, file_name), std::move(report)};
+}
+
+}  // namespace
+
+Result<StepDocument> step_document(const std::vector<ToothedBody>& bodies,
+                                   const std::string& file_name) {
+  GW_EXPECTS(!bodies.empty());
+  try {
+    return make_document(bodies, file_name);
+  } catch (const Standard_Failure& failure) {
+    // The kernel's exceptions are of no standard kind; out of memory is the usual one.
+    throw IoError(std::string("the CAD kernel gave up: ") + failure.DynamicType()->Name() + " " +
+                  failure.GetMessageString());
+  }
 }
 
 Result<StepReport> write_step(const std::vector<ToothedBody>& bodies,

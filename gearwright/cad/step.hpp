@@ -38,8 +38,13 @@ struct StepReport {
   double volume_mm3 = 0.0;        ///< exact: section area times face width, all bodies
   std::size_t face_count = 0;     ///< of all solids
   std::size_t edge_count = 0;     ///< each shared edge once
-  bool valid = false;             ///< what the CAD kernel's own check says of every solid
+  bool checked = false;  ///< the CAD kernel's own check has passed every solid; false: not asked,
+                         ///< beyond kStepCheckedFaces its time grows with their square
 };
+
+inline constexpr std::size_t kStepCheckedFaces = 1000;  ///< of one solid
+inline constexpr std::size_t kStepFacesMost =
+    20'000;  ///< of one solid: 60 MB of text, 1.5 GB on the way
 
 struct StepDocument {
   std::string text;
@@ -48,9 +53,12 @@ struct StepDocument {
 
 /// The text of a STEP file; `file_name` is what its header calls it.
 ///
+/// Throws    IoError where the CAD kernel gives up (memory)
 /// Units     mm
 /// Domain    at least one body, face widths > 0 (contract)
-/// Facts     those of make_walls (cad/walls.hpp), the sentence prefixed by the body's name
+/// Facts     those of make_walls (cad/walls.hpp); more than kStepFacesMost faces; a solid that
+/// fails
+///           the CAD kernel's check
 /// Accuracy  max_deviation_mm ≤ 1e-4 (kSectionMost_mm), 2e-5 aimed at; edges and vertices 1e-7 mm
 Result<StepDocument> step_document(const std::vector<ToothedBody>& bodies,
                                    const std::string& file_name);

@@ -97,7 +97,7 @@ ReadBack read(const fs::path& path) {
 void expect_same_back(const ToothedBody& body, const fs::path& path) {
   const auto report = write_step({body}, path);
   ASSERT_TRUE(report) << report.error().message;
-  EXPECT_TRUE(report->valid);
+  EXPECT_TRUE(report->checked);
   EXPECT_LE(report->max_deviation_mm, 1e-4);
   EXPECT_EQ(report->volume_mm3, metal_area(body) * body.face_width);
   const ReadBack back = read(path);
@@ -166,7 +166,7 @@ TEST_F(Step, PairIsAnAssemblyOfPlacedParts) {
       Eigen::Translation3d(53.0, 4.0, -2.0) * Eigen::AngleAxisd(kPi / 6, Eigen::Vector3d::UnitX());
   const auto report = write_step({gear1, gear2}, folder_ / "pair.step");
   ASSERT_TRUE(report);
-  EXPECT_TRUE(report->valid);
+  EXPECT_TRUE(report->checked);
   EXPECT_EQ(report->faces.size(), 8u);
   EXPECT_EQ(report->faces[3].body, 0u);
   EXPECT_EQ(report->faces[4].body, 1u);

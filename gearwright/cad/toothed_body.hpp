@@ -15,16 +15,16 @@
 namespace gearwright {
 
 struct Bore {
-  double diameter;             ///< mm
-  double keyway_width = 0.0;   ///< mm, 0: no keyway
-  double keyway_depth = 0.0;   ///< mm, into the hub from the bore, along +y of the gear frame
+  double diameter;            ///< mm
+  double keyway_width = 0.0;  ///< mm, 0: no keyway
+  double keyway_depth = 0.0;  ///< mm, into the hub from the bore, along +y of the gear frame
 };
 
 struct ToothedBody {
-  std::string name;        ///< "gear1", the name a CAD tree shows
-  Outline outline;         ///< half a tooth; |outline.teeth| copies make the gear
-  double twist = 0.0;      ///< τ  rad/mm
-  double face_width = 0.0; ///< b  mm
+  std::string name;         ///< "gear1", the name a CAD tree shows
+  Outline outline;          ///< half a tooth; |outline.teeth| copies make the gear
+  double twist = 0.0;       ///< τ  rad/mm
+  double face_width = 0.0;  ///< b  mm
   std::optional<Bore> bore;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< gear frame to housing frame
 };

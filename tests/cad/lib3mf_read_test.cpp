@@ -25,10 +25,11 @@ const char* fault(const char* path) {
   NMR::PLib3MFModelResourceIterator* objects = nullptr;
   if (!ok(NMR::lib3mf_model_getmeshobjects(model, &objects))) return "no objects";
   unsigned count = 0;
-  for (BOOL more = false;
-       ok(NMR::lib3mf_resourceiterator_movenext(objects, &more)) && more; ++count) {
+  for (BOOL more = false; ok(NMR::lib3mf_resourceiterator_movenext(objects, &more)) && more;
+       ++count) {
     NMR::PLib3MFModelResource* object = nullptr;
-    if (!ok(NMR::lib3mf_resourceiterator_getcurrent(objects, &object))) return "object not readable";
+    if (!ok(NMR::lib3mf_resourceiterator_getcurrent(objects, &object)))
+      return "object not readable";
     BOOL manifold = false;
     if (!ok(NMR::lib3mf_meshobject_ismanifoldandoriented(object, &manifold)) || !manifold) {
       return "a mesh that is not manifold and oriented";
@@ -37,15 +38,16 @@ const char* fault(const char* path) {
     if (!ok(NMR::lib3mf_meshobject_gettrianglecount(object, &triangles)) || triangles == 0) {
       return "an empty mesh";
     }
-    std::printf("%s: %u triangles, manifold and oriented\n", path, static_cast<unsigned>(triangles));
+    std::printf("%s: %u triangles, manifold and oriented\n", path,
+                static_cast<unsigned>(triangles));
   }
   if (count == 0) return "no mesh";
 
   NMR::PLib3MFModelBuildItemIterator* items = nullptr;
   if (!ok(NMR::lib3mf_model_getbuilditems(model, &items))) return "no build";
   unsigned placed = 0;
-  for (BOOL more = false;
-       ok(NMR::lib3mf_builditemiterator_movenext(items, &more)) && more; ++placed) {
+  for (BOOL more = false; ok(NMR::lib3mf_builditemiterator_movenext(items, &more)) && more;
+       ++placed) {
   }
   return placed == count ? nullptr : "not one build item per object";
 }
