@@ -1,8 +1,13 @@
 // gearwright: the program. Parses the command line, calls the job room, prints.
 //
-// Exit status: 0 done; 1 the input is wrong or the gears are impossible; 2 the command line is wrong;
-// 3 the outside world failed.
+// Exit status: 0 done; 1 the input is wrong or the gears are impossible; 2 the command line is
+// wrong; 3 the outside world failed.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <csignal>
+#include <exception>
+#include <new>
 
 #include "apps/cli/verbs.hpp"
 #include "gearwright/base/output_file.hpp"
@@ -14,7 +19,8 @@ using gearwright::cli::Options;
 
 constexpr const char* kIntroduction =
     "Gearwright: exact geometry, mesh and CAD files of cylindrical gears.\n\n"
-    "  gearwright run pair.toml              everything: report.html, STEP, STL, 3MF, GLB, DXF, SVG\n"
+    "  gearwright run pair.toml              everything: report.html, STEP, STL, 3MF, GLB, DXF, "
+    "SVG\n"
     "  gearwright gear pair.toml             diameters, thicknesses, limits of each gear\n"
     "  gearwright pair pair.toml --json      the mounted pair, as JSON\n"
     "  gearwright outline pair.toml --gear 1 --points 200 --json\n"
@@ -25,7 +31,8 @@ constexpr const char* kIntroduction =
     "  teeth = 17\n"
     "  normal_module_mm = 2.5\n";
 
-constexpr const char* kNotHere[] = {"measure", "contact", "compensate", "fit", "identify", "search"};
+constexpr const char* kNotHere[] = {"measure", "contact",  "compensate",
+                                    "fit",     "identify", "search"};
 
 CLI::App* verb(CLI::App& app, Options& o, const char* name, const char* what, const char* example) {
   CLI::App* sub = app.add_subcommand(name, what);
@@ -34,13 +41,26 @@ CLI::App* verb(CLI::App& app, Options& o, const char* name, const char* what, co
   return sub;
 }
 
+// CLI11's own range lets nan pass.
+CLI::Validator between(double lo, double hi) {
+  return CLI::Validator(
+      [lo, hi](const std::string& text) {
+        double value = 0.0;
+        const bool good = CLI::detail::lexical_cast(text, value) && value >= lo && value <= hi;
+        return good ? std::string() : fmt::format("{} must lie between {} and {}", text, lo, hi);
+      },
+      fmt::format("{}...{}", lo, hi));
+}
+
 void spec_argument(CLI::App* sub, Options& o) {
-  sub->add_option("SPEC", o.spec, "The spec file: TOML, or JSON if its name ends in .json")->required();
+  sub->add_option("SPEC", o.spec, "The spec file: TOML, or JSON if its name ends in .json")
+      ->required();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is a full disk: write() says so
   Options o;
   CLI::App app(kIntroduction, "gearwright");
   app.set_version_flag("--version", std::string("gearwright ") + gearwright::kVersion);
@@ -50,41 +70,53 @@ int main(int argc, char** argv) {
   CLI::App* run = verb(app, o, "run", "Everything that applies to the spec, into a folder",
                        "gearwright run examples/helical_pair.toml --out helical");
   spec_argument(run, o);
-  run->add_option("--out", o.out, "Folder for the files; default: the spec's name without .toml, plus _out");
+  run->add_option("--out", o.out,
+                  "Folder for the files; default: the spec's name without .toml, plus _out");
 
-  CLI::App* gear = verb(app, o, "gear", "Geometry of each gear: diameters, thicknesses, limits, flags",
-                        "gearwright gear examples/helical_pair.toml --json");
+  CLI::App* gear =
+      verb(app, o, "gear", "Geometry of each gear: diameters, thicknesses, limits, flags",
+           "gearwright gear examples/helical_pair.toml --json");
   spec_argument(gear, o);
 
-  CLI::App* outline = verb(app, o, "outline", "Points of the transverse tooth outline, per named arc",
-                           "gearwright outline examples/helical_pair.toml --gear 2 --points 100");
+  CLI::App* outline =
+      verb(app, o, "outline", "Points of the transverse tooth outline, per named arc",
+           "gearwright outline examples/helical_pair.toml --gear 2 --points 100");
   spec_argument(outline, o);
   outline->add_option("--gear", o.gear, "Which gear, 1 or 2 (default 1)")->check(gears);
   outline->add_option("--points", o.points, "Points per arc, both ends included (default 50)")
       ->check(CLI::Range(2, 1000000));
 
-  CLI::App* pair = verb(app, o, "pair", "The mounted pair: distances, angles, contact ratios, backlash, sliding",
-                        "gearwright pair examples/helical_pair.toml");
+  CLI::App* pair =
+      verb(app, o, "pair", "The mounted pair: distances, angles, contact ratios, backlash, sliding",
+           "gearwright pair examples/helical_pair.toml");
   spec_argument(pair, o);
 
-  CLI::App* files = verb(app, o, "export", "CAD files of one gear, or of both in place",
-                         "gearwright export examples/helical_pair.toml --step pair.step --glb pair.glb");
+  CLI::App* files =
+      verb(app, o, "export", "CAD files of one gear, or of both in place",
+           "gearwright export examples/helical_pair.toml --step pair.step --glb pair.glb");
   spec_argument(files, o);
-  files->add_option("--gear", o.gear, "Only this gear, in its own frame; absent: both in place")->check(gears);
+  files->add_option("--gear", o.gear, "Only this gear, in its own frame; absent: both in place")
+      ->check(gears);
   files->add_option("--step", o.step, "STEP AP242 solid");
   files->add_option("--stl", o.stl, "STL mesh, binary");
   files->add_option("--glb", o.glb, "GLB (glTF 2.0) mesh");
   files->add_option("--3mf", o.threemf, "3MF mesh");
   files->add_option("--dxf", o.dxf, "DXF outline of one gear");
   files->add_option("--svg", o.svg, "SVG outline of one gear");
-  files->add_option("--mesh-tolerance", o.mesh_tolerance, "mm between mesh and exact surface (default 0.005)")
-      ->check(CLI::Range(1e-5, 10.0));
-  files->add_option("--dxf-tolerance", o.drawing_tolerance, "mm between DXF arcs and exact outline (default 0.001)")
-      ->check(CLI::Range(1e-7, 1.0));
-  files->add_flag("--dxf-splines", o.drawing_splines, "DXF as splines (within 1 nm) instead of arcs");
+  files
+      ->add_option("--mesh-tolerance", o.mesh_tolerance,
+                   "mm between mesh and exact surface (default 0.005)")
+      ->check(between(1e-5, 10.0));
+  files
+      ->add_option("--dxf-tolerance", o.drawing_tolerance,
+                   "mm between DXF arcs and exact outline (default 0.001)")
+      ->check(between(1e-7, 1.0));
+  files->add_flag("--dxf-splines", o.drawing_splines,
+                  "DXF as splines (within 1 nm) instead of arcs");
 
-  CLI::App* verify = verb(app, o, "verify", "Runs case files of published numbers and says what differs",
-                          "gearwright verify tests/golden/external.json");
+  CLI::App* verify =
+      verb(app, o, "verify", "Runs case files of published numbers and says what differs",
+           "gearwright verify tests/golden/external.json");
   verify->add_option("CASES", o.cases, "Case files")->required();
 
   for (const char* name : kNotHere) {
@@ -99,7 +131,8 @@ int main(int argc, char** argv) {
   }
   for (const char* name : kNotHere) {
     if (!app.got_subcommand(name)) continue;
-    std::cerr << "gearwright: the verb " << name << " is not in this version; see gearwright --help\n";
+    std::cerr << "gearwright: the verb " << name
+              << " is not in this version; see gearwright --help\n";
     return 2;
   }
   using namespace gearwright::cli;
@@ -112,6 +145,11 @@ int main(int argc, char** argv) {
     return verify_verb(o);
   } catch (const gearwright::IoError& e) {
     std::cerr << "gearwright: " << e.what() << "\n";
-    return 3;
+  } catch (const std::bad_alloc&) {
+    std::cerr << "gearwright: out of memory; a narrower face, fewer teeth or a coarser tolerance "
+                 "would help\n";
+  } catch (const std::exception& e) {
+    std::cerr << "gearwright: " << e.what() << "\n";
   }
+  return 3;
 }

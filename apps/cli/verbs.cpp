@@ -2,17 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
-#include <sstream>
+#include <iterator>
 
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/job/files.hpp"
-#include "gearwright/job/result_json.hpp"
 #include "gearwright/job/listing.hpp"
+#include "gearwright/job/result_json.hpp"
 #include "gearwright/job/verify.hpp"
 
 namespace gearwright::cli {
@@ -28,9 +29,14 @@ void print(const std::string& text) {
   }
 }
 
+// Names of files may be any bytes; JSON takes characters only.
+void print_json(const Json& j) {
+  print(j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
 int fail(const Options& o, const Error& error) {
   std::fprintf(stderr, "gearwright: %s\n", error.message.c_str());
-  if (o.json) print(error_json(error).dump(2) + "\n");
+  if (o.json) print_json(error_json(error));
   return 1;
 }
 
@@ -40,10 +46,12 @@ int usage(const std::string& message) {
 }
 
 std::string read_text(const std::string& path) {
+  if (fs::is_directory(path)) throw IoError("cannot read " + path + ": it is a folder");
   std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (!file || !(text << file.rdbuf())) throw IoError("cannot read " + path + ": " + std::strerror(errno));
-  return text.str();
+  if (!file) throw IoError("cannot read " + path + ": " + std::strerror(errno));
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (file.bad()) throw IoError("cannot read " + path + ": " + std::strerror(errno));
+  return text;
 }
 
 Result<Design> solve_file(const Options& o, Scope scope) {
@@ -57,7 +65,7 @@ class SlowProgress {
  public:
   void operator()(std::string_view what) {
     if (std::chrono::steady_clock::now() - start_ > std::chrono::seconds(1)) {
-      std::fprintf(stderr, "gearwright: writing %.*s\n", static_cast<int>(what.size()), what.data());
+      std::fprintf(stderr, "gearwright: making %.*s\n", static_cast<int>(what.size()), what.data());
     }
   }
 
@@ -68,9 +76,7 @@ class SlowProgress {
 FileOptions file_options(const Options& o) {
   FileOptions options;
 #ifdef GEARWRIGHT_HAS_STEP
-  options.step = [](const std::vector<ToothedBody>& bodies, const fs::path& path) {
-    return write_step(bodies, path);
-  };
+  options.step = step_document;
 #endif
   options.progress = SlowProgress();
   options.mesh_tolerance_mm = o.mesh_tolerance;
@@ -79,7 +85,19 @@ FileOptions file_options(const Options& o) {
   return options;
 }
 
-void print_json(const Json& j) { print(j.dump(2) + "\n"); }
+// The first output that would overwrite another one, or the spec; empty when there is none.
+std::string collision(const Options& o) {
+  std::vector<fs::path> taken{fs::weakly_canonical(fs::absolute(o.spec))};
+  for (const std::string* name : {&o.step, &o.stl, &o.glb, &o.threemf, &o.dxf, &o.svg}) {
+    if (name->empty()) continue;
+    std::error_code error;
+    const fs::path path = fs::weakly_canonical(fs::absolute(*name), error);
+    const bool device = fs::exists(path, error) && !fs::is_regular_file(path, error);
+    if (!device && std::find(taken.begin(), taken.end(), path) != taken.end()) return *name;
+    taken.push_back(path);
+  }
+  return {};
+}
 
 }  // namespace
 
@@ -125,6 +143,10 @@ int outline_verb(const Options& o) {
 }
 
 int run_verb(const Options& o) {
+  if (o.out.empty() && fs::exists(o.spec) && !fs::is_regular_file(o.spec) &&
+      !fs::is_directory(o.spec)) {
+    return usage("the spec has no name to call the folder after: choose it with --out DIR");
+  }
   auto solved = solve_file(o, Scope::everything);
   if (!solved) return fail(o, solved.error());
   Design design = std::move(solved).take();
@@ -149,11 +171,16 @@ int run_verb(const Options& o) {
 
 int export_verb(const Options& o) {
   const std::vector<std::pair<FileKind, const std::string*>> wanted{
-      {FileKind::step, &o.step}, {FileKind::stl, &o.stl},  {FileKind::glb, &o.glb},
+      {FileKind::step, &o.step},       {FileKind::stl, &o.stl}, {FileKind::glb, &o.glb},
       {FileKind::threemf, &o.threemf}, {FileKind::dxf, &o.dxf}, {FileKind::svg, &o.svg}};
   bool any = false;
   for (const auto& [kind, path] : wanted) any = any || !path->empty();
-  if (!any) return usage("export needs at least one of --step, --stl, --glb, --3mf, --dxf, --svg with a file name");
+  if (!any)
+    return usage(
+        "export needs at least one of --step, --stl, --glb, --3mf, --dxf, --svg with a file name");
+  if (const std::string name = collision(o); !name.empty()) {
+    return usage(name + " is named twice, or is the spec itself");
+  }
   const auto design = solve_file(o, o.gear ? Scope::gears : Scope::everything);
   if (!design) return fail(o, design.error());
   const int count = static_cast<int>(design->gears.size());
@@ -170,14 +197,15 @@ int export_verb(const Options& o) {
     if (!body) return fail(o, body.error());
     bodies.push_back(std::move(body).take());
   }
-  std::vector<WrittenFile> files;
+  std::vector<JobFile> files;
   const FileOptions options = file_options(o);
   for (const auto& [kind, path] : wanted) {
     if (path->empty()) continue;
-    auto file = write_bodies(kind, bodies, *path, options);
+    auto file = make_file(kind, bodies, *path, options);
     if (!file) return fail(o, file.error());
     files.push_back(std::move(file).take());
   }
+  write_files(files);
   if (o.json) {
     print_json({{"files", files_json(files)}, {"warnings", warnings_json(design->warnings)}});
   } else {
@@ -203,8 +231,10 @@ int verify_verb(const Options& o) {
       ++cases;
       values += c.values;
       bad += c.differences.empty() ? 0 : 1;
-      for (const std::string& d : c.differences) lines += fmt::format("{}  {}: {}\n", path, c.id, d);
-      list.push_back({{"file", path}, {"id", c.id}, {"values", c.values}, {"differences", c.differences}});
+      for (const std::string& d : c.differences)
+        lines += fmt::format("{}  {}: {}\n", path, c.id, d);
+      list.push_back(
+          {{"file", path}, {"id", c.id}, {"values", c.values}, {"differences", c.differences}});
     }
   }
   if (o.json) {

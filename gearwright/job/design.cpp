@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace gearwright {
@@ -25,8 +26,9 @@ ShiftProblem shift_problem(const JobSpec& spec) {
   p.normal_module = c1.normal_module;
   p.normal_pressure_angle = c1.normal_pressure_angle.rad();
   p.cos_beta = std::cos(c1.helix_angle.rad());
-  p.transverse_pressure_angle =
-      p.cos_beta == 1.0 ? p.normal_pressure_angle : std::atan(std::tan(p.normal_pressure_angle) / p.cos_beta);
+  p.transverse_pressure_angle = p.cos_beta == 1.0
+                                    ? p.normal_pressure_angle
+                                    : std::atan(std::tan(p.normal_pressure_angle) / p.cos_beta);
   p.x1 = spec.gears[0]->profile_shift;
   p.x2 = spec.gears[1]->profile_shift;
   if (!spec.pair.center_distance) {
@@ -55,11 +57,15 @@ bool can_be_parallel(const JobSpec& spec) {
   return z1 > 0 && (z2 > 0 || -z2 > z1);
 }
 
-// Tips cut back so that the racks' clearance is kept at this distance: k m_n = σ (a − a_ext).  [T2.21]
+// Tips cut back so that the racks' clearance is kept at this distance: k m_n = σ (a − a_ext).
+// [T2.21]
 void shorten_tips(JobSpec& spec, const ShiftSolution& s) {
   const ShiftProblem p = shift_problem(spec);
-  const double extended = extended_center_distance(p.z1, p.z2, p.normal_module, p.cos_beta, s.x1 + s.x2);
-  const double k_m = p.z2 > 0 ? s.center_distance - extended : extended - s.center_distance;
+  const double extended =
+      extended_center_distance(p.z1, p.z2, p.normal_module, p.cos_beta, s.x1 + s.x2);
+  // Never outward: further apart than that the clearance is larger than the racks' anyway.
+  const double k_m =
+      std::min(0.0, p.z2 > 0 ? s.center_distance - extended : extended - s.center_distance);
   for (auto& gear : spec.gears) {
     CylindricalSpec& c = gear->cylindrical;
     if (c.tip_diameter) continue;
@@ -69,6 +75,32 @@ void shorten_tips(JobSpec& spec, const ShiftSolution& s) {
   }
 }
 
+// What cannot be had from gears of different racks: x means something else in each of them.
+std::optional<Error> needs_one_rack(const JobSpec& spec, bool shift_wanted) {
+  const std::string why =
+      ": needs two gears of the same module, pressure angle and helix angle on parallel axes; "
+      "of different racks give both shifts and the centre distance";
+  if (shift_wanted) {
+    const std::string key =
+        spec.gears[0]->profile_shift ? "gear2.profile_shift" : "gear1.profile_shift";
+    return Error{key, "",
+                 key + ": is missing, and to find it from the centre distance" + why.substr(1)};
+  }
+  if (spec.pair.mounting == Mounting::extended)
+    return Error{"pair.mounting", "extended", "pair.mounting = \"extended\"" + why};
+  if (spec.pair.shorten_tips)
+    return Error{"pair.shorten_tips", "true", "pair.shorten_tips = true" + why};
+  return std::nullopt;
+}
+
+// s_bt without the thickness allowance, which makes backlash and does not move the centre distance.
+double nominal_base_thickness(const Gear& gear) {
+  const CylindricalSpec& c = gear.spec;
+  return reference_geometry<double>({c.teeth, c.normal_module, c.normal_pressure_angle.rad(),
+                                     c.helix_angle.rad(), c.profile_shift, 0.0})
+      .base_tooth_thickness;
+}
+
 void collect_warnings(Design& design) {
   for (std::size_t i = 0; i < design.gears.size(); ++i) {
     const GearInput& input = *design.spec.gears[i];
@@ -76,12 +108,21 @@ void collect_warnings(Design& design) {
     if (!input.face_width_given) {
       design.warnings.push_back({"default_face_width",
                                  fmt::format("No face_width_mm given: {} mm (10 modules) is used.",
-                                             input.cylindrical.face_width), number});
+                                             input.cylindrical.face_width),
+                                 number});
     }
     for (Warning w : design.gears[i].warnings) {
       w.gear = number;
       design.warnings.push_back(std::move(w));
     }
+  }
+  std::vector<std::string> not_read = design.spec.not_read;
+  for (const auto& gear : design.spec.gears) {
+    if (gear) not_read.insert(not_read.end(), gear->not_read.begin(), gear->not_read.end());
+  }
+  for (const std::string& what : not_read) {
+    design.warnings.push_back(
+        {"not_read", what + " is of a part that is not in this version: it was not read.", 0});
   }
   if (!design.pair) return;
   for (const Warning& w : design.pair->warnings) design.warnings.push_back(w);
@@ -105,7 +146,11 @@ Result<Design> solve(const JobSpec& given, Scope scope) {
   std::optional<ShiftSolution> shifts;
   const bool shift_wanted = two && spec.pair.center_distance &&
                             (!spec.gears[0]->profile_shift || !spec.gears[1]->profile_shift);
-  if (two && can_be_parallel(spec) && share_a_rack(spec) && (want_pair || shift_wanted)) {
+  const bool one_rack = two && can_be_parallel(spec) && share_a_rack(spec);
+  if (two && !one_rack && (want_pair || shift_wanted)) {
+    if (auto error = needs_one_rack(spec, shift_wanted)) return *error;
+  }
+  if (one_rack && (want_pair || shift_wanted || spec.pair.shorten_tips)) {
     auto solution = complete_shifts(shift_problem(spec));
     if (!solution) return solution.error();
     shifts = *solution;
@@ -119,16 +164,13 @@ Result<Design> solve(const JobSpec& given, Scope scope) {
     design.gears.push_back(std::move(gear).take());
   }
   if (want_pair) {
-    std::optional<double> a = shifts ? std::optional(shifts->center_distance) : spec.pair.center_distance;
+    std::optional<double> a =
+        shifts ? std::optional(shifts->center_distance) : spec.pair.center_distance;
     if (!a) {
-      // Same base pitch from different racks: the distance at which the thicknesses close the backlash.
-      ParallelMeshInput<double> in;
-      in.z1 = design.gears[0].spec.teeth;
-      in.z2 = design.gears[1].spec.teeth;
-      in.base_radius_1 = design.gears[0].base_radius();
-      in.base_radius_2 = design.gears[1].base_radius();
-      in.base_thickness_1 = design.gears[0].reference.base_tooth_thickness;
-      in.base_thickness_2 = design.gears[1].reference.base_tooth_thickness;
+      // Same base pitch from different racks: the distance at which the nominal thicknesses close.
+      ParallelMeshInput<double> in = mesh_input(design.gears[0], design.gears[1], 0.0);
+      in.base_thickness_1 = nominal_base_thickness(design.gears[0]);
+      in.base_thickness_2 = nominal_base_thickness(design.gears[1]);
       const double inv = can_be_parallel(spec) ? backlash_free_involute(in) : 0.0;
       a = inv >= 0.0 ? base_radius_sum(in) / std::cos(inverse_involute(inv)) : base_radius_sum(in);
     }

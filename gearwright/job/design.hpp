@@ -1,7 +1,7 @@
 // From a spec to gears and a pair: what is absent follows, what contradicts itself is named.
 //
-// The rules are those of the interface (docs/spec.md): shifts and centre distance complete each other,
-// absent face widths become 10 m_n with a warning.
+// The rules are those of the interface (docs/spec.md): shifts and centre distance complete each
+// other, absent face widths become 10 m_n with a warning.
 #pragma once
 
 #include <optional>
@@ -15,11 +15,13 @@ namespace gearwright {
 /// What a spec describes. With a pair its gears are the pair's.
 struct Design {
   JobSpec spec;
-  std::vector<Gear> gears;         ///< one or two
-  std::optional<Pair> pair;        ///< when the spec has two gears and the caller wanted the pair
-  std::vector<Warning> warnings;   ///< of gears and pair, with the gear's number
+  std::vector<Gear> gears;        ///< one or two
+  std::optional<Pair> pair;       ///< when the spec has two gears and the caller wanted the pair
+  std::vector<Warning> warnings;  ///< of gears and pair, with the gear's number
 
-  std::optional<Bore> bore(int which) const { return spec.gears[static_cast<std::size_t>(which - 1)]->bore; }
+  std::optional<Bore> bore(int which) const {
+    return spec.gears[static_cast<std::size_t>(which - 1)]->bore;
+  }
 };
 
 enum class Scope {

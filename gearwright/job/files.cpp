@@ -23,14 +23,22 @@ namespace {
 
 std::string gear_name(int which) { return "gear" + std::to_string(which); }
 
-// CAD errors name a body's key; a user knows it under the gear's table.
+// CAD errors name a body's key; a user knows it under the gear's table. Of a tolerance or of the
+// number of faces the spec has no key: their sentence stands alone.
 Error of_gear(Error error, const std::string& name) {
-  if (!error.key.empty() && error.key.rfind("gear", 0) != 0) error.key = name + "." + error.key;
+  const bool of_spec = error.key == "teeth" || error.key.rfind("bore.", 0) == 0;
+  if (of_spec) {
+    error.message = name + "." + error.key + " = " + error.value + ": " + error.message;
+    error.key = name + "." + error.key;
+  } else {
+    error.message = name + ": " + error.message;
+    error.key = name;
+  }
   return error;
 }
 
-Result<WrittenFile> write_mesh(FileKind kind, const std::vector<ToothedBody>& bodies, const fs::path& path,
-                               const FileOptions& options) {
+Result<JobFile> make_mesh(FileKind kind, const std::vector<ToothedBody>& bodies,
+                          const fs::path& path, const FileOptions& options) {
   std::vector<MeshPart> parts;
   std::size_t triangles = 0;
   for (const ToothedBody& body : bodies) {
@@ -40,32 +48,36 @@ Result<WrittenFile> write_mesh(FileKind kind, const std::vector<ToothedBody>& bo
     parts.push_back({body.name, std::move(mesh).take(), body.pose});
   }
   const char* what = kind == FileKind::stl ? "STL" : kind == FileKind::glb ? "GLB" : "3MF";
-  write_file(path, kind == FileKind::stl   ? stl_bytes(parts)
-                   : kind == FileKind::glb ? glb_bytes(parts)
-                                           : threemf_bytes(parts));
-  return WrittenFile{path, what, options.mesh_tolerance_mm, fmt::format("{} triangles", triangles)};
+  std::string bytes = kind == FileKind::stl   ? stl_bytes(parts)
+                      : kind == FileKind::glb ? glb_bytes(parts)
+                                              : threemf_bytes(parts);
+  return JobFile{path, what, options.mesh_tolerance_mm, fmt::format("{} triangles", triangles),
+                 std::move(bytes)};
 }
 
-Result<WrittenFile> write_drawing(FileKind kind, const std::vector<ToothedBody>& bodies, const fs::path& path,
-                                  const FileOptions& options) {
+Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodies,
+                             const fs::path& path, const FileOptions& options) {
   const ToothedBody& body = bodies.front();
-  const auto style = options.drawing_splines ? ContourOptions::Style::splines : ContourOptions::Style::biarcs;
+  const auto style =
+      options.drawing_splines ? ContourOptions::Style::splines : ContourOptions::Style::biarcs;
   std::optional<double> tolerance;
   if (!options.drawing_splines) tolerance = options.drawing_tolerance_mm;
-  auto drawing = kind == FileKind::svg ? svg_drawing(body) : dxf_drawing(body, {style, tolerance});
-  if (!drawing) return of_gear(drawing.error(), body.name);
-  write_file(path, drawing->text);
-  const char* what = kind == FileKind::svg       ? "SVG outline"
-                     : options.drawing_splines   ? "DXF, splines"
-                                                 : "DXF, arcs";
-  return WrittenFile{path, what, drawing->deviation_mm, fmt::format("{} segments", drawing->segments)};
+  auto made = kind == FileKind::svg ? svg_drawing(body) : dxf_drawing(body, {style, tolerance});
+  if (!made) return of_gear(made.error(), body.name);
+  Drawing drawing = std::move(made).take();
+  const char* what = kind == FileKind::svg     ? "SVG outline"
+                     : options.drawing_splines ? "DXF, splines"
+                                               : "DXF, arcs";
+  return JobFile{path, what, drawing.deviation_mm, fmt::format("{} segments", drawing.segments),
+                 std::move(drawing.text)};
 }
 
-std::vector<ReportFile> report_files(const std::vector<WrittenFile>& files) {
+std::vector<ReportFile> report_files(const std::vector<JobFile>& files) {
   std::vector<ReportFile> rows;
-  for (const WrittenFile& f : files) {
+  for (const JobFile& f : files) {
     std::string note = f.note;
-    if (f.deviation_mm) note += fmt::format("; within {:.3g} µm of the exact surface", *f.deviation_mm * 1e3);
+    if (f.deviation_mm)
+      note += fmt::format("; within {:.3g} µm of the exact surface", *f.deviation_mm * 1e3);
     rows.push_back({f.path.filename().string(), f.what, note});
   }
   return rows;
@@ -89,17 +101,23 @@ Result<ToothedBody> make_body(const Design& design, int which, bool in_place) {
   const Gear& gear = design.gears[static_cast<std::size_t>(which - 1)];
   const std::string name = gear_name(which);
   if (gear.internal()) {
-    return Error{name + ".teeth", fmt::format("{}", gear.spec.teeth),
-                 fmt::format("{}.teeth = {}: a ring's outline is cut by a pinion cutter, which is not in this "
-                             "version; its closed-form data are, by the verbs gear and pair",
-                             name, gear.spec.teeth)};
+    return Error{
+        name + ".teeth", fmt::format("{}", gear.spec.teeth),
+        fmt::format(
+            "{}.teeth = {}: a ring's outline is cut by a pinion cutter, which is not in this "
+            "version; its closed-form data are, by the verbs gear and pair",
+            name, gear.spec.teeth)};
   }
   if (!gear.exists()) {
     return Error{name + ".profile_shift", fmt::format("{}", gear.spec.profile_shift),
                  fmt::format("{}.profile_shift = {}: {}", name, gear.spec.profile_shift,
                              gear.warnings.back().message)};
   }
-  ToothedBody body{name, gear.tooth->outline, gear.twist(), gear.spec.face_width, design.bore(which),
+  ToothedBody body{name,
+                   gear.tooth->outline,
+                   gear.twist(),
+                   gear.spec.face_width,
+                   design.bore(which),
                    Eigen::Isometry3d::Identity()};
   if (in_place && design.pair) {
     body.pose = which == 1 ? design.pair->pose_1().isometry() : design.pair->pose_2().isometry();
@@ -107,58 +125,63 @@ Result<ToothedBody> make_body(const Design& design, int which, bool in_place) {
   return body;
 }
 
-Result<WrittenFile> write_bodies(FileKind kind, const std::vector<ToothedBody>& bodies, const fs::path& path,
-                                 const FileOptions& options) {
+Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
+                          const fs::path& path, const FileOptions& options) {
   GW_EXPECTS(!bodies.empty());
   if (options.progress) options.progress(path.filename().string());
-  if (kind == FileKind::dxf || kind == FileKind::svg) return write_drawing(kind, bodies, path, options);
-  if (kind != FileKind::step) return write_mesh(kind, bodies, path, options);
+  if (kind == FileKind::dxf || kind == FileKind::svg)
+    return make_drawing(kind, bodies, path, options);
+  if (kind != FileKind::step) return make_mesh(kind, bodies, path, options);
   if (!options.step) {
     return Error{"", "", "this build of gearwright has no STEP: it was configured without OCCT"};
   }
-  auto report = options.step(bodies, path);
-  if (!report) return of_gear(report.error(), bodies.front().name);
-  GW_ENSURES(report->valid);
-  return WrittenFile{path, "STEP, AP242", report->max_deviation_mm, fmt::format("{} faces", report->face_count)};
+  for (const ToothedBody& body : bodies) {
+    if (const auto walls = make_walls(body); !walls) return of_gear(walls.error(), body.name);
+  }
+  auto made = options.step(bodies, path.filename().string());
+  if (!made) return made.error();
+  StepDocument document = std::move(made).take();
+  return JobFile{path, "STEP, AP242", document.report.max_deviation_mm,
+                 fmt::format("{} faces", document.report.face_count), std::move(document.text)};
 }
 
-Result<std::vector<WrittenFile>> write_everything(Design& design, const fs::path& folder,
-                                                  const FileOptions& options) {
-  // Everything that can be refused is refused before the first file.
-  std::vector<std::pair<int, ToothedBody>> bodies;
+void write_files(const std::vector<JobFile>& files) {
+  for (const JobFile& f : files) write_file(f.path, f.bytes);
+}
+
+Result<std::vector<JobFile>> write_everything(Design& design, const fs::path& folder,
+                                              const FileOptions& options) {
+  std::vector<JobFile> files;
+  std::vector<ToothedBody> mounted;
+  const auto make = [&](FileKind kind, const std::vector<ToothedBody>& bodies,
+                        const std::string& name) {
+    auto file = make_file(kind, bodies, folder / (name + std::string(ending(kind))), options);
+    if (!file) return std::optional(file.error());
+    files.push_back(std::move(file).take());
+    return std::optional<Error>();
+  };
   for (int which = 1; which <= static_cast<int>(design.gears.size()); ++which) {
-    auto body = make_body(design, which, false);
+    const auto body = make_body(design, which, false);
     if (!body) {
       design.warnings.push_back({"no_outline", body.error().message, which});
       continue;
     }
-    if (const auto walls = make_walls(*body); !walls) return of_gear(walls.error(), body->name);
-    bodies.emplace_back(which, std::move(body).take());
-  }
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw IoError("cannot make the folder " + folder.string() + ": " + error.message());
-  std::vector<WrittenFile> files;
-  std::vector<ToothedBody> mounted;
-  for (const auto& [which, body] : bodies) {
-    for (FileKind kind : {FileKind::step, FileKind::stl, FileKind::threemf, FileKind::dxf, FileKind::svg}) {
+    for (FileKind kind :
+         {FileKind::stl, FileKind::threemf, FileKind::dxf, FileKind::svg, FileKind::step}) {
       if (kind == FileKind::step && !options.step) continue;
-      auto file = write_bodies(kind, {body}, folder / (gear_name(which) + std::string(ending(kind))), options);
-      if (!file) return file.error();
-      files.push_back(std::move(file).take());
+      if (const auto error = make(kind, {*body}, gear_name(which))) return *error;
     }
     if (design.pair) mounted.push_back(make_body(design, which, true).value());
   }
   if (mounted.size() == 2) {
     for (FileKind kind : {FileKind::step, FileKind::glb}) {
       if (kind == FileKind::step && !options.step) continue;
-      auto file = write_bodies(kind, mounted, folder / ("pair" + std::string(ending(kind))), options);
-      if (!file) return file.error();
-      files.push_back(std::move(file).take());
+      if (const auto error = make(kind, mounted, "pair")) return *error;
     }
   }
   if (!options.step) {
-    design.warnings.push_back({"no_step", "This build has no STEP: it was configured without OCCT.", 0});
+    design.warnings.push_back(
+        {"no_step", "This build has no STEP: it was configured without OCCT.", 0});
   }
 
   ReportInput report;
@@ -169,13 +192,17 @@ Result<std::vector<WrittenFile>> write_everything(Design& design, const fs::path
   report.files = report_files(files);
   report.spec_text = design.spec.text;
   report.version = kVersion;
-  write_file(folder / "report.html", report_html(report));
-  files.insert(files.begin(), {folder / "report.html", "report", std::nullopt, "one self-contained page"});
-
+  files.insert(files.begin(), {folder / "report.html", "report", std::nullopt,
+                               "one self-contained page", report_html(report)});
   Json result = design_json(design);
   result["files"] = files_json(files);
-  write_file(folder / "result.json", result.dump(2) + "\n");
-  files.insert(files.begin(), {folder / "result.json", "result", std::nullopt, "every number, as JSON"});
+  files.insert(files.begin(), {folder / "result.json", "result", std::nullopt,
+                               "every number, as JSON", result.dump(2) + "\n"});
+
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw IoError("cannot make the folder " + folder.string() + ": " + error.message());
+  write_files(files);
   return files;
 }
 

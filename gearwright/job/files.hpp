@@ -1,6 +1,7 @@
 // The files of a job: solids, meshes and drawings of the gears, each whole or not there at all.
 //
-// STEP needs a CAD kernel that the core does not link: an application that has it hands its writer in.
+// STEP needs a CAD kernel that the core does not link: an application that has it hands its writer
+// in.
 #pragma once
 
 #include <filesystem>
@@ -17,22 +18,25 @@
 
 namespace gearwright {
 
-using StepWriter = std::function<Result<StepReport>(const std::vector<ToothedBody>&, const std::filesystem::path&)>;
+/// Makes the text of a STEP file from bodies and the name that its header calls it.
+using StepMaker =
+    std::function<Result<StepDocument>(const std::vector<ToothedBody>&, const std::string&)>;
 using Progress = std::function<void(std::string_view what)>;
 
 struct FileOptions {
-  StepWriter step;      ///< empty: this build has no STEP
-  Progress progress;    ///< told before each file; may be empty
+  StepMaker step;                       ///< empty: this build has no STEP
+  Progress progress;                    ///< told before each file; may be empty
   double mesh_tolerance_mm = 0.005;     ///< of STL, GLB, 3MF
   double drawing_tolerance_mm = 0.001;  ///< of DXF as arcs
   bool drawing_splines = false;         ///< DXF as splines instead of arcs
 };
 
-struct WrittenFile {
+struct JobFile {
   std::filesystem::path path;
-  std::string what;                     ///< "STEP, AP242", "DXF, arcs"
-  std::optional<double> deviation_mm;   ///< greatest distance to the exact surface or outline
-  std::string note;                     ///< "1208 triangles", "123 faces"
+  std::string what;                    ///< "STEP, AP242", "DXF, arcs"
+  std::optional<double> deviation_mm;  ///< greatest distance to the exact surface or outline
+  std::string note;                    ///< "1208 triangles", "123 faces"
+  std::string bytes;                   ///< the file
 };
 
 enum class FileKind { step, stl, glb, threemf, dxf, svg };
@@ -42,18 +46,23 @@ std::string_view ending(FileKind kind);
 
 /// One gear as a body, in its own frame or in the housing.
 ///
-/// Errors    the gear's reason when it has no outline: a ring, a severed tooth, a root through the axis
+/// Errors    the gear's reason when it has no outline: a ring, a severed tooth, a root through the
+/// axis
 Result<ToothedBody> make_body(const Design& design, int which, bool in_place);
 
-/// Writes one file with these bodies.
+/// Makes one file with these bodies, in memory: what can be refused is refused before anything is
+/// on disk.
 ///
-/// Throws    IoError     Errors  a bore that does not fit; STEP in a build without it
-Result<WrittenFile> write_bodies(FileKind kind, const std::vector<ToothedBody>& bodies,
-                                 const std::filesystem::path& path, const FileOptions& options);
+/// Errors    a bore that does not fit; a file too large to be of use; STEP in a build without it
+Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
+                          const std::filesystem::path& path, const FileOptions& options);
 
-/// `run`: everything that applies, into `folder`: result.json, report.html, gear1.*, gear2.*, pair.*
-/// Gears without an outline get a warning in the design instead of files.
-Result<std::vector<WrittenFile>> write_everything(Design& design, const std::filesystem::path& folder,
-                                                  const FileOptions& options);
+/// Writes them, each whole or not at all.   Throws  IoError
+void write_files(const std::vector<JobFile>& files);
+
+/// `run`: everything that applies, into `folder`: result.json, report.html, gear1.*, gear2.*,
+/// pair.* Gears without an outline get a warning in the design instead of files.
+Result<std::vector<JobFile>> write_everything(Design& design, const std::filesystem::path& folder,
+                                              const FileOptions& options);
 
 }  // namespace gearwright

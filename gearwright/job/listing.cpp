@@ -28,14 +28,18 @@ std::string pad_left(const std::string& s, std::size_t n) {
 
 // Four decimals; what rounds to nothing has no sign.
 std::string mm(double v) { return fmt::format("{:.4f}", std::abs(v) < 0.5e-4 ? 0.0 : v); }
-std::string angle(double rad) { return fmt::format("{:.5f}", std::abs(deg(rad)) < 0.5e-5 ? 0.0 : deg(rad)); }
-std::string maybe(const std::optional<double>& v, double factor = 1.0) { return v ? mm(factor * *v) : "-"; }
+std::string angle(double rad) {
+  return fmt::format("{:.5f}", std::abs(deg(rad)) < 0.5e-5 ? 0.0 : deg(rad));
+}
+std::string maybe(const std::optional<double>& v, double factor = 1.0) {
+  return v ? mm(factor * *v) : "-";
+}
 
 class Table {
  public:
   void head(const std::string& text) { out_ += "\n" + text + "\n"; }
-  void row(const std::string& what, const std::string& symbol, const std::vector<std::string>& values,
-           const char* unit) {
+  void row(const std::string& what, const std::string& symbol,
+           const std::vector<std::string>& values, const char* unit) {
     std::string line = "  " + pad(what, 38) + pad(symbol, 7);
     for (const std::string& v : values) line += pad_left(v, 14);
     line += std::string("  ") + unit;
@@ -54,7 +58,8 @@ std::string gear_listing(const Design& design) {
   Table t;
   if (!design.spec.title.empty()) t.head(design.spec.title);
   std::vector<std::string> heads;
-  for (std::size_t i = 0; i < design.gears.size(); ++i) heads.push_back(fmt::format("gear {}", i + 1));
+  for (std::size_t i = 0; i < design.gears.size(); ++i)
+    heads.push_back(fmt::format("gear {}", i + 1));
   t.row("", "", heads, "");
   const auto each = [&](const char* what, const char* symbol, const char* unit,
                         const std::function<std::string(const Gear&)>& value) {
@@ -64,23 +69,35 @@ std::string gear_listing(const Design& design) {
   };
   each("teeth", "z", "", [](const Gear& g) { return fmt::format("{}", g.spec.teeth); });
   each("normal module", "m_n", "mm", [](const Gear& g) { return mm(g.spec.normal_module); });
-  each("normal pressure angle", "α_n", "°", [](const Gear& g) { return angle(g.spec.normal_pressure_angle.rad()); });
-  each("transverse pressure angle", "α_t", "°", [](const Gear& g) { return angle(g.reference.transverse_pressure_angle); });
-  each("helix angle (+ right hand)", "β", "°", [](const Gear& g) { return angle(g.spec.helix_angle.rad()); });
-  each("base helix angle", "β_b", "°", [](const Gear& g) { return angle(g.reference.base_helix_angle); });
-  each("profile shift", "x", "", [](const Gear& g) { return fmt::format("{:.5f}", g.spec.profile_shift); });
+  each("normal pressure angle", "α_n", "°",
+       [](const Gear& g) { return angle(g.spec.normal_pressure_angle.rad()); });
+  each("transverse pressure angle", "α_t", "°",
+       [](const Gear& g) { return angle(g.reference.transverse_pressure_angle); });
+  each("helix angle (+ right hand)", "β", "°",
+       [](const Gear& g) { return angle(g.spec.helix_angle.rad()); });
+  each("base helix angle", "β_b", "°",
+       [](const Gear& g) { return angle(g.reference.base_helix_angle); });
+  each("profile shift", "x", "",
+       [](const Gear& g) { return fmt::format("{:.5f}", g.spec.profile_shift); });
   each("face width", "b", "mm", [](const Gear& g) { return mm(g.spec.face_width); });
-  each("lead", "p_z", "mm", [](const Gear& g) { return g.lead == 0.0 ? std::string("-") : mm(g.lead); });
-  each("reference diameter", "d", "mm", [](const Gear& g) { return mm(g.reference.reference_diameter); });
+  each("lead", "p_z", "mm",
+       [](const Gear& g) { return g.lead == 0.0 ? std::string("-") : mm(g.lead); });
+  each("reference diameter", "d", "mm",
+       [](const Gear& g) { return mm(g.reference.reference_diameter); });
   each("base diameter", "d_b", "mm", [](const Gear& g) { return mm(g.reference.base_diameter); });
   each("tip diameter", "d_a", "mm", [](const Gear& g) { return mm(g.tip_diameter); });
-  each("tip form diameter", "d_Fa", "mm", [](const Gear& g) { return g.exists() ? mm(2 * g.tip_form_radius()) : "-"; });
-  each("root form diameter", "d_Ff", "mm", [](const Gear& g) { return maybe(g.root_form_radius(), 2.0); });
+  each("tip form diameter", "d_Fa", "mm",
+       [](const Gear& g) { return g.exists() ? mm(2 * g.tip_form_radius()) : "-"; });
+  each("root form diameter", "d_Ff", "mm",
+       [](const Gear& g) { return maybe(g.root_form_radius(), 2.0); });
   each("root diameter", "d_f", "mm", [](const Gear& g) { return mm(g.root_diameter); });
   each("pointed diameter", "", "mm", [](const Gear& g) { return maybe(g.pointed_diameter); });
-  each("normal thickness at d", "s_n", "mm", [](const Gear& g) { return mm(g.reference.reference_tooth_thickness_normal); });
-  each("transverse thickness at d_b", "s_bt", "mm", [](const Gear& g) { return mm(g.reference.base_tooth_thickness); });
-  each("normal thickness at the tip", "s_an", "mm", [](const Gear& g) { return maybe(g.tip_tooth_thickness_normal); });
+  each("normal thickness at d", "s_n", "mm",
+       [](const Gear& g) { return mm(g.reference.reference_tooth_thickness_normal); });
+  each("transverse thickness at d_b", "s_bt", "mm",
+       [](const Gear& g) { return mm(g.reference.base_tooth_thickness); });
+  each("normal thickness at the tip", "s_an", "mm",
+       [](const Gear& g) { return maybe(g.tip_tooth_thickness_normal); });
   each("shift without undercut, at least", "", "", [](const Gear& g) {
     return g.internal() ? std::string("-") : fmt::format("{:.5f}", g.undercut_free_profile_shift);
   });
@@ -89,28 +106,33 @@ std::string gear_listing(const Design& design) {
 
 std::string pair_listing(const Pair& p) {
   Table t;
-  t.head(p.kind == PairKind::parallel_external ? "external pair, parallel axes" : "internal pair, parallel axes");
-  const auto one = [&](const char* what, const char* symbol, const std::string& v, const char* unit) {
-    t.row(what, symbol, {v}, unit);
+  t.head(p.kind == PairKind::parallel_external ? "external pair, parallel axes"
+                                               : "internal pair, parallel axes");
+  const auto one = [&](const char* what, const char* symbol, const std::string& v,
+                       const char* unit) { t.row(what, symbol, {v}, unit); };
+  const auto two = [&](const char* what, const char* symbol, const std::string& v1,
+                       const std::string& v2, const char* unit) {
+    t.row(what, symbol, {v1, v2}, unit);
   };
-  const auto two = [&](const char* what, const char* symbol, const std::string& v1, const std::string& v2,
-                       const char* unit) { t.row(what, symbol, {v1, v2}, unit); };
   const auto& m = p.mesh;
   one("gear ratio", "u", fmt::format("{:.6g}", p.gear_ratio()), "");
   one("centre distance", "a", mm(p.center_distance), "mm");
   one("  reference", "a_d", mm(p.reference_center_distance), "mm");
   one("  backlash-free", "", maybe(p.backlash_free_center_distance), "mm");
   one("  extended", "", mm(p.extended_center_distance), "mm");
-  one("working pressure angle, transverse", "α_wt", angle(m.working_transverse_pressure_angle), "°");
+  one("working pressure angle, transverse", "α_wt", angle(m.working_transverse_pressure_angle),
+      "°");
   one("working pressure angle, normal", "α_wn", angle(m.working_normal_pressure_angle), "°");
   one("working helix angle", "β_w", angle(m.working_helix_angle), "°");
-  two("working pitch diameters", "d_w", mm(2 * m.working_pitch_radius_1), mm(2 * m.working_pitch_radius_2), "mm");
+  two("working pitch diameters", "d_w", mm(2 * m.working_pitch_radius_1),
+      mm(2 * m.working_pitch_radius_2), "mm");
   one("transverse contact ratio", "ε_α", fmt::format("{:.5f}", m.transverse_contact_ratio), "");
   one("overlap ratio", "ε_β", fmt::format("{:.5f}", m.overlap_ratio), "");
   one("total contact ratio", "ε_γ", fmt::format("{:.5f}", p.contact_ratio()), "");
   one("  on the usable flanks", "", fmt::format("{:.5f}", p.contact_ratio_true()), "");
   one("length of the path of contact", "g_α", mm(m.path_length), "mm");
-  two("backlash: rotation, mate held", "", angle(m.backlash_rotation_1), angle(m.backlash_rotation_2), "°");
+  two("backlash: rotation, mate held", "", angle(m.backlash_rotation_1),
+      angle(m.backlash_rotation_2), "°");
   one("  normal, along the line of action", "j_bn", mm(m.backlash_normal_base), "mm");
   one("  normal", "j_n", mm(m.backlash_normal), "mm");
   one("  circumferential", "j_wt", mm(m.backlash_circumferential), "mm");
@@ -125,15 +147,15 @@ std::string pair_listing(const Pair& p) {
 std::string warning_listing(const std::vector<Warning>& warnings) {
   std::string out;
   for (const Warning& w : warnings) {
-    out += fmt::format("{}warning: {}{}\n", out.empty() ? "\n" : "", w.gear ? fmt::format("gear {}: ", w.gear) : "",
-                       w.message);
+    out += fmt::format("{}warning: {}{}\n", out.empty() ? "\n" : "",
+                       w.gear ? fmt::format("gear {}: ", w.gear) : "", w.message);
   }
   return out;
 }
 
-std::string file_listing(const std::vector<WrittenFile>& files) {
+std::string file_listing(const std::vector<JobFile>& files) {
   std::string out = "\n";
-  for (const WrittenFile& f : files) {
+  for (const JobFile& f : files) {
     std::string note = f.note;
     if (f.deviation_mm) note += fmt::format(", within {:.2g} µm", *f.deviation_mm * 1e3);
     out += "  " + pad(f.path.string(), 44) + "  " + pad(f.what, 14) + note + "\n";

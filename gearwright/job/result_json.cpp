@@ -1,5 +1,6 @@
 #include "gearwright/job/result_json.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -17,9 +18,11 @@ Json point(const Point<Housing>& p) { return Json::array({p.r.x(), p.r.y(), p.r.
 
 Json line_json(const Pair& p) {
   Json line;
-  line["length_mm"] = p.mesh.path_length;
-  line["leading"] = {point(p.on_line_of_action(p.mesh.rho1_A)), point(p.on_line_of_action(p.mesh.rho1_E))};
-  line["trailing"] = {point(p.on_trailing_line(p.mesh.rho1_A)), point(p.on_trailing_line(p.mesh.rho1_E))};
+  line["length_mm"] = std::max(0.0, p.mesh.path_length);
+  line["leading"] = {point(p.on_line_of_action(p.mesh.rho1_A)),
+                     point(p.on_line_of_action(p.mesh.rho1_E))};
+  line["trailing"] = {point(p.on_trailing_line(p.mesh.rho1_A)),
+                      point(p.on_trailing_line(p.mesh.rho1_E))};
   return line;
 }
 
@@ -64,8 +67,9 @@ Json gear_json(const Gear& g) {
   j["tip_diameter_mm"] = g.tip_diameter;
   j["root_diameter_mm"] = g.root_diameter;
   j["root_form_diameter_mm"] = exists ? optional(g.root_form_radius(), 2.0) : Json(nullptr);
-  j["tip_form_diameter_mm"] =
-      !exists || (g.tooth && !g.tooth->tip_form_radius) ? Json(nullptr) : Json(2 * g.tip_form_radius());
+  j["tip_form_diameter_mm"] = !exists || (g.tooth && !g.tooth->tip_form_radius)
+                                  ? Json(nullptr)
+                                  : Json(2 * g.tip_form_radius());
   j["finished_tip_diameter_mm"] = exists ? Json(2 * g.actual_tip_radius()) : Json(nullptr);
   j["base_tooth_thickness_mm"] = g.reference.base_tooth_thickness;
   j["reference_tooth_thickness_normal_mm"] = g.reference.reference_tooth_thickness_normal;
@@ -74,9 +78,10 @@ Json gear_json(const Gear& g) {
   j["normal_base_pitch_mm"] = g.reference.base_pitch_normal;
   j["transverse_base_pitch_mm"] = g.reference.base_pitch_transverse;
   j["undercut"] = g.undercut;
-  j["undercut_free_profile_shift"] = g.undercut_free_profile_shift;
+  j["undercut_free_profile_shift"] =
+      g.internal() ? Json(nullptr) : Json(g.undercut_free_profile_shift);
   const GeneratedTooth* tooth = g.tooth ? &*g.tooth : nullptr;
-  j["pointed"] = tooth && tooth->pointed;
+  j["pointed"] = g.pointed();
   j["severed"] = tooth && tooth->severed;
   j["through_axis"] = tooth && tooth->through_axis;
   j["tip_cut_by_rack"] = tooth && tooth->tip_cut_by_rack;
@@ -103,9 +108,16 @@ Json pair_json(const Pair& p) {
   j["working_normal_pressure_angle_deg"] = deg(p.mesh.working_normal_pressure_angle);
   j["working_transverse_pressure_angle_deg"] = {alpha_wt, alpha_wt};
   j["working_helix_angle_deg"] = {spur ? 0.0 : hand_1 * beta_w, spur ? 0.0 : hand_2 * beta_w};
-  j["working_pitch_diameter_mm"] = {2 * p.mesh.working_pitch_radius_1, 2 * p.mesh.working_pitch_radius_2};
+  j["working_pitch_diameter_mm"] = {2 * p.mesh.working_pitch_radius_1,
+                                    2 * p.mesh.working_pitch_radius_2};
+  // Crossed axes only; on parallel ones these do not exist.
+  for (const char* key :
+       {"pitch_plane_distance_mm", "min_face_width_mm", "min_face_width_both_flanks_mm",
+        "minimum_center_distance", "contact_ratio_range"}) {
+    j[key] = nullptr;
+  }
   j["contact_ratio"] = p.contact_ratio();
-  j["transverse_contact_ratio"] = p.mesh.transverse_contact_ratio;
+  j["transverse_contact_ratio"] = p.transverse_contact_ratio();
   j["contact_ratio_true"] = p.contact_ratio_true();
   j["overlap_ratio"] = p.mesh.overlap_ratio;
   j["line_of_action"] = line_json(p);
@@ -113,20 +125,22 @@ Json pair_json(const Pair& p) {
   j["path"] = path_points(p);
   j["interference"] = Json::array();
   for (const Interference& i : p.interference) {
-    j["interference"].push_back({{"code", i.code}, {"gear", i.gear}, {"amount", i.amount}, {"message", i.message}});
+    j["interference"].push_back(
+        {{"code", i.code}, {"gear", i.gear}, {"amount", i.amount}, {"message", i.message}});
   }
   j["tip_clearance_mm"] = {p.tip_clearance[0], p.tip_clearance[1]};
-  j["contact_root_diameter_mm"] = {optional(p.contact_root_diameter[0]), optional(p.contact_root_diameter[1])};
+  j["contact_root_diameter_mm"] = {optional(p.contact_root_diameter[0]),
+                                   optional(p.contact_root_diameter[1])};
   j["form_clearance_mm"] = {optional(p.form_clearance[0]), optional(p.form_clearance[1])};
   j["fillet_clearance_mm"] = {optional(p.fillet_clearance[0]), optional(p.fillet_clearance[1])};
   j["tip_shortening_mm"] = p.tip_shortening;
-  j["specific_sliding"] = {
-      {"gear1", {optional(p.sliding_A.zeta_1), optional(p.sliding_E.zeta_1)}},
-      {"gear2", {optional(p.sliding_A.zeta_2), optional(p.sliding_E.zeta_2)}}};
-  j["backlash"] = {{"normal_base_mm", p.mesh.backlash_normal_base},
-                   {"normal_mm", p.mesh.backlash_normal},
-                   {"circumferential_mm", {p.mesh.backlash_circumferential, p.mesh.backlash_circumferential}},
-                   {"rotation_deg", {deg(p.mesh.backlash_rotation_1), deg(p.mesh.backlash_rotation_2)}}};
+  j["specific_sliding"] = {{"gear1", {optional(p.sliding_A.zeta_1), optional(p.sliding_E.zeta_1)}},
+                           {"gear2", {optional(p.sliding_A.zeta_2), optional(p.sliding_E.zeta_2)}}};
+  j["backlash"] = {
+      {"normal_base_mm", p.mesh.backlash_normal_base},
+      {"normal_mm", p.mesh.backlash_normal},
+      {"circumferential_mm", {p.mesh.backlash_circumferential, p.mesh.backlash_circumferential}},
+      {"rotation_deg", {deg(p.mesh.backlash_rotation_1), deg(p.mesh.backlash_rotation_2)}}};
   if (p.kind == PairKind::parallel_internal) {
     j["internal"] = {{"involute_margin_mm", optional(p.involute_margin)},
                      {"trochoid_margin_deg", optional(p.trochoid_margin, 180 / std::numbers::pi)},
@@ -138,7 +152,9 @@ Json pair_json(const Pair& p) {
 Json warnings_json(const std::vector<Warning>& warnings) {
   Json list = Json::array();
   for (const Warning& w : warnings) {
-    list.push_back({{"code", w.code}, {"message", w.message}, {"gear", w.gear ? Json(w.gear) : Json(nullptr)}});
+    list.push_back({{"code", w.code},
+                    {"message", w.message},
+                    {"gear", w.gear ? Json(w.gear) : Json(nullptr)}});
   }
   return list;
 }
@@ -164,9 +180,9 @@ Json outline_json(const Outline& outline, int n) {
   return {{"arcs", std::move(arcs)}};
 }
 
-Json files_json(const std::vector<WrittenFile>& files) {
+Json files_json(const std::vector<JobFile>& files) {
   Json list = Json::array();
-  for (const WrittenFile& f : files) {
+  for (const JobFile& f : files) {
     list.push_back({{"file", f.path.filename().string()},
                     {"what", f.what},
                     {"max_deviation_um", optional(f.deviation_mm, 1e3)},

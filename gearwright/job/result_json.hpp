@@ -15,7 +15,7 @@ Json design_json(const Design& design);
 /// `arcs`: [{name, points}], n points per arc.   Domain: the outline is not empty (contract)
 Json outline_json(const Outline& outline, int n);
 /// [{file, what, max_deviation_um, note}]
-Json files_json(const std::vector<WrittenFile>& files);
+Json files_json(const std::vector<JobFile>& files);
 Json error_json(const Error& error);
 
 }  // namespace gearwright

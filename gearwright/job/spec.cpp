@@ -1,5 +1,6 @@
-// toml++ 3.3 answers some broken input ("[" and a newline) with an assert instead of a parse error; the
-// release behaviour of the same code is a clean parse error, so this file takes that in every build.
+// toml++ 3.3 answers some broken input ("[" and a newline) with an assert instead of a parse error;
+// the release behaviour of the same code is a clean parse error, so this file takes that in every
+// build.
 #ifndef NDEBUG
 #define NDEBUG
 #endif
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include "gearwright/base/output_file.hpp"
@@ -39,6 +41,50 @@ Json to_json(const toml::node& node) {
   if (const auto* v = node.as_boolean()) return v->get();
   if (const auto* v = node.as_string()) return v->get();
   return "(a date or time)";
+}
+
+constexpr int kDeepest = 32;  // tables in tables; a spec has three
+
+// Reads JSON with its nesting bounded and every key of a table there once, as TOML has it.
+Json parse_json(std::string_view text) {
+  std::vector<std::set<std::string>> keys;
+  const auto look = [&](int depth, Json::parse_event_t event, Json& parsed) {
+    if (depth > kDeepest) {
+      throw SpecError{
+          {"", "", fmt::format("the spec cannot be read: it nests more than {} tables", kDeepest)}};
+    }
+    if (event == Json::parse_event_t::object_start) keys.emplace_back();
+    if (event == Json::parse_event_t::object_end) keys.pop_back();
+    if (event == Json::parse_event_t::key &&
+        !keys.back().insert(parsed.get<std::string>()).second) {
+      const std::string key = printable(parsed.get<std::string>(), 60);
+      throw SpecError{{key, "", fmt::format("{}: stands twice in one table; leave one out", key)}};
+    }
+    return true;
+  };
+  return Json::parse(text.begin(), text.end(), look);
+}
+
+// The first line with more dots outside quotes than tables may nest: the TOML parser calls itself
+// for each part of a dotted name.
+std::optional<int> deep_line(std::string_view text) {
+  int line = 1;
+  int dots = 0;
+  char quote = 0;
+  for (const char c : text) {
+    if (c == '\n') {
+      ++line;
+      dots = 0;
+      quote = 0;
+    } else if (quote) {
+      if (c == quote) quote = 0;
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+    } else if (c == '.' && ++dots > 8 * kDeepest) {
+      return line;
+    }
+  }
+  return std::nullopt;
 }
 
 // One quantity said by several keys: each reader gives the value in the first one's unit.
@@ -113,10 +159,12 @@ std::optional<Bore> read_bore(TableReader& gear) {
   t.finish();
   if (!diameter) t.fail("diameter_mm", "is missing: a bore needs its diameter");
   if (width.has_value() != depth.has_value()) {
-    t.fail(width ? "keyway_depth_mm" : "keyway_width_mm", "is missing: a keyway needs width and depth");
+    t.fail(width ? "keyway_depth_mm" : "keyway_width_mm",
+           "is missing: a keyway needs width and depth");
   }
   if (width && *width >= *diameter) {
-    t.fail("keyway_width_mm", fmt::format("must be less than the bore's diameter {} mm", *diameter));
+    t.fail("keyway_width_mm",
+           fmt::format("must be less than the bore's diameter {} mm", *diameter));
   }
   return Bore{*diameter, width.value_or(0.0), depth.value_or(0.0)};
 }
@@ -146,17 +194,23 @@ double read_helix(TableReader& t) {
 
 // Keys of the interface that change a gear's geometry and are not in this version.
 void refuse_what_is_not_here(TableReader& t) {
-  t.refuse("basic", "gears given by their base cylinder are not in this version; give module, helix and shift");
-  t.refuse("cut_by", "generation by a pinion cutter is not in this version; give the gear its own rack");
+  t.refuse(
+      "basic",
+      "gears given by their base cylinder are not in this version; give module, helix and shift");
+  t.refuse("cut_by",
+           "generation by a pinion cutter is not in this version; give the gear its own rack");
   t.refuse("profile_shift_pair", "belongs to cut_by, which is not in this version");
-  t.refuse("root_fillet", "a modified root fillet is not in this version; the rack's root_fillet_radius is");
-  t.refuse("tip_fillet", "a modified tip fillet is not in this version; the rack's tip_fillet_radius is");
+  t.refuse("root_fillet",
+           "a modified root fillet is not in this version; the rack's root_fillet_radius is");
+  t.refuse("tip_fillet",
+           "a modified tip fillet is not in this version; the rack's tip_fillet_radius is");
   t.refuse("modifications", "flank modifications are not in this version");
 }
 
 std::optional<double> pressure_angle(TableReader& t, const char* key) {
   const auto value = t.number(key);
-  if (value && !(*value > 0.0 && *value < 90.0)) t.fail(key, "must lie between 0 and 90, usually 14.5 to 30");
+  if (value && !(*value > 0.0 && *value < 90.0))
+    t.fail(key, "must lie between 0 and 90, usually 14.5 to 30");
   return value;
 }
 
@@ -177,7 +231,8 @@ GearInput read_gear(const Json& node, const std::string& path) {
   Once module(t, "module");
   module.offer("normal_module_mm", t.positive("normal_module_mm"));
   const auto pitch = t.positive("normal_diametral_pitch_per_in");
-  module.offer("normal_diametral_pitch_per_in", pitch ? std::optional(25.4 / *pitch) : std::nullopt);
+  module.offer("normal_diametral_pitch_per_in",
+               pitch ? std::optional(25.4 / *pitch) : std::nullopt);
   const auto m_t = t.positive("transverse_module_mm");
   module.offer("transverse_module_mm", m_t ? std::optional(*m_t * cos_beta) : std::nullopt);
   Once alpha(t, "pressure angle");
@@ -192,11 +247,13 @@ GearInput read_gear(const Json& node, const std::string& path) {
   c.tip_diameter = t.positive("tip_diameter_mm");
   c.rack = read_rack(t);
   g.bore = read_bore(t);
-  t.ignore("measure");   // of other verbs
-  t.ignore("measured");
+  for (const char* key : {"measure", "measured"}) {
+    if (t.has(key)) g.not_read.push_back("[" + t.name(key) + "]");
+  }
   t.finish();
   // A misspelt key is named before the one that is missing because of it.
-  if (!teeth) t.fail("teeth", "is missing: the number of teeth, negative for an internal gear (ring)");
+  if (!teeth)
+    t.fail("teeth", "is missing: the number of teeth, negative for an internal gear (ring)");
   c.teeth = *teeth;
   c.normal_module = module.required();
   g.face_width_given = face.has_value();
@@ -204,7 +261,7 @@ GearInput read_gear(const Json& node, const std::string& path) {
   return g;
 }
 
-PairInput read_pair(const Json& node) {
+PairInput read_pair(const Json& node, std::vector<std::string>& not_read) {
   TableReader t(node, "pair");
   PairInput p;
   p.center_distance = t.positive("center_distance_mm");
@@ -215,10 +272,11 @@ PairInput read_pair(const Json& node) {
   if (sigma && *sigma != 0.0) {
     t.fail("shaft_angle_deg", "this version mounts gears on parallel axes only; 0 is allowed");
   }
-  p.friction_coefficient = t.number("friction_coefficient");
-  if (p.friction_coefficient && !(*p.friction_coefficient >= 0.0)) {
+  const auto friction = t.number("friction_coefficient");
+  if (friction && !(*friction >= 0.0)) {
     t.fail("friction_coefficient", "must be 0 or greater, usually 0.03 to 0.1");
   }
+  if (friction) not_read.push_back("pair.friction_coefficient");
   t.finish();
   return p;
 }
@@ -229,13 +287,15 @@ JobSpec read_tree(const Json& tree) {
   spec.title = t.text("title").value_or("");
   if (const Json* node = t.table("gear1")) spec.gears[0] = read_gear(*node, "gear1");
   if (const Json* node = t.table("gear2")) spec.gears[1] = read_gear(*node, "gear2");
-  if (const Json* node = t.table("pair")) spec.pair = read_pair(*node);
-  // Tables of verbs that are not in this version: no other verb reads them.
-  for (const char* key : {"errors", "contact", "search", "fit", "compensate"}) t.ignore(key);
+  if (const Json* node = t.table("pair")) spec.pair = read_pair(*node, spec.not_read);
+  for (const char* key : {"errors", "contact", "search", "fit", "compensate"}) {
+    if (t.has(key)) spec.not_read.push_back("[" + std::string(key) + "]");
+  }
   t.finish();
   if (!spec.gears[0]) {
-    throw SpecError{{"gear1", "", "gear1: is missing; a spec describes a gear in a table [gear1] with at least "
-                                  "teeth and normal_module_mm"}};
+    throw SpecError{{"gear1", "",
+                     "gear1: is missing; a spec describes a gear in a table [gear1] with at least "
+                     "teeth and normal_module_mm"}};
   }
   return spec;
 }
@@ -255,9 +315,12 @@ Result<JobSpec> read_spec(std::string_view text, SpecFormat format) {
   }
   try {
     if (format == SpecFormat::json) {
-      const Json tree = Json::parse(text.begin(), text.end());
+      const Json tree = parse_json(text);
       if (!tree.is_object()) return syntax_error("a JSON spec is one object, {\"gear1\": {...}}");
       return with_text(read_tree(tree), text);
+    }
+    if (const auto line = deep_line(text)) {
+      return syntax_error(fmt::format("line {} nests more than {} tables", *line, kDeepest));
     }
     return with_text(read_tree(to_json(toml::parse(text))), text);
   } catch (const SpecError& e) {
@@ -266,13 +329,17 @@ Result<JobSpec> read_spec(std::string_view text, SpecFormat format) {
     const auto& at = e.source().begin;
     return syntax_error(fmt::format("line {}, column {}: {}", at.line, at.column, e.description()));
   } catch (const nlohmann::json::exception& e) {
-    return syntax_error(e.what());
+    // The library's own words begin with "[json.exception.parse_error.101] ".
+    const std::string what = e.what();
+    const std::size_t at = what.find("] ");
+    return syntax_error(printable(at == std::string::npos ? what : what.substr(at + 2), 200));
   }
 }
 
 Result<JobSpec> read_spec_file(const std::filesystem::path& path) {
   std::error_code error;
-  if (std::filesystem::is_directory(path, error)) throw IoError("cannot read " + path.string() + ": it is a folder");
+  if (std::filesystem::is_directory(path, error))
+    throw IoError("cannot read " + path.string() + ": it is a folder");
   std::ifstream file(path, std::ios::binary);
   if (!file) throw IoError("cannot read " + path.string() + ": " + std::strerror(errno));
   std::string text(kLargestSpec + 1, '\0');
@@ -280,7 +347,8 @@ Result<JobSpec> read_spec_file(const std::filesystem::path& path) {
   if (file.bad()) throw IoError("cannot read " + path.string() + ": " + std::strerror(errno));
   text.resize(static_cast<std::size_t>(file.gcount()));
   if (text.size() > kLargestSpec) {
-    return syntax_error(fmt::format("{} has more than {} bytes, which no gear needs", path.string(), kLargestSpec));
+    return syntax_error(
+        fmt::format("{} has more than {} bytes, which no gear needs", path.string(), kLargestSpec));
   }
   return read_spec(text, path.extension() == ".json" ? SpecFormat::json : SpecFormat::toml);
 }

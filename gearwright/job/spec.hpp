@@ -1,7 +1,7 @@
 // The spec file: a gear or a pair as on a drawing, in TOML or JSON.
 //
-// Lengths in mm and angles in degrees, said in the key. Absent keys are absent here too: what follows
-// from what is decided in job/design.hpp, in one place.
+// Lengths in mm and angles in degrees, said in the key. Absent keys are absent here too: what
+// follows from what is decided in job/design.hpp, in one place.
 #pragma once
 
 #include <array>
@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "gearwright/base/result.hpp"
 #include "gearwright/cad/toothed_body.hpp"
@@ -17,11 +18,13 @@
 
 namespace gearwright {
 
-/// [gear1], [gear2]: the gear's numbers; `cylindrical.profile_shift` is used once `profile_shift` is known.
+/// [gear1], [gear2]: the gear's numbers; `cylindrical.profile_shift` is used once `profile_shift`
+/// is known.
 struct GearInput {
   CylindricalSpec cylindrical;
   std::optional<double> profile_shift;  ///< x
   bool face_width_given = false;        ///< else 10 m_n, and a warning says so
+  std::vector<std::string> not_read;    ///< sub-tables of verbs that are not in this version
   std::optional<Bore> bore;
 };
 
@@ -29,15 +32,15 @@ struct GearInput {
 struct PairInput {
   std::optional<double> center_distance;  ///< a  mm
   Mounting mounting = Mounting::tight;
-  bool shorten_tips = false;              ///< tips cut back by k m_n, where no tip diameter is given
-  std::optional<double> friction_coefficient;
+  bool shorten_tips = false;  ///< tips cut back by k m_n, where no tip diameter is given
 };
 
 struct JobSpec {
-  std::string text;   ///< the spec as read, for the report
+  std::string text;  ///< the spec as read, for the report
   std::string title;
   std::array<std::optional<GearInput>, 2> gears;
   PairInput pair;
+  std::vector<std::string> not_read;  ///< tables and keys of verbs that are not in this version
 };
 
 enum class SpecFormat { toml, json };

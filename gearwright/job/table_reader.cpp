@@ -15,14 +15,10 @@ constexpr double kGreatestNumber = 1e9;  // of any quantity of a spec, in its un
 
 // A value as a person wrote it, cut to a length that fits a sentence.
 std::string show(const Json& value) {
-  std::string s;
-  if (value.is_number_float()) {
-    s = fmt::format("{}", value.get<double>());  // nan and inf too, which JSON cannot say
-  } else {
-    s = value.dump(-1, ' ', false, Json::error_handler_t::replace);
-  }
-  if (s.size() > 60) s = s.substr(0, 57) + "...";
-  return s;
+  if (value.is_number_float()) return fmt::format("{}", value.get<double>());  // nan and inf too
+  if (value.is_object()) return "(a table)";
+  if (value.is_array()) return "(a list)";
+  return printable(value.dump(-1, ' ', false, Json::error_handler_t::replace), 60);
 }
 
 std::size_t edit_distance(const std::string& a, const std::string& b) {
@@ -42,6 +38,37 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 
 }  // namespace
 
+std::string printable(const std::string& text, std::size_t most) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size() && out.size() < most; ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    if (byte < 0x20 || byte == 0x7F) {
+      out += fmt::format("\\x{:02x}", byte);
+      continue;
+    }
+    // A whole character or nothing: its length stands in the first byte (UTF-8).
+    const std::size_t length = byte < 0x80   ? 1
+                               : byte < 0xC0 ? 0
+                               : byte < 0xE0 ? 2
+                               : byte < 0xF0 ? 3
+                                             : 4;
+    if (length == 0 || i + length > text.size()) {
+      out += fmt::format("\\x{:02x}", byte);
+      continue;
+    }
+    bool whole = true;
+    for (std::size_t k = 1; k < length; ++k)
+      whole = whole && (static_cast<unsigned char>(text[i + k]) & 0xC0) == 0x80;
+    if (whole) {
+      out += text.substr(i, length);
+      i += length - 1;
+    } else {
+      out += fmt::format("\\x{:02x}", byte);
+    }
+  }
+  return out.size() < most ? out : out + "...";
+}
+
 std::string nearest_word(const std::string& word, const std::vector<std::string>& known) {
   std::string best;
   std::size_t least = std::numeric_limits<std::size_t>::max();
@@ -56,7 +83,8 @@ std::string nearest_word(const std::string& word, const std::vector<std::string>
   return best;
 }
 
-TableReader::TableReader(const Json& node, std::string path) : node_(node), path_(std::move(path)) {}
+TableReader::TableReader(const Json& node, std::string path)
+    : node_(node), path_(std::move(path)) {}
 
 void TableReader::fail(const std::string& key, const std::string& why) const {
   const auto it = node_.find(key);
@@ -82,7 +110,8 @@ std::optional<double> TableReader::number(const std::string& key) {
   if (!value->is_number()) fail(key, "must be a number");
   const double x = value->get<double>();
   if (!std::isfinite(x)) fail(key, "must be a finite number");
-  if (std::abs(x) > kGreatestNumber) fail(key, fmt::format("must lie between -{0} and {0}", kGreatestNumber));
+  if (std::abs(x) > kGreatestNumber)
+    fail(key, fmt::format("must lie between -{0} and {0}", kGreatestNumber));
   return x;
 }
 
@@ -133,14 +162,14 @@ void TableReader::refuse(const std::string& key, const std::string& why) {
   if (find(key)) fail(key, why);
 }
 
-void TableReader::ignore(const std::string& key) { find(key); }
-
 void TableReader::finish() const {
   for (const auto& [key, value] : node_.items()) {
     if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
     const std::string where = path_.empty() ? "the file" : fmt::format("[{}]", path_);
-    fail(key, fmt::format("unknown key in {}; the nearest known one is {}", where,
-                          nearest_word(key, known_)));
+    const std::string shown = printable(key, 60);
+    throw SpecError{{name(shown), show(value),
+                     fmt::format("{} = {}: unknown key in {}; the nearest known one is {}",
+                                 name(shown), show(value), where, nearest_word(key, known_))}};
   }
 }
 

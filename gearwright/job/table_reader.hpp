@@ -24,19 +24,18 @@ class TableReader {
   TableReader(const Json& node, std::string path);
 
   bool has(const std::string& key);
-  std::optional<double> number(const std::string& key);   ///< finite
-  std::optional<double> positive(const std::string& key); ///< finite and > 0
+  std::optional<double> number(const std::string& key);    ///< finite
+  std::optional<double> positive(const std::string& key);  ///< finite and > 0
   std::optional<int> integer(const std::string& key);
   std::optional<bool> boolean(const std::string& key);
   std::optional<std::string> text(const std::string& key);
-  std::optional<std::string> one_of(const std::string& key, const std::vector<std::string>& allowed);
+  std::optional<std::string> one_of(const std::string& key,
+                                    const std::vector<std::string>& allowed);
   const Json* table(const std::string& key);  ///< a sub-table, or null
   const Json* any(const std::string& key);    ///< a value of whatever type, or null
 
   /// A key of the interface that this version cannot honour: refused in plain words when present.
   void refuse(const std::string& key, const std::string& why);
-  /// A key that other verbs read: known, left alone here.
-  void ignore(const std::string& key);
   /// Complains about the first key that nobody asked for, naming the nearest known one.
   void finish() const;
 
@@ -49,6 +48,10 @@ class TableReader {
   std::string path_;
   std::vector<std::string> known_;
 };
+
+/// Text that may stand in a sentence: control characters escaped, cut at a character after `most`
+/// bytes.
+std::string printable(const std::string& text, std::size_t most);
 
 /// The word of `known` with the least edit distance to `word`; empty when `known` is.
 std::string nearest_word(const std::string& word, const std::vector<std::string>& known);

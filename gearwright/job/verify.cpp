@@ -22,7 +22,8 @@ Tolerance tolerance_of(const Json& c, const std::string& path) {
   Tolerance tolerance;
   if (!c.contains("tolerance")) return tolerance;
   const Json& t = c["tolerance"];
-  if (t.contains("values") && t["values"].contains(path)) return {0.0, t["values"][path].get<double>()};
+  if (t.contains("values") && t["values"].contains(path))
+    return {0.0, t["values"][path].get<double>()};
   return {t.value("relative", 0.0), t.value("absolute", 0.0)};
 }
 
@@ -34,8 +35,9 @@ const Json* follow(const Json& root, const std::string& path) {
     const std::string word = path.substr(at, dot - at);
     at = dot + 1;
     if (node->is_array()) {
-      const bool digits = !word.empty() && word.size() < 7 &&
-                          std::all_of(word.begin(), word.end(), [](unsigned char c) { return std::isdigit(c); });
+      const bool digits =
+          !word.empty() && word.size() < 7 &&
+          std::all_of(word.begin(), word.end(), [](unsigned char c) { return std::isdigit(c); });
       const std::size_t index = digits ? std::stoul(word) : node->size();
       if (index >= node->size()) return nullptr;
       node = &(*node)[index];
@@ -48,14 +50,16 @@ const Json* follow(const Json& root, const std::string& path) {
   return node;
 }
 
-std::string compare(const std::string& path, const Json* got, const Json& want, const Tolerance& tolerance) {
+std::string compare(const std::string& path, const Json* got, const Json& want,
+                    const Tolerance& tolerance) {
   if (!got) return fmt::format("{}: there is no such value, want {}", path, want.dump());
   if (want.is_number() && got->is_number()) {
     const double w = want.get<double>();
     const double g = got->get<double>();
     const double allowed = std::max(tolerance.relative * std::abs(w), tolerance.absolute);
     if (std::abs(g - w) <= allowed) return {};
-    return fmt::format("{}: got {}, want {}, off by {:.3g}, allowed {:.3g}", path, g, w, g - w, allowed);
+    return fmt::format("{}: got {}, want {}, off by {:.3g}, allowed {:.3g}", path, g, w, g - w,
+                       allowed);
   }
   if (*got == want) return {};
   return fmt::format("{}: got {}, want {}", path, got->dump(), want.dump());
@@ -67,14 +71,17 @@ Error malformed(const std::string& id, const std::string& why) {
 
 Result<CaseOutcome> run_case(const Json& c) {
   const std::string id = c.value("id", std::string("without id"));
-  if (!c.contains("spec") || !c["spec"].is_object()) return malformed(id, "needs \"spec\", an object");
+  if (!c.contains("spec") || !c["spec"].is_object())
+    return malformed(id, "needs \"spec\", an object");
   if (!c.contains("expected") || !c["expected"].is_object() || c["expected"].empty()) {
     return malformed(id, "needs \"expected\" with at least one value");
   }
-  if (!c.contains("source") || !c["source"].is_string()) return malformed(id, "needs \"source\": where the numbers are printed");
+  if (!c.contains("source") || !c["source"].is_string())
+    return malformed(id, "needs \"source\": where the numbers are printed");
   const std::string verb = c.value("verb", std::string("pair"));
   const auto scope = verb == "gear" ? Scope::gears : Scope::pair;
-  if (verb != "gear" && verb != "pair") return malformed(id, fmt::format("verb \"{}\": gear or pair", verb));
+  if (verb != "gear" && verb != "pair")
+    return malformed(id, fmt::format("verb \"{}\": gear or pair", verb));
 
   Json result;
   const auto spec = read_spec(c["spec"].dump(), SpecFormat::json);
@@ -85,8 +92,9 @@ Result<CaseOutcome> run_case(const Json& c) {
     result = design ? design_json(*design) : error_json(design.error());
   }
   CaseOutcome outcome{id, 0, {}};
-  const bool wants_error = std::any_of(c["expected"].items().begin(), c["expected"].items().end(),
-                                       [](const auto& item) { return item.key().rfind("error", 0) == 0; });
+  const bool wants_error =
+      std::any_of(c["expected"].items().begin(), c["expected"].items().end(),
+                  [](const auto& item) { return item.key().rfind("error", 0) == 0; });
   if (result.contains("error") && !wants_error) {
     outcome.differences.push_back(result["error"]["message"].get<std::string>());
   }
@@ -103,7 +111,8 @@ Result<CaseOutcome> run_case(const Json& c) {
 Result<std::vector<CaseOutcome>> verify_cases(std::string_view json_text) {
   try {
     const Json file = Json::parse(json_text.begin(), json_text.end());
-    if (!file.is_object() || !file.contains("cases") || !file["cases"].is_array() || file["cases"].empty()) {
+    if (!file.is_object() || !file.contains("cases") || !file["cases"].is_array() ||
+        file["cases"].empty()) {
       return Error{"cases", "", "a case file is {\"cases\": [...]} with at least one case"};
     }
     std::vector<CaseOutcome> outcomes;
@@ -114,7 +123,7 @@ Result<std::vector<CaseOutcome>> verify_cases(std::string_view json_text) {
     }
     return outcomes;
   } catch (const nlohmann::json::exception& e) {
-    return Error{"", "", std::string("the case file cannot be read: ") + e.what()};
+    return Error{"", "", "the case file cannot be read: " + printable(e.what(), 200)};
   }
 }
 

@@ -1,12 +1,14 @@
 // Case files: published numbers with their source, run through the same door as a user's spec.
 //
-//   {"cases": [{"id", "source", "verb", "spec": {...}, "expected": {"pair.center_distance_mm": 56.4999},
+//   {"cases": [{"id", "source", "verb", "spec": {...}, "expected":
+//   {"pair.center_distance_mm": 56.4999},
 //               "tolerance": {"relative", "absolute"}, "note"}]}
 //
 // "tolerance" may also hold "values": {path: absolute} for single values printed with other digits.
-// A path per expected value, list places by number ("gears.0.base_diameter_mm"); numbers as printed. A
-// number holds when it is within the relative or the absolute tolerance, whichever is wider; true, false,
-// null and words hold when they are equal. A case that expects "error.key" wants that error.
+// A path per expected value, list places by number ("gears.0.base_diameter_mm"); numbers as
+// printed. A number holds when it is within the relative or the absolute tolerance, whichever is
+// wider; true, false, null and words hold when they are equal. A case that expects "error.key"
+// wants that error.
 #pragma once
 
 #include <string>
@@ -25,7 +27,8 @@ struct CaseOutcome {
 
 /// Runs the cases of one file.
 ///
-/// Errors    a case file that is not of that form, or that holds no case: nothing checked is no success
+/// Errors    a case file that is not of that form, or that holds no case: nothing checked is no
+/// success
 Result<std::vector<CaseOutcome>> verify_cases(std::string_view json_text);
 
 }  // namespace gearwright

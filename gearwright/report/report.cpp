@@ -52,7 +52,7 @@ std::string warning_list(const ReportInput& input) {
                        : severity == Severity::caution ? "Caution"
                                                        : "Note";
     for (const Warning& w : input.warnings) {
-      if (severity_of(w, input) != severity) continue;
+      if (severity_of(w) != severity) continue;
       const std::string where =
           w.gear == 0 ? std::string(input.pair ? "Pair" : "") : fmt::format("Gear {}", w.gear);
       text += fmt::format("<li class=\"{}\"><b>{}</b><span class=\"where\">{}</span>{}</li>\n",

@@ -18,12 +18,16 @@ struct Meaning {
   const char* reason;  // completes "does not run as specified: …"
 };
 
-constexpr std::array<Meaning, 17> kMeanings{{
+constexpr std::array<Meaning, 21> kMeanings{{
     {"through_axis", Severity::problem, "the cutter passes the axis"},
     {"severed", Severity::problem, "the teeth are cut off at their roots"},
     {"no_flank", Severity::problem, "a gear has no usable flank"},
     {"negative_backlash", Severity::problem, "the teeth are too thick for this centre distance"},
     {"contact_ratio", Severity::problem, "contact is not continuous"},
+    {"contact_lost", Severity::caution, "contact is lost where an undercut took the flank"},
+    {"no_contact", Severity::problem, "the teeth do not touch"},
+    {"not_read", Severity::note, "a part of the spec was not read"},
+    {"rack_not_used", Severity::caution, "a ring is not cut by a rack"},
     {"base_tangent", Severity::problem, "a tip reaches where the mate has no involute"},
     {"form_circle", Severity::problem, "a tip reaches below the mate’s usable flank"},
     {"tip_to_fillet", Severity::problem, "a tip corner cuts into a root fillet"},
@@ -48,7 +52,7 @@ const Meaning* meaning_of(const std::string& code) {
 std::vector<std::string> reasons(const ReportInput& input) {
   std::vector<std::string> list;
   for (const Warning& w : input.warnings) {
-    if (severity_of(w, input) != Severity::problem) continue;
+    if (severity_of(w) != Severity::problem) continue;
     std::string reason = meaning_of(w.code)->reason;
     if (std::find(list.begin(), list.end(), reason) == list.end())
       list.push_back(std::move(reason));
@@ -67,7 +71,7 @@ std::string joined(const std::vector<std::string>& list) {
 
 std::string cautions(const ReportInput& input) {
   const auto n = std::count_if(input.warnings.begin(), input.warnings.end(), [&](const Warning& w) {
-    return severity_of(w, input) == Severity::caution;
+    return severity_of(w) == Severity::caution;
   });
   if (n == 0) return "";
   return n == 1 ? " One point to look at follows."
@@ -76,16 +80,9 @@ std::string cautions(const ReportInput& input) {
 
 }  // namespace
 
-Severity severity_of(const Warning& warning, const ReportInput& input) {
+Severity severity_of(const Warning& warning) {
   const Meaning* meaning = meaning_of(warning.code);
-  if (meaning == nullptr) return Severity::caution;
-  // Past the flank that an undercut has taken nothing strikes: contact is lost there.
-  const bool past_limit = warning.code == "form_circle" || warning.code == "base_tangent";
-  if (past_limit && input.pair && warning.gear > 0 &&
-      input.pair->gears[static_cast<std::size_t>(warning.gear - 1)].undercut) {
-    return Severity::caution;
-  }
-  return meaning->severity;
+  return meaning == nullptr ? Severity::caution : meaning->severity;
 }
 
 std::string verdict(const ReportInput& input) {

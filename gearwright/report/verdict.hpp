@@ -16,7 +16,7 @@ enum class Severity {
 
 /// By the warning's code; one that is not known is a caution. Where an undercut has taken the flank
 /// away, a mate's tip that reaches below the flank meets nothing: a caution too.
-Severity severity_of(const Warning& warning, const ReportInput& input);
+Severity severity_of(const Warning& warning);
 
 /// One sentence in plain words, not escaped.
 std::string verdict(const ReportInput& input);

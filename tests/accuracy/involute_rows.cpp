@@ -20,7 +20,12 @@ double error_in_modules(double got, const Exact& exact, double normal_module) {
 std::vector<Row> involute_rows() {
   constexpr int kInputs = 20000;
   Row inv{"involute", "1e-6 ≤ α ≤ 1.55 rad", "relative", 4e-15, 0.0, ""};
-  Row roll{"involute_of_roll", "1e-6 ≤ ξ ≤ 60 (from 0.28 on ξ and atan ξ cancel: 2 · ½ ulp(ξ)/0.0073)", "relative", 8e-15, 0.0, ""};
+  Row roll{"involute_of_roll",
+           "1e-6 ≤ ξ ≤ 60 (from 0.28 on ξ and atan ξ cancel: 2 · ½ ulp(ξ)/0.0073)",
+           "relative",
+           8e-15,
+           0.0,
+           ""};
   Row inverse{"inverse_involute", "1e-15 ≤ y ≤ 50", "relative", 2e-15, 0.0, ""};
   std::mt19937_64 random(20250101);
   const auto log_uniform = [&](double lo, double hi) {
@@ -31,7 +36,8 @@ std::vector<Row> involute_rows() {
     const double alpha = log_uniform(1e-6, 1.55);
     inv.see(relative_error(involute(alpha), involute(Exact(alpha))), fmt::format("α = {}", alpha));
     const double xi = log_uniform(1e-6, 60.0);
-    roll.see(relative_error(involute_of_roll(xi), involute_of_roll(Exact(xi))), fmt::format("ξ = {}", xi));
+    roll.see(relative_error(involute_of_roll(xi), involute_of_roll(Exact(xi))),
+             fmt::format("ξ = {}", xi));
     const double y = log_uniform(1e-15, 50.0);
     // The inverse is judged by its own value: Newton's step from it in 50 digits is the error.
     const double a = inverse_involute(y);

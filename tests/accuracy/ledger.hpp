@@ -1,9 +1,9 @@
 // The accuracy ledger: every closed form of production against the same template in 50 digits.
 //
-// A row names a quantity, where it was measured, what is claimed and what was found. Errors are relative,
-// or, for differences that cancel (backlash near zero, curvature radii near a base tangent point),
-// in normal modules. The worst input of each row is kept in words. docs/accuracy.md is made from these
-// rows: GW_WRITE_LEDGER=docs/accuracy.md build/release/tests/accuracy_tests
+// A row names a quantity, where it was measured, what is claimed and what was found. Errors are
+// relative, or, for differences that cancel (backlash near zero, curvature radii near a base
+// tangent point), in normal modules. The worst input of each row is kept in words. docs/accuracy.md
+// is made from these rows: GW_WRITE_LEDGER=docs/accuracy.md build/release/tests/accuracy_tests
 #pragma once
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -16,8 +16,8 @@ using Exact = boost::multiprecision::cpp_bin_float_50;
 
 struct Row {
   std::string name;
-  std::string where;       ///< domain and number of inputs
-  std::string unit;        ///< "relative" or "modules"
+  std::string where;  ///< domain and number of inputs
+  std::string unit;   ///< "relative" or "modules"
   double claimed;
   double measured = 0.0;
   std::string worst_input;

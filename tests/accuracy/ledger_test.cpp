@@ -12,14 +12,18 @@ namespace gearwright::ledger {
 std::string markdown(const std::vector<Row>& rows) {
   std::string out =
       "# Accuracy ledger\n\n"
-      "Every closed form as the program computes it in double, against the same formula in 50 digits. Made by the\n"
-      "accuracy tests, which fail when an error is greater than claimed. *relative*: |error|/|value|. *modules*:\n"
-      "|error|/m_n, for differences that cancel (a backlash near zero, a curvature radius near the base tangent\n"
-      "point); shifts are in modules themselves. Inputs are seeded and the same everywhere; the worst one is named.\n\n"
+      "Every closed form as the program computes it in double, against the same formula in 50 "
+      "digits. Made by the\n"
+      "accuracy tests, which fail when an error is greater than claimed. *relative*: "
+      "|error|/|value|. *modules*:\n"
+      "|error|/m_n, for differences that cancel (a backlash near zero, a curvature radius near the "
+      "base tangent\n"
+      "point); shifts are in modules themselves. Inputs are seeded and the same everywhere; the "
+      "worst one is named.\n\n"
       "| quantity | unit | claimed | measured | where | worst input |\n|---|---|---|---|---|---|\n";
   for (const Row& r : rows) {
-    out += fmt::format("| `{}` | {} | {:.0e} | {:.1e} | {} | {} |\n", r.name, r.unit, r.claimed, r.measured, r.where,
-                       r.worst_input);
+    out += fmt::format("| `{}` | {} | {:.0e} | {:.1e} | {} | {} |\n", r.name, r.unit, r.claimed,
+                       r.measured, r.where, r.worst_input);
   }
   return out;
 }
@@ -38,7 +42,8 @@ std::vector<std::string> claims(const std::string& table) {
   std::istringstream lines(table);
   for (std::string line; std::getline(lines, line);) {
     if (line.rfind("| `", 0) != 0) continue;
-    // quantity, unit, claimed: the measured column may differ in its last digit between math libraries.
+    // quantity, unit, claimed: the measured column may differ in its last digit between math
+    // libraries.
     std::size_t at = 0;
     for (int bar = 0; bar < 4; ++bar) at = line.find('|', at) + 1;
     list.push_back(line.substr(0, at));
@@ -59,7 +64,8 @@ TEST(Ledger, ErrorsAreWithinTheirClaims) {
   std::ostringstream text;
   text << file.rdbuf();
   EXPECT_EQ(claims(text.str()), claims(markdown(rows)))
-      << "docs/accuracy.md is not of these rows: write it anew with GW_WRITE_LEDGER=docs/accuracy.md";
+      << "docs/accuracy.md is not of these rows: write it anew with "
+         "GW_WRITE_LEDGER=docs/accuracy.md";
 }
 
 TEST(Ledger, SeesAnErrorOfOneInTenToTheTwelve) {

@@ -66,9 +66,11 @@ class BadInput(unittest.TestCase):
         self.assertEqual(r.status, 0, r.err)
         gear = r.json["gears"][0]
         self.assertTrue(gear["severed"] or gear["through_axis"])
-        for verb in ("outline", "run"):
-            self.assertIn(Run(verb, GEAR.replace("20", "3") + "profile_shift = -1").status, (0, 1))
         self.assertEqual(Run("outline", GEAR.replace("20", "3") + "profile_shift = -1").status, 1)
+        # run: the report says why there is no gear, and there are no CAD files
+        r = Run("run", GEAR.replace("20", "3") + "profile_shift = -1")
+        self.assertEqual(r.status, 0, r.err)
+        self.assertEqual(r.files(), ["case.toml", "case_out/report.html", "case_out/result.json"])
 
     def test_racks(self):
         rack = GEAR + "[gear1.rack]\n"
@@ -98,6 +100,71 @@ class BadInput(unittest.TestCase):
             self.assertTrue(r.json["error"]["message"])
         for text in ("{", "[]", "{\"gear1\": 3}", "{\"gear1\": {\"teeth\": 1e400}}"):
             self.assertEqual(Run("gear", text, "--json", name="case.json").status, 1, text)
+
+    def test_nesting_is_bounded(self):
+        deep = "{\"a\":" * 100_000 + "1" + "}" * 100_000
+        for text, name in ((deep, "case.json"), ("[" * 700_000, "case.json"), ("[" + "a." * 100_000 + "a]\n", "case.toml"),
+                           ("a." * 100_000 + "a = 1\n", "case.toml")):
+            self.assertEqual(Run("gear", text, "--json", name=name).status, 1, text[:20])
+
+    def test_any_bytes_give_one_json_object(self):
+        for text in (b'{"gear1": "\xff"}', b'{"gear1":{"teeth":17,"normal_module_mm":2},"title":"\xff"}',
+                     ('{"gear1": {"teeth": 20, "normal_module_mm": 2, "rack": "x' + "ä" * 50 + '"}}').encode()):
+            r = Run("gear", text, "--json", name="case.json")
+            self.assertEqual(r.status, 1)
+            self.assertIsNotNone(r.json, r.out)
+        r = Run("gear", GEAR + '"k\\u001b[31m" = 1')
+        self.assertEqual(r.status, 1)
+        self.assertNotIn("\x1b", r.err)
+        self.assertEqual(Run("gear", '{"gear1": {"teeth": 17, "teeth": 18, "normal_module_mm": 2}}', name="case.json").status, 1)
+
+    def test_wild_numbers_name_their_key(self):
+        for line in ("profile_shift = 1e20", "thickness_allowance_mm = 1e300", "face_width_mm = 1e300", "helix_angle_deg = 89.9999",
+                     "tip_diameter_mm = 1e300", "normal_pressure_angle_deg = 1e-300", "face_width_mm = 5e-324"):
+            spec = "\n".join(l for l in GEAR.splitlines() if not l.startswith(line.split(" =")[0])) + "\n" + line
+            r = Run("run", spec, "--json")
+            self.assertEqual(r.status, 1, line + r.err)
+            self.assertEqual(r.json["error"]["key"], "gear1." + line.split(" =")[0])
+            self.assertEqual(r.files(), ["case.toml"])
+
+    def test_too_large_to_be_of_use_leaves_nothing(self):
+        r = Run("export", GEAR.replace("face_width_mm = 10", "face_width_mm = 10000\nhelix_angle_deg = 20"), "--stl", "a.stl")
+        self.assertEqual(r.status, 1)
+        self.assertIn("vertices", r.err)
+        self.assertEqual(r.files(), ["case.toml"])
+
+    def test_outputs_do_not_overwrite_each_other_or_the_spec(self):
+        for args in (("--stl", "a.x", "--glb", "./a.x"), ("--svg", "case.toml")):
+            r = Run("export", GEAR, *args)
+            self.assertEqual(r.status, 2, args)
+            self.assertEqual(r.files(), ["case.toml"])
+        self.assertEqual(Run("export", GEAR, "--stl", "a.stl", "--mesh-tolerance", "nan").status, 2)
+
+    def test_different_racks_need_their_numbers(self):
+        other = "[gear1]\nteeth = 20\nnormal_module_mm = 2\nface_width_mm = 10\n{}\n[gear2]\nteeth = 30\nnormal_pressure_angle_deg = 25\nnormal_module_mm = 2.0736721767743314\nface_width_mm = 10\n{}\n[pair]\n{}"
+        self.assertEqual(Run("pair", other.format("", "", "")).status, 0)
+        thin = Run("pair", other.format("thickness_allowance_mm = -0.1", "", ""), "--json").json["pair"]
+        self.assertGreater(thin["backlash"]["normal_mm"], 0.09)
+        self.refused(other.format("", "", 'mounting = "extended"'), "pair.mounting", "module")
+        self.refused(other.format("", "", "shorten_tips = true"), "pair.shorten_tips", "module")
+        self.refused(other.format("profile_shift = 0", "", "center_distance_mm = 51"), "gear2.profile_shift", "module")
+
+    def test_what_is_not_read_is_said(self):
+        r = Run("pair", two(pair="friction_coefficient = 0.05") + "[errors]\ncrossing_deg = 0.1", "--json")
+        self.assertEqual(sum(w["code"] == "not_read" for w in r.json["warnings"]), 2)
+
+    def test_teeth_that_do_not_meet_have_no_contact_ratio(self):
+        r = Run("pair", two("profile_shift = 0", "profile_shift = 0", "center_distance_mm = 45"), "--json")
+        self.assertEqual(r.json["pair"]["contact_ratio_true"], 0)
+        self.assertIn("no_contact", [w["code"] for w in r.json["warnings"]])
+
+    def test_shortening_never_lengthens_and_is_the_same_in_every_verb(self):
+        apart = two(pair="center_distance_mm = 41\nshorten_tips = true").replace("face_width_mm = 10", "face_width_mm = 10\nprofile_shift = 0")
+        self.assertEqual(Run("pair", apart, "--json").json["gears"][0]["tip_diameter_mm"], 44)
+        spec = two("profile_shift = 0.5", "profile_shift = 0.5", "shorten_tips = true")
+        a, b = (Run(v, spec, "--json").json["gears"][0]["tip_diameter_mm"] for v in ("gear", "pair"))
+        self.assertEqual(a, b)
+        self.assertLess(a, 46)
 
     def test_huge_file_is_refused_at_once(self):
         r = Run("gear", b"# " + b"x" * 100_000_000, "--json")

@@ -26,7 +26,8 @@ class Verbs(unittest.TestCase):
           backlash_free_center_distance_mm working_normal_pressure_angle_deg
           working_transverse_pressure_angle_deg working_helix_angle_deg working_pitch_diameter_mm contact_ratio
           transverse_contact_ratio contact_ratio_true overlap_ratio extended_center_distance_mm line_of_action
-          interference tip_clearance_mm specific_sliding backlash""".split()
+          interference tip_clearance_mm specific_sliding backlash pitch_plane_distance_mm min_face_width_mm
+          min_face_width_both_flanks_mm minimum_center_distance contact_ratio_range""".split()
         self.assertEqual([k for k in keys if k not in r.json["pair"]], [])
         self.assertEqual(r.json["pair"]["kind"], "parallel_external")
         line = r.json["pair"]["line_of_action"]
