@@ -1,5 +1,5 @@
-// Any bytes as a spec: every one ends in gears, a pair, or an error with a sentence. Never a crash, a
-// broken contract or an empty message.
+// Any bytes as a spec: every one ends in gears, a pair, or an error with a sentence. Never a crash,
+// a broken contract or an empty message.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -19,7 +19,8 @@ void require(bool condition) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace gearwright;
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  const SpecFormat format = !text.empty() && text.front() == '{' ? SpecFormat::json : SpecFormat::toml;
+  const SpecFormat format =
+      !text.empty() && text.front() == '{' ? SpecFormat::json : SpecFormat::toml;
   const auto spec = read_spec(text, format);
   if (!spec) {
     require(!spec.error().message.empty());

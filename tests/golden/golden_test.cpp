@@ -1,7 +1,8 @@
-// Golden cases: published and recomputed numbers with their source, run through the door users take.
+// Golden cases: published and recomputed numbers with their source, run through the door users
+// take.
 //
-// The same files run by `gearwright verify tests/golden/*.json`. Our own output is never golden: every
-// value comes from a print or from a computation that shares no code with this project.
+// The same files run by `gearwright verify tests/golden/*.json`. Our own output is never golden:
+// every value comes from a print or from a computation that shares no code with this project.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -35,7 +36,8 @@ TEST_P(Golden, CasesHold) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, Golden,
-                         testing::Values(std::pair{"external.json", 12}, std::pair{"spur_design.json", 18},
+                         testing::Values(std::pair{"external.json", 12},
+                                         std::pair{"spur_design.json", 18},
                                          std::pair{"inspection.json", 38}));
 
 TEST(Verify, SeesAWrongNumber) {
@@ -61,7 +63,8 @@ TEST(Verify, ChecksErrorsToo) {
 TEST(Verify, RefusesFilesThatCheckNothing) {
   EXPECT_FALSE(verify_cases("{}"));
   EXPECT_FALSE(verify_cases(R"({"cases": []})"));
-  EXPECT_FALSE(verify_cases(R"({"cases": [{"id": "x", "source": "s", "spec": {}, "expected": {}}]})"));
+  EXPECT_FALSE(
+      verify_cases(R"({"cases": [{"id": "x", "source": "s", "spec": {}, "expected": {}}]})"));
   EXPECT_FALSE(verify_cases("not json"));
 }
 
