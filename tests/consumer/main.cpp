@@ -1,12 +1,34 @@
-// What a user of the installed library writes first: exact turns of a gear of 20 teeth.
+// What a user of the installed library writes first: two gears, their pair, a point of a tooth.
+#include <cmath>
 #include <cstdio>
 
-#include "gearwright/base/angle.hpp"
+#include "gearwright/cad/mesh.hpp"
+#include "gearwright/pair/pair.hpp"
 
 int main() {
-  const auto quarter = gearwright::sincos_turn(5, 20);
-  const auto helix = gearwright::Angle::degrees(15.0);
-  std::printf("tooth 5 of 20: sin %g cos %g, helix %.6f rad\n", quarter.sin, quarter.cos,
-              helix.rad());
-  return quarter.sin == 1.0 && quarter.cos == 0.0 ? 0 : 1;
+  using namespace gearwright;
+  const CylindricalSpec pinion{
+      .teeth = 17, .normal_module = 2.5, .profile_shift = 0.3, .face_width = 25};
+  CylindricalSpec wheel = pinion;
+  wheel.teeth = 43;
+  wheel.profile_shift = 0.0;
+  auto gear_1 = make_gear(pinion);
+  auto gear_2 = make_gear(wheel);
+  if (!gear_1 || !gear_2) return 1;
+  const double alpha = pinion.normal_pressure_angle.rad();
+  const double a = tight_center_distance(17, 43, 2.5, alpha, alpha, 1.0, 0.3);
+  const auto pair = mount_parallel(*gear_1, *gear_2, {a});
+  if (!pair) {
+    std::fprintf(stderr, "%s\n", pair.error().message.c_str());
+    return 1;
+  }
+  std::printf("a %.6f mm, contact ratio %.6f, root form diameter %.6f mm\n", pair->center_distance,
+              pair->contact_ratio(), 2 * gear_1->root_form_radius().value());
+
+  const auto mesh = tessellate({"pinion", gear_1->tooth->outline, gear_1->twist(), 25.0,
+                                std::nullopt, Eigen::Isometry3d::Identity()});
+  const auto bad = make_gear({.teeth = 17, .normal_module = -1.0, .face_width = 5});
+  const bool good = std::abs(pair->mesh.backlash_normal_base) < 1e-12 && mesh && !bad &&
+                    bad.error().key == "normal_module_mm";
+  return good ? 0 : 1;
 }
