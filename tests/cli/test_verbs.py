@@ -1,6 +1,7 @@
 """The verbs as a user types them: outputs, exit status, files."""
 import json
 import math
+import struct
 import unittest
 
 from cli import HAS_STEP, PAIR, SOURCE, Run, raw
@@ -61,6 +62,19 @@ class Verbs(unittest.TestCase):
         for f in r.json["files"]:
             if f["file"].endswith(".step"):
                 self.assertLessEqual(f["max_deviation_um"], 0.1)
+
+    def test_mounted_files_put_space_0_to_the_mesh(self):
+        r = Run("export", PAIR, "--glb", "pair.glb")
+        self.assertEqual(r.status, 0, r.err)
+        glb = (r.folder / "pair.glb").read_bytes()
+        nodes = json.loads(glb[20:20 + struct.unpack("<I", glb[12:16])[0]])["nodes"]
+        by_name = {n["name"]: n.get("matrix", [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]) for n in nodes}
+        a = Run("pair", PAIR, "--json").json["pair"]["center_distance_mm"]
+        turn = math.pi * (1 - 1 / 43)
+        want = [math.cos(turn), math.sin(turn), 0, 0, -math.sin(turn), math.cos(turn), 0, 0, 0, 0, 1, 0, a / 1000, 0, 0, 1]
+        for got, value in zip(by_name["gear2"], want):
+            self.assertAlmostEqual(got, value, places=14)
+        self.assertEqual(by_name["gear1"][12:15], [0, 0, 0])
 
     def test_run_of_a_single_gear(self):
         r = Run("run", "[gear1]\nteeth = 21\nnormal_module_mm = 2\nface_width_mm = 9\n")
