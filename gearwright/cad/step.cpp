@@ -153,10 +153,9 @@ Result<StepDocument> make_document(const std::vector<ToothedBody>& bodies,
     if (faces > kStepFacesMost) {
       return of_body(
           {"faces", fmt::format("{}", faces),
-           fmt::format(
-               "a STEP solid of {} faces; the most is {}: fewer teeth, a narrower face or a "
-               "longer lead would help",
-               faces, kStepFacesMost)});
+           fmt::format("a STEP solid of {} faces; the most is {}: fewer teeth{} would help", faces,
+                       kStepFacesMost,
+                       walls->teeth.slices > 1 ? ", a narrower face or a longer lead" : "")});
     }
     auto made = make_solid(body);
     if (!made) return of_body(made.error());

@@ -44,7 +44,7 @@ struct StepReport {
 
 inline constexpr std::size_t kStepCheckedFaces = 1000;  ///< of one solid
 inline constexpr std::size_t kStepFacesMost =
-    20'000;  ///< of one solid: 60 MB of text, 1.5 GB on the way
+    10'000;  ///< of one solid: 30 MB of text, 0.8 GB on the way
 
 struct StepDocument {
   std::string text;

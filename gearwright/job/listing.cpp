@@ -126,11 +126,11 @@ std::string pair_listing(const Pair& p) {
   one("working helix angle", "β_w", angle(m.working_helix_angle), "°");
   two("working pitch diameters", "d_w", mm(2 * m.working_pitch_radius_1),
       mm(2 * m.working_pitch_radius_2), "mm");
-  one("transverse contact ratio", "ε_α", fmt::format("{:.5f}", m.transverse_contact_ratio), "");
+  one("transverse contact ratio", "ε_α", fmt::format("{:.5f}", p.transverse_contact_ratio()), "");
   one("overlap ratio", "ε_β", fmt::format("{:.5f}", m.overlap_ratio), "");
   one("total contact ratio", "ε_γ", fmt::format("{:.5f}", p.contact_ratio()), "");
   one("  on the usable flanks", "", fmt::format("{:.5f}", p.contact_ratio_true()), "");
-  one("length of the path of contact", "g_α", mm(m.path_length), "mm");
+  one("length of the path of contact", "g_α", mm(p.path_length()), "mm");
   two("backlash: rotation, mate held", "", angle(m.backlash_rotation_1),
       angle(m.backlash_rotation_2), "°");
   one("  normal, along the line of action", "j_bn", mm(m.backlash_normal_base), "mm");

@@ -18,7 +18,7 @@ Json point(const Point<Housing>& p) { return Json::array({p.r.x(), p.r.y(), p.r.
 
 Json line_json(const Pair& p) {
   Json line;
-  line["length_mm"] = std::max(0.0, p.mesh.path_length);
+  line["length_mm"] = p.path_length();
   line["leading"] = {point(p.on_line_of_action(p.mesh.rho1_A)),
                      point(p.on_line_of_action(p.mesh.rho1_E))};
   line["trailing"] = {point(p.on_trailing_line(p.mesh.rho1_A)),

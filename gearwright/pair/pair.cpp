@@ -236,6 +236,8 @@ bool Pair::flanks_meet() const {
   return mesh.path_length > 0.0 && has_flank(gears[0]) && has_flank(gears[1]);
 }
 
+double Pair::path_length() const { return flanks_meet() ? mesh.path_length : 0.0; }
+
 double Pair::transverse_contact_ratio() const {
   return flanks_meet() ? mesh.transverse_contact_ratio : 0.0;
 }

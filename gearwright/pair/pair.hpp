@@ -51,8 +51,9 @@ struct Pair {
   std::vector<Interference> interference;
   std::vector<Warning> warnings;
 
-  double gear_ratio() const;  ///< z2/z1, negative for internal pairs
-  bool flanks_meet() const;   ///< the path has a length, and both gears have a flank on it
+  double gear_ratio() const;   ///< z2/z1, negative for internal pairs
+  bool flanks_meet() const;    ///< the path has a length, and both gears have a flank on it
+  double path_length() const;  ///< g_α  mm; 0: no contact
   double transverse_contact_ratio()
       const;                          ///< ε_α, tip form circle to tip form circle; 0: no contact
   double contact_ratio() const;       ///< ε_α + ε_β; 0 without transverse contact

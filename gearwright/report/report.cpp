@@ -107,8 +107,8 @@ std::string pair_section(const Pair& pair) {
       "<section class=\"pair\">\n<h2>Pair</h2>\n{}<div "
       "class=\"columns\"><div>{}{}</div><div>{}{}</div></div>\n"
       "</section>\n",
-      mesh_figures(pair, kShapes), pair_table(pair), interference_table(pair), path_figures(pair),
-      path_table(pair));
+      mesh_figures(pair, kShapes), pair_table(pair), interference_table(pair),
+      pair.flanks_meet() ? path_figures(pair) : std::string(), path_table(pair));
 }
 
 std::string file_section(const std::vector<ReportFile>& files) {

@@ -194,8 +194,8 @@ std::string pair_table(const Pair& p) {
   t.row("Working pitch diameter", "d_w", "mm",
         {length(2 * m.working_pitch_radius_1), length(2 * m.working_pitch_radius_2)});
   t.group("Contact");
-  t.common("Length of the path of contact", "g_α", "mm", length(m.path_length));
-  t.common("Transverse contact ratio, tip to tip", "ε_α", "", ratio(m.transverse_contact_ratio));
+  t.common("Length of the path of contact", "g_α", "mm", length(p.path_length()));
+  t.common("Transverse contact ratio, tip to tip", "ε_α", "", ratio(p.transverse_contact_ratio()));
   t.common("Transverse contact ratio of the usable flanks", "ε_α", "",
            ratio(m.transverse_contact_ratio_true));
   t.common("Overlap ratio", "ε_β", "", ratio(m.overlap_ratio));

@@ -155,7 +155,7 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
   edge.tip_land_end = y_c;
 
   // A small protuberance is all rounding: the circle, pr proud of the flank at τ = α, cuts it at
-  // ρ cos(α − τ) = ρ − pr before it gets down to α_pr. [T3.4]
+  // ρ cos(α − τ) = ρ − pr before it gets down to α_pr. [T3.4a]
   double round_end = alpha;
   bool proud_line = pr > 0.0;
   if (pr > 0.0) {
