@@ -101,8 +101,8 @@ int main(int argc, char** argv) {
   files->add_option("--stl", o.stl, "STL mesh, binary");
   files->add_option("--glb", o.glb, "GLB (glTF 2.0) mesh");
   files->add_option("--3mf", o.threemf, "3MF mesh");
-  files->add_option("--dxf", o.dxf, "DXF outline of one gear");
-  files->add_option("--svg", o.svg, "SVG outline of one gear");
+  files->add_option("--dxf", o.dxf, "DXF outline");
+  files->add_option("--svg", o.svg, "SVG outline");
   files
       ->add_option("--mesh-tolerance", o.mesh_tolerance,
                    "mm between mesh and exact surface (default 0.005)")

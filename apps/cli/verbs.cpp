@@ -187,9 +187,6 @@ int export_verb(const Options& o) {
   if (o.gear && *o.gear > count) {
     return fail(o, {"gear2", "", "gear2: is missing from the spec, --gear 2 asks for its files"});
   }
-  if (!o.gear && count == 2 && (!o.dxf.empty() || !o.svg.empty())) {
-    return usage("--dxf and --svg draw one gear: choose it with --gear 1 or --gear 2");
-  }
   std::vector<ToothedBody> bodies;
   for (int which = 1; which <= count; ++which) {
     if (o.gear && *o.gear != which) continue;

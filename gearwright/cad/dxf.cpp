@@ -108,33 +108,45 @@ Result<Facts> draw_splines(const Outline& outline, const Contour& contour, doubl
 
 }  // namespace
 
-Result<Drawing> dxf_drawing(const ToothedBody& body, const ContourOptions& options) {
+Result<Drawing> dxf_drawing(const std::vector<ToothedBody>& bodies, const ContourOptions& options) {
+  GW_EXPECTS(!bodies.empty());
   const bool biarcs = options.style == ContourOptions::Style::biarcs;
   const double tolerance =
       options.tolerance_mm.value_or(biarcs ? kBiarcTolerance_mm : kSplineTolerance_mm);
   GW_EXPECTS(tolerance > 0.0);
-  const auto contour = closed_contour(body.outline);
-  if (!contour) return contour.error();
-  const auto bore = bore_contour(body, contour->inner_radius, contour->outer_radius);
-  if (!bore) return bore.error();
-
   DxfEntities entities;
-  const auto drawn = biarcs ? draw_biarcs(body.outline, *contour, tolerance, entities)
-                            : draw_splines(body.outline, *contour, tolerance, entities);
-  if (!drawn) return drawn.error();
-  Facts facts = *drawn;
-  double reach = contour->outer_radius;
-  if (const auto& b = *bore) {
-    if (b->keyway) {
-      entities.closed_polyline(kBore, b->points, b->bulges);
-    } else {
-      entities.circle(kBore, b->radius);
+  Facts facts;
+  double reach = 0.0;
+  for (const ToothedBody& body : bodies) {
+    const auto contour = closed_contour(body.outline);
+    if (!contour) return contour.error();
+    const auto bore = bore_contour(body, contour->inner_radius, contour->outer_radius);
+    if (!bore) return bore.error();
+    if (bodies.size() > 1) entities.place(body.pose);
+    const auto drawn = biarcs ? draw_biarcs(body.outline, *contour, tolerance, entities)
+                              : draw_splines(body.outline, *contour, tolerance, entities);
+    if (!drawn) return drawn.error();
+    facts.segments += drawn->segments;
+    facts.deviation_mm = std::max(facts.deviation_mm, drawn->deviation_mm);
+    double radius = contour->outer_radius;
+    if (const auto& b = *bore) {
+      if (b->keyway) {
+        entities.closed_polyline(kBore, b->points, b->bulges);
+      } else {
+        entities.circle(kBore, b->radius);
+      }
+      facts.segments += b->keyway ? static_cast<int>(b->points.size()) : 1;
+      radius = std::max(radius, b->radius);
     }
-    facts.segments += b->keyway ? static_cast<int>(b->points.size()) : 1;
-    reach = std::max(reach, b->radius);
+    const double away = bodies.size() > 1 ? body.pose.translation().head<2>().norm() : 0.0;
+    reach = std::max(reach, away + radius);
   }
   return Drawing{dxf_document(entities, {{kProfile, 7}, {kBore, 5}}, reach), facts.segments,
                  facts.deviation_mm, tolerance};
+}
+
+Result<Drawing> dxf_drawing(const ToothedBody& body, const ContourOptions& options) {
+  return dxf_drawing(std::vector<ToothedBody>{body}, options);
 }
 
 }  // namespace gearwright

@@ -231,6 +231,12 @@ void DxfEntities::begin(const char* type, const std::string& layer, const char* 
       .word(100, subclass);
 }
 
+void DxfEntities::place(const Eigen::Isometry3d& pose) {
+  moved_ = !pose.matrix().isIdentity(0.0);
+  pose_.linear() = pose.linear().topLeftCorner<2, 2>();
+  pose_.translation() = pose.translation().head<2>();
+}
+
 void DxfEntities::closed_polyline(const std::string& layer, const std::vector<Vec2>& points,
                                   const std::vector<double>& bulges) {
   GW_EXPECTS(points.size() == bulges.size());
@@ -238,14 +244,16 @@ void DxfEntities::closed_polyline(const std::string& layer, const std::vector<Ve
   Pairs out(text_);
   out.integer(90, static_cast<int>(points.size())).integer(70, 1).real(43, 0);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    out.point(10, points[i].x(), points[i].y());
+    const Vec2 p = at(points[i]);
+    out.point(10, p.x(), p.y());
     if (bulges[i] != 0.0) out.real(42, bulges[i]);
   }
 }
 
 void DxfEntities::circle(const std::string& layer, double radius) {
   begin("CIRCLE", layer, "AcDbCircle");
-  Pairs(text_).point(10, 0, 0, 0).real(40, radius);
+  const Vec2 center = at(Vec2::Zero());
+  Pairs(text_).point(10, center.x(), center.y(), 0).real(40, radius);
 }
 
 void DxfEntities::circular_spline(const std::string& layer, const Vec2& begin_point,
@@ -271,6 +279,7 @@ void DxfEntities::circular_spline(const std::string& layer, const Vec2& begin_po
       p = Eigen::Rotation2Dd(half * i) * begin_point;
       if (i % 2 == 1) p /= weight;
     }
+    p = at(p);
     out.point(10, p.x(), p.y(), 0);
   }
 }
@@ -284,7 +293,10 @@ void DxfEntities::spline(const std::string& layer, int degree, const std::vector
   out.integer(72, static_cast<int>(knots.size())).integer(73, static_cast<int>(poles.size()));
   out.integer(74, 0).real(42, 1e-9).real(43, 1e-9);
   for (const double knot : knots) out.real(40, knot);
-  for (const Vec2& p : poles) out.point(10, p.x(), p.y(), 0);
+  for (const Vec2& pole : poles) {
+    const Vec2 p = at(pole);
+    out.point(10, p.x(), p.y(), 0);
+  }
 }
 
 std::string dxf_document(const DxfEntities& entities, const std::vector<DxfLayer>& layers,

@@ -6,6 +6,7 @@
 // 2000).
 #pragma once
 
+#include <Eigen/Geometry>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ namespace gearwright {
 /// Collects entities; coordinates in mm, in the xy plane, angles in degrees in the file only.
 class DxfEntities {
  public:
+  /// Where what follows stands: a turn about z and a shift in the plane. Absent: where it is.
+  void place(const Eigen::Isometry3d& pose);
   /// Closed LWPOLYLINE; bulges[i] leads from points[i] to the next, the last one to the first.
   void closed_polyline(const std::string& layer, const std::vector<Vec2>& points,
                        const std::vector<double>& bulges);
@@ -31,9 +34,12 @@ class DxfEntities {
   int next_handle() const { return handle_; }
 
  private:
+  Vec2 at(const Vec2& p) const { return moved_ ? Vec2(pose_ * p) : p; }
   void begin(const char* type, const std::string& layer, const char* subclass);
 
   std::string text_;
+  bool moved_ = false;  // false: points are written as they are, to the bit
+  Eigen::Isometry2d pose_ = Eigen::Isometry2d::Identity();
   int handle_ = 0x100;  // below lies the frame
 };
 

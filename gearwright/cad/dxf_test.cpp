@@ -174,6 +174,30 @@ TEST(Dxf, SegmentsGrowWithTheTeeth) {  // law 2
   EXPECT_EQ(drawing_of(testing::sample_body({})).segments, 20 * (2 * (6 + 6) + 2));
 }
 
+TEST(Dxf, SeveralBodiesStandAtTheirPoses) {
+  const ToothedBody first = bodies()[0];
+  ToothedBody second = first;
+  second.pose.linear() = Eigen::AngleAxisd(kPi / 2, Vec3::UnitZ()).toRotationMatrix();
+  second.pose.translation() = Vec3(100.0, 5.0, 0.0);
+  const auto both = dxf_drawing(std::vector<ToothedBody>{first, second});
+  ASSERT_TRUE(both);
+  EXPECT_EQ(both->segments, 2 * drawing_of(first).segments);
+  std::vector<Entity> profiles;
+  for (Entity& e : entities_of(both->text)) {
+    if (e.layer == "PROFILE") profiles.push_back(std::move(e));
+  }
+  ASSERT_EQ(profiles.size(), 2U);
+  EXPECT_EQ(profiles[0].words(42), profiles[1].words(42));  // the same bulges
+  const std::vector<double> x0 = profiles[0].reals(10);
+  const std::vector<double> y0 = profiles[0].reals(20);
+  const std::vector<double> x1 = profiles[1].reals(10);
+  const std::vector<double> y1 = profiles[1].reals(20);
+  for (std::size_t i = 0; i < x0.size(); ++i) {
+    EXPECT_NEAR(x1[i], 100.0 - y0[i], 1e-13);
+    EXPECT_NEAR(y1[i], 5.0 + x0[i], 1e-13);
+  }
+}
+
 TEST(Dxf, SameBodySameBytes) {  // law 1
   for (const auto style : {ContourOptions::Style::biarcs, ContourOptions::Style::splines}) {
     EXPECT_EQ(drawing_of(bodies()[1], {.style = style}).text,

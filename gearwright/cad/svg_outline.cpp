@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -34,13 +35,28 @@ std::string escaped(std::string_view text) {
 // The d attribute; y is turned over here and nowhere else.
 class Path {
  public:
-  void move(const Vec2& p) { add("M{} {}", p.x(), -p.y()); }
-  void line(const Vec2& p) { add("L{} {}", p.x(), -p.y()); }
+  explicit Path(const Eigen::Isometry3d* pose) {
+    if (!pose) return;
+    pose_.linear() = pose->linear().topLeftCorner<2, 2>();
+    pose_.translation() = pose->translation().head<2>();
+  }
+  void move(const Vec2& at) {
+    const Vec2 p = pose_ * at;
+    add("M{} {}", p.x(), -p.y());
+  }
+  void line(const Vec2& at) {
+    const Vec2 p = pose_ * at;
+    add("L{} {}", p.x(), -p.y());
+  }
   // A counter-clockwise arc is one on the screen too: sweep flag 0.
-  void arc(double radius, double sweep, const Vec2& p) {
+  void arc(double radius, double sweep, const Vec2& at) {
+    const Vec2 p = pose_ * at;
     add("A{0} {0} 0 {1} 0 {2} {3}", radius, sweep > std::numbers::pi ? 1 : 0, p.x(), -p.y());
   }
-  void cubic(const Vec2& a, const Vec2& b, const Vec2& c) {
+  void cubic(const Vec2& at_a, const Vec2& at_b, const Vec2& at_c) {
+    const Vec2 a = pose_ * at_a;
+    const Vec2 b = pose_ * at_b;
+    const Vec2 c = pose_ * at_c;
     add("C{} {} {} {} {} {}", a.x(), -a.y(), b.x(), -b.y(), c.x(), -c.y());
   }
   void close() { text_ += "Z\n"; }
@@ -61,13 +77,18 @@ class Path {
     text_ += '\n';
   }
 
+  Eigen::Isometry2d pose_ = Eigen::Isometry2d::Identity();
   std::string text_;
 };
 
-}  // namespace
+struct DrawnBody {
+  std::string path;
+  int segments = 0;
+  double deviation = 0.0;
+  double radius = 0.0;
+};
 
-Result<Drawing> svg_drawing(const ToothedBody& body, const SvgOptions& options) {
-  GW_EXPECTS(options.tolerance_mm > 0.0);
+Result<DrawnBody> draw(const ToothedBody& body, const SvgOptions& options, bool in_place) {
   const auto contour = closed_contour(body.outline);
   if (!contour) return contour.error();
   const auto bore = bore_contour(body, contour->inner_radius, contour->outer_radius);
@@ -76,7 +97,7 @@ Result<Drawing> svg_drawing(const ToothedBody& body, const SvgOptions& options) 
   int segments = 0;
   double deviation = 0.0;
   std::vector<std::optional<BezierChain>> chains(body.outline.arcs.size());
-  Path path;
+  Path path(in_place ? &body.pose : nullptr);
   path.move(contour->pieces.front().begin);
   for (const ContourPiece& piece : contour->pieces) {
     if (piece.land) {
@@ -115,17 +136,49 @@ Result<Drawing> svg_drawing(const ToothedBody& body, const SvgOptions& options) 
     reach = std::max(reach, b->radius);
   }
 
-  const double half = (1.0 + kMargin) * reach;
-  std::string text = fmt::format(
+  return DrawnBody{path.text(), segments, deviation, reach};
+}
+
+}  // namespace
+
+Result<Drawing> svg_drawing(const std::vector<ToothedBody>& bodies, const SvgOptions& options) {
+  GW_EXPECTS(!bodies.empty());
+  GW_EXPECTS(options.tolerance_mm > 0.0);
+  const bool in_place = bodies.size() > 1;
+  Drawing drawing{{}, 0, 0.0, options.tolerance_mm};
+  std::string paths;
+  Eigen::AlignedBox2d box;  // y turned over, as on the screen
+  double margin = 0.0;
+  for (const ToothedBody& body : bodies) {
+    const auto drawn = draw(body, options, in_place);
+    if (!drawn) return drawn.error();
+    drawing.segments += drawn->segments;
+    drawing.deviation_mm = std::max(drawing.deviation_mm, drawn->deviation);
+    const Vec2 center = in_place ? Vec2(body.pose.translation().x(), -body.pose.translation().y())
+                                 : Vec2(Vec2::Zero());
+    margin = std::max(margin, kMargin * drawn->radius);
+    box.extend(center - Vec2::Constant(drawn->radius));
+    box.extend(center + Vec2::Constant(drawn->radius));
+    paths += fmt::format(
+        "<path fill=\"#dfe3e8\" fill-rule=\"evenodd\" stroke=\"#1b2733\" stroke-width=\"{:.4f}\" "
+        "stroke-linejoin=\"round\" d=\"\n{}\"/>\n",
+        0.002 * (1.0 + kMargin) * drawn->radius, drawn->path);
+  }
+  std::string title = bodies.front().name;
+  for (std::size_t i = 1; i < bodies.size(); ++i) title += ", " + bodies[i].name;
+  const Vec2 corner = box.min() - Vec2::Constant(margin);
+  const Vec2 size = box.sizes() + Vec2::Constant(2 * margin);
+  drawing.text = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.6f}mm\" height=\"{0:.6f}mm\" "
-      "viewBox=\"{1:.6f} {1:.6f} {0:.6f} {0:.6f}\">\n"
-      "<title>{2}</title>\n"
-      "<path fill=\"#dfe3e8\" fill-rule=\"evenodd\" stroke=\"#1b2733\" stroke-width=\"{3:.4f}\" "
-      "stroke-linejoin=\"round\" d=\"\n{4}\"/>\n"
-      "</svg>\n",
-      2.0 * half, -half, escaped(body.name), 0.002 * half, path.text());
-  return Drawing{std::move(text), segments, deviation, options.tolerance_mm};
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.6f}mm\" height=\"{1:.6f}mm\" "
+      "viewBox=\"{2:.6f} {3:.6f} {0:.6f} {1:.6f}\">\n"
+      "<title>{4}</title>\n{5}</svg>\n",
+      size.x(), size.y(), corner.x(), corner.y(), escaped(title), paths);
+  return drawing;
+}
+
+Result<Drawing> svg_drawing(const ToothedBody& body, const SvgOptions& options) {
+  return svg_drawing(std::vector<ToothedBody>{body}, options);
 }
 
 }  // namespace gearwright

@@ -57,13 +57,12 @@ Result<JobFile> make_mesh(FileKind kind, const std::vector<ToothedBody>& bodies,
 
 Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodies,
                              const fs::path& path, const FileOptions& options) {
-  const ToothedBody& body = bodies.front();
   const auto style =
       options.drawing_splines ? ContourOptions::Style::splines : ContourOptions::Style::biarcs;
   std::optional<double> tolerance;
   if (!options.drawing_splines) tolerance = options.drawing_tolerance_mm;
-  auto made = kind == FileKind::svg ? svg_drawing(body) : dxf_drawing(body, {style, tolerance});
-  if (!made) return of_gear(made.error(), body.name);
+  auto made = kind == FileKind::svg ? svg_drawing(bodies) : dxf_drawing(bodies, {style, tolerance});
+  if (!made) return of_gear(made.error(), bodies.front().name);
   Drawing drawing = std::move(made).take();
   const char* what = kind == FileKind::svg     ? "SVG outline"
                      : options.drawing_splines ? "DXF, splines"

@@ -110,6 +110,17 @@ class Verbs(unittest.TestCase):
         self.assertEqual(r.status, 0, r.err)
         self.assertEqual(r.files(), ["a.dxf", "a.stl", "case.toml"])
 
+    def test_drawings_of_both_gears_stand_in_place(self):
+        r = Run("export", PAIR, "--dxf", "both.dxf", "--svg", "both.svg", "--dxf-splines")
+        self.assertEqual(r.status, 0, r.err)
+        self.assertEqual((r.folder / "both.svg").read_text().count("<path "), 2)
+        a = Run("pair", PAIR, "--json").json
+        lines = (r.folder / "both.dxf").read_text().split("ENTITIES\n")[1].split("ENDSEC")[0].splitlines()
+        x = [float(v) for code, v in zip(lines[::2], lines[1::2]) if code.strip() == "10"]
+        reach = a["pair"]["center_distance_mm"] + a["gears"][1]["tip_diameter_mm"] / 2
+        self.assertAlmostEqual(max(x), reach, delta=0.05)
+        self.assertAlmostEqual(min(x), -a["gears"][0]["tip_diameter_mm"] / 2, delta=0.5)
+
     def test_verify_runs_the_golden_cases(self):
         p = raw("verify", *[str(f) for f in sorted((SOURCE / "tests/golden").glob("*.json"))])
         self.assertEqual(p.returncode, 0, p.stdout + p.stderr)
