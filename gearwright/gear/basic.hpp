@@ -1,0 +1,91 @@
+// A gear as itself: what its flanks are, without a word of the rack that cut them.
+//
+//   z    teeth, negative for a ring     r_b    base radius, mm
+//   s_bt tooth thickness on the base cylinder, transverse, mm; a ring's is extrapolated
+//   β_b  base helix angle, rad, > 0 right hand
+//   α_n  pressure angle of a rack       p_bn   normal base pitch, mm
+//                                              theory: docs/theory/04-conjugate-action.md
+//
+// Any rack with m_n cos α_n = p_bn/π can have cut it: m_n, α_n, β and x are names that one of them
+// gives the gear. Templates over the scalar.
+#pragma once
+
+#include <cmath>
+#include <cstdlib>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/gear/reference.hpp"
+#include "gearwright/math/involute.hpp"
+
+namespace gearwright {
+
+template <class T>
+struct BaseGear {
+  int teeth = 0;        ///< z
+  T radius{};           ///< r_b   mm
+  T tooth_thickness{};  ///< s_bt  mm
+  T helix_angle{};      ///< β_b   rad, signed
+};
+
+/// +1 for an external gear, −1 for a ring.
+template <class T>
+T side_of(const BaseGear<T>& gear) {
+  return gear.teeth > 0 ? T(1) : T(-1);
+}
+
+template <class T>
+BaseGear<T> base_gear(int teeth, const ReferenceGeometry<T>& g) {
+  return {teeth, g.base_diameter / T(2), g.base_tooth_thickness, g.base_helix_angle};
+}
+
+/// p_bn = 2π r_b cos β_b/|z|, mm. [T4.1]
+template <class T>
+T normal_base_pitch(const BaseGear<T>& gear) {
+  using std::atan;
+  using std::cos;
+  const T pi = atan(T(1)) * T(4);
+  return T(2) * pi * gear.radius * cos(gear.helix_angle) / T(std::abs(gear.teeth));
+}
+
+/// There is a rack with the pressure angle α_n that has this gear: cos α_n > |sin β_b|. [T4.2]
+template <class T>
+bool has_rack(const BaseGear<T>& gear, const T& alpha_n) {
+  using std::abs;
+  using std::cos;
+  using std::sin;
+  return cos(alpha_n) > abs(sin(gear.helix_angle));
+}
+
+/// The gear as the rack with the pressure angle α_n describes it, without allowance.
+///
+/// Formula   m_n = p_bn/(π cos α_n), sin β = sin β_b/cos α_n, x from s_bt; [T4.2], [T4.3]
+/// Domain    0 < α_n < π/2, has_rack (contract)
+/// Accuracy  ledger rows `as_rack.*`
+template <class T>
+ReferenceInput<T> as_rack(const BaseGear<T>& gear, const T& alpha_n) {
+  using std::asin;
+  using std::atan;
+  using std::cos;
+  using std::sin;
+  using std::sqrt;
+  using std::tan;
+  GW_EXPECTS(has_rack(gear, alpha_n));
+  const T pi = atan(T(1)) * T(4);
+  const T cos_alpha = cos(alpha_n);
+  const T sin_b = sin(gear.helix_angle);
+  ReferenceInput<T> rack;
+  rack.teeth = gear.teeth;
+  rack.normal_module = normal_base_pitch(gear) / (pi * cos_alpha);
+  rack.normal_pressure_angle = alpha_n;
+  rack.helix_angle = gear.helix_angle == T(0) ? T(0) : T(asin(sin_b / cos_alpha));
+  // u = cos α_n cos β, so that r = r_b cos β_b/u and tan α_t = sin α_n/u.
+  const T u = sqrt((cos_alpha - sin_b) * (cos_alpha + sin_b));
+  const T alpha_t = atan(sin(alpha_n) / u);
+  const T r = gear.radius * cos(gear.helix_angle) / u;
+  const T s_n = (gear.tooth_thickness / gear.radius - side_of(gear) * T(2) * involute(alpha_t)) *
+                r * u / cos_alpha;
+  rack.profile_shift = (s_n / rack.normal_module - pi / T(2)) / (T(2) * tan(alpha_n));
+  return rack;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,68 @@
+#include "gearwright/gear/basic_root.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/gear/reference.hpp"
+
+namespace gearwright {
+
+namespace {
+
+Error bad(const char* key, double value, const std::string& why) {
+  return {key, fmt::format("{}", value), fmt::format("{} = {}: {}", key, value, why)};
+}
+
+}  // namespace
+
+Result<StraightRack> rack_leaving_root(const CylindricalSpec& spec, double root_diameter,
+                                       std::optional<double> root_form_diameter) {
+  const auto g = reference_geometry<double>(
+      {spec.teeth, spec.normal_module, spec.normal_pressure_angle.rad(), spec.helix_angle.rad(),
+       spec.profile_shift, spec.thickness_allowance});
+  const double m = spec.normal_module;
+  const double x_E = g.generating_profile_shift;
+  const bool ring = spec.teeth < 0;
+  const double d = g.reference_diameter;
+  StraightRack rack = spec.rack;
+  rack.dedendum = ring ? x_E + (root_diameter - d) / (2 * m) : x_E + (d - root_diameter) / (2 * m);
+  if (!(rack.dedendum > 0.0)) {
+    const double most = ring ? d - 2 * m * x_E : d + 2 * m * x_E;
+    return bad("root_diameter_mm", root_diameter,
+               fmt::format("no rack tooth is left; it must be {} than {} mm",
+                           ring ? "greater" : "less", most));
+  }
+  if (!root_form_diameter) return rack;
+  const double d_Ff = *root_form_diameter;
+  if (ring) {
+    return bad("root_form_diameter_mm", d_Ff,
+               "the fillet of a ring is left by its pinion cutter, which is not in this version");
+  }
+  const double sin_n = std::sin(spec.normal_pressure_angle.rad());
+  const double sin_t = std::sin(g.transverse_pressure_angle);
+  const double r_b = g.base_diameter / 2;
+  const double rho_C = r_b * std::tan(g.transverse_pressure_angle);
+  // The diameter whose flank point the rack cuts at the depth h* below its datum line.
+  const auto form_at = [&](double h) { return 2 * std::hypot(r_b, rho_C - (h - x_E) * m / sin_t); };
+  rack.root_fillet_radius = 0.0;
+  const double full = full_radius(rack, spec.normal_pressure_angle);
+  const double sharp_depth = rack.dedendum;
+  const double round_depth = rack.dedendum - full * (1 - sin_n);
+  const double least = std::max(g.base_diameter, form_at(sharp_depth));
+  const double most = form_at(round_depth);
+  const bool undercut = rho_C - (sharp_depth - x_E) * m / sin_t < 0.0;
+  if (!(d_Ff > g.base_diameter && d_Ff <= most && (undercut || d_Ff >= least))) {
+    return bad("root_form_diameter_mm", d_Ff,
+               fmt::format("no rounding of the rack leaves it with this root diameter; it must lie "
+                           "between {} (sharp corner) and {} mm (full radius)",
+                           undercut ? g.base_diameter : least, most));
+  }
+  const double rho_F = std::sqrt((d_Ff / 2 - r_b) * (d_Ff / 2 + r_b));
+  const double depth = x_E - (rho_F - rho_C) * sin_t / m;
+  rack.root_fillet_radius = std::clamp((rack.dedendum - depth) / (1 - sin_n), 0.0, full);
+  return rack;
+}
+
+}  // namespace gearwright

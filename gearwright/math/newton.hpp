@@ -1,0 +1,77 @@
+// Newton's iteration that cannot leave its bracket: for smooth functions with a cheap derivative.
+//
+// Every evaluation narrows the bracket; a step that would leave it, or that gains less than a
+// halving twice over, is replaced by the middle. A template over the scalar, as the formulas are.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "gearwright/base/contract.hpp"
+
+namespace gearwright {
+
+template <class T>
+struct Slope {
+  T value;
+  T derivative;
+};
+
+enum class NewtonStop {
+  exact,      ///< f(x) = 0
+  step,       ///< the next step is below 2 ulp of x
+  bracket,    ///< the bracket has closed
+  iterations  ///< the budget ran out
+};
+
+template <class T>
+struct NewtonRoot {
+  T x;
+  T residual;
+  int iterations;
+  NewtonStop stop;
+  bool found() const { return stop != NewtonStop::iterations; }
+};
+
+/// Root of f in [lo, hi]; `rising`: f(lo) ≤ 0 ≤ f(hi), else f(lo) ≥ 0 ≥ f(hi). The ends are not
+/// evaluated, so f may be infinite there; f(x) returns a Slope<T>.
+///
+/// Domain    lo ≤ start ≤ hi (contract)
+template <class T, class F>
+NewtonRoot<T> newton_in_bracket(const F& f, T lo, T hi, T start, bool rising) {
+  using std::abs;
+  GW_EXPECTS(!(start < lo) && !(hi < start));
+  constexpr int kBudget = 400;  // 50 digits halve 170 times at most, twice over
+  const T ulps = T(2) * std::numeric_limits<T>::epsilon();
+  NewtonRoot<T> root{start, T(0), 0, NewtonStop::iterations};
+  T last = hi - lo;
+  while (root.iterations < kBudget) {
+    const Slope<T> s = f(root.x);
+    ++root.iterations;
+    root.residual = s.value;
+    if (s.value == T(0)) {
+      root.stop = NewtonStop::exact;
+      return root;
+    }
+    ((s.value < T(0)) == rising ? lo : hi) = root.x;
+    if (!(hi - lo > ulps * (abs(lo) + abs(hi)) / T(2))) {
+      root.stop = NewtonStop::bracket;
+      return root;
+    }
+    const T step = -s.value / s.derivative;
+    T next = root.x + step;
+    const bool inside = next > lo && next < hi;  // false for NaN
+    if (inside && !(abs(step) > ulps * abs(root.x))) {
+      root.x = next;
+      root.stop = NewtonStop::step;
+      return root;
+    }
+    const bool slow = !(T(2) * abs(step) < last) && root.iterations > 2;
+    if (!inside || slow) next = lo + (hi - lo) / T(2);
+    last = abs(next - root.x);
+    root.x = next;
+  }
+  return root;
+}
+
+}  // namespace gearwright
