@@ -1,0 +1,85 @@
+#include "gearwright/inspection/chordal_thickness.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+#include <string>
+
+namespace gearwright {
+
+namespace {
+
+Error off_flank(double diameter, const std::string& why) {
+  return {"chord_diameter_mm", fmt::format("{}", diameter),
+          fmt::format("chord_diameter_mm = {}: {}", diameter, why)};
+}
+
+struct FlankRange {
+  double lo, hi;     // mm, diameters
+  std::string ends;  // what they are, for people
+};
+
+// Where involutes stand on both sides of the tooth.
+Result<FlankRange> flank_range(const Gear& gear, double diameter) {
+  const double d_b = gear.reference.base_diameter;
+  const double d_Fa = 2 * gear.tip_form_radius();
+  if (gear.internal()) {
+    return FlankRange{std::max(d_Fa, d_b), gear.root_diameter,
+                      fmt::format("at least the base diameter {} mm, from d_Fa = {} mm to the "
+                                  "ring's root diameter {} mm",
+                                  d_b, d_Fa, gear.root_diameter)};
+  }
+  const auto form = gear.root_form_radius();
+  if (!gear.exists() || !form) {
+    return off_flank(diameter,
+                     "there is no usable flank to measure, neither here nor at another diameter; "
+                     "see the gear's warnings");
+  }
+  return FlankRange{std::max(2 * *form, d_b), d_Fa,
+                    fmt::format("at least the base diameter {} mm, on the usable flank from d_Ff = "
+                                "{} mm to d_Fa = {} mm",
+                                d_b, 2 * *form, d_Fa)};
+}
+
+}  // namespace
+
+ToothArc<double> tooth_arc(const Gear& gear, double diameter) {
+  const ReferenceGeometry<double>& g = gear.reference;
+  const double s_t = tooth_thickness_transverse(gear.spec.teeth, g.base_diameter,
+                                                g.base_tooth_thickness, diameter);
+  ToothArc<double> arc;
+  arc.half_angle = s_t / diameter;
+  arc.helix_angle = std::atan(diameter / g.base_diameter * std::tan(g.base_helix_angle));
+  arc.radius = diameter / 2;
+  arc.tip_radius = gear.actual_tip_radius();
+  arc.internal = gear.internal();
+  return arc;
+}
+
+Result<ChordalThickness<double>> chordal_thickness(const Gear& gear, double diameter) {
+  const auto range = flank_range(gear, diameter);
+  if (!range) return range.error();
+  if (!(diameter >= range->lo && diameter <= range->hi))  // true for NaN
+    return off_flank(diameter, "must be " + range->ends);
+  const ToothArc<double> arc = tooth_arc(gear, diameter);
+  if (!(arc.half_angle >= kLeastHalfAngle)) {
+    return off_flank(
+        diameter,
+        fmt::format("the two flanks meet at {} mm, there is no tooth {} that; the diameter must be "
+                    "{}",
+                    gear.pointed_diameter.value_or(diameter), gear.internal() ? "inside" : "beyond",
+                    range->ends));
+  }
+  if (arc.half_angle < std::numbers::pi) {
+    const auto chord = shortest_chord(arc);
+    if (chord.half_angle_used <= std::numbers::pi / 2) return chord;
+  }
+  return off_flank(
+      diameter,
+      fmt::format("the tooth covers {} degrees about the axis, no calliper reaches over it; a "
+                  "greater diameter may do, it must be {}",
+                  2 * arc.half_angle * 180 / std::numbers::pi, range->ends));
+}
+
+}  // namespace gearwright

@@ -1,0 +1,128 @@
+// Chordal tooth thickness: what a calliper over one tooth reads.
+//
+//   d, r     diameter and radius at which the jaws touch, mm      r_a  tip radius, mm
+//   θ_t      half angle of the tooth there, s_t/d, rad            ψ    helix angle there, rad
+//   θ        half angle between the two points touched            T    tan² ψ
+//   ζ        half of their axial distance, in radii
+//   k, Δh    chord, and the rise of the arc over it, mm           * marks the shortest chord
+//                                                   theory: docs/theory/05-approximations.md
+//
+// A calliper laid across a helical tooth may be inclined; the reading is the shortest chord, and it
+// is found exactly, for a spur gear and for a worm by the same lines. Templates over the scalar.
+#pragma once
+
+#include <cmath>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/base/result.hpp"
+#include "gearwright/gear/gear.hpp"
+#include "gearwright/math/newton.hpp"
+
+namespace gearwright {
+
+/// A tooth on one cylinder.
+template <class T>
+struct ToothArc {
+  T half_angle{};         ///< θ_t  rad
+  T helix_angle{};        ///< ψ    rad, signed
+  T radius{};             ///< r    mm
+  T tip_radius{};         ///< r_a  mm
+  bool internal = false;  ///< a ring: its tip lies inside r
+};
+
+template <class T>
+struct ChordalThickness {
+  T chord;            ///< k*   mm, the least over the inclinations of the calliper
+  T height;           ///< Δh*  mm, rise of the arc over the chord
+  T tip_to_chord;     ///< mm, the calliper's depth setting; < 0: a ring's chord passes its tip
+  T caliper_angle;    ///< rad, to the transverse plane, with the sign of ψ while θ* < π/2
+  T half_angle_used;  ///< θ*   rad
+};
+
+/// Least θ_t, rad: with T ≤ 1e33, tan² of the double next to π/2, θ* stays a normal number. What is
+/// left of a tooth by rounding, 1e-17, is thick beside it.
+inline constexpr double kLeastHalfAngle = 1e-100;
+
+/// The half angle θ* of the shortest chord: the root of T sin 2θ + 2θ = 2θ_t.
+///
+/// For θ_t ≤ π/2 it is the only root in [0, θ_t] and the least of all chords. For a tooth of more
+/// than half the circumference it is the first position, coming from the axial direction, that
+/// tilting either way lengthens; θ* > π/2 says that the chord has got behind the axis.
+///
+/// Formula   [T5.4]; bracket between the turning points [T5.5], start [T5.8]
+/// Domain    kLeastHalfAngle ≤ θ_t < π (contract), any |ψ| < π/2 as T = tan² ψ
+template <class T>
+T shortest_chord_half_angle(const T& theta_t, const T& tan_psi_squared) {
+  using std::acos;
+  using std::atan;
+  using std::cos;
+  using std::sin;
+  const T pi = atan(T(1)) * T(4);
+  GW_EXPECTS(!(theta_t < T(kLeastHalfAngle)) && theta_t < pi);
+  GW_EXPECTS(!(tan_psi_squared < T(0)));
+  const T half_pi = pi / T(2);
+  const auto f = [&](const T& theta) {
+    return Slope<T>{tan_psi_squared * sin(T(2) * theta) + T(2) * (theta - theta_t),
+                    T(2) * tan_psi_squared * cos(T(2) * theta) + T(2)};
+  };
+  // f rises from −2θ_t up to its turning point, if it has one (T > 1).
+  T lo(0);
+  T hi = theta_t;
+  if (tan_psi_squared > T(1)) hi = acos(T(-1) / tan_psi_squared) / T(2);
+  if (theta_t > half_pi && (!(tan_psi_squared > T(1)) || f(hi).value < T(0))) {
+    lo = theta_t;  // the only root lies behind the axis, where the sine is negative
+    hi = pi;
+  }
+  T start = theta_t / (T(1) + tan_psi_squared);
+  if (start < lo) start = lo;
+  if (start > hi) start = hi;
+  const auto root = newton_in_bracket<T>(f, lo, hi, start, true);
+  GW_ENSURES(root.found());
+  return root.x;
+}
+
+/// The shortest chord over a tooth.
+///
+/// Formula   k* = 2 r sin θ* √(1 + T cos² θ*), Δh* = 2 r sin² (θ*/2),
+///           angle arctan(tan ψ cos θ*); [T5.6], [T5.7]. ψ = 0: the spur gear's 2 r sin θ_t,
+///           exactly
+/// Units     mm, rad
+/// Domain    kLeastHalfAngle ≤ θ_t < π, |ψ| < π/2, r > 0 (contract)
+/// Accuracy  ledger rows `chord.*`
+template <class T>
+ChordalThickness<T> shortest_chord(const ToothArc<T>& tooth) {
+  using std::atan;
+  using std::cos;
+  using std::sin;
+  using std::sqrt;
+  using std::tan;
+  GW_EXPECTS(tooth.radius > T(0));
+  GW_EXPECTS(cos(tooth.helix_angle) > T(0));
+  const T tan_psi = tan(tooth.helix_angle);
+  const T theta = shortest_chord_half_angle(tooth.half_angle, T(tan_psi * tan_psi));
+  const T rise = tan_psi * cos(theta);
+  const T half_sine = sin(theta / T(2));
+  ChordalThickness<T> c;
+  c.chord = T(2) * tooth.radius * sin(theta) * sqrt(T(1) + rise * rise);
+  c.height = T(2) * tooth.radius * half_sine * half_sine;
+  c.tip_to_chord = tooth.internal ? T((tooth.radius - tooth.tip_radius) - c.height)
+                                  : T((tooth.tip_radius - tooth.radius) + c.height);
+  c.caliper_angle = atan(rise);
+  c.half_angle_used = theta;
+  return c;
+}
+
+/// The tooth of a gear on the cylinder of that diameter.
+///
+/// Formula   θ_t = s_yt/d_y, tan ψ = (d_y/d_b) tan β_b; [T2.11], [T2.12]
+/// Domain    d_y ≥ d_b (contract); a tooth thinner than nothing has θ_t ≤ 0
+ToothArc<double> tooth_arc(const Gear& gear, double diameter);
+
+/// The shortest chord over a tooth of the gear, allowance included; of a ring's tooth too.
+///
+/// Errors    `chord_diameter_mm`: not on the usable flank (from d_Ff to d_Fa, and never inside the
+///           base circle; a ring: from d_Fa to its root), beyond the diameter at which the flanks
+///           meet, over a tooth that no calliper can span, or on a gear without a flank
+Result<ChordalThickness<double>> chordal_thickness(const Gear& gear, double diameter);
+
+}  // namespace gearwright
