@@ -17,6 +17,17 @@ Error in_table(Error error, const std::string& table) {
   return error;
 }
 
+std::optional<double> shaft_angle(const JobSpec& spec) {
+  if (!spec.pair.shaft_angle_deg) return std::nullopt;
+  return Angle::degrees(*spec.pair.shaft_angle_deg).rad();
+}
+
+// Whether the axes cross: the helices decide, and the shaft angle has been checked against them.
+bool axes_cross(const JobSpec& spec) {
+  return !axes_are_parallel(
+      nominal_base_pair(spec.gears[0]->cylindrical, spec.gears[1]->cylindrical));
+}
+
 ShiftProblem shift_problem(const JobSpec& spec) {
   const CylindricalSpec& c1 = spec.gears[0]->cylindrical;
   const CylindricalSpec& c2 = spec.gears[1]->cylindrical;
@@ -25,10 +36,8 @@ ShiftProblem shift_problem(const JobSpec& spec) {
   p.z2 = c2.teeth;
   p.normal_module = c1.normal_module;
   p.normal_pressure_angle = c1.normal_pressure_angle.rad();
-  p.cos_beta = std::cos(c1.helix_angle.rad());
-  p.transverse_pressure_angle = p.cos_beta == 1.0
-                                    ? p.normal_pressure_angle
-                                    : std::atan(std::tan(p.normal_pressure_angle) / p.cos_beta);
+  p.helix_angle = {c1.helix_angle.rad(), c2.helix_angle.rad()};
+  if (axes_cross(spec)) p.shaft_angle = shaft_angle(spec).value_or(0.0);
   p.x1 = spec.gears[0]->profile_shift;
   p.x2 = spec.gears[1]->profile_shift;
   if (!spec.pair.center_distance) {
@@ -40,46 +49,45 @@ ShiftProblem shift_problem(const JobSpec& spec) {
   return p;
 }
 
-// Shifts and centre distances are completed between gears cut by the same rack angle and module.
+// Shifts and centre distances are completed between gears cut by the same rack angle and module,
+// on parallel axes with the same |β| too.
 bool share_a_rack(const JobSpec& spec) {
   const CylindricalSpec& c1 = spec.gears[0]->cylindrical;
   const CylindricalSpec& c2 = spec.gears[1]->cylindrical;
   const auto near = [](double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(a); };
-  const double beta2 = c2.teeth > 0 ? -c2.helix_angle.rad() : c2.helix_angle.rad();
   return near(c1.normal_module, c2.normal_module) &&
-         near(c1.normal_pressure_angle.rad(), c2.normal_pressure_angle.rad()) &&
-         std::abs(c1.helix_angle.rad() - beta2) <= 1e-9;
-}
-
-bool can_be_parallel(const JobSpec& spec) {
-  const int z1 = spec.gears[0]->cylindrical.teeth;
-  const int z2 = spec.gears[1]->cylindrical.teeth;
-  return z1 > 0 && (z2 > 0 || -z2 > z1);
+         near(c1.normal_pressure_angle.rad(), c2.normal_pressure_angle.rad());
 }
 
 // Tips cut back so that the racks' clearance is kept at this distance: k m_n = σ (a − a_ext).
 // [T2.21]
-void shorten_tips(JobSpec& spec, const ShiftSolution& s) {
-  const ShiftProblem p = shift_problem(spec);
-  const double extended =
-      extended_center_distance(p.z1, p.z2, p.normal_module, p.cos_beta, s.x1 + s.x2);
+void shorten_tips(JobSpec& spec, double a) {
+  double extended = 0.0;
+  const double side = spec.gears[1]->cylindrical.teeth > 0 ? 1.0 : -1.0;
+  const auto reference_radius = [](const CylindricalSpec& c) {
+    return c.normal_module / std::cos(c.helix_angle.rad()) * std::abs(c.teeth) / 2;
+  };
+  for (const auto& gear : spec.gears) {
+    const CylindricalSpec& c = gear->cylindrical;
+    extended += (c.teeth > 0 ? side : 1.0) * reference_radius(c);
+    extended += side * c.normal_module * c.profile_shift;
+  }
   // Never outward: further apart than that the clearance is larger than the racks' anyway.
-  const double k_m =
-      std::min(0.0, p.z2 > 0 ? s.center_distance - extended : extended - s.center_distance);
+  const double k_m = std::min(0.0, side * (a - extended));
   for (auto& gear : spec.gears) {
     CylindricalSpec& c = gear->cylindrical;
     if (c.tip_diameter) continue;
     const double sign = c.teeth > 0 ? 1.0 : -1.0;
-    const double d = c.normal_module / p.cos_beta * std::abs(c.teeth);
-    c.tip_diameter = d + sign * 2 * (c.normal_module * (c.rack.addendum + c.profile_shift) + k_m);
+    c.tip_diameter = 2 * reference_radius(c) +
+                     sign * 2 * (c.normal_module * (c.rack.addendum + c.profile_shift) + k_m);
   }
 }
 
 // What cannot be had from gears of different racks: x means something else in each of them.
 std::optional<Error> needs_one_rack(const JobSpec& spec, bool shift_wanted) {
   const std::string why =
-      ": needs two gears of the same module, pressure angle and helix angle on parallel axes; "
-      "of different racks give both shifts and the centre distance";
+      ": needs two gears of the same module and pressure angle; of different racks give both "
+      "shifts and the centre distance";
   if (shift_wanted) {
     const std::string key =
         spec.gears[0]->profile_shift ? "gear2.profile_shift" : "gear1.profile_shift";
@@ -93,12 +101,50 @@ std::optional<Error> needs_one_rack(const JobSpec& spec, bool shift_wanted) {
   return std::nullopt;
 }
 
-// s_bt without the thickness allowance, which makes backlash and does not move the centre distance.
-double nominal_base_thickness(const Gear& gear) {
-  const CylindricalSpec& c = gear.spec;
-  return reference_geometry<double>({c.teeth, c.normal_module, c.normal_pressure_angle.rad(),
-                                     c.helix_angle.rad(), c.profile_shift, 0.0})
-      .base_tooth_thickness;
+// The place of the pair, after its shifts: absent distance and angle follow from the teeth.
+Result<PairSpec> place_of(const JobSpec& spec) {
+  auto place =
+      complete_place(nominal_base_pair(spec.gears[0]->cylindrical, spec.gears[1]->cylindrical),
+                     spec.pair.center_distance, shaft_angle(spec));
+  if (!place) return place.error();
+  PairSpec result = *place;
+  result.friction = spec.pair.friction_coefficient;
+  return result;
+}
+
+// Completes shifts and place of a spec with two gears; `shift_wanted`: one or both are absent and
+// follow from the centre distance.
+Result<PairSpec> complete_pair(JobSpec& spec, bool shift_wanted) {
+  if (auto error = check_partners(spec.gears[0]->cylindrical, spec.gears[1]->cylindrical,
+                                  shaft_angle(spec))) {
+    return *error;
+  }
+  const bool crossed = axes_cross(spec);
+  const bool extended = spec.pair.mounting == Mounting::extended && !spec.pair.center_distance;
+  const bool one_rack = share_a_rack(spec);
+  if (!one_rack) {
+    if (auto error = needs_one_rack(spec, shift_wanted)) return *error;
+  }
+  if (crossed && shift_wanted && !spec.pair.shaft_angle_deg) {
+    return Error{"pair.shaft_angle_deg", "",
+                 "pair.shaft_angle_deg: is missing; to find a profile shift from the centre "
+                 "distance of crossed axes the shaft angle is needed"};
+  }
+  // Gears of one rack on parallel axes meet at a distance of closed form, to the last digit.
+  const bool by_shifts = one_rack && (!crossed || shift_wanted || extended);
+  std::optional<double> a = spec.pair.center_distance;
+  if (by_shifts) {
+    auto shifts = complete_shifts(shift_problem(spec));
+    if (!shifts) return shifts.error();
+    spec.gears[0]->cylindrical.profile_shift = shifts->x1;
+    spec.gears[1]->cylindrical.profile_shift = shifts->x2;
+    a = shifts->center_distance;
+  }
+  JobSpec completed = spec;
+  completed.pair.center_distance = a;
+  auto place = place_of(completed);
+  if (place && spec.pair.shorten_tips) shorten_tips(spec, place->center_distance);
+  return place;
 }
 
 void collect_warnings(Design& design) {
@@ -125,6 +171,14 @@ void collect_warnings(Design& design) {
         {"not_read", what + " is of a part that is not in this version: it was not read.", 0});
   }
   if (!design.pair) return;
+  if (design.pair->crossed() && !design.spec.pair.shaft_angle_deg) {
+    design.warnings.push_back(
+        {"default_shaft_angle",
+         fmt::format("No shaft_angle_deg given, and these helix angles do not allow parallel axes: "
+                     "the pair crosses at {:.4f}°, the angle of its minimum centre distance.",
+                     Angle::radians(design.pair->shaft_angle()).deg()),
+         0});
+  }
   for (const Warning& w : design.pair->warnings) design.warnings.push_back(w);
 }
 
@@ -143,20 +197,13 @@ Result<Design> solve(const JobSpec& given, Scope scope) {
   for (auto& gear : spec.gears) {
     if (gear) gear->cylindrical.profile_shift = gear->profile_shift.value_or(0.0);
   }
-  std::optional<ShiftSolution> shifts;
+  std::optional<PairSpec> place;
   const bool shift_wanted = two && spec.pair.center_distance &&
                             (!spec.gears[0]->profile_shift || !spec.gears[1]->profile_shift);
-  const bool one_rack = two && can_be_parallel(spec) && share_a_rack(spec);
-  if (two && !one_rack && (want_pair || shift_wanted)) {
-    if (auto error = needs_one_rack(spec, shift_wanted)) return *error;
-  }
-  if (one_rack && (want_pair || shift_wanted || spec.pair.shorten_tips)) {
-    auto solution = complete_shifts(shift_problem(spec));
-    if (!solution) return solution.error();
-    shifts = *solution;
-    spec.gears[0]->cylindrical.profile_shift = shifts->x1;
-    spec.gears[1]->cylindrical.profile_shift = shifts->x2;
-    if (spec.pair.shorten_tips) shorten_tips(spec, *shifts);
+  if (two && (want_pair || shift_wanted || spec.pair.shorten_tips)) {
+    auto completed = complete_pair(spec, shift_wanted);
+    if (!completed) return completed.error();
+    place = *completed;
   }
   for (std::size_t i = 0; i < (two ? 2u : 1u); ++i) {
     auto gear = make_gear(spec.gears[i]->cylindrical);
@@ -164,17 +211,7 @@ Result<Design> solve(const JobSpec& given, Scope scope) {
     design.gears.push_back(std::move(gear).take());
   }
   if (want_pair) {
-    std::optional<double> a =
-        shifts ? std::optional(shifts->center_distance) : spec.pair.center_distance;
-    if (!a) {
-      // Same base pitch from different racks: the distance at which the nominal thicknesses close.
-      ParallelMeshInput<double> in = mesh_input(design.gears[0], design.gears[1], 0.0);
-      in.base_thickness_1 = nominal_base_thickness(design.gears[0]);
-      in.base_thickness_2 = nominal_base_thickness(design.gears[1]);
-      const double inv = can_be_parallel(spec) ? backlash_free_involute(in) : 0.0;
-      a = inv >= 0.0 ? base_radius_sum(in) / std::cos(inverse_involute(inv)) : base_radius_sum(in);
-    }
-    auto pair = mount_parallel(design.gears[0], design.gears[1], {*a});
+    auto pair = mount(design.gears[0], design.gears[1], *place);
     if (!pair) return pair.error();
     design.pair = std::move(pair).take();
   }

@@ -106,41 +106,80 @@ std::string gear_listing(const Design& design) {
 
 std::string pair_listing(const Pair& p) {
   Table t;
-  t.head(p.kind == PairKind::parallel_external ? "external pair, parallel axes"
-                                               : "internal pair, parallel axes");
+  t.head(p.crossed()                             ? "pair on crossed axes"
+         : p.kind == PairKind::parallel_external ? "external pair, parallel axes"
+                                                 : "internal pair, parallel axes");
   const auto one = [&](const char* what, const char* symbol, const std::string& v,
                        const char* unit) { t.row(what, symbol, {v}, unit); };
   const auto two = [&](const char* what, const char* symbol, const std::string& v1,
                        const std::string& v2, const char* unit) {
     t.row(what, symbol, {v1, v2}, unit);
   };
+  const auto number = [](double v) { return fmt::format("{:.5f}", v); };
   const auto& m = p.mesh;
+  const auto& sides = m.rack.sides;
   one("gear ratio", "u", fmt::format("{:.6g}", p.gear_ratio()), "");
+  if (p.crossed()) one("shaft angle", "Σ", angle(p.shaft_angle()), "°");
   one("centre distance", "a", mm(p.center_distance), "mm");
   one("  reference", "a_d", mm(p.reference_center_distance), "mm");
   one("  backlash-free", "", maybe(p.backlash_free_center_distance), "mm");
   one("  extended", "", mm(p.extended_center_distance), "mm");
-  one("working pressure angle, transverse", "α_wt", angle(m.working_transverse_pressure_angle),
-      "°");
-  one("working pressure angle, normal", "α_wn", angle(m.working_normal_pressure_angle), "°");
-  one("working helix angle", "β_w", angle(m.working_helix_angle), "°");
-  two("working pitch diameters", "d_w", mm(2 * m.working_pitch_radius_1),
-      mm(2 * m.working_pitch_radius_2), "mm");
-  one("transverse contact ratio", "ε_α", fmt::format("{:.5f}", p.transverse_contact_ratio()), "");
-  one("overlap ratio", "ε_β", fmt::format("{:.5f}", m.overlap_ratio), "");
-  one("total contact ratio", "ε_γ", fmt::format("{:.5f}", p.contact_ratio()), "");
-  one("  on the usable flanks", "", fmt::format("{:.5f}", p.contact_ratio_true()), "");
-  one("length of the path of contact", "g_α", mm(p.path_length()), "mm");
-  two("backlash: rotation, mate held", "", angle(m.backlash_rotation_1),
-      angle(m.backlash_rotation_2), "°");
-  one("  normal, along the line of action", "j_bn", mm(m.backlash_normal_base), "mm");
-  one("  normal", "j_n", mm(m.backlash_normal), "mm");
-  one("  circumferential", "j_wt", mm(m.backlash_circumferential), "mm");
+  one("working pressure angle, normal", "α_wn", angle(m.rack.normal_pressure_angle), "°");
+  two("working pressure angle, transverse", "α_wt", angle(sides[0].transverse_angle),
+      angle(sides[1].transverse_angle), "°");
+  two("working helix angle", "β_w", angle(sides[0].helix_angle), angle(sides[1].helix_angle), "°");
+  two("working pitch diameters", "d_w", mm(2 * sides[0].pitch_radius),
+      mm(2 * sides[1].pitch_radius), "mm");
+  if (p.crossed()) {
+    one("distance of the pitch planes", "X", mm(m.pitch_plane_distance), "mm");
+    one("contact ratio", "ε", number(p.contact_ratio()), "");
+    one("  on the usable flanks and faces", "", number(p.contact_ratio_true()), "");
+    one("length of the line of action", "AE", mm(p.path_length()), "mm");
+    two("face width for one flank", "f", mm(p.face_widths->one_flank[0]),
+        mm(p.face_widths->one_flank[1]), "mm");
+    two("face width for both flanks", "f'", mm(p.face_widths->both_flanks[0]),
+        mm(p.face_widths->both_flanks[1]), "mm");
+  } else {
+    one("transverse contact ratio", "ε_α", number(*p.transverse_contact_ratio()), "");
+    one("overlap ratio", "ε_β", number(m.overlap_ratio), "");
+    one("total contact ratio", "ε_γ", number(p.contact_ratio()), "");
+    one("  on the usable flanks", "", number(p.contact_ratio_true()), "");
+    one("length of the path of contact", "g_α", mm(p.path_length()), "mm");
+  }
+  two("backlash: rotation, mate held", "", angle(m.backlash.rotation[0]),
+      angle(m.backlash.rotation[1]), "°");
+  one("  normal, along the line of action", "j_bn", mm(m.backlash.normal_base), "mm");
+  one("  normal", "j_n", mm(m.backlash.normal), "mm");
+  two("  circumferential", "j_wt", mm(m.backlash.circumferential[0]),
+      mm(m.backlash.circumferential[1]), "mm");
   two("tip clearance", "c", mm(p.tip_clearance[0]), mm(p.tip_clearance[1]), "mm");
   two("form clearance", "c_F", maybe(p.form_clearance[0]), maybe(p.form_clearance[1]), "mm");
-  two("fillet clearance", "", maybe(p.fillet_clearance[0]), maybe(p.fillet_clearance[1]), "mm");
+  if (!p.crossed())
+    two("fillet clearance", "", maybe(p.fillet_clearance[0]), maybe(p.fillet_clearance[1]), "mm");
   two("specific sliding at A", "ζ", maybe(p.sliding_A.zeta_1), maybe(p.sliding_A.zeta_2), "");
   two("specific sliding at E", "ζ", maybe(p.sliding_E.zeta_1), maybe(p.sliding_E.zeta_2), "");
+  if (p.efficiency) {
+    const auto percent = [](const std::optional<double>& v) {
+      return v ? fmt::format("{:.3f}", 100 * *v) : std::string("locks");
+    };
+    two("efficiency, this gear driving", "η", percent(p.efficiency->gear1_drives),
+        percent(p.efficiency->gear2_drives), "%");
+  }
+  if (p.least_distance) {
+    t.head("minimum centre distance");
+    one("centre distance", "a", mm(p.least_distance->center_distance), "mm");
+    one("shaft angle", "Σ", angle(p.least_distance->shaft_angle), "°");
+    one("working pressure angle, normal", "α_wn", angle(p.least_distance->normal_pressure_angle),
+        "°");
+  }
+  if (p.contact_ratio_range) {
+    const CrossedPlaces& r = *p.contact_ratio_range;
+    t.head("contact ratio of 1 and more, without backlash: from, to");
+    two("shaft angle", "Σ", angle(r.lo.shaft_angle), angle(r.hi.shaft_angle), "°");
+    two("centre distance", "a", mm(r.lo.center_distance), mm(r.hi.center_distance), "mm");
+    two("working pressure angle, normal", "α_wn", angle(r.lo.normal_pressure_angle),
+        angle(r.hi.normal_pressure_angle), "°");
+  }
   return t.take();
 }
 

@@ -28,14 +28,14 @@ Json line_json(const Pair& p) {
 
 // A…E by their distance from the pitch point along the line, and both curvature radii.
 Json path_points(const Pair& p) {
-  const double N = p.mesh.base_tangent_distance;
-  const double sigma = p.kind == PairKind::parallel_external ? 1.0 : -1.0;
+  // Lengths along the line: in the transverse section, or in space where the axes cross.
+  const double c = p.crossed() ? std::cos(p.input.gears[0].helix_angle) : 1.0;
   Json points = Json::object();
   const auto add = [&](const char* name, double rho1) {
-    points[name] = {{"from_A_mm", rho1 - p.mesh.rho1_A},
-                    {"from_pitch_point_mm", rho1 - p.mesh.rho1_C},
+    points[name] = {{"from_A_mm", (rho1 - p.mesh.rho1_A) / c},
+                    {"from_pitch_point_mm", (rho1 - p.mesh.rho1_C) / c},
                     {"rho1_mm", rho1},
-                    {"rho2_mm", N - sigma * rho1},
+                    {"rho2_mm", p.mesh.rho2(rho1)},
                     {"point_mm", point(p.on_line_of_action(rho1))}};
   };
   add("A", p.mesh.rho1_A);
@@ -44,6 +44,48 @@ Json path_points(const Pair& p) {
   add("D", p.mesh.rho1_D);
   add("E", p.mesh.rho1_E);
   return points;
+}
+
+Json place_json(const CrossedPlace& place) {
+  return {{"center_distance_mm", place.center_distance},
+          {"shaft_angle_deg", deg(place.shaft_angle)},
+          {"working_normal_pressure_angle_deg", deg(place.normal_pressure_angle)}};
+}
+
+// What only crossed axes have.
+void add_crossed(Json& j, const Pair& p) {
+  for (const char* key : {"min_face_width_mm", "min_face_width_both_flanks_mm", "face_interval_mm",
+                          "line_offset_mm", "minimum_center_distance", "contact_ratio_range"}) {
+    j[key] = nullptr;
+  }
+  if (!p.crossed()) return;
+  const FaceWidths<double>& f = *p.face_widths;
+  j["min_face_width_mm"] = {f.one_flank[0], f.one_flank[1]};
+  j["min_face_width_both_flanks_mm"] = {f.both_flanks[0], f.both_flanks[1]};
+  j["face_interval_mm"] = {{"gear1", f.interval[0]}, {"gear2", f.interval[1]}};
+  j["line_offset_mm"] = p.mesh.line_offset;
+  if (p.least_distance) j["minimum_center_distance"] = place_json(*p.least_distance);
+  if (!p.contact_ratio_range) return;
+  const CrossedPlaces& r = *p.contact_ratio_range;
+  j["contact_ratio_range"] = {{"working_normal_pressure_angle_deg",
+                               {deg(r.lo.normal_pressure_angle), deg(r.hi.normal_pressure_angle)}},
+                              {"center_distance_mm", {r.lo.center_distance, r.hi.center_distance}},
+                              {"shaft_angle_deg", {deg(r.lo.shaft_angle), deg(r.hi.shaft_angle)}},
+                              {"ends_at_90_deg_helix", r.limit}};
+}
+
+// Speeds of sliding at A, the pitch point of gear 1 and E, per radian of gear 1.
+Json sliding_json(const Pair& p) {
+  Json across = Json::array(), along = Json::array(), total = Json::array();
+  for (const double rho1 : {p.mesh.rho1_A, p.mesh.rho1_C, p.mesh.rho1_E}) {
+    const FlankSpeeds<double> w = flank_speeds(p.input, p.mesh, rho1);
+    const double v_across = w.across[0] - w.across[1];
+    const double v_along = w.along[0] - w.along[1];
+    across.push_back(v_across);
+    along.push_back(v_along);
+    total.push_back(std::hypot(v_across, v_along));
+  }
+  return {{"across_teeth", across}, {"along_teeth", along}, {"total", total}};
 }
 
 }  // namespace
@@ -92,36 +134,31 @@ Json gear_json(const Gear& g) {
 }
 
 Json pair_json(const Pair& p) {
-  const double hand_1 = p.gears[0].spec.helix_angle.rad() < 0.0 ? -1.0 : 1.0;
-  const double hand_2 = p.kind == PairKind::parallel_external ? -hand_1 : hand_1;
-  const double beta_w = deg(p.mesh.working_helix_angle);
-  const double alpha_wt = deg(p.mesh.working_transverse_pressure_angle);
-  const bool spur = p.mesh.working_helix_angle == 0.0;
+  const auto& sides = p.mesh.rack.sides;
   Json j;
-  j["kind"] = p.kind == PairKind::parallel_external ? "parallel_external" : "parallel_internal";
+  j["kind"] = p.crossed()                             ? "crossed"
+              : p.kind == PairKind::parallel_external ? "parallel_external"
+                                                      : "parallel_internal";
   j["gear_ratio"] = p.gear_ratio();
-  j["shaft_angle_deg"] = 0.0;
+  j["shaft_angle_deg"] = deg(p.shaft_angle());
   j["center_distance_mm"] = p.center_distance;
   j["reference_center_distance_mm"] = p.reference_center_distance;
   j["backlash_free_center_distance_mm"] = optional(p.backlash_free_center_distance);
   j["extended_center_distance_mm"] = p.extended_center_distance;
-  j["working_normal_pressure_angle_deg"] = deg(p.mesh.working_normal_pressure_angle);
-  j["working_transverse_pressure_angle_deg"] = {alpha_wt, alpha_wt};
-  j["working_helix_angle_deg"] = {spur ? 0.0 : hand_1 * beta_w, spur ? 0.0 : hand_2 * beta_w};
-  j["working_pitch_diameter_mm"] = {2 * p.mesh.working_pitch_radius_1,
-                                    2 * p.mesh.working_pitch_radius_2};
-  // Crossed axes only; on parallel ones these do not exist.
-  for (const char* key :
-       {"pitch_plane_distance_mm", "min_face_width_mm", "min_face_width_both_flanks_mm",
-        "minimum_center_distance", "contact_ratio_range"}) {
-    j[key] = nullptr;
-  }
+  j["working_normal_pressure_angle_deg"] = deg(p.mesh.rack.normal_pressure_angle);
+  j["working_transverse_pressure_angle_deg"] = {deg(sides[0].transverse_angle),
+                                                deg(sides[1].transverse_angle)};
+  j["working_helix_angle_deg"] = {deg(sides[0].helix_angle), deg(sides[1].helix_angle)};
+  j["working_pitch_diameter_mm"] = {2 * sides[0].pitch_radius, 2 * sides[1].pitch_radius};
+  j["pitch_plane_distance_mm"] = p.mesh.pitch_plane_distance;
+  add_crossed(j, p);
   j["contact_ratio"] = p.contact_ratio();
-  j["transverse_contact_ratio"] = p.transverse_contact_ratio();
+  j["transverse_contact_ratio"] = optional(p.transverse_contact_ratio());
   j["contact_ratio_true"] = p.contact_ratio_true();
-  j["overlap_ratio"] = p.mesh.overlap_ratio;
+  j["overlap_ratio"] = p.crossed() ? Json(nullptr) : Json(p.mesh.overlap_ratio);
   j["line_of_action"] = line_json(p);
-  j["base_tangent_distance_mm"] = p.mesh.base_tangent_distance;
+  j["base_tangent_distance_mm"] =
+      p.mesh.base_tangent_distance / (p.crossed() ? std::cos(p.input.gears[0].helix_angle) : 1.0);
   j["path"] = path_points(p);
   j["interference"] = Json::array();
   for (const Interference& i : p.interference) {
@@ -136,11 +173,15 @@ Json pair_json(const Pair& p) {
   j["tip_shortening_mm"] = p.tip_shortening;
   j["specific_sliding"] = {{"gear1", {optional(p.sliding_A.zeta_1), optional(p.sliding_E.zeta_1)}},
                            {"gear2", {optional(p.sliding_A.zeta_2), optional(p.sliding_E.zeta_2)}}};
-  j["backlash"] = {
-      {"normal_base_mm", p.mesh.backlash_normal_base},
-      {"normal_mm", p.mesh.backlash_normal},
-      {"circumferential_mm", {p.mesh.backlash_circumferential, p.mesh.backlash_circumferential}},
-      {"rotation_deg", {deg(p.mesh.backlash_rotation_1), deg(p.mesh.backlash_rotation_2)}}};
+  j["sliding_velocity_mm_per_rad"] = sliding_json(p);
+  j["efficiency"] = p.efficiency ? Json{{"gear1_drives", optional(p.efficiency->gear1_drives)},
+                                        {"gear2_drives", optional(p.efficiency->gear2_drives)}}
+                                 : Json(nullptr);
+  const Backlash<double>& b = p.mesh.backlash;
+  j["backlash"] = {{"normal_base_mm", b.normal_base},
+                   {"normal_mm", b.normal},
+                   {"circumferential_mm", {b.circumferential[0], b.circumferential[1]}},
+                   {"rotation_deg", {deg(b.rotation[0]), deg(b.rotation[1])}}};
   if (p.kind == PairKind::parallel_internal) {
     j["internal"] = {{"involute_margin_mm", optional(p.involute_margin)},
                      {"trochoid_margin_deg", optional(p.trochoid_margin, 180 / std::numbers::pi)},

@@ -13,6 +13,7 @@
 
 #include "gearwright/base/result.hpp"
 #include "gearwright/cad/toothed_body.hpp"
+#include "gearwright/gear/basic.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/pair/shift.hpp"
 
@@ -22,9 +23,12 @@ namespace gearwright {
 /// is known.
 struct GearInput {
   CylindricalSpec cylindrical;
-  std::optional<double> profile_shift;  ///< x
-  bool face_width_given = false;        ///< else 10 m_n, and a warning says so
-  std::vector<std::string> not_read;    ///< sub-tables of verbs that are not in this version
+  std::optional<double> profile_shift;    ///< x
+  bool helix_given = false;               ///< else 0 for a gear, and an unknown for `fit`
+  bool face_width_given = false;          ///< else 10 m_n, and a warning says so
+  std::optional<BaseGear<double>> basic;  ///< [gearN.basic], as given; module, helix, shift follow
+  std::optional<double> chord_diameter;   ///< [gearN.measure] chord_diameter_mm
+  std::vector<std::string> not_read;      ///< sub-tables of verbs that are not in this version
   std::optional<Bore> bore;
 };
 
@@ -33,13 +37,22 @@ struct PairInput {
   std::optional<double> center_distance;  ///< a  mm
   Mounting mounting = Mounting::tight;
   bool shorten_tips = false;  ///< tips cut back by k m_n, where no tip diameter is given
+  std::optional<double> shaft_angle_deg;       ///< Σ, signed
+  std::optional<double> friction_coefficient;  ///< μ
+};
+
+/// [fit]
+struct FitInput {
+  std::optional<double> normal_pressure_angle_deg;  ///< α_wn of the designs wanted
 };
 
 struct JobSpec {
   std::string text;  ///< the spec as read, for the report
+  std::string tree;  ///< the same as a tree of tables, in JSON
   std::string title;
   std::array<std::optional<GearInput>, 2> gears;
   PairInput pair;
+  FitInput fit;
   std::vector<std::string> not_read;  ///< tables and keys of verbs that are not in this version
 };
 

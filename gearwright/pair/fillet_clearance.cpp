@@ -101,9 +101,10 @@ std::optional<double> fillet_clearance(const Pair& pair, int which) {
   const Gear& mate = pair.gears[2 - which];
   if (gear.internal()) return std::nullopt;
   const double a = pair.center_distance;
+  GW_EXPECTS(!pair.crossed());
   const bool external = pair.kind == PairKind::parallel_external;
   const double play =
-      (which == 1 ? pair.mesh.backlash_rotation_2 : pair.mesh.backlash_rotation_1) / 2;
+      (which == 1 ? pair.mesh.backlash.rotation[1] : pair.mesh.backlash.rotation[0]) / 2;
   const Orbit orbit{a, gear.spec.teeth / std::abs(static_cast<double>(mate.spec.teeth)), play,
                     external, std::numbers::pi / gear.spec.teeth};
   std::optional<double> least;

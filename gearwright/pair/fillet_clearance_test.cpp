@@ -30,7 +30,7 @@ Gear gear(int teeth, double x = 0.0, double fillet = 0.38, double tip = 0.0) {
 }
 
 Pair mounted(const Gear& g1, const Gear& g2, double a) {
-  auto pair = mount_parallel(g1, g2, {a});
+  auto pair = mount(g1, g2, {a});
   EXPECT_TRUE(pair) << pair.error().message;
   return std::move(pair).take();
 }

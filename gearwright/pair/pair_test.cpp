@@ -28,7 +28,7 @@ Gear gear(int teeth, double x = 0.0, Angle beta = 0_deg, double tip = 0.0) {
 }
 
 Pair mounted(const Gear& g1, const Gear& g2, double a) {
-  auto pair = mount_parallel(g1, g2, {a});
+  auto pair = mount(g1, g2, {a});
   EXPECT_TRUE(pair) << pair.error().message;
   return std::move(pair).take();
 }
@@ -52,7 +52,7 @@ TEST(MountParallel, standard_pair) {
   EXPECT_GT(*p.fillet_clearance[0], 0.0);
   EXPECT_TRUE(p.interference.empty());
   EXPECT_TRUE(p.warnings.empty());
-  EXPECT_EQ(p.contact_ratio(), p.mesh.transverse_contact_ratio);
+  EXPECT_EQ(p.contact_ratio(), p.mesh.path_ratio);
 }
 
 TEST(MountParallel, internal_pair) {
@@ -67,10 +67,10 @@ TEST(MountParallel, internal_pair) {
 
 TEST(MountParallel, partners_that_cannot_mesh) {
   const auto key = [](const Gear& g1, const Gear& g2, double a) {
-    const auto p = mount_parallel(g1, g2, {a});
+    const auto p = mount(g1, g2, {a});
     return p ? std::string("mounted") : p.error().key;
   };
-  EXPECT_EQ(key(gear(20, 0, 15_deg), gear(40, 0, 15_deg), 62.0), "gear2.helix_angle_deg");
+  EXPECT_EQ(key(gear(20, 0, 15_deg), gear(40, 0, 15_deg), 62.0), "pair.shaft_angle_deg");
   EXPECT_EQ(key(gear(20, 0, 15_deg), gear(40, 0, -15_deg), 63.0), "mounted");
   EXPECT_EQ(key(gear(20, 0, 15_deg), gear(-60, 0, 15_deg), 41.5), "mounted");
   EXPECT_EQ(key(gear(20, 0, 15_deg), gear(-60, 0, -15_deg), 41.5), "gear2.helix_angle_deg");
@@ -89,7 +89,7 @@ TEST(MountParallel, equal_base_pitches_are_enough) {
   other.normal_pressure_angle = 25_deg;
   other.normal_module = 2.0 * std::cos((20_deg).rad()) / std::cos((25_deg).rad());
   other.tip_diameter = 84.0;
-  const auto p = mount_parallel(gear(20), *make_gear(other), {60.5});
+  const auto p = mount(gear(20), *make_gear(other), {60.5});
   ASSERT_TRUE(p) << p.error().message;
   EXPECT_GT(p->contact_ratio(), 1.0);
 }
@@ -119,11 +119,11 @@ TEST(Pair, line_of_action_touches_both_base_circles) {
     const Vec3 e = p.on_line_of_action(p.mesh.rho1_E).r;
     const Vec3 d = (e - a).normalized();
     const auto distance = [&](double x0) { return std::abs((a.x() - x0) * d.y() - a.y() * d.x()); };
-    EXPECT_NEAR(distance(0.0), p.input.base_radius_1, 1e-12);
-    EXPECT_NEAR(distance(p.center_distance), p.input.base_radius_2, 1e-12);
+    EXPECT_NEAR(distance(0.0), p.input.gears[0].radius, 1e-12);
+    EXPECT_NEAR(distance(p.center_distance), p.input.gears[1].radius, 1e-12);
     EXPECT_NEAR((e - a).norm(), p.mesh.path_length, 1e-12);
-    EXPECT_NEAR(e.norm(), p.input.tip_form_radius_1, 1e-12);
-    EXPECT_NEAR((a - Vec3(p.center_distance, 0, 0)).norm(), p.input.tip_form_radius_2, 1e-12);
+    EXPECT_NEAR(e.norm(), p.input.tip_form_radius[0], 1e-12);
+    EXPECT_NEAR((a - Vec3(p.center_distance, 0, 0)).norm(), p.input.tip_form_radius[1], 1e-12);
     EXPECT_EQ(p.on_line_of_action(p.mesh.rho1_C).r.y(), 0.0);
     const Vec3 mirrored = p.on_trailing_line(p.mesh.rho1_E).r;
     EXPECT_EQ(mirrored, Vec3(e.x(), -e.y(), 0.0));
@@ -139,7 +139,7 @@ TEST(Pair, leading_line_is_the_driving_one) {
 
 TEST(Pair, what_is_wrong_with_a_mesh_is_data) {
   const Pair tight = mounted(gear(20), gear(40), 59.9);
-  EXPECT_LT(tight.mesh.backlash_normal, 0.0);
+  EXPECT_LT(tight.mesh.backlash.normal, 0.0);
   EXPECT_TRUE(warns(tight, "negative_backlash"));
   EXPECT_FALSE(warns(mounted(gear(20), gear(40), 60.0), "negative_backlash"));
   const Pair apart = mounted(gear(20), gear(40), 62.0);

@@ -2,56 +2,102 @@
 
 #include <fmt/format.h>
 
+#include <numbers>
+
+#include "gearwright/gear/reference.hpp"
+#include "gearwright/pair/working_angles.hpp"
+
 namespace gearwright {
 
 namespace {
 
-// The pinion, which has fewer teeth, gets the larger shift.                            [T2.18a]
-double eq11_pinion_shift(int z1, int z2, double sum, double lambda) {
-  return (lambda * z2 + (sum - lambda) * z1) / (z1 + z2);
-}
-
-}  // namespace
-
-Result<ShiftSolution> complete_shifts(const ShiftProblem& p) {
-  const bool external = p.z2 > 0;
-  ShiftSolution s{p.x1.value_or(0.0), p.x2.value_or(0.0), 0.0};
-  const double a_d = reference_center_distance(p.z1, p.z2, p.normal_module, p.cos_beta);
-  const double least = a_d * std::cos(p.transverse_pressure_angle);
-  if (p.center_distance) {
-    const double a = *p.center_distance;
-    if (!(a > least && a <= kGreatestDistance * least)) {
-      return Error{
-          "pair.center_distance_mm", fmt::format("{}", a),
+Error no_working_angle(double a, double least, bool external, double a_d) {
+  return {"pair.center_distance_mm", fmt::format("{}", a),
           fmt::format("pair.center_distance_mm = {}: there is no working pressure angle; it must "
                       "be greater than {} mm, the {} of the base radii, and at most {} times that "
                       "(reference centre distance: {} mm)",
                       a, least, external ? "sum" : "difference", kGreatestDistance, a_d)};
-    }
-    s.center_distance = a;
-    if (p.x1 && p.x2) return s;
+}
+
+// One sum, two shifts: what is given stays.
+ShiftSolution divided(const ShiftProblem& p, double sum, double a) {
+  ShiftSolution s{p.x1.value_or(0.0), p.x2.value_or(0.0), a};
+  if (p.x1) {
+    s.x2 = sum - *p.x1;
+  } else if (p.x2) {
+    s.x1 = sum - *p.x2;
+  } else {
+    const auto [x1, x2] = divided_shift_sum(p.z1, p.z2, sum, p.lambda);
+    s.x1 = x1;
+    s.x2 = x2;
+  }
+  return s;
+}
+
+Result<ShiftSolution> complete_crossed(const ShiftProblem& p) {
+  double a_d = 0.0;
+  a_d += p.z1 * p.normal_module / (2 * std::cos(p.helix_angle[0]));
+  a_d += p.z2 * p.normal_module / (2 * std::cos(p.helix_angle[1]));
+  const double given = p.x1.value_or(0.0) + p.x2.value_or(0.0);
+  if (!p.center_distance) {
+    // Only the extended place follows from the shifts alone; the tight one needs the teeth.
+    GW_EXPECTS(p.mounting == Mounting::extended);
+    return ShiftSolution{p.x1.value_or(0.0), p.x2.value_or(0.0), a_d + p.normal_module * given};
+  }
+  const double a = *p.center_distance;
+  if (p.x1 && p.x2) return ShiftSolution{*p.x1, *p.x2, a};
+  const double sum =
+      p.mounting == Mounting::extended ? (a - a_d) / p.normal_module : crossed_shift_sum(p, a);
+  return divided(p, sum, a);
+}
+
+}  // namespace
+
+std::array<double, 2> divided_shift_sum(int z1, int z2, double sum, double lambda) {
+  if (z2 < 0) return {sum, 0.0};
+  // The pinion, which has fewer teeth, gets the larger shift.
+  const double x1 = (lambda * z2 + (sum - lambda) * z1) / (z1 + z2);
+  return {x1, sum - x1};
+}
+
+double crossed_shift_sum(const ShiftProblem& p, double a) {
+  GW_EXPECTS(p.shaft_angle.has_value());
+  BasePair<double> unshifted;
+  for (int i : {0, 1}) {
+    const int z = i == 0 ? p.z1 : p.z2;
+    unshifted[i] =
+        base_gear(z, reference_geometry<double>({z, p.normal_module, p.normal_pressure_angle,
+                                                 p.helix_angle[i], 0.0, 0.0}));
+  }
+  const auto rack = common_rack(unshifted, angles_at_shaft_angle(unshifted, *p.shaft_angle));
+  const double X = a - rack.sides[0].pitch_radius - rack.sides[1].pitch_radius;
+  return (2 * X * rack.angles.sin_alpha - rack.excess) * std::numbers::pi /
+         (2 * normal_base_pitch(unshifted[0]) * std::tan(p.normal_pressure_angle));
+}
+
+Result<ShiftSolution> complete_shifts(const ShiftProblem& p) {
+  if (p.shaft_angle) return complete_crossed(p);
+  const bool external = p.z2 > 0;
+  const double cos_beta = std::cos(p.helix_angle[0]);
+  const double alpha_t = cos_beta == 1.0 ? p.normal_pressure_angle
+                                         : std::atan(std::tan(p.normal_pressure_angle) / cos_beta);
+  const double a_d = reference_center_distance(p.z1, p.z2, p.normal_module, cos_beta);
+  const double least = a_d * std::cos(alpha_t);
+  if (p.center_distance) {
+    const double a = *p.center_distance;
+    if (!(a > least && a <= kGreatestDistance * least))
+      return no_working_angle(a, least, external, a_d);
+    if (p.x1 && p.x2) return ShiftSolution{*p.x1, *p.x2, a};
     const double sum = p.mounting == Mounting::extended
                            ? (external ? a - a_d : a_d - a) / p.normal_module
                            : tight_shift_sum(p.z1, p.z2, p.normal_module, p.normal_pressure_angle,
-                                             p.transverse_pressure_angle, p.cos_beta, a);
-    if (p.x1) {
-      s.x2 = sum - *p.x1;
-    } else if (p.x2) {
-      s.x1 = sum - *p.x2;
-    } else if (external) {
-      s.x1 = eq11_pinion_shift(p.z1, p.z2, sum, p.lambda);
-      s.x2 = sum - s.x1;
-    } else {
-      s.x1 = sum;
-      s.x2 = 0.0;
-    }
-    return s;
+                                             alpha_t, cos_beta, a);
+    return divided(p, sum, a);
   }
+  ShiftSolution s{p.x1.value_or(0.0), p.x2.value_or(0.0), 0.0};
   const double sum = s.x1 + s.x2;
-  const double inv_wt = nominal_working_involute(p.z1, p.z2, p.normal_pressure_angle,
-                                                 p.transverse_pressure_angle, sum);
   if (p.mounting == Mounting::extended) {
-    s.center_distance = extended_center_distance(p.z1, p.z2, p.normal_module, p.cos_beta, sum);
+    s.center_distance = extended_center_distance(p.z1, p.z2, p.normal_module, cos_beta, sum);
     if (s.center_distance > least) return s;
     return Error{
         "profile_shift", fmt::format("{}", sum),
@@ -59,9 +105,9 @@ Result<ShiftSolution> complete_shifts(const ShiftProblem& p) {
                     "distance {} mm there is no working pressure angle; it must exceed {} mm",
                     sum, s.center_distance, least)};
   }
-  if (!(inv_wt >= 0.0)) {
-    const double limit = -involute(p.transverse_pressure_angle) * (p.z1 + p.z2) /
-                         (2 * std::tan(p.normal_pressure_angle));
+  if (!(nominal_working_involute(p.z1, p.z2, p.normal_pressure_angle, alpha_t, sum) >= 0.0)) {
+    const double limit =
+        -involute(alpha_t) * (p.z1 + p.z2) / (2 * std::tan(p.normal_pressure_angle));
     return Error{
         "profile_shift", fmt::format("{}", sum),
         fmt::format("gear1.profile_shift + gear2.profile_shift = {}: the teeth are too {} for any "
@@ -69,7 +115,7 @@ Result<ShiftSolution> complete_shifts(const ShiftProblem& p) {
                     sum, external ? "thin" : "thick", external ? "greater" : "less", limit)};
   }
   s.center_distance = tight_center_distance(p.z1, p.z2, p.normal_module, p.normal_pressure_angle,
-                                            p.transverse_pressure_angle, p.cos_beta, sum);
+                                            alpha_t, cos_beta, sum);
   return s;
 }
 

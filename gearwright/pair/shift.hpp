@@ -1,13 +1,14 @@
 // Profile shifts and centre distance: whichever is absent follows from the rest.
 //
 //   Σx = x1 + x2   σ = +1 external, −1 internal      a, a_d   centre distance, reference one, mm
-//   inv α_wt = inv α_t + 2 tan α_n Σx/(z1 + z2)      theory: docs/theory/02-involute-and-pair.md,
-//   [T2.15]…[T2.18]
+//   parallel axes: inv α_wt = inv α_t + 2 tan α_n Σx/(z1 + z2)      theory:
+//   docs/theory/02-involute-and-pair.md, [T2.15]…[T2.18]; crossed axes: [T4.28]
 //
 // Everything here speaks of the nominal teeth: a thickness allowance makes backlash, it does not
 // move the centre distance.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
@@ -24,13 +25,13 @@ enum class Mounting { tight, extended };
 inline constexpr double kGreatestDistance = 100.0;
 
 struct ShiftProblem {
-  int z1 = 0, z2 = 0;                      ///< ring: z2 < 0
-  double normal_module = 0.0;              ///< m_n  mm
-  double normal_pressure_angle = 0.0;      ///< α_n  rad
-  double transverse_pressure_angle = 0.0;  ///< α_t  rad
-  double cos_beta = 1.0;                   ///< cos β
-  std::optional<double> x1, x2;            ///< absent: wanted
-  std::optional<double> center_distance;   ///< a    mm
+  int z1 = 0, z2 = 0;                     ///< ring: z2 < 0
+  double normal_module = 0.0;             ///< m_n  mm
+  double normal_pressure_angle = 0.0;     ///< α_n  rad
+  std::array<double, 2> helix_angle{};    ///< β    rad, signed; parallel axes use the first
+  std::optional<double> shaft_angle;      ///< Σ    rad, of crossed axes; none: parallel
+  std::optional<double> x1, x2;           ///< absent: wanted
+  std::optional<double> center_distance;  ///< a    mm
   Mounting mounting = Mounting::tight;
   double lambda = 0.625;  ///< λ of [T2.18a] when both shifts are wanted (external)
 };
@@ -88,6 +89,16 @@ T tight_shift_sum(int z1, int z2, const T& normal_module, const T& alpha_n, cons
   const T alpha_wt = atan2(T(sqrt((a - r) * (a + r))), r);
   return (involute(alpha_wt) - involute(alpha_t)) * T(z1 + z2) / (T(2) * tan(alpha_n));
 }
+
+/// The Σx that is free of backlash on crossed axes.
+///
+/// Formula   Σx = (2 X sin α_wn − Q_0) π/(2 p_bn tan α_n), Q_0 the excess at Σx = 0; [T4.28]
+/// Domain    as angles_at_shaft_angle (contract)
+double crossed_shift_sum(const ShiftProblem& problem, double a);
+
+/// Divides a sum of two wanted shifts: external pairs by the λ line, a ring's pinion takes all.
+/// [T2.18a]
+std::array<double, 2> divided_shift_sum(int z1, int z2, double sum, double lambda = 0.625);
 
 /// Fills in what is absent (docs/spec.md, Shift and centre distance).
 ///

@@ -76,7 +76,7 @@ struct MeshCircle {
 
 std::vector<MeshCircle> circles_of(const Pair& pair, std::size_t i) {
   const Gear& gear = pair.gears[i];
-  const double r_w = i == 0 ? pair.mesh.working_pitch_radius_1 : pair.mesh.working_pitch_radius_2;
+  const double r_w = pair.mesh.rack.sides[i].pitch_radius;
   const std::string n = std::to_string(i + 1);
   std::vector<MeshCircle> circles{{"d_a" + n, gear.actual_tip_radius(), ""},
                                   {"d_w" + n, r_w, " dashdot"},
@@ -116,11 +116,10 @@ void draw_circles(Svg& svg, const Viewport& view, const Pair& pair, std::size_t 
 
 // The line of action with A … E; letters change sides where they would touch.
 void draw_path(Svg& svg, const Viewport& view, const Pair& pair) {
-  const ParallelMesh<double>& mesh = pair.mesh;
+  const Mesh<double>& mesh = pair.mesh;
   const auto at = [&](double rho1) { return view.px(flat(pair.on_line_of_action(rho1))); };
   // Base tangent points: ρ_1 = 0 and ρ_2 = 0 (a ring's lies on the same side as gear 1's).
-  const double sigma = pair.kind == PairKind::parallel_external ? 1.0 : -1.0;
-  const double T2 = sigma * mesh.base_tangent_distance;
+  const double T2 = mesh.sigma * mesh.base_tangent_distance;
   const double from = std::min({0.0, T2, mesh.rho1_A});
   const double to = std::max({0.0, T2, mesh.rho1_E});
   svg.line(at(from), at(to), "action-line");
@@ -155,12 +154,12 @@ void draw_path(Svg& svg, const Viewport& view, const Pair& pair) {
 }
 
 Viewport mesh_window(const Pair& pair) {
-  const ParallelMesh<double>& mesh = pair.mesh;
+  const Mesh<double>& mesh = pair.mesh;
   const double m = pair.gears[0].spec.normal_module;
   const double reach =
       std::max(std::abs(mesh.rho1_A - mesh.rho1_C), std::abs(mesh.rho1_E - mesh.rho1_C));
   const double half =
-      std::max(reach * std::cos(mesh.working_transverse_pressure_angle), 2.2 * m) + 1.2 * m;
+      std::max(reach * std::cos(mesh.rack.sides[0].transverse_angle), 2.2 * m) + 1.2 * m;
   return {kMeshWidth, kMeshHeight, flat(pair.on_line_of_action(mesh.rho1_C)),
           kMeshHeight / (2 * half)};
 }
@@ -240,7 +239,7 @@ std::string whole_svg(const Pair& pair, const std::array<std::string, 2>& shapes
 }  // namespace
 
 std::array<double, 2> rotation_to_pitch_point(const Pair& pair) {
-  const double inv_w = involute(pair.mesh.working_transverse_pressure_angle);
+  const double inv_w = involute(pair.mesh.rack.sides[0].transverse_angle);
   const auto base_half = [&](std::size_t i) {
     const Gear& gear = pair.gears[i];
     return gear.reference.base_tooth_thickness / gear.reference.base_diameter;
@@ -248,7 +247,7 @@ std::array<double, 2> rotation_to_pitch_point(const Pair& pair) {
   const double sigma = pair.kind == PairKind::parallel_external ? 1.0 : -1.0;
   const double psi_1 = base_half(0) - inv_w;
   const double psi_2 = base_half(1) - sigma * inv_w;
-  return {psi_1, -sigma * (std::numbers::pi / std::abs(pair.input.z2) - psi_2)};
+  return {psi_1, -sigma * (std::numbers::pi / std::abs(pair.input.gears[1].teeth) - psi_2)};
 }
 
 std::string mesh_figures(const Pair& pair, const std::array<std::string, 2>& shapes) {

@@ -7,12 +7,12 @@ namespace {
 constexpr std::string_view kStyle = R"css(
 :root{color-scheme:light dark;--paper:#fff;--panel:#f7f8f9;--ink:#1a1f24;--soft:#57606a;--rule:#d5dadf;
 --faint:#e9ecef;--grey:#dfe3e7;--grey-ink:#9aa3ab;--g1:#0067a6;--g1-fill:#d4e6f3;--g2:#b54708;
---g2-fill:#f8e1d0;--action:#8b1a7c;--alpha:#4e95c9;--beta:#e0a33a;--more:#bcd9ee;--fewer:#f6dfae;
+--g2-fill:#f8e1d0;--action:#8b1a7c;--trailing:#00796b;--alpha:#4e95c9;--beta:#e0a33a;--more:#bcd9ee;--fewer:#f6dfae;
 --root-land:#4d5a66;--root-fillet:#d55e00;--flank:#0072b2;--tip-fillet:#b8478d;--tip-land:#00855f;
 --problem:#b42318;--caution:#9a6700;--note:#57606a;--link:#0b5cad}
 @media (prefers-color-scheme:dark){:root{--paper:#14181c;--panel:#1b2026;--ink:#e4e8ec;--soft:#a2acb6;
 --rule:#39424b;--faint:#262d34;--grey:#2b3238;--grey-ink:#6b757f;--g1:#6cb6ee;--g1-fill:#1d3a50;
---g2:#f2a06a;--g2-fill:#4a2d1a;--action:#e58bd8;--alpha:#3d83b8;--beta:#b67d1f;--more:#27506e;
+--g2:#f2a06a;--g2-fill:#4a2d1a;--action:#e58bd8;--trailing:#4fd1c0;--alpha:#3d83b8;--beta:#b67d1f;--more:#27506e;
 --fewer:#5b4a1c;--root-land:#b4bfca;--root-fillet:#ff8c42;--flank:#56b4e9;--tip-fillet:#e78ac3;
 --tip-land:#3fc79a;--problem:#ff8a80;--caution:#e8b84a;--note:#a2acb6;--link:#7fbcf5}}
 *{box-sizing:border-box}
@@ -23,6 +23,7 @@ main,header,footer{max-width:1120px;margin:0 auto;padding:0 24px}
 header{padding-top:36px}
 h1{font-size:1.75rem;line-height:1.2;margin:.1em 0 .35em;font-weight:650;overflow-wrap:anywhere}
 h2{font-size:1.2rem;margin:2.4em 0 .8em;padding-bottom:.3em;border-bottom:1px solid var(--rule);font-weight:650}
+h3{font-size:1.02rem;margin:1.6em 0 .8em;font-weight:650}
 .kind{color:var(--soft);margin:0;font-size:.9rem}
 .verdict{font-size:1.1rem;margin:.2em 0 1.2em;max-width:70ch}
 a{color:var(--link)}
@@ -81,11 +82,25 @@ svg use.neighbour{fill:var(--grey)}svg use.body.g1{fill:var(--g1-fill)}svg use.b
 .c-flank{stroke:var(--flank);color:var(--flank)}.c-tip-fillet{stroke:var(--tip-fillet);color:var(--tip-fillet)}
 .c-tip-land{stroke:var(--tip-land);color:var(--tip-land)}
 .swatch.g1{background:var(--g1)}.swatch.g2{background:var(--g2)}.swatch.action{background:var(--action)}
+.swatch.trailing{background:var(--trailing)}.swatch.ink{background:var(--ink)}
 svg .mark{fill:var(--ink)}svg .mark.g1{fill:var(--g1)}svg .mark.g2{fill:var(--g2)}
 svg .action-dot{fill:var(--action)}svg .pitch-dot{fill:var(--ink)}
 svg .mark.hollow{fill:var(--panel);stroke:var(--soft);stroke-width:1.2}
 svg text.g1{fill:var(--g1)}svg text.g2{fill:var(--g2)}
 .action{stroke:var(--action);stroke-width:3}.action-line{stroke:var(--action);stroke-width:1;stroke-dasharray:3 3}
+.trailing{stroke:var(--trailing);stroke-width:3;stroke-dasharray:9 4}.trailing-line{stroke:var(--trailing);stroke-width:1;stroke-dasharray:3 3}
+svg .reached{stroke-width:1.2;stroke-dasharray:none}svg .trailing-dot{fill:var(--trailing)}
+svg .mark.ring{fill:none;stroke:var(--ink);stroke-width:1.2}
+svg .band{fill:var(--more);opacity:.38}
+svg polyline.here{stroke:var(--action);stroke-width:1.2}svg text.here{fill:var(--action)}
+svg polyline.least{stroke:var(--soft);stroke-width:1.2;stroke-dasharray:7 4}
+svg text.panel{font-weight:650;font-size:13px}
+.curve.ink{stroke:var(--ink)}.curve.action-curve{stroke:var(--action)}.curve.trailing-curve{stroke:var(--trailing)}
+.face-line{stroke:var(--ink);stroke-width:1.2;stroke-dasharray:2 3}.face-line.g1{stroke:var(--g1)}.face-line.g2{stroke:var(--g2)}
+svg .face.g1{fill:var(--g1-fill);stroke:var(--g1);fill-opacity:.6}svg .face.g2{fill:var(--g2-fill);stroke:var(--g2);fill-opacity:.6}
+svg .solid.g1{fill:var(--g1-fill);stroke:var(--g1)}svg .solid.g2{fill:var(--g2-fill);stroke:var(--g2);fill-opacity:.62}
+.tooth-line{stroke-width:.8;opacity:.6}.tooth-line.g1{stroke:var(--g1)}.tooth-line.g2{stroke:var(--g2)}
+.plane{stroke-width:1.2}.plane.g1{stroke:var(--g1)}.plane.g2{stroke:var(--g2)}
 .frame{stroke:var(--ink);stroke-width:1.2;stroke-dasharray:5 3}
 .cross{stroke:var(--ink);stroke-width:1.2}.turn{stroke-width:1.8}
 svg .head.g1{fill:var(--g1)}svg .head.g2{fill:var(--g2)}
@@ -104,9 +119,9 @@ footer p{margin:.4em 0;max-width:90ch}section>p,.columns p{font-size:.95rem}
 @media screen and (max-width:900px){.columns,.figures,.figures.mesh{grid-template-columns:minmax(0,1fr)}}
 @media screen and (max-width:560px){main,header,footer{padding-left:14px;padding-right:14px}header{padding-top:20px}
 h1{font-size:1.4rem}.verdict{font-size:1rem}table{font-size:.8rem}th,td{padding:.2em .35em}
-svg text{font-size:16px}svg .tick{font-size:15px}svg .inzone{font-size:15px}svg .letter{font-size:18px}svg tspan.s{font-size:12px}}
+svg text{font-size:16px}svg .tick{font-size:15px}svg .inzone{font-size:15px}svg .letter{font-size:18px}svg text.panel{font-size:15px}svg tspan.s{font-size:12px}}
 @media print{:root{color-scheme:light;--paper:#fff;--panel:#fff;--ink:#000;--soft:#444;--rule:#bbb;--faint:#ddd;--grey:#e6e8ea;
---grey-ink:#8a939b;--g1:#0067a6;--g1-fill:#dbe9f4;--g2:#b54708;--g2-fill:#f8e4d6;--action:#8b1a7c;--alpha:#4e95c9;--beta:#e0a33a;
+--grey-ink:#8a939b;--g1:#0067a6;--g1-fill:#dbe9f4;--g2:#b54708;--g2-fill:#f8e4d6;--action:#8b1a7c;--trailing:#00796b;--alpha:#4e95c9;--beta:#e0a33a;
 --more:#bcd9ee;--fewer:#f6dfae;--root-land:#4d5a66;--root-fillet:#d55e00;--flank:#0072b2;--tip-fillet:#b8478d;--tip-land:#00855f;
 --problem:#b42318;--caution:#9a6700;--note:#57606a;--link:#000}
 @page{size:A4;margin:15mm 14mm}
@@ -119,7 +134,7 @@ figure,tr,li,tbody,caption{break-inside:avoid}caption,thead,tr.group{break-after
 table{font-size:8pt;line-height:1.35}th,td{padding:.1em .5em}tr.group th{padding-top:.5em}.scroll{overflow:visible;margin-bottom:1em}
 .figures{gap:8px 24px}.columns{display:block}
 .columns>div+div{display:grid;grid-template-columns:minmax(0,1fr) minmax(0,1fr);gap:8px 24px;align-items:start}
-.columns>div+div>.scroll{grid-column:1/-1}
+.columns>div+div>.scroll{grid-column:1/-1}.columns>div:first-child>figure{max-width:56%}
 pre{white-space:pre-wrap;font-size:8pt;border:0;padding:0}
 svg.zoom{border-color:#ccc}footer{margin-top:1.5em}a{text-decoration:none}}
 )css";

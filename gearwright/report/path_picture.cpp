@@ -8,7 +8,9 @@
 #include <optional>
 #include <utility>
 
+#include "gearwright/pair/contact_zones.hpp"
 #include "gearwright/report/html_text.hpp"
+#include "gearwright/report/plot_axis.hpp"
 #include "gearwright/report/svg.hpp"
 
 namespace gearwright {
@@ -26,12 +28,6 @@ constexpr double kHeight = kPlotTop + kPlotHeight + 58.0;
 constexpr double kDeepest =
     -4.0;  // specific sliding shown; below it the oil film is no question any more
 
-struct Axis {
-  double lo, hi;    // values
-  double from, to;  // px
-  double operator()(double v) const { return from + (v - lo) / (hi - lo) * (to - from); }
-};
-
 std::string count_words(int pairs, double width) {
   if (pairs == 0) return width > 80 ? "no contact" : "0";
   if (width < 14) return "";
@@ -40,13 +36,13 @@ std::string count_words(int pairs, double width) {
 }
 
 void draw_strip(Svg& svg, const Pair& pair, const Axis& x) {
-  const ParallelMesh<double>& mesh = pair.mesh;
-  const std::vector<ContactZone> zones = contact_zones(mesh);
+  const Mesh<double>& mesh = pair.mesh;
+  const std::vector<ContactZone> zones = contact_zones(mesh.rho1_A, mesh.rho1_E, mesh.step);
   int most = 0;
   for (const ContactZone& zone : zones) most = std::max(most, zone.pairs);
   for (const ContactZone& zone : zones) {
-    const double left = x(zone.rho1_begin);
-    const double width = x(zone.rho1_end) - left;
+    const double left = x(zone.begin);
+    const double width = x(zone.end) - left;
     svg.rect(left, kStripTop, width, kStripHeight,
              zone.pairs == 0      ? "zone none"
              : zone.pairs == most ? "zone more"
@@ -110,7 +106,7 @@ double lowest_shown(const Pair& pair) {
   return std::max(kDeepest, std::floor(2 * low - 0.3) / 2);
 }
 
-void draw_curve(Svg& svg, const Pair& pair, int gear, const Axis& x, const Axis& y) {
+void draw_sliding(Svg& svg, const Pair& pair, int gear, const Axis& x, const Axis& y) {
   constexpr int kSteps = 96;
   std::vector<Vec2> points;
   for (int k = 0; k <= kSteps; ++k) {
@@ -145,10 +141,9 @@ void label_end(Svg& svg, const Pair& pair, bool at_A, const Axis& x, const Axis&
 }
 
 std::string path_svg(const Pair& pair) {
-  const ParallelMesh<double>& mesh = pair.mesh;
+  const Mesh<double>& mesh = pair.mesh;
   const double end = std::max(mesh.rho1_E, mesh.rho1_D);
-  const Axis x{mesh.rho1_A,
-               std::max(mesh.rho1_E, mesh.transverse_contact_ratio < 1.0 ? end : mesh.rho1_E),
+  const Axis x{mesh.rho1_A, std::max(mesh.rho1_E, mesh.path_ratio < 1.0 ? end : mesh.rho1_E),
                kLeft + 14, kWidth - kRight};
   const Axis y{lowest_shown(pair), 1.0, kPlotTop + kPlotHeight, kPlotTop};
   Svg svg(
@@ -162,16 +157,16 @@ std::string path_svg(const Pair& pair) {
   }
   draw_strip(svg, pair, x);
   svg.begin_clip(kLeft, kPlotTop, kWidth - kRight - kLeft, kPlotHeight);
-  for (const int gear : {1, 2}) draw_curve(svg, pair, gear, x, y);
+  for (const int gear : {1, 2}) draw_sliding(svg, pair, gear, x, y);
   svg.end_group();
   for (const bool at_A : {true, false}) label_end(svg, pair, at_A, x, y);
   return svg.str();
 }
 
 std::string ratio_svg(const Pair& pair) {
-  const ParallelMesh<double>& mesh = pair.mesh;
-  const double e_alpha = mesh.transverse_contact_ratio;
-  const double e_true = mesh.transverse_contact_ratio_true;
+  const Mesh<double>& mesh = pair.mesh;
+  const double e_alpha = mesh.path_ratio;
+  const double e_true = mesh.true_ratio;
   const double e_beta = mesh.overlap_ratio;
   constexpr double kBarLeft = 150.0;
   constexpr double kRow = 34.0;
@@ -216,37 +211,8 @@ std::string ratio_svg(const Pair& pair) {
 
 }  // namespace
 
-std::vector<ContactZone> contact_zones(const ParallelMesh<double>& mesh) {
-  const double p = mesh.rho1_E - mesh.rho1_B;
-  const double A = mesh.rho1_A;
-  const double E = mesh.rho1_E;
-  // A pair leaves at E − k p on the scale of its follower, and comes in at A + k p.
-  const double ratio = (E - A) / p;
-  const int whole = static_cast<int>(std::floor(ratio));
-  std::vector<double> cuts{A, E};
-  for (int k = 1; k <= whole; ++k) {
-    cuts.push_back(A + k * p);
-    cuts.push_back(E - k * p);
-  }
-  std::sort(cuts.begin(), cuts.end());
-  const double nothing = 1e-9 * p;  // a whole contact ratio makes pairs of equal cuts
-  std::vector<ContactZone> zones;
-  double begin = A;
-  for (const double cut : cuts) {
-    if (cut - begin < nothing) continue;
-    const double middle = 0.5 * (begin + cut);
-    const int pairs = static_cast<int>(std::floor((E - middle) / p)) +
-                      static_cast<int>(std::floor((middle - A) / p)) + 1;
-    zones.push_back({begin, cut, pairs});
-    begin = cut;
-  }
-  if (ratio < 1.0) zones.push_back({E, A + p, 0});
-  return zones;
-}
-
 std::string path_figures(const Pair& pair) {
-  const bool differs =
-      std::abs(pair.mesh.transverse_contact_ratio - pair.mesh.transverse_contact_ratio_true) > 1e-9;
+  const bool differs = std::abs(pair.mesh.path_ratio - pair.mesh.true_ratio) > 1e-9;
   return fmt::format(
       "<figure>{}<figcaption><strong>Path of contact</strong>, zones of tooth "
       "pairs in contact in one transverse section. Specific sliding: <span class=\"key\"><i "

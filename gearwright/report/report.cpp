@@ -6,12 +6,18 @@
 #include <cstdlib>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/report/crossed_picture.hpp"
+#include "gearwright/report/face_picture.hpp"
 #include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
+#include "gearwright/report/least_distance_picture.hpp"
 #include "gearwright/report/mesh_picture.hpp"
 #include "gearwright/report/page_style.hpp"
 #include "gearwright/report/path_picture.hpp"
+#include "gearwright/report/range_picture.hpp"
 #include "gearwright/report/report_tables.hpp"
+#include "gearwright/report/section_picture.hpp"
+#include "gearwright/report/speed_picture.hpp"
 #include "gearwright/report/tooth_picture.hpp"
 #include "gearwright/report/verdict.hpp"
 
@@ -33,6 +39,10 @@ std::string default_title(const ReportInput& input) {
 std::string kind_of(const ReportInput& input) {
   const bool helical = input.gears[0]->spec.helix_angle.rad() != 0.0;
   if (input.pair) {
+    if (input.pair->crossed()) {
+      return fmt::format("Crossed helical gear pair, shaft angle {:.8g}°",
+                         Angle::radians(input.pair->shaft_angle()).deg());
+    }
     return fmt::format("{} gear pair on parallel axes{}", helical ? "Helical" : "Spur",
                        input.pair->kind == PairKind::parallel_internal ? ", internal" : "");
   }
@@ -102,7 +112,23 @@ std::string gear_section(const ReportInput& input) {
       pictures, table);
 }
 
+std::string crossed_section(const Pair& pair) {
+  const auto if_they_meet = [&](std::string (*figures)(const Pair&)) {
+    return pair.flanks_meet() ? figures(pair) : std::string();
+  };
+  return fmt::format(
+      "<section class=\"pair\">\n<h2>Pair</h2>\n{}<div "
+      "class=\"columns\"><div>{}{}</div><div>{}{}{}{}</div></div>\n"
+      "<h3>Other places for these gears</h3>\n<div "
+      "class=\"columns\"><div>{}{}</div><div>{}{}</div></div>\n</section>\n",
+      plan_figures(pair), pair_table(pair), interference_table(pair), section_figure(pair),
+      if_they_meet(face_use_figure), if_they_meet(speed_figures), path_table(pair),
+      range_figure(pair), least_distance_table(pair), face_width_figure(pair),
+      least_distance_figure(pair));
+}
+
 std::string pair_section(const Pair& pair) {
+  if (pair.crossed()) return crossed_section(pair);
   return fmt::format(
       "<section class=\"pair\">\n<h2>Pair</h2>\n{}<div "
       "class=\"columns\"><div>{}{}</div><div>{}{}</div></div>\n"
@@ -135,19 +161,20 @@ std::string spec_section(const std::string& spec) {
 
 std::string foot(const ReportInput& input) {
   const std::string version = input.version.empty() ? std::string() : " " + escaped(input.version);
+  const bool crossed = input.pair && input.pair->crossed();
   return fmt::format(
       "<footer>\n<p>Gearwright{}. Nominal geometry of the teeth as cut by the given racks; symbols "
-      "and terms "
-      "of ISO 21771. Lengths in mm, angles in degrees, “{}”: there is no such "
-      "value.</p>\n<p>Accuracy: "
-      "numbers come from closed formulas or are solved to rounding, in double precision, and are "
-      "shown rounded "
-      "to {} decimals of a millimetre and {} of a degree; pictures follow the exact curves within "
-      "{} normal "
-      "modules. Manufacturing deviations, load, deflection and temperature are not considered, nor "
-      "is "
+      "and terms of ISO 21771. Lengths in mm, angles in degrees, “{}”: there is no such "
+      "value.{}</p>\n<p>Accuracy: numbers come from closed formulas or are solved to rounding, in "
+      "double precision, and are shown rounded to {} decimals of a millimetre and {} of a degree; "
+      "outlines of teeth follow the exact curves within {:g} normal modules. Manufacturing "
+      "deviations, load, deflection and temperature are not considered, nor is "
       "strength.</p>\n</footer>\n",
-      version, kNoValue, kLengthDigits, kAngleDigits, fmt::format("{:g}", kOutlineTolerance));
+      version, kNoValue,
+      crossed ? " On crossed axes teeth touch in points; the contact ratio counts them along the "
+                "line of action."
+              : "",
+      kLengthDigits, kAngleDigits, kOutlineTolerance);
 }
 
 }  // namespace

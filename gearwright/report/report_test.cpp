@@ -15,6 +15,7 @@
 namespace gearwright {
 namespace {
 
+using testing::crossed_pair;
 using testing::helical_pair;
 using testing::internal_pair;
 using testing::report_input;
@@ -113,28 +114,90 @@ TEST(Report, GearNumbersAreTheGears) {
 TEST(Report, PairNumbersAreThePairs) {
   const Pair pair = helical_pair();
   const std::string page = report_html(report_input(pair));
-  const ParallelMesh<double>& m = pair.mesh;
+  const Mesh<double>& m = pair.mesh;
   const double degree = 180 / std::numbers::pi;
   EXPECT_EQ(row(page, "Centre distance"), (Values{"78.6056"}));
   EXPECT_EQ(row(page, "Working pressure angle, transverse"),
-            (Values{printed(degree * m.working_transverse_pressure_angle, 5)}));
+            (Values{printed(degree * m.rack.sides[0].transverse_angle, 5),
+                    printed(degree * m.rack.sides[1].transverse_angle, 5)}));
   EXPECT_EQ(row(page, "Working helix angle"),
-            (Values{printed(degree * m.working_helix_angle, 5),
-                    printed(-degree * m.working_helix_angle, 5)}));
-  EXPECT_EQ(row(page, "Transverse contact ratio, tip to tip"),
-            (Values{printed(m.transverse_contact_ratio, 4)}));
+            (Values{printed(degree * m.rack.sides[0].helix_angle, 5),
+                    printed(-degree * m.rack.sides[0].helix_angle, 5)}));
+  EXPECT_EQ(row(page, "Transverse contact ratio, tip to tip"), (Values{printed(m.path_ratio, 4)}));
   EXPECT_EQ(row(page, "Total contact ratio of the usable flanks"),
             (Values{printed(pair.contact_ratio_true(), 4)}));
-  EXPECT_EQ(row(page, "Along the common normal"), (Values{printed(m.backlash_normal_base, 4)}));
+  EXPECT_EQ(row(page, "Along the common normal"), (Values{printed(m.backlash.normal_base, 4)}));
+  EXPECT_EQ(row(page, "Circumferential, at the working pitch circles"),
+            (Values{printed(m.backlash.circumferential[0], 4),
+                    printed(m.backlash.circumferential[1], 4)}));
   EXPECT_EQ(row(page, "Rotation, the mate held"),
-            (Values{printed(degree * m.backlash_rotation_1, 5),
-                    printed(degree * m.backlash_rotation_2, 5)}));
+            (Values{printed(degree * m.backlash.rotation[0], 5),
+                    printed(degree * m.backlash.rotation[1], 5)}));
   EXPECT_EQ(row(page, "Own tip to the mate’s root"),
             (Values{printed(pair.tip_clearance[0], 4), printed(pair.tip_clearance[1], 4)}));
   EXPECT_EQ(row(page, "<strong>E</strong> tip of gear 1 goes out"),
             (Values{printed(m.rho1_E - m.rho1_C, 4), printed(m.rho1_E, 4),
                     printed(m.base_tangent_distance - m.rho1_E, 4),
                     printed(*pair.sliding_E.zeta_1, 4), printed(*pair.sliding_E.zeta_2, 4)}));
+}
+
+TEST(Report, CrossedPairNumbersAreThePairs) {
+  const Pair pair = crossed_pair();
+  const std::string page = report_html(report_input(pair));
+  const Mesh<double>& m = pair.mesh;
+  // Shaft angle, least distance and contact ratio of the example, to the digits of its reference
+  // values.
+  EXPECT_EQ(row(page, "Shaft angle"), (Values{"90.00000"}));
+  EXPECT_EQ(row(page, "Centre distance"), (Values{"50.0100"}));
+  EXPECT_EQ(row(page, "Working pressure angle, normal"), (Values{"18.68383"}));
+  EXPECT_EQ(row(page, "Length of the line of action"), (Values{printed(pair.path_length(), 4)}));
+  EXPECT_EQ(row(page, "Face width needed, one flank"),
+            (Values{printed(pair.face_widths->one_flank[0], 4),
+                    printed(pair.face_widths->one_flank[1], 4)}));
+  EXPECT_EQ(row(page, "Shaft angle there"), (Values{"90.01272"}));
+  // The path's points are told along the line, which leaves the transverse section at β_b1.
+  const double pitch = pair.gears[0].reference.base_pitch_normal;
+  const double A = std::stod(row(page, "<strong>A</strong> tip of gear 2 comes in")[0]);
+  const double D = std::stod(row(page, "<strong>D</strong> one pitch after A")[0]);
+  const double E = std::stod(row(page, "<strong>E</strong> tip of gear 1 goes out")[0]);
+  const double B = std::stod(row(page, "<strong>B</strong> one pitch before E")[0]);
+  EXPECT_NEAR(D - A, pitch, 1.01e-4);
+  EXPECT_NEAR(E - B, pitch, 1.01e-4);
+  EXPECT_NEAR(E - A, pair.path_length(), 1.01e-4);
+  const auto w = flank_speeds(pair.input, m, m.rho1_E);
+  EXPECT_EQ(row(page, "<strong>E</strong>"),
+            (Values{printed(w.across[0], 4), printed(w.across[1], 4), printed(w.along[0], 4),
+                    printed(w.along[1], 4),
+                    printed(std::hypot(w.across[0] - w.across[1], w.along[0] - w.along[1]), 4)}));
+}
+
+TEST(Report, CrossedPairsSayWhatTheyAre) {
+  for (const Pair& pair : testing::crossed_pairs()) {
+    const std::string page = report_html(report_input(pair));
+    expect_sound(page);
+    EXPECT_NE(page.find("Crossed helical gear pair, shaft angle "), page.npos);
+    EXPECT_EQ(page.find("otal contact ratio"), page.npos);
+    EXPECT_EQ(page.find("tips, roots, fillets and flanks keep clear"), page.npos);
+    EXPECT_LT(page.size(), 250'000u);
+    const auto ids = StrictHtml::read(page).ids;
+    for (const char* id : {"plan", "whole", "section", "range", "widths"}) {
+      EXPECT_EQ(ids.count(id), 1u) << id;
+    }
+    for (const char* id : {"mesh", "path", "ratios"}) EXPECT_EQ(ids.count(id), 0u) << id;
+    for (const char* id : {"faces", "speeds"}) EXPECT_EQ(ids.count(id) == 1, pair.flanks_meet());
+    EXPECT_EQ(page.find("nan"), page.npos);
+    EXPECT_EQ(page.find("inf\""), page.npos);
+  }
+  // Where an undercut took the flank, no tip can be said to stay on it.
+  const Pair undercut =
+      testing::crossed_sample_pair(sample_gear(9, 2, 20, 0), sample_gear(24, 2, 35, 0), 55);
+  const std::string page = report_html(report_input(undercut));
+  EXPECT_NE(page.find("where an undercut took the flank nothing strikes"), page.npos);
+  EXPECT_EQ(page.find("none reaches below"), page.npos);
+  const Pair pair = crossed_pair();
+  EXPECT_NE(report_html(report_input(pair)).find("none reaches below"), std::string::npos);
+  EXPECT_NE(report_html(report_input(pair)).find("pair, shaft angle 90°"), std::string::npos);
+  EXPECT_NE(verdict(report_input(pair)).find("(contact ratio 1.731)"), std::string::npos);
 }
 
 TEST(Report, WhatDoesNotExistIsADash) {
@@ -200,7 +263,7 @@ TEST(Report, VerdictFollowsTheFacts) {
   const Pair good = helical_pair();
   EXPECT_NE(verdict(report_input(good)).find("The pair runs"), std::string::npos);
   const Pair tight = sample_pair(sample_gear(20, 2, 0, 0), sample_gear(40, 2, 0, 0), 59.9);
-  ASSERT_LT(tight.mesh.backlash_normal, 0.0);
+  ASSERT_LT(tight.mesh.backlash.normal, 0.0);
   EXPECT_NE(verdict(report_input(tight)).find("too thick"), std::string::npos);
   const Pair loose = sample_pair(sample_gear(20, 2, 0, 0), sample_gear(40, 2, 0, 0), 62.5);
   ASSERT_LT(loose.contact_ratio_true(), 1.0);
@@ -221,6 +284,11 @@ TEST(Report, SeverityLooksAtTheGearThatIsMeant) {
   const Pair internal = sample_pair(sample_gear(18, 2, 0, 0.2), sample_gear(-60, 2, 0, 0.1), 41.8);
   EXPECT_EQ(severity(internal, "base_tangent"), Severity::problem);
   EXPECT_EQ(severity_of({"unheard_of", "", 0}), Severity::caution);
+  const Pair askew = testing::nearly_parallel_pair();
+  EXPECT_EQ(severity(askew, "nearly_parallel"), Severity::caution);
+  EXPECT_EQ(severity(askew, "face_width"), Severity::caution);
+  EXPECT_EQ(severity(askew, "no_contact"), Severity::problem);
+  EXPECT_EQ(severity(testing::worm_pair(), "self_locking"), Severity::note);
 }
 
 TEST(Report, StaysSmall) {

@@ -18,7 +18,7 @@ struct Meaning {
   const char* reason;  // completes "does not run as specified: …"
 };
 
-constexpr std::array<Meaning, 21> kMeanings{{
+constexpr std::array<Meaning, 24> kMeanings{{
     {"through_axis", Severity::problem, "the cutter passes the axis"},
     {"severed", Severity::problem, "the teeth are cut off at their roots"},
     {"no_flank", Severity::problem, "a gear has no usable flank"},
@@ -37,6 +37,9 @@ constexpr std::array<Meaning, 21> kMeanings{{
     {"pointed", Severity::caution, ""},
     {"thin_tip", Severity::caution, ""},
     {"trimming", Severity::caution, ""},
+    {"nearly_parallel", Severity::caution, ""},
+    {"face_width", Severity::caution, ""},
+    {"self_locking", Severity::note, ""},
     {"full_radius_root", Severity::note, ""},
     {"tip_cut_by_rack", Severity::note, ""},
     {"default_face_width", Severity::note, ""},
@@ -111,13 +114,13 @@ std::string verdict(const ReportInput& input) {
   if (!against.empty())
     return fmt::format("The pair does not run as specified: {}.", joined(against));
   // A backlash that the report shows as 0.0000 mm is none.
-  const double j = p.mesh.backlash_normal;
+  const double j = p.mesh.backlash.normal;
   const std::string backlash =
       std::abs(j) < 0.5e-4 ? std::string("no backlash")
                            : fmt::format("a normal backlash of {} mm", fixed(j, kLengthDigits));
   return fmt::format(
-      "The pair runs: contact is continuous (total contact ratio {}), there is {}{}.{}{}",
-      fixed(p.contact_ratio_true(), 3), backlash,
+      "The pair runs: contact is continuous ({}contact ratio {}), there is {}{}.{}{}",
+      p.crossed() ? "" : "total ", fixed(p.contact_ratio_true(), 3), backlash,
       p.interference.empty() ? " and no interference" : "",
       ring ? " The ring’s root fillet is not part of this version and is not checked." : "",
       cautions(input));

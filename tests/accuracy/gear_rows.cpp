@@ -5,7 +5,7 @@
 #include <random>
 
 #include "gearwright/gear/reference.hpp"
-#include "gearwright/pair/parallel_mesh.hpp"
+#include "gearwright/pair/mesh.hpp"
 #include "gearwright/pair/shift.hpp"
 #include "tests/accuracy/ledger.hpp"
 
@@ -91,23 +91,14 @@ std::vector<Row> gear_rows() {
 namespace {
 
 template <class T>
-ParallelMeshInput<T> mesh_input(const ReferenceGeometry<T>& g1, const ReferenceGeometry<T>& g2,
-                                int z1, int z2, double tip_1, double tip_2, double form_1,
-                                double form_2, double face, double a) {
-  ParallelMeshInput<T> in;
-  in.z1 = z1;
-  in.z2 = z2;
-  in.base_radius_1 = g1.base_diameter / T(2);
-  in.base_radius_2 = g2.base_diameter / T(2);
-  in.base_thickness_1 = g1.base_tooth_thickness;
-  in.base_thickness_2 = g2.base_tooth_thickness;
-  using std::abs;
-  in.base_helix_angle = abs(g1.base_helix_angle);
-  in.tip_form_radius_1 = T(tip_1);
-  in.tip_form_radius_2 = T(tip_2);
-  in.root_form_radius_1 = T(form_1);
-  in.root_form_radius_2 = T(form_2);
-  in.face_width = T(face);
+MeshInput<T> mesh_input(const ReferenceGeometry<T>& g1, const ReferenceGeometry<T>& g2, int z1,
+                        int z2, double tip_1, double tip_2, double form_1, double form_2,
+                        double face, double a) {
+  MeshInput<T> in;
+  in.gears = {base_gear(z1, g1), base_gear(z2, g2)};
+  in.tip_form_radius = {T(tip_1), T(tip_2)};
+  in.root_form_radius = {T(form_1), T(form_2)};
+  in.face_width = {T(face), T(face)};
   in.center_distance = T(a);
   return in;
 }
@@ -190,31 +181,28 @@ std::vector<Row> mesh_rows() {
     const double face = draw.uniform(5.0, 20.0) * m;
     const auto in = mesh_input<double>(g1, g2, z1, z2, tip_1, tip_2, form_1, form_2, face, a);
     const auto in_e = mesh_input<Exact>(e1, e2, z1, z2, tip_1, tip_2, form_1, form_2, face, a);
-    const auto p = parallel_mesh(in);
-    const auto e = parallel_mesh(in_e);
-    alpha.see(
-        relative_error(p.working_transverse_pressure_angle, e.working_transverse_pressure_angle),
-        w);
-    alpha_n.see(relative_error(p.working_normal_pressure_angle, e.working_normal_pressure_angle),
-                w);
-    r_w.see(relative_error(p.working_pitch_radius_1, e.working_pitch_radius_1), w);
+    const auto p = mesh_of(in);
+    const auto e = mesh_of(in_e);
+    alpha.see(relative_error(p.rack.sides[0].transverse_angle, e.rack.sides[0].transverse_angle),
+              w);
+    alpha_n.see(relative_error(p.rack.normal_pressure_angle, e.rack.normal_pressure_angle), w);
+    r_w.see(relative_error(p.rack.sides[0].pitch_radius, e.rack.sides[0].pitch_radius), w);
     rho_a.see(error_in_modules(p.rho1_A, e.rho1_A, m), w);
     rho_e.see(error_in_modules(p.rho1_E, e.rho1_E, m), w);
-    eps.see(relative_error(p.transverse_contact_ratio, e.transverse_contact_ratio), w);
-    eps_true.see(relative_error(p.transverse_contact_ratio_true, e.transverse_contact_ratio_true),
-                 w);
+    eps.see(relative_error(p.path_ratio, e.path_ratio), w);
+    eps_true.see(relative_error(p.true_ratio, e.true_ratio), w);
     eps_b.see(relative_error(p.overlap_ratio, e.overlap_ratio), w);
-    beta_w.see(relative_error(p.working_helix_angle, e.working_helix_angle), w);
-    r_w2.see(relative_error(p.working_pitch_radius_2, e.working_pitch_radius_2), w);
+    beta_w.see(relative_error(p.rack.sides[0].helix_angle, e.rack.sides[0].helix_angle), w);
+    r_w2.see(relative_error(p.rack.sides[1].pitch_radius, e.rack.sides[1].pitch_radius), w);
     rho_c.see(error_in_modules(p.rho1_B, e.rho1_B, m), w);
     rho_c.see(error_in_modules(p.rho1_C, e.rho1_C, m), w);
     rho_c.see(error_in_modules(p.rho1_D, e.rho1_D, m), w);
     length.see(error_in_modules(p.path_length, e.path_length, m), w);
-    j_n.see(error_in_modules(p.backlash_normal, e.backlash_normal, m), w);
-    j_n.see(error_in_modules(p.backlash_circumferential, e.backlash_circumferential, m), w);
-    j.see(error_in_modules(p.backlash_normal_base, e.backlash_normal_base, m), w);
+    j_n.see(error_in_modules(p.backlash.normal, e.backlash.normal, m), w);
+    j_n.see(error_in_modules(p.backlash.circumferential[0], e.backlash.circumferential[0], m), w);
+    j.see(error_in_modules(p.backlash.normal_base, e.backlash.normal_base, m), w);
     j_rot.see(
-        error_in_modules(p.backlash_rotation_1 * tip_1, e.backlash_rotation_1 * Exact(tip_1), m),
+        error_in_modules(p.backlash.rotation[0] * tip_1, e.backlash.rotation[0] * Exact(tip_1), m),
         w);
     const auto s = specific_sliding(in, p, p.rho1_E);
     const auto s_e = specific_sliding(in_e, e, e.rho1_E);

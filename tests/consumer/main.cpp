@@ -17,7 +17,7 @@ int main() {
   if (!gear_1 || !gear_2) return 1;
   const double alpha = pinion.normal_pressure_angle.rad();
   const double a = tight_center_distance(17, 43, 2.5, alpha, alpha, 1.0, 0.3);
-  const auto pair = mount_parallel(*gear_1, *gear_2, {a});
+  const auto pair = mount(*gear_1, *gear_2, {a});
   if (!pair) {
     std::fprintf(stderr, "%s\n", pair.error().message.c_str());
     return 1;
@@ -28,7 +28,7 @@ int main() {
   const auto mesh = tessellate({"pinion", gear_1->tooth->outline, gear_1->twist(), 25.0,
                                 std::nullopt, Eigen::Isometry3d::Identity()});
   const auto bad = make_gear({.teeth = 17, .normal_module = -1.0, .face_width = 5});
-  const bool good = std::abs(pair->mesh.backlash_normal_base) < 1e-12 && mesh && !bad &&
+  const bool good = std::abs(pair->mesh.backlash.normal_base) < 1e-12 && mesh && !bad &&
                     bad.error().key == "normal_module_mm";
   return good ? 0 : 1;
 }

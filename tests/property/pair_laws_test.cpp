@@ -37,8 +37,8 @@ int over_pairs(std::uint64_t seed, Law law) {
 // (1) j_bn = 0 at the backlash-free distance: what inv and its inverse round, over the base circles
 TEST(PairLaws, no_backlash_at_the_backlash_free_distance) {
   const int held = over_pairs(201, [](const SpecPair&, const Pair& p, Random&) {
-    EXPECT_NEAR(p.mesh.backlash_normal_base, 0.0,
-                64 * kEps * (p.input.base_radius_1 + p.input.base_radius_2));
+    EXPECT_NEAR(p.mesh.backlash.normal_base, 0.0,
+                64 * kEps * (p.input.gears[0].radius + p.input.gears[1].radius));
     for (const Warning& w : p.warnings) EXPECT_NE(w.code, "negative_backlash");
   });
   EXPECT_GT(held, kPairs / 2);
@@ -51,14 +51,12 @@ TEST(PairLaws, shifts_and_distance_are_inverse) {
     nominal.first.thickness_allowance = nominal.second.thickness_allowance = 0.0;
     const auto p = mounted(nominal);
     if (!p) return;
-    const auto& g = p->gears[0].reference;
     ShiftProblem problem;
     problem.z1 = specs.first.teeth;
     problem.z2 = specs.second.teeth;
     problem.normal_module = specs.first.normal_module;
     problem.normal_pressure_angle = specs.first.normal_pressure_angle.rad();
-    problem.transverse_pressure_angle = g.transverse_pressure_angle;
-    problem.cos_beta = std::cos(specs.first.helix_angle.rad());
+    problem.helix_angle = {specs.first.helix_angle.rad(), specs.second.helix_angle.rad()};
     problem.x1 = specs.first.profile_shift;
     problem.x2 = specs.second.profile_shift;
     const auto solved = complete_shifts(problem);
@@ -112,12 +110,11 @@ TEST(PairLaws, exchanging_the_gears) {
     const auto p = mounted(specs, a), q = mounted({specs.second, specs.first}, a);
     ASSERT_TRUE(p && q);
     const auto &m = p->mesh, &n = q->mesh;
-    EXPECT_EQ(m.working_transverse_pressure_angle, n.working_transverse_pressure_angle);
-    EXPECT_EQ(m.working_pitch_radius_1, n.working_pitch_radius_2);
+    EXPECT_EQ(m.rack.sides[0].transverse_angle, n.rack.sides[0].transverse_angle);
+    EXPECT_EQ(m.rack.sides[0].pitch_radius, n.rack.sides[1].pitch_radius);
     EXPECT_NEAR(m.path_length, n.path_length, 16 * kEps * a);
-    EXPECT_NEAR(m.transverse_contact_ratio_true, n.transverse_contact_ratio_true,
-                64 * kEps * a / specs.first.normal_module);
-    EXPECT_NEAR(m.backlash_normal_base, n.backlash_normal_base, 64 * kEps * a);
+    EXPECT_NEAR(m.true_ratio, n.true_ratio, 64 * kEps * a / specs.first.normal_module);
+    EXPECT_NEAR(m.backlash.normal_base, n.backlash.normal_base, 64 * kEps * a);
     EXPECT_NEAR(m.rho1_A, m.base_tangent_distance - n.rho1_E, 16 * kEps * a);
     EXPECT_NEAR(p->tip_clearance[0], q->tip_clearance[1], 16 * kEps * a);
     EXPECT_EQ(p->fillet_clearance[0].has_value(), q->fillet_clearance[1].has_value());
@@ -139,20 +136,20 @@ TEST(PairLaws, backlash) {
     const auto p = mounted(specs, tight.center_distance + step);
     if (!p) return;  // a ring cannot always come that close
     const auto& m = p->mesh;
-    EXPECT_GT(m.backlash_normal_base, 0.0);
-    EXPECT_NEAR(m.backlash_rotation_1 * m.working_pitch_radius_1, m.backlash_circumferential,
-                8 * kEps * m.backlash_circumferential);
-    EXPECT_NEAR(m.backlash_rotation_2 * m.working_pitch_radius_2, m.backlash_circumferential,
-                8 * kEps * m.backlash_circumferential);
-    EXPECT_NEAR(m.backlash_normal * std::cos(m.working_normal_pressure_angle),
-                m.backlash_normal_base, 8 * kEps * m.backlash_normal_base);
+    EXPECT_GT(m.backlash.normal_base, 0.0);
+    EXPECT_NEAR(m.backlash.rotation[0] * m.rack.sides[0].pitch_radius,
+                m.backlash.circumferential[0], 8 * kEps * m.backlash.circumferential[0]);
+    EXPECT_NEAR(m.backlash.rotation[1] * m.rack.sides[1].pitch_radius,
+                m.backlash.circumferential[0], 8 * kEps * m.backlash.circumferential[0]);
+    EXPECT_NEAR(m.backlash.normal * std::cos(m.rack.normal_pressure_angle), m.backlash.normal_base,
+                8 * kEps * m.backlash.normal_base);
     // Thinning either tooth by E_sn more adds E_sn cos α_n to j_bn.
     SpecPair thinner = specs;
     const double e = 0.05 * specs.first.normal_module;
     (random.chance(0.5) ? thinner.first : thinner.second).thickness_allowance -= e;
     const auto q = mounted(thinner, p->center_distance);
     if (!q) return;
-    EXPECT_NEAR(q->mesh.backlash_normal_base - m.backlash_normal_base,
+    EXPECT_NEAR(q->mesh.backlash.normal_base - m.backlash.normal_base,
                 e * std::cos(specs.first.normal_pressure_angle.rad()),
                 256 * kEps * p->gears[1].tip_diameter);
   });
@@ -167,9 +164,8 @@ TEST(PairLaws, path_of_contact) {
     EXPECT_NEAR(m.rho1_E - m.rho1_B, p_bt, 16 * kEps * (m.rho1_E + p_bt));
     EXPECT_GE(m.rho1_true_begin, std::max(0.0, m.rho1_A));
     EXPECT_LE(m.rho1_true_end, m.rho1_E);
-    EXPECT_LE(m.transverse_contact_ratio_true, m.transverse_contact_ratio + 4 * kEps);
-    EXPECT_NEAR(m.transverse_contact_ratio * p_bt, m.path_length,
-                8 * kEps * std::abs(m.path_length));
+    EXPECT_LE(m.true_ratio, m.path_ratio + 4 * kEps);
+    EXPECT_NEAR(m.path_ratio * p_bt, m.path_length, 8 * kEps * std::abs(m.path_length));
     EXPECT_NEAR(m.overlap_ratio,
                 specs.first.face_width * std::abs(std::sin(specs.first.helix_angle.rad())) /
                     (std::numbers::pi * specs.first.normal_module),
@@ -188,17 +184,17 @@ TEST(PairLaws, path_of_contact) {
 // (7) the line of action touches both base circles; its ends lie on the tip circles
 TEST(PairLaws, line_of_action) {
   over_pairs(207, [](const SpecPair&, const Pair& p, Random&) {
-    const double a = p.center_distance, scale = 64 * kEps * (a + p.input.tip_form_radius_2);
+    const double a = p.center_distance, scale = 64 * kEps * (a + p.input.tip_form_radius[1]);
     const Vec3 A = p.on_line_of_action(p.mesh.rho1_A).r, E = p.on_line_of_action(p.mesh.rho1_E).r;
     if ((E - A).norm() < 1e-3 * a) return;  // no direction to speak of
     const Vec3 d = (E - A).normalized();
     const double long_way = a / (E - A).norm();
-    EXPECT_NEAR(std::abs(A.x() * d.y() - A.y() * d.x()), p.input.base_radius_1, scale * long_way);
-    EXPECT_NEAR(std::abs((A.x() - a) * d.y() - A.y() * d.x()), p.input.base_radius_2,
+    EXPECT_NEAR(std::abs(A.x() * d.y() - A.y() * d.x()), p.input.gears[0].radius, scale * long_way);
+    EXPECT_NEAR(std::abs((A.x() - a) * d.y() - A.y() * d.x()), p.input.gears[1].radius,
                 scale * long_way);
-    EXPECT_NEAR(E.norm(), p.input.tip_form_radius_1, scale);
+    EXPECT_NEAR(E.norm(), p.input.tip_form_radius[0], scale);
     // A ring's tip inside its base circle has no flank: the path ends at the base tangent point.
-    const double tip_2 = std::max(p.input.tip_form_radius_2, p.input.base_radius_2);
+    const double tip_2 = std::max(p.input.tip_form_radius[1], p.input.gears[1].radius);
     EXPECT_NEAR((A - Vec3(a, 0, 0)).norm(), tip_2, scale * 4);
     EXPECT_EQ(p.on_trailing_line(p.mesh.rho1_A).r, Vec3(A.x(), 0.0 - A.y(), 0.0));
   });
@@ -217,7 +213,7 @@ TEST(PairLaws, scaling_by_two_is_exact) {
     ASSERT_TRUE(q);
     EXPECT_EQ(q->center_distance, 2 * p.center_distance);
     EXPECT_EQ(q->mesh.path_length, 2 * p.mesh.path_length);
-    EXPECT_EQ(q->mesh.transverse_contact_ratio_true, p.mesh.transverse_contact_ratio_true);
+    EXPECT_EQ(q->mesh.true_ratio, p.mesh.true_ratio);
     EXPECT_EQ(q->mesh.overlap_ratio, p.mesh.overlap_ratio);
     EXPECT_EQ(q->tip_clearance[0], 2 * p.tip_clearance[0]);
     EXPECT_EQ(q->sliding_A.zeta_1, p.sliding_A.zeta_1);
@@ -235,7 +231,7 @@ TEST(PairLaws, spur_is_the_limit_of_helical) {
     const auto p = mounted(spur), q = mounted(helical);
     if (!p || !q) return;
     EXPECT_NEAR(p->center_distance, q->center_distance, 1e-12 * p->center_distance);
-    EXPECT_NEAR(p->mesh.transverse_contact_ratio, q->mesh.transverse_contact_ratio, 1e-9);
+    EXPECT_NEAR(p->mesh.path_ratio, q->mesh.path_ratio, 1e-9);
     EXPECT_EQ(p->mesh.overlap_ratio, 0.0);
     EXPECT_LT(q->mesh.overlap_ratio, 1e-7);
   });

@@ -49,7 +49,7 @@ class Turned {
   Turned(const Pair& pair, double rotation) : pair_(pair) {
     const Eigen::Matrix4d one = pair.pose_1().isometry().matrix();
     const Eigen::Matrix4d two = pair.pose_2().isometry().matrix();
-    const double ratio = static_cast<double>(pair.input.z1) / pair.input.z2;
+    const double ratio = static_cast<double>(pair.input.gears[0].teeth) / pair.input.gears[1].teeth;
     angle_[0] = std::atan2(one(1, 0), one(0, 0)) - rotation;
     angle_[1] = std::atan2(two(1, 0), two(0, 0)) + rotation * ratio;
   }
@@ -141,8 +141,7 @@ int over_running_pairs(std::uint64_t seed, int wanted, Check check) {
     specs.first.tip_diameter = first->gears[0].tip_diameter + 2 * first->tip_shortening;
     specs.second.tip_diameter = first->gears[1].tip_diameter + 2 * first->tip_shortening;
     const auto pair = mounted(specs);
-    if (!pair || !pair->interference.empty() || pair->mesh.transverse_contact_ratio_true < 1.02)
-      continue;
+    if (!pair || !pair->interference.empty() || pair->mesh.true_ratio < 1.02) continue;
     ++found;
     check(specs, *pair);
     if (testing::Test::HasFailure()) {
@@ -173,7 +172,7 @@ TEST(PairTouch, closer_by_a_hundredth_they_overlap) {
     const auto closer = mounted(specs, pair.center_distance - 0.01);
     ASSERT_TRUE(closer);
     // Half of the negative backlash on each side.
-    const double half = -closer->mesh.backlash_circumferential / 2;
+    const double half = -closer->mesh.backlash.circumferential[0] / 2;
     EXPECT_GT(half, 1e-3);
     for (int i = 0; i < kRotations; ++i) {
       const Contact c =
@@ -193,14 +192,14 @@ TEST(PairTouch, backlash_is_what_closes_the_gap) {
     const double m = specs.first.normal_module;
     const auto apart = mounted(specs, pair.center_distance + 0.02 * m);
     ASSERT_TRUE(apart);
-    if (apart->mesh.transverse_contact_ratio_true < 1.02) return;
+    if (apart->mesh.true_ratio < 1.02) return;
     const Contact c = contact_of(*apart, 0.0);
     EXPECT_GT(c.left, 0.0);
     EXPECT_GT(c.right, 0.0);
     // Thicken gear 2 by the backlash: then both sides touch, at the distance as it is.
     SpecPair filled = specs;
     filled.second.thickness_allowance +=
-        apart->mesh.backlash_normal_base / std::cos(specs.first.normal_pressure_angle.rad());
+        apart->mesh.backlash.normal_base / std::cos(specs.first.normal_pressure_angle.rad());
     const auto tight = mounted(filled, apart->center_distance);
     ASSERT_TRUE(tight);
     if (!tight->interference.empty()) return;

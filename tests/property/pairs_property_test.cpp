@@ -41,11 +41,11 @@ bool finite(const std::optional<double>& v) { return !v || std::isfinite(*v); }
 // The sentence that says what is not a number, empty when all are.
 std::string not_finite(const Pair& p) {
   const auto& m = p.mesh;
-  const double plain[] = {m.working_transverse_pressure_angle,
-                          m.working_normal_pressure_angle,
-                          m.working_helix_angle,
-                          m.working_pitch_radius_1,
-                          m.working_pitch_radius_2,
+  const double plain[] = {m.rack.sides[0].transverse_angle,
+                          m.rack.normal_pressure_angle,
+                          m.rack.sides[0].helix_angle,
+                          m.rack.sides[0].pitch_radius,
+                          m.rack.sides[1].pitch_radius,
                           m.base_tangent_distance,
                           m.rho1_A,
                           m.rho1_B,
@@ -53,14 +53,14 @@ std::string not_finite(const Pair& p) {
                           m.rho1_D,
                           m.rho1_E,
                           m.path_length,
-                          m.transverse_contact_ratio,
+                          m.path_ratio,
                           m.overlap_ratio,
-                          m.transverse_contact_ratio_true,
-                          m.backlash_normal_base,
-                          m.backlash_normal,
-                          m.backlash_circumferential,
-                          m.backlash_rotation_1,
-                          m.backlash_rotation_2,
+                          m.true_ratio,
+                          m.backlash.normal_base,
+                          m.backlash.normal,
+                          m.backlash.circumferential[0],
+                          m.backlash.rotation[0],
+                          m.backlash.rotation[1],
                           p.extended_center_distance,
                           p.tip_shortening,
                           p.tip_clearance[0],
@@ -105,7 +105,7 @@ void check_pairs(std::uint64_t seed, int n) {
     }
     pair_at_hand =
         fmt::format("\n  gear1: {}\n  gear2: {}\n  a = {}", describe(one), describe(two), a);
-    const auto pair = mount_parallel(*g1, *g2, {a});
+    const auto pair = mount(*g1, *g2, {a});
     if (!pair) {
       ++refused;
       if (pair.error().message.find(pair.error().key) == std::string::npos) {

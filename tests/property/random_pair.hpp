@@ -49,11 +49,11 @@ inline std::optional<Pair> mounted(const SpecPair& specs, std::optional<double> 
   if (!a) {
     const double far = 2 * (std::abs(specs.first.teeth) + std::abs(specs.second.teeth)) *
                        specs.first.normal_module / std::cos(specs.first.helix_angle.rad());
-    const auto anywhere = mount_parallel(*g1, *g2, {far});
+    const auto anywhere = mount(*g1, *g2, {far});
     if (!anywhere || !anywhere->backlash_free_center_distance) return std::nullopt;
     a = *anywhere->backlash_free_center_distance;
   }
-  auto pair = mount_parallel(std::move(g1).take(), std::move(g2).take(), {*a});
+  auto pair = mount(std::move(g1).take(), std::move(g2).take(), {*a});
   if (!pair) return std::nullopt;
   return std::move(pair).take();
 }

@@ -1,9 +1,13 @@
 // Gears, pairs and report inputs for the tests of this room.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "gearwright/gear/basic.hpp"
+#include "gearwright/pair/partners.hpp"
 #include "gearwright/report/report.hpp"
 
 namespace gearwright::testing {
@@ -24,7 +28,7 @@ inline Gear sample_gear(int teeth, double module, double helix_deg, double shift
 }
 
 inline Pair sample_pair(Gear gear_1, Gear gear_2, double center_distance) {
-  auto pair = mount_parallel(std::move(gear_1), std::move(gear_2), {center_distance});
+  auto pair = mount(std::move(gear_1), std::move(gear_2), {center_distance});
   GW_EXPECTS(static_cast<bool>(pair));
   return std::move(pair).take();
 }
@@ -40,6 +44,75 @@ inline Pair undercut_pair() {
 }
 inline Pair internal_pair() {
   return sample_pair(sample_gear(18, 2, 0, 0.2), sample_gear(-60, 2, 0, 0.2), 42);
+}
+
+inline Gear gear_as_itself(int teeth, double base_diameter, double base_thickness,
+                           double base_helix_deg, double tip_diameter, double face_width,
+                           double rack_deg = 20) {
+  const BaseGear<double> base{teeth, base_diameter / 2, base_thickness,
+                              Angle::degrees(base_helix_deg).rad()};
+  const auto rack = as_rack(base, Angle::degrees(rack_deg).rad());
+  CylindricalSpec spec;
+  spec.teeth = teeth;
+  spec.normal_module = rack.normal_module;
+  spec.normal_pressure_angle = Angle::degrees(rack_deg);
+  spec.helix_angle = Angle::radians(rack.helix_angle);
+  spec.profile_shift = rack.profile_shift;
+  spec.tip_diameter = tip_diameter;
+  spec.face_width = face_width;
+  auto gear = make_gear(spec);
+  GW_EXPECTS(static_cast<bool>(gear));
+  return std::move(gear).take();
+}
+
+/// Two gears under a shaft angle, without backlash but for `more` of the centre distance.
+inline Pair crossed_sample_pair(Gear gear_1, Gear gear_2, double shaft_angle_deg, double more = 0.0,
+                                std::optional<double> friction = {}) {
+  const auto nominal = base_pair(gear_1, gear_2);
+  auto place = complete_place(nominal, {}, Angle::degrees(shaft_angle_deg).rad());
+  GW_EXPECTS(static_cast<bool>(place));
+  PairSpec spec = std::move(place).take();
+  spec.center_distance += more;
+  spec.friction = friction;
+  auto pair = mount(std::move(gear_1), std::move(gear_2), spec);
+  GW_EXPECTS(static_cast<bool>(pair));
+  return std::move(pair).take();
+}
+
+/// 9/15 under 90°, base diameters, thicknesses and helices of Mägi's example after Zeise.
+inline Pair crossed_pair() {
+  return crossed_sample_pair(gear_as_itself(9, 37.4892228898867, 7.263, 47.408, 46.65, 24),
+                             gear_as_itself(15, 52.6687933717901, 7.618, 36.595, 65.27, 24), 90, 0,
+                             0.05);
+}
+/// Left hands, with backlash.
+inline Pair left_hand_pair() {
+  return crossed_sample_pair(sample_gear(12, 2, -40, 0.2), sample_gear(20, 2, -30, 0.1), -70, 0.3);
+}
+inline Pair opposite_hand_pair() {
+  return crossed_sample_pair(sample_gear(17, 2, 35, 0), sample_gear(33, 2, -15, 0.1), 20);
+}
+/// Half a degree off parallel: the lines of action lie far outside the faces.
+inline Pair nearly_parallel_pair() {
+  return crossed_sample_pair(sample_gear(17, 2, 20.5, 0.2), sample_gear(33, 2, -20, 0), 0.5);
+}
+/// A worm of one tooth, with so much friction that its wheel cannot drive.
+inline Pair worm_pair() {
+  return crossed_sample_pair(sample_gear(1, 2, 80, 0), sample_gear(30, 2, 10, 0), 90, 0, 0.3);
+}
+inline Pair spur_and_helical_pair() {
+  return crossed_sample_pair(sample_gear(20, 2, 0, 0), sample_gear(30, 2, 30, 0.3), 30.4);
+}
+/// Too far apart: no contact.
+inline Pair crossed_apart() {
+  return crossed_sample_pair(sample_gear(20, 2, 45, 0), sample_gear(30, 2, 45, 0), 90, 20);
+}
+inline std::vector<Pair> crossed_pairs() {
+  std::vector<Pair> pairs;
+  for (const auto make : {crossed_pair, left_hand_pair, opposite_hand_pair, nearly_parallel_pair,
+                          worm_pair, spur_and_helical_pair, crossed_apart})
+    pairs.push_back(make());
+  return pairs;
 }
 
 /// What a job would hand over.

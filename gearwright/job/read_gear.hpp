@@ -1,0 +1,16 @@
+// Reads one gear's table of a spec: [gear1], [gear2].
+//
+// Internal to job/: throws SpecError, as the readers of single values do.
+#pragma once
+
+#include <string>
+
+#include "gearwright/job/spec.hpp"
+#include "gearwright/job/table_reader.hpp"
+
+namespace gearwright {
+
+/// `path` is the table's name, "gear1".
+GearInput read_gear(const Json& node, const std::string& path);
+
+}  // namespace gearwright

@@ -1,0 +1,78 @@
+#include "gearwright/pair/efficiency.hpp"
+
+#include <cmath>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/base/vector.hpp"
+#include "gearwright/pair/contact_zones.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// A vector in the flanks' common tangent plane that changes linearly with s = ρ_1 − ρ_0.
+struct Linear {
+  Vec2 at, slope;
+  Linear from(double s) const { return {at + s * slope, slope}; }
+};
+
+// ∫ (u·w)/|u| ds from lo to hi, where |u|² = A (s² + k²): its origin is u's least place.
+double projected(const Linear& u, const Linear& w, double A, double k, double lo, double hi) {
+  const double p2 = u.slope.dot(w.slope);
+  const double p1 = u.at.dot(w.slope) + u.slope.dot(w.at);
+  const double p0 = u.at.dot(w.at);
+  const auto primitive = [&](double s) {
+    const double root = std::hypot(s, k);
+    // With k = 0 u vanishes at the origin, and p0 with it.
+    const double area = k > 0.0 ? (p0 - p2 * k * k / 2) * std::asinh(s / k) : 0.0;
+    return area + p1 * root + p2 * s * root / 2;
+  };
+  return (primitive(hi) - primitive(lo)) / std::sqrt(A);
+}
+
+}  // namespace
+
+SlidingShares sliding_shares(const MeshInput<double>& in, const Mesh<double>& mesh) {
+  const double begin = mesh.rho1_true_begin;
+  const double end = mesh.rho1_true_end;
+  GW_EXPECTS(begin < end);
+  const FlankSpeeds<double> w_begin = flank_speeds(in, mesh, begin);
+  const FlankSpeeds<double> w_end = flank_speeds(in, mesh, end);
+  std::array<Linear, 2> w;
+  for (int i : {0, 1}) {
+    const Vec2 a(w_begin.across[i], w_begin.along[i]);
+    const Vec2 b(w_end.across[i], w_end.along[i]);
+    w[i] = {a, (b - a) / (end - begin)};
+  }
+  Linear u{w[0].at - w[1].at, w[0].slope - w[1].slope};
+  const double A = u.slope.squaredNorm();
+  GW_ENSURES(A > 0.0);
+  const double origin = -u.at.dot(u.slope) / A;  // where the sliding is least, from `begin`
+  const double k = std::abs(u.at.x() * u.slope.y() - u.at.y() * u.slope.x()) / A;
+  u = u.from(origin);
+  for (Linear& wi : w) wi = wi.from(origin);
+
+  double weight = 0.0;
+  std::array<double, 2> sum{};
+  for (const ContactZone& zone : contact_zones(begin, end, mesh.step)) {
+    if (zone.pairs == 0) continue;
+    const double lo = zone.begin - begin - origin;
+    const double hi = zone.end - begin - origin;
+    weight += (hi - lo) / zone.pairs;
+    for (int i : {0, 1}) sum[i] += projected(u, w[i], A, k, lo, hi) / zone.pairs;
+  }
+  const double v_n = in.gears[0].radius * std::cos(in.gears[0].helix_angle);
+  return {sum[0] / (weight * v_n), sum[1] / (weight * v_n)};
+}
+
+Efficiency efficiency(const SlidingShares& shares, double friction) {
+  GW_EXPECTS(friction >= 0.0);
+  const auto ratio = [](double out, double in) -> std::optional<double> {
+    if (!(out > 0.0 && in > 0.0)) return std::nullopt;
+    return out / in;
+  };
+  return {ratio(1 + friction * shares.second, 1 + friction * shares.first),
+          ratio(1 - friction * shares.first, 1 - friction * shares.second)};
+}
+
+}  // namespace gearwright

@@ -1,0 +1,36 @@
+// What sliding costs: the efficiency of a pair under Coulomb friction.
+//
+//   μ    coefficient of friction, constant     w_1, w_2   speeds of the contact over the flanks
+//   v_n = r_b1 cos β_b1   speed along the common normal, per radian of gear 1
+//                                              theory: docs/theory/04-conjugate-action.md, 4.8
+//
+// Tooth pairs in contact at one time carry equal parts of a constant normal force. Bearings, oil
+// and seals are not in it.
+#pragma once
+
+#include <optional>
+
+#include "gearwright/pair/mesh.hpp"
+
+namespace gearwright {
+
+struct Efficiency {
+  std::optional<double> gear1_drives;  ///< none: self-locking, gear 1 cannot drive
+  std::optional<double> gear2_drives;
+};
+
+/// Means over the path of the sliding's share in either gear's motion, so that
+///   η_12 = (1 + μ M_2)/(1 + μ M_1),  η_21 = (1 − μ M_1)/(1 − μ M_2). [T4.27]
+struct SlidingShares {
+  double first, second;  ///< M_1, M_2; M_1 − M_2 is the mean sliding speed over v_n
+};
+
+/// The integrals in closed form over each zone of the path as the flanks have it. [T4.26]
+///
+/// Domain    the clipped path has a length (contract)
+SlidingShares sliding_shares(const MeshInput<double>& in, const Mesh<double>& mesh);
+
+/// Domain    μ ≥ 0 (contract)
+Efficiency efficiency(const SlidingShares& shares, double friction);
+
+}  // namespace gearwright

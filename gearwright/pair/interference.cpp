@@ -1,0 +1,142 @@
+#include "gearwright/pair/interference.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gearwright::detail {
+
+namespace {
+
+double diameter_of(double base_radius, double rho) { return 2 * std::hypot(base_radius, rho); }
+
+// Past the flank that an undercut took nothing strikes: contact is lost. Elsewhere it is
+// interference.
+void past_the_flank(Pair& p, const char* code, int gear, double amount, const std::string& where) {
+  const int mate = 3 - gear;
+  if (p.gears[gear - 1].undercut) {
+    p.warnings.push_back(
+        {"contact_lost",
+         fmt::format(
+             "The tip of gear {} reaches {:.4f} mm {} of gear {}: contact is lost there, the "
+             "undercut has taken the flank.",
+             mate, -amount, where, gear),
+         gear});
+    return;
+  }
+  p.interference.push_back(
+      {code, gear, amount,
+       fmt::format(
+           "The tip of gear {} reaches {:.4f} mm {} of gear {}, where there is no involute: "
+           "shorten the tip or shift gear {} outward.",
+           mate, -amount, where, gear, gear)});
+}
+
+}  // namespace
+
+// Where the mate's tip touches each gear deepest, and how far that is from the usable flank's
+// start.
+void find_form_clearance(Pair& p) {
+  const std::array<double, 2> rho{p.mesh.rho1_A, p.mesh.rho2(p.mesh.rho1_E)};
+  for (int i : {0, 1}) {
+    if (rho[i] < 0.0) {
+      past_the_flank(p, "base_tangent", i + 1, rho[i], "past the base tangent point");
+      continue;
+    }
+    p.contact_root_diameter[i] = diameter_of(p.gears[i].base_radius(), rho[i]);
+    const auto form = p.gears[i].root_form_radius();
+    if (!form) continue;
+    p.form_clearance[i] = *p.contact_root_diameter[i] / 2 - *form;
+    if (*p.form_clearance[i] < 0.0) {
+      past_the_flank(
+          p, "form_circle", i + 1, *p.form_clearance[i],
+          fmt::format("below the start of the usable flank (d_Ff = {:.4f} mm)", 2 * *form));
+    }
+  }
+}
+
+void find_tip_clearance(Pair& p) {
+  const double a = p.center_distance;
+  const Gear& g1 = p.gears[0];
+  const Gear& g2 = p.gears[1];
+  if (p.kind != PairKind::parallel_internal) {
+    p.tip_clearance = {a - g1.actual_tip_radius() - g2.root_diameter / 2,
+                       a - g2.actual_tip_radius() - g1.root_diameter / 2};
+  } else {
+    p.tip_clearance = {g2.root_diameter / 2 - a - g1.actual_tip_radius(),
+                       g2.tip_diameter / 2 - a - g1.root_diameter / 2};
+  }
+  for (int i : {0, 1}) {
+    if (p.tip_clearance[i] < 0.0) {
+      p.interference.push_back(
+          {"root", 2 - i, p.tip_clearance[i],
+           fmt::format("The tip of gear {} cuts {:.4f} mm into the root of gear {}.", i + 1,
+                       -p.tip_clearance[i], 2 - i)});
+    }
+  }
+}
+
+void find_internal_margins(Pair& p) {
+  const Gear& g1 = p.gears[0];
+  const Gear& g2 = p.gears[1];
+  const double a = p.center_distance;
+  const double r_a1 = g1.actual_tip_radius();
+  const double r_a2 = g2.tip_diameter / 2;
+  const double z1 = g1.spec.teeth;
+  const double z2 = std::abs(g2.spec.teeth);
+  const double inv_w = involute(p.mesh.rack.sides[0].transverse_angle);
+  const auto roll = [](double r, double r_b) {
+    return std::sqrt(std::max(0.0, (r - r_b) * (r + r_b))) / r_b;
+  };
+  const double inv_a1 = involute_of_roll(roll(r_a1, g1.base_radius()));
+  const double inv_a2 = involute_of_roll(roll(r_a2, g2.base_radius()));
+  if (const auto form = g1.root_form_radius()) {
+    p.involute_margin = p.mesh.rho1_A - roll(*form, g1.base_radius()) * g1.base_radius();
+  }
+  const auto clamp = [](double v) { return std::clamp(v, -1.0, 1.0); };
+  // Where the tip circles do not meet no tip passes another.
+  if (r_a2 < a + r_a1) {
+    const double theta_1 =
+        std::acos(clamp((r_a2 * r_a2 - r_a1 * r_a1 - a * a) / (2 * a * r_a1))) + inv_a1 - inv_w;
+    const double theta_2 = std::acos(clamp((a * a + r_a2 * r_a2 - r_a1 * r_a1) / (2 * a * r_a2)));
+    p.trochoid_margin = theta_1 * z1 / z2 + inv_w - inv_a2 - theta_2;
+  }
+
+  const double cos_a1 = g1.base_radius() / r_a1;
+  const double cos_a2 = std::min(1.0, g2.base_radius() / r_a2);
+  const double ratio = cos_a1 / cos_a2;
+  if (ratio < 1.0) {
+    const double phi_1 =
+        std::asin(std::sqrt(clamp((1 - ratio * ratio) / (1 - (z1 / z2) * (z1 / z2)))));
+    const double phi_2 =
+        std::asin(std::sqrt(clamp((1 / (ratio * ratio) - 1) / ((z2 / z1) * (z2 / z1) - 1))));
+    p.trimming_margin = phi_1 + inv_a1 - inv_w - z2 / z1 * (phi_2 + inv_a2 - inv_w);
+  }
+  if (p.trochoid_margin && *p.trochoid_margin < 0.0) {
+    p.interference.push_back(
+        {"trochoid", 2, *p.trochoid_margin,
+         "Trochoid interference: the pinion's tip strikes the ring's tip on its way out; "
+         "shorten a tip or choose tooth numbers further apart."});
+  }
+  if (p.trimming_margin && *p.trimming_margin < 0.0) {
+    p.interference.push_back(
+        {"trimming", 2, *p.trimming_margin,
+         "Trimming interference: the pinion cannot be put into the ring radially with a "
+         "space on the centre line; slide it in along the axis."});
+  }
+}
+
+void find_fillet_clearance(Pair& p) {
+  for (int i : {0, 1}) {
+    p.fillet_clearance[i] = fillet_clearance(p, i + 1);
+    if (p.fillet_clearance[i] && *p.fillet_clearance[i] < 0.0) {
+      p.interference.push_back(
+          {"tip_to_fillet", i + 1, *p.fillet_clearance[i],
+           fmt::format("The tip corner of gear {} cuts {:.4f} mm into the root fillet of gear {}.",
+                       2 - i, -*p.fillet_clearance[i], i + 1)});
+    }
+  }
+}
+
+}  // namespace gearwright::detail

@@ -1,0 +1,310 @@
+// Two involute gears in mesh, at any shaft angle: everything about it that has a closed form.
+//
+//   n    common normal of the leading flanks, which the contact follows; a point of the line of
+//        action is named by ρ_1, the curvature radius of flank 1 in its transverse section there
+//   N    distance of the base tangent points in the measure of ρ_1
+//   c_i = cos β_bi     ρ_2 = (N − σ ρ_1) c_2/c_1 (parallel axes: c_2 = c_1)
+//   X    distance of the pitch planes      z_L   offset of the line along the rack's teeth, mm
+//   s_i  axial place of the contact on gear i, mm, 0 on the common perpendicular
+//                                              theory: docs/theory/04-conjugate-action.md
+//
+// One law for all pairs: the rack's α_n and X. Crossed axes take α_n from Σ and X from a; parallel
+// axes take α_n from a, and X = 0. Templates over the scalar: double in production, 50 digits in
+// the accuracy ledger.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "gearwright/pair/common_rack.hpp"
+#include "gearwright/pair/working_angles.hpp"
+
+namespace gearwright {
+
+/// Inputs of a mesh; lengths mm, angles rad. Ring: z2 < 0, radii positive.
+template <class T>
+struct MeshInput {
+  BasePair<T> gears;
+  std::array<T, 2> tip_form_radius{};                  ///< d_Fa/2
+  std::array<std::optional<T>, 2> root_form_radius{};  ///< d_Ff/2, none: no such limit known
+  std::array<T, 2> face_width{};                       ///< b
+  T center_distance{};                                 ///< a
+  std::optional<T> shaft_angle;                        ///< Σ of crossed axes; none: parallel axes
+};
+
+template <class T>
+struct Backlash {
+  T normal_base;                     ///< j_bn  along the common normal; < 0 the teeth overlap
+  T normal;                          ///< j_n = j_bn/cos α_wn
+  std::array<T, 2> circumferential;  ///< j_wt  at the working pitch circles
+  std::array<T, 2> rotation;         ///< rad, the mate held
+};
+
+template <class T>
+struct Mesh {
+  bool crossed;
+  CommonRack<T> rack;       ///< working angles, pitch radii
+  T pitch_plane_distance;   ///< X     mm
+  T line_offset;            ///< z_L   mm; the trailing line lies at −z_L
+  T base_tangent_distance;  ///< N     between the base tangent points, in the measure of ρ_1
+  T base_cosine_ratio;      ///< c_2/c_1
+  T rho1_A, rho1_B, rho1_C, rho1_D, rho1_E;  ///< tip 2, E − step, pitch point 1, A + step, tip 1;
+                                             ///< negative: beyond the base tangent
+  T path_length;    ///< ρ_1E − ρ_1A: g_α of parallel axes, AB cos β_b1 of crossed
+  T step;           ///< ρ_1 gained per pitch: p_bt of parallel axes, p_bn cos β_b1 of crossed
+  T path_ratio;     ///< path_length/step: ε_α of parallel axes, AB/p_bn of crossed
+  T overlap_ratio;  ///< ε_β; 0 on crossed axes
+  T rho1_true_begin, rho1_true_end;  ///< the path clipped to the usable flanks and, on crossed
+                                     ///< axes, to the faces; begin ≥ end: no contact
+  T true_ratio;                      ///< of the clipped path, ≥ 0; without overlap
+  Backlash<T> backlash;
+
+  T sigma;                                 ///< σ
+  std::array<T, 2> tan_base_helix;         ///< tan β_bi
+  std::array<T, 2> pitch_point_curvature;  ///< ρ_iC
+
+  T rho2(const T& rho1) const { return (base_tangent_distance - sigma * rho1) * base_cosine_ratio; }
+};
+
+/// s_i(ρ_1), mm: where the contact stands on gear i's face, from its middle.
+///
+/// Formula   s_i = z_L/cos β_i + (ρ_i − ρ_iC) tan β_bi; [T4.20]
+template <class T>
+std::array<T, 2> axial_place(const Mesh<T>& mesh, const T& rho1) {
+  const std::array<T, 2> rho{rho1, mesh.rho2(rho1)};
+  std::array<T, 2> s;
+  for (int i : {0, 1}) {
+    s[i] = mesh.line_offset / mesh.rack.sides[i].cos_helix +
+           (rho[i] - mesh.pitch_point_curvature[i]) * mesh.tan_base_helix[i];
+  }
+  return s;
+}
+
+namespace detail {
+
+/// √(r² − r_b²), 0 inside the base circle.
+template <class T>
+T curvature_at(const T& radius, const T& base) {
+  using std::sqrt;
+  const T square = (radius - base) * (radius + base);
+  return square > T(0) ? T(sqrt(square)) : T(0);
+}
+
+// To where both flanks are usable: ρ_1 above gear 1's form point and ρ_2 above gear 2's (a ring's
+// form point limits from outside). [T2.19]
+template <class T>
+void clip_to_flanks(const MeshInput<T>& in, Mesh<T>& m) {
+  const T r_b1 = in.gears[0].radius;
+  const T r_b2 = in.gears[1].radius;
+  if (m.rho1_true_begin < T(0)) m.rho1_true_begin = T(0);
+  if (in.root_form_radius[0]) {
+    const T limit = curvature_at(*in.root_form_radius[0], r_b1);
+    if (limit > m.rho1_true_begin) m.rho1_true_begin = limit;
+  }
+  std::optional<T> limit;
+  if (in.root_form_radius[1]) {
+    const T rho2 = curvature_at(*in.root_form_radius[1], r_b2) / m.base_cosine_ratio;
+    limit = m.sigma * (m.base_tangent_distance - rho2);
+  } else if (m.sigma > T(0)) {
+    limit = m.base_tangent_distance;
+  }
+  if (limit && *limit < m.rho1_true_end) m.rho1_true_end = *limit;
+}
+
+// To −b/2 ≤ s_i ≤ b/2; a spur gear's contact stays at one place of its face.
+template <class T>
+void clip_to_faces(const MeshInput<T>& in, Mesh<T>& m) {
+  using std::abs;
+  const T zero(0);
+  const auto s_0 = axial_place(m, zero);
+  for (int i : {0, 1}) {
+    const T slope =
+        i == 0 ? m.tan_base_helix[0] : T(-m.sigma * m.base_cosine_ratio * m.tan_base_helix[1]);
+    const T half = in.face_width[i] / T(2);
+    if (slope == T(0)) {
+      if (abs(s_0[i]) > half) m.rho1_true_end = m.rho1_true_begin;
+      continue;
+    }
+    const T one = (-half - s_0[i]) / slope;
+    const T other = (half - s_0[i]) / slope;
+    const T lo = one < other ? one : other;
+    const T hi = one < other ? other : one;
+    if (lo > m.rho1_true_begin) m.rho1_true_begin = lo;
+    if (hi < m.rho1_true_end) m.rho1_true_end = hi;
+  }
+}
+
+template <class T>
+Backlash<T> backlash_of(const MeshInput<T>& in, const Mesh<T>& m) {
+  using std::cos;
+  Backlash<T> j;
+  j.normal_base = T(2) * m.pitch_plane_distance * m.rack.angles.sin_alpha - m.rack.excess;
+  j.normal = j.normal_base / m.rack.angles.cos_alpha;
+  for (int i : {0, 1}) {
+    j.rotation[i] = j.normal_base / (in.gears[i].radius * cos(in.gears[i].helix_angle));
+    j.circumferential[i] = j.rotation[i] * m.rack.sides[i].pitch_radius;
+  }
+  return j;
+}
+
+}  // namespace detail
+
+/// The angles of the rack that this mounting works with.
+template <class T>
+RackAngles<T> working_angles(const MeshInput<T>& in) {
+  return in.shaft_angle ? angles_at_shaft_angle(in.gears, *in.shaft_angle)
+                        : angles_at_parallel_distance(in.gears, in.center_distance);
+}
+
+/// The mesh of the input.
+///
+/// Formula   X = σ (a − r_2) − r_1 or 0, j_bn = 2 X sin α_n − Q, [T4.17]; L, [T4.19]; path,
+/// [T4.18]…
+///           [T4.21]
+/// Domain    parallel: a > |r_b2 + σ r_b1|; crossed: Σ within shaft_angle_range, external
+/// (contract) Accuracy  ledger rows `mesh.*`, `crossed.*`
+template <class T>
+Mesh<T> mesh_of(const MeshInput<T>& in) {
+  using std::abs;
+  using std::atan;
+  using std::cos;
+  using std::tan;
+  const T pi = atan(T(1)) * T(4);
+  const BasePair<T>& gears = in.gears;
+  Mesh<T> m;
+  m.crossed = in.shaft_angle.has_value();
+  m.sigma = side_of(gears);
+  m.rack = common_rack(gears, working_angles(in));
+  const T c_1 = cos(gears[0].helix_angle);
+  const T c_2 = cos(gears[1].helix_angle);
+  m.base_cosine_ratio = m.crossed ? T(c_2 / c_1) : T(1);
+  const auto& sides = m.rack.sides;
+  for (int i : {0, 1}) {
+    m.tan_base_helix[i] = tan(gears[i].helix_angle);
+    m.pitch_point_curvature[i] = sides[i].pitch_point_curvature;
+  }
+  if (m.crossed) {
+    m.pitch_plane_distance = in.center_distance - sides[1].pitch_radius - sides[0].pitch_radius;
+    m.line_offset = -m.pitch_plane_distance * m.rack.angles.cos_alpha /
+                    (m.rack.angles.sin_alpha * (sides[0].tan_helix + sides[1].tan_helix));
+    // L c_1, L = Σ ρ_iC/c_i + X/sin α_n.
+    m.base_tangent_distance = m.pitch_point_curvature[0] + m.pitch_point_curvature[1] * c_1 / c_2 +
+                              m.pitch_plane_distance * c_1 / m.rack.angles.sin_alpha;
+  } else {
+    m.pitch_plane_distance = T(0);
+    m.line_offset = T(0);
+    m.base_tangent_distance = sides[0].tan_transverse * base_radius_sum(gears);  // N = a sin α_wt
+  }
+
+  const T p_bt = T(2) * pi * gears[0].radius / T(gears[0].teeth);
+  m.rho1_A = m.sigma *
+             (m.base_tangent_distance -
+              detail::curvature_at(in.tip_form_radius[1], gears[1].radius) / m.base_cosine_ratio);
+  m.rho1_E = detail::curvature_at(in.tip_form_radius[0], gears[0].radius);
+  m.step = m.crossed ? T(p_bt * c_1 * c_1) : p_bt;
+  m.rho1_B = m.rho1_E - m.step;
+  m.rho1_C = m.pitch_point_curvature[0];
+  m.rho1_D = m.rho1_A + m.step;
+  m.path_length = m.rho1_E - m.rho1_A;
+  m.path_ratio = m.path_length / m.step;
+  const T face = in.face_width[0] < in.face_width[1] ? in.face_width[0] : in.face_width[1];
+  m.overlap_ratio = m.crossed ? T(0) : T(face * abs(m.tan_base_helix[0]) / p_bt);
+  m.rho1_true_begin = m.rho1_A;
+  m.rho1_true_end = m.rho1_E;
+  detail::clip_to_flanks(in, m);
+  if (m.crossed) detail::clip_to_faces(in, m);
+  const T true_length = m.rho1_true_end - m.rho1_true_begin;
+  m.true_ratio = true_length > T(0) ? T(true_length / m.step) : T(0);
+  m.backlash = detail::backlash_of(in, m);
+  return m;
+}
+
+/// Face widths that the line of action asks for, mm: of one flank, and of both about one middle.
+///
+/// Formula   f_i = AB |sin β_bi|, f'_i = 2 max |s_i|; [T4.21]; crossed axes
+template <class T>
+struct FaceWidths {
+  std::array<T, 2> one_flank, both_flanks;
+  std::array<std::array<T, 2>, 2> interval;  ///< s_i at A and at E
+};
+
+template <class T>
+FaceWidths<T> face_widths(const Mesh<T>& mesh) {
+  using std::abs;
+  const auto s_A = axial_place(mesh, mesh.rho1_A);
+  const auto s_E = axial_place(mesh, mesh.rho1_E);
+  FaceWidths<T> f;
+  for (int i : {0, 1}) {
+    f.interval[i] = {s_A[i], s_E[i]};
+    f.one_flank[i] = abs(s_E[i] - s_A[i]);
+    f.both_flanks[i] = T(2) * (abs(s_A[i]) > abs(s_E[i]) ? abs(s_A[i]) : abs(s_E[i]));
+  }
+  return f;
+}
+
+/// How fast the contact runs over each flank, mm per radian of gear 1: across the teeth and along
+/// them. On parallel axes the contact is followed in the transverse section.
+///
+/// Formula   crossed: ω_i (cos β_i (r_i sin α_n + λ_i), ± sin β_i (r_i + λ_i sin α_n)); [T4.24]
+///           parallel: ω_i ρ_i, [T2.22]
+template <class T>
+struct FlankSpeeds {
+  std::array<T, 2> across, along;
+};
+
+template <class T>
+FlankSpeeds<T> flank_speeds(const MeshInput<T>& in, const Mesh<T>& mesh, const T& rho1) {
+  const T omega2 = T(in.gears[0].teeth) / T(std::abs(in.gears[1].teeth));
+  const std::array<T, 2> omega{T(1), omega2};
+  const std::array<T, 2> rho{rho1, mesh.rho2(rho1)};
+  FlankSpeeds<T> w;
+  for (int i : {0, 1}) {
+    if (!mesh.crossed) {
+      w.across[i] = omega[i] * rho[i];
+      w.along[i] = T(0);
+      continue;
+    }
+    using std::cos;
+    const RackSide<T>& side = mesh.rack.sides[i];
+    const T lambda = (rho[i] - mesh.pitch_point_curvature[i]) / cos(in.gears[i].helix_angle);
+    const T sin_a = mesh.rack.angles.sin_alpha;
+    const T sign = i == 0 ? T(1) : T(-1);
+    w.across[i] = omega[i] * side.cos_helix * (side.pitch_radius * sin_a + lambda);
+    w.along[i] =
+        sign * omega[i] * side.cos_helix * side.tan_helix * (side.pitch_radius + lambda * sin_a);
+  }
+  return w;
+}
+
+/// Specific sliding (ζ_1, ζ_2) at ρ_1: how far the flanks slide for each mm that the contact runs
+/// over the flank. Parallel axes: with a sign, < 0 where the flank is dragged, nothing at or beyond
+/// a base tangent point. Crossed axes: sliding and path have directions, and ζ ≥ 0.
+///
+/// Formula   parallel: ζ_1 = 1 − w_2/w_1, ζ_2 = 1 − w_1/w_2, [T2.22]; crossed: ζ_i = |w_1 −
+///           w_2|/|w_i|, [T4.25]
+template <class T>
+struct SpecificSliding {
+  std::optional<T> zeta_1, zeta_2;
+};
+
+template <class T>
+SpecificSliding<T> specific_sliding(const MeshInput<T>& in, const Mesh<T>& mesh, const T& rho1) {
+  using std::sqrt;
+  const FlankSpeeds<T> w = flank_speeds(in, mesh, rho1);
+  SpecificSliding<T> s;
+  if (!mesh.crossed) {
+    if (!(w.across[0] > T(0)) || !(w.across[1] > T(0))) return s;
+    s.zeta_1 = T(1) - w.across[1] / w.across[0];
+    s.zeta_2 = T(1) - w.across[0] / w.across[1];
+    return s;
+  }
+  const auto speed = [](const T& x, const T& y) { return T(sqrt(x * x + y * y)); };
+  const T sliding = speed(w.across[0] - w.across[1], w.along[0] - w.along[1]);
+  const std::array<T, 2> run{speed(w.across[0], w.along[0]), speed(w.across[1], w.along[1])};
+  if (run[0] > T(0)) s.zeta_1 = sliding / run[0];
+  if (run[1] > T(0)) s.zeta_2 = sliding / run[1];
+  return s;
+}
+
+}  // namespace gearwright

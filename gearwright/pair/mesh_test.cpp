@@ -1,0 +1,173 @@
+// The closed-form mesh: against textbook formulas written the other way, and its laws.
+#include "gearwright/pair/mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace gearwright {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kAlpha = kPi / 9;
+
+// m = 2, α = 20°, no shift: r_b = z cos α, s_bt = d_b (π/(2z) ± inv α).
+MeshInput<double> spur(int z1, int z2) {
+  MeshInput<double> in;
+  in.gears[0].teeth = z1;
+  in.gears[1].teeth = z2;
+  in.gears[0].radius = z1 * std::cos(kAlpha);
+  in.gears[1].radius = std::abs(z2) * std::cos(kAlpha);
+  const double inv = involute(kAlpha);
+  in.gears[0].tooth_thickness = 2 * in.gears[0].radius * (kPi / (2 * z1) + inv);
+  in.gears[1].tooth_thickness =
+      2 * in.gears[1].radius * (kPi / (2 * std::abs(z2)) + (z2 > 0 ? inv : -inv));
+  in.tip_form_radius[0] = z1 + 2;
+  in.tip_form_radius[1] = z2 > 0 ? z2 + 2 : -z2 - 2;
+  in.face_width = {20.0, 20.0};
+  in.center_distance = std::abs(z1 + z2);
+  return in;
+}
+
+TEST(MeshOfParallelAxes, external_spur_pair_of_the_textbook) {
+  const auto m = mesh_of(spur(20, 40));
+  EXPECT_NEAR(m.rack.sides[0].transverse_angle, kAlpha, 1e-15);
+  EXPECT_NEAR(m.rack.normal_pressure_angle, kAlpha, 1e-15);
+  EXPECT_EQ(m.rack.sides[0].helix_angle, 0.0);
+  EXPECT_NEAR(m.rack.sides[0].pitch_radius, 20.0, 1e-13);
+  EXPECT_NEAR(m.rack.sides[1].pitch_radius, 40.0, 1e-13);
+  const double g = std::sqrt(22 * 22 - std::pow(20 * std::cos(kAlpha), 2)) +
+                   std::sqrt(42 * 42 - std::pow(40 * std::cos(kAlpha), 2)) - 60 * std::sin(kAlpha);
+  EXPECT_NEAR(m.path_length, g, 1e-13);
+  EXPECT_NEAR(m.path_ratio, g / (2 * kPi * std::cos(kAlpha)), 1e-14);
+  EXPECT_EQ(m.overlap_ratio, 0.0);
+  EXPECT_NEAR(m.backlash.normal_base, 0.0, 1e-13);
+}
+
+TEST(MeshOfParallelAxes, internal_spur_pair) {
+  const auto m = mesh_of(spur(20, -60));
+  EXPECT_NEAR(m.rack.sides[0].transverse_angle, kAlpha, 1e-15);
+  EXPECT_NEAR(m.rack.sides[1].pitch_radius, 60.0, 1e-13);
+  const double g = std::sqrt(22 * 22 - std::pow(20 * std::cos(kAlpha), 2)) -
+                   std::sqrt(58 * 58 - std::pow(60 * std::cos(kAlpha), 2)) + 40 * std::sin(kAlpha);
+  EXPECT_NEAR(m.path_length, g, 1e-13);
+  EXPECT_NEAR(m.backlash.normal_base, 0.0, 1e-13);
+}
+
+TEST(MeshOfParallelAxes, points_of_the_path_stand_in_order) {
+  for (const auto& in : {spur(20, 40), spur(30, 30), spur(20, -60)}) {
+    const auto m = mesh_of(in);
+    // One pair between B and D, two outside: 1 < ε_α < 2.
+    ASSERT_GT(m.path_ratio, 1.0);
+    ASSERT_LT(m.path_ratio, 2.0);
+    EXPECT_LT(m.rho1_A, m.rho1_B);
+    EXPECT_LT(m.rho1_B, m.rho1_D);
+    EXPECT_LT(m.rho1_D, m.rho1_E);
+    EXPECT_LT(m.rho1_A, m.rho1_C);
+    EXPECT_LT(m.rho1_C, m.rho1_E);
+    EXPECT_NEAR(m.rho1_E - m.rho1_A, m.path_length, 1e-14 * 20);
+    EXPECT_NEAR(m.rho1_D - m.rho1_A, 2 * kPi * in.gears[0].radius / in.gears[0].teeth, 1e-14 * 20);
+    EXPECT_NEAR(m.rho1_C, m.rack.sides[0].pitch_radius * std::sin(m.rack.sides[0].transverse_angle),
+                1e-13);
+  }
+}
+
+// Form circles clip the path, each at its own end.
+TEST(MeshOfParallelAxes, clipped_path) {
+  auto in = spur(20, 40);
+  const auto whole = mesh_of(in);
+  EXPECT_EQ(whole.true_ratio, whole.path_ratio);
+  in.root_form_radius[0] = std::hypot(in.gears[0].radius, whole.rho1_A + 0.5);
+  const auto one = mesh_of(in);
+  EXPECT_NEAR(one.rho1_true_begin, whole.rho1_A + 0.5, 1e-13);
+  EXPECT_EQ(one.rho1_true_end, whole.rho1_E);
+  EXPECT_EQ(one.path_ratio, whole.path_ratio);
+  in.root_form_radius[1] =
+      std::hypot(in.gears[1].radius, whole.base_tangent_distance - whole.rho1_E + 0.25);
+  const auto both = mesh_of(in);
+  EXPECT_NEAR(both.rho1_true_end, whole.rho1_E - 0.25, 1e-13);
+  EXPECT_NEAR(both.true_ratio, (whole.path_length - 0.75) / (2 * kPi * std::cos(kAlpha)), 1e-13);
+  in.root_form_radius[0] = 22.0;
+  EXPECT_EQ(mesh_of(in).true_ratio, 0.0);
+}
+
+// A tip beyond the base tangent point of the mate touches nothing there.
+TEST(MeshOfParallelAxes, path_is_clipped_at_the_base_tangents) {
+  auto in = spur(8, 120);
+  const auto m = mesh_of(in);
+  EXPECT_LT(m.rho1_A, 0.0);
+  EXPECT_EQ(m.rho1_true_begin, 0.0);
+  EXPECT_FALSE(specific_sliding(in, m, m.rho1_A).zeta_1);
+  EXPECT_FALSE(specific_sliding(in, m, 0.0).zeta_2);
+}
+
+// j_bn by hand: base pitch less both base thicknesses plus twice the string between them.
+TEST(MeshOfParallelAxes, backlash) {
+  for (const int z2 : {40, -60}) {
+    auto in = spur(20, z2);
+    const double sigma = z2 > 0 ? 1.0 : -1.0;
+    in.gears[0].tooth_thickness -= 0.05;
+    in.center_distance += sigma * 0.1;
+    const auto m = mesh_of(in);
+    const double sum = in.gears[1].radius + sigma * in.gears[0].radius;
+    const double by_hand = 2 * kPi * in.gears[0].radius / 20 - in.gears[0].tooth_thickness -
+                           in.gears[1].tooth_thickness +
+                           sigma * 2 * sum * involute(std::acos(sum / in.center_distance));
+    EXPECT_NEAR(m.backlash.normal_base, by_hand, 1e-12);
+    EXPECT_GT(m.backlash.normal_base, 0.0);
+    EXPECT_NEAR(m.backlash.normal, m.backlash.normal_base / std::cos(m.rack.normal_pressure_angle),
+                1e-14);
+    EXPECT_NEAR(m.backlash.circumferential[0],
+                m.backlash.rotation[0] * m.rack.sides[0].pitch_radius, 1e-14);
+    EXPECT_NEAR(m.backlash.circumferential[0],
+                m.backlash.rotation[1] * m.rack.sides[1].pitch_radius, 1e-14);
+  }
+}
+
+// At the distance whose involute the thicknesses ask for, nothing is left over.
+TEST(MeshOfParallelAxes, the_least_distance_is_free_of_backlash) {
+  auto in = spur(20, 40);
+  in.gears[0].tooth_thickness += 0.4;
+  const double alpha = *transverse_angle_at_least_distance(in.gears);
+  in.center_distance = base_radius_sum(in.gears) / std::cos(alpha);
+  EXPECT_NEAR(mesh_of(in).backlash.normal_base, 0.0, 1e-13);
+  in.gears[0].tooth_thickness -= 5.0;
+  EXPECT_FALSE(transverse_angle_at_least_distance(in.gears));
+}
+
+TEST(SpecificSliding, signs_and_the_pitch_point) {
+  const auto in = spur(20, 40);
+  const auto m = mesh_of(in);
+  const auto at_A = specific_sliding(in, m, m.rho1_A);
+  EXPECT_LT(*at_A.zeta_1, 0.0);  // the pinion's root is dragged
+  EXPECT_GT(*at_A.zeta_2, 0.0);
+  const auto at_E = specific_sliding(in, m, m.rho1_E);
+  EXPECT_GT(*at_E.zeta_1, 0.0);
+  EXPECT_LT(*at_E.zeta_2, 0.0);
+  const auto at_C = specific_sliding(in, m, m.rho1_C);
+  EXPECT_NEAR(*at_C.zeta_1, 0.0, 1e-14);
+  EXPECT_NEAR(*at_C.zeta_2, 0.0, 1e-14);
+  // (1 − ζ1)(1 − ζ2) = 1: the two are one velocity ratio, seen from either side.
+  EXPECT_NEAR((1 - *at_A.zeta_1) * (1 - *at_A.zeta_2), 1.0, 1e-14);
+}
+
+TEST(MeshOfParallelAxes, helical_overlap) {
+  auto in = spur(20, 40);
+  in.gears[0].helix_angle = 0.25;
+  in.gears[1].helix_angle = -0.25;
+  const auto m = mesh_of(in);
+  EXPECT_NEAR(m.overlap_ratio, 20.0 * std::tan(0.25) / (2 * kPi * std::cos(kAlpha)), 1e-14);
+  EXPECT_NEAR(std::sin(m.rack.normal_pressure_angle), std::sin(kAlpha) * std::cos(0.25), 1e-15);
+  EXPECT_NEAR(std::tan(m.rack.sides[0].helix_angle), std::tan(0.25) / std::cos(kAlpha), 1e-15);
+}
+
+TEST(MeshDeathTest, no_working_angle_is_for_the_caller_to_refuse) {
+  auto in = spur(20, 40);
+  in.center_distance = base_radius_sum(in.gears);
+  EXPECT_DEATH(mesh_of(in), "precondition");
+}
+
+}  // namespace
+}  // namespace gearwright

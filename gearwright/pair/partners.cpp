@@ -1,0 +1,148 @@
+#include "gearwright/pair/partners.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "gearwright/base/angle.hpp"
+
+namespace gearwright {
+
+namespace {
+
+double deg(double rad) { return Angle::radians(rad).deg(); }
+
+Error bad(std::string key, double value, const std::string& why) {
+  std::string message = fmt::format("{} = {}: {}", key, value, why);
+  return {std::move(key), fmt::format("{}", value), std::move(message)};
+}
+
+// Base pitches and helices agree when they do so to 1e-9: input given in degrees and in rounded
+// millimetres must pass, another helix must not.
+constexpr double kSamePitch = 1e-9;
+
+std::string reach(const ShaftAngleRange<double>& range) {
+  return fmt::format("these gears can cross at more than {:.6f}° and less than {:.6f}°",
+                     deg(std::min(range.least, range.greatest)),
+                     deg(std::max(range.least, range.greatest)));
+}
+
+std::optional<Error> check_shaft_angle(const BasePair<double>& gears, double sigma,
+                                       const CylindricalSpec& gear_1) {
+  const bool parallel = axes_are_parallel(gears);
+  if (sigma == 0.0 && parallel) return std::nullopt;
+  const char* key = "pair.shaft_angle_deg";
+  if (parallel) {
+    return bad(key, deg(sigma),
+               "these base helices are equal and opposite, so that the axes are parallel for every "
+               "centre distance; 0 is allowed, or another helix angle on one gear");
+  }
+  const auto range = shaft_angle_range(gears);
+  if (sigma == 0.0) {
+    return bad(key, 0.0,
+               fmt::format("parallel axes need opposite base helices (helix_angle_deg = {} on a "
+                           "gear 2 of the same module); {}",
+                           -gear_1.helix_angle.deg(), reach(range)));
+  }
+  if (range.contains(sigma)) return std::nullopt;
+  const double miss = std::abs(sigma) > std::abs(range.greatest) || sigma * range.least < 0.0
+                          ? sigma - range.greatest
+                          : sigma - range.least;
+  return bad(key, deg(sigma),
+             fmt::format("out of reach by {:.6g}°; {} (right hand > 0, two left hands cross at a "
+                         "negative angle); more helix angle on either gear widens that",
+                         std::abs(deg(miss)), reach(range)));
+}
+
+}  // namespace
+
+BasePair<double> base_pair(const Gear& g1, const Gear& g2) {
+  return {base_gear(g1.spec.teeth, g1.reference), base_gear(g2.spec.teeth, g2.reference)};
+}
+
+BasePair<double> nominal_base_pair(const CylindricalSpec& gear_1, const CylindricalSpec& gear_2) {
+  const auto nominal = [](const CylindricalSpec& c) {
+    return base_gear(c.teeth, reference_geometry<double>(
+                                  {c.teeth, c.normal_module, c.normal_pressure_angle.rad(),
+                                   c.helix_angle.rad(), c.profile_shift, 0.0}));
+  };
+  return {nominal(gear_1), nominal(gear_2)};
+}
+
+bool axes_are_parallel(const BasePair<double>& gears) {
+  return std::abs(gears[0].helix_angle + side_of(gears) * gears[1].helix_angle) <= kSamePitch;
+}
+
+std::optional<Error> check_partners(const CylindricalSpec& g1, const CylindricalSpec& g2,
+                                    const std::optional<double>& shaft_angle) {
+  const int z1 = g1.teeth;
+  const int z2 = g2.teeth;
+  if (z1 < 0) {
+    return bad("gear1.teeth", z1, "the ring of an internal pair is gear2; exchange the two tables");
+  }
+  if (z2 < 0 && -z2 <= z1) {
+    return bad("gear2.teeth", z2,
+               fmt::format("a ring must have more teeth than its pinion (gear1.teeth = {})", z1));
+  }
+  const BasePair<double> gears = nominal_base_pair(g1, g2);
+  const double p1 = normal_base_pitch(gears[0]);
+  const double p2 = normal_base_pitch(gears[1]);
+  if (std::abs(p1 - p2) > kSamePitch * p1) {
+    return bad("gear2.normal_module_mm", g2.normal_module,
+               fmt::format(
+                   "the normal base pitches differ by {:.6g} mm: gear1 has {} mm, gear2 {} "
+                   "mm; gears mesh only with equal m_n cos α_n. At this pressure angle the "
+                   "module would have to be {:.9g} mm, at this base helix the base diameter {:.9g} "
+                   "mm",
+                   p2 - p1, p1, p2, g2.normal_module * p1 / p2, 2 * gears[1].radius * p1 / p2));
+  }
+  if (z2 < 0 && !axes_are_parallel(gears)) {
+    return bad("gear2.helix_angle_deg", g2.helix_angle.deg(),
+               fmt::format("the axes of this internal pair would cross ({:.6g}°), and a ring "
+                           "touches its pinion along the flanks on parallel axes only; {}° (the "
+                           "same hand) is allowed on a ring of the same module",
+                           deg(gears[0].helix_angle - gears[1].helix_angle), g1.helix_angle.deg()));
+  }
+  if (!shaft_angle) return std::nullopt;
+  return check_shaft_angle(gears, *shaft_angle, g1);
+}
+
+Result<PairSpec> complete_place(const BasePair<double>& nominal, std::optional<double> distance,
+                                std::optional<double> shaft_angle) {
+  PairSpec place;
+  const double excess = base_excess(nominal);
+  const auto least = transverse_angle_at_least_distance(nominal);
+  if (axes_are_parallel(nominal)) {
+    const double sum = base_radius_sum(nominal);
+    // Without a backlash-free place the least one is named by mount, with what it lacks.
+    place.center_distance = distance.value_or(least ? sum / std::cos(*least) : sum);
+    return place;
+  }
+  if (shaft_angle) {
+    place.shaft_angle = *shaft_angle;
+  } else if (least) {
+    place.shaft_angle = common_rack(nominal, angles_at_transverse(nominal, *least)).shaft_angle;
+  } else {
+    return Error{"pair.shaft_angle_deg", "",
+                 fmt::format("pair.shaft_angle_deg: is missing, and there is no minimum centre "
+                             "distance to take it from: the teeth are too thin by {:.6g} mm on the "
+                             "base cylinders (normal); give the shaft angle, or more profile "
+                             "shift. {}",
+                             -excess, reach(shaft_angle_range(nominal)))};
+  }
+  if (distance) {
+    place.center_distance = *distance;
+    return place;
+  }
+  const auto rack = common_rack(nominal, angles_at_shaft_angle(nominal, *place.shaft_angle));
+  place.center_distance = conjugate_center_distance(nominal, rack);
+  if (place.center_distance > 0.0) return place;
+  return Error{"profile_shift", "",
+               fmt::format("gear1.profile_shift + gear2.profile_shift: the teeth are so thin that "
+                           "no centre distance is free of backlash at this shaft angle (working "
+                           "normal pressure angle {:.4f}°); more profile shift would help, or a "
+                           "centre distance with backlash in pair.center_distance_mm",
+                           deg(rack.normal_pressure_angle))};
+}
+
+}  // namespace gearwright

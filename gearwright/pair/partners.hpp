@@ -1,0 +1,49 @@
+// Which two gears go together, and how their axes may stand.
+//
+//   Two gears mesh when their normal base pitches agree. Their base helices then decide: equal and
+//   opposite (a ring: equal) leave parallel axes, any others cross.
+#pragma once
+
+#include <optional>
+
+#include "gearwright/gear/gear.hpp"
+#include "gearwright/pair/working_angles.hpp"
+
+namespace gearwright {
+
+/// The two gears as themselves, with the teeth as cut.
+BasePair<double> base_pair(const Gear& gear_1, const Gear& gear_2);
+
+/// The two gears as themselves, without thickness allowances: those make backlash and do not move
+/// a place that is to be free of it.
+BasePair<double> nominal_base_pair(const CylindricalSpec& gear_1, const CylindricalSpec& gear_2);
+
+/// |β_b1 + σ β_b2| ≤ 1e-9 rad: the axes are parallel for every rack between the gears.
+bool axes_are_parallel(const BasePair<double>& gears);
+
+/// What keeps two gears apart, whatever the centre distance; nothing: they mesh. `shaft_angle` in
+/// rad, absent when the caller leaves it open.
+///
+/// Errors    `gear2.normal_module_mm` for unequal base pitches, `gear2.helix_angle_deg` for a ring
+///           on a crossed axis, `gear1.teeth`, `gear2.teeth` for impossible internal pairs,
+///           `pair.shaft_angle_deg` out of reach; each says by how much, and what would do
+std::optional<Error> check_partners(const CylindricalSpec& gear_1, const CylindricalSpec& gear_2,
+                                    const std::optional<double>& shaft_angle);
+
+struct PairSpec {
+  double center_distance = 0.0;  ///< a  mm
+  std::optional<double> shaft_angle =
+      std::nullopt;                               ///< Σ  rad, of crossed axes; none: parallel axes
+  std::optional<double> friction = std::nullopt;  ///< μ, for the efficiency
+};
+
+/// Completes a place from what is given: Σ absent is 0 where the helices allow it, else that of the
+/// least centre distance; a absent is the one at which `nominal` teeth (without allowances) have no
+/// backlash.
+///
+/// Domain    check_partners found nothing for the gears of `nominal` (contract)
+/// Errors    `pair.shaft_angle_deg`, `profile_shift` when the teeth leave no such place
+Result<PairSpec> complete_place(const BasePair<double>& nominal, std::optional<double> distance,
+                                std::optional<double> shaft_angle);
+
+}  // namespace gearwright

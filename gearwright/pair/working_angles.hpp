@@ -1,0 +1,311 @@
+// Which common rack a pair of gears works with: one unknown, α_n, and what decides it.
+//
+//   Σ given (crossed axes)     closed form                                             [T4.13]
+//   a given (parallel axes)    closed form: Σ says nothing there, it is 0 for every α_n [T4.12]
+//   no backlash, least a       X = 0: one involute equation                            [T4.15]
+//   a given (crossed axes)     none or two α_n, on either side of the least a          [T4.16]
+//   contact ratio ≥ 1          an interval of α_n                                      [T4.23]
+//
+//   g    the gear with the greater |β_b|     α = α_tg, its transverse pressure angle
+//                                              theory: docs/theory/04-conjugate-action.md
+//
+// Everything is smooth in α over 0 < α ≤ π/2, also where β_g reaches 90°; α_n is not such a
+// parameter.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "gearwright/math/newton.hpp"
+#include "gearwright/pair/common_rack.hpp"
+
+namespace gearwright {
+
+/// g: the gear whose helix angle reaches 90° first.
+template <class T>
+int limiting_gear(const BasePair<T>& gears) {
+  using std::abs;
+  return abs(gears[1].helix_angle) > abs(gears[0].helix_angle) ? 1 : 0;
+}
+
+/// The angles at which gear g has the transverse pressure angle α.
+///
+/// Formula   sin α_n = C_g sin α, u_g = C_g cos α, u_o² = u_g² + S_g² − S_o², C = cos β_b; [T4.14]
+template <class T>
+RackAngles<T> angles_at_transverse(const BasePair<T>& gears, const T& sin_alpha,
+                                   const T& cos_alpha) {
+  using std::cos;
+  using std::sin;
+  using std::sqrt;
+  const int g = limiting_gear(gears);
+  const T c_g = cos(gears[g].helix_angle);
+  const T s_g = sin(gears[g].helix_angle);
+  const T s_o = sin(gears[1 - g].helix_angle);
+  RackAngles<T> a;
+  a.sin_alpha = c_g * sin_alpha;
+  a.u[g] = c_g * cos_alpha;
+  a.cos_alpha = sqrt(a.u[g] * a.u[g] + s_g * s_g);
+  // Equal |β_b| give equal u, and no root is taken of what is a square already.
+  const T rest = (s_g - s_o) * (s_g + s_o);
+  a.u[1 - g] = rest == T(0) ? a.u[g] : T(sqrt(a.u[g] * a.u[g] + rest));
+  return a;
+}
+
+template <class T>
+RackAngles<T> angles_at_transverse(const BasePair<T>& gears, const T& alpha) {
+  using std::cos;
+  using std::sin;
+  return angles_at_transverse(gears, T(sin(alpha)), T(cos(alpha)));
+}
+
+/// Parallel axes a apart:  cos α_t = (r_b2 + σ r_b1)/a. [T4.12]
+///
+/// Domain    a > base_radius_sum > 0, |β_b1| = |β_b2| to rounding (contract for the former)
+template <class T>
+RackAngles<T> angles_at_parallel_distance(const BasePair<T>& gears, const T& a) {
+  using std::sqrt;
+  const T sum = base_radius_sum(gears);
+  GW_EXPECTS(sum > T(0) && a > sum);
+  return angles_at_transverse(gears, T(sqrt((a - sum) * (a + sum)) / a), T(sum / a));
+}
+
+/// The shaft angles that a crossed pair can have, rad: both of one sign, ends excluded.
+template <class T>
+struct ShaftAngleRange {
+  T least;     ///< β_b1 + β_b2, as α_n → 0
+  T greatest;  ///< where β_g reaches 90°
+  bool contains(const T& sigma) const {
+    return least < greatest ? least < sigma && sigma < greatest : greatest < sigma && sigma < least;
+  }
+};
+
+/// Formula   cos Σ_max = −S_o/S_g; [T4.13]
+/// Domain    external pair; least = greatest: the axes can only be parallel
+template <class T>
+ShaftAngleRange<T> shaft_angle_range(const BasePair<T>& gears) {
+  using std::acos;
+  using std::sin;
+  const int g = limiting_gear(gears);
+  const T least = gears[0].helix_angle + gears[1].helix_angle;
+  if (least == T(0)) return {least, least};
+  const T greatest = acos(T(-sin(gears[1 - g].helix_angle) / sin(gears[g].helix_angle)));
+  return {least, least > T(0) ? greatest : T(-greatest)};
+}
+
+/// Crossed axes: the one rack that both gears fit under the shaft angle Σ.
+///
+/// Formula   u_1 = (S_2 + S_1 cos Σ)/sin Σ, u_2 likewise, cos² α_n = (S_1² + S_2² + 2 S_1 S_2 cos
+/// Σ)/sin² Σ,
+///           sin² α_n = (cos(β_b1 + β_b2) − cos Σ)(cos Σ + cos(β_b1 − β_b2))/sin² Σ, all written
+///           so that near-parallel axes do not cancel; [T4.13]
+/// Domain    shaft_angle_range contains Σ (contract)
+template <class T>
+RackAngles<T> angles_at_shaft_angle(const BasePair<T>& gears, const T& sigma) {
+  using std::abs;
+  using std::cos;
+  using std::sin;
+  using std::sqrt;
+  GW_EXPECTS(shaft_angle_range(gears).contains(sigma));
+  const T b1 = gears[0].helix_angle;
+  const T b2 = gears[1].helix_angle;
+  const T s1 = sin(b1);
+  const T s2 = sin(b2);
+  const T sum = T(2) * sin((b1 + b2) / T(2)) * cos((b1 - b2) / T(2));  // S_1 + S_2
+  const T half = sin(sigma / T(2));
+  const T versed = T(2) * half * half;  // 1 − cos Σ
+  const T sine = sin(sigma);
+  RackAngles<T> a;
+  a.u = {(sum - s1 * versed) / sine, (sum - s2 * versed) / sine};
+  a.cos_alpha = sqrt(sum * sum - T(2) * s1 * s2 * versed) / abs(sine);
+  const T below = T(2) * sin((sigma + b1 + b2) / T(2)) * sin((sigma - b1 - b2) / T(2));
+  const T above = T(2) * cos((sigma + b1 - b2) / T(2)) * cos((sigma - b1 + b2) / T(2));
+  a.sin_alpha = sqrt(below * above) / abs(sine);
+  return a;
+}
+
+/// The rack at X = 0: of the least centre distance on crossed axes, free of backlash on parallel
+/// ones. Nothing when the teeth are too thin (a ring's too thick) for it.
+///
+/// Formula   Q(α) = 0; [T4.15]. Equal |β_b|: inv α = K/Σ τ d_b cos β_b, no iteration
+/// Domain    internal pairs: equal |β_b|
+/// Accuracy  ledger rows `least_distance.*`
+template <class T>
+std::optional<T> transverse_angle_at_least_distance(const BasePair<T>& gears) {
+  using std::cos;
+  using std::sin;
+  const T excess = base_excess(gears);
+  std::array<T, 2> weight;  // τ d_b cos β_b
+  for (int i : {0, 1})
+    weight[i] = side_of(gears[i]) * T(2) * gears[i].radius * cos(gears[i].helix_angle);
+  const int g = limiting_gear(gears);
+  const T low = excess / (weight[0] + weight[1]);
+  if (!(low > T(0))) return std::nullopt;
+  const T c_g = cos(gears[g].helix_angle);
+  const T k = c_g / cos(gears[1 - g].helix_angle);
+  if (k == T(1) || gears[1].teeth < 0) return inverse_involute(low);
+  const T lo = inverse_involute(low);
+  const T hi = inverse_involute(T(excess / weight[g]));
+  T start = inverse_involute(T(excess / (weight[g] + weight[1 - g] * k * k * k)));
+  if (start < lo) start = lo;
+  if (start > hi) start = hi;
+  const auto f = [&](const T& alpha) {
+    const auto a = angles_at_transverse(gears, alpha);
+    Slope<T> s{excess, T(0)};
+    for (int i : {0, 1}) {
+      using std::atan2;
+      const T t = a.sin_alpha / a.u[i];
+      s.value -= weight[i] * involute(T(atan2(a.sin_alpha, a.u[i])));
+      s.derivative -= weight[i] * t * t * a.u[g] / a.u[i];
+    }
+    return s;
+  };
+  const auto root = newton_in_bracket<T>(f, lo, hi, start, false);
+  GW_ENSURES(root.found());
+  return root.x;
+}
+
+namespace detail {
+
+/// α/sin α and (α − sin α cos α)/sin² α: what a gear adds to a and to the line of action.
+template <class T>
+struct ArcShares {
+  T distance, line;
+};
+template <class T>
+ArcShares<T> arc_shares(const T& sin_t, const T& cos_t) {
+  using std::atan2;
+  const T alpha = atan2(sin_t, cos_t);
+  return {alpha / sin_t, (alpha - sin_t * cos_t) / (sin_t * sin_t)};
+}
+
+/// a(α) and L(α) of the backlash-free pair, with derivatives after α. [T4.11], [T4.22]
+template <class T>
+struct DistanceAndLine {
+  Slope<T> a;
+  Slope<T> line;
+};
+
+template <class T>
+DistanceAndLine<T> distance_and_line(const BasePair<T>& gears, const T& alpha) {
+  using std::cos;
+  using std::sin;
+  const int g = limiting_gear(gears);
+  const T k = base_excess(gears);
+  const auto angles = angles_at_transverse(gears, alpha);
+  const T s = angles.sin_alpha;
+  DistanceAndLine<T> d{{k / (T(2) * s), T(0)},
+                       {k / (T(2) * s * s), -k * angles.u[g] / (s * s * s)}};
+  T q = k;
+  for (int i : {0, 1}) {
+    const T c = cos(gears[i].helix_angle);
+    const T r = gears[i].radius;
+    const T sin_t = s / c;
+    const T cos_t = angles.u[i] / c;
+    const auto share = arc_shares(sin_t, cos_t);
+    const T slope = angles.u[i] == angles.u[g] ? T(1) : T(angles.u[g] / angles.u[i]);
+    d.a.value += r * share.distance;
+    d.line.value += r / c * share.line;
+    d.line.derivative += r / c * T(2) * (T(1) - cos_t * share.line / sin_t) * slope;
+    if (cos_t > T(0)) q -= T(2) * r * c * (sin_t / cos_t - share.distance * sin_t);
+  }
+  d.a.derivative = -q * angles.u[g] / (T(2) * s * s);
+  return d;
+}
+
+}  // namespace detail
+
+/// An end of an interval of α, or nothing; `limit`: the domain ends here, α = π/2.
+template <class T>
+struct AngleInterval {
+  T lo, hi;
+  bool limit = false;
+};
+
+/// Crossed axes: α of the racks whose backlash-free distance is a, ascending: two above the least
+/// distance (the upper one may leave the domain), none below.
+///
+/// Domain    external pair with K > 0 (else a(α) has no minimum, and one solution is given)
+template <class T>
+std::vector<T> transverse_angles_at_distance(const BasePair<T>& gears, const T& a) {
+  using std::asin;
+  using std::atan;
+  using std::cos;
+  using std::sin;
+  const T half_pi = atan(T(1)) * T(2);
+  const auto f = [&](const T& alpha) {
+    Slope<T> s = detail::distance_and_line(gears, alpha).a;
+    s.value -= a;
+    return s;
+  };
+  std::vector<T> found;
+  const auto least = transverse_angle_at_least_distance(gears);
+  T from(0);
+  if (least) {
+    from = *least;
+    if (!(f(from).value < T(0))) return found;
+    // K/(2 sin α_n) alone reaches a at the lower end, and the gears add to it.
+    const T c_g = cos(gears[limiting_gear(gears)].helix_angle);
+    T lo = asin(base_excess(gears) / (T(2) * c_g * a));
+    if (lo > from) lo = from;
+    found.push_back(newton_in_bracket<T>(f, lo, from, T((lo + from) / T(2)), false).x);
+  }
+  if (f(half_pi).value > T(0)) {
+    found.push_back(newton_in_bracket<T>(f, from, half_pi, T((from + half_pi) / T(2)), true).x);
+  }
+  return found;
+}
+
+/// Where the backlash-free pair keeps L ≤ `longest` (and L ≥ 0): the contact ratio is at least 1
+/// when `longest` is what the tips reach less one base pitch. L is convex in α_n, so that it is one
+/// interval.
+///
+/// Formula   L = Σ r_b/cos β_b · (α_t − sin α_t cos α_t)/sin² α_t + K/(2 sin² α_n); [T4.22]
+template <class T>
+std::optional<AngleInterval<T>> transverse_angles_with_line_within(const BasePair<T>& gears,
+                                                                   const T& longest) {
+  using std::atan;
+  const T half_pi = atan(T(1)) * T(2);
+  const T tiny = T(1e-9);  // rad: α_n = 0 is no rack
+  const auto above = [&](const T& limit) {
+    return [&gears, limit](const T& alpha) {
+      Slope<T> s = detail::distance_and_line(gears, alpha).line;
+      s.value -= limit;
+      return s;
+    };
+  };
+  const auto f = above(longest);
+  AngleInterval<T> found{tiny, half_pi, false};
+  T bottom(0);
+  if (base_excess(gears) > T(0)) {
+    // The least L by halving on the sign of its slope, Newton from there on either side.
+    T lo = tiny;
+    T hi = half_pi;
+    for (int i = 0; i < 60 && hi - lo > T(1e-12); ++i) {
+      const T middle = (lo + hi) / T(2);
+      const auto s = f(middle);
+      if (s.value < T(0)) {  // any point below will do
+        lo = hi = middle;
+      } else {
+        (s.derivative < T(0) ? lo : hi) = middle;
+      }
+    }
+    bottom = (lo + hi) / T(2);
+    if (f(bottom).value > T(0)) return std::nullopt;
+    found.lo = newton_in_bracket<T>(f, tiny, bottom, T(bottom * T(0.7)), false).x;
+  } else {
+    const auto zero = above(T(0));
+    if (zero(tiny).value < T(0))
+      found.lo = newton_in_bracket<T>(zero, tiny, half_pi, T(0.3), true).x;
+    bottom = found.lo;
+  }
+  if (f(half_pi).value > T(0)) {
+    found.hi = newton_in_bracket<T>(f, bottom, half_pi, T((bottom + half_pi) / T(2)), true).x;
+  } else {
+    found.limit = true;
+  }
+  return found;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,146 @@
+#include "gearwright/report/crossed_range.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/pair/series.hpp"
+#include "gearwright/report/html_text.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kDegree = 180.0 / std::numbers::pi;
+constexpr double kHalfPi = std::numbers::pi / 2;
+constexpr int kSteps = 240;
+constexpr double kMargin = 0.07;  // of the angles worth showing, on both sides
+// rad. Where a helix reaches 90° its pitch radius is without end; at this distance from there α_n
+// differs by less than 1e-6 rad from its limit.
+constexpr double kBeforeLimit = 1e-3;
+// rad. At the limit itself, which a mounted pair may reach but for rounding, angles have no
+// involute; this near to it a differs by at most r_b times this.
+constexpr double kAtLimit = 1e-8;
+constexpr double kLeastAngle = 2e-3;  // rad, α_wn = 0 is no rack
+
+double deg(double rad) { return kDegree * rad; }
+
+// Transverse angle of the limiting gear; α_n itself is no parameter at the limit.
+double transverse_of(const BasePair<double>& gears, double alpha_n) {
+  const double c_g = std::cos(gears[limiting_gear(gears)].helix_angle);
+  return std::min(kHalfPi - kAtLimit, std::asin(std::min(1.0, std::sin(alpha_n) / c_g)));
+}
+
+std::optional<CrossedSample> sample_at_transverse(const Pair& pair, double alpha) {
+  const BasePair<double>& gears = pair.input.gears;
+  const CrossedPlace place = crossed_place(gears, alpha);
+  if (!shaft_angle_range(gears).contains(place.shaft_angle)) return std::nullopt;
+  MeshInput<double> in = pair.input;
+  in.center_distance = place.center_distance;
+  in.shaft_angle = place.shaft_angle;
+  const Mesh<double> mesh = mesh_of(in);
+  return CrossedSample{place, mesh.path_ratio, face_widths(mesh)};
+}
+
+// The gears as one rack cut them, or nothing.
+std::optional<RackPair<double>> shared_rack(const Pair& pair) {
+  RackPair<double> racks;
+  for (std::size_t i : {0u, 1u}) {
+    const CylindricalSpec& s = pair.gears[i].spec;
+    racks[i] = {
+        s.teeth,         s.normal_module,      s.normal_pressure_angle.rad(), s.helix_angle.rad(),
+        s.profile_shift, s.thickness_allowance};
+  }
+  const auto equal = [](double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(a); };
+  if (!equal(racks[0].normal_module, racks[1].normal_module) ||
+      !equal(racks[0].normal_pressure_angle, racks[1].normal_pressure_angle))
+    return std::nullopt;
+  racks[1].normal_module = racks[0].normal_module;
+  racks[1].normal_pressure_angle = racks[0].normal_pressure_angle;
+  return racks;
+}
+
+}  // namespace
+
+std::optional<CrossedSample> crossed_sample(const Pair& pair, double alpha_n) {
+  GW_EXPECTS(pair.crossed());
+  const BasePair<double>& gears = pair.input.gears;
+  if (!(alpha_n > 0.0) || !has_rack(gears[limiting_gear(gears)], alpha_n)) return std::nullopt;
+  return sample_at_transverse(pair, transverse_of(gears, alpha_n));
+}
+
+std::vector<CrossedSample> crossed_samples(const Pair& pair) {
+  GW_EXPECTS(pair.crossed());
+  const BasePair<double>& gears = pair.input.gears;
+  const double limit = kHalfPi - std::abs(gears[limiting_gear(gears)].helix_angle);
+  std::vector<double> worth{pair.mesh.rack.normal_pressure_angle};
+  if (pair.least_distance) worth.push_back(pair.least_distance->normal_pressure_angle);
+  if (pair.contact_ratio_range) {
+    worth.push_back(pair.contact_ratio_range->lo.normal_pressure_angle);
+    worth.push_back(pair.contact_ratio_range->hi.normal_pressure_angle);
+  }
+  const auto [least, greatest] = std::minmax_element(worth.begin(), worth.end());
+  const double margin =
+      std::max(kMargin * (*greatest - *least), pair.contact_ratio_range ? 0.005 : 0.06);
+  const double lo = std::max(*least - margin, std::min(*least, kLeastAngle));
+  const double hi = std::min(*greatest + margin, limit);
+  const double from = transverse_of(gears, lo);
+  const double to = std::min(transverse_of(gears, hi), kHalfPi - kBeforeLimit);
+  std::vector<CrossedSample> samples;
+  for (int k = 0; k <= kSteps; ++k) {
+    const auto s = sample_at_transverse(pair, from + k * (to - from) / kSteps);
+    if (s) samples.push_back(*s);
+  }
+  GW_ENSURES(samples.size() > 1);
+  return samples;
+}
+
+std::vector<Approximation> approximations(const Pair& pair) {
+  const auto racks = shared_rack(pair);
+  if (!racks || !pair.least_distance) return {};
+  const auto series = least_distance_series(*racks);
+  std::vector<Approximation> all{{"1 term", "1", series.pressure_angle(1)},
+                                 {"2 terms", "2", series.pressure_angle(2)},
+                                 {"3 terms", "3", series.pressure_angle(3)}};
+  if (const auto v = series.virtual_pressure_angle()) all.push_back({"Virtual spur pair", "v", *v});
+  if (const auto v = series.corrected_virtual_pressure_angle())
+    all.push_back({"Virtual, corrected", "v′", *v});
+  std::erase_if(
+      all, [&](const Approximation& a) { return !crossed_sample(pair, a.normal_pressure_angle); });
+  return all;
+}
+
+Axis angle_axis(const std::vector<CrossedSample>& samples, double from, double to) {
+  return {deg(samples.front().place.normal_pressure_angle),
+          deg(samples.back().place.normal_pressure_angle), from, to};
+}
+
+void draw_marked_angles(Svg& svg, const Pair& pair, const Axis& x, double top, double bottom) {
+  if (pair.contact_ratio_range) {
+    const double lo = x(deg(pair.contact_ratio_range->lo.normal_pressure_angle));
+    const double hi = std::min(x(deg(pair.contact_ratio_range->hi.normal_pressure_angle)), x.to);
+    svg.rect(lo, top, hi - lo, bottom - top, "band");
+  }
+  struct Mark {
+    const char* words;
+    const char* style;
+    double at;
+  };
+  std::vector<Mark> marks{{"mounted", "here", deg(pair.mesh.rack.normal_pressure_angle)}};
+  if (pair.least_distance)
+    marks.push_back({"least distance", "least", deg(pair.least_distance->normal_pressure_angle)});
+  std::vector<double> wanted;
+  for (const Mark& m : marks) wanted.push_back(x(m.at));
+  const std::vector<double> placed = spread(wanted, 176.0, x.from + 66.0, x.to - 84.0);
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    svg.polyline({{placed[i], top - 11}, {wanted[i], top - 2}, {wanted[i], bottom}},
+                 marks[i].style);
+    svg.text({placed[i], top - 16}, fmt::format("{} {}°", marks[i].words, fixed(marks[i].at, 3)),
+             Anchor::middle, std::string("tick ") + marks[i].style);
+  }
+}
+
+}  // namespace gearwright

@@ -1,0 +1,69 @@
+// What becomes of a crossed pair over the pressure angle of the rack between its gears: the places
+// it could take free of backlash, and what it would have there. The axis that the pictures of it
+// share.
+//
+//   α_wn  pressure angle of the common rack, the one free parameter     Σ, a  its place
+//   ε     contact ratio, tip to tip       f, f′  face widths, of one flank and of both
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "gearwright/pair/pair.hpp"
+#include "gearwright/report/plot_axis.hpp"
+#include "gearwright/report/svg.hpp"
+
+namespace gearwright {
+
+struct CrossedSample {
+  CrossedPlace place;
+  double contact_ratio;      ///< ε
+  FaceWidths<double> faces;  ///< f, f′
+};
+
+/// The pair free of backlash on the rack with the pressure angle α_wn; nothing where there is no
+/// such rack.
+///
+/// Formula   crossed_place, then mesh_of at that place
+/// Units     rad
+/// Domain    crossed axes (contract)
+std::optional<CrossedSample> crossed_sample(const Pair& pair, double normal_pressure_angle);
+
+/// Samples by growing α_wn over the part worth showing: where ε ≥ 1, the place of the pair and the
+/// least centre distance, with some margin, and no further than racks exist.
+///
+/// Domain    crossed axes (contract)
+/// Laws      at least two samples; the pair's α_wn lies within, to 1e-6 rad
+std::vector<CrossedSample> crossed_samples(const Pair& pair);
+
+/// How the pair's gears would be treated by hand: a name and the α_wn that it gives.
+struct Approximation {
+  const char* name;
+  const char* letter;  ///< in pictures
+  double normal_pressure_angle;
+};
+
+/// The approximate solutions of the least centre distance (pair/series.hpp); none unless both gears
+/// have one rack, module and pressure angle equal to 1e-9 of themselves. Those that lead to no rack
+/// are left out.
+std::vector<Approximation> approximations(const Pair& pair);
+
+/// The α_wn axis of these pictures, in degrees.
+Axis angle_axis(const std::vector<CrossedSample>& samples, double from, double to);
+
+/// The ground of a picture over α_wn: shaded where ε ≥ 1, lines at the least centre distance and at
+/// the pair's place, named above `top`.
+void draw_marked_angles(Svg& svg, const Pair& pair, const Axis& x, double top, double bottom);
+
+/// Values of the samples as a curve over α_wn in degrees.
+template <class Value>
+std::vector<Vec2> over_angle(const std::vector<CrossedSample>& samples, const Value& value) {
+  std::vector<Vec2> points;
+  for (const CrossedSample& s : samples) {
+    points.push_back({Angle::radians(s.place.normal_pressure_angle).deg(), value(s)});
+  }
+  return points;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,89 @@
+#include "gearwright/report/crossed_range.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "gearwright/report/testing/sample_reports.hpp"
+
+namespace gearwright {
+namespace {
+
+constexpr double kDegree = 180 / std::numbers::pi;
+
+TEST(CrossedRangePicture, SamplesAreThePairAtItsPlaces) {
+  for (const Pair& pair : testing::crossed_pairs()) {
+    const auto samples = crossed_samples(pair);
+    ASSERT_GT(samples.size(), 100u);
+    const double here = pair.mesh.rack.normal_pressure_angle;
+    EXPECT_LT(samples.front().place.normal_pressure_angle, here);
+    EXPECT_GT(samples.back().place.normal_pressure_angle, here);
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+      EXPECT_LT(samples[i - 1].place.normal_pressure_angle, samples[i].place.normal_pressure_angle);
+    }
+    // At the pair's own α_wn: its shaft angle, and its distance free of backlash.
+    const auto s = crossed_sample(pair, here);
+    ASSERT_TRUE(s.has_value());
+    EXPECT_NEAR(s->place.shaft_angle, pair.shaft_angle(), 1e-12);
+    EXPECT_NEAR(s->place.center_distance, *pair.backlash_free_center_distance, 1e-9);
+    // Nothing anywhere below the least centre distance.
+    ASSERT_TRUE(pair.least_distance.has_value());
+    for (const CrossedSample& each : samples)
+      EXPECT_GE(each.place.center_distance, pair.least_distance->center_distance - 1e-10);
+  }
+}
+
+TEST(CrossedRangePicture, ContactRatioIsOneAtTheEndsOfTheRange) {
+  const Pair pair = testing::crossed_pair();
+  ASSERT_TRUE(pair.contact_ratio_range.has_value());
+  const CrossedPlaces& range = *pair.contact_ratio_range;
+  for (const CrossedPlace& end : {range.lo, range.hi}) {
+    const auto s = crossed_sample(pair, end.normal_pressure_angle);
+    ASSERT_TRUE(s.has_value());
+    EXPECT_NEAR(s->contact_ratio, 1.0, 1e-9);
+  }
+  const auto least = crossed_sample(pair, pair.least_distance->normal_pressure_angle);
+  EXPECT_NEAR(least->contact_ratio, 1.7309, 1e-4);
+}
+
+TEST(CrossedRangePicture, NoRackBeyondTheLimit) {
+  const Pair pair = testing::worm_pair();
+  const double limit = std::numbers::pi / 2 - pair.input.gears[0].helix_angle;
+  EXPECT_TRUE(crossed_sample(pair, limit - 1e-6).has_value());
+  EXPECT_FALSE(crossed_sample(pair, limit + 1e-6).has_value());
+  EXPECT_FALSE(crossed_sample(pair, 0.0).has_value());
+  EXPECT_LT(crossed_samples(pair).back().place.normal_pressure_angle, limit);
+}
+
+// A spur gear and one of 0.3° stand at nearly 90° where the latter's helix angle reaches 90°.
+TEST(CrossedRangePicture, AtTheLimitItself) {
+  const Pair pair = testing::crossed_sample_pair(
+      testing::sample_gear(17, 2, 0.3, 0.6), testing::sample_gear(17, 2, 0, 0.6), 90 - 1e-6, 0.0);
+  const auto s = crossed_sample(pair, pair.mesh.rack.normal_pressure_angle);
+  ASSERT_TRUE(s.has_value());
+  // Not nearer than 1e-8 rad to the limit, where a changes by r_b per rad.
+  EXPECT_NEAR(s->place.center_distance, *pair.backlash_free_center_distance,
+              1e-8 * pair.input.gears[0].radius);
+  EXPECT_GT(crossed_samples(pair).size(), 100u);
+}
+
+TEST(CrossedRangePicture, ApproximationsOfTheExample) {
+  const Pair pair = testing::crossed_pair();
+  const auto all = approximations(pair);
+  ASSERT_EQ(all.size(), 5u);
+  // 18° 42' 13.9" by three terms, 18° 43' 15.4" by the virtual pair, 18° 42' 18.6" corrected, from
+  // the example's table of data.
+  EXPECT_NEAR(kDegree * all[2].normal_pressure_angle, 18 + (42 + 13.9 / 60) / 60, 0.05 / 3600);
+  EXPECT_NEAR(kDegree * all[3].normal_pressure_angle, 18 + (43 + 15.4 / 60) / 60, 0.05 / 3600);
+  EXPECT_NEAR(kDegree * all[4].normal_pressure_angle, 18 + (42 + 18.6 / 60) / 60, 0.05 / 3600);
+  EXPECT_TRUE(
+      approximations(
+          testing::crossed_sample_pair(
+              testing::gear_as_itself(9, 37.4892228898867, 7.263, 47.408, 46.65, 24),
+              testing::gear_as_itself(15, 52.6687933717901, 7.618, 36.595, 65.27, 24, 21), 90))
+          .empty());
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,179 @@
+#include "gearwright/report/face_picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/report/crossed_range.hpp"
+#include "gearwright/report/html_text.hpp"
+#include "gearwright/report/plot_axis.hpp"
+#include "gearwright/report/svg.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kWidth = 640.0;
+constexpr double kLeft = 58.0;
+constexpr double kRight = 18.0;
+constexpr double kTop = 58.0;
+constexpr double kPlot = 230.0;
+constexpr double kHeight = kTop + kPlot + 50.0;
+
+const std::array<const char*, 2> kInk{"g1", "g2"};
+
+double deg(double rad) { return Angle::radians(rad).deg(); }
+
+// Up to what is needed or there; further only as far as the curves go within ε ≥ 1, but no more
+// than twice that: f′ grows beyond all bounds where the lines of action wander along the teeth.
+double most_shown(const Pair& pair, const std::vector<CrossedSample>& samples) {
+  double there = 0.0;
+  double curves = 0.0;
+  for (int i : {0, 1}) {
+    there = std::max({there, pair.input.face_width[i], pair.face_widths->both_flanks[i]});
+    for (const CrossedSample& s : samples) {
+      if (s.contact_ratio >= 1.0) curves = std::max(curves, s.faces.both_flanks[i]);
+    }
+  }
+  return 1.12 * std::max(there, std::min(curves, 1.8 * there));
+}
+
+std::string widths_svg(const Pair& pair) {
+  const std::vector<CrossedSample> samples = crossed_samples(pair);
+  const Axis x = angle_axis(samples, kLeft, kWidth - kRight);
+  const Axis y{0.0, most_shown(pair, samples), kTop + kPlot, kTop};
+  Svg svg("widths", kWidth, kHeight, "Face widths over the pressure angle of the common rack",
+          "Face widths that one flank and both flanks of each gear need, over the normal pressure "
+          "angle of the common rack, with the actual face widths as lines.");
+  draw_foot(svg, x, kTop, kTop + kPlot, 8,
+            "working normal pressure angle " + symbol_svg("α_wn") + ", °");
+  draw_marked_angles(svg, pair, x, kTop, kTop + kPlot);
+  draw_rows(svg, x, y, 5);
+  svg.text({x.from, kTop - 36}, "face widths, mm", Anchor::start, "panel");
+  const Vec2 here(x(deg(pair.mesh.rack.normal_pressure_angle)), 0.0);
+  svg.begin_clip(x.from, kTop, x.to - x.from, kPlot);
+  for (const std::size_t i : {0u, 1u}) {
+    const auto one = [&](const CrossedSample& s) { return s.faces.one_flank[i]; };
+    const auto both = [&](const CrossedSample& s) { return s.faces.both_flanks[i]; };
+    draw_curve(svg, x, y, over_angle(samples, one), std::string("curve ") + kInk[i]);
+    draw_curve(svg, x, y, over_angle(samples, both), std::string("curve dash ") + kInk[i]);
+  }
+  svg.end_group();
+  // The faces as they are; equal ones share a line.
+  const bool equal = pair.input.face_width[0] == pair.input.face_width[1];
+  std::vector<double> wanted;
+  for (const std::size_t i : {0u, 1u}) wanted.push_back(y(pair.input.face_width[i]) - 5.0);
+  const std::vector<double> placed = spread(wanted, equal ? 0.0 : 16.0, kTop + 10, kTop + kPlot);
+  for (const std::size_t i : {0u, 1u}) {
+    if (equal && i == 1) break;
+    const double at = y(pair.input.face_width[i]);
+    svg.line({x.from, at}, {x.to, at}, equal ? "face-line" : std::string("face-line ") + kInk[i]);
+    const std::string words = symbol_svg(equal    ? "b_1"
+                                         : i == 0 ? "b_1"
+                                                  : "b_2") +
+                              (equal ? " = " + symbol_svg("b_2") : "") + " = " +
+                              fixed(pair.input.face_width[i], 2);
+    svg.text({x.to - 6, placed[i]}, words, Anchor::end,
+             std::string("halo ") + (equal ? "" : kInk[i]));
+  }
+  for (const std::size_t i : {0u, 1u}) {
+    if (!pair.flanks_meet()) break;
+    for (const double f : {pair.face_widths->one_flank[i], pair.face_widths->both_flanks[i]}) {
+      if (f <= y.hi) svg.dot({here.x(), y(f)}, 3.2, std::string("mark ") + kInk[i]);
+    }
+  }
+  return svg.str();
+}
+
+constexpr double kStrip = 34.0;  // px, height of a face
+constexpr double kRow = 104.0;
+constexpr double kFacesTop = 30.0;
+constexpr double kFacesHeight = kFacesTop + 2 * kRow + 40.0;
+
+// A line's part of the face: what the tips reach, and within it what flanks and faces leave.
+void draw_use(Svg& svg, const Pair& pair, std::size_t i, bool leading, const Axis& x, double y) {
+  const Mesh<double>& m = pair.mesh;
+  const double sign = leading ? 1.0 : -1.0;
+  const auto at = [&](double rho1) { return x(sign * axial_place(m, rho1)[i]); };
+  const double A = at(m.rho1_A);
+  const double E = at(m.rho1_E);
+  const char* style = leading ? "action" : "trailing";
+  svg.line({A, y}, {E, y}, std::string(style) + "-line reached");
+  if (m.rho1_true_begin < m.rho1_true_end)
+    svg.line({at(m.rho1_true_begin), y}, {at(m.rho1_true_end), y}, style);
+  const std::string dot = std::string("mark ") + style + "-dot";
+  const double side = A <= E ? -1.0 : 1.0;
+  const auto label = [&](double px, const char* letter, double to) {
+    svg.dot({px, y}, 3.0, dot);
+    svg.text({px, y}, letter, to < 0 ? Anchor::end : Anchor::start, "letter halo", {8.0 * to, 5.0});
+  };
+  label(A, leading ? "A" : "A′", side);
+  label(E, leading ? "E" : "E′", -side);
+}
+
+std::string faces_svg(const Pair& pair) {
+  double reach = 0.0;
+  for (const std::size_t i : {0u, 1u}) {
+    reach = std::max({reach, pair.input.face_width[i] / 2, pair.face_widths->both_flanks[i] / 2});
+  }
+  const Axis x{-1.1 * reach, 1.1 * reach, kLeft + 14, kWidth - kRight};
+  Svg svg("faces", kWidth, kFacesHeight, "Faces and the lines of action on them",
+          "For each gear its face from end to end, and the parts that the leading and the trailing "
+          "line of action use.");
+  const double bottom = kFacesHeight - 46.0;
+  draw_foot(svg, x, kFacesTop - 14, bottom, 8,
+            "along each gear’s axis from the common perpendicular, mm");
+  for (const std::size_t i : {0u, 1u}) {
+    const double top = kFacesTop + static_cast<double>(i) * kRow;
+    const double half = pair.input.face_width[i] / 2;
+    svg.rect(x(-half), top, x(half) - x(-half), 2 * kStrip, std::string("face ") + kInk[i]);
+    svg.text({8, top + kStrip + 4}, fmt::format("Gear {}", i + 1), Anchor::start,
+             std::string("panel ") + kInk[i]);
+    draw_use(svg, pair, i, true, x, top + kStrip / 2);
+    draw_use(svg, pair, i, false, x, top + 3 * kStrip / 2);
+  }
+  svg.line({x(0), kFacesTop - 14}, {x(0), bottom}, "thin dashdot");
+  return svg.str();
+}
+
+// What falls outside, in words.
+std::string beyond(const Pair& pair) {
+  std::string text;
+  for (const std::size_t i : {0u, 1u}) {
+    const double more = (pair.face_widths->both_flanks[i] - pair.input.face_width[i]) / 2;
+    if (more > 0.0)
+      text +=
+          fmt::format(" Gear {}: its lines reach {} mm beyond the face.", i + 1, fixed(more, 2));
+  }
+  return text.empty() ? " Both faces hold both lines." : text;
+}
+
+}  // namespace
+
+std::string face_width_figure(const Pair& pair) {
+  GW_EXPECTS(pair.crossed());
+  return fmt::format(
+      "<figure>{}<figcaption><strong>Face widths</strong> that the lines of action ask for, free "
+      "of backlash: full for one flank ({}), dashed for both flanks about the common perpendicular "
+      "({}). <span class=\"key\"><i class=\"swatch g1\"></i>gear 1</span> <span "
+      "class=\"key\"><i class=\"swatch g2\"></i>gear 2</span>{}{}</figcaption></figure>\n",
+      widths_svg(pair), symbol_html("f"), symbol_html("f′"),
+      pair.flanks_meet() ? " Dots: as mounted." : "",
+      pair.contact_ratio_range ? " Shaded: the contact ratio is at least 1." : "");
+}
+
+std::string face_use_figure(const Pair& pair) {
+  GW_EXPECTS(pair.crossed() && pair.flanks_meet());
+  return fmt::format(
+      "<figure>{}<figcaption><strong>Use of the faces</strong> as mounted. <span class=\"key\"><i "
+      "class=\"swatch action\"></i>leading flanks A–E</span> <span class=\"key\"><i "
+      "class=\"swatch trailing\"></i>trailing flanks A′–E′</span> Thick: within usable flanks and "
+      "faces.{}</figcaption></figure>\n",
+      faces_svg(pair), beyond(pair));
+}
+
+}  // namespace gearwright

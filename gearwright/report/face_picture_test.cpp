@@ -1,0 +1,46 @@
+#include "gearwright/report/face_picture.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "gearwright/report/testing/sample_reports.hpp"
+
+namespace gearwright {
+namespace {
+
+TEST(FacePicture, SaysWhatLiesBeyondTheFaces) {
+  EXPECT_NE(face_use_figure(testing::crossed_pair()).find("Both faces hold both lines."),
+            std::string::npos);
+  const Pair askew = testing::nearly_parallel_pair();
+  const std::string text = face_use_figure(askew);
+  const double more = (askew.face_widths->both_flanks[0] - 20.0) / 2;
+  char words[80];
+  std::snprintf(words, sizeof words, "Gear 1: its lines reach %.2f mm beyond the face.", more);
+  EXPECT_NE(text.find(words), std::string::npos) << words;
+  EXPECT_EQ(text.find("Both faces"), std::string::npos);
+}
+
+TEST(FacePicture, EqualFacesShareALine) {
+  const auto labels = [](const Pair& pair) {
+    const std::string text = face_width_figure(pair);
+    std::size_t n = 0;
+    for (std::size_t at = text.find("\"face-line"); at != text.npos;
+         at = text.find("\"face-line", at + 1))
+      ++n;
+    return n;
+  };
+  EXPECT_EQ(labels(testing::crossed_pair()), 1u);
+  const Pair unequal = testing::crossed_sample_pair(
+      testing::gear_as_itself(9, 37.4892228898867, 7.263, 47.408, 46.65, 15),
+      testing::gear_as_itself(15, 52.6687933717901, 7.618, 36.595, 65.27, 12), 90);
+  EXPECT_EQ(labels(unequal), 2u);
+}
+
+TEST(FacePicture, WithoutContactThereAreNoDots) {
+  EXPECT_EQ(face_width_figure(testing::crossed_apart()).find("Dots"), std::string::npos);
+  EXPECT_NE(face_width_figure(testing::crossed_pair()).find("Dots"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace gearwright

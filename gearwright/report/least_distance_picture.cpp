@@ -1,0 +1,133 @@
+#include "gearwright/report/least_distance_picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/report/crossed_range.hpp"
+#include "gearwright/report/html_text.hpp"
+#include "gearwright/report/plot_axis.hpp"
+#include "gearwright/report/svg.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kWidth = 640.0;
+constexpr double kLeft = 70.0;
+constexpr double kRight = 18.0;
+constexpr double kTop = 54.0;
+constexpr double kPlot = 150.0;
+constexpr double kHeight = kTop + kPlot + 50.0;
+constexpr int kSteps = 80;
+// µm. What the solutions differ by; centre distances carry 1e-11 µm of rounding.
+constexpr double kWorthShowing = 1e-6;
+
+constexpr double kSameAngle = 1e-9;  // rad, 0.0002″
+
+double deg(double rad) { return Angle::radians(rad).deg(); }
+
+// µm of centre distance at α_wn (degrees) above the least.
+double above_least(const Pair& pair, double degrees) {
+  const auto s = crossed_sample(pair, Angle::degrees(degrees).rad());
+  return s ? 1e3 * (s->place.center_distance - pair.least_distance->center_distance) : 0.0;
+}
+
+std::string zoom_svg(const Pair& pair, const std::vector<Approximation>& all) {
+  const double exact = deg(pair.least_distance->normal_pressure_angle);
+  std::vector<double> angles{exact};
+  for (const Approximation& a : all) angles.push_back(deg(a.normal_pressure_angle));
+  const auto [least, greatest] = std::minmax_element(angles.begin(), angles.end());
+  const double reach = std::max(*greatest - *least, 1e-9);
+  const Axis x{*least - 0.12 * reach, *greatest + 0.12 * reach, kLeft, kWidth - kRight};
+  double most = 0.0;
+  std::vector<Vec2> curve;
+  for (int k = 0; k <= kSteps; ++k) {
+    const double v = x.lo + k * (x.hi - x.lo) / kSteps;
+    if (!crossed_sample(pair, Angle::degrees(v).rad())) continue;
+    curve.push_back({v, above_least(pair, v)});
+  }
+  for (const double a : angles) most = std::max(most, above_least(pair, a));
+  if (most < kWorthShowing) return {};
+  const Axis y{-0.06 * most, 1.25 * most, kTop + kPlot, kTop};
+  Svg svg("least", kWidth, kHeight, "The least centre distance and its approximations",
+          "Centre distance above the least one over the normal pressure angle of the common rack, "
+          "near the least centre distance; marks at the exact and the approximate solutions.");
+  draw_foot(svg, x, kTop, kTop + kPlot, 6,
+            "working normal pressure angle " + symbol_svg("α_wn") + ", °");
+  draw_rows(svg, x, y, 4);
+  svg.text({x.from, kTop - 37}, symbol_svg("a") + " above the least, µm", Anchor::start, "panel");
+  svg.begin_clip(x.from, kTop, x.to - x.from, kPlot);
+  draw_curve(svg, x, y, curve, "curve ink");
+  svg.end_group();
+  std::vector<double> wanted;
+  for (const double a : angles) wanted.push_back(x(a));
+  const std::vector<double> placed = spread(wanted, 20.0, x.from + 8, x.to - 8);
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    const Vec2 at(wanted[i], y(above_least(pair, angles[i])));
+    svg.polyline({{placed[i], kTop - 4}, {wanted[i], kTop + 9}, at}, "leader");
+    svg.text({placed[i], kTop - 9}, i == 0 ? "0" : all[i - 1].letter, Anchor::middle, "letter");
+    svg.dot(at, i == 0 ? 3.4 : 4.0, i == 0 ? "mark" : "mark ring");
+  }
+  return svg.str();
+}
+
+std::string table_row(const Pair& pair, const std::string& name, double angle) {
+  const auto s = crossed_sample(pair, angle);
+  GW_EXPECTS(s.has_value());  // of approximations(), or the exact one
+  const double off = s->place.center_distance - pair.least_distance->center_distance;
+  const double seconds = 3600 * deg(angle - pair.least_distance->normal_pressure_angle);
+  std::string text = fmt::format("<tr><th scope=\"row\">{}</th>", escaped(name));
+  for (const std::string& value :
+       {fixed(deg(angle), kAngleDigits), fixed(seconds, 1),
+        fixed(deg(s->place.shaft_angle), kAngleDigits),
+        fixed(s->place.center_distance, kLengthDigits), fixed(1e3 * off, 4)}) {
+    text += fmt::format("<td class=\"value\">{}</td>", value);
+  }
+  return text + "</tr>\n";
+}
+
+}  // namespace
+
+std::string least_distance_figure(const Pair& pair) {
+  GW_EXPECTS(pair.crossed());
+  const std::vector<Approximation> all = approximations(pair);
+  const std::string zoom = all.empty() ? std::string() : zoom_svg(pair, all);
+  if (zoom.empty()) return {};
+  return fmt::format(
+      "<figure>{}<figcaption><strong>The least centre distance, approximately</strong>: 0 exact, 1 "
+      "to 3 terms of the series, v the virtual spur pair, v′ the same corrected. The curve is the "
+      "exact distance at each angle: near its least it hardly changes.</figcaption></figure>\n",
+      zoom);
+}
+
+std::string least_distance_table(const Pair& pair) {
+  GW_EXPECTS(pair.crossed());
+  const std::vector<Approximation> all = approximations(pair);
+  if (all.empty()) return {};
+  const double exact = pair.least_distance->normal_pressure_angle;
+  const bool one = std::all_of(all.begin(), all.end(), [&](const Approximation& a) {
+    return std::abs(a.normal_pressure_angle - exact) < kSameAngle;
+  });
+  if (one) {
+    return "<p>The profile shifts of the teeth as cut make nothing together: the least centre "
+           "distance is that on the rack which cut both gears, and every approximation says "
+           "so.</p>\n";
+  }
+  std::string text = fmt::format(
+      "<div class=\"scroll\"><table>\n<caption>Least centre distance, exact and by "
+      "approximation</caption>\n<thead><tr><th scope=\"col\">Solution</th>"
+      "<th scope=\"col\" class=\"value\">{0}, °</th><th scope=\"col\" class=\"value\">Δ{0}, "
+      "″</th><th scope=\"col\" class=\"value\">{1}, °</th><th scope=\"col\" class=\"value\">"
+      "{2}, mm</th><th scope=\"col\" class=\"value\">Δ{2}, µm</th></tr></thead>\n"
+      "<tbody>\n",
+      symbol_html("α_wn"), symbol_html("Σ"), symbol_html("a"));
+  text += table_row(pair, "Exact", exact);
+  for (const Approximation& a : all) text += table_row(pair, a.name, a.normal_pressure_angle);
+  return text + "</tbody></table></div>\n";
+}
+
+}  // namespace gearwright

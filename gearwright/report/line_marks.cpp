@@ -1,0 +1,112 @@
+#include "gearwright/report/line_marks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/report/html_text.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kRoom = 21.0;   // px along a line between two letters
+constexpr double kAside = 16.0;  // px from the line to the middle of a letter
+
+constexpr double kTouching = 2.0;  // px
+constexpr double kFar = 3.2;       // path lengths
+
+struct Mark {
+  const char* letter;
+  double rho1;
+  const char* style;
+};
+
+std::vector<Mark> marks_of(const Pair& pair, bool leading) {
+  const Mesh<double>& m = pair.mesh;
+  const char* end = leading ? "mark action-dot" : "mark trailing-dot";
+  std::vector<Mark> marks{{leading ? "A" : "A′", m.rho1_A, end},
+                          {leading ? "E" : "E′", m.rho1_E, end},
+                          {leading ? "T_1" : "T_1′", 0.0, "mark hollow"},
+                          {leading ? "T_2" : "T_2′", m.base_tangent_distance, "mark hollow"}};
+  if (leading) marks.push_back({"C", m.rho1_C, "mark pitch-dot"});
+  std::sort(marks.begin(), marks.end(),
+            [](const Mark& a, const Mark& b) { return a.rho1 < b.rho1; });
+  return marks;
+}
+
+// The side of its line on which a letter at p stands: away from the other line. Where they coincide
+// the leading line's letters stand above, the trailing one's below.
+Vec2 letter_side(const Vec2& p, const Vec2& along, const Vec2& other_from, const Vec2& other_along,
+                 bool leading) {
+  const Vec2 across(-along.y(), along.x());
+  const Vec2 other_across(-other_along.y(), other_along.x());
+  const double away = (p - other_from).dot(other_across);  // px from the other line
+  const double side = std::abs(away) > kTouching ? away * other_across.dot(across)
+                                                 : (leading ? -1.0 : 1.0) * across.y();
+  return side < 0.0 ? Vec2(-across) : across;
+}
+
+}  // namespace
+
+std::vector<double> line_ends(const Pair& pair) {
+  GW_EXPECTS(pair.crossed());
+  const Mesh<double>& m = pair.mesh;
+  std::vector<double> ends{m.rho1_A, m.rho1_E};
+  for (const double rho1 : {0.0, m.base_tangent_distance, m.rho1_C}) {
+    const double away = std::min(std::abs(rho1 - m.rho1_A), std::abs(rho1 - m.rho1_E));
+    if (away < kFar * std::abs(m.path_length)) ends.push_back(rho1);
+  }
+  return ends;
+}
+
+void draw_lines_of_action(Svg& svg, const Pair& pair,
+                          const std::function<Vec2(const Point<Housing>&)>& on, Lines lines) {
+  const Mesh<double>& m = pair.mesh;
+  const std::array<double, 5> ends{m.rho1_A, m.rho1_E, 0.0, m.base_tangent_distance, m.rho1_C};
+  const auto [from, to] = std::minmax_element(ends.begin(), ends.end());
+  for (const bool leading : {false, true}) {
+    if (!leading && lines == Lines::leading) continue;
+    const auto at = [&](double rho1) {
+      return on(leading ? pair.on_line_of_action(rho1) : pair.on_trailing_line(rho1));
+    };
+    const char* style = leading ? "action" : "trailing";
+    svg.line(at(*from), at(*to), std::string(style) + "-line");
+    if (pair.flanks_meet()) {
+      svg.line(at(m.rho1_A), at(m.rho1_E), std::string(style) + " reached");
+      if (m.rho1_true_begin < m.rho1_true_end)
+        svg.line(at(m.rho1_true_begin), at(m.rho1_true_end), style);
+    }
+  }
+  for (const bool leading : {false, true}) {
+    if (!leading && lines == Lines::leading) continue;
+    const auto at = [&](double rho1) {
+      return on(leading ? pair.on_line_of_action(rho1) : pair.on_trailing_line(rho1));
+    };
+    const Vec2 along = (at(*to) - at(*from)).normalized();
+    const auto other = [&](double rho1) {
+      return on(leading ? pair.on_trailing_line(rho1) : pair.on_line_of_action(rho1));
+    };
+    const Vec2 other_along = (other(*to) - other(*from)).normalized();
+    const std::vector<Mark> marks = marks_of(pair, leading);
+    std::vector<double> wanted;
+    for (const Mark& mark : marks) wanted.push_back(at(mark.rho1).dot(along));
+    const std::vector<double> placed = spread(wanted, kRoom, -1e9, 1e9);
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+      const Vec2 p = at(marks[i].rho1);
+      svg.dot(p, 3.4, marks[i].style);
+      svg.text(p, symbol_svg(marks[i].letter), Anchor::middle, "letter halo",
+               kAside * letter_side(p, along, other(*from), other_along, leading) +
+                   (placed[i] - wanted[i]) * along + Vec2(0.0, 5.0));
+    }
+  }
+}
+
+std::string line_key() {
+  return "<span class=\"key\"><i class=\"swatch action\"></i>leading line A–E</span> <span "
+         "class=\"key\"><i class=\"swatch trailing\"></i>trailing line A′–E′</span> A: tip of gear "
+         "2, E: tip of gear 1, C: pitch point of gear 1, T: base tangent points.";
+}
+
+}  // namespace gearwright

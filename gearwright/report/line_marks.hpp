@@ -1,0 +1,31 @@
+// Both lines of action of a crossed pair in a picture: drawn and lettered in whatever view.
+//
+//   A, E    ends of the leading line: tip of gear 2, tip of gear 1      C  pitch point of gear 1
+//   A′ …    the same of the trailing line                    T_1, T_2  base tangent points
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "gearwright/base/vector.hpp"
+#include "gearwright/pair/pair.hpp"
+#include "gearwright/report/svg.hpp"
+
+namespace gearwright {
+
+/// ρ_1 of what a picture should hold: A, E, and C and the base tangent points unless far from them.
+std::vector<double> line_ends(const Pair& pair);
+
+enum class Lines { leading, both };
+
+/// Draws the lines; `on` carries the housing to px. Letters stay off the lines and each other: at
+/// each point they stand on the side away from the other line.
+void draw_lines_of_action(Svg& svg, const Pair& pair,
+                          const std::function<Vec2(const Point<Housing>&)>& on,
+                          Lines lines = Lines::both);
+
+/// The words for a caption (HTML).
+std::string line_key();
+
+}  // namespace gearwright

@@ -1,0 +1,43 @@
+#include "gearwright/report/line_marks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "gearwright/report/testing/sample_reports.hpp"
+
+namespace gearwright {
+namespace {
+
+std::string drawn(const Pair& pair, Lines lines) {
+  Svg svg("x", 400, 400, "t", "d");
+  draw_lines_of_action(
+      svg, pair, [](const Point<Housing>& p) { return Vec2(10 * p.r.y(), 10 * p.r.z()); }, lines);
+  return svg.str();
+}
+
+TEST(LineMarksPicture, BaseTangentsFarFromTheLineAreLeftOut) {
+  EXPECT_EQ(line_ends(testing::crossed_pair()).size(), 5u);
+  // A worm and 300 teeth: T_1 and T_2 lie three and eight lengths of the path away.
+  const Pair worm = testing::crossed_sample_pair(testing::sample_gear(1, 2, 86, 0),
+                                                 testing::sample_gear(300, 2, 4, 0), 90);
+  EXPECT_EQ(line_ends(worm).size(), 4u);
+}
+
+TEST(LineMarksPicture, ThickWhereFlanksAndFacesAreUsed) {
+  const auto thick = [](const std::string& text) {
+    return text.find("class=\"action\"") != text.npos;
+  };
+  EXPECT_TRUE(thick(drawn(testing::crossed_pair(), Lines::both)));
+  EXPECT_FALSE(thick(drawn(testing::nearly_parallel_pair(), Lines::both)));  // beyond the faces
+  EXPECT_FALSE(thick(drawn(testing::crossed_apart(), Lines::both)));         // out of reach
+}
+
+TEST(LineMarksPicture, LeadingLineAlone) {
+  const Pair pair = testing::crossed_pair();
+  EXPECT_NE(drawn(pair, Lines::both).find("E′"), std::string::npos);
+  EXPECT_EQ(drawn(pair, Lines::leading).find("E′"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace gearwright

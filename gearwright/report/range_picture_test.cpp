@@ -1,0 +1,51 @@
+#include "gearwright/report/range_picture.hpp"
+
+#include <gtest/gtest.h>
+
+#include "gearwright/report/testing/sample_reports.hpp"
+#include "gearwright/report/testing/strict_html.hpp"
+
+namespace gearwright {
+namespace {
+
+std::size_t count(const std::string& text, const std::string& what) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + 1)) ++n;
+  return n;
+}
+
+TEST(RangePicture, ThreeCurvesAndTheirMarks) {
+  const std::string text = range_figure(testing::crossed_pair());
+  EXPECT_EQ(count(text, "<polyline class=\"curve ink\""), 3u);
+  EXPECT_EQ(count(text, "class=\"band\""), 1u);
+  EXPECT_EQ(count(text, "mark action-dot"), 3u);
+  EXPECT_EQ(count(text, "mark ring"), 15u);  // five approximations in three panels
+  EXPECT_NE(text.find(">50.0100<"), text.npos);
+  EXPECT_NE(text.find(">90.0000<"), text.npos);
+  EXPECT_NE(text.find(">1.731<"), text.npos);
+  EXPECT_NE(text.find("mounted 18.684°"), text.npos);
+  EXPECT_NE(text.find("least distance 18.702°"), text.npos);
+}
+
+TEST(RangePicture, IsWellFormedForEveryPair) {
+  for (const Pair& pair : testing::crossed_pairs()) {
+    const auto facts =
+        testing::StrictHtml::read("<!DOCTYPE html>\n<div>" + range_figure(pair) + "</div>");
+    for (const std::string& fault : facts.faults) ADD_FAILURE() << fault;
+  }
+}
+
+// Tips so short that the contact ratio reaches 1 nowhere: nothing is shaded, the curves are there.
+TEST(RangePicture, WithoutAnIntervalOfContact) {
+  const Pair pair = testing::crossed_sample_pair(
+      testing::gear_as_itself(9, 37.4892228898867, 7.263, 47.408, 42.5, 24),
+      testing::gear_as_itself(15, 52.6687933717901, 7.618, 36.595, 59.5, 24), 90);
+  ASSERT_FALSE(pair.contact_ratio_range.has_value());
+  const std::string text = range_figure(pair);
+  EXPECT_EQ(count(text, "class=\"band\""), 0u);
+  EXPECT_EQ(count(text, "<polyline class=\"curve ink\""), 3u);
+  EXPECT_NE(text.find("reaches 1 nowhere"), text.npos);
+}
+
+}  // namespace
+}  // namespace gearwright
