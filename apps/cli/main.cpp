@@ -23,6 +23,8 @@ constexpr const char* kIntroduction =
     "SVG\n"
     "  gearwright gear pair.toml             diameters, thicknesses, limits of each gear\n"
     "  gearwright pair pair.toml --json      the mounted pair, as JSON\n"
+    "  gearwright measure pair.toml          the calliper's settings\n"
+    "  gearwright fit wish.toml              gears for a centre distance and a shaft angle\n"
     "  gearwright outline pair.toml --gear 1 --points 200 --json\n"
     "  gearwright export pair.toml --step both.step --dxf pinion.dxf --gear 1\n"
     "  gearwright verify cases.json          published numbers against ours\n\n"
@@ -31,8 +33,7 @@ constexpr const char* kIntroduction =
     "  teeth = 17\n"
     "  normal_module_mm = 2.5\n";
 
-constexpr const char* kNotHere[] = {"measure", "contact",  "compensate",
-                                    "fit",     "identify", "search"};
+constexpr const char* kNotHere[] = {"contact", "compensate", "identify", "search"};
 
 CLI::App* verb(CLI::App& app, Options& o, const char* name, const char* what, const char* example) {
   CLI::App* sub = app.add_subcommand(name, what);
@@ -78,6 +79,9 @@ int main(int argc, char** argv) {
            "gearwright gear examples/helical_pair.toml --json");
   spec_argument(gear, o);
 
+  gear->add_option("--as-rack", o.as_rack,
+                   "MODULE,ANGLE: the same teeth as that rack describes them; one may be empty");
+
   CLI::App* outline =
       verb(app, o, "outline", "Points of the transverse tooth outline, per named arc",
            "gearwright outline examples/helical_pair.toml --gear 2 --points 100");
@@ -90,6 +94,17 @@ int main(int argc, char** argv) {
       verb(app, o, "pair", "The mounted pair: distances, angles, contact ratios, backlash, sliding",
            "gearwright pair examples/helical_pair.toml");
   spec_argument(pair, o);
+
+  CLI::App* measure = verb(app, o, "measure", "Chordal tooth thickness, the calliper's settings",
+                           "gearwright measure examples/helical_pair.toml");
+  spec_argument(measure, o);
+
+  CLI::App* fit = verb(app, o, "fit",
+                       "Gears for a place, or places for gears: what the spec leaves out is found",
+                       "gearwright fit examples/crossed_fit.toml");
+  spec_argument(fit, o);
+  fit->add_option("--take", o.take, "Print the spec of this branch and nothing else")
+      ->check(CLI::Range(1, 1000));
 
   CLI::App* files =
       verb(app, o, "export", "CAD files of one gear, or of both in place",
@@ -141,6 +156,8 @@ int main(int argc, char** argv) {
     if (*gear) return gear_verb(o);
     if (*outline) return outline_verb(o);
     if (*pair) return pair_verb(o);
+    if (*measure) return measure_verb(o);
+    if (*fit) return fit_verb(o);
     if (*files) return export_verb(o);
     return verify_verb(o);
   } catch (const gearwright::IoError& e) {

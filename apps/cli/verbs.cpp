@@ -12,8 +12,11 @@
 
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/job/files.hpp"
+#include "gearwright/job/fit_answer.hpp"
 #include "gearwright/job/listing.hpp"
+#include "gearwright/job/measures.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/job/toml_text.hpp"
 #include "gearwright/job/verify.hpp"
 
 namespace gearwright::cli {
@@ -102,12 +105,77 @@ std::string collision(const Options& o) {
 }  // namespace
 
 int gear_verb(const Options& o) {
+  std::optional<RackQuestion> question;
+  if (!o.as_rack.empty()) {
+    question = parse_rack_question(o.as_rack);
+    if (!question) {
+      return usage(
+          "--as-rack takes MODULE,ANGLE in mm and degrees, one of them may be empty: "
+          "--as-rack 3,20 or --as-rack ,17.5");
+    }
+  }
   const auto design = solve_file(o, Scope::gears);
   if (!design) return fail(o, design.error());
+  std::vector<ReferenceInput<double>> racks;
+  for (std::size_t i = 0; question && i < design->gears.size(); ++i) {
+    auto rack = gear_as_rack(design->gears[i], *question);
+    if (!rack) {
+      Error error = rack.error();
+      error.message = fmt::format("gear{}: {}", i + 1, error.message);
+      return fail(o, error);
+    }
+    racks.push_back(*rack);
+  }
   if (o.json) {
-    print_json(design_json(*design));
+    Json j = design_json(*design);
+    for (std::size_t i = 0; i < racks.size(); ++i) j["gears"][i]["as_rack"] = rack_json(racks[i]);
+    print_json(j);
   } else {
-    print(gear_listing(*design) + warning_listing(design->warnings));
+    print(gear_listing(*design) + (racks.empty() ? std::string() : rack_listing(racks)) +
+          warning_listing(design->warnings));
+  }
+  return 0;
+}
+
+int measure_verb(const Options& o) {
+  const auto design = solve_file(o, Scope::gears);
+  if (!design) return fail(o, design.error());
+  const auto measures = chord_measures(*design);
+  if (!measures) return fail(o, measures.error());
+  if (o.json) {
+    print_json(measures_json(*design, *measures));
+  } else {
+    print(measure_listing(*measures) + warning_listing(design->warnings));
+  }
+  return 0;
+}
+
+int fit_verb(const Options& o) {
+  const auto spec = read_spec_file(o.spec);
+  if (!spec) return fail(o, spec.error());
+  const auto answer = answer_fit(*spec);
+  if (!answer) return fail(o, answer.error());
+  const int count = static_cast<int>(answer->specs.size());
+  if (o.take) {
+    if (*o.take > count) {
+      const std::string number = std::to_string(*o.take);
+      return fail(o, {"--take", number,
+                      fmt::format("--take {}: {}", number,
+                                  count == 0 ? "there is no branch: " + answer->fit.reason
+                                             : fmt::format("there are {} branches", count))});
+    }
+    const Json& taken = answer->specs[static_cast<std::size_t>(*o.take - 1)];
+    if (o.json) {
+      print_json(taken);
+    } else {
+      print(toml_text(taken));
+    }
+    return 0;
+  }
+  if (o.json) {
+    print_json(fit_json(*answer));
+  } else {
+    print(fit_listing(*answer));
   }
   return 0;
 }

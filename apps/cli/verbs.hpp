@@ -18,6 +18,8 @@ struct Options {
   double drawing_tolerance = 0.001;  // mm
   bool drawing_splines = false;
   std::vector<std::string> cases;
+  std::string as_rack;      // of gear: "module,angle"
+  std::optional<int> take;  // of fit: the branch whose spec is printed
 };
 
 // All throw IoError when the outside world fails.
@@ -25,6 +27,8 @@ int run_verb(const Options& o);
 int gear_verb(const Options& o);
 int outline_verb(const Options& o);
 int pair_verb(const Options& o);
+int measure_verb(const Options& o);
+int fit_verb(const Options& o);
 int export_verb(const Options& o);
 int verify_verb(const Options& o);
 

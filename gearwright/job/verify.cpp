@@ -6,6 +6,8 @@
 #include <cctype>
 #include <cmath>
 
+#include "gearwright/job/fit_answer.hpp"
+#include "gearwright/job/measures.hpp"
 #include "gearwright/job/result_json.hpp"
 
 namespace gearwright {
@@ -69,6 +71,21 @@ Error malformed(const std::string& id, const std::string& why) {
   return {id, "", fmt::format("case {}: {}", id, why)};
 }
 
+// What the verb prints with --json.
+Result<Json> answer(const std::string& verb, const JobSpec& spec) {
+  if (verb == "fit") {
+    const auto found = answer_fit(spec);
+    if (!found) return found.error();
+    return fit_json(*found);
+  }
+  const auto design = solve(spec, verb == "pair" ? Scope::pair : Scope::gears);
+  if (!design) return design.error();
+  if (verb != "measure") return design_json(*design);
+  const auto measures = chord_measures(*design);
+  if (!measures) return measures.error();
+  return measures_json(*design, *measures);
+}
+
 Result<CaseOutcome> run_case(const Json& c) {
   const std::string id = c.value("id", std::string("without id"));
   if (!c.contains("spec") || !c["spec"].is_object())
@@ -79,18 +96,12 @@ Result<CaseOutcome> run_case(const Json& c) {
   if (!c.contains("source") || !c["source"].is_string())
     return malformed(id, "needs \"source\": where the numbers are printed");
   const std::string verb = c.value("verb", std::string("pair"));
-  const auto scope = verb == "gear" ? Scope::gears : Scope::pair;
-  if (verb != "gear" && verb != "pair")
-    return malformed(id, fmt::format("verb \"{}\": gear or pair", verb));
+  if (verb != "gear" && verb != "pair" && verb != "measure" && verb != "fit")
+    return malformed(id, fmt::format("verb \"{}\": gear, pair, measure or fit", verb));
 
-  Json result;
   const auto spec = read_spec(c["spec"].dump(), SpecFormat::json);
-  if (!spec) {
-    result = error_json(spec.error());
-  } else {
-    const auto design = solve(*spec, scope);
-    result = design ? design_json(*design) : error_json(design.error());
-  }
+  const auto answered = spec ? answer(verb, *spec) : Result<Json>(spec.error());
+  const Json result = answered ? *answered : error_json(answered.error());
   CaseOutcome outcome{id, 0, {}};
   const bool wants_error =
       std::any_of(c["expected"].items().begin(), c["expected"].items().end(),

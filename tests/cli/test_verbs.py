@@ -1,6 +1,7 @@
 """The verbs as a user types them: outputs, exit status, files."""
 import json
 import math
+import re
 import struct
 import unittest
 
@@ -142,11 +143,42 @@ class Verbs(unittest.TestCase):
             self.assertIn(word, r.out)
 
     def test_every_example_runs(self):
+        # The commands of its opening comment, and `run` unless the example is a question for `fit`.
         examples = sorted((SOURCE / "examples").glob("*.toml"))
         self.assertTrue(examples)
         for example in examples:
-            r = Run("run", example.read_text(), name=example.name)
-            self.assertEqual(r.status, 0, example.name + r.err)
+            text = example.read_text()
+            commands = [c.split() for c in re.findall(r"^#   gearwright (.+)$", text, re.M)]
+            self.assertTrue(commands, example.name)
+            asked = {verb for verb, *_ in commands}
+            if not asked & {"run", "fit"}:
+                commands.append(["run", "examples/" + example.name])
+            for verb, path, *options in commands:
+                with self.subTest(example=example.name, verb=verb):
+                    self.assertEqual(path, "examples/" + example.name)
+                    r = Run(verb, text, *options, name=example.name)
+                    self.assertEqual(r.status, 0, r.err)
+
+    def test_examples_of_crossed_axes_need_no_warning(self):
+        for name in ("crossed_pair", "basic_gear_pair"):
+            r = Run("pair", (SOURCE / "examples" / (name + ".toml")).read_text(), "--json")
+            self.assertEqual(r.json["pair"]["kind"], "crossed")
+            self.assertEqual(r.json["warnings"], [])
+            self.assertGreater(r.json["pair"]["contact_ratio_true"], 1.5)
+
+    def test_both_answers_of_the_fit_example_mount_at_their_place(self):
+        wish = (SOURCE / "examples/crossed_fit.toml").read_text()
+        branches = Run("fit", wish, "--json").json["fit"]["branches"]
+        self.assertEqual(len(branches), 2)
+        for number, branch in enumerate(branches, 1):
+            taken = Run("fit", wish, "--take", number)
+            self.assertEqual(taken.status, 0, taken.err)
+            r = Run("pair", taken.out, "--json")
+            self.assertEqual(r.json["warnings"], [])
+            least = r.json["pair"]["minimum_center_distance"]
+            for key in ("center_distance_mm", "shaft_angle_deg"):
+                self.assertAlmostEqual(least[key], branch[key], places=9)
+                self.assertAlmostEqual(r.json["pair"][key], branch[key], places=9)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,210 @@
+#include "gearwright/design/fit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "gearwright/base/angle.hpp"
+#include "gearwright/design/least_distance_designs.hpp"
+#include "gearwright/pair/pair.hpp"
+
+namespace gearwright {
+
+namespace {
+
+double deg(double rad) { return Angle::radians(rad).deg(); }
+
+Error missing(const char* key, const std::string& why) {
+  return {key, "", fmt::format("{}: {}", key, why)};
+}
+
+std::array<CylindricalSpec, 2> specs_of(const FitProblem& p) {
+  if (p.known) return *p.known;
+  std::array<CylindricalSpec, 2> specs;
+  for (int i : {0, 1}) {
+    specs[i].teeth = p.teeth[i];
+    specs[i].normal_module = p.normal_module;
+    specs[i].normal_pressure_angle = Angle::radians(p.normal_pressure_angle);
+    specs[i].helix_angle = Angle::radians(*p.helix[i]);
+    specs[i].profile_shift = p.shift[i].value_or(0.0);
+  }
+  return specs;
+}
+
+BasePair<double> base_gears(const FitProblem& p) {
+  const auto specs = specs_of(p);
+  return nominal_base_pair(specs[0], specs[1]);
+}
+
+FitBranch branch_at(const FitProblem& p, const std::array<double, 2>& shift,
+                    const CrossedPlace& place) {
+  return {{*p.helix[0], *p.helix[1]},
+          shift,
+          place.center_distance,
+          place.shaft_angle,
+          place.normal_pressure_angle};
+}
+
+// Known gears on parallel axes: one place is free of backlash.
+Fit place_on_parallel_axes(const FitProblem& p, const BasePair<double>& gears,
+                           const std::array<double, 2>& shift) {
+  Fit result;
+  const auto alpha = transverse_angle_at_least_distance(gears);
+  if (!alpha) {
+    result.reason =
+        "the teeth leave no backlash-free centre distance; their profile shifts add up "
+        "to the wrong side";
+    return result;
+  }
+  const double a = base_radius_sum(gears) / std::cos(*alpha);
+  const double alpha_wn = std::asin(std::sin(*alpha) * std::cos(gears[0].helix_angle));
+  if (p.center_distance && std::abs(*p.center_distance - a) > 1e-9 * a) {
+    result.reason = fmt::format(
+        "on parallel axes these gears are free of backlash at {} mm only; leave out a profile "
+        "shift to have it follow from the centre distance",
+        a);
+    result.nearest_distance = a;
+    result.nearest_shaft_angle = 0.0;
+    return result;
+  }
+  result.branches.push_back({{*p.helix[0], *p.helix[1]}, shift, a, 0.0, alpha_wn});
+  return result;
+}
+
+Fit angles_of_distance(const FitProblem& p, const BasePair<double>& gears,
+                       const std::array<double, 2>& shift) {
+  Fit result;
+  const double a = *p.center_distance;
+  for (const double alpha : transverse_angles_at_distance(gears, a)) {
+    CrossedPlace place = crossed_place(gears, alpha);
+    place.center_distance = a;
+    result.branches.push_back(branch_at(p, shift, place));
+  }
+  if (!result.branches.empty()) return result;
+  if (const auto least = transverse_angle_at_least_distance(gears)) {
+    const CrossedPlace place = crossed_place(gears, *least);
+    result.nearest_distance = place.center_distance;
+    result.nearest_shaft_angle = place.shaft_angle;
+    result.reason = fmt::format(
+        "the minimum centre distance of these gears is {} mm, at the shaft angle {}°; thinner "
+        "teeth (less profile shift) come closer",
+        place.center_distance, deg(place.shaft_angle));
+  } else {
+    result.reason =
+        "these teeth are too thin to have a minimum centre distance, and no shaft angle within "
+        "reach brings them to this one; more profile shift would help";
+  }
+  return result;
+}
+
+// Helices, shifts and rack are known: where do they go?
+Result<Fit> place_of_gears(const FitProblem& p) {
+  const std::array<double, 2> shift{*p.shift[0], *p.shift[1]};
+  const BasePair<double> gears = base_gears(p);
+  if (axes_are_parallel(gears)) return place_on_parallel_axes(p, gears, shift);
+  if (p.working_normal_pressure_angle) {
+    const double alpha_n = *p.working_normal_pressure_angle;
+    if (p.center_distance || p.shaft_angle) {
+      return missing("fit.working_normal_pressure_angle_deg",
+                     "is one condition too many: known gears take their place from it, or from a "
+                     "centre distance, or from a shaft angle");
+    }
+    for (const BaseGear<double>& gear : gears) {
+      if (has_rack(gear, alpha_n)) continue;
+      return missing("fit.working_normal_pressure_angle_deg",
+                     fmt::format("must be less than {}°, 90° less the base helix angle",
+                                 90 - std::abs(deg(gear.helix_angle))));
+    }
+    const int g = limiting_gear(gears);
+    const double alpha = std::asin(std::sin(alpha_n) / std::cos(gears[g].helix_angle));
+    return Fit{{branch_at(p, shift, crossed_place(gears, alpha))}, {}, {}, {}};
+  }
+  if (p.center_distance && !p.shaft_angle) return angles_of_distance(p, gears, shift);
+  auto place = complete_place(gears, std::nullopt, p.shaft_angle);
+  if (!place) return place.error();
+  const auto rack = common_rack(gears, angles_at_shaft_angle(gears, *place->shaft_angle));
+  const double a = place->center_distance;
+  if (p.center_distance && std::abs(*p.center_distance - a) > 1e-9 * a) {
+    Fit result = angles_of_distance(p, gears, shift);
+    if (!result.branches.empty()) result.nearest_shaft_angle = result.branches[0].shaft_angle;
+    for (const FitBranch& b : result.branches) {
+      if (std::abs(b.shaft_angle - *p.shaft_angle) <
+          std::abs(*result.nearest_shaft_angle - *p.shaft_angle))
+        result.nearest_shaft_angle = b.shaft_angle;
+    }
+    result.branches.clear();
+    result.nearest_distance = a;
+    result.reason = fmt::format(
+        "at this shaft angle these gears are free of backlash at {} mm only; leave out a profile "
+        "shift, the shaft angle or the centre distance to have it follow",
+        a);
+    return result;
+  }
+  return Fit{
+      {branch_at(p, shift, {a, *place->shaft_angle, rack.normal_pressure_angle})}, {}, {}, {}};
+}
+
+// Helices and place are known: the sum of the shifts follows.
+Result<Fit> shifts_of_place(const FitProblem& p) {
+  if (!p.center_distance) {
+    return missing("pair.center_distance_mm",
+                   "is missing; an absent profile shift is found from it. (With both profile "
+                   "shifts given, the centre distance follows.)");
+  }
+  const BasePair<double> gears = base_gears(p);
+  const bool parallel = axes_are_parallel(gears);
+  if (!parallel && !p.shaft_angle) {
+    return missing("pair.shaft_angle_deg",
+                   "is missing; the profile shifts of known helix angles follow from centre "
+                   "distance and shaft angle");
+  }
+  ShiftProblem s;
+  s.z1 = p.teeth[0];
+  s.z2 = p.teeth[1];
+  s.normal_module = p.normal_module;
+  s.normal_pressure_angle = p.normal_pressure_angle;
+  s.helix_angle = {*p.helix[0], *p.helix[1]};
+  if (!parallel) s.shaft_angle = p.shaft_angle;
+  s.x1 = p.shift[0];
+  s.x2 = p.shift[1];
+  s.center_distance = p.center_distance;
+  const auto solved = complete_shifts(s);
+  if (!solved) return solved.error();
+  const double a = *p.center_distance;
+  const auto angles = parallel ? angles_at_parallel_distance(gears, a)
+                               : angles_at_shaft_angle(gears, *p.shaft_angle);
+  return Fit{{{{*p.helix[0], *p.helix[1]},
+               {solved->x1, solved->x2},
+               a,
+               parallel ? 0.0 : *p.shaft_angle,
+               std::atan2(angles.sin_alpha, angles.cos_alpha)}},
+             {},
+             {},
+             {}};
+}
+
+}  // namespace
+
+Result<Fit> fit(const FitProblem& p) {
+  const bool helices = p.helix[0] && p.helix[1];
+  const bool shifts = p.shift[0] && p.shift[1];
+  if (helices) {
+    // Axes and angle must agree before anything is asked of them.
+    const auto specs = specs_of(p);
+    if (auto error = check_partners(specs[0], specs[1], p.shaft_angle)) return *error;
+    return shifts ? place_of_gears(p) : shifts_of_place(p);
+  }
+  for (const auto& [known, key] :
+       {std::pair{p.center_distance.has_value(), "pair.center_distance_mm"},
+        std::pair{p.shaft_angle.has_value(), "pair.shaft_angle_deg"}}) {
+    if (known) continue;
+    return missing(key,
+                   "is missing; to find helix angles both centre distance and shaft angle are "
+                   "needed");
+  }
+  return least_distance_designs(p);
+}
+
+}  // namespace gearwright

@@ -1,0 +1,62 @@
+// The questions the other way round: what makes gears fit a distance, an angle and a ratio.
+//
+//   H(β_w1) = z1/cos β_w1 + z2/cos β_w2, β_w2 = Σ − β_w1: the pitch diameters' sum in units of
+//        p_n/π; convex, so that H = T has no, one or two answers
+//   T = 2 a cos α_wn/(m_n cos α_n)
+//                                              theory: docs/theory/04-conjugate-action.md, 4.9
+//
+// Known gears have places; a known place has gears. Designs with a free helix angle are those at
+// their minimum centre distance, where pitch planes meet (X = 0) and an error of Σ costs nothing in
+// the first order; on parallel axes every backlash-free pair is one.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gearwright/base/result.hpp"
+#include "gearwright/gear/gear.hpp"
+
+namespace gearwright {
+
+/// What is known; what is absent is wanted. Lengths mm, angles rad; ring: z2 < 0.
+struct FitProblem {
+  std::array<int, 2> teeth{};
+  double normal_module = 0.0;                           ///< m_n, common to both gears
+  double normal_pressure_angle = 0.0;                   ///< α_n
+  std::array<std::optional<double>, 2> helix;           ///< β
+  std::array<std::optional<double>, 2> shift;           ///< x
+  std::optional<double> center_distance;                ///< a
+  std::optional<double> shaft_angle;                    ///< Σ
+  std::optional<double> working_normal_pressure_angle;  ///< α_wn
+  /// Both gears when helices and shifts are known: their racks may differ, and need not be the one
+  /// above.
+  std::optional<std::array<CylindricalSpec, 2>> known;
+};
+
+/// One answer: a pair without backlash.
+struct FitBranch {
+  std::array<double, 2> helix, shift;
+  double center_distance, shaft_angle, working_normal_pressure_angle;
+};
+
+struct Fit {
+  std::vector<FitBranch> branches;         ///< by growing |β_1|, of known gears by growing α_wn
+  std::string reason;                      ///< why there is none
+  std::optional<double> nearest_distance;  ///< mm, at the given shaft angle
+  std::optional<double> nearest_shaft_angle;  ///< rad, at the given centre distance
+};
+
+/// Answers the question that the absent numbers ask.
+///
+///   gears known                a of Σ; both Σ of a; neither: the minimum centre distance
+///   helices and place known    x1 + x2
+///   place known                helices and x1 + x2 of the designs at their minimum centre
+///   distance:
+///                              with the given α_wn, helix or shifts; else with x1 + x2 = 0
+///
+/// Errors    the key that is missing, or that makes one condition too many
+Result<Fit> fit(const FitProblem& problem);
+
+}  // namespace gearwright

@@ -1,0 +1,259 @@
+#include "gearwright/design/least_distance_designs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+
+#include "gearwright/base/angle.hpp"
+#include "gearwright/base/contract.hpp"
+#include "gearwright/math/involute.hpp"
+#include "gearwright/math/newton.hpp"
+#include "gearwright/math/root.hpp"
+#include "gearwright/pair/shift.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kHalfPi = std::numbers::pi / 2;
+constexpr double kMargin = 1e-9;  // rad: a helix of 90° is no gear
+constexpr int kCells = 512;  // of β_w1, when roots of a function of no known shape are looked for
+
+double deg(double rad) { return Angle::radians(rad).deg(); }
+
+// H and its slope over β_w1 at one shaft angle.
+class PitchSum {
+ public:
+  PitchSum(const std::array<int, 2>& teeth, double sigma)
+      : z1_(teeth[0]), z2_(std::abs(teeth[1])), side_(teeth[1] > 0 ? 1.0 : -1.0), sigma_(sigma) {
+    // Both helices stay within ±90°.
+    lo_ = -kHalfPi + std::max(0.0, side_ > 0 ? sigma_ : 0.0) + kMargin;
+    hi_ = kHalfPi + std::min(0.0, side_ > 0 ? sigma_ : 0.0) - kMargin;
+    const auto slope = [this](double b1) {
+      const double c1 = std::cos(b1), c2 = std::cos(second(b1));
+      const double t1 = std::tan(b1), t2 = std::tan(second(b1));
+      return Slope<double>{side_ * z1_ * t1 / c1 - side_ * z2_ * t2 / c2,
+                           side_ * z1_ * (1 + 2 * t1 * t1) / c1 + z2_ * (1 + 2 * t2 * t2) / c2};
+    };
+    least_ = newton_in_bracket(slope, lo_, hi_, 0.5 * (lo_ + hi_), true).x;
+  }
+  double second(double b1) const { return side_ * (sigma_ - b1); }
+  double operator()(double b1) const {
+    return side_ * z1_ / std::cos(b1) + z2_ / std::cos(second(b1));
+  }
+  double lo() const { return lo_; }
+  double hi() const { return hi_; }
+  double least_at() const { return least_; }
+  double least() const { return (*this)(least_); }
+  // H(β_w1) = t, ascending; convexity leaves at most two.
+  std::vector<double> where(double t) const {
+    const double rest = least() - t;
+    if (rest > 0.0) return {};
+    const auto f = [&](double b1) { return (*this)(b1)-t; };
+    std::vector<double> found;
+    for (const auto& [from, to] : {std::pair{lo_, least_}, std::pair{least_, hi_}}) {
+      const Root root = find_root(f, from, to);
+      if (root.found() && (found.empty() || found.back() != root.x)) found.push_back(root.x);
+    }
+    return found;
+  }
+
+ private:
+  double z1_, z2_, side_, sigma_, lo_, hi_, least_;
+};
+
+// One design per β_w1: nothing where the rack has no such helix.
+class Designs {
+ public:
+  explicit Designs(const FitProblem& p) : p_(p), H_(p.teeth, *p.shaft_angle) {}
+  const PitchSum& pitch_sum() const { return H_; }
+  // H of a design with the working angle α_wn.
+  double target(double cos_wn) const {
+    return 2 * *p_.center_distance * cos_wn /
+           (p_.normal_module * std::cos(p_.normal_pressure_angle));
+  }
+  struct Design {
+    std::array<double, 2> helix;
+    double alpha_wn, shift_sum;
+  };
+  std::optional<Design> at(double b1) const { return at(b1, H_(b1) / target(1.0)); }
+  std::optional<Design> at(double b1, double cos_wn) const {
+    if (!(cos_wn > 0.0 && cos_wn < 1.0)) return std::nullopt;
+    const double cos_n = std::cos(p_.normal_pressure_angle);
+    const double sin_wn = std::sqrt((1 - cos_wn) * (1 + cos_wn));
+    const std::array<double, 2> b{b1, H_.second(b1)};
+    Design d{{}, std::acos(cos_wn), 0.0};
+    for (int i : {0, 1}) {
+      const double sine = std::sin(b[i]) * cos_wn / cos_n;
+      if (!(std::abs(sine) < 1.0)) return std::nullopt;
+      d.helix[i] = std::asin(sine);
+      const double alpha_wt = std::atan2(sin_wn, cos_wn * std::cos(b[i]));
+      const double alpha_t = std::atan(std::tan(p_.normal_pressure_angle) / std::cos(d.helix[i]));
+      d.shift_sum += p_.teeth[i] * (involute(alpha_wt) - involute(alpha_t));
+    }
+    d.shift_sum /= 2 * std::tan(p_.normal_pressure_angle);
+    return d;
+  }
+
+ private:
+  const FitProblem& p_;
+  PitchSum H_;
+};
+
+// Roots of f over [lo, hi] where it is defined: every change of sign between neighbours of a grid,
+// and the touching pairs that an extremum between them hides.
+std::vector<double> roots(const std::function<std::optional<double>(double)>& f, double lo,
+                          double hi) {
+  std::vector<double> found;
+  const auto value = [&](double x) {
+    return f(x).value_or(std::numeric_limits<double>::quiet_NaN());
+  };
+  const auto bracket = [&](double a, double b) {
+    const Root root = find_root(value, a, b);
+    if (root.found()) found.push_back(root.x);
+  };
+  std::vector<double> x(kCells + 1), y(kCells + 1);
+  for (int i = 0; i <= kCells; ++i) {
+    x[i] = lo + (hi - lo) * i / kCells;
+    y[i] = value(x[i]);
+  }
+  for (int i = 0; i < kCells; ++i) {
+    if (std::isnan(y[i]) || std::isnan(y[i + 1])) continue;
+    if (y[i] == 0.0 || (y[i] < 0.0) != (y[i + 1] < 0.0)) {
+      bracket(x[i], x[i + 1]);
+    } else if (i > 0 && !std::isnan(y[i - 1]) && std::abs(y[i]) <= std::abs(y[i - 1]) &&
+               std::abs(y[i]) <= std::abs(y[i + 1]) && (y[i] < 0.0) == (y[i - 1] < 0.0)) {
+      const double sign = y[i] < 0.0 ? -1.0 : 1.0;
+      const auto [at, least] = boost::math::tools::brent_find_minima(
+          [&](double s) { return sign * value(s); }, x[i - 1], x[i + 1], 40);
+      if (least <= 0.0) {
+        bracket(x[i - 1], at);
+        bracket(at, x[i + 1]);
+      }
+    }
+  }
+  return found;
+}
+
+std::array<double, 2> divided(const FitProblem& p, double sum) {
+  if (p.shift[0]) return {*p.shift[0], sum - *p.shift[0]};
+  if (p.shift[1]) return {sum - *p.shift[1], *p.shift[1]};
+  if (sum == 0.0) return {0.0, 0.0};
+  const auto [x1, x2] = divided_shift_sum(p.teeth[0], p.teeth[1], sum);
+  return {x1, x2};
+}
+
+// The least a at this Σ and the Σ next to the given one at this a, for one working angle.
+void find_nearest(const FitProblem& p, double cos_wn, Fit& result) {
+  const Designs designs(p);
+  const PitchSum& H = designs.pitch_sum();
+  const double t = designs.target(cos_wn);
+  result.nearest_distance = *p.center_distance * H.least() / t;
+  result.reason = fmt::format(
+      "at the shaft angle {}° every such pair is at least {} mm apart (working normal pressure "
+      "angle {:.6g}°)",
+      deg(*p.shaft_angle), *result.nearest_distance, deg(std::acos(cos_wn)));
+  if (p.teeth[1] < 0) return;
+  // The least sum of pitch diameters grows with |Σ| from z1 + z2 on.
+  if (!(t > p.teeth[0] + p.teeth[1])) {
+    result.reason += fmt::format(
+        "; at this centre distance there is none at any shaft angle, not even on parallel axes, "
+        "which need {} mm",
+        *p.center_distance * (p.teeth[0] + p.teeth[1]) / t);
+    return;
+  }
+  const double sign = *p.shaft_angle < 0.0 ? -1.0 : 1.0;
+  const auto f = [&](double s) { return PitchSum(p.teeth, sign * s).least() - t; };
+  const Root root = find_root(f, 1e-6, std::numbers::pi - 1e-6);
+  if (root.found()) result.nearest_shaft_angle = sign * root.x;
+}
+
+std::optional<Error> contradiction(const FitProblem& p) {
+  const bool shifts = p.shift[0] && p.shift[1];
+  const bool helix = p.helix[0] || p.helix[1];
+  const char* helix_key = p.helix[0] ? "gear1.helix_angle_deg" : "gear2.helix_angle_deg";
+  const auto too_many = [](const char* key, const char* other) {
+    return Error{key, "",
+                 fmt::format("{} and {}: one condition too many beside centre distance and shaft "
+                             "angle; leave one of them out",
+                             key, other)};
+  };
+  if (p.working_normal_pressure_angle && shifts)
+    return too_many("fit.working_normal_pressure_angle_deg", "the two profile shifts");
+  if (p.working_normal_pressure_angle && helix)
+    return too_many("fit.working_normal_pressure_angle_deg", helix_key);
+  if (helix && shifts) return too_many(helix_key, "the two profile shifts");
+  if (p.teeth[1] < 0 && *p.shaft_angle != 0.0) {
+    return Error{"pair.shaft_angle_deg", fmt::format("{}", deg(*p.shaft_angle)),
+                 fmt::format("pair.shaft_angle_deg = {}: an internal pair runs on parallel axes "
+                             "only; 0 is allowed",
+                             deg(*p.shaft_angle))};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<Fit> least_distance_designs(const FitProblem& p) {
+  GW_EXPECTS(p.center_distance && p.shaft_angle && !(p.helix[0] && p.helix[1]));
+  if (auto error = contradiction(p)) return *error;
+  const Designs designs(p);
+  const PitchSum& H = designs.pitch_sum();
+  Fit result;
+  const auto add = [&](double b1, std::optional<double> cos_wn = std::nullopt,
+                       std::optional<double> sum = std::nullopt) {
+    const auto d = cos_wn ? designs.at(b1, *cos_wn) : designs.at(b1);
+    if (!d) return;
+    result.branches.push_back({d->helix, divided(p, sum.value_or(d->shift_sum)), *p.center_distance,
+                               *p.shaft_angle, d->alpha_wn});
+  };
+  const bool shifts = p.shift[0] && p.shift[1];
+  const double wanted_sum = shifts ? *p.shift[0] + *p.shift[1] : 0.0;
+  const int known = p.helix[0] ? 0 : p.helix[1] ? 1 : -1;
+  if (known >= 0) {
+    const auto miss = [&](double b1) -> std::optional<double> {
+      const auto d = designs.at(b1);
+      if (!d) return std::nullopt;
+      return d->helix[known] - *p.helix[known];
+    };
+    for (const double b1 : roots(miss, H.lo(), H.hi())) add(b1);
+    result.reason = fmt::format("no pair with {} = {} has its minimum centre distance there",
+                                known == 0 ? "gear1.helix_angle_deg" : "gear2.helix_angle_deg",
+                                deg(*p.helix[known]));
+  } else if (p.working_normal_pressure_angle || wanted_sum == 0.0) {
+    // x1 + x2 = 0 at the minimum centre distance: the working angle is the rack's own.
+    const double alpha = p.working_normal_pressure_angle.value_or(p.normal_pressure_angle);
+    const double cos_wn = std::cos(alpha);
+    const std::optional<double> sum =
+        p.working_normal_pressure_angle ? std::nullopt : std::optional(0.0);
+    for (const double b1 : H.where(designs.target(cos_wn))) add(b1, cos_wn, sum);
+    if (result.branches.empty()) find_nearest(p, cos_wn, result);
+  } else {
+    const auto miss = [&](double b1) -> std::optional<double> {
+      const auto d = designs.at(b1);
+      if (!d) return std::nullopt;
+      return d->shift_sum - wanted_sum;
+    };
+    for (const double b1 : roots(miss, H.lo(), H.hi())) add(b1, std::nullopt, wanted_sum);
+    if (result.branches.empty()) {
+      find_nearest(p, 1.0, result);
+      result.reason = fmt::format("no pair with x1 + x2 = {} has its minimum centre distance there",
+                                  wanted_sum);
+      result.nearest_distance.reset();
+      result.nearest_shaft_angle.reset();
+    }
+  }
+  if (!result.branches.empty()) result.reason.clear();
+  std::sort(result.branches.begin(), result.branches.end(),
+            [](const FitBranch& a, const FitBranch& b) {
+              return std::abs(a.helix[0]) < std::abs(b.helix[0]);
+            });
+  return result;
+}
+
+}  // namespace gearwright

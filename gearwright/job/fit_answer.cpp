@@ -1,0 +1,164 @@
+#include "gearwright/job/fit_answer.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace gearwright {
+
+namespace {
+
+double deg(double rad) { return Angle::radians(rad).deg(); }
+
+bool same(double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(a); }
+
+// What makes a table's helix angle: found angles replace all of it.
+constexpr const char* kHelixKeys[] = {"helix_angle_deg", "lead_angle_deg", "hand"};
+
+Json spec_of(const JobSpec& spec, const FitBranch& b) {
+  Json tree = Json::parse(spec.tree);
+  tree.erase("fit");
+  for (const int i : {0, 1}) {
+    const GearInput& given = *spec.gears[i];
+    Json& gear = tree[i == 0 ? "gear1" : "gear2"];
+    if (given.basic) continue;
+    if (!given.helix_given) {
+      for (const char* key : kHelixKeys) gear.erase(key);
+      gear["helix_angle_deg"] = deg(b.helix[i]);
+    }
+    gear["profile_shift"] = b.shift[i];
+  }
+  tree["pair"]["center_distance_mm"] = b.center_distance;
+  tree["pair"]["shaft_angle_deg"] = deg(b.shaft_angle);
+  // Tables after plain values, as a TOML file has them.
+  Json ordered = Json::object();
+  for (const bool tables : {false, true}) {
+    for (const auto& [key, value] : tree.items()) {
+      if (value.is_object() == tables) ordered[key] = value;
+    }
+  }
+  return ordered;
+}
+
+std::optional<Error> unknown_module(const JobSpec& spec) {
+  const Json tree = Json::parse(spec.tree);
+  for (const int i : {0, 1}) {
+    const char* name = i == 0 ? "gear1" : "gear2";
+    if (spec.gears[i]->helix_given) continue;
+    for (const char* key : {"transverse_module_mm", "transverse_pressure_angle_deg"}) {
+      if (!tree[name].contains(key)) continue;
+      const std::string full = std::string(name) + "." + key;
+      return Error{full, "",
+                   full +
+                       ": needs a helix angle, which is wanted here; give the rack's normal "
+                       "module and pressure angle"};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<FitAnswer> answer_fit(const JobSpec& spec) {
+  if (!spec.gears[1]) return Error{"gear2", "", "gear2: is missing; fit is about two gears"};
+  if (auto error = unknown_module(spec)) return *error;
+  const CylindricalSpec& c1 = spec.gears[0]->cylindrical;
+  const CylindricalSpec& c2 = spec.gears[1]->cylindrical;
+  FitProblem p;
+  p.teeth = {c1.teeth, c2.teeth};
+  p.normal_module = c1.normal_module;
+  p.normal_pressure_angle = c1.normal_pressure_angle.rad();
+  bool all = true;
+  std::array<CylindricalSpec, 2> known{c1, c2};
+  for (const int i : {0, 1}) {
+    const GearInput& g = *spec.gears[i];
+    if (g.helix_given) p.helix[i] = g.cylindrical.helix_angle.rad();
+    p.shift[i] = g.profile_shift;
+    all = all && g.helix_given && g.profile_shift;
+    known[i].profile_shift = g.profile_shift.value_or(0.0);
+  }
+  if (all) {
+    p.known = known;
+  } else if (!same(c1.normal_module, c2.normal_module) ||
+             !same(c1.normal_pressure_angle.rad(), c2.normal_pressure_angle.rad())) {
+    return Error{"gear2.normal_module_mm", fmt::format("{}", c2.normal_module),
+                 fmt::format("gear2.normal_module_mm = {}: to find helix angles or profile shifts "
+                             "both gears need the same module ({} mm) and pressure angle ({}°)",
+                             c2.normal_module, c1.normal_module, c1.normal_pressure_angle.deg())};
+  }
+  if (p.teeth[0] < 0) {
+    return Error{"gear1.teeth", fmt::format("{}", p.teeth[0]),
+                 fmt::format("gear1.teeth = {}: the ring of an internal pair is gear2; exchange "
+                             "the two tables",
+                             p.teeth[0])};
+  }
+  if (p.teeth[1] < 0 && -p.teeth[1] <= p.teeth[0]) {
+    return Error{"gear2.teeth", fmt::format("{}", p.teeth[1]),
+                 fmt::format("gear2.teeth = {}: a ring must have more teeth than its pinion "
+                             "(gear1.teeth = {})",
+                             p.teeth[1], p.teeth[0])};
+  }
+  p.center_distance = spec.pair.center_distance;
+  if (spec.pair.shaft_angle_deg) p.shaft_angle = Angle::degrees(*spec.pair.shaft_angle_deg).rad();
+  if (spec.fit.normal_pressure_angle_deg)
+    p.working_normal_pressure_angle = Angle::degrees(*spec.fit.normal_pressure_angle_deg).rad();
+  auto found = fit(p);
+  if (!found) return found.error();
+  FitAnswer answer{std::move(found).take(), {}};
+  for (const FitBranch& b : answer.fit.branches) answer.specs.push_back(spec_of(spec, b));
+  return answer;
+}
+
+Json fit_json(const FitAnswer& answer) {
+  Json branches = Json::array();
+  for (std::size_t i = 0; i < answer.fit.branches.size(); ++i) {
+    const FitBranch& b = answer.fit.branches[i];
+    branches.push_back({{"helix_angle_deg", {deg(b.helix[0]), deg(b.helix[1])}},
+                        {"profile_shift", {b.shift[0], b.shift[1]}},
+                        {"center_distance_mm", b.center_distance},
+                        {"shaft_angle_deg", deg(b.shaft_angle)},
+                        {"working_normal_pressure_angle_deg", deg(b.working_normal_pressure_angle)},
+                        {"spec", answer.specs[i]}});
+  }
+  const auto value = [](const std::optional<double>& v, double factor) {
+    return v ? Json(factor * *v) : Json(nullptr);
+  };
+  const Fit& f = answer.fit;
+  Json nearest = nullptr;
+  if (f.branches.empty() && (f.nearest_distance || f.nearest_shaft_angle)) {
+    nearest = {{"center_distance_mm", value(f.nearest_distance, 1.0)},
+               {"shaft_angle_deg",
+                f.nearest_shaft_angle ? Json(deg(*f.nearest_shaft_angle)) : Json(nullptr)}};
+  }
+  return {{"fit",
+           {{"branches", branches},
+            {"reason", f.branches.empty() ? Json(f.reason) : Json(nullptr)},
+            {"nearest", nearest}}}};
+}
+
+std::string fit_listing(const FitAnswer& answer) {
+  const Fit& f = answer.fit;
+  if (f.branches.empty()) {
+    std::string text = "\nThere is no such pair: " + f.reason + ".\n";
+    if (f.nearest_distance)
+      text += fmt::format("  nearest centre distance at this shaft angle  {:.4f} mm\n",
+                          *f.nearest_distance);
+    if (f.nearest_shaft_angle)
+      text += fmt::format("  nearest shaft angle at this centre distance  {:.5f}°\n",
+                          deg(*f.nearest_shaft_angle));
+    return text;
+  }
+  std::string text =
+      fmt::format("\n  {:>6}  {:>11} {:>11}  {:>9} {:>9}  {:>11}  {:>11}  {:>10}\n", "branch",
+                  "helix 1", "helix 2", "shift 1", "shift 2", "distance mm", "shaft angle", "α_wn");
+  int number = 0;
+  for (const FitBranch& b : f.branches) {
+    text += fmt::format(
+        "  {:>6}  {:>10.5f}° {:>10.5f}°  {:>9.5f} {:>9.5f}  {:>11.4f}  {:>10.5f}°  {:>9.5f}°\n",
+        ++number, deg(b.helix[0]), deg(b.helix[1]), b.shift[0], b.shift[1], b.center_distance,
+        deg(b.shaft_angle), deg(b.working_normal_pressure_angle));
+  }
+  return text + "\nThe spec of a branch: --take NUMBER > pair.toml\n";
+}
+
+}  // namespace gearwright

@@ -1,0 +1,30 @@
+// The verb fit: a spec with numbers left out in, the gears that have them out.
+//
+// An absent key is an unknown here, not its default. Every branch comes as a spec of its own, which
+// the other verbs take.
+// Internal to job/ and the program.
+#pragma once
+
+#include <string>
+
+#include "gearwright/design/fit.hpp"
+#include "gearwright/job/spec.hpp"
+#include "gearwright/job/table_reader.hpp"
+
+namespace gearwright {
+
+struct FitAnswer {
+  Fit fit;
+  std::vector<Json> specs;  ///< of the branches: the spec as read, with what was found
+};
+
+/// Errors    as fit, with keys of the spec; `gear2` missing
+Result<FitAnswer> answer_fit(const JobSpec& spec);
+
+/// {"fit": {"branches", "reason", "nearest"}}
+Json fit_json(const FitAnswer& answer);
+
+/// A table for people.
+std::string fit_listing(const FitAnswer& answer);
+
+}  // namespace gearwright

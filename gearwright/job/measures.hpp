@@ -1,0 +1,55 @@
+// The verb measure, and a gear under another rack's name: what a workshop asks of a gear.
+// Internal to job/ and the program.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "gearwright/inspection/chordal_thickness.hpp"
+#include "gearwright/job/design.hpp"
+#include "gearwright/job/table_reader.hpp"
+
+namespace gearwright {
+
+struct ChordMeasure {
+  double diameter;  ///< mm, at which the jaws touch
+  ChordalThickness<double> chord;
+};
+
+/// The chord at [gearN.measure] chord_diameter_mm; without it at the reference diameter, or in the
+/// middle of the usable flank where that does not reach there.
+///
+/// Errors    `gearN.measure.chord_diameter_mm`
+Result<ChordMeasure> chord_measure(const Design& design, int which);
+
+/// chord_measure of every gear.
+Result<std::vector<ChordMeasure>> chord_measures(const Design& design);
+
+/// design_json with `measure` in each of `gears`.
+Json measures_json(const Design& design, const std::vector<ChordMeasure>& measures);
+
+/// {"chordal_thickness": {diameter_mm, chord_mm, height_mm, tip_to_chord_mm, caliper_angle_deg}}
+Json measure_json(const ChordMeasure& measure);
+std::string measure_listing(const std::vector<ChordMeasure>& measures);
+
+/// The rack that --as-rack names: "module,angle", either of them empty.
+struct RackQuestion {
+  std::optional<double> normal_module;          ///< mm
+  std::optional<double> normal_pressure_angle;  ///< rad
+};
+
+/// Reads "3,20", ",17.5" or "3,"; nothing when it is none of these.
+std::optional<RackQuestion> parse_rack_question(const std::string& text);
+
+/// The gear, teeth as cut, as that rack describes it.
+///
+/// Errors    `--as-rack`: no such rack has this gear; the message names the module that belongs to
+///           the angle, or the greatest angle
+Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion& question);
+
+/// {normal_module_mm, normal_pressure_angle_deg, helix_angle_deg, profile_shift,
+/// reference_diameter_mm}
+Json rack_json(const ReferenceInput<double>& rack);
+std::string rack_listing(const std::vector<ReferenceInput<double>>& racks);
+
+}  // namespace gearwright

@@ -1,0 +1,141 @@
+"""Crossed pairs as a user types them: the gear as itself, any shaft angle, fit, measure, other racks."""
+import json
+import math
+import unittest
+
+from cli import Run
+
+# The paper's pair: z 9/15, each gear by its base cylinder.
+BASIC = """[gear1]
+teeth = 9
+tip_diameter_mm = 46.65
+face_width_mm = 16
+[gear1.basic]
+base_diameter_mm = 37.4892228898867
+base_tooth_thickness_mm = 7.263
+base_helix_angle_deg = 47.408
+[gear2]
+teeth = 15
+tip_diameter_mm = 65.27
+face_width_mm = 14
+[gear2.basic]
+base_diameter_mm = 52.6687933717901
+base_tooth_thickness_mm = 7.618
+base_helix_angle_deg = 36.595
+[pair]
+{}
+"""
+WISH = "[gear1]\nteeth = 12\nnormal_module_mm = 1.5\nface_width_mm = 12\n{}\n[gear2]\nteeth = 24\nnormal_module_mm = 1.5\nface_width_mm = 12\n{}\n[pair]\n{}\n"
+
+
+class Crossed(unittest.TestCase):
+    def test_pair(self):
+        r = Run("pair", BASIC.format("shaft_angle_deg = 90\nfriction_coefficient = 0.05"), "--json")
+        self.assertEqual(r.status, 0, r.err)
+        p = r.json["pair"]
+        self.assertEqual(p["kind"], "crossed")
+        self.assertAlmostEqual(p["center_distance_mm"], 50.010003913967104, places=11)
+        self.assertAlmostEqual(p["contact_ratio"], 1.7308718877159246, places=11)
+        self.assertEqual([w["code"] for w in r.json["warnings"]], [])
+        a, b = p["line_of_action"]["leading"]
+        self.assertAlmostEqual(math.dist(a, b), p["line_of_action"]["length_mm"], places=11)
+        self.assertEqual(p["transverse_contact_ratio"], None)
+        self.assertTrue(0.85 < p["efficiency"]["gear1_drives"] < 0.95)
+        sliding = p["sliding_velocity_mm_per_rad"]
+        for across, along, total in zip(sliding["across_teeth"], sliding["along_teeth"], sliding["total"]):
+            self.assertAlmostEqual(math.hypot(across, along), total, places=12)
+        table = Run("pair", BASIC.format("shaft_angle_deg = 90"))
+        for words in ("crossed axes", "face width for both flanks", "minimum centre distance", "contact ratio of 1 and more"):
+            self.assertIn(words, table.out)
+
+    def test_run_draws_the_pair_where_it_stands(self):
+        r = Run("run", BASIC.format("shaft_angle_deg = 90"), "--json")
+        self.assertEqual(r.status, 0, r.err)
+        self.assertIn("case_out/pair.glb", r.files())
+        self.assertIn("rossed", (r.folder / "case_out/report.html").read_text())
+
+    def test_a_gear_as_itself_works_like_any_other(self):
+        self.assertEqual(Run("outline", BASIC.format(""), "--gear", 2, "--json").status, 0)
+        gear = Run("gear", BASIC.format(""), "--json").json["gears"][0]
+        self.assertAlmostEqual(gear["normal_module_mm"], 3, places=12)
+        self.assertAlmostEqual(gear["base_tooth_thickness_mm"], 7.263, places=12)
+        named = BASIC.format("").replace("teeth = 9", "teeth = 9\nnormal_pressure_angle_deg = 17.5")
+        self.assertAlmostEqual(Run("gear", named, "--json").json["gears"][0]["profile_shift"], -0.23333293634423116, places=11)
+
+    def test_a_root_that_is_known(self):
+        root = BASIC.format("").replace("base_helix_angle_deg = 47.408", "base_helix_angle_deg = 47.408\nroot_diameter_mm = 34\nroot_form_diameter_mm = 38")
+        gear = Run("gear", root, "--json").json["gears"][0]
+        self.assertAlmostEqual(gear["root_diameter_mm"], 34, places=10)
+        r = Run("gear", root.replace("root_form_diameter_mm = 38", "root_form_diameter_mm = 60"), "--json")
+        self.assertEqual(r.json["error"]["key"], "gear1.basic.root_form_diameter_mm")
+
+    def test_another_rack(self):
+        r = Run("gear", BASIC.format(""), "--as-rack", ",17.5", "--json")
+        rack = r.json["gears"][0]["as_rack"]
+        self.assertAlmostEqual(rack["normal_module_mm"], 2.955885244721772, places=12)
+        self.assertAlmostEqual(rack["helix_angle_deg"], 50.526466529067285, places=11)
+        self.assertAlmostEqual(Run("gear", BASIC.format(""), "--as-rack", "3,", "--json").json["gears"][1]["as_rack"]["normal_pressure_angle_deg"], 20, places=9)
+        self.assertEqual(Run("gear", BASIC.format(""), "--as-rack", "3,21").status, 1)
+        self.assertEqual(Run("gear", BASIC.format(""), "--as-rack", ",50").status, 1)
+        for junk in ("3", ",", "3,20,1", "x,20", "-3,20", "3,nan", "3 ,20x"):
+            self.assertEqual(Run("gear", BASIC.format(""), "--as-rack", junk).status, 2, junk)
+
+    def test_contradictions_of_a_gear_as_itself(self):
+        for line in ("helix_angle_deg = 10", "profile_shift = 0.1", "thickness_allowance_mm = -0.1", "normal_module_mm = 3.1\nnormal_pressure_angle_deg = 20"):
+            r = Run("gear", BASIC.format("").replace("teeth = 9", "teeth = 9\n" + line), "--json")
+            self.assertEqual(r.status, 1, line)
+            self.assertIn("gear1." + line.split(" ")[0], r.json["error"]["key"])
+        r = Run("gear", BASIC.format("").replace("47.408", "75"), "--json")
+        self.assertEqual(r.json["error"]["key"], "gear1.normal_pressure_angle_deg")
+        self.assertIn("15", r.json["error"]["message"])
+
+    def test_fit_and_take(self):
+        wish = WISH.format("", "", "center_distance_mm = 40\nshaft_angle_deg = 90")
+        branches = Run("fit", wish, "--json").json["fit"]["branches"]
+        self.assertEqual(len(branches), 2)
+        self.assertAlmostEqual(branches[1]["helix_angle_deg"][0], 62.94761677137, places=9)
+        for number, branch in enumerate(branches, 1):
+            taken = Run("fit", wish, "--take", number)
+            self.assertEqual(taken.status, 0)
+            pair = Run("pair", taken.out, "--json").json["pair"]
+            self.assertAlmostEqual(pair["backlash"]["normal_base_mm"], 0, places=11)
+            self.assertAlmostEqual(pair["minimum_center_distance"]["shaft_angle_deg"], 90, places=9)
+            self.assertEqual(pair, Run("pair", json.dumps(branch["spec"]), "--json", name="case.json").json["pair"])
+        self.assertEqual(Run("fit", wish, "--take", 3).status, 1)
+        none = Run("fit", wish.replace("= 40", "= 37"))
+        self.assertEqual(none.status, 0)
+        self.assertIn("There is no such pair", none.out)
+
+    def test_fit_refuses_what_it_cannot_ask(self):
+        for lines, key in (
+                (("", "", ""), "pair.center_distance_mm"),
+                (("transverse_module_mm = 1.5", "", "center_distance_mm = 40\nshaft_angle_deg = 90"), "gear1.transverse_module_mm"),
+                (("", "normal_pressure_angle_deg = 25", "center_distance_mm = 40\nshaft_angle_deg = 90"), "gear2.normal_module_mm")):
+            text = WISH.format(*lines)
+            if "transverse" in lines[0]:
+                text = text.replace("normal_module_mm = 1.5\n", "", 1)
+            r = Run("fit", text, "--json")
+            self.assertEqual(r.status, 1, text)
+            self.assertEqual(r.json["error"]["key"], key)
+
+    def test_a_shift_follows_from_distance_and_angle(self):
+        text = WISH.format("helix_angle_deg = 45\nprofile_shift = 0.1", "helix_angle_deg = 45", "center_distance_mm = 38.4\nshaft_angle_deg = 90")
+        p = Run("pair", text, "--json").json
+        self.assertAlmostEqual(p["pair"]["backlash"]["normal_base_mm"], 0, places=11)
+        r = Run("pair", text.replace("shaft_angle_deg = 90", ""), "--json")
+        self.assertEqual(r.json["error"]["key"], "pair.shaft_angle_deg")
+
+    def test_measure(self):
+        text = BASIC.format("").replace("[gear2]", "[gear1.measure]\nchord_diameter_mm = 43.44544689997543\n[gear2]")
+        gears = Run("measure", text, "--json").json["gears"]
+        chord = gears[0]["measure"]["chordal_thickness"]
+        self.assertAlmostEqual(chord["chord_mm"], 3.7221882761818854, places=12)
+        self.assertAlmostEqual(chord["height_mm"], 0.030867235727118, places=12)
+        self.assertIn("chordal_thickness", gears[1]["measure"])
+        r = Run("measure", text.replace("43.44544689997543", "60"), "--json")
+        self.assertEqual(r.json["error"]["key"], "gear1.measure.chord_diameter_mm")
+        self.assertIn("calliper", Run("measure", text).out)
+
+
+if __name__ == "__main__":
+    unittest.main()
