@@ -1,0 +1,94 @@
+// Two involute screws that touch: the slow second way to a pair of gears at any shaft angle. A gear
+// is here as it stands, an involute unwound from its base circle and screwed along its axis; gear 2
+// is turned until the two solids touch. No rack, no pitch cylinder, no line of action.
+//
+//   r_b, β_b   base radius and base helix angle, right hand > 0     s_bt   tooth on the base circle
+//   k          turn per mm of axis, r_b k = tan β_b                 r_a    tip radius
+//   σ          side of a tooth: +1 its counter-clockwise flank, −1 its clockwise one
+//   u          angle that the string is unwound, its length r_b u   z      along the gear's axis
+//   φ_1, φ_2   rotations: gear 1 clockwise, gear 2 counter-clockwise, each seen from its own +z
+//   Σ, a       shaft angle, centre distance                         n      tooth number, see below
+//
+// Housing.  Axis 1 is z; axis 2 passes (a, 0, 0) along (0, sin Σ, cos Σ). At φ_1 = φ_2 = 0, in each
+// gear's section z = 0, tooth 0 of gear 1 points at +x and space 0 of gear 2 at −x. Tooth n of gear
+// 1 and space n of gear 2 stand there n pitches later; n is any integer, not one modulo z: on a
+// worm, the next turn of the thread is tooth n + z.
+//
+// Leading flanks (σ = −1 on both gears) touch when gear 1 pushes; gear 2 may then run ahead but not
+// fall behind, so φ_2 is the greatest at which any point of gear 1 lies on a flank of gear 2.
+// Trailing flanks (σ = +1): the least. Two ways find it: a search over flank 1, clipped to both tip
+// cylinders, that asks of each point only when flank 2 passes it; and, where the search ends inside
+// both flanks, the solution of "same point, parallel normals" started there. They have to agree.
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <optional>
+#include <ostream>
+
+namespace gearwright::oracle {
+
+/// An external gear by what its flanks are; mm and rad.
+struct Screw {
+  int teeth = 0;                ///< z ≥ 1
+  double base_radius = 0.0;     ///< r_b > 0
+  double base_thickness = 0.0;  ///< s_bt > 0, arc of the base circle in the transverse section
+  double base_helix = 0.0;      ///< β_b  |β_b| < π/2
+  double tip_radius = 0.0;      ///< r_a > r_b, at most where the flanks of a tooth meet
+};
+
+struct ScrewPair {
+  Screw first, second;
+  double center_distance = 0.0;  ///< a  mm, greater than both tip radii
+  double shaft_angle = 0.0;      ///< Σ  rad, |Σ| < π, signed
+  /// Only the part |z| ≤ half_face of gear 1 is there; 0 looks at the section z = 0 alone.
+  double half_face = std::numeric_limits<double>::infinity();
+};
+
+enum class Side { leading = -1, trailing = +1 };
+
+/// Between which parts the touch is: both flanks, or the edge where one of them ends. `base_1`,
+/// `base_2`: the involute ends at its base circle, and what follows there is not known here.
+/// `unsettled`: the two ways contradict each other, no answer.
+enum class Where { flanks, tip_1, tip_2, base_1, base_2, face_1, unsettled };
+
+struct Touch {
+  double rotation_2 = 0.0;  ///< φ_2  rad; solved for where = flanks, else searched
+  double searched_2 = 0.0;  ///< φ_2  rad, from the search alone
+  /// Housing, mm; one point of the line when the axes are parallel.
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, out of gear 1
+  int tooth = 0;                                     ///< n
+  Where where = Where::flanks;
+  double string_1 = 0.0, string_2 = 0.0;  ///< r_b u of the touching point on either flank, mm
+  double residual = 0.0;  ///< mm, distance of the two solved points and r_b1 |n_1 × n_2|
+  double margin = 0.0;    ///< mm, string length (or width) from the nearest end of a flank
+};
+
+/// A point of the flank σ of tooth 0, in the gear's frame: the string's end.
+/// Units     mm, rad        Domain    u ≥ 0
+Eigen::Vector3d flank_point(const Screw& gear, int sigma, double u, double z);
+
+/// Unit normal there, out of the material.
+Eigen::Vector3d flank_normal(const Screw& gear, int sigma, double u, double z);
+
+/// The touch of tooth n of gear 1 in space n of gear 2, no other tooth looked at; none if no part
+/// of that flank lies within the tip cylinder and outside the base cylinder of gear 2.
+/// Units     mm, rad
+/// Accuracy  rotation 1e-13 rad, at an edge too; point 1e-12 mm over sin² Σ, at an edge 1e-7 of the
+///           flank. A corner of two tips less than 1/200 of the way of the flank through the other
+///           gear is passed over
+/// Throws    std::invalid_argument for numbers outside the domains above, or parallel axes whose
+///           helices do not fit
+std::optional<Touch> touch_of_tooth(const ScrewPair& pair, double rotation_1, Side side, int tooth);
+
+/// The touch of the two solids: of all teeth that reach into each other, the one that stops gear 2.
+/// Of teeth that touch at once, the one whose point lies farthest from the ends of its flanks.
+std::optional<Touch> touch(const ScrewPair& pair, double rotation_1, Side side);
+
+/// How far gear 2 can turn, gear 1 held, rad: negative if the solids overlap in every position.
+std::optional<double> play(const ScrewPair& pair, double rotation_1);
+
+std::ostream& operator<<(std::ostream& os, Where where);
+
+}  // namespace gearwright::oracle
