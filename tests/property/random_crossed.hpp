@@ -1,0 +1,75 @@
+// Seeded pairs on crossed axes: any hands, racks of their own, shifts and helices of every size.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "gearwright/pair/pair.hpp"
+#include "tests/property/random_spec.hpp"
+
+namespace gearwright::property {
+
+struct CrossedSpecs {
+  CylindricalSpec first, second;
+  double shaft_angle = 0.0;  ///< Σ  rad
+};
+
+/// Gears of one base pitch whose reference helices differ from opposite by `least` degrees or more;
+/// `racks`: of two pressure angles. Σ is drawn from the middle of its range.
+inline CrossedSpecs random_crossed(Random& random, double least, bool racks = true) {
+  for (;;) {
+    CrossedSpecs s;
+    CylindricalSpec& a = s.first;
+    a.normal_module = random.pick({1.0, 2.0, 3.0});
+    a.normal_pressure_angle = Angle::degrees(random.pick({14.5, 20.0, 20.0, 25.0}));
+    a.teeth = random.integer(5, 50);
+    a.helix_angle = Angle::degrees(random.uniform(-60.0, 60.0));
+    a.face_width = 40.0 * a.normal_module;
+    a.rack = *iso53_rack("ISO53-A");
+    a.profile_shift = random.uniform(-0.1, 0.6);
+    CylindricalSpec& b = s.second;
+    b = a;
+    if (racks && random.chance(0.3)) b.normal_pressure_angle = Angle::degrees(22.5);
+    b.normal_module = a.normal_module * std::cos(a.normal_pressure_angle.rad()) /
+                      std::cos(b.normal_pressure_angle.rad());
+    b.teeth = random.integer(8, 70);
+    b.helix_angle = Angle::degrees(random.uniform(-60.0, 60.0));
+    b.profile_shift = random.uniform(-0.1, 0.6);
+    const BasePair<double> gears = nominal_base_pair(a, b);
+    const auto range = shaft_angle_range(gears);
+    if (std::abs(range.least) < least * std::numbers::pi / 180) continue;
+    const auto alpha = transverse_angle_at_least_distance(gears);
+    if (!alpha) continue;
+    const double middle = crossed_place(gears, *alpha).shaft_angle;
+    s.shaft_angle = middle + random.uniform(-0.3, 0.3) * (middle - range.least);
+    return s;
+  }
+}
+
+/// Mounted `play` mm further apart than without backlash; nothing when a gear cannot be.
+inline std::optional<Pair> mounted(const CrossedSpecs& s, double play = 0.0) {
+  auto g1 = make_gear(s.first);
+  auto g2 = make_gear(s.second);
+  if (!g1 || !g2 || !g1->exists() || !g2->exists()) return std::nullopt;
+  const auto tight =
+      complete_place(nominal_base_pair(s.first, s.second), std::nullopt, s.shaft_angle);
+  if (!tight) return std::nullopt;
+  PairSpec place = *tight;
+  place.center_distance += play;
+  place.friction = 0.05;
+  auto pair = mount(std::move(g1).take(), std::move(g2).take(), place);
+  if (!pair) return std::nullopt;
+  return std::move(pair).take();
+}
+
+inline std::string describe(const CrossedSpecs& s) {
+  return fmt::format("\n  gear1: {}\n  gear2: {}\n  shaft angle {} rad", describe(s.first),
+                     describe(s.second), s.shaft_angle);
+}
+
+}  // namespace gearwright::property
