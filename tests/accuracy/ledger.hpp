@@ -39,6 +39,8 @@ double error_in_modules(double got, const Exact& exact, double normal_module);
 std::vector<Row> involute_rows();
 std::vector<Row> gear_rows();
 std::vector<Row> mesh_rows();
+std::vector<Row> crossed_rows();
+std::vector<Row> chord_rows();
 
 std::string markdown(const std::vector<Row>& rows);
 

@@ -18,7 +18,9 @@ std::string markdown(const std::vector<Row>& rows) {
       "|error|/|value|. *modules*:\n"
       "|error|/m_n, for differences that cancel (a backlash near zero, a curvature radius near the "
       "base tangent\n"
-      "point); shifts are in modules themselves. Inputs are seeded and the same everywhere; the "
+      "point); shifts are in modules themselves. *of a*: |error|/a, for such differences of "
+      "crossed "
+      "axes. Inputs are seeded and the same everywhere; the "
       "worst one is named.\n\n"
       "| quantity | unit | claimed | measured | where | worst input |\n|---|---|---|---|---|---|\n";
   for (const Row& r : rows) {
@@ -34,6 +36,8 @@ std::vector<Row> all_rows() {
   std::vector<Row> rows = involute_rows();
   for (Row& r : gear_rows()) rows.push_back(std::move(r));
   for (Row& r : mesh_rows()) rows.push_back(std::move(r));
+  for (Row& r : crossed_rows()) rows.push_back(std::move(r));
+  for (Row& r : chord_rows()) rows.push_back(std::move(r));
   return rows;
 }
 

@@ -38,7 +38,8 @@ TEST_P(Golden, CasesHold) {
 INSTANTIATE_TEST_SUITE_P(Files, Golden,
                          testing::Values(std::pair{"external.json", 12},
                                          std::pair{"spur_design.json", 18},
-                                         std::pair{"inspection.json", 38}));
+                                         std::pair{"inspection.json", 38},
+                                         std::pair{"conjugate_action.json", 217}));
 
 TEST(Verify, SeesAWrongNumber) {
   const char* text = R"({"cases": [{"id": "wrong", "source": "none", "verb": "gear",
