@@ -1,9 +1,9 @@
 // How much of two mounted gears is in the same place, by manifold-3d.
 //
-//   node check_overlap.mjs GEAR1.stl GEAR2.stl Z1 Z2 PHASES A [A …]     [--modules FOLDER]
+//   node check_overlap.mjs GEAR1.stl GEAR2.stl Z1 Z2 PHASES A [A …]     [--shaft DEG] [--modules FOLDER]
 //
-// Each gear in its own frame; gear 2 is put at the distance A with space 0 to the mesh, and both are turned
-// through one pitch in PHASES steps. Prints {"overlap_mm3": greatest volume} for every A, as one JSON list.
+// Each gear in its own frame; gear 2 is put at the distance A with space 0 to the mesh, its axis along
+// (0, sin Σ, cos Σ), and both are turned through one pitch in PHASES steps. Prints {"overlap_mm3": greatest volume} for every A, as one JSON list.
 // Exit status 77: manifold-3d is not installed.
 import {existsSync} from 'node:fs';
 import {dirname, join, resolve} from 'node:path';
@@ -12,8 +12,13 @@ import {fileURLToPath, pathToFileURL} from 'node:url';
 import {readStl} from './read_stl.mjs';
 
 const args = process.argv.slice(2);
-const at = args.indexOf('--modules');
-const folder = at >= 0 ? resolve(args.splice(at, 2)[1]) : dirname(fileURLToPath(import.meta.url));
+const option = (name, absent) => {
+  const at = args.indexOf(name);
+  return at >= 0 ? args.splice(at, 2)[1] : absent;
+};
+const shaft = Number(option('--shaft', '0'));
+const modules = option('--modules', '');
+const folder = modules ? resolve(modules) : dirname(fileURLToPath(import.meta.url));
 const file = join(folder, 'node_modules', 'manifold-3d', 'manifold.js');
 if (!existsSync(file)) {
   console.error(`not installed: ${file}`);
@@ -35,7 +40,8 @@ const results = args.slice(5).map((text) => {
   for (let i = 0; i < phases; ++i) {
     const turn = 360 / z1 * i / phases;
     const mounted1 = gear1.rotate([0, 0, -turn]);
-    const mounted2 = gear2.rotate([0, 0, 180 - 180 / z2 + turn * z1 / z2]).translate([Number(text), 0, 0]);
+    const mounted2 = gear2.rotate([0, 0, 180 - 180 / z2 + turn * z1 / z2])
+                         .rotate([-shaft, 0, 0]).translate([Number(text), 0, 0]);
     greatest = Math.max(greatest, mounted1.intersect(mounted2).volume());
   }
   return {overlap_mm3: greatest};

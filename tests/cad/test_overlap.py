@@ -1,9 +1,10 @@
-"""The mounted pair, as exported: no overlap at the backlash-free distance, overlap 0.05 mm closer.
+"""The mounted pair, as exported, on parallel and on crossed axes: no overlap at the backlash-free distance, overlap 0.05 mm closer.
 
 The meshes are turned through a pitch in five steps and intersected by manifold-3d. Flanks are convex, so
 their chords lie inside the tooth and touching flanks leave no common volume but that of the coordinates'
 rounding (float32, about 2 nm, times some square millimetres); 0.05 mm closer the flanks overlap by
-0.05 sin α = 0.017 mm along at least the face width times a tenth of a millimetre.
+0.05 sin α = 0.017 mm along at least the face width times a tenth of a millimetre. Crossed flanks overlap in
+a lens of that depth h: π h² ρ with ρ the radius of its curvature, some millimetres at least.
 """
 
 import json
@@ -22,15 +23,21 @@ PAIRS = {
     "spur": dict(z=(20, 33), m=2, beta=0, x=(0.0, 0.0), b=8),
     "undercut pinion": dict(z=(9, 40), m=3, beta=0, x=(0.2, -0.2), b=8),
     "left hand": dict(z=(13, 29), m=1.5, beta=-25, x=(0.4, 0.5), b=10),
+    "screws at 90 deg": dict(z=(12, 18), m=2, beta=(45, 45), x=(0.2, 0.1), b=22, shaft=90),
+    "screws, off their least distance": dict(z=(11, 23), m=2, beta=(50, -20), x=(0.3, 0.2), b=30, shaft=29),
+    "left-hand screws": dict(z=(9, 15), m=2, beta=(-50, -38), x=(0.3, 0.2), b=24, shaft=-88),
 }
 
 
 def spec(p):
     lines = []
+    beta = p["beta"] if "shaft" in p else (p["beta"], -p["beta"])
     for i in (0, 1):
         lines += [f"[gear{i + 1}]", f"teeth = {p['z'][i]}", f"normal_module_mm = {p['m']}",
-                  f"helix_angle_deg = {p['beta'] * (1, -1)[i]}", f"profile_shift = {p['x'][i]}",
+                  f"helix_angle_deg = {beta[i]}", f"profile_shift = {p['x'][i]}",
                   f"face_width_mm = {p['b']}"]
+    if "shaft" in p:
+        lines += ["[pair]", f"shaft_angle_deg = {p['shaft']}"]
     return "\n".join(lines) + "\n"
 
 
@@ -47,7 +54,8 @@ def main():
             a = pair["backlash_free_center_distance_mm"]
             modules = ["--modules", os.environ["GW_MODULES"]] if os.environ.get("GW_MODULES") else []
             run = subprocess.run([NODE, HERE / "check_overlap.mjs", f"{folder}/1.stl", f"{folder}/2.stl",
-                                  *map(str, p["z"]), "5", str(a), str(a - 0.05), *modules],
+                                  *map(str, p["z"]), "5", str(a), str(a - 0.05), "--shaft",
+                                  str(p.get("shaft", 0)), *modules],
                                  capture_output=True, text=True)
             if run.returncode != 0:
                 print(run.stderr)
@@ -57,7 +65,8 @@ def main():
             print(f"{name}: {touching:.2e} mm3 touching (allowed {allowed:.1e}), {closer:.3f} mm3 at 0.05 mm closer")
             if touching > allowed:
                 faults.append(f"{name}: {touching} mm3 overlap at the backlash-free distance")
-            if closer < 0.017 * 0.1 * p["b"]:
+            least = 3.14 * 0.017**2 * 1.0 if "shaft" in p else 0.017 * 0.1 * p["b"]
+            if closer < least:
                 faults.append(f"{name}: only {closer} mm3 overlap 0.05 mm closer")
     for f in faults:
         print(f)

@@ -6,7 +6,10 @@
 #include <string_view>
 
 #include "gearwright/job/design.hpp"
+#include "gearwright/job/fit_answer.hpp"
+#include "gearwright/job/measures.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/job/toml_text.hpp"
 
 namespace {
 
@@ -33,12 +36,24 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       continue;
     }
     require(!design_json(*design).dump().empty());
+    const auto measures = chord_measures(*design);
+    require(measures ? !measures_json(*design, *measures).dump().empty()
+                     : !measures.error().message.empty());
     for (const Gear& gear : design->gears) {
       if (!gear.tooth || !gear.exists()) continue;
       for (const Arc& arc : gear.tooth->outline.arcs) {
         for (const Vec2& p : sample(arc, 5)) require(p.allFinite());
       }
     }
+  }
+  const auto answer = answer_fit(*spec);
+  if (!answer) {
+    require(!answer.error().message.empty() && !answer.error().key.empty());
+    return 0;
+  }
+  require(!fit_json(*answer).dump().empty());
+  for (const Json& branch : answer->specs) {
+    require(bool(read_spec(toml_text(branch), SpecFormat::toml)));  // fit hands on specs
   }
   return 0;
 }
