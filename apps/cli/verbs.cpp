@@ -106,11 +106,11 @@ std::string collision(const Options& o) {
 
 int gear_verb(const Options& o) {
   std::optional<RackQuestion> question;
-  if (!o.as_rack.empty()) {
-    question = parse_rack_question(o.as_rack);
+  if (o.as_rack) {
+    question = parse_rack_question(*o.as_rack);
     if (!question) {
       return usage(
-          "--as-rack takes MODULE,ANGLE in mm and degrees, one of them may be empty: "
+          "--as-rack takes MODULE,ANGLE in mm and degrees (1 to 60), one of them may be empty: "
           "--as-rack 3,20 or --as-rack ,17.5");
     }
   }
@@ -138,14 +138,15 @@ int gear_verb(const Options& o) {
 }
 
 int measure_verb(const Options& o) {
-  const auto design = solve_file(o, Scope::gears);
-  if (!design) return fail(o, design.error());
-  const auto measures = chord_measures(*design);
+  auto solved = solve_file(o, Scope::gears);
+  if (!solved) return fail(o, solved.error());
+  Design design = std::move(solved).take();
+  const auto measures = chord_measures(design);
   if (!measures) return fail(o, measures.error());
   if (o.json) {
-    print_json(measures_json(*design, *measures));
+    print_json(measures_json(design, *measures));
   } else {
-    print(measure_listing(*measures) + warning_listing(design->warnings));
+    print(measure_listing(*measures) + warning_listing(design.warnings));
   }
   return 0;
 }

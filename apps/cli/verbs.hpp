@@ -18,8 +18,8 @@ struct Options {
   double drawing_tolerance = 0.001;  // mm
   bool drawing_splines = false;
   std::vector<std::string> cases;
-  std::string as_rack;      // of gear: "module,angle"
-  std::optional<int> take;  // of fit: the branch whose spec is printed
+  std::optional<std::string> as_rack;  // of gear: "module,angle"
+  std::optional<int> take;             // of fit: the branch whose spec is printed
 };
 
 // All throw IoError when the outside world fails.

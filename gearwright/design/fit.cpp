@@ -47,6 +47,11 @@ FitBranch branch_at(const FitProblem& p, const std::array<double, 2>& shift,
           place.normal_pressure_angle};
 }
 
+Error one_condition_too_many() {
+  return missing("fit.working_normal_pressure_angle_deg",
+                 "is one condition too many beside what is given; leave it or another number out");
+}
+
 // Known gears on parallel axes: one place is free of backlash.
 Fit place_on_parallel_axes(const FitProblem& p, const BasePair<double>& gears,
                            const std::array<double, 2>& shift) {
@@ -103,14 +108,13 @@ Fit angles_of_distance(const FitProblem& p, const BasePair<double>& gears,
 Result<Fit> place_of_gears(const FitProblem& p) {
   const std::array<double, 2> shift{*p.shift[0], *p.shift[1]};
   const BasePair<double> gears = base_gears(p);
-  if (axes_are_parallel(gears)) return place_on_parallel_axes(p, gears, shift);
+  if (axes_are_parallel(gears)) {
+    if (p.working_normal_pressure_angle) return one_condition_too_many();
+    return place_on_parallel_axes(p, gears, shift);
+  }
   if (p.working_normal_pressure_angle) {
     const double alpha_n = *p.working_normal_pressure_angle;
-    if (p.center_distance || p.shaft_angle) {
-      return missing("fit.working_normal_pressure_angle_deg",
-                     "is one condition too many: known gears take their place from it, or from a "
-                     "centre distance, or from a shaft angle");
-    }
+    if (p.center_distance || p.shaft_angle) return one_condition_too_many();
     for (const BaseGear<double>& gear : gears) {
       if (has_rack(gear, alpha_n)) continue;
       return missing("fit.working_normal_pressure_angle_deg",
@@ -119,7 +123,13 @@ Result<Fit> place_of_gears(const FitProblem& p) {
     }
     const int g = limiting_gear(gears);
     const double alpha = std::asin(std::sin(alpha_n) / std::cos(gears[g].helix_angle));
-    return Fit{{branch_at(p, shift, crossed_place(gears, alpha))}, {}, {}, {}};
+    const CrossedPlace place = crossed_place(gears, alpha);
+    if (place.center_distance > 0.0) return Fit{{branch_at(p, shift, place)}, {}, {}, {}};
+    return Fit{{},
+               "the teeth are so thin that no centre distance is free of backlash there; more "
+               "profile shift would help",
+               {},
+               {}};
   }
   if (p.center_distance && !p.shaft_angle) return angles_of_distance(p, gears, shift);
   auto place = complete_place(gears, std::nullopt, p.shaft_angle);
@@ -153,12 +163,23 @@ Result<Fit> shifts_of_place(const FitProblem& p) {
                    "is missing; an absent profile shift is found from it. (With both profile "
                    "shifts given, the centre distance follows.)");
   }
+  if (p.working_normal_pressure_angle) return one_condition_too_many();
   const BasePair<double> gears = base_gears(p);
   const bool parallel = axes_are_parallel(gears);
-  if (!parallel && !p.shaft_angle) {
-    return missing("pair.shaft_angle_deg",
-                   "is missing; the profile shifts of known helix angles follow from centre "
-                   "distance and shaft angle");
+  std::optional<double> shaft_angle = p.shaft_angle;
+  if (!parallel && !shaft_angle) {
+    // The pair whose minimum centre distance this is.
+    const auto alpha = transverse_angle_at_pitch_sum(gears, *p.center_distance);
+    if (!alpha) {
+      Fit none;
+      none.reason = fmt::format(
+          "the centre distance must be greater than {} mm, the sum of the "
+          "base radii",
+          base_radius_sum(gears));
+      none.nearest_distance = base_radius_sum(gears);
+      return none;
+    }
+    shaft_angle = crossed_place(gears, *alpha).shaft_angle;
   }
   ShiftProblem s;
   s.z1 = p.teeth[0];
@@ -166,19 +187,19 @@ Result<Fit> shifts_of_place(const FitProblem& p) {
   s.normal_module = p.normal_module;
   s.normal_pressure_angle = p.normal_pressure_angle;
   s.helix_angle = {*p.helix[0], *p.helix[1]};
-  if (!parallel) s.shaft_angle = p.shaft_angle;
+  if (!parallel) s.shaft_angle = shaft_angle;
   s.x1 = p.shift[0];
   s.x2 = p.shift[1];
   s.center_distance = p.center_distance;
   const auto solved = complete_shifts(s);
   if (!solved) return solved.error();
   const double a = *p.center_distance;
-  const auto angles = parallel ? angles_at_parallel_distance(gears, a)
-                               : angles_at_shaft_angle(gears, *p.shaft_angle);
+  const auto angles =
+      parallel ? angles_at_parallel_distance(gears, a) : angles_at_shaft_angle(gears, *shaft_angle);
   return Fit{{{{*p.helix[0], *p.helix[1]},
                {solved->x1, solved->x2},
                a,
-               parallel ? 0.0 : *p.shaft_angle,
+               parallel ? 0.0 : *shaft_angle,
                std::atan2(angles.sin_alpha, angles.cos_alpha)}},
              {},
              {},

@@ -21,7 +21,9 @@ namespace gearwright {
 namespace {
 
 constexpr double kHalfPi = std::numbers::pi / 2;
-constexpr double kMargin = 1e-9;  // rad: a helix of 90° is no gear
+constexpr double kMargin = 0.1 * std::numbers::pi / 180;     // a working helix of 90° is no gear
+constexpr double kSteepest = 89.0 * std::numbers::pi / 180;  // of a gear, as on its rack
+constexpr double kParallel = 1e-9;                           // rad: as the pair room has it
 constexpr int kCells = 512;  // of β_w1, when roots of a function of no known shape are looked for
 
 double deg(double rad) { return Angle::radians(rad).deg(); }
@@ -58,7 +60,10 @@ class PitchSum {
     std::vector<double> found;
     for (const auto& [from, to] : {std::pair{lo_, least_}, std::pair{least_, hi_}}) {
       const Root root = find_root(f, from, to);
-      if (root.found() && (found.empty() || found.back() != root.x)) found.push_back(root.x);
+      // The ends lie beyond: there H is steep, unless t is larger than any gear has.
+      if (root.stop == RootStop::no_bracket) continue;
+      GW_ENSURES(root.found());
+      if (found.empty() || found.back() != root.x) found.push_back(root.x);
     }
     return found;
   }
@@ -67,10 +72,15 @@ class PitchSum {
   double z1_, z2_, side_, sigma_, lo_, hi_, least_;
 };
 
+// Axes closer than this are parallel.
+double shaft_angle_of(const FitProblem& p) {
+  return std::abs(*p.shaft_angle) <= kParallel ? 0.0 : *p.shaft_angle;
+}
+
 // One design per β_w1: nothing where the rack has no such helix.
 class Designs {
  public:
-  explicit Designs(const FitProblem& p) : p_(p), H_(p.teeth, *p.shaft_angle) {}
+  explicit Designs(const FitProblem& p) : p_(p), H_(p.teeth, shaft_angle_of(p)) {}
   const PitchSum& pitch_sum() const { return H_; }
   // H of a design with the working angle α_wn.
   double target(double cos_wn) const {
@@ -90,7 +100,7 @@ class Designs {
     Design d{{}, std::acos(cos_wn), 0.0};
     for (int i : {0, 1}) {
       const double sine = std::sin(b[i]) * cos_wn / cos_n;
-      if (!(std::abs(sine) < 1.0)) return std::nullopt;
+      if (!(std::abs(sine) < std::sin(kSteepest))) return std::nullopt;
       d.helix[i] = std::asin(sine);
       const double alpha_wt = std::atan2(sin_wn, cos_wn * std::cos(b[i]));
       const double alpha_t = std::atan(std::tan(p_.normal_pressure_angle) / std::cos(d.helix[i]));
@@ -169,8 +179,8 @@ void find_nearest(const FitProblem& p, double cos_wn, Fit& result) {
   }
   const double sign = *p.shaft_angle < 0.0 ? -1.0 : 1.0;
   const auto f = [&](double s) { return PitchSum(p.teeth, sign * s).least() - t; };
-  const Root root = find_root(f, 1e-6, std::numbers::pi - 1e-6);
-  if (root.found()) result.nearest_shaft_angle = sign * root.x;
+  const Root root = find_root(f, 0.0, std::numbers::pi - 3 * kMargin);
+  if (root.found()) result.nearest_shaft_angle = sign * root.x;  // none within ±179.8°
 }
 
 std::optional<Error> contradiction(const FitProblem& p) {
@@ -188,6 +198,12 @@ std::optional<Error> contradiction(const FitProblem& p) {
   if (p.working_normal_pressure_angle && helix)
     return too_many("fit.working_normal_pressure_angle_deg", helix_key);
   if (helix && shifts) return too_many(helix_key, "the two profile shifts");
+  if (!(std::abs(*p.shaft_angle) < std::numbers::pi - 3 * kMargin)) {
+    return Error{"pair.shaft_angle_deg", fmt::format("{}", deg(*p.shaft_angle)),
+                 fmt::format("pair.shaft_angle_deg = {}: no two helix angles make it; it must lie "
+                             "between -179.7 and 179.7",
+                             deg(*p.shaft_angle))};
+  }
   if (p.teeth[1] < 0 && *p.shaft_angle != 0.0) {
     return Error{"pair.shaft_angle_deg", fmt::format("{}", deg(*p.shaft_angle)),
                  fmt::format("pair.shaft_angle_deg = {}: an internal pair runs on parallel axes "
@@ -210,7 +226,7 @@ Result<Fit> least_distance_designs(const FitProblem& p) {
     const auto d = cos_wn ? designs.at(b1, *cos_wn) : designs.at(b1);
     if (!d) return;
     result.branches.push_back({d->helix, divided(p, sum.value_or(d->shift_sum)), *p.center_distance,
-                               *p.shaft_angle, d->alpha_wn});
+                               shaft_angle_of(p), d->alpha_wn});
   };
   const bool shifts = p.shift[0] && p.shift[1];
   const double wanted_sum = shifts ? *p.shift[0] + *p.shift[1] : 0.0;

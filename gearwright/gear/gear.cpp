@@ -28,7 +28,9 @@ constexpr double kLeastFace = 1e-3;          // modules
 constexpr double kGreatestFace = 1e5;        // modules
 constexpr double kGreatestTip = 1e3;         // times the reference diameter
 
-std::optional<Error> check(const CylindricalSpec& spec) {
+}  // namespace
+
+std::optional<Error> check_limits(const CylindricalSpec& spec) {
   const auto within = [](double v, double lo, double hi) {
     return v >= lo && v <= hi;
   };  // false for NaN
@@ -75,6 +77,8 @@ std::optional<Error> check(const CylindricalSpec& spec) {
   }
   return std::nullopt;
 }
+
+namespace {
 
 void warn(Gear& gear, const char* code, std::string message) {
   gear.warnings.push_back({code, std::move(message), 0});
@@ -204,7 +208,7 @@ double Gear::actual_tip_radius() const {
 double Gear::twist() const { return lead == 0.0 ? 0.0 : 2 * std::numbers::pi / lead; }
 
 Result<Gear> make_gear(const CylindricalSpec& spec) {
-  if (auto error = check(spec)) return *error;
+  if (auto error = check_limits(spec)) return *error;
   Gear gear{};
   gear.spec = spec;
   gear.reference = reference_geometry<double>(

@@ -61,6 +61,9 @@ struct Gear {
   double twist() const;  ///< 2π/p_z  rad/mm, signed, 0 for a spur gear
 };
 
+/// What a spec may say: nothing, or the key that is out of bounds. make_gear asks it too.
+std::optional<Error> check_limits(const CylindricalSpec& spec);
+
 /// Makes the gear: closed-form data, then the tooth by generation.
 ///
 /// Errors    the key as in the spec file ("teeth", "normal_module_mm", "rack.dedendum", …), without

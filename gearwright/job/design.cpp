@@ -9,11 +9,61 @@ namespace gearwright {
 
 namespace {
 
-// The library names keys without their table; a user has two gears.
-Error in_table(Error error, const std::string& table) {
-  if (error.key.rfind("gear1.", 0) == 0 || error.key.rfind("gear2.", 0) == 0) return error;
+// The library names keys without their table; a user has two gears. A gear given by its base
+// cylinder has none of a rack's keys: the complaint is about what the rack makes of it.
+Error in_table(Error error, const JobSpec& spec, int which) {
+  const std::string table = fmt::format("gear{}", which);
+  const GearInput& gear = *spec.gears[static_cast<std::size_t>(which - 1)];
+  const bool own =
+      error.key == "face_width_mm" || error.key == "tip_diameter_mm" || error.key == "teeth";
+  if (gear.basic && !own) {
+    error.message = fmt::format("{}.basic: on the rack of {:.6g}° that describes this gear {}",
+                                table, gear.cylindrical.normal_pressure_angle.deg(), error.message);
+    error.key = table + ".basic";
+    return error;
+  }
   error.key = table + "." + error.key;
   error.message = table + "." + error.message;
+  return error;
+}
+
+// A pair names its gears' rack keys; those of a gear given by its base cylinder are [gearN.basic].
+Error of_basic(Error error, const JobSpec& spec) {
+  for (const int which : {1, 2}) {
+    const auto& gear = spec.gears[static_cast<std::size_t>(which - 1)];
+    const std::string table = fmt::format("gear{}.", which);
+    if (!gear || !gear->basic || error.key.rfind(table, 0) != 0) continue;
+    const std::string own = error.key.substr(table.size());
+    if (own == "normal_module_mm") {
+      error.key = table + "basic.base_diameter_mm";
+      error.value = fmt::format("{}", 2 * gear->basic->radius);
+    } else if (own == "helix_angle_deg") {
+      error.key = table + "basic.base_helix_angle_deg";
+      error.value = fmt::format("{}", Angle::radians(gear->basic->helix_angle).deg());
+    } else if (own == "profile_shift") {
+      error.key = table + "basic.base_tooth_thickness_mm";
+      error.value = fmt::format("{}", gear->basic->tooth_thickness);
+    } else {
+      continue;
+    }
+    error.message = fmt::format("{} = {}: as a rack describes this gear, {}", error.key,
+                                error.value, error.message);
+  }
+  return error;
+}
+
+// A shift that nobody gave cannot be to blame: it followed from the centre distance.
+Error of_distance(Error error, const JobSpec& spec) {
+  for (const int which : {1, 2}) {
+    const std::string key = fmt::format("gear{}.profile_shift", which);
+    if (error.key != key || spec.gears[static_cast<std::size_t>(which - 1)]->profile_shift ||
+        !spec.pair.center_distance)
+      continue;
+    error.key = "pair.center_distance_mm";
+    error.value = fmt::format("{}", *spec.pair.center_distance);
+    error.message =
+        fmt::format("pair.center_distance_mm = {}: it asks for {}", error.value, error.message);
+  }
   return error;
 }
 
@@ -126,9 +176,18 @@ Result<PairSpec> complete_pair(JobSpec& spec, bool shift_wanted) {
     if (auto error = needs_one_rack(spec, shift_wanted)) return *error;
   }
   if (crossed && shift_wanted && !spec.pair.shaft_angle_deg) {
-    return Error{"pair.shaft_angle_deg", "",
-                 "pair.shaft_angle_deg: is missing; to find a profile shift from the centre "
-                 "distance of crossed axes the shaft angle is needed"};
+    // Neither shifts nor angle: the pair whose minimum centre distance this is.
+    const auto gears = nominal_base_pair(spec.gears[0]->cylindrical, spec.gears[1]->cylindrical);
+    const double given = *spec.pair.center_distance;
+    const auto alpha = transverse_angle_at_pitch_sum(gears, given);
+    if (!alpha) {
+      return Error{"pair.center_distance_mm", fmt::format("{}", given),
+                   fmt::format("pair.center_distance_mm = {}: there is no working pressure angle; "
+                               "it must be greater than {} mm, the sum of the base radii",
+                               given, base_radius_sum(gears))};
+    }
+    spec.pair.shaft_angle_deg = Angle::radians(crossed_place(gears, *alpha).shaft_angle).deg();
+    spec.shaft_angle_found = true;
   }
   // Gears of one rack on parallel axes meet at a distance of closed form, to the last digit.
   const bool by_shifts = one_rack && (!crossed || shift_wanted || extended);
@@ -171,11 +230,12 @@ void collect_warnings(Design& design) {
         {"not_read", what + " is of a part that is not in this version: it was not read.", 0});
   }
   if (!design.pair) return;
-  if (design.pair->crossed() && !design.spec.pair.shaft_angle_deg) {
+  if (design.pair->crossed() &&
+      (design.spec.shaft_angle_found || !design.spec.pair.shaft_angle_deg)) {
     design.warnings.push_back(
         {"default_shaft_angle",
          fmt::format("No shaft_angle_deg given, and these helix angles do not allow parallel axes: "
-                     "the pair crosses at {:.4f}°, the angle of its minimum centre distance.",
+                     "the pair crosses at {:.6g}°, the angle of its minimum centre distance.",
                      Angle::radians(design.pair->shaft_angle()).deg()),
          0});
   }
@@ -194,25 +254,28 @@ Result<Design> solve(const JobSpec& given, Scope scope) {
   }
   const bool want_pair = two && scope != Scope::gears;
 
-  for (auto& gear : spec.gears) {
-    if (gear) gear->cylindrical.profile_shift = gear->profile_shift.value_or(0.0);
+  for (const int which : {1, 2}) {
+    auto& gear = spec.gears[static_cast<std::size_t>(which - 1)];
+    if (!gear) continue;
+    gear->cylindrical.profile_shift = gear->profile_shift.value_or(0.0);
+    if (auto error = check_limits(gear->cylindrical)) return in_table(*error, spec, which);
   }
   std::optional<PairSpec> place;
   const bool shift_wanted = two && spec.pair.center_distance &&
                             (!spec.gears[0]->profile_shift || !spec.gears[1]->profile_shift);
   if (two && (want_pair || shift_wanted || spec.pair.shorten_tips)) {
     auto completed = complete_pair(spec, shift_wanted);
-    if (!completed) return completed.error();
+    if (!completed) return of_basic(completed.error(), spec);
     place = *completed;
   }
   for (std::size_t i = 0; i < (two ? 2u : 1u); ++i) {
     auto gear = make_gear(spec.gears[i]->cylindrical);
-    if (!gear) return in_table(gear.error(), i == 0 ? "gear1" : "gear2");
+    if (!gear) return of_distance(in_table(gear.error(), spec, static_cast<int>(i) + 1), spec);
     design.gears.push_back(std::move(gear).take());
   }
   if (want_pair) {
     auto pair = mount(design.gears[0], design.gears[1], *place);
-    if (!pair) return pair.error();
+    if (!pair) return of_basic(of_distance(pair.error(), spec), spec);
     design.pair = std::move(pair).take();
   }
   collect_warnings(design);

@@ -57,6 +57,12 @@ Result<JobFile> make_mesh(FileKind kind, const std::vector<ToothedBody>& bodies,
 
 Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodies,
                              const fs::path& path, const FileOptions& options) {
+  for (const ToothedBody& body : bodies) {
+    if (body.pose.linear()(2, 2) == 1.0) continue;
+    return Error{"pair.shaft_angle_deg", "",
+                 "pair.shaft_angle_deg: a drawing is one plane section, and gears on crossed axes "
+                 "have none in common; draw each of them, --gear 1 and --gear 2"};
+  }
   const auto style =
       options.drawing_splines ? ContourOptions::Style::splines : ContourOptions::Style::biarcs;
   std::optional<double> tolerance;

@@ -26,10 +26,12 @@ Json spec_of(const JobSpec& spec, const FitBranch& b) {
       for (const char* key : kHelixKeys) gear.erase(key);
       gear["helix_angle_deg"] = deg(b.helix[i]);
     }
-    gear["profile_shift"] = b.shift[i];
+    if (!given.profile_shift) gear["profile_shift"] = b.shift[i];
   }
-  tree["pair"]["center_distance_mm"] = b.center_distance;
-  tree["pair"]["shaft_angle_deg"] = deg(b.shaft_angle);
+  if (!spec.pair.center_distance) tree["pair"]["center_distance_mm"] = b.center_distance;
+  if (!spec.pair.shaft_angle_deg || b.shaft_angle == 0.0)
+    tree["pair"]["shaft_angle_deg"] = deg(b.shaft_angle);
+  tree["pair"].erase("mounting");  // the place is said
   // Tables after plain values, as a TOML file has them.
   Json ordered = Json::object();
   for (const bool tables : {false, true}) {
@@ -68,6 +70,14 @@ Result<FitAnswer> answer_fit(const JobSpec& spec) {
   p.teeth = {c1.teeth, c2.teeth};
   p.normal_module = c1.normal_module;
   p.normal_pressure_angle = c1.normal_pressure_angle.rad();
+  for (const int i : {0, 1}) {
+    CylindricalSpec c = i == 0 ? c1 : c2;
+    c.profile_shift = spec.gears[i]->profile_shift.value_or(0.0);
+    if (auto error = check_limits(c)) {
+      const std::string table = i == 0 ? "gear1." : "gear2.";
+      return Error{table + error->key, error->value, table + error->message};
+    }
+  }
   bool all = true;
   std::array<CylindricalSpec, 2> known{c1, c2};
   for (const int i : {0, 1}) {

@@ -174,7 +174,7 @@ std::string pair_listing(const Pair& p) {
   }
   if (p.contact_ratio_range) {
     const CrossedPlaces& r = *p.contact_ratio_range;
-    t.head("contact ratio of 1 and more, without backlash: from, to");
+    t.head("contact ratio of 1 and more, without backlash: the two ends");
     two("shaft angle", "Σ", angle(r.lo.shaft_angle), angle(r.hi.shaft_angle), "°");
     two("centre distance", "a", mm(r.lo.center_distance), mm(r.hi.center_distance), "mm");
     two("working pressure angle, normal", "α_wn", angle(r.lo.normal_pressure_angle),

@@ -51,37 +51,45 @@ Result<ChordMeasure> chord_measure(const Design& design, int which) {
   return ChordMeasure{d, *chord};
 }
 
-Result<std::vector<ChordMeasure>> chord_measures(const Design& design) {
-  std::vector<ChordMeasure> measures;
+Result<std::vector<MaybeChord>> chord_measures(Design& design) {
+  std::vector<MaybeChord> measures;
   for (int which = 1; which <= static_cast<int>(design.gears.size()); ++which) {
     auto measure = chord_measure(design, which);
-    if (!measure) return measure.error();
-    measures.push_back(*measure);
+    if (measure) {
+      measures.push_back(*measure);
+    } else if (design.spec.gears[static_cast<std::size_t>(which - 1)]->chord_diameter) {
+      return measure.error();
+    } else {
+      measures.push_back(std::nullopt);
+      design.warnings.push_back(
+          {"no_chord", "No chordal thickness: " + measure.error().message, which});
+    }
   }
   return measures;
 }
 
-Json measures_json(const Design& design, const std::vector<ChordMeasure>& measures) {
+Json measures_json(const Design& design, const std::vector<MaybeChord>& measures) {
   Json j = design_json(design);
   for (std::size_t i = 0; i < measures.size(); ++i)
     j["gears"][i]["measure"] = measure_json(measures[i]);
   return j;
 }
 
-Json measure_json(const ChordMeasure& m) {
+Json measure_json(const MaybeChord& m) {
+  if (!m) return {{"chordal_thickness", nullptr}};
   return {{"chordal_thickness",
-           {{"diameter_mm", m.diameter},
-            {"chord_mm", m.chord.chord},
-            {"height_mm", m.chord.height},
-            {"tip_to_chord_mm", m.chord.tip_to_chord},
-            {"caliper_angle_deg", deg(m.chord.caliper_angle)}}}};
+           {{"diameter_mm", m->diameter},
+            {"chord_mm", m->chord.chord},
+            {"height_mm", m->chord.height},
+            {"tip_to_chord_mm", m->chord.tip_to_chord},
+            {"caliper_angle_deg", deg(m->chord.caliper_angle)}}}};
 }
 
-std::string measure_listing(const std::vector<ChordMeasure>& measures) {
+std::string measure_listing(const std::vector<MaybeChord>& measures) {
   std::string text = "\nchordal tooth thickness (shortest over all inclinations of the calliper)\n";
   const auto row = [&](const char* what, const auto& value, const char* unit) {
     text += fmt::format("  {:<38}", what);
-    for (const ChordMeasure& m : measures) text += fmt::format("{:>14}", value(m));
+    for (const MaybeChord& m : measures) text += fmt::format("{:>14}", m ? value(*m) : "-");
     text += fmt::format("  {}\n", unit);
   };
   const auto mm = [](double v) { return fmt::format("{:.4f}", v); };
@@ -110,6 +118,7 @@ std::optional<RackQuestion> parse_rack_question(const std::string& text) {
     if (part.empty()) return std::nullopt;
     char* end = nullptr;
     const double v = std::strtod(part.c_str(), &end);
+    good = good && part.find_first_not_of("0123456789.eE+-") == std::string::npos;  // no hex
     good = good && end == part.c_str() + part.size() && std::isfinite(v) && v > 0.0;
     return v;
   };
@@ -118,7 +127,7 @@ std::optional<RackQuestion> parse_rack_question(const std::string& text) {
   q.normal_module = number(text.substr(0, comma), good);
   if (const auto angle = number(text.substr(comma + 1), good)) {
     q.normal_pressure_angle = Angle::degrees(*angle).rad();
-    good = good && *angle < 90.0;
+    good = good && *angle >= 1.0 && *angle <= 60.0;  // as a gear's own
   }
   if (!good || (!q.normal_module && !q.normal_pressure_angle)) return std::nullopt;
   return q;
@@ -171,7 +180,7 @@ std::string rack_listing(const std::vector<ReferenceInput<double>>& racks) {
   const auto row = [&](const char* what, const char* symbol, const auto& value, const char* unit) {
     text += fmt::format("  {:<38}{:<7}", what, symbol);
     for (const auto& r : racks) text += fmt::format("{:>14}", value(r));
-    text += fmt::format("  {}\n", unit);
+    text += std::string(*unit ? "  " : "") + unit + "\n";
   };
   using Rack = ReferenceInput<double>;
   row(

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "gearwright/inspection/chordal_thickness.hpp"
 #include "gearwright/job/design.hpp"
@@ -22,15 +23,21 @@ struct ChordMeasure {
 /// Errors    `gearN.measure.chord_diameter_mm`
 Result<ChordMeasure> chord_measure(const Design& design, int which);
 
-/// chord_measure of every gear.
-Result<std::vector<ChordMeasure>> chord_measures(const Design& design);
+/// One gear's chord, or nothing.
+using MaybeChord = std::optional<ChordMeasure>;
+
+/// chord_measure of every gear; a gear that has no chord where nobody asked for one gets a warning
+/// `no_chord` in the design.
+///
+/// Errors    `gearN.measure.chord_diameter_mm`, when that was given
+Result<std::vector<MaybeChord>> chord_measures(Design& design);
 
 /// design_json with `measure` in each of `gears`.
-Json measures_json(const Design& design, const std::vector<ChordMeasure>& measures);
+Json measures_json(const Design& design, const std::vector<MaybeChord>& measures);
 
 /// {"chordal_thickness": {diameter_mm, chord_mm, height_mm, tip_to_chord_mm, caliper_angle_deg}}
-Json measure_json(const ChordMeasure& measure);
-std::string measure_listing(const std::vector<ChordMeasure>& measures);
+Json measure_json(const MaybeChord& measure);
+std::string measure_listing(const std::vector<MaybeChord>& measures);
 
 /// The rack that --as-rack names: "module,angle", either of them empty.
 struct RackQuestion {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -135,16 +136,23 @@ void read_basic(TableReader& gear, GearInput& g, int teeth, const Once& module, 
   if (!s_bt)
     t.fail("base_tooth_thickness_mm",
            "is missing: the transverse tooth thickness (arc) on the base cylinder");
-  if (beta_b && !(std::abs(*beta_b) < 90.0))
-    t.fail("base_helix_angle_deg", "must lie between -90 (left hand) and 90 (right hand)");
   if (d_Ff && !d_f) {
     t.fail("root_diameter_mm", "is missing: root_form_diameter_mm needs it beside it");
   }
-  for (const char* key :
-       {"helix_angle_deg", "lead_angle_deg", "hand", "profile_shift", "thickness_allowance_mm",
-        "transverse_module_mm", "transverse_pressure_angle_deg"}) {
+  if (!(std::abs(beta_b.value_or(0.0)) < 89.0)) {
+    t.fail("base_helix_angle_deg",
+           "must lie between -89 and 89: steeper, no rack of 1° and more describes the gear");
+  }
+  for (const char* key : {"transverse_module_mm", "transverse_pressure_angle_deg"}) {
     if (gear.has(key))
-      gear.fail(key, "says again what [" + gear.name("basic") + "] says; leave it out");
+      gear.fail(key, "has no place beside [" + gear.name("basic") +
+                         "]; name the rack by its normal "
+                         "module or pressure angle, or leave it out");
+  }
+  if (gear.has("thickness_allowance_mm")) {
+    gear.fail("thickness_allowance_mm",
+              "has no place beside [" + gear.name("basic") +
+                  "], whose thickness is that of the tooth as cut; leave it out");
   }
   const BaseGear<double> base{teeth, *d_b / 2, *s_bt, Angle::degrees(beta_b.value_or(0.0)).rad()};
   const double m_cos_alpha = normal_base_pitch(base) / std::numbers::pi;
@@ -165,10 +173,21 @@ void read_basic(TableReader& gear, GearInput& g, int teeth, const Once& module, 
   }
   if (!has_rack(base, alpha_n)) {
     gear.fail("normal_pressure_angle_deg",
-              fmt::format("{}° has no rack with the base helix angle {}°; it must be less than {}",
-                          Angle::radians(alpha_n).deg(), *beta_b, 90.0 - std::abs(*beta_b)));
+              fmt::format(
+                  "{:.9g}° has no rack with the base helix angle {}°; it must be less than {:.9g}°",
+                  Angle::radians(alpha_n).deg(), beta_b.value_or(0.0),
+                  90.0 - std::abs(beta_b.value_or(0.0))));
   }
   const ReferenceInput<double> rack = as_rack(base, alpha_n);
+  const auto agrees = [&](const char* key, const std::optional<double>& given, double value) {
+    if (!given || std::abs(*given - value) <= kSameInput * std::max(1.0, std::abs(value))) return;
+    gear.fail(key, fmt::format("contradicts [{}], which makes it {}; leave one of them out",
+                               gear.name("basic"), value));
+  };
+  agrees(gear.has("lead_angle_deg") ? "lead_angle_deg" : "helix_angle_deg",
+         g.helix_given ? std::optional(g.cylindrical.helix_angle.deg()) : std::nullopt,
+         Angle::radians(rack.helix_angle).deg());
+  agrees("profile_shift", g.profile_shift, rack.profile_shift);
   CylindricalSpec& c = g.cylindrical;
   c.normal_module = rack.normal_module;
   c.normal_pressure_angle = Angle::radians(rack.normal_pressure_angle);

@@ -111,8 +111,8 @@ FitInput read_fit(const Json& node) {
   FitInput f;
   f.normal_pressure_angle_deg = t.number("working_normal_pressure_angle_deg");
   if (f.normal_pressure_angle_deg &&
-      !(*f.normal_pressure_angle_deg > 0.0 && *f.normal_pressure_angle_deg < 90.0)) {
-    t.fail("working_normal_pressure_angle_deg", "must lie between 0 and 90, usually 14.5 to 30");
+      !(*f.normal_pressure_angle_deg >= 1.0 && *f.normal_pressure_angle_deg <= 80.0)) {
+    t.fail("working_normal_pressure_angle_deg", "must lie between 1 and 80, usually 14.5 to 30");
   }
   t.finish();
   return f;

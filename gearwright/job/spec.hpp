@@ -53,6 +53,7 @@ struct JobSpec {
   std::array<std::optional<GearInput>, 2> gears;
   PairInput pair;
   FitInput fit;
+  bool shaft_angle_found = false;     ///< not given: it followed from the centre distance
   std::vector<std::string> not_read;  ///< tables and keys of verbs that are not in this version
 };
 

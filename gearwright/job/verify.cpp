@@ -78,12 +78,13 @@ Result<Json> answer(const std::string& verb, const JobSpec& spec) {
     if (!found) return found.error();
     return fit_json(*found);
   }
-  const auto design = solve(spec, verb == "pair" ? Scope::pair : Scope::gears);
-  if (!design) return design.error();
-  if (verb != "measure") return design_json(*design);
-  const auto measures = chord_measures(*design);
+  auto solved = solve(spec, verb == "pair" ? Scope::pair : Scope::gears);
+  if (!solved) return solved.error();
+  Design design = std::move(solved).take();
+  if (verb != "measure") return design_json(design);
+  const auto measures = chord_measures(design);
   if (!measures) return measures.error();
-  return measures_json(*design, *measures);
+  return measures_json(design, *measures);
 }
 
 Result<CaseOutcome> run_case(const Json& c) {

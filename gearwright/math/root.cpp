@@ -10,9 +10,8 @@
 
 namespace gearwright {
 
-// TOMS 748 halves its bracket at least every four evaluations: 64 halvings, more than the bits of a
-// double, so that only a root at a tiny fraction of the interval can run it out.
-constexpr std::uintmax_t kBudget = 256;
+// Evaluations for TOMS 748, which needs some ten; what it leaves is halved.
+constexpr std::uintmax_t kBudget = 100;
 
 Root find_root(const std::function<double(double)>& f, double lo, double hi) {
   GW_EXPECTS(lo <= hi);
@@ -25,13 +24,26 @@ Root find_root(const std::function<double(double)>& f, double lo, double hi) {
     return {low ? lo : hi, low ? f_lo : f_hi, 2, RootStop::no_bracket};
   }
   const auto closed = [](double a, double b) {
+    if (std::nextafter(a, b) == b) return true;  // a root at 0 has no relative end
     return std::abs(b - a) <=
            2 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
   };
   std::uintmax_t budget = kBudget;
-  const auto [a, b] = boost::math::tools::toms748_solve(f, lo, hi, f_lo, f_hi, closed, budget);
-  const double f_a = f(a);
-  const double f_b = f(b);
+  auto [a, b] = boost::math::tools::toms748_solve(f, lo, hi, f_lo, f_hi, closed, budget);
+  double f_a = f(a);
+  double f_b = f(b);
+  // TOMS 748 keeps two ulp away from the ends of its bracket and may circle there: the last few
+  // are halved.
+  while (!closed(a, b) && f_a != 0.0 && f_b != 0.0) {
+    const double middle = a + (b - a) / 2;
+    if (middle == a || middle == b) break;
+    const double f_middle = f(middle);
+    ++budget;
+    if (std::isnan(f_middle)) break;
+    const bool low = std::signbit(f_middle) == std::signbit(f_a);
+    (low ? a : b) = middle;
+    (low ? f_a : f_b) = f_middle;
+  }
   const bool low = std::abs(f_a) <= std::abs(f_b);
   const double residual = low ? f_a : f_b;
   const RootStop stop = residual == 0.0 ? RootStop::exact

@@ -12,7 +12,7 @@ enum class RootStop {
   exact,        ///< f(x) = 0
   bracket,      ///< |b − a| ≤ 2 ulp of the larger end
   no_bracket,   ///< f(lo), f(hi) have the same sign: nothing was solved, x is the better end
-  evaluations,  ///< the budget of 256 evaluations ran out before the bracket closed
+  evaluations,  ///< f is not a number inside the bracket
 };
 
 struct Root {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace gearwright {
 namespace {
@@ -51,6 +52,24 @@ TEST(Root, a_triple_root_ends_all_the_same) {
   EXPECT_TRUE(root.found());
   EXPECT_NEAR(root.x, 0.3, 1e-9);
   EXPECT_LE(root.evaluations, 260);
+}
+
+// TOMS 748 alone circles here, two ulp from an end of its bracket.
+TEST(Root, closes_the_last_ulps_by_halving) {
+  const double sigma = std::acos(-1.0) / 4;
+  int found = 0;
+  for (int k = 0; k < 200; ++k) {
+    const double t = 45.0 + 0.1 * k;
+    const auto h = [&](double b) { return 12 / std::cos(b) + 24 / std::cos(sigma - b) - t; };
+    for (const auto& [lo, hi] : {std::pair{-0.78, 0.55}, std::pair{0.55, 1.569}}) {
+      if (std::signbit(h(lo)) == std::signbit(h(hi))) continue;
+      const Root root = find_root(h, lo, hi);
+      EXPECT_TRUE(root.found()) << t;
+      EXPECT_LE(root.evaluations, 180);
+      ++found;
+    }
+  }
+  EXPECT_GT(found, 200);
 }
 
 TEST(Root, a_step_is_bracketed_to_two_ulp) {

@@ -139,7 +139,10 @@ template <class T>
 Backlash<T> backlash_of(const MeshInput<T>& in, const Mesh<T>& m) {
   using std::cos;
   Backlash<T> j;
-  j.normal_base = T(2) * m.pitch_plane_distance * m.rack.angles.sin_alpha - m.rack.excess;
+  // 2 X sin α_n − Q, as the distance from the place without backlash: near β_w = 90° the pitch
+  // radii in X grow without bound and cancel, a does not.
+  const T more = m.sigma * (in.center_distance - conjugate_center_distance(in.gears, m.rack));
+  j.normal_base = T(2) * more * m.rack.angles.sin_alpha;
   j.normal = j.normal_base / m.rack.angles.cos_alpha;
   for (int i : {0, 1}) {
     j.rotation[i] = j.normal_base / (in.gears[i].radius * cos(in.gears[i].helix_angle));

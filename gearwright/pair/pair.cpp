@@ -40,11 +40,12 @@ void warn_about_axes(Pair& p) {
     const double b = p.gears[i].spec.face_width;
     const double wanted = p.face_widths->both_flanks[i];
     if (p.flanks_meet() && wanted > b) {
-      warn(p, "face_width",
-           fmt::format("Gear {}: the line of action runs beyond the face; both flanks need {:.2f} "
-                       "mm about the centre line, the face is {:.2f} mm wide.",
-                       i + 1, wanted, b),
-           i + 1);
+      warn(
+          p, "face_width",
+          fmt::format("The line of action runs beyond the face of gear {}; both flanks need {:.2f} "
+                      "mm about the centre line, the face is {:.2f} mm wide.",
+                      i + 1, wanted, b),
+          i + 1);
     }
   }
 }
@@ -75,7 +76,7 @@ void warn_about_contact(Pair& p) {
 
 void warn_about_mesh(Pair& p) {
   // Rounding of a backlash-free distance is not a backlash: 1e-12 of the base pitch, and of a.
-  const double noise = 1e-12 * p.gears[0].reference.base_pitch_normal + 4e-16 * p.center_distance;
+  const double noise = 1e-12 * p.gears[0].reference.base_pitch_normal + 4e-15 * p.center_distance;
   if (p.mesh.backlash.normal_base < -noise) {
     const std::string distance = p.backlash_free_center_distance
                                      ? fmt::format("{:.4f} mm", *p.backlash_free_center_distance)
@@ -96,15 +97,21 @@ void warn_about_mesh(Pair& p) {
   for (const Interference& i : p.interference) warn(p, i.code, i.message, i.gear);
 }
 
+// Backlash-free pairs stand further apart than their base radii; half of that is in nobody's mind.
+constexpr double kLeastCrossedDistance = 0.5;
+
 std::optional<Error> check_place(const Pair& p) {
   const double a = p.center_distance;
   if (p.crossed()) {
     const auto rack = common_rack(p.input.gears, working_angles(p.input));
     const double most =
         kGreatestDistance * (rack.sides[0].pitch_radius + rack.sides[1].pitch_radius);
-    if (a > 0.0 && a <= most) return std::nullopt;
+    const double least = kLeastCrossedDistance * base_radius_sum(p.input.gears);
+    if (a >= least && a <= most) return std::nullopt;
     return bad("pair.center_distance_mm", a,
-               fmt::format("must be greater than 0 and at most {} mm", most));
+               fmt::format("must be at least {} mm (half the sum of the base radii) and at most {} "
+                           "mm",
+                           least, most));
   }
   const double least = base_radius_sum(p.input.gears);
   if (a > least && a <= kGreatestDistance * least) return std::nullopt;

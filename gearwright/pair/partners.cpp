@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "gearwright/base/angle.hpp"
@@ -21,8 +22,11 @@ Error bad(std::string key, double value, const std::string& why) {
 // millimetres must pass, another helix must not.
 constexpr double kSamePitch = 1e-9;
 
+// Beyond, a pitch cylinder is hundreds of times the base cylinder, and no tooth reaches there.
+constexpr double kGreatestWorkingHelix = 89.9;  // degrees
+
 std::string reach(const ShaftAngleRange<double>& range) {
-  return fmt::format("these gears can cross at more than {:.6f}° and less than {:.6f}°",
+  return fmt::format("these gears can cross at more than {:.9g}° and less than {:.9g}°",
                      deg(std::min(range.least, range.greatest)),
                      deg(std::max(range.least, range.greatest)));
 }
@@ -42,16 +46,23 @@ std::optional<Error> check_shaft_angle(const BasePair<double>& gears, double sig
     return bad(key, 0.0,
                fmt::format("parallel axes need opposite base helices (helix_angle_deg = {} on a "
                            "gear 2 of the same module); {}",
-                           -gear_1.helix_angle.deg(), reach(range)));
+                           0.0 - gear_1.helix_angle.deg(), reach(range)));
   }
-  if (range.contains(sigma)) return std::nullopt;
-  const double miss = std::abs(sigma) > std::abs(range.greatest) || sigma * range.least < 0.0
-                          ? sigma - range.greatest
-                          : sigma - range.least;
+  if (range.contains(sigma)) {
+    const RackAngles<double> angles = angles_at_shaft_angle(gears, sigma);
+    const int g = limiting_gear(gears);
+    const double helix = deg(std::atan2(std::abs(std::sin(gears[g].helix_angle)), angles.u[g]));
+    if (helix <= kGreatestWorkingHelix && angles.sin_alpha > 0.0) return std::nullopt;
+    return bad(key, deg(sigma),
+               fmt::format("too near an end of what these gears reach (the working helix angle of "
+                           "gear {} would be {:.6g}°, at most {} is allowed); {}",
+                           g + 1, helix, kGreatestWorkingHelix, reach(range)));
+  }
+  const double miss = std::min(std::abs(sigma - range.least), std::abs(sigma - range.greatest));
   return bad(key, deg(sigma),
              fmt::format("out of reach by {:.6g}°; {} (right hand > 0, two left hands cross at a "
                          "negative angle); more helix angle on either gear widens that",
-                         std::abs(deg(miss)), reach(range)));
+                         deg(miss), reach(range)));
 }
 
 }  // namespace

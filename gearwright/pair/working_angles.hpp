@@ -166,6 +166,35 @@ std::optional<T> transverse_angle_at_least_distance(const BasePair<T>& gears) {
   return root.x;
 }
 
+/// The rack at which the pitch cylinders of an external pair are a apart, X = 0: the pair whose
+/// least distance is a, whatever its thicknesses. Nothing when a is below the base radii's sum, or
+/// beyond the domain.
+///
+/// Formula   Σ r_b cos β_b/u = a; [T4.29]
+template <class T>
+std::optional<T> transverse_angle_at_pitch_sum(const BasePair<T>& gears, const T& a) {
+  using std::acos;
+  using std::atan;
+  using std::cos;
+  if (!(a > base_radius_sum(gears))) return std::nullopt;
+  const int g = limiting_gear(gears);
+  const auto f = [&](const T& alpha) {
+    const auto angles = angles_at_transverse(gears, alpha);
+    Slope<T> s{-a, T(0)};
+    for (int i : {0, 1}) {
+      const T r = gears[i].radius * cos(gears[i].helix_angle) / angles.u[i];
+      s.value += r;
+      s.derivative += r * angles.sin_alpha * angles.u[g] / (angles.u[i] * angles.u[i]);
+    }
+    return s;
+  };
+  // Gear g alone reaches a here, and the other adds to it.
+  const T hi = acos(gears[g].radius / a);
+  const auto root = newton_in_bracket<T>(f, T(0), hi, T(hi / T(2)), true);
+  if (!root.found()) return std::nullopt;
+  return root.x;
+}
+
 namespace detail {
 
 /// α/sin α and (α − sin α cos α)/sin² α: what a gear adds to a and to the line of action.

@@ -18,7 +18,7 @@ struct Meaning {
   const char* reason;  // completes "does not run as specified: …"
 };
 
-constexpr std::array<Meaning, 24> kMeanings{{
+constexpr std::array<Meaning, 26> kMeanings{{
     {"through_axis", Severity::problem, "the cutter passes the axis"},
     {"severed", Severity::problem, "the teeth are cut off at their roots"},
     {"no_flank", Severity::problem, "a gear has no usable flank"},
@@ -43,6 +43,8 @@ constexpr std::array<Meaning, 24> kMeanings{{
     {"full_radius_root", Severity::note, ""},
     {"tip_cut_by_rack", Severity::note, ""},
     {"default_face_width", Severity::note, ""},
+    {"default_shaft_angle", Severity::note, ""},
+    {"no_chord", Severity::note, ""},
 }};
 
 const Meaning* meaning_of(const std::string& code) {

@@ -77,8 +77,44 @@ class Crossed(unittest.TestCase):
         self.assertAlmostEqual(Run("gear", BASIC.format(""), "--as-rack", "3,", "--json").json["gears"][1]["as_rack"]["normal_pressure_angle_deg"], 20, places=9)
         self.assertEqual(Run("gear", BASIC.format(""), "--as-rack", "3,21").status, 1)
         self.assertEqual(Run("gear", BASIC.format(""), "--as-rack", ",50").status, 1)
-        for junk in ("3", ",", "3,20,1", "x,20", "-3,20", "3,nan", "3 ,20x"):
+        for junk in ("3", ",", "", "3,20,1", "x,20", "-3,20", "3,nan", "3 ,20x", "0x3,", ",1e-300", ",85"):
             self.assertEqual(Run("gear", BASIC.format(""), "--as-rack", junk).status, 2, junk)
+
+    def test_a_drawing_of_crossed_gears_is_refused(self):
+        text = BASIC.format("shaft_angle_deg = 90")
+        for option in ("--dxf", "--svg"):
+            r = Run("export", text, option, "pair.out")
+            self.assertEqual((r.status, r.files()), (1, ["case.toml"]))
+            self.assertIn("--gear 1", r.err)
+            self.assertEqual(Run("export", text, option, "one.out", "--gear", 2).status, 0)
+
+    def test_near_the_ends_of_the_reach(self):
+        gears = "[gear1]\nteeth = 17\nnormal_module_mm = 2.5\nhelix_angle_deg = {}\n[gear2]\nteeth = 30\nnormal_module_mm = 2.5\nhelix_angle_deg = {}\n[pair]\nshaft_angle_deg = {}\n"
+        p = Run("pair", gears.format(20, 0, 89.8), "--json").json["pair"]
+        self.assertAlmostEqual(p["backlash"]["normal_mm"], 0, places=11)
+        for helices, sigma in (((20, 0), 89.9999), ((45, 45), 179.999999)):
+            r = Run("pair", gears.format(*helices, sigma), "--json")
+            self.assertEqual(r.json["error"]["key"], "pair.shaft_angle_deg")
+        r = Run("pair", gears.format(0, 20, 91), "--json")
+        self.assertIn("out of reach by 1°", r.json["error"]["message"])
+        for beta in (89.99999999999999, -89.99999999999999):
+            self.assertEqual(Run("pair", gears.format(89.99999999999999, beta, 0), "--json").json["error"]["key"], "gear1.helix_angle_deg")
+
+    def test_errors_of_a_gear_as_itself_speak_of_it(self):
+        for change, words in ((("base_diameter_mm = 37.4892228898867", "base_diameter_mm = 0.001"), "gear1.basic"),
+                              (("base_tooth_thickness_mm = 7.263", "base_tooth_thickness_mm = 1e6"), "gear1.basic")):
+            r = Run("gear", BASIC.format("").replace(*change), "--json")
+            self.assertEqual(r.json["error"]["key"], words)
+        same = BASIC.format("").replace("teeth = 9", "teeth = 9\nhelix_angle_deg = 51.576509202864735")
+        self.assertEqual(Run("gear", same).status, 0)
+
+    def test_a_gear_without_a_chord_does_not_hide_the_other(self):
+        text = "[gear1]\nteeth = 17\nnormal_module_mm = 2\nface_width_mm = 9\n[gear2]\nteeth = 3\nnormal_module_mm = 2\nface_width_mm = 9\nprofile_shift = -1\n"
+        r = Run("measure", text, "--json")
+        self.assertEqual(r.status, 0, r.err)
+        self.assertEqual(r.json["gears"][1]["measure"]["chordal_thickness"], None)
+        self.assertGreater(r.json["gears"][0]["measure"]["chordal_thickness"]["chord_mm"], 3)
+        self.assertIn("no_chord", [w["code"] for w in r.json["warnings"]])
 
     def test_contradictions_of_a_gear_as_itself(self):
         for line in ("helix_angle_deg = 10", "profile_shift = 0.1", "thickness_allowance_mm = -0.1", "normal_module_mm = 3.1\nnormal_pressure_angle_deg = 20"):
@@ -122,8 +158,12 @@ class Crossed(unittest.TestCase):
         text = WISH.format("helix_angle_deg = 45\nprofile_shift = 0.1", "helix_angle_deg = 45", "center_distance_mm = 38.4\nshaft_angle_deg = 90")
         p = Run("pair", text, "--json").json
         self.assertAlmostEqual(p["pair"]["backlash"]["normal_base_mm"], 0, places=11)
+        # without the angle: the pair whose minimum centre distance this is
         r = Run("pair", text.replace("shaft_angle_deg = 90", ""), "--json")
-        self.assertEqual(r.json["error"]["key"], "pair.shaft_angle_deg")
+        self.assertAlmostEqual(r.json["pair"]["minimum_center_distance"]["center_distance_mm"], 38.4, places=10)
+        self.assertIn("default_shaft_angle", [w["code"] for w in r.json["warnings"]])
+        r = Run("pair", text.replace("shaft_angle_deg = 90", "").replace("38.4", "30"), "--json")
+        self.assertEqual(r.json["error"]["key"], "pair.center_distance_mm")
 
     def test_measure(self):
         text = BASIC.format("").replace("[gear2]", "[gear1.measure]\nchord_diameter_mm = 43.44544689997543\n[gear2]")

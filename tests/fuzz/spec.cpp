@@ -36,8 +36,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       continue;
     }
     require(!design_json(*design).dump().empty());
-    const auto measures = chord_measures(*design);
-    require(measures ? !measures_json(*design, *measures).dump().empty()
+    Design measured = *design;
+    const auto measures = chord_measures(measured);
+    require(measures ? !measures_json(measured, *measures).dump().empty()
                      : !measures.error().message.empty());
     for (const Gear& gear : design->gears) {
       if (!gear.tooth || !gear.exists()) continue;

@@ -371,5 +371,47 @@ TEST(CrossedLaws, branches_stand_at_their_least_distance) {
   EXPECT_GT(branches, 150);
 }
 
+// No branch is lost: the mirrored question and the one with the gears exchanged have as many.
+TEST(CrossedLaws, branches_mirrored_and_exchanged) {
+  Random random(412);
+  int branches = 0;
+  for (int i = 0; i < 1500; ++i) {
+    FitProblem p;
+    p.teeth = {random.integer(5, 60), random.integer(5, 80)};
+    p.normal_module = random.pick({1.0, 1.5, 2.5});
+    p.normal_pressure_angle = Angle::degrees(random.pick({14.5, 20.0, 25.0})).rad();
+    p.shaft_angle = random.chance(0.2) ? 0.0 : random.uniform(-2.5, 2.5);
+    p.center_distance =
+        0.5 * p.normal_module * (p.teeth[0] + p.teeth[1]) * random.uniform(0.95, 2.5);
+    const int kind = random.integer(0, 3);
+    if (kind == 1) p.working_normal_pressure_angle = random.uniform(0.2, 0.5);
+    if (kind == 2) p.shift = {random.uniform(-0.2, 0.4), random.uniform(-0.2, 0.4)};
+    if (kind == 3) p.helix[1] = random.uniform(-1.0, 1.0);
+    FitProblem mirrored = p;
+    mirrored.shaft_angle = -*p.shaft_angle;
+    if (kind == 3) mirrored.helix[1] = -*p.helix[1];
+    FitProblem exchanged = p;
+    std::swap(exchanged.teeth[0], exchanged.teeth[1]);
+    std::swap(exchanged.helix[0], exchanged.helix[1]);
+    std::swap(exchanged.shift[0], exchanged.shift[1]);
+    const auto f = fit(p), m = fit(mirrored), x = fit(exchanged);
+    ASSERT_TRUE(f && m && x);
+    branches += static_cast<int>(f->branches.size());
+    ASSERT_EQ(f->branches.size(), m->branches.size())
+        << p.teeth[0] << "/" << p.teeth[1] << " kind " << kind << " a " << *p.center_distance
+        << " sigma " << *p.shaft_angle;
+    ASSERT_EQ(f->branches.size(), x->branches.size())
+        << p.teeth[0] << "/" << p.teeth[1] << " kind " << kind << " a " << *p.center_distance
+        << " sigma " << *p.shaft_angle;
+    for (const FitBranch& b : f->branches) {
+      const bool seen = std::any_of(m->branches.begin(), m->branches.end(), [&](const auto& c) {
+        return std::abs(b.helix[0] + c.helix[0]) < 1e-7;
+      });
+      EXPECT_TRUE(seen);
+    }
+  }
+  EXPECT_GT(branches, 1000);
+}
+
 }  // namespace
 }  // namespace gearwright::property
