@@ -7,15 +7,11 @@
 
 #include "gearwright/gear/reference.hpp"
 
+#include "gearwright/base/refusal.hpp"
+
 namespace gearwright {
 
-namespace {
-
-Error bad(const char* key, double value, const std::string& why) {
-  return {key, fmt::format("{}", value), fmt::format("{} = {}: {}", key, value, why)};
-}
-
-}  // namespace
+namespace {}  // namespace
 
 Result<StraightRack> rack_leaving_root(const CylindricalSpec& spec, double root_diameter,
                                        std::optional<double> root_form_diameter) {
@@ -30,15 +26,16 @@ Result<StraightRack> rack_leaving_root(const CylindricalSpec& spec, double root_
   rack.dedendum = ring ? x_E + (root_diameter - d) / (2 * m) : x_E + (d - root_diameter) / (2 * m);
   if (!(rack.dedendum > 0.0)) {
     const double most = ring ? d - 2 * m * x_E : d + 2 * m * x_E;
-    return bad("root_diameter_mm", root_diameter,
-               fmt::format("no rack tooth is left; it must be {} than {} mm",
-                           ring ? "greater" : "less", most));
+    return refused("root_diameter_mm", root_diameter,
+                   fmt::format("no rack tooth is left; it must be {} than {} mm",
+                               ring ? "greater" : "less", most));
   }
   if (!root_form_diameter) return rack;
   const double d_Ff = *root_form_diameter;
   if (ring) {
-    return bad("root_form_diameter_mm", d_Ff,
-               "the fillet of a ring is left by its pinion cutter, which is not in this version");
+    return refused(
+        "root_form_diameter_mm", d_Ff,
+        "the fillet of a ring is left by its pinion cutter, which is not in this version");
   }
   const double sin_n = std::sin(spec.normal_pressure_angle.rad());
   const double sin_t = std::sin(g.transverse_pressure_angle);
@@ -54,10 +51,11 @@ Result<StraightRack> rack_leaving_root(const CylindricalSpec& spec, double root_
   const double most = form_at(round_depth);
   const bool undercut = rho_C - (sharp_depth - x_E) * m / sin_t < 0.0;
   if (!(d_Ff > g.base_diameter && d_Ff <= most && (undercut || d_Ff >= least))) {
-    return bad("root_form_diameter_mm", d_Ff,
-               fmt::format("no rounding of the rack leaves it with this root diameter; it must lie "
-                           "between {} (sharp corner) and {} mm (full radius)",
-                           undercut ? g.base_diameter : least, most));
+    return refused(
+        "root_form_diameter_mm", d_Ff,
+        fmt::format("no rounding of the rack leaves it with this root diameter; it must lie "
+                    "between {} (sharp corner) and {} mm (full radius)",
+                    undercut ? g.base_diameter : least, most));
   }
   const double rho_F = std::sqrt((d_Ff / 2 - r_b) * (d_Ff / 2 + r_b));
   const double depth = x_E - (rho_F - rho_C) * sin_t / m;

@@ -6,13 +6,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "gearwright/base/refusal.hpp"
+
 namespace gearwright {
 
 namespace {
-
-Error bad(const char* key, double value, const std::string& why) {
-  return {key, fmt::format("{}", value), fmt::format("{} = {}: {}", key, value, why)};
-}
 
 // What a spec may say. The limits lie far beyond every gear that was ever cut and keep each formula
 // inside the domain it was measured in.
@@ -35,45 +33,48 @@ std::optional<Error> check_limits(const CylindricalSpec& spec) {
     return v >= lo && v <= hi;
   };  // false for NaN
   if (spec.teeth == 0)
-    return bad("teeth", 0, "must not be 0; negative for an internal gear (ring)");
+    return refused("teeth", 0, "must not be 0; negative for an internal gear (ring)");
   if (std::abs(spec.teeth) > kMostTeeth) {
-    return bad("teeth", spec.teeth,
-               fmt::format("must be at most {} (a ring: at least -{})", kMostTeeth, kMostTeeth));
+    return refused(
+        "teeth", spec.teeth,
+        fmt::format("must be at most {} (a ring: at least -{})", kMostTeeth, kMostTeeth));
   }
   const double m = spec.normal_module;
   if (!within(m, kLeastModule, kGreatestModule)) {
-    return bad("normal_module_mm", m,
-               fmt::format("must lie between {} and {} mm", kLeastModule, kGreatestModule));
+    return refused("normal_module_mm", m,
+                   fmt::format("must lie between {} and {} mm", kLeastModule, kGreatestModule));
   }
   const double alpha = spec.normal_pressure_angle.deg();
   if (!within(alpha, kLeastPressure, kGreatestPressure)) {
-    return bad("normal_pressure_angle_deg", alpha,
-               fmt::format("must lie between {} and {}, usually 14.5 to 30", kLeastPressure,
-                           kGreatestPressure));
+    return refused("normal_pressure_angle_deg", alpha,
+                   fmt::format("must lie between {} and {}, usually 14.5 to 30", kLeastPressure,
+                               kGreatestPressure));
   }
   const double beta = spec.helix_angle.deg();
   if (!within(beta, -kGreatestHelix, kGreatestHelix)) {
-    return bad("helix_angle_deg", beta,
-               fmt::format("must lie between -{} (left hand) and {} (right hand)", kGreatestHelix,
-                           kGreatestHelix));
+    return refused("helix_angle_deg", beta,
+                   fmt::format("must lie between -{} (left hand) and {} (right hand)",
+                               kGreatestHelix, kGreatestHelix));
   }
   if (!within(spec.profile_shift, -kGreatestShift, kGreatestShift)) {
-    return bad("profile_shift", spec.profile_shift,
-               fmt::format("must lie between -{} and {} modules", kGreatestShift, kGreatestShift));
+    return refused(
+        "profile_shift", spec.profile_shift,
+        fmt::format("must lie between -{} and {} modules", kGreatestShift, kGreatestShift));
   }
   const double allowance = kGreatestAllowance * m;
   if (!within(spec.thickness_allowance, -allowance, allowance)) {
-    return bad("thickness_allowance_mm", spec.thickness_allowance,
-               fmt::format("must lie between -{} and {} mm (10 modules)", allowance, allowance));
+    return refused(
+        "thickness_allowance_mm", spec.thickness_allowance,
+        fmt::format("must lie between -{} and {} mm (10 modules)", allowance, allowance));
   }
   if (!within(spec.face_width, kLeastFace * m, kGreatestFace * m)) {
-    return bad("face_width_mm", spec.face_width,
-               fmt::format("must lie between {} and {} mm", kLeastFace * m, kGreatestFace * m));
+    return refused("face_width_mm", spec.face_width,
+                   fmt::format("must lie between {} and {} mm", kLeastFace * m, kGreatestFace * m));
   }
   const double d = m / std::cos(spec.helix_angle.rad()) * std::abs(spec.teeth);
   if (spec.tip_diameter && !(*spec.tip_diameter > 0.0 && *spec.tip_diameter <= kGreatestTip * d)) {
-    return bad("tip_diameter_mm", *spec.tip_diameter,
-               fmt::format("must be greater than 0 and at most {} mm", kGreatestTip * d));
+    return refused("tip_diameter_mm", *spec.tip_diameter,
+                   fmt::format("must be greater than 0 and at most {} mm", kGreatestTip * d));
   }
   return std::nullopt;
 }
@@ -246,9 +247,10 @@ Result<Gear> make_gear(const CylindricalSpec& spec) {
   }
   if (gear.internal()) {
     if (!(gear.tip_diameter > 0.0 && gear.tip_diameter < gear.root_diameter)) {
-      return bad("tip_diameter_mm", gear.tip_diameter,
-                 fmt::format("must be greater than 0 and less than the ring's root diameter {} mm",
-                             gear.root_diameter));
+      return refused(
+          "tip_diameter_mm", gear.tip_diameter,
+          fmt::format("must be greater than 0 and less than the ring's root diameter {} mm",
+                      gear.root_diameter));
     }
     gear.undercut = false;
     gear.tip_tooth_thickness_normal = tip_thickness(gear);

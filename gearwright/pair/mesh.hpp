@@ -51,9 +51,9 @@ struct Mesh {
   T base_cosine_ratio;      ///< c_2/c_1
   T rho1_A, rho1_B, rho1_C, rho1_D, rho1_E;  ///< tip 2, E − step, pitch point 1, A + step, tip 1;
                                              ///< negative: beyond the base tangent
-  T path_length;    ///< ρ_1E − ρ_1A: g_α of parallel axes, AB cos β_b1 of crossed
+  T path_length;    ///< ρ_1E − ρ_1A: g_α of parallel axes, AE cos β_b1 of crossed
   T step;           ///< ρ_1 gained per pitch: p_bt of parallel axes, p_bn cos β_b1 of crossed
-  T path_ratio;     ///< path_length/step: ε_α of parallel axes, AB/p_bn of crossed
+  T path_ratio;     ///< path_length/step: ε_α of parallel axes, AE/p_bn of crossed
   T overlap_ratio;  ///< ε_β; 0 on crossed axes
   T rho1_true_begin, rho1_true_end;  ///< the path clipped to the usable flanks and, on crossed
                                      ///< axes, to the faces; begin ≥ end: no contact
@@ -225,7 +225,7 @@ Mesh<T> mesh_of(const MeshInput<T>& in) {
 
 /// Face widths that the line of action asks for, mm: of one flank, and of both about one middle.
 ///
-/// Formula   f_i = AB |sin β_bi|, f'_i = 2 max |s_i|; [T4.21]; crossed axes
+/// Formula   f_i = AE |sin β_bi|, f'_i = 2 max |s_i|; [T4.21]; crossed axes
 template <class T>
 struct FaceWidths {
   std::array<T, 2> one_flank, both_flanks;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gearwright/base/angle.hpp"
+#include "gearwright/base/refusal.hpp"
 #include "gearwright/pair/interference.hpp"
 
 namespace gearwright {
@@ -13,11 +14,6 @@ namespace gearwright {
 namespace {
 
 double deg(double rad) { return Angle::radians(rad).deg(); }
-
-Error bad(std::string key, double value, const std::string& why) {
-  std::string message = fmt::format("{} = {}: {}", key, value, why);
-  return {std::move(key), fmt::format("{}", value), std::move(message)};
-}
 
 void warn(Pair& p, const std::string& code, std::string message, int gear = 0) {
   p.warnings.push_back({code, std::move(message), gear});
@@ -108,17 +104,19 @@ std::optional<Error> check_place(const Pair& p) {
         kGreatestDistance * (rack.sides[0].pitch_radius + rack.sides[1].pitch_radius);
     const double least = kLeastCrossedDistance * base_radius_sum(p.input.gears);
     if (a >= least && a <= most) return std::nullopt;
-    return bad("pair.center_distance_mm", a,
-               fmt::format("must be at least {} mm (half the sum of the base radii) and at most {} "
-                           "mm",
-                           least, most));
+    return refused(
+        "pair.center_distance_mm", a,
+        fmt::format("must be at least {} mm (half the sum of the base radii) and at most {} "
+                    "mm",
+                    least, most));
   }
   const double least = base_radius_sum(p.input.gears);
   if (a > least && a <= kGreatestDistance * least) return std::nullopt;
-  return bad("pair.center_distance_mm", a,
-             fmt::format("there is no working pressure angle; it must be greater than {} mm and at "
-                         "most {} times that",
-                         least, kGreatestDistance));
+  return refused(
+      "pair.center_distance_mm", a,
+      fmt::format("there is no working pressure angle; it must be greater than {} mm and at "
+                  "most {} times that",
+                  least, kGreatestDistance));
 }
 
 void find_backlash_free_distance(Pair& p) {

@@ -66,7 +66,7 @@ struct Pair {
   double tip_shortening;  ///< k m_n  mm, ≤ 0: restores the clearance of the racks at this distance
   std::optional<FaceWidths<double>> face_widths;     ///< crossed axes
   std::optional<CrossedPlace> least_distance;        ///< crossed axes, teeth as cut
-  std::optional<CrossedPlaces> contact_ratio_range;  ///< crossed axes: where AB ≥ p_bn
+  std::optional<CrossedPlaces> contact_ratio_range;  ///< crossed axes: where AE ≥ p_bn
   std::optional<Efficiency> efficiency;  ///< with a coefficient of friction, if contact never stops
   std::vector<Interference> interference;
   std::vector<Warning> warnings;
@@ -75,10 +75,10 @@ struct Pair {
   double shaft_angle() const { return input.shaft_angle.value_or(0.0); }  ///< Σ  rad
   double gear_ratio() const;   ///< z2/z1, negative for internal pairs
   bool flanks_meet() const;    ///< the path has a length, and both gears have a flank on it
-  double path_length() const;  ///< g_α, crossed AB  mm; 0: no contact
+  double path_length() const;  ///< g_α, crossed AE  mm; 0: no contact
   /// ε_α, tip form circle to tip form circle; 0: no contact. None on crossed axes.
   std::optional<double> transverse_contact_ratio() const;
-  double contact_ratio() const;       ///< ε_α + ε_β, crossed AB/p_bn; 0 without contact
+  double contact_ratio() const;       ///< ε_α + ε_β, crossed AE/p_bn; 0 without contact
   double contact_ratio_true() const;  ///< the same with the clipped path
   /// The point of the leading line of action with curvature radius ρ_1; on parallel axes in the
   /// section z = 0. [T1.6], [T4.20]

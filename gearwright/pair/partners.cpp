@@ -6,17 +6,13 @@
 #include <cmath>
 
 #include "gearwright/base/angle.hpp"
+#include "gearwright/base/refusal.hpp"
 
 namespace gearwright {
 
 namespace {
 
 double deg(double rad) { return Angle::radians(rad).deg(); }
-
-Error bad(std::string key, double value, const std::string& why) {
-  std::string message = fmt::format("{} = {}: {}", key, value, why);
-  return {std::move(key), fmt::format("{}", value), std::move(message)};
-}
 
 // Base pitches and helices agree when they do so to 1e-9: input given in degrees and in rounded
 // millimetres must pass, another helix must not.
@@ -37,32 +33,36 @@ std::optional<Error> check_shaft_angle(const BasePair<double>& gears, double sig
   if (sigma == 0.0 && parallel) return std::nullopt;
   const char* key = "pair.shaft_angle_deg";
   if (parallel) {
-    return bad(key, deg(sigma),
-               "these base helices are equal and opposite, so that the axes are parallel for every "
-               "centre distance; 0 is allowed, or another helix angle on one gear");
+    return refused(
+        key, deg(sigma),
+        "these base helices are equal and opposite, so that the axes are parallel for every "
+        "centre distance; 0 is allowed, or another helix angle on one gear");
   }
   const auto range = shaft_angle_range(gears);
   if (sigma == 0.0) {
-    return bad(key, 0.0,
-               fmt::format("parallel axes need opposite base helices (helix_angle_deg = {} on a "
-                           "gear 2 of the same module); {}",
-                           0.0 - gear_1.helix_angle.deg(), reach(range)));
+    return refused(
+        key, 0.0,
+        fmt::format("parallel axes need opposite base helices (helix_angle_deg = {} on a "
+                    "gear 2 of the same module); {}",
+                    0.0 - gear_1.helix_angle.deg(), reach(range)));
   }
   if (range.contains(sigma)) {
     const RackAngles<double> angles = angles_at_shaft_angle(gears, sigma);
     const int g = limiting_gear(gears);
     const double helix = deg(std::atan2(std::abs(std::sin(gears[g].helix_angle)), angles.u[g]));
     if (helix <= kGreatestWorkingHelix && angles.sin_alpha > 0.0) return std::nullopt;
-    return bad(key, deg(sigma),
-               fmt::format("too near an end of what these gears reach (the working helix angle of "
-                           "gear {} would be {:.6g}°, at most {} is allowed); {}",
-                           g + 1, helix, kGreatestWorkingHelix, reach(range)));
+    return refused(
+        key, deg(sigma),
+        fmt::format("too near an end of what these gears reach (the working helix angle of "
+                    "gear {} would be {:.6g}°, at most {} is allowed); {}",
+                    g + 1, helix, kGreatestWorkingHelix, reach(range)));
   }
   const double miss = std::min(std::abs(sigma - range.least), std::abs(sigma - range.greatest));
-  return bad(key, deg(sigma),
-             fmt::format("out of reach by {:.6g}°; {} (right hand > 0, two left hands cross at a "
-                         "negative angle); more helix angle on either gear widens that",
-                         deg(miss), reach(range)));
+  return refused(
+      key, deg(sigma),
+      fmt::format("out of reach by {:.6g}°; {} (right hand > 0, two left hands cross at a "
+                  "negative angle); more helix angle on either gear widens that",
+                  deg(miss), reach(range)));
 }
 
 }  // namespace
@@ -89,30 +89,34 @@ std::optional<Error> check_partners(const CylindricalSpec& g1, const Cylindrical
   const int z1 = g1.teeth;
   const int z2 = g2.teeth;
   if (z1 < 0) {
-    return bad("gear1.teeth", z1, "the ring of an internal pair is gear2; exchange the two tables");
+    return refused("gear1.teeth", z1,
+                   "the ring of an internal pair is gear2; exchange the two tables");
   }
   if (z2 < 0 && -z2 <= z1) {
-    return bad("gear2.teeth", z2,
-               fmt::format("a ring must have more teeth than its pinion (gear1.teeth = {})", z1));
+    return refused(
+        "gear2.teeth", z2,
+        fmt::format("a ring must have more teeth than its pinion (gear1.teeth = {})", z1));
   }
   const BasePair<double> gears = nominal_base_pair(g1, g2);
   const double p1 = normal_base_pitch(gears[0]);
   const double p2 = normal_base_pitch(gears[1]);
   if (std::abs(p1 - p2) > kSamePitch * p1) {
-    return bad("gear2.normal_module_mm", g2.normal_module,
-               fmt::format(
-                   "the normal base pitches differ by {:.6g} mm: gear1 has {} mm, gear2 {} "
-                   "mm; gears mesh only with equal m_n cos α_n. At this pressure angle the "
-                   "module would have to be {:.9g} mm, at this base helix the base diameter {:.9g} "
-                   "mm",
-                   p2 - p1, p1, p2, g2.normal_module * p1 / p2, 2 * gears[1].radius * p1 / p2));
+    return refused(
+        "gear2.normal_module_mm", g2.normal_module,
+        fmt::format(
+            "the normal base pitches differ by {:.6g} mm: gear1 has {} mm, gear2 {} "
+            "mm; gears mesh only with equal m_n cos α_n. At this pressure angle the "
+            "module would have to be {:.9g} mm, at this base helix the base diameter {:.9g} "
+            "mm",
+            p2 - p1, p1, p2, g2.normal_module * p1 / p2, 2 * gears[1].radius * p1 / p2));
   }
   if (z2 < 0 && !axes_are_parallel(gears)) {
-    return bad("gear2.helix_angle_deg", g2.helix_angle.deg(),
-               fmt::format("the axes of this internal pair would cross ({:.6g}°), and a ring "
-                           "touches its pinion along the flanks on parallel axes only; {}° (the "
-                           "same hand) is allowed on a ring of the same module",
-                           deg(gears[0].helix_angle - gears[1].helix_angle), g1.helix_angle.deg()));
+    return refused(
+        "gear2.helix_angle_deg", g2.helix_angle.deg(),
+        fmt::format("the axes of this internal pair would cross ({:.6g}°), and a ring "
+                    "touches its pinion along the flanks on parallel axes only; {}° (the "
+                    "same hand) is allowed on a ring of the same module",
+                    deg(gears[0].helix_angle - gears[1].helix_angle), g1.helix_angle.deg()));
   }
   if (!shaft_angle) return std::nullopt;
   return check_shaft_angle(gears, *shaft_angle, g1);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "gearwright/base/refusal.hpp"
+
 namespace gearwright {
 
 namespace {
@@ -13,9 +15,8 @@ constexpr double kHalfPi = std::numbers::pi / 2;
 // No cutter is that large in modules; within it nothing overflows.
 constexpr double kMostModules = 1e4;
 
-Error bad(const char* key, double value, std::string why) {
-  return {std::string("rack.") + key, fmt::format("{}", value),
-          fmt::format("rack.{} = {}: {}", key, value, why)};
+Error bad(const char* key, double value, const std::string& why) {
+  return refused(std::string("rack.") + key, value, why);
 }
 
 EdgeArc line(ArcName cuts, const EdgeLine& piece, bool smooth) {

@@ -72,7 +72,7 @@ void compare(const Pair& p, double rotation_1) {
 TEST(CrossedEngine, touches_as_the_solids_do) {
   Random random(301);
   int pairs = 0;
-  for (int i = 0; i < 200 && pairs < 14; ++i) {
+  for (int i = 0; i < 200 && pairs < 40; ++i) {
     const CrossedSpecs specs = property::random_crossed(random, 8.0);
     const auto p = mounted(specs, random.chance(0.5) ? 0.0 : 0.2 * random.unit());
     if (!p || !runs_cleanly(*p)) continue;
@@ -85,14 +85,14 @@ TEST(CrossedEngine, touches_as_the_solids_do) {
       }
     }
   }
-  EXPECT_EQ(pairs, 14);
+  EXPECT_EQ(pairs, 40);
 }
 
 // A flank leaves at E and comes in at A: beyond them tooth 0 touches with an edge, or not at all.
 TEST(CrossedEngine, the_line_of_action_ends_where_the_solids_say) {
   Random random(302);
   int pairs = 0;
-  for (int i = 0; i < 200 && pairs < 6; ++i) {
+  for (int i = 0; i < 200 && pairs < 12; ++i) {
     const CrossedSpecs specs = property::random_crossed(random, 15.0);
     const auto p = mounted(specs);
     if (!p || !runs_cleanly(*p)) continue;
@@ -114,14 +114,14 @@ TEST(CrossedEngine, the_line_of_action_ends_where_the_solids_say) {
     EXPECT_EQ(where(p->mesh.rho1_A - step), -1.0) << describe(specs);
     EXPECT_EQ(where(p->mesh.rho1_E + step), -1.0) << describe(specs);
   }
-  EXPECT_EQ(pairs, 6);
+  EXPECT_EQ(pairs, 12);
 }
 
 // The same oracle on parallel axes: the same law of backlash.
 TEST(CrossedEngine, parallel_pairs_touch_as_the_solids_do) {
   Random random(303);
   int pairs = 0;
-  for (int i = 0; i < 100 && pairs < 6; ++i) {
+  for (int i = 0; i < 100 && pairs < 12; ++i) {
     const property::SpecPair specs = property::random_pair(random, false);
     const auto tight = property::mounted(specs);
     if (!tight) continue;
@@ -136,7 +136,7 @@ TEST(CrossedEngine, parallel_pairs_touch_as_the_solids_do) {
     const double play = trailing->rotation_2 - leading->rotation_2;
     EXPECT_NEAR(play, p->mesh.backlash.rotation[1], 1e-11) << describe(specs);
   }
-  EXPECT_EQ(pairs, 6);
+  EXPECT_EQ(pairs, 12);
 }
 
 }  // namespace
