@@ -24,7 +24,10 @@ Vec2 Involute::point(double xi) const {
 
 CurvePoint Involute::at(double xi) const {
   // dW/dξ = r_b ξ e^{i(ψ_b − ξ)}: the tangent turns clockwise, one radian per radian of roll.
-  return {point(xi), base_half_angle_ - xi, -1.0 / (base_radius_ * xi)};
+  // For ξ < 0 growing ξ runs toward the cusp, against e^{i(ψ_b − ξ)}; the turn per radian is the
+  // same.
+  const double back = xi < 0.0 ? std::numbers::pi : 0.0;
+  return {point(xi), base_half_angle_ - xi + back, -1.0 / (base_radius_ * std::abs(xi))};
 }
 
 double Involute::roll_at(double rho) const {
@@ -35,7 +38,37 @@ double Involute::roll_at(double rho) const {
 double Involute::polar_angle(double xi) const { return base_half_angle_ - involute_of_roll(xi); }
 
 double Involute::parameter_at_radius(double rho, double t_lo, double t_hi) const {
-  return std::clamp(roll_at(rho), std::min(t_lo, t_hi), std::max(t_lo, t_hi));
+  const double xi = t_lo + t_hi < 0.0 ? -roll_at(rho) : roll_at(rho);
+  return std::clamp(xi, std::min(t_lo, t_hi), std::max(t_lo, t_hi));
+}
+
+Vec2 OffsetCircle::point(double t) const {
+  return {distance_ * std::cos(direction_) + radius_ * std::cos(t),
+          distance_ * std::sin(direction_) + radius_ * std::sin(t)};
+}
+
+CurvePoint OffsetCircle::at(double t) const {
+  return {point(t), t + std::numbers::pi / 2, 1.0 / radius_};
+}
+
+double OffsetCircle::polar_angle(double t) const {
+  const double x = distance_ + radius_ * std::cos(t - direction_);
+  return direction_ + std::atan2(radius_ * std::sin(t - direction_), x);
+}
+
+double OffsetCircle::parameter_at_radius(double rho, double t_lo, double t_hi) const {
+  const double lo = std::min(t_lo, t_hi);
+  const double hi = std::max(t_lo, t_hi);
+  const double c =
+      (rho * rho - distance_ * distance_ - radius_ * radius_) / (2.0 * distance_ * radius_);
+  const double angle = std::acos(std::clamp(c, -1.0, 1.0));
+  const double side = 0.5 * (lo + hi) < direction_ ? -1.0 : 1.0;
+  return std::clamp(direction_ + side * angle, lo, hi);
+}
+
+std::optional<double> OffsetCircle::tangent_ray() const {
+  if (!(radius_ < distance_)) return std::nullopt;
+  return std::acos(-radius_ / distance_);
 }
 
 }  // namespace gearwright

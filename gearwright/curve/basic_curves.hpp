@@ -1,9 +1,12 @@
-// The two curves every gear has: circles about its axis and involutes of its base circle.
+// The curves every gear has: circles about its axis, involutes of its base circle, and fillets that
+// are circles about another point.
 //
 //   r     radius, mm              W(t)   point as a complex number, mm      theory:
 //   docs/theory/01-frames.md r_b   base radius, mm         ξ      roll angle, rad: the distance
 //   rolled on the base circle is r_b ξ ψ_b   half angle of the tooth on the base circle, rad
 #pragma once
+
+#include <optional>
 
 #include "gearwright/curve/curve.hpp"
 
@@ -26,7 +29,8 @@ class AxisCircle final : public Curve {
 /// [T2.4]
 ///
 /// Laws  (1) |W| = r_b √(1 + ξ²)   (2) arg W = ψ_b − (ξ − atan ξ)   (3) curvature radius r_b ξ
-/// Domain  any ξ; ξ < 0 is the branch behind the cusp, never a part of a tooth
+/// Domain  any ξ; ξ > 0 is the flank of an external tooth. The branch behind the cusp, ξ < 0, is
+///         that of a ring's tooth: its half angle ψ_b + inv α grows outward
 class Involute final : public Curve {
  public:
   Involute(double base_radius, double base_half_angle)
@@ -36,7 +40,7 @@ class Involute final : public Curve {
 
   double base_radius() const { return base_radius_; }
   double base_half_angle() const { return base_half_angle_; }
-  /// ξ ≥ 0 of the point at radius ρ; 0 for ρ ≤ r_b.
+  /// |ξ| of the points at radius ρ; 0 for ρ ≤ r_b.
   double roll_at(double rho) const;
 
   double polar_angle(double xi) const override;
@@ -46,6 +50,32 @@ class Involute final : public Curve {
  private:
   double base_radius_;
   double base_half_angle_;
+};
+
+/// Circle about a point at the distance D and the polar angle γ,  W(t) = D e^{iγ} + r e^{it}.
+/// [T6.1]
+///
+/// Laws  (1) |W|² = D² + r² + 2 D r cos(t − γ): nearest at t = γ ± π, farthest at t = γ
+/// Domain  D > 0, r > 0; a range of t lies on one side of γ, for the radius to be monotone
+class OffsetCircle final : public Curve {
+ public:
+  OffsetCircle(double distance, double direction, double radius)
+      : distance_(distance), direction_(direction), radius_(radius) {}
+  Vec2 point(double t) const override;
+  CurvePoint at(double t) const override;
+  double polar_angle(double t) const override;
+  double parameter_at_radius(double rho, double t_lo, double t_hi) const override;
+  bool radius_is_closed_form() const override { return true; }
+
+  double distance() const { return distance_; }
+  double direction() const { return direction_; }
+  double radius() const { return radius_; }
+  /// cos(t − γ) = −r/D: where the ray from the axis touches the circle and the polar angle turns,
+  /// as a distance from γ; none when the axis lies inside.
+  std::optional<double> tangent_ray() const;
+
+ private:
+  double distance_, direction_, radius_;
 };
 
 }  // namespace gearwright

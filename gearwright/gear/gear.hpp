@@ -9,6 +9,7 @@
 
 #include "gearwright/base/angle.hpp"
 #include "gearwright/base/result.hpp"
+#include "gearwright/gear/few_teeth.hpp"
 #include "gearwright/gear/reference.hpp"
 #include "gearwright/generation/generate.hpp"
 #include "gearwright/tool/straight_rack.hpp"
@@ -25,6 +26,8 @@ struct CylindricalSpec {
   double face_width = 0.0;                           ///< b     mm
   std::optional<double> tip_diameter;                ///< d_a   mm; else from the rack
   StraightRack rack;
+  std::optional<RootFilletSpec> root_fillet;  ///< a circular arc instead of the root as cut
+  std::optional<TipFilletSpec> tip_fillet;    ///< a circular arc instead of the tip as cut
 };
 
 /// Something a person should know about a gear or a pair that is not an error.
@@ -34,17 +37,27 @@ struct Warning {
   int gear = 0;         ///< 1, 2, or 0 for the pair
 };
 
+/// How a pinion cutter stood when it had finished the gear.
+struct PinionCutting {
+  int cutter_teeth;         ///< z_0
+  double distance;          ///< E  mm
+  bool by_default = false;  ///< the drawing names no cutter: gear/ring_cutter.hpp chose it
+};
+
 struct Gear {
   CylindricalSpec spec;
+  std::optional<PinionCutting> cut_by;  ///< none: cut by its rack
   ReferenceGeometry<double> reference;
-  double tip_diameter;                     ///< d_a   mm, of the blank
-  double root_diameter;                    ///< d_f   mm, negative when the rack passes the axis
-  double lead;                             ///< p_z   mm, signed; 0 for a spur gear (no lead exists)
-  double undercut_free_profile_shift;      ///< least x_E without undercut, signed
-  bool undercut;                           ///< x_E below that
-  std::optional<double> pointed_diameter;  ///< where the two flanks meet, mm
+  double tip_diameter;   ///< d_a   mm, of the blank
+  double root_diameter;  ///< d_f   mm, negative when the rack passes the axis
+  double lead;           ///< p_z   mm, signed; 0 for a spur gear (no lead exists)
+  std::optional<double> undercut_free_profile_shift;  ///< least x_E without, signed; of a rack
+  bool undercut;  ///< x_E below that, and no circular root fillet in place of what the rack cuts
+  std::optional<double> undercut_l;                  ///< l_F  mm, signed; none for a ring
+  std::optional<double> point_c_l, point_j_l;        ///< l_C, l_J  mm, with circular fillets
+  std::optional<double> pointed_diameter;            ///< where the two flanks meet, mm
   std::optional<double> tip_tooth_thickness_normal;  ///< s_an  mm, of the finished tooth
-  std::optional<GeneratedTooth> tooth;  ///< none for a ring: its outline comes from a pinion cutter
+  std::optional<GeneratedTooth> tooth;  ///< none for a ring that no pinion cutter has cut
   std::vector<Warning> warnings;
 
   bool internal() const { return spec.teeth < 0; }

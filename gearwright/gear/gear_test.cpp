@@ -79,7 +79,7 @@ TEST(MakeGear, allowance_moves_the_root_and_not_the_tip) {
 
 TEST(MakeGear, undercut_begins_where_the_shift_says) {
   CylindricalSpec s = spec(12);
-  const double limit = made(s).undercut_free_profile_shift;
+  const double limit = *made(s).undercut_free_profile_shift;
   const double sin_a = std::sin(std::numbers::pi / 9);
   EXPECT_NEAR(limit, 1.25 - 0.38 * (1 - sin_a) - 6 * sin_a * sin_a, 1e-15 * 4);
   s.profile_shift = limit + 1e-9;

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "gearwright/base/result.hpp"
+#include "gearwright/generation/modified_fillet.hpp"
 #include "gearwright/generation/outline.hpp"
 #include "gearwright/generation/rack_envelope.hpp"
 #include "gearwright/tool/cutter_edge.hpp"
@@ -31,14 +32,23 @@ struct GeneratedTooth {
   bool severed = false;  ///< the root fillets of both sides meet: the tooth falls off
   bool pointed = false;  ///< the sides meet before the blank or the cutter's bottom ends them
   bool tip_cut_by_rack = false;  ///< the cutter's bottom land, not the blank, ends the tooth
+  bool rounded_tip = false;      ///< a tip fillet ends the tooth on its centre line, without a land
+  std::optional<FilletArc> root_fillet, tip_fillet;  ///< the circular ones, where asked for
+};
+
+/// Circular fillets in place of what the rack cuts, by the flank's roll angle where they begin.
+struct FilletRolls {
+  std::optional<double> root;  ///< ξ_C  rad
+  std::optional<double> tip;   ///< ξ_J  rad
 };
 
 /// Cuts a tooth with a rack.
 ///
 /// Units     mm, rad
 /// Domain    teeth ≥ 1 (contract)
-/// Errors    `tip_diameter_mm` when the blank is no larger than the root circle
+/// Errors    `tip_diameter_mm` when the blank is no larger than the root circle; `root_fillet`,
+///           `tip_fillet` when there is no such arc
 Result<GeneratedTooth> cut_by_rack(const CutterEdge& edge, const RackMotion& motion, int teeth,
-                                   double blank_radius);
+                                   double blank_radius, const FilletRolls& fillets = {});
 
 }  // namespace gearwright

@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/gear/ring_cutter.hpp"
+#include "gearwright/job/cut_gears.hpp"
+
 namespace gearwright {
 
-namespace {
-
-// The library names keys without their table; a user has two gears. A gear given by its base
-// cylinder has none of a rack's keys: the complaint is about what the rack makes of it.
+// A gear given by its base cylinder has none of a rack's keys: the complaint is about what the rack
+// makes of it.
 Error in_table(Error error, const JobSpec& spec, int which) {
   const std::string table = fmt::format("gear{}", which);
   const GearInput& gear = *spec.gears[static_cast<std::size_t>(which - 1)];
@@ -26,6 +27,8 @@ Error in_table(Error error, const JobSpec& spec, int which) {
   error.message = table + "." + error.message;
   return error;
 }
+
+namespace {
 
 // A pair names its gears' rack keys; those of a gear given by its base cylinder are [gearN.basic].
 Error of_basic(Error error, const JobSpec& spec) {
@@ -254,24 +257,39 @@ Result<Design> solve(const JobSpec& given, Scope scope) {
   }
   const bool want_pair = two && scope != Scope::gears;
 
+  MadeGears made;
+  if (auto error = make_cut_gears(spec, made)) return *error;
+  bool clear_tips = false;
   for (const int which : {1, 2}) {
     auto& gear = spec.gears[static_cast<std::size_t>(which - 1)];
     if (!gear) continue;
     gear->cylindrical.profile_shift = gear->profile_shift.value_or(0.0);
+    clear_tips = clear_tips || gear->tip_clearance || gear->tip_clearance_by_rule;
     if (auto error = check_limits(gear->cylindrical)) return in_table(*error, spec, which);
   }
   std::optional<PairSpec> place;
   const bool shift_wanted = two && spec.pair.center_distance &&
                             (!spec.gears[0]->profile_shift || !spec.gears[1]->profile_shift);
-  if (two && (want_pair || shift_wanted || spec.pair.shorten_tips)) {
+  if (two && (want_pair || shift_wanted || clear_tips || spec.pair.shorten_tips)) {
     auto completed = complete_pair(spec, shift_wanted);
     if (!completed) return of_basic(completed.error(), spec);
     place = *completed;
   }
+  if (clear_tips) {
+    const bool parallel = place && place->shaft_angle.value_or(0.0) == 0.0;
+    const auto a = parallel ? std::optional(place->center_distance) : std::nullopt;
+    if (auto error = place_clear_tips(spec, made, a)) return *error;
+  }
   for (std::size_t i = 0; i < (two ? 2u : 1u); ++i) {
+    if (made[i]) {
+      design.gears.push_back(*std::move(made[i]));
+      continue;
+    }
     auto gear = make_gear(spec.gears[i]->cylindrical);
     if (!gear) return of_distance(in_table(gear.error(), spec, static_cast<int>(i) + 1), spec);
-    design.gears.push_back(std::move(gear).take());
+    const bool bare_ring = gear->internal();
+    auto cut = bare_ring ? cut_by_default(*gear) : std::nullopt;
+    design.gears.push_back(cut ? *std::move(cut) : std::move(gear).take());
   }
   if (want_pair) {
     auto pair = mount(design.gears[0], design.gears[1], *place);

@@ -102,16 +102,19 @@ std::string_view ending(FileKind kind) {
   contract_failed("postcondition", "known file kind", __FILE__, __LINE__);
 }
 
+// A ring without a given rim gets one of 2.5 modules around its roots.
+Bore rim(const Gear& ring, const std::optional<Bore>& given) {
+  return given.value_or(Bore{ring.root_diameter + 5 * ring.spec.normal_module});
+}
+
 Result<ToothedBody> make_body(const Design& design, int which, bool in_place) {
   const Gear& gear = design.gears[static_cast<std::size_t>(which - 1)];
   const std::string name = gear_name(which);
-  if (gear.internal()) {
-    return Error{
-        name + ".teeth", fmt::format("{}", gear.spec.teeth),
-        fmt::format(
-            "{}.teeth = {}: a ring's outline is cut by a pinion cutter, which is not in this "
-            "version; its closed-form data are, by the verbs gear and pair",
-            name, gear.spec.teeth)};
+  if (!gear.tooth) {
+    return Error{name + ".cut_by", "",
+                 fmt::format("{}.cut_by: is missing; a ring's outline is cut by a pinion cutter "
+                             "([{}.cut_by] with its teeth, or the mate: cut_by = \"gear1\")",
+                             name, name)};
   }
   if (!gear.exists()) {
     return Error{name + ".profile_shift", fmt::format("{}", gear.spec.profile_shift),
@@ -122,7 +125,7 @@ Result<ToothedBody> make_body(const Design& design, int which, bool in_place) {
                    gear.tooth->outline,
                    gear.twist(),
                    gear.spec.face_width,
-                   design.bore(which),
+                   gear.internal() ? rim(gear, design.bore(which)) : design.bore(which),
                    Eigen::Isometry3d::Identity()};
   if (in_place && design.pair) {
     body.pose = which == 1 ? design.pair->pose_1().isometry() : design.pair->pose_2().isometry();

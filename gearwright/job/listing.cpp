@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -98,8 +99,29 @@ std::string gear_listing(const Design& design) {
        [](const Gear& g) { return mm(g.reference.base_tooth_thickness); });
   each("normal thickness at the tip", "s_an", "mm",
        [](const Gear& g) { return maybe(g.tip_tooth_thickness_normal); });
+  const auto any = [&](const auto& has) {
+    return std::any_of(design.gears.begin(), design.gears.end(), has);
+  };
+  const auto fillet = [&](const char* what, const char* symbol,
+                          std::optional<FilletArc> GeneratedTooth::*arc) {
+    if (!any([&](const Gear& g) { return g.tooth && (*g.tooth).*arc; })) return;
+    const auto of = [arc](const Gear& g) {
+      return g.tooth ? (*g.tooth).*arc : std::optional<FilletArc>();
+    };
+    each(fmt::format("{} fillet, radius", what).c_str(), symbol, "mm",
+         [of](const Gear& g) { return of(g) ? mm(of(g)->radius) : std::string("-"); });
+    each("  span", "σ", "°",
+         [of](const Gear& g) { return of(g) ? angle(of(g)->span) : std::string("-"); });
+  };
+  fillet("circular root", "r_r", &GeneratedTooth::root_fillet);
+  fillet("circular tip", "r_t", &GeneratedTooth::tip_fillet);
+  if (any([](const Gear& g) { return g.undercut_l && *g.undercut_l > 0.0; })) {
+    each("undercut limit along the rack's flank", "l_F", "mm",
+         [](const Gear& g) { return maybe(g.undercut_l); });
+  }
   each("shift without undercut, at least", "", "", [](const Gear& g) {
-    return g.internal() ? std::string("-") : fmt::format("{:.5f}", g.undercut_free_profile_shift);
+    const auto& x = g.undercut_free_profile_shift;
+    return g.internal() || !x ? std::string("-") : fmt::format("{:.5f}", *x);
   });
   return t.take();
 }

@@ -97,15 +97,42 @@ void read_measure(TableReader& gear, GearInput& g) {
   t.finish();
 }
 
+// Both fillets have one kind so far.
+void read_kind(TableReader& t) { t.one_of("kind", {"circular"}); }
+
+void read_fillets(TableReader& gear, GearInput& g) {
+  if (const Json* node = gear.table("root_fillet")) {
+    TableReader t(*node, gear.name("root_fillet"));
+    read_kind(t);
+    const auto offset = t.number("offset_mm");
+    t.finish();
+    if (offset && *offset < 0.0) {
+      t.fail("offset_mm",
+             "must not be negative: the fillet begins at the undercut limit or beyond it");
+    }
+    g.cylindrical.root_fillet = RootFilletSpec{offset.value_or(0.0)};
+  }
+  if (const Json* node = gear.table("tip_fillet")) {
+    TableReader t(*node, gear.name("tip_fillet"));
+    read_kind(t);
+    const auto radius = t.positive("radius_mm");
+    const auto l = t.number("l_mm");
+    g.tip_clearance = t.number("clearance_mm");
+    t.finish();
+    const int given = radius.has_value() + l.has_value() + g.tip_clearance.has_value();
+    if (given > 1) {
+      t.fail(radius && l ? "l_mm" : "clearance_mm",
+             "one of radius_mm, l_mm and clearance_mm says where the fillet begins; leave the "
+             "others out");
+    }
+    if (radius) g.cylindrical.tip_fillet = TipFilletSpec{TipFilletSpec::By::radius, *radius};
+    if (l) g.cylindrical.tip_fillet = TipFilletSpec{TipFilletSpec::By::l, *l};
+    if (given == 0) g.tip_clearance_by_rule = true;
+  }
+}
+
 // Keys of the interface that change a gear's geometry and are not in this version.
 void refuse_what_is_not_here(TableReader& t) {
-  t.refuse("cut_by",
-           "generation by a pinion cutter is not in this version; give the gear its own rack");
-  t.refuse("profile_shift_pair", "belongs to cut_by, which is not in this version");
-  t.refuse("root_fillet",
-           "a modified root fillet is not in this version; the rack's root_fillet_radius is");
-  t.refuse("tip_fillet",
-           "a modified tip fillet is not in this version; the rack's tip_fillet_radius is");
   t.refuse("modifications", "flank modifications are not in this version");
 }
 
@@ -205,9 +232,91 @@ void read_basic(TableReader& gear, GearInput& g, int teeth, const Once& module, 
   c.rack = *leaving;
 }
 
+// Numbers that a gear, its cutter and its mate share: a cutter's table may leave them out.
+Json with_shared_keys(const Json& cutter, const Json& gear, const Json* mate) {
+  static const std::vector<std::vector<const char*>> kShared{
+      {"normal_module_mm", "normal_diametral_pitch_per_in", "transverse_module_mm"},
+      {"normal_pressure_angle_deg", "transverse_pressure_angle_deg"}};
+  Json whole = cutter;
+  for (const auto& keys : kShared) {
+    const auto in = [&](const Json& table) {
+      return std::any_of(keys.begin(), keys.end(),
+                         [&](const char* key) { return table.contains(key); });
+    };
+    if (in(cutter)) continue;
+    const bool own = in(gear);
+    for (const char* key : keys) {
+      if (own && gear.contains(key)) whole[key] = gear[key];
+      if (!own && mate && mate->contains(key)) whole[key] = (*mate)[key];
+    }
+  }
+  static const std::vector<const char*> kHelix{"helix_angle_deg", "lead_angle_deg", "hand"};
+  const auto has_helix = [](const Json& table) {
+    return std::any_of(kHelix.begin(), kHelix.end(),
+                       [&](const char* key) { return table.contains(key); });
+  };
+  if (has_helix(cutter)) return whole;
+  if (gear.contains("helix_angle_deg") && gear["helix_angle_deg"].is_number()) {
+    const bool ring = gear.contains("teeth") && gear["teeth"].is_number() && gear["teeth"] < 0;
+    whole["helix_angle_deg"] = (ring ? 1.0 : -1.0) * gear["helix_angle_deg"].get<double>();
+  } else if (!has_helix(gear) && mate) {  // the cutter stands where the mate will
+    for (const char* key : kHelix) {
+      if (mate->contains(key)) whole[key] = (*mate)[key];
+    }
+  }
+  return whole;
+}
+
+// A cutter reaches as deep as the teeth it is made for need clearance.
+constexpr double kCutterAddendum = 1.25;
+
+void read_cut_by(TableReader& gear, const Json& node, const Json* mate, GearInput& g) {
+  const auto total = gear.number("profile_shift_pair");
+  const Json* by = gear.any("cut_by");
+  if (!by) {
+    if (total) gear.fail("profile_shift_pair", "belongs to a gear with cut_by");
+    return;
+  }
+  CutByInput cut;
+  cut.profile_shift_pair = total;
+  if (by->is_string()) {
+    const auto name = by->get<std::string>();
+    if (name != "gear1" && name != "gear2")
+      gear.fail("cut_by", "must be \"gear1\", \"gear2\" or a table with a cutter's numbers");
+    cut.gear = name == "gear1" ? 1 : 2;
+  } else if (by->is_object()) {
+    const std::string path = gear.name("cut_by");
+    if (by->contains("cut_by"))
+      gear.fail("cut_by.cut_by", "a cutter of its own is cut by a rack; leave this out");
+    GearInput cutter = read_gear(with_shared_keys(*by, node, mate), path);
+    if (cutter.cylindrical.teeth < 0)
+      gear.fail("cut_by.teeth", "must be positive: a ring cannot be a pinion cutter");
+    if (!by->contains("rack")) cutter.cylindrical.rack.addendum = kCutterAddendum;
+    if (cutter.tip_clearance || cutter.tip_clearance_by_rule) {
+      gear.fail("cut_by.tip_fillet",
+                "a cutter has no mate to keep clear of; give radius_mm or l_mm");
+    }
+    cut.cutter = std::make_shared<GearInput>(std::move(cutter));
+  } else {
+    gear.fail("cut_by", "must be \"gear1\", \"gear2\" or a table with a cutter's numbers");
+  }
+  for (const char* key : {"rack", "root_fillet", "tip_fillet", "basic", "thickness_allowance_mm"}) {
+    if (gear.has(key)) {
+      gear.fail(key,
+                "has no place beside cut_by: the cutter and the generating centre distance "
+                "decide the tooth");
+    }
+  }
+  if (total && g.profile_shift) {
+    gear.fail("profile_shift_pair",
+              "and profile_shift both say how deep the cutter goes; leave one of them out");
+  }
+  g.cut_by = std::move(cut);
+}
+
 }  // namespace
 
-GearInput read_gear(const Json& node, const std::string& path) {
+GearInput read_gear(const Json& node, const std::string& path, const Json* mate) {
   TableReader t(node, path);
   GearInput g;
   CylindricalSpec& c = g.cylindrical;
@@ -236,6 +345,8 @@ GearInput read_gear(const Json& node, const std::string& path) {
   const auto face = t.positive("face_width_mm");
   c.tip_diameter = t.positive("tip_diameter_mm");
   c.rack = read_rack(t);
+  read_fillets(t, g);
+  read_cut_by(t, node, mate, g);
   g.bore = read_bore(t);
   read_measure(t, g);
   if (t.has("measured")) g.not_read.push_back("[" + t.name("measured") + "]");
@@ -249,7 +360,13 @@ GearInput read_gear(const Json& node, const std::string& path) {
   // A misspelt key is named before the one that is missing because of it.
   if (!teeth)
     t.fail("teeth", "is missing: the number of teeth, negative for an internal gear (ring)");
-  if (!g.basic) c.normal_module = module.required();
+  if (g.cut_by) {
+    g.cut_by->module = module.value();
+    g.cut_by->pressure_angle = alpha.value();
+    c.normal_module = module.value().value_or(0.0);
+  } else if (!g.basic) {
+    c.normal_module = module.required();
+  }
   g.face_width_given = face.has_value();
   c.face_width = face.value_or(10 * c.normal_module);
   return g;

@@ -10,7 +10,8 @@
 
 namespace gearwright {
 
-/// `path` is the table's name, "gear1".
-GearInput read_gear(const Json& node, const std::string& path);
+/// `path` is the table's name, "gear1"; `mate` the other gear's table, from which a cutter of the
+/// gear's own takes the module and angles that it leaves out.
+GearInput read_gear(const Json& node, const std::string& path, const Json* mate = nullptr);
 
 }  // namespace gearwright

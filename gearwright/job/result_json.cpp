@@ -94,7 +94,9 @@ Json gear_json(const Gear& g) {
   const bool exists = g.exists();
   Json j;
   j["teeth"] = g.spec.teeth;
-  j["kind"] = "involute";
+  j["kind"] = g.cut_by && !g.cut_by->by_default ? "generated" : "involute";
+  j["cutter_teeth"] = g.cut_by ? Json(g.cut_by->cutter_teeth) : Json(nullptr);
+  j["generating_center_distance_mm"] = g.cut_by ? Json(g.cut_by->distance) : Json(nullptr);
   j["normal_module_mm"] = g.spec.normal_module;
   j["normal_pressure_angle_deg"] = g.spec.normal_pressure_angle.deg();
   j["transverse_pressure_angle_deg"] = deg(g.reference.transverse_pressure_angle);
@@ -121,12 +123,21 @@ Json gear_json(const Gear& g) {
   j["transverse_base_pitch_mm"] = g.reference.base_pitch_transverse;
   j["undercut"] = g.undercut;
   j["undercut_free_profile_shift"] =
-      g.internal() ? Json(nullptr) : Json(g.undercut_free_profile_shift);
+      g.internal() ? Json(nullptr) : optional(g.undercut_free_profile_shift);
   const GeneratedTooth* tooth = g.tooth ? &*g.tooth : nullptr;
   j["pointed"] = g.pointed();
   j["severed"] = tooth && tooth->severed;
   j["through_axis"] = tooth && tooth->through_axis;
   j["tip_cut_by_rack"] = tooth && tooth->tip_cut_by_rack;
+  const auto fillet = [&](const char* name, const std::optional<FilletArc>& arc) {
+    j[std::string(name) + "_radius_mm"] = arc ? Json(arc->radius) : Json(nullptr);
+    j[std::string(name) + "_span_deg"] = arc ? Json(deg(arc->span)) : Json(nullptr);
+  };
+  fillet("root_fillet", tooth ? tooth->root_fillet : std::nullopt);
+  fillet("tip_fillet", tooth ? tooth->tip_fillet : std::nullopt);
+  j["undercut_l_mm"] = optional(g.undercut_l);
+  j["point_c_l_mm"] = optional(g.point_c_l);
+  j["point_j_l_mm"] = optional(g.point_j_l);
   j["neck_thickness_mm"] = tooth && tooth->neck_half_angle
                                ? Json(2 * *tooth->neck_radius * std::sin(*tooth->neck_half_angle))
                                : Json(nullptr);

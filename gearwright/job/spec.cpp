@@ -123,8 +123,10 @@ JobSpec read_tree(const Json& tree) {
   JobSpec spec;
   spec.tree = tree.dump(-1, ' ', false, Json::error_handler_t::replace);
   spec.title = t.text("title").value_or("");
-  if (const Json* node = t.table("gear1")) spec.gears[0] = read_gear(*node, "gear1");
-  if (const Json* node = t.table("gear2")) spec.gears[1] = read_gear(*node, "gear2");
+  const Json* gear_1 = t.table("gear1");
+  const Json* gear_2 = t.table("gear2");
+  if (gear_1) spec.gears[0] = read_gear(*gear_1, "gear1", gear_2);
+  if (gear_2) spec.gears[1] = read_gear(*gear_2, "gear2", gear_1);
   if (const Json* node = t.table("pair")) spec.pair = read_pair(*node);
   if (const Json* node = t.table("fit")) spec.fit = read_fit(*node);
   for (const char* key : {"errors", "contact", "search", "compensate"}) {

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +20,17 @@
 
 namespace gearwright {
 
+struct GearInput;
+
+/// [gearN] cut_by: the pinion cutter, and how deep it goes.
+struct CutByInput {
+  int gear = 0;                             ///< 1 or 2: that gear, finished; 0: a cutter of its own
+  std::shared_ptr<const GearInput> cutter;  ///< [gearN.cut_by]
+  std::optional<double> profile_shift_pair;  ///< e: shift of the cutter and of the gear together
+  std::optional<double> module,
+      pressure_angle;  ///< mm, degrees; given though they are the cutter's
+};
+
 /// [gear1], [gear2]: the gear's numbers; `cylindrical.profile_shift` is used once `profile_shift`
 /// is known.
 struct GearInput {
@@ -27,6 +39,9 @@ struct GearInput {
   bool helix_given = false;               ///< else 0 for a gear, and an unknown for `fit`
   bool face_width_given = false;          ///< else 10 m_n, and a warning says so
   std::optional<BaseGear<double>> basic;  ///< [gearN.basic], as given; module, helix, shift follow
+  std::optional<CutByInput> cut_by;       ///< none: cut by its rack
+  std::optional<double> tip_clearance;    ///< [gearN.tip_fillet] clearance_mm, to the mate's root
+  bool tip_clearance_by_rule = false;     ///< [gearN.tip_fillet] without a number: 0.2 m_n + 0.05
   std::optional<double> chord_diameter;   ///< [gearN.measure] chord_diameter_mm
   std::vector<std::string> not_read;      ///< sub-tables of verbs that are not in this version
   std::optional<Bore> bore;

@@ -7,6 +7,7 @@
 // Held still, the gear sees the mate's axis orbit. The corner stands at [T2.26]
 //   P(w) = e^{iφ} (a − ρ_c e^{iw}),  w = uφ − (θ_c + η)      external pair
 //   P(w) = e^{iφ} (ρ_c e^{iw} − a),  w = (θ_c + η) − uφ      pinion in its ring
+//   P(w) = e^{iφ} (ρ_c e^{iw} + a),  w = (θ_c + η) − uφ      ring about its pinion
 // with the space's centre line on the x axis; the fillet beside it is that of the tooth at π/z.
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
@@ -30,7 +31,7 @@ struct Corner {
 
 // The corners at which a tooth ends: the flank's end, and the land's where a fillet lies between.
 std::vector<Corner> tip_corners(const Gear& mate) {
-  if (mate.internal()) {
+  if (!mate.tooth) {
     const double r = mate.tip_diameter / 2;
     if (r < mate.base_radius()) return {};
     const double d_b = mate.reference.base_diameter;
@@ -55,20 +56,23 @@ std::vector<Corner> tip_corners(const Gear& mate) {
 
 struct Orbit {
   double a, u, play;  // play = η
-  bool external;
+  enum Kind { external, in_ring, ring } kind;
   double half_space;  // π/z
 
   // The corner in the frame of the tooth beside the space, mirrored to its side y > 0.
   Vec2 place(const Corner& c, double w) const {
     const double kappa = c.half_angle + play;
-    const double phi = (external ? kappa + w : kappa - w) / u;
+    const double phi = (kind == external ? kappa + w : kappa - w) / u;
     const Complex turn = std::polar(c.radius, w);
-    const Complex p = std::polar(1.0, phi - half_space) * (external ? a - turn : turn - a);
+    const Complex from_axis = kind == external ? a - turn : kind == in_ring ? turn - a : turn + a;
+    const Complex p = std::polar(1.0, phi - half_space) * from_axis;
     return {p.real(), -p.imag()};
   }
 };
 
 constexpr int kHalfDigits = std::numeric_limits<double>::digits / 2;
+
+constexpr double kFoot = 1e-6;  // of the arc: the foot of p is found that well
 
 // Distance from p to an arc, > 0 on the space's side of it.
 double signed_distance(const Arc& arc, const Vec2& p) {
@@ -86,10 +90,23 @@ double signed_distance(const Arc& arc, const Vec2& p) {
   const double lo = std::max(0, best - 1) / static_cast<double>(kSteps);
   const double hi = std::min(kSteps, best + 1) / static_cast<double>(kSteps);
   const double u = boost::math::tools::brent_find_minima(distance, lo, hi, kHalfDigits).first;
+  const CurvePoint foot = arc.at(u);
+  const Vec2 away = p - foot.point;
+  const Vec2 along(std::cos(foot.tangent_angle), std::sin(foot.tangent_angle));
+  const double beside = along.dot(away);
+  const double above = along.x() * away.y() - along.y() * away.x();
+  // At a foot the way to p is across the arc: its length is exact although u is known to half the
+  // digits only. The space lies to the left, on a ring's tooth to the right.
+  if (std::abs(beside) <= kFoot * (arc.end_point - arc.begin_point).norm())
+    return arc.begin_point.norm() < arc.end_point.norm() ? above : -above;
   least = std::min(least, distance(u));
-  const double rho = std::clamp(p.norm(), arc.begin_point.norm(), arc.end_point.norm());
+  const double r_begin = arc.begin_point.norm();
+  const double r_end = arc.end_point.norm();
+  const bool outward = r_begin < r_end;
+  const double rho = std::clamp(p.norm(), std::min(r_begin, r_end), std::max(r_begin, r_end));
   const double theta =
-      arc.curve->polar_angle(arc.curve->parameter_at_radius(rho, arc.begin, arc.end));
+      arc.curve->polar_angle(outward ? arc.curve->parameter_at_radius(rho, arc.begin, arc.end)
+                                     : arc.curve->parameter_at_radius(rho, arc.end, arc.begin));
   return std::atan2(p.y(), p.x()) >= theta ? least : -least;
 }
 
@@ -99,38 +116,44 @@ std::optional<double> fillet_clearance(const Pair& pair, int which) {
   GW_EXPECTS(which == 1 || which == 2);
   const Gear& gear = pair.gears[which - 1];
   const Gear& mate = pair.gears[2 - which];
-  if (gear.internal()) return std::nullopt;
+  if (!gear.tooth) return std::nullopt;  // a ring that nothing has cut
   const double a = pair.center_distance;
   GW_EXPECTS(!pair.crossed());
-  const bool external = pair.kind == PairKind::parallel_external;
+  const Orbit::Kind kind = pair.kind == PairKind::parallel_external ? Orbit::external
+                           : gear.internal()                        ? Orbit::ring
+                                                                    : Orbit::in_ring;
   const double play =
       (which == 1 ? pair.mesh.backlash.rotation[1] : pair.mesh.backlash.rotation[0]) / 2;
-  const Orbit orbit{a, gear.spec.teeth / std::abs(static_cast<double>(mate.spec.teeth)), play,
-                    external, std::numbers::pi / gear.spec.teeth};
+  const double z = std::abs(gear.spec.teeth);
+  const Orbit orbit{a, z / std::abs(mate.spec.teeth), play, kind, std::numbers::pi / z};
   std::optional<double> least;
   for (const Corner& corner : tip_corners(mate)) {
     for (const Arc& arc : gear.tooth->outline.arcs) {
       if (arc.name != ArcName::root_fillet) continue;
       // The corner is below the arc's upper end while cos w is above this.
       const double r = arc.end_point.norm();
-      const double c = (a * a + corner.radius * corner.radius - r * r) / (2 * a * corner.radius);
+      const double deep = a * a + corner.radius * corner.radius - r * r;
+      const double c = (kind == Orbit::ring ? -deep : deep) / (2 * a * corner.radius);
       if (c >= 1.0) continue;  // never gets that deep
       const double w_end = std::acos(std::max(-1.0, c));
+      // The side of the path that lies towards this fillet; a ring's pinion takes both.
+      const double from = kind == Orbit::ring ? -w_end : 0.0;
       const auto gap = [&](double s) {
-        return signed_distance(arc, orbit.place(corner, external ? -s : s));
+        const double w = from + s * (w_end - from);
+        return signed_distance(arc, orbit.place(corner, kind == Orbit::external ? -w : w));
       };
-      constexpr int kSteps = 24;
+      const int steps = kind == Orbit::ring ? 48 : 24;
       int best = 0;
       double found = std::numeric_limits<double>::infinity();
-      for (int i = 0; i <= kSteps; ++i) {
-        const double g = gap(w_end * i / kSteps);
+      for (int i = 0; i <= steps; ++i) {
+        const double g = gap(static_cast<double>(i) / steps);
         if (g < found) {
           found = g;
           best = i;
         }
       }
-      const double lo = w_end * std::max(0, best - 1) / kSteps;
-      const double hi = w_end * std::min(kSteps, best + 1) / kSteps;
+      const double lo = std::max(0, best - 1) / static_cast<double>(steps);
+      const double hi = std::min(steps, best + 1) / static_cast<double>(steps);
       found =
           std::min(found, boost::math::tools::brent_find_minima(gap, lo, hi, kHalfDigits).second);
       if (!least || found < *least) least = found;

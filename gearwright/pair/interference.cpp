@@ -9,6 +9,9 @@ namespace gearwright::detail {
 
 namespace {
 
+// A gear cut by its mate touches it with no clearance at all: rounding is no interference.
+double noise(const Pair& p) { return 1e-11 * p.gears[0].reference.base_pitch_normal; }
+
 double diameter_of(double base_radius, double rho) { return 2 * std::hypot(base_radius, rho); }
 
 // Past the flank that an undercut took nothing strikes: contact is lost. Elsewhere it is
@@ -40,15 +43,16 @@ void past_the_flank(Pair& p, const char* code, int gear, double amount, const st
 void find_form_clearance(Pair& p) {
   const std::array<double, 2> rho{p.mesh.rho1_A, p.mesh.rho2(p.mesh.rho1_E)};
   for (int i : {0, 1}) {
-    if (rho[i] < 0.0) {
+    if (rho[i] < -noise(p)) {
       past_the_flank(p, "base_tangent", i + 1, rho[i], "past the base tangent point");
       continue;
     }
-    p.contact_root_diameter[i] = diameter_of(p.gears[i].base_radius(), rho[i]);
+    p.contact_root_diameter[i] = diameter_of(p.gears[i].base_radius(), std::max(0.0, rho[i]));
     const auto form = p.gears[i].root_form_radius();
     if (!form) continue;
-    p.form_clearance[i] = *p.contact_root_diameter[i] / 2 - *form;
-    if (*p.form_clearance[i] < 0.0) {
+    const double side = p.gears[i].internal() ? -1.0 : 1.0;  // a ring's flank begins outside
+    p.form_clearance[i] = side * (*p.contact_root_diameter[i] / 2 - *form);
+    if (*p.form_clearance[i] < -noise(p)) {
       past_the_flank(
           p, "form_circle", i + 1, *p.form_clearance[i],
           fmt::format("below the start of the usable flank (d_Ff = {:.4f} mm)", 2 * *form));
@@ -65,10 +69,20 @@ void find_tip_clearance(Pair& p) {
                        a - g2.actual_tip_radius() - g1.root_diameter / 2};
   } else {
     p.tip_clearance = {g2.root_diameter / 2 - a - g1.actual_tip_radius(),
-                       g2.tip_diameter / 2 - a - g1.root_diameter / 2};
+                       g2.actual_tip_radius() - a - g1.root_diameter / 2};
   }
   for (int i : {0, 1}) {
-    if (p.tip_clearance[i] < 0.0) {
+    if (std::abs(p.tip_clearance[i]) <= noise(p)) {
+      const double m = p.gears[0].spec.normal_module;
+      p.warnings.push_back(
+          {"no_tip_clearance",
+           fmt::format(
+               "The tip of gear {} runs on the root of gear {} without clearance; 0.2 m_n + "
+               "0.05 mm = {:.3f} mm is usual: shorten the tip by tip_diameter_mm, or cut "
+               "gear {} with a longer cutter.",
+               i + 1, 2 - i, 0.2 * m + 0.05, 2 - i),
+           i + 1});
+    } else if (p.tip_clearance[i] < 0.0) {
       p.interference.push_back(
           {"root", 2 - i, p.tip_clearance[i],
            fmt::format("The tip of gear {} cuts {:.4f} mm into the root of gear {}.", i + 1,
@@ -82,7 +96,7 @@ void find_internal_margins(Pair& p) {
   const Gear& g2 = p.gears[1];
   const double a = p.center_distance;
   const double r_a1 = g1.actual_tip_radius();
-  const double r_a2 = g2.tip_diameter / 2;
+  const double r_a2 = g2.actual_tip_radius();
   const double z1 = g1.spec.teeth;
   const double z2 = std::abs(g2.spec.teeth);
   const double inv_w = involute(p.mesh.rack.sides[0].transverse_angle);
@@ -130,7 +144,7 @@ void find_internal_margins(Pair& p) {
 void find_fillet_clearance(Pair& p) {
   for (int i : {0, 1}) {
     p.fillet_clearance[i] = fillet_clearance(p, i + 1);
-    if (p.fillet_clearance[i] && *p.fillet_clearance[i] < 0.0) {
+    if (p.fillet_clearance[i] && *p.fillet_clearance[i] < -noise(p)) {
       p.interference.push_back(
           {"tip_to_fillet", i + 1, *p.fillet_clearance[i],
            fmt::format("The tip corner of gear {} cuts {:.4f} mm into the root fillet of gear {}.",

@@ -19,6 +19,9 @@ void warn(Pair& p, const std::string& code, std::string message, int gear = 0) {
   p.warnings.push_back({code, std::move(message), gear});
 }
 
+// What is needed at least is rounded up where it is printed to 0.01.
+double up(double mm) { return std::ceil(mm * 100 - 1e-9) / 100; }
+
 // Axes this close were most likely meant to be parallel.
 constexpr double kNearlyParallel = 1.0;  // degrees
 
@@ -66,7 +69,7 @@ void warn_about_contact(Pair& p) {
          fmt::format(
              "Transverse contact ratio {:.3f}: these run only as helical gears; a face width of at "
              "least {:.2f} mm is needed.",
-             p.mesh.true_ratio, (1 - p.mesh.true_ratio) * face / p.mesh.overlap_ratio));
+             p.mesh.true_ratio, up((1 - p.mesh.true_ratio) * face / p.mesh.overlap_ratio)));
   }
 }
 

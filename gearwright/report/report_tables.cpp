@@ -123,7 +123,8 @@ void add_tooth(TableBuilder& table, GearRows& rows) {
     return std::string(g.internal() ? kNoValue : g.undercut ? "yes" : "no");
   });
   rows.add("Least profile shift without undercut", "x_Emin", "", [](const Gear& g) {
-    return g.internal() ? none() : ratio(g.undercut_free_profile_shift);
+    const auto& x = g.undercut_free_profile_shift;
+    return g.internal() || !x ? none() : ratio(*x);
   });
 }
 

@@ -83,15 +83,18 @@ class Verbs(unittest.TestCase):
         self.assertNotIn("case_out/pair.glb", r.files())
         self.assertIn("case_out/gear1.stl", r.files())
 
-    def test_ring_pair_gives_data_and_says_what_is_missing(self):
+    def test_ring_pair_is_whole_and_names_its_cutter(self):
         spec = "[gear1]\nteeth = 18\nnormal_module_mm = 2\nprofile_shift = 0.3\n[gear2]\nteeth = -60\nnormal_module_mm = 2\nprofile_shift = -0.3\n"
         r = Run("run", spec, "--json")
         self.assertEqual(r.status, 0, r.err)
         self.assertEqual(r.json["pair"]["kind"], "parallel_internal")
-        self.assertIn("no_outline", [w["code"] for w in r.json["warnings"]])
+        self.assertIn("default_cutter", [w["code"] for w in r.json["warnings"]])
+        self.assertIn("case_out/gear2.step", r.files())
+        self.assertIn("case_out/pair.glb", r.files())
         r = Run("outline", spec, "--gear", 2, "--json")
-        self.assertEqual(r.status, 1)
-        self.assertEqual(r.json["error"]["key"], "gear2.teeth")
+        self.assertEqual(r.status, 0)
+        radii = [math.hypot(*p) for a in r.json["arcs"] for p in a["points"]]
+        self.assertTrue(all(b <= a + 1e-12 for a, b in zip(radii, radii[1:])))  # from the root inward
 
     def test_same_spec_same_bytes(self):
         a, b = Run("run", PAIR), Run("run", PAIR)

@@ -164,7 +164,7 @@ TEST(GearLaws, spur_is_the_limit_of_helical) {
     // Within 1e-6 of its limit a gear may fall on either side of it.
     if (!spur || !helical || !spur->exists() || !helical->exists()) continue;
     if (spur->tooth->outline.arcs.size() != helical->tooth->outline.arcs.size()) continue;
-    if (std::abs(spur->undercut_free_profile_shift - spur->reference.generating_profile_shift) <
+    if (std::abs(*spur->undercut_free_profile_shift - spur->reference.generating_profile_shift) <
         1e-6)
       continue;
     ++compared;
@@ -223,7 +223,7 @@ TEST(GearLaws, undercut_flag_tells_a_crossing_from_a_smooth_joint) {
     const auto gear = gear_of(spec);
     if (!gear || !gear->exists()) continue;
     const double margin =
-        gear->reference.generating_profile_shift - gear->undercut_free_profile_shift;
+        gear->reference.generating_profile_shift - *gear->undercut_free_profile_shift;
     EXPECT_EQ(gear->undercut, margin < 0.0);
     const auto& arcs = gear->tooth->outline.arcs;
     for (std::size_t k = 1; k < arcs.size(); ++k) {

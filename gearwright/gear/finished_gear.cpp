@@ -1,0 +1,159 @@
+#include "gearwright/gear/finished_gear.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gearwright::detail {
+
+Gear described(const CylindricalSpec& spec) {
+  Gear gear{};
+  gear.spec = spec;
+  gear.reference = reference_geometry<double>(
+      {spec.teeth, spec.normal_module, spec.normal_pressure_angle.rad(), spec.helix_angle.rad(),
+       spec.profile_shift, spec.thickness_allowance});
+  const double m = spec.normal_module;
+  const double d = gear.reference.reference_diameter;
+  const double x_E = gear.reference.generating_profile_shift;
+  const double sign = gear.internal() ? -1.0 : 1.0;
+  const double beta = spec.helix_angle.rad();
+  gear.tip_diameter =
+      spec.tip_diameter.value_or(d + sign * 2 * m * (spec.rack.addendum + spec.profile_shift));
+  gear.root_diameter = d - sign * 2 * m * (spec.rack.dedendum - x_E);
+  gear.lead = beta == 0.0 ? 0.0 : std::numbers::pi * d / std::tan(beta);
+  const double psi_b = gear.reference.base_tooth_thickness / gear.reference.base_diameter;
+  // A ring's tooth thins inward: its flanks meet at inv α = −ψ_b, if they do.
+  const double y = sign * psi_b;
+  if (y >= 0.0)
+    gear.pointed_diameter = gear.reference.base_diameter / std::cos(inverse_involute(y));
+  return gear;
+}
+
+void warn(Gear& gear, const char* code, std::string message) {
+  gear.warnings.push_back({code, std::move(message), 0});
+}
+
+namespace {
+
+// The shift that a drawing would need for x_E to reach the limit: the allowance is on top.
+double shift_for(const Gear& gear, double x_E) {
+  return x_E - (gear.reference.generating_profile_shift - gear.spec.profile_shift);
+}
+
+// What would avoid the undercut: a shift for a gear cut by a rack, else another cutter.
+std::string without_undercut(const Gear& gear) {
+  if (!gear.undercut_free_profile_shift)
+    return "a greater centre distance or a cutter with a shorter tip avoids it.";
+  return fmt::format("a profile shift of at least {:.4f} avoids it.",
+                     shift_for(gear, *gear.undercut_free_profile_shift));
+}
+
+void warn_about_tip(Gear& gear) {
+  const auto& s_an = gear.tip_tooth_thickness_normal;
+  if (gear.pointed()) {
+    const double end = gear.tooth ? 2 * gear.tooth->tip_radius : *gear.pointed_diameter;
+    warn(gear, "pointed",
+         fmt::format(
+             "Pointed: the tooth ends at {:.4f} mm diameter, before the tip diameter {:.4f} mm.",
+             end, gear.tip_diameter));
+  } else if (s_an && *s_an < 0.2 * gear.spec.normal_module &&
+             !(gear.tooth && gear.tooth->rounded_tip)) {
+    warn(gear, "thin_tip",
+         fmt::format("Thin tip: {:.4f} mm, less than 0.2 modules ({:.4f} mm).", *s_an,
+                     0.2 * gear.spec.normal_module));
+  }
+}
+
+// What the numbers of a rack say of a ring: nothing beyond addendum and dedendum.
+void warn_about_ring(Gear& gear) {
+  const StraightRack& rack = gear.spec.rack;
+  if (rack.tip_fillet_radius > 0.0 || rack.tool_addendum || rack.semi_topping_angle ||
+      rack.protuberance > 0.0) {
+    warn(gear, "rack_not_used",
+         "A ring is not cut by a rack: tip_fillet_radius, tool_addendum, semi_topping_angle_deg "
+         "and protuberance "
+         "have no effect on it.");
+  }
+  if (gear.tip_diameter < gear.reference.base_diameter) {
+    warn(gear, "tip_below_base",
+         fmt::format(
+             "The ring's tip {:.4f} mm lies inside its base circle {:.4f} mm: the flank has no "
+             "involute there.",
+             gear.tip_diameter, gear.reference.base_diameter));
+  }
+  warn_about_tip(gear);
+}
+
+void warn_about_tooth(Gear& gear) {
+  const GeneratedTooth& tooth = *gear.tooth;
+  if (tooth.through_axis) {
+    warn(gear, "through_axis",
+         fmt::format(
+             "The cutter passes the gear's axis (root diameter {:.4f} mm): there is no gear. More "
+             "teeth, more profile shift or a smaller dedendum would help.",
+             gear.root_diameter));
+    return;
+  }
+  if (tooth.severed) {
+    warn(gear, "severed",
+         "The root fillets of both sides meet: the tooth is cut off. " +
+             (gear.undercut ? "There is undercut: " + without_undercut(gear)
+                            : "Less profile shift or a thicker tooth would help."));
+    return;
+  }
+  if (gear.undercut) {
+    warn(gear, "undercut",
+         fmt::format("Undercut: the usable flank starts at {}; {}",
+                     tooth.form_radius ? fmt::format("{:.4f} mm diameter", 2 * *tooth.form_radius)
+                                       : std::string("no diameter"),
+                     without_undercut(gear)));
+  }
+  if (!tooth.form_radius) {
+    warn(gear, "no_flank", "No usable involute flank is left between root fillet and tip.");
+  }
+  warn_about_tip(gear);
+  if (tooth.tip_cut_by_rack) {
+    warn(gear, "tip_cut_by_rack",
+         fmt::format(
+             "The cutter's bottom land tops the tooth at {:.4f} mm diameter, below the blank's "
+             "{:.4f} mm.",
+             2 * tooth.tip_radius, gear.tip_diameter));
+  }
+}
+
+// Normal thickness of the finished tooth at its tip: the land that is left, 0 at a point.
+std::optional<double> tip_thickness(const Gear& gear) {
+  if (!gear.exists()) return std::nullopt;
+  const double d_b = gear.reference.base_diameter;
+  if (gear.tooth) {
+    if (gear.tooth->pointed || gear.tooth->rounded_tip) return 0.0;
+    const double d_end = 2 * gear.tooth->tip_radius;
+    const Arc& land = gear.tooth->outline.arcs.back();
+    // A tip on the base circle itself may lie an ulp inside it.
+    const bool plain = gear.tooth->tip_form_radius == gear.tooth->tip_radius && d_end >= d_b;
+    const double s_t = plain ? tooth_thickness_transverse(
+                                   gear.spec.teeth, d_b, gear.reference.base_tooth_thickness, d_end)
+                             : d_end * land.begin;
+    return s_t * cos_helix_at(d_b, gear.reference.base_helix_angle, d_end);
+  }
+  if (gear.tip_diameter < d_b) return std::nullopt;
+  return tooth_thickness_transverse(gear.spec.teeth, d_b, gear.reference.base_tooth_thickness,
+                                    gear.tip_diameter) *
+         cos_helix_at(d_b, gear.reference.base_helix_angle, gear.tip_diameter);
+}
+
+}  // namespace
+
+void finish(Gear& gear) {
+  if (gear.tooth) gear.root_diameter = 2 * gear.tooth->root_radius;
+  gear.tip_tooth_thickness_normal = tip_thickness(gear);
+  if (gear.tooth) {
+    warn_about_tooth(gear);
+  } else {
+    warn_about_ring(gear);
+  }
+}
+
+}  // namespace gearwright::detail

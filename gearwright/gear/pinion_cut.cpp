@@ -1,0 +1,100 @@
+#include "gearwright/gear/pinion_cut.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "gearwright/base/refusal.hpp"
+#include "gearwright/gear/finished_gear.hpp"
+#include "gearwright/generation/cut_by_pinion.hpp"
+#include "gearwright/math/involute.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// x of the gear that meshes with the cutter at E without backlash:
+// x + x_0 = (inv α_w − inv α_t)(z_0 + z)/(2 tan α_n). [T6.12]
+double shift_at(const Gear& cutter, int teeth, double roll_w) {
+  const ReferenceGeometry<double>& g = cutter.reference;
+  const double sum = (involute_of_roll(roll_w) - involute(g.transverse_pressure_angle)) *
+                     (cutter.spec.teeth + teeth) /
+                     (2.0 * std::tan(cutter.spec.normal_pressure_angle.rad()));
+  return sum - g.generating_profile_shift;
+}
+
+double base_distance(const Gear& cutter, int teeth) {
+  return cutter.base_radius() * std::abs(1.0 + static_cast<double>(teeth) / cutter.spec.teeth);
+}
+
+std::optional<Error> check_teeth(const Gear& cutter, int teeth) {
+  const int z_0 = cutter.spec.teeth;
+  if (teeth == 0) return refused("teeth", 0, "must not be 0; negative for an internal gear (ring)");
+  if (teeth < 0 && -teeth <= z_0) {
+    return refused("teeth", teeth,
+                   fmt::format("the cutter with its {} teeth is larger than the ring; a ring of at "
+                               "least {} teeth, or a cutter of at most {}, is needed",
+                               z_0, -(z_0 + 1), -teeth - 1));
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<double> generating_distance(const Gear& cutter, int teeth, double profile_shift) {
+  if (auto error = check_teeth(cutter, teeth)) return *error;
+  const ReferenceGeometry<double>& g = cutter.reference;
+  const double sum = profile_shift + g.generating_profile_shift;
+  const double inv_w =
+      involute(g.transverse_pressure_angle) +
+      2.0 * std::tan(cutter.spec.normal_pressure_angle.rad()) * sum / (cutter.spec.teeth + teeth);
+  const double r = base_distance(cutter, teeth);
+  if (sum == 0.0) return r / std::cos(g.transverse_pressure_angle);
+  if (!(inv_w >= 0.0)) {
+    const double least = shift_at(cutter, teeth, 0.0);
+    return refused("profile_shift", profile_shift,
+                   fmt::format("this cutter reaches no such gear: there is no working pressure "
+                               "angle; {} {} is allowed",
+                               teeth > 0 ? "at least" : "at most", least));
+  }
+  return r / std::cos(inverse_involute(inv_w));
+}
+
+Result<Gear> make_pinion_cut_gear(const Gear& cutter, const PinionCutSpec& wanted) {
+  GW_EXPECTS(!cutter.internal() && cutter.tooth && cutter.exists());
+  if (auto error = check_teeth(cutter, wanted.teeth)) return *error;
+  const double r = base_distance(cutter, wanted.teeth);
+  const double e = wanted.distance;
+  if (!(e > r)) {
+    return refused("cut_by", e,
+                   fmt::format("the generating centre distance is too small for a working pressure "
+                               "angle; it must be greater than {} mm",
+                               r));
+  }
+  CylindricalSpec spec = cutter.spec;
+  spec.teeth = wanted.teeth;
+  if (wanted.teeth > 0) spec.helix_angle = Angle::degrees(0.0 - cutter.spec.helix_angle.deg());
+  spec.profile_shift = shift_at(cutter, wanted.teeth, std::sqrt((e - r) * (e + r)) / r);
+  spec.thickness_allowance = 0.0;
+  spec.face_width = wanted.face_width;
+  spec.root_fillet.reset();
+  spec.tip_fillet.reset();
+  const PinionMotion motion{cutter.spec.teeth, wanted.teeth, e};
+  // What the cutter's root leaves, where nothing else ends the tooth.
+  const double left = e - motion.side() * cutter.tooth->root_radius;
+  spec.tip_diameter = wanted.tip_diameter.value_or(2 * left);
+  if (auto error = check_limits(spec)) return *error;
+  Gear gear = detail::described(spec);
+  gear.cut_by = PinionCutting{cutter.spec.teeth, e};
+  auto tooth = cut_by_pinion(*cutter.tooth, motion, gear.tip_diameter / 2);
+  if (!tooth) return tooth.error();
+  gear.tooth = std::move(tooth).take();
+  if (const auto flank = cutter.tooth->outline.find(ArcName::flank)) {
+    const auto cut = pinion_involute(motion, static_cast<const Involute&>(*flank->curve));
+    gear.undercut = wanted.teeth > 0 && cut && cut->roll(flank->end) < 0.0;
+  }
+  detail::finish(gear);
+  return gear;
+}
+
+}  // namespace gearwright

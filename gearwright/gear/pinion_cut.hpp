@@ -1,0 +1,31 @@
+// A gear cut by a pinion cutter: a finished gear, rolling with it at the generating centre
+// distance.
+//
+//   E    generating centre distance, mm      x    follows from E: cutter and gear mesh there
+//   without backlash                                   theory: docs/theory/06-few-teeth.md
+#pragma once
+
+#include "gearwright/gear/gear.hpp"
+
+namespace gearwright {
+
+struct PinionCutSpec {
+  int teeth = 0;                       ///< z, negative for a ring
+  double distance = 0.0;               ///< E  mm
+  double face_width = 0.0;             ///< b  mm
+  std::optional<double> tip_diameter;  ///< d_a  mm; absent: what the cutter's root leaves
+};
+
+/// The generating distance at which the gear gets the profile shift x.
+///
+/// Errors    `profile_shift` where the cutter has no such place
+Result<double> generating_distance(const Gear& cutter, int teeth, double profile_shift);
+
+/// Makes the gear. Module, pressure angle and |β| are the cutter's; a ring has its hand, an
+/// external gear the other one.
+///
+/// Domain    `cutter` is an external gear that exists (contract)
+/// Errors    `teeth`, `cut_by`, `tip_diameter_mm`, `face_width_mm`, as in a gear's table
+Result<Gear> make_pinion_cut_gear(const Gear& cutter, const PinionCutSpec& spec);
+
+}  // namespace gearwright

@@ -1,0 +1,91 @@
+#include "gearwright/gear/ring_cutter.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/gear/finished_gear.hpp"
+#include "gearwright/gear/pinion_cut.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kCutterDedendum = 1.5;  // modules, with a sharp root: flanks for every ring's tip
+constexpr double kLeastLand = 0.1;       // modules, at the cutter's tip
+
+struct Cutter {
+  Gear gear;
+  double distance;
+};
+
+// A cutter of z_0 teeth that reaches the ring's root, its tip rounded by ρ.
+std::optional<Cutter> cutter_of(const Gear& ring, int z_0, double rounding) {
+  CylindricalSpec c;
+  c.teeth = z_0;
+  c.normal_module = ring.spec.normal_module;
+  c.normal_pressure_angle = ring.spec.normal_pressure_angle;
+  c.helix_angle = ring.spec.helix_angle;
+  c.face_width = ring.spec.face_width;
+  c.rack.dedendum = kCutterDedendum;
+  c.rack.root_fillet_radius = 0.0;
+  auto bare = make_gear(c);
+  if (!bare || !bare->exists()) return std::nullopt;
+  const auto e =
+      generating_distance(*bare, ring.spec.teeth, ring.reference.generating_profile_shift);
+  if (!e) return std::nullopt;
+  const double r_a = ring.root_diameter / 2 - *e;
+  c.rack.addendum = (r_a - bare->reference.reference_diameter / 2) / c.normal_module;
+  if (!(c.rack.addendum > 0.0)) return std::nullopt;
+  c.rack.tip_fillet_radius = rounding;
+  c.tip_diameter = 2 * r_a;
+  auto cutter = make_gear(c);
+  if (!cutter || !cutter->exists() || cutter->pointed()) return std::nullopt;
+  // A cutter without a land, or with its rounding cut off, would not reach the root.
+  const auto& land = cutter->tip_tooth_thickness_normal;
+  if (!land || *land < kLeastLand * c.normal_module) return std::nullopt;
+  if (std::abs(cutter->tooth->tip_radius - r_a) > 1e-9 * r_a) return std::nullopt;
+  return Cutter{std::move(cutter).take(), *e};
+}
+
+std::optional<Gear> cut_with(const Gear& ring, const Cutter& cutter) {
+  auto cut = make_pinion_cut_gear(
+      cutter.gear, {ring.spec.teeth, cutter.distance, ring.spec.face_width, ring.tip_diameter});
+  if (!cut || !cut->exists() || cut->pointed() || !cut->tooth->form_radius) return std::nullopt;
+  Gear with = ring;
+  with.tooth = std::move(cut->tooth);
+  with.cut_by = cut->cut_by;
+  with.cut_by->by_default = true;
+  with.warnings.clear();
+  detail::finish(with);
+  detail::warn(with, "default_cutter",
+               fmt::format("No cut_by given: the ring's fillets are those of a pinion cutter of {} "
+                           "teeth without profile shift that reaches the root diameter.",
+                           cutter.gear.spec.teeth));
+  return with;
+}
+
+}  // namespace
+
+std::optional<Gear> cut_by_default(const Gear& ring) {
+  GW_EXPECTS(ring.internal() && !ring.tooth);
+  const int z = -ring.spec.teeth;
+  for (const double share : {0.5, 0.6, 0.4, 0.7, 0.8, 0.3, 0.2, 0.1}) {
+    const int z_0 = static_cast<int>(share * z);
+    if (z_0 < 1) continue;
+    for (const double rounding : {ring.spec.rack.root_fillet_radius, 0.2, 0.0}) {
+      const auto cutter = cutter_of(ring, z_0, rounding);
+      if (!cutter) continue;
+      // The drawing says where the flank ends: a cutter that takes some of it is not meant.
+      auto cut = cut_with(ring, *cutter);
+      if (cut && cut->tooth->tip_form_radius == cut->tooth->tip_radius &&
+          cut->tooth->tip_radius == ring.tip_diameter / 2) {
+        return cut;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,57 @@
+// A piece of envelope that may stand on the tooth, and the tooth that many of them leave standing.
+//
+// Internal to generation/. Along a branch the height grows: the radius on an external tooth, minus
+// the radius on a ring's, so that heights rise from root to tip on both. The tooth is the lower
+// envelope of the branches' half angles, |θ| < min θ(height). Two neighbours that do not join
+// smoothly meet in a true intersection, found in closed bracket.
+//                                                theory: docs/theory/03-rack-and-generation.md,
+//                                                [T3.11]…[T3.13]
+#pragma once
+
+#include <vector>
+
+#include "gearwright/curve/arc_name.hpp"
+#include "gearwright/curve/curve.hpp"
+#include "gearwright/generation/generate.hpp"
+
+namespace gearwright::detail {
+
+struct Branch {
+  ArcName name;
+  CurvePtr curve;
+  double t_lo, t_hi;
+  double height_lo, height_hi;
+  bool smooth_start = false;         ///< goes on from the end of the branch before
+  double side = 1.0;                 ///< height = side·|W|; −1 on a ring
+  std::vector<double> turns = {};    ///< parameters at which the half angle is stationary
+  bool ends_on_center_line = false;  ///< a rounded tip: at its end θ = 0, without a point
+
+  double height(double t) const { return side * curve->point(t).norm(); }
+  double t_at(double h) const;
+  double theta_at(double h) const { return curve->polar_angle(t_at(h)); }
+  void end_at(double h);
+  void start_at(double h);
+};
+
+/// Branch of `curve` from t_lo to t_hi, heights taken from the curve.
+Branch branch_of(ArcName name, CurvePtr curve, double t_lo, double t_hi, double side);
+
+/// What the branches, given from root to tip, are cut to; `side` as theirs.
+struct ToothEnds {
+  int teeth;               ///< z
+  double side;             ///< 1, a ring −1
+  double root_land_angle;  ///< rad: polar angle where the root land ends; π/|z| without one
+  double blank_radius;     ///< mm, infinite (a ring: 0) without one
+  double cutter_radius;    ///< mm, where the cutter itself tops the tooth; likewise
+  std::vector<Branch> behind = {};  ///< of the leaving cutter: they may take the tip away. [T6.13]
+};
+
+/// Puts the branches together and ends them at the tip. `tooth` brings root_radius and the fillets
+/// asked for; everything else is filled in. Severed teeth keep no outline.
+///
+/// Errors    `tip_diameter_mm` when the blank leaves no tooth above the root; `cut_by` when the
+///           leaving cutter takes the flank itself
+Result<GeneratedTooth> finish_tooth(const std::vector<Branch>& branches, const ToothEnds& ends,
+                                    GeneratedTooth tooth);
+
+}  // namespace gearwright::detail

@@ -1,0 +1,193 @@
+#include "gearwright/generation/cut_by_pinion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "gearwright/base/refusal.hpp"
+#include "gearwright/generation/branch.hpp"
+#include "gearwright/math/root.hpp"
+
+namespace gearwright {
+
+namespace {
+
+using detail::Branch;
+using detail::branch_of;
+
+constexpr double kPi = std::numbers::pi;
+
+// Two normals this close are one: the arcs join smoothly.
+constexpr double kSameNormal = 1e-9;
+
+// ν of an arc, within half a turn beyond the polar angle.
+double normal_angle(const Arc& arc, double u) {
+  const CurvePoint p = arc.at(u);
+  const double c = std::cos(p.tangent_angle);
+  const double s = std::sin(p.tangent_angle);
+  const double theta = arc.curve->polar_angle(u == 0.0 ? arc.begin : arc.end);
+  return theta + std::atan2(std::max(0.0, p.point.x() * c + p.point.y() * s),
+                            p.point.y() * c - p.point.x() * s);
+}
+
+ArcName cut_by_arc(ArcName cutter) {
+  switch (cutter) {
+    case ArcName::root_land: return ArcName::tip_land;
+    case ArcName::root_fillet: return ArcName::tip_fillet;
+    case ArcName::flank: return ArcName::flank;
+    case ArcName::tip_fillet: return ArcName::root_fillet;
+    case ArcName::tip_land: return ArcName::root_land;
+  }
+  return ArcName::flank;
+}
+
+// The branches of one cutter, from the gear's root to its tip.
+class Cutting {
+ public:
+  Cutting(const GeneratedTooth& cutter, const PinionMotion& motion)
+      : cutter_(cutter), motion_(motion) {}
+
+  bool misses_flank = false;  // the centrode lies inside the base circle of the cutter's flank
+  std::vector<Branch> branches;
+  std::vector<Branch> behind;  // of the cutter's tip, on a ring
+
+  void run() {
+    const auto& arcs = cutter_.outline.arcs;
+    double nu = 0.0;  // of what was cut last
+    bool smooth = true;
+    for (std::size_t i = arcs.size(); i-- > 0;) {
+      const Arc& arc = arcs[i];
+      const double nu_tip_side = normal_angle(arc, 1.0);
+      if (nu_tip_side > nu + kSameNormal) {  // a corner that stands out
+        add_fan(arc, nu, nu_tip_side, smooth);
+        smooth = smooth && true;
+      } else if (nu_tip_side < nu - kSameNormal) {
+        smooth = false;  // a hollow corner: what lies beside it is cut by its neighbours
+      }
+      smooth = add_arc(arc, smooth);
+      nu = normal_angle(arc, 0.0);
+    }
+    const Arc& root = arcs.front();
+    const bool closes = std::abs(nu - kPi / motion_.cutter_teeth) <= kSameNormal;
+    if (root.name != ArcName::root_land && closes && !branches.empty())
+      branches.back().ends_on_center_line = true;
+  }
+
+ private:
+  // Returns whether the branch after it goes on smoothly.
+  bool add_arc(const Arc& arc, bool smooth) {
+    if (dynamic_cast<const AxisCircle*>(arc.curve.get())) return true;  // lands are ends
+    if (const auto* involute = dynamic_cast<const Involute*>(arc.curve.get()))
+      return add_involute(arc, *involute, smooth);
+    const Walk walk = arc.end > arc.begin ? Walk::forward : Walk::backward;
+    add_behind(arc.name, arc.curve, walk, arc.begin, arc.end);
+    return add_envelope(cut_by_arc(arc.name), arc.curve, walk, arc.end, arc.begin, smooth);
+  }
+
+  void add_fan(const Arc& arc, double nu_from, double nu_to, bool& smooth) {
+    // Beyond the flank a corner belongs to the cutter's root and cuts the tip.
+    const ArcName cuts = arc.name == ArcName::root_fillet || arc.name == ArcName::root_land
+                             ? ArcName::tip_fillet
+                             : ArcName::root_fillet;
+    const auto corner = std::make_shared<CornerFan>(arc.end_point);
+    if (cuts == ArcName::root_fillet)
+      add_behind(ArcName::tip_fillet, corner, Walk::forward, nu_to, nu_from);
+    smooth = add_envelope(cuts, corner, Walk::forward, nu_from, nu_to, smooth);
+  }
+
+  bool add_involute(const Arc& arc, const Involute& involute, bool smooth) {
+    const auto cut = pinion_involute(motion_, involute);
+    if (!cut) {
+      misses_flank = misses_flank || arc.name == ArcName::flank;
+      return false;
+    }
+    const double side = motion_.side();
+    double t_lo = cut->roll(arc.end);
+    const double t_hi = cut->roll(arc.begin);
+    if (side > 0.0 && t_lo < 0.0) {  // undercut: up to the cusp it runs backward
+      if (!(t_hi > 0.0)) return false;
+      t_lo = 0.0;
+      smooth = false;
+    }
+    Branch b =
+        branch_of(cut_by_arc(arc.name), std::make_shared<Involute>(cut->flank), t_lo, t_hi, side);
+    b.smooth_start = smooth;
+    branches.push_back(std::move(b));
+    return true;
+  }
+
+  bool add_envelope(ArcName cuts, const CurvePtr& curve, Walk walk, double t_tip, double t_root,
+                    bool smooth) {
+    const auto envelope = std::make_shared<PinionEnvelope>(motion_, curve, walk);
+    std::vector<double> ends{t_tip};
+    for (double t : envelope->breaks(t_tip, t_root)) ends.push_back(t);
+    ends.push_back(t_root);
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+      const bool stands = envelope->cuts(0.5 * (ends[i] + ends[i + 1]));
+      if (stands) {
+        Branch b = branch_of(cuts, envelope, ends[i], ends[i + 1], motion_.side());
+        b.smooth_start = smooth;
+        if (cuts == ArcName::root_fillet) b.turns = envelope->turns(ends[i], ends[i + 1]);
+        if (b.height_lo < b.height_hi) branches.push_back(std::move(b));
+      }
+      smooth = stands;  // behind a cusp nothing goes on
+      if (i + 2 < ends.size()) smooth = false;
+    }
+    return smooth;
+  }
+
+  // Where the leaving tooth may catch the ring's tip: heights grow from the cutter's root side on.
+  void add_behind(ArcName name, const CurvePtr& curve, Walk walk, double t_root, double t_tip) {
+    if (motion_.teeth > 0 || name != ArcName::tip_fillet) return;
+    const auto envelope = std::make_shared<PinionEnvelope>(motion_, curve, walk, Meeting::behind);
+    std::vector<double> ends{t_root};
+    for (double t : envelope->breaks(t_root, t_tip)) ends.push_back(t);
+    ends.push_back(t_tip);
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+      if (!envelope->cuts(0.5 * (ends[i] + ends[i + 1]))) continue;
+      Branch b = branch_of(ArcName::tip_fillet, envelope, ends[i], ends[i + 1], -1.0);
+      if (b.height_lo < b.height_hi) behind.push_back(std::move(b));
+    }
+  }
+
+  const GeneratedTooth& cutter_;
+  const PinionMotion& motion_;
+};
+
+}  // namespace
+
+Result<GeneratedTooth> cut_by_pinion(const GeneratedTooth& cutter, const PinionMotion& motion,
+                                     double blank_radius) {
+  GW_EXPECTS(!cutter.outline.arcs.empty());
+  GW_EXPECTS(motion.teeth > 0 || -motion.teeth > motion.cutter_teeth);
+  const double side = motion.side();
+  const auto& arcs = cutter.outline.arcs;
+  GeneratedTooth tooth{};
+  tooth.root_radius = motion.distance - side * cutter.tip_radius;
+  const double cutter_radius = motion.distance - side * arcs.front().begin_point.norm();
+  if (!(tooth.root_radius > 0.0)) {
+    tooth.tip_radius = side > 0.0 ? std::min(blank_radius, cutter_radius) : blank_radius;
+    tooth.through_axis = true;
+    return tooth;
+  }
+  Cutting cutting(cutter, motion);
+  cutting.run();
+  if (cutting.misses_flank) {
+    return refused("cut_by", motion.distance,
+                   "at this generating centre distance the centrode lies inside the cutter's base "
+                   "circle, so that its flanks cut nothing; a greater one is needed");
+  }
+  if (cutting.branches.empty())
+    return Error{"cut_by", "", "cut_by: the cutter leaves no tooth at this centre distance"};
+  const Arc& last = arcs.back();
+  const double land = last.name == ArcName::tip_land ? last.begin : 0.0;
+  const detail::ToothEnds ends{
+      motion.teeth, side,          kPi / std::abs(motion.teeth) - std::abs(motion.ratio()) * land,
+      blank_radius, cutter_radius, std::move(cutting.behind)};
+  return detail::finish_tooth(cutting.branches, ends, std::move(tooth));
+}
+
+}  // namespace gearwright

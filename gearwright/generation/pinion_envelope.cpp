@@ -1,0 +1,243 @@
+#include "gearwright/generation/pinion_envelope.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/math/involute.hpp"
+#include "gearwright/math/polynomial.hpp"
+#include "gearwright/math/root.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+// Sign changes of f between a and b, on cells fine enough for the curves of a tooth.
+std::vector<double> sign_changes(const std::function<double(double)>& f, double a, double b) {
+  constexpr int kCells = 256;
+  std::vector<double> roots;
+  double t = a;
+  double value = f(a);
+  for (int i = 1; i <= kCells; ++i) {
+    const double next = i == kCells ? b : a + (b - a) * i / kCells;
+    const double there = f(next);
+    if ((value < 0.0) != (there < 0.0))
+      roots.push_back(find_root(f, std::min(t, next), std::max(t, next)).x);
+    t = next;
+    value = there;
+  }
+  return roots;
+}
+
+}  // namespace
+
+double PinionMotion::cutter_pitch_radius() const {
+  return side() * distance * cutter_teeth / (cutter_teeth + teeth);
+}
+
+double PinionMotion::pitch_radius() const {
+  return side() * distance * teeth / (cutter_teeth + teeth);
+}
+
+CurvePoint CornerFan::at(double nu) const {
+  return {point_, nu - kPi / 2, -std::numeric_limits<double>::infinity()};
+}
+
+struct PinionEnvelope::Contact {
+  double s, q, w, kappa, turned;  // turned = ν − κ = ϑ
+  double curvature;               // k of the cutter's curve, along the walk
+  double lambda() const { return w - q; }
+};
+
+PinionEnvelope::PinionEnvelope(const PinionMotion& motion, CurvePtr cutter, Walk walk,
+                               Meeting meeting)
+    : motion_(motion),
+      cutter_(std::move(cutter)),
+      walk_(walk == Walk::forward ? 1.0 : -1.0),
+      meeting_(meeting == Meeting::ahead ? 1.0 : -1.0),
+      r_p_(motion.cutter_pitch_radius()),
+      r_g_(motion.pitch_radius()),
+      m_(motion.ratio()) {
+  GW_EXPECTS(motion.cutter_teeth >= 1 && r_p_ > 0.0);
+}
+
+PinionEnvelope::Contact PinionEnvelope::contact(double t) const {
+  const CurvePoint p = cutter_->at(t);
+  const double cos_t = walk_ * std::cos(p.tangent_angle);
+  const double sin_t = walk_ * std::sin(p.tangent_angle);
+  Contact c;
+  c.s = p.point.x() * cos_t + p.point.y() * sin_t;
+  c.q = p.point.y() * cos_t - p.point.x() * sin_t;
+  c.w = meeting_ * std::sqrt(std::max(0.0, (r_p_ - c.s) * (r_p_ + c.s)));
+  c.kappa = std::atan2(c.s, c.w);
+  // ν lies within half a turn beyond the point's polar angle, which is continuous.
+  c.turned = cutter_->polar_angle(t) + std::atan2(c.s, c.q) - c.kappa;
+  c.curvature = walk_ * p.curvature;
+  return c;
+}
+
+Vec2 PinionEnvelope::point(double t) const {
+  const Contact c = contact(t);
+  const double side = motion_.side();
+  // r_g + λ e^{iκ}, e^{iκ} = (w + is)/r_p; on a ring minus its conjugate.
+  const double along = side * (r_g_ + c.lambda() * c.w / r_p_);
+  const double across = c.lambda() * c.s / r_p_;
+  const double turn = kPi / std::abs(motion_.teeth) - std::abs(m_) * c.turned;
+  const double cos_t = std::cos(turn);
+  const double sin_t = std::sin(turn);
+  return {along * cos_t - across * sin_t, along * sin_t + across * cos_t};
+}
+
+double PinionEnvelope::polar_angle(double t) const {
+  const Contact c = contact(t);
+  const double along = motion_.side() * (r_g_ + c.lambda() * c.w / r_p_);
+  return kPi / std::abs(motion_.teeth) - std::abs(m_) * c.turned +
+         std::atan2(c.lambda() * c.s / r_p_, along);
+}
+
+CurvePoint PinionEnvelope::at(double t) const {
+  const Contact c = contact(t);
+  const double lambda = c.lambda();
+  const double n = 1.0 + m_;
+  // k_g = (k w + n (1 − kλ))/(w + nλ (1 − kλ)), [T6.9]; at a corner, where t is ν and k = −∞, both
+  // divided by k.
+  double above, below;
+  if (std::isinf(c.curvature)) {
+    above = c.w - n * lambda;
+    below = -n * lambda * lambda;
+  } else {
+    above = c.curvature * c.w + n * (1.0 - c.curvature * lambda);
+    below = c.w + n * lambda * (1.0 - c.curvature * lambda);
+  }
+  const double side = motion_.side();
+  const double direction = walk_ * meeting_ * below;  // of growing t along that tangent
+  const double tangent = kPi / std::abs(motion_.teeth) - std::abs(m_) * c.turned +
+                         side * (c.kappa + kPi / 2) + (side > 0.0 ? 0.0 : kPi);
+  return {point(t), tangent + (direction < 0.0 ? kPi : 0.0),
+          side * above / below * (direction < 0.0 ? -1.0 : 1.0)};
+}
+
+bool PinionEnvelope::cuts(double t) const {
+  const Contact c = contact(t);
+  if (!(c.s < r_p_)) return false;
+  if (std::isinf(c.curvature)) return true;  // a corner: w G = n λ²/ρ, ρ → 0
+  return c.w + (1.0 + m_) * c.lambda() * (1.0 - c.curvature * c.lambda()) > 0.0;
+}
+
+// The cutter's curve as a circle about D∠γ with the radius ρ along its normal, < 0 where it is
+// hollow. With h = λ + ρ, the way from the centre to the pitch point, and K = r_p² − D², everything
+// is rational in h:  D cos(ν − γ) = (K − h²)/(2h),  w = (K + h²)/(2h).
+struct PinionEnvelope::Circle {
+  double distance, direction, rho;
+  double nu_to_t;  // t = ν + this
+};
+
+std::optional<PinionEnvelope::Circle> PinionEnvelope::circle() const {
+  if (dynamic_cast<const CornerFan*>(cutter_.get())) {
+    const Vec2 p = cutter_->point(0.0);
+    return Circle{p.norm(), std::atan2(p.y(), p.x()), 0.0, 0.0};
+  }
+  const auto* offset = dynamic_cast<const OffsetCircle*>(cutter_.get());
+  if (!offset) return std::nullopt;
+  const bool hollow = walk_ > 0.0;  // walked counter-clockwise
+  return Circle{offset->distance(), offset->direction(),
+                hollow ? -offset->radius() : offset->radius(), hollow ? -kPi : 0.0};
+}
+
+namespace {
+
+// Keeps what lies between a and b, from a on.
+std::vector<double> in_order(std::vector<double> t, double a, double b) {
+  const auto [lo, hi] = std::minmax(a, b);
+  t.erase(std::remove_if(t.begin(), t.end(),
+                         [lo = lo, hi = hi](double v) { return !(v > lo && v < hi); }),
+          t.end());
+  std::sort(t.begin(), t.end());
+  if (b < a) std::reverse(t.begin(), t.end());
+  return t;
+}
+
+}  // namespace
+
+std::vector<double> PinionEnvelope::breaks(double a, double b) const {
+  const double n = 1.0 + m_;
+  const auto ring = circle();
+  std::vector<double> found;
+  if (!ring) {
+    found = sign_changes([&](double t) { return contact(t).s - r_p_; }, a, b);
+    const auto w_g = [&](double t) {
+      const Contact c = contact(t);
+      return c.w + n * c.lambda() * (1.0 - c.curvature * c.lambda());
+    };
+    for (double t : sign_changes(w_g, a, b)) found.push_back(t);
+    return in_order(std::move(found), a, b);
+  }
+  const auto [d, gamma, rho, nu_to_t] = *ring;
+  if (d > r_p_) {
+    const double angle = std::asin(r_p_ / d);
+    found = {gamma + angle + nu_to_t, gamma + kPi - angle + nu_to_t};
+  }
+  if (rho != 0.0) {
+    // w G ρ = ρ w + n h (h − ρ), times 2h. [T6.9]
+    const double k = (r_p_ - d) * (r_p_ + d);
+    const double cubic[] = {rho * k, 0.0, rho * (1.0 - 2.0 * n), 2.0 * n};
+    for (double h : centre_ways(cubic, a, b)) {
+      const double c = std::clamp((k - h * h) / (2.0 * h * d), -1.0, 1.0);
+      found.push_back(gamma + std::acos(c) + nu_to_t);
+    }
+  }
+  return in_order(std::move(found), a, b);
+}
+
+// Roots in h of a polynomial between the ends of the piece; h is monotone along it while the cutter
+// reaches the gear.
+std::vector<double> PinionEnvelope::centre_ways(std::span<const double> polynomial, double a,
+                                                double b) const {
+  const double rho = circle()->rho;
+  const double h_a = contact(a).lambda() + rho;
+  const double h_b = contact(b).lambda() + rho;
+  std::vector<double> roots = polynomial_roots(polynomial, std::min(h_a, h_b), std::max(h_a, h_b));
+  roots.erase(std::remove(roots.begin(), roots.end(), 0.0), roots.end());
+  return roots;
+}
+
+std::vector<double> PinionEnvelope::turns(double a, double b) const {
+  const auto ring = circle();
+  const double one = 1.0 + 1.0 / m_;
+  if (!ring) {
+    const auto f = [&](double t) {
+      const Contact c = contact(t);
+      return c.q - c.w * one;
+    };
+    return in_order(sign_changes(f, a, b), a, b);
+  }
+  const auto [d, gamma, rho, nu_to_t] = *ring;
+  // D cos(ν − γ) + ρ = w (1 + 1/m), times 2h.
+  const double k = (r_p_ - d) * (r_p_ + d);
+  const double quadratic[] = {k - one * k, 2.0 * rho, -1.0 - one};
+  std::vector<double> found;
+  for (double h : centre_ways(quadratic, a, b)) {
+    const double c = std::clamp((k - h * h) / (2.0 * h * d), -1.0, 1.0);
+    found.push_back(gamma + std::acos(c) + nu_to_t);
+  }
+  return in_order(std::move(found), a, b);
+}
+
+std::optional<PinionInvolute> pinion_involute(const PinionMotion& motion, const Involute& cutter) {
+  const double r_p = motion.cutter_pitch_radius();
+  const double r_b = cutter.base_radius();
+  if (!(r_b < r_p)) return std::nullopt;
+  const double tan_w = std::sqrt((r_p - r_b) * (r_p + r_b)) / r_b;
+  const double n = motion.side() * (1.0 + motion.ratio());
+  const double m = std::abs(motion.ratio());
+  const double psi =
+      kPi / std::abs(motion.teeth) + n * involute_of_roll(tan_w) - m * cutter.base_half_angle();
+  return PinionInvolute{Involute(r_b / m, psi), n * tan_w, -m};
+}
+
+}  // namespace gearwright

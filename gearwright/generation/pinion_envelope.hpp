@@ -1,0 +1,97 @@
+// What a pinion cutter's outline cuts in the transverse section of the gear that rolls with it.
+//
+//   r_p, r_g  radii of the two centrodes, mm; r_g < 0 for a ring    m = z_0/z, < 0 for a ring
+//   s, q      the cutter's point along its tangent and along its outward normal ν, mm
+//   w         √(r_p² − s²): the pitch point along ν when the normal passes through it
+//   λ         w − q: from the cutter's point along ν to the pitch point
+//
+// The point is cut when its normal passes through the pitch point; κ = asin(s/r_p) is then the
+// angle between the normal and the line of centres, and the cutter has turned by κ − ν. In the
+// frame of the space the gear's point is  e^{−im(ν−κ)} (r_g + λ e^{iκ})  [T6.8]. Involutes cut
+// involutes (closed form), circles about the axis circles; everything else goes through here.
+//                                              theory: docs/theory/06-few-teeth.md
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "gearwright/curve/basic_curves.hpp"
+#include "gearwright/curve/curve.hpp"
+
+namespace gearwright {
+
+struct PinionMotion {
+  int cutter_teeth;  ///< z_0 ≥ 1
+  int teeth;         ///< z, negative for a ring
+  double distance;   ///< E > 0  mm
+  double side() const { return teeth > 0 ? 1.0 : -1.0; }
+  double ratio() const { return static_cast<double>(cutter_teeth) / teeth; }  ///< m
+  double cutter_pitch_radius() const;                                         ///< r_p  mm
+  double pitch_radius() const;                                                ///< r_g  mm, signed
+};
+
+/// A sharp corner of the cutter as a curve by the angle ν of its normals: a circle of no radius.
+class CornerFan final : public Curve {
+ public:
+  explicit CornerFan(const Vec2& point) : point_(point) {}
+  Vec2 point(double) const override { return point_; }
+  CurvePoint at(double nu) const override;
+
+ private:
+  Vec2 point_;
+};
+
+/// Whether the cutter's curve is walked with growing parameter from its root to its tip.
+enum class Walk { forward, backward };
+
+/// The normal meets the cutter's centrode twice: ahead of the tooth (w > 0), where it cuts root,
+/// flank and tip, and behind it (w < 0), where a ring's tip may be caught when the tooth leaves.
+enum class Meeting { ahead, behind };
+
+/// The envelope by the cutter's own parameter.
+///
+/// Laws  (1) dW/dσ = i G e^{i(κ−mϑ)}, G = 1 + (1+m) λ (1 − k λ)/w, σ and k length and curvature of
+///           the cutter's curve: G = 0 is a cusp; [T6.9]
+///       (2) d|W|²/dσ = −2 (r_g/r_p) s G: between cusps the radius is monotone
+/// Domain  s ≤ r_p at every parameter asked for
+class PinionEnvelope final : public Curve {
+ public:
+  PinionEnvelope(const PinionMotion& motion, CurvePtr cutter, Walk walk,
+                 Meeting meeting = Meeting::ahead);
+  Vec2 point(double t) const override;
+  CurvePoint at(double t) const override;
+  double polar_angle(double t) const override;
+
+  /// Whether the cutter lies outside the gear's material around the point: s < r_p and w G > 0.
+  bool cuts(double t) const;
+  /// The parameters between a and b, from a on, where that may change: cusps and limits of reach.
+  /// Exact for circles and corners, elsewhere isolated on 256 cells. [T6.9]
+  std::vector<double> breaks(double a, double b) const;
+  /// Where the gear's half angle is stationary, q = w (1 + 1/m); likewise. [T6.10]
+  std::vector<double> turns(double a, double b) const;
+
+ private:
+  struct Contact;
+  struct Circle;
+  Contact contact(double t) const;
+  std::optional<Circle> circle() const;
+  std::vector<double> centre_ways(std::span<const double> polynomial, double a, double b) const;
+
+  PinionMotion motion_;
+  CurvePtr cutter_;
+  double walk_, meeting_;
+  double r_p_, r_g_, m_;
+};
+
+/// The involute that the cutter's involute cuts; nothing when the base circle does not lie inside
+/// the centrode. Its ξ for the cutter's ξ_0 is (1 + m) tan α_w − m ξ_0, for a ring minus that.
+/// [T6.11]
+struct PinionInvolute {
+  Involute flank;
+  double roll_at_0, roll_per_roll;
+  double roll(double cutter_roll) const { return roll_at_0 + roll_per_roll * cutter_roll; }
+};
+std::optional<PinionInvolute> pinion_involute(const PinionMotion& motion, const Involute& cutter);
+
+}  // namespace gearwright

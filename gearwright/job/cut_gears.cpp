@@ -1,0 +1,221 @@
+#include "gearwright/job/cut_gears.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "gearwright/base/refusal.hpp"
+#include "gearwright/gear/pinion_cut.hpp"
+
+namespace gearwright {
+
+namespace {
+
+std::string table(int which) { return fmt::format("gear{}", which); }
+
+GearInput& input(JobSpec& spec, int which) {
+  return *spec.gears[static_cast<std::size_t>(which - 1)];
+}
+
+// Who cuts whom must be possible at all.
+std::optional<Error> check_cutters(const JobSpec& spec) {
+  for (const int which : {1, 2}) {
+    const auto& gear = spec.gears[static_cast<std::size_t>(which - 1)];
+    if (!gear || !gear->cut_by || gear->cut_by->gear == 0) continue;
+    const std::string key = table(which) + ".cut_by";
+    const int by = gear->cut_by->gear;
+    const auto& cutter = spec.gears[static_cast<std::size_t>(by - 1)];
+    const auto fail = [&](const std::string& why) {
+      return Error{key, table(by), fmt::format("{} = \"{}\": {}", key, table(by), why)};
+    };
+    if (by == which) return fail("a gear cannot cut itself; name the other gear or a cutter");
+    if (!cutter) return fail(fmt::format("there is no [{}] in this spec", table(by)));
+    if (cutter->cut_by && cutter->cut_by->gear == which) {
+      return fail(
+          fmt::format("and {}.cut_by = \"{}\" go in a circle; one of the two needs a rack "
+                      "or a cutter of its own",
+                      table(by), table(which)));
+    }
+    if (cutter->cylindrical.teeth < 0) return fail("a ring cannot be a pinion cutter");
+    if (cutter->tip_clearance || cutter->tip_clearance_by_rule) {
+      return Error{
+          table(by) + ".tip_fillet.clearance_mm", "",
+          fmt::format("{}.tip_fillet.clearance_mm: {} is cut by this very tip, which leaves "
+                      "no clearance to it; give radius_mm or l_mm here, and {} a cutter of its own "
+                      "with a longer tip, or a centre distance greater than the generating one",
+                      table(by), table(which), table(which))};
+    }
+  }
+  return std::nullopt;
+}
+
+// What was said of the gear although it is the cutter's must be the same.
+std::optional<Error> check_agreement(const GearInput& gear, const Gear& made, int which) {
+  const auto differs = [](const std::optional<double>& given, double value) {
+    return given && std::abs(*given - value) > 1e-9 * std::max(1.0, std::abs(value));
+  };
+  const auto fail = [&](const char* key, double given, double value) {
+    const std::string name = table(which) + "." + key;
+    return refused(name, given,
+                   fmt::format("contradicts {}.cut_by, which makes it {}; leave one of them out",
+                               table(which), value));
+  };
+  const CylindricalSpec& s = made.spec;
+  if (differs(gear.cut_by->module, s.normal_module))
+    return fail("normal_module_mm", *gear.cut_by->module, s.normal_module);
+  if (differs(gear.cut_by->pressure_angle, s.normal_pressure_angle.deg()))
+    return fail("normal_pressure_angle_deg", *gear.cut_by->pressure_angle,
+                s.normal_pressure_angle.deg());
+  if (gear.helix_given && differs(gear.cylindrical.helix_angle.deg(), s.helix_angle.deg()))
+    return fail("helix_angle_deg", gear.cylindrical.helix_angle.deg(), s.helix_angle.deg());
+  return std::nullopt;
+}
+
+// A gear with a cutter of its own that names neither shift nor e meets its mate at the pair's
+// distance without backlash.
+std::optional<double> shift_at_distance(const JobSpec& spec, const Gear& cutter, int which) {
+  const auto& mate = spec.gears[static_cast<std::size_t>(2 - which)];
+  const auto& gear = *spec.gears[static_cast<std::size_t>(which - 1)];
+  if (!mate || !spec.pair.center_distance || gear.cut_by->gear != 0) return std::nullopt;
+  if (mate->cut_by) return std::nullopt;
+  const CylindricalSpec& c = cutter.spec;
+  const int z = gear.cylindrical.teeth;
+  const int z_m = mate->cylindrical.teeth;
+  const double cos_beta = std::cos(c.helix_angle.rad());
+  const double alpha_t = cutter.reference.transverse_pressure_angle;
+  const double a = *spec.pair.center_distance;
+  const double a_d = reference_center_distance(z, z_m, c.normal_module, cos_beta);
+  if (a < a_d * std::cos(alpha_t)) return std::nullopt;  // mount names it
+  const double sum =
+      tight_shift_sum(z, z_m, c.normal_module, c.normal_pressure_angle.rad(), alpha_t, cos_beta, a);
+  return sum - mate->profile_shift.value_or(0.0);
+}
+
+Result<double> distance_of(const JobSpec& spec, const Gear& cutter, int which) {
+  const auto& gear = *spec.gears[static_cast<std::size_t>(which - 1)];
+  const CutByInput& cut = *gear.cut_by;
+  const double x_0 = cutter.reference.generating_profile_shift;
+  const int z = gear.cylindrical.teeth;
+  if (cut.profile_shift_pair) {
+    auto e = generating_distance(cutter, z, *cut.profile_shift_pair - x_0);
+    if (!e) {
+      Error error = e.error();
+      error.key = "profile_shift_pair";
+      error.value = fmt::format("{}", *cut.profile_shift_pair);
+      error.message = fmt::format("profile_shift_pair = {}: with the cutter's shift {} it means {}",
+                                  *cut.profile_shift_pair, x_0, error.message);
+      return error;
+    }
+    return e;
+  }
+  if (gear.profile_shift) return generating_distance(cutter, z, *gear.profile_shift);
+  if (cut.gear != 0 && spec.pair.center_distance) return *spec.pair.center_distance;
+  if (const auto x = shift_at_distance(spec, cutter, which))
+    return generating_distance(cutter, z, *x);
+  return generating_distance(cutter, z, -x_0);
+}
+
+std::optional<Error> make_cut_gear(JobSpec& spec, int which, MadeGears& made) {
+  GearInput& gear = input(spec, which);
+  CutByInput& cut = *gear.cut_by;
+  std::optional<Gear> own;
+  if (cut.gear == 0) {
+    CylindricalSpec c = cut.cutter->cylindrical;
+    c.profile_shift = cut.cutter->profile_shift.value_or(0.0);
+    auto cutter = make_gear(c);
+    if (!cutter) {
+      Error e = cutter.error();
+      e.key = "cut_by." + e.key;
+      e.message = "cut_by." + e.message;
+      return in_table(e, spec, which);
+    }
+    own = std::move(cutter).take();
+  }
+  const Gear& cutter = own ? *own : *made[static_cast<std::size_t>(cut.gear - 1)];
+  if (!cutter.exists()) {
+    const std::string key = table(which) + ".cut_by";
+    return Error{key, "",
+                 fmt::format("{}: the cutter is no gear. {}", key, cutter.warnings.back().message)};
+  }
+  auto distance = distance_of(spec, cutter, which);
+  if (!distance) return in_table(distance.error(), spec, which);
+  const double face =
+      gear.face_width_given ? gear.cylindrical.face_width : 10 * cutter.spec.normal_module;
+  auto result = make_pinion_cut_gear(
+      cutter, {gear.cylindrical.teeth, *distance, face, gear.cylindrical.tip_diameter});
+  if (!result) return in_table(result.error(), spec, which);
+  if (auto error = check_agreement(gear, *result, which)) return error;
+  gear.cylindrical = result->spec;
+  gear.helix_given = true;
+  gear.profile_shift = result->spec.profile_shift;
+  if (cut.gear != 0 && !spec.pair.center_distance) spec.pair.center_distance = *distance;
+  made[static_cast<std::size_t>(which - 1)] = std::move(result).take();
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Error> make_cut_gears(JobSpec& spec, MadeGears& made) {
+  if (auto error = check_cutters(spec)) return error;
+  const auto is_cut = [&](int which) {
+    const auto& gear = spec.gears[static_cast<std::size_t>(which - 1)];
+    return gear && gear->cut_by.has_value();
+  };
+  if (!is_cut(1) && !is_cut(2)) return std::nullopt;
+  if (spec.pair.shorten_tips) {
+    return Error{"pair.shorten_tips", "true",
+                 "pair.shorten_tips = true: has no place beside cut_by; give tip_diameter_mm"};
+  }
+  // First the one that waits for no other.
+  const bool second_first = is_cut(1) && spec.gears[0]->cut_by->gear == 2;
+  const std::array<int, 2> order = second_first ? std::array{2, 1} : std::array{1, 2};
+  for (const int which : order) {
+    if (!spec.gears[static_cast<std::size_t>(which - 1)]) continue;
+    if (is_cut(which)) {
+      if (auto error = make_cut_gear(spec, which, made)) return error;
+      continue;
+    }
+    GearInput& gear = input(spec, which);
+    if (!is_cut(3 - which) || input(spec, 3 - which).cut_by->gear != which) continue;
+    gear.profile_shift = gear.profile_shift.value_or(0.0);
+    gear.cylindrical.profile_shift = *gear.profile_shift;
+    auto cutter = make_gear(gear.cylindrical);
+    if (!cutter) return in_table(cutter.error(), spec, which);
+    made[static_cast<std::size_t>(which - 1)] = std::move(cutter).take();
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> place_clear_tips(JobSpec& spec, const MadeGears& made,
+                                      std::optional<double> center_distance) {
+  for (const int which : {1, 2}) {
+    auto& gear = spec.gears[static_cast<std::size_t>(which - 1)];
+    if (!gear || !(gear->tip_clearance || gear->tip_clearance_by_rule)) continue;
+    const std::string key = table(which) + ".tip_fillet.clearance_mm";
+    const auto& mate = spec.gears[static_cast<std::size_t>(2 - which)];
+    if (!mate || !center_distance) {
+      return Error{key, "",
+                   key +
+                       ": needs a mate on a parallel axis to keep clear of; radius_mm or l_mm "
+                       "says where the fillet begins without one"};
+    }
+    double root = 0.0;
+    if (const auto& done = made[static_cast<std::size_t>(2 - which)]) {
+      root = done->root_diameter / 2;
+    } else {
+      CylindricalSpec bare = mate->cylindrical;
+      bare.tip_fillet.reset();
+      auto other = make_gear(bare);
+      if (!other) return in_table(other.error(), spec, 3 - which);
+      root = other->root_diameter / 2;
+    }
+    const double m = gear->cylindrical.normal_module;
+    const double clearance = gear->tip_clearance.value_or(0.2 * m + 0.05);  // [T6.7]
+    const double side = mate->cylindrical.teeth < 0 ? -1.0 : 1.0;
+    gear->cylindrical.tip_fillet =
+        TipFilletSpec{TipFilletSpec::By::end_radius, side * (*center_distance - root) - clearance};
+  }
+  return std::nullopt;
+}
+
+}  // namespace gearwright

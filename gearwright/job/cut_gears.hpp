@@ -1,0 +1,33 @@
+// The gears of a spec that other gears cut, and the tips that keep clear of a mate's root.
+//
+// Internal to job/: solve asks for them before the pair is placed.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "gearwright/job/design.hpp"
+
+namespace gearwright {
+
+using MadeGears = std::array<std::optional<Gear>, 2>;
+
+/// The key of an error of a gear's own table, "profile_shift", as the file has it,
+/// "gear2.profile_shift".
+Error in_table(Error error, const JobSpec& spec, int which);
+
+/// Makes every gear with cut_by and writes what follows (module, angles, shift) into its input;
+/// with it the gear that cuts it. The pair's distance is set to the generating one where it is
+/// absent and one gear cuts the other.
+///
+/// Errors    `gearN.cut_by` for circles, rings as cutters, gears that do not exist; as
+///           make_pinion_cut_gear
+std::optional<Error> make_cut_gears(JobSpec& spec, MadeGears& made);
+
+/// Turns [gearN.tip_fillet] clearance_mm into where the tooth ends, at the centre distance a.
+///
+/// Errors    `gearN.tip_fillet.clearance_mm` where there is no mate, or it is cut by this gear
+std::optional<Error> place_clear_tips(JobSpec& spec, const MadeGears& made,
+                                      std::optional<double> center_distance);
+
+}  // namespace gearwright
