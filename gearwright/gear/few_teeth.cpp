@@ -24,12 +24,6 @@ double roll_of_point(const Involute& flank) {
   return psi_b > 0.0 ? std::tan(inverse_involute(psi_b)) : 0.0;
 }
 
-// Where the flanks of the space meet (a tooth thicker than the pitch on its base circle).
-double roll_of_closed_space(const Involute& flank, int teeth) {
-  const double eta = std::numbers::pi / teeth - flank.base_half_angle();
-  return eta < 0.0 ? std::tan(inverse_involute(-eta)) : 0.0;
-}
-
 Result<double> root_roll(const FlankRuler& ruler, int teeth, const RootFilletSpec& root,
                          double tip_roll) {
   const Involute& flank = ruler.flank;
@@ -37,19 +31,13 @@ Result<double> root_roll(const FlankRuler& ruler, int teeth, const RootFilletSpe
   const double xi = std::max(0.0, ruler.roll(l_zero + root.offset));
   const double eta = std::numbers::pi / teeth - flank.base_half_angle();
   const double most = std::min(tip_roll, kHalfPi - eta);
-  const double least = std::max(roll_of_closed_space(flank, teeth), ruler.roll(l_zero));
+  // The rack cuts both flanks of the space there, so that it is open.
+  const double least = std::max(0.0, ruler.roll(l_zero));
   const char* key = "root_fillet.offset_mm";
   if (!(least < most)) {
     return refused(key, root.offset,
                    "no circle centred in the space fits: the flank ends before it could touch it; "
                    "less profile shift or a greater tip diameter would help");
-  }
-  const double least_offset = ruler.l(least) - l_zero;
-  if (least_offset > 0.0 && !(xi > least)) {
-    return refused(key, root.offset,
-                   fmt::format("must be greater than {} mm, where the space opens between the "
-                               "flanks, and less than {} mm",
-                               least_offset, ruler.l(most) - l_zero));
   }
   if (!(xi < most)) {
     return refused(key, root.offset,

@@ -10,6 +10,7 @@
 #include "gearwright/base/angle.hpp"
 #include "gearwright/base/refusal.hpp"
 #include "gearwright/curve/basic_curves.hpp"
+#include "gearwright/generation/chain.hpp"
 #include "gearwright/math/root.hpp"
 
 namespace gearwright::detail {
@@ -22,6 +23,7 @@ double Branch::t_at(double h) const {
 }
 
 void Branch::end_at(double h) {
+  if (h < height_hi) ends_on_center_line = false;
   t_hi = t_at(h);
   height_hi = h;
 }
@@ -38,131 +40,6 @@ Branch branch_of(ArcName name, CurvePtr curve, double t_lo, double t_hi, double 
 }
 
 namespace {
-
-// How the outline goes on from `last` to `next`.
-struct Joint {
-  enum Kind { at_height, last_hidden, next_hidden } kind;
-  double height = 0.0;
-};
-
-// The height in [lo, hi] at which last's half angle, smaller at lo, becomes the larger one.
-double crossing(const Branch& last, const Branch& next, double lo, double hi) {
-  if (last.curve->radius_is_closed_form() && next.curve->radius_is_closed_form()) {
-    const auto gap = [&](double h) { return last.theta_at(h) - next.theta_at(h); };
-    const Root root = find_root(gap, lo, hi);
-    GW_ENSURES(root.found());
-    return root.x;
-  }
-  // Solve in the parameter of the branch that has no closed radius: no root inside a root.
-  const bool by_last = !last.curve->radius_is_closed_form();
-  const Branch& free = by_last ? last : next;
-  const Branch& other = by_last ? next : last;
-  const auto gap_t = [&](double t) {
-    const double difference = free.curve->polar_angle(t) - other.theta_at(free.height(t));
-    return by_last ? difference : -difference;
-  };
-  const double t_a = free.t_at(lo);
-  const double t_b = free.t_at(hi);
-  return free.height(find_root(gap_t, std::min(t_a, t_b), std::max(t_a, t_b)).x);
-}
-
-// The tooth is the lower envelope of the half angles. It has no jump; so where the radii of the two
-// only touch, or where one ends without having crossed the other, they share that point up to
-// rounding (undercut that begins just here, a corner of the edge on the pitch line).
-Joint joint(const Branch& last, const Branch& next) {
-  const double lo = std::max(last.height_lo, next.height_lo);
-  double hi = std::min(last.height_hi, next.height_hi);
-  const auto gap = [&](double h) { return last.theta_at(h) - next.theta_at(h); };
-  if (!(lo < hi)) {
-    if (last.height_hi <= next.height_lo) return {Joint::at_height, last.height_hi};
-    return {Joint::last_hidden};  // unless what came before hides `next` too
-  }
-  if (gap(lo) >= 0.0) {
-    if (next.height_lo > last.height_lo) return {Joint::at_height, lo};
-    return {Joint::last_hidden};
-  }
-  if (std::isinf(hi)) {  // both straight: the one that rises less steeply wins far out
-    hi = 2.0 * lo;
-    while (gap(hi) < 0.0 && hi < 1e6 * lo) hi *= 2.0;
-  }
-  if (gap(hi) > 0.0) return {Joint::at_height, crossing(last, next, lo, hi)};
-  if (last.height_hi < next.height_hi) return {Joint::at_height, hi};
-  return {Joint::next_hidden};
-}
-
-// What two ends that ought to be one point may differ by, of their radius: the root of ε, since a
-// branch that begins along a circle about the axis (τ = π/2) has θ like the root of its radius.
-constexpr double kSamePoint = 1.5e-8;
-
-std::vector<Branch> assemble(const std::vector<Branch>& branches, double tip_height) {
-  std::vector<Branch> chain;
-  const Branch* before = nullptr;  // the branch that ends the chain, whole
-  for (const Branch& branch : branches) {
-    if (branch.height_lo >= tip_height && !chain.empty() && chain.back().height_hi >= tip_height)
-      continue;
-    Branch next = branch;
-    if (chain.empty() || (next.smooth_start && before == &branch - 1)) {
-      chain.push_back(next);
-      before = &branch;
-      continue;
-    }
-    std::size_t kept = chain.size();
-    Joint j = joint(chain[kept - 1], next);
-    while (j.kind == Joint::last_hidden && kept > 1) {
-      --kept;
-      j = joint(chain[kept - 1], next);
-    }
-    if (j.kind == Joint::next_hidden) continue;
-    if (j.kind == Joint::at_height && j.height >= tip_height) continue;  // takes over in the air
-    if (j.kind == Joint::last_hidden) {
-      chain.clear();
-    } else {
-      chain.resize(kept);
-      chain.back().end_at(j.height);
-      next.start_at(j.height);
-      const Vec2 a = chain.back().curve->point(chain.back().t_hi);
-      const Vec2 b = next.curve->point(next.t_lo);
-      GW_ENSURES((a - b).norm() <= kSamePoint * a.norm());
-    }
-    chain.push_back(next);
-    before = &branch;
-  }
-  return chain;
-}
-
-// The first height at which `leaving` lies lower than the branch, between lo and hi.
-std::optional<double> first_caught(const Branch& branch, const Branch& leaving, double lo,
-                                   double hi) {
-  constexpr int kCells = 32;
-  const auto gap = [&](double h) { return branch.theta_at(h) - leaving.theta_at(h); };
-  double before = lo;
-  for (int i = 0; i <= kCells; ++i) {
-    const double h = i == kCells ? hi : lo + (hi - lo) * i / kCells;
-    if (gap(h) > 0.0) return i == 0 ? lo : find_root(gap, before, h).x;
-    before = h;
-  }
-  return std::nullopt;
-}
-
-// Takes away what the leaving cutter catches. False: it does so from its first touch on, so that
-// what came before it (its flank) has caught the tooth already.
-bool trim_behind(std::vector<Branch>& chain, const Branch& leaving, double tip_height) {
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    const double lo = std::max(chain[i].height_lo, leaving.height_lo);
-    const double hi = std::min({chain[i].height_hi, leaving.height_hi, tip_height});
-    if (!(lo < hi)) continue;
-    const auto caught = first_caught(chain[i], leaving, lo, hi);
-    if (!caught) continue;
-    if (*caught <= leaving.height_lo) return false;
-    Branch rest = leaving;
-    rest.start_at(*caught);
-    chain[i].end_at(*caught);
-    chain.resize(i + 1);
-    chain.push_back(std::move(rest));
-    return true;
-  }
-  return true;
-}
 
 // The smallest half angle of the root fillet, of what the tip leaves of it.
 void find_neck(const std::vector<Branch>& chain, double tip_height, GeneratedTooth& tooth) {
@@ -206,7 +83,8 @@ void end_at_tip(std::vector<Branch>& chain, double side, GeneratedTooth& tooth) 
       tooth.pointed = true;
     }
     if (last || tooth.pointed) {
-      if (side * tooth.tip_radius < branch.height_hi) branch.end_at(side * tooth.tip_radius);
+      const double end_height = side * tooth.tip_radius;
+      if (branch.height_hi - end_height > kSameEnd * tooth.tip_radius) branch.end_at(end_height);
       chain.resize(i + 1);
       return;
     }
@@ -257,12 +135,35 @@ Result<GeneratedTooth> finish_tooth(const std::vector<Branch>& branches, const T
                                side > 0.0 ? "greater" : "less", 2 * tooth.root_radius));
   }
   std::vector<Branch> chain = assemble(branches, side * tooth.tip_radius);
-  GW_ENSURES(!chain.empty());
-  for (const Branch& leaving : ends.behind) {
-    if (trim_behind(chain, leaving, side * tooth.tip_radius)) continue;
+  if (chain.empty() && ends.rack) {
+    // Heights along a rack's edge never fall, its branches always meet: only a fillet can be
+    // amiss.
+    const bool root = tooth.root_fillet.has_value();
+    GW_ENSURES(root || tooth.tip_fillet);
+    const std::string key = root ? "root_fillet.offset_mm" : "tip_fillet";
+    return Error{key, "",
+                 key +
+                     ": leaves no flank between the root fillet and the tip as the rack "
+                     "cuts it; a smaller one is needed, or a rack without ramp and "
+                     "bottom rounding"};
+  }
+  if (chain.empty()) {
     return Error{"cut_by", "",
-                 "cut_by: the teeth of this cutter catch the ring's flanks as they leave; a cutter "
-                 "of fewer teeth is needed, or a greater tip diameter"};
+                 "cut_by: a sharp edge of the cutter outside its rolling circle draws a loop that "
+                 "ends in the air; a cutter without undercut, or another generating distance, cuts "
+                 "a whole tooth"};
+  }
+  std::vector<Branch> behind = ends.behind;
+  std::sort(behind.begin(), behind.end(),
+            [](const Branch& a, const Branch& b) { return a.height_lo < b.height_lo; });
+  for (const Branch& leaving : behind) {
+    auto lower = lower_of(chain, leaving, side * tooth.tip_radius);
+    if (!lower || (&leaving == &behind.back() && !is_continuous(*lower))) {
+      return Error{"cut_by", "",
+                   "cut_by: the teeth of this cutter catch the ring's flanks as they leave; a "
+                   "cutter of fewer teeth is needed, or a greater tip diameter"};
+    }
+    chain = *std::move(lower);
   }
   find_neck(chain, side * tooth.tip_radius, tooth);
   if (tooth.neck_half_angle && *tooth.neck_half_angle <= 0.0) {

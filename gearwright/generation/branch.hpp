@@ -43,6 +43,7 @@ struct ToothEnds {
   double root_land_angle;  ///< rad: polar angle where the root land ends; π/|z| without one
   double blank_radius;     ///< mm, infinite (a ring: 0) without one
   double cutter_radius;    ///< mm, where the cutter itself tops the tooth; likewise
+  bool rack = true;        ///< cut by a rack
   std::vector<Branch> behind = {};  ///< of the leaving cutter: they may take the tip away. [T6.13]
 };
 

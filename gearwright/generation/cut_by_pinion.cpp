@@ -61,6 +61,7 @@ class Cutting {
     for (std::size_t i = arcs.size(); i-- > 0;) {
       const Arc& arc = arcs[i];
       const double nu_tip_side = normal_angle(arc, 1.0);
+      tip_side_ = i + 1 < arcs.size() ? &arcs[i + 1] : nullptr;
       if (nu_tip_side > nu + kSameNormal) {  // a corner that stands out
         add_fan(arc, nu, nu_tip_side, smooth);
         smooth = smooth && true;
@@ -99,6 +100,17 @@ class Cutting {
   }
 
   bool add_involute(const Arc& arc, const Involute& involute, bool smooth) {
+    if (arc.name == ArcName::tip_fillet && motion_.teeth < 0) {  // a chamfer at the cutter's tip
+      const auto cut = pinion_involute(motion_, involute, Meeting::behind);
+      // A ring's flank behind is the branch ξ > 0; beyond its cusp it lies inside the cut.
+      const double lo = cut ? std::max(0.0, cut->roll(arc.end)) : 0.0;
+      const double hi = cut ? cut->roll(arc.begin) : 0.0;
+      if (lo < hi) {
+        Branch b = branch_of(ArcName::tip_fillet, std::make_shared<Involute>(cut->flank), hi, lo,
+                             motion_.side());
+        if (b.height_lo < b.height_hi) behind.push_back(std::move(b));
+      }
+    }
     const auto cut = pinion_involute(motion_, involute);
     if (!cut) {
       misses_flank = misses_flank || arc.name == ArcName::flank;
@@ -121,20 +133,63 @@ class Cutting {
 
   bool add_envelope(ArcName cuts, const CurvePtr& curve, Walk walk, double t_tip, double t_root,
                     bool smooth) {
-    const auto envelope = std::make_shared<PinionEnvelope>(motion_, curve, walk);
+    const auto ahead = std::make_shared<PinionEnvelope>(motion_, curve, walk);
     std::vector<double> ends{t_tip};
-    for (double t : envelope->breaks(t_tip, t_root)) ends.push_back(t);
+    for (double t : ahead->breaks(t_tip, t_root)) ends.push_back(t);
     ends.push_back(t_root);
+    bool reached = ahead->reaches(0.5 * (ends[0] + ends[1]));
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-      const bool stands = envelope->cuts(0.5 * (ends[i] + ends[i + 1]));
-      if (stands) {
-        Branch b = branch_of(cuts, envelope, ends[i], ends[i + 1], motion_.side());
-        b.smooth_start = smooth;
-        if (cuts == ArcName::root_fillet) b.turns = envelope->turns(ends[i], ends[i + 1]);
-        if (b.height_lo < b.height_hi) branches.push_back(std::move(b));
-      }
-      smooth = stands;  // behind a cusp nothing goes on
-      if (i + 2 < ends.size()) smooth = false;
+      const double middle = 0.5 * (ends[i] + ends[i + 1]);
+      const bool stands = ahead->cuts(middle);
+      const bool reaches = ahead->reaches(middle);
+      // Where s passes r_p the path does not end: it turns back behind the tooth.
+      if (reaches && !reached) smooth = add_return(cuts, curve, walk, t_root, ends[i], false);
+      if (stands) add(cuts, ahead, ends[i], ends[i + 1], smooth);
+      if (reached && !reaches && add_return(cuts, curve, walk, ends[i], t_tip, smooth))
+        add_flank_behind(cuts);
+      smooth = stands && i + 2 == ends.size();  // behind a cusp nothing goes on
+      if (i + 2 < ends.size() && stands && !ahead->reaches(0.5 * (ends[i + 1] + ends[i + 2])))
+        smooth = true;
+      reached = reaches;
+    }
+    return smooth;
+  }
+
+  void add(ArcName cuts, const std::shared_ptr<PinionEnvelope>& envelope, double t_lo, double t_hi,
+           bool smooth) {
+    Branch b = branch_of(cuts, envelope, t_lo, t_hi, motion_.side());
+    b.smooth_start = smooth;
+    if (cuts == ArcName::root_fillet) b.turns = envelope->turns(t_lo, t_hi);
+    if (b.height_lo < b.height_hi) branches.push_back(std::move(b));
+  }
+
+  // After a return to the end of its arc the way goes on along the flank beside it, behind the
+  // tooth: w < 0 makes α_w negative in [T6.11].
+  void add_flank_behind(ArcName cuts) {
+    if (!tip_side_) return;
+    const auto* involute = dynamic_cast<const Involute*>(tip_side_->curve.get());
+    if (!involute) return;
+    const auto cut = pinion_involute(motion_, *involute, Meeting::behind);
+    if (!cut) return;
+    const double side = motion_.side();
+    Branch b = branch_of(cuts, std::make_shared<Involute>(cut->flank), cut->roll(tip_side_->begin),
+                         cut->roll(tip_side_->end), side);
+    b.smooth_start = true;
+    const bool same_branch = (b.t_lo < 0.0) == (b.t_hi < 0.0);
+    if (same_branch && b.height_lo < b.height_hi) branches.push_back(std::move(b));
+  }
+
+  // The way behind the tooth from one parameter to another; true if it arrives without a break.
+  bool add_return(ArcName cuts, const CurvePtr& curve, Walk walk, double t_from, double t_to,
+                  bool smooth) {
+    const auto behind = std::make_shared<PinionEnvelope>(motion_, curve, walk, Meeting::behind);
+    std::vector<double> ends{t_from};
+    for (double t : behind->breaks(t_from, t_to)) ends.push_back(t);
+    ends.push_back(t_to);
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+      const bool stands = behind->cuts(0.5 * (ends[i] + ends[i + 1]));
+      if (stands) add(cuts, behind, ends[i], ends[i + 1], smooth);
+      smooth = stands && i + 2 == ends.size();
     }
     return smooth;
   }
@@ -155,6 +210,7 @@ class Cutting {
 
   const GeneratedTooth& cutter_;
   const PinionMotion& motion_;
+  const Arc* tip_side_ = nullptr;  // of the arc or corner at work
 };
 
 }  // namespace
@@ -184,9 +240,13 @@ Result<GeneratedTooth> cut_by_pinion(const GeneratedTooth& cutter, const PinionM
     return Error{"cut_by", "", "cut_by: the cutter leaves no tooth at this centre distance"};
   const Arc& last = arcs.back();
   const double land = last.name == ArcName::tip_land ? last.begin : 0.0;
-  const detail::ToothEnds ends{
-      motion.teeth, side,          kPi / std::abs(motion.teeth) - std::abs(motion.ratio()) * land,
-      blank_radius, cutter_radius, std::move(cutting.behind)};
+  const detail::ToothEnds ends{motion.teeth,
+                               side,
+                               kPi / std::abs(motion.teeth) - std::abs(motion.ratio()) * land,
+                               blank_radius,
+                               cutter_radius,
+                               false,
+                               std::move(cutting.behind)};
   return detail::finish_tooth(cutting.branches, ends, std::move(tooth));
 }
 

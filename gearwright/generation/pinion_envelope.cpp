@@ -71,7 +71,7 @@ PinionEnvelope::Contact PinionEnvelope::contact(double t) const {
   const double cos_t = walk_ * std::cos(p.tangent_angle);
   const double sin_t = walk_ * std::sin(p.tangent_angle);
   Contact c;
-  c.s = p.point.x() * cos_t + p.point.y() * sin_t;
+  c.s = std::max(0.0, p.point.x() * cos_t + p.point.y() * sin_t);  // never negative on an outline
   c.q = p.point.y() * cos_t - p.point.x() * sin_t;
   c.w = meeting_ * std::sqrt(std::max(0.0, (r_p_ - c.s) * (r_p_ + c.s)));
   c.kappa = std::atan2(c.s, c.w);
@@ -121,6 +121,8 @@ CurvePoint PinionEnvelope::at(double t) const {
   return {point(t), tangent + (direction < 0.0 ? kPi : 0.0),
           side * above / below * (direction < 0.0 ? -1.0 : 1.0)};
 }
+
+bool PinionEnvelope::reaches(double t) const { return contact(t).s < r_p_; }
 
 bool PinionEnvelope::cuts(double t) const {
   const Contact c = contact(t);
@@ -228,11 +230,13 @@ std::vector<double> PinionEnvelope::turns(double a, double b) const {
   return in_order(std::move(found), a, b);
 }
 
-std::optional<PinionInvolute> pinion_involute(const PinionMotion& motion, const Involute& cutter) {
+std::optional<PinionInvolute> pinion_involute(const PinionMotion& motion, const Involute& cutter,
+                                              Meeting meeting) {
   const double r_p = motion.cutter_pitch_radius();
   const double r_b = cutter.base_radius();
   if (!(r_b < r_p)) return std::nullopt;
-  const double tan_w = std::sqrt((r_p - r_b) * (r_p + r_b)) / r_b;
+  const double way = meeting == Meeting::ahead ? 1.0 : -1.0;
+  const double tan_w = way * std::sqrt((r_p - r_b) * (r_p + r_b)) / r_b;
   const double n = motion.side() * (1.0 + motion.ratio());
   const double m = std::abs(motion.ratio());
   const double psi =

@@ -65,6 +65,7 @@ class PinionEnvelope final : public Curve {
 
   /// Whether the cutter lies outside the gear's material around the point: s < r_p and w G > 0.
   bool cuts(double t) const;
+  bool reaches(double t) const;  ///< s < r_p: the normal meets the centrode
   /// The parameters between a and b, from a on, where that may change: cusps and limits of reach.
   /// Exact for circles and corners, elsewhere isolated on 256 cells. [T6.9]
   std::vector<double> breaks(double a, double b) const;
@@ -92,6 +93,7 @@ struct PinionInvolute {
   double roll_at_0, roll_per_roll;
   double roll(double cutter_roll) const { return roll_at_0 + roll_per_roll * cutter_roll; }
 };
-std::optional<PinionInvolute> pinion_involute(const PinionMotion& motion, const Involute& cutter);
+std::optional<PinionInvolute> pinion_involute(const PinionMotion& motion, const Involute& cutter,
+                                              Meeting meeting = Meeting::ahead);
 
 }  // namespace gearwright

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "gearwright/job/few_teeth_answer.hpp"
+
 namespace gearwright {
 
 namespace {
@@ -63,6 +65,7 @@ std::optional<Error> unknown_module(const JobSpec& spec) {
 
 Result<FitAnswer> answer_fit(const JobSpec& spec) {
   if (!spec.gears[1]) return Error{"gear2", "", "gear2: is missing; fit is about two gears"};
+  if (spec.fit.few_teeth) return answer_few_teeth(spec);
   if (auto error = unknown_module(spec)) return *error;
   const CylindricalSpec& c1 = spec.gears[0]->cylindrical;
   const CylindricalSpec& c2 = spec.gears[1]->cylindrical;
@@ -129,6 +132,8 @@ Json fit_json(const FitAnswer& answer) {
                         {"shaft_angle_deg", deg(b.shaft_angle)},
                         {"working_normal_pressure_angle_deg", deg(b.working_normal_pressure_angle)},
                         {"spec", answer.specs[i]}});
+    if (answer.transverse_contact_ratio)
+      branches.back()["transverse_contact_ratio"] = *answer.transverse_contact_ratio;
   }
   const auto value = [](const std::optional<double>& v, double factor) {
     return v ? Json(factor * *v) : Json(nullptr);
@@ -168,6 +173,8 @@ std::string fit_listing(const FitAnswer& answer) {
         ++number, deg(b.helix[0]), deg(b.helix[1]), b.shift[0], b.shift[1], b.center_distance,
         deg(b.shaft_angle), deg(b.working_normal_pressure_angle));
   }
+  if (answer.transverse_contact_ratio)
+    text += fmt::format("\n  transverse contact ratio {:.4f}\n", *answer.transverse_contact_ratio);
   return text + "\nThe spec of a branch: --take NUMBER > pair.toml\n";
 }
 

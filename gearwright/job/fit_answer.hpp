@@ -16,6 +16,7 @@ namespace gearwright {
 struct FitAnswer {
   Fit fit;
   std::vector<Json> specs;  ///< of the branches: the spec as read, with what was found
+  std::optional<double> transverse_contact_ratio = std::nullopt;  ///< of a design with few teeth
 };
 
 /// Errors    as fit, with keys of the spec; `gear2` missing

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <functional>
 
+#include "gearwright/pair/drive.hpp"
+
 namespace gearwright {
 
 namespace {
@@ -166,7 +168,16 @@ std::string pair_listing(const Pair& p) {
     one("overlap ratio", "ε_β", number(m.overlap_ratio), "");
     one("total contact ratio", "ε_γ", number(p.contact_ratio()), "");
     one("  on the usable flanks", "", number(p.contact_ratio_true()), "");
+    one("  approach, recess (gear 1 drives)", "",
+        number(approach_and_recess(p)[0]) + " " + number(approach_and_recess(p)[1]), "");
     one("length of the path of contact", "g_α", mm(p.path_length()), "mm");
+    if (const auto overlap = face_width_for_overlap(p)) {
+      one("face width for a total of 1", "b", maybe(face_width_for_total(p, 1.0)), "mm");
+      one("  for a total of 1.2", "b", maybe(face_width_for_total(p, 1.2)), "mm");
+      one("  for an overlap of 1", "b", mm(*overlap), "mm");
+      two("axial force/tangential, along +z", "F_z/F_t", number(axial_force(p)[0]),
+          number(axial_force(p)[1]), "");
+    }
   }
   two("backlash: rotation, mate held", "", angle(m.backlash.rotation[0]),
       angle(m.backlash.rotation[1]), "°");

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "gearwright/pair/drive.hpp"
+
 namespace gearwright {
 
 namespace {
@@ -184,6 +186,21 @@ Json pair_json(const Pair& p) {
   j["tip_shortening_mm"] = p.tip_shortening;
   j["specific_sliding"] = {{"gear1", {optional(p.sliding_A.zeta_1), optional(p.sliding_E.zeta_1)}},
                            {"gear2", {optional(p.sliding_A.zeta_2), optional(p.sliding_E.zeta_2)}}};
+  j["needed_face_width_mm"] = nullptr;
+  j["approach_contact_ratio"] = nullptr;
+  j["recess_contact_ratio"] = nullptr;
+  j["axial_force_ratio"] = nullptr;
+  j["backlash_per_center_distance"] = nullptr;
+  if (!p.crossed()) {
+    j["needed_face_width_mm"] = {{"total_1", optional(face_width_for_total(p, 1.0))},
+                                 {"total_1_2", optional(face_width_for_total(p, 1.2))},
+                                 {"overlap_1", optional(face_width_for_overlap(p))}};
+    const auto parts = approach_and_recess(p);
+    j["approach_contact_ratio"] = parts[0];
+    j["recess_contact_ratio"] = parts[1];
+    j["axial_force_ratio"] = axial_force(p);
+    j["backlash_per_center_distance"] = backlash_per_distance(p);
+  }
   j["sliding_velocity_mm_per_rad"] = sliding_json(p);
   j["efficiency"] = p.efficiency ? Json{{"gear1_drives", optional(p.efficiency->gear1_drives)},
                                         {"gear2_drives", optional(p.efficiency->gear2_drives)}}

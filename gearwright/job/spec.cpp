@@ -114,6 +114,18 @@ FitInput read_fit(const Json& node) {
       !(*f.normal_pressure_angle_deg >= 1.0 && *f.normal_pressure_angle_deg <= 80.0)) {
     t.fail("working_normal_pressure_angle_deg", "must lie between 1 and 80, usually 14.5 to 30");
   }
+  f.few_teeth = t.boolean("few_teeth").value_or(false);
+  const auto not_negative = [&](const char* key) {
+    const auto v = t.number(key);
+    if (v && *v < 0.0) t.fail(key, "must not be negative");
+    if (v && !f.few_teeth) t.fail(key, "belongs to few_teeth = true");
+    return v;
+  };
+  f.least_tip_land = not_negative("least_tip_land_mm");
+  f.least_gap = not_negative("least_gap_mm");
+  f.clearance = not_negative("clearance_mm");
+  f.backlash = not_negative("backlash_mm");
+  f.contact_ratio = not_negative("contact_ratio");
   t.finish();
   return f;
 }

@@ -59,6 +59,9 @@ struct PairInput {
 /// [fit]
 struct FitInput {
   std::optional<double> normal_pressure_angle_deg;  ///< α_wn of the designs wanted
+  bool few_teeth = false;  ///< a pinion with circular fillets and the wheel it cuts
+  std::optional<double> least_tip_land, least_gap, clearance, backlash;  ///< mm, of few_teeth
+  std::optional<double> contact_ratio;                                   ///< total, of few_teeth
 };
 
 struct JobSpec {

@@ -7,6 +7,7 @@
 
 #include "gearwright/base/angle.hpp"
 #include "gearwright/base/refusal.hpp"
+#include "gearwright/pair/drive.hpp"
 #include "gearwright/pair/interference.hpp"
 
 namespace gearwright {
@@ -49,6 +50,11 @@ void warn_about_axes(Pair& p) {
   }
 }
 
+std::string helped_by_face(const Pair& p) {
+  const auto face = p.crossed() ? std::nullopt : face_width_for_total(p, 1.0);
+  return face ? fmt::format(" A face width of {:.2f} mm would help.", up(*face)) : "";
+}
+
 void warn_about_contact(Pair& p) {
   const double ratio = p.contact_ratio_true();
   if (ratio == 0.0) {
@@ -61,15 +67,15 @@ void warn_about_contact(Pair& p) {
              : "No contact: at this centre distance the teeth do not reach each other's flanks.");
   } else if (ratio < 1.0) {
     warn(p, "contact_ratio",
-         fmt::format("{} {:.3f}: below 1, motion is not passed on continuously.",
-                     p.crossed() ? "Contact ratio" : "Total contact ratio", ratio));
+         fmt::format("{} {:.3f}: below 1, motion is not passed on continuously.{}",
+                     p.crossed() ? "Contact ratio" : "Total contact ratio", ratio,
+                     helped_by_face(p)));
   } else if (p.mesh.true_ratio < 1.0) {
-    const double face = std::min(p.input.face_width[0], p.input.face_width[1]);
     warn(p, "transverse_contact_ratio",
          fmt::format(
              "Transverse contact ratio {:.3f}: these run only as helical gears; a face width of at "
              "least {:.2f} mm is needed.",
-             p.mesh.true_ratio, up((1 - p.mesh.true_ratio) * face / p.mesh.overlap_ratio)));
+             p.mesh.true_ratio, up(*face_width_for_total(p, 1.0))));
   }
 }
 

@@ -1,0 +1,266 @@
+#include "gearwright/design/few_teeth_design.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "gearwright/base/refusal.hpp"
+#include "gearwright/generation/pinion_envelope.hpp"
+#include "gearwright/math/root.hpp"
+#include "gearwright/pair/drive.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kSteepestHelix = 75.0;  // degrees
+constexpr double kLeastTipFillet = 0.1;  // modules: r_t of a cutter that does not burn
+
+constexpr double kSameRatio = 0.02;
+
+// How far a candidate got, and what then stopped it.
+struct Verdict {
+  int stage = 0;
+  std::string limit;
+  std::optional<FewTeethDesign> design;
+  double ratio() const { return design ? design->pair.mesh.true_ratio : 0.0; }
+};
+
+Verdict stopped(int stage, std::string limit) { return {stage, std::move(limit), std::nullopt}; }
+
+// Chord of the space where the flanks begin.
+double gap_of(const Gear& gear) {
+  const Arc* flank = gear.tooth->outline.find(ArcName::flank);
+  const Vec2& p = flank->begin_point;
+  const double half = std::numbers::pi / std::abs(gear.spec.teeth) - std::atan2(p.y(), p.x());
+  return 2 * p.norm() * std::sin(half);
+}
+
+class Search {
+ public:
+  explicit Search(const FewTeethProblem& p) : p_(p), side_(p.teeth[1] > 0 ? 1.0 : -1.0) {}
+
+  Verdict best;
+  int tried = 0;
+
+  void run() {
+    const bool wheel_free = !(p_.center_distance && p_.helix);
+    double x1 = 0.5, x2 = -0.5;
+    double step = 0.05;
+    scan(p_.pinion_shift ? 0.0 : 1.5, wheel_free ? 2.5 : 0.0, step, x1, x2);
+    while (best.design && step > 0.0005) {
+      step /= 5;
+      const double reach = 6 * step;
+      scan(p_.pinion_shift ? 0.0 : reach, wheel_free ? reach : 0.0, step, best_x1_, best_x2_);
+    }
+  }
+
+ private:
+  // All points of a grid about (x1, x2).
+  void scan(double reach1, double reach2, double step, double x1, double x2) {
+    const int n1 = static_cast<int>(std::lround(reach1 / step));
+    const int n2 = static_cast<int>(std::lround(reach2 / step));
+    for (int i = -n1; i <= n1; ++i) {
+      for (int k = -n2; k <= n2; ++k) try_at(x1 + i * step, x2 + k * step);
+    }
+  }
+
+  void try_at(double x1, double x2) {
+    // Numbers that a drawing can carry.
+    x1 = p_.pinion_shift.value_or(std::round(x1 * 1000) / 1000);
+    x2 = std::round(x2 * 1000) / 1000;
+    ++tried;
+    Verdict v = candidate(x1, x2);
+    const bool better = v.design ? is_better(v) : !best.design && v.stage > best.stage;
+    if (!better) return;
+    best = std::move(v);
+    best_x1_ = x1;
+    best_x2_ = x2;
+  }
+
+  // The path is as long as the pinion's flank wherever the wheel stands; of paths that are the same
+  // to two hundredths of a pitch the one nearest the reference centre distance is taken.
+  bool is_better(const Verdict& v) const {
+    if (!best.design) return true;
+    const double mine = std::floor(v.ratio() / kSameRatio);
+    const double others = std::floor(best.ratio() / kSameRatio);
+    if (mine != others) return mine > others;
+    const auto sum = [](const FewTeethDesign& d) {
+      return std::abs(d.pinion.profile_shift + d.wheel_shift);
+    };
+    return sum(*v.design) < sum(*best.design) - 1e-6;
+  }
+
+  CylindricalSpec cutter_spec(double beta, double x1) const {
+    CylindricalSpec c;
+    c.teeth = p_.teeth[0];
+    c.normal_module = p_.normal_module;
+    c.normal_pressure_angle = Angle::radians(p_.normal_pressure_angle);
+    c.helix_angle = Angle::degrees(std::round(Angle::radians(beta).deg() * 1e9) / 1e9);
+    c.profile_shift = x1;
+    c.face_width = p_.face_width.value_or(10 * p_.normal_module);
+    c.root_fillet = RootFilletSpec{p_.root_offset};
+    const double r_t = std::max(kLeastTipFillet * p_.normal_module, p_.least_tip_land / 2);
+    c.tip_fillet = TipFilletSpec{TipFilletSpec::By::radius, r_t};
+    return c;
+  }
+
+  // β and E of the shifts; with both given, x2 of E is not free.
+  struct Place {
+    CylindricalSpec cutter;
+    Gear gear;
+    double distance;
+  };
+
+  std::optional<double> distance_at(double beta, double x1, double x2) const {
+    const double alpha_t = std::atan(std::tan(p_.normal_pressure_angle) / std::cos(beta));
+    const int z = p_.teeth[0] + p_.teeth[1];
+    const double inv = nominal_working_involute(p_.teeth[0], p_.teeth[1], p_.normal_pressure_angle,
+                                                alpha_t, x1 + x2);
+    if (!(inv >= 0.0)) return std::nullopt;
+    const double r = p_.normal_module * std::abs(z) / (2 * std::cos(beta)) * std::cos(alpha_t);
+    return r / std::cos(inverse_involute(inv));
+  }
+
+  double play_of(double beta, double x1, double x2) const {
+    if (p_.backlash == 0.0) return 0.0;
+    const auto e = distance_at(beta, x1, x2);
+    const double alpha_t = std::atan(std::tan(p_.normal_pressure_angle) / std::cos(beta));
+    const int z = p_.teeth[0] + p_.teeth[1];
+    const double r = p_.normal_module * std::abs(z) / (2 * std::cos(beta)) * std::cos(alpha_t);
+    if (!e || !(*e > r)) return 0.0;
+    return p_.backlash / (2 * std::sqrt((*e - r) * (*e + r)) / r);
+  }
+
+  std::optional<double> helix_of(double x1, double x2) const {
+    if (p_.helix) return p_.helix;
+    const auto miss = [&](double beta) {
+      const auto e = distance_at(beta, x1, x2);
+      return e ? *e + side_ * play_of(beta, x1, x2) - *p_.center_distance : -1.0;
+    };
+    const double steepest = Angle::degrees(kSteepestHelix).rad();
+    if (miss(0.0) > 0.0 || miss(steepest) < 0.0) return std::nullopt;
+    return find_root(miss, 0.0, steepest).x;
+  }
+
+  Verdict candidate(double x1, double x2) {
+    const auto beta = helix_of(x1, x2);
+    if (!beta) return stopped(1, "the centre distance, which no helix angle up to 75° gives");
+    const CylindricalSpec spec = cutter_spec(*beta, x1);
+    auto cutter = make_gear(spec);
+    if (!cutter) return stopped(2, "the pinion's fillets: " + cutter.error().message);
+    if (!cutter->exists() || !cutter->tooth->form_radius || !cutter->tooth->rounded_tip)
+      return stopped(2, "the pinion's tooth, which ends before its tip fillet");
+    double distance = 0.0;
+    double mounted = 0.0;
+    if (p_.center_distance) {
+      mounted = *p_.center_distance;
+      distance = mounted - side_ * play_of(*beta, x1, x2);
+    } else {
+      const auto e = generating_distance(*cutter, p_.teeth[1], x2);
+      if (!e) return stopped(3, "the wheel: " + e.error().message);
+      distance = *e;
+      const double r_t =
+          cutter->base_radius() * std::abs(1.0 + static_cast<double>(p_.teeth[1]) / p_.teeth[0]);
+      const double tan_w = std::sqrt((distance - r_t) * (distance + r_t)) / r_t;
+      mounted = distance + side_ * p_.backlash / (2 * tan_w);
+    }
+    auto whole = make_pinion_cut_gear(*cutter, {p_.teeth[1], distance, spec.face_width, {}});
+    if (!whole) return stopped(4, "the wheel: " + whole.error().message);
+    return finished(spec, *cutter, *whole, distance, mounted);
+  }
+
+  Verdict finished(const CylindricalSpec& spec, const Gear& cutter, const Gear& whole,
+                   double distance, double mounted) {
+    if (!whole.exists() || !whole.tooth->form_radius)
+      return stopped(5, "the wheel, which would have no teeth");
+    if (whole.undercut) return stopped(6, "undercut of the wheel");
+    if (has_cusp(cutter, whole, distance)) return stopped(7, "a cusp at the wheel's tip");
+    CylindricalSpec pinion = spec;
+    pinion.tip_diameter = 2 * (cutter.tooth->tip_radius - p_.clearance);
+    const double wheel_tip = 2 * (whole.tooth->tip_radius - side_ * p_.clearance);
+    const auto g1 = make_gear(pinion);
+    const auto g2 =
+        make_pinion_cut_gear(cutter, {p_.teeth[1], distance, spec.face_width, wheel_tip});
+    if (!g1 || !g2 || g1->pointed() || g2->pointed() || !g2->tooth->form_radius)
+      return stopped(8, "the clearance, which leaves no tooth");
+    for (const Gear* g : {&*g1, &*g2}) {
+      const int which = g == &*g1 ? 1 : 2;
+      const double land = tip_width(*g);
+      if (land < p_.least_tip_land) {
+        return stopped(9, fmt::format("the land at the tip of gear {}: {:.3f} mm of {} mm", which,
+                                      land, p_.least_tip_land));
+      }
+      const double gap = gap_of(*g);
+      if (gap < p_.least_gap) {
+        return stopped(10, fmt::format("the gap at the root of gear {}: {:.3f} mm of {} mm", which,
+                                       gap, p_.least_gap));
+      }
+    }
+    auto pair = mount(*g1, *g2, {mounted});
+    if (!pair) return stopped(11, pair.error().message);
+    if (!pair->interference.empty())
+      return stopped(12, "interference: " + pair->interference.front().message);
+    if (!(pair->contact_ratio_true() > 0.0)) return stopped(13, "contact, of which there is none");
+    return made(pinion, spec, std::move(pair).take(), distance, mounted);
+  }
+
+  Verdict made(CylindricalSpec pinion, const CylindricalSpec& cutter, Pair pair, double distance,
+               double mounted) {
+    const auto needed = face_width_for_total(pair, p_.contact_ratio);
+    double face = p_.face_width.value_or(0.0);
+    if (!needed)
+      return stopped(14,
+                     fmt::format("the contact ratio {:.3f} without a helix", pair.mesh.true_ratio));
+    if (!p_.face_width) face = std::max(std::ceil(*needed * 10) / 10, p_.normal_module);
+    if (face < *needed)
+      return stopped(14, fmt::format("the face width: {:.2f} mm of {:.2f} mm", face, *needed));
+    pinion.face_width = face;
+    const double tip = pair.gears[1].tip_diameter;
+    const double x2 = pair.gears[1].spec.profile_shift;
+    return {15, "",
+            FewTeethDesign{pinion, cutter, tip, x2, distance, mounted, face, std::move(pair)}};
+  }
+
+  // The flank of the wheel ought to reach the conjugate of C; where the pinion's hollow root cuts a
+  // cusp it ends before.
+  bool has_cusp(const Gear& cutter, const Gear& whole, double distance) const {
+    const Arc& flank = *cutter.tooth->outline.find(ArcName::flank);
+    const auto& involute = static_cast<const Involute&>(*flank.curve);
+    const auto cut = pinion_involute({p_.teeth[0], p_.teeth[1], distance}, involute);
+    const double end = cut->flank.base_radius() * std::hypot(1.0, cut->roll(flank.begin));
+    return std::abs(*whole.tooth->tip_form_radius - end) > 1e-9 * end;
+  }
+
+  // Across the finished tip: the land, or the fillet's circle where that ends the tooth.
+  static double tip_width(const Gear& g) {
+    if (g.tooth->rounded_tip && g.tooth->tip_fillet) return 2 * g.tooth->tip_fillet->radius;
+    return g.tip_tooth_thickness_normal.value_or(0.0);
+  }
+
+  const FewTeethProblem& p_;
+  double side_;
+  double best_x1_ = 0.0, best_x2_ = 0.0;
+};
+
+}  // namespace
+
+Result<FewTeethAnswer> design_few_teeth(const FewTeethProblem& problem) {
+  if (!problem.helix && !problem.center_distance) {
+    return Error{"gear1.helix_angle_deg", "",
+                 "gear1.helix_angle_deg: is missing; few teeth need a helix angle, or "
+                 "pair.center_distance_mm to find one"};
+  }
+  if (problem.teeth[1] < 0 && -problem.teeth[1] <= problem.teeth[0]) {
+    return refused("gear2.teeth", problem.teeth[1],
+                   fmt::format("a ring must have more teeth than its pinion (gear1.teeth = {})",
+                               problem.teeth[0]));
+  }
+  Search search(problem);
+  search.run();
+  return FewTeethAnswer{std::move(search.best.design), search.best.limit, search.tried};
+}
+
+}  // namespace gearwright

@@ -1,0 +1,60 @@
+// The pinion of few teeth and the wheel it cuts, found by what they must be: the shifts that give
+// the longest path of contact without undercut, cusp, point or interference.
+//
+//   x1, x2   shifts of pinion and wheel: the two unknowns       C    clearance at both tips, mm
+//   The wheel is cut by the pinion's longer twin, whose tip fillet and root fillet it follows; both
+//   gears are then shortened by C.   theory: docs/theory/06-few-teeth.md, 6.7
+//
+// Every candidate is generated and mounted exactly. The shifts are searched on a grid of 0.05, then
+// on finer ones around the best, to 0.001.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "gearwright/base/result.hpp"
+#include "gearwright/gear/pinion_cut.hpp"
+#include "gearwright/pair/pair.hpp"
+
+namespace gearwright {
+
+/// Lengths mm, angles rad.
+struct FewTeethProblem {
+  std::array<int, 2> teeth{};  ///< wheel < 0: a ring
+  double normal_module = 0.0;
+  double normal_pressure_angle = 0.0;
+  std::optional<double> helix;            ///< β of the pinion; absent: from the centre distance
+  std::optional<double> center_distance;  ///< a; absent: free
+  std::optional<double> pinion_shift;     ///< x1; absent: wanted
+  double root_offset = 0.0;               ///< of C from the undercut limit
+  double least_tip_land = 0.0;            ///< normal thickness at both tips
+  double least_gap = 0.0;                 ///< chord of both spaces where the flanks begin
+  double clearance = 0.0;                 ///< C
+  double backlash = 0.0;                  ///< circumferential
+  double contact_ratio = 1.2;             ///< total, which the face width is made for
+  std::optional<double> face_width;       ///< of both; absent: what the contact ratio needs
+};
+
+struct FewTeethDesign {
+  CylindricalSpec pinion, cutter;
+  double wheel_tip_diameter, wheel_shift;
+  double generating_distance, center_distance;
+  double face_width;
+  Pair pair;
+};
+
+struct FewTeethAnswer {
+  std::optional<FewTeethDesign> design;
+  std::string limit;   ///< without a design: what stood in the way of the candidate that got
+                       ///< furthest
+  int candidates = 0;  ///< tried
+};
+
+/// The design with the greatest transverse contact ratio; of those alike to 0.02 the one with the
+/// least |x1 + x2|.
+///
+/// Errors    `gear1.helix_angle_deg` when neither helix nor centre distance is given; `gear2.teeth`
+Result<FewTeethAnswer> design_few_teeth(const FewTeethProblem& problem);
+
+}  // namespace gearwright

@@ -1,0 +1,126 @@
+#include "gearwright/job/few_teeth_answer.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "gearwright/design/few_teeth_design.hpp"
+
+namespace gearwright {
+
+namespace {
+
+std::optional<Error> out_of_place(const JobSpec& spec) {
+  const auto fail = [](const std::string& key, const std::string& why) {
+    return Error{key, "", key + ": " + why};
+  };
+  for (const int which : {1, 2}) {
+    const GearInput& g = *spec.gears[static_cast<std::size_t>(which - 1)];
+    const std::string table = fmt::format("gear{}.", which);
+    if (g.cut_by || g.basic || g.cylindrical.tip_fillet || g.tip_clearance)
+      return fail(table + (g.cut_by  ? "cut_by"
+                           : g.basic ? "basic"
+                                     : "tip_fillet"),
+                  "few_teeth = true chooses this itself; leave it out");
+    if (g.cylindrical.tip_diameter)
+      return fail(table + "tip_diameter_mm", "few_teeth = true chooses this itself; leave it out");
+  }
+  const GearInput& wheel = *spec.gears[1];
+  if (wheel.cylindrical.root_fillet)
+    return fail("gear2.root_fillet", "the wheel's root is cut by the pinion; leave it out");
+  if (wheel.profile_shift)
+    return fail("gear2.profile_shift", "few_teeth = true chooses this itself; leave it out");
+  if (spec.gears[0]->cylindrical.teeth < 0)
+    return fail("gear1.teeth", "the ring of an internal pair is gear2; exchange the two tables");
+  if (spec.pair.shaft_angle_deg && *spec.pair.shaft_angle_deg != 0.0)
+    return fail("pair.shaft_angle_deg",
+                "gears of few teeth are designed for parallel axes; leave "
+                "it out");
+  return std::nullopt;
+}
+
+// As a drawing has them: to nine places, without the last digits of a conversion.
+double drawn(double v) { return std::stod(fmt::format("{:.9f}", v)); }
+
+Json pinion_json(const CylindricalSpec& c) {
+  Json g;
+  g["teeth"] = c.teeth;
+  g["normal_module_mm"] = c.normal_module;
+  g["normal_pressure_angle_deg"] = drawn(c.normal_pressure_angle.deg());
+  g["helix_angle_deg"] = drawn(c.helix_angle.deg());
+  g["profile_shift"] = drawn(c.profile_shift);
+  if (c.tip_diameter) g["tip_diameter_mm"] = drawn(*c.tip_diameter);
+  g["root_fillet"] = {{"kind", "circular"}, {"offset_mm", drawn(c.root_fillet->offset)}};
+  g["tip_fillet"] = {{"kind", "circular"}, {"radius_mm", drawn(c.tip_fillet->value)}};
+  return g;
+}
+
+// Found numbers in place of what was asked; what a user gave beside them (bore, title) stays.
+Json spec_of(const JobSpec& spec, const FewTeethDesign& d) {
+  const Json given = Json::parse(spec.tree);
+  Json tree;
+  if (given.contains("title")) tree["title"] = given["title"];
+  Json pinion = pinion_json(d.pinion);
+  pinion["face_width_mm"] = d.face_width;
+  Json wheel{{"teeth", d.pair.gears[1].spec.teeth}, {"profile_shift", drawn(d.wheel_shift)}};
+  wheel["face_width_mm"] = d.face_width;
+  wheel["tip_diameter_mm"] = drawn(d.wheel_tip_diameter);
+  wheel["cut_by"] = pinion_json(d.cutter);
+  for (Json* g : {&pinion, &wheel}) {
+    const char* name = g == &pinion ? "gear1" : "gear2";
+    if (given[name].contains("bore")) (*g)["bore"] = given[name]["bore"];
+  }
+  tree["gear1"] = pinion;
+  tree["gear2"] = wheel;
+  tree["pair"]["center_distance_mm"] = d.center_distance;
+  return tree;
+}
+
+}  // namespace
+
+Result<FitAnswer> answer_few_teeth(const JobSpec& spec) {
+  if (auto error = out_of_place(spec)) return *error;
+  const GearInput& g1 = *spec.gears[0];
+  const GearInput& g2 = *spec.gears[1];
+  CylindricalSpec limits = g1.cylindrical;
+  limits.profile_shift = g1.profile_shift.value_or(0.0);
+  if (auto error = check_limits(limits))
+    return Error{"gear1." + error->key, error->value, "gear1." + error->message};
+  FewTeethProblem p;
+  p.teeth = {g1.cylindrical.teeth, g2.cylindrical.teeth};
+  p.normal_module = g1.cylindrical.normal_module;
+  p.normal_pressure_angle = g1.cylindrical.normal_pressure_angle.rad();
+  if (g1.helix_given) p.helix = g1.cylindrical.helix_angle.rad();
+  p.center_distance = spec.pair.center_distance;
+  p.pinion_shift = g1.profile_shift;
+  const double m = p.normal_module;
+  p.root_offset = g1.cylindrical.root_fillet ? g1.cylindrical.root_fillet->offset : 0.01 * m;
+  p.least_tip_land = spec.fit.least_tip_land.value_or(0.0);
+  p.least_gap = spec.fit.least_gap.value_or(0.0);
+  p.clearance = spec.fit.clearance.value_or(0.2 * m + 0.05);
+  p.backlash = spec.fit.backlash.value_or(0.0);
+  p.contact_ratio = spec.fit.contact_ratio.value_or(1.2);
+  if (g1.face_width_given) p.face_width = g1.cylindrical.face_width;
+  auto found = design_few_teeth(p);
+  if (!found) return found.error();
+  FitAnswer answer;
+  if (!found->design) {
+    answer.fit.reason = fmt::format(
+        "of {} pairs of profile shifts none will do. What got furthest "
+        "was stopped by {}",
+        found->candidates, found->limit);
+    return answer;
+  }
+  const FewTeethDesign& d = *found->design;
+  const double beta = d.pinion.helix_angle.rad();
+  answer.fit.branches.push_back({{beta, d.pair.gears[1].spec.helix_angle.rad()},
+                                 {d.pinion.profile_shift, d.wheel_shift},
+                                 d.center_distance,
+                                 0.0,
+                                 d.pair.mesh.rack.normal_pressure_angle});
+  answer.specs.push_back(spec_of(spec, d));
+  answer.transverse_contact_ratio = d.pair.mesh.true_ratio;
+  return answer;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,13 @@
+// The verb fit for a pinion of few teeth and the wheel it cuts ([fit] few_teeth = true).
+//
+// Internal to job/ and the program.
+#pragma once
+
+#include "gearwright/job/fit_answer.hpp"
+
+namespace gearwright {
+
+/// Errors    keys of the spec that have no place here, or are missing
+Result<FitAnswer> answer_few_teeth(const JobSpec& spec);
+
+}  // namespace gearwright

@@ -1,0 +1,53 @@
+#include "gearwright/pair/drive.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gearwright {
+
+namespace {
+
+double overlap_per_mm(const Pair& pair) {
+  const double tan_b = std::abs(pair.mesh.tan_base_helix[0]);
+  return tan_b / pair.mesh.step;
+}
+
+}  // namespace
+
+std::optional<double> face_width_for_total(const Pair& pair, double total) {
+  GW_EXPECTS(!pair.crossed());
+  if (!(pair.contact_ratio_true() > 0.0)) return std::nullopt;
+  const double missing = total - pair.mesh.true_ratio;
+  if (missing <= 0.0) return 0.0;
+  const double gain = overlap_per_mm(pair);
+  if (gain == 0.0) return std::nullopt;
+  return missing / gain;
+}
+
+std::optional<double> face_width_for_overlap(const Pair& pair) {
+  GW_EXPECTS(!pair.crossed());
+  const double gain = overlap_per_mm(pair);
+  if (gain == 0.0) return std::nullopt;
+  return 1.0 / gain;
+}
+
+std::array<double, 2> approach_and_recess(const Pair& pair) {
+  GW_EXPECTS(!pair.crossed());
+  if (!(pair.contact_ratio_true() > 0.0)) return {0.0, 0.0};
+  const Mesh<double>& m = pair.mesh;
+  const double c = std::clamp(m.rho1_C, m.rho1_true_begin, m.rho1_true_end);
+  return {(c - m.rho1_true_begin) / m.step, (m.rho1_true_end - c) / m.step};
+}
+
+std::array<double, 2> axial_force(const Pair& pair) {
+  GW_EXPECTS(!pair.crossed());
+  const double tan_w = pair.mesh.rack.sides[0].tan_helix;
+  return {0.0 - tan_w, tan_w};
+}
+
+double backlash_per_distance(const Pair& pair) {
+  GW_EXPECTS(!pair.crossed());
+  return 2.0 * pair.mesh.rack.sides[0].tan_transverse;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,38 @@
+// What a drive on parallel axes asks of its housing: faces, axial force, what a change of the
+// centre distance does.
+//
+//   ε_α, ε_β   of the clipped path; ε_β = b |tan β_b|/p_bt     theory: docs/theory/06-few-teeth.md,
+//                                                               6.6
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "gearwright/pair/pair.hpp"
+
+namespace gearwright {
+
+/// The face width at which the total contact ratio reaches `total`, mm; 0 when ε_α does so alone,
+/// nothing for a spur pair that needs overlap, or without contact.
+///
+/// Formula   b = (total − ε_α) p_bt/|tan β_b|, [T6.14]
+/// Domain    parallel axes (contract)
+std::optional<double> face_width_for_total(const Pair& pair, double total);
+
+/// The face width of ε_β = 1, mm; nothing for a spur pair.   Domain: parallel axes (contract)
+std::optional<double> face_width_for_overlap(const Pair& pair);
+
+/// Contact ratios before and after the pitch point, gear 1 driving: approach and recess. The path
+/// as clipped.   Domain: parallel axes (contract)
+std::array<double, 2> approach_and_recess(const Pair& pair);
+
+/// Axial force on each gear along +z of the housing, per unit of tangential force on the working
+/// pitch cylinder, while gear 1 drives in its sense (clockwise seen from +z).
+///
+/// Formula   F_z1/F_t = −tan β_w1, F_z2 = −F_z1, [T6.15]; parallel axes (contract)
+std::array<double, 2> axial_force(const Pair& pair);
+
+/// Growth of the circumferential backlash per mm of centre distance. [T6.16]; parallel (contract)
+double backlash_per_distance(const Pair& pair);
+
+}  // namespace gearwright
