@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "gearwright/report/html_text.hpp"
 
@@ -151,16 +152,44 @@ std::string tooth_path(const Gear& gear) {
   return pen.take();
 }
 
+double drawn_radius(const Gear& gear) {
+  if (!gear.internal()) return gear.actual_tip_radius();
+  const double r_f = gear.root_diameter / 2;
+  return has_outline(gear) ? r_f + kRim * gear.spec.normal_module : r_f;
+}
+
 std::string gear_definition(const Gear& gear, const std::string& name) {
   if (!has_outline(gear)) return {};
+  const auto units = [&](double mm) { return std::lround(mm / outline_unit_mm(gear)); };
+  const std::string tooth = tooth_path(gear);
+  const long r_f = units(gear.tooth->root_radius);
   // The chord that closes a tooth's fill lies inside the root circle, which the disc fills. Colours
   // come from where the shape is used; the effect must stand here, style sheets do not reach
   // inside.
-  std::string text = fmt::format(
-      "<path id=\"{0}-tooth\" vector-effect=\"non-scaling-stroke\" d=\"{1}\"/>\n<g "
-      "id=\"{0}\"><circle stroke=\"none\" r=\"{2}\"/>",
-      name, tooth_path(gear), std::lround(gear.tooth->root_radius / outline_unit_mm(gear)));
-  const int z = gear.spec.teeth;
+  std::string text;
+  if (!gear.internal()) {
+    text = fmt::format(
+        "<path id=\"{0}-tooth\" vector-effect=\"non-scaling-stroke\" d=\"{1}\"/>\n<g "
+        "id=\"{0}\"><circle stroke=\"none\" r=\"{2}\"/>",
+        name, tooth, r_f);
+  } else {
+    // A ring's tooth hangs on its rim: the fill is closed within that, the stroke stays open.
+    const long rim = units(drawn_radius(gear));
+    const double inside = 0.5 * (gear.tooth->root_radius + drawn_radius(gear));
+    const Vec2 end =
+        gear.tooth->outline.arcs.front().begin_point * (inside / gear.tooth->root_radius);
+    const auto ring = [](long r) {
+      return fmt::format("M{0} 0A{0} {0} 0 1 1 -{0} 0A{0} {0} 0 1 1 {0} 0", r);
+    };
+    text = fmt::format(
+        "<g id=\"{0}-tooth\"><path stroke=\"none\" d=\"{1}L{3} {5}A{2} {2} 0 0 0 {3} {4}Z\"/><path "
+        "style=\"fill:none\" vector-effect=\"non-scaling-stroke\" d=\"{1}\"/></g>\n<g "
+        "id=\"{0}\"><path stroke=\"none\" fill-rule=\"evenodd\" d=\"{6}{7}\"/><circle "
+        "style=\"fill:none\" vector-effect=\"non-scaling-stroke\" r=\"{8}\"/>",
+        name, tooth, units(inside), units(end.x()), units(-end.y()), units(end.y()), ring(rim),
+        ring(r_f), rim);
+  }
+  const int z = std::abs(gear.spec.teeth);
   for (int k = 0; k < z; ++k) {
     text += fmt::format("<use href=\"#{}-tooth\" transform=\"rotate({})\"/>", name,
                         fixed(360.0 * k / z, 6));

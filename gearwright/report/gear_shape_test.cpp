@@ -94,6 +94,46 @@ TEST_P(GearShape, FollowsTheOutline) {
 
 INSTANTIATE_TEST_SUITE_P(Teeth, GearShape, ::testing::Values(6, 8, 17, 25, 60, 300));
 
+TEST(GearShape, FollowsTeethCutByGears) {
+  const Pair sixty = testing::two_and_sixty();
+  const Pair ring = testing::pinion_in_cut_ring();
+  for (const Gear* gear : {&sixty.gears[0], &sixty.gears[1], &ring.gears[1]}) {
+    const std::vector<Vec2> chain = points_of(tooth_path(*gear), outline_unit_mm(*gear));
+    double worst = 0.0;
+    for (const Arc& arc : gear->tooth->outline.arcs) {
+      for (int k = 0; k <= 400; ++k) {
+        const Vec2 p = arc.point(k / 400.0);
+        for (const double side : {1.0, -1.0})
+          worst = std::max(worst, distance({p.x(), side * p.y()}, chain));
+      }
+    }
+    EXPECT_LT(worst, kOutlineTolerance * gear->spec.normal_module) << gear->spec.teeth;
+  }
+}
+
+TEST(GearShape, ARingIsMetalAroundItsTeeth) {
+  const Gear ring = testing::pinion_in_cut_ring().gears[1];
+  ASSERT_TRUE(has_outline(ring));
+  EXPECT_DOUBLE_EQ(drawn_radius(ring), ring.root_diameter / 2 + 2.5 * 2);
+  const std::string text = gear_definition(ring, "g");
+  std::size_t uses = 0;
+  for (std::size_t at = text.find("#g-tooth"); at != text.npos; at = text.find("#g-tooth", at + 1))
+    ++uses;
+  EXPECT_EQ(uses, 60u);
+  // The rim and the roots as one ring with a hole, and no disc.
+  const auto radius = [&](double mm) {
+    return std::to_string(std::lround(mm / outline_unit_mm(ring)));
+  };
+  const std::string rim = "M" + radius(drawn_radius(ring)) + " 0A";
+  const std::string hole = "M" + radius(ring.root_diameter / 2) + " 0A";
+  EXPECT_LT(text.find("evenodd"), text.find(rim));
+  EXPECT_LT(text.find(rim), text.find(hole));
+  EXPECT_NE(text.find(hole), text.npos);
+  // An external gear ends at its tip, a ring without an outline at its roots.
+  EXPECT_DOUBLE_EQ(drawn_radius(testing::sample_gear(20, 2, 0, 0)), 22.0);
+  EXPECT_DOUBLE_EQ(drawn_radius(testing::sample_gear(-60, 2, 0, 0)), 62.5);
+}
+
 TEST(GearShape, OneToothIsUsedZTimes) {
   const Gear gear = testing::sample_gear(23, 2, 0, 0);
   const std::string text = gear_definition(gear, "g");

@@ -9,7 +9,9 @@
 
 #include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
+#include "gearwright/report/named_circles.hpp"
 #include "gearwright/report/svg.hpp"
+#include "gearwright/report/turning.hpp"
 
 namespace gearwright {
 
@@ -30,10 +32,6 @@ Vec2 flat(const Point<Housing>& p) { return {p.r.x(), p.r.y()}; }
 
 Vec2 axis_of(const Pair& pair, std::size_t i) { return {i == 0 ? 0.0 : pair.center_distance, 0.0}; }
 
-double outer_radius(const Gear& gear) {
-  return gear.internal() ? gear.root_diameter / 2 : gear.actual_tip_radius();
-}
-
 // What the pair covers, mm.
 struct Extent {
   double left, right, tall;
@@ -41,8 +39,8 @@ struct Extent {
 
 Extent extent_of(const Pair& pair) {
   const double a = pair.center_distance;
-  const double R1 = outer_radius(pair.gears[0]);
-  const double R2 = outer_radius(pair.gears[1]);
+  const double R1 = drawn_radius(pair.gears[0]);
+  const double R2 = drawn_radius(pair.gears[1]);
   return {std::min(-R1, a - R2), std::max(R1, a + R2), 2 * std::max(R1, R2)};
 }
 
@@ -63,55 +61,27 @@ void draw_bodies(Svg& svg, const Viewport& view, const Pair& pair,
       const Gear& gear = pair.gears[i];
       if (!has_outline(gear)) continue;
       svg.use(shapes[i], view.px(axis_of(pair, i)), view.scale * outline_unit_mm(gear), angles[i],
-              styles[i]);
+              styles[i], turn_attribute(pair, i));
     }
   }
 }
 
-struct MeshCircle {
-  std::string symbol;
-  double radius;  // mm
-  const char* style;
-};
-
-std::vector<MeshCircle> circles_of(const Pair& pair, std::size_t i) {
+std::vector<NamedCircle> circles_of(const Pair& pair, std::size_t i) {
   const Gear& gear = pair.gears[i];
   const double r_w = pair.mesh.rack.sides[i].pitch_radius;
   const std::string n = std::to_string(i + 1);
-  std::vector<MeshCircle> circles{{"d_a" + n, gear.actual_tip_radius(), ""},
-                                  {"d_w" + n, r_w, " dashdot"},
-                                  {"d_b" + n, gear.base_radius(), " dash"}};
+  std::vector<NamedCircle> circles{{"d_a" + n, gear.actual_tip_radius(), ""},
+                                   {"d_w" + n, r_w, " dashdot"},
+                                   {"d_b" + n, gear.base_radius(), " dash"}};
   if (!has_outline(gear)) circles.push_back({"d_f" + n, gear.root_diameter / 2, ""});
   return circles;
 }
 
-// Circles with labels where they leave the window: gear 1's at the top, gear 2's at the bottom.
 void draw_circles(Svg& svg, const Viewport& view, const Pair& pair, std::size_t i) {
-  const std::vector<MeshCircle> circles = circles_of(pair, i);
-  const Vec2 axis = view.px(axis_of(pair, i));
-  // The side of the axis on which the mesh is, on the screen.
+  // The side of the axis on which the mesh is.
   const double side =
-      view.px(flat(pair.on_line_of_action(pair.mesh.rho1_C))).x() > axis.x() ? 1.0 : -1.0;
-  const double edge = i == 0 ? 30.0 : view.height - 30.0;
-  std::vector<double> wanted;
-  std::vector<std::string> symbols;
-  for (const MeshCircle& c : circles) {
-    const double r = c.radius * view.scale;
-    svg.circle(axis, r, std::string("thin ") + kInk[i] + c.style);
-    const double dy = edge - axis.y();
-    if (r < std::abs(dy)) continue;
-    const double x = axis.x() + side * std::sqrt((r - dy) * (r + dy));
-    if (x < 0.0 || x > view.width) continue;  // leaves the window elsewhere
-    wanted.push_back(x);
-    symbols.push_back(c.symbol);
-  }
-  const std::vector<double> placed = spread(wanted, 36.0, 20.0, view.width - 20.0);
-  for (std::size_t k = 0; k < symbols.size(); ++k) {
-    const double y = i == 0 ? 18.0 : view.height - 11.0;
-    svg.line({wanted[k], edge}, {placed[k], i == 0 ? y + 4 : y - 12}, "leader");
-    svg.text({placed[k], y}, symbol_svg(symbols[k]), Anchor::middle,
-             std::string("halo ") + kInk[i]);
-  }
+      flat(pair.on_line_of_action(pair.mesh.rho1_C)).x() > axis_of(pair, i).x() ? 1.0 : -1.0;
+  draw_named_circles(svg, view, axis_of(pair, i), side, i, circles_of(pair, i));
 }
 
 // The line of action with A … E; letters change sides where they would touch.
@@ -176,6 +146,7 @@ std::string mesh_svg(const Pair& pair, const std::array<std::string, 2>& shapes)
   svg.line(view.px({across.left, 0}), view.px({across.right, 0}), "thin dashdot");
   for (const std::size_t i : {0, 1}) draw_circles(svg, view, pair, i);
   draw_path(svg, view, pair);
+  draw_touches(svg, view, pair);
   return svg.str();
 }
 
@@ -207,11 +178,14 @@ std::string whole_svg(const Pair& pair, const std::array<std::string, 2>& shapes
       external
           ? "Both gears in place with their axes and directions of rotation; a frame marks the "
             "part that the picture of the mesh shows."
+      : has_outline(pair.gears[1])
+          ? "The pinion in the ring with axes and directions of rotation; a frame marks the part "
+            "that the picture of the mesh shows."
           : "The pinion in the ring, whose circles alone are drawn, with axes and directions of "
             "rotation; a frame marks the part that the picture of the mesh shows.");
   draw_bodies(svg, view, pair, shapes);
   for (const std::size_t i : {0, 1}) {
-    for (const MeshCircle& c : circles_of(pair, i)) {
+    for (const NamedCircle& c : circles_of(pair, i)) {
       svg.circle(view.px(axis_of(pair, i)), c.radius * scale,
                  std::string("thin ") + kInk[i] + c.style);
     }
@@ -230,7 +204,11 @@ std::string whole_svg(const Pair& pair, const std::array<std::string, 2>& shapes
     svg.line(axis - Vec2(5, 0), axis + Vec2(5, 0), "cross");
     svg.line(axis - Vec2(0, 5), axis + Vec2(0, 5), "cross");
     if (external) {
-      svg.text(axis, std::to_string(i + 1), Anchor::middle, "letter", {0.0, 19.0});
+      // A gear too small for its number has it below, clear of the frame.
+      const double below = scale * drawn_radius(gear) > 26.0
+                               ? 19.0
+                               : 15.0 + std::max(scale * drawn_radius(gear), size.y() / 2);
+      svg.text(axis, std::to_string(i + 1), Anchor::middle, "letter halo", {0.0, below});
     }
   }
   return svg.str();
@@ -251,27 +229,27 @@ std::array<double, 2> rotation_to_pitch_point(const Pair& pair) {
 }
 
 std::string mesh_figures(const Pair& pair, const std::array<std::string, 2>& shapes) {
-  const bool ring = pair.kind == PairKind::parallel_internal;
+  const Gear& gear_2 = pair.gears[1];
+  const std::string ring =
+      !gear_2.internal() ? ""
+      : has_outline(gear_2)
+          ? fmt::format(" The ring is drawn with a rim of {:g} modules.", kRim)
+          : " <strong>The ring has no outline</strong>, for its cutter is not given: tip and root "
+            "circles stand for it.";
   return fmt::format(
-      "<div class=\"figures mesh\">\n<figure>{}<figcaption><strong>The mesh</strong> at the pitch "
-      "point C, "
-      "gear 1 driving clockwise. <span class=\"key\"><i class=\"swatch g1\"></i>gear 1</span> "
-      "<span "
-      "class=\"key\"><i class=\"swatch g2\"></i>gear 2</span> <span class=\"key\"><i "
-      "class=\"swatch "
-      "action\"></i>path of contact A–E</span> Tip circles full, pitch circles dash-dot, base "
-      "circles "
-      "dashed; T: base tangent points.{}</figcaption></figure>\n<figure>{}<figcaption><strong>The "
-      "whole "
-      "pair</strong>, centre distance {} mm; the frame is the picture of the "
-      "mesh.</figcaption></figure>\n"
-      "</div>\n",
-      mesh_svg(pair, shapes),
-      ring ? " <strong>The ring’s outline is not part of this version</strong>: its tip and root "
-             "circles "
-             "stand for it."
-           : "",
-      whole_svg(pair, shapes), fixed(pair.center_distance, kLengthDigits));
+      "<div class=\"figures mesh\">\n<figure>{}{}<figcaption><strong>The mesh</strong> at the "
+      "pitch "
+      "point C, gear 1 driving clockwise. <span class=\"key\"><i class=\"swatch g1\"></i>gear "
+      "1</span> <span class=\"key\"><i class=\"swatch g2\"></i>gear 2</span> <span "
+      "class=\"key\"><i class=\"swatch action\"></i>path of contact A–E</span> <span class=\"key "
+      "turn-key\" hidden><i class=\"swatch touch\"></i>flanks touch, once turned</span> Tip "
+      "circles full, "
+      "pitch circles dash-dot, base circles dashed; T: base tangent "
+      "points.{}</figcaption></figure>\n<figure>{}<figcaption><strong>The whole pair</strong>, "
+      "centre distance {} mm; the frame is the picture of the "
+      "mesh.</figcaption></figure>\n</div>\n",
+      mesh_svg(pair, shapes), turn_control(pair), ring, whole_svg(pair, shapes),
+      fixed(pair.center_distance, kLengthDigits));
 }
 
 }  // namespace gearwright

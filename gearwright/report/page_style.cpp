@@ -50,6 +50,12 @@ var{font-style:italic;font-family:"Cambria Math","STIX Two Text","Times New Roma
 sub,sup{font-size:.72em;line-height:0}
 .figures{display:grid;grid-template-columns:minmax(0,1fr) minmax(0,1fr);gap:24px 36px;align-items:start}
 .figures.mesh{grid-template-columns:minmax(0,3fr) minmax(0,2fr)}
+.multiples{display:grid;grid-template-columns:repeat(auto-fit,minmax(150px,1fr));gap:14px}.multiples .own svg{border-color:var(--soft)}
+.turn{display:flex;align-items:center;gap:.8em;margin:.6em 0 0;font-size:.85rem}.turn[hidden],.key[hidden]{display:none}
+.turn label{display:flex;align-items:center;gap:.6em;flex:1;min-width:0}.turn input{flex:1;min-width:0;accent-color:var(--g1)}
+.turn output{min-width:4.2em;text-align:right;font-variant-numeric:tabular-nums}
+.turn button{font:inherit;min-width:4.2em;padding:.25em .8em;color:var(--ink);background:var(--panel);border:1px solid var(--grey-ink);border-radius:3px;cursor:pointer}
+.turn button:focus-visible,.turn input:focus-visible{outline:2px solid var(--link);outline-offset:2px}
 .nopicture{background:var(--panel);border-left:4px solid var(--rule);padding:.6em 1em;margin:0 0 1.2em}
 figure{margin:0 0 1em;min-width:0}
 figcaption{font-size:.85rem;color:var(--soft);margin-top:.5em}
@@ -82,9 +88,13 @@ svg use.neighbour{fill:var(--grey)}svg use.body.g1{fill:var(--g1-fill)}svg use.b
 .c-flank{stroke:var(--flank);color:var(--flank)}.c-tip-fillet{stroke:var(--tip-fillet);color:var(--tip-fillet)}
 .c-tip-land{stroke:var(--tip-land);color:var(--tip-land)}
 .swatch.g1{background:var(--g1)}.swatch.g2{background:var(--g2)}.swatch.action{background:var(--action)}
+.swatch.before{background:none;height:0;border-top:2px dashed var(--ink);vertical-align:middle}
+.swatch.touch{width:.75em;height:.75em;border-radius:50%;background:none;border:2px solid var(--action)}
 .swatch.trailing{background:var(--trailing)}.swatch.ink{background:var(--ink)}
 svg .mark{fill:var(--ink)}svg .mark.g1{fill:var(--g1)}svg .mark.g2{fill:var(--g2)}
 svg .action-dot{fill:var(--action)}svg .pitch-dot{fill:var(--ink)}
+.before{stroke:var(--ink);stroke-width:1.5;stroke-dasharray:5 3}.kept{stroke:var(--soft);stroke-width:1.8}
+svg .slice{fill:var(--grey)}svg .touch{fill:var(--paper);fill-opacity:.7;stroke:var(--action);stroke-width:2}.full{stroke-width:1.8}
 svg .mark.hollow{fill:var(--panel);stroke:var(--soft);stroke-width:1.2}
 svg text.g1{fill:var(--g1)}svg text.g2{fill:var(--g2)}
 .action{stroke:var(--action);stroke-width:3}.action-line{stroke:var(--action);stroke-width:1;stroke-dasharray:3 3}
@@ -127,12 +137,12 @@ svg text{font-size:16px}svg .tick{font-size:15px}svg .inzone{font-size:15px}svg 
 @page{size:A4;margin:15mm 14mm}
 body{font-size:10pt;-webkit-print-color-adjust:exact;print-color-adjust:exact}
 main,header,footer{max-width:none;padding:0}header{padding-top:0}
-.hint,summary{display:none}
+.hint,summary,.turn,.turn-key{display:none}
 h1{font-size:17pt}h2{font-size:12pt;break-after:avoid;margin:1.2em 0 .6em}.verdict{font-size:11pt}
 ul.warnings,section>p,.columns p,.nopicture{font-size:9.5pt}figcaption,footer p{font-size:8pt}
 figure,tr,li,tbody,caption{break-inside:avoid}caption,thead,tr.group{break-after:avoid}thead{display:table-header-group}
 table{font-size:8pt;line-height:1.35}th,td{padding:.1em .5em}tr.group th{padding-top:.5em}.scroll{overflow:visible;margin-bottom:1em}
-.figures{gap:8px 24px}.columns{display:block}
+.figures{gap:8px 24px}.multiples{grid-template-columns:repeat(auto-fit,minmax(31mm,1fr))}.columns{display:block}
 .columns>div+div{display:grid;grid-template-columns:minmax(0,1fr) minmax(0,1fr);gap:8px 24px;align-items:start}
 .columns>div+div>.scroll{grid-column:1/-1}.columns>div:first-child>figure{max-width:56%}
 pre{white-space:pre-wrap;font-size:8pt;border:0;padding:0}

@@ -2,13 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/report/centrode_picture.hpp"
 #include "gearwright/report/crossed_picture.hpp"
 #include "gearwright/report/face_picture.hpp"
+#include "gearwright/report/few_teeth_table.hpp"
 #include "gearwright/report/gear_shape.hpp"
+#include "gearwright/report/gear_table.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/least_distance_picture.hpp"
 #include "gearwright/report/mesh_picture.hpp"
@@ -16,9 +20,12 @@
 #include "gearwright/report/path_picture.hpp"
 #include "gearwright/report/range_picture.hpp"
 #include "gearwright/report/report_tables.hpp"
+#include "gearwright/report/root_picture.hpp"
 #include "gearwright/report/section_picture.hpp"
+#include "gearwright/report/shift_picture.hpp"
 #include "gearwright/report/speed_picture.hpp"
 #include "gearwright/report/tooth_picture.hpp"
+#include "gearwright/report/turning.hpp"
 #include "gearwright/report/verdict.hpp"
 
 namespace gearwright {
@@ -91,6 +98,26 @@ std::string definitions(const ReportInput& input) {
          "</defs></svg>\n";
 }
 
+// Roots and tips of gears with few teeth; empty for others.
+std::string few_teeth_section(const ReportInput& input) {
+  std::string roots;
+  std::string shifts;
+  int pictures = 0;
+  for (std::size_t i = 0; i < input.gears.size(); ++i) {
+    const std::string name = fmt::format("Gear {}", i + 1);
+    roots += root_figure(*input.gears[i], kShapes[i], name);
+    if (root_is_worth_a_picture(*input.gears[i])) ++pictures;
+    shifts += shift_figures(*input.gears[i], kShapes[i], name);
+  }
+  const std::string table = few_teeth_table(input.gears);
+  if (table.empty()) return {};
+  // One picture has the table beside it, two stand side by side above it.
+  const char* frame = pictures == 1 ? "<div class=\"columns\"><div>{}</div><div>{}</div></div>\n"
+                                    : "<div class=\"figures\">{}</div>\n{}";
+  const std::string first = pictures == 0 ? table : fmt::format(fmt::runtime(frame), roots, table);
+  return fmt::format("<section>\n<h2>Roots and tips</h2>\n{}{}</section>\n", first, shifts);
+}
+
 std::string gear_section(const ReportInput& input) {
   std::string pictures;
   for (std::size_t i = 0; i < input.gears.size(); ++i) {
@@ -131,10 +158,11 @@ std::string pair_section(const Pair& pair) {
   if (pair.crossed()) return crossed_section(pair);
   return fmt::format(
       "<section class=\"pair\">\n<h2>Pair</h2>\n{}<div "
-      "class=\"columns\"><div>{}{}</div><div>{}{}</div></div>\n"
+      "class=\"columns\"><div>{}{}</div><div>{}{}</div></div>\n{}"
       "</section>\n",
       mesh_figures(pair, kShapes), pair_table(pair), interference_table(pair),
-      pair.flanks_meet() ? path_figures(pair) : std::string(), path_table(pair));
+      pair.flanks_meet() ? path_figures(pair) : std::string(), path_table(pair),
+      centrode_figures(pair));
 }
 
 std::string file_section(const std::vector<ReportFile>& files) {
@@ -162,15 +190,17 @@ std::string spec_section(const std::string& spec) {
 std::string foot(const ReportInput& input) {
   const std::string version = input.version.empty() ? std::string() : " " + escaped(input.version);
   const bool crossed = input.pair && input.pair->crossed();
+  const bool by_pinion = std::any_of(input.gears.begin(), input.gears.end(),
+                                     [](const Gear* gear) { return gear->cut_by.has_value(); });
   return fmt::format(
-      "<footer>\n<p>Gearwright{}. Nominal geometry of the teeth as cut by the given racks; symbols "
+      "<footer>\n<p>Gearwright{}. Nominal geometry of the teeth as cut by the given {}; symbols "
       "and terms of ISO 21771. Lengths in mm, angles in degrees, “{}”: there is no such "
       "value.{}</p>\n<p>Accuracy: numbers come from closed formulas or are solved to rounding, in "
       "double precision, and are shown rounded to {} decimals of a millimetre and {} of a degree; "
       "outlines of teeth follow the exact curves within {:g} normal modules. Manufacturing "
       "deviations, load, deflection and temperature are not considered, nor is "
       "strength.</p>\n</footer>\n",
-      version, kNoValue,
+      version, by_pinion ? "racks and pinion cutters" : "racks", kNoValue,
       crossed ? " On crossed axes teeth touch in points; the contact ratio counts them along the "
                 "line of action."
               : "",
@@ -189,10 +219,10 @@ std::string report_html(const ReportInput& input) {
   page += fmt::format(
       "<header>\n<p class=\"kind\">{}</p>\n<h1>{}</h1>\n<p class=\"verdict\">{}</p>\n{}</header>\n",
       kind_of(input), escaped(title), escaped(verdict(input)), warning_list(input));
-  page += "<main>\n" + gear_section(input);
+  page += "<main>\n" + gear_section(input) + few_teeth_section(input);
   if (input.pair) page += pair_section(*input.pair);
   page += file_section(input.files) + spec_section(input.spec_text) + "</main>\n" + foot(input);
-  page += fmt::format("<script>{}</script>\n</body>\n</html>\n", page_script());
+  page += fmt::format("<script>{}{}</script>\n</body>\n</html>\n", page_script(), turn_script());
   return page;
 }
 

@@ -5,128 +5,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
-#include <numbers>
 
 #include "gearwright/report/html_text.hpp"
+#include "gearwright/report/shown_values.hpp"
 #include "gearwright/report/table_builder.hpp"
 
 namespace gearwright {
 
+using shown::angle;
+using shown::length;
+using shown::none;
+using shown::ratio;
+
 namespace {
-
-constexpr double kDegree = 180.0 / std::numbers::pi;
-
-std::string length(const std::optional<double>& mm) { return fixed(mm, kLengthDigits); }
-std::string angle(double rad) { return fixed(kDegree * rad, kAngleDigits); }
-std::string ratio(const std::optional<double>& value) { return fixed(value, kRatioDigits); }
-std::string none() { return std::string(kNoValue); }
-
-// A factor as given: no digit more than the input had.
-std::string given(double value) { return fmt::format("{:.10g}", value); }
-
-std::optional<double> diameter(const std::optional<double>& radius) {
-  return radius ? std::optional(2 * *radius) : std::nullopt;
-}
-
-const char* hand(const Gear& g) {
-  const double beta = g.spec.helix_angle.rad();
-  return beta > 0.0 ? "right" : beta < 0.0 ? "left" : "spur";
-}
-
-std::optional<double> neck_thickness(const Gear& g) {
-  if (!g.tooth || !g.tooth->neck_half_angle || !g.tooth->neck_radius) return std::nullopt;
-  return 2 * *g.tooth->neck_radius * std::sin(*g.tooth->neck_half_angle);
-}
-
-std::string teeth(const Gear& g) {
-  return g.internal() ? fmt::format("{} (ring)", g.spec.teeth) : fmt::format("{}", g.spec.teeth);
-}
-
-std::optional<double> tip_form_diameter(const Gear& g) {
-  if (!g.exists() || (g.tooth && !g.tooth->tip_form_radius)) return std::nullopt;
-  return 2 * g.tip_form_radius();
-}
-
-// Rows of one function of the gear each.
-class GearRows {
- public:
-  GearRows(TableBuilder& table, const std::vector<const Gear*>& gears)
-      : table_(table), gears_(gears) {}
-
-  void add(std::string_view words, std::string_view symbol, std::string_view unit,
-           const std::function<std::string(const Gear&)>& value) {
-    std::vector<std::string> values;
-    for (const Gear* g : gears_) values.push_back(value(*g));
-    table_.row(words, symbol, unit, values);
-  }
-  bool any(const std::function<bool(const Gear&)>& is) const {
-    for (const Gear* g : gears_) {
-      if (is(*g)) return true;
-    }
-    return false;
-  }
-
- private:
-  TableBuilder& table_;
-  const std::vector<const Gear*>& gears_;
-};
-
-void add_rack(TableBuilder& table, GearRows& rows) {
-  table.group("Basic rack, in normal modules");
-  rows.add("Addendum", "h_aP*", "", [](const Gear& g) { return given(g.spec.rack.addendum); });
-  rows.add("Dedendum", "h_fP*", "", [](const Gear& g) { return given(g.spec.rack.dedendum); });
-  rows.add("Root fillet radius", "ρ_fP*", "",
-           [](const Gear& g) { return given(g.spec.rack.root_fillet_radius); });
-  if (rows.any([](const Gear& g) { return g.spec.rack.tip_fillet_radius != 0.0; })) {
-    rows.add("Tip fillet radius", "ρ_1*", "",
-             [](const Gear& g) { return given(g.spec.rack.tip_fillet_radius); });
-  }
-  if (rows.any([](const Gear& g) { return g.spec.rack.tool_addendum.has_value(); })) {
-    rows.add("Height of the tool’s straight flank", "", "", [](const Gear& g) {
-      return g.spec.rack.tool_addendum ? given(*g.spec.rack.tool_addendum) : none();
-    });
-  }
-  if (rows.any([](const Gear& g) { return g.spec.rack.semi_topping_angle.has_value(); })) {
-    rows.add("Semi-topping angle", "", "°", [](const Gear& g) {
-      return g.spec.rack.semi_topping_angle ? given(g.spec.rack.semi_topping_angle->deg()) : none();
-    });
-  }
-  if (rows.any([](const Gear& g) { return g.spec.rack.protuberance != 0.0; })) {
-    rows.add("Protuberance", "pr_P*", "",
-             [](const Gear& g) { return given(g.spec.rack.protuberance); });
-    rows.add("Protuberance angle", "α_pr", "°", [](const Gear& g) {
-      return g.spec.rack.protuberance != 0.0 ? given(g.spec.rack.protuberance_angle.deg()) : none();
-    });
-  }
-}
-
-void add_tooth(TableBuilder& table, GearRows& rows) {
-  table.group("Tooth");
-  rows.add("Reference thickness, normal", "s_n", "mm",
-           [](const Gear& g) { return length(g.reference.reference_tooth_thickness_normal); });
-  rows.add("Allowance contained in it", "E_sn", "mm",
-           [](const Gear& g) { return length(g.spec.thickness_allowance); });
-  rows.add("Reference thickness, transverse", "s_t", "mm",
-           [](const Gear& g) { return length(g.reference.reference_tooth_thickness_transverse); });
-  rows.add("Base thickness, transverse", "s_bt", "mm",
-           [](const Gear& g) { return length(g.reference.base_tooth_thickness); });
-  rows.add("Tip thickness, normal", "s_an", "mm",
-           [](const Gear& g) { return length(g.tip_tooth_thickness_normal); });
-  rows.add("Smallest root thickness (chord)", "", "mm",
-           [](const Gear& g) { return length(neck_thickness(g)); });
-  rows.add("Base pitch, normal", "p_bn", "mm",
-           [](const Gear& g) { return length(g.reference.base_pitch_normal); });
-  rows.add("Base pitch, transverse", "p_bt", "mm",
-           [](const Gear& g) { return length(g.reference.base_pitch_transverse); });
-  rows.add("Undercut", "", "", [](const Gear& g) {
-    return std::string(g.internal() ? kNoValue : g.undercut ? "yes" : "no");
-  });
-  rows.add("Least profile shift without undercut", "x_Emin", "", [](const Gear& g) {
-    const auto& x = g.undercut_free_profile_shift;
-    return g.internal() || !x ? none() : ratio(*x);
-  });
-}
 
 void add_crossed_contact(TableBuilder& t, const Pair& p) {
   const FaceWidths<double>& f = *p.face_widths;
@@ -154,53 +45,6 @@ void add_crossed_contact(TableBuilder& t, const Pair& p) {
 }
 
 }  // namespace
-
-std::string gear_table(const std::vector<const Gear*>& gears) {
-  std::vector<std::string> columns;
-  for (std::size_t i = 0; i < gears.size(); ++i) columns.push_back(fmt::format("Gear {}", i + 1));
-  TableBuilder table("Gear data, symbols of ISO 21771", columns);
-  GearRows rows(table, gears);
-  table.group("Teeth");
-  rows.add("Number of teeth", "z", "", teeth);
-  rows.add("Normal module", "m_n", "mm", [](const Gear& g) { return given(g.spec.normal_module); });
-  rows.add("Normal pressure angle", "α_n", "°",
-           [](const Gear& g) { return angle(g.spec.normal_pressure_angle.rad()); });
-  rows.add("Helix angle", "β", "°", [](const Gear& g) { return angle(g.spec.helix_angle.rad()); });
-  rows.add("Hand of helix", "", "", [](const Gear& g) { return std::string(hand(g)); });
-  rows.add("Lead", "p_z", "mm",
-           [](const Gear& g) { return g.lead == 0.0 ? none() : length(g.lead); });
-  rows.add("Profile shift", "x", "", [](const Gear& g) { return ratio(g.spec.profile_shift); });
-  rows.add("Profile shift as cut, with allowance", "x_E", "",
-           [](const Gear& g) { return ratio(g.reference.generating_profile_shift); });
-  rows.add("Face width", "b", "mm", [](const Gear& g) { return length(g.spec.face_width); });
-  rows.add("Transverse module", "m_t", "mm",
-           [](const Gear& g) { return fixed(g.reference.transverse_module, 5); });
-  rows.add("Transverse pressure angle", "α_t", "°",
-           [](const Gear& g) { return angle(g.reference.transverse_pressure_angle); });
-  rows.add("Base helix angle", "β_b", "°",
-           [](const Gear& g) { return angle(g.reference.base_helix_angle); });
-
-  table.group("Diameters");
-  rows.add("Tip", "d_a", "mm", [](const Gear& g) { return length(g.tip_diameter); });
-  if (rows.any([](const Gear& g) { return 2 * g.actual_tip_radius() != g.tip_diameter; })) {
-    rows.add("Tip, as the tooth really ends", "", "mm",
-             [](const Gear& g) { return g.exists() ? length(2 * g.actual_tip_radius()) : none(); });
-  }
-  rows.add("Tip form, end of the usable flank", "d_Fa", "mm",
-           [](const Gear& g) { return length(tip_form_diameter(g)); });
-  rows.add("Reference", "d", "mm",
-           [](const Gear& g) { return length(g.reference.reference_diameter); });
-  rows.add("Base", "d_b", "mm", [](const Gear& g) { return length(g.reference.base_diameter); });
-  rows.add("Root form, start of the usable flank", "d_Ff", "mm", [](const Gear& g) {
-    return g.exists() ? length(diameter(g.root_form_radius())) : none();
-  });
-  rows.add("Root", "d_f", "mm", [](const Gear& g) { return length(g.root_diameter); });
-  rows.add("Where the flanks meet (point)", "", "mm",
-           [](const Gear& g) { return length(g.pointed_diameter); });
-  add_tooth(table, rows);
-  add_rack(table, rows);
-  return table.str();
-}
 
 std::string pair_table(const Pair& p) {
   const Mesh<double>& m = p.mesh;
@@ -330,7 +174,9 @@ std::string interference_table(const Pair& p) {
     return fmt::format(
         "<p>No interference was found: tips, roots, fillets and flanks keep clear of each "
         "other{}.</p>\n",
-        p.kind == PairKind::parallel_internal ? "; the ring’s root fillet is not checked" : "");
+        p.kind == PairKind::parallel_internal && !p.gears[1].tooth
+            ? "; the ring’s root fillet is not checked"
+            : "");
   }
   std::string text =
       "<div class=\"scroll\"><table>\n<caption>Interference</caption>\n<thead><tr><th "

@@ -1,16 +1,11 @@
-// The tables of the report: each gear as on its drawing, the pair, its path, what gets in the way.
+// The tables of the pair: its numbers, its path, what gets in the way. Digits: html_text.hpp.
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "gearwright/gear/gear.hpp"
 #include "gearwright/pair/pair.hpp"
 
 namespace gearwright {
-
-/// Gears side by side: what was given, then what follows. Digits: html_text.hpp.
-std::string gear_table(const std::vector<const Gear*>& gears);
 
 /// Centre distances, working angles, contact ratios, backlash, clearances, sliding.
 std::string pair_table(const Pair& pair);

@@ -239,11 +239,44 @@ TEST(Report, PicturesThatApply) {
   const Pair internal = internal_pair();
   EXPECT_EQ(ids(report_input(internal)).count("tooth-gear2"), 0u);
   EXPECT_EQ(ids(report_input(internal)).count("mesh"), 1u);
-  EXPECT_NE(report_html(report_input(internal)).find("outline is not part of this version"),
-            std::string::npos);
+  EXPECT_NE(report_html(report_input(internal)).find("The ring has no outline"), std::string::npos);
   const Gear one = sample_gear(20, 2, 0, 0);
   EXPECT_EQ(ids(report_input(one)).count("mesh"), 0u);
   EXPECT_EQ(report_html(report_input(one)).find("<h2>Pair</h2>"), std::string::npos);
+}
+
+TEST(Report, PicturesOfFewTeethAndGearsCutByGears) {
+  const Pair sixty = testing::two_and_sixty();
+  const std::string page = report_html(report_input(sixty));
+  expect_sound(page);
+  const auto ids = StrictHtml::read(page).ids;
+  for (const char* id : {"tooth-gear1", "tooth-gear2", "root-gear1", "shift1-gear1", "shift5-gear1",
+                         "centrodes-before", "centrodes-after", "mesh", "whole"}) {
+    EXPECT_EQ(ids.count(id), 1u) << id;
+  }
+  for (const char* id : {"root-gear2", "shift1-gear2"}) EXPECT_EQ(ids.count(id), 0u) << id;
+  EXPECT_NE(page.find("racks and pinion cutters"), page.npos);
+  EXPECT_EQ(row(page, "Teeth of the cutter"), (Values{"–", "2"}));
+  EXPECT_EQ(row(page, "Generating centre distance"), (Values{"–", "61.3351"}));
+  EXPECT_EQ(row(page, "Root fillet radius"), (Values{"0.3", "–"}));
+  EXPECT_LT(page.size(), 200'000u);
+
+  const Pair ring = testing::pinion_in_cut_ring();
+  const std::string in_ring = report_html(report_input(ring));
+  expect_sound(in_ring);
+  EXPECT_EQ(StrictHtml::read(in_ring).ids.count("tooth-gear2"), 1u);
+  EXPECT_EQ(in_ring.find("no outline"), in_ring.npos);
+  EXPECT_EQ(in_ring.find("is not checked"), in_ring.npos);
+  EXPECT_EQ(in_ring.find("Roots and tips"), in_ring.npos);
+}
+
+TEST(Report, OrdinaryPairsHaveNoneOfThat) {
+  const Pair pair = sample_pair(sample_gear(17, 2, 0, 0.1), sample_gear(43, 2, 0, -0.1), 60);
+  const std::string page = report_html(report_input(pair));
+  for (const char* words : {"Roots and tips", "Centrodes", "pinion cutter", "id=\"root-"}) {
+    EXPECT_EQ(page.find(words), page.npos) << words;
+  }
+  EXPECT_NE(page.find("data-turn"), page.npos);
 }
 
 TEST(Report, GearsThatDoNotExistSayWhy) {
@@ -257,38 +290,6 @@ TEST(Report, GearsThatDoNotExistSayWhy) {
     EXPECT_NE(page.find("Gear 1: no picture."), page.npos);
     EXPECT_NE(verdict(report_input(*gear)).find("cannot be made"), std::string::npos);
   }
-}
-
-TEST(Report, VerdictFollowsTheFacts) {
-  const Pair good = helical_pair();
-  EXPECT_NE(verdict(report_input(good)).find("The pair runs"), std::string::npos);
-  const Pair tight = sample_pair(sample_gear(20, 2, 0, 0), sample_gear(40, 2, 0, 0), 59.9);
-  ASSERT_LT(tight.mesh.backlash.normal, 0.0);
-  EXPECT_NE(verdict(report_input(tight)).find("too thick"), std::string::npos);
-  const Pair loose = sample_pair(sample_gear(20, 2, 0, 0), sample_gear(40, 2, 0, 0), 62.5);
-  ASSERT_LT(loose.contact_ratio_true(), 1.0);
-  EXPECT_NE(verdict(report_input(loose)).find("not continuous"), std::string::npos);
-}
-
-TEST(Report, SeverityLooksAtTheGearThatIsMeant) {
-  const auto severity = [](const Pair& pair, const std::string& code) {
-    const ReportInput input = report_input(pair);
-    for (const Warning& w : input.warnings) {
-      if (w.code == code) return severity_of(w);
-    }
-    ADD_FAILURE() << "no warning " << code;
-    return Severity::note;
-  };
-  // Gear 1 is undercut and loses contact there; a ring's tip below the pinion's base is in the way.
-  EXPECT_EQ(severity(undercut_pair(), "contact_lost"), Severity::caution);
-  const Pair internal = sample_pair(sample_gear(18, 2, 0, 0.2), sample_gear(-60, 2, 0, 0.1), 41.8);
-  EXPECT_EQ(severity(internal, "base_tangent"), Severity::problem);
-  EXPECT_EQ(severity_of({"unheard_of", "", 0}), Severity::caution);
-  const Pair askew = testing::nearly_parallel_pair();
-  EXPECT_EQ(severity(askew, "nearly_parallel"), Severity::caution);
-  EXPECT_EQ(severity(askew, "face_width"), Severity::caution);
-  EXPECT_EQ(severity(askew, "no_contact"), Severity::problem);
-  EXPECT_EQ(severity(testing::worm_pair(), "self_locking"), Severity::note);
 }
 
 TEST(Report, StaysSmall) {

@@ -48,9 +48,9 @@ class Svg {
   void rect(double x, double y, double width, double height, std::string_view style);
   void path(std::string_view d, std::string_view style);
   /// A shape of the page's definitions: centre in px, px per unit of the shape, turned
-  /// counter-clockwise by `degrees`.
+  /// counter-clockwise by `degrees`. `attributes` are added as they are.
   void use(std::string_view shape, const Vec2& center, double scale, double degrees,
-           std::string_view style);
+           std::string_view style, std::string_view attributes = "");
   /// `markup` is SVG text content: escaped by the caller or of symbol_svg. It stands `offset` px
   /// from `at`, at every zoom.
   void text(const Vec2& at, std::string_view markup, Anchor anchor = Anchor::start,

@@ -10,6 +10,7 @@
 
 #include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
+#include "gearwright/report/leaders.hpp"
 #include "gearwright/report/svg.hpp"
 
 namespace gearwright {
@@ -19,7 +20,6 @@ namespace {
 constexpr double kWidth = 520.0;
 constexpr double kHeight = 360.0;
 constexpr double kPlotWidth = 400.0;  // the rest is for labels
-constexpr double kLabelGap = 19.0;
 
 struct LabelledCircle {
   std::string symbol;
@@ -34,66 +34,42 @@ std::vector<LabelledCircle> circles_of(const Gear& gear) {
   circles.push_back({"d_b", gear.base_radius(), "thin dash"});
   circles.push_back({"d_f", gear.tooth->root_radius, "thin"});
   if (const auto form = gear.root_form_radius()) circles.push_back({"d_Ff", *form, "thin dot"});
-  if (const auto form = gear.tooth->tip_form_radius; form && *form < gear.tooth->tip_radius) {
+  if (const auto form = gear.tooth->tip_form_radius; form && *form != gear.tooth->tip_radius) {
     circles.push_back({"d_Fa", *form, "thin dot"});
   }
   return circles;
 }
 
-// One tooth and a quarter pitch on both sides, root to tip with some body below.
+// One tooth and a quarter pitch on both sides, with some body behind its root. A ring's hangs down.
 Viewport window(const Gear& gear) {
   const double r_f = gear.tooth->root_radius;
   const double r_a = gear.tooth->tip_radius;
   const double m = gear.spec.normal_module;
+  const double out = gear.internal() ? -1.0 : 1.0;  // from root to tip
   const double pitch = gear.reference.transverse_module * std::numbers::pi;
-  const double below = std::min(0.9 * m, 0.8 * r_f);
-  const double tall = r_a - r_f + below + 0.5 * m;
+  const double body = gear.internal() ? 0.9 * m : std::min(0.9 * m, 0.8 * r_f);
+  const double tall = std::abs(r_a - r_f) + body + 0.5 * m;
   const double scale = std::min(kHeight / tall, kPlotWidth / (1.5 * pitch));
   // The window's middle is the plot's middle, left of the picture's.
   const double shift = (kWidth - kPlotWidth) / 2 / scale;
   const double spare = kHeight / scale - tall;
-  const double middle = (r_a + 0.5 * m + r_f - below) / 2 - 0.3 * spare;
+  const double middle = (r_a + out * 0.5 * m + r_f - out * body) / 2 - out * 0.3 * spare;
   return {kWidth, kHeight, Vec2(middle, -shift), scale, true};
 }
 
 void draw_circles(Svg& svg, const Viewport& view, const Gear& gear) {
   const Vec2 axis = view.px(Vec2::Zero());
   const std::vector<LabelledCircle> circles = circles_of(gear);
-  // A circle leaves the plot at its right edge, or before when it is small.
-  std::vector<Vec2> ends;
-  std::vector<double> wanted;
-  std::vector<std::string> labels;
+  std::vector<Leader> leaders;
   svg.begin_clip(0, 0, kPlotWidth, kHeight);
   for (const LabelledCircle& c : circles) {
     svg.circle(axis, c.radius * view.scale, c.style);
-    const double r = c.radius * view.scale;
-    const double dx = std::min(kPlotWidth - axis.x(), 0.94 * r);
-    const double dy = std::sqrt(std::max(0.0, (r - dx) * (r + dx)));
-    const Vec2 end(axis.x() + dx, axis.y() - dy);
-    if (end.y() > kHeight) continue;  // below the window, so is its label; the table has it
-    ends.push_back(end);
-    wanted.push_back(end.y());
-    labels.push_back(symbol_svg(c.symbol) + " " + fixed(2 * c.radius, kLengthDigits));
+    const Vec2 end = leaves_right(axis, c.radius * view.scale, kPlotWidth);
+    if (end.y() > kHeight || end.y() < 0.0) continue;  // outside the window; the table has it
+    leaders.push_back({end, symbol_svg(c.symbol) + " " + fixed(2 * c.radius, kLengthDigits)});
   }
   svg.end_group();
-  const std::vector<double> placed = spread(wanted, kLabelGap, 12.0, kHeight - 10.0);
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    const double x = kPlotWidth + 12;
-    svg.polyline({ends[i], {x - 8 > ends[i].x() ? x - 8 : ends[i].x(), placed[i]}, {x, placed[i]}},
-                 "leader");
-    svg.text({x, placed[i]}, labels[i], Anchor::start, "", {3.0, 4.0});
-  }
-}
-
-const char* style_of(ArcName name) {
-  switch (name) {
-    case ArcName::root_land: return "arc c-root-land";
-    case ArcName::root_fillet: return "arc c-root-fillet";
-    case ArcName::flank: return "arc c-flank";
-    case ArcName::tip_fillet: return "arc c-tip-fillet";
-    case ArcName::tip_land: return "arc c-tip-land";
-  }
-  contract_failed("postcondition", "known arc name", __FILE__, __LINE__);
+  draw_leaders(svg, leaders, kPlotWidth + 12, kHeight);
 }
 
 const char* words_of(ArcName name) {
@@ -109,10 +85,8 @@ const char* words_of(ArcName name) {
 
 std::string why_no_outline(const Gear& gear) {
   if (gear.internal()) {
-    return "A ring: its diameters and thicknesses are in the table. Its outline is that of the "
-           "pinion "
-           "cutter that makes it, which is not part of this version, so there is no picture of its "
-           "tooth.";
+    return "A ring: its diameters and thicknesses are in the table. Its outline is what its pinion "
+           "cutter leaves, and no cutter is given: with cut_by there is a picture of its tooth.";
   }
   for (const Warning& w : gear.warnings) {
     if (w.code == "severed" || w.code == "through_axis") return w.message;
@@ -121,6 +95,17 @@ std::string why_no_outline(const Gear& gear) {
 }
 
 }  // namespace
+
+const char* arc_style(ArcName name) {
+  switch (name) {
+    case ArcName::root_land: return "arc c-root-land";
+    case ArcName::root_fillet: return "arc c-root-fillet";
+    case ArcName::flank: return "arc c-flank";
+    case ArcName::tip_fillet: return "arc c-tip-fillet";
+    case ArcName::tip_land: return "arc c-tip-land";
+  }
+  contract_failed("postcondition", "known arc name", __FILE__, __LINE__);
+}
 
 std::string tooth_figure(const Gear& gear, const std::string& shape, const std::string& name) {
   if (!has_outline(gear)) {
@@ -146,7 +131,7 @@ std::string tooth_figure(const Gear& gear, const std::string& shape, const std::
   svg.begin_group(fmt::format("transform=\"translate({} {}) scale({:.9g}) rotate(-90)\"",
                               pixel(axis.x()), pixel(axis.y()), unit));
   for (const Arc& arc : gear.tooth->outline.arcs) {
-    for (const int side : {+1, -1}) svg.path(arc_path(gear, arc, side), style_of(arc.name));
+    for (const int side : {+1, -1}) svg.path(arc_path(gear, arc, side), arc_style(arc.name));
   }
   svg.end_group();
   svg.end_group();
@@ -164,7 +149,7 @@ std::string tooth_figure(const Gear& gear, const std::string& shape, const std::
     if (std::find(shown.begin(), shown.end(), arc.name) != shown.end()) continue;
     shown.push_back(arc.name);
     legend += fmt::format("<span class=\"key\"><i class=\"swatch {}\"></i>{}</span> ",
-                          style_of(arc.name), words_of(arc.name));
+                          arc_style(arc.name), words_of(arc.name));
   }
   return fmt::format(
       "<figure>{}<figcaption><strong>{}</strong>, transverse section, mm. "

@@ -18,7 +18,7 @@ struct Meaning {
   const char* reason;  // completes "does not run as specified: …"
 };
 
-constexpr std::array<Meaning, 26> kMeanings{{
+constexpr std::array<Meaning, 28> kMeanings{{
     {"through_axis", Severity::problem, "the cutter passes the axis"},
     {"severed", Severity::problem, "the teeth are cut off at their roots"},
     {"no_flank", Severity::problem, "a gear has no usable flank"},
@@ -33,6 +33,8 @@ constexpr std::array<Meaning, 26> kMeanings{{
     {"tip_to_fillet", Severity::problem, "a tip corner cuts into a root fillet"},
     {"root", Severity::problem, "a tip cuts into the mate’s root"},
     {"trochoid", Severity::problem, "the tips strike each other"},
+    {"no_tip_clearance", Severity::caution, ""},
+    {"transverse_contact_ratio", Severity::note, ""},
     {"undercut", Severity::caution, ""},
     {"pointed", Severity::caution, ""},
     {"thin_tip", Severity::caution, ""},
@@ -90,6 +92,15 @@ Severity severity_of(const Warning& warning) {
   return meaning == nullptr ? Severity::caution : meaning->severity;
 }
 
+std::optional<double> face_width_needed(const Pair& pair) {
+  const Mesh<double>& m = pair.mesh;
+  const double tan_beta = std::abs(m.tan_base_helix[0]);
+  if (pair.crossed() || !pair.flanks_meet() || tan_beta == 0.0) return std::nullopt;
+  if (!(m.true_ratio > 0.0 && m.true_ratio < 1.0)) return std::nullopt;
+  // Rounding of the ratio itself must not ask for a hundredth more.
+  return std::ceil((1.0 - m.true_ratio) * m.step / tan_beta * 100 - 1e-9) / 100;
+}
+
 std::string verdict(const ReportInput& input) {
   for (std::size_t i = 0; i < input.gears.size(); ++i) {
     if (input.gears[i]->exists()) continue;
@@ -100,32 +111,46 @@ std::string verdict(const ReportInput& input) {
   }
   const std::vector<std::string> against = reasons(input);
   const bool ring = std::any_of(input.gears.begin(), input.gears.end(),
-                                [](const Gear* gear) { return gear->internal(); });
+                                [](const Gear* gear) { return gear->internal() && !gear->tooth; });
   if (input.pair == nullptr) {
     const char* who = input.gears.size() == 1 ? "The gear" : "Each gear";
     if (!against.empty()) return fmt::format("{} has a problem: {}.", who, joined(against));
     if (ring) {
       return fmt::format(
-          "{} has the data below; the outline of a ring is not part of this version and is not "
-          "checked.{}",
+          "{} has the data below; a ring’s outline is what its pinion cutter leaves, which is not "
+          "given, and is not checked.{}",
           who, cautions(input));
     }
     return fmt::format("{} can be cut as specified.{}", who, cautions(input));
   }
   const Pair& p = *input.pair;
-  if (!against.empty())
-    return fmt::format("The pair does not run as specified: {}.", joined(against));
+  const std::optional<double> face = face_width_needed(p);
+  if (!against.empty()) {
+    const bool too_narrow = face && p.contact_ratio_true() < 1.0;
+    return fmt::format("The pair does not run as specified: {}.{}", joined(against),
+                       too_narrow ? fmt::format(" With a transverse contact ratio of {} contact is "
+                                                "continuous only on helical gears, from b ≥ {:.2f} "
+                                                "mm on.",
+                                                fixed(p.mesh.true_ratio, 3), *face)
+                                  : "");
+  }
   // A backlash that the report shows as 0.0000 mm is none.
   const double j = p.mesh.backlash.normal;
   const std::string backlash =
       std::abs(j) < 0.5e-4 ? std::string("no backlash")
                            : fmt::format("a normal backlash of {} mm", fixed(j, kLengthDigits));
-  return fmt::format(
-      "The pair runs: contact is continuous ({}contact ratio {}), there is {}{}.{}{}",
-      p.crossed() ? "" : "total ", fixed(p.contact_ratio_true(), 3), backlash,
-      p.interference.empty() ? " and no interference" : "",
-      ring ? " The ring’s root fillet is not part of this version and is not checked." : "",
-      cautions(input));
+  const std::string contact =
+      face
+          ? fmt::format(
+                "The pair runs only as a helical gear pair: transverse contact ratio {}, total {}; "
+                "it needs b ≥ {:.2f} mm. There is",
+                fixed(p.mesh.true_ratio, 3), fixed(p.contact_ratio_true(), 3), *face)
+          : fmt::format("The pair runs: contact is continuous ({}contact ratio {}), there is",
+                        p.crossed() ? "" : "total ", fixed(p.contact_ratio_true(), 3));
+  return fmt::format("{} {}{}.{}{}", contact, backlash,
+                     p.interference.empty() ? " and no interference" : "",
+                     ring ? " The ring’s cutter is not given: its root fillet is not checked." : "",
+                     cautions(input));
 }
 
 }  // namespace gearwright

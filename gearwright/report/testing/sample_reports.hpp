@@ -1,12 +1,14 @@
 // Gears, pairs and report inputs for the tests of this room.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "gearwright/gear/basic.hpp"
+#include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/pair/partners.hpp"
 #include "gearwright/report/report.hpp"
 
@@ -44,6 +46,50 @@ inline Pair undercut_pair() {
 }
 inline Pair internal_pair() {
   return sample_pair(sample_gear(18, 2, 0, 0.2), sample_gear(-60, 2, 0, 0.2), 42);
+}
+
+/// Two teeth with circular root and tip fillets: Table 1 of the paper in
+/// docs/theory/06-few-teeth.md.
+inline Gear two_teeth(double face_width = 17.5, double shift = 0.7) {
+  CylindricalSpec spec;
+  spec.teeth = 2;
+  spec.normal_module = 1.75;
+  spec.helix_angle = Angle::degrees(30);
+  spec.profile_shift = shift;
+  spec.face_width = face_width;
+  spec.rack.root_fillet_radius = 0.3;
+  spec.rack.dedendum = 1.0 + 0.3 * (1.0 - std::sin(spec.normal_pressure_angle.rad()));
+  spec.root_fillet = RootFilletSpec{0.01};
+  spec.tip_fillet = TipFilletSpec{TipFilletSpec::By::radius, 0.332};
+  auto gear = make_gear(spec);
+  GW_EXPECTS(static_cast<bool>(gear));
+  return std::move(gear).take();
+}
+/// A gear that `cutter` cuts, of the profile shift x.
+inline Gear cut_gear(const Gear& cutter, int teeth, double shift, double face_width) {
+  auto distance = generating_distance(cutter, teeth, shift);
+  GW_EXPECTS(static_cast<bool>(distance));
+  auto gear = make_pinion_cut_gear(cutter, {teeth, *distance, face_width, {}});
+  GW_EXPECTS(static_cast<bool>(gear));
+  return std::move(gear).take();
+}
+/// 2/60 of the same table, gear 2 cut by gear 1, mounted where it was cut.
+inline Pair two_and_sixty(double face_width = 17.5) {
+  Gear pinion = two_teeth(face_width);
+  Gear wheel = cut_gear(pinion, 60, -1.4, face_width);
+  const double distance = wheel.cut_by->distance;
+  return sample_pair(std::move(pinion), std::move(wheel), distance);
+}
+/// 18 in a ring of 60 that a cutter of 20 teeth has cut; without backlash but for 0.05 mm.
+inline Pair pinion_in_cut_ring() {
+  CylindricalSpec cutter;
+  cutter.teeth = 20;
+  cutter.normal_module = 2;
+  cutter.rack.addendum = 1.25;
+  cutter.face_width = 20;
+  auto made = make_gear(cutter);
+  GW_EXPECTS(static_cast<bool>(made));
+  return sample_pair(sample_gear(18, 2, 0, 0.2), cut_gear(*made, -60, 0.2, 20), 41.0755);
 }
 
 inline Gear gear_as_itself(int teeth, double base_diameter, double base_thickness,

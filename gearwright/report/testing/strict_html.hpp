@@ -34,7 +34,8 @@ class StrictHtml {
   explicit StrictHtml(std::string_view page) : page_(page) {}
 
   static bool is_void(const std::string& name) {
-    return name == "meta" || name == "br" || name == "hr" || name == "img" || name == "link";
+    return name == "meta" || name == "br" || name == "hr" || name == "img" || name == "link" ||
+           name == "input";
   }
   static bool is_name(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||

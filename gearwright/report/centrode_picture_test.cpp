@@ -1,0 +1,40 @@
+#include "gearwright/report/centrode_picture.hpp"
+
+#include <gtest/gtest.h>
+
+#include "gearwright/report/testing/sample_reports.hpp"
+
+namespace gearwright {
+namespace {
+
+using testing::sample_gear;
+using testing::sample_pair;
+
+bool has(const std::string& page, const std::string& part) { return page.find(part) != page.npos; }
+
+TEST(CentrodePicture, OnlyWhereTheShiftIsSeen) {
+  EXPECT_TRUE(centrodes_are_worth_a_picture(testing::two_and_sixty()));
+  EXPECT_TRUE(centrodes_are_worth_a_picture(testing::helical_pair()));
+  EXPECT_TRUE(centrodes_are_worth_a_picture(testing::pinion_in_cut_ring()));
+  EXPECT_FALSE(centrodes_are_worth_a_picture(testing::undercut_pair()));
+  EXPECT_FALSE(centrodes_are_worth_a_picture(testing::crossed_pair()));
+  // Not shifted, only mounted further apart; and shifted against each other, which moves nothing.
+  const Pair apart = sample_pair(sample_gear(20, 2, 0, 0), sample_gear(40, 2, 0, 0), 60.5);
+  EXPECT_FALSE(centrodes_are_worth_a_picture(apart));
+  const Pair against = sample_pair(sample_gear(20, 2, 0, 0.3), sample_gear(40, 2, 0, -0.3), 60);
+  EXPECT_FALSE(centrodes_are_worth_a_picture(against));
+  EXPECT_EQ(centrode_figures(against), "");
+}
+
+TEST(CentrodePicture, SaysWhatHappensToTheReferenceCircles) {
+  const std::string closer = centrode_figures(testing::two_and_sixty());
+  EXPECT_TRUE(has(closer, "overlap by 1.3074 mm"));
+  EXPECT_TRUE(has(closer, "= 62.6425 mm"));
+  EXPECT_TRUE(has(closer, "= 61.3351 mm"));
+  EXPECT_TRUE(has(centrode_figures(testing::helical_pair()), "are apart by"));
+  // A pinion nearer to the axis of its ring: its circle no longer reaches the ring's.
+  EXPECT_TRUE(has(centrode_figures(testing::pinion_in_cut_ring()), "are apart by 0.9245 mm"));
+}
+
+}  // namespace
+}  // namespace gearwright

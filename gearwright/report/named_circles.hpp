@@ -1,0 +1,23 @@
+// Circles of both gears around their mesh, with their symbols where they leave the picture: gear
+// 1's at the top, gear 2's at the bottom.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gearwright/report/svg.hpp"
+
+namespace gearwright {
+
+struct NamedCircle {
+  std::string symbol;
+  double radius;      ///< mm
+  const char* style;  ///< classes beside the gear's colour, with a space before: " dash"
+};
+
+/// Draws circles about `axis` (mm). `side` is where the mesh lies: +1 to the right of the axis;
+/// `gear` is 0 or 1. A circle that the window holds entirely is named beside it, on the other side.
+void draw_named_circles(Svg& svg, const Viewport& view, const Vec2& axis, double side,
+                        std::size_t gear, const std::vector<NamedCircle>& circles);
+
+}  // namespace gearwright

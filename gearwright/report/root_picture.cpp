@@ -1,0 +1,246 @@
+#include "gearwright/report/root_picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/report/gear_shape.hpp"
+#include "gearwright/report/html_text.hpp"
+#include "gearwright/report/leaders.hpp"
+#include "gearwright/report/svg.hpp"
+#include "gearwright/report/tooth_picture.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kWidth = 520.0;
+constexpr double kHeight = 400.0;
+constexpr double kPlotWidth = 400.0;  // the rest is for labels
+constexpr double kMargin = 22.0;      // px around what must be seen
+constexpr int kFewTeeth = 12;         // beyond, a root without undercut looks like any other
+
+// Points are marked on the right of the tooth, which is the side y < 0 of the gear frame.
+Vec2 right(const Vec2& p) { return {p.x(), -p.y()}; }
+
+const Arc& flank_of(const Gear& gear) {
+  const Arc* flank = gear.tooth->outline.find(ArcName::flank);
+  GW_EXPECTS(flank != nullptr);
+  return *flank;
+}
+
+bool has_flank(const Gear& gear) { return gear.tooth->outline.find(ArcName::flank) != nullptr; }
+
+Vec2 center_of(const FilletArc& arc, double polar_angle) {
+  return arc.distance * Vec2(std::cos(polar_angle), std::sin(polar_angle));
+}
+
+Vec2 root_center(const Gear& gear) {
+  return center_of(*gear.tooth->root_fillet, -std::numbers::pi / gear.spec.teeth);
+}
+
+// Beyond the middle of the space F lies in the neighbour.
+bool shows_limit(const Gear& gear) {
+  return gear.reference.base_tooth_thickness / gear.reference.base_diameter <
+         std::numbers::pi / gear.spec.teeth;
+}
+
+// What must be seen, mm: the whole tooth where its tip is part of the story, else the root on the
+// right, a little higher than the flank's start.
+std::vector<Vec2> points_shown(const Gear& gear, const std::optional<Gear>& rack) {
+  const bool whole = gear.tooth->tip_fillet || (rack && gear.spec.teeth <= 4);
+  const double start = std::max(gear.base_radius(), gear.root_form_radius().value_or(0.0));
+  const double top = whole ? 2 * gear.actual_tip_radius() : start + 0.6 * gear.spec.normal_module;
+  std::vector<Vec2> points;
+  const auto add = [&](const Gear& g) {
+    for (const Arc& arc : g.tooth->outline.arcs) {
+      for (const Vec2& p : sample(arc, 40)) {
+        if (p.norm() > top) continue;
+        points.push_back(right(p));
+        if (whole) points.push_back(p);
+      }
+    }
+  };
+  add(gear);
+  if (rack && has_outline(*rack)) add(*rack);
+  if (gear.tooth->root_fillet) points.push_back(root_center(gear));
+  if (shows_limit(gear)) points.push_back(right(undercut_limit_point(gear)));
+  return points;
+}
+
+Viewport window(const Gear& gear, const std::optional<Gear>& rack) {
+  Vec2 lo = Vec2::Constant(1e300);
+  Vec2 hi = -lo;
+  for (const Vec2& p : points_shown(gear, rack)) {
+    lo = lo.cwiseMin(p);
+    hi = hi.cwiseMax(p);
+  }
+  // The gear's y runs to the left, its x up.
+  const double scale = std::min((kPlotWidth - 2 * kMargin) / (hi.y() - lo.y()),
+                                (kHeight - 2 * kMargin) / (hi.x() - lo.x()));
+  const double shift = (kWidth - kPlotWidth) / 2 / scale;
+  return {kWidth, kHeight, (lo + hi) / 2 - Vec2(0.0, shift), scale, true};
+}
+
+// The flank that an undercut took away: from the base circle to where the flank now starts.
+void draw_lost_flank(Svg& svg, const Viewport& view, const Gear& gear) {
+  const Involute flank(gear.base_radius(),
+                       gear.reference.base_tooth_thickness / gear.reference.base_diameter);
+  const double end = flank.roll_at(gear.root_form_radius().value_or(gear.actual_tip_radius()));
+  for (const double side : {1.0, -1.0}) {
+    std::vector<Vec2> points;
+    for (int k = 0; k <= 32; ++k) {
+      const Vec2 p = flank.point(end * k / 32);
+      points.push_back(view.px({p.x(), side * p.y()}));
+    }
+    svg.polyline(points, "before");
+  }
+}
+
+void draw_outline(Svg& svg, const Viewport& view, const Gear& gear, bool in_colours) {
+  const Vec2 axis = view.px(Vec2::Zero());
+  svg.begin_group(fmt::format("transform=\"translate({} {}) scale({:.9g}) rotate(-90)\"",
+                              pixel(axis.x()), pixel(axis.y()),
+                              view.scale * outline_unit_mm(gear)));
+  for (const Arc& arc : gear.tooth->outline.arcs) {
+    for (const int side : {+1, -1})
+      svg.path(arc_path(gear, arc, side), in_colours ? arc_style(arc.name) : "before");
+  }
+  svg.end_group();
+}
+
+// The circle that an arc is part of, with its centre and the radius to where it touches the flank.
+void draw_fillet(Svg& svg, const Viewport& view, const FilletArc& arc, const Vec2& center,
+                 const Vec2& touch, const char* symbol) {
+  const Vec2 c = view.px(center);
+  const Vec2 p = view.px(touch);
+  svg.circle(c, arc.radius * view.scale, "thin dot");
+  svg.line(c, p, "thin");
+  svg.dot(c, 2.2, "mark hollow");
+  if ((p - c).norm() < 34.0) return;  // no room beside so short a line
+  svg.text((c + p) / 2, symbol_svg(symbol), Anchor::middle, "halo", {0.0, -6.0});
+}
+
+std::string with_l(const char* letter, double l) {
+  return fmt::format("<tspan class=\"letter\">{}</tspan> ", letter) + symbol_svg("l") + " " +
+         fixed(l, kLengthDigits);
+}
+
+struct Mark {
+  Vec2 at;  // mm
+  std::string markup;
+};
+
+std::vector<Mark> marks_of(const Gear& gear) {
+  std::vector<Mark> marks;
+  if (gear.tooth->tip_fillet && gear.point_j_l)
+    marks.push_back({right(flank_of(gear).end_point), with_l("J", *gear.point_j_l)});
+  if (gear.tooth->root_fillet && gear.point_c_l) {
+    marks.push_back({right(flank_of(gear).begin_point), with_l("C", *gear.point_c_l)});
+  } else if (has_flank(gear)) {
+    marks.push_back(
+        {right(flank_of(gear).begin_point),
+         symbol_svg("d_Ff") + " " + fixed(2 * flank_of(gear).begin_point.norm(), kLengthDigits)});
+  }
+  if (shows_limit(gear) && gear.undercut_l)
+    marks.push_back({right(undercut_limit_point(gear)), with_l("F", *gear.undercut_l)});
+  return marks;
+}
+
+std::string root_svg(const Gear& gear, const std::optional<Gear>& rack, const std::string& shape,
+                     const std::string& name) {
+  const Viewport view = window(gear, rack);
+  const Vec2 axis = view.px(Vec2::Zero());
+  Svg svg("root-" + shape, kWidth, kHeight, name + ": the root as it is and as the rack cuts it",
+          "The tooth in the transverse section with its arcs in colours; dashed behind it what the "
+          "rack alone would leave, the base circle, and the points F, C and J on the flank.");
+  svg.begin_clip(0, 0, kPlotWidth, kHeight);
+  svg.use(shape, axis, view.scale * outline_unit_mm(gear), 90.0, "neighbour");
+  svg.line({axis.x(), 0}, {axis.x(), kHeight}, "thin dashdot");
+  const double space = std::numbers::pi / gear.spec.teeth;
+  const double far = 2 * gear.actual_tip_radius();
+  svg.line(axis, view.px({far * std::cos(space), -far * std::sin(space)}), "thin dashdot");
+  svg.circle(axis, gear.base_radius() * view.scale, "thin dash");
+  if (rack && has_outline(*rack)) draw_outline(svg, view, *rack, false);
+  if (!rack && gear.undercut) draw_lost_flank(svg, view, gear);
+  draw_outline(svg, view, gear, true);
+  if (const auto& arc = gear.tooth->root_fillet)
+    draw_fillet(svg, view, *arc, root_center(gear), right(flank_of(gear).begin_point), "r_r");
+  if (const auto& arc = gear.tooth->tip_fillet)
+    draw_fillet(svg, view, *arc, center_of(*arc, 0.0), right(flank_of(gear).end_point), "r_t");
+  svg.end_group();
+
+  std::vector<Leader> leaders;
+  for (const Mark& mark : marks_of(gear)) {
+    svg.dot(view.px(mark.at), 2.6, "mark");
+    leaders.push_back({view.px(mark.at), mark.markup});
+  }
+  const Vec2 base = leaves_right(axis, gear.base_radius() * view.scale, kPlotWidth);
+  if (base.y() > 0.0 && base.y() < kHeight) {
+    leaders.push_back(
+        {base, symbol_svg("d_b") + " " + fixed(2 * gear.base_radius(), kLengthDigits)});
+  }
+  draw_leaders(svg, leaders, kPlotWidth + 12, kHeight);
+  return svg.str();
+}
+
+std::string behind_words(const Gear& gear, const std::optional<Gear>& rack) {
+  const auto key = [](const char* words) {
+    return fmt::format("<span class=\"key\"><i class=\"swatch before\"></i>{}</span> ", words);
+  };
+  if (rack && has_outline(*rack)) {
+    return key(rack->undercut ? "as the rack alone would cut it: undercut"
+                              : "as the rack alone would cut it");
+  }
+  if (gear.tooth->root_fillet || gear.tooth->tip_fillet)
+    return "The rack alone would leave no tooth. ";
+  return gear.undercut ? key("flank that the undercut took away") : "";
+}
+
+}  // namespace
+
+bool root_is_worth_a_picture(const Gear& gear) {
+  if (!has_outline(gear) || gear.internal() || gear.cut_by || !has_flank(gear)) return false;
+  return gear.spec.root_fillet || gear.undercut || gear.spec.teeth <= kFewTeeth;
+}
+
+std::optional<Gear> by_rack_alone(const Gear& gear) {
+  if (gear.cut_by || !(gear.spec.root_fillet || gear.spec.tip_fillet)) return std::nullopt;
+  CylindricalSpec spec = gear.spec;
+  spec.root_fillet.reset();
+  spec.tip_fillet.reset();
+  auto made = make_gear(spec);
+  if (!made) return std::nullopt;
+  return std::move(made).take();
+}
+
+Vec2 undercut_limit_point(const Gear& gear) {
+  const double psi = gear.reference.base_tooth_thickness / gear.reference.base_diameter;
+  return gear.base_radius() * Vec2(std::cos(psi), std::sin(psi));
+}
+
+std::string root_figure(const Gear& gear, const std::string& shape, const std::string& name) {
+  if (!root_is_worth_a_picture(gear)) return {};
+  const std::optional<Gear> rack = by_rack_alone(gear);
+  std::string words = behind_words(gear, rack);
+  words += fmt::format("<b>F</b>: {}.", gear.undercut_l && *gear.undercut_l < 0.0
+                                            ? "the flank would begin here at the earliest; the "
+                                              "rack does not reach it, there is no undercut"
+                                            : "undercut begins where the rack reaches it");
+  if (gear.tooth->root_fillet) {
+    words += fmt::format(" <b>C</b>: the root fillet, {} = {} mm, touches the flank.",
+                         symbol_html("r_r"), fixed(gear.tooth->root_fillet->radius, kLengthDigits));
+  }
+  if (gear.tooth->tip_fillet) {
+    words += fmt::format(" <b>J</b>: the tip fillet, {} = {} mm, touches the flank.",
+                         symbol_html("r_t"), fixed(gear.tooth->tip_fillet->radius, kLengthDigits));
+  }
+  return fmt::format(
+      "<figure>{}<figcaption><strong>{}: its root</strong>. {}</figcaption></figure>\n",
+      root_svg(gear, rack, shape, name), name, words);
+}
+
+}  // namespace gearwright

@@ -1,0 +1,35 @@
+// The gears of a picture that a reader can turn: what the page's script needs to know.
+//
+//   t    how far gear 1 has turned out of the drawn position, in its pitches, 0 … 1: a pitch later
+//        the next tooth stands where the first one stood, and the picture begins anew
+//
+// Without the script, and on paper, the picture stands still at t = 0.
+#pragma once
+
+#include <string>
+
+#include "gearwright/pair/pair.hpp"
+#include "gearwright/report/svg.hpp"
+
+namespace gearwright {
+
+/// Degrees by which gear `i` (0, 1) turns while gear 1 turns clockwise by one pitch, clockwise
+/// positive, as SVG has it.
+///
+/// Formula   360/z_1, −σ 360/|z_2|   Domain  parallel axes (contract)
+double turn_per_pitch(const Pair& pair, std::size_t i);
+
+/// The same as the attribute of a shape that turns.
+std::string turn_attribute(const Pair& pair, std::size_t i);
+
+/// Rings where flanks touch in this section, one for each tooth that passes the usable path within
+/// a pitch. They appear once the gears have turned.
+void draw_touches(Svg& svg, const Viewport& view, const Pair& pair);
+
+/// Button and slider (HTML), for the pictures in the same group of figures; the script shows it.
+std::string turn_control(const Pair& pair);
+
+/// The script's part for it.
+std::string_view turn_script();
+
+}  // namespace gearwright
