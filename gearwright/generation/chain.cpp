@@ -120,6 +120,8 @@ namespace {
 
 // The first height above `from` at which `other` comes to lie lower than `own`; where it does so at
 // once, `from` itself. Branch by branch, on cells: two curves of a tooth cross twice at most.
+constexpr double kRounding = 1e-13;  // rad: curves that coincide do not cross
+
 std::optional<double> first_lower(const std::vector<Branch>& own, const std::vector<Branch>& other,
                                   double from, double to) {
   constexpr int kCells = 32;
@@ -135,7 +137,7 @@ std::optional<double> first_lower(const std::vector<Branch>& own, const std::vec
       double before = lo;
       for (int i = lo == from ? 1 : 0; i <= kCells; ++i) {
         const double h = i == kCells ? hi : lo + (hi - lo) * i / kCells;
-        if (gap(h) > 0.0) return gap(before) < 0.0 ? find_root(gap, before, h).x : before;
+        if (gap(h) > kRounding) return gap(before) < 0.0 ? find_root(gap, before, h).x : before;
         before = h;
       }
     }
@@ -161,8 +163,13 @@ constexpr double kCaught = 1e-9;  // rad
 std::optional<std::vector<Branch>> lower_of(const std::vector<Branch>& chain, const Branch& leaving,
                                             double tip_height) {
   const double start = leaving.height_lo;
+  const double theta = leaving.curve->polar_angle(leaving.t_lo);
   if (const Branch* at_start = at_height(chain, start)) {
-    const bool caught = at_start->theta_at(start) - leaving.theta_at(start) > kCaught;
+    const bool goes_on = std::any_of(chain.begin(), chain.end(), [&](const Branch& b) {
+      return std::abs(b.height_hi - start) <= kSamePoint * std::abs(start) &&
+             std::abs(b.curve->polar_angle(b.t_hi) - theta) <= kSamePoint;
+    });
+    const bool caught = !goes_on && at_start->theta_at(start) - theta > kCaught;
     if (caught && start < tip_height) return std::nullopt;
   }
   const std::vector<Branch> one{leaving};

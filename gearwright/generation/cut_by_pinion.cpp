@@ -202,7 +202,12 @@ class Cutting {
     for (double t : envelope->breaks(t_root, t_tip)) ends.push_back(t);
     ends.push_back(t_tip);
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-      if (!envelope->cuts(0.5 * (ends[i] + ends[i + 1]))) continue;
+      const auto reaches = [&](std::size_t k) {
+        return envelope->reaches(0.5 * (ends[k] + ends[k + 1]));
+      };
+      // What goes on from a limit of reach is on its way already: add_return.
+      const bool returns = (i > 0 && !reaches(i - 1)) || (i + 2 < ends.size() && !reaches(i + 1));
+      if (returns || !envelope->cuts(0.5 * (ends[i] + ends[i + 1]))) continue;
       Branch b = branch_of(ArcName::tip_fillet, envelope, ends[i], ends[i + 1], -1.0);
       if (b.height_lo < b.height_hi) behind.push_back(std::move(b));
     }

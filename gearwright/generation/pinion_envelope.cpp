@@ -73,7 +73,10 @@ PinionEnvelope::Contact PinionEnvelope::contact(double t) const {
   Contact c;
   c.s = std::max(0.0, p.point.x() * cos_t + p.point.y() * sin_t);  // never negative on an outline
   c.q = p.point.y() * cos_t - p.point.x() * sin_t;
-  c.w = meeting_ * std::sqrt(std::max(0.0, (r_p_ - c.s) * (r_p_ + c.s)));
+  // At the limit of reach s is r_p up to rounding, of which the root would make half the digits:
+  // both ways, ahead and behind, end there in one point.
+  const bool at_limit = r_p_ - c.s < 4 * std::numeric_limits<double>::epsilon() * r_p_;
+  c.w = at_limit ? 0.0 : meeting_ * std::sqrt(std::max(0.0, (r_p_ - c.s) * (r_p_ + c.s)));
   c.kappa = std::atan2(c.s, c.w);
   // ν lies within half a turn beyond the point's polar angle, which is continuous.
   c.turned = cutter_->polar_angle(t) + std::atan2(c.s, c.q) - c.kappa;
