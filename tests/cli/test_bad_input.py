@@ -95,7 +95,7 @@ class BadInput(unittest.TestCase):
         self.assertEqual(r.files(), ["case.toml"])
 
     def test_what_is_not_in_this_version_says_so(self):
-        self.refused(GEAR + "[gear1.tip_fillet]\nkind = \"circular\"\nradius_mm = 0.3", "gear1.tip_fillet", "not in this version", verb="gear")
+        self.refused(GEAR + "[gear1.modifications]\ntip_relief_um = 20", "gear1.modifications", "not in this version", verb="gear")
         self.refused(two(pair="shaft_angle_deg = 90"), "pair.shaft_angle_deg", "parallel")
         p = raw("contact", "x.toml")
         self.assertEqual(p.returncode, 2)

@@ -39,7 +39,8 @@ INSTANTIATE_TEST_SUITE_P(Files, Golden,
                          testing::Values(std::pair{"external.json", 12},
                                          std::pair{"spur_design.json", 18},
                                          std::pair{"inspection.json", 38},
-                                         std::pair{"conjugate_action.json", 217}));
+                                         std::pair{"conjugate_action.json", 217},
+                                         std::pair{"small_tooth_numbers.json", 102}));
 
 TEST(Verify, SeesAWrongNumber) {
   const char* text = R"({"cases": [{"id": "wrong", "source": "none", "verb": "gear",

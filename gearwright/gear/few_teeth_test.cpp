@@ -1,0 +1,245 @@
+// Circular fillets by a drawing's numbers: the ruler along the rack's flank, each way to name a
+// place, and ranges in refusals that are sharp.
+#include "gearwright/gear/few_teeth.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "gearwright/gear/gear.hpp"
+
+namespace gearwright {
+namespace {
+
+using namespace literals;
+
+using By = TipFilletSpec::By;
+
+// The paper's pinion: 2 teeth, m_n 1.75 mm, λ 60°, x 0.7, a sharp rack.
+CylindricalSpec two_teeth() {
+  CylindricalSpec s;
+  s.teeth = 2;
+  s.normal_module = 1.75;
+  s.helix_angle = 30_deg;
+  s.profile_shift = 0.7;
+  s.face_width = 20.0;
+  s.rack.dedendum = 1.0;
+  s.rack.root_fillet_radius = 0.0;
+  return s;
+}
+
+CylindricalSpec spur(int teeth, double shift) {
+  CylindricalSpec s;
+  s.teeth = teeth;
+  s.normal_module = 2.0;
+  s.profile_shift = shift;
+  s.face_width = 20.0;
+  return s;
+}
+
+CylindricalSpec with_root(CylindricalSpec s, double offset) {
+  s.root_fillet = RootFilletSpec{offset};
+  return s;
+}
+
+CylindricalSpec with_tip(CylindricalSpec s, By by, double value) {
+  s.tip_fillet = TipFilletSpec{by, value};
+  return s;
+}
+
+Gear made(const CylindricalSpec& s) {
+  auto gear = make_gear(s);
+  EXPECT_TRUE(gear) << gear.error().message;
+  return std::move(gear).take();
+}
+
+// The number that follows these words in the refusal of a spec, whose key is checked.
+double number_in_refusal(const CylindricalSpec& s, const std::string& key,
+                         const std::string& words) {
+  const auto gear = make_gear(s);
+  EXPECT_FALSE(gear);
+  if (gear) return 0.0;
+  const Error& e = gear.error();
+  EXPECT_EQ(e.key, key) << e.message;
+  EXPECT_NE(e.message.find(key), std::string::npos) << e.message;
+  const std::size_t at = e.message.find(words);
+  EXPECT_NE(at, std::string::npos) << words << " in: " << e.message;
+  if (at == std::string::npos) return 0.0;
+  return std::stod(e.message.substr(at + words.size()));
+}
+
+void expect_refused(const CylindricalSpec& s, const std::string& key) {
+  const auto gear = make_gear(s);
+  ASSERT_FALSE(gear) << key;
+  EXPECT_EQ(gear.error().key, key) << gear.error().message;
+}
+
+// A tooth whose fillet stands where it should: tangent, on its centre line, nothing lost.
+void expect_stands(const CylindricalSpec& s) {
+  const auto gear = make_gear(s);
+  ASSERT_TRUE(gear) << gear.error().message;
+  if (!gear->exists()) return;  // severed: a fact about the tooth, not about the range
+  EXPECT_EQ(gear->tooth->root_fillet.has_value(), s.root_fillet.has_value());
+  EXPECT_EQ(gear->tooth->tip_fillet.has_value(), s.tip_fillet.has_value());
+}
+
+constexpr double kJust = 1e-9;
+
+// l is measured where the rack's flank is: the point that it cuts there is the flank's point.
+TEST(FlankRuler, measures_along_the_racks_flank) {
+  for (const double beta : {0.0, 30.0}) {
+    const auto edge = make_edge(StraightRack{}, 2.0, 20_deg);
+    ASSERT_TRUE(edge);
+    const double c = std::cos(beta * std::numbers::pi / 180);
+    const RackMotion motion{7.0 / c, c, 0.6};
+    const FlankRuler ruler = flank_ruler(edge->edge, motion);
+    const auto line = std::find_if(edge->edge.arcs.begin(), edge->edge.arcs.end(),
+                                   [](const EdgeArc& a) { return a.cuts == ArcName::flank; });
+    ASSERT_TRUE(line->line);
+    const double cos_alpha = std::cos(std::numbers::pi / 9);
+    for (const double l : {0.0, 0.5, 1.0, 3.0}) {
+      const double x = line->line->begin_height + motion.shift + l * cos_alpha;
+      EXPECT_NEAR(ruler.roll(l), rack_involute_roll(motion, *line->line, x), 1e-15 * 8);
+      EXPECT_NEAR(ruler.l(ruler.roll(l)), l, 1e-14);
+    }
+    EXPECT_NEAR(ruler.roll(ruler.undercut_l()), 0.0, 1e-15 * 8);
+    // l_F = (h_Ff − x m_n − r sin² α_t)/cos α_n. [T6.5]
+    const double sin_t = std::sin(std::atan(std::tan(std::numbers::pi / 9) / c));
+    const double l_F = (edge->edge.flank_begin_depth - 0.6 - 7.0 / c * sin_t * sin_t) / cos_alpha;
+    EXPECT_NEAR(ruler.undercut_l(), l_F, 1e-14);
+  }
+}
+
+// l_F > 0 and undercut are one thing; a root fillet takes the undercut away.
+TEST(FewTeeth, undercut_length_has_the_sign_of_the_undercut) {
+  for (const int teeth : {2, 3, 5, 8, 12, 17, 30}) {
+    for (const double x : {-0.5, 0.0, 0.3, 0.7, 1.1}) {
+      const Gear gear = made(spur(teeth, x));
+      EXPECT_EQ(gear.undercut, *gear.undercut_l > 0.0) << teeth << " " << x;
+      const auto filleted = make_gear(with_root(spur(teeth, x), 0.01));
+      EXPECT_FALSE(filleted && filleted->undercut);
+    }
+  }
+}
+
+TEST(FewTeeth, point_c_is_the_undercut_limit_and_the_offset) {
+  const Gear undercut = made(with_root(two_teeth(), 0.01));
+  EXPECT_NEAR(*undercut.point_c_l, *undercut.undercut_l + 0.01, 1e-15 * 4);
+  const Gear free = made(with_root(spur(12, 0.5), 0.05));
+  EXPECT_LT(*free.undercut_l, 0.0);
+  EXPECT_NEAR(*free.point_c_l, 0.05, 1e-15 * 8);
+  EXPECT_FALSE(free.point_j_l);
+  EXPECT_FALSE(free.tooth->tip_fillet);
+  const Gear plain = made(two_teeth());
+  EXPECT_FALSE(plain.point_c_l || plain.point_j_l);
+}
+
+// Radius, place and end name the same fillet.
+TEST(FewTeeth, three_ways_to_name_a_tip_fillet) {
+  const Gear by_radius = made(with_tip(two_teeth(), By::radius, 0.332));
+  const Gear by_l = made(with_tip(two_teeth(), By::l, *by_radius.point_j_l));
+  const Gear by_end = made(with_tip(two_teeth(), By::end_radius, by_radius.tip_diameter / 2));
+  for (const Gear* g : {&by_l, &by_end}) {
+    EXPECT_NEAR(g->tooth->tip_fillet->radius, 0.332, 1e-13);
+    EXPECT_NEAR(*g->point_j_l, *by_radius.point_j_l, 1e-13);
+    EXPECT_NEAR(g->tip_diameter, by_radius.tip_diameter, 1e-13);
+  }
+  EXPECT_TRUE(by_radius.tooth->rounded_tip);
+  EXPECT_EQ(by_radius.tip_tooth_thickness_normal, 0.0);
+  EXPECT_NEAR(by_radius.actual_tip_radius(), by_radius.tip_diameter / 2, 1e-15 * 8);
+}
+
+// A blank beside a fillet may turn the fillet's end off, never add to it.
+TEST(FewTeeth, blank_and_tip_fillet) {
+  CylindricalSpec s = with_tip(two_teeth(), By::radius, 0.332);
+  const Gear whole = made(s);
+  s.tip_diameter = whole.tip_diameter - 0.1;
+  const Gear turned = made(s);
+  EXPECT_FALSE(turned.tooth->rounded_tip);
+  EXPECT_NEAR(turned.actual_tip_radius(), *s.tip_diameter / 2, 1e-15 * 8);
+  EXPECT_GT(*turned.tip_tooth_thickness_normal, 0.0);
+  s.tip_diameter = whole.tip_diameter + 0.1;
+  EXPECT_NEAR(made(s).actual_tip_radius(), whole.tip_diameter / 2, 1e-15 * 8);
+}
+
+TEST(FewTeethRanges, greatest_offset_of_the_root_fillet) {
+  for (CylindricalSpec s : {two_teeth(), spur(5, 0.4), spur(8, 0.3), spur(17, 0.0),
+                            with_tip(two_teeth(), By::radius, 0.332)}) {
+    const double most =
+        number_in_refusal(with_root(s, 1e3), "root_fillet.offset_mm", "just under ");
+    ASSERT_GT(most, 0.0);
+    expect_stands(with_root(s, most * (1 - kJust)));
+    expect_refused(with_root(s, most * (1 + kJust)), "root_fillet.offset_mm");
+  }
+}
+
+TEST(FewTeethRanges, largest_radius_of_the_tip_fillet) {
+  const char* key = "tip_fillet.radius_mm";
+  for (CylindricalSpec s : {spur(5, 0.4), spur(8, 0.3), spur(17, 0.0), spur(30, 0.2)}) {
+    const double most = number_in_refusal(with_tip(s, By::radius, 1e3), key, "that fits is ");
+    ASSERT_GT(most, 0.0);
+    expect_stands(with_tip(s, By::radius, most * (1 - kJust)));
+    expect_refused(with_tip(s, By::radius, most * (1 + kJust)), key);
+  }
+}
+
+// The cutter's flank ends before the point of the tooth: a smaller circle finds no flank.
+TEST(FewTeethRanges, least_radius_of_the_tip_fillet) {
+  const char* key = "tip_fillet.radius_mm";
+  for (CylindricalSpec s : {spur(12, 0.0), spur(17, 0.0), spur(30, 0.2)}) {
+    s.rack.tool_addendum = 0.9;
+    const double least = number_in_refusal(with_tip(s, By::radius, 1e-6), key, "greater than ");
+    ASSERT_GT(least, 0.0);
+    expect_refused(with_tip(s, By::radius, least * (1 - kJust)), key);
+    expect_stands(with_tip(s, By::radius, least * (1 + kJust)));
+  }
+}
+
+TEST(FewTeethRanges, ends_of_the_place_of_the_tip_fillet) {
+  const char* key = "tip_fillet.l_mm";
+  CylindricalSpec short_flank = spur(17, 0.0);
+  short_flank.rack.tool_addendum = 0.9;
+  for (const CylindricalSpec& s : {two_teeth(), spur(5, 0.4), spur(17, 0.0), short_flank}) {
+    const double least = number_in_refusal(with_tip(s, By::l, 1e3), key, "between ");
+    const double most = number_in_refusal(with_tip(s, By::l, 1e3), key, "begins, and ");
+    ASSERT_GT(most, least);
+    const double little = kJust * most;
+    expect_stands(with_tip(s, By::l, most - little));
+    expect_refused(with_tip(s, By::l, most + little), key);
+    expect_stands(with_tip(s, By::l, least + little));
+    expect_refused(with_tip(s, By::l, least - little), key);
+  }
+}
+
+TEST(FewTeethRanges, ends_of_the_tip_that_a_fillet_can_make) {
+  for (const CylindricalSpec& s : {two_teeth(), spur(5, 0.4), spur(17, 0.0), spur(30, 0.2)}) {
+    const CylindricalSpec out = with_tip(s, By::end_radius, 1e3);
+    const double least = number_in_refusal(out, "tip_fillet", "between ");
+    const double most = number_in_refusal(out, "tip_fillet", " and ");
+    ASSERT_GT(most, least);
+    expect_stands(with_tip(s, By::end_radius, most / 2 * (1 - kJust)));
+    expect_refused(with_tip(s, By::end_radius, most / 2 * (1 + kJust)), "tip_fillet");
+    expect_stands(with_tip(s, By::end_radius, least / 2 * (1 + kJust)));
+    expect_refused(with_tip(s, By::end_radius, least / 2 * (1 - kJust)), "tip_fillet");
+  }
+}
+
+TEST(FewTeethRanges, what_never_fits) {
+  // A tip inside the base circle leaves no flank to touch.
+  CylindricalSpec low = spur(17, 0.0);
+  low.tip_diameter = 31.9;
+  expect_refused(with_root(low, 0.0), "root_fillet.offset_mm");
+  for (const char* key : {"root_fillet", "tip_fillet"}) {  // a ring has what its cutter leaves
+    CylindricalSpec ring = spur(-60, 0.0);
+    if (std::string(key) == "root_fillet") ring.root_fillet = RootFilletSpec{0.0};
+    if (std::string(key) == "tip_fillet") ring.tip_fillet = TipFilletSpec{By::radius, 0.3};
+    expect_refused(ring, key);
+  }
+}
+
+}  // namespace
+}  // namespace gearwright

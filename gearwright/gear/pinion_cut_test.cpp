@@ -1,0 +1,243 @@
+// A gear cut by a gear: distance and shift are one number, hand and data follow from the cutter,
+// and refusals name what would do.
+#include "gearwright/gear/pinion_cut.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "gearwright/math/involute.hpp"
+
+namespace gearwright {
+namespace {
+
+using namespace literals;
+
+CylindricalSpec cutter_spec(int teeth, double x, Angle beta = 0_deg) {
+  CylindricalSpec s;
+  s.teeth = teeth;
+  s.normal_module = 2.0;
+  s.helix_angle = beta;
+  s.profile_shift = x;
+  s.face_width = 20.0;
+  s.rack.addendum = 1.25;
+  return s;
+}
+
+// The paper's pinion of two teeth with both fillets.
+CylindricalSpec two_teeth() {
+  CylindricalSpec s;
+  s.teeth = 2;
+  s.normal_module = 1.75;
+  s.helix_angle = 30_deg;
+  s.profile_shift = 0.7;
+  s.face_width = 20.0;
+  s.rack.dedendum = 1.0;
+  s.rack.root_fillet_radius = 0.0;
+  s.root_fillet = RootFilletSpec{0.01};
+  s.tip_fillet = TipFilletSpec{TipFilletSpec::By::radius, 0.332};
+  return s;
+}
+
+Gear made(const CylindricalSpec& s) {
+  auto gear = make_gear(s);
+  EXPECT_TRUE(gear) << gear.error().message;
+  return std::move(gear).take();
+}
+
+Gear cut(const Gear& cutter, const PinionCutSpec& s) {
+  auto gear = make_pinion_cut_gear(cutter, s);
+  EXPECT_TRUE(gear) << gear.error().message;
+  return std::move(gear).take();
+}
+
+double distance(const Gear& cutter, int teeth, double x) {
+  const auto e = generating_distance(cutter, teeth, x);
+  EXPECT_TRUE(e) << e.error().message;
+  return *e;
+}
+
+double number_after(const std::string& text, const std::string& words) {
+  const std::size_t at = text.find(words);
+  EXPECT_NE(at, std::string::npos) << words << " in: " << text;
+  return at == std::string::npos ? 0.0 : std::stod(text.substr(at + words.size()));
+}
+
+TEST(GeneratingDistance, gives_the_shift_back) {
+  int gears = 0;
+  for (const double beta : {0.0, 25.0}) {
+    for (const double x_0 : {-0.2, 0.0, 0.3}) {
+      const Gear cutter = made(cutter_spec(20, x_0, Angle::degrees(beta)));
+      for (const int teeth : {12, 45, 300, -60, -27}) {
+        for (const double x : {-0.4, 0.0, 0.5}) {
+          const auto e = generating_distance(cutter, teeth, x);
+          if (!e) continue;  // no working pressure angle
+          const auto gear = make_pinion_cut_gear(cutter, {teeth, *e, 20.0, std::nullopt});
+          if (!gear) continue;  // what the tooth looks like is another question
+          ++gears;
+          EXPECT_NEAR(gear->spec.profile_shift, x, 1e-11) << teeth << " " << x_0;
+        }
+      }
+    }
+  }
+  EXPECT_GT(gears, 70);
+}
+
+// Together without shift they roll on their reference circles; the allowance counts as shift.
+TEST(GeneratingDistance, reference_circles_touch_without_shift) {
+  EXPECT_NEAR(distance(made(cutter_spec(20, 0.0)), 45, 0.0), 65.0, 1e-13);
+  EXPECT_NEAR(distance(made(cutter_spec(20, 0.0)), -60, 0.0), 40.0, 1e-13);
+  EXPECT_NEAR(distance(made(cutter_spec(20, 0.3)), 45, -0.3), 65.0, 1e-13);
+  CylindricalSpec thin = cutter_spec(20, 0.3);
+  thin.thickness_allowance = -0.3 * 2 * 2.0 * std::tan(std::numbers::pi / 9);  // x_E = 0
+  EXPECT_NEAR(distance(made(thin), 45, 0.0), 65.0, 1e-12);
+}
+
+TEST(GeneratingDistance, grows_with_the_shift_and_falls_on_a_ring) {
+  const Gear cutter = made(cutter_spec(20, 0.1));
+  for (double x = -0.5; x < 1.0; x += 0.1) {
+    EXPECT_LT(distance(cutter, 45, x), distance(cutter, 45, x + 0.1));
+    const auto ring = generating_distance(cutter, -60, x + 0.1);
+    if (!ring) break;
+    EXPECT_GT(distance(cutter, -60, x), *ring);
+  }
+}
+
+// The limit that a refusal names is sharp.
+TEST(GeneratingDistance, refuses_a_shift_without_a_working_angle) {
+  const Gear cutter = made(cutter_spec(20, 0.0));
+  const auto shallow = generating_distance(cutter, 45, -5.0);
+  ASSERT_FALSE(shallow);
+  EXPECT_EQ(shallow.error().key, "profile_shift");
+  const double least = number_after(shallow.error().message, "at least ");
+  EXPECT_TRUE(generating_distance(cutter, 45, least + 1e-9));
+  EXPECT_FALSE(generating_distance(cutter, 45, least - 1e-9));
+  const auto deep = generating_distance(cutter, -60, 5.0);
+  ASSERT_FALSE(deep);
+  EXPECT_EQ(deep.error().key, "profile_shift");
+  const double most = number_after(deep.error().message, "at most ");
+  EXPECT_TRUE(generating_distance(cutter, -60, most - 1e-9));
+  EXPECT_FALSE(generating_distance(cutter, -60, most + 1e-9));
+}
+
+// The gear meshes with its cutter at E without backlash: half pitches add up on the pitch circles.
+TEST(PinionCut, meshes_with_its_cutter_without_backlash) {
+  for (const double beta : {0.0, 30.0}) {
+    const Gear cutter = made(cutter_spec(20, 0.2, Angle::degrees(beta)));
+    for (const int teeth : {45, -60}) {
+      const double e = distance(cutter, teeth, 0.1), side = teeth > 0 ? 1.0 : -1.0;
+      const Gear gear = cut(cutter, {teeth, e, 20.0, std::nullopt});
+      const double r_p = side * e * 20 / (20 + teeth), r_g = std::abs(e * teeth / (20 + teeth));
+      const double inv_w = involute(std::acos(cutter.base_radius() / r_p));
+      const double psi_0 = cutter.reference.base_tooth_thickness / cutter.reference.base_diameter;
+      const double psi = gear.reference.base_tooth_thickness / gear.reference.base_diameter;
+      const double thickness = 2 * r_p * (psi_0 - inv_w) + 2 * r_g * (psi - side * inv_w);
+      EXPECT_NEAR(thickness, 2 * std::numbers::pi * r_p / 20, 1e-12) << beta << " " << teeth;
+    }
+  }
+}
+
+TEST(PinionCut, takes_module_angles_and_hand_from_the_cutter) {
+  CylindricalSpec s = cutter_spec(20, 0.1, 25_deg);
+  s.normal_pressure_angle = 22.5_deg;
+  s.thickness_allowance = -0.05;
+  const Gear cutter = made(s);
+  for (const int teeth : {45, -60}) {
+    const Gear gear = cut(cutter, {teeth, distance(cutter, teeth, 0.0), 12.0, std::nullopt});
+    EXPECT_EQ(gear.spec.teeth, teeth);
+    EXPECT_EQ(gear.spec.normal_module, 2.0);
+    EXPECT_EQ(gear.spec.normal_pressure_angle.deg(), 22.5);
+    EXPECT_EQ(gear.spec.helix_angle.deg(), teeth > 0 ? -25.0 : 25.0);
+    EXPECT_EQ(gear.lead > 0.0, teeth < 0);
+    EXPECT_EQ(gear.spec.face_width, 12.0);
+    EXPECT_EQ(gear.spec.thickness_allowance, 0.0);
+    EXPECT_FALSE(gear.spec.root_fillet || gear.spec.tip_fillet);
+    ASSERT_TRUE(gear.cut_by);
+    EXPECT_EQ(gear.cut_by->cutter_teeth, 20);
+    EXPECT_FALSE(gear.undercut_free_profile_shift);
+    EXPECT_NEAR(gear.reference.base_diameter, cutter.reference.base_diameter * std::abs(teeth) / 20,
+                1e-12);
+  }
+}
+
+// Tip by default what the cutter's root leaves, root what its tip cuts.
+TEST(PinionCut, default_tip_and_root) {
+  const Gear cutter = made(two_teeth());
+  const Gear gear = cut(cutter, {60, 61.106, 20.0, std::nullopt});
+  EXPECT_NEAR(gear.tip_diameter, 2 * 60.003256676448815912, 1e-12);
+  EXPECT_NEAR(gear.root_diameter, 2 * 56.626120946732886764, 1e-12);
+  EXPECT_NEAR(gear.spec.profile_shift, -1.5121460520946642347, 1e-12);
+  EXPECT_TRUE(gear.tooth->rounded_tip);
+  EXPECT_EQ(*gear.tip_tooth_thickness_normal, 0.0);
+  const Gear low = cut(cutter, {60, 61.106, 20.0, 119.2});
+  EXPECT_EQ(low.tip_diameter, 119.2);
+  EXPECT_EQ(low.actual_tip_radius(), 59.6);
+  EXPECT_NEAR(*low.root_form_radius(), *gear.root_form_radius(), 1e-13);
+}
+
+// A cutter whose tip passes the gear's base tangent point undercuts it.
+TEST(PinionCut, undercut_begins_at_the_base_tangent_point) {
+  const Gear cutter = made(cutter_spec(40, 0.0));
+  const double r_b0 = cutter.base_radius(), xi_a = std::sqrt(std::pow(42.5 / r_b0, 2) - 1);
+  int undercut = 0, free = 0;
+  for (int teeth = 8; teeth < 40; ++teeth) {
+    const double e = 40.0 + teeth, r_b = teeth * std::cos(std::numbers::pi / 9);
+    const double line = std::sqrt((e - r_b0 - r_b) * (e + r_b0 + r_b));
+    const auto gear = make_pinion_cut_gear(cutter, {teeth, e, 20.0, std::nullopt});
+    ASSERT_TRUE(gear) << teeth;
+    if (!gear->exists()) continue;
+    EXPECT_EQ(gear->undercut, r_b0 * xi_a > line) << teeth;
+    ++(gear->undercut ? undercut : free);
+    const bool warned = std::any_of(gear->warnings.begin(), gear->warnings.end(),
+                                    [](const Warning& w) { return w.code == "undercut"; });
+    EXPECT_EQ(gear->undercut, warned) << teeth;
+  }
+  EXPECT_GT(undercut, 3);
+  EXPECT_GT(free, 3);
+}
+
+TEST(PinionCut, refusals_name_their_key) {
+  const Gear cutter = made(cutter_spec(20, 0.0));
+  const auto key = [&](const PinionCutSpec& s) {
+    const auto gear = make_pinion_cut_gear(cutter, s);
+    if (gear) return std::string("made");
+    EXPECT_FALSE(gear.error().message.empty());
+    EXPECT_NE(gear.error().message.find(gear.error().key), std::string::npos);
+    return gear.error().key;
+  };
+  EXPECT_EQ(key({45, 65.0, 20.0, std::nullopt}), "made");
+  EXPECT_EQ(key({0, 65.0, 20.0, std::nullopt}), "teeth");
+  EXPECT_EQ(key({-20, 5.0, 20.0, std::nullopt}), "teeth");
+  EXPECT_EQ(key({-7, 5.0, 20.0, std::nullopt}), "teeth");
+  EXPECT_EQ(key({200'000, 65.0, 20.0, std::nullopt}), "cut_by");
+  EXPECT_EQ(key({45, 65.0, 0.0, std::nullopt}), "face_width_mm");
+  EXPECT_EQ(key({45, 65.0, 20.0, 80.0}), "tip_diameter_mm");
+  EXPECT_EQ(key({-60, 40.0, 20.0, 130.0}), "tip_diameter_mm");
+  const auto small = make_pinion_cut_gear(cutter, {45, 50.0, 20.0, std::nullopt});
+  ASSERT_FALSE(small);
+  EXPECT_EQ(small.error().key, "cut_by");
+  const double least = number_after(small.error().message, "greater than ");
+  EXPECT_NEAR(least, 65.0 * std::cos(std::numbers::pi / 9), 1e-12);
+  EXPECT_EQ(key({45, least * (1 - 1e-12), 20.0, std::nullopt}), "cut_by");
+  EXPECT_EQ(key({45, least * (1 + 1e-3), 20.0, std::nullopt}), "made");
+}
+
+// The smallest ring that its refusal names can be asked for.
+TEST(PinionCut, ring_must_be_larger_than_its_cutter) {
+  const Gear cutter = made(cutter_spec(20, 0.0));
+  const auto error = generating_distance(cutter, -18, 0.0);
+  ASSERT_FALSE(error);
+  EXPECT_EQ(error.error().key, "teeth");
+  const int least = static_cast<int>(number_after(error.error().message, "at least "));
+  EXPECT_EQ(least, -21);
+  EXPECT_TRUE(generating_distance(cutter, least, 0.0));
+  EXPECT_FALSE(generating_distance(cutter, least + 1, 0.0));
+  EXPECT_NE(error.error().message.find("at most 17"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,196 @@
+// Cusps of a pinion cutter's envelope and turns of its half angle: those of the closed forms are
+// all and only those that a fine scan sees.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "gearwright/generation/modified_fillet.hpp"
+#include "gearwright/generation/pinion_envelope.hpp"
+#include "gearwright/math/involute.hpp"
+
+namespace gearwright {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+// A piece of a cutter's outline between two parameters, from its root side to its tip side.
+struct Piece {
+  PinionMotion motion;
+  CurvePtr curve;
+  double root, tip;
+  Meeting meeting = Meeting::ahead;
+
+  // A fan's tangent is that of the walk although its angle falls.
+  bool forward() const { return tip > root || dynamic_cast<const CornerFan*>(curve.get()); }
+  PinionEnvelope envelope() const {
+    return {motion, curve, forward() ? Walk::forward : Walk::backward, meeting};
+  }
+  double at(double u) const { return root + u * (tip - root); }
+};
+
+// Whether the normal meets the centrode: its distance from the axis is that of the tangent's foot.
+bool reaches(const Piece& piece, double t) {
+  const CurvePoint p = piece.curve->at(t);
+  const double s =
+      p.point.x() * std::cos(p.tangent_angle) + p.point.y() * std::sin(p.tangent_angle);
+  return std::abs(s) < 0.999 * piece.motion.cutter_pitch_radius();
+}
+
+constexpr int kCells = 2000;
+
+// Samples a hair inside the ends, where the normal lies on the line of centres.
+double sample(const Piece& piece, int i) { return piece.at(1e-9 + (1.0 - 2e-9) * i / kCells); }
+
+// Places between the cells where the sign of `rise`, of cell i, changes; given as numbers of cells.
+template <class F>
+std::vector<double> scanned(const F& rise) {
+  std::vector<double> places;
+  for (int i = 1; i < kCells; ++i) {
+    if ((rise(i - 1) > 0.0) != (rise(i) > 0.0)) places.push_back(i);
+  }
+  return places;
+}
+
+// Random fillets of random cutters, all of which the gear meets.
+std::vector<Piece> random_pieces(int count) {
+  std::mt19937_64 random(7);
+  const auto between = [&](double lo, double hi) {
+    return std::uniform_real_distribution<double>(lo, hi)(random);
+  };
+  std::vector<Piece> all;
+  while (static_cast<int>(all.size()) < count) {
+    const int z_0 = std::uniform_int_distribution<int>(1, 30)(random);
+    const double r_b = z_0 / 2.0 * std::cos(between(0.2, 0.6));
+    const Involute flank(r_b, between(0.9, 2.4) / z_0);
+    const bool ring = all.size() % 3 == 0;
+    const int z = ring ? -std::uniform_int_distribution<int>(z_0 + 2, 4 * z_0 + 20)(random)
+                       : std::uniform_int_distribution<int>(3, 40)(random);
+    const PinionMotion motion{z_0, z, r_b * between(1.02, 1.25) * std::abs(1.0 + double(z) / z_0)};
+    const double gamma = kPi / z_0;
+    const auto add = [&](const Piece& piece) {
+      for (int i = 0; i <= 50; ++i) {
+        if (!reaches(piece, piece.at(i / 50.0))) return;
+      }
+      all.push_back(piece);
+    };
+    const auto root = root_fillet_at(flank, z_0, between(0.0, 0.2));
+    if (root && root->end > 0.0) {
+      add({motion, std::make_shared<OffsetCircle>(root->distance, gamma, root->radius), gamma - kPi,
+           gamma - kPi + root->span});
+    }
+    const auto tip = tip_fillet_at(
+        flank, between(0.3, 1.0) * std::tan(inverse_involute(flank.base_half_angle())));
+    if (!tip) continue;
+    const auto circle = std::make_shared<OffsetCircle>(tip->distance, 0.0, tip->radius);
+    add({motion, circle, tip->span, 0.0});
+    if (ring) add({motion, circle, tip->span, 0.0, Meeting::behind});
+    // A sharp tip on the flank, with its fan of normals.
+    const double xi = between(0.2, 1.0) * std::tan(inverse_involute(flank.base_half_angle()));
+    const double nu = flank.base_half_angle() - xi + kPi / 2;
+    add({motion, std::make_shared<CornerFan>(flank.point(xi)), nu, flank.polar_angle(xi)});
+  }
+  return all;
+}
+
+void expect_same_places(const std::vector<double>& scan, std::vector<double> found,
+                        const Piece& piece, const char* what) {
+  std::vector<double> cells;
+  for (double t : found) cells.push_back((t - piece.root) / (piece.tip - piece.root) * kCells);
+  std::sort(cells.begin(), cells.end());
+  // What lies in the first or last cell, or two in one cell, the scan cannot see.
+  std::erase_if(cells, [](double c) { return c < 1.0 || c > kCells - 1.0; });
+  ASSERT_EQ(scan.size(), cells.size())
+      << what << " " << piece.motion.cutter_teeth << ":" << piece.motion.teeth;
+  for (std::size_t i = 0; i < cells.size(); ++i) EXPECT_NEAR(scan[i], cells[i], 1.0) << what;
+}
+
+// The cusps of the cubic are where a fine scan sees the radius turn, no more and no fewer; between
+// them `cuts` says on which side the cutter lies: toward its root the gear's tip.
+TEST(PinionCusps, cusps_are_all_and_only_the_turns_of_the_radius) {
+  int cusps = 0;
+  for (const Piece& piece : random_pieces(1200)) {
+    const PinionEnvelope envelope = piece.envelope();
+    std::vector<double> radius;
+    for (int i = 0; i <= kCells; ++i) radius.push_back(envelope.point(sample(piece, i)).norm());
+    const auto rise = [&](int i) { return radius[i + 1] - radius[i]; };
+    const std::vector<double> breaks = envelope.breaks(piece.root, piece.tip);
+    EXPECT_TRUE(std::is_sorted(breaks.begin(), breaks.end(), [&](double a, double b) {
+      return (a - b) * (piece.tip - piece.root) < 0;
+    }));
+    cusps += static_cast<int>(breaks.size());
+    expect_same_places(scanned(rise), breaks, piece, "cusp");
+    // w G > 0: along the walk the radius falls on an external gear and grows on a ring; behind, w
+    // has the other sign.
+    const double sense = -piece.motion.side() * (piece.meeting == Meeting::ahead ? 1.0 : -1.0);
+    for (int i = 2; i < kCells - 2; i += 97) {
+      const double u = (i + 0.5) / kCells;
+      const bool beside = std::none_of(breaks.begin(), breaks.end(), [&](double t) {
+        return std::abs((t - piece.root) / (piece.tip - piece.root) - u) < 2.0 / kCells;
+      });
+      if (!beside) continue;
+      EXPECT_EQ(envelope.cuts(piece.at(u)), sense * rise(i) > 0.0) << i;
+    }
+  }
+  EXPECT_GT(cusps, 50);
+}
+
+TEST(PinionCusps, turns_are_where_the_half_angle_stands_still) {
+  int turns = 0;
+  for (const Piece& piece : random_pieces(1200)) {
+    const PinionEnvelope envelope = piece.envelope();
+    std::vector<double> angle;
+    for (int i = 0; i <= kCells; ++i) angle.push_back(envelope.polar_angle(sample(piece, i)));
+    const std::vector<double> found = envelope.turns(piece.root, piece.tip);
+    turns += static_cast<int>(found.size());
+    std::vector<double> still = found;  // at a cusp the point stands still, and its angle too
+    for (double t : envelope.breaks(piece.root, piece.tip)) still.push_back(t);
+    expect_same_places(scanned([&](int i) { return angle[i + 1] - angle[i]; }), still, piece,
+                       "turn");
+  }
+  EXPECT_GT(turns, 40);
+}
+
+// The hollow root of the cutter of 8 teeth, module 3, x = 0.3: the source has the cusp's normal at
+// −0.13050237994245208615, counted from the x axis against our t.
+TEST(PinionCusps, cusp_of_a_known_set) {
+  const double alpha = kPi / 9, r_b = 12 * std::cos(alpha);
+  const double psi_b = (kPi / 2 + 0.6 * std::tan(alpha)) / 8 + involute(alpha);
+  const double xi_c = std::tan(alpha) + 2 * (0.76095150191937041 * std::cos(alpha) - 2.1) /
+                                            (12 * std::sin(2 * alpha));
+  const auto root = root_fillet_at(Involute(r_b, psi_b), 8, xi_c);
+  ASSERT_TRUE(root);
+  const auto circle = std::make_shared<OffsetCircle>(root->distance, kPi / 8, root->radius);
+  const PinionEnvelope envelope({8, 24, 48.0}, circle, Walk::forward);
+  const double from = kPi / 8 - kPi;
+  const auto cusps = envelope.breaks(from, from + root->span);
+  ASSERT_EQ(cusps.size(), 1u);
+  EXPECT_NEAR(cusps[0], -kPi / 2 + 0.13050237994245208615, 1e-12);
+}
+
+// A circle that reaches out of the centrode: at the limit of reach the normal only touches it.
+TEST(PinionCusps, reach_ends_where_the_normal_touches_the_centrode) {
+  const PinionMotion motion{8, 24, 48.0};
+  const double r_p = motion.cutter_pitch_radius();
+  const Vec2 corner(15.0, 1.0);
+  const auto fan = std::make_shared<CornerFan>(corner);
+  const PinionEnvelope envelope(motion, fan, Walk::forward);
+  const double theta = std::atan2(1.0, 15.0);
+  const auto ends = envelope.breaks(theta, theta + kPi);
+  ASSERT_EQ(ends.size(), 2u);
+  for (const double nu : ends) {
+    const double s = corner.x() * std::sin(nu) - corner.y() * std::cos(nu);
+    EXPECT_NEAR(s, r_p, 1e-12);
+  }
+  EXPECT_TRUE(envelope.cuts(ends[0] - 1e-6));
+  EXPECT_FALSE(envelope.cuts(ends[0] + 1e-6));
+  EXPECT_FALSE(envelope.cuts(ends[1] - 1e-6));
+  EXPECT_TRUE(envelope.cuts(ends[1] + 1e-6));
+}
+
+}  // namespace
+}  // namespace gearwright
