@@ -181,6 +181,7 @@ class Search {
     CylindricalSpec pinion = spec;
     pinion.tip_diameter = 2 * (cutter.tooth->tip_radius - p_.clearance);
     const double wheel_tip = 2 * (whole.tooth->tip_radius - side_ * p_.clearance);
+    if (pinion.tip_diameter <= 2 * *cutter.tooth->tip_form_radius) pinion.tip_fillet.reset();
     const auto g1 = make_gear(pinion);
     const auto g2 =
         make_pinion_cut_gear(cutter, {p_.teeth[1], distance, spec.face_width, wheel_tip});

@@ -82,6 +82,19 @@ std::optional<Error> check_limits(const CylindricalSpec& spec) {
 
 namespace {
 
+// A tip fillet that lies beyond the blank is not on the gear.
+void forget_fillet_cut_off(Gear& gear) {
+  GeneratedTooth& tooth = *gear.tooth;
+  if (!tooth.tip_fillet || tooth.outline.arcs.empty() || tooth.outline.find(ArcName::tip_fillet))
+    return;
+  tooth.tip_fillet.reset();
+  gear.point_j_l.reset();
+  detail::warn(gear, "tip_fillet_cut_off",
+               fmt::format("The tooth ends at {:.4f} mm diameter, before its tip fillet begins: "
+                           "tip_fillet has no effect.",
+                           2 * tooth.tip_radius));
+}
+
 // The tooth of an external gear, with circular fillets where they are asked for.
 std::optional<Error> cut(Gear& gear, const CutterEdge& edge) {
   const CylindricalSpec& spec = gear.spec;
@@ -104,6 +117,7 @@ std::optional<Error> cut(Gear& gear, const CutterEdge& edge) {
   auto tooth = cut_by_rack(edge, motion, spec.teeth, gear.tip_diameter / 2, *rolls);
   if (!tooth) return tooth.error();
   gear.tooth = std::move(tooth).take();
+  forget_fillet_cut_off(gear);
   return std::nullopt;
 }
 

@@ -51,7 +51,8 @@ Json pinion_json(const CylindricalSpec& c) {
   g["profile_shift"] = drawn(c.profile_shift);
   if (c.tip_diameter) g["tip_diameter_mm"] = drawn(*c.tip_diameter);
   g["root_fillet"] = {{"kind", "circular"}, {"offset_mm", drawn(c.root_fillet->offset)}};
-  g["tip_fillet"] = {{"kind", "circular"}, {"radius_mm", drawn(c.tip_fillet->value)}};
+  if (c.tip_fillet)
+    g["tip_fillet"] = {{"kind", "circular"}, {"radius_mm", drawn(c.tip_fillet->value)}};
   return g;
 }
 

@@ -168,13 +168,15 @@ std::string pair_listing(const Pair& p) {
     one("overlap ratio", "ε_β", number(m.overlap_ratio), "");
     one("total contact ratio", "ε_γ", number(p.contact_ratio()), "");
     one("  on the usable flanks", "", number(p.contact_ratio_true()), "");
-    one("  approach, recess (gear 1 drives)", "",
-        number(approach_and_recess(p)[0]) + " " + number(approach_and_recess(p)[1]), "");
+    one("  of it before the pitch point", "", number(approach_and_recess(p)[0]), "");
+    one("  after it (gear 1 driving)", "", number(approach_and_recess(p)[1]), "");
     one("length of the path of contact", "g_α", mm(p.path_length()), "mm");
     if (const auto overlap = face_width_for_overlap(p)) {
-      one("face width for a total of 1", "b", maybe(face_width_for_total(p, 1.0)), "mm");
-      one("  for a total of 1.2", "b", maybe(face_width_for_total(p, 1.2)), "mm");
-      one("  for an overlap of 1", "b", mm(*overlap), "mm");
+      if (p.mesh.true_ratio < 1.2) {
+        one("face width for a total of 1", "b", maybe(face_width_for_total(p, 1.0)), "mm");
+        one("face width for a total of 1.2", "b", maybe(face_width_for_total(p, 1.2)), "mm");
+      }
+      one("face width for an overlap of 1", "b", mm(*overlap), "mm");
       two("axial force/tangential, along +z", "F_z/F_t", number(axial_force(p)[0]),
           number(axial_force(p)[1]), "");
     }

@@ -18,7 +18,7 @@ struct Meaning {
   const char* reason;  // completes "does not run as specified: …"
 };
 
-constexpr std::array<Meaning, 28> kMeanings{{
+constexpr std::array<Meaning, 30> kMeanings{{
     {"through_axis", Severity::problem, "the cutter passes the axis"},
     {"severed", Severity::problem, "the teeth are cut off at their roots"},
     {"no_flank", Severity::problem, "a gear has no usable flank"},
@@ -46,6 +46,8 @@ constexpr std::array<Meaning, 28> kMeanings{{
     {"tip_cut_by_rack", Severity::note, ""},
     {"default_face_width", Severity::note, ""},
     {"default_shaft_angle", Severity::note, ""},
+    {"default_cutter", Severity::note, ""},
+    {"tip_fillet_cut_off", Severity::note, ""},
     {"no_chord", Severity::note, ""},
 }};
 
