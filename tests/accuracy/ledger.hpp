@@ -41,6 +41,8 @@ std::vector<Row> gear_rows();
 std::vector<Row> mesh_rows();
 std::vector<Row> crossed_rows();
 std::vector<Row> chord_rows();
+std::vector<Row> few_teeth_rows();
+std::vector<Row> pinion_envelope_rows();
 
 std::string markdown(const std::vector<Row>& rows);
 

@@ -20,7 +20,8 @@ std::string markdown(const std::vector<Row>& rows) {
       "base tangent\n"
       "point); shifts are in modules themselves. *of a*: |error|/a, for such differences of "
       "crossed "
-      "axes. Inputs are seeded and the same everywhere; the "
+      "axes. *of D*, *of r_g*: over a fillet's centre distance, a gear's centrode. Inputs are "
+      "seeded and the same everywhere; the "
       "worst one is named.\n\n"
       "| quantity | unit | claimed | measured | where | worst input |\n|---|---|---|---|---|---|\n";
   for (const Row& r : rows) {
@@ -38,6 +39,8 @@ std::vector<Row> all_rows() {
   for (Row& r : mesh_rows()) rows.push_back(std::move(r));
   for (Row& r : crossed_rows()) rows.push_back(std::move(r));
   for (Row& r : chord_rows()) rows.push_back(std::move(r));
+  for (Row& r : few_teeth_rows()) rows.push_back(std::move(r));
+  for (Row& r : pinion_envelope_rows()) rows.push_back(std::move(r));
   return rows;
 }
 
