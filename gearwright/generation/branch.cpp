@@ -120,6 +120,22 @@ void write_outline(const std::vector<Branch>& chain, const ToothEnds& ends, Gene
   }
 }
 
+// What the way behind cuts is fillet: of the root below the flank, of the tip above.
+void name_by_place(std::vector<Branch>& chain) {
+  const auto is_flank = [](const Branch& b) { return b.name == ArcName::flank; };
+  const auto flank = std::find_if(chain.begin(), chain.end(), is_flank);
+  const bool any = flank != chain.end();
+  for (auto b = chain.begin(); b != chain.end(); ++b) {
+    if (b == flank) continue;
+    const bool at_root = any ? b < flank : b->name == ArcName::root_fillet;
+    if (!any && b != chain.begin() && (b - 1)->name == ArcName::tip_fillet) {
+      b->name = ArcName::tip_fillet;
+      continue;
+    }
+    b->name = at_root ? ArcName::root_fillet : ArcName::tip_fillet;
+  }
+}
+
 }  // namespace
 
 Result<GeneratedTooth> finish_tooth(const std::vector<Branch>& branches, const ToothEnds& ends,
@@ -135,7 +151,9 @@ Result<GeneratedTooth> finish_tooth(const std::vector<Branch>& branches, const T
                                side > 0.0 ? "greater" : "less", 2 * tooth.root_radius));
   }
   std::vector<Branch> chain = assemble(branches, side * tooth.tip_radius);
-  if (chain.empty() && ends.rack) {
+  const bool lost = tooth.root_fillet && !chain.empty() &&
+                    (chain.front().name != ArcName::root_fillet || !is_continuous(chain));
+  if (ends.rack && (chain.empty() || lost)) {
     // Heights along a rack's edge never fall, its branches always meet: only a fillet can be
     // amiss.
     const bool root = tooth.root_fillet.has_value();
@@ -147,6 +165,14 @@ Result<GeneratedTooth> finish_tooth(const std::vector<Branch>& branches, const T
                      "cuts it; a smaller one is needed, or a rack without ramp and "
                      "bottom rounding"};
   }
+  // A sharp edge outside the rolling circle draws loops that the walk cannot follow.
+  bool whole = false;
+  if (chain.empty() && ends.all) {
+    chain = lower_envelope(ends.all(), side * tooth.tip_radius);
+    whole = is_continuous(chain);
+    if (!whole) chain.clear();
+    name_by_place(chain);
+  }
   if (chain.empty()) {
     return Error{"cut_by", "",
                  "cut_by: a sharp edge of the cutter outside its rolling circle draws a loop that "
@@ -156,6 +182,7 @@ Result<GeneratedTooth> finish_tooth(const std::vector<Branch>& branches, const T
   std::vector<Branch> behind = ends.behind;
   std::sort(behind.begin(), behind.end(),
             [](const Branch& a, const Branch& b) { return a.height_lo < b.height_lo; });
+  if (whole) behind.clear();  // they are in it
   for (const Branch& leaving : behind) {
     auto lower = lower_of(chain, leaving, side * tooth.tip_radius);
     if (!lower || (&leaving == &behind.back() && !is_continuous(*lower))) {

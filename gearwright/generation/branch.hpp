@@ -8,6 +8,7 @@
 //                                                [T3.11]…[T3.13]
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "gearwright/curve/arc_name.hpp"
@@ -44,6 +45,7 @@ struct ToothEnds {
   double blank_radius;     ///< mm, infinite (a ring: 0) without one
   double cutter_radius;    ///< mm, where the cutter itself tops the tooth; likewise
   bool rack = true;        ///< cut by a rack
+  std::function<std::vector<Branch>()> all = {};  ///< every branch of a pinion cutter, behind too
   std::vector<Branch> behind = {};  ///< of the leaving cutter: they may take the tip away. [T6.13]
 };
 

@@ -195,6 +195,70 @@ std::optional<std::vector<Branch>> lower_of(const std::vector<Branch>& chain, co
   return lower;
 }
 
+namespace {
+
+// The first height in (from, to] at which b lies lower than a.
+std::optional<double> passes_below(const Branch& a, const Branch& b, double from, double to) {
+  constexpr int kCells = 48;
+  const double lo = std::max(from, b.height_lo);
+  const double hi = std::min(to, b.height_hi);
+  if (!(lo < hi)) return std::nullopt;
+  const auto gap = [&](double h) { return a.theta_at(h) - b.theta_at(h); };
+  double before = lo;
+  for (int i = 1; i <= kCells; ++i) {
+    const double h = i == kCells ? hi : lo + (hi - lo) * i / kCells;
+    if (gap(h) > kRounding) return gap(before) < 0.0 ? find_root(gap, before, h).x : before;
+    before = h;
+  }
+  return std::nullopt;
+}
+
+// Where one branch ends the lowest of those that go on from there; null where none does.
+const Branch* going_on(const std::vector<Branch>& branches, const Branch& ended, double h) {
+  const double near = kSamePoint * std::abs(h);
+  const double theta = ended.theta_at(h);
+  const Branch* lowest = nullptr;
+  for (const Branch& b : branches) {
+    if (b.height_lo > h + near || b.height_hi <= h + near) continue;
+    if (std::abs(b.theta_at(h) - theta) > kSamePoint) continue;
+    const double ahead = std::min(b.height_hi, h + 1e3 * near);
+    if (!lowest || b.theta_at(ahead) < lowest->theta_at(ahead)) lowest = &b;
+  }
+  return lowest;
+}
+
+}  // namespace
+
+std::vector<Branch> lower_envelope(const std::vector<Branch>& branches, double tip_height) {
+  if (branches.empty()) return {};
+  const Branch* own = &branches.front();
+  for (const Branch& b : branches) {
+    if (b.height_lo < own->height_lo) own = &b;
+  }
+  double from = own->height_lo;
+  std::vector<Branch> lower;
+  const std::size_t most = 8 * branches.size();  // no two curves of a tooth cross more often
+  while (lower.size() < most) {
+    const double end = std::min(own->height_hi, tip_height);
+    double until = end;
+    const Branch* next = nullptr;
+    for (const Branch& b : branches) {
+      if (&b == own) continue;
+      const auto h = passes_below(*own, b, from, until);
+      if (!h || (next && *h >= until)) continue;
+      until = *h;
+      next = &b;
+    }
+    if (until > from) append(lower, {*own}, from, until);
+    if (until >= tip_height) return lower;
+    if (!next) next = going_on(branches, *own, until);
+    if (!next) return {};
+    own = next;
+    from = until;
+  }
+  return {};
+}
+
 bool is_continuous(const std::vector<Branch>& chain) {
   for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
     const Vec2 a = chain[i].curve->point(chain[i].t_hi);

@@ -17,6 +17,10 @@ namespace gearwright::detail {
 /// two ends that ought to meet do not.
 std::vector<Branch> assemble(const std::vector<Branch>& branches, double tip_height);
 
+/// The same from branches in any order, each of which only cuts: the lowest half angle at every
+/// height. Slower than the walk along an edge, for cutters whose edge draws loops.
+std::vector<Branch> lower_envelope(const std::vector<Branch>& branches, double tip_height);
+
 /// The lower of the tooth and of one branch of the leaving cutter. [T6.13] Nothing where that lies
 /// lower from its first touch on: what came before it, the cutter's flank, has then caught the
 /// tooth already. Where the branch ends below the chain there is a jump; the next one may fill it.

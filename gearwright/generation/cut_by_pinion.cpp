@@ -77,7 +77,58 @@ class Cutting {
       branches.back().ends_on_center_line = true;
   }
 
+  // Ahead and behind of every arc and every corner that stands out.
+  std::vector<Branch> everything() const {
+    std::vector<Branch> all = branches;
+    const auto& arcs = cutter_.outline.arcs;
+    double nu = 0.0;
+    for (std::size_t i = arcs.size(); i-- > 0;) {
+      const Arc& arc = arcs[i];
+      const double nu_tip_side = normal_angle(arc, 1.0);
+      if (nu_tip_side > nu + kSameNormal) {
+        pieces(all, std::make_shared<CornerFan>(arc.end_point), Walk::forward, nu_tip_side, nu);
+      }
+      nu = normal_angle(arc, 0.0);
+      if (dynamic_cast<const AxisCircle*>(arc.curve.get())) continue;
+      if (const auto* involute = dynamic_cast<const Involute*>(arc.curve.get())) {
+        involute_piece(all, *involute, arc);
+        continue;
+      }
+      pieces(all, arc.curve, arc.end > arc.begin ? Walk::forward : Walk::backward, arc.begin,
+             arc.end);
+    }
+    return all;
+  }
+
  private:
+  // Behind the tooth, from the root side of the cutter's arc to its tip side.
+  void pieces(std::vector<Branch>& all, const CurvePtr& curve, Walk walk, double t_root,
+              double t_tip) const {
+    const auto envelope = std::make_shared<PinionEnvelope>(motion_, curve, walk, Meeting::behind);
+    std::vector<double> ends{t_root};
+    for (double t : envelope->breaks(t_root, t_tip)) ends.push_back(t);
+    ends.push_back(t_tip);
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+      if (!envelope->cuts(0.5 * (ends[i] + ends[i + 1]))) continue;
+      Branch b = branch_of(ArcName::tip_fillet, envelope, ends[i], ends[i + 1], motion_.side());
+      if (b.height_lo < b.height_hi) all.push_back(std::move(b));
+    }
+  }
+
+  void involute_piece(std::vector<Branch>& all, const Involute& involute, const Arc& arc) const {
+    const auto cut = pinion_involute(motion_, involute, Meeting::behind);
+    if (!cut) return;
+    const double a = cut->roll(arc.begin);
+    const double b = cut->roll(arc.end);
+    // On one side of the cusp only: an external gear's ξ < 0, a ring's ξ > 0.
+    const double side = motion_.side();
+    const double t_lo = side > 0.0 ? std::min(a, 0.0) : std::max(a, 0.0);
+    const double t_hi = side > 0.0 ? std::min(b, 0.0) : std::max(b, 0.0);
+    Branch branch =
+        branch_of(cut_by_arc(arc.name), std::make_shared<Involute>(cut->flank), t_lo, t_hi, side);
+    if (branch.height_lo < branch.height_hi) all.push_back(std::move(branch));
+  }
+
   // Returns whether the branch after it goes on smoothly.
   bool add_arc(const Arc& arc, bool smooth) {
     if (dynamic_cast<const AxisCircle*>(arc.curve.get())) return true;  // lands are ends
@@ -251,6 +302,7 @@ Result<GeneratedTooth> cut_by_pinion(const GeneratedTooth& cutter, const PinionM
                                blank_radius,
                                cutter_radius,
                                false,
+                               [&] { return cutting.everything(); },
                                std::move(cutting.behind)};
   return detail::finish_tooth(cutting.branches, ends, std::move(tooth));
 }

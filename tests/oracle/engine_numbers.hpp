@@ -3,6 +3,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "gearwright/gear/gear.hpp"
@@ -58,26 +60,67 @@ inline Vec2 point_near_end(const Arc& arc, bool at_begin, double distance) {
   return arc.point(far);
 }
 
-/// The same with a point at 2e-5 mm on either side of every joint, so that there the chord of the
-/// two neighbours is square to the bisector of the edge, however unequal the arcs' steps are.
-/// `land`: whether the cutter's bottom makes the tip land, or ends where the blank does.
-inline std::vector<Vec2> edged_points(const GeneratedTooth& tooth, int n, bool land) {
-  constexpr double kBeside = 2e-5;  // twenty nudges of the comparison
+/// A step of `dense_points` turns by no more than this.
+inline constexpr double kMostTurn = 0.4;  // rad
+/// How far beside every joint `edged_points` puts a point: twenty nudges of the comparison.
+inline constexpr double kBeside = 2e-5;  // mm
+
+namespace numbers_detail {
+
+inline void fill(const Arc& arc, double u, const Vec2& p, double v, const Vec2& q, double longest,
+                 int depth, std::vector<Vec2>& points) {
+  const double middle = 0.5 * (u + v), length = (q - p).norm();
+  const Vec2 between = arc.point(middle);
+  const Vec2 a = between - p, b = q - between;
+  const double turn = std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
+  if (depth == 0 || !(length > longest || (length > 4 * kBeside && turn > kMostTurn))) return;
+  fill(arc, u, p, middle, between, longest, depth - 1, points);
+  points.push_back(between);
+  fill(arc, middle, between, v, q, longest, depth - 1, points);
+}
+
+}  // namespace numbers_detail
+
+/// n points of an arc, and more where two are further apart than `longest` (mm) or the arc turns
+/// much between them. What stays longer for all that is a gap in the arc.
+inline std::vector<Vec2> dense_points(const Arc& arc, int n, double longest) {
+  constexpr int kDepth = 30;
+  std::vector<Vec2> points{arc.begin_point};
+  for (int i = 1; i < n; ++i) {
+    const double u = static_cast<double>(i - 1) / (n - 1), v = static_cast<double>(i) / (n - 1);
+    const Vec2 p = points.back(), q = arc.point(v);
+    numbers_detail::fill(arc, u, p, v, q, longest, kDepth, points);
+    points.push_back(q);
+  }
+  return points;
+}
+
+/// Points of an arc, its ends, and a point at 2e-5 mm from either end, so that at a joint the chord
+/// of the two neighbours is square to the bisector of the edge, however unequal the arcs' steps
+/// are.
+inline void append_edged(const Arc& arc, const std::vector<Vec2>& all, std::vector<Vec2>& points) {
+  points.push_back(all.front());
+  // An arc shorter than that has its ends only, one a little longer no points between.
+  if ((all.back() - all.front()).norm() > 3 * kBeside) {
+    points.push_back(point_near_end(arc, true, kBeside));
+    for (std::size_t i = 1; i + 1 < all.size(); ++i) {
+      if ((all[i] - all.front()).norm() > 2 * kBeside && (all[i] - all.back()).norm() > 2 * kBeside)
+        points.push_back(all[i]);
+    }
+    points.push_back(point_near_end(arc, false, kBeside));
+  }
+  points.push_back(all.back());
+}
+
+/// Edged points of the whole half tooth. `land`: whether the cutter's bottom makes the tip land, or
+/// ends where the blank does.
+inline std::vector<Vec2> edged_points(const GeneratedTooth& tooth, int n, bool land,
+                                      double longest = std::numeric_limits<double>::infinity()) {
   std::vector<Vec2> points;
   for (const Arc& arc : tooth.outline.arcs) {
     if (arc.name == ArcName::tip_land && !land) continue;
-    const std::vector<Vec2> all = sample(arc, n);
-    points.push_back(all.front());
-    // An arc shorter than that has its ends only, one a little longer no points between.
-    if ((all.back() - all.front()).norm() > 3 * kBeside) {
-      points.push_back(point_near_end(arc, true, kBeside));
-      if ((all[1] - all[0]).norm() > 2 * kBeside &&
-          (all[n - 1] - all[n - 2]).norm() > 2 * kBeside) {
-        points.insert(points.end(), all.begin() + 1, all.end() - 1);
-      }
-      points.push_back(point_near_end(arc, false, kBeside));
-    }
-    points.push_back(all.back());
+    const bool plain = std::isinf(longest);
+    append_edged(arc, plain ? sample(arc, n) : dense_points(arc, n, longest), points);
   }
   return points;
 }

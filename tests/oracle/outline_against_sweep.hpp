@@ -1,9 +1,10 @@
-// A finished half-tooth outline held against the swept rack that should have cut it.
+// A finished half-tooth outline held against the swept cutter, rack or pinion, that should have cut
+// it.
 //
 //   outline   points (x, y) from the middle of the space to the tooth's end, side y ≥ 0, without
-//   the
-//             tip land on the blank (the blank is turned, not cut)
-//   n         normal into the material: the chord of the two neighbours, turned clockwise
+//             the tip land on the blank (the blank is turned, not cut)
+//   n         normal into the material: the chord of the two neighbours, turned clockwise; on a
+//             ring, whose outline comes nearer to the axis, counter-clockwise
 //
 // Two questions.  Is every point on the surface: |clearance| small? And is it the surface there,
 // with material on one side and none on the other: clearance > 0 a nudge inwards, < 0 a nudge
@@ -16,6 +17,8 @@
 #include <cstddef>
 #include <limits>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "tests/oracle/swept_rack.hpp"
 
@@ -39,6 +42,9 @@ struct OutlineAgainstSweep {
   }
 };
 
+/// On which side of the walk from root to tip the material lies: right, or on a ring left.
+enum class Tooth { external, ring };
+
 namespace outline_detail {
 
 /// From {x, y} or from anything with x() and y().
@@ -53,35 +59,54 @@ PlanePoint plane_point(const P& p) {
 
 inline double distance(PlanePoint a, PlanePoint b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
+/// p on the other side of the ray through `axis`.
+inline PlanePoint mirrored(PlanePoint p, PlanePoint axis) {
+  const double along = 2 * (p.x * axis.x + p.y * axis.y) / (axis.x * axis.x + axis.y * axis.y);
+  return {along * axis.x - p.x, along * axis.y - p.y};
+}
+
 /// Unit normal into the material at point i. Neighbours nearer than a nudge (the doubled points at
-/// the joints of arcs) say nothing about the direction and are passed over. A tooth that ends in a
-/// point on its centre line has its own mirror image as the next neighbour.
-inline PlanePoint inward_normal(const std::vector<PlanePoint>& points, std::size_t i) {
+/// the joints of arcs) say nothing about the direction and are passed over. Beyond the middle of
+/// the space, and beyond a tooth that ends in a point on its centre line, stands the mirror image.
+inline PlanePoint inward_normal(const std::vector<PlanePoint>& points, std::size_t i, Tooth tooth) {
   std::size_t before = i, after = i;
   while (before > 0 && distance(points[before], points[i]) < kNudge) --before;
   while (after + 1 < points.size() && distance(points[after], points[i]) < kNudge) ++after;
   PlanePoint from = points[before], to = points[after];
   if (distance(to, points[i]) < kNudge && std::abs(points[i].y) < kNudge) to = {from.x, -from.y};
-  const double length = distance(from, to);
+  if (distance(from, points[i]) < kNudge) from = mirrored(to, points.front());
+  const double length = tooth == Tooth::ring ? -distance(from, to) : distance(from, to);
   return {(to.y - from.y) / length, -(to.x - from.x) / length};
+}
+
+template <class Sweep>
+double clearance(const Sweep& sweep, PlanePoint p) {
+  if constexpr (requires { sweep.clearance(p); }) {
+    return sweep.clearance(p);
+  } else {
+    return sweep.clearance(Eigen::Vector2d(p.x, p.y));
+  }
 }
 
 }  // namespace outline_detail
 
 /// Domain    at least two points, further apart than kNudge; `Points` a range of {x, y} or of types
-///           with x() and y(), in mm
+///           with x() and y(), in mm; `Sweep` has clearance(point), the point a PlanePoint or a
+///           Vector2d
 /// Cost      three clearances a point
-template <class Points>
-OutlineAgainstSweep outline_against_sweep(const Points& outline, const SweptRack& rack) {
+template <class Points, class Sweep>
+OutlineAgainstSweep outline_against_sweep(const Points& outline, const Sweep& sweep,
+                                          Tooth tooth = Tooth::external) {
+  using outline_detail::clearance;
   std::vector<PlanePoint> points;
   for (const auto& p : outline) points.push_back(outline_detail::plane_point(p));
 
   OutlineAgainstSweep result;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const PlanePoint p = points[i], n = outline_detail::inward_normal(points, i);
-    const double on = std::abs(rack.clearance(p));
-    const double in = rack.clearance({p.x + kNudge * n.x, p.y + kNudge * n.y});
-    const double out = rack.clearance({p.x - kNudge * n.x, p.y - kNudge * n.y});
+    const PlanePoint p = points[i], n = outline_detail::inward_normal(points, i, tooth);
+    const double on = std::abs(clearance(sweep, p));
+    const double in = clearance(sweep, {p.x + kNudge * n.x, p.y + kNudge * n.y});
+    const double out = clearance(sweep, {p.x - kNudge * n.x, p.y - kNudge * n.y});
     // Negated, so that a NaN is the worst there is and stays so.
     if (!(on <= result.worst)) result.worst = on, result.worst_index = i;
     if (!(in >= result.least_inward)) result.least_inward = in, result.least_inward_index = i;

@@ -1,10 +1,14 @@
 // The laws of a finished half tooth (generation/outline.hpp), each as a sentence that is empty
 // while it holds.
 //
-//   ρ, θ   polar coordinates of an outline point; tooth 0 is centred on θ = 0, the space on π/z
+//   ρ, θ   polar coordinates of an outline point; tooth 0 is centred on θ = 0, the space on π/|z|
+//
+// From root to tip ρ never falls, on a ring it never grows: the half angle is a function of ρ, and
+// the outline cannot cross itself.
 #pragma once
 
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -23,11 +27,12 @@ namespace gearwright::property {
 /// are good to 8 ε of it.
 inline std::string broken_law(const GeneratedTooth& tooth, int points_per_arc, double scale) {
   const Outline& outline = tooth.outline;
-  const double half_pitch = std::numbers::pi / outline.teeth;
+  const double half_pitch = std::numbers::pi / std::abs(outline.teeth);
+  const double side = outline.teeth > 0 ? 1.0 : -1.0;
   constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
   if (outline.arcs.empty()) return "no arcs";
   const Vec2* before = nullptr;
-  double rho_before = 0.0;
+  double rho_before = side > 0.0 ? 0.0 : std::numeric_limits<double>::infinity();
   for (std::size_t a = 0; a < outline.arcs.size(); ++a) {
     const Arc& arc = outline.arcs[a];
     const std::string where = fmt::format("arc {} ({})", a, to_string(arc.name));
@@ -49,15 +54,16 @@ inline std::string broken_law(const GeneratedTooth& tooth, int points_per_arc, d
       if (theta < 0.0 && p.x() < 0.0) theta += 2 * std::numbers::pi;  // one tooth: π may round over
       const std::string at = where + fmt::format(" point {}", i);
       if (!(std::isfinite(p.x()) && std::isfinite(p.y()))) return at + " is not finite";
-      if (!(rho >= rho_before - kRounding * scale)) {
-        return at + fmt::format(": the radius falls from {} to {}", rho_before, rho);
+      if (!(side * rho >= side * rho_before - kRounding * scale)) {
+        return at + fmt::format(": the radius goes from {} to {}", rho_before, rho);
       }
       rho_before = rho;
       const bool first = a == 0 && i == 0;
       const bool last = a + 1 == outline.arcs.size() && i + 1 == points.size();
-      if (first && !(std::abs(theta - half_pitch) <= kRounding)) return at + ": not at π/z";
+      if (first && !(std::abs(theta - half_pitch) <= kRounding)) return at + ": not at π/|z|";
       if (last && !(p.y() == 0.0 && p.x() > 0.0)) return at + ": not on the centre line";
-      if (!(theta <= half_pitch + kRounding)) return at + fmt::format(": θ = {} beyond π/z", theta);
+      if (!(theta <= half_pitch + kRounding))
+        return at + fmt::format(": θ = {} beyond π/|z|", theta);
       if (!last && !(theta > 0.0)) return at + fmt::format(": half angle {} not positive", theta);
     }
   }

@@ -162,6 +162,12 @@ inline std::string describe(const CylindricalSpec& s) {
   }
   text += s.rack.named ? ", named}" : "}";
   if (s.tip_diameter) text += fmt::format(", tip_diameter_mm = {}", *s.tip_diameter);
+  if (s.root_fillet) text += fmt::format(", root_fillet.offset_mm = {}", s.root_fillet->offset);
+  if (s.tip_fillet) {
+    static constexpr const char* kWays[] = {"radius_mm", "l_mm", "end_radius_mm"};
+    text += fmt::format(", tip_fillet.{} = {}", kWays[static_cast<int>(s.tip_fillet->by)],
+                        s.tip_fillet->value);
+  }
   return text;
 }
 
