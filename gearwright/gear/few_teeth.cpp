@@ -76,12 +76,14 @@ std::optional<double> roll_of_end(const Involute& flank, double rho) {
 Result<double> tip_roll(const FlankRuler& ruler, const TipFilletSpec& tip, double least) {
   const Involute& flank = ruler.flank;
   const double most = std::min(roll_of_point(flank), ruler.roll(ruler.end));
+  // Below that the flank's normal points away from the tooth's centre line.
+  least = std::max(least, flank.base_half_angle() - kHalfPi);
   if (!(least < most)) {
     return Error{"tip_fillet", "",
                  "tip_fillet: no flank is left between the root and the point of the tooth for it "
                  "to touch"};
   }
-  const auto widest = tip_fillet_at(flank, std::max(least, flank.base_half_angle() - kHalfPi));
+  const auto widest = tip_fillet_at(flank, least);
   const auto narrowest = most < roll_of_point(flank) ? tip_fillet_at(flank, most) : std::nullopt;
   const double r_most = widest ? widest->radius : kInfinity;
   const double r_least = narrowest ? narrowest->radius : 0.0;
@@ -90,10 +92,14 @@ Result<double> tip_roll(const FlankRuler& ruler, const TipFilletSpec& tip, doubl
       if (tip.value <= r_most && tip.value > r_least) {
         if (const auto xi = roll_of_tip_fillet(flank, tip.value)) return *xi;
       }
-      return refused("tip_fillet.radius_mm", tip.value,
-                     fmt::format("no such circle touches both flanks of the tooth; it must be "
-                                 "greater than {} mm, and the largest that fits is {} mm",
-                                 r_least, r_most));
+      return refused(
+          "tip_fillet.radius_mm", tip.value,
+          fmt::format("no such circle touches both flanks of the tooth; it must be "
+                      "greater than {} mm{}",
+                      r_least,
+                      std::isinf(r_most)
+                          ? std::string()
+                          : fmt::format(", and the largest that fits is {} mm", r_most)));
     }
     case TipFilletSpec::By::l: {
       const double xi = ruler.roll(tip.value);

@@ -27,7 +27,9 @@ double base_distance(const Gear& cutter, int teeth) {
   return cutter.base_radius() * std::abs(1.0 + static_cast<double>(teeth) / cutter.spec.teeth);
 }
 
-std::optional<Error> check_teeth(const Gear& cutter, int teeth) {
+}  // namespace
+
+std::optional<Error> check_cutter(const Gear& cutter, int teeth) {
   const int z_0 = cutter.spec.teeth;
   if (teeth == 0) return refused("teeth", 0, "must not be 0; negative for an internal gear (ring)");
   if (teeth < 0 && -teeth <= z_0) {
@@ -39,10 +41,8 @@ std::optional<Error> check_teeth(const Gear& cutter, int teeth) {
   return std::nullopt;
 }
 
-}  // namespace
-
 Result<double> generating_distance(const Gear& cutter, int teeth, double profile_shift) {
-  if (auto error = check_teeth(cutter, teeth)) return *error;
+  if (auto error = check_cutter(cutter, teeth)) return *error;
   const ReferenceGeometry<double>& g = cutter.reference;
   const double sum = profile_shift + g.generating_profile_shift;
   const double inv_w =
@@ -62,7 +62,7 @@ Result<double> generating_distance(const Gear& cutter, int teeth, double profile
 
 Result<Gear> make_pinion_cut_gear(const Gear& cutter, const PinionCutSpec& wanted) {
   GW_EXPECTS(!cutter.internal() && cutter.tooth && cutter.exists());
-  if (auto error = check_teeth(cutter, wanted.teeth)) return *error;
+  if (auto error = check_cutter(cutter, wanted.teeth)) return *error;
   const double r = base_distance(cutter, wanted.teeth);
   const double e = wanted.distance;
   if (!(e > r)) {

@@ -16,6 +16,9 @@ struct PinionCutSpec {
   std::optional<double> tip_diameter;  ///< d_a  mm; absent: what the cutter's root leaves
 };
 
+/// What keeps a cutter from a gear of that many teeth at all distances; nothing: it fits.
+std::optional<Error> check_cutter(const Gear& cutter, int teeth);
+
 /// The generating distance at which the gear gets the profile shift x.
 ///
 /// Errors    `profile_shift` where the cutter has no such place

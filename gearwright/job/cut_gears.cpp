@@ -81,6 +81,7 @@ std::optional<double> shift_at_distance(const JobSpec& spec, const Gear& cutter,
   const CylindricalSpec& c = cutter.spec;
   const int z = gear.cylindrical.teeth;
   const int z_m = mate->cylindrical.teeth;
+  if (z + z_m == 0 || (z < 0 && -z < z_m) || (z_m < 0 && -z_m < z)) return std::nullopt;
   const double cos_beta = std::cos(c.helix_angle.rad());
   const double alpha_t = cutter.reference.transverse_pressure_angle;
   const double a = *spec.pair.center_distance;
@@ -96,6 +97,7 @@ Result<double> distance_of(const JobSpec& spec, const Gear& cutter, int which) {
   const CutByInput& cut = *gear.cut_by;
   const double x_0 = cutter.reference.generating_profile_shift;
   const int z = gear.cylindrical.teeth;
+  if (auto error = check_cutter(cutter, z)) return *error;
   if (cut.profile_shift_pair) {
     auto e = generating_distance(cutter, z, *cut.profile_shift_pair - x_0);
     if (!e) {

@@ -66,6 +66,14 @@ std::optional<Error> unknown_module(const JobSpec& spec) {
 Result<FitAnswer> answer_fit(const JobSpec& spec) {
   if (!spec.gears[1]) return Error{"gear2", "", "gear2: is missing; fit is about two gears"};
   if (spec.fit.few_teeth) return answer_few_teeth(spec);
+  for (const int i : {0, 1}) {
+    if (!spec.gears[i]->cut_by) continue;
+    const std::string key = fmt::format("gear{}.cut_by", i + 1);
+    return Error{key, "",
+                 key +
+                     ": fit looks for gears cut by racks, or, with few_teeth = true in [fit], for "
+                     "the pinion that cuts its wheel, and chooses the cutter; leave this out"};
+  }
   if (auto error = unknown_module(spec)) return *error;
   const CylindricalSpec& c1 = spec.gears[0]->cylindrical;
   const CylindricalSpec& c2 = spec.gears[1]->cylindrical;
