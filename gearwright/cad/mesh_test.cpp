@@ -11,6 +11,7 @@
 
 #include "gearwright/base/angle.hpp"
 #include "gearwright/cad/section.hpp"
+#include "gearwright/cad/testing/generated_bodies.hpp"
 #include "gearwright/cad/testing/odd_outlines.hpp"
 #include "gearwright/cad/testing/sample_outlines.hpp"
 
@@ -92,6 +93,10 @@ std::vector<Case> cases() {
   }
   all.push_back({"ring spur", ring_body(40, 2, 0.0, 15, 95)});
   all.push_back({"ring helical", ring_body(36, 2, 0.012, 15, 85)});
+  all.push_back({"two teeth, rounded tips", testing::two_teeth()});
+  all.push_back({"one tooth, rounded tip", testing::one_tooth()});
+  all.push_back({"wheel cut by two teeth", testing::cut_wheel()});
+  all.push_back({"ring cut by a pinion", testing::cut_ring()});
   const std::size_t solid = all.size();
   for (std::size_t i = 0; i < solid; ++i) {
     if (all[i].body.outline.teeth < 0) continue;

@@ -18,6 +18,7 @@
 #include <string>
 
 #include "gearwright/cad/section.hpp"
+#include "gearwright/cad/testing/generated_bodies.hpp"
 #include "gearwright/cad/testing/sample_outlines.hpp"
 
 namespace gearwright {
@@ -76,6 +77,12 @@ std::vector<Case> cases() {
        146},
       {"Many", with_bore(sample_body({.teeth = 120, .beta = 0.2, .face_width = 40}), {150}), 723},
       {"Ring", with_bore(plain_body(-12, 25.0, 0.2, 20.0, 0.08, 10.0, 0.03), {60.0}), 51},
+      // Six walls a tooth where tip and root have no land, τb = 3.4 and 11.5 rad: two and four
+      // slices.
+      {"TwoTeethRoundedTip", testing::two_teeth(), 26},
+      {"OneToothRoundedTip", testing::one_tooth(), 26},
+      {"WheelCutByTwoTeeth", testing::cut_wheel(), 362},
+      {"RingCutByPinion", testing::cut_ring(), 395},
   };
 }
 

@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "gearwright/cad/step_solid.hpp"
+#include "gearwright/cad/testing/generated_bodies.hpp"
 #include "gearwright/cad/testing/sample_outlines.hpp"
 
 namespace gearwright {
@@ -91,6 +92,15 @@ TEST(StepSurface, OneToothThatTurnsThreeTimes) {
                                     .face_width = 10,
                                     .dedendum = 1.2}),
               8);
+}
+
+// Every face of the first tooth: circular fillets, an involute, and what a pinion leaves of a wheel
+// and of a ring.
+TEST(StepSurface, TeethOfFewAndTeethCutByTeeth) {
+  expect_near(testing::two_teeth(), 6);
+  expect_near(testing::one_tooth(), 6);
+  expect_near(testing::cut_wheel(), 6);
+  expect_near(testing::cut_ring(), 6);
 }
 
 TEST(StepSurface, LandsAreTrueCylindersOfTheirRadii) {

@@ -20,6 +20,7 @@
 
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/cad/section.hpp"
+#include "gearwright/cad/testing/generated_bodies.hpp"
 #include "gearwright/cad/testing/sample_outlines.hpp"
 
 namespace gearwright {
@@ -125,6 +126,19 @@ TEST_F(Step, PartsReadBackAsTheyWere) {
   auto ring = testing::plain_body(-12, 25.0, 0.2, 20.0, 0.08, 10.0, 0.03);
   ring.bore = Bore{60.0};
   expect_same_back(ring, folder_ / "ring.step");
+}
+
+TEST_F(Step, FewTeethReadBackAsTheyWere) {
+  expect_same_back(testing::two_teeth(), folder_ / "two_teeth.step");
+  expect_same_back(testing::one_tooth(), folder_ / "one_tooth.step");
+}
+
+TEST_F(Step, CutWheelReadsBackAsItWas) {
+  expect_same_back(testing::cut_wheel(), folder_ / "wheel.step");
+}
+
+TEST_F(Step, CutRingReadsBackAsItWas) {
+  expect_same_back(testing::cut_ring(), folder_ / "ring.step");
 }
 
 TEST_F(Step, HeaderSaysWhatAndWho) {

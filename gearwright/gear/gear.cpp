@@ -83,10 +83,9 @@ std::optional<Error> check_limits(const CylindricalSpec& spec) {
 namespace {
 
 // A tip fillet that lies beyond the blank is not on the gear.
-void forget_fillet_cut_off(Gear& gear) {
+void forget_fillet_cut_off(Gear& gear, double fillet_begin) {
   GeneratedTooth& tooth = *gear.tooth;
-  if (!tooth.tip_fillet || tooth.outline.arcs.empty() || tooth.outline.find(ArcName::tip_fillet))
-    return;
+  if (!tooth.tip_fillet || !(gear.tip_diameter / 2 <= fillet_begin)) return;
   tooth.tip_fillet.reset();
   gear.point_j_l.reset();
   detail::warn(gear, "tip_fillet_cut_off",
@@ -117,7 +116,8 @@ std::optional<Error> cut(Gear& gear, const CutterEdge& edge) {
   auto tooth = cut_by_rack(edge, motion, spec.teeth, gear.tip_diameter / 2, *rolls);
   if (!tooth) return tooth.error();
   gear.tooth = std::move(tooth).take();
-  forget_fillet_cut_off(gear);
+  if (rolls->tip)
+    forget_fillet_cut_off(gear, ruler.flank.base_radius() * std::hypot(1.0, *rolls->tip));
   return std::nullopt;
 }
 

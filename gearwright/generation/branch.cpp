@@ -15,6 +15,9 @@
 
 namespace gearwright::detail {
 
+// A fillet that ends the tooth on its centre line and a tip circle this close are one end.
+constexpr double kSameEnd = 1e-12;
+
 double Branch::t_at(double h) const {
   if (h <= height_lo) return t_lo;
   if (h >= height_hi) return t_hi;
@@ -23,7 +26,7 @@ double Branch::t_at(double h) const {
 }
 
 void Branch::end_at(double h) {
-  if (h < height_hi) ends_on_center_line = false;
+  if (height_hi - h > kSameEnd * std::abs(h)) ends_on_center_line = false;
   t_hi = t_at(h);
   height_hi = h;
 }
@@ -61,9 +64,6 @@ void find_neck(const std::vector<Branch>& chain, double tip_height, GeneratedToo
   }
 }
 
-// A fillet that ends the tooth on its centre line and a tip circle this close are one end.
-constexpr double kSameEnd = 1e-12;
-
 // Ends the chain at the tip circle, or where the tooth is pointed before that.
 void end_at_tip(std::vector<Branch>& chain, double side, GeneratedTooth& tooth) {
   for (std::size_t i = 0; i < chain.size(); ++i) {
@@ -78,8 +78,12 @@ void end_at_tip(std::vector<Branch>& chain, double side, GeneratedTooth& tooth) 
       tooth.tip_radius = std::abs(branch.height_hi);
       tooth.rounded_tip = true;
     } else if (branch.theta_at(end) <= 0.0) {
-      const auto theta = [&](double h) { return branch.theta_at(h); };
-      tooth.tip_radius = std::abs(find_root(theta, branch.height_lo, end).x);
+      // By the parameter: where the radius is nearly stationary it says little of the place.
+      const double t_end = branch.t_at(end);
+      const auto theta = [&](double t) { return branch.curve->polar_angle(t); };
+      branch.t_hi = find_root(theta, std::min(branch.t_lo, t_end), std::max(branch.t_lo, t_end)).x;
+      branch.height_hi = branch.height(branch.t_hi);
+      tooth.tip_radius = std::abs(branch.height_hi);
       tooth.pointed = true;
     }
     if (last || tooth.pointed) {
@@ -136,6 +140,29 @@ void name_by_place(std::vector<Branch>& chain) {
   }
 }
 
+// Heights along a rack's edge never fall, its branches always meet: there only a fillet can be
+// amiss. A cutter's edge may end in the air.
+std::optional<Error> amiss(const std::vector<Branch>& chain, const ToothEnds& ends,
+                           const GeneratedTooth& tooth) {
+  if (ends.rack) {
+    const bool root = tooth.root_fillet.has_value();
+    if (!chain.empty() && !(root && chain.front().name != ArcName::root_fillet))
+      return std::nullopt;
+    GW_ENSURES(root || tooth.tip_fillet);
+    const std::string key = root ? "root_fillet.offset_mm" : "tip_fillet";
+    return Error{key, "",
+                 key +
+                     ": leaves no flank between the root fillet and the tip as the rack "
+                     "cuts it; a smaller one is needed, or a rack without ramp and "
+                     "bottom rounding"};
+  }
+  if (!chain.empty() && is_continuous(chain)) return std::nullopt;
+  return Error{"cut_by", "",
+               "cut_by: a sharp edge of the cutter outside its rolling circle draws a loop that "
+               "ends in the air; a cutter without undercut, or another generating distance, cuts "
+               "a whole tooth"};
+}
+
 }  // namespace
 
 Result<GeneratedTooth> finish_tooth(const std::vector<Branch>& branches, const ToothEnds& ends,
@@ -150,48 +177,14 @@ Result<GeneratedTooth> finish_tooth(const std::vector<Branch>& branches, const T
                    fmt::format("must be {} than the root diameter {} mm",
                                side > 0.0 ? "greater" : "less", 2 * tooth.root_radius));
   }
-  std::vector<Branch> chain = assemble(branches, side * tooth.tip_radius);
-  const bool lost = tooth.root_fillet && !chain.empty() &&
-                    (chain.front().name != ArcName::root_fillet || !is_continuous(chain));
-  if (ends.rack && (chain.empty() || lost)) {
-    // Heights along a rack's edge never fall, its branches always meet: only a fillet can be
-    // amiss.
-    const bool root = tooth.root_fillet.has_value();
-    GW_ENSURES(root || tooth.tip_fillet);
-    const std::string key = root ? "root_fillet.offset_mm" : "tip_fillet";
-    return Error{key, "",
-                 key +
-                     ": leaves no flank between the root fillet and the tip as the rack "
-                     "cuts it; a smaller one is needed, or a rack without ramp and "
-                     "bottom rounding"};
-  }
-  // A sharp edge outside the rolling circle draws loops that the walk cannot follow.
-  bool whole = false;
+  const double tip_height = side * tooth.tip_radius;
+  std::vector<Branch> chain;
+  if (!ends.turns_back) chain = assemble(branches, tip_height);
   if (chain.empty() && ends.all) {
-    chain = lower_envelope(ends.all(), side * tooth.tip_radius);
-    whole = is_continuous(chain);
-    if (!whole) chain.clear();
+    chain = lower_envelope(ends.all(), tip_height);
     name_by_place(chain);
   }
-  if (chain.empty()) {
-    return Error{"cut_by", "",
-                 "cut_by: a sharp edge of the cutter outside its rolling circle draws a loop that "
-                 "ends in the air; a cutter without undercut, or another generating distance, cuts "
-                 "a whole tooth"};
-  }
-  std::vector<Branch> behind = ends.behind;
-  std::sort(behind.begin(), behind.end(),
-            [](const Branch& a, const Branch& b) { return a.height_lo < b.height_lo; });
-  if (whole) behind.clear();  // they are in it
-  for (const Branch& leaving : behind) {
-    auto lower = lower_of(chain, leaving, side * tooth.tip_radius);
-    if (!lower || (&leaving == &behind.back() && !is_continuous(*lower))) {
-      return Error{"cut_by", "",
-                   "cut_by: the teeth of this cutter catch the ring's flanks as they leave; a "
-                   "cutter of fewer teeth is needed, or a greater tip diameter"};
-    }
-    chain = *std::move(lower);
-  }
+  if (auto error = amiss(chain, ends, tooth)) return *error;
   find_neck(chain, side * tooth.tip_radius, tooth);
   if (tooth.neck_half_angle && *tooth.neck_half_angle <= 0.0) {
     tooth.severed = true;

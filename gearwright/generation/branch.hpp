@@ -39,14 +39,14 @@ Branch branch_of(ArcName name, CurvePtr curve, double t_lo, double t_hi, double 
 
 /// What the branches, given from root to tip, are cut to; `side` as theirs.
 struct ToothEnds {
-  int teeth;               ///< z
-  double side;             ///< 1, a ring −1
-  double root_land_angle;  ///< rad: polar angle where the root land ends; π/|z| without one
-  double blank_radius;     ///< mm, infinite (a ring: 0) without one
-  double cutter_radius;    ///< mm, where the cutter itself tops the tooth; likewise
-  bool rack = true;        ///< cut by a rack
-  std::function<std::vector<Branch>()> all = {};  ///< every branch of a pinion cutter, behind too
-  std::vector<Branch> behind = {};  ///< of the leaving cutter: they may take the tip away. [T6.13]
+  int teeth;                ///< z
+  double side;              ///< 1, a ring −1
+  double root_land_angle;   ///< rad: polar angle where the root land ends; π/|z| without one
+  double blank_radius;      ///< mm, infinite (a ring: 0) without one
+  double cutter_radius;     ///< mm, where the cutter itself tops the tooth; likewise
+  bool rack = true;         ///< cut by a rack
+  bool turns_back = false;  ///< the cutter's way does: behind the tooth, too, it may cut
+  std::function<std::vector<Branch>()> all = {};  ///< then: every branch, ahead and behind
 };
 
 /// Puts the branches together and ends them at the tip. `tooth` brings root_radius and the fillets

@@ -118,84 +118,20 @@ std::vector<Branch> assemble(const std::vector<Branch>& branches, double tip_hei
 
 namespace {
 
-// The first height above `from` at which `other` comes to lie lower than `own`; where it does so at
-// once, `from` itself. Branch by branch, on cells: two curves of a tooth cross twice at most.
-constexpr double kRounding = 1e-13;  // rad: curves that coincide do not cross
-
-std::optional<double> first_lower(const std::vector<Branch>& own, const std::vector<Branch>& other,
-                                  double from, double to) {
-  constexpr int kCells = 32;
-  for (double lo = from; lo < to;) {
-    const Branch* a = at_height(own, lo);
-    if (!a) return std::nullopt;
-    const Branch* b = at_height(other, lo);
-    double hi = std::min(to, a->height_hi);
-    if (b) hi = std::min(hi, b->height_hi);
-    if (!b && lo < other.front().height_lo) hi = std::min(hi, other.front().height_lo);
-    if (b) {
-      const auto gap = [&](double h) { return a->theta_at(h) - b->theta_at(h); };
-      double before = lo;
-      for (int i = lo == from ? 1 : 0; i <= kCells; ++i) {
-        const double h = i == kCells ? hi : lo + (hi - lo) * i / kCells;
-        if (gap(h) > kRounding) return gap(before) < 0.0 ? find_root(gap, before, h).x : before;
-        before = h;
-      }
-    }
-    lo = hi;
-  }
-  return std::nullopt;
-}
+// Where a radius is stationary its parameter is known to half the digits only: ends that are one
+// height keep theirs.
+constexpr double kSameHeight = 1e-12;
 
 void append(std::vector<Branch>& chain, const std::vector<Branch>& from, double lo, double hi) {
   for (Branch b : from) {
     if (!(b.height_lo < hi && b.height_hi > lo)) continue;
-    if (b.height_lo < lo) b.start_at(lo);
-    if (b.height_hi > hi) b.end_at(hi);
+    if (lo - b.height_lo > kSameHeight * std::abs(lo)) b.start_at(lo);
+    if (b.height_hi - hi > kSameHeight * std::abs(hi)) b.end_at(hi);
     chain.push_back(std::move(b));
   }
 }
 
-// Lower at its first touch by more than rounding.
-constexpr double kCaught = 1e-9;  // rad
-
-}  // namespace
-
-std::optional<std::vector<Branch>> lower_of(const std::vector<Branch>& chain, const Branch& leaving,
-                                            double tip_height) {
-  const double start = leaving.height_lo;
-  const double theta = leaving.curve->polar_angle(leaving.t_lo);
-  if (const Branch* at_start = at_height(chain, start)) {
-    const bool goes_on = std::any_of(chain.begin(), chain.end(), [&](const Branch& b) {
-      return std::abs(b.height_hi - start) <= kSamePoint * std::abs(start) &&
-             std::abs(b.curve->polar_angle(b.t_hi) - theta) <= kSamePoint;
-    });
-    const bool caught = !goes_on && at_start->theta_at(start) - theta > kCaught;
-    if (caught && start < tip_height) return std::nullopt;
-  }
-  const std::vector<Branch> one{leaving};
-  std::vector<Branch> lower;
-  const std::vector<Branch>* own = &chain;
-  const std::vector<Branch>* other = &one;
-  double from = chain.front().height_lo;
-  const double to = chain.back().height_hi;
-  const double last = std::min(to, tip_height);
-  for (;;) {
-    const double end = own == &one ? std::min(last, leaving.height_hi) : last;
-    auto h = first_lower(*own, *other, from, end);
-    // The next branch of the leaving cutter goes on from this one's end: continuity is looked at
-    // when all are there.
-    if (!h && end < last) h = end;
-    if (!h) break;
-    append(lower, *own, from, *h);
-    std::swap(own, other);
-    from = *h;
-    if (own == &chain && from == leaving.height_hi) break;
-  }
-  append(lower, *own, from, to);
-  return lower;
-}
-
-namespace {
+constexpr double kRounding = 1e-13;  // rad: curves that coincide do not cross
 
 // The first height in (from, to] at which b lies lower than a.
 std::optional<double> passes_below(const Branch& a, const Branch& b, double from, double to) {
@@ -214,13 +150,14 @@ std::optional<double> passes_below(const Branch& a, const Branch& b, double from
 }
 
 // Where one branch ends the lowest of those that go on from there; null where none does.
-const Branch* going_on(const std::vector<Branch>& branches, const Branch& ended, double h) {
-  const double near = kSamePoint * std::abs(h);
+const Branch* going_on(const std::vector<Branch>& branches, const Branch& ended, double h,
+                       double same) {
+  const double near = same * std::abs(h);
   const double theta = ended.theta_at(h);
   const Branch* lowest = nullptr;
   for (const Branch& b : branches) {
     if (b.height_lo > h + near || b.height_hi <= h + near) continue;
-    if (std::abs(b.theta_at(h) - theta) > kSamePoint) continue;
+    if (std::abs(b.theta_at(h) - theta) > same) continue;
     const double ahead = std::min(b.height_hi, h + 1e3 * near);
     if (!lowest || b.theta_at(ahead) < lowest->theta_at(ahead)) lowest = &b;
   }
@@ -232,9 +169,6 @@ const Branch* going_on(const std::vector<Branch>& branches, const Branch& ended,
 std::vector<Branch> lower_envelope(const std::vector<Branch>& branches, double tip_height) {
   if (branches.empty()) return {};
   const Branch* own = &branches.front();
-  for (const Branch& b : branches) {
-    if (b.height_lo < own->height_lo) own = &b;
-  }
   double from = own->height_lo;
   std::vector<Branch> lower;
   const std::size_t most = 8 * branches.size();  // no two curves of a tooth cross more often
@@ -250,8 +184,11 @@ std::vector<Branch> lower_envelope(const std::vector<Branch>& branches, double t
       next = &b;
     }
     if (until > from) append(lower, {*own}, from, until);
-    if (until >= tip_height) return lower;
-    if (!next) next = going_on(branches, *own, until);
+    // The cutter's root ends on the land's circle itself, up to rounding.
+    if (until >= tip_height - 1e-9 * std::abs(tip_height)) return lower;
+    // Strictly first: a branch may be shorter than what counts as one point.
+    if (!next) next = going_on(branches, *own, until, kSameHeight);
+    if (!next) next = going_on(branches, *own, until, kSamePoint);
     if (!next) return {};
     own = next;
     from = until;

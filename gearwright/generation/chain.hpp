@@ -17,15 +17,10 @@ namespace gearwright::detail {
 /// two ends that ought to meet do not.
 std::vector<Branch> assemble(const std::vector<Branch>& branches, double tip_height);
 
-/// The same from branches in any order, each of which only cuts: the lowest half angle at every
-/// height. Slower than the walk along an edge, for cutters whose edge draws loops.
+/// The same from branches each of which only cuts: from the first, which begins at the root, on the
+/// lowest half angle at every height. [T6.13] Slower than the walk along an edge, for cutters whose
+/// way turns back.
 std::vector<Branch> lower_envelope(const std::vector<Branch>& branches, double tip_height);
-
-/// The lower of the tooth and of one branch of the leaving cutter. [T6.13] Nothing where that lies
-/// lower from its first touch on: what came before it, the cutter's flank, has then caught the
-/// tooth already. Where the branch ends below the chain there is a jump; the next one may fill it.
-std::optional<std::vector<Branch>> lower_of(const std::vector<Branch>& chain, const Branch& leaving,
-                                            double tip_height);
 
 /// Whether every branch begins where the one before ends.
 bool is_continuous(const std::vector<Branch>& chain);

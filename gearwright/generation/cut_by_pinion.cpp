@@ -20,8 +20,8 @@ using detail::branch_of;
 
 constexpr double kPi = std::numbers::pi;
 
-// Two normals this close are one: the arcs join smoothly.
-constexpr double kSameNormal = 1e-9;
+// Two normals this close are one: the arcs join smoothly. A corner moves the cut by λ²/w a radian.
+constexpr double kSameNormal = 1e-12;
 
 // ν of an arc, within half a turn beyond the polar angle.
 double normal_angle(const Arc& arc, double u) {
@@ -52,7 +52,7 @@ class Cutting {
 
   bool misses_flank = false;  // the centrode lies inside the base circle of the cutter's flank
   std::vector<Branch> branches;
-  std::vector<Branch> behind;  // of the cutter's tip, on a ring
+  bool loops = false;  // somewhere the normal misses the centrode: the way turns back there
 
   void run() {
     const auto& arcs = cutter_.outline.arcs;
@@ -61,7 +61,6 @@ class Cutting {
     for (std::size_t i = arcs.size(); i-- > 0;) {
       const Arc& arc = arcs[i];
       const double nu_tip_side = normal_angle(arc, 1.0);
-      tip_side_ = i + 1 < arcs.size() ? &arcs[i + 1] : nullptr;
       if (nu_tip_side > nu + kSameNormal) {  // a corner that stands out
         add_fan(arc, nu, nu_tip_side, smooth);
         smooth = smooth && true;
@@ -125,7 +124,7 @@ class Cutting {
     const double t_lo = side > 0.0 ? std::min(a, 0.0) : std::max(a, 0.0);
     const double t_hi = side > 0.0 ? std::min(b, 0.0) : std::max(b, 0.0);
     Branch branch =
-        branch_of(cut_by_arc(arc.name), std::make_shared<Involute>(cut->flank), t_lo, t_hi, side);
+        branch_of(ArcName::tip_fillet, std::make_shared<Involute>(cut->flank), t_lo, t_hi, side);
     if (branch.height_lo < branch.height_hi) all.push_back(std::move(branch));
   }
 
@@ -135,7 +134,6 @@ class Cutting {
     if (const auto* involute = dynamic_cast<const Involute*>(arc.curve.get()))
       return add_involute(arc, *involute, smooth);
     const Walk walk = arc.end > arc.begin ? Walk::forward : Walk::backward;
-    add_behind(arc.name, arc.curve, walk, arc.begin, arc.end);
     return add_envelope(cut_by_arc(arc.name), arc.curve, walk, arc.end, arc.begin, smooth);
   }
 
@@ -145,23 +143,10 @@ class Cutting {
                              ? ArcName::tip_fillet
                              : ArcName::root_fillet;
     const auto corner = std::make_shared<CornerFan>(arc.end_point);
-    if (cuts == ArcName::root_fillet)
-      add_behind(ArcName::tip_fillet, corner, Walk::forward, nu_to, nu_from);
     smooth = add_envelope(cuts, corner, Walk::forward, nu_from, nu_to, smooth);
   }
 
   bool add_involute(const Arc& arc, const Involute& involute, bool smooth) {
-    if (arc.name == ArcName::tip_fillet && motion_.teeth < 0) {  // a chamfer at the cutter's tip
-      const auto cut = pinion_involute(motion_, involute, Meeting::behind);
-      // A ring's flank behind is the branch ξ > 0; beyond its cusp it lies inside the cut.
-      const double lo = cut ? std::max(0.0, cut->roll(arc.end)) : 0.0;
-      const double hi = cut ? cut->roll(arc.begin) : 0.0;
-      if (lo < hi) {
-        Branch b = branch_of(ArcName::tip_fillet, std::make_shared<Involute>(cut->flank), hi, lo,
-                             motion_.side());
-        if (b.height_lo < b.height_hi) behind.push_back(std::move(b));
-      }
-    }
     const auto cut = pinion_involute(motion_, involute);
     if (!cut) {
       misses_flank = misses_flank || arc.name == ArcName::flank;
@@ -188,20 +173,12 @@ class Cutting {
     std::vector<double> ends{t_tip};
     for (double t : ahead->breaks(t_tip, t_root)) ends.push_back(t);
     ends.push_back(t_root);
-    bool reached = ahead->reaches(0.5 * (ends[0] + ends[1]));
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
       const double middle = 0.5 * (ends[i] + ends[i + 1]);
       const bool stands = ahead->cuts(middle);
-      const bool reaches = ahead->reaches(middle);
-      // Where s passes r_p the path does not end: it turns back behind the tooth.
-      if (reaches && !reached) smooth = add_return(cuts, curve, walk, t_root, ends[i], false);
       if (stands) add(cuts, ahead, ends[i], ends[i + 1], smooth);
-      if (reached && !reaches && add_return(cuts, curve, walk, ends[i], t_tip, smooth))
-        add_flank_behind(cuts);
+      loops = loops || !ahead->reaches(middle);
       smooth = stands && i + 2 == ends.size();  // behind a cusp nothing goes on
-      if (i + 2 < ends.size() && stands && !ahead->reaches(0.5 * (ends[i + 1] + ends[i + 2])))
-        smooth = true;
-      reached = reaches;
     }
     return smooth;
   }
@@ -214,59 +191,8 @@ class Cutting {
     if (b.height_lo < b.height_hi) branches.push_back(std::move(b));
   }
 
-  // After a return to the end of its arc the way goes on along the flank beside it, behind the
-  // tooth: w < 0 makes α_w negative in [T6.11].
-  void add_flank_behind(ArcName cuts) {
-    if (!tip_side_) return;
-    const auto* involute = dynamic_cast<const Involute*>(tip_side_->curve.get());
-    if (!involute) return;
-    const auto cut = pinion_involute(motion_, *involute, Meeting::behind);
-    if (!cut) return;
-    const double side = motion_.side();
-    Branch b = branch_of(cuts, std::make_shared<Involute>(cut->flank), cut->roll(tip_side_->begin),
-                         cut->roll(tip_side_->end), side);
-    b.smooth_start = true;
-    const bool same_branch = (b.t_lo < 0.0) == (b.t_hi < 0.0);
-    if (same_branch && b.height_lo < b.height_hi) branches.push_back(std::move(b));
-  }
-
-  // The way behind the tooth from one parameter to another; true if it arrives without a break.
-  bool add_return(ArcName cuts, const CurvePtr& curve, Walk walk, double t_from, double t_to,
-                  bool smooth) {
-    const auto behind = std::make_shared<PinionEnvelope>(motion_, curve, walk, Meeting::behind);
-    std::vector<double> ends{t_from};
-    for (double t : behind->breaks(t_from, t_to)) ends.push_back(t);
-    ends.push_back(t_to);
-    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-      const bool stands = behind->cuts(0.5 * (ends[i] + ends[i + 1]));
-      if (stands) add(cuts, behind, ends[i], ends[i + 1], smooth);
-      smooth = stands && i + 2 == ends.size();
-    }
-    return smooth;
-  }
-
-  // Where the leaving tooth may catch the ring's tip: heights grow from the cutter's root side on.
-  void add_behind(ArcName name, const CurvePtr& curve, Walk walk, double t_root, double t_tip) {
-    if (motion_.teeth > 0 || name != ArcName::tip_fillet) return;
-    const auto envelope = std::make_shared<PinionEnvelope>(motion_, curve, walk, Meeting::behind);
-    std::vector<double> ends{t_root};
-    for (double t : envelope->breaks(t_root, t_tip)) ends.push_back(t);
-    ends.push_back(t_tip);
-    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-      const auto reaches = [&](std::size_t k) {
-        return envelope->reaches(0.5 * (ends[k] + ends[k + 1]));
-      };
-      // What goes on from a limit of reach is on its way already: add_return.
-      const bool returns = (i > 0 && !reaches(i - 1)) || (i + 2 < ends.size() && !reaches(i + 1));
-      if (returns || !envelope->cuts(0.5 * (ends[i] + ends[i + 1]))) continue;
-      Branch b = branch_of(ArcName::tip_fillet, envelope, ends[i], ends[i + 1], -1.0);
-      if (b.height_lo < b.height_hi) behind.push_back(std::move(b));
-    }
-  }
-
   const GeneratedTooth& cutter_;
   const PinionMotion& motion_;
-  const Arc* tip_side_ = nullptr;  // of the arc or corner at work
 };
 
 }  // namespace
@@ -302,8 +228,8 @@ Result<GeneratedTooth> cut_by_pinion(const GeneratedTooth& cutter, const PinionM
                                blank_radius,
                                cutter_radius,
                                false,
-                               [&] { return cutting.everything(); },
-                               std::move(cutting.behind)};
+                               cutting.loops || side < 0.0,
+                               [&] { return cutting.everything(); }};
   return detail::finish_tooth(cutting.branches, ends, std::move(tooth));
 }
 

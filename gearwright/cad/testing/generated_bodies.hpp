@@ -1,0 +1,75 @@
+// Gears that other gears cut, and of one and two teeth, as bodies: what the generation rooms make
+// for the CAD rooms.
+//
+//   two_teeth       circular root fillet, a circular tip fillet in place of the land; β 30°
+//   cut_wheel       of 60 teeth, cut by two_teeth: tip, flank and root are three kinds of envelope
+//   one_tooth       likewise with one tooth, β 55°
+//   cut_ring        cut by a pinion of 18 teeth, whose tip leaves the ring's root fillet
+//
+// All free of backlash with their cutters at the distances given beside them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "gearwright/cad/toothed_body.hpp"
+#include "gearwright/gear/pinion_cut.hpp"
+
+namespace gearwright::testing {
+
+/// Domain    the gear exists (contract)
+inline ToothedBody body_of(std::string name, const Result<Gear>& gear,
+                           std::optional<Bore> bore = std::nullopt) {
+  GW_EXPECTS(gear && gear->exists());
+  return {std::move(name),       gear->tooth->outline, gear->twist(),
+          gear->spec.face_width, std::move(bore),      Eigen::Isometry3d::Identity()};
+}
+
+inline CylindricalSpec filleted_pinion(int teeth, double m, double beta_deg, double x,
+                                       double offset, double tip_radius, double face_width) {
+  CylindricalSpec s;
+  s.teeth = teeth;
+  s.normal_module = m;
+  s.helix_angle = Angle::degrees(beta_deg);
+  s.profile_shift = x;
+  s.face_width = face_width;
+  s.rack.dedendum = 1.0;
+  s.rack.root_fillet_radius = 0.0;
+  s.root_fillet = RootFilletSpec{offset};
+  s.tip_fillet = TipFilletSpec{TipFilletSpec::By::radius, tip_radius};
+  return s;
+}
+
+inline CylindricalSpec two_teeth_spec() {
+  return filleted_pinion(2, 1.75, 30, 0.7, 0.01, 0.332, 12.0);
+}
+
+inline ToothedBody two_teeth() { return body_of("two teeth", make_gear(two_teeth_spec())); }
+
+inline ToothedBody one_tooth() {
+  return body_of("one tooth", make_gear(filleted_pinion(1, 2, 55, 0.75, 0.05, 0.5, 14.0)));
+}
+
+/// E = 61.106 mm
+inline ToothedBody cut_wheel() {
+  const auto cutter = make_gear(two_teeth_spec());
+  GW_EXPECTS(cutter);
+  return body_of("wheel", make_pinion_cut_gear(*cutter, {60, 61.106, 5.0, std::nullopt}));
+}
+
+/// E = 33.0 mm; rim 118 mm
+inline ToothedBody cut_ring() {
+  CylindricalSpec s;
+  s.teeth = 18;
+  s.normal_module = 2.0;
+  s.helix_angle = Angle::degrees(20);
+  s.profile_shift = 0.2;
+  s.face_width = 10.0;
+  s.rack.addendum = 1.25;
+  const auto cutter = make_gear(s);
+  GW_EXPECTS(cutter);
+  return body_of("ring", make_pinion_cut_gear(*cutter, {-49, 33.0, 8.0, 100.0}), Bore{118.0});
+}
+
+}  // namespace gearwright::testing
