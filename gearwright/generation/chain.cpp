@@ -185,7 +185,7 @@ std::vector<Branch> lower_envelope(const std::vector<Branch>& branches, double t
     }
     if (until > from) append(lower, {*own}, from, until);
     // The cutter's root ends on the land's circle itself, up to rounding.
-    if (until >= tip_height - 1e-9 * std::abs(tip_height)) return lower;
+    if (!next && until >= tip_height - 1e-9 * std::abs(tip_height)) return lower;
     // Strictly first: a branch may be shorter than what counts as one point.
     if (!next) next = going_on(branches, *own, until, kSameHeight);
     if (!next) next = going_on(branches, *own, until, kSamePoint);

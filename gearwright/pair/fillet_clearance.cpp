@@ -13,6 +13,7 @@
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <limits>
 #include <numbers>
 
@@ -107,7 +108,30 @@ double signed_distance(const Arc& arc, const Vec2& p) {
   const double theta =
       arc.curve->polar_angle(outward ? arc.curve->parameter_at_radius(rho, arc.begin, arc.end)
                                      : arc.curve->parameter_at_radius(rho, arc.end, arc.begin));
-  return std::atan2(p.y(), p.x()) >= theta ? least : -least;
+  double angle = std::atan2(p.y(), p.x());
+  if (angle < theta - std::numbers::pi) angle += 2 * std::numbers::pi;  // one tooth: beyond π
+  return angle >= theta ? least : -least;
+}
+
+constexpr double kFarAway = 1e9;  // mm: never gets as deep as the fillet
+
+// The least of f on [0, 1].
+std::optional<double> least_on(const std::function<double(double)>& f) {
+  constexpr int kSteps = 8;
+  int best = 0;
+  double least = f(0.0);
+  for (int i = 1; i <= kSteps; ++i) {
+    const double v = f(static_cast<double>(i) / kSteps);
+    if (v < least) {
+      least = v;
+      best = i;
+    }
+  }
+  if (least == kFarAway) return std::nullopt;
+  const double lo = std::max(0, best - 1) / static_cast<double>(kSteps);
+  const double hi = std::min(kSteps, best + 1) / static_cast<double>(kSteps);
+  constexpr int kQuarterDigits = std::numeric_limits<double>::digits / 4;
+  return std::min(least, boost::math::tools::brent_find_minima(f, lo, hi, kQuarterDigits).second);
 }
 
 }  // namespace
@@ -126,8 +150,8 @@ std::optional<double> fillet_clearance(const Pair& pair, int which) {
       (which == 1 ? pair.mesh.backlash.rotation[1] : pair.mesh.backlash.rotation[0]) / 2;
   const double z = std::abs(gear.spec.teeth);
   const Orbit orbit{a, z / std::abs(mate.spec.teeth), play, kind, std::numbers::pi / z};
-  std::optional<double> least;
-  for (const Corner& corner : tip_corners(mate)) {
+  const auto clearance_of = [&](const Corner& corner) {
+    std::optional<double> least;
     for (const Arc& arc : gear.tooth->outline.arcs) {
       if (arc.name != ArcName::root_fillet) continue;
       // The corner is below the arc's upper end while cos w is above this.
@@ -158,6 +182,22 @@ std::optional<double> fillet_clearance(const Pair& pair, int which) {
           std::min(found, boost::math::tools::brent_find_minima(gap, lo, hi, kHalfDigits).second);
       if (!least || found < *least) least = found;
     }
+    return least;
+  };
+  std::optional<double> least;
+  const auto take = [&](const std::optional<double>& c) {
+    if (c && (!least || *c < *least)) least = c;
+  };
+  for (const Corner& corner : tip_corners(mate)) take(clearance_of(corner));
+  if (!mate.tooth) return least;
+  // A curved tip may touch with its middle.
+  for (const Arc& arc : mate.tooth->outline.arcs) {
+    if (arc.name != ArcName::tip_fillet) continue;
+    const auto at = [&](double u) {
+      const Vec2 p = arc.point(u);
+      return clearance_of({p.norm(), std::atan2(p.y(), p.x())}).value_or(kFarAway);
+    };
+    take(least_on(at));
   }
   return least;
 }

@@ -96,7 +96,8 @@ void find_internal_margins(Pair& p) {
   const Gear& g2 = p.gears[1];
   const double a = p.center_distance;
   const double r_a1 = g1.actual_tip_radius();
-  const double r_a2 = g2.actual_tip_radius();
+  // Where the ring's flank really ends: a rounded tip gives way.
+  const double r_a2 = g2.tooth ? g2.tip_form_radius() : g2.actual_tip_radius();
   const double z1 = g1.spec.teeth;
   const double z2 = std::abs(g2.spec.teeth);
   const double inv_w = involute(p.mesh.rack.sides[0].transverse_angle);
