@@ -1,7 +1,9 @@
 // Times of one gear: from the spec to the outline, and the outline's points.
 #include <benchmark/benchmark.h>
 
-#include "gearwright/gear/gear.hpp"
+#include <optional>
+
+#include "gearwright/gear/pinion_cut.hpp"
 
 namespace {
 
@@ -32,6 +34,21 @@ void make_gear_and_200_points_per_arc(benchmark::State& state) {
   }
 }
 BENCHMARK(make_gear_and_200_points_per_arc)->Arg(9)->Arg(25)->Unit(benchmark::kMicrosecond);
+
+// Cut by a finished pinion instead: a wheel of 40 teeth, a ring of 60. Every point of it is made
+// through the point of the cutter's arc, which was made through one of the rack's.
+void pinion_cut_and_200_points_per_arc(benchmark::State& state) {
+  CylindricalSpec s = spec(18);
+  s.rack.addendum = 1.25;
+  const auto cutter = make_gear(s);
+  const int teeth = static_cast<int>(state.range(0));
+  const PinionCutSpec wanted{teeth, *generating_distance(*cutter, teeth, 0.0), 20.0, std::nullopt};
+  for (auto _ : state) {
+    const auto gear = make_pinion_cut_gear(*cutter, wanted);
+    for (const Arc& arc : gear->tooth->outline.arcs) benchmark::DoNotOptimize(sample(arc, 200));
+  }
+}
+BENCHMARK(pinion_cut_and_200_points_per_arc)->Arg(40)->Arg(-60)->Unit(benchmark::kMicrosecond);
 
 // θ(ρ) of the fillet has no closed form: one bracketed solve a call.
 void fillet_half_angle_at_a_radius(benchmark::State& state) {

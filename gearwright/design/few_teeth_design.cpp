@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "gearwright/base/refusal.hpp"
@@ -15,7 +16,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kSteepestHelix = 75.0;  // degrees
+constexpr int kSteepestHelix = 75;       // degrees
 constexpr double kLeastTipFillet = 0.1;  // modules: r_t of a cutter that does not burn
 
 constexpr double kSameRatio = 0.02;
@@ -23,12 +24,15 @@ constexpr double kSameRatio = 0.02;
 // How far a candidate got, and what then stopped it.
 struct Verdict {
   int stage = 0;
+  double shortfall = 0.0;  // of candidates stopped at one stage the nearest is told
   std::string limit;
   std::optional<FewTeethDesign> design;
   double ratio() const { return design ? design->pair.mesh.true_ratio : 0.0; }
 };
 
-Verdict stopped(int stage, std::string limit) { return {stage, std::move(limit), std::nullopt}; }
+Verdict stopped(int stage, std::string limit, double shortfall = 0.0) {
+  return {stage, shortfall, std::move(limit), std::nullopt};
+}
 
 // Chord of the space where the flanks begin.
 double gap_of(const Gear& gear) {
@@ -73,11 +77,15 @@ class Search {
     x2 = std::round(x2 * 1000) / 1000;
     ++tried;
     Verdict v = candidate(x1, x2);
-    const bool better = v.design ? is_better(v) : !best.design && v.stage > best.stage;
+    const bool better = v.design ? is_better(v) : !best.design && got_further(v);
     if (!better) return;
     best = std::move(v);
     best_x1_ = x1;
     best_x2_ = x2;
+  }
+
+  bool got_further(const Verdict& v) const {
+    return v.stage > best.stage || (v.stage == best.stage && v.shortfall < best.shortfall);
   }
 
   // The path is as long as the pinion's flank wherever the wheel stands; of paths that are the same
@@ -101,6 +109,7 @@ class Search {
     c.helix_angle = Angle::degrees(std::round(Angle::radians(beta).deg() * 1e9) / 1e9);
     c.profile_shift = x1;
     c.face_width = p_.face_width.value_or(10 * p_.normal_module);
+    c.rack = p_.rack;
     c.root_fillet = RootFilletSpec{p_.root_offset};
     const double r_t = std::max(kLeastTipFillet * p_.normal_module, p_.least_tip_land / 2);
     c.tip_fillet = TipFilletSpec{TipFilletSpec::By::radius, r_t};
@@ -138,11 +147,35 @@ class Search {
     if (p_.helix) return p_.helix;
     const auto miss = [&](double beta) {
       const auto e = distance_at(beta, x1, x2);
-      return e ? *e + side_ * play_of(beta, x1, x2) - *p_.center_distance : -1.0;
+      return e ? *e + side_ * play_of(beta, x1, x2) - *p_.center_distance
+               : std::numeric_limits<double>::quiet_NaN();
     };
-    const double steepest = Angle::degrees(kSteepestHelix).rad();
-    if (miss(0.0) > 0.0 || miss(steepest) < 0.0) return std::nullopt;
-    return find_root(miss, 0.0, steepest).x;
+    // Degree by degree: where the shifts leave no distance at all the miss is no number.
+    double before = 0.0;
+    for (int degree = 1; degree <= kSteepestHelix; ++degree) {
+      const double beta = Angle::degrees(degree).rad();
+      if (miss(before) <= 0.0 && miss(beta) >= 0.0) return find_root(miss, before, beta).x;
+      before = beta;
+    }
+    return std::nullopt;
+  }
+
+  // With helix and distance given the shift of the wheel follows: E + j/(2 tan α_wt) = a.
+  std::optional<double> distance_within(const Gear& cutter) const {
+    const double r =
+        cutter.base_radius() * std::abs(1.0 + static_cast<double>(p_.teeth[1]) / p_.teeth[0]);
+    const double a = *p_.center_distance;
+    if (p_.backlash == 0.0) return a;
+    const auto miss = [&](double e) {
+      return e + side_ * p_.backlash * r / (2 * std::sqrt((e - r) * (e + r))) - a;
+    };
+    const double lo = r * (1 + 1e-9);
+    // Away from the base circles the play's share of the distance is small.
+    const double hi = side_ > 0.0 ? a : 2 * a;
+    if (!(lo < hi)) return std::nullopt;
+    const double from = side_ > 0.0 ? std::max(lo, a - 0.5 * (a - r)) : a;
+    if (!(miss(from) <= 0.0 && miss(hi) >= 0.0)) return std::nullopt;
+    return find_root(miss, from, hi).x;
   }
 
   Verdict candidate(double x1, double x2) {
@@ -157,7 +190,10 @@ class Search {
     double mounted = 0.0;
     if (p_.center_distance) {
       mounted = *p_.center_distance;
-      distance = mounted - side_ * play_of(*beta, x1, x2);
+      const auto within = p_.helix ? distance_within(*cutter)
+                                   : std::optional(mounted - side_ * play_of(*beta, x1, x2));
+      if (!within) return stopped(3, "the centre distance, which leaves no room for the backlash");
+      distance = *within;
     } else {
       const auto e = generating_distance(*cutter, p_.teeth[1], x2);
       if (!e) return stopped(3, "the wheel: " + e.error().message);
@@ -191,13 +227,17 @@ class Search {
       const int which = g == &*g1 ? 1 : 2;
       const double land = tip_width(*g);
       if (land < p_.least_tip_land) {
-        return stopped(9, fmt::format("the land at the tip of gear {}: {:.3f} mm of {} mm", which,
-                                      land, p_.least_tip_land));
+        return stopped(9,
+                       fmt::format("the land at the tip of gear {}: {:.3f} mm of {} mm", which,
+                                   land, p_.least_tip_land),
+                       p_.least_tip_land - land);
       }
       const double gap = gap_of(*g);
       if (gap < p_.least_gap) {
-        return stopped(10, fmt::format("the gap at the root of gear {}: {:.3f} mm of {} mm", which,
-                                       gap, p_.least_gap));
+        return stopped(10,
+                       fmt::format("the gap at the root of gear {}: {:.3f} mm of {} mm", which, gap,
+                                   p_.least_gap),
+                       p_.least_gap - gap);
       }
     }
     auto pair = mount(*g1, *g2, {mounted});
@@ -213,15 +253,19 @@ class Search {
     const auto needed = face_width_for_total(pair, p_.contact_ratio);
     double face = p_.face_width.value_or(0.0);
     if (!needed)
-      return stopped(14,
-                     fmt::format("the contact ratio {:.3f} without a helix", pair.mesh.true_ratio));
+      return stopped(
+          14, fmt::format("the contact ratio {:.3f}, to which no helix adds", pair.mesh.true_ratio),
+          p_.contact_ratio - pair.mesh.true_ratio);
     if (!p_.face_width) face = std::max(std::ceil(*needed * 10) / 10, p_.normal_module);
     if (face < *needed)
-      return stopped(14, fmt::format("the face width: {:.2f} mm of {:.2f} mm", face, *needed));
+      return stopped(14,
+                     fmt::format("the face width: {:.2f} mm of {:.2f} mm for a contact ratio of {}",
+                                 face, std::ceil(*needed * 100) / 100, p_.contact_ratio),
+                     *needed - face);
     pinion.face_width = face;
     const double tip = pair.gears[1].tip_diameter;
     const double x2 = pair.gears[1].spec.profile_shift;
-    return {15, "",
+    return {15, 0.0, "",
             FewTeethDesign{pinion, cutter, tip, x2, distance, mounted, face, std::move(pair)}};
   }
 

@@ -27,6 +27,7 @@ struct FewTeethProblem {
   std::optional<double> helix;            ///< β of the pinion; absent: from the centre distance
   std::optional<double> center_distance;  ///< a; absent: free
   std::optional<double> pinion_shift;     ///< x1; absent: wanted
+  StraightRack rack;                      ///< of the pinion; its root is the circular fillet's
   double root_offset = 0.0;               ///< of C from the undercut limit
   double least_tip_land = 0.0;            ///< normal thickness at both tips
   double least_gap = 0.0;                 ///< chord of both spaces where the flanks begin

@@ -143,9 +143,18 @@ std::optional<Error> make_cut_gear(JobSpec& spec, int which, MadeGears& made) {
   if (!distance) return in_table(distance.error(), spec, which);
   const double face =
       gear.face_width_given ? gear.cylindrical.face_width : 10 * cutter.spec.normal_module;
+  const bool by_distance =
+      cut.gear != 0 && spec.pair.center_distance && !cut.profile_shift_pair && !gear.profile_shift;
   auto result = make_pinion_cut_gear(
       cutter, {gear.cylindrical.teeth, *distance, face, gear.cylindrical.tip_diameter});
-  if (!result) return in_table(result.error(), spec, which);
+  if (!result) {
+    Error error = result.error();
+    if (!by_distance || error.key != "cut_by") return in_table(error, spec, which);
+    // The pair's distance is the generating one here.
+    error.key = "pair.center_distance_mm";
+    error.message = "pair.center_distance_mm, at which the gear is cut: " + error.message;
+    return error;
+  }
   if (auto error = check_agreement(gear, *result, which)) return error;
   gear.cylindrical = result->spec;
   gear.helix_given = true;
@@ -167,6 +176,14 @@ std::optional<Error> make_cut_gears(JobSpec& spec, MadeGears& made) {
   if (spec.pair.shorten_tips) {
     return Error{"pair.shorten_tips", "true",
                  "pair.shorten_tips = true: has no place beside cut_by; give tip_diameter_mm"};
+  }
+  const bool mates = (is_cut(1) && spec.gears[0]->cut_by->gear != 0) ||
+                     (is_cut(2) && spec.gears[1]->cut_by->gear != 0);
+  if (mates && spec.pair.mounting == Mounting::extended) {
+    return Error{
+        "pair.mounting", "extended",
+        "pair.mounting = \"extended\": a gear cut by its mate is mounted at the generating "
+        "distance; give center_distance_mm for another one"};
   }
   // First the one that waits for no other.
   const bool second_first = is_cut(1) && spec.gears[0]->cut_by->gear == 2;

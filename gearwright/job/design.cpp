@@ -55,6 +55,19 @@ Error of_basic(Error error, const JobSpec& spec) {
   return error;
 }
 
+// Nobody gave the diameter at which a tip with a clearance ends.
+Error of_clearance(Error error, const JobSpec& spec, int which) {
+  const GearInput& gear = *spec.gears[static_cast<std::size_t>(which - 1)];
+  const std::string table = fmt::format("gear{}.tip_fillet", which);
+  if (error.key != table || !(gear.tip_clearance || gear.tip_clearance_by_rule)) return error;
+  const double m = gear.cylindrical.normal_module;
+  error.key = table + ".clearance_mm";
+  error.value = fmt::format("{}", gear.tip_clearance.value_or(0.2 * m + 0.05));
+  error.message = fmt::format("{} = {}: the tip would have to end elsewhere. {}", error.key,
+                              error.value, error.message);
+  return error;
+}
+
 // A shift that nobody gave cannot be to blame: it followed from the centre distance.
 Error of_distance(Error error, const JobSpec& spec) {
   for (const int which : {1, 2}) {
@@ -286,7 +299,11 @@ Result<Design> solve(const JobSpec& given, Scope scope) {
       continue;
     }
     auto gear = make_gear(spec.gears[i]->cylindrical);
-    if (!gear) return of_distance(in_table(gear.error(), spec, static_cast<int>(i) + 1), spec);
+    if (!gear) {
+      const int which = static_cast<int>(i) + 1;
+      const Error error = of_distance(in_table(gear.error(), spec, which), spec);
+      return clear_tips ? of_clearance(error, spec, which) : error;
+    }
     const bool bare_ring = gear->internal();
     auto cut = bare_ring ? cut_by_default(*gear) : std::nullopt;
     design.gears.push_back(cut ? *std::move(cut) : std::move(gear).take());

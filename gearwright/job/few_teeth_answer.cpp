@@ -10,6 +10,8 @@ namespace gearwright {
 
 namespace {
 
+constexpr double kMostContact = 20.0;  // nobody has mounted more
+
 std::optional<Error> out_of_place(const JobSpec& spec) {
   const auto fail = [](const std::string& key, const std::string& why) {
     return Error{key, "", key + ": " + why};
@@ -25,7 +27,29 @@ std::optional<Error> out_of_place(const JobSpec& spec) {
     if (g.cylindrical.tip_diameter)
       return fail(table + "tip_diameter_mm", "few_teeth = true chooses this itself; leave it out");
   }
+  const GearInput& pinion = *spec.gears[0];
   const GearInput& wheel = *spec.gears[1];
+  const auto differs = [](double a, double b) { return std::abs(a - b) > 1e-9 * std::abs(a); };
+  for (const GearInput* g : {&pinion, &wheel}) {
+    if (g->cylindrical.thickness_allowance != 0.0) {
+      return fail(g == &pinion ? "gear1.thickness_allowance_mm" : "gear2.thickness_allowance_mm",
+                  "the backlash is made by [fit] backlash_mm; leave this out");
+    }
+  }
+  if (differs(pinion.cylindrical.normal_module, wheel.cylindrical.normal_module))
+    return fail("gear2.normal_module_mm", "must be that of gear1, which cuts it");
+  if (differs(pinion.cylindrical.normal_pressure_angle.deg(),
+              wheel.cylindrical.normal_pressure_angle.deg()))
+    return fail("gear2.normal_pressure_angle_deg", "must be that of gear1, which cuts it");
+  if (wheel.helix_given) return fail("gear2.helix_angle_deg", "follows from gear1; leave it out");
+  if (wheel.face_width_given) return fail("gear2.face_width_mm", "is that of gear1; leave it out");
+  if (spec.pair.shorten_tips || spec.pair.mounting == Mounting::extended)
+    return fail(spec.pair.shorten_tips ? "pair.shorten_tips" : "pair.mounting",
+                "few_teeth = true chooses tips and distance; leave this out");
+  if (spec.fit.normal_pressure_angle_deg)
+    return fail("fit.working_normal_pressure_angle_deg", "has no place beside few_teeth = true");
+  if (spec.fit.contact_ratio && *spec.fit.contact_ratio > kMostContact)
+    return fail("fit.contact_ratio", fmt::format("must be at most {}", kMostContact));
   if (wheel.cylindrical.root_fillet)
     return fail("gear2.root_fillet", "the wheel's root is cut by the pinion; leave it out");
   if (wheel.profile_shift)
@@ -42,6 +66,14 @@ std::optional<Error> out_of_place(const JobSpec& spec) {
 // As a drawing has them: to nine places, without the last digits of a conversion.
 double drawn(double v) { return std::stod(fmt::format("{:.9f}", v)); }
 
+// Nine places where that is the number; a shift that follows from a distance keeps all of them.
+double shift_as_drawn(double x) { return std::abs(drawn(x) - x) < 1e-12 ? drawn(x) : x; }
+
+// Never longer than it was computed.
+double tip_as_drawn(double d, bool ring) {
+  return ring ? std::ceil(d * 1e4) / 1e4 : std::floor(d * 1e4) / 1e4;
+}
+
 Json pinion_json(const CylindricalSpec& c) {
   Json g;
   g["teeth"] = c.teeth;
@@ -49,7 +81,7 @@ Json pinion_json(const CylindricalSpec& c) {
   g["normal_pressure_angle_deg"] = drawn(c.normal_pressure_angle.deg());
   g["helix_angle_deg"] = drawn(c.helix_angle.deg());
   g["profile_shift"] = drawn(c.profile_shift);
-  if (c.tip_diameter) g["tip_diameter_mm"] = drawn(*c.tip_diameter);
+  if (c.tip_diameter) g["tip_diameter_mm"] = tip_as_drawn(*c.tip_diameter, false);
   g["root_fillet"] = {{"kind", "circular"}, {"offset_mm", drawn(c.root_fillet->offset)}};
   if (c.tip_fillet)
     g["tip_fillet"] = {{"kind", "circular"}, {"radius_mm", drawn(c.tip_fillet->value)}};
@@ -63,13 +95,16 @@ Json spec_of(const JobSpec& spec, const FewTeethDesign& d) {
   if (given.contains("title")) tree["title"] = given["title"];
   Json pinion = pinion_json(d.pinion);
   pinion["face_width_mm"] = d.face_width;
-  Json wheel{{"teeth", d.pair.gears[1].spec.teeth}, {"profile_shift", drawn(d.wheel_shift)}};
+  Json wheel{{"teeth", d.pair.gears[1].spec.teeth},
+             {"profile_shift", shift_as_drawn(d.wheel_shift)}};
   wheel["face_width_mm"] = d.face_width;
-  wheel["tip_diameter_mm"] = drawn(d.wheel_tip_diameter);
+  wheel["tip_diameter_mm"] = tip_as_drawn(d.wheel_tip_diameter, d.pair.gears[1].internal());
   wheel["cut_by"] = pinion_json(d.cutter);
   for (Json* g : {&pinion, &wheel}) {
     const char* name = g == &pinion ? "gear1" : "gear2";
     if (given[name].contains("bore")) (*g)["bore"] = given[name]["bore"];
+    if (!given["gear1"].contains("rack")) continue;
+    (g == &pinion ? pinion : wheel["cut_by"])["rack"] = given["gear1"]["rack"];
   }
   tree["gear1"] = pinion;
   tree["gear2"] = wheel;
@@ -95,6 +130,7 @@ Result<FitAnswer> answer_few_teeth(const JobSpec& spec) {
   p.center_distance = spec.pair.center_distance;
   p.pinion_shift = g1.profile_shift;
   const double m = p.normal_module;
+  p.rack = g1.cylindrical.rack;
   p.root_offset = g1.cylindrical.root_fillet ? g1.cylindrical.root_fillet->offset : 0.01 * m;
   p.least_tip_land = spec.fit.least_tip_land.value_or(0.0);
   p.least_gap = spec.fit.least_gap.value_or(0.0);

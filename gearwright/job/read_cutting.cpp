@@ -70,6 +70,9 @@ void read_fillets(TableReader& gear, GearInput& g) {
     const auto l = t.number("l_mm");
     g.tip_clearance = t.number("clearance_mm");
     t.finish();
+    if (g.tip_clearance && *g.tip_clearance < 0.0) {
+      t.fail("clearance_mm", "must not be negative: the tip would cut into the mate's root");
+    }
     const int given = radius.has_value() + l.has_value() + g.tip_clearance.has_value();
     if (given > 1) {
       t.fail(radius && l ? "l_mm" : "clearance_mm",

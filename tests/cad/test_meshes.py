@@ -2,7 +2,8 @@
 
   test_meshes.py [FILE.stl FILE.glb FILE.3mf ...]
 
-Without files, the program ($GW_BIN) writes a helical pair with a keyway, together and gear by gear.
+Without files, the program ($GW_BIN) writes pairs, together and gear by gear: a helical one with a keyway, two teeth with
+the wheel that they cut, a tooth alone with its wheel, a ring cut by a pinion.
 
   .stl  admesh: every edge shared, nothing degenerate, nothing to repair; parts as many as gears
   .3mf  lib3mf 1.8 through lib3mf_read_test.cpp, and Python's zipfile
@@ -22,7 +23,7 @@ import zipfile
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-SPEC = """
+HELICAL = """
 title = "mesh files"
 [gear1]
 teeth = 17
@@ -40,6 +41,56 @@ face_width_mm = 25
 normal_module_mm = 2.5
 helix_angle_deg = -15
 """
+FILLETED = """
+profile_shift = {x}
+rack = {{ dedendum = 1.0, root_fillet_radius = 0 }}
+root_fillet = {{ offset_mm = {offset} }}
+tip_fillet = {{ radius_mm = {radius} }}
+"""
+TWO_TEETH = """
+[gear1]
+teeth = 2
+normal_module_mm = 1.75
+helix_angle_deg = 30
+face_width_mm = 12
+""" + FILLETED.format(x=0.7, offset=0.01, radius=0.332) + """
+[gear2]
+teeth = 60
+face_width_mm = 6
+cut_by = "gear1"
+[gear2.bore]
+diameter_mm = 20
+"""
+ONE_TOOTH = """
+[gear1]
+teeth = 1
+normal_module_mm = 2
+helix_angle_deg = -55
+face_width_mm = 14
+""" + FILLETED.format(x=0.75, offset=0.05, radius=0.5) + """
+[gear2]
+teeth = 30
+face_width_mm = 6
+cut_by = "gear1"
+"""
+RING = """
+[gear1]
+teeth = 18
+normal_module_mm = 2
+helix_angle_deg = 20
+profile_shift = 0.3
+face_width_mm = 10
+[gear2]
+teeth = -49
+face_width_mm = 8
+profile_shift = -0.3
+tip_diameter_mm = 101.6
+bore = { diameter_mm = 118 }
+[gear2.cut_by]
+teeth = 20
+rack = { addendum = 1.25, tip_fillet_radius = 0.2 }
+"""
+SPECS = {"helical": HELICAL, "two_teeth": TWO_TEETH, "one_tooth": ONE_TOOTH, "ring": RING}
 
 readers = 0
 faults = []
@@ -53,9 +104,10 @@ def run(command, **options):
     return subprocess.run([str(c) for c in command], capture_output=True, text=True, **options)
 
 
-def write_files(folder):
+def write_files(folder, text):
+    folder.mkdir()
     spec = folder / "pair.toml"
-    spec.write_text(SPEC)
+    spec.write_text(text)
     files = []
     for gears in (["--gear", "1"], ["--gear", "2"], []):
         stem = "gear" + gears[1] if gears else "pair"
@@ -139,7 +191,8 @@ def check_by_node(files):
 def main():
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        files = [Path(a) for a in sys.argv[1:]] or write_files(folder)
+        files = [Path(a) for a in sys.argv[1:]] or [
+            file for name, text in SPECS.items() for file in write_files(folder / name, text)]
         by_kind = {kind: [f for f in files if f.suffix == kind] for kind in (".stl", ".3mf", ".glb")}
         if sum(map(len, by_kind.values())) != len(files):
             sys.exit("only .stl, .3mf and .glb files")

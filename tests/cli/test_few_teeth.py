@@ -257,7 +257,7 @@ class CutByErrors(FewTeeth):
         self.refused(PINION + CUT + f"profile_shift = {least - 1e-9!r}\n", "gear2.profile_shift")
 
     def test_a_distance_too_small(self):
-        message = self.refused(PINION + CUT + "[pair]\ncenter_distance_mm = 50\n", "gear2.cut_by", "greater than")
+        message = self.refused(PINION + CUT + "[pair]\ncenter_distance_mm = 50\n", "pair.center_distance_mm", "greater than")
         least = float(re.search(r"greater than ([0-9.]+)", message).group(1))
         self.assertAlmostEqual(least, 1.8628891263196041418 * 31, places=9)
 
