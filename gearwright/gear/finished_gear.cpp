@@ -44,6 +44,12 @@ double shift_for(const Gear& gear, double x_E) {
 
 // What would avoid the undercut: a shift for a gear cut by a rack, else another cutter.
 std::string without_undercut(const Gear& gear) {
+  if (gear.arcs) {
+    return fmt::format(
+        "the cutter's flank begins at a normal angle of {:.4f}° and would have to at {:.4f}°; less "
+        "dedendum, another root fillet radius or more teeth would help.",
+        gear.arcs->flank_begin.deg(), gear.arcs->undercut_limit->deg());
+  }
   if (!gear.undercut_free_profile_shift)
     return "a greater centre distance or a cutter with a shorter tip avoids it.";
   return fmt::format("a profile shift of at least {:.4f} avoids it.",
@@ -111,7 +117,9 @@ void warn_about_tooth(Gear& gear) {
                      without_undercut(gear)));
   }
   if (!tooth.form_radius) {
-    warn(gear, "no_flank", "No usable involute flank is left between root fillet and tip.");
+    warn(gear, "no_flank",
+         fmt::format("No usable {}flank is left between root fillet and tip.",
+                     gear.involute() ? "involute " : ""));
   }
   warn_about_tip(gear);
   if (tooth.tip_cut_by_rack) {
@@ -126,6 +134,12 @@ void warn_about_tooth(Gear& gear) {
 // Normal thickness of the finished tooth at its tip: the land that is left, 0 at a point.
 std::optional<double> tip_thickness(const Gear& gear) {
   if (!gear.exists()) return std::nullopt;
+  if (!gear.involute()) {
+    const double d_end = 2 * gear.tooth->tip_radius;
+    const double s_t = gear.tooth->pointed ? 0.0 : d_end * gear.tooth->outline.arcs.back().begin;
+    return s_t *
+           cos_helix_at(gear.reference.reference_diameter, gear.spec.helix_angle.rad(), d_end);
+  }
   const double d_b = gear.reference.base_diameter;
   if (gear.tooth) {
     if (gear.tooth->pointed || gear.tooth->rounded_tip) return 0.0;

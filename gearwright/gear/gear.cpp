@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "gearwright/base/refusal.hpp"
+#include "gearwright/gear/arc_gear.hpp"
 #include "gearwright/gear/finished_gear.hpp"
 
 namespace gearwright {
@@ -145,6 +146,7 @@ double Gear::twist() const { return lead == 0.0 ? 0.0 : 2 * std::numbers::pi / l
 
 Result<Gear> make_gear(const CylindricalSpec& spec) {
   if (auto error = check_limits(spec)) return *error;
+  if (spec.arc_rack) return detail::make_arc_gear(spec);
   Gear gear = detail::described(spec);
   auto rack_edge = make_edge(spec.rack, spec.normal_module, spec.normal_pressure_angle);
   if (!rack_edge) return rack_edge.error();

@@ -12,6 +12,7 @@
 #include "gearwright/gear/few_teeth.hpp"
 #include "gearwright/gear/reference.hpp"
 #include "gearwright/generation/generate.hpp"
+#include "gearwright/tool/arc_racks.hpp"
 #include "gearwright/tool/straight_rack.hpp"
 
 namespace gearwright {
@@ -26,6 +27,7 @@ struct CylindricalSpec {
   double face_width = 0.0;                           ///< b     mm
   std::optional<double> tip_diameter;                ///< d_a   mm; else from the rack
   StraightRack rack;
+  std::optional<AnyArcRack> arc_rack;  ///< of arcs, in place of `rack` and α_n: no involute gear
   std::optional<RootFilletSpec> root_fillet;  ///< a circular arc instead of the root as cut
   std::optional<TipFilletSpec> tip_fillet;    ///< a circular arc instead of the tip as cut
 };
@@ -44,13 +46,23 @@ struct PinionCutting {
   bool by_default = false;  ///< the drawing names no cutter: gear/ring_cutter.hpp chose it
 };
 
+/// What a gear cut by a rack of arcs has in place of an involute.
+struct ArcTeeth {
+  RackOfArcs rack;                            ///< its edge, in modules
+  std::optional<double> reference_thickness;  ///< s_n  mm, with the allowance
+  Angle flank_begin;                          ///< τ at the root end of the flank's arc, of several
+                                              ///< the undercut one or else the lowest
+  std::optional<Angle> undercut_limit;        ///< τ of that arc's cusp; none: it has none
+};
+
 struct Gear {
   CylindricalSpec spec;
   std::optional<PinionCutting> cut_by;  ///< none: cut by its rack
-  ReferenceGeometry<double> reference;
-  double tip_diameter;   ///< d_a   mm, of the blank
-  double root_diameter;  ///< d_f   mm, negative when the rack passes the axis
-  double lead;           ///< p_z   mm, signed; 0 for a spur gear (no lead exists)
+  std::optional<ArcTeeth> arcs;         ///< none: an involute gear
+  ReferenceGeometry<double> reference;  ///< with arcs: m_t, d; all else is NaN, for it is not there
+  double tip_diameter;                  ///< d_a   mm, of the blank
+  double root_diameter;                 ///< d_f   mm, negative when the rack passes the axis
+  double lead;                          ///< p_z   mm, signed; 0 for a spur gear (no lead exists)
   std::optional<double> undercut_free_profile_shift;  ///< least x_E without, signed; of a rack
   bool undercut;  ///< x_E below that, and no circular root fillet in place of what the rack cuts
   std::optional<double> undercut_l;                  ///< l_F  mm, signed; none for a ring
@@ -61,6 +73,7 @@ struct Gear {
   std::vector<Warning> warnings;
 
   bool internal() const { return spec.teeth < 0; }
+  bool involute() const { return !arcs; }
   bool exists() const { return !tooth || (!tooth->through_axis && !tooth->severed); }
   double base_radius() const { return reference.base_diameter / 2; }
   /// d_Ff/2, where the usable flank starts; none for a ring or when no flank is left.

@@ -38,6 +38,8 @@ class RackTrochoid final : public Curve {
   Vec2 point(double tau) const override;
   CurvePoint at(double tau) const override;
   double polar_angle(double tau) const override;
+  const RackMotion& motion() const { return motion_; }
+  const EdgeCircle& circle() const { return circle_; }  ///< its centre lifted by e
 
   /// F(sin τ), lowest power first. [T3.9]
   std::vector<double> cusp_polynomial() const;

@@ -1,0 +1,117 @@
+#include "gearwright/gear/arc_gear.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "gearwright/base/refusal.hpp"
+#include "gearwright/gear/finished_gear.hpp"
+#include "gearwright/math/polynomial.hpp"
+#include "gearwright/math/root.hpp"
+
+namespace gearwright::detail {
+
+namespace {
+
+// What follows from teeth, module and helix alone.
+ReferenceGeometry<double> without_involute(const CylindricalSpec& spec) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  ReferenceGeometry<double> g{kNone, kNone, kNone, kNone, kNone, kNone,
+                              kNone, kNone, kNone, kNone, kNone};
+  g.transverse_module = spec.normal_module / std::cos(spec.helix_angle.rad());
+  g.reference_diameter = g.transverse_module * spec.teeth;
+  return g;
+}
+
+std::optional<Error> check_spec(const CylindricalSpec& spec) {
+  const std::string why = "has no place beside a rack of arcs";
+  if (spec.teeth < 0)
+    return refused("teeth", spec.teeth, "a ring cannot have circular-arc teeth: a rack cuts them");
+  if (spec.profile_shift != 0.0) {
+    return refused("profile_shift", spec.profile_shift,
+                   why + "; the place of its centres (center_b) says how deep it goes");
+  }
+  for (const auto* fillet :
+       {spec.root_fillet ? "root_fillet" : nullptr, spec.tip_fillet ? "tip_fillet" : nullptr}) {
+    if (fillet) return Error{fillet, "", std::string(fillet) + ": " + why};
+  }
+  return std::nullopt;
+}
+
+// Where the two flanks meet on the arc that ends the edge, if they do.
+std::optional<double> pointed_diameter(const RackMotion& motion, const CutterEdge& edge) {
+  const EdgeArc& last = edge.arcs.back();
+  const RackTrochoid curve(motion, *last.circle);
+  const double a = last.circle->begin_tau;
+  const double b = last.circle->end_tau;
+  const auto theta = [&](double tau) { return curve.polar_angle(tau); };
+  if (!(theta(a) > 0.0 && theta(b) <= 0.0)) return std::nullopt;
+  return 2 * curve.point(find_root(theta, std::min(a, b), std::max(a, b)).x).norm();
+}
+
+// Whether the flank's arc begins behind its cusp.
+bool is_undercut(const EdgeCircle& flank, const std::optional<Angle>& limit) {
+  if (!limit) return false;
+  return flank.q > 0.0 ? limit->rad() > flank.begin_tau : limit->rad() < flank.begin_tau;
+}
+
+// The lowest flank, or the one above it that is undercut; a joint between two touches nothing.
+void look_for_undercut(Gear& gear, const RackMotion& motion, const CutterEdge& edge) {
+  bool first = true;
+  for (const EdgeArc& arc : edge.arcs) {
+    const EdgeCircle& circle = *arc.circle;
+    if (arc.cuts != ArcName::flank || circle.q == 0.0 || !(first || circle.q > 0.0)) continue;
+    const auto limit = undercut_limit(motion, circle);
+    const bool undercut = is_undercut(circle, limit);
+    if (first || undercut) {
+      gear.arcs->flank_begin = Angle::radians(circle.begin_tau);
+      gear.arcs->undercut_limit = limit;
+    }
+    gear.undercut = gear.undercut || undercut;
+    first = false;
+  }
+}
+
+}  // namespace
+
+std::optional<Angle> undercut_limit(const RackMotion& motion, const EdgeCircle& circle) {
+  const std::vector<double> f = RackTrochoid(motion, circle).cusp_polynomial();
+  const double end = std::sin(circle.end_tau);
+  const bool convex = circle.q > 0.0;
+  const std::vector<double> sines =
+      convex ? polynomial_roots(f, 0.0, end) : polynomial_roots(f, end, 1.0);
+  if (sines.empty()) return std::nullopt;
+  return Angle::radians(std::asin(convex ? sines.back() : sines.front()));
+}
+
+Result<Gear> make_arc_gear(const CylindricalSpec& spec) {
+  GW_EXPECTS(spec.arc_rack.has_value());
+  if (auto error = check_spec(spec)) return *error;
+  auto rack = arcs_of(*spec.arc_rack);
+  if (!rack) return rack.error();
+  auto edge = make_edge(*rack, spec.normal_module, spec.thickness_allowance);
+  if (!edge) return edge.error();
+
+  Gear gear{};
+  gear.spec = spec;
+  gear.reference = without_involute(spec);
+  const double m = spec.normal_module;
+  const double d = gear.reference.reference_diameter;
+  const double beta = spec.helix_angle.rad();
+  const RackMotion motion{d / 2, std::cos(beta), 0.0};
+  gear.arcs = ArcTeeth{*rack, std::nullopt, Angle(), std::nullopt};
+  if (const auto half = half_thickness_on_datum(*rack))
+    gear.arcs->reference_thickness = 2 * *half * m + spec.thickness_allowance;
+  look_for_undercut(gear, motion, *edge);
+  gear.tip_diameter = spec.tip_diameter.value_or(d + 2 * m * rack->addendum);
+  gear.root_diameter = d - 2 * m * rack->dedendum;
+  gear.lead = beta == 0.0 ? 0.0 : std::numbers::pi * d / std::tan(beta);
+  gear.pointed_diameter = pointed_diameter(motion, *edge);
+  auto tooth = cut_by_rack(*edge, motion, spec.teeth, gear.tip_diameter / 2);
+  if (!tooth) return tooth.error();
+  gear.tooth = std::move(tooth).take();
+  finish(gear);
+  return gear;
+}
+
+}  // namespace gearwright::detail

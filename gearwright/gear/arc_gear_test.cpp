@@ -1,0 +1,174 @@
+// Gears with circular-arc teeth from their specs: what they have, what they do not, flags and
+// refusals.
+#include "gearwright/gear/arc_gear.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace gearwright {
+namespace {
+
+using Cutter = ArcRack::Cutter;
+
+CylindricalSpec spec_of(Cutter cutter, int teeth) {
+  ArcRack rack = default_arc_rack(cutter);
+  rack.arc_radius = cutter == Cutter::F ? 1.4 : 1.55;
+  rack.center_a = cutter == Cutter::F ? 0.422436 : 0.552339;
+  rack.center_b = cutter == Cutter::F ? 0.243893 : 0.318893;
+  CylindricalSpec s;
+  s.teeth = teeth;
+  s.normal_module = 2.0;
+  s.helix_angle = Angle::degrees(20);
+  s.face_width = 20.0;
+  s.arc_rack = rack;
+  return s;
+}
+
+CylindricalSpec double_spec(int teeth) {
+  CylindricalSpec s = spec_of(Cutter::F, teeth);
+  s.arc_rack = DoubleArcRack{};
+  return s;
+}
+
+Gear made(const CylindricalSpec& s) {
+  auto gear = make_gear(s);
+  EXPECT_TRUE(gear) << gear.error().message;
+  return std::move(gear).take();
+}
+
+bool warns(const Gear& gear, const std::string& code) {
+  return std::any_of(gear.warnings.begin(), gear.warnings.end(),
+                     [&](const Warning& w) { return w.code == code; });
+}
+
+std::vector<ArcName> names(const Gear& gear) {
+  std::vector<ArcName> list;
+  for (const Arc& arc : gear.tooth->outline.arcs) list.push_back(arc.name);
+  return list;
+}
+
+TEST(ArcGear, has_diameters_of_its_rack_and_no_involute) {
+  const Gear gear = made(spec_of(Cutter::F, 20));
+  const double d = 20 * 2.0 / std::cos(std::numbers::pi / 9);
+  EXPECT_FALSE(gear.involute());
+  EXPECT_DOUBLE_EQ(gear.reference.reference_diameter, d);
+  EXPECT_DOUBLE_EQ(gear.tip_diameter, d + 4 * 0.9);
+  EXPECT_DOUBLE_EQ(gear.root_diameter, d - 4 * 0.3);
+  EXPECT_TRUE(std::isnan(gear.reference.base_diameter));
+  EXPECT_TRUE(std::isnan(gear.reference.base_tooth_thickness));
+  EXPECT_TRUE(std::isnan(gear.reference.transverse_pressure_angle));
+  EXPECT_FALSE(gear.undercut_free_profile_shift);
+  EXPECT_FALSE(gear.undercut_l);
+  EXPECT_TRUE(gear.warnings.empty());
+  EXPECT_EQ(names(gear), (std::vector{ArcName::root_land, ArcName::root_fillet, ArcName::flank,
+                                      ArcName::tip_land}));
+}
+
+// Where the edge crosses the pitch line the gear's point is cut on the pitch circle, at the same
+// distance along it.
+TEST(ArcGear, thickness_on_the_reference_cylinder) {
+  for (const double allowance : {0.0, -0.08}) {
+    for (const Cutter cutter : {Cutter::F, Cutter::P}) {
+      CylindricalSpec s = spec_of(cutter, 20);
+      s.thickness_allowance = allowance;
+      if (cutter == Cutter::P) s.tip_diameter = 20 * 2.0 / std::cos(std::numbers::pi / 9) + 0.2;
+      const Gear gear = made(s);
+      const Arc* flank = gear.tooth->outline.find(ArcName::flank);
+      const double r = gear.reference.reference_diameter / 2;
+      const double tau = flank->curve->parameter_at_radius(r, flank->begin, flank->end);
+      const double s_t = 2 * r * flank->curve->polar_angle(tau);
+      EXPECT_NEAR(s_t * std::cos(s.helix_angle.rad()), *gear.arcs->reference_thickness, 1e-12);
+    }
+  }
+}
+
+// Convex, step and concave are flank all three; the usable one runs from the lowest to the highest.
+TEST(ArcGear, double_arcs_have_three_flank_arcs) {
+  const Gear gear = made(double_spec(25));
+  EXPECT_EQ(names(gear), (std::vector{ArcName::root_fillet, ArcName::flank, ArcName::flank,
+                                      ArcName::flank, ArcName::tip_land}));
+  const auto& arcs = gear.tooth->outline.arcs;
+  EXPECT_DOUBLE_EQ(*gear.root_form_radius(), arcs[1].begin_point.norm());
+  EXPECT_DOUBLE_EQ(gear.tip_form_radius(), arcs[3].end_point.norm());
+  // From root to tip the concave part turns left, the convex one right.
+  EXPECT_GT(arcs[1].at(0.5).curvature, 0.0);
+  EXPECT_LT(arcs[3].at(0.5).curvature, 0.0);
+}
+
+TEST(ArcGear, flags_say_what_happened) {
+  CylindricalSpec deep = spec_of(Cutter::F, 8);
+  std::get<ArcRack>(*deep.arc_rack).dedendum = 0.5;
+  const Gear undercut = made(deep);
+  EXPECT_TRUE(undercut.undercut);
+  EXPECT_TRUE(warns(undercut, "undercut"));
+  EXPECT_LT(undercut.arcs->flank_begin, *undercut.arcs->undercut_limit);
+  CylindricalSpec high = spec_of(Cutter::F, 20);
+  high.tip_diameter = made(high).reference.reference_diameter + 4.5;
+  const Gear pointed = made(high);
+  EXPECT_TRUE(pointed.pointed() || pointed.tooth->tip_cut_by_rack);
+  CylindricalSpec small = spec_of(Cutter::P, 1);
+  EXPECT_TRUE(warns(made(small), "through_axis"));
+  EXPECT_FALSE(made(small).exists());
+}
+
+// Where both flanks meet is what the pointed tooth ends at, whatever the blank.
+TEST(ArcGear, pointed_diameter) {
+  CylindricalSpec s = spec_of(Cutter::F, 20);
+  const Gear gear = made(s);
+  ASSERT_TRUE(gear.pointed_diameter);
+  s.tip_diameter = *gear.pointed_diameter * (1 - 1e-9);
+  if (!made(s).tooth->tip_cut_by_rack) {
+    EXPECT_LT(*made(s).tip_tooth_thickness_normal, 1e-3);
+  }
+}
+
+// A land at the end of the arcs tops the tooth below a blank that is too large.
+TEST(ArcGear, the_arcs_end_tops_the_tooth) {
+  CylindricalSpec s = spec_of(Cutter::P, 60);
+  s.tip_diameter = made(s).reference.reference_diameter + 4.0;
+  const Gear gear = made(s);
+  EXPECT_TRUE(gear.tooth->tip_cut_by_rack);
+  EXPECT_TRUE(warns(gear, "tip_cut_by_rack"));
+  const double top = gear.reference.reference_diameter / 2 + reach(gear.arcs->rack) * 2.0;
+  EXPECT_NEAR(gear.actual_tip_radius(), top, 1e-12);
+}
+
+TEST(ArcGear, errors_name_their_key) {
+  const auto key = [](auto change) {
+    CylindricalSpec s = spec_of(Cutter::F, 20);
+    change(s);
+    const auto gear = make_gear(s);
+    if (gear) return std::string("made");
+    EXPECT_NE(gear.error().message.find(gear.error().key), std::string::npos);
+    return gear.error().key;
+  };
+  EXPECT_EQ(key([](CylindricalSpec&) {}), "made");
+  EXPECT_EQ(key([](CylindricalSpec& s) { s.teeth = -40; }), "teeth");
+  EXPECT_EQ(key([](CylindricalSpec& s) { s.normal_module = 0.0; }), "normal_module_mm");
+  EXPECT_EQ(key([](CylindricalSpec& s) { s.profile_shift = 0.1; }), "profile_shift");
+  EXPECT_EQ(key([](CylindricalSpec& s) { s.root_fillet = RootFilletSpec{}; }), "root_fillet");
+  EXPECT_EQ(key([](CylindricalSpec& s) { s.tip_fillet = TipFilletSpec{}; }), "tip_fillet");
+  EXPECT_EQ(key([](CylindricalSpec& s) { s.tip_diameter = 30.0; }), "tip_diameter_mm");
+  EXPECT_EQ(key([](CylindricalSpec& s) { std::get<ArcRack>(*s.arc_rack).addendum = 1.2; }),
+            "rack.addendum");
+}
+
+// Hands mirror the twist and leave the section.
+TEST(ArcGear, left_and_right_hand_share_the_section) {
+  CylindricalSpec s = spec_of(Cutter::F, 20);
+  const Gear right = made(s);
+  s.helix_angle = -s.helix_angle;
+  const Gear left = made(s);
+  EXPECT_EQ(left.lead, -right.lead);
+  const Arc *a = right.tooth->outline.find(ArcName::flank),
+            *b = left.tooth->outline.find(ArcName::flank);
+  EXPECT_EQ(a->begin_point, b->begin_point);
+  EXPECT_EQ(a->end_point, b->end_point);
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,378 @@
+#include "gearwright/gear/modifications.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/base/refusal.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// Greatest amount over the depth of the usable flank, which is some two modules deep: 0.2 modules,
+// ten times what drawings ask for. Taken from both flanks it is half the tip land of most teeth.
+constexpr double kGreatestAmount = 0.1;
+// Greatest slope of a relief over its depth (length). Removal along the normal of the unmodified
+// flank errs by half the square of the slope, here 2 % of the amount; steeper is a chamfer, a
+// surface of its own.
+constexpr double kSteepest = 0.2;
+// Least depth (length) of a relief over that of the flank (face): less is an edge.
+constexpr double kLeastReach = 1e-3;
+// Borders nearer to each other, over the flank's width, are one: a linear relief that begins so
+// much elsewhere differs by less than 1e-6 of its amount.
+constexpr double kSameBorder = 1e-9;
+// A form diameter has more digits than the grid that shall reach it, relative.
+constexpr double kSameDiameter = 1e-9;
+// Least L over the greatest at which √(ρ² − r0²) is taken as it stands. A flank that begins on the
+// base circle itself has its L wrong by half of this, there and nowhere else.
+constexpr double kLeastRoll = 1e-6;
+// The form radius of a flank that begins on the base circle is that of the circle, to rounding.
+constexpr double kOnBase = 1e-12;
+
+constexpr double kUm = 1e-3;  // mm
+
+// mm as the um of the spec, without the rounding of the way there and back.
+double in_um(double mm) { return std::round(mm / kUm * 1e9) / 1e9; }
+
+std::string key_of(const FlankModifications& m, const std::string& key) {
+  for (const std::string& own : m.own_keys) {
+    if (own == "right_" + key || own == "left_" + key) return "modifications." + own;
+  }
+  return "modifications." + key;
+}
+
+double length(double rho, double r0) { return std::sqrt(std::max(0.0, (rho - r0) * (rho + r0))); }
+
+std::optional<Error> check_amount(const FlankModifications& m, const char* key, double amount,
+                                  double greatest) {
+  if (std::abs(amount) <= greatest) return std::nullopt;  // false for NaN
+  return refused(key_of(m, key), in_um(amount),
+                 fmt::format("must lie between -{0:.6g} and {0:.6g} um, a tenth of the depth of "
+                             "this gear's usable flank; more is another tooth: change the rack "
+                             "or thickness_allowance_mm",
+                             greatest / kUm));
+}
+
+struct ReliefKeys {
+  const char* amount;
+  const char* reach;
+};
+
+std::optional<Error> check_steepness(const FlankModifications& m, const ReliefKeys& keys,
+                                     const Relief& relief, double over) {
+  const double greatest = kSteepest * over / (relief.shape == ReliefShape::parabolic ? 2 : 1);
+  if (relief.amount <= greatest) return std::nullopt;
+  return refused(
+      key_of(m, keys.amount), in_um(relief.amount),
+      fmt::format("must be at most {:.6g} um over {:.6g} mm, a slope of 1 in 5; a longer "
+                  "relief ({}) may remove more, a chamfer is cut by the rack "
+                  "(semi_topping_angle_deg)",
+                  greatest / kUm, over, keys.reach));
+}
+
+std::optional<Error> check_relief(const FlankModifications& m, const ReliefKeys& keys,
+                                  const Relief& relief) {
+  if (!(relief.amount >= 0.0)) {
+    return refused(key_of(m, keys.amount), in_um(relief.amount),
+                   "must not be negative: a relief takes material away; profile_crowning_um and "
+                   "lead_crowning_um may be negative (hollow)");
+  }
+  if (relief.amount > 0.0 && !relief.reach) {
+    const std::string key = key_of(m, keys.reach);
+    return Error{key, "", fmt::format("{}: is missing beside {}", key, key_of(m, keys.amount))};
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> check_profile_relief(const FlankModifications& m, const ReliefKeys& keys,
+                                          const Relief& relief, double rho_far, double rho_end) {
+  if (auto error = check_relief(m, keys, relief)) return error;
+  if (!relief.reach) return std::nullopt;
+  const double nearest = 2 * (rho_end - kLeastReach * (rho_end - rho_far));
+  const auto [lo, hi] = std::minmax({2 * rho_far, nearest});
+  const double slack = kSameDiameter * rho_far;
+  if (!(*relief.reach >= lo - slack && *relief.reach <= hi + slack)) {
+    return refused(key_of(m, keys.reach), *relief.reach,
+                   fmt::format("must lie on the usable flank, between {} and {} mm diameter, and "
+                               "not on the end that it relieves, {} mm",
+                               lo, hi, 2 * rho_end));
+  }
+  return check_steepness(m, keys, relief, std::abs(rho_end - *relief.reach / 2));
+}
+
+std::optional<Error> check_end_relief(const FlankModifications& m, double b) {
+  constexpr ReliefKeys keys{"end_relief_um", "end_relief_length_mm"};
+  if (auto error = check_relief(m, keys, m.end_relief)) return error;
+  if (!m.end_relief.reach) return std::nullopt;
+  const double l = *m.end_relief.reach;
+  if (!(l >= kLeastReach * b && l <= b / 2)) {
+    return refused(key_of(m, keys.reach), l,
+                   fmt::format("must lie between {} mm and half the face width, {} mm; "
+                               "lead_crowning_um takes from the whole face",
+                               kLeastReach * b, b / 2));
+  }
+  return check_steepness(m, keys, m.end_relief, l);
+}
+
+std::optional<Error> check_topography(const FlankModifications& m, const FlankExtent& e,
+                                      double greatest) {
+  if (!m.topography) return std::nullopt;
+  const Topography& t = *m.topography;
+  const std::string key = key_of(m, "topography");
+  const auto [inner, outer] = std::minmax({2 * e.rho_root_form, 2 * e.rho_tip_form});
+  const double slack = kSameDiameter * outer;
+  const auto refusal = [&](const char* what, double value, const std::string& why) {
+    return Error{key, fmt::format("{}", value),
+                 fmt::format("{}: {} {}: {}", key, what, value, why)};
+  };
+  const auto range = [](double lo, double hi) {
+    return fmt::format(
+        "the grid must cover the usable flank, {} to {} mm; measure or design it "
+        "that far",
+        lo, hi);
+  };
+  if (!(t.diameters.front() <= inner + slack))
+    return refusal("least diameter_mm", t.diameters.front(), range(inner, outer));
+  if (!(t.diameters.back() >= outer - slack))
+    return refusal("greatest diameter_mm", t.diameters.back(), range(inner, outer));
+  const double half = e.face_width / 2;
+  if (!(t.heights.front() <= -half * (1 - kSameDiameter)))
+    return refusal("least z_mm", t.heights.front(), range(-half, half));
+  if (!(t.heights.back() >= half * (1 - kSameDiameter)))
+    return refusal("greatest z_mm", t.heights.back(), range(-half, half));
+  for (const double c : t.removed) {
+    if (std::abs(c) <= greatest) continue;
+    return refusal("removed_um", in_um(c),
+                   fmt::format("must lie between -{0:.6g} and {0:.6g}, a tenth of the depth of "
+                               "this gear's usable flank",
+                               greatest / kUm));
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> check(const FlankModifications& m, const FlankExtent& e) {
+  const double depth = std::abs(e.rho_tip_form - e.rho_root_form);
+  if (auto error = check_profile_relief(m, {"tip_relief_um", "tip_relief_start_mm"}, m.tip_relief,
+                                        e.rho_root_form, e.rho_tip_form))
+    return error;
+  if (auto error = check_profile_relief(m, {"root_relief_um", "root_relief_start_mm"},
+                                        m.root_relief, e.rho_tip_form, e.rho_root_form))
+    return error;
+  if (auto error = check_end_relief(m, e.face_width)) return error;
+  const double greatest = kGreatestAmount * depth;
+  for (const auto& [key, amount] :
+       {std::pair("tip_relief_um", m.tip_relief.amount),
+        std::pair("root_relief_um", m.root_relief.amount),
+        std::pair("profile_crowning_um", m.profile_crowning),
+        std::pair("profile_slope_um", m.profile_slope),
+        std::pair("lead_crowning_um", m.lead_crowning), std::pair("lead_slope_um", m.lead_slope),
+        std::pair("end_relief_um", m.end_relief.amount)}) {
+    if (auto error = check_amount(m, key, amount, greatest)) return error;
+  }
+  return check_topography(m, e, greatest);
+}
+
+struct Jet {
+  double f, d1, d2;
+};
+
+Removal along_profile(const Jet& f, double L_u, double L_uu) {
+  return {f.f, f.d1 * L_u, 0.0, f.d2 * L_u * L_u + f.d1 * L_uu, 0.0, 0.0};
+}
+
+Removal along_face(const Jet& f) { return {f.f, 0.0, f.d1, 0.0, 0.0, f.d2}; }
+
+Jet ramp_at(ReliefShape shape, double from, double to, double x) {
+  const double q1 = 1 / (to - from);
+  const double q = (x - from) * q1;
+  if (shape == ReliefShape::linear) return {q, q1, 0.0};
+  return {q * q, 2 * q * q1, 2 * q1 * q1};
+}
+
+void add(Removal& sum, double amount, const Removal& unit) {
+  sum.c += amount * unit.c;
+  sum.c_u += amount * unit.c_u;
+  sum.c_z += amount * unit.c_z;
+  sum.c_uu += amount * unit.c_uu;
+  sum.c_uz += amount * unit.c_uz;
+  sum.c_zz += amount * unit.c_zz;
+}
+
+// The candidates inside (lo, hi), sorted, neighbours nearer than kSameBorder made one.
+std::vector<double> borders(std::vector<double> candidates, double lo, double hi) {
+  const double same = kSameBorder * (hi - lo);
+  std::sort(candidates.begin(), candidates.end());
+  std::vector<double> kept;
+  for (const double x : candidates) {
+    const double last = kept.empty() ? lo : kept.back();
+    if (x - last > same && hi - x > same) kept.push_back(x);
+  }
+  return kept;
+}
+
+std::vector<double> with_ends(double lo, const std::vector<double>& inner, double hi) {
+  std::vector<double> all{lo};
+  all.insert(all.end(), inner.begin(), inner.end());
+  all.push_back(hi);
+  return all;
+}
+
+}  // namespace
+
+RemovalField::Ramp RemovalField::ramp(const Relief& relief, double from, double to) {
+  return {from, to, relief.shape, relief.reach.has_value()};
+}
+
+RemovalField::RemovalField(const FlankModifications& m, const FlankExtent& e)
+    : extent_(e),
+      amounts_{m.tip_relief.amount, m.root_relief.amount, m.profile_crowning, m.profile_slope,
+               m.lead_crowning,     m.lead_slope,         m.end_relief.amount},
+      roll_root_(length(e.rho_root_form, e.r0)),
+      roll_tip_(length(e.rho_tip_form, e.r0)) {
+  GW_EXPECTS(!check(m, e));
+  const auto [least, greatest] = std::minmax({roll_root_, roll_tip_});
+  const double floor = std::max(least / 2, kLeastRoll * greatest);
+  y_floor_ = floor * floor;
+  tip_ = ramp(m.tip_relief, length(m.tip_relief.reach.value_or(0.0) / 2, e.r0), roll_tip_);
+  root_ = ramp(m.root_relief, length(m.root_relief.reach.value_or(0.0) / 2, e.r0), roll_root_);
+  const double half = e.face_width / 2;
+  end_ = ramp(m.end_relief, half - m.end_relief.reach.value_or(0.0), half);
+  if (m.topography) topography_ = std::make_shared<TopographySpline>(*m.topography);
+  const auto [inner, outer] = std::minmax({e.rho_root_form, e.rho_tip_form});
+  std::vector<double> u;
+  for (const Relief* relief : {&m.tip_relief, &m.root_relief}) {
+    if (relief->reach) u.push_back(std::log(*relief->reach / 2));
+  }
+  kinks_u_ = borders(std::move(u), std::log(inner), std::log(outer));
+  if (end_.placed) kinks_z_ = borders({-end_.from, end_.from}, -half, half);
+  make_cells();
+}
+
+void RemovalField::make_cells() {
+  const auto [inner, outer] = std::minmax({extent_.rho_root_form, extent_.rho_tip_form});
+  const double half = extent_.face_width / 2;
+  const std::vector<double> u = with_ends(std::log(inner), kinks_u_, std::log(outer));
+  const std::vector<double> z = with_ends(-half, kinks_z_, half);
+  for (std::size_t i = 0; i + 1 < u.size(); ++i) {
+    // The middle of a cell says on which side of each start it lies.
+    const double L = length(std::exp((u[i] + u[i + 1]) / 2), extent_.r0);
+    const auto beyond = [](const Ramp& r, double x) {
+      return r.placed && (x - r.from) / (r.to - r.from) > 0.0;
+    };
+    for (std::size_t j = 0; j + 1 < z.size(); ++j) {
+      const double middle = (z[j] + z[j + 1]) / 2;
+      cells_.push_back(
+          {u[i],
+           u[i + 1],
+           z[j],
+           z[j + 1],
+           {beyond(tip_, L), beyond(root_, L), beyond(end_, -middle), beyond(end_, middle)}});
+    }
+  }
+}
+
+// L of y = ρ² − r0². Below y0 = y_floor_, with t = (y0 − y)/y0:  L = √y0 (1 − h),
+// h = t (1 + 7t/4)/(2 (1 + t)^(3/2)) has the value, slope and second derivative of 1 − √(1 − t)
+// at t = 0, grows for all t, and as √t in the end.
+RemovalField::Roll RemovalField::roll(double rho) const {
+  const double y = (rho - extent_.r0) * (rho + extent_.r0);
+  const double y_u = 2 * rho * rho;
+  const double y_uu = 2 * y_u;
+  double L = 0.0, by_y = 0.0, by_yy = 0.0;
+  if (y >= y_floor_) {
+    L = std::sqrt(y);
+    by_y = 1 / (2 * L);
+    by_yy = -by_y / (2 * y);
+  } else {
+    const double root = std::sqrt(y_floor_);
+    const double t = (y_floor_ - y) / y_floor_;
+    const double n = 1 + t;
+    const double p = t * (1 + 1.75 * t);  // h = p/(2 n^1.5)
+    const double p1 = 1 + 3.5 * t;
+    const double scale = 0.5 / (n * std::sqrt(n));
+    L = root * (1 - scale * p);
+    by_y = scale * (p1 - 1.5 * p / n) / root;
+    by_yy = -scale * (3.5 - 3 * p1 / n + 3.75 * p / (n * n)) / (root * y_floor_);
+  }
+  return {L, by_y * y_u, by_yy * y_u * y_u + by_y * y_uu};
+}
+
+Removal RemovalField::unit(Parameter parameter, const Roll& L, double z, const Piece& piece) const {
+  const auto relief = [&](const Ramp& r) {
+    return along_profile(ramp_at(r.shape, r.from, r.to, L.value), L.d1, L.d2);
+  };
+  const double w1 = 1 / (roll_tip_ - roll_root_);
+  const double w = (L.value - (roll_tip_ + roll_root_) / 2) * w1;
+  const double b = extent_.face_width;
+  switch (parameter) {
+    case Parameter::tip_relief:
+      GW_EXPECTS(!piece.tip || tip_.placed);
+      return piece.tip ? relief(tip_) : Removal{};
+    case Parameter::root_relief:
+      GW_EXPECTS(!piece.root || root_.placed);
+      return piece.root ? relief(root_) : Removal{};
+    case Parameter::profile_crowning:
+      return along_profile({4 * w * w, 8 * w * w1, 8 * w1 * w1}, L.d1, L.d2);
+    case Parameter::profile_slope: return along_profile({w, w1, 0.0}, L.d1, L.d2);
+    case Parameter::lead_crowning:
+      return along_face({4 * z * z / (b * b), 8 * z / (b * b), 8 / (b * b)});
+    case Parameter::lead_slope: return along_face({z / b, 1 / b, 0.0});
+    case Parameter::end_relief: {
+      GW_EXPECTS(!(piece.end_lo || piece.end_hi) || end_.placed);
+      Removal sum;
+      if (piece.end_hi) add(sum, 1.0, along_face(ramp_at(end_.shape, end_.from, end_.to, z)));
+      if (piece.end_lo) add(sum, 1.0, along_face(ramp_at(end_.shape, -end_.from, -end_.to, z)));
+      return sum;
+    }
+  }
+  GW_EXPECTS(false);
+  return {};
+}
+
+Removal RemovalField::at(double u, double z, const Piece& piece) const {
+  const double rho = std::exp(u);
+  const Roll L = roll(rho);
+  Removal sum;
+  for (const Parameter p : kParameters) {
+    if (amount(p) != 0.0) add(sum, amount(p), unit(p, L, z, piece));
+  }
+  if (topography_) {
+    const double d = 2 * rho;  // ∂d/∂u = ∂²d/∂u² = d
+    const auto s = topography_->at(d, z);
+    add(sum, 1.0, {s.s, d * s.d, s.z, d * (d * s.dd + s.d), d * s.dz, s.zz});
+  }
+  return sum;
+}
+
+Removal RemovalField::derivative(Parameter parameter, double u, double z,
+                                 const Piece& piece) const {
+  return unit(parameter, roll(std::exp(u)), z, piece);
+}
+
+const RemovalField::Piece& RemovalField::piece_at(double u, double z) const {
+  const auto i = std::upper_bound(kinks_u_.begin(), kinks_u_.end(), u) - kinks_u_.begin();
+  const auto j = std::upper_bound(kinks_z_.begin(), kinks_z_.end(), z) - kinks_z_.begin();
+  return cells_[static_cast<std::size_t>(i) * (kinks_z_.size() + 1) + static_cast<std::size_t>(j)]
+      .piece;
+}
+
+bool RemovalField::none() const {
+  return !topography_ &&
+         std::all_of(amounts_.begin(), amounts_.end(), [](double amount) { return amount == 0.0; });
+}
+
+Result<RemovalField> make_removal_field(const FlankModifications& modifications,
+                                        const FlankExtent& e) {
+  GW_EXPECTS(e.r0 >= 0.0 && e.face_width > 0.0);
+  GW_EXPECTS(std::min(e.rho_root_form, e.rho_tip_form) >= e.r0 * (1 - kOnBase));
+  GW_EXPECTS(std::min(e.rho_root_form, e.rho_tip_form) > 0.0);
+  GW_EXPECTS(e.rho_root_form != e.rho_tip_form);
+  GW_EXPECTS(!modifications.topography || is_grid(*modifications.topography));
+  if (auto error = check(modifications, e)) return *error;
+  return RemovalField(modifications, e);
+}
+
+}  // namespace gearwright

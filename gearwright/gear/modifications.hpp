@@ -1,0 +1,176 @@
+// Flank modifications: material removed from a flank, as the numbers of a drawing and as a smooth
+// field over the flank.
+//
+//   C      amount of one modification, mm          c(u, z)  removed normal to the flank, mm
+//   ρ, u   radius, mm, and ln ρ                    z, b     height from the middle of the face, mm;
+//                                                           face width, mm
+//   L      roll length √(ρ² − r0²), mm: the place along the profile. r0 is the base radius of an
+//          involute, 0 for other teeth, whose L is the radius. L_f at d_Ff, L_a at d_Fa
+//   w      (L − (L_f + L_a)/2)/(L_a − L_f), from −½ at the root to ½ at the tip
+//
+// Every modification is its amount times a field of its own (ISO 21771-1, "flank modifications"):
+//
+//   tip relief        q or q²,  q = (L − L_start)/(L_a − L_start), from d_start to the tip
+//   root relief       q or q²,  q = (L − L_start)/(L_f − L_start), from d_start to the root
+//   profile crowning  4 w²                          profile slope  w
+//   lead crowning     4 (z/b)²                      lead slope     z/b
+//   end relief        q or q²,  q = (|z| − b/2 + l)/l, over the length l from each face
+//
+// and a measured or designed topography is added as it is. A ring's tip has the lesser radius; the
+// same formulas hold.
+//
+// Right and left: seen from +z with the tooth pointing up, so that on the tooth whose centre line
+// is the x axis the right flank has y < 0.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gearwright/base/result.hpp"
+#include "gearwright/gear/topography.hpp"
+
+namespace gearwright {
+
+enum class ReliefShape { linear, parabolic };
+
+struct Relief {
+  double amount = 0.0;          ///< C  mm, ≥ 0
+  std::optional<double> reach;  ///< mm: start diameter (tip, root), length from each face (end)
+  ReliefShape shape = ReliefShape::linear;
+};
+
+/// The modifications of one flank, the same on every tooth.
+struct FlankModifications {
+  Relief tip_relief;              ///< C_αa, at d_Fa
+  Relief root_relief;             ///< C_αf, at d_Ff
+  double profile_crowning = 0.0;  ///< C_α   mm, at both ends of the usable flank; < 0: hollow
+  double profile_slope = 0.0;     ///< C_Hα  mm, from root to tip; > 0 removes at the tip
+  double lead_crowning = 0.0;     ///< C_β   mm, at both faces; < 0: hollow
+  double lead_slope = 0.0;        ///< C_Hβ  mm, over the face; > 0 removes at its +z end
+  Relief end_relief;              ///< C_βI = C_βII
+  std::shared_ptr<const Topography> topography;
+  /// Keys that a spec gives for this flank alone, "left_tip_relief_um": errors name them so.
+  std::vector<std::string> own_keys;
+};
+
+/// The usable flank that the modifications lie on.
+struct FlankExtent {
+  double r0;             ///< mm, base radius of an involute, 0 for other teeth
+  double rho_root_form;  ///< d_Ff/2  mm
+  double rho_tip_form;   ///< d_Fa/2  mm; less than rho_root_form on a ring
+  double face_width;     ///< b  mm
+};
+
+/// Material removed at a place, and its derivatives by u and z.
+struct Removal {
+  double c = 0.0;                             ///< mm
+  double c_u = 0.0, c_z = 0.0;                ///< mm, 1
+  double c_uu = 0.0, c_uz = 0.0, c_zz = 0.0;  ///< mm, 1, 1/mm
+};
+
+/// The field of one flank.
+///
+///   Laws  (1) at = Σ amount · derivative + topography
+///         (2) pieces() cover the usable flank without overlap; within one, every formula is smooth
+///             and goes on beyond the borders, so an iterate slightly outside sees what it left
+///         (3) the derivatives are those of c itself, everywhere
+class RemovalField {
+ public:
+  enum class Parameter {
+    tip_relief,
+    root_relief,
+    profile_crowning,
+    profile_slope,
+    lead_crowning,
+    lead_slope,
+    end_relief
+  };
+  static constexpr std::array<Parameter, 7> kParameters{
+      Parameter::tip_relief,    Parameter::root_relief,   Parameter::profile_crowning,
+      Parameter::profile_slope, Parameter::lead_crowning, Parameter::lead_slope,
+      Parameter::end_relief};
+
+  /// Which reliefs are at work in a piece of the flank.
+  struct Piece {
+    bool tip = false, root = false;
+    bool end_lo = false, end_hi = false;  ///< end relief at −b/2, at +b/2
+    bool operator==(const Piece&) const = default;
+  };
+  struct Cell {
+    double u_lo, u_hi;  ///< u_lo < u_hi
+    double z_lo, z_hi;  ///< mm
+    Piece piece;
+  };
+
+  /// Domain    what make_removal_field accepts (contract)
+  RemovalField(const FlankModifications& modifications, const FlankExtent& extent);
+
+  /// What is removed at (u, z), by the formulas of `piece`.
+  ///
+  /// Units     u = ln(ρ/mm), z in mm
+  /// Domain    any u, z. A relief of `piece` that is not placed is a contract. √(ρ² − r0²) ends on
+  ///           the base circle: below half the least L of the usable flank (or 1e-6 of its greatest
+  ///           L, if the flank begins on the circle) another function goes on, with the same first
+  ///           two derivatives, through 0 and bounded like √
+  /// Accuracy  derivatives are those of the formulas, not differences. They grow as ρ²/L² towards
+  ///           the base circle, where c is no smooth function of u
+  Removal at(double u, double z, const Piece& piece) const;
+  Removal at(double u, double z) const { return at(u, z, piece_at(u, z)); }
+
+  /// ∂/∂amount of `at`: mm removed per mm of the amount. A relief whose start or length is not
+  /// given is at work in no piece, and its field is 0.
+  Removal derivative(Parameter parameter, double u, double z, const Piece& piece) const;
+
+  double amount(Parameter parameter) const { return amounts_[index(parameter)]; }  ///< C  mm
+
+  /// The piece that (u, z) lies in; on a border the one above, beyond the flank the nearest.
+  const Piece& piece_at(double u, double z) const;
+  /// Growing u, and for each u growing z.
+  const std::vector<Cell>& pieces() const { return cells_; }
+  /// Borders between pieces, growing: where a first derivative jumps, or (parabolic) a second one.
+  /// A relief with a start has its border even if its amount is 0: its derivative needs it.
+  const std::vector<double>& kinks_u() const { return kinks_u_; }
+  const std::vector<double>& kinks_z() const { return kinks_z_; }
+
+  bool has_topography() const { return topography_ != nullptr; }
+  bool none() const;  ///< nothing is removed: no topography and every amount 0
+
+ private:
+  static std::size_t index(Parameter p) { return static_cast<std::size_t>(p); }
+  struct Roll {
+    double value, d1, d2;  // L and its derivatives by u
+  };
+  struct Ramp {  // a relief: 0 at `from`, its amount at `to`; of L, or of |z|
+    double from = 0.0, to = 0.0;
+    ReliefShape shape = ReliefShape::linear;
+    bool placed = false;
+  };
+  static Ramp ramp(const Relief& relief, double from, double to);
+  Roll roll(double rho) const;
+  Removal unit(Parameter parameter, const Roll& L, double z, const Piece& piece) const;
+  void make_cells();
+
+  FlankExtent extent_;
+  std::array<double, 7> amounts_;
+  double y_floor_ = 0.0;  // mm², L² from which L goes on by other means
+  double roll_root_ = 0.0, roll_tip_ = 0.0;
+  Ramp tip_, root_, end_;
+  std::shared_ptr<const TopographySpline> topography_;
+  std::vector<double> kinks_u_, kinks_z_;
+  std::vector<Cell> cells_;
+};
+
+/// The field, if the modifications fit the flank.
+///
+/// Errors    the key under the gear's table, `modifications.tip_relief_start_mm`: a start off the
+///           usable flank, a relief without start or length, one steeper than 1 in 5 (a chamfer),
+///           an amount over a tenth of the flank's depth, a grid that does not cover the flank
+/// Domain    0 ≤ r0 ≤ both form radii, which differ; face_width > 0; a topography's grid as its
+///           members say (contract)
+Result<RemovalField> make_removal_field(const FlankModifications& modifications,
+                                        const FlankExtent& extent);
+
+}  // namespace gearwright

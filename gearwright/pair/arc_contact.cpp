@@ -1,0 +1,137 @@
+#include "gearwright/pair/arc_contact.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+#include <numbers>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/math/root.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kHalfPi = std::numbers::pi / 2;
+
+// w: what the two racks' points of one normal angle stand apart along the centre line. [T7.15]
+double height_gap(const ArcMeshInput& in, double theta) {
+  return (in.convex.radius - in.concave.radius) * std::sin(theta) - (in.convex.b - in.concave.b);
+}
+
+// Height of an arc's point over the pitch plane, away from the convex gear.
+double height(const WorkingArc& arc, double theta) { return arc.radius * std::sin(theta) - arc.b; }
+
+// Axial place of the point cut at the angle φ of its gear, less r φ tan λ. [T7.13]
+double axial(const WorkingArc& arc, double theta, double lambda) {
+  const double s = std::sin(lambda), c = std::cos(lambda);
+  return arc.radius * std::cos(theta) * c - arc.a / c + arc.b / std::tan(theta) * s * s / c;
+}
+
+// Curvature radius of the transverse profile, > 0 when its centre lies against n.
+double transverse_radius(const Mat2& k, double theta, double lambda) {
+  // The tangent in the transverse section: u_z t − t_z u, of the length of n's part there.
+  const Vec2 d(std::sin(lambda), std::sin(theta) * std::cos(lambda));
+  const double n_t = d.norm();
+  return -n_t * n_t * n_t / d.dot(k * d);
+}
+
+}  // namespace
+
+Mat2 cut_curvature(double rho, double b, double theta, double lambda, double r, double turn) {
+  const double s_psi = std::sin(theta);
+  const double s = std::sin(lambda), c = std::cos(lambda);
+  const double l = rho - b / s_psi;
+  const double k = 1.0 - l / rho;
+  const double d = turn * r * s_psi + l * (s * s * k + s_psi * s_psi * c * c);
+  Mat2 m;
+  m(0, 0) = -1.0 / rho - s * s * k * k / d;
+  m(0, 1) = m(1, 0) = -s * k * s_psi * c / d;
+  m(1, 1) = -s_psi * s_psi * c * c / d;
+  return m;
+}
+
+std::optional<double> contact_angle(const ArcMeshInput& in) {
+  const double c0 = in.pitch_radius_convex + in.pitch_radius_concave;
+  const double change = in.center_distance - c0;
+  const double difference = in.concave.radius - in.convex.radius;
+  GW_EXPECTS(difference > 0.0);
+  const double s = (in.concave.b - in.convex.b - change) / difference;
+  if (!(s > 0.0 && s < 1.0)) return std::nullopt;
+  const double first = std::asin(s);
+  const double sin_lambda = std::sin(in.lead_angle);
+  // [T7.16] times the sum of its roots' bases, without the cancellation of two squares.
+  const auto excess = [&](double theta) {
+    const double w = height_gap(in, theta);
+    const double across = w / std::tan(theta) * sin_lambda;
+    return (w - change) * (c0 + w + in.center_distance) + across * across;
+  };
+  // The first-order angle leaves only the square; the exact one is greater, if by little.
+  if (!(excess(first) > 0.0)) return first;
+  double hi = first;
+  for (double step = 1e-9; hi < kHalfPi; step *= 4) {
+    hi = std::min(kHalfPi, first + step);
+    if (excess(hi) <= 0.0) {
+      const Root root = find_root(excess, first, hi);
+      if (root.found()) return root.x;
+      return std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+double line_contact_radius_difference(double rho_1, double l, double r_1, double r_2,
+                                      double sin_psi) {
+  // Δρ/((ρ_1 − l)(ρ_1 + Δρ − l)) = (r_1 + r_2)/(r_1 r_2 sin ψ)
+  const double q = (r_1 + r_2) / (r_1 * r_2 * sin_psi);
+  const double to_pitch = rho_1 - l;
+  return q * to_pitch * to_pitch / (1.0 - q * to_pitch);
+}
+
+ArcContact arc_contact(const ArcMeshInput& in, double theta) {
+  ArcContact at{};
+  const double lambda = in.lead_angle;
+  const double s = std::sin(lambda), c = std::cos(lambda);
+  const double cot = 1.0 / std::tan(theta);
+  const double r_v = in.pitch_radius_convex, r_c = in.pitch_radius_concave;
+  const double c0 = r_v + r_c;
+  const double w = height_gap(in, theta);
+  at.theta = theta;
+  at.mu = std::atan2(w * cot * s, c0 + w);
+
+  // The point and the normal where they are cut, then turned by μ.
+  const double x = height(in.convex, theta);
+  const double A = r_v + x, B = x * cot * s;
+  const double cos_mu = std::cos(at.mu), sin_mu = std::sin(at.mu);
+  at.advance = r_v * s / c;
+  at.point = {A * cos_mu + B * sin_mu, A * sin_mu - B * cos_mu,
+              axial(in.convex, theta, lambda) + at.advance * at.mu};
+  const double n_x = std::sin(theta), n_y = -std::cos(theta) * s;
+  at.normal = {n_x * cos_mu - n_y * sin_mu, n_x * sin_mu + n_y * cos_mu, std::cos(theta) * c};
+  at.radius_convex = std::hypot(A, B);
+  const double x_c = height(in.concave, theta);
+  at.radius_concave = std::hypot(r_c - x_c, x_c * cot * s);
+  // Both points at one z: r_c φ_c tan λ = r_v φ_v tan λ + difference, φ_c′ = φ_c + μ. [T7.18]
+  const double ahead = axial(in.convex, theta, lambda) - axial(in.concave, theta, lambda);
+  at.rotation_offset = (r_v * at.mu + ahead * c / s) / r_c + at.mu;
+
+  at.curvature_convex = cut_curvature(in.convex.radius, in.convex.b, theta, lambda, r_v, 1.0);
+  at.curvature_concave = cut_curvature(in.concave.radius, in.concave.b, theta, lambda, r_c, -1.0);
+  const Eigen::SelfAdjointEigenSolver<Mat2> gap(at.curvature_concave - at.curvature_convex);
+  at.gap = {gap.eigenvalues()(0), gap.eigenvalues()(1)};
+  // The axis' projection on the tangent plane, in (t, u).
+  const Vec2 axis(-std::sin(theta) * c, s);
+  const Vec2 e = gap.eigenvectors().col(0);
+  const double cross = axis.x() * e.y() - axis.y() * e.x();
+  const double dot = axis.dot(e);
+  at.angle = std::atan(cross / dot);
+
+  at.transverse_radius_convex = transverse_radius(at.curvature_convex, theta, lambda);
+  at.transverse_radius_concave = transverse_radius(at.curvature_concave, theta, lambda);
+  const double sin_t = n_x / std::hypot(n_x, n_y);
+  at.line_contact_difference =
+      line_contact_radius_difference(at.transverse_radius_convex, x / sin_t, r_v, r_c, sin_t);
+  return at;
+}
+
+}  // namespace gearwright

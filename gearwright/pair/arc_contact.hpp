@@ -1,0 +1,75 @@
+// Where a convex and a concave circular-arc flank touch on parallel axes, in closed form.
+//
+//   F, P   the racks that cut the convex (v) and the concave (c) flank; ρ, a, b as in
+//          tool/arc_rack.hpp, mm       λ   lead angle, 90° − |β|       r   pitch radius, mm
+//   θ      normal angle of both racks at the contact                theory:
+//   μ      by how much the convex gear has turned from where that point was cut    docs/theory/
+//   t, u   tangent plane: along the rack's profile, along its tooth 07-circular-arc.md, 7.5, 7.6
+//
+// Frame: z along the axis of the convex gear, x towards the other axis; the convex gear is right
+// handed, drives clockwise and at rotation 0 has its tooth 0 on the x axis, as the mate a space.
+// The surfaces' normal n points out of the convex flank; curvature  dn = −K dr.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "gearwright/base/vector.hpp"
+
+namespace gearwright {
+
+using Mat2 = Eigen::Matrix2d;
+
+/// A rack's arc, mm.
+struct WorkingArc {
+  double radius;  ///< ρ
+  double a, b;    ///< place of the centre
+};
+
+struct ArcMeshInput {
+  WorkingArc convex, concave;
+  double pitch_radius_convex, pitch_radius_concave;  ///< r_v, r_c  mm
+  double lead_angle;                                 ///< λ  rad
+  double center_distance;                            ///< mm
+};
+
+struct ArcContact {
+  double theta;  ///< θ  rad
+  double mu;     ///< μ  rad
+  Vec3 point;    ///< at rotation 0, mm
+  Vec3 normal;
+  double advance;             ///< dz/dφ of the point while the convex gear turns, mm/rad
+  double rotation_offset;     ///< of the concave gear, rad: how far it is ahead; < 0: play
+  double radius_convex;       ///< of the point from each axis, mm
+  double radius_concave;      ///<
+  Mat2 curvature_convex;      ///< K in (t, u), 1/mm
+  Mat2 curvature_concave;     ///<
+  std::array<double, 2> gap;  ///< eigenvalues of K_c − K_v, 1/mm, k1 ≤ k2; ≤ 0: interference
+  double angle;               ///< of the direction of k1 to the projection of the axis, rad
+  double transverse_radius_convex;   ///< of the transverse profiles, mm; > 0: centre on the convex
+  double transverse_radius_concave;  ///< gear's side
+  double line_contact_difference;    ///< what the second less the first would be in line contact
+};
+
+/// K of the surface that a rack's circle (signed ρ, b) cuts, at θ. `turn` is +1 for gear 1 of the
+/// frame (the convex one), −1 for its mate.
+///
+/// Formula   [T7.14]
+Mat2 cut_curvature(double rho, double b, double theta, double lead_angle, double pitch_radius,
+                   double turn);
+
+/// The normal angle of the contact at this centre distance; none: the arcs have no common normal
+/// there.
+///
+/// Formula   exact, [T7.16]; solved in a bracket from the first-order angle [T7.17]
+std::optional<double> contact_angle(const ArcMeshInput& in);
+
+/// The radius difference ρ_2 − ρ_1 of transverse profiles in line contact, from ρ_1, l, the pitch
+/// radii and sin ψ, all of the transverse section. [T7.10]
+double line_contact_radius_difference(double rho_1, double l, double r_1, double r_2,
+                                      double sin_psi);
+
+/// Everything at the contact with the angle θ.
+ArcContact arc_contact(const ArcMeshInput& in, double theta);
+
+}  // namespace gearwright

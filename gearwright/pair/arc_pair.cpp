@@ -1,0 +1,343 @@
+#include "gearwright/pair/arc_pair.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "gearwright/base/refusal.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+std::string table(int which) { return fmt::format("gear{}", which); }
+
+double deg(double rad) { return Angle::radians(rad).deg(); }
+
+std::vector<WorkingArc> working(const Gear& gear, double side) {
+  GW_EXPECTS(gear.arcs.has_value());
+  const double m = gear.spec.normal_module;
+  const double thinner = gear.spec.thickness_allowance / 2;
+  std::vector<WorkingArc> list;
+  for (const RackArc& arc : gear.arcs->rack.arcs) {
+    if (arc.cuts != ArcName::flank || !arc.working || !(side * arc.radius > 0.0)) continue;
+    // [T7.1], [T7.2] read backward.
+    const double middle = side > 0.0 ? 0.0 : kPi / 2;
+    list.push_back({std::abs(arc.radius) * m,
+                    -side * (arc.center_offset * m + thinner) + side * middle * m,
+                    -side * arc.center_height * m});
+  }
+  return list;
+}
+
+double pitch_radius(const Gear& gear) { return gear.reference.reference_diameter / 2; }
+
+std::optional<Error> check_gears(const std::array<Gear, 2>& gears) {
+  for (const int which : {1, 2}) {
+    const Gear& gear = gears[static_cast<std::size_t>(which - 1)];
+    if (gear.involute()) {
+      return Error{table(which) + ".rack", "",
+                   fmt::format("{}.rack: an involute gear and one with circular-arc teeth do not "
+                               "mesh; give both a rack of arcs",
+                               table(which))};
+    }
+    if (!gear.exists()) {
+      return Error{table(which) + ".rack.dedendum", "",
+                   fmt::format("{}.rack.dedendum: {}", table(which), gear.warnings.back().message)};
+    }
+  }
+  const CylindricalSpec &s_1 = gears[0].spec, &s_2 = gears[1].spec;
+  if (s_1.helix_angle.rad() == 0.0) {
+    return refused("gear1.helix_angle_deg", 0.0,
+                   "circular-arc teeth touch in points that run along the teeth; a pair needs a "
+                   "helix, usually 10° to 35°");
+  }
+  if (!(std::abs(s_2.normal_module / s_1.normal_module - 1.0) <= kNearModule)) {
+    return refused("gear2.normal_module_mm", s_2.normal_module,
+                   fmt::format("must be gear 1's, {} mm: racks of different pitch do not fit into "
+                               "each other",
+                               s_1.normal_module));
+  }
+  if (!(std::abs((s_1.helix_angle + s_2.helix_angle).rad()) <= kNearHelix.rad())) {
+    return refused("gear2.helix_angle_deg", s_2.helix_angle.deg(),
+                   fmt::format("must be {}: circular-arc gears run on parallel axes, with opposite "
+                               "hands",
+                               -s_1.helix_angle.deg()));
+  }
+  return std::nullopt;
+}
+
+bool of_one_lead(const std::array<Gear, 2>& gears) {
+  const CylindricalSpec &s_1 = gears[0].spec, &s_2 = gears[1].spec;
+  return std::abs(s_2.normal_module / s_1.normal_module - 1.0) <= kSameAsWritten &&
+         std::abs((s_1.helix_angle + s_2.helix_angle).rad()) <= kSameAsWritten;
+}
+
+// The contact of the frame of arc_contact.hpp, put into the housing.
+void place(ArcContact& at, const Gear& convex, bool by_gear_2, double a) {
+  if (by_gear_2) {
+    // That frame stands on axis 2 and looks back; there a space of the convex gear is on the centre
+    // line at rotation 0, half a pitch from its tooth. Of the contacts that repeat with the axial
+    // pitch the one nearest the middle of the face is meant.
+    const double half = at.advance * kPi / convex.spec.teeth;
+    at.point.z() += at.point.z() > 0.0 ? -half : half;
+    at.point = {a - at.point.x(), -at.point.y(), at.point.z()};
+    at.normal = {at.normal.x(), at.normal.y(), -at.normal.z()};  // out of gear 1: turned and −
+  }
+  const double hand = convex.spec.helix_angle.rad() > 0.0 ? 1.0 : -1.0;
+  at.point.z() *= hand;
+  at.normal.z() *= hand;
+  at.angle *= hand;
+  at.advance *= hand;
+}
+
+ArcMeshInput mesh_of(const Gear& convex, const Gear& concave, const WorkingArc& v,
+                     const WorkingArc& c, double a) {
+  return {v,
+          c,
+          pitch_radius(convex),
+          pitch_radius(concave),
+          kPi / 2 - std::abs(convex.spec.helix_angle.rad()),
+          a};
+}
+
+// Whether an arc of the gear that was cut with these numbers has the normal angle θ at all.
+bool has_angle(const Gear& gear, double side, double theta) {
+  for (const RackArc& arc : gear.arcs->rack.arcs) {
+    if (arc.cuts != ArcName::flank || !arc.working || !(side * arc.radius > 0.0)) continue;
+    const auto [lo, hi] = std::minmax({arc.begin.rad(), arc.end.rad()});
+    if (theta >= lo && theta <= hi) return true;
+  }
+  return false;
+}
+
+// The key under which the spec has the radius of the gear's concave flank.
+const char* radius_key(const Gear& concave) {
+  const AnyArcRack& rack = *concave.spec.arc_rack;
+  return std::holds_alternative<ArcRack>(rack)         ? ".rack.arc_radius"
+         : std::holds_alternative<DoubleArcRack>(rack) ? ".rack.concave_radius"
+                                                       : ".rack.arcs";
+}
+
+// All contacts; if there is none, why.
+std::optional<Error> find_contacts(ArcPair& pair) {
+  std::optional<Error> reason;
+  for (const bool by_gear_2 : {false, true}) {
+    const Gear& convex = pair.gears[by_gear_2 ? 1 : 0];
+    const Gear& concave = pair.gears[by_gear_2 ? 0 : 1];
+    const std::string mate = table(by_gear_2 ? 1 : 2);
+    for (const WorkingArc& v : convex_arcs(convex)) {
+      for (const WorkingArc& c : concave_arcs(concave)) {
+        if (!(c.radius > v.radius)) {
+          const double m = concave.spec.normal_module;
+          reason = refused(mate + radius_key(concave), c.radius / m,
+                           fmt::format("a concave flank must have a greater radius than the convex "
+                                       "one of its mate, {} modules",
+                                       v.radius / convex.spec.normal_module));
+          continue;
+        }
+        const ArcMeshInput in = mesh_of(convex, concave, v, c, pair.center_distance);
+        const auto theta = contact_angle(in);
+        if (!theta) {
+          const double free = pair.reference_center_distance + c.b - v.b;
+          reason = refused(
+              "pair.center_distance_mm", pair.center_distance,
+              fmt::format("the arcs have no common normal there; with radii {:.6g} and {:.6g} mm "
+                          "and center_b {:.6g} and {:.6g} mm it must lie between {:.6f} mm and "
+                          "{:.6f} mm",
+                          v.radius, c.radius, v.b, c.b, free - (c.radius - v.radius), free));
+          continue;
+        }
+        ArcMeshInput nominal = in;
+        nominal.center_distance = pair.reference_center_distance;
+        ArcPairContact contact{by_gear_2 ? 2 : 1, arc_contact(in, *theta),
+                               contact_angle(nominal).value_or(kNaN)};
+        place(contact.at, convex, by_gear_2, pair.center_distance);
+        pair.contacts.push_back(contact);
+      }
+    }
+  }
+  if (!pair.contacts.empty()) return std::nullopt;
+  if (reason) return reason;
+  return Error{"gear2.rack", "",
+               "gear2.rack: no convex flank of one gear meets a concave one of the other; F goes "
+               "with P, a double circular arc with itself"};
+}
+
+// The longest way along z without a contact point, with those of both flanks' points repeated by
+// the axial pitch.
+double longest_gap(const ArcPair& pair) {
+  const CylindricalSpec& s = pair.gears[0].spec;
+  const double p_x = kPi * s.normal_module / std::sin(std::abs(s.helix_angle.rad()));
+  std::vector<double> z;
+  for (const ArcPairContact& c : pair.contacts)
+    z.push_back(c.at.point.z() - p_x * std::floor(c.at.point.z() / p_x));
+  if (z.empty()) return p_x;
+  std::sort(z.begin(), z.end());
+  double longest = z.front() + p_x - z.back();
+  for (std::size_t i = 1; i < z.size(); ++i) longest = std::max(longest, z[i] - z[i - 1]);
+  return longest;
+}
+
+void find_backlash(ArcPair& pair) {
+  if (pair.contacts.empty()) return;
+  const ArcPairContact& first = pair.first_contact();
+  const double play = -2 * first.at.rotation_offset;  // of the concave gear; both flanks are alike
+  const double z_1 = pair.gears[0].spec.teeth, z_2 = pair.gears[1].spec.teeth;
+  const double of_gear_2 = first.convex_gear == 1 ? play : play * z_1 / z_2;
+  pair.backlash_rotation = std::array{of_gear_2 * z_2 / z_1, of_gear_2};
+  // Turning gear 2 by dφ moves its flank along the normal by dφ (ẑ × r)·n.
+  const Vec3 r = first.at.point - Vec3(pair.center_distance, 0.0, 0.0);
+  const double lever = std::abs(r.x() * first.at.normal.y() - r.y() * first.at.normal.x());
+  pair.backlash_normal = of_gear_2 * lever;
+}
+
+void warn(ArcPair& pair, const char* code, std::string message) {
+  pair.warnings.push_back({code, std::move(message), 0});
+}
+
+void warn_about_contact(ArcPair& pair, const ArcPairContact& c) {
+  const Gear& convex = pair.gears[c.convex_gear == 1 ? 0 : 1];
+  const Gear& concave = pair.gears[c.convex_gear == 1 ? 1 : 0];
+  const std::string where = fmt::format("convex flank of gear {}", c.convex_gear);
+  if (!(c.at.gap[0] > 0.0)) {
+    warn(pair, "interference",
+         fmt::format("At the {} the surfaces cut into each other: relative curvatures {:.4g} and "
+                     "{:.4g} per mm; a greater difference of the arcs' radii would help.",
+                     where, c.at.gap[0], c.at.gap[1]));
+  }
+  const auto off = [&](const Gear& gear, double side, double radius) {
+    const auto form = gear.root_form_radius();
+    return !has_angle(gear, side, c.at.theta) || !form || radius < *form ||
+           radius > gear.tip_form_radius();
+  };
+  if (off(convex, 1.0, c.at.radius_convex) || off(concave, -1.0, c.at.radius_concave)) {
+    warn(pair, "contact_off_flank",
+         fmt::format("The contact on the {}, at a normal angle of {:.4f}°, lies off the usable "
+                     "flanks: the teeth touch with an edge. A centre distance nearer {:.4f} mm, or "
+                     "another center_b, would help.",
+                     where, deg(c.at.theta), pair.reference_center_distance));
+  }
+  for (const int which : {1, 2}) {
+    const Gear& gear = pair.gears[static_cast<std::size_t>(which - 1)];
+    std::optional<Angle> written;
+    if (const auto* rack = std::get_if<ArcRack>(&*gear.spec.arc_rack)) {
+      written = rack->pressure_angle;
+    } else if (const auto* rack_2 = std::get_if<DoubleArcRack>(&*gear.spec.arc_rack)) {
+      written = rack_2->pressure_angle;
+    }
+    if (!written || std::abs(written->rad() - c.nominal_theta) <= kSamePressureAngle.rad())
+      continue;
+    const std::string is = std::isnan(c.nominal_theta)
+                               ? "they have no common normal"
+                               : fmt::format("they touch at {:.4f}°", deg(c.nominal_theta));
+    pair.warnings.push_back(
+        {"pressure_angle",
+         fmt::format("The rack's pressure angle is written as {:.4f}°, but with these radii and "
+                     "centres {} at the reference centre distance.",
+                     written->deg(), is),
+         which});
+  }
+}
+
+void warn_about_pair(ArcPair& pair) {
+  for (const ArcPairContact& c : pair.contacts) warn_about_contact(pair, c);
+  const CylindricalSpec &s_1 = pair.gears[0].spec, &s_2 = pair.gears[1].spec;
+  if (pair.contacts.empty()) {
+    warn(pair, "unequal_lead",
+         fmt::format("The gears are not of one lead (modules {} and {} mm, helix angles {}° and "
+                     "{}°): they touch in no point that stays on the teeth, and what follows from "
+                     "it is left out.",
+                     s_1.normal_module, s_2.normal_module, s_1.helix_angle.deg(),
+                     s_2.helix_angle.deg()));
+  }
+  const double face = std::min(s_1.face_width, s_2.face_width);
+  if (!pair.contacts.empty() && face < pair.face_for_contact) {
+    warn(pair, "contact_ratio",
+         fmt::format("Contact is not continuous: the common face is {:.4f} mm, and a point of "
+                     "contact comes only every {:.4f} mm.",
+                     face, pair.face_for_contact));
+  }
+  if (pair.backlash_rotation && pair.backlash_normal < -1e-9 * s_1.normal_module) {
+    warn(pair, "negative_backlash",
+         fmt::format("The teeth are too thick for this centre distance: normal backlash {:.4f} mm.",
+                     pair.backlash_normal));
+  }
+  for (const int which : {1, 2}) {
+    const double c = pair.tip_clearance[static_cast<std::size_t>(which - 1)];
+    if (c > 0.0) continue;
+    pair.warnings.push_back(
+        {"root",
+         fmt::format("The tip of gear {} reaches {:.4f} mm below the root circle of gear {}.",
+                     which, -c, 3 - which),
+         3 - which});
+  }
+}
+
+}  // namespace
+
+std::vector<WorkingArc> convex_arcs(const Gear& gear) { return working(gear, 1.0); }
+std::vector<WorkingArc> concave_arcs(const Gear& gear) { return working(gear, -1.0); }
+
+double ArcPair::gear_ratio() const {
+  return static_cast<double>(gears[1].spec.teeth) / gears[0].spec.teeth;
+}
+
+std::array<double, 2> ArcPair::working_pitch_diameter() const {
+  const double z_1 = gears[0].spec.teeth, z_2 = gears[1].spec.teeth;
+  return {2 * center_distance * z_1 / (z_1 + z_2), 2 * center_distance * z_2 / (z_1 + z_2)};
+}
+
+const ArcPairContact& ArcPair::first_contact() const {
+  GW_EXPECTS(!contacts.empty());
+  // The least play, counted as rotation of gear 2.
+  const auto ahead = [&](const ArcPairContact& c) {
+    return c.convex_gear == 1 ? c.at.rotation_offset : c.at.rotation_offset / gear_ratio();
+  };
+  return *std::max_element(contacts.begin(), contacts.end(),
+                           [&](const auto& a, const auto& b) { return ahead(a) < ahead(b); });
+}
+
+Pose<Housing, Gear1> ArcPair::pose_1() const { return Pose<Housing, Gear1>(); }
+
+Pose<Housing, Gear2> ArcPair::pose_2() const {
+  // Space 0, half a pitch from tooth 0, points to the mesh at −x.
+  const int z_2 = gears[1].spec.teeth;
+  const SinCos t = sincos_turn(z_2 - 1, 2LL * z_2);
+  Eigen::Isometry3d x = Eigen::Isometry3d::Identity();
+  x.linear() << t.cos, -t.sin, 0.0, t.sin, t.cos, 0.0, 0.0, 0.0, 1.0;
+  x.translation() = Vec3(center_distance, 0.0, 0.0);
+  return Pose<Housing, Gear2>(x);
+}
+
+Result<ArcPair> mount_arcs(Gear gear_1, Gear gear_2, std::optional<double> distance) {
+  ArcPair pair{};
+  pair.gears = {std::move(gear_1), std::move(gear_2)};
+  if (auto error = check_gears(pair.gears)) return *error;
+  pair.reference_center_distance = pitch_radius(pair.gears[0]) + pitch_radius(pair.gears[1]);
+  pair.center_distance = distance.value_or(pair.reference_center_distance);
+  if (of_one_lead(pair.gears)) {
+    if (auto error = find_contacts(pair)) return *error;
+  }
+  const CylindricalSpec &s_1 = pair.gears[0].spec, &s_2 = pair.gears[1].spec;
+  pair.overlap_ratio = std::min(s_1.face_width, s_2.face_width) *
+                       std::sin(std::abs(s_1.helix_angle.rad())) / (kPi * s_1.normal_module);
+  pair.contact_ratio =
+      pair.overlap_ratio * static_cast<double>(std::max<std::size_t>(1, pair.contacts.size()));
+  pair.face_for_contact = longest_gap(pair);
+  for (const std::size_t i : {0, 1}) {
+    pair.tip_clearance[i] = pair.center_distance - pair.gears[i].actual_tip_radius() -
+                            pair.gears[1 - i].root_diameter / 2;
+  }
+  find_backlash(pair);
+  warn_about_pair(pair);
+  return pair;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,71 @@
+// A pair of gears with circular-arc teeth, mounted on parallel axes.
+//
+// A convex flank touches a concave one in a point that runs along the teeth, parallel to the axes:
+// there is no transverse path of contact, and the overlap alone keeps the contact going. Racks F
+// and P make one such point on each side of a tooth, double arcs two.
+//                                              theory: docs/theory/07-circular-arc.md, 7.4 to 7.7
+// Housing frame and rest position as in pair/pair.hpp.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "gearwright/gear/gear.hpp"
+#include "gearwright/kinematics/pose.hpp"
+#include "gearwright/pair/arc_contact.hpp"
+
+namespace gearwright {
+
+/// A point in which the leading flanks touch, in the housing frame.
+struct ArcPairContact {
+  int convex_gear;  ///< 1 or 2
+  ArcContact at;    ///< `point` and `normal` (out of gear 1) in the housing frame, at rotation 0;
+                    ///< rotation_offset of the concave gear
+  double nominal_theta;  ///< at the reference centre distance, rad [T7.9]; NaN: none there
+};
+
+struct ArcPair {
+  std::array<Gear, 2> gears;
+  double center_distance;            ///< a    mm
+  double reference_center_distance;  ///< a_d = r_1 + r_2, mm
+  double overlap_ratio;              ///< ε_β  of the common face; for unequal racks of gear 1's
+  std::vector<ArcPairContact> contacts;  ///< empty where the gears are not of one lead
+  double contact_ratio;                  ///< ε_β times the number of contacts
+  double face_for_contact;  ///< the least face width over which one point always touches, mm
+  std::array<double, 2> tip_clearance;  ///< c    mm: tip 1 to root 2, tip 2 to root 1
+  std::optional<std::array<double, 2>>
+      backlash_rotation;         ///< of each gear with the mate held, rad; none without contacts
+  double backlash_normal = 0.0;  ///< along the normal at the contact that touches first, mm
+  std::vector<Warning> warnings;
+
+  double gear_ratio() const;                             ///< z2/z1
+  std::array<double, 2> working_pitch_diameter() const;  ///< 2 a z_i/(z_1 + z_2), mm
+  /// The contact that touches first: the one with the least play.   Domain: there are contacts
+  const ArcPairContact& first_contact() const;
+  /// Gear frames in the housing at rotation 0.
+  Pose<Housing, Gear1> pose_1() const;
+  Pose<Housing, Gear2> pose_2() const;
+};
+
+/// The working arcs of a gear, in mm, with its thickness allowance.
+std::vector<WorkingArc> convex_arcs(const Gear& gear);
+std::vector<WorkingArc> concave_arcs(const Gear& gear);
+
+/// Modules and helix angles may differ by this much, as gears do that were cut with another lead to
+/// mend errors of the housing.
+constexpr double kNearModule = 0.005;                       ///< of the module
+constexpr Angle kNearHelix = Angle::degrees(0.5);           ///< of β_1 + β_2
+constexpr double kSameAsWritten = 1e-9;                     ///< below it they are equal
+constexpr Angle kSamePressureAngle = Angle::degrees(0.05);  ///< ψ_c as written and as it is
+
+/// Mounts two gears. `distance` absent: the reference centre distance.
+///
+/// Errors    `gearN.rack` when one of them is an involute gear or no convex arc meets a concave
+/// one;
+///           `gear2.normal_module_mm`, `gear2.helix_angle_deg`, `gear1.helix_angle_deg` (spur);
+///           `gear2.rack.arc_radius`, `pair.center_distance_mm` where no two arcs can touch, with
+///           the numbers that would. Contacts off the usable flanks, and the like, are warnings
+Result<ArcPair> mount_arcs(Gear gear_1, Gear gear_2, std::optional<double> distance);
+
+}  // namespace gearwright

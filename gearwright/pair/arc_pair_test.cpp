@@ -1,0 +1,226 @@
+// Mounted circular-arc pairs: contacts that lie on both gears, roles and hands exchanged,
+// clearances, and what keeps two gears apart.
+#include "gearwright/pair/arc_pair.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <string>
+
+namespace gearwright {
+namespace {
+
+using Complex = std::complex<double>;
+using Cutter = ArcRack::Cutter;
+
+constexpr double kPi = std::numbers::pi;
+
+CylindricalSpec spec_of(AnyArcRack rack, int teeth, double beta_deg) {
+  CylindricalSpec s;
+  s.teeth = teeth;
+  s.normal_module = 4.0;
+  s.helix_angle = Angle::degrees(beta_deg);
+  s.face_width = 60.0;
+  s.arc_rack = std::move(rack);
+  return s;
+}
+
+ArcRack rack_of(Cutter cutter) {
+  const double l = cutter == Cutter::F ? 0.487786 : 0.637786;  // 30°, centres on the normal
+  ArcRack rack = default_arc_rack(cutter);
+  rack.arc_radius = cutter == Cutter::F ? 1.4 : 1.55;
+  rack.center_a = l * std::cos(kPi / 6);
+  rack.center_b = l * std::sin(kPi / 6);
+  return rack;
+}
+
+Gear made(const CylindricalSpec& s) {
+  auto gear = make_gear(s);
+  EXPECT_TRUE(gear) << gear.error().message;
+  return std::move(gear).take();
+}
+
+ArcPair mounted(const CylindricalSpec& s_1, const CylindricalSpec& s_2,
+                std::optional<double> a = std::nullopt) {
+  auto pair = mount_arcs(made(s_1), made(s_2), a);
+  EXPECT_TRUE(pair) << pair.error().message;
+  return std::move(pair).take();
+}
+
+bool warns(const ArcPair& pair, const std::string& code) {
+  return std::any_of(pair.warnings.begin(), pair.warnings.end(),
+                     [&](const Warning& w) { return w.code == code; });
+}
+
+// How far a point of the housing is from the gear's leading flank that holds the normal angle θ, at
+// rotation `turned`: the flank's own point at θ, on whichever tooth is nearest.
+double distance_to_flank(const ArcPair& pair, std::size_t i, const ArcPairContact& contact,
+                         double turned) {
+  const Gear& gear = pair.gears[i];
+  const bool convex = contact.convex_gear == static_cast<int>(i) + 1;
+  const Eigen::Isometry3d pose = i == 0 ? pair.pose_1().isometry() : pair.pose_2().isometry();
+  const Vec3 own = pose.inverse() * contact.at.point;
+  const Complex at =
+      Complex(own.x(), own.y()) * std::polar(1.0, -turned - gear.twist() * contact.at.point.z());
+  const double pitch = 2 * kPi / gear.spec.teeth;
+  double least = 1e9;
+  for (const Arc& arc : gear.tooth->outline.arcs) {
+    if (arc.name != ArcName::flank) continue;
+    const auto& cut = dynamic_cast<const RackTrochoid&>(*arc.curve);
+    if ((cut.circle().q > 0.0) != convex) continue;
+    const Vec2 w = cut.point(contact.at.theta);
+    // Seen from +z, gear 1 turns clockwise: it leads with the side y < 0 of its tooth, gear 2 is
+    // touched on the side y < 0 of its own.
+    const Complex flank(w.x(), -w.y());
+    for (int k = 0; k < gear.spec.teeth; ++k)
+      least = std::min(least, std::abs(flank * std::polar(1.0, pitch * k) - at));
+  }
+  return least;
+}
+
+void expect_touching(const ArcPair& pair) {
+  ASSERT_FALSE(pair.contacts.empty());
+  for (const ArcPairContact& c : pair.contacts) {
+    const bool first = c.convex_gear == 1;
+    EXPECT_NEAR(distance_to_flank(pair, 0, c, first ? 0.0 : c.at.rotation_offset), 0.0, 1e-11);
+    EXPECT_NEAR(distance_to_flank(pair, 1, c, first ? c.at.rotation_offset : 0.0), 0.0, 1e-11);
+    EXPECT_GT(c.at.gap[0], 0.0);
+    EXPECT_LT(c.at.normal.y(), 0.0);  // gear 1 pushes gear 2 so
+  }
+}
+
+TEST(ArcPair, contacts_lie_on_both_gears) {
+  for (const double hand : {1.0, -1.0}) {
+    for (const double change : {0.0, 0.08, -0.05}) {
+      const double beta = 18 * hand;
+      const auto F = spec_of(rack_of(Cutter::F), 15, beta);
+      const auto P = spec_of(rack_of(Cutter::P), 40, -beta);
+      const double a = (15 + 40) * 2.0 / std::cos(18 * kPi / 180) + change;
+      expect_touching(mounted(F, P, a));
+      // The wheel driving: roles exchanged, P cuts gear 1.
+      const auto F_2 = spec_of(rack_of(Cutter::F), 40, -beta);
+      const auto P_1 = spec_of(rack_of(Cutter::P), 15, beta);
+      const ArcPair swapped = mounted(P_1, F_2, a);
+      expect_touching(swapped);
+      EXPECT_EQ(swapped.contacts.front().convex_gear, 2);
+      const ArcPair both = mounted(spec_of(*gbt12759_rack(4.0), 15, beta),
+                                   spec_of(*gbt12759_rack(4.0), 40, -beta), a);
+      EXPECT_EQ(both.contacts.size(), 2u);
+      expect_touching(both);
+    }
+  }
+}
+
+TEST(ArcPair, numbers_of_the_pair) {
+  const ArcPair pair =
+      mounted(spec_of(rack_of(Cutter::F), 15, 18), spec_of(rack_of(Cutter::P), 40, -18));
+  EXPECT_EQ(pair.center_distance, pair.reference_center_distance);
+  EXPECT_DOUBLE_EQ(pair.center_distance, 55 * 2.0 / std::cos(18 * kPi / 180));
+  EXPECT_DOUBLE_EQ(pair.gear_ratio(), 40.0 / 15);
+  const double p_x = kPi * 4.0 / std::sin(18 * kPi / 180);
+  EXPECT_DOUBLE_EQ(pair.overlap_ratio, 60.0 / p_x);
+  EXPECT_EQ(pair.contact_ratio, pair.overlap_ratio);
+  EXPECT_NEAR(pair.face_for_contact, p_x, 1e-12);
+  EXPECT_NEAR(pair.tip_clearance[0], 0.15 * 4, 1e-12);
+  EXPECT_NEAR(pair.tip_clearance[1], 0.30 * 4, 1e-12);
+  EXPECT_NEAR(pair.backlash_normal, 0.0, 1e-12);
+  EXPECT_TRUE(pair.warnings.empty());
+  // Thinner teeth have play: each allowance along the datum line, its normal part at θ.
+  auto F = spec_of(rack_of(Cutter::F), 15, 18);
+  auto P = spec_of(rack_of(Cutter::P), 40, -18);
+  F.thickness_allowance = -0.06;
+  P.thickness_allowance = -0.04;
+  EXPECT_NEAR(mounted(F, P).backlash_normal, 0.10 * std::cos(kPi / 6), 1e-5);
+}
+
+// Two points on each tooth: a face that is too narrow for one of them is wide enough for both.
+TEST(ArcPair, double_arcs_need_less_face) {
+  const DoubleArcRack rack = *gbt12759_rack(4.0);
+  auto s_1 = spec_of(rack, 18, 22), s_2 = spec_of(rack, 50, -22);
+  const double p_x = kPi * 4.0 / std::sin(22 * kPi / 180);
+  const ArcPair pair = mounted(s_1, s_2);
+  EXPECT_LT(pair.face_for_contact, p_x);
+  EXPECT_GT(pair.face_for_contact, p_x / 2);
+  EXPECT_DOUBLE_EQ(pair.contact_ratio, 2 * pair.overlap_ratio);
+  // The standard's backlash: e_f less S_a along the datum line, 0.06 m_n.
+  EXPECT_NEAR(pair.backlash_normal, (1.1773 - 1.1174) * 4 * std::cos(24 * kPi / 180), 2e-3);
+  s_1.face_width = s_2.face_width = pair.face_for_contact * 0.99;
+  EXPECT_TRUE(warns(mounted(s_1, s_2), "contact_ratio"));
+  s_1.face_width = s_2.face_width = pair.face_for_contact * 1.01;
+  EXPECT_FALSE(warns(mounted(s_1, s_2), "contact_ratio"));
+}
+
+TEST(ArcPair, warnings_say_what_is_amiss) {
+  auto F = spec_of(rack_of(Cutter::F), 15, 18), P = spec_of(rack_of(Cutter::P), 40, -18);
+  const double a_d = mounted(F, P).center_distance;
+  std::get<ArcRack>(*F.arc_rack).pressure_angle = Angle::degrees(25);
+  EXPECT_TRUE(warns(mounted(F, P), "pressure_angle"));
+  std::get<ArcRack>(*F.arc_rack).pressure_angle = Angle::degrees(30.01);
+  EXPECT_FALSE(warns(mounted(F, P), "pressure_angle"));
+  EXPECT_TRUE(warns(mounted(F, P, a_d + 0.25), "contact_off_flank"));
+  EXPECT_FALSE(warns(mounted(F, P, a_d + 0.05), "contact_off_flank"));
+  EXPECT_TRUE(warns(mounted(F, P, a_d - 0.05), "negative_backlash"));
+  P.tip_diameter = made(P).reference.reference_diameter + 4.0;
+  std::get<ArcRack>(*F.arc_rack).dedendum = 0.1;
+  EXPECT_TRUE(warns(mounted(F, P), "root"));
+  auto other = spec_of(rack_of(Cutter::P), 40, -18.1);
+  const ArcPair unequal = mounted(F, other);
+  EXPECT_TRUE(warns(unequal, "unequal_lead"));
+  EXPECT_TRUE(unequal.contacts.empty());
+  EXPECT_FALSE(unequal.backlash_rotation);
+}
+
+TEST(ArcPair, errors_name_the_key_and_the_numbers) {
+  const auto F = spec_of(rack_of(Cutter::F), 15, 18), P = spec_of(rack_of(Cutter::P), 40, -18);
+  const auto key = [&](const CylindricalSpec& s_1, const CylindricalSpec& s_2,
+                       std::optional<double> a = std::nullopt) {
+    const auto pair = mount_arcs(made(s_1), made(s_2), a);
+    if (pair) return std::string("mounted");
+    EXPECT_NE(pair.error().message.find(pair.error().key), std::string::npos);
+    return pair.error().key;
+  };
+  EXPECT_EQ(key(F, P), "mounted");
+  auto involute = spec_of(rack_of(Cutter::P), 40, -18);
+  involute.arc_rack.reset();
+  EXPECT_EQ(key(F, involute), "gear2.rack");
+  EXPECT_EQ(key(F, spec_of(rack_of(Cutter::F), 40, -18)), "gear2.rack");
+  EXPECT_EQ(key(F, spec_of(rack_of(Cutter::P), 40, 18)), "gear2.helix_angle_deg");
+  EXPECT_EQ(key(spec_of(rack_of(Cutter::F), 15, 0), spec_of(rack_of(Cutter::P), 40, 0)),
+            "gear1.helix_angle_deg");
+  auto coarse = P;
+  coarse.normal_module = 5.0;
+  EXPECT_EQ(key(F, coarse), "gear2.normal_module_mm");
+  auto wide = F;
+  std::get<ArcRack>(*wide.arc_rack).arc_radius = 1.56;
+  EXPECT_EQ(key(wide, P), "gear2.rack.arc_radius");
+  DoubleArcRack thick;
+  thick.convex_radius = 1.43;
+  thick.convex_offset = 0.75;
+  EXPECT_EQ(key(spec_of(thick, 15, 18), spec_of(thick, 40, -18)), "gear1.rack.concave_radius");
+  const double a_d = mounted(F, P).center_distance;
+  EXPECT_EQ(key(F, P, a_d + 2.0), "pair.center_distance_mm");
+  auto severed = F;
+  severed.teeth = 1;
+  std::get<ArcRack>(*severed.arc_rack).dedendum = 0.56;
+  const auto none = make_gear(severed);
+  if (none && !none->exists()) {
+    EXPECT_EQ(key(severed, P), "gear1.rack.dedendum");
+  }
+}
+
+// The range that the error names is the one within which there is a contact.
+TEST(ArcPair, the_range_of_centre_distances_named_is_the_range) {
+  const auto F = spec_of(rack_of(Cutter::F), 15, 18), P = spec_of(rack_of(Cutter::P), 40, -18);
+  const double a_d = mounted(F, P).center_distance;
+  const double to_least = (1.55 - 1.4) * 4 * 0.5;  // from θ = 30° to 90°, and to 0° as much
+  EXPECT_TRUE(mount_arcs(made(F), made(P), a_d - to_least + 1e-3));
+  EXPECT_FALSE(mount_arcs(made(F), made(P), a_d - to_least - 1e-3));
+  EXPECT_TRUE(mount_arcs(made(F), made(P), a_d + to_least - 1e-3));
+  EXPECT_FALSE(mount_arcs(made(F), made(P), a_d + to_least + 1e-3));
+}
+
+}  // namespace
+}  // namespace gearwright

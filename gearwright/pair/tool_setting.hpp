@@ -1,0 +1,24 @@
+// The setting b_F of the rack that cuts the convex teeth of circular-arc gears: how it brings the
+// contact back after a change of centre distance, and what a changed setting does.
+//
+//   θ   normal angle at the contact       C   centre distance, C0 = r_F + r_P
+//   w = (ρ_F − ρ_P) sin θ − (b_F − b_P)   how far the racks stand apart, mm
+//                                         theory: docs/theory/08-contact.md, [T8.20], [T8.21]
+#pragma once
+
+#include "gearwright/pair/arc_contact.hpp"
+
+namespace gearwright {
+
+/// The change Δb_F with which the contact has the angle θ at `in.center_distance` + ΔC.
+///
+/// Formula   exact, a quadratic equation in w; the first order is −ΔC (Litvin and Tsay, Eq. 34)
+/// Units     mm, rad
+/// Domain    0 < θ < π/2 (contract)
+double tool_setting_change(const ArcMeshInput& in, double theta, double delta_distance);
+
+/// Normal thickness that the convex tooth gains by Δb_F at the height of the point of angle θ, mm;
+/// < 0: it gets thinner.   Formula  2 (√(ρ² − (x + b)²) − ρ cos θ), exact
+double thickness_change(const WorkingArc& convex, double theta, double delta_b);
+
+}  // namespace gearwright

@@ -1,0 +1,184 @@
+#include "gearwright/tool/arc_rack.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "gearwright/base/refusal.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kHalfPi = std::numbers::pi / 2;
+constexpr double kMostModules = 1e4;
+// P's arc rises to where it is upright, τ = 0; it ends a little before.
+constexpr Angle kLastOfP = Angle::degrees(1);
+
+Error bad(const char* key, double value, const std::string& why) {
+  return refused(std::string("rack.") + key, value, why);
+}
+
+bool is_F(const ArcRack& rack) { return rack.cutter == ArcRack::Cutter::F; }
+
+// The flank's circle in the frame of the edge. [T7.1], [T7.2]
+RackArc flank_of(const ArcRack& rack) {
+  RackArc arc;
+  arc.center_height = is_F(rack) ? -rack.center_b : rack.center_b;
+  arc.center_offset = is_F(rack) ? -rack.center_a : rack.center_a + kHalfPi;
+  arc.radius = is_F(rack) ? rack.arc_radius : -rack.arc_radius;
+  return arc;
+}
+
+// sin τ of the joint of the flank with a rounding of radius rho. [T7.4]
+double joint_sine(const ArcRack& rack, double rho) {
+  const RackArc flank = flank_of(rack);
+  return (rho - rack.dedendum - flank.center_height) / (rho + flank.radius);
+}
+
+std::optional<Error> check_numbers(const ArcRack& rack) {
+  if (!(rack.arc_radius > 0.0 && rack.arc_radius <= kMostModules)) {
+    return bad("arc_radius", rack.arc_radius,
+               fmt::format("must be greater than 0 and at most {}", kMostModules));
+  }
+  for (const auto& [key, value] :
+       {std::pair{"center_a", rack.center_a}, std::pair{"center_b", rack.center_b},
+        std::pair{"addendum", rack.addendum}, std::pair{"dedendum", rack.dedendum}}) {
+    if (!(std::abs(value) <= kMostModules))
+      return bad(key, value,
+                 fmt::format("must lie between {} and {}", -kMostModules, kMostModules));
+  }
+  if (!(rack.root_fillet_radius >= 0.0 && rack.root_fillet_radius <= kMostModules)) {
+    return bad("root_fillet_radius", rack.root_fillet_radius,
+               fmt::format("must lie between 0 (a sharp corner) and {}", kMostModules));
+  }
+  return std::nullopt;
+}
+
+// The joint must lie on the flank's circle, above its foot and below its end.
+std::optional<Error> check_joint(const ArcRack& rack) {
+  const double rho = rack.root_fillet_radius;
+  if (!is_F(rack) && !(rho < rack.arc_radius)) {
+    return bad("root_fillet_radius", rho,
+               fmt::format("must be less than the flank's arc_radius, {}", rack.arc_radius));
+  }
+  const double s = joint_sine(rack, rho);
+  if (is_F(rack) && !(s > 0.0)) {
+    return bad("dedendum", rack.dedendum,
+               fmt::format("the flank's arc ends {} modules below the datum line; with this root "
+                           "fillet radius the dedendum must be less than {}",
+                           rack.center_b, rack.center_b + rho));
+  }
+  if (is_F(rack) && !(s < 1.0)) {
+    return bad("dedendum", rack.dedendum,
+               fmt::format("the flank's arc ends below it; the dedendum must be greater than {}",
+                           rack.center_b - rack.arc_radius));
+  }
+  if (!is_F(rack) && !(s > 0.0)) {
+    return bad(
+        "root_fillet_radius", rho,
+        fmt::format("the flank's arc does not reach so high; the radius must be less than {}",
+                    rack.center_b + rack.dedendum));
+  }
+  if (!is_F(rack) && !(s < 1.0)) {
+    return bad("dedendum", rack.dedendum,
+               fmt::format("the flank's arc ends above it; the dedendum must be less than {}",
+                           rack.arc_radius - rack.center_b));
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+ArcRack default_arc_rack(ArcRack::Cutter cutter) {
+  ArcRack rack;
+  rack.cutter = cutter;
+  if (cutter == ArcRack::Cutter::F) return rack;
+  rack.addendum = 0.0;
+  rack.dedendum = 1.05;
+  rack.root_fillet_radius = 0.5;
+  return rack;
+}
+
+double full_radius(const ArcRack& rack) {
+  // The rounding's centre, (q + ρ) n(τ_j) from the flank's, in the middle of the cutter's tip.
+  const RackArc flank = flank_of(rack);
+  const double q = flank.radius;
+  const double c = flank.center_height + rack.dedendum;  // from the tip up to the flank's centre
+  const double w = kHalfPi - flank.center_offset;
+  return (w * w + c * c - q * q) / (2 * (q + c));
+}
+
+Result<RackOfArcs> arcs_of(const ArcRack& rack) {
+  if (auto error = check_numbers(rack)) return *error;
+  if (auto error = check_joint(rack)) return *error;
+  RackArc flank = flank_of(rack);
+  // The end above the tip: both sides meet, or the arc is flat (F), or upright (P).
+  const double meeting = std::min(1.0, std::max(0.0, -flank.center_offset / flank.radius));
+  if (is_F(rack)) {
+    if (!(meeting < 1.0)) {
+      return bad(
+          "center_a", rack.center_a,
+          fmt::format("leaves no tooth: it must be less than the arc_radius, {}", rack.arc_radius));
+    }
+    flank.end = Angle::radians(std::acos(meeting));
+  } else {
+    flank.end = meeting < 1.0 && meeting > 0.0 && std::acos(meeting) > kLastOfP.rad()
+                    ? Angle::radians(std::acos(meeting))
+                    : kLastOfP;
+  }
+  flank.begin = Angle::radians(std::asin(joint_sine(rack, rack.root_fillet_radius)));
+  const bool rises = is_F(rack) == (flank.end.rad() > flank.begin.rad());
+  const double top = point_at(flank, flank.end).x();
+  if (!rises) {
+    return bad("dedendum", rack.dedendum,
+               fmt::format("the flank would end before it begins: its arc reaches {} modules above "
+                           "the datum line and starts at {}",
+                           top, point_at(flank, flank.begin).x()));
+  }
+  if (!(rack.addendum <= top)) {
+    const std::string why = meeting > 0.0 && meeting < 1.0
+                                ? "pointed: both flank arcs meet {} modules above the datum line; "
+                                  "the addendum must not be greater"
+                                : "the flank's arc ends {} modules above the datum line; the "
+                                  "addendum must not be greater";
+    return bad("addendum", rack.addendum, fmt::format(fmt::runtime(why), top));
+  }
+  const double rho = rack.root_fillet_radius;
+  const double y_c = flank.center_offset + (flank.radius + rho) * std::cos(flank.begin.rad());
+  if (y_c > kHalfPi) {
+    const double greatest = full_radius(rack);
+    // F's rounding pushes itself outward, P's inward as it grows.
+    const bool smaller_fits = greatest >= 0.0 && greatest < rho;
+    return smaller_fits
+               ? bad("root_fillet_radius", rho,
+                     fmt::format("does not fit into the cutter's tip; the greatest (full radius) "
+                                 "is {}",
+                                 greatest))
+               : bad("dedendum", rack.dedendum,
+                     "the cutter's tooth is pointed before it gets that deep");
+  }
+  if (rack.pressure_angle) {
+    const auto [lo, hi] = std::minmax({flank.begin.rad(), flank.end.rad()});
+    const double psi = rack.pressure_angle->rad();
+    if (!(psi >= lo && psi <= hi)) {
+      return bad("pressure_angle_deg", rack.pressure_angle->deg(),
+                 fmt::format("the flank's arc has no such point; its normal angles run from {}° to "
+                             "{}°",
+                             Angle::radians(lo).deg(), Angle::radians(hi).deg()));
+    }
+  }
+  RackArc tip;
+  tip.cuts = ArcName::root_fillet;
+  tip.working = false;
+  tip.center_height = -rack.dedendum + rho;
+  tip.center_offset = y_c;
+  tip.radius = -rho;
+  tip.begin = Angle::radians(kHalfPi);
+  tip.end = flank.begin;
+  return RackOfArcs{rack.addendum, rack.dedendum, {tip, flank}};
+}
+
+}  // namespace gearwright

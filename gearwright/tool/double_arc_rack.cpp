@@ -1,0 +1,186 @@
+#include "gearwright/tool/double_arc_rack.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "gearwright/base/refusal.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kHalfPi = std::numbers::pi / 2;
+constexpr double kMostModules = 1e4;
+
+Error bad(const char* key, double value, const std::string& why) {
+  return refused(std::string("rack.") + key, value, why);
+}
+
+// What can be said of each number alone.
+std::optional<Error> check_numbers(const DoubleArcRack& r) {
+  const double alpha = r.pressure_angle.deg();
+  if (!(alpha > 0.0 && alpha < 90.0))
+    return bad("pressure_angle_deg", alpha, "must lie between 0 and 90, usually 24");
+  for (const auto& [key, value] :
+       {std::pair{"addendum", r.addendum}, std::pair{"dedendum", r.dedendum},
+        std::pair{"convex_radius", r.convex_radius}, std::pair{"concave_radius", r.concave_radius},
+        std::pair{"space_width", r.space_width}, std::pair{"step_height", r.step_height},
+        std::pair{"step_depth", r.step_depth}}) {
+    if (!(value > 0.0 && value <= kMostModules))
+      return bad(key, value, fmt::format("must be greater than 0 and at most {}", kMostModules));
+  }
+  for (const auto& [key, value] :
+       {std::pair{"convex_height", r.convex_height}, std::pair{"concave_height", r.concave_height},
+        std::pair{"convex_offset", r.convex_offset}}) {
+    if (!(std::abs(value) <= kMostModules))
+      return bad(key, value,
+                 fmt::format("must lie between {} and {}", -kMostModules, kMostModules));
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<DoubleArcRack> gbt12759_rack(double m) {
+  DoubleArcRack rack;
+  rack.named = true;
+  if (m >= 1.5 && m <= 3.0) return rack;
+  if (m > 3.0 && m <= 6.0) {
+    rack.concave_radius = 1.41;
+    rack.concave_height = 0.0285;
+    return rack;
+  }
+  if (m > 10.0 && m <= 16.0) {
+    rack.concave_radius = 1.38;
+    rack.concave_height = 0.0163;
+    rack.space_width = 1.1573;
+    return rack;
+  }
+  if (m > 32.0 && m <= 50.0) {
+    rack.concave_radius = 1.34;
+    rack.concave_height = 0.0;
+    rack.space_width = 1.1573;
+    return rack;
+  }
+  return Error{
+      "rack", "GBT12759",
+      fmt::format("rack = \"GBT12759\": for a normal module of {} mm the standard's numbers are "
+                  "not known here (known: 1.5 to 3, over 3 to 6, over 10 to 16, over 32 to 50 mm); "
+                  "give them in a table with kind = \"double_circular_arc\"",
+                  m)};
+}
+
+Result<DoubleArcDerived> derived(const DoubleArcRack& r) {
+  if (auto error = check_numbers(r)) return *error;
+  const double s = std::sin(r.pressure_angle.rad());
+  const double c = std::cos(r.pressure_angle.rad());
+  DoubleArcDerived d;
+  d.convex_contact_height = r.convex_radius * s + r.convex_height;
+  d.concave_contact_depth = r.concave_radius * s - r.concave_height;
+  d.contact_thickness = 2 * (r.convex_radius * c - r.convex_offset);
+  d.concave_offset = r.concave_radius * c - r.space_width / 2;
+
+  // The step: tangent to the convex arc at its foot, and through the concave arc's upper end.
+  const double sin_1 = (r.step_height - r.convex_height) / r.convex_radius;
+  if (!(sin_1 > 0.0 && sin_1 < 1.0)) {
+    return bad("step_height", r.step_height,
+               fmt::format("must lie between the convex arc's foot, {}, and its head, {}",
+                           r.convex_height, r.convex_height + r.convex_radius));
+  }
+  const double sin_2 = (r.step_depth + r.concave_height) / r.concave_radius;
+  if (!(sin_2 > 0.0 && sin_2 < 1.0)) {
+    return bad("step_depth", r.step_depth,
+               fmt::format("must lie between the concave arc's head, {}, and its foot, {}",
+                           -r.concave_height, r.concave_radius - r.concave_height));
+  }
+  d.convex_begin = Angle::radians(std::asin(sin_1));
+  d.concave_end = Angle::radians(std::asin(sin_2));
+  const double cos_1 = std::sqrt((1 - sin_1) * (1 + sin_1));
+  const double cos_2 = std::sqrt((1 - sin_2) * (1 + sin_2));
+  if (!(r.convex_offset < r.convex_radius * cos_1)) {
+    return bad("convex_offset", r.convex_offset,
+               fmt::format("leaves no tooth; it must be less than {}", r.convex_radius * cos_1));
+  }
+  const double dx = -r.step_depth - r.step_height;
+  const double dy = (kHalfPi + d.concave_offset - r.concave_radius * cos_2) -
+                    (r.convex_radius * cos_1 - r.convex_offset);
+  const double across = dx * sin_1 + dy * cos_1;
+  d.step_radius = (dx * dx + dy * dy) / (2 * across);
+  // From the corner on, the step's normal must turn down to that of the convex arc, from 90° at
+  // most.
+  if (!(across > 0.0 && d.step_radius <= kMostModules && dy <= d.step_radius * cos_1 &&
+        r.step_height + d.step_radius * sin_1 + r.step_depth < d.step_radius)) {
+    return bad("space_width", r.space_width,
+               "leaves no step between the concave and the convex arc; a narrower space or a "
+               "greater convex_offset would");
+  }
+
+  const double depth = r.concave_height + r.dedendum;  // of the tip under the concave arc's centre
+  d.root_radius =
+      (r.concave_radius * r.concave_radius - depth * depth - d.concave_offset * d.concave_offset) /
+      (2 * (r.concave_radius - depth));
+  if (!(r.concave_radius > depth && d.root_radius >= 0.0)) {
+    return bad(
+        "dedendum", r.dedendum,
+        fmt::format("the cutter's tooth is pointed before it gets that deep; it must be less "
+                    "than {}",
+                    std::sqrt(std::max(0.0, (r.concave_radius - d.concave_offset) *
+                                                (r.concave_radius + d.concave_offset))) -
+                        r.concave_height));
+  }
+  return d;
+}
+
+Result<RackOfArcs> arcs_of(const DoubleArcRack& r) {
+  auto numbers = derived(r);
+  if (!numbers) return numbers.error();
+  const DoubleArcDerived& d = *numbers;
+  const double r_g = d.root_radius;
+  const double sin_1 = std::sin(d.convex_begin.rad()), cos_1 = std::cos(d.convex_begin.rad());
+
+  RackArc tip, concave, step, convex;
+  concave.center_height = r.concave_height;
+  concave.center_offset = kHalfPi + d.concave_offset;
+  concave.radius = -r.concave_radius;
+  concave.begin =
+      Angle::radians(std::asin((r.concave_height + r.dedendum - r_g) / (r.concave_radius - r_g)));
+  concave.end = d.concave_end;
+  if (!(concave.begin.rad() > concave.end.rad())) {
+    return bad("step_depth", r.step_depth,
+               fmt::format("must be less than {}, where the root begins",
+                           -point_at(concave, concave.begin).x()));
+  }
+  tip.cuts = ArcName::root_fillet;
+  tip.working = false;
+  tip.center_height = -r.dedendum + r_g;
+  tip.center_offset = kHalfPi;
+  tip.radius = -r_g;
+  tip.begin = Angle::radians(kHalfPi);
+  tip.end = concave.begin;
+
+  convex.center_height = r.convex_height;
+  convex.center_offset = -r.convex_offset;
+  convex.radius = r.convex_radius;
+  convex.begin = d.convex_begin;
+  convex.end = Angle::radians(std::acos(std::max(0.0, r.convex_offset / r.convex_radius)));
+  const double top = point_at(convex, convex.end).x();
+  if (!(r.addendum <= top)) {
+    return bad("addendum", r.addendum,
+               fmt::format("pointed: both flank arcs meet {} modules above the datum line; the "
+                           "addendum must not be greater",
+                           top));
+  }
+
+  step.working = false;
+  step.center_height = r.step_height + d.step_radius * sin_1;
+  step.center_offset = point_at(convex, convex.begin).y() + d.step_radius * cos_1;
+  step.radius = -d.step_radius;
+  step.begin = Angle::radians(std::asin((step.center_height + r.step_depth) / d.step_radius));
+  step.end = convex.begin;
+  return RackOfArcs{r.addendum, r.dedendum, {tip, concave, step, convex}};
+}
+
+}  // namespace gearwright

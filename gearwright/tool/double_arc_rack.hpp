@@ -1,0 +1,61 @@
+// The basic rack of double circular-arc gears: a convex arc in the addendum, a concave one in the
+// dedendum, a step between them. Two gears of the same rack mesh.
+//
+//   α    pressure angle where the arcs touch the mate's      ρ_a, ρ_f   radii of the two arcs
+//   x_a, x_f   heights of their centres over the datum line  l_a   how far the convex arc's centre
+//   lies beyond the middle of the tooth    e_f   width of the space where the concave arc is
+//   touched h_ja, h_jf   height and depth at which the step begins and ends      all in normal
+//   modules
+//                                              theory: docs/theory/07-circular-arc.md, 7.3
+//
+// The standard's table gives more numbers than are free; the others follow from tangency and are
+// checked against it in the tests.
+#pragma once
+
+#include <optional>
+
+#include "gearwright/tool/rack_of_arcs.hpp"
+
+namespace gearwright {
+
+struct DoubleArcRack {
+  Angle pressure_angle = Angle::degrees(24);  ///< α
+  double addendum = 0.9;                      ///< h_a*
+  double dedendum = 1.1;                      ///< h_f*
+  double convex_radius = 1.3;                 ///< ρ_a*
+  double concave_radius = 1.42;               ///< ρ_f*
+  double convex_height = 0.0163;              ///< x_a*
+  double concave_height = 0.0325;             ///< x_f*
+  double convex_offset = 0.6289;              ///< l_a*
+  double space_width = 1.1773;                ///< e_f*
+  double step_height = 0.16;                  ///< h_ja*
+  double step_depth = 0.2;                    ///< h_jf*
+  bool named = false;                         ///< of the standard, by its module
+};
+
+/// GB/T 12759-1991 for this module: 1.5 to 3, over 3 to 6, over 10 to 16 and over 32 to 50 mm.
+///
+/// Errors    `rack` for a module outside them, with the table that takes its place
+Result<DoubleArcRack> gbt12759_rack(double normal_module);
+
+/// What follows from the numbers, in modules. [T7.6]…[T7.9]
+struct DoubleArcDerived {
+  double convex_contact_height;  ///< h_k of the convex arc, over the datum line
+  double concave_contact_depth;  ///< h_k of the concave one, under it
+  double contact_thickness;      ///< S_a*  of the tooth at the convex contact
+  double concave_offset;         ///< l_f*
+  double root_radius;            ///< r_g*  full radius of the cutter's tip
+  double step_radius;            ///< r_j*
+  Angle convex_begin;            ///< δ_1
+  Angle concave_end;             ///< δ_2
+};
+
+/// Errors    the key of a number that leaves no such rack, `rack.step_depth` and so on
+Result<DoubleArcDerived> derived(const DoubleArcRack& rack);
+
+/// Full-radius tip, concave arc, step, convex arc up to where both sides meet.
+///
+/// Errors    as derived; `rack.addendum`, `rack.dedendum`
+Result<RackOfArcs> arcs_of(const DoubleArcRack& rack);
+
+}  // namespace gearwright

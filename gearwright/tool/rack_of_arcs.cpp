@@ -1,0 +1,179 @@
+#include "gearwright/tool/rack_of_arcs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "gearwright/base/refusal.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kHalfPi = kPi / 2;
+// Normals this close are one: a tangent joint.
+constexpr double kSameNormal = 1e-6;  // rad
+constexpr double kMostModules = 1e4;  // no cutter is that large
+
+Error bad(const char* key, double value, const std::string& why) {
+  return refused(std::string("rack.") + key, value, why);
+}
+
+Error bad_arc(std::size_t i, const std::string& why) {
+  const std::string key = fmt::format("rack.arcs[{}]", i + 1);
+  return {key, "", key + ": " + why};
+}
+
+std::optional<Error> check_arc(const RackArc& arc, std::size_t i) {
+  for (const double v : {arc.center_height, arc.center_offset, arc.radius}) {
+    if (!(std::abs(v) <= kMostModules))
+      return bad_arc(i, fmt::format("lengths must lie within {} modules", kMostModules));
+  }
+  for (const Angle tau : {arc.begin, arc.end}) {
+    if (!(tau.rad() > 0.0 && tau.rad() <= kHalfPi * (1 + 1e-15)))
+      return bad_arc(
+          i,
+          fmt::format("normal angles must be greater than 0° and at most 90°, not {}°", tau.deg()));
+  }
+  if (arc.radius != 0.0 && (arc.radius > 0.0) != (arc.end.rad() > arc.begin.rad())) {
+    return bad_arc(i, fmt::format("from {}° to {}° it falls towards the gear's axis; an edge rises "
+                                  "from the cutter's tip on, a radius > 0 with growing angle",
+                                  arc.begin.deg(), arc.end.deg()));
+  }
+  if (arc.radius == 0.0 && !(arc.end.rad() < arc.begin.rad()))
+    return bad_arc(i, "a corner (radius 0) turns from the greater normal angle to the smaller one");
+  return std::nullopt;
+}
+
+// The chain as it will be cut: ends joined to the last bit, corners filled in.
+Result<std::vector<RackArc>> joined(const RackOfArcs& rack) {
+  std::vector<RackArc> chain;
+  for (std::size_t i = 0; i < rack.arcs.size(); ++i) {
+    RackArc arc = rack.arcs[i];
+    if (auto error = check_arc(arc, i)) return *error;
+    const Vec2 begin = point_at(arc, arc.begin);
+    if (chain.empty()) {
+      if (std::abs(begin.x() + rack.dedendum) > kSameRackPoint) {
+        return bad_arc(i, fmt::format("begins {} modules below the datum line; the cutter's tip "
+                                      "lies at the dedendum, {}",
+                                      -begin.x(), rack.dedendum));
+      }
+      arc.center_height -= begin.x() + rack.dedendum;
+      if (arc.begin.rad() < kHalfPi - kSameNormal)
+        chain.push_back({ArcName::root_fillet, -rack.dedendum, begin.y(), 0.0,
+                         Angle::radians(kHalfPi), arc.begin, false});
+      chain.push_back(arc);
+      continue;
+    }
+    const Vec2 end = point_at(chain.back(), chain.back().end);
+    const Vec2 gap = end - begin;
+    if (!(gap.norm() <= kSameRackPoint)) {
+      return bad_arc(i, fmt::format("begins at ({}, {}), {} modules from where the arc before ends",
+                                    begin.x(), begin.y(), gap.norm()));
+    }
+    arc.center_height += gap.x();
+    arc.center_offset += gap.y();
+    const Angle before = chain.back().end;
+    if (before.rad() > arc.begin.rad() + kSameNormal)
+      chain.push_back({chain.back().cuts, end.x(), end.y(), 0.0, before, arc.begin, false});
+    chain.push_back(arc);
+  }
+  return chain;
+}
+
+// Ends the last arc where the two sides meet, if moving it by `thinner` (modules) made them cross.
+void end_in_the_middle(RackArc& arc, double thinner) {
+  const double c = -(arc.center_offset + thinner) / arc.radius;
+  const bool crossed = point_at(arc, arc.end).y() + thinner < 0.0;
+  const bool before = point_at(arc, arc.begin).y() + thinner > 0.0;
+  if (thinner < 0.0 && arc.radius != 0.0 && crossed && before)
+    arc.end = Angle::radians(std::acos(c));
+}
+
+}  // namespace
+
+Vec2 point_at(const RackArc& arc, Angle tau) {
+  return {arc.center_height + arc.radius * std::sin(tau.rad()),
+          arc.center_offset + arc.radius * std::cos(tau.rad())};
+}
+
+double reach(const RackOfArcs& rack) {
+  GW_EXPECTS(!rack.arcs.empty());
+  return point_at(rack.arcs.back(), rack.arcs.back().end).x();
+}
+
+std::optional<double> half_thickness_on_datum(const RackOfArcs& rack) {
+  for (const RackArc& arc : rack.arcs) {
+    if (point_at(arc, arc.begin).x() > 0.0 || point_at(arc, arc.end).x() < 0.0) continue;
+    if (arc.radius == 0.0) return arc.center_offset;
+    const double s = -arc.center_height / arc.radius;
+    return arc.center_offset + arc.radius * std::sqrt((1.0 - s) * (1.0 + s));
+  }
+  return std::nullopt;
+}
+
+Result<CutterEdge> make_edge(const RackOfArcs& rack, double m, double thickness_allowance) {
+  GW_EXPECTS(m > 0.0);
+  if (!(std::abs(rack.addendum) <= kMostModules))
+    return bad("addendum", rack.addendum, fmt::format("must lie within {} modules", kMostModules));
+  if (!(std::abs(rack.dedendum) <= kMostModules && rack.dedendum > -rack.addendum)) {
+    return bad("dedendum", rack.dedendum,
+               fmt::format("must be greater than -{}, less the addendum, and at most {}",
+                           rack.addendum, kMostModules));
+  }
+  if (rack.arcs.empty())
+    return Error{"rack.arcs", "", "rack.arcs: is empty; an edge has one arc at least, a flank"};
+  auto joined_arcs = joined(rack);
+  if (!joined_arcs) return joined_arcs.error();
+  std::vector<RackArc> chain = std::move(joined_arcs).take();
+  const bool any_flank = std::any_of(chain.begin(), chain.end(), [](const RackArc& arc) {
+    return arc.cuts == ArcName::flank && arc.radius != 0.0;
+  });
+  if (!any_flank) return Error{"rack.arcs", "", "rack.arcs: none of them cuts the flank"};
+
+  const double thinner = thickness_allowance / 2;
+  end_in_the_middle(chain.back(), thinner / m);
+  CutterEdge edge{};
+  edge.tip_depth = rack.dedendum * m;
+  const Vec2 first = point_at(chain.front(), chain.front().begin);
+  edge.tip_land_end = first.y() * m + thinner;
+  if (first.y() * m + thinner > kHalfPi * m * (1 + 1e-12)) {
+    return bad("dedendum", rack.dedendum,
+               fmt::format("the two sides of the cutter's tip overlap by {} modules there",
+                           2 * (first.y() + thinner / m - kHalfPi)));
+  }
+  std::optional<double> flank_begin;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const RackArc& arc = chain[i];
+    const Vec2 begin = point_at(arc, arc.begin);
+    const Vec2 end = point_at(arc, arc.end);
+    if (end.y() * m + thinner < -kSameRackPoint * m) {
+      return bad("addendum", rack.addendum,
+                 fmt::format("the two sides of the cutter's space overlap by {} modules at the "
+                             "height {}",
+                             -2 * (end.y() + thinner / m), end.x()));
+    }
+    if (arc.cuts == ArcName::flank && arc.radius != 0.0) {
+      if (!flank_begin) flank_begin = begin.x() * m;
+      edge.flank_end_height = end.x() * m;
+    }
+    const bool smooth = i == 0 || std::abs(chain[i - 1].end.rad() - arc.begin.rad()) <= kSameNormal;
+    const Vec2 center(arc.center_height * m, arc.center_offset * m + thinner);
+    edge.arcs.push_back({arc.cuts, std::nullopt,
+                         EdgeCircle{center, arc.radius * m, arc.begin.rad(), arc.end.rad()},
+                         smooth});
+  }
+  edge.flank_begin_depth = -*flank_begin;
+  edge.bottom_height = point_at(chain.back(), chain.back().end).x() * m;
+  if (!(rack.addendum * m <= edge.bottom_height)) {
+    return bad("addendum", rack.addendum,
+               fmt::format("the arcs end {} modules above the datum line, no tooth reaches higher",
+                           edge.bottom_height / m));
+  }
+  return edge;
+}
+
+}  // namespace gearwright

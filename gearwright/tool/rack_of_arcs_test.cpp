@@ -1,0 +1,179 @@
+// Edges of arcs: the laws of cutter_edge.hpp over racks of every kind, joints and corners, and what
+// no edge can be.
+#include "gearwright/tool/rack_of_arcs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "gearwright/tool/arc_racks.hpp"
+
+namespace gearwright {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+Vec2 on(const EdgeCircle& c, double tau) {
+  return c.center + c.q * Vec2(std::sin(tau), std::cos(tau));
+}
+
+ArcRack rack_F() {
+  ArcRack rack = default_arc_rack(ArcRack::Cutter::F);
+  rack.center_a = 0.43;
+  rack.center_b = 0.25;
+  return rack;
+}
+
+ArcRack rack_P() {
+  ArcRack rack = default_arc_rack(ArcRack::Cutter::P);
+  rack.arc_radius = 1.55;
+  rack.center_a = 0.55;
+  rack.center_b = 0.32;
+  return rack;
+}
+
+std::vector<AnyArcRack> racks() {
+  ArcRack sharp_F = rack_F(), sharp_P = rack_P(), flat = rack_F();
+  sharp_F.root_fillet_radius = 0.0;
+  sharp_F.dedendum = 0.2;
+  sharp_P.root_fillet_radius = 0.0;
+  flat.arc_radius = 1.1;
+  flat.center_a = -0.1;  // both sides' arcs end in a land, at 90°
+  flat.addendum = 0.8;
+  ArcRack low = rack_P();
+  low.center_b = -0.1;
+  low.dedendum = 0.8;
+  low.addendum = -0.2;
+  return {rack_F(), rack_P(), sharp_F, sharp_P, flat, low, DoubleArcRack{}, *gbt12759_rack(12.0)};
+}
+
+TEST(RackOfArcs, edges_obey_the_laws_of_an_edge) {
+  for (const double m : {0.5, 2.0, 7.0}) {
+    for (const double allowance : {0.0, -0.02}) {
+      for (const AnyArcRack& any : racks()) {
+        const auto rack = arcs_of(any);
+        ASSERT_TRUE(rack) << rack.error().message;
+        const auto edge = make_edge(*rack, m, allowance * m);
+        ASSERT_TRUE(edge) << edge.error().message;
+        EXPECT_EQ(edge->tip_depth, dedendum_of(any) * m);
+        EXPECT_LE(edge->tip_land_end, kPi * m / 2);
+        Vec2 last(-edge->tip_depth, edge->tip_land_end);
+        double last_tau = kPi / 2;
+        for (const EdgeArc& arc : edge->arcs) {
+          ASSERT_TRUE(arc.circle && !arc.line);
+          const EdgeCircle& c = *arc.circle;
+          const Vec2 begin = on(c, c.begin_tau), end = on(c, c.end_tau);
+          EXPECT_NEAR((begin - last).norm(), 0.0, 4e-15 * m);  // (1)
+          EXPECT_EQ(arc.smooth_start, std::abs(c.begin_tau - last_tau) < 1e-12);
+          if (!arc.smooth_start) {  // a corner that bulges has its arc
+            EXPECT_GT(c.begin_tau, last_tau);
+          }
+          EXPECT_GT(c.end_tau, 0.0);  // (2)
+          EXPECT_LE(c.begin_tau, kPi / 2);
+          EXPECT_GE(end.x(), begin.x());  // (3)
+          EXPECT_LE(end.y(), begin.y());  // (4)
+          EXPECT_GE(end.y(), -1e-15 * m);
+          last = end;
+          last_tau = c.end_tau;
+        }
+        EXPECT_NEAR(last.x(), edge->bottom_height, 1e-15 * m);
+        EXPECT_GE(edge->bottom_height, addendum_of(any) * m);
+      }
+    }
+  }
+}
+
+// An allowance moves both sides of the tooth by half of it, and nothing else.
+TEST(RackOfArcs, allowance_thins_the_tooth) {
+  const RackOfArcs rack = *arcs_of(rack_F());
+  const auto full = make_edge(rack, 2.0, 0.0);
+  const auto thin = make_edge(rack, 2.0, -0.1);
+  for (std::size_t i = 0; i < full->arcs.size(); ++i) {
+    const Vec2 moved = thin->arcs[i].circle->center - full->arcs[i].circle->center;
+    EXPECT_EQ(moved.x(), 0.0);
+    EXPECT_NEAR(moved.y(), -0.05, 1e-15);
+  }
+  EXPECT_NEAR(thin->tip_land_end, full->tip_land_end - 0.05, 1e-15);
+}
+
+// Ends that a drawing rounds are joined; corners of the cutter that bulge get an arc of radius 0,
+// hollow ones none.
+TEST(RackOfArcs, joints_and_corners) {
+  const auto deg = [](double v) { return Angle::degrees(v); };
+  RackOfArcs rack{0.0, 1.0, {}};
+  RackArc first{ArcName::flank, 0.0, 2.0, -1.4, deg(45), deg(20), true};
+  first.center_height = -1.0 + 1.4 * std::sin(deg(45).rad()) + 3e-7;
+  const Vec2 end = point_at(first, deg(20));
+  RackArc second{ArcName::flank, 0.0, 0.0, 1.5, deg(12), deg(50), true};
+  second.center_height = end.x() - 1.5 * std::sin(deg(12).rad()) - 4e-7;
+  second.center_offset = end.y() - 1.5 * std::cos(deg(12).rad()) + 4e-7;
+  rack.arcs = {first, second};
+  const auto edge = make_edge(rack, 1.0, 0.0);
+  ASSERT_TRUE(edge) << edge.error().message;
+  // The tip's corner from 90° to 45°, the flank, the corner from 20° to 12°, the flank.
+  ASSERT_EQ(edge->arcs.size(), 4u);
+  EXPECT_EQ(edge->arcs[0].circle->q, 0.0);
+  EXPECT_EQ(edge->arcs[0].cuts, ArcName::root_fillet);
+  EXPECT_EQ(edge->arcs[2].circle->q, 0.0);
+  EXPECT_NEAR(edge->arcs[2].circle->begin_tau, deg(20).rad(), 1e-15);
+  EXPECT_NEAR(edge->arcs[2].circle->end_tau, deg(12).rad(), 1e-15);
+  EXPECT_NEAR((on(*edge->arcs[3].circle, deg(12).rad()) - edge->arcs[2].circle->center).norm(), 0.0,
+              1e-15);
+  rack.arcs[1].begin = deg(25);
+  rack.arcs[1].center_height = end.x() - 1.5 * std::sin(deg(25).rad());
+  rack.arcs[1].center_offset = end.y() - 1.5 * std::cos(deg(25).rad());
+  const auto hollow = make_edge(rack, 1.0, 0.0);
+  ASSERT_TRUE(hollow) << hollow.error().message;
+  EXPECT_EQ(hollow->arcs.size(), 3u);
+  EXPECT_FALSE(hollow->arcs[2].smooth_start);
+}
+
+TEST(RackOfArcs, half_thickness_where_an_arc_crosses_the_datum_line) {
+  // ρ cos θ − a with sin θ = b/ρ, and from the space's middle for P.
+  EXPECT_NEAR(*half_thickness_on_datum(*arcs_of(rack_F())), std::sqrt(1.4 * 1.4 - 0.0625) - 0.43,
+              1e-15);
+  EXPECT_NEAR(*half_thickness_on_datum(*arcs_of(rack_P())),
+              kPi / 2 + 0.55 - std::sqrt(1.55 * 1.55 - 0.32 * 0.32), 1e-15);
+  ArcRack low = rack_P();
+  low.center_b = -0.1;
+  low.dedendum = 0.8;
+  low.addendum = -0.2;
+  EXPECT_FALSE(half_thickness_on_datum(*arcs_of(low)));
+}
+
+TEST(RackOfArcs, what_is_no_edge_is_named) {
+  const RackOfArcs sound = *arcs_of(rack_F());
+  const auto key = [&](auto change) {
+    RackOfArcs rack = sound;
+    change(rack);
+    const auto edge = make_edge(rack, 2.0, 0.0);
+    if (edge) return std::string("made");
+    EXPECT_NE(edge.error().message.find(edge.error().key), std::string::npos);
+    return edge.error().key;
+  };
+  EXPECT_EQ(key([](RackOfArcs&) {}), "made");
+  EXPECT_EQ(key([](RackOfArcs& r) { r.arcs.clear(); }), "rack.arcs");
+  EXPECT_EQ(key([](RackOfArcs& r) { r.arcs.pop_back(); }), "rack.arcs");
+  EXPECT_EQ(key([](RackOfArcs& r) { r.addendum = 1.2; }), "rack.addendum");
+  EXPECT_EQ(key([](RackOfArcs& r) { r.dedendum = -1.0; }), "rack.dedendum");
+  EXPECT_EQ(key([](RackOfArcs& r) { r.dedendum += 0.1; }), "rack.arcs[1]");
+  EXPECT_EQ(key([](RackOfArcs& r) { r.arcs[1].center_height += 1e-3; }), "rack.arcs[2]");
+  EXPECT_EQ(key([](RackOfArcs& r) { r.arcs[1].radius = -1.4; }), "rack.arcs[2]");
+  EXPECT_EQ(key([](RackOfArcs& r) { r.arcs[1].end = Angle::degrees(100); }), "rack.arcs[2]");
+  EXPECT_EQ(key([](RackOfArcs& r) { r.arcs[0].begin = Angle::degrees(0); }), "rack.arcs[1]");
+  EXPECT_EQ(key([](RackOfArcs& r) { r.arcs[0].radius = 1e300; }), "rack.arcs[1]");
+  // Both sides overlap: at the cutter's tip, and in the gear's tooth.
+  EXPECT_EQ(key([](RackOfArcs& r) {
+              for (RackArc& arc : r.arcs) arc.center_offset += 0.5;
+            }),
+            "rack.dedendum");
+  EXPECT_EQ(key([](RackOfArcs& r) {
+              for (RackArc& arc : r.arcs) arc.center_offset -= 0.5;
+            }),
+            "rack.addendum");
+}
+
+}  // namespace
+}  // namespace gearwright
