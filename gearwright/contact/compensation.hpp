@@ -1,0 +1,62 @@
+// Corrections that make the worst of several errors as quiet, and its pattern as central, as it can
+// be.
+//
+//   v   corrections, in the caller's units          S   scenarios: sets of errors
+//   f(v) = max_S peak to peak TE + w · max_S (h² + p²)      [T8.24] of docs/theory/08-contact.md
+//
+//   h   mean place of the contact along the face, −1 to 1      p   the same along the profile,
+//       where there is a target for it (the racks' pressure angle of circular-arc teeth)
+//
+// f is a maximum of maxima and has creases, so that its own values lead the way (subplex), from
+// several starts: as it is, the least squares answer of the linearised problem, and what closed
+// forms the caller has.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "gearwright/contact/contact_pair.hpp"
+
+namespace gearwright {
+
+struct Correction {
+  double lo, hi;  ///< bounds, in the caller's unit
+  double step;    ///< what is a small change
+};
+
+struct ContactScore {
+  double peak_to_peak = 0.0;   ///< rad; greatest over the scenarios
+  double along_face = 0.0;     ///< h: greatest magnitude over the scenarios, with its sign
+  double along_profile = 0.0;  ///< p; 0 without a target
+  bool lost = false;           ///< contact is lost somewhere
+};
+
+struct CompensationTask {
+  std::vector<Correction> corrections;
+  int scenarios = 1;
+  int positions = 24;           ///< per pitch
+  double centering = 0.0;       ///< w  rad: what a pattern at the end of the face may cost
+  double profile_target = 0.0;  ///< rack angle, rad; with profile_width
+  double profile_width = 0.0;   ///< rad: what counts as the end; 0: no target
+  std::vector<std::vector<double>> starts{};  ///< guesses beside the two of its own
+  /// The pair under a scenario with the corrections made. Null where there is none.
+  std::function<std::shared_ptr<const ContactPair>(const std::vector<double>&, int)> pair_at;
+};
+
+struct Compensation {
+  std::vector<double> value;
+  ContactScore before, after;
+  std::vector<ContactScore> each_before, each_after;  ///< by scenario
+  int evaluations = 0;                                ///< of f
+};
+
+/// Domain    at least one correction with lo ≤ 0 ≤ hi, at least one scenario (contract)
+/// Accuracy  f is within 1e-3 of a local least of it, or 0.001 arcsec
+Compensation compensate(const CompensationTask& task);
+
+/// Of one pair.
+ContactScore score_of(const ContactPair& pair, int positions, double profile_target,
+                      double profile_width);
+
+}  // namespace gearwright

@@ -1,0 +1,131 @@
+#include "gearwright/contact/contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace gearwright {
+
+namespace {
+
+// Touches at `first + i step` of the housing's rotation, one pitch of n.
+std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n) {
+  const ContactPair& pair = transmission.pair();
+  if (!pair.gear2_drives()) return transmission.over_a_pitch(first, n);
+  // In N the rotation runs the other way.
+  const double step = pair.pitch() / n;
+  auto touches = transmission.over_a_pitch(-first - (n - 1) * step, n);
+  std::reverse(touches.begin(), touches.end());
+  return touches;
+}
+
+double least_squares_slope(const std::vector<ContactPoint>& points) {
+  double n = 0.0;
+  double sum_x = 0.0;
+  double sum_y = 0.0;
+  for (const ContactPoint& p : points) {
+    if (p.kind == TouchKind::none) continue;
+    n += 1.0;
+    sum_x += p.rotation1;
+    sum_y += p.te;
+  }
+  if (n < 2.0) return 0.0;
+  double xx = 0.0;
+  double xy = 0.0;
+  for (const ContactPoint& p : points) {
+    if (p.kind == TouchKind::none) continue;
+    const double x = p.rotation1 - sum_x / n;
+    xx += x * x;
+    xy += x * (p.te - sum_y / n);
+  }
+  return xx > 0.0 ? xy / xx : 0.0;
+}
+
+// Amplitudes of 1, 2, … waves per pitch. [T8.18]
+std::vector<double> harmonics(const std::vector<ContactPoint>& points, int n) {
+  constexpr int kMost = 20;
+  std::vector<double> amplitude;
+  const double mean = points[0].te;  // of no consequence but for rounding
+  for (int h = 1; h <= std::min(kMost, (n - 1) / 2); ++h) {
+    Complex sum = 0.0;
+    for (int i = 0; i < n; ++i) {
+      const double turn = 2 * std::numbers::pi * ((static_cast<long long>(h) * i) % n) / n;
+      sum += (points[i].te - mean) * Complex(std::cos(turn), -std::sin(turn));
+    }
+    amplitude.push_back(2.0 * std::abs(sum) / n);
+  }
+  return amplitude;
+}
+
+}  // namespace
+
+ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& request) {
+  GW_EXPECTS(request.positions >= 2 && request.pitches >= 1 && request.marking > 0.0);
+  Transmission transmission(pair);
+  ContactResult result;
+  std::vector<PairTouch> touches;
+  std::vector<double> rotations = request.rotations;
+  const int n = request.positions;
+  if (rotations.empty()) {
+    // Errors stand still: every pitch is like the first, its tooth pair one further.
+    const double first = -0.5 * request.pitches * pair.pitch();
+    const std::vector<PairTouch> once = one_pitch(transmission, first, n);
+    for (int i = 0; i < request.pitches * n; ++i) {
+      rotations.push_back(first + pair.pitch() * (static_cast<double>(i) / n));
+      touches.push_back(once[i % n]);
+      touches.back().pair += static_cast<int>(pair.turned()) * (i / n);
+    }
+  } else {
+    for (const double r : rotations) touches.push_back(transmission.at(pair.to_world(r)));
+  }
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = -least;
+  for (std::size_t i = 0; i < touches.size(); ++i) {
+    const ContactPoint p = describe(transmission, touches[i], rotations[i], request.marking);
+    result.positions.push_back(p);
+    if (p.kind == TouchKind::none) {
+      result.contact_lost = true;
+      continue;
+    }
+    least = std::min(least, p.te);
+    greatest = std::max(greatest, p.te);
+  }
+  if (greatest >= least) result.peak_to_peak = greatest - least;
+  result.mean_slope = least_squares_slope(result.positions);
+  if (request.rotations.empty() && !result.contact_lost)
+    result.harmonics = harmonics(result.positions, n);
+  for (const Influence& influence : request.influences) {
+    std::vector<Sensitivity> column;
+    for (const PairTouch& t : touches) {
+      column.push_back(t.found() ? sensitivity(transmission, t, influence)
+                                 : Sensitivity{0.0, Vec3::Zero()});
+    }
+    result.sensitivities.push_back(std::move(column));
+  }
+  result.unfinished = transmission.too_long();
+  result.work = transmission.count();
+  return result;
+}
+
+std::vector<double> transmission_error(const ContactPair& pair, int positions) {
+  Transmission transmission(pair);
+  std::vector<double> te;
+  for (const PairTouch& t : one_pitch(transmission, -0.5 * pair.pitch(), positions)) {
+    te.push_back(t.found() ? pair.turned() * t.te() : std::numeric_limits<double>::quiet_NaN());
+  }
+  return te;
+}
+
+double peak_to_peak(const std::vector<double>& te) {
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = -least;
+  for (const double v : te) {
+    if (std::isnan(v)) continue;
+    least = std::min(least, v);
+    greatest = std::max(greatest, v);
+  }
+  return greatest >= least ? greatest - least : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace gearwright

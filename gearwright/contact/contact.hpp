@@ -1,0 +1,45 @@
+// Tooth contact analysis: a mounted pair under errors, turned through one pitch or more.
+//
+// This is the room's door; what is behind it: the field (gap_field.hpp), the search for its
+// greatest value (touch.hpp), a pair followed through its range (transmission.hpp), what a touch
+// means (contact_point.hpp).                         theory: docs/theory/08-contact.md
+#pragma once
+
+#include <vector>
+
+#include "gearwright/contact/contact_point.hpp"
+#include "gearwright/contact/sensitivity.hpp"
+
+namespace gearwright {
+
+struct ContactRequest {
+  int positions = 64;               ///< per pitch of gear 1, ≥ 2
+  int pitches = 1;                  ///< ≥ 1
+  double marking = 0.00635;         ///< δ  mm
+  std::vector<double> rotations{};  ///< rad: these instead of positions
+  std::vector<Influence> influences{};
+};
+
+struct ContactResult {
+  std::vector<ContactPoint> positions;
+  std::vector<std::vector<Sensitivity>> sensitivities;  ///< [influence][position]; 0 where lost
+  double peak_to_peak = 0.0;                            ///< rad, over the positions with contact
+  double mean_slope = 0.0;        ///< least squares slope of TE over rotation1, rad/rad
+  std::vector<double> harmonics;  ///< rad: amplitudes of 1, 2, … per pitch; empty for rotations
+  bool contact_lost = false;      ///< a position at which no pair touches
+  long unfinished = 0;            ///< searches that did not end: 0 unless something is odd
+  TouchCount work;
+};
+
+/// Domain    positions ≥ 2, pitches ≥ 1, marking > 0 (contract)
+/// Accuracy  TE: rounding; ledger rows `contact.*`
+ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& request);
+
+/// TE alone over one pitch from −half a pitch on, rad; NaN where contact is lost. What maps and
+/// optimisers call.
+std::vector<double> transmission_error(const ContactPair& pair, int positions);
+
+/// Greatest less least; NaN when nothing touches.
+double peak_to_peak(const std::vector<double>& te);
+
+}  // namespace gearwright

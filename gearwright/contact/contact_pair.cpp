@@ -1,0 +1,145 @@
+#include "gearwright/contact/contact_pair.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "gearwright/contact/error_turns.hpp"
+#include "gearwright/contact/recut.hpp"
+
+namespace gearwright {
+
+namespace {
+
+double sign_if(bool negative) { return negative ? -1.0 : 1.0; }
+
+Vec3 space(const Complex& w, double z) { return {w.real(), w.imag(), z}; }
+
+}  // namespace
+
+ContactPair::ContactPair(const ContactGear& gear_1, const ContactGear& gear_2,
+                         const ContactMount& mount)
+    : place_(mount) {
+  const Gear& g1 = *gear_1.gear;
+  const Gear& g2 = *gear_2.gear;
+  GW_EXPECTS(!g1.internal() && g1.exists() && g2.exists() && g1.tooth && g2.tooth);
+  internal_ = g2.internal();
+  alpha_n_ = g1.spec.normal_pressure_angle.rad();
+  const double z1 = g1.spec.teeth;
+  const double z2 = std::abs(g2.spec.teeth);
+  ratio_ = z1 / z2;
+  pitch_ = 2 * std::numbers::pi / z1;
+  rotation_sign_ = internal_ ? 1.0 : -1.0;
+  const double mirror = sign_if(internal_);
+  const auto& e = mount.errors;
+  const double pi = std::numbers::pi;
+  const bool right_1 = !mount.gear2_drives;
+  const bool right_2 = right_1 != internal_;
+  const auto twist = [&](const Gear& g, int i) {
+    const double r = g.reference.reference_diameter / 2;
+    const double lead = with_cutter_lead(g.twist(), r, e.cutter_lead[i]);
+    return std::array{mirror * lead, mirror * e.helix_twist[i]};
+  };
+  for (int i = 0; i < 2; ++i) {
+    const Gear& g = i == 0 ? g1 : g2;
+    slope_unit_[i] = mirror / (g.reference.reference_diameter / 2 * g.spec.face_width);
+  }
+  add_patches(0, gear_1, twist(g1, 0), mesh_azimuth(), internal_ ? 1.0 : -1.0, right_1);
+  add_patches(1, gear_2, twist(g2, 1), pi + pi / z2, -1.0, right_2);
+  set_mount();
+  // Points of gear 1 farther than this from the mesh lie outside the mate's annulus.
+  const auto radius = [](const std::vector<FlankPatch>& patches, bool greatest) {
+    double r = greatest ? 0.0 : 1e300;
+    for (const FlankPatch& p : patches)
+      r = greatest ? std::max(r, std::exp(p.u_hi)) : std::min(r, std::exp(p.u_lo));
+    return r;
+  };
+  const double a = mount.center_distance + e.center_distance;
+  const double r1 = radius(patches_[0], true);
+  double cosine = (a - radius(patches_[1], true)) / r1;
+  if (internal_) {
+    const double r2 = radius(patches_[1], false);
+    cosine = a > 0.0 ? (r2 * r2 - a * a - r1 * r1) / (2 * a * r1) : -1.0;
+  }
+  reach_ = std::acos(std::clamp(cosine, -1.0, 1.0));
+}
+
+void ContactPair::add_patches(int which, const ContactGear& gear,
+                              const std::array<double, 2>& twist, double center, double side,
+                              bool right) {
+  const Gear& g = *gear.gear;
+  const double half = g.spec.face_width / 2;
+  const RemovalField* removal = gear.removal[right ? 0 : 1];
+  const double turned = sign_if(place_.gear2_drives);
+  std::vector<Arc> flanks;
+  for (const Arc& arc : g.tooth->outline.arcs)
+    if (arc.name == ArcName::flank) flanks.push_back(arc);
+  GW_EXPECTS(!flanks.empty());
+  for (std::size_t i = 0; i < flanks.size(); ++i) {
+    const Arc arc = recut(flanks[i], g, place_.errors.cutter_lead[which]);
+    const Profile profile(arc, side, twist[0]);
+    using End = FlankPatch::End;
+    FlankPatch p{profile, center, twist[0] + twist[1], -half, half};
+    const End root = i == 0 ? End::form : End::seam;
+    const End tip = i + 1 == flanks.size() ? End::tip : End::seam;
+    const bool root_first = profile.grows() != g.internal();
+    p.s_lo_end = root_first ? root : tip;
+    p.s_hi_end = root_first ? tip : root;
+    p.s_lo = profile.s_lo();
+    p.s_hi = profile.s_hi();
+    p.u_lo = profile.u_lo();
+    p.u_hi = profile.u_hi();
+    if (!removal || removal->none()) {
+      patches_[which].push_back(p);
+      continue;
+    }
+    p.removal = removal;
+    p.removal_z = turned;
+    for (const auto& cell : removal->pieces()) {
+      FlankPatch c = p;
+      c.piece = cell.piece;
+      c.u_lo = std::max(p.u_lo, cell.u_lo);
+      c.u_hi = std::min(p.u_hi, cell.u_hi);
+      // A cell that only touches this piece of the profile is another one's.
+      if (!(c.u_hi - c.u_lo > 1e-12)) continue;
+      const auto cut_u = [&](double u, bool at_lower) {
+        const bool first = profile.grows() == at_lower;
+        (first ? c.s_lo : c.s_hi) = profile.s_of(u);
+        (first ? c.s_lo_end : c.s_hi_end) = End::seam;
+      };
+      if (c.u_lo > p.u_lo + 1e-12) cut_u(c.u_lo, true);
+      if (c.u_hi < p.u_hi - 1e-12) cut_u(c.u_hi, false);
+      const double z_a = turned * cell.z_lo;
+      const double z_b = turned * cell.z_hi;
+      c.z_lo = std::max(-half, std::min(z_a, z_b));
+      c.z_hi = std::min(half, std::max(z_a, z_b));
+      if (c.z_lo > -half) c.z_lo_end = End::seam;
+      if (c.z_hi < half) c.z_hi_end = End::seam;
+      patches_[which].push_back(c);
+    }
+  }
+}
+
+void ContactPair::set_mount() {
+  const ContactErrors& e = place_.errors;
+  const double mirror = sign_if(internal_);
+  const double turned = sign_if(place_.gear2_drives);
+  tilt_ = detail::crossing_turn(mirror * e.crossing) *
+          detail::intersecting_turn(turned * e.intersecting);
+  lift_ = Vec3(0, 0, turned * e.axial);
+  const Mat3 shaft = detail::shaft_turn(mirror * place_.shaft_angle);
+  relative_.rotation = shaft * tilt_;
+  relative_.shift = shaft * (lift_ - Vec3(place_.center_distance + e.center_distance, 0, 0));
+}
+
+Vec3 ContactPair::direction_in_housing(const Vec3& v) const {
+  if (place_.gear2_drives && internal_) return {v.x(), v.y(), -v.z()};
+  if (place_.gear2_drives) return {v.x(), -v.y(), -v.z()};
+  return internal_ ? Vec3(v.x(), -v.y(), v.z()) : v;
+}
+
+Vec3 ContactPair::in_housing(const Complex& w1, double z) const {
+  return direction_in_housing(tilt_ * space(w1, z) + lift_);
+}
+
+}  // namespace gearwright

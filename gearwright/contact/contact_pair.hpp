@@ -1,0 +1,95 @@
+// Two mounted gears as contact sees them: their touching flanks cut into smooth patches, in a world
+// in which every case looks the same.
+//
+//   Housing f   kinematics/pose.hpp; errors tilt and shift axis 1, ΔC moves axis 2
+//   World N     gear 2 turns counter-clockwise and is touched on the clockwise side of its tooth
+//               external pair, gear 1 drives    N = f
+//               internal pair                   N = f with −y: both gears turn the same way
+//               gear 2 drives                   half a turn about x, (y, z) → (−y, −z), and both
+//                                               rotations change sign
+//                                               theory: docs/theory/08-contact.md, [T8.11]…[T8.13]
+//
+// Tooth pair k stands where pair 0 stood k pitches of gear 1 earlier; k runs over all integers.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "gearwright/contact/gap_field.hpp"
+#include "gearwright/gear/gear.hpp"
+
+namespace gearwright {
+
+/// Errors of mounting and of cutting, all at once. Order and signs: docs/spec.md, [errors].
+struct ContactErrors {
+  double center_distance = 0.0;         ///< ΔC  mm
+  double crossing = 0.0;                ///< Δγ  rad, about the centre line
+  double intersecting = 0.0;            ///< Δδ  rad, in the plane of the axes
+  double axial = 0.0;                   ///< Δz  mm
+  std::array<double, 2> helix_twist{};  ///< κ   rad/mm: section z turned by κz
+  std::array<double, 2> cutter_lead{};  ///< Δλ  rad: cut with another lead angle
+};
+
+struct ContactGear {
+  const Gear* gear = nullptr;
+  /// Removal from the right (y < 0) and the left flank; null: none.
+  std::array<const RemovalField*, 2> removal{};
+};
+
+struct ContactMount {
+  double center_distance = 0.0;  ///< a  mm, without errors
+  double shaft_angle = 0.0;      ///< Σ  rad
+  bool gear2_drives = false;
+  ContactErrors errors;
+};
+
+class ContactPair {
+ public:
+  /// Domain  gears that exist, with a flank; |z1|, |z2| any (contract)
+  ContactPair(const ContactGear& gear_1, const ContactGear& gear_2, const ContactMount& mount);
+
+  const std::vector<FlankPatch>& patches(int gear) const { return patches_[gear - 1]; }
+  const RelativeMount& mount() const { return relative_; }
+  double ratio() const { return ratio_; }                  ///< |z1/z2|
+  double pitch() const { return pitch_; }                  ///< 2π/|z1|  rad
+  double rotation_sign() const { return rotation_sign_; }  ///< of gear 1 in N
+  double mesh_azimuth() const { return internal_ ? kHalfTurn : 0.0; }
+  double reach() const { return reach_; }
+  bool internal() const { return internal_; }
+  bool gear2_drives() const { return place_.gear2_drives; }
+  const ContactMount& place() const { return place_; }
+  double normal_pressure_angle() const { return alpha_n_; }  ///< of gear 1's straight rack, rad
+
+  /// A rotation of gear 1 as N counts it, and back.
+  double to_world(double rotation1) const { return place_.gear2_drives ? -rotation1 : rotation1; }
+  /// A point (w1, z) of gear 1 before mounting, in the housing.
+  Vec3 in_housing(const Complex& w1, double z) const;
+  /// A direction of N in the housing.
+  Vec3 direction_in_housing(const Vec3& v) const;
+  /// Rotates the directions of gear 1 before mounting into N.
+  const Mat3& tilt() const { return tilt_; }
+  double mirror() const { return internal_ ? -1.0 : 1.0; }            ///< of y, in N
+  double turned() const { return place_.gear2_drives ? -1.0 : 1.0; }  ///< of z, in N
+  const Vec3& lift() const { return lift_; }                          ///< Δz  mm, in N
+  /// κ in N per mm of f_Hβ at the reference cylinder over the face.
+  double twist_per_slope(int gear) const { return slope_unit_[gear - 1]; }
+
+ private:
+  static constexpr double kHalfTurn = 3.14159265358979323846;
+  // `twist`: of the lead, and of the lead error on top.
+  void add_patches(int which, const ContactGear& gear, const std::array<double, 2>& twist,
+                   double center, double side, bool right);
+  void set_mount();
+
+  ContactMount place_;
+  bool internal_;
+  double alpha_n_;
+  double ratio_, pitch_, rotation_sign_, reach_ = 0.0;
+  std::array<std::vector<FlankPatch>, 2> patches_;
+  RelativeMount relative_;
+  Mat3 tilt_ = Mat3::Identity();
+  Vec3 lift_ = Vec3::Zero();            // Δz in N
+  std::array<double, 2> slope_unit_{};  // κ in N per mm of f_Hβ
+};
+
+}  // namespace gearwright

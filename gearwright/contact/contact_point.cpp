@@ -1,0 +1,226 @@
+#include "gearwright/contact/contact_point.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace gearwright {
+
+namespace {
+
+using End = FlankPatch::End;
+
+// The kind of a bound of D, or none where the flank only goes on in the next patch.
+TouchKind kind_of(const GapField& field, int j) {
+  const FlankPatch& a = field.one();
+  const FlankPatch& b = field.two();
+  const auto profile = [](End end, TouchKind tip, TouchKind form) {
+    return end == End::tip ? tip : end == End::form ? form : TouchKind::none;
+  };
+  const auto face = [](End end, TouchKind kind) {
+    return end == End::face ? kind : TouchKind::none;
+  };
+  const bool s_is_u = b.profile.grows();
+  switch (j) {
+    case 0: return profile(a.s_lo_end, TouchKind::tip1, TouchKind::form1);
+    case 1: return profile(a.s_hi_end, TouchKind::tip1, TouchKind::form1);
+    case 2: return face(a.z_lo_end, TouchKind::face1);
+    case 3: return face(a.z_hi_end, TouchKind::face1);
+    case 4: return profile(s_is_u ? b.s_lo_end : b.s_hi_end, TouchKind::tip2, TouchKind::form2);
+    case 5: return profile(s_is_u ? b.s_hi_end : b.s_lo_end, TouchKind::tip2, TouchKind::form2);
+    case 6: return face(b.z_lo_end, TouchKind::face2);
+    default: return face(b.z_hi_end, TouchKind::face2);
+  }
+}
+
+TouchKind kind_of(const GapField& field, const detail::ActiveSet& set) {
+  if (set.inside()) return TouchKind::interior;
+  const TouchKind first = kind_of(field, set.first);
+  const TouchKind second = set.corner() ? kind_of(field, set.second) : TouchKind::none;
+  if (first == TouchKind::none && second == TouchKind::none) return TouchKind::interior;
+  if (first == TouchKind::none) return second;
+  return second == TouchKind::none ? first : TouchKind::corner;
+}
+
+Vec3 space(const Complex& w, double z) { return {w.real(), w.imag(), z}; }
+
+constexpr double kOnBound = 1e-12;  // scaled: rounding of a place on a bound
+
+struct Place {
+  double s, z;
+};
+
+// A walk from the touch along the soft direction of the field, while the flanks stay together.
+class LineWalk {
+ public:
+  LineWalk(Transmission& transmission, const PairTouch& touch)
+      : transmission_(transmission),
+        touch_(touch),
+        search_(transmission.search(touch.fields)),
+        a_(search_.field().one()),
+        s_half_(0.5 * (a_.s_hi - a_.s_lo)),
+        z_half_(0.5 * (a_.z_hi - a_.z_lo)) {
+    const GapJet j = transmission.jet_at(touch, touch.touch.s, touch.touch.z);
+    Eigen::Matrix2d h;
+    h << j.t.ss * s_half_ * s_half_, j.t.sz * s_half_ * z_half_, j.t.sz * s_half_ * z_half_,
+        j.t.zz * z_half_ * z_half_;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(h);
+    const int soft = std::abs(eigen.eigenvalues()[0]) < std::abs(eigen.eigenvalues()[1]) ? 0 : 1;
+    direction_ = eigen.eigenvectors().col(soft);
+    soft_ = eigen.eigenvalues()[soft];
+    arm_ = GapField::arm(j);
+  }
+
+  // Could the flanks be together over half the patch?
+  bool worth_walking() const { return std::abs(soft_) * arm_ < 8.0 * kLineGap; }
+
+  // Both ends of D on the straight line through the touch; none if the gap opens before.
+  std::optional<std::array<Place, 2>> ends() {
+    std::array<Place, 2> found;
+    for (const int sense : {-1, 1}) {
+      const double t = last_inside(sense);
+      const Place end = at(sense * t);
+      if (!together(at(sense * 0.5 * t)) || !together(end)) return std::nullopt;
+      found[sense > 0 ? 1 : 0] = end;
+    }
+    // A line that is a point is none.
+    const double long_s = (found[1].s - found[0].s) / s_half_;
+    const double long_z = (found[1].z - found[0].z) / z_half_;
+    if (std::hypot(long_s, long_z) < 1e-6) return std::nullopt;
+    return found;
+  }
+
+ private:
+  Place at(double t) const {
+    return {touch_.touch.s + t * direction_[0] * s_half_,
+            touch_.touch.z + t * direction_[1] * z_half_};
+  }
+
+  bool inside(const Place& p) {
+    const GapJet j = transmission_.jet_at(touch_, p.s, p.z);
+    for (int b = 0; b < detail::kBounds; ++b)
+      if (search_.bound(j, p.s, p.z, b) < -kOnBound) return false;
+    return true;
+  }
+
+  bool together(const Place& p) {
+    const GapJet j = transmission_.jet_at(touch_, p.s, p.z);
+    return (touch_.touch.te - j.t.v) * GapField::arm(j) < kLineGap;
+  }
+
+  double last_inside(int sense) {
+    double lo = 0.0;
+    double hi = 4.0;  // longer than the diagonal of the patch
+    for (int i = 0; i < 50; ++i) {
+      const double middle = 0.5 * (lo + hi);
+      (inside(at(sense * middle)) ? lo : hi) = middle;
+    }
+    return lo;
+  }
+
+  Transmission& transmission_;
+  const PairTouch& touch_;
+  const TouchSearch& search_;
+  const FlankPatch& a_;
+  double s_half_, z_half_;
+  Eigen::Vector2d direction_;
+  double soft_ = 0.0, arm_ = 0.0;
+};
+
+// Principal curvatures of the gap and the ellipse, in the housing. [T8.15], [T8.16]
+void curvatures(const ContactPair& pair, const GapJet& j, bool line, double marking,
+                ContactPoint& p) {
+  const Vec3 r_s = pair.direction_in_housing(pair.tilt() * space(j.w1_s, 0.0));
+  const Vec3 r_z = pair.direction_in_housing(pair.tilt() * space(j.w1_z, 1.0));
+  const Vec3 axis(0, 0, 1);  // of the housing: where axis 1 should be
+  const Vec3 e1 = (axis - p.normal * p.normal.dot(axis)).normalized();
+  const Vec3 e2 = p.normal.cross(e1);
+  Eigen::Matrix2d jacobian;
+  jacobian << r_s.dot(e1), r_z.dot(e1), r_s.dot(e2), r_z.dot(e2);
+  const Eigen::Matrix2d inverse = jacobian.inverse();
+  Eigen::Matrix2d h;
+  h << j.t.ss, j.t.sz, j.t.sz, j.t.zz;
+  const Eigen::Matrix2d k = -GapField::arm(j) * inverse.transpose() * h * inverse;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(0.5 * (k + k.transpose()));
+  const double k1 = line ? 0.0 : eigen.eigenvalues()[0];
+  const double k2 = eigen.eigenvalues()[1];
+  p.gap_curvature = std::array{k1, k2};
+  if (!(k2 > 0.0)) return;
+  ContactEllipse ellipse;
+  if (k1 > 0.0) ellipse.semi_major = std::sqrt(2 * marking / k1);
+  ellipse.semi_minor = std::sqrt(2 * marking / k2);
+  Eigen::Vector2d major = eigen.eigenvectors().col(0);
+  if (major[0] < 0.0 || (major[0] == 0.0 && major[1] < 0.0)) major = -major;
+  ellipse.angle = std::atan2(major[1], major[0]);
+  p.ellipse = ellipse;
+}
+
+}  // namespace
+
+std::string_view to_string(TouchKind kind) {
+  switch (kind) {
+    case TouchKind::none: return "none";
+    case TouchKind::interior: return "interior";
+    case TouchKind::line: return "line";
+    case TouchKind::tip1: return "tip1";
+    case TouchKind::tip2: return "tip2";
+    case TouchKind::face1: return "face1";
+    case TouchKind::face2: return "face2";
+    case TouchKind::form1: return "form1";
+    case TouchKind::form2: return "form2";
+    case TouchKind::corner: return "corner";
+  }
+  GW_ENSURES(false);
+  return "";
+}
+
+ContactPoint describe(Transmission& transmission, const PairTouch& touch, double rotation1,
+                      double marking) {
+  ContactPoint p;
+  p.rotation1 = rotation1;
+  if (!touch.found()) return p;
+  const ContactPair& pair = transmission.pair();
+  const GapField& field = transmission.field(touch.fields);
+  const double turned = pair.turned();
+  p.te = turned * touch.touch.te;
+  p.rotation2 = pair.ratio() * rotation1 + p.te;
+  p.pair = static_cast<int>(turned) * touch.pair;
+  p.kind = kind_of(field, touch.touch.active);
+  Place at{touch.touch.s, touch.touch.z};
+  // A bound that holds with weight is an edge, though the edge may touch along all of its length.
+  const double weight = std::max(touch.touch.multiplier[0], touch.touch.multiplier[1]);
+  const bool edge =
+      weight * GapField::arm(transmission.jet_at(touch, touch.touch.s, touch.touch.z)) > kLineGap;
+  if (LineWalk walk(transmission, touch); !edge && walk.worth_walking()) {
+    if (const auto ends = walk.ends()) {
+      p.kind = TouchKind::line;
+      std::array<Vec3, 2> line;
+      for (int i = 0; i < 2; ++i) {
+        const GapJet j = transmission.jet_at(touch, (*ends)[i].s, (*ends)[i].z);
+        line[i] = pair.in_housing(j.w1, (*ends)[i].z);
+      }
+      if (line[0].z() > line[1].z()) std::swap(line[0], line[1]);
+      p.line = line;
+      // Every point of it touches: its middle stands for all.
+      at = {0.5 * ((*ends)[0].s + (*ends)[1].s), 0.5 * ((*ends)[0].z + (*ends)[1].z)};
+    }
+  }
+  const GapJet j = transmission.jet_at(touch, at.s, at.z);
+  p.point = pair.in_housing(j.w1, at.z);
+  p.diameter = {2 * std::abs(j.w1), 2 * std::exp(j.u.v)};
+  p.height = {turned * at.z, turned * j.Z.v};
+  p.rack_angle = field.one().profile.is_involute() ? pair.normal_pressure_angle()
+                                                   : field.one().profile.rack_angle(at.s);
+  const Vec3 r_s = pair.tilt() * space(j.w1_s, 0.0);
+  const Vec3 r_z = pair.tilt() * space(j.w1_z, 1.0);
+  // Out of gear 1: in N the flank's azimuth side, against its body.
+  Vec3 normal = r_s.cross(r_z).normalized();
+  const Vec3 round = pair.tilt() * space(Complex(0, 1) * j.w1, 0.0);
+  if (normal.dot(round) * field.one().profile.side() < 0.0) normal = -normal;
+  p.normal = pair.direction_in_housing(normal);
+  if (p.kind == TouchKind::line || (p.kind == TouchKind::interior && touch.touch.active.inside()))
+    curvatures(pair, j, p.kind == TouchKind::line, marking, p);
+  return p;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,28 @@
+#include "gearwright/contact/error_map.hpp"
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include "gearwright/contact/contact.hpp"
+
+namespace gearwright {
+
+ErrorMap map_of_errors(const std::vector<double>& x, const std::vector<double>& y,
+                       const std::function<ContactPair(double, double)>& pair_at, int positions,
+                       int threads) {
+  GW_EXPECTS(!x.empty() && !y.empty() && positions >= 2 && threads >= 0);
+  ErrorMap map{x, y, std::vector<std::vector<double>>(y.size(), std::vector<double>(x.size()))};
+  const auto rows = [&](const oneapi::tbb::blocked_range<std::size_t>& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i)
+      for (std::size_t k = 0; k < x.size(); ++k)
+        map.value[i][k] = peak_to_peak(transmission_error(pair_at(x[k], y[i]), positions));
+  };
+  oneapi::tbb::task_arena arena(threads == 0 ? oneapi::tbb::task_arena::automatic : threads);
+  arena.execute([&] {
+    oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, y.size(), 1), rows);
+  });
+  return map;
+}
+
+}  // namespace gearwright

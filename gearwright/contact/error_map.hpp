@@ -1,0 +1,26 @@
+// Peak to peak of the transmission error over a grid of two errors, on all cores.
+//
+// Every point of the map is a curve of its own; the bits do not depend on the number of threads.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "gearwright/contact/contact_pair.hpp"
+
+namespace gearwright {
+
+struct ErrorMap {
+  std::vector<double> x, y;                ///< in the caller's units
+  std::vector<std::vector<double>> value;  ///< rad, [iy][ix]; NaN where nothing touches
+};
+
+/// `pair_at(x, y)` makes the pair under these errors; called from several threads at once.
+///
+/// Units     rad
+/// Domain    positions ≥ 2, x and y not empty (contract); `threads` 0: as many as there are cores
+ErrorMap map_of_errors(const std::vector<double>& x, const std::vector<double>& y,
+                       const std::function<ContactPair(double, double)>& pair_at, int positions,
+                       int threads = 0);
+
+}  // namespace gearwright

@@ -1,0 +1,41 @@
+// The turns by which errors of mounting tilt axis 1, and their slopes by the angle.
+//
+//   Δγ   crossing: about x, the centre line; axis 1 tilts towards +y      theory:
+//   Δδ   intersecting: about y; axis 1 tilts towards gear 2, +x docs/theory/08-contact.md,
+//                                                                         [T8.12]
+#pragma once
+
+#include <cmath>
+
+#include "gearwright/base/vector.hpp"
+
+namespace gearwright::detail {
+
+inline Mat3 crossing_turn(double g) {
+  Mat3 m;
+  m << 1, 0, 0, 0, std::cos(g), std::sin(g), 0, -std::sin(g), std::cos(g);
+  return m;
+}
+
+inline Mat3 crossing_turn_slope(double g) {
+  Mat3 m;
+  m << 0, 0, 0, 0, -std::sin(g), std::cos(g), 0, -std::cos(g), -std::sin(g);
+  return m;
+}
+
+inline Mat3 intersecting_turn(double d) {
+  Mat3 m;
+  m << std::cos(d), 0, std::sin(d), 0, 1, 0, -std::sin(d), 0, std::cos(d);
+  return m;
+}
+
+inline Mat3 intersecting_turn_slope(double d) {
+  Mat3 m;
+  m << -std::sin(d), 0, std::cos(d), 0, 0, 0, -std::cos(d), 0, -std::sin(d);
+  return m;
+}
+
+/// Directions of the housing in the frame of gear 2 at rotation 0; axis 2 along (0, sin Σ, cos Σ).
+inline Mat3 shaft_turn(double sigma) { return crossing_turn(-sigma); }
+
+}  // namespace gearwright::detail

@@ -1,0 +1,45 @@
+// The exact solution of the small problem inside each step of the contact search:
+//
+//   max  g·d + d·H d/2    over  c_j + a_j·d ≥ 0,  j = 1 … 8,    d in the plane
+//
+// H is concave, so the first candidate that is feasible with multipliers ≥ 0 is the only one; the
+// candidates are the inside, the bounds one by one, and the corners two by two. Last step's answer
+// is tried first.                                    theory: docs/theory/08-contact.md, [T8.9]
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace gearwright::detail {
+
+constexpr int kBounds = 8;
+
+struct Bound {
+  double c;         ///< ≥ 0 inside
+  double a_s, a_z;  ///< its gradient
+};
+
+struct StepProblem {
+  double g_s, g_z;
+  double h_ss, h_sz, h_zz;  ///< concave (contract)
+  std::array<Bound, kBounds> bounds;
+};
+
+/// Which bounds hold with equality; −1: none.
+struct ActiveSet {
+  std::int8_t first = -1, second = -1;
+  bool inside() const { return first < 0; }
+  bool corner() const { return second >= 0; }
+  bool operator==(const ActiveSet&) const = default;
+};
+
+struct FeasibleStep {
+  double d_s = 0.0, d_z = 0.0;
+  ActiveSet active;
+  std::array<double, 2> multiplier{};  ///< of first and second, ≥ 0
+  bool feasible = true;  ///< false: the bounds leave nothing, d goes where they are broken least
+};
+
+FeasibleStep solve_step(const StepProblem& p, const ActiveSet& guess);
+
+}  // namespace gearwright::detail

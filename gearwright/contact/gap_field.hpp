@@ -1,0 +1,90 @@
+// The angle through which gear 2 must turn for its flank to pass through a point of flank 1, with
+// all its derivatives.
+//
+//   World N: z along axis 1, x along the centre line, gear 2 driven counter-clockwise; the flank of
+//   gear 2 that is touched is the clockwise side of its tooth. Other cases are mirrored into it
+//   (contact/contact_pair.hpp).
+//   φ1   rotation of gear 1          E = φ1 |z1/z2|, the expected rotation of gear 2
+//   T    φ2* − E, rad                u = ln ρ and Z: where the point lies on gear 2
+//                                    theory: docs/theory/08-contact.md, [T8.1]…[T8.3], [T8.8]
+//
+//   φ2*(ρ, ψ, Z) = ψ − θ2(ρ) − m2(ρ, Z) − Z τ2
+//
+// The flanks touch where T is greatest over the part of flank 1 that lies inside flank 2. No
+// allocation, no virtual call; one evaluation gives everything a Newton step needs.
+#pragma once
+
+#include <array>
+
+#include "gearwright/base/vector.hpp"
+#include "gearwright/contact/profile.hpp"
+#include "gearwright/gear/modifications.hpp"
+
+namespace gearwright {
+
+/// A patch of a flank in world N: one smooth piece of its profile over a part of the face.
+struct FlankPatch {
+  Profile profile;
+  double center;      ///< rad, azimuth of the tooth's centre line at rotation 0, section z = 0
+  double twist;       ///< τ  rad/mm, with the lead error
+  double z_lo, z_hi;  ///< mm
+  /// Material removed from this flank; null: none. Its z runs along `removal_z`, ±1.
+  const RemovalField* removal = nullptr;
+  RemovalField::Piece piece = {};
+  double removal_z = 1.0;
+  /// What meets the patch at its ends: of the flank, or of the next patch.
+  enum class End { tip, form, seam, face };
+  End s_lo_end = End::form, s_hi_end = End::tip, z_lo_end = End::face, z_hi_end = End::face;
+  /// Ends of the part in use, within the profile's.
+  double s_lo = 0.0, s_hi = 0.0, u_lo = 0.0, u_hi = 0.0;
+};
+
+/// How the frame of gear 1 lies in that of gear 2, both at rotation 0: x_2 = rotation x_1 + shift.
+struct RelativeMount {
+  Mat3 rotation = Mat3::Identity();
+  Vec3 shift = Vec3::Zero();
+};
+
+struct Jet2 {
+  double v, s, z, ss, sz, zz;
+};
+
+/// The field at a point of flank 1.
+struct GapJet {
+  Jet2 t;                     ///< T   rad
+  Jet2 u;                     ///< ln ρ of the point on gear 2
+  Jet2 Z;                     ///< mm
+  double slope2_u, slope2_Z;  ///< θ2′ + ∂m2/∂u,  τ2 + ∂m2/∂Z: of flank 2 there
+  double bend2_uu, bend2_uZ, bend2_ZZ;  ///< and their derivatives
+  Complex w1, w1_s, w1_z;  ///< the point of gear 1 across its axis, mm, before mounting
+  Complex w, w_s, w_z;     ///< the same point seen from gear 2
+};
+
+class GapField {
+ public:
+  /// `rotation_sign`: −1 gear 1 turns clockwise for growing φ1, +1 counter-clockwise.
+  GapField(const FlankPatch& one, const FlankPatch& two, const RelativeMount& mount, double ratio,
+           double rotation_sign);
+
+  void set_rotation(double phi1);
+  double rotation() const { return phi1_; }
+  /// At (s, z) of flank 1. `s2` is the parameter on flank 2 where the last call ended.
+  GapJet at(double s, double z, double& s2) const;
+  /// Normal distance of the flanks per radian of gap angle: 1/|∇φ2*|, mm. [T8.3]
+  static double arm(const GapJet& j);
+
+  const FlankPatch& one() const { return *one_; }
+  const FlankPatch& two() const { return *two_; }
+  const RelativeMount& mount() const { return mount_; }
+  double rotation_sign() const { return rotation_sign_; }
+
+ private:
+  const FlankPatch* one_;
+  const FlankPatch* two_;
+  RelativeMount mount_;
+  double ratio_, rotation_sign_;
+  Complex from_x_, from_y_, from_z_, from_0_;
+  double phi1_ = 0.0, phase1_ = 0.0, expected_ = 0.0;
+};
+
+}  // namespace gearwright

@@ -1,0 +1,295 @@
+#include "gearwright/contact/pattern.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+std::vector<double> spread(double lo, double hi, int n) {
+  std::vector<double> v;
+  for (int i = 0; i < n; ++i) v.push_back(lo + (hi - lo) * (static_cast<double>(i) / (n - 1)));
+  return v;
+}
+
+FlankRaster empty_raster(const std::vector<FlankPatch>& patches, const RasterSize& size) {
+  double u_lo = kInfinity;
+  double u_hi = -kInfinity;
+  double z_lo = kInfinity;
+  double z_hi = -kInfinity;
+  for (const FlankPatch& p : patches) {
+    u_lo = std::min(u_lo, p.u_lo);
+    u_hi = std::max(u_hi, p.u_hi);
+    z_lo = std::min(z_lo, p.z_lo);
+    z_hi = std::max(z_hi, p.z_hi);
+  }
+  FlankRaster r;
+  r.diameter = spread(2 * std::exp(u_lo), 2 * std::exp(u_hi), size.rows);
+  r.height = spread(z_lo, z_hi, size.columns);
+  r.gap.assign(r.diameter.size() * r.height.size(), kInfinity);
+  return r;
+}
+
+// The patch that a place lies in; on a border the first one, beyond the flank none.
+int patch_at(const std::vector<FlankPatch>& patches, double u, double z) {
+  constexpr double kSlack = 1e-9;
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    const FlankPatch& p = patches[i];
+    if (u >= p.u_lo - kSlack && u <= p.u_hi + kSlack && z >= p.z_lo - kSlack &&
+        z <= p.z_hi + kSlack)
+      return static_cast<int>(i);
+  }
+  return -1;
+}
+
+// A node of flank 1 in N, and what one position makes of it.
+struct Node {
+  int patch;
+  double s, z;
+  double azimuth;  // at rotation 0, not reduced to one turn
+};
+struct Seen {
+  double u = 0.0, Z = 0.0;  // where it lies on gear 2, within its flank or beyond
+  double gap = kInfinity;   // finite within
+  bool near = false;
+};
+
+class Rasterer {
+ public:
+  Rasterer(const ContactPair& pair, const RasterSize& size)
+      : pair_(pair),
+        rasters_{empty_raster(pair.patches(1), size), empty_raster(pair.patches(2), size)} {
+    const FlankRaster& r = rasters_[0];
+    for (const double d : r.diameter)
+      for (const double z : r.height) nodes_.push_back(node_at(std::log(d / 2), z));
+    for (const FlankPatch& a : pair.patches(1))
+      for (const FlankPatch& b : pair.patches(2))
+        fields_.emplace_back(a, b, pair.mount(), pair.ratio(), pair.rotation_sign());
+    seen_.resize(nodes_.size());
+    for (std::size_t which = 0; which < 2; ++which) {
+      for (auto* gaps : {&now_, &last_, &before_})
+        (*gaps)[which].assign(rasters_[which].gap.size(), kInfinity);
+    }
+  }
+
+  // Pair 0 at φ (N), gear 2 ahead by `te` of the ratio; rotations in growing order.
+  void add(double phi, double te) {
+    te_ = te;
+    for (GapField& f : fields_) f.set_rotation(phi);
+    constexpr double kSlack = 0.05;  // rad: errors of mounting, modifications
+    bool any = false;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      const double off = nodes_[i].azimuth + pair_.rotation_sign() * phi - pair_.mesh_azimuth();
+      seen_[i] = std::abs(off) > pair_.reach() + kSlack ? Seen{} : look(nodes_[i]);
+      now_[0][i] = seen_[i].gap;
+      any = any || seen_[i].near;
+    }
+    std::fill(now_[1].begin(), now_[1].end(), kInfinity);
+    if (any) fill_second();
+    for (std::size_t which = 0; which < 2; ++which) fold(which);
+  }
+
+  // No position follows, or one that does not go on from the last.
+  void close() {
+    for (std::size_t which = 0; which < 2; ++which) {
+      std::fill(now_[which].begin(), now_[which].end(), kInfinity);
+      fold(which);
+      fold(which);
+    }
+  }
+
+  // In the gears' own frames, rows and columns growing.
+  std::array<FlankRaster, 2> take() {
+    for (FlankRaster& r : rasters_) {
+      if (pair_.turned() > 0.0) continue;
+      std::reverse(r.height.begin(), r.height.end());
+      for (double& z : r.height) z = -z;
+      for (std::size_t i = 0; i < r.diameter.size(); ++i)
+        std::reverse(r.gap.begin() + static_cast<std::ptrdiff_t>(i * r.height.size()),
+                     r.gap.begin() + static_cast<std::ptrdiff_t>((i + 1) * r.height.size()));
+    }
+    return rasters_;
+  }
+
+ private:
+  Node node_at(double u, double z) const {
+    const auto& ones = pair_.patches(1);
+    Node node{patch_at(ones, u, z), 0.0, z, 0.0};
+    if (node.patch < 0) return node;
+    const FlankPatch& patch = ones[static_cast<std::size_t>(node.patch)];
+    node.s = patch.profile.s_of(u);
+    const ProfileJet p = patch.profile.at(node.s);
+    node.azimuth = std::arg(p.factor) + p.phase + patch.center + z * patch.twist;
+    return node;
+  }
+
+  const GapField& field(int one, int two) const {
+    const std::size_t n = pair_.patches(2).size();
+    return fields_[static_cast<std::size_t>(one) * n + static_cast<std::size_t>(two)];
+  }
+
+  GapJet jet(int one, int two, double s, double z) const {
+    const FlankPatch& b = pair_.patches(2)[static_cast<std::size_t>(two)];
+    double s2 = 0.5 * (b.s_lo + b.s_hi);
+    return field(one, two).at(s, z, s2);
+  }
+
+  Seen look(const Node& node) const {
+    Seen seen;
+    if (node.patch < 0) return seen;
+    // Where on flank 2 the point lies does not depend on the patch asked.
+    GapJet j = jet(node.patch, 0, node.s, node.z);
+    seen.near = true;
+    seen.u = j.u.v;
+    seen.Z = j.Z.v;
+    const int two = patch_at(pair_.patches(2), j.u.v, j.Z.v);
+    if (two < 0) return seen;
+    if (two > 0) j = jet(node.patch, two, node.s, node.z);
+    seen.gap = std::max(0.0, (te_ - j.t.v) * GapField::arm(j));
+    return seen;
+  }
+
+  // Each cell of flank 1 is a quadrangle on flank 2; nodes inside it find their point from there.
+  void fill_second() {
+    const FlankRaster& r = rasters_[1];
+    const std::size_t columns = rasters_[0].height.size();
+    const std::size_t rows = rasters_[0].diameter.size();
+    const auto row_of = [&](double u) {
+      return (2 * std::exp(u) - r.diameter.front()) / (r.diameter.back() - r.diameter.front()) *
+             static_cast<double>(r.diameter.size() - 1);
+    };
+    const auto column_of = [&](double Z) {
+      return (Z - r.height.front()) / (r.height.back() - r.height.front()) *
+             static_cast<double>(r.height.size() - 1);
+    };
+    for (std::size_t i = 0; i + 1 < rows; ++i) {
+      for (std::size_t k = 0; k + 1 < columns; ++k) {
+        const std::array<std::size_t, 4> at{i * columns + k, i * columns + k + 1,
+                                            (i + 1) * columns + k + 1, (i + 1) * columns + k};
+        if (!std::all_of(at.begin(), at.end(), [&](std::size_t q) { return seen_[q].near; }))
+          continue;
+        std::array<Vec2, 4> p;
+        for (std::size_t q = 0; q < 4; ++q)
+          p[q] = Vec2(column_of(seen_[at[q]].Z), row_of(seen_[at[q]].u));
+        fill_triangle({p[0], p[1], p[2]}, {at[0], at[1], at[2]});
+        fill_triangle({p[0], p[2], p[3]}, {at[0], at[2], at[3]});
+      }
+    }
+  }
+
+  void fill_triangle(const std::array<Vec2, 3>& p, const std::array<std::size_t, 3>& corner) {
+    const FlankRaster& r = rasters_[1];
+    const Vec2 a = p[1] - p[0];
+    const Vec2 b = p[2] - p[0];
+    const double det = a.x() * b.y() - a.y() * b.x();
+    if (det == 0.0) return;
+    constexpr double kSlack = 1e-6;  // of a cell: bent cells meet along bent lines
+    const auto first = [](double lo) {
+      return std::max(0, static_cast<int>(std::ceil(lo - kSlack)));
+    };
+    const auto last = [](double hi, std::size_t n) {
+      return std::min(static_cast<int>(n) - 1, static_cast<int>(std::floor(hi + kSlack)));
+    };
+    const auto [x_lo, x_hi] = std::minmax({p[0].x(), p[1].x(), p[2].x()});
+    const auto [y_lo, y_hi] = std::minmax({p[0].y(), p[1].y(), p[2].y()});
+    for (int y = first(y_lo); y <= last(y_hi, r.diameter.size()); ++y) {
+      for (int x = first(x_lo); x <= last(x_hi, r.height.size()); ++x) {
+        const Vec2 d = Vec2(x, y) - p[0];
+        const double v = (d.x() * b.y() - d.y() * b.x()) / det;
+        const double w = (a.x() * d.y() - a.y() * d.x()) / det;
+        if (v < -kSlack || w < -kSlack || v + w > 1.0 + kSlack) continue;
+        const auto between = [&](double Node::*q) {
+          return (1 - v - w) * nodes_[corner[0]].*q + v * nodes_[corner[1]].*q +
+                 w * nodes_[corner[2]].*q;
+        };
+        const auto row = static_cast<std::size_t>(y);
+        const auto column = static_cast<std::size_t>(x);
+        double& here = now_[1][row * r.height.size() + column];
+        here =
+            std::min(here, gap_on_2(nodes_[corner[0]].patch, between(&Node::s), between(&Node::z),
+                                    std::log(r.diameter[row] / 2), r.height[column]));
+      }
+    }
+  }
+
+  // The gap at a place of flank 2, from a guess of its point on flank 1: one Newton step there and
+  // the field's own second-order series.
+  double gap_on_2(int one, double s, double z, double u, double Z) const {
+    const int two = patch_at(pair_.patches(2), u, Z);
+    if (two < 0) return kInfinity;
+    const GapJet j = jet(one, two, s, z);
+    const double det = j.u.s * j.Z.z - j.u.z * j.Z.s;
+    if (det == 0.0) return kInfinity;
+    const double du = u - j.u.v;
+    const double dZ = Z - j.Z.v;
+    const double ds = (du * j.Z.z - dZ * j.u.z) / det;
+    const double dz = (dZ * j.u.s - du * j.Z.s) / det;
+    const double t = j.t.v + j.t.s * ds + j.t.z * dz +
+                     0.5 * (j.t.ss * ds * ds + 2 * j.t.sz * ds * dz + j.t.zz * dz * dz);
+    return std::max(0.0, (te_ - t) * GapField::arm(j));
+  }
+
+  // The least of three positions in a row lies between them: on the parabola through them.
+  void fold(std::size_t which) {
+    std::vector<double>& least = rasters_[which].gap;
+    for (std::size_t i = 0; i < least.size(); ++i) {
+      const double g0 = before_[which][i];
+      const double g1 = last_[which][i];
+      const double g2 = now_[which][i];
+      before_[which][i] = g1;
+      last_[which][i] = g2;
+      if (!std::isfinite(g1)) continue;
+      double lowest = g1;
+      const double bend = g0 - 2 * g1 + g2;
+      if (g1 <= g0 && g1 <= g2 && std::isfinite(bend) && bend > 0.0)
+        lowest = std::max(0.0, g1 - (g2 - g0) * (g2 - g0) / (8 * bend));
+      least[i] = std::min(least[i], lowest);
+    }
+  }
+
+  const ContactPair& pair_;
+  std::array<FlankRaster, 2> rasters_;
+  std::vector<Node> nodes_;
+  std::vector<GapField> fields_;
+  std::vector<Seen> seen_;
+  std::array<std::vector<double>, 2> now_, last_, before_;  // gaps of three positions in a row
+  double te_ = 0.0;
+};
+
+}  // namespace
+
+std::array<FlankRaster, 2> contact_pattern(const ContactPair& pair, int positions,
+                                           const RasterSize& size) {
+  GW_EXPECTS(positions >= 2 && size.rows >= 2 && size.columns >= 2);
+  Transmission transmission(pair);
+  const auto touches = transmission.over_a_pitch(-0.5 * pair.pitch(), positions);
+  Rasterer rasterer(pair, size);
+  // One tooth pair through all of its range: every position of every pitch it may be in.
+  const int farthest = transmission.farthest_pair();
+  for (int k = farthest; k >= -farthest; --k) {
+    for (int i = 0; i < positions; ++i) {
+      const double phi = pair.pitch() * (-0.5 + static_cast<double>(i) / positions - k);
+      touches[i].found() ? rasterer.add(phi, touches[i].te()) : rasterer.close();
+    }
+  }
+  rasterer.close();
+  return rasterer.take();
+}
+
+FlankRaster gap_map(const ContactPair& pair, double rotation1, int k, const RasterSize& size) {
+  GW_EXPECTS(size.rows >= 2 && size.columns >= 2);
+  Transmission transmission(pair);
+  const double phi = pair.to_world(rotation1);
+  const PairTouch touch = transmission.at(phi);
+  Rasterer rasterer(pair, size);
+  if (touch.found())
+    rasterer.add(phi - static_cast<int>(pair.turned()) * k * pair.pitch(), touch.te());
+  rasterer.close();
+  return rasterer.take()[0];
+}
+
+}  // namespace gearwright

@@ -1,0 +1,92 @@
+// Patterns and gap maps against single places and closed forms.
+#include "gearwright/contact/pattern.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "gearwright/contact/testing/sample_pairs.hpp"
+
+namespace gearwright {
+namespace {
+
+// Conjugate flanks touch everywhere that both reach, and a place that no mate reaches has no gap.
+TEST(Pattern, conjugate_flanks_touch_everywhere) {
+  const auto p = testing::involutes(20, 41, 15);
+  const auto rasters = contact_pattern(p.pair(), 64);
+  for (int g : {0, 1}) {
+    const FlankRaster& r = rasters[g];
+    ASSERT_EQ(r.gap.size(), 33u * 65u);
+    EXPECT_EQ(r.height.front(), g == 0 ? -10.0 : -9.0);
+    // Half a step of rotation off the line; on gear 2 also between the nodes of gear 1.
+    for (std::size_t i = 11; i < 22; ++i)
+      for (std::size_t k = 13; k < 52; ++k) EXPECT_LT(r.at(i, k), g == 0 ? 5e-5 : 5e-4);
+  }
+  EXPECT_TRUE(std::isinf(rasters[0].at(16, 0)));  // z = −10 beyond the mate's −9
+}
+
+// The narrower gear 2 touches up to its faces.
+TEST(Pattern, ends_of_gear_2_are_marked) {
+  const auto r = contact_pattern(testing::involutes(20, 41, 15).pair(), 64)[1];
+  for (const std::size_t k : {std::size_t{0}, std::size_t{64}}) EXPECT_LT(r.at(16, k), 1e-3);
+}
+
+// A finer turn of the pair comes nearer to the contact line everywhere, by the square.
+TEST(Pattern, gaps_fall_with_the_step) {
+  const auto p = testing::involutes(20, 41, 15);
+  double worst[2] = {};
+  int i = 0;
+  for (const int n : {32, 128}) {
+    const auto r = contact_pattern(p.pair(), n, {7, 9})[0];
+    for (std::size_t k = 2; k < 7; ++k) worst[i] = std::max(worst[i], r.at(4, k));
+    ++i;
+  }
+  EXPECT_GT(worst[0], 0.0);
+  EXPECT_LT(worst[1], worst[0] / 8);
+}
+
+// Lead crowning C_β takes the mark off the ends: the least gap there is what was removed.
+TEST(Pattern, crowning_is_the_gap_at_the_ends) {
+  auto p = testing::involutes(20, 41, 0);
+  p.gears[1].spec.face_width = 20.0;
+  FlankModifications m;
+  m.lead_crowning = 0.02;
+  p.modify(1, m);
+  const auto r = contact_pattern(p.pair(), 256, {7, 9})[0];
+  EXPECT_LT(r.at(4, 4), 2e-5);
+  EXPECT_NEAR(r.at(4, 0), 0.02, 2e-5);
+  EXPECT_NEAR(r.at(4, 8), 0.02, 2e-5);
+  EXPECT_NEAR(r.at(4, 6), 0.02 / 4, 2e-5);
+}
+
+// Gear 2's frame is its own: an edge contact at its lower face is marked there.
+TEST(Pattern, heights_belong_to_their_gear) {
+  for (const bool second : {false, true}) {
+    auto p = testing::involutes(20, 41, 0);
+    p.place.errors.crossing = 3e-4;
+    p.place.gear2_drives = second;
+    const auto r = contact_pattern(p.pair(), 64, {7, 9});
+    // Δγ > 0 turns the +z end of gear 1 towards +y: away from the flank that gear 1 drives with.
+    const std::size_t near = second ? 8 : 0;
+    EXPECT_LT(r[1].at(4, near), 1e-3);
+    EXPECT_GT(r[1].at(4, 8 - near), 3e-3);
+  }
+}
+
+TEST(Pattern, gap_map_of_one_position) {
+  auto p = testing::arcs();
+  p.place.errors.crossing = 1e-4;
+  const FlankRaster r = gap_map(p.pair(), 0.05, 0, {41, 81});
+  double least = 1e300;
+  for (const double gap : r.gap) least = std::min(least, gap);
+  EXPECT_GE(least, 0.0);
+  EXPECT_LT(least, 5e-3);
+  // The pair before stands apart from its mate by more.
+  const FlankRaster other = gap_map(p.pair(), 0.05, 3, {41, 81});
+  double apart = 1e300;
+  for (const double gap : other.gap) apart = std::min(apart, gap);
+  EXPECT_GT(apart, least);
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,220 @@
+#include "gearwright/contact/profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gearwright {
+
+namespace {
+
+Complex with_side(const Complex& w, double side) { return {w.real(), side * w.imag()}; }
+
+// θ′ and θ″ by u of ℓ′ and ℓ″ by a parameter. [T8.5]
+void slopes(const Complex& d1, const Complex& d2, double& theta1, double& theta2) {
+  const double inverse = 1.0 / d1.real();
+  theta1 = d1.imag() * inverse;
+  theta2 = (d2.imag() - theta1 * d2.real()) * inverse * inverse;
+}
+
+}  // namespace
+
+Profile::Profile(const Arc& arc, double side, double twist)
+    : side_(side), s_lo_(std::min(arc.begin, arc.end)), s_hi_(std::max(arc.begin, arc.end)) {
+  const double u_begin = std::log(arc.begin_point.norm());
+  const double u_end = std::log(arc.end_point.norm());
+  u_lo_ = std::min(u_begin, u_end);
+  u_hi_ = std::max(u_begin, u_end);
+  if (const auto* involute = dynamic_cast<const Involute*>(arc.curve.get())) {
+    kind_ = Kind::involute;
+    base_radius_ = involute->base_radius();
+    base_half_angle_ = involute->base_half_angle();
+    xi_sign_ = arc.begin + arc.end < 0.0 ? -1.0 : 1.0;
+    grows_ = xi_sign_ > 0.0;
+    arm_per_cos_ = base_radius_ / std::hypot(1.0, base_radius_ * twist);
+  } else if (const auto* cut = dynamic_cast<const RackTrochoid*>(arc.curve.get())) {
+    kind_ = Kind::rack_circle;
+    const RackMotion& m = cut->motion();
+    const EdgeCircle& c = cut->circle();
+    circle_ = {m.pitch_radius, m.cos_beta, c.center.x(), c.center.y(), c.q};
+    grows_ = (u_end > u_begin) == (arc.end > arc.begin);
+    arm_per_cos_ = m.pitch_radius * m.cos_beta;
+  } else {
+    kind_ = Kind::by_radius;
+    curve_ = arc.curve;
+    t_lo_ = u_begin < u_end ? arc.begin : arc.end;
+    t_hi_ = u_begin < u_end ? arc.end : arc.begin;
+    s_lo_ = u_lo_;
+    s_hi_ = u_hi_;
+    grows_ = true;
+    arm_per_cos_ = twist;  // only the twist is needed there
+  }
+}
+
+// W = (r + x + ik) e^{iφ} and its derivatives by τ. [T8.6]
+ProfileJet Profile::circle_at(double tau) const {
+  const Circle& g = circle_;
+  const double s = std::sin(tau);
+  const double c = std::cos(tau);
+  const double cot = c / s;
+  const double csc2 = 1.0 / (s * s);
+  const double k = g.cos_beta * (g.x * cot + g.q * c);
+  const double k1 = -g.cos_beta * (g.x * csc2 + g.q * s);
+  const double k2 = g.cos_beta * (2.0 * g.x * cot * csc2 - g.q * c);
+  const double y = g.y + g.q * c;
+  const Complex f{g.r + g.q * s + g.x, k};
+  const Complex over = std::conj(f) / std::norm(f);
+  const Complex a = times({g.q * c, k1}, over);
+  const double phi1 = (-g.q * s / g.cos_beta - k1) / g.r;
+  const double phi2 = (-g.q * c / g.cos_beta - k2) / g.r;
+  ProfileJet j;
+  j.factor = with_side(f, side_);
+  j.phase = side_ * (y / g.cos_beta - k) / g.r;
+  j.d1 = with_side(a + Complex{0.0, phi1}, side_);
+  j.d2 = with_side(times({-g.q * s, k2}, over) - times(a, a) + Complex{0.0, phi2}, side_);
+  return j;
+}
+
+double Profile::circle_log_radius(double tau, double& slope) const {
+  const Circle& g = circle_;
+  const double s = std::sin(tau);
+  const double c = std::cos(tau);
+  const double k = g.cos_beta * (g.x * c / s + g.q * c);
+  const double k1 = -g.cos_beta * (g.x / (s * s) + g.q * s);
+  const double a = g.r + g.x + g.q * s;
+  const double square = a * a + k * k;
+  slope = (a * g.q * c + k * k1) / square;
+  return 0.5 * std::log(square);
+}
+
+ProfileJet Profile::at(double s) const {
+  if (kind_ == Kind::rack_circle) return circle_at(s);
+  ProfileJet j;
+  if (kind_ == Kind::involute) {
+    const double square = 1.0 + s * s;
+    j.factor = base_radius_ * Complex{1.0, side_ * s};
+    j.phase = side_ * (base_half_angle_ - s);
+    j.d1 = Complex{s, -side_ * s * s} / square;
+    const Complex inverse = Complex{1.0, -side_ * s} / square;
+    j.d2 = times(inverse, inverse);
+    return j;
+  }
+  const RadialJet r = curve_at_radius(s);
+  j.factor = std::exp(s) * r.factor / std::abs(r.factor);
+  j.phase = r.phase;
+  j.d1 = Complex{1.0, r.d1};
+  j.d2 = Complex{0.0, r.d2};
+  return j;
+}
+
+RadialJet Profile::involute_at_radius(double u) const {
+  const double ratio = std::exp(u) / base_radius_;
+  const double xi = xi_sign_ * std::sqrt(std::max(1e-12, (ratio - 1.0) * (ratio + 1.0)));
+  RadialJet r;
+  r.factor = Complex{1.0, side_ * xi};
+  r.phase = side_ * (base_half_angle_ - xi);
+  r.d1 = -side_ * xi;
+  r.d2 = -side_ * (1.0 + xi * xi) / xi;
+  return r;
+}
+
+RadialJet Profile::circle_at_radius(double u, double& s) const {
+  // Newton from the last answer, in a bracket: a free step may jump to the far end of the circle.
+  constexpr int kMost = 60;
+  constexpr double kClose = 1e-8;  // of u: the series below takes the rest
+  double lo = s_lo_;
+  double hi = s_hi_;
+  if (!(s > lo && s < hi)) s = 0.5 * (lo + hi);
+  double rest = 0.0;
+  for (int i = 0; i < kMost; ++i) {
+    double slope = 0.0;
+    rest = u - circle_log_radius(s, slope);
+    if (std::abs(rest) < kClose) break;
+    ((rest > 0.0) == grows_ ? lo : hi) = s;
+    double next = s + rest / slope;
+    if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);
+    if (next == s) break;
+    s = next;
+  }
+  const ProfileJet j = circle_at(s);
+  RadialJet r;
+  slopes(j.d1, j.d2, r.d1, r.d2);
+  r.factor = j.factor;
+  r.phase = j.phase + (r.d1 + 0.5 * r.d2 * rest) * rest;
+  r.d1 += r.d2 * rest;
+  return r;
+}
+
+RadialJet Profile::curve_at_radius(double u) const {
+  const double rho = std::exp(u);
+  const CurvePoint p = curve_->at(curve_->parameter_at_radius(rho, t_lo_, t_hi_));
+  const double theta = std::atan2(p.point.y(), p.point.x());
+  const double chi = p.tangent_angle - theta;
+  const double c = std::cos(chi);
+  RadialJet r;
+  r.factor = with_side({p.point.x(), p.point.y()}, side_);
+  r.phase = 0.0;
+  r.d1 = side_ * std::tan(chi);
+  // dχ/du = (κρ − sin χ)/cos χ, the same for either direction of the curve. [T8.5]
+  r.d2 = side_ * (p.curvature * rho - std::sin(chi)) / (c * c * c);
+  return r;
+}
+
+RadialJet Profile::at_radius(double u, double& s) const {
+  const double inside = std::clamp(u, u_lo_, u_hi_);
+  RadialJet r = kind_ == Kind::involute      ? involute_at_radius(inside)
+                : kind_ == Kind::rack_circle ? circle_at_radius(inside, s)
+                                             : curve_at_radius(inside);
+  if (const double beyond = u - inside; beyond != 0.0) {
+    r.phase += (r.d1 + 0.5 * r.d2 * beyond) * beyond;
+    r.d1 += r.d2 * beyond;
+  }
+  return r;
+}
+
+TurnPerRemoval Profile::turn_per_removal(double s) const {
+  if (kind_ == Kind::involute) return {1.0 / arm_per_cos_, 0.0, 0.0};
+  if (kind_ == Kind::rack_circle) {
+    // k = 1/(r cos β cos τ): the rack moves along the datum line, its normal has cos τ cos β there.
+    const ProfileJet j = circle_at(s);
+    const double k = 1.0 / (arm_per_cos_ * std::cos(s));
+    const double t = std::tan(s);
+    const double k_s = k * t;
+    const double k_ss = k * (1.0 + 2.0 * t * t);
+    const double s_u = 1.0 / j.d1.real();
+    const double s_uu = -j.d2.real() * s_u * s_u * s_u;
+    return {k, k_s * s_u, k_ss * s_u * s_u + k_s * s_uu};
+  }
+  const RadialJet r = curve_at_radius(s);
+  return {std::sqrt((1.0 + r.d1 * r.d1) * std::exp(-2.0 * s) + arm_per_cos_ * arm_per_cos_), 0.0,
+          0.0};
+}
+
+double Profile::s_of(double u) const {
+  const double inside = std::clamp(u, u_lo_, u_hi_);
+  if (kind_ == Kind::by_radius) return inside;
+  if (kind_ == Kind::involute) {
+    const double ratio = std::exp(inside) / base_radius_;
+    const double xi = xi_sign_ * std::sqrt(std::max(0.0, (ratio - 1.0) * (ratio + 1.0)));
+    return std::clamp(xi, s_lo_, s_hi_);
+  }
+  double lo = s_lo_;
+  double hi = s_hi_;
+  double s = 0.5 * (lo + hi);
+  for (int i = 0; i < 200; ++i) {
+    double slope = 0.0;
+    const double rest = inside - circle_log_radius(s, slope);
+    ((rest > 0.0) == grows_ ? lo : hi) = s;
+    double next = s + rest / slope;
+    if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);
+    if (std::abs(next - s) <= 1e-16 * std::abs(s)) break;
+    s = next;
+  }
+  return s;
+}
+
+std::optional<double> Profile::rack_angle(double s) const {
+  if (kind_ == Kind::rack_circle) return s;
+  return std::nullopt;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,97 @@
+// One smooth piece of a flank's transverse outline, written as one complex number.
+//
+//   W(s)   point ρ e^{iθ}, mm; s the piece's own parameter         ℓ = log W,  u = ln ρ = Re ℓ
+//   c      +1 the side y > 0 of a tooth about the x axis, −1 its mirror image, the side y < 0
+//   θ′, θ″ derivatives of θ by u: what a mate sees of the flank    theory:
+//   docs/theory/08-contact.md, [T8.4]…[T8.6]
+//
+//   involute       s = ξ   roll angle (a ring's is negative)
+//   rack circle    s = τ   normal angle of the generating rack
+//   by radius      s = u   every other curve of an outline
+//
+// Along a piece the radius is monotone, so that θ(u) is a function.
+#pragma once
+
+#include <complex>
+
+#include "gearwright/generation/outline.hpp"
+#include "gearwright/generation/rack_envelope.hpp"
+
+namespace gearwright {
+
+using Complex = std::complex<double>;
+
+/// A product without the library's care for infinities, which costs a branch.
+inline Complex times(const Complex& a, const Complex& b) {
+  return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+}
+
+/// The outline at a parameter: W = modulus-and-phase factor times e^{i phase}, kept apart so that
+/// the phases of a flank, its lead and its rotation need one sine and cosine together.
+struct ProfileJet {
+  Complex factor;  ///< mm:  W = factor · e^{i phase}
+  double phase;    ///< rad
+  Complex d1, d2;  ///< ℓ′, ℓ″ by s
+};
+
+/// The outline at a radius:  θ = arg(factor) + phase.
+struct RadialJet {
+  Complex factor;  ///< any length
+  double phase;    ///< rad
+  double d1, d2;   ///< θ′, θ″ by u
+};
+
+/// How far a flank turns per normal removal of material, k = 1/arm, and its derivatives by u.
+struct TurnPerRemoval {
+  double k, d1, d2;  ///< rad/mm
+};
+
+class Profile {
+ public:
+  /// The piece of an outline's arc from parameter lo to hi (of the arc's curve), on the side c.
+  /// `twist` is 1/p of the gear, rad/mm, which the normal of a surface needs.
+  Profile(const Arc& arc, double side, double twist);
+
+  double s_lo() const { return s_lo_; }  ///< s_lo < s_hi
+  double s_hi() const { return s_hi_; }
+  double u_lo() const { return u_lo_; }  ///< least ln ρ
+  double u_hi() const { return u_hi_; }
+  bool grows() const { return grows_; }  ///< the radius, with s
+  double side() const { return side_; }
+
+  /// Domain  any s near the piece: formulas go on beyond its ends.
+  ProfileJet at(double s) const;
+  /// At ln ρ = u. Beyond the piece's ends a Taylor series of second order goes on. `s` is where the
+  /// last call ended and is moved (circles of a rack solve for it).
+  RadialJet at_radius(double u, double& s) const;
+  /// At the parameter s (not beyond the ends by much). [T8.7]
+  TurnPerRemoval turn_per_removal(double s) const;
+  double s_of(double u) const;  ///< solved to rounding; u is moved into the piece
+  bool is_involute() const { return kind_ == Kind::involute; }
+  /// Normal angle of the generating rack's circle; none where the piece is cut by no such circle.
+  std::optional<double> rack_angle(double s) const;
+
+ private:
+  enum class Kind { involute, rack_circle, by_radius };
+  struct Circle {
+    double r, cos_beta, x, y, q;  // pitch radius, centre (x with the shift), radius
+  };
+
+  ProfileJet circle_at(double tau) const;
+  double circle_log_radius(double tau, double& slope) const;
+  RadialJet involute_at_radius(double u) const;
+  RadialJet circle_at_radius(double u, double& s) const;
+  RadialJet curve_at_radius(double u) const;
+
+  Kind kind_;
+  double side_;
+  double s_lo_, s_hi_, u_lo_, u_hi_;
+  bool grows_;
+  double base_radius_ = 0.0, base_half_angle_ = 0.0, xi_sign_ = 1.0;
+  Circle circle_{};
+  CurvePtr curve_;
+  double t_lo_ = 0.0, t_hi_ = 0.0;
+  double arm_per_cos_ = 0.0;  // r cos β, or r_b cos β_b
+};
+
+}  // namespace gearwright

@@ -1,0 +1,74 @@
+#include "gearwright/contact/recut.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "gearwright/math/involute.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// The parameter at which the curve has the radius, near to where it was. The bracket grows outward
+// only while the radius goes on as it should: behind a cusp it would turn back.
+double same_radius(const Curve& curve, double was, double rho, bool grows, double width) {
+  const auto radius = [&](double t) { return curve.point(t).norm(); };
+  const double more = rho - radius(was);
+  if (more == 0.0) return was;
+  const double sense = (more > 0.0) == grows ? 1.0 : -1.0;
+  double last = was;
+  for (double step = 1e-6 * width; step < 0.5 * width; step *= 2) {
+    const double next = was + sense * step;
+    const double before = radius(last);
+    const double here = radius(next);
+    if ((here > before) != (more > 0.0)) return last;
+    if ((rho - here) * more <= 0.0)
+      return more > 0.0 ? curve.parameter_at_radius(rho, last, next)
+                        : curve.parameter_at_radius(rho, next, last);
+    last = next;
+  }
+  return last;
+}
+
+}  // namespace
+
+double with_cutter_lead(double twist, double pitch_radius, double delta_lambda) {
+  if (delta_lambda == 0.0) return twist;
+  GW_EXPECTS(twist != 0.0);
+  // 1/p = 1/(r tan λ), and λ beyond 90° is the other hand.
+  const double lambda = std::atan2(1.0, pitch_radius * std::abs(twist)) + delta_lambda;
+  GW_EXPECTS(lambda > 0.0 && lambda < std::numbers::pi);
+  return std::copysign(1.0, twist) / (pitch_radius * std::tan(lambda));
+}
+
+Arc recut(const Arc& arc, const Gear& gear, double delta_lambda) {
+  if (delta_lambda == 0.0) return arc;
+  const double r = gear.reference.reference_diameter / 2;
+  const double cos_beta = std::sin(std::atan2(1.0, r * std::abs(gear.twist())) + delta_lambda);
+  Arc changed = arc;
+  if (const auto* cut = dynamic_cast<const RackTrochoid*>(arc.curve.get())) {
+    RackMotion motion = cut->motion();
+    EdgeCircle circle = cut->circle();
+    circle.center.x() -= motion.shift;
+    motion.cos_beta = cos_beta;
+    changed.curve = std::make_shared<RackTrochoid>(motion, circle);
+  } else {
+    const ReferenceGeometry<double>& ref = gear.reference;
+    GW_EXPECTS(dynamic_cast<const Involute*>(arc.curve.get()) != nullptr);
+    const double alpha_n = gear.spec.normal_pressure_angle.rad();
+    const double alpha_t = std::atan(std::tan(alpha_n) / cos_beta);
+    const double half = ref.reference_tooth_thickness_normal / cos_beta / (2 * r);
+    const double side = gear.internal() ? -1.0 : 1.0;
+    changed.curve =
+        std::make_shared<Involute>(r * std::cos(alpha_t), half + side * involute(alpha_t));
+  }
+  const bool grows = (arc.end_point.norm() > arc.begin_point.norm()) == (arc.end > arc.begin);
+  const double width = std::abs(arc.end - arc.begin);
+  changed.begin = same_radius(*changed.curve, arc.begin, arc.begin_point.norm(), grows, width);
+  changed.end = same_radius(*changed.curve, arc.end, arc.end_point.norm(), grows, width);
+  changed.begin_point = changed.curve->point(changed.begin);
+  changed.end_point = changed.curve->point(changed.end);
+  return changed;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,233 @@
+#include "gearwright/contact/sensitivity.hpp"
+
+#include <Eigen/Dense>
+
+#include "gearwright/contact/error_turns.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// What changes when e grows, at a fixed place (s, z) of flank 1 and along both of its directions.
+struct Change {
+  double p = 0.0, p_s = 0.0, p_z = 0.0;  // ∂φ2*/∂e
+  double du = 0.0, du_s = 0.0, du_z = 0.0;
+  double dZ = 0.0, dZ_s = 0.0, dZ_z = 0.0;
+  Vec3 dr = Vec3::Zero();  // of the point, in N
+};
+
+Vec3 space(const Complex& w, double z) { return {w.real(), w.imag(), z}; }
+
+// A point that moves by d, and so along s and z, as seen from gear 2.
+void add_motion(Change& c, const GapJet& j, const Vec3& d, const Vec3& d_s, const Vec3& d_z) {
+  const Complex over = 1.0 / j.w;
+  const auto across = [](const Vec3& v) { return Complex(v.x(), v.y()); };
+  const Complex dL = across(d) * over;
+  const Complex dL_s = (across(d_s) - j.w_s * dL) * over;
+  const Complex dL_z = (across(d_z) - j.w_z * dL) * over;
+  c.du = dL.real();
+  c.du_s = dL_s.real();
+  c.du_z = dL_z.real();
+  c.dZ = d.z();
+  c.dZ_s = d_s.z();
+  c.dZ_z = d_z.z();
+  const double bend_u = j.bend2_uu * c.du + j.bend2_uZ * c.dZ;
+  const double bend_Z = j.bend2_uZ * c.du + j.bend2_ZZ * c.dZ;
+  c.p = dL.imag() - j.slope2_u * c.du - j.slope2_Z * c.dZ;
+  c.p_s = dL_s.imag() - j.slope2_u * c.du_s - j.slope2_Z * c.dZ_s - bend_u * j.u.s - bend_Z * j.Z.s;
+  c.p_z = dL_z.imag() - j.slope2_u * c.du_z - j.slope2_Z * c.dZ_z - bend_u * j.u.z - bend_Z * j.Z.z;
+}
+
+// φ2* of points that move on gear 1 by a turn q(s, z) about its axis.
+void add_turn_of_1(Change& c, const ContactPair& pair, const GapJet& j, double q, double q_s,
+                   double q_z) {
+  const Mat3& m = pair.mount().rotation;
+  const Complex i(0.0, 1.0);
+  const Vec3 d = space(i * q * j.w1, 0.0);
+  const Vec3 d_s = space(i * (q_s * j.w1 + q * j.w1_s), 0.0);
+  const Vec3 d_z = space(i * (q_z * j.w1 + q * j.w1_z), 0.0);
+  add_motion(c, j, m * d, m * d_s, m * d_z);
+  c.dr = pair.tilt() * d;
+}
+
+Change change_of_error(const ContactPair& pair, const GapJet& j, double z, ErrorKind error) {
+  Change c;
+  const double mirror = pair.mirror();
+  const double turned = pair.turned();
+  const ContactErrors& e = pair.place().errors;
+  const double g = mirror * e.crossing;
+  const double d = turned * e.intersecting;
+  const Mat3 shaft = detail::shaft_turn(mirror * pair.place().shaft_angle);
+  const Vec3 r = space(j.w1, z);
+  const Vec3 r_s = space(j.w1_s, 0.0);
+  const Vec3 r_z = space(j.w1_z, 1.0);
+  const auto tilted = [&](const Mat3& turn) {
+    add_motion(c, j, shaft * (turn * r), shaft * (turn * r_s), shaft * (turn * r_z));
+    c.dr = turn * r;
+  };
+  const Vec3 still = Vec3::Zero();
+  switch (error) {
+    case ErrorKind::center_distance: add_motion(c, j, shaft * Vec3(-1, 0, 0), still, still); break;
+    case ErrorKind::crossing:
+      tilted(mirror * detail::crossing_turn_slope(g) * detail::intersecting_turn(d));
+      break;
+    case ErrorKind::intersecting:
+      tilted(turned * detail::crossing_turn(g) * detail::intersecting_turn_slope(d));
+      break;
+    case ErrorKind::axial:
+      c.dr = Vec3(0, 0, turned);
+      add_motion(c, j, shaft * c.dr, still, still);
+      break;
+    case ErrorKind::helix_slope1: {
+      const double unit = pair.twist_per_slope(1);
+      add_turn_of_1(c, pair, j, unit * z, 0.0, unit);
+      break;
+    }
+    case ErrorKind::helix_slope2: {
+      const double unit = pair.twist_per_slope(2);
+      c.p = -unit * j.Z.v;
+      c.p_s = -unit * j.Z.s;
+      c.p_z = -unit * j.Z.z;
+      break;
+    }
+  }
+  return c;
+}
+
+// The turn of a flank per amount of a modification, by u and its own z. [T8.7]
+Jet2 turn_per_amount(const FlankPatch& f, double s, double u, double z,
+                     RemovalField::Parameter parameter) {
+  const Removal c = f.removal->derivative(parameter, u, f.removal_z * z, f.piece);
+  const TurnPerRemoval k = f.profile.turn_per_removal(s);
+  const double sign = -f.profile.side();
+  return {sign * k.k * c.c,
+          sign * (k.d1 * c.c + k.k * c.c_u),
+          sign * k.k * f.removal_z * c.c_z,
+          0.0,
+          0.0,
+          0.0};
+}
+
+Change change_of_modification(const ContactPair& pair, const GapField& field, const GapJet& j,
+                              double s, double z, double s2, const Influence& influence) {
+  Change c;
+  if (influence.modified_gear == 1) {
+    const ProfileJet p = field.one().profile.at(s);
+    const Jet2 m =
+        turn_per_amount(field.one(), s, std::log(std::abs(p.factor)), z, influence.modification);
+    add_turn_of_1(c, pair, j, m.v, m.s * p.d1.real(), m.z);
+    return c;
+  }
+  const Jet2 m = turn_per_amount(field.two(), s2, j.u.v, j.Z.v, influence.modification);
+  c.p = -m.v;
+  c.p_s = -(m.s * j.u.s + m.z * j.Z.s);
+  c.p_z = -(m.s * j.u.z + m.z * j.Z.z);
+  return c;
+}
+
+// An active bound: its gradient, its Hessian, and how it moves with e. Unscaled.
+struct ActiveBound {
+  double a_s = 0.0, a_z = 0.0;
+  double h_ss = 0.0, h_sz = 0.0, h_zz = 0.0;
+  double d = 0.0, d_s = 0.0, d_z = 0.0;
+};
+
+ActiveBound active_bound(int j, const GapJet& at, const Change& c) {
+  ActiveBound b;
+  const double sign = j % 2 == 0 ? 1.0 : -1.0;
+  if (j < 2) b.a_s = sign;
+  if (j == 2 || j == 3) b.a_z = sign;
+  if (j < 4) return b;
+  const Jet2& q = j < 6 ? at.u : at.Z;
+  b.a_s = sign * q.s;
+  b.a_z = sign * q.z;
+  b.h_ss = sign * q.ss;
+  b.h_sz = sign * q.sz;
+  b.h_zz = sign * q.zz;
+  b.d = sign * (j < 6 ? c.du : c.dZ);
+  b.d_s = sign * (j < 6 ? c.du_s : c.dZ_s);
+  b.d_z = sign * (j < 6 ? c.du_z : c.dZ_z);
+  return b;
+}
+
+}  // namespace
+
+namespace {
+
+// What the touch does about a change: KKT system of the active bounds. [T8.10]
+Sensitivity answer_to(const Change& c, const ContactPair& pair, const PairTouch& touch,
+                      const GapJet& j) {
+  const detail::ActiveSet& set = touch.touch.active;
+  const int n = set.inside() ? 0 : set.corner() ? 2 : 1;
+  std::array<ActiveBound, 2> bounds{};
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(2 + n, 2 + n);
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(2 + n);
+  for (int k = 0; k < n; ++k) bounds[k] = active_bound(k == 0 ? set.first : set.second, j, c);
+  // Multipliers of the unscaled bounds: slope + Σ μ_j a_j = 0.
+  std::array<double, 2> mu{};
+  if (n == 1) {
+    const ActiveBound& q = bounds[0];
+    mu[0] = -(j.t.s * q.a_s + j.t.z * q.a_z) / (q.a_s * q.a_s + q.a_z * q.a_z);
+  } else if (n == 2) {
+    Eigen::Matrix2d m;
+    m << bounds[0].a_s, bounds[1].a_s, bounds[0].a_z, bounds[1].a_z;
+    const Eigen::Vector2d x = m.fullPivLu().solve(Eigen::Vector2d(-j.t.s, -j.t.z));
+    mu = {x[0], x[1]};
+  }
+  Sensitivity result;
+  result.te = c.p;
+  a(0, 0) = j.t.ss;
+  a(0, 1) = a(1, 0) = j.t.sz;
+  a(1, 1) = j.t.zz;
+  b[0] = -c.p_s;
+  b[1] = -c.p_z;
+  for (int k = 0; k < n; ++k) {
+    const ActiveBound& q = bounds[k];
+    result.te += mu[k] * q.d;
+    a(0, 0) += mu[k] * q.h_ss;
+    a(0, 1) += mu[k] * q.h_sz;
+    a(1, 0) += mu[k] * q.h_sz;
+    a(1, 1) += mu[k] * q.h_zz;
+    b[0] -= mu[k] * q.d_s;
+    b[1] -= mu[k] * q.d_z;
+    a(0, 2 + k) = a(2 + k, 0) = q.a_s;
+    a(1, 2 + k) = a(2 + k, 1) = q.a_z;
+    b[2 + k] = -q.d;
+  }
+  const Eigen::VectorXd x = a.fullPivLu().solve(b);
+  const Vec3 r_s = pair.tilt() * space(j.w1_s, 0.0);
+  const Vec3 r_z = pair.tilt() * space(j.w1_z, 1.0);
+  result.point = pair.direction_in_housing(c.dr + r_s * x[0] + r_z * x[1]);
+  if (pair.gear2_drives()) result.te = -result.te;
+  return result;
+}
+
+}  // namespace
+
+Sensitivity sensitivity(Transmission& transmission, const PairTouch& touch,
+                        const Influence& influence) {
+  GW_EXPECTS(touch.found());
+  const ContactPair& pair = transmission.pair();
+  const double s = touch.touch.s;
+  const double z = touch.touch.z;
+  const GapJet j = transmission.jet_at(touch, s, z);
+  if (influence.modified_gear == 0)
+    return answer_to(change_of_error(pair, j, z, influence.error), pair, touch, j);
+  const GapField& field = transmission.field(touch.fields);
+  const FlankPatch& patch = influence.modified_gear == 1 ? field.one() : field.two();
+  GW_EXPECTS(patch.removal != nullptr);
+  const double s2 = field.two().profile.s_of(j.u.v);
+  return answer_to(change_of_modification(pair, field, j, s, z, s2, influence), pair, touch, j);
+}
+
+double rotation_slope(Transmission& transmission, const PairTouch& touch) {
+  GW_EXPECTS(touch.found());
+  const ContactPair& pair = transmission.pair();
+  const GapJet j = transmission.jet_at(touch, touch.touch.s, touch.touch.z);
+  Change c;
+  add_turn_of_1(c, pair, j, pair.rotation_sign(), 0.0, 0.0);
+  // In N both rotations change sign together when gear 2 drives: their quotient does not.
+  return pair.turned() * answer_to(c, pair, touch, j).te - pair.ratio();
+}
+
+}  // namespace gearwright

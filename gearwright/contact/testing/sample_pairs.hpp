@@ -1,0 +1,81 @@
+// Pairs for the tests of this room: an involute pair, an involute ring, circular arcs.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <utility>
+
+#include "gearwright/contact/contact_pair.hpp"
+#include "gearwright/gear/ring_cutter.hpp"
+#include "gearwright/pair/pair.hpp"
+
+namespace gearwright::testing {
+
+struct SamplePair {
+  std::array<Gear, 2> gears;
+  std::array<std::shared_ptr<const RemovalField>, 2> removal{};  ///< both flanks
+  ContactMount place;
+
+  ContactPair pair() const {
+    return ContactPair({&gears[0], {removal[0].get(), removal[0].get()}},
+                       {&gears[1], {removal[1].get(), removal[1].get()}}, place);
+  }
+  void modify(int gear, const FlankModifications& m) {
+    const Gear& g = gears[gear - 1];
+    auto field = make_removal_field(m, {g.involute() ? g.base_radius() : 0.0, *g.root_form_radius(),
+                                        g.tip_form_radius(), g.spec.face_width});
+    ASSERT_TRUE(field) << field.error().message;
+    removal[gear - 1] = std::make_shared<RemovalField>(std::move(field).take());
+  }
+};
+
+inline Gear involute_gear(int teeth, double helix_deg, double face) {
+  CylindricalSpec s;
+  s.teeth = teeth;
+  s.normal_module = 2.0;
+  s.helix_angle = Angle::degrees(helix_deg);
+  s.face_width = face;
+  s.rack = *iso53_rack("ISO53-A");
+  Gear g = std::move(make_gear(s)).take();
+  return g.internal() ? *cut_by_default(g) : g;
+}
+
+/// m = 2 without backlash, z2 < 0: a ring. Faces 20 and 18 mm.
+inline SamplePair involutes(int z1, int z2, double helix_deg) {
+  SamplePair p{
+      {involute_gear(z1, helix_deg, 20), involute_gear(z2, z2 < 0 ? helix_deg : -helix_deg, 18)},
+      {},
+      {}};
+  p.place.center_distance = std::abs(p.gears[1].reference.reference_diameter +
+                                     (z2 < 0 ? -1 : 1) * p.gears[0].reference.reference_diameter) /
+                            2;
+  return p;
+}
+
+/// Racks F and P, 16 : 48 teeth, m_n = 4, β = 20°, faces of 1.3 axial pitches.
+inline SamplePair arcs() {
+  const auto gear = [](int teeth, double helix_deg, ArcRack::Cutter cutter) {
+    CylindricalSpec s;
+    s.teeth = teeth;
+    s.normal_module = 4.0;
+    s.helix_angle = Angle::degrees(helix_deg);
+    s.face_width = 48.0;
+    // ψ_c = 30°, as in the examples of the paper.
+    const bool convex = cutter == ArcRack::Cutter::F;
+    ArcRack rack = default_arc_rack(cutter);
+    rack.arc_radius = convex ? 1.4 : 1.55;
+    rack.center_a = convex ? 0.42 : 0.42 + 0.15 * std::sqrt(0.75);
+    rack.center_b = convex ? 0.24 : 0.24 + 0.15 * 0.5;
+    s.arc_rack = rack;
+    return std::move(make_gear(s)).take();
+  };
+  SamplePair p{{gear(16, 20, ArcRack::Cutter::F), gear(48, -20, ArcRack::Cutter::P)}, {}, {}};
+  p.place.center_distance =
+      (p.gears[0].reference.reference_diameter + p.gears[1].reference.reference_diameter) / 2;
+  return p;
+}
+
+}  // namespace gearwright::testing

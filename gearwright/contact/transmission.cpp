@@ -1,0 +1,226 @@
+#include "gearwright/contact/transmission.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kFarBelow = 2e-3;  // rad below another pair: that far apart nothing comes back
+
+// Pairs that touch together to rounding: the one nearest to the centre line stands for them.
+constexpr double kTogether = 1e-13;  // rad
+
+bool wins(const Touch& t, double phi, const PairTouch& best) {
+  if (!best.found()) return true;
+  const double ahead = t.te - best.touch.te;
+  if (std::abs(ahead) > kTogether) return ahead > 0.0;
+  return std::abs(phi) < std::abs(best.phi);
+}
+
+// Nothing on the flank makes it hollow.
+bool is_convex(const FlankPatch& f) {
+  if (!f.removal || f.removal->none()) return true;
+  if (f.removal->has_topography()) return false;
+  using P = RemovalField::Parameter;
+  return f.removal->amount(P::profile_crowning) >= 0.0 &&
+         f.removal->amount(P::lead_crowning) >= 0.0;
+}
+
+// How far from the mesh, rad, points of one patch can lie inside the annulus of the other. [T8.13]
+double reach_of(const ContactPair& pair, const FlankPatch& one, const FlankPatch& two) {
+  if (pair.place().shaft_angle != 0.0) return pair.reach();
+  const double a = pair.place().center_distance + pair.place().errors.center_distance;
+  const double lo = std::exp(one.u_lo);
+  const double hi = std::exp(one.u_hi);
+  double least = 1.0;
+  const auto take = [&](double rho1) {
+    const double rho2 = std::exp(pair.internal() ? two.u_lo : two.u_hi);
+    const double cosine = (a * a + rho1 * rho1 - rho2 * rho2) / (2 * a * rho1);
+    least = std::min(least, pair.internal() ? -cosine : cosine);
+  };
+  if (!(a > 0.0)) return pair.reach();
+  take(lo);
+  take(hi);
+  const double rho2 = std::exp(two.u_hi);
+  const double flattest = a > rho2 ? std::sqrt(a * a - rho2 * rho2) : 0.0;
+  if (!pair.internal() && flattest > lo && flattest < hi) take(flattest);
+  return std::acos(std::max(-1.0, least));
+}
+
+}  // namespace
+
+Transmission::Transmission(const ContactPair& pair) : pair_(pair) {
+  double widest = 0.0;
+  for (const FlankPatch& a : pair.patches(1)) {
+    widest = std::max(widest, std::abs(a.twist) * std::max(std::abs(a.z_lo), std::abs(a.z_hi)));
+    for (const FlankPatch& b : pair.patches(2)) {
+      fields_.push_back(
+          std::make_unique<GapField>(a, b, pair.mount(), pair.ratio(), pair.rotation_sign()));
+      searches_.push_back(std::make_unique<TouchSearch>(*fields_.back(), pair.mesh_azimuth(),
+                                                        reach_of(pair, a, b)));
+    }
+  }
+  farthest_pair_ = static_cast<int>(std::ceil((pair.reach() + widest) / pair.pitch())) + 2;
+}
+
+Touch Transmission::cold(int fields, double phi) {
+  fields_[fields]->set_rotation(phi);
+  const Touch t = searches_[fields]->cold();
+  if (t.stop == Touch::Stop::too_long) ++too_long_;
+  return t;
+}
+
+PairTouch Transmission::at(double phi) {
+  PairTouch best;
+  for (std::size_t f = 0; f < fields_.size(); ++f) {
+    for (int k = -farthest_pair_; k <= farthest_pair_; ++k) {
+      const double own = phi - k * pair_.pitch();
+      const Touch t = cold(static_cast<int>(f), own);
+      if (t.found() && wins(t, own, best)) best = {t, static_cast<int>(f), own, k};
+    }
+  }
+  return best;
+}
+
+PairTouch Transmission::of_pair_0(double phi) {
+  PairTouch best;
+  for (std::size_t f = 0; f < fields_.size(); ++f) {
+    const Touch t = cold(static_cast<int>(f), phi);
+    if (t.found() && wins(t, phi, best)) best = {t, static_cast<int>(f), phi, 0};
+  }
+  return best;
+}
+
+// What one pair of patches finds, position by position of tooth pair 0, folded into the pitch.
+class Transmission::Track {
+ public:
+  Track(Transmission& all, int fields, double first, int n, std::vector<PairTouch>& best)
+      : all_(all), fields_(fields), first_(first), n_(n), best_(best) {}
+
+  double own(int m) const { return first_ + m * (all_.pair_.pitch() / n_); }
+
+  // True unless it lies far below another pair.
+  bool offer(int m, const Touch& t) {
+    // Position m of pair 0 is position i of pair k.
+    const int i = ((m % n_) + n_) % n_;
+    PairTouch& b = best_[static_cast<std::size_t>(i)];
+    if (wins(t, own(m), b)) b = {t, fields_, own(m), (i - m) / n_};
+    return t.te >= b.touch.te - kFarBelow;
+  }
+
+  // From a touch at m on, one way, until D is empty, or the touch is far below and falls, or
+  // `known` says that another track has been here.
+  template <class Known>
+  void walk(int m, const Touch& from, int direction, int most, bool cold_again, Known known) {
+    GapField& field = *all_.fields_[static_cast<std::size_t>(fields_)];
+    const TouchSearch& search = all_.search(fields_);
+    const FlankPatch& a = field.one();
+    Touch last = from;
+    Touch before = from;
+    bool two = false;
+    while (std::abs(m) <= most) {
+      m += direction;
+      double s = last.s;
+      double z = last.z;
+      if (two) {
+        s = std::clamp(2 * last.s - before.s, a.s_lo, a.s_hi);
+        z = std::clamp(2 * last.z - before.z, a.z_lo, a.z_hi);
+      }
+      field.set_rotation(own(m));
+      Touch t = search.from(s, z, last.s2, last.active);
+      if (!t.found() && cold_again) t = all_.cold(fields_, own(m));
+      if (!t.found() || known(m, t)) return;
+      const bool near = offer(m, t);
+      if (!near && t.te < last.te) return;
+      before = last;
+      last = t;
+      two = true;
+    }
+  }
+
+ private:
+  Transmission& all_;
+  int fields_;
+  double first_;
+  int n_;
+  std::vector<PairTouch>& best_;
+};
+
+// One maximum, one interval of rotation: whole flanks that nowhere hollow each other.
+void Transmission::follow_one(int fields, double first, int n, std::vector<PairTouch>& best) {
+  Track track(*this, fields, first, n, best);
+  const int most = farthest_pair_ * n;
+  const int stride = std::max(1, n / 4);
+  for (int away = 0; away <= most; away += stride) {
+    for (const int m : {away, -away}) {
+      const Touch t = cold(fields, track.own(m));
+      if (!t.found()) continue;
+      track.offer(m, t);
+      const auto never = [](int, const Touch&) { return false; };
+      for (const int direction : {1, -1}) track.walk(m, t, direction, most, true, never);
+      return;
+    }
+  }
+}
+
+// Several maxima, and intervals of rotation with nothing between: every one that a grid of cold
+// starts finds is followed, until it runs into one that has been.
+void Transmission::follow_all(int fields, double first, int n, std::vector<PairTouch>& best) {
+  Track track(*this, fields, first, n, best);
+  const int most = farthest_pair_ * n;
+  const int stride = std::max(1, n / 8);
+  std::vector<std::vector<Touch>> passed(static_cast<std::size_t>(2 * (most + 1) + 1));
+  const FlankPatch& a = fields_[static_cast<std::size_t>(fields)]->one();
+  const auto known = [&](int m, const Touch& t) {
+    constexpr double kSamePlace = 1e-5;  // of the patch
+    auto& here = passed[static_cast<std::size_t>(m + most + 1)];
+    for (const Touch& p : here) {
+      if (std::abs(p.s - t.s) <= kSamePlace * (a.s_hi - a.s_lo) &&
+          std::abs(p.z - t.z) <= kSamePlace * (a.z_hi - a.z_lo))
+        return true;
+    }
+    here.push_back(t);
+    return false;
+  };
+  for (int m = -most; m <= most; m += stride) {
+    fields_[static_cast<std::size_t>(fields)]->set_rotation(track.own(m));
+    for (const Touch& t : searches_[static_cast<std::size_t>(fields)]->every_maximum()) {
+      if (known(m, t)) continue;
+      track.offer(m, t);
+      for (const int direction : {1, -1}) track.walk(m, t, direction, most, false, known);
+    }
+  }
+}
+
+std::vector<PairTouch> Transmission::over_a_pitch(double first, int n) {
+  std::vector<PairTouch> best(n);
+  const bool one =
+      fields_.size() == 1 && is_convex(fields_[0]->one()) && is_convex(fields_[0]->two());
+  for (int f = 0; f < static_cast<int>(fields_.size()); ++f)
+    one ? follow_one(f, first, n, best) : follow_all(f, first, n, best);
+  return best;
+}
+
+GapJet Transmission::jet_at(const PairTouch& t, double s, double z) {
+  GapField& field = *fields_[t.fields];
+  field.set_rotation(t.phi);
+  double s2 = t.touch.s2;
+  const GapJet rough = field.at(s, z, s2);
+  // A second evaluation starts on the radius itself.
+  s2 = field.two().profile.s_of(rough.u.v);
+  return field.at(s, z, s2);
+}
+
+TouchCount Transmission::count() const {
+  TouchCount sum;
+  for (const auto& s : searches_) {
+    sum.evaluations += s->count().evaluations;
+    sum.searches += s->count().searches;
+    sum.cold_starts += s->count().cold_starts;
+  }
+  return sum;
+}
+
+}  // namespace gearwright

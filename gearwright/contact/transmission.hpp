@@ -1,0 +1,64 @@
+// Transmission error: how far gear 2 is ahead of the ratio, position by position, with the handover
+// between tooth pairs, and where the teeth touch meanwhile.
+//
+//   TE(φ1) = max over pairs k of T(φ1 − k·2π/z1)                 [T8.2], docs/theory/08-contact.md
+//
+// Only one tooth pair is followed, through all of its range; the others do the same one pitch
+// later. Every pair of patches is followed by itself, and the greatest T wins.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "gearwright/contact/contact_pair.hpp"
+#include "gearwright/contact/touch.hpp"
+
+namespace gearwright {
+
+/// A touch of tooth pair k: of which patches, at which rotation of pair 0 (in N).
+struct PairTouch {
+  Touch touch;
+  int fields = -1;   ///< index of the pair of patches; −1: no contact
+  double phi = 0.0;  ///< rad, of gear 1 in N, for pair 0
+  int pair = 0;      ///< k in N
+
+  bool found() const { return fields >= 0; }
+  double te() const { return touch.te; }
+};
+
+class Transmission {
+ public:
+  /// The pair must outlive it.
+  explicit Transmission(const ContactPair& pair);
+
+  /// n positions over one pitch, from `first` (rad, N) on in steps of a pitch/n.
+  std::vector<PairTouch> over_a_pitch(double first, int n);
+  /// At any rotations, each from scratch.
+  PairTouch at(double phi);
+  /// Of tooth pair 0 alone, whether or not another one carries.
+  PairTouch of_pair_0(double phi);
+
+  const ContactPair& pair() const { return pair_; }
+  const TouchSearch& search(int fields) const { return *searches_[fields]; }
+  const GapField& field(int fields) const { return *fields_[fields]; }
+  /// Moves the field to a touch's rotation; gives its exact jet, θ2 fully converged.
+  GapJet jet_at(const PairTouch& t, double s, double z);
+  int farthest_pair() const { return farthest_pair_; }  ///< |k| of a pair that can touch
+  TouchCount count() const;
+  long too_long() const { return too_long_; }  ///< searches that did not end
+
+ private:
+  class Track;
+  void follow_one(int fields, double first, int n, std::vector<PairTouch>& best);
+  void follow_all(int fields, double first, int n, std::vector<PairTouch>& best);
+  Touch cold(int fields, double phi);
+
+  const ContactPair& pair_;
+  std::vector<std::unique_ptr<GapField>> fields_;
+  std::vector<std::unique_ptr<TouchSearch>> searches_;
+  int farthest_pair_;
+  long too_long_ = 0;
+};
+
+}  // namespace gearwright

@@ -1,0 +1,120 @@
+// Curves of transmission error: handover, lost contact, what is followed and what it costs.
+#include "gearwright/contact/transmission.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "gearwright/contact/contact.hpp"
+#include "gearwright/contact/testing/sample_pairs.hpp"
+
+namespace gearwright {
+namespace {
+
+TEST(Transmission, conjugate_flanks_have_no_error) {
+  for (const int z2 : {41, -61}) {
+    for (const double te : transmission_error(testing::involutes(20, z2, 12).pair(), 16))
+      EXPECT_NEAR(te, 0.0, 1e-14);
+  }
+}
+
+// More play puts gear 2 behind by half of it; it is the same everywhere.
+TEST(Transmission, backlash_is_a_constant) {
+  auto p = testing::involutes(20, 41, 0);
+  p.place.center_distance += 0.2;
+  const auto pair = mount(p.gears[0], p.gears[1], {p.place.center_distance});
+  ASSERT_TRUE(pair);
+  const double half = pair->mesh.backlash.rotation[1] / 2;
+  for (const double te : transmission_error(p.pair(), 9)) EXPECT_NEAR(te, -half, 1e-14);
+  p.place.gear2_drives = true;
+  for (const double te : transmission_error(p.pair(), 9)) EXPECT_NEAR(te, half, 1e-14);
+}
+
+// Relief on the tips takes the edges out of a pair under error. Its patches begin far below the
+// others and come up: whole flanks cold, position by position, must be the curve.
+TEST(Transmission, a_relieved_tip_is_followed_from_far_below) {
+  auto p = testing::involutes(20, 88, 0);
+  const Gear& g = p.gears[0];
+  FlankModifications m;
+  m.tip_relief = {0.0008, 2 * (0.25 * *g.root_form_radius() + 0.75 * g.tip_form_radius()),
+                  ReliefShape::linear};
+  m.profile_crowning = 0.0016;
+  p.modify(1, m);
+  p.place.errors.crossing = -1.4e-5;
+  const ContactPair pair = p.pair();
+  for (const int n : {8, 64}) {
+    const auto te = transmission_error(pair, n);
+    for (int i = 0; i < 8; ++i) {
+      Transmission cold(pair);
+      const double at = pair.pitch() * (-0.5 + i / 8.0);
+      EXPECT_NEAR(te[i * n / 8], cold.at(at).te(), 1e-13) << n << " " << i;
+    }
+  }
+}
+
+TEST(Transmission, lost_contact_is_a_fact) {
+  auto p = testing::involutes(20, 41, 0);
+  p.place.errors.center_distance = 3.7;  // tips pass for part of a pitch only
+  const auto some = transmission_error(p.pair(), 32);
+  p.place.errors.center_distance = 5.0;
+  const auto none = transmission_error(p.pair(), 32);
+  EXPECT_TRUE(std::all_of(none.begin(), none.end(), [](double t) { return std::isnan(t); }));
+  EXPECT_TRUE(std::isnan(peak_to_peak(none)));
+  EXPECT_TRUE(std::any_of(some.begin(), some.end(), [](double t) { return !std::isnan(t); }));
+  const auto r = analyse_contact(p.pair(), {});
+  EXPECT_TRUE(r.contact_lost);
+  EXPECT_EQ(r.positions[0].kind, TouchKind::none);
+  EXPECT_TRUE(r.harmonics.empty());
+}
+
+// A saw tooth of misaligned arcs: peak to peak, harmonics and slope belong to the same curve.
+TEST(Transmission, numbers_of_a_curve) {
+  auto p = testing::arcs();
+  p.place.errors.crossing = 2e-4;
+  ContactRequest request;
+  request.positions = 64;
+  const auto r = analyse_contact(p.pair(), request);
+  ASSERT_EQ(r.positions.size(), 64u);
+  const auto te = transmission_error(p.pair(), 64);
+  for (int i = 0; i < 64; ++i) EXPECT_EQ(te[i], r.positions[i].te);
+  EXPECT_EQ(r.peak_to_peak, peak_to_peak(te));
+  ASSERT_FALSE(r.harmonics.empty());
+  double cosine = 0.0, sine = 0.0;
+  for (int i = 0; i < 64; ++i) {
+    const double x = 2 * std::numbers::pi * i / 64;
+    cosine += te[i] * std::cos(x), sine += te[i] * std::sin(x);
+  }
+  EXPECT_NEAR(r.harmonics[0], 2 * std::hypot(cosine, sine) / 64, 1e-15);
+  EXPECT_EQ(r.unfinished, 0);
+}
+
+// Work is pinned: more means that something got slower.
+TEST(Transmission, work) {
+  auto arcs = testing::arcs();
+  arcs.place.errors.crossing = 2e-4;
+  auto involutes = testing::involutes(20, 41, 15);
+  involutes.place.errors.crossing = 2e-4;
+  auto crowned = involutes;
+  FlankModifications m;
+  m.lead_crowning = 0.01;
+  crowned.modify(1, m);
+  const auto work = [](const testing::SamplePair& p) {
+    const ContactPair pair = p.pair();
+    Transmission t(pair);
+    t.over_a_pitch(-0.5 * pair.pitch(), 64);
+    EXPECT_EQ(t.too_long(), 0);
+    return t.count();
+  };
+  const TouchCount a = work(arcs), b = work(involutes), c = work(crowned);
+  EXPECT_LE(a.evaluations, 390);
+  EXPECT_LE(b.evaluations, 290);
+  EXPECT_LE(c.evaluations, 340);
+  EXPECT_LE(a.searches, 148);
+  EXPECT_LE(b.searches, 179);
+  EXPECT_LE(c.searches, 177);
+  EXPECT_EQ(a.cold_starts, 1);
+  EXPECT_EQ(b.cold_starts, 1);
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,179 @@
+// Two toothed gears by points of their flanks alone, external pairs and rings, any flank driving,
+// modified flanks too: a search over dense places of flank 1 that asks of each when the mate's
+// flank passes it. It shares no formula with the contact room but the definition of an error and
+// of a modification, and knows no derivative.
+//
+//   ρ, z     radius and height of a place of a flank, mm, in its gear's frame
+//   θ(ρ)     azimuth of the flank in the section z = 0 of the tooth whose centre line is the x axis
+//   τ        turn per mm of height      k(ρ)   turn per mm removed along the normal, rad/mm
+//   C(ρ, z)  removed, mm                c      +1 the side y > 0 of the tooth, −1 the other
+//
+// Section z of the flank stands at θ + τ z − c k C. Gear 1 turns clockwise by φ_1, gear 2 as it is
+// driven: counter-clockwise, a ring clockwise. A place of flank 1 lies on flank 2 at one rotation
+// φ_2* of gear 2; gear 2 stands at the greatest of them if gear 1 drives, at the least if gear 2
+// does. Places outside the mate's radii or face count as far below the worse they are outside.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "tests/oracle/mounting.hpp"
+
+namespace gearwright::oracle {
+
+struct BruteGear {
+  int teeth = 0;  ///< > 0, of a ring too
+  std::function<double(double rho)> azimuth;
+  std::function<double(double rho)> turn_per_removal;   ///< k
+  std::function<double(double rho, double z)> removed;  ///< C; empty: nothing
+  double twist = 0.0;                                   ///< τ, errors included
+  double side = -1.0;                                   ///< c
+  double rho_low = 0.0, rho_high = 0.0, z_low = 0.0, z_high = 0.0;
+  double turn(double rho, double z) const {
+    const double helix = azimuth(rho) + twist * z;
+    return removed ? helix - side * turn_per_removal(rho) * removed(rho, z) : helix;
+  }
+};
+
+struct BrutePair {
+  BruteGear one, two;
+  tca::Mounting mounting;
+  bool internal = false, gear2_drives = false;
+};
+
+struct BrutePlace {
+  double te = -std::numeric_limits<double>::infinity();  ///< φ_2 − φ_1 N_1/N_2
+  double rho_1 = 0.0, z_1 = 0.0;
+  int pair = 0;
+};
+
+class BruteContact {
+ public:
+  explicit BruteContact(const BrutePair& pair) : p_(pair) {
+    const tca::Mounting& m = p_.mounting;
+    const tca::Matrix3 to_2 = tca::crossed(m.shaft_angle).transpose();
+    const tca::Vector3 apart(-(m.center_distance + m.d_center), 0, m.axial);
+    turn_ = (to_2 * tca::crossed(m.crossing) * tca::tilted(m.intersecting)).cast<double>();
+    shift_ = (to_2 * apart).cast<double>();
+  }
+
+  struct Seen {
+    double te;       ///< φ_2* − φ_1 N_1/N_2
+    double outside;  ///< 0 inside both flanks; mm
+  };
+
+  /// A place of flank 1, of tooth pair k.
+  Seen look(double rotation_1, int k, double rho, double z) const {
+    const double pi = std::numbers::pi, mesh = p_.internal ? pi : 0.0;
+    const double n1 = p_.one.teeth, n2 = p_.two.teeth;
+    const double at = mesh + 2 * pi * k / n1 + p_.one.turn(rho, z) - rotation_1;
+    const Eigen::Vector3d r(rho * std::cos(at), rho * std::sin(at), z);
+    const Eigen::Vector3d q = turn_ * r + shift_;
+    const double rho_2 = std::hypot(q.x(), q.y());
+    const double broken =
+        std::max({0.0, p_.one.rho_low - rho, rho - p_.one.rho_high, p_.one.z_low - z,
+                  z - p_.one.z_high, p_.two.rho_low - rho_2, rho_2 - p_.two.rho_high,
+                  p_.two.z_low - q.z(), q.z() - p_.two.z_high});
+    const double sense = p_.internal ? -1.0 : 1.0;
+    // The tooth of gear 2 on that side of space 0 that tooth 0 of gear 1 pushes, or is pushed by.
+    const double tooth = p_.gear2_drives ? -pi : pi;
+    const double rest = pi + sense * (tooth - 2 * pi * k) / n2;
+    const double inside_rho = std::clamp(rho_2, p_.two.rho_low, p_.two.rho_high);
+    const double flank = rest + p_.two.turn(inside_rho, q.z()) + sense * rotation_1 * n1 / n2;
+    const double te = sense * std::remainder(std::atan2(q.y(), q.x()) - flank, 2 * pi);
+    return {te, broken};
+  }
+
+  /// The place of pair k that touches first; nothing where no place lies inside both flanks.
+  std::optional<BrutePlace> touch_of_pair(double rotation_1, int k, int sections = 60,
+                                          int radii = 40) const {
+    const double sign = p_.gear2_drives ? -1.0 : 1.0;
+    const auto value = [&](double rho, double z) {
+      const Seen s = look(rotation_1, k, rho, z);
+      return s.outside > 0.0 ? -1e3 * (1.0 + s.outside) : sign * s.te;
+    };
+    double best_rho = 0.0;
+    const auto section = [&](double z) {
+      return greatest([&](double rho) { return value(rho, z); }, p_.one.rho_low, p_.one.rho_high,
+                      radii, best_rho);
+    };
+    double best_z = 0.0;
+    BrutePlace best;
+    const double v = greatest(section, p_.one.z_low, p_.one.z_high, sections, best_z);
+    if (v <= -1e3) return std::nullopt;
+    section(best_z);
+    best.te = sign * v;
+    best.rho_1 = best_rho, best.z_1 = best_z, best.pair = k;
+    return best;
+  }
+
+  /// Of the pairs |k| ≤ reach the one that carries.
+  std::optional<BrutePlace> touch(double rotation_1, int reach, int sections = 60,
+                                  int radii = 40) const {
+    std::optional<BrutePlace> best;
+    for (int k = -reach; k <= reach; ++k) {
+      const auto t = touch_of_pair(rotation_1, k, sections, radii);
+      if (t && (!best || (p_.gear2_drives ? t->te < best->te : t->te > best->te))) best = t;
+    }
+    return best;
+  }
+
+  const BrutePair& pair() const { return p_; }
+
+ private:
+  // Steps, then golden section about the best of them.
+  template <class F>
+  static double greatest(F f, double lo, double hi, int steps, double& where) {
+    int at = 0;
+    double most = -std::numeric_limits<double>::infinity();
+    for (int i = 0; i <= steps; ++i) {
+      const double v = f(lo + (hi - lo) * i / steps);
+      if (v > most) most = v, at = i;
+    }
+    where = lo + (hi - lo) * at / steps;
+    double a = lo + (hi - lo) * std::max(0, at - 1) / steps;
+    double b = lo + (hi - lo) * std::min(steps, at + 1) / steps;
+    const double golden = (std::sqrt(5.0) - 1) / 2;
+    double c = b - golden * (b - a), d = a + golden * (b - a);
+    double f_c = f(c), f_d = f(d);
+    for (int i = 0; i < 70 && b - a > 1e-15 * (std::abs(a) + std::abs(b)); ++i) {
+      if (f_c > most) most = f_c, where = c;
+      if (f_d > most) most = f_d, where = d;
+      if (f_c >= f_d) {
+        b = d, d = c, f_d = f_c;
+        c = b - golden * (b - a), f_c = f(c);
+      } else {
+        a = c, c = d, f_c = f_d;
+        d = a + golden * (b - a), f_d = f(d);
+      }
+    }
+    return most;
+  }
+
+  BrutePair p_;
+  Eigen::Matrix3d turn_;
+  Eigen::Vector3d shift_;
+};
+
+/// An involute flank by its numbers; of a ring the tooth grows thicker outwards. An error κ of the
+/// helix turns sections, modifications and all.
+inline BruteGear brute_involute(int teeth, bool ring, double base_radius, double half_angle,
+                                double twist, double kappa, double side) {
+  BruteGear g;
+  g.teeth = teeth, g.twist = twist + kappa, g.side = side;
+  g.azimuth = [=](double rho) {
+    const double alpha = std::acos(std::min(1.0, base_radius / rho));
+    const double inv = std::tan(alpha) - alpha;
+    return side * (ring ? half_angle + inv : half_angle - inv);
+  };
+  // A turned involute lies parallel to itself, r_b cos β_b apart.
+  const double k = std::hypot(1.0, base_radius * twist) / base_radius;
+  g.turn_per_removal = [=](double) { return k; };
+  return g;
+}
+
+}  // namespace gearwright::oracle

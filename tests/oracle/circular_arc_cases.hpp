@@ -1,0 +1,78 @@
+// The pairs of circular_arc.json as the five equations take them. Source of the file: a 30-digit
+// computation of the pairs of Litvin and Tsay's paper on circular-arc gears and of more like them,
+// checked by minimising the gap; lengths in inch (names ex…) or mm, the numbers rounded to double.
+#pragma once
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "tests/oracle/five_equation.hpp"
+
+namespace gearwright::oracle::tca {
+
+inline constexpr Real kDegree = std::numbers::pi_v<Real> / 180;
+inline constexpr Real kArcsec = kDegree / 3600;
+
+inline const nlohmann::json& circular_arc_file() {
+  static const nlohmann::json file = nlohmann::json::parse(
+      std::ifstream(std::string(GW_SOURCE_DIR) + "/tests/oracle/circular_arc.json"));
+  return file;
+}
+
+inline Real number(const nlohmann::json& of, const char* key) { return of.at(key).get<double>(); }
+
+inline Vector3 vector(const nlohmann::json& of, const char* key) {
+  const nlohmann::json& v = of.at(key);
+  return {v.at(0).get<double>(), v.at(1).get<double>(), v.at(2).get<double>()};
+}
+
+inline ArcPair arc_pair(const nlohmann::json& of) {
+  const nlohmann::json &d = of.at("design"), &e = of.at("errors");
+  const auto arc = [&d](const char* key) {
+    const nlohmann::json& a = d.at(key);
+    RackArc out;
+    out.rho = number(a, "rho"), out.a = number(a, "a"), out.b = number(a, "b");
+    return out;
+  };
+  ArcPair p;
+  p.teeth_1 = d.at("N1"), p.teeth_2 = d.at("N2");
+  p.f = arc("F"), p.p = arc("P");
+  p.lead_angle_f = number(d, "lamF_deg") * kDegree,
+  p.lead_angle_p = number(d, "lamP_deg") * kDegree;
+  p.pitch_radius_1 = number(d, "r1"), p.pitch_radius_2 = number(d, "r2");
+  p.mounting = {.center_distance = p.pitch_radius_1 + p.pitch_radius_2,
+                .shaft_angle = 0,
+                .d_center = number(e, "dC"),
+                .crossing = number(e, "dgam"),
+                .intersecting = number(e, "ddel"),
+                .axial = number(e, "dz")};
+  p.lead_1.twist = number(e, "kap1"), p.lead_2.twist = number(e, "kap2");
+  return p;
+}
+
+/// The pair of `composite_te`: consistent geometry of Example 1, face 8 in on gear 1, crossing
+/// 0.1°, working arcs of the racks as cut.
+inline ArcPair composite_pair(const nlohmann::json& of) {
+  const nlohmann::json& racks = circular_arc_file().at("racks_Pn2_lam75");
+  const auto arc = [&racks](const char* key) {
+    const nlohmann::json& a = racks.at(key);
+    return RackArc{number(a, "rho"), number(a, "a"), number(a, "b"),
+                   number(a, "th_lo_deg") * kDegree, number(a, "th_hi_deg") * kDegree};
+  };
+  ArcPair p;
+  p.teeth_1 = 12, p.teeth_2 = 94;
+  p.f = arc("F"), p.p = arc("P");
+  p.lead_angle_f = number(of, "lamF_deg") * kDegree, p.lead_angle_p = 75 * kDegree;
+  const Real normal_pitch = 2;  // P_n, 1/in
+  p.pitch_radius_1 = p.teeth_1 / (2 * normal_pitch * std::sin(p.lead_angle_p));
+  p.pitch_radius_2 = p.teeth_2 / (2 * normal_pitch * std::sin(p.lead_angle_p));
+  p.mounting.center_distance = p.pitch_radius_1 + p.pitch_radius_2;
+  p.mounting.crossing = kDegree / 10;
+  p.half_face_1 = number(of, "face") / 2;
+  return p;
+}
+
+}  // namespace gearwright::oracle::tca

@@ -1,0 +1,111 @@
+// Tooth contact by asking every point of flank 1 how far it pushes gear 2: the slowest way, which
+// knows no normal and no curvature and sees edges, corners and several tooth pairs as they come.
+//
+//   ρ, ψ, z    cylindrical coordinates about a gear's axis      θ(ρ)   azimuth of a flank at z = 0
+//   t(z)       turn of section z, helix and lead modifications  k      tooth pair: teeth k pitches
+//   later
+//
+// A point of flank 1, seen at rotation φ_1 from gear 2's tilted but unturned frame, lies on flank 2
+// when
+//
+//   φ_2* = ψ_2 − θ_2(ρ_2) − t_2(z_2)        (next to the expected rotation φ_1 N_1/N_2, modulo a
+//   turn)
+//
+// and gear 2 stands at the greatest φ_2* over all points that lie within the radii and faces of
+// both flanks and less than half a turn about axis 1 from the centre line. The edges of gear 2 are
+// where its bounds run across flank 1; ends of the admitted part of a section are solved for, not
+// sampled.
+//
+// Search: sections z_1 at equal steps, in each the admitted intervals of ρ_1 at equal steps, every
+// peak refined (Brent in ρ, golden section in z). Golden section closes in on a bound of z as well,
+// since what lies beyond is no point.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "tests/oracle/flank_surface.hpp"
+#include "tests/oracle/mounting.hpp"
+
+namespace gearwright::oracle::tca {
+
+/// One flank in its gear's frame; n of no interest.
+struct CloudFlank {
+  std::function<Real(Real rho)> azimuth;  ///< θ(ρ)  continuous; next to 0 on gear 1
+  std::function<Real(Real z)> turn;       ///< t(z)
+  Real rho_low = 0, rho_high = 0;         ///< finite
+  Real z_low = 0, z_high = 0;             ///< finite on gear 1
+};
+
+struct CloudPair {
+  CloudFlank flank_1, flank_2;
+  int teeth_1 = 0, teeth_2 = 0;
+  Mounting mounting;
+};
+
+/// Where the greatest lies: inside both flanks, on a bound of one, or where two of them meet. Faces
+/// of parallel axes that coincide count as face_1. `half_turn`: the bound of the search itself.
+enum class CloudKind { interior, root_1, tip_1, face_1, root_2, tip_2, face_2, half_turn, corner };
+
+struct CloudTouch {
+  Real rotation_2 = 0;  ///< φ_2
+  int pair = 0;         ///< k
+  CloudKind kind = CloudKind::interior;
+  Real rho_1 = 0, z_1 = 0;
+  Real rho_2 = 0, z_2 = 0;
+  Vector3 point_f;
+};
+
+/// How finely to look. An admitted part of a face or of a section smaller than a step is passed
+/// over.
+struct CloudSteps {
+  int sections = 100, radii = 48;
+};
+
+/// Tooth pair k alone, its φ_2 that of the gears; none if no point of flank 1 is admitted.
+/// Accuracy  φ_2 1e-15 rad. The place: 1e-9 of the flank on a smooth peak of curvature 1, on a flat
+/// one
+///           as far as φ_2 stays the same; an edge's bound is met to 1e-15
+std::optional<CloudTouch> cloud_touch_of_pair(const CloudPair& pair, Real rotation_1, int k,
+                                              CloudSteps steps = {});
+
+/// The pairs whose teeth come near the centre line, those with an admitted point.
+std::vector<CloudTouch> cloud_touches(const CloudPair& pair, Real rotation_1,
+                                      CloudSteps steps = {});
+
+/// The one of them that carries.
+std::optional<CloudTouch> cloud_touch(const CloudPair& pair, Real rotation_1,
+                                      CloudSteps steps = {});
+
+/// θ(ρ) of a circular arc's flank between two rack angles; ρ must grow or fall all the way.
+/// Throws    std::invalid_argument if it does not, or for ρ beyond both ends by more than 1e-12 of
+/// it
+class ArcOutline {
+ public:
+  ArcOutline(const ArcFlank& flank, Real theta_low, Real theta_high);
+
+  Real theta(Real rho) const;       ///< the rack angle
+  Real operator()(Real rho) const;  ///< the azimuth
+  Real rho_low() const;
+  Real rho_high() const;
+
+ private:
+  struct Node {
+    Real theta, rho;
+  };
+  Node node(Real theta) const;
+
+  ArcFlank flank_;
+  std::vector<Node> nodes_;  // by growing ρ
+};
+
+/// A circular arc's flank with the lead errors, its radii those of the whole arc, |z| ≤ half_face.
+CloudFlank cloud_flank(const ArcFlank& flank, Real theta_low, Real theta_high, LeadTurn lead,
+                       Real half_face);
+
+/// An involute flank with the lead errors.
+CloudFlank cloud_flank(const InvoluteFlank& flank, Real rho_low, Real rho_high, LeadTurn lead,
+                       Real half_face);
+
+}  // namespace gearwright::oracle::tca

@@ -1,0 +1,387 @@
+// Laws of tooth contact over seeded pairs: what must not change, and what must change how.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <numbers>
+
+#include "gearwright/contact/error_map.hpp"
+#include "tests/property/contact_pairs.hpp"
+#include "tests/property/random_crossed.hpp"
+
+namespace gearwright::property {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+// ---- circular arcs ----
+
+// Racks whose radii are both larger by e cut parallel flanks: nothing of the motion changes, the
+// point goes along the normal.
+TEST(ContactLaws, parallel_flanks) {
+  for (const double crossing : {0.0, 2e-4, -3e-4}) {
+    tca::ArcPair wider = some_arcs(crossing, 0.02);
+    const tca::Real e = 0.3L;
+    wider.f.rho += e, wider.p.rho += e;
+    const auto a = over_a_pitch(contact_set(some_arcs(crossing, 0.02)).pair(), 16);
+    const auto b = over_a_pitch(contact_set(wider).pair(), 16);
+    int inside = 0;
+    for (std::size_t i = 0; i < a.positions.size(); ++i) {
+      const ContactPoint &p = a.positions[i], &q = b.positions[i];
+      if (p.kind != TouchKind::interior || q.kind != TouchKind::interior) continue;
+      if (p.pair != q.pair) continue;
+      ++inside;
+      EXPECT_NEAR(p.te, q.te, 1e-14);
+      EXPECT_LT((q.point - p.point - 0.3 * p.normal).norm(), 1e-9);
+    }
+    EXPECT_GE(inside, 8);
+  }
+}
+
+// Both arcs moved along their pitch lines by d: the same motion, d/(r sin λ) earlier.
+TEST(ContactLaws, racks_moved_along_the_pitch_line) {
+  const double crossing = 2e-4;
+  tca::ArcPair moved = some_arcs(crossing);
+  const double d = 0.4;
+  moved.f.a += d, moved.p.a += d;
+  const double by = d / static_cast<double>(moved.pitch_radius_1 * std::sin(moved.lead_angle_f));
+  std::vector<double> rotations, earlier;
+  for (int i = -4; i < 4; ++i) {
+    rotations.push_back(0.05 * i);
+    earlier.push_back(0.05 * i - by);
+  }
+  const auto a = at_rotations(contact_set(moved).pair(), rotations);
+  const auto b = at_rotations(contact_set(some_arcs(crossing)).pair(), earlier);
+  for (std::size_t i = 0; i < rotations.size(); ++i) {
+    EXPECT_NEAR(a.positions[i].te, b.positions[i].te, 1e-14);
+    EXPECT_EQ(a.positions[i].kind, b.positions[i].kind);
+  }
+}
+
+// A wrong centre distance alone: no error of motion but a constant, and the point runs along a
+// straight line parallel to the axes, its place the exact one equation of dC.
+TEST(ContactLaws, centre_distance_alone) {
+  for (const double d_center : {-0.05, 0.01, 0.08}) {
+    const tca::ArcPair pair = some_arcs(0.0, d_center);
+    const auto r = over_a_pitch(contact_set(pair).pair(), 32);
+    const ContactPoint& first = r.positions[0];
+    for (const ContactPoint& p : r.positions) {
+      ASSERT_EQ(p.kind, TouchKind::interior);
+      EXPECT_NEAR(p.te, first.te, 1e-14);
+      EXPECT_LT((p.point - first.point).head<2>().norm(), 1e-10);
+    }
+    EXPECT_LT(r.peak_to_peak, 2e-14);
+    EXPECT_NEAR(r.mean_slope, 0.0, 1e-13);
+    const double tau = *first.rack_angle, c_0 = static_cast<double>(pair.mounting.center_distance);
+    const double w = static_cast<double>(pair.f.rho - pair.p.rho) * std::sin(tau) -
+                     static_cast<double>(pair.f.b - pair.p.b);
+    const double across = w / std::tan(tau) * static_cast<double>(std::sin(pair.lead_angle_f));
+    EXPECT_NEAR(std::hypot(c_0 + w, across), c_0 + d_center, 1e-11);
+  }
+}
+
+// ---- involutes without errors ----
+
+// (1) no error of motion at the backlash-free distance, external or ring, either gear driving
+// (2) the teeth touch along lines everywhere    (3) whose ends lie on the ends of the flanks
+TEST(ContactLaws, conjugate_flanks) {
+  Random random(11);
+  int externals = 0, rings = 0;
+  for (int i = 0; i < 400 && (externals < 40 || rings < 40); ++i) {
+    Wanted want;
+    want.internal = i % 2 == 1;
+    want.errors = want.modifications = false;
+    if ((want.internal ? rings : externals) >= 40) continue;
+    const auto p = random_modified(random, want);
+    if (!p) continue;
+    ++(want.internal ? rings : externals);
+    const ContactPair pair = p->set.pair();
+    const auto r = over_a_pitch(pair, 12);
+    EXPECT_EQ(r.unfinished, 0);
+    for (const ContactPoint& q : r.positions) {
+      EXPECT_NEAR(q.te, 0.0, 1e-12);                  // (1)
+      ASSERT_EQ(q.kind, TouchKind::line) << p->name;  // (2)
+      ASSERT_TRUE(q.line);
+      for (const Vec3& end : *q.line) {  // (3)
+        const double z = std::abs(end.z());
+        const double rho_1 = end.head<2>().norm();
+        const double rho_2 = (end - Vec3(p->set.mount.center_distance, 0, 0)).head<2>().norm();
+        double off = std::numeric_limits<double>::infinity();
+        for (const double d : {z - p->brute.one.z_high, z - p->brute.two.z_high,
+                               rho_1 - p->brute.one.rho_low, rho_1 - p->brute.one.rho_high,
+                               rho_2 - p->brute.two.rho_low, rho_2 - p->brute.two.rho_high})
+          off = std::min(off, std::abs(d));
+        EXPECT_LT(off, 1e-6 * rho_2);
+      }
+    }
+  }
+  EXPECT_GE(externals, 40);
+  EXPECT_GE(rings, 40);
+}
+
+// Crossed axes: conjugate at any distance, half the backlash behind the middle, and the point on
+// the line of action where its radius says.
+TEST(ContactLaws, crossed_involutes_keep_to_the_line_of_action) {
+  Random random(12);
+  int pairs = 0;
+  for (int i = 0; i < 400 && pairs < 150; ++i) {
+    const CrossedSpecs specs = random_crossed(random, 3.0);
+    const auto p = mounted(specs, i % 2 ? 0.0 : 0.2 * random.unit());
+    if (!p || !p->gears[0].root_form_radius() || !p->gears[1].root_form_radius()) continue;
+    if (!(p->mesh.true_ratio > 1.05)) continue;
+    ++pairs;
+    ContactMount place;
+    place.center_distance = p->center_distance;
+    place.shaft_angle = p->shaft_angle();
+    place.gear2_drives = i % 3 == 0;
+    const double sense = place.gear2_drives ? 1.0 : -1.0;
+    const auto r = over_a_pitch(ContactPair({&p->gears[0], {}}, {&p->gears[1], {}}, place), 8);
+    for (const ContactPoint& q : r.positions) {
+      ASSERT_EQ(q.kind, TouchKind::interior) << describe(specs);
+      EXPECT_NEAR(q.te, sense * p->mesh.backlash.rotation[1] / 2, 1e-12);
+      const double rho = q.diameter[0] / 2, r_b = p->input.gears[0].radius;
+      const double rho1 = std::sqrt((rho - r_b) * (rho + r_b));
+      const Vec3 line =
+          place.gear2_drives ? p->on_trailing_line(rho1).r : p->on_line_of_action(rho1).r;
+      const double sine = std::sin(p->shaft_angle());
+      EXPECT_LT((q.point - line).norm(), 1e-12 * p->center_distance / (sine * sine));
+    }
+    if (HasFailure()) FAIL() << describe(specs);
+  }
+  EXPECT_EQ(pairs, 150);
+}
+
+// A pair of teeth followed through its range touches as one looked for from nowhere, and the curve
+// does not depend on how many positions it has.
+TEST(ContactLaws, positions_are_rotations) {
+  over_pairs(26, 40, {}, [](const ModifiedPair& p, Random&) {
+    const ContactPair pair = p.set.pair();
+    const auto followed = over_a_pitch(pair, 32);
+    std::vector<double> rotations;
+    for (std::size_t i = 0; i < followed.positions.size(); i += 4)
+      rotations.push_back(followed.positions[i].rotation1);
+    const auto cold = at_rotations(pair, rotations);
+    const auto coarse = transmission_error(pair, 8);
+    for (std::size_t i = 0; i < rotations.size(); ++i) {
+      EXPECT_NEAR(followed.positions[4 * i].te, cold.positions[i].te, 1e-12);
+      EXPECT_NEAR(followed.positions[4 * i].te, coarse[i], 1e-12);
+    }
+  });
+}
+
+// Errors stand still: every pitch is the first, its teeth one further.
+TEST(ContactLaws, pitches_repeat) {
+  over_pairs(27, 30, {}, [](const ModifiedPair& p, Random&) {
+    const ContactPair pair = p.set.pair();
+    const auto r = over_a_pitch(pair, 10, 3);
+    ASSERT_EQ(r.positions.size(), 30u);
+    for (std::size_t i = 10; i < 30; ++i) {
+      EXPECT_TRUE(same_bits(r.positions[i].te, r.positions[i - 10].te));
+      EXPECT_EQ(r.positions[i].pair, r.positions[i - 10].pair + 1);
+      EXPECT_EQ(r.positions[i].kind, r.positions[i - 10].kind);
+    }
+    std::vector<double> rotations{r.positions[3].rotation1, r.positions[17].rotation1,
+                                  r.positions[26].rotation1};
+    const auto alone = at_rotations(pair, rotations);
+    EXPECT_NEAR(alone.positions[0].te, r.positions[3].te, 1e-12);
+    EXPECT_NEAR(alone.positions[1].te, r.positions[17].te, 1e-12);
+    EXPECT_NEAR(alone.positions[2].te, r.positions[26].te, 1e-12);
+    EXPECT_EQ(alone.positions[2].pair, r.positions[26].pair);
+  });
+}
+
+// Same input, same bits.
+TEST(ContactLaws, twice_is_the_same) {
+  over_pairs(28, 20, {}, [](const ModifiedPair& p, Random&) {
+    const auto a = over_a_pitch(p.set.pair(), 16), b = over_a_pitch(p.set.pair(), 16);
+    for (std::size_t i = 0; i < a.positions.size(); ++i) {
+      EXPECT_TRUE(same_bits(a.positions[i].te, b.positions[i].te));
+      EXPECT_EQ(a.positions[i].point, b.positions[i].point);
+    }
+    EXPECT_EQ(a.work.evaluations, b.work.evaluations);
+  });
+}
+
+// Nowhere does the curve jump: not where the next pair takes over, not where an edge does, not
+// where one piece of a modified flank follows another. Twice as many positions, half the steps.
+TEST(ContactLaws, the_curve_has_no_jump) {
+  over_pairs(29, 15, {}, [](const ModifiedPair& p, Random&) {
+    const ContactPair pair = p.set.pair();
+    const auto greatest_step = [&](int n) {
+      const auto te = transmission_error(pair, n);
+      double step = 0.0;
+      for (int i = 0; i < n; ++i) step = std::max(step, std::abs(te[(i + 1) % n] - te[i]));
+      return step;
+    };
+    EXPECT_LT(greatest_step(8192), 0.5 * greatest_step(512) + 1e-13);
+  });
+}
+
+// Neighbouring pieces of a modified flank meet: the field is the same seen from either.
+TEST(ContactLaws, pieces_meet) {
+  int seams = 0;
+  over_pairs(30, 60, {}, [&seams](const ModifiedPair& p, Random& random) {
+    const ContactPair pair = p.set.pair();
+    const auto& patches = pair.patches(1);
+    const FlankPatch& mate = pair.patches(2)[0];
+    const auto value = [&](const FlankPatch& f, double s, double z) {
+      const GapField field(f, mate, pair.mount(), pair.ratio(), pair.rotation_sign());
+      double s2 = 0.5 * (mate.s_lo + mate.s_hi);
+      return field.at(s, z, s2).t.v;
+    };
+    for (const FlankPatch& a : patches) {
+      for (const FlankPatch& b : patches) {
+        const double z_lo = std::max(a.z_lo, b.z_lo), z_hi = std::min(a.z_hi, b.z_hi);
+        const double s_lo = std::max(a.s_lo, b.s_lo), s_hi = std::min(a.s_hi, b.s_hi);
+        if (a.s_hi == b.s_lo && z_hi > z_lo) {
+          ++seams;
+          EXPECT_EQ(a.s_hi_end, FlankPatch::End::seam);
+          const double z = random.uniform(z_lo, z_hi);
+          EXPECT_NEAR(value(a, a.s_hi, z), value(b, b.s_lo, z), 1e-13);
+        }
+        if (a.z_hi == b.z_lo && s_hi > s_lo) {
+          ++seams;
+          EXPECT_EQ(b.z_lo_end, FlankPatch::End::seam);
+          const double s = random.uniform(s_lo, s_hi);
+          EXPECT_NEAR(value(a, s, a.z_hi), value(b, s, b.z_lo), 1e-13);
+        }
+      }
+    }
+  });
+  EXPECT_GT(seams, 30);
+}
+
+// Twice the size: the same rotations to the last bit.
+TEST(ContactLaws, scaling_by_two_is_exact) {
+  Wanted want;
+  want.modifications = false;
+  over_pairs(31, 20, want, [](const ModifiedPair& p, Random&) {
+    CylindricalSpec one = p.set.gears[0].spec, two = p.set.gears[1].spec;
+    if (two.teeth < 0) return;
+    for (CylindricalSpec* s : {&one, &two})
+      s->normal_module *= 2, s->face_width *= 2, s->thickness_allowance *= 2;
+    ContactSet twice{
+        {std::move(make_gear(one)).take(), std::move(make_gear(two)).take()}, {}, p.set.mount};
+    auto& e = twice.mount.errors;
+    twice.mount.center_distance *= 2, e.center_distance *= 2, e.axial *= 2;
+    e.helix_twist[0] /= 2, e.helix_twist[1] /= 2;
+    const auto a = over_a_pitch(p.set.pair(), 8), b = over_a_pitch(twice.pair(), 8);
+    for (std::size_t i = 0; i < a.positions.size(); ++i) {
+      EXPECT_NEAR(a.positions[i].te, b.positions[i].te, 1e-15);
+      // A nanometre is half as much of a gear twice the size.
+      if (a.positions[i].kind == TouchKind::line || b.positions[i].kind == TouchKind::line)
+        continue;
+      EXPECT_EQ(a.positions[i].kind, b.positions[i].kind);
+    }
+  });
+}
+
+ContactSet mirrored_hands(const ContactSet& set) {
+  ContactSet other = set;
+  for (Gear& g : other.gears) {
+    g.lead = -g.lead;
+    g.spec.helix_angle = -g.spec.helix_angle;
+  }
+  auto& e = other.mount.errors;
+  e.crossing = -e.crossing, e.intersecting = -e.intersecting, e.axial = -e.axial;
+  e.helix_twist = {-e.helix_twist[0], -e.helix_twist[1]};
+  return other;
+}
+
+// The mirror image z → −z.
+TEST(ContactLaws, mirroring_both_hands) {
+  Wanted want;
+  want.modifications = false;
+  over_pairs(32, 30, want, [](const ModifiedPair& p, Random&) {
+    const auto a = over_a_pitch(p.set.pair(), 8);
+    const auto b = over_a_pitch(mirrored_hands(p.set).pair(), 8);
+    for (std::size_t i = 0; i < a.positions.size(); ++i) {
+      EXPECT_NEAR(a.positions[i].te, b.positions[i].te, 1e-14);
+      const Vec3 &r = a.positions[i].point, &q = b.positions[i].point;
+      if (a.positions[i].kind == TouchKind::line || a.positions[i].pair != b.positions[i].pair)
+        continue;
+      EXPECT_LT((Vec3(q.x(), q.y(), -q.z()) - r).norm(), 1e-7 * r.norm());
+    }
+  });
+}
+
+// The other driver: TE(φ; Δδ, Δz) = −TE(−φ; −Δδ, −Δz) of the other flanks, the half turn about the
+// centre line.
+TEST(ContactLaws, the_other_driver_is_half_a_turn) {
+  Wanted want;
+  want.modifications = false;
+  over_pairs(33, 40, want, [](const ModifiedPair& p, Random& random) {
+    ContactSet other = p.set;
+    other.mount.gear2_drives = !p.set.mount.gear2_drives;
+    other.mount.errors.intersecting = -p.set.mount.errors.intersecting;
+    other.mount.errors.axial = -p.set.mount.errors.axial;
+    std::vector<double> rotations, back;
+    for (int i = 0; i < 5; ++i) rotations.push_back(random.uniform(-0.2, 0.2));
+    for (const double r : rotations) back.push_back(-r);
+    const auto a = at_rotations(p.set.pair(), rotations), b = at_rotations(other.pair(), back);
+    for (int i = 0; i < 5; ++i) {
+      EXPECT_NEAR(a.positions[i].te, -b.positions[i].te, 1e-14);
+      EXPECT_EQ(a.positions[i].kind, b.positions[i].kind);
+    }
+  });
+}
+
+// Gear 2 as gear 1: the same flanks touch, seen from the other axis. A turn −φ_2 − π/z_2 of the new
+// gear 1 stands where φ_1 stood, and the error of motion is seen through the ratio.
+TEST(ContactLaws, exchanging_the_gears) {
+  Wanted want;
+  want.modifications = false;
+  int pairs = 0;
+  over_pairs(34, 40, want, [&pairs](const ModifiedPair& p, Random& random) {
+    if (p.set.gears[1].internal()) return;
+    ++pairs;
+    ContactSet set = p.set;
+    auto& e = set.mount.errors;
+    e.intersecting = 0.0;
+    (random.chance(0.5) ? e.axial : e.crossing) = 0.0;
+    ContactSet other{{set.gears[1], set.gears[0]}, {}, set.mount};
+    other.mount.errors.axial = -e.axial;
+    std::swap(other.mount.errors.helix_twist[0], other.mount.errors.helix_twist[1]);
+    const double z1 = set.gears[0].spec.teeth, z2 = set.gears[1].spec.teeth;
+    std::vector<double> rotations, seen;
+    for (int i = 0; i < 5; ++i) rotations.push_back(random.uniform(-0.2, 0.2));
+    const auto a = at_rotations(set.pair(), rotations);
+    for (const ContactPoint& q : a.positions) seen.push_back(-q.rotation2 - kPi / z2);
+    const auto b = at_rotations(other.pair(), seen);
+    // Pairs of teeth that touch together within 1e-13 rad are one touch.
+    for (int i = 0; i < 5; ++i)
+      EXPECT_NEAR(b.positions[i].te, z2 / z1 * a.positions[i].te, 1e-13 * (1 + z2 / z1));
+  });
+  EXPECT_GT(pairs, 15);
+}
+
+// ---- maps ----
+
+TEST(ContactLaws, a_map_does_not_depend_on_threads) {
+  const ContactSet set = contact_set(some_arcs());
+  std::vector<double> x, y;
+  for (int i = 0; i < 7; ++i) x.push_back(1e-4 * (i - 3)), y.push_back(0.01 * (i - 3));
+  const auto pair_at = [&set](double crossing, double d_center) {
+    ContactSet s = set;
+    s.mount.errors.crossing = crossing, s.mount.errors.center_distance = d_center;
+    return s.pair();
+  };
+  const ErrorMap one = map_of_errors(x, y, pair_at, 16, 1);
+  for (const int threads : {2, 3, 0}) {
+    const ErrorMap other = map_of_errors(x, y, pair_at, 16, threads);
+    for (std::size_t i = 0; i < y.size(); ++i)
+      for (std::size_t k = 0; k < x.size(); ++k)
+        EXPECT_TRUE(same_bits(one.value[i][k], other.value[i][k]));
+  }
+  // dC alone costs nothing; the other error does.
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    EXPECT_LT(one.value[i][3], 1e-13);
+    EXPECT_GT(one.value[i][0], 1e-6);
+  }
+}
+
+}  // namespace
+}  // namespace gearwright::property

@@ -1,0 +1,66 @@
+// Touches of involute pairs against dense places of both flanks: errors, modifications, rings,
+// either driver (tests/oracle/brute_flanks.hpp).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/property/contact_pairs.hpp"
+
+namespace gearwright::property {
+namespace {
+
+// (1) the place found lies on both flanks, at the rotation found    (2) no other place of them asks
+// for more. The first proves what is claimed, the second that nothing was missed.
+void against_places(const ModifiedPair& p, const ContactResult& r) {
+  const BruteContact brute(p.brute);
+  const double sign = p.set.mount.gear2_drives ? -1.0 : 1.0;
+  EXPECT_EQ(r.unfinished, 0);
+  for (const ContactPoint& q : r.positions) {
+    SCOPED_TRACE(testing::Message() << "rotation " << q.rotation1 << ", " << to_string(q.kind));
+    const auto t = brute.touch(q.rotation1, 4);
+    ASSERT_EQ(t.has_value(), q.kind != TouchKind::none);
+    if (!t) continue;
+    const auto seen = brute.look(q.rotation1, q.pair, q.diameter[0] / 2, q.height[0]);
+    // A line's middle is anywhere on a ridge flatter than a nanometre.
+    const double arm = std::min(p.brute.one.rho_low, p.brute.two.rho_low);
+    EXPECT_NEAR(seen.te, q.te, q.kind == TouchKind::line ? 2 * kLineGap / arm : 1e-12);  // (1)
+    EXPECT_LT(seen.outside, 1e-9 * q.diameter[1]);
+    EXPECT_LT(sign * t->te, sign * q.te + 1e-12);  // (2)
+  }
+}
+
+TEST(ContactPlaces, of_pairs_with_errors) {
+  Wanted want;
+  want.modifications = false;
+  over_pairs(21, 12, want, [](const ModifiedPair& p, Random&) {
+    against_places(p, over_a_pitch(p.set.pair(), 6));
+  });
+}
+TEST(ContactPlaces, of_modified_pairs) {
+  over_pairs(22, 14, {}, [](const ModifiedPair& p, Random&) {
+    against_places(p, over_a_pitch(p.set.pair(), 6));
+  });
+}
+TEST(ContactPlaces, of_hollow_flanks) {
+  Wanted want;
+  want.hollow = true;
+  over_pairs(23, 10, want, [](const ModifiedPair& p, Random&) {
+    against_places(p, over_a_pitch(p.set.pair(), 6));
+  });
+}
+TEST(LongContactPlaces, of_modified_pairs) {
+  Wanted want;
+  over_pairs(24, 300, want, [](const ModifiedPair& p, Random& random) {
+    against_places(p, over_a_pitch(p.set.pair(), random.chance(0.5) ? 6 : 20));
+  });
+}
+TEST(LongContactPlaces, of_hollow_flanks) {
+  Wanted want;
+  want.hollow = true;
+  over_pairs(25, 150, want, [](const ModifiedPair& p, Random& random) {
+    against_places(p, over_a_pitch(p.set.pair(), random.chance(0.5) ? 6 : 20));
+  });
+}
+
+}  // namespace
+}  // namespace gearwright::property

@@ -1,0 +1,178 @@
+// Derivatives of transmission error and contact point against central differences, over seeded
+// pairs and every kind of touch.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "tests/property/contact_pairs.hpp"
+
+namespace gearwright::property {
+namespace {
+
+struct Slopes {
+  double te, te_noise;
+  Vec3 point;
+  bool smooth;  ///< the same pair, kind and place on all sides
+};
+
+// Central differences of two steps, combined. A touch further away than `near`, mm, is another.
+template <class At>
+Slopes differences(const ContactPoint& here, double h, double near, At at) {
+  std::array<ContactPoint, 4> p;
+  const std::array<double, 4> steps{h, -h, 2 * h, -2 * h};
+  Slopes s{0, 0, Vec3::Zero(), true};
+  for (int i = 0; i < 4; ++i) {
+    p[i] = at(steps[i]);
+    s.smooth &=
+        p[i].kind == here.kind && p[i].pair == here.pair && (p[i].point - here.point).norm() < near;
+  }
+  const double one = (p[0].te - p[1].te) / (2 * h), two = (p[2].te - p[3].te) / (4 * h);
+  s.te = (4 * one - two) / 3, s.te_noise = std::abs(one - two);
+  const Vec3 short_way = (p[0].point - p[1].point) / (2 * h);
+  s.point = (4 * short_way - (p[2].point - p[3].point) / (4 * h)) / 3;
+  return s;
+}
+
+void check(const Sensitivity& got, const Slopes& want, double h, double size, bool point) {
+  if (!want.smooth) return;
+  EXPECT_NEAR(got.te, want.te, 1e-6 * std::abs(want.te) + 0.5 * want.te_noise + 2e-14 / h);
+  if (!point) return;
+  EXPECT_LT((got.point - want.point).norm(),
+            1e-3 * want.point.norm() + 1e-9 * size / h + 1e-3 * size);
+}
+
+// Every kind of touch, every error: exact derivatives are central differences.
+TEST(ContactSlopes, sensitivities_to_errors) {
+  std::map<TouchKind, int> seen;
+  const auto law = [&seen](const ModifiedPair& p, Random& random) {
+    ContactRequest request;
+    request.rotations = {random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1)};
+    for (const ErrorKind k : kErrorKinds) request.influences.push_back({k});
+    const auto r = analyse_contact(p.set.pair(), request);
+    const double size = p.set.mount.center_distance;
+    for (std::size_t k = 0; k < kErrorKinds.size(); ++k) {
+      const ErrorKind kind = kErrorKinds[k];
+      const bool angle = kind == ErrorKind::crossing || kind == ErrorKind::intersecting;
+      const double h = angle ? 1e-7 : 1e-7 * size;
+      for (std::size_t i = 0; i < 2; ++i) {
+        const ContactPoint& here = r.positions[i];
+        if (here.kind == TouchKind::none || here.kind == TouchKind::line) continue;
+        const auto at = [&](double d) {
+          ContactSet set = p.set;
+          auto& e = set.mount.errors;
+          const auto twist = [&](int g) {
+            const Gear& gear = set.gears[g];
+            e.helix_twist[g] += d / (gear.reference.reference_diameter / 2 * gear.spec.face_width);
+          };
+          if (kind == ErrorKind::center_distance) e.center_distance += d;
+          if (kind == ErrorKind::crossing) e.crossing += d;
+          if (kind == ErrorKind::intersecting) e.intersecting += d;
+          if (kind == ErrorKind::axial) e.axial += d;
+          if (kind == ErrorKind::helix_slope1) twist(0);
+          if (kind == ErrorKind::helix_slope2) twist(1);
+          return at_rotations(set.pair(), {here.rotation1}).positions[0];
+        };
+        const Slopes want = differences(here, h, 0.01 * size, at);
+        if (want.smooth) ++seen[here.kind];
+        SCOPED_TRACE(testing::Message() << to_string(here.kind) << " by error " << k);
+        check(r.sensitivities[k][i], want, h, angle ? size : 1.0, false);
+      }
+    }
+  };
+  over_pairs(41, 40, {}, law);
+  Wanted plain;
+  plain.modifications = false;
+  over_pairs(42, 60, plain, law);
+  for (const TouchKind k : {TouchKind::interior, TouchKind::face1, TouchKind::face2,
+                            TouchKind::tip1, TouchKind::tip2, TouchKind::corner})
+    EXPECT_GT(seen[k], 2) << to_string(k);
+}
+
+// The amount of every modification of either gear.
+TEST(ContactSlopes, sensitivities_to_modifications) {
+  using P = RemovalField::Parameter;
+  int compared = 0;
+  over_pairs(43, 16, {}, [&compared](const ModifiedPair& p, Random& random) {
+    for (int g : {0, 1}) {
+      FlankModifications f;
+      const FlankExtent e = extent_of(p.set.gears[g]);
+      const double m = p.set.gears[g].spec.normal_module;
+      f.tip_relief = {2e-3 * m,
+                      e.rho_root_form + 1.3 * (e.rho_tip_form - e.rho_root_form) + e.rho_root_form,
+                      ReliefShape::parabolic};
+      f.root_relief = {1e-3 * m,
+                       e.rho_root_form + 0.3 * (e.rho_tip_form - e.rho_root_form) + e.rho_root_form,
+                       ReliefShape::linear};
+      f.profile_crowning = 2e-3 * m, f.profile_slope = 1e-3 * m;
+      f.lead_crowning = 2e-3 * m, f.lead_slope = -1e-3 * m;
+      f.end_relief = {3e-3 * m, 0.2 * e.face_width, ReliefShape::parabolic};
+      ContactSet set = p.set;
+      const auto with = [&](const FlankModifications& n) {
+        auto field = make_removal_field(n, e);
+        EXPECT_TRUE(field);
+        set.removal[g] = std::make_shared<RemovalField>(std::move(field).take());
+        return set.pair();
+      };
+      ContactRequest request;
+      request.rotations = {random.uniform(-0.1, 0.1)};
+      for (const P q : RemovalField::kParameters)
+        request.influences.push_back({ErrorKind::center_distance, g + 1, q});
+      const auto r = analyse_contact(with(f), request);
+      const ContactPoint& here = r.positions[0];
+      if (here.kind == TouchKind::none || here.kind == TouchKind::line) continue;
+      double* const amounts[] = {&f.tip_relief.amount, &f.root_relief.amount, &f.profile_crowning,
+                                 &f.profile_slope,     &f.lead_crowning,      &f.lead_slope,
+                                 &f.end_relief.amount};
+      for (std::size_t k = 0; k < 7; ++k) {
+        const double h = 1e-6 * m, was = *amounts[k];
+        const Slopes want = differences(here, h, 0.2 * m, [&](double d) {
+          *amounts[k] = was + d;
+          const auto there = at_rotations(with(f), request.rotations).positions[0];
+          *amounts[k] = was;
+          return there;
+        });
+        SCOPED_TRACE(testing::Message()
+                     << to_string(here.kind) << " by modification " << k << " of gear " << g + 1);
+        compared += want.smooth;
+        check(r.sensitivities[k][0], want, h, 1.0, false);
+      }
+    }
+  });
+  EXPECT_GT(compared, 100);
+}
+
+// Where the contact goes: crowned pairs inside, edges along their bound.
+TEST(ContactSlopes, the_point_moves_as_said) {
+  int compared = 0;
+  Random random(44);
+  for (int i = 0; i < 40; ++i) {
+    const double crossing = random.uniform(-4e-4, 4e-4);
+    const ContactSet set = contact_set(some_arcs(crossing, random.uniform(-0.05, 0.05)));
+    ContactRequest request;
+    request.rotations = {random.uniform(-0.2, 0.2)};
+    for (const ErrorKind k : kErrorKinds) request.influences.push_back({k});
+    const auto r = analyse_contact(set.pair(), request);
+    const ContactPoint& here = r.positions[0];
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double h = k == 1 || k == 2 ? 1e-6 : 1e-4;
+      const Slopes want = differences(here, h, 1.0, [&](double d) {
+        ContactSet moved = set;
+        auto& e = moved.mount.errors;
+        (k == 0 ? e.center_distance : k == 1 ? e.crossing : k == 2 ? e.intersecting : e.axial) += d;
+        return at_rotations(moved.pair(), request.rotations).positions[0];
+      });
+      if (!want.smooth) continue;
+      ++compared;
+      SCOPED_TRACE(testing::Message() << to_string(here.kind) << " by error " << k);
+      const Sensitivity& got = r.sensitivities[k][0];
+      EXPECT_NEAR(got.te, want.te, 1e-7 * std::abs(want.te) + 2e-14 / h);
+      EXPECT_LT((got.point - want.point).norm(), 1e-4 * want.point.norm() + 1e-9 / h);
+    }
+  }
+  EXPECT_GT(compared, 100);
+}
+
+}  // namespace
+}  // namespace gearwright::property
