@@ -23,6 +23,8 @@ constexpr const char* kIntroduction =
     "SVG\n"
     "  gearwright gear pair.toml             diameters, thicknesses, limits of each gear\n"
     "  gearwright pair pair.toml --json      the mounted pair, as JSON\n"
+    "  gearwright contact pair.toml          transmission error and contact under [errors]\n"
+    "  gearwright compensate pair.toml       corrections that cancel those errors\n"
     "  gearwright measure pair.toml          the calliper's settings\n"
     "  gearwright fit wish.toml              gears for a centre distance and a shaft angle\n"
     "  gearwright outline pair.toml --gear 1 --points 200 --json\n"
@@ -33,7 +35,7 @@ constexpr const char* kIntroduction =
     "  teeth = 17\n"
     "  normal_module_mm = 2.5\n";
 
-constexpr const char* kNotHere[] = {"contact", "compensate", "identify", "search"};
+constexpr const char* kNotHere[] = {"identify", "search"};
 
 CLI::App* verb(CLI::App& app, Options& o, const char* name, const char* what, const char* example) {
   CLI::App* sub = app.add_subcommand(name, what);
@@ -94,6 +96,18 @@ int main(int argc, char** argv) {
       verb(app, o, "pair", "The mounted pair: distances, angles, contact ratios, backlash, sliding",
            "gearwright pair examples/helical_pair.toml");
   spec_argument(pair, o);
+
+  CLI::App* contact = verb(app, o, "contact",
+                           "Tooth contact under the spec's [errors]: transmission error, contact "
+                           "points, edges, ellipses",
+                           "gearwright contact examples/misaligned_pair.toml");
+  spec_argument(contact, o);
+
+  CLI::App* compensate = verb(app, o, "compensate",
+                              "Tool settings, leads and crowning that cancel the spec's [errors]",
+                              "gearwright compensate examples/misaligned_pair.toml --take");
+  spec_argument(compensate, o);
+  compensate->add_flag("--take", o.spec_only, "Print the corrected spec and nothing else");
 
   CLI::App* measure = verb(app, o, "measure", "Chordal tooth thickness, the calliper's settings",
                            "gearwright measure examples/helical_pair.toml");
@@ -156,6 +170,8 @@ int main(int argc, char** argv) {
     if (*gear) return gear_verb(o);
     if (*outline) return outline_verb(o);
     if (*pair) return pair_verb(o);
+    if (*contact) return contact_verb(o);
+    if (*compensate) return compensate_verb(o);
     if (*measure) return measure_verb(o);
     if (*fit) return fit_verb(o);
     if (*files) return export_verb(o);

@@ -11,6 +11,8 @@
 #include <iterator>
 
 #include "gearwright/base/output_file.hpp"
+#include "gearwright/job/compensate_text.hpp"
+#include "gearwright/job/contact_text.hpp"
 #include "gearwright/job/files.hpp"
 #include "gearwright/job/fit_answer.hpp"
 #include "gearwright/job/listing.hpp"
@@ -61,6 +63,11 @@ Result<Design> solve_file(const Options& o, Scope scope) {
   const auto spec = read_spec_file(o.spec);
   if (!spec) return spec.error();
   return solve(*spec, scope);
+}
+
+std::string pair_listing_of(const Design& design) {
+  if (design.arc_pair) return pair_listing(*design.arc_pair);
+  return design.pair ? pair_listing(*design.pair) : std::string();
 }
 
 // Says on stderr what is being made, but only when it takes more than a second.
@@ -187,7 +194,41 @@ int pair_verb(const Options& o) {
   if (o.json) {
     print_json(design_json(*design));
   } else {
-    print(gear_listing(*design) + pair_listing(*design->pair) + warning_listing(design->warnings));
+    print(gear_listing(*design) + pair_listing_of(*design) + warning_listing(design->warnings));
+  }
+  return 0;
+}
+
+int contact_verb(const Options& o) {
+  auto solved = solve_file(o, Scope::pair);
+  if (!solved) return fail(o, solved.error());
+  Design design = std::move(solved).take();
+  const auto answer = answer_contact(design);
+  if (!answer) return fail(o, answer.error());
+  if (o.json) {
+    print_json(contact_json(design, *answer));
+  } else {
+    print(contact_listing(design, *answer) + warning_listing(design.warnings));
+  }
+  return 0;
+}
+
+int compensate_verb(const Options& o) {
+  auto solved = solve_file(o, Scope::pair);
+  if (!solved) return fail(o, solved.error());
+  Design design = std::move(solved).take();
+  const auto answer = answer_compensate(design);
+  if (!answer) return fail(o, answer.error());
+  if (o.spec_only) {
+    if (o.json) {
+      print_json(Json::parse(answer->corrected));
+    } else {
+      print(toml_text(Json::parse(answer->corrected)));
+    }
+  } else if (o.json) {
+    print_json(compensate_json(design, *answer));
+  } else {
+    print(compensate_listing(design, *answer) + warning_listing(design.warnings));
   }
   return 0;
 }
@@ -228,12 +269,13 @@ int run_verb(const Options& o) {
   const auto files = write_everything(design, out, file_options(o));
   if (!files) return fail(o, files.error());
   if (o.json) {
-    Json j = design_json(design);
+    // As in result.json, which comes first, with all the files.
+    Json j = Json::parse(files->front().bytes);
     j["files"] = files_json(*files);
     print_json(j);
   } else {
-    print(gear_listing(design) + (design.pair ? pair_listing(*design.pair) : std::string()) +
-          warning_listing(design.warnings) + file_listing(*files));
+    print(gear_listing(design) + pair_listing_of(design) + warning_listing(design.warnings) +
+          file_listing(*files));
   }
   return 0;
 }

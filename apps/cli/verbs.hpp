@@ -20,6 +20,7 @@ struct Options {
   std::vector<std::string> cases;
   std::optional<std::string> as_rack;  // of gear: "module,angle"
   std::optional<int> take;             // of fit: the branch whose spec is printed
+  bool spec_only = false;              // of compensate: print the corrected spec
 };
 
 // All throw IoError when the outside world fails.
@@ -29,6 +30,8 @@ int outline_verb(const Options& o);
 int pair_verb(const Options& o);
 int measure_verb(const Options& o);
 int fit_verb(const Options& o);
+int contact_verb(const Options& o);
+int compensate_verb(const Options& o);
 int export_verb(const Options& o);
 int verify_verb(const Options& o);
 

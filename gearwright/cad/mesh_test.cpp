@@ -97,6 +97,8 @@ std::vector<Case> cases() {
   all.push_back({"one tooth, rounded tip", testing::one_tooth()});
   all.push_back({"wheel cut by two teeth", testing::cut_wheel()});
   all.push_back({"ring cut by a pinion", testing::cut_ring()});
+  all.push_back({"circular arcs", testing::arc_pinion()});
+  all.push_back({"double circular arcs", testing::double_arcs()});
   const std::size_t solid = all.size();
   for (std::size_t i = 0; i < solid; ++i) {
     if (all[i].body.outline.teeth < 0) continue;

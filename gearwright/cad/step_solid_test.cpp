@@ -83,6 +83,8 @@ std::vector<Case> cases() {
       {"OneToothRoundedTip", testing::one_tooth(), 26},
       {"WheelCutByTwoTeeth", testing::cut_wheel(), 362},
       {"RingCutByPinion", testing::cut_ring(), 395},
+      {"CircularArcs", testing::arc_pinion(), 74},
+      {"DoubleCircularArcs", testing::double_arcs(), 138},
   };
 }
 

@@ -103,6 +103,11 @@ TEST(StepSurface, TeethOfFewAndTeethCutByTeeth) {
   expect_near(testing::cut_ring(), 6);
 }
 
+TEST(StepSurface, CircularArcTeeth) {
+  expect_near(testing::arc_pinion(), 4);
+  expect_near(testing::double_arcs(), 8);
+}
+
 TEST(StepSurface, LandsAreTrueCylindersOfTheirRadii) {
   const auto body = testing::sample_body({.beta = 0.3});
   const auto made = make_solid(body);

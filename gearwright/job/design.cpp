@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gearwright/gear/ring_cutter.hpp"
+#include "gearwright/job/arc_design.hpp"
 #include "gearwright/job/cut_gears.hpp"
 
 namespace gearwright {
@@ -245,6 +246,10 @@ void collect_warnings(Design& design) {
     design.warnings.push_back(
         {"not_read", what + " is of a part that is not in this version: it was not read.", 0});
   }
+  if (design.arc_pair) {
+    const auto& list = design.arc_pair->warnings;
+    design.warnings.insert(design.warnings.end(), list.begin(), list.end());
+  }
   if (!design.pair) return;
   if (design.pair->crossed() &&
       (design.spec.shaft_angle_found || !design.spec.pair.shaft_angle_deg)) {
@@ -270,6 +275,10 @@ Result<Design> solve(const JobSpec& given, Scope scope) {
   }
   const bool want_pair = two && scope != Scope::gears;
 
+  const bool arcs = has_arcs(spec);
+  if (arcs) {
+    if (auto error = check_arcs(spec)) return *error;
+  }
   MadeGears made;
   if (auto error = make_cut_gears(spec, made)) return *error;
   bool clear_tips = false;
@@ -283,7 +292,7 @@ Result<Design> solve(const JobSpec& given, Scope scope) {
   std::optional<PairSpec> place;
   const bool shift_wanted = two && spec.pair.center_distance &&
                             (!spec.gears[0]->profile_shift || !spec.gears[1]->profile_shift);
-  if (two && (want_pair || shift_wanted || clear_tips || spec.pair.shorten_tips)) {
+  if (two && !arcs && (want_pair || shift_wanted || clear_tips || spec.pair.shorten_tips)) {
     auto completed = complete_pair(spec, shift_wanted);
     if (!completed) return of_basic(completed.error(), spec);
     place = *completed;
@@ -308,7 +317,13 @@ Result<Design> solve(const JobSpec& given, Scope scope) {
     auto cut = bare_ring ? cut_by_default(*gear) : std::nullopt;
     design.gears.push_back(cut ? *std::move(cut) : std::move(gear).take());
   }
-  if (want_pair) {
+  if (want_pair && arcs) {
+    auto pair = mount_arcs(design.gears[0], design.gears[1], spec.pair.center_distance);
+    if (!pair) return pair.error();
+    design.arc_pair = std::move(pair).take();
+    if (spec.pair.friction_coefficient)
+      spec.not_read.push_back("pair.friction_coefficient of circular-arc gears");
+  } else if (want_pair) {
     auto pair = mount(design.gears[0], design.gears[1], *place);
     if (!pair) return of_basic(of_distance(pair.error(), spec), spec);
     design.pair = std::move(pair).take();

@@ -11,6 +11,8 @@
 #include "gearwright/cad/svg_outline.hpp"
 #include "gearwright/cad/threemf.hpp"
 #include "gearwright/cad/walls.hpp"
+#include "gearwright/job/contact_report.hpp"
+#include "gearwright/job/contact_text.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/version.hpp"
 #include "gearwright/report/report.hpp"
@@ -116,6 +118,10 @@ Result<ToothedBody> make_body(const Design& design, int which, bool in_place) {
                              "([{}.cut_by] with its teeth, or the mate: cut_by = \"gear1\")",
                              name, name)};
   }
+  if (!gear.exists() && !gear.involute()) {
+    return Error{name + ".rack", "",
+                 fmt::format("{}.rack: {}", name, gear.warnings.back().message)};
+  }
   if (!gear.exists()) {
     return Error{name + ".profile_shift", fmt::format("{}", gear.spec.profile_shift),
                  fmt::format("{}.profile_shift = {}: {}", name, gear.spec.profile_shift,
@@ -127,6 +133,10 @@ Result<ToothedBody> make_body(const Design& design, int which, bool in_place) {
                    gear.spec.face_width,
                    gear.internal() ? rim(gear, design.bore(which)) : design.bore(which),
                    Eigen::Isometry3d::Identity()};
+  if (in_place && design.arc_pair) {
+    const ArcPair& pair = *design.arc_pair;
+    body.pose = which == 1 ? pair.pose_1().isometry() : pair.pose_2().isometry();
+  }
   if (in_place && design.pair) {
     body.pose = which == 1 ? design.pair->pose_1().isometry() : design.pair->pose_2().isometry();
   }
@@ -161,6 +171,8 @@ Result<std::vector<JobFile>> write_everything(Design& design, const fs::path& fo
                                               const FileOptions& options) {
   std::vector<JobFile> files;
   std::vector<ToothedBody> mounted;
+  const auto contact = contact_part(design);
+  if (!contact) return contact.error();
   const auto make = [&](FileKind kind, const std::vector<ToothedBody>& bodies,
                         const std::string& name) {
     auto file = make_file(kind, bodies, folder / (name + std::string(ending(kind))), options);
@@ -179,7 +191,7 @@ Result<std::vector<JobFile>> write_everything(Design& design, const fs::path& fo
       if (kind == FileKind::step && !options.step) continue;
       if (const auto error = make(kind, {*body}, gear_name(which))) return *error;
     }
-    if (design.pair) mounted.push_back(make_body(design, which, true).value());
+    if (design.pair || design.arc_pair) mounted.push_back(make_body(design, which, true).value());
   }
   if (mounted.size() == 2) {
     for (FileKind kind : {FileKind::step, FileKind::glb}) {
@@ -196,6 +208,8 @@ Result<std::vector<JobFile>> write_everything(Design& design, const fs::path& fo
   report.title = design.spec.title.empty() ? "Gear data" : design.spec.title;
   for (const Gear& g : design.gears) report.gears.push_back(&g);
   report.pair = design.pair ? &*design.pair : nullptr;
+  report.arc_pair = design.arc_pair ? &*design.arc_pair : nullptr;
+  if (*contact) report.contact = &contact.value()->report;
   report.warnings = design.warnings;
   report.files = report_files(files);
   report.spec_text = design.spec.text;
@@ -203,6 +217,7 @@ Result<std::vector<JobFile>> write_everything(Design& design, const fs::path& fo
   files.insert(files.begin(), {folder / "report.html", "report", std::nullopt,
                                "one self-contained page", report_html(report)});
   Json result = design_json(design);
+  if (*contact) result["contact"] = contact_json(design, contact.value()->answer)["contact"];
   result["files"] = files_json(files);
   files.insert(files.begin(), {folder / "result.json", "result", std::nullopt,
                                "every number, as JSON", result.dump(2) + "\n"});

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "gearwright/job/arc_design.hpp"
 #include "gearwright/job/few_teeth_answer.hpp"
 
 namespace gearwright {
@@ -64,6 +65,7 @@ std::optional<Error> unknown_module(const JobSpec& spec) {
 }  // namespace
 
 Result<FitAnswer> answer_fit(const JobSpec& spec) {
+  if (auto error = refuse_arcs(spec, "fit")) return *error;
   if (!spec.gears[1]) return Error{"gear2", "", "gear2: is missing; fit is about two gears"};
   if (spec.fit.few_teeth) return answer_few_teeth(spec);
   for (const int i : {0, 1}) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 
@@ -29,9 +30,13 @@ std::string pad_left(const std::string& s, std::size_t n) {
   return std::string(width(s) < n ? n - width(s) : 0, ' ') + s;
 }
 
-// Four decimals; what rounds to nothing has no sign.
-std::string mm(double v) { return fmt::format("{:.4f}", std::abs(v) < 0.5e-4 ? 0.0 : v); }
+// Four decimals; what rounds to nothing has no sign, and what only an involute gear has is NaN of
+// others.
+std::string mm(double v) {
+  return std::isnan(v) ? "-" : fmt::format("{:.4f}", std::abs(v) < 0.5e-4 ? 0.0 : v);
+}
 std::string angle(double rad) {
+  if (std::isnan(rad)) return "-";
   return fmt::format("{:.5f}", std::abs(deg(rad)) < 0.5e-5 ? 0.0 : deg(rad));
 }
 std::string maybe(const std::optional<double>& v, double factor = 1.0) {
@@ -64,16 +69,19 @@ std::string gear_listing(const Design& design) {
   for (std::size_t i = 0; i < design.gears.size(); ++i)
     heads.push_back(fmt::format("gear {}", i + 1));
   t.row("", "", heads, "");
+  const auto is_involute = [](const Gear& g) { return g.involute(); };
   const auto each = [&](const char* what, const char* symbol, const char* unit,
                         const std::function<std::string(const Gear&)>& value) {
     std::vector<std::string> values;
     for (const Gear& g : design.gears) values.push_back(value(g));
+    const bool none = std::all_of(values.begin(), values.end(), [](auto& v) { return v == "-"; });
+    if (none && std::none_of(design.gears.begin(), design.gears.end(), is_involute)) return;
     t.row(what, symbol, values, unit);
   };
   each("teeth", "z", "", [](const Gear& g) { return fmt::format("{}", g.spec.teeth); });
   each("normal module", "m_n", "mm", [](const Gear& g) { return mm(g.spec.normal_module); });
   each("normal pressure angle", "α_n", "°",
-       [](const Gear& g) { return angle(g.spec.normal_pressure_angle.rad()); });
+       [](const Gear& g) { return g.arcs ? "-" : angle(g.spec.normal_pressure_angle.rad()); });
   each("transverse pressure angle", "α_t", "°",
        [](const Gear& g) { return angle(g.reference.transverse_pressure_angle); });
   each("helix angle (+ right hand)", "β", "°",
@@ -81,7 +89,7 @@ std::string gear_listing(const Design& design) {
   each("base helix angle", "β_b", "°",
        [](const Gear& g) { return angle(g.reference.base_helix_angle); });
   each("profile shift", "x", "",
-       [](const Gear& g) { return fmt::format("{:.5f}", g.spec.profile_shift); });
+       [](const Gear& g) { return g.arcs ? "-" : fmt::format("{:.5f}", g.spec.profile_shift); });
   each("face width", "b", "mm", [](const Gear& g) { return mm(g.spec.face_width); });
   each("lead", "p_z", "mm",
        [](const Gear& g) { return g.lead == 0.0 ? std::string("-") : mm(g.lead); });
@@ -95,8 +103,10 @@ std::string gear_listing(const Design& design) {
        [](const Gear& g) { return maybe(g.root_form_radius(), 2.0); });
   each("root diameter", "d_f", "mm", [](const Gear& g) { return mm(g.root_diameter); });
   each("pointed diameter", "", "mm", [](const Gear& g) { return maybe(g.pointed_diameter); });
-  each("normal thickness at d", "s_n", "mm",
-       [](const Gear& g) { return mm(g.reference.reference_tooth_thickness_normal); });
+  each("normal thickness at d", "s_n", "mm", [](const Gear& g) {
+    return g.arcs ? maybe(g.arcs->reference_thickness)
+                  : mm(g.reference.reference_tooth_thickness_normal);
+  });
   each("transverse thickness at d_b", "s_bt", "mm",
        [](const Gear& g) { return mm(g.reference.base_tooth_thickness); });
   each("normal thickness at the tip", "s_an", "mm",
@@ -125,6 +135,13 @@ std::string gear_listing(const Design& design) {
     const auto& x = g.undercut_free_profile_shift;
     return g.internal() || !x ? std::string("-") : fmt::format("{:.5f}", *x);
   });
+  if (any([](const Gear& g) { return g.arcs.has_value(); })) {
+    each("flank begins at the rack's angle", "", "°",
+         [](const Gear& g) { return g.arcs ? angle(g.arcs->flank_begin.rad()) : "-"; });
+    each("  undercut limit", "", "°", [](const Gear& g) {
+      return g.arcs && g.arcs->undercut_limit ? angle(g.arcs->undercut_limit->rad()) : "-";
+    });
+  }
   return t.take();
 }
 
@@ -214,6 +231,44 @@ std::string pair_listing(const Pair& p) {
     two("centre distance", "a", mm(r.lo.center_distance), mm(r.hi.center_distance), "mm");
     two("working pressure angle, normal", "α_wn", angle(r.lo.normal_pressure_angle),
         angle(r.hi.normal_pressure_angle), "°");
+  }
+  return t.take();
+}
+
+std::string pair_listing(const ArcPair& p) {
+  Table t;
+  t.head("circular-arc pair, parallel axes");
+  const auto one = [&](const char* what, const char* symbol, const std::string& v,
+                       const char* unit) { t.row(what, symbol, {v}, unit); };
+  const auto two = [&](const char* what, const char* symbol, const std::array<double, 2>& v,
+                       const char* unit) {
+    t.row(what, symbol, {mm(v[0]), mm(v[1])}, unit);
+  };
+  one("gear ratio", "u", fmt::format("{:.6g}", p.gear_ratio()), "");
+  one("centre distance", "a", mm(p.center_distance), "mm");
+  one("  reference", "a_d", mm(p.reference_center_distance), "mm");
+  two("working pitch diameters", "d_w", p.working_pitch_diameter(), "mm");
+  one("overlap ratio", "ε_β", fmt::format("{:.5f}", p.overlap_ratio), "");
+  if (p.contacts.size() > 1)
+    one("contact points at a time, on average", "", fmt::format("{:.5f}", p.contact_ratio), "");
+  one("face width for continuous contact", "b", mm(p.face_for_contact), "mm");
+  if (p.backlash_rotation) {
+    const auto& j = *p.backlash_rotation;
+    t.row("backlash: rotation, mate held", "", {angle(j[0]), angle(j[1])}, "°");
+    one("  normal, at the contact", "j_bn", mm(p.backlash_normal), "mm");
+  }
+  two("tip clearance", "c", p.tip_clearance, "mm");
+  for (const ArcPairContact& c : p.contacts) {
+    const ArcContact& at = c.at;
+    t.head(fmt::format("contact on the convex flank of gear {}", c.convex_gear));
+    one("normal angle of the racks", "θ", angle(at.theta), "°");
+    t.row("point at rotation 0, housing frame", "x, y, z",
+          {mm(at.point.x()), mm(at.point.y()), mm(at.point.z())}, "mm");
+    const auto curvature = [](double k) { return fmt::format("{:.6f}", k); };
+    t.row("relative curvatures", "k1, k2", {curvature(at.gap[0]), curvature(at.gap[1])}, "1/mm");
+    one("transverse radii: concave less convex", "Δρ",
+        mm(at.transverse_radius_concave - at.transverse_radius_convex), "mm");
+    one("  in line contact it would be", "", mm(at.line_contact_difference), "mm");
   }
   return t.take();
 }

@@ -9,6 +9,7 @@ namespace gearwright {
 
 std::string gear_listing(const Design& design);
 std::string pair_listing(const Pair& pair);
+std::string pair_listing(const ArcPair& pair);
 std::string warning_listing(const std::vector<Warning>& warnings);
 std::string file_listing(const std::vector<JobFile>& files);
 /// One line per arc with its ends, then every point: name, x, y.

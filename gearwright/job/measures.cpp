@@ -39,6 +39,11 @@ constexpr double kSameRack = 1e-6;
 Result<ChordMeasure> chord_measure(const Design& design, int which) {
   const auto i = static_cast<std::size_t>(which - 1);
   const Gear& gear = design.gears[i];
+  if (!gear.involute()) {
+    const std::string key = fmt::format("gear{}.measure.chord_diameter_mm", which);
+    return Error{key, "",
+                 key + ": chords are measured on involute flanks; these are circular arcs"};
+  }
   const double d = design.spec.gears[i]->chord_diameter.value_or(default_chord_diameter(gear));
   auto chord = chordal_thickness(gear, d);
   if (!chord) {
@@ -134,6 +139,8 @@ std::optional<RackQuestion> parse_rack_question(const std::string& text) {
 }
 
 Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion& question) {
+  if (!gear.involute())
+    return Error{"--as-rack", "", "--as-rack: only involute teeth have racks of other angles"};
   const BaseGear<double> base = base_gear(gear.spec.teeth, gear.reference);
   const double m_cos = normal_base_pitch(base) / std::numbers::pi;
   const auto bad = [](const std::string& value, const std::string& why) {

@@ -8,7 +8,9 @@
 
 #include "gearwright/gear/basic_root.hpp"
 #include "gearwright/job/once.hpp"
+#include "gearwright/job/read_arc_rack.hpp"
 #include "gearwright/job/read_cutting.hpp"
+#include "gearwright/job/read_modifications.hpp"
 
 namespace gearwright {
 
@@ -20,17 +22,16 @@ StraightRack read_rack(TableReader& gear) {
   if (node->is_string()) {
     const auto rack = iso53_rack(node->get<std::string>());
     if (!rack) {
-      gear.fail("rack", "must be \"ISO53-A\", \"ISO53-B\", \"ISO53-C\", \"ISO53-D\" or a table, [" +
-                            gear.name("rack") + "]");
+      gear.fail("rack",
+                "must be \"ISO53-A\", \"ISO53-B\", \"ISO53-C\", \"ISO53-D\", \"GBT12759\" or a "
+                "table, [" +
+                    gear.name("rack") + "]");
     }
     return *rack;
   }
   if (!node->is_object()) gear.fail("rack", "must be a name in quotes or a table");
   TableReader t(*node, gear.name("rack"));
-  const auto kind = t.one_of("kind", {"straight", "circular_arc"});
-  if (kind && *kind == "circular_arc") {
-    t.fail("kind", "this version cuts with straight racks only; \"straight\" is allowed");
-  }
+  t.any("kind");  // the other kinds are racks of arcs
   StraightRack rack;
   if (auto v = t.number("addendum")) rack.addendum = *v;
   if (auto v = t.number("dedendum")) rack.dedendum = *v;
@@ -96,11 +97,6 @@ void read_measure(TableReader& gear, GearInput& g) {
     if (t.has(key)) g.not_read.push_back(t.name(key));
   }
   t.finish();
-}
-
-// Keys of the interface that change a gear's geometry and are not in this version.
-void refuse_what_is_not_here(TableReader& t) {
-  t.refuse("modifications", "flank modifications are not in this version");
 }
 
 std::optional<double> pressure_angle(TableReader& t, const char* key) {
@@ -201,13 +197,13 @@ void read_basic(TableReader& gear, GearInput& g, int teeth, const Once& module, 
 
 }  // namespace
 
-GearInput read_gear(const Json& node, const std::string& path, const Json* mate) {
+GearInput read_gear(const Json& node, const std::string& path, const Json* mate,
+                    const std::filesystem::path& folder) {
   TableReader t(node, path);
   GearInput g;
   CylindricalSpec& c = g.cylindrical;
   const auto teeth = t.integer("teeth");
   if (teeth && *teeth == 0) t.fail("teeth", "must not be 0; negative for an internal gear (ring)");
-  refuse_what_is_not_here(t);
   const auto helix = read_helix(t);
   g.helix_given = helix.has_value();
   c.helix_angle = Angle::degrees(helix.value_or(0.0));
@@ -229,9 +225,16 @@ GearInput read_gear(const Json& node, const std::string& path, const Json* mate)
   c.thickness_allowance = t.number("thickness_allowance_mm").value_or(0.0);
   const auto face = t.positive("face_width_mm");
   c.tip_diameter = t.positive("tip_diameter_mm");
-  c.rack = read_rack(t);
+  c.arc_rack = read_arc_rack(t, module);
+  if (!c.arc_rack) c.rack = read_rack(t);
   read_fillets(t, g);
+  if (const Json* by = t.any("cut_by"); by && by->is_object() && by->contains("modifications")) {
+    t.fail(
+        "cut_by.modifications",
+        "a cutter has no flank modifications; those of the gear that it cuts stand beside cut_by");
+  }
   read_cut_by(t, node, mate, g);
+  g.modifications = read_modifications(t, folder);
   g.bore = read_bore(t);
   read_measure(t, g);
   if (t.has("measured")) g.not_read.push_back("[" + t.name("measured") + "]");

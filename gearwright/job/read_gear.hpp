@@ -3,6 +3,7 @@
 // Internal to job/: throws SpecError, as the readers of single values do.
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "gearwright/job/spec.hpp"
@@ -11,7 +12,9 @@
 namespace gearwright {
 
 /// `path` is the table's name, "gear1"; `mate` the other gear's table, from which a cutter of the
-/// gear's own takes the module and angles that it leaves out.
-GearInput read_gear(const Json& node, const std::string& path, const Json* mate = nullptr);
+/// gear's own takes the module and angles that it leaves out. File names start
+/// at `folder`.
+GearInput read_gear(const Json& node, const std::string& path, const Json* mate = nullptr,
+                    const std::filesystem::path& folder = {});
 
 }  // namespace gearwright

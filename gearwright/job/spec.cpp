@@ -17,6 +17,7 @@
 #include <sstream>
 
 #include "gearwright/base/output_file.hpp"
+#include "gearwright/job/read_contact.hpp"
 #include "gearwright/job/read_gear.hpp"
 #include "gearwright/job/table_reader.hpp"
 
@@ -79,6 +80,8 @@ std::optional<int> deep_line(std::string_view text) {
       if (c == quote) quote = 0;
     } else if (c == '"' || c == '\'') {
       quote = c;
+    } else if (c == ',') {
+      dots = 0;  // the next one of a list
     } else if (c == '.' && ++dots > 8 * kDeepest) {
       return line;
     }
@@ -130,18 +133,21 @@ FitInput read_fit(const Json& node) {
   return f;
 }
 
-JobSpec read_tree(const Json& tree) {
+JobSpec read_tree(const Json& tree, const std::filesystem::path& folder) {
   TableReader t(tree, "");
   JobSpec spec;
   spec.tree = tree.dump(-1, ' ', false, Json::error_handler_t::replace);
   spec.title = t.text("title").value_or("");
   const Json* gear_1 = t.table("gear1");
   const Json* gear_2 = t.table("gear2");
-  if (gear_1) spec.gears[0] = read_gear(*gear_1, "gear1", gear_2);
-  if (gear_2) spec.gears[1] = read_gear(*gear_2, "gear2", gear_1);
+  if (gear_1) spec.gears[0] = read_gear(*gear_1, "gear1", gear_2, folder);
+  if (gear_2) spec.gears[1] = read_gear(*gear_2, "gear2", gear_1, folder);
   if (const Json* node = t.table("pair")) spec.pair = read_pair(*node);
   if (const Json* node = t.table("fit")) spec.fit = read_fit(*node);
-  for (const char* key : {"errors", "contact", "search", "compensate"}) {
+  if (const Json* node = t.table("errors")) spec.errors = read_errors(*node);
+  if (const Json* node = t.table("contact")) spec.contact = read_contact(*node);
+  if (const Json* node = t.table("compensate")) spec.compensate = read_compensate(*node);
+  for (const char* key : {"search"}) {
     if (t.has(key)) spec.not_read.push_back("[" + std::string(key) + "]");
   }
   t.finish();
@@ -162,7 +168,8 @@ Error syntax_error(const std::string& what) { return {"", "", "the spec cannot b
 
 }  // namespace
 
-Result<JobSpec> read_spec(std::string_view text, SpecFormat format) {
+Result<JobSpec> read_spec(std::string_view text, SpecFormat format,
+                          const std::filesystem::path& folder) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     return syntax_error("it is empty; the least is [gear1] with teeth and normal_module_mm");
   }
@@ -170,12 +177,12 @@ Result<JobSpec> read_spec(std::string_view text, SpecFormat format) {
     if (format == SpecFormat::json) {
       const Json tree = parse_json(text);
       if (!tree.is_object()) return syntax_error("a JSON spec is one object, {\"gear1\": {...}}");
-      return with_text(read_tree(tree), text);
+      return with_text(read_tree(tree, folder), text);
     }
     if (const auto line = deep_line(text)) {
       return syntax_error(fmt::format("line {} nests more than {} tables", *line, kDeepest));
     }
-    return with_text(read_tree(to_json(toml::parse(text))), text);
+    return with_text(read_tree(to_json(toml::parse(text)), folder), text);
   } catch (const SpecError& e) {
     return e.error;
   } catch (const toml::parse_error& e) {
@@ -203,7 +210,9 @@ Result<JobSpec> read_spec_file(const std::filesystem::path& path) {
     return syntax_error(
         fmt::format("{} has more than {} bytes, which no gear needs", path.string(), kLargestSpec));
   }
-  return read_spec(text, path.extension() == ".json" ? SpecFormat::json : SpecFormat::toml);
+  const bool in_folder = std::filesystem::is_regular_file(path, error);
+  return read_spec(text, path.extension() == ".json" ? SpecFormat::json : SpecFormat::toml,
+                   in_folder ? path.parent_path() : std::filesystem::path());
 }
 
 }  // namespace gearwright

@@ -16,6 +16,9 @@
 #include "gearwright/cad/toothed_body.hpp"
 #include "gearwright/gear/basic.hpp"
 #include "gearwright/gear/gear.hpp"
+#include "gearwright/gear/modifications.hpp"
+#include "gearwright/job/compensate_input.hpp"
+#include "gearwright/job/contact_input.hpp"
 #include "gearwright/pair/shift.hpp"
 
 namespace gearwright {
@@ -45,6 +48,7 @@ struct GearInput {
   std::optional<double> chord_diameter;   ///< [gearN.measure] chord_diameter_mm
   std::vector<std::string> not_read;      ///< sub-tables of verbs that are not in this version
   std::optional<Bore> bore;
+  std::array<FlankModifications, 2> modifications;  ///< right flank, left flank
 };
 
 /// [pair]
@@ -71,19 +75,25 @@ struct JobSpec {
   std::array<std::optional<GearInput>, 2> gears;
   PairInput pair;
   FitInput fit;
+  ErrorsInput errors;
+  ContactInput contact;
+  CompensateInput compensate;
   bool shaft_angle_found = false;     ///< not given: it followed from the centre distance
   std::vector<std::string> not_read;  ///< tables and keys of verbs that are not in this version
 };
 
 enum class SpecFormat { toml, json };
 
-/// Reads a spec from text.
+/// Reads a spec from text. File names in it start at `folder`; empty: the working directory.
 ///
+/// Throws    IoError when a file that it names is there and cannot be read
 /// Errors    the key with its table ("gear1.normal_module_mm"), its value, what is allowed; syntax
 ///           errors with line and column; unknown keys with the nearest known one
-Result<JobSpec> read_spec(std::string_view text, SpecFormat format);
+Result<JobSpec> read_spec(std::string_view text, SpecFormat format,
+                          const std::filesystem::path& folder = {});
 
-/// Reads a spec file; JSON when its name ends in .json.
+/// Reads a spec file; JSON when its name ends in .json. File names in it start at its folder, those
+/// of a pipe at the working directory.
 ///
 /// Throws    IoError when the file cannot be read
 /// Errors    as read_spec; files over kLargestSpec bytes are refused unread

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -18,6 +19,8 @@ using shown::none;
 using shown::ratio;
 
 namespace {
+
+constexpr int kRackDigits = 6;  // of arcs, in modules or degrees
 
 std::optional<double> diameter(const std::optional<double>& radius) {
   return radius ? std::optional(2 * *radius) : std::nullopt;
@@ -52,6 +55,10 @@ class GearRows {
            const std::function<std::string(const Gear&)>& value) {
     std::vector<std::string> values;
     for (const Gear* g : gears_) values.push_back(value(*g));
+    // What only an involute gear has is not asked of others.
+    const bool none = std::all_of(values.begin(), values.end(),
+                                  [](const std::string& v) { return v == kNoValue; });
+    if (none && !any([](const Gear& g) { return g.involute(); })) return;
     table_.row(words, symbol, unit, values);
   }
   bool any(const std::function<bool(const Gear&)>& is) const {
@@ -95,11 +102,11 @@ void add_rack(TableBuilder& table, GearRows& rows) {
        {"Protuberance angle", "α_pr", "°", [](const Rack& r) {
           return r.protuberance != 0.0 ? std::optional(r.protuberance_angle.deg()) : std::nullopt;
         }}}};
-  if (!rows.any([](const Gear& g) { return !g.cut_by; })) return;
+  if (!rows.any([](const Gear& g) { return !g.cut_by && g.involute(); })) return;
   table.group("Basic rack, in normal modules");
   for (const Row& row : kRows) {
     const auto value = [&row](const Gear& g) {
-      return g.cut_by ? std::nullopt : row.value(g.spec.rack);
+      return g.cut_by || !g.involute() ? std::nullopt : row.value(g.spec.rack);
     };
     if (!rows.any([&](const Gear& g) { return value(g).has_value(); })) continue;
     rows.add(row.words, row.symbol, row.unit, [&](const Gear& g) {
@@ -109,10 +116,44 @@ void add_rack(TableBuilder& table, GearRows& rows) {
   }
 }
 
+// The arcs of a rack, one row each: signed radius, place of the centre, from which to which angle.
+void add_arcs(TableBuilder& table, const std::vector<const Gear*>& gears) {
+  std::size_t most = 0;
+  for (const Gear* g : gears) most = std::max(most, g->arcs ? g->arcs->rack.arcs.size() : 0);
+  if (most == 0) return;
+  table.group("Basic rack of arcs, in normal modules; from the cutter’s tip on");
+  const auto row = [&](const char* words, const char* symbol, const char* unit, const auto& value) {
+    std::vector<std::string> values;
+    for (const Gear* g : gears) values.push_back(g->arcs ? value(g->arcs->rack) : none());
+    table.row(words, symbol, unit, values);
+  };
+  row("Addendum", "h_a*", "", [](const RackOfArcs& r) { return given(r.addendum); });
+  row("Dedendum", "h_f*", "", [](const RackOfArcs& r) { return given(r.dedendum); });
+  for (std::size_t i = 0; i < most; ++i) {
+    const auto of = [i](double RackArc::*member) {
+      return [i, member](const RackOfArcs& r) {
+        return i < r.arcs.size() ? fixed(r.arcs[i].*member, kRackDigits) : none();
+      };
+    };
+    const std::string n = std::to_string(i + 1);
+    row(("Arc " + n + ": radius, > 0 convex, < 0 concave tooth").c_str(), "q*", "",
+        of(&RackArc::radius));
+    row("  height of its centre", "x*", "", of(&RackArc::center_height));
+    row("  distance of its centre from the tooth’s middle", "y*", "", of(&RackArc::center_offset));
+    row("  normal angle, root … tip", "τ", "°", [i](const RackOfArcs& r) {
+      if (i >= r.arcs.size()) return none();
+      return fixed(r.arcs[i].begin.deg(), kRackDigits) + " … " +
+             fixed(r.arcs[i].end.deg(), kRackDigits);
+    });
+  }
+}
+
 void add_tooth(TableBuilder& table, GearRows& rows) {
   table.group("Tooth");
-  rows.add("Reference thickness, normal", "s_n", "mm",
-           [](const Gear& g) { return length(g.reference.reference_tooth_thickness_normal); });
+  rows.add("Reference thickness, normal", "s_n", "mm", [](const Gear& g) {
+    return length(g.arcs ? g.arcs->reference_thickness
+                         : g.reference.reference_tooth_thickness_normal);
+  });
   rows.add("Allowance contained in it", "E_sn", "mm",
            [](const Gear& g) { return length(g.spec.thickness_allowance); });
   rows.add("Reference thickness, transverse", "s_t", "mm",
@@ -134,6 +175,13 @@ void add_tooth(TableBuilder& table, GearRows& rows) {
     const auto& x = g.undercut_free_profile_shift;
     return g.internal() || !x ? none() : ratio(*x);
   });
+  if (rows.any([](const Gear& g) { return g.arcs.has_value(); })) {
+    rows.add("Flank begins at the rack’s normal angle", "τ", "°",
+             [](const Gear& g) { return g.arcs ? angle(g.arcs->flank_begin.rad()) : none(); });
+    rows.add("Undercut limit of it", "", "°", [](const Gear& g) {
+      return g.arcs && g.arcs->undercut_limit ? angle(g.arcs->undercut_limit->rad()) : none();
+    });
+  }
 }
 
 void add_cutter(TableBuilder& table, GearRows& rows) {
@@ -156,13 +204,15 @@ std::string gear_table(const std::vector<const Gear*>& gears) {
   table.group("Teeth");
   rows.add("Number of teeth", "z", "", teeth);
   rows.add("Normal module", "m_n", "mm", [](const Gear& g) { return given(g.spec.normal_module); });
-  rows.add("Normal pressure angle", "α_n", "°",
-           [](const Gear& g) { return angle(g.spec.normal_pressure_angle.rad()); });
+  rows.add("Normal pressure angle", "α_n", "°", [](const Gear& g) {
+    return g.involute() ? angle(g.spec.normal_pressure_angle.rad()) : none();
+  });
   rows.add("Helix angle", "β", "°", [](const Gear& g) { return angle(g.spec.helix_angle.rad()); });
   rows.add("Hand of helix", "", "", [](const Gear& g) { return std::string(hand(g)); });
   rows.add("Lead", "p_z", "mm",
            [](const Gear& g) { return g.lead == 0.0 ? none() : length(g.lead); });
-  rows.add("Profile shift", "x", "", [](const Gear& g) { return ratio(g.spec.profile_shift); });
+  rows.add("Profile shift", "x", "",
+           [](const Gear& g) { return g.involute() ? ratio(g.spec.profile_shift) : none(); });
   rows.add("Profile shift as cut, with allowance", "x_E", "",
            [](const Gear& g) { return ratio(g.reference.generating_profile_shift); });
   rows.add("Face width", "b", "mm", [](const Gear& g) { return length(g.spec.face_width); });
@@ -192,6 +242,7 @@ std::string gear_table(const std::vector<const Gear*>& gears) {
            [](const Gear& g) { return length(g.pointed_diameter); });
   add_tooth(table, rows);
   add_rack(table, rows);
+  add_arcs(table, gears);
   add_cutter(table, rows);
   return table.str();
 }

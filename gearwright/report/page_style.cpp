@@ -120,6 +120,21 @@ svg .zone{stroke:var(--paper);stroke-width:1}svg .zone.more{fill:var(--more)}svg
 svg .zone.none{fill:none;stroke:var(--problem);stroke-dasharray:4 3}
 .usable{stroke:var(--ink);stroke-width:3}
 svg .bar.alpha{fill:var(--alpha)}svg .bar.beta{fill:var(--beta)}svg .bar.formula{stroke:var(--ink);stroke-width:1.2}
+.tp0{stroke:var(--flank)}.tp1{stroke:var(--root-fillet)}.tp2{stroke:var(--tip-land)}
+svg .lane{stroke-width:1;fill-opacity:.34}svg .lane.tp0{fill:var(--flank)}svg .lane.tp1{fill:var(--root-fillet)}svg .lane.tp2{fill:var(--tip-land)}
+svg .lane.inside{fill:var(--alpha);stroke:var(--alpha)}svg .lane.edge{fill:var(--root-fillet);stroke:var(--root-fillet)}
+svg .measured{fill:var(--faint);fill-opacity:.75}.handover{stroke:var(--ink);stroke-width:1.2;stroke-dasharray:1.5 3}
+svg .flank-ground{fill:var(--paper)}.limit{stroke:var(--ink);stroke-width:1.3}.instant{stroke:var(--ink);stroke-width:.9}
+svg .marked{fill:var(--flank);fill-opacity:.32;stroke:var(--flank);stroke-width:1.8}
+.edge-way{stroke:var(--root-fillet);stroke-width:4.5;stroke-dasharray:6 2.5}svg .edge-dot{fill:var(--root-fillet)}
+svg .way-begin{fill:var(--panel);stroke:var(--ink);stroke-width:1.8}svg .cut-solid.g1{fill:var(--g1-fill)}svg .cut-solid.g2{fill:var(--g2-fill)}
+svg .gap-band{fill:var(--flank);fill-opacity:.14;stroke:var(--flank);stroke-width:1}
+svg .s0{fill:#00204d}svg .s1{fill:#0b3370}svg .s2{fill:#37476b}svg .s3{fill:#555b6d}svg .s4{fill:#6f7073}
+svg .s5{fill:#8a8779}svg .s6{fill:#a69d75}svg .s7{fill:#c4b56c}svg .s8{fill:#e4cf5b}svg .s9{fill:#ffea46}
+.step{stroke:#fff;stroke-opacity:.6;stroke-width:.8}svg .here-ring{stroke:#fff;stroke-width:2.4}svg .here-dot{fill:#fff;stroke:#000;stroke-width:1}
+.swatch.marked{background:var(--flank);opacity:.55}.swatch.edge-way{background:repeating-linear-gradient(90deg,var(--root-fillet) 0 5px,transparent 5px 7px)}
+.swatch.instant{background:none;border:1.5px solid var(--ink);border-radius:50%}.swatch.instant-line{height:0;border-top:1.5px solid var(--ink);vertical-align:middle}
+ul.assumed{margin:.4em 0 1.2em;padding-left:1.2em;font-size:.95rem}.contact p{max-width:80ch}
 details{margin:1em 0}summary{cursor:pointer;font-weight:650}
 pre{background:var(--panel);border:1px solid var(--faint);padding:1em;overflow-x:auto;font:13px/1.45 ui-monospace,
 "SF Mono",Menlo,Consolas,"DejaVu Sans Mono",monospace;tab-size:4}

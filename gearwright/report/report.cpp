@@ -7,7 +7,9 @@
 #include <cstdlib>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/report/arc_pair_section.hpp"
 #include "gearwright/report/centrode_picture.hpp"
+#include "gearwright/report/contact_section.hpp"
 #include "gearwright/report/crossed_picture.hpp"
 #include "gearwright/report/face_picture.hpp"
 #include "gearwright/report/few_teeth_table.hpp"
@@ -39,7 +41,7 @@ std::string default_title(const ReportInput& input) {
   if (input.gears.size() == 1) {
     return fmt::format("{} with {} teeth", z1 < 0 ? "Ring gear" : "Gear", std::abs(z1));
   }
-  return fmt::format("{} {} / {}", input.pair ? "Gear pair" : "Gears", z1,
+  return fmt::format("{} {} / {}", input.pair || input.arc_pair ? "Gear pair" : "Gears", z1,
                      input.gears[1]->spec.teeth);
 }
 
@@ -53,8 +55,10 @@ std::string kind_of(const ReportInput& input) {
     return fmt::format("{} gear pair on parallel axes{}", helical ? "Helical" : "Spur",
                        input.pair->kind == PairKind::parallel_internal ? ", internal" : "");
   }
+  if (input.arc_pair) return "Circular-arc gear pair on parallel axes";
   if (input.gears.size() == 2) return "Two cylindrical gears, not mounted";
-  return fmt::format("{} {}", helical ? "Helical" : "Spur",
+  return fmt::format("{} {}{}", helical ? "Helical" : "Spur",
+                     input.gears[0]->involute() ? "" : "circular-arc ",
                      input.gears[0]->internal() ? "ring gear" : "gear");
 }
 
@@ -70,8 +74,9 @@ std::string warning_list(const ReportInput& input) {
                                                        : "Note";
     for (const Warning& w : input.warnings) {
       if (severity_of(w) != severity) continue;
-      const std::string where =
-          w.gear == 0 ? std::string(input.pair ? "Pair" : "") : fmt::format("Gear {}", w.gear);
+      const std::string where = w.gear == 0
+                                    ? std::string(input.pair || input.arc_pair ? "Pair" : "")
+                                    : fmt::format("Gear {}", w.gear);
       text += fmt::format("<li class=\"{}\"><b>{}</b><span class=\"where\">{}</span>{}</li>\n",
                           name, word, where, escaped(w.message));
     }
@@ -221,6 +226,8 @@ std::string report_html(const ReportInput& input) {
       kind_of(input), escaped(title), escaped(verdict(input)), warning_list(input));
   page += "<main>\n" + gear_section(input) + few_teeth_section(input);
   if (input.pair) page += pair_section(*input.pair);
+  if (input.arc_pair) page += arc_pair_section(*input.arc_pair, kShapes);
+  if (input.contact) page += contact_section(*input.contact);
   page += file_section(input.files) + spec_section(input.spec_text) + "</main>\n" + foot(input);
   page += fmt::format("<script>{}{}</script>\n</body>\n</html>\n", page_script(), turn_script());
   return page;

@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "gearwright/gear/gear.hpp"
+#include "gearwright/pair/arc_pair.hpp"
 #include "gearwright/pair/pair.hpp"
+#include "gearwright/report/contact_report.hpp"
 
 namespace gearwright {
 
@@ -21,10 +23,12 @@ struct ReportFile {
 };
 
 struct ReportInput {
-  std::string title;               ///< empty: one is made from the tooth numbers
-  std::vector<const Gear*> gears;  ///< one or two, with a pair its gears
-  const Pair* pair = nullptr;      ///< null: the gears are not mounted
-  std::vector<Warning> warnings;   ///< of gears and pair, `gear` set
+  std::string title;                       ///< empty: one is made from the tooth numbers
+  std::vector<const Gear*> gears;          ///< one or two, with a pair its gears
+  const Pair* pair = nullptr;              ///< null: the gears are not mounted
+  const ArcPair* arc_pair = nullptr;       ///< the pair, of gears with circular-arc teeth
+  const ContactReport* contact = nullptr;  ///< null: the spec asks nothing about contact
+  std::vector<Warning> warnings;           ///< of gears and pair, `gear` set
   std::vector<ReportFile> files;
   std::string spec_text;  ///< the spec, verbatim; empty: left out
   std::string version;    ///< of the program

@@ -117,6 +117,7 @@ std::string words_of(const ShiftedTooth& t) {
 bool shift_is_worth_a_picture(const Gear& gear) {
   if (gear.internal() || gear.cut_by || !has_outline(gear) || gear.spec.teeth > kMostTeeth)
     return false;
+  if (!gear.involute()) return false;
   return gear.spec.root_fillet || gear.undercut;
 }
 

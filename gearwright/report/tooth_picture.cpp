@@ -31,7 +31,7 @@ std::vector<LabelledCircle> circles_of(const Gear& gear) {
   std::vector<LabelledCircle> circles;
   circles.push_back({"d_a", gear.actual_tip_radius(), "thin"});
   circles.push_back({"d", gear.reference.reference_diameter / 2, "thin dashdot"});
-  circles.push_back({"d_b", gear.base_radius(), "thin dash"});
+  if (gear.involute()) circles.push_back({"d_b", gear.base_radius(), "thin dash"});
   circles.push_back({"d_f", gear.tooth->root_radius, "thin"});
   if (const auto form = gear.root_form_radius()) circles.push_back({"d_Ff", *form, "thin dot"});
   if (const auto form = gear.tooth->tip_form_radius; form && *form != gear.tooth->tip_radius) {
@@ -72,11 +72,11 @@ void draw_circles(Svg& svg, const Viewport& view, const Gear& gear) {
   draw_leaders(svg, leaders, kPlotWidth + 12, kHeight);
 }
 
-const char* words_of(ArcName name) {
+const char* words_of(const Gear& gear, ArcName name) {
   switch (name) {
     case ArcName::root_land: return "root land";
     case ArcName::root_fillet: return "root fillet";
-    case ArcName::flank: return "flank (involute)";
+    case ArcName::flank: return gear.involute() ? "flank (involute)" : "flank";
     case ArcName::tip_fillet: return "tip fillet or chamfer";
     case ArcName::tip_land: return "tip land";
   }
@@ -119,8 +119,8 @@ std::string tooth_figure(const Gear& gear, const std::string& shape, const std::
   Svg svg(
       "tooth-" + shape, kWidth, kHeight, fmt::format("{}: tooth in the transverse section", name),
       fmt::format("One tooth of {} teeth with its arcs in colours, neighbouring teeth in grey, and "
-                  "reference, base, tip, root and form circles.",
-                  z));
+                  "reference, {}tip, root and form circles.",
+                  z, gear.involute() ? "base, " : ""));
   svg.begin_clip(0, 0, kPlotWidth, kHeight);
   // The gear frame's x axis points up here: a quarter turn. At least three teeth are seen.
   svg.use(shape, axis, unit, 90.0, "neighbour");
@@ -149,7 +149,7 @@ std::string tooth_figure(const Gear& gear, const std::string& shape, const std::
     if (std::find(shown.begin(), shown.end(), arc.name) != shown.end()) continue;
     shown.push_back(arc.name);
     legend += fmt::format("<span class=\"key\"><i class=\"swatch {}\"></i>{}</span> ",
-                          arc_style(arc.name), words_of(arc.name));
+                          arc_style(arc.name), words_of(gear, arc.name));
   }
   return fmt::format(
       "<figure>{}<figcaption><strong>{}</strong>, transverse section, mm. "

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "gearwright/report/arc_pair_section.hpp"
 #include "gearwright/report/html_text.hpp"
 
 namespace gearwright {
@@ -18,7 +19,7 @@ struct Meaning {
   const char* reason;  // completes "does not run as specified: …"
 };
 
-constexpr std::array<Meaning, 30> kMeanings{{
+constexpr std::array<Meaning, 34> kMeanings{{
     {"through_axis", Severity::problem, "the cutter passes the axis"},
     {"severed", Severity::problem, "the teeth are cut off at their roots"},
     {"no_flank", Severity::problem, "a gear has no usable flank"},
@@ -49,6 +50,10 @@ constexpr std::array<Meaning, 30> kMeanings{{
     {"default_cutter", Severity::note, ""},
     {"tip_fillet_cut_off", Severity::note, ""},
     {"no_chord", Severity::note, ""},
+    {"interference", Severity::problem, "the flanks cut into each other"},
+    {"contact_off_flank", Severity::problem, "the teeth touch off their flanks"},
+    {"pressure_angle", Severity::caution, ""},
+    {"unequal_lead", Severity::caution, ""},
 }};
 
 const Meaning* meaning_of(const std::string& code) {
@@ -112,6 +117,11 @@ std::string verdict(const ReportInput& input) {
                            : "its teeth are cut off at their roots");
   }
   const std::vector<std::string> against = reasons(input);
+  if (input.arc_pair) {
+    return against.empty()
+               ? arc_verdict(*input.arc_pair) + cautions(input)
+               : fmt::format("The pair does not run as specified: {}.", joined(against));
+  }
   const bool ring = std::any_of(input.gears.begin(), input.gears.end(),
                                 [](const Gear* gear) { return gear->internal() && !gear->tooth; });
   if (input.pair == nullptr) {

@@ -3,7 +3,7 @@
   test_meshes.py [FILE.stl FILE.glb FILE.3mf ...]
 
 Without files, the program ($GW_BIN) writes pairs, together and gear by gear: a helical one with a keyway, two teeth with
-the wheel that they cut, a tooth alone with its wheel, a ring cut by a pinion.
+the wheel that they cut, a tooth alone with its wheel, a ring cut by a pinion, double circular arcs.
 
   .stl  admesh: every edge shared, nothing degenerate, nothing to repair; parts as many as gears
   .3mf  lib3mf 1.8 through lib3mf_read_test.cpp, and Python's zipfile
@@ -90,7 +90,22 @@ bore = { diameter_mm = 118 }
 teeth = 20
 rack = { addendum = 1.25, tip_fillet_radius = 0.2 }
 """
-SPECS = {"helical": HELICAL, "two_teeth": TWO_TEETH, "one_tooth": ONE_TOOTH, "ring": RING}
+DOUBLE_ARCS = """
+[gear1]
+teeth = 14
+normal_module_mm = 2
+helix_angle_deg = 20
+face_width_mm = 10
+rack = "GBT12759"
+[gear2]
+teeth = 27
+normal_module_mm = 2
+helix_angle_deg = -20
+face_width_mm = 10
+rack = "GBT12759"
+bore = { diameter_mm = 20 }
+"""
+SPECS = {"helical": HELICAL, "two_teeth": TWO_TEETH, "one_tooth": ONE_TOOTH, "ring": RING, "double_arcs": DOUBLE_ARCS}
 
 readers = 0
 faults = []

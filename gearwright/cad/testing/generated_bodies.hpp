@@ -5,6 +5,8 @@
 //   cut_wheel       of 60 teeth, cut by two_teeth: tip, flank and root are three kinds of envelope
 //   one_tooth       likewise with one tooth, β 55°
 //   cut_ring        cut by a pinion of 18 teeth, whose tip leaves the ring's root fillet
+//   arc_pinion      convex circular-arc teeth, β 20°
+//   double_arcs     convex and concave arcs with a step between them, β −20°
 //
 // All free of backlash with their cutters at the distances given beside them.
 #pragma once
@@ -70,6 +72,27 @@ inline ToothedBody cut_ring() {
   const auto cutter = make_gear(s);
   GW_EXPECTS(cutter);
   return body_of("ring", make_pinion_cut_gear(*cutter, {-49, 33.0, 8.0, 100.0}), Bore{118.0});
+}
+
+inline CylindricalSpec arc_spec(AnyArcRack rack, int teeth, double beta_deg) {
+  CylindricalSpec s;
+  s.teeth = teeth;
+  s.normal_module = 2.0;
+  s.helix_angle = Angle::degrees(beta_deg);
+  s.face_width = 12.0;
+  s.arc_rack = std::move(rack);
+  return s;
+}
+
+inline ToothedBody arc_pinion() {
+  ArcRack rack = default_arc_rack(ArcRack::Cutter::F);
+  rack.center_a = 0.422436;
+  rack.center_b = 0.243893;
+  return body_of("arc pinion", make_gear(arc_spec(rack, 12, 20)));
+}
+
+inline ToothedBody double_arcs() {
+  return body_of("double arcs", make_gear(arc_spec(DoubleArcRack{}, 15, -20)), Bore{12.0});
 }
 
 }  // namespace gearwright::testing

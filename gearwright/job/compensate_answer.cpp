@@ -1,0 +1,197 @@
+#include "gearwright/job/compensate_answer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "gearwright/job/compensate_forms.hpp"
+#include "gearwright/job/table_reader.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kRadPerDeg = std::numbers::pi / 180;
+constexpr double kRadPerArcsec = kRadPerDeg / 3600;
+constexpr double kMmPerUm = 1e-3;
+constexpr int kPositions = 24;
+
+enum CorrectionIndex { setting, lead1, lead2, first_flank };
+
+bool can_take(const ContactSetup& setup, std::size_t index) {
+  if (index == setting) return setup.convex_gear().has_value();
+  if (index == lead1 || index == lead2) {
+    const Gear& g = setup.gear(index == lead1 ? 1 : 2);
+    return g.twist() != 0.0 && !g.cut_by;
+  }
+  return true;
+}
+
+std::optional<Error> check_corrections(const ContactSetup& setup, const CompensateInput& input) {
+  for (const std::size_t i : input.corrections) {
+    if (can_take(setup, i)) continue;
+    return Error{"compensate.corrections", kCorrections[i].key,
+                 fmt::format("compensate.corrections: {} {}", kCorrections[i].key,
+                             i == setting ? "is the setting of a rack F (kind = \"circular_arc\"), "
+                                            "which cuts neither gear"
+                                          : "needs a helical gear cut by a rack")};
+  }
+  return std::nullopt;
+}
+
+// What a workshop would reach for when nothing is said.
+std::vector<std::size_t> default_corrections(const ContactSetup& setup) {
+  if (can_take(setup, setting)) return {setting, lead1};
+  return {first_flank, first_flank + 1};  // lead slope and crowning of gear 1
+}
+
+SetupChange change_of(const std::vector<std::size_t>& which, const std::vector<double>& v,
+                      bool left) {
+  SetupChange c;
+  c.left = left;
+  for (std::size_t k = 0; k < which.size(); ++k) {
+    const std::size_t i = which[k];
+    if (i == setting) {
+      c.tool_setting = v[k];
+    } else if (i == lead1 || i == lead2) {
+      c.cutter_lead[i - lead1] = v[k] * kRadPerDeg;
+    } else {
+      SetupChange::Flank& f = c.flank[(i - first_flank) / 4];
+      double* const amounts[] = {&f.lead_slope, &f.lead_crowning, &f.profile_slope,
+                                 &f.profile_crowning};
+      *amounts[(i - first_flank) % 4] = v[k] * kMmPerUm;
+    }
+  }
+  return c;
+}
+
+struct Scenario {
+  std::string name;
+  ContactErrors errors;
+};
+
+// The errors as they are, and every corner of the range.
+std::vector<Scenario> scenarios_of(const ContactSetup& setup, const CompensateInput& input) {
+  std::vector<Scenario> list{{"as given", setup.place().errors}};
+  std::vector<std::size_t> ranged;
+  for (std::size_t i = 0; i < kErrorKeys.size(); ++i)
+    if (input.range[i]) ranged.push_back(i);
+  if (ranged.empty()) return list;
+  for (std::size_t corner = 0; corner < (1u << ranged.size()); ++corner) {
+    Scenario s{"", setup.place().errors};
+    for (std::size_t k = 0; k < ranged.size(); ++k) {
+      const double value = (*input.range[ranged[k]])[(corner >> k) & 1u];
+      s.errors = setup.with_error(s.errors, ranged[k], value);
+      s.name += fmt::format("{}{} = {}", k ? ", " : "", kErrorKeys[ranged[k]], value);
+    }
+    list.push_back(std::move(s));
+  }
+  return list;
+}
+
+// Corrections written into the spec, where its own keys hold them.
+Json corrected_spec(const Design& design, const ContactSetup& setup,
+                    const std::vector<std::size_t>& which, const std::vector<double>& v) {
+  Json tree = Json::parse(design.spec.tree);
+  tree.erase("compensate");
+  const auto add = [](Json& table, const std::string& key, double value) {
+    table[key] = (table.contains(key) ? table[key].get<double>() : 0.0) + value;
+  };
+  for (std::size_t k = 0; k < which.size(); ++k) {
+    const std::size_t i = which[k];
+    if (v[k] == 0.0) continue;
+    if (i == setting) {
+      const int gear = *setup.convex_gear();
+      Json& rack = tree[fmt::format("gear{}", gear)]["rack"];
+      const auto& arc = std::get<ArcRack>(*setup.gear(gear).spec.arc_rack);
+      rack["center_b"] = arc.center_b + v[k] / setup.gear(gear).spec.normal_module;
+      rack.erase("pressure_angle_deg");  // it was a check of the old setting
+    } else if (i == lead1 || i == lead2) {
+      add(tree["errors"], kErrorKeys[i == lead1 ? 6 : 7], v[k]);
+    } else {
+      const int gear = i < first_flank + 4 ? 1 : 2;
+      const std::string name = std::string(kCorrections[i].key).substr(6);
+      const bool slope = name.find("slope") != std::string::npos;
+      const bool left =
+          (design.spec.contact.driver == 2) != (gear == 2 && setup.gear(2).internal());
+      Json& table = tree[fmt::format("gear{}", gear)]["modifications"];
+      const std::string own = slope ? (left ? "left_" : "right_") + name : name;
+      // What holds for both flanks so far is the amount to add to.
+      if (slope && !table.contains(own) && table.contains(name)) table[own] = table[name];
+      add(table, own, v[k]);
+    }
+  }
+  // Tables after plain values, as a TOML file has them.
+  Json ordered = Json::object();
+  for (const bool tables : {false, true})
+    for (const auto& [key, value] : tree.items())
+      if (value.is_object() == tables) ordered[key] = value;
+  return ordered;
+}
+
+}  // namespace
+
+Result<CompensateAnswer> answer_compensate(Design& design) {
+  auto made = ContactSetup::of(design);
+  if (!made) return made.error();
+  const ContactSetup setup = std::move(made).take();
+  const CompensateInput& input = design.spec.compensate;
+  if (auto error = check_corrections(setup, input)) return *error;
+  CompensateAnswer answer;
+  answer.corrections = input.corrections.empty() ? default_corrections(setup) : input.corrections;
+  const bool gear2_drives = design.spec.contact.driver == 2;
+  const std::vector<Scenario> scenarios = scenarios_of(setup, input);
+  for (const Scenario& s : scenarios) answer.scenarios.push_back(s.name);
+  CompensationTask task;
+  task.scenarios = static_cast<int>(scenarios.size());
+  task.positions = kPositions;
+  task.centering = input.centering_arcsec * kRadPerArcsec;
+  for (const std::size_t i : answer.corrections) {
+    const CorrectionKind& c = kCorrections[i];
+    const double most =
+        i == setting ? 0.1 * setup.gear(*setup.convex_gear()).spec.normal_module : c.hi;
+    task.corrections.push_back({std::max(c.lo, -most), std::min(c.hi, most), c.step});
+  }
+  answer.setting = arc_setting(design, setup);
+  answer.lead = lead_without_slope(design, setup);
+  if (answer.setting && answer.setting->angle_nominal) {
+    constexpr double kProfileEnd =
+        10.0;  // degrees of rack angle off the drawing's: the flank's end
+    task.profile_target = *answer.setting->angle_nominal;
+    task.profile_width = kProfileEnd * kRadPerDeg;
+  }
+  std::vector<double> closed_forms(answer.corrections.size(), 0.0);
+  for (std::size_t k = 0; k < closed_forms.size(); ++k) {
+    const std::size_t i = answer.corrections[k];
+    if (i == setting && answer.setting) closed_forms[k] = answer.setting->exact;
+    if (i == lead1 && answer.lead)
+      closed_forms[k] = answer.lead->exact[0].value_or(0.0) / kRadPerDeg;
+  }
+  task.starts.push_back(std::move(closed_forms));
+  // A pair points to what its setup holds.
+  struct Held {
+    ContactSetup setup;
+    ContactPair pair;
+  };
+  task.pair_at = [&](const std::vector<double>& v, int s) -> std::shared_ptr<const ContactPair> {
+    const auto changed = setup.changed(change_of(answer.corrections, v, gear2_drives));
+    if (!changed) return nullptr;
+    ContactErrors errors = scenarios[static_cast<std::size_t>(s)].errors;
+    for (int i = 0; i < 2; ++i)
+      errors.cutter_lead[i] +=
+          changed->place().errors.cutter_lead[i] - setup.place().errors.cutter_lead[i];
+    const auto held =
+        std::make_shared<const Held>(Held{*changed, changed->pair(errors, gear2_drives)});
+    return {held, &held->pair};
+  };
+  answer.result = compensate(task);
+  if (!std::isfinite(answer.result.before.peak_to_peak))
+    return Error{"errors", "",
+                 "errors: nothing touches as the pair stands; see gearwright contact"};
+  answer.corrected = corrected_spec(design, setup, answer.corrections, answer.result.value).dump();
+  return answer;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,98 @@
+#include "gearwright/job/compensate_forms.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "gearwright/math/root.hpp"
+#include "gearwright/pair/tool_setting.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+ArcMeshInput mesh_input(const ArcPair& pair, int convex) {
+  const Gear& v = pair.gears[static_cast<std::size_t>(convex - 1)];
+  const Gear& c = pair.gears[static_cast<std::size_t>(2 - convex)];
+  return {convex_arcs(v).front(),
+          concave_arcs(c).front(),
+          v.reference.reference_diameter / 2,
+          c.reference.reference_diameter / 2,
+          std::numbers::pi / 2 - std::abs(v.spec.helix_angle.rad()),
+          pair.center_distance};
+}
+
+// dTE/dφ1 of tooth pair 0 in the middle of its mesh, with one gear's lead angle changed.
+double middle_slope(const ContactSetup& setup, bool gear2_drives, int gear, double delta_lambda) {
+  SetupChange change;
+  change.cutter_lead[static_cast<std::size_t>(gear - 1)] = delta_lambda;
+  const auto changed = setup.changed(change);
+  if (!changed) return kNaN;
+  const ContactPair pair = changed->pair(gear2_drives);
+  Transmission transmission(pair);
+  const PairTouch touch = transmission.of_pair_0(0.0);
+  return touch.found() ? rotation_slope(transmission, touch) : kNaN;
+}
+
+}  // namespace
+
+std::optional<SettingAnswer> arc_setting(const Design& design, const ContactSetup& setup) {
+  const auto convex = setup.convex_gear();
+  if (!convex || !design.arc_pair) return std::nullopt;
+  ArcMeshInput in = mesh_input(*design.arc_pair, *convex);
+  SettingAnswer answer{};
+  answer.angle_nominal = contact_angle(in);
+  if (!answer.angle_nominal) return std::nullopt;
+  const double theta = *answer.angle_nominal;
+  const double delta = setup.place().errors.center_distance;
+  answer.exact = tool_setting_change(in, theta, delta);
+  answer.first_order = -delta;
+  answer.thickness_change = thickness_change(in.convex, theta, answer.exact);
+  // Both flanks move off along their normals by Δb sin θ.
+  answer.backlash_change = 2 * answer.exact * std::sin(theta);
+  in.center_distance += delta;
+  answer.angle_displaced = contact_angle(in);
+  const double b = in.convex.b;
+  in.convex.b = b + answer.exact;
+  answer.angle_exact = contact_angle(in);
+  in.convex.b = b + answer.first_order;
+  answer.angle_first_order = contact_angle(in);
+  return answer;
+}
+
+std::optional<LeadAnswer> lead_without_slope(const Design& design, const ContactSetup& setup) {
+  if (setup.gear(1).twist() == 0.0 || setup.gear(1).cut_by || setup.gear(2).cut_by)
+    return std::nullopt;
+  const bool gear2_drives = design.spec.contact.driver == 2;
+  LeadAnswer answer{};
+  answer.slope = middle_slope(setup, gear2_drives, 1, 0.0);
+  if (std::isnan(answer.slope)) return std::nullopt;
+  for (const int gear : {1, 2}) {
+    const auto slope = [&](double d) { return middle_slope(setup, gear2_drives, gear, d); };
+    constexpr double kReach = 0.01;  // rad: half a degree and a little
+    const double lo = slope(-kReach);
+    const double hi = slope(kReach);
+    if (std::isnan(lo) || std::isnan(hi) || lo * hi > 0.0) continue;
+    const Root root = find_root(slope, -kReach, kReach);
+    if (root.found()) answer.exact[static_cast<std::size_t>(gear - 1)] = root.x;
+  }
+  if (design.arc_pair && !design.arc_pair->contacts.empty()) {
+    // [T8.22], every error at once.
+    const double theta = design.arc_pair->first_contact().at.theta;
+    const ContactErrors& e = setup.place().errors;
+    const double sin_lambda = std::cos(setup.gear(1).spec.helix_angle.rad());
+    const double r1 = setup.gear(1).reference.reference_diameter / 2;
+    const double r2 = setup.gear(2).reference.reference_diameter / 2;
+    const double hand = setup.gear(1).twist() > 0.0 ? 1.0 : -1.0;
+    const double driven = gear2_drives ? -1.0 : 1.0;
+    answer.first_order = hand * sin_lambda * sin_lambda *
+                             (e.crossing + e.helix_twist[0] * r1 + e.helix_twist[1] * r2) -
+                         hand * driven * sin_lambda * e.intersecting * std::tan(theta) -
+                         e.cutter_lead[0] + e.cutter_lead[1];
+  }
+  return answer;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,14 @@
+// The closed forms behind `compensate`. Internal to job/.
+#pragma once
+
+#include "gearwright/job/compensate_answer.hpp"
+
+namespace gearwright {
+
+/// None unless a rack F cuts one gear and a rack P the other.
+std::optional<SettingAnswer> arc_setting(const Design& design, const ContactSetup& setup);
+
+/// None for spur gears, and where the pair does not touch in the middle of its mesh.
+std::optional<LeadAnswer> lead_without_slope(const Design& design, const ContactSetup& setup);
+
+}  // namespace gearwright

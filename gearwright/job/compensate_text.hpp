@@ -1,0 +1,14 @@
+// The answer of `compensate` in JSON and as a table for people. Internal to job/ and the program.
+#pragma once
+
+#include <string>
+
+#include "gearwright/job/compensate_answer.hpp"
+#include "gearwright/job/result_json.hpp"
+
+namespace gearwright {
+
+Json compensate_json(const Design& design, const CompensateAnswer& answer);
+std::string compensate_listing(const Design& design, const CompensateAnswer& answer);
+
+}  // namespace gearwright

@@ -1,0 +1,321 @@
+#include "gearwright/job/contact_answer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "gearwright/base/refusal.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kRadPerDeg = std::numbers::pi / 180;
+constexpr double kMmPerUm = 1e-3;
+
+// Places in kErrorKeys.
+enum ErrorIndex { center, crossing, intersecting, axial, slope1, slope2, lead1, lead2 };
+
+double helix_twist(const Gear& gear, double slope_um) {
+  return slope_um * kMmPerUm / (gear.reference.reference_diameter / 2 * gear.spec.face_width);
+}
+
+std::optional<Error> check_cutter_lead(const JobSpec& spec, const Gear& gear, int which) {
+  const double delta = spec.errors.value[which == 1 ? lead1 : lead2];
+  if (delta == 0.0) return std::nullopt;
+  const std::string key = fmt::format("errors.cutter_lead{}_deg", which);
+  if (gear.twist() == 0.0)
+    return refused(key, delta, "a spur gear has no lead to change; give it a helix angle");
+  if (gear.cut_by)
+    return refused(key, delta,
+                   "the gear is cut by a gear, whose lead is that of its guide; a "
+                   "change of it is helix_slope");
+  const double lambda = 90.0 - std::abs(gear.spec.helix_angle.deg()) + delta;
+  if (!(lambda > 0.5 && lambda < 90.0)) {
+    return refused(
+        key, delta,
+        fmt::format("makes the lead angle {} degrees; it must stay between 0.5 and 90", lambda));
+  }
+  return std::nullopt;
+}
+
+Error in_gear(Error error, int which) {
+  const std::string prefix = fmt::format("gear{}.", which);
+  error.key = prefix + error.key;
+  error.message = prefix + error.message;
+  return error;
+}
+
+const Gear& mounted_gear(const Design& design, int which) {
+  return design.arc_pair ? design.arc_pair->gears[which - 1] : design.pair->gears[which - 1];
+}
+
+FlankExtent flank_extent(const Gear& gear) {
+  return {gear.involute() ? gear.base_radius() : 0.0, *gear.root_form_radius(),
+          gear.tip_form_radius(), gear.spec.face_width};
+}
+
+const char* const kModificationKeys[] = {"tip_relief",    "root_relief",   "profile_crowning",
+                                         "profile_slope", "lead_crowning", "lead_slope",
+                                         "end_relief"};
+
+bool placed(const FlankModifications& m, RemovalField::Parameter p) {
+  using P = RemovalField::Parameter;
+  if (p == P::tip_relief) return m.tip_relief.reach.has_value();
+  if (p == P::root_relief) return m.root_relief.reach.has_value();
+  if (p == P::end_relief) return m.end_relief.reach.has_value();
+  return true;
+}
+
+bool any_modification(const GearInput& gear) {
+  for (const FlankModifications& m : gear.modifications) {
+    if (m.topography || m.profile_crowning != 0.0 || m.profile_slope != 0.0 ||
+        m.lead_crowning != 0.0 || m.lead_slope != 0.0 || m.tip_relief.reach ||
+        m.root_relief.reach || m.end_relief.reach)
+      return true;
+  }
+  return false;
+}
+
+// Tips that pass each other, or why else no tooth finds another.
+std::string why_nothing_touches(const ContactSetup& setup) {
+  const double r1 = setup.gear(1).actual_tip_radius();
+  const double r2 = setup.gear(2).actual_tip_radius();
+  const double a = setup.place().center_distance + setup.place().errors.center_distance;
+  if (!setup.gear(2).internal() && a >= r1 + r2) {
+    return fmt::format(
+        "the axes stand {:.6g} mm apart and the tip radii reach {:.6g} mm: the teeth pass each "
+        "other; reduce errors.center_distance_mm or pair.center_distance_mm",
+        a, r1 + r2);
+  }
+  return fmt::format(
+      "at no position does a flank of gear 1 lie inside one of gear 2 (centre distance {:.6g} mm, "
+      "tip radii {:.6g} and {:.6g} mm): smaller errors, or faces that overlap, would help",
+      a, r1, r2);
+}
+
+}  // namespace
+
+ContactErrors ContactSetup::with_error(ContactErrors e, std::size_t index, double value) const {
+  switch (index) {
+    case center: e.center_distance = value; break;
+    case crossing: e.crossing = value * kRadPerDeg; break;
+    case intersecting: e.intersecting = value * kRadPerDeg; break;
+    case axial: e.axial = value; break;
+    case slope1:
+    case slope2:
+      e.helix_twist[index - slope1] =
+          helix_twist(gear(static_cast<int>(index) - slope1 + 1), value);
+      break;
+    default: e.cutter_lead[index - lead1] = value * kRadPerDeg;
+  }
+  return e;
+}
+
+const RemovalField* ContactSetup::removal(int gear, bool left) const {
+  return removal_[gear - 1][left ? 1 : 0].get();
+}
+
+ContactPair ContactSetup::pair(const ContactErrors& errors, bool gear2_drives) const {
+  ContactMount place = place_;
+  place.errors = errors;
+  place.gear2_drives = gear2_drives;
+  const auto of = [&](int i) {
+    return ContactGear{gears_[i].get(), {removal_[i][0].get(), removal_[i][1].get()}};
+  };
+  return ContactPair(of(0), of(1), place);
+}
+
+std::optional<int> ContactSetup::convex_gear() const {
+  for (int i = 0; i < 2; ++i) {
+    const auto& rack = gears_[i]->spec.arc_rack;
+    const auto* arc = rack ? std::get_if<ArcRack>(&*rack) : nullptr;
+    if (!arc) return std::nullopt;
+    if (arc->cutter == ArcRack::Cutter::F) return i + 1;
+  }
+  return std::nullopt;
+}
+
+Result<ContactSetup> ContactSetup::changed(const SetupChange& change) const {
+  ContactSetup setup = *this;
+  for (int i = 0; i < 2; ++i) {
+    setup.place_.errors.cutter_lead[i] += change.cutter_lead[i];
+    const SetupChange::Flank& f = change.flank[i];
+    if (f.lead_slope == 0.0 && f.lead_crowning == 0.0 && f.profile_slope == 0.0 &&
+        f.profile_crowning == 0.0)
+      continue;
+    // The flanks that touch: right ones of external gears when gear 1 drives.
+    const bool left = change.left != (i == 1 && gears_[1]->internal());
+    for (int side = 0; side < 2; ++side) {
+      FlankModifications& m = setup.modifications_[i][side];
+      m.lead_crowning += f.lead_crowning;
+      m.profile_crowning += f.profile_crowning;
+      if (left == (side == 1)) {
+        m.lead_slope += f.lead_slope;
+        m.profile_slope += f.profile_slope;
+      }
+      auto field = make_removal_field(m, flank_extent(*gears_[i]));
+      if (!field) return in_gear(field.error(), i + 1);
+      setup.removal_[i][side] = std::make_shared<const RemovalField>(std::move(field).take());
+    }
+  }
+  if (change.tool_setting != 0.0) {
+    const auto which = convex_gear();
+    GW_EXPECTS(which.has_value());
+    CylindricalSpec spec = gears_[*which - 1]->spec;
+    ArcRack* rack = spec.arc_rack ? std::get_if<ArcRack>(&*spec.arc_rack) : nullptr;
+    GW_EXPECTS(rack != nullptr);
+    rack->center_b += change.tool_setting / spec.normal_module;
+    rack->pressure_angle.reset();  // a check of the drawing's setting
+    auto gear = make_gear(spec);
+    if (!gear) return in_gear(gear.error(), *which);
+    if (!gear->exists() || !gear->root_form_radius())
+      return Error{"compensate.corrections", "tool_setting_mm",
+                   "compensate.corrections: this tool setting leaves no tooth"};
+    setup.gears_[*which - 1] = std::make_shared<const Gear>(std::move(gear).take());
+  }
+  return setup;
+}
+
+Result<ContactSetup> ContactSetup::of(const Design& design) {
+  ContactSetup setup;
+  GW_EXPECTS(design.pair || design.arc_pair);
+  setup.place_.center_distance =
+      design.arc_pair ? design.arc_pair->center_distance : design.pair->center_distance;
+  setup.place_.shaft_angle = design.pair ? design.pair->shaft_angle() : 0.0;
+  for (int i = 0; i < 2; ++i) {
+    const Gear& gear = mounted_gear(design, i + 1);
+    setup.gears_[i] = std::make_shared<const Gear>(gear);
+    const auto form = gear.root_form_radius();
+    if (!form) {
+      return Error{fmt::format("gear{}", i + 1), "",
+                   fmt::format("gear{}: has no usable flank to touch with; see its warnings "
+                               "(gearwright gear)",
+                               i + 1)};
+    }
+    if (auto error = check_cutter_lead(design.spec, gear, i + 1)) return *error;
+    const GearInput& input = *design.spec.gears[i];
+    setup.modifications_[i] = input.modifications;
+    if (!any_modification(input)) continue;
+    for (int side = 0; side < 2; ++side) {
+      auto field = make_removal_field(input.modifications[side], flank_extent(gear));
+      if (!field) return in_gear(field.error(), i + 1);
+      setup.removal_[i][side] = std::make_shared<const RemovalField>(std::move(field).take());
+    }
+  }
+  for (std::size_t i = 0; i < kErrorKeys.size(); ++i)
+    setup.place_.errors = setup.with_error(setup.place_.errors, i, design.spec.errors.value[i]);
+  for (std::size_t i = 0; i < kErrorKinds.size(); ++i) {
+    // center_distance_mm → center_distance_per_mm
+    std::string key = kErrorKeys[i];
+    const std::size_t at = key.rfind('_');
+    const std::string unit = key.substr(at + 1);
+    setup.influences_.push_back({key.substr(0, at) + "_per_" + unit,
+                                 unit == "deg"  ? kRadPerDeg
+                                 : unit == "um" ? kMmPerUm
+                                                : 1.0,
+                                 {kErrorKinds[i]}});
+  }
+  for (int i = 0; i < 2; ++i) {
+    const GearInput& input = *design.spec.gears[i];
+    if (!any_modification(input)) continue;
+    for (const RemovalField::Parameter p : RemovalField::kParameters) {
+      if (!placed(input.modifications[0], p) && !placed(input.modifications[1], p)) continue;
+      setup.influences_.push_back(
+          {fmt::format("gear{}_{}_per_um", i + 1, kModificationKeys[static_cast<int>(p)]),
+           kMmPerUm,
+           {ErrorKind::center_distance, i + 1, p}});
+    }
+  }
+  return setup;
+}
+
+namespace {
+
+std::vector<double> spread(const std::array<double, 2>& range, int n) {
+  std::vector<double> values;
+  for (int i = 0; i < n; ++i)
+    values.push_back(range[0] + (range[1] - range[0]) * (static_cast<double>(i) / (n - 1)));
+  return values;
+}
+
+ErrorMap make_map(const ContactSetup& setup, const ContactMapInput& m, int positions,
+                  bool gear2_drives) {
+  const auto pair_at = [&](double x, double y) {
+    ContactErrors e = setup.with_error(setup.place().errors, m.key[0], x);
+    return setup.pair(setup.with_error(e, m.key[1], y), gear2_drives);
+  };
+  return map_of_errors(spread(m.range[0], m.points[0]), spread(m.range[1], m.points[1]), pair_at,
+                       positions);
+}
+
+// What the answer says that the numbers alone do not.
+void warn_about(const ContactAnswer& answer, std::vector<Warning>& warnings) {
+  const auto warn = [&](const char* code, std::string text, int gear = 0) {
+    warnings.push_back({code, std::move(text), gear});
+  };
+  std::array<bool, 2> below{};
+  for (const ContactPoint& p : answer.driving.positions) {
+    below[0] = below[0] || p.kind == TouchKind::form1;
+    below[1] = below[1] || p.kind == TouchKind::form2;
+  }
+  for (int i = 0; i < 2; ++i) {
+    const Gear& gear = answer.setup.gear(i + 1);
+    if (!below[i] || gear.undercut) continue;
+    warn("contact_below_form",
+         fmt::format("Contact reaches the end of gear {}'s usable flank, {:.4f} mm diameter, where "
+                     "the tooth goes on as a root fillet: the mate's tip works into it, and the "
+                     "transmission error there is less than the true one.",
+                     i + 1, 2 * *gear.root_form_radius()),
+         i + 1);
+  }
+  if (answer.driving.contact_lost)
+    warn("contact_lost", "Contact is lost at some positions: no tooth pair touches there.");
+  constexpr double kTouching = 1e-12;  // rad: teeth without backlash do not jam
+  if (answer.least_play && *answer.least_play < -kTouching) {
+    warn("jam", fmt::format("The gears jam: both flanks of a tooth space are touched at once, gear "
+                            "2 would have to give way by {:.6f} degrees.",
+                            -*answer.least_play / kRadPerDeg));
+  }
+  if (answer.driving.unfinished + answer.other.unfinished > 0) {
+    warn("contact_search_unfinished",
+         fmt::format("{} searches for a contact point did not end; their positions took the next "
+                     "best one.",
+                     answer.driving.unfinished + answer.other.unfinished));
+  }
+}
+
+}  // namespace
+
+Result<ContactAnswer> answer_contact(Design& design) {
+  auto made = ContactSetup::of(design);
+  if (!made) return made.error();
+  ContactAnswer answer{std::move(made).take(), {}, {}, std::nullopt, std::nullopt};
+  const ContactInput& input = design.spec.contact;
+  const bool gear2_drives = input.driver == 2;
+  ContactRequest request{input.positions, input.pitches, input.marking};
+  for (const double r : input.rotations) request.rotations.push_back(r * kRadPerDeg);
+  ContactRequest other = request;
+  for (const NamedInfluence& i : answer.setup.influences())
+    request.influences.push_back(i.influence);
+  answer.driving = analyse_contact(answer.setup.pair(gear2_drives), request);
+  answer.other = analyse_contact(answer.setup.pair(!gear2_drives), other);
+  const auto touches = [](const ContactPoint& p) { return p.kind != TouchKind::none; };
+  const auto& positions = answer.driving.positions;
+  if (std::none_of(positions.begin(), positions.end(), touches))
+    return Error{"errors", "", "errors: nothing touches; " + why_nothing_touches(answer.setup)};
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const ContactPoint& behind = answer.other.positions[i];
+    if (!touches(positions[i]) || !touches(behind)) continue;
+    // The flanks of gear 1 keep gear 2 ahead of one angle and behind the other.
+    const double play = (gear2_drives ? -1.0 : 1.0) * (behind.te - positions[i].te);
+    answer.least_play = std::min(answer.least_play.value_or(play), play);
+  }
+  if (input.map) answer.map = make_map(answer.setup, *input.map, input.positions, gear2_drives);
+  warn_about(answer, design.warnings);
+  return answer;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,231 @@
+#include "gearwright/job/contact_report.hpp"
+
+#include <fmt/format.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "gearwright/contact/contact.hpp"
+
+namespace gearwright {
+
+namespace {
+
+struct ErrorName {
+  const char* words;
+  const char* unit;
+};
+
+// In the order of kErrorKeys.
+constexpr std::array<ErrorName, kErrorKeys.size()> kErrorNames{{
+    {"centre distance", "mm"},
+    {"crossing of the axes", "°"},
+    {"inclination of the axes", "°"},
+    {"axial place of gear 1", "mm"},
+    {"helix slope of gear 1", "µm"},
+    {"helix slope of gear 2", "µm"},
+    {"lead angle of gear 1", "°"},
+    {"lead angle of gear 2", "°"},
+}};
+constexpr std::size_t kFirstLead = 6;
+
+// Contact along lines is narrow across the tooth and long along it: so are the raster's cells. From
+// node to node and from position to position the gap of a line then changes by some hundredths of a
+// µm at modules of a few mm, and the border of a pattern hardly waves.
+constexpr RasterSize kLines{97, 41};
+constexpr RasterSize kPoints{65, 81};
+constexpr RasterSize kSmall{17, 33};
+constexpr RasterSize kGap{65, 129};
+constexpr int kFinePositions = 128;
+constexpr int kSmallPositions = 80;
+constexpr int kMostPositions = 1024;  // of the peak to peak beside a small picture
+
+NamedAmount named(std::size_t index, double value) {
+  return {kErrorNames[index].words, value, kErrorNames[index].unit};
+}
+
+// "tip relief 15 µm from 64.5 mm, lead crowning 8 µm"; empty: none.
+std::string words_of(const FlankModifications& m) {
+  std::string text;
+  const auto add = [&](const std::string& words) { text += (text.empty() ? "" : ", ") + words; };
+  const auto um = [](double mm) { return fmt::format("{:.6g} µm", 1e3 * mm); };
+  const auto relief = [&](const char* name, const Relief& r, const char* reach) {
+    if (!r.reach) return;
+    add(fmt::format("{} {} {} {:.8g} mm{}", name, um(r.amount), reach, *r.reach,
+                    r.shape == ReliefShape::parabolic ? ", parabolic" : ""));
+  };
+  relief("tip relief", m.tip_relief, "from diameter");
+  relief("root relief", m.root_relief, "from diameter");
+  relief("end relief", m.end_relief, "over");
+  const auto amount = [&](const char* name, double c) {
+    if (c != 0.0) add(fmt::format("{} {}", name, um(c)));
+  };
+  amount("profile crowning", m.profile_crowning);
+  amount("profile slope", m.profile_slope);
+  amount("lead crowning", m.lead_crowning);
+  amount("lead slope", m.lead_slope);
+  if (m.topography) add("topography from a file");
+  return text;
+}
+
+std::vector<std::string> modifications_of(const Design& design) {
+  std::vector<std::string> list;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!design.spec.gears[i]) continue;
+    const auto& flanks = design.spec.gears[i]->modifications;
+    const std::string right = words_of(flanks[0]);
+    const std::string left = words_of(flanks[1]);
+    if (right == left) {
+      if (!right.empty()) list.push_back(fmt::format("gear {}: {}", i + 1, right));
+      continue;
+    }
+    for (const auto& [side, words] : {std::pair("right", right), std::pair("left", left)})
+      if (!words.empty()) list.push_back(fmt::format("gear {}, {} flank: {}", i + 1, side, words));
+  }
+  return list;
+}
+
+// Axes as mounted, in the housing.
+std::array<ContactAxis, 2> axes_of(const ContactPair& pair) {
+  const ContactMount& m = pair.place();
+  const double sigma = m.shaft_angle;
+  return {{{pair.in_housing(0.0, 0.0),
+            pair.direction_in_housing(pair.tilt() * Vec3(0, 0, pair.turned()))},
+           {Vec3(m.center_distance + m.errors.center_distance, 0, 0),
+            Vec3(0, std::sin(sigma), std::cos(sigma))}}};
+}
+
+// The one touching position nearest to the middle of the pitch.
+std::optional<ContactPoint> middle_of(const std::vector<ContactPoint>& points) {
+  std::optional<ContactPoint> best;
+  for (const ContactPoint& p : points) {
+    if (p.kind == TouchKind::none) continue;
+    if (!best || std::abs(p.rotation1) < std::abs(best->rotation1)) best = p;
+  }
+  return best;
+}
+
+// An error the other way round may be a lead that no gear has.
+bool can_be(const ContactSetup& setup, std::size_t index, double value) {
+  if (index < kFirstLead) return true;
+  const Gear& gear = setup.gear(static_cast<int>(index - kFirstLead) + 1);
+  const double lambda = 90.0 - std::abs(gear.spec.helix_angle.deg()) + value;
+  return lambda > 0.5 && lambda < 90.0;
+}
+
+// An error or several, to be shown by themselves.
+struct Under {
+  std::string name;
+  ContactErrors errors;
+  bool as_specified;
+};
+
+std::vector<Under> each_error(const Design& design, const ContactSetup& setup) {
+  const auto& value = design.spec.errors.value;
+  const auto count = std::count_if(value.begin(), value.end(), [](double v) { return v != 0.0; });
+  if (count == 0) return {};
+  std::vector<Under> list{{"no error", {}, false}};
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    if (value[i] == 0.0) continue;
+    for (const double v : {value[i], -value[i]}) {
+      if (v == value[i] && count == 1) continue;  // that is all of them
+      if (!can_be(setup, i, v)) continue;
+      const NamedAmount n = named(i, v);
+      list.push_back({n.name + " " + words_of(n), setup.with_error({}, i, v), false});
+    }
+  }
+  list.push_back({"as specified", setup.place().errors, true});
+  return list;
+}
+
+// All patterns, each in a task of its own: the bits do not depend on the number of threads.
+void make_patterns(ContactReport& r, const Design& design, const ContactSetup& setup) {
+  const std::vector<Under> list = each_error(design, setup);
+  r.under.resize(list.size());
+  const int positions = std::min(r.positions, kMostPositions);
+  const bool of_points = setup.place().shaft_angle != 0.0 || design.arc_pair;
+  const auto make = [&](std::size_t i) {
+    if (i == 0) {
+      r.patterns =
+          contact_pattern(setup.pair(r.gear2_drives), kFinePositions, of_points ? kPoints : kLines);
+      return;
+    }
+    const Under& u = list[i - 1];
+    const ContactPair pair = setup.pair(u.errors, r.gear2_drives);
+    r.under[i - 1] = {u.name, contact_pattern(pair, kSmallPositions, kSmall)[0],
+                      peak_to_peak(transmission_error(pair, positions)), u.as_specified};
+  };
+  oneapi::tbb::parallel_for(std::size_t{0}, list.size() + 1, make);
+}
+
+ContactReport report_of(const Design& design, const ContactAnswer& answer) {
+  const ContactInput& input = design.spec.contact;
+  const bool gear2_drives = input.driver == 2;
+  const ContactPair pair = answer.setup.pair(gear2_drives);
+  ContactReport r;
+  for (std::size_t i = 0; i < 2; ++i)
+    r.gears[i] = design.arc_pair ? &design.arc_pair->gears[i] : &design.pair->gears[i];
+  r.axes = axes_of(pair);
+  r.gear2_drives = gear2_drives;
+  r.marking = input.marking;
+  r.positions = input.positions;
+  r.driving = answer.driving;
+  r.other = answer.other;
+  if (!input.rotations.empty() || input.pitches != 1) {
+    const ContactRequest pitch{input.positions, 1, input.marking};
+    r.driving = analyse_contact(pair, pitch);
+    r.other = analyse_contact(answer.setup.pair(!gear2_drives), pitch);
+  }
+  r.least_play = answer.least_play;
+  make_patterns(r, design, answer.setup);
+  r.middle = middle_of(r.driving.positions);
+  if (r.middle) r.middle_gap = gap_map(pair, r.middle->rotation1, r.middle->pair, kGap);
+  for (std::size_t i = 0; i < kErrorKeys.size(); ++i)
+    if (design.spec.errors.value[i] != 0.0)
+      r.errors.push_back(named(i, design.spec.errors.value[i]));
+  r.modifications = modifications_of(design);
+  if (answer.map) {
+    const auto& key = input.map->key;
+    const auto& value = design.spec.errors.value;
+    r.map = ContactMap{*answer.map, {named(key[0], value[key[0]]), named(key[1], value[key[1]])}};
+  }
+  r.arc_pair = design.arc_pair ? &*design.arc_pair : nullptr;
+  return r;
+}
+
+}  // namespace
+
+bool wants_contact(const Design& design) {
+  if (!design.pair && !design.arc_pair) return false;
+  return design.spec.errors.given || design.spec.contact.given || !modifications_of(design).empty();
+}
+
+Result<std::optional<ContactPart>> contact_part(Design& design) {
+  if (!wants_contact(design)) return std::optional<ContactPart>();
+  auto made = answer_contact(design);
+  if (!made) {
+    // Of the whole pair there is a reason why nothing touches; of one number it is wrong.
+    const std::string& key = made.error().key;
+    if (key != "errors" && key != "gear1" && key != "gear2") return made.error();
+    std::string reason = made.error().message;
+    if (reason.rfind("errors: ", 0) == 0) reason.erase(0, 8);
+    design.warnings.push_back({"no_contact", "No contact analysis: " + reason + ".", 0});
+    return std::optional<ContactPart>();
+  }
+  ContactAnswer answer = std::move(made).take();
+  ContactReport report = report_of(design, answer);
+  const auto& positions = report.driving.positions;
+  const bool any = std::any_of(positions.begin(), positions.end(),
+                               [](const ContactPoint& p) { return p.kind != TouchKind::none; });
+  if (!any) {
+    design.warnings.push_back(
+        {"no_contact", "No contact analysis: at none of the positions of a pitch do teeth touch.",
+         0});
+    return std::optional<ContactPart>();
+  }
+  return std::optional(ContactPart{std::move(answer), std::move(report)});
+}
+
+}  // namespace gearwright

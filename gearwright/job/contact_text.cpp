@@ -1,0 +1,179 @@
+#include "gearwright/job/contact_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kDeg = 180 / std::numbers::pi;
+constexpr double kArcsec = 3600 * kDeg;
+
+Json point_json(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+
+Json position_json(const ContactPoint& p) {
+  Json j;
+  j["rotation1_deg"] = p.rotation1 * kDeg;
+  const bool touches = p.kind != TouchKind::none;
+  const auto when = [&](auto value) { return touches ? Json(std::move(value)) : Json(nullptr); };
+  j["rotation2_deg"] = when(p.rotation2 * kDeg);
+  j["transmission_error_arcsec"] = when(p.te * kArcsec);
+  j["tooth"] = when(p.pair);
+  j["kind"] = when(std::string(to_string(p.kind)));
+  j["point_mm"] = when(point_json(p.point));
+  j["normal"] = when(point_json(p.normal));
+  j["diameter_mm"] = when(Json{p.diameter[0], p.diameter[1]});
+  j["height_mm"] = when(Json{p.height[0], p.height[1]});
+  j["rack_angle_deg"] = p.rack_angle ? Json(*p.rack_angle * kDeg) : Json(nullptr);
+  j["gap_curvature_per_mm"] =
+      p.gap_curvature ? Json{(*p.gap_curvature)[0], (*p.gap_curvature)[1]} : Json(nullptr);
+  j["ellipse"] = nullptr;
+  if (p.ellipse) {
+    j["ellipse"] = {
+        {"semi_major_mm", p.ellipse->semi_major ? Json(*p.ellipse->semi_major) : Json(nullptr)},
+        {"semi_minor_mm", p.ellipse->semi_minor},
+        {"angle_deg", p.ellipse->angle * kDeg}};
+  }
+  j["line_mm"] = p.line ? Json{point_json((*p.line)[0]), point_json((*p.line)[1])} : Json(nullptr);
+  return j;
+}
+
+Json sensitivity_json(const ContactAnswer& answer) {
+  Json j = Json::object();
+  const auto& named = answer.setup.influences();
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    Json te = Json::array();
+    Json points = Json::array();
+    for (std::size_t k = 0; k < answer.driving.positions.size(); ++k) {
+      const Sensitivity& s = answer.driving.sensitivities[i][k];
+      const TouchKind kind = answer.driving.positions[k].kind;
+      te.push_back(kind == TouchKind::none ? Json(nullptr) : Json(s.te * named[i].unit * kArcsec));
+      // Along a line of contact no point is the contact point.
+      const bool point = kind != TouchKind::none && kind != TouchKind::line;
+      points.push_back(point ? point_json(s.point * named[i].unit) : Json(nullptr));
+    }
+    j[named[i].key] = {{"transmission_error_arcsec", te}, {"point_mm", points}};
+  }
+  return j;
+}
+
+Json map_json(const ContactMapInput& input, const ErrorMap& map) {
+  Json rows = Json::array();
+  for (const auto& row : map.value) {
+    Json line = Json::array();
+    for (const double v : row) line.push_back(std::isnan(v) ? Json(nullptr) : Json(v * kArcsec));
+    rows.push_back(std::move(line));
+  }
+  return {{"x", kErrorKeys[input.key[0]]},
+          {"x_values", map.x},
+          {"y", kErrorKeys[input.key[1]]},
+          {"y_values", map.y},
+          {"peak_to_peak_arcsec", std::move(rows)}};
+}
+
+std::string kinds_of(const ContactResult& result) {
+  std::vector<std::pair<TouchKind, int>> count;
+  for (const ContactPoint& p : result.positions) {
+    const auto it =
+        std::find_if(count.begin(), count.end(), [&](const auto& c) { return c.first == p.kind; });
+    if (it == count.end()) {
+      count.emplace_back(p.kind, 1);
+    } else {
+      ++it->second;
+    }
+  }
+  std::string text;
+  for (const auto& [kind, n] : count) {
+    text += fmt::format("{}{} {} %", text.empty() ? "" : ", ", to_string(kind),
+                        std::lround(100.0 * n / static_cast<double>(result.positions.size())));
+  }
+  return text;
+}
+
+}  // namespace
+
+Json contact_json(const Design& design, const ContactAnswer& answer) {
+  Json positions = Json::array();
+  for (const ContactPoint& p : answer.driving.positions) positions.push_back(position_json(p));
+  Json harmonics = Json::array();
+  for (const double h : answer.driving.harmonics) harmonics.push_back(h * kArcsec);
+  Json other = Json::array();
+  Json kinds = Json::array();
+  for (const ContactPoint& p : answer.other.positions) {
+    const bool touches = p.kind != TouchKind::none;
+    other.push_back(touches ? Json(p.te * kArcsec) : Json(nullptr));
+    kinds.push_back(touches ? Json(std::string(to_string(p.kind))) : Json(nullptr));
+  }
+  Json c;
+  c["positions"] = std::move(positions);
+  c["peak_to_peak_arcsec"] = answer.driving.peak_to_peak * kArcsec;
+  c["mean_slope"] = answer.driving.mean_slope;
+  c["harmonics_arcsec"] = std::move(harmonics);
+  c["contact_lost"] = answer.driving.contact_lost;
+  c["other_flank"] = {{"transmission_error_arcsec", std::move(other)},
+                      {"kind", std::move(kinds)},
+                      {"peak_to_peak_arcsec", answer.other.peak_to_peak * kArcsec},
+                      {"contact_lost", answer.other.contact_lost}};
+  c["least_play_deg"] = answer.least_play ? Json(*answer.least_play * kDeg) : Json(nullptr);
+  c["sensitivity"] = sensitivity_json(answer);
+  if (answer.map) c["map"] = map_json(*design.spec.contact.map, *answer.map);
+  Json j;
+  if (!design.spec.title.empty()) j["title"] = design.spec.title;
+  j["contact"] = std::move(c);
+  j["warnings"] = warnings_json(design.warnings);
+  return j;
+}
+
+std::string contact_listing(const Design& design, const ContactAnswer& answer) {
+  const ContactResult& r = answer.driving;
+  std::string out;
+  if (!design.spec.title.empty()) out += design.spec.title + "\n";
+  out += "\nTooth contact\n";
+  const auto row = [&](const char* what, const std::string& value) {
+    out += fmt::format("  {:<42}{}\n", what, value);
+  };
+  for (std::size_t i = 0; i < kErrorKeys.size(); ++i) {
+    if (design.spec.errors.value[i] != 0.0)
+      row(fmt::format("errors.{}", kErrorKeys[i]).c_str(),
+          fmt::format("{}", design.spec.errors.value[i]));
+  }
+  row("Transmission error, peak to peak", fmt::format("{:.4f} arcsec", r.peak_to_peak * kArcsec));
+  row("  the other flanks", fmt::format("{:.4f} arcsec", answer.other.peak_to_peak * kArcsec));
+  if (answer.least_play)
+    row("Least play of gear 2", fmt::format("{:.6f} °", *answer.least_play * kDeg));
+  row("Contact", kinds_of(r));
+  if (!r.harmonics.empty()) {
+    std::string waves;
+    for (std::size_t i = 0; i < std::min<std::size_t>(5, r.harmonics.size()); ++i)
+      waves += fmt::format("{}{:.4f}", i ? ", " : "", r.harmonics[i] * kArcsec);
+    row("Harmonics 1 to 5, amplitudes", waves + " arcsec");
+  }
+  out +=
+      fmt::format("\n  {:>11}{:>15}{:>7}  {:<9}{:>11}{:>11}{:>10}{:>10}{:>11}{:>11}\n", "rotation1",
+                  "TE", "tooth", "kind", "diam. 1", "diam. 2", "z 1", "z 2", "major", "minor");
+  out += fmt::format("  {:>11}{:>15}{:>7}  {:<9}{:>11}{:>11}{:>10}{:>10}{:>11}{:>11}\n", "°",
+                     "arcsec", "", "", "mm", "mm", "mm", "mm", "mm", "mm");
+  // A page of them; --json has all.
+  const std::size_t step = std::max<std::size_t>(1, r.positions.size() / 32);
+  for (std::size_t i = 0; i < r.positions.size(); i += step) {
+    const ContactPoint& p = r.positions[i];
+    if (p.kind == TouchKind::none) {
+      out += fmt::format("  {:>11.4f}{:>15}\n", p.rotation1 * kDeg, "no contact");
+      continue;
+    }
+    const std::string major =
+        p.ellipse && p.ellipse->semi_major ? fmt::format("{:.4f}", *p.ellipse->semi_major) : "-";
+    const std::string minor = p.ellipse ? fmt::format("{:.4f}", p.ellipse->semi_minor) : "-";
+    out += fmt::format(
+        "  {:>11.4f}{:>15.5f}{:>7}  {:<9}{:>11.4f}{:>11.4f}{:>10.4f}{:>10.4f}{:>11}{:>11}\n",
+        p.rotation1 * kDeg, p.te * kArcsec, p.pair, to_string(p.kind), p.diameter[0], p.diameter[1],
+        p.height[0], p.height[1], major, minor);
+  }
+  return out;
+}
+
+}  // namespace gearwright

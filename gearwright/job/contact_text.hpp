@@ -1,0 +1,14 @@
+// The answer of `contact` in JSON and as a table for people. Internal to job/ and the program.
+#pragma once
+
+#include <string>
+
+#include "gearwright/job/contact_answer.hpp"
+#include "gearwright/job/result_json.hpp"
+
+namespace gearwright {
+
+Json contact_json(const Design& design, const ContactAnswer& answer);
+std::string contact_listing(const Design& design, const ContactAnswer& answer);
+
+}  // namespace gearwright

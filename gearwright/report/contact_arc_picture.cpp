@@ -1,0 +1,279 @@
+#include "gearwright/report/contact_arc_picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/report/arc_pair_section.hpp"
+#include "gearwright/report/gear_shape.hpp"
+#include "gearwright/report/html_text.hpp"
+#include "gearwright/report/svg.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kWidth = 640.0;
+constexpr double kHeight = 460.0;
+
+const std::array<const char*, 2> kInk{"g1", "g2"};
+
+// A rack over two pitches, from the side of the material, in the frame of the convex gear's tooth:
+// (height towards the mate, across). `mate`: turned over and moved by half a pitch.
+std::vector<Vec2> rack_over_pitches(const Gear& gear, bool mate) {
+  const double pitch = kPi * gear.spec.normal_module;
+  const std::vector<Vec2> half = rack_half_tooth(gear);
+  std::vector<Vec2> chain;
+  for (int k = -2; k <= 2; ++k) {
+    const double middle = k * pitch + (mate ? pitch / 2 : 0.0);
+    for (const Vec2& p : half) chain.push_back({p.x(), middle - p.y()});
+    for (auto p = half.rbegin(); p != half.rend(); ++p) chain.push_back({p->x(), middle + p->y()});
+  }
+  if (mate)
+    for (Vec2& p : chain) p.x() = -p.x();
+  return chain;
+}
+
+// The polygon of a chain and the material behind it, at `depth`.
+std::vector<Vec2> closed(std::vector<Vec2> chain, double depth) {
+  const Vec2 first = chain.front();
+  const Vec2 last = chain.back();
+  chain.push_back({depth, last.y()});
+  chain.push_back({depth, first.y()});
+  return chain;
+}
+
+// Plane (up, right) to the picture; Viewport with x_up has y to the left.
+Vec2 upright(const Viewport& view, const Vec2& p) { return view.px({p.x(), -p.y()}); }
+
+std::vector<Vec2> carried(const Viewport& view, const std::vector<Vec2>& points) {
+  std::vector<Vec2> px;
+  for (const Vec2& p : points) px.push_back(upright(view, p));
+  return px;
+}
+
+void draw_material(Svg& svg, const Viewport& view, const std::vector<Vec2>& chain, double depth,
+                   std::size_t gear) {
+  svg.polygon(carried(view, closed(chain, depth)), std::string("cut-solid ") + kInk[gear]);
+  svg.polyline(carried(view, chain), std::string("outline ") + kInk[gear]);
+}
+
+// An arc of the circle about `center` through `at`, ± `half` rad about it, and its radius.
+void draw_arc_radius(Svg& svg, const Viewport& view, const Vec2& center, const Vec2& at,
+                     std::size_t gear, bool dashed) {
+  const double turn = std::atan2(at.y() - center.y(), at.x() - center.x());
+  const double radius = (at - center).norm();
+  std::vector<Vec2> arc;
+  for (int k = -24; k <= 24; ++k) {
+    const double a = turn + k * 0.5 / 24;
+    arc.push_back(upright(view, center + radius * Vec2(std::cos(a), std::sin(a))));
+  }
+  svg.polyline(arc, std::string("thin dot ") + kInk[gear]);
+  svg.line(upright(view, center), upright(view, at),
+           std::string(dashed ? "thin dash " : "thin ") + kInk[gear]);
+  svg.dot(upright(view, center), 3.4, std::string("mark ") + kInk[gear]);
+}
+
+struct Arcs {
+  std::size_t convex, concave;  // gears
+  WorkingArc v, c;
+};
+
+Arcs arcs_of_contact(const ArcPair& pair, const ArcPairContact& contact) {
+  const std::size_t convex = contact.convex_gear == 1 ? 0 : 1;
+  Arcs best{};
+  double least = 1e300;
+  // The two whose points of the contact's normal angle are one.
+  for (const WorkingArc& v : convex_arcs(pair.gears[convex])) {
+    for (const WorkingArc& c : concave_arcs(pair.gears[1 - convex])) {
+      const double apart =
+          std::abs((v.radius - c.radius) * std::sin(contact.nominal_theta) - (v.b - c.b));
+      if (apart >= least) continue;
+      least = apart;
+      best = {convex, 1 - convex, v, c};
+    }
+  }
+  GW_ENSURES(least < 1e300);
+  return best;
+}
+
+// "■ gear 1, convex: ρ = …, a = …, b = … mm"
+std::string arc_key(std::size_t gear, const char* shape, const WorkingArc& arc) {
+  return fmt::format(
+      "<span class=\"key\"><i class=\"swatch {}\"></i>gear {}, {}:</span> {} = {}, {} = {}, {} = "
+      "{} "
+      "mm",
+      kInk[gear], gear + 1, shape, symbol_html("ρ"), fixed(arc.radius, 4), symbol_html("a"),
+      fixed(arc.a, 4), symbol_html("b"), fixed(arc.b, 4));
+}
+
+std::string rack_figure(const ArcPair& pair, const ArcPairContact& contact) {
+  const double theta = contact.nominal_theta;
+  if (std::isnan(theta)) return {};  // the racks themselves do not touch
+  const Arcs arcs = arcs_of_contact(pair, contact);
+  const double m = pair.gears[0].spec.normal_module;
+  // (height, across) in the frame of the convex tooth's middle.
+  const Vec2 M(arcs.v.radius * std::sin(theta) - arcs.v.b,
+               arcs.v.radius * std::cos(theta) - arcs.v.a);
+  const Vec2 O_v(-arcs.v.b, -arcs.v.a);
+  const Vec2 O_c(-arcs.c.b, -arcs.c.a);
+  const Viewport view{kWidth, kHeight, Vec2(0.05 * m, -0.12 * m), kWidth / (4.9 * m), true};
+  Svg svg("racks", kWidth, kHeight, "The racks in the normal section",
+          "Both racks in one normal section with their arcs, centres, radii and the angle of the "
+          "common normal to the pitch line.");
+  const double deep = 3.0 * m;
+  draw_material(svg, view, rack_over_pitches(pair.gears[arcs.convex], false), -deep, arcs.convex);
+  draw_material(svg, view, rack_over_pitches(pair.gears[arcs.concave], true), deep, arcs.concave);
+  svg.line(upright(view, {0, -4 * m}), upright(view, {0, 4 * m}), "thin dashdot");
+  svg.line(upright(view, {-deep, 0}), upright(view, {deep, 0}), "thin dashdot");
+  draw_arc_radius(svg, view, O_c, M, arcs.concave, true);
+  draw_arc_radius(svg, view, O_v, M, arcs.convex, false);
+  const Vec2 n = (M - O_v).normalized();
+  svg.line(upright(view, M), upright(view, M + 1.1 * m * n), "action-line");
+  // ψ_c, from the pitch line's direction to the normal, about where the normal crosses that line.
+  const Vec2 foot = M - n * (M.x() / n.x());
+  const double around = 0.62 * m;
+  std::vector<Vec2> angle;
+  for (int k = 0; k <= 16; ++k) {
+    const double a = theta * k / 16;
+    angle.push_back(upright(view, foot + around * Vec2(std::sin(a), std::cos(a))));
+  }
+  svg.polyline(angle, "one");
+  svg.text(upright(view, foot + around * Vec2(std::sin(theta / 2), std::cos(theta / 2))),
+           symbol_svg("ψ_c"), Anchor::start, "halo", {5, 5});
+  svg.dot(upright(view, M), 4.2, "mark action-dot");
+  svg.text(upright(view, M), "M", Anchor::middle, "letter halo", {2, -12});
+  for (const auto& [center, gear, up] :
+       {std::tuple(O_v, arcs.convex, true), std::tuple(O_c, arcs.concave, false)}) {
+    const std::string number = std::to_string(gear + 1);
+    const Vec2 at = upright(view, center);
+    svg.text(at, symbol_svg("O_" + number), Anchor::end, std::string("letter halo ") + kInk[gear],
+             {-8, up ? -5.0 : 17.0});
+    svg.text(upright(view, center + 0.3 * (M - center)), symbol_svg("ρ_" + number), Anchor::middle,
+             std::string("halo ") + kInk[gear], {0.0, up ? -12.0 : 24.0});
+  }
+  return fmt::format(
+      "<figure>{}<figcaption><strong>The racks in the normal section</strong>, pitch lines "
+      "dash-dot one on the other; at M they touch, the normal at {} = {}° to the pitch line. The "
+      "centres O lie {} beyond the middle of the tooth and {} below the pitch line.<br>{}<br>{}"
+      "</figcaption></figure>\n",
+      svg.str(), symbol_html("ψ_c"), fixed(theta * 180 / kPi, 3), symbol_html("a"),
+      symbol_html("b"), arc_key(arcs.convex, "convex", arcs.v),
+      arc_key(arcs.concave, "concave", arcs.c));
+}
+
+std::string teeth_figure(const ArcPair& pair, const ArcPairContact& contact) {
+  const double m = pair.gears[0].spec.normal_module;
+  const Viewport view{kWidth, kHeight, Vec2(0.0, 0.0), kWidth / (4.9 * m), true};
+  Svg svg("arc-teeth", kWidth, kHeight, "The teeth across the contact point",
+          "Both gears cut by the plane across the tooth through the contact point, with the common "
+          "normal.");
+  const double deep = 4.0 * m;
+  for (const std::size_t i : {1u, 0u})
+    draw_material(svg, view, normal_section(pair, contact, i, 2), i == 0 ? -deep : deep, i);
+  const NormalPlane plane = normal_plane(pair, contact);
+  const Vec2 n =
+      Vec2(contact.at.normal.x(), contact.at.normal.dot(plane.across)).normalized() * 1.4 * m;
+  svg.line(upright(view, -n), upright(view, n), "action-line");
+  svg.dot(upright(view, {0, 0}), 4.2, "mark action-dot");
+  return fmt::format(
+      "<figure>{}<figcaption><strong>The teeth across the contact point</strong>, in the plane "
+      "normal to the tooth, as mounted without errors: normal angle {}°. <span class=\"key\"><i "
+      "class=\"swatch g1\"></i>gear 1, below</span> <span class=\"key\"><i class=\"swatch "
+      "g2\"></i>gear 2, above</span> <span class=\"key\"><i class=\"swatch action\"></i>common "
+      "normal</span></figcaption></figure>\n",
+      svg.str(), fixed(contact.at.theta * 180 / kPi, 3));
+}
+
+}  // namespace
+
+std::vector<Vec2> rack_half_tooth(const Gear& gear) {
+  GW_EXPECTS(gear.arcs.has_value());
+  const RackOfArcs& rack = gear.arcs->rack;
+  const double m = gear.spec.normal_module;
+  const double thinner = gear.spec.thickness_allowance / 2;
+  std::vector<Vec2> points{{-rack.dedendum * m, kPi * m / 2}};
+  for (const RackArc& arc : rack.arcs) {
+    constexpr int kSteps = 32;
+    for (int k = 0; k <= kSteps; ++k) {
+      const double tau = arc.begin.rad() + k * (arc.end.rad() - arc.begin.rad()) / kSteps;
+      const Vec2 p = m * point_at(arc, Angle::radians(tau)) + Vec2(0.0, thinner);
+      const Vec2 last = points.back();
+      if (p.x() > rack.addendum * m) {
+        const double t = (rack.addendum * m - last.x()) / (p.x() - last.x());
+        points.push_back(last + t * (p - last));
+        points.push_back({rack.addendum * m, 0.0});
+        return points;
+      }
+      points.push_back({p.x(), std::max(0.0, p.y())});
+    }
+  }
+  points.push_back({points.back().x(), 0.0});
+  return points;
+}
+
+NormalPlane normal_plane(const ArcPair& pair, const ArcPairContact& contact) {
+  // A rack's teeth lie in the pitch plane at the helix angle; its flank holds their direction.
+  const double beta = pair.gears[0].spec.helix_angle.rad();
+  const Vec3& n = contact.at.normal;
+  Vec3 best(0, std::sin(beta), std::cos(beta));
+  const Vec3 other(0, -std::sin(beta), std::cos(beta));
+  if (std::abs(other.dot(n)) < std::abs(best.dot(n))) best = other;
+  // The normal, out of gear 1, points to the right.
+  if (best.cross(Vec3(1, 0, 0)).dot(n) < 0.0) best = -best;
+  return {contact.at.point, best.cross(Vec3(1, 0, 0)), best};
+}
+
+std::vector<Vec2> normal_section(const ArcPair& pair, const ArcPairContact& contact, std::size_t i,
+                                 int teeth) {
+  const Gear& gear = pair.gears[i];
+  const NormalPlane plane = normal_plane(pair, contact);
+  const Vec3 axis(i == 0 ? 0.0 : pair.center_distance, 0.0, 0.0);
+  const double facing = i == 0 ? 0.0 : kPi;
+  const double pitch = 2 * kPi / std::abs(gear.spec.teeth);
+  const double start = angles_at_contact(pair, contact)[i];
+  const double nearest = std::round((facing - start) / pitch);
+  std::vector<Vec2> tooth;  // from space to space, growing polar angle
+  std::vector<Vec2> half;
+  for (const Arc& arc : gear.tooth->outline.arcs)
+    for (const Vec2& p : chords(arc, 1e-4 * gear.spec.normal_module)) half.push_back(p);
+  for (const Vec2& p : half) tooth.push_back({p.x(), -p.y()});
+  tooth.insert(tooth.end(), half.rbegin(), half.rend());
+  std::vector<Vec2> section;
+  for (int k = -teeth; k <= teeth; ++k) {
+    const double turned = start + (nearest + k) * pitch;
+    for (const Vec2& p : tooth) {
+      const double radius = p.norm();
+      const double polar = turned + std::atan2(p.y(), p.x());
+      // The screw through the point meets the plane where (r − p)·t = 0: Newton from its section.
+      double z = plane.origin.z();
+      Vec3 r;
+      for (int step = 0; step < 50; ++step) {
+        const double a = polar + gear.twist() * (z - plane.origin.z());
+        r = axis + Vec3(radius * std::cos(a), radius * std::sin(a), z);
+        const double off = (r - plane.origin).dot(plane.along);
+        const double slope = gear.twist() * radius *
+                                 (-std::sin(a) * plane.along.x() + std::cos(a) * plane.along.y()) +
+                             plane.along.z();
+        if (std::abs(off) < 1e-12 * radius) break;
+        z -= off / slope;
+      }
+      section.push_back({r.x() - plane.origin.x(), (r - plane.origin).dot(plane.across)});
+    }
+  }
+  return section;
+}
+
+std::string arc_contact_figures(const ArcPair& pair) {
+  if (pair.contacts.empty()) return {};
+  const ArcPairContact& contact = pair.first_contact();
+  return "<div class=\"figures\">\n" + rack_figure(pair, contact) + teeth_figure(pair, contact) +
+         "</div>\n";
+}
+
+}  // namespace gearwright

@@ -1,0 +1,146 @@
+#include "gearwright/report/contact_contour.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/report/svg.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// The raster with a frame of infinite nodes around it, so that every loop closes.
+class Framed {
+ public:
+  Framed(const ContourField& field, double level) : field_(field), level_(level) {}
+
+  std::size_t columns() const { return field_.columns + 2; }
+  std::size_t rows() const { return field_.rows + 2; }
+  double value(std::size_t row, std::size_t column) const {
+    return frame(row, column) ? kInfinity : field_.at(row - 1, column - 1);
+  }
+  double level() const { return level_; }
+  bool below(std::size_t row, std::size_t column) const { return value(row, column) < level_; }
+
+  // Edges by number: first those along the rows, then those along the columns.
+  std::size_t edge(std::size_t row, std::size_t column, bool along_row) const {
+    return 2 * (row * columns() + column) + (along_row ? 0 : 1);
+  }
+
+  // Where the level is crossed, in nodes of the raster itself.
+  Vec2 crossing(std::size_t edge) const {
+    const bool along_row = edge % 2 == 0;
+    const std::size_t row = edge / 2 / columns();
+    const std::size_t column = edge / 2 % columns();
+    const std::size_t row_2 = along_row ? row : row + 1;
+    const std::size_t column_2 = along_row ? column + 1 : column;
+    const double a = value(row, column);
+    const double b = value(row_2, column_2);
+    double t = 0.5;
+    if (std::isinf(a)) {
+      if (frame(row, column)) t = 1.0;
+    } else if (std::isinf(b)) {
+      if (frame(row_2, column_2)) t = 0.0;
+    } else {
+      t = (level_ - a) / (b - a);
+    }
+    const Vec2 from(static_cast<double>(column) - 1.0, static_cast<double>(row) - 1.0);
+    return from + t * (along_row ? Vec2(1.0, 0.0) : Vec2(0.0, 1.0));
+  }
+
+ private:
+  bool frame(std::size_t row, std::size_t column) const {
+    return row == 0 || column == 0 || row > field_.rows || column > field_.columns;
+  }
+  const ContourField& field_;
+  double level_;
+};
+
+// The pieces of border in one cell: from the edge at which the region is left, counter-clockwise
+// round the cell, to the one at which it is entered again.
+void add_cell(const Framed& grid, std::size_t row, std::size_t column,
+              std::map<std::size_t, std::size_t>& next) {
+  const std::array<bool, 4> in{grid.below(row, column), grid.below(row, column + 1),
+                               grid.below(row + 1, column + 1), grid.below(row + 1, column)};
+  const std::array<std::size_t, 4> edges{
+      grid.edge(row, column, true), grid.edge(row, column + 1, false),
+      grid.edge(row + 1, column, true), grid.edge(row, column, false)};
+  const bool saddle = in[0] == in[2] && in[1] == in[3] && in[0] != in[1];
+  // With the mean of all four below the level the two corners below it are one region.
+  const double mean = 0.25 * (grid.value(row, column) + grid.value(row, column + 1) +
+                              grid.value(row + 1, column + 1) + grid.value(row + 1, column));
+  const bool joined = mean < grid.level();
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (!in[i] || in[(i + 1) % 4]) continue;
+    std::size_t entry = i;
+    if (saddle) {
+      entry = joined ? (i + 1) % 4 : (i + 3) % 4;
+    } else {
+      for (std::size_t k = 0; k < 4; ++k)
+        if (!in[k] && in[(k + 1) % 4]) entry = k;
+    }
+    next[edges[i]] = edges[entry];
+  }
+}
+
+}  // namespace
+
+std::vector<std::vector<Vec2>> regions_below(const ContourField& field, double level) {
+  GW_EXPECTS(field.columns >= 2 && field.rows >= 2);
+  GW_EXPECTS(field.value.size() == field.columns * field.rows);
+  for (const double v : field.value) GW_EXPECTS(!std::isnan(v));
+  const Framed grid(field, level);
+  std::map<std::size_t, std::size_t> next;
+  for (std::size_t row = 0; row + 1 < grid.rows(); ++row)
+    for (std::size_t column = 0; column + 1 < grid.columns(); ++column)
+      add_cell(grid, row, column, next);
+  std::vector<std::vector<Vec2>> loops;
+  while (!next.empty()) {
+    std::vector<Vec2> loop;
+    // Every crossing is left once and reached once: following them comes back to the first.
+    std::size_t at = next.begin()->first;
+    for (auto it = next.find(at); it != next.end(); it = next.find(at)) {
+      const Vec2 p = grid.crossing(at);
+      if (loop.empty() || (p - loop.back()).norm() > 1e-9) loop.push_back(p);
+      at = it->second;
+      next.erase(it);
+    }
+    if (loop.size() > 2) loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+std::string loops_path(const std::vector<std::vector<Vec2>>& loops,
+                       const std::function<Vec2(const Vec2&)>& px) {
+  std::string d;
+  for (const auto& loop : loops) {
+    char step = 'M';
+    for (const Vec2& node : loop) {
+      const Vec2 p = px(node);
+      d += step + pixel(p.x()) + " " + pixel(p.y());
+      step = 'L';
+    }
+    d += 'Z';
+  }
+  return d;
+}
+
+double area_of(const std::vector<std::vector<Vec2>>& loops) {
+  double twice = 0.0;
+  for (const auto& loop : loops) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Vec2& a = loop[i];
+      const Vec2& b = loop[(i + 1) % loop.size()];
+      twice += a.x() * b.y() - a.y() * b.x();
+    }
+  }
+  // Borders of the region and of its holes run in opposite senses: signed areas add up.
+  return std::abs(twice) / 2;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,39 @@
+// Regions of a raster in which its values stay below a level, by marching squares.
+//
+// A raster's nodes are (column, row); between two of them the value is linear. A node that is
+// infinite lies above every level: the border runs halfway to it, for no one knows where between
+// the nodes the values end. The raster's own edge closes every region.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "gearwright/base/vector.hpp"
+
+namespace gearwright {
+
+struct ContourField {
+  std::size_t columns = 0, rows = 0;
+  std::vector<double> value;  ///< [row · columns + column]; infinite: above every level
+
+  double at(std::size_t row, std::size_t column) const { return value[row * columns + column]; }
+};
+
+/// Closed loops, (column, row), around all places below `level`; filled by the even-odd rule they
+/// are the region. The last point is not repeated.
+///
+///   Laws      (1) a loop's corners lie on the raster's edges, where the linear value is the level
+///             (2) regions grow with the level
+/// Domain    2 × 2 nodes or more, no NaN (contract)
+std::vector<std::vector<Vec2>> regions_below(const ContourField& field, double level);
+
+/// Loops as one SVG path, each point carried to px.
+std::string loops_path(const std::vector<std::vector<Vec2>>& loops,
+                       const std::function<Vec2(const Vec2&)>& px);
+
+/// The enclosed area in squares of the raster, even-odd.
+double area_of(const std::vector<std::vector<Vec2>>& loops);
+
+}  // namespace gearwright

@@ -1,0 +1,335 @@
+#include "gearwright/report/contact_flank_picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "gearwright/report/contact_te_picture.hpp"
+#include "gearwright/report/html_text.hpp"
+#include "gearwright/report/shown_values.hpp"
+#include "gearwright/report/svg.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kWidth = 640.0;
+constexpr double kLeft = 74.0;
+constexpr double kRight = 104.0;
+constexpr double kTop = 44.0;
+constexpr double kFoot = 54.0;
+constexpr double kLow = 170.0;    // px, a flank drawn no lower than this
+constexpr double kHigh = 330.0;   // nor higher
+constexpr double kBeyond = 16.0;  // px of tooth drawn beyond the usable flank
+constexpr int kEllipses = 7;      // drawn, or a few more
+
+// The usable flank in a plot: height along the face, radius upwards to the tip.
+struct FlankFrame {
+  Axis z, rho;
+  bool internal;
+  double taller;  // px per mm of radius over px per mm of face
+
+  Vec2 operator()(const FlankPlace& p) const { return {z(p.height), rho(p.radius)}; }
+  double top() const { return std::min(rho.from, rho.to); }
+  double bottom() const { return std::max(rho.from, rho.to); }
+};
+
+FlankFrame frame_of(const FlankRaster& raster, bool internal, double left, double right, double top,
+                    double low, double high) {
+  const double face = raster.height.back() - raster.height.front();
+  const double deep = (raster.diameter.back() - raster.diameter.front()) / 2;
+  const double scale = (right - left) / face;
+  const double tall = std::clamp(scale * deep, low, high);
+  const double foot = top + tall;
+  return {{raster.height.front(), raster.height.back(), left, right},
+          {raster.diameter.front() / 2, raster.diameter.back() / 2, internal ? top : foot,
+           internal ? foot : top},
+          internal,
+          tall / (scale * deep)};
+}
+
+// Node coordinates of a raster to px.
+std::function<Vec2(const Vec2&)> nodes_px(const FlankRaster& raster, const FlankFrame& f) {
+  const double columns = static_cast<double>(raster.height.size() - 1);
+  const double rows = static_cast<double>(raster.diameter.size() - 1);
+  return [=](const Vec2& node) -> Vec2 {
+    return {f.z.from + node.x() / columns * (f.z.to - f.z.from),
+            f.rho.from + node.y() / rows * (f.rho.to - f.rho.from)};
+  };
+}
+
+// Tooth beyond the flank, its limits with their names, both scales.
+void draw_flank(Svg& svg, const FlankFrame& f, std::size_t which) {
+  const std::string n = std::to_string(which + 1);
+  const double wide = f.z.to - f.z.from;
+  svg.rect(f.z.from, f.top() - kBeyond, wide, f.bottom() - f.top() + 2 * kBeyond, "slice");
+  svg.rect(f.z.from, f.top(), wide, f.bottom() - f.top(), "flank-ground");
+  svg.text({12, 20}, "diameter, mm", Anchor::start, "panel");
+  const Ticks ticks = round_ticks(2 * f.rho.lo, 2 * f.rho.hi, 5);
+  for (const double d : ticks.values) {
+    svg.line({f.z.from - 4, f.rho(d / 2)}, {f.z.to, f.rho(d / 2)}, "grid");
+    svg.text({f.z.from - 8, f.rho(d / 2) + 4}, fixed(d, ticks.decimals), Anchor::end, "tick");
+  }
+  draw_foot(svg, f.z, f.top(), f.bottom() + kBeyond, 8, "along the face from its middle, mm");
+  const double tip = f.rho(f.internal ? f.rho.lo : f.rho.hi);
+  const double root = f.rho(f.internal ? f.rho.hi : f.rho.lo);
+  for (const auto& [y, symbol, radius, word] :
+       {std::tuple(tip, "d_Fa" + n, f.internal ? f.rho.lo : f.rho.hi, "tip"),
+        std::tuple(root, "d_Ff" + n, f.internal ? f.rho.hi : f.rho.lo, "root")}) {
+    svg.line({f.z.from, y}, {f.z.to + 6, y}, "limit");
+    const bool up = y < (tip + root) / 2;
+    svg.text({f.z.to + 12, y + (up ? 4 : 0)}, symbol_svg(symbol));
+    svg.text({f.z.to + 12, y + (up ? 21 : -17)}, fixed(2 * radius, 2), Anchor::start, "tick");
+    svg.text({f.z.from + 6, y + (up ? -4 : 13)}, word, Anchor::start, "inzone");
+  }
+  for (const double z : {f.z.from, f.z.to}) svg.line({z, f.top()}, {z, f.bottom()}, "limit");
+}
+
+// A contact line is straight in space and a curve on a flank laid flat.
+std::vector<Vec2> line_px(const ContactReport& report, const ContactPoint& p, std::size_t which,
+                          const FlankFrame& f) {
+  constexpr int kSteps = 12;
+  std::vector<Vec2> points;
+  for (int k = 0; k <= kSteps; ++k) {
+    const Vec3 at =
+        (*p.line)[0] + (static_cast<double>(k) / kSteps) * ((*p.line)[1] - (*p.line)[0]);
+    points.push_back(f(place_on(report.axes[which], at)));
+  }
+  return points;
+}
+
+void draw_instants(Svg& svg, const ContactReport& report, const std::vector<PathPiece>& pieces,
+                   std::size_t which, const FlankFrame& f) {
+  std::size_t count = 0;
+  for (const PathPiece& piece : pieces) count += piece.edge ? 0 : piece.points.size();
+  const std::size_t step = std::max<std::size_t>(1, count / kEllipses);
+  std::size_t i = step / 2;
+  for (const PathPiece& piece : pieces) {
+    if (piece.edge) continue;
+    for (const ContactPoint* p : piece.points) {
+      if (i++ % step != 0) continue;
+      if (p->line) {
+        svg.polyline(line_px(report, *p, which, f), "instant");
+        continue;
+      }
+      std::vector<Vec2> ellipse;
+      for (const FlankPlace& at : ellipse_on(report, *p, which)) ellipse.push_back(f(at));
+      if (!ellipse.empty()) svg.polygon(ellipse, "instant");
+    }
+  }
+}
+
+Vec2 point_px(const ContactPoint& p, std::size_t which, const FlankFrame& f) {
+  return f({p.height[which], p.diameter[which] / 2});
+}
+
+void draw_path(Svg& svg, const std::vector<PathPiece>& pieces, std::size_t which,
+               const FlankFrame& f) {
+  for (const PathPiece& piece : pieces) {
+    std::vector<Vec2> way;
+    for (const ContactPoint* p : piece.points) way.push_back(point_px(*p, which, f));
+    if (way.size() > 1) {
+      svg.polyline(way, piece.edge ? "edge-way" : "action");
+    } else {
+      svg.dot(way.front(), 2.2, piece.edge ? "edge-dot" : "mark action-dot");
+    }
+  }
+  if (pieces.empty()) return;
+  svg.dot(point_px(*pieces.front().points.front(), which, f), 5.0, "way-begin");
+  svg.dot(point_px(*pieces.back().points.back(), which, f), 4.5, "mark");
+}
+
+struct Seen {
+  bool ellipse = false, line = false, edge = false, inside = false;
+};
+
+Seen seen_in(const std::vector<PathPiece>& pieces) {
+  Seen seen;
+  for (const PathPiece& piece : pieces) {
+    (piece.edge ? seen.edge : seen.inside) = true;
+    for (const ContactPoint* p : piece.points) {
+      seen.line = seen.line || p->line.has_value();
+      seen.ellipse = seen.ellipse || (!p->line && p->ellipse && p->ellipse->semi_major);
+    }
+  }
+  return seen;
+}
+
+std::string side_words(const ContactReport& report, std::size_t which) {
+  const bool ring = report.gears[which]->internal();
+  const bool right =
+      which == 0 ? !report.gear2_drives : report.gear2_drives == report.gears[1]->internal();
+  return fmt::format("{} flank{}", right ? "right" : "left",
+                     ring ? " of the ring (its tip is the smaller diameter)" : "");
+}
+
+std::string pattern_figure(const ContactReport& report, const std::vector<PathPiece>& pieces,
+                           std::size_t which) {
+  const Gear& gear = *report.gears[which];
+  const FlankRaster& raster = report.patterns[which];
+  const FlankFrame f =
+      frame_of(raster, gear.internal(), kLeft, kWidth - kRight, kTop + kBeyond, kLow, kHigh);
+  const std::string name = fmt::format("Gear {}", which + 1);
+  Svg svg(fmt::format("bearing{}", which + 1), kWidth, f.bottom() + kBeyond + kFoot,
+          fmt::format("{}: bearing contact on the flank", name),
+          "The usable flank laid flat with the marking pattern, the path of the contact point and "
+          "contact ellipses or lines at equal steps of rotation.");
+  draw_flank(svg, f, which);
+  svg.begin_clip(f.z.from, f.top(), f.z.to - f.z.from, f.bottom() - f.top());
+  svg.path(loops_path(regions_below(field_of(raster), report.marking), nodes_px(raster, f)),
+           "marked");
+  draw_instants(svg, report, pieces, which, f);
+  svg.end_group();
+  draw_path(svg, pieces, which, f);
+  const Seen seen = seen_in(pieces);
+  std::string keys =
+      "<span class=\"key\"><i class=\"swatch marked\"></i>marking rubbed off</span> ";
+  if (seen.inside)
+    keys += "<span class=\"key\"><i class=\"swatch action\"></i>way of the contact point</span> ";
+  if (seen.edge)
+    keys += "<span class=\"key\"><i class=\"swatch edge-way\"></i>touched by an edge</span> ";
+  if (seen.ellipse)
+    keys += "<span class=\"key\"><i class=\"swatch instant\"></i>contact ellipse</span> ";
+  if (seen.line)
+    keys += "<span class=\"key\"><i class=\"swatch instant-line\"></i>contact line</span> ";
+  return fmt::format(
+      "<figure>{}<figcaption><strong>{}, {}</strong>; the marking covers {} % of it. {}From the "
+      "ring to the dot. {}</figcaption></figure>\n",
+      svg.str(), name, side_words(report, which),
+      fixed(100 * pattern_share(raster, report.marking), 0), keys,
+      std::abs(f.taller - 1) < 0.02
+          ? "True proportions."
+          : fmt::format("Heights are drawn {} times larger than widths.", fixed(f.taller, 1)));
+}
+
+constexpr std::array<double, 6> kGapLevels{50, 20, 10, 5, 2, 1};  // µm
+
+struct Box {
+  Vec2 at;
+  bool near(const Vec2& p) const {
+    return std::abs(p.x() - at.x()) < 30 && std::abs(p.y() - at.y()) < 19;
+  }
+};
+
+// A place on a loop for its value: inside the plot, away from the names that stand already; the
+// lowest place first, so that the names form a column where they can.
+std::optional<Vec2> label_place(const std::vector<std::vector<Vec2>>& loops,
+                                const std::function<Vec2(const Vec2&)>& px, const FlankFrame& f,
+                                const std::vector<Box>& taken) {
+  std::optional<Vec2> best;
+  double score = 0.0;
+  const double middle = (f.top() + f.bottom()) / 2;
+  for (const auto& loop : loops) {
+    for (const Vec2& node : loop) {
+      const Vec2 p = px(node);
+      if (p.x() < f.z.from + 26 || p.x() > f.z.to - 26) continue;
+      if (p.y() < f.top() + 10 || p.y() > f.bottom() - 10) continue;
+      if (std::any_of(taken.begin(), taken.end(), [&](const Box& b) { return b.near(p); }))
+        continue;
+      const double s = std::abs(p.y() - middle) - 0.2 * p.x();
+      if (best && s >= score) continue;
+      best = p;
+      score = s;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+ContourField field_of(const FlankRaster& raster) {
+  return {raster.height.size(), raster.diameter.size(), raster.gap};
+}
+
+double pattern_share(const FlankRaster& raster, double marking) {
+  const double all = static_cast<double>((raster.height.size() - 1) * (raster.diameter.size() - 1));
+  return area_of(regions_below(field_of(raster), marking)) / all;
+}
+
+std::vector<PathPiece> path_on_tooth(const ContactReport& report) {
+  const double pitch = pitch_of(report);
+  std::vector<const ContactPoint*> points;
+  for (const ContactPoint& p : report.driving.positions)
+    if (p.kind != TouchKind::none) points.push_back(&p);
+  // Pair k does at a rotation what pair 0 did k pitches before.
+  const auto own = [&](const ContactPoint* p) { return p->rotation1 - p->pair * pitch; };
+  std::sort(points.begin(), points.end(),
+            [&](const auto* a, const auto* b) { return own(a) < own(b); });
+  const double step = 1.5 * pitch / std::max(1, report.positions);
+  std::vector<PathPiece> pieces;
+  for (const ContactPoint* p : points) {
+    const bool edge = is_edge(p->kind);
+    const bool on = !pieces.empty() && own(p) - own(pieces.back().points.back()) < step;
+    if (!on || pieces.back().edge != edge) pieces.push_back({edge, {}});
+    pieces.back().points.push_back(p);
+  }
+  return pieces;
+}
+
+std::string pattern_figures(const ContactReport& report) {
+  const std::vector<PathPiece> pieces = path_on_tooth(report);
+  return "<div class=\"figures\">\n" + pattern_figure(report, pieces, 0) +
+         pattern_figure(report, pieces, 1) + "</div>\n";
+}
+
+std::string gap_figure(const ContactReport& report) {
+  if (!report.middle) return {};
+  const FlankRaster& raster = report.middle_gap;
+  const FlankFrame f =
+      frame_of(raster, false, kLeft, kWidth - kRight, kTop + kBeyond, 230.0, kHigh);
+  Svg svg("gap", kWidth, f.bottom() + kBeyond + kFoot, "Gap between the flanks",
+          "Contour lines of the gap between both flanks at one position, on the flank of gear 1.");
+  draw_flank(svg, f, 0);
+  const ContourField field = field_of(raster);
+  const auto px = nodes_px(raster, f);
+  svg.begin_clip(f.z.from, f.top(), f.z.to - f.z.from, f.bottom() - f.top());
+  std::vector<std::pair<double, std::vector<std::vector<Vec2>>>> levels;
+  for (const double um : kGapLevels) {
+    levels.emplace_back(um, regions_below(field, um * 1e-3));
+    if (!levels.back().second.empty()) svg.path(loops_path(levels.back().second, px), "gap-band");
+  }
+  if (report.middle->line) svg.polyline(line_px(report, *report.middle, 0, f), "action");
+  svg.end_group();
+  const Vec2 touch = point_px(*report.middle, 0, f);
+  if (!report.middle->line) svg.dot(touch, 4.5, "mark action-dot");
+  std::vector<Box> taken{{touch}};
+  for (auto it = levels.rbegin(); it != levels.rend(); ++it) {
+    const auto place = label_place(it->second, px, f, taken);
+    if (!place) continue;
+    taken.push_back({*place});
+    svg.text(*place, fmt::format("{:g}", it->first), Anchor::middle, "inzone halo", {0.0, 4.0});
+  }
+  return fmt::format(
+      "<figure>{}<figcaption><strong>Gap between the flanks</strong> on gear 1, tooth pair {}, at "
+      "rotation {}°: lines where it is 1, 2, 5, 10, 20 and 50 µm, as far as the mate reaches. "
+      "<span class=\"key\"><i class=\"swatch action\"></i>{}</span></figcaption></figure>\n",
+      svg.str(), report.middle->pair == 0 ? "0" : fmt::format("{:+d}", report.middle->pair),
+      fixed(report.middle->rotation1 * shown::kDegree, 3),
+      report.middle->line ? "contact line" : "contact point");
+}
+
+std::string pattern_multiples(const ContactReport& report) {
+  std::string text;
+  constexpr double kSmall = 240.0;
+  for (std::size_t i = 0; i < report.under.size(); ++i) {
+    const PatternUnder& u = report.under[i];
+    const FlankFrame f = frame_of(u.pattern, false, 12, kSmall - 12, 12, 84, 130);
+    Svg svg(fmt::format("under{}", i), kSmall, f.bottom() + 12, "Marking pattern: " + u.name,
+            "The flank of gear 1 laid flat, the marking pattern on it.");
+    svg.rect(f.z.from, f.top(), f.z.to - f.z.from, f.bottom() - f.top(), "flank-ground");
+    svg.path(loops_path(regions_below(field_of(u.pattern), report.marking), nodes_px(u.pattern, f)),
+             "marked");
+    svg.rect(f.z.from, f.top(), f.z.to - f.z.from, f.bottom() - f.top(), "limit");
+    const double peak = u.peak_to_peak * kArcsecPerRad;
+    text += fmt::format(
+        "<figure{}>{}<figcaption>{}{}{}<br>{}</figcaption></figure>\n",
+        u.as_specified ? " class=\"own\"" : "", svg.str(), u.as_specified ? "<strong>" : "",
+        escaped(u.name), u.as_specified ? "</strong>" : "",
+        std::isnan(peak) ? "nothing touches" : "peak to peak " + shown_arcsec(peak) + "″");
+  }
+  return text.empty() ? text : "<div class=\"multiples contact\">\n" + text + "</div>\n";
+}
+
+}  // namespace gearwright

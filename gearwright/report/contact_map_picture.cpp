@@ -1,0 +1,142 @@
+#include "gearwright/report/contact_map_picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/report/contact_contour.hpp"
+#include "gearwright/report/contact_te_picture.hpp"
+#include "gearwright/report/html_text.hpp"
+#include "gearwright/report/plot_axis.hpp"
+#include "gearwright/report/svg.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kWidth = 640.0;
+constexpr double kLeft = 74.0;
+constexpr double kRight = 138.0;
+constexpr double kTop = 44.0;
+constexpr double kPlot = 350.0;
+constexpr int kMostLevels = 9;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Values of the map as a raster; what touches nothing lies above every level.
+ContourField field_of(const ErrorMap& map) {
+  ContourField field{map.x.size(), map.y.size(), {}};
+  for (const auto& row : map.value)
+    for (const double v : row) field.value.push_back(std::isnan(v) ? kInfinity : v * kArcsecPerRad);
+  return field;
+}
+
+std::string step_style(std::size_t i, std::size_t n) {
+  // Ten shades; the lowest values are the darkest.
+  const std::size_t shade = n <= 1 ? 0 : (9 * i + (n - 1) / 2) / (n - 1);
+  return fmt::format("shade s{}", std::min<std::size_t>(9, shade));
+}
+
+void draw_legend(Svg& svg, const std::vector<double>& levels, double most, bool gaps) {
+  constexpr double kBox = 20.0;
+  const std::size_t n = levels.size() + 1;
+  const double left = kWidth - kRight + 22;
+  svg.text({kWidth - 12, 20}, "peak to peak, ″", Anchor::end, "panel");
+  const double top = kTop + 4;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double y = top + kBox * static_cast<double>(n - 1 - i);
+    svg.rect(left, y, kBox, kBox, step_style(i, n));
+    if (i + 1 < n) {
+      svg.line({left, y}, {left + kBox + 5, y}, "axis");
+      svg.text({left + kBox + 9, y + 4}, fmt::format("{:g}", levels[i]), Anchor::start, "tick");
+    }
+  }
+  svg.text({left + kBox + 9, top + 8}, "≤ " + shown_arcsec(most), Anchor::start, "tick");
+  if (!gaps) return;
+  const double y = top + kBox * static_cast<double>(n) + 14;
+  svg.rect(left, y, kBox, kBox, "zone none");
+  svg.text({left + kBox + 9, y + 14}, "no contact", Anchor::start, "tick");
+}
+
+}  // namespace
+
+std::vector<double> map_levels(const ErrorMap& map) {
+  double lo = kInfinity;
+  double hi = -kInfinity;
+  for (const auto& row : map.value) {
+    for (const double v : row) {
+      if (std::isnan(v)) continue;
+      lo = std::min(lo, v * kArcsecPerRad);
+      hi = std::max(hi, v * kArcsecPerRad);
+    }
+  }
+  // Rounding alone is no field.
+  if (!(hi - lo > 1e-6)) return {};
+  std::vector<double> levels;
+  for (const double v : round_ticks(lo, hi, kMostLevels).values)
+    if (v > lo && v < hi) levels.push_back(v);
+  return levels;
+}
+
+std::string map_figure(const ContactReport& report) {
+  GW_EXPECTS(report.map.has_value());
+  const ErrorMap& map = report.map->map;
+  const auto& names = report.map->axes;
+  const Axis x{map.x.front(), map.x.back(), kLeft, kWidth - kRight};
+  const Axis y{map.y.front(), map.y.back(), kTop + kPlot, kTop};
+  Svg svg("error-map", kWidth, kTop + kPlot + 50, "Peak to peak over two errors",
+          fmt::format("Shades and contour lines of the transmission error's peak to peak over {} "
+                      "and {}.",
+                      names[0].name, names[1].name));
+  const ContourField field = field_of(map);
+  const std::vector<double> levels = map_levels(map);
+  const auto px = [&](const Vec2& node) -> Vec2 {
+    return {x.from + node.x() / static_cast<double>(field.columns - 1) * (x.to - x.from),
+            y.from + node.y() / static_cast<double>(field.rows - 1) * (y.to - y.from)};
+  };
+  double most = 0.0;
+  bool gaps = false;
+  for (const double v : field.value) {
+    if (std::isinf(v)) {
+      gaps = true;
+    } else {
+      most = std::max(most, v);
+    }
+  }
+  svg.text({12, 20}, escaped(names[1].name) + ", " + escaped(names[1].unit), Anchor::start,
+           "panel");
+  svg.begin_clip(x.from, kTop, x.to - x.from, kPlot);
+  // From the whole down to the lowest step, one over the other.
+  const std::size_t n = levels.size() + 1;
+  svg.rect(x.from, kTop, x.to - x.from, kPlot, "zone none");
+  svg.path(loops_path(regions_below(field, 2 * most + 1), px), step_style(n - 1, n));
+  for (std::size_t i = levels.size(); i-- > 0;) {
+    const auto loops = regions_below(field, levels[i]);
+    if (!loops.empty()) svg.path(loops_path(loops, px), step_style(i, n) + " step");
+  }
+  svg.end_group();
+  const Ticks rows = round_ticks(y.lo, y.hi, 6);
+  for (const double v : rows.values) {
+    svg.line({x.from - 4, y(v)}, {x.from, y(v)}, "axis");
+    svg.text({x.from - 8, y(v) + 4}, fixed(v, rows.decimals), Anchor::end, "tick");
+  }
+  svg.rect(x.from, kTop, x.to - x.from, kPlot, "axis");
+  draw_foot(svg, x, kTop + kPlot, kTop + kPlot, 6,
+            escaped(names[0].name) + ", " + escaped(names[0].unit));
+  draw_legend(svg, levels, most, gaps);
+  const bool inside = names[0].value >= x.lo && names[0].value <= x.hi && names[1].value >= y.lo &&
+                      names[1].value <= y.hi;
+  if (inside) {
+    const Vec2 at(x(names[0].value), y(names[1].value));
+    svg.dot(at, 7.5, "here-ring");
+    svg.dot(at, 3.0, "here-dot");
+  }
+  return fmt::format(
+      "<figure>{}<figcaption><strong>Peak to peak over two errors</strong>, all others as "
+      "specified; the brighter, the more.{}</figcaption></figure>\n",
+      svg.str(), inside ? " The ringed dot: as specified." : "");
+}
+
+}  // namespace gearwright

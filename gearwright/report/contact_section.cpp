@@ -1,0 +1,202 @@
+#include "gearwright/report/contact_section.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/report/contact_arc_picture.hpp"
+#include "gearwright/report/contact_flank_picture.hpp"
+#include "gearwright/report/contact_map_picture.hpp"
+#include "gearwright/report/contact_te_picture.hpp"
+#include "gearwright/report/html_text.hpp"
+#include "gearwright/report/shown_values.hpp"
+#include "gearwright/report/table_builder.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kConjugate = 1e-6;  // arcsec: a peak to peak below it is rounding
+
+double share(const ContactResult& result, bool (*is)(TouchKind)) {
+  const auto n = std::count_if(result.positions.begin(), result.positions.end(),
+                               [&](const ContactPoint& p) { return is(p.kind); });
+  return static_cast<double>(n) / static_cast<double>(result.positions.size());
+}
+
+bool inside(TouchKind kind) { return kind == TouchKind::interior || kind == TouchKind::line; }
+bool nowhere(TouchKind kind) { return kind == TouchKind::none; }
+
+std::string percent(double part) { return fixed(100 * part, 0); }
+
+std::string assumed(const ContactReport& report) {
+  std::string text;
+  for (const NamedAmount& e : report.errors)
+    text += fmt::format("<li>{} {}</li>\n", escaped(e.name), escaped(words_of(e)));
+  for (const std::string& m : report.modifications)
+    text += fmt::format("<li>{}</li>\n", escaped(m));
+  return text.empty() ? "<p>No error and no modification is given: the gears are as drawn.</p>\n"
+                      : "<ul class=\"assumed\">\n" + text + "</ul>\n";
+}
+
+std::string facts(const ContactReport& report) {
+  const ContactResult& a = report.driving;
+  const ContactResult& b = report.other;
+  TableBuilder t("Tooth contact", {"Driving flanks", "Flanks behind"});
+  t.row(
+      "Transmission error, peak to peak", "", "″",
+      {shown_arcsec(a.peak_to_peak * kArcsecPerRad), shown_arcsec(b.peak_to_peak * kArcsecPerRad)});
+  const auto wave = [](const ContactResult& r) {
+    return r.harmonics.empty() ? shown::none() : shown_arcsec(r.harmonics[0] * kArcsecPerRad);
+  };
+  t.row("Wave at the tooth frequency, amplitude", "", "″", {wave(a), wave(b)});
+  t.row("Rotation with contact inside the flanks", "", "%",
+        {percent(share(a, inside)), percent(share(b, inside))});
+  t.row("Rotation with an edge in contact", "", "%",
+        {percent(share(a, is_edge)), percent(share(b, is_edge))});
+  if (a.contact_lost || b.contact_lost)
+    t.row("Rotation without contact", "", "%",
+          {percent(share(a, nowhere)), percent(share(b, nowhere))});
+  if (report.least_play) {
+    t.common("Least play of gear 2 between both flanks", "", "°", shown::angle(*report.least_play));
+  }
+  t.common("Thickness of the marking compound", "δ", "mm", fmt::format("{:g}", report.marking));
+  return t.str();
+}
+
+// What the whole comes to, in one or two sentences.
+std::string finding(const ContactReport& report) {
+  const ContactResult& r = report.driving;
+  if (r.contact_lost) {
+    return "At some positions no tooth pair touches: the teeth would part and strike. This "
+           "pair needs a wider face, more teeth in mesh or smaller errors.";
+  }
+  const double edges = share(r, is_edge);
+  if (r.peak_to_peak * kArcsecPerRad < kConjugate && edges == 0.0)
+    return "Rotation is passed on exactly, without any error, and the flanks touch as they should.";
+  std::string text = fmt::format("While a tooth passes, gear 2 runs up to {}″ unevenly. ",
+                                 shown_arcsec(r.peak_to_peak * kArcsecPerRad));
+  if (edges == 0.0) return text + "The flanks always touch inside their limits: no edge carries.";
+  return text + fmt::format(
+                    "During {} % of the rotation an edge touches where a flank should; "
+                    "crowning or reliefs would bring the contact inside, or smaller errors.",
+                    percent(edges));
+}
+
+std::string te_part(const ContactReport& report) {
+  const std::string spectrum = te_spectrum_figure(report);
+  return "<h3>Transmission error: what makes the noise</h3>\n"
+         "<p>Turn gear 1 evenly, and a perfect gear 2 would turn evenly too. The <em>transmission "
+         "error</em> is how far gear 2 is really ahead (above zero) or behind. A constant part is "
+         "a "
+         "small shift and does nothing. What comes back with every tooth pushes the shafts to and "
+         "fro at the tooth frequency: that is the whine of gears. The lower and the rounder the "
+         "curve, the quieter the pair; a sharp corner is a knock. The teeth are rigid here and "
+         "carry no load.</p>\n<div class=\"figures\">\n" +
+         te_figure(report, false) + te_figure(report, true) + "</div>\n" +
+         (spectrum.empty()
+              ? std::string("<p class=\"nopicture\">") +
+                    (report.driving.contact_lost ? "There is no spectrum, for contact is lost."
+                                                 : "The curve is flat: it has no waves.") +
+                    "</p>\n"
+              : "<div class=\"columns\"><div>" + spectrum +
+                    "</div><div>\n<p>A curve that repeats is a sum of waves. The first bar is one "
+                    "wave "
+                    "per tooth: the tooth frequency, teeth × revolutions per second. The next are "
+                    "its "
+                    "overtones. One tall bar at the left is a pure, low tone; bars that fall off "
+                    "slowly come from sharp corners, where one tooth pair hands over to the next, "
+                    "and "
+                    "sound harsh. A tall bar near a resonance of the housing is the one to "
+                    "lower.</p>\n</div></div>\n");
+}
+
+std::string pattern_part(const ContactReport& report) {
+  // Conjugate flanks touch in all their tooth pairs at once.
+  const char* several = report.driving.peak_to_peak * kArcsecPerRad < kConjugate
+                            ? " Here all tooth pairs in mesh touch at once; the way is drawn over "
+                              "the pitch in which a pair is nearest to the centre line."
+                            : "";
+  return fmt::format(
+             "<h3>Bearing contact: where the teeth carry</h3>\n"
+             "<p>The flanks are laid flat: the face from left to right, the root below, the tip "
+             "above. A fitter paints one gear thinly with marking blue, turns the pair by hand and "
+             "looks where the colour has gone: wherever the flanks came closer than its layer, "
+             "here {} µm. That is the shaded area, the <em>marking pattern</em>. At one instant "
+             "the flanks are that close only within an ellipse about the contact point, or along "
+             "a line; while the gears turn it wanders over the flank. A good pattern lies in "
+             "the middle and keeps off the borders. Where the way of contact runs along a border "
+             "(dashed), an <em>edge</em> works: its sharp line carries what a surface should, "
+             "scrapes off the oil and wears or pits the mate.{}</p>\n",
+             fixed(1e3 * report.marking, 2), several) +
+         pattern_figures(report);
+}
+
+std::string gap_part(const ContactReport& report) {
+  const std::string figure = gap_figure(report);
+  if (figure.empty()) return {};
+  return "<h3>How closely the flanks hug</h3>\n<div class=\"columns\"><div>" + figure +
+         "</div><div>\n<p>A map of the air between two teeth at "
+         "one position, like the height lines of a hill turned over: at the contact point there "
+         "is none. Lines far apart mean flanks that lie close over a wide area, so that load "
+         "spreads; lines close together mean a small, highly pressed spot. Misaligned shafts tilt "
+         "the map, so that the air grows towards one end of the face.</p>\n</div></div>\n";
+}
+
+std::string multiples_part(const ContactReport& report) {
+  const std::string pictures = pattern_multiples(report);
+  if (pictures.empty()) return {};
+  return "<h3>Which error moves the pattern</h3>\n<p>The pattern on gear 1 under each error by "
+         "itself, "
+         "one way and the other, and under all of them together. What a fitter sees on the real "
+         "gears can be compared with these: the picture it is like names the error to "
+         "correct.</p>\n" +
+         pictures;
+}
+
+std::string map_part(const ContactReport& report) {
+  if (!report.map) return {};
+  return "<h3>How much misalignment it bears</h3>\n<div class=\"columns\"><div>" +
+         map_figure(report) +
+         "</div><div>\n<p>Each place is a pair with these two "
+         "errors; its shade says how uneven its rotation is. A wide field of low values is a pair "
+         "that forgives what housings and bearings do; a narrow one asks for accurate mounting. A "
+         "valley that runs aslant means that one error can be mended by the other.</p>\n"
+         "</div></div>\n";
+}
+
+std::string arc_part(const ContactReport& report) {
+  if (!report.arc_pair) return {};
+  const std::string figures = arc_contact_figures(*report.arc_pair);
+  if (figures.empty()) return {};
+  return "<h3>Arc on arc</h3>\n<p>A convex arc lies in a slightly wider concave one and touches it "
+         "in a "
+         "point; both centres lie on the common normal through it. Across the tooth the fit is "
+         "close, which is why such teeth carry much. The point runs along the tooth while the "
+         "gears "
+         "turn. The price: a wrong centre distance changes the angle at which the arcs touch, and "
+         "the point climbs or sinks on the flank.</p>\n" +
+         figures;
+}
+
+}  // namespace
+
+std::string contact_section(const ContactReport& report) {
+  GW_EXPECTS(report.gears[0] && report.gears[1] && report.positions >= 2);
+  GW_EXPECTS(report.driving.positions.size() == static_cast<std::size_t>(report.positions));
+  GW_EXPECTS(report.other.positions.size() == report.driving.positions.size());
+  GW_EXPECTS(share(report.driving, nowhere) < 1.0);
+  return fmt::format(
+      "<section class=\"contact\">\n<h2>Tooth contact</h2>\n<div class=\"columns\"><div>\n<p>No "
+      "pair "
+      "is mounted perfectly. Here it is turned through one tooth with the errors and modifications "
+      "of the specification, and at each position the place is found where the flanks touch "
+      "first.</p>\n<p><strong>{}</strong></p>\n{}</div><div>\n{}</div></div>\n{}{}{}{}{}{}</"
+      "section>\n",
+      finding(report), assumed(report), facts(report), te_part(report), pattern_part(report),
+      gap_part(report), multiples_part(report), map_part(report), arc_part(report));
+}
+
+}  // namespace gearwright

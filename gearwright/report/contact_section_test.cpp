@@ -1,0 +1,86 @@
+#include "gearwright/report/contact_section.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <regex>
+
+#include "gearwright/report/contact_flank_picture.hpp"
+#include "gearwright/report/testing/sample_contact.hpp"
+#include "gearwright/report/testing/strict_html.hpp"
+
+namespace gearwright {
+namespace {
+
+using testing::ContactSample;
+using testing::StrictHtml;
+
+void expect_sound(const std::string& section) {
+  const auto facts = StrictHtml::read("<!DOCTYPE html>\n" + section);
+  for (const std::string& fault : facts.faults) ADD_FAILURE() << fault;
+  static const std::regex no_number("[^a-z](nan|inf)[^a-z]");
+  EXPECT_FALSE(std::regex_search(section, no_number));
+}
+
+TEST(ContactSection, IsWellFormedForEveryKindOfContact) {
+  for (const ContactSample& s :
+       {testing::helical_contact(), testing::crossed_contact(), testing::crossed_contact(true),
+        testing::ring_contact(), testing::perfect_contact()})
+    expect_sound(contact_section(s.report));
+}
+
+TEST(ContactSection, StandsInThePage) {
+  const ContactSample s = testing::helical_contact();
+  const Pair pair = testing::helical_pair();
+  ReportInput input = testing::report_input(pair);
+  EXPECT_EQ(report_html(input).find("Tooth contact"), std::string::npos);
+  input.contact = &s.report;
+  const std::string page = report_html(input);
+  EXPECT_NE(page.find("<h2>Tooth contact</h2>"), page.npos);
+  const auto facts = StrictHtml::read(page);
+  for (const std::string& fault : facts.faults) ADD_FAILURE() << fault;
+}
+
+TEST(ContactSection, WhatItIsToldIsText) {
+  ContactSample s = testing::helical_contact();
+  s.report.errors = {{"<b>&", 1.0, "\"mm\""}};
+  s.report.modifications = {"gear 1: </ul>"};
+  s.report.under[0].name = "<i>";
+  expect_sound(contact_section(s.report));
+}
+
+TEST(ContactSection, LostContactHasNoSpectrumAndSaysSo) {
+  ContactSample s = testing::helical_contact();
+  s.report.driving.contact_lost = true;
+  s.report.driving.harmonics.clear();
+  s.report.driving.positions[3].kind = TouchKind::none;
+  const std::string text = contact_section(s.report);
+  expect_sound(text);
+  EXPECT_NE(text.find("no tooth pair touches"), text.npos);
+  EXPECT_NE(text.find("There is no spectrum"), text.npos);
+}
+
+TEST(ContactSection, APatternUnderWhichNothingTouches) {
+  ContactSample s = testing::helical_contact();
+  for (double& gap : s.report.under[0].pattern.gap) gap = std::numeric_limits<double>::infinity();
+  s.report.under[0].peak_to_peak = std::numeric_limits<double>::quiet_NaN();
+  const std::string text = contact_section(s.report);
+  expect_sound(text);
+  EXPECT_NE(text.find("nothing touches"), text.npos);
+}
+
+// Without errors the flanks meet in lines that sweep all of the flank both gears have in common; a
+// crossing of the axes leaves a part of it unmarked.
+TEST(ContactSection, MisalignmentLeavesAPartUnmarked) {
+  const ContactSample straight = testing::perfect_contact();
+  const ContactSample crossed = testing::helical_contact();
+  const double all = pattern_share(straight.report.patterns[0], straight.report.marking);
+  const double part = pattern_share(crossed.report.patterns[0], crossed.report.marking);
+  EXPECT_GT(all, 0.85);
+  EXPECT_LT(part, all - 0.05);
+  EXPECT_LE(all, 1.0 + 1e-12);
+}
+
+}  // namespace
+}  // namespace gearwright

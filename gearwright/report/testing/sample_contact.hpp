@@ -1,0 +1,90 @@
+// Contact of sample pairs, as a job would hand it over, for the tests of this room.
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "gearwright/contact/contact.hpp"
+#include "gearwright/contact/pattern.hpp"
+#include "gearwright/report/contact_report.hpp"
+#include "gearwright/report/testing/sample_reports.hpp"
+
+namespace gearwright::testing {
+
+/// Gears, the pair they make, and the report about it; the report points into the gears.
+struct ContactSample {
+  std::shared_ptr<const std::array<Gear, 2>> gears;
+  std::shared_ptr<const ContactPair> pair;
+  ContactReport report;
+};
+
+inline ContactSample contact_sample(const std::array<Gear, 2>& gears, ContactMount mount,
+                                    int positions = 32) {
+  ContactSample sample;
+  sample.gears = std::make_shared<const std::array<Gear, 2>>(gears);
+  const auto turned = [&](bool other) {
+    ContactMount place = mount;
+    place.gear2_drives = mount.gear2_drives != other;
+    return ContactPair({&(*sample.gears)[0], {}}, {&(*sample.gears)[1], {}}, place);
+  };
+  sample.pair = std::make_shared<const ContactPair>(turned(false));
+  const ContactPair& pair = *sample.pair;
+  ContactReport& r = sample.report;
+  for (std::size_t i = 0; i < 2; ++i) r.gears[i] = &(*sample.gears)[i];
+  r.axes = {{{pair.in_housing(0.0, 0.0),
+              pair.direction_in_housing(pair.tilt() * Vec3(0, 0, pair.turned()))},
+             {Vec3(mount.center_distance + mount.errors.center_distance, 0, 0),
+              Vec3(0, std::sin(mount.shaft_angle), std::cos(mount.shaft_angle))}}};
+  r.gear2_drives = mount.gear2_drives;
+  r.marking = 0.00635;
+  r.positions = positions;
+  const ContactRequest request{positions, 1, r.marking};
+  r.driving = analyse_contact(pair, request);
+  r.other = analyse_contact(turned(true), request);
+  r.least_play = 0.001;
+  r.patterns = contact_pattern(pair, positions, {17, 33});
+  r.middle = r.driving.positions[static_cast<std::size_t>(positions / 2)];
+  r.middle_gap = gap_map(pair, r.middle->rotation1, r.middle->pair, {17, 33});
+  r.errors = {{"crossing of the axes", 0.02, "°"}};
+  r.under = {{"no error", r.patterns[0], 0.0, false}, {"as specified", r.patterns[0], 1e-5, true}};
+  return sample;
+}
+
+inline ContactMount mount_of(const Pair& pair, const ContactErrors& errors = {}) {
+  return {pair.center_distance, pair.shaft_angle(), false, errors};
+}
+
+/// 17/43 with its axes crossed by 0.02°: edges carry all the way.
+inline ContactSample helical_contact() {
+  const Pair pair = helical_pair();
+  ContactErrors errors;
+  errors.crossing = 0.02 * 3.14159265358979323846 / 180;
+  return contact_sample({pair.gears[0], pair.gears[1]}, mount_of(pair, errors));
+}
+
+/// Crossed helical gears with errors of every kind: contact in points.
+inline ContactSample crossed_contact(bool gear2_drives = false) {
+  const Pair pair = left_hand_pair();
+  ContactMount mount = mount_of(pair, {0.05, 1e-3, -7e-4, 0.3, {1e-6, -2e-6}, {}});
+  mount.gear2_drives = gear2_drives;
+  return contact_sample({pair.gears[0], pair.gears[1]}, mount);
+}
+
+inline ContactSample ring_contact(bool gear2_drives = false) {
+  const Pair pair = pinion_in_cut_ring();
+  ContactMount mount = mount_of(pair, {0.0, 3e-4, 2e-4, 0.4, {}, {}});
+  mount.gear2_drives = gear2_drives;
+  return contact_sample({pair.gears[0], pair.gears[1]}, mount);
+}
+
+/// Without errors: line contact, conjugate.
+inline ContactSample perfect_contact() {
+  const Pair pair = helical_pair();
+  ContactSample s = contact_sample({pair.gears[0], pair.gears[1]}, mount_of(pair));
+  s.report.errors.clear();
+  s.report.under.clear();
+  return s;
+}
+
+}  // namespace gearwright::testing

@@ -1,0 +1,211 @@
+"""The verbs contact and compensate as a user meets them: keys, kinds of contact, refusals, laws that
+show in the numbers."""
+
+import math
+import unittest
+
+from cli import Run
+
+SPUR = """
+[gear1]
+teeth = 20
+normal_module_mm = 2
+face_width_mm = 20
+profile_shift = 0.2
+thickness_allowance_mm = -0.05
+{gear1}
+[gear2]
+teeth = 41
+normal_module_mm = 2
+face_width_mm = 18
+profile_shift = 0
+thickness_allowance_mm = -0.05
+{gear2}
+{rest}
+"""
+
+HELICAL = SPUR.replace("face_width_mm = 20", "face_width_mm = 20\nhelix_angle_deg = 15").replace(
+    "face_width_mm = 18", "face_width_mm = 18\nhelix_angle_deg = -15")
+
+ARCS = """
+[gear1]
+teeth = 12
+normal_diametral_pitch_per_in = 2
+helix_angle_deg = 15
+face_width_mm = 200
+[gear1.rack]
+kind = "circular_arc"
+cutter = "F"
+pressure_angle_deg = 30
+arc_radius = 1.4
+center_a = 0.42243556529821413
+center_b = 0.24389328734019564
+[gear2]
+teeth = 94
+normal_diametral_pitch_per_in = 2
+helix_angle_deg = -15
+face_width_mm = 200
+[gear2.rack]
+kind = "circular_arc"
+cutter = "P"
+pressure_angle_deg = 30
+arc_radius = 1.55
+center_a = 0.55233937586587988
+center_b = 0.3188932873401956
+{rest}
+"""
+
+
+class Contact(unittest.TestCase):
+    def ok(self, verb, spec, *args):
+        run = Run(verb, spec, "--json", *args)
+        self.assertEqual(run.status, 0, run.err)
+        return run.json
+
+    def refused(self, verb, spec, key, *words):
+        run = Run(verb, spec, "--json")
+        self.assertEqual(run.status, 1, run.err)
+        self.assertEqual(run.json["error"]["key"], key)
+        for word in words:
+            self.assertIn(word, run.json["error"]["message"])
+        return run.json["error"]["message"]
+
+    def spec(self, text=SPUR, rest="", gear1="", gear2=""):
+        return text.format(rest=rest, gear1=gear1, gear2=gear2)
+
+    def test_without_errors_an_involute_pair_runs_true(self):
+        for text in (SPUR, HELICAL):
+            for driver in (1, 2):
+                j = self.ok("contact", self.spec(text, f"[contact]\npositions = 16\ndriver = {driver}"))["contact"]
+                self.assertEqual({p["kind"] for p in j["positions"]}, {"line"})
+                self.assertLess(j["peak_to_peak_arcsec"], 1e-7)
+                self.assertFalse(j["contact_lost"])
+                self.assertEqual(len(j["positions"]), 16)
+
+    def test_the_play_is_the_backlash(self):
+        spec = self.spec()
+        play = self.ok("contact", spec)["contact"]["least_play_deg"]
+        backlash = self.ok("pair", spec)["pair"]["backlash"]["rotation_deg"][1]
+        self.assertAlmostEqual(play, backlash, places=11)
+
+    def test_a_misaligned_spur_pair_touches_with_its_face(self):
+        j = self.ok("contact", self.spec(rest="[errors]\ncrossing_deg = 0.05"))["contact"]
+        self.assertTrue({p["kind"] for p in j["positions"]} <= {"face2", "corner"})
+        aligned = self.ok("contact", self.spec())["contact"]
+        # Δγ b/(2 r_w2), to the first order.
+        pair = self.ok("pair", self.spec())["pair"]
+        r_w2 = pair["working_pitch_diameter_mm"][1] / 2
+        shift = j["positions"][0]["transmission_error_arcsec"] - aligned["positions"][0]["transmission_error_arcsec"]
+        self.assertAlmostEqual(shift, math.degrees(math.radians(0.05) * 18 / (2 * r_w2)) * 3600, delta=0.01 * shift)
+
+    def test_crowning_brings_the_contact_inside(self):
+        crowned = "[gear1.modifications]\nlead_crowning_um = 25"
+        j = self.ok("contact", self.spec(gear1=crowned, rest="[errors]\ncrossing_deg = 0.02"))["contact"]
+        self.assertEqual({p["kind"] for p in j["positions"]}, {"interior"})
+        for p in j["positions"]:
+            self.assertGreater(p["gap_curvature_per_mm"][0], 0)
+            self.assertGreater(p["ellipse"]["semi_major_mm"], p["ellipse"]["semi_minor_mm"])
+        self.assertIn("gear1_lead_crowning_per_um", j["sensitivity"])
+
+    def test_sensitivities_are_differences(self):
+        crowned = "[gear1.modifications]\nlead_crowning_um = 25"
+
+        def te(value):
+            rest = f"[errors]\ncrossing_deg = {value}\n[contact]\nrotation1_deg = [1.5]"
+            j = self.ok("contact", self.spec(HELICAL, rest, crowned))["contact"]
+            return j["positions"][0]["transmission_error_arcsec"], j["sensitivity"]["crossing_per_deg"]["transmission_error_arcsec"][0]
+
+        _, slope = te(0.02)
+        self.assertAlmostEqual((te(0.0201)[0] - te(0.0199)[0]) / 0.0002, slope, delta=1e-6 * abs(slope))
+
+    def test_several_pitches_repeat_the_first(self):
+        rest = "[errors]\ncrossing_deg = 0.03\n[contact]\npositions = 8\npitches = 3"
+        j = self.ok("contact", self.spec(HELICAL, rest))["contact"]["positions"]
+        self.assertEqual(len(j), 24)
+        for i in range(8):
+            for k in (1, 2):
+                self.assertAlmostEqual(j[i]["transmission_error_arcsec"], j[i + 8 * k]["transmission_error_arcsec"], places=10)
+                self.assertEqual(j[i]["tooth"] + k, j[i + 8 * k]["tooth"])
+        self.assertAlmostEqual(j[0]["rotation1_deg"], -1.5 * 18, places=12)
+
+    def test_a_change_of_centre_distance_alone_moves_nothing_of_an_involute(self):
+        j = self.ok("contact", self.spec(HELICAL, "[errors]\ncenter_distance_mm = 0.05"))["contact"]
+        self.assertLess(j["peak_to_peak_arcsec"], 1e-7)
+
+    def test_circular_arcs_under_a_change_of_centre_distance(self):
+        rest = "[errors]\ncenter_distance_mm = 0.5334\n[contact]\nrotation1_deg = [0]"
+        j = self.ok("contact", ARCS.format(rest=rest))["contact"]
+        self.assertAlmostEqual(j["positions"][0]["rack_angle_deg"], 12.820826, places=5)
+        self.assertEqual(j["positions"][0]["kind"], "interior")
+
+    def test_compensation_of_circular_arcs(self):
+        j = self.ok("compensate", ARCS.format(rest="[errors]\ncenter_distance_mm = 0.5334\ncrossing_deg = 0.02"))["compensate"]
+        tool = j["tool_setting"]
+        self.assertAlmostEqual(tool["first_order_mm"], -0.5334, places=12)
+        self.assertAlmostEqual(tool["exact_mm"], -0.0209789 * 25.4, delta=2e-4)
+        self.assertAlmostEqual(tool["pressure_angle_deg"]["exact"], 30, places=8)
+        self.assertLess(j["after"]["peak_to_peak_arcsec"], 0.05 * j["before"]["peak_to_peak_arcsec"])
+        self.assertEqual([c["key"] for c in j["corrections"]], ["tool_setting_mm", "cutter_lead1_deg"])
+
+    def test_the_corrected_spec_has_the_promised_error(self):
+        spec = self.spec(rest="[errors]\ncrossing_deg = 0.03\n[compensate]\ncorrections = [\"gear1.lead_slope_um\", \"gear1.lead_crowning_um\"]",
+                         gear1="[gear1.modifications]\nlead_crowning_um = 2")
+        promised = self.ok("compensate", spec)["compensate"]["after"]["peak_to_peak_arcsec"]
+        taken = Run("compensate", spec, "--take")
+        self.assertEqual(taken.status, 0, taken.err)
+        got = self.ok("contact", taken.out)["contact"]
+        self.assertLess(abs(got["peak_to_peak_arcsec"] - promised), 0.02)
+        self.assertLess(abs(sum(p["height_mm"][0] for p in got["positions"])) / len(got["positions"]), 3)
+
+    def test_a_map_of_two_errors(self):
+        rest = ('[contact]\npositions = 8\n[contact.map]\nx = "crossing_deg"\nx_range = [-0.05, 0.05]\ny = "center_distance_mm"\n'
+                'y_range = [0, 0.2]\npoints = [5, 3]')
+        m = self.ok("contact", self.spec(HELICAL, rest))["contact"]["map"]
+        self.assertEqual([len(m["x_values"]), len(m["y_values"])], [5, 3])
+        self.assertEqual([len(r) for r in m["peak_to_peak_arcsec"]], [5, 5, 5])
+        self.assertLess(m["peak_to_peak_arcsec"][0][2], 1e-6)  # no error at all
+        self.assertGreater(m["peak_to_peak_arcsec"][0][4], 0.1)
+
+    def test_bad_tables(self):
+        for rest, key, word in (
+                ("[errors]\ncrossing_deg = 90", "errors.crossing_deg", "between"),
+                ("[errors]\ncrosing_deg = 0.1", "errors.crosing_deg", "crossing_deg"),
+                ("[errors]\ncutter_lead1_deg = 0.1", "errors.cutter_lead1_deg", "spur"),
+                ("[contact]\npositions = 1", "contact.positions", "between"),
+                ("[contact]\ndriver = 3", "contact.driver", "between"),
+                ("[contact]\nmarking_mm = 0", "contact.marking_mm", "greater than 0"),
+                ("[contact]\nrotation1_deg = []", "contact.rotation1_deg", "list"),
+                ("[contact.map]\nx = \"crossing_deg\"", "contact.map.x_range", "missing"),
+                ("[compensate]\ncorrections = [\"tool_setting_mm\"]", "compensate.corrections", "rack F"),
+                ("[compensate]\ncorrections = [\"lead_crowning\"]", "compensate.corrections", "did you mean"),
+                ("[compensate.range]\ncrossing_deg = [0.1, 0]", "compensate.range.crossing_deg", "grow")):
+            with self.subTest(rest=rest):
+                self.refused("compensate" if "compensate" in rest else "contact", self.spec(rest=rest), key, word)
+
+    def test_gears_that_never_touch(self):
+        self.refused("contact", self.spec(rest="[errors]\ncenter_distance_mm = 10"), "errors", "nothing touches", "tip radii")
+
+    def test_gears_that_jam_are_told(self):
+        j = self.ok("contact", self.spec(rest="[errors]\ncenter_distance_mm = -0.5"))
+        self.assertIn("jam", [w["code"] for w in j["warnings"]])
+        self.assertLess(j["contact"]["least_play_deg"], 0)
+
+    def test_modifications_that_do_not_fit(self):
+        self.refused("contact", self.spec(gear1="[gear1.modifications]\ntip_relief_um = 20\ntip_relief_start_mm = 90"),
+                     "gear1.modifications.tip_relief_start_mm")
+
+    def test_one_gear_is_no_pair(self):
+        run = Run("contact", "[gear1]\nteeth = 20\nnormal_module_mm = 2\n", "--json")
+        self.assertEqual(run.status, 1)
+        self.assertEqual(run.json["error"]["key"], "gear2")
+
+    def test_the_table_for_people(self):
+        run = Run("contact", self.spec(HELICAL, "[errors]\ncrossing_deg = 0.02"))
+        self.assertEqual(run.status, 0)
+        for word in ("Transmission error, peak to peak", "Least play", "rotation1", "arcsec"):
+            self.assertIn(word, run.out)
+        self.assertLess(max(len(line) for line in run.out.splitlines()), 120)
+
+
+if __name__ == "__main__":
+    unittest.main()
