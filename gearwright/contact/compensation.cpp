@@ -126,21 +126,21 @@ std::vector<double> linearised(const CompensationTask& task, Judge& judge) {
   return v;
 }
 
-std::vector<double> descend(const CompensationTask& task, Judge& judge, std::vector<double> v) {
-  const unsigned n = static_cast<unsigned>(v.size());
-  nlopt::opt opt(nlopt::LN_SBPLX, n);
+std::vector<double> optimise(const CompensationTask& task, Judge& judge, nlopt::algorithm algorithm,
+                             int evaluations, double step_factor, std::vector<double> v) {
+  nlopt::opt opt(algorithm, static_cast<unsigned>(v.size()));
   std::vector<double> lo, hi, step;
   for (const Correction& c : task.corrections) {
     lo.push_back(c.lo);
     hi.push_back(c.hi);
-    step.push_back(c.step);
+    step.push_back(c.step * step_factor);
   }
   opt.set_lower_bounds(lo);
   opt.set_upper_bounds(hi);
   opt.set_initial_step(step);
-  opt.set_maxeval(300 * static_cast<int>(n));
-  opt.set_ftol_rel(1e-4);
-  opt.set_ftol_abs(1e-4 * kArcsec);
+  opt.set_maxeval(evaluations);
+  opt.set_ftol_rel(1e-5);
+  opt.set_ftol_abs(1e-5 * kArcsec);
   const auto objective = [](const std::vector<double>& x, std::vector<double>&,
                             void* data) -> double {
     const double f = static_cast<Judge*>(data)->value(x);
@@ -154,6 +154,16 @@ std::vector<double> descend(const CompensationTask& task, Judge& judge, std::vec
     // v is the best that rounding lets it be
   }
   return v;
+}
+
+// Values as a workshop would write them, as long as nothing is lost by it.
+std::vector<double> rounded(const CompensationTask& task, const std::vector<double>& v) {
+  std::vector<double> r = v;
+  for (std::size_t k = 0; k < v.size(); ++k) {
+    const double unit = task.corrections[k].step / 100;
+    r[k] = std::round(v[k] / unit) * unit;
+  }
+  return r;
 }
 
 }  // namespace
@@ -177,26 +187,39 @@ Compensation compensate(const CompensationTask& task) {
     least = f;
     best = v;
   };
+  const int n = static_cast<int>(zero.size());
+  // Curves are what costs: so many in all, whatever the number of scenarios.
+  const int budget = std::clamp(6000 / task.scenarios, 60, 400 * n);
   std::vector<std::vector<double>> starts = task.starts;
   starts.push_back(zero);
   starts.push_back(linearised(task, judge));
+  starts.push_back(optimise(task, judge, nlopt::GN_DIRECT_L, budget, 1.0, zero));
   for (std::vector<double>& start : starts) {
     for (std::size_t k = 0; k < start.size(); ++k)
       start[k] = std::clamp(start[k], task.corrections[k].lo, task.corrections[k].hi);
     take(start);
-    take(descend(task, judge, start));
+    take(optimise(task, judge, nlopt::LN_SBPLX, budget, 1.0, start));
   }
+  // A crease may have stopped it: again, with smaller steps.
+  for (const double step : {1.0, 0.1, 0.01})
+    take(optimise(task, judge, nlopt::LN_SBPLX, budget, step, best));
+  constexpr double kNothing = 1e-3 * kArcsec;
+  if (const auto r = rounded(task, best); judge.value(r) <= least + kNothing) best = r;
+  if (judge.value(zero) - least < kNothing) best = zero;
   Compensation result;
   result.value = best;
-  for (const Looked& c : judge.curves(zero)) {
+  result.evaluations = judge.evaluations();
+  CompensationTask fine = task;
+  fine.positions = task.fine_positions;
+  Judge told(fine);
+  for (const Looked& c : told.curves(zero)) {
     result.each_before.push_back(c.score);
     take_worst(result.before, c.score);
   }
-  for (const Looked& c : judge.curves(best)) {
+  for (const Looked& c : told.curves(best)) {
     result.each_after.push_back(c.score);
     take_worst(result.after, c.score);
   }
-  result.evaluations = judge.evaluations();
   return result;
 }
 

@@ -8,8 +8,8 @@
 //       where there is a target for it (the racks' pressure angle of circular-arc teeth)
 //
 // f is a maximum of maxima and has creases, so that its own values lead the way (subplex), from
-// several starts: as it is, the least squares answer of the linearised problem, and what closed
-// forms the caller has.
+// several starts: as it is, the least squares answer of the linearised problem, what closed forms
+// the caller has, and the best of the whole box.
 #pragma once
 
 #include <functional>
@@ -35,7 +35,8 @@ struct ContactScore {
 struct CompensationTask {
   std::vector<Correction> corrections;
   int scenarios = 1;
-  int positions = 24;           ///< per pitch
+  int positions = 24;           ///< per pitch, while looking
+  int fine_positions = 64;      ///< per pitch, of the scores told
   double centering = 0.0;       ///< w  rad: what a pattern at the end of the face may cost
   double profile_target = 0.0;  ///< rack angle, rad; with profile_width
   double profile_width = 0.0;   ///< rad: what counts as the end; 0: no target
@@ -52,7 +53,9 @@ struct Compensation {
 };
 
 /// Domain    at least one correction with lo ≤ 0 ≤ hi, at least one scenario (contract)
-/// Accuracy  f is within 1e-3 of a local least of it, or 0.001 arcsec
+/// Accuracy  a local least of f, the best that a deterministic search of the whole box (DIRECT) and
+///           descents from several starts find; values are rounded to a hundredth of `step`, and 0
+///           where less than 0.001 arcsec is to be had
 Compensation compensate(const CompensationTask& task);
 
 /// Of one pair.

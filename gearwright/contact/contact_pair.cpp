@@ -89,7 +89,7 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
     p.s_hi = profile.s_hi();
     p.u_lo = profile.u_lo();
     p.u_hi = profile.u_hi();
-    if (!removal || removal->none()) {
+    if (!removal) {
       patches_[which].push_back(p);
       continue;
     }

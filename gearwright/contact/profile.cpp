@@ -7,6 +7,8 @@ namespace gearwright {
 
 namespace {
 
+constexpr double kRounding = 4e-16;  // of ln ρ and of a parameter
+
 Complex with_side(const Complex& w, double side) { return {w.real(), side * w.imag()}; }
 
 // θ′ and θ″ by u of ℓ′ and ℓ″ by a parameter. [T8.5]
@@ -118,24 +120,29 @@ RadialJet Profile::involute_at_radius(double u) const {
 }
 
 RadialJet Profile::circle_at_radius(double u, double& s) const {
-  // Newton from the last answer, in a bracket: a free step may jump to the far end of the circle.
+  // Steps of second order from the last answer, in a bracket: a free step may jump to the far end
+  // of the circle. Squares of radii are compared, which needs no logarithm near the answer.
   constexpr int kMost = 60;
   constexpr double kClose = 1e-8;  // of u: the series below takes the rest
+  const double square = std::exp(2.0 * u);
   double lo = s_lo_;
   double hi = s_hi_;
   if (!(s > lo && s < hi)) s = 0.5 * (lo + hi);
+  ProfileJet j;
   double rest = 0.0;
   for (int i = 0; i < kMost; ++i) {
-    double slope = 0.0;
-    rest = u - circle_log_radius(s, slope);
+    j = circle_at(s);
+    const double here = std::norm(j.factor);
+    const double x = (square - here) / here;
+    rest = std::abs(x) < 1e-4 ? x * (0.5 - x * (0.25 - x / 6.0)) : 0.5 * std::log1p(x);
     if (std::abs(rest) < kClose) break;
     ((rest > 0.0) == grows_ ? lo : hi) = s;
-    double next = s + rest / slope;
+    const double step = rest / j.d1.real();
+    double next = s + step * (1.0 - 0.5 * step * j.d2.real() / j.d1.real());
     if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);
     if (next == s) break;
     s = next;
   }
-  const ProfileJet j = circle_at(s);
   RadialJet r;
   slopes(j.d1, j.d2, r.d1, r.d2);
   r.factor = j.factor;
@@ -189,7 +196,9 @@ TurnPerRemoval Profile::turn_per_removal(double s) const {
           0.0};
 }
 
-double Profile::s_of(double u) const {
+double Profile::s_of(double u) const { return s_of(u, 0.5 * (s_lo_ + s_hi_)); }
+
+double Profile::s_of(double u, double start) const {
   const double inside = std::clamp(u, u_lo_, u_hi_);
   if (kind_ == Kind::by_radius) return inside;
   if (kind_ == Kind::involute) {
@@ -199,14 +208,15 @@ double Profile::s_of(double u) const {
   }
   double lo = s_lo_;
   double hi = s_hi_;
-  double s = 0.5 * (lo + hi);
+  double s = std::clamp(start, lo, hi);
   for (int i = 0; i < 200; ++i) {
     double slope = 0.0;
     const double rest = inside - circle_log_radius(s, slope);
+    if (std::abs(rest) <= kRounding) break;
     ((rest > 0.0) == grows_ ? lo : hi) = s;
     double next = s + rest / slope;
     if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);
-    if (std::abs(next - s) <= 1e-16 * std::abs(s)) break;
+    if (std::abs(next - s) <= kRounding * std::abs(s)) break;
     s = next;
   }
   return s;

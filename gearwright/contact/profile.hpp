@@ -66,7 +66,8 @@ class Profile {
   RadialJet at_radius(double u, double& s) const;
   /// At the parameter s (not beyond the ends by much). [T8.7]
   TurnPerRemoval turn_per_removal(double s) const;
-  double s_of(double u) const;  ///< solved to rounding; u is moved into the piece
+  double s_of(double u) const;                ///< solved to rounding; u is moved into the piece
+  double s_of(double u, double start) const;  ///< the same from near by
   bool is_involute() const { return kind_ == Kind::involute; }
   /// Normal angle of the generating rack's circle; none where the piece is cut by no such circle.
   std::optional<double> rack_angle(double s) const;

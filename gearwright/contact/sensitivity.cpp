@@ -216,7 +216,7 @@ Sensitivity sensitivity(Transmission& transmission, const PairTouch& touch,
   const GapField& field = transmission.field(touch.fields);
   const FlankPatch& patch = influence.modified_gear == 1 ? field.one() : field.two();
   GW_EXPECTS(patch.removal != nullptr);
-  const double s2 = field.two().profile.s_of(j.u.v);
+  const double s2 = field.two().profile.s_of(j.u.v, touch.touch.s2);
   return answer_to(change_of_modification(pair, field, j, s, z, s2, influence), pair, touch, j);
 }
 

@@ -304,6 +304,31 @@ std::vector<Touch> TouchSearch::every_maximum() const {
   return found;
 }
 
+Touch TouchSearch::from_middle() const {
+  double z_lo = 0.0;
+  double z_hi = 0.0;
+  if (!window(z_lo, z_hi)) return Touch{};
+  const FlankPatch& a = field_.one();
+  struct Place {
+    double s = 0.0, z = 0.0, s2 = 0.0, value = 0.0, broken = kInfinity;
+  } best;
+  for (int i = 1; i <= 3; ++i) {
+    double s2 = 0.5 * (field_.two().s_lo + field_.two().s_hi);
+    for (int k = 1; k <= 3; ++k) {
+      const double s = a.s_lo + (a.s_hi - a.s_lo) * k / 4;
+      const double z = z_lo + (z_hi - z_lo) * i / 4;
+      const GapJet at = field_.at(s, z, s2);
+      ++count_.evaluations;
+      double broken = 0.0;
+      for (int j = 4; j < detail::kBounds; ++j) broken = std::max(broken, -bound(at, s, z, j));
+      if (broken < best.broken || (broken == best.broken && at.t.v > best.value))
+        best = {s, z, s2, at.t.v, broken};
+    }
+  }
+  const Touch t = from(best.s, best.z, best.s2, {});
+  return t.found() && within_a_turn(t) ? t : cold();
+}
+
 Touch TouchSearch::cold() const {
   const std::vector<Touch> all = every_maximum();
   return all.empty() ? Touch{} : all.front();

@@ -47,6 +47,8 @@ class TouchSearch {
 
   /// From a place, with the bounds that were active there.
   Touch from(double s, double z, double s2, const detail::ActiveSet& active) const;
+  /// From the best of a few places, else from everywhere: enough where there is one maximum.
+  Touch from_middle() const;
   /// From everywhere: a grid, then every peak over the sections, and both end sections of D.
   Touch cold() const;
   /// Like cold, with all the local maxima, the greatest first.

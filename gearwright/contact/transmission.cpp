@@ -7,7 +7,10 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kFarBelow = 2e-3;  // rad below another pair: that far apart nothing comes back
+// rad below another pair, and falling: nothing comes back. A whole convex flank has one hump; of
+// patches, and of flanks that may be hollow, a later one may rise again.
+constexpr double kBelow = 1e-5;
+constexpr double kFarBelow = 2e-3;
 
 // Pairs that touch together to rounding: the one nearest to the centre line stands for them.
 constexpr double kTogether = 1e-13;  // rad
@@ -73,6 +76,9 @@ Touch Transmission::cold(int fields, double phi) {
 }
 
 PairTouch Transmission::at(double phi) {
+  // Whole pitches change nothing but the number of the tooth pair.
+  const double whole = std::round(phi / pair_.pitch());
+  phi -= whole * pair_.pitch();
   PairTouch best;
   for (std::size_t f = 0; f < fields_.size(); ++f) {
     for (int k = -farthest_pair_; k <= farthest_pair_; ++k) {
@@ -81,6 +87,7 @@ PairTouch Transmission::at(double phi) {
       if (t.found() && wins(t, own, best)) best = {t, static_cast<int>(f), own, k};
     }
   }
+  best.pair += static_cast<int>(whole);
   return best;
 }
 
@@ -96,21 +103,22 @@ PairTouch Transmission::of_pair_0(double phi) {
 // What one pair of patches finds, position by position of tooth pair 0, folded into the pitch.
 class Transmission::Track {
  public:
-  Track(Transmission& all, int fields, double first, int n, std::vector<PairTouch>& best)
-      : all_(all), fields_(fields), first_(first), n_(n), best_(best) {}
+  Track(Transmission& all, int fields, double first, int n, double below,
+        std::vector<PairTouch>& best)
+      : all_(all), fields_(fields), first_(first), n_(n), below_(below), best_(best) {}
 
   double own(int m) const { return first_ + m * (all_.pair_.pitch() / n_); }
 
-  // True unless it lies far below another pair.
+  // True unless it lies well below another pair.
   bool offer(int m, const Touch& t) {
     // Position m of pair 0 is position i of pair k.
     const int i = ((m % n_) + n_) % n_;
     PairTouch& b = best_[static_cast<std::size_t>(i)];
     if (wins(t, own(m), b)) b = {t, fields_, own(m), (i - m) / n_};
-    return t.te >= b.touch.te - kFarBelow;
+    return t.te >= b.touch.te - below_;
   }
 
-  // From a touch at m on, one way, until D is empty, or the touch is far below and falls, or
+  // From a touch at m on, one way, until D is empty, or the touch is well below and falls, or
   // `known` says that another track has been here.
   template <class Known>
   void walk(int m, const Touch& from, int direction, int most, bool cold_again, Known known) {
@@ -145,21 +153,28 @@ class Transmission::Track {
   int fields_;
   double first_;
   int n_;
+  double below_;
   std::vector<PairTouch>& best_;
 };
 
 // One maximum, one interval of rotation: whole flanks that nowhere hollow each other.
 void Transmission::follow_one(int fields, double first, int n, std::vector<PairTouch>& best) {
-  Track track(*this, fields, first, n, best);
+  Track track(*this, fields, first, n, kBelow, best);
   const int most = farthest_pair_ * n;
   const int stride = std::max(1, n / 4);
   for (int away = 0; away <= most; away += stride) {
     for (const int m : {away, -away}) {
-      const Touch t = cold(fields, track.own(m));
+      fields_[static_cast<std::size_t>(fields)]->set_rotation(track.own(m));
+      const Touch t = searches_[static_cast<std::size_t>(fields)]->from_middle();
       if (!t.found()) continue;
       track.offer(m, t);
       const auto never = [](int, const Touch&) { return false; };
-      for (const int direction : {1, -1}) track.walk(m, t, direction, most, true, never);
+      // First where T rises: what lies below it on the other side need not be looked at.
+      fields_[static_cast<std::size_t>(fields)]->set_rotation(track.own(m + 1));
+      const Touch ahead =
+          searches_[static_cast<std::size_t>(fields)]->from(t.s, t.z, t.s2, t.active);
+      const int uphill = ahead.found() && ahead.te < t.te ? -1 : 1;
+      for (const int direction : {uphill, -uphill}) track.walk(m, t, direction, most, true, never);
       return;
     }
   }
@@ -168,7 +183,7 @@ void Transmission::follow_one(int fields, double first, int n, std::vector<PairT
 // Several maxima, and intervals of rotation with nothing between: every one that a grid of cold
 // starts finds is followed, until it runs into one that has been.
 void Transmission::follow_all(int fields, double first, int n, std::vector<PairTouch>& best) {
-  Track track(*this, fields, first, n, best);
+  Track track(*this, fields, first, n, kFarBelow, best);
   const int most = farthest_pair_ * n;
   const int stride = std::max(1, n / 8);
   std::vector<std::vector<Touch>> passed(static_cast<std::size_t>(2 * (most + 1) + 1));
@@ -195,11 +210,14 @@ void Transmission::follow_all(int fields, double first, int n, std::vector<PairT
 }
 
 std::vector<PairTouch> Transmission::over_a_pitch(double first, int n) {
+  const double whole = std::round(first / pair_.pitch());
+  first -= whole * pair_.pitch();
   std::vector<PairTouch> best(n);
   const bool one =
       fields_.size() == 1 && is_convex(fields_[0]->one()) && is_convex(fields_[0]->two());
   for (int f = 0; f < static_cast<int>(fields_.size()); ++f)
     one ? follow_one(f, first, n, best) : follow_all(f, first, n, best);
+  for (PairTouch& t : best) t.pair += static_cast<int>(whole);
   return best;
 }
 
@@ -209,7 +227,7 @@ GapJet Transmission::jet_at(const PairTouch& t, double s, double z) {
   double s2 = t.touch.s2;
   const GapJet rough = field.at(s, z, s2);
   // A second evaluation starts on the radius itself.
-  s2 = field.two().profile.s_of(rough.u.v);
+  s2 = field.two().profile.s_of(rough.u.v, s2);
   return field.at(s, z, s2);
 }
 

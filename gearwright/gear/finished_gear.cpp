@@ -98,8 +98,8 @@ void warn_about_tooth(Gear& gear) {
     warn(gear, "through_axis",
          fmt::format(
              "The cutter passes the gear's axis (root diameter {:.4f} mm): there is no gear. More "
-             "teeth, more profile shift or a smaller dedendum would help.",
-             gear.root_diameter));
+             "teeth{} or a smaller dedendum would help.",
+             gear.root_diameter, gear.involute() ? ", more profile shift" : ""));
     return;
   }
   if (tooth.severed) {

@@ -121,6 +121,11 @@ Json corrected_spec(const Design& design, const ContactSetup& setup,
       // What holds for both flanks so far is the amount to add to.
       if (slope && !table.contains(own) && table.contains(name)) table[own] = table[name];
       add(table, own, v[k]);
+      // What is meant for both is added where a flank has its own, too.
+      for (const char* side : {"left_", "right_"})
+        if (!slope && table.contains(side + name)) add(table, side + name, v[k]);
+      // With one of its own each, what was meant for both has no effect.
+      if (table.contains("left_" + name) && table.contains("right_" + name)) table.erase(name);
     }
   }
   // Tables after plain values, as a TOML file has them.
@@ -147,6 +152,7 @@ Result<CompensateAnswer> answer_compensate(Design& design) {
   CompensationTask task;
   task.scenarios = static_cast<int>(scenarios.size());
   task.positions = kPositions;
+  task.fine_positions = design.spec.contact.positions;
   task.centering = input.centering_arcsec * kRadPerArcsec;
   for (const std::size_t i : answer.corrections) {
     const CorrectionKind& c = kCorrections[i];

@@ -63,8 +63,9 @@ std::optional<SettingAnswer> arc_setting(const Design& design, const ContactSetu
 }
 
 std::optional<LeadAnswer> lead_without_slope(const Design& design, const ContactSetup& setup) {
-  if (setup.gear(1).twist() == 0.0 || setup.gear(1).cut_by || setup.gear(2).cut_by)
-    return std::nullopt;
+  // An involute pair touches along lines: its lead is mended by slopes, which `compensate` looks
+  // for.
+  if (!design.arc_pair || setup.gear(1).twist() == 0.0) return std::nullopt;
   const bool gear2_drives = design.spec.contact.driver == 2;
   LeadAnswer answer{};
   answer.slope = middle_slope(setup, gear2_drives, 1, 0.0);
@@ -78,7 +79,7 @@ std::optional<LeadAnswer> lead_without_slope(const Design& design, const Contact
     const Root root = find_root(slope, -kReach, kReach);
     if (root.found()) answer.exact[static_cast<std::size_t>(gear - 1)] = root.x;
   }
-  if (design.arc_pair && !design.arc_pair->contacts.empty()) {
+  if (!design.arc_pair->contacts.empty()) {
     // [T8.22], every error at once.
     const double theta = design.arc_pair->first_contact().at.theta;
     const ContactErrors& e = setup.place().errors;

@@ -8,7 +8,8 @@ namespace gearwright {
 /// None unless a rack F cuts one gear and a rack P the other.
 std::optional<SettingAnswer> arc_setting(const Design& design, const ContactSetup& setup);
 
-/// None for spur gears, and where the pair does not touch in the middle of its mesh.
+/// None for involute gears, which touch along lines and take slopes instead, and where the pair
+/// does not touch in the middle of its mesh.
 std::optional<LeadAnswer> lead_without_slope(const Design& design, const ContactSetup& setup);
 
 }  // namespace gearwright

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "gearwright/job/fixed_text.hpp"
+
 namespace gearwright {
 
 namespace {
@@ -30,10 +32,10 @@ Json score_json(const ContactScore& s) {
 }
 
 std::string degrees(const std::optional<double>& rad) {
-  return rad ? fmt::format("{:.6f} °", *rad * kDeg) : "-";
+  return rad ? fixed_text(*rad * kDeg, 6) + " °" : "-";
 }
 
-std::string percent(double v) { return fmt::format("{:.1f} %", 100 * v); }
+std::string percent(double v) { return fixed_text(100 * v, 1) + " %"; }
 
 }  // namespace
 
@@ -91,16 +93,14 @@ std::string compensate_listing(const Design& design, const CompensateAnswer& a) 
   };
   if (a.setting) {
     head("Setting of rack F that brings the contact back");
-    row("Change of b_F, exact", fmt::format("{:.6f} mm", a.setting->exact));
-    row("  to the first order, as the paper has it",
-        fmt::format("{:.6f} mm", a.setting->first_order));
+    row("Change of b_F, exact", fixed_text(a.setting->exact, 6) + " mm");
+    row("  to the first order, as the paper has it", fixed_text(a.setting->first_order, 6) + " mm");
     row("Pressure angle as drawn", degrees(a.setting->angle_nominal));
     row("  with the change of centre distance", degrees(a.setting->angle_displaced));
     row("  and the exact setting", degrees(a.setting->angle_exact));
     row("  and the first-order setting", degrees(a.setting->angle_first_order));
-    row("Tooth thickness, normal, changes by",
-        fmt::format("{:.6f} mm", a.setting->thickness_change));
-    row("Backlash, normal, changes by", fmt::format("{:.6f} mm", a.setting->backlash_change));
+    row("Tooth thickness, normal, changes by", fixed_text(a.setting->thickness_change, 6) + " mm");
+    row("Backlash, normal, changes by", fixed_text(a.setting->backlash_change, 6) + " mm");
   }
   if (a.lead) {
     head("Lead angle that takes the slope out of the transmission error");
@@ -120,7 +120,7 @@ std::string compensate_listing(const Design& design, const CompensateAnswer& a) 
     out += fmt::format("  {:<36}{:>16}{:>19}\n", what, before, after);
   };
   const auto arcsec = [](const ContactScore& s) {
-    return std::isfinite(s.peak_to_peak) ? fmt::format("{:.4f} arcsec", s.peak_to_peak * kArcsec)
+    return std::isfinite(s.peak_to_peak) ? fixed_text(s.peak_to_peak * kArcsec, 4) + " arcsec"
                                          : std::string("no contact");
   };
   both("Transmission error, peak to peak", arcsec(a.result.before), arcsec(a.result.after));

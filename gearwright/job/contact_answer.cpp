@@ -292,7 +292,7 @@ void warn_about(const ContactAnswer& answer, std::vector<Warning>& warnings) {
 Result<ContactAnswer> answer_contact(Design& design) {
   auto made = ContactSetup::of(design);
   if (!made) return made.error();
-  ContactAnswer answer{std::move(made).take(), {}, {}, std::nullopt, std::nullopt};
+  ContactAnswer answer{std::move(made).take(), {}, {}, std::nullopt, std::nullopt, std::nullopt};
   const ContactInput& input = design.spec.contact;
   const bool gear2_drives = input.driver == 2;
   ContactRequest request{input.positions, input.pitches, input.marking};
@@ -314,6 +314,8 @@ Result<ContactAnswer> answer_contact(Design& design) {
     answer.least_play = std::min(answer.least_play.value_or(play), play);
   }
   if (input.map) answer.map = make_map(answer.setup, *input.map, input.positions, gear2_drives);
+  if (input.pattern)
+    answer.pattern = contact_pattern(answer.setup.pair(gear2_drives), input.positions);
   warn_about(answer, design.warnings);
   return answer;
 }

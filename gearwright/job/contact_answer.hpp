@@ -9,6 +9,7 @@
 
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/contact/error_map.hpp"
+#include "gearwright/contact/pattern.hpp"
 #include "gearwright/job/design.hpp"
 
 namespace gearwright {
@@ -67,6 +68,7 @@ struct ContactAnswer {
   ContactResult other;               ///< the flanks behind them, at the same positions
   std::optional<double> least_play;  ///< rad of gear 2, between both; < 0: the gears jam
   std::optional<ErrorMap> map;
+  std::optional<std::array<FlankRaster, 2>> pattern;  ///< where [contact] asks for it
 };
 
 /// Errors    as ContactSetup; `errors` when no tooth touches at any position

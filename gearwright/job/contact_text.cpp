@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "gearwright/job/fixed_text.hpp"
+
 namespace gearwright {
 
 namespace {
@@ -75,6 +77,25 @@ Json map_json(const ContactMapInput& input, const ErrorMap& map) {
           {"peak_to_peak_arcsec", std::move(rows)}};
 }
 
+// A raster with the share of the flank that the compound would mark.
+Json raster_json(const FlankRaster& r, double marking) {
+  Json rows = Json::array();
+  std::size_t marked = 0;
+  for (std::size_t i = 0; i < r.diameter.size(); ++i) {
+    Json row = Json::array();
+    for (std::size_t k = 0; k < r.height.size(); ++k) {
+      const double gap = r.at(i, k);
+      row.push_back(std::isfinite(gap) ? Json(gap) : Json(nullptr));
+      if (gap <= marking) ++marked;
+    }
+    rows.push_back(std::move(row));
+  }
+  return {{"diameter_mm", r.diameter},
+          {"height_mm", r.height},
+          {"gap_mm", std::move(rows)},
+          {"marked", static_cast<double>(marked) / static_cast<double>(r.gap.size())}};
+}
+
 std::string kinds_of(const ContactResult& result) {
   std::vector<std::pair<TouchKind, int>> count;
   for (const ContactPoint& p : result.positions) {
@@ -120,6 +141,11 @@ Json contact_json(const Design& design, const ContactAnswer& answer) {
                       {"contact_lost", answer.other.contact_lost}};
   c["least_play_deg"] = answer.least_play ? Json(*answer.least_play * kDeg) : Json(nullptr);
   c["sensitivity"] = sensitivity_json(answer);
+  if (answer.pattern) {
+    const double marking = design.spec.contact.marking;
+    c["pattern"] = {{"gear1", raster_json((*answer.pattern)[0], marking)},
+                    {"gear2", raster_json((*answer.pattern)[1], marking)}};
+  }
   if (answer.map) c["map"] = map_json(*design.spec.contact.map, *answer.map);
   Json j;
   if (!design.spec.title.empty()) j["title"] = design.spec.title;
@@ -141,10 +167,10 @@ std::string contact_listing(const Design& design, const ContactAnswer& answer) {
       row(fmt::format("errors.{}", kErrorKeys[i]).c_str(),
           fmt::format("{}", design.spec.errors.value[i]));
   }
-  row("Transmission error, peak to peak", fmt::format("{:.4f} arcsec", r.peak_to_peak * kArcsec));
-  row("  the other flanks", fmt::format("{:.4f} arcsec", answer.other.peak_to_peak * kArcsec));
+  row("Transmission error, peak to peak", fixed_text(r.peak_to_peak * kArcsec, 4) + " arcsec");
+  row("  the other flanks", fixed_text(answer.other.peak_to_peak * kArcsec, 4) + " arcsec");
   if (answer.least_play)
-    row("Least play of gear 2", fmt::format("{:.6f} °", *answer.least_play * kDeg));
+    row("Least play of gear 2", fixed_text(*answer.least_play * kDeg, 6) + " °");
   row("Contact", kinds_of(r));
   if (!r.harmonics.empty()) {
     std::string waves;
@@ -166,12 +192,13 @@ std::string contact_listing(const Design& design, const ContactAnswer& answer) {
       continue;
     }
     const std::string major =
-        p.ellipse && p.ellipse->semi_major ? fmt::format("{:.4f}", *p.ellipse->semi_major) : "-";
-    const std::string minor = p.ellipse ? fmt::format("{:.4f}", p.ellipse->semi_minor) : "-";
-    out += fmt::format(
-        "  {:>11.4f}{:>15.5f}{:>7}  {:<9}{:>11.4f}{:>11.4f}{:>10.4f}{:>10.4f}{:>11}{:>11}\n",
-        p.rotation1 * kDeg, p.te * kArcsec, p.pair, to_string(p.kind), p.diameter[0], p.diameter[1],
-        p.height[0], p.height[1], major, minor);
+        p.ellipse && p.ellipse->semi_major ? fixed_text(*p.ellipse->semi_major, 4) : "-";
+    const std::string minor = p.ellipse ? fixed_text(p.ellipse->semi_minor, 4) : "-";
+    out +=
+        fmt::format("  {:>11}{:>15}{:>7}  {:<9}{:>11}{:>11}{:>10}{:>10}{:>11}{:>11}\n",
+                    fixed_text(p.rotation1 * kDeg, 4), fixed_text(p.te * kArcsec, 5), p.pair,
+                    to_string(p.kind), fixed_text(p.diameter[0], 4), fixed_text(p.diameter[1], 4),
+                    fixed_text(p.height[0], 4), fixed_text(p.height[1], 4), major, minor);
   }
   return out;
 }

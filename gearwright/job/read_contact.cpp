@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kGreatestTilt =
     10.0;  // degrees: beyond it a shaft is not misaligned but elsewhere
+constexpr double kGreatestSlope = 5000;    // µm over the face
 constexpr int kMostPositions = 1'000'000;  // in all
 constexpr int kMostMapPoints = 1000;       // along one side
 
@@ -69,6 +70,11 @@ void check_error(const TableReader& t, const std::string& key, std::size_t index
                             "belongs to pair.shaft_angle_deg",
                             kGreatestTilt, kGreatestTilt));
   }
+  if (name.ends_with("_um") && !(std::abs(value) <= kGreatestSlope)) {
+    t.fail(key, fmt::format("must lie between -{0} and {0} micrometres: a helix angle belongs to "
+                            "the gear",
+                            kGreatestSlope));
+  }
 }
 
 ErrorsInput read_errors(const Json& node) {
@@ -105,6 +111,7 @@ ContactInput read_contact(const Json& node) {
   c.marking = t.positive("marking_mm").value_or(c.marking);
   if (c.marking > 1.0) t.fail("marking_mm", "must be at most 1, usually 0.003 to 0.01");
   whole("driver", c.driver, 1, 2);
+  c.pattern = t.boolean("pattern").value_or(false);
   c.rotations = numbers(t, "rotation1_deg", 1, 100'000);
   for (const double r : c.rotations)
     if (!(std::abs(r) <= 1e6)) t.fail("rotation1_deg", "must lie between -1e6 and 1e6");

@@ -107,6 +107,15 @@ class Contact(unittest.TestCase):
             self.assertGreater(p["ellipse"]["semi_major_mm"], p["ellipse"]["semi_minor_mm"])
         self.assertIn("gear1_lead_crowning_per_um", j["sensitivity"])
 
+    def test_modifications_of_the_flank_behind(self):
+        for side in ("left", "right"):
+            for driver in (1, 2):
+                rest = f"[contact]\npositions = 8\ndriver = {driver}"
+                j = self.ok("contact", self.spec(gear1=f"[gear1.modifications]\n{side}_lead_crowning_um = 5", rest=rest))["contact"]
+                self.assertIn("gear1_lead_crowning_per_um", j["sensitivity"])
+                touches = (side == "right") == (driver == 1)
+                self.assertEqual({p["kind"] for p in j["positions"]}, {"interior" if touches else "line"})
+
     def test_sensitivities_are_differences(self):
         crowned = "[gear1.modifications]\nlead_crowning_um = 25"
 
@@ -127,6 +136,16 @@ class Contact(unittest.TestCase):
                 self.assertAlmostEqual(j[i]["transmission_error_arcsec"], j[i + 8 * k]["transmission_error_arcsec"], places=10)
                 self.assertEqual(j[i]["tooth"] + k, j[i + 8 * k]["tooth"])
         self.assertAlmostEqual(j[0]["rotation1_deg"], -1.5 * 18, places=12)
+
+    def test_every_pitch_of_a_revolution_is_like_the_first(self):
+        j = self.ok("contact", self.spec(HELICAL, "[contact]\npositions = 4\npitches = 20"))["contact"]
+        self.assertLess(j["peak_to_peak_arcsec"], 1e-7)
+        self.assertFalse(j["contact_lost"])
+        rest = "[errors]\ncrossing_deg = 0.02\n[contact]\nrotation1_deg = [1, 361, -3599]"
+        j = self.ok("contact", self.spec(HELICAL, rest))["contact"]["positions"]
+        for far, turns in ((1, 1), (2, -10)):
+            self.assertAlmostEqual(j[0]["transmission_error_arcsec"], j[far]["transmission_error_arcsec"], places=6)
+            self.assertEqual(j[far]["tooth"], j[0]["tooth"] + 20 * turns)
 
     def test_a_change_of_centre_distance_alone_moves_nothing_of_an_involute(self):
         j = self.ok("contact", self.spec(HELICAL, "[errors]\ncenter_distance_mm = 0.05"))["contact"]
@@ -157,6 +176,23 @@ class Contact(unittest.TestCase):
         self.assertLess(abs(got["peak_to_peak_arcsec"] - promised), 0.02)
         self.assertLess(abs(sum(p["height_mm"][0] for p in got["positions"])) / len(got["positions"]), 3)
 
+    def test_one_flank_alone_may_have_a_modification(self):
+        for gear1 in ("[gear1.modifications]\nright_lead_crowning_um = 5", "[gear1.modifications]\nright_lead_slope_um = 7\nlead_slope_um = 1"):
+            for driver in (1, 2):
+                spec = self.spec(gear1=gear1, rest=f"[errors]\ncrossing_deg = 0.03\n[contact]\ndriver = {driver}")
+                promised = self.ok("compensate", spec)["compensate"]["after"]["peak_to_peak_arcsec"]
+                got = self.ok("contact", Run("compensate", spec, "--take").out)["contact"]["peak_to_peak_arcsec"]
+                self.assertAlmostEqual(promised, got, places=6)
+
+    def test_a_perfect_pair_needs_no_correction(self):
+        for text in (SPUR, HELICAL):
+            c = self.ok("compensate", self.spec(text))["compensate"]
+            self.assertEqual([x["value"] for x in c["corrections"]], [0, 0])
+
+    def test_compensation_finds_the_slope_that_the_housing_asks_for(self):
+        c = self.ok("compensate", self.spec(HELICAL, "[errors]\ncrossing_deg = 0.02"))["compensate"]
+        self.assertLess(c["after"]["peak_to_peak_arcsec"], 0.3 * c["before"]["peak_to_peak_arcsec"])
+
     def test_a_map_of_two_errors(self):
         rest = ('[contact]\npositions = 8\n[contact.map]\nx = "crossing_deg"\nx_range = [-0.05, 0.05]\ny = "center_distance_mm"\n'
                 'y_range = [0, 0.2]\npoints = [5, 3]')
@@ -165,6 +201,21 @@ class Contact(unittest.TestCase):
         self.assertEqual([len(r) for r in m["peak_to_peak_arcsec"]], [5, 5, 5])
         self.assertLess(m["peak_to_peak_arcsec"][0][2], 1e-6)  # no error at all
         self.assertGreater(m["peak_to_peak_arcsec"][0][4], 0.1)
+
+    def test_the_pattern_of_a_crowned_pair(self):
+        rest = "[contact]\npattern = true\nmarking_mm = 0.006"
+        p = self.ok("contact", self.spec(gear1="[gear1.modifications]\nlead_crowning_um = 30", rest=rest))["contact"]["pattern"]
+        for gear, face in (("gear1", 20), ("gear2", 18)):
+            r = p[gear]
+            self.assertEqual(len(r["gap_mm"]), len(r["diameter_mm"]))
+            row = r["gap_mm"][len(r["gap_mm"]) // 2]
+            self.assertEqual(len(row), len(r["height_mm"]))
+            self.assertEqual((r["height_mm"][0], r["height_mm"][-1]), (-face / 2, face / 2))
+            self.assertLess(row[len(row) // 2], 1e-5)
+            # Crowning opens the gap as 4 C (z/b)².
+            z = r["height_mm"][8]
+            self.assertAlmostEqual(row[8], 4 * 0.03 * (z / 20) ** 2, delta=2e-4)
+            self.assertTrue(0.2 < r["marked"] < 0.7)
 
     def test_bad_tables(self):
         for rest, key, word in (
