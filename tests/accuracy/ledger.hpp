@@ -43,6 +43,7 @@ std::vector<Row> crossed_rows();
 std::vector<Row> chord_rows();
 std::vector<Row> few_teeth_rows();
 std::vector<Row> pinion_envelope_rows();
+std::vector<Row> contact_rows();
 
 std::string markdown(const std::vector<Row>& rows);
 

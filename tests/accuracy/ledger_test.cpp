@@ -41,6 +41,7 @@ std::vector<Row> all_rows() {
   for (Row& r : chord_rows()) rows.push_back(std::move(r));
   for (Row& r : few_teeth_rows()) rows.push_back(std::move(r));
   for (Row& r : pinion_envelope_rows()) rows.push_back(std::move(r));
+  for (Row& r : contact_rows()) rows.push_back(std::move(r));
   return rows;
 }
 
