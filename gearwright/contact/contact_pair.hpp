@@ -13,6 +13,7 @@
 #pragma once
 
 #include <array>
+#include <numbers>
 #include <vector>
 
 #include "gearwright/contact/gap_field.hpp"
@@ -53,7 +54,7 @@ class ContactPair {
   double ratio() const { return ratio_; }                  ///< |z1/z2|
   double pitch() const { return pitch_; }                  ///< 2π/|z1|  rad
   double rotation_sign() const { return rotation_sign_; }  ///< of gear 1 in N
-  double mesh_azimuth() const { return internal_ ? kHalfTurn : 0.0; }
+  double mesh_azimuth() const { return internal_ ? std::numbers::pi : 0.0; }
   double reach() const { return reach_; }
   bool internal() const { return internal_; }
   bool gear2_drives() const { return place_.gear2_drives; }
@@ -75,7 +76,6 @@ class ContactPair {
   double twist_per_slope(int gear) const { return slope_unit_[gear - 1]; }
 
  private:
-  static constexpr double kHalfTurn = 3.14159265358979323846;
   // `twist`: of the lead, and of the lead error on top.
   void add_patches(int which, const ContactGear& gear, const std::array<double, 2>& twist,
                    double center, double side, bool right);
