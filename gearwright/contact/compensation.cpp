@@ -79,8 +79,9 @@ class Judge {
     ContactScore worst;
     for (const Looked& c : curves) take_worst(worst, c.score);
     if (worst.lost || !std::isfinite(worst.peak_to_peak)) return kInfinity;
-    return worst.peak_to_peak + task_.centering * (worst.along_face * worst.along_face +
-                                                   worst.along_profile * worst.along_profile);
+    return worst.peak_to_peak +
+           task_.centering * ((task_.along_face ? worst.along_face * worst.along_face : 0.0) +
+                              worst.along_profile * worst.along_profile);
   }
 
   double value(const std::vector<double>& v) { return value(curves(v)); }
@@ -187,25 +188,27 @@ Compensation compensate(const CompensationTask& task) {
     least = f;
     best = v;
   };
-  const int n = static_cast<int>(zero.size());
-  // Curves are what costs: so many in all, whatever the number of scenarios.
-  const int budget = std::clamp(6000 / task.scenarios, 60, 400 * n);
-  std::vector<std::vector<double>> starts = task.starts;
-  starts.push_back(zero);
-  starts.push_back(linearised(task, judge));
-  starts.push_back(optimise(task, judge, nlopt::GN_DIRECT_L, budget, 1.0, zero));
-  for (std::vector<double>& start : starts) {
-    for (std::size_t k = 0; k < start.size(); ++k)
-      start[k] = std::clamp(start[k], task.corrections[k].lo, task.corrections[k].hi);
-    take(start);
-    take(optimise(task, judge, nlopt::LN_SBPLX, budget, 1.0, start));
-  }
-  // A crease may have stopped it: again, with smaller steps.
-  for (const double step : {1.0, 0.1, 0.01})
-    take(optimise(task, judge, nlopt::LN_SBPLX, budget, step, best));
   constexpr double kNothing = 1e-3 * kArcsec;
-  if (const auto r = rounded(task, best); judge.value(r) <= least + kNothing) best = r;
-  if (judge.value(zero) - least < kNothing) best = zero;
+  if (!(least < kNothing)) {
+    const int n = static_cast<int>(zero.size());
+    // Curves are what costs: so many in all, whatever the number of scenarios.
+    const int budget = std::clamp(6000 / task.scenarios, 60, 400 * n);
+    std::vector<std::vector<double>> starts = task.starts;
+    starts.push_back(zero);
+    starts.push_back(linearised(task, judge));
+    starts.push_back(optimise(task, judge, nlopt::GN_DIRECT_L, budget, 1.0, zero));
+    for (std::vector<double>& start : starts) {
+      for (std::size_t k = 0; k < start.size(); ++k)
+        start[k] = std::clamp(start[k], task.corrections[k].lo, task.corrections[k].hi);
+      take(start);
+      take(optimise(task, judge, nlopt::LN_SBPLX, budget, 1.0, start));
+    }
+    // A crease may have stopped it: again, with smaller steps.
+    for (const double step : {1.0, 0.1, 0.01})
+      take(optimise(task, judge, nlopt::LN_SBPLX, budget, step, best));
+    if (const auto r = rounded(task, best); judge.value(r) <= least + kNothing) best = r;
+    if (judge.value(zero) - least < kNothing) best = zero;
+  }
   Compensation result;
   result.value = best;
   result.evaluations = judge.evaluations();

@@ -35,11 +35,12 @@ struct ContactScore {
 struct CompensationTask {
   std::vector<Correction> corrections;
   int scenarios = 1;
-  int positions = 24;           ///< per pitch, while looking
-  int fine_positions = 64;      ///< per pitch, of the scores told
-  double centering = 0.0;       ///< w  rad: what a pattern at the end of the face may cost
-  double profile_target = 0.0;  ///< rack angle, rad; with profile_width
-  double profile_width = 0.0;   ///< rad: what counts as the end; 0: no target
+  int positions = 24;       ///< per pitch, while looking
+  int fine_positions = 64;  ///< per pitch, of the scores told
+  double centering = 0.0;   ///< w  rad: what a pattern at the end of the face may cost
+  bool along_face = true;   ///< false: a contact point runs along the face anyhow, h does not count
+  double profile_target = 0.0;                ///< rack angle, rad; with profile_width
+  double profile_width = 0.0;                 ///< rad: what counts as the end; 0: no target
   std::vector<std::vector<double>> starts{};  ///< guesses beside the two of its own
   /// The pair under a scenario with the corrections made. Null where there is none.
   std::function<std::shared_ptr<const ContactPair>(const std::vector<double>&, int)> pair_at;

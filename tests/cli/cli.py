@@ -4,6 +4,7 @@ import os
 import pathlib
 import subprocess
 import tempfile
+import unittest
 
 BIN = os.environ["GW_BIN"]
 SOURCE = pathlib.Path(os.environ["GW_SOURCE"])
@@ -51,3 +52,21 @@ class Run:
 
 def raw(*args):
     return subprocess.run([BIN, *args], capture_output=True, text=True, timeout=120)
+
+
+class Asked(unittest.TestCase):
+    """Asks the program and expects an answer, or a refusal that names the key and leaves no file behind."""
+
+    def ok(self, verb, spec, *args):
+        r = Run(verb, spec, "--json", *args)
+        self.assertEqual(r.status, 0, f"{spec}\n{r.err}")
+        return r.json
+
+    def refused(self, spec, key, *words, verb="pair"):
+        r = Run(verb, spec, "--json")
+        self.assertEqual(r.status, 1, f"{spec}\n{r.out}")
+        self.assertEqual(r.json["error"]["key"], key, r.err)
+        for word in words:
+            self.assertIn(word, r.json["error"]["message"])
+        self.assertEqual(r.files(), ["case.toml"])
+        return r.json["error"]["message"]

@@ -3,7 +3,7 @@ import json
 import math
 import unittest
 
-from cli import HAS_STEP, SOURCE, Run
+from cli import HAS_STEP, SOURCE, Asked, Run
 
 F_RACK = """kind = "circular_arc"
 cutter = "F"
@@ -44,23 +44,7 @@ INVOLUTE_KEYS = ("normal_pressure_angle_deg", "transverse_pressure_angle_deg", "
                  "transverse_base_pitch_mm", "undercut_free_profile_shift", "undercut_l_mm")
 
 
-class Arcs(unittest.TestCase):
-    def ok(self, verb, spec, *args):
-        r = Run(verb, spec, "--json", *args)
-        self.assertEqual(r.status, 0, f"{spec}\n{r.err}")
-        return r.json
-
-    def refused(self, spec, key, *words, verb="pair"):
-        r = Run(verb, spec, "--json")
-        self.assertEqual(r.status, 1, f"{spec}\n{r.out}")
-        self.assertEqual(r.json["error"]["key"], key, r.err)
-        for word in words:
-            self.assertIn(word, r.json["error"]["message"])
-        self.assertEqual(r.files(), ["case.toml"])
-        return r.json["error"]["message"]
-
-
-class Gears(Arcs):
+class Gears(Asked):
     def test_keys_of_the_interface(self):
         g = self.ok("gear", F)["gears"][0]
         d = 15 * 4 / math.cos(math.radians(18))
@@ -166,7 +150,7 @@ arcs = [
                          self.ok("gear", F))
 
 
-class Pairs(Arcs):
+class Pairs(Asked):
     def test_keys_of_the_pair(self):
         p = self.ok("pair", PAIR)["pair"]
         a = 55 * 2 / math.cos(math.radians(18))
@@ -239,7 +223,7 @@ class Pairs(Arcs):
         self.assertAlmostEqual(p["backlash"]["normal_base_mm"], 0.06 * 4 * math.cos(math.radians(24)), delta=2e-3)
 
 
-class Files(Arcs):
+class Files(Asked):
     def test_run_writes_everything(self):
         for name in ("circular_arc_drive", "gbt12759_pair"):
             spec = (SOURCE / "examples" / (name + ".toml")).read_text().replace("face_width_mm = 180", "face_width_mm = 160")

@@ -4,7 +4,7 @@ show in the numbers."""
 import math
 import unittest
 
-from cli import Run
+from cli import SOURCE, Run
 
 SPUR = """
 [gear1]
@@ -188,6 +188,8 @@ class Contact(unittest.TestCase):
         for text in (SPUR, HELICAL):
             c = self.ok("compensate", self.spec(text))["compensate"]
             self.assertEqual([x["value"] for x in c["corrections"]], [0, 0])
+        double = (SOURCE / "examples" / "gbt12759_pair.toml").read_text()
+        self.assertEqual([x["value"] for x in self.ok("compensate", double)["compensate"]["corrections"]], [0, 0])
 
     def test_compensation_finds_the_slope_that_the_housing_asks_for(self):
         c = self.ok("compensate", self.spec(HELICAL, "[errors]\ncrossing_deg = 0.02"))["compensate"]

@@ -3,7 +3,7 @@ import math
 import re
 import unittest
 
-from cli import Run
+from cli import Asked, Run
 
 PINION = """[gear1]
 teeth = 2
@@ -28,23 +28,7 @@ SPUR = "[gear1]\nteeth = 20\nnormal_module_mm = 2\nface_width_mm = 10\n"
 RING = "[gear2]\nteeth = -60\nface_width_mm = 10\n"
 
 
-class FewTeeth(unittest.TestCase):
-    def ok(self, verb, spec, *args):
-        r = Run(verb, spec, "--json", *args)
-        self.assertEqual(r.status, 0, f"{spec}\n{r.err}")
-        return r.json
-
-    def refused(self, spec, key, *words, verb="pair"):
-        r = Run(verb, spec, "--json")
-        self.assertEqual(r.status, 1, f"{spec}\n{r.out}")
-        self.assertEqual(r.json["error"]["key"], key, r.err)
-        for word in words:
-            self.assertIn(word, r.json["error"]["message"])
-        self.assertEqual(r.files(), ["case.toml"])
-        return r.json["error"]["message"]
-
-
-class Fillets(FewTeeth):
+class Fillets(Asked):
     def test_keys_of_the_interface(self):
         g = self.ok("gear", PINION)["gears"][0]
         self.assertEqual(g["kind"], "involute")
@@ -134,7 +118,7 @@ class Fillets(FewTeeth):
             self.refused(SPUR + RING + "normal_module_mm = 2\n[gear2." + table + "\n", "gear2." + table.split("]")[0], "ring")
 
 
-class CutBy(FewTeeth):
+class CutBy(Asked):
     def test_by_name_with_the_total_shift(self):
         j = self.ok("pair", PINION + CUT + "profile_shift_pair = -0.7\n")
         p, g = j["pair"], j["gears"][1]
@@ -213,7 +197,7 @@ class CutBy(FewTeeth):
             self.assertIn(words, out)
 
 
-class CutByErrors(FewTeeth):
+class CutByErrors(Asked):
     def test_circles(self):
         spec = SPUR + "cut_by = \"gear2\"\n" + CUT
         self.refused(spec, "gear1.cut_by", "circle")
