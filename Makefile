@@ -26,30 +26,30 @@ demo:
 	@cd $(DEMO_OUT) && ls -1 *.step *.stl *.3mf *.dxf *.svg *.glb | sed 's#^#  $(CURDIR)/$(DEMO_OUT)/#'
 
 test:
-	@tools/install_packages.sh core step test
+	@tools/install_packages.sh core step mpi test
 	@tools/install_npm_tools.sh
 	@cmake --workflow --preset check
 
 test-long:
-	@tools/install_packages.sh core step test
+	@tools/install_packages.sh core step mpi test
 	@tools/install_npm_tools.sh
 	@cmake --preset release
 	@cmake --build --preset release
 	@ctest --preset long
 
 bench:
-	@tools/install_packages.sh core step test
+	@tools/install_packages.sh core step mpi test
 	@cmake --preset release
 	@cmake --build --preset release --target bench
 	build/release/bench/bench
 
 lint:
-	@tools/install_packages.sh core step test lint
+	@tools/install_packages.sh core step mpi test lint
 	@cmake --preset release > /dev/null
 	@tools/lint.sh
 
 package:
-	@tools/install_packages.sh core step package
+	@tools/install_packages.sh core step mpi package
 	@cmake --preset release
 	@cmake --build --preset release
 	@cd build/release && cpack

@@ -1,0 +1,102 @@
+// The folder of a large search: numbered chunks of work, each kept whole as soon as it is done.
+//
+//   out/chunks/000123.chunk                      a finished chunk: a header with its counts, its
+//   bytes out/chunks/000123.chunk.N.part.HOST.PID      one that is being written; renamed when it
+//   is whole out/chunks/000123.chunk.damaged              one that was found broken and counts as
+//   missing out/journal.sqlite                           the account: tables `campaign` and
+//   `chunks`
+//
+// The chunk files are the truth, the journal is what people and progress lines read. A file is
+// renamed into place before its row is written, so whoever is killed at whatever moment loses the
+// chunk in work and nothing else: the next to open the folder writes the rows that are missing.
+// Shards, ranks and nodes on one file system may work in one folder at once; they meet in the
+// journal, under SQLite's locks, which the file system must support (Lustre: mounted with flock).
+// Nothing is synced to the platter before its row: after a power cut a file may be short, and its
+// checksum tells.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gearwright/base/result.hpp"
+
+namespace gearwright {
+
+/// One search, cut into chunks 0 … chunks − 1.
+struct Campaign {
+  /// Everything that decides the result, as lines "key = value": normalised spec, version of the
+  /// program, size of a chunk. Two campaigns with one text may share their chunks.
+  std::string fingerprint;
+  std::int64_t chunks = 0;
+};
+
+/// What became of a chunk's candidates.
+struct ChunkCounts {
+  std::int64_t tested = 0;
+  std::int64_t feasible = 0;
+  std::vector<std::int64_t> rejected;  ///< by constraint, in the order of the store's names
+
+  friend bool operator==(const ChunkCounts&, const ChunkCounts&) = default;
+};
+
+enum class OpenAs {
+  fresh,   ///< begins a campaign; one that is there already is refused
+  resume,  ///< goes on with the campaign that must be there
+  join     ///< whichever of the two applies: for shards and ranks that start at the same moment
+};
+
+/// Every member may be called from several threads at once. A store does not survive fork().
+///
+/// Throws    IoError from every member: a folder that cannot be read or written, a full disk,
+/// SQLite's own sentence with the journal's path
+class ChunkStore {
+ public:
+  /// Opens `folder`, and checks every chunk file in it against its checksum: a broken one is set
+  /// aside with a note and counts as missing. Leftovers of processes that are dead on this host,
+  /// and any older than a day, are removed. `writer` is the name in the rows of the journal.
+  ///
+  /// Errors    key "--out": fresh where a search is already there; resume where none is; a
+  /// fingerprint, number of chunks or list of names that differs, with the first lines that do
+  static Result<ChunkStore> open(const std::filesystem::path& folder, const Campaign& campaign,
+                                 const std::vector<std::string>& rejected_names, OpenAs as,
+                                 std::string writer);
+
+  ChunkStore(ChunkStore&&) noexcept;
+  ChunkStore& operator=(ChunkStore&&) noexcept;
+  ~ChunkStore();
+
+  bool done(std::int64_t chunk) const;
+  /// The chunks that nobody has finished yet, ascending.
+  std::vector<std::int64_t> missing() const;
+
+  /// Keeps a finished chunk, whole or not at all. One that is there already is replaced: two
+  /// processes that did the same chunk wrote the same bytes.
+  ///
+  /// Throws    IoError; if it names the journal, the chunk itself is safe and gets its row at the
+  /// next open
+  void put(std::int64_t chunk, std::string_view bytes, const ChunkCounts& counts);
+
+  /// The bytes of a finished chunk, checked.
+  ///
+  /// Throws    IoError where it is not there, or is broken: it is set aside then and counts as
+  /// missing
+  std::string get(std::int64_t chunk) const;
+  /// The counts of a finished chunk.   Throws  IoError as get()
+  ChunkCounts counts(std::int64_t chunk) const;
+  /// The sum over all finished chunks, whoever finished them.   Throws  IoError as get()
+  ChunkCounts totals() const;
+
+  /// What open() found and mended, one sentence each.
+  const std::vector<std::string>& notes() const;
+
+ private:
+  struct Impl;
+  explicit ChunkStore(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace gearwright

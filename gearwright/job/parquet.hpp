@@ -1,0 +1,89 @@
+// Result tables of a search as Apache Parquet files, which DuckDB, pandas, Spark and MATLAB read.
+//
+// A table is flat: named columns, each of one type, rows written one after another. Rows are held
+// back until a row group is full, then go out column by column; memory is that of one group
+// whatever the length of the table, but for some 100 bytes of footer for a group's column.
+//
+//   int32, int64   PLAIN
+//   float64        BYTE_STREAM_SPLIT: first bytes of all values, then second bytes, ..., which
+//                  lets like exponents stand beside each other
+//   text           PLAIN, UTF-8
+//
+// Everything is compressed by zstd, with its checksum: a reader notices a damaged file. Chunks
+// carry their least and greatest value (not of text), so that readers skip groups that a query
+// cannot need. The same rows give the same bytes, as long as zstd's version stays.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace gearwright {
+
+enum class ParquetType { int32, int64, float64, text };
+
+struct ParquetColumn {
+  std::string name;  ///< UTF-8, unique in its table whatever the case of a to z
+  ParquetType type;
+  bool optional = false;  ///< a row may leave it out: null
+};
+
+/// Writes one table. Values are set in any order, then end_row() takes the row:
+///
+///     ParquetWriter table(part, {{"teeth", ParquetType::int32}, {"loss", ParquetType::float64}});
+///     table.set(0, 17);
+///     table.set(1, 0.012);
+///     table.end_row();
+///     table.close();
+///
+/// Throws    IoError naming the path and the system's reason, from the constructor, end_row() and
+///           close(); the writer is then of no more use and the file is not a table
+class ParquetWriter {
+ public:
+  static constexpr std::size_t kGroupRows = 65'536;
+  /// A group also ends with the row that brings its texts to this many bytes: long texts do not
+  /// add up to more memory, or to a page beyond the format's 2 GiB.
+  static constexpr std::size_t kGroupTextBytes = std::size_t{64} << 20;
+
+  /// Opens exactly `part_file`, which the caller renames when it is whole (write_file_by in
+  /// base/output_file.hpp); `key_values` go into the footer.
+  ///
+  /// Domain    at least one column; names not empty and unique; UTF-8 throughout (contract)
+  ParquetWriter(const std::filesystem::path& part_file, std::vector<ParquetColumn> columns,
+                std::vector<std::pair<std::string, std::string>> key_values = {});
+
+  /// Without close() the file has no footer, and no reader takes it.
+  ~ParquetWriter();
+  ParquetWriter(const ParquetWriter&) = delete;
+  ParquetWriter& operator=(const ParquetWriter&) = delete;
+
+  /// The value of `column`, counted from 0, in the row being made; every bit of it is kept.
+  ///
+  /// Domain    a column of that type, not set in this row before; an integer within int32 for an
+  ///           int32 column; UTF-8 text below 1 GiB (contract)
+  void set(std::size_t column, double value);
+  void set(std::size_t column, std::int64_t value);
+  void set(std::size_t column, std::int32_t value) { set(column, std::int64_t{value}); }
+  void set(std::size_t column, std::string_view value);
+
+  /// Takes the row. An optional column that was not set is null.
+  ///
+  /// Domain    every other column was set (contract)
+  void end_row();
+
+  /// Writes what is held and the footer; the table is whole once this has returned.
+  ///
+  /// Domain    no row begun and not ended (contract)
+  void close();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace gearwright
