@@ -1,0 +1,91 @@
+// Candidates by the thousand: everything the limits of a search ask of a pair, in columns, computed
+// in as many lanes as the processor has.
+//
+// One text of formulas (design/candidate_formulas.inc) is compiled for double and for every
+// instruction set; at run time the best that the processor has is taken. Lanes round differently
+// from machine to machine in the last bits, so they never decide alone: within kSieveDoubt of a
+// limit, and for every number that is printed, the scalar formulas of the pair do.
+//
+//   Laws  (1) lanes agree with the scalar instance to 1e-12
+//         (2) the verdicts are the same on any machine
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace gearwright {
+
+/// What all candidates of a batch share; parallel axes, normal modules.
+struct CandidateConstants {
+  double tan_alpha = 0.0;                                      ///< tan α_n
+  std::array<double, 2> addendum{}, dedendum{}, edge_depth{};  ///< of the racks
+  bool tight = false, shorten = false;
+};
+
+/// Columns in: z1, z2 (ring: < 0), sin β, x1, x2. Columns out, in normal modules:
+struct CandidateBatch {
+  enum In { z1, z2, sin_beta, x1, x2, kIn };
+  enum Out {
+    center_distance,
+    tan_working,         ///< tan α_wt
+    contact_ratio,       ///< ε_α
+    contact_ratio_true,  ///< clipped to the usable flanks
+    sliding,             ///< greatest |ζ|; ∞ beyond a base tangent point
+    tip_1,
+    tip_2,  ///< s_an
+    clearance_1,
+    clearance_2,
+    interference_1,
+    interference_2,  ///< ρ at the mate's tip − ρ_F; ∞: a ring, no such limit
+    residual,        ///< of the working angle: beyond kSieveDoubt it is none
+    kOut
+  };
+  std::array<std::vector<double>, kIn> in;
+  std::array<std::vector<double>, kOut> out;
+  std::size_t size() const { return in[0].size(); }
+  void resize(std::size_t n);
+};
+
+/// Lanes of this machine; NaN where a tip lies inside its base circle or there is no mesh.
+void evaluate(const CandidateConstants& constants, CandidateBatch& batch);
+/// The same, one by one.
+void evaluate_scalar(const CandidateConstants& constants, CandidateBatch& batch);
+
+/// Nearer to a limit than this, modules, the lanes' verdict is not taken.
+inline constexpr double kSieveDoubt = 1e-10;
+
+/// What the sieve says of a trial: killed by one of the first three limits, through all three, or
+/// not for it to say.
+inline constexpr double kSieveShiftLimits = 0.0, kSieveCenterDistance = 1.0,
+                        kSieveContactRatio = 2.0, kSievePass = 3.0, kSieveAsk = 4.0;
+
+/// One rack, helix and mounting.
+struct SieveConstants {
+  double cos_transverse = 1.0;       ///< cos α_t
+  double involute_transverse = 0.0;  ///< inv α_t
+  double sum_per_involute = 0.0;     ///< Σ/(R Δinv α) = cos β/tan α_n, tight centres
+  double least_path = 0.0;           ///< K
+  std::array<double, 2> addendum{};
+  bool tight = false, internal = false;
+  bool path = false;  ///< the third limit too: extended external pairs
+};
+
+struct SieveBatch {
+  enum In { r_1, x1_lo, x1_hi, r_2, x2_lo, x2_hi, a_lo, a_hi, kIn };  ///< modules
+  std::array<std::vector<double>, kIn> in;
+  std::vector<double> verdict;
+  std::size_t size() const { return in[0].size(); }
+  void resize(std::size_t n);
+};
+
+void sieve(const SieveConstants& constants, SieveBatch& batch);
+void sieve_scalar(const SieveConstants& constants, SieveBatch& batch);
+
+/// "AVX3", "AVX2", …: the instruction set that this machine's lanes use.
+std::string lanes_name();
+std::size_t lanes();
+
+}  // namespace gearwright

@@ -1,0 +1,127 @@
+// The lanes of design/candidate.hpp through Google Highway: this file is compiled once for each
+// instruction set that the compiler knows, and the processor chooses.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "gearwright/design/candidate_simd.cpp"
+#include <hwy/foreach_target.h>  // must come before highway.h
+
+#include <hwy/contrib/math/math-inl.h>
+#include <hwy/highway.h>
+
+#include <array>
+#include <numbers>
+
+#include "gearwright/design/candidate.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace gearwright {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Tag = hn::ScalableTag<double>;
+constexpr double kLanePi = std::numbers::pi;
+
+// Highway has no operators for its vectors everywhere; these have.
+struct Lane {
+  hn::Vec<Tag> v;
+};
+HWY_INLINE Lane operator+(Lane a, Lane b) { return {hn::Add(a.v, b.v)}; }
+HWY_INLINE Lane operator-(Lane a, Lane b) { return {hn::Sub(a.v, b.v)}; }
+HWY_INLINE Lane operator*(Lane a, Lane b) { return {hn::Mul(a.v, b.v)}; }
+HWY_INLINE Lane operator/(Lane a, Lane b) { return {hn::Div(a.v, b.v)}; }
+
+struct Lanes {
+  using V = Lane;
+  static HWY_INLINE Lane set(double v) { return {hn::Set(Tag(), v)}; }
+  static HWY_INLINE Lane sqrt(Lane v) { return {hn::Sqrt(v.v)}; }
+  static HWY_INLINE Lane atan(Lane v) { return {hn::Atan(Tag(), v.v)}; }
+  static HWY_INLINE Lane abs(Lane v) { return {hn::Abs(v.v)}; }
+  static HWY_INLINE Lane min(Lane a, Lane b) { return {hn::Min(a.v, b.v)}; }
+  static HWY_INLINE Lane max(Lane a, Lane b) { return {hn::Max(a.v, b.v)}; }
+  static HWY_INLINE auto less(Lane a, Lane b) { return hn::Lt(a.v, b.v); }
+  template <class Mask>
+  static HWY_INLINE Lane select(Mask mask, Lane a, Lane b) {
+    return {hn::IfThenElse(mask, a.v, b.v)};
+  }
+};
+
+#define GW_LANE_INLINE HWY_INLINE
+#include "gearwright/design/candidate_formulas.inc"
+#undef GW_LANE_INLINE
+
+// Whole vectors, then the rest through a padded copy of itself.
+template <std::size_t kIn, std::size_t kOut, class Kernel>
+HWY_INLINE void for_columns(const std::array<const double*, kIn>& in,
+                            const std::array<double*, kOut>& out, std::size_t n,
+                            const Kernel& kernel) {
+  const std::size_t width = hn::Lanes(Tag());
+  std::size_t i = 0;
+  for (; i + width <= n; i += width) {
+    std::array<Lane, kIn> x;
+    for (std::size_t k = 0; k < kIn; ++k) x[k] = {hn::LoadU(Tag(), in[k] + i)};
+    const std::array<Lane, kOut> y = kernel(x);
+    for (std::size_t k = 0; k < kOut; ++k) hn::StoreU(y[k].v, Tag(), out[k] + i);
+  }
+  if (i == n) return;
+  HWY_ALIGN double pad[hn::MaxLanes(Tag())];
+  std::array<Lane, kIn> x;
+  for (std::size_t k = 0; k < kIn; ++k) {
+    for (std::size_t j = 0; j < width; ++j) pad[j] = in[k][i + j < n ? i + j : n - 1];
+    x[k] = {hn::Load(Tag(), pad)};
+  }
+  const std::array<Lane, kOut> y = kernel(x);
+  for (std::size_t k = 0; k < kOut; ++k) {
+    hn::Store(y[k].v, Tag(), pad);
+    for (std::size_t j = 0; i + j < n; ++j) out[k][i + j] = pad[j];
+  }
+}
+
+void evaluate_here(const CandidateConstants& constants, CandidateBatch& b) {
+  std::array<const double*, CandidateBatch::kIn> in{};
+  for (std::size_t k = 0; k < in.size(); ++k) in[k] = b.in[k].data();
+  std::array<double*, CandidateBatch::kOut> out{};
+  for (std::size_t k = 0; k < out.size(); ++k) out[k] = b.out[k].data();
+  for_columns(in, out, b.size(), [&](const std::array<Lane, CandidateBatch::kIn>& x) HWY_ATTR {
+    const auto v = evaluate_lanes<Lanes>(constants, x[0], x[1], x[2], x[3], x[4]);
+    return std::array<Lane, CandidateBatch::kOut>{
+        v.center_distance, v.tan_working,    v.contact_ratio,  v.contact_ratio_true,
+        v.sliding,         v.tip_1,          v.tip_2,          v.clearance_1,
+        v.clearance_2,     v.interference_1, v.interference_2, v.residual};
+  });
+}
+
+void sieve_here(const SieveConstants& constants, SieveBatch& b) {
+  std::array<const double*, SieveBatch::kIn> in{};
+  for (std::size_t k = 0; k < in.size(); ++k) in[k] = b.in[k].data();
+  const std::array<double*, 1> out{b.verdict.data()};
+  for_columns(in, out, b.size(), [&](const std::array<Lane, SieveBatch::kIn>& x) HWY_ATTR {
+    return std::array<Lane, 1>{
+        sieve_lanes<Lanes>(constants, x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7])};
+  });
+}
+
+const char* name_here() { return hwy::TargetName(HWY_TARGET); }
+std::size_t lanes_here() { return hn::Lanes(Tag()); }
+
+}  // namespace HWY_NAMESPACE
+}  // namespace gearwright
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace gearwright {
+
+HWY_EXPORT(evaluate_here);
+HWY_EXPORT(sieve_here);
+HWY_EXPORT(name_here);
+HWY_EXPORT(lanes_here);
+
+void evaluate(const CandidateConstants& constants, CandidateBatch& batch) {
+  HWY_DYNAMIC_DISPATCH(evaluate_here)(constants, batch);
+}
+void sieve(const SieveConstants& constants, SieveBatch& batch) {
+  HWY_DYNAMIC_DISPATCH(sieve_here)(constants, batch);
+}
+std::string lanes_name() { return HWY_DYNAMIC_DISPATCH(name_here)(); }
+std::size_t lanes() { return HWY_DYNAMIC_DISPATCH(lanes_here)(); }
+
+}  // namespace gearwright
+#endif

@@ -1,0 +1,159 @@
+#include "gearwright/design/design_row.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <numbers>
+#include <tuple>
+
+#include "gearwright/gear/basic.hpp"
+#include "gearwright/pair/mesh.hpp"
+
+namespace gearwright {
+
+std::optional<double> DesignRow::greatest_sliding() const {
+  double most = 0.0;
+  for (const auto& gear : sliding) {
+    for (const auto& zeta : gear) {
+      if (!zeta) return std::nullopt;
+      most = std::max(most, std::abs(*zeta));
+    }
+  }
+  return most;
+}
+
+DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts) {
+  const SearchProblem& problem = graph.problem();
+  const Trial& t = graph.trial();
+  const double m = t.module;
+  const double sum = shifts[0] + shifts[1];
+  const SumPlace at = graph.place(sum);
+
+  MeshInput<double> in;
+  const std::array<int, 2> teeth{t.z1, t.z2};
+  for (std::size_t i : {0, 1}) {
+    const auto reference = reference_geometry(ReferenceInput<double>{
+        teeth[i], m, problem.normal_pressure_angle, t.helix[i], shifts[static_cast<int>(i)], 0.0});
+    in.gears[i] = base_gear(teeth[i], reference);
+    const TrialGear& g = graph.gears()[i];
+    in.tip_form_radius[i] = m * std::abs(g.r + g.addendum + shifts[static_cast<int>(i)] + at.k);
+    in.face_width[i] = problem.face_width.value_or(10.0 * m);
+  }
+  in.center_distance = m * std::abs(at.a);
+  in.shaft_angle = problem.shaft_angle;
+  const Mesh<double> mesh = mesh_of(in);
+
+  DesignRow row;
+  row.trial = t;
+  row.shift = {shifts[0], shifts[1]};
+  row.center_distance = in.center_distance;
+  row.working_angle =
+      problem.crossed() ? mesh.rack.normal_pressure_angle : mesh.rack.sides[0].transverse_angle;
+  row.ratio = static_cast<double>(t.z2) / t.z1;
+  row.contact_ratio = mesh.path_ratio;
+  const auto flank_start = [&](std::size_t i) {
+    const TrialGear& g = graph.gears()[i];
+    return m * (std::abs(g.r) * g.sin_transverse -
+                (g.edge_depth - shifts[static_cast<int>(i)]) / g.sin_transverse);
+  };
+  // Clipped to the usable flanks; crossed: not to the faces, which a search does not choose.
+  const double from = std::max({mesh.rho1_A, 0.0, flank_start(0)});
+  const double end =
+      mesh.base_tangent_distance - std::max(0.0, flank_start(1)) / mesh.base_cosine_ratio;
+  const double to = problem.internal() ? mesh.rho1_E : std::min(mesh.rho1_E, end);
+  row.contact_ratio_true = std::max(0.0, (to - from) / mesh.step);
+  row.overlap_ratio = mesh.overlap_ratio;
+  row.backlash_normal = mesh.backlash.normal_base;
+  row.tip_alteration = at.k * m;
+  for (std::size_t i : {0, 1}) {
+    const TrialGear& g = graph.gears()[i];
+    const TrialGear& mate = graph.gears()[1 - i];
+    row.tip_thickness[i] = m * tip_thickness(g, shifts[static_cast<int>(i)], at.k);
+    row.tip_clearance[i] = m * (mate.dedendum - g.addendum +
+                                (at.a - (graph.gears()[0].r + graph.gears()[1].r) - sum) - at.k);
+  }
+  const auto zeta_A = specific_sliding(in, mesh, mesh.rho1_A);
+  const auto zeta_E = specific_sliding(in, mesh, mesh.rho1_E);
+  row.sliding = {{{zeta_A.zeta_1, zeta_E.zeta_1}, {zeta_A.zeta_2, zeta_E.zeta_2}}};
+  const double slack = kTouching * m;
+  row.interference = mesh.rho1_A < flank_start(0) - slack ||
+                     (t.z2 > 0 && mesh.rho2(mesh.rho1_E) < flank_start(1) - slack);
+  return row;
+}
+
+std::optional<DesignRow> design_row(const ShiftGraph& graph) {
+  const auto region = shift_region(graph);
+  if (!region) return std::nullopt;
+  DesignRow row = row_at(graph, chosen_point(graph, *region));
+  row.balanced = region->balanced.has_value();
+  row.area = region->area;
+  row.sums = {region->sums.front().lo, region->sums.back().hi};
+  row.lo = region->lo;
+  row.hi = region->hi;
+  return row;
+}
+
+std::optional<double> cost(const SearchProblem& problem, const DesignRow& row,
+                           Objective objective) {
+  if (!row.balanced) return std::nullopt;
+  switch (objective) {
+    case Objective::contact_ratio: return -row.contact_ratio;
+    case Objective::ratio: return std::abs(row.ratio - problem.target_ratio);
+    case Objective::size: {
+      const double z1 = row.trial.z1;
+      const double z2 = row.trial.z2;
+      return row.trial.module * row.trial.module * (z1 * z1 + z2 * z2);
+    }
+    case Objective::shift: return std::abs(row.shift[0] + row.shift[1]);
+    case Objective::sliding: return row.greatest_sliding();
+    case Objective::area: return -row.area;
+  }
+  return std::nullopt;
+}
+
+namespace {
+
+// Costs that differ by less are equal: the same design in another module rounds differently.
+double settled(double cost) {
+  constexpr double kSame = 1e-11;
+  return std::abs(cost) < 1e4 ? std::round(cost / kSame) * kSame : cost;
+}
+
+}  // namespace
+
+bool ranks_before(const SearchProblem& problem, Objective objective, const DesignRow& a,
+                  const DesignRow& b) {
+  const auto key = [&](const DesignRow& row) {
+    const auto c = cost(problem, row, objective);
+    return std::make_tuple(!c, settled(c.value_or(0.0)), settled(-row.contact_ratio),
+                           row.trial.module, row.trial.z1, std::abs(row.trial.z2), row.trial.index);
+  };
+  return key(a) < key(b);
+}
+
+bool dominates(const SearchProblem& problem, const DesignRow& a, const DesignRow& b) {
+  bool better = false;
+  for (const Objective objective : problem.objectives) {
+    const auto cost_a = cost(problem, a, objective);
+    const auto cost_b = cost(problem, b, objective);
+    if (!cost_a) return false;
+    if (cost_b && settled(*cost_a) > settled(*cost_b)) return false;
+    better = better || !cost_b || settled(*cost_a) < settled(*cost_b);
+  }
+  return better;
+}
+
+void ParetoFront::add(const DesignRow& row) {
+  for (const Objective objective : problem_->objectives)
+    if (!cost(*problem_, row, objective)) return;
+  for (const DesignRow& kept : rows_)
+    if (dominates(*problem_, kept, row)) return;
+  rows_.erase(
+      std::remove_if(rows_.begin(), rows_.end(),
+                     [&](const DesignRow& kept) { return dominates(*problem_, row, kept); }),
+      rows_.end());
+  rows_.push_back(row);
+}
+
+}  // namespace gearwright

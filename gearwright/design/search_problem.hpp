@@ -1,0 +1,89 @@
+// What a design search is asked: the numbers to try, the limits to keep, what counts as better.
+//
+//   m_n, z1, z2, β   the numbers of a trial; x1, x2 are not tried but solved for: every trial has
+//                    its exact region of them (design/shift_graph.hpp)
+//   Σ                x1 + x2, ISO 21771 signs (ring: z2 < 0)
+//                                              theory: docs/theory/09-design-search.md
+//
+// Lengths mm, angles rad; what limits a tooth is in normal modules.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "gearwright/pair/shift.hpp"
+#include "gearwright/tool/straight_rack.hpp"
+
+namespace gearwright {
+
+/// What can leave nothing of a trial, in the order in which it is asked.
+enum class Limit {
+  shift_limits,
+  center_distance,
+  contact_ratio,
+  overlap_ratio,
+  sliding,
+  tip_clearance,
+  interference
+};
+inline constexpr int kLimits = 7;
+/// "shift_limits", "center_distance", …
+std::string_view name(Limit limit);
+
+enum class Objective { contact_ratio, ratio, size, shift, area, sliding };
+inline constexpr std::array<std::string_view, 6> kObjectiveNames{
+    "contact_ratio", "ratio", "size", "shift", "area", "sliding"};
+
+/// The racks of both gears, and how deep their straight edges reach below the datum line.
+struct SearchRacks {
+  std::array<StraightRack, 2> rack;
+  std::array<double, 2> undercut_depth{1.0, 1.0};  ///< modules, for the undercut limit
+};
+
+struct SearchLimits {
+  std::optional<double> least_shift, greatest_shift;  ///< floor and ceiling of x1 and x2
+  double undercut_margin = 0.0;                       ///< x ≥ the undercut limit + this
+  double tip_thickness = 0.2;                         ///< s_an ≥ this, modules
+  double contact_ratio =
+      1.2;  ///< transverse, of ε_α and of its path clipped to the flanks; crossed: AE
+  std::optional<double> overlap_ratio;  ///< ε_β ≥ this
+  std::optional<double> sliding;        ///< |ζ| ≤ this at both ends of the path; parallel axes
+  std::optional<double> tip_clearance;  ///< c ≥ this, modules
+  bool avoid_interference = false;      ///< a tip may not pass the start of the mate's flank
+};
+
+struct SearchProblem {
+  std::array<double, 2> ratio{};  ///< z2/z1, closed; both negative: internal pairs
+  std::optional<std::array<double, 2>> center_distance;  ///< mm, closed; equal: exactly that
+  std::vector<double> modules;                           ///< m_n  mm
+  std::array<int, 2> pinion_teeth{};                     ///< z1, closed
+  std::vector<double> helix{0.0};                        ///< β of gear 1  rad
+  std::optional<double> shaft_angle;  ///< Σ  rad, of crossed axes; β2 = Σ − β1
+  double normal_pressure_angle = 0.3490658503988659;  ///< α_n  rad
+  std::vector<SearchRacks> racks{SearchRacks{}};
+  bool coprime = false;              ///< only z1, z2 without a common factor
+  std::optional<double> face_width;  ///< mm, of both; absent: 10 m_n
+  Mounting mounting = Mounting::extended;
+  bool shorten_tips = false;  ///< tips cut back by what the tight centres take from the clearance
+  SearchLimits limits;
+  double lambda = 0.625;      ///< λ of the line of Eq. 11
+  double target_ratio = 0.0;  ///< of the objective `ratio`
+  std::vector<Objective> objectives{Objective::contact_ratio};
+
+  bool internal() const { return ratio[0] < 0.0; }
+  bool crossed() const { return shaft_angle.has_value(); }
+};
+
+/// One choice of everything but the shifts.
+struct Trial {
+  std::int64_t index = 0;  ///< place in the order in which trials are counted
+  double module = 0.0;     ///< m_n  mm
+  int z1 = 0, z2 = 0;
+  std::array<double, 2> helix{};  ///< β  rad, signed
+  int rack = 0;                   ///< of SearchProblem::racks
+};
+
+}  // namespace gearwright

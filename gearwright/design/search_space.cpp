@@ -1,0 +1,111 @@
+#include "gearwright/design/search_space.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "gearwright/base/contract.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kRatioSlack = 1e-12;  // 1.9 · 30 is 57, whatever the doubles say
+
+}  // namespace
+
+std::array<int, 2> wheels_of(const SearchProblem& problem, int z1) {
+  const double slack = kRatioSlack * z1;
+  double first = std::ceil(problem.ratio[0] * z1 - slack);
+  double last = std::floor(problem.ratio[1] * z1 + slack);
+  if (problem.internal()) {
+    last = std::min(last, -static_cast<double>(z1) - 1.0);
+  } else {
+    first = std::max(first, static_cast<double>(z1));
+  }
+  constexpr double kMost = kMostSearchTeeth;
+  GW_EXPECTS(first > last || (std::abs(first) <= kMost && std::abs(last) <= kMost));
+  if (first > last) return {1, 0};
+  return {static_cast<int>(first), static_cast<int>(last)};
+}
+
+SearchSpace::SearchSpace(const SearchProblem& problem) : problem_(&problem) {
+  for (int z1 = problem.pinion_teeth[0]; z1 <= problem.pinion_teeth[1]; ++z1) {
+    const auto [first, last] = wheels_of(problem, z1);
+    if (first > last) continue;
+    pinions_.push_back({z1, first, last});
+    before_pinion_.push_back(per_module_);
+    per_module_ += last - first + 1;
+    const int near = std::min(std::abs(first), std::abs(last));
+    least_wheel_ = greatest_wheel_ == 0 ? near : std::min(least_wheel_, near);
+    greatest_wheel_ = std::max({greatest_wheel_, std::abs(first), std::abs(last)});
+  }
+  if (approximate_size() < 9e18) {
+    size_ = per_module_ * static_cast<std::int64_t>(problem.modules.size()) *
+            static_cast<std::int64_t>(problem.helix.size()) *
+            static_cast<std::int64_t>(problem.racks.size());
+  }
+}
+
+double SearchSpace::approximate_size() const {
+  return static_cast<double>(per_module_) * static_cast<double>(problem_->modules.size()) *
+         static_cast<double>(problem_->helix.size()) * static_cast<double>(problem_->racks.size());
+}
+
+SearchSpace::Cursor SearchSpace::at(std::int64_t index) const {
+  GW_EXPECTS(size_ && index >= 0 && index < *size_);
+  Cursor c{index, 0, 0, 0, 0, 0, 0};
+  const std::int64_t in_module = index % per_module_;
+  std::int64_t rest = index / per_module_;
+  const auto take = [&](std::size_t count) {
+    const auto n = static_cast<std::int64_t>(count);
+    const std::int64_t digit = rest % n;
+    rest /= n;
+    return static_cast<std::size_t>(digit);
+  };
+  c.module = take(problem_->modules.size());
+  c.helix = take(problem_->helix.size());
+  c.rack = static_cast<std::size_t>(rest);
+  const auto after = std::upper_bound(before_pinion_.begin(), before_pinion_.end(), in_module);
+  c.pinion = static_cast<std::size_t>(after - before_pinion_.begin()) - 1;
+  const Wheels& w = pinions_[c.pinion];
+  c.z1 = w.z1;
+  c.z2 = w.first + static_cast<int>(in_module - before_pinion_[c.pinion]);
+  return c;
+}
+
+void SearchSpace::next(Cursor& c) const {
+  ++c.index;
+  if (c.z2 < pinions_[c.pinion].last) {
+    ++c.z2;
+    return;
+  }
+  if (++c.pinion == pinions_.size()) {
+    c.pinion = 0;
+    if (++c.module == problem_->modules.size()) {
+      c.module = 0;
+      if (++c.helix == problem_->helix.size()) {
+        c.helix = 0;
+        ++c.rack;
+      }
+    }
+  }
+  c.z1 = pinions_[c.pinion].z1;
+  c.z2 = pinions_[c.pinion].first;
+}
+
+Trial SearchSpace::trial_of(const Cursor& c) const {
+  const double beta = problem_->helix[c.helix];
+  // β1 = −β2 on parallel external axes, β1 = β2 of a ring, Σ = β1 + β2 of crossed axes.
+  const double mate = problem_->crossed()    ? *problem_->shaft_angle - beta
+                      : problem_->internal() ? beta
+                                             : 0.0 - beta;
+  return {c.index, problem_->modules[c.module], c.z1, c.z2, {beta, mate}, static_cast<int>(c.rack)};
+}
+
+Trial SearchSpace::trial(std::int64_t index) const { return trial_of(at(index)); }
+
+bool SearchSpace::coprime(int a, int b) { return std::gcd(a, b) == 1; }
+
+}  // namespace gearwright

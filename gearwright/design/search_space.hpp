@@ -1,0 +1,69 @@
+// The trials of a search as one line of numbers 0 … size − 1, so that any part of it can be tried
+// anywhere and the whole is the same.
+//
+//   order     rack, helix, module, z1, z2, the last running fastest
+//   z2        the tooth numbers whose ratio lies in the band, closed with a slack of 1e-12
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "gearwright/design/search_problem.hpp"
+
+namespace gearwright {
+
+inline constexpr int kMostSearchTeeth = 20'000;  ///< of a wheel; limits of every number are tabled
+
+class SearchSpace {
+ public:
+  /// Domain    as the spec reader leaves the problem; wheels up to kMostSearchTeeth (contract)
+  explicit SearchSpace(const SearchProblem& problem);
+
+  /// All numbers, those with a common factor included; none: more than 9·10^18.
+  std::optional<std::int64_t> size() const { return size_; }
+  /// As far as a double counts.
+  double approximate_size() const;
+
+  /// Domain    0 ≤ index < size (contract)
+  Trial trial(std::int64_t index) const;
+
+  /// Calls f(trial) for every trial of [from, to) that counts, all or the coprime ones, until it
+  /// returns false.
+  template <class F>
+  void each(std::int64_t from, std::int64_t to, const F& f) const {
+    if (from >= to) return;
+    for (Cursor c = at(from); c.index < to; next(c)) {
+      if ((!problem_->coprime || coprime(c.z1, c.z2)) && !f(trial_of(c))) return;
+    }
+  }
+
+  int least_wheel() const { return least_wheel_; }        ///< |z2|
+  int greatest_wheel() const { return greatest_wheel_; }  ///< |z2|; 0: no pair at all
+
+ private:
+  struct Cursor {
+    std::int64_t index;
+    std::size_t rack, helix, module, pinion;
+    int z1, z2;
+  };
+  Cursor at(std::int64_t index) const;
+  void next(Cursor& c) const;
+  Trial trial_of(const Cursor& c) const;
+  static bool coprime(int a, int b);
+
+  const SearchProblem* problem_;
+  struct Wheels {
+    int z1, first, last;  ///< z2 from … to
+  };
+  std::vector<Wheels> pinions_;              ///< those with a wheel
+  std::vector<std::int64_t> before_pinion_;  ///< trials of one module before each
+  std::int64_t per_module_ = 0;
+  std::optional<std::int64_t> size_;
+  int least_wheel_ = 0, greatest_wheel_ = 0;
+};
+
+/// z2 of the least and the greatest ratio for z1; first > last: none.
+std::array<int, 2> wheels_of(const SearchProblem& problem, int z1);
+
+}  // namespace gearwright

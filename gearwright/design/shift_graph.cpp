@@ -1,0 +1,442 @@
+#include "gearwright/design/shift_graph.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/math/newton.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// √(u² − b²), 0 inside the base circle; signs of u and b do not matter.
+double curvature(double u, double b) {
+  const double square = (std::abs(u) - std::abs(b)) * (std::abs(u) + std::abs(b));
+  return square > 0.0 ? std::sqrt(square) : 0.0;
+}
+
+// |u| of a tip whose flank ends with the curvature radius q.
+double radius_of(double q, double b) { return std::sqrt(b * b + q * q); }
+
+void raise(double& lo, double value) { lo = std::max(lo, value); }
+void lower(double& hi, double value) { hi = std::min(hi, value); }
+
+}  // namespace
+
+std::string_view name(ShiftEdge edge) {
+  constexpr std::array<std::string_view, kShiftEdges> kNames{
+      "s1min",    "s1max",   "s2min",     "s2max",         "Cmin",          "Cmax", "eps",
+      "eps_true", "sliding", "clearance", "interference1", "interference2", "mesh"};
+  return kNames[static_cast<std::size_t>(edge)];
+}
+
+std::string_view name(Limit limit) {
+  constexpr std::array<std::string_view, kLimits> kNames{
+      "shift_limits", "center_distance", "contact_ratio", "overlap_ratio",
+      "sliding",      "tip_clearance",   "interference"};
+  return kNames[static_cast<std::size_t>(limit)];
+}
+
+ShiftGraph::ShiftGraph(const SearchProblem& problem, const Trial& trial, const TrialGear& gear_1,
+                       const TrialGear& gear_2)
+    : problem_(&problem),
+      trial_(trial),
+      gears_{gear_1, gear_2},
+      internal_(trial.z2 < 0),
+      crossed_(problem.crossed()),
+      tight_(!problem.crossed() && problem.mounting == Mounting::tight),
+      R_(gear_1.r + gear_2.r),
+      B_(gear_1.r_b + gear_2.r_b),
+      tan_alpha_(std::tan(problem.normal_pressure_angle)),
+      teeth_sum_(trial.z1 + trial.z2) {
+  const double cos_beta = std::abs(gear_1.teeth / (2.0 * gear_1.r));
+  const double alpha_t = std::asin(gear_1.sin_transverse);
+  inv_alpha_t_ = involute(alpha_t);
+  pitch_ = std::numbers::pi * std::cos(alpha_t) / cos_beta;
+  if (crossed_) {
+    // [T9.10]: N = Σ r_i sin α_ti/cos β_bi + Σ/sin α_n, for X = Σ.
+    pitch_ = std::numbers::pi * std::cos(problem.normal_pressure_angle);
+    for (std::size_t i : {0, 1}) {
+      weight_[i] = 1.0 / gears_[i].cos_base_helix;
+      crossed_line_0_ += gears_[i].r * gears_[i].sin_transverse * weight_[i];
+    }
+    crossed_line_1_ = 1.0 / std::sin(problem.normal_pressure_angle);
+  }
+  least_path_ = problem.limits.contact_ratio * pitch_;
+}
+
+SumPlace ShiftGraph::place(double sum) const {
+  SumPlace at{R_ + sum, 0.0, 0.0};
+  if (crossed_) {
+    at.N = crossed_line_0_ + crossed_line_1_ * sum;
+  } else if (tight_) {
+    const double y = inv_alpha_t_ + 2.0 * tan_alpha_ * sum / teeth_sum_;
+    const double alpha_w = inverse_involute(std::max(y, 0.0));
+    if (sum != 0.0) at.a = B_ / std::cos(alpha_w);
+    at.N = sum != 0.0 ? B_ * std::tan(alpha_w) : std::copysign(curvature(R_, B_), B_);
+    if (problem_->shorten_tips) at.k = std::min(0.0, at.a - R_ - sum);
+  } else {
+    at.N = std::copysign(curvature(at.a, B_), B_);
+  }
+  return at;
+}
+
+double ShiftGraph::sum_of_distance(double distance) const {
+  const double a = std::copysign(distance, B_);
+  if (!tight_) return a - R_;
+  if (a == R_) return 0.0;
+  const double alpha_w = std::atan2(curvature(a, B_), std::abs(B_));
+  return (involute(alpha_w) - inv_alpha_t_) * teeth_sum_ / (2.0 * tan_alpha_);
+}
+
+ShiftGraph::Sums ShiftGraph::sums(int limits) const {
+  Sums s{-kInfinity, kInfinity, ShiftEdge::mesh, ShiftEdge::mesh};
+  const auto from_below = [&](double sum, ShiftEdge edge) {
+    if (sum > s.lo) s.lo = sum, s.lo_edge = edge;
+  };
+  const auto from_above = [&](double sum, ShiftEdge edge) {
+    if (sum < s.hi) s.hi = sum, s.hi_edge = edge;
+  };
+  // A ring's distance falls as Σ grows: what bounds it from below bounds Σ from above.
+  const auto not_nearer = [&](double sum, ShiftEdge edge) {
+    internal_ ? from_above(sum, edge) : from_below(sum, edge);
+  };
+  const auto not_farther = [&](double sum, ShiftEdge edge) {
+    internal_ ? from_below(sum, edge) : from_above(sum, edge);
+  };
+  if (crossed_) {
+    from_below(-crossed_line_0_ / crossed_line_1_, ShiftEdge::mesh);
+  } else {
+    not_nearer(sum_of_distance(std::abs(B_)), ShiftEdge::mesh);
+  }
+  if (limits > static_cast<int>(Limit::center_distance) && problem_->center_distance) {
+    const auto& band = *problem_->center_distance;
+    not_nearer(sum_of_distance(band[0] / trial_.module), ShiftEdge::Cmin);
+    not_farther(sum_of_distance(band[1] / trial_.module), ShiftEdge::Cmax);
+  }
+  if (limits > static_cast<int>(Limit::contact_ratio) && !internal_) {
+    // N ≥ K: the path between the base tangent points.
+    const double sum = crossed_ ? (least_path_ - crossed_line_0_) / crossed_line_1_
+                                : sum_of_distance(radius_of(least_path_, B_));
+    from_below(sum, ShiftEdge::eps_true);
+  }
+  // The corners of the rectangle end the graph too, but in a point: no edge is named after them.
+  raise(s.lo, gears_[0].x_least + gears_[1].x_least);
+  double corner = gears_[0].x_greatest + gears_[1].x_greatest;
+  if (tight_ && problem_->shorten_tips && std::isfinite(corner)) {
+    for (int i = 0; i < 60; ++i) {  // rises to where the tips, thicker by k, are as thin as allowed
+      const double k = place(std::max(corner, s.lo)).k;
+      const double next =
+          greatest_shift(*problem_, gears_[0], k) + greatest_shift(*problem_, gears_[1], k);
+      if (!(next > corner + 1e-13)) break;
+      corner = next;
+    }
+    corner += 1e-9;
+  }
+  lower(s.hi, corner);
+  return s;
+}
+
+void ShiftGraph::bound_sliding(const SumPlace& at, double sum, double& lo, double& hi) const {
+  // With t = ρ2/(u ρ1) at A and ρ2/(u ρ1) at E, |ζ| ≤ Z is 1/(1 + Z) ≤ t ≤ 1 + Z. [T9.8]
+  const double u = static_cast<double>(trial_.z2) / trial_.z1;
+  const double most = 1.0 + *problem_->limits.sliding;
+  const double A_1 = gears_[0].r + gears_[0].addendum + at.k;
+  const double A_2 = gears_[1].r + gears_[1].addendum + at.k;
+  const auto tip_1 = [&](double t) {
+    const double q = at.N / (1.0 + t * u);
+    return q > 0.0 ? radius_of(q, gears_[0].r_b) : kInfinity;
+  };
+  const auto tip_2 = [&](double t) {
+    const double q = t * u * at.N / (1.0 + t * u);  // signed as the gear
+    return q * u > 0.0 ? radius_of(q, gears_[1].r_b) : kInfinity;
+  };
+  raise(lo, tip_1(most) - A_1);
+  lower(hi, tip_1(1.0 / most) - A_1);
+  if (internal_) {
+    raise(lo, tip_2(most) + A_2 + sum);
+    lower(hi, tip_2(1.0 / most) + A_2 + sum);
+  } else {
+    lower(hi, sum + A_2 - tip_2(1.0 / most));
+    raise(lo, sum + A_2 - tip_2(most));
+  }
+}
+
+// ρ_1A ≥ ρ_F1 and ρ_2E ≥ ρ_F2: the mate's tip stays on the flank. Each is w q(u) ≤ c + s u in the
+// mate's tip radius u, a quadratic; it fails between its roots. [T9.9]
+void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2,
+                                    double& hi_1) const {
+  const auto greater_root = [](double w, double c, double s, double b) {
+    const double disc = c * c - (s * s - w * w) * b * b;
+    if (!(c < 0.0) || !(disc >= 0.0)) return -kInfinity;
+    return (-c * s + w * std::sqrt(disc)) / (s * s - w * w);
+  };
+  const auto line = [&](std::size_t i, double A_mate) {
+    const double s = weight_[i] / gears_[i].sin_transverse;
+    const double c = at.N - weight_[i] * gears_[i].r * gears_[i].sin_transverse +
+                     s * gears_[i].edge_depth - s * (sum + A_mate);
+    return std::array<double, 2>{c, s};
+  };
+  const double A_1 = gears_[0].r + gears_[0].addendum + at.k;
+  const double A_2 = gears_[1].r + gears_[1].addendum + at.k;
+  if (!internal_) {
+    const auto [c_1, s_1] = line(0, A_2);
+    const auto [c_2, s_2] = line(1, A_1);
+    hi_1 = sum + A_2 - greater_root(weight_[1], c_1, s_1, gears_[1].r_b);
+    lo_2 = greater_root(weight_[0], c_2, s_2, gears_[0].r_b) - A_1;
+    return;
+  }
+  // The ring's tip v = |u|: √(v² − b²) ≥ s v + c, between the roots.
+  const double s = 1.0 / gears_[0].sin_transverse;
+  const double c =
+      -at.N + gears_[0].r * gears_[0].sin_transverse - s * gears_[0].edge_depth + s * (A_2 + sum);
+  const double b = gears_[1].r_b;
+  const double disc = c * c - (s * s - 1.0) * b * b;
+  if (!(c < 0.0) || !(disc >= 0.0)) {
+    // Nowhere: the line lies above the whole branch; say by how much.
+    hi_1 = A_2 + sum;
+    lo_2 = hi_1 + 1.0;
+    return;
+  }
+  lo_2 = (-s * c - std::sqrt(disc)) / (s * s - 1.0) + A_2 + sum;
+  hi_1 = (-s * c + std::sqrt(disc)) / (s * s - 1.0) + A_2 + sum;
+}
+
+// The path clipped to the usable flanks, which begin at f_i = max(0, w_i ρ_Fi): from f_1 to the
+// tip, w_1 q_1 − f_1 ≥ K, the same of gear 2, and N − f_1 − f_2 ≥ K. Of the last the case of both
+// starts is one of Σ alone (sum_margin). A ring's start is not known. [T9.7]
+void ShiftGraph::bound_usable_path(const SumPlace& at, double sum, double& lo, double& hi) const {
+  for (std::size_t i : {0, 1}) {
+    const TrialGear& g = gears_[i];
+    if (g.teeth < 0) continue;
+    const double A = g.r + g.addendum + at.k;
+    const double path = least_path_ / weight_[i];
+    double least = radius_of(path, g.r_b);
+    double most = kInfinity;
+    // q(u) ≥ s u + c: between the roots, or up to the greater one where the line starts below 0.
+    const double s = 1.0 / g.sin_transverse;
+    const double c = path + g.r * g.sin_transverse - s * (g.edge_depth + A);
+    const double disc = c * c - (s * s - 1.0) * g.r_b * g.r_b;
+    const bool starts_above = s * g.r_b + c > 0.0;
+    if (disc >= 0.0 && c < 0.0) {
+      most = (-s * c + std::sqrt(disc)) / (s * s - 1.0);
+      if (starts_above) raise(least, (-s * c - std::sqrt(disc)) / (s * s - 1.0));
+    } else if (starts_above) {
+      most = least - 1.0;
+    }
+    least -= A;
+    most -= A;
+    if (!internal_) {
+      const double of_place = (at.N - least_path_) / weight_[i] - g.r * g.sin_transverse;
+      lower(most, g.edge_depth + of_place * g.sin_transverse);
+    }
+    if (i == 0) {
+      raise(lo, least);
+      lower(hi, most);
+    } else {
+      raise(lo, sum - most);
+      lower(hi, sum - least);
+    }
+  }
+}
+
+ShiftBounds ShiftGraph::bounds_before_path(double sum, int limits) const {
+  const SumPlace at = place(sum);
+  const TrialGear& g_1 = gears_[0];
+  const TrialGear& g_2 = gears_[1];
+  ShiftBounds bounds;
+  bounds.lo_of(ShiftEdge::s1min) = g_1.x_least;
+  bounds.hi_of(ShiftEdge::s1max) = greatest_shift(*problem_, g_1, at.k);
+  bounds.lo_of(ShiftEdge::s2max) = sum - greatest_shift(*problem_, g_2, at.k);
+  bounds.hi_of(ShiftEdge::s2min) = sum - g_2.x_least;
+  if (limits > static_cast<int>(Limit::contact_ratio)) {
+    bound_usable_path(at, sum, bounds.lo_of(ShiftEdge::eps_true),
+                      bounds.hi_of(ShiftEdge::eps_true));
+  }
+  if (limits > static_cast<int>(Limit::sliding) && problem_->limits.sliding && !crossed_) {
+    bound_sliding(at, sum, bounds.lo_of(ShiftEdge::sliding), bounds.hi_of(ShiftEdge::sliding));
+  }
+  if (limits > static_cast<int>(Limit::interference) && problem_->limits.avoid_interference) {
+    const ShiftEdge below = internal_ ? ShiftEdge::interference1 : ShiftEdge::interference2;
+    bound_interference(at, sum, bounds.lo_of(below), bounds.hi_of(ShiftEdge::interference1));
+  }
+  return bounds;
+}
+
+ShiftSlice ShiftBounds::slice() const {
+  ShiftSlice s{-kInfinity, kInfinity, ShiftEdge::mesh, ShiftEdge::mesh};
+  for (std::size_t i = 0; i < kShiftEdges; ++i) {
+    const auto edge = static_cast<ShiftEdge>(i);
+    if (lo[i] > s.lo) s.lo = lo[i], s.lo_edge = edge;
+    if (hi[i] < s.hi) s.hi = hi[i], s.hi_edge = edge;
+  }
+  return s;
+}
+
+ShiftGraph::SumMargin ShiftGraph::sum_margin(const SumPlace& at, double sum, int limits) const {
+  SumMargin margin{kInfinity, ShiftEdge::mesh};
+  if (limits > static_cast<int>(Limit::contact_ratio) && !internal_) {
+    // N − ρ_F1 − ρ_F2 ≥ K, in units of Σ. [T9.7]
+    double path = at.N - least_path_;
+    for (std::size_t i : {0, 1}) {
+      const TrialGear& g = gears_[i];
+      path -= weight_[i] * (g.r * g.sin_transverse - g.edge_depth / g.sin_transverse);
+    }
+    const double slope = weight_[0] / gears_[0].sin_transverse;  // alike for both
+    margin = {path / slope - sum, ShiftEdge::eps_true};
+  }
+  if (limits > static_cast<int>(Limit::tip_clearance) && problem_->limits.tip_clearance) {
+    const double lost = at.a - R_ - sum - at.k;  // [T9.5]
+    const double least =
+        std::min(gears_[0].dedendum - gears_[1].addendum, gears_[1].dedendum - gears_[0].addendum);
+    const double free = least + lost - *problem_->limits.tip_clearance;
+    if (free < margin.value) margin = {free, ShiftEdge::clearance};
+  }
+  return margin;
+}
+
+double ShiftGraph::path_length(const SumPlace& at, double sum, double x1) const {
+  const double u_1 = gears_[0].r + gears_[0].addendum + at.k + x1;
+  const double u_2 = gears_[1].r + gears_[1].addendum + at.k + (sum - x1);
+  const double sign = internal_ ? -1.0 : 1.0;
+  return weight_[0] * curvature(u_1, gears_[0].r_b) +
+         sign * weight_[1] * curvature(u_2, gears_[1].r_b) - at.N;
+}
+
+namespace {
+
+// dE/dx1 = w_1/sin α_a1 − w_2/sin α_a2, and its derivative; both tips beyond their base circles.
+struct PathSlope {
+  double first, second;
+};
+PathSlope path_slope(double u_1, double b_1, double w_1, double u_2, double b_2, double w_2,
+                     bool internal) {
+  const double q_1 = curvature(u_1, b_1);
+  const double q_2 = curvature(u_2, b_2);
+  const double bend_1 = w_1 * b_1 * b_1 / (q_1 * q_1 * q_1);
+  const double bend_2 = w_2 * b_2 * b_2 / (q_2 * q_2 * q_2);
+  return {w_1 * std::abs(u_1) / q_1 - w_2 * std::abs(u_2) / q_2,
+          -bend_1 + (internal ? bend_2 : -bend_2)};
+}
+
+}  // namespace
+
+ShiftGraph::Longest ShiftGraph::longest_path(const SumPlace& at, double sum,
+                                             const ShiftSlice& within) const {
+  const double A_1 = gears_[0].r + gears_[0].addendum + at.k;
+  const double A_2 = gears_[1].r + gears_[1].addendum + at.k;
+  double x1 = (A_1 + A_2 + sum) * gears_[0].r_b / B_ - A_1;  // equal tip pressure angles [T9.6]
+  if (crossed_ && within.lo < within.hi) {
+    const auto slope = [&](double x) {
+      const PathSlope s = path_slope(A_1 + x, gears_[0].r_b, weight_[0], A_2 + sum - x,
+                                     gears_[1].r_b, weight_[1], internal_);
+      return Slope<double>{s.first, s.second};
+    };
+    x1 = newton_in_bracket<double>(slope, within.lo, within.hi,
+                                   std::clamp(x1, within.lo, within.hi), false)
+             .x;
+  }
+  x1 = within.lo < within.hi ? std::clamp(x1, within.lo, within.hi) : within.middle();
+  return {x1, path_length(at, sum, x1)};
+}
+
+ShiftSlice ShiftGraph::slice(double sum, int limits) const {
+  ShiftSlice slice = bounds_before_path(sum, limits).slice();
+  if (limits <= static_cast<int>(Limit::contact_ratio) || slice.empty()) return slice;
+  const SumPlace at = place(sum);
+  const Longest top = longest_path(at, sum, slice);
+  if (!(top.length >= least_path_)) {
+    // Touching or nothing: the place of the longest path, as an interval of no or negative length.
+    const bool touching = top.length >= least_path_ - kTouching;
+    return {top.x1 + (touching ? 0.0 : 1.0), top.x1, ShiftEdge::eps, ShiftEdge::eps};
+  }
+  const double A_1 = gears_[0].r + gears_[0].addendum + at.k;
+  const double A_2 = gears_[1].r + gears_[1].addendum + at.k;
+  const auto excess = [&](double x) {
+    const PathSlope s = path_slope(A_1 + x, gears_[0].r_b, weight_[0], A_2 + sum - x, gears_[1].r_b,
+                                   weight_[1], internal_);
+    return Slope<double>{path_length(at, sum, x) - least_path_, s.first};
+  };
+  // Concave: from outside, Newton's steps fall short of the root and cannot pass it.
+  if (slice.lo < top.x1 && excess(slice.lo).value < 0.0) {
+    slice.lo = newton_in_bracket<double>(excess, slice.lo, top.x1, slice.lo, true).x;
+    slice.lo_edge = ShiftEdge::eps;
+  }
+  if (top.x1 < slice.hi && excess(slice.hi).value < 0.0) {
+    slice.hi = newton_in_bracket<double>(excess, top.x1, slice.hi, slice.hi, false).x;
+    slice.hi_edge = ShiftEdge::eps;
+  }
+  return slice;
+}
+
+std::vector<Interval> ShiftGraph::feasible_sums(int limits) const {
+  if (limits > static_cast<int>(Limit::overlap_ratio) && !overlap_ratio_is_enough()) return {};
+  Sums range = sums(limits);
+  if (range.lo > range.hi && range.lo <= range.hi + kTouching)
+    range.lo = range.hi = (range.lo + range.hi) / 2.0;
+  const auto width = [&](double sum) {
+    const ShiftSlice s = bounds_before_path(sum, limits).slice();
+    return std::min(s.hi - s.lo, sum_margin(place(sum), sum, limits).value);
+  };
+  const auto excess = [&](double sum) {
+    const ShiftSlice s = bounds_before_path(sum, limits).slice();
+    return longest_path(place(sum), sum, s).length - least_path_;
+  };
+  // What only touches counts, but must not blur the ends of what does more.
+  const auto exactly_or_touching = [](const auto& f, double a, double b) {
+    auto pieces = where_not_negative(f, a, b);
+    if (!pieces.empty()) return pieces;
+    return where_not_negative([&](double sum) { return f(sum) + kTouching; }, a, b);
+  };
+  // First where the interval of x1 exists before the path's length is asked, then where its longest
+  // path is long enough.
+  const auto wide = exactly_or_touching(width, range.lo, range.hi);
+  if (limits <= static_cast<int>(Limit::contact_ratio)) return wide;
+  std::vector<Interval> found;
+  for (const Interval& piece : wide) {
+    const auto long_enough = exactly_or_touching(excess, piece.lo, piece.hi);
+    found.insert(found.end(), long_enough.begin(), long_enough.end());
+  }
+  return found;
+}
+
+std::optional<Limit> ShiftGraph::what_kills() const {
+  for (int n = 1; n <= kLimits; ++n) {
+    const auto limit = static_cast<Limit>(n - 1);
+    if (limit == Limit::shift_limits) {
+      for (const TrialGear& g : gears_)
+        if (!(g.x_least <= g.x_greatest + kTouching)) return limit;
+      continue;
+    }
+    if (feasible_sums(n).empty()) return limit;
+  }
+  return std::nullopt;
+}
+
+bool ShiftGraph::overlap_ratio_is_enough() const {
+  if (!problem_->limits.overlap_ratio) return true;
+  const double face = problem_->face_width.value_or(10.0 * trial_.module) / trial_.module;
+  const double overlap =
+      crossed_ ? 0.0 : face * std::abs(std::sin(trial_.helix[0])) / std::numbers::pi;
+  return overlap >= *problem_->limits.overlap_ratio - kTouching;
+}
+
+double ShiftGraph::margin(double x1, double x2) const {
+  const double sum = x1 + x2;
+  const Sums range = sums();
+  double least = std::min(sum - range.lo, range.hi - sum);
+  if (least < -kTouching) return least;
+  const SumPlace at = place(sum);
+  const ShiftSlice s = bounds_before_path(sum).slice();
+  lower(least, std::min(x1 - s.lo, s.hi - x1));
+  lower(least, sum_margin(at, sum).value);
+  if (!overlap_ratio_is_enough()) return -1.0;
+  return std::min(least, path_length(at, sum, x1) - least_path_);
+}
+
+}  // namespace gearwright

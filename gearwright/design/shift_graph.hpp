@@ -1,0 +1,146 @@
+// The s1–s2 graph of one pair of tooth numbers: what every limit leaves of the two profile shifts.
+//
+//   Σ = x1 + x2     the coordinate along which the graph is cut: centre distance, working angle and
+//                   tip alteration depend on Σ alone, and on a line Σ = const every limit leaves
+//                   one interval of x1
+//   a(Σ), N(Σ), k(Σ)  centre distance, distance of the base tangent points, tip alteration
+//   E(Σ, x1)        length of the path of contact, concave in x1; w_1, w_2 its weights: 1, or
+//                   1/cos β_b of crossed axes
+//   K               least length of the path: the least contact ratio times the pitch
+//                                              theory: docs/theory/09-design-search.md
+//
+// Everything in normal modules and ISO 21771 signs, so that external, internal and crossed pairs
+// are one set of formulas. The set is exact; nothing here is sampled.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "gearwright/design/intervals.hpp"
+#include "gearwright/design/trial_gear.hpp"
+
+namespace gearwright {
+
+/// What bounds the region where it ends.
+enum class ShiftEdge {
+  s1min,
+  s1max,
+  s2min,
+  s2max,
+  Cmin,
+  Cmax,
+  eps,
+  eps_true,
+  sliding,
+  clearance,
+  interference1,
+  interference2,
+  mesh
+};
+inline constexpr std::size_t kShiftEdges = 13;
+/// "s1min", "Cmax", …; `mesh`: where there is no working angle.
+std::string_view name(ShiftEdge edge);
+
+/// Limits that coincide to this, modules, touch: a centre distance divided by a module is rounded.
+inline constexpr double kTouching = 1e-11;
+
+/// One line Σ = const: the interval of x1; empty when lo > hi + kTouching.
+struct ShiftSlice {
+  double lo, hi;
+  ShiftEdge lo_edge, hi_edge;
+  bool empty() const { return !(lo <= hi + kTouching); }
+  double middle() const { return (lo + hi) / 2.0; }
+};
+
+/// The same edge by edge: where each would end the interval, ∓∞ where it does not.
+struct ShiftBounds {
+  std::array<double, kShiftEdges> lo, hi;
+  ShiftBounds() {
+    lo.fill(-std::numeric_limits<double>::infinity());
+    hi.fill(std::numeric_limits<double>::infinity());
+  }
+  double& lo_of(ShiftEdge edge) { return lo[static_cast<std::size_t>(edge)]; }
+  double& hi_of(ShiftEdge edge) { return hi[static_cast<std::size_t>(edge)]; }
+  ShiftSlice slice() const;  ///< the tightest of them
+};
+
+/// What Σ alone decides.
+struct SumPlace {
+  double a;  ///< centre distance, signed
+  double N;  ///< distance of the base tangent points, signed
+  double k;  ///< tip alteration, ≤ 0
+};
+
+class ShiftGraph {
+ public:
+  /// Domain    the problem outlives the graph
+  ShiftGraph(const SearchProblem& problem, const Trial& trial, const TrialGear& gear_1,
+             const TrialGear& gear_2);
+
+  const std::array<TrialGear, 2>& gears() const { return gears_; }
+  const Trial& trial() const { return trial_; }
+  const SearchProblem& problem() const { return *problem_; }
+  double least_path() const { return least_path_; }  ///< K
+  double pitch() const { return pitch_; }            ///< p_bt, crossed p_bn
+
+  /// Domain    within sums() (contract: there is a working angle)
+  SumPlace place(double sum) const;
+
+  /// The range of Σ that the limits on Σ alone leave, with the first `limits` of them asked.
+  struct Sums {
+    double lo, hi;
+    ShiftEdge lo_edge, hi_edge;
+  };
+  Sums sums(int limits = kLimits) const;
+
+  /// What remains of the limits on Σ alone that are no plain range of it, in units of Σ; ≥ 0: kept.
+  struct SumMargin {
+    double value;
+    ShiftEdge edge;
+  };
+  SumMargin sum_margin(const SumPlace& at, double sum, int limits = kLimits) const;
+
+  /// All bounds on a line but that of the path's length; and the slice with that one too.
+  ShiftBounds bounds_before_path(double sum, int limits = kLimits) const;
+  ShiftSlice slice(double sum, int limits = kLimits) const;
+
+  /// E: the path's length at a point, and the greatest on a slice with the place of it.
+  double path_length(const SumPlace& at, double sum, double x1) const;
+  struct Longest {
+    double x1, length;
+  };
+  Longest longest_path(const SumPlace& at, double sum, const ShiftSlice& within) const;
+
+  /// The sums Σ at which a slice is left by the first `limits` limits; several intervals only when
+  /// the region is in pieces.
+  std::vector<Interval> feasible_sums(int limits = kLimits) const;
+
+  /// The first limit that leaves nothing; none: the region exists.
+  std::optional<Limit> what_kills() const;
+
+  /// Every limit at one point, without the slices: the region's second opinion. Least margin over
+  /// all limits, modules (the path's length in them too); ≥ 0: inside.
+  double margin(double x1, double x2) const;
+
+ private:
+  double sum_of_distance(double distance) const;
+  void bound_sliding(const SumPlace& at, double sum, double& lo, double& hi) const;
+  void bound_interference(const SumPlace& at, double sum, double& lo_2, double& hi_1) const;
+  void bound_usable_path(const SumPlace& at, double sum, double& lo, double& hi) const;
+  bool overlap_ratio_is_enough() const;
+
+  const SearchProblem* problem_;
+  Trial trial_;
+  std::array<TrialGear, 2> gears_;
+  std::array<double, 2> weight_{1.0, 1.0};
+  bool internal_, crossed_, tight_;
+  double pitch_, least_path_;
+  double R_, B_;  ///< r1 + r2, r_b1 + r_b2; signed
+  double tan_alpha_, inv_alpha_t_, teeth_sum_;
+  double crossed_line_0_ = 0.0, crossed_line_1_ = 0.0;  ///< N = …_0 + …_1 Σ
+};
+
+}  // namespace gearwright

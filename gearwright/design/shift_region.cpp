@@ -1,0 +1,280 @@
+#include "gearwright/design/shift_region.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+
+#include "gearwright/pair/shift.hpp"
+
+namespace gearwright {
+
+namespace {
+
+Vec2 point(double sum, double x1) { return {x1, sum - x1}; }
+
+// Bounds of a line that are straight in the plane of x1 and x2.
+bool is_straight(ShiftEdge edge, const SearchProblem& problem) {
+  switch (edge) {
+    case ShiftEdge::eps:
+    case ShiftEdge::sliding:
+    case ShiftEdge::interference1:
+    case ShiftEdge::eps_true:
+    case ShiftEdge::interference2: return false;
+    case ShiftEdge::s1max:
+    case ShiftEdge::s2max: return !problem.shorten_tips;
+    default: return true;
+  }
+}
+
+// One side of the region over Σ.
+enum class Side { lo, hi };
+ShiftEdge edge_of(const ShiftSlice& s, Side side) {
+  return side == Side::lo ? s.lo_edge : s.hi_edge;
+}
+double value_of(const ShiftSlice& s, Side side) { return side == Side::lo ? s.lo : s.hi; }
+
+// Zero where the edges a and b bound x1 at one place.
+double difference(const ShiftGraph& graph, Side side, ShiftEdge a, ShiftEdge b, double sum) {
+  const ShiftBounds bounds = graph.bounds_before_path(sum);
+  const auto at = [&](ShiftEdge e) {
+    return (side == Side::lo ? bounds.lo : bounds.hi)[static_cast<std::size_t>(e)];
+  };
+  if (a == ShiftEdge::eps || b == ShiftEdge::eps) {
+    const double x1 = at(a == ShiftEdge::eps ? b : a);
+    const double d = graph.path_length(graph.place(sum), sum, x1) - graph.least_path();
+    return a == ShiftEdge::eps ? d : -d;
+  }
+  return at(a) - at(b);
+}
+
+// Sums between l and r at which the bounding edge of the side changes; known at the ends.
+void find_changes(const ShiftGraph& graph, Side side, double l, ShiftEdge at_l, double r,
+                  ShiftEdge at_r, std::vector<double>& found) {
+  if (at_l == at_r) return;
+  if (r - l < 4e-16 * (1.0 + std::abs(l) + std::abs(r))) {
+    found.push_back((l + r) / 2.0);
+    return;
+  }
+  const Root root =
+      find_root([&](double sum) { return difference(graph, side, at_l, at_r, sum); }, l, r);
+  if (root.found() && root.x >= l && root.x <= r) {
+    const double step = std::max(1e-9 * (r - l), 1e-15);
+    const double before = std::max(l, root.x - step);
+    const double after = std::min(r, root.x + step);
+    if (edge_of(graph.slice(before), side) == at_l && edge_of(graph.slice(after), side) == at_r) {
+      found.push_back(root.x);
+      return;
+    }
+  }
+  // A third edge lies between.
+  const double middle = (l + r) / 2.0;
+  const ShiftEdge at_middle = edge_of(graph.slice(middle), side);
+  find_changes(graph, side, l, at_l, middle, at_middle, found);
+  find_changes(graph, side, middle, at_middle, r, at_r, found);
+}
+
+// A stretch of one side bounded by one edge.
+struct Stretch {
+  double from, to;
+  ShiftEdge edge;
+};
+
+std::vector<Stretch> stretches(const ShiftGraph& graph, Side side, const Interval& piece) {
+  constexpr int kNodes = 24;
+  std::vector<double> changes;
+  // The very ends are corners, where the name of the edge is a matter of rounding.
+  const double inset = 1e-7 * (piece.hi - piece.lo);
+  double l = piece.lo + inset;
+  ShiftEdge at_l = edge_of(graph.slice(l), side);
+  const ShiftEdge first = at_l;
+  for (int i = 1; i <= kNodes; ++i) {
+    const double angle = std::numbers::pi * i / kNodes;
+    const double share = i == kNodes ? 1.0 : (1.0 - std::cos(angle)) / 2.0;
+    const double r = piece.lo + inset + (piece.hi - piece.lo - 2.0 * inset) * share;
+    const ShiftEdge at_r = edge_of(graph.slice(r), side);
+    find_changes(graph, side, l, at_l, r, at_r, changes);
+    l = r;
+    at_l = at_r;
+  }
+  std::vector<Stretch> found;
+  double from = piece.lo;
+  ShiftEdge edge = first;
+  for (const double change : changes) {
+    found.push_back({from, change, edge});
+    from = change;
+    const double after = std::min(change + 1e-9 * (piece.hi - piece.lo), piece.hi - inset);
+    edge = edge_of(graph.slice(after), side);
+  }
+  found.push_back({from, piece.hi, edge});
+  return found;
+}
+
+// Σ = from … to by an angle, so that an end where two roots of the path's length meet, as √ of the
+// distance, is smooth.
+double sum_at(double from, double to, double theta) {
+  return from + (to - from) * (1.0 - std::cos(theta)) / 2.0;
+}
+
+// Near the tip of the path's curve x1 runs away as √Σ: seven digits more take three halvings there.
+constexpr unsigned kBisections = 10;
+constexpr double kAreaTolerance = 1e-12;  // of the area under the stretch, modules²
+
+double area_under(const ShiftGraph& graph, Side side, const Stretch& s, bool straight) {
+  const auto value = [&](double sum) { return value_of(graph.slice(sum), side); };
+  if (straight) return (s.to - s.from) * value((s.from + s.to) / 2.0);
+  const auto integrand = [&](double theta) {
+    return value(sum_at(s.from, s.to, theta)) * (s.to - s.from) / 2.0 * std::sin(theta);
+  };
+  return boost::math::quadrature::gauss_kronrod<double, 15>::integrate(
+      integrand, 0.0, std::numbers::pi, kBisections, kAreaTolerance);
+}
+
+double area_of(const ShiftGraph& graph, const SearchProblem& problem, const Interval& piece) {
+  if (!(piece.lo < piece.hi)) return 0.0;
+  double area = 0.0;
+  for (const Side side : {Side::lo, Side::hi}) {
+    for (const Stretch& s : stretches(graph, side, piece)) {
+      const double under = area_under(graph, side, s, is_straight(s.edge, problem));
+      area += side == Side::hi ? under : -under;
+    }
+  }
+  return area;
+}
+
+// A slice at an end of a piece. Between two roots of the path's length it is one point, and the
+// place of the longest path is that point to rounding; the roots themselves are good to √ of it.
+ShiftSlice end_slice(const ShiftGraph& graph, double sum) {
+  ShiftSlice s = graph.slice(sum);
+  if (s.lo_edge == ShiftEdge::eps && s.hi_edge == ShiftEdge::eps) {
+    s.lo = s.hi =
+        graph.longest_path(graph.place(sum), sum, graph.bounds_before_path(sum).slice()).x1;
+  } else if (s.lo > s.hi) {
+    s.lo = s.hi = s.middle();
+  }
+  return s;
+}
+
+// How far inside the limits a point of one piece lies; Σ is inside already.
+double margin_on_line(const ShiftGraph& graph, const Vec2& p) {
+  const double sum = p[0] + p[1];
+  const ShiftSlice s = graph.bounds_before_path(sum).slice();
+  const double path = graph.path_length(graph.place(sum), sum, p[0]) - graph.least_path();
+  return std::min({p[0] - s.lo, s.hi - p[0], path});
+}
+
+}  // namespace
+
+Vec2 balanced_point(int z1, int z2, double sum, double lambda) {
+  const auto x = divided_shift_sum(z1, z2, sum, lambda);
+  return {x[0], x[1]};
+}
+
+namespace {
+
+// One edge on both sides of an end is one edge.
+void append(std::vector<RegionEdge>& loop, RegionEdge next) {
+  if (!loop.empty() && loop.back().edge == next.edge) {
+    auto& points = loop.back().points;
+    points.insert(points.end(), next.points.begin() + 1, next.points.end());
+  } else {
+    loop.push_back(std::move(next));
+  }
+}
+
+}  // namespace
+
+std::optional<ShiftRegion> shift_region(const ShiftGraph& graph) {
+  ShiftRegion region;
+  region.sums = graph.feasible_sums();
+  if (region.sums.empty()) return std::nullopt;
+  const auto ends = [&](double sum) {
+    const ShiftSlice s = end_slice(graph, sum);
+    return std::array<Vec2, 2>{point(sum, s.lo), point(sum, s.hi)};
+  };
+  region.lo_edge = ends(region.sums.front().lo);
+  region.hi_edge = ends(region.sums.back().hi);
+  region.lo = (region.lo_edge[0] + region.lo_edge[1]) / 2.0;
+  region.hi = (region.hi_edge[0] + region.hi_edge[1]) / 2.0;
+
+  const SearchProblem& problem = graph.problem();
+  const Trial& t = graph.trial();
+  const auto margin = [&](double sum) {
+    return margin_on_line(graph, balanced_point(t.z1, t.z2, sum, problem.lambda));
+  };
+  const auto touching = [&](double sum) { return margin(sum) + kTouching; };
+  for (const Interval& piece : region.sums) {
+    region.area += area_of(graph, problem, piece);
+    auto on_line = where_not_negative(margin, piece.lo, piece.hi);
+    if (on_line.empty()) on_line = where_not_negative(touching, piece.lo, piece.hi);
+    region.balanced_sums.insert(region.balanced_sums.end(), on_line.begin(), on_line.end());
+  }
+  std::optional<double> nearest;
+  for (const Interval& i : region.balanced_sums) {
+    const double sum = std::clamp(0.0, i.lo, i.hi);
+    if (!nearest || std::abs(sum) < std::abs(*nearest)) nearest = sum;
+  }
+  if (nearest) region.balanced = balanced_point(t.z1, t.z2, *nearest, problem.lambda);
+  return region;
+}
+
+Vec2 chosen_point(const ShiftGraph& graph, const ShiftRegion& region) {
+  if (region.balanced) return *region.balanced;
+  const Vec2 middle = (region.lo + region.hi) / 2.0;
+  if (region.sums.size() == 1 && graph.margin(middle[0], middle[1]) >= -kTouching) return middle;
+  const auto longest = std::max_element(
+      region.sums.begin(), region.sums.end(),
+      [](const Interval& a, const Interval& b) { return a.hi - a.lo < b.hi - b.lo; });
+  const double sum = (longest->lo + longest->hi) / 2.0;
+  return point(sum, graph.slice(sum).middle());
+}
+
+std::vector<std::vector<RegionEdge>> region_boundary(const ShiftGraph& graph,
+                                                     const ShiftRegion& region) {
+  constexpr int kCurvePoints = 25;
+  const SearchProblem& problem = graph.problem();
+  const ShiftGraph::Sums range = graph.sums();
+  std::vector<std::vector<RegionEdge>> loops;
+  for (const Interval& piece : region.sums) {
+    std::vector<RegionEdge> loop;
+    const auto along = [&](Side side, bool downwards) {
+      if (!(piece.lo < piece.hi)) return;
+      auto parts = stretches(graph, side, piece);
+      if (downwards) std::reverse(parts.begin(), parts.end());
+      for (const Stretch& s : parts) {
+        const int n = is_straight(s.edge, problem) ? 2 : kCurvePoints;
+        RegionEdge e{s.edge, {}};
+        for (int i = 0; i < n; ++i) {
+          const int step = downwards ? n - 1 - i : i;
+          const double sum = step == 0 ? s.from
+                             : step == n - 1
+                                 ? s.to
+                                 : sum_at(s.from, s.to, std::numbers::pi * step / (n - 1));
+          const bool at_end = sum == piece.lo || sum == piece.hi;
+          const ShiftSlice slice = at_end ? end_slice(graph, sum) : graph.slice(sum);
+          e.points.push_back(point(sum, value_of(slice, side)));
+        }
+        append(loop, std::move(e));
+      }
+    };
+    const auto across = [&](double sum, bool lower) {
+      const ShiftSlice s = end_slice(graph, sum);
+      if (!(s.hi - s.lo > kTouching)) return;
+      const bool at_range = std::abs(sum - (lower ? range.lo : range.hi)) <= 1e-9;
+      const ShiftEdge edge = at_range ? (lower ? range.lo_edge : range.hi_edge)
+                                      : graph.sum_margin(graph.place(sum), sum).edge;
+      const double from = lower ? s.lo : s.hi;
+      const double to = lower ? s.hi : s.lo;
+      loop.push_back({edge, {point(sum, from), point(sum, to)}});
+    };
+    across(piece.lo, true);
+    along(Side::hi, false);
+    across(piece.hi, false);
+    along(Side::lo, true);
+    loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,138 @@
+// What the tests of the search share: the reference computed with 40 digits, problems made of it,
+// and problems of every kind, drawn by a seeded generator.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gearwright/design/search.hpp"
+
+namespace gearwright::testing::search {
+
+inline const std::vector<double> kSeriesI{1, 1.25, 1.5, 2,  2.5, 3,  4,  5,  6,
+                                          8, 10,   12,  16, 20,  25, 32, 40, 50};
+
+inline const nlohmann::json& reference() {
+  static const nlohmann::json file = nlohmann::json::parse(
+      std::ifstream(std::string(GW_SOURCE_DIR) + "/tests/oracle/spur_searches.json"));
+  return file;
+}
+
+inline double number(const nlohmann::json& value) {
+  return value.is_string() ? std::stod(value.get<std::string>()) : value.get<double>();
+}
+
+/// α_n 20°, extended centres, the limits of a region or a search of the reference.
+inline SearchProblem problem_of(const nlohmann::json& input) {
+  SearchProblem p;
+  const auto optional = [](const nlohmann::json& v) {
+    return v.is_null() ? std::nullopt : std::optional(number(v));
+  };
+  p.limits.least_shift = optional(input.at("limits").at("floor"));
+  p.limits.greatest_shift = optional(input.at("limits").at("ceil"));
+  p.limits.tip_thickness = number(input.at("limits").at("sa_min"));
+  p.limits.contact_ratio = number(input.at("eps_min"));
+  return p;
+}
+
+/// The problem of one region: one module, one pair.
+inline SearchProblem problem_of_region(const nlohmann::json& input) {
+  SearchProblem p = problem_of(input);
+  p.center_distance = {{number(input.at("Cmin")), number(input.at("Cmax"))}};
+  p.modules = {number(input.at("m"))};
+  return p;
+}
+
+inline SearchProblem problem_of_search(const nlohmann::json& input) {
+  SearchProblem p = problem_of(input);
+  const auto& c = input.at("C");
+  p.ratio = {number(input.at("ratio")[0]), number(input.at("ratio")[1])};
+  p.center_distance = {{number(c[0]), number(c[1])}};
+  p.modules = kSeriesI;
+  p.pinion_teeth = {input.at("z1")[0], input.at("z1")[1]};
+  p.coprime = input.at("coprime");
+  p.target_ratio = number(input.at("target_ratio"));
+  return p;
+}
+
+/// One pair of a problem with one helix and rack; m in mm.
+inline Trial trial(const SearchProblem& p, int z1, int z2, double m = 1.0) {
+  const double beta = p.helix[0];
+  const double mate = p.crossed() ? *p.shaft_angle - beta : z2 < 0 ? beta : -beta;
+  return {0, m, z1, z2, {beta, mate}, 0};
+}
+
+/// The graph of a problem that outlives it.
+inline ShiftGraph graph(const SearchProblem& p, const Trial& t) {
+  return ShiftGraph(p, t, trial_gear(p, t.z1, t.helix[0], t.rack, 0),
+                    trial_gear(p, t.z2, t.helix[1], t.rack, 1));
+}
+
+/// Mountings that the formulas tell apart.
+struct Kind {
+  const char* name;
+  bool ring, tight, shorten, helical, crossed;
+};
+inline constexpr std::array<Kind, 8> kKinds{{{"extended", false, false, false, false, false},
+                                             {"tight", false, true, false, false, false},
+                                             {"shortened", false, true, true, true, false},
+                                             {"helical", false, false, false, true, false},
+                                             {"ring", true, false, false, false, false},
+                                             {"tight ring", true, true, false, true, false},
+                                             {"shortened ring", true, true, true, false, false},
+                                             {"crossed", false, false, false, true, true}}};
+
+class Random {
+ public:
+  explicit Random(unsigned seed) : bits_(seed) {}
+  double uniform(double lo, double hi) { return lo + (hi - lo) * (bits_() / 4294967296.0); }
+  int whole(int lo, int hi) { return lo + static_cast<int>(bits_() % static_cast<unsigned>(hi - lo + 1)); }
+  bool chance(double p) { return uniform(0.0, 1.0) < p; }
+
+ private:
+  std::mt19937 bits_;
+};
+
+/// A problem and one pair of it, m = 1; limits of every kind now and then, a band of centre
+/// distances near the reference one.
+struct RandomTrial {
+  SearchProblem problem;
+  Trial trial;
+};
+inline RandomTrial random_trial(Random& random, const Kind& kind) {
+  SearchProblem p;
+  const int z1 = random.whole(8, 40);
+  const int z2 = kind.ring ? -random.whole(z1 + 8, z1 + 80) : random.whole(z1, z1 + 60);
+  p.ratio = {static_cast<double>(z2) / z1, static_cast<double>(z2) / z1};
+  p.pinion_teeth = {z1, z1};
+  p.modules = {1.0};
+  p.normal_pressure_angle = random.uniform(17.0, 25.0) * std::numbers::pi / 180.0;
+  if (kind.helical) p.helix = {random.uniform(5.0, 30.0) * std::numbers::pi / 180.0};
+  if (kind.crossed) p.shaft_angle = p.helix[0] + random.uniform(0.2, 0.9);
+  p.mounting = kind.tight ? Mounting::tight : Mounting::extended;
+  p.shorten_tips = kind.shorten;
+  SearchLimits& l = p.limits;
+  if (kind.ring || random.chance(0.6)) l.least_shift = random.uniform(-0.7, 0.0);
+  if (kind.ring || random.chance(0.6)) l.greatest_shift = random.uniform(0.3, 1.0);
+  if (random.chance(0.3)) l.undercut_margin = random.uniform(-0.1, 0.2);
+  l.tip_thickness = random.uniform(0.0, 0.4);
+  l.contact_ratio = random.uniform(1.0, 1.7);
+  if (!kind.crossed && random.chance(0.5)) l.sliding = random.uniform(0.5, 4.0);
+  if (random.chance(0.4)) l.tip_clearance = random.uniform(0.15, 0.249);
+  l.avoid_interference = random.chance(0.5);
+  const Trial t = trial(p, z1, z2);
+  const double R = z1 / (2.0 * std::cos(t.helix[0])) + z2 / (2.0 * std::cos(t.helix[1]));
+  const double least = std::abs(R) + random.uniform(-1.0, 1.0);
+  p.center_distance = {{least, random.chance(0.3) ? least : least + random.uniform(0.0, 0.5)}};
+  return {std::move(p), t};
+}
+
+}  // namespace gearwright::testing::search

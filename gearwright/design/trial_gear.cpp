@@ -1,0 +1,114 @@
+#include "gearwright/design/trial_gear.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <numbers>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/design/intervals.hpp"
+#include "gearwright/gear/reference.hpp"
+#include "gearwright/math/involute.hpp"
+
+namespace gearwright {
+
+double undercut_limit(double edge_depth, int teeth, double sin_transverse, double cos_helix) {
+  return edge_depth - teeth * sin_transverse * sin_transverse / (2.0 * cos_helix);
+}
+
+double tip_thickness(const TrialGear& gear, double x, double k) {
+  const double base = 2.0 * std::abs(gear.r_b);
+  const double d_a = 2.0 * std::abs(gear.r + gear.addendum + x + k);
+  const double half = gear.reference_half_angle + x * gear.half_angle_per_shift;
+  const double s_at =
+      tooth_thickness_transverse(gear.teeth, base, base * half, std::max(d_a, base));
+  const double t = d_a / base * gear.tan_base_helix;
+  return s_at / std::sqrt(1.0 + t * t);
+}
+
+namespace {
+
+// The shifts at which the tip stands on the base circle: an external tooth begins there, a ring's
+// ends.
+double shift_of_base_circle(const TrialGear& g, double k) {
+  const double x = g.r_b - g.r - g.addendum - k;
+  // A rounding on the safe side, for the thickness is asked at both ends.
+  const double ulp = 4.0 * std::numeric_limits<double>::epsilon() * (std::abs(g.r) + 2.0);
+  return g.teeth > 0 ? x + ulp : x - ulp;
+}
+
+struct Shifts {
+  double least, greatest;
+};
+
+// Where the tip is thick enough: the interval that reaches highest.
+Shifts thick_enough(const TrialGear& g, double k) {
+  const double edge = shift_of_base_circle(g, k);
+  // External: past x = |z|, tips are long crossed; a ring's x has no natural floor but its size.
+  const double far = std::abs(static_cast<double>(g.teeth)) + 5.0;
+  const double lo = g.teeth > 0 ? edge : -far;
+  const double hi = g.teeth > 0 ? edge + far : edge;
+  const auto margin = [&](double x) { return tip_thickness(g, x, k) - g.tip_thickness_least; };
+  const auto pieces = where_not_negative(margin, lo, hi, 64);
+  if (pieces.empty()) return {1.0, 0.0};
+  return {pieces.back().lo, pieces.back().hi};
+}
+
+}  // namespace
+
+double greatest_shift(const SearchProblem& problem, const TrialGear& gear, double k) {
+  if (k == 0.0) return gear.x_greatest;
+  const double ceiling =
+      problem.limits.greatest_shift.value_or(std::numeric_limits<double>::infinity());
+  return std::min(ceiling, thick_enough(gear, k).greatest);
+}
+
+TrialGear trial_gear(const SearchProblem& problem, int teeth, double helix, int rack, int which) {
+  const SearchRacks& racks = problem.racks[static_cast<std::size_t>(rack)];
+  const auto i = static_cast<std::size_t>(which);
+  const auto reference = reference_geometry(
+      ReferenceInput<double>{teeth, 1.0, problem.normal_pressure_angle, std::abs(helix), 0.0, 0.0});
+  TrialGear g;
+  g.teeth = teeth;
+  const double sign = teeth > 0 ? 1.0 : -1.0;
+  g.r = sign * reference.reference_diameter / 2.0;
+  g.r_b = sign * reference.base_diameter / 2.0;
+  g.addendum = racks.rack[i].addendum;
+  g.dedendum = racks.rack[i].dedendum;
+  g.edge_depth = racks.undercut_depth[i];
+  g.sin_transverse = std::sin(reference.transverse_pressure_angle);
+  g.cos_base_helix = std::cos(reference.base_helix_angle);
+  g.tan_base_helix = std::tan(reference.base_helix_angle);
+  g.tip_thickness_least = problem.limits.tip_thickness;
+  g.reference_half_angle = reference.base_tooth_thickness / reference.base_diameter;
+  g.half_angle_per_shift = 2.0 * std::tan(problem.normal_pressure_angle) / std::abs(teeth);
+
+  const SearchLimits& limits = problem.limits;
+  const Shifts thick = thick_enough(g, 0.0);
+  g.x_least = thick.least;
+  g.x_greatest = thick.greatest;
+  if (teeth > 0) {
+    const double undercut = undercut_limit(g.edge_depth, teeth, g.sin_transverse, std::cos(helix)) +
+                            limits.undercut_margin;
+    g.x_least = std::max(g.x_least, undercut);
+  }
+  if (limits.least_shift) g.x_least = std::max(g.x_least, *limits.least_shift);
+  if (limits.greatest_shift) g.x_greatest = std::min(g.x_greatest, *limits.greatest_shift);
+  return g;
+}
+
+TrialGears::TrialGears(const SearchProblem& problem, int least, int greatest, double helix,
+                       int rack, int which)
+    : least_(least) {
+  GW_EXPECTS(least <= greatest);
+  gears_.reserve(static_cast<std::size_t>(greatest - least + 1));
+  for (int z = least; z <= greatest; ++z)
+    gears_.push_back(z == 0 ? TrialGear{} : trial_gear(problem, z, helix, rack, which));
+}
+
+const TrialGear& TrialGears::operator[](int teeth) const {
+  return gears_[static_cast<std::size_t>(teeth - least_)];
+}
+
+}  // namespace gearwright

@@ -1,0 +1,66 @@
+// One gear of a trial, in normal modules: what its teeth, helix and rack say about it before its
+// profile shift is chosen, and the limits of that shift.
+//
+//   r, r_b    reference and base radius, negative for a ring (ISO 21771 signs), so that external
+//   and
+//             internal pairs share every formula:  |r_a| = |r + h_a + x + k|
+//   h_a, h_f  addendum, dedendum of the rack     h_F   depth of its straight edge
+//   k         tip alteration ≤ 0, of tight centres with shortened tips; else 0
+//                                              theory: docs/theory/09-design-search.md, 9.1
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "gearwright/design/search_problem.hpp"
+
+namespace gearwright {
+
+struct TrialGear {
+  int teeth = 0;                      ///< z, signed
+  double r = 0.0, r_b = 0.0;          ///< signed
+  double addendum = 0.0;              ///< h_a
+  double dedendum = 0.0;              ///< h_f
+  double edge_depth = 0.0;            ///< h_F
+  double sin_transverse = 0.0;        ///< sin α_t
+  double cos_base_helix = 1.0;        ///< cos β_b
+  double tan_base_helix = 0.0;        ///< tan β_b, unsigned
+  double tip_thickness_least = 0.0;   ///< the limit of s_an
+  double reference_half_angle = 0.0;  ///< s_t/d at x = 0, plus (ring: minus) inv α_t
+  double half_angle_per_shift = 0.0;  ///< 2 tan α_n/|z|
+  double x_least = 0.0,
+         x_greatest = 0.0;  ///< the limits, at k = 0; none possible: least > greatest
+};
+
+/// The gear and its limits: undercut (none of a ring), tip thickness, floor and ceiling, and that
+/// its tip does not lie inside its base circle.
+///
+/// Units     modules
+TrialGear trial_gear(const SearchProblem& problem, int teeth, double helix, int rack, int which);
+
+/// The undercut limit h_F − z sin² α_t/(2 cos β), modules. [T9.2]
+double undercut_limit(double edge_depth, int teeth, double sin_transverse, double cos_helix);
+
+/// Normal tip tooth thickness s_an at the shift x and the tip alteration k, modules; negative: the
+/// flanks cross below the tip. [T9.3]
+///
+/// Domain    |r + h_a + x + k| ≥ |r_b| (contract)
+double tip_thickness(const TrialGear& gear, double x, double k = 0.0);
+
+/// The greatest x within the limits with tip alteration k: at k < 0 the tooth is thicker at its tip
+/// than the limits know. Below `x_least` when there is none.
+double greatest_shift(const SearchProblem& problem, const TrialGear& gear, double k);
+
+/// The limits of every tooth number at one helix and rack, made once: trials ask for them often.
+class TrialGears {
+ public:
+  TrialGears(const SearchProblem& problem, int least, int greatest, double helix, int rack,
+             int which);
+  const TrialGear& operator[](int teeth) const;
+
+ private:
+  int least_;
+  std::vector<TrialGear> gears_;
+};
+
+}  // namespace gearwright

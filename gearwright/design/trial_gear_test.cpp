@@ -1,0 +1,232 @@
+// Limits of a shift against 40-digit values, thickness against the gear room's own way, and laws:
+// (1) at an end of the range one limit is met exactly; (2) neither hand nor place in a table
+// matters.
+#include "gearwright/design/trial_gear.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "gearwright/design/testing/search_reference.hpp"
+#include "gearwright/gear/reference.hpp"
+
+namespace gearwright {
+namespace {
+
+using testing::search::number;
+using testing::search::Random;
+using testing::search::reference;
+
+constexpr double kPrinted = 1e-12;  // modules; the reference prints 25 digits
+
+SearchProblem problem_with(double tip_thickness, double edge_depth = 1.0) {
+  SearchProblem p;
+  p.limits.tip_thickness = tip_thickness;
+  p.racks[0].undercut_depth = {edge_depth, edge_depth};
+  return p;
+}
+
+double tip_radius(const TrialGear& g, double x, double k = 0.0) {
+  return std::abs(g.r + g.addendum + x + k);
+}
+
+// The reference's lower limit is undercut's alone; tips inside the base circle or too thin on a
+// tooth that has moved out from under them raise it.
+TEST(TrialGear, LimitsAreThoseOfTheReference) {
+  int empty = 0;
+  int raised = 0;
+  for (const auto& row : reference().at("shift_limits")) {
+    const int z = row.at("z");
+    for (const auto& [depth, low] : {std::pair{1.0, "s_min_hF1"}, {1.25, "s_min_hF1.25"}}) {
+      for (const auto& [thickness, high] : {std::pair{0.0, "s_max_sa0"},
+                                            {0.2, "s_max_sa0.2"},
+                                            {0.25, "s_max_sa0.25"},
+                                            {0.4, "s_max_sa0.4"}}) {
+        const TrialGear g = trial_gear(problem_with(thickness, depth), z, 0.0, 0, 0);
+        const double least = number(row.at(low));
+        EXPECT_NEAR(undercut_limit(depth, z, g.sin_transverse, 1.0), least, kPrinted) << z;
+        EXPECT_NEAR(g.x_greatest, number(row.at(high)), kPrinted) << z << " " << thickness;
+        if (least > number(row.at(high))) {
+          ++empty;
+          EXPECT_GT(g.x_least, g.x_greatest);
+        } else if (tip_radius(g, least) > g.r_b && tip_thickness(g, least) >= thickness) {
+          EXPECT_NEAR(g.x_least, least, kPrinted) << z << " " << thickness;
+        } else {
+          ++raised;
+          EXPECT_GT(g.x_least, least) << z;
+        }
+      }
+    }
+  }
+  EXPECT_GT(empty, 0);
+  EXPECT_GT(raised, 0);
+}
+
+// s_an = s_at cos β_a from the gear's own reference geometry at the shift x, which trial_gear
+// instead unfolds into a half angle and its slope.
+TEST(TrialGear, ThicknessIsThatOfTheGear) {
+  Random random(1);
+  for (int i = 0; i < 3000; ++i) {
+    const bool ring = i % 3 == 0;
+    const int z = ring ? -random.whole(20, 150) : random.whole(7, 150);
+    const double beta = i % 2 == 0 ? 0.0 : random.uniform(-0.6, 0.6);
+    SearchProblem p;
+    p.normal_pressure_angle = random.uniform(0.25, 0.45);
+    const TrialGear g = trial_gear(p, z, beta, 0, 0);
+    const double x = random.uniform(-0.5, 0.9);
+    const double k = i % 5 == 0 ? -random.uniform(0.0, 0.3) : 0.0;
+    const double d_a = 2.0 * tip_radius(g, x, k);
+    if (d_a <= 2.0 * std::abs(g.r_b)) continue;
+    const auto gear =
+        reference_geometry(ReferenceInput<double>{z, 1.0, p.normal_pressure_angle, beta, x, 0.0});
+    const double s_at =
+        tooth_thickness_transverse(z, gear.base_diameter, gear.base_tooth_thickness, d_a);
+    const double beta_a = std::atan(std::tan(beta) * d_a / gear.reference_diameter);
+    // Radii up to 120 modules round by 1.4e-14, the thickness by the slope of the flanks more.
+    EXPECT_NEAR(tip_thickness(g, x, k), s_at * std::cos(beta_a), 2e-13) << z << " " << beta;
+  }
+}
+
+// Values of a helical pair and a ring, in mm there.
+TEST(TrialGear, ThicknessIsThatOfTheReference) {
+  for (const auto& pair : reference().at("mounted")) {
+    const auto& in = pair.at("input");
+    const double beta = number(in.at("beta_deg")) * std::acos(-1.0) / 180.0;
+    const double m = number(in.at("mn"));
+    for (const int i : {0, 1}) {
+      const int z = in.at(i == 0 ? "z1" : "z2");
+      const TrialGear g = trial_gear(SearchProblem{}, z, beta, 0, i);
+      const double x = number(in.at(i == 0 ? "x1" : "x2"));
+      EXPECT_NEAR(tip_thickness(g, x), number(pair.at("tip_thickness_n")[i]) / m, kPrinted)
+          << in.dump();
+    }
+  }
+}
+
+// (1) The tip is as thin as allowed, stands on the base circle, or undercut ends the range.
+TEST(TrialGear, AtTheEndsALimitIsMet) {
+  Random random(2);
+  int at_base = 0;
+  int thin_below = 0;
+  int undercut_ends = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const bool ring = i % 4 == 0;
+    const int z = ring ? -random.whole(25, 200) : random.whole(9, 200);
+    const double beta = random.chance(0.5) ? random.uniform(-0.5, 0.5) : 0.0;
+    SearchProblem p = problem_with(random.uniform(0.0, 0.5), random.uniform(0.9, 1.25));
+    p.limits.undercut_margin = random.chance(0.3) ? random.uniform(-1.0, 0.2) : 0.0;
+    const TrialGear g = trial_gear(p, z, beta, 0, 0);
+    if (g.x_least > g.x_greatest) continue;
+    const double thin = p.limits.tip_thickness;
+    const double undercut =
+        undercut_limit(g.edge_depth, z, g.sin_transverse, std::cos(beta)) + p.limits.undercut_margin;
+    const auto on_base = [&](double x) {
+      return std::abs(tip_radius(g, x) - std::abs(g.r_b)) < 1e-12 * (1.0 + std::abs(g.r_b));
+    };
+    // From radii of 100 modules a thickness comes with 1e-13; near the base circle its slope is
+    // finite, since inv α_a starts as the cube of the root of the distance.
+    const auto thickness_met = [&](double x) { return std::abs(tip_thickness(g, x) - thin) < 1e-12; };
+    EXPECT_TRUE(thickness_met(g.x_greatest) || (ring && on_base(g.x_greatest))) << z << " " << beta;
+    if (ring) {
+      EXPECT_TRUE(thickness_met(g.x_least) || g.x_least == -std::abs(z) - 5.0) << z << " " << beta;
+    } else if (g.x_least == undercut) {
+      ++undercut_ends;
+    } else if (on_base(g.x_least)) {
+      ++at_base;
+    } else {
+      ++thin_below;
+      EXPECT_TRUE(thickness_met(g.x_least)) << z << " " << beta << " " << thin;
+      EXPECT_GT(g.x_least, undercut);
+    }
+    EXPECT_GE(tip_radius(g, g.x_least), std::abs(g.r_b));
+    EXPECT_GE(tip_radius(g, g.x_greatest), std::abs(g.r_b));
+    for (const double t : {0.01, 0.3, 0.5, 0.7, 0.99}) {
+      const double x = g.x_least + t * (g.x_greatest - g.x_least);
+      EXPECT_GE(tip_thickness(g, x), thin) << z << " " << beta << " " << x;
+    }
+  }
+  EXPECT_GT(undercut_ends, 500);
+  EXPECT_GT(thin_below, 100);
+  EXPECT_GT(at_base, 3);
+}
+
+TEST(TrialGear, FloorAndCeilingCutTheRange) {
+  SearchProblem p = problem_with(0.2);
+  const TrialGear free = trial_gear(p, 40, 0.0, 0, 1);
+  p.limits.least_shift = -0.6;
+  p.limits.greatest_shift = 1.0;
+  const TrialGear cut = trial_gear(p, 40, 0.0, 0, 1);
+  EXPECT_LT(free.x_least, -0.6);
+  EXPECT_GT(free.x_greatest, 1.0);
+  EXPECT_EQ(cut.x_least, -0.6);
+  EXPECT_EQ(cut.x_greatest, 1.0);
+  const TrialGear ring = trial_gear(p, -60, 0.0, 0, 1);
+  EXPECT_EQ(ring.x_least, -0.6);
+  EXPECT_LE(ring.x_greatest, 1.0);
+}
+
+TEST(TrialGear, MarginsRaiseTheUndercutLimit) {
+  SearchProblem p = problem_with(0.2);
+  const double bare = trial_gear(p, 17, 0.3, 0, 0).x_least;
+  p.limits.undercut_margin = 0.1;
+  EXPECT_NEAR(trial_gear(p, 17, 0.3, 0, 0).x_least, bare + 0.1, 1e-15);
+}
+
+// A tip cut back by −k is thicker there: the greatest shift grows until it is as thin again.
+TEST(TrialGear, ShorterTipsMayShiftFarther) {
+  SearchProblem p = problem_with(0.3);
+  for (const double beta : {0.0, 0.4}) {
+    for (const int z : {10, 17, 40, 120}) {
+      const TrialGear g = trial_gear(p, z, beta, 0, 0);
+      EXPECT_EQ(greatest_shift(p, g, 0.0), g.x_greatest);
+      double last = g.x_greatest;
+      for (const double k : {-1e-6, -0.01, -0.1, -0.3}) {
+        const double x = greatest_shift(p, g, k);
+        EXPECT_GT(x, last) << z << " " << k;
+        EXPECT_NEAR(tip_thickness(g, x, k), 0.3, 1e-12) << z << " " << k;
+        last = x;
+      }
+    }
+  }
+  p.limits.greatest_shift = 0.2;
+  const TrialGear g = trial_gear(p, 40, 0.0, 0, 0);
+  EXPECT_EQ(greatest_shift(p, g, -0.1), 0.2);
+}
+
+// (2)
+TEST(TrialGear, TablesAndHandsChangeNothing) {
+  SearchProblem p = problem_with(0.25);
+  p.limits.least_shift = -0.6;
+  for (const double beta : {0.0, 0.35}) {
+    for (const auto& [least, greatest] : {std::pair{5, 90}, {-90, -20}}) {
+      const TrialGears table(p, least, greatest, beta, 0, 1);
+      for (int z = least; z <= greatest; ++z) {
+        const TrialGear one = trial_gear(p, z, -beta, 0, 1);
+        EXPECT_EQ(table[z].teeth, z);
+        EXPECT_EQ(table[z].x_least, one.x_least);
+        EXPECT_EQ(table[z].x_greatest, one.x_greatest);
+        EXPECT_EQ(table[z].r_b, one.r_b);
+      }
+    }
+  }
+}
+
+TEST(TrialGear, EachGearHasItsOwnRack) {
+  SearchProblem p = problem_with(0.2);
+  p.racks[0].rack[1].addendum = 0.8;
+  p.racks[0].rack[1].dedendum = 1.4;
+  p.racks[0].undercut_depth = {1.0, 1.2};
+  const TrialGear one = trial_gear(p, 20, 0.0, 0, 0);
+  const TrialGear two = trial_gear(p, 20, 0.0, 0, 1);
+  EXPECT_EQ(one.addendum, 1.0);
+  EXPECT_EQ(two.addendum, 0.8);
+  EXPECT_EQ(two.dedendum, 1.4);
+  EXPECT_NEAR(two.x_least - one.x_least, 0.2, 1e-15);
+  EXPECT_GT(two.x_greatest, one.x_greatest);  // the shorter tooth is thicker at its tip
+}
+
+}  // namespace
+}  // namespace gearwright

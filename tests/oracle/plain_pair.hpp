@@ -1,0 +1,77 @@
+// The parts of the plain search that know what a gear is: radii, thickness, centre distance, and
+// which shifts a gear's own limits allow. Notation: plain_search.hpp.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "tests/oracle/plain_search.hpp"
+
+namespace gearwright::oracle::plain {
+
+struct Interval {
+  long double low, high;
+
+  long double length() const { return high - low; }
+  long double middle() const { return low + (high - low) / 2; }
+  long double at(long double t) const { return t == 1 ? high : low + t * (high - low); }
+};
+
+void require(bool condition, const char* sentence);
+
+/// A problem and two tooth numbers, and what follows from them without shifts. `gear` is 1 or 2.
+struct Pair {
+  /// Throws    std::invalid_argument naming what makes no problem or no pair
+  Pair(const PlainProblem& problem, int z1, int z2);
+
+  PlainProblem problem;
+  int z1, z2;
+  long double sigma;            ///< σ
+  long double alpha_t;          ///< α_t
+  long double r[2], r_b[2];     ///< reference and base radii
+  long double u;                ///< |z_2|/z_1
+  long double base_pitch;       ///< p_bt
+  long double standard_centre;  ///< C_0  without shifts
+  long double base_centre;      ///< r_b2 + σ r_b1, the least centre distance
+
+  bool is_ring(int gear) const { return gear == 2 && z2 < 0; }
+  long double tip_radius(int gear, long double x) const;
+  long double root_radius(int gear, long double x) const;
+  /// ρ of the flank at the tip; NaN with the tip below the base circle.
+  long double tip_curvature(int gear, long double x) const;
+  /// ρ_F where the flank of the cutter's straight edge ends, < 0: undercut. Not of a ring.
+  long double form_curvature(int gear, long double x) const;
+  /// s_an; NaN with the tip below the base circle.
+  long double tip_thickness(int gear, long double x) const;
+  /// The lower limit of the shift, by undercut and floor; −∞: none.
+  long double least_shift(int gear) const;
+
+  /// C of S, extended or tight; NaN: none.
+  long double centre_distance(long double sum) const;
+  /// N; NaN below the sum of the base radii.
+  long double tangent_length(long double sum) const;
+  /// The S of a band of centre distances; nothing: no S has them.
+  std::optional<Interval> shift_sums(Interval centres) const;
+  /// The S whose centre distance is not below the sum of the base radii.
+  Interval shift_sum_domain() const;
+};
+
+PlainPoint look(const Pair& pair, long double x1, long double x2);
+
+/// The intervals between the first and the last node on which f ≥ 0; f changes sign at most once
+/// between neighbours. Accuracy 64 halvings of their distance.
+std::vector<Interval> where_not_negative(const std::function<long double(long double)>& f,
+                                         const std::vector<long double>& nodes);
+
+/// The shifts that undercut, tip thickness, floor and ceiling leave a gear.
+struct Pieces {
+  std::vector<Interval> held;  ///< in growing order
+  bool close_call = false;     ///< one more or one less if a limit moved by 1e-9
+};
+
+Pieces shifts_1(const Pair& pair);
+/// A ring may have no limits of its own: only the window is looked at.
+Pieces shifts_2(const Pair& pair, long double window_low, long double window_high);
+
+}  // namespace gearwright::oracle::plain

@@ -1,0 +1,141 @@
+// Which spur or helical pairs exist for a ratio and a centre distance, by plain loops in long
+// double: modules, tooth numbers, and for each of them every profile shift.
+//
+//   lengths in normal modules m = 1, angles in rad; shifts x as in ISO 21771
+//   z_2 < 0    a ring; its diameters and centre distances are positive here     σ = +1, ring −1
+//   S          x_1 + x_2
+//   ρ_1, ρ_2   radii of curvature of the flanks in contact; A: tip of gear 2, E: tip of gear 1
+//   N          distance of the base tangent points T_1, T_2;  ρ_2 = N − σρ_1
+//
+// Everything is nominal: tips are not shortened, no allowances, path and contact ratio those of the
+// transverse section.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace gearwright::oracle {
+
+/// What of the path of contact the clipped ratio counts.
+enum class PlainClip {
+  none,            ///< all of it: Eq. 10 alone is bound
+  tangent_points,  ///< what lies between T_1 and T_2
+  usable_flanks  ///< and not below ρ_F1, ρ_F2, where the flanks of the cutter's straight edge begin
+};
+
+/// What is asked of every pair. A limit that is absent is not asked; all limits are closed.
+struct PlainProblem {
+  long double alpha_n = std::numbers::pi_v<long double> / 9;
+  long double beta = 0;             ///< |β|
+  long double ha = 1, hf = 1.25L;   ///< addendum, dedendum
+  long double undercut_depth = 1;   ///< depth of the cutter's straight edge
+  long double undercut_margin = 0;  ///< how far a shift stays above the undercut limit
+  std::optional<long double> floor = {}, ceil = {};  ///< of either shift
+  long double tip_thickness_min = 0.2L;              ///< s_an ≥, must be ≥ 0
+  long double contact_ratio_min = 1.2L;              ///< binds Eq. 10 and the clipped ratio both
+  PlainClip clip = PlainClip::tangent_points;
+  bool tight = false;  ///< backlash-free centres; else extended ones
+  std::optional<long double> sliding_max = {}, clearance_min = {};
+  bool avoid_interference = false;  ///< ρ_1A ≥ ρ_F1, ρ_2E ≥ ρ_F2; no limit of a ring
+};
+
+/// By how much each limit is kept; ≥ 0 is inside. +∞: not asked. −∞: what is limited does not
+/// exist.
+struct PlainMargins {
+  static constexpr long double kFree = std::numeric_limits<long double>::infinity();
+
+  long double s1min = kFree, s2min = kFree;  ///< x − (undercut limit + margin, or floor)
+  long double s1max = kFree, s2max = kFree;  ///< ceil − x, or s_an − tip_thickness_min: the less
+  long double eps = kFree, eps_true = kFree;
+  long double sliding = kFree;    ///< sliding_max − the greatest of |ζ_1|, |ζ_2| at A and E
+  long double clearance = kFree;  ///< the lesser one
+  long double interference1 = kFree, interference2 = kFree;  ///< ρ_1A − ρ_F1, ρ_2E − ρ_F2
+
+  std::map<std::string, long double> by_name() const;
+  long double least() const;
+};
+
+/// One pair (m = 1, z_1, z_2, x_1, x_2) at its centre distance. NaN: it does not exist.
+struct PlainPoint {
+  long double centre_distance, alpha_wt;  ///< a, α_wt
+  long double rho_1A, rho_2A, rho_1E, rho_2E;
+  long double eps;         ///< Eq. 10; NaN below the sum of the base radii or with a tip below base
+  long double eps_true;    ///< clipped at T_1 and T_2; < 0: nothing is left of the path
+  long double eps_usable;  ///< clipped at ρ_F1 and ρ_F2 too
+  std::array<long double, 2> tip_thickness;   ///< s_an, normal section
+  std::array<long double, 2> zeta_A, zeta_E;  ///< ζ_1, ζ_2; NaN at or beyond a base tangent point
+  std::array<long double, 2> tip_clearance;   ///< tip of gear 1 to root of gear 2, and the other
+  PlainMargins margins;
+};
+
+/// Domain    z1 ≥ 1; z2 ≥ 1, or z2 < −z1
+/// Throws    std::invalid_argument naming what makes no problem or no pair
+PlainPoint look(const PlainProblem& problem, int z1, int z2, long double x1, long double x2);
+
+enum class PlainVerdict { empty, not_empty, ambiguous };
+
+struct PlainAnswer {
+  PlainVerdict verdict;
+  std::string killed_by;     ///< empty: the first that leaves nothing of `shift_limits`,
+                             ///< `center_distance`, `contact_ratio`, `other`
+  long double least_margin;  ///< of contact and clearance limits, at the best point seen; −∞: none
+  long double x1, x2;        ///< that point; NaN: none
+};
+
+/// Is there a pair of shifts that keeps all limits, at a centre distance of the band?
+///
+/// `not_empty` comes with such a point, all its margins but the shifts' own > 1e-9, or the shifts
+/// held to one point by limits that meet exactly. `empty` is proven: no cell of the shifts can
+/// hold one (plain_cells.hpp). `ambiguous`: within 1e-9 of the other answer, or 200 000 cells
+/// did not suffice.
+///
+/// Units     m, c_min, c_max in mm, c_min ≤ c_max; equal ones are met exactly
+/// Throws    std::invalid_argument as `look`
+PlainAnswer region_not_empty(const PlainProblem& problem, long double m, int z1, int z2,
+                             long double c_min, long double c_max);
+
+/// The region of the shifts in numbers: its slices S = constant, measured.
+struct PlainRegion {
+  long double area = 0;                                            ///< ∫ dx_1 dx_2
+  long double s_lo = 0, s_hi = 0;                                  ///< least and greatest S
+  std::array<std::array<long double, 2>, 2> lo_edge{}, hi_edge{};  ///< (x_1, x_2), x_1 growing
+  std::array<long double, 2> lo{}, hi{};                           ///< middles of these slices
+};
+
+/// Domain    a region that is not empty, by `region_not_empty`; else nothing comes back
+/// Accuracy  area 1e-4 of itself with 600 slices (measured: 3.1e-5); s_lo, s_hi 1e-12, the edges
+///           1e-8 where a slice is but a point. A second interval of a slice that lies between two
+///           of its 49 samples is not seen
+std::optional<PlainRegion> measure_region(const PlainProblem& problem, long double m, int z1,
+                                          int z2, long double c_min, long double c_max,
+                                          int slices = 600);
+
+/// Both ends included.
+struct PlainBand {
+  long double low, high;
+};
+
+struct PlainSearch {
+  using Design = std::tuple<double, int, int>;  ///< module, z_1, z_2
+  std::vector<Design> designs;                  ///< in the order of the loops
+  std::vector<Design> ambiguous;                ///< not among `designs`
+  long tested = 0;
+  std::map<std::string, long> rejected;  ///< by `killed_by`
+};
+
+/// Loops over modules, z_1 and z_2 ≥ z_1 with z_2/z_1 in the band, widened by 1e-12. A band of
+/// negative ratios means rings, −z_2 > z_1. `coprime`: pairs with a common factor are not tried.
+///
+/// Units     modules and centre distances in mm
+/// Throws    std::invalid_argument as `look`; a ratio band that contains 0
+PlainSearch plain_search(const PlainProblem& problem, const std::vector<double>& modules,
+                         PlainBand ratio, std::array<int, 2> z1, PlainBand center_distance,
+                         bool coprime);
+
+}  // namespace gearwright::oracle
