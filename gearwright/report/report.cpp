@@ -18,6 +18,7 @@
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/least_distance_picture.hpp"
 #include "gearwright/report/mesh_picture.hpp"
+#include "gearwright/report/page_parts.hpp"
 #include "gearwright/report/page_style.hpp"
 #include "gearwright/report/path_picture.hpp"
 #include "gearwright/report/range_picture.hpp"
@@ -84,16 +85,6 @@ std::string warning_list(const ReportInput& input) {
   return text.empty() ? text : "<ul class=\"warnings\">\n" + text + "</ul>\n";
 }
 
-std::string head(const ReportInput& input, const std::string& title) {
-  return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
-      "name=\"viewport\" "
-      "content=\"width=device-width, initial-scale=1\">\n<meta name=\"generator\" "
-      "content=\"Gearwright "
-      "{}\">\n<title>{}</title>\n<style>{}</style>\n</head>\n",
-      escaped(input.version), escaped(title), page_style());
-}
-
 std::string definitions(const ReportInput& input) {
   std::string shapes;
   for (std::size_t i = 0; i < input.gears.size(); ++i)
@@ -128,10 +119,7 @@ std::string gear_section(const ReportInput& input) {
   for (std::size_t i = 0; i < input.gears.size(); ++i) {
     pictures += tooth_figure(*input.gears[i], kShapes[i], fmt::format("Gear {}", i + 1));
   }
-  const std::string hint =
-      "<p class=\"hint\" id=\"hint\" hidden>Pictures: wheel zooms, drag moves, double click "
-      "restores; with "
-      "the keyboard + − 0 and arrows.</p>\n";
+  const std::string hint = picture_hint();
   const std::string table = gear_table(input.gears);
   if (input.gears.size() == 1) {
     return fmt::format(
@@ -184,14 +172,6 @@ std::string file_section(const std::vector<ReportFile>& files) {
   return text + "</tbody></table></div>\n</section>\n";
 }
 
-std::string spec_section(const std::string& spec) {
-  if (spec.empty()) return {};
-  return fmt::format(
-      "<section>\n<h2>Specification</h2>\n<details><summary>The specification this report was "
-      "made from</summary>\n<pre>{}</pre></details>\n</section>\n",
-      escaped(spec));
-}
-
 std::string foot(const ReportInput& input) {
   const std::string version = input.version.empty() ? std::string() : " " + escaped(input.version);
   const bool crossed = input.pair && input.pair->crossed();
@@ -219,7 +199,7 @@ std::string report_html(const ReportInput& input) {
   for (const Gear* gear : input.gears) GW_EXPECTS(gear != nullptr);
   GW_EXPECTS(input.pair == nullptr || input.gears.size() == 2);
   const std::string title = input.title.empty() ? default_title(input) : input.title;
-  std::string page = head(input, title);
+  std::string page = page_head(title, input.version);
   page += "<body>\n" + definitions(input);
   page += fmt::format(
       "<header>\n<p class=\"kind\">{}</p>\n<h1>{}</h1>\n<p class=\"verdict\">{}</p>\n{}</header>\n",

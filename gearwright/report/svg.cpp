@@ -123,10 +123,12 @@ void Svg::text(const Vec2& at, std::string_view markup, Anchor anchor, std::stri
                        point(at), attributes, markup);
 }
 
-void Svg::dot(const Vec2& at, double radius, std::string_view style) {
+void Svg::dot(const Vec2& at, double radius, std::string_view style, std::string_view title) {
+  const std::string words =
+      title.empty() ? std::string() : fmt::format("<title>{}</title>", escaped(title));
   body_ += fmt::format(
-      "<g class=\"lb\" transform=\"translate({})\"><circle class=\"{}\" r=\"{}\"/></g>\n",
-      point(at), style, pixel(radius));
+      "<g class=\"lb\" transform=\"translate({})\">{}<circle class=\"{}\" r=\"{}\"/></g>\n",
+      point(at), words, style, pixel(radius));
 }
 
 std::string Svg::str() const {

@@ -55,8 +55,8 @@ class Svg {
   /// from `at`, at every zoom.
   void text(const Vec2& at, std::string_view markup, Anchor anchor = Anchor::start,
             std::string_view style = "", const Vec2& offset = Vec2::Zero());
-  /// A dot that keeps its size.
-  void dot(const Vec2& at, double radius, std::string_view style);
+  /// A dot that keeps its size; its title, plain text, shows where the pointer rests on it.
+  void dot(const Vec2& at, double radius, std::string_view style, std::string_view title = "");
 
   std::string str() const;  ///< the element; every group is closed (contract)
 

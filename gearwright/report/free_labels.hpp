@@ -1,0 +1,54 @@
+// Labels that look for a free place in a picture.
+//
+// Lines, dots and labels already drawn are remembered; a new label tries its places in their order
+// and takes the first that touches none of them. Sizes are those of the letters on a narrow screen,
+// the largest that the page's style has.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gearwright/report/svg.hpp"
+
+namespace gearwright {
+
+/// A rectangle of the picture, px.
+struct PixelBox {
+  double left, top, right, bottom;
+};
+
+struct LabelPlace {
+  Vec2 at;      ///< px, what is named
+  Vec2 offset;  ///< px, from there to the middle of the words' near end; of `middle` to their middle
+  Anchor anchor;
+};
+
+class FreeLabels {
+ public:
+  /// `within`: no label leaves it.
+  explicit FreeLabels(const PixelBox& within) : within_(within) {}
+
+  void keep_off(const PixelBox& box) { boxes_.push_back(box); }
+  void keep_off(const std::vector<Vec2>& polyline);
+
+  /// What a label may touch: nothing, one line, or whatever is there.
+  enum class If { free, over_a_line, always };
+  /// Draws the label at the best of `places` if that may be. `plain` is the markup's text, for its
+  /// width. True: drawn.
+  bool draw(Svg& svg, std::string_view plain, std::string_view markup, std::string_view style,
+            const std::vector<LabelPlace>& places, If when);
+
+ private:
+  int conflicts(const PixelBox& box) const;
+
+  PixelBox within_;
+  std::vector<PixelBox> boxes_;
+  std::vector<std::vector<Vec2>> lines_;
+};
+
+/// The four sides of a dot and the corners between them, `distance` px away; those towards
+/// `towards` first.
+std::vector<LabelPlace> places_around(const Vec2& at, double distance, const Vec2& towards);
+
+}  // namespace gearwright

@@ -1,0 +1,34 @@
+// One HTML page about a design search, for people: what was tried, the best designs in a table that
+// sorts, and pictures of what they were ranked by and of the room their profile shifts have.
+//
+// As the report of a pair (report/report.hpp): a function of its input alone, in one file that needs
+// nothing else.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gearwright/design/search.hpp"
+
+namespace gearwright {
+
+struct SearchReport {
+  std::string title;      ///< empty: one is made from the ratio band
+  std::string spec_text;  ///< the spec, verbatim; empty: left out
+  const Search& search;
+  const SearchAnswer& answer;
+  std::vector<std::string> reasons;  ///< plain text: why nothing fits, what would help, warnings
+  std::size_t rows = 200;            ///< how many designs the table shows
+  std::string version;               ///< of the program
+};
+
+/// The page, UTF-8.
+///
+///   Laws      (1) same input, same bytes
+///             (2) no request leaves the page
+///             (3) title, spec and reasons are text, whatever they contain
+///             (4) without script the table and all pictures are there
+/// Units     mm, degrees; shifts and regions in normal modules; what does not exist is “–”
+std::string search_report(const SearchReport& report);
+
+}  // namespace gearwright

@@ -1,0 +1,84 @@
+#include "gearwright/report/search_words.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "gearwright/base/contract.hpp"
+
+namespace gearwright {
+
+namespace {
+
+struct EdgeLook {
+  std::string_view words, style;
+};
+
+// In the order of ShiftEdge.
+constexpr std::array<EdgeLook, kShiftEdges> kEdges{{{"gear 1 least shift", "edge-g1"},
+                                                    {"gear 1 greatest shift", "edge-g1 far"},
+                                                    {"gear 2 least shift", "edge-g2"},
+                                                    {"gear 2 greatest shift", "edge-g2 far"},
+                                                    {"least centre distance", "edge-c"},
+                                                    {"greatest centre distance", "edge-c far"},
+                                                    {"contact ratio", "edge-eps"},
+                                                    {"clipped contact ratio", "edge-true"},
+                                                    {"sliding", "edge-slide"},
+                                                    {"clearance", "edge-clear"},
+                                                    {"interference at gear 1", "edge-hit"},
+                                                    {"interference at gear 2", "edge-hit"},
+                                                    {"no working angle", "edge-mesh"}}};
+
+// In the order of Limit.
+constexpr std::array<std::string_view, kLimits> kLimitWords{
+    "no profile shift between undercut and a thin tip",
+    "centre distance out of reach",
+    "contact ratio too small",
+    "overlap ratio too small",
+    "sliding too fast",
+    "tip clearance too small",
+    "interference"};
+
+}  // namespace
+
+std::string_view words_of(ShiftEdge edge) { return kEdges[static_cast<std::size_t>(edge)].words; }
+
+std::string_view style_of(ShiftEdge edge) { return kEdges[static_cast<std::size_t>(edge)].style; }
+
+std::string_view words_of(Limit limit) { return kLimitWords[static_cast<std::size_t>(limit)]; }
+
+ObjectiveWords words_of(Objective objective) {
+  switch (objective) {
+    case Objective::contact_ratio: return {"contact ratio", "ε_α", "", true};
+    case Objective::ratio: return {"error of the ratio", "", "", false};
+    case Objective::size: return {"size m²(z₁² + z₂²)", "", "mm²", false};
+    case Objective::shift: return {"sum of shifts", "Σx", "modules", false};
+    case Objective::area: return {"area of the region", "", "modules²", true};
+    case Objective::sliding: return {"greatest sliding", "ζ", "", false};
+  }
+  contract_failed("postcondition", "known objective", __FILE__, __LINE__);
+}
+
+std::optional<double> value_of(const SearchProblem& problem, const DesignRow& row,
+                               Objective objective) {
+  // A cost knows only designs that rank; as a place in a plot any point of a region will do.
+  DesignRow any = row;
+  any.balanced = true;
+  const auto value = cost(problem, any, objective);
+  if (!value) return std::nullopt;
+  return words_of(objective).greater ? -*value : *value;
+}
+
+std::string design_name(const Trial& trial) {
+  return fmt::format("{:.10g} · {}:{}", trial.module, trial.z1, trial.z2);
+}
+
+std::string counted(std::int64_t n) {
+  std::string text = std::to_string(n);
+  for (auto at = static_cast<int>(text.size()) - 3; at > (n < 0 ? 1 : 0); at -= 3)
+    text.insert(static_cast<std::size_t>(at), "\u202f");  // a narrow space that does not break
+  return text;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,41 @@
+// What a design search speaks of, in words: limits, edges of the s1–s2 graph, objectives, designs.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "gearwright/design/design_row.hpp"
+#include "gearwright/design/search_problem.hpp"
+#include "gearwright/design/shift_graph.hpp"
+
+namespace gearwright {
+
+/// "gear 1 least shift", "contact ratio", …
+std::string_view words_of(ShiftEdge edge);
+/// Class of the page's style that colours it, "edge-g1 far".
+std::string_view style_of(ShiftEdge edge);
+
+/// "centre distance out of reach", … : what a rejected trial died of.
+std::string_view words_of(Limit limit);
+
+/// What an objective counts, for axes and sentences.
+struct ObjectiveWords {
+  std::string_view name;    ///< "contact ratio"
+  std::string_view symbol;  ///< "ε_α", as in html_text.hpp; may be empty
+  std::string_view unit;    ///< may be empty
+  bool greater = false;     ///< greater is better
+};
+ObjectiveWords words_of(Objective objective);
+
+/// Its value of a design, whether it ranks or not; none: |ζ| at a base tangent point.
+std::optional<double> value_of(const SearchProblem& problem, const DesignRow& row,
+                               Objective objective);
+
+/// "2.5 · 28:54"
+std::string design_name(const Trial& trial);
+
+/// Groups of three digits, "2 754".
+std::string counted(std::int64_t n);
+
+}  // namespace gearwright
