@@ -10,6 +10,7 @@
 #include <new>
 
 #include "apps/cli/verbs.hpp"
+#include "apps/common/search_verb.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/job/version.hpp"
 
@@ -27,6 +28,7 @@ constexpr const char* kIntroduction =
     "  gearwright compensate pair.toml       corrections that cancel those errors\n"
     "  gearwright measure pair.toml          the calliper's settings\n"
     "  gearwright fit wish.toml              gears for a centre distance and a shaft angle\n"
+    "  gearwright search wish.toml --out found  all designs within limits, ranked\n"
     "  gearwright outline pair.toml --gear 1 --points 200 --json\n"
     "  gearwright export pair.toml --step both.step --dxf pinion.dxf --gear 1\n"
     "  gearwright verify cases.json          published numbers against ours\n\n"
@@ -35,7 +37,7 @@ constexpr const char* kIntroduction =
     "  teeth = 17\n"
     "  normal_module_mm = 2.5\n";
 
-constexpr const char* kNotHere[] = {"identify", "search"};
+constexpr const char* kNotHere[] = {"identify"};
 
 CLI::App* verb(CLI::App& app, Options& o, const char* name, const char* what, const char* example) {
   CLI::App* sub = app.add_subcommand(name, what);
@@ -120,6 +122,9 @@ int main(int argc, char** argv) {
   fit->add_option("--take", o.take, "Print the spec of this branch and nothing else")
       ->check(CLI::Range(1, 1000));
 
+  gearwright::cli::SearchCommand search_command;
+  CLI::App* search = gearwright::cli::add_search(app, search_command);
+
   CLI::App* files =
       verb(app, o, "export", "CAD files of one gear, or of both in place",
            "gearwright export examples/helical_pair.toml --step pair.step --glb pair.glb");
@@ -174,6 +179,7 @@ int main(int argc, char** argv) {
     if (*compensate) return compensate_verb(o);
     if (*measure) return measure_verb(o);
     if (*fit) return fit_verb(o);
+    if (*search) return run_search_verb(search_command);
     if (*files) return export_verb(o);
     return verify_verb(o);
   } catch (const gearwright::IoError& e) {

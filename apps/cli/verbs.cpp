@@ -10,6 +10,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "apps/common/speaking.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/job/compensate_text.hpp"
 #include "gearwright/job/contact_text.hpp"
@@ -27,28 +28,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// All of stdout in one piece, so that a full disk behind it is seen.
-void print(const std::string& text) {
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
-    throw IoError(std::string("cannot write to standard output: ") + std::strerror(errno));
-  }
-}
-
-// Names of files may be any bytes; JSON takes characters only.
-void print_json(const Json& j) {
-  print(j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
-}
-
-int fail(const Options& o, const Error& error) {
-  std::fprintf(stderr, "gearwright: %s\n", error.message.c_str());
-  if (o.json) print_json(error_json(error));
-  return 1;
-}
-
-int usage(const std::string& message) {
-  std::fprintf(stderr, "gearwright: %s\n", message.c_str());
-  return 2;
-}
+int fail(const Options& o, const Error& error) { return cli::fail(error, o.json); }
 
 std::string read_text(const std::string& path) {
   if (fs::is_directory(path)) throw IoError("cannot read " + path + ": it is a folder");

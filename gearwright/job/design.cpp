@@ -266,6 +266,11 @@ void collect_warnings(Design& design) {
 }  // namespace
 
 Result<Design> solve(const JobSpec& given, Scope scope) {
+  if (!given.gears[0]) {
+    return Error{"gear1.teeth", "",
+                 "gear1.teeth: is missing; the spec describes a search. gearwright search finds the "
+                 "gears, and its --take 1 writes the pair that this verb takes"};
+  }
   Design design;
   design.spec = given;
   JobSpec& spec = design.spec;

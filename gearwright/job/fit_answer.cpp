@@ -65,6 +65,7 @@ std::optional<Error> unknown_module(const JobSpec& spec) {
 }  // namespace
 
 Result<FitAnswer> answer_fit(const JobSpec& spec) {
+  if (!spec.gears[0]) return Error{"gear1", "", "gear1: is missing; fit is about two gears"};
   if (auto error = refuse_arcs(spec, "fit")) return *error;
   if (!spec.gears[1]) return Error{"gear2", "", "gear2: is missing; fit is about two gears"};
   if (spec.fit.few_teeth) return answer_few_teeth(spec);

@@ -14,8 +14,6 @@
 
 namespace gearwright {
 
-namespace {
-
 StraightRack read_rack(TableReader& gear) {
   const Json* node = gear.any("rack");
   if (!node) return *iso53_rack("ISO53-A");
@@ -44,6 +42,8 @@ StraightRack read_rack(TableReader& gear) {
   t.finish();
   return rack;
 }
+
+namespace {
 
 std::optional<Bore> read_bore(TableReader& gear) {
   const Json* node = gear.table("bore");

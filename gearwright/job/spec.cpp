@@ -19,6 +19,7 @@
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/job/read_contact.hpp"
 #include "gearwright/job/read_gear.hpp"
+#include "gearwright/job/read_search.hpp"
 #include "gearwright/job/table_reader.hpp"
 
 namespace gearwright {
@@ -140,18 +141,21 @@ JobSpec read_tree(const Json& tree, const std::filesystem::path& folder) {
   spec.title = t.text("title").value_or("");
   const Json* gear_1 = t.table("gear1");
   const Json* gear_2 = t.table("gear2");
-  if (gear_1) spec.gears[0] = read_gear(*gear_1, "gear1", gear_2, folder);
-  if (gear_2) spec.gears[1] = read_gear(*gear_2, "gear2", gear_1, folder);
+  const Json* search = t.table("search");
+  // Beside [search] a gear's table without teeth says only what the search does not choose.
+  const auto is_gear = [&](const Json* gear) {
+    return gear && (!search || gear->contains("teeth"));
+  };
+  if (is_gear(gear_1)) spec.gears[0] = read_gear(*gear_1, "gear1", gear_2, folder);
+  if (is_gear(gear_2)) spec.gears[1] = read_gear(*gear_2, "gear2", gear_1, folder);
+  if (search) spec.search = read_search(*search, gear_1, gear_2);
   if (const Json* node = t.table("pair")) spec.pair = read_pair(*node);
   if (const Json* node = t.table("fit")) spec.fit = read_fit(*node);
   if (const Json* node = t.table("errors")) spec.errors = read_errors(*node);
   if (const Json* node = t.table("contact")) spec.contact = read_contact(*node);
   if (const Json* node = t.table("compensate")) spec.compensate = read_compensate(*node);
-  for (const char* key : {"search"}) {
-    if (t.has(key)) spec.not_read.push_back("[" + std::string(key) + "]");
-  }
   t.finish();
-  if (!spec.gears[0]) {
+  if (!spec.gears[0] && !spec.search) {
     throw SpecError{{"gear1", "",
                      "gear1: is missing; a spec describes a gear in a table [gear1] with at least "
                      "teeth and normal_module_mm"}};

@@ -14,6 +14,7 @@
 
 #include "gearwright/base/result.hpp"
 #include "gearwright/cad/toothed_body.hpp"
+#include "gearwright/design/search_problem.hpp"
 #include "gearwright/gear/basic.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/gear/modifications.hpp"
@@ -72,12 +73,13 @@ struct JobSpec {
   std::string text;  ///< the spec as read, for the report
   std::string tree;  ///< the same as a tree of tables, in JSON
   std::string title;
-  std::array<std::optional<GearInput>, 2> gears;
+  std::array<std::optional<GearInput>, 2> gears;  ///< without the first only beside a search
   PairInput pair;
   FitInput fit;
   ErrorsInput errors;
   ContactInput contact;
   CompensateInput compensate;
+  std::optional<SearchProblem> search;
   bool shaft_angle_found = false;     ///< not given: it followed from the centre distance
   std::vector<std::string> not_read;  ///< tables and keys of verbs that are not in this version
 };

@@ -1,0 +1,215 @@
+#include "apps/common/search_verb.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <charconv>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+
+#include "apps/common/speaking.hpp"
+#include "gearwright/job/search_answer.hpp"
+#include "gearwright/job/toml_text.hpp"
+
+namespace gearwright::cli {
+
+CLI::App* add_search(CLI::App& app, SearchCommand& c) {
+  CLI::App* sub = app.add_subcommand(
+      "search",
+      "All designs that satisfy the spec's [search], with their regions of shifts, ranked");
+  sub->footer(
+      "Example:\n"
+      "  gearwright search examples/gearbox_search.toml --out found\n"
+      "  gearwright search examples/gearbox_search.toml --take 1 > pair.toml\n"
+      "  gearwright search wide.toml --out wide --shard 3/8     on each of eight machines");
+  sub->add_flag("--json", c.json, "Print one JSON object to stdout and nothing else");
+  sub->add_option("SPEC", c.spec, "The spec file: TOML, or JSON if its name ends in .json")
+      ->required();
+  sub->add_option("--out", c.out,
+                  "Folder for search.parquet, best.csv, search.json, report.html, and for the "
+                  "chunks of a large search");
+  sub->add_option("--take", c.take, "Print the spec of the pair of this rank and nothing else")
+      ->check(CLI::Range(1, 1000000));
+  sub->add_option("--top", c.top, "List so many designs; all are in search.parquet")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
+  sub->add_flag("--resume", c.resume, "Go on with the search in --out");
+  sub->add_option("--shard", c.shard,
+                  "i/N: do every Nth chunk from the ith on; all shards share one --out");
+  sub->add_flag("--yes-large", c.yes_large, "Do a search of more than 2e10 candidates");
+  sub->add_option("--chunk", c.chunk, "Candidates of a chunk (default by the size of the search)")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 24));
+  sub->add_option("--threads", c.threads, "Threads (default: as many as the machine has)")
+      ->check(CLI::Range(1, 1024));
+  return sub;
+}
+
+namespace {
+
+std::atomic<bool> stop_wanted{false};
+
+// The first Ctrl-C lets the chunks in work finish, the second ends the program.
+extern "C" void on_interrupt(int signal) {
+  stop_wanted = true;
+  std::signal(signal, SIG_DFL);
+}
+
+// How far the search is, on stderr: one line that is written over in a terminal, a line every ten
+// seconds elsewhere; nothing in the first second.
+class ProgressLine {
+ public:
+  void operator()(const SearchProgress& p) {
+    const auto now = Clock::now();
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    const bool last = p.left == 0;
+    if (seconds < 1.0 || (last && !shown_)) return;
+    if (!last &&
+        now - said_ < (terminal_ ? std::chrono::milliseconds(500) : std::chrono::seconds(10)))
+      return;
+    said_ = now;
+    const double rate = static_cast<double>(p.trials) / seconds;
+    const double left = rate > 0.0 ? static_cast<double>(p.left) / rate : 0.0;
+    std::fprintf(stderr, "%sgearwright: %lld of %lld chunks, %.3g candidates a second, %s left%s",
+                 terminal_ ? "\r" : "", static_cast<long long>(p.chunks),
+                 static_cast<long long>(p.of_chunks), rate, clock(left).c_str(),
+                 terminal_ ? "   " : "\n");
+    shown_ = true;
+  }
+  ~ProgressLine() {
+    if (terminal_ && shown_) std::fprintf(stderr, "\n");
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static std::string clock(double seconds) {
+    const auto s = static_cast<long long>(seconds + 0.5);
+    return s >= 3600 ? fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60)
+                     : fmt::format("{}:{:02}", s / 60, s % 60);
+  }
+  Clock::time_point start_ = Clock::now(), said_ = start_;
+  bool terminal_ = isatty(2) != 0;
+  bool shown_ = false;
+};
+
+struct Shard {
+  int which = 1, of = 1;
+};
+
+std::optional<Shard> parse_shard(const std::string& text) {
+  const auto slash = text.find('/');
+  if (slash == std::string::npos) return std::nullopt;
+  Shard s;
+  const auto number = [&](std::size_t from, std::size_t to, int& value) {
+    const char* end = text.data() + to;
+    const auto [at, error] = std::from_chars(text.data() + from, end, value);
+    return error == std::errc() && at == end;
+  };
+  if (!number(0, slash, s.which) || !number(slash + 1, text.size(), s.of)) return std::nullopt;
+  return s.which >= 1 && s.which <= s.of && s.of <= 1'000'000 ? std::optional(s) : std::nullopt;
+}
+
+int say_unfinished(const SearchCommand& c, const SearchRun& run) {
+  const std::string state = fmt::format("{} of {} chunks are done", run.chunks_done, run.chunks);
+  if (c.json) print_json(unfinished_json(run));
+  if (run.stopped) {
+    std::fprintf(stderr, "gearwright: stopped; %s%s\n", state.c_str(),
+                 c.out.empty() ? ", nothing was kept: with --out DIR a search can be resumed"
+                               : ", --resume goes on");
+    return 3;
+  }
+  if (!c.json)
+    print(state + fmt::format(" in {}; the last shard to finish writes the result\n", c.out));
+  return 0;
+}
+
+int take_one(const SearchCommand& c, const JobSpec& spec, const Search& search,
+             const SearchRun& run) {
+  const auto count = static_cast<int>(run.answer.designs.size());
+  if (*c.take > count) {
+    const std::string number = std::to_string(*c.take);
+    return fail(
+        {"--take", number,
+         fmt::format("--take {}: {}", number,
+                     count == 0 ? "no design is feasible; the search without --take says what "
+                                  "would help"
+                                : fmt::format("there are {} designs", count))},
+        c.json);
+  }
+  const Json taken =
+      pair_spec(spec, search, run.answer.designs[static_cast<std::size_t>(*c.take - 1)]);
+  if (c.json) {
+    print_json(taken);
+  } else {
+    print(toml_text(taken));
+  }
+  return 0;
+}
+
+}  // namespace
+
+int run_search_verb(const SearchCommand& c, const Together* together) {
+  const bool speaks = !together || together->rank == 0;
+  SearchOptions options;
+  if (!c.shard.empty()) {
+    const auto shard = parse_shard(c.shard);
+    if (!shard || together) {
+      return speaks ? usage(together ? "--shard has no place under mpirun: ranks share one queue"
+                                     : "--shard takes i/N with 1 <= i <= N: --shard 3/8")
+                    : 2;
+    }
+    options.shard = shard->which;
+    options.shards = shard->of;
+    options.many = true;
+  }
+  if (together && c.out.empty())
+    return speaks ? usage("a search of several ranks needs --out DIR, where they meet") : 2;
+  const auto spec = read_spec_file(c.spec);
+  if (!spec) return speaks ? fail(spec.error(), c.json) : 1;
+  if (!spec->search) {
+    const Error error{"search", "",
+                      "search: is missing; a search needs a table [search] with at least ratio, "
+                      "modules_mm and pinion_teeth"};
+    return speaks ? fail(error, c.json) : 1;
+  }
+  const Search search(*spec->search);
+  options.out = c.out;
+  options.resume = c.resume;
+  options.yes_large = c.yes_large;
+  options.top = c.top;
+  if (c.take)
+    options.top = std::max<std::size_t>(c.top.value_or(0), static_cast<std::size_t>(*c.take));
+  options.chunk = c.chunk;
+  options.threads = c.threads;
+  options.stop = &stop_wanted;
+  options.writer = together          ? fmt::format("rank {}", together->rank)
+                   : c.shard.empty() ? "search"
+                                     : "shard " + c.shard;
+  ProgressLine progress;
+  if (speaks) options.progress = [&](const SearchProgress& p) { progress(p); };
+  if (together) {
+    options.many = together->rank > 0;
+    options.together = true;
+    options.next_chunk = together->next_chunk;
+    options.folder_is_open = together->folder_is_open;
+    options.finish_together = together->finish_together;
+    if (options.threads == 0) options.threads = 1;
+  }
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+  const auto run = run_search(*spec, search, options);
+  if (!run) return speaks ? fail(run.error(), c.json) : 1;
+  for (const std::string& note : run->notes) std::fprintf(stderr, "gearwright: %s\n", note.c_str());
+  if (!run->finished) return speaks ? say_unfinished(c, *run) : run->stopped ? 3 : 0;
+  if (c.take) return take_one(c, *spec, search, *run);
+  if (c.json) {
+    print(search_json_text(search, *run));
+  } else {
+    std::string files;
+    for (const auto& file : run->files) files += "  " + file.string() + "\n";
+    print(search_listing(search, *run) + (files.empty() ? "" : "\nfiles\n" + files));
+  }
+  return 0;
+}
+
+}  // namespace gearwright::cli

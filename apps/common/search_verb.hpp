@@ -1,0 +1,37 @@
+// The verb search, for one process and for many: the command line, progress, Ctrl-C, the output.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "gearwright/job/search_job.hpp"
+
+namespace gearwright::cli {
+
+struct SearchCommand {
+  std::string spec, out, shard;
+  bool json = false, resume = false, yes_large = false;
+  std::optional<std::size_t> top;
+  std::optional<int> take;
+  std::optional<std::int64_t> chunk;
+  int threads = 0;
+};
+
+/// Adds `search` to a program.
+CLI::App* add_search(CLI::App& app, SearchCommand& command);
+
+/// Processes that work on one search together; absent: this one alone.
+struct Together {
+  int rank = 0, ranks = 1;
+  std::function<std::int64_t()> next_chunk;
+  /// Called once the folder is open, or is not: the first opens it, then the others may.
+  std::function<bool(bool opened)> folder_is_open;
+  std::function<bool()> finish_together;
+};
+
+/// The exit status.   Throws  IoError
+int run_search_verb(const SearchCommand& command, const Together* together = nullptr);
+
+}  // namespace gearwright::cli

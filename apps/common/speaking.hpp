@@ -1,0 +1,20 @@
+// How a program of ours speaks: results on stdout, sentences on stderr, a status for the shell.
+#pragma once
+
+#include <string>
+
+#include "gearwright/base/result.hpp"
+#include "gearwright/job/table_reader.hpp"
+
+namespace gearwright::cli {
+
+/// All of stdout in one piece, so that a full disk behind it is seen.   Throws  IoError
+void print(const std::string& text);
+/// Names of files may be any bytes; JSON takes characters only.   Throws  IoError
+void print_json(const Json& j);
+/// The input is wrong or the gears are impossible: says so, as JSON too if asked; status 1.
+int fail(const Error& error, bool json);
+/// The command line is wrong: status 2.
+int usage(const std::string& message);
+
+}  // namespace gearwright::cli

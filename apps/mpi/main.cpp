@@ -1,0 +1,96 @@
+// gearwright-mpi: the verb search on many ranks, mpirun -n 8 gearwright-mpi search spec.toml --out
+// d
+//
+// Every rank computes. The next chunk is a counter in a window of rank 0, drawn by fetch-and-op: no
+// master waits. Finished chunks meet in the folder, and rank 0 makes the files of them in order, so
+// that the result is that of one process, byte for byte.
+#include <mpi.h>
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+
+#include "apps/common/search_verb.hpp"
+#include "gearwright/job/version.hpp"
+
+namespace {
+
+// A counter that all ranks draw from.
+class Queue {
+ public:
+  Queue() {
+    int rank = 0;
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    MPI_Win_allocate(rank == 0 ? sizeof(std::int64_t) : 0, sizeof(std::int64_t), MPI_INFO_NULL,
+                     MPI_COMM_WORLD, &counter_, &window_);
+    if (rank == 0) *counter_ = 0;
+    MPI_Barrier(MPI_COMM_WORLD);
+    MPI_Win_lock_all(0, window_);
+  }
+  Queue(const Queue&) = delete;
+  Queue& operator=(const Queue&) = delete;
+  ~Queue() {
+    MPI_Win_unlock_all(window_);
+    MPI_Win_free(&window_);
+  }
+  std::int64_t draw() {
+    const std::int64_t one = 1;
+    std::int64_t drawn = 0;
+    MPI_Fetch_and_op(&one, &drawn, MPI_INT64_T, 0, 0, MPI_SUM, window_);
+    MPI_Win_flush(0, window_);
+    return drawn;
+  }
+
+ private:
+  std::int64_t* counter_ = nullptr;
+  MPI_Win window_ = MPI_WIN_NULL;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  int provided = 0;
+  MPI_Init_thread(&argc, &argv, MPI_THREAD_SERIALIZED, &provided);
+  int rank = 0;
+  int ranks = 1;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+
+  gearwright::cli::SearchCommand command;
+  CLI::App app("Gearwright: the design search on many ranks.", "gearwright-mpi");
+  app.set_version_flag("--version", std::string("gearwright-mpi ") + gearwright::kVersion);
+  app.require_subcommand(1);
+  gearwright::cli::add_search(app, command);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    const int status = rank == 0 ? app.exit(e) : e.get_exit_code();
+    MPI_Finalize();
+    return status == 0 ? 0 : 2;
+  }
+  int status = 3;
+  try {
+    Queue queue;
+    gearwright::cli::Together together;
+    together.rank = rank;
+    together.ranks = ranks;
+    together.next_chunk = [&] { return queue.draw(); };
+    together.folder_is_open = [](bool opened) {
+      int all = opened ? 1 : 0;
+      MPI_Bcast(&all, 1, MPI_INT, 0, MPI_COMM_WORLD);
+      return all == 1;
+    };
+    together.finish_together = [rank] {
+      MPI_Barrier(MPI_COMM_WORLD);
+      return rank == 0;
+    };
+    if (provided < MPI_THREAD_SERIALIZED && command.threads > 1) command.threads = 1;
+    status = gearwright::cli::run_search_verb(command, &together);
+  } catch (const std::exception& e) {
+    // The others wait for this rank: end them too.
+    std::cerr << "gearwright-mpi: rank " << rank << ": " << e.what() << "\n";
+    MPI_Abort(MPI_COMM_WORLD, 3);
+  }
+  MPI_Finalize();
+  return status;
+}

@@ -1,0 +1,244 @@
+#include "gearwright/job/search_answer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gearwright {
+
+namespace {
+
+double deg(double rad) { return Angle::radians(rad).deg(); }
+
+// Regions of more designs than this are given without their boundary, whose curves have 25 points.
+constexpr std::size_t kMostBoundaries = 10'000;
+
+Json pair_of(const std::array<double, 2>& v) { return {v[0], v[1]}; }
+Json point_of(const Vec2& v) { return {v[0], v[1]}; }
+Json or_null(const std::optional<double>& v) { return v ? Json(*v) : Json(nullptr); }
+
+Json edges_json(const Search& search, const DesignRow& row) {
+  const ShiftGraph graph = search.graph(row.trial);
+  const auto region = shift_region(graph);
+  Json edges = Json::array();
+  if (!region) return edges;
+  for (const auto& loop : region_boundary(graph, *region)) {
+    for (const RegionEdge& e : loop) {
+      Json points = Json::array();
+      for (const Vec2& p : e.points) points.push_back(point_of(p));
+      edges.push_back({{"constraint", name(e.edge)}, {"points", std::move(points)}});
+    }
+  }
+  return edges;
+}
+
+Json objective_json(const SearchProblem& problem, const DesignRow& row) {
+  const auto value = [&](Objective o) {
+    const auto c = cost(problem, row, o);
+    const bool greater_is_better = o == Objective::contact_ratio || o == Objective::area;
+    return c ? Json(greater_is_better ? -*c : *c) : Json(nullptr);
+  };
+  if (problem.objectives.size() == 1) return value(problem.objectives.front());
+  Json all = Json::object();
+  for (const Objective o : problem.objectives)
+    all[std::string(kObjectiveNames[static_cast<std::size_t>(o)])] = value(o);
+  return all;
+}
+
+Json rejected_json(const SearchCounts& counts) {
+  Json j = Json::object();
+  for (std::size_t i = 0; i < counts.rejected.size(); ++i)
+    j[std::string(name(static_cast<Limit>(i)))] = counts.rejected[i];
+  return j;
+}
+
+Json rack_of(const JobSpec& spec, int rack, int which) {
+  const Json tree = Json::parse(spec.tree);
+  if (tree["search"].contains("racks"))
+    return tree["search"]["racks"][static_cast<std::size_t>(rack)];
+  for (const char* table : {which == 0 ? "gear1" : "gear2", "gear1"})
+    if (tree.contains(table) && tree[table].contains("rack")) return tree[table]["rack"];
+  return nullptr;
+}
+
+}  // namespace
+
+Json design_row_json(const Search& search, const DesignRow& row, bool with_edges) {
+  const Trial& t = row.trial;
+  Json j;
+  j["module_mm"] = t.module;
+  j["teeth"] = {t.z1, t.z2};
+  j["helix_angle_deg"] = {deg(t.helix[0]), deg(t.helix[1])};
+  if (search.problem().racks.size() > 1) j["rack"] = t.rack + 1;
+  j["profile_shift"] = pair_of(row.shift);
+  j["point"] = row.balanced ? "eq11" : "lo_hi";
+  j["center_distance_mm"] = row.center_distance;
+  j["ratio"] = row.ratio;
+  j["ratio_error"] = row.ratio - search.problem().target_ratio;
+  j["contact_ratio"] = row.contact_ratio;
+  j["contact_ratio_true"] = row.contact_ratio_true;
+  j["overlap_ratio"] = row.overlap_ratio;
+  j[search.problem().crossed() ? "working_normal_pressure_angle_deg"
+                               : "working_transverse_pressure_angle_deg"] = deg(row.working_angle);
+  j["backlash_normal_mm"] = row.backlash_normal;
+  j["tip_thickness_mm"] = pair_of(row.tip_thickness);
+  j["tip_clearance_mm"] = pair_of(row.tip_clearance);
+  j["tip_shortening_mm"] = row.tip_alteration;
+  j["specific_sliding"] = {{"gear1", {or_null(row.sliding[0][0]), or_null(row.sliding[0][1])}},
+                           {"gear2", {or_null(row.sliding[1][0]), or_null(row.sliding[1][1])}}};
+  j["interference"] = row.interference;
+  Json region;
+  if (with_edges) region["edges"] = edges_json(search, row);
+  region["lo"] = point_of(row.lo);
+  region["hi"] = point_of(row.hi);
+  region["area"] = row.area;
+  region["shift_sum"] = pair_of(row.sums);
+  j["region"] = std::move(region);
+  j["objective"] = objective_json(search.problem(), row);
+  return j;
+}
+
+std::string search_json_text(const Search& search, const SearchRun& run) {
+  const SearchAnswer& a = run.answer;
+  Json head;
+  head["tested"] = a.counts.tested;
+  head["feasible_count"] = a.counts.feasible;
+  head["rejected"] = rejected_json(a.counts);
+  Json changes = Json::array();
+  for (const NearestChange& c : run.changes)
+    changes.push_back({{"key", c.key}, {"from", c.from}, {"to", c.to}, {"effort", c.effort}});
+  if (a.counts.feasible == 0) head["changes"] = std::move(changes);
+  head["pareto"] = a.pareto;
+
+  std::string text = "{\n  \"search\": " + head.dump();
+  text.pop_back();  // the head's closing brace: the designs go in before it
+  text += ",\n  \"designs\": [";
+  const bool edges = a.designs.size() <= kMostBoundaries;
+  for (std::size_t i = 0; i < a.designs.size(); ++i) {
+    text += i == 0 ? "\n    " : ",\n    ";
+    text += design_row_json(search, a.designs[i], edges).dump();
+  }
+  text += a.designs.empty() ? "]}" : "\n  ]}";
+  Json warnings = Json::array();
+  const auto warn = [&](const char* code, const std::string& message) {
+    warnings.push_back({{"code", code}, {"message", message}, {"gear", 0}});
+  };
+  if (a.cut) {
+    warn("designs_cut", fmt::format("Of {} feasible designs the best {} are listed; search.parquet "
+                                    "in --out DIR holds all.",
+                                    a.counts.feasible, a.designs.size()));
+  }
+  if (!edges) {
+    warn("edges_left_out",
+         fmt::format("With more than {} designs the regions come without their edges; --top N asks "
+                     "for fewer designs.",
+                     kMostBoundaries));
+  }
+  if (!run.changes_left_out.empty()) warn("changes_left_out", run.changes_left_out + ".");
+  return text + ",\n  \"warnings\": " + warnings.dump() + "\n}\n";
+}
+
+Json unfinished_json(const SearchRun& run) {
+  return {{"search",
+           {{"finished", false},
+            {"stopped", run.stopped},
+            {"chunks_done", run.chunks_done},
+            {"chunks", run.chunks}}},
+          {"warnings", Json::array()}};
+}
+
+std::vector<std::string> rejected_lines(const SearchCounts& counts) {
+  constexpr const char* kWords[kLimits] = {
+      "limits of profile shift (undercut, tip, floor, ceiling)",
+      "centre distance",
+      "contact ratio",
+      "overlap ratio",
+      "specific sliding",
+      "tip clearance",
+      "interference"};
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < counts.rejected.size(); ++i)
+    if (counts.rejected[i] > 0)
+      lines.push_back(fmt::format("{}: {}", kWords[i], counts.rejected[i]));
+  return lines;
+}
+
+std::vector<std::string> change_lines(const SearchRun& run) {
+  std::vector<std::string> lines;
+  for (const NearestChange& c : run.changes)
+    lines.push_back(fmt::format("{} = {} instead of {}", c.key, c.to, c.from));
+  return lines;
+}
+
+std::string search_listing(const Search& search, const SearchRun& run, std::size_t most) {
+  const SearchAnswer& a = run.answer;
+  const SearchProblem& p = search.problem();
+  std::string text = fmt::format("{} candidates (module, z1, z2{}), {} feasible\n", a.counts.tested,
+                                 p.helix.size() > 1 ? ", helix" : "", a.counts.feasible);
+  for (const std::string& line : rejected_lines(a.counts)) text += "  killed by " + line + "\n";
+  if (a.counts.feasible == 0) {
+    if (!run.changes.empty()) {
+      text += "\nNothing is feasible. One of these alone would let something through:\n";
+      for (const std::string& line : change_lines(run)) text += "  " + line + "\n";
+    } else {
+      text += run.changes_left_out.empty()
+                  ? "\nNothing is feasible, and no change of one number alone would help.\n"
+                  : "\nNothing is feasible; " + run.changes_left_out + ".\n";
+    }
+    return text;
+  }
+  const bool helical =
+      std::any_of(p.helix.begin(), p.helix.end(), [](double b) { return b != 0.0; });
+  text += fmt::format(
+      "\n{:>4} {:>7} {:>4} {:>5}{} {:>8} {:>10} {:>8} {:>8} {:>7} {:>7} {:>7} {:>7}  {}\n", "rank",
+      "module", "z1", "z2", helical ? "   helix" : "", "ratio", "a mm", "x1", "x2", "eps", "eps tr",
+      "zeta", "area", "point");
+  for (std::size_t i = 0; i < a.designs.size() && i < most; ++i) {
+    const DesignRow& r = a.designs[i];
+    const auto zeta = r.greatest_sliding();
+    text += fmt::format(
+        "{:>4} {:>7g} {:>4} {:>5}{} {:>8.4f} {:>10.4f} {:>8.4f} {:>8.4f} {:>7.4f} {:>7.4f} {:>7} "
+        "{:>7.4f}  {}{}{}\n",
+        i + 1, r.trial.module, r.trial.z1, r.trial.z2,
+        helical ? fmt::format(" {:>7.3f}", deg(r.trial.helix[0])) : "", r.ratio, r.center_distance,
+        r.shift[0], r.shift[1], r.contact_ratio, r.contact_ratio_true,
+        zeta ? fmt::format("{:.3f}", *zeta) : "-", r.area, r.balanced ? "Eq. 11" : "middle",
+        std::find(a.pareto.begin(), a.pareto.end(), i) != a.pareto.end() ? ", front" : "",
+        r.interference ? ", interference" : "");
+  }
+  if (a.counts.feasible > static_cast<std::int64_t>(most)) {
+    text +=
+        fmt::format("  … {} more; --out DIR writes them all, --take N one as a spec of a pair\n",
+                    a.counts.feasible - static_cast<std::int64_t>(most));
+  }
+  return text;
+}
+
+Json pair_spec(const JobSpec& spec, const Search& search, const DesignRow& row) {
+  const SearchProblem& p = search.problem();
+  Json j;
+  j["title"] = fmt::format("{}{}:{}, module {}", spec.title.empty() ? "" : spec.title + ", ",
+                           row.trial.z1, row.trial.z2, row.trial.module);
+  const std::array<int, 2> teeth{row.trial.z1, row.trial.z2};
+  for (int i = 0; i < 2; ++i) {
+    Json g;
+    g["teeth"] = teeth[i];
+    g["normal_module_mm"] = row.trial.module;
+    g["normal_pressure_angle_deg"] = deg(p.normal_pressure_angle);
+    g["helix_angle_deg"] = deg(row.trial.helix[i]);
+    g["profile_shift"] = row.shift[i];
+    g["face_width_mm"] = p.face_width.value_or(10.0 * row.trial.module);
+    if (const Json rack = rack_of(spec, row.trial.rack, i); !rack.is_null()) g["rack"] = rack;
+    j[i == 0 ? "gear1" : "gear2"] = std::move(g);
+  }
+  Json pair;
+  pair["center_distance_mm"] = row.center_distance;
+  if (p.crossed()) pair["shaft_angle_deg"] = deg(*p.shaft_angle);
+  pair["mounting"] = p.mounting == Mounting::tight ? "tight" : "extended";
+  if (p.shorten_tips) pair["shorten_tips"] = true;
+  j["pair"] = std::move(pair);
+  return j;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,33 @@
+// What a search prints: its JSON, its table for people, and a design as the spec of a pair.
+// Internal to job/ and the program.
+#pragma once
+
+#include <string>
+
+#include "gearwright/job/search_job.hpp"
+#include "gearwright/job/table_reader.hpp"
+
+namespace gearwright {
+
+/// One design: the interface's keys of search.designs[i].
+Json design_row_json(const Search& search, const DesignRow& row, bool with_edges = true);
+
+/// The whole result as text, one design a line: the array may be long.
+std::string search_json_text(const Search& search, const SearchRun& run);
+
+/// The same for a run that made no result yet, or was stopped.
+Json unfinished_json(const SearchRun& run);
+
+/// Counts, the best designs, and what would help when there are none.
+std::string search_listing(const Search& search, const SearchRun& run, std::size_t most = 20);
+
+/// "through contact_ratio_min = 1.17 instead of 1.2", one line for each change.
+std::vector<std::string> change_lines(const SearchRun& run);
+
+/// "killed by the limit …: 2698", in the order of the limits; without those that killed none.
+std::vector<std::string> rejected_lines(const SearchCounts& counts);
+
+/// A design as a spec that the other verbs take.
+Json pair_spec(const JobSpec& spec, const Search& search, const DesignRow& row);
+
+}  // namespace gearwright

@@ -1,0 +1,293 @@
+#include "gearwright/job/search_job.hpp"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <numeric>
+
+#include "gearwright/job/chunk_store.hpp"
+#include "gearwright/job/search_files.hpp"
+#include "gearwright/job/search_record.hpp"
+#include "gearwright/job/table_reader.hpp"
+#include "gearwright/job/version.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr std::int64_t kLeastChunk = 1 << 18;
+constexpr std::int64_t kGreatestChunk = 1 << 22;  // a thread holds the designs of one
+
+void flatten(const Json& node, const std::string& path, std::string& lines) {
+  if (node.is_object()) {
+    for (const auto& [key, value] : node.items())
+      flatten(value, path.empty() ? key : path + "." + key, lines);
+    return;
+  }
+  lines += path + " = " + node.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+ChunkCounts as_chunk(const SearchCounts& c) {
+  return {c.tested, c.feasible, {c.rejected.begin(), c.rejected.end()}};
+}
+
+SearchCounts as_search(const ChunkCounts& c) {
+  SearchCounts counts{c.tested, c.feasible, {}};
+  std::copy(c.rejected.begin(), c.rejected.end(), counts.rejected.begin());
+  return counts;
+}
+
+std::vector<std::string> limit_names() {
+  std::vector<std::string> names;
+  for (int i = 0; i < kLimits; ++i) names.emplace_back(name(static_cast<Limit>(i)));
+  return names;
+}
+
+// Trials per second of one thread, measured on a few places of the search for a quarter of a
+// second.
+double measured_rate(const Search& search, std::int64_t trials) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  std::int64_t done = 0;
+  double seconds = 0.0;
+  for (int i = 0; seconds < 0.25 && i < 1000; ++i) {
+    const std::int64_t step = std::min<std::int64_t>(1 << 14, trials);
+    // Places spread by the golden ratio.
+    const double share = std::fmod(i * 0.6180339887498949, 1.0);
+    const auto from = static_cast<std::int64_t>(share * static_cast<double>(trials - step));
+    std::vector<DesignRow> rows;
+    search.range(from, from + step, rows);
+    done += step;
+    seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  return static_cast<double>(done) / seconds;
+}
+
+std::string duration_text(double seconds) {
+  if (seconds < 120) return fmt::format("{:.0f} seconds", seconds);
+  if (seconds < 7200) return fmt::format("{:.0f} minutes", seconds / 60);
+  if (seconds < 172800) return fmt::format("{:.0f} hours", seconds / 3600);
+  if (seconds < 63072000) return fmt::format("{:.0f} days", seconds / 86400);
+  return fmt::format("{:.0f} years", seconds / 31557600);
+}
+
+int thread_count(const SearchOptions& options) {
+  return options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
+}
+
+std::optional<Error> refuse_large(const Search& search, const SearchOptions& options) {
+  const double size = search.space().approximate_size();
+  if (!search.space().size()) {
+    return Error{
+        "search", fmt::format("{:.3g}", size),
+        fmt::format("search: {:.3g} candidates are more than can be counted here; narrow "
+                    "the bands of teeth and ratio, or the lists of modules and helix angles",
+                    size)};
+  }
+  if (size <= kLargeSearch || options.yes_large) return std::nullopt;
+  const int threads = thread_count(options);
+  const double rate = measured_rate(search, *search.space().size()) * threads;
+  return Error{
+      "--yes-large", fmt::format("{:.3g}", size),
+      fmt::format("search: {:.3g} candidates would take about {} here, at {:.3g} a second "
+                  "on {} thread{}. Narrow the bands, or say --yes-large (and --out DIR, so "
+                  "that it can be stopped and resumed; --shard i/N shares it among "
+                  "machines)",
+                  size, duration_text(size / rate), rate, threads, threads == 1 ? "" : "s")};
+}
+
+// Chunks done by all threads of this process; each is handed on as soon as it is done.
+class Workers {
+ public:
+  Workers(const Search& search, std::int64_t chunk, std::vector<std::int64_t> todo,
+          const SearchOptions& options)
+      : search_(search), chunk_(chunk), todo_(std::move(todo)), options_(options) {
+    progress_.of_chunks = (*search.space().size() + chunk - 1) / chunk;
+    progress_.chunks = progress_.of_chunks - static_cast<std::int64_t>(todo_.size());
+    for (const std::int64_t c : todo_) progress_.left += trials_of(c);
+  }
+
+  template <class Done>
+  void run(const Done& done) {
+    const int threads = thread_count(options_);
+    tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                              static_cast<std::size_t>(threads));
+    tbb::parallel_for(0, threads, [&](int) {
+      while (const auto c = next()) {
+        std::vector<DesignRow> rows;
+        const std::int64_t from = *c * chunk_;
+        const SearchCounts counts = search_.range(from, from + trials_of(*c), rows);
+        done(*c, std::move(rows), counts);
+        const std::lock_guard lock(mutex_);
+        ++progress_.chunks;
+        progress_.trials += trials_of(*c);
+        progress_.left -= trials_of(*c);
+        if (options_.progress) options_.progress(progress_);
+      }
+    });
+  }
+  bool stopped() const { return options_.stop && *options_.stop; }
+
+ private:
+  std::int64_t trials_of(std::int64_t c) const {
+    return std::min(chunk_, *search_.space().size() - c * chunk_);
+  }
+  std::optional<std::int64_t> next() {
+    if (stopped()) return std::nullopt;
+    const std::lock_guard lock(queue_mutex_);
+    if (options_.next_chunk) {
+      // What was missing when the folder was opened, whoever opened it when.
+      std::int64_t c = options_.next_chunk();
+      while (c < progress_.of_chunks && !std::binary_search(todo_.begin(), todo_.end(), c))
+        c = options_.next_chunk();
+      return c < progress_.of_chunks ? std::optional(c) : std::nullopt;
+    }
+    if (place_ == todo_.size()) return std::nullopt;
+    return todo_[place_++];
+  }
+
+  const Search& search_;
+  std::int64_t chunk_;
+  std::vector<std::int64_t> todo_;
+  const SearchOptions& options_;
+  std::size_t place_ = 0;
+  std::mutex queue_mutex_, mutex_;
+  SearchProgress progress_;
+};
+
+void look_for_changes(const Search& search, SearchRun& run) {
+  if (run.answer.counts.feasible > 0) return;
+  if (*search.space().size() > kMostForChange) {
+    run.changes_left_out = fmt::format(
+        "with more than {} candidates the nearest change is not looked for", kMostForChange);
+    return;
+  }
+  run.changes = nearest_changes(search.problem());
+}
+
+// All in memory: small searches, and those that leave no files.
+SearchRun run_in_memory(const JobSpec& spec, const Search& search, std::int64_t chunk,
+                        const SearchOptions& options) {
+  SearchRun run;
+  run.chunks = (*search.space().size() + chunk - 1) / chunk;
+  std::vector<std::int64_t> todo(static_cast<std::size_t>(run.chunks));
+  std::iota(todo.begin(), todo.end(), 0);
+  BestDesigns best(search.problem(), options.top.value_or(kDefaultDesigns));
+  SearchCounts counts;
+  std::map<std::int64_t, std::vector<DesignRow>> all;  // for the files
+  std::mutex mutex;
+  Workers workers(search, chunk, std::move(todo), options);
+  workers.run([&](std::int64_t c, std::vector<DesignRow> rows, const SearchCounts& n) {
+    const std::lock_guard lock(mutex);
+    counts += n;
+    for (const DesignRow& row : rows) best.add(row);
+    if (!options.out.empty()) all.emplace(c, std::move(rows));
+    ++run.chunks_done;
+  });
+  run.stopped = workers.stopped();
+  if (run.stopped) return run;
+  run.answer = std::move(best).answer(counts);
+  look_for_changes(search, run);
+  run.finished = true;
+  if (!options.out.empty()) {
+    auto at = all.begin();
+    run.files =
+        write_search_files(spec, search, run, options.out, [&](std::vector<DesignRow>& rows) {
+          if (at == all.end()) return false;
+          rows = std::move((at++)->second);
+          return true;
+        });
+  }
+  return run;
+}
+
+Result<SearchRun> run_campaign(const JobSpec& spec, const Search& search, std::int64_t chunk,
+                               const SearchOptions& options) {
+  SearchRun run;
+  run.chunks = (*search.space().size() + chunk - 1) / chunk;
+  const bool first = !options.many;
+  if (options.folder_is_open && !first && !options.folder_is_open(true)) return run;
+  const OpenAs as = options.many ? OpenAs::join : options.resume ? OpenAs::resume : OpenAs::fresh;
+  auto opened = ChunkStore::open(options.out, {search_fingerprint(spec, chunk), run.chunks},
+                                 limit_names(), as, options.writer);
+  if (options.folder_is_open && first) options.folder_is_open(static_cast<bool>(opened));
+  if (!opened) return opened.error();
+  ChunkStore store = std::move(opened).take();
+  run.notes = store.notes();
+  std::vector<std::int64_t> todo = store.missing();
+  if (!options.next_chunk) {
+    std::erase_if(todo, [&](std::int64_t c) { return c % options.shards != options.shard - 1; });
+  }
+  Workers workers(search, chunk, std::move(todo), options);
+  workers.run([&](std::int64_t c, std::vector<DesignRow> rows, const SearchCounts& n) {
+    store.put(c, pack_rows(rows), as_chunk(n));
+  });
+  run.stopped = workers.stopped();
+  const bool ours = options.finish_together ? options.finish_together() : true;
+  const auto missing = store.missing();
+  run.chunks_done = run.chunks - static_cast<std::int64_t>(missing.size());
+  if (!ours || !missing.empty()) return run;
+
+  BestDesigns best(search.problem(), options.top.value_or(kDefaultDesigns));
+  const auto rows_of = [&](std::int64_t c) {
+    return unpack_rows(store.get(c), fmt::format("chunk {} in {}", c, options.out.string()));
+  };
+  for (std::int64_t c = 0; c < run.chunks; ++c)
+    for (const DesignRow& row : rows_of(c)) best.add(row);
+  run.answer = std::move(best).answer(as_search(store.totals()));
+  look_for_changes(search, run);
+  run.finished = true;
+  std::int64_t at = 0;
+  run.files = write_search_files(spec, search, run, options.out, [&](std::vector<DesignRow>& rows) {
+    if (at == run.chunks) return false;
+    rows = rows_of(at++);
+    return true;
+  });
+  return run;
+}
+
+}  // namespace
+
+std::int64_t chunk_size(std::int64_t trials) {
+  constexpr std::int64_t kChunks = 4096;
+  return std::clamp((trials + kChunks - 1) / kChunks, kLeastChunk, kGreatestChunk);
+}
+
+std::string search_fingerprint(const JobSpec& spec, std::int64_t chunk) {
+  const Json tree = Json::parse(spec.tree);
+  std::string lines;
+  for (const char* table : {"search", "gear1", "gear2"})
+    if (tree.contains(table)) flatten(tree[table], table, lines);
+  lines += fmt::format("trials of a chunk = {}\nversion = {}\n", chunk, kVersion);
+  return lines;
+}
+
+Result<SearchRun> run_search(const JobSpec& spec, const Search& search,
+                             const SearchOptions& options) {
+  if (options.out.empty() && (options.resume || options.shards > 1)) {
+    const std::string flag = options.resume ? "--resume" : "--shard";
+    return Error{flag, "", flag + ": needs --out DIR, the folder of the search"};
+  }
+  if (auto error = refuse_large(search, options)) return *error;
+  const std::int64_t trials = *search.space().size();
+  if (trials == 0) {
+    return Error{"search.ratio", "",
+                 "search.ratio: no tooth numbers within pinion_teeth have such a ratio; widen one "
+                 "of the two bands"};
+  }
+  const std::int64_t chunk = options.chunk.value_or(chunk_size(trials));
+  const bool campaign =
+      !options.out.empty() &&
+      (trials > chunk || options.many || options.together || options.resume || options.chunk);
+  if (!campaign) return run_in_memory(spec, search, chunk, options);
+  return run_campaign(spec, search, chunk, options);
+}
+
+}  // namespace gearwright

@@ -1,0 +1,83 @@
+// The verb search: runs a search in memory, or as a campaign whose finished chunks stay on disk.
+//
+//   trials   0 … N − 1, cut into chunks of one size      campaign   many chunks and a folder
+//
+// Whoever works on chunks, threads, shards or ranks, the result is that of one process: chunks do
+// not depend on each other, and what is made of them goes through them in order.
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gearwright/design/nearest_change.hpp"
+#include "gearwright/design/search.hpp"
+#include "gearwright/job/spec.hpp"
+
+namespace gearwright {
+
+struct SearchProgress {
+  std::int64_t trials = 0;  ///< done by this process
+  std::int64_t chunks = 0;  ///< done by all, as far as this process knows
+  std::int64_t of_chunks = 0;
+  std::int64_t left = 0;  ///< trials that this process may still get
+};
+
+struct SearchOptions {
+  std::filesystem::path out;  ///< folder of the files; empty: none
+  bool resume = false;
+  int shard = 1, shards = 1;  ///< this process does the chunks shard − 1, + shards, …
+  bool many = false;          ///< others may have opened the folder before: shards, ranks
+  bool together = false;      ///< ranks: a campaign however small, opened by the first
+  bool yes_large = false;
+  std::optional<std::size_t> top;     ///< designs to keep; absent: kDefaultDesigns
+  std::optional<std::int64_t> chunk;  ///< trials of a chunk; absent: by the size of the search
+  int threads = 0;                    ///< 0: as many as the machine has
+  std::string writer = "search";      ///< who, in the journal
+  /// Draws the number of a chunk from a queue that others draw from too; empty: a queue of this
+  /// process's own. Called by one thread at a time.
+  std::function<std::int64_t()> next_chunk;
+  /// Told whether the folder could be opened, and says whether to go on; called by ranks that join
+  /// before they open it.
+  std::function<bool(bool opened)> folder_is_open;
+  /// Waits until all processes are done, and says whether this one makes the files.
+  std::function<bool()> finish_together;
+  std::function<void(const SearchProgress&)> progress;
+  const std::atomic<bool>* stop = nullptr;  ///< set: end after the chunks in work
+};
+
+/// Designs that an answer holds if nothing else is said: every one of all but huge searches.
+inline constexpr std::size_t kDefaultDesigns = 100'000;
+/// More trials than this only with yes_large.
+inline constexpr double kLargeSearch = 2e10;
+
+struct SearchRun {
+  SearchAnswer answer;    ///< of a finished search
+  bool finished = false;  ///< all chunks are done and this process made the files
+  bool stopped = false;   ///< by SearchOptions::stop
+  std::int64_t chunks_done = 0, chunks = 0;
+  std::vector<NearestChange> changes;  ///< when nothing is feasible
+  std::string changes_left_out;        ///< why they were not looked for
+  std::vector<std::string> notes;      ///< what was mended in the folder
+  std::vector<std::filesystem::path> files;
+};
+
+/// Runs the search of the spec.
+///
+/// Throws    IoError
+/// Errors    `search` missing from the spec; --yes-large for a large one, with how long it would
+///           take here; --out of a campaign that is there already, --resume of one that is not or
+///           has another spec; --shard and --resume without --out
+Result<SearchRun> run_search(const JobSpec& spec, const Search& search,
+                             const SearchOptions& options);
+
+/// Trials per chunk of a search of this size.
+std::int64_t chunk_size(std::int64_t trials);
+
+/// What decides the result, as lines "key = value".
+std::string search_fingerprint(const JobSpec& spec, std::int64_t chunk);
+
+}  // namespace gearwright

@@ -1,0 +1,120 @@
+#include "gearwright/job/search_record.hpp"
+
+#include <zstd.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "gearwright/base/output_file.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// One text for both ways: calls f on every number of the row.
+template <class Row, class F>
+void each_number(Row& row, const F& f) {
+  f(row.trial.index);
+  f(row.trial.module);
+  f(row.trial.z1);
+  f(row.trial.z2);
+  f(row.trial.helix[0]);
+  f(row.trial.helix[1]);
+  f(row.trial.rack);
+  f(row.shift[0]);
+  f(row.shift[1]);
+  f(row.balanced);
+  f(row.center_distance);
+  f(row.working_angle);
+  f(row.ratio);
+  f(row.contact_ratio);
+  f(row.contact_ratio_true);
+  f(row.overlap_ratio);
+  f(row.backlash_normal);
+  f(row.tip_alteration);
+  for (const int i : {0, 1}) {
+    f(row.tip_thickness[i]);
+    f(row.tip_clearance[i]);
+    f(row.sliding[i][0]);
+    f(row.sliding[i][1]);
+    f(row.sums[i]);
+    f(row.lo[i]);
+    f(row.hi[i]);
+  }
+  f(row.interference);
+  f(row.area);
+}
+
+constexpr std::size_t kNumbers = 18 + 2 * 7 + 2;
+
+struct Writer {
+  std::string* bytes;
+  void word(std::uint64_t w) const {
+    for (int i = 0; i < 8; ++i) *bytes += static_cast<char>(w >> (8 * i));
+  }
+  void operator()(double v) const {
+    std::uint64_t w;
+    std::memcpy(&w, &v, 8);
+    word(w);
+  }
+  void operator()(std::int64_t v) const { word(static_cast<std::uint64_t>(v)); }
+  void operator()(int v) const { (*this)(static_cast<std::int64_t>(v)); }
+  void operator()(bool v) const { (*this)(static_cast<std::int64_t>(v)); }
+  void operator()(const std::optional<double>& v) const {
+    (*this)(v.value_or(std::numeric_limits<double>::quiet_NaN()));
+  }
+};
+
+struct Reader {
+  const unsigned char** at;
+  std::uint64_t word() const {
+    std::uint64_t w = 0;
+    for (int i = 0; i < 8; ++i) w |= static_cast<std::uint64_t>((*at)[i]) << (8 * i);
+    *at += 8;
+    return w;
+  }
+  void operator()(double& v) const {
+    const std::uint64_t w = word();
+    std::memcpy(&v, &w, 8);
+  }
+  void operator()(std::int64_t& v) const { v = static_cast<std::int64_t>(word()); }
+  void operator()(int& v) const { v = static_cast<int>(static_cast<std::int64_t>(word())); }
+  void operator()(bool& v) const { v = word() != 0; }
+  void operator()(std::optional<double>& v) const {
+    double number = 0.0;
+    (*this)(number);
+    v = std::isnan(number) ? std::nullopt : std::optional(number);
+  }
+};
+
+}  // namespace
+
+std::string pack_rows(const std::vector<DesignRow>& rows) {
+  std::string plain;
+  plain.reserve(rows.size() * kNumbers * 8);
+  for (const DesignRow& row : rows) each_number(row, Writer{&plain});
+  GW_ENSURES(plain.size() == rows.size() * kNumbers * 8);
+  std::string packed(ZSTD_compressBound(plain.size()), '\0');
+  const std::size_t size =
+      ZSTD_compress(packed.data(), packed.size(), plain.data(), plain.size(), 1);
+  GW_ENSURES(!ZSTD_isError(size));
+  packed.resize(size);
+  return packed;
+}
+
+std::vector<DesignRow> unpack_rows(std::string_view bytes, const std::string& where) {
+  const auto size = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
+  constexpr unsigned long long kMost = 1ULL << 40;
+  if (size > kMost || size % (kNumbers * 8) != 0)
+    throw IoError(where + " does not hold designs of this version");
+  std::string plain(size, '\0');
+  const std::size_t got = ZSTD_decompress(plain.data(), plain.size(), bytes.data(), bytes.size());
+  if (ZSTD_isError(got) || got != size) throw IoError(where + " cannot be unpacked");
+  std::vector<DesignRow> rows(size / (kNumbers * 8));
+  const auto* at = reinterpret_cast<const unsigned char*>(plain.data());
+  for (DesignRow& row : rows) each_number(row, Reader{&at});
+  return rows;
+}
+
+}  // namespace gearwright
