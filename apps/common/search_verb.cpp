@@ -111,15 +111,19 @@ std::optional<Shard> parse_shard(const std::string& text) {
 
 int say_unfinished(const SearchCommand& c, const SearchRun& run) {
   const std::string state = fmt::format("{} of {} chunks are done", run.chunks_done, run.chunks);
+  if (c.take && !run.stopped) {
+    return fail({"--take", std::to_string(*c.take), "--take: the search is not finished, " + state},
+                c.json);
+  }
   if (c.json) print_json(unfinished_json(run));
   if (run.stopped) {
     std::fprintf(stderr, "gearwright: stopped; %s%s\n", state.c_str(),
-                 c.out.empty() ? ", nothing was kept: with --out DIR a search can be resumed"
-                               : ", --resume goes on");
+                 !c.out ? ", nothing was kept: with --out DIR a search can be resumed"
+                        : ", --resume goes on");
     return 3;
   }
   if (!c.json)
-    print(state + fmt::format(" in {}; the last shard to finish writes the result\n", c.out));
+    print(state + fmt::format(" in {}; the last shard to finish writes the result\n", *c.out));
   return 0;
 }
 
@@ -151,19 +155,23 @@ int take_one(const SearchCommand& c, const JobSpec& spec, const Search& search,
 int run_search_verb(const SearchCommand& c, const Together* together) {
   const bool speaks = !together || together->rank == 0;
   SearchOptions options;
-  if (!c.shard.empty()) {
-    const auto shard = parse_shard(c.shard);
+  const auto wrong = [&](const std::string& message) { return speaks ? usage(message) : 2; };
+  if (c.out && c.out->empty()) return wrong("--out needs the name of a folder");
+  if (!c.out && (c.resume || c.shard))
+    return wrong(std::string(c.resume ? "--resume" : "--shard") +
+                 " needs --out DIR, the folder of the search");
+  if (c.shard) {
+    const auto shard = parse_shard(*c.shard);
     if (!shard || together) {
-      return speaks ? usage(together ? "--shard has no place under mpirun: ranks share one queue"
-                                     : "--shard takes i/N with 1 <= i <= N: --shard 3/8")
-                    : 2;
+      return wrong(together ? "--shard has no place under mpirun: ranks share one queue"
+                            : "--shard takes i/N with 1 <= i <= N: --shard 3/8");
     }
     options.shard = shard->which;
     options.shards = shard->of;
     options.many = true;
   }
-  if (together && c.out.empty())
-    return speaks ? usage("a search of several ranks needs --out DIR, where they meet") : 2;
+  if (together && !c.out)
+    return wrong("a search of several ranks needs --out DIR, where they meet");
   const auto spec = read_spec_file(c.spec);
   if (!spec) return speaks ? fail(spec.error(), c.json) : 1;
   if (!spec->search) {
@@ -173,7 +181,7 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
     return speaks ? fail(error, c.json) : 1;
   }
   const Search search(*spec->search);
-  options.out = c.out;
+  options.out = c.out.value_or("");
   options.resume = c.resume;
   options.yes_large = c.yes_large;
   options.top = c.top;
@@ -182,9 +190,9 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
   options.chunk = c.chunk;
   options.threads = c.threads;
   options.stop = &stop_wanted;
-  options.writer = together          ? fmt::format("rank {}", together->rank)
-                   : c.shard.empty() ? "search"
-                                     : "shard " + c.shard;
+  options.writer = together   ? fmt::format("rank {}", together->rank)
+                   : !c.shard ? "search"
+                              : "shard " + *c.shard;
   ProgressLine progress;
   if (speaks) options.progress = [&](const SearchProgress& p) { progress(p); };
   if (together) {

@@ -11,7 +11,8 @@
 namespace gearwright::cli {
 
 struct SearchCommand {
-  std::string spec, out, shard;
+  std::string spec;
+  std::optional<std::string> out, shard;
   bool json = false, resume = false, yes_large = false;
   std::optional<std::size_t> top;
   std::optional<int> take;

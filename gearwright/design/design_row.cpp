@@ -82,16 +82,19 @@ DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts) {
   return row;
 }
 
+DesignRow design_row(const ShiftGraph& graph, const ShiftRegion& region) {
+  DesignRow row = row_at(graph, chosen_point(graph, region));
+  row.balanced = region.balanced.has_value();
+  row.area = region.area;
+  row.sums = {region.sums.front().lo, region.sums.back().hi};
+  row.lo = region.lo;
+  row.hi = region.hi;
+  return row;
+}
+
 std::optional<DesignRow> design_row(const ShiftGraph& graph) {
   const auto region = shift_region(graph);
-  if (!region) return std::nullopt;
-  DesignRow row = row_at(graph, chosen_point(graph, *region));
-  row.balanced = region->balanced.has_value();
-  row.area = region->area;
-  row.sums = {region->sums.front().lo, region->sums.back().hi};
-  row.lo = region->lo;
-  row.hi = region->hi;
-  return row;
+  return region ? std::optional(design_row(graph, *region)) : std::nullopt;
 }
 
 std::optional<double> cost(const SearchProblem& problem, const DesignRow& row,

@@ -41,6 +41,7 @@ struct DesignRow {
 
 /// The row of a trial; none: nothing of it is feasible.
 std::optional<DesignRow> design_row(const ShiftGraph& graph);
+DesignRow design_row(const ShiftGraph& graph, const ShiftRegion& region);
 
 /// The numbers at any point of the graph.   Domain: a working angle exists there (contract)
 DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts);

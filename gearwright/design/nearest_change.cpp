@@ -144,6 +144,7 @@ std::vector<Knob> knobs(const SearchProblem& p) {
 }  // namespace
 
 std::vector<NearestChange> nearest_changes(const SearchProblem& problem) {
+  GW_EXPECTS(Search(problem).space().size().value_or(kMostForChange + 1) <= kMostForChange);
   std::vector<NearestChange> found;
   for (const Knob& knob : knobs(problem)) {
     const auto to = least_move(problem, knob);

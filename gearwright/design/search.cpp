@@ -15,6 +15,8 @@ SearchCounts& SearchCounts::operator+=(const SearchCounts& other) {
   tested += other.tested;
   feasible += other.feasible;
   for (std::size_t i = 0; i < rejected.size(); ++i) rejected[i] += other.rejected[i];
+  points_tested += other.points_tested;
+  points_feasible += other.points_feasible;
   return *this;
 }
 
@@ -138,7 +140,7 @@ void Search::sift(std::int64_t from, std::int64_t to, const F& decide) const {
 }
 
 SearchCounts Search::range(std::int64_t from, std::int64_t to, std::vector<DesignRow>& rows,
-                           SieveCounts* counts) const {
+                           SieveCounts* counts, std::vector<ShiftPoint>* points) const {
   SearchCounts result;
   sift(from, to, [&](const Trial& t, double verdict, const TrialGear& g_1, const TrialGear& g_2) {
     ++result.tested;
@@ -148,9 +150,14 @@ SearchCounts Search::range(std::int64_t from, std::int64_t to, std::vector<Desig
       return true;
     }
     const ShiftGraph graph(problem_, t, g_1, g_2);
-    if (const auto row = design_row(graph)) {
+    if (const auto region = shift_region(graph)) {
       ++result.feasible;
-      rows.push_back(*row);
+      rows.push_back(design_row(graph, *region));
+      if (problem_.shift_step && points) {
+        const PointCounts n = feasible_points(graph, *region, *problem_.shift_step, *points);
+        result.points_tested += n.tested;
+        result.points_feasible += n.feasible;
+      }
       return true;
     }
     const auto limit = graph.what_kills();

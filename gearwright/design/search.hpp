@@ -2,7 +2,7 @@
 //
 // A range of trials is searched by itself and depends on nothing else, so that the whole may be cut
 // anywhere: threads, shards, ranks. Most trials die of three limits that cost a few operations; the
-// sieve (design/sieve.hpp) does those eight at a time, and only what it cannot decide for certain
+// sieve (design/candidate.hpp) does those eight at a time, and only what it cannot decide for certain
 // gets its graph.
 #pragma once
 
@@ -17,13 +17,15 @@
 
 #include "gearwright/design/design_row.hpp"
 #include "gearwright/design/search_space.hpp"
+#include "gearwright/design/shift_points.hpp"
 
 namespace gearwright {
 
 struct SearchCounts {
   std::int64_t tested = 0;  ///< trials that count: all, or the coprime ones
   std::int64_t feasible = 0;
-  std::array<std::int64_t, kLimits> rejected{};  ///< by the first limit that leaves nothing
+  std::array<std::int64_t, kLimits> rejected{};         ///< by the first limit that leaves nothing
+  std::int64_t points_tested = 0, points_feasible = 0;  ///< of the grid of shifts
 
   SearchCounts& operator+=(const SearchCounts& other);
   friend bool operator==(const SearchCounts&, const SearchCounts&) = default;
@@ -41,10 +43,10 @@ class Search {
   const SearchProblem& problem() const { return problem_; }
   const SearchSpace& space() const { return space_; }
 
-  /// Searches [from, to) and appends its feasible designs in the order of the trials. Safe from
-  /// several threads.
+  /// Searches [from, to) and appends its feasible designs in the order of the trials, and with a
+  /// grid of shifts its feasible points, if they are wanted. Safe from several threads.
   SearchCounts range(std::int64_t from, std::int64_t to, std::vector<DesignRow>& rows,
-                     SieveCounts* sieve = nullptr) const;
+                     SieveCounts* sieve = nullptr, std::vector<ShiftPoint>* points = nullptr) const;
 
   /// Some trial of [from, to) is feasible; stops at the first.
   bool exists(std::int64_t from, std::int64_t to) const;

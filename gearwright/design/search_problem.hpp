@@ -72,6 +72,7 @@ struct SearchProblem {
   double lambda = 0.625;      ///< λ of the line of Eq. 11
   double target_ratio = 0.0;  ///< of the objective `ratio`
   std::vector<Objective> objectives{Objective::contact_ratio};
+  std::optional<double> shift_step;  ///< of a grid whose feasible points are all wanted too
 
   bool internal() const { return ratio[0] < 0.0; }
   bool crossed() const { return shaft_angle.has_value(); }

@@ -23,6 +23,10 @@ double curvature(double u, double b) {
 // |u| of a tip whose flank ends with the curvature radius q.
 double radius_of(double q, double b) { return std::sqrt(b * b + q * q); }
 
+// A working angle of 4e-5 rad: nearer to the base radii there is no mesh that a double can tell
+// from none.
+constexpr double kLeastOpening = 1e-9;
+
 void raise(double& lo, double value) { lo = std::max(lo, value); }
 void lower(double& hi, double value) { hi = std::min(hi, value); }
 
@@ -53,7 +57,8 @@ ShiftGraph::ShiftGraph(const SearchProblem& problem, const Trial& trial, const T
       R_(gear_1.r + gear_2.r),
       B_(gear_1.r_b + gear_2.r_b),
       tan_alpha_(std::tan(problem.normal_pressure_angle)),
-      teeth_sum_(trial.z1 + trial.z2) {
+      teeth_sum_(trial.z1 + trial.z2),
+      nearest_(crossed_ ? 0.0 : std::abs(B_) * (1.0 + kLeastOpening)) {
   const double cos_beta = std::abs(gear_1.teeth / (2.0 * gear_1.r));
   const double alpha_t = std::asin(gear_1.sin_transverse);
   inv_alpha_t_ = involute(alpha_t);
@@ -109,15 +114,22 @@ ShiftGraph::Sums ShiftGraph::sums(int limits) const {
   const auto not_farther = [&](double sum, ShiftEdge edge) {
     internal_ ? from_below(sum, edge) : from_above(sum, edge);
   };
-  if (crossed_) {
-    from_below(-crossed_line_0_ / crossed_line_1_, ShiftEdge::mesh);
-  } else {
-    not_nearer(sum_of_distance(std::abs(B_)), ShiftEdge::mesh);
+  // Where there is no working angle there is no contact ratio: that limit, not an earlier one.
+  if (limits > static_cast<int>(Limit::contact_ratio)) {
+    if (crossed_) {
+      from_below(-crossed_line_0_ / crossed_line_1_, ShiftEdge::mesh);
+    } else {
+      not_nearer(sum_of_distance(nearest_), ShiftEdge::mesh);
+    }
   }
   if (limits > static_cast<int>(Limit::center_distance) && problem_->center_distance) {
     const auto& band = *problem_->center_distance;
-    not_nearer(sum_of_distance(band[0] / trial_.module), ShiftEdge::Cmin);
-    not_farther(sum_of_distance(band[1] / trial_.module), ShiftEdge::Cmax);
+    const double least = band[0] / trial_.module;
+    const double most = band[1] / trial_.module;
+    // No sum of shifts has tight centres nearer than the base radii.
+    if (tight_ && most < nearest_) return {1.0, 0.0, ShiftEdge::Cmax, ShiftEdge::Cmax};
+    if (!tight_ || least > nearest_) not_nearer(sum_of_distance(least), ShiftEdge::Cmin);
+    not_farther(sum_of_distance(most), ShiftEdge::Cmax);
   }
   if (limits > static_cast<int>(Limit::contact_ratio) && !internal_) {
     // N ≥ K: the path between the base tangent points.

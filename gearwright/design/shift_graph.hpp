@@ -9,8 +9,9 @@
 //   K               least length of the path: the least contact ratio times the pitch
 //                                              theory: docs/theory/09-design-search.md
 //
-// Everything in normal modules and ISO 21771 signs, so that external, internal and crossed pairs
-// are one set of formulas. The set is exact; nothing here is sampled.
+// Everything in normal modules and ISO 21771 signs, so that external, internal and crossed pairs are
+// one set of formulas. The set is exact; nothing here is sampled. Left out of it, knowingly: with
+// interference to be avoided, tips of external gears that lie inside their own reference circle.
 #pragma once
 
 #include <array>
@@ -140,6 +141,7 @@ class ShiftGraph {
   double pitch_, least_path_;
   double R_, B_;  ///< r1 + r2, r_b1 + r_b2; signed
   double tan_alpha_, inv_alpha_t_, teeth_sum_;
+  double nearest_;                                      ///< least centre distance
   double crossed_line_0_ = 0.0, crossed_line_1_ = 0.0;  ///< N = …_0 + …_1 Σ
 };
 

@@ -21,9 +21,14 @@ const std::vector<double>& iso54_modules(int series) {
 
 namespace {
 
+constexpr double kLeastShiftStep = 1e-4;      // a million points of a region
 constexpr std::size_t kMostValues = 100'000;  // of one list or band
 
-std::string shown(const Json& value) { return printable(value.dump(), 60); }
+// JSON has no word for nan and inf.
+std::string shown(const Json& value) {
+  return value.is_number_float() ? fmt::format("{}", value.get<double>())
+                                 : printable(value.dump(), 60);
+}
 
 // Numbers of a list, or one number as a list of one; none: the key is absent.
 std::optional<std::vector<double>> numbers(TableReader& t, const std::string& key,
@@ -145,6 +150,10 @@ void read_helix(TableReader& t, SearchProblem& p, double of_gear_deg) {
     t.fail("helix_step_deg", "belongs to a band, helix_angle_deg = [least, greatest]");
   }
   const char* key = list ? "helix_angles_deg" : "helix_angle_deg";
+  auto sorted = degrees;
+  std::sort(sorted.begin(), sorted.end());
+  if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
+    t.fail(key, fmt::format("names {} twice", *twice));
   p.helix.clear();
   for (const double beta : degrees) {
     if (!(std::abs(beta) < 89.0)) t.fail(key, "must lie between -89 and 89");
@@ -228,6 +237,10 @@ Blank read_blank(const Json* node, const std::string& path) {
     t.fail("normal_pressure_angle_deg", "must lie between 1 and 60, usually 14.5 to 30");
   b.helix_deg = t.number("helix_angle_deg");
   b.face_mm = t.positive("face_width_mm");
+  if (const Json* rack = t.any("rack");
+      rack && rack->is_object() && rack->contains("kind") && (*rack)["kind"] != "straight") {
+    t.fail("rack.kind", "must be \"straight\" (or absent): a search is about involute gears");
+  }
   if (t.has("rack")) b.rack = read_rack(t);
   if (b.rack && (b.rack->protuberance != 0.0 || b.rack->tip_fillet_radius != 0.0 ||
                  b.rack->semi_topping_angle)) {
@@ -270,6 +283,8 @@ void read_racks(TableReader& t, SearchProblem& p, const std::array<Blank, 2>& bl
       t.fail("racks", "must be a list of names, [\"ISO53-A\", \"ISO53-C\"]");
     for (const Json& item : *list) {
       const auto rack = item.is_string() ? iso53_rack(item.get<std::string>()) : std::nullopt;
+      if (std::count(list->begin(), list->end(), item) > 1)
+        t.fail("racks", "names " + shown(item) + " twice");
       if (!rack) t.fail("racks", shown(item) + " is none of \"ISO53-A\" … \"ISO53-D\"");
       wanted.push_back({rack, rack});
     }
@@ -315,7 +330,10 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
   }
   p.modules = read_modules(t);
   if (const auto sigma = t.number("shaft_angle_deg"); sigma && *sigma != 0.0) {
-    if (!(std::abs(*sigma) < 178.0)) t.fail("shaft_angle_deg", "must lie between -178 and 178");
+    if (!(std::abs(*sigma) < 178.0 && std::abs(*sigma) >= 0.1)) {
+      t.fail("shaft_angle_deg",
+             "must be 0 (parallel axes) or lie between 0.1 and 178, of either sign");
+    }
     if (p.internal())
       t.fail("shaft_angle_deg",
              "has no place in an internal pair: its axes are "
@@ -336,6 +354,7 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
            "clearance is whole");
   }
   read_limits(t, p);
+  p.shift_step = within(t, "shift_step", kLeastShiftStep, 1.0);
   p.lambda = within(t, "lambda", -10.0, 10.0).value_or(0.625);
   read_objectives(t, p);
   t.finish();

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/job/search_tables.hpp"
+
 namespace gearwright {
 
 namespace {
-
-double deg(double rad) { return Angle::radians(rad).deg(); }
 
 // Regions of more designs than this are given without their boundary, whose curves have 25 points.
 constexpr std::size_t kMostBoundaries = 10'000;
@@ -69,7 +69,7 @@ Json design_row_json(const Search& search, const DesignRow& row, bool with_edges
   Json j;
   j["module_mm"] = t.module;
   j["teeth"] = {t.z1, t.z2};
-  j["helix_angle_deg"] = {deg(t.helix[0]), deg(t.helix[1])};
+  j["helix_angle_deg"] = {tidy_degrees(t.helix[0]), tidy_degrees(t.helix[1])};
   if (search.problem().racks.size() > 1) j["rack"] = t.rack + 1;
   j["profile_shift"] = pair_of(row.shift);
   j["point"] = row.balanced ? "eq11" : "lo_hi";
@@ -80,11 +80,12 @@ Json design_row_json(const Search& search, const DesignRow& row, bool with_edges
   j["contact_ratio_true"] = row.contact_ratio_true;
   j["overlap_ratio"] = row.overlap_ratio;
   j[search.problem().crossed() ? "working_normal_pressure_angle_deg"
-                               : "working_transverse_pressure_angle_deg"] = deg(row.working_angle);
+                               : "working_transverse_pressure_angle_deg"] =
+      tidy_degrees(row.working_angle);
   j["backlash_normal_mm"] = row.backlash_normal;
   j["tip_thickness_mm"] = pair_of(row.tip_thickness);
   j["tip_clearance_mm"] = pair_of(row.tip_clearance);
-  j["tip_shortening_mm"] = row.tip_alteration;
+  j["tip_alteration_mm"] = row.tip_alteration;
   j["specific_sliding"] = {{"gear1", {or_null(row.sliding[0][0]), or_null(row.sliding[0][1])}},
                            {"gear2", {or_null(row.sliding[1][0]), or_null(row.sliding[1][1])}}};
   j["interference"] = row.interference;
@@ -105,6 +106,10 @@ std::string search_json_text(const Search& search, const SearchRun& run) {
   head["tested"] = a.counts.tested;
   head["feasible_count"] = a.counts.feasible;
   head["rejected"] = rejected_json(a.counts);
+  if (search.problem().shift_step) {
+    head["points_tested"] = a.counts.points_tested;
+    head["points_feasible"] = a.counts.points_feasible;
+  }
   Json changes = Json::array();
   for (const NearestChange& c : run.changes)
     changes.push_back({{"key", c.key}, {"from", c.from}, {"to", c.to}, {"effort", c.effort}});
@@ -128,6 +133,10 @@ std::string search_json_text(const Search& search, const SearchRun& run) {
     warn("designs_cut", fmt::format("Of {} feasible designs the best {} are listed; search.parquet "
                                     "in --out DIR holds all.",
                                     a.counts.feasible, a.designs.size()));
+  }
+  if (run.pair_not_read) {
+    warn("not_read",
+         "[pair] is of one pair: a search has center_distance_mm and mounting of its own.");
   }
   if (!edges) {
     warn("edges_left_out",
@@ -177,6 +186,10 @@ std::string search_listing(const Search& search, const SearchRun& run, std::size
   std::string text = fmt::format("{} candidates (module, z1, z2{}), {} feasible\n", a.counts.tested,
                                  p.helix.size() > 1 ? ", helix" : "", a.counts.feasible);
   for (const std::string& line : rejected_lines(a.counts)) text += "  killed by " + line + "\n";
+  if (p.shift_step) {
+    text += fmt::format("{} of {} points of the grid of shifts are feasible (step {})\n",
+                        a.counts.points_feasible, a.counts.points_tested, *p.shift_step);
+  }
   if (a.counts.feasible == 0) {
     if (!run.changes.empty()) {
       text += "\nNothing is feasible. One of these alone would let something through:\n";
@@ -201,8 +214,8 @@ std::string search_listing(const Search& search, const SearchRun& run, std::size
         "{:>4} {:>7g} {:>4} {:>5}{} {:>8.4f} {:>10.4f} {:>8.4f} {:>8.4f} {:>7.4f} {:>7.4f} {:>7} "
         "{:>7.4f}  {}{}{}\n",
         i + 1, r.trial.module, r.trial.z1, r.trial.z2,
-        helical ? fmt::format(" {:>7.3f}", deg(r.trial.helix[0])) : "", r.ratio, r.center_distance,
-        r.shift[0], r.shift[1], r.contact_ratio, r.contact_ratio_true,
+        helical ? fmt::format(" {:>7.3f}", tidy_degrees(r.trial.helix[0])) : "", r.ratio,
+        r.center_distance, r.shift[0], r.shift[1], r.contact_ratio, r.contact_ratio_true,
         zeta ? fmt::format("{:.3f}", *zeta) : "-", r.area, r.balanced ? "Eq. 11" : "middle",
         std::find(a.pareto.begin(), a.pareto.end(), i) != a.pareto.end() ? ", front" : "",
         r.interference ? ", interference" : "");
@@ -225,8 +238,8 @@ Json pair_spec(const JobSpec& spec, const Search& search, const DesignRow& row) 
     Json g;
     g["teeth"] = teeth[i];
     g["normal_module_mm"] = row.trial.module;
-    g["normal_pressure_angle_deg"] = deg(p.normal_pressure_angle);
-    g["helix_angle_deg"] = deg(row.trial.helix[i]);
+    g["normal_pressure_angle_deg"] = tidy_degrees(p.normal_pressure_angle);
+    g["helix_angle_deg"] = tidy_degrees(row.trial.helix[i]);
     g["profile_shift"] = row.shift[i];
     g["face_width_mm"] = p.face_width.value_or(10.0 * row.trial.module);
     if (const Json rack = rack_of(spec, row.trial.rack, i); !rack.is_null()) g["rack"] = rack;
@@ -234,7 +247,7 @@ Json pair_spec(const JobSpec& spec, const Search& search, const DesignRow& row) 
   }
   Json pair;
   pair["center_distance_mm"] = row.center_distance;
-  if (p.crossed()) pair["shaft_angle_deg"] = deg(*p.shaft_angle);
+  if (p.crossed()) pair["shaft_angle_deg"] = tidy_degrees(*p.shaft_angle);
   pair["mounting"] = p.mounting == Mounting::tight ? "tight" : "extended";
   if (p.shorten_tips) pair["shorten_tips"] = true;
   j["pair"] = std::move(pair);

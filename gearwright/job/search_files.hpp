@@ -1,6 +1,7 @@
 // The files of a search, each whole or not there at all.
 //
 //   search.parquet   every feasible design, in the order of the trials
+//   points.parquet   with shift_step: every feasible point of its grid, by trial
 //   best.csv         the best of them, best first          search.json    the result
 //   report.html      the best in a table that sorts, their regions, the front
 #pragma once
@@ -10,16 +11,20 @@
 #include <vector>
 
 #include "gearwright/job/search_job.hpp"
+#include "gearwright/job/search_record.hpp"
 
 namespace gearwright {
 
-/// Gives the designs in pieces, in the order of the trials; false: no more.
-using DesignSource = std::function<bool(std::vector<DesignRow>& rows)>;
+/// Gives what was found, chunk by chunk, in the order of the trials; false: no more.
+using FindSource = std::function<bool(ChunkFinds& finds)>;
 
-/// Writes them all and returns their names.   Throws  IoError
+/// Writes them all and returns their names; `top`: designs in the CSV, absent: a thousand.
+///
+/// Throws    IoError
 std::vector<std::filesystem::path> write_search_files(const JobSpec& spec, const Search& search,
                                                       const SearchRun& run,
                                                       const std::filesystem::path& folder,
-                                                      const DesignSource& designs);
+                                                      std::optional<std::size_t> top,
+                                                      const FindSource& source);
 
 }  // namespace gearwright

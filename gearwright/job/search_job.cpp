@@ -34,31 +34,36 @@ void flatten(const Json& node, const std::string& path, std::string& lines) {
   lines += path + " = " + node.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+// The store's counts by name: the limits, then the points of the grid.
 ChunkCounts as_chunk(const SearchCounts& c) {
-  return {c.tested, c.feasible, {c.rejected.begin(), c.rejected.end()}};
+  ChunkCounts chunk{c.tested, c.feasible, {c.rejected.begin(), c.rejected.end()}};
+  chunk.rejected.push_back(c.points_tested);
+  chunk.rejected.push_back(c.points_feasible);
+  return chunk;
 }
 
 SearchCounts as_search(const ChunkCounts& c) {
-  SearchCounts counts{c.tested, c.feasible, {}};
-  std::copy(c.rejected.begin(), c.rejected.end(), counts.rejected.begin());
+  SearchCounts counts{c.tested, c.feasible, {}, c.rejected[kLimits], c.rejected[kLimits + 1]};
+  std::copy_n(c.rejected.begin(), kLimits, counts.rejected.begin());
   return counts;
 }
 
-std::vector<std::string> limit_names() {
+std::vector<std::string> count_names() {
   std::vector<std::string> names;
   for (int i = 0; i < kLimits; ++i) names.emplace_back(name(static_cast<Limit>(i)));
+  names.insert(names.end(), {"points_tested", "points_feasible"});
   return names;
 }
 
-// Trials per second of one thread, measured on a few places of the search for a quarter of a
-// second.
+// Trials per second of one thread, measured on whole stretches of the search for half a second: a
+// stretch pays once for the tables of its helix, as the search will.
 double measured_rate(const Search& search, std::int64_t trials) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
+  const std::int64_t step = std::min<std::int64_t>(1 << 19, trials);
   std::int64_t done = 0;
   double seconds = 0.0;
-  for (int i = 0; seconds < 0.25 && i < 1000; ++i) {
-    const std::int64_t step = std::min<std::int64_t>(1 << 14, trials);
+  for (int i = 0; seconds < 0.5 && i < 1000; ++i) {
     // Places spread by the golden ratio.
     const double share = std::fmod(i * 0.6180339887498949, 1.0);
     const auto from = static_cast<std::int64_t>(share * static_cast<double>(trials - step));
@@ -121,10 +126,12 @@ class Workers {
                               static_cast<std::size_t>(threads));
     tbb::parallel_for(0, threads, [&](int) {
       while (const auto c = next()) {
-        std::vector<DesignRow> rows;
+        ChunkFinds finds;
         const std::int64_t from = *c * chunk_;
-        const SearchCounts counts = search_.range(from, from + trials_of(*c), rows);
-        done(*c, std::move(rows), counts);
+        // Points are wanted for the files alone; their counts are in the answer of every search.
+        const SearchCounts counts =
+            search_.range(from, from + trials_of(*c), finds.designs, nullptr, &finds.points);
+        done(*c, std::move(finds), counts);
         const std::lock_guard lock(mutex_);
         ++progress_.chunks;
         progress_.trials += trials_of(*c);
@@ -176,19 +183,20 @@ void look_for_changes(const Search& search, SearchRun& run) {
 SearchRun run_in_memory(const JobSpec& spec, const Search& search, std::int64_t chunk,
                         const SearchOptions& options) {
   SearchRun run;
+  run.pair_not_read = Json::parse(spec.tree).contains("pair");
   run.chunks = (*search.space().size() + chunk - 1) / chunk;
   std::vector<std::int64_t> todo(static_cast<std::size_t>(run.chunks));
   std::iota(todo.begin(), todo.end(), 0);
   BestDesigns best(search.problem(), options.top.value_or(kDefaultDesigns));
   SearchCounts counts;
-  std::map<std::int64_t, std::vector<DesignRow>> all;  // for the files
+  std::map<std::int64_t, ChunkFinds> all;  // for the files
   std::mutex mutex;
   Workers workers(search, chunk, std::move(todo), options);
-  workers.run([&](std::int64_t c, std::vector<DesignRow> rows, const SearchCounts& n) {
+  workers.run([&](std::int64_t c, ChunkFinds finds, const SearchCounts& n) {
     const std::lock_guard lock(mutex);
     counts += n;
-    for (const DesignRow& row : rows) best.add(row);
-    if (!options.out.empty()) all.emplace(c, std::move(rows));
+    for (const DesignRow& row : finds.designs) best.add(row);
+    if (!options.out.empty()) all.emplace(c, std::move(finds));
     ++run.chunks_done;
   });
   run.stopped = workers.stopped();
@@ -199,9 +207,9 @@ SearchRun run_in_memory(const JobSpec& spec, const Search& search, std::int64_t 
   if (!options.out.empty()) {
     auto at = all.begin();
     run.files =
-        write_search_files(spec, search, run, options.out, [&](std::vector<DesignRow>& rows) {
+        write_search_files(spec, search, run, options.out, options.top, [&](ChunkFinds& finds) {
           if (at == all.end()) return false;
-          rows = std::move((at++)->second);
+          finds = std::move((at++)->second);
           return true;
         });
   }
@@ -211,12 +219,13 @@ SearchRun run_in_memory(const JobSpec& spec, const Search& search, std::int64_t 
 Result<SearchRun> run_campaign(const JobSpec& spec, const Search& search, std::int64_t chunk,
                                const SearchOptions& options) {
   SearchRun run;
+  run.pair_not_read = Json::parse(spec.tree).contains("pair");
   run.chunks = (*search.space().size() + chunk - 1) / chunk;
   const bool first = !options.many;
   if (options.folder_is_open && !first && !options.folder_is_open(true)) return run;
   const OpenAs as = options.many ? OpenAs::join : options.resume ? OpenAs::resume : OpenAs::fresh;
   auto opened = ChunkStore::open(options.out, {search_fingerprint(spec, chunk), run.chunks},
-                                 limit_names(), as, options.writer);
+                                 count_names(), as, options.writer);
   if (options.folder_is_open && first) options.folder_is_open(static_cast<bool>(opened));
   if (!opened) return opened.error();
   ChunkStore store = std::move(opened).take();
@@ -226,8 +235,8 @@ Result<SearchRun> run_campaign(const JobSpec& spec, const Search& search, std::i
     std::erase_if(todo, [&](std::int64_t c) { return c % options.shards != options.shard - 1; });
   }
   Workers workers(search, chunk, std::move(todo), options);
-  workers.run([&](std::int64_t c, std::vector<DesignRow> rows, const SearchCounts& n) {
-    store.put(c, pack_rows(rows), as_chunk(n));
+  workers.run([&](std::int64_t c, const ChunkFinds& finds, const SearchCounts& n) {
+    store.put(c, pack(finds), as_chunk(n));
   });
   run.stopped = workers.stopped();
   const bool ours = options.finish_together ? options.finish_together() : true;
@@ -236,28 +245,35 @@ Result<SearchRun> run_campaign(const JobSpec& spec, const Search& search, std::i
   if (!ours || !missing.empty()) return run;
 
   BestDesigns best(search.problem(), options.top.value_or(kDefaultDesigns));
-  const auto rows_of = [&](std::int64_t c) {
-    return unpack_rows(store.get(c), fmt::format("chunk {} in {}", c, options.out.string()));
+  const auto finds_of = [&](std::int64_t c) {
+    return unpack(store.get(c), fmt::format("chunk {} in {}", c, options.out.string()));
   };
   for (std::int64_t c = 0; c < run.chunks; ++c)
-    for (const DesignRow& row : rows_of(c)) best.add(row);
+    for (const DesignRow& row : finds_of(c).designs) best.add(row);
   run.answer = std::move(best).answer(as_search(store.totals()));
   look_for_changes(search, run);
   run.finished = true;
   std::int64_t at = 0;
-  run.files = write_search_files(spec, search, run, options.out, [&](std::vector<DesignRow>& rows) {
-    if (at == run.chunks) return false;
-    rows = rows_of(at++);
-    return true;
-  });
+  run.files =
+      write_search_files(spec, search, run, options.out, options.top, [&](ChunkFinds& finds) {
+        if (at == run.chunks) return false;
+        finds = finds_of(at++);
+        return true;
+      });
   return run;
 }
 
 }  // namespace
 
-std::int64_t chunk_size(std::int64_t trials) {
+std::int64_t chunk_size(const SearchProblem& problem, std::int64_t trials) {
   constexpr std::int64_t kChunks = 4096;
-  return std::clamp((trials + kChunks - 1) / kChunks, kLeastChunk, kGreatestChunk);
+  const std::int64_t size =
+      std::clamp((trials + kChunks - 1) / kChunks, kLeastChunk, kGreatestChunk);
+  if (!problem.shift_step) return size;
+  // A region has about one square module: so many points of the grid fit into memory.
+  constexpr double kPoints = 1e6;
+  const double step = *problem.shift_step;
+  return std::clamp<std::int64_t>(static_cast<std::int64_t>(kPoints * step * step), 1, size);
 }
 
 std::string search_fingerprint(const JobSpec& spec, std::int64_t chunk) {
@@ -277,17 +293,29 @@ Result<SearchRun> run_search(const JobSpec& spec, const Search& search,
   }
   if (auto error = refuse_large(search, options)) return *error;
   const std::int64_t trials = *search.space().size();
+  const double chunks =
+      std::ceil(static_cast<double>(trials) /
+                static_cast<double>(options.chunk.value_or(chunk_size(search.problem(), trials))));
+  if (chunks > kMostChunks) {
+    return Error{
+        "search", fmt::format("{:.3g}", static_cast<double>(trials)),
+        fmt::format("search: {:.3g} candidates in {:.3g} chunks are more than one search can "
+                    "keep account of, at most {}; split the list of modules or the band of "
+                    "pinion_teeth among several searches{}",
+                    static_cast<double>(trials), chunks, kMostChunks,
+                    options.chunk ? ", or take a larger --chunk" : "")};
+  }
   if (trials == 0) {
     return Error{"search.ratio", "",
                  "search.ratio: no tooth numbers within pinion_teeth have such a ratio; widen one "
                  "of the two bands"};
   }
-  const std::int64_t chunk = options.chunk.value_or(chunk_size(trials));
+  const std::int64_t chunk = options.chunk.value_or(chunk_size(search.problem(), trials));
   const bool campaign =
       !options.out.empty() &&
       (trials > chunk || options.many || options.together || options.resume || options.chunk);
-  if (!campaign) return run_in_memory(spec, search, chunk, options);
-  return run_campaign(spec, search, chunk, options);
+  return campaign ? run_campaign(spec, search, chunk, options)
+                  : Result<SearchRun>(run_in_memory(spec, search, chunk, options));
 }
 
 }  // namespace gearwright

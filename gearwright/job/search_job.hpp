@@ -62,8 +62,12 @@ struct SearchRun {
   std::vector<NearestChange> changes;  ///< when nothing is feasible
   std::string changes_left_out;        ///< why they were not looked for
   std::vector<std::string> notes;      ///< what was mended in the folder
+  bool pair_not_read = false;          ///< the spec has a [pair], which says nothing to a search
   std::vector<std::filesystem::path> files;
 };
+
+/// Chunks that a folder, and the list of them, can hold: no search has more.
+inline constexpr std::int64_t kMostChunks = 1'000'000;
 
 /// Runs the search of the spec.
 ///
@@ -75,7 +79,7 @@ Result<SearchRun> run_search(const JobSpec& spec, const Search& search,
                              const SearchOptions& options);
 
 /// Trials per chunk of a search of this size.
-std::int64_t chunk_size(std::int64_t trials);
+std::int64_t chunk_size(const SearchProblem& problem, std::int64_t trials);
 
 /// What decides the result, as lines "key = value".
 std::string search_fingerprint(const JobSpec& spec, std::int64_t chunk);

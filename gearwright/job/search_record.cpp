@@ -46,7 +46,26 @@ void each_number(Row& row, const F& f) {
   f(row.area);
 }
 
+template <class Point, class F>
+void each_number_of_point(Point& p, const F& f) {
+  f(p.trial);
+  f(p.shift[0]);
+  f(p.shift[1]);
+  f(p.center_distance);
+  f(p.working_angle);
+  f(p.contact_ratio);
+  f(p.contact_ratio_true);
+  f(p.sliding);
+  for (const int i : {0, 1}) {
+    f(p.tip_thickness[i]);
+    f(p.tip_clearance[i]);
+  }
+  f(p.backlash_normal);
+  f(p.interference);
+}
+
 constexpr std::size_t kNumbers = 18 + 2 * 7 + 2;
+constexpr std::size_t kPointNumbers = 14;
 
 struct Writer {
   std::string* bytes;
@@ -90,31 +109,50 @@ struct Reader {
 
 }  // namespace
 
-std::string pack_rows(const std::vector<DesignRow>& rows) {
-  std::string plain;
-  plain.reserve(rows.size() * kNumbers * 8);
-  for (const DesignRow& row : rows) each_number(row, Writer{&plain});
-  GW_ENSURES(plain.size() == rows.size() * kNumbers * 8);
-  std::string packed(ZSTD_compressBound(plain.size()), '\0');
+std::string pack(const ChunkFinds& finds) {
   const std::size_t size =
+      8 * (2 + finds.designs.size() * kNumbers + finds.points.size() * kPointNumbers);
+  std::string plain;
+  plain.reserve(size);
+  const Writer write{&plain};
+  write(static_cast<std::int64_t>(finds.designs.size()));
+  write(static_cast<std::int64_t>(finds.points.size()));
+  for (const DesignRow& row : finds.designs) each_number(row, write);
+  for (const ShiftPoint& point : finds.points) each_number_of_point(point, write);
+  GW_ENSURES(plain.size() == size);
+  std::string packed(ZSTD_compressBound(plain.size()), '\0');
+  const std::size_t got =
       ZSTD_compress(packed.data(), packed.size(), plain.data(), plain.size(), 1);
-  GW_ENSURES(!ZSTD_isError(size));
-  packed.resize(size);
+  GW_ENSURES(!ZSTD_isError(got));
+  packed.resize(got);
   return packed;
 }
 
-std::vector<DesignRow> unpack_rows(std::string_view bytes, const std::string& where) {
+ChunkFinds unpack(std::string_view bytes, const std::string& where) {
   const auto size = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
-  constexpr unsigned long long kMost = 1ULL << 40;
-  if (size > kMost || size % (kNumbers * 8) != 0)
-    throw IoError(where + " does not hold designs of this version");
+  constexpr unsigned long long kMost = 1ULL << 36;
+  if (size > kMost || size < 16) throw IoError(where + " does not hold designs of this version");
   std::string plain(size, '\0');
   const std::size_t got = ZSTD_decompress(plain.data(), plain.size(), bytes.data(), bytes.size());
   if (ZSTD_isError(got) || got != size) throw IoError(where + " cannot be unpacked");
-  std::vector<DesignRow> rows(size / (kNumbers * 8));
   const auto* at = reinterpret_cast<const unsigned char*>(plain.data());
-  for (DesignRow& row : rows) each_number(row, Reader{&at});
-  return rows;
+  const Reader read{&at};
+  std::int64_t designs = 0;
+  std::int64_t points = 0;
+  read(designs);
+  read(points);
+  const auto most = static_cast<std::int64_t>(size / 8);
+  if (designs < 0 || points < 0 || designs > most || points > most ||
+      size != 8 * (2 + static_cast<std::size_t>(designs) * kNumbers +
+                   static_cast<std::size_t>(points) * kPointNumbers)) {
+    throw IoError(where + " does not hold designs of this version");
+  }
+  ChunkFinds finds;
+  finds.designs.resize(static_cast<std::size_t>(designs));
+  finds.points.resize(static_cast<std::size_t>(points));
+  for (DesignRow& row : finds.designs) each_number(row, read);
+  for (ShiftPoint& point : finds.points) each_number_of_point(point, read);
+  return finds;
 }
 
 }  // namespace gearwright

@@ -9,12 +9,18 @@
 #include <vector>
 
 #include "gearwright/design/design_row.hpp"
+#include "gearwright/design/shift_points.hpp"
 
 namespace gearwright {
 
-std::string pack_rows(const std::vector<DesignRow>& rows);
+struct ChunkFinds {
+  std::vector<DesignRow> designs;
+  std::vector<ShiftPoint> points;  ///< of the grid of shifts, if one was wanted
+};
 
-/// Throws    IoError where the bytes are not what pack_rows made; `where` names them
-std::vector<DesignRow> unpack_rows(std::string_view bytes, const std::string& where);
+std::string pack(const ChunkFinds& finds);
+
+/// Throws    IoError where the bytes are not what pack made; `where` names them
+ChunkFinds unpack(std::string_view bytes, const std::string& where);
 
 }  // namespace gearwright

@@ -17,7 +17,16 @@ constexpr double kGreatestNumber = 1e9;  // of any quantity of a spec, in its un
 std::string show(const Json& value) {
   if (value.is_number_float()) return fmt::format("{}", value.get<double>());  // nan and inf too
   if (value.is_object()) return "(a table)";
-  if (value.is_array()) return "(a list)";
+  if (value.is_array()) {
+    // As it was written, if it is short enough for a sentence; JSON has no word for nan and inf.
+    std::string list;
+    for (const Json& item : value) {
+      list += list.empty() ? "[" : ", ";
+      list += item.is_structured() ? (item.is_array() ? "(a list)" : "(a table)") : show(item);
+      if (list.size() > 60) return "(a list)";
+    }
+    return list.empty() ? "[]" : list + "]";
+  }
   return printable(value.dump(-1, ' ', false, Json::error_handler_t::replace), 60);
 }
 

@@ -1,0 +1,45 @@
+// Every feasible point of a grid of shifts: what a region holds, as a table of candidates.
+//
+//   h        step of the grid; x1 = i h, x2 = j h      candidate   one point within the rectangle
+//   of
+//                                                      the shift limits and the band of Σ
+//
+// Lanes (design/candidate.hpp) judge the candidates against all limits; within kSieveDoubt of one,
+// and on crossed axes, the graph does. Numbers that are kept come from the scalar formulas of the
+// pair, so that a table is the same on every machine.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "gearwright/design/shift_region.hpp"
+
+namespace gearwright {
+
+/// Lengths mm, angles rad.
+struct ShiftPoint {
+  std::int64_t trial = 0;
+  std::array<double, 2> shift{};
+  double center_distance = 0.0;
+  double working_angle = 0.0;
+  double contact_ratio = 0.0, contact_ratio_true = 0.0;
+  std::optional<double> sliding;  ///< greatest |ζ|
+  std::array<double, 2> tip_thickness{}, tip_clearance{};
+  double backlash_normal = 0.0;
+  bool interference = false;
+};
+
+struct PointCounts {
+  std::int64_t tested = 0, feasible = 0;
+  std::int64_t asked = 0;  ///< of the graph
+};
+
+/// Appends the feasible points of a trial, x1 before x2, both growing.
+///
+/// Domain    step > 0; region of the graph (contract)
+PointCounts feasible_points(const ShiftGraph& graph, const ShiftRegion& region, double step,
+                            std::vector<ShiftPoint>& points);
+
+}  // namespace gearwright
