@@ -40,7 +40,7 @@ struct CandidateBatch {
     clearance_2,
     interference_1,
     interference_2,  ///< ρ at the mate's tip − ρ_F; ∞: a ring, no such limit
-    residual,        ///< of the working angle: beyond kSieveDoubt it is none
+    residual,        ///< of inv α_wt; the error of tan α_wt is this over tan² α_wt
     kOut
   };
   std::array<std::vector<double>, kIn> in;
@@ -57,8 +57,9 @@ void evaluate_scalar(const CandidateConstants& constants, CandidateBatch& batch)
 /// Nearer to a limit than this, modules, the lanes' verdict is not taken.
 inline constexpr double kSieveDoubt = 1e-10;
 
-/// What the sieve says of a trial: killed by one of the first three limits, through all three, or
-/// not for it to say.
+/// What the sieve says of a trial: killed for certain by one of the first three limits; nothing found
+/// against it at the point with the longest path; or not for it to say. The graph has the last word
+/// on the last two.
 inline constexpr double kSieveShiftLimits = 0.0, kSieveCenterDistance = 1.0,
                         kSieveContactRatio = 2.0, kSievePass = 3.0, kSieveAsk = 4.0;
 

@@ -61,7 +61,7 @@ DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts) {
   const double from = std::max({mesh.rho1_A, 0.0, flank_start(0)});
   const double end =
       mesh.base_tangent_distance - std::max(0.0, flank_start(1)) / mesh.base_cosine_ratio;
-  const double to = problem.internal() ? mesh.rho1_E : std::min(mesh.rho1_E, end);
+  const double to = t.z2 < 0 ? mesh.rho1_E : std::min(mesh.rho1_E, end);
   row.contact_ratio_true = std::max(0.0, (to - from) / mesh.step);
   row.overlap_ratio = mesh.overlap_ratio;
   row.backlash_normal = mesh.backlash.normal_base;

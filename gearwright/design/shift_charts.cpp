@@ -66,6 +66,7 @@ std::vector<IdenticalGears> identical_gears_chart(const SearchProblem& problem, 
   free.racks = {problem.racks[static_cast<std::size_t>(rack)]};
   free.racks[0].rack[1] = free.racks[0].rack[0];
   free.racks[0].undercut_depth[1] = free.racks[0].undercut_depth[0];
+  free.limits.contact_ratio = 0.0;  // all that is left of that limit is the working angle
 
   std::vector<IdenticalGears> chart;
   for (const ShiftLimits& limits : shift_limit_chart(free, 0, helix, 0, from, to)) {
@@ -75,7 +76,7 @@ std::vector<IdenticalGears> identical_gears_chart(const SearchProblem& problem, 
       const Trial trial{0, 1.0, limits.teeth, limits.teeth, {helix, -helix}, 0};
       const TrialGear gear = trial_gear(free, limits.teeth, helix, 0, 0);
       const ShiftGraph graph(free, trial, gear, gear);
-      const double least_sum = graph.sums(1).lo;  // of a working angle
+      const double least_sum = graph.sums(static_cast<int>(Limit::contact_ratio) + 1).lo;
       for (std::size_t k = 0; k < row.contact_ratio.size(); ++k) {
         const double share = static_cast<double>(k) / 4.0;
         const double x = limits.least + share * (limits.greatest - limits.least);

@@ -19,7 +19,7 @@ namespace {
 using testing::search::graph;
 using testing::search::kKinds;
 using testing::search::Kind;
-using testing::search::MarginByNumbers;
+using testing::search::margin_by_numbers;
 using testing::search::Random;
 using testing::search::random_trial;
 using testing::search::trial;
@@ -53,12 +53,11 @@ TEST_P(ShiftGraphOfKind, MarginsAgreeWithTheNumbersOfThePair) {  // (1)
     if (g.gears()[0].x_least > g.gears()[0].x_greatest ||
         g.gears()[1].x_least > g.gears()[1].x_greatest)
       continue;
-    const MarginByNumbers numbers(g);
     const ShiftGraph::Sums range = g.sums();
     for (int i = 0; i < 40; ++i) {
       const Vec2 x = place_near(random, g, range);
       const double margin = g.margin(x[0], x[1]);
-      const double by_numbers = numbers(x[0], x[1]);
+      const double by_numbers = margin_by_numbers(g, x[0], x[1]);
       if (std::abs(margin) < 1e-9 || std::abs(by_numbers) < 1e-9) continue;
       EXPECT_EQ(margin > 0.0, by_numbers > 0.0)
           << "trial " << t << " z " << made.trial.z1 << " " << made.trial.z2 << " x " << x[0] << " "
@@ -132,7 +131,7 @@ TEST_P(ShiftGraphOfKind, PathsAreThoseOfTheMesh) {
   for (int t = 0; t < 400; ++t) {
     const auto made = random_trial(random, GetParam());
     const ShiftGraph g = graph(made.problem, made.trial);
-    const auto range = g.sums(2);
+    const auto range = g.sums(3);
     if (!(range.lo < range.hi)) continue;
     const double sum = random.uniform(range.lo, range.hi);
     const ShiftSlice s = g.slice(sum, 2);  // between the shifts' own limits, tips beyond base circles

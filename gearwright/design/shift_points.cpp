@@ -41,7 +41,9 @@ Verdict judge(const SearchLimits& limits, const CandidateBatch& b, std::size_t i
       ask = true;
     }
   };
-  if (!(b.out[CandidateBatch::residual][i] < kSieveDoubt)) ask = true;
+  // The residual is one of inv α, whose slope is tan² α.
+  const double tan_w = b.out[CandidateBatch::tan_working][i];
+  if (!(b.out[CandidateBatch::residual][i] < 0.01 * kSieveDoubt * tan_w * tan_w)) ask = true;
   at_least(CandidateBatch::contact_ratio, limits.contact_ratio);
   at_least(CandidateBatch::contact_ratio_true, limits.contact_ratio);
   at_least(CandidateBatch::tip_1, limits.tip_thickness);

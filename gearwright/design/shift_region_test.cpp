@@ -22,7 +22,7 @@ using nlohmann::json;
 using testing::search::graph;
 using testing::search::kKinds;
 using testing::search::Kind;
-using testing::search::MarginByNumbers;
+using testing::search::margin_by_numbers;
 using testing::search::number;
 using testing::search::Random;
 using testing::search::random_trial;
@@ -257,40 +257,46 @@ TEST_P(ShiftRegionOfKind, BoundariesRunAroundOnTheirLimits) {  // (1)
   EXPECT_TRUE(seen.count("Cmin") && seen.count("Cmax"));
 }
 
-TEST_P(ShiftRegionOfKind, AreasAreThoseOfAGridOfPairs) {  // (2)
-  Random random(22);
+void expect_areas_of_a_grid(const Kind& kind, unsigned seed, int wanted, int grid, double within) {
+  Random random(seed);
   int regions = 0;
-  while (regions < 3) {
-    const auto made = random_trial(random, GetParam());
+  while (regions < wanted) {
+    const auto made = random_trial(random, kind);
     const ShiftGraph g = graph(made.problem, made.trial);
     const auto region = shift_region(g);
     if (!region || region->area < 0.01) continue;
     ++regions;
-    const MarginByNumbers numbers(g);
     // Points (Σ, x1): dx1 dx2 = dΣ dx1.
     const double from = region->sums.front().lo - 0.01;
     const double to = region->sums.back().hi + 0.01;
     const double x_from = g.gears()[0].x_least - 0.01;
     const double x_to = std::max(g.gears()[0].x_greatest, g.slice((from + to) / 2.0).hi) + 0.01;
-    constexpr int kGrid = 250;
     int hits = 0;
     int rows = 0;
-    for (int i = 0; i < kGrid; ++i) {
-      const double sum = from + (to - from) * (i + 0.5) / kGrid;
+    for (int i = 0; i < grid; ++i) {
+      const double sum = from + (to - from) * (i + 0.5) / grid;
       const int before = hits;
-      for (int k = 0; k < kGrid; ++k) {
-        const double x1 = x_from + (x_to - x_from) * (k + 0.5) / kGrid;
-        if (numbers(x1, sum - x1) >= 0.0) ++hits;
+      const double start = random.uniform(0.0, 1.0);  // else an edge x1 = const errs alike in all rows
+      for (int k = 0; k < grid; ++k) {
+        const double x1 = x_from + (x_to - x_from) * (k + start) / grid;
+        if (margin_by_numbers(g, x1, sum - x1) >= 0.0) ++hits;
       }
       if (hits > before) ++rows;
     }
-    const double cell = (to - from) * (x_to - x_from) / kGrid / kGrid;
-    // Each row's two ends err by half a cell, evenly either way: four deviations of their sum, and
-    // two rows at the ends of Σ.
-    const double doubt = cell * (4.0 * std::sqrt(rows / 6.0) + 2.0 * hits / std::max(rows, 1));
+    const double cell = (to - from) * (x_to - x_from) / grid / grid;
+    // A row's count varies by half a point at most: four deviations of all, and half a row at each
+    // end of Σ.
+    const double doubt = cell * (2.0 * std::sqrt(rows) + static_cast<double>(hits) / rows);
     EXPECT_NEAR(hits * cell, region->area, doubt) << made.trial.z1 << ":" << made.trial.z2;
-    EXPECT_LT(doubt, 0.05 * region->area);
+    EXPECT_LT(doubt, within * region->area);
   }
+}
+
+TEST_P(ShiftRegionOfKind, AreasAreThoseOfAGridOfPairs) {  // (2)
+  expect_areas_of_a_grid(GetParam(), 22, 3, 250, 0.03);
+}
+TEST_P(ShiftRegionOfKind, LongAreasAreThoseOfAFineGridOfPairs) {
+  expect_areas_of_a_grid(GetParam(), 25, 2, 2000, 2e-3);
 }
 
 TEST_P(ShiftRegionOfKind, BalancedPointsAreInsideOnTheLine) {  // (3)
@@ -308,7 +314,7 @@ TEST_P(ShiftRegionOfKind, BalancedPointsAreInsideOnTheLine) {  // (3)
     EXPECT_GE(g.margin(x[0], x[1]), -kTouching - 1e-12) << t;
     if (region->area > 1e-6) {
       ++chosen;
-      EXPECT_GE(MarginByNumbers(g)(x[0], x[1]), -1e-10) << t;
+      EXPECT_GE(margin_by_numbers(g, x[0], x[1]), -1e-10) << t;
     }
     if (!region->balanced) continue;
     ++balanced;

@@ -127,7 +127,7 @@ std::string search_json_text(const Search& search, const SearchRun& run) {
   text += a.designs.empty() ? "]}" : "\n  ]}";
   Json warnings = Json::array();
   const auto warn = [&](const char* code, const std::string& message) {
-    warnings.push_back({{"code", code}, {"message", message}, {"gear", 0}});
+    warnings.push_back({{"code", code}, {"message", message}, {"gear", nullptr}});
   };
   if (a.cut) {
     warn("designs_cut", fmt::format("Of {} feasible designs the best {} are listed; search.parquet "
@@ -205,8 +205,8 @@ std::string search_listing(const Search& search, const SearchRun& run, std::size
       std::any_of(p.helix.begin(), p.helix.end(), [](double b) { return b != 0.0; });
   text += fmt::format(
       "\n{:>4} {:>7} {:>4} {:>5}{} {:>8} {:>10} {:>8} {:>8} {:>7} {:>7} {:>7} {:>7}  {}\n", "rank",
-      "module", "z1", "z2", helical ? "   helix" : "", "ratio", "a mm", "x1", "x2", "eps", "eps tr",
-      "zeta", "area", "point");
+      "module", "z1", "z2", helical ? "   helix" : "", "ratio", "a mm", "x1", "x2", "ε_α", "ε true",
+      "ζ max", "area", "point");
   for (std::size_t i = 0; i < a.designs.size() && i < most; ++i) {
     const DesignRow& r = a.designs[i];
     const auto zeta = r.greatest_sliding();

@@ -146,7 +146,7 @@ class Verbs(unittest.TestCase):
             self.assertIn(word, r.out)
 
     def test_every_example_runs(self):
-        # The commands of its opening comment, and `run` unless the example is a question for `fit`.
+        # The commands of its opening comment, and `run` unless the example is a question for `fit` or `search`.
         examples = sorted((SOURCE / "examples").glob("*.toml"))
         self.assertTrue(examples)
         for example in examples:
@@ -154,7 +154,7 @@ class Verbs(unittest.TestCase):
             commands = [c.split() for c in re.findall(r"^#   gearwright (.+)$", text, re.M)]
             self.assertTrue(commands, example.name)
             asked = {verb for verb, *_ in commands}
-            if not asked & {"run", "fit"}:
+            if not asked & {"run", "fit", "search"}:
                 commands.append(["run", "examples/" + example.name])
             for verb, path, *options in commands:
                 with self.subTest(example=example.name, verb=verb):

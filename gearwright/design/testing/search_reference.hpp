@@ -2,9 +2,11 @@
 // and problems of every kind, drawn by a seeded generator.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
@@ -76,6 +78,59 @@ inline ShiftGraph graph(const SearchProblem& p, const Trial& t) {
                     trial_gear(p, t.z2, t.helix[1], t.rack, 1));
 }
 
+/// Teeth that can roll on each other without backlash (tight) or at all (extended) have a working
+/// angle; crossed axes always have one.
+inline bool has_working_angle(const ShiftGraph& graph, double sum) {
+  const SearchProblem& p = graph.problem();
+  const Trial& t = graph.trial();
+  if (p.crossed()) return true;
+  const auto& [g_1, g_2] = graph.gears();
+  if (p.mounting == Mounting::extended)
+    return std::abs(g_1.r + g_2.r + sum) > (1.0 + 1e-12) * std::abs(g_1.r_b + g_2.r_b);
+  const double alpha_t = std::asin(g_1.sin_transverse);
+  return nominal_working_involute(t.z1, t.z2, p.normal_pressure_angle, alpha_t, sum) > 1e-12;
+}
+
+/// How far inside all limits a point lies, in the unit of the nearest one, by the numbers that
+/// mounting the pair gives (row_at) and nothing else of the graph. No working angle, a tip inside
+/// its base circle, a lack of overlap or interference: −1.
+inline double margin_by_numbers(const ShiftGraph& graph, double x1, double x2) {
+  const SearchProblem& p = graph.problem();
+  const SearchLimits& limits = p.limits;
+  const double m = graph.trial().module;
+  if (!has_working_angle(graph, x1 + x2)) return -1.0;
+  double least = std::numeric_limits<double>::infinity();
+  const auto keep = [&](double margin) { least = std::min(least, margin); };
+  const DesignRow row = row_at(graph, {x1, x2});
+  for (const std::size_t i : {0, 1}) {
+    const TrialGear& g = graph.gears()[i];
+    const double x = row.shift[i];
+    if (std::abs(g.r + g.addendum + x + row.tip_alteration / m) < std::abs(g.r_b)) return -1.0;
+    if (g.teeth > 0) {
+      keep(x - limits.undercut_margin -
+           undercut_limit(g.edge_depth, g.teeth, g.sin_transverse,
+                          std::cos(graph.trial().helix[i])));
+    }
+    if (limits.least_shift) keep(x - *limits.least_shift);
+    if (limits.greatest_shift) keep(*limits.greatest_shift - x);
+    keep(row.tip_thickness[i] / m - limits.tip_thickness);
+    if (limits.tip_clearance) keep(row.tip_clearance[i] / m - *limits.tip_clearance);
+  }
+  if (p.center_distance) {
+    keep((row.center_distance - (*p.center_distance)[0]) / m);
+    keep(((*p.center_distance)[1] - row.center_distance) / m);
+  }
+  keep(row.contact_ratio - limits.contact_ratio);
+  keep(row.contact_ratio_true - limits.contact_ratio);
+  if (limits.overlap_ratio && row.overlap_ratio < *limits.overlap_ratio) return -1.0;
+  if (limits.sliding && !p.crossed()) {
+    if (!row.greatest_sliding()) return -1.0;
+    keep(*limits.sliding - *row.greatest_sliding());
+  }
+  if (limits.avoid_interference && row.interference) return -1.0;
+  return least;
+}
+
 /// Mountings that the formulas tell apart.
 struct Kind {
   const char* name;
@@ -128,6 +183,9 @@ inline RandomTrial random_trial(Random& random, const Kind& kind) {
   if (!kind.crossed && random.chance(0.5)) l.sliding = random.uniform(0.5, 4.0);
   if (random.chance(0.4)) l.tip_clearance = random.uniform(0.15, 0.249);
   l.avoid_interference = random.chance(0.5);
+  // Far below the reference circle a tip comes free of the mate's fillet again; the graph leaves
+  // that branch out.
+  if (l.avoid_interference && !l.least_shift) l.least_shift = random.uniform(-0.6, 0.0);
   const Trial t = trial(p, z1, z2);
   const double R = z1 / (2.0 * std::cos(t.helix[0])) + z2 / (2.0 * std::cos(t.helix[1]));
   const double least = std::abs(R) + random.uniform(-1.0, 1.0);

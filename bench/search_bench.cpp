@@ -1,0 +1,115 @@
+// The design search: lanes against their own scalar instance in one run, one thread against two.
+//
+// Counters: `ratio`, the median over rounds in which both ways take turns, so that a noisy machine
+// slows both; `per_s`, candidates a second. The lanes' instruction set is the benchmark's label.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "gearwright/design/candidate.hpp"
+#include "gearwright/job/search_job.hpp"
+
+namespace {
+
+using namespace gearwright;
+using Clock = std::chrono::steady_clock;
+
+double median(std::vector<double> v) {
+  std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
+  return v[v.size() / 2];
+}
+
+template <class F>
+double seconds_of(const F& f) {
+  const auto start = Clock::now();
+  f();
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// Reports scalar time over lane time.
+template <class Scalar, class Fast>
+void paired(benchmark::State& state, double candidates, const Scalar& slow, const Fast& fast) {
+  std::vector<double> ratios;
+  double best = 1e300;
+  for (auto _ : state) {
+    const double a = seconds_of(slow);
+    const double b = seconds_of(fast);
+    ratios.push_back(a / b);
+    best = std::min(best, b);
+  }
+  state.counters["ratio"] = median(ratios);
+  state.counters["per_s"] = candidates / best;
+}
+
+// Working angle, contact ratios, sliding, tips, clearance and interference of 16 384 candidates.
+void candidates_lanes_over_scalar(benchmark::State& state) {
+  CandidateConstants c;
+  c.tan_alpha = std::tan(20.0 * std::numbers::pi / 180.0);
+  c.addendum = {1.0, 1.0};
+  c.dedendum = {1.25, 1.25};
+  c.edge_depth = {1.0, 1.0};
+  c.tight = c.shorten = state.range(0) == 1;
+  CandidateBatch batch;
+  batch.resize(16384);
+  std::mt19937_64 bits(7);
+  const auto uniform = [&](double lo, double hi) {
+    return lo + (hi - lo) * static_cast<double>(bits() >> 11) * 0x1p-53;
+  };
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    const double z1 = std::floor(uniform(12, 60));
+    const double values[] = {z1, std::floor(z1 * uniform(1, 5)),
+                             std::sin(uniform(0, 30) * std::numbers::pi / 180.0),
+                             uniform(-0.3, 0.7), uniform(-0.3, 0.7)};
+    for (std::size_t k = 0; k < CandidateBatch::kIn; ++k) batch.in[k][i] = values[k];
+  }
+  state.SetLabel(lanes_name() + (c.tight ? ", tight centres" : ", extended centres"));
+  paired(
+      state, static_cast<double>(batch.size()), [&] { evaluate_scalar(c, batch); },
+      [&] { evaluate(c, batch); });
+}
+BENCHMARK(candidates_lanes_over_scalar)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+
+SearchProblem gearboxes() {
+  SearchProblem p;
+  p.ratio = {1.0, 8.0};
+  p.center_distance = {{99.0, 101.0}};
+  p.modules = {1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0};
+  p.pinion_teeth = {10, 200};
+  p.limits.least_shift = -0.6;
+  p.limits.greatest_shift = 1.0;
+  p.helix.clear();
+  for (int i = 0; i < 8; ++i) p.helix.push_back(i * std::numbers::pi / 180.0);
+  return p;
+}
+
+// A whole search of 8 million candidates in memory, on one thread and on two.
+void search_one_thread_over_two(benchmark::State& state) {
+  const Search search(gearboxes());
+  JobSpec spec;
+  spec.tree = "{}";
+  const auto run = [&](int threads) {
+    SearchOptions options;
+    options.threads = threads;
+    options.top = 10;
+    benchmark::DoNotOptimize(run_search(spec, search, options));
+  };
+  run(2);
+  paired(
+      state, static_cast<double>(*search.space().size()), [&] { run(1); }, [&] { run(2); });
+}
+BENCHMARK(search_one_thread_over_two)->Unit(benchmark::kMillisecond)->Iterations(7);
+
+// One region: ends, corners, area, the line of Eq. 11.
+void region_of_one_trial(benchmark::State& state) {
+  const Search search(gearboxes());
+  const ShiftGraph graph = search.graph({0, 2.0, 33, 66, {0.0, 0.0}, 0});
+  for (auto _ : state) benchmark::DoNotOptimize(shift_region(graph));
+}
+BENCHMARK(region_of_one_trial)->Unit(benchmark::kMicrosecond);
+
+}  // namespace

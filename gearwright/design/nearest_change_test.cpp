@@ -1,0 +1,213 @@
+// Laws of a nearest change: (1) with it, read back from its text, a design exists; (2) with a little
+// less of it none does; (3) changes come smallest first, and what does not help is not named.
+#include "gearwright/design/nearest_change.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gearwright/design/testing/search_reference.hpp"
+
+namespace gearwright {
+namespace {
+
+using testing::search::problem_of_search;
+using testing::search::reference;
+
+bool feasible(const SearchProblem& p) {
+  const Search search(p);
+  return search.exists(0, *search.space().size());
+}
+
+// "1.2" or "[99, 101]": both ends.
+std::array<double, 2> band(const std::string& text) {
+  double a = 0.0;
+  double b = 0.0;
+  if (std::sscanf(text.c_str(), "[%lf, %lf]", &a, &b) == 2) return {a, b};
+  a = std::stod(text);
+  return {a, a};
+}
+
+// Sets the key of a change to a band; one number where the key holds one.
+void set(SearchProblem& p, const std::string& key, const std::array<double, 2>& v) {
+  SearchLimits& l = p.limits;
+  if (key == "search.contact_ratio_min") {
+    l.contact_ratio = v[0];
+  } else if (key == "search.tip_thickness_min") {
+    l.tip_thickness = v[0];
+  } else if (key == "search.center_distance_mm") {
+    p.center_distance = v;
+  } else if (key == "search.ratio") {
+    p.ratio = v;
+  } else if (key == "search.pinion_teeth") {
+    p.pinion_teeth = {static_cast<int>(v[0]), static_cast<int>(v[1])};
+  } else if (key == "search.profile_shift") {
+    l.least_shift = v[0];
+    l.greatest_shift = v[1];
+  } else if (key == "search.undercut_margin") {
+    l.undercut_margin = v[0];
+  } else if (key == "search.overlap_ratio_min") {
+    l.overlap_ratio = v[0];
+  } else if (key == "search.sliding_max") {
+    l.sliding = v[0];
+  } else if (key == "search.tip_clearance_min") {
+    l.tip_clearance = v[0];
+  } else {
+    FAIL() << key;
+  }
+}
+
+struct Empty {
+  const char* name;
+  SearchProblem problem;
+  std::vector<std::string> named;    // among the changes
+  std::vector<std::string> useless;  // not among them
+};
+
+// 20 … 24 teeth of module 2 and ratios about 2 at 66 mm, with one limit that leaves nothing.
+SearchProblem small() {
+  SearchProblem p;
+  p.ratio = {1.9, 2.1};
+  p.center_distance = {{65.0, 67.0}};
+  p.modules = {2.0};
+  p.pinion_teeth = {20, 24};
+  p.limits.least_shift = -0.6;
+  p.limits.greatest_shift = 1.0;
+  p.target_ratio = 2.0;
+  return p;
+}
+
+template <class F>
+SearchProblem with(const F& change, SearchProblem p = small()) {
+  change(p);
+  return p;
+}
+
+std::vector<Empty> empty_searches() {
+  using P = SearchProblem;
+  const SearchProblem first = problem_of_search(reference().at("searches")[0].at("input"));
+  return {
+      {"contact_ratio", with([](P& p) { p.limits.contact_ratio = 1.9; }),
+       {"search.contact_ratio_min", "search.profile_shift"},
+       {"search.tip_thickness_min"}},
+      {"contact_ratio_of_the_reference", with([](P& p) { p.limits.contact_ratio = 1.95; }, first),
+       {"search.contact_ratio_min"},
+       {}},
+      {"center_distance", with([](P& p) { p.center_distance = {{80.0, 81.5}}; }),
+       {"search.center_distance_mm", "search.pinion_teeth", "search.ratio"},
+       {"search.contact_ratio_min", "search.tip_thickness_min"}},
+      {"exact_center_distance", with([](P& p) { p.center_distance = {{81.25, 81.25}}; }),
+       {"search.center_distance_mm"},
+       {}},
+      {"tip_thickness", with([](P& p) { p.limits.tip_thickness = 0.95; }),
+       {"search.tip_thickness_min"},
+       {"search.center_distance_mm", "search.contact_ratio_min"}},
+      {"shift", with([](P& p) {
+         p.limits.least_shift = 0.9;
+         p.limits.greatest_shift = 0.95;
+         p.pinion_teeth = {24, 24};
+       }),
+       {"search.profile_shift"},
+       {"search.coprime"}},
+      {"undercut_margin", with([](P& p) { p.limits.undercut_margin = 1.6; }),
+       {"search.undercut_margin"},
+       {}},
+      {"sliding", with([](P& p) {
+         p.mounting = Mounting::tight;
+         p.limits.sliding = 0.4;
+       }),
+       {"search.sliding_max"},
+       {"search.tip_thickness_min"}},
+      {"tip_clearance", with([](P& p) { p.limits.tip_clearance = 0.3; }),
+       {"search.tip_clearance_min"},
+       {"search.center_distance_mm", "search.contact_ratio_min", "search.profile_shift"}},
+      {"overlap", with([](P& p) {
+         p.helix = {0.3};
+         p.limits.overlap_ratio = 1.25;
+       }),
+       {"search.overlap_ratio_min"},
+       {"search.contact_ratio_min"}},
+      {"coprime", with([](P& p) {
+         p.ratio = {2.0, 2.0};
+         p.coprime = true;
+       }),
+       {"search.coprime", "search.ratio"},
+       {"search.contact_ratio_min"}},
+      {"interference", with([](P& p) {
+         p.ratio = {4.1, 4.15};
+         p.pinion_teeth = {16, 16};
+         p.modules = {1.0};
+         p.center_distance = {{40.5, 40.5}};
+         p.limits.greatest_shift = 0.1;
+         p.limits.avoid_interference = true;
+       }),
+       {"search.avoid_interference", "search.profile_shift"},
+       {}},
+      {"ring", with([](P& p) {
+         p.ratio = {-3.05, -2.95};
+         p.center_distance = {{45.0, 46.0}};
+         p.limits.contact_ratio = 2.9;
+       }),
+       {"search.contact_ratio_min"},
+       {}},
+  };
+}
+
+class NearestChangeOf : public ::testing::TestWithParam<std::size_t> {};
+INSTANTIATE_TEST_SUITE_P(Searches, NearestChangeOf, ::testing::Range(std::size_t{0}, std::size_t{13}));
+
+TEST_P(NearestChangeOf, ItHelpsAndLessDoesNot) {
+  const auto searches = empty_searches();
+  ASSERT_EQ(searches.size(), 13u);
+  const Empty& e = searches[GetParam()];
+  ASSERT_FALSE(feasible(e.problem)) << e.name;
+  const auto changes = nearest_changes(e.problem);
+  EXPECT_TRUE(std::is_sorted(changes.begin(), changes.end(), [](const auto& a, const auto& b) {
+    return a.effort < b.effort;
+  })) << e.name;
+  const auto is_named = [&](const std::string& key) {
+    return std::any_of(changes.begin(), changes.end(),
+                       [&](const NearestChange& c) { return c.key == key; });
+  };
+  for (const std::string& key : e.named) EXPECT_TRUE(is_named(key)) << e.name << " " << key;
+  for (const std::string& key : e.useless) EXPECT_FALSE(is_named(key)) << e.name << " " << key;
+
+  for (const NearestChange& c : changes) {
+    const std::string what = std::string(e.name) + ": " + c.key + " " + c.from + " -> " + c.to;
+    EXPECT_GT(c.effort, 0.0) << what;
+    SearchProblem p = e.problem;
+    if (c.key == "search.coprime" || c.key == "search.avoid_interference") {
+      EXPECT_EQ(c.from + c.to, "truefalse") << what;
+      (c.key == "search.coprime" ? p.coprime : p.limits.avoid_interference) = false;
+      EXPECT_TRUE(feasible(p)) << what;
+      continue;
+    }
+    const auto from = band(c.from);
+    const auto to = band(c.to);
+    set(p, c.key, from);
+    EXPECT_FALSE(feasible(p)) << what;  // `from` is what was given
+    set(p, c.key, to);
+    EXPECT_TRUE(feasible(p)) << what;  // (1)
+    // The text has four digits of the move, rounded outwards: what is needed is at most 1.1e-3 less.
+    auto less = to;
+    for (const std::size_t i : {0, 1}) {
+      const double move = to[i] - from[i];
+      if (c.key == "search.pinion_teeth") {
+        less[i] = move == 0.0 ? to[i] : to[i] - std::copysign(1.0, move);
+      } else {
+        less[i] = from[i] + move * (1.0 - 2e-3);
+      }
+    }
+    set(p, c.key, less);
+    EXPECT_FALSE(feasible(p)) << what;  // (2)
+  }
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,380 @@
+// The three complete searches of the reference, and laws: (1) a search may be cut anywhere; (2) the
+// coprime search is the search without common factors; (3) the few best are the head of the full
+// list, the front what no other design dominates; (4) exists() stops at what range() finds.
+#include "gearwright/design/search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <numeric>
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "gearwright/design/testing/search_reference.hpp"
+
+namespace gearwright {
+namespace {
+
+using nlohmann::json;
+using testing::search::number;
+using testing::search::problem_of_search;
+using testing::search::Random;
+using testing::search::reference;
+
+constexpr double kPrinted = 1e-11;  // the source's own doubles: areas of some 1 modules²
+
+const json& bests() {
+  static const json file = json::parse(
+      std::ifstream(std::string(GW_SOURCE_DIR) + "/tests/oracle/spur_search_bests.json"));
+  return file;
+}
+
+struct Found {
+  SearchCounts counts;
+  std::vector<DesignRow> rows;
+};
+Found whole(const Search& search) {
+  Found f;
+  f.counts = search.range(0, *search.space().size(), f.rows);
+  return f;
+}
+
+using Design = std::tuple<double, int, int>;
+Design design_of(const DesignRow& row) { return {row.trial.module, row.trial.z1, row.trial.z2}; }
+
+// All numbers of a row that a file may hold, to the bit.
+std::vector<double> bits_of(const DesignRow& r) {
+  std::vector<double> v{static_cast<double>(r.trial.index), r.shift[0], r.shift[1],
+                        r.balanced ? 1.0 : 0.0, r.center_distance, r.working_angle, r.contact_ratio,
+                        r.contact_ratio_true, r.overlap_ratio, r.backlash_normal, r.area, r.sums[0],
+                        r.sums[1], r.lo[0], r.lo[1], r.hi[0], r.hi[1], r.tip_alteration};
+  for (const std::size_t i : {0, 1}) {
+    v.push_back(r.tip_thickness[i]);
+    v.push_back(r.tip_clearance[i]);
+    for (const auto& zeta : r.sliding[i]) v.push_back(zeta.value_or(-1e300));
+  }
+  return v;
+}
+
+SearchProblem helical_search() {
+  SearchProblem p;
+  p.ratio = {1.8, 2.4};
+  p.center_distance = {{60.0, 62.0}};
+  p.modules = {1.5, 2.0, 2.5};
+  p.pinion_teeth = {12, 24};
+  p.helix = {0.0, 0.2, -0.3};
+  p.racks = {SearchRacks{}, SearchRacks{}};
+  p.racks[1].rack[0].addendum = p.racks[1].rack[1].addendum = 1.1;
+  p.mounting = Mounting::tight;
+  p.limits.least_shift = -0.5;
+  p.limits.sliding = 6.0;
+  p.target_ratio = 2.0;
+  return p;
+}
+
+TEST(Search, CompleteSearchesOfTheReference) {
+  int searches = 0;
+  for (const json& expected : reference().at("searches")) {
+    const Search search(problem_of_search(expected.at("input")));
+    const Found f = whole(search);
+    EXPECT_EQ(f.counts.tested, expected.at("tested"));
+    EXPECT_EQ(f.counts.feasible, expected.at("feasible_count"));
+    std::array<std::int64_t, kLimits> rejected{};
+    for (const auto& [name, count] : expected.at("rejected").items()) {
+      const Limit limit = name == "centre distance" ? Limit::center_distance : Limit::contact_ratio;
+      rejected[static_cast<std::size_t>(limit)] = count;
+    }
+    EXPECT_EQ(f.counts.rejected, rejected);
+    std::vector<Design> designs;
+    for (const DesignRow& row : f.rows) designs.push_back(design_of(row));
+    std::vector<Design> of_reference;
+    for (const json& d : expected.at("feasible")) of_reference.emplace_back(d[0], d[1], d[2]);
+    EXPECT_EQ(designs, of_reference);
+    const auto balanced = std::count_if(f.rows.begin(), f.rows.end(),
+                                        [](const DesignRow& row) { return row.balanced; });
+    const json& more = bests().at("searches")[static_cast<std::size_t>(searches)];
+    EXPECT_EQ(balanced, more.at("eq11_point_feasible_count"));
+    ++searches;
+  }
+  EXPECT_EQ(searches, 3);
+}
+
+TEST(Search, RegionsOfTheReference) {
+  int regions = 0;
+  for (const json& expected : reference().at("searches")) {
+    const Found f = whole(Search(problem_of_search(expected.at("input"))));
+    for (const json& d : expected.at("some_regions")) {
+      const Design design{number(d.at("m")), d.at("z1"), d.at("z2")};
+      const auto row = std::find_if(f.rows.begin(), f.rows.end(),
+                                    [&](const DesignRow& r) { return design_of(r) == design; });
+      ASSERT_NE(row, f.rows.end()) << d.dump();
+      EXPECT_NEAR(row->area, number(d.at("area")), kPrinted) << d.dump();
+      EXPECT_NEAR(row->sums[0], number(d.at("S_lo")), kPrinted) << d.dump();
+      EXPECT_NEAR(row->sums[1], number(d.at("S_hi")), kPrinted) << d.dump();
+      ++regions;
+    }
+  }
+  EXPECT_GT(regions, 30);
+}
+
+// Five best by each objective. Designs of equal worth stand in another order there, so worths are
+// compared, and each of its five is looked up with all its numbers.
+TEST(Search, BestFiveOfTheReference) {
+  const std::map<std::string, Objective> objectives{{"contact_ratio", Objective::contact_ratio},
+                                                    {"ratio", Objective::ratio},
+                                                    {"size", Objective::size},
+                                                    {"area", Objective::area},
+                                                    {"shift", Objective::shift}};
+  int compared = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    SearchProblem p = problem_of_search(reference().at("searches")[i].at("input"));
+    const Found f = whole(Search(p));
+    for (const auto& [name, expected] : bests().at("searches")[i].at("best").items()) {
+      p.objectives = {objectives.at(name)};
+      BestDesigns best(p, 5);
+      for (const DesignRow& row : f.rows) best.add(row);
+      const SearchAnswer answer = std::move(best).answer(f.counts);
+      ASSERT_EQ(answer.designs.size(), 5u);
+      EXPECT_TRUE(answer.cut);
+      EXPECT_TRUE(answer.pareto.empty());
+      for (std::size_t k = 0; k < 5; ++k) {
+        const json& e = expected[k];
+        const auto row = std::find_if(f.rows.begin(), f.rows.end(), [&](const DesignRow& r) {
+          return design_of(r) == Design{number(e.at("m")), e.at("z1"), e.at("z2")};
+        });
+        ASSERT_NE(row, f.rows.end());
+        EXPECT_NEAR(row->shift[0], number(e.at("s1")), kPrinted) << e.dump();
+        EXPECT_NEAR(row->shift[1], number(e.at("s2")), kPrinted) << e.dump();
+        EXPECT_NEAR(row->contact_ratio, number(e.at("eps")), kPrinted) << e.dump();
+        EXPECT_NEAR(row->center_distance, number(e.at("C")), kPrinted) << e.dump();
+        EXPECT_NEAR(row->area, number(e.at("area")), kPrinted) << e.dump();
+        const auto worth = cost(p, *row, p.objectives[0]);
+        const auto ours = cost(p, answer.designs[k], p.objectives[0]);
+        ASSERT_TRUE(worth && ours);
+        EXPECT_NEAR(*ours, *worth, 1e-11 * (1.0 + std::abs(*worth))) << name << " " << k;
+        ++compared;
+      }
+    }
+  }
+  EXPECT_EQ(compared, 75);
+}
+
+TEST(Search, CutAnywhereItIsTheSame) {  // (1)
+  std::vector<SearchProblem> problems{
+      problem_of_search(reference().at("searches")[0].at("input")), helical_search()};
+  problems[1].coprime = true;
+  for (const SearchProblem& p : problems) {
+    const Search search(p);
+    const std::int64_t size = *search.space().size();
+    const Found all = whole(search);
+    ASSERT_FALSE(all.rows.empty());
+    for (const std::int64_t pieces : {2, 7, 1000}) {
+      Found parts;
+      for (std::int64_t i = 0; i < pieces; ++i) {
+        // Another search of the same problem: nothing is kept from the piece before.
+        const Search fresh(p);
+        parts.counts += fresh.range(size * i / pieces, size * (i + 1) / pieces, parts.rows);
+      }
+      EXPECT_EQ(parts.counts, all.counts) << pieces;
+      ASSERT_EQ(parts.rows.size(), all.rows.size()) << pieces;
+      for (std::size_t i = 0; i < all.rows.size(); ++i)
+        EXPECT_EQ(bits_of(parts.rows[i]), bits_of(all.rows[i])) << pieces << " " << i;
+    }
+  }
+}
+
+TEST(Search, CountsAreWhole) {
+  for (const SearchProblem& p :
+       {problem_of_search(reference().at("searches")[1].at("input")), helical_search()}) {
+    const Found f = whole(Search(p));
+    EXPECT_EQ(f.counts.feasible, static_cast<std::int64_t>(f.rows.size()));
+    EXPECT_EQ(f.counts.tested, std::accumulate(f.counts.rejected.begin(), f.counts.rejected.end(),
+                                               f.counts.feasible));
+    EXPECT_TRUE(std::is_sorted(f.rows.begin(), f.rows.end(), [](const auto& a, const auto& b) {
+      return a.trial.index < b.trial.index;
+    }));
+  }
+}
+
+TEST(Search, RowsAreThoseOfTheTrial) {
+  const Search search(helical_search());
+  const Found f = whole(search);
+  std::set<int> racks;
+  for (const DesignRow& row : f.rows) {
+    const Trial t = search.space().trial(row.trial.index);
+    EXPECT_EQ(t.z1, row.trial.z1);
+    EXPECT_EQ(t.helix, row.trial.helix);
+    EXPECT_EQ(t.rack, row.trial.rack);
+    racks.insert(t.rack);
+    const auto alone = design_row(search.graph(t));
+    ASSERT_TRUE(alone);
+    EXPECT_EQ(bits_of(*alone), bits_of(row));
+  }
+  EXPECT_EQ(racks.size(), 2u);
+}
+
+TEST(Search, CoprimeIsTheSearchWithoutCommonFactors) {  // (2)
+  SearchProblem p = problem_of_search(reference().at("searches")[0].at("input"));
+  const Found all = whole(Search(p));
+  p.coprime = true;
+  const Found coprime = whole(Search(p));
+  std::vector<std::vector<double>> kept;
+  for (const DesignRow& row : all.rows)
+    if (std::gcd(row.trial.z1, row.trial.z2) == 1) kept.push_back(bits_of(row));
+  ASSERT_EQ(coprime.rows.size(), kept.size());
+  for (std::size_t i = 0; i < kept.size(); ++i) EXPECT_EQ(bits_of(coprime.rows[i]), kept[i]);
+  EXPECT_LT(kept.size(), all.rows.size());
+  std::int64_t tested = 0;
+  const Search search(p);
+  for (std::int64_t i = 0; i < *search.space().size(); ++i) {
+    const Trial t = search.space().trial(i);
+    if (std::gcd(t.z1, t.z2) == 1) ++tested;
+  }
+  EXPECT_EQ(coprime.counts.tested, tested);
+}
+
+TEST(Search, TheFewBestAreTheHeadOfTheList) {  // (3)
+  SearchProblem p = helical_search();
+  const Found f = whole(Search(p));
+  for (const Objective objective : {Objective::contact_ratio, Objective::ratio, Objective::size,
+                                    Objective::shift, Objective::area, Objective::sliding}) {
+    p.objectives = {objective};
+    std::vector<DesignRow> sorted = f.rows;
+    std::sort(sorted.begin(), sorted.end(), [&](const DesignRow& a, const DesignRow& b) {
+      return ranks_before(p, objective, a, b);
+    });
+    for (std::size_t i = 1; i < sorted.size(); ++i) {
+      const auto before = cost(p, sorted[i - 1], objective);
+      const auto after = cost(p, sorted[i], objective);
+      EXPECT_TRUE(!after || (before && *before <= *after + 1e-11));
+    }
+    for (const std::size_t most : {std::size_t{0}, std::size_t{1}, std::size_t{10}, sorted.size()}) {
+      BestDesigns best(p, most);
+      for (auto row = f.rows.rbegin(); row != f.rows.rend(); ++row) best.add(*row);
+      const SearchAnswer answer = std::move(best).answer(f.counts);
+      ASSERT_EQ(answer.designs.size(), most);
+      EXPECT_EQ(answer.cut, most < sorted.size());
+      for (std::size_t i = 0; i < most; ++i)
+        EXPECT_EQ(answer.designs[i].trial.index, sorted[i].trial.index);
+    }
+  }
+}
+
+// Brute force by the plain definition, over the costs as they are.
+TEST(Search, TheFrontIsWhatNoneDominates) {  // (3)
+  SearchProblem p = helical_search();
+  p.objectives = {Objective::size, Objective::contact_ratio, Objective::sliding};
+  Found f = whole(Search(p));
+  ASSERT_GT(f.rows.size(), 50u);
+  std::set<std::int64_t> front;
+  const auto costs = [&](const DesignRow& row) {
+    std::vector<double> c;
+    for (const Objective o : p.objectives)
+      if (const auto v = cost(p, row, o)) c.push_back(*v);
+    return c;
+  };
+  for (const DesignRow& row : f.rows) {
+    const auto mine = costs(row);
+    if (mine.size() < 3) continue;
+    const bool beaten = std::any_of(f.rows.begin(), f.rows.end(), [&](const DesignRow& other) {
+      const auto its = costs(other);
+      if (its.size() < 3) return false;
+      bool better = false;
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (its[i] > mine[i] + 1e-10) return false;
+        better = better || its[i] < mine[i] - 1e-10;
+      }
+      return better;
+    });
+    if (!beaten) front.insert(row.trial.index);
+  }
+  ASSERT_GT(front.size(), 2u);
+  ASSERT_LT(front.size(), f.rows.size() / 2);
+  Random random(41);
+  for (int repeat = 0; repeat < 5; ++repeat) {
+    for (std::size_t i = f.rows.size(); i > 1; --i)
+      std::swap(f.rows[i - 1],
+                f.rows[static_cast<std::size_t>(random.whole(0, static_cast<int>(i) - 1))]);
+    BestDesigns best(p, f.rows.size());
+    for (const DesignRow& row : f.rows) best.add(row);
+    const SearchAnswer answer = std::move(best).answer(f.counts);
+    EXPECT_EQ(answer.designs.size(), f.rows.size());
+    std::set<std::int64_t> ours;
+    for (const std::size_t i : answer.pareto) ours.insert(answer.designs[i].trial.index);
+    EXPECT_EQ(ours, front);
+    std::set<std::int64_t> all;
+    for (const DesignRow& row : answer.designs) all.insert(row.trial.index);
+    EXPECT_EQ(all.size(), f.rows.size());  // each once
+  }
+}
+
+TEST(Search, ExistsIsWhetherRangeFinds) {  // (4)
+  for (const json& expected : reference().at("searches")) {
+    const Search search(problem_of_search(expected.at("input")));
+    const std::int64_t size = *search.space().size();
+    EXPECT_TRUE(search.exists(0, size));
+    const std::int64_t step = std::max<std::int64_t>(1, size / 60);
+    for (std::int64_t from = 0; from < size; from += step) {
+      std::vector<DesignRow> rows;
+      const std::int64_t to = std::min(from + step, size);
+      search.range(from, to, rows);
+      EXPECT_EQ(search.exists(from, to), !rows.empty()) << from;
+    }
+    EXPECT_FALSE(search.exists(0, 0));
+  }
+}
+
+TEST(SearchSpace, EveryNumberIsATrialOnce) {
+  for (const bool internal : {false, true}) {
+    SearchProblem p = helical_search();
+    if (internal) p.ratio = {-3.2, -2.7};
+    const SearchSpace space(p);
+    std::set<std::tuple<int, double, double, int, int>> seen;
+    std::int64_t next = 0;
+    space.each(0, *space.size(), [&](const Trial& t) {
+      EXPECT_EQ(t.index, next++);
+      const Trial again = space.trial(t.index);
+      EXPECT_EQ(std::tie(again.rack, again.helix, again.module, again.z1, again.z2),
+                std::tie(t.rack, t.helix, t.module, t.z1, t.z2));
+      const double ratio = static_cast<double>(t.z2) / t.z1;
+      EXPECT_GE(ratio, p.ratio[0] - 1e-12);
+      EXPECT_LE(ratio, p.ratio[1] + 1e-12);
+      EXPECT_EQ(t.helix[1], internal ? t.helix[0] : -t.helix[0]);
+      seen.insert({t.rack, t.helix[0], t.module, t.z1, t.z2});
+      return true;
+    });
+    EXPECT_EQ(next, *space.size());
+    EXPECT_EQ(static_cast<std::int64_t>(seen.size()), next);
+    std::int64_t pairs = 0;
+    for (int z1 = 12; z1 <= 24; ++z1)
+      for (int z2 = -200; z2 <= 200; ++z2)
+        if (z2 * 1e6 >= (p.ratio[0] * z1 - 1e-9) * 1e6 && z2 <= p.ratio[1] * z1 + 1e-9) ++pairs;
+    EXPECT_EQ(next, pairs * 3 * 3 * 2);
+    EXPECT_EQ(space.approximate_size(), static_cast<double>(next));
+  }
+}
+
+// 1.9 · 30 and 2.1 · 10 are 57 and 21, whatever the doubles say; wheels are not smaller than pinions.
+TEST(SearchSpace, BandsAreClosed) {
+  SearchProblem p;
+  const auto wheels = [&](double from, double to, int z1) {
+    p.ratio = {from, to};
+    return wheels_of(p, z1);
+  };
+  EXPECT_EQ(wheels(1.9, 2.1, 30), (std::array{57, 63}));
+  EXPECT_EQ(wheels(1.9, 2.1, 10), (std::array{19, 21}));
+  EXPECT_EQ(wheels(0.5, 1.1, 20), (std::array{20, 22}));
+  EXPECT_EQ(wheels(2.0, 2.0, 31), (std::array{62, 62}));
+  EXPECT_GT(wheels(1.51, 1.52, 20)[0], wheels(1.51, 1.52, 20)[1]);
+  EXPECT_EQ(wheels(-2.1, -1.9, 30), (std::array{-63, -57}));
+  EXPECT_EQ(wheels(-1.2, -0.5, 10), (std::array{-12, -11}));
+}
+
+}  // namespace
+}  // namespace gearwright
