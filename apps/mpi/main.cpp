@@ -7,8 +7,10 @@
 #include <mpi.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <exception>
 #include <iostream>
+#include <memory>
 
 #include "apps/common/search_verb.hpp"
 #include "gearwright/job/version.hpp"
@@ -49,6 +51,7 @@ class Queue {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is a full disk: write() says so
   int provided = 0;
   MPI_Init_thread(&argc, &argv, MPI_THREAD_SERIALIZED, &provided);
   int rank = 0;
@@ -69,12 +72,14 @@ int main(int argc, char** argv) {
     return status == 0 ? 0 : 2;
   }
   int status = 3;
+  // The queue must outlive the catch: freeing its window waits for all ranks, and those that a
+  // failed rank leaves behind wait for it.
+  auto queue = std::make_unique<Queue>();
   try {
-    Queue queue;
     gearwright::cli::Together together;
     together.rank = rank;
     together.ranks = ranks;
-    together.next_chunk = [&] { return queue.draw(); };
+    together.next_chunk = [&] { return queue->draw(); };
     together.folder_is_open = [](bool opened) {
       int all = opened ? 1 : 0;
       MPI_Bcast(&all, 1, MPI_INT, 0, MPI_COMM_WORLD);
@@ -91,6 +96,7 @@ int main(int argc, char** argv) {
     std::cerr << "gearwright-mpi: rank " << rank << ": " << e.what() << "\n";
     MPI_Abort(MPI_COMM_WORLD, 3);
   }
+  queue.reset();
   MPI_Finalize();
   return status;
 }

@@ -1,6 +1,5 @@
-// Lanes against the scalar instance and both against the scalar formulas of the pair. Laws:
-// (1) lanes agree with the scalar instance to 1e-12; (2) verdicts are the same but where the sieve
-// asks; (3) a verdict is that of the graph.
+// Lanes against the scalar instance and that against the formulas of the pair. Law (1) of the
+// header: lanes agree with the scalar instance to 1e-12. The sieve: sieve_test.cpp.
 #include "gearwright/design/candidate.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +12,6 @@
 #include <string>
 
 #include "gearwright/design/testing/search_reference.hpp"
-#include "gearwright/math/involute.hpp"
 
 namespace gearwright {
 namespace {
@@ -30,8 +28,10 @@ struct Mode {
   const char* name;
   bool ring, tight;
 };
-constexpr std::array<Mode, 4> kModes{
-    {{"external", false, false}, {"ring", true, false}, {"tight", false, true}, {"tight_ring", true, true}}};
+constexpr std::array<Mode, 4> kModes{{{"external", false, false},
+                                      {"ring", true, false},
+                                      {"tight", false, true},
+                                      {"tight_ring", true, true}}};
 
 class CandidateOfMode : public ::testing::TestWithParam<Mode> {};
 INSTANTIATE_TEST_SUITE_P(Modes, CandidateOfMode, ::testing::ValuesIn(kModes),
@@ -85,8 +85,7 @@ TEST_P(CandidateOfMode, LanesAgreeWithTheScalarInstance) {  // (1)
   std::array<double, Batch::kOut> worst{};
   std::size_t compared_candidates = 0;
   for (std::size_t i = 0; i < lanes.size(); ++i) {
-    const double residual =
-        std::max(lanes.out[Batch::residual][i], scalar.out[Batch::residual][i]);
+    const double residual = std::max(lanes.out[Batch::residual][i], scalar.out[Batch::residual][i]);
     if (!(residual < 1e-12)) continue;
     ++compared_candidates;
     for (int k = 0; k < Batch::residual; ++k) {
@@ -102,7 +101,8 @@ TEST_P(CandidateOfMode, LanesAgreeWithTheScalarInstance) {  // (1)
     }
   }
   EXPECT_GT(compared_candidates, lanes.size() * 8 / 10);  // sums without a working angle
-  RecordProperty("worst_1e_15", std::to_string(*std::max_element(worst.begin(), worst.end()) / 1e-15));
+  RecordProperty("worst_1e_15",
+                 std::to_string(*std::max_element(worst.begin(), worst.end()) / 1e-15));
 }
 
 TEST_P(CandidateOfMode, PartialVectorsAreWhole) {
@@ -155,8 +155,8 @@ TEST_P(CandidateOfMode, NumbersAreThoseOfTheRow) {
       continue;
     SearchProblem p = given;
     p.helix = {std::asin(b.in[Batch::sin_beta][i])};
-    const Trial t = trial(p, static_cast<int>(b.in[Batch::z1][i]),
-                          static_cast<int>(b.in[Batch::z2][i]));
+    const Trial t =
+        trial(p, static_cast<int>(b.in[Batch::z1][i]), static_cast<int>(b.in[Batch::z2][i]));
     const ShiftGraph g = graph(p, t);
     const DesignRow row = row_at(g, {b.in[Batch::x1][i], b.in[Batch::x2][i]});
     ++rows;
@@ -195,7 +195,7 @@ TEST_P(CandidateOfMode, NumbersAreThoseOfTheRow) {
 TEST(Candidate, WhatDoesNotExistIsNotANumber) {
   Batch b;
   b.resize(2);
-  const double values[2][5] = {{20, 40, 0.0, -1.9, 0.0},   // tip inside the base circle
+  const double values[2][5] = {{20, 40, 0.0, -1.9, 0.0},    // tip inside the base circle
                                {40, 40, 0.0, -1.3, -1.3}};  // below the sum of the base radii
   for (std::size_t k = 0; k < 5; ++k)
     for (std::size_t i = 0; i < 2; ++i) b.in[k][i] = values[i][k];
@@ -206,150 +206,6 @@ TEST(Candidate, WhatDoesNotExistIsNotANumber) {
   EXPECT_TRUE(std::isnan(b.out[Batch::contact_ratio][1]));
   EXPECT_FALSE(lanes_name().empty());
   EXPECT_GE(lanes(), 1u);
-}
-
-// ---- the sieve ----
-
-// One problem for many pairs, and what the sieve is told of it.
-struct SieveCase {
-  SearchProblem problem;
-  SieveConstants constants;
-  std::vector<Trial> trials;
-  SieveBatch batch;
-};
-
-SieveCase sieve_case(Random& random, const Mode& mode, std::size_t n) {
-  SieveCase s;
-  SearchProblem& p = s.problem;
-  p.ratio = problem_of(mode).ratio;
-  p.mounting = mode.tight ? Mounting::tight : Mounting::extended;
-  p.helix = {random.chance(0.5) ? 0.0 : random.uniform(-0.5, 0.5)};
-  p.normal_pressure_angle = random.uniform(0.26, 0.45);
-  SearchLimits& l = p.limits;
-  l.tip_thickness = random.uniform(0.0, 0.6);
-  l.contact_ratio = random.uniform(1.0, 1.9);
-  if (mode.ring || random.chance(0.6)) l.least_shift = random.uniform(-0.9, 0.1);
-  if (mode.ring || random.chance(0.6)) l.greatest_shift = random.uniform(0.2, 1.2);
-  const double cos_beta = std::cos(p.helix[0]);
-  const double alpha_t = std::atan(std::tan(p.normal_pressure_angle) / cos_beta);
-  SieveConstants& c = s.constants;
-  c.cos_transverse = std::cos(alpha_t);
-  c.involute_transverse = involute(alpha_t);
-  c.sum_per_involute = cos_beta / std::tan(p.normal_pressure_angle);
-  c.least_path = l.contact_ratio * std::numbers::pi * c.cos_transverse / cos_beta;
-  c.addendum = {1.0, 1.0};
-  c.tight = mode.tight;
-  c.internal = mode.ring;
-  c.path = !mode.tight && !mode.ring;
-  // One band of centre distances for pairs of about the same size.
-  const int z1 = random.whole(8, 70);
-  const int z2 = mode.ring ? -(z1 + random.whole(8, 60)) : z1 + random.whole(0, 60);
-  const double R = std::abs(z1 + z2) / (2.0 * cos_beta);
-  const double least = R + random.uniform(-0.08 * R, 1.5);
-  const bool exact = random.chance(0.2);
-  p.center_distance = {{least, exact ? least : least + random.uniform(0.0, 0.6)}};
-  s.batch.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const int dz = random.whole(0, 6);
-    const Trial t = trial(p, z1 + random.whole(0, 4), mode.ring ? z2 - dz - 4 : z2 + dz);
-    s.trials.push_back(t);
-    const TrialGear g_1 = trial_gear(p, t.z1, t.helix[0], 0, 0);
-    const TrialGear g_2 = trial_gear(p, t.z2, t.helix[1], 0, 1);
-    const double values[SieveBatch::kIn] = {g_1.r,       g_1.x_least,    g_1.x_greatest,
-                                            g_2.r,       g_2.x_least,    g_2.x_greatest,
-                                            (*p.center_distance)[0],     (*p.center_distance)[1]};
-    for (std::size_t k = 0; k < SieveBatch::kIn; ++k) s.batch.in[k][i] = values[k];
-  }
-  return s;
-}
-
-TEST_P(CandidateOfMode, VerdictsOfLanesAreThoseOfTheScalarInstance) {  // (2)
-  Random random(34);
-  int asked = 0;
-  int decided = 0;
-  for (int repeat = 0; repeat < 400; ++repeat) {
-    SieveCase s = sieve_case(random, GetParam(), 37);
-    sieve(s.constants, s.batch);
-    SieveBatch scalar = s.batch;
-    sieve_scalar(s.constants, scalar);
-    for (std::size_t i = 0; i < scalar.size(); ++i) {
-      if (scalar.verdict[i] == kSieveAsk || s.batch.verdict[i] == kSieveAsk) {
-        ++asked;
-        continue;
-      }
-      ++decided;
-      ASSERT_EQ(s.batch.verdict[i], scalar.verdict[i]) << repeat << " " << i;
-    }
-  }
-  EXPECT_GT(decided, 4000);
-  EXPECT_GT(asked, 0);
-}
-
-void expect_verdicts_of_the_graph(const Mode& mode, unsigned seed, int cases, int least) {
-  Random random(seed);
-  std::array<int, 5> seen{};
-  int clipped_later = 0;
-  for (int repeat = 0; repeat < cases; ++repeat) {
-    SieveCase s = sieve_case(random, mode, 20);
-    sieve(s.constants, s.batch);
-    for (std::size_t i = 0; i < s.trials.size(); ++i) {
-      const double verdict = s.batch.verdict[i];
-      ++seen[static_cast<std::size_t>(verdict)];
-      if (verdict == kSieveAsk) continue;
-      const auto limit = graph(s.problem, s.trials[i]).what_kills();
-      const double by_graph =
-          limit ? std::min(static_cast<double>(*limit), kSievePass) : kSievePass;
-      // The sieve does not know where flanks start: what it lets through, the graph may clip away.
-      const bool clipped = verdict == kSievePass && by_graph == kSieveContactRatio;
-      if (clipped) ++clipped_later;
-      ASSERT_TRUE(verdict == by_graph || clipped)
-          << verdict << " " << by_graph << " " << repeat << ": " << s.trials[i].z1 << ":" << s.trials[i].z2 << " a "
-          << (*s.problem.center_distance)[0] << " " << (*s.problem.center_distance)[1] << " α "
-          << s.problem.normal_pressure_angle << " β " << s.problem.helix[0] << " ε "
-          << s.problem.limits.contact_ratio << " s " << s.problem.limits.tip_thickness << " x "
-          << s.problem.limits.least_shift.value_or(-99.0) << " "
-          << s.problem.limits.greatest_shift.value_or(99.0);
-    }
-  }
-  EXPECT_GT(seen[0], least / 10);
-  EXPECT_GT(seen[1], least);
-  if (mode.ring || mode.tight) {
-    EXPECT_GT(seen[4], least);
-  } else {
-    EXPECT_GT(seen[2], least);
-    EXPECT_GT(seen[3] - clipped_later, least);
-  }
-}
-
-TEST_P(CandidateOfMode, VerdictsAreThoseOfTheGraph) {  // (3)
-  expect_verdicts_of_the_graph(GetParam(), 35, 100, 80);
-}
-TEST_P(CandidateOfMode, LongVerdictsAreThoseOfTheGraph) {
-  expect_verdicts_of_the_graph(GetParam(), 36, 1000, 800);
-}
-
-TEST_P(CandidateOfMode, PartialVectorsOfTheSieveAreWhole) {
-  Random random(37);
-  SieveCase s = sieve_case(random, GetParam(), 17);
-  sieve(s.constants, s.batch);
-  for (std::size_t n = 1; n <= 17; ++n) {
-    SieveBatch part = s.batch;
-    part.resize(n);
-    part.verdict.assign(n, -1.0);
-    sieve(s.constants, part);
-    for (std::size_t i = 0; i < n; ++i) EXPECT_EQ(part.verdict[i], s.batch.verdict[i]) << n;
-  }
-}
-
-// What a band leaves to the sieve's doubt: the trials that survive, and few of those that do not.
-TEST(Candidate, TheSieveAsksForFewGraphs) {
-  const auto& first = testing::search::reference().at("searches")[0];
-  const Search search(testing::search::problem_of_search(first.at("input")));
-  std::vector<DesignRow> rows;
-  SieveCounts counts;
-  search.range(0, *search.space().size(), rows, &counts);
-  EXPECT_EQ(counts.asked + counts.decided, 2754);
-  EXPECT_LT(counts.asked, 27);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
-// Laws of a nearest change: (1) with it, read back from its text, a design exists; (2) with a little
-// less of it none does; (3) changes come smallest first, and what does not help is not named.
+// Laws of a nearest change: (1) with it, read back from its text, a design exists; (2) with a
+// little less of it none does; (3) changes come smallest first, and what does not help is not
+// named.
 #include "gearwright/design/nearest_change.hpp"
 
 #include <gtest/gtest.h>
@@ -93,53 +94,69 @@ std::vector<Empty> empty_searches() {
   using P = SearchProblem;
   const SearchProblem first = problem_of_search(reference().at("searches")[0].at("input"));
   return {
-      {"contact_ratio", with([](P& p) { p.limits.contact_ratio = 1.9; }),
-       {"search.contact_ratio_min", "search.profile_shift"},
+      {"contact_ratio",
+       with([](P& p) { p.limits.contact_ratio = 1.9; }),
+       {"search.contact_ratio_min"},
        {"search.tip_thickness_min"}},
-      {"contact_ratio_of_the_reference", with([](P& p) { p.limits.contact_ratio = 1.95; }, first),
+      {"contact_ratio_of_the_reference",
+       with([](P& p) { p.limits.contact_ratio = 1.95; }, first),
        {"search.contact_ratio_min"},
        {}},
-      {"center_distance", with([](P& p) { p.center_distance = {{80.0, 81.5}}; }),
+      {"center_distance",
+       with([](P& p) {
+         p.center_distance = {{80.0, 81.5}};
+       }),
        {"search.center_distance_mm", "search.pinion_teeth", "search.ratio"},
        {"search.contact_ratio_min", "search.tip_thickness_min"}},
-      {"exact_center_distance", with([](P& p) { p.center_distance = {{81.25, 81.25}}; }),
+      {"exact_center_distance",
+       with([](P& p) {
+         p.center_distance = {{81.25, 81.25}};
+       }),
        {"search.center_distance_mm"},
        {}},
-      {"tip_thickness", with([](P& p) { p.limits.tip_thickness = 0.95; }),
+      {"tip_thickness",
+       with([](P& p) { p.limits.tip_thickness = 0.95; }),
        {"search.tip_thickness_min"},
        {"search.center_distance_mm", "search.contact_ratio_min"}},
-      {"shift", with([](P& p) {
+      {"shift",
+       with([](P& p) {
          p.limits.least_shift = 0.9;
          p.limits.greatest_shift = 0.95;
          p.pinion_teeth = {24, 24};
        }),
        {"search.profile_shift"},
        {"search.coprime"}},
-      {"undercut_margin", with([](P& p) { p.limits.undercut_margin = 1.6; }),
+      {"undercut_margin",
+       with([](P& p) { p.limits.undercut_margin = 1.6; }),
        {"search.undercut_margin"},
        {}},
-      {"sliding", with([](P& p) {
+      {"sliding",
+       with([](P& p) {
          p.mounting = Mounting::tight;
          p.limits.sliding = 0.4;
        }),
        {"search.sliding_max"},
        {"search.tip_thickness_min"}},
-      {"tip_clearance", with([](P& p) { p.limits.tip_clearance = 0.3; }),
+      {"tip_clearance",
+       with([](P& p) { p.limits.tip_clearance = 0.3; }),
        {"search.tip_clearance_min"},
        {"search.center_distance_mm", "search.contact_ratio_min", "search.profile_shift"}},
-      {"overlap", with([](P& p) {
+      {"overlap",
+       with([](P& p) {
          p.helix = {0.3};
          p.limits.overlap_ratio = 1.25;
        }),
        {"search.overlap_ratio_min"},
        {"search.contact_ratio_min"}},
-      {"coprime", with([](P& p) {
+      {"coprime",
+       with([](P& p) {
          p.ratio = {2.0, 2.0};
          p.coprime = true;
        }),
        {"search.coprime", "search.ratio"},
        {"search.contact_ratio_min"}},
-      {"interference", with([](P& p) {
+      {"interference",
+       with([](P& p) {
          p.ratio = {4.1, 4.15};
          p.pinion_teeth = {16, 16};
          p.modules = {1.0};
@@ -147,9 +164,11 @@ std::vector<Empty> empty_searches() {
          p.limits.greatest_shift = 0.1;
          p.limits.avoid_interference = true;
        }),
-       {"search.avoid_interference", "search.profile_shift"},
-       {}},
-      {"ring", with([](P& p) {
+       {"search.avoid_interference"},
+       {"search.profile_shift"}},  // either end alone: Σ is given, and the other end holds
+
+      {"ring",
+       with([](P& p) {
          p.ratio = {-3.05, -2.95};
          p.center_distance = {{45.0, 46.0}};
          p.limits.contact_ratio = 2.9;
@@ -160,7 +179,8 @@ std::vector<Empty> empty_searches() {
 }
 
 class NearestChangeOf : public ::testing::TestWithParam<std::size_t> {};
-INSTANTIATE_TEST_SUITE_P(Searches, NearestChangeOf, ::testing::Range(std::size_t{0}, std::size_t{13}));
+INSTANTIATE_TEST_SUITE_P(Searches, NearestChangeOf,
+                         ::testing::Range(std::size_t{0}, std::size_t{13}));
 
 TEST_P(NearestChangeOf, ItHelpsAndLessDoesNot) {
   const auto searches = empty_searches();
@@ -194,7 +214,8 @@ TEST_P(NearestChangeOf, ItHelpsAndLessDoesNot) {
     EXPECT_FALSE(feasible(p)) << what;  // `from` is what was given
     set(p, c.key, to);
     EXPECT_TRUE(feasible(p)) << what;  // (1)
-    // The text has four digits of the move, rounded outwards: what is needed is at most 1.1e-3 less.
+    // The text has four digits of the move, rounded outwards: what is needed is at most 1.1e-3
+    // less.
     auto less = to;
     for (const std::size_t i : {0, 1}) {
       const double move = to[i] - from[i];

@@ -1,5 +1,5 @@
-// Two charts over the tooth number: between which profile shifts a gear can be made at all, and what
-// contact ratio two identical gears have between these limits.
+// Two charts over the tooth number: between which profile shifts a gear can be made at all, and
+// what contact ratio two identical gears have between these limits.
 //
 //   x_u      the undercut limit                     s_an     normal tip tooth thickness
 //   x_t(s)   the shift at which s_an = s modules    ε_α      contact ratio of two identical gears
@@ -24,9 +24,9 @@ inline constexpr std::array<double, 3> kChartTips{0.0, 0.2, 0.4};
 /// The shifts of one tooth number, modules.
 struct ShiftLimits {
   int teeth = 0;
-  double undercut = 0.0;              ///< x_u
-  std::array<double, 3> tip{};        ///< x_t of kChartTips
-  double least = 0.0, greatest = 0.0; ///< those of the problem; least > greatest: none
+  double undercut = 0.0;               ///< x_u
+  std::array<double, 3> tip{};         ///< x_t of kChartTips
+  double least = 0.0, greatest = 0.0;  ///< those of the problem; least > greatest: none
 };
 
 /// The limits of gear `which` (0, 1) with this rack and helix, for every tooth number of from … to.
@@ -36,8 +36,8 @@ struct ShiftLimits {
 std::vector<ShiftLimits> shift_limit_chart(const SearchProblem& problem, int rack, double helix,
                                            int which, int from, int to);
 
-/// Where x_u meets x_t of kChartTips[tip] on the chart, between two neighbouring tooth numbers; none
-/// when it does not.
+/// Where x_u meets x_t of kChartTips[tip] on the chart, between two neighbouring tooth numbers;
+/// none when it does not.
 ///
 /// Accuracy  0.01 teeth: chords between whole tooth numbers, not the limits of broken ones
 struct LimitsMeet {
@@ -49,7 +49,8 @@ std::optional<LimitsMeet> where_limits_meet(const std::vector<ShiftLimits>& char
 /// Two identical gears at shifts x = least + k/4 (greatest − least), k = 0 … 4.
 struct IdenticalGears {
   ShiftLimits limits;
-  std::array<std::optional<double>, 5> contact_ratio;  ///< ε_α; none: no working angle, or no limits
+  std::array<std::optional<double>, 5>
+      contact_ratio;  ///< ε_α; none: no working angle, or no limits
 };
 
 /// Gears of gear 1's rack with opposite hands on parallel axes, mounted as the problem says, at the

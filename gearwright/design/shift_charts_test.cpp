@@ -69,7 +69,8 @@ TEST(ShiftCharts, LimitsMeetWhereTheReferenceHasThem) {
     ASSERT_TRUE(meet);
     EXPECT_NEAR(meet->teeth, exact, 0.01);
     EXPECT_EQ(meet->fewest, static_cast<int>(std::ceil(exact)));
-    EXPECT_NEAR(meet->shift, 1.0 - exact * std::pow(std::sin(spur().normal_pressure_angle), 2) / 2.0, 0.01);
+    EXPECT_NEAR(meet->shift,
+                1.0 - exact * std::pow(std::sin(spur().normal_pressure_angle), 2) / 2.0, 0.01);
   }
   EXPECT_FALSE(where_limits_meet(shift_limit_chart(spur(), 0, 0.0, 0, 20, 40), 0));
 }

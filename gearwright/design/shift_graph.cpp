@@ -6,29 +6,22 @@
 #include <numbers>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/design/tip_curvature.hpp"
 #include "gearwright/math/newton.hpp"
 
 namespace gearwright {
 
+using detail::curvature;
+using detail::kInfinity;
+using detail::lower;
+using detail::radius_of;
+using detail::raise;
+
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-// √(u² − b²), 0 inside the base circle; signs of u and b do not matter.
-double curvature(double u, double b) {
-  const double square = (std::abs(u) - std::abs(b)) * (std::abs(u) + std::abs(b));
-  return square > 0.0 ? std::sqrt(square) : 0.0;
-}
-
-// |u| of a tip whose flank ends with the curvature radius q.
-double radius_of(double q, double b) { return std::sqrt(b * b + q * q); }
 
 // A working angle of 4e-5 rad: nearer to the base radii there is no mesh that a double can tell
 // from none.
 constexpr double kLeastOpening = 1e-9;
-
-void raise(double& lo, double value) { lo = std::max(lo, value); }
-void lower(double& hi, double value) { hi = std::min(hi, value); }
 
 }  // namespace
 
@@ -152,164 +145,6 @@ ShiftGraph::Sums ShiftGraph::sums(int limits) const {
   }
   lower(s.hi, corner);
   return s;
-}
-
-void ShiftGraph::bound_sliding(const SumPlace& at, double sum, double& lo, double& hi) const {
-  // With t = ρ2/(u ρ1) at A and ρ2/(u ρ1) at E, |ζ| ≤ Z is 1/(1 + Z) ≤ t ≤ 1 + Z. [T9.8]
-  const double u = static_cast<double>(trial_.z2) / trial_.z1;
-  const double most = 1.0 + *problem_->limits.sliding;
-  const double A_1 = gears_[0].r + gears_[0].addendum + at.k;
-  const double A_2 = gears_[1].r + gears_[1].addendum + at.k;
-  const auto tip_1 = [&](double t) {
-    const double q = at.N / (1.0 + t * u);
-    return q > 0.0 ? radius_of(q, gears_[0].r_b) : kInfinity;
-  };
-  const auto tip_2 = [&](double t) {
-    const double q = t * u * at.N / (1.0 + t * u);  // signed as the gear
-    return q * u > 0.0 ? radius_of(q, gears_[1].r_b) : kInfinity;
-  };
-  raise(lo, tip_1(most) - A_1);
-  lower(hi, tip_1(1.0 / most) - A_1);
-  if (internal_) {
-    raise(lo, tip_2(most) + A_2 + sum);
-    lower(hi, tip_2(1.0 / most) + A_2 + sum);
-  } else {
-    lower(hi, sum + A_2 - tip_2(1.0 / most));
-    raise(lo, sum + A_2 - tip_2(most));
-  }
-}
-
-// ρ_1A ≥ ρ_F1 and ρ_2E ≥ ρ_F2: the mate's tip stays on the flank. Each is w q(u) ≤ c + s u in the
-// mate's tip radius u, a quadratic; it fails between its roots. [T9.9]
-void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2,
-                                    double& hi_1) const {
-  const auto greater_root = [](double w, double c, double s, double b) {
-    const double disc = c * c - (s * s - w * w) * b * b;
-    if (!(c < 0.0) || !(disc >= 0.0)) return -kInfinity;
-    return (-c * s + w * std::sqrt(disc)) / (s * s - w * w);
-  };
-  const auto line = [&](std::size_t i, double A_mate) {
-    const double s = weight_[i] / gears_[i].sin_transverse;
-    const double c = at.N - weight_[i] * gears_[i].r * gears_[i].sin_transverse +
-                     s * gears_[i].edge_depth - s * (sum + A_mate);
-    return std::array<double, 2>{c, s};
-  };
-  const double A_1 = gears_[0].r + gears_[0].addendum + at.k;
-  const double A_2 = gears_[1].r + gears_[1].addendum + at.k;
-  if (!internal_) {
-    const auto [c_1, s_1] = line(0, A_2);
-    const auto [c_2, s_2] = line(1, A_1);
-    hi_1 = sum + A_2 - greater_root(weight_[1], c_1, s_1, gears_[1].r_b);
-    lo_2 = greater_root(weight_[0], c_2, s_2, gears_[0].r_b) - A_1;
-    return;
-  }
-  // The ring's tip v = |u|: √(v² − b²) ≥ s v + c, between the roots.
-  const double s = 1.0 / gears_[0].sin_transverse;
-  const double c =
-      -at.N + gears_[0].r * gears_[0].sin_transverse - s * gears_[0].edge_depth + s * (A_2 + sum);
-  const double b = gears_[1].r_b;
-  const double disc = c * c - (s * s - 1.0) * b * b;
-  if (!(c < 0.0) || !(disc >= 0.0)) {
-    // Nowhere: the line lies above the whole branch; say by how much.
-    hi_1 = A_2 + sum;
-    lo_2 = hi_1 + 1.0;
-    return;
-  }
-  lo_2 = (-s * c - std::sqrt(disc)) / (s * s - 1.0) + A_2 + sum;
-  hi_1 = (-s * c + std::sqrt(disc)) / (s * s - 1.0) + A_2 + sum;
-}
-
-// The path clipped to the usable flanks, which begin at f_i = max(0, w_i ρ_Fi): from f_1 to the
-// tip, w_1 q_1 − f_1 ≥ K, the same of gear 2, and N − f_1 − f_2 ≥ K. Of the last the case of both
-// starts is one of Σ alone (sum_margin). A ring's start is not known. [T9.7]
-void ShiftGraph::bound_usable_path(const SumPlace& at, double sum, double& lo, double& hi) const {
-  for (std::size_t i : {0, 1}) {
-    const TrialGear& g = gears_[i];
-    if (g.teeth < 0) continue;
-    const double A = g.r + g.addendum + at.k;
-    const double path = least_path_ / weight_[i];
-    double least = radius_of(path, g.r_b);
-    double most = kInfinity;
-    // q(u) ≥ s u + c: between the roots, or up to the greater one where the line starts below 0.
-    const double s = 1.0 / g.sin_transverse;
-    const double c = path + g.r * g.sin_transverse - s * (g.edge_depth + A);
-    const double disc = c * c - (s * s - 1.0) * g.r_b * g.r_b;
-    const bool starts_above = s * g.r_b + c > 0.0;
-    if (disc >= 0.0 && c < 0.0) {
-      most = (-s * c + std::sqrt(disc)) / (s * s - 1.0);
-      if (starts_above) raise(least, (-s * c - std::sqrt(disc)) / (s * s - 1.0));
-    } else if (starts_above) {
-      most = least - 1.0;
-    }
-    least -= A;
-    most -= A;
-    if (!internal_) {
-      const double of_place = (at.N - least_path_) / weight_[i] - g.r * g.sin_transverse;
-      lower(most, g.edge_depth + of_place * g.sin_transverse);
-    }
-    if (i == 0) {
-      raise(lo, least);
-      lower(hi, most);
-    } else {
-      raise(lo, sum - most);
-      lower(hi, sum - least);
-    }
-  }
-}
-
-ShiftBounds ShiftGraph::bounds_before_path(double sum, int limits) const {
-  const SumPlace at = place(sum);
-  const TrialGear& g_1 = gears_[0];
-  const TrialGear& g_2 = gears_[1];
-  ShiftBounds bounds;
-  bounds.lo_of(ShiftEdge::s1min) = g_1.x_least;
-  bounds.hi_of(ShiftEdge::s1max) = greatest_shift(*problem_, g_1, at.k);
-  bounds.lo_of(ShiftEdge::s2max) = sum - greatest_shift(*problem_, g_2, at.k);
-  bounds.hi_of(ShiftEdge::s2min) = sum - g_2.x_least;
-  if (limits > static_cast<int>(Limit::contact_ratio)) {
-    bound_usable_path(at, sum, bounds.lo_of(ShiftEdge::eps_true),
-                      bounds.hi_of(ShiftEdge::eps_true));
-  }
-  if (limits > static_cast<int>(Limit::sliding) && problem_->limits.sliding && !crossed_) {
-    bound_sliding(at, sum, bounds.lo_of(ShiftEdge::sliding), bounds.hi_of(ShiftEdge::sliding));
-  }
-  if (limits > static_cast<int>(Limit::interference) && problem_->limits.avoid_interference) {
-    const ShiftEdge below = internal_ ? ShiftEdge::interference1 : ShiftEdge::interference2;
-    bound_interference(at, sum, bounds.lo_of(below), bounds.hi_of(ShiftEdge::interference1));
-  }
-  return bounds;
-}
-
-ShiftSlice ShiftBounds::slice() const {
-  ShiftSlice s{-kInfinity, kInfinity, ShiftEdge::mesh, ShiftEdge::mesh};
-  for (std::size_t i = 0; i < kShiftEdges; ++i) {
-    const auto edge = static_cast<ShiftEdge>(i);
-    if (lo[i] > s.lo) s.lo = lo[i], s.lo_edge = edge;
-    if (hi[i] < s.hi) s.hi = hi[i], s.hi_edge = edge;
-  }
-  return s;
-}
-
-ShiftGraph::SumMargin ShiftGraph::sum_margin(const SumPlace& at, double sum, int limits) const {
-  SumMargin margin{kInfinity, ShiftEdge::mesh};
-  if (limits > static_cast<int>(Limit::contact_ratio) && !internal_) {
-    // N − ρ_F1 − ρ_F2 ≥ K, in units of Σ. [T9.7]
-    double path = at.N - least_path_;
-    for (std::size_t i : {0, 1}) {
-      const TrialGear& g = gears_[i];
-      path -= weight_[i] * (g.r * g.sin_transverse - g.edge_depth / g.sin_transverse);
-    }
-    const double slope = weight_[0] / gears_[0].sin_transverse;  // alike for both
-    margin = {path / slope - sum, ShiftEdge::eps_true};
-  }
-  if (limits > static_cast<int>(Limit::tip_clearance) && problem_->limits.tip_clearance) {
-    const double lost = at.a - R_ - sum - at.k;  // [T9.5]
-    const double least =
-        std::min(gears_[0].dedendum - gears_[1].addendum, gears_[1].dedendum - gears_[0].addendum);
-    const double free = least + lost - *problem_->limits.tip_clearance;
-    if (free < margin.value) margin = {free, ShiftEdge::clearance};
-  }
-  return margin;
 }
 
 double ShiftGraph::path_length(const SumPlace& at, double sum, double x1) const {

@@ -17,20 +17,21 @@ namespace gearwright {
 namespace {
 
 using testing::search::graph;
-using testing::search::kKinds;
 using testing::search::Kind;
+using testing::search::kKinds;
 using testing::search::margin_by_numbers;
 using testing::search::Random;
 using testing::search::random_trial;
 using testing::search::trial;
 
 class ShiftGraphOfKind : public ::testing::TestWithParam<Kind> {};
-INSTANTIATE_TEST_SUITE_P(Kinds, ShiftGraphOfKind, ::testing::ValuesIn(kKinds), [](const auto& kind) {
-  std::string name = kind.param.name;
-  for (char& c : name)
-    if (c == ' ') c = '_';
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Kinds, ShiftGraphOfKind, ::testing::ValuesIn(kKinds),
+                         [](const auto& kind) {
+                           std::string name = kind.param.name;
+                           for (char& c : name)
+                             if (c == ' ') c = '_';
+                           return name;
+                         });
 
 // A random place around the rectangle and the band of sums that are left.
 Vec2 place_near(Random& random, const ShiftGraph& g, const ShiftGraph::Sums& range) {
@@ -134,7 +135,8 @@ TEST_P(ShiftGraphOfKind, PathsAreThoseOfTheMesh) {
     const auto range = g.sums(3);
     if (!(range.lo < range.hi)) continue;
     const double sum = random.uniform(range.lo, range.hi);
-    const ShiftSlice s = g.slice(sum, 2);  // between the shifts' own limits, tips beyond base circles
+    const ShiftSlice s =
+        g.slice(sum, 2);  // between the shifts' own limits, tips beyond base circles
     if (s.empty()) continue;
     ++paths;
     const SumPlace at = g.place(sum);
@@ -211,7 +213,9 @@ TEST(ShiftGraph, TheFirstLimitThatLeavesNothingIsNamed) {
   EXPECT_EQ(killed([](SearchProblem&) {}), "nothing");
   EXPECT_EQ(killed([](SearchProblem& p) { p.limits.tip_thickness = 0.9; }), "shift_limits");
   EXPECT_EQ(killed([](SearchProblem& p) { p.limits.least_shift = 1.1; }), "shift_limits");
-  EXPECT_EQ(killed([](SearchProblem& p) { p.center_distance = {{32.1, 33.0}}; }),
+  EXPECT_EQ(killed([](SearchProblem& p) {
+              p.center_distance = {{32.1, 33.0}};
+            }),
             "center_distance");
   EXPECT_EQ(killed([](SearchProblem& p) { p.limits.contact_ratio = 1.9; }), "contact_ratio");
   EXPECT_EQ(killed([](SearchProblem& p) { p.limits.overlap_ratio = 1.0; }), "overlap_ratio");

@@ -20,8 +20,8 @@ namespace {
 
 using nlohmann::json;
 using testing::search::graph;
-using testing::search::kKinds;
 using testing::search::Kind;
+using testing::search::kKinds;
 using testing::search::margin_by_numbers;
 using testing::search::number;
 using testing::search::Random;
@@ -215,7 +215,8 @@ double signed_area(const std::vector<RegionEdge>& loop) {
   double twice = 0.0;
   for (const RegionEdge& edge : loop)
     for (std::size_t i = 1; i < edge.points.size(); ++i)
-      twice += edge.points[i - 1][0] * edge.points[i][1] - edge.points[i][0] * edge.points[i - 1][1];
+      twice +=
+          edge.points[i - 1][0] * edge.points[i][1] - edge.points[i][0] * edge.points[i - 1][1];
   return twice / 2.0;
 }
 
@@ -276,7 +277,8 @@ void expect_areas_of_a_grid(const Kind& kind, unsigned seed, int wanted, int gri
     for (int i = 0; i < grid; ++i) {
       const double sum = from + (to - from) * (i + 0.5) / grid;
       const int before = hits;
-      const double start = random.uniform(0.0, 1.0);  // else an edge x1 = const errs alike in all rows
+      const double start =
+          random.uniform(0.0, 1.0);  // else an edge x1 = const errs alike in all rows
       for (int k = 0; k < grid; ++k) {
         const double x1 = x_from + (x_to - x_from) * (k + start) / grid;
         if (margin_by_numbers(g, x1, sum - x1) >= 0.0) ++hits;

@@ -121,14 +121,16 @@ TEST(TrialGear, AtTheEndsALimitIsMet) {
     const TrialGear g = trial_gear(p, z, beta, 0, 0);
     if (g.x_least > g.x_greatest) continue;
     const double thin = p.limits.tip_thickness;
-    const double undercut =
-        undercut_limit(g.edge_depth, z, g.sin_transverse, std::cos(beta)) + p.limits.undercut_margin;
+    const double undercut = undercut_limit(g.edge_depth, z, g.sin_transverse, std::cos(beta)) +
+                            p.limits.undercut_margin;
     const auto on_base = [&](double x) {
       return std::abs(tip_radius(g, x) - std::abs(g.r_b)) < 1e-12 * (1.0 + std::abs(g.r_b));
     };
     // From radii of 100 modules a thickness comes with 1e-13; near the base circle its slope is
     // finite, since inv α_a starts as the cube of the root of the distance.
-    const auto thickness_met = [&](double x) { return std::abs(tip_thickness(g, x) - thin) < 1e-12; };
+    const auto thickness_met = [&](double x) {
+      return std::abs(tip_thickness(g, x) - thin) < 1e-12;
+    };
     EXPECT_TRUE(thickness_met(g.x_greatest) || (ring && on_base(g.x_greatest))) << z << " " << beta;
     if (ring) {
       EXPECT_TRUE(thickness_met(g.x_least) || g.x_least == -std::abs(z) - 5.0) << z << " " << beta;

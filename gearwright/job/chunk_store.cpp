@@ -34,13 +34,13 @@ Record record_of(const Campaign& campaign, const std::vector<std::string>& rejec
   }
   return {{"fingerprint", campaign.fingerprint},
           {"chunks", std::to_string(campaign.chunks)},
-          {"rejected", names}};
+          {"counts", names}};
 }
 
 // Everything in which two campaigns may differ, as lines "key = value".
 std::string text_of(Record record) {
   return record["fingerprint"] + "\nchunks = " + record["chunks"] +
-         "\nrejected = " + record["rejected"] + "\n";
+         "\ncounts = " + record["counts"] + "\n";
 }
 
 using Line = std::pair<std::string, std::string>;  // key, value
@@ -115,7 +115,9 @@ std::optional<Error> refusal(const fs::path& folder, const Record& old, const Re
     changed = fmt::format("{} is of another search, and no journal says of which",
                           files.path(chunks[i]).filename().string());
   }
-  if (as == OpenAs::fresh) {
+  // Begun and killed before its first chunk: nothing is lost by beginning again.
+  const bool just_begun = changed.empty() && chunks.empty();
+  if (as == OpenAs::fresh && !just_begun) {
     const std::string all = old.empty() ? now.at("chunks") : Record(old)["chunks"];
     return refused_folder(
         folder,

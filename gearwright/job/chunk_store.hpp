@@ -44,7 +44,7 @@ struct ChunkCounts {
 };
 
 enum class OpenAs {
-  fresh,   ///< begins a campaign; one that is there already is refused
+  fresh,   ///< begins a campaign; one of which chunks are done already, or another, is refused
   resume,  ///< goes on with the campaign that must be there
   join     ///< whichever of the two applies: for shards and ranks that start at the same moment
 };

@@ -120,6 +120,7 @@ std::string search_json_text(const Search& search, const SearchRun& run) {
   text.pop_back();  // the head's closing brace: the designs go in before it
   text += ",\n  \"designs\": [";
   const bool edges = a.designs.size() <= kMostBoundaries;
+  if (!edges) text.reserve(a.designs.size() * 1000);  // not twice the whole while it grows
   for (std::size_t i = 0; i < a.designs.size(); ++i) {
     text += i == 0 ? "\n    " : ",\n    ";
     text += design_row_json(search, a.designs[i], edges).dump();

@@ -221,9 +221,12 @@ Result<SearchRun> run_campaign(const JobSpec& spec, const Search& search, std::i
   SearchRun run;
   run.pair_not_read = Json::parse(spec.tree).contains("pair");
   run.chunks = (*search.space().size() + chunk - 1) / chunk;
+  // Ranks restarted by a scheduler say --resume always: they go on with whatever is there.
   const bool first = !options.many;
   if (options.folder_is_open && !first && !options.folder_is_open(true)) return run;
-  const OpenAs as = options.many ? OpenAs::join : options.resume ? OpenAs::resume : OpenAs::fresh;
+  const OpenAs as = options.many || (options.together && options.resume) ? OpenAs::join
+                    : options.resume                                     ? OpenAs::resume
+                                                                         : OpenAs::fresh;
   auto opened = ChunkStore::open(options.out, {search_fingerprint(spec, chunk), run.chunks},
                                  count_names(), as, options.writer);
   if (options.folder_is_open && first) options.folder_is_open(static_cast<bool>(opened));
@@ -271,7 +274,7 @@ std::int64_t chunk_size(const SearchProblem& problem, std::int64_t trials) {
       std::clamp((trials + kChunks - 1) / kChunks, kLeastChunk, kGreatestChunk);
   if (!problem.shift_step) return size;
   // A region has about one square module: so many points of the grid fit into memory.
-  constexpr double kPoints = 1e6;
+  constexpr double kPoints = 2e5;
   const double step = *problem.shift_step;
   return std::clamp<std::int64_t>(static_cast<std::int64_t>(kPoints * step * step), 1, size);
 }

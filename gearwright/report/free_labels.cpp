@@ -8,7 +8,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kLetter = 7.9;    // px, the mean width of a letter on a narrow screen
+constexpr double kLetter = 8.1;    // px, the mean width of a letter on a narrow screen
 constexpr double kHeight = 19.0;   // px of a line of words there
 constexpr double kBaseline = 5.0;  // px from the middle of the letters down to their foot
 constexpr int kBoxWeight = 8;      // words on words are worse than words on a line
@@ -87,8 +87,7 @@ bool FreeLabels::draw(Svg& svg, std::string_view plain, std::string_view markup,
   const int most = when == If::free ? 0 : when == If::over_a_line ? 1 : least;
   if (best == nullptr || least > most) return false;
   boxes_.push_back(box_of(*best, width));
-  svg.text(best->at, markup, best->anchor, style,
-           {best->offset.x(), best->offset.y() + kBaseline});
+  svg.text(best->at, markup, best->anchor, style, {best->offset.x(), best->offset.y() + kBaseline});
   return true;
 }
 
@@ -96,10 +95,10 @@ std::vector<LabelPlace> places_around(const Vec2& at, double distance, const Vec
   const double d = distance;
   const double near = 0.75 * d;
   std::vector<LabelPlace> places{
-      {at, {d, 0}, Anchor::start},          {at, {-d, 0}, Anchor::end},
-      {at, {0, -d - 4}, Anchor::middle},    {at, {0, d + 4}, Anchor::middle},
-      {at, {near, -near}, Anchor::start},   {at, {near, near}, Anchor::start},
-      {at, {-near, -near}, Anchor::end},    {at, {-near, near}, Anchor::end}};
+      {at, {d, 0}, Anchor::start},        {at, {-d, 0}, Anchor::end},
+      {at, {0, -d - 4}, Anchor::middle},  {at, {0, d + 4}, Anchor::middle},
+      {at, {near, -near}, Anchor::start}, {at, {near, near}, Anchor::start},
+      {at, {-near, -near}, Anchor::end},  {at, {-near, near}, Anchor::end}};
   std::stable_sort(places.begin(), places.end(), [&](const LabelPlace& a, const LabelPlace& b) {
     return a.offset.normalized().dot(towards) > b.offset.normalized().dot(towards) + 1e-9;
   });

@@ -19,8 +19,9 @@ struct PixelBox {
 };
 
 struct LabelPlace {
-  Vec2 at;      ///< px, what is named
-  Vec2 offset;  ///< px, from there to the middle of the words' near end; of `middle` to their middle
+  Vec2 at;  ///< px, what is named
+  Vec2
+      offset;  ///< px, from there to the middle of the words' near end; of `middle` to their middle
   Anchor anchor;
 };
 

@@ -62,8 +62,7 @@ Quantity across_one_objective(const SearchProblem& problem) {
   return {"centre distance " + symbol_svg("a") + ", mm", "centre distance", Along::distance, false};
 }
 
-std::vector<Dot> dots_of(const SearchProblem& problem, const SearchAnswer& answer,
-                         Along across) {
+std::vector<Dot> dots_of(const SearchProblem& problem, const SearchAnswer& answer, Along across) {
   const bool plane = across == Along::objective;
   std::vector<bool> front(answer.designs.size(), false);
   for (const std::size_t i : answer.pareto) front[i] = true;
@@ -72,9 +71,9 @@ std::vector<Dot> dots_of(const SearchProblem& problem, const SearchAnswer& answe
     if (i >= kMostDots && !front[i]) continue;
     const DesignRow& row = answer.designs[i];
     const auto first = value_of(problem, row, problem.objectives[0]);
-    const auto second = plane ? value_of(problem, row, problem.objectives[1])
-                              : std::optional(across == Along::ratio ? row.ratio
-                                                                     : row.center_distance);
+    const auto second =
+        plane ? value_of(problem, row, problem.objectives[1])
+              : std::optional(across == Along::ratio ? row.ratio : row.center_distance);
     if (!first || !second) continue;
     // Of one objective the value is upright.
     dots.push_back({plane ? Vec2(*first, *second) : Vec2(*second, *first), &row, front[i]});
@@ -91,7 +90,7 @@ struct Scale {
 
 constexpr double kWideSpan = 15.0;  // greatest over least value: a linear axis would crowd one end
 
-constexpr double kOneValue = 1e-6;   // relative: values as near are one, and get room around them
+constexpr double kOneValue = 1e-6;  // relative: values as near are one, and get room around them
 constexpr double kRoomOfOne = 0.01;
 
 Scale scale_of(double lo, double hi, double from, double to) {
@@ -229,8 +228,8 @@ std::string pareto_figure(const SearchProblem& problem, const SearchAnswer& answ
   if (unranked)
     words += "Hollow: designs whose shifts cannot be balanced by Eq. 11; they come last. ";
   if (dots.size() < static_cast<std::size_t>(answer.counts.feasible))
-    words += fmt::format("Shown are {} of {} feasible designs. ", counted(std::int64_t(dots.size())),
-                         counted(answer.counts.feasible));
+    words += fmt::format("Shown are {} of {} feasible designs. ",
+                         counted(std::int64_t(dots.size())), counted(answer.counts.feasible));
   return fmt::format(
       "<figure>{}<figcaption><strong>{}</strong>, a dot each: rest the pointer on one for its "
       "module, teeth and shifts. {}</figcaption></figure>\n",

@@ -22,10 +22,9 @@ inline constexpr std::size_t kMostDots = 2000;  ///< of one picture: more are no
 ///        better
 std::vector<Vec2> staircase(const std::vector<Vec2>& points, const std::array<bool, 2>& greater);
 
-/// By the first two objectives; one alone over the centre distance, over the ratio where the distance
-/// is given. The first kMostDots designs
-/// and the whole front. Each dot tells its design where the pointer rests on it. Empty without
-/// designs.
+/// By the first two objectives; one alone over the centre distance, over the ratio where the
+/// distance is given. The first kMostDots designs and the whole front. Each dot tells its design
+/// where the pointer rests on it. Empty without designs.
 std::string pareto_figure(const SearchProblem& problem, const SearchAnswer& answer);
 
 }  // namespace gearwright

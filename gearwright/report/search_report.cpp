@@ -27,13 +27,15 @@ std::string kind_of(const SearchProblem& problem) {
   }();
   std::string kind = "Design search, ";
   if (problem.crossed()) {
-    kind += fmt::format("crossed helical gears, shaft angle {:.8g}°", shown::kDegree * *problem.shaft_angle);
+    kind += fmt::format("crossed helical gears, shaft angle {:.8g}°",
+                        shown::kDegree * *problem.shaft_angle);
   } else {
     kind += fmt::format("{} gears{}", helical ? "helical" : "spur",
                         problem.internal() ? ", internal" : "");
   }
   kind += ": ratio " + band(problem.ratio);
-  if (problem.center_distance) kind += ", centre distance " + band(*problem.center_distance) + " mm";
+  if (problem.center_distance)
+    kind += ", centre distance " + band(*problem.center_distance) + " mm";
   return kind;
 }
 
@@ -41,7 +43,8 @@ std::string foot(const SearchReport& report) {
   const std::string version = report.version.empty() ? "" : " " + escaped(report.version);
   return fmt::format(
       "<footer>\n<p>Gearwright{}. Nominal geometry of gears cut by racks; symbols and terms of ISO "
-      "21771. Lengths in mm, angles in degrees, profile shifts and regions in normal modules, “{}”: "
+      "21771. Lengths in mm, angles in degrees, profile shifts and regions in normal modules, "
+      "“{}”: "
       "there is no such value.</p>\n<p>Every combination of module and tooth numbers is tried; its "
       "profile shifts are not: the region that the limits leave them is solved exactly. "
       "Manufacturing deviations, load and strength are not considered.</p>\n</footer>\n",

@@ -1,8 +1,8 @@
 // One HTML page about a design search, for people: what was tried, the best designs in a table that
 // sorts, and pictures of what they were ranked by and of the room their profile shifts have.
 //
-// As the report of a pair (report/report.hpp): a function of its input alone, in one file that needs
-// nothing else.
+// As the report of a pair (report/report.hpp): a function of its input alone, in one file that
+// needs nothing else.
 #pragma once
 
 #include <string>

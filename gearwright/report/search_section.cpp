@@ -94,23 +94,23 @@ std::string thumbnail_section(const SearchReport& report) {
   if (n < 2) return {};
   std::string text = fmt::format(
       "<section>\n<h2>Room for the profile shifts of the best {}</h2>\n<p>{} to the right, {} up, "
-      "each in its own window: the filled region is what the limits leave, the dot the design. Much "
+      "each in its own window: the filled region is what the limits leave, the dot the design. "
+      "Much "
       "room forgives changes later on; a sliver or a line asks for exactly these shifts.</p>\n<div "
       "class=\"multiples\">\n",
       n, symbol_html("x_1"), symbol_html("x_2"));
   for (std::size_t i = 0; i < n; ++i) {
     const DesignRow& row = report.answer.designs[i];
-    text += shift_region_thumbnail(report.search.graph(row.trial), row,
-                                   fmt::format("region-{}", i + 1),
-                                   fmt::format("#design-{}", i + 1));
+    text +=
+        shift_region_thumbnail(report.search.graph(row.trial), row, fmt::format("region-{}", i + 1),
+                               fmt::format("#design-{}", i + 1));
   }
   return text + "</div>\n</section>\n";
 }
 
 std::string chart_section(const SearchReport& report) {
   const SearchProblem& problem = report.search.problem();
-  const DesignRow* best =
-      report.answer.designs.empty() ? nullptr : &report.answer.designs.front();
+  const DesignRow* best = report.answer.designs.empty() ? nullptr : &report.answer.designs.front();
   Trial trial;  // of the first rack and helix, when there is no design
   trial.helix = {problem.helix.front(), 0.0};
   if (best != nullptr) trial = best->trial;
@@ -125,16 +125,17 @@ std::string chart_section(const SearchReport& report) {
 
 std::string search_verdict(const SearchReport& report) {
   const SearchCounts& counts = report.answer.counts;
-  std::string text =
-      fmt::format("{} combinations of module and tooth numbers were tried; {} of them can be made "
-                  "within the limits.",
-                  counted(counts.tested), counts.feasible == 0 ? "none" : counted(counts.feasible));
+  std::string text = fmt::format(
+      "{} combinations of module and tooth numbers were tried; {} of them can be made "
+      "within the limits.",
+      counted(counts.tested), counts.feasible == 0 ? "none" : counted(counts.feasible));
   if (report.answer.designs.empty()) return text;
   const DesignRow& best = report.answer.designs.front();
-  text += fmt::format(" The best by {}: module {:.10g} mm, {}:{} teeth, {}\u00a0=\u00a0{}, {}\u00a0=\u00a0{}",
-                      words_of(report.search.problem().objectives.front()).name, best.trial.module,
-                      best.trial.z1, best.trial.z2, symbol_html("x_1"), fixed(best.shift[0], 4),
-                      symbol_html("x_2"), fixed(best.shift[1], 4));
+  text += fmt::format(
+      " The best by {}: module {:.10g} mm, {}:{} teeth, {}\u00a0=\u00a0{}, {}\u00a0=\u00a0{}",
+      words_of(report.search.problem().objectives.front()).name, best.trial.module, best.trial.z1,
+      best.trial.z2, symbol_html("x_1"), fixed(best.shift[0], 4), symbol_html("x_2"),
+      fixed(best.shift[1], 4));
   text += fmt::format(", centre distance {} mm, contact ratio {}.",
                       fixed(best.center_distance, kLengthDigits), fixed(best.contact_ratio, 3));
   return text;

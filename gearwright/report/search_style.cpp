@@ -66,10 +66,11 @@ svg .dot-design:hover,svg .dot-front:hover,svg .dot-middle:hover{stroke:var(--in
 .staircase{stroke:var(--action);stroke-width:1.4}
 @media screen and (max-width:560px){.sheet{max-height:70vh}table.designs{font-size:.75rem}
 .column-key dl{grid-template-columns:1fr}.column-key dd{margin:0 0 .4em 1em}}
-@page wide{size:A4 landscape;margin:12mm}
-@media print{.sheet{max-height:none;overflow:visible;border:0;page:wide}table.designs{font-size:6.4pt}
-.designs th,.designs td{padding:.08em .35em}.designs thead th,.designs tbody th{position:static}
-.designs thead button::after{content:none!important}#sort-hint{display:none}}
+@page{size:A4 landscape;margin:12mm}
+@media print{.sheet{max-height:none;overflow:visible;border:0}table.designs{font-size:6.6pt;border-collapse:collapse}
+.designs tbody{break-inside:auto}.designs thead{break-inside:avoid}.multiples{grid-template-columns:repeat(auto-fit,minmax(36mm,1fr))}
+.designs th,.designs td{padding:.08em .35em}.designs thead th,.designs tbody th,.designs thead th:first-child{position:static}.designs thead button{display:contents}.designs thead button::after{content:none!important}
+#sort-hint{display:none}}
 )css";
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "gearwright/base/angle.hpp"
 #include "gearwright/base/contract.hpp"
 
 namespace gearwright {
@@ -71,7 +72,9 @@ std::optional<double> value_of(const SearchProblem& problem, const DesignRow& ro
 }
 
 std::string design_name(const Trial& trial) {
-  return fmt::format("{:.10g} · {}:{}", trial.module, trial.z1, trial.z2);
+  const double beta = Angle::radians(trial.helix[0]).deg();
+  return fmt::format("{:.10g} · {}:{}{}", trial.module, trial.z1, trial.z2,
+                     beta == 0.0 ? "" : fmt::format(" · {:.6g}°", beta));
 }
 
 std::string counted(std::int64_t n) {

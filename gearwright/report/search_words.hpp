@@ -32,7 +32,7 @@ ObjectiveWords words_of(Objective objective);
 std::optional<double> value_of(const SearchProblem& problem, const DesignRow& row,
                                Objective objective);
 
-/// "2.5 · 28:54"
+/// "2.5 · 28:54", helical "2.5 · 28:54 · 8°"
 std::string design_name(const Trial& trial);
 
 /// Groups of three digits, "2 754".

@@ -59,7 +59,8 @@ void name_curves(Svg& svg, const Axis& x, const Axis& y, const std::vector<Chart
     wanted.push_back(std::clamp(y(c.points.back().y()), kTop + 6, kBottom - 6));
   const std::vector<double> placed = spread(wanted, 19.0, kTop + 4, kBottom - 4);
   for (std::size_t i = 0; i < curves.size(); ++i)
-    svg.text({x.to, placed[i]}, curves[i].name, Anchor::start, "halo " + curves[i].style, {8.0, 5.0});
+    svg.text({x.to, placed[i]}, curves[i].name, Anchor::start, "halo " + curves[i].style,
+             {8.0, 5.0});
 }
 
 void draw_curves(Svg& svg, const Axis& x, const Axis& y, const std::vector<ChartLine>& curves) {
@@ -157,19 +158,14 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
   };
   std::string fewest;
   for (std::size_t i = 0; i < kChartTips.size(); ++i) {
-    if (const auto meet = where_limits_meet(chart, i)) {
-      const double at = x(place_of(meet->teeth));
-      svg.line({at, y(meet->shift)}, {at, kBottom}, "thin dash");
-    }
-  }
-  for (std::size_t i = 0; i < kChartTips.size(); ++i) {
     const auto meet = where_limits_meet(chart, i);
     if (!meet) continue;
     const Vec2 at(x(place_of(meet->teeth)), y(meet->shift));
+    // One above the other, where undercut leaves nothing else to draw.
+    const double up = 14.0 + 22.0 * static_cast<double>(i);
+    svg.line(at, {at.x(), kBottom - up}, "thin dash");
     svg.dot(at, 4.0, "mark");
     dot_box(at);
-    // One below the other, where undercut leaves nothing else to draw.
-    const double up = 14.0 + 22.0 * static_cast<double>(kChartTips.size() - 1 - i);
     const std::string words = fmt::format(" ≥ {}: {}", meet->fewest, kTipNames[i]);
     labels.draw(svg, "z" + words, symbol_svg("z") + words, "halo",
                 {{{at.x(), kBottom - up}, {5, 0}, Anchor::start}}, FreeLabels::If::always);
@@ -193,8 +189,10 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
   return fmt::format(
       "<figure>{}<figcaption><strong>Limits of the profile shift</strong> of gear 1’s rack{}. "
       "<span class=\"key\"><i class=\"swatch room\"></i>what this search allows</span> Below the "
-      "line “undercut” the cutter hollows the root; above the tip lines the tooth is thinner at its "
-      "tip than 0, 0.2 and 0.4 modules. They meet at the fewest teeth that can be made at all{}{}.{}"
+      "line “undercut” the cutter hollows the root; above the tip lines the tooth is thinner at "
+      "its "
+      "tip than 0, 0.2 and 0.4 modules. They meet at the fewest teeth that can be made at "
+      "all{}{}.{}"
       "</figcaption></figure>\n",
       svg.str(), helix_words(trial), fewest.empty() ? "" : ": ", fewest,
       design != nullptr ? " Ringed: the best design." : "");

@@ -7,12 +7,9 @@
 #include <cmath>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/report/free_labels.hpp"
 #include "gearwright/report/html_text.hpp"
-#include "gearwright/report/plot_axis.hpp"
 #include "gearwright/report/search_words.hpp"
-#include "gearwright/report/shift_region_window.hpp"
-#include "gearwright/report/svg.hpp"
+#include "gearwright/report/shift_region_drawing.hpp"
 
 namespace gearwright {
 
@@ -25,58 +22,8 @@ constexpr double kSmallWidth = 200.0;
 constexpr double kSmallHeight = 170.0;
 constexpr double kFairPart = 0.62;       // of the rectangle: a region as long is shown in it
 constexpr double kSmallFairPart = 0.12;  // the small ones lie side by side: rather in one scale
-constexpr double kMap = 104.0;         // px, the small map of the whole
-constexpr double kShortStretch = 14.0; // px: a stretch as short is named only if no longer one is
-
-using Loops = std::vector<std::vector<RegionEdge>>;
-
-// A window of the graph on a rectangle of the picture.
-struct Graph {
-  Axis x, y;
-  Vec2 px(const Vec2& p) const { return {x(p.x()), y(p.y())}; }
-  ShiftBox box() const { return {{x.lo, y.lo}, {x.hi, y.hi}}; }
-};
-
-Graph graph_on(const ShiftBox& box, const PixelBox& place) {
-  return {{box.lo.x(), box.hi.x(), place.left, place.right},
-          {box.lo.y(), box.hi.y(), place.bottom, place.top}};
-}
-
-std::vector<Vec2> in_px(const Graph& g, const std::vector<Vec2>& points) {
-  std::vector<Vec2> px;
-  for (const Vec2& p : points) px.push_back(g.px(p));
-  return px;
-}
-
-std::vector<Vec2> outline_of(const std::vector<RegionEdge>& loop) {
-  std::vector<Vec2> points;
-  for (const RegionEdge& e : loop) points.insert(points.end(), e.points.begin(), e.points.end());
-  return points;
-}
-
-// The piece of Σ = const inside the window; empty: none.
-std::vector<Vec2> line_of_sum(const ShiftBox& box, double sum) {
-  const double from = std::max(box.lo.x(), sum - box.hi.y());
-  const double to = std::min(box.hi.x(), sum - box.lo.y());
-  if (!(from < to)) return {};
-  return {{from, sum - from}, {to, sum - to}};
-}
-
-void draw_rectangle(Svg& svg, const Graph& g, const ShiftBox& limits, const char* style) {
-  const Vec2 corner = g.px({limits.lo.x(), limits.hi.y()});
-  const Vec2 other = g.px({limits.hi.x(), limits.lo.y()});
-  svg.rect(corner.x(), corner.y(), other.x() - corner.x(), other.y() - corner.y(), style);
-}
-
-void draw_region(Svg& svg, const Graph& g, const Loops& loops, const ShiftRegion& region) {
-  for (const auto& loop : loops) {
-    const std::vector<Vec2> outline = in_px(g, outline_of(loop));
-    if (outline.size() > 2) svg.polygon(outline, "region");
-    for (const RegionEdge& e : loop)
-      svg.polyline(in_px(g, e.points), fmt::format("region-edge {}", style_of(e.edge)));
-    if (loop.empty()) svg.dot(g.px(region.lo), 3.0, "region-point");  // touching in a point
-  }
-}
+constexpr double kMap = 104.0;           // px, the small map of the whole
+constexpr double kShortStretch = 14.0;   // px: a stretch as short is named only if no longer one is
 
 std::vector<Vec2> corners_of(const ShiftBox& box) {
   return {box.lo, {box.hi.x(), box.lo.y()}, box.hi, {box.lo.x(), box.hi.y()}, box.lo};
@@ -133,7 +80,7 @@ std::vector<LabelPlace> places_beside(const std::vector<Vec2>& px, const std::ve
 
 // The longest stretch of each kind in each piece is named, and all that are not short; at one exact
 // centre distance both its edges are one line.
-void name_edges(Svg& svg, FreeLabels& labels, const Graph& g, const Loops& loops, bool exact) {
+void name_edges(Svg& svg, FreeLabels& labels, const GraphFrame& g, const Loops& loops, bool exact) {
   struct Stretch {
     ShiftEdge edge;
     std::vector<Vec2> px, loop;
@@ -141,10 +88,10 @@ void name_edges(Svg& svg, FreeLabels& labels, const Graph& g, const Loops& loops
   };
   std::vector<Stretch> stretches;
   for (const auto& loop : loops) {
-    const std::vector<Vec2> outline = in_px(g, outline_of(loop));
+    const std::vector<Vec2> outline = g.px(outline_of(loop));
     for (const RegionEdge& e : loop) {
       if (exact && e.edge == ShiftEdge::Cmax) continue;
-      const std::vector<Vec2> px = in_px(g, e.points);
+      const std::vector<Vec2> px = g.px(e.points);
       stretches.push_back({e.edge, px, outline, length_of(px)});
     }
   }
@@ -183,7 +130,7 @@ std::string edge_key(const Loops& loops, bool exact) {
 }
 
 // The whole rectangle in a free corner, with the window in it.
-void draw_map(Svg& svg, FreeLabels& labels, const Graph& g, const Loops& loops,
+void draw_map(Svg& svg, FreeLabels& labels, const GraphFrame& g, const Loops& loops,
               const ShiftBox& limits, const ShiftRegion& region) {
   constexpr double kGap = 8.0;
   const double left = kPlot.left + kGap;
@@ -195,29 +142,30 @@ void draw_map(Svg& svg, FreeLabels& labels, const Graph& g, const Loops& loops,
   const auto crowd = [&](const Vec2& corner) {
     int n = 0;
     for (const auto& loop : loops) {
-      for (const Vec2& p : in_px(g, outline_of(loop))) {
+      for (const Vec2& p : g.px(outline_of(loop))) {
         const Vec2 d = p - corner;
         if (d.minCoeff() > -kGap && d.maxCoeff() < kMap + kGap) ++n;
       }
     }
     return n;
   };
-  const Vec2 at = *std::min_element(corners.begin(), corners.end(),
-                                    [&](const Vec2& a, const Vec2& b) { return crowd(a) < crowd(b); });
+  const Vec2 at =
+      *std::min_element(corners.begin(), corners.end(),
+                        [&](const Vec2& a, const Vec2& b) { return crowd(a) < crowd(b); });
   const PixelBox place{at.x(), at.y(), at.x() + kMap, at.y() + kMap};
   svg.rect(at.x(), at.y(), kMap, kMap, "region-map");
   const double pad = 0.12 * limits.size().maxCoeff();
   const double half = limits.size().maxCoeff() / 2 + pad;
   const Vec2 middle = (limits.lo + limits.hi) / 2;
-  const Graph small = graph_on({middle - Vec2(half, half), middle + Vec2(half, half)}, place);
+  const GraphFrame small = frame_on({middle - Vec2(half, half), middle + Vec2(half, half)}, place);
   svg.begin_clip(at.x(), at.y(), kMap, kMap);
-  draw_rectangle(svg, small, limits, "limits-box");
+  draw_box(svg, small, limits, "limits-box");
   for (const auto& loop : loops) {
-    const std::vector<Vec2> outline = in_px(small, outline_of(loop));
+    const std::vector<Vec2> outline = small.px(outline_of(loop));
     if (outline.size() > 1) svg.polyline(outline, "region-small");
   }
   svg.dot(small.px((region.lo + region.hi) / 2), 2.0, "region-point");
-  draw_rectangle(svg, small, g.box(), "region-frame");
+  draw_box(svg, small, g.box(), "region-frame");
   svg.end_group();
   labels.keep_off({place.left - 3, place.top - 3, place.right + 3, place.bottom + 3});
 }
@@ -243,27 +191,8 @@ Drawn drawn_of(const ShiftGraph& graph, const DesignRow& row) {
   return d;
 }
 
-bool exact_distance(const ShiftGraph& graph) {
-  const auto& band = graph.problem().center_distance;
-  return band && (*band)[0] == (*band)[1];
-}
-
-// Centre distances as thin lines through the whole window.
-void draw_distances(Svg& svg, const ShiftGraph& graph, const Graph& g,
-                    std::vector<std::pair<double, std::vector<Vec2>>>& lines) {
-  const auto& band = graph.problem().center_distance;
-  if (!band) return;
-  for (std::size_t i = 0; i < (exact_distance(graph) ? 1u : 2u); ++i) {
-    const auto sum = sum_at_distance(graph, (*band)[i], g.box());
-    const std::vector<Vec2> line = sum ? line_of_sum(g.box(), *sum) : std::vector<Vec2>();
-    if (line.empty()) continue;
-    lines.emplace_back((*band)[i], in_px(g, line));
-    svg.polyline(lines.back().second, "distance-line");
-  }
-}
-
 // The line of Eq. 11 through the window, thick where it is feasible; its dashes as px.
-std::vector<Vec2> draw_balanced(Svg& svg, const Drawn& d, const Graph& g) {
+std::vector<Vec2> draw_balanced(Svg& svg, const Drawn& d, const GraphFrame& g) {
   const Trial& t = d.row.trial;
   const double lambda = d.graph.problem().lambda;
   const ShiftBox box = g.box();
@@ -272,16 +201,15 @@ std::vector<Vec2> draw_balanced(Svg& svg, const Drawn& d, const Graph& g) {
   const double hi = box.hi.sum();
   const std::vector<Vec2> line{on(lo), on(hi)};
   svg.polyline(line, "balanced-line");
-  for (const Interval& i : d.region.balanced_sums)
-    svg.polyline({on(i.lo), on(i.hi)}, "balanced");
+  for (const Interval& i : d.region.balanced_sums) svg.polyline({on(i.lo), on(i.hi)}, "balanced");
   return line;
 }
 
 std::string description(const Drawn& d) {
   return fmt::format(
       "Profile shift of gear 1 to the right, of gear 2 up, in modules. The feasible region has the "
-      "area {}, from lo at {}, {} to hi at {}, {}; the design stands at {}, {}.",
-      fixed(d.region.area, 6), shown_shift(d.region.lo.x()), shown_shift(d.region.lo.y()),
+      "area {:.4g}, from lo at {}, {} to hi at {}, {}; the design stands at {}, {}.",
+      d.region.area, shown_shift(d.region.lo.x()), shown_shift(d.region.lo.y()),
       shown_shift(d.region.hi.x()), shown_shift(d.region.hi.y()), shown_shift(d.row.shift[0]),
       shown_shift(d.row.shift[1]));
 }
@@ -289,8 +217,8 @@ std::string description(const Drawn& d) {
 std::string big_svg(const Drawn& d) {
   const double aspect = (kPlot.right - kPlot.left) / (kPlot.bottom - kPlot.top);
   const RegionWindow window = region_window(d.limits, d.around, aspect, kFairPart);
-  const Graph g = graph_on(window.box, kPlot);
-  const bool exact = exact_distance(d.graph);
+  const GraphFrame g = frame_on(window.box, kPlot);
+  const bool exact = exact_distance(d.graph.problem());
   Svg svg("region", kWidth, kHeight, "Feasible profile shifts of " + design_name(d.row.trial),
           description(d));
   svg.text({12, 22}, "profile shift of gear 2, " + symbol_svg("x_2"), Anchor::start, "panel");
@@ -298,20 +226,19 @@ std::string big_svg(const Drawn& d) {
   draw_foot(svg, g.x, kPlot.top, kPlot.bottom, 7, "profile shift of gear 1, " + symbol_svg("x_1"));
 
   FreeLabels labels({kPlot.left + 2, kPlot.top + 2, kPlot.right - 2, kPlot.bottom - 2});
-  std::vector<std::pair<double, std::vector<Vec2>>> distances;
   svg.begin_clip(kPlot.left, kPlot.top, kPlot.right - kPlot.left, kPlot.bottom - kPlot.top);
-  draw_rectangle(svg, g, d.limits, "limits-box");
-  draw_distances(svg, d.graph, g, distances);
+  draw_box(svg, g, d.limits, "limits-box");
+  const std::vector<DistanceLine> distances = draw_distances(svg, d.graph, g);
   draw_region(svg, g, d.loops, d.region);
   const std::vector<Vec2> balanced = draw_balanced(svg, d, g);
   svg.end_group();
   if (window.zoomed) draw_map(svg, labels, g, d.loops, d.limits, d.region);
 
   for (const auto& loop : d.loops)
-    for (const RegionEdge& e : loop) labels.keep_off(in_px(g, e.points));
+    for (const RegionEdge& e : loop) labels.keep_off(g.px(e.points));
   labels.keep_off(balanced);
-  labels.keep_off(in_px(g, corners_of(d.limits)));
-  for (const auto& [a, line] : distances) labels.keep_off(line);
+  labels.keep_off(g.px(corners_of(d.limits)));
+  for (const DistanceLine& line : distances) labels.keep_off(line.px);
   const Vec2 lo = g.px(d.region.lo);
   const Vec2 hi = g.px(d.region.hi);
   const Vec2 own = g.px({d.row.shift[0], d.row.shift[1]});
@@ -329,15 +256,15 @@ std::string big_svg(const Drawn& d) {
   labels.draw(svg, "design", "design", "halo letter here", places_around(own, 12, {1, 0}),
               FreeLabels::If::always);
   name_edges(svg, labels, g, d.loops, exact);
-  for (const auto& [a, line] : distances) {
-    const std::string words = fmt::format("a = {:.10g}", a);
+  for (const DistanceLine& line : distances) {
+    const std::string value = fmt::format(" = {:.10g}", line.distance);
     std::vector<LabelPlace> places;
     for (const double share : {0.02, 0.98, 0.1, 0.9, 0.2, 0.8, 0.3, 0.7}) {
-      const Vec2 at = at_share(line, share).first;
+      const Vec2 at = at_share(line.px, share).first;
       places.push_back({at, {7, -9}, Anchor::start});
       places.push_back({at, {-7, 9}, Anchor::end});
     }
-    labels.draw(svg, words, symbol_svg("a") + fmt::format(" = {:.10g}", a), "halo edge-c", places,
+    labels.draw(svg, "a" + value, symbol_svg("a") + value, "halo edge-c", places,
                 FreeLabels::If::free);
   }
   std::vector<LabelPlace> places;
@@ -356,21 +283,24 @@ std::string big_svg(const Drawn& d) {
 std::string shift_region_figure(const ShiftGraph& graph, const DesignRow& row) {
   const Drawn d = drawn_of(graph, row);
   const bool distance = graph.problem().center_distance.has_value();
-  const std::string area =
-      d.region.area > 0.0 ? "area " + fixed(d.region.area, d.region.area < 0.01 ? 6 : 4)
-                          : std::string("without area: the limits leave a line or a point");
+  const std::string area = d.region.area >= 0.01 ? "area " + fixed(d.region.area, 4)
+                           : d.region.area > 0.0
+                               ? fmt::format("area {:.3g}", d.region.area)
+                               : std::string("without area: the limits leave a line or a point");
+  const std::string key = edge_key(d.loops, exact_distance(graph.problem()));
   const std::string line =
       graph.problem().internal()
           ? std::string("the pinion takes all of the shift")
-          : fmt::format("Eq. 11 with {} = {:g}, which makes the teeth of both gears about equally "
-                        "strong",
-                        symbol_html("λ"), graph.problem().lambda);
+          : fmt::format(
+                "Eq. 11 with {} = {:g}, which makes the teeth of both gears about equally "
+                "strong",
+                symbol_html("λ"), graph.problem().lambda);
   return fmt::format(
       "<figure>{}<figcaption><strong>Where {} is feasible</strong>: the filled region, in normal "
-      "modules, {}; faint: the rectangle of the shift limits. Its edges: {}{}Thin dashed: {}; thick "
+      "modules, {}; faint: the rectangle of the shift limits. {}{}{}Thin dashed: {}; thick "
       "where it is feasible. lo, hi: middles at the least and the greatest {}. Ringed: the "
       "design.</figcaption></figure>\n",
-      big_svg(d), design_name(row.trial), area, edge_key(d.loops, exact_distance(graph)),
+      big_svg(d), design_name(row.trial), area, key.empty() ? "" : "Its edges: ", key,
       distance ? "Thin: the centre distances, mm. " : "", line, symbol_html("Σx"));
 }
 
@@ -380,16 +310,16 @@ std::string shift_region_thumbnail(const ShiftGraph& graph, const DesignRow& row
   constexpr PixelBox kAll{0.0, 0.0, kSmallWidth, kSmallHeight};
   const RegionWindow window =
       region_window(d.limits, d.around, kSmallWidth / kSmallHeight, kSmallFairPart);
-  const Graph g = graph_on(window.box, kAll);
+  const GraphFrame g = frame_on(window.box, kAll);
   const std::string name = design_name(row.trial);
   Svg svg(id, kSmallWidth, kSmallHeight, "Feasible profile shifts of " + name, description(d));
-  draw_rectangle(svg, g, d.limits, "limits-box");
-  std::vector<std::pair<double, std::vector<Vec2>>> distances;
-  draw_distances(svg, graph, g, distances);
+  draw_box(svg, g, d.limits, "limits-box");
+  draw_distances(svg, graph, g);
   draw_region(svg, g, d.loops, d.region);
   svg.dot(g.px({row.shift[0], row.shift[1]}), 4.0, "design-small");
   return fmt::format(
-      "<figure>{}<figcaption><strong><a href=\"{}\">{}</a></strong><br>{} {}</figcaption></figure>\n",
+      "<figure>{}<figcaption><strong><a href=\"{}\">{}</a></strong><br>{} "
+      "{}</figcaption></figure>\n",
       svg.str(), row_link, name, symbol_html("ε_α"), fixed(row.contact_ratio, 3));
 }
 

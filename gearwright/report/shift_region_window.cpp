@@ -44,7 +44,7 @@ RegionWindow region_window(const ShiftBox& limits, const ShiftBox& region, doubl
 
 std::optional<double> sum_at_distance(const ShiftGraph& graph, double a, const ShiftBox& window) {
   const double module = graph.trial().module;
-  const double lo = std::max(window.lo.sum(), graph.sums(1).lo);
+  const double lo = window.lo.sum();
   const double hi = window.hi.sum();
   if (!(lo < hi)) return std::nullopt;
   const auto more = [&](double sum) { return module * std::abs(graph.place(sum).a) - a; };

@@ -85,5 +85,14 @@ TEST(HtmlText, Escapes) {
   EXPECT_EQ(file_link("javascript:x"), "./javascript%3Ax");
 }
 
+TEST(Svg, ADotMayTellWhatItIs) {
+  Svg svg("x", 10, 10, "t", "d");
+  svg.dot({1, 2}, 3, "mark", "a < b");
+  svg.dot({4, 5}, 3, "mark");
+  EXPECT_NE(svg.str().find("<title>a &lt; b</title><circle class=\"mark\" r=\"3\"/>"),
+            std::string::npos);
+  EXPECT_EQ(svg.str().find("<title>", svg.str().find("</title><circle") + 1), std::string::npos);
+}
+
 }  // namespace
 }  // namespace gearwright

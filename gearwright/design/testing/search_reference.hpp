@@ -149,7 +149,9 @@ class Random {
  public:
   explicit Random(unsigned seed) : bits_(seed) {}
   double uniform(double lo, double hi) { return lo + (hi - lo) * (bits_() / 4294967296.0); }
-  int whole(int lo, int hi) { return lo + static_cast<int>(bits_() % static_cast<unsigned>(hi - lo + 1)); }
+  int whole(int lo, int hi) {
+    return lo + static_cast<int>(bits_() % static_cast<unsigned>(hi - lo + 1));
+  }
   bool chance(double p) { return uniform(0.0, 1.0) < p; }
 
  private:
@@ -177,7 +179,7 @@ inline RandomTrial random_trial(Random& random, const Kind& kind) {
   SearchLimits& l = p.limits;
   if (kind.ring || random.chance(0.6)) l.least_shift = random.uniform(-0.7, 0.0);
   if (kind.ring || random.chance(0.6)) l.greatest_shift = random.uniform(0.3, 1.0);
-  if (random.chance(0.3)) l.undercut_margin = random.uniform(-0.1, 0.2);
+  if (random.chance(0.3)) l.undercut_margin = random.uniform(-0.6, 0.2);
   l.tip_thickness = random.uniform(0.0, 0.4);
   l.contact_ratio = random.uniform(1.0, 1.7);
   if (!kind.crossed && random.chance(0.5)) l.sliding = random.uniform(0.5, 4.0);

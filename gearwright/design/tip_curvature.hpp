@@ -1,0 +1,28 @@
+// A tip and its distance along the line of action: the two conversions of the s1–s2 graph, and how
+// a bound is tightened. Internal to design/.
+//
+//   u   tip radius      b   base radius      q = √(u² − b²), curvature radius of the flank at its
+//   tip
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gearwright::detail {
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// q, 0 inside the base circle; signs of u and b do not matter.
+inline double curvature(double u, double b) {
+  const double square = (std::abs(u) - std::abs(b)) * (std::abs(u) + std::abs(b));
+  return square > 0.0 ? std::sqrt(square) : 0.0;
+}
+
+/// |u| of a tip whose flank ends with the curvature radius q.
+inline double radius_of(double q, double b) { return std::sqrt(b * b + q * q); }
+
+inline void raise(double& lo, double value) { lo = std::max(lo, value); }
+inline void lower(double& hi, double value) { hi = std::min(hi, value); }
+
+}  // namespace gearwright::detail

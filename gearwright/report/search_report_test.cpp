@@ -1,0 +1,108 @@
+#include "gearwright/report/search_report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "gearwright/report/html_text.hpp"
+#include "gearwright/report/search_section.hpp"
+#include "gearwright/report/testing/sample_search.hpp"
+#include "gearwright/report/testing/strict_html.hpp"
+
+namespace gearwright {
+namespace {
+
+using testing::count_of;
+using testing::SearchSample;
+
+bool has(const std::string& page, const std::string& words) {
+  return page.find(words) != page.npos;
+}
+
+TEST(SearchReport, PagesAreSoundAndReachNothingElse) {
+  for (const SearchSample& sample : testing::all_searches()) {
+    const std::string page = search_report(sample.report());
+    const auto facts = testing::StrictHtml::read(page);
+    for (const std::string& fault : facts.faults) ADD_FAILURE() << fault;
+    for (const std::string& link : facts.links) EXPECT_EQ(link.substr(0, 1), "#") << link;
+    for (const char* reach :
+         {"http:", "https:", "@import", "src=", "url(\"", "url('", "fetch(", "XMLHttp"})
+      EXPECT_FALSE(has(page, reach)) << reach;
+    const std::string body = page.substr(page.find("<body>"), page.find("<script>"));
+    EXPECT_FALSE(has(body, "nan"));
+    EXPECT_EQ(page, search_report(sample.report()));
+  }
+}
+
+TEST(SearchReport, CountsInWords) {
+  const SearchSample sample = testing::spur_search();
+  const std::string page = search_report(sample.report());
+  EXPECT_TRUE(has(page,
+                  "2\u202f754 combinations of module and tooth numbers were tried; 56 of "
+                  "them can be made"));
+  EXPECT_TRUE(has(page,
+                  "<th scope=\"row\">centre distance out of reach</th><td "
+                  "class=\"value\">2\u202f698</td>"));
+  EXPECT_FALSE(has(page, "sliding too fast"));  // nothing fell to it
+  const DesignRow& best = sample.answer->designs.front();
+  EXPECT_TRUE(has(page, "contact ratio " + fixed(best.contact_ratio, 3) + "."));
+  EXPECT_TRUE(has(page, "All 56 by contact ratio"));
+  EXPECT_TRUE(has(search_report(sample.report(30)), "The best 30 of 56"));
+}
+
+TEST(SearchReport, TheBestTwentyHaveTheirRegions) {
+  const SearchSample sample = testing::spur_search();
+  const std::string page = search_report(sample.report());
+  for (int i = 1; i <= 20; ++i) {
+    EXPECT_TRUE(has(page, "id=\"region-" + std::to_string(i) + "\""));
+    EXPECT_TRUE(has(page, "href=\"#design-" + std::to_string(i) + "\""));
+  }
+  EXPECT_FALSE(has(page, "id=\"region-21\""));
+  for (const char* picture :
+       {"id=\"region\"", "id=\"designs-plot\"", "id=\"chart-limits\"", "id=\"chart-identical\""})
+    EXPECT_EQ(count_of(page, picture), 1u) << picture;
+  // With fewer rows, no picture leads to a row that is not there.
+  const std::string few = search_report(sample.report(5));
+  EXPECT_EQ(count_of(few, "href=\"#design-"), 5u);
+}
+
+TEST(SearchReport, WhenNothingFitsItSaysWhy) {
+  const SearchSample sample = testing::empty_search();
+  SearchReport report = sample.report();
+  report.title.clear();
+  report.reasons = {"no pair <is> so small & near", "the nearest is 17.5 mm"};
+  const std::string page = search_report(report);
+  for (const std::string& fault : testing::StrictHtml::read(page).faults) ADD_FAILURE() << fault;
+  EXPECT_TRUE(has(page, "none of them can be made"));
+  EXPECT_TRUE(has(page, "<h2>Why nothing fits</h2>"));
+  EXPECT_TRUE(has(page, "<li>no pair &lt;is&gt; so small &amp; near</li>"));
+  EXPECT_TRUE(has(page, "Design search, ratio 1.9 … 2.1"));
+  EXPECT_FALSE(has(page, "<table class=\"designs\""));
+  EXPECT_FALSE(has(page, "id=\"region"));
+  EXPECT_FALSE(has(page, "id=\"designs-plot\""));
+  EXPECT_TRUE(has(page, "id=\"chart-limits\""));
+}
+
+TEST(SearchReport, TextIsTextWhateverItContains) {
+  const SearchSample sample = testing::exact_search();
+  SearchReport report = sample.report();
+  report.title = "<script>alert(\"1\")</script>";
+  report.spec_text = "title = \"</pre><b>\"\n";
+  report.version = "1\"2";
+  const std::string page = search_report(report);
+  for (const std::string& fault : testing::StrictHtml::read(page).faults) ADD_FAILURE() << fault;
+  EXPECT_FALSE(has(page, "alert(\"1\")"));
+  EXPECT_FALSE(has(page, "</pre><b>"));
+  EXPECT_TRUE(has(page, "<pre>title = &quot;&lt;/pre&gt;&lt;b&gt;&quot;\n</pre>"));
+}
+
+TEST(SearchReport, SeveralObjectivesAreSaid) {
+  const std::string page = search_report(testing::pareto_search().report());
+  EXPECT_TRUE(has(page,
+                  "the Pareto front over size m²(z₁² + z₂²), contact ratio and area of the "
+                  "region first"));
+  EXPECT_TRUE(has(page, "The best by size"));
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,68 @@
+#include "gearwright/report/search_words.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "gearwright/report/search_style.hpp"
+#include "gearwright/report/testing/sample_search.hpp"
+
+namespace gearwright {
+namespace {
+
+TEST(SearchWords, EveryEdgeHasWordsOfItsOwnAndAColour) {
+  std::set<std::string_view> words;
+  const std::string style(search_style());
+  for (std::size_t i = 0; i < kShiftEdges; ++i) {
+    const auto edge = static_cast<ShiftEdge>(i);
+    EXPECT_FALSE(words_of(edge).empty());
+    words.insert(words_of(edge));
+    const std::string name(style_of(edge).substr(0, style_of(edge).find(' ')));
+    EXPECT_NE(style.find("." + name + "{stroke:"), style.npos) << name;
+  }
+  EXPECT_EQ(words.size(), kShiftEdges);
+  EXPECT_EQ(words_of(ShiftEdge::s2max), "gear 2 greatest shift");
+  EXPECT_EQ(words_of(ShiftEdge::eps_true), "clipped contact ratio");
+  EXPECT_EQ(words_of(ShiftEdge::mesh), "no working angle");
+}
+
+TEST(SearchWords, EveryLimitHasWordsOfItsOwn) {
+  std::set<std::string_view> words;
+  for (int i = 0; i < kLimits; ++i) words.insert(words_of(static_cast<Limit>(i)));
+  EXPECT_EQ(words.size(), static_cast<std::size_t>(kLimits));
+  EXPECT_EQ(words_of(Limit::interference), "interference");
+}
+
+// Values grow the natural way, costs the way of ranks; designs that do not rank have values too.
+TEST(SearchWords, ValuesAreCostsWithTheirNaturalSign) {
+  const SearchProblem problem = testing::spur_problem();
+  DesignRow row;
+  row.trial = {0, 2.5, 20, 41, {}, 0};
+  row.ratio = 2.05;
+  row.contact_ratio = 1.5;
+  row.area = 0.25;
+  row.shift = {0.2, -0.5};
+  EXPECT_FALSE(cost(problem, row, Objective::contact_ratio));
+  EXPECT_EQ(value_of(problem, row, Objective::contact_ratio), 1.5);
+  EXPECT_EQ(value_of(problem, row, Objective::area), 0.25);
+  EXPECT_NEAR(*value_of(problem, row, Objective::ratio), 0.05, 1e-12);
+  EXPECT_EQ(value_of(problem, row, Objective::size), 2.5 * 2.5 * (20 * 20 + 41 * 41));
+  EXPECT_NEAR(*value_of(problem, row, Objective::shift), 0.3, 1e-15);
+  EXPECT_FALSE(value_of(problem, row, Objective::sliding));  // ζ is given nowhere
+}
+
+TEST(SearchWords, NamesAndCounts) {
+  EXPECT_EQ(design_name({0, 2.5, 28, 54, {}, 0}), "2.5 · 28:54");
+  EXPECT_EQ(design_name({0, 1, 18, -60, {}, 0}), "1 · 18:-60");
+  const double beta = Angle::degrees(8).rad();
+  EXPECT_EQ(design_name({0, 1, 18, 60, {beta, -beta}, 0}), "1 · 18:60 · 8°");
+  EXPECT_EQ(counted(0), "0");
+  EXPECT_EQ(counted(999), "999");
+  EXPECT_EQ(counted(2754), "2\u202f754");
+  EXPECT_EQ(counted(1234567), "1\u202f234\u202f567");
+  EXPECT_EQ(counted(-123), "-123");
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,46 @@
+// The shapes of the s1–s2 graph in a picture, big or small: the rectangle of the shift limits, the
+// region with its edges, the lines of the centre distances.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "gearwright/design/shift_region.hpp"
+#include "gearwright/report/free_labels.hpp"
+#include "gearwright/report/plot_axis.hpp"
+#include "gearwright/report/shift_region_window.hpp"
+#include "gearwright/report/svg.hpp"
+
+namespace gearwright {
+
+/// The boundary of every piece of a region.
+using Loops = std::vector<std::vector<RegionEdge>>;
+
+/// A window of the graph on a rectangle of the picture.
+struct GraphFrame {
+  Axis x, y;
+  Vec2 px(const Vec2& p) const { return {x(p.x()), y(p.y())}; }
+  std::vector<Vec2> px(const std::vector<Vec2>& points) const;
+  ShiftBox box() const { return {{x.lo, y.lo}, {x.hi, y.hi}}; }
+};
+GraphFrame frame_on(const ShiftBox& box, const PixelBox& place);
+
+/// All points of a loop, in order.
+std::vector<Vec2> outline_of(const std::vector<RegionEdge>& loop);
+
+void draw_box(Svg& svg, const GraphFrame& g, const ShiftBox& box, std::string_view style);
+
+/// Filled, each edge in the colour of its kind; what only touches is a dot.
+void draw_region(Svg& svg, const GraphFrame& g, const Loops& loops, const ShiftRegion& region);
+
+/// One centre distance is asked, not a band.
+bool exact_distance(const SearchProblem& problem);
+
+/// The centre distances asked, as thin lines through the whole window.
+struct DistanceLine {
+  double distance;  ///< a  mm
+  std::vector<Vec2> px;
+};
+std::vector<DistanceLine> draw_distances(Svg& svg, const ShiftGraph& graph, const GraphFrame& g);
+
+}  // namespace gearwright

@@ -1,0 +1,172 @@
+#include "gearwright/report/shift_region_picture.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "gearwright/report/html_text.hpp"
+#include "gearwright/report/search_words.hpp"
+#include "gearwright/report/testing/sample_search.hpp"
+#include "gearwright/report/testing/strict_html.hpp"
+
+namespace gearwright {
+namespace {
+
+using testing::count_of;
+using testing::SearchSample;
+
+void expect_sound(const std::string& figure) {
+  const auto facts = testing::StrictHtml::read(testing::as_page(figure));
+  for (const std::string& fault : facts.faults)
+    if (fault.rfind("no such id: design-", 0) != 0) ADD_FAILURE() << fault;
+  EXPECT_EQ(figure.find("nan"), figure.npos);
+  EXPECT_EQ(figure.find("inf"), figure.npos);
+}
+
+std::string figure_of(const SearchSample& sample, const DesignRow& row) {
+  return shift_region_figure(sample.search->graph(row.trial), row);
+}
+
+// A region of one pair of tooth numbers by itself.
+SearchSample one_pair(int z1, int z2, double least, double greatest) {
+  SearchProblem p = testing::spur_problem();
+  p.ratio = {static_cast<double>(z2) / z1, static_cast<double>(z2) / z1};
+  p.pinion_teeth = {z1, z1};
+  p.modules = {1};
+  p.limits.least_shift = -0.5;
+  p.center_distance = {{least, greatest}};
+  return testing::search_sample(p);
+}
+
+TEST(ShiftRegionPicture, EveryEdgeOfTheRegionIsNamedInTheKey) {
+  int edges = 0;
+  for (const SearchSample& sample : testing::all_searches()) {
+    for (const DesignRow& row : sample.answer->designs) {
+      const ShiftGraph graph = sample.search->graph(row.trial);
+      const std::string figure = shift_region_figure(graph, row);
+      expect_sound(figure);
+      const bool exact = sample.search->problem().center_distance &&
+                         (*sample.search->problem().center_distance)[0] ==
+                             (*sample.search->problem().center_distance)[1];
+      for (const auto& loop : region_boundary(graph, *shift_region(graph))) {
+        for (const RegionEdge& e : loop) {
+          const bool distance = e.edge == ShiftEdge::Cmin || e.edge == ShiftEdge::Cmax;
+          const std::string words(exact && distance ? "exact centre distance" : words_of(e.edge));
+          EXPECT_NE(figure.find("</i>" + words + "</span>"), figure.npos)
+              << design_name(row.trial) << " " << words;
+          ++edges;
+        }
+      }
+    }
+  }
+  EXPECT_GT(edges, 1000);
+}
+
+TEST(ShiftRegionPicture, NumbersAreThoseOfTheRegion) {
+  const SearchSample sample = testing::spur_search();
+  const DesignRow& row = sample.answer->designs.front();
+  const std::string figure = figure_of(sample, row);
+  EXPECT_NE(figure.find("Where " + design_name(row.trial) + " is feasible"), figure.npos);
+  EXPECT_NE(figure.find("area " + fixed(row.area, 4)), figure.npos);
+  EXPECT_NE(figure.find("from lo at " + fixed(row.lo.x(), 4) + ", " + fixed(row.lo.y(), 4) +
+                        " to hi at " + fixed(row.hi.x(), 4) + ", " + fixed(row.hi.y(), 4)),
+            figure.npos);
+  EXPECT_NE(
+      figure.find("the design stands at " + fixed(row.shift[0], 4) + ", " + fixed(row.shift[1], 4)),
+      figure.npos);
+  for (const char* name : {">lo<", ">hi<", ">design<", ">Eq. 11<"})
+    EXPECT_EQ(count_of(figure, name), 1u) << name;
+  EXPECT_NE(figure.find(" = 101<"), figure.npos);
+  EXPECT_EQ(figure, figure_of(sample, row));
+}
+
+// 2 · 33:67 stands at 100 mm without shift, in the middle of the band: both distances bound it.
+TEST(ShiftRegionPicture, WordsStandBesideTheEdgesOfABand) {
+  const SearchSample sample = testing::spur_search();
+  for (const DesignRow& row : sample.answer->designs) {
+    if (design_name(row.trial) != "2 · 33:67") continue;
+    const std::string figure = figure_of(sample, row);
+    for (const char* words : {"least centre distance", "greatest centre distance",
+                              "gear 1 least shift", "gear 2 least shift"})
+      EXPECT_EQ(count_of(figure, words), 2u) << words;  // beside the edge and in the key
+    EXPECT_EQ(count_of(figure, "class=\"distance-line\""), 2u);
+    return;
+  }
+  ADD_FAILURE() << "no such design";
+}
+
+TEST(ShiftRegionPicture, OneExactDistanceIsALine) {
+  const SearchSample sample = testing::exact_search();
+  const std::string figure = figure_of(sample, sample.answer->designs.front());
+  EXPECT_EQ(count_of(figure, "exact centre distance"), 2u);
+  EXPECT_EQ(figure.find("least centre distance"), figure.npos);
+  EXPECT_EQ(figure.find("greatest centre distance"), figure.npos);
+  EXPECT_EQ(count_of(figure, "class=\"distance-line\""), 1u);
+  EXPECT_NE(figure.find("without area"), figure.npos);
+}
+
+// The least sum of both shifts is -1: at 59 mm the band and the corner have one point in common.
+TEST(ShiftRegionPicture, APointATinyCornerAndAWholeRectangle) {
+  const SearchSample point = one_pair(40, 80, 58.0, 59.0);
+  ASSERT_EQ(point.answer->designs.size(), 1u);
+  const std::string dot = figure_of(point, point.answer->designs.front());
+  expect_sound(dot);
+  EXPECT_NE(dot.find("class=\"region-point\" r=\"3\""), dot.npos);
+
+  const SearchSample tiny = one_pair(40, 80, 58.0, 59.0001);
+  const DesignRow& corner = tiny.answer->designs.front();
+  EXPECT_NEAR(corner.area, 0.5e-8, 1e-12);
+  const std::string small = figure_of(tiny, corner);
+  expect_sound(small);
+  EXPECT_NE(small.find("class=\"region-map\""), small.npos);
+
+  const SearchSample whole = one_pair(40, 80, 50.0, 70.0);
+  const std::string all = figure_of(whole, whole.answer->designs.front());
+  expect_sound(all);
+  EXPECT_EQ(all.find("class=\"region-map\""), all.npos);
+}
+
+// Without interference a ring of 60 leaves 40 teeth two regions apart.
+TEST(ShiftRegionPicture, ARegionInTwoPieces) {
+  SearchProblem p = testing::spur_problem();
+  p.ratio = {-1.5, -1.5};
+  p.pinion_teeth = {40, 40};
+  p.modules = {1};
+  p.center_distance.reset();
+  p.limits = {};
+  p.limits.contact_ratio = 1.8;
+  p.limits.sliding = 1.1;
+  p.limits.avoid_interference = true;
+  const SearchSample sample = testing::search_sample(p);
+  ASSERT_EQ(sample.answer->designs.size(), 1u);
+  const DesignRow& row = sample.answer->designs.front();
+  ASSERT_EQ(shift_region(sample.search->graph(row.trial))->sums.size(), 2u);
+  const std::string figure = figure_of(sample, row);
+  expect_sound(figure);
+  EXPECT_EQ(count_of(figure, "<polygon class=\"region\""), 2u);
+}
+
+TEST(ShiftRegionPicture, ThumbnailsHaveNoLabelsAndLeadToTheirRow) {
+  for (const SearchSample& sample : testing::all_searches()) {
+    for (std::size_t i = 0; i < std::min<std::size_t>(5, sample.answer->designs.size()); ++i) {
+      const DesignRow& row = sample.answer->designs[i];
+      const std::string figure =
+          shift_region_thumbnail(sample.search->graph(row.trial), row, "small", "#design-7");
+      expect_sound(figure);
+      EXPECT_EQ(figure.find("<text"), figure.npos);
+      EXPECT_NE(figure.find("<a href=\"#design-7\">" + design_name(row.trial) + "</a>"),
+                figure.npos);
+      EXPECT_NE(figure.find("region"), figure.npos);
+    }
+  }
+}
+
+TEST(ShiftRegionPicture, ARingsPinionTakesAllOfTheShift) {
+  const SearchSample sample = testing::ring_search();
+  const std::string figure = figure_of(sample, sample.answer->designs.front());
+  EXPECT_NE(figure.find("the pinion takes all of the shift"), figure.npos);
+  EXPECT_EQ(figure.find("Eq. 11"), figure.npos);
+}
+
+}  // namespace
+}  // namespace gearwright
