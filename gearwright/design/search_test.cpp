@@ -1,11 +1,12 @@
 // The three complete searches of the reference, and laws: (1) a search may be cut anywhere; (2) the
-// coprime search is the search without common factors; (3) the few best are the head of the full
-// list, the front what no other design dominates; (4) exists() stops at what range() finds.
+// coprime search is the search without common factors; (3) exists() is whether range() finds. How
+// designs rank: search_rank_test.cpp.
 #include "gearwright/design/search.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -24,7 +25,6 @@ namespace {
 using nlohmann::json;
 using testing::search::number;
 using testing::search::problem_of_search;
-using testing::search::Random;
 using testing::search::reference;
 
 constexpr double kPrinted = 1e-11;  // the source's own doubles: areas of some 1 modules²
@@ -74,22 +74,6 @@ std::vector<double> bits_of(const DesignRow& r) {
     for (const auto& zeta : r.sliding[i]) v.push_back(zeta.value_or(-1e300));
   }
   return v;
-}
-
-SearchProblem helical_search() {
-  SearchProblem p;
-  p.ratio = {1.8, 2.4};
-  p.center_distance = {{60.0, 62.0}};
-  p.modules = {1.5, 2.0, 2.5};
-  p.pinion_teeth = {12, 24};
-  p.helix = {0.0, 0.2, -0.3};
-  p.racks = {SearchRacks{}, SearchRacks{}};
-  p.racks[1].rack[0].addendum = p.racks[1].rack[1].addendum = 1.1;
-  p.mounting = Mounting::tight;
-  p.limits.least_shift = -0.5;
-  p.limits.sliding = 6.0;
-  p.target_ratio = 2.0;
-  return p;
 }
 
 TEST(Search, CompleteSearchesOfTheReference) {
@@ -181,7 +165,7 @@ TEST(Search, BestFiveOfTheReference) {
 
 TEST(Search, CutAnywhereItIsTheSame) {  // (1)
   std::vector<SearchProblem> problems{problem_of_search(reference().at("searches")[0].at("input")),
-                                      helical_search()};
+                                      testing::search::helical_search()};
   problems[1].coprime = true;
   for (const SearchProblem& p : problems) {
     const Search search(p);
@@ -204,8 +188,8 @@ TEST(Search, CutAnywhereItIsTheSame) {  // (1)
 }
 
 TEST(Search, CountsAreWhole) {
-  for (const SearchProblem& p :
-       {problem_of_search(reference().at("searches")[1].at("input")), helical_search()}) {
+  for (const SearchProblem& p : {problem_of_search(reference().at("searches")[1].at("input")),
+                                 testing::search::helical_search()}) {
     const Found f = whole(Search(p));
     EXPECT_EQ(f.counts.feasible, static_cast<std::int64_t>(f.rows.size()));
     EXPECT_EQ(f.counts.tested, std::accumulate(f.counts.rejected.begin(), f.counts.rejected.end(),
@@ -216,8 +200,31 @@ TEST(Search, CountsAreWhole) {
   }
 }
 
+// Racks that differ, one after the other at the same helix: the sieve must not mix them up.
+TEST(Search, EveryTrialHasItsOwnVerdict) {
+  SearchProblem p = testing::search::helical_search();
+  p.helix = {0.2};
+  p.mounting = Mounting::extended;
+  p.limits.sliding.reset();
+  p.limits.contact_ratio = 1.55;
+  for (const double addendum : {1.1, 0.8}) {
+    p.racks[1].rack[0].addendum = p.racks[1].rack[1].addendum = addendum;
+    const Search search(p);
+    const Found f = whole(search);
+    std::array<std::int64_t, kLimits> rejected{};
+    search.space().each(0, *search.space().size(), [&](const Trial& t) {
+      const auto limit = search.graph(t).what_kills();
+      if (limit) ++rejected[static_cast<std::size_t>(*limit)];
+      return true;
+    });
+    EXPECT_EQ(f.counts.rejected, rejected);
+    EXPECT_GT(rejected[static_cast<std::size_t>(Limit::contact_ratio)], 5);
+    EXPECT_GT(f.counts.feasible, 5);
+  }
+}
+
 TEST(Search, RowsAreThoseOfTheTrial) {
-  const Search search(helical_search());
+  const Search search(testing::search::helical_search());
   const Found f = whole(search);
   std::set<int> racks;
   for (const DesignRow& row : f.rows) {
@@ -253,106 +260,7 @@ TEST(Search, CoprimeIsTheSearchWithoutCommonFactors) {  // (2)
   EXPECT_EQ(coprime.counts.tested, tested);
 }
 
-TEST(Search, TheFewBestAreTheHeadOfTheList) {  // (3)
-  SearchProblem p = helical_search();
-  const Found f = whole(Search(p));
-  for (const Objective objective : {Objective::contact_ratio, Objective::ratio, Objective::size,
-                                    Objective::shift, Objective::area, Objective::sliding}) {
-    p.objectives = {objective};
-    std::vector<DesignRow> sorted = f.rows;
-    std::sort(sorted.begin(), sorted.end(), [&](const DesignRow& a, const DesignRow& b) {
-      return ranks_before(p, objective, a, b);
-    });
-    for (std::size_t i = 1; i < sorted.size(); ++i) {
-      const auto before = cost(p, sorted[i - 1], objective);
-      const auto after = cost(p, sorted[i], objective);
-      EXPECT_TRUE(!after || (before && *before <= *after + 1e-11));
-    }
-    for (const std::size_t most :
-         {std::size_t{0}, std::size_t{1}, std::size_t{10}, sorted.size()}) {
-      BestDesigns best(p, most);
-      for (auto row = f.rows.rbegin(); row != f.rows.rend(); ++row) best.add(*row);
-      const SearchAnswer answer = std::move(best).answer(f.counts);
-      ASSERT_EQ(answer.designs.size(), most);
-      EXPECT_EQ(answer.cut, most < sorted.size());
-      for (std::size_t i = 0; i < most; ++i)
-        EXPECT_EQ(answer.designs[i].trial.index, sorted[i].trial.index);
-    }
-  }
-}
-
-// The same pair in another module has the same worth, which rounds differently: module, z1, z2
-// decide.
-TEST(Search, EqualWorthsComeInOrder) {
-  SearchProblem p = problem_of_search(reference().at("searches")[2].at("input"));
-  const Found f = whole(Search(p));
-  int ties = 0;
-  for (const Objective objective :
-       {Objective::contact_ratio, Objective::ratio, Objective::area, Objective::shift}) {
-    for (const DesignRow& a : f.rows) {
-      for (const DesignRow& b : f.rows) {
-        if (a.trial.index == b.trial.index) continue;
-        const auto same = [](double v, double w) { return std::abs(v - w) < 1e-12; };
-        if (!same(*cost(p, a, objective), *cost(p, b, objective)) ||
-            !same(a.contact_ratio, b.contact_ratio))
-          continue;
-        ++ties;
-        EXPECT_EQ(ranks_before(p, objective, a, b), design_of(a) < design_of(b));
-      }
-    }
-  }
-  EXPECT_GT(ties, 100);
-}
-
-// Brute force by the plain definition, over the costs as they are.
-TEST(Search, TheFrontIsWhatNoneDominates) {  // (3)
-  SearchProblem p = helical_search();
-  p.objectives = {Objective::size, Objective::contact_ratio, Objective::sliding};
-  Found f = whole(Search(p));
-  ASSERT_GT(f.rows.size(), 50u);
-  std::set<std::int64_t> front;
-  const auto costs = [&](const DesignRow& row) {
-    std::vector<double> c;
-    for (const Objective o : p.objectives)
-      if (const auto v = cost(p, row, o)) c.push_back(*v);
-    return c;
-  };
-  for (const DesignRow& row : f.rows) {
-    const auto mine = costs(row);
-    if (mine.size() < 3) continue;
-    const bool beaten = std::any_of(f.rows.begin(), f.rows.end(), [&](const DesignRow& other) {
-      const auto its = costs(other);
-      if (its.size() < 3) return false;
-      bool better = false;
-      for (std::size_t i = 0; i < 3; ++i) {
-        if (its[i] > mine[i] + 1e-10) return false;
-        better = better || its[i] < mine[i] - 1e-10;
-      }
-      return better;
-    });
-    if (!beaten) front.insert(row.trial.index);
-  }
-  ASSERT_GT(front.size(), 2u);
-  ASSERT_LT(front.size(), f.rows.size() / 2);
-  Random random(41);
-  for (int repeat = 0; repeat < 5; ++repeat) {
-    for (std::size_t i = f.rows.size(); i > 1; --i)
-      std::swap(f.rows[i - 1],
-                f.rows[static_cast<std::size_t>(random.whole(0, static_cast<int>(i) - 1))]);
-    BestDesigns best(p, f.rows.size());
-    for (const DesignRow& row : f.rows) best.add(row);
-    const SearchAnswer answer = std::move(best).answer(f.counts);
-    EXPECT_EQ(answer.designs.size(), f.rows.size());
-    std::set<std::int64_t> ours;
-    for (const std::size_t i : answer.pareto) ours.insert(answer.designs[i].trial.index);
-    EXPECT_EQ(ours, front);
-    std::set<std::int64_t> all;
-    for (const DesignRow& row : answer.designs) all.insert(row.trial.index);
-    EXPECT_EQ(all.size(), f.rows.size());  // each once
-  }
-}
-
-TEST(Search, ExistsIsWhetherRangeFinds) {  // (4)
+TEST(Search, ExistsIsWhetherRangeFinds) {  // (3)
   for (const json& expected : reference().at("searches")) {
     const Search search(problem_of_search(expected.at("input")));
     const std::int64_t size = *search.space().size();

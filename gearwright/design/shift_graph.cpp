@@ -121,7 +121,7 @@ ShiftGraph::Sums ShiftGraph::sums(int limits) const {
     const double most = band[1] / trial_.module;
     // No sum of shifts has tight centres nearer than the base radii.
     if (tight_ && most < nearest_) return {1.0, 0.0, ShiftEdge::Cmax, ShiftEdge::Cmax};
-    if (!tight_ || least > nearest_) not_nearer(sum_of_distance(least), ShiftEdge::Cmin);
+    not_nearer(sum_of_distance(least), ShiftEdge::Cmin);
     not_farther(sum_of_distance(most), ShiftEdge::Cmax);
   }
   if (limits > static_cast<int>(Limit::contact_ratio) && !internal_) {

@@ -250,6 +250,26 @@ TEST(ShiftGraph, OverlapIsThatOfTheFaceWidth) {
   EXPECT_EQ(graph(p, trial(p, 20, 40, 2.0)).what_kills(), Limit::overlap_ratio);
 }
 
+// One flank starts above its base circle, the other is undercut below its own: the path runs from
+// the one start to the other's base tangent point, and no other stretch of it is too short.
+TEST(ShiftGraph, PathsEndAtOneStartAndOneBaseTangentPoint) {
+  SearchProblem p;
+  p.limits.undercut_margin = -1.5;
+  p.limits.contact_ratio = 1.0;
+  for (const bool turned : {false, true}) {
+    const ShiftGraph g = turned ? graph(p, trial(p, 22, 40)) : graph(p, trial(p, 40, 22));
+    const Vec2 x = turned ? Vec2{-0.975, -0.654} : Vec2{-0.654, -0.975};
+    const DesignRow row = row_at(g, x);
+    EXPECT_GT(row.contact_ratio, 1.2);
+    EXPECT_LT(row.contact_ratio_true, 0.6);
+    EXPECT_LT(g.margin(x[0], x[1]), 0.0);
+    EXPECT_LT(margin_by_numbers(g, x[0], x[1]), 0.0);
+    p.limits.contact_ratio = 0.55;  // of both
+    EXPECT_GT(graph(p, g.trial()).margin(x[0], x[1]), 0.0);
+    p.limits.contact_ratio = 1.0;
+  }
+}
+
 // 60:60 without a floor reaches sums at which extended centres lie below the sum of the base radii:
 // no shift of a gear is out of its limits there and no centre out of the band, but Eq. 10 has no
 // value.

@@ -223,6 +223,27 @@ TEST(Sieve, NoWorkingAngleIsNoContact) {
   EXPECT_EQ(graph(s.problem, s.trials[0]).what_kills(), Limit::contact_ratio);
 }
 
+// Tight centres are nowhere nearer than the base radii. A band about that distance, and floors
+// whose sum lies beyond the last one with a working angle: no centre of the band belongs to them.
+TEST(Sieve, BandsAboutTheBaseRadiiHaveOneVerdict) {
+  SieveCase s;
+  SearchProblem& p = s.problem;
+  p.ratio = {-20.0, -1.0};
+  p.mounting = Mounting::tight;
+  const double nearest = 4.5 * std::cos(p.normal_pressure_angle);
+  p.center_distance = {{nearest - 0.04, nearest + 0.06}};
+  const double alpha = p.normal_pressure_angle;
+  const double last = involute(alpha) * 9.0 / (2.0 * std::tan(alpha));
+  p.limits.least_shift = last / 2.0 + 0.001;
+  p.limits.greatest_shift = 0.5;
+  s.constants = constants_of(p);
+  s.batch.resize(1);
+  put(s, 0, trial(p, 61, -70));
+  sieve(s.constants, s.batch);
+  EXPECT_EQ(s.batch.verdict[0], kSieveCenterDistance);
+  EXPECT_EQ(graph(p, s.trials[0]).what_kills(), Limit::center_distance);
+}
+
 // What a band leaves to the sieve's doubt: the trials that survive, and few of those that do not.
 TEST(Sieve, ItAsksForFewGraphs) {
   const auto& first = testing::search::reference().at("searches")[0];

@@ -21,7 +21,7 @@ const std::vector<double>& iso54_modules(int series) {
 
 namespace {
 
-constexpr double kLeastShiftStep = 1e-4;      // a million points of a region
+constexpr double kLeastShiftStep = 0.0025;    // half a million points of a wide region
 constexpr std::size_t kMostValues = 100'000;  // of one list or band
 
 // JSON has no word for nan and inf.

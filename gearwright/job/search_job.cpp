@@ -87,8 +87,38 @@ int thread_count(const SearchOptions& options) {
   return options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
 }
 
+// A grid of shifts: how many points the regions hold is the sum of their areas, which costs the
+// search without them.
+std::optional<Error> refuse_many_points(const Search& search, const SearchOptions& options) {
+  if (!search.problem().shift_step || options.yes_large) return std::nullopt;
+  const double step = *search.problem().shift_step;
+  constexpr double kMostTrials = 1e7;
+  constexpr double kPointBytes = 66;  // measured: 16 in the table, 50 in the chunks
+  if (search.space().approximate_size() > kMostTrials) {
+    return Error{
+        "search.shift_step", fmt::format("{}", step),
+        fmt::format("search.shift_step = {}: with more than {:g} candidates its points are "
+                    "not counted beforehand; leave it out, narrow the search, or say "
+                    "--yes-large",
+                    step, kMostTrials)};
+  }
+  std::vector<DesignRow> rows;
+  search.range(0, *search.space().size(), rows);
+  double area = 0.0;
+  for (const DesignRow& row : rows) area += row.area;
+  const double points = area / (step * step);
+  if (points <= kManyPoints) return std::nullopt;
+  const double enough = std::sqrt(area / kManyPoints);
+  return Error{"search.shift_step", fmt::format("{}", step),
+               fmt::format("search.shift_step = {}: the regions of {} designs hold about {:.2g} "
+                           "points of that grid, some {:.0f} GB; take a step of {:.2g} or more, "
+                           "narrow the search, or say --yes-large",
+                           step, rows.size(), points, points * kPointBytes * 1e-9, enough * 1.01)};
+}
+
 std::optional<Error> refuse_large(const Search& search, const SearchOptions& options) {
   const double size = search.space().approximate_size();
+  if (auto error = refuse_many_points(search, options)) return error;
   if (!search.space().size()) {
     return Error{
         "search", fmt::format("{:.3g}", size),
@@ -274,7 +304,7 @@ std::int64_t chunk_size(const SearchProblem& problem, std::int64_t trials) {
       std::clamp((trials + kChunks - 1) / kChunks, kLeastChunk, kGreatestChunk);
   if (!problem.shift_step) return size;
   // A region has about one square module: so many points of the grid fit into memory.
-  constexpr double kPoints = 2e5;
+  constexpr double kPoints = 5e4;
   const double step = *problem.shift_step;
   return std::clamp<std::int64_t>(static_cast<std::int64_t>(kPoints * step * step), 1, size);
 }

@@ -53,6 +53,8 @@ struct SearchOptions {
 inline constexpr std::size_t kDefaultDesigns = 100'000;
 /// More trials than this only with yes_large.
 inline constexpr double kLargeSearch = 2e10;
+/// More points of a grid of shifts than this only with yes_large.
+inline constexpr double kManyPoints = 1e8;
 
 struct SearchRun {
   SearchAnswer answer;    ///< of a finished search

@@ -67,17 +67,56 @@ void each_number_of_point(Point& p, const F& f) {
 constexpr std::size_t kNumbers = 18 + 2 * 7 + 2;
 constexpr std::size_t kPointNumbers = 14;
 
-struct Writer {
-  std::string* bytes;
-  void word(std::uint64_t w) const {
-    for (int i = 0; i < 8; ++i) *bytes += static_cast<char>(w >> (8 * i));
+// Numbers on their way through the compressor: the plain bytes of a million points never stand in
+// memory at once.
+class Packer {
+ public:
+  Packer()
+      : context_(ZSTD_createCCtx()), buffer_(ZSTD_CStreamInSize()), out_(ZSTD_CStreamOutSize()) {
+    GW_ENSURES(context_ != nullptr);
+    ZSTD_CCtx_setParameter(context_, ZSTD_c_compressionLevel, 1);
   }
+  Packer(const Packer&) = delete;
+  Packer& operator=(const Packer&) = delete;
+  ~Packer() { ZSTD_freeCCtx(context_); }
+  /// Written into the frame, for who unpacks it.
+  void announce(std::size_t size) { ZSTD_CCtx_setPledgedSrcSize(context_, size); }
+
+  void word(std::uint64_t w) {
+    if (used_ + 8 > buffer_.size()) flush(ZSTD_e_continue);
+    for (int i = 0; i < 8; ++i) buffer_[used_++] = static_cast<char>(w >> (8 * i));
+  }
+  std::string take() {
+    flush(ZSTD_e_end);
+    return std::move(packed_);
+  }
+
+ private:
+  void flush(ZSTD_EndDirective end) {
+    ZSTD_inBuffer in{buffer_.data(), used_, 0};
+    for (;;) {
+      ZSTD_outBuffer out{out_.data(), out_.size(), 0};
+      const std::size_t left = ZSTD_compressStream2(context_, &out, &in, end);
+      GW_ENSURES(!ZSTD_isError(left));
+      packed_.append(out_.data(), out.pos);
+      if (end == ZSTD_e_end ? left == 0 : in.pos == in.size) break;
+    }
+    used_ = 0;
+  }
+  ZSTD_CCtx* context_;
+  std::vector<char> buffer_, out_;
+  std::size_t used_ = 0;
+  std::string packed_;
+};
+
+struct Writer {
+  Packer* packer;
   void operator()(double v) const {
     std::uint64_t w;
     std::memcpy(&w, &v, 8);
-    word(w);
+    packer->word(w);
   }
-  void operator()(std::int64_t v) const { word(static_cast<std::uint64_t>(v)); }
+  void operator()(std::int64_t v) const { packer->word(static_cast<std::uint64_t>(v)); }
   void operator()(int v) const { (*this)(static_cast<std::int64_t>(v)); }
   void operator()(bool v) const { (*this)(static_cast<std::int64_t>(v)); }
   void operator()(const std::optional<double>& v) const {
@@ -112,20 +151,14 @@ struct Reader {
 std::string pack(const ChunkFinds& finds) {
   const std::size_t size =
       8 * (2 + finds.designs.size() * kNumbers + finds.points.size() * kPointNumbers);
-  std::string plain;
-  plain.reserve(size);
-  const Writer write{&plain};
+  Packer packer;
+  packer.announce(size);
+  const Writer write{&packer};
   write(static_cast<std::int64_t>(finds.designs.size()));
   write(static_cast<std::int64_t>(finds.points.size()));
   for (const DesignRow& row : finds.designs) each_number(row, write);
   for (const ShiftPoint& point : finds.points) each_number_of_point(point, write);
-  GW_ENSURES(plain.size() == size);
-  std::string packed(ZSTD_compressBound(plain.size()), '\0');
-  const std::size_t got =
-      ZSTD_compress(packed.data(), packed.size(), plain.data(), plain.size(), 1);
-  GW_ENSURES(!ZSTD_isError(got));
-  packed.resize(got);
-  return packed;
+  return packer.take();  // which would not end had `size` been another
 }
 
 ChunkFinds unpack(std::string_view bytes, const std::string& where) {

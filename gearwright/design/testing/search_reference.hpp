@@ -65,6 +65,23 @@ inline SearchProblem problem_of_search(const nlohmann::json& input) {
   return p;
 }
 
+/// A search through helices of both hands, racks and modules at tight centres.
+inline SearchProblem helical_search() {
+  SearchProblem p;
+  p.ratio = {1.8, 2.4};
+  p.center_distance = {{60.0, 62.0}};
+  p.modules = {1.5, 2.0, 2.5};
+  p.pinion_teeth = {12, 24};
+  p.helix = {0.0, 0.2, -0.3};
+  p.racks = {SearchRacks{}, SearchRacks{}};
+  p.racks[1].rack[0].addendum = p.racks[1].rack[1].addendum = 1.1;
+  p.mounting = Mounting::tight;
+  p.limits.least_shift = -0.5;
+  p.limits.sliding = 6.0;
+  p.target_ratio = 2.0;
+  return p;
+}
+
 /// One pair of a problem with one helix and rack; m in mm.
 inline Trial trial(const SearchProblem& p, int z1, int z2, double m = 1.0) {
   const double beta = p.helix[0];

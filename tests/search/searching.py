@@ -1,0 +1,90 @@
+"""Searches for the tests of this folder: specs, their runs as processes of their own, the files they leave."""
+import atexit
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "cli"))
+from cli import BIN, SOURCE, Asked, Run, raw  # noqa: E402,F401
+
+FILES = ["best.csv", "report.html", "search.json", "search.parquet"]
+SMALL = {"ratio": [1.9, 2.1], "center_distance_mm": [99, 101], "modules_mm": [2, 2.5, 3], "pinion_teeth": [12, 40],
+         "profile_shift": [-0.6, 1.0]}
+# 4.2 million candidates, 3633 of them feasible: a second or two.
+WIDE = SMALL | {"modules_mm": "ISO54-I+II", "pinion_teeth": [12, 300], "helix_angle_deg": [8, 20], "helix_step_deg": 1}
+
+
+def toml(value):
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(map(toml, value)) + "]"
+    if isinstance(value, str):
+        return f'"{value}"'
+    return str(value).lower()
+
+
+def spec(keys=SMALL, after="", **changed):
+    """The text of a [search]; a key that is changed to None is left out."""
+    table = {key: value for key, value in (keys | changed).items() if value is not None}
+    return "[search]\n" + "".join(f"{key} = {toml(value)}\n" for key, value in table.items()) + after
+
+
+def folder(text=None):
+    """A new folder, with text as case.toml in it; gone when the test ends."""
+    path = pathlib.Path(tempfile.mkdtemp(prefix="gearwright_search_"))
+    atexit.register(shutil.rmtree, path, ignore_errors=True)
+    if text is not None:
+        (path / "case.toml").write_text(text)
+    return path
+
+
+def contents(out):
+    """The four files of a finished search."""
+    return {name: (pathlib.Path(out) / name).read_bytes() for name in FILES}
+
+
+def chunks(out):
+    """How many chunks are done."""
+    return len(list(pathlib.Path(out).glob("chunks/*.chunk")))
+
+
+def start(where, out, *args, program=(BIN,), **options):
+    """Begins a search of case.toml in a process of its own."""
+    return subprocess.Popen([*program, "search", "case.toml", "--out", str(out), *map(str, args)], cwd=where, text=True,
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE, **options)
+
+
+def end(process, seconds=120):
+    """Exit status, stdout, stderr; what does not end in time is ended."""
+    try:
+        out, err = process.communicate(timeout=seconds)
+    except subprocess.TimeoutExpired:
+        process.terminate()  # mpirun ends its ranks then
+        time.sleep(5)
+        process.kill()
+        process.communicate()
+        raise
+    return process.returncode, out, err
+
+
+def wait_until(true, seconds=60.0, every=0.005):
+    """Whether true() became so in time."""
+    last = time.monotonic() + seconds
+    while time.monotonic() < last:
+        if true():
+            return True
+        time.sleep(every)
+    return False
+
+
+def duckdb(parquet, sql):
+    """The rows that DuckDB finds, as read_parquet.mjs prints them."""
+    p = subprocess.run([os.environ.get("GW_NODE") or "node", str(pathlib.Path(__file__).with_name("read_parquet.mjs")), str(parquet), sql],
+                       capture_output=True, text=True, timeout=120)
+    if p.returncode:
+        raise RuntimeError(p.stderr)
+    return json.loads(p.stdout)

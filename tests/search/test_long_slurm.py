@@ -1,0 +1,39 @@
+"""A node that dies in the middle of an array job: Slurm starts its task again elsewhere, and the search ends by itself.
+
+Slurm waits two minutes before it starts the task of a dead node again. Needs what test_slurm.py needs.
+"""
+import sys
+import time
+import unittest
+
+from searching import chunks, wait_until
+from test_slurm import CHUNK, SCRIPTS, Slurm as Short
+from two_nodes import why_not
+
+
+class LongSlurm(Short):
+    # Of the short test only its cluster and its search are wanted here.
+    test_an_array_whose_tasks_on_one_node_are_killed = None
+    test_an_array_of_another_size_takes_over = None
+    test_ranks_of_one_job = None
+
+    def test_a_node_dies(self):
+        out = self.where / "dies"
+        job = self.submit("--array=0-1", SCRIPTS / "search_array.sbatch", "case.toml", "dies", *CHUNK)
+        self.assertTrue(wait_until(lambda: chunks(out) > 0 and self.cluster.processes("n2", "gearwright")), self.log(job))
+        self.cluster.lose("n2")
+        self.assertTrue(wait_until(lambda: "n2 down" in self.cluster.ask("sinfo", "-h", "-N", "-o", "%N %T").replace("*", ""),
+                                   120, 1.0), self.log(job))
+        self.assertFalse((out / "search.json").exists(), "the node died too late to test anything")
+        began = time.monotonic()
+        self.cluster.wait_for_job(job, 400)
+        self.finish(job, "dies")
+        print(f"the task of the dead node was over {time.monotonic() - began:.0f} s later, on the other")
+
+
+del Short  # unittest would run it again
+if __name__ == "__main__":
+    if why_not():
+        print(f"skipped: {why_not()}")
+        sys.exit(77)
+    unittest.main()
