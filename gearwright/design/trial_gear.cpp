@@ -50,6 +50,13 @@ Shifts thick_enough(const TrialGear& g, double k) {
   const double lo = g.teeth > 0 ? edge : -far;
   const double hi = g.teeth > 0 ? edge + far : edge;
   const auto margin = [&](double x) { return tip_thickness(g, x, k) - g.tip_thickness_least; };
+  if (g.teeth > 0) {
+    // As a rule: thick enough on the base circle and at x = 0, and from there on thinner and
+    // thinner.
+    const double start = std::max(edge, 0.0);
+    if (margin(edge) >= 0.0 && margin(start) >= 0.0 && margin(hi) < 0.0)
+      return {edge, find_root(margin, start, hi).x};
+  }
   const auto pieces = where_not_negative(margin, lo, hi, 64);
   if (pieces.empty()) return {1.0, 0.0};
   return {pieces.back().lo, pieces.back().hi};

@@ -23,6 +23,7 @@ namespace gearwright {
 namespace {
 
 constexpr std::int64_t kLeastChunk = 1 << 18;
+constexpr std::int64_t kShare = 1 << 16;  // of a thread at a time, where no file is made of it
 constexpr std::int64_t kGreatestChunk = 1 << 22;  // a thread holds the designs of one
 
 void flatten(const Json& node, const std::string& path, std::string& lines) {
@@ -347,8 +348,9 @@ Result<SearchRun> run_search(const JobSpec& spec, const Search& search,
   const bool campaign =
       !options.out.empty() &&
       (trials > chunk || options.many || options.together || options.resume || options.chunk);
-  return campaign ? run_campaign(spec, search, chunk, options)
-                  : Result<SearchRun>(run_in_memory(spec, search, chunk, options));
+  return campaign
+             ? run_campaign(spec, search, chunk, options)
+             : Result<SearchRun>(run_in_memory(spec, search, std::min(chunk, kShare), options));
 }
 
 }  // namespace gearwright
