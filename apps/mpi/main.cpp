@@ -1,5 +1,6 @@
-// gearwright-mpi: the verb search on many ranks, mpirun -n 8 gearwright-mpi search spec.toml --out
-// d
+// gearwright-mpi: the verb search on many ranks.
+//
+//   mpirun -n 8 gearwright-mpi search spec.toml --out found
 //
 // Every rank computes. The next chunk is a counter in a window of rank 0, drawn by fetch-and-op: no
 // master waits. Finished chunks meet in the folder, and rank 0 makes the files of them in order, so

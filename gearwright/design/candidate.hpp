@@ -57,9 +57,9 @@ void evaluate_scalar(const CandidateConstants& constants, CandidateBatch& batch)
 /// Nearer to a limit than this, modules, the lanes' verdict is not taken.
 inline constexpr double kSieveDoubt = 1e-10;
 
-/// What the sieve says of a trial: killed for certain by one of the first three limits; nothing found
-/// against it at the point with the longest path; or not for it to say. The graph has the last word
-/// on the last two.
+/// What the sieve says of a trial: killed for certain by one of the first three limits; nothing
+/// found against it at the point with the longest path; or not for it to say. The graph has the
+/// last word on the last two.
 inline constexpr double kSieveShiftLimits = 0.0, kSieveCenterDistance = 1.0,
                         kSieveContactRatio = 2.0, kSievePass = 3.0, kSieveAsk = 4.0;
 

@@ -18,7 +18,7 @@ namespace gearwright {
 struct DesignRow {
   Trial trial;
   std::array<double, 2> shift{};          ///< x1, x2
-  bool balanced = false;                  ///< the point of Eq. 11; else the middle of lo and hi
+  bool balanced = false;                  ///< the point of Eq. 11; else as chosen_point() says
   double center_distance = 0.0;           ///< a
   double working_angle = 0.0;             ///< α_wt, crossed: α_n
   double ratio = 0.0;                     ///< z2/z1

@@ -23,7 +23,7 @@ inline constexpr int kIntervalNodes = 24;
 
 namespace detail {
 
-/// The higher place of f between a and b, by golden section; stops as soon as f ≥ 0.
+/// The higher place of f between a and b, by golden section; stops as soon as f > 0.
 template <class F>
 double climb(const F& f, double a, double b) {
   constexpr double kGolden = 0.6180339887498949;
@@ -31,7 +31,7 @@ double climb(const F& f, double a, double b) {
   double y = a + kGolden * (b - a);
   double f_x = f(x);
   double f_y = f(y);
-  for (int i = 0; i < 80 && b - a > 1e-13 && f_x < 0.0 && f_y < 0.0; ++i) {
+  for (int i = 0; i < 80 && b - a > 1e-13 && f_x <= 0.0 && f_y <= 0.0; ++i) {
     if (f_x > f_y) {
       b = y;
       y = x;
@@ -83,6 +83,18 @@ std::vector<Interval> where_not_negative(const F& f, double a, double b,
     const double value = f(top);
     if (value < 0.0) continue;
     at.insert(at.begin() + static_cast<std::ptrdiff_t>(top > at[i].x ? i + 1 : i), {top, value});
+    ++i;
+  }
+  // A node where f is exactly 0, as at a corner of the shift limits, is a root itself: what rises
+  // between it and a negative neighbour is climbed to first.
+  for (std::size_t i = 0; i + 1 < at.size(); ++i) {
+    const double l = at[i].value;
+    const double r = at[i + 1].value;
+    if (!((l == 0.0 && r < 0.0) || (l < 0.0 && r == 0.0))) continue;
+    const double place = detail::climb(f, at[i].x, at[i + 1].x);
+    const Node top{place, f(place)};
+    if (!(top.value > 0.0)) continue;
+    at.insert(at.begin() + static_cast<std::ptrdiff_t>(i + 1), top);
     ++i;
   }
   for (std::size_t i = 0; i < at.size(); ++i) {

@@ -146,5 +146,21 @@ TEST(Intervals, PiecesOfRandomWavesAreApartAndTrue) {
   }
 }
 
+// At a corner of the shift limits the width is exactly 0, and rises from there.
+TEST(Intervals, AHumpBesideANodeThatIsZeroIsFound) {
+  const auto hump = [](double x) { return x * (0.5 - x); };
+  const auto right = where_not_negative(hump, 0.0, 24.0);
+  ASSERT_EQ(right.size(), 1u);
+  EXPECT_EQ(right[0].lo, 0.0);
+  EXPECT_NEAR(right[0].hi, 0.5, 1e-15);
+  const auto left = where_not_negative([&](double x) { return hump(24.0 - x); }, 0.0, 24.0);
+  ASSERT_EQ(left.size(), 1u);
+  EXPECT_NEAR(left[0].lo, 23.5, 1e-14);
+  EXPECT_EQ(left[0].hi, 24.0);
+  const auto only_touching = where_not_negative([](double x) { return -x; }, 0.0, 24.0);
+  ASSERT_EQ(only_touching.size(), 1u);
+  EXPECT_EQ(only_touching[0].hi, 0.0);
+}
+
 }  // namespace
 }  // namespace gearwright

@@ -36,7 +36,7 @@ struct Knob {
   std::function<std::string(double)> show;
 };
 
-// The least move after which a design exists, rounded outwards to six digits of the move.
+// The least move after which a design exists, rounded outwards to four digits of the move.
 std::optional<double> least_move(const SearchProblem& problem, const Knob& knob) {
   const auto works = [&](double value) {
     SearchProblem p = problem;

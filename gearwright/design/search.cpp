@@ -65,6 +65,8 @@ class Sieve {
         problem.limits.contact_ratio * std::numbers::pi * std::cos(alpha_t) / cos_beta;
     constants_.addendum = {racks.rack[0].addendum, racks.rack[1].addendum};
     constants_.internal = problem.internal();
+    shortened_ = problem.shorten_tips;
+    ceiling_ = problem.limits.greatest_shift.value_or(1e9);
     constants_.tight = problem.mounting == Mounting::tight && !problem.crossed();
     constants_.path = !constants_.tight && !constants_.internal && !problem.crossed();
     trials_.reserve(kBatch);
@@ -84,8 +86,10 @@ class Sieve {
       a_lo = (*distance)[0] / t.module;
       a_hi = (*distance)[1] / t.module;
     }
-    const double values[] = {g_1.r,       g_1.x_least,    g_1.x_greatest, g_2.r,
-                             g_2.x_least, g_2.x_greatest, a_lo,           a_hi};
+    // Shortened tips are thicker: how far they may be shifted the graph knows.
+    const double hi_1 = shortened_ ? ceiling_ : g_1.x_greatest;
+    const double hi_2 = shortened_ ? ceiling_ : g_2.x_greatest;
+    const double values[] = {g_1.r, g_1.x_least, hi_1, g_2.r, g_2.x_least, hi_2, a_lo, a_hi};
     for (std::size_t k = 0; k < SieveBatch::kIn; ++k) batch_.in[k][i] = values[k];
   }
   /// decide(trial, verdict) says whether to go on.
@@ -105,6 +109,8 @@ class Sieve {
  private:
   double helix_;
   int rack_;
+  bool shortened_ = false;
+  double ceiling_ = 0.0;
   SieveConstants constants_;
   SieveBatch batch_;
   std::vector<Trial> trials_;

@@ -2,8 +2,8 @@
 //
 // A range of trials is searched by itself and depends on nothing else, so that the whole may be cut
 // anywhere: threads, shards, ranks. Most trials die of three limits that cost a few operations; the
-// sieve (design/candidate.hpp) does those eight at a time, and only what it cannot decide for certain
-// gets its graph.
+// sieve (design/candidate.hpp) does those as many at a time as the processor has lanes, and only
+// what it cannot decide for certain gets its graph.
 #pragma once
 
 #include <array>
@@ -54,7 +54,8 @@ class Search {
   ShiftGraph graph(const Trial& trial) const;
 
  private:
-  // Runs [from, to) through the sieve: decide(trial, verdict, pinions, wheels) until it says stop.
+  // Runs [from, to) through the sieve: decide(trial, verdict, gear 1, gear 2) until it returns
+  // false.
   template <class F>
   void sift(std::int64_t from, std::int64_t to, const F& decide) const;
   std::shared_ptr<const TrialGears> gears(int which, int rack, double helix) const;

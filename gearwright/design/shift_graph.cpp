@@ -133,7 +133,8 @@ ShiftGraph::Sums ShiftGraph::sums(int limits) const {
   // The corners of the rectangle end the graph too, but in a point: no edge is named after them.
   raise(s.lo, gears_[0].x_least + gears_[1].x_least);
   double corner = gears_[0].x_greatest + gears_[1].x_greatest;
-  if (tight_ && problem_->shorten_tips && std::isfinite(corner)) {
+  if (tight_ && problem_->shorten_tips) {
+    corner = std::max(corner, gears_[0].x_least + gears_[1].x_least);
     for (int i = 0; i < 60; ++i) {  // rises to where the tips, thicker by k, are as thin as allowed
       const double k = place(std::max(corner, s.lo)).k;
       const double next =
@@ -209,7 +210,8 @@ ShiftSlice ShiftGraph::slice(double sum, int limits) const {
                                    weight_[1], internal_);
     return Slope<double>{path_length(at, sum, x) - least_path_, s.first};
   };
-  // Concave: from outside, Newton's steps fall short of the root and cannot pass it.
+  // External E is concave: Newton's steps from outside fall short of the root. A ring's may bend
+  // upwards; the bracket holds them.
   if (slice.lo < top.x1 && excess(slice.lo).value < 0.0) {
     slice.lo = newton_in_bracket<double>(excess, slice.lo, top.x1, slice.lo, true).x;
     slice.lo_edge = ShiftEdge::eps;
@@ -255,7 +257,7 @@ std::vector<Interval> ShiftGraph::feasible_sums(int limits) const {
 std::optional<Limit> ShiftGraph::what_kills() const {
   for (int n = 1; n <= kLimits; ++n) {
     const auto limit = static_cast<Limit>(n - 1);
-    if (limit == Limit::shift_limits) {
+    if (limit == Limit::shift_limits && !problem_->shorten_tips) {
       for (const TrialGear& g : gears_)
         if (!(g.x_least <= g.x_greatest + kTouching)) return limit;
       continue;

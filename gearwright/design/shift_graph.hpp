@@ -4,14 +4,15 @@
 //                   tip alteration depend on Σ alone, and on a line Σ = const every limit leaves
 //                   one interval of x1
 //   a(Σ), N(Σ), k(Σ)  centre distance, distance of the base tangent points, tip alteration
-//   E(Σ, x1)        length of the path of contact, concave in x1; w_1, w_2 its weights: 1, or
-//                   1/cos β_b of crossed axes
+//   E(Σ, x1)        length of the path of contact, with one maximum in x1 (external: concave); its
+//                   weights w_1, w_2 are 1, or 1/cos β_b of crossed axes
 //   K               least length of the path: the least contact ratio times the pitch
 //                                              theory: docs/theory/09-design-search.md
 //
-// Everything in normal modules and ISO 21771 signs, so that external, internal and crossed pairs are
-// one set of formulas. The set is exact; nothing here is sampled. Left out of it, knowingly: with
-// interference to be avoided, tips of external gears that lie inside their own reference circle.
+// Everything in normal modules and ISO 21771 signs, so that external, internal and crossed pairs
+// are one set of formulas. Every bound is solved, not sampled; the ends in Σ are sought at nodes
+// where section 9.4 proves no single interval. Left out, knowingly: with interference to be
+// avoided, tips of external gears that lie inside their own reference circle.
 #pragma once
 
 #include <array>
@@ -122,8 +123,8 @@ class ShiftGraph {
   /// The first limit that leaves nothing; none: the region exists.
   std::optional<Limit> what_kills() const;
 
-  /// Every limit at one point, without the slices: the region's second opinion. Least margin over
-  /// all limits, modules (the path's length in them too); ≥ 0: inside.
+  /// Least margin over all limits at one point, modules, from the same bounds as the slices; ≥ 0:
+  /// inside.   Domain: outside sums() that distance alone
   double margin(double x1, double x2) const;
 
  private:

@@ -1,8 +1,7 @@
 // Every feasible point of a grid of shifts: what a region holds, as a table of candidates.
 //
-//   h        step of the grid; x1 = i h, x2 = j h      candidate   one point within the rectangle
-//   of
-//                                                      the shift limits and the band of Σ
+//   h           step of the grid; x1 = i h, x2 = j h
+//   candidate   a point within the rectangle of the shift limits and the band of Σ
 //
 // Lanes (design/candidate.hpp) judge the candidates against all limits; within kSieveDoubt of one,
 // and on crossed axes, the graph does. Numbers that are kept come from the scalar formulas of the

@@ -1,8 +1,8 @@
 // A tip and its distance along the line of action: the two conversions of the s1–s2 graph, and how
 // a bound is tightened. Internal to design/.
 //
-//   u   tip radius      b   base radius      q = √(u² − b²), curvature radius of the flank at its
-//   tip
+//   u, b   tip and base radius
+//   q      √(u² − b²), curvature radius of the flank at its tip
 #pragma once
 
 #include <algorithm>

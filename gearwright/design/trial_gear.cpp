@@ -58,7 +58,7 @@ Shifts thick_enough(const TrialGear& g, double k) {
       return {edge, find_root(margin, start, hi).x};
   }
   const auto pieces = where_not_negative(margin, lo, hi, 64);
-  if (pieces.empty()) return {1.0, 0.0};
+  if (pieces.empty()) return {lo, -std::numeric_limits<double>::infinity()};
   return {pieces.back().lo, pieces.back().hi};
 }
 
@@ -115,6 +115,7 @@ TrialGears::TrialGears(const SearchProblem& problem, int least, int greatest, do
 }
 
 const TrialGear& TrialGears::operator[](int teeth) const {
+  GW_EXPECTS(teeth >= least_ && teeth - least_ < static_cast<int>(gears_.size()));
   return gears_[static_cast<std::size_t>(teeth - least_)];
 }
 

@@ -1,10 +1,10 @@
 // One gear of a trial, in normal modules: what its teeth, helix and rack say about it before its
 // profile shift is chosen, and the limits of that shift.
 //
-//   r, r_b    reference and base radius, negative for a ring (ISO 21771 signs), so that external
-//   and
-//             internal pairs share every formula:  |r_a| = |r + h_a + x + k|
-//   h_a, h_f  addendum, dedendum of the rack     h_F   depth of its straight edge
+//   r, r_b    reference and base radius, negative for a ring (ISO 21771 signs): external and
+//             internal pairs share every formula,  |r_a| = |r + h_a + x + k|
+//   h_a, h_f  addendum and dedendum of the rack
+//   h_F       depth of its straight edge
 //   k         tip alteration ≤ 0, of tight centres with shortened tips; else 0
 //                                              theory: docs/theory/09-design-search.md, 9.1
 #pragma once
@@ -56,6 +56,7 @@ class TrialGears {
  public:
   TrialGears(const SearchProblem& problem, int least, int greatest, double helix, int rack,
              int which);
+  /// Domain    least ≤ teeth ≤ greatest (contract)
   const TrialGear& operator[](int teeth) const;
 
  private:

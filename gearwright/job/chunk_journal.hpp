@@ -1,7 +1,7 @@
 // The account of a campaign in SQLite, for people, for progress lines and for meeting other
 // writers.
 //
-//   campaign(key, value)    `fingerprint`, `chunks`, `rejected`
+//   campaign(key, value)    `fingerprint`, `chunks`, `counts`
 //   chunks(chunk, tested, feasible, <one column for each constraint>, bytes, writer, finished)
 //
 // `bytes` is the length of the payload, `finished` the time in UTC. Both `writer` and `finished`

@@ -1,10 +1,9 @@
 // The folder of a large search: numbered chunks of work, each kept whole as soon as it is done.
 //
-//   out/chunks/000123.chunk                      a finished chunk: a header with its counts, its
-//   bytes out/chunks/000123.chunk.N.part.HOST.PID      one that is being written; renamed when it
-//   is whole out/chunks/000123.chunk.damaged              one that was found broken and counts as
-//   missing out/journal.sqlite                           the account: tables `campaign` and
-//   `chunks`
+//   out/chunks/000123.chunk         a finished chunk: header with its counts, bytes
+//   out/chunks/….part.HOST.PID      being written; renamed when it is whole
+//   out/chunks/….chunk.damaged      found broken; counts as missing
+//   out/journal.sqlite              the account: tables `campaign` and `chunks`
 //
 // The chunk files are the truth, the journal is what people and progress lines read. A file is
 // renamed into place before its row is written, so whoever is killed at whatever moment loses the

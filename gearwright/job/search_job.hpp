@@ -74,9 +74,9 @@ inline constexpr std::int64_t kMostChunks = 1'000'000;
 /// Runs the search of the spec.
 ///
 /// Throws    IoError
-/// Errors    `search` missing from the spec; --yes-large for a large one, with how long it would
-///           take here; --out of a campaign that is there already, --resume of one that is not or
-///           has another spec; --shard and --resume without --out
+/// Errors    --yes-large for a large search or grid, with how long or how many; no tooth numbers in
+///           the ratio; more chunks than kMostChunks; --out of a campaign that is there already,
+///           --resume of none or of another spec; --shard or --resume without --out
 Result<SearchRun> run_search(const JobSpec& spec, const Search& search,
                              const SearchOptions& options);
 
