@@ -141,11 +141,17 @@ ShiftBounds ShiftGraph::bounds_before_path(double sum, int limits) const {
 
 ShiftSlice ShiftBounds::slice() const {
   ShiftSlice s{-kInfinity, kInfinity, ShiftEdge::mesh, ShiftEdge::mesh};
-  for (std::size_t i = 0; i < kShiftEdges; ++i) {
-    const auto edge = static_cast<ShiftEdge>(i);
-    if (lo[i] > s.lo) s.lo = lo[i], s.lo_edge = edge;
-    if (hi[i] < s.hi) s.hi = hi[i], s.hi_edge = edge;
-  }
+  s.lo = *std::max_element(lo.begin(), lo.end());
+  s.hi = *std::min_element(hi.begin(), hi.end());
+  // Bounds that run together, as clipped paths and interference may, have one name: the first.
+  const auto first = [](const auto& bounds, double value) {
+    const auto at = std::find_if(bounds.begin(), bounds.end(), [value](double bound) {
+      return bound == value || std::abs(bound - value) <= kOneBound;
+    });
+    return static_cast<ShiftEdge>(at - bounds.begin());
+  };
+  if (s.lo > -kInfinity) s.lo_edge = first(lo, s.lo);
+  if (s.hi < kInfinity) s.hi_edge = first(hi, s.hi);
   return s;
 }
 

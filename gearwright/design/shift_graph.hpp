@@ -49,6 +49,9 @@ std::string_view name(ShiftEdge edge);
 /// Limits that coincide to this, modules, touch: a centre distance divided by a module is rounded.
 inline constexpr double kTouching = 1e-11;
 
+/// Bounds of x1 nearer than this, modules, are one bound: their rounding must not name it in turns.
+inline constexpr double kOneBound = 1e-12;
+
 /// One line Σ = const: the interval of x1; empty when lo > hi + kTouching.
 struct ShiftSlice {
   double lo, hi;

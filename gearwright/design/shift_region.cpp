@@ -38,8 +38,12 @@ double value_of(const ShiftSlice& s, Side side) { return side == Side::lo ? s.lo
 // Zero where the edges a and b bound x1 at one place.
 double difference(const ShiftGraph& graph, Side side, ShiftEdge a, ShiftEdge b, double sum) {
   const ShiftBounds bounds = graph.bounds_before_path(sum);
+  // Where an edge does not bound at all it stands far off, but at a place that a root finder can
+  // use.
+  constexpr double kFar = 1e3;
   const auto at = [&](ShiftEdge e) {
-    return (side == Side::lo ? bounds.lo : bounds.hi)[static_cast<std::size_t>(e)];
+    const auto& all = side == Side::lo ? bounds.lo : bounds.hi;
+    return std::clamp(all[static_cast<std::size_t>(e)], -kFar, kFar);
   };
   if (a == ShiftEdge::eps || b == ShiftEdge::eps) {
     const double x1 = at(a == ShiftEdge::eps ? b : a);
@@ -49,18 +53,21 @@ double difference(const ShiftGraph& graph, Side side, ShiftEdge a, ShiftEdge b, 
   return at(a) - at(b);
 }
 
+// No side has so many corners: beyond, two bounds are one to rounding.
+constexpr std::size_t kMostChanges = 40;
+
 // Sums between l and r at which the bounding edge of the side changes; known at the ends.
 void find_changes(const ShiftGraph& graph, Side side, double l, ShiftEdge at_l, double r,
                   ShiftEdge at_r, std::vector<double>& found) {
   if (at_l == at_r) return;
-  if (r - l < 4e-16 * (1.0 + std::abs(l) + std::abs(r))) {
+  if (r - l < 4e-16 * (1.0 + std::abs(l) + std::abs(r)) || found.size() >= kMostChanges) {
     found.push_back((l + r) / 2.0);
     return;
   }
   const Root root =
       find_root([&](double sum) { return difference(graph, side, at_l, at_r, sum); }, l, r);
   if (root.found() && root.x >= l && root.x <= r) {
-    const double step = std::max(1e-9 * (r - l), 1e-15);
+    const double step = std::max(1e-9 * (r - l), 1e-10);  // past the width of kOneBound
     const double before = std::max(l, root.x - step);
     const double after = std::min(r, root.x + step);
     if (edge_of(graph.slice(before), side) == at_l && edge_of(graph.slice(after), side) == at_r) {
