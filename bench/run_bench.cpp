@@ -26,8 +26,8 @@ face_width_mm = 25
 
 void spec_to_pair(benchmark::State& state) {
   for (auto _ : state) {
-    const auto design = solve(read_spec(kSpec, SpecFormat::toml).value(), Scope::pair);
-    benchmark::DoNotOptimize(design->pair->center_distance);
+    const auto job = solve(read_spec(kSpec, SpecFormat::toml).value(), Scope::pair);
+    benchmark::DoNotOptimize(job->pair->center_distance);
   }
 }
 BENCHMARK(spec_to_pair)->Unit(benchmark::kMicrosecond);
@@ -39,8 +39,8 @@ void run_everything(benchmark::State& state) {
   options.step = step_document;
 #endif
   for (auto _ : state) {
-    Design design = solve(read_spec(kSpec, SpecFormat::toml).value(), Scope::everything).value();
-    benchmark::DoNotOptimize(write_everything(design, folder, options)->size());
+    SolvedJob job = solve(read_spec(kSpec, SpecFormat::toml).value(), Scope::everything).value();
+    benchmark::DoNotOptimize(write_everything(job, folder, options)->size());
   }
   std::filesystem::remove_all(folder);
 }

@@ -12,7 +12,7 @@
 #include "apps/cli/verbs.hpp"
 #include "apps/common/search_verb.hpp"
 #include "gearwright/base/output_file.hpp"
-#include "gearwright/job/version.hpp"
+#include "gearwright/base/version.hpp"
 
 namespace {
 

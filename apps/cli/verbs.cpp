@@ -19,7 +19,7 @@
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/job/toml_text.hpp"
+#include "gearwright/spec/toml_text.hpp"
 #include "gearwright/job/verify.hpp"
 
 namespace gearwright::cli {
@@ -39,15 +39,15 @@ std::string read_text(const std::string& path) {
   return text;
 }
 
-Result<Design> solve_file(const Options& o, Scope scope) {
+Result<SolvedJob> solve_file(const Options& o, Scope scope) {
   const auto spec = read_spec_file(o.spec);
   if (!spec) return spec.error();
   return solve(*spec, scope);
 }
 
-std::string pair_listing_of(const Design& design) {
-  if (design.arc_pair) return pair_listing(*design.arc_pair);
-  return design.pair ? pair_listing(*design.pair) : std::string();
+std::string pair_listing_of(const SolvedJob& job) {
+  if (job.arc_pair) return pair_listing(*job.arc_pair);
+  return job.pair ? pair_listing(*job.pair) : std::string();
 }
 
 // Says on stderr what is being made, but only when it takes more than a second.
@@ -101,11 +101,11 @@ int gear_verb(const Options& o) {
           "--as-rack 3,20 or --as-rack ,17.5");
     }
   }
-  const auto design = solve_file(o, Scope::gears);
-  if (!design) return fail(o, design.error());
+  const auto job = solve_file(o, Scope::gears);
+  if (!job) return fail(o, job.error());
   std::vector<ReferenceInput<double>> racks;
-  for (std::size_t i = 0; question && i < design->gears.size(); ++i) {
-    auto rack = gear_as_rack(design->gears[i], *question);
+  for (std::size_t i = 0; question && i < job->gears.size(); ++i) {
+    auto rack = gear_as_rack(job->gears[i], *question);
     if (!rack) {
       Error error = rack.error();
       error.message = fmt::format("gear{}: {}", i + 1, error.message);
@@ -114,12 +114,12 @@ int gear_verb(const Options& o) {
     racks.push_back(*rack);
   }
   if (o.json) {
-    Json j = design_json(*design);
+    Json j = job_json(*job);
     for (std::size_t i = 0; i < racks.size(); ++i) j["gears"][i]["as_rack"] = rack_json(racks[i]);
     print_json(j);
   } else {
-    print(gear_listing(*design) + (racks.empty() ? std::string() : rack_listing(racks)) +
-          warning_listing(design->warnings));
+    print(gear_listing(*job) + (racks.empty() ? std::string() : rack_listing(racks)) +
+          warning_listing(job->warnings));
   }
   return 0;
 }
@@ -127,13 +127,13 @@ int gear_verb(const Options& o) {
 int measure_verb(const Options& o) {
   auto solved = solve_file(o, Scope::gears);
   if (!solved) return fail(o, solved.error());
-  Design design = std::move(solved).take();
-  const auto measures = chord_measures(design);
+  SolvedJob job = std::move(solved).take();
+  const auto measures = chord_measures(job);
   if (!measures) return fail(o, measures.error());
   if (o.json) {
-    print_json(measures_json(design, *measures));
+    print_json(measures_json(job, *measures));
   } else {
-    print(measure_listing(*measures) + warning_listing(design.warnings));
+    print(measure_listing(*measures) + warning_listing(job.warnings));
   }
   return 0;
 }
@@ -169,12 +169,12 @@ int fit_verb(const Options& o) {
 }
 
 int pair_verb(const Options& o) {
-  const auto design = solve_file(o, Scope::pair);
-  if (!design) return fail(o, design.error());
+  const auto job = solve_file(o, Scope::pair);
+  if (!job) return fail(o, job.error());
   if (o.json) {
-    print_json(design_json(*design));
+    print_json(job_json(*job));
   } else {
-    print(gear_listing(*design) + pair_listing_of(*design) + warning_listing(design->warnings));
+    print(gear_listing(*job) + pair_listing_of(*job) + warning_listing(job->warnings));
   }
   return 0;
 }
@@ -182,13 +182,13 @@ int pair_verb(const Options& o) {
 int contact_verb(const Options& o) {
   auto solved = solve_file(o, Scope::pair);
   if (!solved) return fail(o, solved.error());
-  Design design = std::move(solved).take();
-  const auto answer = answer_contact(design);
+  SolvedJob job = std::move(solved).take();
+  const auto answer = answer_contact(job);
   if (!answer) return fail(o, answer.error());
   if (o.json) {
-    print_json(contact_json(design, *answer));
+    print_json(contact_json(job, *answer));
   } else {
-    print(contact_listing(design, *answer) + warning_listing(design.warnings));
+    print(contact_listing(job, *answer) + warning_listing(job.warnings));
   }
   return 0;
 }
@@ -196,8 +196,8 @@ int contact_verb(const Options& o) {
 int compensate_verb(const Options& o) {
   auto solved = solve_file(o, Scope::pair);
   if (!solved) return fail(o, solved.error());
-  Design design = std::move(solved).take();
-  const auto answer = answer_compensate(design);
+  SolvedJob job = std::move(solved).take();
+  const auto answer = answer_compensate(job);
   if (!answer) return fail(o, answer.error());
   if (o.spec_only) {
     if (o.json) {
@@ -206,25 +206,25 @@ int compensate_verb(const Options& o) {
       print(toml_text(Json::parse(answer->corrected)));
     }
   } else if (o.json) {
-    print_json(compensate_json(design, *answer));
+    print_json(compensate_json(job, *answer));
   } else {
-    print(compensate_listing(design, *answer) + warning_listing(design.warnings));
+    print(compensate_listing(job, *answer) + warning_listing(job.warnings));
   }
   return 0;
 }
 
 int outline_verb(const Options& o) {
-  const auto design = solve_file(o, Scope::gears);
-  if (!design) return fail(o, design.error());
+  const auto job = solve_file(o, Scope::gears);
+  if (!job) return fail(o, job.error());
   const int which = o.gear.value_or(1);
-  if (which > static_cast<int>(design->gears.size())) {
+  if (which > static_cast<int>(job->gears.size())) {
     return fail(o, {"gear2", "", "gear2: is missing from the spec, --gear 2 asks for its outline"});
   }
-  const auto body = make_body(*design, which, false);
+  const auto body = make_body(*job, which, false);
   if (!body) return fail(o, body.error());
   if (o.json) {
     Json j = outline_json(body->outline, o.points);
-    j["warnings"] = warnings_json(design->warnings);
+    j["warnings"] = warnings_json(job->warnings);
     print_json(j);
   } else {
     print(outline_listing(body->outline, o.points));
@@ -239,14 +239,14 @@ int run_verb(const Options& o) {
   }
   auto solved = solve_file(o, Scope::everything);
   if (!solved) return fail(o, solved.error());
-  Design design = std::move(solved).take();
+  SolvedJob job = std::move(solved).take();
   fs::path out = o.out;
   if (out.empty()) {
     out = fs::path(o.spec);
     if (out.extension() == ".toml" || out.extension() == ".json") out.replace_extension();
     out += "_out";
   }
-  const auto files = write_everything(design, out, file_options(o));
+  const auto files = write_everything(job, out, file_options(o));
   if (!files) return fail(o, files.error());
   if (o.json) {
     // As in result.json, which comes first, with all the files.
@@ -254,7 +254,7 @@ int run_verb(const Options& o) {
     j["files"] = files_json(*files);
     print_json(j);
   } else {
-    print(gear_listing(design) + pair_listing_of(design) + warning_listing(design.warnings) +
+    print(gear_listing(job) + pair_listing_of(job) + warning_listing(job.warnings) +
           file_listing(*files));
   }
   return 0;
@@ -272,16 +272,16 @@ int export_verb(const Options& o) {
   if (const std::string name = collision(o); !name.empty()) {
     return usage(name + " is named twice, or is the spec itself");
   }
-  const auto design = solve_file(o, o.gear ? Scope::gears : Scope::everything);
-  if (!design) return fail(o, design.error());
-  const int count = static_cast<int>(design->gears.size());
+  const auto job = solve_file(o, o.gear ? Scope::gears : Scope::everything);
+  if (!job) return fail(o, job.error());
+  const int count = static_cast<int>(job->gears.size());
   if (o.gear && *o.gear > count) {
     return fail(o, {"gear2", "", "gear2: is missing from the spec, --gear 2 asks for its files"});
   }
   std::vector<ToothedBody> bodies;
   for (int which = 1; which <= count; ++which) {
     if (o.gear && *o.gear != which) continue;
-    auto body = make_body(*design, which, !o.gear);
+    auto body = make_body(*job, which, !o.gear);
     if (!body) return fail(o, body.error());
     bodies.push_back(std::move(body).take());
   }
@@ -295,9 +295,9 @@ int export_verb(const Options& o) {
   }
   write_files(files);
   if (o.json) {
-    print_json({{"files", files_json(files)}, {"warnings", warnings_json(design->warnings)}});
+    print_json({{"files", files_json(files)}, {"warnings", warnings_json(job->warnings)}});
   } else {
-    print(warning_listing(design->warnings) + file_listing(files));
+    print(warning_listing(job->warnings) + file_listing(files));
   }
   return 0;
 }

@@ -11,7 +11,7 @@
 
 #include "apps/common/speaking.hpp"
 #include "gearwright/job/search_answer.hpp"
-#include "gearwright/job/toml_text.hpp"
+#include "gearwright/spec/toml_text.hpp"
 
 namespace gearwright::cli {
 

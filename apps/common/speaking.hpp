@@ -4,7 +4,7 @@
 #include <string>
 
 #include "gearwright/base/result.hpp"
-#include "gearwright/job/table_reader.hpp"
+#include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright::cli {
 

@@ -14,7 +14,7 @@
 #include <memory>
 
 #include "apps/common/search_verb.hpp"
-#include "gearwright/job/version.hpp"
+#include "gearwright/base/version.hpp"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/cad/little_endian.hpp"
+#include "gearwright/base/little_endian.hpp"
 
 namespace gearwright {
 

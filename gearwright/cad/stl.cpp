@@ -1,7 +1,7 @@
 #include "gearwright/cad/stl.hpp"
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/cad/little_endian.hpp"
+#include "gearwright/base/little_endian.hpp"
 
 namespace gearwright {
 

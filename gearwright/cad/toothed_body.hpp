@@ -10,15 +10,10 @@
 #include <optional>
 #include <string>
 
+#include "gearwright/gear/bore.hpp"
 #include "gearwright/generation/outline.hpp"
 
 namespace gearwright {
-
-struct Bore {
-  double diameter;            ///< mm
-  double keyway_width = 0.0;  ///< mm, 0: no keyway
-  double keyway_depth = 0.0;  ///< mm, into the hub from the bore, along +y of the gear frame
-};
 
 struct ToothedBody {
   std::string name;         ///< "gear1", the name a CAD tree shows

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/cad/little_endian.hpp"
+#include "gearwright/base/little_endian.hpp"
 
 namespace gearwright {
 

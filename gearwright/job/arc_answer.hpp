@@ -1,7 +1,7 @@
 // The pair of circular-arc gears as JSON. Internal to job/ and its tests.
 #pragma once
 
-#include "gearwright/job/table_reader.hpp"
+#include "gearwright/spec/table_reader.hpp"
 #include "gearwright/pair/arc_pair.hpp"
 
 namespace gearwright {

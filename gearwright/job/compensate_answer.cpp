@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "gearwright/job/compensate_forms.hpp"
-#include "gearwright/job/table_reader.hpp"
+#include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {
 
@@ -92,9 +92,9 @@ std::vector<Scenario> scenarios_of(const ContactSetup& setup, const CompensateIn
 }
 
 // Corrections written into the spec, where its own keys hold them.
-Json corrected_spec(const Design& design, const ContactSetup& setup,
+Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
                     const std::vector<std::size_t>& which, const std::vector<double>& v) {
-  Json tree = Json::parse(design.spec.tree);
+  Json tree = Json::parse(job.spec.tree);
   tree.erase("compensate");
   const auto add = [](Json& table, const std::string& key, double value) {
     table[key] = (table.contains(key) ? table[key].get<double>() : 0.0) + value;
@@ -115,7 +115,7 @@ Json corrected_spec(const Design& design, const ContactSetup& setup,
       const std::string name = std::string(kCorrections[i].key).substr(6);
       const bool slope = name.find("slope") != std::string::npos;
       const bool left =
-          (design.spec.contact.driver == 2) != (gear == 2 && setup.gear(2).internal());
+          (job.spec.contact.driver == 2) != (gear == 2 && setup.gear(2).internal());
       Json& table = tree[fmt::format("gear{}", gear)]["modifications"];
       const std::string own = slope ? (left ? "left_" : "right_") + name : name;
       // What holds for both flanks so far is the amount to add to.
@@ -138,22 +138,22 @@ Json corrected_spec(const Design& design, const ContactSetup& setup,
 
 }  // namespace
 
-Result<CompensateAnswer> answer_compensate(Design& design) {
-  auto made = ContactSetup::of(design);
+Result<CompensateAnswer> answer_compensate(SolvedJob& job) {
+  auto made = ContactSetup::of(job);
   if (!made) return made.error();
   const ContactSetup setup = std::move(made).take();
-  const CompensateInput& input = design.spec.compensate;
+  const CompensateInput& input = job.spec.compensate;
   if (auto error = check_corrections(setup, input)) return *error;
   CompensateAnswer answer;
   answer.corrections = input.corrections.empty() ? default_corrections(setup) : input.corrections;
-  const bool gear2_drives = design.spec.contact.driver == 2;
+  const bool gear2_drives = job.spec.contact.driver == 2;
   const std::vector<Scenario> scenarios = scenarios_of(setup, input);
   for (const Scenario& s : scenarios) answer.scenarios.push_back(s.name);
   CompensationTask task;
   task.scenarios = static_cast<int>(scenarios.size());
   task.positions = kPositions;
   task.along_face = setup.gear(1).involute();
-  task.fine_positions = design.spec.contact.positions;
+  task.fine_positions = job.spec.contact.positions;
   task.centering = input.centering_arcsec * kRadPerArcsec;
   for (const std::size_t i : answer.corrections) {
     const CorrectionKind& c = kCorrections[i];
@@ -161,8 +161,8 @@ Result<CompensateAnswer> answer_compensate(Design& design) {
         i == setting ? 0.1 * setup.gear(*setup.convex_gear()).spec.normal_module : c.hi;
     task.corrections.push_back({std::max(c.lo, -most), std::min(c.hi, most), c.step});
   }
-  answer.setting = arc_setting(design, setup);
-  answer.lead = lead_without_slope(design, setup);
+  answer.setting = arc_setting(job, setup);
+  answer.lead = lead_without_slope(job, setup);
   if (answer.setting && answer.setting->angle_nominal) {
     constexpr double kProfileEnd =
         10.0;  // degrees of rack angle off the drawing's: the flank's end
@@ -197,7 +197,7 @@ Result<CompensateAnswer> answer_compensate(Design& design) {
   if (!std::isfinite(answer.result.before.peak_to_peak))
     return Error{"errors", "",
                  "errors: nothing touches as the pair stands; see gearwright contact"};
-  answer.corrected = corrected_spec(design, setup, answer.corrections, answer.result.value).dump();
+  answer.corrected = corrected_spec(job, setup, answer.corrections, answer.result.value).dump();
   return answer;
 }
 

@@ -43,6 +43,6 @@ struct CompensateAnswer {
 
 /// Errors    as ContactSetup; `compensate.corrections` for one that the teeth cannot take; `errors`
 ///           when nothing touches as the pair stands
-Result<CompensateAnswer> answer_compensate(Design& design);
+Result<CompensateAnswer> answer_compensate(SolvedJob& job);
 
 }  // namespace gearwright

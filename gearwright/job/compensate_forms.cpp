@@ -38,10 +38,10 @@ double middle_slope(const ContactSetup& setup, bool gear2_drives, int gear, doub
 
 }  // namespace
 
-std::optional<SettingAnswer> arc_setting(const Design& design, const ContactSetup& setup) {
+std::optional<SettingAnswer> arc_setting(const SolvedJob& job, const ContactSetup& setup) {
   const auto convex = setup.convex_gear();
-  if (!convex || !design.arc_pair) return std::nullopt;
-  ArcMeshInput in = mesh_input(*design.arc_pair, *convex);
+  if (!convex || !job.arc_pair) return std::nullopt;
+  ArcMeshInput in = mesh_input(*job.arc_pair, *convex);
   SettingAnswer answer{};
   answer.angle_nominal = contact_angle(in);
   if (!answer.angle_nominal) return std::nullopt;
@@ -62,11 +62,11 @@ std::optional<SettingAnswer> arc_setting(const Design& design, const ContactSetu
   return answer;
 }
 
-std::optional<LeadAnswer> lead_without_slope(const Design& design, const ContactSetup& setup) {
+std::optional<LeadAnswer> lead_without_slope(const SolvedJob& job, const ContactSetup& setup) {
   // An involute pair touches along lines: its lead is mended by slopes, which `compensate` looks
   // for.
-  if (!design.arc_pair || setup.gear(1).twist() == 0.0) return std::nullopt;
-  const bool gear2_drives = design.spec.contact.driver == 2;
+  if (!job.arc_pair || setup.gear(1).twist() == 0.0) return std::nullopt;
+  const bool gear2_drives = job.spec.contact.driver == 2;
   LeadAnswer answer{};
   answer.slope = middle_slope(setup, gear2_drives, 1, 0.0);
   if (std::isnan(answer.slope)) return std::nullopt;
@@ -79,9 +79,9 @@ std::optional<LeadAnswer> lead_without_slope(const Design& design, const Contact
     const Root root = find_root(slope, -kReach, kReach);
     if (root.found()) answer.exact[static_cast<std::size_t>(gear - 1)] = root.x;
   }
-  if (!design.arc_pair->contacts.empty()) {
+  if (!job.arc_pair->contacts.empty()) {
     // [T8.22], every error at once.
-    const double theta = design.arc_pair->first_contact().at.theta;
+    const double theta = job.arc_pair->first_contact().at.theta;
     const ContactErrors& e = setup.place().errors;
     const double sin_lambda = std::cos(setup.gear(1).spec.helix_angle.rad());
     const double r1 = setup.gear(1).reference.reference_diameter / 2;

@@ -39,7 +39,7 @@ std::string percent(double v) { return fixed_text(100 * v, 1) + " %"; }
 
 }  // namespace
 
-Json compensate_json(const Design& design, const CompensateAnswer& a) {
+Json compensate_json(const SolvedJob& job, const CompensateAnswer& a) {
   Json corrections = Json::array();
   for (std::size_t i = 0; i < a.corrections.size(); ++i) {
     const std::string key = kCorrections[a.corrections[i]].key;
@@ -78,15 +78,15 @@ Json compensate_json(const Design& design, const CompensateAnswer& a) {
   }
   c["spec"] = Json::parse(a.corrected);
   Json j;
-  if (!design.spec.title.empty()) j["title"] = design.spec.title;
+  if (!job.spec.title.empty()) j["title"] = job.spec.title;
   j["compensate"] = std::move(c);
-  j["warnings"] = warnings_json(design.warnings);
+  j["warnings"] = warnings_json(job.warnings);
   return j;
 }
 
-std::string compensate_listing(const Design& design, const CompensateAnswer& a) {
+std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) {
   std::string out;
-  if (!design.spec.title.empty()) out += design.spec.title + "\n";
+  if (!job.spec.title.empty()) out += job.spec.title + "\n";
   const auto head = [&](const char* text) { out += fmt::format("\n{}\n", text); };
   const auto row = [&](const std::string& what, const std::string& value) {
     out += fmt::format("  {:<44}{}\n", what, value);

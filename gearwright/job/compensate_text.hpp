@@ -8,7 +8,7 @@
 
 namespace gearwright {
 
-Json compensate_json(const Design& design, const CompensateAnswer& answer);
-std::string compensate_listing(const Design& design, const CompensateAnswer& answer);
+Json compensate_json(const SolvedJob& job, const CompensateAnswer& answer);
+std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& answer);
 
 }  // namespace gearwright

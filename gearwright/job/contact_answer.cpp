@@ -48,8 +48,8 @@ Error in_gear(Error error, int which) {
   return error;
 }
 
-const Gear& mounted_gear(const Design& design, int which) {
-  return design.arc_pair ? design.arc_pair->gears[which - 1] : design.pair->gears[which - 1];
+const Gear& mounted_gear(const SolvedJob& job, int which) {
+  return job.arc_pair ? job.arc_pair->gears[which - 1] : job.pair->gears[which - 1];
 }
 
 FlankExtent flank_extent(const Gear& gear) {
@@ -179,14 +179,14 @@ Result<ContactSetup> ContactSetup::changed(const SetupChange& change) const {
   return setup;
 }
 
-Result<ContactSetup> ContactSetup::of(const Design& design) {
+Result<ContactSetup> ContactSetup::of(const SolvedJob& job) {
   ContactSetup setup;
-  GW_EXPECTS(design.pair || design.arc_pair);
+  GW_EXPECTS(job.pair || job.arc_pair);
   setup.place_.center_distance =
-      design.arc_pair ? design.arc_pair->center_distance : design.pair->center_distance;
-  setup.place_.shaft_angle = design.pair ? design.pair->shaft_angle() : 0.0;
+      job.arc_pair ? job.arc_pair->center_distance : job.pair->center_distance;
+  setup.place_.shaft_angle = job.pair ? job.pair->shaft_angle() : 0.0;
   for (int i = 0; i < 2; ++i) {
-    const Gear& gear = mounted_gear(design, i + 1);
+    const Gear& gear = mounted_gear(job, i + 1);
     setup.gears_[i] = std::make_shared<const Gear>(gear);
     const auto form = gear.root_form_radius();
     if (!form) {
@@ -195,8 +195,8 @@ Result<ContactSetup> ContactSetup::of(const Design& design) {
                                "(gearwright gear)",
                                i + 1)};
     }
-    if (auto error = check_cutter_lead(design.spec, gear, i + 1)) return *error;
-    const GearInput& input = *design.spec.gears[i];
+    if (auto error = check_cutter_lead(job.spec, gear, i + 1)) return *error;
+    const GearInput& input = *job.spec.gears[i];
     setup.modifications_[i] = input.modifications;
     if (!any_modification(input)) continue;
     for (int side = 0; side < 2; ++side) {
@@ -206,7 +206,7 @@ Result<ContactSetup> ContactSetup::of(const Design& design) {
     }
   }
   for (std::size_t i = 0; i < kErrorKeys.size(); ++i)
-    setup.place_.errors = setup.with_error(setup.place_.errors, i, design.spec.errors.value[i]);
+    setup.place_.errors = setup.with_error(setup.place_.errors, i, job.spec.errors.value[i]);
   for (std::size_t i = 0; i < kErrorKinds.size(); ++i) {
     // center_distance_mm → center_distance_per_mm
     std::string key = kErrorKeys[i];
@@ -219,7 +219,7 @@ Result<ContactSetup> ContactSetup::of(const Design& design) {
                                  {kErrorKinds[i]}});
   }
   for (int i = 0; i < 2; ++i) {
-    const GearInput& input = *design.spec.gears[i];
+    const GearInput& input = *job.spec.gears[i];
     if (!any_modification(input)) continue;
     for (const RemovalField::Parameter p : RemovalField::kParameters) {
       if (!placed(input.modifications[0], p) && !placed(input.modifications[1], p)) continue;
@@ -289,11 +289,11 @@ void warn_about(const ContactAnswer& answer, std::vector<Warning>& warnings) {
 
 }  // namespace
 
-Result<ContactAnswer> answer_contact(Design& design) {
-  auto made = ContactSetup::of(design);
+Result<ContactAnswer> answer_contact(SolvedJob& job) {
+  auto made = ContactSetup::of(job);
   if (!made) return made.error();
   ContactAnswer answer{std::move(made).take(), {}, {}, std::nullopt, std::nullopt, std::nullopt};
-  const ContactInput& input = design.spec.contact;
+  const ContactInput& input = job.spec.contact;
   const bool gear2_drives = input.driver == 2;
   ContactRequest request{input.positions, input.pitches, input.marking};
   for (const double r : input.rotations) request.rotations.push_back(r * kRadPerDeg);
@@ -316,7 +316,7 @@ Result<ContactAnswer> answer_contact(Design& design) {
   if (input.map) answer.map = make_map(answer.setup, *input.map, input.positions, gear2_drives);
   if (input.pattern)
     answer.pattern = contact_pattern(answer.setup.pair(gear2_drives), input.positions);
-  warn_about(answer, design.warnings);
+  warn_about(answer, job.warnings);
   return answer;
 }
 

@@ -10,7 +10,7 @@
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/contact/error_map.hpp"
 #include "gearwright/contact/pattern.hpp"
-#include "gearwright/job/design.hpp"
+#include "gearwright/job/solved_job.hpp"
 
 namespace gearwright {
 
@@ -33,12 +33,12 @@ struct SetupChange {
   bool left = false;  ///< the slopes are meant for the left flanks of gear 1 (gear 2 drives)
 };
 
-/// The pair of a design as contact takes it, with what it points to.
+/// The pair of a job as contact takes it, with what it points to.
 class ContactSetup {
  public:
   /// Errors    `gearN.modifications.…`; `errors.cutter_leadN_deg` where there is no lead to change;
   ///           `gearN` without a usable flank
-  static Result<ContactSetup> of(const Design& design);
+  static Result<ContactSetup> of(const SolvedJob& job);
 
   ContactPair pair(bool gear2_drives) const { return pair(place_.errors, gear2_drives); }
   ContactPair pair(const ContactErrors& errors, bool gear2_drives) const;
@@ -72,6 +72,6 @@ struct ContactAnswer {
 };
 
 /// Errors    as ContactSetup; `errors` when no tooth touches at any position
-Result<ContactAnswer> answer_contact(Design& design);
+Result<ContactAnswer> answer_contact(SolvedJob& job);
 
 }  // namespace gearwright

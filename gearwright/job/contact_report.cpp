@@ -70,11 +70,11 @@ std::string words_of(const FlankModifications& m) {
   return text;
 }
 
-std::vector<std::string> modifications_of(const Design& design) {
+std::vector<std::string> modifications_of(const SolvedJob& job) {
   std::vector<std::string> list;
   for (std::size_t i = 0; i < 2; ++i) {
-    if (!design.spec.gears[i]) continue;
-    const auto& flanks = design.spec.gears[i]->modifications;
+    if (!job.spec.gears[i]) continue;
+    const auto& flanks = job.spec.gears[i]->modifications;
     const std::string right = words_of(flanks[0]);
     const std::string left = words_of(flanks[1]);
     if (right == left) {
@@ -122,8 +122,8 @@ struct Under {
   bool as_specified;
 };
 
-std::vector<Under> each_error(const Design& design, const ContactSetup& setup) {
-  const auto& value = design.spec.errors.value;
+std::vector<Under> each_error(const SolvedJob& job, const ContactSetup& setup) {
+  const auto& value = job.spec.errors.value;
   const auto count = std::count_if(value.begin(), value.end(), [](double v) { return v != 0.0; });
   if (count == 0) return {};
   std::vector<Under> list{{"no error", {}, false}};
@@ -141,11 +141,11 @@ std::vector<Under> each_error(const Design& design, const ContactSetup& setup) {
 }
 
 // All patterns, each in a task of its own: the bits do not depend on the number of threads.
-void make_patterns(ContactReport& r, const Design& design, const ContactSetup& setup) {
-  const std::vector<Under> list = each_error(design, setup);
+void make_patterns(ContactReport& r, const SolvedJob& job, const ContactSetup& setup) {
+  const std::vector<Under> list = each_error(job, setup);
   r.under.resize(list.size());
   const int positions = std::min(r.positions, kMostPositions);
-  const bool of_points = setup.place().shaft_angle != 0.0 || design.arc_pair;
+  const bool of_points = setup.place().shaft_angle != 0.0 || job.arc_pair;
   const auto make = [&](std::size_t i) {
     if (i == 0) {
       r.patterns =
@@ -160,13 +160,13 @@ void make_patterns(ContactReport& r, const Design& design, const ContactSetup& s
   oneapi::tbb::parallel_for(std::size_t{0}, list.size() + 1, make);
 }
 
-ContactReport report_of(const Design& design, const ContactAnswer& answer) {
-  const ContactInput& input = design.spec.contact;
+ContactReport report_of(const SolvedJob& job, const ContactAnswer& answer) {
+  const ContactInput& input = job.spec.contact;
   const bool gear2_drives = input.driver == 2;
   const ContactPair pair = answer.setup.pair(gear2_drives);
   ContactReport r;
   for (std::size_t i = 0; i < 2; ++i)
-    r.gears[i] = design.arc_pair ? &design.arc_pair->gears[i] : &design.pair->gears[i];
+    r.gears[i] = job.arc_pair ? &job.arc_pair->gears[i] : &job.pair->gears[i];
   r.axes = axes_of(pair);
   r.gear2_drives = gear2_drives;
   r.marking = input.marking;
@@ -179,48 +179,48 @@ ContactReport report_of(const Design& design, const ContactAnswer& answer) {
     r.other = analyse_contact(answer.setup.pair(!gear2_drives), pitch);
   }
   r.least_play = answer.least_play;
-  make_patterns(r, design, answer.setup);
+  make_patterns(r, job, answer.setup);
   r.middle = middle_of(r.driving.positions);
   if (r.middle) r.middle_gap = gap_map(pair, r.middle->rotation1, r.middle->pair, kGap);
   for (std::size_t i = 0; i < kErrorKeys.size(); ++i)
-    if (design.spec.errors.value[i] != 0.0)
-      r.errors.push_back(named(i, design.spec.errors.value[i]));
-  r.modifications = modifications_of(design);
+    if (job.spec.errors.value[i] != 0.0)
+      r.errors.push_back(named(i, job.spec.errors.value[i]));
+  r.modifications = modifications_of(job);
   if (answer.map) {
     const auto& key = input.map->key;
-    const auto& value = design.spec.errors.value;
+    const auto& value = job.spec.errors.value;
     r.map = ContactMap{*answer.map, {named(key[0], value[key[0]]), named(key[1], value[key[1]])}};
   }
-  r.arc_pair = design.arc_pair ? &*design.arc_pair : nullptr;
+  r.arc_pair = job.arc_pair ? &*job.arc_pair : nullptr;
   return r;
 }
 
 }  // namespace
 
-bool wants_contact(const Design& design) {
-  if (!design.pair && !design.arc_pair) return false;
-  return design.spec.errors.given || design.spec.contact.given || !modifications_of(design).empty();
+bool wants_contact(const SolvedJob& job) {
+  if (!job.pair && !job.arc_pair) return false;
+  return job.spec.errors.given || job.spec.contact.given || !modifications_of(job).empty();
 }
 
-Result<std::optional<ContactPart>> contact_part(Design& design) {
-  if (!wants_contact(design)) return std::optional<ContactPart>();
-  auto made = answer_contact(design);
+Result<std::optional<ContactPart>> contact_part(SolvedJob& job) {
+  if (!wants_contact(job)) return std::optional<ContactPart>();
+  auto made = answer_contact(job);
   if (!made) {
     // Of the whole pair there is a reason why nothing touches; of one number it is wrong.
     const std::string& key = made.error().key;
     if (key != "errors" && key != "gear1" && key != "gear2") return made.error();
     std::string reason = made.error().message;
     if (reason.rfind("errors: ", 0) == 0) reason.erase(0, 8);
-    design.warnings.push_back({"no_contact", "No contact analysis: " + reason + ".", 0});
+    job.warnings.push_back({"no_contact", "No contact analysis: " + reason + ".", 0});
     return std::optional<ContactPart>();
   }
   ContactAnswer answer = std::move(made).take();
-  ContactReport report = report_of(design, answer);
+  ContactReport report = report_of(job, answer);
   const auto& positions = report.driving.positions;
   const bool any = std::any_of(positions.begin(), positions.end(),
                                [](const ContactPoint& p) { return p.kind != TouchKind::none; });
   if (!any) {
-    design.warnings.push_back(
+    job.warnings.push_back(
         {"no_contact", "No contact analysis: at none of the positions of a pitch do teeth touch.",
          0});
     return std::optional<ContactPart>();

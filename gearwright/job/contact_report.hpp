@@ -9,19 +9,19 @@
 namespace gearwright {
 
 /// The spec has [errors], [contact] or modifications, and a pair to turn.
-bool wants_contact(const Design& design);
+bool wants_contact(const SolvedJob& job);
 
-/// An answer and the part of the report about it. The report points into the design.
+/// An answer and the part of the report about it. The report points into the job.
 struct ContactPart {
   ContactAnswer answer;
   ContactReport report;
 };
 
 /// None where the spec asks nothing of it, and where there is nothing to tell: then a warning in
-/// the design says why. A contract of the report needs equal positions over one pitch: where the
+/// the job says why. A contract of the report needs equal positions over one pitch: where the
 /// spec has other rotations, those are the answer's, and a pitch of its own the report's.
 ///
 /// Errors    as answer_contact: modifications that do not fit, a lead that cannot be
-Result<std::optional<ContactPart>> contact_part(Design& design);
+Result<std::optional<ContactPart>> contact_part(SolvedJob& job);
 
 }  // namespace gearwright

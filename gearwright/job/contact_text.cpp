@@ -117,7 +117,7 @@ std::string kinds_of(const ContactResult& result) {
 
 }  // namespace
 
-Json contact_json(const Design& design, const ContactAnswer& answer) {
+Json contact_json(const SolvedJob& job, const ContactAnswer& answer) {
   Json positions = Json::array();
   for (const ContactPoint& p : answer.driving.positions) positions.push_back(position_json(p));
   Json harmonics = Json::array();
@@ -142,30 +142,30 @@ Json contact_json(const Design& design, const ContactAnswer& answer) {
   c["least_play_deg"] = answer.least_play ? Json(*answer.least_play * kDeg) : Json(nullptr);
   c["sensitivity"] = sensitivity_json(answer);
   if (answer.pattern) {
-    const double marking = design.spec.contact.marking;
+    const double marking = job.spec.contact.marking;
     c["pattern"] = {{"gear1", raster_json((*answer.pattern)[0], marking)},
                     {"gear2", raster_json((*answer.pattern)[1], marking)}};
   }
-  if (answer.map) c["map"] = map_json(*design.spec.contact.map, *answer.map);
+  if (answer.map) c["map"] = map_json(*job.spec.contact.map, *answer.map);
   Json j;
-  if (!design.spec.title.empty()) j["title"] = design.spec.title;
+  if (!job.spec.title.empty()) j["title"] = job.spec.title;
   j["contact"] = std::move(c);
-  j["warnings"] = warnings_json(design.warnings);
+  j["warnings"] = warnings_json(job.warnings);
   return j;
 }
 
-std::string contact_listing(const Design& design, const ContactAnswer& answer) {
+std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
   const ContactResult& r = answer.driving;
   std::string out;
-  if (!design.spec.title.empty()) out += design.spec.title + "\n";
+  if (!job.spec.title.empty()) out += job.spec.title + "\n";
   out += "\nTooth contact\n";
   const auto row = [&](const char* what, const std::string& value) {
     out += fmt::format("  {:<42}{}\n", what, value);
   };
   for (std::size_t i = 0; i < kErrorKeys.size(); ++i) {
-    if (design.spec.errors.value[i] != 0.0)
+    if (job.spec.errors.value[i] != 0.0)
       row(fmt::format("errors.{}", kErrorKeys[i]).c_str(),
-          fmt::format("{}", design.spec.errors.value[i]));
+          fmt::format("{}", job.spec.errors.value[i]));
   }
   row("Transmission error, peak to peak", fixed_text(r.peak_to_peak * kArcsec, 4) + " arcsec");
   row("  the other flanks", fixed_text(answer.other.peak_to_peak * kArcsec, 4) + " arcsec");

@@ -8,7 +8,7 @@
 
 namespace gearwright {
 
-Json contact_json(const Design& design, const ContactAnswer& answer);
-std::string contact_listing(const Design& design, const ContactAnswer& answer);
+Json contact_json(const SolvedJob& job, const ContactAnswer& answer);
+std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer);
 
 }  // namespace gearwright

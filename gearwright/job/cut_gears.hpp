@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-#include "gearwright/job/design.hpp"
+#include "gearwright/job/solved_job.hpp"
 
 namespace gearwright {
 

@@ -14,7 +14,7 @@
 #include "gearwright/job/contact_report.hpp"
 #include "gearwright/job/contact_text.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/job/version.hpp"
+#include "gearwright/base/version.hpp"
 #include "gearwright/report/report.hpp"
 
 namespace gearwright {
@@ -109,8 +109,8 @@ Bore rim(const Gear& ring, const std::optional<Bore>& given) {
   return given.value_or(Bore{ring.root_diameter + 5 * ring.spec.normal_module});
 }
 
-Result<ToothedBody> make_body(const Design& design, int which, bool in_place) {
-  const Gear& gear = design.gears[static_cast<std::size_t>(which - 1)];
+Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place) {
+  const Gear& gear = job.gears[static_cast<std::size_t>(which - 1)];
   const std::string name = gear_name(which);
   if (!gear.tooth) {
     return Error{name + ".cut_by", "",
@@ -131,14 +131,14 @@ Result<ToothedBody> make_body(const Design& design, int which, bool in_place) {
                    gear.tooth->outline,
                    gear.twist(),
                    gear.spec.face_width,
-                   gear.internal() ? rim(gear, design.bore(which)) : design.bore(which),
+                   gear.internal() ? rim(gear, job.bore(which)) : job.bore(which),
                    Eigen::Isometry3d::Identity()};
-  if (in_place && design.arc_pair) {
-    const ArcPair& pair = *design.arc_pair;
+  if (in_place && job.arc_pair) {
+    const ArcPair& pair = *job.arc_pair;
     body.pose = which == 1 ? pair.pose_1().isometry() : pair.pose_2().isometry();
   }
-  if (in_place && design.pair) {
-    body.pose = which == 1 ? design.pair->pose_1().isometry() : design.pair->pose_2().isometry();
+  if (in_place && job.pair) {
+    body.pose = which == 1 ? job.pair->pose_1().isometry() : job.pair->pose_2().isometry();
   }
   return body;
 }
@@ -167,11 +167,11 @@ void write_files(const std::vector<JobFile>& files) {
   for (const JobFile& f : files) write_file(f.path, f.bytes);
 }
 
-Result<std::vector<JobFile>> write_everything(Design& design, const fs::path& folder,
+Result<std::vector<JobFile>> write_everything(SolvedJob& job, const fs::path& folder,
                                               const FileOptions& options) {
   std::vector<JobFile> files;
   std::vector<ToothedBody> mounted;
-  const auto contact = contact_part(design);
+  const auto contact = contact_part(job);
   if (!contact) return contact.error();
   const auto make = [&](FileKind kind, const std::vector<ToothedBody>& bodies,
                         const std::string& name) {
@@ -180,10 +180,10 @@ Result<std::vector<JobFile>> write_everything(Design& design, const fs::path& fo
     files.push_back(std::move(file).take());
     return std::optional<Error>();
   };
-  for (int which = 1; which <= static_cast<int>(design.gears.size()); ++which) {
-    const auto body = make_body(design, which, false);
+  for (int which = 1; which <= static_cast<int>(job.gears.size()); ++which) {
+    const auto body = make_body(job, which, false);
     if (!body) {
-      design.warnings.push_back({"no_outline", body.error().message, which});
+      job.warnings.push_back({"no_outline", body.error().message, which});
       continue;
     }
     for (FileKind kind :
@@ -191,7 +191,7 @@ Result<std::vector<JobFile>> write_everything(Design& design, const fs::path& fo
       if (kind == FileKind::step && !options.step) continue;
       if (const auto error = make(kind, {*body}, gear_name(which))) return *error;
     }
-    if (design.pair || design.arc_pair) mounted.push_back(make_body(design, which, true).value());
+    if (job.pair || job.arc_pair) mounted.push_back(make_body(job, which, true).value());
   }
   if (mounted.size() == 2) {
     for (FileKind kind : {FileKind::step, FileKind::glb}) {
@@ -200,24 +200,24 @@ Result<std::vector<JobFile>> write_everything(Design& design, const fs::path& fo
     }
   }
   if (!options.step) {
-    design.warnings.push_back(
+    job.warnings.push_back(
         {"no_step", "This build has no STEP: it was configured without OCCT.", 0});
   }
 
   ReportInput report;
-  report.title = design.spec.title.empty() ? "Gear data" : design.spec.title;
-  for (const Gear& g : design.gears) report.gears.push_back(&g);
-  report.pair = design.pair ? &*design.pair : nullptr;
-  report.arc_pair = design.arc_pair ? &*design.arc_pair : nullptr;
+  report.title = job.spec.title.empty() ? "Gear data" : job.spec.title;
+  for (const Gear& g : job.gears) report.gears.push_back(&g);
+  report.pair = job.pair ? &*job.pair : nullptr;
+  report.arc_pair = job.arc_pair ? &*job.arc_pair : nullptr;
   if (*contact) report.contact = &contact.value()->report;
-  report.warnings = design.warnings;
+  report.warnings = job.warnings;
   report.files = report_files(files);
-  report.spec_text = design.spec.text;
+  report.spec_text = job.spec.text;
   report.version = kVersion;
   files.insert(files.begin(), {folder / "report.html", "report", std::nullopt,
                                "one self-contained page", report_html(report)});
-  Json result = design_json(design);
-  if (*contact) result["contact"] = contact_json(design, contact.value()->answer)["contact"];
+  Json result = job_json(job);
+  if (*contact) result["contact"] = contact_json(job, contact.value()->answer)["contact"];
   result["files"] = files_json(files);
   files.insert(files.begin(), {folder / "result.json", "result", std::nullopt,
                                "every number, as JSON", result.dump(2) + "\n"});

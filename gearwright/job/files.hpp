@@ -14,7 +14,7 @@
 #include "gearwright/cad/mesh.hpp"
 #include "gearwright/cad/step.hpp"
 #include "gearwright/cad/toothed_body.hpp"
-#include "gearwright/job/design.hpp"
+#include "gearwright/job/solved_job.hpp"
 
 namespace gearwright {
 
@@ -48,7 +48,7 @@ std::string_view ending(FileKind kind);
 ///
 /// Errors    the gear's reason when it has no outline: a ring, a severed tooth, a root through the
 /// axis
-Result<ToothedBody> make_body(const Design& design, int which, bool in_place);
+Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place);
 
 /// Makes one file with these bodies, in memory: what can be refused is refused before anything is
 /// on disk.
@@ -61,8 +61,8 @@ Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
 void write_files(const std::vector<JobFile>& files);
 
 /// `run`: everything that applies, into `folder`: result.json, report.html, gear1.*, gear2.*,
-/// pair.* Gears without an outline get a warning in the design instead of files.
-Result<std::vector<JobFile>> write_everything(Design& design, const std::filesystem::path& folder,
+/// pair.* Gears without an outline get a warning in the job instead of files.
+Result<std::vector<JobFile>> write_everything(SolvedJob& job, const std::filesystem::path& folder,
                                               const FileOptions& options);
 
 }  // namespace gearwright

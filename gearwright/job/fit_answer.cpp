@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "gearwright/job/arc_design.hpp"
+#include "gearwright/job/solve_arcs.hpp"
 #include "gearwright/job/few_teeth_answer.hpp"
 
 namespace gearwright {

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "gearwright/design/fit.hpp"
-#include "gearwright/job/spec.hpp"
-#include "gearwright/job/table_reader.hpp"
+#include "gearwright/spec/spec.hpp"
+#include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {
 

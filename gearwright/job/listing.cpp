@@ -62,20 +62,20 @@ class Table {
 
 }  // namespace
 
-std::string gear_listing(const Design& design) {
+std::string gear_listing(const SolvedJob& job) {
   Table t;
-  if (!design.spec.title.empty()) t.head(design.spec.title);
+  if (!job.spec.title.empty()) t.head(job.spec.title);
   std::vector<std::string> heads;
-  for (std::size_t i = 0; i < design.gears.size(); ++i)
+  for (std::size_t i = 0; i < job.gears.size(); ++i)
     heads.push_back(fmt::format("gear {}", i + 1));
   t.row("", "", heads, "");
   const auto is_involute = [](const Gear& g) { return g.involute(); };
   const auto each = [&](const char* what, const char* symbol, const char* unit,
                         const std::function<std::string(const Gear&)>& value) {
     std::vector<std::string> values;
-    for (const Gear& g : design.gears) values.push_back(value(g));
+    for (const Gear& g : job.gears) values.push_back(value(g));
     const bool none = std::all_of(values.begin(), values.end(), [](auto& v) { return v == "-"; });
-    if (none && std::none_of(design.gears.begin(), design.gears.end(), is_involute)) return;
+    if (none && std::none_of(job.gears.begin(), job.gears.end(), is_involute)) return;
     t.row(what, symbol, values, unit);
   };
   each("teeth", "z", "", [](const Gear& g) { return fmt::format("{}", g.spec.teeth); });
@@ -112,7 +112,7 @@ std::string gear_listing(const Design& design) {
   each("normal thickness at the tip", "s_an", "mm",
        [](const Gear& g) { return maybe(g.tip_tooth_thickness_normal); });
   const auto any = [&](const auto& has) {
-    return std::any_of(design.gears.begin(), design.gears.end(), has);
+    return std::any_of(job.gears.begin(), job.gears.end(), has);
   };
   const auto fillet = [&](const char* what, const char* symbol,
                           std::optional<FilletArc> GeneratedTooth::*arc) {

@@ -7,7 +7,7 @@
 
 namespace gearwright {
 
-std::string gear_listing(const Design& design);
+std::string gear_listing(const SolvedJob& job);
 std::string pair_listing(const Pair& pair);
 std::string pair_listing(const ArcPair& pair);
 std::string warning_listing(const std::vector<Warning>& warnings);

@@ -36,15 +36,15 @@ constexpr double kSameRack = 1e-6;
 
 }  // namespace
 
-Result<ChordMeasure> chord_measure(const Design& design, int which) {
+Result<ChordMeasure> chord_measure(const SolvedJob& job, int which) {
   const auto i = static_cast<std::size_t>(which - 1);
-  const Gear& gear = design.gears[i];
+  const Gear& gear = job.gears[i];
   if (!gear.involute()) {
     const std::string key = fmt::format("gear{}.measure.chord_diameter_mm", which);
     return Error{key, "",
                  key + ": chords are measured on involute flanks; these are circular arcs"};
   }
-  const double d = design.spec.gears[i]->chord_diameter.value_or(default_chord_diameter(gear));
+  const double d = job.spec.gears[i]->chord_diameter.value_or(default_chord_diameter(gear));
   auto chord = chordal_thickness(gear, d);
   if (!chord) {
     Error e = chord.error();
@@ -56,25 +56,25 @@ Result<ChordMeasure> chord_measure(const Design& design, int which) {
   return ChordMeasure{d, *chord};
 }
 
-Result<std::vector<MaybeChord>> chord_measures(Design& design) {
+Result<std::vector<MaybeChord>> chord_measures(SolvedJob& job) {
   std::vector<MaybeChord> measures;
-  for (int which = 1; which <= static_cast<int>(design.gears.size()); ++which) {
-    auto measure = chord_measure(design, which);
+  for (int which = 1; which <= static_cast<int>(job.gears.size()); ++which) {
+    auto measure = chord_measure(job, which);
     if (measure) {
       measures.push_back(*measure);
-    } else if (design.spec.gears[static_cast<std::size_t>(which - 1)]->chord_diameter) {
+    } else if (job.spec.gears[static_cast<std::size_t>(which - 1)]->chord_diameter) {
       return measure.error();
     } else {
       measures.push_back(std::nullopt);
-      design.warnings.push_back(
+      job.warnings.push_back(
           {"no_chord", "No chordal thickness: " + measure.error().message, which});
     }
   }
   return measures;
 }
 
-Json measures_json(const Design& design, const std::vector<MaybeChord>& measures) {
-  Json j = design_json(design);
+Json measures_json(const SolvedJob& job, const std::vector<MaybeChord>& measures) {
+  Json j = job_json(job);
   for (std::size_t i = 0; i < measures.size(); ++i)
     j["gears"][i]["measure"] = measure_json(measures[i]);
   return j;

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "gearwright/inspection/chordal_thickness.hpp"
-#include "gearwright/job/design.hpp"
-#include "gearwright/job/table_reader.hpp"
+#include "gearwright/job/solved_job.hpp"
+#include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {
 
@@ -21,19 +21,19 @@ struct ChordMeasure {
 /// middle of the usable flank where that does not reach there.
 ///
 /// Errors    `gearN.measure.chord_diameter_mm`
-Result<ChordMeasure> chord_measure(const Design& design, int which);
+Result<ChordMeasure> chord_measure(const SolvedJob& job, int which);
 
 /// One gear's chord, or nothing.
 using MaybeChord = std::optional<ChordMeasure>;
 
 /// chord_measure of every gear; a gear that has no chord where nobody asked for one gets a warning
-/// `no_chord` in the design.
+/// `no_chord` in the job.
 ///
 /// Errors    `gearN.measure.chord_diameter_mm`, when that was given
-Result<std::vector<MaybeChord>> chord_measures(Design& design);
+Result<std::vector<MaybeChord>> chord_measures(SolvedJob& job);
 
-/// design_json with `measure` in each of `gears`.
-Json measures_json(const Design& design, const std::vector<MaybeChord>& measures);
+/// job_json with `measure` in each of `gears`.
+Json measures_json(const SolvedJob& job, const std::vector<MaybeChord>& measures);
 
 /// {"chordal_thickness": {diameter_mm, chord_mm, height_mm, tip_to_chord_mm, caliper_angle_deg}}
 Json measure_json(const MaybeChord& measure);

@@ -242,14 +242,14 @@ Json warnings_json(const std::vector<Warning>& warnings) {
   return list;
 }
 
-Json design_json(const Design& design) {
+Json job_json(const SolvedJob& job) {
   Json j;
-  if (!design.spec.title.empty()) j["title"] = design.spec.title;
+  if (!job.spec.title.empty()) j["title"] = job.spec.title;
   j["gears"] = Json::array();
-  for (const Gear& g : design.gears) j["gears"].push_back(gear_json(g));
-  if (design.pair) j["pair"] = pair_json(*design.pair);
-  if (design.arc_pair) j["pair"] = arc_pair_json(*design.arc_pair);
-  j["warnings"] = warnings_json(design.warnings);
+  for (const Gear& g : job.gears) j["gears"].push_back(gear_json(g));
+  if (job.pair) j["pair"] = pair_json(*job.pair);
+  if (job.arc_pair) j["pair"] = arc_pair_json(*job.arc_pair);
+  j["warnings"] = warnings_json(job.warnings);
   return j;
 }
 

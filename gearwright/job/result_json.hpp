@@ -1,9 +1,9 @@
 // The result as JSON: every key of the interface, in its order. Internal to job/ and its tests.
 #pragma once
 
-#include "gearwright/job/design.hpp"
+#include "gearwright/job/solved_job.hpp"
 #include "gearwright/job/files.hpp"
-#include "gearwright/job/table_reader.hpp"
+#include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {
 
@@ -11,7 +11,7 @@ Json gear_json(const Gear& gear);
 Json pair_json(const Pair& pair);
 Json warnings_json(const std::vector<Warning>& warnings);
 /// `gears`, `pair` (when there is one), `warnings`.
-Json design_json(const Design& design);
+Json job_json(const SolvedJob& job);
 /// `arcs`: [{name, points}], n points per arc.   Domain: the outline is not empty (contract)
 Json outline_json(const Outline& outline, int n);
 /// [{file, what, max_deviation_um, note}]

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "gearwright/job/search_job.hpp"
-#include "gearwright/job/table_reader.hpp"
+#include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {
 

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include "gearwright/base/output_file.hpp"
-#include "gearwright/job/parquet.hpp"
+#include "gearwright/store/parquet.hpp"
 #include "gearwright/job/search_answer.hpp"
 #include "gearwright/job/search_tables.hpp"
-#include "gearwright/job/version.hpp"
+#include "gearwright/base/version.hpp"
 #include "gearwright/report/search_report.hpp"
 
 namespace gearwright {

@@ -12,11 +12,11 @@
 #include <mutex>
 #include <numeric>
 
-#include "gearwright/job/chunk_store.hpp"
+#include "gearwright/store/chunk_store.hpp"
 #include "gearwright/job/search_files.hpp"
 #include "gearwright/job/search_record.hpp"
-#include "gearwright/job/table_reader.hpp"
-#include "gearwright/job/version.hpp"
+#include "gearwright/spec/table_reader.hpp"
+#include "gearwright/base/version.hpp"
 
 namespace gearwright {
 

@@ -15,7 +15,7 @@
 
 #include "gearwright/design/nearest_change.hpp"
 #include "gearwright/design/search.hpp"
-#include "gearwright/job/spec.hpp"
+#include "gearwright/spec/spec.hpp"
 
 namespace gearwright {
 

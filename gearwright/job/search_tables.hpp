@@ -9,7 +9,7 @@
 
 #include "gearwright/design/design_row.hpp"
 #include "gearwright/design/shift_points.hpp"
-#include "gearwright/job/parquet.hpp"
+#include "gearwright/store/parquet.hpp"
 
 namespace gearwright {
 

@@ -80,11 +80,11 @@ Result<Json> answer(const std::string& verb, const JobSpec& spec) {
   }
   auto solved = solve(spec, verb == "pair" ? Scope::pair : Scope::gears);
   if (!solved) return solved.error();
-  Design design = std::move(solved).take();
-  if (verb != "measure") return design_json(design);
-  const auto measures = chord_measures(design);
+  SolvedJob job = std::move(solved).take();
+  if (verb != "measure") return job_json(job);
+  const auto measures = chord_measures(job);
   if (!measures) return measures.error();
-  return measures_json(design, *measures);
+  return measures_json(job, *measures);
 }
 
 Result<CaseOutcome> run_case(const Json& c) {

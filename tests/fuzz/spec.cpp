@@ -5,11 +5,11 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "gearwright/job/design.hpp"
+#include "gearwright/job/solved_job.hpp"
 #include "gearwright/job/fit_answer.hpp"
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/job/toml_text.hpp"
+#include "gearwright/spec/toml_text.hpp"
 
 namespace {
 
@@ -30,17 +30,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   for (const Scope scope : {Scope::gears, Scope::everything}) {
-    const auto design = solve(*spec, scope);
-    if (!design) {
-      require(!design.error().message.empty() && !design.error().key.empty());
+    const auto job = solve(*spec, scope);
+    if (!job) {
+      require(!job.error().message.empty() && !job.error().key.empty());
       continue;
     }
-    require(!design_json(*design).dump().empty());
-    Design measured = *design;
+    require(!job_json(*job).dump().empty());
+    SolvedJob measured = *job;
     const auto measures = chord_measures(measured);
     require(measures ? !measures_json(measured, *measures).dump().empty()
                      : !measures.error().message.empty());
-    for (const Gear& gear : design->gears) {
+    for (const Gear& gear : job->gears) {
       if (!gear.tooth || !gear.exists()) continue;
       for (const Arc& arc : gear.tooth->outline.arcs) {
         for (const Vec2& p : sample(arc, 5)) require(p.allFinite());

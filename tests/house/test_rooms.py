@@ -4,6 +4,7 @@ The rows of rooms are read from CONTRIBUTING.md (the block marked `rooms`, highe
 
     room      a file of gearwright/ROOM includes its own room or rows below, never a room beside it;
               *_test.cpp may include every room; nothing in gearwright/ includes apps/
+    store     the files of large searches know base only
     cycle     no header includes itself through others
     step      gearwright/cad/step_* is included by itself, tests and apps only: the core needs no OCCT;
             cad/step.hpp shows no type of OCCT, job may name its types
@@ -74,6 +75,8 @@ def check_includes(path, text, rows):
             is_test or here == "apps" or path.startswith("gearwright/cad/step")
         ):
             faults.append(f"{path}: {target} needs OCCT, only apps and tests may include it")
+        if here == "store" and there not in ("store", "base"):
+            faults.append(f"{path}: store knows base only, not {target}")
         if is_test:
             if there == "apps" and here not in (None, "apps"):
                 faults.append(f"{path}: a test of a room includes {target}")
@@ -147,6 +150,7 @@ def self_test(rows):
         ("beside it", {"gearwright/curve/a.hpp": header("gearwright/kinematics/b.hpp")}),
         ("beside it", {"gearwright/cad/a.cpp": header("gearwright/report/b.hpp")}),
         ("above it", {"gearwright/job/a.hpp": header("apps/cli/b.hpp")}),
+        ("store knows base only", {"gearwright/store/a.hpp": header("gearwright/math/b.hpp")}),
         ("a test of a room", {"gearwright/job/a_test.cpp": header("apps/cli/b.hpp")}),
         ("needs OCCT", {"gearwright/job/a.cpp": header("gearwright/cad/step_solid.hpp")}),
         ("not in the picture", {"gearwright/attic/a.hpp": head}),

@@ -1,0 +1,340 @@
+#include "gearwright/job/solved_job.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/gear/ring_cutter.hpp"
+#include "gearwright/job/solve_arcs.hpp"
+#include "gearwright/job/cut_gears.hpp"
+
+namespace gearwright {
+
+// A gear given by its base cylinder has none of a rack's keys: the complaint is about what the rack
+// makes of it.
+Error in_table(Error error, const JobSpec& spec, int which) {
+  const std::string table = fmt::format("gear{}", which);
+  const GearInput& gear = *spec.gears[static_cast<std::size_t>(which - 1)];
+  const bool own =
+      error.key == "face_width_mm" || error.key == "tip_diameter_mm" || error.key == "teeth";
+  if (gear.basic && !own) {
+    error.message = fmt::format("{}.basic: on the rack of {:.6g}° that describes this gear {}",
+                                table, gear.cylindrical.normal_pressure_angle.deg(), error.message);
+    error.key = table + ".basic";
+    return error;
+  }
+  error.key = table + "." + error.key;
+  error.message = table + "." + error.message;
+  return error;
+}
+
+namespace {
+
+// A pair names its gears' rack keys; those of a gear given by its base cylinder are [gearN.basic].
+Error of_basic(Error error, const JobSpec& spec) {
+  for (const int which : {1, 2}) {
+    const auto& gear = spec.gears[static_cast<std::size_t>(which - 1)];
+    const std::string table = fmt::format("gear{}.", which);
+    if (!gear || !gear->basic || error.key.rfind(table, 0) != 0) continue;
+    const std::string own = error.key.substr(table.size());
+    if (own == "normal_module_mm") {
+      error.key = table + "basic.base_diameter_mm";
+      error.value = fmt::format("{}", 2 * gear->basic->radius);
+    } else if (own == "helix_angle_deg") {
+      error.key = table + "basic.base_helix_angle_deg";
+      error.value = fmt::format("{}", Angle::radians(gear->basic->helix_angle).deg());
+    } else if (own == "profile_shift") {
+      error.key = table + "basic.base_tooth_thickness_mm";
+      error.value = fmt::format("{}", gear->basic->tooth_thickness);
+    } else {
+      continue;
+    }
+    error.message = fmt::format("{} = {}: as a rack describes this gear, {}", error.key,
+                                error.value, error.message);
+  }
+  return error;
+}
+
+// Nobody gave the diameter at which a tip with a clearance ends.
+Error of_clearance(Error error, const JobSpec& spec, int which) {
+  const GearInput& gear = *spec.gears[static_cast<std::size_t>(which - 1)];
+  const std::string table = fmt::format("gear{}.tip_fillet", which);
+  if (error.key != table || !(gear.tip_clearance || gear.tip_clearance_by_rule)) return error;
+  const double m = gear.cylindrical.normal_module;
+  error.key = table + ".clearance_mm";
+  error.value = fmt::format("{}", gear.tip_clearance.value_or(0.2 * m + 0.05));
+  error.message = fmt::format("{} = {}: the tip would have to end elsewhere. {}", error.key,
+                              error.value, error.message);
+  return error;
+}
+
+// A shift that nobody gave cannot be to blame: it followed from the centre distance.
+Error of_distance(Error error, const JobSpec& spec) {
+  for (const int which : {1, 2}) {
+    const std::string key = fmt::format("gear{}.profile_shift", which);
+    if (error.key != key || spec.gears[static_cast<std::size_t>(which - 1)]->profile_shift ||
+        !spec.pair.center_distance)
+      continue;
+    error.key = "pair.center_distance_mm";
+    error.value = fmt::format("{}", *spec.pair.center_distance);
+    error.message =
+        fmt::format("pair.center_distance_mm = {}: it asks for {}", error.value, error.message);
+  }
+  return error;
+}
+
+std::optional<double> shaft_angle(const JobSpec& spec) {
+  if (!spec.pair.shaft_angle_deg) return std::nullopt;
+  return Angle::degrees(*spec.pair.shaft_angle_deg).rad();
+}
+
+// Whether the axes cross: the helices decide, and the shaft angle has been checked against them.
+bool axes_cross(const JobSpec& spec) {
+  return !axes_are_parallel(
+      nominal_base_pair(spec.gears[0]->cylindrical, spec.gears[1]->cylindrical));
+}
+
+ShiftProblem shift_problem(const JobSpec& spec) {
+  const CylindricalSpec& c1 = spec.gears[0]->cylindrical;
+  const CylindricalSpec& c2 = spec.gears[1]->cylindrical;
+  ShiftProblem p;
+  p.z1 = c1.teeth;
+  p.z2 = c2.teeth;
+  p.normal_module = c1.normal_module;
+  p.normal_pressure_angle = c1.normal_pressure_angle.rad();
+  p.helix_angle = {c1.helix_angle.rad(), c2.helix_angle.rad()};
+  if (axes_cross(spec)) p.shaft_angle = shaft_angle(spec).value_or(0.0);
+  p.x1 = spec.gears[0]->profile_shift;
+  p.x2 = spec.gears[1]->profile_shift;
+  if (!spec.pair.center_distance) {
+    p.x1 = p.x1.value_or(0.0);
+    p.x2 = p.x2.value_or(0.0);
+  }
+  p.center_distance = spec.pair.center_distance;
+  p.mounting = spec.pair.mounting;
+  return p;
+}
+
+// Shifts and centre distances are completed between gears cut by the same rack angle and module,
+// on parallel axes with the same |β| too.
+bool share_a_rack(const JobSpec& spec) {
+  const CylindricalSpec& c1 = spec.gears[0]->cylindrical;
+  const CylindricalSpec& c2 = spec.gears[1]->cylindrical;
+  const auto near = [](double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(a); };
+  return near(c1.normal_module, c2.normal_module) &&
+         near(c1.normal_pressure_angle.rad(), c2.normal_pressure_angle.rad());
+}
+
+// Tips cut back so that the racks' clearance is kept at this distance: k m_n = σ (a − a_ext).
+// [T2.21]
+void shorten_tips(JobSpec& spec, double a) {
+  double extended = 0.0;
+  const double side = spec.gears[1]->cylindrical.teeth > 0 ? 1.0 : -1.0;
+  const auto reference_radius = [](const CylindricalSpec& c) {
+    return c.normal_module / std::cos(c.helix_angle.rad()) * std::abs(c.teeth) / 2;
+  };
+  for (const auto& gear : spec.gears) {
+    const CylindricalSpec& c = gear->cylindrical;
+    extended += (c.teeth > 0 ? side : 1.0) * reference_radius(c);
+    extended += side * c.normal_module * c.profile_shift;
+  }
+  // Never outward: further apart than that the clearance is larger than the racks' anyway.
+  const double k_m = std::min(0.0, side * (a - extended));
+  for (auto& gear : spec.gears) {
+    CylindricalSpec& c = gear->cylindrical;
+    if (c.tip_diameter) continue;
+    const double sign = c.teeth > 0 ? 1.0 : -1.0;
+    c.tip_diameter = 2 * reference_radius(c) +
+                     sign * 2 * (c.normal_module * (c.rack.addendum + c.profile_shift) + k_m);
+  }
+}
+
+// What cannot be had from gears of different racks: x means something else in each of them.
+std::optional<Error> needs_one_rack(const JobSpec& spec, bool shift_wanted) {
+  const std::string why =
+      ": needs two gears of the same module and pressure angle; of different racks give both "
+      "shifts and the centre distance";
+  if (shift_wanted) {
+    const std::string key =
+        spec.gears[0]->profile_shift ? "gear2.profile_shift" : "gear1.profile_shift";
+    return Error{key, "",
+                 key + ": is missing, and to find it from the centre distance" + why.substr(1)};
+  }
+  if (spec.pair.mounting == Mounting::extended)
+    return Error{"pair.mounting", "extended", "pair.mounting = \"extended\"" + why};
+  if (spec.pair.shorten_tips)
+    return Error{"pair.shorten_tips", "true", "pair.shorten_tips = true" + why};
+  return std::nullopt;
+}
+
+// The place of the pair, after its shifts: absent distance and angle follow from the teeth.
+Result<PairSpec> place_of(const JobSpec& spec) {
+  auto place =
+      complete_place(nominal_base_pair(spec.gears[0]->cylindrical, spec.gears[1]->cylindrical),
+                     spec.pair.center_distance, shaft_angle(spec));
+  if (!place) return place.error();
+  PairSpec result = *place;
+  result.friction = spec.pair.friction_coefficient;
+  return result;
+}
+
+// Completes shifts and place of a spec with two gears; `shift_wanted`: one or both are absent and
+// follow from the centre distance.
+Result<PairSpec> complete_pair(JobSpec& spec, bool shift_wanted) {
+  if (auto error = check_partners(spec.gears[0]->cylindrical, spec.gears[1]->cylindrical,
+                                  shaft_angle(spec))) {
+    return *error;
+  }
+  const bool crossed = axes_cross(spec);
+  const bool extended = spec.pair.mounting == Mounting::extended && !spec.pair.center_distance;
+  const bool one_rack = share_a_rack(spec);
+  if (!one_rack) {
+    if (auto error = needs_one_rack(spec, shift_wanted)) return *error;
+  }
+  if (crossed && shift_wanted && !spec.pair.shaft_angle_deg) {
+    // Neither shifts nor angle: the pair whose minimum centre distance this is.
+    const auto gears = nominal_base_pair(spec.gears[0]->cylindrical, spec.gears[1]->cylindrical);
+    const double given = *spec.pair.center_distance;
+    const auto alpha = transverse_angle_at_pitch_sum(gears, given);
+    if (!alpha) {
+      return Error{"pair.center_distance_mm", fmt::format("{}", given),
+                   fmt::format("pair.center_distance_mm = {}: there is no working pressure angle; "
+                               "it must be greater than {} mm, the sum of the base radii",
+                               given, base_radius_sum(gears))};
+    }
+    spec.pair.shaft_angle_deg = Angle::radians(crossed_place(gears, *alpha).shaft_angle).deg();
+    spec.shaft_angle_found = true;
+  }
+  // Gears of one rack on parallel axes meet at a distance of closed form, to the last digit.
+  const bool by_shifts = one_rack && (!crossed || shift_wanted || extended);
+  std::optional<double> a = spec.pair.center_distance;
+  if (by_shifts) {
+    auto shifts = complete_shifts(shift_problem(spec));
+    if (!shifts) return shifts.error();
+    spec.gears[0]->cylindrical.profile_shift = shifts->x1;
+    spec.gears[1]->cylindrical.profile_shift = shifts->x2;
+    a = shifts->center_distance;
+  }
+  JobSpec completed = spec;
+  completed.pair.center_distance = a;
+  auto place = place_of(completed);
+  if (place && spec.pair.shorten_tips) shorten_tips(spec, place->center_distance);
+  return place;
+}
+
+void collect_warnings(SolvedJob& job) {
+  for (std::size_t i = 0; i < job.gears.size(); ++i) {
+    const GearInput& input = *job.spec.gears[i];
+    const int number = static_cast<int>(i) + 1;
+    if (!input.face_width_given) {
+      job.warnings.push_back({"default_face_width",
+                                 fmt::format("No face_width_mm given: {} mm (10 modules) is used.",
+                                             input.cylindrical.face_width),
+                                 number});
+    }
+    for (Warning w : job.gears[i].warnings) {
+      w.gear = number;
+      job.warnings.push_back(std::move(w));
+    }
+  }
+  std::vector<std::string> not_read = job.spec.not_read;
+  for (const auto& gear : job.spec.gears) {
+    if (gear) not_read.insert(not_read.end(), gear->not_read.begin(), gear->not_read.end());
+  }
+  for (const std::string& what : not_read) {
+    job.warnings.push_back(
+        {"not_read", what + " is of a part that is not in this version: it was not read.", 0});
+  }
+  if (job.arc_pair) {
+    const auto& list = job.arc_pair->warnings;
+    job.warnings.insert(job.warnings.end(), list.begin(), list.end());
+  }
+  if (!job.pair) return;
+  if (job.pair->crossed() &&
+      (job.spec.shaft_angle_found || !job.spec.pair.shaft_angle_deg)) {
+    job.warnings.push_back(
+        {"default_shaft_angle",
+         fmt::format("No shaft_angle_deg given, and these helix angles do not allow parallel axes: "
+                     "the pair crosses at {:.6g}°, the angle of its minimum centre distance.",
+                     Angle::radians(job.pair->shaft_angle()).deg()),
+         0});
+  }
+  for (const Warning& w : job.pair->warnings) job.warnings.push_back(w);
+}
+
+}  // namespace
+
+Result<SolvedJob> solve(const JobSpec& given, Scope scope) {
+  if (!given.gears[0]) {
+    return Error{"gear1.teeth", "",
+                 "gear1.teeth: is missing; the spec describes a search. gearwright search finds the "
+                 "gears, and its --take 1 writes the pair that this verb takes"};
+  }
+  SolvedJob job;
+  job.spec = given;
+  JobSpec& spec = job.spec;
+  const bool two = spec.gears[1].has_value();
+  if (scope == Scope::pair && !two) {
+    return Error{"gear2", "", "gear2: is missing; a pair needs a second table, [gear2]"};
+  }
+  const bool want_pair = two && scope != Scope::gears;
+
+  const bool arcs = has_arcs(spec);
+  if (arcs) {
+    if (auto error = check_arcs(spec)) return *error;
+  }
+  MadeGears made;
+  if (auto error = make_cut_gears(spec, made)) return *error;
+  bool clear_tips = false;
+  for (const int which : {1, 2}) {
+    auto& gear = spec.gears[static_cast<std::size_t>(which - 1)];
+    if (!gear) continue;
+    gear->cylindrical.profile_shift = gear->profile_shift.value_or(0.0);
+    clear_tips = clear_tips || gear->tip_clearance || gear->tip_clearance_by_rule;
+    if (auto error = check_limits(gear->cylindrical)) return in_table(*error, spec, which);
+  }
+  std::optional<PairSpec> place;
+  const bool shift_wanted = two && spec.pair.center_distance &&
+                            (!spec.gears[0]->profile_shift || !spec.gears[1]->profile_shift);
+  if (two && !arcs && (want_pair || shift_wanted || clear_tips || spec.pair.shorten_tips)) {
+    auto completed = complete_pair(spec, shift_wanted);
+    if (!completed) return of_basic(completed.error(), spec);
+    place = *completed;
+  }
+  if (clear_tips) {
+    const bool parallel = place && place->shaft_angle.value_or(0.0) == 0.0;
+    const auto a = parallel ? std::optional(place->center_distance) : std::nullopt;
+    if (auto error = place_clear_tips(spec, made, a)) return *error;
+  }
+  for (std::size_t i = 0; i < (two ? 2u : 1u); ++i) {
+    if (made[i]) {
+      job.gears.push_back(*std::move(made[i]));
+      continue;
+    }
+    auto gear = make_gear(spec.gears[i]->cylindrical);
+    if (!gear) {
+      const int which = static_cast<int>(i) + 1;
+      const Error error = of_distance(in_table(gear.error(), spec, which), spec);
+      return clear_tips ? of_clearance(error, spec, which) : error;
+    }
+    const bool bare_ring = gear->internal();
+    auto cut = bare_ring ? cut_by_default(*gear) : std::nullopt;
+    job.gears.push_back(cut ? *std::move(cut) : std::move(gear).take());
+  }
+  if (want_pair && arcs) {
+    auto pair = mount_arcs(job.gears[0], job.gears[1], spec.pair.center_distance);
+    if (!pair) return pair.error();
+    job.arc_pair = std::move(pair).take();
+    if (spec.pair.friction_coefficient)
+      spec.not_read.push_back("pair.friction_coefficient of circular-arc gears");
+  } else if (want_pair) {
+    auto pair = mount(job.gears[0], job.gears[1], *place);
+    if (!pair) return of_basic(of_distance(pair.error(), spec), spec);
+    job.pair = std::move(pair).take();
+  }
+  collect_warnings(job);
+  return job;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,65 @@
+#include "gearwright/job/solve_arcs.hpp"
+
+#include <fmt/format.h>
+
+namespace gearwright {
+
+namespace {
+
+std::string table(int which) { return fmt::format("gear{}", which); }
+
+bool cuts_with_arcs(const GearInput& gear) {
+  return gear.cut_by && gear.cut_by->cutter && gear.cut_by->cutter->cylindrical.arc_rack;
+}
+
+}  // namespace
+
+bool has_arcs(const JobSpec& spec) {
+  for (const auto& gear : spec.gears) {
+    if (gear && (gear->cylindrical.arc_rack || cuts_with_arcs(*gear))) return true;
+  }
+  return false;
+}
+
+std::optional<Error> check_arcs(const JobSpec& spec) {
+  for (const int which : {1, 2}) {
+    const auto& gear = spec.gears[static_cast<std::size_t>(which - 1)];
+    if (!gear || !gear->cut_by) continue;
+    const auto& cutter = spec.gears[static_cast<std::size_t>(2 - which)];
+    const bool by_mate = gear->cut_by->gear != 0 && cutter && cutter->cylindrical.arc_rack;
+    if (!by_mate && !cuts_with_arcs(*gear)) continue;
+    const std::string key = table(which) + ".cut_by";
+    return Error{key, "",
+                 key +
+                     ": a gear with circular-arc teeth is no pinion cutter here; give this gear a "
+                     "rack of its own"};
+  }
+  if (!spec.gears[1]) return std::nullopt;
+  if (spec.pair.shaft_angle_deg && *spec.pair.shaft_angle_deg != 0.0) {
+    return Error{"pair.shaft_angle_deg", fmt::format("{}", *spec.pair.shaft_angle_deg),
+                 fmt::format("pair.shaft_angle_deg = {}: circular-arc gears run on parallel axes; "
+                             "leave it out",
+                             *spec.pair.shaft_angle_deg)};
+  }
+  if (spec.pair.shorten_tips) {
+    return Error{"pair.shorten_tips", "true",
+                 "pair.shorten_tips = true: circular-arc gears have no profile shifts that would "
+                 "ask for it; give tip_diameter_mm"};
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> refuse_arcs(const JobSpec& spec, const std::string& verb) {
+  for (const int which : {1, 2}) {
+    const auto& gear = spec.gears[static_cast<std::size_t>(which - 1)];
+    if (!gear || !(gear->cylindrical.arc_rack || cuts_with_arcs(*gear))) continue;
+    const std::string key = table(which) + ".rack";
+    return Error{key, "",
+                 fmt::format("{}: the verb {} is about involute gears; these teeth are circular "
+                             "arcs",
+                             key, verb)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,38 @@
+// From a spec to gears and a pair: what is absent follows, what contradicts itself is named.
+//
+// The rules are those of the interface (docs/spec.md): shifts and centre distance complete each
+// other, absent face widths become 10 m_n with a warning.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "gearwright/spec/spec.hpp"
+#include "gearwright/pair/arc_pair.hpp"
+#include "gearwright/pair/pair.hpp"
+
+namespace gearwright {
+
+/// What a spec describes. With a pair its gears are the pair's.
+struct SolvedJob {
+  JobSpec spec;
+  std::vector<Gear> gears;          ///< one or two
+  std::optional<Pair> pair;         ///< when the spec has two gears and the caller wanted the pair
+  std::optional<ArcPair> arc_pair;  ///< the same of gears with circular-arc teeth
+  std::vector<Warning> warnings;    ///< of gears and pair, with the gear's number
+
+  std::optional<Bore> bore(int which) const {
+    return spec.gears[static_cast<std::size_t>(which - 1)]->bore;
+  }
+};
+
+enum class Scope {
+  gears,       ///< each gear by itself; the pair is used only to find an absent profile shift
+  pair,        ///< the mounted pair is wanted: gear2 must be there
+  everything,  ///< the pair if there are two gears
+};
+
+/// Errors    keys with their table, "gear2.profile_shift"
+Result<SolvedJob> solve(const JobSpec& spec, Scope scope);
+
+}  // namespace gearwright

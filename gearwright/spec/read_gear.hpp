@@ -1,0 +1,23 @@
+// Reads one gear's table of a spec: [gear1], [gear2].
+//
+// Internal to spec/: throws SpecError, as the readers of single values do.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "gearwright/spec/spec.hpp"
+#include "gearwright/spec/table_reader.hpp"
+
+namespace gearwright {
+
+/// [gearN] rack: a name of ISO 53 or a table; absent: ISO53-A.
+StraightRack read_rack(TableReader& gear);
+
+/// `path` is the table's name, "gear1"; `mate` the other gear's table, from which a cutter of the
+/// gear's own takes the module and angles that it leaves out. File names start
+/// at `folder`.
+GearInput read_gear(const Json& node, const std::string& path, const Json* mate = nullptr,
+                    const std::filesystem::path& folder = {});
+
+}  // namespace gearwright

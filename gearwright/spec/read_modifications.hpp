@@ -1,0 +1,32 @@
+// Reads [gearN.modifications]: what is removed from the right and from the left flank.
+//
+// A key sets both flanks; with right_ or left_ before it one, and there it counts more.
+//
+// Internal to spec/: throws SpecError, as the readers of single values do.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string_view>
+
+#include "gearwright/gear/modifications.hpp"
+#include "gearwright/spec/table_reader.hpp"
+
+namespace gearwright {
+
+constexpr std::size_t kLargestTopography = 4 << 20;  ///< bytes: 200 000 points
+
+/// The right and the left flank; nothing is removed where the gear has no such table. What needs
+/// the finished gear (make_removal_field) is not checked here.
+///
+/// Throws    IoError when a topography's file is there and cannot be read
+std::array<FlankModifications, 2> read_modifications(TableReader& gear,
+                                                     const std::filesystem::path& folder);
+
+/// A topography from CSV: rows of diameter_mm, z_mm, removed_um in any order, every diameter with
+/// every z once; a first line with these names, empty lines and lines after # may stand there.
+///
+/// Errors    without a key: line and reason
+Result<Topography> topography_from_csv(std::string_view csv);
+
+}  // namespace gearwright

@@ -1,0 +1,364 @@
+#include "gearwright/spec/read_search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "gearwright/design/search_space.hpp"
+#include "gearwright/spec/read_gear.hpp"
+
+namespace gearwright {
+
+const std::vector<double>& iso54_modules(int series) {
+  static const std::vector<double> kFirst{1, 1.25, 1.5, 2,  2.5, 3,  4,  5,  6,
+                                          8, 10,   12,  16, 20,  25, 32, 40, 50};
+  static const std::vector<double> kSecond{1.125, 1.375, 1.75, 2.25, 2.75, 3.5, 4.5, 5.5, 6.5,
+                                           7,     9,     11,   14,   18,   22,  28,  36,  45};
+  return series == 1 ? kFirst : kSecond;
+}
+
+namespace {
+
+constexpr double kLeastShiftStep = 0.0025;    // half a million points of a wide region
+constexpr std::size_t kMostValues = 100'000;  // of one list or band
+
+// JSON has no word for nan and inf.
+std::string shown(const Json& value) {
+  return value.is_number_float() ? fmt::format("{}", value.get<double>())
+                                 : printable(value.dump(), 60);
+}
+
+// Numbers of a list, or one number as a list of one; none: the key is absent.
+std::optional<std::vector<double>> numbers(TableReader& t, const std::string& key,
+                                           const std::string& form) {
+  const Json* node = t.any(key);
+  if (!node) return std::nullopt;
+  std::vector<double> values;
+  const auto take = [&](const Json& item) {
+    if (!item.is_number() || !std::isfinite(item.get<double>()))
+      t.fail(key, "must be " + form + "; " + shown(item) + " is no number");
+    values.push_back(item.get<double>());
+  };
+  if (node->is_array()) {
+    if (node->size() > kMostValues)
+      t.fail(key, fmt::format("has {} values; at most {}", node->size(), kMostValues));
+    for (const Json& item : *node) take(item);
+  } else {
+    take(*node);
+  }
+  if (values.empty()) t.fail(key, "is an empty list; it must be " + form);
+  return values;
+}
+
+std::optional<std::array<double, 2>> band(TableReader& t, const std::string& key,
+                                          const std::string& what) {
+  const std::string form = fmt::format("{}, or a band [least, greatest]", what);
+  const auto values = numbers(t, key, form);
+  if (!values) return std::nullopt;
+  if (values->size() > 2)
+    t.fail(key, fmt::format("has {} values; it must be {}", values->size(), form));
+  const std::array<double, 2> b{values->front(), values->back()};
+  if (b[0] > b[1]) {
+    t.fail(key, fmt::format("is an empty band: nothing lies between {} and {}; the least value "
+                            "comes first",
+                            b[0], b[1]));
+  }
+  return b;
+}
+
+std::vector<double> read_modules(TableReader& t) {
+  const Json* node = t.any("modules_mm");
+  const char* form =
+      "\"ISO54-I\", \"ISO54-I+II\", \"ISO54-II\", a number or a list of numbers in mm";
+  if (!node) t.fail("modules_mm", fmt::format("is missing; it may be {}", form));
+  std::vector<double> modules;
+  if (node->is_string()) {
+    const auto name = node->get<std::string>();
+    if (name == "ISO54-I" || name == "ISO54-I+II") modules = iso54_modules(1);
+    if (name == "ISO54-II" || name == "ISO54-I+II") {
+      modules.insert(modules.end(), iso54_modules(2).begin(), iso54_modules(2).end());
+    }
+    if (modules.empty()) t.fail("modules_mm", fmt::format("must be {}", form));
+  } else {
+    modules = *numbers(t, "modules_mm", form);
+  }
+  std::sort(modules.begin(), modules.end());
+  if (!(modules.front() > 0.0))
+    t.fail("modules_mm",
+           fmt::format("{} cannot be a module; modules are greater than 0 mm", modules.front()));
+  if (modules.front() < 1e-3 || modules.back() > 1e3)
+    t.fail("modules_mm", "must lie between 0.001 and 1000 mm");
+  const auto twice = std::adjacent_find(modules.begin(), modules.end());
+  if (twice != modules.end()) t.fail("modules_mm", fmt::format("names {} twice", *twice));
+  return modules;
+}
+
+void read_teeth(TableReader& t, SearchProblem& p) {
+  const auto ratio = band(t, "ratio", "z2/z1, one number");
+  if (!ratio) {
+    t.fail("ratio",
+           "is missing: the band of z2/z1, [1.9, 2.1]; negative for internal pairs, "
+           "[-5, -4]");
+  }
+  p.ratio = *ratio;
+  if (p.ratio[0] < 0.0 && p.ratio[1] >= 0.0)
+    t.fail("ratio", "must not pass 0: positive for external pairs, negative for internal ones");
+  if (p.ratio[0] >= 0.0 && p.ratio[1] < 1.0)
+    t.fail("ratio", "must reach 1: the ratio is z2/z1, and gear 2 is the one with more teeth");
+  if (p.ratio[0] < 0.0 && p.ratio[0] >= -1.0)
+    t.fail("ratio", "must pass -1: a ring has more teeth than its pinion");
+  const auto z1 = band(t, "pinion_teeth", "z1, a whole number");
+  if (!z1) t.fail("pinion_teeth", "is missing: the band of z1, [12, 40]");
+  for (const double z : *z1) {
+    if (z != std::floor(z)) t.fail("pinion_teeth", "must be whole numbers");
+    if (!(z >= 3.0 && z <= kMostSearchTeeth))
+      t.fail("pinion_teeth", fmt::format("must lie between 3 and {}", kMostSearchTeeth));
+  }
+  p.pinion_teeth = {static_cast<int>((*z1)[0]), static_cast<int>((*z1)[1])};
+  const double most = std::max(std::abs(p.ratio[0]), std::abs(p.ratio[1])) * (*z1)[1];
+  if (!(most <= kMostSearchTeeth)) {
+    t.fail("ratio",
+           fmt::format("with pinion_teeth up to {} reaches wheels of {:.6g} teeth; at most "
+                       "{}: narrow one of them",
+                       p.pinion_teeth[1], most, kMostSearchTeeth));
+  }
+  p.coprime = t.boolean("coprime").value_or(false);
+  p.target_ratio = t.number("target_ratio").value_or((p.ratio[0] + p.ratio[1]) / 2.0);
+}
+
+// One angle, a band with a step, or a list.
+void read_helix(TableReader& t, SearchProblem& p, double of_gear_deg) {
+  const auto b = band(t, "helix_angle_deg", "an angle");
+  const auto step = t.positive("helix_step_deg");
+  const auto list = numbers(t, "helix_angles_deg", "a list of angles");
+  if (b && list) t.fail("helix_angles_deg", "contradicts helix_angle_deg; leave one out");
+  std::vector<double> degrees{of_gear_deg};
+  if (list) degrees = *list;
+  if (b) {
+    degrees.clear();
+    const double h = step.value_or(1.0);
+    const double count = std::floor(((*b)[1] - (*b)[0]) / h + 1e-9);
+    if (!(count < kMostValues))
+      t.fail("helix_step_deg",
+             fmt::format("makes {:.6g} angles of the band; at most {}", count + 1, kMostValues));
+    for (int i = 0; i <= static_cast<int>(count); ++i) degrees.push_back((*b)[0] + i * h);
+    // The band's own end, unless a step has just reached it.
+    if (degrees.back() < (*b)[1] - 1e-9 * h) degrees.push_back((*b)[1]);
+  } else if (step) {
+    t.fail("helix_step_deg", "belongs to a band, helix_angle_deg = [least, greatest]");
+  }
+  const char* key = list ? "helix_angles_deg" : "helix_angle_deg";
+  auto sorted = degrees;
+  std::sort(sorted.begin(), sorted.end());
+  if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
+    t.fail(key, fmt::format("names {} twice", *twice));
+  p.helix.clear();
+  for (const double beta : degrees) {
+    if (!(std::abs(beta) < 89.0)) t.fail(key, "must lie between -89 and 89");
+    if (p.shaft_angle && !(std::abs(Angle::radians(*p.shaft_angle).deg() - beta) < 89.0)) {
+      t.fail(key, fmt::format("{} leaves gear 2 the helix angle {}, beyond 89; gear 2 has the "
+                              "shaft angle less this one",
+                              beta, Angle::radians(*p.shaft_angle).deg() - beta));
+    }
+    p.helix.push_back(Angle::degrees(beta).rad());
+  }
+}
+
+std::optional<double> within(TableReader& t, const char* key, double least, double most) {
+  const auto value = t.number(key);
+  if (value && !(*value >= least && *value <= most))
+    t.fail(key, fmt::format("must lie between {} and {}", least, most));
+  return value;
+}
+
+void read_limits(TableReader& t, SearchProblem& p) {
+  SearchLimits& l = p.limits;
+  if (const auto shifts = band(t, "profile_shift", "floor and ceiling of x")) {
+    if (t.any("profile_shift")->is_number())
+      t.fail("profile_shift", "must be a band [floor, ceiling]; a search finds the shifts");
+    l.least_shift = (*shifts)[0];
+    l.greatest_shift = (*shifts)[1];
+  }
+  l.undercut_margin = within(t, "undercut_margin", -5.0, 5.0).value_or(0.0);
+  l.contact_ratio = within(t, "contact_ratio_min", 0.0, 10.0).value_or(1.2);
+  l.tip_thickness = within(t, "tip_thickness_min", 0.0, 1.5).value_or(0.2);
+  l.overlap_ratio = within(t, "overlap_ratio_min", 0.0, 1000.0);
+  l.sliding = within(t, "sliding_max", 0.0, 1000.0);
+  if (l.sliding && p.crossed())
+    t.fail("sliding_max", "is not known on crossed axes, where teeth slide along each other too");
+  l.tip_clearance = within(t, "tip_clearance_min", -1.0, 1.0);
+  l.avoid_interference = t.boolean("avoid_interference").value_or(false);
+}
+
+void read_objectives(TableReader& t, SearchProblem& p) {
+  const Json* node = t.any("objective");
+  if (!node) return;
+  std::vector<Json> names;
+  if (node->is_array()) {
+    names.assign(node->begin(), node->end());
+  } else {
+    names.push_back(*node);
+  }
+  if (names.empty()) t.fail("objective", "is an empty list");
+  p.objectives.clear();
+  const std::vector<std::string> known(kObjectiveNames.begin(), kObjectiveNames.end());
+  for (const Json& item : names) {
+    const std::string word = item.is_string() ? item.get<std::string>() : shown(item);
+    const auto at = std::find(known.begin(), known.end(), word);
+    if (at == known.end()) {
+      t.fail("objective", fmt::format("does not know {}; did you mean {}? (contact_ratio, ratio, "
+                                      "size, shift, area, sliding, or a list of them)",
+                                      printable(word, 60), nearest_word(word, known)));
+    }
+    const auto objective = static_cast<Objective>(at - known.begin());
+    if (std::find(p.objectives.begin(), p.objectives.end(), objective) != p.objectives.end())
+      t.fail("objective", fmt::format("names {} twice", word));
+    if (objective == Objective::sliding && p.crossed())
+      t.fail("objective", "sliding is not known on crossed axes");
+    p.objectives.push_back(objective);
+  }
+}
+
+// What a [gearN] of a search may say; its other keys are what the search finds.
+struct Blank {
+  std::optional<double> alpha_deg, helix_deg, face_mm;
+  std::optional<StraightRack> rack;
+};
+
+Blank read_blank(const Json* node, const std::string& path) {
+  Blank b;
+  if (!node) return b;
+  TableReader t(*node, path);
+  const bool whole = t.has("teeth");  // a gear of its own, which the search may start from
+  b.alpha_deg = t.number("normal_pressure_angle_deg");
+  if (b.alpha_deg && !(*b.alpha_deg >= 1.0 && *b.alpha_deg <= 60.0))
+    t.fail("normal_pressure_angle_deg", "must lie between 1 and 60, usually 14.5 to 30");
+  b.helix_deg = t.number("helix_angle_deg");
+  b.face_mm = t.positive("face_width_mm");
+  if (const Json* rack = t.any("rack");
+      rack && rack->is_object() && rack->contains("kind") && (*rack)["kind"] != "straight") {
+    t.fail("rack.kind", "must be \"straight\" (or absent): a search is about involute gears");
+  }
+  if (t.has("rack")) b.rack = read_rack(t);
+  if (b.rack && (b.rack->protuberance != 0.0 || b.rack->tip_fillet_radius != 0.0 ||
+                 b.rack->semi_topping_angle)) {
+    t.fail("rack",
+           "has a protuberance, tip rounding or chamfer, which a search does not know: it "
+           "takes straight flanks up to the tip. Search without, then put it into the pair");
+  }
+  if (whole) return b;
+  for (const char* key : {"normal_module_mm", "profile_shift", "tip_diameter_mm",
+                          "transverse_module_mm", "normal_diametral_pitch_per_in", "cut_by"}) {
+    if (t.has(key))
+      t.fail(key, fmt::format("is found by the search; beside [search], [{}] may say "
+                              "normal_pressure_angle_deg, helix_angle_deg, rack and face_width_mm",
+                              path));
+  }
+  t.finish();
+  return b;
+}
+
+// Depth of the straight edge below the datum line, h_FfP*.
+double straight_depth(const StraightRack& rack, double alpha_n) {
+  const double radius =
+      rack.named ? std::min(rack.root_fillet_radius, full_radius(rack, Angle::radians(alpha_n)))
+                 : rack.root_fillet_radius;
+  return rack.dedendum - radius * (1.0 - std::sin(alpha_n));
+}
+
+// The racks to try, each for both gears.
+void read_racks(TableReader& t, SearchProblem& p, const std::array<Blank, 2>& blanks) {
+  const auto depth = within(t, "undercut_depth", 0.0, 3.0);
+  const Json* list = t.any("racks");
+  std::vector<std::array<std::optional<StraightRack>, 2>> wanted;
+  if (!list) {
+    const auto& first = blanks[0].rack;
+    wanted.push_back({first, blanks[1].rack ? blanks[1].rack : first});
+  } else {
+    if (blanks[0].rack || blanks[1].rack)
+      t.fail("racks", "contradicts the rack of a gear; leave one out");
+    if (!list->is_array() || list->empty() || list->size() > 4)
+      t.fail("racks", "must be a list of names, [\"ISO53-A\", \"ISO53-C\"]");
+    for (const Json& item : *list) {
+      const auto rack = item.is_string() ? iso53_rack(item.get<std::string>()) : std::nullopt;
+      if (std::count(list->begin(), list->end(), item) > 1)
+        t.fail("racks", "names " + shown(item) + " twice");
+      if (!rack) t.fail("racks", shown(item) + " is none of \"ISO53-A\" … \"ISO53-D\"");
+      wanted.push_back({rack, rack});
+    }
+  }
+  p.racks.clear();
+  for (const auto& pair : wanted) {
+    SearchRacks racks;
+    for (std::size_t i : {0, 1}) {
+      if (pair[i]) {
+        const auto edge = make_edge(*pair[i], 1.0, Angle::radians(p.normal_pressure_angle));
+        const std::string path = list ? "search.racks: " : fmt::format("gear{}.", i + 1);
+        if (!edge)
+          throw SpecError{
+              {path + edge.error().key, edge.error().value, path + edge.error().message}};
+        racks.rack[i] = *pair[i];
+        racks.undercut_depth[i] = straight_depth(*pair[i], p.normal_pressure_angle);
+      }
+      if (depth) racks.undercut_depth[i] = *depth;
+    }
+    p.racks.push_back(racks);
+  }
+}
+
+}  // namespace
+
+SearchProblem read_search(const Json& search, const Json* gear_1, const Json* gear_2) {
+  TableReader t(search, "search");
+  SearchProblem p;
+  const std::array<Blank, 2> blanks{read_blank(gear_1, "gear1"), read_blank(gear_2, "gear2")};
+  const double alpha = blanks[0].alpha_deg.value_or(blanks[1].alpha_deg.value_or(20.0));
+  if (blanks[1].alpha_deg && *blanks[1].alpha_deg != alpha) {
+    throw SpecError{
+        {"gear2.normal_pressure_angle_deg", fmt::format("{}", *blanks[1].alpha_deg),
+         fmt::format("gear2.normal_pressure_angle_deg = {}: both gears of a search have "
+                     "one pressure angle, gear1 has {}",
+                     *blanks[1].alpha_deg, alpha)}};
+  }
+  p.normal_pressure_angle = Angle::degrees(alpha).rad();
+  read_teeth(t, p);
+  if (const auto distance = band(t, "center_distance_mm", "a distance in mm")) {
+    if (!((*distance)[0] > 0.0)) t.fail("center_distance_mm", "must be greater than 0");
+    p.center_distance = distance;
+  }
+  p.modules = read_modules(t);
+  if (const auto sigma = t.number("shaft_angle_deg"); sigma && *sigma != 0.0) {
+    if (!(std::abs(*sigma) < 178.0 && std::abs(*sigma) >= 0.1)) {
+      t.fail("shaft_angle_deg",
+             "must be 0 (parallel axes) or lie between 0.1 and 178, of either sign");
+    }
+    if (p.internal())
+      t.fail("shaft_angle_deg",
+             "has no place in an internal pair: its axes are "
+             "parallel");
+    p.shaft_angle = Angle::degrees(*sigma).rad();
+  }
+  const double half = p.shaft_angle ? Angle::radians(*p.shaft_angle).deg() / 2.0 : 0.0;
+  read_helix(t, p, blanks[0].helix_deg.value_or(half));
+  read_racks(t, p, blanks);
+  const auto face = t.positive("face_width_mm");
+  p.face_width = face ? face : blanks[0].face_mm;
+  const auto mounting = t.one_of("mounting", {"extended", "tight"});
+  p.mounting = mounting && *mounting == "tight" ? Mounting::tight : Mounting::extended;
+  p.shorten_tips = t.boolean("shorten_tips").value_or(false);
+  if (p.shorten_tips && (p.mounting != Mounting::tight || p.crossed())) {
+    t.fail("shorten_tips",
+           "needs mounting = \"tight\" on parallel axes: at extended centres the "
+           "clearance is whole");
+  }
+  read_limits(t, p);
+  p.shift_step = within(t, "shift_step", kLeastShiftStep, 1.0);
+  p.lambda = within(t, "lambda", -10.0, 10.0).value_or(0.625);
+  read_objectives(t, p);
+  t.finish();
+  return p;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,73 @@
+#include "gearwright/spec/toml_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/base/contract.hpp"
+
+namespace gearwright {
+
+namespace {
+
+bool bare(const std::string& key) {
+  return !key.empty() && std::all_of(key.begin(), key.end(), [](unsigned char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-';
+  });
+}
+
+// JSON's escapes are TOML's too, but for a slash that is never escaped here.
+std::string quoted(const std::string& text) {
+  return Json(text).dump(-1, ' ', true, Json::error_handler_t::replace);
+}
+
+std::string key_text(const std::string& key) { return bare(key) ? key : quoted(key); }
+
+std::string value_text(const Json& v) {
+  if (v.is_number_float()) {
+    const double x = v.get<double>();
+    GW_EXPECTS(std::isfinite(x));
+    const std::string text = fmt::format("{}", x);
+    // A float without a point or an exponent would be an integer.
+    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+  }
+  if (v.is_string()) return quoted(v.get<std::string>());
+  if (v.is_array()) {
+    std::string text;
+    for (const Json& item : v) text += (text.empty() ? "" : ", ") + value_text(item);
+    return "[" + text + "]";
+  }
+  if (v.is_object()) {
+    std::string text;
+    for (const auto& [key, item] : v.items())
+      text += (text.empty() ? "" : ", ") + key_text(key) + " = " + value_text(item);
+    return "{ " + text + " }";
+  }
+  GW_EXPECTS(v.is_boolean() || v.is_number_integer());
+  return v.dump();
+}
+
+void write_table(const Json& table, const std::string& path, std::string& out) {
+  for (const auto& [key, value] : table.items()) {
+    if (!value.is_object()) out += key_text(key) + " = " + value_text(value) + "\n";
+  }
+  for (const auto& [key, value] : table.items()) {
+    if (!value.is_object()) continue;
+    const std::string name = path.empty() ? key_text(key) : path + "." + key_text(key);
+    out += (out.empty() ? "[" : "\n[") + name + "]\n";
+    write_table(value, name, out);
+  }
+}
+
+}  // namespace
+
+std::string toml_text(const Json& tree) {
+  GW_EXPECTS(tree.is_object());
+  std::string out;
+  write_table(tree, "", out);
+  return out;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,16 @@
+// A spec as TOML text, from its tree.
+// Internal to spec/ and the program.
+#pragma once
+
+#include <string>
+
+#include "gearwright/spec/table_reader.hpp"
+
+namespace gearwright {
+
+/// Numbers read back to the same double; plain values stand before tables.
+///
+/// Domain    an object of numbers, strings, booleans, arrays and objects (contract)
+std::string toml_text(const Json& tree);
+
+}  // namespace gearwright

@@ -1,0 +1,79 @@
+// The files of a campaign's finished chunks, each with a header that says what it is.
+//
+//   offset   bytes
+//   0        8      "GWCHUNK1"
+//   8        4      stamp of the campaign, CRC-32
+//   12       8      number of the chunk
+//   20       8 + 8  tested, feasible
+//   36       4      k, the number of constraints
+//   40       8 k    rejected, by constraint
+//   40 + 8k  8      length of the payload
+//   48 + 8k  4      CRC-32 of the payload
+//   52 + 8k  4      CRC-32 of the header up to here
+//   56 + 8k         the payload
+//
+// All numbers least significant byte first. The file holds nothing of who wrote it and when: two
+// runs of one campaign write the same bytes.
+//
+// Internal to store/: chunk_store.hpp is the door.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gearwright/store/chunk_store.hpp"
+
+namespace gearwright {
+
+constexpr std::size_t kMostConstraints = 500;  ///< so that a header is read in one page
+
+/// A file as it was found.
+struct ChunkRead {
+  enum class State { whole, damaged, foreign };  ///< foreign: whole, of another campaign
+  State state = State::whole;
+  std::string damage;     ///< "is 12 bytes long, not 96"; empty when whole
+  ChunkCounts counts;     ///< when whole
+  std::int64_t size = 0;  ///< length of the payload, when whole
+  std::string payload;    ///< when whole and asked for
+};
+
+class ChunkFolder {
+ public:
+  enum class Depth { header, payload };  ///< header: the payload is checked by its length alone
+
+  /// `stamp` tells the campaign's chunks from those of any other.
+  ChunkFolder(std::filesystem::path folder, std::uint32_t stamp);
+
+  const std::filesystem::path& folder() const { return folder_; }
+  std::filesystem::path path(std::int64_t chunk) const;
+  bool there(std::int64_t chunk) const;
+  /// The numbers of all chunk files, ascending; none where the folder is not there.
+  std::vector<std::int64_t> list() const;
+
+  /// Empty where there is no such file.
+  std::optional<ChunkRead> read(std::int64_t chunk, Depth depth) const;
+  /// Whole or not at all.
+  void write(std::int64_t chunk, std::string_view payload, const ChunkCounts& counts) const;
+  /// Renames the file so that it is no chunk any more.
+  void set_aside(std::int64_t chunk) const;
+  /// Leftovers of processes that are dead on this host, or of anybody and older than a day.
+  void remove_stale_parts() const;
+
+ private:
+  std::filesystem::path folder_;
+  std::uint32_t stamp_;
+  std::string host_;
+};
+
+/// Whether there is anything at `path`.   Throws  IoError where the system will not say
+bool path_exists(const std::filesystem::path& path);
+
+/// CRC-32, as in ZIP.
+std::uint32_t checksum(std::string_view bytes);
+
+}  // namespace gearwright

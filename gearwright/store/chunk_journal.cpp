@@ -1,0 +1,216 @@
+#include "gearwright/store/chunk_journal.hpp"
+
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/base/output_file.hpp"
+
+namespace gearwright {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Who waits longer waits for a process that hangs.
+constexpr int kBusyMilliseconds = 60'000;
+constexpr int kLongestNap = 5;  // ms
+
+// Called with the number of times it was called before; SQLite asks again after it says 1. Its own
+// handler naps up to 100 ms, and two processes that write all the time kept each other waiting 20
+// s.
+int nap(void*, int before) {
+  const int longest_of_all = kBusyMilliseconds / kLongestNap;
+  if (before >= longest_of_all) return 0;
+  sqlite3_sleep(std::min(before + 1, kLongestNap));
+  return 1;
+}
+
+bool is_word(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+// Names of columns, quoted and all different as SQLite compares them, without regard to case.
+std::vector<std::string> column_names(const std::vector<std::string>& constraints) {
+  std::set<std::string> taken = {"chunk", "tested", "feasible", "bytes", "writer", "finished"};
+  std::vector<std::string> columns;
+  for (const std::string& name : constraints) {
+    std::string word;
+    for (const char c : name) word += is_word(c) ? c : '_';
+    if (word.empty()) word.push_back('_');
+    std::string column = word;
+    for (int n = 2;; ++n) {
+      std::string lower;
+      for (const char c : column) lower += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+      if (taken.insert(lower).second) break;
+      column = fmt::format("{}_{}", word, n);
+    }
+    columns.push_back('"' + column + '"');
+  }
+  return columns;
+}
+
+}  // namespace
+
+void ChunkJournal::CloseDatabase::operator()(sqlite3* database) const { sqlite3_close(database); }
+void ChunkJournal::CloseStatement::operator()(sqlite3_stmt* statement) const {
+  sqlite3_finalize(statement);
+}
+
+ChunkJournal::ChunkJournal(const fs::path& path, const std::vector<std::string>& constraints)
+    : path_(path), columns_(column_names(constraints)) {
+  sqlite3* database = nullptr;
+  const int status =
+      sqlite3_open_v2(path.c_str(), &database, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
+  database_.reset(database);  // also after a failure: it holds the sentence
+  if (status != SQLITE_OK) fail();
+  if (sqlite3_busy_handler(database, nap, nullptr) != SQLITE_OK) fail();
+  // A rollback journal: the write-ahead log needs memory that all writers share, and nodes have
+  // none.
+  run("PRAGMA journal_mode = DELETE");
+  run("PRAGMA synchronous = NORMAL");
+}
+
+void ChunkJournal::fail() const {
+  std::string why = sqlite3_errmsg(database_.get());
+  const int code = sqlite3_errcode(database_.get());
+  const int reason = database_ ? sqlite3_system_errno(database_.get()) : 0;
+  if (reason != 0 && (code == SQLITE_IOERR || code == SQLITE_CANTOPEN || code == SQLITE_FULL)) {
+    why += fmt::format(" ({})", std::strerror(reason));
+  }
+  if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB) {
+    why += "; move it away and go on with --resume: the chunks beside it are whole without it";
+  }
+  throw IoError(fmt::format("the journal {}: {}", path_.string(), why));
+}
+
+ChunkJournal::Statement ChunkJournal::prepare(const std::string& sql) const {
+  sqlite3_stmt* statement = nullptr;
+  const int status = sqlite3_prepare_v2(database_.get(), sql.c_str(),
+                                        static_cast<int>(sql.size()) + 1, &statement, nullptr);
+  if (status != SQLITE_OK) fail();
+  return Statement(statement);
+}
+
+void ChunkJournal::bind(const Statement& statement, int place, std::int64_t value) const {
+  if (sqlite3_bind_int64(statement.get(), place, value) != SQLITE_OK) fail();
+}
+
+void ChunkJournal::bind(const Statement& statement, int place, const std::string& text) const {
+  const int status = sqlite3_bind_text64(statement.get(), place, text.data(), text.size(),
+                                         SQLITE_TRANSIENT, SQLITE_UTF8);
+  if (status != SQLITE_OK) fail();
+}
+
+bool ChunkJournal::step(const Statement& statement) const {
+  const int status = sqlite3_step(statement.get());
+  if (status != SQLITE_ROW && status != SQLITE_DONE) {
+    // The sentence is the connection's, and reset keeps it; a lock would outlive the failure.
+    sqlite3_reset(statement.get());
+    fail();
+  }
+  return status == SQLITE_ROW;
+}
+
+void ChunkJournal::run(const std::string& sql) {
+  const Statement statement = prepare(sql);
+  while (step(statement)) {
+  }
+}
+
+ChunkJournal::Transaction::Transaction(ChunkJournal& journal) : journal_(journal) {
+  // IMMEDIATE: a reader that turns writer may meet another one and neither could give way.
+  journal_.run("BEGIN IMMEDIATE");
+}
+
+ChunkJournal::Transaction::~Transaction() {
+  if (open_) sqlite3_exec(journal_.database_.get(), "ROLLBACK", nullptr, nullptr, nullptr);
+}
+
+void ChunkJournal::Transaction::commit() {
+  journal_.run("COMMIT");
+  open_ = false;
+}
+
+std::map<std::string, std::string> ChunkJournal::campaign() {
+  std::map<std::string, std::string> found;
+  const Statement table =
+      prepare("SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = 'campaign'");
+  if (!step(table)) return found;
+  const Statement rows = prepare("SELECT key, value FROM campaign");
+  const auto text = [&](int column) {
+    const auto* start = reinterpret_cast<const char*>(sqlite3_column_text(rows.get(), column));
+    const auto length = static_cast<std::size_t>(sqlite3_column_bytes(rows.get(), column));
+    return start != nullptr ? std::string(start, length) : std::string();
+  };
+  while (step(rows)) found[text(0)] = text(1);
+  return found;
+}
+
+void ChunkJournal::begin(const std::map<std::string, std::string>& campaign) {
+  run("CREATE TABLE campaign (key TEXT PRIMARY KEY, value TEXT)");
+  std::string counts;
+  for (const std::string& column : columns_) counts += column + " INTEGER NOT NULL, ";
+  run("CREATE TABLE chunks (chunk INTEGER PRIMARY KEY, tested INTEGER NOT NULL, "
+      "feasible INTEGER NOT NULL, " +
+      counts + "bytes INTEGER NOT NULL, writer TEXT, finished TEXT)");
+  for (const auto& [key, value] : campaign) {
+    const Statement insert = prepare("INSERT INTO campaign (key, value) VALUES (?, ?)");
+    bind(insert, 1, key);
+    bind(insert, 2, value);
+    step(insert);
+  }
+}
+
+std::set<std::int64_t> ChunkJournal::chunks() {
+  std::set<std::int64_t> found;
+  const Statement rows = prepare("SELECT chunk FROM chunks");
+  while (step(rows)) found.insert(sqlite3_column_int64(rows.get(), 0));
+  return found;
+}
+
+// `verb` says what becomes of a row that is there already. Without a writer the row has no time.
+void ChunkJournal::insert(const char* verb, const ChunkRow& row, const std::string* writer) {
+  GW_EXPECTS(row.counts.rejected.size() == columns_.size());
+  Statement& statement = inserts_[verb];
+  if (!statement) {
+    std::string columns;
+    std::string places;
+    for (const std::string& column : columns_) {
+      columns += column + ", ";
+      places += "?, ";
+    }
+    statement = prepare(fmt::format(
+        "{} INTO chunks (chunk, tested, feasible, {}bytes, writer, finished) VALUES (?, ?, ?, {}?, "
+        "?, {})",
+        verb, columns, places,
+        writer != nullptr ? "strftime('%Y-%m-%dT%H:%M:%SZ', 'now')" : "NULL"));
+  }
+  int place = 0;
+  bind(statement, ++place, row.chunk);
+  bind(statement, ++place, row.counts.tested);
+  bind(statement, ++place, row.counts.feasible);
+  for (const std::int64_t n : row.counts.rejected) bind(statement, ++place, n);
+  bind(statement, ++place, row.bytes);
+  if (writer != nullptr) bind(statement, ++place, *writer);
+  step(statement);
+  sqlite3_reset(statement.get());
+}
+
+void ChunkJournal::finish(const ChunkRow& row, const std::string& writer) {
+  insert("INSERT OR REPLACE", row, &writer);
+}
+
+void ChunkJournal::found(const ChunkRow& row) { insert("INSERT OR IGNORE", row, nullptr); }
+
+void ChunkJournal::forget(std::int64_t chunk) {
+  const Statement statement = prepare("DELETE FROM chunks WHERE chunk = ?");
+  bind(statement, 1, chunk);
+  step(statement);
+}
+
+}  // namespace gearwright

@@ -1,0 +1,336 @@
+#include "gearwright/store/chunk_store.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include "gearwright/base/output_file.hpp"
+#include "gearwright/store/chunk_file.hpp"
+#include "gearwright/store/chunk_journal.hpp"
+
+namespace gearwright {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Depth = ChunkFolder::Depth;
+using Record = std::map<std::string, std::string>;  // the journal's table `campaign`
+
+constexpr const char* kJournal = "journal.sqlite";
+constexpr std::size_t kNamedDifferences = 3;
+
+Record record_of(const Campaign& campaign, const std::vector<std::string>& rejected_names) {
+  std::string names;
+  for (const std::string& name : rejected_names) {
+    GW_EXPECTS(name.find_first_of(",\n") == std::string::npos);
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  return {{"fingerprint", campaign.fingerprint},
+          {"chunks", std::to_string(campaign.chunks)},
+          {"counts", names}};
+}
+
+// Everything in which two campaigns may differ, as lines "key = value".
+std::string text_of(Record record) {
+  return record["fingerprint"] + "\nchunks = " + record["chunks"] +
+         "\ncounts = " + record["counts"] + "\n";
+}
+
+using Line = std::pair<std::string, std::string>;  // key, value
+
+std::vector<Line> lines_of(const std::string& text) {
+  std::vector<Line> lines;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::string line = text.substr(at, end - at);
+    at = end + 1;
+    const std::size_t sign = line.find(" = ");
+    if (sign != std::string::npos) {
+      lines.emplace_back(line.substr(0, sign), line.substr(sign + 3));
+    } else if (!line.empty()) {
+      lines.emplace_back(line, "");
+    }
+  }
+  return lines;
+}
+
+std::optional<std::string> value_of(const std::vector<Line>& lines, const std::string& key) {
+  for (const Line& line : lines) {
+    if (line.first == key) return line.second;
+  }
+  return std::nullopt;
+}
+
+// "search.contact_ratio_min was 1.2, is 1.3; search.m_max was 5, is not set now".
+std::string differences(const std::string& was, const std::string& is) {
+  const std::vector<Line> old_lines = lines_of(was);
+  const std::vector<Line> new_lines = lines_of(is);
+  std::vector<std::string> found;
+  for (const auto& [key, value] : old_lines) {
+    const auto now = value_of(new_lines, key);
+    if (!now) found.push_back(fmt::format("{} was {}, is not set now", key, value));
+    if (now && *now != value) found.push_back(fmt::format("{} was {}, is {}", key, value, *now));
+  }
+  for (const auto& [key, value] : new_lines) {
+    if (!value_of(old_lines, key))
+      found.push_back(fmt::format("{} was not set, is {}", key, value));
+  }
+  if (found.empty()) return "the same lines stand in another order or number";
+  std::string text;
+  for (std::size_t i = 0; i < std::min(found.size(), kNamedDifferences); ++i) {
+    text += (i > 0 ? "; " : "") + found[i];
+  }
+  if (found.size() > kNamedDifferences) {
+    text += fmt::format("; and {} more", found.size() - kNamedDifferences);
+  }
+  return text;
+}
+
+Error refused_folder(const fs::path& folder, const std::string& why) {
+  return {"--out", folder.string(), fmt::format("--out = {}: {}", folder.string(), why)};
+}
+
+// Why `as` cannot be done in this folder, if it cannot. `old` is what the journal tells, empty
+// where there is none or an empty one.
+std::optional<Error> refusal(const fs::path& folder, const Record& old, const Record& now,
+                             const ChunkFolder& files, OpenAs as) {
+  const std::vector<std::int64_t> chunks = files.list();
+  if (old.empty() && chunks.empty()) {
+    if (as != OpenAs::resume) return std::nullopt;
+    return refused_folder(folder, "there is no search to resume; without --resume one begins");
+  }
+  std::string changed;
+  if (!old.empty() && text_of(old) != text_of(now))
+    changed = differences(text_of(old), text_of(now));
+  for (std::size_t i = 0; i < chunks.size() && old.empty() && changed.empty(); ++i) {
+    const auto read = files.read(chunks[i], Depth::header);
+    if (!read || read->state != ChunkRead::State::foreign) continue;
+    changed = fmt::format("{} is of another search, and no journal says of which",
+                          files.path(chunks[i]).filename().string());
+  }
+  // Begun and killed before its first chunk: nothing is lost by beginning again.
+  const bool just_begun = changed.empty() && chunks.empty();
+  if (as == OpenAs::fresh && !just_begun) {
+    const std::string all = old.empty() ? now.at("chunks") : Record(old)["chunks"];
+    return refused_folder(
+        folder,
+        changed.empty()
+            ? fmt::format("a search is here already, {} of {} chunks done; --resume goes on with "
+                          "it, or take another folder",
+                          chunks.size(), all)
+            : fmt::format("another search is here already, {} of {} chunks done ({}); take another "
+                          "folder: --resume goes on only with the spec that it was begun with",
+                          chunks.size(), all, changed));
+  }
+  if (changed.empty()) return std::nullopt;
+  return refused_folder(folder, "the search here is another one: " + changed +
+                                    "; give it the spec it was begun with, or take another folder");
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw IoError("cannot make the folder " + folder.string() + ": " + error.message());
+}
+
+}  // namespace
+
+struct ChunkStore::Impl {
+  Impl(const fs::path& folder, std::int64_t chunk_count, std::size_t constraint_count,
+       std::string writer_name, ChunkFolder chunk_files,
+       const std::vector<std::string>& rejected_names)
+      : count(chunk_count),
+        constraints(constraint_count),
+        writer(std::move(writer_name)),
+        files(std::move(chunk_files)),
+        journal(folder / kJournal, rejected_names),
+        counted(static_cast<std::size_t>(chunk_count), false) {
+    sum.rejected.assign(constraints, 0);
+  }
+
+  bool ours(std::int64_t chunk) const { return chunk >= 0 && chunk < count; }
+  std::vector<std::int64_t> finished() const;
+  std::optional<std::string> retire(std::int64_t chunk);
+  ChunkRead read(std::int64_t chunk, Depth depth);
+  void add(std::int64_t chunk, const ChunkCounts& counts);
+  void square_accounts();
+
+  std::int64_t count;
+  std::size_t constraints;
+  std::string writer;
+  ChunkFolder files;
+  std::vector<std::string> notes;
+
+  std::mutex mutex;  // of all below
+  ChunkJournal journal;
+  std::vector<bool> counted;  // the chunks in `sum`
+  ChunkCounts sum;
+};
+
+// What lies there under a number that the campaign does not have is left alone.
+std::vector<std::int64_t> ChunkStore::Impl::finished() const {
+  std::vector<std::int64_t> chunks = files.list();
+  while (!chunks.empty() && !ours(chunks.back())) chunks.pop_back();
+  return chunks;
+}
+
+// Sets a broken chunk aside and gives what is wrong with it; empty where there was nothing to do.
+// Another process may have done so since it was read, and a third may have put a whole one: so it
+// is read again while nobody else can set aside.
+std::optional<std::string> ChunkStore::Impl::retire(std::int64_t chunk) {
+  const std::lock_guard lock(mutex);
+  ChunkJournal::Transaction transaction(journal);
+  const auto again = files.read(chunk, Depth::payload);
+  if (again && again->state == ChunkRead::State::whole) return std::nullopt;
+  if (again) files.set_aside(chunk);
+  journal.forget(chunk);
+  transaction.commit();
+  sum = {0, 0, std::vector<std::int64_t>(constraints, 0)};  // its share in it is not known any more
+  counted.assign(counted.size(), false);
+  return again ? std::optional(again->damage) : std::nullopt;
+}
+
+// A finished chunk, whole.
+ChunkRead ChunkStore::Impl::read(std::int64_t chunk, Depth depth) {
+  GW_EXPECTS(ours(chunk));
+  const std::string path = files.path(chunk).string();
+  for (;;) {  // more than once only where another process replaces a broken chunk meanwhile
+    auto read = files.read(chunk, depth);
+    if (!read) throw IoError("cannot read " + path + ": there is no such chunk");
+    if (read->state == ChunkRead::State::whole) return *std::move(read);
+    if (const auto damage = retire(chunk)) {
+      throw IoError(path + " " + *damage + "; it is set aside, and --resume computes it again");
+    }
+  }
+}
+
+void ChunkStore::Impl::add(std::int64_t chunk, const ChunkCounts& counts) {
+  const std::lock_guard lock(mutex);
+  const auto i = static_cast<std::size_t>(chunk);
+  if (counted[i]) return;
+  counted[i] = true;
+  sum.tested += counts.tested;
+  sum.feasible += counts.feasible;
+  for (std::size_t k = 0; k < constraints; ++k) sum.rejected[k] += counts.rejected[k];
+}
+
+// Checks every file, and makes the journal say what the files say.
+void ChunkStore::Impl::square_accounts() {
+  // The rows first: whoever has a row then has a file, or lost it.
+  const std::set<std::int64_t> rows = journal.chunks();
+  std::set<std::int64_t> lost = rows;
+  std::vector<ChunkRow> without_row;
+  for (const std::int64_t chunk : finished()) {
+    lost.erase(chunk);
+    const auto read = files.read(chunk, Depth::payload);
+    if (!read) continue;  // another process set it aside just now, and saw to its row
+    if (read->state == ChunkRead::State::whole) {
+      add(chunk, read->counts);
+      if (rows.count(chunk) == 0) without_row.push_back({chunk, read->counts, read->size});
+    } else if (const auto damage = retire(chunk)) {
+      notes.push_back(fmt::format("{} {}: set aside as .damaged, to be computed again",
+                                  files.path(chunk).string(), *damage));
+    }
+  }
+  if (lost.empty() && without_row.empty()) return;
+  ChunkJournal::Transaction transaction(journal);
+  for (const ChunkRow& row : without_row) journal.found(row);
+  for (const std::int64_t chunk : lost) {
+    if (files.there(chunk)) continue;
+    journal.forget(chunk);
+    notes.push_back(fmt::format("{} is in the journal and not in the folder: to be computed again",
+                                files.path(chunk).string()));
+  }
+  transaction.commit();
+}
+
+Result<ChunkStore> ChunkStore::open(const fs::path& folder, const Campaign& campaign,
+                                    const std::vector<std::string>& rejected_names, OpenAs as,
+                                    std::string writer) {
+  GW_EXPECTS(campaign.chunks >= 0 && rejected_names.size() <= kMostConstraints);
+  const Record record = record_of(campaign, rejected_names);
+  ChunkFolder files(folder / "chunks", checksum(text_of(record)));
+  // What is refused leaves no trace in the folder.
+  if (!path_exists(folder / kJournal)) {
+    if (auto error = refusal(folder, {}, record, files, as)) return *std::move(error);
+  }
+  make_folder(files.folder());
+  auto impl = std::make_unique<Impl>(folder, campaign.chunks, rejected_names.size(),
+                                     std::move(writer), std::move(files), rejected_names);
+  {
+    // Of those that begin at the same moment one makes the campaign, the others find it.
+    ChunkJournal::Transaction transaction(impl->journal);
+    const Record old = impl->journal.campaign();
+    if (auto error = refusal(folder, old, record, impl->files, as)) return *std::move(error);
+    if (old.empty()) impl->journal.begin(record);
+    transaction.commit();
+  }
+  impl->files.remove_stale_parts();
+  impl->square_accounts();
+  return ChunkStore(std::move(impl));
+}
+
+ChunkStore::ChunkStore(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+ChunkStore::ChunkStore(ChunkStore&&) noexcept = default;
+ChunkStore& ChunkStore::operator=(ChunkStore&&) noexcept = default;
+ChunkStore::~ChunkStore() = default;
+
+bool ChunkStore::done(std::int64_t chunk) const {
+  GW_EXPECTS(impl_->ours(chunk));
+  return impl_->files.there(chunk);
+}
+
+std::vector<std::int64_t> ChunkStore::missing() const {
+  const std::vector<std::int64_t> finished = impl_->finished();
+  std::vector<std::int64_t> chunks;
+  auto next = finished.begin();
+  for (std::int64_t chunk = 0; chunk < impl_->count; ++chunk) {
+    if (next != finished.end() && *next == chunk) {
+      ++next;
+    } else {
+      chunks.push_back(chunk);
+    }
+  }
+  return chunks;
+}
+
+void ChunkStore::put(std::int64_t chunk, std::string_view bytes, const ChunkCounts& counts) {
+  GW_EXPECTS(impl_->ours(chunk) && counts.rejected.size() == impl_->constraints);
+  impl_->files.write(chunk, bytes, counts);
+  {
+    const std::lock_guard lock(impl_->mutex);
+    impl_->journal.finish({chunk, counts, static_cast<std::int64_t>(bytes.size())}, impl_->writer);
+  }
+  impl_->add(chunk, counts);
+}
+
+std::string ChunkStore::get(std::int64_t chunk) const {
+  return impl_->read(chunk, Depth::payload).payload;
+}
+
+ChunkCounts ChunkStore::counts(std::int64_t chunk) const {
+  return impl_->read(chunk, Depth::header).counts;
+}
+
+ChunkCounts ChunkStore::totals() const {
+  for (const std::int64_t chunk : impl_->finished()) {
+    {
+      const std::lock_guard lock(impl_->mutex);
+      if (impl_->counted[static_cast<std::size_t>(chunk)]) continue;
+    }
+    impl_->add(chunk, counts(chunk));
+  }
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->sum;
+}
+
+const std::vector<std::string>& ChunkStore::notes() const { return impl_->notes; }
+
+}  // namespace gearwright

@@ -1,0 +1,311 @@
+// The file, from front to back:                    format: github.com/apache/parquet-format
+//
+//   PAR1 | chunk of column 0, group 0 | chunk of column 1, group 0 | ... | footer | its size | PAR1
+//
+// A chunk is one data page of version 1: its header, then zstd of the page. Headers and footer are
+// Thrift structs; the numbers that name fields, types and encodings are those of parquet.thrift.
+#include "gearwright/store/parquet.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+#include <zstd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <limits>
+#include <new>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/base/output_file.hpp"
+#include "gearwright/store/parquet_column.hpp"
+#include "gearwright/store/thrift.hpp"
+#include "gearwright/base/version.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr std::string_view kMagic = "PAR1";
+constexpr std::size_t kZstd = 6;
+constexpr std::size_t kUtf8 = 0;
+// 2 million rows of 5 doubles and 2 integers: level 1 0.25 s 20.6 MB, level 3 0.22 s 20.3 MB, level
+// 6 0.39 s 20.1 MB.
+constexpr int kLevel = 3;
+constexpr std::size_t kTextLimit = std::size_t{1} << 30;  // bytes of one text
+// A page's size is an int32: all texts of a group but the last, the last, a length before each,
+// levels.
+static_assert(ParquetWriter::kGroupTextBytes + kTextLimit + 5 * ParquetWriter::kGroupRows <
+              std::numeric_limits<std::int32_t>::max());
+
+// Whole characters, none in more bytes than it needs, no surrogates, nothing above U+10FFFF.
+bool is_utf8(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
+    const unsigned lead = byte(i++);
+    if (lead < 0x80) continue;
+    if (lead < 0xc2 || lead > 0xf4) return false;
+    const int more = lead >= 0xf0 ? 3 : lead >= 0xe0 ? 2 : 1;
+    unsigned character = lead & (0x3fu >> more);
+    for (int k = 0; k < more; ++k, ++i) {
+      if (i == text.size() || (byte(i) & 0xc0) != 0x80) return false;
+      character = character << 6 | (byte(i) & 0x3fu);
+    }
+    constexpr unsigned kLeast[] = {0x80, 0x800, 0x10000};
+    if (character < kLeast[more - 1] || character > 0x10ffff) return false;
+    if (character >= 0xd800 && character < 0xe000) return false;
+  }
+  return true;
+}
+
+std::string lower_case(std::string text) {  // of a to z alone, in every locale
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
+}
+
+}  // namespace
+
+struct ParquetWriter::State {
+  std::filesystem::path path;
+  std::vector<ColumnChunk> chunks = {};  // of the group being filled
+  std::vector<std::pair<std::string, std::string>> key_values = {};
+  std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> zstd{ZSTD_createCCtx(), ZSTD_freeCCtx};
+  int file = -1;                   // open as long as rows may come
+  std::size_t position = 0;        // bytes written
+  std::size_t rows = 0;            // of the group being filled
+  std::size_t text_bytes = 0;      // of all its texts
+  std::size_t written_rows = 0;    // of the groups that are written
+  std::size_t written_groups = 0;  // and their entries in the footer:
+  std::string group_entries = {};
+
+  explicit State(const std::filesystem::path& part) : path(part) {
+    if (!zstd) throw std::bad_alloc();
+    ZSTD_CCtx_setParameter(zstd.get(), ZSTD_c_compressionLevel, kLevel);
+    ZSTD_CCtx_setParameter(zstd.get(), ZSTD_c_checksumFlag, 1);
+  }
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+  ~State() {
+    if (file >= 0) ::close(file);
+  }
+
+  [[noreturn]] void fail(int error) {
+    if (file >= 0) ::close(std::exchange(file, -1));
+    throw IoError("cannot write " + path.string() + ": " + std::strerror(error));
+  }
+
+  void write(std::string_view bytes) {
+    position += bytes.size();
+    while (!bytes.empty()) {
+      const ssize_t written = ::write(file, bytes.data(), bytes.size());
+      if (written >= 0) {
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+      } else if (errno != EINTR) {
+        fail(errno);
+      }
+    }
+  }
+
+  ColumnChunk& chunk_to_set(std::size_t column) {
+    GW_EXPECTS(file >= 0);
+    GW_EXPECTS(column < chunks.size());
+    ColumnChunk& chunk = chunks[column];
+    GW_EXPECTS(!chunk.is_set);
+    chunk.is_set = true;
+    return chunk;
+  }
+
+  std::string compressed(const std::string& page) {
+    std::string bytes(ZSTD_compressBound(page.size()), '\0');
+    const std::size_t size =
+        ZSTD_compress2(zstd.get(), bytes.data(), bytes.size(), page.data(), page.size());
+    if (ZSTD_isError(size)) throw std::bad_alloc();  // the room suffices: nothing else can fail
+    bytes.resize(size);
+    return bytes;
+  }
+
+  void write_group();
+  std::size_t write_chunk(const ColumnChunk& chunk, Thrift& group);
+  std::string footer() const;
+};
+
+// Writes a chunk and its entry in the group's; gives its size as it would be without compression.
+std::size_t ParquetWriter::State::write_chunk(const ColumnChunk& chunk, Thrift& group) {
+  const ParquetColumn& column = chunk.column;
+  const std::string page = page_of(chunk, rows);
+  const std::string content = compressed(page);
+  Thrift header;
+  header.i32(1, 0);  // a data page, version 1
+  header.i32(2, page.size());
+  header.i32(3, content.size());
+  header.open(5);
+  header.i32(1, rows);
+  header.i32(2, encoding_of(column.type));
+  header.i32(3, kRle);  // definition levels
+  header.i32(4, kRle);  // repetition levels: none in a flat table
+  header.close();
+  const std::string head = header.whole();
+  const std::size_t begin = position;
+  write(head);
+  write(content);
+
+  group.open();
+  group.i64(2, 0);  // the entry stands in the footer alone
+  group.open(3);
+  group.i32(1, physical_type(column.type));
+  group.list(2, Thrift::Kind::i32, column.optional ? 2 : 1);
+  group.element(encoding_of(column.type));
+  if (column.optional) group.element(kRle);
+  group.list(3, Thrift::Kind::binary, 1);
+  group.element(column.name);
+  group.i32(4, kZstd);
+  group.i64(5, rows);
+  group.i64(6, head.size() + page.size());
+  group.i64(7, position - begin);
+  group.i64(9, begin);
+  group.open(12);
+  write_statistics(group, chunk, rows);
+  group.close();
+  group.close();
+  group.close();
+  return head.size() + page.size();
+}
+
+void ParquetWriter::State::write_group() {
+  const std::size_t begin = position;
+  std::size_t uncompressed = 0;
+  Thrift group;
+  group.list(1, Thrift::Kind::structure, chunks.size());
+  for (ColumnChunk& chunk : chunks) {
+    uncompressed += write_chunk(chunk, group);
+    chunk.values.clear();
+    chunk.defined.clear();
+    chunk.count = 0;
+  }
+  group.i64(2, uncompressed);
+  group.i64(3, rows);
+  group.i64(5, begin);
+  group.i64(6, position - begin);
+  group_entries += group.whole();
+  ++written_groups;
+  written_rows += rows;
+  rows = text_bytes = 0;
+}
+
+std::string ParquetWriter::State::footer() const {
+  Thrift out;
+  out.i32(1, 1);  // version of the format
+  out.list(2, Thrift::Kind::structure, chunks.size() + 1);
+  out.open();
+  out.binary(4, "schema");
+  out.i32(5, chunks.size());
+  out.close();
+  for (const ColumnChunk& chunk : chunks) {
+    out.open();
+    out.i32(1, physical_type(chunk.column.type));
+    out.i32(3, chunk.column.optional ? 1 : 0);
+    out.binary(4, chunk.column.name);
+    if (chunk.column.type == ParquetType::text) {
+      out.i32(6, kUtf8);
+      out.open(10);  // says the same to newer readers: a union with the empty struct of strings
+      out.open(1);
+      out.close();
+      out.close();
+    }
+    out.close();
+  }
+  out.i64(3, written_rows);
+  out.list(4, Thrift::Kind::structure, written_groups);
+  out.finished_elements(group_entries);
+  if (!key_values.empty()) {
+    out.list(5, Thrift::Kind::structure, key_values.size());
+    for (const auto& [key, value] : key_values) {
+      out.open();
+      out.binary(1, key);
+      out.binary(2, value);
+      out.close();
+    }
+  }
+  out.binary(6, std::string("gearwright version ") + kVersion);
+  out.list(7, Thrift::Kind::structure, chunks.size());
+  for (std::size_t i = 0; i < chunks.size(); ++i) {
+    out.open();
+    out.open(1);  // ranges follow the order of the column's type
+    out.close();
+    out.close();
+  }
+  return out.whole();
+}
+
+ParquetWriter::ParquetWriter(const std::filesystem::path& part_file,
+                             std::vector<ParquetColumn> columns,
+                             std::vector<std::pair<std::string, std::string>> key_values)
+    : state_(std::make_unique<State>(part_file)) {
+  State& s = *state_;
+  GW_EXPECTS(!columns.empty());
+  std::vector<std::string> names;
+  for (ParquetColumn& column : columns) {
+    GW_EXPECTS(!column.name.empty() && is_utf8(column.name));
+    names.push_back(lower_case(column.name));
+    s.chunks.push_back({std::move(column)});
+  }
+  std::sort(names.begin(), names.end());
+  GW_EXPECTS(std::adjacent_find(names.begin(), names.end()) == names.end());
+  for (const auto& [key, value] : key_values) GW_EXPECTS(is_utf8(key) && is_utf8(value));
+  s.key_values = std::move(key_values);
+  s.file = ::open(part_file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (s.file < 0) s.fail(errno);
+  s.write(kMagic);
+}
+
+ParquetWriter::~ParquetWriter() = default;
+
+void ParquetWriter::set(std::size_t column, double value) {
+  ColumnChunk& chunk = state_->chunk_to_set(column);
+  GW_EXPECTS(chunk.column.type == ParquetType::float64);
+  append_bytes(chunk.values, value);
+}
+
+void ParquetWriter::set(std::size_t column, std::int64_t value) {
+  ColumnChunk& chunk = state_->chunk_to_set(column);
+  if (chunk.column.type == ParquetType::int32) {
+    const auto narrow = static_cast<std::int32_t>(value);
+    GW_EXPECTS(narrow == value);
+    append_bytes(chunk.values, narrow);
+  } else {
+    GW_EXPECTS(chunk.column.type == ParquetType::int64);
+    append_bytes(chunk.values, value);
+  }
+}
+
+void ParquetWriter::set(std::size_t column, std::string_view value) {
+  ColumnChunk& chunk = state_->chunk_to_set(column);
+  GW_EXPECTS(chunk.column.type == ParquetType::text);
+  GW_EXPECTS(value.size() < kTextLimit && is_utf8(value));
+  append_bytes(chunk.values, static_cast<std::uint32_t>(value.size()));
+  chunk.values += value;
+  state_->text_bytes += value.size();
+}
+
+void ParquetWriter::end_row() {
+  State& s = *state_;
+  GW_EXPECTS(s.file >= 0);
+  for (ColumnChunk& chunk : s.chunks) gearwright::end_row(chunk, s.rows);
+  ++s.rows;
+  if (s.rows == kGroupRows || s.text_bytes >= kGroupTextBytes) s.write_group();
+}
+
+void ParquetWriter::close() {
+  State& s = *state_;
+  GW_EXPECTS(s.file >= 0);
+  for (const ColumnChunk& chunk : s.chunks) GW_EXPECTS(!chunk.is_set);
+  if (s.rows > 0) s.write_group();
+  std::string end = s.footer();
+  GW_ENSURES(end.size() <= std::numeric_limits<std::uint32_t>::max());
+  append_bytes(end, static_cast<std::uint32_t>(end.size()));
+  end += kMagic;
+  s.write(end);
+  if (::close(std::exchange(s.file, -1)) != 0) s.fail(errno);
+}
+
+}  // namespace gearwright

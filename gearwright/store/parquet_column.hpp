@@ -1,0 +1,41 @@
+// The values of one column of a row group, and how Parquet writes them down.
+// Internal to store/.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "gearwright/store/parquet.hpp"
+#include "gearwright/store/thrift.hpp"
+
+namespace gearwright {
+
+/// Numbers that parquet.thrift gives to what is used here.
+enum ParquetEncoding : std::size_t { kPlain = 0, kRle = 3, kByteStreamSplit = 9 };
+std::size_t physical_type(ParquetType type);
+ParquetEncoding encoding_of(ParquetType type);
+
+/// Appends the bytes of a number, little-endian.
+template <class Number>
+void append_bytes(std::string& bytes, Number value) {
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+struct ColumnChunk {
+  ParquetColumn column;
+  std::string values = {};   ///< those that are not null, PLAIN
+  std::string defined = {};  ///< of an optional column, one bit a row: 1 where it is not null
+  std::size_t count = 0;     ///< of values
+  bool is_set = false;       ///< in the row being made
+};
+
+/// Ends row number `row` of the group, whose value was set or is null.
+void end_row(ColumnChunk& chunk, std::size_t row);
+
+/// The data page, before compression: definition levels where nulls may be, then the values.
+std::string page_of(const ColumnChunk& chunk, std::size_t rows);
+
+/// Fields of the struct Statistics: the number of nulls, and of numbers the range.
+void write_statistics(Thrift& out, const ColumnChunk& chunk, std::size_t rows);
+
+}  // namespace gearwright

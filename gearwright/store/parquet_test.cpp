@@ -1,0 +1,146 @@
+// The outer form of a table, what happens when the disk is full, and what callers may do.
+//
+// That the rows come back is asked of a reader of its own: parquet_read_test.cpp.
+#include "gearwright/store/parquet.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <csignal>
+#include <cstring>
+#include <functional>
+#include <limits>
+
+#include "gearwright/base/output_file.hpp"
+#include "gearwright/store/parquet_test_table.hpp"
+
+namespace gearwright {
+namespace {
+
+namespace fs = std::filesystem;
+using Limits32 = std::numeric_limits<std::int32_t>;
+
+std::string message_of(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const IoError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST_F(ParquetFile, BeginsAndEndsAsTheFormatSays) {
+  for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{1000}}) {
+    write_rows(file_, random_rows(count));
+    const std::string bytes = content(file_);
+    ASSERT_GT(bytes.size(), 12u);
+    EXPECT_EQ(bytes.substr(0, 4), "PAR1");
+    EXPECT_EQ(bytes.substr(bytes.size() - 4), "PAR1");
+    std::uint32_t footer = 0;
+    std::memcpy(&footer, bytes.data() + bytes.size() - 8, sizeof footer);
+    ASSERT_LE(footer, bytes.size() - 12);
+    EXPECT_EQ(footer == bytes.size() - 12, count == 0);
+    // The footer opens with the format's version, field 1, an int32 of value 1; it ends with the
+    // order of each column's range, field 7, a list of 8 unions that hold an empty struct.
+    EXPECT_EQ(bytes.substr(bytes.size() - 8 - footer, 2), "\x15\x02");
+    std::string orders = "\x19\x8c";
+    for (std::size_t i = 0; i < kEveryType.size(); ++i) orders += std::string("\x1c\0\0", 3);
+    orders += '\0';
+    EXPECT_EQ(bytes.substr(bytes.size() - 8 - orders.size(), orders.size()), orders);
+  }
+}
+
+TEST_F(ParquetFile, TheSameRowsAreTheSameBytes) {
+  auto rows = random_rows(70'000);
+  write_rows(file_, rows, {{"spec", "teeth = 17"}});
+  const std::string first = content(file_);
+  write_rows(file_, rows, {{"spec", "teeth = 17"}});
+  EXPECT_TRUE(content(file_) == first);
+  rows[69'999].c = std::nextafter(rows[69'999].c, 0.0);
+  write_rows(file_, rows, {{"spec", "teeth = 17"}});
+  EXPECT_FALSE(content(file_) == first);
+}
+
+TEST_F(ParquetFile, AFullDiskIsAnIoError) {
+  const std::string message = message_of([] {
+    ParquetWriter table("/dev/full", {{"n", ParquetType::int32}});
+  });
+  EXPECT_EQ(message, "cannot write /dev/full: No space left on device");
+  const fs::path nowhere = folder_ / "nowhere" / "a.parquet";
+  EXPECT_EQ(message_of([&] {
+              ParquetWriter table(nowhere, {{"n", ParquetType::int32}});
+            }),
+            "cannot write " + nowhere.string() + ": No such file or directory");
+}
+
+// The disk fills up on the way: in a child whose files may not grow beyond `limit` bytes.
+std::string message_at_limit(const fs::path& file, rlim_t limit, const std::function<void()>& act) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit most{limit, limit};
+    if (::setrlimit(RLIMIT_FSIZE, &most) != 0) ::_exit(2);
+    const std::string expected = "cannot write " + file.string() + ": File too large";
+    ::_exit(message_of(act) == expected ? 0 : 1);
+  }
+  int status = -1;
+  if (child < 0 || ::waitpid(child, &status, 0) != child) return "no child";
+  if (!WIFEXITED(status)) return "the child was killed";
+  return WEXITSTATUS(status) == 0 ? "as expected" : "another message";
+}
+
+TEST_F(ParquetFile, ADiskThatFillsUpIsAnIoErrorFromTheRowOrTheEnd) {
+  const std::vector<ParquetRow> rows = random_rows(200'000);
+  const auto all = [&] { write_rows(file_, rows); };
+  EXPECT_EQ(message_at_limit(file_, 1'000'000, all), "as expected");  // in the first group
+  EXPECT_EQ(message_at_limit(file_, 100, all), "as expected");
+  const auto few = [&] { write_rows(file_, {rows[0]}); };  // fails in close()
+  EXPECT_EQ(message_at_limit(file_, 100, few), "as expected");
+  few();
+  const auto whole = static_cast<rlim_t>(fs::file_size(file_));
+  EXPECT_EQ(message_at_limit(file_, whole - 1, few), "as expected");  // at the last byte
+  EXPECT_EQ(message_at_limit(file_, whole, few), "another message");  // none: it fits
+}
+
+using ParquetDeathTest = ParquetFile;
+
+TEST_F(ParquetDeathTest, ContractsHold) {
+  const std::vector<ParquetColumn> columns = {
+      {"n", ParquetType::int32}, {"x", ParquetType::float64, true}, {"t", ParquetType::text, true}};
+  ParquetWriter table(file_, columns);
+  EXPECT_DEATH(table.set(3, 1.0), "precondition");
+  EXPECT_DEATH(table.set(0, 1.0), "precondition");
+  EXPECT_DEATH(table.set(1, 1), "precondition");
+  EXPECT_DEATH(table.set(1, "text"), "precondition");
+  EXPECT_DEATH(table.set(0, std::int64_t{Limits32::max()} + 1), "precondition");
+  EXPECT_DEATH(table.set(0, std::int64_t{Limits32::min()} - 1), "precondition");
+  EXPECT_DEATH(table.end_row(), "precondition");  // n is not set
+  table.set(0, 1);
+  EXPECT_DEATH(table.set(0, 1), "precondition");
+  EXPECT_DEATH(table.close(), "precondition");  // the row has not ended
+  table.end_row();
+  EXPECT_DEATH(table.end_row(), "precondition");
+  table.close();
+  EXPECT_DEATH(table.set(0, 1), "precondition");
+  EXPECT_DEATH(table.end_row(), "precondition");
+  EXPECT_DEATH(table.close(), "precondition");
+  const auto make = [&](const std::vector<ParquetColumn>& of) { ParquetWriter other(file_, of); };
+  EXPECT_DEATH(make({}), "precondition");
+  EXPECT_DEATH(make({{"", ParquetType::int32}}), "precondition");
+  EXPECT_DEATH(make({{"x1", ParquetType::int32}, {"X1", ParquetType::int32}}), "precondition");
+}
+
+TEST_F(ParquetDeathTest, TextsAreUtf8) {
+  ParquetWriter table(file_, {{"t", ParquetType::text}});
+  for (const char* wrong :
+       {"\x80", "\xc3", "\xc3(", "\xc0\x80", "\xc1\xbf", "\xe0\x9f\xbf", "\xed\xa0\x80",
+        "\xf0\x8f\xbf\xbf", "\xf4\x90\x80\x80", "\xf5\x80\x80\x80", "\xff", "a\xe2\x9a"}) {
+    EXPECT_DEATH(table.set(0, wrong), "precondition") << wrong;
+  }
+}
+
+}  // namespace
+}  // namespace gearwright

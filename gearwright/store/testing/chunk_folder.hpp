@@ -1,0 +1,202 @@
+// What the tests of the chunk store share: a folder of their own, chunks that anybody can make, the
+// journal as SQLite tells it, and child processes.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "gearwright/base/output_file.hpp"
+#include "gearwright/store/chunk_store.hpp"
+
+namespace gearwright::testing::chunks {
+
+namespace fs = std::filesystem;
+
+inline const std::vector<std::string> kNames = {"shift_limits", "contact ratio", "Contact-Ratio",
+                                                "bytes"};
+
+inline std::string fingerprint(const std::string& contact_ratio) {
+  return "gearwright = 0.1.0\nsearch.chunk = 1000\nsearch.contact_ratio_min = " + contact_ratio +
+         "\nsearch.max_module_mm = 5\n";
+}
+
+inline Campaign campaign(std::int64_t chunks, const std::string& contact_ratio = "1.2") {
+  return {fingerprint(contact_ratio), chunks};
+}
+
+// What chunk `k` holds, for everybody: bytes of every value, some hundreds or none at all.
+inline std::string bytes_of(std::int64_t k, std::size_t length) {
+  std::string bytes(length, '\0');
+  for (std::size_t i = 0; i < length; ++i) {
+    bytes[i] = static_cast<char>(static_cast<std::size_t>(k) * 31 + i * 7 + i / 251);
+  }
+  return bytes;
+}
+inline std::string bytes_of(std::int64_t k) {
+  return bytes_of(k, static_cast<std::size_t>(k % 5 * 137));
+}
+inline ChunkCounts counts_of(std::int64_t k) {
+  return {1000 + k, k % 7, {k, 2 * k, 3, 1'000'000'000'000}};
+}
+
+inline ChunkCounts sum_of(const std::vector<std::int64_t>& chunks) {
+  ChunkCounts sum{0, 0, {0, 0, 0, 0}};
+  for (const std::int64_t k : chunks) {
+    const ChunkCounts c = counts_of(k);
+    sum.tested += c.tested;
+    sum.feasible += c.feasible;
+    for (std::size_t i = 0; i < c.rejected.size(); ++i) sum.rejected[i] += c.rejected[i];
+  }
+  return sum;
+}
+
+inline std::vector<std::int64_t> range(std::int64_t end) {
+  std::vector<std::int64_t> all(static_cast<std::size_t>(end));
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+inline std::string message_of(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const IoError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+// Every column of every row, as text.
+using Rows = std::vector<std::vector<std::string>>;
+inline Rows query(const fs::path& folder, const std::string& sql) {
+  Rows rows;
+  sqlite3* database = nullptr;
+  sqlite3_open_v2((folder / "journal.sqlite").c_str(), &database, SQLITE_OPEN_READWRITE, nullptr);
+  char* why = nullptr;
+  const auto keep = [](void* out, int n, char** values, char**) {
+    auto& row = static_cast<Rows*>(out)->emplace_back();
+    for (int i = 0; i < n; ++i) row.emplace_back(values[i] != nullptr ? values[i] : "null");
+    return 0;
+  };
+  sqlite3_exec(database, sql.c_str(), keep, &rows, &why);
+  EXPECT_EQ(why, nullptr) << why;
+  sqlite3_free(why);
+  sqlite3_close(database);
+  return rows;
+}
+
+class ChunkFolderTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "gearwright_chunks_XXXXXX").string();
+    ASSERT_NE(::mkdtemp(name.data()), nullptr);
+    root_ = name;
+    folder_ = root_ / "runs" / "a";
+  }
+  void TearDown() override { fs::remove_all(root_); }
+
+  Result<ChunkStore> open(OpenAs as, const Campaign& campaign) const {
+    return ChunkStore::open(folder_, campaign, kNames, as, "test");
+  }
+  ChunkStore opened(OpenAs as, const Campaign& campaign) const {
+    auto store = open(as, campaign);
+    if (!store) throw std::runtime_error(store.error().message);
+    return std::move(store).take();
+  }
+  // The sentence of a refusal; it names the folder's key and value.
+  std::string refusal(OpenAs as, const Campaign& campaign) const {
+    const auto store = open(as, campaign);
+    if (store) return "";
+    EXPECT_EQ(store.error().key, "--out");
+    EXPECT_EQ(store.error().value, folder_.string());
+    EXPECT_EQ(store.error().message.rfind("--out = " + folder_.string() + ": ", 0), 0u);
+    return store.error().message.substr(("--out = " + folder_.string() + ": ").size());
+  }
+  void put(ChunkStore& store, std::int64_t k) const { store.put(k, bytes_of(k), counts_of(k)); }
+  fs::path file(std::int64_t k) const {
+    std::string digits = std::to_string(k);
+    digits.insert(0, 6 - digits.size(), '0');
+    return folder_ / "chunks" / (digits + ".chunk");
+  }
+  std::vector<std::string> chunk_names() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_ / "chunks")) {
+      names.push_back(entry.path().filename().string());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+  std::vector<std::int64_t> journalled() const {
+    std::vector<std::int64_t> chunks;
+    for (const auto& row : query(folder_, "SELECT chunk FROM chunks ORDER BY chunk")) {
+      chunks.push_back(std::stoll(row[0]));
+    }
+    return chunks;
+  }
+  // A child process that does `act`; it exits with 0 when nothing was thrown.
+  pid_t child(const std::function<void()>& act) const {
+    const pid_t pid = ::fork();
+    if (pid != 0) return pid;
+    try {
+      act();
+    } catch (const std::exception& error) {
+      ::fprintf(stderr, "child: %s\n", error.what());
+      ::_exit(1);
+    }
+    ::_exit(0);
+  }
+  static bool went_well(pid_t pid) {
+    int status = 0;
+    return ::waitpid(pid, &status, 0) == pid && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  }
+  // A number that no process has: a child's that is gone.
+  pid_t dead_process() const {
+    const pid_t pid = child([] {});
+    EXPECT_TRUE(went_well(pid));
+    return pid;
+  }
+  static void write(const fs::path& path, const std::string& bytes) {
+    std::ofstream(path, std::ios::binary) << bytes;
+  }
+  static std::string content(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  void flip(const fs::path& path, std::size_t at) const {
+    std::string bytes = content(path);
+    bytes.at(at) = static_cast<char>(bytes.at(at) ^ 0x10);
+    write(path, bytes);
+  }
+  // Everything about a campaign that is complete.
+  void expect_complete(const ChunkStore& store, std::int64_t n) const {
+    EXPECT_TRUE(store.missing().empty());
+    EXPECT_EQ(store.totals(), sum_of(range(n)));
+    EXPECT_EQ(journalled(), range(n));
+    EXPECT_EQ(chunk_names().size(), static_cast<std::size_t>(n));  // and no leftovers
+    const auto sums = query(folder_, "SELECT sum(tested), sum(feasible) FROM chunks");
+    EXPECT_EQ(sums[0][0], std::to_string(sum_of(range(n)).tested));
+    EXPECT_EQ(sums[0][1], std::to_string(sum_of(range(n)).feasible));
+  }
+
+  fs::path root_;
+  fs::path folder_;
+};
+
+}  // namespace gearwright::testing::chunks
