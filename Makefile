@@ -45,7 +45,7 @@ bench:
 
 lint:
 	@tools/install_packages.sh core step mpi test lint
-	@cmake --preset release > /dev/null
+	@cmake --preset release -B build/lint -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON > /dev/null
 	@tools/lint.sh
 
 package:
