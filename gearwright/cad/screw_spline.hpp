@@ -1,5 +1,5 @@
-// A screw surface as a tensor-product B-spline that is a product: section spline times helix
-// spline.
+// A screw surface as a tensor-product B-spline that is a product:
+// section spline times helix spline.
 //
 //   W(u)   arc of the transverse outline, a complex number x + iy, mm; u in [0, 1]
 //   φ      angle by which the section has turned, rad; over one slice φ runs from −Δ/2 to Δ/2
@@ -50,9 +50,8 @@ struct SectionSpline {
 /// Units     mm
 /// Domain    begin and end lie within 1e-5 mm of the arc's ends (contract)
 /// Accuracy  deviation_mm ≤ target, or the best that kMostPoles gave: the caller looks. The error
-/// has
-///           at most 5 lobes between two knots; 24 points miss the top of a lobe by a half step of
-///           π/9.6 at most, so the true maximum is below 1.06 deviation_mm
+///           has at most 5 lobes between two knots; 24 points miss the top of a lobe by a half step
+///           of π/9.6 at most, so the true maximum is below 1.06 deviation_mm
 SectionSpline fit_section(const Arc& arc, Complex begin, Complex end,
                           double target_mm = kSectionTarget_mm);
 

@@ -57,8 +57,7 @@ struct StepDocument {
 /// Units     mm
 /// Domain    at least one body, face widths > 0 (contract)
 /// Facts     those of make_walls (cad/walls.hpp); more than kStepFacesMost faces; a solid that
-/// fails
-///           the CAD kernel's check
+///           fails the CAD kernel's check
 /// Accuracy  max_deviation_mm ≤ 1e-4 (kSectionMost_mm), 2e-5 aimed at; edges and vertices 1e-7 mm
 Result<StepDocument> step_document(const std::vector<ToothedBody>& bodies,
                                    const std::string& file_name);

@@ -4,8 +4,7 @@
 // Each arc of the edge gives branches along which the radius grows (a cusp ends a branch; what runs
 // backward lies inside the cut). The tooth is what the branches leave standing, |θ| < min θ(ρ). Two
 // neighbours that do not join smoothly meet in a true intersection, found in closed bracket.
-//                                                theory: docs/theory/03-rack-and-generation.md,
-//                                                [T3.11]…[T3.13]
+//                            theory: docs/theory/03-rack-and-generation.md, [T3.11]…[T3.13]
 #pragma once
 
 #include <optional>

@@ -1,5 +1,4 @@
-// Involute functions of the transverse profile.            theory:
-// docs/theory/02-involute-and-pair.md
+// Involute functions of the transverse profile.    theory: docs/theory/02-involute-and-pair.md
 //
 //   α    pressure angle at a point, rad        ξ = tan α   roll angle, rad
 //   r_b  base radius, mm                       inv α       polar angle of the point, rad

@@ -1,5 +1,5 @@
-// A finished half-tooth outline held against the swept cutter, rack or pinion, that should have cut
-// it.
+// A finished half-tooth outline held against the swept cutter, rack or pinion, that should have
+// cut it.
 //
 //   outline   points (x, y) from the middle of the space to the tooth's end, side y ≥ 0, without
 //             the tip land on the blank (the blank is turned, not cut)

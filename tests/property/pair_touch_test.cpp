@@ -2,9 +2,8 @@
 // overlap. Nothing of the pair's formulas is used but its centre distance and poses.
 //
 //   ρ, θ     polar coordinates in a gear's own frame; θ(ρ) half angle of its tooth at that radius
-//   gap      ρ (|θ| − θ(ρ)) of a point of the mate in the gear nearest tooth, mm: arc between point
-//   and
-//            flank, < 0 where the point is inside the material
+//   gap      ρ (|θ| − θ(ρ)) of a point of the mate in the gear's nearest tooth, mm: arc between
+//            point and flank, < 0 where the point is inside the material
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,9 +1,8 @@
 // Two finished outlines turned against each other: how near their flanks come to one another.
 //
 //   φ       rotation of gear 1, clockwise, rad     p   a point of one outline, mm
-//   q       p in the frame of the mate             d   signed distance of q from the mate's
-//   outline,
-//                                                      mm, < 0 inside its material
+//   q       p in the frame of the mate
+//   d       signed distance of q from the mate's outline, mm, < 0 inside its material
 //   leading    the flanks by which gear 1 pushes: y < 0 on its teeth in its own frame
 //
 // d changes by no more than p moves. On the walk along an outline a point with d > kNear lets the
