@@ -69,11 +69,11 @@ class Candidates {
   }
 
   // The crossing of two bounds, or the foot on one, that breaks the others least.
-  FeasibleStep least_broken() const {
+  FeasibleStep min_broken() const {
     FeasibleStep best;
     double least = std::numeric_limits<double>::infinity();
     const auto take = [&](const FeasibleStep& s) {
-      const double broken = most_broken(s);
+      const double broken = max_broken(s);
       if (!(broken < least)) return;
       least = broken;
       best = s;
@@ -102,9 +102,9 @@ class Candidates {
   double slope_s(double d_s, double d_z) const { return p_.g_s + p_.h_ss * d_s + p_.h_sz * d_z; }
   double slope_z(double d_s, double d_z) const { return p_.g_z + p_.h_sz * d_s + p_.h_zz * d_z; }
 
-  bool within(const FeasibleStep& s) const { return most_broken(s) <= kOnBound; }
+  bool within(const FeasibleStep& s) const { return max_broken(s) <= kOnBound; }
 
-  double most_broken(const FeasibleStep& s) const {
+  double max_broken(const FeasibleStep& s) const {
     double worst = 0.0;
     for (int j = 0; j < kBounds; ++j) {
       if (j == s.active.first || j == s.active.second) continue;
@@ -130,7 +130,7 @@ FeasibleStep solve_step(const StepProblem& p, const ActiveSet& guess) {
   for (int i = 0; i < kBounds; ++i)
     for (int k = i + 1; k < kBounds; ++k)
       if (candidates.try_corner(i, k, step)) return step;
-  return candidates.least_broken();
+  return candidates.min_broken();
 }
 
 }  // namespace gearwright::detail

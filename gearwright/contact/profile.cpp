@@ -122,7 +122,7 @@ RadialJet Profile::involute_at_radius(double u) const {
 RadialJet Profile::circle_at_radius(double u, double& s) const {
   // Steps of second order from the last answer, in a bracket: a free step may jump to the far end
   // of the circle. Squares of radii are compared, which needs no logarithm near the answer.
-  constexpr int kMost = 60;
+  constexpr int kMax = 60;
   constexpr double kClose = 1e-8;  // of u: the series below takes the rest
   const double square = std::exp(2.0 * u);
   double lo = s_lo_;
@@ -130,7 +130,7 @@ RadialJet Profile::circle_at_radius(double u, double& s) const {
   if (!(s > lo && s < hi)) s = 0.5 * (lo + hi);
   ProfileJet j;
   double rest = 0.0;
-  for (int i = 0; i < kMost; ++i) {
+  for (int i = 0; i < kMax; ++i) {
     j = circle_at(s);
     const double here = std::norm(j.factor);
     const double x = (square - here) / here;

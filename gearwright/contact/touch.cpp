@@ -14,7 +14,7 @@ constexpr double kLastStep = 1e-7;    // of the patch: the error left is its squ
 constexpr double kLongestStep = 0.6;  // of half the patch
 constexpr double kFlat = 1e-14;       // rad per scaled unit: a ridge to rounding
 constexpr double kTinyBend = -1e-15;  // what stands for no curvature at all
-constexpr int kMostSteps = 80;
+constexpr int kMaxSteps = 80;
 constexpr double kBroken = 1e-9;  // scaled: more outside than that is no answer
 
 // H with its upward bends taken away, in the eigenframe; along a flat ridge there is no slope.
@@ -127,7 +127,7 @@ Touch TouchSearch::from(double s, double z, double s2, const detail::ActiveSet& 
   double d_s = 0.0;  // the step that led here, scaled
   double d_z = 0.0;
   GapJet at{};
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0; i < kMaxSteps; ++i) {
     at = field_.at(t.s, t.z, t.s2);
     ++t.evaluations;
     ++count_.evaluations;

@@ -12,7 +12,7 @@
 
 namespace gearwright {
 
-std::optional<double> DesignRow::greatest_sliding() const {
+std::optional<double> DesignRow::max_sliding() const {
   double most = 0.0;
   for (const auto& gear : sliding) {
     for (const auto& zeta : gear) {
@@ -109,7 +109,7 @@ std::optional<double> cost(const SearchProblem& problem, const DesignRow& row,
       return row.trial.module * row.trial.module * (z1 * z1 + z2 * z2);
     }
     case Objective::shift: return std::abs(row.shift[0] + row.shift[1]);
-    case Objective::sliding: return row.greatest_sliding();
+    case Objective::sliding: return row.max_sliding();
     case Objective::area: return -row.area;
   }
   return std::nullopt;

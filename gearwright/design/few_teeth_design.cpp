@@ -16,8 +16,8 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kSteepestHelix = 75;       // degrees
-constexpr double kLeastTipFillet = 0.1;  // modules: r_t of a cutter that does not burn
+constexpr int kSteepestHelix = 75;     // degrees
+constexpr double kMinTipFillet = 0.1;  // modules: r_t of a cutter that does not burn
 
 constexpr double kSameRatio = 0.02;
 
@@ -111,7 +111,7 @@ class Search {
     c.face_width = p_.face_width.value_or(10 * p_.normal_module);
     c.rack = p_.rack;
     c.root_fillet = RootFilletSpec{p_.root_offset};
-    const double r_t = std::max(kLeastTipFillet * p_.normal_module, p_.least_tip_land / 2);
+    const double r_t = std::max(kMinTipFillet * p_.normal_module, p_.min_tip_land / 2);
     c.tip_fillet = TipFilletSpec{TipFilletSpec::By::radius, r_t};
     return c;
   }
@@ -226,18 +226,18 @@ class Search {
     for (const Gear* g : {&*g1, &*g2}) {
       const int which = g == &*g1 ? 1 : 2;
       const double land = tip_width(*g);
-      if (land < p_.least_tip_land) {
+      if (land < p_.min_tip_land) {
         return stopped(9,
                        fmt::format("the land at the tip of gear {}: {:.3f} mm of {} mm", which,
-                                   land, p_.least_tip_land),
-                       p_.least_tip_land - land);
+                                   land, p_.min_tip_land),
+                       p_.min_tip_land - land);
       }
       const double gap = gap_of(*g);
-      if (gap < p_.least_gap) {
+      if (gap < p_.min_gap) {
         return stopped(10,
                        fmt::format("the gap at the root of gear {}: {:.3f} mm of {} mm", which, gap,
-                                   p_.least_gap),
-                       p_.least_gap - gap);
+                                   p_.min_gap),
+                       p_.min_gap - gap);
       }
     }
     auto pair = mount(*g1, *g2, {mounted});

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "gearwright/base/angle.hpp"
-#include "gearwright/design/least_distance_designs.hpp"
+#include "gearwright/design/min_distance_designs.hpp"
 #include "gearwright/pair/pair.hpp"
 
 namespace gearwright {
@@ -56,7 +56,7 @@ Error one_condition_too_many() {
 Fit place_on_parallel_axes(const FitProblem& p, const BasePair<double>& gears,
                            const std::array<double, 2>& shift) {
   Fit result;
-  const auto alpha = transverse_angle_at_least_distance(gears);
+  const auto alpha = transverse_angle_at_min_distance(gears);
   if (!alpha) {
     result.reason =
         "the teeth leave no backlash-free centre distance; their profile shifts add up "
@@ -88,7 +88,7 @@ Fit angles_of_distance(const FitProblem& p, const BasePair<double>& gears,
     result.branches.push_back(branch_at(p, shift, place));
   }
   if (!result.branches.empty()) return result;
-  if (const auto least = transverse_angle_at_least_distance(gears)) {
+  if (const auto least = transverse_angle_at_min_distance(gears)) {
     const CrossedPlace place = crossed_place(gears, *least);
     result.nearest_distance = place.center_distance;
     result.nearest_shaft_angle = place.shaft_angle;
@@ -225,7 +225,7 @@ Result<Fit> fit(const FitProblem& p) {
                    "is missing; to find helix angles both centre distance and shaft angle are "
                    "needed");
   }
-  return least_distance_designs(p);
+  return min_distance_designs(p);
 }
 
 }  // namespace gearwright

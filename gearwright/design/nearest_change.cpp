@@ -15,9 +15,9 @@ namespace {
 bool feasible(const SearchProblem& problem) {
   if (!(problem.ratio[0] <= problem.ratio[1])) return false;
   const double most = std::max(std::abs(problem.ratio[0]), std::abs(problem.ratio[1]));
-  if (!(most * problem.pinion_teeth[1] <= kMostSearchTeeth)) return false;
+  if (!(most * problem.pinion_teeth[1] <= kMaxSearchTeeth)) return false;
   const Search search(problem);
-  if (!search.space().size() || *search.space().size() > 20 * kMostForChange) return false;
+  if (!search.space().size() || *search.space().size() > 20 * kMaxForChange) return false;
   return search.exists(0, *search.space().size());
 }
 
@@ -37,7 +37,7 @@ struct Knob {
 };
 
 // The least move after which a design exists, rounded outwards to four digits of the move.
-std::optional<double> least_move(const SearchProblem& problem, const Knob& knob) {
+std::optional<double> min_move(const SearchProblem& problem, const Knob& knob) {
   const auto works = [&](double value) {
     SearchProblem p = problem;
     knob.set(p, value);
@@ -107,12 +107,12 @@ std::vector<Knob> knobs(const SearchProblem& p) {
            return shown(b);
          }});
   }
-  if (p.limits.least_shift && p.limits.greatest_shift) {
-    const std::array<double, 2> band{*p.limits.least_shift, *p.limits.greatest_shift};
+  if (p.limits.min_shift && p.limits.max_shift) {
+    const std::array<double, 2> band{*p.limits.min_shift, *p.limits.max_shift};
     for (const int i : {0, 1}) {
       k.push_back({"search.profile_shift", band[i], band[i] + (i == 0 ? -2.0 : 2.0), 1.0, false,
                    [i](SearchProblem& q, double v) {
-                     (i == 0 ? q.limits.least_shift : q.limits.greatest_shift) = v;
+                     (i == 0 ? q.limits.min_shift : q.limits.max_shift) = v;
                    },
                    [band, i](double v) {
                      auto b = band;
@@ -144,10 +144,10 @@ std::vector<Knob> knobs(const SearchProblem& p) {
 }  // namespace
 
 std::vector<NearestChange> nearest_changes(const SearchProblem& problem) {
-  GW_EXPECTS(Search(problem).space().size().value_or(kMostForChange + 1) <= kMostForChange);
+  GW_EXPECTS(Search(problem).space().size().value_or(kMaxForChange + 1) <= kMaxForChange);
   std::vector<NearestChange> found;
   for (const Knob& knob : knobs(problem)) {
-    const auto to = least_move(problem, knob);
+    const auto to = min_move(problem, knob);
     if (!to) continue;
     found.push_back(
         {knob.key, knob.show(knob.value), knob.show(*to), std::abs(*to - knob.value) / knob.scale});

@@ -47,20 +47,20 @@ double difference(const ShiftGraph& graph, Side side, ShiftEdge a, ShiftEdge b, 
   };
   if (a == ShiftEdge::eps || b == ShiftEdge::eps) {
     const double x1 = at(a == ShiftEdge::eps ? b : a);
-    const double d = graph.path_length(graph.place(sum), sum, x1) - graph.least_path();
+    const double d = graph.path_length(graph.place(sum), sum, x1) - graph.min_path();
     return a == ShiftEdge::eps ? d : -d;
   }
   return at(a) - at(b);
 }
 
 // No side has so many corners: beyond, two bounds are one to rounding.
-constexpr std::size_t kMostChanges = 40;
+constexpr std::size_t kMaxChanges = 40;
 
 // Sums between l and r at which the bounding edge of the side changes; known at the ends.
 void find_changes(const ShiftGraph& graph, Side side, double l, ShiftEdge at_l, double r,
                   ShiftEdge at_r, std::vector<double>& found) {
   if (at_l == at_r) return;
-  if (r - l < 4e-16 * (1.0 + std::abs(l) + std::abs(r)) || found.size() >= kMostChanges) {
+  if (r - l < 4e-16 * (1.0 + std::abs(l) + std::abs(r)) || found.size() >= kMaxChanges) {
     found.push_back((l + r) / 2.0);
     return;
   }
@@ -167,7 +167,7 @@ ShiftSlice end_slice(const ShiftGraph& graph, double sum) {
 double margin_on_line(const ShiftGraph& graph, const Vec2& p) {
   const double sum = p[0] + p[1];
   const ShiftSlice s = graph.bounds_before_path(sum).slice();
-  const double path = graph.path_length(graph.place(sum), sum, p[0]) - graph.least_path();
+  const double path = graph.path_length(graph.place(sum), sum, p[0]) - graph.min_path();
   return std::min({p[0] - s.lo, s.hi - p[0], path});
 }
 

@@ -85,21 +85,20 @@ Result<double> tip_roll(const FlankRuler& ruler, const TipFilletSpec& tip, doubl
   }
   const auto widest = tip_fillet_at(flank, least);
   const auto narrowest = most < roll_of_point(flank) ? tip_fillet_at(flank, most) : std::nullopt;
-  const double r_most = widest ? widest->radius : kInfinity;
-  const double r_least = narrowest ? narrowest->radius : 0.0;
+  const double r_max = widest ? widest->radius : kInfinity;
+  const double r_min = narrowest ? narrowest->radius : 0.0;
   switch (tip.by) {
     case TipFilletSpec::By::radius: {
-      if (tip.value <= r_most && tip.value > r_least) {
+      if (tip.value <= r_max && tip.value > r_min) {
         if (const auto xi = roll_of_tip_fillet(flank, tip.value)) return *xi;
       }
-      return refused(
-          "tip_fillet.radius_mm", tip.value,
-          fmt::format("no such circle touches both flanks of the tooth; it must be "
-                      "greater than {} mm{}",
-                      r_least,
-                      std::isinf(r_most)
-                          ? std::string()
-                          : fmt::format(", and the largest that fits is {} mm", r_most)));
+      return refused("tip_fillet.radius_mm", tip.value,
+                     fmt::format("no such circle touches both flanks of the tooth; it must be "
+                                 "greater than {} mm{}",
+                                 r_min,
+                                 std::isinf(r_max)
+                                     ? std::string()
+                                     : fmt::format(", and the largest that fits is {} mm", r_max)));
     }
     case TipFilletSpec::By::l: {
       const double xi = ruler.roll(tip.value);

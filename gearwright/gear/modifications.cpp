@@ -14,13 +14,13 @@ namespace {
 
 // Greatest amount over the depth of the usable flank, which is some two modules deep: 0.2 modules,
 // ten times what drawings ask for. Taken from both flanks it is half the tip land of most teeth.
-constexpr double kGreatestAmount = 0.1;
+constexpr double kMaxAmount = 0.1;
 // Greatest slope of a relief over its depth (length). Removal along the normal of the unmodified
 // flank errs by half the square of the slope, here 2 % of the amount; steeper is a chamfer, a
 // surface of its own.
 constexpr double kSteepest = 0.2;
 // Least depth (length) of a relief over that of the flank (face): less is an edge.
-constexpr double kLeastReach = 1e-3;
+constexpr double kMinReach = 1e-3;
 // Borders nearer to each other, over the flank's width, are one: a linear relief that begins so
 // much elsewhere differs by less than 1e-6 of its amount.
 constexpr double kSameBorder = 1e-9;
@@ -28,7 +28,7 @@ constexpr double kSameBorder = 1e-9;
 constexpr double kSameDiameter = 1e-9;
 // Least L over the greatest at which √(ρ² − r0²) is taken as it stands. A flank that begins on the
 // base circle itself has its L wrong by half of this, there and nowhere else.
-constexpr double kLeastRoll = 1e-6;
+constexpr double kMinRoll = 1e-6;
 // The form radius of a flank that begins on the base circle is that of the circle, to rounding.
 constexpr double kOnBase = 1e-12;
 
@@ -91,7 +91,7 @@ std::optional<Error> check_profile_relief(const FlankModifications& m, const Rel
                                           const Relief& relief, double rho_far, double rho_end) {
   if (auto error = check_relief(m, keys, relief)) return error;
   if (!relief.reach) return std::nullopt;
-  const double nearest = 2 * (rho_end - kLeastReach * (rho_end - rho_far));
+  const double nearest = 2 * (rho_end - kMinReach * (rho_end - rho_far));
   const auto [lo, hi] = std::minmax({2 * rho_far, nearest});
   const double slack = kSameDiameter * rho_far;
   if (!(*relief.reach >= lo - slack && *relief.reach <= hi + slack)) {
@@ -108,11 +108,11 @@ std::optional<Error> check_end_relief(const FlankModifications& m, double b) {
   if (auto error = check_relief(m, keys, m.end_relief)) return error;
   if (!m.end_relief.reach) return std::nullopt;
   const double l = *m.end_relief.reach;
-  if (!(l >= kLeastReach * b && l <= b / 2)) {
+  if (!(l >= kMinReach * b && l <= b / 2)) {
     return refused(key_of(m, keys.reach), l,
                    fmt::format("must lie between {} mm and half the face width, {} mm; "
                                "lead_crowning_um takes from the whole face",
-                               kLeastReach * b, b / 2));
+                               kMinReach * b, b / 2));
   }
   return check_steepness(m, keys, m.end_relief, l);
 }
@@ -162,7 +162,7 @@ std::optional<Error> check(const FlankModifications& m, const FlankExtent& e) {
                                         m.root_relief, e.rho_tip_form, e.rho_root_form))
     return error;
   if (auto error = check_end_relief(m, e.face_width)) return error;
-  const double greatest = kGreatestAmount * depth;
+  const double greatest = kMaxAmount * depth;
   for (const auto& [key, amount] :
        {std::pair("tip_relief_um", m.tip_relief.amount),
         std::pair("root_relief_um", m.root_relief.amount),
@@ -234,7 +234,7 @@ RemovalField::RemovalField(const FlankModifications& m, const FlankExtent& e)
       roll_tip_(length(e.rho_tip_form, e.r0)) {
   GW_EXPECTS(!check(m, e));
   const auto [least, greatest] = std::minmax({roll_root_, roll_tip_});
-  const double floor = std::max(least / 2, kLeastRoll * greatest);
+  const double floor = std::max(least / 2, kMinRoll * greatest);
   y_floor_ = floor * floor;
   tip_ = ramp(m.tip_relief, length(m.tip_relief.reach.value_or(0.0) / 2, e.r0), roll_tip_);
   root_ = ramp(m.root_relief, length(m.root_relief.reach.value_or(0.0) / 2, e.r0), roll_root_);

@@ -63,7 +63,7 @@ Result<ChordalThickness<double>> chordal_thickness(const Gear& gear, double diam
   if (!(diameter >= range->lo && diameter <= range->hi))  // true for NaN
     return off_flank(diameter, "must be " + range->ends);
   const ToothArc<double> arc = tooth_arc(gear, diameter);
-  if (!(arc.half_angle >= kLeastHalfAngle)) {
+  if (!(arc.half_angle >= kMinHalfAngle)) {
     return off_flank(
         diameter,
         fmt::format("the two flanks meet at {} mm, there is no tooth {} that; the diameter must be "

@@ -139,7 +139,7 @@ Json contact_json(const SolvedJob& job, const ContactAnswer& answer) {
                       {"kind", std::move(kinds)},
                       {"peak_to_peak_arcsec", answer.other.peak_to_peak * kArcsec},
                       {"contact_lost", answer.other.contact_lost}};
-  c["least_play_deg"] = answer.least_play ? Json(*answer.least_play * kDeg) : Json(nullptr);
+  c["least_play_deg"] = answer.min_play ? Json(*answer.min_play * kDeg) : Json(nullptr);
   c["sensitivity"] = sensitivity_json(answer);
   if (answer.pattern) {
     const double marking = job.spec.contact.marking;
@@ -169,8 +169,7 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
   }
   row("Transmission error, peak to peak", fixed_text(r.peak_to_peak * kArcsec, 4) + " arcsec");
   row("  the other flanks", fixed_text(answer.other.peak_to_peak * kArcsec, 4) + " arcsec");
-  if (answer.least_play)
-    row("Least play of gear 2", fixed_text(*answer.least_play * kDeg, 6) + " °");
+  if (answer.min_play) row("Least play of gear 2", fixed_text(*answer.min_play * kDeg, 6) + " °");
   row("Contact", kinds_of(r));
   if (!r.harmonics.empty()) {
     std::string waves;

@@ -217,11 +217,11 @@ std::string pair_listing(const Pair& p) {
     two("efficiency, this gear driving", "η", percent(p.efficiency->gear1_drives),
         percent(p.efficiency->gear2_drives), "%");
   }
-  if (p.least_distance) {
+  if (p.min_distance) {
     t.head("minimum centre distance");
-    one("centre distance", "a", mm(p.least_distance->center_distance), "mm");
-    one("shaft angle", "Σ", angle(p.least_distance->shaft_angle), "°");
-    one("working pressure angle, normal", "α_wn", angle(p.least_distance->normal_pressure_angle),
+    one("centre distance", "a", mm(p.min_distance->center_distance), "mm");
+    one("shaft angle", "Σ", angle(p.min_distance->shaft_angle), "°");
+    one("working pressure angle, normal", "α_wn", angle(p.min_distance->normal_pressure_angle),
         "°");
   }
   if (p.contact_ratio_range) {

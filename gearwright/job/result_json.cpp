@@ -70,7 +70,7 @@ void add_crossed(Json& j, const Pair& p) {
   j["min_face_width_both_flanks_mm"] = {f.both_flanks[0], f.both_flanks[1]};
   j["face_interval_mm"] = {{"gear1", f.interval[0]}, {"gear2", f.interval[1]}};
   j["line_offset_mm"] = p.mesh.line_offset;
-  if (p.least_distance) j["minimum_center_distance"] = place_json(*p.least_distance);
+  if (p.min_distance) j["minimum_center_distance"] = place_json(*p.min_distance);
   if (!p.contact_ratio_range) return;
   const CrossedPlaces& r = *p.contact_ratio_range;
   j["contact_ratio_range"] = {{"working_normal_pressure_angle_deg",

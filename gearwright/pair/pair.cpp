@@ -103,15 +103,14 @@ void warn_about_mesh(Pair& p) {
 }
 
 // Backlash-free pairs stand further apart than their base radii; half of that is in nobody's mind.
-constexpr double kLeastCrossedDistance = 0.5;
+constexpr double kMinCrossedDistance = 0.5;
 
 std::optional<Error> check_place(const Pair& p) {
   const double a = p.center_distance;
   if (p.crossed()) {
     const auto rack = common_rack(p.input.gears, working_angles(p.input));
-    const double most =
-        kGreatestDistance * (rack.sides[0].pitch_radius + rack.sides[1].pitch_radius);
-    const double least = kLeastCrossedDistance * base_radius_sum(p.input.gears);
+    const double most = kMaxDistance * (rack.sides[0].pitch_radius + rack.sides[1].pitch_radius);
+    const double least = kMinCrossedDistance * base_radius_sum(p.input.gears);
     if (a >= least && a <= most) return std::nullopt;
     return refused(
         "pair.center_distance_mm", a,
@@ -120,25 +119,25 @@ std::optional<Error> check_place(const Pair& p) {
                     least, most));
   }
   const double least = base_radius_sum(p.input.gears);
-  if (a > least && a <= kGreatestDistance * least) return std::nullopt;
+  if (a > least && a <= kMaxDistance * least) return std::nullopt;
   return refused(
       "pair.center_distance_mm", a,
       fmt::format("there is no working pressure angle; it must be greater than {} mm and at "
                   "most {} times that",
-                  least, kGreatestDistance));
+                  least, kMaxDistance));
 }
 
 void find_backlash_free_distance(Pair& p) {
   const BasePair<double>& gears = p.input.gears;
   if (!p.crossed()) {
-    const auto alpha = transverse_angle_at_least_distance(gears);
+    const auto alpha = transverse_angle_at_min_distance(gears);
     if (alpha) p.backlash_free_center_distance = base_radius_sum(gears) / std::cos(*alpha);
     return;
   }
   const double a = conjugate_center_distance(gears, p.mesh.rack);
   if (a > 0.0) p.backlash_free_center_distance = a;
-  if (const auto alpha = transverse_angle_at_least_distance(gears))
-    p.least_distance = crossed_place(gears, *alpha);
+  if (const auto alpha = transverse_angle_at_min_distance(gears))
+    p.min_distance = crossed_place(gears, *alpha);
   p.contact_ratio_range = contact_ratio_range(p.input);
   p.face_widths = face_widths(p.mesh);
 }

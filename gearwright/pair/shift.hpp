@@ -23,7 +23,7 @@ enum class Mounting { tight, extended };
 
 /// Greatest centre distance, in sums (internal: differences) of the base radii: a working angle
 /// of 89.4°, where no tooth is left to reach the other.
-inline constexpr double kGreatestDistance = 100.0;
+inline constexpr double kMaxDistance = 100.0;
 
 struct ShiftProblem {
   int z1 = 0, z2 = 0;                     ///< ring: z2 < 0

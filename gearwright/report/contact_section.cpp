@@ -59,8 +59,8 @@ std::string facts(const ContactReport& report) {
   if (a.contact_lost || b.contact_lost)
     t.row("Rotation without contact", "", "%",
           {percent(share(a, nowhere)), percent(share(b, nowhere))});
-  if (report.least_play) {
-    t.common("Least play of gear 2 between both flanks", "", "°", shown::angle(*report.least_play));
+  if (report.min_play) {
+    t.common("Least play of gear 2 between both flanks", "", "°", shown::angle(*report.min_play));
   }
   t.common("Thickness of the marking compound", "δ", "mm", fmt::format("{:g}", report.marking));
   return t.str();

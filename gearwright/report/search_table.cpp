@@ -103,7 +103,7 @@ std::vector<Column> columns_of(const SearchProblem& problem, const SearchAnswer&
       {indexed("ζ") + " max", "",
        "greatest specific sliding at the ends of the path of contact; –: a flank reaches its "
        "base tangent point",
-       [](const Row& r) { return number(r.greatest_sliding(), 3); }});
+       [](const Row& r) { return number(r.max_sliding(), 3); }});
   c.push_back({"area", "", "area of the feasible region, modules²",
                [](const Row& r) { return number(r.area, 4); }, true});
   c.push_back({"interf.", "", "a tip passes the start of the mate’s flank",

@@ -80,14 +80,14 @@ class Turned {
       for (const double side : {-1.0, 1.0}) {
         for (const Arc& arc : pair_.gears[which].tooth->outline.arcs) {
           if (arc.name == ArcName::root_land) continue;
-          least(which, k, side, arc, contact);
+          min_gap(which, k, side, arc, contact);
         }
       }
     }
   }
 
  private:
-  void least(int which, int k, double side, const Arc& arc, Contact& contact) const {
+  void min_gap(int which, int k, double side, const Arc& arc, Contact& contact) const {
     constexpr int kSteps = 24;
     const auto take = [&](double u) {
       bool left = false;

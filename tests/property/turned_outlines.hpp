@@ -29,7 +29,7 @@ struct Nearness {
   double leading = std::numeric_limits<double>::infinity();
   double trailing = std::numeric_limits<double>::infinity();
 
-  double least() const { return std::min(leading, trailing); }
+  double min() const { return std::min(leading, trailing); }
 };
 
 /// One gear's outline as material, and as points to walk along.
@@ -65,7 +65,7 @@ class FinishedOutline {
   const std::vector<Place>& places() const { return places_; }
 
   /// A bound of the signed distance from below that costs nothing.
-  double at_least(const Vec2& q) const {
+  double lower_bound(const Vec2& q) const {
     return ring_ ? inner_radius_ - q.norm() : q.norm() - material_.outer_radius();
   }
 
@@ -106,13 +106,13 @@ class TurnedOutlines {
   double step() const { return kStep * near_; }  ///< between samples, mm
 
   /// Least distance of all samples, asked one by one.
-  double least_of_all(double phi, double turn) const {
+  double min_of_all(double phi, double turn) const {
     double least = std::numeric_limits<double>::infinity();
     for_each_flank(phi, turn, [&](const Flank& flank) {
       Seen seen(*this, flank);
       Nearness nearness;
       for (const auto& place : gears_[flank.which].places()) seen.take(place.p, nearness);
-      least = std::min(least, nearness.least());
+      least = std::min(least, nearness.min());
     });
     return least;
   }
@@ -196,7 +196,7 @@ class TurnedOutlines {
     std::vector<std::size_t> visited;
     std::vector<double> d;
     for (std::size_t i = 0; i < places.size();) {
-      double here = gears_[1 - flank.which].at_least(seen.q(places[i].p));
+      double here = gears_[1 - flank.which].lower_bound(seen.q(places[i].p));
       if (here < near_) here = seen.take(places[i].p, nearness);
       visited.push_back(i);
       d.push_back(here);
