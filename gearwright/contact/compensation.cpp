@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlopt.hpp>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/contact/contact.hpp"
 
 namespace gearwright {
@@ -13,7 +14,6 @@ namespace gearwright {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kArcsec = 4.84813681109536e-6;  // rad
 
 // One scenario, looked at.
 struct Looked {
@@ -141,7 +141,7 @@ std::vector<double> optimise(const CompensationTask& task, Judge& judge, nlopt::
   opt.set_initial_step(step);
   opt.set_maxeval(evaluations);
   opt.set_ftol_rel(1e-5);
-  opt.set_ftol_abs(1e-5 * kArcsec);
+  opt.set_ftol_abs(1e-5 * kRadPerArcsec);
   const auto objective = [](const std::vector<double>& x, std::vector<double>&,
                             void* data) -> double {
     const double f = static_cast<Judge*>(data)->value(x);
@@ -188,7 +188,7 @@ Compensation compensate(const CompensationTask& task) {
     least = f;
     best = v;
   };
-  constexpr double kNothing = 1e-3 * kArcsec;
+  constexpr double kNothing = 1e-3 * kRadPerArcsec;
   if (!(least < kNothing)) {
     const int n = static_cast<int>(zero.size());
     // Curves are what costs: so many in all, whatever the number of scenarios.

@@ -11,6 +11,7 @@
 
 #include "gearwright/base/angle.hpp"
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/units.hpp"
 #include "gearwright/math/involute.hpp"
 #include "gearwright/math/newton.hpp"
 #include "gearwright/math/root.hpp"
@@ -21,9 +22,9 @@ namespace gearwright {
 namespace {
 
 constexpr double kHalfPi = std::numbers::pi / 2;
-constexpr double kMargin = 0.1 * std::numbers::pi / 180;     // a working helix of 90° is no gear
-constexpr double kSteepest = 89.0 * std::numbers::pi / 180;  // of a gear, as on its rack
-constexpr double kParallel = 1e-9;                           // rad: as the pair room has it
+constexpr double kMargin = 0.1 * kRadPerDeg;     // a working helix of 90° is no gear
+constexpr double kSteepest = 89.0 * kRadPerDeg;  // of a gear, as on its rack
+constexpr double kParallel = 1e-9;               // rad: as the pair room has it
 constexpr int kCells = 512;  // of β_w1, when roots of a function of no known shape are looked for
 
 double deg(double rad) { return Angle::radians(rad).deg(); }

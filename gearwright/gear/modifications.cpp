@@ -7,6 +7,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/refusal.hpp"
+#include "gearwright/base/units.hpp"
 
 namespace gearwright {
 
@@ -32,10 +33,8 @@ constexpr double kMinRoll = 1e-6;
 // The form radius of a flank that begins on the base circle is that of the circle, to rounding.
 constexpr double kOnBase = 1e-12;
 
-constexpr double kUm = 1e-3;  // mm
-
 // mm as the um of the spec, without the rounding of the way there and back.
-double in_um(double mm) { return std::round(mm / kUm * 1e9) / 1e9; }
+double in_um(double mm) { return std::round(mm / kMmPerUm * 1e9) / 1e9; }
 
 std::string key_of(const FlankModifications& m, const std::string& key) {
   for (const std::string& own : m.own_keys) {
@@ -53,7 +52,7 @@ std::optional<Error> check_amount(const FlankModifications& m, const char* key, 
                  fmt::format("must lie between -{0:.6g} and {0:.6g} um, a tenth of the depth of "
                              "this gear's usable flank; more is another tooth: change the rack "
                              "or thickness_allowance_mm",
-                             greatest / kUm));
+                             greatest / kMmPerUm));
 }
 
 struct ReliefKeys {
@@ -70,7 +69,7 @@ std::optional<Error> check_steepness(const FlankModifications& m, const ReliefKe
       fmt::format("must be at most {:.6g} um over {:.6g} mm, a slope of 1 in 5; a longer "
                   "relief ({}) may remove more, a chamfer is cut by the rack "
                   "(semi_topping_angle_deg)",
-                  greatest / kUm, over, keys.reach));
+                  greatest / kMmPerUm, over, keys.reach));
 }
 
 std::optional<Error> check_relief(const FlankModifications& m, const ReliefKeys& keys,
@@ -148,7 +147,7 @@ std::optional<Error> check_topography(const FlankModifications& m, const FlankEx
     return refusal("removed_um", in_um(c),
                    fmt::format("must lie between -{0:.6g} and {0:.6g}, a tenth of the depth of "
                                "this gear's usable flank",
-                               greatest / kUm));
+                               greatest / kMmPerUm));
   }
   return std::nullopt;
 }

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <string>
 
+#include "gearwright/base/units.hpp"
+
 namespace gearwright {
 
 namespace {
@@ -79,7 +81,7 @@ Result<ChordalThickness<double>> chordal_thickness(const Gear& gear, double diam
       diameter,
       fmt::format("the tooth covers {} degrees about the axis, no calliper reaches over it; a "
                   "greater diameter may do, it must be {}",
-                  2 * arc.half_angle * 180 / std::numbers::pi, range->ends));
+                  2 * arc.half_angle * kDegPerRad, range->ends));
 }
 
 }  // namespace gearwright

@@ -7,13 +7,11 @@
 #include <numbers>
 
 #include "gearwright/base/refusal.hpp"
+#include "gearwright/base/units.hpp"
 
 namespace gearwright {
 
 namespace {
-
-constexpr double kRadPerDeg = std::numbers::pi / 180;
-constexpr double kMmPerUm = 1e-3;
 
 // Places in kErrorKeys.
 enum ErrorIndex { center, crossing, intersecting, axial, slope1, slope2, lead1, lead2 };

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/contact/contact.hpp"
 
 namespace gearwright {
@@ -50,7 +51,7 @@ NamedAmount named(std::size_t index, double value) {
 std::string words_of(const FlankModifications& m) {
   std::string text;
   const auto add = [&](const std::string& words) { text += (text.empty() ? "" : ", ") + words; };
-  const auto um = [](double mm) { return fmt::format("{:.6g} µm", 1e3 * mm); };
+  const auto um = [](double mm) { return fmt::format("{:.6g} µm", kUmPerMm * mm); };
   const auto relief = [&](const char* name, const Relief& r, const char* reach) {
     if (!r.reach) return;
     add(fmt::format("{} {} {} {:.8g} mm{}", name, um(r.amount), reach, *r.reach,

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/pair/drive.hpp"
 
 namespace gearwright {
@@ -286,7 +287,7 @@ std::string file_listing(const std::vector<JobFile>& files) {
   std::string out = "\n";
   for (const JobFile& f : files) {
     std::string note = f.note;
-    if (f.deviation_mm) note += fmt::format(", within {:.2g} µm", *f.deviation_mm * 1e3);
+    if (f.deviation_mm) note += fmt::format(", within {:.2g} µm", *f.deviation_mm * kUmPerMm);
     out += "  " + pad(f.path.string(), 44) + "  " + pad(f.what, 14) + note + "\n";
   }
   return out;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/job/arc_answer.hpp"
 #include "gearwright/pair/drive.hpp"
 
@@ -226,8 +227,8 @@ Json pair_json(const Pair& p) {
                    {"rotation_deg", {deg(b.rotation[0]), deg(b.rotation[1])}}};
   if (p.kind == PairKind::parallel_internal) {
     j["internal"] = {{"involute_margin_mm", optional(p.involute_margin)},
-                     {"trochoid_margin_deg", optional(p.trochoid_margin, 180 / std::numbers::pi)},
-                     {"trimming_margin_deg", optional(p.trimming_margin, 180 / std::numbers::pi)}};
+                     {"trochoid_margin_deg", optional(p.trochoid_margin, kDegPerRad)},
+                     {"trimming_margin_deg", optional(p.trimming_margin, kDegPerRad)}};
   }
   return j;
 }
@@ -269,7 +270,7 @@ Json files_json(const std::vector<JobFile>& files) {
   for (const JobFile& f : files) {
     list.push_back({{"file", f.path.filename().string()},
                     {"what", f.what},
-                    {"max_deviation_um", optional(f.deviation_mm, 1e3)},
+                    {"max_deviation_um", optional(f.deviation_mm, kUmPerMm)},
                     {"note", f.note}});
   }
   return list;

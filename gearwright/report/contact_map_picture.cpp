@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/units.hpp"
 #include "gearwright/report/contact_contour.hpp"
 #include "gearwright/report/contact_te_picture.hpp"
 #include "gearwright/report/html_text.hpp"

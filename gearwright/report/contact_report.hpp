@@ -88,6 +88,4 @@ std::vector<FlankPlace> ellipse_on(const ContactReport& report, const ContactPoi
 /// Signed and short, "+0.03°", "−0.02 mm".
 std::string words_of(const NamedAmount& amount);
 
-constexpr double kArcsecPerRad = 3600 * 180 / 3.14159265358979323846;
-
 }  // namespace gearwright

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/units.hpp"
 #include "gearwright/pair/series.hpp"
 #include "gearwright/report/html_text.hpp"
 
@@ -14,7 +15,6 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kDegree = 180.0 / std::numbers::pi;
 constexpr double kHalfPi = std::numbers::pi / 2;
 constexpr int kSteps = 240;
 constexpr double kMargin = 0.07;  // of the angles worth showing, on both sides
@@ -26,7 +26,7 @@ constexpr double kBeforeLimit = 1e-3;
 constexpr double kAtLimit = 1e-8;
 constexpr double kMinAngle = 2e-3;  // rad, α_wn = 0 is no rack
 
-double deg(double rad) { return kDegree * rad; }
+double deg(double rad) { return kDegPerRad * rad; }
 
 // Transverse angle of the limiting gear; α_n itself is no parameter at the limit.
 double transverse_of(const BasePair<double>& gears, double alpha_n) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/units.hpp"
 #include "gearwright/report/crossed_range.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/plot_axis.hpp"
@@ -33,7 +34,7 @@ double deg(double rad) { return Angle::radians(rad).deg(); }
 // µm of centre distance at α_wn (degrees) above the least.
 double above_min(const Pair& pair, double degrees) {
   const auto s = crossed_sample(pair, Angle::degrees(degrees).rad());
-  return s ? 1e3 * (s->place.center_distance - pair.min_distance->center_distance) : 0.0;
+  return s ? kUmPerMm * (s->place.center_distance - pair.min_distance->center_distance) : 0.0;
 }
 
 std::string zoom_svg(const Pair& pair, const std::vector<Approximation>& all) {
@@ -79,12 +80,12 @@ std::string table_row(const Pair& pair, const std::string& name, double angle) {
   const auto s = crossed_sample(pair, angle);
   GW_EXPECTS(s.has_value());  // of approximations(), or the exact one
   const double off = s->place.center_distance - pair.min_distance->center_distance;
-  const double seconds = 3600 * deg(angle - pair.min_distance->normal_pressure_angle);
+  const double seconds = kArcsecPerDeg * deg(angle - pair.min_distance->normal_pressure_angle);
   std::string text = fmt::format("<tr><th scope=\"row\">{}</th>", escaped(name));
   for (const std::string& value :
        {fixed(deg(angle), kAngleDigits), fixed(seconds, 1),
         fixed(deg(s->place.shaft_angle), kAngleDigits),
-        fixed(s->place.center_distance, kLengthDigits), fixed(1e3 * off, 4)}) {
+        fixed(s->place.center_distance, kLengthDigits), fixed(kUmPerMm * off, 4)}) {
     text += fmt::format("<td class=\"value\">{}</td>", value);
   }
   return text + "</tr>\n";

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/shown_values.hpp"
 
@@ -55,7 +56,7 @@ std::vector<Column> columns_of(const SearchProblem& problem, const SearchAnswer&
                [](const Row& r) { return whole(r.trial.z2); }});
   if (helical || crossed)
     c.push_back({indexed("β"), "°", "helix angle of gear 1, right hand positive",
-                 [](const Row& r) { return number(shown::kDegree * r.trial.helix[0], 3); }});
+                 [](const Row& r) { return number(kDegPerRad * r.trial.helix[0], 3); }});
   if (problem.racks.size() > 1)
     c.push_back({"rack", "", "which of the racks given",
                  [](const Row& r) { return whole(r.trial.rack + 1); }});
@@ -88,7 +89,7 @@ std::vector<Column> columns_of(const SearchProblem& problem, const SearchAnswer&
                  [](const Row& r) { return number(r.overlap_ratio, 3); }, true});
   c.push_back({indexed(crossed ? "α_n" : "α_wt"), "°",
                crossed ? "normal pressure angle" : "working transverse pressure angle",
-               [](const Row& r) { return number(shown::kDegree * r.working_angle, 3); }});
+               [](const Row& r) { return number(kDegPerRad * r.working_angle, 3); }});
   c.push_back({indexed("j_bn"), "mm", "backlash along the common normal",
                [](const Row& r) { return number(r.backlash_normal, kLengthDigits); }});
   for (std::size_t i : {0, 1})

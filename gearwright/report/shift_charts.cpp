@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/design/shift_charts.hpp"
 #include "gearwright/report/free_labels.hpp"
 #include "gearwright/report/html_text.hpp"
@@ -114,7 +115,7 @@ void draw_room(Svg& svg, const Axis& x, const Axis& y, const std::vector<ShiftLi
 
 std::string helix_words(const Trial& trial) {
   if (trial.helix[0] == 0.0) return "";
-  return fmt::format(", helix angle {:.6g}°", shown::kDegree * std::abs(trial.helix[0]));
+  return fmt::format(", helix angle {:.6g}°", kDegPerRad * std::abs(trial.helix[0]));
 }
 
 bool on_chart(int teeth) { return teeth >= kChartMin && teeth <= kChartMax; }

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "gearwright/base/output_file.hpp"
+#include "gearwright/base/units.hpp"
 
 namespace gearwright {
 
@@ -18,7 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kUmPerMm = 1e3;
 constexpr double kMaxNumber = 1e9;  // of any number of a spec, in its unit
 // Two lines of a grid nearer to each other than this, over the range, are one line measured twice:
 // the spline between them would make a slope of what is noise.
