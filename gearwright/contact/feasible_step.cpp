@@ -11,6 +11,8 @@ namespace {
 // flat ridge are noise of the same size.
 constexpr double kOnBound = 1e-12;
 constexpr double kNoMultiplier = -1e-15;
+// Sine of the angle between two bounds below which they are parallel to rounding: no corner.
+constexpr double kParallel = 1e-14;
 
 class Candidates {
  public:
@@ -54,7 +56,7 @@ class Candidates {
     const Bound& a = p_.bounds[i];
     const Bound& b = p_.bounds[k];
     const double det = a.a_s * b.a_z - a.a_z * b.a_s;
-    if (!(std::abs(det) > 1e-14 * (std::hypot(a.a_s, a.a_z) * std::hypot(b.a_s, b.a_z))))
+    if (!(std::abs(det) > kParallel * (std::hypot(a.a_s, a.a_z) * std::hypot(b.a_s, b.a_z))))
       return false;
     step.d_s = (-a.c * b.a_z + b.c * a.a_z) / det;
     step.d_z = (-b.c * a.a_s + a.c * b.a_s) / det;

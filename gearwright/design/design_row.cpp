@@ -120,7 +120,8 @@ namespace {
 // Costs that differ by less are equal: the same design in another module rounds differently.
 double settled(double cost) {
   constexpr double kSame = 1e-11;
-  return std::abs(cost) < 1e4 ? std::round(cost / kSame) * kSame : cost;
+  constexpr double kTooLarge = 1e4;  // from there on a step of kSame is less than rounding
+  return std::abs(cost) < kTooLarge ? std::round(cost / kSame) * kSame : cost;
 }
 
 }  // namespace

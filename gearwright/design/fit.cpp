@@ -16,6 +16,9 @@ namespace {
 
 double deg(double rad) { return Angle::radians(rad).deg(); }
 
+// Relative: a centre distance written with ten digits is the one that was computed.
+constexpr double kSameDistance = 1e-9;
+
 Error missing(const char* key, const std::string& why) {
   return {key, "", fmt::format("{}: {}", key, why)};
 }
@@ -65,7 +68,7 @@ Fit place_on_parallel_axes(const FitProblem& p, const BasePair<double>& gears,
   }
   const double a = base_radius_sum(gears) / std::cos(*alpha);
   const double alpha_wn = std::asin(std::sin(*alpha) * std::cos(gears[0].helix_angle));
-  if (p.center_distance && std::abs(*p.center_distance - a) > 1e-9 * a) {
+  if (p.center_distance && std::abs(*p.center_distance - a) > kSameDistance * a) {
     result.reason = fmt::format(
         "on parallel axes these gears are free of backlash at {} mm only; leave out a profile "
         "shift to have it follow from the centre distance",
@@ -136,7 +139,7 @@ Result<Fit> place_of_gears(const FitProblem& p) {
   if (!place) return place.error();
   const auto rack = common_rack(gears, angles_at_shaft_angle(gears, *place->shaft_angle));
   const double a = place->center_distance;
-  if (p.center_distance && std::abs(*p.center_distance - a) > 1e-9 * a) {
+  if (p.center_distance && std::abs(*p.center_distance - a) > kSameDistance * a) {
     Fit result = angles_of_distance(p, gears, shift);
     if (!result.branches.empty()) result.nearest_shaft_angle = result.branches[0].shaft_angle;
     for (const FitBranch& b : result.branches) {

@@ -44,9 +44,11 @@ std::optional<double> min_move(const SearchProblem& problem, const Knob& knob) {
     return feasible(p);
   };
   if (knob.value == knob.far || !works(knob.far)) return std::nullopt;
+  // The change is printed with four digits of itself: this much of the value is beyond all of them.
+  constexpr double kEnough = 1e-9;
   double no = knob.value;
   double yes = knob.far;
-  const double enough = knob.whole ? 1.0 : 1e-9 * std::max(1.0, std::abs(knob.value));
+  const double enough = knob.whole ? 1.0 : kEnough * std::max(1.0, std::abs(knob.value));
   while (std::abs(yes - no) > enough) {
     double middle = (no + yes) / 2.0;
     if (knob.whole) middle = knob.far < knob.value ? std::floor(middle) : std::ceil(middle);
@@ -56,8 +58,9 @@ std::optional<double> min_move(const SearchProblem& problem, const Knob& knob) {
   if (knob.whole) return yes;
   const double move = yes - knob.value;
   const double step = std::pow(10.0, std::floor(std::log10(std::abs(move))) - 3.0);
+  constexpr double kWhole = 1e-6;  // of a step: a move of whole steps is not one step more
   const double rounded =
-      knob.value + std::copysign(std::ceil(std::abs(move) / step - 1e-6) * step, move);
+      knob.value + std::copysign(std::ceil(std::abs(move) / step - kWhole) * step, move);
   const double tidy = std::stod(shown(rounded));
   return works(tidy) ? tidy : yes;
 }
@@ -87,7 +90,9 @@ std::vector<Knob> knobs(const SearchProblem& p) {
     const double widen = (i == 0 ? -0.5 : 0.5) * std::abs(band[i]);
     double far = band[i] + widen;
     if (!p.internal()) far = std::max(far, 1.0);
-    if (p.internal() && i == 1) far = std::min(far, -1.0 - 1e-3);
+    // A ring has more teeth than its pinion: no ratio from −1 up.
+    constexpr double kBeyondOne = 1e-3;
+    if (p.internal() && i == 1) far = std::min(far, -1.0 - kBeyondOne);
     k.push_back({"search.ratio", band[i], far, std::abs(band[i]), false,
                  [i](SearchProblem& q, double v) { q.ratio[i] = v; },
                  [band, i](double v) {

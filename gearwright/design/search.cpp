@@ -20,6 +20,9 @@ SearchCounts& SearchCounts::operator+=(const SearchCounts& other) {
   return *this;
 }
 
+// A shift or a distance that is not limited, modules: beyond any, and its square is no infinity.
+constexpr double kNoLimit = 1e9;
+
 Search::Search(SearchProblem problem) : problem_(std::move(problem)), space_(problem_) {}
 
 std::shared_ptr<const TrialGears> Search::gears(int which, int rack, double helix) const {
@@ -66,7 +69,7 @@ class Sieve {
     constants_.addendum = {racks.rack[0].addendum, racks.rack[1].addendum};
     constants_.internal = problem.internal();
     shortened_ = problem.shorten_tips;
-    ceiling_ = problem.limits.max_shift.value_or(1e9);
+    ceiling_ = problem.limits.max_shift.value_or(kNoLimit);
     constants_.tight = problem.mounting == Mounting::tight && !problem.crossed();
     constants_.path = !constants_.tight && !constants_.internal && !problem.crossed();
     trials_.reserve(kBatch);
@@ -81,7 +84,7 @@ class Sieve {
     const std::size_t i = trials_.size();
     trials_.push_back(t);
     double a_lo = 0.0;
-    double a_hi = 1e9;  // modules: no limit
+    double a_hi = kNoLimit;
     if (distance) {
       a_lo = (*distance)[0] / t.module;
       a_hi = (*distance)[1] / t.module;

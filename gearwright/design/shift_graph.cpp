@@ -135,13 +135,15 @@ ShiftGraph::Sums ShiftGraph::sums(int limits) const {
   double corner = gears_[0].x_max + gears_[1].x_max;
   if (tight_ && problem_->shorten_tips) {
     corner = std::max(corner, gears_[0].x_min + gears_[1].x_min);
+    constexpr double kLastRise = 1e-13;  // modules: rounding of a shift
+    constexpr double kBeyond = 1e-9;     // modules: what the last rises may have left
     for (int i = 0; i < 60; ++i) {  // rises to where the tips, thicker by k, are as thin as allowed
       const double k = place(std::max(corner, s.lo)).k;
       const double next = max_shift(*problem_, gears_[0], k) + max_shift(*problem_, gears_[1], k);
-      if (!(next > corner + 1e-13)) break;
+      if (!(next > corner + kLastRise)) break;
       corner = next;
     }
-    corner += 1e-9;
+    corner += kBeyond;
   }
   lower(s.hi, corner);
   return s;

@@ -34,7 +34,10 @@ constexpr double kMinRoll = 1e-6;
 constexpr double kOnBase = 1e-12;
 
 // mm as the um of the spec, without the rounding of the way there and back.
-double in_um(double mm) { return std::round(mm / kMmPerUm * 1e9) / 1e9; }
+double in_um(double mm) {
+  constexpr double kSteps = 1e9;  // per µm: finer than any drawing, coarser than rounding
+  return std::round(mm / kMmPerUm * kSteps) / kSteps;
+}
 
 std::string key_of(const FlankModifications& m, const std::string& key) {
   for (const std::string& own : m.own_keys) {

@@ -16,6 +16,9 @@
 
 namespace gearwright::detail {
 
+/// Relative: the cutter's own bottom ends on the circle of the land, up to rounding.
+inline constexpr double kAtTip = 1e-9;
+
 struct Branch {
   ArcName name;
   CurvePtr curve;

@@ -21,7 +21,10 @@ void warn(Pair& p, const std::string& code, std::string message, int gear = 0) {
 }
 
 // What is needed at least is rounded up where it is printed to 0.01.
-double up(double mm) { return std::ceil(mm * 100 - 1e-9) / 100; }
+double up(double mm) {
+  constexpr double kWhole = 1e-9;  // of 0.01 mm: whole hundredths are not one more
+  return std::ceil(mm * 100 - kWhole) / 100;
+}
 
 // Axes this close were most likely meant to be parallel.
 constexpr double kNearlyParallel = 1.0;  // degrees
@@ -80,8 +83,11 @@ void warn_about_contact(Pair& p) {
 }
 
 void warn_about_mesh(Pair& p) {
-  // Rounding of a backlash-free distance is not a backlash: 1e-12 of the base pitch, and of a.
-  const double noise = 1e-12 * p.gears[0].reference.base_pitch_normal + 4e-15 * p.center_distance;
+  // Rounding of a backlash-free distance is not a backlash.
+  constexpr double kOfPitch = 1e-12;
+  constexpr double kOfDistance = 4e-15;
+  const double noise =
+      kOfPitch * p.gears[0].reference.base_pitch_normal + kOfDistance * p.center_distance;
   if (p.mesh.backlash.normal_base < -noise) {
     const std::string distance = p.backlash_free_center_distance
                                      ? fmt::format("{:.4f} mm", *p.backlash_free_center_distance)

@@ -311,7 +311,8 @@ std::optional<AngleInterval<T>> transverse_angles_with_line_within(const BasePai
     // The least L by halving on the sign of its slope, Newton from there on either side.
     T lo = tiny;
     T hi = half_pi;
-    for (int i = 0; i < 60 && hi - lo > T(1e-12); ++i) {
+    const T narrow(1e-12);  // rad: the slope is flat there, any point near the bottom serves
+    for (int i = 0; i < 60 && hi - lo > narrow; ++i) {
       const T middle = (lo + hi) / T(2);
       const auto s = f(middle);
       if (s.value < T(0)) {  // any point below will do

@@ -17,6 +17,8 @@ constexpr double kHalfPi = kPi / 2;
 // Normals this close are one: a tangent joint.
 constexpr double kSameNormal = 1e-6;  // rad
 constexpr double kMaxModules = 1e4;   // no cutter is that large
+constexpr double kAbove90 = 1e-15;    // of 90°: degrees that came out of radians
+constexpr double kOverlap = 1e-12;    // of half the pitch: a full radius, but for rounding
 
 Error bad(const char* key, double value, const std::string& why) {
   return refused(std::string("rack.") + key, value, why);
@@ -33,7 +35,7 @@ std::optional<Error> check_arc(const RackArc& arc, std::size_t i) {
       return bad_arc(i, fmt::format("lengths must lie within {} modules", kMaxModules));
   }
   for (const Angle tau : {arc.begin, arc.end}) {
-    if (!(tau.rad() > 0.0 && tau.rad() <= kHalfPi * (1 + 1e-15)))
+    if (!(tau.rad() > 0.0 && tau.rad() <= kHalfPi * (1 + kAbove90)))
       return bad_arc(
           i,
           fmt::format("normal angles must be greater than 0° and at most 90°, not {}°", tau.deg()));
@@ -140,7 +142,7 @@ Result<CutterEdge> make_edge(const RackOfArcs& rack, double m, double thickness_
   edge.tip_depth = rack.dedendum * m;
   const Vec2 first = point_at(chain.front(), chain.front().begin);
   edge.tip_land_end = first.y() * m + thinner;
-  if (first.y() * m + thinner > kHalfPi * m * (1 + 1e-12)) {
+  if (first.y() * m + thinner > kHalfPi * m * (1 + kOverlap)) {
     return bad("dedendum", rack.dedendum,
                fmt::format("the two sides of the cutter's tip overlap by {} modules there",
                            2 * (first.y() + thinner / m - kHalfPi)));
