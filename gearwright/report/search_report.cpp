@@ -7,7 +7,6 @@
 #include "gearwright/report/page_parts.hpp"
 #include "gearwright/report/page_style.hpp"
 #include "gearwright/report/search_section.hpp"
-#include "gearwright/report/search_style.hpp"
 #include "gearwright/report/search_table.hpp"
 #include "gearwright/report/shown_values.hpp"
 
