@@ -104,19 +104,19 @@ std::optional<Error> cut(Gear& gear, const CutterEdge& edge) {
   gear.undercut = !spec.root_fillet && x_E < gear.undercut_free_profile_shift;
   const std::optional<double> blank =
       spec.tip_diameter || !spec.tip_fillet ? std::optional(gear.tip_diameter / 2) : std::nullopt;
-  auto rolls = fillet_rolls(ruler, spec.teeth, spec.root_fillet, spec.tip_fillet, blank);
-  if (!rolls) return rolls.error();
-  if (rolls->root) gear.point_c_l = ruler.l(*rolls->root);
-  if (rolls->tip) {
-    gear.point_j_l = ruler.l(*rolls->tip);
+  auto fillets = circular_fillets(ruler, spec.teeth, spec.root_fillet, spec.tip_fillet, blank);
+  if (!fillets) return fillets.error();
+  if (fillets->root) gear.point_c_l = ruler.l(fillets->root->roll);
+  if (fillets->tip) {
+    gear.point_j_l = ruler.l(fillets->tip->roll);
     // A tooth that its fillet ends needs no other tip.
-    if (!blank) gear.tip_diameter = 2 * tip_fillet_at(ruler.flank, *rolls->tip)->end;
+    if (!blank) gear.tip_diameter = 2 * fillets->tip->arc.end;
   }
-  auto tooth = cut_by_rack(edge, motion, spec.teeth, gear.tip_diameter / 2, *rolls);
+  auto tooth = cut_by_rack(edge, motion, spec.teeth, gear.tip_diameter / 2, *fillets);
   if (!tooth) return tooth.error();
   gear.tooth = std::move(tooth).take();
-  if (rolls->tip)
-    forget_fillet_cut_off(gear, ruler.flank.base_radius() * std::hypot(1.0, *rolls->tip));
+  if (fillets->tip)
+    forget_fillet_cut_off(gear, ruler.flank.base_radius() * std::hypot(1.0, fillets->tip->roll));
   return std::nullopt;
 }
 

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "gearwright/base/result.hpp"
-#include "gearwright/generation/modified_fillet.hpp"
+#include "gearwright/generation/circular_fillets.hpp"
 #include "gearwright/generation/outline.hpp"
 #include "gearwright/generation/rack_envelope.hpp"
 #include "gearwright/tool/cutter_edge.hpp"
@@ -35,19 +35,13 @@ struct GeneratedTooth {
   std::optional<FilletArc> root_fillet, tip_fillet;  ///< the circular ones, where asked for
 };
 
-/// Circular fillets in place of what the rack cuts, by the flank's roll angle where they begin.
-struct FilletRolls {
-  std::optional<double> root;  ///< ξ_C  rad
-  std::optional<double> tip;   ///< ξ_J  rad
-};
-
-/// Cuts a tooth with a rack.
+/// Cuts a tooth with a rack, and puts circular fillets in place of what it cuts.
 ///
 /// Units     mm, rad
 /// Domain    teeth ≥ 1 (contract)
 /// Errors    `tip_diameter_mm` when the blank is no larger than the root circle; `root_fillet`,
-///           `tip_fillet` when there is no such arc
+///           `tip_fillet` when the rack leaves no flank where they touch
 Result<GeneratedTooth> cut_by_rack(const CutterEdge& edge, const RackMotion& motion, int teeth,
-                                   double blank_radius, const FilletRolls& fillets = {});
+                                   double blank_radius, const CircularFillets& fillets = {});
 
 }  // namespace gearwright
