@@ -77,7 +77,7 @@ double all_of(const MeshInput<double>& in) {
   const auto a = specific_sliding(in, m, m.rho1_A);
   const auto e = specific_sliding(in, m, m.rho1_E);
   const auto eta = efficiency(sliding_shares(in, m), 0.05);
-  const CrossedPlace least = crossed_place(in.gears, *transverse_angle_at_least_distance(in.gears));
+  const CrossedPlace least = crossed_place(in.gears, *transverse_angle_at_min_distance(in.gears));
   return m.path_ratio + f.both_flanks[0] + *a.zeta_1 + *e.zeta_2 + *eta.gear1_drives +
          conjugate_center_distance(in.gears, m.rack) + least.center_distance;
 }

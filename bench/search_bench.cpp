@@ -80,8 +80,8 @@ SearchProblem gearboxes() {
   p.center_distance = {{99.0, 101.0}};
   p.modules = {1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0};
   p.pinion_teeth = {10, 200};
-  p.limits.least_shift = -0.6;
-  p.limits.greatest_shift = 1.0;
+  p.limits.min_shift = -0.6;
+  p.limits.max_shift = 1.0;
   p.helix.clear();
   for (int i = 0; i < 8; ++i) p.helix.push_back(i * std::numbers::pi / 180.0);
   return p;

@@ -4,15 +4,17 @@
 #include <cmath>
 #include <numbers>
 
+#include "gearwright/base/units.hpp"
+
 namespace gearwright {
 
 class Angle {
  public:
   constexpr Angle() = default;
   static constexpr Angle radians(double value) { return Angle(value); }
-  static constexpr Angle degrees(double value) { return Angle(value * (std::numbers::pi / 180.0)); }
+  static constexpr Angle degrees(double value) { return Angle(value * kRadPerDeg); }
   constexpr double rad() const { return rad_; }
-  constexpr double deg() const { return rad_ * (180.0 / std::numbers::pi); }
+  constexpr double deg() const { return rad_ * kDegPerRad; }
   constexpr Angle operator-() const { return Angle(-rad_); }
   friend constexpr Angle operator+(Angle a, Angle b) { return Angle(a.rad_ + b.rad_); }
   friend constexpr Angle operator-(Angle a, Angle b) { return Angle(a.rad_ - b.rad_); }

@@ -3,8 +3,11 @@
 //   e    the point, seen from a point of the circle, mm      κ    curvature, 1/mm
 //   N    unit normal there, to the left: the centre is N/κ away
 //
-// |e − N/κ|² = (1 + κq)/κ² with q = κ|e|² − 2e·N, hence | |e − N/κ| − 1/|κ| | = |q|/(1 + √(1 +
-// κq)): nothing is divided by κ, and nothing cancels where the radius is huge.
+// |e − N/κ|² = (1 + κq)/κ² with q = κ|e|² − 2e·N, hence
+//
+//     | |e − N/κ| − 1/|κ| | = |q|/(1 + √(1 + κq))
+//
+// where nothing is divided by κ, and nothing cancels where the radius is huge.
 #pragma once
 
 #include <algorithm>

@@ -9,12 +9,11 @@
 // of the outline, mirrored and turned. A drawing renders each arc of the half tooth once and places
 // the points that came out (`placed`), so all teeth are the same tooth.
 //
-//   Laws  (1) the end of each piece is the begin of the next, bit for bit, the last closes on the
-//   first
+//   Laws  (1) the end of each piece is the begin of the next, bit for bit, and the last closes on
+//             the first
 //         (2) |z| times as many pieces as one tooth has
 //         (3) a pointed tooth has no tip land, a full-radius root no root land; their ends then
-//         meet
-//             in one point, on the middle of the tooth or of the space
+//             meet in one point, on the middle of the tooth or of the space
 #pragma once
 
 #include <cstddef>

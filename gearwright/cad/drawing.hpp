@@ -50,8 +50,7 @@ struct BoreContour {
 /// None without a bore.
 ///
 /// Facts     refused as make_walls refuses them (cad/walls.hpp): a bore or keyway that leaves the
-/// root,
-///           a ring's rim that does not go round it
+///           root, a ring's rim that does not go round it
 /// Units     inner, outer: extreme radii of the outline, mm
 Result<std::optional<BoreContour>> bore_contour(const ToothedBody& body, double inner,
                                                 double outer);

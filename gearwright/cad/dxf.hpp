@@ -1,12 +1,11 @@
 // DXF drawings of the transverse section: AutoCAD 2000 (AC1015), millimetres.
 //
-//   layer PROFILE   the closed outline of all teeth       layer BORE   bore with keyway; a ring's
-//   rim
+//   layer PROFILE   the closed outline of all teeth
+//   layer BORE      the bore with its keyway; a ring's rim
 //
 //   biarcs    PROFILE is one closed LWPOLYLINE whose bulges are true arcs; lands are one arc each
 //   splines   PROFILE is one SPLINE per arc of the outline and one ARC per land; poles at the ends
-//   of
-//             neighbouring splines are equal text
+//             of neighbouring splines are equal text
 //
 // Numbers are the shortest decimals that read back to the same double, so equal points are equal
 // text. A bore without keyway is a CIRCLE, else a closed LWPOLYLINE.

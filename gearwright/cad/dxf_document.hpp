@@ -2,8 +2,8 @@
 //
 // DXF is a list of pairs, a group code on one line and its value on the next. Every object carries
 // a handle (code 5, hexadecimal) and names its owner (330); entities belong to *Model_Space.
-// Sections: HEADER, CLASSES, TABLES, BLOCKS, ENTITIES, OBJECTS (Autodesk, DXF Reference, AutoCAD
-// 2000).
+// Sections: HEADER, CLASSES, TABLES, BLOCKS, ENTITIES, OBJECTS
+// (Autodesk, DXF Reference, AutoCAD 2000).
 #pragma once
 
 #include <Eigen/Geometry>

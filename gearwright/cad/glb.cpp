@@ -8,12 +8,12 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/little_endian.hpp"
+#include "gearwright/base/units.hpp"
 
 namespace gearwright {
 
 namespace {
 
-constexpr double kMetresPerMm = 1e-3;
 // glTF's numbers for component types and buffer targets.
 constexpr int kUnsignedInt = 5125;
 constexpr int kFloat = 5126;

@@ -129,7 +129,7 @@ Candidate fit_to(const Curve& curve, const ParameterAt& t_at, Complex begin, Com
   Candidate current = fit(BSplineBasis(kDegree, kDegree + 16), curve, t_at, begin, end);
   while (true) {
     std::optional<BSplineBasis> next = refined(current, target);
-    if (!next || next->poles() > kMostPoles) return *best;
+    if (!next || next->poles() > kMaxPoles) return *best;
     current = fit(*std::move(next), curve, t_at, begin, end);
     if (good(current)) return *best;
   }
@@ -184,7 +184,7 @@ HelixSpline fit_helix(double delta, double radius, double target_mm) {
   if (delta == 0.0) return {BSplineBasis(1, 2), {1.0, 1.0}, 0.0};
   const double target = std::max(target_mm / radius, 1e-14);
   for (int poles = kDegree + 1;; ++poles) {
-    GW_ENSURES(poles <= kMostPoles);
+    GW_ENSURES(poles <= kMaxPoles);
     BSplineBasis basis(kDegree, poles);
     std::vector<Complex> samples;
     for (const double g : basis.greville()) samples.push_back(std::polar(1.0, delta * (g - 0.5)));

@@ -1,5 +1,5 @@
-// A screw surface as a tensor-product B-spline that is a product: section spline times helix
-// spline.
+// A screw surface as a tensor-product B-spline that is a product:
+// section spline times helix spline.
 //
 //   W(u)   arc of the transverse outline, a complex number x + iy, mm; u in [0, 1]
 //   φ      angle by which the section has turned, rad; over one slice φ runs from −Δ/2 to Δ/2
@@ -26,7 +26,7 @@ using Complex = std::complex<double>;
 /// e aimed at, and the most that is handed on, mm. The aim is 1/50 of the finest tolerance that
 /// profile measurement of gears knows (1 µm); what misses even the most is an error, not a surface.
 inline constexpr double kSectionTarget_mm = 2e-5;
-inline constexpr double kSectionMost_mm = 1e-4;
+inline constexpr double kSectionMax_mm = 1e-4;
 /// R|ε| aimed at, mm: half of 1e-7, the tolerance of every edge and vertex, since the spline of a
 /// helix is the common edge of a flank and of a true cylinder.
 inline constexpr double kHelixTarget_mm = 5e-8;
@@ -49,14 +49,13 @@ struct SectionSpline {
 ///
 /// Units     mm
 /// Domain    begin and end lie within 1e-5 mm of the arc's ends (contract)
-/// Accuracy  deviation_mm ≤ target, or the best that kMostPoles gave: the caller looks. The error
-/// has
-///           at most 5 lobes between two knots; 24 points miss the top of a lobe by a half step of
-///           π/9.6 at most, so the true maximum is below 1.06 deviation_mm
+/// Accuracy  deviation_mm ≤ target, or the best that kMaxPoles gave: the caller looks. The error
+///           has at most 5 lobes between two knots; 24 points miss the top of a lobe by a half step
+///           of π/9.6 at most, so the true maximum is below 1.06 deviation_mm
 SectionSpline fit_section(const Arc& arc, Complex begin, Complex end,
                           double target_mm = kSectionTarget_mm);
 
-inline constexpr int kMostPoles = 240;
+inline constexpr int kMaxPoles = 240;
 
 struct HelixSpline {
   BSplineBasis basis;          ///< degree 5; degree 1 without twist

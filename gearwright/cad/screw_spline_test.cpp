@@ -86,8 +86,8 @@ TEST(ScrewSpline, HalvesSpansWhereTheCurvatureJumps) {
   testing::append(outline, ArcName::flank, std::make_shared<Hook>(), -1.0, 0.75);
   const SectionSpline spline = fit(outline.arcs[0]);
   EXPECT_LE(spline.deviation_mm, kSectionTarget_mm);
-  EXPECT_LE(spline.basis.poles(), kMostPoles);
-  EXPECT_LE(measured(spline, outline.arcs[0]), kSectionMost_mm);
+  EXPECT_LE(spline.basis.poles(), kMaxPoles);
+  EXPECT_LE(measured(spline, outline.arcs[0]), kSectionMax_mm);
 }
 
 TEST(ScrewSpline, HelixTurnsWithinItsTarget) {

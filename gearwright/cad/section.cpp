@@ -12,7 +12,7 @@ namespace gearwright {
 namespace {
 
 constexpr std::size_t kNodes = 16;
-constexpr int kMostPanels = 64;
+constexpr int kMaxPanels = 64;
 // The sum of one panel is good to some 1e-14; two sums that agree so far do so by convergence.
 constexpr double kStandsStill = 1e-13;
 
@@ -68,7 +68,7 @@ double panel_area(const Rule& rule, const Arc& arc, double u0, double u1) {
 
 double arc_area(const Rule& rule, const Arc& arc) {
   double previous = panel_area(rule, arc, 0.0, 1.0);
-  for (int panels = 2; panels <= kMostPanels; panels *= 2) {
+  for (int panels = 2; panels <= kMaxPanels; panels *= 2) {
     double sum = 0.0;
     for (int i = 0; i < panels; ++i) {
       sum += panel_area(rule, arc, static_cast<double>(i) / panels,

@@ -150,11 +150,11 @@ Result<StepDocument> make_document(const std::vector<ToothedBody>& bodies,
     if (!walls) return of_body(walls.error());
     const std::size_t faces =
         walls->teeth.walls.size() * static_cast<std::size_t>(walls->teeth.slices);
-    if (faces > kStepFacesMost) {
+    if (faces > kMaxStepFaces) {
       return of_body(
           {"faces", fmt::format("{}", faces),
            fmt::format("a STEP solid of {} faces; the most is {}: fewer teeth{} would help", faces,
-                       kStepFacesMost,
+                       kMaxStepFaces,
                        walls->teeth.slices > 1 ? ", a narrower face or a longer lead" : "")});
     }
     auto made = make_solid(body);

@@ -43,7 +43,7 @@ struct StepReport {
 };
 
 inline constexpr std::size_t kStepCheckedFaces = 1000;  ///< of one solid
-inline constexpr std::size_t kStepFacesMost =
+inline constexpr std::size_t kMaxStepFaces =
     10'000;  ///< of one solid: 30 MB of text, 0.8 GB on the way
 
 struct StepDocument {
@@ -56,10 +56,9 @@ struct StepDocument {
 /// Throws    IoError where the CAD kernel gives up (memory)
 /// Units     mm
 /// Domain    at least one body, face widths > 0 (contract)
-/// Facts     those of make_walls (cad/walls.hpp); more than kStepFacesMost faces; a solid that
-/// fails
-///           the CAD kernel's check
-/// Accuracy  max_deviation_mm ≤ 1e-4 (kSectionMost_mm), 2e-5 aimed at; edges and vertices 1e-7 mm
+/// Facts     those of make_walls (cad/walls.hpp); more than kMaxStepFaces faces; a solid that
+///           fails the CAD kernel's check
+/// Accuracy  max_deviation_mm ≤ 1e-4 (kSectionMax_mm), 2e-5 aimed at; edges and vertices 1e-7 mm
 Result<StepDocument> step_document(const std::vector<ToothedBody>& bodies,
                                    const std::string& file_name);
 

@@ -187,7 +187,7 @@ Error unmet(const Arc& arc, double deviation) {
   return {"", "",
           fmt::format("the {} cannot be drawn as a spline closer than {:.1e} mm; at most {:.0e} mm "
                       "is allowed",
-                      to_string(arc.name), deviation, kSectionMost_mm)};
+                      to_string(arc.name), deviation, kSectionMax_mm)};
 }
 
 }  // namespace
@@ -226,7 +226,7 @@ Result<BodyWalls> make_walls(const ToothedBody& body) {
     if (piece.circle) continue;
     fits.back().spline = fit_section(*piece.arc, piece.begin, piece.end);
     const double deviation = fits.back().spline->deviation_mm;
-    if (!(deviation <= kSectionMost_mm)) return unmet(*piece.arc, deviation);
+    if (!(deviation <= kSectionMax_mm)) return unmet(*piece.arc, deviation);
   }
 
   WallLoop teeth = loop_of(tooth_walls(pieces, fits, z), z, body.twist, body.face_width);

@@ -1,20 +1,17 @@
 // The walls of a toothed body: its closed loops cut into pieces, each to become one face.
 //
 //   wall      a piece of a loop, counter-clockwise: a spline, a circle about the axis, or a line
-//   loop      walls in order, the end of each is the begin of the next, the last closes on the
-//   first slice     a layer of the body: loops that turn far are cut across into slices of equal
-//   height
+//   loop      walls in order, the end of each is the begin of the next, and the last closes on the
+//             first
+//   slice     a layer of the body: loops that turn far are cut across into slices of equal height
 //
 // Tooth 0 stands about the x axis: its lower half is the mirrored outline (root to tip), its upper
-// half the outline itself (tip to root); tooth k is tooth 0 times e^{2πik/z}, exact in the
-// quarters.
+// half the outline itself (tip to root); tooth k is tooth 0 times e^{2πik/z}, exact by quarters.
 //
 // Rules that keep faces honest
 //   lands     an arc named a land is a true circle if its radius is one number within 1e-8 mm; the
-//   two
-//             halves of a tip land, and of a root land, then are one wall, unless it spans more
-//             than half a turn (z = 1). Any other arc is a spline, and its mirror image another
-//             one.
+//             two halves of a tip land, and of a root land, then are one wall, unless it spans more
+//             than half a turn (z = 1). Any other arc is a spline, its mirror image another one.
 //   slivers   an arc shorter than kShortestArc_mm gives no wall: the next wall begins where the
 //             short one began. The two walls at the middle of tooth or space end on that line.
 //   slices    as few as keep the turn of a slice ≤ π and turn plus widest circle ≤ 3π/2, so that no
@@ -79,7 +76,7 @@ struct BodyWalls {
 /// Facts     refused with a sentence: a bore that bore_error refuses (`bore.diameter_mm` and its
 ///           keyway's keys); a ring without a rim around its roots (its bore is the rim) or with a
 ///           keyway; flanks that cross or a root beyond the axis (`teeth`); an arc that no spline
-///           meets within kSectionMost_mm
+///           meets within kSectionMax_mm
 /// Domain    face width > 0, outline.teeth ≠ 0, the outline's laws hold within 1e-6 mm (contract)
 Result<BodyWalls> make_walls(const ToothedBody& body);
 

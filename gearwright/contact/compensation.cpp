@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlopt.hpp>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/contact/contact.hpp"
 
 namespace gearwright {
@@ -13,7 +14,14 @@ namespace gearwright {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kArcsec = 4.84813681109536e-6;  // rad
+
+// A search ends when f changes by less: this part of itself, or a hundredth of kNothing.
+constexpr double kLastGain = 1e-5;  // relative
+constexpr double kLastGain_rad = 1e-5 * kRadPerArcsec;
+// f of corrections at which contact is lost, rad: far above any other, and finite for the optimiser.
+constexpr double kLost = 1e3;
+// No instrument sees a difference below 0.001 arcsec, rad.
+constexpr double kNothing = 1e-3 * kRadPerArcsec;
 
 // One scenario, looked at.
 struct Looked {
@@ -140,12 +148,12 @@ std::vector<double> optimise(const CompensationTask& task, Judge& judge, nlopt::
   opt.set_upper_bounds(hi);
   opt.set_initial_step(step);
   opt.set_maxeval(evaluations);
-  opt.set_ftol_rel(1e-5);
-  opt.set_ftol_abs(1e-5 * kArcsec);
+  opt.set_ftol_rel(kLastGain);
+  opt.set_ftol_abs(kLastGain_rad);
   const auto objective = [](const std::vector<double>& x, std::vector<double>&,
                             void* data) -> double {
     const double f = static_cast<Judge*>(data)->value(x);
-    return std::isfinite(f) ? f : 1e3;  // a revolution's worth: nothing is worse
+    return std::isfinite(f) ? f : kLost;
   };
   opt.set_min_objective(objective, &judge);
   double least = 0.0;
@@ -188,7 +196,6 @@ Compensation compensate(const CompensationTask& task) {
     least = f;
     best = v;
   };
-  constexpr double kNothing = 1e-3 * kArcsec;
   if (!(least < kNothing)) {
     const int n = static_cast<int>(zero.size());
     // Curves are what costs: so many in all, whatever the number of scenarios.

@@ -1,5 +1,5 @@
-// Corrections that make the worst of several errors as quiet, and its pattern as central, as it can
-// be.
+// Corrections that make the worst of several errors as quiet, and its pattern as central, as they
+// can be.
 //
 //   v   corrections, in the caller's units          S   scenarios: sets of errors
 //   f(v) = max_S peak to peak TE + w · max_S (h² + p²)      [T8.24] of docs/theory/08-contact.md

@@ -44,10 +44,10 @@ double least_squares_slope(const std::vector<ContactPoint>& points) {
 
 // Amplitudes of 1, 2, … waves per pitch. [T8.18]
 std::vector<double> harmonics(const std::vector<ContactPoint>& points, int n) {
-  constexpr int kMost = 20;
+  constexpr int kMax = 20;
   std::vector<double> amplitude;
   const double mean = points[0].te;  // of no consequence but for rounding
-  for (int h = 1; h <= std::min(kMost, (n - 1) / 2); ++h) {
+  for (int h = 1; h <= std::min(kMax, (n - 1) / 2); ++h) {
     Complex sum = 0.0;
     for (int i = 0; i < n; ++i) {
       const double turn = 2 * std::numbers::pi * ((static_cast<long long>(h) * i) % n) / n;

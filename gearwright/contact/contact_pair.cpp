@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "gearwright/contact/error_turns.hpp"
@@ -49,7 +50,7 @@ ContactPair::ContactPair(const ContactGear& gear_1, const ContactGear& gear_2,
   set_mount();
   // Points of gear 1 farther than this from the mesh lie outside the mate's annulus.
   const auto radius = [](const std::vector<FlankPatch>& patches, bool greatest) {
-    double r = greatest ? 0.0 : 1e300;
+    double r = greatest ? 0.0 : std::numeric_limits<double>::infinity();
     for (const FlankPatch& p : patches)
       r = greatest ? std::max(r, std::exp(p.u_hi)) : std::min(r, std::exp(p.u_lo));
     return r;
@@ -100,15 +101,17 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
       c.piece = cell.piece;
       c.u_lo = std::max(p.u_lo, cell.u_lo);
       c.u_hi = std::min(p.u_hi, cell.u_hi);
-      // A cell that only touches this piece of the profile is another one's.
-      if (!(c.u_hi - c.u_lo > 1e-12)) continue;
+      // Borders of the field and of the profile come from ln ρ and differ by its rounding. A cell
+      // that only touches this piece of the profile is another one's.
+      constexpr double kSameBorder = 1e-12;  // of u = ln ρ
+      if (!(c.u_hi - c.u_lo > kSameBorder)) continue;
       const auto cut_u = [&](double u, bool at_lower) {
         const bool first = profile.grows() == at_lower;
         (first ? c.s_lo : c.s_hi) = profile.s_of(u);
         (first ? c.s_lo_end : c.s_hi_end) = End::seam;
       };
-      if (c.u_lo > p.u_lo + 1e-12) cut_u(c.u_lo, true);
-      if (c.u_hi < p.u_hi - 1e-12) cut_u(c.u_hi, false);
+      if (c.u_lo > p.u_lo + kSameBorder) cut_u(c.u_lo, true);
+      if (c.u_hi < p.u_hi - kSameBorder) cut_u(c.u_hi, false);
       const double z_a = turned * cell.z_lo;
       const double z_b = turned * cell.z_hi;
       c.z_lo = std::max(-half, std::min(z_a, z_b));

@@ -83,10 +83,11 @@ class LineWalk {
       if (!together(at(sense * 0.5 * t)) || !together(end)) return std::nullopt;
       found[sense > 0 ? 1 : 0] = end;
     }
-    // A line that is a point is none.
+    // A line that is a point is none; shorter than that nobody could tell them apart.
+    constexpr double kPoint = 1e-6;  // of half the patch
     const double long_s = (found[1].s - found[0].s) / s_half_;
     const double long_z = (found[1].z - found[0].z) / z_half_;
-    if (std::hypot(long_s, long_z) < 1e-6) return std::nullopt;
+    if (std::hypot(long_s, long_z) < kPoint) return std::nullopt;
     return found;
   }
 

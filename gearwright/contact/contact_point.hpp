@@ -1,9 +1,9 @@
 // What a touch is for a person: where it lies on both gears and in the housing, of which kind, and
 // how closely the flanks hug each other there.
 //
-//   k1 ≤ k2   curvatures of the gap, 1/mm: principal values of K2 − K1      theory:
-//   δ         thickness of the marking compound, mm docs/theory/08-contact.md,
-//                                                                           [T8.15]…[T8.17]
+//   k1 ≤ k2   curvatures of the gap, 1/mm: principal values of K2 − K1
+//   δ         thickness of the marking compound, mm
+//                                    theory: docs/theory/08-contact.md, [T8.15]…[T8.17]
 #pragma once
 
 #include <array>

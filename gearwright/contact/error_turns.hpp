@@ -1,8 +1,8 @@
 // The turns by which errors of mounting tilt axis 1, and their slopes by the angle.
 //
-//   Δγ   crossing: about x, the centre line; axis 1 tilts towards +y      theory:
-//   Δδ   intersecting: about y; axis 1 tilts towards gear 2, +x docs/theory/08-contact.md,
-//                                                                         [T8.12]
+//   Δγ   crossing: about x, the centre line; axis 1 tilts towards +y
+//   Δδ   intersecting: about y; axis 1 tilts towards gear 2, +x
+//                                    theory: docs/theory/08-contact.md, [T8.12]
 #pragma once
 
 #include <cmath>

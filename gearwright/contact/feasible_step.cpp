@@ -11,6 +11,8 @@ namespace {
 // flat ridge are noise of the same size.
 constexpr double kOnBound = 1e-12;
 constexpr double kNoMultiplier = -1e-15;
+// Sine of the angle between two bounds below which they are parallel to rounding: no corner.
+constexpr double kParallel = 1e-14;
 
 class Candidates {
  public:
@@ -54,7 +56,7 @@ class Candidates {
     const Bound& a = p_.bounds[i];
     const Bound& b = p_.bounds[k];
     const double det = a.a_s * b.a_z - a.a_z * b.a_s;
-    if (!(std::abs(det) > 1e-14 * (std::hypot(a.a_s, a.a_z) * std::hypot(b.a_s, b.a_z))))
+    if (!(std::abs(det) > kParallel * (std::hypot(a.a_s, a.a_z) * std::hypot(b.a_s, b.a_z))))
       return false;
     step.d_s = (-a.c * b.a_z + b.c * a.a_z) / det;
     step.d_z = (-b.c * a.a_s + a.c * b.a_s) / det;
@@ -69,11 +71,11 @@ class Candidates {
   }
 
   // The crossing of two bounds, or the foot on one, that breaks the others least.
-  FeasibleStep least_broken() const {
+  FeasibleStep min_broken() const {
     FeasibleStep best;
     double least = std::numeric_limits<double>::infinity();
     const auto take = [&](const FeasibleStep& s) {
-      const double broken = most_broken(s);
+      const double broken = max_broken(s);
       if (!(broken < least)) return;
       least = broken;
       best = s;
@@ -102,9 +104,9 @@ class Candidates {
   double slope_s(double d_s, double d_z) const { return p_.g_s + p_.h_ss * d_s + p_.h_sz * d_z; }
   double slope_z(double d_s, double d_z) const { return p_.g_z + p_.h_sz * d_s + p_.h_zz * d_z; }
 
-  bool within(const FeasibleStep& s) const { return most_broken(s) <= kOnBound; }
+  bool within(const FeasibleStep& s) const { return max_broken(s) <= kOnBound; }
 
-  double most_broken(const FeasibleStep& s) const {
+  double max_broken(const FeasibleStep& s) const {
     double worst = 0.0;
     for (int j = 0; j < kBounds; ++j) {
       if (j == s.active.first || j == s.active.second) continue;
@@ -130,7 +132,7 @@ FeasibleStep solve_step(const StepProblem& p, const ActiveSet& guess) {
   for (int i = 0; i < kBounds; ++i)
     for (int k = i + 1; k < kBounds; ++k)
       if (candidates.try_corner(i, k, step)) return step;
-  return candidates.least_broken();
+  return candidates.min_broken();
 }
 
 }  // namespace gearwright::detail

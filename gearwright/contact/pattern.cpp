@@ -36,6 +36,7 @@ FlankRaster empty_raster(const std::vector<FlankPatch>& patches, const RasterSiz
 
 // The patch that a place lies in; on a border the first one, beyond the flank none.
 int patch_at(const std::vector<FlankPatch>& patches, double u, double z) {
+  // Of u = ln ρ, and in mm of z: neighbours share their border but for rounding.
   constexpr double kSlack = 1e-9;
   for (std::size_t i = 0; i < patches.size(); ++i) {
     const FlankPatch& p = patches[i];

@@ -8,6 +8,9 @@ namespace gearwright {
 namespace {
 
 constexpr double kRounding = 4e-16;  // of ln ρ and of a parameter
+// ξ² on the base circle, where θ″ = −(1 + ξ²)/ξ has no limit: a flank that begins there has its
+// slopes taken r_b · 5e-13 beyond it.
+constexpr double kMinRollSquare = 1e-12;  // rad²
 
 Complex with_side(const Complex& w, double side) { return {w.real(), side * w.imag()}; }
 
@@ -110,7 +113,7 @@ ProfileJet Profile::at(double s) const {
 
 RadialJet Profile::involute_at_radius(double u) const {
   const double ratio = std::exp(u) / base_radius_;
-  const double xi = xi_sign_ * std::sqrt(std::max(1e-12, (ratio - 1.0) * (ratio + 1.0)));
+  const double xi = xi_sign_ * std::sqrt(std::max(kMinRollSquare, (ratio - 1.0) * (ratio + 1.0)));
   RadialJet r;
   r.factor = Complex{1.0, side_ * xi};
   r.phase = side_ * (base_half_angle_ - xi);
@@ -122,19 +125,21 @@ RadialJet Profile::involute_at_radius(double u) const {
 RadialJet Profile::circle_at_radius(double u, double& s) const {
   // Steps of second order from the last answer, in a bracket: a free step may jump to the far end
   // of the circle. Squares of radii are compared, which needs no logarithm near the answer.
-  constexpr int kMost = 60;
+  constexpr int kMax = 60;
   constexpr double kClose = 1e-8;  // of u: the series below takes the rest
+  // Of (ρ/ρ_s)² − 1: three terms of the logarithm leave x⁴/8 ≤ 1.3e-17.
+  constexpr double kSmall = 1e-4;
   const double square = std::exp(2.0 * u);
   double lo = s_lo_;
   double hi = s_hi_;
   if (!(s > lo && s < hi)) s = 0.5 * (lo + hi);
   ProfileJet j;
   double rest = 0.0;
-  for (int i = 0; i < kMost; ++i) {
+  for (int i = 0; i < kMax; ++i) {
     j = circle_at(s);
     const double here = std::norm(j.factor);
     const double x = (square - here) / here;
-    rest = std::abs(x) < 1e-4 ? x * (0.5 - x * (0.25 - x / 6.0)) : 0.5 * std::log1p(x);
+    rest = std::abs(x) < kSmall ? x * (0.5 - x * (0.25 - x / 6.0)) : 0.5 * std::log1p(x);
     if (std::abs(rest) < kClose) break;
     ((rest > 0.0) == grows_ ? lo : hi) = s;
     const double step = rest / j.d1.real();

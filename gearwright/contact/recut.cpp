@@ -17,7 +17,10 @@ double same_radius(const Curve& curve, double was, double rho, bool grows, doubl
   if (more == 0.0) return was;
   const double sense = (more > 0.0) == grows ? 1.0 : -1.0;
   double last = was;
-  for (double step = 1e-6 * width; step < 0.5 * width; step *= 2) {
+  // The first step over the arc's width: a change of lead that a workshop makes moves ends by less
+  // than some of these, and doubling reaches half the width in 19 steps.
+  constexpr double kFirstStep = 1e-6;
+  for (double step = kFirstStep * width; step < 0.5 * width; step *= 2) {
     const double next = was + sense * step;
     const double before = radius(last);
     const double here = radius(next);

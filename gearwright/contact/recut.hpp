@@ -1,5 +1,4 @@
-// A flank cut with another lead angle: the pitch cylinder stays, lead and transverse section
-// change.
+// A flank cut with another lead angle: the pitch cylinder stays, lead and section change.
 //
 //   λ = π/2 − |β|   lead angle        Δλ   its change, rad, as `cutter_lead1_deg`
 //                                     theory: docs/theory/08-contact.md, [T8.14]

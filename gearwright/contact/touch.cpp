@@ -14,8 +14,13 @@ constexpr double kLastStep = 1e-7;    // of the patch: the error left is its squ
 constexpr double kLongestStep = 0.6;  // of half the patch
 constexpr double kFlat = 1e-14;       // rad per scaled unit: a ridge to rounding
 constexpr double kTinyBend = -1e-15;  // what stands for no curvature at all
-constexpr int kMostSteps = 80;
-constexpr double kBroken = 1e-9;  // scaled: more outside than that is no answer
+constexpr int kMaxSteps = 80;
+constexpr double kBroken = 1e-9;       // scaled: more outside than that is no answer
+constexpr double kWorse = 1e-13;       // rad: rounding of T, and of the merit with it
+constexpr double kTinySquare = 1e-12;  // (of half the patch)²: so short a step is not halved
+constexpr double kMinPrice = 1e-3;     // rad per scaled length: a bound costs where nothing presses
+constexpr double kSameTe = 1e-12;      // rad: two searches that found one place
+constexpr double kSamePlace = 1e-5;    // of half the patch: likewise
 
 // H with its upward bends taken away, in the eigenframe; along a flat ridge there is no slope.
 bool make_concave(detail::StepProblem& p) {
@@ -127,13 +132,14 @@ Touch TouchSearch::from(double s, double z, double s2, const detail::ActiveSet& 
   double d_s = 0.0;  // the step that led here, scaled
   double d_z = 0.0;
   GapJet at{};
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0; i < kMaxSteps; ++i) {
     at = field_.at(t.s, t.z, t.s2);
     ++t.evaluations;
     ++count_.evaluations;
     fill(at, t.s, t.z, p);
     // A step that made things worse is taken back by halves; not for ever: merit has its rounding.
-    if (const double now = merit(at); now < last_merit - 1e-13 && d_s * d_s + d_z * d_z > 1e-12) {
+    if (const double now = merit(at);
+        now < last_merit - kWorse && d_s * d_s + d_z * d_z > kTinySquare) {
       d_s *= 0.5;
       d_z *= 0.5;
       t.s -= d_s * ks;
@@ -172,7 +178,7 @@ Touch TouchSearch::from(double s, double z, double s2, const detail::ActiveSet& 
       t.stop = Touch::Stop::converged;
       return t;
     }
-    price = std::max(price, 10.0 * std::max(step.multiplier[0], step.multiplier[1]) + 1e-3);
+    price = std::max(price, 10.0 * std::max(step.multiplier[0], step.multiplier[1]) + kMinPrice);
     last_merit = merit(at);
     if (length > kLongestStep) {
       d_s *= kLongestStep / length;
@@ -278,8 +284,9 @@ std::vector<Touch> TouchSearch::every_maximum() const {
     const Touch t = from(grid[i][k].s, height(i), grid[i][k].s2, {});
     if (!t.found() || !within_a_turn(t)) return;
     for (const Touch& other : found) {
-      if (std::abs(other.te - t.te) < 1e-12 && std::abs(other.s - t.s) < 1e-5 * scale_.s_half &&
-          std::abs(other.z - t.z) < 1e-5 * scale_.z_half)
+      if (std::abs(other.te - t.te) < kSameTe &&
+          std::abs(other.s - t.s) < kSamePlace * scale_.s_half &&
+          std::abs(other.z - t.z) < kSamePlace * scale_.z_half)
         return;
     }
     found.push_back(t);

@@ -1,8 +1,8 @@
 // Where one flank touches another: the greatest T over the part D of flank 1 that lies inside
 // flank 2, by Newton steps that know all eight bounds of D.
 //
-//   s, z   place on flank 1, scaled to [−1, 1] inside      theory: docs/theory/08-contact.md,
-//   [T8.9]
+//   s, z   place on flank 1, scaled to [−1, 1] inside
+//                                    theory: docs/theory/08-contact.md, [T8.9]
 //
 // Bounds, in this order: s from below and above, z, then u and Z of flank 2.
 #pragma once

@@ -16,6 +16,8 @@ constexpr int kDeepest = 10;  // halvings: 1024 panels at worst
 // above.
 constexpr double kPointTail = 1e-14;
 constexpr double kSpeedTail = 1e-12;
+// Two spacings of doubles at 1, of a panel's own parameter −1 … 1: Newton's last step.
+constexpr double kLastStep = 4e-16;
 
 }  // namespace
 
@@ -141,7 +143,7 @@ double ArcLength::parameter(double s) const {
     const double slope = value(panel->speed, x);
     double next = slope > 0.0 ? x - excess / slope : 0.5 * (lo + hi);
     if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);
-    const bool closed = std::abs(next - x) <= 4e-16;
+    const bool closed = std::abs(next - x) <= kLastStep;
     x = next;
     if (closed) break;
   }

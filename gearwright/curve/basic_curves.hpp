@@ -1,9 +1,10 @@
 // The curves every gear has: circles about its axis, involutes of its base circle, and fillets that
 // are circles about another point.
 //
-//   r     radius, mm              W(t)   point as a complex number, mm      theory:
-//   docs/theory/01-frames.md r_b   base radius, mm         ξ      roll angle, rad: the distance
-//   rolled on the base circle is r_b ξ ψ_b   half angle of the tooth on the base circle, rad
+//   r     radius, mm              W(t)   point as a complex number, mm
+//   r_b   base radius, mm         ξ      roll angle, rad: the way on the base circle is r_b ξ
+//   ψ_b   half angle of the tooth on the base circle, rad
+//                                                          theory: docs/theory/01-frames.md
 #pragma once
 
 #include <optional>

@@ -1,8 +1,8 @@
 // A plane curve, the stuff of every outline: a point, a tangent and a curvature at a parameter.
 //
 //   t    the curve's own parameter (roll angle of an involute, edge parameter of an envelope)
-//   W    point as a complex number x + iy, mm                       theory:
-//   docs/theory/01-frames.md
+//   W    point as a complex number x + iy, mm
+//                                                          theory: docs/theory/01-frames.md
 //
 // Curves are immutable and shared: an envelope holds the curve that generates it, so that a pinion
 // cut by a rack can cut a wheel in its turn.

@@ -68,7 +68,7 @@ struct SieveConstants {
   double cos_transverse = 1.0;       ///< cos α_t
   double involute_transverse = 0.0;  ///< inv α_t
   double sum_per_involute = 0.0;     ///< Σ/(R Δinv α) = cos β/tan α_n, tight centres
-  double least_path = 0.0;           ///< K
+  double min_path = 0.0;             ///< K
   std::array<double, 2> addendum{};
   bool tight = false, internal = false;
   bool path = false;  ///< the third limit too: extended external pairs

@@ -174,7 +174,7 @@ TEST_P(CandidateOfMode, NumbersAreThoseOfTheRow) {
     near(out(Batch::tip_2), row.tip_thickness[1], "s_an2");
     near(out(Batch::clearance_1), row.tip_clearance[0], "c1");
     near(out(Batch::clearance_2), row.tip_clearance[1], "c2");
-    if (const auto zeta = row.greatest_sliding()) {
+    if (const auto zeta = row.max_sliding()) {
       near(1.0 / (1.0 + out(Batch::sliding)), 1.0 / (1.0 + *zeta), "ζ");
     } else {
       ++beyond_base;

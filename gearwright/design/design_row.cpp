@@ -12,7 +12,7 @@
 
 namespace gearwright {
 
-std::optional<double> DesignRow::greatest_sliding() const {
+std::optional<double> DesignRow::max_sliding() const {
   double most = 0.0;
   for (const auto& gear : sliding) {
     for (const auto& zeta : gear) {
@@ -109,7 +109,7 @@ std::optional<double> cost(const SearchProblem& problem, const DesignRow& row,
       return row.trial.module * row.trial.module * (z1 * z1 + z2 * z2);
     }
     case Objective::shift: return std::abs(row.shift[0] + row.shift[1]);
-    case Objective::sliding: return row.greatest_sliding();
+    case Objective::sliding: return row.max_sliding();
     case Objective::area: return -row.area;
   }
   return std::nullopt;
@@ -120,7 +120,8 @@ namespace {
 // Costs that differ by less are equal: the same design in another module rounds differently.
 double settled(double cost) {
   constexpr double kSame = 1e-11;
-  return std::abs(cost) < 1e4 ? std::round(cost / kSame) * kSame : cost;
+  constexpr double kTooLarge = 1e4;  // from there on a step of kSame is less than rounding
+  return std::abs(cost) < kTooLarge ? std::round(cost / kSame) * kSame : cost;
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ struct DesignRow {
   Vec2 lo{0.0, 0.0}, hi{0.0, 0.0};
 
   /// Greatest |ζ|; none where a flank reaches a base tangent point.
-  std::optional<double> greatest_sliding() const;
+  std::optional<double> max_sliding() const;
 };
 
 /// The row of a trial; none: nothing of it is feasible.

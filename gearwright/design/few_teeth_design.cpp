@@ -16,10 +16,18 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kSteepestHelix = 75;       // degrees
-constexpr double kLeastTipFillet = 0.1;  // modules: r_t of a cutter that does not burn
+constexpr int kSteepestHelix = 75;     // degrees
+constexpr double kMinTipFillet = 0.1;  // modules: r_t of a cutter that does not burn
 
 constexpr double kSameRatio = 0.02;
+// Sums of shifts on one diagonal of the grid of 0.001, modules.
+constexpr double kSameSum = 1e-6;
+// Helix angles are rounded to so many parts of a degree, as a drawing writes them.
+constexpr double kHelixSteps = 1e9;
+// Relative, beyond the base circles: on them nothing meshes.
+constexpr double kOffBase = 1e-9;
+// Relative: one radius got in two ways.
+constexpr double kSameRadius = 1e-9;
 
 // How far a candidate got, and what then stopped it.
 struct Verdict {
@@ -98,7 +106,7 @@ class Search {
     const auto sum = [](const FewTeethDesign& d) {
       return std::abs(d.pinion.profile_shift + d.wheel_shift);
     };
-    return sum(*v.design) < sum(*best.design) - 1e-6;
+    return sum(*v.design) < sum(*best.design) - kSameSum;
   }
 
   CylindricalSpec cutter_spec(double beta, double x1) const {
@@ -106,12 +114,13 @@ class Search {
     c.teeth = p_.teeth[0];
     c.normal_module = p_.normal_module;
     c.normal_pressure_angle = Angle::radians(p_.normal_pressure_angle);
-    c.helix_angle = Angle::degrees(std::round(Angle::radians(beta).deg() * 1e9) / 1e9);
+    c.helix_angle =
+        Angle::degrees(std::round(Angle::radians(beta).deg() * kHelixSteps) / kHelixSteps);
     c.profile_shift = x1;
     c.face_width = p_.face_width.value_or(10 * p_.normal_module);
     c.rack = p_.rack;
     c.root_fillet = RootFilletSpec{p_.root_offset};
-    const double r_t = std::max(kLeastTipFillet * p_.normal_module, p_.least_tip_land / 2);
+    const double r_t = std::max(kMinTipFillet * p_.normal_module, p_.min_tip_land / 2);
     c.tip_fillet = TipFilletSpec{TipFilletSpec::By::radius, r_t};
     return c;
   }
@@ -169,7 +178,7 @@ class Search {
     const auto miss = [&](double e) {
       return e + side_ * p_.backlash * r / (2 * std::sqrt((e - r) * (e + r))) - a;
     };
-    const double lo = r * (1 + 1e-9);
+    const double lo = r * (1 + kOffBase);
     // Away from the base circles the play's share of the distance is small.
     const double hi = side_ > 0.0 ? a : 2 * a;
     if (!(lo < hi)) return std::nullopt;
@@ -226,18 +235,18 @@ class Search {
     for (const Gear* g : {&*g1, &*g2}) {
       const int which = g == &*g1 ? 1 : 2;
       const double land = tip_width(*g);
-      if (land < p_.least_tip_land) {
+      if (land < p_.min_tip_land) {
         return stopped(9,
                        fmt::format("the land at the tip of gear {}: {:.3f} mm of {} mm", which,
-                                   land, p_.least_tip_land),
-                       p_.least_tip_land - land);
+                                   land, p_.min_tip_land),
+                       p_.min_tip_land - land);
       }
       const double gap = gap_of(*g);
-      if (gap < p_.least_gap) {
+      if (gap < p_.min_gap) {
         return stopped(10,
                        fmt::format("the gap at the root of gear {}: {:.3f} mm of {} mm", which, gap,
-                                   p_.least_gap),
-                       p_.least_gap - gap);
+                                   p_.min_gap),
+                       p_.min_gap - gap);
       }
     }
     auto pair = mount(*g1, *g2, {mounted});
@@ -276,7 +285,7 @@ class Search {
     const auto& involute = static_cast<const Involute&>(*flank.curve);
     const auto cut = pinion_involute({p_.teeth[0], p_.teeth[1], distance}, involute);
     const double end = cut->flank.base_radius() * std::hypot(1.0, cut->roll(flank.begin));
-    return std::abs(*whole.tooth->tip_form_radius - end) > 1e-9 * end;
+    return std::abs(*whole.tooth->tip_form_radius - end) > kSameRadius * end;
   }
 
   // Across the finished tip: the land, or the fillet's circle where that ends the tooth.

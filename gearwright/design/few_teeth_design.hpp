@@ -29,8 +29,8 @@ struct FewTeethProblem {
   std::optional<double> pinion_shift;     ///< x1; absent: wanted
   StraightRack rack;                      ///< of the pinion; its root is the circular fillet's
   double root_offset = 0.0;               ///< of C from the undercut limit
-  double least_tip_land = 0.0;            ///< normal thickness at both tips
-  double least_gap = 0.0;                 ///< chord of both spaces where the flanks begin
+  double min_tip_land = 0.0;              ///< normal thickness at both tips
+  double min_gap = 0.0;                   ///< chord of both spaces where the flanks begin
   double clearance = 0.0;                 ///< C
   double backlash = 0.0;                  ///< circumferential
   double contact_ratio = 1.2;             ///< total, which the face width is made for

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "gearwright/base/angle.hpp"
-#include "gearwright/design/least_distance_designs.hpp"
+#include "gearwright/design/min_distance_designs.hpp"
 #include "gearwright/pair/pair.hpp"
 
 namespace gearwright {
@@ -15,6 +15,9 @@ namespace gearwright {
 namespace {
 
 double deg(double rad) { return Angle::radians(rad).deg(); }
+
+// Relative: a centre distance written with ten digits is the one that was computed.
+constexpr double kSameDistance = 1e-9;
 
 Error missing(const char* key, const std::string& why) {
   return {key, "", fmt::format("{}: {}", key, why)};
@@ -56,7 +59,7 @@ Error one_condition_too_many() {
 Fit place_on_parallel_axes(const FitProblem& p, const BasePair<double>& gears,
                            const std::array<double, 2>& shift) {
   Fit result;
-  const auto alpha = transverse_angle_at_least_distance(gears);
+  const auto alpha = transverse_angle_at_min_distance(gears);
   if (!alpha) {
     result.reason =
         "the teeth leave no backlash-free centre distance; their profile shifts add up "
@@ -65,7 +68,7 @@ Fit place_on_parallel_axes(const FitProblem& p, const BasePair<double>& gears,
   }
   const double a = base_radius_sum(gears) / std::cos(*alpha);
   const double alpha_wn = std::asin(std::sin(*alpha) * std::cos(gears[0].helix_angle));
-  if (p.center_distance && std::abs(*p.center_distance - a) > 1e-9 * a) {
+  if (p.center_distance && std::abs(*p.center_distance - a) > kSameDistance * a) {
     result.reason = fmt::format(
         "on parallel axes these gears are free of backlash at {} mm only; leave out a profile "
         "shift to have it follow from the centre distance",
@@ -88,7 +91,7 @@ Fit angles_of_distance(const FitProblem& p, const BasePair<double>& gears,
     result.branches.push_back(branch_at(p, shift, place));
   }
   if (!result.branches.empty()) return result;
-  if (const auto least = transverse_angle_at_least_distance(gears)) {
+  if (const auto least = transverse_angle_at_min_distance(gears)) {
     const CrossedPlace place = crossed_place(gears, *least);
     result.nearest_distance = place.center_distance;
     result.nearest_shaft_angle = place.shaft_angle;
@@ -136,7 +139,7 @@ Result<Fit> place_of_gears(const FitProblem& p) {
   if (!place) return place.error();
   const auto rack = common_rack(gears, angles_at_shaft_angle(gears, *place->shaft_angle));
   const double a = place->center_distance;
-  if (p.center_distance && std::abs(*p.center_distance - a) > 1e-9 * a) {
+  if (p.center_distance && std::abs(*p.center_distance - a) > kSameDistance * a) {
     Fit result = angles_of_distance(p, gears, shift);
     if (!result.branches.empty()) result.nearest_shaft_angle = result.branches[0].shaft_angle;
     for (const FitBranch& b : result.branches) {
@@ -225,7 +228,7 @@ Result<Fit> fit(const FitProblem& p) {
                    "is missing; to find helix angles both centre distance and shaft angle are "
                    "needed");
   }
-  return least_distance_designs(p);
+  return min_distance_designs(p);
 }
 
 }  // namespace gearwright

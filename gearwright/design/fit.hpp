@@ -53,8 +53,8 @@ struct Fit {
 ///   gears known                a of Σ; both Σ of a; neither: the minimum centre distance
 ///   helices and place known    x1 + x2
 ///   place known                helices and x1 + x2 of the designs at their minimum centre
-///   distance:
-///                              with the given α_wn, helix or shifts; else with x1 + x2 = 0
+///                              distance: with the given α_wn, helix or shifts; else with
+///                              x1 + x2 = 0
 ///
 /// Errors    the key that is missing, or that makes one condition too many
 Result<Fit> fit(const FitProblem& problem);

@@ -27,11 +27,13 @@ namespace detail {
 template <class F>
 double climb(const F& f, double a, double b) {
   constexpr double kGolden = 0.6180339887498949;
+  // Of a variable of size 1, as shifts and their sums are: golden section is at rounding long before.
+  constexpr double kNarrow = 1e-13;
   double x = b - kGolden * (b - a);
   double y = a + kGolden * (b - a);
   double f_x = f(x);
   double f_y = f(y);
-  for (int i = 0; i < 80 && b - a > 1e-13 && f_x <= 0.0 && f_y <= 0.0; ++i) {
+  for (int i = 0; i < 80 && b - a > kNarrow && f_x <= 0.0 && f_y <= 0.0; ++i) {
     if (f_x > f_y) {
       b = y;
       y = x;

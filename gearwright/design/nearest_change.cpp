@@ -15,9 +15,9 @@ namespace {
 bool feasible(const SearchProblem& problem) {
   if (!(problem.ratio[0] <= problem.ratio[1])) return false;
   const double most = std::max(std::abs(problem.ratio[0]), std::abs(problem.ratio[1]));
-  if (!(most * problem.pinion_teeth[1] <= kMostSearchTeeth)) return false;
+  if (!(most * problem.pinion_teeth[1] <= kMaxSearchTeeth)) return false;
   const Search search(problem);
-  if (!search.space().size() || *search.space().size() > 20 * kMostForChange) return false;
+  if (!search.space().size() || *search.space().size() > 20 * kMaxForChange) return false;
   return search.exists(0, *search.space().size());
 }
 
@@ -37,16 +37,18 @@ struct Knob {
 };
 
 // The least move after which a design exists, rounded outwards to four digits of the move.
-std::optional<double> least_move(const SearchProblem& problem, const Knob& knob) {
+std::optional<double> min_move(const SearchProblem& problem, const Knob& knob) {
   const auto works = [&](double value) {
     SearchProblem p = problem;
     knob.set(p, value);
     return feasible(p);
   };
   if (knob.value == knob.far || !works(knob.far)) return std::nullopt;
+  // The change is printed with four digits of itself: this much of the value is beyond all of them.
+  constexpr double kEnough = 1e-9;
   double no = knob.value;
   double yes = knob.far;
-  const double enough = knob.whole ? 1.0 : 1e-9 * std::max(1.0, std::abs(knob.value));
+  const double enough = knob.whole ? 1.0 : kEnough * std::max(1.0, std::abs(knob.value));
   while (std::abs(yes - no) > enough) {
     double middle = (no + yes) / 2.0;
     if (knob.whole) middle = knob.far < knob.value ? std::floor(middle) : std::ceil(middle);
@@ -56,8 +58,9 @@ std::optional<double> least_move(const SearchProblem& problem, const Knob& knob)
   if (knob.whole) return yes;
   const double move = yes - knob.value;
   const double step = std::pow(10.0, std::floor(std::log10(std::abs(move))) - 3.0);
+  constexpr double kWhole = 1e-6;  // of a step: a move of whole steps is not one step more
   const double rounded =
-      knob.value + std::copysign(std::ceil(std::abs(move) / step - 1e-6) * step, move);
+      knob.value + std::copysign(std::ceil(std::abs(move) / step - kWhole) * step, move);
   const double tidy = std::stod(shown(rounded));
   return works(tidy) ? tidy : yes;
 }
@@ -87,7 +90,9 @@ std::vector<Knob> knobs(const SearchProblem& p) {
     const double widen = (i == 0 ? -0.5 : 0.5) * std::abs(band[i]);
     double far = band[i] + widen;
     if (!p.internal()) far = std::max(far, 1.0);
-    if (p.internal() && i == 1) far = std::min(far, -1.0 - 1e-3);
+    // A ring has more teeth than its pinion: no ratio from −1 up.
+    constexpr double kBeyondOne = 1e-3;
+    if (p.internal() && i == 1) far = std::min(far, -1.0 - kBeyondOne);
     k.push_back({"search.ratio", band[i], far, std::abs(band[i]), false,
                  [i](SearchProblem& q, double v) { q.ratio[i] = v; },
                  [band, i](double v) {
@@ -107,12 +112,12 @@ std::vector<Knob> knobs(const SearchProblem& p) {
            return shown(b);
          }});
   }
-  if (p.limits.least_shift && p.limits.greatest_shift) {
-    const std::array<double, 2> band{*p.limits.least_shift, *p.limits.greatest_shift};
+  if (p.limits.min_shift && p.limits.max_shift) {
+    const std::array<double, 2> band{*p.limits.min_shift, *p.limits.max_shift};
     for (const int i : {0, 1}) {
       k.push_back({"search.profile_shift", band[i], band[i] + (i == 0 ? -2.0 : 2.0), 1.0, false,
                    [i](SearchProblem& q, double v) {
-                     (i == 0 ? q.limits.least_shift : q.limits.greatest_shift) = v;
+                     (i == 0 ? q.limits.min_shift : q.limits.max_shift) = v;
                    },
                    [band, i](double v) {
                      auto b = band;
@@ -144,10 +149,10 @@ std::vector<Knob> knobs(const SearchProblem& p) {
 }  // namespace
 
 std::vector<NearestChange> nearest_changes(const SearchProblem& problem) {
-  GW_EXPECTS(Search(problem).space().size().value_or(kMostForChange + 1) <= kMostForChange);
+  GW_EXPECTS(Search(problem).space().size().value_or(kMaxForChange + 1) <= kMaxForChange);
   std::vector<NearestChange> found;
   for (const Knob& knob : knobs(problem)) {
-    const auto to = least_move(problem, knob);
+    const auto to = min_move(problem, knob);
     if (!to) continue;
     found.push_back(
         {knob.key, knob.show(knob.value), knob.show(*to), std::abs(*to - knob.value) / knob.scale});

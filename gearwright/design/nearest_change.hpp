@@ -21,9 +21,9 @@ struct NearestChange {
 };
 
 /// More trials than this are not asked again and again.
-inline constexpr std::int64_t kMostForChange = 2'000'000;
+inline constexpr std::int64_t kMaxForChange = 2'000'000;
 
-/// The changes, smallest first.   Domain: nothing is feasible; size() ≤ kMostForChange (contract)
+/// The changes, smallest first.   Domain: nothing is feasible; size() ≤ kMaxForChange (contract)
 std::vector<NearestChange> nearest_changes(const SearchProblem& problem);
 
 }  // namespace gearwright

@@ -49,8 +49,8 @@ void set(SearchProblem& p, const std::string& key, const std::array<double, 2>& 
   } else if (key == "search.pinion_teeth") {
     p.pinion_teeth = {static_cast<int>(v[0]), static_cast<int>(v[1])};
   } else if (key == "search.profile_shift") {
-    l.least_shift = v[0];
-    l.greatest_shift = v[1];
+    l.min_shift = v[0];
+    l.max_shift = v[1];
   } else if (key == "search.undercut_margin") {
     l.undercut_margin = v[0];
   } else if (key == "search.overlap_ratio_min") {
@@ -78,8 +78,8 @@ SearchProblem small() {
   p.center_distance = {{65.0, 67.0}};
   p.modules = {2.0};
   p.pinion_teeth = {20, 24};
-  p.limits.least_shift = -0.6;
-  p.limits.greatest_shift = 1.0;
+  p.limits.min_shift = -0.6;
+  p.limits.max_shift = 1.0;
   p.target_ratio = 2.0;
   return p;
 }
@@ -120,8 +120,8 @@ std::vector<Empty> empty_searches() {
        {"search.center_distance_mm", "search.contact_ratio_min"}},
       {"shift",
        with([](P& p) {
-         p.limits.least_shift = 0.9;
-         p.limits.greatest_shift = 0.95;
+         p.limits.min_shift = 0.9;
+         p.limits.max_shift = 0.95;
          p.pinion_teeth = {24, 24};
        }),
        {"search.profile_shift"},
@@ -161,7 +161,7 @@ std::vector<Empty> empty_searches() {
          p.pinion_teeth = {16, 16};
          p.modules = {1.0};
          p.center_distance = {{40.5, 40.5}};
-         p.limits.greatest_shift = 0.1;
+         p.limits.max_shift = 0.1;
          p.limits.avoid_interference = true;
        }),
        {"search.avoid_interference"},

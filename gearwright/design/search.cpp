@@ -20,6 +20,9 @@ SearchCounts& SearchCounts::operator+=(const SearchCounts& other) {
   return *this;
 }
 
+// A shift or a distance that is not limited, modules: beyond any, and its square is no infinity.
+constexpr double kNoLimit = 1e9;
+
 Search::Search(SearchProblem problem) : problem_(std::move(problem)), space_(problem_) {}
 
 std::shared_ptr<const TrialGears> Search::gears(int which, int rack, double helix) const {
@@ -31,11 +34,11 @@ std::shared_ptr<const TrialGears> Search::gears(int which, int rack, double heli
   if (tables_.size() >= kTables) tables_.clear();
   const bool ring = problem_.internal();
   const int least = which == 0 ? problem_.pinion_teeth[0]
-                    : ring     ? -space_.greatest_wheel()
-                               : space_.least_wheel();
+                    : ring     ? -space_.max_wheel()
+                               : space_.min_wheel();
   const int most = which == 0 ? problem_.pinion_teeth[1]
-                   : ring     ? -space_.least_wheel()
-                              : space_.greatest_wheel();
+                   : ring     ? -space_.min_wheel()
+                              : space_.max_wheel();
   auto table = std::make_shared<const TrialGears>(problem_, least, most, helix, rack, which);
   tables_.emplace(key, table);
   return table;
@@ -61,12 +64,12 @@ class Sieve {
     constants_.cos_transverse = std::cos(alpha_t);
     constants_.involute_transverse = involute(alpha_t);
     constants_.sum_per_involute = cos_beta / std::tan(problem.normal_pressure_angle);
-    constants_.least_path =
+    constants_.min_path =
         problem.limits.contact_ratio * std::numbers::pi * std::cos(alpha_t) / cos_beta;
     constants_.addendum = {racks.rack[0].addendum, racks.rack[1].addendum};
     constants_.internal = problem.internal();
     shortened_ = problem.shorten_tips;
-    ceiling_ = problem.limits.greatest_shift.value_or(1e9);
+    ceiling_ = problem.limits.max_shift.value_or(kNoLimit);
     constants_.tight = problem.mounting == Mounting::tight && !problem.crossed();
     constants_.path = !constants_.tight && !constants_.internal && !problem.crossed();
     trials_.reserve(kBatch);
@@ -81,15 +84,15 @@ class Sieve {
     const std::size_t i = trials_.size();
     trials_.push_back(t);
     double a_lo = 0.0;
-    double a_hi = 1e9;  // modules: no limit
+    double a_hi = kNoLimit;
     if (distance) {
       a_lo = (*distance)[0] / t.module;
       a_hi = (*distance)[1] / t.module;
     }
     // Shortened tips are thicker: how far they may be shifted the graph knows.
-    const double hi_1 = shortened_ ? ceiling_ : g_1.x_greatest;
-    const double hi_2 = shortened_ ? ceiling_ : g_2.x_greatest;
-    const double values[] = {g_1.r, g_1.x_least, hi_1, g_2.r, g_2.x_least, hi_2, a_lo, a_hi};
+    const double hi_1 = shortened_ ? ceiling_ : g_1.x_max;
+    const double hi_2 = shortened_ ? ceiling_ : g_2.x_max;
+    const double values[] = {g_1.r, g_1.x_min, hi_1, g_2.r, g_2.x_min, hi_2, a_lo, a_hi};
     for (std::size_t k = 0; k < SieveBatch::kIn; ++k) batch_.in[k][i] = values[k];
   }
   /// decide(trial, verdict) says whether to go on.
@@ -184,7 +187,7 @@ bool Search::exists(std::int64_t from, std::int64_t to) const {
 }
 
 BestDesigns::BestDesigns(const SearchProblem& problem, std::size_t most)
-    : problem_(&problem), most_(most), front_(problem) {}
+    : problem_(&problem), max_(most), front_(problem) {}
 
 void BestDesigns::add(const DesignRow& row) {
   ++added_;
@@ -192,10 +195,10 @@ void BestDesigns::add(const DesignRow& row) {
   const auto before = [&](const DesignRow& a, const DesignRow& b) {
     return ranks_before(*problem_, problem_->objectives.front(), a, b);
   };
-  if (heap_.size() < most_) {
+  if (heap_.size() < max_) {
     heap_.push_back(row);
     std::push_heap(heap_.begin(), heap_.end(), before);
-  } else if (most_ > 0 && before(row, heap_.front())) {
+  } else if (max_ > 0 && before(row, heap_.front())) {
     std::pop_heap(heap_.begin(), heap_.end(), before);
     heap_.back() = row;
     std::push_heap(heap_.begin(), heap_.end(), before);
@@ -211,7 +214,7 @@ SearchAnswer BestDesigns::answer(const SearchCounts& counts) && {
   std::sort(heap_.begin(), heap_.end(), before);
   std::vector<DesignRow> front = front_.rows();
   std::sort(front.begin(), front.end(), before);
-  for (std::size_t i = 0; i < front.size() && i < most_; ++i) {
+  for (std::size_t i = 0; i < front.size() && i < max_; ++i) {
     answer.pareto.push_back(i);
     answer.designs.push_back(front[i]);
   }
@@ -220,7 +223,7 @@ SearchAnswer BestDesigns::answer(const SearchCounts& counts) && {
                        [&](const DesignRow& f) { return f.trial.index == row.trial.index; });
   };
   for (const DesignRow& row : heap_) {
-    if (answer.designs.size() >= most_) break;
+    if (answer.designs.size() >= max_) break;
     if (front.empty() || !on_front(row)) answer.designs.push_back(row);
   }
   answer.cut = static_cast<std::int64_t>(answer.designs.size()) < added_;

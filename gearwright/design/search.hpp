@@ -85,7 +85,7 @@ class BestDesigns {
 
  private:
   const SearchProblem* problem_;
-  std::size_t most_;
+  std::size_t max_;
   std::vector<DesignRow> heap_;  ///< the worst on top
   ParetoFront front_;
   std::int64_t added_ = 0;

@@ -44,9 +44,9 @@ struct SearchRacks {
 };
 
 struct SearchLimits {
-  std::optional<double> least_shift, greatest_shift;  ///< floor and ceiling of x1 and x2
-  double undercut_margin = 0.0;                       ///< x ≥ the undercut limit + this
-  double tip_thickness = 0.2;                         ///< s_an ≥ this, modules
+  std::optional<double> min_shift, max_shift;  ///< floor and ceiling of x1 and x2
+  double undercut_margin = 0.0;                ///< x ≥ the undercut limit + this
+  double tip_thickness = 0.2;                  ///< s_an ≥ this, modules
   double contact_ratio =
       1.2;  ///< transverse, of ε_α and of its path clipped to the flanks; crossed: AE
   std::optional<double> overlap_ratio;  ///< ε_β ≥ this

@@ -24,8 +24,8 @@ std::array<int, 2> wheels_of(const SearchProblem& problem, int z1) {
   } else {
     first = std::max(first, static_cast<double>(z1));
   }
-  constexpr double kMost = kMostSearchTeeth;
-  GW_EXPECTS(first > last || (std::abs(first) <= kMost && std::abs(last) <= kMost));
+  constexpr double kMax = kMaxSearchTeeth;
+  GW_EXPECTS(first > last || (std::abs(first) <= kMax && std::abs(last) <= kMax));
   if (first > last) return {1, 0};
   return {static_cast<int>(first), static_cast<int>(last)};
 }
@@ -38,10 +38,11 @@ SearchSpace::SearchSpace(const SearchProblem& problem) : problem_(&problem) {
     before_pinion_.push_back(per_module_);
     per_module_ += last - first + 1;
     const int near = std::min(std::abs(first), std::abs(last));
-    least_wheel_ = greatest_wheel_ == 0 ? near : std::min(least_wheel_, near);
-    greatest_wheel_ = std::max({greatest_wheel_, std::abs(first), std::abs(last)});
+    min_wheel_ = max_wheel_ == 0 ? near : std::min(min_wheel_, near);
+    max_wheel_ = std::max({max_wheel_, std::abs(first), std::abs(last)});
   }
-  if (approximate_size() < 9e18) {
+  constexpr double kMaxInt64 = 9e18;  // below 2⁶³ − 1 by more than the rounding of the product
+  if (approximate_size() < kMaxInt64) {
     size_ = per_module_ * static_cast<std::int64_t>(problem.modules.size()) *
             static_cast<std::int64_t>(problem.helix.size()) *
             static_cast<std::int64_t>(problem.racks.size());

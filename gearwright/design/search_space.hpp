@@ -13,11 +13,11 @@
 
 namespace gearwright {
 
-inline constexpr int kMostSearchTeeth = 20'000;  ///< of a wheel; limits of every number are tabled
+inline constexpr int kMaxSearchTeeth = 20'000;  ///< of a wheel; limits of every number are tabled
 
 class SearchSpace {
  public:
-  /// Domain    as the spec reader leaves the problem; wheels up to kMostSearchTeeth (contract)
+  /// Domain    as the spec reader leaves the problem; wheels up to kMaxSearchTeeth (contract)
   explicit SearchSpace(const SearchProblem& problem);
 
   /// All numbers, those with a common factor included; none: more than 9·10^18.
@@ -38,8 +38,8 @@ class SearchSpace {
     }
   }
 
-  int least_wheel() const { return least_wheel_; }        ///< |z2|
-  int greatest_wheel() const { return greatest_wheel_; }  ///< |z2|; 0: no pair at all
+  int min_wheel() const { return min_wheel_; }  ///< |z2|
+  int max_wheel() const { return max_wheel_; }  ///< |z2|; 0: no pair at all
 
  private:
   struct Cursor {
@@ -60,7 +60,7 @@ class SearchSpace {
   std::vector<std::int64_t> before_pinion_;  ///< trials of one module before each
   std::int64_t per_module_ = 0;
   std::optional<std::int64_t> size_;
-  int least_wheel_ = 0, greatest_wheel_ = 0;
+  int min_wheel_ = 0, max_wheel_ = 0;
 };
 
 /// z2 of the least and the greatest ratio for z1; first > last: none.

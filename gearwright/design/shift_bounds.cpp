@@ -86,7 +86,7 @@ void ShiftGraph::bound_usable_path(const SumPlace& at, double sum, double& lo, d
     const TrialGear& g = gears_[i];
     if (g.teeth < 0) continue;
     const double A = g.r + g.addendum + at.k;
-    const double path = least_path_ / weight_[i];
+    const double path = min_path_ / weight_[i];
     double least = radius_of(path, g.r_b);
     double most = kInfinity;
     // q(u) ≥ s u + c: between the roots, or up to the greater one where the line starts below 0.
@@ -103,7 +103,7 @@ void ShiftGraph::bound_usable_path(const SumPlace& at, double sum, double& lo, d
     least -= A;
     most -= A;
     if (!internal_) {
-      const double of_place = (at.N - least_path_) / weight_[i] - g.r * g.sin_transverse;
+      const double of_place = (at.N - min_path_) / weight_[i] - g.r * g.sin_transverse;
       lower(most, g.edge_depth + of_place * g.sin_transverse);
     }
     if (i == 0) {
@@ -121,10 +121,10 @@ ShiftBounds ShiftGraph::bounds_before_path(double sum, int limits) const {
   const TrialGear& g_1 = gears_[0];
   const TrialGear& g_2 = gears_[1];
   ShiftBounds bounds;
-  bounds.lo_of(ShiftEdge::s1min) = g_1.x_least;
-  bounds.hi_of(ShiftEdge::s1max) = greatest_shift(*problem_, g_1, at.k);
-  bounds.lo_of(ShiftEdge::s2max) = sum - greatest_shift(*problem_, g_2, at.k);
-  bounds.hi_of(ShiftEdge::s2min) = sum - g_2.x_least;
+  bounds.lo_of(ShiftEdge::s1min) = g_1.x_min;
+  bounds.hi_of(ShiftEdge::s1max) = max_shift(*problem_, g_1, at.k);
+  bounds.lo_of(ShiftEdge::s2max) = sum - max_shift(*problem_, g_2, at.k);
+  bounds.hi_of(ShiftEdge::s2min) = sum - g_2.x_min;
   if (limits > static_cast<int>(Limit::contact_ratio)) {
     bound_usable_path(at, sum, bounds.lo_of(ShiftEdge::eps_true),
                       bounds.hi_of(ShiftEdge::eps_true));
@@ -159,7 +159,7 @@ ShiftGraph::SumMargin ShiftGraph::sum_margin(const SumPlace& at, double sum, int
   SumMargin margin{kInfinity, ShiftEdge::mesh};
   if (limits > static_cast<int>(Limit::contact_ratio) && !internal_) {
     // N − ρ_F1 − ρ_F2 ≥ K, in units of Σ. [T9.7]
-    double path = at.N - least_path_;
+    double path = at.N - min_path_;
     for (std::size_t i : {0, 1}) {
       const TrialGear& g = gears_[i];
       path -= weight_[i] * (g.r * g.sin_transverse - g.edge_depth / g.sin_transverse);

@@ -14,8 +14,8 @@ namespace {
 // The problem with nothing but its tip thickness asked.
 SearchProblem with_tip(const SearchProblem& problem, double thickness) {
   SearchProblem asked = problem;
-  asked.limits.least_shift.reset();
-  asked.limits.greatest_shift.reset();
+  asked.limits.min_shift.reset();
+  asked.limits.max_shift.reset();
   asked.limits.tip_thickness = thickness;
   return asked;
 }
@@ -34,9 +34,9 @@ std::vector<ShiftLimits> shift_limit_chart(const SearchProblem& problem, int rac
     row.teeth = z;
     row.undercut = undercut_limit(gear.edge_depth, z, gear.sin_transverse, std::cos(helix));
     for (std::size_t i = 0; i < kChartTips.size(); ++i)
-      row.tip[i] = trial_gear(asked[i], z, helix, rack, which).x_greatest;
-    row.least = gear.x_least;
-    row.greatest = gear.x_greatest;
+      row.tip[i] = trial_gear(asked[i], z, helix, rack, which).x_max;
+    row.min = gear.x_min;
+    row.max = gear.x_max;
     chart.push_back(row);
   }
   return chart;
@@ -72,15 +72,15 @@ std::vector<IdenticalGears> identical_gears_chart(const SearchProblem& problem, 
   for (const ShiftLimits& limits : shift_limit_chart(free, 0, helix, 0, from, to)) {
     IdenticalGears row;
     row.limits = limits;
-    if (limits.least <= limits.greatest) {
+    if (limits.min <= limits.max) {
       const Trial trial{0, 1.0, limits.teeth, limits.teeth, {helix, -helix}, 0};
       const TrialGear gear = trial_gear(free, limits.teeth, helix, 0, 0);
       const ShiftGraph graph(free, trial, gear, gear);
-      const double least_sum = graph.sums(static_cast<int>(Limit::contact_ratio) + 1).lo;
+      const double min_sum = graph.sums(static_cast<int>(Limit::contact_ratio) + 1).lo;
       for (std::size_t k = 0; k < row.contact_ratio.size(); ++k) {
         const double share = static_cast<double>(k) / 4.0;
-        const double x = limits.least + share * (limits.greatest - limits.least);
-        if (2.0 * x < least_sum) continue;
+        const double x = limits.min + share * (limits.max - limits.min);
+        if (2.0 * x < min_sum) continue;
         // Shortened tips of deep negative shifts may end inside their base circles.
         if (gear.r + gear.addendum + x + graph.place(2.0 * x).k < gear.r_b) continue;
         row.contact_ratio[k] = row_at(graph, {x, x}).contact_ratio;

@@ -24,9 +24,9 @@ inline constexpr std::array<double, 3> kChartTips{0.0, 0.2, 0.4};
 /// The shifts of one tooth number, modules.
 struct ShiftLimits {
   int teeth = 0;
-  double undercut = 0.0;               ///< x_u
-  std::array<double, 3> tip{};         ///< x_t of kChartTips
-  double least = 0.0, greatest = 0.0;  ///< those of the problem; least > greatest: none
+  double undercut = 0.0;        ///< x_u
+  std::array<double, 3> tip{};  ///< x_t of kChartTips
+  double min = 0.0, max = 0.0;  ///< those of the problem; min > max: none
 };
 
 /// The limits of gear `which` (0, 1) with this rack and helix, for every tooth number of from … to.

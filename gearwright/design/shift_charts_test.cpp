@@ -47,15 +47,15 @@ TEST(ShiftCharts, LimitsAreThoseOfTheReference) {
 
 TEST(ShiftCharts, TheProblemsOwnLimitsAreThoseOfItsTrials) {
   SearchProblem problem = spur();
-  problem.limits.least_shift = -0.6;
-  problem.limits.greatest_shift = 1.0;
+  problem.limits.min_shift = -0.6;
+  problem.limits.max_shift = 1.0;
   problem.limits.tip_thickness = 0.4;
   for (const ShiftLimits& row : shift_limit_chart(problem, 0, 0.3, 1, 9, 60)) {
     const TrialGear gear = trial_gear(problem, row.teeth, 0.3, 0, 1);
-    EXPECT_EQ(row.least, gear.x_least);
-    EXPECT_EQ(row.greatest, gear.x_greatest);
-    EXPECT_EQ(row.least, std::max(-0.6, row.undercut));
-    EXPECT_EQ(row.greatest, std::min(1.0, row.tip[2]));
+    EXPECT_EQ(row.min, gear.x_min);
+    EXPECT_EQ(row.max, gear.x_max);
+    EXPECT_EQ(row.min, std::max(-0.6, row.undercut));
+    EXPECT_EQ(row.max, std::min(1.0, row.tip[2]));
     EXPECT_GT(row.tip[0], row.tip[1]);
     EXPECT_GT(row.tip[1], row.tip[2]);
   }
@@ -80,13 +80,13 @@ TEST(ShiftCharts, ContactRatiosOfIdenticalGears) {
   int none = 0;
   for (const auto& row : reference()["identical_gears"]) {
     SearchProblem problem = spur();
-    if (!row["floor"].is_null()) problem.limits.least_shift = row["floor"].get<double>();
+    if (!row["floor"].is_null()) problem.limits.min_shift = row["floor"].get<double>();
     problem.limits.tip_thickness = row["tip_thickness"].get<double>();
     const int z = row["z"].get<int>();
     const auto chart = identical_gears_chart(problem, 0, 0.0, z, z);
     ASSERT_EQ(chart.size(), 1u);
-    EXPECT_NEAR(chart[0].limits.least, number(row["shifts"][0]), kAccuracy) << z;
-    EXPECT_NEAR(chart[0].limits.greatest, number(row["shifts"][1]), kAccuracy) << z;
+    EXPECT_NEAR(chart[0].limits.min, number(row["shifts"][0]), kAccuracy) << z;
+    EXPECT_NEAR(chart[0].limits.max, number(row["shifts"][1]), kAccuracy) << z;
     for (std::size_t k = 0; k < 5; ++k) {
       const auto& eps = row["contact_ratio"];
       const bool exists = !eps.is_null() && !eps[k].is_null();

@@ -21,7 +21,7 @@ namespace {
 
 // A working angle of 4e-5 rad: nearer to the base radii there is no mesh that a double can tell
 // from none.
-constexpr double kLeastOpening = 1e-9;
+constexpr double kMinOpening = 1e-9;
 
 }  // namespace
 
@@ -51,7 +51,7 @@ ShiftGraph::ShiftGraph(const SearchProblem& problem, const Trial& trial, const T
       B_(gear_1.r_b + gear_2.r_b),
       tan_alpha_(std::tan(problem.normal_pressure_angle)),
       teeth_sum_(trial.z1 + trial.z2),
-      nearest_(crossed_ ? 0.0 : std::abs(B_) * (1.0 + kLeastOpening)) {
+      nearest_(crossed_ ? 0.0 : std::abs(B_) * (1.0 + kMinOpening)) {
   const double cos_beta = std::abs(gear_1.teeth / (2.0 * gear_1.r));
   const double alpha_t = std::asin(gear_1.sin_transverse);
   inv_alpha_t_ = involute(alpha_t);
@@ -65,7 +65,7 @@ ShiftGraph::ShiftGraph(const SearchProblem& problem, const Trial& trial, const T
     }
     crossed_line_1_ = 1.0 / std::sin(problem.normal_pressure_angle);
   }
-  least_path_ = problem.limits.contact_ratio * pitch_;
+  min_path_ = problem.limits.contact_ratio * pitch_;
 }
 
 SumPlace ShiftGraph::place(double sum) const {
@@ -126,23 +126,24 @@ ShiftGraph::Sums ShiftGraph::sums(int limits) const {
   }
   if (limits > static_cast<int>(Limit::contact_ratio) && !internal_) {
     // N ≥ K: the path between the base tangent points.
-    const double sum = crossed_ ? (least_path_ - crossed_line_0_) / crossed_line_1_
-                                : sum_of_distance(radius_of(least_path_, B_));
+    const double sum = crossed_ ? (min_path_ - crossed_line_0_) / crossed_line_1_
+                                : sum_of_distance(radius_of(min_path_, B_));
     from_below(sum, ShiftEdge::eps_true);
   }
   // The corners of the rectangle end the graph too, but in a point: no edge is named after them.
-  raise(s.lo, gears_[0].x_least + gears_[1].x_least);
-  double corner = gears_[0].x_greatest + gears_[1].x_greatest;
+  raise(s.lo, gears_[0].x_min + gears_[1].x_min);
+  double corner = gears_[0].x_max + gears_[1].x_max;
   if (tight_ && problem_->shorten_tips) {
-    corner = std::max(corner, gears_[0].x_least + gears_[1].x_least);
+    corner = std::max(corner, gears_[0].x_min + gears_[1].x_min);
+    constexpr double kLastRise = 1e-13;  // modules: rounding of a shift
+    constexpr double kBeyond = 1e-9;     // modules: what the last rises may have left
     for (int i = 0; i < 60; ++i) {  // rises to where the tips, thicker by k, are as thin as allowed
       const double k = place(std::max(corner, s.lo)).k;
-      const double next =
-          greatest_shift(*problem_, gears_[0], k) + greatest_shift(*problem_, gears_[1], k);
-      if (!(next > corner + 1e-13)) break;
+      const double next = max_shift(*problem_, gears_[0], k) + max_shift(*problem_, gears_[1], k);
+      if (!(next > corner + kLastRise)) break;
       corner = next;
     }
-    corner += 1e-9;
+    corner += kBeyond;
   }
   lower(s.hi, corner);
   return s;
@@ -198,9 +199,9 @@ ShiftSlice ShiftGraph::slice(double sum, int limits) const {
   if (limits <= static_cast<int>(Limit::contact_ratio) || slice.empty()) return slice;
   const SumPlace at = place(sum);
   const Longest top = longest_path(at, sum, slice);
-  if (!(top.length >= least_path_)) {
+  if (!(top.length >= min_path_)) {
     // Touching or nothing: the place of the longest path, as an interval of no or negative length.
-    const bool touching = top.length >= least_path_ - kTouching;
+    const bool touching = top.length >= min_path_ - kTouching;
     return {top.x1 + (touching ? 0.0 : 1.0), top.x1, ShiftEdge::eps, ShiftEdge::eps};
   }
   const double A_1 = gears_[0].r + gears_[0].addendum + at.k;
@@ -208,7 +209,7 @@ ShiftSlice ShiftGraph::slice(double sum, int limits) const {
   const auto excess = [&](double x) {
     const PathSlope s = path_slope(A_1 + x, gears_[0].r_b, weight_[0], A_2 + sum - x, gears_[1].r_b,
                                    weight_[1], internal_);
-    return Slope<double>{path_length(at, sum, x) - least_path_, s.first};
+    return Slope<double>{path_length(at, sum, x) - min_path_, s.first};
   };
   // External E is concave: Newton's steps from outside fall short of the root. A ring's may bend
   // upwards; the bracket holds them.
@@ -234,7 +235,7 @@ std::vector<Interval> ShiftGraph::feasible_sums(int limits) const {
   };
   const auto excess = [&](double sum) {
     const ShiftSlice s = bounds_before_path(sum, limits).slice();
-    return longest_path(place(sum), sum, s).length - least_path_;
+    return longest_path(place(sum), sum, s).length - min_path_;
   };
   // What only touches counts, but must not blur the ends of what does more.
   const auto exactly_or_touching = [](const auto& f, double a, double b) {
@@ -259,7 +260,7 @@ std::optional<Limit> ShiftGraph::what_kills() const {
     const auto limit = static_cast<Limit>(n - 1);
     if (limit == Limit::shift_limits && !problem_->shorten_tips) {
       for (const TrialGear& g : gears_)
-        if (!(g.x_least <= g.x_greatest + kTouching)) return limit;
+        if (!(g.x_min <= g.x_max + kTouching)) return limit;
       continue;
     }
     if (feasible_sums(n).empty()) return limit;
@@ -285,7 +286,7 @@ double ShiftGraph::margin(double x1, double x2) const {
   lower(least, std::min(x1 - s.lo, s.hi - x1));
   lower(least, sum_margin(at, sum).value);
   if (!overlap_ratio_is_enough()) return -1.0;
-  return std::min(least, path_length(at, sum, x1) - least_path_);
+  return std::min(least, path_length(at, sum, x1) - min_path_);
 }
 
 }  // namespace gearwright

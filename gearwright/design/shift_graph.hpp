@@ -88,8 +88,8 @@ class ShiftGraph {
   const std::array<TrialGear, 2>& gears() const { return gears_; }
   const Trial& trial() const { return trial_; }
   const SearchProblem& problem() const { return *problem_; }
-  double least_path() const { return least_path_; }  ///< K
-  double pitch() const { return pitch_; }            ///< p_bt, crossed p_bn
+  double min_path() const { return min_path_; }  ///< K
+  double pitch() const { return pitch_; }        ///< p_bt, crossed p_bn
 
   /// Domain    within sums() (contract: there is a working angle)
   SumPlace place(double sum) const;
@@ -142,7 +142,7 @@ class ShiftGraph {
   std::array<TrialGear, 2> gears_;
   std::array<double, 2> weight_{1.0, 1.0};
   bool internal_, crossed_, tight_;
-  double pitch_, least_path_;
+  double pitch_, min_path_;
   double R_, B_;  ///< r1 + r2, r_b1 + r_b2; signed
   double tan_alpha_, inv_alpha_t_, teeth_sum_;
   double nearest_;                                      ///< least centre distance

@@ -36,10 +36,10 @@ INSTANTIATE_TEST_SUITE_P(Kinds, ShiftGraphOfKind, ::testing::ValuesIn(kKinds),
 // A random place around the rectangle and the band of sums that are left.
 Vec2 place_near(Random& random, const ShiftGraph& g, const ShiftGraph::Sums& range) {
   const auto& [g_1, g_2] = g.gears();
-  const double x1 = random.uniform(g_1.x_least - 0.1, g_1.x_greatest + 0.1);
-  const double sum = range.lo <= range.hi ? random.uniform(range.lo - 0.05, range.hi + 0.05)
-                                          : random.uniform(g_1.x_least + g_2.x_least,
-                                                           g_1.x_greatest + g_2.x_greatest);
+  const double x1 = random.uniform(g_1.x_min - 0.1, g_1.x_max + 0.1);
+  const double sum = range.lo <= range.hi
+                         ? random.uniform(range.lo - 0.05, range.hi + 0.05)
+                         : random.uniform(g_1.x_min + g_2.x_min, g_1.x_max + g_2.x_max);
   return {x1, sum - x1};
 }
 
@@ -51,8 +51,7 @@ TEST_P(ShiftGraphOfKind, MarginsAgreeWithTheNumbersOfThePair) {  // (1)
   for (int t = 0; t < (slow ? 100 : 250); ++t) {
     const auto made = random_trial(random, GetParam());
     const ShiftGraph g = graph(made.problem, made.trial);
-    if (g.gears()[0].x_least > g.gears()[0].x_greatest ||
-        g.gears()[1].x_least > g.gears()[1].x_greatest)
+    if (g.gears()[0].x_min > g.gears()[0].x_max || g.gears()[1].x_min > g.gears()[1].x_max)
       continue;
     const ShiftGraph::Sums range = g.sums();
     for (int i = 0; i < 40; ++i) {
@@ -204,15 +203,15 @@ TEST(ShiftGraph, TheFirstLimitThatLeavesNothingIsNamed) {
   const auto killed = [](const auto& set, int z1 = 20, int z2 = 40) {
     SearchProblem p;
     p.center_distance = {{29.5, 30.5}};
-    p.limits.least_shift = -0.6;
-    p.limits.greatest_shift = 1.0;
+    p.limits.min_shift = -0.6;
+    p.limits.max_shift = 1.0;
     set(p);
     const auto limit = graph(p, trial(p, z1, z2)).what_kills();
     return limit ? std::string(name(*limit)) : std::string("nothing");
   };
   EXPECT_EQ(killed([](SearchProblem&) {}), "nothing");
   EXPECT_EQ(killed([](SearchProblem& p) { p.limits.tip_thickness = 0.9; }), "shift_limits");
-  EXPECT_EQ(killed([](SearchProblem& p) { p.limits.least_shift = 1.1; }), "shift_limits");
+  EXPECT_EQ(killed([](SearchProblem& p) { p.limits.min_shift = 1.1; }), "shift_limits");
   EXPECT_EQ(killed([](SearchProblem& p) {
               p.center_distance = {{32.1, 33.0}};
             }),
@@ -225,7 +224,7 @@ TEST(ShiftGraph, TheFirstLimitThatLeavesNothingIsNamed) {
   for (const bool avoid : {false, true}) {
     const auto set = [&](SearchProblem& p) {
       p.center_distance = {{40.5, 40.5}};
-      p.limits.greatest_shift = 0.1;
+      p.limits.max_shift = 0.1;
       p.limits.avoid_interference = avoid;
     };
     EXPECT_EQ(killed(set, 16, 66), avoid ? "interference" : "nothing");
@@ -277,7 +276,7 @@ TEST(ShiftGraph, NoWorkingAngleIsNoContact) {
   SearchProblem p;
   p.center_distance = {{55.0, 55.5}};
   const ShiftGraph g = graph(p, trial(p, 60, 60));
-  ASSERT_LT(g.gears()[0].x_least + g.gears()[1].x_least, -4.6);
+  ASSERT_LT(g.gears()[0].x_min + g.gears()[1].x_min, -4.6);
   EXPECT_TRUE(g.feasible_sums().empty());
   EXPECT_EQ(g.what_kills(), Limit::contact_ratio);
 }

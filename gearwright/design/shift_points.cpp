@@ -71,10 +71,10 @@ Verdict judge(const SearchLimits& limits, const CandidateBatch& b, std::size_t i
 
 ShiftPoint point_at(const ShiftGraph& graph, double x1, double x2) {
   const DesignRow row = row_at(graph, {x1, x2});
-  return {graph.trial().index,    row.shift,         row.center_distance,
-          row.working_angle,      row.contact_ratio, row.contact_ratio_true,
-          row.greatest_sliding(), row.tip_thickness, row.tip_clearance,
-          row.backlash_normal,    row.interference};
+  return {graph.trial().index, row.shift,         row.center_distance,
+          row.working_angle,   row.contact_ratio, row.contact_ratio_true,
+          row.max_sliding(),   row.tip_thickness, row.tip_clearance,
+          row.backlash_normal, row.interference};
 }
 
 }  // namespace
@@ -89,8 +89,8 @@ PointCounts feasible_points(const ShiftGraph& graph, const ShiftRegion& region, 
   const double sum_hi = region.sums.back().hi;
   // Shortened tips may be shifted farther than the rectangle of the whole ones says.
   const double k = p.shorten_tips ? std::min(graph.place(sum_lo).k, graph.place(sum_hi).k) : 0.0;
-  const double x1_hi = greatest_shift(p, g[0], k);
-  const double x2_hi = greatest_shift(p, g[1], k);
+  const double x1_hi = max_shift(p, g[0], k);
+  const double x2_hi = max_shift(p, g[1], k);
   const auto first = [&](double lo) { return std::ceil((lo - kTouching) / step); };
   const auto last = [&](double hi) { return std::floor((hi + kTouching) / step); };
 
@@ -123,9 +123,9 @@ PointCounts feasible_points(const ShiftGraph& graph, const ShiftRegion& region, 
     n = 0;
     batch.resize(kBatch);
   };
-  for (double i = first(g[0].x_least); i <= last(x1_hi); ++i) {
+  for (double i = first(g[0].x_min); i <= last(x1_hi); ++i) {
     const double x1 = i * step;
-    const double from = first(std::max(g[1].x_least, sum_lo - x1));
+    const double from = first(std::max(g[1].x_min, sum_lo - x1));
     const double to = last(std::min(x2_hi, sum_hi - x1));
     for (double j = from; j <= to; ++j) {
       const double values[CandidateBatch::kIn] = {static_cast<double>(graph.trial().z1),

@@ -20,8 +20,8 @@ SearchProblem spur(int z1, int z2) {
   p.ratio = {static_cast<double>(z2) / z1, static_cast<double>(z2) / z1};
   p.pinion_teeth = {z1, z1};
   p.modules = {2.0};
-  p.limits.least_shift = -0.6;
-  p.limits.greatest_shift = 1.0;
+  p.limits.min_shift = -0.6;
+  p.limits.max_shift = 1.0;
   return p;
 }
 
@@ -38,13 +38,13 @@ std::vector<Case> cases() {
   c[1].problem.mounting = Mounting::tight;
   c[2].problem.mounting = Mounting::tight;
   c[2].problem.shorten_tips = true;
-  c[2].problem.limits.greatest_shift = 3.0;
+  c[2].problem.limits.max_shift = 3.0;
   c[4].problem.shaft_angle = std::numbers::pi / 2;
   c[4].problem.helix = {std::numbers::pi / 4};
   c[5].problem.limits.sliding = 1.5;
   c[6].problem.limits.avoid_interference = true;
-  c[6].problem.limits.least_shift.reset();
-  c[6].problem.limits.greatest_shift.reset();
+  c[6].problem.limits.min_shift.reset();
+  c[6].problem.limits.max_shift.reset();
   c[7].problem.helix = {0.3};
   c[7].problem.center_distance = {{52.0, 54.0}};
   c[8].problem.mounting = Mounting::tight;
@@ -100,7 +100,7 @@ TEST(ShiftPoints, HaveTheNumbersOfThePair) {
     for (const ShiftPoint& p : points) {
       const DesignRow row = row_at(graph, {p.shift[0], p.shift[1]});
       EXPECT_EQ(p.contact_ratio, row.contact_ratio);
-      EXPECT_EQ(p.sliding, row.greatest_sliding());
+      EXPECT_EQ(p.sliding, row.max_sliding());
       EXPECT_EQ(p.tip_thickness, row.tip_thickness);
       EXPECT_GE(p.contact_ratio, c.problem.limits.contact_ratio - 1e-9);
     }
@@ -111,7 +111,7 @@ TEST(ShiftPoints, ShortenedTipsMayBeShiftedFartherThanWholeOnes) {
   SearchProblem p = spur(28, 28);
   p.mounting = Mounting::tight;
   p.shorten_tips = true;
-  p.limits.greatest_shift = 3.0;
+  p.limits.max_shift = 3.0;
   const double a = ShiftGraph(p, {0, 2.0, 28, 28, {0.0, 0.0}, 0}, trial_gear(p, 28, 0.0, 0, 0),
                               trial_gear(p, 28, 0.0, 0, 1))
                        .place(3.0)
@@ -121,7 +121,7 @@ TEST(ShiftPoints, ShortenedTipsMayBeShiftedFartherThanWholeOnes) {
   p.limits.contact_ratio = 0.8;
   const Search search(p);
   EXPECT_TRUE(search.exists(0, *search.space().size()));
-  p.limits.least_shift = 1.3;
+  p.limits.min_shift = 1.3;
   p.center_distance.reset();
   const Search high(p);
   EXPECT_TRUE(high.exists(0, *high.space().size()));

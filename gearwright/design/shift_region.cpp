@@ -47,27 +47,37 @@ double difference(const ShiftGraph& graph, Side side, ShiftEdge a, ShiftEdge b, 
   };
   if (a == ShiftEdge::eps || b == ShiftEdge::eps) {
     const double x1 = at(a == ShiftEdge::eps ? b : a);
-    const double d = graph.path_length(graph.place(sum), sum, x1) - graph.least_path();
+    const double d = graph.path_length(graph.place(sum), sum, x1) - graph.min_path();
     return a == ShiftEdge::eps ? d : -d;
   }
   return at(a) - at(b);
 }
 
 // No side has so many corners: beyond, two bounds are one to rounding.
-constexpr std::size_t kMostChanges = 40;
+constexpr std::size_t kMaxChanges = 40;
+// Two spacings of doubles, relative: nothing lies between such sums.
+constexpr double kSameSum = 4e-16;
+// How far beside a change the edges are looked at: of the stretch, and in modules, past the width of
+// kOneBound within which the name of an edge is a matter of rounding.
+constexpr double kBeside = 1e-9;
+constexpr double kMinBeside = 1e-10;
+// The very ends of a piece are corners; so much of its width inside them one edge has a name.
+constexpr double kInset = 1e-7;
+// An end of a piece that is an end of the whole range, modules: both were solved for apart.
+constexpr double kSameEnd = 1e-9;
 
 // Sums between l and r at which the bounding edge of the side changes; known at the ends.
 void find_changes(const ShiftGraph& graph, Side side, double l, ShiftEdge at_l, double r,
                   ShiftEdge at_r, std::vector<double>& found) {
   if (at_l == at_r) return;
-  if (r - l < 4e-16 * (1.0 + std::abs(l) + std::abs(r)) || found.size() >= kMostChanges) {
+  if (r - l < kSameSum * (1.0 + std::abs(l) + std::abs(r)) || found.size() >= kMaxChanges) {
     found.push_back((l + r) / 2.0);
     return;
   }
   const Root root =
       find_root([&](double sum) { return difference(graph, side, at_l, at_r, sum); }, l, r);
   if (root.found() && root.x >= l && root.x <= r) {
-    const double step = std::max(1e-9 * (r - l), 1e-10);  // past the width of kOneBound
+    const double step = std::max(kBeside * (r - l), kMinBeside);
     const double before = std::max(l, root.x - step);
     const double after = std::min(r, root.x + step);
     if (edge_of(graph.slice(before), side) == at_l && edge_of(graph.slice(after), side) == at_r) {
@@ -91,8 +101,7 @@ struct Stretch {
 std::vector<Stretch> stretches(const ShiftGraph& graph, Side side, const Interval& piece) {
   constexpr int kNodes = 24;
   std::vector<double> changes;
-  // The very ends are corners, where the name of the edge is a matter of rounding.
-  const double inset = 1e-7 * (piece.hi - piece.lo);
+  const double inset = kInset * (piece.hi - piece.lo);
   double l = piece.lo + inset;
   ShiftEdge at_l = edge_of(graph.slice(l), side);
   const ShiftEdge first = at_l;
@@ -111,7 +120,7 @@ std::vector<Stretch> stretches(const ShiftGraph& graph, Side side, const Interva
   for (const double change : changes) {
     found.push_back({from, change, edge});
     from = change;
-    const double after = std::min(change + 1e-9 * (piece.hi - piece.lo), piece.hi - inset);
+    const double after = std::min(change + kBeside * (piece.hi - piece.lo), piece.hi - inset);
     edge = edge_of(graph.slice(after), side);
   }
   found.push_back({from, piece.hi, edge});
@@ -167,7 +176,7 @@ ShiftSlice end_slice(const ShiftGraph& graph, double sum) {
 double margin_on_line(const ShiftGraph& graph, const Vec2& p) {
   const double sum = p[0] + p[1];
   const ShiftSlice s = graph.bounds_before_path(sum).slice();
-  const double path = graph.path_length(graph.place(sum), sum, p[0]) - graph.least_path();
+  const double path = graph.path_length(graph.place(sum), sum, p[0]) - graph.min_path();
   return std::min({p[0] - s.lo, s.hi - p[0], path});
 }
 
@@ -268,7 +277,7 @@ std::vector<std::vector<RegionEdge>> region_boundary(const ShiftGraph& graph,
     const auto across = [&](double sum, bool lower) {
       const ShiftSlice s = end_slice(graph, sum);
       if (!(s.hi - s.lo > kTouching)) return;
-      const bool at_range = std::abs(sum - (lower ? range.lo : range.hi)) <= 1e-9;
+      const bool at_range = std::abs(sum - (lower ? range.lo : range.hi)) <= kSameEnd;
       const ShiftEdge edge = at_range ? (lower ? range.lo_edge : range.hi_edge)
                                       : graph.sum_margin(graph.place(sum), sum).edge;
       const double from = lower ? s.lo : s.hi;

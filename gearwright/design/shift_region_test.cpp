@@ -66,8 +66,8 @@ TEST(ShiftRegion, RectangleEndsAndAreaOfTheReference) {
   each_region(true, [](const SearchProblem&, const ShiftGraph& g, const json& expected) {
     const std::string what = expected.at("input").dump();
     for (const std::size_t i : {0, 1}) {
-      EXPECT_NEAR(g.gears()[i].x_least, number(expected.at("rect")[i][0]), kPrinted) << what;
-      EXPECT_NEAR(g.gears()[i].x_greatest, number(expected.at("rect")[i][1]), kPrinted) << what;
+      EXPECT_NEAR(g.gears()[i].x_min, number(expected.at("rect")[i][0]), kPrinted) << what;
+      EXPECT_NEAR(g.gears()[i].x_max, number(expected.at("rect")[i][1]), kPrinted) << what;
     }
     const auto region = shift_region(g);
     ASSERT_TRUE(region) << what;
@@ -158,8 +158,8 @@ TEST(ShiftRegion, WhatTheReferenceFindsEmptyIsEmpty) {
 TEST(ShiftRegion, AnExactDistanceIsASegment) {
   SearchProblem p;
   p.center_distance = {{75.0, 75.0}};
-  p.limits.least_shift = -0.6;
-  p.limits.greatest_shift = 1.0;
+  p.limits.min_shift = -0.6;
+  p.limits.max_shift = 1.0;
   for (const auto& [z1, z2, sum] : {std::tuple{20, 40, 0.0}, {20, 39, 0.5}, {19, 40, 0.5}}) {
     const ShiftGraph g = graph(p, trial(p, z1, z2, 2.5));
     const auto region = shift_region(g);
@@ -184,8 +184,8 @@ TEST(ShiftRegion, AnExactDistanceIsASegment) {
 // Module 2, 31:64, 99 … 101: Σ = 2 is both the least of the band and the corner of the ceiling.
 TEST(ShiftRegion, ABandThatTouchesTheCornerLeavesAPoint) {
   SearchProblem p;
-  p.limits.least_shift = -0.6;
-  p.limits.greatest_shift = 1.0;
+  p.limits.min_shift = -0.6;
+  p.limits.max_shift = 1.0;
   for (const double m : {1.0, 1.25, 2.0, 0.3, 1.1}) {  // in some modules the quotient is rounded
     p.center_distance = {{49.5 * m, 50.5 * m}};
     const ShiftGraph g = graph(p, trial(p, 31, 64, m));
@@ -270,8 +270,8 @@ void expect_areas_of_a_grid(const Kind& kind, unsigned seed, int wanted, int gri
     // Points (Σ, x1): dx1 dx2 = dΣ dx1.
     const double from = region->sums.front().lo - 0.01;
     const double to = region->sums.back().hi + 0.01;
-    const double x_from = g.gears()[0].x_least - 0.01;
-    const double x_to = std::max(g.gears()[0].x_greatest, g.slice((from + to) / 2.0).hi) + 0.01;
+    const double x_from = g.gears()[0].x_min - 0.01;
+    const double x_to = std::max(g.gears()[0].x_max, g.slice((from + to) / 2.0).hi) + 0.01;
     int hits = 0;
     int rows = 0;
     for (int i = 0; i < grid; ++i) {

@@ -48,7 +48,7 @@ SieveConstants constants_of(const SearchProblem& p) {
   c.cos_transverse = std::cos(alpha_t);
   c.involute_transverse = involute(alpha_t);
   c.sum_per_involute = cos_beta / std::tan(p.normal_pressure_angle);
-  c.least_path = p.limits.contact_ratio * std::numbers::pi * c.cos_transverse / cos_beta;
+  c.min_path = p.limits.contact_ratio * std::numbers::pi * c.cos_transverse / cos_beta;
   c.addendum = {p.racks[0].rack[0].addendum, p.racks[0].rack[1].addendum};
   c.tight = p.mounting == Mounting::tight;
   c.internal = p.internal();
@@ -60,8 +60,8 @@ void put(SieveCase& s, std::size_t i, const Trial& t) {
   const TrialGear g_1 = trial_gear(s.problem, t.z1, t.helix[0], 0, 0);
   const TrialGear g_2 = trial_gear(s.problem, t.z2, t.helix[1], 0, 1);
   const auto& band = *s.problem.center_distance;
-  const double values[SieveBatch::kIn] = {g_1.r,       g_1.x_least,    g_1.x_greatest, g_2.r,
-                                          g_2.x_least, g_2.x_greatest, band[0],        band[1]};
+  const double values[SieveBatch::kIn] = {g_1.r,     g_1.x_min, g_1.x_max, g_2.r,
+                                          g_2.x_min, g_2.x_max, band[0],   band[1]};
   for (std::size_t k = 0; k < SieveBatch::kIn; ++k) s.batch.in[k][i] = values[k];
   s.trials.push_back(t);
 }
@@ -76,8 +76,8 @@ SieveCase sieve_case(Random& random, const Mode& mode, std::size_t n) {
   SearchLimits& l = p.limits;
   l.tip_thickness = random.uniform(0.0, 0.6);
   l.contact_ratio = random.uniform(1.0, 1.9);
-  if (mode.ring || random.chance(0.6)) l.least_shift = random.uniform(-0.9, 0.1);
-  if (mode.ring || random.chance(0.6)) l.greatest_shift = random.uniform(0.2, 1.2);
+  if (mode.ring || random.chance(0.6)) l.min_shift = random.uniform(-0.9, 0.1);
+  if (mode.ring || random.chance(0.6)) l.max_shift = random.uniform(0.2, 1.2);
   // One band of centre distances for pairs of about the same size.
   const int z1 = random.whole(8, 70);
   const int z2 = mode.ring ? -(z1 + random.whole(8, 60)) : z1 + random.whole(0, 60);
@@ -139,8 +139,8 @@ void expect_verdicts_of_the_graph(const Mode& mode, unsigned seed, int cases, in
           << s.trials[i].z2 << " a " << (*s.problem.center_distance)[0] << " "
           << (*s.problem.center_distance)[1] << " α " << s.problem.normal_pressure_angle << " β "
           << s.problem.helix[0] << " ε " << s.problem.limits.contact_ratio << " s "
-          << s.problem.limits.tip_thickness << " x " << s.problem.limits.least_shift.value_or(-99.0)
-          << " " << s.problem.limits.greatest_shift.value_or(99.0);
+          << s.problem.limits.tip_thickness << " x " << s.problem.limits.min_shift.value_or(-99.0)
+          << " " << s.problem.limits.max_shift.value_or(99.0);
     }
   }
   EXPECT_GT(seen[0], least / 10);
@@ -187,15 +187,15 @@ TEST(Sieve, VerdictsOfAnyRectangleAreThoseOfTheGraph) {
     p.center_distance = {{least, least + random.uniform(0.0, 2.0)}};
     std::array<TrialGear, 2> gears{trial_gear(p, t.z1, 0.0, 0, 0), trial_gear(p, t.z2, 0.0, 0, 1)};
     for (TrialGear& g : gears) {
-      g.x_least = random.uniform(-1.6, 1.5);
-      g.x_greatest = g.x_least + random.uniform(-0.05, 1.0);
+      g.x_min = random.uniform(-1.6, 1.5);
+      g.x_max = g.x_min + random.uniform(-0.05, 1.0);
     }
     const ShiftGraph graph(p, t, gears[0], gears[1]);
     SieveBatch batch;
     batch.resize(1);
     const double values[SieveBatch::kIn] = {
-        gears[0].r,       gears[0].x_least,    gears[0].x_greatest,     gears[1].r,
-        gears[1].x_least, gears[1].x_greatest, (*p.center_distance)[0], (*p.center_distance)[1]};
+        gears[0].r,     gears[0].x_min, gears[0].x_max,          gears[1].r,
+        gears[1].x_min, gears[1].x_max, (*p.center_distance)[0], (*p.center_distance)[1]};
     for (std::size_t k = 0; k < SieveBatch::kIn; ++k) batch.in[k][0] = values[k];
     sieve(constants_of(p), batch);
     const double verdict = batch.verdict[0];
@@ -234,8 +234,8 @@ TEST(Sieve, BandsAboutTheBaseRadiiHaveOneVerdict) {
   p.center_distance = {{nearest - 0.04, nearest + 0.06}};
   const double alpha = p.normal_pressure_angle;
   const double last = involute(alpha) * 9.0 / (2.0 * std::tan(alpha));
-  p.limits.least_shift = last / 2.0 + 0.001;
-  p.limits.greatest_shift = 0.5;
+  p.limits.min_shift = last / 2.0 + 0.001;
+  p.limits.max_shift = 0.5;
   s.constants = constants_of(p);
   s.batch.resize(1);
   put(s, 0, trial(p, 61, -70));

@@ -39,7 +39,7 @@ double shift_of_base_circle(const TrialGear& g, double k) {
 }
 
 struct Shifts {
-  double least, greatest;
+  double min, max;
 };
 
 // Where the tip is thick enough: the interval that reaches highest.
@@ -49,7 +49,7 @@ Shifts thick_enough(const TrialGear& g, double k) {
   const double far = std::abs(static_cast<double>(g.teeth)) + 5.0;
   const double lo = g.teeth > 0 ? edge : -far;
   const double hi = g.teeth > 0 ? edge + far : edge;
-  const auto margin = [&](double x) { return tip_thickness(g, x, k) - g.tip_thickness_least; };
+  const auto margin = [&](double x) { return tip_thickness(g, x, k) - g.min_tip_thickness; };
   if (g.teeth > 0) {
     // As a rule: thick enough on the base circle and at x = 0, and from there on thinner and
     // thinner.
@@ -64,11 +64,10 @@ Shifts thick_enough(const TrialGear& g, double k) {
 
 }  // namespace
 
-double greatest_shift(const SearchProblem& problem, const TrialGear& gear, double k) {
-  if (k == 0.0) return gear.x_greatest;
-  const double ceiling =
-      problem.limits.greatest_shift.value_or(std::numeric_limits<double>::infinity());
-  return std::min(ceiling, thick_enough(gear, k).greatest);
+double max_shift(const SearchProblem& problem, const TrialGear& gear, double k) {
+  if (k == 0.0) return gear.x_max;
+  const double ceiling = problem.limits.max_shift.value_or(std::numeric_limits<double>::infinity());
+  return std::min(ceiling, thick_enough(gear, k).max);
 }
 
 TrialGear trial_gear(const SearchProblem& problem, int teeth, double helix, int rack, int which) {
@@ -87,27 +86,27 @@ TrialGear trial_gear(const SearchProblem& problem, int teeth, double helix, int 
   g.sin_transverse = std::sin(reference.transverse_pressure_angle);
   g.cos_base_helix = std::cos(reference.base_helix_angle);
   g.tan_base_helix = std::tan(reference.base_helix_angle);
-  g.tip_thickness_least = problem.limits.tip_thickness;
+  g.min_tip_thickness = problem.limits.tip_thickness;
   g.reference_half_angle = reference.base_tooth_thickness / reference.base_diameter;
   g.half_angle_per_shift = 2.0 * std::tan(problem.normal_pressure_angle) / std::abs(teeth);
 
   const SearchLimits& limits = problem.limits;
   const Shifts thick = thick_enough(g, 0.0);
-  g.x_least = thick.least;
-  g.x_greatest = thick.greatest;
+  g.x_min = thick.min;
+  g.x_max = thick.max;
   if (teeth > 0) {
     const double undercut = undercut_limit(g.edge_depth, teeth, g.sin_transverse, std::cos(helix)) +
                             limits.undercut_margin;
-    g.x_least = std::max(g.x_least, undercut);
+    g.x_min = std::max(g.x_min, undercut);
   }
-  if (limits.least_shift) g.x_least = std::max(g.x_least, *limits.least_shift);
-  if (limits.greatest_shift) g.x_greatest = std::min(g.x_greatest, *limits.greatest_shift);
+  if (limits.min_shift) g.x_min = std::max(g.x_min, *limits.min_shift);
+  if (limits.max_shift) g.x_max = std::min(g.x_max, *limits.max_shift);
   return g;
 }
 
 TrialGears::TrialGears(const SearchProblem& problem, int least, int greatest, double helix,
                        int rack, int which)
-    : least_(least) {
+    : min_teeth_(least) {
   GW_EXPECTS(least <= greatest);
   gears_.reserve(static_cast<std::size_t>(greatest - least + 1));
   for (int z = least; z <= greatest; ++z)
@@ -115,8 +114,8 @@ TrialGears::TrialGears(const SearchProblem& problem, int least, int greatest, do
 }
 
 const TrialGear& TrialGears::operator[](int teeth) const {
-  GW_EXPECTS(teeth >= least_ && teeth - least_ < static_cast<int>(gears_.size()));
-  return gears_[static_cast<std::size_t>(teeth - least_)];
+  GW_EXPECTS(teeth >= min_teeth_ && teeth - min_teeth_ < static_cast<int>(gears_.size()));
+  return gears_[static_cast<std::size_t>(teeth - min_teeth_)];
 }
 
 }  // namespace gearwright

@@ -25,11 +25,11 @@ struct TrialGear {
   double sin_transverse = 0.0;        ///< sin α_t
   double cos_base_helix = 1.0;        ///< cos β_b
   double tan_base_helix = 0.0;        ///< tan β_b, unsigned
-  double tip_thickness_least = 0.0;   ///< the limit of s_an
+  double min_tip_thickness = 0.0;     ///< the limit of s_an
   double reference_half_angle = 0.0;  ///< s_t/d at x = 0, plus (ring: minus) inv α_t
   double half_angle_per_shift = 0.0;  ///< 2 tan α_n/|z|
-  double x_least = 0.0,
-         x_greatest = 0.0;  ///< the limits, at k = 0; none possible: least > greatest
+  double x_min = 0.0,
+         x_max = 0.0;  ///< the limits, at k = 0; none possible: x_min > x_max
 };
 
 /// The gear and its limits: undercut (none of a ring), tip thickness, floor and ceiling, and that
@@ -48,8 +48,8 @@ double undercut_limit(double edge_depth, int teeth, double sin_transverse, doubl
 double tip_thickness(const TrialGear& gear, double x, double k = 0.0);
 
 /// The greatest x within the limits with tip alteration k: at k < 0 the tooth is thicker at its tip
-/// than the limits know. Below `x_least` when there is none.
-double greatest_shift(const SearchProblem& problem, const TrialGear& gear, double k);
+/// than the limits know. Below `x_min` when there is none.
+double max_shift(const SearchProblem& problem, const TrialGear& gear, double k);
 
 /// The limits of every tooth number at one helix and rack, made once: trials ask for them often.
 class TrialGears {
@@ -60,7 +60,7 @@ class TrialGears {
   const TrialGear& operator[](int teeth) const;
 
  private:
-  int least_;
+  int min_teeth_;
   std::vector<TrialGear> gears_;
 };
 

@@ -48,15 +48,15 @@ TEST(TrialGear, LimitsAreThoseOfTheReference) {
         const TrialGear g = trial_gear(problem_with(thickness, depth), z, 0.0, 0, 0);
         const double least = number(row.at(low));
         EXPECT_NEAR(undercut_limit(depth, z, g.sin_transverse, 1.0), least, kPrinted) << z;
-        EXPECT_NEAR(g.x_greatest, number(row.at(high)), kPrinted) << z << " " << thickness;
+        EXPECT_NEAR(g.x_max, number(row.at(high)), kPrinted) << z << " " << thickness;
         if (least > number(row.at(high))) {
           ++empty;
-          EXPECT_GT(g.x_least, g.x_greatest);
+          EXPECT_GT(g.x_min, g.x_max);
         } else if (tip_radius(g, least) > g.r_b && tip_thickness(g, least) >= thickness) {
-          EXPECT_NEAR(g.x_least, least, kPrinted) << z << " " << thickness;
+          EXPECT_NEAR(g.x_min, least, kPrinted) << z << " " << thickness;
         } else {
           ++raised;
-          EXPECT_GT(g.x_least, least) << z;
+          EXPECT_GT(g.x_min, least) << z;
         }
       }
     }
@@ -119,7 +119,7 @@ TEST(TrialGear, AtTheEndsALimitIsMet) {
     SearchProblem p = problem_with(random.uniform(0.0, 0.5), random.uniform(0.9, 1.25));
     p.limits.undercut_margin = random.chance(0.3) ? random.uniform(-1.0, 0.2) : 0.0;
     const TrialGear g = trial_gear(p, z, beta, 0, 0);
-    if (g.x_least > g.x_greatest) continue;
+    if (g.x_min > g.x_max) continue;
     const double thin = p.limits.tip_thickness;
     const double undercut = undercut_limit(g.edge_depth, z, g.sin_transverse, std::cos(beta)) +
                             p.limits.undercut_margin;
@@ -131,22 +131,22 @@ TEST(TrialGear, AtTheEndsALimitIsMet) {
     const auto thickness_met = [&](double x) {
       return std::abs(tip_thickness(g, x) - thin) < 1e-12;
     };
-    EXPECT_TRUE(thickness_met(g.x_greatest) || (ring && on_base(g.x_greatest))) << z << " " << beta;
+    EXPECT_TRUE(thickness_met(g.x_max) || (ring && on_base(g.x_max))) << z << " " << beta;
     if (ring) {
-      EXPECT_TRUE(thickness_met(g.x_least) || g.x_least == -std::abs(z) - 5.0) << z << " " << beta;
-    } else if (g.x_least == undercut) {
+      EXPECT_TRUE(thickness_met(g.x_min) || g.x_min == -std::abs(z) - 5.0) << z << " " << beta;
+    } else if (g.x_min == undercut) {
       ++undercut_ends;
-    } else if (on_base(g.x_least)) {
+    } else if (on_base(g.x_min)) {
       ++at_base;
     } else {
       ++thin_below;
-      EXPECT_TRUE(thickness_met(g.x_least)) << z << " " << beta << " " << thin;
-      EXPECT_GT(g.x_least, undercut);
+      EXPECT_TRUE(thickness_met(g.x_min)) << z << " " << beta << " " << thin;
+      EXPECT_GT(g.x_min, undercut);
     }
-    EXPECT_GE(tip_radius(g, g.x_least), std::abs(g.r_b));
-    EXPECT_GE(tip_radius(g, g.x_greatest), std::abs(g.r_b));
+    EXPECT_GE(tip_radius(g, g.x_min), std::abs(g.r_b));
+    EXPECT_GE(tip_radius(g, g.x_max), std::abs(g.r_b));
     for (const double t : {0.01, 0.3, 0.5, 0.7, 0.99}) {
-      const double x = g.x_least + t * (g.x_greatest - g.x_least);
+      const double x = g.x_min + t * (g.x_max - g.x_min);
       EXPECT_GE(tip_thickness(g, x), thin) << z << " " << beta << " " << x;
     }
   }
@@ -158,23 +158,23 @@ TEST(TrialGear, AtTheEndsALimitIsMet) {
 TEST(TrialGear, FloorAndCeilingCutTheRange) {
   SearchProblem p = problem_with(0.2);
   const TrialGear free = trial_gear(p, 40, 0.0, 0, 1);
-  p.limits.least_shift = -0.6;
-  p.limits.greatest_shift = 1.0;
+  p.limits.min_shift = -0.6;
+  p.limits.max_shift = 1.0;
   const TrialGear cut = trial_gear(p, 40, 0.0, 0, 1);
-  EXPECT_LT(free.x_least, -0.6);
-  EXPECT_GT(free.x_greatest, 1.0);
-  EXPECT_EQ(cut.x_least, -0.6);
-  EXPECT_EQ(cut.x_greatest, 1.0);
+  EXPECT_LT(free.x_min, -0.6);
+  EXPECT_GT(free.x_max, 1.0);
+  EXPECT_EQ(cut.x_min, -0.6);
+  EXPECT_EQ(cut.x_max, 1.0);
   const TrialGear ring = trial_gear(p, -60, 0.0, 0, 1);
-  EXPECT_EQ(ring.x_least, -0.6);
-  EXPECT_LE(ring.x_greatest, 1.0);
+  EXPECT_EQ(ring.x_min, -0.6);
+  EXPECT_LE(ring.x_max, 1.0);
 }
 
 TEST(TrialGear, MarginsRaiseTheUndercutLimit) {
   SearchProblem p = problem_with(0.2);
-  const double bare = trial_gear(p, 17, 0.3, 0, 0).x_least;
+  const double bare = trial_gear(p, 17, 0.3, 0, 0).x_min;
   p.limits.undercut_margin = 0.1;
-  EXPECT_NEAR(trial_gear(p, 17, 0.3, 0, 0).x_least, bare + 0.1, 1e-15);
+  EXPECT_NEAR(trial_gear(p, 17, 0.3, 0, 0).x_min, bare + 0.1, 1e-15);
 }
 
 // A tip cut back by −k is thicker there: the greatest shift grows until it is as thin again.
@@ -183,33 +183,33 @@ TEST(TrialGear, ShorterTipsMayShiftFarther) {
   for (const double beta : {0.0, 0.4}) {
     for (const int z : {10, 17, 40, 120}) {
       const TrialGear g = trial_gear(p, z, beta, 0, 0);
-      EXPECT_EQ(greatest_shift(p, g, 0.0), g.x_greatest);
-      double last = g.x_greatest;
+      EXPECT_EQ(max_shift(p, g, 0.0), g.x_max);
+      double last = g.x_max;
       for (const double k : {-1e-6, -0.01, -0.1, -0.3}) {
-        const double x = greatest_shift(p, g, k);
+        const double x = max_shift(p, g, k);
         EXPECT_GT(x, last) << z << " " << k;
         EXPECT_NEAR(tip_thickness(g, x, k), 0.3, 1e-12) << z << " " << k;
         last = x;
       }
     }
   }
-  p.limits.greatest_shift = 0.2;
+  p.limits.max_shift = 0.2;
   const TrialGear g = trial_gear(p, 40, 0.0, 0, 0);
-  EXPECT_EQ(greatest_shift(p, g, -0.1), 0.2);
+  EXPECT_EQ(max_shift(p, g, -0.1), 0.2);
 }
 
 // (2)
 TEST(TrialGear, TablesAndHandsChangeNothing) {
   SearchProblem p = problem_with(0.25);
-  p.limits.least_shift = -0.6;
+  p.limits.min_shift = -0.6;
   for (const double beta : {0.0, 0.35}) {
     for (const auto& [least, greatest] : {std::pair{5, 90}, {-90, -20}}) {
       const TrialGears table(p, least, greatest, beta, 0, 1);
       for (int z = least; z <= greatest; ++z) {
         const TrialGear one = trial_gear(p, z, -beta, 0, 1);
         EXPECT_EQ(table[z].teeth, z);
-        EXPECT_EQ(table[z].x_least, one.x_least);
-        EXPECT_EQ(table[z].x_greatest, one.x_greatest);
+        EXPECT_EQ(table[z].x_min, one.x_min);
+        EXPECT_EQ(table[z].x_max, one.x_max);
         EXPECT_EQ(table[z].r_b, one.r_b);
       }
     }
@@ -226,8 +226,8 @@ TEST(TrialGear, EachGearHasItsOwnRack) {
   EXPECT_EQ(one.addendum, 1.0);
   EXPECT_EQ(two.addendum, 0.8);
   EXPECT_EQ(two.dedendum, 1.4);
-  EXPECT_NEAR(two.x_least - one.x_least, 0.2, 1e-15);
-  EXPECT_GT(two.x_greatest, one.x_greatest);  // the shorter tooth is thicker at its tip
+  EXPECT_NEAR(two.x_min - one.x_min, 0.2, 1e-15);
+  EXPECT_GT(two.x_max, one.x_max);  // the shorter tooth is thicker at its tip
 }
 
 }  // namespace

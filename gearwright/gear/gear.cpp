@@ -16,17 +16,17 @@ namespace {
 
 // What a spec may say. The limits lie far beyond every gear that was ever cut and keep each formula
 // inside the domain it was measured in.
-constexpr int kMostTeeth = 100'000;
-constexpr double kLeastModule = 1e-3;    // mm
-constexpr double kGreatestModule = 1e3;  // mm
-constexpr double kGreatestHelix = 89.0;  // degrees
-constexpr double kLeastPressure = 1.0;   // degrees
-constexpr double kGreatestPressure = 60.0;
-constexpr double kGreatestShift = 1e4;       // modules
-constexpr double kGreatestAllowance = 10.0;  // modules
-constexpr double kLeastFace = 1e-3;          // modules
-constexpr double kGreatestFace = 1e5;        // modules
-constexpr double kGreatestTip = 1e3;         // times the reference diameter
+constexpr int kMaxTeeth = 100'000;
+constexpr double kMinModule = 1e-3;   // mm
+constexpr double kMaxModule = 1e3;    // mm
+constexpr double kMaxHelix = 89.0;    // degrees
+constexpr double kMinPressure = 1.0;  // degrees
+constexpr double kMaxPressure = 60.0;
+constexpr double kMaxShift = 1e4;       // modules
+constexpr double kMaxAllowance = 10.0;  // modules
+constexpr double kMinFace = 1e-3;       // modules
+constexpr double kMaxFace = 1e5;        // modules
+constexpr double kMaxTip = 1e3;         // times the reference diameter
 
 }  // namespace
 
@@ -36,47 +36,45 @@ std::optional<Error> check_limits(const CylindricalSpec& spec) {
   };  // false for NaN
   if (spec.teeth == 0)
     return refused("teeth", 0, "must not be 0; negative for an internal gear (ring)");
-  if (std::abs(spec.teeth) > kMostTeeth) {
-    return refused(
-        "teeth", spec.teeth,
-        fmt::format("must be at most {} (a ring: at least -{})", kMostTeeth, kMostTeeth));
+  if (std::abs(spec.teeth) > kMaxTeeth) {
+    return refused("teeth", spec.teeth,
+                   fmt::format("must be at most {} (a ring: at least -{})", kMaxTeeth, kMaxTeeth));
   }
   const double m = spec.normal_module;
-  if (!within(m, kLeastModule, kGreatestModule)) {
+  if (!within(m, kMinModule, kMaxModule)) {
     return refused("normal_module_mm", m,
-                   fmt::format("must lie between {} and {} mm", kLeastModule, kGreatestModule));
+                   fmt::format("must lie between {} and {} mm", kMinModule, kMaxModule));
   }
   const double alpha = spec.normal_pressure_angle.deg();
-  if (!within(alpha, kLeastPressure, kGreatestPressure)) {
-    return refused("normal_pressure_angle_deg", alpha,
-                   fmt::format("must lie between {} and {}, usually 14.5 to 30", kLeastPressure,
-                               kGreatestPressure));
+  if (!within(alpha, kMinPressure, kMaxPressure)) {
+    return refused(
+        "normal_pressure_angle_deg", alpha,
+        fmt::format("must lie between {} and {}, usually 14.5 to 30", kMinPressure, kMaxPressure));
   }
   const double beta = spec.helix_angle.deg();
-  if (!within(beta, -kGreatestHelix, kGreatestHelix)) {
-    return refused("helix_angle_deg", beta,
-                   fmt::format("must lie between -{} (left hand) and {} (right hand)",
-                               kGreatestHelix, kGreatestHelix));
-  }
-  if (!within(spec.profile_shift, -kGreatestShift, kGreatestShift)) {
+  if (!within(beta, -kMaxHelix, kMaxHelix)) {
     return refused(
-        "profile_shift", spec.profile_shift,
-        fmt::format("must lie between -{} and {} modules", kGreatestShift, kGreatestShift));
+        "helix_angle_deg", beta,
+        fmt::format("must lie between -{} (left hand) and {} (right hand)", kMaxHelix, kMaxHelix));
   }
-  const double allowance = kGreatestAllowance * m;
+  if (!within(spec.profile_shift, -kMaxShift, kMaxShift)) {
+    return refused("profile_shift", spec.profile_shift,
+                   fmt::format("must lie between -{} and {} modules", kMaxShift, kMaxShift));
+  }
+  const double allowance = kMaxAllowance * m;
   if (!within(spec.thickness_allowance, -allowance, allowance)) {
     return refused(
         "thickness_allowance_mm", spec.thickness_allowance,
         fmt::format("must lie between -{} and {} mm (10 modules)", allowance, allowance));
   }
-  if (!within(spec.face_width, kLeastFace * m, kGreatestFace * m)) {
+  if (!within(spec.face_width, kMinFace * m, kMaxFace * m)) {
     return refused("face_width_mm", spec.face_width,
-                   fmt::format("must lie between {} and {} mm", kLeastFace * m, kGreatestFace * m));
+                   fmt::format("must lie between {} and {} mm", kMinFace * m, kMaxFace * m));
   }
   const double d = m / std::cos(spec.helix_angle.rad()) * std::abs(spec.teeth);
-  if (spec.tip_diameter && !(*spec.tip_diameter > 0.0 && *spec.tip_diameter <= kGreatestTip * d)) {
+  if (spec.tip_diameter && !(*spec.tip_diameter > 0.0 && *spec.tip_diameter <= kMaxTip * d)) {
     return refused("tip_diameter_mm", *spec.tip_diameter,
-                   fmt::format("must be greater than 0 and at most {} mm", kGreatestTip * d));
+                   fmt::format("must be greater than 0 and at most {} mm", kMaxTip * d));
   }
   return std::nullopt;
 }
@@ -106,19 +104,19 @@ std::optional<Error> cut(Gear& gear, const CutterEdge& edge) {
   gear.undercut = !spec.root_fillet && x_E < gear.undercut_free_profile_shift;
   const std::optional<double> blank =
       spec.tip_diameter || !spec.tip_fillet ? std::optional(gear.tip_diameter / 2) : std::nullopt;
-  auto rolls = fillet_rolls(ruler, spec.teeth, spec.root_fillet, spec.tip_fillet, blank);
-  if (!rolls) return rolls.error();
-  if (rolls->root) gear.point_c_l = ruler.l(*rolls->root);
-  if (rolls->tip) {
-    gear.point_j_l = ruler.l(*rolls->tip);
+  auto fillets = circular_fillets(ruler, spec.teeth, spec.root_fillet, spec.tip_fillet, blank);
+  if (!fillets) return fillets.error();
+  if (fillets->root) gear.point_c_l = ruler.l(fillets->root->roll);
+  if (fillets->tip) {
+    gear.point_j_l = ruler.l(fillets->tip->roll);
     // A tooth that its fillet ends needs no other tip.
-    if (!blank) gear.tip_diameter = 2 * tip_fillet_at(ruler.flank, *rolls->tip)->end;
+    if (!blank) gear.tip_diameter = 2 * fillets->tip->arc.end;
   }
-  auto tooth = cut_by_rack(edge, motion, spec.teeth, gear.tip_diameter / 2, *rolls);
+  auto tooth = cut_by_rack(edge, motion, spec.teeth, gear.tip_diameter / 2, *fillets);
   if (!tooth) return tooth.error();
   gear.tooth = std::move(tooth).take();
-  if (rolls->tip)
-    forget_fillet_cut_off(gear, ruler.flank.base_radius() * std::hypot(1.0, *rolls->tip));
+  if (fillets->tip)
+    forget_fillet_cut_off(gear, ruler.flank.base_radius() * std::hypot(1.0, fillets->tip->roll));
   return std::nullopt;
 }
 

@@ -9,7 +9,6 @@
 
 #include "gearwright/base/angle.hpp"
 #include "gearwright/base/result.hpp"
-#include "gearwright/gear/few_teeth.hpp"
 #include "gearwright/gear/reference.hpp"
 #include "gearwright/generation/generate.hpp"
 #include "gearwright/tool/arc_racks.hpp"

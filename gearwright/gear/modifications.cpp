@@ -7,6 +7,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/refusal.hpp"
+#include "gearwright/base/units.hpp"
 
 namespace gearwright {
 
@@ -14,13 +15,13 @@ namespace {
 
 // Greatest amount over the depth of the usable flank, which is some two modules deep: 0.2 modules,
 // ten times what drawings ask for. Taken from both flanks it is half the tip land of most teeth.
-constexpr double kGreatestAmount = 0.1;
+constexpr double kMaxAmount = 0.1;
 // Greatest slope of a relief over its depth (length). Removal along the normal of the unmodified
 // flank errs by half the square of the slope, here 2 % of the amount; steeper is a chamfer, a
 // surface of its own.
 constexpr double kSteepest = 0.2;
 // Least depth (length) of a relief over that of the flank (face): less is an edge.
-constexpr double kLeastReach = 1e-3;
+constexpr double kMinReach = 1e-3;
 // Borders nearer to each other, over the flank's width, are one: a linear relief that begins so
 // much elsewhere differs by less than 1e-6 of its amount.
 constexpr double kSameBorder = 1e-9;
@@ -28,14 +29,15 @@ constexpr double kSameBorder = 1e-9;
 constexpr double kSameDiameter = 1e-9;
 // Least L over the greatest at which √(ρ² − r0²) is taken as it stands. A flank that begins on the
 // base circle itself has its L wrong by half of this, there and nowhere else.
-constexpr double kLeastRoll = 1e-6;
+constexpr double kMinRoll = 1e-6;
 // The form radius of a flank that begins on the base circle is that of the circle, to rounding.
 constexpr double kOnBase = 1e-12;
 
-constexpr double kUm = 1e-3;  // mm
-
 // mm as the um of the spec, without the rounding of the way there and back.
-double in_um(double mm) { return std::round(mm / kUm * 1e9) / 1e9; }
+double in_um(double mm) {
+  constexpr double kSteps = 1e9;  // per µm: finer than any drawing, coarser than rounding
+  return std::round(mm / kMmPerUm * kSteps) / kSteps;
+}
 
 std::string key_of(const FlankModifications& m, const std::string& key) {
   for (const std::string& own : m.own_keys) {
@@ -53,7 +55,7 @@ std::optional<Error> check_amount(const FlankModifications& m, const char* key, 
                  fmt::format("must lie between -{0:.6g} and {0:.6g} um, a tenth of the depth of "
                              "this gear's usable flank; more is another tooth: change the rack "
                              "or thickness_allowance_mm",
-                             greatest / kUm));
+                             greatest / kMmPerUm));
 }
 
 struct ReliefKeys {
@@ -70,7 +72,7 @@ std::optional<Error> check_steepness(const FlankModifications& m, const ReliefKe
       fmt::format("must be at most {:.6g} um over {:.6g} mm, a slope of 1 in 5; a longer "
                   "relief ({}) may remove more, a chamfer is cut by the rack "
                   "(semi_topping_angle_deg)",
-                  greatest / kUm, over, keys.reach));
+                  greatest / kMmPerUm, over, keys.reach));
 }
 
 std::optional<Error> check_relief(const FlankModifications& m, const ReliefKeys& keys,
@@ -91,7 +93,7 @@ std::optional<Error> check_profile_relief(const FlankModifications& m, const Rel
                                           const Relief& relief, double rho_far, double rho_end) {
   if (auto error = check_relief(m, keys, relief)) return error;
   if (!relief.reach) return std::nullopt;
-  const double nearest = 2 * (rho_end - kLeastReach * (rho_end - rho_far));
+  const double nearest = 2 * (rho_end - kMinReach * (rho_end - rho_far));
   const auto [lo, hi] = std::minmax({2 * rho_far, nearest});
   const double slack = kSameDiameter * rho_far;
   if (!(*relief.reach >= lo - slack && *relief.reach <= hi + slack)) {
@@ -108,11 +110,11 @@ std::optional<Error> check_end_relief(const FlankModifications& m, double b) {
   if (auto error = check_relief(m, keys, m.end_relief)) return error;
   if (!m.end_relief.reach) return std::nullopt;
   const double l = *m.end_relief.reach;
-  if (!(l >= kLeastReach * b && l <= b / 2)) {
+  if (!(l >= kMinReach * b && l <= b / 2)) {
     return refused(key_of(m, keys.reach), l,
                    fmt::format("must lie between {} mm and half the face width, {} mm; "
                                "lead_crowning_um takes from the whole face",
-                               kLeastReach * b, b / 2));
+                               kMinReach * b, b / 2));
   }
   return check_steepness(m, keys, m.end_relief, l);
 }
@@ -148,7 +150,7 @@ std::optional<Error> check_topography(const FlankModifications& m, const FlankEx
     return refusal("removed_um", in_um(c),
                    fmt::format("must lie between -{0:.6g} and {0:.6g}, a tenth of the depth of "
                                "this gear's usable flank",
-                               greatest / kUm));
+                               greatest / kMmPerUm));
   }
   return std::nullopt;
 }
@@ -162,7 +164,7 @@ std::optional<Error> check(const FlankModifications& m, const FlankExtent& e) {
                                         m.root_relief, e.rho_tip_form, e.rho_root_form))
     return error;
   if (auto error = check_end_relief(m, e.face_width)) return error;
-  const double greatest = kGreatestAmount * depth;
+  const double greatest = kMaxAmount * depth;
   for (const auto& [key, amount] :
        {std::pair("tip_relief_um", m.tip_relief.amount),
         std::pair("root_relief_um", m.root_relief.amount),
@@ -234,7 +236,7 @@ RemovalField::RemovalField(const FlankModifications& m, const FlankExtent& e)
       roll_tip_(length(e.rho_tip_form, e.r0)) {
   GW_EXPECTS(!check(m, e));
   const auto [least, greatest] = std::minmax({roll_root_, roll_tip_});
-  const double floor = std::max(least / 2, kLeastRoll * greatest);
+  const double floor = std::max(least / 2, kMinRoll * greatest);
   y_floor_ = floor * floor;
   tip_ = ramp(m.tip_relief, length(m.tip_relief.reach.value_or(0.0) / 2, e.r0), roll_tip_);
   root_ = ramp(m.root_relief, length(m.root_relief.reach.value_or(0.0) / 2, e.r0), roll_root_);

@@ -1,8 +1,8 @@
-// A gear cut by a pinion cutter: a finished gear, rolling with it at the generating centre
-// distance.
+// A gear cut by a pinion cutter: a finished gear, rolling with it at generating centre distance.
 //
-//   E    generating centre distance, mm      x    follows from E: cutter and gear mesh there
-//   without backlash                                   theory: docs/theory/06-few-teeth.md
+//   E    generating centre distance, mm
+//   x    follows from E: cutter and gear mesh there without backlash
+//                                              theory: docs/theory/06-few-teeth.md
 #pragma once
 
 #include "gearwright/gear/gear.hpp"

@@ -1,10 +1,10 @@
 // Reference geometry of a cylindrical involute gear: what follows from its numbers in closed form.
 //
-//   z    teeth, negative for a ring          m_n, m_t   normal and transverse module, mm
+//   z         teeth, negative for a ring     m_n, m_t   normal and transverse module, mm
 //   α_n, α_t  pressure angles, rad           β, β_b     helix angles, rad, > 0 right hand
 //   d, d_b    reference and base diameter    s_n, s_t, s_bt   tooth thicknesses, mm
-//   x    profile shift, x_E with the thickness allowance E_sn               theory:
-//   docs/theory/02-involute-and-pair.md
+//   x         profile shift                  x_E        the same with the thickness allowance E_sn
+//                                              theory: docs/theory/02-involute-and-pair.md
 //
 // Templates over the scalar: double in production, 50 digits in the accuracy ledger.
 #pragma once

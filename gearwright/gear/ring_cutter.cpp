@@ -13,7 +13,8 @@ namespace gearwright {
 namespace {
 
 constexpr double kCutterDedendum = 1.5;  // modules, with a sharp root: flanks for every ring's tip
-constexpr double kLeastLand = 0.1;       // modules, at the cutter's tip
+constexpr double kMinLand = 0.1;         // modules, at the cutter's tip
+constexpr double kSameTip = 1e-9;        // relative: the tip that was asked for, but for rounding
 
 struct Cutter {
   Gear gear;
@@ -44,8 +45,8 @@ std::optional<Cutter> cutter_of(const Gear& ring, int z_0, double rounding) {
   if (!cutter || !cutter->exists() || cutter->pointed()) return std::nullopt;
   // A cutter without a land, or with its rounding cut off, would not reach the root.
   const auto& land = cutter->tip_tooth_thickness_normal;
-  if (!land || *land < kLeastLand * c.normal_module) return std::nullopt;
-  if (std::abs(cutter->tooth->tip_radius - r_a) > 1e-9 * r_a) return std::nullopt;
+  if (!land || *land < kMinLand * c.normal_module) return std::nullopt;
+  if (std::abs(cutter->tooth->tip_radius - r_a) > kSameTip * r_a) return std::nullopt;
   return Cutter{std::move(cutter).take(), *e};
 }
 

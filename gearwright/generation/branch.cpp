@@ -17,6 +17,8 @@ namespace gearwright::detail {
 
 // A fillet that ends the tooth on its centre line and a tip circle this close are one end.
 constexpr double kSameEnd = 1e-12;
+// Of half a pitch: a root land shorter than that is the rounding of a full-radius root.
+constexpr double kNoLand = 1e-12;
 
 double Branch::t_at(double h) const {
   if (h <= height_lo) return t_lo;
@@ -69,9 +71,8 @@ void end_at_tip(std::vector<Branch>& chain, double side, GeneratedTooth& tooth) 
   for (std::size_t i = 0; i < chain.size(); ++i) {
     Branch& branch = chain[i];
     const double tip = side * tooth.tip_radius;
-    // The cutter's bottom rounding ends on the land's circle itself, up to rounding.
     const bool final = i + 1 == chain.size();
-    if (final) GW_ENSURES(branch.height_hi >= tip - 1e-9 * tooth.tip_radius);
+    if (final) GW_ENSURES(branch.height_hi >= tip - kAtTip * tooth.tip_radius);
     const bool last = final || branch.height_hi >= tip;
     const double end = std::min(branch.height_hi, tip);
     if (branch.ends_on_center_line && branch.height_hi - end <= kSameEnd * tooth.tip_radius) {
@@ -103,7 +104,7 @@ void write_outline(const std::vector<Branch>& chain, const ToothEnds& ends, Gene
   const auto root_circle = std::make_shared<AxisCircle>(tooth.root_radius);
   const SinCos middle = sincos_turn(1, 2LL * z);
   Vec2 joint = tooth.root_radius * Vec2(middle.cos, middle.sin);
-  if (ends.root_land_angle < half_pitch * (1 - 1e-12)) {
+  if (ends.root_land_angle < half_pitch * (1 - kNoLand)) {
     const Vec2 end = root_circle->point(ends.root_land_angle);
     outline.arcs.push_back(
         {ArcName::root_land, root_circle, half_pitch, ends.root_land_angle, joint, end});

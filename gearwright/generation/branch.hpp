@@ -4,8 +4,7 @@
 // the radius on a ring's, so that heights rise from root to tip on both. The tooth is the lower
 // envelope of the branches' half angles, |θ| < min θ(height). Two neighbours that do not join
 // smoothly meet in a true intersection, found in closed bracket.
-//                                                theory: docs/theory/03-rack-and-generation.md,
-//                                                [T3.11]…[T3.13]
+//                            theory: docs/theory/03-rack-and-generation.md, [T3.11]…[T3.13]
 #pragma once
 
 #include <functional>
@@ -16,6 +15,9 @@
 #include "gearwright/generation/generate.hpp"
 
 namespace gearwright::detail {
+
+/// Relative: the cutter's own bottom ends on the circle of the land, up to rounding.
+inline constexpr double kAtTip = 1e-9;
 
 struct Branch {
   ArcName name;

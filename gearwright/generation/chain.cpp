@@ -52,9 +52,10 @@ Joint joint(const Branch& last, const Branch& next) {
     if (next.height_lo > last.height_lo) return {Joint::at_height, lo};
     return {Joint::last_hidden};
   }
-  if (std::isinf(hi)) {  // both straight: the one that rises less steeply wins far out
+  if (std::isinf(hi)) {              // both straight: the one that rises less steeply wins far out
+    constexpr double kFarOut = 1e6;  // times the radius: no tooth is that high
     hi = 2.0 * lo;
-    while (gap(hi) < 0.0 && hi < 1e6 * lo) hi *= 2.0;
+    while (gap(hi) < 0.0 && hi < kFarOut * lo) hi *= 2.0;
   }
   if (gap(hi) > 0.0) return {Joint::at_height, crossing(last, next, lo, hi)};
   if (last.height_hi < next.height_hi) return {Joint::at_height, hi};
@@ -158,7 +159,8 @@ const Branch* going_on(const std::vector<Branch>& branches, const Branch& ended,
   for (const Branch& b : branches) {
     if (b.height_lo > h + near || b.height_hi <= h + near) continue;
     if (std::abs(b.theta_at(h) - theta) > same) continue;
-    const double ahead = std::min(b.height_hi, h + 1e3 * near);
+    constexpr double kAhead = 1e3;  // times what counts as one point: there they have parted
+    const double ahead = std::min(b.height_hi, h + kAhead * near);
     if (!lowest || b.theta_at(ahead) < lowest->theta_at(ahead)) lowest = &b;
   }
   return lowest;
@@ -184,8 +186,7 @@ std::vector<Branch> lower_envelope(const std::vector<Branch>& branches, double t
       next = &b;
     }
     if (until > from) append(lower, {*own}, from, until);
-    // The cutter's root ends on the land's circle itself, up to rounding.
-    if (!next && until >= tip_height - 1e-9 * std::abs(tip_height)) return lower;
+    if (!next && until >= tip_height - kAtTip * std::abs(tip_height)) return lower;
     // Strictly first: a branch may be shorter than what counts as one point.
     if (!next) next = going_on(branches, *own, until, kSameHeight);
     if (!next) next = going_on(branches, *own, until, kSamePoint);

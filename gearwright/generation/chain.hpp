@@ -2,8 +2,7 @@
 //
 // Internal to generation/. A chain is a list of branches by growing height, each beginning where
 // the one before ends; as a whole it is the half angle over the height.
-//                                                theory: docs/theory/03-rack-and-generation.md,
-//                                                [T3.11]…[T3.13]
+//                            theory: docs/theory/03-rack-and-generation.md, [T3.11]…[T3.13]
 #pragma once
 
 #include <optional>

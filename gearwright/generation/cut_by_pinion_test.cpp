@@ -28,7 +28,7 @@ constexpr double kAlpha = kPi / 9;
 
 // Spur, module 1. The cutter's blank is so large that the rack ends its teeth.
 GeneratedTooth by_rack(int teeth, double shift, const StraightRack& rack, double blank = kInfinity,
-                       const FilletRolls& fillets = {}) {
+                       const CircularFillets& fillets = {}) {
   auto edge = make_edge(rack, 1.0, 20_deg);
   EXPECT_TRUE(edge);
   auto tooth = cut_by_rack(edge->edge, {teeth / 2.0, 1.0, shift}, teeth, blank, fillets);
@@ -306,7 +306,12 @@ TEST(CutByPinion, fillets_leave_no_lands) {
   StraightRack rack;
   rack.dedendum = 1.0;
   rack.root_fillet_radius = 0.0;
-  const GeneratedTooth cutter = by_rack(8, 0.3, rack, kInfinity, {0.05, 0.99});
+  auto edge = make_edge(rack, 1.0, 20_deg);
+  ASSERT_TRUE(edge);
+  const Involute involute = flank_ruler(edge->edge, {4.0, 1.0, 0.3}).flank;
+  const GeneratedTooth cutter = by_rack(8, 0.3, rack, kInfinity,
+                                        {CircularFillet{0.05, *root_fillet_at(involute, 8, 0.05)},
+                                         CircularFillet{0.99, *tip_fillet_at(involute, 0.99)}});
   ASSERT_TRUE(cutter.root_fillet && cutter.tip_fillet && cutter.rounded_tip);
   const GeneratedTooth tooth = cut(cutter, {8, 24, 16.0});
   EXPECT_EQ(names(tooth), (std::vector{root_fillet, flank, tip_fillet}));

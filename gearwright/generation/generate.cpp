@@ -63,57 +63,54 @@ void add_circle(std::vector<Branch>& branches, const RackMotion& motion, const E
 }
 
 // The circular root fillet in place of what the rack cuts below ξ_C. [T6.2]
-std::optional<Error> put_root_fillet(std::vector<Branch>& branches, int teeth, double xi,
-                                     GeneratedTooth& tooth) {
+std::optional<Error> put_root_fillet(std::vector<Branch>& branches, int teeth,
+                                     const CircularFillet& root, GeneratedTooth& tooth) {
   Branch& flank = branches.front();
-  const auto& involute = static_cast<const Involute&>(*flank.curve);
-  const auto arc = xi < flank.t_hi ? root_fillet_at(involute, teeth, xi) : std::nullopt;
-  if (!arc || !(arc->end > 0.0)) {
+  if (!(root.roll < flank.t_hi)) {
     return Error{"root_fillet", "",
                  "root_fillet: no circle centred in the space touches the flank there"};
   }
   const double gamma = std::numbers::pi / teeth;
-  auto circle = std::make_shared<OffsetCircle>(arc->distance, gamma, arc->radius);
+  auto circle = std::make_shared<OffsetCircle>(root.arc.distance, gamma, root.arc.radius);
   const double t_lo = gamma - std::numbers::pi;
-  flank.t_lo = xi;
-  flank.height_lo = flank.height(xi);
+  flank.t_lo = root.roll;
+  flank.height_lo = flank.height(root.roll);
   flank.smooth_start = true;
-  Branch fillet{ArcName::root_fillet, circle, t_lo, t_lo + arc->span, arc->end, flank.height_lo};
+  Branch fillet{ArcName::root_fillet, circle,       t_lo,
+                t_lo + root.arc.span, root.arc.end, flank.height_lo};
   if (const auto ray = circle->tangent_ray()) fillet.turns = {gamma - *ray};
   branches.insert(branches.begin(), std::move(fillet));
-  tooth.root_fillet = arc;
-  tooth.root_radius = arc->end;
+  tooth.root_fillet = root.arc;
+  tooth.root_radius = root.arc.end;
   return std::nullopt;
 }
 
 // The circular tip fillet in place of what follows ξ_J. [T6.3]
-std::optional<Error> put_tip_fillet(std::vector<Branch>& branches, double xi,
+std::optional<Error> put_tip_fillet(std::vector<Branch>& branches, const CircularFillet& tip,
                                     GeneratedTooth& tooth) {
   Branch& flank = branches.back();
-  const auto& involute = static_cast<const Involute&>(*flank.curve);
-  const auto arc = xi > flank.t_lo && xi <= flank.t_hi ? tip_fillet_at(involute, xi) : std::nullopt;
-  if (!arc) {
+  if (!(tip.roll > flank.t_lo && tip.roll <= flank.t_hi)) {
     return Error{"tip_fillet", "",
                  "tip_fillet: it would touch the tooth where the rack leaves no flank"};
   }
-  flank.t_hi = xi;
-  flank.height_hi = flank.height(xi);
+  flank.t_hi = tip.roll;
+  flank.height_hi = flank.height(tip.roll);
   Branch fillet{ArcName::tip_fillet,
-                std::make_shared<OffsetCircle>(arc->distance, 0.0, arc->radius),
-                arc->span,
+                std::make_shared<OffsetCircle>(tip.arc.distance, 0.0, tip.arc.radius),
+                tip.arc.span,
                 0.0,
                 flank.height_hi,
-                arc->end,
+                tip.arc.end,
                 true};
   fillet.ends_on_center_line = true;
   branches.push_back(std::move(fillet));
-  tooth.tip_fillet = arc;
+  tooth.tip_fillet = tip.arc;
   return std::nullopt;
 }
 
 // Puts circular fillets where they are asked for; what the rack cuts beyond them is not there.
 std::optional<Error> put_fillets(std::vector<Branch>& branches, int teeth,
-                                 const FilletRolls& fillets, GeneratedTooth& tooth) {
+                                 const CircularFillets& fillets, GeneratedTooth& tooth) {
   const auto flank = std::find_if(branches.begin(), branches.end(),
                                   [](const Branch& b) { return b.name == ArcName::flank; });
   if (flank == branches.end()) {
@@ -123,7 +120,7 @@ std::optional<Error> put_fillets(std::vector<Branch>& branches, int teeth,
   // The tip first: what goes from the front shifts the flank's place.
   if (fillets.tip) {
     branches.erase(flank + 1, branches.end());
-    if (fillets.root) branches.back().t_lo = std::max(branches.back().t_lo, *fillets.root);
+    if (fillets.root) branches.back().t_lo = std::max(branches.back().t_lo, fillets.root->roll);
     if (auto error = put_tip_fillet(branches, *fillets.tip, tooth)) return error;
   }
   if (!fillets.root) return std::nullopt;
@@ -136,7 +133,7 @@ std::optional<Error> put_fillets(std::vector<Branch>& branches, int teeth,
 }  // namespace
 
 Result<GeneratedTooth> cut_by_rack(const CutterEdge& edge, const RackMotion& motion, int teeth,
-                                   double blank_radius, const FilletRolls& fillets) {
+                                   double blank_radius, const CircularFillets& fillets) {
   GW_EXPECTS(teeth >= 1);
   GeneratedTooth tooth{};
   tooth.root_radius = motion.pitch_radius + motion.shift - edge.tip_depth;

@@ -4,14 +4,13 @@
 // Each arc of the edge gives branches along which the radius grows (a cusp ends a branch; what runs
 // backward lies inside the cut). The tooth is what the branches leave standing, |θ| < min θ(ρ). Two
 // neighbours that do not join smoothly meet in a true intersection, found in closed bracket.
-//                                                theory: docs/theory/03-rack-and-generation.md,
-//                                                [T3.11]…[T3.13]
+//                            theory: docs/theory/03-rack-and-generation.md, [T3.11]…[T3.13]
 #pragma once
 
 #include <optional>
 
 #include "gearwright/base/result.hpp"
-#include "gearwright/generation/modified_fillet.hpp"
+#include "gearwright/generation/circular_fillets.hpp"
 #include "gearwright/generation/outline.hpp"
 #include "gearwright/generation/rack_envelope.hpp"
 #include "gearwright/tool/cutter_edge.hpp"
@@ -36,19 +35,13 @@ struct GeneratedTooth {
   std::optional<FilletArc> root_fillet, tip_fillet;  ///< the circular ones, where asked for
 };
 
-/// Circular fillets in place of what the rack cuts, by the flank's roll angle where they begin.
-struct FilletRolls {
-  std::optional<double> root;  ///< ξ_C  rad
-  std::optional<double> tip;   ///< ξ_J  rad
-};
-
-/// Cuts a tooth with a rack.
+/// Cuts a tooth with a rack, and puts circular fillets in place of what it cuts.
 ///
 /// Units     mm, rad
 /// Domain    teeth ≥ 1 (contract)
 /// Errors    `tip_diameter_mm` when the blank is no larger than the root circle; `root_fillet`,
-///           `tip_fillet` when there is no such arc
+///           `tip_fillet` when the rack leaves no flank where they touch
 Result<GeneratedTooth> cut_by_rack(const CutterEdge& edge, const RackMotion& motion, int teeth,
-                                   double blank_radius, const FilletRolls& fillets = {});
+                                   double blank_radius, const CircularFillets& fillets = {});
 
 }  // namespace gearwright

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "gearwright/generation/modified_fillet.hpp"
+#include "gearwright/generation/circular_fillets.hpp"
 #include "gearwright/generation/pinion_envelope.hpp"
 #include "gearwright/math/involute.hpp"
 

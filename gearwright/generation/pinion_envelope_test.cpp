@@ -12,7 +12,7 @@
 #include <numbers>
 #include <vector>
 
-#include "gearwright/generation/modified_fillet.hpp"
+#include "gearwright/generation/circular_fillets.hpp"
 #include "gearwright/generation/rack_envelope.hpp"
 
 namespace gearwright {

@@ -1,8 +1,9 @@
 // The envelope of a rack cutter's edge in the transverse section of the gear it cuts.
 //
-//   r    pitch radius, mm        β    helix angle        e    height of the datum line over the
-//   pitch circle, mm (x, y, τ)  a point of the cutter's edge with its normal angle
-//   (tool/cutter_edge.hpp); x here includes e
+//   r    pitch radius, mm        β    helix angle
+//   e    height of the datum line over the pitch circle, mm
+//   (x, y, τ)   a point of the cutter's edge with its normal angle (tool/cutter_edge.hpp); x here
+//               includes e
 //
 // The point is cut when its normal passes through the pitch point. With k = x cot τ cos β the gear
 // has then turned by φ = (y/cos β − k)/r and the point of the gear is [T3.7]

@@ -1,12 +1,11 @@
 // The shortest chord by hand: its power series, and the spur gear with more teeth that has nearly
-// the same chord. What one does with a slide rule; the program itself uses
-// chordal_thickness.hpp.
+// the same chord. What one does with a slide rule; the program itself uses chordal_thickness.hpp.
 //
 //   θ_t, ψ, r   half angle s_t/d, helix angle and radius at the diameter of the chord
 //   s_n         normal tooth thickness there, 2 r θ_t cos ψ, mm
 //   u           θ_t cos³ ψ, half angle of the virtual spur gear     T   tan² ψ
-//   θ*, k*, Δh* half angle, chord and height of the shortest chord  theory:
-//   docs/theory/05-approximations.md
+//   θ*, k*, Δh* half angle, chord and height of the shortest chord
+//                                              theory: docs/theory/05-approximations.md
 //
 // The series go by θ_t² sin² ψ cos⁴ ψ, greatest at ψ = 35°: there three corrections leave 1e-9 of
 // the chord at θ_t = 0.2, 3e-7 at 0.4; the threads of a steep worm do well. Templates over the

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <string>
 
+#include "gearwright/base/units.hpp"
+
 namespace gearwright {
 
 namespace {
@@ -63,7 +65,7 @@ Result<ChordalThickness<double>> chordal_thickness(const Gear& gear, double diam
   if (!(diameter >= range->lo && diameter <= range->hi))  // true for NaN
     return off_flank(diameter, "must be " + range->ends);
   const ToothArc<double> arc = tooth_arc(gear, diameter);
-  if (!(arc.half_angle >= kLeastHalfAngle)) {
+  if (!(arc.half_angle >= kMinHalfAngle)) {
     return off_flank(
         diameter,
         fmt::format("the two flanks meet at {} mm, there is no tooth {} that; the diameter must be "
@@ -79,7 +81,7 @@ Result<ChordalThickness<double>> chordal_thickness(const Gear& gear, double diam
       diameter,
       fmt::format("the tooth covers {} degrees about the axis, no calliper reaches over it; a "
                   "greater diameter may do, it must be {}",
-                  2 * arc.half_angle * 180 / std::numbers::pi, range->ends));
+                  2 * arc.half_angle * kDegPerRad, range->ends));
 }
 
 }  // namespace gearwright

@@ -41,7 +41,7 @@ struct ChordalThickness {
 
 /// Least θ_t, rad: with T ≤ 1e33, tan² of the double next to π/2, θ* stays a normal number. What is
 /// left of a tooth by rounding, 1e-17, is thick beside it.
-inline constexpr double kLeastHalfAngle = 1e-100;
+inline constexpr double kMinHalfAngle = 1e-100;
 
 /// The half angle θ* of the shortest chord: the root of T sin 2θ + 2θ = 2θ_t.
 ///
@@ -50,7 +50,7 @@ inline constexpr double kLeastHalfAngle = 1e-100;
 /// tilting either way lengthens; θ* > π/2 says that the chord has got behind the axis.
 ///
 /// Formula   [T5.4]; bracket between the turning points [T5.5], start [T5.8]
-/// Domain    kLeastHalfAngle ≤ θ_t < π (contract), any |ψ| < π/2 as T = tan² ψ
+/// Domain    kMinHalfAngle ≤ θ_t < π (contract), any |ψ| < π/2 as T = tan² ψ
 template <class T>
 T shortest_chord_half_angle(const T& theta_t, const T& tan_psi_squared) {
   using std::acos;
@@ -58,7 +58,7 @@ T shortest_chord_half_angle(const T& theta_t, const T& tan_psi_squared) {
   using std::cos;
   using std::sin;
   const T pi = atan(T(1)) * T(4);
-  GW_EXPECTS(!(theta_t < T(kLeastHalfAngle)) && theta_t < pi);
+  GW_EXPECTS(!(theta_t < T(kMinHalfAngle)) && theta_t < pi);
   GW_EXPECTS(!(tan_psi_squared < T(0)));
   const T half_pi = pi / T(2);
   const auto f = [&](const T& theta) {
@@ -87,7 +87,7 @@ T shortest_chord_half_angle(const T& theta_t, const T& tan_psi_squared) {
 ///           angle arctan(tan ψ cos θ*); [T5.6], [T5.7]. ψ = 0: the spur gear's 2 r sin θ_t,
 ///           exactly
 /// Units     mm, rad
-/// Domain    kLeastHalfAngle ≤ θ_t < π, |ψ| < π/2, r > 0 (contract)
+/// Domain    kMinHalfAngle ≤ θ_t < π, |ψ| < π/2, r > 0 (contract)
 /// Accuracy  ledger rows `chord.*`
 template <class T>
 ChordalThickness<T> shortest_chord(const ToothArc<T>& tooth) {

@@ -250,7 +250,7 @@ TEST(ShortestChord, of_a_spur_gear_is_the_transverse_one_exactly) {
 // Where pieces of the equation meet, and far beyond every gear: θ* stays on its side.
 TEST(ShortestChord, half_angle_at_the_edges_of_its_domain) {
   const double half = kPi / 2;
-  for (const double theta_t : {kLeastHalfAngle, 1e-20, 0.5, std::nextafter(half, 0.0), half,
+  for (const double theta_t : {kMinHalfAngle, 1e-20, 0.5, std::nextafter(half, 0.0), half,
                                std::nextafter(half, 4.0), 2.0, std::nextafter(kPi, 0.0)}) {
     for (const double T : {0.0, 5e-324, 1e-300, 1e-16, std::nextafter(1.0, 0.0), 1.0,
                            std::nextafter(1.0, 2.0), 2.0, 4.6, 100.0, 1e10, 2.7e32}) {

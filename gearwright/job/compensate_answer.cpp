@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/job/compensate_forms.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
@@ -13,9 +14,6 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kRadPerDeg = std::numbers::pi / 180;
-constexpr double kRadPerArcsec = kRadPerDeg / 3600;
-constexpr double kMmPerUm = 1e-3;
 constexpr int kPositions = 24;
 
 enum CorrectionIndex { setting, lead1, lead2, first_flank };

@@ -5,14 +5,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/job/fixed_text.hpp"
 
 namespace gearwright {
 
 namespace {
-
-constexpr double kDeg = 180 / std::numbers::pi;
-constexpr double kArcsec = 3600 * kDeg;
 
 std::string unit_of(const std::string& key) {
   const std::string unit = key.substr(key.rfind('_') + 1);
@@ -20,19 +18,19 @@ std::string unit_of(const std::string& key) {
 }
 
 Json optional_deg(const std::optional<double>& rad) {
-  return rad ? Json(*rad * kDeg) : Json(nullptr);
+  return rad ? Json(*rad * kDegPerRad) : Json(nullptr);
 }
 
 Json score_json(const ContactScore& s) {
   return {{"peak_to_peak_arcsec",
-           std::isfinite(s.peak_to_peak) ? Json(s.peak_to_peak * kArcsec) : Json(nullptr)},
+           std::isfinite(s.peak_to_peak) ? Json(s.peak_to_peak * kArcsecPerRad) : Json(nullptr)},
           {"contact_along_face", s.along_face},
           {"contact_along_profile", s.along_profile},
           {"contact_lost", s.lost}};
 }
 
 std::string degrees(const std::optional<double>& rad) {
-  return rad ? fixed_text(*rad * kDeg, 6) + " °" : "-";
+  return rad ? fixed_text(*rad * kDegPerRad, 6) + " °" : "-";
 }
 
 std::string percent(double v) { return fixed_text(100 * v, 1) + " %"; }
@@ -120,7 +118,7 @@ std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) 
     out += fmt::format("  {:<36}{:>16}{:>19}\n", what, before, after);
   };
   const auto arcsec = [](const ContactScore& s) {
-    return std::isfinite(s.peak_to_peak) ? fixed_text(s.peak_to_peak * kArcsec, 4) + " arcsec"
+    return std::isfinite(s.peak_to_peak) ? fixed_text(s.peak_to_peak * kArcsecPerRad, 4) + " arcsec"
                                          : std::string("no contact");
   };
   both("Transmission error, peak to peak", arcsec(a.result.before), arcsec(a.result.after));

@@ -7,13 +7,11 @@
 #include <numbers>
 
 #include "gearwright/base/refusal.hpp"
+#include "gearwright/base/units.hpp"
 
 namespace gearwright {
 
 namespace {
-
-constexpr double kRadPerDeg = std::numbers::pi / 180;
-constexpr double kMmPerUm = 1e-3;
 
 // Places in kErrorKeys.
 enum ErrorIndex { center, crossing, intersecting, axial, slope1, slope2, lead1, lead2 };
@@ -274,10 +272,10 @@ void warn_about(const ContactAnswer& answer, std::vector<Warning>& warnings) {
   if (answer.driving.contact_lost)
     warn("contact_lost", "Contact is lost at some positions: no tooth pair touches there.");
   constexpr double kTouching = 1e-12;  // rad: teeth without backlash do not jam
-  if (answer.least_play && *answer.least_play < -kTouching) {
+  if (answer.min_play && *answer.min_play < -kTouching) {
     warn("jam", fmt::format("The gears jam: both flanks of a tooth space are touched at once, gear "
                             "2 would have to give way by {:.6f} degrees.",
-                            -*answer.least_play / kRadPerDeg));
+                            -*answer.min_play / kRadPerDeg));
   }
   if (answer.driving.unfinished + answer.other.unfinished > 0) {
     warn("contact_search_unfinished",
@@ -311,7 +309,7 @@ Result<ContactAnswer> answer_contact(SolvedJob& job) {
     if (!touches(positions[i]) || !touches(behind)) continue;
     // The flanks of gear 1 keep gear 2 ahead of one angle and behind the other.
     const double play = (gear2_drives ? -1.0 : 1.0) * (behind.te - positions[i].te);
-    answer.least_play = std::min(answer.least_play.value_or(play), play);
+    answer.min_play = std::min(answer.min_play.value_or(play), play);
   }
   if (input.map) answer.map = make_map(answer.setup, *input.map, input.positions, gear2_drives);
   if (input.pattern)

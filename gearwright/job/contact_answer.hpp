@@ -64,9 +64,9 @@ class ContactSetup {
 
 struct ContactAnswer {
   ContactSetup setup;
-  ContactResult driving;             ///< the flanks of the driver asked for
-  ContactResult other;               ///< the flanks behind them, at the same positions
-  std::optional<double> least_play;  ///< rad of gear 2, between both; < 0: the gears jam
+  ContactResult driving;           ///< the flanks of the driver asked for
+  ContactResult other;             ///< the flanks behind them, at the same positions
+  std::optional<double> min_play;  ///< rad of gear 2, between both; < 0: the gears jam
   std::optional<ErrorMap> map;
   std::optional<std::array<FlankRaster, 2>> pattern;  ///< where [contact] asks for it
 };

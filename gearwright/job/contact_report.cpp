@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/contact/contact.hpp"
 
 namespace gearwright {
@@ -40,7 +41,7 @@ constexpr RasterSize kSmall{17, 33};
 constexpr RasterSize kGap{65, 129};
 constexpr int kFinePositions = 128;
 constexpr int kSmallPositions = 80;
-constexpr int kMostPositions = 1024;  // of the peak to peak beside a small picture
+constexpr int kMaxPositions = 1024;  // of the peak to peak beside a small picture
 
 NamedAmount named(std::size_t index, double value) {
   return {kErrorNames[index].words, value, kErrorNames[index].unit};
@@ -50,7 +51,7 @@ NamedAmount named(std::size_t index, double value) {
 std::string words_of(const FlankModifications& m) {
   std::string text;
   const auto add = [&](const std::string& words) { text += (text.empty() ? "" : ", ") + words; };
-  const auto um = [](double mm) { return fmt::format("{:.6g} µm", 1e3 * mm); };
+  const auto um = [](double mm) { return fmt::format("{:.6g} µm", kUmPerMm * mm); };
   const auto relief = [&](const char* name, const Relief& r, const char* reach) {
     if (!r.reach) return;
     add(fmt::format("{} {} {} {:.8g} mm{}", name, um(r.amount), reach, *r.reach,
@@ -144,7 +145,7 @@ std::vector<Under> each_error(const SolvedJob& job, const ContactSetup& setup) {
 void make_patterns(ContactReport& r, const SolvedJob& job, const ContactSetup& setup) {
   const std::vector<Under> list = each_error(job, setup);
   r.under.resize(list.size());
-  const int positions = std::min(r.positions, kMostPositions);
+  const int positions = std::min(r.positions, kMaxPositions);
   const bool of_points = setup.place().shaft_angle != 0.0 || job.arc_pair;
   const auto make = [&](std::size_t i) {
     if (i == 0) {
@@ -178,7 +179,7 @@ ContactReport report_of(const SolvedJob& job, const ContactAnswer& answer) {
     r.driving = analyse_contact(pair, pitch);
     r.other = analyse_contact(answer.setup.pair(!gear2_drives), pitch);
   }
-  r.least_play = answer.least_play;
+  r.min_play = answer.min_play;
   make_patterns(r, job, answer.setup);
   r.middle = middle_of(r.driving.positions);
   if (r.middle) r.middle_gap = gap_map(pair, r.middle->rotation1, r.middle->pair, kGap);

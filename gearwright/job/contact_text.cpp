@@ -6,31 +6,29 @@
 #include <cmath>
 #include <numbers>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/job/fixed_text.hpp"
 
 namespace gearwright {
 
 namespace {
 
-constexpr double kDeg = 180 / std::numbers::pi;
-constexpr double kArcsec = 3600 * kDeg;
-
 Json point_json(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
 Json position_json(const ContactPoint& p) {
   Json j;
-  j["rotation1_deg"] = p.rotation1 * kDeg;
+  j["rotation1_deg"] = p.rotation1 * kDegPerRad;
   const bool touches = p.kind != TouchKind::none;
   const auto when = [&](auto value) { return touches ? Json(std::move(value)) : Json(nullptr); };
-  j["rotation2_deg"] = when(p.rotation2 * kDeg);
-  j["transmission_error_arcsec"] = when(p.te * kArcsec);
+  j["rotation2_deg"] = when(p.rotation2 * kDegPerRad);
+  j["transmission_error_arcsec"] = when(p.te * kArcsecPerRad);
   j["tooth"] = when(p.pair);
   j["kind"] = when(std::string(to_string(p.kind)));
   j["point_mm"] = when(point_json(p.point));
   j["normal"] = when(point_json(p.normal));
   j["diameter_mm"] = when(Json{p.diameter[0], p.diameter[1]});
   j["height_mm"] = when(Json{p.height[0], p.height[1]});
-  j["rack_angle_deg"] = p.rack_angle ? Json(*p.rack_angle * kDeg) : Json(nullptr);
+  j["rack_angle_deg"] = p.rack_angle ? Json(*p.rack_angle * kDegPerRad) : Json(nullptr);
   j["gap_curvature_per_mm"] =
       p.gap_curvature ? Json{(*p.gap_curvature)[0], (*p.gap_curvature)[1]} : Json(nullptr);
   j["ellipse"] = nullptr;
@@ -38,7 +36,7 @@ Json position_json(const ContactPoint& p) {
     j["ellipse"] = {
         {"semi_major_mm", p.ellipse->semi_major ? Json(*p.ellipse->semi_major) : Json(nullptr)},
         {"semi_minor_mm", p.ellipse->semi_minor},
-        {"angle_deg", p.ellipse->angle * kDeg}};
+        {"angle_deg", p.ellipse->angle * kDegPerRad}};
   }
   j["line_mm"] = p.line ? Json{point_json((*p.line)[0]), point_json((*p.line)[1])} : Json(nullptr);
   return j;
@@ -53,7 +51,8 @@ Json sensitivity_json(const ContactAnswer& answer) {
     for (std::size_t k = 0; k < answer.driving.positions.size(); ++k) {
       const Sensitivity& s = answer.driving.sensitivities[i][k];
       const TouchKind kind = answer.driving.positions[k].kind;
-      te.push_back(kind == TouchKind::none ? Json(nullptr) : Json(s.te * named[i].unit * kArcsec));
+      te.push_back(kind == TouchKind::none ? Json(nullptr)
+                                           : Json(s.te * named[i].unit * kArcsecPerRad));
       // Along a line of contact no point is the contact point.
       const bool point = kind != TouchKind::none && kind != TouchKind::line;
       points.push_back(point ? point_json(s.point * named[i].unit) : Json(nullptr));
@@ -67,7 +66,8 @@ Json map_json(const ContactMapInput& input, const ErrorMap& map) {
   Json rows = Json::array();
   for (const auto& row : map.value) {
     Json line = Json::array();
-    for (const double v : row) line.push_back(std::isnan(v) ? Json(nullptr) : Json(v * kArcsec));
+    for (const double v : row)
+      line.push_back(std::isnan(v) ? Json(nullptr) : Json(v * kArcsecPerRad));
     rows.push_back(std::move(line));
   }
   return {{"x", kErrorKeys[input.key[0]]},
@@ -121,25 +121,25 @@ Json contact_json(const SolvedJob& job, const ContactAnswer& answer) {
   Json positions = Json::array();
   for (const ContactPoint& p : answer.driving.positions) positions.push_back(position_json(p));
   Json harmonics = Json::array();
-  for (const double h : answer.driving.harmonics) harmonics.push_back(h * kArcsec);
+  for (const double h : answer.driving.harmonics) harmonics.push_back(h * kArcsecPerRad);
   Json other = Json::array();
   Json kinds = Json::array();
   for (const ContactPoint& p : answer.other.positions) {
     const bool touches = p.kind != TouchKind::none;
-    other.push_back(touches ? Json(p.te * kArcsec) : Json(nullptr));
+    other.push_back(touches ? Json(p.te * kArcsecPerRad) : Json(nullptr));
     kinds.push_back(touches ? Json(std::string(to_string(p.kind))) : Json(nullptr));
   }
   Json c;
   c["positions"] = std::move(positions);
-  c["peak_to_peak_arcsec"] = answer.driving.peak_to_peak * kArcsec;
+  c["peak_to_peak_arcsec"] = answer.driving.peak_to_peak * kArcsecPerRad;
   c["mean_slope"] = answer.driving.mean_slope;
   c["harmonics_arcsec"] = std::move(harmonics);
   c["contact_lost"] = answer.driving.contact_lost;
   c["other_flank"] = {{"transmission_error_arcsec", std::move(other)},
                       {"kind", std::move(kinds)},
-                      {"peak_to_peak_arcsec", answer.other.peak_to_peak * kArcsec},
+                      {"peak_to_peak_arcsec", answer.other.peak_to_peak * kArcsecPerRad},
                       {"contact_lost", answer.other.contact_lost}};
-  c["least_play_deg"] = answer.least_play ? Json(*answer.least_play * kDeg) : Json(nullptr);
+  c["least_play_deg"] = answer.min_play ? Json(*answer.min_play * kDegPerRad) : Json(nullptr);
   c["sensitivity"] = sensitivity_json(answer);
   if (answer.pattern) {
     const double marking = job.spec.contact.marking;
@@ -167,15 +167,16 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
       row(fmt::format("errors.{}", kErrorKeys[i]).c_str(),
           fmt::format("{}", job.spec.errors.value[i]));
   }
-  row("Transmission error, peak to peak", fixed_text(r.peak_to_peak * kArcsec, 4) + " arcsec");
-  row("  the other flanks", fixed_text(answer.other.peak_to_peak * kArcsec, 4) + " arcsec");
-  if (answer.least_play)
-    row("Least play of gear 2", fixed_text(*answer.least_play * kDeg, 6) + " °");
+  row("Transmission error, peak to peak",
+      fixed_text(r.peak_to_peak * kArcsecPerRad, 4) + " arcsec");
+  row("  the other flanks", fixed_text(answer.other.peak_to_peak * kArcsecPerRad, 4) + " arcsec");
+  if (answer.min_play)
+    row("Least play of gear 2", fixed_text(*answer.min_play * kDegPerRad, 6) + " °");
   row("Contact", kinds_of(r));
   if (!r.harmonics.empty()) {
     std::string waves;
     for (std::size_t i = 0; i < std::min<std::size_t>(5, r.harmonics.size()); ++i)
-      waves += fmt::format("{}{:.4f}", i ? ", " : "", r.harmonics[i] * kArcsec);
+      waves += fmt::format("{}{:.4f}", i ? ", " : "", r.harmonics[i] * kArcsecPerRad);
     row("Harmonics 1 to 5, amplitudes", waves + " arcsec");
   }
   out +=
@@ -188,17 +189,17 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
   for (std::size_t i = 0; i < r.positions.size(); i += step) {
     const ContactPoint& p = r.positions[i];
     if (p.kind == TouchKind::none) {
-      out += fmt::format("  {:>11.4f}{:>15}\n", p.rotation1 * kDeg, "no contact");
+      out += fmt::format("  {:>11.4f}{:>15}\n", p.rotation1 * kDegPerRad, "no contact");
       continue;
     }
     const std::string major =
         p.ellipse && p.ellipse->semi_major ? fixed_text(*p.ellipse->semi_major, 4) : "-";
     const std::string minor = p.ellipse ? fixed_text(p.ellipse->semi_minor, 4) : "-";
-    out +=
-        fmt::format("  {:>11}{:>15}{:>7}  {:<9}{:>11}{:>11}{:>10}{:>10}{:>11}{:>11}\n",
-                    fixed_text(p.rotation1 * kDeg, 4), fixed_text(p.te * kArcsec, 5), p.pair,
-                    to_string(p.kind), fixed_text(p.diameter[0], 4), fixed_text(p.diameter[1], 4),
-                    fixed_text(p.height[0], 4), fixed_text(p.height[1], 4), major, minor);
+    out += fmt::format("  {:>11}{:>15}{:>7}  {:<9}{:>11}{:>11}{:>10}{:>10}{:>11}{:>11}\n",
+                       fixed_text(p.rotation1 * kDegPerRad, 4), fixed_text(p.te * kArcsecPerRad, 5),
+                       p.pair, to_string(p.kind), fixed_text(p.diameter[0], 4),
+                       fixed_text(p.diameter[1], 4), fixed_text(p.height[0], 4),
+                       fixed_text(p.height[1], 4), major, minor);
   }
   return out;
 }

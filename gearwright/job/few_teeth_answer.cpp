@@ -10,7 +10,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kMostContact = 20.0;  // nobody has mounted more
+constexpr double kMaxContact = 20.0;  // nobody has mounted more
 
 std::optional<Error> out_of_place(const JobSpec& spec) {
   const auto fail = [](const std::string& key, const std::string& why) {
@@ -48,8 +48,8 @@ std::optional<Error> out_of_place(const JobSpec& spec) {
                 "few_teeth = true chooses tips and distance; leave this out");
   if (spec.fit.normal_pressure_angle_deg)
     return fail("fit.working_normal_pressure_angle_deg", "has no place beside few_teeth = true");
-  if (spec.fit.contact_ratio && *spec.fit.contact_ratio > kMostContact)
-    return fail("fit.contact_ratio", fmt::format("must be at most {}", kMostContact));
+  if (spec.fit.contact_ratio && *spec.fit.contact_ratio > kMaxContact)
+    return fail("fit.contact_ratio", fmt::format("must be at most {}", kMaxContact));
   if (wheel.cylindrical.root_fillet)
     return fail("gear2.root_fillet", "the wheel's root is cut by the pinion; leave it out");
   if (wheel.profile_shift)
@@ -132,8 +132,8 @@ Result<FitAnswer> answer_few_teeth(const JobSpec& spec) {
   const double m = p.normal_module;
   p.rack = g1.cylindrical.rack;
   p.root_offset = g1.cylindrical.root_fillet ? g1.cylindrical.root_fillet->offset : 0.01 * m;
-  p.least_tip_land = spec.fit.least_tip_land.value_or(0.0);
-  p.least_gap = spec.fit.least_gap.value_or(0.0);
+  p.min_tip_land = spec.fit.min_tip_land.value_or(0.0);
+  p.min_gap = spec.fit.min_gap.value_or(0.0);
   p.clearance = spec.fit.clearance.value_or(0.2 * m + 0.05);
   p.backlash = spec.fit.backlash.value_or(0.0);
   p.contact_ratio = spec.fit.contact_ratio.value_or(1.2);

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "gearwright/base/output_file.hpp"
+#include "gearwright/base/units.hpp"
 #include "gearwright/cad/dxf.hpp"
 #include "gearwright/cad/glb.hpp"
 #include "gearwright/cad/stl.hpp"
@@ -84,7 +85,7 @@ std::vector<ReportFile> report_files(const std::vector<JobFile>& files) {
   for (const JobFile& f : files) {
     std::string note = f.note;
     if (f.deviation_mm)
-      note += fmt::format("; within {:.3g} µm of the exact surface", *f.deviation_mm * 1e3);
+      note += fmt::format("; within {:.3g} µm of the exact surface", *f.deviation_mm * kUmPerMm);
     rows.push_back({f.path.filename().string(), f.what, note});
   }
   return rows;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/pair/drive.hpp"
 
 namespace gearwright {
@@ -217,11 +218,11 @@ std::string pair_listing(const Pair& p) {
     two("efficiency, this gear driving", "η", percent(p.efficiency->gear1_drives),
         percent(p.efficiency->gear2_drives), "%");
   }
-  if (p.least_distance) {
+  if (p.min_distance) {
     t.head("minimum centre distance");
-    one("centre distance", "a", mm(p.least_distance->center_distance), "mm");
-    one("shaft angle", "Σ", angle(p.least_distance->shaft_angle), "°");
-    one("working pressure angle, normal", "α_wn", angle(p.least_distance->normal_pressure_angle),
+    one("centre distance", "a", mm(p.min_distance->center_distance), "mm");
+    one("shaft angle", "Σ", angle(p.min_distance->shaft_angle), "°");
+    one("working pressure angle, normal", "α_wn", angle(p.min_distance->normal_pressure_angle),
         "°");
   }
   if (p.contact_ratio_range) {
@@ -286,7 +287,7 @@ std::string file_listing(const std::vector<JobFile>& files) {
   std::string out = "\n";
   for (const JobFile& f : files) {
     std::string note = f.note;
-    if (f.deviation_mm) note += fmt::format(", within {:.2g} µm", *f.deviation_mm * 1e3);
+    if (f.deviation_mm) note += fmt::format(", within {:.2g} µm", *f.deviation_mm * kUmPerMm);
     out += "  " + pad(f.path.string(), 44) + "  " + pad(f.what, 14) + note + "\n";
   }
   return out;

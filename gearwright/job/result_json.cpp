@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/job/arc_answer.hpp"
 #include "gearwright/pair/drive.hpp"
 
@@ -70,7 +71,7 @@ void add_crossed(Json& j, const Pair& p) {
   j["min_face_width_both_flanks_mm"] = {f.both_flanks[0], f.both_flanks[1]};
   j["face_interval_mm"] = {{"gear1", f.interval[0]}, {"gear2", f.interval[1]}};
   j["line_offset_mm"] = p.mesh.line_offset;
-  if (p.least_distance) j["minimum_center_distance"] = place_json(*p.least_distance);
+  if (p.min_distance) j["minimum_center_distance"] = place_json(*p.min_distance);
   if (!p.contact_ratio_range) return;
   const CrossedPlaces& r = *p.contact_ratio_range;
   j["contact_ratio_range"] = {{"working_normal_pressure_angle_deg",
@@ -226,8 +227,8 @@ Json pair_json(const Pair& p) {
                    {"rotation_deg", {deg(b.rotation[0]), deg(b.rotation[1])}}};
   if (p.kind == PairKind::parallel_internal) {
     j["internal"] = {{"involute_margin_mm", optional(p.involute_margin)},
-                     {"trochoid_margin_deg", optional(p.trochoid_margin, 180 / std::numbers::pi)},
-                     {"trimming_margin_deg", optional(p.trimming_margin, 180 / std::numbers::pi)}};
+                     {"trochoid_margin_deg", optional(p.trochoid_margin, kDegPerRad)},
+                     {"trimming_margin_deg", optional(p.trimming_margin, kDegPerRad)}};
   }
   return j;
 }
@@ -269,7 +270,7 @@ Json files_json(const std::vector<JobFile>& files) {
   for (const JobFile& f : files) {
     list.push_back({{"file", f.path.filename().string()},
                     {"what", f.what},
-                    {"max_deviation_um", optional(f.deviation_mm, 1e3)},
+                    {"max_deviation_um", optional(f.deviation_mm, kUmPerMm)},
                     {"note", f.note}});
   }
   return list;

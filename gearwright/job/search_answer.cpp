@@ -12,7 +12,7 @@ namespace gearwright {
 namespace {
 
 // Regions of more designs than this are given without their boundary, whose curves have 25 points.
-constexpr std::size_t kMostBoundaries = 10'000;
+constexpr std::size_t kMaxBoundaries = 10'000;
 
 Json pair_of(const std::array<double, 2>& v) { return {v[0], v[1]}; }
 Json point_of(const Vec2& v) { return {v[0], v[1]}; }
@@ -119,7 +119,7 @@ std::string search_json_text(const Search& search, const SearchRun& run) {
   std::string text = "{\n  \"search\": " + head.dump();
   text.pop_back();  // the head's closing brace: the designs go in before it
   text += ",\n  \"designs\": [";
-  const bool edges = a.designs.size() <= kMostBoundaries;
+  const bool edges = a.designs.size() <= kMaxBoundaries;
   if (!edges) text.reserve(a.designs.size() * 1000);  // not twice the whole while it grows
   for (std::size_t i = 0; i < a.designs.size(); ++i) {
     text += i == 0 ? "\n    " : ",\n    ";
@@ -143,7 +143,7 @@ std::string search_json_text(const Search& search, const SearchRun& run) {
     warn("edges_left_out",
          fmt::format("With more than {} designs the regions come without their edges; --top N asks "
                      "for fewer designs.",
-                     kMostBoundaries));
+                     kMaxBoundaries));
   }
   if (!run.changes_left_out.empty()) warn("changes_left_out", run.changes_left_out + ".");
   return text + ",\n  \"warnings\": " + warnings.dump() + "\n}\n";
@@ -210,7 +210,7 @@ std::string search_listing(const Search& search, const SearchRun& run, std::size
       "ζ max", "area", "point");
   for (std::size_t i = 0; i < a.designs.size() && i < most; ++i) {
     const DesignRow& r = a.designs[i];
-    const auto zeta = r.greatest_sliding();
+    const auto zeta = r.max_sliding();
     text += fmt::format(
         "{:>4} {:>7g} {:>4} {:>5}{} {:>8.4f} {:>10.4f} {:>8.4f} {:>8.4f} {:>7.4f} {:>7.4f} {:>7} "
         "{:>7.4f}  {}{}{}\n",

@@ -22,9 +22,9 @@ namespace gearwright {
 
 namespace {
 
-constexpr std::int64_t kLeastChunk = 1 << 18;
+constexpr std::int64_t kMinChunk = 1 << 18;
 constexpr std::int64_t kShare = 1 << 16;  // of a thread at a time, where no file is made of it
-constexpr std::int64_t kGreatestChunk = 1 << 22;  // a thread holds the designs of one
+constexpr std::int64_t kMaxChunk = 1 << 22;  // a thread holds the designs of one
 
 void flatten(const Json& node, const std::string& path, std::string& lines) {
   if (node.is_object()) {
@@ -93,15 +93,15 @@ int thread_count(const SearchOptions& options) {
 std::optional<Error> refuse_many_points(const Search& search, const SearchOptions& options) {
   if (!search.problem().shift_step || options.yes_large) return std::nullopt;
   const double step = *search.problem().shift_step;
-  constexpr double kMostTrials = 1e7;
+  constexpr double kMaxTrials = 1e7;
   constexpr double kPointBytes = 66;  // measured: 16 in the table, 50 in the chunks
-  if (search.space().approximate_size() > kMostTrials) {
+  if (search.space().approximate_size() > kMaxTrials) {
     return Error{
         "search.shift_step", fmt::format("{}", step),
         fmt::format("search.shift_step = {}: with more than {:g} candidates its points are "
                     "not counted beforehand; leave it out, narrow the search, or say "
                     "--yes-large",
-                    step, kMostTrials)};
+                    step, kMaxTrials)};
   }
   std::vector<DesignRow> rows;
   search.range(0, *search.space().size(), rows);
@@ -202,9 +202,9 @@ class Workers {
 
 void look_for_changes(const Search& search, SearchRun& run) {
   if (run.answer.counts.feasible > 0) return;
-  if (*search.space().size() > kMostForChange) {
+  if (*search.space().size() > kMaxForChange) {
     run.changes_left_out = fmt::format(
-        "with more than {} candidates the nearest change is not looked for", kMostForChange);
+        "with more than {} candidates the nearest change is not looked for", kMaxForChange);
     return;
   }
   run.changes = nearest_changes(search.problem());
@@ -302,7 +302,7 @@ Result<SearchRun> run_campaign(const JobSpec& spec, const Search& search, std::i
 std::int64_t chunk_size(const SearchProblem& problem, std::int64_t trials) {
   constexpr std::int64_t kChunks = 4096;
   const std::int64_t size =
-      std::clamp((trials + kChunks - 1) / kChunks, kLeastChunk, kGreatestChunk);
+      std::clamp((trials + kChunks - 1) / kChunks, kMinChunk, kMaxChunk);
   if (!problem.shift_step) return size;
   // A region has about one square module: so many points of the grid fit into memory.
   constexpr double kPoints = 5e4;
@@ -330,13 +330,13 @@ Result<SearchRun> run_search(const JobSpec& spec, const Search& search,
   const double chunks =
       std::ceil(static_cast<double>(trials) /
                 static_cast<double>(options.chunk.value_or(chunk_size(search.problem(), trials))));
-  if (chunks > kMostChunks) {
+  if (chunks > kMaxChunks) {
     return Error{
         "search", fmt::format("{:.3g}", static_cast<double>(trials)),
         fmt::format("search: {:.3g} candidates in {:.3g} chunks are more than one search can "
                     "keep account of, at most {}; split the list of modules or the band of "
                     "pinion_teeth among several searches{}",
-                    static_cast<double>(trials), chunks, kMostChunks,
+                    static_cast<double>(trials), chunks, kMaxChunks,
                     options.chunk ? ", or take a larger --chunk" : "")};
   }
   if (trials == 0) {

@@ -69,13 +69,13 @@ struct SearchRun {
 };
 
 /// Chunks that a folder, and the list of them, can hold: no search has more.
-inline constexpr std::int64_t kMostChunks = 1'000'000;
+inline constexpr std::int64_t kMaxChunks = 1'000'000;
 
 /// Runs the search of the spec.
 ///
 /// Throws    IoError
 /// Errors    --yes-large for a large search or grid, with how long or how many; no tooth numbers in
-///           the ratio; more chunks than kMostChunks; --out of a campaign that is there already,
+///           the ratio; more chunks than kMaxChunks; --out of a campaign that is there already,
 ///           --resume of none or of another spec; --shard or --resume without --out
 Result<SearchRun> run_search(const JobSpec& spec, const Search& search,
                              const SearchOptions& options);

@@ -163,8 +163,8 @@ std::string pack(const ChunkFinds& finds) {
 
 ChunkFinds unpack(std::string_view bytes, const std::string& where) {
   const auto size = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
-  constexpr unsigned long long kMost = 1ULL << 36;
-  if (size > kMost || size < 16) throw IoError(where + " does not hold designs of this version");
+  constexpr unsigned long long kMax = 1ULL << 36;
+  if (size > kMax || size < 16) throw IoError(where + " does not hold designs of this version");
   std::string plain(size, '\0');
   const std::size_t got = ZSTD_decompress(plain.data(), plain.size(), bytes.data(), bytes.size());
   if (ZSTD_isError(got) || got != size) throw IoError(where + " cannot be unpacked");

@@ -16,8 +16,8 @@ ChunkFinds some_finds() {
   p.center_distance = {{99.0, 101.0}};
   p.modules = {2.0, 2.5};
   p.pinion_teeth = {20, 40};
-  p.limits.least_shift = -0.6;
-  p.limits.greatest_shift = 1.0;
+  p.limits.min_shift = -0.6;
+  p.limits.max_shift = 1.0;
   p.shift_step = 0.02;
   const Search search(p);
   ChunkFinds finds;

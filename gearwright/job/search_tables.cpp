@@ -92,7 +92,7 @@ const std::vector<TableColumn<DesignRow>>& design_columns() {
                 [gear, end](const R& r) { return r.sliding[gear][end]; });
       }
     }
-    c.maybe("sliding_max", [](const R& r) { return r.greatest_sliding(); });
+    c.maybe("sliding_max", [](const R& r) { return r.max_sliding(); });
     c.whole("interference", [](const R& r) { return r.interference; });
     c.real("area", [](const R& r) { return r.area; });
     c.real("shift_sum_min", [](const R& r) { return r.sums[0]; });

@@ -1,7 +1,7 @@
 // Case files: published numbers with their source, run through the same door as a user's spec.
 //
-//   {"cases": [{"id", "source", "verb", "spec": {...}, "expected":
-//   {"pair.center_distance_mm": 56.4999},
+//   {"cases": [{"id", "source", "verb", "spec": {...},
+//               "expected": {"pair.center_distance_mm": 56.4999},
 //               "tolerance": {"relative", "absolute"}, "note"}]}
 //
 // "tolerance" may also hold "values": {path: absolute} for single values printed with other digits.
@@ -28,7 +28,7 @@ struct CaseOutcome {
 /// Runs the cases of one file.
 ///
 /// Errors    a case file that is not of that form, or that holds no case: nothing checked is no
-/// success
+///           success
 Result<std::vector<CaseOutcome>> verify_cases(std::string_view json_text);
 
 }  // namespace gearwright

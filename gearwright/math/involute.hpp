@@ -1,5 +1,4 @@
-// Involute functions of the transverse profile.            theory:
-// docs/theory/02-involute-and-pair.md
+// Involute functions of the transverse profile.    theory: docs/theory/02-involute-and-pair.md
 //
 //   α    pressure angle at a point, rad        ξ = tan α   roll angle, rad
 //   r_b  base radius, mm                       inv α       polar angle of the point, rad
@@ -67,7 +66,9 @@ T inverse_involute(const T& y) {
   using std::atan;
   using std::cbrt;
   using std::tan;
-  GW_EXPECTS(abs(y) <= T(1e12));
+  const T limit(1e12);    // π/2 − α is 1/y there
+  const T rounding(1e3);  // times the tolerance: what tan α − α may lose near π/2
+  GW_EXPECTS(abs(y) <= limit);
   if (y == T(0)) return y;
   if (y < T(0)) return -inverse_involute<T>(-y);
   // Small y: inv α = α³/3 + 2α⁵/15 + …; large y: α → π/2 − 1/(y + π/2).
@@ -90,7 +91,7 @@ T inverse_involute(const T& y) {
     alpha = alpha - step;
     if (abs(step) <= tolerance * alpha) return alpha;
   }
-  GW_ENSURES(abs(involute(alpha) - y) <= T(1e3) * tolerance * (y + alpha));
+  GW_ENSURES(abs(involute(alpha) - y) <= rounding * tolerance * (y + alpha));
   return alpha;
 }
 

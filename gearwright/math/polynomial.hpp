@@ -1,5 +1,5 @@
-// Real roots of a polynomial on an interval, all of them, isolated exactly by the derivative's
-// roots.
+// Real roots of a polynomial on an interval, all of them,
+// isolated exactly by the derivative's roots.
 #pragma once
 
 #include <span>

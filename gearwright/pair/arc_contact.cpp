@@ -68,8 +68,10 @@ std::optional<double> contact_angle(const ArcMeshInput& in) {
   };
   // The first-order angle leaves only the square; the exact one is greater, if by little.
   if (!(excess(first) > 0.0)) return first;
+  // The bracket grows fourfold from a step that is short for the least change of distance.
+  constexpr double kFirstStep = 1e-9;  // rad
   double hi = first;
-  for (double step = 1e-9; hi < kHalfPi; step *= 4) {
+  for (double step = kFirstStep; hi < kHalfPi; step *= 4) {
     hi = std::min(kHalfPi, first + step);
     if (excess(hi) <= 0.0) {
       const Root root = find_root(excess, first, hi);

@@ -1,10 +1,12 @@
 // Where a convex and a concave circular-arc flank touch on parallel axes, in closed form.
 //
 //   F, P   the racks that cut the convex (v) and the concave (c) flank; ρ, a, b as in
-//          tool/arc_rack.hpp, mm       λ   lead angle, 90° − |β|       r   pitch radius, mm
-//   θ      normal angle of both racks at the contact                theory:
-//   μ      by how much the convex gear has turned from where that point was cut    docs/theory/
-//   t, u   tangent plane: along the rack's profile, along its tooth 07-circular-arc.md, 7.5, 7.6
+//          tool/arc_rack.hpp, mm
+//   λ      lead angle, 90° − |β|       r   pitch radius, mm
+//   θ      normal angle of both racks at the contact
+//   μ      by how much the convex gear has turned from where that point was cut
+//   t, u   tangent plane: along the rack's profile, along its tooth
+//                                              theory: docs/theory/07-circular-arc.md, 7.5, 7.6
 //
 // Frame: z along the axis of the convex gear, x towards the other axis; the convex gear is right
 // handed, drives clockwise and at rotation 0 has its tooth 0 on the x axis, as the mate a space.

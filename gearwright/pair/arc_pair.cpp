@@ -264,7 +264,8 @@ void warn_about_pair(ArcPair& pair) {
                      "contact comes only every {:.4f} mm.",
                      face, pair.face_for_contact));
   }
-  if (pair.backlash_rotation && pair.backlash_normal < -1e-9 * s_1.normal_module) {
+  constexpr double kRounding = 1e-9;  // modules: of a backlash-free distance as people write it
+  if (pair.backlash_rotation && pair.backlash_normal < -kRounding * s_1.normal_module) {
     warn(pair, "negative_backlash",
          fmt::format("The teeth are too thick for this centre distance: normal backlash {:.4f} mm.",
                      pair.backlash_normal));

@@ -215,11 +215,11 @@ TEST(ArcPair, errors_name_the_key_and_the_numbers) {
 TEST(ArcPair, the_range_of_centre_distances_named_is_the_range) {
   const auto F = spec_of(rack_of(Cutter::F), 15, 18), P = spec_of(rack_of(Cutter::P), 40, -18);
   const double a_d = mounted(F, P).center_distance;
-  const double to_least = (1.55 - 1.4) * 4 * 0.5;  // from θ = 30° to 90°, and to 0° as much
-  EXPECT_TRUE(mount_arcs(made(F), made(P), a_d - to_least + 1e-3));
-  EXPECT_FALSE(mount_arcs(made(F), made(P), a_d - to_least - 1e-3));
-  EXPECT_TRUE(mount_arcs(made(F), made(P), a_d + to_least - 1e-3));
-  EXPECT_FALSE(mount_arcs(made(F), made(P), a_d + to_least + 1e-3));
+  const double to_end = (1.55 - 1.4) * 4 * 0.5;  // from θ = 30° to 90°, and to 0° as much
+  EXPECT_TRUE(mount_arcs(made(F), made(P), a_d - to_end + 1e-3));
+  EXPECT_FALSE(mount_arcs(made(F), made(P), a_d - to_end - 1e-3));
+  EXPECT_TRUE(mount_arcs(made(F), made(P), a_d + to_end - 1e-3));
+  EXPECT_FALSE(mount_arcs(made(F), made(P), a_d + to_end + 1e-3));
 }
 
 }  // namespace

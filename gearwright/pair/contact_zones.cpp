@@ -18,7 +18,9 @@ std::vector<ContactZone> contact_zones(double begin, double end, double step) {
     cuts.push_back(end - k * step);
   }
   std::sort(cuts.begin(), cuts.end());
-  const double nothing = 1e-9 * step;  // a whole contact ratio makes pairs of equal cuts
+  constexpr double kSameCut =
+      1e-9;  // of the pitch: a whole contact ratio makes pairs of equal cuts
+  const double nothing = kSameCut * step;
   std::vector<ContactZone> zones;
   double from = begin;
   for (const double cut : cuts) {

@@ -1,8 +1,8 @@
 // What a drive on parallel axes asks of its housing: faces, axial force, what a change of the
 // centre distance does.
 //
-//   ε_α, ε_β   of the clipped path; ε_β = b |tan β_b|/p_bt     theory: docs/theory/06-few-teeth.md,
-//                                                               6.6
+//   ε_α, ε_β   of the clipped path; ε_β = b |tan β_b|/p_bt
+//                                              theory: docs/theory/06-few-teeth.md, 6.6
 #pragma once
 
 #include <array>

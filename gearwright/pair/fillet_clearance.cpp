@@ -116,7 +116,7 @@ double signed_distance(const Arc& arc, const Vec2& p) {
 constexpr double kFarAway = 1e9;  // mm: never gets as deep as the fillet
 
 // The least of f on [0, 1].
-std::optional<double> least_on(const std::function<double(double)>& f) {
+std::optional<double> min_on(const std::function<double(double)>& f) {
   constexpr int kSteps = 8;
   int best = 0;
   double least = f(0.0);
@@ -197,7 +197,7 @@ std::optional<double> fillet_clearance(const Pair& pair, int which) {
       const Vec2 p = arc.point(u);
       return clearance_of({p.norm(), std::atan2(p.y(), p.x())}).value_or(kFarAway);
     };
-    take(least_on(at));
+    take(min_on(at));
   }
   return least;
 }

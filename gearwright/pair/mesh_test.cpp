@@ -130,11 +130,11 @@ TEST(MeshOfParallelAxes, backlash) {
 TEST(MeshOfParallelAxes, the_least_distance_is_free_of_backlash) {
   auto in = spur(20, 40);
   in.gears[0].tooth_thickness += 0.4;
-  const double alpha = *transverse_angle_at_least_distance(in.gears);
+  const double alpha = *transverse_angle_at_min_distance(in.gears);
   in.center_distance = base_radius_sum(in.gears) / std::cos(alpha);
   EXPECT_NEAR(mesh_of(in).backlash.normal_base, 0.0, 1e-13);
   in.gears[0].tooth_thickness -= 5.0;
-  EXPECT_FALSE(transverse_angle_at_least_distance(in.gears));
+  EXPECT_FALSE(transverse_angle_at_min_distance(in.gears));
 }
 
 TEST(SpecificSliding, signs_and_the_pitch_point) {

@@ -21,7 +21,10 @@ void warn(Pair& p, const std::string& code, std::string message, int gear = 0) {
 }
 
 // What is needed at least is rounded up where it is printed to 0.01.
-double up(double mm) { return std::ceil(mm * 100 - 1e-9) / 100; }
+double up(double mm) {
+  constexpr double kWhole = 1e-9;  // of 0.01 mm: whole hundredths are not one more
+  return std::ceil(mm * 100 - kWhole) / 100;
+}
 
 // Axes this close were most likely meant to be parallel.
 constexpr double kNearlyParallel = 1.0;  // degrees
@@ -80,8 +83,11 @@ void warn_about_contact(Pair& p) {
 }
 
 void warn_about_mesh(Pair& p) {
-  // Rounding of a backlash-free distance is not a backlash: 1e-12 of the base pitch, and of a.
-  const double noise = 1e-12 * p.gears[0].reference.base_pitch_normal + 4e-15 * p.center_distance;
+  // Rounding of a backlash-free distance is not a backlash.
+  constexpr double kOfPitch = 1e-12;
+  constexpr double kOfDistance = 4e-15;
+  const double noise =
+      kOfPitch * p.gears[0].reference.base_pitch_normal + kOfDistance * p.center_distance;
   if (p.mesh.backlash.normal_base < -noise) {
     const std::string distance = p.backlash_free_center_distance
                                      ? fmt::format("{:.4f} mm", *p.backlash_free_center_distance)
@@ -103,15 +109,14 @@ void warn_about_mesh(Pair& p) {
 }
 
 // Backlash-free pairs stand further apart than their base radii; half of that is in nobody's mind.
-constexpr double kLeastCrossedDistance = 0.5;
+constexpr double kMinCrossedDistance = 0.5;
 
 std::optional<Error> check_place(const Pair& p) {
   const double a = p.center_distance;
   if (p.crossed()) {
     const auto rack = common_rack(p.input.gears, working_angles(p.input));
-    const double most =
-        kGreatestDistance * (rack.sides[0].pitch_radius + rack.sides[1].pitch_radius);
-    const double least = kLeastCrossedDistance * base_radius_sum(p.input.gears);
+    const double most = kMaxDistance * (rack.sides[0].pitch_radius + rack.sides[1].pitch_radius);
+    const double least = kMinCrossedDistance * base_radius_sum(p.input.gears);
     if (a >= least && a <= most) return std::nullopt;
     return refused(
         "pair.center_distance_mm", a,
@@ -120,25 +125,25 @@ std::optional<Error> check_place(const Pair& p) {
                     least, most));
   }
   const double least = base_radius_sum(p.input.gears);
-  if (a > least && a <= kGreatestDistance * least) return std::nullopt;
+  if (a > least && a <= kMaxDistance * least) return std::nullopt;
   return refused(
       "pair.center_distance_mm", a,
       fmt::format("there is no working pressure angle; it must be greater than {} mm and at "
                   "most {} times that",
-                  least, kGreatestDistance));
+                  least, kMaxDistance));
 }
 
 void find_backlash_free_distance(Pair& p) {
   const BasePair<double>& gears = p.input.gears;
   if (!p.crossed()) {
-    const auto alpha = transverse_angle_at_least_distance(gears);
+    const auto alpha = transverse_angle_at_min_distance(gears);
     if (alpha) p.backlash_free_center_distance = base_radius_sum(gears) / std::cos(*alpha);
     return;
   }
   const double a = conjugate_center_distance(gears, p.mesh.rack);
   if (a > 0.0) p.backlash_free_center_distance = a;
-  if (const auto alpha = transverse_angle_at_least_distance(gears))
-    p.least_distance = crossed_place(gears, *alpha);
+  if (const auto alpha = transverse_angle_at_min_distance(gears))
+    p.min_distance = crossed_place(gears, *alpha);
   p.contact_ratio_range = contact_ratio_range(p.input);
   p.face_widths = face_widths(p.mesh);
 }

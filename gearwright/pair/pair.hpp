@@ -65,7 +65,7 @@ struct Pair {
   SpecificSliding<double> sliding_A, sliding_E;
   double tip_shortening;  ///< k m_n  mm, ≤ 0: restores the clearance of the racks at this distance
   std::optional<FaceWidths<double>> face_widths;     ///< crossed axes
-  std::optional<CrossedPlace> least_distance;        ///< crossed axes, teeth as cut
+  std::optional<CrossedPlace> min_distance;          ///< crossed axes, teeth as cut
   std::optional<CrossedPlaces> contact_ratio_range;  ///< crossed axes: where AE ≥ p_bn
   std::optional<Efficiency> efficiency;  ///< with a coefficient of friction, if contact never stops
   std::vector<Interference> interference;

@@ -19,12 +19,11 @@ double deg(double rad) { return Angle::radians(rad).deg(); }
 constexpr double kSamePitch = 1e-9;
 
 // Beyond, a pitch cylinder is hundreds of times the base cylinder, and no tooth reaches there.
-constexpr double kGreatestWorkingHelix = 89.9;  // degrees
+constexpr double kMaxWorkingHelix = 89.9;  // degrees
 
 std::string reach(const ShaftAngleRange<double>& range) {
   return fmt::format("these gears can cross at more than {:.9g}° and less than {:.9g}°",
-                     deg(std::min(range.least, range.greatest)),
-                     deg(std::max(range.least, range.greatest)));
+                     deg(std::min(range.from, range.to)), deg(std::max(range.from, range.to)));
 }
 
 std::optional<Error> check_shaft_angle(const BasePair<double>& gears, double sigma,
@@ -50,14 +49,14 @@ std::optional<Error> check_shaft_angle(const BasePair<double>& gears, double sig
     const RackAngles<double> angles = angles_at_shaft_angle(gears, sigma);
     const int g = limiting_gear(gears);
     const double helix = deg(std::atan2(std::abs(std::sin(gears[g].helix_angle)), angles.u[g]));
-    if (helix <= kGreatestWorkingHelix && angles.sin_alpha > 0.0) return std::nullopt;
+    if (helix <= kMaxWorkingHelix && angles.sin_alpha > 0.0) return std::nullopt;
     return refused(
         key, deg(sigma),
         fmt::format("too near an end of what these gears reach (the working helix angle of "
                     "gear {} would be {:.6g}°, at most {} is allowed); {}",
-                    g + 1, helix, kGreatestWorkingHelix, reach(range)));
+                    g + 1, helix, kMaxWorkingHelix, reach(range)));
   }
-  const double miss = std::min(std::abs(sigma - range.least), std::abs(sigma - range.greatest));
+  const double miss = std::min(std::abs(sigma - range.from), std::abs(sigma - range.to));
   return refused(
       key, deg(sigma),
       fmt::format("out of reach by {:.6g}°; {} (right hand > 0, two left hands cross at a "
@@ -126,7 +125,7 @@ Result<PairSpec> complete_place(const BasePair<double>& nominal, std::optional<d
                                 std::optional<double> shaft_angle) {
   PairSpec place;
   const double excess = base_excess(nominal);
-  const auto least = transverse_angle_at_least_distance(nominal);
+  const auto least = transverse_angle_at_min_distance(nominal);
   if (axes_are_parallel(nominal)) {
     const double sum = base_radius_sum(nominal);
     // Without a backlash-free place the least one is named by mount, with what it lacks.

@@ -39,7 +39,7 @@ T virtual_teeth(int teeth, const T& beta) {
 
 /// Least centre distance of a pair, approximately. All angles rad, lengths mm.
 template <class T>
-struct LeastDistanceSeries {
+struct MinDistanceSeries {
   T alpha;                         ///< α
   T module;                        ///< m_n
   T side;                          ///< σ
@@ -126,7 +126,7 @@ struct LeastDistanceSeries {
 /// Domain    common m_n > 0 and 0 < α < π/2, |β| < π/2, z_1 > 0, z_2 ≠ 0; a ring has more virtual
 ///           teeth than its pinion and the same helix angle (contract)
 template <class T>
-LeastDistanceSeries<T> least_distance_series(const RackPair<T>& pair) {
+MinDistanceSeries<T> min_distance_series(const RackPair<T>& pair) {
   using std::cos;
   using std::tan;
   const auto& [g1, g2] = pair;
@@ -135,7 +135,7 @@ LeastDistanceSeries<T> least_distance_series(const RackPair<T>& pair) {
   GW_EXPECTS(g1.normal_pressure_angle > T(0) &&
              g1.normal_pressure_angle == g2.normal_pressure_angle);
   GW_EXPECTS(g2.teeth > 0 || (g1.helix_angle == g2.helix_angle && -g2.teeth > g1.teeth));
-  LeastDistanceSeries<T> s;
+  MinDistanceSeries<T> s;
   s.alpha = g1.normal_pressure_angle;
   s.module = g1.normal_module;
   s.side = g2.teeth > 0 ? T(1) : T(-1);

@@ -111,9 +111,9 @@ RackPair<double> pair_of(const Golden& g) {
 }
 
 // Lengths to 1e-14 of themselves, angles to 2e-13°: a few roundings of tan β, near 80° too.
-TEST(LeastDistanceSeries, golden_values) {
+TEST(MinDistanceSeries, golden_values) {
   for (const Golden& g : golden()) {
-    const auto s = least_distance_series(pair_of(g));
+    const auto s = min_distance_series(pair_of(g));
     const std::string p = g.pair;
     const double big = 1 + std::abs(g.M2);
     EXPECT_NEAR(std::abs(s.virtual_teeth[0]), g.virtual1, 1e-14 * g.virtual1 * big) << p;
@@ -204,7 +204,7 @@ const Shape kShapes[] = {{9, 15, 51.6, 39.4},  {13, 27, -45, -45}, {15, 40, 35, 
                          {20, -61, 22.5, 22.5}};
 
 // By halving in 50 digits, the exact solution agrees with the one computed elsewhere.
-TEST(LeastDistanceSeries, exact_solution_of_these_tests) {
+TEST(MinDistanceSeries, exact_solution_of_these_tests) {
   for (const Golden& g : golden()) {
     RackPair<Exact> pair;
     const Exact degree = atan(Exact(1)) / 45;
@@ -219,7 +219,7 @@ TEST(LeastDistanceSeries, exact_solution_of_these_tests) {
 
 // Halving the sum of shifts divides the error by 2 to the power of the first term left out. At
 // Σx = 1e-3 the term after it moves that exponent by some L/sin² α, below 0.01.
-TEST(LeastDistanceSeries, errors_fall_with_the_right_power) {
+TEST(MinDistanceSeries, errors_fall_with_the_right_power) {
   for (const Shape& shape : kShapes) {
     const bool crossed = shape.beta1 + (shape.z2 > 0 ? 1 : -1) * shape.beta2 != 0;
     for (const double sign : {1.0, -1.0}) {
@@ -228,7 +228,7 @@ TEST(LeastDistanceSeries, errors_fall_with_the_right_power) {
         const Exact sum_x = Exact(sign) / (i == 0 ? 1000 : 2000);
         const auto pair = exact_pair(shape.z1, shape.z2, shape.beta1, shape.beta2, sum_x);
         const auto exact = by_halving(pair);
-        const auto s = least_distance_series(pair);
+        const auto s = min_distance_series(pair);
         for (int n = 1; n <= 3; ++n) alpha[n - 1][i] = s.pressure_angle(n) - exact.alpha;
         for (int n = 1; n <= 2; ++n) a[n - 1][i] = s.center_distance(n) - exact.a;
         Sigma[i] = s.shaft_angle(s.L) - exact.Sigma;
@@ -256,8 +256,8 @@ TEST(LeastDistanceSeries, errors_fall_with_the_right_power) {
 }
 
 // The helix angle on another rack, n terms: the error is O(Δ^(n + 1)).
-TEST(LeastDistanceSeries, helix_angle_terms) {
-  const auto s = least_distance_series(exact_pair(9, 15, 51.6, 39.4, Exact(0)));
+TEST(MinDistanceSeries, helix_angle_terms) {
+  const auto s = min_distance_series(exact_pair(9, 15, 51.6, 39.4, Exact(0)));
   for (int gear : {0, 1}) {
     const Exact beta = s.helix[static_cast<std::size_t>(gear)];
     for (int n = 1; n <= 3; ++n) {
@@ -276,9 +276,9 @@ TEST(LeastDistanceSeries, helix_angle_terms) {
 // The example 9/15 of the paper, from its Tab. 1. "As computed" is what its equations, corrected,
 // give for these data; printed there: 18°42′33″, 50.014, 90°01′04″ by three terms, 18°43′18″,
 // 50.022, 90°01′34″ by virtual teeth, 18°42′20″ corrected (docs/theory, page 5).
-TEST(LeastDistanceSeries, example_of_the_paper) {
+TEST(MinDistanceSeries, example_of_the_paper) {
   const Golden& g = golden("paper_9_15");
-  const auto s = least_distance_series(pair_of(g));
+  const auto s = min_distance_series(pair_of(g));
   const double S[] = {std::sin(47.408 * kDegree), std::sin(36.595 * kDegree)};
   const double d_b[] = {37.4892228898867, 52.6687933717901};
   // Pitch radii and helix angles that a rack of this angle rolls on: the column "c" of the table.
@@ -311,41 +311,41 @@ TEST(LeastDistanceSeries, example_of_the_paper) {
   EXPECT_NEAR(s.center_distance(2), g.a, 3e-4);
 }
 
-TEST(LeastDistanceSeries, allowances_count_as_shifts) {
+TEST(MinDistanceSeries, allowances_count_as_shifts) {
   RackPair<double> plain = pair_of(golden("crossed90_lefthand"));
   RackPair<double> thinned = plain;
   thinned[0].thickness_allowance = -0.04;
   plain[0].profile_shift -= 0.04 / (2 * 1.5 * std::tan(20 * kDegree));
-  EXPECT_NEAR(least_distance_series(thinned).L, least_distance_series(plain).L, 1e-17);
+  EXPECT_NEAR(min_distance_series(thinned).L, min_distance_series(plain).L, 1e-17);
 }
 
-TEST(LeastDistanceSeries, no_virtual_pair_without_backlash_is_nothing) {
+TEST(MinDistanceSeries, no_virtual_pair_without_backlash_is_nothing) {
   auto pair = pair_of(golden("spur"));
   pair[0].profile_shift = -2.0;
-  EXPECT_FALSE(least_distance_series(pair).virtual_pressure_angle());
-  EXPECT_FALSE(least_distance_series(pair).corrected_virtual_pressure_angle());
+  EXPECT_FALSE(min_distance_series(pair).virtual_pressure_angle());
+  EXPECT_FALSE(min_distance_series(pair).corrected_virtual_pressure_angle());
 }
 
 // (1) doubling the module doubles the distance and leaves the angles, exactly
 // (2) the mirror image has the opposite shaft angle and nothing else new
 // (3) the gears may change places
-TEST(LeastDistanceSeries, laws) {
+TEST(MinDistanceSeries, laws) {
   for (const Golden& g : golden()) {
     const auto pair = pair_of(g);
-    const auto s = least_distance_series(pair);
+    const auto s = min_distance_series(pair);
     auto doubled = pair;
     auto mirrored = pair;
     for (auto& gear : doubled) gear.normal_module *= 2;
     for (auto& gear : mirrored) gear.helix_angle = -gear.helix_angle;
-    const auto d = least_distance_series(doubled);
+    const auto d = min_distance_series(doubled);
     EXPECT_EQ(d.center_distance(2), 2 * s.center_distance(2));  // (1)
     EXPECT_EQ(d.pressure_angle(3), s.pressure_angle(3));
-    const auto m = least_distance_series(mirrored);
+    const auto m = min_distance_series(mirrored);
     EXPECT_EQ(m.center_distance(2), s.center_distance(2));  // (2)
     EXPECT_EQ(m.pressure_angle(3), s.pressure_angle(3));
     EXPECT_EQ(m.shaft_angle(m.L), -s.shaft_angle(s.L));
     if (g.z2 < 0) continue;
-    const auto e = least_distance_series(RackPair<double>{pair[1], pair[0]});
+    const auto e = min_distance_series(RackPair<double>{pair[1], pair[0]});
     EXPECT_NEAR(e.center_distance(2), s.center_distance(2), 1e-14 * g.a0);  // (3)
     EXPECT_NEAR(e.pressure_angle(3), s.pressure_angle(3), 1e-14);
     EXPECT_EQ(e.shaft_angle(e.L), s.shaft_angle(s.L));

@@ -16,7 +16,7 @@ Error no_working_angle(double a, double least, bool external, double a_d) {
           fmt::format("pair.center_distance_mm = {}: there is no working pressure angle; it must "
                       "be greater than {} mm, the {} of the base radii, and at most {} times that "
                       "(reference centre distance: {} mm)",
-                      a, least, external ? "sum" : "difference", kGreatestDistance, a_d)};
+                      a, least, external ? "sum" : "difference", kMaxDistance, a_d)};
 }
 
 // One sum, two shifts: what is given stays.
@@ -85,8 +85,7 @@ Result<ShiftSolution> complete_shifts(const ShiftProblem& p) {
   const double least = a_d * std::cos(alpha_t);
   if (p.center_distance) {
     const double a = *p.center_distance;
-    if (!(a > least && a <= kGreatestDistance * least))
-      return no_working_angle(a, least, external, a_d);
+    if (!(a > least && a <= kMaxDistance * least)) return no_working_angle(a, least, external, a_d);
     if (p.x1 && p.x2) return ShiftSolution{*p.x1, *p.x2, a};
     const double sum = p.mounting == Mounting::extended
                            ? (external ? a - a_d : a_d - a) / p.normal_module

@@ -1,8 +1,9 @@
 // Profile shifts and centre distance: whichever is absent follows from the rest.
 //
 //   Σx = x1 + x2   σ = +1 external, −1 internal      a, a_d   centre distance, reference one, mm
-//   parallel axes: inv α_wt = inv α_t + 2 tan α_n Σx/(z1 + z2)      theory:
-//   docs/theory/02-involute-and-pair.md, [T2.15]…[T2.18]; crossed axes: [T4.28]
+//   parallel axes: inv α_wt = inv α_t + 2 tan α_n Σx/(z1 + z2)
+//                  theory: docs/theory/02-involute-and-pair.md, [T2.15]…[T2.18]
+//   crossed axes:  theory: docs/theory/04-conjugate-action.md, [T4.28]
 //
 // Everything here speaks of the nominal teeth: a thickness allowance makes backlash, it does not
 // move the centre distance.
@@ -22,7 +23,7 @@ enum class Mounting { tight, extended };
 
 /// Greatest centre distance, in sums (internal: differences) of the base radii: a working angle
 /// of 89.4°, where no tooth is left to reach the other.
-inline constexpr double kGreatestDistance = 100.0;
+inline constexpr double kMaxDistance = 100.0;
 
 struct ShiftProblem {
   int z1 = 0, z2 = 0;                     ///< ring: z2 < 0

@@ -74,10 +74,10 @@ RackAngles<T> angles_at_parallel_distance(const BasePair<T>& gears, const T& a) 
 /// The shaft angles that a crossed pair can have, rad: both of one sign, ends excluded.
 template <class T>
 struct ShaftAngleRange {
-  T least;     ///< β_b1 + β_b2, as α_n → 0
-  T greatest;  ///< where β_g reaches 90°
+  T from;  ///< β_b1 + β_b2, as α_n → 0
+  T to;    ///< where β_g reaches 90°
   bool contains(const T& sigma) const {
-    return least < greatest ? least < sigma && sigma < greatest : greatest < sigma && sigma < least;
+    return from < to ? from < sigma && sigma < to : to < sigma && sigma < from;
   }
 };
 
@@ -132,7 +132,7 @@ RackAngles<T> angles_at_shaft_angle(const BasePair<T>& gears, const T& sigma) {
 /// Domain    internal pairs: equal |β_b|
 /// Accuracy  ledger rows `least_distance.*`
 template <class T>
-std::optional<T> transverse_angle_at_least_distance(const BasePair<T>& gears) {
+std::optional<T> transverse_angle_at_min_distance(const BasePair<T>& gears) {
   using std::cos;
   using std::sin;
   const T excess = base_excess(gears);
@@ -269,7 +269,7 @@ std::vector<T> transverse_angles_at_distance(const BasePair<T>& gears, const T& 
     return s;
   };
   std::vector<T> found;
-  const auto least = transverse_angle_at_least_distance(gears);
+  const auto least = transverse_angle_at_min_distance(gears);
   T from(0);
   if (least) {
     from = *least;
@@ -311,7 +311,8 @@ std::optional<AngleInterval<T>> transverse_angles_with_line_within(const BasePai
     // The least L by halving on the sign of its slope, Newton from there on either side.
     T lo = tiny;
     T hi = half_pi;
-    for (int i = 0; i < 60 && hi - lo > T(1e-12); ++i) {
+    const T narrow(1e-12);  // rad: the slope is flat there, any point near the bottom serves
+    for (int i = 0; i < 60 && hi - lo > narrow; ++i) {
       const T middle = (lo + hi) / T(2);
       const auto s = f(middle);
       if (s.value < T(0)) {  // any point below will do

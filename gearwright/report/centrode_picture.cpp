@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kWidth = 520.0;
 constexpr double kHeight = 400.0;
-constexpr double kLeastShift = 0.02;  // m_n; less is not seen
+constexpr double kMinShift = 0.02;  // m_n; less is not seen
 
 struct Centrodes {
   std::array<double, 2> reference, working;  // radii, mm
@@ -109,7 +109,7 @@ bool centrodes_are_worth_a_picture(const Pair& pair) {
   const double sum = pair.gears[0].spec.profile_shift + pair.gears[1].spec.profile_shift;
   const bool reason = sum != 0.0 || pair.gears[0].cut_by || pair.gears[1].cut_by;
   const double shift = std::abs(pair.center_distance - pair.reference_center_distance);
-  return reason && shift >= kLeastShift * pair.gears[0].spec.normal_module;
+  return reason && shift >= kMinShift * pair.gears[0].spec.normal_module;
 }
 
 std::string centrode_figures(const Pair& pair) {

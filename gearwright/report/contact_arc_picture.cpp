@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/units.hpp"
 #include "gearwright/report/arc_pair_section.hpp"
 #include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
@@ -162,7 +163,7 @@ std::string rack_figure(const ArcPair& pair, const ArcPairContact& contact) {
       "dash-dot one on the other; at M they touch, the normal at {} = {}° to the pitch line. The "
       "centres O lie {} beyond the middle of the tooth and {} below the pitch line.<br>{}<br>{}"
       "</figcaption></figure>\n",
-      svg.str(), symbol_html("ψ_c"), fixed(theta * 180 / kPi, 3), symbol_html("a"),
+      svg.str(), symbol_html("ψ_c"), fixed(theta * kDegPerRad, 3), symbol_html("a"),
       symbol_html("b"), arc_key(arcs.convex, "convex", arcs.v),
       arc_key(arcs.concave, "concave", arcs.c));
 }
@@ -187,7 +188,7 @@ std::string teeth_figure(const ArcPair& pair, const ArcPairContact& contact) {
       "class=\"swatch g1\"></i>gear 1, below</span> <span class=\"key\"><i class=\"swatch "
       "g2\"></i>gear 2, above</span> <span class=\"key\"><i class=\"swatch action\"></i>common "
       "normal</span></figcaption></figure>\n",
-      svg.str(), fixed(contact.at.theta * 180 / kPi, 3));
+      svg.str(), fixed(contact.at.theta * kDegPerRad, 3));
 }
 
 }  // namespace

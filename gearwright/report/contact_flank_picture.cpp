@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/report/contact_te_picture.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/shown_values.hpp"
@@ -287,7 +288,7 @@ std::string gap_figure(const ContactReport& report) {
   svg.begin_clip(f.z.from, f.top(), f.z.to - f.z.from, f.bottom() - f.top());
   std::vector<std::pair<double, std::vector<std::vector<Vec2>>>> levels;
   for (const double um : kGapLevels) {
-    levels.emplace_back(um, regions_below(field, um * 1e-3));
+    levels.emplace_back(um, regions_below(field, um * kMmPerUm));
     if (!levels.back().second.empty()) svg.path(loops_path(levels.back().second, px), "gap-band");
   }
   if (report.middle->line) svg.polyline(line_px(report, *report.middle, 0, f), "action");
@@ -306,7 +307,7 @@ std::string gap_figure(const ContactReport& report) {
       "rotation {}°: lines where it is 1, 2, 5, 10, 20 and 50 µm, as far as the mate reaches. "
       "<span class=\"key\"><i class=\"swatch action\"></i>{}</span></figcaption></figure>\n",
       svg.str(), report.middle->pair == 0 ? "0" : fmt::format("{:+d}", report.middle->pair),
-      fixed(report.middle->rotation1 * shown::kDegree, 3),
+      fixed(report.middle->rotation1 * kDegPerRad, 3),
       report.middle->line ? "contact line" : "contact point");
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/units.hpp"
 #include "gearwright/report/contact_contour.hpp"
 #include "gearwright/report/contact_te_picture.hpp"
 #include "gearwright/report/html_text.hpp"
@@ -22,7 +23,7 @@ constexpr double kLeft = 74.0;
 constexpr double kRight = 138.0;
 constexpr double kTop = 44.0;
 constexpr double kPlot = 350.0;
-constexpr int kMostLevels = 9;
+constexpr int kMaxLevels = 9;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Values of the map as a raster; what touches nothing lies above every level.
@@ -75,7 +76,7 @@ std::vector<double> map_levels(const ErrorMap& map) {
   // Rounding alone is no field.
   if (!(hi - lo > 1e-6)) return {};
   std::vector<double> levels;
-  for (const double v : round_ticks(lo, hi, kMostLevels).values)
+  for (const double v : round_ticks(lo, hi, kMaxLevels).values)
     if (v > lo && v < hi) levels.push_back(v);
   return levels;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/report/testing/sample_contact.hpp"
 
 namespace gearwright {

@@ -49,11 +49,11 @@ struct ContactReport {
   std::array<const Gear*, 2> gears{};
   std::array<ContactAxis, 2> axes;
   bool gear2_drives = false;
-  double marking = 0.0;              ///< δ  mm
-  int positions = 0;                 ///< per pitch
-  ContactResult driving;             ///< `positions` of one pitch, from −half a pitch on
-  ContactResult other;               ///< the flanks behind, at the same positions
-  std::optional<double> least_play;  ///< rad of gear 2; < 0: the gears jam
+  double marking = 0.0;            ///< δ  mm
+  int positions = 0;               ///< per pitch
+  ContactResult driving;           ///< `positions` of one pitch, from −half a pitch on
+  ContactResult other;             ///< the flanks behind, at the same positions
+  std::optional<double> min_play;  ///< rad of gear 2; < 0: the gears jam
   std::array<FlankRaster, 2> patterns;
   std::optional<ContactPoint> middle;      ///< the position nearest to the middle that touches
   FlankRaster middle_gap;                  ///< on gear 1, there
@@ -87,7 +87,5 @@ std::vector<FlankPlace> ellipse_on(const ContactReport& report, const ContactPoi
 
 /// Signed and short, "+0.03°", "−0.02 mm".
 std::string words_of(const NamedAmount& amount);
-
-constexpr double kArcsecPerRad = 3600 * 180 / 3.14159265358979323846;
 
 }  // namespace gearwright

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/units.hpp"
 #include "gearwright/report/contact_arc_picture.hpp"
 #include "gearwright/report/contact_flank_picture.hpp"
 #include "gearwright/report/contact_map_picture.hpp"
@@ -59,8 +60,8 @@ std::string facts(const ContactReport& report) {
   if (a.contact_lost || b.contact_lost)
     t.row("Rotation without contact", "", "%",
           {percent(share(a, nowhere)), percent(share(b, nowhere))});
-  if (report.least_play) {
-    t.common("Least play of gear 2 between both flanks", "", "°", shown::angle(*report.least_play));
+  if (report.min_play) {
+    t.common("Least play of gear 2 between both flanks", "", "°", shown::angle(*report.min_play));
   }
   t.common("Thickness of the marking compound", "δ", "mm", fmt::format("{:g}", report.marking));
   return t.str();
@@ -130,7 +131,7 @@ std::string pattern_part(const ContactReport& report) {
              "the middle and keeps off the borders. Where the way of contact runs along a border "
              "(dashed), an <em>edge</em> works: its sharp line carries what a surface should, "
              "scrapes off the oil and wears or pits the mate.{}</p>\n",
-             fixed(1e3 * report.marking, 2), several) +
+             fixed(kUmPerMm * report.marking, 2), several) +
          pattern_figures(report);
 }
 

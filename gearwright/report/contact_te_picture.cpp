@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/units.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/plot_axis.hpp"
 #include "gearwright/report/shown_values.hpp"
@@ -153,7 +154,7 @@ std::string te_svg(const ContactReport& report, bool other_flanks) {
   }
   svg.text({12, kTop - 10}, "pitches", Anchor::start, "tick");
   draw_rows(svg, x, y, 5);
-  const Axis degrees{x.lo * shown::kDegree, x.hi * shown::kDegree, x.from, x.to};
+  const Axis degrees{x.lo * kDegPerRad, x.hi * kDegPerRad, x.from, x.to};
   draw_foot(svg, degrees, foot - 2, foot - 2, 8, "rotation of gear 1, °");
   // The greatest and the least value, and how far they are apart.
   const double top = y((te.hi - middle) * kArcsecPerRad);

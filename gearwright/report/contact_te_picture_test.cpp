@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/report/testing/sample_contact.hpp"
 
 namespace gearwright {

@@ -21,8 +21,8 @@ constexpr double kPlanWidth = 640.0;
 constexpr double kPlanHeight = 520.0;
 constexpr double kWholeWidth = 420.0;
 constexpr double kWholeHeight = 400.0;
-constexpr double kSmallest = 5.0;  // of the whole gears' scale, for lines far outside the faces
-constexpr double kLargest = 12.0;
+constexpr double kMaxReduction = 5.0;  // of the whole gears' scale, for lines far outside the faces
+constexpr double kMaxEnlargement = 12.0;
 constexpr int kTeethShown = 400;  // beyond that they are a grey area
 
 const std::array<const char*, 2> kInk{"g1", "g2"};
@@ -71,7 +71,7 @@ Viewport plan_window(const Pair& pair) {
   const double close = 0.8 * scale(lines.cwiseMax(1e-3 * extent(pair)));
   const double whole = scale(extent(pair));
   return {kPlanWidth, kPlanHeight, Vec2::Zero(),
-          std::clamp(close, whole / kSmallest, kLargest * whole)};
+          std::clamp(close, whole / kMaxReduction, kMaxEnlargement * whole)};
 }
 
 void draw_axes(Svg& svg, const Viewport& view, const Pair& pair) {

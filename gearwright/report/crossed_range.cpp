@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/units.hpp"
 #include "gearwright/pair/series.hpp"
 #include "gearwright/report/html_text.hpp"
 
@@ -14,7 +15,6 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kDegree = 180.0 / std::numbers::pi;
 constexpr double kHalfPi = std::numbers::pi / 2;
 constexpr int kSteps = 240;
 constexpr double kMargin = 0.07;  // of the angles worth showing, on both sides
@@ -24,9 +24,9 @@ constexpr double kBeforeLimit = 1e-3;
 // rad. At the limit itself, which a mounted pair may reach but for rounding, angles have no
 // involute; this near to it a differs by at most r_b times this.
 constexpr double kAtLimit = 1e-8;
-constexpr double kLeastAngle = 2e-3;  // rad, α_wn = 0 is no rack
+constexpr double kMinAngle = 2e-3;  // rad, α_wn = 0 is no rack
 
-double deg(double rad) { return kDegree * rad; }
+double deg(double rad) { return kDegPerRad * rad; }
 
 // Transverse angle of the limiting gear; α_n itself is no parameter at the limit.
 double transverse_of(const BasePair<double>& gears, double alpha_n) {
@@ -77,7 +77,7 @@ std::vector<CrossedSample> crossed_samples(const Pair& pair) {
   const BasePair<double>& gears = pair.input.gears;
   const double limit = kHalfPi - std::abs(gears[limiting_gear(gears)].helix_angle);
   std::vector<double> worth{pair.mesh.rack.normal_pressure_angle};
-  if (pair.least_distance) worth.push_back(pair.least_distance->normal_pressure_angle);
+  if (pair.min_distance) worth.push_back(pair.min_distance->normal_pressure_angle);
   if (pair.contact_ratio_range) {
     worth.push_back(pair.contact_ratio_range->lo.normal_pressure_angle);
     worth.push_back(pair.contact_ratio_range->hi.normal_pressure_angle);
@@ -85,7 +85,7 @@ std::vector<CrossedSample> crossed_samples(const Pair& pair) {
   const auto [least, greatest] = std::minmax_element(worth.begin(), worth.end());
   const double margin =
       std::max(kMargin * (*greatest - *least), pair.contact_ratio_range ? 0.005 : 0.06);
-  const double lo = std::max(*least - margin, std::min(*least, kLeastAngle));
+  const double lo = std::max(*least - margin, std::min(*least, kMinAngle));
   const double hi = std::min(*greatest + margin, limit);
   const double from = transverse_of(gears, lo);
   const double to = std::min(transverse_of(gears, hi), kHalfPi - kBeforeLimit);
@@ -100,8 +100,8 @@ std::vector<CrossedSample> crossed_samples(const Pair& pair) {
 
 std::vector<Approximation> approximations(const Pair& pair) {
   const auto racks = shared_rack(pair);
-  if (!racks || !pair.least_distance) return {};
-  const auto series = least_distance_series(*racks);
+  if (!racks || !pair.min_distance) return {};
+  const auto series = min_distance_series(*racks);
   std::vector<Approximation> all{{"1 term", "1", series.pressure_angle(1)},
                                  {"2 terms", "2", series.pressure_angle(2)},
                                  {"3 terms", "3", series.pressure_angle(3)}};
@@ -130,8 +130,8 @@ void draw_marked_angles(Svg& svg, const Pair& pair, const Axis& x, double top, d
     double at;
   };
   std::vector<Mark> marks{{"mounted", "here", deg(pair.mesh.rack.normal_pressure_angle)}};
-  if (pair.least_distance)
-    marks.push_back({"least distance", "least", deg(pair.least_distance->normal_pressure_angle)});
+  if (pair.min_distance)
+    marks.push_back({"least distance", "least", deg(pair.min_distance->normal_pressure_angle)});
   std::vector<double> wanted;
   for (const Mark& m : marks) wanted.push_back(x(m.at));
   const std::vector<double> placed = spread(wanted, 176.0, x.from + 66.0, x.to - 84.0);

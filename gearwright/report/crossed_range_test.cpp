@@ -28,9 +28,9 @@ TEST(CrossedRangePicture, SamplesAreThePairAtItsPlaces) {
     EXPECT_NEAR(s->place.shaft_angle, pair.shaft_angle(), 1e-12);
     EXPECT_NEAR(s->place.center_distance, *pair.backlash_free_center_distance, 1e-9);
     // Nothing anywhere below the least centre distance.
-    ASSERT_TRUE(pair.least_distance.has_value());
+    ASSERT_TRUE(pair.min_distance.has_value());
     for (const CrossedSample& each : samples)
-      EXPECT_GE(each.place.center_distance, pair.least_distance->center_distance - 1e-10);
+      EXPECT_GE(each.place.center_distance, pair.min_distance->center_distance - 1e-10);
   }
 }
 
@@ -43,7 +43,7 @@ TEST(CrossedRangePicture, ContactRatioIsOneAtTheEndsOfTheRange) {
     ASSERT_TRUE(s.has_value());
     EXPECT_NEAR(s->contact_ratio, 1.0, 1e-9);
   }
-  const auto least = crossed_sample(pair, pair.least_distance->normal_pressure_angle);
+  const auto least = crossed_sample(pair, pair.min_distance->normal_pressure_angle);
   EXPECT_NEAR(least->contact_ratio, 1.7309, 1e-4);
 }
 

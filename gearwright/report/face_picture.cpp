@@ -30,7 +30,7 @@ double deg(double rad) { return Angle::radians(rad).deg(); }
 
 // Up to what is needed or there; further only as far as the curves go within ε ≥ 1, but no more
 // than twice that: f′ grows beyond all bounds where the lines of action wander along the teeth.
-double most_shown(const Pair& pair, const std::vector<CrossedSample>& samples) {
+double max_shown(const Pair& pair, const std::vector<CrossedSample>& samples) {
   double there = 0.0;
   double curves = 0.0;
   for (int i : {0, 1}) {
@@ -45,7 +45,7 @@ double most_shown(const Pair& pair, const std::vector<CrossedSample>& samples) {
 std::string widths_svg(const Pair& pair) {
   const std::vector<CrossedSample> samples = crossed_samples(pair);
   const Axis x = angle_axis(samples, kLeft, kWidth - kRight);
-  const Axis y{0.0, most_shown(pair, samples), kTop + kPlot, kTop};
+  const Axis y{0.0, max_shown(pair, samples), kTop + kPlot, kTop};
   Svg svg("widths", kWidth, kHeight, "Face widths over the pressure angle of the common rack",
           "Face widths that one flank and both flanks of each gear need, over the normal pressure "
           "angle of the common rack, with the actual face widths as lines.");

@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kMostHalvings = 12;  // 4096 chords per arc: a bound for curves with a cusp
+constexpr int kMaxHalvings = 12;  // 4096 chords per arc: a bound for curves with a cusp
 
 double distance_to_chord(const Vec2& p, const Vec2& a, const Vec2& b) {
   const Vec2 ab = b - a;
@@ -29,7 +29,7 @@ void halve(const Arc& arc, double u0, double u1, const Vec2& p0, const Vec2& p1,
   for (const double u : {0.5 * (u0 + um), 0.5 * (um + u1)}) {
     deviation = std::max(deviation, distance_to_chord(arc.point(u), p0, p1));
   }
-  if (deviation > tolerance && depth < kMostHalvings) {
+  if (deviation > tolerance && depth < kMaxHalvings) {
     halve(arc, u0, um, p0, pm, tolerance, depth + 1, out);
     halve(arc, um, u1, pm, p1, tolerance, depth + 1, out);
     return;

@@ -20,7 +20,7 @@ constexpr double kRim = 2.5;                ///< m_n: metal drawn around the roo
 ///
 /// Units     mm
 /// Accuracy  the deviation is measured at a quarter, half and three quarters of each chord's
-/// parameter
+///           parameter
 std::vector<Vec2> chords(const Arc& arc, double tolerance);
 
 /// Path data of one arc of the tooth at the x axis; `side` +1 as generated (y > 0), −1 mirrored.

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/named_circles.hpp"
@@ -21,7 +22,6 @@ constexpr double kMeshWidth = 640.0;
 constexpr double kMeshHeight = 560.0;
 constexpr double kWholeWidth = 420.0;
 constexpr double kWholeHeight = 360.0;
-constexpr double kDegree = 180.0 / std::numbers::pi;
 constexpr double kLetterRoom = 17.0;  // px between two letters on one side of the line
 
 const std::array<const char*, 2> kBody{"body g1", "body g2"};
@@ -48,8 +48,8 @@ Extent extent_of(const Pair& pair) {
 std::array<double, 2> drawn_angles(const Pair& pair) {
   const std::array<double, 2> phi = rotation_to_pitch_point(pair);
   const auto angle = [](const Eigen::Isometry3d& x) { return std::atan2(x(1, 0), x(0, 0)); };
-  return {kDegree * (angle(pair.pose_1().isometry()) + phi[0]),
-          kDegree * (angle(pair.pose_2().isometry()) + phi[1])};
+  return {kDegPerRad * (angle(pair.pose_1().isometry()) + phi[0]),
+          kDegPerRad * (angle(pair.pose_2().isometry()) + phi[1])};
 }
 
 void draw_bodies(Svg& svg, const Viewport& view, const Pair& pair,

@@ -17,8 +17,7 @@ namespace gearwright {
 /// pitch circle onto the centre line.
 ///
 /// Formula   φ_1 = ψ_1, φ_2 = −σ (π/|z_2| − ψ_2);  ψ_i = s_bti/d_bi − inv α_wt the half angles of
-/// the
-///           teeth on the working pitch circles, of a ring's s_bt2/d_b2 + inv α_wt
+///           the teeth on the working pitch circles, of a ring's s_bt2/d_b2 + inv α_wt
 /// Units     rad
 std::array<double, 2> rotation_to_pitch_point(const Pair& pair);
 

@@ -68,7 +68,7 @@ std::vector<Dot> dots_of(const SearchProblem& problem, const SearchAnswer& answe
   for (const std::size_t i : answer.pareto) front[i] = true;
   std::vector<Dot> dots;
   for (std::size_t i = 0; i < answer.designs.size(); ++i) {
-    if (i >= kMostDots && !front[i]) continue;
+    if (i >= kMaxDots && !front[i]) continue;
     const DesignRow& row = answer.designs[i];
     const auto first = value_of(problem, row, problem.objectives[0]);
     const auto second =

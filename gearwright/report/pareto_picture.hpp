@@ -12,7 +12,7 @@
 
 namespace gearwright {
 
-inline constexpr std::size_t kMostDots = 2000;  ///< of one picture: more are no longer told apart
+inline constexpr std::size_t kMaxDots = 2000;  ///< of one picture: more are no longer told apart
 
 /// The corners of the staircase through the points that none of them betters in both values: the
 /// border between what was found and what nobody reached. `greater` says for each axis whether more
@@ -23,7 +23,7 @@ inline constexpr std::size_t kMostDots = 2000;  ///< of one picture: more are no
 std::vector<Vec2> staircase(const std::vector<Vec2>& points, const std::array<bool, 2>& greater);
 
 /// By the first two objectives; one alone over the centre distance, over the ratio where the
-/// distance is given. The first kMostDots designs and the whole front. Each dot tells its design
+/// distance is given. The first kMaxDots designs and the whole front. Each dot tells its design
 /// where the pointer rests on it. Empty without designs.
 std::string pareto_figure(const SearchProblem& problem, const SearchAnswer& answer);
 

@@ -89,7 +89,7 @@ TEST(ParetoPicture, NoMoreDotsThanAReaderTellsApart) {
   const SearchProblem problem = testing::spur_problem();
   DesignRow row;
   row.balanced = true;
-  for (std::size_t i = 0; i < kMostDots + 50; ++i) {
+  for (std::size_t i = 0; i < kMaxDots + 50; ++i) {
     row.trial = {static_cast<std::int64_t>(i), 1.0, 12, 24, {}, 0};
     row.center_distance = 50.0 + 0.001 * static_cast<double>(i);
     row.contact_ratio = 1.5 - 1e-4 * static_cast<double>(i);
@@ -97,7 +97,7 @@ TEST(ParetoPicture, NoMoreDotsThanAReaderTellsApart) {
   }
   answer.counts.feasible = static_cast<std::int64_t>(answer.designs.size());
   const std::string figure = pareto_figure(problem, answer);
-  EXPECT_EQ(count_of(figure, "class=\"dot-design\""), kMostDots);
+  EXPECT_EQ(count_of(figure, "class=\"dot-design\""), kMaxDots);
   EXPECT_NE(figure.find("Shown are 2\u202f000 of 2\u202f050"), figure.npos);
 }
 

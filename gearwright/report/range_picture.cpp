@@ -88,7 +88,7 @@ void draw_panel(Svg& svg, const Pair& pair, const std::vector<CrossedSample>& sa
   };
   for (const Approximation& a : approximations(pair))
     mark(a.normal_pressure_angle, "mark ring", 4.0);
-  if (pair.least_distance) mark(pair.least_distance->normal_pressure_angle, "mark", 3.4);
+  if (pair.min_distance) mark(pair.min_distance->normal_pressure_angle, "mark", 3.4);
   const Vec2 here(x(deg(pair.mesh.rack.normal_pressure_angle)), y(q.mounted));
   svg.dot(here, 3.4, "mark action-dot");
   const bool left = here.x() > (x.from + x.to) / 2;

@@ -16,8 +16,8 @@
 #include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/gear_table.hpp"
 #include "gearwright/report/html_text.hpp"
-#include "gearwright/report/least_distance_picture.hpp"
 #include "gearwright/report/mesh_picture.hpp"
+#include "gearwright/report/min_distance_picture.hpp"
 #include "gearwright/report/page_parts.hpp"
 #include "gearwright/report/page_style.hpp"
 #include "gearwright/report/path_picture.hpp"
@@ -143,8 +143,8 @@ std::string crossed_section(const Pair& pair) {
       "class=\"columns\"><div>{}{}</div><div>{}{}</div></div>\n</section>\n",
       plan_figures(pair), pair_table(pair), interference_table(pair), section_figure(pair),
       if_they_meet(face_use_figure), if_they_meet(speed_figures), path_table(pair),
-      range_figure(pair), least_distance_table(pair), face_width_figure(pair),
-      least_distance_figure(pair));
+      range_figure(pair), min_distance_table(pair), face_width_figure(pair),
+      min_distance_figure(pair));
 }
 
 std::string pair_section(const Pair& pair) {

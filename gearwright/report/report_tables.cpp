@@ -32,10 +32,10 @@ void add_crossed_contact(TableBuilder& t, const Pair& p) {
   };
   t.row("Face width needed, one flank", "f", "mm", needed(f.one_flank));
   t.row("Face width needed, both flanks, about the centre line", "f′", "mm", needed(f.both_flanks));
-  if (p.least_distance) {
+  if (p.min_distance) {
     t.common("Least centre distance without backlash", "", "mm",
-             length(p.least_distance->center_distance));
-    t.common("Shaft angle there", "", "°", angle(p.least_distance->shaft_angle));
+             length(p.min_distance->center_distance));
+    t.common("Shaft angle there", "", "°", angle(p.min_distance->shaft_angle));
   }
   if (p.contact_ratio_range) {
     const CrossedPlaces& r = *p.contact_ratio_range;

@@ -2,8 +2,8 @@
 //
 //   F    where undercut begins: the flank on the base circle, ξ = 0
 //   C, J where a circular root fillet and a circular tip fillet touch the flank
-//   r_r, r_t  their radii, mm            l    mm along the rack's straight flank, from its lower
-//   end
+//   r_r, r_t  their radii, mm
+//   l    mm along the rack's straight flank, from its lower end
 //                                              theory: docs/theory/06-few-teeth.md
 #pragma once
 

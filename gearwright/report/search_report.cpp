@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/page_parts.hpp"
 #include "gearwright/report/page_style.hpp"
 #include "gearwright/report/search_section.hpp"
-#include "gearwright/report/search_style.hpp"
 #include "gearwright/report/search_table.hpp"
 #include "gearwright/report/shown_values.hpp"
 
@@ -28,7 +28,7 @@ std::string kind_of(const SearchProblem& problem) {
   std::string kind = "Design search, ";
   if (problem.crossed()) {
     kind += fmt::format("crossed helical gears, shaft angle {:.8g}°",
-                        shown::kDegree * *problem.shaft_angle);
+                        kDegPerRad * *problem.shaft_angle);
   } else {
     kind += fmt::format("{} gears{}", helical ? "helical" : "spur",
                         problem.internal() ? ", internal" : "");

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/shown_values.hpp"
 
@@ -55,7 +56,7 @@ std::vector<Column> columns_of(const SearchProblem& problem, const SearchAnswer&
                [](const Row& r) { return whole(r.trial.z2); }});
   if (helical || crossed)
     c.push_back({indexed("β"), "°", "helix angle of gear 1, right hand positive",
-                 [](const Row& r) { return number(shown::kDegree * r.trial.helix[0], 3); }});
+                 [](const Row& r) { return number(kDegPerRad * r.trial.helix[0], 3); }});
   if (problem.racks.size() > 1)
     c.push_back({"rack", "", "which of the racks given",
                  [](const Row& r) { return whole(r.trial.rack + 1); }});
@@ -88,7 +89,7 @@ std::vector<Column> columns_of(const SearchProblem& problem, const SearchAnswer&
                  [](const Row& r) { return number(r.overlap_ratio, 3); }, true});
   c.push_back({indexed(crossed ? "α_n" : "α_wt"), "°",
                crossed ? "normal pressure angle" : "working transverse pressure angle",
-               [](const Row& r) { return number(shown::kDegree * r.working_angle, 3); }});
+               [](const Row& r) { return number(kDegPerRad * r.working_angle, 3); }});
   c.push_back({indexed("j_bn"), "mm", "backlash along the common normal",
                [](const Row& r) { return number(r.backlash_normal, kLengthDigits); }});
   for (std::size_t i : {0, 1})
@@ -103,7 +104,7 @@ std::vector<Column> columns_of(const SearchProblem& problem, const SearchAnswer&
       {indexed("ζ") + " max", "",
        "greatest specific sliding at the ends of the path of contact; –: a flank reaches its "
        "base tangent point",
-       [](const Row& r) { return number(r.greatest_sliding(), 3); }});
+       [](const Row& r) { return number(r.max_sliding(), 3); }});
   c.push_back({"area", "", "area of the feasible region, modules²",
                [](const Row& r) { return number(r.area, 4); }, true});
   c.push_back({"interf.", "", "a tip passes the start of the mate’s flank",
@@ -122,49 +123,6 @@ std::string cell_html(const Cell& cell) {
   return fmt::format("<td class=\"value\" data-v=\"{}\">{}</td>",
                      cell.key ? fmt::format("{:.12g}", *cell.key) : "", cell.text);
 }
-
-constexpr std::string_view kSortScript = R"js(
-(function () {
-  'use strict';
-  var table = document.querySelector('table.designs');
-  if (!table) return;
-  var body = table.tBodies[0], heads = table.tHead.rows[0].cells;
-  var rows = Array.prototype.slice.call(body.rows);  // in the order of rank
-
-  function key(row, column) {
-    var text = row.cells[column].getAttribute('data-v');
-    return text === '' ? null : Number(text);
-  }
-  function sort(column, direction) {
-    var sign = direction === 'ascending' ? 1 : -1;
-    rows.map(function (row, i) {
-      return {row: row, key: key(row, column), rank: i};
-    }).sort(function (a, b) {
-      if (a.key === null || b.key === null) {
-        return (a.key === null) - (b.key === null) || a.rank - b.rank;
-      }
-      return sign * (a.key - b.key) || a.rank - b.rank;
-    }).forEach(function (entry) { body.appendChild(entry.row); });
-    Array.prototype.forEach.call(heads, function (head, i) {
-      if (i === column) head.setAttribute('aria-sort', direction);
-      else head.removeAttribute('aria-sort');
-    });
-  }
-  Array.prototype.forEach.call(heads, function (head, column) {
-    var button = document.createElement('button');
-    button.type = 'button';
-    while (head.firstChild) button.appendChild(head.firstChild);
-    head.appendChild(button);
-    button.addEventListener('click', function () {
-      var now = head.getAttribute('aria-sort'), first = head.getAttribute('data-first');
-      var other = first === 'ascending' ? 'descending' : 'ascending';
-      sort(column, now === first ? other : first);
-    });
-  });
-  var hint = document.getElementById('sort-hint');
-  if (hint) hint.hidden = false;
-})();
-)js";
 
 }  // namespace
 
@@ -211,7 +169,5 @@ std::string design_table_key(const SearchProblem& problem, const SearchAnswer& a
   return "<details class=\"column-key\"><summary>What the columns mean</summary>\n<dl>\n" + text +
          "</dl></details>\n";
 }
-
-std::string_view sort_script() { return kSortScript; }
 
 }  // namespace gearwright

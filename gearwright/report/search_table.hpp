@@ -17,6 +17,7 @@ std::string design_table_key(const SearchProblem& problem, const SearchAnswer& a
                              std::size_t rows);
 
 /// Makes the headings of the table buttons; without it the table stands as it is.
+/// The file report/page/sort_script.js.
 std::string_view sort_script();
 
 }  // namespace gearwright

@@ -61,12 +61,12 @@ TEST(SearchTable, ARowIsItsDesign) {
     EXPECT_EQ(c[13].text, fixed(row.backlash_normal, 4));
     EXPECT_EQ(c[14].text, fixed(row.tip_thickness[0], 3));
     EXPECT_EQ(c[16].text, fixed(std::min(row.tip_clearance[0], row.tip_clearance[1]), 3));
-    EXPECT_EQ(c[17].text, fixed(row.greatest_sliding(), 3));
+    EXPECT_EQ(c[17].text, fixed(row.max_sliding(), 3));
     EXPECT_EQ(c[18].text, fixed(row.area, 4));
     EXPECT_EQ(c[19].text, row.interference ? "yes" : "");
     // Columns sort by more digits than they show.
     EXPECT_NEAR(std::stod(c[10].key), row.contact_ratio, 1e-11);
-    EXPECT_EQ(c[17].key.empty(), !row.greatest_sliding());
+    EXPECT_EQ(c[17].key.empty(), !row.max_sliding());
   }
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/design/shift_charts.hpp"
 #include "gearwright/report/free_labels.hpp"
 #include "gearwright/report/html_text.hpp"
@@ -34,7 +35,7 @@ const std::array<const char*, 3> kTipNames{"pointed", "tip 0.2", "tip 0.4"};
 double place_of(double teeth) { return std::log(teeth); }
 
 Axis teeth_axis(double right) {
-  return {place_of(kChartFewest), place_of(kChartMost), kLeft, kWidth - right};
+  return {place_of(kChartMin), place_of(kChartMax), kLeft, kWidth - right};
 }
 
 void draw_teeth(Svg& svg, const Axis& x) {
@@ -101,12 +102,12 @@ void draw_room(Svg& svg, const Axis& x, const Axis& y, const std::vector<ShiftLi
     above.clear();
   };
   for (const ShiftLimits& row : chart) {
-    if (row.least > row.greatest) {
+    if (row.min > row.max) {
       flush();
       continue;
     }
-    below.push_back({x(place_of(row.teeth)), y.near(row.least)});
-    above.push_back({x(place_of(row.teeth)), y.near(row.greatest)});
+    below.push_back({x(place_of(row.teeth)), y.near(row.min)});
+    above.push_back({x(place_of(row.teeth)), y.near(row.max)});
   }
   flush();
   svg.end_group();
@@ -114,17 +115,17 @@ void draw_room(Svg& svg, const Axis& x, const Axis& y, const std::vector<ShiftLi
 
 std::string helix_words(const Trial& trial) {
   if (trial.helix[0] == 0.0) return "";
-  return fmt::format(", helix angle {:.6g}°", shown::kDegree * std::abs(trial.helix[0]));
+  return fmt::format(", helix angle {:.6g}°", kDegPerRad * std::abs(trial.helix[0]));
 }
 
-bool on_chart(int teeth) { return teeth >= kChartFewest && teeth <= kChartMost; }
+bool on_chart(int teeth) { return teeth >= kChartMin && teeth <= kChartMax; }
 
 }  // namespace
 
 std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial,
                                 const DesignRow* design) {
   const auto chart =
-      shift_limit_chart(problem, trial.rack, trial.helix[0], 0, kChartFewest, kChartMost);
+      shift_limit_chart(problem, trial.rack, trial.helix[0], 0, kChartMin, kChartMax);
   std::vector<ChartLine> curves{{{}, "undercut", "limit-undercut"}};
   for (const char* name : kTipNames) curves.push_back({{}, name, "limit-tip"});
   curves[1].style += " dot";
@@ -135,9 +136,9 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
     curves[0].points.push_back({place_of(row.teeth), row.undercut});
     for (std::size_t i = 0; i < kChartTips.size(); ++i)
       curves[i + 1].points.push_back({place_of(row.teeth), row.tip[i]});
-    if (row.least > row.greatest) continue;
-    lowest = std::min(lowest, row.least);
-    highest = std::max(highest, row.greatest);
+    if (row.min > row.max) continue;
+    lowest = std::min(lowest, row.min);
+    highest = std::max(highest, row.max);
   }
   const Axis x = teeth_axis(kRight);
   const Axis y{std::max(lowest, -2.0) - 0.35, std::min(std::max(highest, 1.4), 3.0) + 0.25, kBottom,
@@ -201,7 +202,7 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
 std::string identical_gears_figure(const SearchProblem& problem, const Trial& trial) {
   if (problem.crossed() || problem.internal()) return {};
   const auto chart =
-      identical_gears_chart(problem, trial.rack, trial.helix[0], kChartFewest, kChartMost);
+      identical_gears_chart(problem, trial.rack, trial.helix[0], kChartMin, kChartMax);
   const std::array<const char*, 5> names{"least shift", "¼", "½", "¾", "greatest"};
   std::vector<ChartLine> curves;
   double lowest = 1.0;

@@ -10,7 +10,7 @@
 
 namespace gearwright {
 
-inline constexpr int kChartFewest = 7, kChartMost = 100;  ///< teeth
+inline constexpr int kChartMin = 7, kChartMax = 100;  ///< teeth
 
 /// Undercut limit, limits of the tip thicknesses 0, 0.2, 0.4 modules and, filled, what the problem
 /// itself leaves gear 1; rack and helix are those of the trial, with the design's shifts marked

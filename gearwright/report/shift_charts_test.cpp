@@ -70,13 +70,13 @@ TEST(ShiftChartPictures, IdenticalGearsSayNothingOfRingsAndCrossedAxes) {
 // Limits that leave no shift at any tooth number, and none at all.
 TEST(ShiftChartPictures, LimitsThatLeaveNothingDrawNothing) {
   SearchProblem problem = testing::spur_problem();
-  problem.limits.least_shift = 1.0;
-  problem.limits.greatest_shift = 0.5;
+  problem.limits.min_shift = 1.0;
+  problem.limits.max_shift = 0.5;
   expect_sound(shift_limits_figure(problem, Trial{}, nullptr));
   EXPECT_EQ(count_of(shift_limits_figure(problem, Trial{}, nullptr), "class=\"room\""), 0u);
   EXPECT_EQ(identical_gears_figure(problem, Trial{}), "");
-  problem.limits.least_shift.reset();
-  problem.limits.greatest_shift.reset();
+  problem.limits.min_shift.reset();
+  problem.limits.max_shift.reset();
   expect_sound(shift_limits_figure(problem, Trial{}, nullptr));
   expect_sound(identical_gears_figure(problem, Trial{}));
 }

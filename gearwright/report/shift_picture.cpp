@@ -17,7 +17,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kMostTeeth = 8;
+constexpr int kMaxTeeth = 8;
 constexpr std::array<double, 5> kShifts{0.3, 0.5, 0.7, 0.9, 1.0};
 constexpr double kSameShift = 1e-6;  // a shift this near to one of them is that one
 constexpr double kWidth = 240.0;
@@ -115,7 +115,7 @@ std::string words_of(const ShiftedTooth& t) {
 }  // namespace
 
 bool shift_is_worth_a_picture(const Gear& gear) {
-  if (gear.internal() || gear.cut_by || !has_outline(gear) || gear.spec.teeth > kMostTeeth)
+  if (gear.internal() || gear.cut_by || !has_outline(gear) || gear.spec.teeth > kMaxTeeth)
     return false;
   if (!gear.involute()) return false;
   return gear.spec.root_fillet || gear.undercut;

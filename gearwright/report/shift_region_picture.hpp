@@ -1,7 +1,7 @@
 // The s1–s2 graph of one pair of tooth numbers: which profile shifts its limits leave.
 //
-//   x1 to the right, x2 up, normal modules, one scale for both, so that lines Σx = const fall at
-//   45° lo, hi   middles of the slices at the least and the greatest Σx
+//   x1 to the right, x2 up, normal modules, one scale for both: lines Σx = const fall at 45°
+//   lo, hi   middles of the slices at the least and the greatest Σx
 //                                              theory: docs/theory/09-design-search.md
 //
 // The window follows the region: the whole rectangle of shift limits where the region fills a fair

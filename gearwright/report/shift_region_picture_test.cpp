@@ -33,7 +33,7 @@ SearchSample one_pair(int z1, int z2, double least, double greatest) {
   p.ratio = {static_cast<double>(z2) / z1, static_cast<double>(z2) / z1};
   p.pinion_teeth = {z1, z1};
   p.modules = {1};
-  p.limits.least_shift = -0.5;
+  p.limits.min_shift = -0.5;
   p.center_distance = {{least, greatest}};
   return testing::search_sample(p);
 }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kPadding = 0.17;      // of the rectangle around it
 constexpr double kZoomPadding = 0.42;  // of a region: room for its labels
-constexpr double kLeastWindow = 1e-3;  // modules: a hundredth of what a cutter can be set to
+constexpr double kMinWindow = 1e-3;    // modules: a hundredth of what a cutter can be set to
 
 }  // namespace
 
@@ -22,18 +22,18 @@ void ShiftBox::hold(const Vec2& p) {
 
 ShiftBox limits_box(const ShiftGraph& graph) {
   const auto& [g_1, g_2] = graph.gears();
-  return {{g_1.x_least, g_2.x_least}, {g_1.x_greatest, g_2.x_greatest}};
+  return {{g_1.x_min, g_2.x_min}, {g_1.x_max, g_2.x_max}};
 }
 
 RegionWindow region_window(const ShiftBox& limits, const ShiftBox& region, double aspect,
                            double fair_part) {
   const bool zoomed = region.size().maxCoeff() < fair_part * limits.size().maxCoeff();
   ShiftBox box = region;
-  double pad = kZoomPadding * std::max(region.size().maxCoeff(), kLeastWindow);
+  double pad = kZoomPadding * std::max(region.size().maxCoeff(), kMinWindow);
   if (!zoomed) {
     box.hold(limits.lo);
     box.hold(limits.hi);
-    pad = kPadding * std::max(box.size().maxCoeff(), kLeastWindow);
+    pad = kPadding * std::max(box.size().maxCoeff(), kMinWindow);
   }
   const Vec2 size = box.size() + 2 * Vec2(pad, pad);
   const double height = std::max(size.y(), size.x() / aspect);

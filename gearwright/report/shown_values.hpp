@@ -3,18 +3,16 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
 #include <optional>
 #include <string>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/report/html_text.hpp"
 
 namespace gearwright::shown {
 
-constexpr double kDegree = 180.0 / std::numbers::pi;
-
 inline std::string length(const std::optional<double>& mm) { return fixed(mm, kLengthDigits); }
-inline std::string angle(double rad) { return fixed(kDegree * rad, kAngleDigits); }
+inline std::string angle(double rad) { return fixed(kDegPerRad * rad, kAngleDigits); }
 inline std::string ratio(const std::optional<double>& value) { return fixed(value, kRatioDigits); }
 inline std::string none() { return std::string(kNoValue); }
 

@@ -2,7 +2,7 @@
 // way.
 //
 // Positions are pixels of the picture, y down; a Viewport carries millimetres there. Colours and
-// widths are classes of the page's style (report/page_style.hpp), so that one picture serves light,
+// widths are classes of the page's style (report/page/), so that one picture serves light,
 // dark and paper. Strokes do not grow when a reader zooms, nor do marks and labels: those are
 // groups of class "lb" at their place, which the page's script scales back.
 #pragma once

@@ -29,7 +29,7 @@ void draw_touches(Svg& svg, const Viewport& view, const Pair& pair);
 /// Button and slider (HTML), for the pictures in the same group of figures; the script shows it.
 std::string turn_control(const Pair& pair);
 
-/// The script's part for it.
+/// The script's part for it: report/page/turn_script.js.
 std::string_view turn_script();
 
 }  // namespace gearwright

@@ -77,7 +77,7 @@ RackArc read_arc(const Json& node, const std::string& name) {
   return arc;
 }
 
-constexpr std::size_t kMostArcs = 100;
+constexpr std::size_t kMaxArcs = 100;
 
 RackOfArcs read_arcs(TableReader& t) {
   RackOfArcs rack;
@@ -85,10 +85,10 @@ RackOfArcs read_arcs(TableReader& t) {
   rack.addendum = needed(t, "addendum", "of the gear's tooth above the datum line");
   rack.dedendum = needed(t, "dedendum", "how deep the cutter goes");
   t.finish();
-  if (!list || !list->is_array() || list->empty() || list->size() > kMostArcs) {
+  if (!list || !list->is_array() || list->empty() || list->size() > kMaxArcs) {
     t.fail("arcs", fmt::format("must be a list of 1 to {} tables, one for each arc, from the "
                                "cutter's tip on",
-                               kMostArcs));
+                               kMaxArcs));
   }
   for (std::size_t i = 0; i < list->size(); ++i) {
     const std::string name = fmt::format("{}[{}]", t.name("arcs"), i + 1);

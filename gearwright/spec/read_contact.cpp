@@ -9,11 +9,10 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kGreatestTilt =
-    10.0;  // degrees: beyond it a shaft is not misaligned but elsewhere
-constexpr double kGreatestSlope = 5000;    // µm over the face
-constexpr int kMostPositions = 1'000'000;  // in all
-constexpr int kMostMapPoints = 1000;       // along one side
+constexpr double kMaxTilt = 10.0;   // degrees: beyond it a shaft is not misaligned but elsewhere
+constexpr double kMaxSlope = 5000;  // µm over the face
+constexpr int kMaxPositions = 1'000'000;  // in all
+constexpr int kMaxMapPoints = 1000;       // along one side
 
 std::vector<double> numbers(TableReader& t, const char* key, std::size_t least, std::size_t most) {
   std::vector<double> values;
@@ -53,8 +52,8 @@ ContactMapInput read_map(const Json& node) {
   if (map.key[0] == map.key[1]) t.fail("y", "must be another error than x");
   const auto points = numbers(t, "points", 2, 2);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!(points[i] >= 2 && points[i] <= kMostMapPoints && points[i] == std::floor(points[i])))
-      t.fail("points", fmt::format("must be whole numbers from 2 to {}", kMostMapPoints));
+    if (!(points[i] >= 2 && points[i] <= kMaxMapPoints && points[i] == std::floor(points[i])))
+      t.fail("points", fmt::format("must be whole numbers from 2 to {}", kMaxMapPoints));
     map.points[i] = static_cast<int>(points[i]);
   }
   t.finish();
@@ -65,15 +64,15 @@ ContactMapInput read_map(const Json& node) {
 
 void check_error(const TableReader& t, const std::string& key, std::size_t index, double value) {
   const std::string name = kErrorKeys[index];
-  if (name.ends_with("_deg") && !(std::abs(value) <= kGreatestTilt)) {
+  if (name.ends_with("_deg") && !(std::abs(value) <= kMaxTilt)) {
     t.fail(key, fmt::format("must lie between -{} and {} degrees: an error is small; a shaft angle "
                             "belongs to pair.shaft_angle_deg",
-                            kGreatestTilt, kGreatestTilt));
+                            kMaxTilt, kMaxTilt));
   }
-  if (name.ends_with("_um") && !(std::abs(value) <= kGreatestSlope)) {
+  if (name.ends_with("_um") && !(std::abs(value) <= kMaxSlope)) {
     t.fail(key, fmt::format("must lie between -{0} and {0} micrometres: a helix angle belongs to "
                             "the gear",
-                            kGreatestSlope));
+                            kMaxSlope));
   }
 }
 
@@ -103,10 +102,10 @@ ContactInput read_contact(const Json& node) {
   };
   whole("positions", c.positions, 4, 100'000);
   whole("pitches", c.pitches, 1, 10'000);
-  if (static_cast<long long>(c.positions) * c.pitches > kMostPositions) {
+  if (static_cast<long long>(c.positions) * c.pitches > kMaxPositions) {
     t.fail("pitches", fmt::format("positions times pitches must be at most {}; every pitch is like "
                                   "the first",
-                                  kMostPositions));
+                                  kMaxPositions));
   }
   c.marking = t.positive("marking_mm").value_or(c.marking);
   if (c.marking > 1.0) t.fail("marking_mm", "must be at most 1, usually 0.003 to 0.01");
@@ -122,7 +121,7 @@ ContactInput read_contact(const Json& node) {
 
 namespace {
 
-constexpr std::size_t kMostRanges = 5;  // 32 corners
+constexpr std::size_t kMaxRanges = 5;  // 32 corners
 
 std::vector<std::size_t> read_corrections(TableReader& t) {
   std::vector<std::size_t> wanted;
@@ -167,10 +166,10 @@ CompensateInput read_compensate(const Json& node) {
         r.fail(kErrorKeys[i], "must grow: the least value, then the greatest");
       for (const double v : range) check_error(r, kErrorKeys[i], i, v);
       c.range[i] = {range[0], range[1]};
-      if (++count > kMostRanges)
+      if (++count > kMaxRanges)
         r.fail(kErrorKeys[i], fmt::format("is one range too many: {} at most, for every corner of "
                                           "them is looked at",
-                                          kMostRanges));
+                                          kMaxRanges));
     }
     r.finish();
   }

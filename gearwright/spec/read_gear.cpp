@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/gear/basic_root.hpp"
 #include "gearwright/spec/once.hpp"
 #include "gearwright/spec/read_arc_rack.hpp"
@@ -212,7 +213,7 @@ GearInput read_gear(const Json& node, const std::string& path, const Json* mate,
   module.offer("normal_module_mm", t.positive("normal_module_mm"));
   const auto pitch = t.positive("normal_diametral_pitch_per_in");
   module.offer("normal_diametral_pitch_per_in",
-               pitch ? std::optional(25.4 / *pitch) : std::nullopt);
+               pitch ? std::optional(kMmPerInch / *pitch) : std::nullopt);
   const auto m_t = t.positive("transverse_module_mm");
   module.offer("transverse_module_mm", m_t ? std::optional(*m_t * cos_beta) : std::nullopt);
   Once alpha(t, "pressure angle");

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "gearwright/base/output_file.hpp"
+#include "gearwright/base/units.hpp"
 
 namespace gearwright {
 
@@ -18,11 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kUmPerMm = 1e3;
-constexpr double kGreatest = 1e9;  // of any number of a spec, in its unit
+constexpr double kMaxNumber = 1e9;  // of any number of a spec, in its unit
 // Two lines of a grid nearer to each other than this, over the range, are one line measured twice:
 // the spline between them would make a slope of what is noise.
-constexpr double kLeastStep = 1e-4;
+constexpr double kMinStep = 1e-4;
 constexpr std::array<const char*, 2> kSides{"right_", "left_"};
 
 // A key's values: for both flanks (0), for the right one (1) and for the left one (2).
@@ -177,8 +177,8 @@ Result<std::vector<Row>> rows_of(std::string_view csv) {
     }
     if (!(x[0] > 0.0)) return at_line(line, "the diameter must be greater than 0");
     for (const double v : x) {
-      if (!(std::abs(v) <= kGreatest))
-        return at_line(line, fmt::format("numbers must lie between -{0} and {0}", kGreatest));
+      if (!(std::abs(v) <= kMaxNumber))
+        return at_line(line, fmt::format("numbers must lie between -{0} and {0}", kMaxNumber));
     }
     rows.push_back({x[0], x[1], x[2], line});
   }
@@ -198,7 +198,7 @@ std::optional<Error> check_lines(const char* what, const std::vector<double>& x)
   if (x.size() < 2) {
     return Error{"", "", fmt::format("there must be two {} or more, here are {}", what, x.size())};
   }
-  const double least = kLeastStep * (x.back() - x.front());
+  const double least = kMinStep * (x.back() - x.front());
   for (std::size_t i = 1; i < x.size(); ++i) {
     if (x[i] - x[i - 1] >= least) continue;
     return Error{"", "",
@@ -221,14 +221,14 @@ std::string read_whole(const TableReader& t, const std::string& key, const fs::p
   }
   std::ifstream file(path, std::ios::binary);
   if (!file) throw IoError("cannot read " + shown + ": " + std::strerror(errno));
-  std::string text(kLargestTopography + 1, '\0');
+  std::string text(kMaxTopography + 1, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (file.bad()) throw IoError("cannot read " + shown + ": " + std::strerror(errno));
   text.resize(static_cast<std::size_t>(file.gcount()));
-  if (text.size() > kLargestTopography) {
+  if (text.size() > kMaxTopography) {
     t.fail(key, fmt::format("has more than {} bytes; a coarser grid will do, a cubic spline runs "
                             "between its points",
-                            kLargestTopography));
+                            kMaxTopography));
   }
   return text;
 }

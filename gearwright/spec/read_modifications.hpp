@@ -14,7 +14,7 @@
 
 namespace gearwright {
 
-constexpr std::size_t kLargestTopography = 4 << 20;  ///< bytes: 200 000 points
+constexpr std::size_t kMaxTopography = 4 << 20;  ///< bytes: 200 000 points
 
 /// The right and the left flank; nothing is removed where the gear has no such table. What needs
 /// the finished gear (make_removal_field) is not checked here.

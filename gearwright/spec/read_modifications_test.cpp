@@ -204,7 +204,7 @@ TEST_F(TopographyFile, refusals_name_the_key_and_the_place) {
   EXPECT_EQ(refusal("topography = 3", "text in quotes", folder_), "topography");
   std::ofstream(folder_ / "bad.csv") << "40,-13,0\n40,13\n";
   EXPECT_EQ(refusal("right_topography = 'bad.csv'", "line 2", folder_), "right_topography");
-  std::ofstream(folder_ / "long.csv") << std::string(kLargestTopography + 1, '\n');
+  std::ofstream(folder_ / "long.csv") << std::string(kMaxTopography + 1, '\n');
   EXPECT_EQ(refusal("topography = 'long.csv'", "bytes", folder_), "topography");
 }
 

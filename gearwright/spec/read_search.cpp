@@ -21,8 +21,8 @@ const std::vector<double>& iso54_modules(int series) {
 
 namespace {
 
-constexpr double kLeastShiftStep = 0.0025;    // half a million points of a wide region
-constexpr std::size_t kMostValues = 100'000;  // of one list or band
+constexpr double kMinShiftStep = 0.0025;     // half a million points of a wide region
+constexpr std::size_t kMaxValues = 100'000;  // of one list or band
 
 // JSON has no word for nan and inf.
 std::string shown(const Json& value) {
@@ -42,8 +42,8 @@ std::optional<std::vector<double>> numbers(TableReader& t, const std::string& ke
     values.push_back(item.get<double>());
   };
   if (node->is_array()) {
-    if (node->size() > kMostValues)
-      t.fail(key, fmt::format("has {} values; at most {}", node->size(), kMostValues));
+    if (node->size() > kMaxValues)
+      t.fail(key, fmt::format("has {} values; at most {}", node->size(), kMaxValues));
     for (const Json& item : *node) take(item);
   } else {
     take(*node);
@@ -113,16 +113,16 @@ void read_teeth(TableReader& t, SearchProblem& p) {
   if (!z1) t.fail("pinion_teeth", "is missing: the band of z1, [12, 40]");
   for (const double z : *z1) {
     if (z != std::floor(z)) t.fail("pinion_teeth", "must be whole numbers");
-    if (!(z >= 3.0 && z <= kMostSearchTeeth))
-      t.fail("pinion_teeth", fmt::format("must lie between 3 and {}", kMostSearchTeeth));
+    if (!(z >= 3.0 && z <= kMaxSearchTeeth))
+      t.fail("pinion_teeth", fmt::format("must lie between 3 and {}", kMaxSearchTeeth));
   }
   p.pinion_teeth = {static_cast<int>((*z1)[0]), static_cast<int>((*z1)[1])};
   const double most = std::max(std::abs(p.ratio[0]), std::abs(p.ratio[1])) * (*z1)[1];
-  if (!(most <= kMostSearchTeeth)) {
+  if (!(most <= kMaxSearchTeeth)) {
     t.fail("ratio",
            fmt::format("with pinion_teeth up to {} reaches wheels of {:.6g} teeth; at most "
                        "{}: narrow one of them",
-                       p.pinion_teeth[1], most, kMostSearchTeeth));
+                       p.pinion_teeth[1], most, kMaxSearchTeeth));
   }
   p.coprime = t.boolean("coprime").value_or(false);
   p.target_ratio = t.number("target_ratio").value_or((p.ratio[0] + p.ratio[1]) / 2.0);
@@ -140,9 +140,9 @@ void read_helix(TableReader& t, SearchProblem& p, double of_gear_deg) {
     degrees.clear();
     const double h = step.value_or(1.0);
     const double count = std::floor(((*b)[1] - (*b)[0]) / h + 1e-9);
-    if (!(count < kMostValues))
+    if (!(count < kMaxValues))
       t.fail("helix_step_deg",
-             fmt::format("makes {:.6g} angles of the band; at most {}", count + 1, kMostValues));
+             fmt::format("makes {:.6g} angles of the band; at most {}", count + 1, kMaxValues));
     for (int i = 0; i <= static_cast<int>(count); ++i) degrees.push_back((*b)[0] + i * h);
     // The band's own end, unless a step has just reached it.
     if (degrees.back() < (*b)[1] - 1e-9 * h) degrees.push_back((*b)[1]);
@@ -178,8 +178,8 @@ void read_limits(TableReader& t, SearchProblem& p) {
   if (const auto shifts = band(t, "profile_shift", "floor and ceiling of x")) {
     if (t.any("profile_shift")->is_number())
       t.fail("profile_shift", "must be a band [floor, ceiling]; a search finds the shifts");
-    l.least_shift = (*shifts)[0];
-    l.greatest_shift = (*shifts)[1];
+    l.min_shift = (*shifts)[0];
+    l.max_shift = (*shifts)[1];
   }
   l.undercut_margin = within(t, "undercut_margin", -5.0, 5.0).value_or(0.0);
   l.contact_ratio = within(t, "contact_ratio_min", 0.0, 10.0).value_or(1.2);
@@ -354,7 +354,7 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
            "clearance is whole");
   }
   read_limits(t, p);
-  p.shift_step = within(t, "shift_step", kLeastShiftStep, 1.0);
+  p.shift_step = within(t, "shift_step", kMinShiftStep, 1.0);
   p.lambda = within(t, "lambda", -10.0, 10.0).value_or(0.625);
   read_objectives(t, p);
   t.finish();

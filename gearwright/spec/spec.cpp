@@ -125,8 +125,8 @@ FitInput read_fit(const Json& node) {
     if (v && !f.few_teeth) t.fail(key, "belongs to few_teeth = true");
     return v;
   };
-  f.least_tip_land = not_negative("least_tip_land_mm");
-  f.least_gap = not_negative("least_gap_mm");
+  f.min_tip_land = not_negative("least_tip_land_mm");
+  f.min_gap = not_negative("least_gap_mm");
   f.clearance = not_negative("clearance_mm");
   f.backlash = not_negative("backlash_mm");
   f.contact_ratio = not_negative("contact_ratio");
@@ -206,13 +206,13 @@ Result<JobSpec> read_spec_file(const std::filesystem::path& path) {
     throw IoError("cannot read " + path.string() + ": it is a folder");
   std::ifstream file(path, std::ios::binary);
   if (!file) throw IoError("cannot read " + path.string() + ": " + std::strerror(errno));
-  std::string text(kLargestSpec + 1, '\0');
+  std::string text(kMaxSpec + 1, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (file.bad()) throw IoError("cannot read " + path.string() + ": " + std::strerror(errno));
   text.resize(static_cast<std::size_t>(file.gcount()));
-  if (text.size() > kLargestSpec) {
+  if (text.size() > kMaxSpec) {
     return syntax_error(
-        fmt::format("{} has more than {} bytes, which no gear needs", path.string(), kLargestSpec));
+        fmt::format("{} has more than {} bytes, which no gear needs", path.string(), kMaxSpec));
   }
   const bool in_folder = std::filesystem::is_regular_file(path, error);
   return read_spec(text, path.extension() == ".json" ? SpecFormat::json : SpecFormat::toml,

@@ -65,7 +65,7 @@ struct PairInput {
 struct FitInput {
   std::optional<double> normal_pressure_angle_deg;  ///< α_wn of the designs wanted
   bool few_teeth = false;  ///< a pinion with circular fillets and the wheel it cuts
-  std::optional<double> least_tip_land, least_gap, clearance, backlash;  ///< mm, of few_teeth
+  std::optional<double> min_tip_land, min_gap, clearance, backlash;  ///< mm, of few_teeth
   std::optional<double> contact_ratio;                                   ///< total, of few_teeth
 };
 
@@ -98,9 +98,9 @@ Result<JobSpec> read_spec(std::string_view text, SpecFormat format,
 /// of a pipe at the working directory.
 ///
 /// Throws    IoError when the file cannot be read
-/// Errors    as read_spec; files over kLargestSpec bytes are refused unread
+/// Errors    as read_spec; files over kMaxSpec bytes are refused unread
 Result<JobSpec> read_spec_file(const std::filesystem::path& path);
 
-constexpr std::size_t kLargestSpec = 4 << 20;  ///< bytes: no drawing has that many numbers
+constexpr std::size_t kMaxSpec = 4 << 20;  ///< bytes: no drawing has that many numbers
 
 }  // namespace gearwright

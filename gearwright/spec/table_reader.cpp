@@ -11,7 +11,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kGreatestNumber = 1e9;  // of any quantity of a spec, in its unit
+constexpr double kMaxNumber = 1e9;  // of any quantity of a spec, in its unit
 
 // A value as a person wrote it, cut to a length that fits a sentence.
 std::string show(const Json& value) {
@@ -119,8 +119,7 @@ std::optional<double> TableReader::number(const std::string& key) {
   if (!value->is_number()) fail(key, "must be a number");
   const double x = value->get<double>();
   if (!std::isfinite(x)) fail(key, "must be a finite number");
-  if (std::abs(x) > kGreatestNumber)
-    fail(key, fmt::format("must lie between -{0} and {0}", kGreatestNumber));
+  if (std::abs(x) > kMaxNumber) fail(key, fmt::format("must lie between -{0} and {0}", kMaxNumber));
   return x;
 }
 

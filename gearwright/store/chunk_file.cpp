@@ -29,7 +29,7 @@ constexpr std::string_view kMagic = "GWCHUNK1";
 constexpr std::string_view kEnding = ".chunk";
 constexpr std::string_view kPart = ".part.";
 constexpr std::size_t kHeader = 56;  // without the counts by constraint
-constexpr std::size_t kHeaderMost = kHeader + 8 * kMostConstraints;
+constexpr std::size_t kMaxHeader = kHeader + 8 * kMaxConstraints;
 constexpr auto kStaleAfter = std::chrono::hours(24);
 
 [[noreturn]] void fail(const char* what, const fs::path& path, int error) {
@@ -213,12 +213,12 @@ std::optional<ChunkRead> ChunkFolder::read(std::int64_t chunk, Depth depth) cons
   if (::fstat(file.descriptor(), &status) != 0) fail("read", place, errno);
   const auto length = static_cast<std::size_t>(status.st_size);
   std::string bytes =
-      read_some(file, depth == Depth::payload ? length : std::min(length, kHeaderMost), place);
+      read_some(file, depth == Depth::payload ? length : std::min(length, kMaxHeader), place);
 
   if (bytes.size() < kHeader) return broken(fmt::format("is only {} bytes long", length));
   if (bytes.compare(0, kMagic.size(), kMagic) != 0) return broken("is not a chunk");
   const std::size_t constraints = u32_at(bytes, 36);
-  if (constraints > kMostConstraints) return broken("has a wrong checksum in its header");
+  if (constraints > kMaxConstraints) return broken("has a wrong checksum in its header");
   const std::size_t start = kHeader + 8 * constraints;
   if (bytes.size() < start) return broken(fmt::format("is only {} bytes long", length));
   if (checksum(std::string_view(bytes).substr(0, start - 4)) != u32_at(bytes, start - 4)) {
@@ -251,7 +251,7 @@ std::optional<ChunkRead> ChunkFolder::read(std::int64_t chunk, Depth depth) cons
 
 void ChunkFolder::write(std::int64_t chunk, std::string_view payload,
                         const ChunkCounts& counts) const {
-  GW_EXPECTS(counts.rejected.size() <= kMostConstraints);
+  GW_EXPECTS(counts.rejected.size() <= kMaxConstraints);
   const fs::path place = path(chunk);
   const std::string head = header(stamp_, chunk, payload, counts);
   // Another thread may write the same chunk, and a dead process may have had our number: the first

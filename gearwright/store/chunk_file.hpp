@@ -30,7 +30,7 @@
 
 namespace gearwright {
 
-constexpr std::size_t kMostConstraints = 500;  ///< so that a header is read in one page
+constexpr std::size_t kMaxConstraints = 500;  ///< so that a header is read in one page
 
 /// A file as it was found.
 struct ChunkRead {

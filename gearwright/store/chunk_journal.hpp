@@ -1,5 +1,4 @@
-// The account of a campaign in SQLite, for people, for progress lines and for meeting other
-// writers.
+// The account of a campaign in SQLite, for people, progress lines and meeting other writers.
 //
 //   campaign(key, value)    `fingerprint`, `chunks`, `counts`
 //   chunks(chunk, tested, feasible, <one column for each constraint>, bytes, writer, finished)

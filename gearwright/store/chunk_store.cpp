@@ -254,7 +254,7 @@ void ChunkStore::Impl::square_accounts() {
 Result<ChunkStore> ChunkStore::open(const fs::path& folder, const Campaign& campaign,
                                     const std::vector<std::string>& rejected_names, OpenAs as,
                                     std::string writer) {
-  GW_EXPECTS(campaign.chunks >= 0 && rejected_names.size() <= kMostConstraints);
+  GW_EXPECTS(campaign.chunks >= 0 && rejected_names.size() <= kMaxConstraints);
   const Record record = record_of(campaign, rejected_names);
   ChunkFolder files(folder / "chunks", checksum(text_of(record)));
   // What is refused leaves no trace in the folder.

@@ -76,13 +76,13 @@ class ChunkStore {
   /// processes that did the same chunk wrote the same bytes.
   ///
   /// Throws    IoError; if it names the journal, the chunk itself is safe and gets its row at the
-  /// next open
+  ///           next open
   void put(std::int64_t chunk, std::string_view bytes, const ChunkCounts& counts);
 
   /// The bytes of a finished chunk, checked.
   ///
   /// Throws    IoError where it is not there, or is broken: it is set aside then and counts as
-  /// missing
+  ///           missing
   std::string get(std::int64_t chunk) const;
   /// The counts of a finished chunk.   Throws  IoError as get()
   ChunkCounts counts(std::int64_t chunk) const;

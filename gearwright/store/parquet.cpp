@@ -51,8 +51,8 @@ bool is_utf8(std::string_view text) {
       if (i == text.size() || (byte(i) & 0xc0) != 0x80) return false;
       character = character << 6 | (byte(i) & 0x3fu);
     }
-    constexpr unsigned kLeast[] = {0x80, 0x800, 0x10000};
-    if (character < kLeast[more - 1] || character > 0x10ffff) return false;
+    constexpr unsigned kMinOfLength[] = {0x80, 0x800, 0x10000};
+    if (character < kMinOfLength[more - 1] || character > 0x10ffff) return false;
     if (character >= 0xd800 && character < 0xe000) return false;
   }
   return true;

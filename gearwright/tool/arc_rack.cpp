@@ -13,7 +13,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kHalfPi = std::numbers::pi / 2;
-constexpr double kMostModules = 1e4;
+constexpr double kMaxModules = 1e4;
 // P's arc rises to where it is upright, τ = 0; it ends a little before.
 constexpr Angle kLastOfP = Angle::degrees(1);
 
@@ -39,20 +39,19 @@ double joint_sine(const ArcRack& rack, double rho) {
 }
 
 std::optional<Error> check_numbers(const ArcRack& rack) {
-  if (!(rack.arc_radius > 0.0 && rack.arc_radius <= kMostModules)) {
+  if (!(rack.arc_radius > 0.0 && rack.arc_radius <= kMaxModules)) {
     return bad("arc_radius", rack.arc_radius,
-               fmt::format("must be greater than 0 and at most {}", kMostModules));
+               fmt::format("must be greater than 0 and at most {}", kMaxModules));
   }
   for (const auto& [key, value] :
        {std::pair{"center_a", rack.center_a}, std::pair{"center_b", rack.center_b},
         std::pair{"addendum", rack.addendum}, std::pair{"dedendum", rack.dedendum}}) {
-    if (!(std::abs(value) <= kMostModules))
-      return bad(key, value,
-                 fmt::format("must lie between {} and {}", -kMostModules, kMostModules));
+    if (!(std::abs(value) <= kMaxModules))
+      return bad(key, value, fmt::format("must lie between {} and {}", -kMaxModules, kMaxModules));
   }
-  if (!(rack.root_fillet_radius >= 0.0 && rack.root_fillet_radius <= kMostModules)) {
+  if (!(rack.root_fillet_radius >= 0.0 && rack.root_fillet_radius <= kMaxModules)) {
     return bad("root_fillet_radius", rack.root_fillet_radius,
-               fmt::format("must lie between 0 (a sharp corner) and {}", kMostModules));
+               fmt::format("must lie between 0 (a sharp corner) and {}", kMaxModules));
   }
   return std::nullopt;
 }

@@ -1,10 +1,11 @@
 // A cutter's edge in its normal section: a chain of named arcs from the middle of the cutter's
 // tooth to the middle of its space.
 //
-//   x    height above the datum line, away from the gear axis, mm        theory:
-//   docs/theory/03-rack-and-generation.md y    along the datum line, 0 in the middle of the
-//   cutter's space (= of the gear tooth), y ≥ 0 here τ    normal angle: the outward normal of the
-//   gear surface cut there is (sin τ, cos τ)
+//   x    height above the datum line, away from the gear axis, mm
+//   y    along the datum line, 0 in the middle of the cutter's space (= of the gear tooth), y ≥ 0
+//        here
+//   τ    normal angle: the outward normal of the gear surface cut there is (sin τ, cos τ)
+//                                              theory: docs/theory/03-rack-and-generation.md
 //
 // A new cutter is a function that returns such a chain; generation/ does the rest.
 //   Laws  (1) arcs follow each other without a gap   (2) 0 < τ ≤ π/2

@@ -13,7 +13,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kHalfPi = std::numbers::pi / 2;
-constexpr double kMostModules = 1e4;
+constexpr double kMaxModules = 1e4;
 
 Error bad(const char* key, double value, const std::string& why) {
   return refused(std::string("rack.") + key, value, why);
@@ -29,15 +29,14 @@ std::optional<Error> check_numbers(const DoubleArcRack& r) {
         std::pair{"convex_radius", r.convex_radius}, std::pair{"concave_radius", r.concave_radius},
         std::pair{"space_width", r.space_width}, std::pair{"step_height", r.step_height},
         std::pair{"step_depth", r.step_depth}}) {
-    if (!(value > 0.0 && value <= kMostModules))
-      return bad(key, value, fmt::format("must be greater than 0 and at most {}", kMostModules));
+    if (!(value > 0.0 && value <= kMaxModules))
+      return bad(key, value, fmt::format("must be greater than 0 and at most {}", kMaxModules));
   }
   for (const auto& [key, value] :
        {std::pair{"convex_height", r.convex_height}, std::pair{"concave_height", r.concave_height},
         std::pair{"convex_offset", r.convex_offset}}) {
-    if (!(std::abs(value) <= kMostModules))
-      return bad(key, value,
-                 fmt::format("must lie between {} and {}", -kMostModules, kMostModules));
+    if (!(std::abs(value) <= kMaxModules))
+      return bad(key, value, fmt::format("must lie between {} and {}", -kMaxModules, kMaxModules));
   }
   return std::nullopt;
 }
@@ -111,7 +110,7 @@ Result<DoubleArcDerived> derived(const DoubleArcRack& r) {
   d.step_radius = (dx * dx + dy * dy) / (2 * across);
   // From the corner on, the step's normal must turn down to that of the convex arc, from 90° at
   // most.
-  if (!(across > 0.0 && d.step_radius <= kMostModules && dy <= d.step_radius * cos_1 &&
+  if (!(across > 0.0 && d.step_radius <= kMaxModules && dy <= d.step_radius * cos_1 &&
         r.step_height + d.step_radius * sin_1 + r.step_depth < d.step_radius)) {
     return bad("space_width", r.space_width,
                "leaves no step between the concave and the convex arc; a narrower space or a "

@@ -1,11 +1,12 @@
 // The basic rack of double circular-arc gears: a convex arc in the addendum, a concave one in the
 // dedendum, a step between them. Two gears of the same rack mesh.
 //
-//   α    pressure angle where the arcs touch the mate's      ρ_a, ρ_f   radii of the two arcs
-//   x_a, x_f   heights of their centres over the datum line  l_a   how far the convex arc's centre
-//   lies beyond the middle of the tooth    e_f   width of the space where the concave arc is
-//   touched h_ja, h_jf   height and depth at which the step begins and ends      all in normal
-//   modules
+//   α            pressure angle where the arcs touch the mate's
+//   ρ_a, ρ_f     radii of the two arcs
+//   x_a, x_f     heights of their centres over the datum line
+//   l_a          how far the convex arc's centre lies beyond the middle of the tooth
+//   e_f          width of the space where the concave arc is touched
+//   h_ja, h_jf   height and depth at which the step begins and ends       all in normal modules
 //                                              theory: docs/theory/07-circular-arc.md, 7.3
 //
 // The standard's table gives more numbers than are free; the others follow from tangency and are

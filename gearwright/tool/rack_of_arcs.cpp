@@ -16,7 +16,9 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kHalfPi = kPi / 2;
 // Normals this close are one: a tangent joint.
 constexpr double kSameNormal = 1e-6;  // rad
-constexpr double kMostModules = 1e4;  // no cutter is that large
+constexpr double kMaxModules = 1e4;   // no cutter is that large
+constexpr double kAbove90 = 1e-15;    // of 90°: degrees that came out of radians
+constexpr double kOverlap = 1e-12;    // of half the pitch: a full radius, but for rounding
 
 Error bad(const char* key, double value, const std::string& why) {
   return refused(std::string("rack.") + key, value, why);
@@ -29,11 +31,11 @@ Error bad_arc(std::size_t i, const std::string& why) {
 
 std::optional<Error> check_arc(const RackArc& arc, std::size_t i) {
   for (const double v : {arc.center_height, arc.center_offset, arc.radius}) {
-    if (!(std::abs(v) <= kMostModules))
-      return bad_arc(i, fmt::format("lengths must lie within {} modules", kMostModules));
+    if (!(std::abs(v) <= kMaxModules))
+      return bad_arc(i, fmt::format("lengths must lie within {} modules", kMaxModules));
   }
   for (const Angle tau : {arc.begin, arc.end}) {
-    if (!(tau.rad() > 0.0 && tau.rad() <= kHalfPi * (1 + 1e-15)))
+    if (!(tau.rad() > 0.0 && tau.rad() <= kHalfPi * (1 + kAbove90)))
       return bad_arc(
           i,
           fmt::format("normal angles must be greater than 0° and at most 90°, not {}°", tau.deg()));
@@ -117,12 +119,12 @@ std::optional<double> half_thickness_on_datum(const RackOfArcs& rack) {
 
 Result<CutterEdge> make_edge(const RackOfArcs& rack, double m, double thickness_allowance) {
   GW_EXPECTS(m > 0.0);
-  if (!(std::abs(rack.addendum) <= kMostModules))
-    return bad("addendum", rack.addendum, fmt::format("must lie within {} modules", kMostModules));
-  if (!(std::abs(rack.dedendum) <= kMostModules && rack.dedendum > -rack.addendum)) {
+  if (!(std::abs(rack.addendum) <= kMaxModules))
+    return bad("addendum", rack.addendum, fmt::format("must lie within {} modules", kMaxModules));
+  if (!(std::abs(rack.dedendum) <= kMaxModules && rack.dedendum > -rack.addendum)) {
     return bad("dedendum", rack.dedendum,
                fmt::format("must be greater than -{}, less the addendum, and at most {}",
-                           rack.addendum, kMostModules));
+                           rack.addendum, kMaxModules));
   }
   if (rack.arcs.empty())
     return Error{"rack.arcs", "", "rack.arcs: is empty; an edge has one arc at least, a flank"};
@@ -140,7 +142,7 @@ Result<CutterEdge> make_edge(const RackOfArcs& rack, double m, double thickness_
   edge.tip_depth = rack.dedendum * m;
   const Vec2 first = point_at(chain.front(), chain.front().begin);
   edge.tip_land_end = first.y() * m + thinner;
-  if (first.y() * m + thinner > kHalfPi * m * (1 + 1e-12)) {
+  if (first.y() * m + thinner > kHalfPi * m * (1 + kOverlap)) {
     return bad("dedendum", rack.dedendum,
                fmt::format("the two sides of the cutter's tip overlap by {} modules there",
                            2 * (first.y() + thinner / m - kHalfPi)));

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kHalfPi = std::numbers::pi / 2;
 // No cutter is that large in modules; within it nothing overflows.
-constexpr double kMostModules = 1e4;
+constexpr double kMaxModules = 1e4;
 
 Error bad(const char* key, double value, const std::string& why) {
   return refused(std::string("rack.") + key, value, why);
@@ -30,24 +30,24 @@ EdgeArc circle(ArcName cuts, const EdgeCircle& piece, bool smooth) {
 // Checks what can be said of each number alone.
 std::optional<Error> check_numbers(const StraightRack& rack, double alpha) {
   const double alpha_deg = Angle::radians(alpha).deg();
-  if (!(rack.addendum >= 0.0 && rack.addendum <= kMostModules)) {
-    return bad("addendum", rack.addendum, fmt::format("must lie between 0 and {}", kMostModules));
+  if (!(rack.addendum >= 0.0 && rack.addendum <= kMaxModules)) {
+    return bad("addendum", rack.addendum, fmt::format("must lie between 0 and {}", kMaxModules));
   }
-  if (!(rack.dedendum > 0.0 && rack.dedendum <= kMostModules)) {
+  if (!(rack.dedendum > 0.0 && rack.dedendum <= kMaxModules)) {
     return bad("dedendum", rack.dedendum,
-               fmt::format("must be greater than 0 and at most {}", kMostModules));
+               fmt::format("must be greater than 0 and at most {}", kMaxModules));
   }
-  if (!(rack.root_fillet_radius >= 0.0 && rack.root_fillet_radius <= kMostModules)) {
+  if (!(rack.root_fillet_radius >= 0.0 && rack.root_fillet_radius <= kMaxModules)) {
     return bad("root_fillet_radius", rack.root_fillet_radius,
-               fmt::format("must lie between 0 (a sharp corner) and {}", kMostModules));
+               fmt::format("must lie between 0 (a sharp corner) and {}", kMaxModules));
   }
-  if (!(rack.tip_fillet_radius >= 0.0 && rack.tip_fillet_radius <= kMostModules)) {
+  if (!(rack.tip_fillet_radius >= 0.0 && rack.tip_fillet_radius <= kMaxModules)) {
     return bad("tip_fillet_radius", rack.tip_fillet_radius,
-               fmt::format("must lie between 0 (none) and {}", kMostModules));
+               fmt::format("must lie between 0 (none) and {}", kMaxModules));
   }
-  if (!(rack.protuberance >= 0.0 && rack.protuberance <= kMostModules)) {
+  if (!(rack.protuberance >= 0.0 && rack.protuberance <= kMaxModules)) {
     return bad("protuberance", rack.protuberance,
-               fmt::format("must lie between 0 (none) and {}", kMostModules));
+               fmt::format("must lie between 0 (none) and {}", kMaxModules));
   }
   if (rack.protuberance > 0.0) {
     const double a = rack.protuberance_angle.deg();
@@ -57,9 +57,9 @@ std::optional<Error> check_numbers(const StraightRack& rack, double alpha) {
           fmt::format("must be greater than 0 and less than the pressure angle {}°", alpha_deg));
     }
   }
-  if (rack.tool_addendum && !(std::abs(*rack.tool_addendum) <= kMostModules)) {
+  if (rack.tool_addendum && !(std::abs(*rack.tool_addendum) <= kMaxModules)) {
     return bad("tool_addendum", *rack.tool_addendum,
-               fmt::format("must lie between {} and {}", -kMostModules, kMostModules));
+               fmt::format("must lie between {} and {}", -kMaxModules, kMaxModules));
   }
   if (rack.semi_topping_angle) {
     const double a = rack.semi_topping_angle->deg();
@@ -219,13 +219,12 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
     const Vec2 center(edge.flank_end_height - rho_1 * s, y_end - rho_1 * c);
     if (center.y() < 0.0) {
       // With the flank's end given its half width decides; without, the end rises with ρ_1*.
-      const double greatest_1 =
-          rack.tool_addendum
-              ? y_end / (m * c)
-              : (std::numbers::pi / 4 - rack.addendum * s / c) / (c - (1 - s) * s / c);
+      const double rho_max_1 = rack.tool_addendum ? y_end / (m * c)
+                                                  : (std::numbers::pi / 4 - rack.addendum * s / c) /
+                                                        (c - (1 - s) * s / c);
       return bad("tip_fillet_radius", rack.tip_fillet_radius,
                  fmt::format("does not fit into the cutter's bottom; the greatest there is {}",
-                             greatest_1));
+                             rho_max_1));
     }
     edge.arcs.push_back(circle(ArcName::tip_fillet, {center, rho_1, alpha, kHalfPi}, true));
     edge.bottom_height = edge.flank_end_height + rho_1 * (1 - s);

@@ -2,8 +2,7 @@
 //
 //   m_n     normal module, mm                 α_n     normal pressure angle, rad
 //   h_aP*   addendum, h_fP* dedendum, ρ_fP* tip rounding: all in modules (ISO 53, ISO 21771)
-//                                              theory: docs/theory/03-rack-and-generation.md,
-//                                              [T3.1]…[T3.6]
+//                              theory: docs/theory/03-rack-and-generation.md, [T3.1]…[T3.6]
 #pragma once
 
 #include <optional>

@@ -68,7 +68,7 @@ double of_distance(double got, const Exact& e, double a) {
 }
 
 struct CrossedRows {
-  Row alpha, helix, a, radius, X, z_L, backlash, contact, face, least_a, least_angle, two;
+  Row alpha, helix, a, radius, X, z_L, backlash, contact, face, min_a, min_angle, two;
 };
 
 // `more`: what nearly parallel axes multiply the errors by that sin Σ divides.
@@ -94,7 +94,7 @@ void see_mesh(CrossedRows& rows, const BasePair<double>& g, Draw& draw) {
   const auto e = exact(g);
   const std::string w = words(g);
   const auto range = shaft_angle_range(g);
-  const double sigma = range.least + (range.greatest - range.least) * draw.uniform(0.02, 0.9);
+  const double sigma = range.from + (range.to - range.from) * draw.uniform(0.02, 0.9);
   const auto rack = common_rack(g, angles_at_shaft_angle(g, sigma));
   const auto rack_e = common_rack(e, angles_at_shaft_angle(e, Exact(sigma)));
   rows.alpha.see(relative_error(rack.normal_pressure_angle, rack_e.normal_pressure_angle), w);
@@ -132,17 +132,17 @@ void see_mesh(CrossedRows& rows, const BasePair<double>& g, Draw& draw) {
   for (int i : {0, 1}) rows.face.see(of_distance(s[i], s_e[i], a), w);
 }
 
-void see_least(CrossedRows& rows, const BasePair<double>& g, Draw& draw) {
+void see_min(CrossedRows& rows, const BasePair<double>& g, Draw& draw) {
   const auto e = exact(g);
   const std::string w = words(g);
-  const auto alpha = transverse_angle_at_least_distance(g);
+  const auto alpha = transverse_angle_at_min_distance(g);
   if (!alpha) return;
-  const auto alpha_e = *transverse_angle_at_least_distance(e);
+  const auto alpha_e = *transverse_angle_at_min_distance(e);
   const auto rack = common_rack(g, angles_at_transverse(g, *alpha));
   const auto rack_e = common_rack(e, angles_at_transverse(e, alpha_e));
   const double a = detail::distance_and_line(g, *alpha).a.value;
-  rows.least_a.see(relative_error(a, detail::distance_and_line(e, alpha_e).a.value), w);
-  rows.least_angle.see(relative_error(rack.shaft_angle, rack_e.shaft_angle), w);
+  rows.min_a.see(relative_error(a, detail::distance_and_line(e, alpha_e).a.value), w);
+  rows.min_angle.see(relative_error(rack.shaft_angle, rack_e.shaft_angle), w);
   // The two places of a greater distance; at the least one their condition has no bound.
   const double more = a * (1 + draw.uniform(1e-3, 0.05));
   const auto two = transverse_angles_at_distance(g, more);
@@ -172,11 +172,11 @@ std::vector<Row> crossed_rows() {
     for (int i = 0; i < kInputs; ++i) {
       const BasePair<double> g = crossed_gears(draw, part.lo, part.hi);
       see_mesh(rows, g, draw);
-      if (i % 5 == 0) see_least(rows, g, draw);
+      if (i % 5 == 0) see_min(rows, g, draw);
     }
     for (Row* row :
          {&rows.alpha, &rows.helix, &rows.a, &rows.radius, &rows.X, &rows.z_L, &rows.backlash,
-          &rows.contact, &rows.face, &rows.least_a, &rows.least_angle, &rows.two})
+          &rows.contact, &rows.face, &rows.min_a, &rows.min_angle, &rows.two})
       all.push_back(std::move(*row));
   }
   Row shift{"as_rack.profile_shift",

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <random>
 
-#include "gearwright/generation/modified_fillet.hpp"
+#include "gearwright/generation/circular_fillets.hpp"
 #include "gearwright/generation/pinion_envelope.hpp"
 #include "tests/accuracy/ledger.hpp"
 

@@ -1,5 +1,5 @@
-// Golden cases: published and recomputed numbers with their source, run through the door users
-// take.
+// Golden cases: published and recomputed numbers with their source, run through the door that
+// users take.
 //
 // The same files run by `gearwright verify tests/golden/*.json`. Our own output is never golden:
 // every value comes from a print or from a computation that shares no code with this project.

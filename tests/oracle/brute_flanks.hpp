@@ -98,12 +98,12 @@ class BruteContact {
     };
     double best_rho = 0.0;
     const auto section = [&](double z) {
-      return greatest([&](double rho) { return value(rho, z); }, p_.one.rho_low, p_.one.rho_high,
+      return max_over([&](double rho) { return value(rho, z); }, p_.one.rho_low, p_.one.rho_high,
                       radii, best_rho);
     };
     double best_z = 0.0;
     BrutePlace best;
-    const double v = greatest(section, p_.one.z_low, p_.one.z_high, sections, best_z);
+    const double v = max_over(section, p_.one.z_low, p_.one.z_high, sections, best_z);
     if (v <= -1e3) return std::nullopt;
     section(best_z);
     best.te = sign * v;
@@ -127,7 +127,7 @@ class BruteContact {
  private:
   // Steps, then golden section about the best of them.
   template <class F>
-  static double greatest(F f, double lo, double hi, int steps, double& where) {
+  static double max_over(F f, double lo, double hi, int steps, double& where) {
     int at = 0;
     double most = -std::numeric_limits<double>::infinity();
     for (int i = 0; i <= steps; ++i) {

@@ -61,7 +61,7 @@ inline Vec2 point_near_end(const Arc& arc, bool at_begin, double distance) {
 }
 
 /// A step of `dense_points` turns by no more than this.
-inline constexpr double kMostTurn = 0.4;  // rad
+inline constexpr double kMaxTurn = 0.4;  // rad
 /// How far beside every joint `edged_points` puts a point: twenty nudges of the comparison.
 inline constexpr double kBeside = 2e-5;  // mm
 
@@ -73,7 +73,7 @@ inline void fill(const Arc& arc, double u, const Vec2& p, double v, const Vec2& 
   const Vec2 between = arc.point(middle);
   const Vec2 a = between - p, b = q - between;
   const double turn = std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
-  if (depth == 0 || !(length > longest || (length > 4 * kBeside && turn > kMostTurn))) return;
+  if (depth == 0 || !(length > longest || (length > 4 * kBeside && turn > kMaxTurn))) return;
   fill(arc, u, p, middle, between, longest, depth - 1, points);
   points.push_back(between);
   fill(arc, middle, between, v, q, longest, depth - 1, points);

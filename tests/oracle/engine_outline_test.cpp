@@ -147,10 +147,10 @@ void check_outline(const Cutter& cutter, const CylindricalSpec& spec, int points
       tooth.tip_cut_by_rack || std::abs(rack.clearance({tooth.tip_radius, 0.0})) <= kOnSurface;
   const OutlineAgainstSweep result = outline_against_sweep(edged_points(tooth, points, land), rack);
   EXPECT_LE(result.worst, kOnSurface) << name_of(cutter, spec) << ", point " << result.worst_index;
-  EXPECT_GT(result.least_inward, 0.0)
-      << name_of(cutter, spec) << ", point " << result.least_inward_index;
-  EXPECT_LT(result.greatest_outward, 0.0)
-      << name_of(cutter, spec) << ", point " << result.greatest_outward_index;
+  EXPECT_GT(result.min_inward, 0.0)
+      << name_of(cutter, spec) << ", point " << result.min_inward_index;
+  EXPECT_LT(result.max_outward, 0.0)
+      << name_of(cutter, spec) << ", point " << result.max_outward_index;
   tally.worst = std::max(tally.worst, result.worst);
 }
 

@@ -121,13 +121,11 @@ inline std::string deny_tooth(const Gear& cut, const SweptPinion& sweep, const P
   };
   if (!(held.worst <= check.on_surface))
     return fmt::format("off the surface by {} mm", held.worst) + at(held.worst_index);
-  if (!(held.least_inward > 0.0)) {
-    return fmt::format("no material inside: {} mm", held.least_inward) +
-           at(held.least_inward_index);
+  if (!(held.min_inward > 0.0)) {
+    return fmt::format("no material inside: {} mm", held.min_inward) + at(held.min_inward_index);
   }
-  if (!(held.greatest_outward < 0.0)) {
-    return fmt::format("material outside: {} mm", held.greatest_outward) +
-           at(held.greatest_outward_index);
+  if (!(held.max_outward < 0.0)) {
+    return fmt::format("material outside: {} mm", held.max_outward) + at(held.max_outward_index);
   }
   if (!(held.longest_step <= longest + 4 * kBeside))
     return fmt::format("a hole of {} mm in the outline", held.longest_step);

@@ -10,16 +10,16 @@
 // holds x_a = ρ sin θ − b, y_a = −(ρ cos θ − a), normal (sin θ, −cos θ). The rack's tooth has the
 // lead angle λ and rolls on the pitch radius r; where it touches the gear at rack rotation φ
 //
-//   A = ρ sin θ − b ± r,  B = (ρ cos θ − b cot θ) sin λ,  z = ζ(θ) + r φ tan λ (1) ζ = ρ cos θ cos
-//   λ − a / cos λ + b cot θ tan λ sin λ
+//   A = ρ sin θ − b ± r,  B = (ρ cos θ − b cot θ) sin λ,  z = ζ(θ) + r φ tan λ                  (1)
+//   ζ = ρ cos θ cos λ − a / cos λ + b cot θ tan λ sin λ
 //
 // and the gear's point is (A, −B), seen along +x from axis 1, turned by +φ on gear 1 (upper sign)
 // and by −φ on gear 2. φ is taken from z, so that λ = 90° has an answer too. Those are the natural
-// hands, gear 1 right and gear 2 left; the other hands are the mirror image z → −z. A fillet has ρ
-// < 0 or > 0 and the same formulas.
+// hands, gear 1 right and gear 2 left; the other hands are the mirror image z → −z. A fillet has
+// ρ < 0 or ρ > 0 and the same formulas.
 //
-// Involute, s = ξ = tan α.  W = r_b (1 + i σ ξ) e^{i(θ_c + σ(η − ξ))} as x + iy, turned by τ z; σ =
-// −1 the clockwise side of the tooth, which leads. External gears.
+// Involute, s = ξ = tan α.  W = r_b (1 + i σ ξ) e^{i(θ_c + σ(η − ξ))} as x + iy, turned by τ z;
+// σ = −1 is the clockwise side of the tooth, which leads. External gears.
 //
 // Lead.  Section z of either gear is turned about its own axis by κ z + c z², counter-clockwise
 // seen from +z: κ the lead error, c > 0 a crowning that takes material off a leading flank towards

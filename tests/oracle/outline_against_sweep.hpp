@@ -1,5 +1,5 @@
-// A finished half-tooth outline held against the swept cutter, rack or pinion, that should have cut
-// it.
+// A finished half-tooth outline held against the swept cutter, rack or pinion, that should have
+// cut it.
 //
 //   outline   points (x, y) from the middle of the space to the tooth's end, side y ≥ 0, without
 //             the tip land on the blank (the blank is turned, not cut)
@@ -30,15 +30,15 @@ inline constexpr double kNudge = 1e-6;
 struct OutlineAgainstSweep {
   double worst = 0.0;  ///< greatest |clearance|  mm
   std::size_t worst_index = 0;
-  double least_inward = std::numeric_limits<double>::infinity();  ///< mm, must be > 0
-  std::size_t least_inward_index = 0;
-  double greatest_outward = -std::numeric_limits<double>::infinity();  ///< mm, must be < 0
-  std::size_t greatest_outward_index = 0;
+  double min_inward = std::numeric_limits<double>::infinity();  ///< mm, must be > 0
+  std::size_t min_inward_index = 0;
+  double max_outward = -std::numeric_limits<double>::infinity();  ///< mm, must be < 0
+  std::size_t max_outward_index = 0;
   double longest_step = 0.0;  ///< mm between neighbours: a hole in the outline shows here
 
   /// On the surface to `tolerance` mm, with material inside and none outside at every point.
   bool holds(double tolerance) const {
-    return worst <= tolerance && least_inward > 0.0 && greatest_outward < 0.0;
+    return worst <= tolerance && min_inward > 0.0 && max_outward < 0.0;
   }
 };
 
@@ -109,10 +109,10 @@ OutlineAgainstSweep outline_against_sweep(const Points& outline, const Sweep& sw
     const double out = clearance(sweep, {p.x - kNudge * n.x, p.y - kNudge * n.y});
     // Negated, so that a NaN is the worst there is and stays so.
     if (!(on <= result.worst)) result.worst = on, result.worst_index = i;
-    if (!(in >= result.least_inward)) result.least_inward = in, result.least_inward_index = i;
-    if (!(out <= result.greatest_outward)) {
-      result.greatest_outward = out;
-      result.greatest_outward_index = i;
+    if (!(in >= result.min_inward)) result.min_inward = in, result.min_inward_index = i;
+    if (!(out <= result.max_outward)) {
+      result.max_outward = out;
+      result.max_outward_index = i;
     }
     if (i > 0) {
       result.longest_step =

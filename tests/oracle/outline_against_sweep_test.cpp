@@ -49,8 +49,8 @@ TEST(OutlineAgainstSweep, a_right_outline_holds) {
   const OutlineAgainstSweep result = outline_against_sweep(outline(gear()), SweptRack(gear()));
   EXPECT_TRUE(result.holds(1e-12)) << result.worst << " at " << result.worst_index;
   // A nudge is seen as itself or, in the metric of the normal section, as cos β of it.
-  EXPECT_GT(result.least_inward, 0.9 * kNudge * std::cos(kPi / 10));
-  EXPECT_LT(result.greatest_outward, -0.9 * kNudge * std::cos(kPi / 10));
+  EXPECT_GT(result.min_inward, 0.9 * kNudge * std::cos(kPi / 10));
+  EXPECT_LT(result.max_outward, -0.9 * kNudge * std::cos(kPi / 10));
   EXPECT_LT(result.longest_step, 0.5);
 }
 
@@ -124,7 +124,7 @@ TEST(OutlineAgainstSweep, pointed_tooth_of_another_point_type) {
   }
   const OutlineAgainstSweep result = outline_against_sweep(points, rack);
   EXPECT_TRUE(result.holds(1e-12)) << result.worst << " " << result.worst_index << " "
-                                   << result.least_inward << " " << result.greatest_outward;
+                                   << result.min_inward << " " << result.max_outward;
 }
 
 }  // namespace

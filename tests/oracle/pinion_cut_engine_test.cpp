@@ -6,8 +6,7 @@
 //   nudges of 1e-6 mm                    inwards material, outwards none
 //   neighbouring points                  at most half a module apart, ends of arcs shared
 //
-// When a contract breaks, the gear at hand is printed before the program ends: it is the
-// reproducer.
+// When a contract breaks, the gear at hand is printed before the program ends: the reproducer.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -16,7 +16,7 @@ constexpr Real kRounding = 1e-15L;  // of a sum of shifts
 Real contact_margin(const Pair& pair, Real x1, Real x2) {
   PlainMargins m = look(pair, x1, x2).margins;
   m.s1min = m.s1max = m.s2min = m.s2max = kFree;
-  return m.least();
+  return m.min();
 }
 
 Interval Box::x1_at(Real sum) const {
@@ -55,7 +55,7 @@ Real upper_bound(const Pair& pair, const Box& box, const Cell& cell) {
   }
   if (p.sliding_max) {
     if (rho_1a.high <= 0 || rho_2e.high <= 0) return -kFree;
-    const auto least_sliding = [](Interval above, Interval below) {  // |1 − above/below|
+    const auto min_sliding = [](Interval above, Interval below) {  // |1 − above/below|
       const Real low = std::max(above.low, 0.0L) / below.high;
       const Real high = below.low > 0 ? above.high / below.low : kFree;
       return low > 1 ? low - 1 : (high < 1 ? 1 - high : 0.0L);
@@ -64,17 +64,17 @@ Real upper_bound(const Pair& pair, const Box& box, const Cell& cell) {
       return Interval{pair.u * rho.low, pair.u * rho.high};
     };
     for (const auto& [rho_1, rho_2] : {std::pair{rho_1a, rho_2a}, std::pair{rho_1e, rho_2e}}) {
-      most = std::min(most, *p.sliding_max - least_sliding(rho_2, times_u(rho_1)));
-      most = std::min(most, *p.sliding_max - least_sliding(times_u(rho_1), rho_2));
+      most = std::min(most, *p.sliding_max - min_sliding(rho_2, times_u(rho_1)));
+      most = std::min(most, *p.sliding_max - min_sliding(times_u(rho_1), rho_2));
     }
   }
   if (p.clearance_min) {
     const auto clearance = [&](Real sum) {
       return p.hf - p.ha + pair.sigma * (pair.centre_distance(sum) - pair.standard_centre) - sum;
     };
-    Real most_clearance = std::max(clearance(s.low), clearance(s.high));
-    if (s.low < 0 && s.high > 0) most_clearance = std::max(most_clearance, clearance(0));
-    most = std::min(most, most_clearance - *p.clearance_min);
+    Real max_clearance = std::max(clearance(s.low), clearance(s.high));
+    if (s.low < 0 && s.high > 0) max_clearance = std::max(max_clearance, clearance(0));
+    most = std::min(most, max_clearance - *p.clearance_min);
   }
   if (p.avoid_interference) {
     most = std::min(most, rho_1a.high - pair.form_curvature(1, x1.low));

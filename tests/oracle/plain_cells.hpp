@@ -24,7 +24,7 @@ struct Box {
 
 struct Cell {
   Interval s, x1;
-  long double most = 0;  ///< its upper bound
+  long double max = 0;  ///< its upper bound
 };
 
 /// The least margin of all but the shifts' own limits.

@@ -91,7 +91,7 @@ Real Pair::tip_thickness(int gear, Real x) const {
   return 2 * radius * half_angle / std::sqrt(1 + tan_beta_a * tan_beta_a);
 }
 
-Real Pair::least_shift(int gear) const {
+Real Pair::min_shift(int gear) const {
   const Real floor = problem.floor.value_or(-kInfinity);
   if (is_ring(gear)) return floor;
   const Real sine = std::sin(alpha_t);
@@ -161,8 +161,8 @@ PlainPoint look(const Pair& pair, Real x1, Real x2) {
 
   PlainMargins& m = o.margins;
   const Real ceil = p.ceil.value_or(kInfinity);
-  m.s1min = x1 - pair.least_shift(1);
-  m.s2min = x2 - pair.least_shift(2);
+  m.s1min = x1 - pair.min_shift(1);
+  m.s2min = x2 - pair.min_shift(2);
   m.s1max = std::min(o.tip_thickness[0] - p.tip_thickness_min, ceil - x1);
   m.s2max = std::min(o.tip_thickness[1] - p.tip_thickness_min, ceil - x2);
   if (std::isnan(o.tip_thickness[0])) m.s1max = kNan;
@@ -247,7 +247,7 @@ Pieces thick_enough(const Pair& pair, int gear, Real low, Real high) {
 
 Pieces external_shifts(const Pair& pair, int gear) {
   const Real at_base = pair.r_b[gear - 1] - pair.r[gear - 1] - pair.problem.ha;
-  const Real low = std::max(pair.least_shift(gear), at_base);
+  const Real low = std::max(pair.min_shift(gear), at_base);
   Real high = 0;  // r_a > r: from here on the tooth only thins
   while (pair.tip_thickness(gear, high) >= 0) ++high;
   return thick_enough(pair, gear, low, std::min(high, pair.problem.ceil.value_or(kInfinity)));
@@ -260,7 +260,7 @@ Pieces shifts_1(const Pair& pair) { return external_shifts(pair, 1); }
 Pieces shifts_2(const Pair& pair, Real window_low, Real window_high) {
   if (!pair.is_ring(2)) return external_shifts(pair, 2);
   const Real at_base = pair.r[1] - pair.problem.ha - pair.r_b[1];
-  return thick_enough(pair, 2, std::max(pair.least_shift(2), window_low),
+  return thick_enough(pair, 2, std::max(pair.min_shift(2), window_low),
                       std::min({pair.problem.ceil.value_or(kInfinity), window_high, at_base}));
 }
 
@@ -279,7 +279,7 @@ std::map<std::string, long double> PlainMargins::by_name() const {
           {"interference2", interference2}};
 }
 
-long double PlainMargins::least() const {
+long double PlainMargins::min() const {
   return std::min({s1min, s1max, s2min, s2max, eps, eps_true, sliding, clearance, interference1,
                    interference2});
 }

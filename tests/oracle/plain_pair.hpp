@@ -45,7 +45,7 @@ struct Pair {
   /// s_an; NaN with the tip below the base circle.
   long double tip_thickness(int gear, long double x) const;
   /// The lower limit of the shift, by undercut and floor; −∞: none.
-  long double least_shift(int gear) const;
+  long double min_shift(int gear) const;
 
   /// C of S, extended or tight; NaN: none.
   long double centre_distance(long double sum) const;

@@ -22,14 +22,14 @@ using plain::Pair;
 using Real = long double;
 
 constexpr Real kSure = 1e-9L;  // modules or ratio: closer to zero than this is not decided
-constexpr int kMostCells = 200000;
+constexpr int kMaxCells = 200000;
 constexpr Real kNothing = -PlainMargins::kFree;
 
 bool close_call(Real gap) { return gap != 0 && std::abs(gap) <= kSure; }
 
 struct Found {
   PlainVerdict verdict = PlainVerdict::empty;
-  Real least_margin = kNothing;
+  Real min_margin = kNothing;
   Real x1 = std::nanl(""), x2 = std::nanl("");
 };
 
@@ -40,24 +40,24 @@ Found search_box(const Pair& pair, const Box& box) {
     const Interval range = box.x1_at(sum);
     x1 = std::clamp(x1, range.low, range.high);
     const Real margin = contact_margin(pair, x1, sum - x1);
-    if (margin > best.least_margin) best = {best.verdict, margin, x1, sum - x1};
+    if (margin > best.min_margin) best = {best.verdict, margin, x1, sum - x1};
   };
-  const auto less = [](const Cell& a, const Cell& b) { return a.most < b.most; };
+  const auto less = [](const Cell& a, const Cell& b) { return a.max < b.max; };
   std::priority_queue<Cell, std::vector<Cell>, decltype(less)> open(less);
   const auto look_into = [&](Cell cell) {
     try_point(cell.s.middle(), cell.x1.middle());
     if (cell.s.length() > 0)
       for (const Real x1 : {cell.x1.low, cell.x1.high}) try_point(cell.s.high, x1);
     for (const Real x1 : {cell.x1.low, cell.x1.high}) try_point(cell.s.low, x1);
-    cell.most = plain::upper_bound(pair, box, cell);
+    cell.max = plain::upper_bound(pair, box, cell);
     open.push(cell);
   };
   look_into({box.s, box.x1});
-  for (int cells = 1; cells < kMostCells; cells += 2) {
-    if (best.least_margin > kSure) return best.verdict = PlainVerdict::not_empty, best;
+  for (int cells = 1; cells < kMaxCells; cells += 2) {
+    if (best.min_margin > kSure) return best.verdict = PlainVerdict::not_empty, best;
     const Cell cell = open.top();
-    if (cell.most < -kSure) return best.verdict = PlainVerdict::empty, best;
-    if (cell.most <= kSure && best.least_margin >= -kSure) break;
+    if (cell.max < -kSure) return best.verdict = PlainVerdict::empty, best;
+    if (cell.max <= kSure && best.min_margin >= -kSure) break;
     open.pop();
     Cell left = cell, right = cell;
     if (cell.s.length() >= cell.x1.length())
@@ -120,7 +120,7 @@ PlainAnswer region_not_empty(const PlainProblem& problem, Real m, int z1, int z2
     const auto rank = [](const Found& f) {
       return f.verdict == PlainVerdict::not_empty ? 2 : f.verdict == PlainVerdict::ambiguous;
     };
-    if (std::pair(rank(found), found.least_margin) > std::pair(rank(best), best.least_margin))
+    if (std::pair(rank(found), found.min_margin) > std::pair(rank(best), best.min_margin))
       best = found;
   }
   if (best.verdict == PlainVerdict::empty && all.close_call) best.verdict = PlainVerdict::ambiguous;
@@ -139,7 +139,7 @@ PlainAnswer region_not_empty(const PlainProblem& problem, Real m, int z1, int z2
       killed_by = other ? "other" : "contact_ratio";
     }
   }
-  return {best.verdict, killed_by, best.least_margin, best.x1, best.x2};
+  return {best.verdict, killed_by, best.min_margin, best.x1, best.x2};
 }
 
 namespace {

@@ -58,7 +58,7 @@ struct PlainMargins {
   long double interference1 = kFree, interference2 = kFree;  ///< ρ_1A − ρ_F1, ρ_2E − ρ_F2
 
   std::map<std::string, long double> by_name() const;
-  long double least() const;
+  long double min() const;
 };
 
 /// One pair (m = 1, z_1, z_2, x_1, x_2) at its centre distance. NaN: it does not exist.
@@ -82,10 +82,10 @@ enum class PlainVerdict { empty, not_empty, ambiguous };
 
 struct PlainAnswer {
   PlainVerdict verdict;
-  std::string killed_by;     ///< empty: the first that leaves nothing of `shift_limits`,
-                             ///< `center_distance`, `contact_ratio`, `other`
-  long double least_margin;  ///< of contact and clearance limits, at the best point seen; −∞: none
-  long double x1, x2;        ///< that point; NaN: none
+  std::string killed_by;   ///< empty: the first that leaves nothing of `shift_limits`,
+                           ///< `center_distance`, `contact_ratio`, `other`
+  long double min_margin;  ///< of contact and clearance limits, at the best point seen; −∞: none
+  long double x1, x2;      ///< that point; NaN: none
 };
 
 /// Is there a pair of shifts that keeps all limits, at a centre distance of the band?

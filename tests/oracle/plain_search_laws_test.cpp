@@ -117,7 +117,7 @@ TEST(PlainSearchLaws, bounds_of_cells_hold) {
 }
 
 /// `not_empty` shows a point that keeps everything; `empty` stands against a grid of points.
-void expect_true_verdicts(unsigned seed, int trials, int grid, int least_of_each) {
+void expect_true_verdicts(unsigned seed, int trials, int grid, int min_of_each) {
   std::mt19937 bits(seed);
   int with = 0, without = 0;
   std::map<std::string, int> killed;
@@ -130,7 +130,7 @@ void expect_true_verdicts(unsigned seed, int trials, int grid, int least_of_each
     if (answer.verdict == not_empty) {
       ++with;
       const PlainPoint o = look(p, trial.z1, trial.z2, answer.x1, answer.x2);
-      EXPECT_GE(o.margins.least(), -1e-15L) << "trial " << t;
+      EXPECT_GE(o.margins.min(), -1e-15L) << "trial " << t;
       EXPECT_GE(o.centre_distance, trial.c_min - 1e-15L);
       EXPECT_LE(o.centre_distance, trial.c_max + 1e-15L);
       continue;
@@ -142,14 +142,14 @@ void expect_true_verdicts(unsigned seed, int trials, int grid, int least_of_each
     for (int i = 0; i <= grid; ++i)
       for (int j = 0; j <= grid; ++j) {
         const Real sum = sums->at(i / Real(grid)), x1 = -1 + 3 * j / Real(grid);
-        ASSERT_LT(plain::look(pair, x1, sum - x1).margins.least(), 0)
+        ASSERT_LT(plain::look(pair, x1, sum - x1).margins.min(), 0)
             << "trial " << t << " " << double(x1) << " " << double(sum);
       }
   }
-  EXPECT_GE(with, least_of_each);
+  EXPECT_GE(with, min_of_each);
   for (const char* reason : {"center_distance", "contact_ratio", "other"})
-    EXPECT_GE(killed[reason], least_of_each / 4) << reason;
-  EXPECT_GE(without, least_of_each);
+    EXPECT_GE(killed[reason], min_of_each / 4) << reason;
+  EXPECT_GE(without, min_of_each);
 }
 
 TEST(PlainSearchLaws, verdicts_stand_against_grids) { expect_true_verdicts(1, 200, 120, 40); }
@@ -219,7 +219,7 @@ TEST(PlainSearchLaws, limits_that_nearly_meet_are_ambiguous) {
   const PlainAnswer none = region_not_empty(ratio, 1, 24, 36, 30, 30);
   EXPECT_EQ(none.verdict, empty);
   EXPECT_EQ(none.killed_by, "contact_ratio");
-  EXPECT_NEAR(none.least_margin, -1e-8, 1e-10);
+  EXPECT_NEAR(none.min_margin, -1e-8, 1e-10);
 }
 
 // Extended centres keep the clearance h_f − h_a for every shift.

@@ -198,7 +198,7 @@ TEST(PlainSearch, vertices_of_the_source_lie_on_their_limits) {
     };
     for (const json& vertex : region.at("vertices")) {
       const PlainPoint o = at(vertex);
-      EXPECT_GE(o.margins.least(), -kPrinted) << vertex.dump();
+      EXPECT_GE(o.margins.min(), -kPrinted) << vertex.dump();
       for (const std::string name : vertex[2]) {
         ++vertices;
         if (name == "Cmin" || name == "Cmax")

@@ -91,9 +91,9 @@ class Cloud {
     Real z_best = section(static_cast<int>(top - values.begin()));
     Best best = in_section(z_best);
     for (int j = 0; j <= sections_; ++j) {
-      const bool least_below = values[j] > std::min(at(j - 1), at(j + 1)) + kFlat;
+      const bool min_below = values[j] > std::min(at(j - 1), at(j + 1)) + kFlat;
       if (values[j] == kNothing || values[j] < std::max(at(j - 1), at(j + 1))) continue;
-      if (!least_below && &values[j] != &*top) continue;
+      if (!min_below && &values[j] != &*top) continue;
       climb(section(std::max(j - 1, 0)), section(j), section(std::min(j + 1, sections_)), best,
             z_best);
     }

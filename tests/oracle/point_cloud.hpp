@@ -1,15 +1,15 @@
 // Tooth contact by asking every point of flank 1 how far it pushes gear 2: the slowest way, which
 // knows no normal and no curvature and sees edges, corners and several tooth pairs as they come.
 //
-//   ρ, ψ, z    cylindrical coordinates about a gear's axis      θ(ρ)   azimuth of a flank at z = 0
-//   t(z)       turn of section z, helix and lead modifications  k      tooth pair: teeth k pitches
-//   later
+//   ρ, ψ, z    cylindrical coordinates about a gear's axis
+//   θ(ρ)       azimuth of a flank at z = 0
+//   t(z)       turn of section z, helix and lead modifications
+//   k          tooth pair: teeth k pitches later
 //
 // A point of flank 1, seen at rotation φ_1 from gear 2's tilted but unturned frame, lies on flank 2
 // when
 //
-//   φ_2* = ψ_2 − θ_2(ρ_2) − t_2(z_2)        (next to the expected rotation φ_1 N_1/N_2, modulo a
-//   turn)
+//   φ_2* = ψ_2 − θ_2(ρ_2) − t_2(z_2)    (next to the expected rotation φ_1 N_1/N_2, modulo a turn)
 //
 // and gear 2 stands at the greatest φ_2* over all points that lie within the radii and faces of
 // both flanks and less than half a turn about axis 1 from the centre line. The edges of gear 2 are
@@ -65,8 +65,7 @@ struct CloudSteps {
 
 /// Tooth pair k alone, its φ_2 that of the gears; none if no point of flank 1 is admitted.
 /// Accuracy  φ_2 1e-15 rad. The place: 1e-9 of the flank on a smooth peak of curvature 1, on a flat
-/// one
-///           as far as φ_2 stays the same; an edge's bound is met to 1e-15
+///           one as far as φ_2 stays the same; an edge's bound is met to 1e-15
 std::optional<CloudTouch> cloud_touch_of_pair(const CloudPair& pair, Real rotation_1, int k,
                                               CloudSteps steps = {});
 
@@ -80,7 +79,7 @@ std::optional<CloudTouch> cloud_touch(const CloudPair& pair, Real rotation_1,
 
 /// θ(ρ) of a circular arc's flank between two rack angles; ρ must grow or fall all the way.
 /// Throws    std::invalid_argument if it does not, or for ρ beyond both ends by more than 1e-12 of
-/// it
+///           it
 class ArcOutline {
  public:
   ArcOutline(const ArcFlank& flank, Real theta_low, Real theta_high);

@@ -73,11 +73,11 @@ inline CylindricalSpec random_cutter(Random& random) {
 /// it takes for smooth: a root fillet that is all but straight, like its radius, and the involute
 /// of a ramp that is all but square to the teeth, whose base circle is next to none.
 inline bool smooth_to_the_oracle(const Gear& cutter) {
-  constexpr double kMostRadius = 50.0;  // mm
-  constexpr double kMostRamp = 85.0;    // degrees
+  constexpr double kMaxRadius = 50.0;  // mm
+  constexpr double kMaxRamp = 85.0;    // degrees
   const auto& fillet = cutter.tooth->root_fillet;
   const auto& ramp = cutter.spec.rack.semi_topping_angle;
-  return !(fillet && fillet->radius > kMostRadius) && !(ramp && ramp->deg() > kMostRamp);
+  return !(fillet && fillet->radius > kMaxRadius) && !(ramp && ramp->deg() > kMaxRamp);
 }
 
 /// Nothing where the drawn shift has no place.

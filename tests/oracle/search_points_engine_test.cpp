@@ -28,7 +28,7 @@ void expect_same_points(TwinKind kind, unsigned seed, int points) {
     const ShiftGraph graph = search.graph(t);
     if (++problems % 4 != 0 && graph.what_kills()) continue;  // mostly regions that exist
     const auto& [g_1, g_2] = graph.gears();
-    if (g_1.x_least > g_1.x_greatest || g_2.x_least > g_2.x_greatest) continue;
+    if (g_1.x_min > g_1.x_max || g_2.x_min > g_2.x_max) continue;
     const auto sums = graph.feasible_sums();
     const double from = sums.empty() ? -0.8 : sums.front().lo - 0.05;
     const double to = sums.empty() ? 1.5 : sums.back().hi + 0.05;
@@ -37,8 +37,8 @@ void expect_same_points(TwinKind kind, unsigned seed, int points) {
     const Real a_hi = twin.center_distance[1] / Real(t.module);
     for (int i = 0; i < 50; ++i) {
       const double sum = random.uniform(from, to);
-      double lo = g_1.x_least - 0.05;
-      double hi = g_1.x_greatest + 0.05;
+      double lo = g_1.x_min - 0.05;
+      double hi = g_1.x_max + 0.05;
       // Half of the points where they may be inside, the other half anywhere.
       if (i % 2 == 0 && !sums.empty()) {
         const double middle = std::clamp(sum, sums.front().lo, sums.back().hi);
@@ -50,7 +50,7 @@ void expect_same_points(TwinKind kind, unsigned seed, int points) {
       const double x2 = sum - x1;
       const double margin = graph.margin(x1, x2);
       const PlainPoint o = plain::look(pair, x1, x2);
-      Real least = o.margins.least();
+      Real least = o.margins.min();
       if (std::isnan(o.centre_distance)) {
         least = -1;
       } else {

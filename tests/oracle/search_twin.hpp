@@ -48,8 +48,8 @@ inline SearchProblem engine_problem(const Twin& twin) {
   p.coprime = twin.coprime;
   p.mounting = plain.tight ? Mounting::tight : Mounting::extended;
   SearchLimits& limits = p.limits;
-  limits.least_shift = optional(plain.floor);
-  limits.greatest_shift = optional(plain.ceil);
+  limits.min_shift = optional(plain.floor);
+  limits.max_shift = optional(plain.ceil);
   limits.undercut_margin = static_cast<double>(plain.undercut_margin);
   limits.tip_thickness = static_cast<double>(plain.tip_thickness_min);
   limits.contact_ratio = static_cast<double>(plain.contact_ratio_min);

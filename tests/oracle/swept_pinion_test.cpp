@@ -1,6 +1,5 @@
 // SweptPinion against: gears of the source, computed with 40 digits; a ring and an external gear
-// cut by a sharp-edged involute cutter, whose flanks and trochoids are known outright; a plain
-// scan.
+// cut by a sharp-edged involute cutter, whose flanks and trochoids are known; a plain scan.
 #include "tests/oracle/swept_pinion.hpp"
 
 #include <gtest/gtest.h>

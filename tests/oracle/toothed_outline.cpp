@@ -25,7 +25,7 @@ constexpr double kGap = 1e-9;  // mm
 // curvature: 1e-12 mm for 1 mm. Needed where the pace is singular, as √u at a base circle.
 constexpr double kShort = 1e-6;  // mm
 constexpr double kTurn = 0.3;    // rad
-constexpr std::size_t kMostPieces = 4096;
+constexpr std::size_t kMaxPieces = 4096;
 // Tangents at the ends are taken a little inside: at a base circle the pace itself may be zero.
 constexpr double kInside = 1 - 1e-5;
 
@@ -109,7 +109,7 @@ void ToothedOutline::append(const Curve& curve, double from, double to) {
     append(curve, middle, to);
     return;
   }
-  require(pieces_.size() < kMostPieces, "half_tooth: a curve is rough, not smooth to 1e-13 mm");
+  require(pieces_.size() < kMaxPieces, "half_tooth: a curve is rough, not smooth to 1e-13 mm");
 
   piece.reach = 0.0;
   for (int k = 1; k <= kDegree; ++k) piece.reach += piece.c.col(k).norm();

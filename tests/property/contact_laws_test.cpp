@@ -210,13 +210,13 @@ TEST(ContactLaws, twice_is_the_same) {
 TEST(ContactLaws, the_curve_has_no_jump) {
   over_pairs(29, 15, {}, [](const ModifiedPair& p, Random&) {
     const ContactPair pair = p.set.pair();
-    const auto greatest_step = [&](int n) {
+    const auto max_step = [&](int n) {
       const auto te = transmission_error(pair, n);
       double step = 0.0;
       for (int i = 0; i < n; ++i) step = std::max(step, std::abs(te[(i + 1) % n] - te[i]));
       return step;
     };
-    EXPECT_LT(greatest_step(8192), 0.5 * greatest_step(512) + 1e-13);
+    EXPECT_LT(max_step(8192), 0.5 * max_step(512) + 1e-13);
   });
 }
 

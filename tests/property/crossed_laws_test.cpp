@@ -103,10 +103,10 @@ TEST(CrossedLaws, scaling_by_two_is_exact) {
     EXPECT_EQ(q->mesh.path_ratio, p.mesh.path_ratio);
     EXPECT_EQ(q->mesh.backlash.rotation, p.mesh.backlash.rotation);
     EXPECT_EQ(q->mesh.line_offset, 2 * p.mesh.line_offset);
-    ASSERT_EQ(q->least_distance.has_value(), p.least_distance.has_value());
-    if (p.least_distance) {
-      EXPECT_EQ(q->least_distance->center_distance, 2 * p.least_distance->center_distance);
-      EXPECT_EQ(q->least_distance->shaft_angle, p.least_distance->shaft_angle);
+    ASSERT_EQ(q->min_distance.has_value(), p.min_distance.has_value());
+    if (p.min_distance) {
+      EXPECT_EQ(q->min_distance->center_distance, 2 * p.min_distance->center_distance);
+      EXPECT_EQ(q->min_distance->shaft_angle, p.min_distance->shaft_angle);
     }
   });
 }
@@ -182,11 +182,11 @@ TEST(CrossedLaws, the_slope_of_the_distance) {
         a.derivative(0),
         rack.sides[0].pitch_radius + rack.sides[1].pitch_radius + rack.tight_plane_distance(),
         grain(p));
-    ASSERT_TRUE(p.least_distance);
+    ASSERT_TRUE(p.min_distance);
     for (const double away : {-0.02, -1e-3, 1e-3, 0.02}) {
-      const double there = p.least_distance->normal_pressure_angle + away;
+      const double there = p.min_distance->normal_pressure_angle + away;
       EXPECT_GT(conjugate_center_distance(g, common_rack(g, angles_at(g, there))),
-                p.least_distance->center_distance);
+                p.min_distance->center_distance);
     }
   });
 }
@@ -214,15 +214,15 @@ TEST(CrossedLaws, the_slope_over_the_shaft_angle) {
 TEST(CrossedLaws, two_shaft_angles_of_a_distance) {
   over_crossed(408, 5.0, [](const CrossedSpecs&, const Pair& p, Random& random) {
     const BasePair<double>& g = p.input.gears;
-    const double a = p.least_distance->center_distance * (1 + 0.02 * random.unit());
+    const double a = p.min_distance->center_distance * (1 + 0.02 * random.unit());
     const auto places = transverse_angles_at_distance(g, a);
     ASSERT_GE(places.size(), 1u);
     for (const double alpha : places)
       EXPECT_NEAR(crossed_place(g, alpha).center_distance, a, 16 * kEps * a);
     EXPECT_TRUE(
-        transverse_angles_at_distance(g, p.least_distance->center_distance * (1 - 1e-9)).empty());
+        transverse_angles_at_distance(g, p.min_distance->center_distance * (1 - 1e-9)).empty());
     if (places.size() == 2) {
-      const double middle = p.least_distance->normal_pressure_angle;
+      const double middle = p.min_distance->normal_pressure_angle;
       EXPECT_LT(crossed_place(g, places[0]).normal_pressure_angle, middle);
       EXPECT_GT(crossed_place(g, places[1]).normal_pressure_angle, middle);
     }
@@ -240,8 +240,8 @@ TEST(CrossedLaws, range_of_the_contact_ratio) {
       return mesh_of(in).path_ratio;
     };
     if (!p.contact_ratio_range) {
-      ASSERT_TRUE(p.least_distance);
-      EXPECT_LT(ratio_at(*p.least_distance), 1.0);
+      ASSERT_TRUE(p.min_distance);
+      EXPECT_LT(ratio_at(*p.min_distance), 1.0);
       return;
     }
     const CrossedPlaces& r = *p.contact_ratio_range;
@@ -288,7 +288,7 @@ TEST(CrossedLaws, parallel_axes_are_the_limit) {
       g[1].radius *= ratio;
       g[1].tooth_thickness *= ratio;
       ASSERT_FALSE(axes_are_parallel(g));
-      const auto alpha = transverse_angle_at_least_distance(g);
+      const auto alpha = transverse_angle_at_min_distance(g);
       ASSERT_TRUE(alpha);
       const auto rack = common_rack(g, angles_at_transverse(g, *alpha));
       // Every difference is of the first order in the tilt.

@@ -46,7 +46,7 @@ TEST(FitLaws, branches_stand_at_their_least_distance) {
                                                      problem.normal_pressure_angle, b.helix[k],
                                                      b.shift[k], 0.0}));
       }
-      const auto alpha = transverse_angle_at_least_distance(g);
+      const auto alpha = transverse_angle_at_min_distance(g);
       ASSERT_TRUE(alpha);
       const CrossedPlace place = crossed_place(g, *alpha);
       EXPECT_NEAR(place.center_distance, *problem.center_distance, 1e-10 * place.center_distance);

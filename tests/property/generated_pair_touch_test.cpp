@@ -71,8 +71,8 @@ class PitchTurn {
       EXPECT_GE(on_path_, 2 * kPhases - 2);  // at a ratio of 1 both ends may fall on one phase
     }
     // The play is what is reported: at its two ends one side touches, and then the other.
-    EXPECT_NEAR(least_leading_, 0.0, kOverlap);
-    EXPECT_NEAR(least_trailing_, 0.0, kOverlap);
+    EXPECT_NEAR(min_leading_, 0.0, kOverlap);
+    EXPECT_NEAR(min_trailing_, 0.0, kOverlap);
     EXPECT_GT(on_path_, 0);
   }
 
@@ -83,16 +83,16 @@ class PitchTurn {
     const double turn = outlines_.to_leading();
     const Nearness one = outlines_.at(phi_, turn);
     const Nearness other = has_play() ? outlines_.at(phi_, -turn) : one;
-    EXPECT_GE(one.least(), -kOverlap) << "leading flanks in contact";
-    EXPECT_GE(other.least(), -kOverlap) << "trailing flanks in contact";
+    EXPECT_GE(one.min(), -kOverlap) << "leading flanks in contact";
+    EXPECT_GE(other.min(), -kOverlap) << "trailing flanks in contact";
     if (leads_) {
       EXPECT_LE(one.leading, kOverlap);
     }
     if (trails_) {
       EXPECT_LE(other.trailing, kOverlap);
     }
-    least_leading_ = std::min(least_leading_, one.leading);
-    least_trailing_ = std::min(least_trailing_, other.trailing);
+    min_leading_ = std::min(min_leading_, one.leading);
+    min_trailing_ = std::min(min_trailing_, other.trailing);
   }
 
   // Flanks on the path stand half the play apart there, measured along the line of action: so much
@@ -102,7 +102,7 @@ class PitchTurn {
     const Nearness middle = outlines_.at(phi_, 0.0);
     const double half = half_gap(pair_);
     ASSERT_LT(half, outlines_.reach());
-    EXPECT_GT(middle.least(), 0.0) << "in the middle of the play";
+    EXPECT_GT(middle.min(), 0.0) << "in the middle of the play";
     if (on_path(pair_, phi_, half + kEdge)) {
       EXPECT_LE(middle.leading, half + kOverlap);
     }
@@ -116,7 +116,7 @@ class PitchTurn {
   double phi_ = 0.0;
   bool leads_ = false, trails_ = false;
   int on_path_ = 0;
-  double least_leading_ = kInfinity, least_trailing_ = kInfinity;
+  double min_leading_ = kInfinity, min_trailing_ = kInfinity;
 };
 
 // Tip and root where they stand on the line of centres: tooth 0 of gear 1 in space 0 of gear 2, and
@@ -185,8 +185,8 @@ TEST(TurnedOutlines, walk_to_the_nearest_place) {
     SCOPED_TRACE(name);
     const TurnedOutlines outlines(pair);
     for (const double turn : {outlines.to_leading(), 0.3 * outlines.to_leading()}) {
-      const double least = outlines.at(0.2, turn).least();
-      const double every = outlines.least_of_all(0.2, turn);
+      const double least = outlines.at(0.2, turn).min();
+      const double every = outlines.min_of_all(0.2, turn);
       EXPECT_GE(every, least - 1e-12);
       EXPECT_LE(every, least + outlines.step());
     }

@@ -2,9 +2,8 @@
 // overlap. Nothing of the pair's formulas is used but its centre distance and poses.
 //
 //   ρ, θ     polar coordinates in a gear's own frame; θ(ρ) half angle of its tooth at that radius
-//   gap      ρ (|θ| − θ(ρ)) of a point of the mate in the gear nearest tooth, mm: arc between point
-//   and
-//            flank, < 0 where the point is inside the material
+//   gap      ρ (|θ| − θ(ρ)) of a point of the mate in the gear's nearest tooth, mm: arc between
+//            point and flank, < 0 where the point is inside the material
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -81,14 +80,14 @@ class Turned {
       for (const double side : {-1.0, 1.0}) {
         for (const Arc& arc : pair_.gears[which].tooth->outline.arcs) {
           if (arc.name == ArcName::root_land) continue;
-          least(which, k, side, arc, contact);
+          min_gap(which, k, side, arc, contact);
         }
       }
     }
   }
 
  private:
-  void least(int which, int k, double side, const Arc& arc, Contact& contact) const {
+  void min_gap(int which, int k, double side, const Arc& arc, Contact& contact) const {
     constexpr int kSteps = 24;
     const auto take = [&](double u) {
       bool left = false;

@@ -42,11 +42,11 @@ inline CrossedSpecs random_crossed(Random& random, double least, bool racks = tr
     b.profile_shift = random.uniform(-0.1, 0.6);
     const BasePair<double> gears = nominal_base_pair(a, b);
     const auto range = shaft_angle_range(gears);
-    if (std::abs(range.least) < least * std::numbers::pi / 180) continue;
-    const auto alpha = transverse_angle_at_least_distance(gears);
+    if (std::abs(range.from) < least * std::numbers::pi / 180) continue;
+    const auto alpha = transverse_angle_at_min_distance(gears);
     if (!alpha) continue;
     const double middle = crossed_place(gears, *alpha).shaft_angle;
-    s.shaft_angle = middle + random.uniform(-0.3, 0.3) * (middle - range.least);
+    s.shaft_angle = middle + random.uniform(-0.3, 0.3) * (middle - range.from);
     return s;
   }
 }

@@ -1,8 +1,7 @@
 // Every spec ends in a tooth that obeys its laws and that the swept rack agrees with, in flags, or
 // in an error that names its key. Never in a broken contract.
 //
-// When a contract does break, the spec at hand is printed before the program ends: it is the
-// reproducer.
+// When a contract does break, the spec at hand is printed before the program ends: the reproducer.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

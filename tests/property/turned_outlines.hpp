@@ -1,9 +1,8 @@
 // Two finished outlines turned against each other: how near their flanks come to one another.
 //
 //   φ       rotation of gear 1, clockwise, rad     p   a point of one outline, mm
-//   q       p in the frame of the mate             d   signed distance of q from the mate's
-//   outline,
-//                                                      mm, < 0 inside its material
+//   q       p in the frame of the mate
+//   d       signed distance of q from the mate's outline, mm, < 0 inside its material
 //   leading    the flanks by which gear 1 pushes: y < 0 on its teeth in its own frame
 //
 // d changes by no more than p moves. On the walk along an outline a point with d > kNear lets the
@@ -30,7 +29,7 @@ struct Nearness {
   double leading = std::numeric_limits<double>::infinity();
   double trailing = std::numeric_limits<double>::infinity();
 
-  double least() const { return std::min(leading, trailing); }
+  double min() const { return std::min(leading, trailing); }
 };
 
 /// One gear's outline as material, and as points to walk along.
@@ -66,7 +65,7 @@ class FinishedOutline {
   const std::vector<Place>& places() const { return places_; }
 
   /// A bound of the signed distance from below that costs nothing.
-  double at_least(const Vec2& q) const {
+  double lower_bound(const Vec2& q) const {
     return ring_ ? inner_radius_ - q.norm() : q.norm() - material_.outer_radius();
   }
 
@@ -107,13 +106,13 @@ class TurnedOutlines {
   double step() const { return kStep * near_; }  ///< between samples, mm
 
   /// Least distance of all samples, asked one by one.
-  double least_of_all(double phi, double turn) const {
+  double min_of_all(double phi, double turn) const {
     double least = std::numeric_limits<double>::infinity();
     for_each_flank(phi, turn, [&](const Flank& flank) {
       Seen seen(*this, flank);
       Nearness nearness;
       for (const auto& place : gears_[flank.which].places()) seen.take(place.p, nearness);
-      least = std::min(least, nearness.least());
+      least = std::min(least, nearness.min());
     });
     return least;
   }
@@ -197,7 +196,7 @@ class TurnedOutlines {
     std::vector<std::size_t> visited;
     std::vector<double> d;
     for (std::size_t i = 0; i < places.size();) {
-      double here = gears_[1 - flank.which].at_least(seen.q(places[i].p));
+      double here = gears_[1 - flank.which].lower_bound(seen.q(places[i].p));
       if (here < near_) here = seen.take(places[i].p, nearness);
       visited.push_back(i);
       d.push_back(here);

@@ -3,9 +3,9 @@
 // rooms.
 //
 //   m   module, mm     r = |z|m/2, r_b = r cos 20°     c   corner depth below the pitch line, mm
-//   corner   W(p) = (r − c − ip) e^{i(p + y_c)/r},  y_c = πm/4 + c tan 20°: the rack's sharp
-//   corner,
-//            p = 0 at the root, p > 0 up the tooth; its polar angle falls, then grows: the undercut
+//   corner   W(p) = (r − c − ip) e^{i(p + y_c)/r},  y_c = πm/4 + c tan 20°
+//            the rack's sharp corner, p = 0 at the root, p > 0 up the tooth; its polar angle falls,
+//            then grows: the undercut
 #pragma once
 
 #include <algorithm>

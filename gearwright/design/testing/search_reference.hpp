@@ -38,8 +38,8 @@ inline SearchProblem problem_of(const nlohmann::json& input) {
   const auto optional = [](const nlohmann::json& v) {
     return v.is_null() ? std::nullopt : std::optional(number(v));
   };
-  p.limits.least_shift = optional(input.at("limits").at("floor"));
-  p.limits.greatest_shift = optional(input.at("limits").at("ceil"));
+  p.limits.min_shift = optional(input.at("limits").at("floor"));
+  p.limits.max_shift = optional(input.at("limits").at("ceil"));
   p.limits.tip_thickness = number(input.at("limits").at("sa_min"));
   p.limits.contact_ratio = number(input.at("eps_min"));
   return p;
@@ -76,7 +76,7 @@ inline SearchProblem helical_search() {
   p.racks = {SearchRacks{}, SearchRacks{}};
   p.racks[1].rack[0].addendum = p.racks[1].rack[1].addendum = 1.1;
   p.mounting = Mounting::tight;
-  p.limits.least_shift = -0.5;
+  p.limits.min_shift = -0.5;
   p.limits.sliding = 6.0;
   p.target_ratio = 2.0;
   return p;
@@ -128,8 +128,8 @@ inline double margin_by_numbers(const ShiftGraph& graph, double x1, double x2) {
            undercut_limit(g.edge_depth, g.teeth, g.sin_transverse,
                           std::cos(graph.trial().helix[i])));
     }
-    if (limits.least_shift) keep(x - *limits.least_shift);
-    if (limits.greatest_shift) keep(*limits.greatest_shift - x);
+    if (limits.min_shift) keep(x - *limits.min_shift);
+    if (limits.max_shift) keep(*limits.max_shift - x);
     keep(row.tip_thickness[i] / m - limits.tip_thickness);
     if (limits.tip_clearance) keep(row.tip_clearance[i] / m - *limits.tip_clearance);
   }
@@ -141,8 +141,8 @@ inline double margin_by_numbers(const ShiftGraph& graph, double x1, double x2) {
   keep(row.contact_ratio_true - limits.contact_ratio);
   if (limits.overlap_ratio && row.overlap_ratio < *limits.overlap_ratio) return -1.0;
   if (limits.sliding && !p.crossed()) {
-    if (!row.greatest_sliding()) return -1.0;
-    keep(*limits.sliding - *row.greatest_sliding());
+    if (!row.max_sliding()) return -1.0;
+    keep(*limits.sliding - *row.max_sliding());
   }
   if (limits.avoid_interference && row.interference) return -1.0;
   return least;
@@ -194,8 +194,8 @@ inline RandomTrial random_trial(Random& random, const Kind& kind) {
   p.mounting = kind.tight ? Mounting::tight : Mounting::extended;
   p.shorten_tips = kind.shorten;
   SearchLimits& l = p.limits;
-  if (kind.ring || random.chance(0.6)) l.least_shift = random.uniform(-0.7, 0.0);
-  if (kind.ring || random.chance(0.6)) l.greatest_shift = random.uniform(0.3, 1.0);
+  if (kind.ring || random.chance(0.6)) l.min_shift = random.uniform(-0.7, 0.0);
+  if (kind.ring || random.chance(0.6)) l.max_shift = random.uniform(0.3, 1.0);
   if (random.chance(0.3)) l.undercut_margin = random.uniform(-0.6, 0.2);
   l.tip_thickness = random.uniform(0.0, 0.4);
   l.contact_ratio = random.uniform(1.0, 1.7);
@@ -204,7 +204,7 @@ inline RandomTrial random_trial(Random& random, const Kind& kind) {
   l.avoid_interference = random.chance(0.5);
   // Far below the reference circle a tip comes free of the mate's fillet again; the graph leaves
   // that branch out.
-  if (l.avoid_interference && !l.least_shift) l.least_shift = random.uniform(-0.6, 0.0);
+  if (l.avoid_interference && !l.min_shift) l.min_shift = random.uniform(-0.6, 0.0);
   const Trial t = trial(p, z1, z2);
   const double R = z1 / (2.0 * std::cos(t.helix[0])) + z2 / (2.0 * std::cos(t.helix[1]));
   const double least = std::abs(R) + random.uniform(-1.0, 1.0);

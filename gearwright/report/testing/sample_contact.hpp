@@ -42,7 +42,7 @@ inline ContactSample contact_sample(const std::array<Gear, 2>& gears, ContactMou
   const ContactRequest request{positions, 1, r.marking};
   r.driving = analyse_contact(pair, request);
   r.other = analyse_contact(turned(true), request);
-  r.least_play = 0.001;
+  r.min_play = 0.001;
   r.patterns = contact_pattern(pair, positions, {17, 33});
   r.middle = r.driving.positions[static_cast<std::size_t>(positions / 2)];
   r.middle_gap = gap_map(pair, r.middle->rotation1, r.middle->pair, {17, 33});

@@ -39,8 +39,8 @@ inline SearchProblem spur_problem() {
   p.modules = {1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10, 12, 16, 20, 25, 32, 40, 50};
   p.pinion_teeth = {12, 40};
   p.mounting = Mounting::extended;
-  p.limits.least_shift = -0.6;
-  p.limits.greatest_shift = 1.0;
+  p.limits.min_shift = -0.6;
+  p.limits.max_shift = 1.0;
   return p;
 }
 inline SearchSample spur_search() { return search_sample(spur_problem()); }

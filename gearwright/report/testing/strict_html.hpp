@@ -2,8 +2,7 @@
 // simple, so that a page that passes is read alike by everything.
 //
 //   tags balance, void elements aside; attributes are double-quoted, none twice; '<', '>' and a
-//   bare
-//   '&' appear in text only as references; ids are unique; every #reference finds its id
+//   bare '&' appear in text only as references; ids are unique; every #reference finds its id
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "gearwright/design/least_distance_designs.hpp"
+#include "gearwright/design/min_distance_designs.hpp"
 
 #include <fmt/format.h>
 
@@ -11,6 +11,7 @@
 
 #include "gearwright/base/angle.hpp"
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/units.hpp"
 #include "gearwright/math/involute.hpp"
 #include "gearwright/math/newton.hpp"
 #include "gearwright/math/root.hpp"
@@ -21,9 +22,9 @@ namespace gearwright {
 namespace {
 
 constexpr double kHalfPi = std::numbers::pi / 2;
-constexpr double kMargin = 0.1 * std::numbers::pi / 180;     // a working helix of 90° is no gear
-constexpr double kSteepest = 89.0 * std::numbers::pi / 180;  // of a gear, as on its rack
-constexpr double kParallel = 1e-9;                           // rad: as the pair room has it
+constexpr double kMargin = 0.1 * kRadPerDeg;     // a working helix of 90° is no gear
+constexpr double kSteepest = 89.0 * kRadPerDeg;  // of a gear, as on its rack
+constexpr double kParallel = 1e-9;               // rad: as the pair room has it
 constexpr int kCells = 512;  // of β_w1, when roots of a function of no known shape are looked for
 
 double deg(double rad) { return Angle::radians(rad).deg(); }
@@ -42,7 +43,7 @@ class PitchSum {
       return Slope<double>{side_ * z1_ * t1 / c1 - side_ * z2_ * t2 / c2,
                            side_ * z1_ * (1 + 2 * t1 * t1) / c1 + z2_ * (1 + 2 * t2 * t2) / c2};
     };
-    least_ = newton_in_bracket(slope, lo_, hi_, 0.5 * (lo_ + hi_), true).x;
+    argmin_ = newton_in_bracket(slope, lo_, hi_, 0.5 * (lo_ + hi_), true).x;
   }
   double second(double b1) const { return side_ * (sigma_ - b1); }
   double operator()(double b1) const {
@@ -50,15 +51,15 @@ class PitchSum {
   }
   double lo() const { return lo_; }
   double hi() const { return hi_; }
-  double least_at() const { return least_; }
-  double least() const { return (*this)(least_); }
+  double argmin() const { return argmin_; }
+  double min() const { return (*this)(argmin_); }
   // H(β_w1) = t, ascending; convexity leaves at most two.
   std::vector<double> where(double t) const {
-    const double rest = least() - t;
+    const double rest = min() - t;
     if (rest > 0.0) return {};
     const auto f = [&](double b1) { return (*this)(b1)-t; };
     std::vector<double> found;
-    for (const auto& [from, to] : {std::pair{lo_, least_}, std::pair{least_, hi_}}) {
+    for (const auto& [from, to] : {std::pair{lo_, argmin_}, std::pair{argmin_, hi_}}) {
       const Root root = find_root(f, from, to);
       // The ends lie beyond: there H is steep, unless t is larger than any gear has.
       if (root.stop == RootStop::no_bracket) continue;
@@ -69,7 +70,7 @@ class PitchSum {
   }
 
  private:
-  double z1_, z2_, side_, sigma_, lo_, hi_, least_;
+  double z1_, z2_, side_, sigma_, lo_, hi_, argmin_;
 };
 
 // Axes closer than this are parallel.
@@ -163,7 +164,7 @@ void find_nearest(const FitProblem& p, double cos_wn, Fit& result) {
   const Designs designs(p);
   const PitchSum& H = designs.pitch_sum();
   const double t = designs.target(cos_wn);
-  result.nearest_distance = *p.center_distance * H.least() / t;
+  result.nearest_distance = *p.center_distance * H.min() / t;
   result.reason = fmt::format(
       "at the shaft angle {}° every such pair is at least {} mm apart (working normal pressure "
       "angle {:.6g}°)",
@@ -178,7 +179,7 @@ void find_nearest(const FitProblem& p, double cos_wn, Fit& result) {
     return;
   }
   const double sign = *p.shaft_angle < 0.0 ? -1.0 : 1.0;
-  const auto f = [&](double s) { return PitchSum(p.teeth, sign * s).least() - t; };
+  const auto f = [&](double s) { return PitchSum(p.teeth, sign * s).min() - t; };
   const Root root = find_root(f, 0.0, std::numbers::pi - 3 * kMargin);
   if (root.found()) result.nearest_shaft_angle = sign * root.x;  // none within ±179.8°
 }
@@ -215,7 +216,7 @@ std::optional<Error> contradiction(const FitProblem& p) {
 
 }  // namespace
 
-Result<Fit> least_distance_designs(const FitProblem& p) {
+Result<Fit> min_distance_designs(const FitProblem& p) {
   GW_EXPECTS(p.center_distance && p.shaft_angle && !(p.helix[0] && p.helix[1]));
   if (auto error = contradiction(p)) return *error;
   const Designs designs(p);

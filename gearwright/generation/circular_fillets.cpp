@@ -1,4 +1,4 @@
-#include "gearwright/gear/few_teeth.hpp"
+#include "gearwright/generation/circular_fillets.hpp"
 
 #include <fmt/format.h>
 
@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "gearwright/base/contract.hpp"
 #include "gearwright/base/refusal.hpp"
 #include "gearwright/math/involute.hpp"
 #include "gearwright/math/newton.hpp"
@@ -18,14 +19,57 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kHalfPi = std::numbers::pi / 2;
 
+}  // namespace
+
+std::optional<FilletArc> root_fillet_at(const Involute& flank, int teeth, double xi) {
+  GW_EXPECTS(teeth >= 1 && xi >= 0.0);
+  const double r_b = flank.base_radius();
+  const double u = xi + std::numbers::pi / teeth - flank.base_half_angle();
+  if (!(u > -kHalfPi && u < kHalfPi)) return std::nullopt;
+  const double radius = r_b * (std::tan(u) - xi);
+  if (!(radius > 0.0)) return std::nullopt;
+  // D − r_r = r_b (1/cos u − tan u + ξ), the difference as tan((π/2 − u)/2).
+  const double end = r_b * (std::tan((kHalfPi - u) / 2) + xi);
+  return FilletArc{radius, r_b / std::cos(u), kHalfPi - u, end};
+}
+
+std::optional<FilletArc> tip_fillet_at(const Involute& flank, double xi) {
+  GW_EXPECTS(xi >= 0.0);
+  const double r_b = flank.base_radius();
+  const double delta = flank.base_half_angle() - xi;
+  if (!(delta > -kHalfPi && delta < kHalfPi)) return std::nullopt;
+  const double radius = r_b * (xi + std::tan(delta));
+  if (!(radius > 0.0)) return std::nullopt;
+  const double distance = r_b / std::cos(delta);
+  return FilletArc{radius, distance, kHalfPi + delta, distance + radius};
+}
+
+std::optional<double> roll_of_tip_fillet(const Involute& flank, double radius) {
+  GW_EXPECTS(radius > 0.0);
+  const double r_b = flank.base_radius();
+  const double psi_b = flank.base_half_angle();
+  const auto f = [&](double xi) {
+    const double t = std::tan(psi_b - xi);
+    return Slope<double>{r_b * (xi + t) - radius, -r_b * t * t};
+  };
+  const double lo = std::max(0.0, psi_b - kHalfPi);
+  const double hi = psi_b + kHalfPi;
+  if (psi_b < kHalfPi && f(0.0).value < 0.0) return std::nullopt;
+  const auto root = newton_in_bracket(f, lo, hi, 0.5 * (lo + hi), false);
+  GW_ENSURES(root.found());
+  return root.x;
+}
+
+namespace {
+
 // Where the flanks of the tooth meet, as a roll angle; infinite where they never do.
 double roll_of_point(const Involute& flank) {
   const double psi_b = flank.base_half_angle();
   return psi_b > 0.0 ? std::tan(inverse_involute(psi_b)) : 0.0;
 }
 
-Result<double> root_roll(const FlankRuler& ruler, int teeth, const RootFilletSpec& root,
-                         double tip_roll) {
+Result<CircularFillet> root_fillet(const FlankRuler& ruler, int teeth, const RootFilletSpec& root,
+                                   double tip_roll) {
   const Involute& flank = ruler.flank;
   const double l_zero = std::max(ruler.undercut_l(), 0.0);
   const double xi = std::max(0.0, ruler.roll(l_zero + root.offset));
@@ -52,7 +96,7 @@ Result<double> root_roll(const FlankRuler& ruler, int teeth, const RootFilletSpe
                                "less than {} mm",
                                ruler.l(most) - l_zero));
   }
-  return xi;
+  return CircularFillet{xi, *arc};
 }
 
 // ξ_J ≥ ψ_b of the tip fillet that ends at the radius ρ: there the end moves out with ξ. [T6.6]
@@ -85,21 +129,20 @@ Result<double> tip_roll(const FlankRuler& ruler, const TipFilletSpec& tip, doubl
   }
   const auto widest = tip_fillet_at(flank, least);
   const auto narrowest = most < roll_of_point(flank) ? tip_fillet_at(flank, most) : std::nullopt;
-  const double r_most = widest ? widest->radius : kInfinity;
-  const double r_least = narrowest ? narrowest->radius : 0.0;
+  const double r_max = widest ? widest->radius : kInfinity;
+  const double r_min = narrowest ? narrowest->radius : 0.0;
   switch (tip.by) {
     case TipFilletSpec::By::radius: {
-      if (tip.value <= r_most && tip.value > r_least) {
+      if (tip.value <= r_max && tip.value > r_min) {
         if (const auto xi = roll_of_tip_fillet(flank, tip.value)) return *xi;
       }
-      return refused(
-          "tip_fillet.radius_mm", tip.value,
-          fmt::format("no such circle touches both flanks of the tooth; it must be "
-                      "greater than {} mm{}",
-                      r_least,
-                      std::isinf(r_most)
-                          ? std::string()
-                          : fmt::format(", and the largest that fits is {} mm", r_most)));
+      return refused("tip_fillet.radius_mm", tip.value,
+                     fmt::format("no such circle touches both flanks of the tooth; it must be "
+                                 "greater than {} mm{}",
+                                 r_min,
+                                 std::isinf(r_max)
+                                     ? std::string()
+                                     : fmt::format(", and the largest that fits is {} mm", r_max)));
     }
     case TipFilletSpec::By::l: {
       const double xi = ruler.roll(tip.value);
@@ -146,26 +189,31 @@ FlankRuler flank_ruler(const CutterEdge& edge, const RackMotion& motion) {
   return {Involute(1.0, 0.0), 0.0, 1.0, 0.0};
 }
 
-Result<FilletRolls> fillet_rolls(const FlankRuler& ruler, int teeth,
-                                 const std::optional<RootFilletSpec>& root,
-                                 const std::optional<TipFilletSpec>& tip,
-                                 std::optional<double> tip_radius) {
-  FilletRolls rolls;
+Result<CircularFillets> circular_fillets(const FlankRuler& ruler, int teeth,
+                                         const std::optional<RootFilletSpec>& root,
+                                         const std::optional<TipFilletSpec>& tip,
+                                         std::optional<double> tip_radius) {
+  CircularFillets fillets;
   double top = std::min(roll_of_point(ruler.flank), ruler.roll(ruler.end));
   if (tip_radius) top = std::min(top, ruler.flank.roll_at(*tip_radius));
   if (tip) {
     const double least = std::max(0.0, ruler.roll_at_0);
     auto xi = tip_roll(ruler, *tip, least);
     if (!xi) return xi.error();
-    rolls.tip = *xi;
+    const auto arc = tip_fillet_at(ruler.flank, *xi);
+    if (!arc) {
+      return Error{"tip_fillet", "",
+                   "tip_fillet: it would touch the tooth where the rack leaves no flank"};
+    }
+    fillets.tip = CircularFillet{*xi, *arc};
     top = std::min(top, *xi);
   }
   if (root) {
-    auto xi = root_roll(ruler, teeth, *root, top);
-    if (!xi) return xi.error();
-    rolls.root = *xi;
+    auto fillet = root_fillet(ruler, teeth, *root, top);
+    if (!fillet) return fillet.error();
+    fillets.root = *fillet;
   }
-  return rolls;
+  return fillets;
 }
 
 }  // namespace gearwright

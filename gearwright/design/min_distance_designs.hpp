@@ -13,6 +13,6 @@ namespace gearwright {
 ///
 /// Domain    a and Σ given, a helix angle absent (contract)
 /// Errors    conditions that exclude each other, named by their keys
-Result<Fit> least_distance_designs(const FitProblem& problem);
+Result<Fit> min_distance_designs(const FitProblem& problem);
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-#include "gearwright/report/least_distance_picture.hpp"
+#include "gearwright/report/min_distance_picture.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,27 +7,27 @@
 namespace gearwright {
 namespace {
 
-TEST(LeastDistancePicture, ExactAndApproximateOfTheExample) {
-  const std::string table = least_distance_table(testing::crossed_pair());
+TEST(MinDistancePicture, ExactAndApproximateOfTheExample) {
+  const std::string table = min_distance_table(testing::crossed_pair());
   // 18° 42' 8.0" exactly, 90° 0' 45.8", 50.0100 mm; three terms 5.9" off.
   EXPECT_NE(table.find(">18.70222<"), table.npos);
   EXPECT_NE(table.find(">90.01272<"), table.npos);
   EXPECT_NE(table.find(">5.9<"), table.npos);
-  EXPECT_NE(least_distance_figure(testing::crossed_pair()).find("id=\"least\""), std::string::npos);
+  EXPECT_NE(min_distance_figure(testing::crossed_pair()).find("id=\"least\""), std::string::npos);
 }
 
-TEST(LeastDistancePicture, NothingToCompare) {
+TEST(MinDistancePicture, NothingToCompare) {
   // Sum of shifts 0: every solution is the racks' own angle.
   const Pair zero = testing::crossed_sample_pair(testing::sample_gear(20, 2, 45, 0.2),
                                                  testing::sample_gear(30, 2, 45, -0.2), 90);
-  EXPECT_EQ(least_distance_figure(zero), "");
-  EXPECT_NE(least_distance_table(zero).find("make nothing together"), std::string::npos);
+  EXPECT_EQ(min_distance_figure(zero), "");
+  EXPECT_NE(min_distance_table(zero).find("make nothing together"), std::string::npos);
   // Two racks: no series.
   const Pair two = testing::crossed_sample_pair(
       testing::gear_as_itself(9, 37.4892228898867, 7.263, 47.408, 46.65, 24),
       testing::gear_as_itself(15, 52.6687933717901, 7.618, 36.595, 65.27, 24, 21), 90);
-  EXPECT_EQ(least_distance_figure(two), "");
-  EXPECT_EQ(least_distance_table(two), "");
+  EXPECT_EQ(min_distance_figure(two), "");
+  EXPECT_EQ(min_distance_table(two), "");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "gearwright/report/least_distance_picture.hpp"
+#include "gearwright/report/min_distance_picture.hpp"
 
 #include <fmt/format.h>
 
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/units.hpp"
 #include "gearwright/report/crossed_range.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/plot_axis.hpp"
@@ -31,13 +32,13 @@ constexpr double kSameAngle = 1e-9;  // rad, 0.0002″
 double deg(double rad) { return Angle::radians(rad).deg(); }
 
 // µm of centre distance at α_wn (degrees) above the least.
-double above_least(const Pair& pair, double degrees) {
+double above_min(const Pair& pair, double degrees) {
   const auto s = crossed_sample(pair, Angle::degrees(degrees).rad());
-  return s ? 1e3 * (s->place.center_distance - pair.least_distance->center_distance) : 0.0;
+  return s ? kUmPerMm * (s->place.center_distance - pair.min_distance->center_distance) : 0.0;
 }
 
 std::string zoom_svg(const Pair& pair, const std::vector<Approximation>& all) {
-  const double exact = deg(pair.least_distance->normal_pressure_angle);
+  const double exact = deg(pair.min_distance->normal_pressure_angle);
   std::vector<double> angles{exact};
   for (const Approximation& a : all) angles.push_back(deg(a.normal_pressure_angle));
   const auto [least, greatest] = std::minmax_element(angles.begin(), angles.end());
@@ -48,9 +49,9 @@ std::string zoom_svg(const Pair& pair, const std::vector<Approximation>& all) {
   for (int k = 0; k <= kSteps; ++k) {
     const double v = x.lo + k * (x.hi - x.lo) / kSteps;
     if (!crossed_sample(pair, Angle::degrees(v).rad())) continue;
-    curve.push_back({v, above_least(pair, v)});
+    curve.push_back({v, above_min(pair, v)});
   }
-  for (const double a : angles) most = std::max(most, above_least(pair, a));
+  for (const double a : angles) most = std::max(most, above_min(pair, a));
   if (most < kWorthShowing) return {};
   const Axis y{-0.06 * most, 1.25 * most, kTop + kPlot, kTop};
   Svg svg("least", kWidth, kHeight, "The least centre distance and its approximations",
@@ -67,7 +68,7 @@ std::string zoom_svg(const Pair& pair, const std::vector<Approximation>& all) {
   for (const double a : angles) wanted.push_back(x(a));
   const std::vector<double> placed = spread(wanted, 20.0, x.from + 8, x.to - 8);
   for (std::size_t i = 0; i < angles.size(); ++i) {
-    const Vec2 at(wanted[i], y(above_least(pair, angles[i])));
+    const Vec2 at(wanted[i], y(above_min(pair, angles[i])));
     svg.polyline({{placed[i], kTop - 4}, {wanted[i], kTop + 9}, at}, "leader");
     svg.text({placed[i], kTop - 9}, i == 0 ? "0" : all[i - 1].letter, Anchor::middle, "letter");
     svg.dot(at, i == 0 ? 3.4 : 4.0, i == 0 ? "mark" : "mark ring");
@@ -78,13 +79,13 @@ std::string zoom_svg(const Pair& pair, const std::vector<Approximation>& all) {
 std::string table_row(const Pair& pair, const std::string& name, double angle) {
   const auto s = crossed_sample(pair, angle);
   GW_EXPECTS(s.has_value());  // of approximations(), or the exact one
-  const double off = s->place.center_distance - pair.least_distance->center_distance;
-  const double seconds = 3600 * deg(angle - pair.least_distance->normal_pressure_angle);
+  const double off = s->place.center_distance - pair.min_distance->center_distance;
+  const double seconds = kArcsecPerDeg * deg(angle - pair.min_distance->normal_pressure_angle);
   std::string text = fmt::format("<tr><th scope=\"row\">{}</th>", escaped(name));
   for (const std::string& value :
        {fixed(deg(angle), kAngleDigits), fixed(seconds, 1),
         fixed(deg(s->place.shaft_angle), kAngleDigits),
-        fixed(s->place.center_distance, kLengthDigits), fixed(1e3 * off, 4)}) {
+        fixed(s->place.center_distance, kLengthDigits), fixed(kUmPerMm * off, 4)}) {
     text += fmt::format("<td class=\"value\">{}</td>", value);
   }
   return text + "</tr>\n";
@@ -92,7 +93,7 @@ std::string table_row(const Pair& pair, const std::string& name, double angle) {
 
 }  // namespace
 
-std::string least_distance_figure(const Pair& pair) {
+std::string min_distance_figure(const Pair& pair) {
   GW_EXPECTS(pair.crossed());
   const std::vector<Approximation> all = approximations(pair);
   const std::string zoom = all.empty() ? std::string() : zoom_svg(pair, all);
@@ -104,11 +105,11 @@ std::string least_distance_figure(const Pair& pair) {
       zoom);
 }
 
-std::string least_distance_table(const Pair& pair) {
+std::string min_distance_table(const Pair& pair) {
   GW_EXPECTS(pair.crossed());
   const std::vector<Approximation> all = approximations(pair);
   if (all.empty()) return {};
-  const double exact = pair.least_distance->normal_pressure_angle;
+  const double exact = pair.min_distance->normal_pressure_angle;
   const bool one = std::all_of(all.begin(), all.end(), [&](const Approximation& a) {
     return std::abs(a.normal_pressure_angle - exact) < kSameAngle;
   });

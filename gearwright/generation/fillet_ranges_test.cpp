@@ -1,7 +1,5 @@
 // Circular fillets by a drawing's numbers: the ruler along the rack's flank, each way to name a
 // place, and ranges in refusals that are sharp.
-#include "gearwright/gear/few_teeth.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>

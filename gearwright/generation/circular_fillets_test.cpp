@@ -1,6 +1,6 @@
 // Circular fillets: they touch the flank, are centred, and change with the place of contact as
 // their formulas say.
-#include "gearwright/generation/modified_fillet.hpp"
+#include "gearwright/generation/circular_fillets.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,22 @@
+// Conversions between the units of inside (mm, rad) and those of drawings, files and people.
+//
+// A name says what it gives per what: x rad are x * kDegPerRad degrees, c µm are c * kMmPerUm mm.
+// 1/1000 is no double: x * kMmPerUm and x / kUmPerMm differ in the last bit, hence both are here.
+#pragma once
+
+#include <numbers>
+
+namespace gearwright {
+
+inline constexpr double kRadPerDeg = std::numbers::pi / 180.0;
+inline constexpr double kDegPerRad = 180.0 / std::numbers::pi;
+inline constexpr double kArcsecPerDeg = 3600.0;
+inline constexpr double kRadPerArcsec = kRadPerDeg / kArcsecPerDeg;  // 4.8e-6
+inline constexpr double kArcsecPerRad = kArcsecPerDeg * kDegPerRad;  // 206265
+
+inline constexpr double kMmPerInch = 25.4;
+inline constexpr double kUmPerMm = 1e3;
+inline constexpr double kMmPerUm = 1e-3;
+inline constexpr double kMetresPerMm = 1e-3;
+
+}  // namespace gearwright

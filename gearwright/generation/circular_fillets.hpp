@@ -1,0 +1,103 @@
+// Circular fillets that no rack cuts, at the root and at the tip of an involute tooth: from what a
+// drawing says of them to the arcs, in one go. generate.hpp puts them on the tooth.
+//
+//   l    mm along the straight flank of the rack, in its normal section, from its lower end;
+//        everything is linear in it: the rack's height x, and with it the roll angle ξ
+//   F    where undercut begins, ξ = 0         C, J    where root and tip fillet touch the flank
+//   δ = ψ_b − ξ     the direction of the flank at ξ; its normal touches the base circle at polar δ
+//   η = π/z − ψ_b   half the space on the base circle, u = ξ_C + η
+//                                              theory: docs/theory/06-few-teeth.md
+//
+// Both arcs are tangent to the flank, so that their centres lie on its normal: the root fillet's
+// where that meets the space's centre line, the tip fillet's where it meets the tooth's. Both are
+// closed forms of the roll angle, and no sine law is needed.
+#pragma once
+
+#include <optional>
+
+#include "gearwright/base/result.hpp"
+#include "gearwright/curve/basic_curves.hpp"
+#include "gearwright/generation/rack_envelope.hpp"
+#include "gearwright/tool/cutter_edge.hpp"
+
+namespace gearwright {
+
+/// [gearN.root_fillet]
+struct RootFilletSpec {
+  double offset = 0.0;  ///< mm, l_C = max(l_F, 0) + offset
+};
+
+/// [gearN.tip_fillet]: one number, and what it is.
+struct TipFilletSpec {
+  enum class By {
+    radius,     ///< r_t
+    l,          ///< l_J
+    end_radius  ///< of the finished tip on the tooth's centre line
+  };
+  By by = By::radius;
+  double value = 0.0;  ///< mm
+};
+
+/// The rack's straight flank as a ruler of roll angles. [T6.5]
+struct FlankRuler {
+  Involute flank;
+  double roll_at_0;    ///< ξ at l = 0
+  double roll_per_mm;  ///< dξ/dl
+  double end;          ///< l of the flank's upper end, mm, or infinite
+
+  double roll(double l) const { return roll_at_0 + roll_per_mm * l; }
+  double l(double roll) const { return (roll - roll_at_0) / roll_per_mm; }
+  double undercut_l() const { return l(0.0); }  ///< l_F, signed: < 0 without undercut
+};
+
+FlankRuler flank_ruler(const CutterEdge& edge, const RackMotion& motion);
+
+/// A fillet arc: its circle by the distance of the centre from the axis, and how far it spans.
+struct FilletArc {
+  double radius;    ///< r_r or r_t  mm
+  double distance;  ///< of the centre from the gear's axis, mm
+  double span;      ///< σ  rad, from the flank to the centre line
+  double end;       ///< mm: radius at which the arc meets the centre line
+};
+
+/// The root fillet that touches the flank at ξ_C and is centred in the space; nothing when the
+/// flank's normal does not meet the space's centre line outside the tooth.
+///
+/// Formula   r_r = r_b (tan u − ξ), D = r_b/cos u, σ = π/2 − u, end D − r_r; [T6.2]
+/// Domain    ξ_C ≥ 0, teeth ≥ 1 (contract)
+std::optional<FilletArc> root_fillet_at(const Involute& flank, int teeth, double xi);
+
+/// The tip fillet that touches the flank at ξ_J and is centred in the tooth; nothing beyond the
+/// pointed tooth.
+///
+/// Formula   r_t = r_b (ξ + tan δ), D = r_b/cos δ, σ = π/2 + δ, end D + r_t; [T6.3]
+/// Domain    ξ_J ≥ 0 (contract)
+std::optional<FilletArc> tip_fillet_at(const Involute& flank, double xi);
+
+/// The ξ_J of a given r_t: dr_t/dξ = −r_b tan² δ, so there is one. Nothing: r_t is greater than
+/// the whole flank allows. [T6.4]
+///
+/// Domain    r_t > 0 (contract)
+std::optional<double> roll_of_tip_fillet(const Involute& flank, double radius);
+
+/// An arc and the flank's roll angle where it touches.
+struct CircularFillet {
+  double roll;  ///< ξ_C or ξ_J  rad
+  FilletArc arc;
+};
+
+/// Circular fillets in place of what the rack cuts, where they are asked for.
+struct CircularFillets {
+  std::optional<CircularFillet> root, tip;
+};
+
+/// The fillets that are asked for. `tip_radius` is the blank's, where it is given.
+///
+/// Errors    `root_fillet.offset_mm`, `tip_fillet.radius_mm`, `tip_fillet.l_mm`, `tip_fillet`: with
+///           the range that fits
+Result<CircularFillets> circular_fillets(const FlankRuler& ruler, int teeth,
+                                         const std::optional<RootFilletSpec>& root,
+                                         const std::optional<TipFilletSpec>& tip,
+                                         std::optional<double> tip_radius);
+
+}  // namespace gearwright
