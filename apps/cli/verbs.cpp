@@ -46,8 +46,8 @@ Result<SolvedJob> solve_file(const Options& o, Scope scope) {
 }
 
 std::string pair_listing_of(const SolvedJob& job) {
-  if (job.arc_pair) return pair_listing(*job.arc_pair);
-  return job.pair ? pair_listing(*job.pair) : std::string();
+  const auto pair = job.pair_view();
+  return pair ? pair_listing(*pair) : std::string();
 }
 
 // Says on stderr what is being made, but only when it takes more than a second.

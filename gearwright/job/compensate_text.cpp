@@ -3,81 +3,41 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "gearwright/base/units.hpp"
-#include "gearwright/job/fixed_text.hpp"
+#include "gearwright/catalogue/compensate_quantities.hpp"
+#include "gearwright/job/listing.hpp"
+#include "gearwright/job/value_json.hpp"
 
 namespace gearwright {
 
 namespace {
 
-std::string unit_of(const std::string& key) {
-  const std::string unit = key.substr(key.rfind('_') + 1);
+std::string unit_of(const std::string& key) { return key.substr(key.rfind('_') + 1); }
+
+std::string unit_for_people(const std::string& key) {
+  const std::string unit = unit_of(key);
   return unit == "um" ? "µm" : unit == "deg" ? "°" : unit;
 }
 
-Json optional_deg(const std::optional<double>& rad) {
-  return rad ? Json(*rad * kDegPerRad) : Json(nullptr);
+CompensateView view_of(const CompensateAnswer& a) {
+  CompensateView view{{}, a.result.before, a.result.after, {}, a.setting, a.lead, {}};
+  for (std::size_t i = 0; i < a.corrections.size(); ++i) {
+    const std::string key = kCorrections[a.corrections[i]].key;
+    view.corrections.push_back({key, unit_of(key), a.result.value[i]});
+  }
+  for (std::size_t i = 0; i < a.scenarios.size(); ++i)
+    view.scenarios.push_back({a.scenarios[i], a.result.each_before[i], a.result.each_after[i]});
+  view.spec = to_value(Json::parse(a.corrected));
+  return view;
 }
-
-Json score_json(const ContactScore& s) {
-  return {{"peak_to_peak_arcsec",
-           std::isfinite(s.peak_to_peak) ? Json(s.peak_to_peak * kArcsecPerRad) : Json(nullptr)},
-          {"contact_along_face", s.along_face},
-          {"contact_along_profile", s.along_profile},
-          {"contact_lost", s.lost}};
-}
-
-std::string degrees(const std::optional<double>& rad) {
-  return rad ? fixed_text(*rad * kDegPerRad, 6) + " °" : "-";
-}
-
-std::string percent(double v) { return fixed_text(100 * v, 1) + " %"; }
 
 }  // namespace
 
 Json compensate_json(const SolvedJob& job, const CompensateAnswer& a) {
-  Json corrections = Json::array();
-  for (std::size_t i = 0; i < a.corrections.size(); ++i) {
-    const std::string key = kCorrections[a.corrections[i]].key;
-    corrections.push_back(
-        {{"key", key}, {"value", a.result.value[i]}, {"unit", key.substr(key.rfind('_') + 1)}});
-  }
-  Json scenarios = Json::array();
-  for (std::size_t i = 0; i < a.scenarios.size(); ++i) {
-    scenarios.push_back({{"errors", a.scenarios[i]},
-                         {"before", score_json(a.result.each_before[i])},
-                         {"after", score_json(a.result.each_after[i])}});
-  }
-  Json c;
-  c["corrections"] = std::move(corrections);
-  c["before"] = score_json(a.result.before);
-  c["after"] = score_json(a.result.after);
-  c["scenarios"] = std::move(scenarios);
-  c["tool_setting"] = nullptr;
-  if (a.setting) {
-    c["tool_setting"] = {{"exact_mm", a.setting->exact},
-                         {"first_order_mm", a.setting->first_order},
-                         {"pressure_angle_deg",
-                          {{"nominal", optional_deg(a.setting->angle_nominal)},
-                           {"displaced", optional_deg(a.setting->angle_displaced)},
-                           {"exact", optional_deg(a.setting->angle_exact)},
-                           {"first_order", optional_deg(a.setting->angle_first_order)}}},
-                         {"tooth_thickness_change_mm", a.setting->thickness_change},
-                         {"backlash_change_mm", a.setting->backlash_change}};
-  }
-  c["lead"] = nullptr;
-  if (a.lead) {
-    c["lead"] = {{"slope", a.lead->slope},
-                 {"cutter_lead1_deg", optional_deg(a.lead->exact[0])},
-                 {"cutter_lead2_deg", optional_deg(a.lead->exact[1])},
-                 {"first_order1_deg", optional_deg(a.lead->first_order)}};
-  }
-  c["spec"] = Json::parse(a.corrected);
   Json j;
   if (!job.spec.title.empty()) j["title"] = job.spec.title;
-  j["compensate"] = std::move(c);
+  j["compensate"] = to_json(compensate_quantities().of(view_of(a)));
   j["warnings"] = warnings_json(job.warnings);
   return j;
 }
@@ -89,47 +49,23 @@ std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) 
   const auto row = [&](const std::string& what, const std::string& value) {
     out += fmt::format("  {:<44}{}\n", what, value);
   };
-  if (a.setting) {
-    head("Setting of rack F that brings the contact back");
-    row("Change of b_F, exact", fixed_text(a.setting->exact, 6) + " mm");
-    row("  to the first order, as the paper has it", fixed_text(a.setting->first_order, 6) + " mm");
-    row("Pressure angle as drawn", degrees(a.setting->angle_nominal));
-    row("  with the change of centre distance", degrees(a.setting->angle_displaced));
-    row("  and the exact setting", degrees(a.setting->angle_exact));
-    row("  and the first-order setting", degrees(a.setting->angle_first_order));
-    row("Tooth thickness, normal, changes by", fixed_text(a.setting->thickness_change, 6) + " mm");
-    row("Backlash, normal, changes by", fixed_text(a.setting->backlash_change, 6) + " mm");
-  }
-  if (a.lead) {
-    head("Lead angle that takes the slope out of the transmission error");
-    row("Slope in the middle of the mesh", fmt::format("{:.4e}", a.lead->slope));
-    row("Change of gear 1's lead angle", degrees(a.lead->exact[0]));
-    if (a.lead->first_order) row("  to the first order", degrees(a.lead->first_order));
-    row("  or of gear 2's", degrees(a.lead->exact[1]));
-  }
+  out += quantity_listing(compensate_quantities().table(), {compensate_quantities().of(view_of(a))},
+                          {});
   head("Corrections together, for the worst of the errors");
   for (std::size_t i = 0; i < a.corrections.size(); ++i) {
     const std::string key = kCorrections[a.corrections[i]].key;
-    row(key, fmt::format("{:.4f} {}", a.result.value[i], unit_of(key)));
+    row(key, fmt::format("{:.4f} {}", a.result.value[i], unit_for_people(key)));
   }
-  head("                                                before              after");
-  const auto both = [&](const std::string& what, const std::string& before,
-                        const std::string& after) {
-    out += fmt::format("  {:<36}{:>16}{:>19}\n", what, before, after);
-  };
-  const auto arcsec = [](const ContactScore& s) {
-    return std::isfinite(s.peak_to_peak) ? fixed_text(s.peak_to_peak * kArcsecPerRad, 4) + " arcsec"
-                                         : std::string("no contact");
-  };
-  both("Transmission error, peak to peak", arcsec(a.result.before), arcsec(a.result.after));
-  both("Contact off the middle of the face", percent(a.result.before.along_face),
-       percent(a.result.after.along_face));
-  if (a.setting)
-    both("Contact off the profile's middle", percent(a.result.before.along_profile),
-         percent(a.result.after.along_profile));
-  if (a.scenarios.size() > 1) {
-    for (std::size_t i = 0; i < a.scenarios.size(); ++i)
-      both("  " + a.scenarios[i], arcsec(a.result.each_before[i]), arcsec(a.result.each_after[i]));
+  const auto& scores = score_quantities();
+  out += quantity_listing(scores.table(), {scores.of(a.result.before), scores.of(a.result.after)},
+                          {"before", "after"});
+  for (std::size_t i = 0; a.scenarios.size() > 1 && i < a.scenarios.size(); ++i) {
+    const auto arcsec = [](const ContactScore& s) {
+      return std::isfinite(s.peak_to_peak) ? fixed_text(s.peak_to_peak * kArcsecPerRad, 4) + " ″"
+                                           : std::string("no contact");
+    };
+    out += fmt::format("    {:<43}{:>16}{:>15}\n", a.scenarios[i], arcsec(a.result.each_before[i]),
+                       arcsec(a.result.each_after[i]));
   }
   return out;
 }

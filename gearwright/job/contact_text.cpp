@@ -7,93 +7,23 @@
 #include <numbers>
 
 #include "gearwright/base/units.hpp"
-#include "gearwright/job/fixed_text.hpp"
+#include "gearwright/catalogue/contact_quantities.hpp"
+#include "gearwright/job/listing.hpp"
+#include "gearwright/job/value_json.hpp"
 
 namespace gearwright {
 
 namespace {
 
-Json point_json(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
-
-Json position_json(const ContactPoint& p) {
-  Json j;
-  j["rotation1_deg"] = p.rotation1 * kDegPerRad;
-  const bool touches = p.kind != TouchKind::none;
-  const auto when = [&](auto value) { return touches ? Json(std::move(value)) : Json(nullptr); };
-  j["rotation2_deg"] = when(p.rotation2 * kDegPerRad);
-  j["transmission_error_arcsec"] = when(p.te * kArcsecPerRad);
-  j["tooth"] = when(p.pair);
-  j["kind"] = when(std::string(to_string(p.kind)));
-  j["point_mm"] = when(point_json(p.point));
-  j["normal"] = when(point_json(p.normal));
-  j["diameter_mm"] = when(Json{p.diameter[0], p.diameter[1]});
-  j["height_mm"] = when(Json{p.height[0], p.height[1]});
-  j["rack_angle_deg"] = p.rack_angle ? Json(*p.rack_angle * kDegPerRad) : Json(nullptr);
-  j["gap_curvature_per_mm"] =
-      p.gap_curvature ? Json{(*p.gap_curvature)[0], (*p.gap_curvature)[1]} : Json(nullptr);
-  j["ellipse"] = nullptr;
-  if (p.ellipse) {
-    j["ellipse"] = {
-        {"semi_major_mm", p.ellipse->semi_major ? Json(*p.ellipse->semi_major) : Json(nullptr)},
-        {"semi_minor_mm", p.ellipse->semi_minor},
-        {"angle_deg", p.ellipse->angle * kDegPerRad}};
+ContactView view_of(const SolvedJob& job, const ContactAnswer& answer) {
+  ContactView view{&answer.driving, &answer.other, job.spec.contact.marking, answer.min_play};
+  for (const NamedInfluence& i : answer.setup.influences()) view.slopes.push_back({i.key, i.unit});
+  if (answer.pattern) view.pattern = &*answer.pattern;
+  if (answer.map) {
+    view.map = &*answer.map;
+    for (const std::size_t i : {0, 1}) view.map_axes[i] = kErrorKeys[job.spec.contact.map->key[i]];
   }
-  j["line_mm"] = p.line ? Json{point_json((*p.line)[0]), point_json((*p.line)[1])} : Json(nullptr);
-  return j;
-}
-
-Json sensitivity_json(const ContactAnswer& answer) {
-  Json j = Json::object();
-  const auto& named = answer.setup.influences();
-  for (std::size_t i = 0; i < named.size(); ++i) {
-    Json te = Json::array();
-    Json points = Json::array();
-    for (std::size_t k = 0; k < answer.driving.positions.size(); ++k) {
-      const Sensitivity& s = answer.driving.sensitivities[i][k];
-      const TouchKind kind = answer.driving.positions[k].kind;
-      te.push_back(kind == TouchKind::none ? Json(nullptr)
-                                           : Json(s.te * named[i].unit * kArcsecPerRad));
-      // Along a line of contact no point is the contact point.
-      const bool point = kind != TouchKind::none && kind != TouchKind::line;
-      points.push_back(point ? point_json(s.point * named[i].unit) : Json(nullptr));
-    }
-    j[named[i].key] = {{"transmission_error_arcsec", te}, {"point_mm", points}};
-  }
-  return j;
-}
-
-Json map_json(const ContactMapInput& input, const ErrorMap& map) {
-  Json rows = Json::array();
-  for (const auto& row : map.value) {
-    Json line = Json::array();
-    for (const double v : row)
-      line.push_back(std::isnan(v) ? Json(nullptr) : Json(v * kArcsecPerRad));
-    rows.push_back(std::move(line));
-  }
-  return {{"x", kErrorKeys[input.key[0]]},
-          {"x_values", map.x},
-          {"y", kErrorKeys[input.key[1]]},
-          {"y_values", map.y},
-          {"peak_to_peak_arcsec", std::move(rows)}};
-}
-
-// A raster with the share of the flank that the compound would mark.
-Json raster_json(const FlankRaster& r, double marking) {
-  Json rows = Json::array();
-  std::size_t marked = 0;
-  for (std::size_t i = 0; i < r.diameter.size(); ++i) {
-    Json row = Json::array();
-    for (std::size_t k = 0; k < r.height.size(); ++k) {
-      const double gap = r.at(i, k);
-      row.push_back(std::isfinite(gap) ? Json(gap) : Json(nullptr));
-      if (gap <= marking) ++marked;
-    }
-    rows.push_back(std::move(row));
-  }
-  return {{"diameter_mm", r.diameter},
-          {"height_mm", r.height},
-          {"gap_mm", std::move(rows)},
-          {"marked", static_cast<double>(marked) / static_cast<double>(r.gap.size())}};
+  return view;
 }
 
 std::string kinds_of(const ContactResult& result) {
@@ -118,38 +48,9 @@ std::string kinds_of(const ContactResult& result) {
 }  // namespace
 
 Json contact_json(const SolvedJob& job, const ContactAnswer& answer) {
-  Json positions = Json::array();
-  for (const ContactPoint& p : answer.driving.positions) positions.push_back(position_json(p));
-  Json harmonics = Json::array();
-  for (const double h : answer.driving.harmonics) harmonics.push_back(h * kArcsecPerRad);
-  Json other = Json::array();
-  Json kinds = Json::array();
-  for (const ContactPoint& p : answer.other.positions) {
-    const bool touches = p.kind != TouchKind::none;
-    other.push_back(touches ? Json(p.te * kArcsecPerRad) : Json(nullptr));
-    kinds.push_back(touches ? Json(std::string(to_string(p.kind))) : Json(nullptr));
-  }
-  Json c;
-  c["positions"] = std::move(positions);
-  c["peak_to_peak_arcsec"] = answer.driving.peak_to_peak * kArcsecPerRad;
-  c["mean_slope"] = answer.driving.mean_slope;
-  c["harmonics_arcsec"] = std::move(harmonics);
-  c["contact_lost"] = answer.driving.contact_lost;
-  c["other_flank"] = {{"transmission_error_arcsec", std::move(other)},
-                      {"kind", std::move(kinds)},
-                      {"peak_to_peak_arcsec", answer.other.peak_to_peak * kArcsecPerRad},
-                      {"contact_lost", answer.other.contact_lost}};
-  c["least_play_deg"] = answer.min_play ? Json(*answer.min_play * kDegPerRad) : Json(nullptr);
-  c["sensitivity"] = sensitivity_json(answer);
-  if (answer.pattern) {
-    const double marking = job.spec.contact.marking;
-    c["pattern"] = {{"gear1", raster_json((*answer.pattern)[0], marking)},
-                    {"gear2", raster_json((*answer.pattern)[1], marking)}};
-  }
-  if (answer.map) c["map"] = map_json(*job.spec.contact.map, *answer.map);
   Json j;
   if (!job.spec.title.empty()) j["title"] = job.spec.title;
-  j["contact"] = std::move(c);
+  j["contact"] = to_json(contact_quantities().of(view_of(job, answer)));
   j["warnings"] = warnings_json(job.warnings);
   return j;
 }
@@ -158,7 +59,8 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
   const ContactResult& r = answer.driving;
   std::string out;
   if (!job.spec.title.empty()) out += job.spec.title + "\n";
-  out += "\nTooth contact\n";
+  out += quantity_listing(contact_quantities().table(),
+                          {contact_quantities().of(view_of(job, answer))}, {});
   const auto row = [&](const char* what, const std::string& value) {
     out += fmt::format("  {:<42}{}\n", what, value);
   };
@@ -167,11 +69,6 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
       row(fmt::format("errors.{}", kErrorKeys[i]).c_str(),
           fmt::format("{}", job.spec.errors.value[i]));
   }
-  row("Transmission error, peak to peak",
-      fixed_text(r.peak_to_peak * kArcsecPerRad, 4) + " arcsec");
-  row("  the other flanks", fixed_text(answer.other.peak_to_peak * kArcsecPerRad, 4) + " arcsec");
-  if (answer.min_play)
-    row("Least play of gear 2", fixed_text(*answer.min_play * kDegPerRad, 6) + " °");
   row("Contact", kinds_of(r));
   if (!r.harmonics.empty()) {
     std::string waves;

@@ -4,8 +4,10 @@
 
 #include <cmath>
 
-#include "gearwright/job/solve_arcs.hpp"
+#include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/job/few_teeth_answer.hpp"
+#include "gearwright/job/solve_arcs.hpp"
+#include "gearwright/job/value_json.hpp"
 
 namespace gearwright {
 
@@ -134,32 +136,12 @@ Result<FitAnswer> answer_fit(const JobSpec& spec) {
 }
 
 Json fit_json(const FitAnswer& answer) {
-  Json branches = Json::array();
+  FitView view{&answer.fit, {}};
   for (std::size_t i = 0; i < answer.fit.branches.size(); ++i) {
-    const FitBranch& b = answer.fit.branches[i];
-    branches.push_back({{"helix_angle_deg", {deg(b.helix[0]), deg(b.helix[1])}},
-                        {"profile_shift", {b.shift[0], b.shift[1]}},
-                        {"center_distance_mm", b.center_distance},
-                        {"shaft_angle_deg", deg(b.shaft_angle)},
-                        {"working_normal_pressure_angle_deg", deg(b.working_normal_pressure_angle)},
-                        {"spec", answer.specs[i]}});
-    if (answer.transverse_contact_ratio)
-      branches.back()["transverse_contact_ratio"] = *answer.transverse_contact_ratio;
+    view.branches.push_back(
+        {answer.fit.branches[i], to_value(answer.specs[i]), answer.transverse_contact_ratio});
   }
-  const auto value = [](const std::optional<double>& v, double factor) {
-    return v ? Json(factor * *v) : Json(nullptr);
-  };
-  const Fit& f = answer.fit;
-  Json nearest = nullptr;
-  if (f.branches.empty() && (f.nearest_distance || f.nearest_shaft_angle)) {
-    nearest = {{"center_distance_mm", value(f.nearest_distance, 1.0)},
-               {"shaft_angle_deg",
-                f.nearest_shaft_angle ? Json(deg(*f.nearest_shaft_angle)) : Json(nullptr)}};
-  }
-  return {{"fit",
-           {{"branches", branches},
-            {"reason", f.branches.empty() ? Json(f.reason) : Json(nullptr)},
-            {"nearest", nearest}}}};
+  return {{"fit", to_json(fit_quantities().of(view))}};
 }
 
 std::string fit_listing(const FitAnswer& answer) {

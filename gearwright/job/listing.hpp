@@ -8,8 +8,13 @@
 namespace gearwright {
 
 std::string gear_listing(const SolvedJob& job);
-std::string pair_listing(const Pair& pair);
-std::string pair_listing(const ArcPair& pair);
+std::string pair_listing(const PairView& pair);
+/// Records side by side under their headings; without `columns` one record, whose values may be
+/// two.
+std::string quantity_listing(const SaidTable& table, const std::vector<ValueRecord>& records,
+                             const std::vector<std::string>& columns);
+/// "gear 1", "gear 2"
+std::vector<std::string> gear_columns(std::size_t count);
 std::string warning_listing(const std::vector<Warning>& warnings);
 std::string file_listing(const std::vector<JobFile>& files);
 /// One line per arc with its ends, then every point: name, x, y.

@@ -7,17 +7,15 @@
 #include <numbers>
 
 #include "gearwright/gear/basic.hpp"
+#include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/job/value_json.hpp"
 
 namespace gearwright {
 
 namespace {
 
 double deg(double rad) { return Angle::radians(rad).deg(); }
-
-double reference_diameter(const ReferenceInput<double>& rack) {
-  return rack.normal_module / std::cos(rack.helix_angle) * std::abs(rack.teeth);
-}
 
 // Where nobody said: the reference diameter if there is usable flank, else the flank's middle.
 double default_chord_diameter(const Gear& g) {
@@ -36,7 +34,7 @@ constexpr double kSameRack = 1e-6;
 
 }  // namespace
 
-Result<ChordMeasure> chord_measure(const SolvedJob& job, int which) {
+Result<ChordView> chord_measure(const SolvedJob& job, int which) {
   const auto i = static_cast<std::size_t>(which - 1);
   const Gear& gear = job.gears[i];
   if (!gear.involute()) {
@@ -53,7 +51,7 @@ Result<ChordMeasure> chord_measure(const SolvedJob& job, int which) {
     e.message = table + e.message;
     return e;
   }
-  return ChordMeasure{d, *chord};
+  return ChordView{d, *chord};
 }
 
 Result<std::vector<MaybeChord>> chord_measures(SolvedJob& job) {
@@ -80,39 +78,12 @@ Json measures_json(const SolvedJob& job, const std::vector<MaybeChord>& measures
   return j;
 }
 
-Json measure_json(const MaybeChord& m) {
-  if (!m) return {{"chordal_thickness", nullptr}};
-  return {{"chordal_thickness",
-           {{"diameter_mm", m->diameter},
-            {"chord_mm", m->chord.chord},
-            {"height_mm", m->chord.height},
-            {"tip_to_chord_mm", m->chord.tip_to_chord},
-            {"caliper_angle_deg", deg(m->chord.caliper_angle)}}}};
-}
+Json measure_json(const MaybeChord& m) { return to_json(measure_quantities().of(m)); }
 
 std::string measure_listing(const std::vector<MaybeChord>& measures) {
-  std::string text = "\nchordal tooth thickness (shortest over all inclinations of the calliper)\n";
-  const auto row = [&](const char* what, const auto& value, const char* unit) {
-    text += fmt::format("  {:<38}", what);
-    for (const MaybeChord& m : measures) text += fmt::format("{:>14}", m ? value(*m) : "-");
-    text += fmt::format("  {}\n", unit);
-  };
-  const auto mm = [](double v) { return fmt::format("{:.4f}", v); };
-  row(
-      "at the diameter", [&](const ChordMeasure& m) { return mm(m.diameter); }, "mm");
-  row(
-      "chord", [&](const ChordMeasure& m) { return mm(m.chord.chord); }, "mm");
-  row(
-      "height of the arc over the chord", [&](const ChordMeasure& m) { return mm(m.chord.height); },
-      "mm");
-  row(
-      "calliper's depth, from the tip",
-      [&](const ChordMeasure& m) { return mm(m.chord.tip_to_chord); }, "mm");
-  row(
-      "calliper to the transverse plane",
-      [&](const ChordMeasure& m) { return fmt::format("{:.3f}", deg(m.chord.caliper_angle)); },
-      "°");
-  return text;
+  std::vector<ValueRecord> records;
+  for (const MaybeChord& m : measures) records.push_back(measure_quantities().of(m));
+  return quantity_listing(measure_quantities().table(), records, gear_columns(records.size()));
 }
 
 std::optional<RackQuestion> parse_rack_question(const std::string& text) {
@@ -175,37 +146,13 @@ Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion
 }
 
 Json rack_json(const ReferenceInput<double>& rack) {
-  return {{"normal_module_mm", rack.normal_module},
-          {"normal_pressure_angle_deg", deg(rack.normal_pressure_angle)},
-          {"helix_angle_deg", deg(rack.helix_angle)},
-          {"profile_shift", rack.profile_shift},
-          {"reference_diameter_mm", reference_diameter(rack)}};
+  return to_json(as_rack_quantities().of(rack));
 }
 
 std::string rack_listing(const std::vector<ReferenceInput<double>>& racks) {
-  std::string text = "\nas the rack asked for has it\n";
-  const auto row = [&](const char* what, const char* symbol, const auto& value, const char* unit) {
-    text += fmt::format("  {:<38}{:<7}", what, symbol);
-    for (const auto& r : racks) text += fmt::format("{:>14}", value(r));
-    text += std::string(*unit ? "  " : "") + unit + "\n";
-  };
-  using Rack = ReferenceInput<double>;
-  row(
-      "normal module", "m_n", [](const Rack& r) { return fmt::format("{:.6f}", r.normal_module); },
-      "mm");
-  row(
-      "normal pressure angle", "α_n ",
-      [](const Rack& r) { return fmt::format("{:.5f}", deg(r.normal_pressure_angle)); }, "°");
-  row(
-      "helix angle", "β ", [](const Rack& r) { return fmt::format("{:.5f}", deg(r.helix_angle)); },
-      "°");
-  row(
-      "profile shift", "x", [](const Rack& r) { return fmt::format("{:.5f}", r.profile_shift); },
-      "");
-  row(
-      "reference diameter", "d",
-      [](const Rack& r) { return fmt::format("{:.4f}", reference_diameter(r)); }, "mm");
-  return text;
+  std::vector<ValueRecord> records;
+  for (const auto& rack : racks) records.push_back(as_rack_quantities().of(rack));
+  return quantity_listing(as_rack_quantities().table(), records, gear_columns(records.size()));
 }
 
 }  // namespace gearwright

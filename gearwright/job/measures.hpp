@@ -6,25 +6,20 @@
 #include <string>
 #include <vector>
 
-#include "gearwright/inspection/chordal_thickness.hpp"
+#include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/job/solved_job.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {
 
-struct ChordMeasure {
-  double diameter;  ///< mm, at which the jaws touch
-  ChordalThickness<double> chord;
-};
-
 /// The chord at [gearN.measure] chord_diameter_mm; without it at the reference diameter, or in the
 /// middle of the usable flank where that does not reach there.
 ///
 /// Errors    `gearN.measure.chord_diameter_mm`
-Result<ChordMeasure> chord_measure(const SolvedJob& job, int which);
+Result<ChordView> chord_measure(const SolvedJob& job, int which);
 
 /// One gear's chord, or nothing.
-using MaybeChord = std::optional<ChordMeasure>;
+using MaybeChord = std::optional<ChordView>;
 
 /// chord_measure of every gear; a gear that has no chord where nobody asked for one gets a warning
 /// `no_chord` in the job.

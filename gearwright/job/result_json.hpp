@@ -1,14 +1,12 @@
 // The result as JSON: every key of the interface, in its order. Internal to job/ and its tests.
 #pragma once
 
-#include "gearwright/job/solved_job.hpp"
 #include "gearwright/job/files.hpp"
+#include "gearwright/job/solved_job.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {
 
-Json gear_json(const Gear& gear);
-Json pair_json(const Pair& pair);
 Json warnings_json(const std::vector<Warning>& warnings);
 /// `gears`, `pair` (when there is one), `warnings`.
 Json job_json(const SolvedJob& job);

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gearwright/job/search_tables.hpp"
+#include "gearwright/catalogue/search_quantities.hpp"
+#include "gearwright/job/value_json.hpp"
 
 namespace gearwright {
 
@@ -14,43 +15,18 @@ namespace {
 // Regions of more designs than this are given without their boundary, whose curves have 25 points.
 constexpr std::size_t kMaxBoundaries = 10'000;
 
-Json pair_of(const std::array<double, 2>& v) { return {v[0], v[1]}; }
-Json point_of(const Vec2& v) { return {v[0], v[1]}; }
-Json or_null(const std::optional<double>& v) { return v ? Json(*v) : Json(nullptr); }
-
-Json edges_json(const Search& search, const DesignRow& row) {
+Value edges_of(const Search& search, const DesignRow& row) {
   const ShiftGraph graph = search.graph(row.trial);
   const auto region = shift_region(graph);
-  Json edges = Json::array();
+  ValueList edges;
   if (!region) return edges;
   for (const auto& loop : region_boundary(graph, *region)) {
     for (const RegionEdge& e : loop) {
-      Json points = Json::array();
-      for (const Vec2& p : e.points) points.push_back(point_of(p));
-      edges.push_back({{"constraint", name(e.edge)}, {"points", std::move(points)}});
+      ValueList points(e.points.begin(), e.points.end());
+      edges.push_back(ValueMap{{"constraint", name(e.edge)}, {"points", std::move(points)}});
     }
   }
   return edges;
-}
-
-Json objective_json(const SearchProblem& problem, const DesignRow& row) {
-  const auto value = [&](Objective o) {
-    const auto c = cost(problem, row, o);
-    const bool greater_is_better = o == Objective::contact_ratio || o == Objective::area;
-    return c ? Json(greater_is_better ? -*c : *c) : Json(nullptr);
-  };
-  if (problem.objectives.size() == 1) return value(problem.objectives.front());
-  Json all = Json::object();
-  for (const Objective o : problem.objectives)
-    all[std::string(kObjectiveNames[static_cast<std::size_t>(o)])] = value(o);
-  return all;
-}
-
-Json rejected_json(const SearchCounts& counts) {
-  Json j = Json::object();
-  for (std::size_t i = 0; i < counts.rejected.size(); ++i)
-    j[std::string(name(static_cast<Limit>(i)))] = counts.rejected[i];
-  return j;
 }
 
 Json rack_of(const JobSpec& spec, int rack, int which) {
@@ -65,56 +41,15 @@ Json rack_of(const JobSpec& spec, int rack, int which) {
 }  // namespace
 
 Json design_row_json(const Search& search, const DesignRow& row, bool with_edges) {
-  const Trial& t = row.trial;
-  Json j;
-  j["module_mm"] = t.module;
-  j["teeth"] = {t.z1, t.z2};
-  j["helix_angle_deg"] = {tidy_degrees(t.helix[0]), tidy_degrees(t.helix[1])};
-  if (search.problem().racks.size() > 1) j["rack"] = t.rack + 1;
-  j["profile_shift"] = pair_of(row.shift);
-  j["point"] = row.balanced ? "eq11" : "lo_hi";
-  j["center_distance_mm"] = row.center_distance;
-  j["ratio"] = row.ratio;
-  j["ratio_error"] = row.ratio - search.problem().target_ratio;
-  j["contact_ratio"] = row.contact_ratio;
-  j["contact_ratio_true"] = row.contact_ratio_true;
-  j["overlap_ratio"] = row.overlap_ratio;
-  j[search.problem().crossed() ? "working_normal_pressure_angle_deg"
-                               : "working_transverse_pressure_angle_deg"] =
-      tidy_degrees(row.working_angle);
-  j["backlash_normal_mm"] = row.backlash_normal;
-  j["tip_thickness_mm"] = pair_of(row.tip_thickness);
-  j["tip_clearance_mm"] = pair_of(row.tip_clearance);
-  j["tip_alteration_mm"] = row.tip_alteration;
-  j["specific_sliding"] = {{"gear1", {or_null(row.sliding[0][0]), or_null(row.sliding[0][1])}},
-                           {"gear2", {or_null(row.sliding[1][0]), or_null(row.sliding[1][1])}}};
-  j["interference"] = row.interference;
-  Json region;
-  if (with_edges) region["edges"] = edges_json(search, row);
-  region["lo"] = point_of(row.lo);
-  region["hi"] = point_of(row.hi);
-  region["area"] = row.area;
-  region["shift_sum"] = pair_of(row.sums);
-  j["region"] = std::move(region);
-  j["objective"] = objective_json(search.problem(), row);
-  return j;
+  DesignView view{&search.problem(), &row};
+  if (with_edges) view.edges = [&] { return edges_of(search, row); };
+  return to_json(design_quantities().of(view));
 }
 
 std::string search_json_text(const Search& search, const SearchRun& run) {
   const SearchAnswer& a = run.answer;
-  Json head;
-  head["tested"] = a.counts.tested;
-  head["feasible_count"] = a.counts.feasible;
-  head["rejected"] = rejected_json(a.counts);
-  if (search.problem().shift_step) {
-    head["points_tested"] = a.counts.points_tested;
-    head["points_feasible"] = a.counts.points_feasible;
-  }
-  Json changes = Json::array();
-  for (const NearestChange& c : run.changes)
-    changes.push_back({{"key", c.key}, {"from", c.from}, {"to", c.to}, {"effort", c.effort}});
-  if (a.counts.feasible == 0) head["changes"] = std::move(changes);
-  head["pareto"] = a.pareto;
+  Json head = to_json(search_quantities().of({&search.problem(), &a, &run.changes}));
+  head.erase("designs");  // they come one by one
 
   std::string text = "{\n  \"search\": " + head.dump();
   text.pop_back();  // the head's closing brace: the designs go in before it

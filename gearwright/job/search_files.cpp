@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include "gearwright/base/output_file.hpp"
-#include "gearwright/store/parquet.hpp"
+#include "gearwright/base/version.hpp"
 #include "gearwright/job/search_answer.hpp"
 #include "gearwright/job/search_tables.hpp"
-#include "gearwright/base/version.hpp"
 #include "gearwright/report/search_report.hpp"
+#include "gearwright/store/parquet.hpp"
 
 namespace gearwright {
 
@@ -16,31 +16,27 @@ namespace {
 constexpr std::size_t kCsvDesigns = 1000;  // unless --top asks for more: people read this one
 
 // One table on its way to disk.
-template <class Row>
+template <class S>
 class Table {
  public:
-  Table(const std::filesystem::path& part, const std::vector<TableColumn<Row>>& columns,
+  Table(const std::filesystem::path& part, const TableColumns<S>& columns,
         const std::vector<std::pair<std::string, std::string>>& notes)
-      : columns_(columns), writer_(part, heads(columns), notes) {}
+      : columns_(columns), writer_(part, columns.heads(), notes) {}
 
-  void add(const Row& row) {
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      const TableValue v = columns_[i].value(row);
-      if (const auto* n = std::get_if<std::int64_t>(&v)) writer_.set(i, *n);
-      if (const auto* x = std::get_if<double>(&v)) writer_.set(i, *x);
-      if (const auto* s = std::get_if<std::string>(&v)) writer_.set(i, std::string_view(*s));
-    }
+  void add(const S& row) {
+    columns_.row(row, [&](std::size_t i, const Value& v) {
+      if (const auto* n = std::get_if<long long>(&v.variant())) writer_.set(i, std::int64_t{*n});
+      if (const auto* flag = std::get_if<bool>(&v.variant())) writer_.set(i, std::int64_t{*flag});
+      if (const auto* x = std::get_if<double>(&v.variant())) writer_.set(i, *x);
+      if (const auto* s = std::get_if<std::string>(&v.variant()))
+        writer_.set(i, std::string_view(*s));
+    });
     writer_.end_row();
   }
   void close() { writer_.close(); }
 
  private:
-  static std::vector<ParquetColumn> heads(const std::vector<TableColumn<Row>>& columns) {
-    std::vector<ParquetColumn> h;
-    for (const auto& c : columns) h.push_back({c.name, c.type, c.optional});
-    return h;
-  }
-  const std::vector<TableColumn<Row>>& columns_;
+  const TableColumns<S>& columns_;
   ParquetWriter writer_;
 };
 
@@ -56,11 +52,11 @@ void write_tables(const std::filesystem::path& designs, const std::filesystem::p
       {"limits", limits},
       {"trials", std::to_string(*search.space().size())}};
   write_file_by(designs, [&](const std::filesystem::path& part) {
-    Table<DesignRow> table(part, design_columns(), notes);
+    Table<DesignView> table(part, design_columns(), notes);
     const auto each = [&](const auto& also) {
       ChunkFinds finds;
       while (source(finds)) {
-        for (const DesignRow& row : finds.designs) table.add(row);
+        for (const DesignRow& row : finds.designs) table.add({&search.problem(), &row});
         also(finds);
       }
     };
@@ -79,21 +75,23 @@ void write_tables(const std::filesystem::path& designs, const std::filesystem::p
   });
 }
 
-std::string csv_text(const SearchAnswer& answer, std::size_t most) {
-  const auto& table = design_columns();
+std::string csv_cell(const Value& v) {
+  if (const auto* n = std::get_if<long long>(&v.variant())) return std::to_string(*n);
+  if (const auto* flag = std::get_if<bool>(&v.variant())) return *flag ? "1" : "0";
+  if (const auto* x = std::get_if<double>(&v.variant())) return fmt::format("{}", *x);
+  if (const auto* s = std::get_if<std::string>(&v.variant())) return *s;
+  return {};
+}
+
+std::string csv_text(const SearchProblem& problem, const SearchAnswer& answer, std::size_t most) {
   std::string text = "rank";
-  for (const auto& c : table) text += "," + c.name;
+  for (const ParquetColumn& c : design_columns().heads()) text += "," + c.name;
   text += ",front\n";
   std::size_t on_front = 0;
   for (std::size_t i = 0; i < answer.designs.size() && i < most; ++i) {
     text += std::to_string(i + 1);
-    for (const auto& c : table) {
-      const TableValue v = c.value(answer.designs[i]);
-      text += ',';
-      if (const auto* n = std::get_if<std::int64_t>(&v)) text += std::to_string(*n);
-      if (const auto* x = std::get_if<double>(&v)) text += fmt::format("{}", *x);
-      if (const auto* s = std::get_if<std::string>(&v)) text += *s;
-    }
+    design_columns().row({&problem, &answer.designs[i]},
+                         [&](std::size_t, const Value& v) { text += "," + csv_cell(v); });
     const bool front = on_front < answer.pareto.size() && answer.pareto[on_front] == i;
     if (front) ++on_front;
     text += front ? ",1\n" : ",0\n";
@@ -131,7 +129,7 @@ std::vector<std::filesystem::path> write_search_files(const JobSpec& spec, const
     files.push_back(folder / name);
     write_file(files.back(), text);
   };
-  write("best.csv", csv_text(run.answer, top.value_or(kCsvDesigns)));
+  write("best.csv", csv_text(search.problem(), run.answer, top.value_or(kCsvDesigns)));
   write("search.json", search_json_text(search, run));
   write("report.html", search_report({.title = spec.title,
                                       .spec_text = spec.text,

@@ -1,33 +1,80 @@
-// The columns of a search's tables: designs, and points of the grid of shifts.
+// The columns of a search's tables, CSV and Parquet, as the catalogue says them: one column for each
+// quantity with a column's name, two for one of both gears.
 // Internal to job/.
 #pragma once
 
-#include <functional>
 #include <string>
-#include <variant>
 #include <vector>
 
-#include "gearwright/design/design_row.hpp"
-#include "gearwright/design/shift_points.hpp"
+#include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/store/parquet.hpp"
 
 namespace gearwright {
 
-/// Nothing is null.
-using TableValue = std::variant<std::monostate, std::int64_t, double, std::string>;
+template <class S>
+class TableColumns {
+ public:
+  explicit TableColumns(const Quantities<S>& quantities) {
+    for (const Quantity<S>& q : quantities.list()) {
+      const std::size_t before = heads_.size();
+      if (q.said.type == Type::record) {
+        for (const Said* inner : q.said.of().list) add(*inner);
+      } else {
+        add(q.said);
+      }
+      if (heads_.size() > before) quantities_.push_back(&q);
+    }
+  }
 
-template <class Row>
-struct TableColumn {
-  std::string name;
-  ParquetType type;
-  std::function<TableValue(const Row&)> value;
-  bool optional = false;
+  const std::vector<ParquetColumn>& heads() const { return heads_; }
+
+  /// Calls `cell(column, value)` for every column, in order.
+  template <class Cell>
+  void row(const S& subject, const Cell& cell) const {
+    std::size_t column = 0;
+    const auto give = [&](const Said& said, const Value& value) {
+      if (said.column.empty()) return;
+      if (const ValueList* list = value.list()) {
+        for (const Value& v : *list) cell(column++, v);
+      } else {
+        cell(column++, value);
+      }
+    };
+    for (const Quantity<S>* q : quantities_) {
+      const Value value = q->get(subject);
+      if (const ValueRecord* record = value.record()) {
+        for (const Member& m : *record) give(*m.said, m.value);
+      } else {
+        give(q->said, value);
+      }
+    }
+  }
+
+ private:
+  void add(const Said& said) {
+    if (said.column.empty()) return;
+    const ParquetType type = said.type == Type::index ? ParquetType::int64
+                             : said.type == Type::whole || said.type == Type::flag
+                                 ? ParquetType::int32
+                             : said.type == Type::number ? ParquetType::float64
+                                                         : ParquetType::text;
+    const std::size_t mark = said.column.find('#');
+    const std::vector<std::string> names = said.list.empty() ? std::vector<std::string>{""}
+                                           : said.two == Two::ends
+                                               ? std::vector<std::string>{"min", "max"}
+                                               : std::vector<std::string>{"1", "2"};
+    for (const std::string& name : names) {
+      std::string column = said.column;
+      if (mark != std::string::npos) column.replace(mark, 1, name);
+      heads_.push_back({std::move(column), type, !said.always});
+    }
+  }
+
+  std::vector<const Quantity<S>*> quantities_;
+  std::vector<ParquetColumn> heads_;
 };
 
-const std::vector<TableColumn<DesignRow>>& design_columns();
-const std::vector<TableColumn<ShiftPoint>>& point_columns();
-
-/// Degrees as they were given: −12, not what −12° in radians comes back as.
-double tidy_degrees(double rad);
+const TableColumns<DesignView>& design_columns();
+const TableColumns<ShiftPoint>& point_columns();
 
 }  // namespace gearwright

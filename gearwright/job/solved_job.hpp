@@ -7,9 +7,10 @@
 #include <optional>
 #include <vector>
 
-#include "gearwright/spec/spec.hpp"
+#include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/pair/arc_pair.hpp"
 #include "gearwright/pair/pair.hpp"
+#include "gearwright/spec/spec.hpp"
 
 namespace gearwright {
 
@@ -21,6 +22,11 @@ struct SolvedJob {
   std::optional<ArcPair> arc_pair;  ///< the same of gears with circular-arc teeth
   std::vector<Warning> warnings;    ///< of gears and pair, with the gear's number
 
+  /// The pair as the catalogue takes it; none: there is no pair.
+  std::optional<PairView> pair_view() const {
+    if (pair) return PairView{&*pair, nullptr};
+    return arc_pair ? std::optional(PairView{nullptr, &*arc_pair}) : std::nullopt;
+  }
   std::optional<Bore> bore(int which) const {
     return spec.gears[static_cast<std::size_t>(which - 1)]->bore;
   }

@@ -10,13 +10,12 @@
 #include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/named_circles.hpp"
+#include "gearwright/report/report_tables.hpp"
 #include "gearwright/report/shown_values.hpp"
 #include "gearwright/report/svg.hpp"
-#include "gearwright/report/table_builder.hpp"
 
 namespace gearwright {
 
-using shown::angle;
 using shown::length;
 using shown::ratio;
 
@@ -24,7 +23,6 @@ namespace {
 
 constexpr double kWidth = 520.0;
 constexpr double kHeight = 440.0;
-constexpr int kCurvatureDigits = 6;  // 1/mm
 
 std::string contact_figure(const ArcPair& pair, std::size_t which,
                            const std::array<std::string, 2>& shapes) {
@@ -71,54 +69,6 @@ std::string contact_figure(const ArcPair& pair, std::size_t which,
       svg.str(), contact.convex_gear, fixed(at.z(), kLengthDigits));
 }
 
-void add_contact(TableBuilder& t, const ArcPairContact& c) {
-  const ArcContact& at = c.at;
-  t.group(fmt::format("Contact on the convex flank of gear {}", c.convex_gear));
-  t.common("Normal angle of the racks", "θ", "°", angle(at.theta));
-  t.common("The same at the reference centre distance", "θ_0", "°", angle(c.nominal_theta));
-  t.common("Point at rotation 0", "x, y, z", "mm",
-           length(at.point.x()) + ", " + length(at.point.y()) + ", " + length(at.point.z()));
-  const bool first = c.convex_gear == 1;
-  const double d_1 = 2 * (first ? at.radius_convex : at.radius_concave);
-  const double d_2 = 2 * (first ? at.radius_concave : at.radius_convex);
-  t.row("Diameter on which the teeth touch", "", "mm", {length(d_1), length(d_2)});
-  t.common("Relative curvatures", "k_1, k_2", "1/mm",
-           fixed(at.gap[0], kCurvatureDigits) + ", " + fixed(at.gap[1], kCurvatureDigits));
-  t.common("Major axis of the contact ellipse to the axis", "", "°", angle(at.angle));
-  t.common("Ratio of its axes", "", "",
-           at.gap[0] > 0.0 ? ratio(std::sqrt(at.gap[1] / at.gap[0])) : shown::none());
-  const double rho_1 = first ? at.transverse_radius_convex : at.transverse_radius_concave;
-  const double rho_2 = first ? at.transverse_radius_concave : at.transverse_radius_convex;
-  t.row("Radius of the transverse profile", "ρ", "mm", {length(rho_1), length(rho_2)});
-  t.common("Difference, concave less convex", "Δρ", "mm",
-           length(at.transverse_radius_concave - at.transverse_radius_convex));
-  t.common("What it would be in line contact", "", "mm", length(at.line_contact_difference));
-}
-
-std::string pair_table(const ArcPair& p) {
-  TableBuilder t("Pair data", {"Gear 1", "Gear 2"});
-  t.group("Mounting");
-  t.common("Centre distance", "a", "mm", length(p.center_distance));
-  t.common("Reference centre distance", "a_d", "mm", length(p.reference_center_distance));
-  t.common("Gear ratio", "u", "", ratio(p.gear_ratio()));
-  const auto d_w = p.working_pitch_diameter();
-  t.row("Working pitch diameter", "d_w", "mm", {length(d_w[0]), length(d_w[1])});
-  t.row("Own tip to the mate’s root", "c", "mm",
-        {length(p.tip_clearance[0]), length(p.tip_clearance[1])});
-  t.group("Contact");
-  t.common("Overlap ratio", "ε_β", "", ratio(p.overlap_ratio));
-  if (p.contacts.size() > 1)
-    t.common("Points of contact at a time, on average", "", "", ratio(p.contact_ratio));
-  t.common("Face width for continuous contact", "b", "mm", length(p.face_for_contact));
-  if (p.backlash_rotation) {
-    t.common("Backlash along the normal", "j_bn", "mm", length(p.backlash_normal));
-    t.row("Backlash: rotation, the mate held", "", "°",
-          {angle((*p.backlash_rotation)[0]), angle((*p.backlash_rotation)[1])});
-  }
-  for (const ArcPairContact& c : p.contacts) add_contact(t, c);
-  return t.str();
-}
-
 }  // namespace
 
 std::array<double, 2> angles_at_contact(const ArcPair& pair, const ArcPairContact& contact) {
@@ -140,7 +90,7 @@ std::string arc_pair_section(const ArcPair& pair, const std::array<std::string, 
             "</div></div>\n</section>\n"
           : "<section class=\"pair\">\n<h2>Pair</h2>\n<div class=\"figures\">{}</div>\n{}"
             "</section>\n";
-  return fmt::format(fmt::runtime(frame), figures, pair_table(pair));
+  return fmt::format(fmt::runtime(frame), figures, pair_table({nullptr, &pair}));
 }
 
 std::string arc_verdict(const ArcPair& pair) {

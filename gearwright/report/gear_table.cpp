@@ -4,74 +4,20 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <functional>
+#include <optional>
 
+#include "gearwright/catalogue/gear_quantities.hpp"
+#include "gearwright/report/quantity_table.hpp"
 #include "gearwright/report/shown_values.hpp"
-#include "gearwright/report/table_builder.hpp"
 
 namespace gearwright {
 
-using shown::angle;
 using shown::given;
-using shown::length;
 using shown::none;
-using shown::ratio;
 
 namespace {
 
 constexpr int kRackDigits = 6;  // of arcs, in modules or degrees
-
-std::optional<double> diameter(const std::optional<double>& radius) {
-  return radius ? std::optional(2 * *radius) : std::nullopt;
-}
-
-const char* hand(const Gear& g) {
-  const double beta = g.spec.helix_angle.rad();
-  return beta > 0.0 ? "right" : beta < 0.0 ? "left" : "spur";
-}
-
-std::optional<double> neck_thickness(const Gear& g) {
-  if (!g.tooth || !g.tooth->neck_half_angle || !g.tooth->neck_radius) return std::nullopt;
-  return 2 * *g.tooth->neck_radius * std::sin(*g.tooth->neck_half_angle);
-}
-
-std::string teeth(const Gear& g) {
-  return g.internal() ? fmt::format("{} (ring)", g.spec.teeth) : fmt::format("{}", g.spec.teeth);
-}
-
-std::optional<double> tip_form_diameter(const Gear& g) {
-  if (!g.exists() || (g.tooth && !g.tooth->tip_form_radius)) return std::nullopt;
-  return 2 * g.tip_form_radius();
-}
-
-// Rows of one function of the gear each.
-class GearRows {
- public:
-  GearRows(TableBuilder& table, const std::vector<const Gear*>& gears)
-      : table_(table), gears_(gears) {}
-
-  void add(std::string_view words, std::string_view symbol, std::string_view unit,
-           const std::function<std::string(const Gear&)>& value) {
-    std::vector<std::string> values;
-    for (const Gear* g : gears_) values.push_back(value(*g));
-    // What only an involute gear has is not asked of others.
-    const bool none = std::all_of(values.begin(), values.end(),
-                                  [](const std::string& v) { return v == kNoValue; });
-    if (none && !any([](const Gear& g) { return g.involute(); })) return;
-    table_.row(words, symbol, unit, values);
-  }
-  bool any(const std::function<bool(const Gear&)>& is) const {
-    for (const Gear* g : gears_) {
-      if (is(*g)) return true;
-    }
-    return false;
-  }
-
- private:
-  TableBuilder& table_;
-  const std::vector<const Gear*>& gears_;
-};
 
 using Rack = StraightRack;
 
@@ -80,7 +26,7 @@ std::optional<double> unless_zero(double value) {
 }
 
 // Rows that no rack has a number for are left out. A gear that a pinion has cut has no rack.
-void add_rack(TableBuilder& table, GearRows& rows) {
+void add_rack(TableBuilder& table, const std::vector<const Gear*>& gears) {
   struct Row {
     const char *words, *symbol, *unit;
     std::optional<double> (*value)(const Rack&);
@@ -102,17 +48,21 @@ void add_rack(TableBuilder& table, GearRows& rows) {
        {"Protuberance angle", "α_pr", "°", [](const Rack& r) {
           return r.protuberance != 0.0 ? std::optional(r.protuberance_angle.deg()) : std::nullopt;
         }}}};
-  if (!rows.any([](const Gear& g) { return !g.cut_by && g.involute(); })) return;
+  const auto rack_of = [](const Gear& g) {
+    return g.cut_by || !g.involute() ? nullptr : &g.spec.rack;
+  };
+  if (std::none_of(gears.begin(), gears.end(), [&](const Gear* g) { return rack_of(*g); })) return;
   table.group("Basic rack, in normal modules");
   for (const Row& row : kRows) {
-    const auto value = [&row](const Gear& g) {
-      return g.cut_by || !g.involute() ? std::nullopt : row.value(g.spec.rack);
-    };
-    if (!rows.any([&](const Gear& g) { return value(g).has_value(); })) continue;
-    rows.add(row.words, row.symbol, row.unit, [&](const Gear& g) {
-      const std::optional<double> v = value(g);
-      return v ? given(*v) : none();
-    });
+    std::vector<std::string> values;
+    bool any = false;
+    for (const Gear* g : gears) {
+      const Rack* rack = rack_of(*g);
+      const std::optional<double> v = rack ? row.value(*rack) : std::nullopt;
+      values.push_back(v ? given(*v) : none());
+      any = any || v;
+    }
+    if (any) table.row(row.words, row.symbol, row.unit, values);
   }
 }
 
@@ -148,102 +98,29 @@ void add_arcs(TableBuilder& table, const std::vector<const Gear*>& gears) {
   }
 }
 
-void add_tooth(TableBuilder& table, GearRows& rows) {
-  table.group("Tooth");
-  rows.add("Reference thickness, normal", "s_n", "mm", [](const Gear& g) {
-    return length(g.arcs ? g.arcs->reference_thickness
-                         : g.reference.reference_tooth_thickness_normal);
-  });
-  rows.add("Allowance contained in it", "E_sn", "mm",
-           [](const Gear& g) { return length(g.spec.thickness_allowance); });
-  rows.add("Reference thickness, transverse", "s_t", "mm",
-           [](const Gear& g) { return length(g.reference.reference_tooth_thickness_transverse); });
-  rows.add("Base thickness, transverse", "s_bt", "mm",
-           [](const Gear& g) { return length(g.reference.base_tooth_thickness); });
-  rows.add("Tip thickness, normal", "s_an", "mm",
-           [](const Gear& g) { return length(g.tip_tooth_thickness_normal); });
-  rows.add("Smallest root thickness (chord)", "", "mm",
-           [](const Gear& g) { return length(neck_thickness(g)); });
-  rows.add("Base pitch, normal", "p_bn", "mm",
-           [](const Gear& g) { return length(g.reference.base_pitch_normal); });
-  rows.add("Base pitch, transverse", "p_bt", "mm",
-           [](const Gear& g) { return length(g.reference.base_pitch_transverse); });
-  rows.add("Undercut", "", "", [](const Gear& g) {
-    return std::string(g.internal() ? kNoValue : g.undercut ? "yes" : "no");
-  });
-  rows.add("Least profile shift without undercut", "x_Emin", "", [](const Gear& g) {
-    const auto& x = g.undercut_free_profile_shift;
-    return g.internal() || !x ? none() : ratio(*x);
-  });
-  if (rows.any([](const Gear& g) { return g.arcs.has_value(); })) {
-    rows.add("Flank begins at the rack’s normal angle", "τ", "°",
-             [](const Gear& g) { return g.arcs ? angle(g.arcs->flank_begin.rad()) : none(); });
-    rows.add("Undercut limit of it", "", "°", [](const Gear& g) {
-      return g.arcs && g.arcs->undercut_limit ? angle(g.arcs->undercut_limit->rad()) : none();
-    });
-  }
-}
-
-void add_cutter(TableBuilder& table, GearRows& rows) {
-  if (!rows.any([](const Gear& g) { return g.cut_by.has_value(); })) return;
-  table.group("Cut by a pinion cutter");
-  rows.add("Teeth of the cutter", "z_0", "", [](const Gear& g) {
-    return g.cut_by ? fmt::format("{}", g.cut_by->cutter_teeth) : none();
-  });
-  rows.add("Generating centre distance", "E", "mm",
-           [](const Gear& g) { return g.cut_by ? length(g.cut_by->distance) : none(); });
-}
-
 }  // namespace
 
 std::string gear_table(const std::vector<const Gear*>& gears) {
+  using namespace gear_group;
   std::vector<std::string> columns;
-  for (std::size_t i = 0; i < gears.size(); ++i) columns.push_back(fmt::format("Gear {}", i + 1));
-  TableBuilder table("Gear data, symbols of ISO 21771", columns);
-  GearRows rows(table, gears);
-  table.group("Teeth");
-  rows.add("Number of teeth", "z", "", teeth);
-  rows.add("Normal module", "m_n", "mm", [](const Gear& g) { return given(g.spec.normal_module); });
-  rows.add("Normal pressure angle", "α_n", "°", [](const Gear& g) {
-    return g.involute() ? angle(g.spec.normal_pressure_angle.rad()) : none();
-  });
-  rows.add("Helix angle", "β", "°", [](const Gear& g) { return angle(g.spec.helix_angle.rad()); });
-  rows.add("Hand of helix", "", "", [](const Gear& g) { return std::string(hand(g)); });
-  rows.add("Lead", "p_z", "mm",
-           [](const Gear& g) { return g.lead == 0.0 ? none() : length(g.lead); });
-  rows.add("Profile shift", "x", "",
-           [](const Gear& g) { return g.involute() ? ratio(g.spec.profile_shift) : none(); });
-  rows.add("Profile shift as cut, with allowance", "x_E", "",
-           [](const Gear& g) { return ratio(g.reference.generating_profile_shift); });
-  rows.add("Face width", "b", "mm", [](const Gear& g) { return length(g.spec.face_width); });
-  rows.add("Transverse module", "m_t", "mm",
-           [](const Gear& g) { return fixed(g.reference.transverse_module, 5); });
-  rows.add("Transverse pressure angle", "α_t", "°",
-           [](const Gear& g) { return angle(g.reference.transverse_pressure_angle); });
-  rows.add("Base helix angle", "β_b", "°",
-           [](const Gear& g) { return angle(g.reference.base_helix_angle); });
-
-  table.group("Diameters");
-  rows.add("Tip", "d_a", "mm", [](const Gear& g) { return length(g.tip_diameter); });
-  if (rows.any([](const Gear& g) { return 2 * g.actual_tip_radius() != g.tip_diameter; })) {
-    rows.add("Tip, as the tooth really ends", "", "mm",
-             [](const Gear& g) { return g.exists() ? length(2 * g.actual_tip_radius()) : none(); });
+  std::vector<ValueRecord> records;
+  for (const Gear* g : gears) {
+    records.push_back(gear_quantities().of(*g));
+    columns.push_back(fmt::format("Gear {}", records.size()));
   }
-  rows.add("Tip form, end of the usable flank", "d_Fa", "mm",
-           [](const Gear& g) { return length(tip_form_diameter(g)); });
-  rows.add("Reference", "d", "mm",
-           [](const Gear& g) { return length(g.reference.reference_diameter); });
-  rows.add("Base", "d_b", "mm", [](const Gear& g) { return length(g.reference.base_diameter); });
-  rows.add("Root form, start of the usable flank", "d_Ff", "mm", [](const Gear& g) {
-    return g.exists() ? length(diameter(g.root_form_radius())) : none();
-  });
-  rows.add("Root", "d_f", "mm", [](const Gear& g) { return length(g.root_diameter); });
-  rows.add("Where the flanks meet (point)", "", "mm",
-           [](const Gear& g) { return length(g.pointed_diameter); });
-  add_tooth(table, rows);
-  add_rack(table, rows);
+  // What only gears with few teeth have stands in a table of its own (few_teeth_table.hpp).
+  std::vector<TextGroup> common, cutter;
+  for (TextGroup& g : text_groups(gear_quantities().table(), records, kPage)) {
+    if (g.title == kCutter)
+      cutter.push_back(std::move(g));
+    else if (g.title == kTeeth || g.title == kDiameters || g.title == kTooth)
+      common.push_back(std::move(g));
+  }
+  TableBuilder table("Gear data, symbols of ISO 21771", columns);
+  add_groups(table, common);
+  add_rack(table, gears);
   add_arcs(table, gears);
-  add_cutter(table, rows);
+  add_groups(table, cutter);
   return table.str();
 }
 

@@ -3,12 +3,12 @@
 
 #include <string>
 
-#include "gearwright/pair/pair.hpp"
+#include "gearwright/catalogue/pair_quantities.hpp"
 
 namespace gearwright {
 
-/// Centre distances, working angles, contact ratios, backlash, clearances, sliding.
-std::string pair_table(const Pair& pair);
+/// The catalogue's quantities of a pair, under their headings.
+std::string pair_table(const PairView& pair);
 
 /// A … E: distance from the pitch point, radii of curvature, sliding.
 std::string path_table(const Pair& pair);

@@ -3,17 +3,39 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <optional>
 #include <vector>
 
+#include "gearwright/base/contract.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/report/html_text.hpp"
-#include "gearwright/report/shown_values.hpp"
 
 namespace gearwright {
 
 namespace {
+
+// The quantities in the order of the page: which design, where it stands, what it is worth.
+constexpr const char* kOrder[] = {"module_mm",
+                                  "teeth",
+                                  "helix_angle_deg",
+                                  "rack",
+                                  "ratio",
+                                  "ratio_error",
+                                  "center_distance_mm",
+                                  "profile_shift",
+                                  "point",
+                                  "contact_ratio",
+                                  "contact_ratio_true",
+                                  "overlap_ratio",
+                                  "working_normal_pressure_angle_deg",
+                                  "working_transverse_pressure_angle_deg",
+                                  "backlash_normal_mm",
+                                  "tip_thickness_mm",
+                                  "tip_clearance_mm",
+                                  "sliding_max",
+                                  "area",
+                                  "interference"};
 
 struct Cell {
   std::string text;
@@ -21,102 +43,79 @@ struct Cell {
 };
 
 struct Column {
-  std::string heading;  // HTML
-  std::string unit;
-  std::string words;  // plain text
-  std::function<Cell(const DesignRow&)> cell;
-  bool greater_first = false;  // the better are the greater
+  const Said* said;
+  std::optional<std::size_t> gear;  // of a value per gear
 };
 
-Cell number(const std::optional<double>& value, int decimals) {
-  return {fixed(value, decimals), value};
-}
-Cell whole(int value) { return {std::to_string(value), value}; }
 Cell mark(bool is, const char* text) { return {is ? text : "", is ? 1.0 : 0.0}; }
 
-std::string indexed(const char* symbol) { return symbol_html(symbol); }
+const Member* find(const ValueRecord& record, const Said* said) {
+  const auto it =
+      std::find_if(record.begin(), record.end(), [&](const Member& m) { return m.said == said; });
+  return it == record.end() ? nullptr : &*it;
+}
 
-std::vector<Column> columns_of(const SearchProblem& problem, const SearchAnswer& answer,
-                               std::size_t rows) {
-  using Row = DesignRow;
-  const std::size_t n = std::min(rows, answer.designs.size());
-  const auto any = [&](const std::function<bool(const Row&)>& is) {
-    return std::any_of(answer.designs.begin(),
-                       answer.designs.begin() + static_cast<std::ptrdiff_t>(n), is);
-  };
-  const bool helical = any([](const Row& r) { return r.trial.helix[0] != 0.0; });
-  const bool crossed = problem.crossed();
-  std::vector<Column> c;
-  c.push_back({indexed("m_n"), "mm", "normal module", [](const Row& r) {
-                 return Cell{fmt::format("{:.10g}", r.trial.module), r.trial.module};
-               }});
-  c.push_back(
-      {indexed("z_1"), "", "teeth of gear 1", [](const Row& r) { return whole(r.trial.z1); }});
-  c.push_back({indexed("z_2"), "", "teeth of gear 2; negative: a ring",
-               [](const Row& r) { return whole(r.trial.z2); }});
-  if (helical || crossed)
-    c.push_back({indexed("β"), "°", "helix angle of gear 1, right hand positive",
-                 [](const Row& r) { return number(kDegPerRad * r.trial.helix[0], 3); }});
-  if (problem.racks.size() > 1)
-    c.push_back({"rack", "", "which of the racks given",
-                 [](const Row& r) { return whole(r.trial.rack + 1); }});
-  c.push_back({indexed("u"), "", "gear ratio", [](const Row& r) { return number(r.ratio, 4); }});
-  c.push_back({"Δ" + indexed("u"), "",
-               fmt::format("gear ratio less its target, {:.10g}", problem.target_ratio),
-               [&problem](const Row& r) { return number(r.ratio - problem.target_ratio, 4); }});
-  c.push_back({indexed("a"), "mm", "centre distance",
-               [](const Row& r) { return number(r.center_distance, kLengthDigits); }});
-  for (std::size_t i : {0, 1})
-    c.push_back({indexed(i == 0 ? "x_1" : "x_2"), "",
-                 fmt::format("profile shift of gear {}, modules", i + 1),
-                 [i](const Row& r) { return number(r.shift[i], 4); }});
-  c.push_back(
-      {"point", "",
-       "where in the region the shifts stand: on the line of Eq. 11, or in the middle where "
-       "that line misses the region",
-       [](const Row& r) {
-         return Cell{r.balanced ? "Eq. 11" : "middle", r.balanced ? 1.0 : 0.0};
-       },
-       true});
-  c.push_back({indexed("ε_α"), "",
-               crossed ? "contact ratio along the line of action" : "transverse contact ratio",
-               [](const Row& r) { return number(r.contact_ratio, 3); }, true});
-  c.push_back({indexed("ε_α") + " true", "",
-               "the same with the path of contact clipped at the base tangent points",
-               [](const Row& r) { return number(r.contact_ratio_true, 3); }, true});
-  if (helical && !crossed)
-    c.push_back({indexed("ε_β"), "", "overlap ratio",
-                 [](const Row& r) { return number(r.overlap_ratio, 3); }, true});
-  c.push_back({indexed(crossed ? "α_n" : "α_wt"), "°",
-               crossed ? "normal pressure angle" : "working transverse pressure angle",
-               [](const Row& r) { return number(kDegPerRad * r.working_angle, 3); }});
-  c.push_back({indexed("j_bn"), "mm", "backlash along the common normal",
-               [](const Row& r) { return number(r.backlash_normal, kLengthDigits); }});
-  for (std::size_t i : {0, 1})
-    c.push_back({indexed(i == 0 ? "s_an1" : "s_an2"), "mm",
-                 fmt::format("normal tooth thickness at the tip of gear {}", i + 1),
-                 [i](const Row& r) { return number(r.tip_thickness[i], 3); }, true});
-  c.push_back(
-      {indexed("c"), "mm", "least tip clearance of the two",
-       [](const Row& r) { return number(std::min(r.tip_clearance[0], r.tip_clearance[1]), 3); },
-       true});
-  c.push_back(
-      {indexed("ζ") + " max", "",
-       "greatest specific sliding at the ends of the path of contact; –: a flank reaches its "
-       "base tangent point",
-       [](const Row& r) { return number(r.max_sliding(), 3); }});
-  c.push_back({"area", "", "area of the feasible region, modules²",
-               [](const Row& r) { return number(r.area, 4); }, true});
-  c.push_back({"interf.", "", "a tip passes the start of the mate’s flank",
-               [](const Row& r) { return mark(r.interference, "yes"); }});
-  return c;
+Cell cell_of(const Column& column, const ValueRecord& record) {
+  const Member* member = find(record, column.said);
+  if (!member) return {std::string(kNoValue), std::nullopt};
+  const Value& v = column.gear ? (*member->value.list())[*column.gear] : member->value;
+  if (const auto* flag = std::get_if<bool>(&v.variant())) return mark(*flag, "yes");
+  if (const auto* word = std::get_if<std::string>(&v.variant())) {
+    const bool balanced = *word == "eq11";
+    return {balanced ? "Eq. 11" : "middle", balanced ? 1.0 : 0.0};
+  }
+  if (column.said->key == "module_mm") return {fmt::format("{:.10g}", *v.number()), v.number()};
+  return {text_of(*column.said, v), v.number()};
+}
+
+// Columns that no design has a row for are left out.
+std::vector<Column> columns_of(const std::vector<ValueRecord>& records) {
+  std::vector<Column> columns;
+  for (const char* key : kOrder) {
+    const Said* said = design_quantities().table().find(key);
+    GW_EXPECTS(said != nullptr);
+    if (std::none_of(records.begin(), records.end(), [&](const ValueRecord& r) {
+          const Member* m = find(r, said);
+          return m && m->shown;
+        }))
+      continue;
+    const bool one = said->two != Two::gears || said->key == "helix_angle_deg";
+    if (one)
+      columns.push_back(
+          {said, said->two == Two::gears ? std::optional<std::size_t>(0) : std::nullopt});
+    for (std::size_t gear = 0; !one && gear < 2; ++gear) columns.push_back({said, gear});
+  }
+  return columns;
+}
+
+std::vector<ValueRecord> records_of(const SearchProblem& problem, const SearchAnswer& answer,
+                                    std::size_t rows) {
+  std::vector<ValueRecord> records;
+  for (std::size_t i = 0; i < std::min(rows, answer.designs.size()); ++i)
+    records.push_back(design_quantities().of({&problem, &answer.designs[i]}));
+  return records;
+}
+
+// The symbol with the gear's number, or the words of what has no symbol.
+std::string symbol_of(const Column& c) {
+  if (c.said->symbol.empty()) return c.said->key;
+  if (!c.gear) return symbol_html(c.said->symbol);
+  const bool indexed = c.said->symbol.find('_') != std::string::npos;
+  return symbol_html(c.said->symbol + (indexed ? "" : "_") + std::to_string(*c.gear + 1));
+}
+
+std::string words_of(const Column& c) {
+  std::string words = c.said->words;
+  if (c.gear) words += fmt::format(" of gear {}", *c.gear + 1);
+  return c.said->meaning.empty() ? words : words + ": " + c.said->meaning;
 }
 
 std::string heading(const Column& c) {
+  const std::string_view unit = unit_text(c.said->unit);
   return fmt::format(
       "<th scope=\"col\" class=\"value\" title=\"{}\" data-first=\"{}\">{}{}</th>",
-      escaped(c.words), c.greater_first ? "descending" : "ascending", c.heading,
-      c.unit.empty() ? "" : fmt::format(" <span class=\"unit\">{}</span>", escaped(c.unit)));
+      escaped(words_of(c)), c.said->greater_first ? "descending" : "ascending", symbol_of(c),
+      unit.empty() ? "" : fmt::format(" <span class=\"unit\">{}</span>", escaped(unit)));
 }
 
 std::string cell_html(const Cell& cell) {
@@ -128,8 +127,8 @@ std::string cell_html(const Cell& cell) {
 
 std::string design_table(const SearchProblem& problem, const SearchAnswer& answer,
                          std::size_t rows) {
-  const std::vector<Column> columns = columns_of(problem, answer, rows);
-  const std::size_t n = std::min(rows, answer.designs.size());
+  const std::vector<ValueRecord> records = records_of(problem, answer, rows);
+  const std::vector<Column> columns = columns_of(records);
   std::vector<bool> front(answer.designs.size(), false);
   for (const std::size_t i : answer.pareto) front[i] = true;
   const bool fronts = problem.objectives.size() > 1;
@@ -145,13 +144,12 @@ std::string design_table(const SearchProblem& problem, const SearchAnswer& answe
         "objective\" data-first=\"descending\">front</th>";
   for (const Column& c : columns) text += heading(c);
   text += "</tr></thead>\n<tbody>\n";
-  for (std::size_t i = 0; i < n; ++i) {
-    const DesignRow& row = answer.designs[i];
+  for (std::size_t i = 0; i < records.size(); ++i) {
     text += fmt::format(
         "<tr id=\"design-{0}\"{1}><th scope=\"row\" class=\"value\" data-v=\"{0}\">{0}</th>", i + 1,
         front[i] ? " class=\"front\"" : "");
     if (fronts) text += cell_html(mark(front[i], "●"));
-    for (const Column& c : columns) text += cell_html(c.cell(row));
+    for (const Column& c : columns) text += cell_html(cell_of(c, records[i]));
     text += "</tr>\n";
   }
   return text + "</tbody></table></div>\n";
@@ -164,8 +162,8 @@ std::string design_table_key(const SearchProblem& problem, const SearchAnswer& a
     text +=
         "<dt>front</dt><dd>● on the Pareto front: no other design betters it in every "
         "objective</dd>\n";
-  for (const Column& c : columns_of(problem, answer, rows))
-    text += fmt::format("<dt>{}</dt><dd>{}</dd>\n", c.heading, escaped(c.words));
+  for (const Column& c : columns_of(records_of(problem, answer, rows)))
+    text += fmt::format("<dt>{}</dt><dd>{}</dd>\n", symbol_of(c), escaped(words_of(c)));
   return "<details class=\"column-key\"><summary>What the columns mean</summary>\n<dl>\n" + text +
          "</dl></details>\n";
 }

@@ -20,6 +20,7 @@ class TableBuilder {
   void common(std::string_view words, std::string_view symbol, std::string_view unit,
               const std::string& value);
 
+  std::size_t columns() const { return columns_; }  ///< of values
   std::string str() const;
 
  private:

@@ -6,6 +6,7 @@
 // Thrift structs; the numbers that name fields, types and encodings are those of parquet.thrift.
 #include "gearwright/store/parquet.hpp"
 
+#include <fmt/format.h>
 #include <fcntl.h>
 #include <unistd.h>
 #include <zstd.h>
@@ -226,7 +227,7 @@ std::string ParquetWriter::State::footer() const {
       out.close();
     }
   }
-  out.binary(6, std::string("gearwright version ") + kVersion);
+  out.binary(6, fmt::format("gearwright version {}", kVersion));
   out.list(7, Thrift::Kind::structure, chunks.size());
   for (std::size_t i = 0; i < chunks.size(); ++i) {
     out.open();

@@ -193,7 +193,7 @@ class CutBy(Asked):
 
     def test_tables_for_people(self):
         out = Run("gear", PINION + CUT + "profile_shift_pair = -0.7\n").out
-        for words in ("circular root fillet", "circular tip fillet", "undercut limit"):
+        for words in ("Circular root fillet", "Circular tip fillet", "undercut limit"):
             self.assertIn(words, out)
 
 

@@ -1,0 +1,37 @@
+// The quantities of corrections: `compensate` of a result.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gearwright/catalogue/quantity.hpp"
+#include "gearwright/contact/compensation.hpp"
+
+namespace gearwright {
+
+/// A correction found, by its key and its unit as keys end: "gear1.lead_crowning_um", "um".
+struct FoundCorrection {
+  std::string key, unit;
+  double value;
+};
+
+/// A set of errors in words, and what they do before and after.
+struct Scenario {
+  std::string errors;
+  ContactScore before, after;
+};
+
+struct CompensateView {
+  std::vector<FoundCorrection> corrections;
+  ContactScore before, after;
+  std::vector<Scenario> scenarios;
+  std::optional<SettingAnswer> setting;
+  std::optional<LeadAnswer> lead;
+  Value spec;  ///< the whole spec with the corrections in it
+};
+
+const Quantities<CompensateView>& compensate_quantities();
+/// Of one scenario, or of the worst of all.
+const Quantities<ContactScore>& score_quantities();
+
+}  // namespace gearwright

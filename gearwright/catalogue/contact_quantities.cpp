@@ -1,0 +1,290 @@
+#include "gearwright/catalogue/contact_quantities.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/base/units.hpp"
+
+namespace gearwright {
+
+namespace {
+
+using V = ContactView;
+using P = ContactPoint;
+
+constexpr const char* kContact = "Tooth contact";
+
+bool touches(const P& p) { return p.kind != TouchKind::none; }
+
+// What only a position with contact has.
+template <class F>
+auto touching(F get) {
+  return [get](const P& p) { return touches(p) ? Value(get(p)) : Value(); };
+}
+
+const Quantities<ContactEllipse>& ellipse_quantities() {
+  using E = ContactEllipse;
+  static const Quantities<E> kAll("contact.positions ellipse", [](Quantities<E>& q) {
+    q.mm("", "semi_major_mm", "semi-major axis", "", "null of a line",
+         [](const E& e) { return Value(e.semi_major); });
+    q.mm("", "semi_minor_mm", "semi-minor axis", "", "√(2δ/k2)", [](const E& e) {
+       return Value(e.semi_minor);
+     }).always();
+    q.deg("", "angle_deg", "major axis to the axis", "",
+          "about the normal, from the projection of axis 1 to the major axis",
+          [](const E& e) { return Value(e.angle * kDegPerRad); })
+        .always();
+  });
+  return kAll;
+}
+const SaidTable& ellipse_table() { return ellipse_quantities().table(); }
+
+void say_position(Quantities<P>& q) {
+  q.deg("", "rotation1_deg", "rotation of gear 1", "φ_1", "clockwise seen from +z", [](const P& p) {
+     return Value(p.rotation1 * kDegPerRad);
+   }).always();
+  q.deg("", "rotation2_deg", "rotation of gear 2", "φ_2", "as it is driven",
+        touching([](const P& p) { return p.rotation2 * kDegPerRad; }));
+  q.add(Type::number, Unit::arcsec, "", "transmission_error_arcsec", "transmission error", "TE",
+        "rotation 2 less |z1/z2| times rotation 1, not zeroed; > 0: gear 2 is ahead [T8.2]",
+        touching([](const P& p) { return p.te * kArcsecPerRad; }));
+  q.whole("", "tooth", "tooth pair", "k", "the pair that stands on the centre line k pitches later",
+          touching([](const P& p) { return p.pair; }));
+  q.word("", "kind", "where the flanks touch",
+         "in a point, along a line, or an edge; `form1`, `form2`: the end of the usable flank",
+         touching([](const P& p) { return to_string(p.kind); }))
+      .one_of({"interior", "line", "tip1", "tip2", "face1", "face2", "form1", "form2", "corner"});
+  q.mm("", "point_mm", "point of contact", "", "in the housing frame",
+       touching([](const P& p) { return p.point; }))
+      .list({3});
+  q.pure("", "normal", "normal", "", "in the housing frame, out of gear 1",
+         touching([](const P& p) { return p.normal; }))
+      .list({3});
+  q.mm("", "diameter_mm", "diameter of contact", "", "per gear",
+       touching([](const P& p) { return p.diameter; }))
+      .per_gear();
+  q.mm("", "height_mm", "height of contact", "z", "per gear, from the middle of the face",
+       touching([](const P& p) { return p.height; }))
+      .per_gear();
+  q.deg("", "rack_angle_deg", "normal angle of the rack", "θ",
+        "at the point, of the rack that cut gear 1; α_n on an involute",
+        [](const P& p) { return p.rack_angle ? Value(*p.rack_angle * kDegPerRad) : Value(); });
+  q.add(Type::number, Unit::per_mm, "", "gap_curvature_per_mm", "curvatures of the gap", "k_1, k_2",
+        "k1 ≤ k2 [T8.15]; 0 and k2 of a line, null at an edge",
+        [](const P& p) { return Value(p.gap_curvature); })
+      .list({2});
+  q.record("", "ellipse", "where the gap is the marking's thickness [T8.16]; null at an edge",
+           ellipse_table, [](const P& p) {
+             return p.ellipse ? Value(ellipse_quantities().of(*p.ellipse)) : Value();
+           });
+  q.mm("", "line_mm", "contact line", "", "both its ends; null of other kinds", [](const P& p) {
+     return p.line ? Value(ValueList{(*p.line)[0], (*p.line)[1]}) : Value();
+   }).list({2, 3});
+}
+
+const SaidTable& position_table() { return position_quantities().table(); }
+
+// The other flanks at the same positions.
+const Quantities<ContactResult>& non_working_quantities() {
+  using R = ContactResult;
+  static const Quantities<R> kAll("contact.non_working_flank", [](Quantities<R>& q) {
+    const auto each = [](auto get) {
+      return [get](const R& r) {
+        ValueList list;
+        for (const P& p : r.positions) list.push_back(touches(p) ? Value(get(p)) : Value());
+        return Value(std::move(list));
+      };
+    };
+    q.add(Type::number, Unit::arcsec, "", "transmission_error_arcsec", "transmission error", "TE",
+          "at each position", each([](const P& p) { return p.te * kArcsecPerRad; }))
+        .list({0})
+        .doors(kJson);
+    q.word("", "kind", "where the flanks touch", "at each position",
+           each([](const P& p) { return to_string(p.kind); }))
+        .list({0})
+        .doors(kJson);
+    q.add(Type::number, Unit::arcsec, "", "peak_to_peak_arcsec",
+          "transmission error of the non-working flanks, peak to peak", "",
+          "over the positions with contact",
+          [](const R& r) { return Value(r.peak_to_peak * kArcsecPerRad); });
+    q.flag("", "contact_lost", "contact of the non-working flanks lost",
+           "at some position no tooth pair touches",
+           [](const R& r) { return Value(r.contact_lost); })
+        .doors(kJson);
+  });
+  return kAll;
+}
+const SaidTable& non_working_table() { return non_working_quantities().table(); }
+
+// How transmission error and contact point move with one unit, over the positions.
+Value sensitivities(const V& v) {
+  ValueMap all;
+  for (std::size_t i = 0; i < v.slopes.size(); ++i) {
+    ValueList te, points;
+    for (std::size_t k = 0; k < v.working->positions.size(); ++k) {
+      const Sensitivity& s = v.working->sensitivities[i][k];
+      const TouchKind kind = v.working->positions[k].kind;
+      te.push_back(kind == TouchKind::none ? Value()
+                                           : Value(s.te * v.slopes[i].unit * kArcsecPerRad));
+      // Along a line of contact no point is the contact point.
+      const bool point = kind != TouchKind::none && kind != TouchKind::line;
+      points.push_back(point ? Value(Vec3(s.point * v.slopes[i].unit)) : Value());
+    }
+    all.emplace_back(v.slopes[i].name, ValueMap{{"transmission_error_arcsec", std::move(te)},
+                                                {"point_mm", std::move(points)}});
+  }
+  return all;
+}
+
+struct RasterView {
+  const FlankRaster* raster;
+  double marking;
+};
+
+const Quantities<RasterView>& raster_quantities() {
+  using R = RasterView;
+  static const Quantities<R> kAll("contact.pattern gear", [](Quantities<R>& q) {
+    q.mm("", "diameter_mm", "diameters", "", "of the rows", [](const R& r) {
+       return Value(r.raster->diameter);
+     }).list({0});
+    q.mm("", "height_mm", "heights", "", "of the columns", [](const R& r) {
+       return Value(r.raster->height);
+     }).list({0});
+    q.mm("", "gap_mm", "gap", "",
+         "least normal gap over the mesh at each; null where the mating gear never is",
+         [](const R& r) {
+           ValueList rows;
+           for (std::size_t i = 0; i < r.raster->diameter.size(); ++i) {
+             ValueList row;
+             for (std::size_t k = 0; k < r.raster->height.size(); ++k) {
+               const double gap = r.raster->at(i, k);
+               row.push_back(std::isfinite(gap) ? Value(gap) : Value());
+             }
+             rows.push_back(std::move(row));
+           }
+           return Value(std::move(rows));
+         })
+        .list({0, 0});
+    q.pure("", "marked", "share marked", "", "of the flank, that the marking compound would show",
+           [](const R& r) {
+             const auto& gap = r.raster->gap;
+             const auto n =
+                 std::count_if(gap.begin(), gap.end(), [&](double g) { return g <= r.marking; });
+             return Value(static_cast<double>(n) / static_cast<double>(gap.size()));
+           });
+  });
+  return kAll;
+}
+const SaidTable& raster_table() { return raster_quantities().table(); }
+
+const Quantities<V>& pattern_quantities() {
+  static const Quantities<V> kAll("contact.pattern", [](Quantities<V>& q) {
+    const auto gear = [](std::size_t i) {
+      return [i](const V& v) {
+        return Value(raster_quantities().of({&(*v.pattern)[i], v.marking}));
+      };
+    };
+    q.record("", "gear1", "the flank of gear 1", raster_table, gear(0)).always();
+    q.record("", "gear2", "the flank of gear 2", raster_table, gear(1)).always();
+  });
+  return kAll;
+}
+const SaidTable& pattern_table() { return pattern_quantities().table(); }
+
+const Quantities<V>& map_quantities() {
+  static const Quantities<V> kAll("contact.map", [](Quantities<V>& q) {
+    q.word("", "x", "error of x", "a key of [errors]",
+           [](const V& v) { return Value(v.map_axes[0]); });
+    q.pure("", "x_values", "values of x", "", "in the key's unit", [](const V& v) {
+       return Value(v.map->x);
+     }).list({0});
+    q.word("", "y", "error of y", "a key of [errors]",
+           [](const V& v) { return Value(v.map_axes[1]); });
+    q.pure("", "y_values", "values of y", "", "in the key's unit", [](const V& v) {
+       return Value(v.map->y);
+     }).list({0});
+    q.add(Type::number, Unit::arcsec, "", "peak_to_peak_arcsec", "peak to peak", "",
+          "rows, one for each y; null where nothing touches",
+          [](const V& v) {
+            ValueList rows;
+            for (const auto& row : v.map->value) {
+              ValueList line;
+              for (const double te : row)
+                line.push_back(std::isnan(te) ? Value() : Value(te * kArcsecPerRad));
+              rows.push_back(std::move(line));
+            }
+            return Value(std::move(rows));
+          })
+        .list({0, 0});
+  });
+  return kAll;
+}
+const SaidTable& map_table() { return map_quantities().table(); }
+
+void say(Quantities<V>& q) {
+  q.record("", "positions", "in the order of the rotations", position_table,
+           [](const V& v) { return Value(position_quantities().each(v.working->positions)); })
+      .list({0})
+      .always()
+      .doors(kJson);
+  q.add(Type::number, Unit::arcsec, kContact, "peak_to_peak_arcsec",
+        "transmission error, peak to peak", "", "over the positions with contact",
+        [](const V& v) { return Value(v.working->peak_to_peak * kArcsecPerRad); })
+      .always();
+  q.pure(kContact, "mean_slope", "mean slope of the transmission error", "",
+         "over the rotation of gear 1, by least squares, rad per rad",
+         [](const V& v) { return Value(v.working->mean_slope); })
+      .doors(kJson);
+  q.add(Type::number, Unit::arcsec, kContact, "harmonics_arcsec", "harmonics", "",
+        "amplitudes of 1, 2, … waves per pitch, 20 at most and no more than `positions` can tell "
+        "[T8.18]; empty with `rotation1_deg` and where contact is lost",
+        [](const V& v) {
+          ValueList list;
+          for (const double h : v.working->harmonics) list.push_back(h * kArcsecPerRad);
+          return Value(std::move(list));
+        })
+      .list({0})
+      .always()
+      .doors(kJson);
+  q.flag(kContact, "contact_lost", "contact lost", "at some position no tooth pair touches",
+         [](const V& v) { return Value(v.working->contact_lost); });
+  q.record(kContact, "non_working_flank",
+           "the flanks that the driver does not push, at the same positions", non_working_table,
+           [](const V& v) { return Value(non_working_quantities().of(*v.non_working)); })
+      .always();
+  q.deg(kContact, "least_play_deg", "minimum angular play of gear 2", "",
+        "between both flanks, over the positions; negative: the gears jam, null: at no position do "
+        "both touch",
+        [](const V& v) { return v.min_play ? Value(*v.min_play * kDegPerRad) : Value(); })
+      .digits(6);
+  q.add(Type::map, Unit::none, kContact, "sensitivity", "sensitivities", "",
+        "exact derivatives [T8.10] by each of [errors] and each modification placed, "
+        "`center_distance_per_mm` and so on: two lists over the positions, "
+        "`transmission_error_arcsec` and `point_mm`; null where nothing touches, `point_mm` also "
+        "along a line of contact",
+        sensitivities)
+      .always()
+      .doors(kJson);
+  q.record(kContact, "pattern", "with `pattern = true`", pattern_table,
+           [](const V& v) { return Value(pattern_quantities().of(v)); })
+      .when([](const V& v) { return v.pattern != nullptr; })
+      .doors(kJson);
+  q.record(kContact, "map", "of [contact.map]: peak to peak over two errors", map_table,
+           [](const V& v) { return Value(map_quantities().of(v)); })
+      .when([](const V& v) { return v.map != nullptr; })
+      .doors(kJson);
+}
+
+}  // namespace
+
+const Quantities<ContactPoint>& position_quantities() {
+  static const Quantities<ContactPoint> kAll("contact.positions", say_position);
+  return kAll;
+}
+
+const Quantities<ContactView>& contact_quantities() {
+  static const Quantities<ContactView> kAll("contact", say);
+  return kAll;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,37 @@
+// The quantities of tooth contact: `contact` of a result, its positions, patterns and maps.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gearwright/catalogue/quantity.hpp"
+#include "gearwright/contact/contact.hpp"
+#include "gearwright/contact/error_map.hpp"
+#include "gearwright/contact/pattern.hpp"
+
+namespace gearwright {
+
+/// A change whose effect was asked for, by the name that results give it.
+struct NamedSlope {
+  std::string name;   ///< "center_distance_per_mm"
+  double unit = 1.0;  ///< rad or mm per unit of the name
+};
+
+/// An analysis with what was asked besides.
+struct ContactView {
+  const ContactResult* working;      ///< the flanks that the driver pushes
+  const ContactResult* non_working;  ///< the others, at the same positions
+  double marking = 0.0;              ///< thickness of the marking compound, mm
+  std::optional<double> min_play{};  ///< rad of gear 2, between both; < 0: the gears jam
+  std::vector<NamedSlope> slopes{};  ///< one for each of the sensitivities
+  const std::array<FlankRaster, 2>* pattern = nullptr;
+  const ErrorMap* map = nullptr;
+  std::array<std::string, 2> map_axes{};  ///< names of x and y
+};
+
+const Quantities<ContactView>& contact_quantities();
+const Quantities<ContactPoint>& position_quantities();
+
+}  // namespace gearwright

@@ -1,0 +1,39 @@
+#include "gearwright/catalogue/file_quantities.hpp"
+
+#include "gearwright/base/units.hpp"
+
+namespace gearwright {
+
+const Quantities<FileView>& file_quantities() {
+  using F = FileView;
+  static const Quantities<F> kAll("file", [](Quantities<F>& q) {
+    q.text("file", "its name", [](const F& f) { return Value(f.file); }).always();
+    q.text("what", "what it is", [](const F& f) { return Value(f.what); }).always();
+    q.add(Type::number, Unit::um, "", "max_deviation_um", "maximum deviation", "",
+          "from the exact surface or outline",
+          [](const F& f) { return f.deviation ? Value(kUmPerMm * *f.deviation) : Value(); });
+    q.text("note", "in words", [](const F& f) { return Value(f.note); }).always();
+  });
+  return kAll;
+}
+
+const Quantities<ArcView>& outline_quantities() {
+  using A = ArcView;
+  static const Quantities<A> kAll("outline.arc", [](Quantities<A>& q) {
+    q.word("", "name", "arc", "from the middle of the space to the middle of the tooth",
+           [](const A& a) { return Value(to_string(a.arc->name)); })
+        .always()
+        .one_of({"root_land", "root_fillet", "flank", "tip_fillet", "tip_land"});
+    q.add(Type::number, Unit::none, "", "points", "points", "",
+          "[x, y] in mm on the side y > 0; the tooth's centre line is the x axis",
+          [](const A& a) {
+            const auto points = sample(*a.arc, a.points);
+            return Value(ValueList(points.begin(), points.end()));
+          })
+        .list({0, 2})
+        .always();
+  });
+  return kAll;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,25 @@
+// The quantities of the inverse questions: `fit` of a result.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "gearwright/catalogue/quantity.hpp"
+#include "gearwright/design/fit.hpp"
+
+namespace gearwright {
+
+struct BranchView {
+  FitBranch branch;
+  Value spec;                                        ///< the whole spec of this answer
+  std::optional<double> transverse_contact_ratio{};  ///< of a design with few teeth
+};
+
+struct FitView {
+  const Fit* fit;
+  std::vector<BranchView> branches;
+};
+
+const Quantities<FitView>& fit_quantities();
+
+}  // namespace gearwright

@@ -1,0 +1,255 @@
+#include "gearwright/catalogue/gear_quantities.hpp"
+
+#include <cmath>
+
+namespace gearwright {
+
+using namespace gear_group;
+
+namespace {
+
+double deg(double rad) { return Angle::radians(rad).deg(); }
+
+// What only an involute gear has.
+Value of_involute(const Gear& g, double value) { return g.involute() ? Value(value) : Value(); }
+
+Value doubled(const std::optional<double>& radius) { return radius ? Value(2 * *radius) : Value(); }
+
+Value kind(const Gear& g) {
+  if (g.arcs) return "circular_arc";
+  return g.cut_by && !g.cut_by->by_default ? "generated" : "involute";
+}
+
+Value hand(const Gear& g) {
+  const double beta = g.spec.helix_angle.rad();
+  return beta > 0.0 ? "right" : beta < 0.0 ? "left" : "spur";
+}
+
+Value tip_form_diameter(const Gear& g) {
+  if (!g.exists() || (g.tooth && !g.tooth->tip_form_radius)) return {};
+  return 2 * g.tip_form_radius();
+}
+
+Value reference_thickness(const Gear& g) {
+  if (g.arcs) return g.arcs->reference_thickness;
+  return g.reference.reference_tooth_thickness_normal;
+}
+
+Value neck_thickness(const Gear& g) {
+  if (!g.tooth || !g.tooth->neck_half_angle || !g.tooth->neck_radius) return {};
+  return 2 * *g.tooth->neck_radius * std::sin(*g.tooth->neck_half_angle);
+}
+
+const FilletArc* fillet(const Gear& g, std::optional<FilletArc> GeneratedTooth::*which) {
+  return g.tooth && (*g.tooth).*which ? &*((*g.tooth).*which) : nullptr;
+}
+
+Value fillet_radius(const Gear& g, std::optional<FilletArc> GeneratedTooth::*which) {
+  const FilletArc* arc = fillet(g, which);
+  return arc ? Value(arc->radius) : Value();
+}
+
+Value fillet_span(const Gear& g, std::optional<FilletArc> GeneratedTooth::*which) {
+  const FilletArc* arc = fillet(g, which);
+  return arc ? Value(deg(arc->span)) : Value();
+}
+
+Value fillet_center(const Gear& g, std::optional<FilletArc> GeneratedTooth::*which) {
+  const FilletArc* arc = fillet(g, which);
+  return arc ? Value(arc->distance) : Value();
+}
+
+bool is_involute(const Gear& g) { return g.involute(); }
+bool has_arcs(const Gear& g) { return g.arcs.has_value(); }
+
+void say(Quantities<Gear>& q) {
+  q.groups({kTeeth, kDiameters, kTooth, kUndercut, kRootFillet, kTipFillet, kCutter});
+  using G = Gear;
+  constexpr auto kRoot = &GeneratedTooth::root_fillet;
+  constexpr auto kTip = &GeneratedTooth::tip_fillet;
+
+  q.whole(kTeeth, "teeth", "number of teeth", "z", "negative for an internal gear", [](const G& g) {
+     return Value(g.spec.teeth);
+   }).always();
+  q.word(kTeeth, "kind", "kind of teeth",
+         "`generated` with `cut_by`; of `circular_arc` teeth pressure angles, base quantities and "
+         "shifts are null",
+         kind)
+      .always()
+      .one_of({"involute", "generated", "circular_arc"})
+      .doors(kJson);
+  q.whole(kCutter, "cutter_teeth", "number of teeth of the cutter", "z_0",
+          "of the pinion cutter; null without one",
+          [](const G& g) { return g.cut_by ? Value(g.cut_by->cutter_teeth) : Value(); });
+  q.mm(kCutter, "generating_center_distance_mm", "generating centre distance", "E",
+       "of gear and pinion cutter when the tooth is finished; null without one",
+       [](const G& g) { return g.cut_by ? Value(g.cut_by->distance) : Value(); });
+  q.mm(kTeeth, "normal_module_mm", "normal module", "m_n", "as in the spec, or what follows",
+       [](const G& g) { return Value(g.spec.normal_module); })
+      .always();
+  q.mm(kTeeth, "transverse_module_mm", "transverse module", "m_t", "m_n/cos β", [](const G& g) {
+     return Value(g.reference.transverse_module);
+   }).doors(kPeople);
+  q.deg(kTeeth, "normal_pressure_angle_deg", "normal pressure angle", "α_n", "of the basic rack",
+        [](const G& g) { return of_involute(g, g.spec.normal_pressure_angle.deg()); });
+  q.deg(kTeeth, "transverse_pressure_angle_deg", "transverse pressure angle", "α_t",
+        "at the reference cylinder",
+        [](const G& g) { return of_involute(g, deg(g.reference.transverse_pressure_angle)); });
+  q.deg(kTeeth, "helix_angle_deg", "helix angle", "β", "at the reference cylinder, > 0 right hand",
+        [](const G& g) { return Value(g.spec.helix_angle.deg()); })
+      .always();
+  q.word(kTeeth, "hand_of_helix", "hand of helix", "right, left or spur", hand).doors(kPeople);
+  q.deg(kTeeth, "base_helix_angle_deg", "base helix angle", "β_b", "signed by the hand",
+        [](const G& g) { return of_involute(g, deg(g.reference.base_helix_angle)); });
+  q.pure(kTeeth, "profile_shift", "profile shift coefficient", "x",
+         "in normal modules; > 0 thickens the tooth, of an internal gear too",
+         [](const G& g) { return of_involute(g, g.spec.profile_shift); });
+  q.pure(kTeeth, "generating_profile_shift", "generating profile shift coefficient", "x_E",
+         "thickness allowance included",
+         [](const G& g) { return of_involute(g, g.reference.generating_profile_shift); });
+  q.mm(kTeeth, "face_width_mm", "face width", "b", "10 m_n where none is given", [](const G& g) {
+     return Value(g.spec.face_width);
+   }).always();
+  q.mm(kTeeth, "lead_mm", "lead", "p_z", "signed by the hand; null for spur gears", [](const G& g) {
+     return g.lead == 0.0 ? Value() : Value(g.lead);
+   }).expected(is_involute);
+  q.mm(kDiameters, "reference_diameter_mm", "reference diameter", "d", "z m_t", [](const G& g) {
+     return Value(g.reference.reference_diameter);
+   }).always();
+  q.mm(kDiameters, "base_diameter_mm", "base diameter", "d_b", "of the involute",
+       [](const G& g) { return of_involute(g, g.reference.base_diameter); });
+  q.mm(kDiameters, "tip_diameter_mm", "tip diameter", "d_a", "of the blank", [](const G& g) {
+     return Value(g.tip_diameter);
+   }).always();
+  q.mm(kDiameters, "root_diameter_mm", "root diameter", "d_f",
+       "negative when the rack passes the axis", [](const G& g) { return Value(g.root_diameter); })
+      .always();
+  q.mm(kDiameters, "root_form_diameter_mm", "root form diameter", "d_Ff",
+       "where the usable flank starts: the crossing with the root as cut, or C",
+       [](const G& g) { return g.exists() ? doubled(g.root_form_radius()) : Value(); })
+      .expected(is_involute);
+  q.mm(kDiameters, "tip_form_diameter_mm", "tip form diameter", "d_Fa",
+       "where the usable flank ends: J, chamfer or tip; null where no flank is left",
+       tip_form_diameter)
+      .expected(is_involute);
+  q.mm(kDiameters, "finished_tip_diameter_mm", "finished tip diameter", "",
+       "where the tooth really ends: blank, cutter's bottom or point; an internal gear's is d_a",
+       [](const G& g) { return g.exists() ? Value(2 * g.actual_tip_radius()) : Value(); })
+      .shown([](const G& g) { return 2 * g.actual_tip_radius() != g.tip_diameter; });
+  q.mm(kTooth, "base_tooth_thickness_mm", "transverse base tooth thickness", "s_bt",
+       "an internal gear's is extrapolated and may be negative",
+       [](const G& g) { return of_involute(g, g.reference.base_tooth_thickness); });
+  q.mm(kTooth, "reference_tooth_thickness_normal_mm", "normal tooth thickness", "s_n",
+       "at the reference cylinder, thickness allowance included", reference_thickness);
+  q.mm(kTooth, "thickness_allowance_mm", "thickness allowance", "E_sn",
+       "contained in s_n, < 0 thins the tooth",
+       [](const G& g) { return Value(g.spec.thickness_allowance); })
+      .doors(kPage);
+  q.mm(kTooth, "reference_tooth_thickness_transverse_mm", "transverse tooth thickness", "s_t",
+       "at the reference cylinder, thickness allowance included",
+       [](const G& g) { return of_involute(g, g.reference.reference_tooth_thickness_transverse); })
+      .doors(kPage);
+  q.mm(kTooth, "tip_tooth_thickness_normal_mm", "normal tip tooth thickness", "s_an",
+       "of the finished tooth", [](const G& g) { return Value(g.tip_tooth_thickness_normal); })
+      .expected(is_involute);
+  q.mm(kDiameters, "pointed_diameter_mm", "diameter of the pointed tooth", "",
+       "where the two flanks would meet, an internal gear's inward [T2.13]; null: nowhere",
+       [](const G& g) { return Value(g.pointed_diameter); })
+      .expected(is_involute);
+  q.mm(kTooth, "normal_base_pitch_mm", "normal base pitch", "p_bn", "equal in both gears of a pair",
+       [](const G& g) { return of_involute(g, g.reference.base_pitch_normal); });
+  q.mm(kTooth, "transverse_base_pitch_mm", "transverse base pitch", "p_bt", "π d_b/z",
+       [](const G& g) { return of_involute(g, g.reference.base_pitch_transverse); });
+  q.flag(kTooth, "undercut", "undercut",
+         "x_E lies below the minimum profile shift, and no circular fillet takes its place",
+         [](const G& g) { return Value(g.undercut); })
+      .shown([](const G& g) { return !g.internal(); });
+  q.deg(kTooth, "flank_begin_rack_angle_deg", "rack angle at the start of the flank", "τ",
+        "circular arcs only: the normal angle at which the cutter's flank arc begins",
+        [](const G& g) { return Value(g.arcs->flank_begin.deg()); })
+      .always()
+      .when(has_arcs);
+  q.deg(kTooth, "undercut_limit_rack_angle_deg", "rack angle at the undercut limit", "",
+        "circular arcs only: that of the flank's cusp [T7.12]; null: it has none",
+        [](const G& g) {
+          return g.arcs->undercut_limit ? Value(g.arcs->undercut_limit->deg()) : Value();
+        })
+      .when(has_arcs);
+  q.pure(kTooth, "undercut_free_profile_shift", "minimum profile shift coefficient", "x_Emin",
+         "the least x_E without undercut, signed; null of a gear that no rack has cut",
+         [](const G& g) { return g.internal() ? Value() : Value(g.undercut_free_profile_shift); })
+      .expected(is_involute);
+  q.flag(kTooth, "pointed", "pointed",
+         "the flanks meet before the tip; of an internal gear, outside its tip diameter",
+         [](const G& g) { return Value(g.pointed()); })
+      .doors(kJson);
+  q.flag(kTooth, "severed", "cut through by undercut",
+         "the root fillets of both sides meet: there is no tooth",
+         [](const G& g) { return Value(g.tooth && g.tooth->severed); })
+      .doors(kJson);
+  q.flag(kTooth, "through_axis", "cutter passes the axis",
+         "the root circle would have no radius: there is no tooth",
+         [](const G& g) { return Value(g.tooth && g.tooth->through_axis); })
+      .doors(kJson);
+  q.flag(kTooth, "tip_cut_by_rack", "tip cut by the rack",
+         "the cutter's bottom land, not the blank, ends the tooth",
+         [](const G& g) { return Value(g.tooth && g.tooth->tip_cut_by_rack); })
+      .doors(kJson);
+  q.mm(kRootFillet, "root_fillet_radius_mm", "radius", "r_r",
+       "of the circular root fillet; null without",
+       [](const G& g) { return fillet_radius(g, kRoot); });
+  q.deg(kRootFillet, "root_fillet_span_deg", "angle from the flank to the centre line of the space",
+        "σ_r", "of the circular root fillet; null without",
+        [](const G& g) { return fillet_span(g, kRoot); });
+  q.mm(kRootFillet, "root_fillet_center_mm", "distance of its centre from the axis", "",
+       "of the circular root fillet; null without",
+       [](const G& g) { return fillet_center(g, kRoot); })
+      .doors(kPage);
+  q.mm(kTipFillet, "tip_fillet_radius_mm", "radius", "r_t",
+       "of the circular tip fillet; null without",
+       [](const G& g) { return fillet_radius(g, kTip); });
+  q.deg(kTipFillet, "tip_fillet_span_deg", "angle from the flank to the centre line of the tooth",
+        "σ_t", "of the circular tip fillet; null without",
+        [](const G& g) { return fillet_span(g, kTip); });
+  q.mm(kTipFillet, "tip_fillet_center_mm", "distance of its centre from the axis", "",
+       "of the circular tip fillet; null without",
+       [](const G& g) { return fillet_center(g, kTip); })
+      .doors(kPage);
+  q.mm(kUndercut, "undercut_l_mm", "undercut limit F along the rack's flank", "l_F",
+       "signed, < 0 without undercut; null of an internal gear",
+       [](const G& g) { return Value(g.undercut_l); })
+      .shown([](const G& g) { return g.undercut_l && *g.undercut_l > 0.0; });
+  q.mm(kRootFillet, "point_c_l_mm", "touches the flank at C", "l_C",
+       "along the rack's flank; null without a circular root fillet",
+       [](const G& g) { return Value(g.point_c_l); });
+  q.mm(kTipFillet, "point_j_l_mm", "touches the flank at J", "l_J",
+       "along the rack's flank; null without a circular tip fillet",
+       [](const G& g) { return Value(g.point_j_l); });
+  q.mm(kTooth, "neck_thickness_mm", "minimum root thickness (chord)", "",
+       "chord at the smallest half angle of the root fillet below the tip; ≤ 0 when `severed`",
+       neck_thickness)
+      .expected(is_involute);
+}
+
+}  // namespace
+
+const Quantities<Gear>& gear_quantities() {
+  static const Quantities<Gear> kAll("gear", say);
+  return kAll;
+}
+
+const Quantities<Warning>& warning_quantities() {
+  static const Quantities<Warning> kAll("warning", [](Quantities<Warning>& q) {
+    q.text("code", "a fixed word for programs", [](const Warning& w) {
+       return Value(w.code);
+     }).always();
+    q.text("message", "one sentence for people", [](const Warning& w) {
+       return Value(w.message);
+     }).always();
+    q.whole("", "gear", "gear", "", "1 or 2; null for the pair or the spec",
+            [](const Warning& w) { return w.gear ? Value(w.gear) : Value(); });
+  });
+  return kAll;
+}
+
+}  // namespace gearwright

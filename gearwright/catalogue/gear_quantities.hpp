@@ -1,0 +1,24 @@
+// The quantities of one gear: gears[i] of a result, the table of gear data.
+#pragma once
+
+#include "gearwright/catalogue/quantity.hpp"
+#include "gearwright/gear/gear.hpp"
+
+namespace gearwright {
+
+namespace gear_group {
+constexpr const char* kTeeth = "Teeth";
+constexpr const char* kDiameters = "Diameters";
+constexpr const char* kTooth = "Tooth";
+constexpr const char* kUndercut = "Undercut";
+constexpr const char* kRootFillet = "Circular root fillet";
+constexpr const char* kTipFillet = "Circular tip fillet";
+constexpr const char* kCutter = "Cut by a pinion cutter";
+}  // namespace gear_group
+
+const Quantities<Gear>& gear_quantities();
+
+/// Something to know about a gear or a pair that is no error.
+const Quantities<Warning>& warning_quantities();
+
+}  // namespace gearwright

@@ -1,0 +1,300 @@
+#include "gearwright/catalogue/pair_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/base/units.hpp"
+#include "gearwright/pair/drive.hpp"
+
+namespace gearwright {
+
+namespace {
+
+double deg(double rad) { return Angle::radians(rad).deg(); }
+Value degrees(const std::optional<double>& rad) { return rad ? Value(*rad * kDegPerRad) : Value(); }
+
+// Lengths along the line: in the transverse section, or in space where the axes cross.
+double line_cosine(const Pair& p) {
+  return p.crossed() ? std::cos(p.input.gears[0].helix_angle) : 1.0;
+}
+
+struct PathPoint {
+  const Pair* pair;
+  double rho1;
+};
+
+void say_path_point(Quantities<PathPoint>& q) {
+  using P = PathPoint;
+  q.mm("", "from_A_mm", "distance from A", "", "along the line",
+       [](const P& p) { return Value((p.rho1 - p.pair->mesh.rho1_A) / line_cosine(*p.pair)); });
+  q.mm("", "from_pitch_point_mm", "distance from the pitch point", "", "along the line",
+       [](const P& p) { return Value((p.rho1 - p.pair->mesh.rho1_C) / line_cosine(*p.pair)); });
+  q.mm("", "rho1_mm", "radius of curvature, gear 1", "ρ_1", "of the transverse profile",
+       [](const P& p) { return Value(p.rho1); });
+  q.mm("", "rho2_mm", "radius of curvature, gear 2", "ρ_2", "of the transverse profile",
+       [](const P& p) { return Value(p.pair->mesh.rho2(p.rho1)); });
+  q.mm("", "point_mm", "point", "", "in the housing frame", [](const P& p) {
+     return Value(p.pair->on_line_of_action(p.rho1).r);
+   }).list({3});
+}
+
+const Quantities<PathPoint>& path_point_quantities() {
+  static const Quantities<PathPoint> kAll("pair.path point", say_path_point);
+  return kAll;
+}
+
+const SaidTable& path_point_table() { return path_point_quantities().table(); }
+
+// Speeds of sliding at A, the pitch point of gear 1 and E, per radian of gear 1.
+Value sliding_at_A_C_E(const Pair& p, double (*part)(double across, double along)) {
+  ValueList speeds;
+  for (const double rho1 : {p.mesh.rho1_A, p.mesh.rho1_C, p.mesh.rho1_E}) {
+    const FlankSpeeds<double> w = flank_speeds(p.input, p.mesh, rho1);
+    speeds.push_back(part(w.across[0] - w.across[1], w.along[0] - w.along[1]));
+  }
+  return speeds;
+}
+
+}  // namespace
+
+const Quantities<std::array<Value, 2>>& two_gears() {
+  using A = std::array<Value, 2>;
+  static const Quantities<A> kAll("two gears", [](Quantities<A>& q) {
+    q.pure("", "gear1", "gear 1", "", "of gear 1", [](const A& a) { return a[0]; }).list({2});
+    q.pure("", "gear2", "gear 2", "", "of gear 2", [](const A& a) { return a[1]; }).list({2});
+  });
+  return kAll;
+}
+
+const Quantities<CrossedPlace>& place_quantities() {
+  using P = CrossedPlace;
+  static const Quantities<P> kAll("place", [](Quantities<P>& q) {
+    q.mm("", "center_distance_mm", "centre distance", "a", "free of backlash", [](const P& p) {
+       return Value(p.center_distance);
+     }).always();
+    q.deg("", "shaft_angle_deg", "shaft angle", "Σ", "there", [](const P& p) {
+       return Value(deg(p.shaft_angle));
+     }).always();
+    q.deg("", "working_normal_pressure_angle_deg", "working normal pressure angle", "α_wn", "there",
+          [](const P& p) { return Value(deg(p.normal_pressure_angle)); })
+        .always();
+  });
+  return kAll;
+}
+
+const Quantities<CrossedPlaces>& places_quantities() {
+  using P = CrossedPlaces;
+  static const Quantities<P> kAll("places", [](Quantities<P>& q) {
+    const char* ends = "[at the least α_wn, at the greatest]";
+    q.deg("", "working_normal_pressure_angle_deg", "working normal pressure angle", "α_wn", ends,
+          [](const P& p) {
+            return Value(
+                std::array{deg(p.lo.normal_pressure_angle), deg(p.hi.normal_pressure_angle)});
+          })
+        .ends();
+    q.mm("", "center_distance_mm", "centre distance", "a", ends, [](const P& p) {
+       return Value(std::array{p.lo.center_distance, p.hi.center_distance});
+     }).ends();
+    q.deg("", "shaft_angle_deg", "shaft angle", "Σ", ends, [](const P& p) {
+       return Value(std::array{deg(p.lo.shaft_angle), deg(p.hi.shaft_angle)});
+     }).ends();
+    q.flag("", "ends_at_90_deg_helix", "ends at a helix angle of 90°",
+           "a helix angle of 90° ends it", [](const P& p) { return Value(p.limit); })
+        .doors(kJson);
+  });
+  return kAll;
+}
+
+const Quantities<LineView>& line_quantities() {
+  using L = LineView;
+  static const Quantities<L> kAll("pair.line of action", [](Quantities<L>& q) {
+    const auto ends = [](const std::array<Vec3, 2>& line) {
+      return Value(ValueList{line[0], line[1]});
+    };
+    q.mm("", "length_mm", "length of path of contact", "g_α",
+         "crossed AE along the line of action; 0 when the path has none",
+         [](const L& l) { return Value(l.length); })
+        .always();
+    q.mm("", "leading", "leading line of action", "",
+         "[A, E] as points, on parallel axes in the section z = 0",
+         [ends](const L& l) { return ends(l.leading); })
+        .list({2, 3})
+        .doors(kJson);
+    q.mm("", "trailing", "trailing line of action", "", "[A′, E′] as points",
+         [ends](const L& l) { return ends(l.trailing); })
+        .list({2, 3})
+        .doors(kJson);
+  });
+  return kAll;
+}
+
+std::optional<LineView> line_of(const PairView& v) {
+  if (v.involute) {
+    const Pair& p = *v.involute;
+    return LineView{p.path_length(),
+                    {p.on_line_of_action(p.mesh.rho1_A).r, p.on_line_of_action(p.mesh.rho1_E).r},
+                    {p.on_trailing_line(p.mesh.rho1_A).r, p.on_trailing_line(p.mesh.rho1_E).r}};
+  }
+  // The way of the first contact over the common face, and its mirror image on the other flanks.
+  const ArcPair& p = *v.arcs;
+  if (p.contacts.empty()) return std::nullopt;
+  const Vec3 at = p.first_contact().at.point;
+  const double face = std::min(p.gears[0].spec.face_width, p.gears[1].spec.face_width);
+  const double half = face / 2 * (p.gears[0].spec.helix_angle.rad() > 0.0 ? 1.0 : -1.0);
+  return LineView{face,
+                  {Vec3(at.x(), at.y(), -half), Vec3(at.x(), at.y(), half)},
+                  {Vec3(at.x(), -at.y(), half), Vec3(at.x(), -at.y(), -half)}};
+}
+
+const Quantities<Pair>& path_quantities() {
+  static const Quantities<Pair> kAll("pair.path", [](Quantities<Pair>& q) {
+    const auto point = [&q](const char* key, const char* meaning, auto rho1) {
+      q.record("", key, meaning, path_point_table, [rho1](const Pair& p) {
+         return Value(path_point_quantities().of({&p, p.mesh.*rho1}));
+       }).always();
+    };
+    point("A", "where contact begins: the tip of gear 2", &Mesh<double>::rho1_A);
+    point("B", "one pitch before E", &Mesh<double>::rho1_B);
+    point("C", "the pitch point, crossed: of gear 1", &Mesh<double>::rho1_C);
+    point("D", "one pitch after A", &Mesh<double>::rho1_D);
+    point("E", "where contact ends: the tip of gear 1", &Mesh<double>::rho1_E);
+  });
+  return kAll;
+}
+
+const Quantities<BacklashView>& backlash_quantities() {
+  using B = BacklashView;
+  static const Quantities<B> kAll("pair.backlash", [](Quantities<B>& q) {
+    q.mm("", "normal_base_mm", "normal backlash along the line of action", "j_bn",
+         "along the common normal", [](const B& b) { return Value(b.normal_base); })
+        .always();
+    q.mm("", "normal_mm", "normal backlash", "j_n", "j_bn/cos α_wn", [](const B& b) {
+       return Value(b.normal);
+     }).always();
+    q.mm("", "circumferential_mm", "circumferential backlash", "j_wt",
+         "per gear, at the working pitch circles",
+         [](const B& b) { return Value(b.circumferential); })
+        .per_gear()
+        .always();
+    q.deg("", "rotation_deg", "angular backlash (mating gear fixed)", "j_φ", "per gear",
+          [](const B& b) {
+            return Value(std::array{deg(b.rotation[0]), deg(b.rotation[1])});
+          })
+        .per_gear()
+        .always();
+  });
+  return kAll;
+}
+
+std::optional<BacklashView> backlash_of(const PairView& v) {
+  if (v.involute) {
+    const Backlash<double>& b = v.involute->mesh.backlash;
+    return BacklashView{b.normal_base, b.normal, b.circumferential, b.rotation};
+  }
+  const ArcPair& p = *v.arcs;
+  if (!p.backlash_rotation) return std::nullopt;
+  const auto& j = *p.backlash_rotation;
+  const auto d_w = p.working_pitch_diameter();
+  return BacklashView{p.backlash_normal,
+                      p.backlash_normal / std::cos(p.first_contact().at.theta),
+                      {j[0] * d_w[0] / 2, j[1] * d_w[1] / 2},
+                      j};
+}
+
+const Quantities<Pair>& needed_face_quantities() {
+  static const Quantities<Pair> kAll("pair.needed face width", [](Quantities<Pair>& q) {
+    const auto positive = [](double total) {
+      return [total](const Pair& p) { return face_width_for_total(p, total).value_or(0.0) > 0.0; };
+    };
+    q.mm("", "total_1", "face width for a total contact ratio of 1", "b",
+         "null for a spur pair that needs one",
+         [](const Pair& p) { return Value(face_width_for_total(p, 1.0)); })
+        .shown(positive(1.0));
+    q.mm("", "total_1_2", "face width for a total contact ratio of 1.2", "b",
+         "null for a spur pair that needs one",
+         [](const Pair& p) { return Value(face_width_for_total(p, 1.2)); })
+        .shown(positive(1.2));
+    q.mm("", "overlap_1", "face width for an overlap ratio of 1", "b", "null for spur pairs",
+         [](const Pair& p) { return Value(face_width_for_overlap(p)); });
+  });
+  return kAll;
+}
+
+const Quantities<Pair>& sliding_velocity_quantities() {
+  static const Quantities<Pair> kAll("pair.sliding velocity", [](Quantities<Pair>& q) {
+    const auto at = [&q](const char* key, const char* meaning, double (*part)(double, double)) {
+      q.add(Type::number, Unit::mm_per_rad, "", key, key, "", meaning,
+            [part](const Pair& p) { return sliding_at_A_C_E(p, part); })
+          .list({3})
+          .always();
+    };
+    at("across_teeth", "[at A, at C, at E]; on parallel axes in the transverse section",
+       [](double across, double) { return across; });
+    at("along_teeth", "[at A, at C, at E]; 0 on parallel axes",
+       [](double, double along) { return along; });
+    at("total", "[at A, at C, at E]; of the two together",
+       [](double across, double along) { return std::hypot(across, along); });
+  });
+  return kAll;
+}
+
+const Quantities<Efficiency>& efficiency_quantities() {
+  using E = Efficiency;
+  static const Quantities<E> kAll("pair.efficiency", [](Quantities<E>& q) {
+    q.add(Type::number, Unit::percent, "", "gear1_drives", "efficiency, gear 1 driving", "η",
+          "power out over power in; null: self-locking",
+          [](const E& e) { return Value(e.gear1_drives); });
+    q.add(Type::number, Unit::percent, "", "gear2_drives", "efficiency, gear 2 driving", "η",
+          "power out over power in; null: self-locking",
+          [](const E& e) { return Value(e.gear2_drives); });
+  });
+  return kAll;
+}
+
+const Quantities<Pair>& internal_quantities() {
+  static const Quantities<Pair> kAll("pair.internal", [](Quantities<Pair>& q) {
+    q.mm(kMargins, "involute_margin_mm",
+         "involute: start of the path above the pinion's form point", "",
+         "[T2.27]; negative: interference, null: no such limit",
+         [](const Pair& p) { return Value(p.involute_margin); });
+    q.deg(kMargins, "trochoid_margin_deg", "trochoid: tips pass each other", "",
+          "[T2.28]; negative: interference, null: no such limit",
+          [](const Pair& p) { return degrees(p.trochoid_margin); });
+    q.deg(kMargins, "trimming_margin_deg", "trimming: radial assembly", "",
+          "[T2.28]; negative: interference, null: no such limit",
+          [](const Pair& p) { return degrees(p.trimming_margin); });
+  });
+  return kAll;
+}
+
+const Quantities<InterferenceView>& interference_quantities() {
+  using I = InterferenceView;
+  static const Quantities<I> kAll("pair.interference", [](Quantities<I>& q) {
+    q.text("code", "a fixed word for programs", [](const I& i) { return Value(i.code); }).always();
+    q.whole("", "gear", "gear", "", "the one whose root or tip suffers; null: both",
+            [](const I& i) { return i.gear ? Value(i.gear) : Value(); });
+    q.pure("", "amount", "amount", "", "mm; rad for `trochoid` and `trimming`; < 0: by so much",
+           [](const I& i) { return Value(i.amount); })
+        .when([](const I& i) { return i.amount.has_value(); });
+    q.text("message", "one sentence for people", [](const I& i) {
+       return Value(i.message);
+     }).always();
+  });
+  return kAll;
+}
+
+std::vector<InterferenceView> interference_of(const PairView& v) {
+  std::vector<InterferenceView> list;
+  if (v.involute) {
+    for (const Interference& i : v.involute->interference)
+      list.push_back({i.code, i.gear, i.amount, i.message});
+  } else {
+    for (const Warning& w : v.arcs->warnings) {
+      if (w.code != "root" && w.code != "interference") continue;
+      list.push_back({w.code, w.gear, std::nullopt, w.message});
+    }
+  }
+  return list;
+}
+
+}  // namespace gearwright

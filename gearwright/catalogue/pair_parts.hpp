@@ -1,0 +1,66 @@
+// The records inside a pair's record: places, lines, backlash, contacts of arcs.
+// Internal to catalogue/.
+#pragma once
+
+#include <array>
+
+#include "gearwright/catalogue/pair_quantities.hpp"
+
+namespace gearwright {
+
+constexpr const char* kMounting = "Mounting";
+constexpr const char* kContact = "Contact";
+constexpr const char* kBacklash = "Backlash";
+constexpr const char* kClearances = "Clearances";
+constexpr const char* kFace = "Face width";
+constexpr const char* kMargins = "Internal pair: margins against interference";
+
+/// `gear1` and `gear2`, two numbers each.
+const Quantities<std::array<Value, 2>>& two_gears();
+
+const Quantities<CrossedPlace>& place_quantities();
+const Quantities<CrossedPlaces>& places_quantities();
+
+/// The line of action of any pair; lines as their two ends.
+struct LineView {
+  double length;
+  std::array<Vec3, 2> leading, trailing;
+};
+const Quantities<LineView>& line_quantities();
+std::optional<LineView> line_of(const PairView& pair);
+
+/// The points A to E of an involute pair's path.
+const Quantities<Pair>& path_quantities();
+
+/// Backlash of any pair.
+struct BacklashView {
+  double normal_base, normal;
+  std::array<double, 2> circumferential, rotation;  ///< mm, rad
+};
+const Quantities<BacklashView>& backlash_quantities();
+std::optional<BacklashView> backlash_of(const PairView& pair);
+
+const Quantities<Pair>& needed_face_quantities();
+const Quantities<Pair>& sliding_velocity_quantities();
+const Quantities<Efficiency>& efficiency_quantities();
+const Quantities<Pair>& internal_quantities();
+
+/// One entry of `interference`.
+struct InterferenceView {
+  std::string code;
+  int gear;
+  std::optional<double> amount;
+  std::string message;
+};
+const Quantities<InterferenceView>& interference_quantities();
+std::vector<InterferenceView> interference_of(const PairView& pair);
+
+/// A contact of circular arcs and the pair it belongs to.
+struct ArcContactView {
+  const ArcPair* pair;
+  const ArcPairContact* contact;
+};
+const Quantities<ArcContactView>& arc_contact_quantities();
+std::vector<ArcContactView> arc_contacts_of(const PairView& pair);
+
+}  // namespace gearwright

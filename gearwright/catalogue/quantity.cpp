@@ -1,0 +1,213 @@
+#include "gearwright/catalogue/quantity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/base/contract.hpp"
+
+namespace gearwright {
+
+const Said* SaidTable::find(std::string_view key) const {
+  const auto it =
+      std::find_if(list.begin(), list.end(), [&](const Said* s) { return s->key == key; });
+  return it == list.end() ? nullptr : *it;
+}
+
+std::string_view unit_text(Unit unit) {
+  switch (unit) {
+    case Unit::mm: return "mm";
+    case Unit::um: return "µm";
+    case Unit::deg: return "°";
+    case Unit::arcsec: return "″";
+    case Unit::per_mm: return "1/mm";
+    case Unit::mm_per_rad: return "mm/rad";
+    case Unit::m_per_s: return "m/s";
+    case Unit::percent: return "%";
+    case Unit::none:
+    case Unit::modules:
+    case Unit::modules_squared: return "";
+  }
+  return "";
+}
+
+std::string_view unit_suffix(Unit unit) {
+  switch (unit) {
+    case Unit::mm: return "_mm";
+    case Unit::um: return "_um";
+    case Unit::deg: return "_deg";
+    case Unit::arcsec: return "_arcsec";
+    case Unit::per_mm: return "_per_mm";
+    case Unit::mm_per_rad: return "_mm_per_rad";
+    case Unit::m_per_s: return "_m_per_s";
+    case Unit::none:
+    case Unit::percent:
+    case Unit::modules:
+    case Unit::modules_squared: return "";
+  }
+  return "";
+}
+
+int digits_of(const Said& said) {
+  if (said.digits) return *said.digits;
+  switch (said.unit) {
+    case Unit::mm:
+    case Unit::arcsec:
+    case Unit::mm_per_rad:
+    case Unit::m_per_s: return 4;
+    case Unit::um:
+    case Unit::percent: return 3;
+    case Unit::per_mm: return 6;
+    case Unit::none:
+    case Unit::deg:
+    case Unit::modules:
+    case Unit::modules_squared: return 5;
+  }
+  return 5;
+}
+
+std::string fixed_text(double value, int digits) {
+  const double half = 0.5 * std::pow(10.0, -digits);
+  return fmt::format("{:.{}f}", std::abs(value) < half ? 0.0 : value, digits);
+}
+
+std::string text_of(const Said& said, const Value& value, std::string_view none) {
+  const std::string absent(said.nothing.empty() ? none : std::string_view(said.nothing));
+  if (all_nothing(value)) return absent;
+  if (const ValueList* list = value.list()) {
+    std::string text;
+    for (const Value& v : *list)
+      text += (text.empty() ? "" : said.two == Two::ends ? " … " : ", ") + text_of(said, v, none);
+    return text;
+  }
+  if (const auto* flag = std::get_if<bool>(&value.variant())) return *flag ? "yes" : "no";
+  if (const auto* whole = std::get_if<long long>(&value.variant()))
+    return fmt::format("{}", *whole);
+  if (const auto* word = std::get_if<std::string>(&value.variant())) return *word;
+  if (const auto* x = std::get_if<double>(&value.variant())) {
+    if (!std::isfinite(*x)) return absent;
+    return fixed_text(said.unit == Unit::percent ? 100 * *x : *x, digits_of(said));
+  }
+  return absent;
+}
+
+namespace {
+
+// One quantity of the records side by side; null where a record lacks it.
+struct Across {
+  const Said* said;
+  std::vector<const Member*> members;
+};
+
+// The quantities of all records in their common order: every record follows one table, so one that
+// a record lacks stands where the others have it.
+std::vector<Across> across(const std::vector<const ValueRecord*>& records) {
+  std::vector<Across> all;
+  for (std::size_t k = 0; k < records.size(); ++k) {
+    std::size_t place = 0;
+    if (!records[k]) continue;
+    for (const Member& m : *records[k]) {
+      const auto it =
+          std::find_if(all.begin(), all.end(), [&](const Across& a) { return a.said == m.said; });
+      if (it != all.end()) {
+        it->members[k] = &m;
+        place = static_cast<std::size_t>(it - all.begin()) + 1;
+      } else {
+        Across a{m.said, std::vector<const Member*>(records.size(), nullptr)};
+        a.members[k] = &m;
+        all.insert(all.begin() + static_cast<std::ptrdiff_t>(place), std::move(a));
+        ++place;
+      }
+    }
+  }
+  return all;
+}
+
+class Groups {
+ public:
+  Groups(Doors door, std::string_view none) : door_(door), none_(none) {}
+
+  void add(const std::vector<const ValueRecord*>& records, const std::string& heading) {
+    for (const Across& a : across(records)) {
+      const Said& said = *a.said;
+      const bool shown = std::any_of(a.members.begin(), a.members.end(),
+                                     [](const Member* m) { return m && m->shown; });
+      if (!(said.doors & door_) || !shown) continue;
+      const std::string& title = said.group.empty() ? heading : said.group;
+      if (said.type == Type::record) {
+        nest(a, title);
+      } else {
+        group(title).rows.push_back({&said, texts(a)});
+      }
+    }
+  }
+  std::vector<TextGroup> take() { return std::move(groups_); }
+
+ private:
+  // A record's own quantities, under its group; a list of records one after the other.
+  void nest(const Across& a, const std::string& title) {
+    std::size_t longest = 1;
+    for (const Member* m : a.members)
+      if (m && m->value.list()) longest = std::max(longest, m->value.list()->size());
+    for (std::size_t i = 0; i < longest; ++i) {
+      std::vector<const ValueRecord*> inner;
+      for (const Member* m : a.members) {
+        const ValueList* list = m ? m->value.list() : nullptr;
+        const Value* v = !m                 ? nullptr
+                         : !list            ? &m->value
+                         : i < list->size() ? &(*list)[i]
+                                            : nullptr;
+        inner.push_back(v ? v->record() : nullptr);
+      }
+      add(inner, longest == 1 ? title : fmt::format("{} {}", title, i + 1));
+    }
+  }
+  std::vector<std::string> texts(const Across& a) const {
+    std::vector<std::string> texts;
+    for (const Member* m : a.members) {
+      const ValueList* list = m && a.said->two == Two::gears ? m->value.list() : nullptr;
+      if (list) {
+        for (const Value& v : *list) texts.push_back(text_of(*a.said, v, none_));
+      } else {
+        texts.push_back(text_of(*a.said, m ? m->value : Value(), none_));
+      }
+    }
+    return texts;
+  }
+  TextGroup& group(const std::string& title) {
+    const auto it = std::find_if(groups_.begin(), groups_.end(),
+                                 [&](const TextGroup& g) { return g.title == title; });
+    if (it != groups_.end()) return *it;
+    groups_.push_back({title, {}});
+    return groups_.back();
+  }
+
+  Doors door_;
+  std::string_view none_;
+  std::vector<TextGroup> groups_;
+};
+
+}  // namespace
+
+std::vector<TextGroup> text_groups(const SaidTable& table, const std::vector<ValueRecord>& records,
+                                   Doors door, std::string_view none) {
+  std::vector<const ValueRecord*> all;
+  for (const ValueRecord& r : records) all.push_back(&r);
+  Groups groups(door, none);
+  groups.add(all, "");
+  std::vector<TextGroup> found = groups.take();
+  const auto place = [&](const TextGroup& g) {
+    return std::find(table.groups.begin(), table.groups.end(), g.title) - table.groups.begin();
+  };
+  std::stable_sort(found.begin(), found.end(),
+                   [&](const TextGroup& a, const TextGroup& b) { return place(a) < place(b); });
+  return found;
+}
+
+std::string capitalised(std::string words) {
+  if (!words.empty() && words[0] >= 'a' && words[0] <= 'z') words[0] += 'A' - 'a';
+  return words;
+}
+
+}  // namespace gearwright

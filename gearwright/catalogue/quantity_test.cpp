@@ -1,0 +1,192 @@
+// The laws of the catalogue of results.
+//
+//   (1) a key stands once in a record, and ends with its unit where it ends with one at all
+//   (2) words are a term: they begin small and have no full stop; so has no meaning
+//   (3) a value has the type and the lengths that are said of it, and is there where it always is
+//   (4) what a getter gives once, all doors give: no number for people where JSON has null
+#include "gearwright/catalogue/quantity.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "gearwright/catalogue/compensate_quantities.hpp"
+#include "gearwright/catalogue/contact_quantities.hpp"
+#include "gearwright/catalogue/file_quantities.hpp"
+#include "gearwright/catalogue/fit_quantities.hpp"
+#include "gearwright/catalogue/gear_quantities.hpp"
+#include "gearwright/catalogue/measure_quantities.hpp"
+#include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/search_quantities.hpp"
+#include "gearwright/job/solved_job.hpp"
+#include "gearwright/spec/spec.hpp"
+
+namespace gearwright {
+namespace {
+
+// Every table, those inside others too.
+void collect(const SaidTable& table, std::set<const SaidTable*>& all) {
+  if (!all.insert(&table).second) return;
+  for (const Said* s : table.list)
+    if (s->of) collect(s->of(), all);
+}
+
+std::set<const SaidTable*> all_tables() {
+  std::set<const SaidTable*> all;
+  for (const SaidTable* t :
+       {&gear_quantities().table(), &pair_quantities().table(), &contact_quantities().table(),
+        &compensate_quantities().table(), &fit_quantities().table(), &measure_quantities().table(),
+        &as_rack_quantities().table(), &search_quantities().table(), &design_quantities().table(),
+        &file_quantities().table(), &outline_quantities().table(), &warning_quantities().table()})
+    collect(*t, all);
+  return all;
+}
+
+TEST(Catalogue, EveryKeyStandsOnceAndEndsWithItsUnit) {
+  const auto tables = all_tables();
+  EXPECT_GT(tables.size(), 30u);
+  for (const SaidTable* t : tables) {
+    std::set<std::string> keys;
+    for (const Said* s : t->list) {
+      EXPECT_TRUE(keys.insert(s->key).second) << t->name << ": " << s->key;
+      for (const Unit u :
+           {Unit::mm, Unit::um, Unit::deg, Unit::arcsec, Unit::per_mm, Unit::mm_per_rad}) {
+        const bool ends = s->key.ends_with(unit_suffix(u));
+        const bool longer = u == Unit::mm && s->key.ends_with("_per_mm");
+        if (ends && !longer && s->type != Type::record) {
+          EXPECT_EQ(s->unit, u) << t->name << ": " << s->key;
+        }
+      }
+    }
+  }
+}
+
+TEST(Catalogue, WordsAreTerms) {
+  for (const SaidTable* t : all_tables()) {
+    for (const Said* s : t->list) {
+      ASSERT_FALSE(s->words.empty()) << t->name << ": " << s->key;
+      if (!(s->doors & kPeople) || s->type == Type::record) continue;
+      EXPECT_FALSE(s->words[0] >= 'A' && s->words[0] <= 'Z') << s->words;
+      EXPECT_NE(s->words.back(), '.') << s->words;
+      if (!s->meaning.empty()) {
+        EXPECT_NE(s->meaning.back(), '.') << s->meaning;
+      }
+    }
+  }
+}
+
+// What is wrong with a value of what is said of it, empty if nothing.
+std::string fault(const Said& s, const Value& v, std::size_t depth = 0);
+
+std::string fault_in(const ValueRecord& record) {
+  for (const Member& m : record) {
+    if (const std::string f = fault(*m.said, m.value); !f.empty()) return m.said->key + ": " + f;
+  }
+  return {};
+}
+
+std::string fault(const Said& s, const Value& v, std::size_t depth) {
+  if (v.nothing()) return s.always && depth == 0 ? "is null" : "";
+  if (depth < s.list.size()) {
+    const ValueList* list = v.list();
+    if (!list) return "is no list";
+    if (s.list[depth] > 0 && list->size() != static_cast<std::size_t>(s.list[depth]))
+      return "has " + std::to_string(list->size()) + " values";
+    for (const Value& inner : *list) {
+      if (const std::string f = fault(s, inner, depth + 1); !f.empty()) return f;
+    }
+    return {};
+  }
+  const auto& variant = v.variant();
+  switch (s.type) {
+    case Type::number: return std::holds_alternative<double>(variant) ? "" : "is no number";
+    case Type::whole:
+    case Type::index: return std::holds_alternative<long long>(variant) ? "" : "is not whole";
+    case Type::flag: return std::holds_alternative<bool>(variant) ? "" : "is no flag";
+    case Type::text: return std::holds_alternative<std::string>(variant) ? "" : "is no text";
+    case Type::word: {
+      const auto* word = std::get_if<std::string>(&variant);
+      if (!word) return "is no word";
+      const bool known =
+          s.one_of.empty() || std::count(s.one_of.begin(), s.one_of.end(), *word) == 1;
+      return known ? "" : "is " + *word;
+    }
+    case Type::record: return v.record() ? fault_in(*v.record()) : "is no record";
+    case Type::map: return "";
+  }
+  return "has no type";
+}
+
+SolvedJob solved(const std::string& text) {
+  const auto spec = read_spec(text, SpecFormat::toml);
+  EXPECT_TRUE(spec) << (spec ? "" : spec.error().message);
+  auto job = solve(*spec, Scope::everything);
+  EXPECT_TRUE(job) << (job ? "" : job.error().message);
+  return std::move(job).take();
+}
+
+const char* const kSpecs[] = {
+    "[gear1]\nteeth = 17\nnormal_module_mm = 2.5\nhelix_angle_deg = 15\nprofile_shift = 0.3\n"
+    "[gear2]\nteeth = 43\nnormal_module_mm = 2.5\nhelix_angle_deg = -15\n"
+    "[pair]\nfriction_coefficient = 0.05\n",
+    "[gear1]\nteeth = 9\nnormal_module_mm = 2\n[gear2]\nteeth = 30\nnormal_module_mm = 2\n",
+    "[gear1]\nteeth = 20\nnormal_module_mm = 2\n[gear2]\nteeth = -60\nnormal_module_mm = 2\n",
+    "[gear1]\nteeth = 16\nnormal_module_mm = 2\nhelix_angle_deg = 45\n"
+    "[gear2]\nteeth = 31\nnormal_module_mm = 2\nhelix_angle_deg = 45\n[pair]\nshaft_angle_deg = "
+    "90\n",
+    "[gear1]\nteeth = 2\nnormal_module_mm = 2\nhelix_angle_deg = 30\nface_width_mm = 30\n"
+    "root_fillet.kind = \"circular\"\nroot_fillet.offset_mm = 0.02\n"};
+
+TEST(Catalogue, ValuesAreWhatIsSaidOfThem) {
+  for (const char* text : kSpecs) {
+    const SolvedJob job = solved(text);
+    for (const Gear& g : job.gears) EXPECT_EQ(fault_in(gear_quantities().of(g)), "") << text;
+    if (const auto pair = job.pair_view()) {
+      EXPECT_EQ(fault_in(pair_quantities().of(*pair)), "") << text;
+    }
+    EXPECT_EQ(fault_in({{warning_quantities().table().list[0], Value("code")}}), "");
+  }
+}
+
+// A tip circle inside the base circle: there is no involute, and no form diameter. The listing
+// once printed one, JSON and the page did not.
+TEST(Catalogue, WhatIsNotThereIsADashAtEveryDoor) {
+  const SolvedJob job =
+      solved("[gear1]\nteeth = 10\nnormal_module_mm = 2\ntip_diameter_mm = 17.5\n");
+  const ValueRecord record = gear_quantities().of(job.gears[0]);
+  const Said* said = gear_quantities().table().find("tip_form_diameter_mm");
+  for (const Member& m : record)
+    if (m.said == said) {
+      EXPECT_TRUE(m.value.nothing());
+    }
+  for (const Doors door : {kListing, kPage}) {
+    int rows = 0;
+    for (const TextGroup& g : text_groups(gear_quantities().table(), {record}, door, "-")) {
+      for (const TextRow& row : g.rows) {
+        if (row.said != said) continue;
+        ++rows;
+        EXPECT_EQ(row.texts, std::vector<std::string>{"-"});
+      }
+    }
+    EXPECT_EQ(rows, 1);
+  }
+}
+
+TEST(Catalogue, TextsOfValues) {
+  Said length{.key = "a_mm", .words = "a", .symbol = "", .unit = Unit::mm};
+  EXPECT_EQ(text_of(length, 1.23456), "1.2346");
+  EXPECT_EQ(text_of(length, -1e-9), "0.0000");
+  EXPECT_EQ(text_of(length, Value()), "–");
+  EXPECT_EQ(text_of(length, Value(), "-"), "-");
+  length.nothing = "self-locking";
+  EXPECT_EQ(text_of(length, Value()), "self-locking");
+  length.list = {2};
+  EXPECT_EQ(text_of(length, std::array{1.0, 2.0}), "1.0000, 2.0000");
+  length.two = Two::ends;
+  EXPECT_EQ(text_of(length, std::array{1.0, 2.0}), "1.0000 … 2.0000");
+  const Said share{.key = "s", .words = "s", .symbol = "", .unit = Unit::percent};
+  EXPECT_EQ(text_of(share, 0.5), "50.000");
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,37 @@
+// The quantities of designs found by a search: `search.designs[i]`, the columns of CSV and Parquet,
+// the page's table.
+#pragma once
+
+#include <functional>
+
+#include "gearwright/catalogue/quantity.hpp"
+#include "gearwright/design/design_row.hpp"
+#include "gearwright/design/nearest_change.hpp"
+#include "gearwright/design/search.hpp"
+#include "gearwright/design/shift_points.hpp"
+
+namespace gearwright {
+
+struct DesignView {
+  const SearchProblem* problem;
+  const DesignRow* row;
+  std::function<Value()> edges{};  ///< of the region; none: they are left out
+};
+
+const Quantities<DesignView>& design_quantities();
+
+/// A finished search. Its designs come one by one (design_quantities), for there may be many.
+struct SearchView {
+  const SearchProblem* problem;
+  const SearchAnswer* answer;
+  const std::vector<NearestChange>* changes;
+};
+const Quantities<SearchView>& search_quantities();
+
+/// A point of the grid of shifts: columns alone.
+const Quantities<ShiftPoint>& point_quantities();
+
+/// Degrees as they were given: −12, not what −12° in radians comes back as.
+double tidy_degrees(double rad);
+
+}  // namespace gearwright

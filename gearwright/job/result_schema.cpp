@@ -1,0 +1,150 @@
+#include "gearwright/job/result_schema.hpp"
+
+#include <algorithm>
+
+#include "gearwright/catalogue/compensate_quantities.hpp"
+#include "gearwright/catalogue/contact_quantities.hpp"
+#include "gearwright/catalogue/file_quantities.hpp"
+#include "gearwright/catalogue/fit_quantities.hpp"
+#include "gearwright/catalogue/gear_quantities.hpp"
+#include "gearwright/catalogue/measure_quantities.hpp"
+#include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/search_quantities.hpp"
+
+namespace gearwright {
+
+namespace {
+
+std::string definition_name(const SaidTable& table) {
+  std::string name = table.name;
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+}
+
+class Schema {
+ public:
+  Json reference(const SaidTable& table) {
+    const std::string name = definition_name(table);
+    if (!definitions_.contains(name)) {
+      definitions_[name] = nullptr;  // a record inside itself would stop here
+      definitions_[name] = record(table);
+    }
+    return {{"$ref", "#/$defs/" + name}};
+  }
+  Json list_of(const SaidTable& table) { return {{"type", "array"}, {"items", reference(table)}}; }
+  Json& definitions() { return definitions_; }
+
+ private:
+  Json record(const SaidTable& table) {
+    Json properties = Json::object(), required = Json::array();
+    for (const Said* said : table.list) {
+      if (!(said->doors & kJson)) continue;
+      properties[said->key] = value(*said);
+      if (!said->optional_key) required.push_back(said->key);
+    }
+    return {{"type", "object"},
+            {"properties", std::move(properties)},
+            {"required", std::move(required)},
+            {"additionalProperties", false}};
+  }
+
+  Json value(const Said& said) {
+    Json j = listed(said, 0);
+    std::string text = capitalised(said.words == said.key ? said.meaning : said.words);
+    if (said.words != said.key && !said.meaning.empty()) text += ": " + said.meaning;
+    if (!text.empty()) j["description"] = text;
+    return j;
+  }
+  // The value itself inside as many lists as there are.
+  Json listed(const Said& said, std::size_t depth) {
+    if (depth == said.list.size()) return single(said, said.list.empty() && said.always);
+    Json j{{"type", said.always || depth > 0 ? Json("array") : Json{"array", "null"}},
+           {"items", listed(said, depth + 1)}};
+    if (const int n = said.list[depth]; n > 0) {
+      j["minItems"] = n;
+      j["maxItems"] = n;
+    }
+    return j;
+  }
+  Json single(const Said& said, bool always) {
+    const auto plain = [&](const char* type) {
+      return Json{{"type", always ? Json(type) : Json{type, "null"}}};
+    };
+    switch (said.type) {
+      case Type::number: return plain("number");
+      case Type::whole:
+      case Type::index: return plain("integer");
+      case Type::flag: return plain("boolean");
+      case Type::text: return plain("string");
+      case Type::word: {
+        if (said.one_of.empty()) return plain("string");
+        Json words = said.one_of;
+        if (!always) words.push_back(nullptr);
+        return {{"enum", std::move(words)}};
+      }
+      case Type::record: {
+        const Json inner = reference(said.of());
+        if (always || !said.list.empty()) return inner;
+        return {{"anyOf", Json{inner, Json{{"type", "null"}}}}};
+      }
+      case Type::map: break;  // its names are a job's own
+    }
+    return Json::object();
+  }
+
+  Json definitions_ = Json::object();
+};
+
+// A finished search, or where one was stopped.
+Json search_schema(Schema& schema) {
+  const Json stopped{{"type", "object"},
+                     {"properties",
+                      {{"finished", {{"const", false}}},
+                       {"stopped", {{"type", "string"}}},
+                       {"chunks_done", {{"type", "integer"}}},
+                       {"chunks", {{"type", "integer"}}}}},
+                     {"required", {"finished", "chunks_done", "chunks"}},
+                     {"additionalProperties", false}};
+  return {{"anyOf", Json{schema.reference(search_quantities().table()), stopped}}};
+}
+
+Json error_schema() {
+  const Json text{{"type", "string"}};
+  return {{"type", "object"},
+          {"properties", {{"key", text}, {"value", text}, {"message", text}}},
+          {"required", {"key", "value", "message"}},
+          {"additionalProperties", false}};
+}
+
+}  // namespace
+
+Json result_schema() {
+  Schema schema;
+  Json properties;
+  properties["title"] = {{"type", "string"}};
+  properties["gears"] = schema.list_of(gear_quantities().table());
+  // What only the verb measure and --as-rack add to a gear.
+  Json& gear = schema.definitions()[definition_name(gear_quantities().table())]["properties"];
+  const Json rack = schema.reference(as_rack_quantities().table());
+  const Json measure = schema.reference(measure_quantities().table());
+  gear["as_rack"] = rack;
+  gear["measure"] = measure;
+  properties["pair"] = schema.reference(pair_quantities().table());
+  properties["contact"] = schema.reference(contact_quantities().table());
+  properties["compensate"] = schema.reference(compensate_quantities().table());
+  properties["fit"] = schema.reference(fit_quantities().table());
+  properties["search"] = search_schema(schema);
+  properties["arcs"] = schema.list_of(outline_quantities().table());
+  properties["files"] = schema.list_of(file_quantities().table());
+  properties["warnings"] = schema.list_of(warning_quantities().table());
+  properties["error"] = error_schema();
+  return {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+          {"title", "Gearwright result"},
+          {"description", "What gearwright VERB SPEC --json prints"},
+          {"type", "object"},
+          {"properties", std::move(properties)},
+          {"additionalProperties", false},
+          {"$defs", std::move(schema.definitions())}};
+}
+
+}  // namespace gearwright

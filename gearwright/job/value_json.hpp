@@ -1,0 +1,16 @@
+// A value of the catalogue as JSON: the keys, and what JSON's door shows. Internal to job/ and the
+// program.
+#pragma once
+
+#include "gearwright/catalogue/value.hpp"
+#include "gearwright/spec/table_reader.hpp"
+
+namespace gearwright {
+
+/// Numbers read back to the same double; nothing, NaN and infinity are null.
+Json to_json(const Value& value);
+
+/// A tree of JSON, a spec inside a result, as a value.
+Value to_value(const Json& json);
+
+}  // namespace gearwright
