@@ -6,10 +6,11 @@
 #   make test-long  the tests whose names start with Long
 #   make bench      benchmarks
 #   make lint       formatting (must be clean) and clang-tidy (advice)
+#   make docs       the API reference and all pages as HTML, build/docs/html
 #   make package    .deb and .tgz in build/release
 #   make clean      remove build/
 
-.PHONY: demo test test-long bench lint package clean
+.PHONY: demo test test-long bench lint docs package clean
 JOBS ?= $(shell nproc)
 export CMAKE_BUILD_PARALLEL_LEVEL ?= $(JOBS)
 DEMO = examples/helical_pair.toml
@@ -26,7 +27,7 @@ demo:
 	@cd $(DEMO_OUT) && ls -1 *.step *.stl *.3mf *.dxf *.svg *.glb | sed 's#^#  $(CURDIR)/$(DEMO_OUT)/#'
 
 test:
-	@tools/install_packages.sh core step mpi test
+	@tools/install_packages.sh core step mpi test docs
 	@tools/install_npm_tools.sh
 	@cmake --workflow --preset check
 
@@ -47,6 +48,10 @@ lint:
 	@tools/install_packages.sh core step mpi test lint
 	@cmake --preset release > /dev/null
 	@tools/lint.sh
+
+docs:
+	@tools/install_packages.sh docs
+	@tools/make_docs.sh
 
 package:
 	@tools/install_packages.sh core step mpi package

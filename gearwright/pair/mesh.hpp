@@ -162,11 +162,11 @@ RackAngles<T> working_angles(const MeshInput<T>& in) {
 
 /// The mesh of the input.
 ///
-/// Formula   X = σ (a − r_2) − r_1 or 0, j_bn = 2 X sin α_n − Q, [T4.17]; L, [T4.19]; path,
-/// [T4.18]…
-///           [T4.21]
+/// Formula   X = σ (a − r_2) − r_1 or 0, j_bn = 2 X sin α_n − Q, [T4.17]; L, [T4.19];
+///           path, [T4.18]…[T4.21]
 /// Domain    parallel: a > |r_b2 + σ r_b1|; crossed: Σ within shaft_angle_range, external
-/// (contract) Accuracy  ledger rows `mesh.*`, `crossed.*`
+///           (contract)
+/// Accuracy  ledger rows `mesh.*`, `crossed.*`
 template <class T>
 Mesh<T> mesh_of(const MeshInput<T>& in) {
   using std::abs;
