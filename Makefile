@@ -7,10 +7,11 @@
 #   make bench      benchmarks
 #   make lint       formatting (must be clean) and clang-tidy (advice)
 #   make docs       the API reference and all pages as HTML, build/docs/html
+#   make figures    draws the figures of the theory pages anew
 #   make package    .deb and .tgz in build/release
 #   make clean      remove build/
 
-.PHONY: demo test test-long bench lint docs package clean
+.PHONY: demo test test-long bench lint docs figures package clean
 JOBS ?= $(shell nproc)
 export CMAKE_BUILD_PARALLEL_LEVEL ?= $(JOBS)
 DEMO = examples/helical_pair.toml
@@ -52,6 +53,12 @@ lint:
 docs:
 	@tools/install_packages.sh docs
 	@tools/make_docs.sh
+
+figures:
+	@tools/install_packages.sh core step mpi test
+	@cmake --preset release > /dev/null
+	@cmake --build --preset release --target docs_figures
+	build/release/docs/figures/docs_figures docs/theory/images
 
 package:
 	@tools/install_packages.sh core step mpi package
