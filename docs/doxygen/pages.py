@@ -1,8 +1,8 @@
 """Our pages in Markdown, as doxygen takes them.
 
-Headings get the anchors that GitHub gives them, equations an anchor each, symbols their index, and a
-link to a file that is no page becomes its name. A page is called by its file: quickstart, spec, and
-theory_02 for docs/theory/02-....md.
+Headings get the anchors that GitHub gives them, equations an anchor each, symbols their index. A link to
+a public header leads to its page; to another file that is no page, it becomes the file's name. A page is
+called by its file: quickstart, spec, and theory_02 for docs/theory/02-....md.
 """
 
 import html
@@ -25,18 +25,20 @@ def page_name(path):
     return f"theory_{theory.group(1)}" if theory else stem.lower()
 
 
-def page_link(path, text, target):
+def page_link(path, text, target, headers):
     """`[text](target)` of the page `path`, as doxygen takes it."""
     if re.match(r"[a-z]+:", target):
         return f"[{text}]({target})"
     name, _, anchor = target.partition("#")
     where = posixpath.normpath(posixpath.join(posixpath.dirname(path), name)) if name else path
+    if where in headers:
+        return f'@ref {where} "{text}"'
     if not where.endswith(".md"):
         return text  # a file that is no page: its name is enough
     return f"[{text}](#{page_name(where)}{'-' + anchor if anchor else ''})"
 
 
-def page(path, text):
+def page(path, text, headers=()):
     here, out, inside = page_name(path), [], False
     # A link that is broken over two lines is put on one.
     text = re.sub(r"\[([^\[\]`\n]*)\n([^\[\]`\n]*)\]\(([^)\n]+)\)", r"[\1 \2](\3)", text)
@@ -60,11 +62,11 @@ def page(path, text):
             # Headings with a name stand in the tree of contents; those of the main page need not.
             out.append(line if here == "readme" else f"{marks} {title} {{#{name}}}")
             continue
-        out.append(page_line(path, line))
+        out.append(page_line(path, line, headers))
     return "\n".join(out)
 
 
-def page_line(path, line):
+def page_line(path, line, headers):
     """Links, equations and symbols outside `code`; a picture by its name, as IMAGE_PATH wants it."""
     pieces = re.split(r"(`[^`]+`|!?\[[^\]]*\]\([^)]+\)|\[T\d+\.[^\]]*\])", line)
     for i, piece in enumerate(pieces):
@@ -73,7 +75,7 @@ def page_line(path, line):
         if link and link.group(1):
             pieces[i] = f"![{link.group(2)}]({posixpath.basename(link.group(3))})"
         elif link:
-            pieces[i] = page_link(path, link.group(2), link.group(3))
+            pieces[i] = page_link(path, link.group(2), link.group(3), headers)
         elif labels:
             pieces[i] = equation_links(labels.group(1))
         elif piece.startswith("`") and "\\|" in piece:  # a bar in a cell of a table

@@ -36,7 +36,7 @@ def main(folder, files):
     numbers = []
     for name in files:
         text = Path(name).read_text(encoding="utf-8")
-        write(name, page(name, text) if name.endswith(".md") else header(text))
+        write(name, page(name, text, set(files)) if name.endswith(".md") else header(text))
         if name.startswith("docs/theory/"):
             numbers.append(Path(name).name[:2])
     write("theory.md", THEORY + "".join(f"- @subpage theory_{n}\n" for n in sorted(numbers)))
