@@ -6,10 +6,12 @@
 #   make test-long  the tests whose names start with Long
 #   make bench      benchmarks
 #   make lint       formatting (must be clean) and clang-tidy (advice)
+#   make docs       the API reference and all pages as HTML, build/docs/html
+#   make figures    draws the figures of the theory pages anew
 #   make package    .deb and .tgz in build/release
 #   make clean      remove build/
 
-.PHONY: demo test test-long bench lint package clean
+.PHONY: demo test test-long bench lint docs figures package clean
 JOBS ?= $(shell nproc)
 export CMAKE_BUILD_PARALLEL_LEVEL ?= $(JOBS)
 DEMO = examples/helical_pair.toml
@@ -26,7 +28,7 @@ demo:
 	@cd $(DEMO_OUT) && ls -1 *.step *.stl *.3mf *.dxf *.svg *.glb | sed 's#^#  $(CURDIR)/$(DEMO_OUT)/#'
 
 test:
-	@tools/install_packages.sh core step mpi test
+	@tools/install_packages.sh core step mpi test docs
 	@tools/install_npm_tools.sh
 	@cmake --workflow --preset check
 
@@ -47,6 +49,16 @@ lint:
 	@tools/install_packages.sh core step mpi test lint
 	@cmake --preset release -B build/lint -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON > /dev/null
 	@tools/lint.sh
+
+docs:
+	@tools/install_packages.sh docs
+	@tools/make_docs.sh
+
+figures:
+	@tools/install_packages.sh core step mpi test
+	@cmake --preset release > /dev/null
+	@cmake --build --preset release --target docs_figures
+	build/release/docs/figures/docs_figures docs/theory/images
 
 package:
 	@tools/install_packages.sh core step mpi package

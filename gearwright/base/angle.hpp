@@ -40,7 +40,7 @@ struct SinCos {
   double cos;
 };
 
-/// Sine and cosine of the turn 2π k/n, k and n integers.
+/// Sine and cosine of the turn 2π k/n [T1.4], k and n integers.
 ///
 /// Accuracy  the quarter turns are exact ({0,1}, {1,0}, {0,-1}, {-1,0}) and k ≡ k + n bit for bit:
 ///           k is reduced as an integer, into the first eighth of the turn

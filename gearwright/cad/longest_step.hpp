@@ -16,7 +16,8 @@ struct StepLimits {
 /// The greatest x in (from, to] with fits(x), by a bracket grown from `guess`, a step length.
 ///
 /// Accuracy  within limits.known of the step, on the side that fits; from + shortest if nothing
-/// fits Domain    from < to, guess > 0
+///           fits
+/// Domain    from < to, guess > 0
 template <class Fits>
 double longest_step(double from, double to, double guess, StepLimits limits, const Fits& fits) {
   if (to - from <= limits.shortest || fits(to)) return to;

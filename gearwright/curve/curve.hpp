@@ -26,7 +26,7 @@ class Curve {
   virtual Vec2 point(double t) const = 0;
   virtual CurvePoint at(double t) const = 0;
 
-  /// arg W(t), rad; continuous along the curve where a subclass knows how, else in (−π, π].
+  /// arg W(t) [T1.1], rad; continuous along the curve where a subclass knows how, else in (−π, π].
   virtual double polar_angle(double t) const;
   /// The parameter between t_lo and t_hi at which |W| = ρ; |W| grows from t_lo to t_hi, and ρ is
   /// moved into that range. Solved with a bracket unless a subclass has it in closed form.

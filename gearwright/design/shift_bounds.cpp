@@ -78,9 +78,9 @@ void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2
   hi_1 = (-s * c + std::sqrt(disc)) / (s * s - 1.0) + A_2 + sum;
 }
 
-// The path clipped to the usable flanks, which begin at f_i = max(0, w_i ρ_Fi): from f_1 to the
-// tip, w_1 q_1 − f_1 ≥ K, the same of gear 2, and N − f_1 − f_2 ≥ K. Of the last the case of both
-// starts is one of Σ alone (sum_margin). A ring's start is not known. [T9.7]
+// The path clipped to the usable flanks, which begin at f_i = max(0, w_i ρ_Fi) [T9.1]: from f_1 to
+// the tip, w_1 q_1 − f_1 ≥ K, the same of gear 2, and N − f_1 − f_2 ≥ K. Of the last the case of
+// both starts is one of Σ alone (sum_margin). A ring's start is not known. [T9.7]
 void ShiftGraph::bound_usable_path(const SumPlace& at, double sum, double& lo, double& hi) const {
   for (std::size_t i : {0, 1}) {
     const TrialGear& g = gears_[i];

@@ -68,6 +68,7 @@ ShiftGraph::ShiftGraph(const SearchProblem& problem, const Trial& trial, const T
   min_path_ = problem.limits.contact_ratio * pitch_;
 }
 
+// [T9.4]
 SumPlace ShiftGraph::place(double sum) const {
   SumPlace at{R_ + sum, 0.0, 0.0};
   if (crossed_) {

@@ -24,7 +24,7 @@ Gear described(const CylindricalSpec& spec) {
   gear.root_diameter = d - sign * 2 * m * (spec.rack.dedendum - x_E);
   gear.lead = beta == 0.0 ? 0.0 : std::numbers::pi * d / std::tan(beta);
   const double psi_b = gear.reference.base_tooth_thickness / gear.reference.base_diameter;
-  // A ring's tooth thins inward: its flanks meet at inv α = −ψ_b, if they do.
+  // A ring's tooth thins inward: its flanks meet at inv α = −ψ_b, if they do. [T2.13]
   const double y = sign * psi_b;
   if (y >= 0.0)
     gear.pointed_diameter = gear.reference.base_diameter / std::cos(inverse_involute(y));

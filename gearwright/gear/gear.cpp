@@ -150,7 +150,7 @@ Result<Gear> make_gear(const CylindricalSpec& spec) {
   if (!rack_edge) return rack_edge.error();
   const CutterEdge& edge = rack_edge->edge;
   const double sin_alpha_t = std::sin(gear.reference.transverse_pressure_angle);
-  gear.undercut_free_profile_shift =
+  gear.undercut_free_profile_shift =  // [T3.14]
       edge.flank_begin_depth / spec.normal_module -
       std::abs(spec.teeth) * sin_alpha_t * sin_alpha_t / (2 * std::cos(spec.helix_angle.rad()));
   if (rack_edge->became_full_radius) {

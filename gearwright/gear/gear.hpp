@@ -83,7 +83,7 @@ struct Gear {
   double tip_form_radius() const;
   /// The radius at which the finished tooth ends: blank, cutter's bottom, or its point.
   double actual_tip_radius() const;
-  double twist() const;  ///< 2π/p_z  rad/mm, signed, 0 for a spur gear
+  double twist() const;  ///< 2π/p_z [T1.2]  rad/mm, signed, 0 for a spur gear
 };
 
 /// What a spec may say: nothing, or the key that is out of bounds. make_gear asks it too.

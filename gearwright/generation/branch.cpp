@@ -196,7 +196,8 @@ Result<GeneratedTooth> finish_tooth(const std::vector<Branch>& branches, const T
       !tooth.pointed && !tooth.rounded_tip && side * ends.cutter_radius < side * ends.blank_radius;
   for (const Branch& branch : chain) {
     if (branch.name != ArcName::flank) continue;
-    // A rack of arcs may cut several: the usable flank runs from the first to the last.
+    // A rack of arcs may cut several: the usable flank runs from the first to the last,
+    // which is [T3.15] where one involute is all of it.
     if (!tooth.form_radius || !ends.rack) tooth.form_radius = std::abs(branch.height_lo);
     tooth.tip_form_radius = std::abs(branch.height_hi);
   }

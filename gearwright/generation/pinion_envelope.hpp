@@ -46,7 +46,8 @@ class CornerFan final : public Curve {
 enum class Walk { forward, backward };
 
 /// The normal meets the cutter's centrode twice: ahead of the tooth (w > 0), where it cuts root,
-/// flank and tip, and behind it (w < 0), where a ring's tip may be caught when the tooth leaves.
+/// flank and tip, and behind it (w < 0), where a ring's tip may be caught when the tooth leaves
+/// [T6.13].
 enum class Meeting { ahead, behind };
 
 /// The envelope by the cutter's own parameter.

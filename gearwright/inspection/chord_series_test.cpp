@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <numbers>
 #include <string>
+
+#include "gearwright/inspection/chordal_thickness.hpp"
 
 namespace gearwright {
 namespace {
@@ -173,6 +176,36 @@ TEST(ChordSeries, virtual_spur_errors_are_the_leading_ones) {
     const Exact base = asin(sin(p) * cos(Exact(20) * Exact(kDegree)));
     const auto other = virtual_spur_on_base_helix(theta, p, base, r).chord();
     EXPECT_GT(abs(exact.chord - other.chord), 1000 * abs(exact.chord - spur.chord)) << psi;
+  }
+}
+
+// Greatest relative errors over all ψ from 0 to 88°: the table of docs/theory/05-approximations.md.
+// The first term left out peaks at sin² ψ = 1/3 [T5.11] while it leads.
+TEST(ChordSeries, greatest_errors_over_all_helix_angles) {
+  struct Row {
+    double theta_t, chord[3], height[3];
+  };
+  const Row rows[] = {{0.1, {1.1e-6, 1.8e-9, 3.7e-12}, {4.0e-6, 1.1e-8, 3.4e-11}},
+                      {0.2, {1.8e-5, 1.1e-7, 9.5e-10}, {6.4e-5, 7.2e-7, 8.8e-9}},
+                      {0.4, {2.9e-4, 7.5e-6, 2.5e-7}, {1.0e-3, 4.7e-5, 2.3e-6}}};
+  for (const Row& row : rows) {
+    for (int n = 1; n <= 3; ++n) {
+      double chord = 0.0, height = 0.0, worst_psi = 0.0;
+      for (int i = 0; i <= 352; ++i) {
+        const double psi = 0.25 * i * kDegree;
+        const auto exact = shortest_chord(ToothArc<double>{row.theta_t, psi, 1.0, 1.0});
+        const auto by_hand = chord_by_series(row.theta_t, psi, 1.0, n);
+        const double error = std::abs(by_hand.chord / exact.chord - 1.0);
+        if (error > chord) chord = error, worst_psi = psi / kDegree;
+        height = std::max(height, std::abs(by_hand.height / exact.height - 1.0));
+      }
+      // The page prints two digits.
+      EXPECT_NEAR(chord / row.chord[n - 1], 1.0, 0.05) << row.theta_t << " " << n;
+      EXPECT_NEAR(height / row.height[n - 1], 1.0, 0.05) << row.theta_t << " " << n;
+      if (n > 1) {
+        EXPECT_NEAR(worst_psi, 35.3, 5.0) << row.theta_t << " " << n;
+      }
+    }
   }
 }
 

@@ -49,7 +49,7 @@ inline constexpr double kMinHalfAngle = 1e-100;
 /// than half the circumference it is the first position, coming from the axial direction, that
 /// tilting either way lengthens; θ* > π/2 says that the chord has got behind the axis.
 ///
-/// Formula   [T5.4]; bracket between the turning points [T5.5], start [T5.8]
+/// Formula   [T5.4], from [T5.1]…[T5.3]; bracket between the turning points [T5.5], start [T5.8]
 /// Domain    kMinHalfAngle ≤ θ_t < π (contract), any |ψ| < π/2 as T = tan² ψ
 template <class T>
 T shortest_chord_half_angle(const T& theta_t, const T& tan_psi_squared) {

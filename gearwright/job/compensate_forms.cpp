@@ -48,7 +48,7 @@ std::optional<SettingAnswer> arc_setting(const SolvedJob& job, const ContactSetu
   const double theta = *answer.angle_nominal;
   const double delta = setup.place().errors.center_distance;
   answer.exact = tool_setting_change(in, theta, delta);
-  answer.first_order = -delta;
+  answer.first_order = -delta;  // [T8.21]
   answer.thickness_change = thickness_change(in.convex, theta, answer.exact);
   // Both flanks move off along their normals by Δb sin θ.
   answer.backlash_change = 2 * answer.exact * std::sin(theta);

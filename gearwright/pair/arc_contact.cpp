@@ -56,6 +56,7 @@ std::optional<double> contact_angle(const ArcMeshInput& in) {
   const double change = in.center_distance - c0;
   const double difference = in.concave.radius - in.convex.radius;
   GW_EXPECTS(difference > 0.0);
+  // [T7.17]; without a change [T7.9].
   const double s = (in.concave.b - in.convex.b - change) / difference;
   if (!(s > 0.0 && s < 1.0)) return std::nullopt;
   const double first = std::asin(s);
@@ -113,7 +114,8 @@ ArcContact arc_contact(const ArcMeshInput& in, double theta) {
   at.radius_convex = std::hypot(A, B);
   const double x_c = height(in.concave, theta);
   at.radius_concave = std::hypot(r_c - x_c, x_c * cot * s);
-  // Both points at one z: r_c φ_c tan λ = r_v φ_v tan λ + difference, φ_c′ = φ_c + μ. [T7.18]
+  // Both points at one z: r_c φ_c tan λ = r_v φ_v tan λ + difference, φ_c′ = φ_c + μ. [T7.18],
+  // [T8.23]
   const double ahead = axial(in.convex, theta, lambda) - axial(in.concave, theta, lambda);
   at.rotation_offset = (r_v * at.mu + ahead * c / s) / r_c + at.mu;
 

@@ -40,7 +40,7 @@ void past_the_flank(Pair& p, const char* code, int gear, double amount, const st
 }  // namespace
 
 // Where the mate's tip touches each gear deepest, and how far that is from the usable flank's
-// start.
+// start. [T2.25]
 void find_form_clearance(Pair& p) {
   const std::array<double, 2> rho{p.mesh.rho1_A, p.mesh.rho2(p.mesh.rho1_E)};
   for (int i : {0, 1}) {
@@ -61,6 +61,7 @@ void find_form_clearance(Pair& p) {
   }
 }
 
+// [T2.23]
 void find_tip_clearance(Pair& p) {
   const double a = p.center_distance;
   const Gear& g1 = p.gears[0];

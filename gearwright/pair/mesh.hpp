@@ -140,7 +140,7 @@ Backlash<T> backlash_of(const MeshInput<T>& in, const Mesh<T>& m) {
   using std::cos;
   Backlash<T> j;
   // 2 X sin α_n − Q, as the distance from the place without backlash: near β_w = 90° the pitch
-  // radii in X grow without bound and cancel, a does not.
+  // radii in X grow without bound and cancel, a does not. [T4.17], parallel axes [T2.24]
   const T more = m.sigma * (in.center_distance - conjugate_center_distance(in.gears, m.rack));
   j.normal_base = T(2) * more * m.rack.angles.sin_alpha;
   j.normal = j.normal_base / m.rack.angles.cos_alpha;
@@ -162,10 +162,11 @@ RackAngles<T> working_angles(const MeshInput<T>& in) {
 
 /// The mesh of the input.
 ///
-/// Formula   X = σ (a − r_2) − r_1 or 0, j_bn = 2 X sin α_n − Q, [T4.17]; L, [T4.19]; path,
-///           [T4.18]…[T4.21]
+/// Formula   X = σ (a − r_2) − r_1 or 0, j_bn = 2 X sin α_n − Q, [T4.17]; L, [T4.19];
+///           path, [T4.18]…[T4.21]
 /// Domain    parallel: a > |r_b2 + σ r_b1|; crossed: Σ within shaft_angle_range, external
-/// (contract) Accuracy  ledger rows `mesh.*`, `crossed.*`
+///           (contract)
+/// Accuracy  ledger rows `mesh.*`, `crossed.*`
 template <class T>
 Mesh<T> mesh_of(const MeshInput<T>& in) {
   using std::abs;

@@ -83,9 +83,9 @@ struct Pair {
   /// The point of the leading line of action with curvature radius ρ_1; on parallel axes in the
   /// section z = 0. [T1.6], [T4.20]
   Point<Housing> on_line_of_action(double rho1) const;
-  /// Its image under the half turn about the centre line: the trailing line.
+  /// Its image under the half turn about the centre line: the trailing line. [T1.7]
   Point<Housing> on_trailing_line(double rho1) const;
-  /// Gear frames in the housing at rotation 0.
+  /// Gear frames in the housing at rotation 0. [T1.5]
   Pose<Housing, Gear1> pose_1() const;
   Pose<Housing, Gear2> pose_2() const;
 };

@@ -51,7 +51,7 @@ struct MinDistanceSeries {
   T rack_shaft_angle;              ///< Σ_0
 
   /// α_n of the least distance by 1, 2 or 3 terms of the series; the error is O(L²), O(L³), O(L⁴).
-  /// [T5.22]
+  /// [T5.20]…[T5.22]
   T pressure_angle(int terms) const {
     using std::sin;
     using std::tan;
@@ -69,7 +69,7 @@ struct MinDistanceSeries {
   }
 
   /// The least distance: a_0 less m_n |z_1′ + z_2′| L²/4, with one factor or two; the error is
-  /// O(L³), O(L⁴). [T5.26]
+  /// O(L³), O(L⁴). [T5.24]…[T5.26]
   T center_distance(int factors) const {
     using std::tan;
     GW_EXPECTS(factors == 1 || factors == 2);

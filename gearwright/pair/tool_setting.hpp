@@ -18,7 +18,7 @@ namespace gearwright {
 double tool_setting_change(const ArcMeshInput& in, double theta, double delta_distance);
 
 /// Normal thickness that the convex tooth gains by Δb_F at the height of the point of angle θ, mm;
-/// < 0: it gets thinner.   Formula  2 (√(ρ² − (x + b)²) − ρ cos θ), exact
+/// < 0: it gets thinner.   Formula  2 (√(ρ² − (x + b)²) − ρ cos θ), exact; slope [T8.23]
 double thickness_change(const WorkingArc& convex, double theta, double delta_b);
 
 }  // namespace gearwright

@@ -60,7 +60,7 @@ RackAngles<T> angles_at_transverse(const BasePair<T>& gears, const T& alpha) {
   return angles_at_transverse(gears, T(sin(alpha)), T(cos(alpha)));
 }
 
-/// Parallel axes a apart:  cos α_t = (r_b2 + σ r_b1)/a. [T4.12]
+/// Parallel axes a apart:  cos α_t = (r_b2 + σ r_b1)/a. [T4.12], [T2.14]
 ///
 /// Domain    a > base_radius_sum > 0, |β_b1| = |β_b2| to rounding (contract for the former)
 template <class T>
@@ -128,7 +128,8 @@ RackAngles<T> angles_at_shaft_angle(const BasePair<T>& gears, const T& sigma) {
 /// The rack at X = 0: of the least centre distance on crossed axes, free of backlash on parallel
 /// ones. Nothing when the teeth are too thin (a ring's too thick) for it.
 ///
-/// Formula   Q(α) = 0; [T4.15]. Equal |β_b|: inv α = K/Σ τ d_b cos β_b, no iteration
+/// Formula   Q(α) = 0; [T4.15], [T5.17]. Equal |β_b|: inv α = K/Σ τ d_b cos β_b, no iteration;
+///           [T2.20]
 /// Domain    internal pairs: equal |β_b|
 /// Accuracy  ledger rows `least_distance.*`
 template <class T>

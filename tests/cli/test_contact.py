@@ -166,6 +166,15 @@ class Contact(unittest.TestCase):
         self.assertLess(j["after"]["peak_to_peak_arcsec"], 0.05 * j["before"]["peak_to_peak_arcsec"])
         self.assertEqual([c["key"] for c in j["corrections"]], ["tool_setting_mm", "cutter_lead1_deg"])
 
+    def test_the_lead_that_takes_out_the_slope(self):
+        """Example 2 of Litvin and Tsay: axes crossed by 0.1 degrees at a lead angle of 75 degrees ask for 0.093 degrees."""
+        j = self.ok("compensate", ARCS.format(rest="[errors]\ncrossing_deg = 0.1"))["compensate"]["lead"]
+        first_order = 0.1 * math.sin(math.radians(75)) ** 2  # [T8.22]
+        self.assertAlmostEqual(j["first_order1_deg"], first_order, places=9)
+        self.assertAlmostEqual(j["cutter_lead1_deg"], 0.09336, delta=1e-5)
+        slope = -12 / 94 * math.tan(math.radians(75)) * math.radians(0.1)
+        self.assertAlmostEqual(j["slope"], slope, delta=2e-3 * abs(slope))
+
     def test_the_corrected_spec_has_the_promised_error(self):
         spec = self.spec(rest="[errors]\ncrossing_deg = 0.03\n[compensate]\ncorrections = [\"gear1.lead_slope_um\", \"gear1.lead_crowning_um\"]",
                          gear1="[gear1.modifications]\nlead_crowning_um = 2")

@@ -56,7 +56,7 @@ def check_includes(path, text, rows):
     here = own_room(path, rows)
     if here is not None and here not in rows:
         return [f"{path}: room {here} is not in the picture of CONTRIBUTING.md"]
-    is_test = path.endswith("_test.cpp") or path.startswith(("tests/", "bench/"))
+    is_test = path.endswith("_test.cpp") or path.startswith(("tests/", "bench/", "docs/"))
     for quote, target in INCLUDE.findall(text):
         if target.startswith((".", "../")):
             faults.append(f'{path}: "{target}" does not start at the root')

@@ -1,0 +1,36 @@
+# Which headers are public: those that show the standard library, Eigen and our own, and nothing else.
+#
+# A header that includes anything else serves our own sources only and stays here, as do one whose
+# comment says "Internal to ..." and those of tests. That no public header needs one of those,
+# tests/consumer compiles and so proves. Used by the install step and, as a script, by the documents:
+#
+#   cmake -P cmake/gw_public_headers.cmake     prints their paths, one a line
+
+function(gw_public_headers out kept_out source)
+  file(GLOB_RECURSE headers RELATIVE ${source} ${source}/gearwright/*.hpp)
+  set(public "")
+  set(kept "")
+  foreach(header IN LISTS headers)
+    if(header MATCHES "/testing/")
+      continue()
+    endif()
+    # <vector> and <Eigen/Core> are public; <boost/...>, <fmt/...>, <gp_Pnt.hxx>, <toml++/toml.h> are not.
+    file(STRINGS ${source}/${header} foreign REGEX "^ *# *include +<[^>]*[./][^>]*>")
+    list(FILTER foreign EXCLUDE REGEX "<Eigen/|<unsupported/Eigen/")
+    file(STRINGS ${source}/${header} internal REGEX "^//.* Internal to ")
+    if(foreign OR internal)
+      list(APPEND kept ${header})
+    else()
+      list(APPEND public ${header})
+    endif()
+  endforeach()
+  set(${out} "${public}" PARENT_SCOPE)
+  set(${kept_out} "${kept}" PARENT_SCOPE)
+endfunction()
+
+if(CMAKE_SCRIPT_MODE_FILE STREQUAL CMAKE_CURRENT_LIST_FILE)
+  get_filename_component(gw_root ${CMAKE_CURRENT_LIST_DIR} DIRECTORY)
+  gw_public_headers(gw_public gw_kept ${gw_root})
+  list(JOIN gw_public "\n" gw_lines)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E echo "${gw_lines}")  # message() speaks to stderr
+endif()

@@ -1,0 +1,66 @@
+// What a drive asks of its housing: the axial force against the force along the contact normal, the
+// face for a contact ratio and the growth of the backlash against the pair mounted so.
+#include "gearwright/pair/drive.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "gearwright/contact/contact.hpp"
+#include "gearwright/contact/testing/sample_pairs.hpp"
+
+namespace gearwright {
+namespace {
+
+Pair mounted(const testing::SamplePair& p, double more = 0.0) {
+  auto pair = mount(p.gears[0], p.gears[1], {.center_distance = p.place.center_distance + more});
+  EXPECT_TRUE(pair) << pair.error().message;
+  return std::move(pair).take();
+}
+
+// [T6.15]: gear 2 presses against the normal that points out of gear 1. The moment about axis 1
+// over the working pitch radius is the tangential force.
+TEST(Drive, axial_force_is_that_of_the_contact_normal) {
+  for (const int z2 : {41, -61}) {
+    for (const double beta : {12.0, -20.0}) {
+      const auto sample = testing::involutes(20, z2, beta);
+      const Pair pair = mounted(sample);
+      ContactRequest request;
+      request.rotations = {0.03};
+      const ContactPoint at = analyse_contact(sample.pair(), request).positions[0];
+      const Vec3 force = -at.normal;
+      const double tangential = at.point.cross(force).z() / pair.mesh.rack.sides[0].pitch_radius;
+      ASSERT_GT(tangential, 0.0);
+      const auto [one, two] = axial_force(pair);
+      EXPECT_NEAR(one, force.z() / tangential, 1e-12) << z2 << " " << beta;
+      EXPECT_EQ(two, -one);
+      EXPECT_EQ(one<0.0, beta> 0.0);  // a right-hand driver is pushed towards −z
+    }
+  }
+}
+
+// [T6.14]: with that face the total contact ratio is the one asked for.
+TEST(Drive, a_face_gives_the_contact_ratio_asked_for) {
+  auto sample = testing::involutes(20, 41, 15);
+  const double total = 2.7;
+  const auto face = face_width_for_total(mounted(sample), total);
+  ASSERT_TRUE(face);
+  for (Gear& gear : sample.gears) gear.spec.face_width = *face;
+  EXPECT_NEAR(mounted(sample).contact_ratio_true(), total, 1e-13);
+  EXPECT_EQ(face_width_for_total(mounted(sample), 1.0), 0.0);
+  EXPECT_FALSE(face_width_for_total(mounted(testing::involutes(20, 41, 0)), 2.7));
+}
+
+// [T6.16]: where there is no backlash yet, it grows by 2 tan α_wt per mm; a ring's falls.
+TEST(Drive, backlash_grows_with_the_distance) {
+  for (const int z2 : {41, -61}) {
+    const auto sample = testing::involutes(20, z2, 15);
+    const double side = z2 > 0 ? 1.0 : -1.0;
+    const double step = 1e-5;
+    const double j = mounted(sample, side * step).mesh.backlash.circumferential[0];
+    EXPECT_NEAR(j / step, backlash_per_distance(mounted(sample)), 1e-4);
+  }
+}
+
+}  // namespace
+}  // namespace gearwright
