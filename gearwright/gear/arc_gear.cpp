@@ -40,10 +40,11 @@ std::optional<Error> check_spec(const CylindricalSpec& spec) {
 
 // Where the two flanks meet on the arc that ends the edge, if they do.
 std::optional<double> pointed_diameter(const RackMotion& motion, const CutterEdge& edge) {
-  const EdgeArc& last = edge.arcs.back();
-  const RackTrochoid curve(motion, *last.circle);
-  const double a = last.circle->begin_tau;
-  const double b = last.circle->end_tau;
+  const auto* last = std::get_if<EdgeCircle>(&edge.arcs.back().shape);
+  GW_EXPECTS(last != nullptr);
+  const RackTrochoid curve(motion, *last);
+  const double a = last->begin_tau.rad();
+  const double b = last->end_tau.rad();
   const auto theta = [&](double tau) { return curve.polar_angle(tau); };
   if (!(theta(a) > 0.0 && theta(b) <= 0.0)) return std::nullopt;
   return 2 * curve.point(find_root(theta, std::min(a, b), std::max(a, b)).x).norm();
@@ -52,19 +53,20 @@ std::optional<double> pointed_diameter(const RackMotion& motion, const CutterEdg
 // Whether the flank's arc begins behind its cusp.
 bool is_undercut(const EdgeCircle& flank, const std::optional<Angle>& limit) {
   if (!limit) return false;
-  return flank.q > 0.0 ? limit->rad() > flank.begin_tau : limit->rad() < flank.begin_tau;
+  return flank.q > 0.0 ? *limit > flank.begin_tau : *limit < flank.begin_tau;
 }
 
 // The lowest flank, or the one above it that is undercut; a joint between two touches nothing.
 void look_for_undercut(Gear& gear, const RackMotion& motion, const CutterEdge& edge) {
   bool first = true;
   for (const EdgeArc& arc : edge.arcs) {
-    const EdgeCircle& circle = *arc.circle;
-    if (arc.cuts != ArcName::flank || circle.q == 0.0 || !(first || circle.q > 0.0)) continue;
-    const auto limit = undercut_limit(motion, circle);
-    const bool undercut = is_undercut(circle, limit);
+    const auto* circle = std::get_if<EdgeCircle>(&arc.shape);
+    if (arc.cuts != ArcName::flank || !circle || circle->q == 0.0 || !(first || circle->q > 0.0))
+      continue;
+    const auto limit = undercut_limit(motion, *circle);
+    const bool undercut = is_undercut(*circle, limit);
     if (first || undercut) {
-      gear.arcs->flank_begin = Angle::radians(circle.begin_tau);
+      gear.arcs->flank_begin = circle->begin_tau;
       gear.arcs->undercut_limit = limit;
     }
     gear.undercut = gear.undercut || undercut;
@@ -76,7 +78,7 @@ void look_for_undercut(Gear& gear, const RackMotion& motion, const CutterEdge& e
 
 std::optional<Angle> undercut_limit(const RackMotion& motion, const EdgeCircle& circle) {
   const std::vector<double> f = RackTrochoid(motion, circle).cusp_polynomial();
-  const double end = std::sin(circle.end_tau);
+  const double end = std::sin(circle.end_tau.rad());
   const bool convex = circle.q > 0.0;
   const std::vector<double> sines =
       convex ? polynomial_roots(f, 0.0, end) : polynomial_roots(f, end, 1.0);

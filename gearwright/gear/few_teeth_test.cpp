@@ -97,13 +97,14 @@ TEST(FlankRuler, measures_along_the_racks_flank) {
     const double c = std::cos(beta * std::numbers::pi / 180);
     const RackMotion motion{7.0 / c, c, 0.6};
     const FlankRuler ruler = flank_ruler(edge->edge, motion);
-    const auto line = std::find_if(edge->edge.arcs.begin(), edge->edge.arcs.end(),
-                                   [](const EdgeArc& a) { return a.cuts == ArcName::flank; });
-    ASSERT_TRUE(line->line);
+    const auto flank = std::find_if(edge->edge.arcs.begin(), edge->edge.arcs.end(),
+                                    [](const EdgeArc& a) { return a.cuts == ArcName::flank; });
+    const auto* line = std::get_if<EdgeLine>(&flank->shape);
+    ASSERT_NE(line, nullptr);
     const double cos_alpha = std::cos(std::numbers::pi / 9);
     for (const double l : {0.0, 0.5, 1.0, 3.0}) {
-      const double x = line->line->begin_height + motion.shift + l * cos_alpha;
-      EXPECT_NEAR(ruler.roll(l), rack_involute_roll(motion, *line->line, x), 1e-15 * 8);
+      const double x = line->begin_height + motion.shift + l * cos_alpha;
+      EXPECT_NEAR(ruler.roll(l), rack_involute_roll(motion, *line, x), 1e-15 * 8);
       EXPECT_NEAR(ruler.l(ruler.roll(l)), l, 1e-14);
     }
     EXPECT_NEAR(ruler.roll(ruler.undercut_l()), 0.0, 1e-15 * 8);

@@ -81,7 +81,7 @@ std::vector<Piece> pieces(Meeting meeting) {
   if (meeting == Meeting::behind) return all;
   // What a rack left at the root of a cutter of 20 teeth, module 2.
   const RackMotion rack{20.0, 1.0, 0.0};
-  const EdgeCircle rounding{{-1.74, 0.65}, -0.76, kPi / 2, kPi / 9};
+  const EdgeCircle rounding{{-1.74, 0.65}, -0.76, Angle::radians(kPi / 2), Angle::radians(kPi / 9)};
   const auto trochoid = std::make_shared<RackTrochoid>(rack, rounding);
   for (const PinionMotion& motion : {PinionMotion{20, 45, 65.0}, PinionMotion{20, -60, 40.1}})
     all.push_back({motion, trochoid, kPi / 2, kPi / 9, meeting});

@@ -15,6 +15,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
+const EdgeCircle& circle_of(const EdgeArc& arc) { return std::get<EdgeCircle>(arc.shape); }
+
 Vec2 on(const EdgeCircle& c, double tau) {
   return c.center + c.q * Vec2(std::sin(tau), std::cos(tau));
 }
@@ -62,21 +64,22 @@ TEST(RackOfArcs, edges_obey_the_laws_of_an_edge) {
         Vec2 last(-edge->tip_depth, edge->tip_land_end);
         double last_tau = kPi / 2;
         for (const EdgeArc& arc : edge->arcs) {
-          ASSERT_TRUE(arc.circle && !arc.line);
-          const EdgeCircle& c = *arc.circle;
-          const Vec2 begin = on(c, c.begin_tau), end = on(c, c.end_tau);
+          ASSERT_TRUE(std::holds_alternative<EdgeCircle>(arc.shape));
+          const EdgeCircle& c = circle_of(arc);
+          const double begin_tau = c.begin_tau.rad(), end_tau = c.end_tau.rad();
+          const Vec2 begin = on(c, begin_tau), end = on(c, end_tau);
           EXPECT_NEAR((begin - last).norm(), 0.0, 4e-15 * m);  // (1)
-          EXPECT_EQ(arc.smooth_start, std::abs(c.begin_tau - last_tau) < 1e-12);
+          EXPECT_EQ(arc.smooth_start, std::abs(begin_tau - last_tau) < 1e-12);
           if (!arc.smooth_start) {  // a corner that bulges has its arc
-            EXPECT_GT(c.begin_tau, last_tau);
+            EXPECT_GT(begin_tau, last_tau);
           }
-          EXPECT_GT(c.end_tau, 0.0);  // (2)
-          EXPECT_LE(c.begin_tau, kPi / 2);
+          EXPECT_GT(end_tau, 0.0);  // (2)
+          EXPECT_LE(begin_tau, kPi / 2);
           EXPECT_GE(end.x(), begin.x());  // (3)
           EXPECT_LE(end.y(), begin.y());  // (4)
           EXPECT_GE(end.y(), -1e-15 * m);
           last = end;
-          last_tau = c.end_tau;
+          last_tau = end_tau;
         }
         EXPECT_NEAR(last.x(), edge->bottom_height, 1e-15 * m);
         EXPECT_GE(edge->bottom_height, addendum_of(any) * m);
@@ -91,7 +94,7 @@ TEST(RackOfArcs, allowance_thins_the_tooth) {
   const auto full = make_edge(rack, 2.0, 0.0);
   const auto thin = make_edge(rack, 2.0, -0.1);
   for (std::size_t i = 0; i < full->arcs.size(); ++i) {
-    const Vec2 moved = thin->arcs[i].circle->center - full->arcs[i].circle->center;
+    const Vec2 moved = circle_of(thin->arcs[i]).center - circle_of(full->arcs[i]).center;
     EXPECT_EQ(moved.x(), 0.0);
     EXPECT_NEAR(moved.y(), -0.05, 1e-15);
   }
@@ -114,13 +117,13 @@ TEST(RackOfArcs, joints_and_corners) {
   ASSERT_TRUE(edge) << edge.error().message;
   // The tip's corner from 90° to 45°, the flank, the corner from 20° to 12°, the flank.
   ASSERT_EQ(edge->arcs.size(), 4u);
-  EXPECT_EQ(edge->arcs[0].circle->q, 0.0);
+  EXPECT_EQ(circle_of(edge->arcs[0]).q, 0.0);
   EXPECT_EQ(edge->arcs[0].cuts, ArcName::root_fillet);
-  EXPECT_EQ(edge->arcs[2].circle->q, 0.0);
-  EXPECT_NEAR(edge->arcs[2].circle->begin_tau, deg(20).rad(), 1e-15);
-  EXPECT_NEAR(edge->arcs[2].circle->end_tau, deg(12).rad(), 1e-15);
-  EXPECT_NEAR((on(*edge->arcs[3].circle, deg(12).rad()) - edge->arcs[2].circle->center).norm(), 0.0,
-              1e-15);
+  EXPECT_EQ(circle_of(edge->arcs[2]).q, 0.0);
+  EXPECT_NEAR(circle_of(edge->arcs[2]).begin_tau.rad(), deg(20).rad(), 1e-15);
+  EXPECT_NEAR(circle_of(edge->arcs[2]).end_tau.rad(), deg(12).rad(), 1e-15);
+  const Vec2 corner = circle_of(edge->arcs[2]).center;
+  EXPECT_NEAR((on(circle_of(edge->arcs[3]), deg(12).rad()) - corner).norm(), 0.0, 1e-15);
   rack.arcs[1].begin = deg(25);
   rack.arcs[1].center_height = end.x() - 1.5 * std::sin(deg(25).rad());
   rack.arcs[1].center_offset = end.y() - 1.5 * std::cos(deg(25).rad());

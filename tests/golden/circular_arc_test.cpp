@@ -69,20 +69,20 @@ TEST(CircularArc, racks) {
     ASSERT_EQ(edge->arcs.size(), 2u);
     for (const bool fillet : {true, false}) {
       const Json& want = racks[std::string(name) + (fillet ? "f" : "")];
-      const EdgeCircle& got = *edge->arcs[fillet ? 0 : 1].circle;
+      const auto& got = std::get<EdgeCircle>(edge->arcs[fillet ? 0 : 1].shape);
       // F is drawn from the middle of the tooth and away from the axis; P the other way round.
       const double rho = want["rho"], a = want["a"], b = want["b"];
       EXPECT_NEAR(got.q, is_F ? rho : -rho, 1e-15);
       EXPECT_NEAR(got.center.x(), is_F ? -b : b, 1e-15);
       EXPECT_NEAR(got.center.y(), is_F ? -a : a + kPi * m / 2, 4e-15);
       const double joint = racks[is_F ? "F" : "Pf"]["th_lo_deg"];
-      EXPECT_NEAR(fillet ? got.end_tau : got.begin_tau, joint * kDegree, 1e-13);
+      EXPECT_NEAR((fillet ? got.end_tau : got.begin_tau).rad(), joint * kDegree, 1e-13);
     }
     // The flank goes on past the tip, which is where the source ends it.
-    const EdgeCircle& flank = *edge->arcs[1].circle;
+    const auto& flank = std::get<EdgeCircle>(edge->arcs[1].shape);
     const double tip = racks[name][is_F ? "th_hi_deg" : "th_lo_deg"].get<double>() * kDegree;
     EXPECT_NEAR(flank.center.x() + flank.q * std::sin(tip), (is_F ? 0.9 : 0.0) * m, 1e-13);
-    EXPECT_TRUE(is_F ? flank.end_tau > tip : flank.end_tau < tip);
+    EXPECT_TRUE(is_F ? flank.end_tau.rad() > tip : flank.end_tau.rad() < tip);
   }
 }
 
@@ -128,8 +128,10 @@ TEST(CircularArc, surfaces) {
     const double m = 0.5;
     const int z = static_cast<int>(std::lround(2 * r * std::sin(lambda) / m));
     ASSERT_NEAR(2 * r * std::sin(lambda) / m, z, 1e-12);
-    const EdgeCircle circle{
-        {first ? -b : b, first ? -a : a + kPi * m / 2}, first ? rho : -rho, 0.1, 1.0};
+    const EdgeCircle circle{{first ? -b : b, first ? -a : a + kPi * m / 2},
+                            first ? rho : -rho,
+                            Angle::radians(0.1),
+                            Angle::radians(1.0)};
     const RackTrochoid curve({r, std::sin(lambda), 0.0}, circle);
     const Vec2 w = curve.point(theta);
     const CurvePoint at = curve.at(theta);

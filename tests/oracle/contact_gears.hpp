@@ -51,10 +51,11 @@ inline Gear arc_gear(const tca::ArcPair& pair, int which, double face) {
   // half a pitch on.
   const double half_pitch = std::numbers::pi * r * std::sin(lambda) / teeth;
   const EdgeCircle circle{first ? Vec2(-b, -a) : Vec2(b, a + half_pitch), first ? rho : -rho,
-                          d(rack.theta_low), d(rack.theta_high)};
+                          Angle::radians(d(rack.theta_low)), Angle::radians(d(rack.theta_high))};
   const auto curve = std::make_shared<RackTrochoid>(RackMotion{r, std::sin(lambda), 0.0}, circle);
   const double twist = (first ? 1.0 : -1.0) / (r * std::tan(lambda));
-  return gear_of_arc(teeth, r, twist, face, flank_arc(curve, circle.begin_tau, circle.end_tau));
+  return gear_of_arc(teeth, r, twist, face,
+                     flank_arc(curve, circle.begin_tau.rad(), circle.end_tau.rad()));
 }
 
 inline ContactMount contact_mount(const tca::Mounting& m) {
