@@ -90,7 +90,7 @@ Result<Gear> make_pinion_cut_gear(const Gear& cutter, const PinionCutSpec& wante
   if (!tooth) return tooth.error();
   gear.tooth = std::move(tooth).take();
   if (const auto flank = cutter.tooth->outline.find(ArcName::flank)) {
-    const auto cut = pinion_involute(motion, static_cast<const Involute&>(*flank->curve));
+    const auto cut = pinion_involute(motion, curve_as<Involute>(*flank->curve));
     gear.undercut = wanted.teeth > 0 && cut && cut->roll(flank->end) < 0.0;
   }
   detail::finish(gear);

@@ -68,7 +68,7 @@ void add_branches(std::vector<Branch>& branches, const RackMotion& motion, const
 std::optional<Error> put_root_fillet(std::vector<Branch>& branches, int teeth, double xi,
                                      GeneratedTooth& tooth) {
   Branch& flank = branches.front();
-  const auto& involute = static_cast<const Involute&>(*flank.curve);
+  const auto& involute = curve_as<Involute>(*flank.curve);
   const auto arc = xi < flank.t_hi ? root_fillet_at(involute, teeth, xi) : std::nullopt;
   if (!arc || !(arc->end > 0.0)) {
     return Error{"root_fillet", "",
@@ -92,7 +92,7 @@ std::optional<Error> put_root_fillet(std::vector<Branch>& branches, int teeth, d
 std::optional<Error> put_tip_fillet(std::vector<Branch>& branches, double xi,
                                     GeneratedTooth& tooth) {
   Branch& flank = branches.back();
-  const auto& involute = static_cast<const Involute&>(*flank.curve);
+  const auto& involute = curve_as<Involute>(*flank.curve);
   const auto arc = xi > flank.t_lo && xi <= flank.t_hi ? tip_fillet_at(involute, xi) : std::nullopt;
   if (!arc) {
     return Error{"tip_fillet", "",

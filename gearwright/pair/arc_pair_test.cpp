@@ -69,7 +69,7 @@ double distance_to_flank(const ArcPair& pair, std::size_t i, const ArcPairContac
   double least = 1e9;
   for (const Arc& arc : gear.tooth->outline.arcs) {
     if (arc.name != ArcName::flank) continue;
-    const auto& cut = dynamic_cast<const RackTrochoid&>(*arc.curve);
+    const auto& cut = curve_as<RackTrochoid>(*arc.curve);
     if ((cut.circle().q > 0.0) != convex) continue;
     const Vec2 w = cut.point(contact.at.theta);
     // Seen from +z, gear 1 turns clockwise: it leads with the side y < 0 of its tooth, gear 2 is

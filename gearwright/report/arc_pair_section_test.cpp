@@ -76,7 +76,7 @@ TEST(ArcPairSection, drawn_flanks_meet_in_the_mark) {
           (Complex(c.at.point.x(), c.at.point.y()) - axis) * std::polar(1.0, -angles[i]);
       double least = 1e9;
       for (const Arc& arc : gear.tooth->outline.arcs) {
-        const auto* cut = dynamic_cast<const RackTrochoid*>(arc.curve.get());
+        const auto* cut = curve_if<RackTrochoid>(*arc.curve);
         if (arc.name != ArcName::flank || !cut) continue;
         const Vec2 w = cut->point(c.at.theta);
         for (int k = 0; k < gear.spec.teeth; ++k) {

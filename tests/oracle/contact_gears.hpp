@@ -104,7 +104,7 @@ inline BruteGear brute_flank(const Gear& g, double side, double helix_error) {
   double half_angle = 0.0, base_radius = 0.0;
   for (const Arc& arc : g.tooth->outline.arcs) {
     if (arc.name != ArcName::flank) continue;
-    const auto& involute = dynamic_cast<const Involute&>(*arc.curve);
+    const auto& involute = curve_as<Involute>(*arc.curve);
     base_radius = involute.base_radius(), half_angle = involute.base_half_angle();
     for (const double r : {arc.begin_point.norm(), arc.end_point.norm()})
       lo = std::min(lo, r), hi = std::max(hi, r);
