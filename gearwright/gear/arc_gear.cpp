@@ -86,10 +86,8 @@ std::optional<Angle> undercut_limit(const RackMotion& motion, const EdgeCircle& 
   return Angle::radians(std::asin(convex ? sines.back() : sines.front()));
 }
 
-Result<Gear> make_arc_gear(const CylindricalSpec& spec) {
-  GW_EXPECTS(spec.arc_rack.has_value());
+Result<Gear> make_arc_gear(const CylindricalSpec& spec, const Result<RackOfArcs>& rack) {
   if (auto error = check_spec(spec)) return *error;
-  auto rack = arcs_of(*spec.arc_rack);
   if (!rack) return rack.error();
   auto edge = make_edge(*rack, spec.normal_module, spec.thickness_allowance);
   if (!edge) return edge.error();

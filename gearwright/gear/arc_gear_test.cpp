@@ -24,13 +24,13 @@ CylindricalSpec spec_of(Cutter cutter, int teeth) {
   s.normal_module = 2.0;
   s.helix_angle = Angle::degrees(20);
   s.face_width = 20.0;
-  s.arc_rack = rack;
+  s.rack = rack;
   return s;
 }
 
 CylindricalSpec double_spec(int teeth) {
   CylindricalSpec s = spec_of(Cutter::F, teeth);
-  s.arc_rack = DoubleArcRack{};
+  s.rack = DoubleArcRack{};
   return s;
 }
 
@@ -101,7 +101,7 @@ TEST(ArcGear, double_arcs_have_three_flank_arcs) {
 
 TEST(ArcGear, flags_say_what_happened) {
   CylindricalSpec deep = spec_of(Cutter::F, 8);
-  std::get<ArcRack>(*deep.arc_rack).dedendum = 0.5;
+  std::get<ArcRack>(deep.rack).dedendum = 0.5;
   const Gear undercut = made(deep);
   EXPECT_TRUE(undercut.undercut);
   EXPECT_TRUE(warns(undercut, "undercut"));
@@ -153,7 +153,7 @@ TEST(ArcGear, errors_name_their_key) {
   EXPECT_EQ(key([](CylindricalSpec& s) { s.root_fillet = RootFilletSpec{}; }), "root_fillet");
   EXPECT_EQ(key([](CylindricalSpec& s) { s.tip_fillet = TipFilletSpec{}; }), "tip_fillet");
   EXPECT_EQ(key([](CylindricalSpec& s) { s.tip_diameter = 30.0; }), "tip_diameter_mm");
-  EXPECT_EQ(key([](CylindricalSpec& s) { std::get<ArcRack>(*s.arc_rack).addendum = 1.2; }),
+  EXPECT_EQ(key([](CylindricalSpec& s) { std::get<ArcRack>(s.rack).addendum = 1.2; }),
             "rack.addendum");
 }
 

@@ -27,8 +27,8 @@ CylindricalSpec two_teeth() {
   s.helix_angle = 30_deg;
   s.profile_shift = 0.7;
   s.face_width = 20.0;
-  s.rack.dedendum = 1.0;
-  s.rack.root_fillet_radius = 0.0;
+  s.straight_rack().dedendum = 1.0;
+  s.straight_rack().root_fillet_radius = 0.0;
   return s;
 }
 
@@ -192,7 +192,7 @@ TEST(FewTeethRanges, largest_radius_of_the_tip_fillet) {
 TEST(FewTeethRanges, least_radius_of_the_tip_fillet) {
   const char* key = "tip_fillet.radius_mm";
   for (CylindricalSpec s : {spur(12, 0.0), spur(17, 0.0), spur(30, 0.2)}) {
-    s.rack.tool_addendum = 0.9;
+    s.straight_rack().tool_addendum = 0.9;
     const double least = number_in_refusal(with_tip(s, By::radius, 1e-6), key, "greater than ");
     ASSERT_GT(least, 0.0);
     expect_refused(with_tip(s, By::radius, least * (1 - kJust)), key);
@@ -203,7 +203,7 @@ TEST(FewTeethRanges, least_radius_of_the_tip_fillet) {
 TEST(FewTeethRanges, ends_of_the_place_of_the_tip_fillet) {
   const char* key = "tip_fillet.l_mm";
   CylindricalSpec short_flank = spur(17, 0.0);
-  short_flank.rack.tool_addendum = 0.9;
+  short_flank.straight_rack().tool_addendum = 0.9;
   for (const CylindricalSpec& s : {two_teeth(), spur(5, 0.4), spur(17, 0.0), short_flank}) {
     const double least = number_in_refusal(with_tip(s, By::l, 1e3), key, "between ");
     const double most = number_in_refusal(with_tip(s, By::l, 1e3), key, "begins, and ");

@@ -20,8 +20,8 @@ Gear described(const CylindricalSpec& spec) {
   const double sign = gear.internal() ? -1.0 : 1.0;
   const double beta = spec.helix_angle.rad();
   gear.tip_diameter =
-      spec.tip_diameter.value_or(d + sign * 2 * m * (spec.rack.addendum + spec.profile_shift));
-  gear.root_diameter = d - sign * 2 * m * (spec.rack.dedendum - x_E);
+      spec.tip_diameter.value_or(d + sign * 2 * m * (addendum_of(spec.rack) + spec.profile_shift));
+  gear.root_diameter = d - sign * 2 * m * (dedendum_of(spec.rack) - x_E);
   gear.lead = beta == 0.0 ? 0.0 : std::numbers::pi * d / std::tan(beta);
   const double psi_b = gear.reference.base_tooth_thickness / gear.reference.base_diameter;
   // A ring's tooth thins inward: its flanks meet at inv α = −ψ_b, if they do.
@@ -74,7 +74,7 @@ void warn_about_tip(Gear& gear) {
 
 // What the numbers of a rack say of a ring: nothing beyond addendum and dedendum.
 void warn_about_ring(Gear& gear) {
-  const StraightRack& rack = gear.spec.rack;
+  const StraightRack& rack = gear.spec.straight_rack();
   if (rack.tip_fillet_radius > 0.0 || rack.tool_addendum || rack.semi_topping_angle ||
       rack.protuberance > 0.0) {
     warn(gear, "rack_not_used",

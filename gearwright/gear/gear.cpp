@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
+#include "gearwright/base/overloaded.hpp"
 #include "gearwright/base/refusal.hpp"
 #include "gearwright/gear/arc_gear.hpp"
 #include "gearwright/gear/finished_gear.hpp"
@@ -29,6 +31,16 @@ constexpr double kGreatestFace = 1e5;        // modules
 constexpr double kGreatestTip = 1e3;         // times the reference diameter
 
 }  // namespace
+
+const StraightRack& CylindricalSpec::straight_rack() const {
+  const auto* straight = std::get_if<StraightRack>(&rack);
+  GW_EXPECTS(straight != nullptr);
+  return *straight;
+}
+
+StraightRack& CylindricalSpec::straight_rack() {
+  return const_cast<StraightRack&>(std::as_const(*this).straight_rack());
+}
 
 std::optional<Error> check_limits(const CylindricalSpec& spec) {
   const auto within = [](double v, double lo, double hi) {
@@ -144,11 +156,11 @@ double Gear::actual_tip_radius() const {
 
 double Gear::twist() const { return lead == 0.0 ? 0.0 : 2 * std::numbers::pi / lead; }
 
-Result<Gear> make_gear(const CylindricalSpec& spec) {
-  if (auto error = check_limits(spec)) return *error;
-  if (spec.arc_rack) return detail::make_arc_gear(spec);
+namespace {
+
+Result<Gear> make_involute_gear(const CylindricalSpec& spec, const StraightRack& rack) {
   Gear gear = detail::described(spec);
-  auto rack_edge = make_edge(spec.rack, spec.normal_module, spec.normal_pressure_angle);
+  auto rack_edge = make_edge(rack, spec.normal_module, spec.normal_pressure_angle);
   if (!rack_edge) return rack_edge.error();
   const CutterEdge& edge = rack_edge->edge;
   const double sin_alpha_t = std::sin(gear.reference.transverse_pressure_angle);
@@ -161,7 +173,7 @@ Result<Gear> make_gear(const CylindricalSpec& spec) {
         fmt::format(
             "The rack's root fillet radius {} does not fit at this pressure angle; the full "
             "radius {:.6f} is used.",
-            spec.rack.root_fillet_radius, full_radius(spec.rack, spec.normal_pressure_angle)));
+            rack.root_fillet_radius, full_radius(rack, spec.normal_pressure_angle)));
   }
   if (gear.internal()) {
     if (!(gear.tip_diameter > 0.0 && gear.tip_diameter < gear.root_diameter)) {
@@ -183,6 +195,16 @@ Result<Gear> make_gear(const CylindricalSpec& spec) {
   }
   detail::finish(gear);
   return gear;
+}
+
+}  // namespace
+
+Result<Gear> make_gear(const CylindricalSpec& spec) {
+  if (auto error = check_limits(spec)) return *error;
+  return std::visit(
+      Overloaded{[&](const StraightRack& rack) { return make_involute_gear(spec, rack); },
+                 [&](const auto& rack) { return detail::make_arc_gear(spec, arcs_of(rack)); }},
+      spec.rack);
 }
 
 }  // namespace gearwright

@@ -12,8 +12,7 @@
 #include "gearwright/gear/few_teeth.hpp"
 #include "gearwright/gear/reference.hpp"
 #include "gearwright/generation/generate.hpp"
-#include "gearwright/tool/arc_racks.hpp"
-#include "gearwright/tool/straight_rack.hpp"
+#include "gearwright/tool/rack.hpp"
 
 namespace gearwright {
 
@@ -26,10 +25,13 @@ struct CylindricalSpec {
   double thickness_allowance = 0.0;                  ///< E_sn  mm, < 0 thins the tooth
   double face_width = 0.0;                           ///< b     mm
   std::optional<double> tip_diameter;                ///< d_a   mm; else from the rack
-  StraightRack rack;
-  std::optional<AnyArcRack> arc_rack;  ///< of arcs, in place of `rack` and α_n: no involute gear
+  Rack rack;                                         ///< of arcs: no involute gear, and no α_n, x
   std::optional<RootFilletSpec> root_fillet;  ///< a circular arc instead of the root as cut
   std::optional<TipFilletSpec> tip_fillet;    ///< a circular arc instead of the tip as cut
+
+  /// The rack of an involute gear.   Domain: it is straight (contract)
+  const StraightRack& straight_rack() const;
+  StraightRack& straight_rack();
 };
 
 /// Something a person should know about a gear or a pair that is not an error.

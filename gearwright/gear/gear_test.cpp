@@ -105,7 +105,7 @@ TEST(MakeGear, warnings_say_what_happened) {
   EXPECT_TRUE(warns(made(severed), "severed"));
   EXPECT_FALSE(made(severed).exists());
   CylindricalSpec topped = spec(30);
-  topped.rack.tip_fillet_radius = 0.1;
+  topped.straight_rack().tip_fillet_radius = 0.1;
   topped.tip_diameter = 65.0;
   EXPECT_TRUE(warns(made(topped), "tip_cut_by_rack"));
   EXPECT_EQ(made(topped).actual_tip_radius(), 32.0);
@@ -119,7 +119,7 @@ TEST(MakeGear, tip_thickness_is_that_of_the_finished_tooth) {
   const double s_at = 2 * gear.tooth->outline.arcs.back().begin * gear.actual_tip_radius();
   EXPECT_NEAR(*gear.tip_tooth_thickness_normal, s_at, 1e-12);
   CylindricalSpec round = spec(25);
-  round.rack.tip_fillet_radius = 0.2;
+  round.straight_rack().tip_fillet_radius = 0.2;
   EXPECT_LT(*made(round).tip_tooth_thickness_normal, *gear.tip_tooth_thickness_normal - 0.1);
 }
 
@@ -178,14 +178,16 @@ TEST(MakeGear, errors_name_their_key) {
     EXPECT_EQ(key([&](CylindricalSpec& s) { s.profile_shift = bad; }), "profile_shift");
     EXPECT_EQ(key([&](CylindricalSpec& s) { s.thickness_allowance = bad; }),
               "thickness_allowance_mm");
-    EXPECT_EQ(key([&](CylindricalSpec& s) { s.rack.addendum = bad; }), "rack.addendum");
-    EXPECT_EQ(key([&](CylindricalSpec& s) { s.rack.dedendum = bad; }), "rack.dedendum");
-    EXPECT_EQ(key([&](CylindricalSpec& s) { s.rack.root_fillet_radius = bad; }),
+    EXPECT_EQ(key([&](CylindricalSpec& s) { s.straight_rack().addendum = bad; }), "rack.addendum");
+    EXPECT_EQ(key([&](CylindricalSpec& s) { s.straight_rack().dedendum = bad; }), "rack.dedendum");
+    EXPECT_EQ(key([&](CylindricalSpec& s) { s.straight_rack().root_fillet_radius = bad; }),
               "rack.root_fillet_radius");
-    EXPECT_EQ(key([&](CylindricalSpec& s) { s.rack.tip_fillet_radius = bad; }),
+    EXPECT_EQ(key([&](CylindricalSpec& s) { s.straight_rack().tip_fillet_radius = bad; }),
               "rack.tip_fillet_radius");
-    EXPECT_EQ(key([&](CylindricalSpec& s) { s.rack.tool_addendum = bad; }), "rack.tool_addendum");
-    EXPECT_EQ(key([&](CylindricalSpec& s) { s.rack.protuberance = bad; }), "rack.protuberance");
+    EXPECT_EQ(key([&](CylindricalSpec& s) { s.straight_rack().tool_addendum = bad; }),
+              "rack.tool_addendum");
+    EXPECT_EQ(key([&](CylindricalSpec& s) { s.straight_rack().protuberance = bad; }),
+              "rack.protuberance");
   }
   EXPECT_EQ(key([](CylindricalSpec& s) { s.tip_diameter = 30.0; }), "tip_diameter_mm");
   EXPECT_EQ(key([](CylindricalSpec& s) {

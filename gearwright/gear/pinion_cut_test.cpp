@@ -24,7 +24,7 @@ CylindricalSpec cutter_spec(int teeth, double x, Angle beta = 0_deg) {
   s.helix_angle = beta;
   s.profile_shift = x;
   s.face_width = 20.0;
-  s.rack.addendum = 1.25;
+  s.straight_rack().addendum = 1.25;
   return s;
 }
 
@@ -36,8 +36,8 @@ CylindricalSpec two_teeth() {
   s.helix_angle = 30_deg;
   s.profile_shift = 0.7;
   s.face_width = 20.0;
-  s.rack.dedendum = 1.0;
-  s.rack.root_fillet_radius = 0.0;
+  s.straight_rack().dedendum = 1.0;
+  s.straight_rack().root_fillet_radius = 0.0;
   s.root_fillet = RootFilletSpec{0.01};
   s.tip_fillet = TipFilletSpec{TipFilletSpec::By::radius, 0.332};
   return s;

@@ -387,9 +387,9 @@ TEST(ChordalThickness, says_what_is_allowed) {
 // One tooth that covers more than half of the circumference of a spur gear.
 TEST(ChordalThickness, of_a_tooth_too_wide_for_any_calliper) {
   auto s = spec_of(1, 2, 0, 0.3);
-  s.rack.addendum = 0.1;
-  s.rack.dedendum = 0.3;
-  s.rack.root_fillet_radius = 0.0;
+  s.straight_rack().addendum = 0.1;
+  s.straight_rack().dedendum = 0.3;
+  s.straight_rack().root_fillet_radius = 0.0;
   const Gear gear = made(s);
   ASSERT_TRUE(gear.exists() && gear.root_form_radius());
   const double d = 2 * *gear.root_form_radius() * 1.0001;

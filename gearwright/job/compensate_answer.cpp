@@ -105,7 +105,7 @@ Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
     if (i == setting) {
       const int gear = *setup.convex_gear();
       Json& rack = tree[fmt::format("gear{}", gear)]["rack"];
-      const auto& arc = std::get<ArcRack>(*setup.gear(gear).spec.arc_rack);
+      const auto& arc = std::get<ArcRack>(setup.gear(gear).spec.rack);
       rack["center_b"] = arc.center_b + v[k] / setup.gear(gear).spec.normal_module;
       rack.erase("pressure_angle_deg");  // it was a check of the old setting
     } else if (i == lead1 || i == lead2) {

@@ -119,7 +119,7 @@ bool has_angle(const Gear& gear, double side, double theta) {
 
 // The key under which the spec has the radius of the gear's concave flank.
 const char* radius_key(const Gear& concave) {
-  const AnyArcRack& rack = *concave.spec.arc_rack;
+  const Rack& rack = concave.spec.rack;
   return std::holds_alternative<ArcRack>(rack)         ? ".rack.arc_radius"
          : std::holds_alternative<DoubleArcRack>(rack) ? ".rack.concave_radius"
                                                        : ".rack.arcs";
@@ -227,9 +227,9 @@ void warn_about_contact(ArcPair& pair, const ArcPairContact& c) {
   for (const int which : {1, 2}) {
     const Gear& gear = pair.gears[static_cast<std::size_t>(which - 1)];
     std::optional<Angle> written;
-    if (const auto* rack = std::get_if<ArcRack>(&*gear.spec.arc_rack)) {
+    if (const auto* rack = std::get_if<ArcRack>(&gear.spec.rack)) {
       written = rack->pressure_angle;
-    } else if (const auto* rack_2 = std::get_if<DoubleArcRack>(&*gear.spec.arc_rack)) {
+    } else if (const auto* rack_2 = std::get_if<DoubleArcRack>(&gear.spec.rack)) {
       written = rack_2->pressure_angle;
     }
     if (!written || std::abs(written->rad() - c.nominal_theta) <= kSamePressureAngle.rad())

@@ -22,7 +22,7 @@ Gear double_gear(int teeth, double beta_deg, double face_width = 60.0) {
   s.normal_module = 4.0;
   s.helix_angle = Angle::degrees(beta_deg);
   s.face_width = face_width;
-  s.arc_rack = *gbt12759_rack(4.0);
+  s.rack = *gbt12759_rack(4.0);
   auto gear = make_gear(s);
   GW_EXPECTS(static_cast<bool>(gear));
   return std::move(gear).take();

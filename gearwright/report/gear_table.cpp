@@ -106,7 +106,7 @@ void add_rack(TableBuilder& table, GearRows& rows) {
   table.group("Basic rack, in normal modules");
   for (const Row& row : kRows) {
     const auto value = [&row](const Gear& g) {
-      return g.cut_by || !g.involute() ? std::nullopt : row.value(g.spec.rack);
+      return g.cut_by || !g.involute() ? std::nullopt : row.value(g.spec.straight_rack());
     };
     if (!rows.any([&](const Gear& g) { return value(g).has_value(); })) continue;
     rows.add(row.words, row.symbol, row.unit, [&](const Gear& g) {

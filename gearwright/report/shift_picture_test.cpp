@@ -53,7 +53,7 @@ TEST(ShiftPicture, WhereNoCircleFitsItSaysSo) {
   CylindricalSpec spec = testing::two_teeth().spec;
   spec.teeth = 1;
   spec.profile_shift = 0.5;
-  spec.rack.dedendum = 1.0;
+  spec.straight_rack().dedendum = 1.0;
   auto one = make_gear(spec);
   ASSERT_TRUE(one);
   const auto teeth = shifted_teeth(*one);

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "gearwright/tool/arc_racks.hpp"
+#include "gearwright/tool/rack.hpp"
 
 namespace gearwright {
 namespace {
@@ -36,7 +36,12 @@ ArcRack rack_P() {
   return rack;
 }
 
-std::vector<AnyArcRack> racks() {
+RackOfArcs made(const Result<RackOfArcs>& rack) {
+  EXPECT_TRUE(rack) << rack.error().message;
+  return *rack;
+}
+
+std::vector<RackOfArcs> racks() {
   ArcRack sharp_F = rack_F(), sharp_P = rack_P(), flat = rack_F();
   sharp_F.root_fillet_radius = 0.0;
   sharp_F.dedendum = 0.2;
@@ -48,18 +53,22 @@ std::vector<AnyArcRack> racks() {
   low.center_b = -0.1;
   low.dedendum = 0.8;
   low.addendum = -0.2;
-  return {rack_F(), rack_P(), sharp_F, sharp_P, flat, low, DoubleArcRack{}, *gbt12759_rack(12.0)};
+  std::vector<RackOfArcs> all{made(arcs_of(DoubleArcRack{})), made(arcs_of(*gbt12759_rack(12.0)))};
+  for (const ArcRack& rack : {rack_F(), rack_P(), sharp_F, sharp_P, flat, low}) {
+    all.push_back(made(arcs_of(rack)));
+    EXPECT_EQ(all.back().addendum, rack.addendum);
+    EXPECT_EQ(all.back().dedendum, rack.dedendum);
+  }
+  return all;
 }
 
 TEST(RackOfArcs, edges_obey_the_laws_of_an_edge) {
   for (const double m : {0.5, 2.0, 7.0}) {
     for (const double allowance : {0.0, -0.02}) {
-      for (const AnyArcRack& any : racks()) {
-        const auto rack = arcs_of(any);
-        ASSERT_TRUE(rack) << rack.error().message;
-        const auto edge = make_edge(*rack, m, allowance * m);
+      for (const RackOfArcs& rack : racks()) {
+        const auto edge = make_edge(rack, m, allowance * m);
         ASSERT_TRUE(edge) << edge.error().message;
-        EXPECT_EQ(edge->tip_depth, dedendum_of(any) * m);
+        EXPECT_EQ(edge->tip_depth, rack.dedendum * m);
         EXPECT_LE(edge->tip_land_end, kPi * m / 2);
         Vec2 last(-edge->tip_depth, edge->tip_land_end);
         double last_tau = kPi / 2;
@@ -82,7 +91,7 @@ TEST(RackOfArcs, edges_obey_the_laws_of_an_edge) {
           last_tau = end_tau;
         }
         EXPECT_NEAR(last.x(), edge->bottom_height, 1e-15 * m);
-        EXPECT_GE(edge->bottom_height, addendum_of(any) * m);
+        EXPECT_GE(edge->bottom_height, rack.addendum * m);
       }
     }
   }

@@ -22,7 +22,7 @@ Result<Gear> cut(int teeth, double module, double helix_deg, const ArcRack& rack
   s.normal_module = module;
   s.helix_angle = Angle::degrees(helix_deg);
   s.face_width = 4.0 * module / std::sin(std::abs(s.helix_angle.rad()));  // 1.27 axial pitches
-  s.arc_rack = rack;
+  s.rack = rack;
   return make_gear(s);
 }
 

@@ -49,7 +49,7 @@ Gear gear_of(const Json& design, int which, double m) {
   spec.normal_module = m;
   spec.helix_angle = Angle::degrees((first ? 1 : -1) * (90.0 - design["lamF_deg"].get<double>()));
   spec.face_width = 40 * m;
-  spec.arc_rack =
+  spec.rack =
       rack_of(design[first ? "F" : "P"], first ? ArcRack::Cutter::F : ArcRack::Cutter::P, m);
   auto gear = make_gear(spec);
   EXPECT_TRUE(gear) << gear.error().message;
@@ -96,7 +96,7 @@ TEST(CircularArc, undercut_limits) {
     spec.helix_angle = Angle::degrees(15);
     spec.face_width = 10 * m;
     ArcRack rack = rack_of(design["F"], ArcRack::Cutter::F, m);
-    spec.arc_rack = rack;
+    spec.rack = rack;
     const auto gear = make_gear(spec);
     ASSERT_TRUE(gear) << gear.error().message;
     ASSERT_TRUE(gear->arcs->undercut_limit);
@@ -108,7 +108,7 @@ TEST(CircularArc, undercut_limits) {
                             (rack.arc_radius + rack.root_fillet_radius) * std::sin(limit * kDegree);
     for (const double more : {-1e-8, 1e-8}) {
       rack.dedendum = at_limit + more;
-      spec.arc_rack = rack;
+      spec.rack = rack;
       const auto changed = make_gear(spec);
       ASSERT_TRUE(changed) << changed.error().message;
       EXPECT_EQ(changed->undercut, more > 0.0);

@@ -16,7 +16,7 @@ namespace gearwright::oracle {
 /// are the engine's to make: x_E of the thickness allowance, and the full radius of a named rack.
 inline RackNumbers numbers_of(const Gear& gear) {
   const CylindricalSpec& spec = gear.spec;
-  const StraightRack& rack = spec.rack;
+  const StraightRack& rack = spec.straight_rack();
   RackNumbers n{.teeth = spec.teeth,
                 .normal_module = spec.normal_module,
                 .normal_pressure_angle = spec.normal_pressure_angle.rad(),

@@ -124,7 +124,7 @@ TEST(GearLaws, defaults_written_out_change_nothing) {
     EXPECT_TRUE(scaled(*absent, *given, 1.0)) << describe(spec);
     EXPECT_NEAR(absent->tip_diameter,
                 absent->reference.reference_diameter +
-                    2 * spec.normal_module * (spec.rack.addendum + spec.profile_shift),
+                    2 * spec.normal_module * (spec.straight_rack().addendum + spec.profile_shift),
                 4 * kEps * (std::abs(absent->tip_diameter) + absent->reference.reference_diameter));
   }
 }

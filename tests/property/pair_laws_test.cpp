@@ -92,8 +92,8 @@ TEST(PairLaws, extended_distance_gives_the_standard_clearance) {
     if (!p || p->gears[0].tooth->pointed) return;
     if (p->gears[1].tooth && p->gears[1].tooth->pointed) return;
     ++held;
-    const double c =
-        specs.first.normal_module * (specs.first.rack.dedendum - specs.first.rack.addendum);
+    const double c = specs.first.normal_module *
+                     (specs.first.straight_rack().dedendum - specs.first.straight_rack().addendum);
     const double scale = p->center_distance + p->gears[1].reference.reference_diameter;
     EXPECT_NEAR(p->tip_clearance[0], c, 16 * kEps * scale);
     EXPECT_NEAR(p->tip_clearance[1], c, 16 * kEps * scale);

@@ -69,7 +69,7 @@ inline SamplePair arcs() {
     rack.arc_radius = convex ? 1.4 : 1.55;
     rack.center_a = convex ? 0.42 : 0.42 + 0.15 * std::sqrt(0.75);
     rack.center_b = convex ? 0.24 : 0.24 + 0.15 * 0.5;
-    s.arc_rack = rack;
+    s.rack = rack;
     return std::move(make_gear(s)).take();
   };
   SamplePair p{{gear(16, 20, ArcRack::Cutter::F), gear(48, -20, ArcRack::Cutter::P)}, {}, {}};
