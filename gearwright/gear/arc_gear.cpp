@@ -1,7 +1,6 @@
 #include "gearwright/gear/arc_gear.hpp"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "gearwright/base/refusal.hpp"
@@ -12,16 +11,6 @@
 namespace gearwright::detail {
 
 namespace {
-
-// What follows from teeth, module and helix alone.
-ReferenceGeometry<double> without_involute(const CylindricalSpec& spec) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  ReferenceGeometry<double> g{kNone, kNone, kNone, kNone, kNone, kNone,
-                              kNone, kNone, kNone, kNone, kNone};
-  g.transverse_module = spec.normal_module / std::cos(spec.helix_angle.rad());
-  g.reference_diameter = g.transverse_module * spec.teeth;
-  return g;
-}
 
 std::optional<Error> check_spec(const CylindricalSpec& spec) {
   const std::string why = "has no place beside a rack of arcs";
@@ -58,6 +47,7 @@ bool is_undercut(const EdgeCircle& flank, const std::optional<Angle>& limit) {
 
 // The lowest flank, or the one above it that is undercut; a joint between two touches nothing.
 void look_for_undercut(Gear& gear, const RackMotion& motion, const CutterEdge& edge) {
+  auto& flanks = std::get<ArcTeeth>(gear.flanks);
   bool first = true;
   for (const EdgeArc& arc : edge.arcs) {
     const auto* circle = std::get_if<EdgeCircle>(&arc.shape);
@@ -66,8 +56,8 @@ void look_for_undercut(Gear& gear, const RackMotion& motion, const CutterEdge& e
     const auto limit = undercut_limit(motion, *circle);
     const bool undercut = is_undercut(*circle, limit);
     if (first || undercut) {
-      gear.arcs->flank_begin = circle->begin_tau;
-      gear.arcs->undercut_limit = limit;
+      flanks.flank_begin = circle->begin_tau;
+      flanks.undercut_limit = limit;
     }
     gear.undercut = gear.undercut || undercut;
     first = false;
@@ -94,14 +84,16 @@ Result<Gear> make_arc_gear(const CylindricalSpec& spec, const Result<RackOfArcs>
 
   Gear gear{};
   gear.spec = spec;
-  gear.reference = without_involute(spec);
   const double m = spec.normal_module;
-  const double d = gear.reference.reference_diameter;
   const double beta = spec.helix_angle.rad();
+  gear.transverse_module = m / std::cos(beta);
+  gear.reference_diameter = gear.transverse_module * spec.teeth;
+  const double d = gear.reference_diameter;
   const RackMotion motion{d / 2, std::cos(beta), 0.0};
-  gear.arcs = ArcTeeth{*rack, std::nullopt, Angle(), std::nullopt};
+  ArcTeeth flanks{*rack, std::nullopt, Angle(), std::nullopt};
   if (const auto half = half_thickness_on_datum(*rack))
-    gear.arcs->reference_thickness = 2 * *half * m + spec.thickness_allowance;
+    flanks.reference_thickness = 2 * *half * m + spec.thickness_allowance;
+  gear.flanks = std::move(flanks);
   look_for_undercut(gear, motion, *edge);
   gear.tip_diameter = spec.tip_diameter.value_or(d + 2 * m * rack->addendum);
   gear.root_diameter = d - 2 * m * rack->dedendum;

@@ -120,7 +120,7 @@ TEST(FewTeeth, undercut_length_has_the_sign_of_the_undercut) {
   for (const int teeth : {2, 3, 5, 8, 12, 17, 30}) {
     for (const double x : {-0.5, 0.0, 0.3, 0.7, 1.1}) {
       const Gear gear = made(spur(teeth, x));
-      EXPECT_EQ(gear.undercut, *gear.undercut_l > 0.0) << teeth << " " << x;
+      EXPECT_EQ(gear.undercut, *gear.involute()->undercut_l > 0.0) << teeth << " " << x;
       const auto filleted = make_gear(with_root(spur(teeth, x), 0.01));
       EXPECT_FALSE(filleted && filleted->undercut);
     }
@@ -129,24 +129,24 @@ TEST(FewTeeth, undercut_length_has_the_sign_of_the_undercut) {
 
 TEST(FewTeeth, point_c_is_the_undercut_limit_and_the_offset) {
   const Gear undercut = made(with_root(two_teeth(), 0.01));
-  EXPECT_NEAR(*undercut.point_c_l, *undercut.undercut_l + 0.01, 1e-15 * 4);
+  EXPECT_NEAR(*undercut.involute()->point_c_l, *undercut.involute()->undercut_l + 0.01, 1e-15 * 4);
   const Gear free = made(with_root(spur(12, 0.5), 0.05));
-  EXPECT_LT(*free.undercut_l, 0.0);
-  EXPECT_NEAR(*free.point_c_l, 0.05, 1e-15 * 8);
-  EXPECT_FALSE(free.point_j_l);
+  EXPECT_LT(*free.involute()->undercut_l, 0.0);
+  EXPECT_NEAR(*free.involute()->point_c_l, 0.05, 1e-15 * 8);
+  EXPECT_FALSE(free.involute()->point_j_l);
   EXPECT_FALSE(free.tooth->tip_fillet);
   const Gear plain = made(two_teeth());
-  EXPECT_FALSE(plain.point_c_l || plain.point_j_l);
+  EXPECT_FALSE(plain.involute()->point_c_l || plain.involute()->point_j_l);
 }
 
 // Radius, place and end name the same fillet.
 TEST(FewTeeth, three_ways_to_name_a_tip_fillet) {
   const Gear by_radius = made(with_tip(two_teeth(), By::radius, 0.332));
-  const Gear by_l = made(with_tip(two_teeth(), By::l, *by_radius.point_j_l));
+  const Gear by_l = made(with_tip(two_teeth(), By::l, *by_radius.involute()->point_j_l));
   const Gear by_end = made(with_tip(two_teeth(), By::end_radius, by_radius.tip_diameter / 2));
   for (const Gear* g : {&by_l, &by_end}) {
     EXPECT_NEAR(g->tooth->tip_fillet->radius, 0.332, 1e-13);
-    EXPECT_NEAR(*g->point_j_l, *by_radius.point_j_l, 1e-13);
+    EXPECT_NEAR(*g->involute()->point_j_l, *by_radius.involute()->point_j_l, 1e-13);
     EXPECT_NEAR(g->tip_diameter, by_radius.tip_diameter, 1e-13);
   }
   EXPECT_TRUE(by_radius.tooth->rounded_tip);

@@ -100,7 +100,7 @@ void forget_fillet_cut_off(Gear& gear, double fillet_begin) {
   GeneratedTooth& tooth = *gear.tooth;
   if (!tooth.tip_fillet || !(gear.tip_diameter / 2 <= fillet_begin)) return;
   tooth.tip_fillet.reset();
-  gear.point_j_l.reset();
+  std::get<InvoluteTeeth>(gear.flanks).point_j_l.reset();
   detail::warn(gear, "tip_fillet_cut_off",
                fmt::format("The tooth ends at {:.4f} mm diameter, before its tip fillet begins: "
                            "tip_fillet has no effect.",
@@ -110,19 +110,20 @@ void forget_fillet_cut_off(Gear& gear, double fillet_begin) {
 // The tooth of an external gear, with circular fillets where they are asked for.
 std::optional<Error> cut(Gear& gear, const CutterEdge& edge) {
   const CylindricalSpec& spec = gear.spec;
-  const double x_E = gear.reference.generating_profile_shift;
-  const RackMotion motion{gear.reference.reference_diameter / 2, std::cos(spec.helix_angle.rad()),
+  auto& flanks = std::get<InvoluteTeeth>(gear.flanks);
+  const double x_E = gear.reference().generating_profile_shift;
+  const RackMotion motion{gear.reference_diameter / 2, std::cos(spec.helix_angle.rad()),
                           x_E * spec.normal_module};
   const FlankRuler ruler = flank_ruler(edge, motion);
-  gear.undercut_l = ruler.undercut_l();
-  gear.undercut = !spec.root_fillet && x_E < gear.undercut_free_profile_shift;
+  flanks.undercut_l = ruler.undercut_l();
+  gear.undercut = !spec.root_fillet && x_E < flanks.undercut_free_profile_shift;
   const std::optional<double> blank =
       spec.tip_diameter || !spec.tip_fillet ? std::optional(gear.tip_diameter / 2) : std::nullopt;
   auto rolls = fillet_rolls(ruler, spec.teeth, spec.root_fillet, spec.tip_fillet, blank);
   if (!rolls) return rolls.error();
-  if (rolls->root) gear.point_c_l = ruler.l(*rolls->root);
+  if (rolls->root) flanks.point_c_l = ruler.l(*rolls->root);
   if (rolls->tip) {
-    gear.point_j_l = ruler.l(*rolls->tip);
+    flanks.point_j_l = ruler.l(*rolls->tip);
     // A tooth that its fillet ends needs no other tip.
     if (!blank) gear.tip_diameter = 2 * tip_fillet_at(ruler.flank, *rolls->tip)->end;
   }
@@ -135,6 +136,19 @@ std::optional<Error> cut(Gear& gear, const CutterEdge& edge) {
 }
 
 }  // namespace
+
+const ReferenceGeometry<double>& Gear::reference() const {
+  GW_EXPECTS(involute() != nullptr);
+  return involute()->reference;
+}
+
+std::optional<double> of_involute(const Gear& gear, double ReferenceGeometry<double>::*number) {
+  return gear.involute() ? std::optional(gear.involute()->reference.*number) : std::nullopt;
+}
+
+std::optional<double> of_involute(const Gear& gear, std::optional<double> InvoluteTeeth::*number) {
+  return gear.involute() ? gear.involute()->*number : std::nullopt;
+}
 
 std::optional<double> Gear::root_form_radius() const {
   return tooth ? tooth->form_radius : std::nullopt;
@@ -163,8 +177,8 @@ Result<Gear> make_involute_gear(const CylindricalSpec& spec, const StraightRack&
   auto rack_edge = make_edge(rack, spec.normal_module, spec.normal_pressure_angle);
   if (!rack_edge) return rack_edge.error();
   const CutterEdge& edge = rack_edge->edge;
-  const double sin_alpha_t = std::sin(gear.reference.transverse_pressure_angle);
-  gear.undercut_free_profile_shift =
+  const double sin_alpha_t = std::sin(gear.reference().transverse_pressure_angle);
+  std::get<InvoluteTeeth>(gear.flanks).undercut_free_profile_shift =
       edge.flank_begin_depth / spec.normal_module -
       std::abs(spec.teeth) * sin_alpha_t * sin_alpha_t / (2 * std::cos(spec.helix_angle.rad()));
   if (rack_edge->became_full_radius) {

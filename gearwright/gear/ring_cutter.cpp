@@ -33,10 +33,10 @@ std::optional<Cutter> cutter_of(const Gear& ring, int z_0, double rounding) {
   auto bare = make_gear(c);
   if (!bare || !bare->exists()) return std::nullopt;
   const auto e =
-      generating_distance(*bare, ring.spec.teeth, ring.reference.generating_profile_shift);
+      generating_distance(*bare, ring.spec.teeth, ring.reference().generating_profile_shift);
   if (!e) return std::nullopt;
   const double r_a = ring.root_diameter / 2 - *e;
-  c.straight_rack().addendum = (r_a - bare->reference.reference_diameter / 2) / c.normal_module;
+  c.straight_rack().addendum = (r_a - bare->reference_diameter / 2) / c.normal_module;
   if (!(c.straight_rack().addendum > 0.0)) return std::nullopt;
   c.straight_rack().tip_fillet_radius = rounding;
   c.tip_diameter = 2 * r_a;

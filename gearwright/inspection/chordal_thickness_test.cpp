@@ -398,9 +398,9 @@ TEST(ChordalThickness, of_a_tooth_too_wide_for_any_calliper) {
   // The thread of a worm of the same width is no trouble.
   auto worm = spec_of(1, 2, 84, 0.3);
   const Gear thread = made(worm);
-  const auto c = chordal_thickness(thread, thread.reference.reference_diameter);
+  const auto c = chordal_thickness(thread, thread.reference_diameter);
   ASSERT_TRUE(c) << c.error().message;
-  EXPECT_NEAR(c->chord, thread.reference.reference_tooth_thickness_normal, 0.01);
+  EXPECT_NEAR(c->chord, thread.reference().reference_tooth_thickness_normal, 0.01);
 }
 
 }  // namespace

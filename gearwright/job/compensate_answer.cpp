@@ -152,7 +152,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job) {
   CompensationTask task;
   task.scenarios = static_cast<int>(scenarios.size());
   task.positions = kPositions;
-  task.along_face = setup.gear(1).involute();
+  task.along_face = setup.gear(1).involute() != nullptr;
   task.fine_positions = job.spec.contact.positions;
   task.centering = input.centering_arcsec * kRadPerArcsec;
   for (const std::size_t i : answer.corrections) {

@@ -19,7 +19,7 @@ constexpr double kMmPerUm = 1e-3;
 enum ErrorIndex { center, crossing, intersecting, axial, slope1, slope2, lead1, lead2 };
 
 double helix_twist(const Gear& gear, double slope_um) {
-  return slope_um * kMmPerUm / (gear.reference.reference_diameter / 2 * gear.spec.face_width);
+  return slope_um * kMmPerUm / (gear.reference_diameter / 2 * gear.spec.face_width);
 }
 
 std::optional<Error> check_cutter_lead(const JobSpec& spec, const Gear& gear, int which) {

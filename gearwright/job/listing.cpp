@@ -30,14 +30,11 @@ std::string pad_left(const std::string& s, std::size_t n) {
   return std::string(width(s) < n ? n - width(s) : 0, ' ') + s;
 }
 
-// Four decimals; what rounds to nothing has no sign, and what only an involute gear has is NaN of
-// others.
-std::string mm(double v) {
-  return std::isnan(v) ? "-" : fmt::format("{:.4f}", std::abs(v) < 0.5e-4 ? 0.0 : v);
-}
-std::string angle(double rad) {
-  if (std::isnan(rad)) return "-";
-  return fmt::format("{:.5f}", std::abs(deg(rad)) < 0.5e-5 ? 0.0 : deg(rad));
+// Four decimals; what rounds to nothing has no sign.
+std::string mm(double v) { return fmt::format("{:.4f}", std::abs(v) < 0.5e-4 ? 0.0 : v); }
+std::string angle(const std::optional<double>& rad) {
+  if (!rad) return "-";
+  return fmt::format("{:.5f}", std::abs(deg(*rad)) < 0.5e-5 ? 0.0 : deg(*rad));
 }
 std::string maybe(const std::optional<double>& v, double factor = 1.0) {
   return v ? mm(factor * *v) : "-";
@@ -63,13 +60,14 @@ class Table {
 }  // namespace
 
 std::string gear_listing(const SolvedJob& job) {
+  using Reference = ReferenceGeometry<double>;
   Table t;
   if (!job.spec.title.empty()) t.head(job.spec.title);
   std::vector<std::string> heads;
   for (std::size_t i = 0; i < job.gears.size(); ++i)
     heads.push_back(fmt::format("gear {}", i + 1));
   t.row("", "", heads, "");
-  const auto is_involute = [](const Gear& g) { return g.involute(); };
+  const auto is_involute = [](const Gear& g) { return g.involute() != nullptr; };
   const auto each = [&](const char* what, const char* symbol, const char* unit,
                         const std::function<std::string(const Gear&)>& value) {
     std::vector<std::string> values;
@@ -81,21 +79,21 @@ std::string gear_listing(const SolvedJob& job) {
   each("teeth", "z", "", [](const Gear& g) { return fmt::format("{}", g.spec.teeth); });
   each("normal module", "m_n", "mm", [](const Gear& g) { return mm(g.spec.normal_module); });
   each("normal pressure angle", "α_n", "°",
-       [](const Gear& g) { return g.arcs ? "-" : angle(g.spec.normal_pressure_angle.rad()); });
+       [](const Gear& g) { return g.arcs() ? "-" : angle(g.spec.normal_pressure_angle.rad()); });
   each("transverse pressure angle", "α_t", "°",
-       [](const Gear& g) { return angle(g.reference.transverse_pressure_angle); });
+       [](const Gear& g) { return angle(of_involute(g, &Reference::transverse_pressure_angle)); });
   each("helix angle (+ right hand)", "β", "°",
        [](const Gear& g) { return angle(g.spec.helix_angle.rad()); });
   each("base helix angle", "β_b", "°",
-       [](const Gear& g) { return angle(g.reference.base_helix_angle); });
+       [](const Gear& g) { return angle(of_involute(g, &Reference::base_helix_angle)); });
   each("profile shift", "x", "",
-       [](const Gear& g) { return g.arcs ? "-" : fmt::format("{:.5f}", g.spec.profile_shift); });
+       [](const Gear& g) { return g.arcs() ? "-" : fmt::format("{:.5f}", g.spec.profile_shift); });
   each("face width", "b", "mm", [](const Gear& g) { return mm(g.spec.face_width); });
   each("lead", "p_z", "mm",
        [](const Gear& g) { return g.lead == 0.0 ? std::string("-") : mm(g.lead); });
-  each("reference diameter", "d", "mm",
-       [](const Gear& g) { return mm(g.reference.reference_diameter); });
-  each("base diameter", "d_b", "mm", [](const Gear& g) { return mm(g.reference.base_diameter); });
+  each("reference diameter", "d", "mm", [](const Gear& g) { return mm(g.reference_diameter); });
+  each("base diameter", "d_b", "mm",
+       [](const Gear& g) { return maybe(of_involute(g, &Reference::base_diameter)); });
   each("tip diameter", "d_a", "mm", [](const Gear& g) { return mm(g.tip_diameter); });
   each("tip form diameter", "d_Fa", "mm",
        [](const Gear& g) { return g.exists() ? mm(2 * g.tip_form_radius()) : "-"; });
@@ -104,11 +102,11 @@ std::string gear_listing(const SolvedJob& job) {
   each("root diameter", "d_f", "mm", [](const Gear& g) { return mm(g.root_diameter); });
   each("pointed diameter", "", "mm", [](const Gear& g) { return maybe(g.pointed_diameter); });
   each("normal thickness at d", "s_n", "mm", [](const Gear& g) {
-    return g.arcs ? maybe(g.arcs->reference_thickness)
-                  : mm(g.reference.reference_tooth_thickness_normal);
+    return g.arcs() ? maybe(g.arcs()->reference_thickness)
+                    : maybe(of_involute(g, &Reference::reference_tooth_thickness_normal));
   });
   each("transverse thickness at d_b", "s_bt", "mm",
-       [](const Gear& g) { return mm(g.reference.base_tooth_thickness); });
+       [](const Gear& g) { return maybe(of_involute(g, &Reference::base_tooth_thickness)); });
   each("normal thickness at the tip", "s_an", "mm",
        [](const Gear& g) { return maybe(g.tip_tooth_thickness_normal); });
   const auto any = [&](const auto& has) {
@@ -127,19 +125,19 @@ std::string gear_listing(const SolvedJob& job) {
   };
   fillet("circular root", "r_r", &GeneratedTooth::root_fillet);
   fillet("circular tip", "r_t", &GeneratedTooth::tip_fillet);
-  if (any([](const Gear& g) { return g.undercut_l && *g.undercut_l > 0.0; })) {
+  if (any([](const Gear& g) { return of_involute(g, &InvoluteTeeth::undercut_l) > 0.0; })) {
     each("undercut limit along the rack's flank", "l_F", "mm",
-         [](const Gear& g) { return maybe(g.undercut_l); });
+         [](const Gear& g) { return maybe(of_involute(g, &InvoluteTeeth::undercut_l)); });
   }
   each("shift without undercut, at least", "", "", [](const Gear& g) {
-    const auto& x = g.undercut_free_profile_shift;
+    const auto x = of_involute(g, &InvoluteTeeth::undercut_free_profile_shift);
     return g.internal() || !x ? std::string("-") : fmt::format("{:.5f}", *x);
   });
-  if (any([](const Gear& g) { return g.arcs.has_value(); })) {
+  if (any([](const Gear& g) { return g.arcs() != nullptr; })) {
     each("flank begins at the rack's angle", "", "°",
-         [](const Gear& g) { return g.arcs ? angle(g.arcs->flank_begin.rad()) : "-"; });
+         [](const Gear& g) { return g.arcs() ? angle(g.arcs()->flank_begin.rad()) : "-"; });
     each("  undercut limit", "", "°", [](const Gear& g) {
-      return g.arcs && g.arcs->undercut_limit ? angle(g.arcs->undercut_limit->rad()) : "-";
+      return g.arcs() && g.arcs()->undercut_limit ? angle(g.arcs()->undercut_limit->rad()) : "-";
     });
   }
   return t.take();

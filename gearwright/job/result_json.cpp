@@ -17,8 +17,16 @@ Json optional(const std::optional<double>& value, double factor = 1.0) {
   return value ? Json(factor * *value) : Json(nullptr);
 }
 
-// A number of the reference geometry: one that only an involute gear has is NaN elsewhere.
-Json of_involute(double value) { return std::isnan(value) ? Json(nullptr) : Json(value); }
+using Reference = ReferenceGeometry<double>;
+
+// A number that only an involute gear has.
+Json number(const Gear& gear, double Reference::*member) {
+  return optional(of_involute(gear, member));
+}
+Json angle(const Gear& gear, double Reference::*member) {
+  const auto rad = of_involute(gear, member);
+  return rad ? Json(deg(*rad)) : Json(nullptr);
+}
 
 Json point(const Point<Housing>& p) { return Json::array({p.r.x(), p.r.y(), p.r.z()}); }
 
@@ -100,7 +108,7 @@ Json gear_json(const Gear& g) {
   const bool exists = g.exists();
   Json j;
   j["teeth"] = g.spec.teeth;
-  j["kind"] = g.arcs                              ? "circular_arc"
+  j["kind"] = g.arcs()                            ? "circular_arc"
               : g.cut_by && !g.cut_by->by_default ? "generated"
                                                   : "involute";
   j["cutter_teeth"] = g.cut_by ? Json(g.cut_by->cutter_teeth) : Json(nullptr);
@@ -108,15 +116,15 @@ Json gear_json(const Gear& g) {
   j["normal_module_mm"] = g.spec.normal_module;
   j["normal_pressure_angle_deg"] =
       g.involute() ? Json(g.spec.normal_pressure_angle.deg()) : Json(nullptr);
-  j["transverse_pressure_angle_deg"] = of_involute(deg(g.reference.transverse_pressure_angle));
+  j["transverse_pressure_angle_deg"] = angle(g, &Reference::transverse_pressure_angle);
   j["helix_angle_deg"] = g.spec.helix_angle.deg();
-  j["base_helix_angle_deg"] = of_involute(deg(g.reference.base_helix_angle));
+  j["base_helix_angle_deg"] = angle(g, &Reference::base_helix_angle);
   j["profile_shift"] = g.involute() ? Json(g.spec.profile_shift) : Json(nullptr);
-  j["generating_profile_shift"] = of_involute(g.reference.generating_profile_shift);
+  j["generating_profile_shift"] = number(g, &Reference::generating_profile_shift);
   j["face_width_mm"] = g.spec.face_width;
   j["lead_mm"] = g.lead == 0.0 ? Json(nullptr) : Json(g.lead);
-  j["reference_diameter_mm"] = g.reference.reference_diameter;
-  j["base_diameter_mm"] = of_involute(g.reference.base_diameter);
+  j["reference_diameter_mm"] = g.reference_diameter;
+  j["base_diameter_mm"] = number(g, &Reference::base_diameter);
   j["tip_diameter_mm"] = g.tip_diameter;
   j["root_diameter_mm"] = g.root_diameter;
   j["root_form_diameter_mm"] = exists ? optional(g.root_form_radius(), 2.0) : Json(nullptr);
@@ -124,22 +132,23 @@ Json gear_json(const Gear& g) {
                                   ? Json(nullptr)
                                   : Json(2 * g.tip_form_radius());
   j["finished_tip_diameter_mm"] = exists ? Json(2 * g.actual_tip_radius()) : Json(nullptr);
-  j["base_tooth_thickness_mm"] = of_involute(g.reference.base_tooth_thickness);
+  j["base_tooth_thickness_mm"] = number(g, &Reference::base_tooth_thickness);
   j["reference_tooth_thickness_normal_mm"] =
-      g.arcs ? optional(g.arcs->reference_thickness)
-             : Json(g.reference.reference_tooth_thickness_normal);
+      g.arcs() ? optional(g.arcs()->reference_thickness)
+               : Json(g.reference().reference_tooth_thickness_normal);
   j["tip_tooth_thickness_normal_mm"] = optional(g.tip_tooth_thickness_normal);
   j["pointed_diameter_mm"] = optional(g.pointed_diameter);
-  j["normal_base_pitch_mm"] = of_involute(g.reference.base_pitch_normal);
-  j["transverse_base_pitch_mm"] = of_involute(g.reference.base_pitch_transverse);
+  j["normal_base_pitch_mm"] = number(g, &Reference::base_pitch_normal);
+  j["transverse_base_pitch_mm"] = number(g, &Reference::base_pitch_transverse);
   j["undercut"] = g.undercut;
-  if (g.arcs) {
-    j["flank_begin_rack_angle_deg"] = g.arcs->flank_begin.deg();
+  if (g.arcs()) {
+    j["flank_begin_rack_angle_deg"] = g.arcs()->flank_begin.deg();
     j["undercut_limit_rack_angle_deg"] =
-        g.arcs->undercut_limit ? Json(g.arcs->undercut_limit->deg()) : Json(nullptr);
+        g.arcs()->undercut_limit ? Json(g.arcs()->undercut_limit->deg()) : Json(nullptr);
   }
   j["undercut_free_profile_shift"] =
-      g.internal() ? Json(nullptr) : optional(g.undercut_free_profile_shift);
+      g.internal() ? Json(nullptr)
+                   : optional(of_involute(g, &InvoluteTeeth::undercut_free_profile_shift));
   const GeneratedTooth* tooth = g.tooth ? &*g.tooth : nullptr;
   j["pointed"] = g.pointed();
   j["severed"] = tooth && tooth->severed;
@@ -151,9 +160,9 @@ Json gear_json(const Gear& g) {
   };
   fillet("root_fillet", tooth ? tooth->root_fillet : std::nullopt);
   fillet("tip_fillet", tooth ? tooth->tip_fillet : std::nullopt);
-  j["undercut_l_mm"] = optional(g.undercut_l);
-  j["point_c_l_mm"] = optional(g.point_c_l);
-  j["point_j_l_mm"] = optional(g.point_j_l);
+  j["undercut_l_mm"] = optional(of_involute(g, &InvoluteTeeth::undercut_l));
+  j["point_c_l_mm"] = optional(of_involute(g, &InvoluteTeeth::point_c_l));
+  j["point_j_l_mm"] = optional(of_involute(g, &InvoluteTeeth::point_j_l));
   j["neck_thickness_mm"] = tooth && tooth->neck_half_angle
                                ? Json(2 * *tooth->neck_radius * std::sin(*tooth->neck_half_angle))
                                : Json(nullptr);

@@ -21,11 +21,11 @@ std::string table(int which) { return fmt::format("gear{}", which); }
 double deg(double rad) { return Angle::radians(rad).deg(); }
 
 std::vector<WorkingArc> working(const Gear& gear, double side) {
-  GW_EXPECTS(gear.arcs.has_value());
+  GW_EXPECTS(gear.arcs() != nullptr);
   const double m = gear.spec.normal_module;
   const double thinner = gear.spec.thickness_allowance / 2;
   std::vector<WorkingArc> list;
-  for (const RackArc& arc : gear.arcs->rack.arcs) {
+  for (const RackArc& arc : gear.arcs()->rack.arcs) {
     if (arc.cuts != ArcName::flank || !arc.working || !(side * arc.radius > 0.0)) continue;
     // [T7.1], [T7.2] read backward.
     const double middle = side > 0.0 ? 0.0 : kPi / 2;
@@ -36,7 +36,7 @@ std::vector<WorkingArc> working(const Gear& gear, double side) {
   return list;
 }
 
-double pitch_radius(const Gear& gear) { return gear.reference.reference_diameter / 2; }
+double pitch_radius(const Gear& gear) { return gear.reference_diameter / 2; }
 
 std::optional<Error> check_gears(const std::array<Gear, 2>& gears) {
   for (const int which : {1, 2}) {
@@ -109,7 +109,7 @@ ArcMeshInput mesh_of(const Gear& convex, const Gear& concave, const WorkingArc& 
 
 // Whether an arc of the gear that was cut with these numbers has the normal angle θ at all.
 bool has_angle(const Gear& gear, double side, double theta) {
-  for (const RackArc& arc : gear.arcs->rack.arcs) {
+  for (const RackArc& arc : gear.arcs()->rack.arcs) {
     if (arc.cuts != ArcName::flank || !arc.working || !(side * arc.radius > 0.0)) continue;
     const auto [lo, hi] = std::minmax({arc.begin.rad(), arc.end.rad()});
     if (theta >= lo && theta <= hi) return true;

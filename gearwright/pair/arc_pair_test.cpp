@@ -163,7 +163,7 @@ TEST(ArcPair, warnings_say_what_is_amiss) {
   EXPECT_TRUE(warns(mounted(F, P, a_d + 0.25), "contact_off_flank"));
   EXPECT_FALSE(warns(mounted(F, P, a_d + 0.05), "contact_off_flank"));
   EXPECT_TRUE(warns(mounted(F, P, a_d - 0.05), "negative_backlash"));
-  P.tip_diameter = made(P).reference.reference_diameter + 4.0;
+  P.tip_diameter = made(P).reference_diameter + 4.0;
   std::get<ArcRack>(F.rack).dedendum = 0.1;
   EXPECT_TRUE(warns(mounted(F, P), "root"));
   auto other = spec_of(rack_of(Cutter::P), 40, -18.1);

@@ -10,7 +10,7 @@ namespace gearwright::detail {
 namespace {
 
 // A gear cut by its mate touches it with no clearance at all: rounding is no interference.
-double noise(const Pair& p) { return 1e-11 * p.gears[0].reference.base_pitch_normal; }
+double noise(const Pair& p) { return 1e-11 * p.gears[0].reference().base_pitch_normal; }
 
 double diameter_of(double base_radius, double rho) { return 2 * std::hypot(base_radius, rho); }
 

@@ -37,12 +37,13 @@ class Rows {
   }
   // A fillet: where it touches the flank, its circle and its angle.
   void add_fillet(const char* title, const char* point, const char* radius, const char* span,
-                  std::optional<FilletArc> GeneratedTooth::*which, std::optional<double> Gear::*l) {
+                  std::optional<FilletArc> GeneratedTooth::*which,
+                  std::optional<double> InvoluteTeeth::*l) {
     const Value r = [which](const Gear& g) { return of_fillet(g, which, &FilletArc::radius); };
     if (!any(r)) return;
     table_.group(title);
     add(fmt::format("Touches the flank at {}", point).c_str(), fmt::format("l_{}", point).c_str(),
-        "mm", kLengthDigits, [l](const Gear& g) { return g.*l; });
+        "mm", kLengthDigits, [l](const Gear& g) { return of_involute(g, l); });
     add("Radius", radius, "mm", kLengthDigits, r);
     add("Distance of its centre from the axis", "", "mm", kLengthDigits,
         [which](const Gear& g) { return of_fillet(g, which, &FilletArc::distance); });
@@ -71,16 +72,16 @@ std::string few_teeth_table(const std::vector<const Gear*>& gears) {
   TableBuilder table("Points and fillets; l runs along the rack’s straight flank", columns);
   Rows rows(table, gears);
   const Value limit = [](const Gear& g) {
-    return root_is_worth_a_picture(g) ? g.undercut_l : std::nullopt;
+    return root_is_worth_a_picture(g) ? g.involute()->undercut_l : std::nullopt;
   };
   if (rows.any(limit)) {
     table.group("Undercut");
     rows.add("Begins at F; below 0 the rack does not reach it", "l_F", "mm", kLengthDigits, limit);
   }
   rows.add_fillet("Circular root fillet", "C", "r_r", "σ_r", &GeneratedTooth::root_fillet,
-                  &Gear::point_c_l);
+                  &InvoluteTeeth::point_c_l);
   rows.add_fillet("Circular tip fillet", "J", "r_t", "σ_t", &GeneratedTooth::tip_fillet,
-                  &Gear::point_j_l);
+                  &InvoluteTeeth::point_j_l);
   return table.str();
 }
 

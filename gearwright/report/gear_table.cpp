@@ -58,7 +58,7 @@ class GearRows {
     // What only an involute gear has is not asked of others.
     const bool none = std::all_of(values.begin(), values.end(),
                                   [](const std::string& v) { return v == kNoValue; });
-    if (none && !any([](const Gear& g) { return g.involute(); })) return;
+    if (none && !any([](const Gear& g) { return g.involute() != nullptr; })) return;
     table_.row(words, symbol, unit, values);
   }
   bool any(const std::function<bool(const Gear&)>& is) const {
@@ -74,6 +74,7 @@ class GearRows {
 };
 
 using Rack = StraightRack;
+using Reference = ReferenceGeometry<double>;
 
 std::optional<double> unless_zero(double value) {
   return value != 0.0 ? std::optional(value) : std::nullopt;
@@ -119,12 +120,12 @@ void add_rack(TableBuilder& table, GearRows& rows) {
 // The arcs of a rack, one row each: signed radius, place of the centre, from which to which angle.
 void add_arcs(TableBuilder& table, const std::vector<const Gear*>& gears) {
   std::size_t most = 0;
-  for (const Gear* g : gears) most = std::max(most, g->arcs ? g->arcs->rack.arcs.size() : 0);
+  for (const Gear* g : gears) most = std::max(most, g->arcs() ? g->arcs()->rack.arcs.size() : 0);
   if (most == 0) return;
   table.group("Basic rack of arcs, in normal modules; from the cutter’s tip on");
   const auto row = [&](const char* words, const char* symbol, const char* unit, const auto& value) {
     std::vector<std::string> values;
-    for (const Gear* g : gears) values.push_back(g->arcs ? value(g->arcs->rack) : none());
+    for (const Gear* g : gears) values.push_back(g->arcs() ? value(g->arcs()->rack) : none());
     table.row(words, symbol, unit, values);
   };
   row("Addendum", "h_a*", "", [](const RackOfArcs& r) { return given(r.addendum); });
@@ -151,35 +152,36 @@ void add_arcs(TableBuilder& table, const std::vector<const Gear*>& gears) {
 void add_tooth(TableBuilder& table, GearRows& rows) {
   table.group("Tooth");
   rows.add("Reference thickness, normal", "s_n", "mm", [](const Gear& g) {
-    return length(g.arcs ? g.arcs->reference_thickness
-                         : g.reference.reference_tooth_thickness_normal);
+    return length(g.arcs() ? g.arcs()->reference_thickness
+                           : of_involute(g, &Reference::reference_tooth_thickness_normal));
   });
   rows.add("Allowance contained in it", "E_sn", "mm",
            [](const Gear& g) { return length(g.spec.thickness_allowance); });
-  rows.add("Reference thickness, transverse", "s_t", "mm",
-           [](const Gear& g) { return length(g.reference.reference_tooth_thickness_transverse); });
+  rows.add("Reference thickness, transverse", "s_t", "mm", [](const Gear& g) {
+    return length(of_involute(g, &Reference::reference_tooth_thickness_transverse));
+  });
   rows.add("Base thickness, transverse", "s_bt", "mm",
-           [](const Gear& g) { return length(g.reference.base_tooth_thickness); });
+           [](const Gear& g) { return length(of_involute(g, &Reference::base_tooth_thickness)); });
   rows.add("Tip thickness, normal", "s_an", "mm",
            [](const Gear& g) { return length(g.tip_tooth_thickness_normal); });
   rows.add("Smallest root thickness (chord)", "", "mm",
            [](const Gear& g) { return length(neck_thickness(g)); });
   rows.add("Base pitch, normal", "p_bn", "mm",
-           [](const Gear& g) { return length(g.reference.base_pitch_normal); });
+           [](const Gear& g) { return length(of_involute(g, &Reference::base_pitch_normal)); });
   rows.add("Base pitch, transverse", "p_bt", "mm",
-           [](const Gear& g) { return length(g.reference.base_pitch_transverse); });
+           [](const Gear& g) { return length(of_involute(g, &Reference::base_pitch_transverse)); });
   rows.add("Undercut", "", "", [](const Gear& g) {
     return std::string(g.internal() ? kNoValue : g.undercut ? "yes" : "no");
   });
   rows.add("Least profile shift without undercut", "x_Emin", "", [](const Gear& g) {
-    const auto& x = g.undercut_free_profile_shift;
+    const auto x = of_involute(g, &InvoluteTeeth::undercut_free_profile_shift);
     return g.internal() || !x ? none() : ratio(*x);
   });
-  if (rows.any([](const Gear& g) { return g.arcs.has_value(); })) {
+  if (rows.any([](const Gear& g) { return g.arcs() != nullptr; })) {
     rows.add("Flank begins at the rack’s normal angle", "τ", "°",
-             [](const Gear& g) { return g.arcs ? angle(g.arcs->flank_begin.rad()) : none(); });
+             [](const Gear& g) { return g.arcs() ? angle(g.arcs()->flank_begin.rad()) : none(); });
     rows.add("Undercut limit of it", "", "°", [](const Gear& g) {
-      return g.arcs && g.arcs->undercut_limit ? angle(g.arcs->undercut_limit->rad()) : none();
+      return g.arcs() && g.arcs()->undercut_limit ? angle(g.arcs()->undercut_limit->rad()) : none();
     });
   }
 }
@@ -213,15 +215,17 @@ std::string gear_table(const std::vector<const Gear*>& gears) {
            [](const Gear& g) { return g.lead == 0.0 ? none() : length(g.lead); });
   rows.add("Profile shift", "x", "",
            [](const Gear& g) { return g.involute() ? ratio(g.spec.profile_shift) : none(); });
-  rows.add("Profile shift as cut, with allowance", "x_E", "",
-           [](const Gear& g) { return ratio(g.reference.generating_profile_shift); });
+  rows.add("Profile shift as cut, with allowance", "x_E", "", [](const Gear& g) {
+    return ratio(of_involute(g, &Reference::generating_profile_shift));
+  });
   rows.add("Face width", "b", "mm", [](const Gear& g) { return length(g.spec.face_width); });
   rows.add("Transverse module", "m_t", "mm",
-           [](const Gear& g) { return fixed(g.reference.transverse_module, 5); });
-  rows.add("Transverse pressure angle", "α_t", "°",
-           [](const Gear& g) { return angle(g.reference.transverse_pressure_angle); });
+           [](const Gear& g) { return fixed(g.transverse_module, 5); });
+  rows.add("Transverse pressure angle", "α_t", "°", [](const Gear& g) {
+    return angle(of_involute(g, &Reference::transverse_pressure_angle));
+  });
   rows.add("Base helix angle", "β_b", "°",
-           [](const Gear& g) { return angle(g.reference.base_helix_angle); });
+           [](const Gear& g) { return angle(of_involute(g, &Reference::base_helix_angle)); });
 
   table.group("Diameters");
   rows.add("Tip", "d_a", "mm", [](const Gear& g) { return length(g.tip_diameter); });
@@ -231,9 +235,9 @@ std::string gear_table(const std::vector<const Gear*>& gears) {
   }
   rows.add("Tip form, end of the usable flank", "d_Fa", "mm",
            [](const Gear& g) { return length(tip_form_diameter(g)); });
-  rows.add("Reference", "d", "mm",
-           [](const Gear& g) { return length(g.reference.reference_diameter); });
-  rows.add("Base", "d_b", "mm", [](const Gear& g) { return length(g.reference.base_diameter); });
+  rows.add("Reference", "d", "mm", [](const Gear& g) { return length(g.reference_diameter); });
+  rows.add("Base", "d_b", "mm",
+           [](const Gear& g) { return length(of_involute(g, &Reference::base_diameter)); });
   rows.add("Root form, start of the usable flank", "d_Ff", "mm", [](const Gear& g) {
     return g.exists() ? length(diameter(g.root_form_radius())) : none();
   });

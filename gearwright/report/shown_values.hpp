@@ -14,7 +14,9 @@ namespace gearwright::shown {
 constexpr double kDegree = 180.0 / std::numbers::pi;
 
 inline std::string length(const std::optional<double>& mm) { return fixed(mm, kLengthDigits); }
-inline std::string angle(double rad) { return fixed(kDegree * rad, kAngleDigits); }
+inline std::string angle(const std::optional<double>& rad) {
+  return fixed(rad ? std::optional(kDegree * *rad) : std::nullopt, kAngleDigits);
+}
 inline std::string ratio(const std::optional<double>& value) { return fixed(value, kRatioDigits); }
 inline std::string none() { return std::string(kNoValue); }
 

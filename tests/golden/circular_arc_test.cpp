@@ -99,9 +99,9 @@ TEST(CircularArc, undercut_limits) {
     spec.rack = rack;
     const auto gear = make_gear(spec);
     ASSERT_TRUE(gear) << gear.error().message;
-    ASSERT_TRUE(gear->arcs->undercut_limit);
+    ASSERT_TRUE(gear->arcs()->undercut_limit);
     const double limit = c["theta_limit_deg"];
-    EXPECT_NEAR(gear->arcs->undercut_limit->deg(), limit, 1e-10);
+    EXPECT_NEAR(gear->arcs()->undercut_limit->deg(), limit, 1e-10);
     EXPECT_FALSE(gear->undercut);
     // A dedendum that lets the flank begin at the limit: a trifle less is sound, more is undercut.
     const double at_limit = rack.center_b + rack.root_fillet_radius -

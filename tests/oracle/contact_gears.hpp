@@ -20,7 +20,7 @@ inline Gear gear_of_arc(int teeth, double pitch_radius, double twist, double fac
   Gear g{};
   g.spec.teeth = teeth;
   g.spec.face_width = face;
-  g.reference.reference_diameter = 2 * pitch_radius;
+  g.reference_diameter = 2 * pitch_radius;
   g.lead = twist == 0.0 ? 0.0 : 2 * std::numbers::pi / twist;
   const bool rises = arc.begin_point.norm() < arc.end_point.norm();
   if (rises == (teeth < 0)) {

@@ -21,7 +21,7 @@ inline RackNumbers numbers_of(const Gear& gear) {
                 .normal_module = spec.normal_module,
                 .normal_pressure_angle = spec.normal_pressure_angle.rad(),
                 .helix_angle = spec.helix_angle.rad(),
-                .profile_shift = gear.reference.generating_profile_shift,
+                .profile_shift = gear.reference().generating_profile_shift,
                 .addendum = rack.addendum,
                 .dedendum = rack.dedendum,
                 .root_fillet_radius = rack.root_fillet_radius,

@@ -101,7 +101,7 @@ CylindricalSpec spec_of(const FilletedPinion& n) {
   s.face_width = 20.0;
   s.straight_rack().dedendum = 1.0;
   s.straight_rack().root_fillet_radius = 0.0;
-  const double l_F = *made(s).undercut_l;
+  const double l_F = *made(s).involute()->undercut_l;
   s.root_fillet = RootFilletSpec{n.l_C - std::max(l_F, 0.0)};
   s.tip_fillet = TipFilletSpec{TipFilletSpec::By::l, n.l_J};
   return s;

@@ -166,8 +166,7 @@ struct Tally {
 // root fillet, whose radius at a point is ρ² = D² + r² + 2 D r cos(t − γ), D r/ρ.
 double scale_of(const Gear& gear) {
   const GeneratedTooth& tooth = *gear.tooth;
-  double scale =
-      std::max({tooth.tip_radius, tooth.root_radius, gear.reference.reference_diameter / 2});
+  double scale = std::max({tooth.tip_radius, tooth.root_radius, gear.reference_diameter / 2});
   if (const auto& f = tooth.root_fillet) scale = std::max(scale, f->distance * f->radius / f->end);
   return scale;
 }

@@ -115,7 +115,7 @@ inline Gear paper_pinion(const oracle::FilletedPinion& n) {
   CylindricalSpec s = spec_of(n.teeth, n.normal_module, n.helix_angle_deg, n.profile_shift);
   s.straight_rack().dedendum = 1.0;
   s.straight_rack().root_fillet_radius = 0.0;
-  const double l_F = std::max(0.0, *gear_of(s).undercut_l);
+  const double l_F = std::max(0.0, *gear_of(s).involute()->undercut_l);
   return gear_of(filleted(s, n.l_C - l_F, {TipFilletSpec::By::l, n.l_J}));
 }
 

@@ -98,7 +98,7 @@ Outcome outcome_of(const CylindricalSpec& spec, bool walk_centre_line) {
   const Gear& gear = *made;
   if (gear.internal()) return {Ending::tooth, gear.tooth ? "a ring has a rack-cut tooth" : ""};
   const GeneratedTooth& tooth = *gear.tooth;
-  const double scale = std::max(tooth.tip_radius, gear.reference.reference_diameter / 2);
+  const double scale = std::max(tooth.tip_radius, gear.reference_diameter / 2);
   std::string broken;
   const std::optional<SweptRack> rack = swept_rack_of(gear, broken);
   if (!broken.empty()) return {Ending::tooth, broken};
