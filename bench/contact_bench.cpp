@@ -58,7 +58,7 @@ ContactSet involutes(double crossing, double lead_crowning) {
   };
   ContactSet set{{gear(20, 15), gear(41, -15)}, {}, {}};
   set.mount.center_distance =
-      (set.gears[0].reference.reference_diameter + set.gears[1].reference.reference_diameter) / 2;
+      (set.gears[0].reference_diameter + set.gears[1].reference_diameter) / 2;
   set.mount.errors.crossing = crossing;
   if (lead_crowning != 0.0) {
     FlankModifications m;

@@ -39,7 +39,7 @@ BENCHMARK(make_gear_and_200_points_per_arc)->Arg(9)->Arg(25)->Unit(benchmark::kM
 // through the point of the cutter's arc, which was made through one of the rack's.
 void pinion_cut_and_200_points_per_arc(benchmark::State& state) {
   CylindricalSpec s = spec(18);
-  s.rack.addendum = 1.25;
+  s.straight_rack().addendum = 1.25;
   const auto cutter = make_gear(s);
   const int teeth = static_cast<int>(state.range(0));
   const PinionCutSpec wanted{teeth, *generating_distance(*cutter, teeth, 0.0), 20.0, std::nullopt};

@@ -21,7 +21,7 @@ Gear gear(int teeth, double beta_deg) {
 
 Pair some_pair() {
   const Gear g1 = gear(20, 15), g2 = gear(41, -15);
-  const double a = (g1.reference.reference_diameter + g2.reference.reference_diameter) / 2 + 0.05;
+  const double a = (g1.reference_diameter + g2.reference_diameter) / 2 + 0.05;
   return std::move(mount(g1, g2, {a})).take();
 }
 

@@ -8,15 +8,15 @@ using namespace gear_group;
 
 namespace {
 
-double deg(double rad) { return Angle::radians(rad).deg(); }
+using Reference = ReferenceGeometry<double>;
 
-// What only an involute gear has.
-Value of_involute(const Gear& g, double value) { return g.involute() ? Value(value) : Value(); }
+double deg(double rad) { return Angle::radians(rad).deg(); }
+Value degrees(const std::optional<double>& rad) { return rad ? Value(deg(*rad)) : Value(); }
 
 Value doubled(const std::optional<double>& radius) { return radius ? Value(2 * *radius) : Value(); }
 
 Value kind(const Gear& g) {
-  if (g.arcs) return "circular_arc";
+  if (g.arcs()) return "circular_arc";
   return g.cut_by && !g.cut_by->by_default ? "generated" : "involute";
 }
 
@@ -31,8 +31,8 @@ Value tip_form_diameter(const Gear& g) {
 }
 
 Value reference_thickness(const Gear& g) {
-  if (g.arcs) return g.arcs->reference_thickness;
-  return g.reference.reference_tooth_thickness_normal;
+  if (g.arcs()) return g.arcs()->reference_thickness;
+  return of_involute(g, &Reference::reference_tooth_thickness_normal);
 }
 
 Value neck_thickness(const Gear& g) {
@@ -59,8 +59,8 @@ Value fillet_center(const Gear& g, std::optional<FilletArc> GeneratedTooth::*whi
   return arc ? Value(arc->distance) : Value();
 }
 
-bool is_involute(const Gear& g) { return g.involute(); }
-bool has_arcs(const Gear& g) { return g.arcs.has_value(); }
+bool is_involute(const Gear& g) { return g.involute() != nullptr; }
+bool has_arcs(const Gear& g) { return g.arcs() != nullptr; }
 
 void say(Quantities<Gear>& q) {
   q.groups({kTeeth, kDiameters, kTooth, kUndercut, kRootFillet, kTipFillet, kCutter});
@@ -88,25 +88,27 @@ void say(Quantities<Gear>& q) {
        [](const G& g) { return Value(g.spec.normal_module); })
       .always();
   q.mm(kTeeth, "transverse_module_mm", "transverse module", "m_t", "m_n/cos β", [](const G& g) {
-     return Value(g.reference.transverse_module);
+     return Value(g.transverse_module);
    }).doors(kPeople);
   q.deg(kTeeth, "normal_pressure_angle_deg", "normal pressure angle", "α_n", "of the basic rack",
-        [](const G& g) { return of_involute(g, g.spec.normal_pressure_angle.deg()); });
+        [](const G& g) {
+          return g.involute() ? Value(g.spec.normal_pressure_angle.deg()) : Value();
+        });
   q.deg(kTeeth, "transverse_pressure_angle_deg", "transverse pressure angle", "α_t",
         "at the reference cylinder",
-        [](const G& g) { return of_involute(g, deg(g.reference.transverse_pressure_angle)); });
+        [](const G& g) { return degrees(of_involute(g, &Reference::transverse_pressure_angle)); });
   q.deg(kTeeth, "helix_angle_deg", "helix angle", "β", "at the reference cylinder, > 0 right hand",
         [](const G& g) { return Value(g.spec.helix_angle.deg()); })
       .always();
   q.word(kTeeth, "hand_of_helix", "hand of helix", "right, left or spur", hand).doors(kPeople);
   q.deg(kTeeth, "base_helix_angle_deg", "base helix angle", "β_b", "signed by the hand",
-        [](const G& g) { return of_involute(g, deg(g.reference.base_helix_angle)); });
+        [](const G& g) { return degrees(of_involute(g, &Reference::base_helix_angle)); });
   q.pure(kTeeth, "profile_shift", "profile shift coefficient", "x",
          "in normal modules; > 0 thickens the tooth, of an internal gear too",
-         [](const G& g) { return of_involute(g, g.spec.profile_shift); });
+         [](const G& g) { return g.involute() ? Value(g.spec.profile_shift) : Value(); });
   q.pure(kTeeth, "generating_profile_shift", "generating profile shift coefficient", "x_E",
          "thickness allowance included",
-         [](const G& g) { return of_involute(g, g.reference.generating_profile_shift); });
+         [](const G& g) { return Value(of_involute(g, &Reference::generating_profile_shift)); });
   q.mm(kTeeth, "face_width_mm", "face width", "b", "10 m_n where none is given", [](const G& g) {
      return Value(g.spec.face_width);
    }).always();
@@ -114,10 +116,10 @@ void say(Quantities<Gear>& q) {
      return g.lead == 0.0 ? Value() : Value(g.lead);
    }).expected(is_involute);
   q.mm(kDiameters, "reference_diameter_mm", "reference diameter", "d", "z m_t", [](const G& g) {
-     return Value(g.reference.reference_diameter);
+     return Value(g.reference_diameter);
    }).always();
   q.mm(kDiameters, "base_diameter_mm", "base diameter", "d_b", "of the involute",
-       [](const G& g) { return of_involute(g, g.reference.base_diameter); });
+       [](const G& g) { return Value(of_involute(g, &Reference::base_diameter)); });
   q.mm(kDiameters, "tip_diameter_mm", "tip diameter", "d_a", "of the blank", [](const G& g) {
      return Value(g.tip_diameter);
    }).always();
@@ -138,7 +140,7 @@ void say(Quantities<Gear>& q) {
       .shown([](const G& g) { return 2 * g.actual_tip_radius() != g.tip_diameter; });
   q.mm(kTooth, "base_tooth_thickness_mm", "transverse base tooth thickness", "s_bt",
        "an internal gear's is extrapolated and may be negative",
-       [](const G& g) { return of_involute(g, g.reference.base_tooth_thickness); });
+       [](const G& g) { return Value(of_involute(g, &Reference::base_tooth_thickness)); });
   q.mm(kTooth, "reference_tooth_thickness_normal_mm", "normal tooth thickness", "s_n",
        "at the reference cylinder, thickness allowance included", reference_thickness);
   q.mm(kTooth, "thickness_allowance_mm", "thickness allowance", "E_sn",
@@ -147,7 +149,9 @@ void say(Quantities<Gear>& q) {
       .doors(kPage);
   q.mm(kTooth, "reference_tooth_thickness_transverse_mm", "transverse tooth thickness", "s_t",
        "at the reference cylinder, thickness allowance included",
-       [](const G& g) { return of_involute(g, g.reference.reference_tooth_thickness_transverse); })
+       [](const G& g) {
+         return Value(of_involute(g, &Reference::reference_tooth_thickness_transverse));
+       })
       .doors(kPage);
   q.mm(kTooth, "tip_tooth_thickness_normal_mm", "normal tip tooth thickness", "s_an",
        "of the finished tooth", [](const G& g) { return Value(g.tip_tooth_thickness_normal); })
@@ -157,27 +161,30 @@ void say(Quantities<Gear>& q) {
        [](const G& g) { return Value(g.pointed_diameter); })
       .expected(is_involute);
   q.mm(kTooth, "normal_base_pitch_mm", "normal base pitch", "p_bn", "equal in both gears of a pair",
-       [](const G& g) { return of_involute(g, g.reference.base_pitch_normal); });
+       [](const G& g) { return Value(of_involute(g, &Reference::base_pitch_normal)); });
   q.mm(kTooth, "transverse_base_pitch_mm", "transverse base pitch", "p_bt", "π d_b/z",
-       [](const G& g) { return of_involute(g, g.reference.base_pitch_transverse); });
+       [](const G& g) { return Value(of_involute(g, &Reference::base_pitch_transverse)); });
   q.flag(kTooth, "undercut", "undercut",
          "x_E lies below the minimum profile shift, and no circular fillet takes its place",
          [](const G& g) { return Value(g.undercut); })
       .shown([](const G& g) { return !g.internal(); });
   q.deg(kTooth, "flank_begin_rack_angle_deg", "rack angle at the start of the flank", "τ",
         "circular arcs only: the normal angle at which the cutter's flank arc begins",
-        [](const G& g) { return Value(g.arcs->flank_begin.deg()); })
+        [](const G& g) { return Value(g.arcs()->flank_begin.deg()); })
       .always()
       .when(has_arcs);
   q.deg(kTooth, "undercut_limit_rack_angle_deg", "rack angle at the undercut limit", "",
         "circular arcs only: that of the flank's cusp [T7.12]; null: it has none",
         [](const G& g) {
-          return g.arcs->undercut_limit ? Value(g.arcs->undercut_limit->deg()) : Value();
+          return g.arcs()->undercut_limit ? Value(g.arcs()->undercut_limit->deg()) : Value();
         })
       .when(has_arcs);
   q.pure(kTooth, "undercut_free_profile_shift", "minimum profile shift coefficient", "x_Emin",
          "the least x_E without undercut, signed; null of a gear that no rack has cut",
-         [](const G& g) { return g.internal() ? Value() : Value(g.undercut_free_profile_shift); })
+         [](const G& g) {
+           return g.internal() ? Value()
+                               : Value(of_involute(g, &InvoluteTeeth::undercut_free_profile_shift));
+         })
       .expected(is_involute);
   q.flag(kTooth, "pointed", "pointed",
          "the flanks meet before the tip; of an internal gear, outside its tip diameter",
@@ -217,14 +224,16 @@ void say(Quantities<Gear>& q) {
       .doors(kPage);
   q.mm(kUndercut, "undercut_l_mm", "undercut limit F along the rack's flank", "l_F",
        "signed, < 0 without undercut; null of an internal gear",
-       [](const G& g) { return Value(g.undercut_l); })
-      .shown([](const G& g) { return g.undercut_l && *g.undercut_l > 0.0; });
+       [](const G& g) { return Value(of_involute(g, &InvoluteTeeth::undercut_l)); })
+      .shown([](const G& g) {
+        return of_involute(g, &InvoluteTeeth::undercut_l).value_or(0.0) > 0.0;
+      });
   q.mm(kRootFillet, "point_c_l_mm", "touches the flank at C", "l_C",
        "along the rack's flank; null without a circular root fillet",
-       [](const G& g) { return Value(g.point_c_l); });
+       [](const G& g) { return Value(of_involute(g, &InvoluteTeeth::point_c_l)); });
   q.mm(kTipFillet, "point_j_l_mm", "touches the flank at J", "l_J",
        "along the rack's flank; null without a circular tip fillet",
-       [](const G& g) { return Value(g.point_j_l); });
+       [](const G& g) { return Value(of_involute(g, &InvoluteTeeth::point_j_l)); });
   q.mm(kTooth, "neck_thickness_mm", "minimum root thickness (chord)", "",
        "chord at the smallest half angle of the root fillet below the tip; ≤ 0 when `severed`",
        neck_thickness)

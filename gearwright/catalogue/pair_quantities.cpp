@@ -62,7 +62,7 @@ Value kind(const V& v) {
 double working_helix(const ArcPair& p, std::size_t i) {
   const Gear& g = p.gears[i];
   return std::atan(std::tan(g.spec.helix_angle.rad()) * p.working_pitch_diameter()[i] /
-                   g.reference.reference_diameter);
+                   g.reference_diameter);
 }
 
 // The transverse angle of the rack's normal angle at the first contact.

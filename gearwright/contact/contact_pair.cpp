@@ -37,13 +37,13 @@ ContactPair::ContactPair(const ContactGear& gear_1, const ContactGear& gear_2,
   const bool right_1 = !mount.gear2_drives;
   const bool right_2 = right_1 != internal_;
   const auto twist = [&](const Gear& g, int i) {
-    const double r = g.reference.reference_diameter / 2;
+    const double r = g.reference_diameter / 2;
     const double lead = with_cutter_lead(g.twist(), r, e.cutter_lead[i]);
     return std::array{mirror * lead, mirror * e.helix_twist[i]};
   };
   for (int i = 0; i < 2; ++i) {
     const Gear& g = i == 0 ? g1 : g2;
-    slope_unit_[i] = mirror / (g.reference.reference_diameter / 2 * g.spec.face_width);
+    slope_unit_[i] = mirror / (g.reference_diameter / 2 * g.spec.face_width);
   }
   add_patches(0, gear_1, twist(g1, 0), mesh_azimuth(), internal_ ? 1.0 : -1.0, right_1);
   add_patches(1, gear_2, twist(g2, 1), pi + pi / z2, -1.0, right_2);

@@ -47,7 +47,7 @@ TEST(GapField, is_the_rotation_at_which_flank_2_passes) {
     EXPECT_EQ(j.Z.v, z);
     const double r_b = p.gears[1].base_radius(), rho = std::abs(r2);
     const double alpha = std::acos(r_b / rho);
-    const double half = p.gears[1].reference.base_tooth_thickness / (2 * r_b);
+    const double half = p.gears[1].reference().base_tooth_thickness / (2 * r_b);
     const double theta = two.center - (half - (std::tan(alpha) - alpha)) + two.twist * z;
     const double want = std::arg(r2) - theta - pair.ratio() * phi;
     EXPECT_NEAR(std::remainder(j.t.v - want, 2 * std::numbers::pi), 0.0, 1e-14);

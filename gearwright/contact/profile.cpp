@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/base/overloaded.hpp"
+
 namespace gearwright {
 
 namespace {
@@ -29,21 +31,23 @@ Profile::Profile(const Arc& arc, double side, double twist)
   const double u_end = std::log(arc.end_point.norm());
   u_lo_ = std::min(u_begin, u_end);
   u_hi_ = std::max(u_begin, u_end);
-  if (const auto* involute = dynamic_cast<const Involute*>(arc.curve.get())) {
+  const auto involute = [&](const Involute* curve) {
     kind_ = Kind::involute;
-    base_radius_ = involute->base_radius();
-    base_half_angle_ = involute->base_half_angle();
+    base_radius_ = curve->base_radius();
+    base_half_angle_ = curve->base_half_angle();
     xi_sign_ = arc.begin + arc.end < 0.0 ? -1.0 : 1.0;
     grows_ = xi_sign_ > 0.0;
     arm_per_cos_ = base_radius_ / std::hypot(1.0, base_radius_ * twist);
-  } else if (const auto* cut = dynamic_cast<const RackTrochoid*>(arc.curve.get())) {
+  };
+  const auto rack_circle = [&](const RackTrochoid* curve) {
     kind_ = Kind::rack_circle;
-    const RackMotion& m = cut->motion();
-    const EdgeCircle& c = cut->circle();
+    const RackMotion& m = curve->motion();
+    const EdgeCircle& c = curve->circle();
     circle_ = {m.pitch_radius, m.cos_beta, c.center.x(), c.center.y(), c.q};
     grows_ = (u_end > u_begin) == (arc.end > arc.begin);
     arm_per_cos_ = m.pitch_radius * m.cos_beta;
-  } else {
+  };
+  const auto by_radius = [&](const auto*) {
     kind_ = Kind::by_radius;
     curve_ = arc.curve;
     t_lo_ = u_begin < u_end ? arc.begin : arc.end;
@@ -52,7 +56,8 @@ Profile::Profile(const Arc& arc, double side, double twist)
     s_hi_ = u_hi_;
     grows_ = true;
     arm_per_cos_ = twist;  // only the twist is needed there
-  }
+  };
+  std::visit(Overloaded{involute, rack_circle, by_radius}, arc.curve->kind());
 }
 
 // W = (r + x + ik) e^{iφ} and its derivatives by τ. [T8.6]

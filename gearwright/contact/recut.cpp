@@ -46,18 +46,18 @@ double with_cutter_lead(double twist, double pitch_radius, double delta_lambda) 
 
 Arc recut(const Arc& arc, const Gear& gear, double delta_lambda) {
   if (delta_lambda == 0.0) return arc;
-  const double r = gear.reference.reference_diameter / 2;
+  const double r = gear.reference_diameter / 2;
   const double cos_beta = std::sin(std::atan2(1.0, r * std::abs(gear.twist())) + delta_lambda);
   Arc changed = arc;
-  if (const auto* cut = dynamic_cast<const RackTrochoid*>(arc.curve.get())) {
+  if (const auto* cut = curve_if<RackTrochoid>(*arc.curve)) {
     RackMotion motion = cut->motion();
     EdgeCircle circle = cut->circle();
     circle.center.x() -= motion.shift;
     motion.cos_beta = cos_beta;
     changed.curve = std::make_shared<RackTrochoid>(motion, circle);
   } else {
-    const ReferenceGeometry<double>& ref = gear.reference;
-    GW_EXPECTS(dynamic_cast<const Involute*>(arc.curve.get()) != nullptr);
+    const ReferenceGeometry<double>& ref = gear.reference();
+    GW_EXPECTS(curve_if<Involute>(*arc.curve) != nullptr);
     const double alpha_n = gear.spec.normal_pressure_angle.rad();
     const double alpha_t = std::atan(std::tan(alpha_n) / cos_beta);
     const double half = ref.reference_tooth_thickness_normal / cos_beta / (2 * r);

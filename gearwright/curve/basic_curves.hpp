@@ -17,6 +17,7 @@ namespace gearwright {
 class AxisCircle final : public Curve {
  public:
   explicit AxisCircle(double radius) : radius_(radius) {}
+  CurveKind kind() const override { return this; }
   Vec2 point(double theta) const override;
   CurvePoint at(double theta) const override;
   double polar_angle(double theta) const override { return theta; }
@@ -36,6 +37,7 @@ class Involute final : public Curve {
  public:
   Involute(double base_radius, double base_half_angle)
       : base_radius_(base_radius), base_half_angle_(base_half_angle) {}
+  CurveKind kind() const override { return this; }
   Vec2 point(double xi) const override;
   CurvePoint at(double xi) const override;
 
@@ -62,6 +64,7 @@ class OffsetCircle final : public Curve {
  public:
   OffsetCircle(double distance, double direction, double radius)
       : distance_(distance), direction_(direction), radius_(radius) {}
+  CurveKind kind() const override { return this; }
   Vec2 point(double t) const override;
   CurvePoint at(double t) const override;
   double polar_angle(double t) const override;

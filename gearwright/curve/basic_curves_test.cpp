@@ -94,5 +94,21 @@ TEST(Curve, solves_for_a_radius_either_way_round) {
   EXPECT_NEAR(spiral.polar_angle(0.5), 0.5, 4 * kEps);
 }
 
+// A curve is asked for as one kind and is that or not; the spiral is none that is known.
+TEST(Curve, says_of_which_kind_it_is) {
+  const Involute involute(10.0, 0.1);
+  const AxisCircle circle(10.0);
+  const Spiral spiral;
+  const Curve& curve = involute;
+  EXPECT_EQ(curve_if<Involute>(curve), &involute);
+  EXPECT_EQ(&curve_as<Involute>(curve), &involute);
+  EXPECT_EQ(curve_if<OffsetCircle>(curve), nullptr);
+  EXPECT_EQ(curve_if<Involute>(circle), nullptr);
+  EXPECT_EQ(curve_if<AxisCircle>(circle), &circle);
+  EXPECT_EQ(curve_if<Curve>(spiral), &spiral);
+  EXPECT_EQ(curve_if<Curve>(circle), nullptr);
+  EXPECT_DEATH(static_cast<void>(curve_as<Involute>(circle)), "precondition");
+}
+
 }  // namespace
 }  // namespace gearwright

@@ -5,11 +5,14 @@
 //                                                          theory: docs/theory/01-frames.md
 //
 // Curves are immutable and shared: an envelope holds the curve that generates it, so that a pinion
-// cut by a rack can cut a wheel in its turn.
+// cut by a rack can cut a wheel in its turn. Most of the house knows no more of a curve than its
+// points; who has a closed form for one kind of curve asks for its kind.
 #pragma once
 
 #include <memory>
+#include <variant>
 
+#include "gearwright/base/contract.hpp"
 #include "gearwright/base/vector.hpp"
 
 namespace gearwright {
@@ -20,9 +23,23 @@ struct CurvePoint {
   double curvature;      ///< 1/mm, > 0 where the tangent turns counter-clockwise
 };
 
+class Curve;
+class AxisCircle;      // curve/basic_curves.hpp
+class Involute;        // curve/basic_curves.hpp
+class OffsetCircle;    // curve/basic_curves.hpp
+class RackTrochoid;    // generation/rack_envelope.hpp
+class CornerFan;       // generation/pinion_envelope.hpp
+class PinionEnvelope;  // generation/pinion_envelope.hpp
+
+/// A curve as one of the kinds that somebody knows a closed form of; `const Curve*`: none of them.
+using CurveKind =
+    std::variant<const Curve*, const AxisCircle*, const Involute*, const OffsetCircle*,
+                 const RackTrochoid*, const CornerFan*, const PinionEnvelope*>;
+
 class Curve {
  public:
   virtual ~Curve() = default;
+  virtual CurveKind kind() const { return this; }
   virtual Vec2 point(double t) const = 0;
   virtual CurvePoint at(double t) const = 0;
 
@@ -35,5 +52,21 @@ class Curve {
 };
 
 using CurvePtr = std::shared_ptr<const Curve>;
+
+/// The curve as one kind; null: it is another.
+template <class Kind>
+const Kind* curve_if(const Curve& curve) {
+  const CurveKind kind = curve.kind();
+  const auto* known = std::get_if<const Kind*>(&kind);
+  return known ? *known : nullptr;
+}
+
+/// The curve as the kind that it is by construction.   Domain: it is of that kind (contract)
+template <class Kind>
+const Kind& curve_as(const Curve& curve) {
+  const Kind* known = curve_if<Kind>(curve);
+  GW_EXPECTS(known != nullptr);
+  return *known;
+}
 
 }  // namespace gearwright

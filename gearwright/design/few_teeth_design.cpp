@@ -282,7 +282,7 @@ class Search {
   // cusp it ends before.
   bool has_cusp(const Gear& cutter, const Gear& whole, double distance) const {
     const Arc& flank = *cutter.tooth->outline.find(ArcName::flank);
-    const auto& involute = static_cast<const Involute&>(*flank.curve);
+    const auto& involute = curve_as<Involute>(*flank.curve);
     const auto cut = pinion_involute({p_.teeth[0], p_.teeth[1], distance}, involute);
     const double end = cut->flank.base_radius() * std::hypot(1.0, cut->roll(flank.begin));
     return std::abs(*whole.tooth->tip_form_radius - end) > kSameRadius * end;

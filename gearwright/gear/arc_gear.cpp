@@ -1,7 +1,6 @@
 #include "gearwright/gear/arc_gear.hpp"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "gearwright/base/refusal.hpp"
@@ -12,16 +11,6 @@
 namespace gearwright::detail {
 
 namespace {
-
-// What follows from teeth, module and helix alone.
-ReferenceGeometry<double> without_involute(const CylindricalSpec& spec) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  ReferenceGeometry<double> g{kNone, kNone, kNone, kNone, kNone, kNone,
-                              kNone, kNone, kNone, kNone, kNone};
-  g.transverse_module = spec.normal_module / std::cos(spec.helix_angle.rad());
-  g.reference_diameter = g.transverse_module * spec.teeth;
-  return g;
-}
 
 std::optional<Error> check_spec(const CylindricalSpec& spec) {
   const std::string why = "has no place beside a rack of arcs";
@@ -40,10 +29,11 @@ std::optional<Error> check_spec(const CylindricalSpec& spec) {
 
 // Where the two flanks meet on the arc that ends the edge, if they do.
 std::optional<double> pointed_diameter(const RackMotion& motion, const CutterEdge& edge) {
-  const EdgeArc& last = edge.arcs.back();
-  const RackTrochoid curve(motion, *last.circle);
-  const double a = last.circle->begin_tau;
-  const double b = last.circle->end_tau;
+  const auto* last = std::get_if<EdgeCircle>(&edge.arcs.back().shape);
+  GW_EXPECTS(last != nullptr);
+  const RackTrochoid curve(motion, *last);
+  const double a = last->begin_tau.rad();
+  const double b = last->end_tau.rad();
   const auto theta = [&](double tau) { return curve.polar_angle(tau); };
   if (!(theta(a) > 0.0 && theta(b) <= 0.0)) return std::nullopt;
   return 2 * curve.point(find_root(theta, std::min(a, b), std::max(a, b)).x).norm();
@@ -52,20 +42,22 @@ std::optional<double> pointed_diameter(const RackMotion& motion, const CutterEdg
 // Whether the flank's arc begins behind its cusp.
 bool is_undercut(const EdgeCircle& flank, const std::optional<Angle>& limit) {
   if (!limit) return false;
-  return flank.q > 0.0 ? limit->rad() > flank.begin_tau : limit->rad() < flank.begin_tau;
+  return flank.q > 0.0 ? *limit > flank.begin_tau : *limit < flank.begin_tau;
 }
 
 // The lowest flank, or the one above it that is undercut; a joint between two touches nothing.
 void look_for_undercut(Gear& gear, const RackMotion& motion, const CutterEdge& edge) {
+  auto& flanks = std::get<ArcTeeth>(gear.flanks);
   bool first = true;
   for (const EdgeArc& arc : edge.arcs) {
-    const EdgeCircle& circle = *arc.circle;
-    if (arc.cuts != ArcName::flank || circle.q == 0.0 || !(first || circle.q > 0.0)) continue;
-    const auto limit = undercut_limit(motion, circle);
-    const bool undercut = is_undercut(circle, limit);
+    const auto* circle = std::get_if<EdgeCircle>(&arc.shape);
+    if (arc.cuts != ArcName::flank || !circle || circle->q == 0.0 || !(first || circle->q > 0.0))
+      continue;
+    const auto limit = undercut_limit(motion, *circle);
+    const bool undercut = is_undercut(*circle, limit);
     if (first || undercut) {
-      gear.arcs->flank_begin = Angle::radians(circle.begin_tau);
-      gear.arcs->undercut_limit = limit;
+      flanks.flank_begin = circle->begin_tau;
+      flanks.undercut_limit = limit;
     }
     gear.undercut = gear.undercut || undercut;
     first = false;
@@ -76,7 +68,7 @@ void look_for_undercut(Gear& gear, const RackMotion& motion, const CutterEdge& e
 
 std::optional<Angle> undercut_limit(const RackMotion& motion, const EdgeCircle& circle) {
   const std::vector<double> f = RackTrochoid(motion, circle).cusp_polynomial();
-  const double end = std::sin(circle.end_tau);
+  const double end = std::sin(circle.end_tau.rad());
   const bool convex = circle.q > 0.0;
   const std::vector<double> sines =
       convex ? polynomial_roots(f, 0.0, end) : polynomial_roots(f, end, 1.0);
@@ -84,24 +76,24 @@ std::optional<Angle> undercut_limit(const RackMotion& motion, const EdgeCircle& 
   return Angle::radians(std::asin(convex ? sines.back() : sines.front()));
 }
 
-Result<Gear> make_arc_gear(const CylindricalSpec& spec) {
-  GW_EXPECTS(spec.arc_rack.has_value());
+Result<Gear> make_arc_gear(const CylindricalSpec& spec, const Result<RackOfArcs>& rack) {
   if (auto error = check_spec(spec)) return *error;
-  auto rack = arcs_of(*spec.arc_rack);
   if (!rack) return rack.error();
   auto edge = make_edge(*rack, spec.normal_module, spec.thickness_allowance);
   if (!edge) return edge.error();
 
   Gear gear{};
   gear.spec = spec;
-  gear.reference = without_involute(spec);
   const double m = spec.normal_module;
-  const double d = gear.reference.reference_diameter;
   const double beta = spec.helix_angle.rad();
+  gear.transverse_module = m / std::cos(beta);
+  gear.reference_diameter = gear.transverse_module * spec.teeth;
+  const double d = gear.reference_diameter;
   const RackMotion motion{d / 2, std::cos(beta), 0.0};
-  gear.arcs = ArcTeeth{*rack, std::nullopt, Angle(), std::nullopt};
+  ArcTeeth flanks{*rack, std::nullopt, Angle(), std::nullopt};
   if (const auto half = half_thickness_on_datum(*rack))
-    gear.arcs->reference_thickness = 2 * *half * m + spec.thickness_allowance;
+    flanks.reference_thickness = 2 * *half * m + spec.thickness_allowance;
+  gear.flanks = std::move(flanks);
   look_for_undercut(gear, motion, *edge);
   gear.tip_diameter = spec.tip_diameter.value_or(d + 2 * m * rack->addendum);
   gear.root_diameter = d - 2 * m * rack->dedendum;

@@ -14,10 +14,10 @@ namespace gearwright::detail {
 /// Formula   F(sin τ) = 0, [T3.9]; [T7.12]
 std::optional<Angle> undercut_limit(const RackMotion& motion, const EdgeCircle& circle);
 
-/// Makes the gear.   Domain  check_limits found nothing, and there is a rack of arcs (contract)
+/// Makes the gear of the spec's arcs, if they are such.   Domain  check_limits found nothing
 ///
 /// Errors    as the rack's own; `teeth` for a ring; `profile_shift`, `root_fillet`, `tip_fillet`,
 ///           which these teeth do not have; `tip_diameter_mm`
-Result<Gear> make_arc_gear(const CylindricalSpec& spec);
+Result<Gear> make_arc_gear(const CylindricalSpec& spec, const Result<RackOfArcs>& rack);
 
 }  // namespace gearwright::detail

@@ -22,7 +22,7 @@ Result<StraightRack> rack_leaving_root(const CylindricalSpec& spec, double root_
   const double x_E = g.generating_profile_shift;
   const bool ring = spec.teeth < 0;
   const double d = g.reference_diameter;
-  StraightRack rack = spec.rack;
+  StraightRack rack = spec.straight_rack();
   rack.dedendum = ring ? x_E + (root_diameter - d) / (2 * m) : x_E + (d - root_diameter) / (2 * m);
   if (!(rack.dedendum > 0.0)) {
     const double most = ring ? d - 2 * m * x_E : d + 2 * m * x_E;

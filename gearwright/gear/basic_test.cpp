@@ -64,8 +64,8 @@ CylindricalSpec spec(int teeth, double x) {
 TEST(RackLeavingRoot, gives_back_the_rack_that_cut_it) {
   for (const double radius : {0.0, 0.2, 0.38}) {
     CylindricalSpec s = spec(40, 0.1);
-    s.rack.named = false;
-    s.rack.root_fillet_radius = radius;
+    s.straight_rack().named = false;
+    s.straight_rack().root_fillet_radius = radius;
     const auto made = make_gear(s);
     ASSERT_TRUE(made);
     const auto rack =

@@ -11,23 +11,25 @@ namespace gearwright::detail {
 Gear described(const CylindricalSpec& spec) {
   Gear gear{};
   gear.spec = spec;
-  gear.reference = reference_geometry<double>(
+  const auto reference = reference_geometry<double>(
       {spec.teeth, spec.normal_module, spec.normal_pressure_angle.rad(), spec.helix_angle.rad(),
        spec.profile_shift, spec.thickness_allowance});
+  gear.flanks = InvoluteTeeth{reference, {}, {}, {}, {}};
+  gear.transverse_module = reference.transverse_module;
+  gear.reference_diameter = reference.reference_diameter;
   const double m = spec.normal_module;
-  const double d = gear.reference.reference_diameter;
-  const double x_E = gear.reference.generating_profile_shift;
+  const double d = gear.reference_diameter;
+  const double x_E = reference.generating_profile_shift;
   const double sign = gear.internal() ? -1.0 : 1.0;
   const double beta = spec.helix_angle.rad();
   gear.tip_diameter =
-      spec.tip_diameter.value_or(d + sign * 2 * m * (spec.rack.addendum + spec.profile_shift));
-  gear.root_diameter = d - sign * 2 * m * (spec.rack.dedendum - x_E);
+      spec.tip_diameter.value_or(d + sign * 2 * m * (addendum_of(spec.rack) + spec.profile_shift));
+  gear.root_diameter = d - sign * 2 * m * (dedendum_of(spec.rack) - x_E);
   gear.lead = beta == 0.0 ? 0.0 : std::numbers::pi * d / std::tan(beta);
-  const double psi_b = gear.reference.base_tooth_thickness / gear.reference.base_diameter;
+  const double psi_b = reference.base_tooth_thickness / reference.base_diameter;
   // A ring's tooth thins inward: its flanks meet at inv α = −ψ_b, if they do. [T2.13]
   const double y = sign * psi_b;
-  if (y >= 0.0)
-    gear.pointed_diameter = gear.reference.base_diameter / std::cos(inverse_involute(y));
+  if (y >= 0.0) gear.pointed_diameter = reference.base_diameter / std::cos(inverse_involute(y));
   return gear;
 }
 
@@ -39,21 +41,20 @@ namespace {
 
 // The shift that a drawing would need for x_E to reach the limit: the allowance is on top.
 double shift_for(const Gear& gear, double x_E) {
-  return x_E - (gear.reference.generating_profile_shift - gear.spec.profile_shift);
+  return x_E - (gear.reference().generating_profile_shift - gear.spec.profile_shift);
 }
 
 // What would avoid the undercut: a shift for a gear cut by a rack, else another cutter.
 std::string without_undercut(const Gear& gear) {
-  if (gear.arcs) {
+  if (const ArcTeeth* arcs = gear.arcs()) {
     return fmt::format(
         "the cutter's flank begins at a normal angle of {:.4f}° and would have to at {:.4f}°; less "
         "dedendum, another root fillet radius or more teeth would help.",
-        gear.arcs->flank_begin.deg(), gear.arcs->undercut_limit->deg());
+        arcs->flank_begin.deg(), arcs->undercut_limit->deg());
   }
-  if (!gear.undercut_free_profile_shift)
-    return "a greater centre distance or a cutter with a shorter tip avoids it.";
-  return fmt::format("a profile shift of at least {:.4f} avoids it.",
-                     shift_for(gear, *gear.undercut_free_profile_shift));
+  const auto free_shift = gear.involute()->undercut_free_profile_shift;
+  if (!free_shift) return "a greater centre distance or a cutter with a shorter tip avoids it.";
+  return fmt::format("a profile shift of at least {:.4f} avoids it.", shift_for(gear, *free_shift));
 }
 
 void warn_about_tip(Gear& gear) {
@@ -74,7 +75,7 @@ void warn_about_tip(Gear& gear) {
 
 // What the numbers of a rack say of a ring: nothing beyond addendum and dedendum.
 void warn_about_ring(Gear& gear) {
-  const StraightRack& rack = gear.spec.rack;
+  const StraightRack& rack = gear.spec.straight_rack();
   if (rack.tip_fillet_radius > 0.0 || rack.tool_addendum || rack.semi_topping_angle ||
       rack.protuberance > 0.0) {
     warn(gear, "rack_not_used",
@@ -82,12 +83,12 @@ void warn_about_ring(Gear& gear) {
          "and protuberance "
          "have no effect on it.");
   }
-  if (gear.tip_diameter < gear.reference.base_diameter) {
+  if (gear.tip_diameter < gear.reference().base_diameter) {
     warn(gear, "tip_below_base",
          fmt::format(
              "The ring's tip {:.4f} mm lies inside its base circle {:.4f} mm: the flank has no "
              "involute there.",
-             gear.tip_diameter, gear.reference.base_diameter));
+             gear.tip_diameter, gear.reference().base_diameter));
   }
   warn_about_tip(gear);
 }
@@ -137,25 +138,25 @@ std::optional<double> tip_thickness(const Gear& gear) {
   if (!gear.involute()) {
     const double d_end = 2 * gear.tooth->tip_radius;
     const double s_t = gear.tooth->pointed ? 0.0 : d_end * gear.tooth->outline.arcs.back().begin;
-    return s_t *
-           cos_helix_at(gear.reference.reference_diameter, gear.spec.helix_angle.rad(), d_end);
+    return s_t * cos_helix_at(gear.reference_diameter, gear.spec.helix_angle.rad(), d_end);
   }
-  const double d_b = gear.reference.base_diameter;
+  const double d_b = gear.reference().base_diameter;
   if (gear.tooth) {
     if (gear.tooth->pointed || gear.tooth->rounded_tip) return 0.0;
     const double d_end = 2 * gear.tooth->tip_radius;
     const Arc& land = gear.tooth->outline.arcs.back();
     // A tip on the base circle itself may lie an ulp inside it.
     const bool plain = gear.tooth->tip_form_radius == gear.tooth->tip_radius && d_end >= d_b;
-    const double s_t = plain ? tooth_thickness_transverse(
-                                   gear.spec.teeth, d_b, gear.reference.base_tooth_thickness, d_end)
-                             : d_end * land.begin;
-    return s_t * cos_helix_at(d_b, gear.reference.base_helix_angle, d_end);
+    const double s_t = plain
+                           ? tooth_thickness_transverse(
+                                 gear.spec.teeth, d_b, gear.reference().base_tooth_thickness, d_end)
+                           : d_end * land.begin;
+    return s_t * cos_helix_at(d_b, gear.reference().base_helix_angle, d_end);
   }
   if (gear.tip_diameter < d_b) return std::nullopt;
-  return tooth_thickness_transverse(gear.spec.teeth, d_b, gear.reference.base_tooth_thickness,
+  return tooth_thickness_transverse(gear.spec.teeth, d_b, gear.reference().base_tooth_thickness,
                                     gear.tip_diameter) *
-         cos_helix_at(d_b, gear.reference.base_helix_angle, gear.tip_diameter);
+         cos_helix_at(d_b, gear.reference().base_helix_angle, gear.tip_diameter);
 }
 
 }  // namespace

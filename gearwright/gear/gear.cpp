@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
+#include "gearwright/base/overloaded.hpp"
 #include "gearwright/base/refusal.hpp"
 #include "gearwright/gear/arc_gear.hpp"
 #include "gearwright/gear/finished_gear.hpp"
@@ -29,6 +31,16 @@ constexpr double kMaxFace = 1e5;        // modules
 constexpr double kMaxTip = 1e3;         // times the reference diameter
 
 }  // namespace
+
+const StraightRack& CylindricalSpec::straight_rack() const {
+  const auto* straight = std::get_if<StraightRack>(&rack);
+  GW_EXPECTS(straight != nullptr);
+  return *straight;
+}
+
+StraightRack& CylindricalSpec::straight_rack() {
+  return const_cast<StraightRack&>(std::as_const(*this).straight_rack());
+}
 
 std::optional<Error> check_limits(const CylindricalSpec& spec) {
   const auto within = [](double v, double lo, double hi) {
@@ -86,7 +98,7 @@ void forget_fillet_cut_off(Gear& gear, double fillet_begin) {
   GeneratedTooth& tooth = *gear.tooth;
   if (!tooth.tip_fillet || !(gear.tip_diameter / 2 <= fillet_begin)) return;
   tooth.tip_fillet.reset();
-  gear.point_j_l.reset();
+  std::get<InvoluteTeeth>(gear.flanks).point_j_l.reset();
   detail::warn(gear, "tip_fillet_cut_off",
                fmt::format("The tooth ends at {:.4f} mm diameter, before its tip fillet begins: "
                            "tip_fillet has no effect.",
@@ -96,19 +108,20 @@ void forget_fillet_cut_off(Gear& gear, double fillet_begin) {
 // The tooth of an external gear, with circular fillets where they are asked for.
 std::optional<Error> cut(Gear& gear, const CutterEdge& edge) {
   const CylindricalSpec& spec = gear.spec;
-  const double x_E = gear.reference.generating_profile_shift;
-  const RackMotion motion{gear.reference.reference_diameter / 2, std::cos(spec.helix_angle.rad()),
+  auto& flanks = std::get<InvoluteTeeth>(gear.flanks);
+  const double x_E = gear.reference().generating_profile_shift;
+  const RackMotion motion{gear.reference_diameter / 2, std::cos(spec.helix_angle.rad()),
                           x_E * spec.normal_module};
   const FlankRuler ruler = flank_ruler(edge, motion);
-  gear.undercut_l = ruler.undercut_l();
-  gear.undercut = !spec.root_fillet && x_E < gear.undercut_free_profile_shift;
+  flanks.undercut_l = ruler.undercut_l();
+  gear.undercut = !spec.root_fillet && x_E < flanks.undercut_free_profile_shift;
   const std::optional<double> blank =
       spec.tip_diameter || !spec.tip_fillet ? std::optional(gear.tip_diameter / 2) : std::nullopt;
   auto fillets = circular_fillets(ruler, spec.teeth, spec.root_fillet, spec.tip_fillet, blank);
   if (!fillets) return fillets.error();
-  if (fillets->root) gear.point_c_l = ruler.l(fillets->root->roll);
+  if (fillets->root) flanks.point_c_l = ruler.l(fillets->root->roll);
   if (fillets->tip) {
-    gear.point_j_l = ruler.l(fillets->tip->roll);
+    flanks.point_j_l = ruler.l(fillets->tip->roll);
     // A tooth that its fillet ends needs no other tip.
     if (!blank) gear.tip_diameter = 2 * fillets->tip->arc.end;
   }
@@ -121,6 +134,19 @@ std::optional<Error> cut(Gear& gear, const CutterEdge& edge) {
 }
 
 }  // namespace
+
+const ReferenceGeometry<double>& Gear::reference() const {
+  GW_EXPECTS(involute() != nullptr);
+  return involute()->reference;
+}
+
+std::optional<double> of_involute(const Gear& gear, double ReferenceGeometry<double>::*number) {
+  return gear.involute() ? std::optional(gear.involute()->reference.*number) : std::nullopt;
+}
+
+std::optional<double> of_involute(const Gear& gear, std::optional<double> InvoluteTeeth::*number) {
+  return gear.involute() ? gear.involute()->*number : std::nullopt;
+}
 
 std::optional<double> Gear::root_form_radius() const {
   return tooth ? tooth->form_radius : std::nullopt;
@@ -142,15 +168,15 @@ double Gear::actual_tip_radius() const {
 
 double Gear::twist() const { return lead == 0.0 ? 0.0 : 2 * std::numbers::pi / lead; }
 
-Result<Gear> make_gear(const CylindricalSpec& spec) {
-  if (auto error = check_limits(spec)) return *error;
-  if (spec.arc_rack) return detail::make_arc_gear(spec);
+namespace {
+
+Result<Gear> make_involute_gear(const CylindricalSpec& spec, const StraightRack& rack) {
   Gear gear = detail::described(spec);
-  auto rack_edge = make_edge(spec.rack, spec.normal_module, spec.normal_pressure_angle);
+  auto rack_edge = make_edge(rack, spec.normal_module, spec.normal_pressure_angle);
   if (!rack_edge) return rack_edge.error();
   const CutterEdge& edge = rack_edge->edge;
-  const double sin_alpha_t = std::sin(gear.reference.transverse_pressure_angle);
-  gear.undercut_free_profile_shift =  // [T3.14]
+  const double sin_alpha_t = std::sin(gear.reference().transverse_pressure_angle);
+  std::get<InvoluteTeeth>(gear.flanks).undercut_free_profile_shift =  // [T3.14]
       edge.flank_begin_depth / spec.normal_module -
       std::abs(spec.teeth) * sin_alpha_t * sin_alpha_t / (2 * std::cos(spec.helix_angle.rad()));
   if (rack_edge->became_full_radius) {
@@ -159,7 +185,7 @@ Result<Gear> make_gear(const CylindricalSpec& spec) {
         fmt::format(
             "The rack's root fillet radius {} does not fit at this pressure angle; the full "
             "radius {:.6f} is used.",
-            spec.rack.root_fillet_radius, full_radius(spec.rack, spec.normal_pressure_angle)));
+            rack.root_fillet_radius, full_radius(rack, spec.normal_pressure_angle)));
   }
   if (gear.internal()) {
     if (!(gear.tip_diameter > 0.0 && gear.tip_diameter < gear.root_diameter)) {
@@ -181,6 +207,16 @@ Result<Gear> make_gear(const CylindricalSpec& spec) {
   }
   detail::finish(gear);
   return gear;
+}
+
+}  // namespace
+
+Result<Gear> make_gear(const CylindricalSpec& spec) {
+  if (auto error = check_limits(spec)) return *error;
+  return std::visit(
+      Overloaded{[&](const StraightRack& rack) { return make_involute_gear(spec, rack); },
+                 [&](const auto& rack) { return detail::make_arc_gear(spec, arcs_of(rack)); }},
+      spec.rack);
 }
 
 }  // namespace gearwright

@@ -5,14 +5,14 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "gearwright/base/angle.hpp"
 #include "gearwright/base/result.hpp"
 #include "gearwright/gear/reference.hpp"
 #include "gearwright/generation/generate.hpp"
-#include "gearwright/tool/arc_racks.hpp"
-#include "gearwright/tool/straight_rack.hpp"
+#include "gearwright/tool/rack.hpp"
 
 namespace gearwright {
 
@@ -25,10 +25,13 @@ struct CylindricalSpec {
   double thickness_allowance = 0.0;                  ///< E_sn  mm, < 0 thins the tooth
   double face_width = 0.0;                           ///< b     mm
   std::optional<double> tip_diameter;                ///< d_a   mm; else from the rack
-  StraightRack rack;
-  std::optional<AnyArcRack> arc_rack;  ///< of arcs, in place of `rack` and α_n: no involute gear
+  Rack rack;                                         ///< of arcs: no involute gear, and no α_n, x
   std::optional<RootFilletSpec> root_fillet;  ///< a circular arc instead of the root as cut
   std::optional<TipFilletSpec> tip_fillet;    ///< a circular arc instead of the tip as cut
+
+  /// The rack of an involute gear.   Domain: it is straight (contract)
+  const StraightRack& straight_rack() const;
+  StraightRack& straight_rack();
 };
 
 /// Something a person should know about a gear or a pair that is not an error.
@@ -45,7 +48,15 @@ struct PinionCutting {
   bool by_default = false;  ///< the drawing names no cutter: gear/ring_cutter.hpp chose it
 };
 
-/// What a gear cut by a rack of arcs has in place of an involute.
+/// What only an involute gear has.
+struct InvoluteTeeth {
+  ReferenceGeometry<double> reference;
+  std::optional<double> undercut_free_profile_shift;  ///< least x_E without, signed; of a rack
+  std::optional<double> undercut_l;                   ///< l_F  mm, signed; none for a ring
+  std::optional<double> point_c_l, point_j_l;         ///< l_C, l_J  mm, with circular fillets
+};
+
+/// What a gear cut by a rack of arcs has instead.
 struct ArcTeeth {
   RackOfArcs rack;                            ///< its edge, in modules
   std::optional<double> reference_thickness;  ///< s_n  mm, with the allowance
@@ -57,24 +68,25 @@ struct ArcTeeth {
 struct Gear {
   CylindricalSpec spec;
   std::optional<PinionCutting> cut_by;  ///< none: cut by its rack
-  std::optional<ArcTeeth> arcs;         ///< none: an involute gear
-  ReferenceGeometry<double> reference;  ///< with arcs: m_t, d; all else is NaN, for it is not there
-  double tip_diameter;                  ///< d_a   mm, of the blank
-  double root_diameter;                 ///< d_f   mm, negative when the rack passes the axis
-  double lead;                          ///< p_z   mm, signed; 0 for a spur gear (no lead exists)
-  std::optional<double> undercut_free_profile_shift;  ///< least x_E without, signed; of a rack
-  bool undercut;  ///< x_E below that, and no circular root fillet in place of what the rack cuts
-  std::optional<double> undercut_l;                  ///< l_F  mm, signed; none for a ring
-  std::optional<double> point_c_l, point_j_l;        ///< l_C, l_J  mm, with circular fillets
+  std::variant<InvoluteTeeth, ArcTeeth> flanks;
+  double transverse_module;   ///< m_t   mm
+  double reference_diameter;  ///< d     mm
+  double tip_diameter;        ///< d_a   mm, of the blank
+  double root_diameter;       ///< d_f   mm, negative when the rack passes the axis
+  double lead;                ///< p_z   mm, signed; 0 for a spur gear (no lead exists)
+  bool undercut;  ///< the cutter took some of the flank; not under a circular root fillet
   std::optional<double> pointed_diameter;            ///< where the two flanks meet, mm
   std::optional<double> tip_tooth_thickness_normal;  ///< s_an  mm, of the finished tooth
   std::optional<GeneratedTooth> tooth;  ///< none for a ring that no pinion cutter has cut
   std::vector<Warning> warnings;
 
   bool internal() const { return spec.teeth < 0; }
-  bool involute() const { return !arcs; }
+  const InvoluteTeeth* involute() const { return std::get_if<InvoluteTeeth>(&flanks); }
+  const ArcTeeth* arcs() const { return std::get_if<ArcTeeth>(&flanks); }
+  /// Domain  an involute gear (contract), here and for the base radius
+  const ReferenceGeometry<double>& reference() const;
+  double base_radius() const { return reference().base_diameter / 2; }
   bool exists() const { return !tooth || (!tooth->through_axis && !tooth->severed); }
-  double base_radius() const { return reference.base_diameter / 2; }
   /// d_Ff/2, where the usable flank starts; none for a ring or when no flank is left.
   std::optional<double> root_form_radius() const;
   /// Two flanks meet before the tip: a pointed tooth, or a ring's that thins to nothing inward.
@@ -85,6 +97,10 @@ struct Gear {
   double actual_tip_radius() const;
   double twist() const;  ///< 2π/p_z [T1.2]  rad/mm, signed, 0 for a spur gear
 };
+
+/// A number that only an involute gear has; none of another one.
+std::optional<double> of_involute(const Gear& gear, double ReferenceGeometry<double>::*number);
+std::optional<double> of_involute(const Gear& gear, std::optional<double> InvoluteTeeth::*number);
 
 /// What a spec may say: nothing, or the key that is out of bounds. make_gear asks it too.
 std::optional<Error> check_limits(const CylindricalSpec& spec);

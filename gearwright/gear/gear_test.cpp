@@ -74,12 +74,12 @@ TEST(MakeGear, allowance_moves_the_root_and_not_the_tip) {
   EXPECT_EQ(gear.tip_diameter, 64.0);
   EXPECT_LT(gear.root_diameter, 55.0);
   EXPECT_NEAR(gear.root_diameter, 55.0 - 0.1 / std::tan(std::numbers::pi / 9), 1e-12);
-  EXPECT_NEAR(gear.reference.reference_tooth_thickness_normal, std::numbers::pi - 0.1, 1e-15 * 4);
+  EXPECT_NEAR(gear.reference().reference_tooth_thickness_normal, std::numbers::pi - 0.1, 1e-15 * 4);
 }
 
 TEST(MakeGear, undercut_begins_where_the_shift_says) {
   CylindricalSpec s = spec(12);
-  const double limit = *made(s).undercut_free_profile_shift;
+  const double limit = *made(s).involute()->undercut_free_profile_shift;
   const double sin_a = std::sin(std::numbers::pi / 9);
   EXPECT_NEAR(limit, 1.25 - 0.38 * (1 - sin_a) - 6 * sin_a * sin_a, 1e-15 * 4);
   s.profile_shift = limit + 1e-9;
@@ -105,7 +105,7 @@ TEST(MakeGear, warnings_say_what_happened) {
   EXPECT_TRUE(warns(made(severed), "severed"));
   EXPECT_FALSE(made(severed).exists());
   CylindricalSpec topped = spec(30);
-  topped.rack.tip_fillet_radius = 0.1;
+  topped.straight_rack().tip_fillet_radius = 0.1;
   topped.tip_diameter = 65.0;
   EXPECT_TRUE(warns(made(topped), "tip_cut_by_rack"));
   EXPECT_EQ(made(topped).actual_tip_radius(), 32.0);
@@ -119,7 +119,7 @@ TEST(MakeGear, tip_thickness_is_that_of_the_finished_tooth) {
   const double s_at = 2 * gear.tooth->outline.arcs.back().begin * gear.actual_tip_radius();
   EXPECT_NEAR(*gear.tip_tooth_thickness_normal, s_at, 1e-12);
   CylindricalSpec round = spec(25);
-  round.rack.tip_fillet_radius = 0.2;
+  round.straight_rack().tip_fillet_radius = 0.2;
   EXPECT_LT(*made(round).tip_tooth_thickness_normal, *gear.tip_tooth_thickness_normal - 0.1);
 }
 
@@ -127,7 +127,7 @@ TEST(MakeGear, tip_thickness_is_that_of_the_finished_tooth) {
 TEST(MakeGear, tip_on_the_base_circle) {
   for (int teeth = 60; teeth < 160; ++teeth) {
     CylindricalSpec s = spec(teeth);
-    s.tip_diameter = made(s).reference.base_diameter;
+    s.tip_diameter = made(s).reference().base_diameter;
     const auto gear = make_gear(s);
     if (gear && gear->exists() && !gear->tooth->pointed) {
       EXPECT_GT(*gear->tip_tooth_thickness_normal, 0.0);
@@ -178,14 +178,16 @@ TEST(MakeGear, errors_name_their_key) {
     EXPECT_EQ(key([&](CylindricalSpec& s) { s.profile_shift = bad; }), "profile_shift");
     EXPECT_EQ(key([&](CylindricalSpec& s) { s.thickness_allowance = bad; }),
               "thickness_allowance_mm");
-    EXPECT_EQ(key([&](CylindricalSpec& s) { s.rack.addendum = bad; }), "rack.addendum");
-    EXPECT_EQ(key([&](CylindricalSpec& s) { s.rack.dedendum = bad; }), "rack.dedendum");
-    EXPECT_EQ(key([&](CylindricalSpec& s) { s.rack.root_fillet_radius = bad; }),
+    EXPECT_EQ(key([&](CylindricalSpec& s) { s.straight_rack().addendum = bad; }), "rack.addendum");
+    EXPECT_EQ(key([&](CylindricalSpec& s) { s.straight_rack().dedendum = bad; }), "rack.dedendum");
+    EXPECT_EQ(key([&](CylindricalSpec& s) { s.straight_rack().root_fillet_radius = bad; }),
               "rack.root_fillet_radius");
-    EXPECT_EQ(key([&](CylindricalSpec& s) { s.rack.tip_fillet_radius = bad; }),
+    EXPECT_EQ(key([&](CylindricalSpec& s) { s.straight_rack().tip_fillet_radius = bad; }),
               "rack.tip_fillet_radius");
-    EXPECT_EQ(key([&](CylindricalSpec& s) { s.rack.tool_addendum = bad; }), "rack.tool_addendum");
-    EXPECT_EQ(key([&](CylindricalSpec& s) { s.rack.protuberance = bad; }), "rack.protuberance");
+    EXPECT_EQ(key([&](CylindricalSpec& s) { s.straight_rack().tool_addendum = bad; }),
+              "rack.tool_addendum");
+    EXPECT_EQ(key([&](CylindricalSpec& s) { s.straight_rack().protuberance = bad; }),
+              "rack.protuberance");
   }
   EXPECT_EQ(key([](CylindricalSpec& s) { s.tip_diameter = 30.0; }), "tip_diameter_mm");
   EXPECT_EQ(key([](CylindricalSpec& s) {

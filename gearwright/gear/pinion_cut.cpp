@@ -16,7 +16,7 @@ namespace {
 // x of the gear that meshes with the cutter at E without backlash:
 // x + x_0 = (inv α_w − inv α_t)(z_0 + z)/(2 tan α_n). [T6.12]
 double shift_at(const Gear& cutter, int teeth, double roll_w) {
-  const ReferenceGeometry<double>& g = cutter.reference;
+  const ReferenceGeometry<double>& g = cutter.reference();
   const double sum = (involute_of_roll(roll_w) - involute(g.transverse_pressure_angle)) *
                      (cutter.spec.teeth + teeth) /
                      (2.0 * std::tan(cutter.spec.normal_pressure_angle.rad()));
@@ -43,7 +43,7 @@ std::optional<Error> check_cutter(const Gear& cutter, int teeth) {
 
 Result<double> generating_distance(const Gear& cutter, int teeth, double profile_shift) {
   if (auto error = check_cutter(cutter, teeth)) return *error;
-  const ReferenceGeometry<double>& g = cutter.reference;
+  const ReferenceGeometry<double>& g = cutter.reference();
   const double sum = profile_shift + g.generating_profile_shift;
   const double inv_w =
       involute(g.transverse_pressure_angle) +
@@ -61,7 +61,7 @@ Result<double> generating_distance(const Gear& cutter, int teeth, double profile
 }
 
 Result<Gear> make_pinion_cut_gear(const Gear& cutter, const PinionCutSpec& wanted) {
-  GW_EXPECTS(!cutter.internal() && cutter.tooth && cutter.exists());
+  GW_EXPECTS(cutter.involute() && !cutter.internal() && cutter.tooth && cutter.exists());
   if (auto error = check_cutter(cutter, wanted.teeth)) return *error;
   const double r = base_distance(cutter, wanted.teeth);
   const double e = wanted.distance;
@@ -90,7 +90,7 @@ Result<Gear> make_pinion_cut_gear(const Gear& cutter, const PinionCutSpec& wante
   if (!tooth) return tooth.error();
   gear.tooth = std::move(tooth).take();
   if (const auto flank = cutter.tooth->outline.find(ArcName::flank)) {
-    const auto cut = pinion_involute(motion, static_cast<const Involute&>(*flank->curve));
+    const auto cut = pinion_involute(motion, curve_as<Involute>(*flank->curve));
     gear.undercut = wanted.teeth > 0 && cut && cut->roll(flank->end) < 0.0;
   }
   detail::finish(gear);

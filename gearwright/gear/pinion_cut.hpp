@@ -27,7 +27,7 @@ Result<double> generating_distance(const Gear& cutter, int teeth, double profile
 /// Makes the gear. Module, pressure angle and |β| are the cutter's; a ring has its hand, an
 /// external gear the other one.
 ///
-/// Domain    `cutter` is an external gear that exists (contract)
+/// Domain    `cutter` is an external involute gear that exists (contract)
 /// Errors    `teeth`, `cut_by`, `tip_diameter_mm`, `face_width_mm`, as in a gear's table
 Result<Gear> make_pinion_cut_gear(const Gear& cutter, const PinionCutSpec& spec);
 

@@ -24,7 +24,7 @@ CylindricalSpec cutter_spec(int teeth, double x, Angle beta = 0_deg) {
   s.helix_angle = beta;
   s.profile_shift = x;
   s.face_width = 20.0;
-  s.rack.addendum = 1.25;
+  s.straight_rack().addendum = 1.25;
   return s;
 }
 
@@ -36,8 +36,8 @@ CylindricalSpec two_teeth() {
   s.helix_angle = 30_deg;
   s.profile_shift = 0.7;
   s.face_width = 20.0;
-  s.rack.dedendum = 1.0;
-  s.rack.root_fillet_radius = 0.0;
+  s.straight_rack().dedendum = 1.0;
+  s.straight_rack().root_fillet_radius = 0.0;
   s.root_fillet = RootFilletSpec{0.01};
   s.tip_fillet = TipFilletSpec{TipFilletSpec::By::radius, 0.332};
   return s;
@@ -133,8 +133,9 @@ TEST(PinionCut, meshes_with_its_cutter_without_backlash) {
       const Gear gear = cut(cutter, {teeth, e, 20.0, std::nullopt});
       const double r_p = side * e * 20 / (20 + teeth), r_g = std::abs(e * teeth / (20 + teeth));
       const double inv_w = involute(std::acos(cutter.base_radius() / r_p));
-      const double psi_0 = cutter.reference.base_tooth_thickness / cutter.reference.base_diameter;
-      const double psi = gear.reference.base_tooth_thickness / gear.reference.base_diameter;
+      const double psi_0 =
+          cutter.reference().base_tooth_thickness / cutter.reference().base_diameter;
+      const double psi = gear.reference().base_tooth_thickness / gear.reference().base_diameter;
       const double thickness = 2 * r_p * (psi_0 - inv_w) + 2 * r_g * (psi - side * inv_w);
       EXPECT_NEAR(thickness, 2 * std::numbers::pi * r_p / 20, 1e-12) << beta << " " << teeth;
     }
@@ -158,9 +159,9 @@ TEST(PinionCut, takes_module_angles_and_hand_from_the_cutter) {
     EXPECT_FALSE(gear.spec.root_fillet || gear.spec.tip_fillet);
     ASSERT_TRUE(gear.cut_by);
     EXPECT_EQ(gear.cut_by->cutter_teeth, 20);
-    EXPECT_FALSE(gear.undercut_free_profile_shift);
-    EXPECT_NEAR(gear.reference.base_diameter, cutter.reference.base_diameter * std::abs(teeth) / 20,
-                1e-12);
+    EXPECT_FALSE(gear.involute()->undercut_free_profile_shift);
+    EXPECT_NEAR(gear.reference().base_diameter,
+                cutter.reference().base_diameter * std::abs(teeth) / 20, 1e-12);
   }
 }
 

@@ -29,17 +29,17 @@ std::optional<Cutter> cutter_of(const Gear& ring, int z_0, double rounding) {
   c.normal_pressure_angle = ring.spec.normal_pressure_angle;
   c.helix_angle = ring.spec.helix_angle;
   c.face_width = ring.spec.face_width;
-  c.rack.dedendum = kCutterDedendum;
-  c.rack.root_fillet_radius = 0.0;
+  c.straight_rack().dedendum = kCutterDedendum;
+  c.straight_rack().root_fillet_radius = 0.0;
   auto bare = make_gear(c);
   if (!bare || !bare->exists()) return std::nullopt;
   const auto e =
-      generating_distance(*bare, ring.spec.teeth, ring.reference.generating_profile_shift);
+      generating_distance(*bare, ring.spec.teeth, ring.reference().generating_profile_shift);
   if (!e) return std::nullopt;
   const double r_a = ring.root_diameter / 2 - *e;
-  c.rack.addendum = (r_a - bare->reference.reference_diameter / 2) / c.normal_module;
-  if (!(c.rack.addendum > 0.0)) return std::nullopt;
-  c.rack.tip_fillet_radius = rounding;
+  c.straight_rack().addendum = (r_a - bare->reference_diameter / 2) / c.normal_module;
+  if (!(c.straight_rack().addendum > 0.0)) return std::nullopt;
+  c.straight_rack().tip_fillet_radius = rounding;
   c.tip_diameter = 2 * r_a;
   auto cutter = make_gear(c);
   if (!cutter || !cutter->exists() || cutter->pointed()) return std::nullopt;
@@ -75,7 +75,7 @@ std::optional<Gear> cut_by_default(const Gear& ring) {
   for (const double share : {0.5, 0.6, 0.4, 0.7, 0.8, 0.3, 0.2, 0.1}) {
     const int z_0 = static_cast<int>(share * z);
     if (z_0 < 1) continue;
-    for (const double rounding : {ring.spec.rack.root_fillet_radius, 0.2, 0.0}) {
+    for (const double rounding : {ring.spec.straight_rack().root_fillet_radius, 0.2, 0.0}) {
       const auto cutter = cutter_of(ring, z_0, rounding);
       if (!cutter) continue;
       // The drawing says where the flank ends: a cutter that takes some of it is not meant.

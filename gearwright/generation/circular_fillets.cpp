@@ -174,16 +174,16 @@ Result<double> tip_roll(const FlankRuler& ruler, const TipFilletSpec& tip, doubl
 
 FlankRuler flank_ruler(const CutterEdge& edge, const RackMotion& motion) {
   for (const EdgeArc& arc : edge.arcs) {
-    if (arc.cuts != ArcName::flank || !arc.line) continue;
-    const EdgeLine& line = *arc.line;
-    const double x = line.begin_height + motion.shift;
-    const double roll = rack_involute_roll(motion, line, x);
+    const auto* line = std::get_if<EdgeLine>(&arc.shape);
+    if (arc.cuts != ArcName::flank || !line) continue;
+    const double x = line->begin_height + motion.shift;
+    const double roll = rack_involute_roll(motion, *line, x);
     // One module up: ξ is linear in x, and the difference is exact enough only as a whole.
     const double one = motion.pitch_radius;
-    const double slope = (rack_involute_roll(motion, line, x + one) - roll) / one;
-    const double cos_tau = std::cos(line.tau);
-    return {rack_involute(motion, line), roll, slope * cos_tau,
-            (line.end_height - line.begin_height) / cos_tau};
+    const double slope = (rack_involute_roll(motion, *line, x + one) - roll) / one;
+    const double cos_tau = std::cos(line->tau.rad());
+    return {rack_involute(motion, *line), roll, slope * cos_tau,
+            (line->end_height - line->begin_height) / cos_tau};
   }
   GW_ENSURES(false);  // every rack has a flank
   return {Involute(1.0, 0.0), 0.0, 1.0, 0.0};

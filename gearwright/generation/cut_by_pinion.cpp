@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "gearwright/base/overloaded.hpp"
 #include "gearwright/base/refusal.hpp"
 #include "gearwright/generation/branch.hpp"
 #include "gearwright/math/root.hpp"
@@ -43,6 +44,8 @@ ArcName cut_by_arc(ArcName cutter) {
   }
   return ArcName::flank;
 }
+
+Walk walk_of(const Arc& arc) { return arc.end > arc.begin ? Walk::forward : Walk::backward; }
 
 // The branches of one cutter, from the gear's root to its tip.
 class Cutting {
@@ -88,13 +91,12 @@ class Cutting {
         pieces(all, std::make_shared<CornerFan>(arc.end_point), Walk::forward, nu_tip_side, nu);
       }
       nu = normal_angle(arc, 0.0);
-      if (dynamic_cast<const AxisCircle*>(arc.curve.get())) continue;
-      if (const auto* involute = dynamic_cast<const Involute*>(arc.curve.get())) {
-        involute_piece(all, *involute, arc);
-        continue;
-      }
-      pieces(all, arc.curve, arc.end > arc.begin ? Walk::forward : Walk::backward, arc.begin,
-             arc.end);
+      std::visit(Overloaded{[](const AxisCircle*) {},  // lands are ends
+                            [&](const Involute* involute) { involute_piece(all, *involute, arc); },
+                            [&](const auto*) {
+                              pieces(all, arc.curve, walk_of(arc), arc.begin, arc.end);
+                            }},
+                 arc.curve->kind());
     }
     return all;
   }
@@ -130,11 +132,14 @@ class Cutting {
 
   // Returns whether the branch after it goes on smoothly.
   bool add_arc(const Arc& arc, bool smooth) {
-    if (dynamic_cast<const AxisCircle*>(arc.curve.get())) return true;  // lands are ends
-    if (const auto* involute = dynamic_cast<const Involute*>(arc.curve.get()))
-      return add_involute(arc, *involute, smooth);
-    const Walk walk = arc.end > arc.begin ? Walk::forward : Walk::backward;
-    return add_envelope(cut_by_arc(arc.name), arc.curve, walk, arc.end, arc.begin, smooth);
+    return std::visit(
+        Overloaded{[](const AxisCircle*) { return true; },  // lands are ends
+                   [&](const Involute* involute) { return add_involute(arc, *involute, smooth); },
+                   [&](const auto*) {
+                     return add_envelope(cut_by_arc(arc.name), arc.curve, walk_of(arc), arc.end,
+                                         arc.begin, smooth);
+                   }},
+        arc.curve->kind());
   }
 
   void add_fan(const Arc& arc, double nu_from, double nu_to, bool& smooth) {

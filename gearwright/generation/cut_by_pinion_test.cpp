@@ -75,7 +75,7 @@ double base_half_angle(int z, double x) {
 const Involute& flank_of(const GeneratedTooth& tooth) {
   const Arc* arc = tooth.outline.find(flank);
   EXPECT_TRUE(arc);
-  return dynamic_cast<const Involute&>(*arc->curve);
+  return curve_as<Involute>(*arc->curve);
 }
 
 std::vector<ArcName> names(const GeneratedTooth& tooth) {

@@ -25,8 +25,8 @@ CylindricalSpec two_teeth() {
   s.helix_angle = 30_deg;
   s.profile_shift = 0.7;
   s.face_width = 20.0;
-  s.rack.dedendum = 1.0;
-  s.rack.root_fillet_radius = 0.0;
+  s.straight_rack().dedendum = 1.0;
+  s.straight_rack().root_fillet_radius = 0.0;
   return s;
 }
 
@@ -95,13 +95,14 @@ TEST(FlankRuler, measures_along_the_racks_flank) {
     const double c = std::cos(beta * std::numbers::pi / 180);
     const RackMotion motion{7.0 / c, c, 0.6};
     const FlankRuler ruler = flank_ruler(edge->edge, motion);
-    const auto line = std::find_if(edge->edge.arcs.begin(), edge->edge.arcs.end(),
-                                   [](const EdgeArc& a) { return a.cuts == ArcName::flank; });
-    ASSERT_TRUE(line->line);
+    const auto flank = std::find_if(edge->edge.arcs.begin(), edge->edge.arcs.end(),
+                                    [](const EdgeArc& a) { return a.cuts == ArcName::flank; });
+    const auto* line = std::get_if<EdgeLine>(&flank->shape);
+    ASSERT_NE(line, nullptr);
     const double cos_alpha = std::cos(std::numbers::pi / 9);
     for (const double l : {0.0, 0.5, 1.0, 3.0}) {
-      const double x = line->line->begin_height + motion.shift + l * cos_alpha;
-      EXPECT_NEAR(ruler.roll(l), rack_involute_roll(motion, *line->line, x), 1e-15 * 8);
+      const double x = line->begin_height + motion.shift + l * cos_alpha;
+      EXPECT_NEAR(ruler.roll(l), rack_involute_roll(motion, *line, x), 1e-15 * 8);
       EXPECT_NEAR(ruler.l(ruler.roll(l)), l, 1e-14);
     }
     EXPECT_NEAR(ruler.roll(ruler.undercut_l()), 0.0, 1e-15 * 8);
@@ -117,7 +118,7 @@ TEST(FewTeeth, undercut_length_has_the_sign_of_the_undercut) {
   for (const int teeth : {2, 3, 5, 8, 12, 17, 30}) {
     for (const double x : {-0.5, 0.0, 0.3, 0.7, 1.1}) {
       const Gear gear = made(spur(teeth, x));
-      EXPECT_EQ(gear.undercut, *gear.undercut_l > 0.0) << teeth << " " << x;
+      EXPECT_EQ(gear.undercut, *gear.involute()->undercut_l > 0.0) << teeth << " " << x;
       const auto filleted = make_gear(with_root(spur(teeth, x), 0.01));
       EXPECT_FALSE(filleted && filleted->undercut);
     }
@@ -126,24 +127,24 @@ TEST(FewTeeth, undercut_length_has_the_sign_of_the_undercut) {
 
 TEST(FewTeeth, point_c_is_the_undercut_limit_and_the_offset) {
   const Gear undercut = made(with_root(two_teeth(), 0.01));
-  EXPECT_NEAR(*undercut.point_c_l, *undercut.undercut_l + 0.01, 1e-15 * 4);
+  EXPECT_NEAR(*undercut.involute()->point_c_l, *undercut.involute()->undercut_l + 0.01, 1e-15 * 4);
   const Gear free = made(with_root(spur(12, 0.5), 0.05));
-  EXPECT_LT(*free.undercut_l, 0.0);
-  EXPECT_NEAR(*free.point_c_l, 0.05, 1e-15 * 8);
-  EXPECT_FALSE(free.point_j_l);
+  EXPECT_LT(*free.involute()->undercut_l, 0.0);
+  EXPECT_NEAR(*free.involute()->point_c_l, 0.05, 1e-15 * 8);
+  EXPECT_FALSE(free.involute()->point_j_l);
   EXPECT_FALSE(free.tooth->tip_fillet);
   const Gear plain = made(two_teeth());
-  EXPECT_FALSE(plain.point_c_l || plain.point_j_l);
+  EXPECT_FALSE(plain.involute()->point_c_l || plain.involute()->point_j_l);
 }
 
 // Radius, place and end name the same fillet.
 TEST(FewTeeth, three_ways_to_name_a_tip_fillet) {
   const Gear by_radius = made(with_tip(two_teeth(), By::radius, 0.332));
-  const Gear by_l = made(with_tip(two_teeth(), By::l, *by_radius.point_j_l));
+  const Gear by_l = made(with_tip(two_teeth(), By::l, *by_radius.involute()->point_j_l));
   const Gear by_end = made(with_tip(two_teeth(), By::end_radius, by_radius.tip_diameter / 2));
   for (const Gear* g : {&by_l, &by_end}) {
     EXPECT_NEAR(g->tooth->tip_fillet->radius, 0.332, 1e-13);
-    EXPECT_NEAR(*g->point_j_l, *by_radius.point_j_l, 1e-13);
+    EXPECT_NEAR(*g->involute()->point_j_l, *by_radius.involute()->point_j_l, 1e-13);
     EXPECT_NEAR(g->tip_diameter, by_radius.tip_diameter, 1e-13);
   }
   EXPECT_TRUE(by_radius.tooth->rounded_tip);
@@ -189,7 +190,7 @@ TEST(FewTeethRanges, largest_radius_of_the_tip_fillet) {
 TEST(FewTeethRanges, least_radius_of_the_tip_fillet) {
   const char* key = "tip_fillet.radius_mm";
   for (CylindricalSpec s : {spur(12, 0.0), spur(17, 0.0), spur(30, 0.2)}) {
-    s.rack.tool_addendum = 0.9;
+    s.straight_rack().tool_addendum = 0.9;
     const double least = number_in_refusal(with_tip(s, By::radius, 1e-6), key, "greater than ");
     ASSERT_GT(least, 0.0);
     expect_refused(with_tip(s, By::radius, least * (1 - kJust)), key);
@@ -200,7 +201,7 @@ TEST(FewTeethRanges, least_radius_of_the_tip_fillet) {
 TEST(FewTeethRanges, ends_of_the_place_of_the_tip_fillet) {
   const char* key = "tip_fillet.l_mm";
   CylindricalSpec short_flank = spur(17, 0.0);
-  short_flank.rack.tool_addendum = 0.9;
+  short_flank.straight_rack().tool_addendum = 0.9;
   for (const CylindricalSpec& s : {two_teeth(), spur(5, 0.4), spur(17, 0.0), short_flank}) {
     const double least = number_in_refusal(with_tip(s, By::l, 1e3), key, "between ");
     const double most = number_in_refusal(with_tip(s, By::l, 1e3), key, "begins, and ");

@@ -17,8 +17,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 using detail::Branch;
 using detail::branch_of;
 
-void add_line(std::vector<Branch>& branches, const RackMotion& motion, const EdgeArc& arc) {
-  const EdgeLine& line = *arc.line;
+void add_branches(std::vector<Branch>& branches, const RackMotion& motion, const EdgeArc& arc,
+                  const EdgeLine& line) {
   const double xi_begin = rack_involute_roll(motion, line, line.begin_height + motion.shift);
   const double xi_end = std::isinf(line.end_height)
                             ? kInfinity
@@ -34,18 +34,20 @@ void add_line(std::vector<Branch>& branches, const RackMotion& motion, const Edg
                       arc.smooth_start && xi_begin >= 0.0});
 }
 
-void add_circle(std::vector<Branch>& branches, const RackMotion& motion, const EdgeArc& arc) {
-  const EdgeCircle& circle = *arc.circle;
+void add_branches(std::vector<Branch>& branches, const RackMotion& motion, const EdgeArc& arc,
+                  const EdgeCircle& circle) {
+  const double begin = circle.begin_tau.rad();
+  const double end = circle.end_tau.rad();
   auto curve = std::make_shared<RackTrochoid>(motion, circle);
   const std::vector<double> f = curve->cusp_polynomial();
-  const double direction = circle.end_tau > circle.begin_tau ? 1.0 : -1.0;
-  const double s_a = std::sin(circle.begin_tau);
-  const double s_b = std::sin(circle.end_tau);
-  std::vector<double> cuts{circle.begin_tau};
+  const double direction = end > begin ? 1.0 : -1.0;
+  const double s_a = std::sin(begin);
+  const double s_b = std::sin(end);
+  std::vector<double> cuts{begin};
   std::vector<double> cusps = polynomial_roots(f, std::min(s_a, s_b), std::max(s_a, s_b));
   if (direction < 0.0) std::reverse(cusps.begin(), cusps.end());
   for (double s : cusps) cuts.push_back(std::asin(std::min(1.0, s)));
-  cuts.push_back(circle.end_tau);
+  cuts.push_back(end);
   bool smooth = arc.smooth_start;
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     const double middle = std::sin(0.5 * (cuts[i] + cuts[i + 1]));
@@ -146,9 +148,8 @@ Result<GeneratedTooth> cut_by_rack(const CutterEdge& edge, const RackMotion& mot
   }
   std::vector<Branch> branches;
   for (const EdgeArc& arc : edge.arcs) {
-    if (arc.line) add_line(branches, motion, arc);
-    if (arc.circle && !(fillets.root && arc.cuts == ArcName::root_fillet))
-      add_circle(branches, motion, arc);
+    if (fillets.root && arc.cuts == ArcName::root_fillet) continue;
+    std::visit([&](const auto& shape) { add_branches(branches, motion, arc, shape); }, arc.shape);
   }
   if (fillets.root || fillets.tip) {
     if (auto error = put_fillets(branches, teeth, fillets, tooth)) return *error;

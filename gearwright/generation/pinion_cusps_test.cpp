@@ -26,7 +26,7 @@ struct Piece {
   Meeting meeting = Meeting::ahead;
 
   // A fan's tangent is that of the walk although its angle falls.
-  bool forward() const { return tip > root || dynamic_cast<const CornerFan*>(curve.get()); }
+  bool forward() const { return tip > root || curve_if<CornerFan>(*curve); }
   PinionEnvelope envelope() const {
     return {motion, curve, forward() ? Walk::forward : Walk::backward, meeting};
   }

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/overloaded.hpp"
 #include "gearwright/math/involute.hpp"
 #include "gearwright/math/polynomial.hpp"
 #include "gearwright/math/root.hpp"
@@ -143,15 +144,19 @@ struct PinionEnvelope::Circle {
 };
 
 std::optional<PinionEnvelope::Circle> PinionEnvelope::circle() const {
-  if (dynamic_cast<const CornerFan*>(cutter_.get())) {
-    const Vec2 p = cutter_->point(0.0);
-    return Circle{p.norm(), std::atan2(p.y(), p.x()), 0.0, 0.0};
-  }
-  const auto* offset = dynamic_cast<const OffsetCircle*>(cutter_.get());
-  if (!offset) return std::nullopt;
-  const bool hollow = walk_ > 0.0;  // walked counter-clockwise
-  return Circle{offset->distance(), offset->direction(),
-                hollow ? -offset->radius() : offset->radius(), hollow ? -kPi : 0.0};
+  using None = std::optional<Circle>;
+  return std::visit(Overloaded{[](const CornerFan* corner) -> None {
+                                 const Vec2 p = corner->point(0.0);
+                                 return Circle{p.norm(), std::atan2(p.y(), p.x()), 0.0, 0.0};
+                               },
+                               [&](const OffsetCircle* c) -> None {
+                                 const bool hollow = walk_ > 0.0;  // walked counter-clockwise
+                                 return Circle{c->distance(), c->direction(),
+                                               hollow ? -c->radius() : c->radius(),
+                                               hollow ? -kPi : 0.0};
+                               },
+                               [](const auto*) -> None { return std::nullopt; }},
+                    cutter_->kind());
 }
 
 namespace {

@@ -35,7 +35,7 @@ struct Piece {
   Meeting meeting = Meeting::ahead;
 
   // A fan's tangent is that of the walk although its angle falls.
-  bool forward() const { return tip > root || dynamic_cast<const CornerFan*>(curve.get()); }
+  bool forward() const { return tip > root || curve_if<CornerFan>(*curve); }
   Walk walk() const { return forward() ? Walk::forward : Walk::backward; }
   PinionEnvelope envelope() const { return {motion, curve, walk(), meeting}; }
   double at(double u) const { return root + u * (tip - root); }
@@ -81,7 +81,7 @@ std::vector<Piece> pieces(Meeting meeting) {
   if (meeting == Meeting::behind) return all;
   // What a rack left at the root of a cutter of 20 teeth, module 2.
   const RackMotion rack{20.0, 1.0, 0.0};
-  const EdgeCircle rounding{{-1.74, 0.65}, -0.76, kPi / 2, kPi / 9};
+  const EdgeCircle rounding{{-1.74, 0.65}, -0.76, Angle::radians(kPi / 2), Angle::radians(kPi / 9)};
   const auto trochoid = std::make_shared<RackTrochoid>(rack, rounding);
   for (const PinionMotion& motion : {PinionMotion{20, 45, 65.0}, PinionMotion{20, -60, 40.1}})
     all.push_back({motion, trochoid, kPi / 2, kPi / 9, meeting});
@@ -207,7 +207,7 @@ TEST(PinionEnvelope, tangent_and_curvature) {
 TEST(PinionEnvelope, radius_law) {
   for (const Meeting meeting : {Meeting::ahead, Meeting::behind}) {
     for (const Piece& piece : pieces(meeting)) {
-      if (dynamic_cast<const CornerFan*>(piece.curve.get())) continue;
+      if (curve_if<CornerFan>(*piece.curve)) continue;
       const PinionEnvelope envelope = piece.envelope();
       const double direction = piece.tip > piece.root ? 1.0 : -1.0;
       for (const double u : kParts) {

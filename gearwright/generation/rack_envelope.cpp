@@ -85,15 +85,15 @@ double transverse(const RackMotion& motion, double tau) {
 }  // namespace
 
 Involute rack_involute(const RackMotion& motion, const EdgeLine& line) {
-  const double alpha_t = transverse(motion, line.tau);
+  const double alpha_t = transverse(motion, line.tau.rad());
   // The line's half width on the pitch circle, then down to the base circle.
-  const double y_pitch = (line.y_datum + motion.shift * std::tan(line.tau)) / motion.cos_beta;
+  const double y_pitch = (line.y_datum + motion.shift * std::tan(line.tau.rad())) / motion.cos_beta;
   return {motion.pitch_radius * std::cos(alpha_t),
           y_pitch / motion.pitch_radius + involute(alpha_t)};
 }
 
 double rack_involute_roll(const RackMotion& motion, const EdgeLine& line, double x) {
-  const double alpha_t = transverse(motion, line.tau);
+  const double alpha_t = transverse(motion, line.tau.rad());
   const double s = std::sin(alpha_t);
   // ξ = (r sin α_t + x/sin α_t)/r_b, written so that the cusp x = −r sin²α_t is exactly 0.
   return (motion.pitch_radius * s * s + x) / (motion.pitch_radius * s * std::cos(alpha_t));

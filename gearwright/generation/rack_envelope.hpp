@@ -36,6 +36,7 @@ struct RackMotion {
 class RackTrochoid final : public Curve {
  public:
   RackTrochoid(const RackMotion& motion, const EdgeCircle& circle);
+  CurveKind kind() const override { return this; }
   Vec2 point(double tau) const override;
   CurvePoint at(double tau) const override;
   double polar_angle(double tau) const override;

@@ -16,11 +16,14 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kEps = std::numeric_limits<double>::epsilon();
 
+constexpr Angle kRightAngle = Angle::radians(kPi / 2);
+constexpr Angle k20Degrees = Angle::radians(kPi / 9);
+
 const RackMotion kSpur{20.0, 1.0, 0.4};
 const RackMotion kHelical{17.0, std::cos(kPi / 7), -0.9};
-const EdgeCircle kTip{{-1.74, 2.4}, -0.76, kPi / 2, kPi / 9};
-const EdgeCircle kCorner{{-2.5, 2.4}, 0.0, kPi / 2, kPi / 9};
-const EdgeCircle kBottom{{1.4, 0.5}, 0.5, kPi / 9, kPi / 2};
+const EdgeCircle kTip{{-1.74, 2.4}, -0.76, kRightAngle, k20Degrees};
+const EdgeCircle kCorner{{-2.5, 2.4}, 0.0, kRightAngle, k20Degrees};
+const EdgeCircle kBottom{{1.4, 0.5}, 0.5, k20Degrees, kRightAngle};
 
 struct Envelope {
   RackMotion motion;
@@ -95,7 +98,8 @@ TEST(RackTrochoid, cusp_polynomial_is_the_slope_of_the_radius) {
 TEST(RackTrochoid, slope_does_not_depend_on_the_radius) {
   const double tau = 0.8, x = -1.5;
   const auto slope = [&](double q) {
-    const EdgeCircle circle{{x - q * std::sin(tau), 2.0 - q * std::cos(tau)}, q, kPi / 2, 0.3};
+    const EdgeCircle circle{
+        {x - q * std::sin(tau), 2.0 - q * std::cos(tau)}, q, kRightAngle, Angle::radians(0.3)};
     const RackTrochoid curve({20.0, 1.0, 0.0}, circle);
     const double h = 1e-5;
     return (curve.polar_angle(tau + h) - curve.polar_angle(tau - h)) /
@@ -108,22 +112,23 @@ TEST(RackTrochoid, slope_does_not_depend_on_the_radius) {
 TEST(RackTrochoid, neck_is_where_the_half_angle_is_least) {
   const RackMotion motion{6.0, 1.0, 0.0};  // six teeth of module 2
   const RackTrochoid curve(motion, kTip);
-  const std::vector<double> necks = curve.neck_angles(kTip.end_tau, kTip.begin_tau);
+  const std::vector<double> necks = curve.neck_angles(kTip.end_tau.rad(), kTip.begin_tau.rad());
   ASSERT_EQ(necks.size(), 1u);
   const double least = curve.polar_angle(necks[0]);
   for (const double d : {1e-3, 1e-2, 0.1}) {
     EXPECT_GT(curve.polar_angle(necks[0] - d), least);
     EXPECT_GT(curve.polar_angle(necks[0] + d), least);
   }
-  EXPECT_TRUE(
-      RackTrochoid({200.0, 1.0, 0.0}, kTip).neck_angles(kTip.end_tau, kTip.begin_tau).empty());
+  EXPECT_TRUE(RackTrochoid({200.0, 1.0, 0.0}, kTip)
+                  .neck_angles(kTip.end_tau.rad(), kTip.begin_tau.rad())
+                  .empty());
 }
 
 // The involute of the rack's flank: base circle r cos α_t, and on the pitch circle half the
 // thickness that the rack leaves there.
 TEST(RackInvolute, base_circle_and_thickness) {
   for (const RackMotion& motion : {kSpur, kHelical}) {
-    const EdgeLine flank{kPi / 9, 1.57, -2.0, 3.0};
+    const EdgeLine flank{k20Degrees, 1.57, -2.0, 3.0};
     const Involute curve = rack_involute(motion, flank);
     const double tan_t = std::tan(kPi / 9) / motion.cos_beta;
     EXPECT_NEAR(curve.base_radius(), motion.pitch_radius * std::cos(std::atan(tan_t)), 1e-14 * 20);
@@ -136,10 +141,11 @@ TEST(RackInvolute, base_circle_and_thickness) {
 // A line is a circle of no curvature: its points are those of a corner that slides along it.
 TEST(RackInvolute, roll_angle_finds_the_point_of_the_edge) {
   for (const RackMotion& motion : {kSpur, kHelical}) {
-    const EdgeLine flank{kPi / 9, 1.57, -2.0, 3.0};
+    const EdgeLine flank{k20Degrees, 1.57, -2.0, 3.0};
     const Involute curve = rack_involute(motion, flank);
     for (const double height : {-1.0, 0.0, 1.5}) {
-      const EdgeCircle corner{{height, 1.57 - height * std::tan(kPi / 9)}, 0.0, kPi / 2, kPi / 9};
+      const EdgeCircle corner{
+          {height, 1.57 - height * std::tan(kPi / 9)}, 0.0, kRightAngle, k20Degrees};
       const Vec2 wanted = RackTrochoid(motion, corner).point(kPi / 9);
       const Vec2 found = curve.point(rack_involute_roll(motion, flank, height + motion.shift));
       EXPECT_LE((wanted - found).norm(), 1e-13);

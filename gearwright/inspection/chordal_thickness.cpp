@@ -24,7 +24,7 @@ struct FlankRange {
 
 // Where involutes stand on both sides of the tooth.
 Result<FlankRange> flank_range(const Gear& gear, double diameter) {
-  const double d_b = gear.reference.base_diameter;
+  const double d_b = gear.reference().base_diameter;
   const double d_Fa = 2 * gear.tip_form_radius();
   if (gear.internal()) {
     return FlankRange{std::max(d_Fa, d_b), gear.root_diameter,
@@ -47,7 +47,7 @@ Result<FlankRange> flank_range(const Gear& gear, double diameter) {
 }  // namespace
 
 ToothArc<double> tooth_arc(const Gear& gear, double diameter) {
-  const ReferenceGeometry<double>& g = gear.reference;
+  const ReferenceGeometry<double>& g = gear.reference();
   const double s_t = tooth_thickness_transverse(gear.spec.teeth, g.base_diameter,
                                                 g.base_tooth_thickness, diameter);
   ToothArc<double> arc;

@@ -387,9 +387,9 @@ TEST(ChordalThickness, says_what_is_allowed) {
 // One tooth that covers more than half of the circumference of a spur gear.
 TEST(ChordalThickness, of_a_tooth_too_wide_for_any_calliper) {
   auto s = spec_of(1, 2, 0, 0.3);
-  s.rack.addendum = 0.1;
-  s.rack.dedendum = 0.3;
-  s.rack.root_fillet_radius = 0.0;
+  s.straight_rack().addendum = 0.1;
+  s.straight_rack().dedendum = 0.3;
+  s.straight_rack().root_fillet_radius = 0.0;
   const Gear gear = made(s);
   ASSERT_TRUE(gear.exists() && gear.root_form_radius());
   const double d = 2 * *gear.root_form_radius() * 1.0001;
@@ -398,9 +398,9 @@ TEST(ChordalThickness, of_a_tooth_too_wide_for_any_calliper) {
   // The thread of a worm of the same width is no trouble.
   auto worm = spec_of(1, 2, 84, 0.3);
   const Gear thread = made(worm);
-  const auto c = chordal_thickness(thread, thread.reference.reference_diameter);
+  const auto c = chordal_thickness(thread, thread.reference_diameter);
   ASSERT_TRUE(c) << c.error().message;
-  EXPECT_NEAR(c->chord, thread.reference.reference_tooth_thickness_normal, 0.01);
+  EXPECT_NEAR(c->chord, thread.reference().reference_tooth_thickness_normal, 0.01);
 }
 
 }  // namespace

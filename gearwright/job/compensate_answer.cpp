@@ -103,7 +103,7 @@ Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
     if (i == setting) {
       const int gear = *setup.convex_gear();
       Json& rack = tree[fmt::format("gear{}", gear)]["rack"];
-      const auto& arc = std::get<ArcRack>(*setup.gear(gear).spec.arc_rack);
+      const auto& arc = std::get<ArcRack>(setup.gear(gear).spec.rack);
       rack["center_b"] = arc.center_b + v[k] / setup.gear(gear).spec.normal_module;
       rack.erase("pressure_angle_deg");  // it was a check of the old setting
     } else if (i == lead1 || i == lead2) {
@@ -150,7 +150,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job) {
   CompensationTask task;
   task.scenarios = static_cast<int>(scenarios.size());
   task.positions = kPositions;
-  task.along_face = setup.gear(1).involute();
+  task.along_face = setup.gear(1).involute() != nullptr;
   task.fine_positions = job.spec.contact.positions;
   task.centering = input.centering_arcsec * kRadPerArcsec;
   for (const std::size_t i : answer.corrections) {

@@ -18,8 +18,8 @@ ArcMeshInput mesh_input(const ArcPair& pair, int convex) {
   const Gear& c = pair.gears[static_cast<std::size_t>(2 - convex)];
   return {convex_arcs(v).front(),
           concave_arcs(c).front(),
-          v.reference.reference_diameter / 2,
-          c.reference.reference_diameter / 2,
+          v.reference_diameter / 2,
+          c.reference_diameter / 2,
           std::numbers::pi / 2 - std::abs(v.spec.helix_angle.rad()),
           pair.center_distance};
 }
@@ -84,8 +84,8 @@ std::optional<LeadAnswer> lead_without_slope(const SolvedJob& job, const Contact
     const double theta = job.arc_pair->first_contact().at.theta;
     const ContactErrors& e = setup.place().errors;
     const double sin_lambda = std::cos(setup.gear(1).spec.helix_angle.rad());
-    const double r1 = setup.gear(1).reference.reference_diameter / 2;
-    const double r2 = setup.gear(2).reference.reference_diameter / 2;
+    const double r1 = setup.gear(1).reference_diameter / 2;
+    const double r2 = setup.gear(2).reference_diameter / 2;
     const double hand = setup.gear(1).twist() > 0.0 ? 1.0 : -1.0;
     const double driven = gear2_drives ? -1.0 : 1.0;
     answer.first_order = hand * sin_lambda * sin_lambda *

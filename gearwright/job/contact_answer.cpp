@@ -17,7 +17,7 @@ namespace {
 enum ErrorIndex { center, crossing, intersecting, axial, slope1, slope2, lead1, lead2 };
 
 double helix_twist(const Gear& gear, double slope_um) {
-  return slope_um * kMmPerUm / (gear.reference.reference_diameter / 2 * gear.spec.face_width);
+  return slope_um * kMmPerUm / (gear.reference_diameter / 2 * gear.spec.face_width);
 }
 
 std::optional<Error> check_cutter_lead(const JobSpec& spec, const Gear& gear, int which) {
@@ -128,8 +128,7 @@ ContactPair ContactSetup::pair(const ContactErrors& errors, bool gear2_drives) c
 
 std::optional<int> ContactSetup::convex_gear() const {
   for (int i = 0; i < 2; ++i) {
-    const auto& rack = gears_[i]->spec.arc_rack;
-    const auto* arc = rack ? std::get_if<ArcRack>(&*rack) : nullptr;
+    const auto* arc = std::get_if<ArcRack>(&gears_[i]->spec.rack);
     if (!arc) return std::nullopt;
     if (arc->cutter == ArcRack::Cutter::F) return i + 1;
   }
@@ -163,7 +162,7 @@ Result<ContactSetup> ContactSetup::changed(const SetupChange& change) const {
     const auto which = convex_gear();
     GW_EXPECTS(which.has_value());
     CylindricalSpec spec = gears_[*which - 1]->spec;
-    ArcRack* rack = spec.arc_rack ? std::get_if<ArcRack>(&*spec.arc_rack) : nullptr;
+    auto* rack = std::get_if<ArcRack>(&spec.rack);
     GW_EXPECTS(rack != nullptr);
     rack->center_b += change.tool_setting / spec.normal_module;
     rack->pressure_angle.reset();  // a check of the drawing's setting

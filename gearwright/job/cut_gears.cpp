@@ -83,7 +83,7 @@ std::optional<double> shift_at_distance(const JobSpec& spec, const Gear& cutter,
   const int z_m = mate->cylindrical.teeth;
   if (z + z_m == 0 || (z < 0 && -z < z_m) || (z_m < 0 && -z_m < z)) return std::nullopt;
   const double cos_beta = std::cos(c.helix_angle.rad());
-  const double alpha_t = cutter.reference.transverse_pressure_angle;
+  const double alpha_t = cutter.reference().transverse_pressure_angle;
   const double a = *spec.pair.center_distance;
   const double a_d = reference_center_distance(z, z_m, c.normal_module, cos_beta);
   if (a < a_d * std::cos(alpha_t)) return std::nullopt;  // mount names it
@@ -95,7 +95,7 @@ std::optional<double> shift_at_distance(const JobSpec& spec, const Gear& cutter,
 Result<double> distance_of(const JobSpec& spec, const Gear& cutter, int which) {
   const auto& gear = *spec.gears[static_cast<std::size_t>(which - 1)];
   const CutByInput& cut = *gear.cut_by;
-  const double x_0 = cutter.reference.generating_profile_shift;
+  const double x_0 = cutter.reference().generating_profile_shift;
   const int z = gear.cylindrical.teeth;
   if (auto error = check_cutter(cutter, z)) return *error;
   if (cut.profile_shift_pair) {

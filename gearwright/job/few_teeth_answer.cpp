@@ -130,7 +130,7 @@ Result<FitAnswer> answer_few_teeth(const JobSpec& spec) {
   p.center_distance = spec.pair.center_distance;
   p.pinion_shift = g1.profile_shift;
   const double m = p.normal_module;
-  p.rack = g1.cylindrical.rack;
+  p.rack = g1.cylindrical.straight_rack();
   p.root_offset = g1.cylindrical.root_fillet ? g1.cylindrical.root_fillet->offset : 0.01 * m;
   p.min_tip_land = spec.fit.min_tip_land.value_or(0.0);
   p.min_gap = spec.fit.min_gap.value_or(0.0);

@@ -19,12 +19,12 @@ double deg(double rad) { return Angle::radians(rad).deg(); }
 
 // Where nobody said: the reference diameter if there is usable flank, else the flank's middle.
 double default_chord_diameter(const Gear& g) {
-  const double d = g.reference.reference_diameter;
+  const double d = g.reference_diameter;
   const double end = 2 * g.tip_form_radius();
   const auto form = g.root_form_radius();
   const double begin = form           ? 2 * *form
                        : g.internal() ? g.root_diameter
-                                      : g.reference.base_diameter;
+                                      : g.reference().base_diameter;
   const double lo = std::min(begin, end), hi = std::max(begin, end);
   return d >= lo && d <= hi ? d : 0.5 * (lo + hi);
 }
@@ -112,7 +112,7 @@ std::optional<RackQuestion> parse_rack_question(const std::string& text) {
 Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion& question) {
   if (!gear.involute())
     return Error{"--as-rack", "", "--as-rack: only involute teeth have racks of other angles"};
-  const BaseGear<double> base = base_gear(gear.spec.teeth, gear.reference);
+  const BaseGear<double> base = base_gear(gear.spec.teeth, gear.reference());
   const double m_cos = normal_base_pitch(base) / std::numbers::pi;
   const auto bad = [](const std::string& value, const std::string& why) {
     return Error{"--as-rack", value, fmt::format("--as-rack {}: {}", value, why)};

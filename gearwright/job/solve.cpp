@@ -146,7 +146,7 @@ void shorten_tips(JobSpec& spec, double a) {
     if (c.tip_diameter) continue;
     const double sign = c.teeth > 0 ? 1.0 : -1.0;
     c.tip_diameter = 2 * reference_radius(c) +
-                     sign * 2 * (c.normal_module * (c.rack.addendum + c.profile_shift) + k_m);
+                     sign * 2 * (c.normal_module * (addendum_of(c.rack) + c.profile_shift) + k_m);
   }
 }
 

@@ -8,15 +8,17 @@ namespace {
 
 std::string table(int which) { return fmt::format("gear{}", which); }
 
+bool of_arcs(const GearInput& gear) { return !is_straight(gear.cylindrical.rack); }
+
 bool cuts_with_arcs(const GearInput& gear) {
-  return gear.cut_by && gear.cut_by->cutter && gear.cut_by->cutter->cylindrical.arc_rack;
+  return gear.cut_by && gear.cut_by->cutter && of_arcs(*gear.cut_by->cutter);
 }
 
 }  // namespace
 
 bool has_arcs(const JobSpec& spec) {
   for (const auto& gear : spec.gears) {
-    if (gear && (gear->cylindrical.arc_rack || cuts_with_arcs(*gear))) return true;
+    if (gear && (of_arcs(*gear) || cuts_with_arcs(*gear))) return true;
   }
   return false;
 }
@@ -26,7 +28,7 @@ std::optional<Error> check_arcs(const JobSpec& spec) {
     const auto& gear = spec.gears[static_cast<std::size_t>(which - 1)];
     if (!gear || !gear->cut_by) continue;
     const auto& cutter = spec.gears[static_cast<std::size_t>(2 - which)];
-    const bool by_mate = gear->cut_by->gear != 0 && cutter && cutter->cylindrical.arc_rack;
+    const bool by_mate = gear->cut_by->gear != 0 && cutter && of_arcs(*cutter);
     if (!by_mate && !cuts_with_arcs(*gear)) continue;
     const std::string key = table(which) + ".cut_by";
     return Error{key, "",
@@ -52,7 +54,7 @@ std::optional<Error> check_arcs(const JobSpec& spec) {
 std::optional<Error> refuse_arcs(const JobSpec& spec, const std::string& verb) {
   for (const int which : {1, 2}) {
     const auto& gear = spec.gears[static_cast<std::size_t>(which - 1)];
-    if (!gear || !(gear->cylindrical.arc_rack || cuts_with_arcs(*gear))) continue;
+    if (!gear || !(of_arcs(*gear) || cuts_with_arcs(*gear))) continue;
     const std::string key = table(which) + ".rack";
     return Error{key, "",
                  fmt::format("{}: the verb {} is about involute gears; these teeth are circular "

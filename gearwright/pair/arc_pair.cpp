@@ -21,11 +21,11 @@ std::string table(int which) { return fmt::format("gear{}", which); }
 double deg(double rad) { return Angle::radians(rad).deg(); }
 
 std::vector<WorkingArc> working(const Gear& gear, double side) {
-  GW_EXPECTS(gear.arcs.has_value());
+  GW_EXPECTS(gear.arcs() != nullptr);
   const double m = gear.spec.normal_module;
   const double thinner = gear.spec.thickness_allowance / 2;
   std::vector<WorkingArc> list;
-  for (const RackArc& arc : gear.arcs->rack.arcs) {
+  for (const RackArc& arc : gear.arcs()->rack.arcs) {
     if (arc.cuts != ArcName::flank || !arc.working || !(side * arc.radius > 0.0)) continue;
     // [T7.1], [T7.2] read backward.
     const double middle = side > 0.0 ? 0.0 : kPi / 2;
@@ -36,7 +36,7 @@ std::vector<WorkingArc> working(const Gear& gear, double side) {
   return list;
 }
 
-double pitch_radius(const Gear& gear) { return gear.reference.reference_diameter / 2; }
+double pitch_radius(const Gear& gear) { return gear.reference_diameter / 2; }
 
 std::optional<Error> check_gears(const std::array<Gear, 2>& gears) {
   for (const int which : {1, 2}) {
@@ -109,7 +109,7 @@ ArcMeshInput mesh_of(const Gear& convex, const Gear& concave, const WorkingArc& 
 
 // Whether an arc of the gear that was cut with these numbers has the normal angle θ at all.
 bool has_angle(const Gear& gear, double side, double theta) {
-  for (const RackArc& arc : gear.arcs->rack.arcs) {
+  for (const RackArc& arc : gear.arcs()->rack.arcs) {
     if (arc.cuts != ArcName::flank || !arc.working || !(side * arc.radius > 0.0)) continue;
     const auto [lo, hi] = std::minmax({arc.begin.rad(), arc.end.rad()});
     if (theta >= lo && theta <= hi) return true;
@@ -119,7 +119,7 @@ bool has_angle(const Gear& gear, double side, double theta) {
 
 // The key under which the spec has the radius of the gear's concave flank.
 const char* radius_key(const Gear& concave) {
-  const AnyArcRack& rack = *concave.spec.arc_rack;
+  const Rack& rack = concave.spec.rack;
   return std::holds_alternative<ArcRack>(rack)         ? ".rack.arc_radius"
          : std::holds_alternative<DoubleArcRack>(rack) ? ".rack.concave_radius"
                                                        : ".rack.arcs";
@@ -227,9 +227,9 @@ void warn_about_contact(ArcPair& pair, const ArcPairContact& c) {
   for (const int which : {1, 2}) {
     const Gear& gear = pair.gears[static_cast<std::size_t>(which - 1)];
     std::optional<Angle> written;
-    if (const auto* rack = std::get_if<ArcRack>(&*gear.spec.arc_rack)) {
+    if (const auto* rack = std::get_if<ArcRack>(&gear.spec.rack)) {
       written = rack->pressure_angle;
-    } else if (const auto* rack_2 = std::get_if<DoubleArcRack>(&*gear.spec.arc_rack)) {
+    } else if (const auto* rack_2 = std::get_if<DoubleArcRack>(&gear.spec.rack)) {
       written = rack_2->pressure_angle;
     }
     if (!written || std::abs(written->rad() - c.nominal_theta) <= kSamePressureAngle.rad())

@@ -18,13 +18,13 @@ using Cutter = ArcRack::Cutter;
 
 constexpr double kPi = std::numbers::pi;
 
-CylindricalSpec spec_of(AnyArcRack rack, int teeth, double beta_deg) {
+CylindricalSpec spec_of(Rack rack, int teeth, double beta_deg) {
   CylindricalSpec s;
   s.teeth = teeth;
   s.normal_module = 4.0;
   s.helix_angle = Angle::degrees(beta_deg);
   s.face_width = 60.0;
-  s.arc_rack = std::move(rack);
+  s.rack = std::move(rack);
   return s;
 }
 
@@ -69,7 +69,7 @@ double distance_to_flank(const ArcPair& pair, std::size_t i, const ArcPairContac
   double least = 1e9;
   for (const Arc& arc : gear.tooth->outline.arcs) {
     if (arc.name != ArcName::flank) continue;
-    const auto& cut = dynamic_cast<const RackTrochoid&>(*arc.curve);
+    const auto& cut = curve_as<RackTrochoid>(*arc.curve);
     if ((cut.circle().q > 0.0) != convex) continue;
     const Vec2 w = cut.point(contact.at.theta);
     // Seen from +z, gear 1 turns clockwise: it leads with the side y < 0 of its tooth, gear 2 is
@@ -156,15 +156,15 @@ TEST(ArcPair, double_arcs_need_less_face) {
 TEST(ArcPair, warnings_say_what_is_amiss) {
   auto F = spec_of(rack_of(Cutter::F), 15, 18), P = spec_of(rack_of(Cutter::P), 40, -18);
   const double a_d = mounted(F, P).center_distance;
-  std::get<ArcRack>(*F.arc_rack).pressure_angle = Angle::degrees(25);
+  std::get<ArcRack>(F.rack).pressure_angle = Angle::degrees(25);
   EXPECT_TRUE(warns(mounted(F, P), "pressure_angle"));
-  std::get<ArcRack>(*F.arc_rack).pressure_angle = Angle::degrees(30.01);
+  std::get<ArcRack>(F.rack).pressure_angle = Angle::degrees(30.01);
   EXPECT_FALSE(warns(mounted(F, P), "pressure_angle"));
   EXPECT_TRUE(warns(mounted(F, P, a_d + 0.25), "contact_off_flank"));
   EXPECT_FALSE(warns(mounted(F, P, a_d + 0.05), "contact_off_flank"));
   EXPECT_TRUE(warns(mounted(F, P, a_d - 0.05), "negative_backlash"));
-  P.tip_diameter = made(P).reference.reference_diameter + 4.0;
-  std::get<ArcRack>(*F.arc_rack).dedendum = 0.1;
+  P.tip_diameter = made(P).reference_diameter + 4.0;
+  std::get<ArcRack>(F.rack).dedendum = 0.1;
   EXPECT_TRUE(warns(mounted(F, P), "root"));
   auto other = spec_of(rack_of(Cutter::P), 40, -18.1);
   const ArcPair unequal = mounted(F, other);
@@ -184,7 +184,7 @@ TEST(ArcPair, errors_name_the_key_and_the_numbers) {
   };
   EXPECT_EQ(key(F, P), "mounted");
   auto involute = spec_of(rack_of(Cutter::P), 40, -18);
-  involute.arc_rack.reset();
+  involute.rack = StraightRack{};
   EXPECT_EQ(key(F, involute), "gear2.rack");
   EXPECT_EQ(key(F, spec_of(rack_of(Cutter::F), 40, -18)), "gear2.rack");
   EXPECT_EQ(key(F, spec_of(rack_of(Cutter::P), 40, 18)), "gear2.helix_angle_deg");
@@ -194,7 +194,7 @@ TEST(ArcPair, errors_name_the_key_and_the_numbers) {
   coarse.normal_module = 5.0;
   EXPECT_EQ(key(F, coarse), "gear2.normal_module_mm");
   auto wide = F;
-  std::get<ArcRack>(*wide.arc_rack).arc_radius = 1.56;
+  std::get<ArcRack>(wide.rack).arc_radius = 1.56;
   EXPECT_EQ(key(wide, P), "gear2.rack.arc_radius");
   DoubleArcRack thick;
   thick.convex_radius = 1.43;
@@ -204,7 +204,7 @@ TEST(ArcPair, errors_name_the_key_and_the_numbers) {
   EXPECT_EQ(key(F, P, a_d + 2.0), "pair.center_distance_mm");
   auto severed = F;
   severed.teeth = 1;
-  std::get<ArcRack>(*severed.arc_rack).dedendum = 0.56;
+  std::get<ArcRack>(severed.rack).dedendum = 0.56;
   const auto none = make_gear(severed);
   if (none && !none->exists()) {
     EXPECT_EQ(key(severed, P), "gear1.rack.dedendum");

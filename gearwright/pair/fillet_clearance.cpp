@@ -35,9 +35,9 @@ std::vector<Corner> tip_corners(const Gear& mate) {
   if (!mate.tooth) {
     const double r = mate.tip_diameter / 2;
     if (r < mate.base_radius()) return {};
-    const double d_b = mate.reference.base_diameter;
+    const double d_b = mate.reference().base_diameter;
     return {{r, tooth_thickness_transverse(mate.spec.teeth, d_b,
-                                           mate.reference.base_tooth_thickness, 2 * r) /
+                                           mate.reference().base_tooth_thickness, 2 * r) /
                     (2 * r)}};
   }
   std::vector<Corner> corners;

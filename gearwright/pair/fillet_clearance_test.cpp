@@ -22,7 +22,7 @@ Gear gear(int teeth, double x = 0.0, double fillet = 0.38, double tip = 0.0) {
   s.normal_module = 2.0;
   s.profile_shift = x;
   s.face_width = 20.0;
-  s.rack.root_fillet_radius = fillet;
+  s.straight_rack().root_fillet_radius = fillet;
   if (tip > 0.0) s.tip_diameter = tip;
   auto made = make_gear(s);
   EXPECT_TRUE(made) << made.error().message;

@@ -11,7 +11,7 @@ namespace {
 
 // A gear cut by its mate touches it with no clearance at all: rounding is no interference.
 constexpr double kNoise = 1e-11;  // of the base pitch
-double noise(const Pair& p) { return kNoise * p.gears[0].reference.base_pitch_normal; }
+double noise(const Pair& p) { return kNoise * p.gears[0].reference().base_pitch_normal; }
 
 double diameter_of(double base_radius, double rho) { return 2 * std::hypot(base_radius, rho); }
 

@@ -87,7 +87,7 @@ void warn_about_mesh(Pair& p) {
   constexpr double kOfPitch = 1e-12;
   constexpr double kOfDistance = 4e-15;
   const double noise =
-      kOfPitch * p.gears[0].reference.base_pitch_normal + kOfDistance * p.center_distance;
+      kOfPitch * p.gears[0].reference().base_pitch_normal + kOfDistance * p.center_distance;
   if (p.mesh.backlash.normal_base < -noise) {
     const std::string distance = p.backlash_free_center_distance
                                      ? fmt::format("{:.4f} mm", *p.backlash_free_center_distance)
@@ -276,8 +276,7 @@ Result<Pair> mount(Gear gear_1, Gear gear_2, const PairSpec& spec) {
   p.mesh = mesh_of(p.input);
 
   const double sign = p.kind == PairKind::parallel_internal ? -1.0 : 1.0;
-  p.reference_center_distance =
-      (g2.reference.reference_diameter + sign * g1.reference.reference_diameter) / 2;
+  p.reference_center_distance = (g2.reference_diameter + sign * g1.reference_diameter) / 2;
   const double x_m_1 = g1.spec.profile_shift * g1.spec.normal_module;
   const double x_m_2 = g2.spec.profile_shift * g2.spec.normal_module;
   p.extended_center_distance = p.reference_center_distance + sign * (x_m_1 + x_m_2);

@@ -67,7 +67,7 @@ std::optional<Error> check_shaft_angle(const BasePair<double>& gears, double sig
 }  // namespace
 
 BasePair<double> base_pair(const Gear& g1, const Gear& g2) {
-  return {base_gear(g1.spec.teeth, g1.reference), base_gear(g2.spec.teeth, g2.reference)};
+  return {base_gear(g1.spec.teeth, g1.reference()), base_gear(g2.spec.teeth, g2.reference())};
 }
 
 BasePair<double> nominal_base_pair(const CylindricalSpec& gear_1, const CylindricalSpec& gear_2) {

@@ -22,7 +22,7 @@ Gear double_gear(int teeth, double beta_deg, double face_width = 60.0) {
   s.normal_module = 4.0;
   s.helix_angle = Angle::degrees(beta_deg);
   s.face_width = face_width;
-  s.arc_rack = *gbt12759_rack(4.0);
+  s.rack = *gbt12759_rack(4.0);
   auto gear = make_gear(s);
   GW_EXPECTS(static_cast<bool>(gear));
   return std::move(gear).take();
@@ -76,7 +76,7 @@ TEST(ArcPairSection, drawn_flanks_meet_in_the_mark) {
           (Complex(c.at.point.x(), c.at.point.y()) - axis) * std::polar(1.0, -angles[i]);
       double least = 1e9;
       for (const Arc& arc : gear.tooth->outline.arcs) {
-        const auto* cut = dynamic_cast<const RackTrochoid*>(arc.curve.get());
+        const auto* cut = curve_if<RackTrochoid>(*arc.curve);
         if (arc.name != ArcName::flank || !cut) continue;
         const Vec2 w = cut->point(c.at.theta);
         for (int k = 0; k < gear.spec.teeth; ++k) {

@@ -27,7 +27,7 @@ struct Centrodes {
 Centrodes centrodes_of(const Pair& pair) {
   Centrodes c{};
   for (const std::size_t i : {0u, 1u}) {
-    c.reference[i] = pair.gears[i].reference.reference_diameter / 2;
+    c.reference[i] = pair.gears[i].reference_diameter / 2;
     c.working[i] = pair.mesh.rack.sides[i].pitch_radius;
   }
   c.side_1 = pair.kind == PairKind::parallel_internal ? -1.0 : 1.0;

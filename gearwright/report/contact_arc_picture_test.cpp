@@ -11,13 +11,13 @@
 namespace gearwright {
 namespace {
 
-Gear arc_gear(int teeth, double module, double helix_deg, const AnyArcRack& rack, double face) {
+Gear arc_gear(int teeth, double module, double helix_deg, const Rack& rack, double face) {
   CylindricalSpec spec;
   spec.teeth = teeth;
   spec.normal_module = module;
   spec.helix_angle = Angle::degrees(helix_deg);
   spec.face_width = face;
-  spec.arc_rack = rack;
+  spec.rack = rack;
   auto gear = make_gear(spec);
   GW_EXPECTS(static_cast<bool>(gear));
   return std::move(gear).take();
@@ -68,9 +68,9 @@ TEST(ArcPicture, ARackReachesFromItsDedendumToItsAddendum) {
   for (const Gear& gear : pair.gears) {
     const auto half = rack_half_tooth(gear);
     const double m = gear.spec.normal_module;
-    EXPECT_NEAR(half.front().x(), -dedendum_of(*gear.spec.arc_rack) * m, 1e-12);
+    EXPECT_NEAR(half.front().x(), -dedendum_of(gear.spec.rack) * m, 1e-12);
     EXPECT_NEAR(half.front().y(), 3.14159265358979323846 * m / 2, 1e-12);
-    EXPECT_NEAR(half.back().x(), addendum_of(*gear.spec.arc_rack) * m, 1e-12);
+    EXPECT_NEAR(half.back().x(), addendum_of(gear.spec.rack) * m, 1e-12);
     EXPECT_EQ(half.back().y(), 0.0);
     for (std::size_t i = 1; i < half.size(); ++i) EXPECT_GE(half[i].x(), half[i - 1].x() - 1e-9);
   }

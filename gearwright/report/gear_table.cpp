@@ -19,8 +19,6 @@ namespace {
 
 constexpr int kRackDigits = 6;  // of arcs, in modules or degrees
 
-using Rack = StraightRack;
-
 std::optional<double> unless_zero(double value) {
   return value != 0.0 ? std::optional(value) : std::nullopt;
 }
@@ -29,27 +27,28 @@ std::optional<double> unless_zero(double value) {
 void add_rack(TableBuilder& table, const std::vector<const Gear*>& gears) {
   struct Row {
     const char *words, *symbol, *unit;
-    std::optional<double> (*value)(const Rack&);
+    std::optional<double> (*value)(const StraightRack&);
   };
   static const std::array<Row, 8> kRows{
-      {{"Addendum", "h_aP*", "", [](const Rack& r) { return std::optional(r.addendum); }},
-       {"Dedendum", "h_fP*", "", [](const Rack& r) { return std::optional(r.dedendum); }},
+      {{"Addendum", "h_aP*", "", [](const StraightRack& r) { return std::optional(r.addendum); }},
+       {"Dedendum", "h_fP*", "", [](const StraightRack& r) { return std::optional(r.dedendum); }},
        {"Root fillet radius", "ρ_fP*", "",
-        [](const Rack& r) { return std::optional(r.root_fillet_radius); }},
+        [](const StraightRack& r) { return std::optional(r.root_fillet_radius); }},
        {"Tip fillet radius", "ρ_1*", "",
-        [](const Rack& r) { return unless_zero(r.tip_fillet_radius); }},
+        [](const StraightRack& r) { return unless_zero(r.tip_fillet_radius); }},
        {"Height of the tool’s straight flank", "", "",
-        [](const Rack& r) { return r.tool_addendum; }},
+        [](const StraightRack& r) { return r.tool_addendum; }},
        {"Semi-topping angle", "", "°",
-        [](const Rack& r) {
+        [](const StraightRack& r) {
           return r.semi_topping_angle ? std::optional(r.semi_topping_angle->deg()) : std::nullopt;
         }},
-       {"Protuberance", "pr_P*", "", [](const Rack& r) { return unless_zero(r.protuberance); }},
-       {"Protuberance angle", "α_pr", "°", [](const Rack& r) {
+       {"Protuberance", "pr_P*", "",
+        [](const StraightRack& r) { return unless_zero(r.protuberance); }},
+       {"Protuberance angle", "α_pr", "°", [](const StraightRack& r) {
           return r.protuberance != 0.0 ? std::optional(r.protuberance_angle.deg()) : std::nullopt;
         }}}};
   const auto rack_of = [](const Gear& g) {
-    return g.cut_by || !g.involute() ? nullptr : &g.spec.rack;
+    return g.cut_by || !g.involute() ? nullptr : &g.spec.straight_rack();
   };
   if (std::none_of(gears.begin(), gears.end(), [&](const Gear* g) { return rack_of(*g); })) return;
   table.group("Basic rack, in normal modules");
@@ -57,7 +56,7 @@ void add_rack(TableBuilder& table, const std::vector<const Gear*>& gears) {
     std::vector<std::string> values;
     bool any = false;
     for (const Gear* g : gears) {
-      const Rack* rack = rack_of(*g);
+      const StraightRack* rack = rack_of(*g);
       const std::optional<double> v = rack ? row.value(*rack) : std::nullopt;
       values.push_back(v ? given(*v) : none());
       any = any || v;
@@ -69,12 +68,12 @@ void add_rack(TableBuilder& table, const std::vector<const Gear*>& gears) {
 // The arcs of a rack, one row each: signed radius, place of the centre, from which to which angle.
 void add_arcs(TableBuilder& table, const std::vector<const Gear*>& gears) {
   std::size_t most = 0;
-  for (const Gear* g : gears) most = std::max(most, g->arcs ? g->arcs->rack.arcs.size() : 0);
+  for (const Gear* g : gears) most = std::max(most, g->arcs() ? g->arcs()->rack.arcs.size() : 0);
   if (most == 0) return;
   table.group("Basic rack of arcs, in normal modules; from the cutter’s tip on");
   const auto row = [&](const char* words, const char* symbol, const char* unit, const auto& value) {
     std::vector<std::string> values;
-    for (const Gear* g : gears) values.push_back(g->arcs ? value(g->arcs->rack) : none());
+    for (const Gear* g : gears) values.push_back(g->arcs() ? value(g->arcs()->rack) : none());
     table.row(words, symbol, unit, values);
   };
   row("Addendum", "h_a*", "", [](const RackOfArcs& r) { return given(r.addendum); });

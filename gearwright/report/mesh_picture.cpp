@@ -220,7 +220,7 @@ std::array<double, 2> rotation_to_pitch_point(const Pair& pair) {
   const double inv_w = involute(pair.mesh.rack.sides[0].transverse_angle);
   const auto base_half = [&](std::size_t i) {
     const Gear& gear = pair.gears[i];
-    return gear.reference.base_tooth_thickness / gear.reference.base_diameter;
+    return gear.reference().base_tooth_thickness / gear.reference().base_diameter;
   };
   const double sigma = pair.kind == PairKind::parallel_external ? 1.0 : -1.0;
   const double psi_1 = base_half(0) - inv_w;

@@ -157,7 +157,7 @@ TEST(Report, CrossedPairNumbersAreThePairs) {
   const std::string least = page.substr(page.find("Minimum centre distance, free of backlash"));
   EXPECT_EQ(row(least, "Shaft angle"), (Values{"90.01272"}));
   // The path's points are told along the line, which leaves the transverse section at β_b1.
-  const double pitch = pair.gears[0].reference.base_pitch_normal;
+  const double pitch = pair.gears[0].reference().base_pitch_normal;
   const double A = std::stod(row(page, "<strong>A</strong> tip of gear 2 comes in")[0]);
   const double D = std::stod(row(page, "<strong>D</strong> one pitch after A")[0]);
   const double E = std::stod(row(page, "<strong>E</strong> tip of gear 1 goes out")[0]);

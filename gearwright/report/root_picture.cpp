@@ -44,7 +44,7 @@ Vec2 root_center(const Gear& gear) {
 
 // Beyond the middle of the space F lies in the neighbour.
 bool shows_limit(const Gear& gear) {
-  return gear.reference.base_tooth_thickness / gear.reference.base_diameter <
+  return gear.reference().base_tooth_thickness / gear.reference().base_diameter <
          std::numbers::pi / gear.spec.teeth;
 }
 
@@ -88,7 +88,7 @@ Viewport window(const Gear& gear, const std::optional<Gear>& rack) {
 // The flank that an undercut took away: from the base circle to where the flank now starts.
 void draw_lost_flank(Svg& svg, const Viewport& view, const Gear& gear) {
   const Involute flank(gear.base_radius(),
-                       gear.reference.base_tooth_thickness / gear.reference.base_diameter);
+                       gear.reference().base_tooth_thickness / gear.reference().base_diameter);
   const double end = flank.roll_at(gear.root_form_radius().value_or(gear.actual_tip_radius()));
   for (const double side : {1.0, -1.0}) {
     std::vector<Vec2> points;
@@ -135,18 +135,19 @@ struct Mark {
 };
 
 std::vector<Mark> marks_of(const Gear& gear) {
+  const InvoluteTeeth& teeth = *gear.involute();
   std::vector<Mark> marks;
-  if (gear.tooth->tip_fillet && gear.point_j_l)
-    marks.push_back({right(flank_of(gear).end_point), with_l("J", *gear.point_j_l)});
-  if (gear.tooth->root_fillet && gear.point_c_l) {
-    marks.push_back({right(flank_of(gear).begin_point), with_l("C", *gear.point_c_l)});
+  if (gear.tooth->tip_fillet && teeth.point_j_l)
+    marks.push_back({right(flank_of(gear).end_point), with_l("J", *teeth.point_j_l)});
+  if (gear.tooth->root_fillet && teeth.point_c_l) {
+    marks.push_back({right(flank_of(gear).begin_point), with_l("C", *teeth.point_c_l)});
   } else if (has_flank(gear)) {
     marks.push_back(
         {right(flank_of(gear).begin_point),
          symbol_svg("d_Ff") + " " + fixed(2 * flank_of(gear).begin_point.norm(), kLengthDigits)});
   }
-  if (shows_limit(gear) && gear.undercut_l)
-    marks.push_back({right(undercut_limit_point(gear)), with_l("F", *gear.undercut_l)});
+  if (shows_limit(gear) && teeth.undercut_l)
+    marks.push_back({right(undercut_limit_point(gear)), with_l("F", *teeth.undercut_l)});
   return marks;
 }
 
@@ -219,7 +220,7 @@ std::optional<Gear> by_rack_alone(const Gear& gear) {
 }
 
 Vec2 undercut_limit_point(const Gear& gear) {
-  const double psi = gear.reference.base_tooth_thickness / gear.reference.base_diameter;
+  const double psi = gear.reference().base_tooth_thickness / gear.reference().base_diameter;
   return gear.base_radius() * Vec2(std::cos(psi), std::sin(psi));
 }
 
@@ -227,7 +228,7 @@ std::string root_figure(const Gear& gear, const std::string& shape, const std::s
   if (!root_is_worth_a_picture(gear)) return {};
   const std::optional<Gear> rack = by_rack_alone(gear);
   std::string words = behind_words(gear, rack);
-  words += fmt::format("<b>F</b>: {}.", gear.undercut_l && *gear.undercut_l < 0.0
+  words += fmt::format("<b>F</b>: {}.", gear.involute()->undercut_l < 0.0
                                             ? "the flank would begin here at the earliest; the "
                                               "rack does not reach it, there is no undercut"
                                             : "undercut begins where the rack reaches it");

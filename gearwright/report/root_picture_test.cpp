@@ -38,7 +38,7 @@ TEST(RootPicture, TheRackAloneCutsTheSameGearWithoutFillets) {
   ASSERT_TRUE(rack);
   EXPECT_FALSE(gear.undercut);
   EXPECT_TRUE(rack->undercut);
-  EXPECT_EQ(rack->reference.base_tooth_thickness, gear.reference.base_tooth_thickness);
+  EXPECT_EQ(rack->reference().base_tooth_thickness, gear.reference().base_tooth_thickness);
   EXPECT_FALSE(rack->tooth->root_fillet || rack->tooth->tip_fillet);
   EXPECT_FALSE(by_rack_alone(*rack));
   EXPECT_FALSE(by_rack_alone(testing::two_and_sixty().gears[1]));

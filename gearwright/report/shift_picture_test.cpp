@@ -36,15 +36,15 @@ TEST(ShiftPicture, TheOwnShiftIsOneOfThem) {
 TEST(ShiftPicture, UndercutEndsAtTheLimit) {
   for (const Gear& gear : {testing::two_teeth(), sample_gear(7, 2, 0, 0.1)}) {
     for (const ShiftedTooth& t : shifted_teeth(gear)) {
-      EXPECT_EQ(t.rack_cut.undercut,
-                t.rack_cut.reference.generating_profile_shift < *gear.undercut_free_profile_shift);
+      EXPECT_EQ(t.rack_cut.undercut, t.rack_cut.reference().generating_profile_shift <
+                                         *gear.involute()->undercut_free_profile_shift);
       ASSERT_TRUE(t.rounded);
       EXPECT_FALSE(t.rounded->undercut);
       EXPECT_TRUE(t.rounded->tooth->root_fillet);
       // The flank begins where the gear's own fillet has it begin, beyond F.
-      const double l_F = std::max(0.0, *t.rounded->undercut_l);
+      const double l_F = std::max(0.0, *t.rounded->involute()->undercut_l);
       const double offset = gear.spec.root_fillet ? gear.spec.root_fillet->offset : 0.0;
-      EXPECT_NEAR(*t.rounded->point_c_l, l_F + offset, 1e-12);
+      EXPECT_NEAR(*t.rounded->involute()->point_c_l, l_F + offset, 1e-12);
     }
   }
 }
@@ -53,7 +53,7 @@ TEST(ShiftPicture, WhereNoCircleFitsItSaysSo) {
   CylindricalSpec spec = testing::two_teeth().spec;
   spec.teeth = 1;
   spec.profile_shift = 0.5;
-  spec.rack.dedendum = 1.0;
+  spec.straight_rack().dedendum = 1.0;
   auto one = make_gear(spec);
   ASSERT_TRUE(one);
   const auto teeth = shifted_teeth(*one);

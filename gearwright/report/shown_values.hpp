@@ -12,7 +12,9 @@
 namespace gearwright::shown {
 
 inline std::string length(const std::optional<double>& mm) { return fixed(mm, kLengthDigits); }
-inline std::string angle(double rad) { return fixed(kDegPerRad * rad, kAngleDigits); }
+inline std::string angle(const std::optional<double>& rad) {
+  return fixed(rad ? std::optional(kDegPerRad * *rad) : std::nullopt, kAngleDigits);
+}
 inline std::string ratio(const std::optional<double>& value) { return fixed(value, kRatioDigits); }
 inline std::string none() { return std::string(kNoValue); }
 

@@ -30,7 +30,7 @@ struct LabelledCircle {
 std::vector<LabelledCircle> circles_of(const Gear& gear) {
   std::vector<LabelledCircle> circles;
   circles.push_back({"d_a", gear.actual_tip_radius(), "thin"});
-  circles.push_back({"d", gear.reference.reference_diameter / 2, "thin dashdot"});
+  circles.push_back({"d", gear.reference_diameter / 2, "thin dashdot"});
   if (gear.involute()) circles.push_back({"d_b", gear.base_radius(), "thin dash"});
   circles.push_back({"d_f", gear.tooth->root_radius, "thin"});
   if (const auto form = gear.root_form_radius()) circles.push_back({"d_Ff", *form, "thin dot"});
@@ -46,7 +46,7 @@ Viewport window(const Gear& gear) {
   const double r_a = gear.tooth->tip_radius;
   const double m = gear.spec.normal_module;
   const double out = gear.internal() ? -1.0 : 1.0;  // from root to tip
-  const double pitch = gear.reference.transverse_module * std::numbers::pi;
+  const double pitch = gear.transverse_module * std::numbers::pi;
   const double body = gear.internal() ? 0.9 * m : std::min(0.9 * m, 0.8 * r_f);
   const double tall = std::abs(r_a - r_f) + body + 0.5 * m;
   const double scale = std::min(kHeight / tall, kPlotWidth / (1.5 * pitch));

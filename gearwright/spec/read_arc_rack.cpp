@@ -116,7 +116,7 @@ void refuse_involute_keys(TableReader& gear) {
 
 }  // namespace
 
-std::optional<AnyArcRack> read_arc_rack(TableReader& gear, const Once& module) {
+std::optional<Rack> read_arc_rack(TableReader& gear, const Once& module) {
   const Json* node = gear.any("rack");
   if (!node) return std::nullopt;
   if (node->is_string() && node->get<std::string>() == "GBT12759") {

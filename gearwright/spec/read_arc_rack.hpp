@@ -8,12 +8,12 @@
 
 #include "gearwright/spec/once.hpp"
 #include "gearwright/spec/table_reader.hpp"
-#include "gearwright/tool/arc_racks.hpp"
+#include "gearwright/tool/rack.hpp"
 
 namespace gearwright {
 
 /// The rack of arcs of a gear's table; nothing when its rack is another one, or absent. `module`
 /// chooses among the standard's racks.
-std::optional<AnyArcRack> read_arc_rack(TableReader& gear, const Once& module);
+std::optional<Rack> read_arc_rack(TableReader& gear, const Once& module);
 
 }  // namespace gearwright

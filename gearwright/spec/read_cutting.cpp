@@ -106,7 +106,7 @@ void read_cut_by(TableReader& gear, const Json& node, const Json* mate, GearInpu
     GearInput cutter = read_gear(with_shared_keys(*by, node, mate), path);
     if (cutter.cylindrical.teeth < 0)
       gear.fail("cut_by.teeth", "must be positive: a ring cannot be a pinion cutter");
-    if (!by->contains("rack")) cutter.cylindrical.rack.addendum = kCutterAddendum;
+    if (!by->contains("rack")) cutter.cylindrical.straight_rack().addendum = kCutterAddendum;
     if (cutter.tip_clearance || cutter.tip_clearance_by_rule) {
       gear.fail("cut_by.tip_fillet",
                 "a cutter has no mate to keep clear of; give radius_mm or l_mm");

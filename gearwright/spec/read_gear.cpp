@@ -226,8 +226,8 @@ GearInput read_gear(const Json& node, const std::string& path, const Json* mate,
   c.thickness_allowance = t.number("thickness_allowance_mm").value_or(0.0);
   const auto face = t.positive("face_width_mm");
   c.tip_diameter = t.positive("tip_diameter_mm");
-  c.arc_rack = read_arc_rack(t, module);
-  if (!c.arc_rack) c.rack = read_rack(t);
+  const auto arcs = read_arc_rack(t, module);
+  c.rack = arcs ? *arcs : Rack(read_rack(t));
   read_fillets(t, g);
   if (const Json* by = t.any("cut_by"); by && by->is_object() && by->contains("modifications")) {
     t.fail(

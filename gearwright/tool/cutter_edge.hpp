@@ -13,9 +13,10 @@
 #pragma once
 
 #include <limits>
-#include <optional>
+#include <variant>
 #include <vector>
 
+#include "gearwright/base/angle.hpp"
 #include "gearwright/curve/arc_name.hpp"
 #include "gearwright/curve/curve.hpp"
 
@@ -23,7 +24,7 @@ namespace gearwright {
 
 /// A straight piece; `end_height` may be infinite (a flank that reaches past every tip).
 struct EdgeLine {
-  double tau;      ///< τ  rad, constant
+  Angle tau;       ///< τ  constant
   double y_datum;  ///< y where the (prolonged) line crosses x = 0, mm:  y = y_datum − x tan τ
   double begin_height;  ///< x  mm
   double end_height;    ///< x  mm
@@ -33,14 +34,13 @@ struct EdgeLine {
 struct EdgeCircle {
   Vec2 center;  ///< (x, y) mm
   double q;     ///< mm; < 0 the cutter's convex tip rounding, > 0 its concave bottom, 0 a corner
-  double begin_tau;  ///< rad
-  double end_tau;    ///< rad
+  Angle begin_tau;
+  Angle end_tau;
 };
 
 struct EdgeArc {
-  ArcName cuts;                  ///< the part of the tooth it cuts
-  std::optional<EdgeLine> line;  ///< exactly one of the two is set
-  std::optional<EdgeCircle> circle;
+  ArcName cuts;  ///< the part of the tooth it cuts
+  std::variant<EdgeLine, EdgeCircle> shape;
   bool smooth_start = true;  ///< same point and same normal as the end of the arc before
 };
 

@@ -164,9 +164,7 @@ Result<CutterEdge> make_edge(const RackOfArcs& rack, double m, double thickness_
     }
     const bool smooth = i == 0 || std::abs(chain[i - 1].end.rad() - arc.begin.rad()) <= kSameNormal;
     const Vec2 center(arc.center_height * m, arc.center_offset * m + thinner);
-    edge.arcs.push_back({arc.cuts, std::nullopt,
-                         EdgeCircle{center, arc.radius * m, arc.begin.rad(), arc.end.rad()},
-                         smooth});
+    edge.arcs.push_back({arc.cuts, EdgeCircle{center, arc.radius * m, arc.begin, arc.end}, smooth});
   }
   edge.flank_begin_depth = -*flank_begin;
   edge.bottom_height = point_at(chain.back(), chain.back().end).x() * m;

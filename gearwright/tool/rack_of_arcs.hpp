@@ -9,6 +9,7 @@
 // edge ends; there a land tops the tooth. Circular-arc gears of every kind come down to this.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "gearwright/base/angle.hpp"

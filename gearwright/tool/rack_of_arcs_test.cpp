@@ -8,12 +8,14 @@
 #include <numbers>
 #include <vector>
 
-#include "gearwright/tool/arc_racks.hpp"
+#include "gearwright/tool/rack.hpp"
 
 namespace gearwright {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
+
+const EdgeCircle& circle_of(const EdgeArc& arc) { return std::get<EdgeCircle>(arc.shape); }
 
 Vec2 on(const EdgeCircle& c, double tau) {
   return c.center + c.q * Vec2(std::sin(tau), std::cos(tau));
@@ -34,7 +36,12 @@ ArcRack rack_P() {
   return rack;
 }
 
-std::vector<AnyArcRack> racks() {
+RackOfArcs made(const Result<RackOfArcs>& rack) {
+  EXPECT_TRUE(rack) << rack.error().message;
+  return *rack;
+}
+
+std::vector<RackOfArcs> racks() {
   ArcRack sharp_F = rack_F(), sharp_P = rack_P(), flat = rack_F();
   sharp_F.root_fillet_radius = 0.0;
   sharp_F.dedendum = 0.2;
@@ -46,40 +53,45 @@ std::vector<AnyArcRack> racks() {
   low.center_b = -0.1;
   low.dedendum = 0.8;
   low.addendum = -0.2;
-  return {rack_F(), rack_P(), sharp_F, sharp_P, flat, low, DoubleArcRack{}, *gbt12759_rack(12.0)};
+  std::vector<RackOfArcs> all{made(arcs_of(DoubleArcRack{})), made(arcs_of(*gbt12759_rack(12.0)))};
+  for (const ArcRack& rack : {rack_F(), rack_P(), sharp_F, sharp_P, flat, low}) {
+    all.push_back(made(arcs_of(rack)));
+    EXPECT_EQ(all.back().addendum, rack.addendum);
+    EXPECT_EQ(all.back().dedendum, rack.dedendum);
+  }
+  return all;
 }
 
 TEST(RackOfArcs, edges_obey_the_laws_of_an_edge) {
   for (const double m : {0.5, 2.0, 7.0}) {
     for (const double allowance : {0.0, -0.02}) {
-      for (const AnyArcRack& any : racks()) {
-        const auto rack = arcs_of(any);
-        ASSERT_TRUE(rack) << rack.error().message;
-        const auto edge = make_edge(*rack, m, allowance * m);
+      for (const RackOfArcs& rack : racks()) {
+        const auto edge = make_edge(rack, m, allowance * m);
         ASSERT_TRUE(edge) << edge.error().message;
-        EXPECT_EQ(edge->tip_depth, dedendum_of(any) * m);
+        EXPECT_EQ(edge->tip_depth, rack.dedendum * m);
         EXPECT_LE(edge->tip_land_end, kPi * m / 2);
         Vec2 last(-edge->tip_depth, edge->tip_land_end);
         double last_tau = kPi / 2;
         for (const EdgeArc& arc : edge->arcs) {
-          ASSERT_TRUE(arc.circle && !arc.line);
-          const EdgeCircle& c = *arc.circle;
-          const Vec2 begin = on(c, c.begin_tau), end = on(c, c.end_tau);
+          ASSERT_TRUE(std::holds_alternative<EdgeCircle>(arc.shape));
+          const EdgeCircle& c = circle_of(arc);
+          const double begin_tau = c.begin_tau.rad(), end_tau = c.end_tau.rad();
+          const Vec2 begin = on(c, begin_tau), end = on(c, end_tau);
           EXPECT_NEAR((begin - last).norm(), 0.0, 4e-15 * m);  // (1)
-          EXPECT_EQ(arc.smooth_start, std::abs(c.begin_tau - last_tau) < 1e-12);
+          EXPECT_EQ(arc.smooth_start, std::abs(begin_tau - last_tau) < 1e-12);
           if (!arc.smooth_start) {  // a corner that bulges has its arc
-            EXPECT_GT(c.begin_tau, last_tau);
+            EXPECT_GT(begin_tau, last_tau);
           }
-          EXPECT_GT(c.end_tau, 0.0);  // (2)
-          EXPECT_LE(c.begin_tau, kPi / 2);
+          EXPECT_GT(end_tau, 0.0);  // (2)
+          EXPECT_LE(begin_tau, kPi / 2);
           EXPECT_GE(end.x(), begin.x());  // (3)
           EXPECT_LE(end.y(), begin.y());  // (4)
           EXPECT_GE(end.y(), -1e-15 * m);
           last = end;
-          last_tau = c.end_tau;
+          last_tau = end_tau;
         }
         EXPECT_NEAR(last.x(), edge->bottom_height, 1e-15 * m);
-        EXPECT_GE(edge->bottom_height, addendum_of(any) * m);
+        EXPECT_GE(edge->bottom_height, rack.addendum * m);
       }
     }
   }
@@ -91,7 +103,7 @@ TEST(RackOfArcs, allowance_thins_the_tooth) {
   const auto full = make_edge(rack, 2.0, 0.0);
   const auto thin = make_edge(rack, 2.0, -0.1);
   for (std::size_t i = 0; i < full->arcs.size(); ++i) {
-    const Vec2 moved = thin->arcs[i].circle->center - full->arcs[i].circle->center;
+    const Vec2 moved = circle_of(thin->arcs[i]).center - circle_of(full->arcs[i]).center;
     EXPECT_EQ(moved.x(), 0.0);
     EXPECT_NEAR(moved.y(), -0.05, 1e-15);
   }
@@ -114,13 +126,13 @@ TEST(RackOfArcs, joints_and_corners) {
   ASSERT_TRUE(edge) << edge.error().message;
   // The tip's corner from 90° to 45°, the flank, the corner from 20° to 12°, the flank.
   ASSERT_EQ(edge->arcs.size(), 4u);
-  EXPECT_EQ(edge->arcs[0].circle->q, 0.0);
+  EXPECT_EQ(circle_of(edge->arcs[0]).q, 0.0);
   EXPECT_EQ(edge->arcs[0].cuts, ArcName::root_fillet);
-  EXPECT_EQ(edge->arcs[2].circle->q, 0.0);
-  EXPECT_NEAR(edge->arcs[2].circle->begin_tau, deg(20).rad(), 1e-15);
-  EXPECT_NEAR(edge->arcs[2].circle->end_tau, deg(12).rad(), 1e-15);
-  EXPECT_NEAR((on(*edge->arcs[3].circle, deg(12).rad()) - edge->arcs[2].circle->center).norm(), 0.0,
-              1e-15);
+  EXPECT_EQ(circle_of(edge->arcs[2]).q, 0.0);
+  EXPECT_NEAR(circle_of(edge->arcs[2]).begin_tau.rad(), deg(20).rad(), 1e-15);
+  EXPECT_NEAR(circle_of(edge->arcs[2]).end_tau.rad(), deg(12).rad(), 1e-15);
+  const Vec2 corner = circle_of(edge->arcs[2]).center;
+  EXPECT_NEAR((on(circle_of(edge->arcs[3]), deg(12).rad()) - corner).norm(), 0.0, 1e-15);
   rack.arcs[1].begin = deg(25);
   rack.arcs[1].center_height = end.x() - 1.5 * std::sin(deg(25).rad());
   rack.arcs[1].center_offset = end.y() - 1.5 * std::cos(deg(25).rad());

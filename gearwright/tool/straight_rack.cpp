@@ -12,6 +12,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kHalfPi = std::numbers::pi / 2;
+constexpr Angle kRightAngle = Angle::radians(kHalfPi);
 // No cutter is that large in modules; within it nothing overflows.
 constexpr double kMaxModules = 1e4;
 
@@ -19,13 +20,9 @@ Error bad(const char* key, double value, const std::string& why) {
   return refused(std::string("rack.") + key, value, why);
 }
 
-EdgeArc line(ArcName cuts, const EdgeLine& piece, bool smooth) {
-  return {cuts, piece, std::nullopt, smooth};
-}
+EdgeArc line(ArcName cuts, const EdgeLine& piece, bool smooth) { return {cuts, piece, smooth}; }
 
-EdgeArc circle(ArcName cuts, const EdgeCircle& piece, bool smooth) {
-  return {cuts, std::nullopt, piece, smooth};
-}
+EdgeArc circle(ArcName cuts, const EdgeCircle& piece, bool smooth) { return {cuts, piece, smooth}; }
 
 // Checks what can be said of each number alone.
 std::optional<Error> check_numbers(const StraightRack& rack, double alpha) {
@@ -165,7 +162,8 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
     proud_line = meets < a;
     round_end = proud_line ? a : meets;
   }
-  edge.arcs.push_back(circle(ArcName::root_fillet, {{x_c, y_c}, -rho, kHalfPi, round_end}, true));
+  edge.arcs.push_back(circle(ArcName::root_fillet,
+                             {{x_c, y_c}, -rho, kRightAngle, Angle::radians(round_end)}, true));
   if (proud_line) {
     // The proud line is tangent to the rounding at τ = α_pr and runs up to the flank. [T3.4]
     const double a = round_end;
@@ -181,7 +179,8 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
                       "datum line, where no flank is left; a smaller protuberance or angle helps",
                       rack.protuberance_angle.deg(), x_end / m));
     }
-    edge.arcs.push_back(line(ArcName::root_fillet, {a, y_datum, x_begin, x_end}, true));
+    edge.arcs.push_back(
+        line(ArcName::root_fillet, {Angle::radians(a), y_datum, x_begin, x_end}, true));
     edge.flank_begin_depth = -x_end;
   } else {
     edge.flank_begin_depth = -(x_c - rho * std::sin(round_end));
@@ -204,10 +203,10 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
                     "the datum line",
                     -edge.flank_begin_depth / m));
   }
-  edge.arcs.push_back(
-      line(ArcName::flank,
-           {alpha, std::numbers::pi * m / 4, -edge.flank_begin_depth, edge.flank_end_height},
-           !(pr > 0.0)));
+  edge.arcs.push_back(line(ArcName::flank,
+                           {normal_pressure_angle, std::numbers::pi * m / 4,
+                            -edge.flank_begin_depth, edge.flank_end_height},
+                           !(pr > 0.0)));
   const double y_end =
       std::isinf(edge.flank_end_height) ? 0.0 : flank_y(m, alpha, edge.flank_end_height);
   if (y_end < 0.0) {
@@ -226,11 +225,12 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
                  fmt::format("does not fit into the cutter's bottom; the greatest there is {}",
                              rho_max_1));
     }
-    edge.arcs.push_back(circle(ArcName::tip_fillet, {center, rho_1, alpha, kHalfPi}, true));
+    edge.arcs.push_back(
+        circle(ArcName::tip_fillet, {center, rho_1, normal_pressure_angle, kRightAngle}, true));
     edge.bottom_height = edge.flank_end_height + rho_1 * (1 - s);
   } else if (rack.semi_topping_angle) {
-    const double a = rack.semi_topping_angle->rad();
-    const double y_datum = y_end + edge.flank_end_height * std::tan(a);
+    const Angle a = *rack.semi_topping_angle;
+    const double y_datum = y_end + edge.flank_end_height * std::tan(a.rad());
     edge.arcs.push_back(
         line(ArcName::tip_fillet,
              {a, y_datum, edge.flank_end_height, std::numeric_limits<double>::infinity()}, false));

@@ -21,23 +21,23 @@ struct EdgeEnd {
 };
 
 EdgeEnd begin_of(const EdgeArc& arc) {
-  if (arc.line) {
-    return {arc.line->begin_height,
-            arc.line->y_datum - arc.line->begin_height * std::tan(arc.line->tau), arc.line->tau};
+  if (const auto* line = std::get_if<EdgeLine>(&arc.shape)) {
+    const double tau = line->tau.rad();
+    return {line->begin_height, line->y_datum - line->begin_height * std::tan(tau), tau};
   }
-  const EdgeCircle& c = *arc.circle;
-  return {c.center.x() + c.q * std::sin(c.begin_tau), c.center.y() + c.q * std::cos(c.begin_tau),
-          c.begin_tau};
+  const auto& c = std::get<EdgeCircle>(arc.shape);
+  const double tau = c.begin_tau.rad();
+  return {c.center.x() + c.q * std::sin(tau), c.center.y() + c.q * std::cos(tau), tau};
 }
 
 EdgeEnd end_of(const EdgeArc& arc) {
-  if (arc.line) {
-    return {arc.line->end_height,
-            arc.line->y_datum - arc.line->end_height * std::tan(arc.line->tau), arc.line->tau};
+  if (const auto* line = std::get_if<EdgeLine>(&arc.shape)) {
+    const double tau = line->tau.rad();
+    return {line->end_height, line->y_datum - line->end_height * std::tan(tau), tau};
   }
-  const EdgeCircle& c = *arc.circle;
-  return {c.center.x() + c.q * std::sin(c.end_tau), c.center.y() + c.q * std::cos(c.end_tau),
-          c.end_tau};
+  const auto& c = std::get<EdgeCircle>(arc.shape);
+  const double tau = c.end_tau.rad();
+  return {c.center.x() + c.q * std::sin(tau), c.center.y() + c.q * std::cos(tau), tau};
 }
 
 std::vector<StraightRack> racks() {
@@ -75,7 +75,6 @@ TEST(StraightRack, edges_obey_the_laws_of_an_edge) {
       EdgeEnd last{-edge.tip_depth, edge.tip_land_end, kPi / 2};
       EXPECT_LE(last.y, kPi * m / 2);
       for (const EdgeArc& arc : edge.arcs) {
-        ASSERT_NE(arc.line.has_value(), arc.circle.has_value());
         const EdgeEnd begin = begin_of(arc), end = end_of(arc);
         EXPECT_NEAR(begin.x, last.x, 1e-14 * m);  // (1)
         EXPECT_NEAR(begin.y, last.y, 1e-14 * m);
@@ -142,15 +141,15 @@ TEST(StraightRack, protuberance_stands_proud) {
     rack.protuberance = pr;
     const auto made = make_edge(rack, 1.0, 20_deg);
     ASSERT_TRUE(made);
-    const EdgeCircle& tip = *made->edge.arcs.front().circle;
-    const EdgeLine& flank = *made->edge.arcs.back().line;
+    const auto& tip = std::get<EdgeCircle>(made->edge.arcs.front().shape);
+    const auto& flank = std::get<EdgeLine>(made->edge.arcs.back().shape);
     const double a = kPi / 9;
     const double beyond = (tip.center.y() + tip.q * std::cos(a) - flank.y_datum) * std::cos(a) +
                           (tip.center.x() + tip.q * std::sin(a)) * std::sin(a);
     EXPECT_NEAR(beyond, -pr, 1e-15);
     EXPECT_EQ(made->edge.arcs.size(), pr < 0.01 ? 2u : 3u);
     if (pr < 0.01) {
-      EXPECT_GT(tip.end_tau, rack.protuberance_angle.rad());
+      EXPECT_GT(tip.end_tau, rack.protuberance_angle);
     }
   }
 }

@@ -22,7 +22,7 @@ Result<Gear> cut(int teeth, double module, double helix_deg, const ArcRack& rack
   s.normal_module = module;
   s.helix_angle = Angle::degrees(helix_deg);
   s.face_width = 4.0 * module / std::sin(std::abs(s.helix_angle.rad()));  // 1.27 axial pitches
-  s.arc_rack = rack;
+  s.rack = rack;
   return make_gear(s);
 }
 
@@ -128,8 +128,7 @@ std::vector<Row> contact_rows() {
     if (!g1 || !g2) continue;  // a rack that does not close
     ++drives;
     ContactMount place;
-    place.center_distance =
-        (g1->reference.reference_diameter + g2->reference.reference_diameter) / 2;
+    place.center_distance = (g1->reference_diameter + g2->reference_diameter) / 2;
     const std::string input = fmt::format("z {}:{}, m {}, β {}, ρ_F {}", d.z1, d.z2, d.module,
                                           d.helix_deg, d.f.arc_radius);
     const ExactDrive exact(d);

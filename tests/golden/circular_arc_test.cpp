@@ -49,7 +49,7 @@ Gear gear_of(const Json& design, int which, double m) {
   spec.normal_module = m;
   spec.helix_angle = Angle::degrees((first ? 1 : -1) * (90.0 - design["lamF_deg"].get<double>()));
   spec.face_width = 40 * m;
-  spec.arc_rack =
+  spec.rack =
       rack_of(design[first ? "F" : "P"], first ? ArcRack::Cutter::F : ArcRack::Cutter::P, m);
   auto gear = make_gear(spec);
   EXPECT_TRUE(gear) << gear.error().message;
@@ -69,20 +69,20 @@ TEST(CircularArc, racks) {
     ASSERT_EQ(edge->arcs.size(), 2u);
     for (const bool fillet : {true, false}) {
       const Json& want = racks[std::string(name) + (fillet ? "f" : "")];
-      const EdgeCircle& got = *edge->arcs[fillet ? 0 : 1].circle;
+      const auto& got = std::get<EdgeCircle>(edge->arcs[fillet ? 0 : 1].shape);
       // F is drawn from the middle of the tooth and away from the axis; P the other way round.
       const double rho = want["rho"], a = want["a"], b = want["b"];
       EXPECT_NEAR(got.q, is_F ? rho : -rho, 1e-15);
       EXPECT_NEAR(got.center.x(), is_F ? -b : b, 1e-15);
       EXPECT_NEAR(got.center.y(), is_F ? -a : a + kPi * m / 2, 4e-15);
       const double joint = racks[is_F ? "F" : "Pf"]["th_lo_deg"];
-      EXPECT_NEAR(fillet ? got.end_tau : got.begin_tau, joint * kDegree, 1e-13);
+      EXPECT_NEAR((fillet ? got.end_tau : got.begin_tau).rad(), joint * kDegree, 1e-13);
     }
     // The flank goes on past the tip, which is where the source ends it.
-    const EdgeCircle& flank = *edge->arcs[1].circle;
+    const auto& flank = std::get<EdgeCircle>(edge->arcs[1].shape);
     const double tip = racks[name][is_F ? "th_hi_deg" : "th_lo_deg"].get<double>() * kDegree;
     EXPECT_NEAR(flank.center.x() + flank.q * std::sin(tip), (is_F ? 0.9 : 0.0) * m, 1e-13);
-    EXPECT_TRUE(is_F ? flank.end_tau > tip : flank.end_tau < tip);
+    EXPECT_TRUE(is_F ? flank.end_tau.rad() > tip : flank.end_tau.rad() < tip);
   }
 }
 
@@ -96,19 +96,19 @@ TEST(CircularArc, undercut_limits) {
     spec.helix_angle = Angle::degrees(15);
     spec.face_width = 10 * m;
     ArcRack rack = rack_of(design["F"], ArcRack::Cutter::F, m);
-    spec.arc_rack = rack;
+    spec.rack = rack;
     const auto gear = make_gear(spec);
     ASSERT_TRUE(gear) << gear.error().message;
-    ASSERT_TRUE(gear->arcs->undercut_limit);
+    ASSERT_TRUE(gear->arcs()->undercut_limit);
     const double limit = c["theta_limit_deg"];
-    EXPECT_NEAR(gear->arcs->undercut_limit->deg(), limit, 1e-10);
+    EXPECT_NEAR(gear->arcs()->undercut_limit->deg(), limit, 1e-10);
     EXPECT_FALSE(gear->undercut);
     // A dedendum that lets the flank begin at the limit: a trifle less is sound, more is undercut.
     const double at_limit = rack.center_b + rack.root_fillet_radius -
                             (rack.arc_radius + rack.root_fillet_radius) * std::sin(limit * kDegree);
     for (const double more : {-1e-8, 1e-8}) {
       rack.dedendum = at_limit + more;
-      spec.arc_rack = rack;
+      spec.rack = rack;
       const auto changed = make_gear(spec);
       ASSERT_TRUE(changed) << changed.error().message;
       EXPECT_EQ(changed->undercut, more > 0.0);
@@ -128,8 +128,10 @@ TEST(CircularArc, surfaces) {
     const double m = 0.5;
     const int z = static_cast<int>(std::lround(2 * r * std::sin(lambda) / m));
     ASSERT_NEAR(2 * r * std::sin(lambda) / m, z, 1e-12);
-    const EdgeCircle circle{
-        {first ? -b : b, first ? -a : a + kPi * m / 2}, first ? rho : -rho, 0.1, 1.0};
+    const EdgeCircle circle{{first ? -b : b, first ? -a : a + kPi * m / 2},
+                            first ? rho : -rho,
+                            Angle::radians(0.1),
+                            Angle::radians(1.0)};
     const RackTrochoid curve({r, std::sin(lambda), 0.0}, circle);
     const Vec2 w = curve.point(theta);
     const CurvePoint at = curve.at(theta);

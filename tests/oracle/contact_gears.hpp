@@ -20,7 +20,7 @@ inline Gear gear_of_arc(int teeth, double pitch_radius, double twist, double fac
   Gear g{};
   g.spec.teeth = teeth;
   g.spec.face_width = face;
-  g.reference.reference_diameter = 2 * pitch_radius;
+  g.reference_diameter = 2 * pitch_radius;
   g.lead = twist == 0.0 ? 0.0 : 2 * std::numbers::pi / twist;
   const bool rises = arc.begin_point.norm() < arc.end_point.norm();
   if (rises == (teeth < 0)) {
@@ -51,10 +51,11 @@ inline Gear arc_gear(const tca::ArcPair& pair, int which, double face) {
   // half a pitch on.
   const double half_pitch = std::numbers::pi * r * std::sin(lambda) / teeth;
   const EdgeCircle circle{first ? Vec2(-b, -a) : Vec2(b, a + half_pitch), first ? rho : -rho,
-                          d(rack.theta_low), d(rack.theta_high)};
+                          Angle::radians(d(rack.theta_low)), Angle::radians(d(rack.theta_high))};
   const auto curve = std::make_shared<RackTrochoid>(RackMotion{r, std::sin(lambda), 0.0}, circle);
   const double twist = (first ? 1.0 : -1.0) / (r * std::tan(lambda));
-  return gear_of_arc(teeth, r, twist, face, flank_arc(curve, circle.begin_tau, circle.end_tau));
+  return gear_of_arc(teeth, r, twist, face,
+                     flank_arc(curve, circle.begin_tau.rad(), circle.end_tau.rad()));
 }
 
 inline ContactMount contact_mount(const tca::Mounting& m) {
@@ -103,7 +104,7 @@ inline BruteGear brute_flank(const Gear& g, double side, double helix_error) {
   double half_angle = 0.0, base_radius = 0.0;
   for (const Arc& arc : g.tooth->outline.arcs) {
     if (arc.name != ArcName::flank) continue;
-    const auto& involute = dynamic_cast<const Involute&>(*arc.curve);
+    const auto& involute = curve_as<Involute>(*arc.curve);
     base_radius = involute.base_radius(), half_angle = involute.base_half_angle();
     for (const double r : {arc.begin_point.norm(), arc.end_point.norm()})
       lo = std::min(lo, r), hi = std::max(hi, r);

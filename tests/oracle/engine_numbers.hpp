@@ -16,12 +16,12 @@ namespace gearwright::oracle {
 /// are the engine's to make: x_E of the thickness allowance, and the full radius of a named rack.
 inline RackNumbers numbers_of(const Gear& gear) {
   const CylindricalSpec& spec = gear.spec;
-  const StraightRack& rack = spec.rack;
+  const StraightRack& rack = spec.straight_rack();
   RackNumbers n{.teeth = spec.teeth,
                 .normal_module = spec.normal_module,
                 .normal_pressure_angle = spec.normal_pressure_angle.rad(),
                 .helix_angle = spec.helix_angle.rad(),
-                .profile_shift = gear.reference.generating_profile_shift,
+                .profile_shift = gear.reference().generating_profile_shift,
                 .addendum = rack.addendum,
                 .dedendum = rack.dedendum,
                 .root_fillet_radius = rack.root_fillet_radius,

@@ -97,9 +97,10 @@ Gear made(const CylindricalSpec& spec) {
 // is lost.
 std::vector<double> shifts(const Cutter& cutter, int teeth, double beta_deg, int n) {
   const Gear middle = made(spec_of(cutter, teeth, beta_deg, 0.0));
-  const double r = middle.reference.reference_diameter / 4;  // in modules
-  const double axis = cutter.rack.dedendum - r - (middle.reference.generating_profile_shift);
-  const double lo = std::max(axis - 0.05, std::min(*middle.undercut_free_profile_shift - 1.5, -0.5));
+  const double r = middle.reference_diameter / 4;  // in modules
+  const double axis = cutter.rack.dedendum - r - (middle.reference().generating_profile_shift);
+  const double lo =
+      std::max(axis - 0.05, std::min(*middle.involute()->undercut_free_profile_shift - 1.5, -0.5));
   double below = lo, above = lo + 8.0;
   const auto pointed = [&](double x) {
     const auto gear = make_gear(spec_of(cutter, teeth, beta_deg, x));

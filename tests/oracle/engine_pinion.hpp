@@ -68,7 +68,7 @@ inline std::string deny_caught_flank(const Gear& cutter, const PinionCutSpec& ge
   const Arc* flank = cutter.tooth->outline.find(ArcName::flank);
   if (!flank) return "a cutter without a flank catches the ring's";
   const PinionMotion motion{cutter.spec.teeth, gear.teeth, gear.distance};
-  const auto cut = pinion_involute(motion, static_cast<const Involute&>(*flank->curve));
+  const auto cut = pinion_involute(motion, curve_as<Involute>(*flank->curve));
   if (!cut) return "the cutter's involute cuts none, and yet it catches the ring's";
   const double from = cut->roll(flank->end), to = cut->roll(flank->begin);
   for (int i = 0; i <= kPlaces; ++i) {

@@ -82,11 +82,12 @@ CylindricalSpec spec_of(const RackNumbers& n) {
   s.helix_angle = Angle::radians(n.helix_angle);
   s.profile_shift = n.profile_shift;
   s.face_width = 20.0;
-  s.rack.addendum = 1.5;  // a blank so large that the rack ends every tooth that is not pointed
-  s.rack.dedendum = n.dedendum;
-  s.rack.root_fillet_radius = n.root_fillet_radius;
-  s.rack.tip_fillet_radius = n.tip_fillet_radius;
-  s.rack.tool_addendum = n.tool_addendum;
+  s.straight_rack().addendum =
+      1.5;  // a blank so large that the rack ends every tooth that is not pointed
+  s.straight_rack().dedendum = n.dedendum;
+  s.straight_rack().root_fillet_radius = n.root_fillet_radius;
+  s.straight_rack().tip_fillet_radius = n.tip_fillet_radius;
+  s.straight_rack().tool_addendum = n.tool_addendum;
   return s;
 }
 
@@ -98,9 +99,9 @@ CylindricalSpec spec_of(const FilletedPinion& n) {
   s.helix_angle = Angle::degrees(n.helix_angle_deg);
   s.profile_shift = n.profile_shift;
   s.face_width = 20.0;
-  s.rack.dedendum = 1.0;
-  s.rack.root_fillet_radius = 0.0;
-  const double l_F = *made(s).undercut_l;
+  s.straight_rack().dedendum = 1.0;
+  s.straight_rack().root_fillet_radius = 0.0;
+  const double l_F = *made(s).involute()->undercut_l;
   s.root_fillet = RootFilletSpec{n.l_C - std::max(l_F, 0.0)};
   s.tip_fillet = TipFilletSpec{TipFilletSpec::By::l, n.l_J};
   return s;

@@ -78,8 +78,7 @@ inline std::optional<ModifiedPair> random_modified(property::Random& random, con
   }
   if (!gears[1].exists() || !gears[0].root_form_radius() || !gears[1].root_form_radius())
     return std::nullopt;
-  const double far =
-      2 * (gears[0].reference.reference_diameter + gears[1].reference.reference_diameter);
+  const double far = 2 * (gears[0].reference_diameter + gears[1].reference_diameter);
   const auto anywhere = mount(gears[0], gears[1], {far});
   if (!anywhere || !anywhere->backlash_free_center_distance) return std::nullopt;
   const double m = specs.first.normal_module;
@@ -102,7 +101,7 @@ inline std::optional<ModifiedPair> random_modified(property::Random& random, con
     if (random.chance(0.7)) e.intersecting = slope * sign() * random.unit();
     if (random.chance(0.5)) e.axial = 0.5 * m * sign() * random.unit();
     for (int i : {0, 1}) {
-      const double r = gears[i].reference.reference_diameter / 2;
+      const double r = gears[i].reference_diameter / 2;
       if (random.chance(0.4)) e.helix_twist[i] = slope / r * sign() * random.unit();
     }
   }

@@ -76,7 +76,7 @@ inline bool smooth_to_the_oracle(const Gear& cutter) {
   constexpr double kMaxRadius = 50.0;  // mm
   constexpr double kMaxRamp = 85.0;    // degrees
   const auto& fillet = cutter.tooth->root_fillet;
-  const auto& ramp = cutter.spec.rack.semi_topping_angle;
+  const auto& ramp = cutter.spec.straight_rack().semi_topping_angle;
   return !(fillet && fillet->radius > kMaxRadius) && !(ramp && ramp->deg() > kMaxRamp);
 }
 

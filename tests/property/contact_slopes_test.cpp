@@ -64,7 +64,7 @@ TEST(ContactSlopes, sensitivities_to_errors) {
           auto& e = set.mount.errors;
           const auto twist = [&](int g) {
             const Gear& gear = set.gears[g];
-            e.helix_twist[g] += d / (gear.reference.reference_diameter / 2 * gear.spec.face_width);
+            e.helix_twist[g] += d / (gear.reference_diameter / 2 * gear.spec.face_width);
           };
           if (kind == ErrorKind::center_distance) e.center_distance += d;
           if (kind == ErrorKind::crossing) e.crossing += d;

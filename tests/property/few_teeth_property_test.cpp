@@ -166,8 +166,7 @@ struct Tally {
 // root fillet, whose radius at a point is ρ² = D² + r² + 2 D r cos(t − γ), D r/ρ.
 double scale_of(const Gear& gear) {
   const GeneratedTooth& tooth = *gear.tooth;
-  double scale =
-      std::max({tooth.tip_radius, tooth.root_radius, gear.reference.reference_diameter / 2});
+  double scale = std::max({tooth.tip_radius, tooth.root_radius, gear.reference_diameter / 2});
   if (const auto& f = tooth.root_fillet) scale = std::max(scale, f->distance * f->radius / f->end);
   return scale;
 }
@@ -269,11 +268,11 @@ TEST(FewTeeth, root_fillet_beyond_the_ramp_is_refused) {
   part.profile_shift = 1.9625377977206844;
   part.thickness_allowance = -0.07669646172892208;
   part.face_width = 10.0;
-  part.rack.addendum = 0.2738539891673041;
-  part.rack.dedendum = 0.812527701416752;
-  part.rack.root_fillet_radius = 0.0;
-  part.rack.tool_addendum = -0.5954322473420045;
-  part.rack.semi_topping_angle = Angle::degrees(44.09902887457322);
+  part.straight_rack().addendum = 0.2738539891673041;
+  part.straight_rack().dedendum = 0.812527701416752;
+  part.straight_rack().root_fillet_radius = 0.0;
+  part.straight_rack().tool_addendum = -0.5954322473420045;
+  part.straight_rack().semi_topping_angle = Angle::degrees(44.09902887457322);
   part.root_fillet = RootFilletSpec{0.0};
   CylindricalSpec whole;
   whole.teeth = 6;
@@ -282,10 +281,10 @@ TEST(FewTeeth, root_fillet_beyond_the_ramp_is_refused) {
   whole.helix_angle = Angle::degrees(32.11665084634389);
   whole.profile_shift = 2.117156491969574;
   whole.face_width = 10.0;
-  whole.rack.addendum = 0.03634705912197838;
-  whole.rack.root_fillet_radius = 0.0;
-  whole.rack.tool_addendum = -1.1624976067763098;
-  whole.rack.semi_topping_angle = Angle::degrees(65.87293356757992);
+  whole.straight_rack().addendum = 0.03634705912197838;
+  whole.straight_rack().root_fillet_radius = 0.0;
+  whole.straight_rack().tool_addendum = -1.1624976067763098;
+  whole.straight_rack().semi_topping_angle = Angle::degrees(65.87293356757992);
   whole.root_fillet = RootFilletSpec{0.012465500408081002};
   for (const CylindricalSpec& spec : {part, whole}) {
     const auto gear = make_gear(spec);

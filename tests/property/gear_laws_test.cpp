@@ -54,7 +54,7 @@ TEST(GearLaws, scaling_by_two_is_exact) {
     const auto two = gear_of(spec);
     ASSERT_EQ(one.has_value(), two.has_value()) << describe(spec);
     if (!one) continue;
-    const auto &a = one->reference, &b = two->reference;
+    const auto &a = one->reference(), &b = two->reference();
     EXPECT_EQ(b.reference_diameter, 2 * a.reference_diameter);
     EXPECT_EQ(b.base_diameter, 2 * a.base_diameter);
     EXPECT_EQ(b.base_tooth_thickness, 2 * a.base_tooth_thickness);
@@ -63,7 +63,8 @@ TEST(GearLaws, scaling_by_two_is_exact) {
     EXPECT_EQ(two->tip_diameter, 2 * one->tip_diameter);
     EXPECT_EQ(two->root_diameter, 2 * one->root_diameter);
     EXPECT_EQ(two->lead, 2 * one->lead);
-    EXPECT_EQ(two->undercut_free_profile_shift, one->undercut_free_profile_shift);
+    EXPECT_EQ(two->involute()->undercut_free_profile_shift,
+              one->involute()->undercut_free_profile_shift);
     if (one->exists()) {
       ++teeth;
       EXPECT_TRUE(scaled(*one, *two, 2.0)) << describe(spec);
@@ -84,8 +85,8 @@ TEST(GearLaws, hand_changes_the_sign_of_lead_and_base_helix_only) {
     if (!right) continue;
     EXPECT_EQ(left->lead, -right->lead);
     EXPECT_EQ(left->twist(), -right->twist());
-    EXPECT_EQ(left->reference.base_helix_angle, -right->reference.base_helix_angle);
-    EXPECT_EQ(left->reference.base_diameter, right->reference.base_diameter);
+    EXPECT_EQ(left->reference().base_helix_angle, -right->reference().base_helix_angle);
+    EXPECT_EQ(left->reference().base_diameter, right->reference().base_diameter);
     EXPECT_EQ(left->tip_tooth_thickness_normal, right->tip_tooth_thickness_normal);
     EXPECT_EQ(left->warnings.size(), right->warnings.size());
     EXPECT_TRUE(scaled(*right, *left, 1.0)) << describe(spec);
@@ -104,8 +105,8 @@ TEST(GearLaws, base_cylinder_is_the_rack_s_angle_and_nothing_else) {
     spec.rack = StraightRack{};
     const auto two = gear_of(spec);
     if (!one || !two) continue;
-    EXPECT_EQ(one->reference.base_diameter, two->reference.base_diameter);
-    EXPECT_EQ(one->reference.base_helix_angle, two->reference.base_helix_angle);
+    EXPECT_EQ(one->reference().base_diameter, two->reference().base_diameter);
+    EXPECT_EQ(one->reference().base_helix_angle, two->reference().base_helix_angle);
     EXPECT_EQ(one->lead, two->lead);
   }
 }
@@ -123,9 +124,9 @@ TEST(GearLaws, defaults_written_out_change_nothing) {
     ASSERT_TRUE(given) << describe(spec);
     EXPECT_TRUE(scaled(*absent, *given, 1.0)) << describe(spec);
     EXPECT_NEAR(absent->tip_diameter,
-                absent->reference.reference_diameter +
-                    2 * spec.normal_module * (spec.rack.addendum + spec.profile_shift),
-                4 * kEps * (std::abs(absent->tip_diameter) + absent->reference.reference_diameter));
+                absent->reference_diameter +
+                    2 * spec.normal_module * (spec.straight_rack().addendum + spec.profile_shift),
+                4 * kEps * (std::abs(absent->tip_diameter) + absent->reference_diameter));
   }
 }
 
@@ -137,15 +138,16 @@ TEST(GearLaws, allowance_is_a_shift_of_the_cutter) {
     const auto allowed = gear_of(spec);
     if (!allowed || !allowed->exists()) continue;
     spec.tip_diameter = allowed->tip_diameter;
-    spec.profile_shift = allowed->reference.generating_profile_shift;
+    spec.profile_shift = allowed->reference().generating_profile_shift;
     spec.thickness_allowance = 0.0;
     const auto shifted = gear_of(spec);
     ASSERT_TRUE(shifted && shifted->exists()) << describe(spec);
     EXPECT_TRUE(scaled(*allowed, *shifted, 1.0)) << describe(spec);
-    EXPECT_NEAR(
-        allowed->reference.base_tooth_thickness, shifted->reference.base_tooth_thickness,
-        32 * kEps *
-            (allowed->reference.base_diameter + std::abs(spec.profile_shift) * spec.normal_module));
+    EXPECT_NEAR(allowed->reference().base_tooth_thickness,
+                shifted->reference().base_tooth_thickness,
+                32 * kEps *
+                    (allowed->reference().base_diameter +
+                     std::abs(spec.profile_shift) * spec.normal_module));
   }
 }
 
@@ -164,11 +166,11 @@ TEST(GearLaws, spur_is_the_limit_of_helical) {
     // Within 1e-6 of its limit a gear may fall on either side of it.
     if (!spur || !helical || !spur->exists() || !helical->exists()) continue;
     if (spur->tooth->outline.arcs.size() != helical->tooth->outline.arcs.size()) continue;
-    if (std::abs(*spur->undercut_free_profile_shift - spur->reference.generating_profile_shift) <
-        1e-6)
+    if (std::abs(*spur->involute()->undercut_free_profile_shift -
+                 spur->reference().generating_profile_shift) < 1e-6)
       continue;
     ++compared;
-    const double size = spur->reference.reference_diameter + spur->tip_diameter;
+    const double size = spur->reference_diameter + spur->tip_diameter;
     EXPECT_NEAR(spur->actual_tip_radius(), helical->actual_tip_radius(), 1e-9 * size)
         << describe(spec);
     for (std::size_t k = 0; k < spur->tooth->outline.arcs.size(); ++k) {
@@ -191,16 +193,16 @@ TEST(GearLaws, flank_is_the_involute_of_the_base_thickness) {
     if (!gear || !gear->exists()) continue;
     const Arc* flank = gear->tooth->outline.find(ArcName::flank);
     if (!flank) continue;
-    const double d_b = gear->reference.base_diameter;
+    const double d_b = gear->reference().base_diameter;
     for (const double u : {0.0, 0.5, 1.0}) {
       const Vec2 p = flank->curve->point(flank->begin + u * (flank->end - flank->begin));
       const double rho = std::max(p.norm(), d_b / 2);
       // Both half angles round by a few ε of the sums they are made of; near the base circle the
       // roll angle is the root of a difference, ξ³ keeps that small.
       const double half = tooth_thickness_transverse(
-                              spec.teeth, d_b, gear->reference.base_tooth_thickness, 2 * rho) /
+                              spec.teeth, d_b, gear->reference().base_tooth_thickness, 2 * rho) /
                           (2 * rho);
-      const double scale = 1 + rho / d_b + std::abs(gear->reference.base_tooth_thickness) / d_b +
+      const double scale = 1 + rho / d_b + std::abs(gear->reference().base_tooth_thickness) / d_b +
                            std::abs(spec.profile_shift);
       EXPECT_NEAR(flank->curve->polar_angle(flank->begin + u * (flank->end - flank->begin)), half,
                   64 * kEps * scale)
@@ -223,7 +225,7 @@ TEST(GearLaws, undercut_flag_tells_a_crossing_from_a_smooth_joint) {
     const auto gear = gear_of(spec);
     if (!gear || !gear->exists()) continue;
     const double margin =
-        gear->reference.generating_profile_shift - *gear->undercut_free_profile_shift;
+        gear->reference().generating_profile_shift - *gear->involute()->undercut_free_profile_shift;
     EXPECT_EQ(gear->undercut, margin < 0.0);
     const auto& arcs = gear->tooth->outline.arcs;
     for (std::size_t k = 1; k < arcs.size(); ++k) {

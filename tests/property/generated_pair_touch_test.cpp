@@ -40,7 +40,7 @@ bool on_path(const Pair& pair, double phi, double edge = kEdge) {
   const Gear& g = pair.gears[0];
   const double r_b = g.base_radius(), pitch = 2 * std::numbers::pi / g.spec.teeth;
   const double xi = pair.mesh.rack.sides[0].transverse_angle +
-                    g.reference.base_tooth_thickness / g.reference.base_diameter + phi;
+                    g.reference().base_tooth_thickness / g.reference().base_diameter + phi;
   for (int k = -g.spec.teeth - 2; k <= g.spec.teeth + 2; ++k) {
     const double rho = r_b * (xi + k * pitch);
     if (rho > pair.mesh.rho1_true_begin + edge && rho < pair.mesh.rho1_true_end - edge) return true;
@@ -50,7 +50,8 @@ bool on_path(const Pair& pair, double phi, double edge = kEdge) {
 
 // Half the play between the flanks of one side, along the line of action of the section, mm.
 double half_gap(const Pair& pair) {
-  return pair.mesh.backlash.normal_base / (2 * std::cos(pair.gears[0].reference.base_helix_angle));
+  return pair.mesh.backlash.normal_base /
+         (2 * std::cos(pair.gears[0].reference().base_helix_angle));
 }
 
 // Turns a pair through a pitch: leading flanks in contact, in the middle of the play, trailing

@@ -72,7 +72,7 @@ inline CylindricalSpec filleted(CylindricalSpec s, double offset, TipFilletSpec 
 }
 
 inline CylindricalSpec with_addendum(CylindricalSpec s, double addendum) {
-  s.rack.addendum = addendum;
+  s.straight_rack().addendum = addendum;
   return s;
 }
 
@@ -81,8 +81,8 @@ inline constexpr auto kByRadius = TipFilletSpec::By::radius;
 // The examples that the program runs.
 inline NamedPair two_tooth_drive() {
   CylindricalSpec s = spec_of(2, 1.75, 30, 0.7);
-  s.rack.dedendum = 1.0;
-  s.rack.root_fillet_radius = 0.0;
+  s.straight_rack().dedendum = 1.0;
+  s.straight_rack().root_fillet_radius = 0.0;
   s = filleted(s, 0.01, {kByRadius, 0.332});
   const Gear cutter = gear_of(s);
   s.tip_diameter = 8.16;
@@ -102,7 +102,7 @@ inline NamedPair planetary_ring() {
   CylindricalSpec planet = spec_of(21, 1.5, 20, 0.35);
   planet.thickness_allowance = -0.04;
   CylindricalSpec s = with_addendum(spec_of(25, 1.5, 20, 0), 1.25);
-  s.rack.tip_fillet_radius = 0.2;
+  s.straight_rack().tip_fillet_radius = 0.2;
   const Gear cutter = gear_of(s);
   const Gear ring = gear_cut(cutter, -66, distance_for(cutter, -66, -0.35), 103.4);
   // x1 + x2 = 0: the reference distance.
@@ -113,9 +113,9 @@ inline NamedPair planetary_ring() {
 // The sets S: the wheel is cut by the pinion that drives it.
 inline Gear paper_pinion(const oracle::FilletedPinion& n) {
   CylindricalSpec s = spec_of(n.teeth, n.normal_module, n.helix_angle_deg, n.profile_shift);
-  s.rack.dedendum = 1.0;
-  s.rack.root_fillet_radius = 0.0;
-  const double l_F = std::max(0.0, *gear_of(s).undercut_l);
+  s.straight_rack().dedendum = 1.0;
+  s.straight_rack().root_fillet_radius = 0.0;
+  const double l_F = std::max(0.0, *gear_of(s).involute()->undercut_l);
   return gear_of(filleted(s, n.l_C - l_F, {TipFilletSpec::By::l, n.l_J}));
 }
 

@@ -92,9 +92,9 @@ TEST(PairLaws, extended_distance_gives_the_standard_clearance) {
     if (!p || p->gears[0].tooth->pointed) return;
     if (p->gears[1].tooth && p->gears[1].tooth->pointed) return;
     ++held;
-    const double c =
-        specs.first.normal_module * (specs.first.rack.dedendum - specs.first.rack.addendum);
-    const double scale = p->center_distance + p->gears[1].reference.reference_diameter;
+    const double c = specs.first.normal_module *
+                     (specs.first.straight_rack().dedendum - specs.first.straight_rack().addendum);
+    const double scale = p->center_distance + p->gears[1].reference_diameter;
     EXPECT_NEAR(p->tip_clearance[0], c, 16 * kEps * scale);
     EXPECT_NEAR(p->tip_clearance[1], c, 16 * kEps * scale);
     EXPECT_NEAR(p->tip_shortening, 0.0, 16 * kEps * scale);
@@ -159,7 +159,7 @@ TEST(PairLaws, backlash) {
 TEST(PairLaws, path_of_contact) {
   over_pairs(206, [](const SpecPair& specs, const Pair& p, Random&) {
     const auto& m = p.mesh;
-    const double p_bt = p.gears[0].reference.base_pitch_transverse;
+    const double p_bt = p.gears[0].reference().base_pitch_transverse;
     EXPECT_NEAR(m.rho1_D - m.rho1_A, p_bt, 16 * kEps * (std::abs(m.rho1_A) + p_bt));
     EXPECT_NEAR(m.rho1_E - m.rho1_B, p_bt, 16 * kEps * (m.rho1_E + p_bt));
     EXPECT_GE(m.rho1_true_begin, std::max(0.0, m.rho1_A));

@@ -92,9 +92,9 @@ void check_pairs(std::uint64_t seed, int n) {
     const CylindricalSpec two = random_mate(random, one, random.chance(0.3));
     const auto g1 = make_gear(one), g2 = make_gear(two);
     if (!g1 || !g2) continue;
-    const double d1 = g1->reference.reference_diameter, d2 = g2->reference.reference_diameter;
+    const double d1 = g1->reference_diameter, d2 = g2->reference_diameter;
     double a = (two.teeth > 0 ? d2 + d1 : d2 - d1) / 2;
-    const double least = a * std::cos(g1->reference.transverse_pressure_angle);
+    const double least = a * std::cos(g1->reference().transverse_pressure_angle);
     switch (random.integer(0, 3)) {
       case 0: a += one.normal_module * random.uniform(-1.0, 2.0); break;
       case 1:

@@ -111,17 +111,17 @@ inline CylindricalSpec random_spec(Random& random) {
   const double radius = spec.teeth / (2 * cos_beta);  // in modules
   switch (random.integer(0, 9)) {
     case 0: {  // undercut begins
-      const double depth =
-          spec.rack.dedendum - spec.rack.root_fillet_radius * (1 - std::sin(alpha));
+      const double depth = spec.straight_rack().dedendum -
+                           spec.straight_rack().root_fillet_radius * (1 - std::sin(alpha));
       spec.profile_shift = depth - radius * sin_t * sin_t;
       if (random.chance(0.6)) spec.profile_shift = jittered(random, spec.profile_shift);
       break;
     }
     case 1:  // the cutter reaches the axis
-      spec.profile_shift = spec.rack.dedendum - radius + random.uniform(-0.05, 0.1);
+      spec.profile_shift = spec.straight_rack().dedendum - radius + random.uniform(-0.05, 0.1);
       break;
     case 2:  // the cutter's tip stays outside the pitch circle
-      spec.profile_shift = spec.rack.dedendum + random.pick({-0.1, 0.0, 0.1, 1.0});
+      spec.profile_shift = spec.straight_rack().dedendum + random.pick({-0.1, 0.0, 0.1, 1.0});
       break;
     case 3: spec.profile_shift = random.uniform(-6.0, 6.0); break;
     case 4: spec.profile_shift = 0.0; break;
@@ -132,7 +132,7 @@ inline CylindricalSpec random_spec(Random& random) {
   if (random.chance(0.3)) {
     const double m = spec.normal_module;
     const double x_E = spec.profile_shift + by_allowance;
-    const double root = 2 * m * (radius + x_E - spec.rack.dedendum);
+    const double root = 2 * m * (radius + x_E - spec.straight_rack().dedendum);
     switch (random.integer(0, 4)) {
       case 0: spec.tip_diameter = root + m * random.logarithmic(1e-9, 1.0); break;
       case 1:
@@ -154,13 +154,16 @@ inline std::string describe(const CylindricalSpec& s) {
       "root_fillet_radius = {}, tip_fillet_radius = {}, protuberance = {}, protuberance_angle_deg "
       "= {}",
       s.teeth, s.normal_module, s.normal_pressure_angle.deg(), s.helix_angle.deg(), s.profile_shift,
-      s.thickness_allowance, s.rack.addendum, s.rack.dedendum, s.rack.root_fillet_radius,
-      s.rack.tip_fillet_radius, s.rack.protuberance, s.rack.protuberance_angle.deg());
-  if (s.rack.tool_addendum) text += fmt::format(", tool_addendum = {}", *s.rack.tool_addendum);
-  if (s.rack.semi_topping_angle) {
-    text += fmt::format(", semi_topping_angle_deg = {}", s.rack.semi_topping_angle->deg());
+      s.thickness_allowance, s.straight_rack().addendum, s.straight_rack().dedendum,
+      s.straight_rack().root_fillet_radius, s.straight_rack().tip_fillet_radius,
+      s.straight_rack().protuberance, s.straight_rack().protuberance_angle.deg());
+  if (s.straight_rack().tool_addendum)
+    text += fmt::format(", tool_addendum = {}", *s.straight_rack().tool_addendum);
+  if (s.straight_rack().semi_topping_angle) {
+    text +=
+        fmt::format(", semi_topping_angle_deg = {}", s.straight_rack().semi_topping_angle->deg());
   }
-  text += s.rack.named ? ", named}" : "}";
+  text += s.straight_rack().named ? ", named}" : "}";
   if (s.tip_diameter) text += fmt::format(", tip_diameter_mm = {}", *s.tip_diameter);
   if (s.root_fillet) text += fmt::format(", root_fillet.offset_mm = {}", s.root_fillet->offset);
   if (s.tip_fillet) {

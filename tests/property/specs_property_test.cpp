@@ -97,7 +97,7 @@ Outcome outcome_of(const CylindricalSpec& spec, bool walk_centre_line) {
   const Gear& gear = *made;
   if (gear.internal()) return {Ending::tooth, gear.tooth ? "a ring has a rack-cut tooth" : ""};
   const GeneratedTooth& tooth = *gear.tooth;
-  const double scale = std::max(tooth.tip_radius, gear.reference.reference_diameter / 2);
+  const double scale = std::max(tooth.tip_radius, gear.reference_diameter / 2);
   std::string broken;
   const std::optional<SweptRack> rack = swept_rack_of(gear, broken);
   if (!broken.empty()) return {Ending::tooth, broken};
@@ -205,13 +205,13 @@ TEST(Specs, wild_numbers_are_refused_or_survived) {
           case 4: s.thickness_allowance = v; break;
           case 5: s.face_width = v; break;
           case 6: s.tip_diameter = v; break;
-          case 7: s.rack.addendum = v; break;
-          case 8: s.rack.dedendum = v; break;
-          case 9: s.rack.root_fillet_radius = v; break;
-          case 10: s.rack.tip_fillet_radius = v; break;
-          case 11: s.rack.tool_addendum = v; break;
-          case 12: s.rack.protuberance = v; break;
-          default: s.rack.semi_topping_angle = Angle::degrees(v); break;
+          case 7: s.straight_rack().addendum = v; break;
+          case 8: s.straight_rack().dedendum = v; break;
+          case 9: s.straight_rack().root_fillet_radius = v; break;
+          case 10: s.straight_rack().tip_fillet_radius = v; break;
+          case 11: s.straight_rack().tool_addendum = v; break;
+          case 12: s.straight_rack().protuberance = v; break;
+          default: s.straight_rack().semi_topping_angle = Angle::degrees(v); break;
         }
         at_hand = describe(s);
         const auto gear = make_gear(s);

@@ -36,8 +36,8 @@ inline CylindricalSpec filleted_pinion(int teeth, double m, double beta_deg, dou
   s.helix_angle = Angle::degrees(beta_deg);
   s.profile_shift = x;
   s.face_width = face_width;
-  s.rack.dedendum = 1.0;
-  s.rack.root_fillet_radius = 0.0;
+  s.straight_rack().dedendum = 1.0;
+  s.straight_rack().root_fillet_radius = 0.0;
   s.root_fillet = RootFilletSpec{offset};
   s.tip_fillet = TipFilletSpec{TipFilletSpec::By::radius, tip_radius};
   return s;
@@ -68,19 +68,19 @@ inline ToothedBody cut_ring() {
   s.helix_angle = Angle::degrees(20);
   s.profile_shift = 0.2;
   s.face_width = 10.0;
-  s.rack.addendum = 1.25;
+  s.straight_rack().addendum = 1.25;
   const auto cutter = make_gear(s);
   GW_EXPECTS(cutter);
   return body_of("ring", make_pinion_cut_gear(*cutter, {-49, 33.0, 8.0, 100.0}), Bore{118.0});
 }
 
-inline CylindricalSpec arc_spec(AnyArcRack rack, int teeth, double beta_deg) {
+inline CylindricalSpec arc_spec(Rack rack, int teeth, double beta_deg) {
   CylindricalSpec s;
   s.teeth = teeth;
   s.normal_module = 2.0;
   s.helix_angle = Angle::degrees(beta_deg);
   s.face_width = 12.0;
-  s.arc_rack = std::move(rack);
+  s.rack = std::move(rack);
   return s;
 }
 

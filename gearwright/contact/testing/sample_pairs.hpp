@@ -49,9 +49,9 @@ inline SamplePair involutes(int z1, int z2, double helix_deg) {
       {involute_gear(z1, helix_deg, 20), involute_gear(z2, z2 < 0 ? helix_deg : -helix_deg, 18)},
       {},
       {}};
-  p.place.center_distance = std::abs(p.gears[1].reference.reference_diameter +
-                                     (z2 < 0 ? -1 : 1) * p.gears[0].reference.reference_diameter) /
-                            2;
+  p.place.center_distance =
+      std::abs(p.gears[1].reference_diameter + (z2 < 0 ? -1 : 1) * p.gears[0].reference_diameter) /
+      2;
   return p;
 }
 
@@ -69,12 +69,11 @@ inline SamplePair arcs() {
     rack.arc_radius = convex ? 1.4 : 1.55;
     rack.center_a = convex ? 0.42 : 0.42 + 0.15 * std::sqrt(0.75);
     rack.center_b = convex ? 0.24 : 0.24 + 0.15 * 0.5;
-    s.arc_rack = rack;
+    s.rack = rack;
     return std::move(make_gear(s)).take();
   };
   SamplePair p{{gear(16, 20, ArcRack::Cutter::F), gear(48, -20, ArcRack::Cutter::P)}, {}, {}};
-  p.place.center_distance =
-      (p.gears[0].reference.reference_diameter + p.gears[1].reference.reference_diameter) / 2;
+  p.place.center_distance = (p.gears[0].reference_diameter + p.gears[1].reference_diameter) / 2;
   return p;
 }
 

@@ -23,7 +23,7 @@ inline Gear sample_gear(int teeth, double module, double helix_deg, double shift
   spec.profile_shift = shift;
   spec.thickness_allowance = allowance;
   spec.face_width = 10 * module;
-  spec.rack.tip_fillet_radius = tip_fillet;
+  spec.straight_rack().tip_fillet_radius = tip_fillet;
   auto gear = make_gear(spec);
   GW_EXPECTS(static_cast<bool>(gear));
   return std::move(gear).take();
@@ -57,8 +57,8 @@ inline Gear two_teeth(double face_width = 17.5, double shift = 0.7) {
   spec.helix_angle = Angle::degrees(30);
   spec.profile_shift = shift;
   spec.face_width = face_width;
-  spec.rack.root_fillet_radius = 0.3;
-  spec.rack.dedendum = 1.0 + 0.3 * (1.0 - std::sin(spec.normal_pressure_angle.rad()));
+  spec.straight_rack().root_fillet_radius = 0.3;
+  spec.straight_rack().dedendum = 1.0 + 0.3 * (1.0 - std::sin(spec.normal_pressure_angle.rad()));
   spec.root_fillet = RootFilletSpec{0.01};
   spec.tip_fillet = TipFilletSpec{TipFilletSpec::By::radius, 0.332};
   auto gear = make_gear(spec);
@@ -85,7 +85,7 @@ inline Pair pinion_in_cut_ring() {
   CylindricalSpec cutter;
   cutter.teeth = 20;
   cutter.normal_module = 2;
-  cutter.rack.addendum = 1.25;
+  cutter.straight_rack().addendum = 1.25;
   cutter.face_width = 20;
   auto made = make_gear(cutter);
   GW_EXPECTS(static_cast<bool>(made));

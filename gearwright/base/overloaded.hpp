@@ -1,0 +1,13 @@
+// One function object of several lambdas, for std::visit: a case for each alternative of a variant.
+#pragma once
+
+namespace gearwright {
+
+template <class... Cases>
+struct Overloaded : Cases... {
+  using Cases::operator()...;
+};
+template <class... Cases>
+Overloaded(Cases...) -> Overloaded<Cases...>;
+
+}  // namespace gearwright

@@ -1,0 +1,92 @@
+// The result tables of docs/spec.md say what the catalogue says. GW_WRITE_DOCS=1 writes them anew.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "gearwright/catalogue/compensate_quantities.hpp"
+#include "gearwright/catalogue/contact_quantities.hpp"
+#include "gearwright/catalogue/file_quantities.hpp"
+#include "gearwright/catalogue/fit_quantities.hpp"
+#include "gearwright/catalogue/gear_quantities.hpp"
+#include "gearwright/catalogue/measure_quantities.hpp"
+#include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/search_quantities.hpp"
+#include "gearwright/catalogue/testing/document_blocks.hpp"
+
+namespace gearwright {
+namespace {
+
+constexpr const char* kDocument = "docs/spec.md";
+
+std::string cell(std::string_view text) {
+  std::string out;
+  for (const char c : text) out += c == '|' ? "\\|" : std::string(1, c);
+  return out;
+}
+
+// A word's values, then the meaning: "tip diameter, of the blank".
+std::string meaning_of(const Said& s) {
+  std::string text = s.words == s.key ? "" : s.words;
+  if (!s.meaning.empty()) text += (text.empty() ? "" : "; ") + s.meaning;
+  std::string words;
+  for (const std::string& w : s.one_of)
+    words += fmt::format("{}`{}`", words.empty() ? "" : ", ", w);
+  if (!words.empty()) text += ": " + words;
+  if (s.two == Two::gears) text += s.meaning.find("per gear") == s.meaning.npos ? "; per gear" : "";
+  return text;
+}
+
+// Tables of their own; records of other tables stand inside the row that holds them.
+const std::map<std::string, const SaidTable*>& blocks() {
+  static const std::map<std::string, const SaidTable*> kBlocks{
+      {"gear", &gear_quantities().table()},
+      {"measure", &measure_quantities().table()},
+      {"as_rack", &as_rack_quantities().table()},
+      {"outline.arc", &outline_quantities().table()},
+      {"pair", &pair_quantities().table()},
+      {"contact", &contact_quantities().table()},
+      {"contact.positions", &position_quantities().table()},
+      {"compensate", &compensate_quantities().table()},
+      {"fit", &fit_quantities().table()},
+      {"search", &search_quantities().table()},
+      {"search.designs", &design_quantities().table()},
+      {"file", &file_quantities().table()},
+      {"warning", &warning_quantities().table()}};
+  return kBlocks;
+}
+
+// What a record holds is said once in a table, where it first stands.
+void add_rows(std::string& text, const SaidTable& table, const std::string& before,
+              std::set<const SaidTable*>& said) {
+  for (const Said* s : table.list) {
+    if (!(s->doors & kJson)) continue;
+    const std::string key = before + s->key;
+    text += fmt::format("| `{}` | {} | {} | {} |\n", key, cell(s->symbol),
+                        s->unit == Unit::percent ? "" : unit_text(s->unit), cell(meaning_of(*s)));
+    if (s->type != Type::record) continue;
+    const SaidTable& inner = s->of();
+    const bool own = std::any_of(blocks().begin(), blocks().end(),
+                                 [&](const auto& b) { return b.second == &inner; });
+    if (!own && said.insert(&inner).second)
+      add_rows(text, inner, key + (s->list.empty() ? "." : "[]."), said);
+  }
+}
+
+TEST(ResultDocument, TablesAreTheCatalogues) {
+  const auto named = blocks_of(kDocument, "quantities");
+  EXPECT_EQ(named.size(), blocks().size());
+  for (const std::string& name : named) {
+    const auto it = blocks().find(name);
+    ASSERT_NE(it, blocks().end()) << name;
+    std::string text = "| key | symbol | unit | meaning |\n|---|---|---|---|\n";
+    std::set<const SaidTable*> said;
+    add_rows(text, *it->second, "", said);
+    expect_block(kDocument, "quantities", name, text);
+  }
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,30 @@
+// The rack that cuts a gear: straight-sided, of involute teeth, or of arcs.
+#pragma once
+
+#include <variant>
+
+#include "gearwright/tool/arc_rack.hpp"
+#include "gearwright/tool/double_arc_rack.hpp"
+#include "gearwright/tool/rack_of_arcs.hpp"
+#include "gearwright/tool/straight_rack.hpp"
+
+namespace gearwright {
+
+/// All but the first cut circular-arc teeth: `arcs_of` tells their arcs.
+using Rack = std::variant<StraightRack, ArcRack, DoubleArcRack, RackOfArcs>;
+
+inline bool is_straight(const Rack& rack) { return std::holds_alternative<StraightRack>(rack); }
+
+inline Result<RackOfArcs> arcs_of(const RackOfArcs& rack) { return rack; }
+
+/// Of the gear's tooth above the datum line, in normal modules.
+inline double addendum_of(const Rack& rack) {
+  return std::visit([](const auto& r) { return r.addendum; }, rack);
+}
+
+/// How deep the cutter goes, in normal modules.
+inline double dedendum_of(const Rack& rack) {
+  return std::visit([](const auto& r) { return r.dedendum; }, rack);
+}
+
+}  // namespace gearwright
