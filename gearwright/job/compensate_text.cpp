@@ -14,9 +14,8 @@ namespace {
 constexpr double kDeg = 180 / std::numbers::pi;
 constexpr double kArcsec = 3600 * kDeg;
 
-std::string unit_of(const std::string& key) {
-  const std::string unit = key.substr(key.rfind('_') + 1);
-  return unit == "um" ? "µm" : unit == "deg" ? "°" : unit;
+std::string_view shown_unit(const CorrectionEntry& c) {
+  return c.unit() == "um" ? "µm" : c.unit() == "deg" ? "°" : c.unit();
 }
 
 Json optional_deg(const std::optional<double>& rad) {
@@ -42,9 +41,8 @@ std::string percent(double v) { return fixed_text(100 * v, 1) + " %"; }
 Json compensate_json(const SolvedJob& job, const CompensateAnswer& a) {
   Json corrections = Json::array();
   for (std::size_t i = 0; i < a.corrections.size(); ++i) {
-    const std::string key = kCorrections[a.corrections[i]].key;
-    corrections.push_back(
-        {{"key", key}, {"value", a.result.value[i]}, {"unit", key.substr(key.rfind('_') + 1)}});
+    const CorrectionEntry& c = kCorrections[a.corrections[i]];
+    corrections.push_back({{"key", c.key}, {"value", a.result.value[i]}, {"unit", c.unit()}});
   }
   Json scenarios = Json::array();
   for (std::size_t i = 0; i < a.scenarios.size(); ++i) {
@@ -111,8 +109,8 @@ std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) 
   }
   head("Corrections together, for the worst of the errors");
   for (std::size_t i = 0; i < a.corrections.size(); ++i) {
-    const std::string key = kCorrections[a.corrections[i]].key;
-    row(key, fmt::format("{:.4f} {}", a.result.value[i], unit_of(key)));
+    const CorrectionEntry& c = kCorrections[a.corrections[i]];
+    row(std::string(c.key), fmt::format("{:.4f} {}", a.result.value[i], shown_unit(c)));
   }
   head("                                                before              after");
   const auto both = [&](const std::string& what, const std::string& before,

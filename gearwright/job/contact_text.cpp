@@ -70,9 +70,9 @@ Json map_json(const ContactMapInput& input, const ErrorMap& map) {
     for (const double v : row) line.push_back(std::isnan(v) ? Json(nullptr) : Json(v * kArcsec));
     rows.push_back(std::move(line));
   }
-  return {{"x", kErrorKeys[input.key[0]]},
+  return {{"x", error_entries()[input.key[0]].key},
           {"x_values", map.x},
-          {"y", kErrorKeys[input.key[1]]},
+          {"y", error_entries()[input.key[1]].key},
           {"y_values", map.y},
           {"peak_to_peak_arcsec", std::move(rows)}};
 }
@@ -162,9 +162,9 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
   const auto row = [&](const char* what, const std::string& value) {
     out += fmt::format("  {:<42}{}\n", what, value);
   };
-  for (std::size_t i = 0; i < kErrorKeys.size(); ++i) {
+  for (std::size_t i = 0; i < kErrorCount; ++i) {
     if (job.spec.errors.value[i] != 0.0)
-      row(fmt::format("errors.{}", kErrorKeys[i]).c_str(),
+      row(fmt::format("errors.{}", error_entries()[i].key).c_str(),
           fmt::format("{}", job.spec.errors.value[i]));
   }
   row("Transmission error, peak to peak", fixed_text(r.peak_to_peak * kArcsec, 4) + " arcsec");
