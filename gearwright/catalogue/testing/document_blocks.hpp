@@ -1,0 +1,72 @@
+// Blocks of documents that are made from the catalogue: compared with what stands there, written
+// anew when GW_WRITE_DOCS is set.
+//
+//   <!-- keys: pair -->
+//   | key | …
+//   <!-- end -->
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace gearwright {
+
+/// A file below the source folder; empty where there is none.
+inline std::string document(const std::string& path) {
+  std::ifstream file(std::string(GW_SOURCE_DIR) + "/" + path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+inline void write_document(const std::string& path, const std::string& text) {
+  std::ofstream(std::string(GW_SOURCE_DIR) + "/" + path) << text;
+}
+
+inline bool documents_are_written() { return std::getenv("GW_WRITE_DOCS") != nullptr; }
+
+/// The whole file is made.
+inline void expect_document(const std::string& path, const std::string& made) {
+  if (documents_are_written()) write_document(path, made);
+  EXPECT_EQ(document(path), made) << path
+                                  << " is not what the catalogue says: write it anew with "
+                                     "GW_WRITE_DOCS=1";
+}
+
+/// Names of the blocks of a kind, "keys", in a document.
+inline std::vector<std::string> blocks_of(const std::string& path, const std::string& kind) {
+  const std::string text = document(path);
+  const std::string begin = "<!-- " + kind + ": ";
+  std::vector<std::string> names;
+  for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at)) {
+    at += begin.size();
+    names.push_back(text.substr(at, text.find(" -->", at) - at));
+  }
+  return names;
+}
+
+/// The block <!-- kind: name --> holds `made`, lines that end in a line feed.
+inline void expect_block(const std::string& path, const std::string& kind, const std::string& name,
+                         const std::string& made) {
+  std::string text = document(path);
+  const std::string begin = "<!-- " + kind + ": " + name + " -->\n";
+  const std::string end = "<!-- end -->";
+  const std::size_t from = text.find(begin);
+  ASSERT_NE(from, std::string::npos) << path << " has no block " << begin;
+  const std::size_t first = from + begin.size();
+  const std::size_t last = text.find(end, first);
+  ASSERT_NE(last, std::string::npos) << path << ": the block " << name << " has no end";
+  if (documents_are_written()) {
+    write_document(path, text.replace(first, last - first, made));
+    return;
+  }
+  EXPECT_EQ(text.substr(first, last - first), made)
+      << path << ", block " << name << ": write it anew with GW_WRITE_DOCS=1";
+}
+
+}  // namespace gearwright
