@@ -53,6 +53,8 @@ configure_file(${CMAKE_CURRENT_LIST_DIR}/gearwright.pc.in ${PROJECT_BINARY_DIR}/
 install(FILES ${PROJECT_BINARY_DIR}/gearwright.pc DESTINATION ${pc_dir} COMPONENT dev)
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT dev)
+install(FILES ${PROJECT_SOURCE_DIR}/docs/schema/spec.schema.json
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/gearwright COMPONENT runtime)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/gearwright-cli
         COMPONENT runtime)
 

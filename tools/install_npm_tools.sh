@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs the readers and validators that tests use from npm: the package.json and
-# package-lock.json of tests/cad (meshes) and tests/search (result tables), each into the
-# node_modules beside it.
+# package-lock.json of tests/cad (meshes), tests/search (result tables) and tests/schema (JSON
+# Schema), each into the node_modules beside it.
 #
 # Exactly the locked versions, without running their install scripts; a second call does nothing.
 set -euo pipefail
@@ -29,3 +29,4 @@ install_folder() { # FOLDER WHAT [npm option ...]
 
 install_folder cad "mesh validators" --omit=optional
 install_folder search "reader of result tables" # its library for this machine counts as optional
+install_folder schema "validator of JSON Schema"

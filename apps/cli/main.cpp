@@ -31,7 +31,8 @@ constexpr const char* kIntroduction =
     "  gearwright search wish.toml --out found  all designs within limits, ranked\n"
     "  gearwright outline pair.toml --gear 1 --points 200 --json\n"
     "  gearwright export pair.toml --step both.step --dxf pinion.dxf --gear 1\n"
-    "  gearwright verify cases.json          published numbers against ours\n\n"
+    "  gearwright verify cases.json          published numbers against ours\n"
+    "  gearwright schema spec                the JSON Schema of specs, for editors\n\n"
     "A spec is a TOML file, the least one:\n\n"
     "  [gear1]\n"
     "  teeth = 17\n"
@@ -153,6 +154,10 @@ int main(int argc, char** argv) {
            "gearwright verify tests/golden/external.json");
   verify->add_option("CASES", o.cases, "Case files")->required();
 
+  CLI::App* schema = verb(app, o, "schema", "The JSON Schema of specs, for editors and validators",
+                          "gearwright schema spec > spec.schema.json");
+  schema->add_option("WHAT", o.schema, "spec")->required()->check(CLI::IsMember({"spec"}));
+
   for (const char* name : kNotHere) {
     CLI::App* sub = app.add_subcommand(name, "Not in this version")->group("");
     sub->allow_extras();
@@ -181,6 +186,7 @@ int main(int argc, char** argv) {
     if (*fit) return fit_verb(o);
     if (*search) return run_search_verb(search_command);
     if (*files) return export_verb(o);
+    if (*schema) return schema_verb(o);
     return verify_verb(o);
   } catch (const gearwright::IoError& e) {
     std::cerr << "gearwright: " << e.what() << "\n";

@@ -12,6 +12,7 @@
 
 #include "apps/common/speaking.hpp"
 #include "gearwright/base/output_file.hpp"
+#include "gearwright/catalogue/spec_schema.hpp"
 #include "gearwright/job/compensate_text.hpp"
 #include "gearwright/job/contact_text.hpp"
 #include "gearwright/job/files.hpp"
@@ -332,6 +333,12 @@ int verify_verb(const Options& o) {
   }
   if (bad > 0) std::fprintf(stderr, "gearwright: %d of %d cases differ\n", bad, cases);
   return bad == 0 ? 0 : 1;
+}
+
+int schema_verb(const Options& o) {
+  GW_EXPECTS(o.schema == "spec");  // the command line knows no other
+  print(spec_schema());
+  return 0;
 }
 
 }  // namespace gearwright::cli

@@ -21,6 +21,7 @@ struct Options {
   std::optional<std::string> as_rack;  // of gear: "module,angle"
   std::optional<int> take;             // of fit: the branch whose spec is printed
   bool spec_only = false;              // of compensate: print the corrected spec
+  std::string schema;                  // of schema: of what
 };
 
 // All throw IoError when the outside world fails.
@@ -34,5 +35,6 @@ int contact_verb(const Options& o);
 int compensate_verb(const Options& o);
 int export_verb(const Options& o);
 int verify_verb(const Options& o);
+int schema_verb(const Options& o);
 
 }  // namespace gearwright::cli

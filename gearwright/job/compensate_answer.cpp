@@ -30,7 +30,7 @@ bool can_take(const ContactSetup& setup, std::size_t index) {
 std::optional<Error> check_corrections(const ContactSetup& setup, const CompensateInput& input) {
   for (const std::size_t i : input.corrections) {
     if (can_take(setup, i)) continue;
-    return Error{"compensate.corrections", kCorrections[i].key,
+    return Error{"compensate.corrections", std::string(kCorrections[i].key),
                  fmt::format("compensate.corrections: {} {}", kCorrections[i].key,
                              i == setting ? "is the setting of a rack F (kind = \"circular_arc\"), "
                                             "which cuts neither gear"
@@ -74,7 +74,7 @@ struct Scenario {
 std::vector<Scenario> scenarios_of(const ContactSetup& setup, const CompensateInput& input) {
   std::vector<Scenario> list{{"as given", setup.place().errors}};
   std::vector<std::size_t> ranged;
-  for (std::size_t i = 0; i < kErrorKeys.size(); ++i)
+  for (std::size_t i = 0; i < kErrorCount; ++i)
     if (input.range[i]) ranged.push_back(i);
   if (ranged.empty()) return list;
   for (std::size_t corner = 0; corner < (1u << ranged.size()); ++corner) {
@@ -82,7 +82,7 @@ std::vector<Scenario> scenarios_of(const ContactSetup& setup, const CompensateIn
     for (std::size_t k = 0; k < ranged.size(); ++k) {
       const double value = (*input.range[ranged[k]])[(corner >> k) & 1u];
       s.errors = setup.with_error(s.errors, ranged[k], value);
-      s.name += fmt::format("{}{} = {}", k ? ", " : "", kErrorKeys[ranged[k]], value);
+      s.name += fmt::format("{}{} = {}", k ? ", " : "", error_entries()[ranged[k]].key, value);
     }
     list.push_back(std::move(s));
   }
@@ -107,10 +107,10 @@ Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
       rack["center_b"] = arc.center_b + v[k] / setup.gear(gear).spec.normal_module;
       rack.erase("pressure_angle_deg");  // it was a check of the old setting
     } else if (i == lead1 || i == lead2) {
-      add(tree["errors"], kErrorKeys[i == lead1 ? 6 : 7], v[k]);
+      add(tree["errors"], std::string(kCorrections[i].key), v[k]);  // an error of the same name
     } else {
       const int gear = i < first_flank + 4 ? 1 : 2;
-      const std::string name = std::string(kCorrections[i].key).substr(6);
+      const std::string name(kCorrections[i].key.substr(6));
       const bool slope = name.find("slope") != std::string::npos;
       const bool left =
           (job.spec.contact.driver == 2) != (gear == 2 && setup.gear(2).internal());
@@ -154,7 +154,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job) {
   task.fine_positions = job.spec.contact.positions;
   task.centering = input.centering_arcsec * kRadPerArcsec;
   for (const std::size_t i : answer.corrections) {
-    const CorrectionKind& c = kCorrections[i];
+    const CorrectionEntry& c = kCorrections[i];
     const double most =
         i == setting ? 0.1 * setup.gear(*setup.convex_gear()).spec.normal_module : c.hi;
     task.corrections.push_back({std::max(c.lo, -most), std::min(c.hi, most), c.step});

@@ -13,18 +13,15 @@ namespace gearwright {
 
 namespace {
 
-std::string unit_of(const std::string& key) { return key.substr(key.rfind('_') + 1); }
-
-std::string unit_for_people(const std::string& key) {
-  const std::string unit = unit_of(key);
-  return unit == "um" ? "µm" : unit == "deg" ? "°" : unit;
+std::string_view shown_unit(const CorrectionEntry& c) {
+  return c.unit() == "um" ? "µm" : c.unit() == "deg" ? "°" : c.unit();
 }
 
 CompensateView view_of(const CompensateAnswer& a) {
   CompensateView view{{}, a.result.before, a.result.after, {}, a.setting, a.lead, {}};
   for (std::size_t i = 0; i < a.corrections.size(); ++i) {
-    const std::string key = kCorrections[a.corrections[i]].key;
-    view.corrections.push_back({key, unit_of(key), a.result.value[i]});
+    const CorrectionEntry& c = kCorrections[a.corrections[i]];
+    view.corrections.push_back({std::string(c.key), std::string(c.unit()), a.result.value[i]});
   }
   for (std::size_t i = 0; i < a.scenarios.size(); ++i)
     view.scenarios.push_back({a.scenarios[i], a.result.each_before[i], a.result.each_after[i]});
@@ -53,8 +50,8 @@ std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) 
                           {});
   head("Corrections together, for the worst of the errors");
   for (std::size_t i = 0; i < a.corrections.size(); ++i) {
-    const std::string key = kCorrections[a.corrections[i]].key;
-    row(key, fmt::format("{:.4f} {}", a.result.value[i], unit_for_people(key)));
+    const CorrectionEntry& c = kCorrections[a.corrections[i]];
+    row(std::string(c.key), fmt::format("{:.4f} {}", a.result.value[i], shown_unit(c)));
   }
   const auto& scores = score_quantities();
   out += quantity_listing(scores.table(), {scores.of(a.result.before), scores.of(a.result.after)},

@@ -8,33 +8,28 @@
 
 #include "gearwright/base/refusal.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/catalogue/modification_keys.hpp"
 
 namespace gearwright {
 
 namespace {
 
-// Places in kErrorKeys.
-enum ErrorIndex { center, crossing, intersecting, axial, slope1, slope2, lead1, lead2 };
-
-double helix_twist(const Gear& gear, double slope_um) {
-  return slope_um * kMmPerUm / (gear.reference_diameter / 2 * gear.spec.face_width);
-}
-
 std::optional<Error> check_cutter_lead(const JobSpec& spec, const Gear& gear, int which) {
-  const double delta = spec.errors.value[which == 1 ? lead1 : lead2];
+  const std::size_t index = *error_index(fmt::format("cutter_lead{}_deg", which));
+  const double delta = spec.errors.value[index];
   if (delta == 0.0) return std::nullopt;
-  const std::string key = fmt::format("errors.cutter_lead{}_deg", which);
+  const std::string key = "errors." + std::string(error_entries()[index].key);
   if (gear.twist() == 0.0)
     return refused(key, delta, "a spur gear has no lead to change; give it a helix angle");
   if (gear.cut_by)
     return refused(key, delta,
                    "the gear is cut by a gear, whose lead is that of its guide; a "
                    "change of it is helix_slope");
-  const double lambda = 90.0 - std::abs(gear.spec.helix_angle.deg()) + delta;
-  if (!(lambda > 0.5 && lambda < 90.0)) {
+  if (!error_entries()[index].possible(gear, delta)) {
     return refused(
         key, delta,
-        fmt::format("makes the lead angle {} degrees; it must stay between 0.5 and 90", lambda));
+        fmt::format("makes the lead angle {} degrees; it must stay between 0.5 and 90",
+                    90.0 - std::abs(gear.spec.helix_angle.deg()) + delta));
   }
   return std::nullopt;
 }
@@ -55,24 +50,11 @@ FlankExtent flank_extent(const Gear& gear) {
           gear.tip_form_radius(), gear.spec.face_width};
 }
 
-const char* const kModificationKeys[] = {"tip_relief",    "root_relief",   "profile_crowning",
-                                         "profile_slope", "lead_crowning", "lead_slope",
-                                         "end_relief"};
-
-bool placed(const FlankModifications& m, RemovalField::Parameter p) {
-  using P = RemovalField::Parameter;
-  if (p == P::tip_relief) return m.tip_relief.reach.has_value();
-  if (p == P::root_relief) return m.root_relief.reach.has_value();
-  if (p == P::end_relief) return m.end_relief.reach.has_value();
-  return true;
-}
-
 bool any_modification(const GearInput& gear) {
   for (const FlankModifications& m : gear.modifications) {
-    if (m.topography || m.profile_crowning != 0.0 || m.profile_slope != 0.0 ||
-        m.lead_crowning != 0.0 || m.lead_slope != 0.0 || m.tip_relief.reach ||
-        m.root_relief.reach || m.end_relief.reach)
-      return true;
+    if (m.topography) return true;
+    for (const ModificationEntry& e : modification_entries())
+      if (e.relief ? e.placed(m) : e.amount_of(m) != 0.0) return true;
   }
   return false;
 }
@@ -97,18 +79,7 @@ std::string why_nothing_touches(const ContactSetup& setup) {
 }  // namespace
 
 ContactErrors ContactSetup::with_error(ContactErrors e, std::size_t index, double value) const {
-  switch (index) {
-    case center: e.center_distance = value; break;
-    case crossing: e.crossing = value * kRadPerDeg; break;
-    case intersecting: e.intersecting = value * kRadPerDeg; break;
-    case axial: e.axial = value; break;
-    case slope1:
-    case slope2:
-      e.helix_twist[index - slope1] =
-          helix_twist(gear(static_cast<int>(index) - slope1 + 1), value);
-      break;
-    default: e.cutter_lead[index - lead1] = value * kRadPerDeg;
-  }
+  error_entries()[index].set(e, {gears_[0].get(), gears_[1].get()}, value);
   return e;
 }
 
@@ -202,28 +173,20 @@ Result<ContactSetup> ContactSetup::of(const SolvedJob& job) {
       setup.removal_[i][side] = std::make_shared<const RemovalField>(std::move(field).take());
     }
   }
-  for (std::size_t i = 0; i < kErrorKeys.size(); ++i)
+  for (std::size_t i = 0; i < kErrorCount; ++i)
     setup.place_.errors = setup.with_error(setup.place_.errors, i, job.spec.errors.value[i]);
-  for (std::size_t i = 0; i < kErrorKinds.size(); ++i) {
-    // center_distance_mm → center_distance_per_mm
-    std::string key = kErrorKeys[i];
-    const std::size_t at = key.rfind('_');
-    const std::string unit = key.substr(at + 1);
-    setup.influences_.push_back({key.substr(0, at) + "_per_" + unit,
-                                 unit == "deg"  ? kRadPerDeg
-                                 : unit == "um" ? kMmPerUm
-                                                : 1.0,
-                                 {kErrorKinds[i]}});
+  for (const ErrorEntry& e : error_entries()) {
+    if (e.kind)
+      setup.influences_.push_back({fmt::format("{}_per_{}", e.name(), e.unit()), e.si(), {*e.kind}});
   }
   for (int i = 0; i < 2; ++i) {
     const GearInput& input = *job.spec.gears[i];
     if (!any_modification(input)) continue;
-    for (const RemovalField::Parameter p : RemovalField::kParameters) {
-      if (!placed(input.modifications[0], p) && !placed(input.modifications[1], p)) continue;
-      setup.influences_.push_back(
-          {fmt::format("gear{}_{}_per_um", i + 1, kModificationKeys[static_cast<int>(p)]),
-           kMmPerUm,
-           {ErrorKind::center_distance, i + 1, p}});
+    for (const ModificationEntry& m : modification_entries()) {
+      if (!m.placed(input.modifications[0]) && !m.placed(input.modifications[1])) continue;
+      setup.influences_.push_back({fmt::format("gear{}_{}_per_um", i + 1, m.name),
+                                   kMmPerUm,
+                                   {ErrorKind::center_distance, i + 1, m.parameter}});
     }
   }
   return setup;

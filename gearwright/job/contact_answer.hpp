@@ -51,7 +51,7 @@ class ContactSetup {
   Result<ContactSetup> changed(const SetupChange& change) const;
   /// The gear that a rack F cuts, 1 or 2; none: the teeth are no such pair.
   std::optional<int> convex_gear() const;
-  /// The errors with one of kErrorKeys set to a value in its own unit.
+  /// The errors with one of error_entries set to a value in its own unit.
   ContactErrors with_error(ContactErrors errors, std::size_t index, double value) const;
 
  private:

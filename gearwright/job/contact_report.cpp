@@ -8,29 +8,12 @@
 #include <cmath>
 
 #include "gearwright/base/units.hpp"
+#include "gearwright/catalogue/modification_keys.hpp"
 #include "gearwright/contact/contact.hpp"
 
 namespace gearwright {
 
 namespace {
-
-struct ErrorName {
-  const char* words;
-  const char* unit;
-};
-
-// In the order of kErrorKeys.
-constexpr std::array<ErrorName, kErrorKeys.size()> kErrorNames{{
-    {"centre distance", "mm"},
-    {"crossing of the axes", "°"},
-    {"inclination of the axes", "°"},
-    {"axial place of gear 1", "mm"},
-    {"helix slope of gear 1", "µm"},
-    {"helix slope of gear 2", "µm"},
-    {"lead angle of gear 1", "°"},
-    {"lead angle of gear 2", "°"},
-}};
-constexpr std::size_t kFirstLead = 6;
 
 // Contact along lines is narrow across the tooth and long along it: so are the raster's cells. From
 // node to node and from position to position the gap of a line then changes by some hundredths of a
@@ -44,7 +27,9 @@ constexpr int kSmallPositions = 80;
 constexpr int kMaxPositions = 1024;  // of the peak to peak beside a small picture
 
 NamedAmount named(std::size_t index, double value) {
-  return {kErrorNames[index].words, value, kErrorNames[index].unit};
+  const ErrorEntry& e = error_entries()[index];
+  const char* const unit = e.unit() == "deg" ? "°" : e.unit() == "um" ? "µm" : "mm";
+  return {std::string(e.words), value, unit};
 }
 
 // "tip relief 15 µm from 64.5 mm, lead crowning 8 µm"; empty: none.
@@ -52,21 +37,17 @@ std::string words_of(const FlankModifications& m) {
   std::string text;
   const auto add = [&](const std::string& words) { text += (text.empty() ? "" : ", ") + words; };
   const auto um = [](double mm) { return fmt::format("{:.6g} µm", kUmPerMm * mm); };
-  const auto relief = [&](const char* name, const Relief& r, const char* reach) {
-    if (!r.reach) return;
-    add(fmt::format("{} {} {} {:.8g} mm{}", name, um(r.amount), reach, *r.reach,
+  // Reliefs first, as a drawing has them.
+  for (const ModificationEntry& e : modification_entries()) {
+    if (!e.relief || !e.placed(m)) continue;
+    const Relief& r = m.*(e.relief);
+    add(fmt::format("{} {} {} {:.8g} mm{}", e.words, um(r.amount), e.reach_words, *r.reach,
                     r.shape == ReliefShape::parabolic ? ", parabolic" : ""));
-  };
-  relief("tip relief", m.tip_relief, "from diameter");
-  relief("root relief", m.root_relief, "from diameter");
-  relief("end relief", m.end_relief, "over");
-  const auto amount = [&](const char* name, double c) {
-    if (c != 0.0) add(fmt::format("{} {}", name, um(c)));
-  };
-  amount("profile crowning", m.profile_crowning);
-  amount("profile slope", m.profile_slope);
-  amount("lead crowning", m.lead_crowning);
-  amount("lead slope", m.lead_slope);
+  }
+  for (const ModificationEntry& e : modification_entries()) {
+    if (!e.relief && e.amount_of(m) != 0.0)
+      add(fmt::format("{} {}", e.words, um(e.amount_of(m))));
+  }
   if (m.topography) add("topography from a file");
   return text;
 }
@@ -110,10 +91,8 @@ std::optional<ContactPoint> middle_of(const std::vector<ContactPoint>& points) {
 
 // An error the other way round may be a lead that no gear has.
 bool can_be(const ContactSetup& setup, std::size_t index, double value) {
-  if (index < kFirstLead) return true;
-  const Gear& gear = setup.gear(static_cast<int>(index - kFirstLead) + 1);
-  const double lambda = 90.0 - std::abs(gear.spec.helix_angle.deg()) + value;
-  return lambda > 0.5 && lambda < 90.0;
+  const ErrorEntry& e = error_entries()[index];
+  return e.gear == 0 || e.possible(setup.gear(e.gear), value);
 }
 
 // An error or several, to be shown by themselves.
@@ -183,7 +162,7 @@ ContactReport report_of(const SolvedJob& job, const ContactAnswer& answer) {
   make_patterns(r, job, answer.setup);
   r.middle = middle_of(r.driving.positions);
   if (r.middle) r.middle_gap = gap_map(pair, r.middle->rotation1, r.middle->pair, kGap);
-  for (std::size_t i = 0; i < kErrorKeys.size(); ++i)
+  for (std::size_t i = 0; i < kErrorCount; ++i)
     if (job.spec.errors.value[i] != 0.0)
       r.errors.push_back(named(i, job.spec.errors.value[i]));
   r.modifications = modifications_of(job);

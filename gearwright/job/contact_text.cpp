@@ -21,7 +21,7 @@ ContactView view_of(const SolvedJob& job, const ContactAnswer& answer) {
   if (answer.pattern) view.pattern = &*answer.pattern;
   if (answer.map) {
     view.map = &*answer.map;
-    for (const std::size_t i : {0, 1}) view.map_axes[i] = kErrorKeys[job.spec.contact.map->key[i]];
+    for (const std::size_t i : {0, 1}) view.map_axes[i] = error_entries()[job.spec.contact.map->key[i]].key;
   }
   return view;
 }
@@ -64,9 +64,9 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
   const auto row = [&](const char* what, const std::string& value) {
     out += fmt::format("  {:<42}{}\n", what, value);
   };
-  for (std::size_t i = 0; i < kErrorKeys.size(); ++i) {
+  for (std::size_t i = 0; i < kErrorCount; ++i) {
     if (job.spec.errors.value[i] != 0.0)
-      row(fmt::format("errors.{}", kErrorKeys[i]).c_str(),
+      row(fmt::format("errors.{}", error_entries()[i].key).c_str(),
           fmt::format("{}", job.spec.errors.value[i]));
   }
   row("Contact", kinds_of(r));

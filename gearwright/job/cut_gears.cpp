@@ -63,9 +63,9 @@ std::optional<Error> check_agreement(const GearInput& gear, const Gear& made, in
   const CylindricalSpec& s = made.spec;
   if (differs(gear.cut_by->module, s.normal_module))
     return fail("normal_module_mm", *gear.cut_by->module, s.normal_module);
-  if (differs(gear.cut_by->pressure_angle, s.normal_pressure_angle.deg()))
-    return fail("normal_pressure_angle_deg", *gear.cut_by->pressure_angle,
-                s.normal_pressure_angle.deg());
+  if (const auto given = gear.cut_by->pressure_angle;
+      given && differs(given->deg(), s.normal_pressure_angle.deg()))
+    return fail("normal_pressure_angle_deg", given->deg(), s.normal_pressure_angle.deg());
   if (gear.helix_given && differs(gear.cylindrical.helix_angle.deg(), s.helix_angle.deg()))
     return fail("helix_angle_deg", gear.cylindrical.helix_angle.deg(), s.helix_angle.deg());
   return std::nullopt;

@@ -46,7 +46,7 @@ std::optional<Error> out_of_place(const JobSpec& spec) {
   if (spec.pair.shorten_tips || spec.pair.mounting == Mounting::extended)
     return fail(spec.pair.shorten_tips ? "pair.shorten_tips" : "pair.mounting",
                 "few_teeth = true chooses tips and distance; leave this out");
-  if (spec.fit.normal_pressure_angle_deg)
+  if (spec.fit.working_normal_pressure_angle)
     return fail("fit.working_normal_pressure_angle_deg", "has no place beside few_teeth = true");
   if (spec.fit.contact_ratio && *spec.fit.contact_ratio > kMaxContact)
     return fail("fit.contact_ratio", fmt::format("must be at most {}", kMaxContact));
@@ -56,7 +56,7 @@ std::optional<Error> out_of_place(const JobSpec& spec) {
     return fail("gear2.profile_shift", "few_teeth = true chooses this itself; leave it out");
   if (spec.gears[0]->cylindrical.teeth < 0)
     return fail("gear1.teeth", "the ring of an internal pair is gear2; exchange the two tables");
-  if (spec.pair.shaft_angle_deg && *spec.pair.shaft_angle_deg != 0.0)
+  if (spec.pair.shaft_angle && spec.pair.shaft_angle->rad() != 0.0)
     return fail("pair.shaft_angle_deg",
                 "gears of few teeth are designed for parallel axes; leave "
                 "it out");

@@ -34,7 +34,7 @@ Json spec_of(const JobSpec& spec, const FitBranch& b) {
     if (!given.profile_shift) gear["profile_shift"] = b.shift[i];
   }
   if (!spec.pair.center_distance) tree["pair"]["center_distance_mm"] = b.center_distance;
-  if (!spec.pair.shaft_angle_deg || b.shaft_angle == 0.0)
+  if (!spec.pair.shaft_angle || b.shaft_angle == 0.0)
     tree["pair"]["shaft_angle_deg"] = deg(b.shaft_angle);
   tree["pair"].erase("mounting");  // the place is said
   // Tables after plain values, as a TOML file has them.
@@ -125,9 +125,9 @@ Result<FitAnswer> answer_fit(const JobSpec& spec) {
                              p.teeth[1], p.teeth[0])};
   }
   p.center_distance = spec.pair.center_distance;
-  if (spec.pair.shaft_angle_deg) p.shaft_angle = Angle::degrees(*spec.pair.shaft_angle_deg).rad();
-  if (spec.fit.normal_pressure_angle_deg)
-    p.working_normal_pressure_angle = Angle::degrees(*spec.fit.normal_pressure_angle_deg).rad();
+  if (spec.pair.shaft_angle) p.shaft_angle = spec.pair.shaft_angle->rad();
+  if (spec.fit.working_normal_pressure_angle)
+    p.working_normal_pressure_angle = spec.fit.working_normal_pressure_angle->rad();
   auto found = fit(p);
   if (!found) return found.error();
   FitAnswer answer{std::move(found).take(), {}};

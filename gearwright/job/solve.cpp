@@ -85,8 +85,8 @@ Error of_distance(Error error, const JobSpec& spec) {
 }
 
 std::optional<double> shaft_angle(const JobSpec& spec) {
-  if (!spec.pair.shaft_angle_deg) return std::nullopt;
-  return Angle::degrees(*spec.pair.shaft_angle_deg).rad();
+  if (!spec.pair.shaft_angle) return std::nullopt;
+  return spec.pair.shaft_angle->rad();
 }
 
 // Whether the axes cross: the helices decide, and the shaft angle has been checked against them.
@@ -192,7 +192,7 @@ Result<PairSpec> complete_pair(JobSpec& spec, bool shift_wanted) {
   if (!one_rack) {
     if (auto error = needs_one_rack(spec, shift_wanted)) return *error;
   }
-  if (crossed && shift_wanted && !spec.pair.shaft_angle_deg) {
+  if (crossed && shift_wanted && !spec.pair.shaft_angle) {
     // Neither shifts nor angle: the pair whose minimum centre distance this is.
     const auto gears = nominal_base_pair(spec.gears[0]->cylindrical, spec.gears[1]->cylindrical);
     const double given = *spec.pair.center_distance;
@@ -203,7 +203,7 @@ Result<PairSpec> complete_pair(JobSpec& spec, bool shift_wanted) {
                                "it must be greater than {} mm, the sum of the base radii",
                                given, base_radius_sum(gears))};
     }
-    spec.pair.shaft_angle_deg = Angle::radians(crossed_place(gears, *alpha).shaft_angle).deg();
+    spec.pair.shaft_angle = Angle::radians(crossed_place(gears, *alpha).shaft_angle);
     spec.shaft_angle_found = true;
   }
   // Gears of one rack on parallel axes meet at a distance of closed form, to the last digit.
@@ -252,7 +252,7 @@ void collect_warnings(SolvedJob& job) {
   }
   if (!job.pair) return;
   if (job.pair->crossed() &&
-      (job.spec.shaft_angle_found || !job.spec.pair.shaft_angle_deg)) {
+      (job.spec.shaft_angle_found || !job.spec.pair.shaft_angle)) {
     job.warnings.push_back(
         {"default_shaft_angle",
          fmt::format("No shaft_angle_deg given, and these helix angles do not allow parallel axes: "

@@ -37,11 +37,11 @@ std::optional<Error> check_arcs(const JobSpec& spec) {
                      "rack of its own"};
   }
   if (!spec.gears[1]) return std::nullopt;
-  if (spec.pair.shaft_angle_deg && *spec.pair.shaft_angle_deg != 0.0) {
-    return Error{"pair.shaft_angle_deg", fmt::format("{}", *spec.pair.shaft_angle_deg),
+  if (spec.pair.shaft_angle && spec.pair.shaft_angle->rad() != 0.0) {
+    return Error{"pair.shaft_angle_deg", fmt::format("{}", spec.pair.shaft_angle->deg()),
                  fmt::format("pair.shaft_angle_deg = {}: circular-arc gears run on parallel axes; "
                              "leave it out",
-                             *spec.pair.shaft_angle_deg)};
+                             spec.pair.shaft_angle->deg())};
   }
   if (spec.pair.shorten_tips) {
     return Error{"pair.shorten_tips", "true",

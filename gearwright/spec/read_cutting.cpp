@@ -8,9 +8,6 @@ namespace gearwright {
 
 namespace {
 
-// Both fillets have one kind so far.
-void read_kind(TableReader& t) { t.one_of("kind", {"circular"}); }
-
 // Numbers that a gear, its cutter and its mate share: a cutter's table may leave them out.
 Json with_shared_keys(const Json& cutter, const Json& gear, const Json* mate) {
   static const std::vector<std::vector<const char*>> kShared{
@@ -53,35 +50,23 @@ constexpr double kCutterAddendum = 1.25;
 
 void read_fillets(TableReader& gear, GearInput& g) {
   if (const Json* node = gear.table("root_fillet")) {
-    TableReader t(*node, gear.name("root_fillet"));
-    read_kind(t);
-    const auto offset = t.number("offset_mm");
+    TableReader t(root_fillet_keys(), *node, gear.name("root_fillet"));
+    t.word("kind");
+    RootFilletSpec fillet;
+    t.read(fillet);
     t.finish();
-    if (offset && *offset < 0.0) {
-      t.fail("offset_mm",
-             "must not be negative: the fillet begins at the undercut limit or beyond it");
-    }
-    g.cylindrical.root_fillet = RootFilletSpec{offset.value_or(0.0)};
+    g.cylindrical.root_fillet = fillet;
   }
   if (const Json* node = gear.table("tip_fillet")) {
-    TableReader t(*node, gear.name("tip_fillet"));
-    read_kind(t);
-    const auto radius = t.positive("radius_mm");
-    const auto l = t.number("l_mm");
-    g.tip_clearance = t.number("clearance_mm");
+    TableReader t(tip_fillet_keys(), *node, gear.name("tip_fillet"));
+    t.word("kind");
+    TipFilletInput in;
+    t.read(in);
     t.finish();
-    if (g.tip_clearance && *g.tip_clearance < 0.0) {
-      t.fail("clearance_mm", "must not be negative: the tip would cut into the mate's root");
-    }
-    const int given = radius.has_value() + l.has_value() + g.tip_clearance.has_value();
-    if (given > 1) {
-      t.fail(radius && l ? "l_mm" : "clearance_mm",
-             "one of radius_mm, l_mm and clearance_mm says where the fillet begins; leave the "
-             "others out");
-    }
-    if (radius) g.cylindrical.tip_fillet = TipFilletSpec{TipFilletSpec::By::radius, *radius};
-    if (l) g.cylindrical.tip_fillet = TipFilletSpec{TipFilletSpec::By::l, *l};
-    if (given == 0) g.tip_clearance_by_rule = true;
+    g.tip_clearance = in.clearance;
+    if (in.radius) g.cylindrical.tip_fillet = TipFilletSpec{TipFilletSpec::By::radius, *in.radius};
+    if (in.l) g.cylindrical.tip_fillet = TipFilletSpec{TipFilletSpec::By::l, *in.l};
+    g.tip_clearance_by_rule = !in.radius && !in.l && !in.clearance;
   }
 }
 
@@ -101,9 +86,15 @@ void read_cut_by(TableReader& gear, const Json& node, const Json* mate, GearInpu
     cut.gear = name == "gear1" ? 1 : 2;
   } else if (by->is_object()) {
     const std::string path = gear.name("cut_by");
-    if (by->contains("cut_by"))
-      gear.fail("cut_by.cut_by", "a cutter of its own is cut by a rack; leave this out");
-    GearInput cutter = read_gear(with_shared_keys(*by, node, mate), path);
+    for (const auto& [key, why] :
+         {std::pair{"cut_by", "a cutter of its own is cut by a rack; leave this out"},
+          std::pair{"profile_shift_pair", "belongs to the gear that is cut, beside cut_by"},
+          std::pair{"modifications",
+                    "a cutter has no flank modifications; those of the gear that it cuts stand "
+                    "beside cut_by"}}) {
+      if (by->contains(key)) gear.fail(std::string("cut_by.") + key, why);
+    }
+    GearInput cutter = read_gear(cutter_keys(), with_shared_keys(*by, node, mate), path);
     if (cutter.cylindrical.teeth < 0)
       gear.fail("cut_by.teeth", "must be positive: a ring cannot be a pinion cutter");
     if (!by->contains("rack")) cutter.cylindrical.straight_rack().addendum = kCutterAddendum;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearwright/base/units.hpp"
+#include "gearwright/catalogue/rack_keys.hpp"
 #include "gearwright/gear/basic_root.hpp"
 #include "gearwright/spec/once.hpp"
 #include "gearwright/spec/read_arc_rack.hpp"
@@ -21,25 +21,17 @@ StraightRack read_rack(TableReader& gear) {
   if (node->is_string()) {
     const auto rack = iso53_rack(node->get<std::string>());
     if (!rack) {
-      gear.fail("rack",
-                "must be \"ISO53-A\", \"ISO53-B\", \"ISO53-C\", \"ISO53-D\", \"GBT12759\" or a "
-                "table, [" +
-                    gear.name("rack") + "]");
+      gear.fail("rack", fmt::format("must be \"{}\" or a table, [{}]",
+                                    fmt::join(gear.keys().find("rack")->words, "\", \""),
+                                    gear.name("rack")));
     }
     return *rack;
   }
   if (!node->is_object()) gear.fail("rack", "must be a name in quotes or a table");
-  TableReader t(*node, gear.name("rack"));
+  TableReader t(straight_rack_keys(), *node, gear.name("rack"));
   t.any("kind");  // the other kinds are racks of arcs
   StraightRack rack;
-  if (auto v = t.number("addendum")) rack.addendum = *v;
-  if (auto v = t.number("dedendum")) rack.dedendum = *v;
-  if (auto v = t.number("root_fillet_radius")) rack.root_fillet_radius = *v;
-  if (auto v = t.number("tip_fillet_radius")) rack.tip_fillet_radius = *v;
-  rack.tool_addendum = t.number("tool_addendum");
-  if (auto v = t.number("semi_topping_angle_deg")) rack.semi_topping_angle = Angle::degrees(*v);
-  if (auto v = t.number("protuberance")) rack.protuberance = *v;
-  if (auto v = t.number("protuberance_angle_deg")) rack.protuberance_angle = Angle::degrees(*v);
+  t.read(rack);
   t.finish();
   return rack;
 }
@@ -49,33 +41,21 @@ namespace {
 std::optional<Bore> read_bore(TableReader& gear) {
   const Json* node = gear.table("bore");
   if (!node) return std::nullopt;
-  TableReader t(*node, gear.name("bore"));
-  const auto diameter = t.positive("diameter_mm");
-  const auto width = t.positive("keyway_width_mm");
-  const auto depth = t.positive("keyway_depth_mm");
+  TableReader t(bore_keys(), *node, gear.name("bore"));
+  Bore bore{};
+  t.read(bore);
   t.finish();
-  if (!diameter) t.fail("diameter_mm", "is missing: a bore needs its diameter");
-  if (width.has_value() != depth.has_value()) {
-    t.fail(width ? "keyway_depth_mm" : "keyway_width_mm",
-           "is missing: a keyway needs width and depth");
-  }
-  if (width && *width >= *diameter) {
+  if (bore.keyway_width >= bore.diameter) {
     t.fail("keyway_width_mm",
-           fmt::format("must be less than the bore's diameter {} mm", *diameter));
+           fmt::format("must be less than the bore's diameter {} mm", bore.diameter));
   }
-  return Bore{*diameter, width.value_or(0.0), depth.value_or(0.0)};
+  return bore;
 }
 
 std::optional<double> read_helix(TableReader& t) {
   const auto beta = t.number("helix_angle_deg");
   const auto lead = t.number("lead_angle_deg");
-  const auto hand = t.one_of("hand", {"right", "left"});
-  if (beta && !(std::abs(*beta) < 90.0)) {
-    t.fail("helix_angle_deg", "must lie between -90 (left hand) and 90 (right hand)");
-  }
-  if (lead && !(*lead > 0.0 && *lead <= 90.0)) {
-    t.fail("lead_angle_deg", "must be greater than 0 and at most 90 (spur)");
-  }
+  const auto hand = t.word("hand");
   if (lead && !hand && *lead < 90.0) {
     t.fail("lead_angle_deg", "needs hand = \"right\" or \"left\" beside it");
   }
@@ -92,19 +72,13 @@ std::optional<double> read_helix(TableReader& t) {
 void read_measure(TableReader& gear, GearInput& g) {
   const Json* node = gear.table("measure");
   if (!node) return;
-  TableReader t(*node, gear.name("measure"));
-  g.chord_diameter = t.positive("chord_diameter_mm");
-  for (const char* key : {"span_teeth", "ball_diameter_mm", "pin_diameter_mm"}) {
-    if (t.has(key)) g.not_read.push_back(t.name(key));
+  TableReader t(measure_keys(), *node, gear.name("measure"));
+  t.read(g);
+  for (const Key& key : t.keys().keys) {
+    const std::string name(key.key);
+    if (key.kind == KeyKind::any && t.has(name)) g.not_read.push_back(t.name(name));
   }
   t.finish();
-}
-
-std::optional<double> pressure_angle(TableReader& t, const char* key) {
-  const auto value = t.number(key);
-  if (value && !(*value > 0.0 && *value < 90.0))
-    t.fail(key, "must lie between 0 and 90, usually 14.5 to 30");
-  return value;
 }
 
 // α_n of the transverse angle α_t, both in degrees:  tan α_n = tan α_t cos β.
@@ -113,27 +87,13 @@ double normal_of_transverse(double alpha_t, double cos_beta) {
 }
 
 // The gear as itself takes the place of module, helix and shift, which follow for one rack.
-void read_basic(TableReader& gear, GearInput& g, int teeth, const Once& module, const Once& alpha) {
+void read_basic(TableReader& gear, GearInput& g, const Once& module, const Once& alpha) {
   const Json* node = gear.table("basic");
   if (!node) return;
-  TableReader t(*node, gear.name("basic"));
-  const auto d_b = t.positive("base_diameter_mm");
-  const auto s_bt = t.number("base_tooth_thickness_mm");
-  const auto beta_b = t.number("base_helix_angle_deg");
-  const auto d_f = t.positive("root_diameter_mm");
-  const auto d_Ff = t.positive("root_form_diameter_mm");
+  TableReader t(basic_keys(), *node, gear.name("basic"));
+  BasicInput in;
+  t.read(in);
   t.finish();
-  if (!d_b) t.fail("base_diameter_mm", "is missing: the diameter of the base cylinder");
-  if (!s_bt)
-    t.fail("base_tooth_thickness_mm",
-           "is missing: the transverse tooth thickness (arc) on the base cylinder");
-  if (d_Ff && !d_f) {
-    t.fail("root_diameter_mm", "is missing: root_form_diameter_mm needs it beside it");
-  }
-  if (!(std::abs(beta_b.value_or(0.0)) < 89.0)) {
-    t.fail("base_helix_angle_deg",
-           "must lie between -89 and 89: steeper, no rack of 1° and more describes the gear");
-  }
   for (const char* key : {"transverse_module_mm", "transverse_pressure_angle_deg"}) {
     if (gear.has(key))
       gear.fail(key, "has no place beside [" + gear.name("basic") +
@@ -145,7 +105,8 @@ void read_basic(TableReader& gear, GearInput& g, int teeth, const Once& module, 
               "has no place beside [" + gear.name("basic") +
                   "], whose thickness is that of the tooth as cut; leave it out");
   }
-  const BaseGear<double> base{teeth, *d_b / 2, *s_bt, Angle::degrees(beta_b.value_or(0.0)).rad()};
+  const BaseGear<double> base{g.cylindrical.teeth, in.base_diameter / 2, in.base_tooth_thickness,
+                              in.base_helix_angle.rad()};
   const double m_cos_alpha = normal_base_pitch(base) / std::numbers::pi;
   double alpha_n = Angle::degrees(alpha.value().value_or(20.0)).rad();
   if (module.value()) {
@@ -166,8 +127,8 @@ void read_basic(TableReader& gear, GearInput& g, int teeth, const Once& module, 
     gear.fail("normal_pressure_angle_deg",
               fmt::format(
                   "{:.9g}° has no rack with the base helix angle {}°; it must be less than {:.9g}°",
-                  Angle::radians(alpha_n).deg(), beta_b.value_or(0.0),
-                  90.0 - std::abs(beta_b.value_or(0.0))));
+                  Angle::radians(alpha_n).deg(), in.base_helix_angle.deg(),
+                  90.0 - std::abs(in.base_helix_angle.deg())));
   }
   const ReferenceInput<double> rack = as_rack(base, alpha_n);
   const auto agrees = [&](const char* key, const std::optional<double>& given, double value) {
@@ -186,9 +147,9 @@ void read_basic(TableReader& gear, GearInput& g, int teeth, const Once& module, 
   g.helix_given = true;
   g.profile_shift = rack.profile_shift;
   g.basic = base;
-  if (!d_f) return;
+  if (!in.root_diameter) return;
   c.profile_shift = rack.profile_shift;
-  auto leaving = rack_leaving_root(c, *d_f, d_Ff);
+  auto leaving = rack_leaving_root(c, *in.root_diameter, in.root_form_diameter);
   if (!leaving) {
     const Error& e = leaving.error();
     throw SpecError{{t.name(e.key), e.value, t.name(e.message)}};
@@ -198,60 +159,49 @@ void read_basic(TableReader& gear, GearInput& g, int teeth, const Once& module, 
 
 }  // namespace
 
-GearInput read_gear(const Json& node, const std::string& path, const Json* mate,
-                    const std::filesystem::path& folder) {
-  TableReader t(node, path);
+GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& path,
+                    const Json* mate, const std::filesystem::path& folder) {
+  TableReader t(keys, node, path);
   GearInput g;
+  t.read(g);
   CylindricalSpec& c = g.cylindrical;
-  const auto teeth = t.integer("teeth");
-  if (teeth && *teeth == 0) t.fail("teeth", "must not be 0; negative for an internal gear (ring)");
   const auto helix = read_helix(t);
   g.helix_given = helix.has_value();
   c.helix_angle = Angle::degrees(helix.value_or(0.0));
   const double cos_beta = std::cos(c.helix_angle.rad());
   Once module(t, "module");
-  module.offer("normal_module_mm", t.positive("normal_module_mm"));
-  const auto pitch = t.positive("normal_diametral_pitch_per_in");
+  module.offer("normal_module_mm", t.number("normal_module_mm"));
+  const auto pitch = t.number("normal_diametral_pitch_per_in");
   module.offer("normal_diametral_pitch_per_in",
-               pitch ? std::optional(kMmPerInch / *pitch) : std::nullopt);
-  const auto m_t = t.positive("transverse_module_mm");
+               pitch ? std::optional(25.4 / *pitch) : std::nullopt);
+  const auto m_t = t.number("transverse_module_mm");
   module.offer("transverse_module_mm", m_t ? std::optional(*m_t * cos_beta) : std::nullopt);
   Once alpha(t, "pressure angle");
-  alpha.offer("normal_pressure_angle_deg", pressure_angle(t, "normal_pressure_angle_deg"));
-  const auto alpha_t = pressure_angle(t, "transverse_pressure_angle_deg");
+  alpha.offer("normal_pressure_angle_deg", t.number("normal_pressure_angle_deg"));
+  const auto alpha_t = t.number("transverse_pressure_angle_deg");
   alpha.offer("transverse_pressure_angle_deg",
               alpha_t ? std::optional(normal_of_transverse(*alpha_t, cos_beta)) : std::nullopt);
   c.normal_pressure_angle = Angle::degrees(alpha.value().value_or(20.0));
-  g.profile_shift = t.number("profile_shift");
-  c.thickness_allowance = t.number("thickness_allowance_mm").value_or(0.0);
-  const auto face = t.positive("face_width_mm");
-  c.tip_diameter = t.positive("tip_diameter_mm");
+  const auto face = t.number("face_width_mm");
   const auto arcs = read_arc_rack(t, module);
   c.rack = arcs ? *arcs : Rack(read_rack(t));
   read_fillets(t, g);
-  if (const Json* by = t.any("cut_by"); by && by->is_object() && by->contains("modifications")) {
-    t.fail(
-        "cut_by.modifications",
-        "a cutter has no flank modifications; those of the gear that it cuts stand beside cut_by");
+  if (keys.find("cut_by")) {
+    read_cut_by(t, node, mate, g);
+    g.modifications = read_modifications(t, folder);
   }
-  read_cut_by(t, node, mate, g);
-  g.modifications = read_modifications(t, folder);
   g.bore = read_bore(t);
   read_measure(t, g);
   if (t.has("measured")) g.not_read.push_back("[" + t.name("measured") + "]");
-  if (teeth) {
-    c.teeth = *teeth;
-    read_basic(t, g, *teeth, module, alpha);
+  if (t.has("teeth")) {
+    read_basic(t, g, module, alpha);
   } else {
     t.table("basic");
   }
   t.finish();
-  // A misspelt key is named before the one that is missing because of it.
-  if (!teeth)
-    t.fail("teeth", "is missing: the number of teeth, negative for an internal gear (ring)");
   if (g.cut_by) {
     g.cut_by->module = module.value();
-    g.cut_by->pressure_angle = alpha.value();
+    if (alpha.value()) g.cut_by->pressure_angle = Angle::degrees(*alpha.value());
     c.normal_module = module.value().value_or(0.0);
   } else if (!g.basic) {
     c.normal_module = module.required();

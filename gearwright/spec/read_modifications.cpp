@@ -12,6 +12,7 @@
 
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/catalogue/modification_keys.hpp"
 
 namespace gearwright {
 
@@ -23,7 +24,6 @@ constexpr double kMaxNumber = 1e9;  // of any number of a spec, in its unit
 // Two lines of a grid nearer to each other than this, over the range, are one line measured twice:
 // the spline between them would make a slope of what is noise.
 constexpr double kMinStep = 1e-4;
-constexpr std::array<const char*, 2> kSides{"right_", "left_"};
 
 // A key's values: for both flanks (0), for the right one (1) and for the left one (2).
 template <class T>
@@ -31,7 +31,9 @@ struct Sided {
   std::string key;
   std::array<std::optional<T>, 3> given;
 
-  std::string name(std::size_t which) const { return which == 0 ? key : kSides[which - 1] + key; }
+  std::string name(std::size_t which) const {
+    return which == 0 ? key : std::string(kFlankSides[which - 1]) + key;
+  }
   /// Which of the three counts for a flank (0 right, 1 left).
   std::size_t which(std::size_t flank) const { return given[flank + 1] ? flank + 1 : 0; }
   const std::optional<T>& of(std::size_t flank) const { return given[which(flank)]; }
@@ -64,12 +66,10 @@ struct ReliefInput {
   Sided<std::string> shape;
 };
 
-ReliefInput read_relief(TableReader& t, const std::string& name, const std::string& reach) {
-  return {read_number(t, name + "_um"),
-          read_sided(t, name + reach, [&](const std::string& k) { return t.positive(k); }),
-          read_sided(t, name + "_shape", [&](const std::string& k) {
-            return t.one_of(k, {"linear", "parabolic"});
-          })};
+ReliefInput read_relief(TableReader& t, const ModificationEntry& m) {
+  const std::string name(m.name);
+  return {read_number(t, name + "_um"), read_number(t, name + std::string(m.reach)),
+          read_sided(t, name + "_shape", [&](const std::string& k) { return t.word(k); })};
 }
 
 // A start or a shape of a relief that neither of its flanks has would be lost without a word.
@@ -91,14 +91,9 @@ void take_relief(const TableReader& t, const ReliefInput& in, Relief FlankModifi
   for (std::size_t flank = 0; flank < 2; ++flank) {
     const auto& amount = in.amount.of(flank);
     if (!amount) continue;
-    const std::string name = in.amount.name(in.amount.which(flank));
-    if (*amount < 0.0) {
-      t.fail(name,
-             "must not be negative: a relief takes material away; crownings may be negative "
-             "(hollow)");
-    }
     if (*amount > 0.0 && !in.reach.of(flank)) {
-      t.fail(in.reach.key, "is missing: " + name + " needs it beside it");
+      t.fail(in.reach.key,
+             "is missing: " + in.amount.name(in.amount.which(flank)) + " needs it beside it");
     }
     const auto& shape = in.shape.of(flank);
     flanks[flank].*
@@ -271,24 +266,22 @@ std::array<FlankModifications, 2> read_modifications(TableReader& gear, const fs
   std::array<FlankModifications, 2> flanks;
   const Json* node = gear.table("modifications");
   if (!node) return flanks;
-  TableReader t(*node, gear.name("modifications"));
-  const ReliefInput tip = read_relief(t, "tip_relief", "_start_mm");
-  const ReliefInput root = read_relief(t, "root_relief", "_start_mm");
-  const ReliefInput end = read_relief(t, "end_relief", "_length_mm");
-  const std::array<std::pair<Sided<double>, double FlankModifications::*>, 4> plain{{
-      {read_number(t, "profile_crowning_um"), &FlankModifications::profile_crowning},
-      {read_number(t, "profile_slope_um"), &FlankModifications::profile_slope},
-      {read_number(t, "lead_crowning_um"), &FlankModifications::lead_crowning},
-      {read_number(t, "lead_slope_um"), &FlankModifications::lead_slope},
-  }};
+  TableReader t(modification_keys(), *node, gear.name("modifications"));
+  std::vector<std::pair<const ModificationEntry*, ReliefInput>> reliefs;
+  std::vector<std::pair<const ModificationEntry*, Sided<double>>> plain;
+  for (const ModificationEntry& m : modification_entries()) {
+    if (m.relief) {
+      reliefs.emplace_back(&m, read_relief(t, m));
+    } else {
+      plain.emplace_back(&m, read_number(t, std::string(m.name) + "_um"));
+    }
+  }
   const auto file = read_sided(t, "topography", [&](const std::string& k) { return t.text(k); });
   t.finish();
-  take_relief(t, tip, &FlankModifications::tip_relief, flanks);
-  take_relief(t, root, &FlankModifications::root_relief, flanks);
-  take_relief(t, end, &FlankModifications::end_relief, flanks);
-  for (const auto& [input, member] : plain) {
+  for (const auto& [m, input] : reliefs) take_relief(t, input, m->relief, flanks);
+  for (const auto& [m, input] : plain) {
     for (std::size_t flank = 0; flank < 2; ++flank)
-      flanks[flank].*member = input.of(flank).value_or(0.0) / kUmPerMm;
+      flanks[flank].*(m->amount) = input.of(flank).value_or(0.0) / kUmPerMm;
     note_own_keys(input, flanks);
   }
   for (std::size_t i = 0; i < 3; ++i) {

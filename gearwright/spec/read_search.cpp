@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "gearwright/catalogue/search_keys.hpp"
 #include "gearwright/design/search_space.hpp"
 #include "gearwright/spec/read_gear.hpp"
 
@@ -21,44 +22,11 @@ const std::vector<double>& iso54_modules(int series) {
 
 namespace {
 
-constexpr double kMinShiftStep = 0.0025;     // half a million points of a wide region
-constexpr std::size_t kMaxValues = 100'000;  // of one list or band
+constexpr std::size_t kMaxAngles = 100'000;  // of a band with a step
 
-// JSON has no word for nan and inf.
-std::string shown(const Json& value) {
-  return value.is_number_float() ? fmt::format("{}", value.get<double>())
-                                 : printable(value.dump(), 60);
-}
-
-// Numbers of a list, or one number as a list of one; none: the key is absent.
-std::optional<std::vector<double>> numbers(TableReader& t, const std::string& key,
-                                           const std::string& form) {
-  const Json* node = t.any(key);
-  if (!node) return std::nullopt;
-  std::vector<double> values;
-  const auto take = [&](const Json& item) {
-    if (!item.is_number() || !std::isfinite(item.get<double>()))
-      t.fail(key, "must be " + form + "; " + shown(item) + " is no number");
-    values.push_back(item.get<double>());
-  };
-  if (node->is_array()) {
-    if (node->size() > kMaxValues)
-      t.fail(key, fmt::format("has {} values; at most {}", node->size(), kMaxValues));
-    for (const Json& item : *node) take(item);
-  } else {
-    take(*node);
-  }
-  if (values.empty()) t.fail(key, "is an empty list; it must be " + form);
-  return values;
-}
-
-std::optional<std::array<double, 2>> band(TableReader& t, const std::string& key,
-                                          const std::string& what) {
-  const std::string form = fmt::format("{}, or a band [least, greatest]", what);
-  const auto values = numbers(t, key, form);
+std::optional<std::array<double, 2>> band(TableReader& t, const std::string& key) {
+  const auto values = t.numbers(key);
   if (!values) return std::nullopt;
-  if (values->size() > 2)
-    t.fail(key, fmt::format("has {} values; it must be {}", values->size(), form));
   const std::array<double, 2> b{values->front(), values->back()};
   if (b[0] > b[1]) {
     t.fail(key, fmt::format("is an empty band: nothing lies between {} and {}; the least value "
@@ -69,70 +37,61 @@ std::optional<std::array<double, 2>> band(TableReader& t, const std::string& key
 }
 
 std::vector<double> read_modules(TableReader& t) {
-  const Json* node = t.any("modules_mm");
-  const char* form =
-      "\"ISO54-I\", \"ISO54-I+II\", \"ISO54-II\", a number or a list of numbers in mm";
-  if (!node) t.fail("modules_mm", fmt::format("is missing; it may be {}", form));
+  t.require("modules_mm");
+  const Json& node = *t.any("modules_mm");
   std::vector<double> modules;
-  if (node->is_string()) {
-    const auto name = node->get<std::string>();
+  if (node.is_string()) {
+    const auto name = node.get<std::string>();
     if (name == "ISO54-I" || name == "ISO54-I+II") modules = iso54_modules(1);
     if (name == "ISO54-II" || name == "ISO54-I+II") {
       modules.insert(modules.end(), iso54_modules(2).begin(), iso54_modules(2).end());
     }
-    if (modules.empty()) t.fail("modules_mm", fmt::format("must be {}", form));
+    if (modules.empty()) t.fail("modules_mm", "must be " + form_of(*t.keys().find("modules_mm")));
   } else {
-    modules = *numbers(t, "modules_mm", form);
+    modules = *t.numbers("modules_mm");
   }
   std::sort(modules.begin(), modules.end());
   if (!(modules.front() > 0.0))
     t.fail("modules_mm",
            fmt::format("{} cannot be a module; modules are greater than 0 mm", modules.front()));
-  if (modules.front() < 1e-3 || modules.back() > 1e3)
-    t.fail("modules_mm", "must lie between 0.001 and 1000 mm");
+  t.check("modules_mm", modules.front());
+  t.check("modules_mm", modules.back());
   const auto twice = std::adjacent_find(modules.begin(), modules.end());
   if (twice != modules.end()) t.fail("modules_mm", fmt::format("names {} twice", *twice));
   return modules;
 }
 
 void read_teeth(TableReader& t, SearchProblem& p) {
-  const auto ratio = band(t, "ratio", "z2/z1, one number");
-  if (!ratio) {
-    t.fail("ratio",
-           "is missing: the band of z2/z1, [1.9, 2.1]; negative for internal pairs, "
-           "[-5, -4]");
-  }
-  p.ratio = *ratio;
+  t.require("ratio");
+  p.ratio = *band(t, "ratio");
   if (p.ratio[0] < 0.0 && p.ratio[1] >= 0.0)
     t.fail("ratio", "must not pass 0: positive for external pairs, negative for internal ones");
   if (p.ratio[0] >= 0.0 && p.ratio[1] < 1.0)
     t.fail("ratio", "must reach 1: the ratio is z2/z1, and gear 2 is the one with more teeth");
   if (p.ratio[0] < 0.0 && p.ratio[0] >= -1.0)
     t.fail("ratio", "must pass -1: a ring has more teeth than its pinion");
-  const auto z1 = band(t, "pinion_teeth", "z1, a whole number");
-  if (!z1) t.fail("pinion_teeth", "is missing: the band of z1, [12, 40]");
-  for (const double z : *z1) {
+  t.require("pinion_teeth");
+  const auto z1 = *band(t, "pinion_teeth");
+  for (const double z : z1) {
     if (z != std::floor(z)) t.fail("pinion_teeth", "must be whole numbers");
-    if (!(z >= 3.0 && z <= kMaxSearchTeeth))
-      t.fail("pinion_teeth", fmt::format("must lie between 3 and {}", kMaxSearchTeeth));
+    t.check("pinion_teeth", z);
   }
-  p.pinion_teeth = {static_cast<int>((*z1)[0]), static_cast<int>((*z1)[1])};
-  const double most = std::max(std::abs(p.ratio[0]), std::abs(p.ratio[1])) * (*z1)[1];
+  p.pinion_teeth = {static_cast<int>(z1[0]), static_cast<int>(z1[1])};
+  const double most = std::max(std::abs(p.ratio[0]), std::abs(p.ratio[1])) * z1[1];
   if (!(most <= kMaxSearchTeeth)) {
     t.fail("ratio",
            fmt::format("with pinion_teeth up to {} reaches wheels of {:.6g} teeth; at most "
                        "{}: narrow one of them",
                        p.pinion_teeth[1], most, kMaxSearchTeeth));
   }
-  p.coprime = t.boolean("coprime").value_or(false);
-  p.target_ratio = t.number("target_ratio").value_or((p.ratio[0] + p.ratio[1]) / 2.0);
+  if (!t.has("target_ratio")) p.target_ratio = (p.ratio[0] + p.ratio[1]) / 2.0;
 }
 
 // One angle, a band with a step, or a list.
 void read_helix(TableReader& t, SearchProblem& p, double of_gear_deg) {
-  const auto b = band(t, "helix_angle_deg", "an angle");
-  const auto step = t.positive("helix_step_deg");
-  const auto list = numbers(t, "helix_angles_deg", "a list of angles");
+  const auto b = band(t, "helix_angle_deg");
+  const auto step = t.number("helix_step_deg");
+  const auto list = t.numbers("helix_angles_deg");
   if (b && list) t.fail("helix_angles_deg", "contradicts helix_angle_deg; leave one out");
   std::vector<double> degrees{of_gear_deg};
   if (list) degrees = *list;
@@ -140,9 +99,9 @@ void read_helix(TableReader& t, SearchProblem& p, double of_gear_deg) {
     degrees.clear();
     const double h = step.value_or(1.0);
     const double count = std::floor(((*b)[1] - (*b)[0]) / h + 1e-9);
-    if (!(count < kMaxValues))
+    if (!(count < kMaxAngles))
       t.fail("helix_step_deg",
-             fmt::format("makes {:.6g} angles of the band; at most {}", count + 1, kMaxValues));
+             fmt::format("makes {:.6g} angles of the band; at most {}", count + 1, kMaxAngles));
     for (int i = 0; i <= static_cast<int>(count); ++i) degrees.push_back((*b)[0] + i * h);
     // The band's own end, unless a step has just reached it.
     if (degrees.back() < (*b)[1] - 1e-9 * h) degrees.push_back((*b)[1]);
@@ -156,7 +115,7 @@ void read_helix(TableReader& t, SearchProblem& p, double of_gear_deg) {
     t.fail(key, fmt::format("names {} twice", *twice));
   p.helix.clear();
   for (const double beta : degrees) {
-    if (!(std::abs(beta) < 89.0)) t.fail(key, "must lie between -89 and 89");
+    t.check(key, beta);
     if (p.shaft_angle && !(std::abs(Angle::radians(*p.shaft_angle).deg() - beta) < 89.0)) {
       t.fail(key, fmt::format("{} leaves gear 2 the helix angle {}, beyond 89; gear 2 has the "
                               "shaft angle less this one",
@@ -166,30 +125,16 @@ void read_helix(TableReader& t, SearchProblem& p, double of_gear_deg) {
   }
 }
 
-std::optional<double> within(TableReader& t, const char* key, double least, double most) {
-  const auto value = t.number(key);
-  if (value && !(*value >= least && *value <= most))
-    t.fail(key, fmt::format("must lie between {} and {}", least, most));
-  return value;
-}
-
 void read_limits(TableReader& t, SearchProblem& p) {
   SearchLimits& l = p.limits;
-  if (const auto shifts = band(t, "profile_shift", "floor and ceiling of x")) {
-    if (t.any("profile_shift")->is_number())
-      t.fail("profile_shift", "must be a band [floor, ceiling]; a search finds the shifts");
+  if (t.any("profile_shift") && t.any("profile_shift")->is_number())
+    t.fail("profile_shift", "must be a band [floor, ceiling]; a search finds the shifts");
+  if (const auto shifts = band(t, "profile_shift")) {
     l.min_shift = (*shifts)[0];
     l.max_shift = (*shifts)[1];
   }
-  l.undercut_margin = within(t, "undercut_margin", -5.0, 5.0).value_or(0.0);
-  l.contact_ratio = within(t, "contact_ratio_min", 0.0, 10.0).value_or(1.2);
-  l.tip_thickness = within(t, "tip_thickness_min", 0.0, 1.5).value_or(0.2);
-  l.overlap_ratio = within(t, "overlap_ratio_min", 0.0, 1000.0);
-  l.sliding = within(t, "sliding_max", 0.0, 1000.0);
   if (l.sliding && p.crossed())
     t.fail("sliding_max", "is not known on crossed axes, where teeth slide along each other too");
-  l.tip_clearance = within(t, "tip_clearance_min", -1.0, 1.0);
-  l.avoid_interference = t.boolean("avoid_interference").value_or(false);
 }
 
 void read_objectives(TableReader& t, SearchProblem& p) {
@@ -208,9 +153,9 @@ void read_objectives(TableReader& t, SearchProblem& p) {
     const std::string word = item.is_string() ? item.get<std::string>() : shown(item);
     const auto at = std::find(known.begin(), known.end(), word);
     if (at == known.end()) {
-      t.fail("objective", fmt::format("does not know {}; did you mean {}? (contact_ratio, ratio, "
-                                      "size, shift, area, sliding, or a list of them)",
-                                      printable(word, 60), nearest_word(word, known)));
+      t.fail("objective",
+             fmt::format("does not know {}; did you mean {}? ({}, or a list of them)",
+                         printable(word, 60), nearest_word(word, known), fmt::join(known, ", ")));
     }
     const auto objective = static_cast<Objective>(at - known.begin());
     if (std::find(p.objectives.begin(), p.objectives.end(), objective) != p.objectives.end())
@@ -230,13 +175,21 @@ struct Blank {
 Blank read_blank(const Json* node, const std::string& path) {
   Blank b;
   if (!node) return b;
-  TableReader t(*node, path);
-  const bool whole = t.has("teeth");  // a gear of its own, which the search may start from
+  const bool whole = node->contains("teeth");  // a gear of its own, which the search may start from
+  if (!whole) {
+    for (const Key& key : gear_keys().keys) {
+      const std::string name(key.key);
+      if (blank_keys().find(name) || !node->contains(name)) continue;
+      TableReader(gear_keys(), *node, path)
+          .fail(name, fmt::format("is found by the search, or belongs to a gear with teeth; beside "
+                                  "[search], [{}] may say {}",
+                                  path, fmt::join(blank_keys().names(), ", ")));
+    }
+  }
+  TableReader t(whole ? gear_keys() : blank_keys(), *node, path);
   b.alpha_deg = t.number("normal_pressure_angle_deg");
-  if (b.alpha_deg && !(*b.alpha_deg >= 1.0 && *b.alpha_deg <= 60.0))
-    t.fail("normal_pressure_angle_deg", "must lie between 1 and 60, usually 14.5 to 30");
   b.helix_deg = t.number("helix_angle_deg");
-  b.face_mm = t.positive("face_width_mm");
+  b.face_mm = t.number("face_width_mm");
   if (const Json* rack = t.any("rack");
       rack && rack->is_object() && rack->contains("kind") && (*rack)["kind"] != "straight") {
     t.fail("rack.kind", "must be \"straight\" (or absent): a search is about involute gears");
@@ -248,15 +201,7 @@ Blank read_blank(const Json* node, const std::string& path) {
            "has a protuberance, tip rounding or chamfer, which a search does not know: it "
            "takes straight flanks up to the tip. Search without, then put it into the pair");
   }
-  if (whole) return b;
-  for (const char* key : {"normal_module_mm", "profile_shift", "tip_diameter_mm",
-                          "transverse_module_mm", "normal_diametral_pitch_per_in", "cut_by"}) {
-    if (t.has(key))
-      t.fail(key, fmt::format("is found by the search; beside [search], [{}] may say "
-                              "normal_pressure_angle_deg, helix_angle_deg, rack and face_width_mm",
-                              path));
-  }
-  t.finish();
+  if (!whole) t.finish();
   return b;
 }
 
@@ -270,7 +215,7 @@ double straight_depth(const StraightRack& rack, double alpha_n) {
 
 // The racks to try, each for both gears.
 void read_racks(TableReader& t, SearchProblem& p, const std::array<Blank, 2>& blanks) {
-  const auto depth = within(t, "undercut_depth", 0.0, 3.0);
+  const auto depth = t.number("undercut_depth");
   const Json* list = t.any("racks");
   std::vector<std::array<std::optional<StraightRack>, 2>> wanted;
   if (!list) {
@@ -279,8 +224,9 @@ void read_racks(TableReader& t, SearchProblem& p, const std::array<Blank, 2>& bl
   } else {
     if (blanks[0].rack || blanks[1].rack)
       t.fail("racks", "contradicts the rack of a gear; leave one out");
-    if (!list->is_array() || list->empty() || list->size() > 4)
-      t.fail("racks", "must be a list of names, [\"ISO53-A\", \"ISO53-C\"]");
+    const Key& key = *t.keys().find("racks");
+    if (!list->is_array() || list->empty() || list->size() > key.list->most)
+      t.fail("racks", "must be " + form_of(key));
     for (const Json& item : *list) {
       const auto rack = item.is_string() ? iso53_rack(item.get<std::string>()) : std::nullopt;
       if (std::count(list->begin(), list->end(), item) > 1)
@@ -311,8 +257,9 @@ void read_racks(TableReader& t, SearchProblem& p, const std::array<Blank, 2>& bl
 }  // namespace
 
 SearchProblem read_search(const Json& search, const Json* gear_1, const Json* gear_2) {
-  TableReader t(search, "search");
+  TableReader t(search_keys(), search, "search");
   SearchProblem p;
+  t.read(p);
   const std::array<Blank, 2> blanks{read_blank(gear_1, "gear1"), read_blank(gear_2, "gear2")};
   const double alpha = blanks[0].alpha_deg.value_or(blanks[1].alpha_deg.value_or(20.0));
   if (blanks[1].alpha_deg && *blanks[1].alpha_deg != alpha) {
@@ -324,13 +271,13 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
   }
   p.normal_pressure_angle = Angle::degrees(alpha).rad();
   read_teeth(t, p);
-  if (const auto distance = band(t, "center_distance_mm", "a distance in mm")) {
-    if (!((*distance)[0] > 0.0)) t.fail("center_distance_mm", "must be greater than 0");
+  if (const auto distance = band(t, "center_distance_mm")) {
+    t.check("center_distance_mm", (*distance)[0]);
     p.center_distance = distance;
   }
   p.modules = read_modules(t);
   if (const auto sigma = t.number("shaft_angle_deg"); sigma && *sigma != 0.0) {
-    if (!(std::abs(*sigma) < 178.0 && std::abs(*sigma) >= 0.1)) {
+    if (!(std::abs(*sigma) >= 0.1)) {
       t.fail("shaft_angle_deg",
              "must be 0 (parallel axes) or lie between 0.1 and 178, of either sign");
     }
@@ -343,19 +290,15 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
   const double half = p.shaft_angle ? Angle::radians(*p.shaft_angle).deg() / 2.0 : 0.0;
   read_helix(t, p, blanks[0].helix_deg.value_or(half));
   read_racks(t, p, blanks);
-  const auto face = t.positive("face_width_mm");
-  p.face_width = face ? face : blanks[0].face_mm;
-  const auto mounting = t.one_of("mounting", {"extended", "tight"});
+  if (!p.face_width) p.face_width = blanks[0].face_mm;
+  const auto mounting = t.word("mounting");
   p.mounting = mounting && *mounting == "tight" ? Mounting::tight : Mounting::extended;
-  p.shorten_tips = t.boolean("shorten_tips").value_or(false);
   if (p.shorten_tips && (p.mounting != Mounting::tight || p.crossed())) {
     t.fail("shorten_tips",
            "needs mounting = \"tight\" on parallel axes: at extended centres the "
            "clearance is whole");
   }
   read_limits(t, p);
-  p.shift_step = within(t, "shift_step", kMinShiftStep, 1.0);
-  p.lambda = within(t, "lambda", -10.0, 10.0).value_or(0.625);
   read_objectives(t, p);
   t.finish();
   return p;

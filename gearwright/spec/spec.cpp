@@ -17,6 +17,7 @@
 #include <sstream>
 
 #include "gearwright/base/output_file.hpp"
+#include "gearwright/catalogue/spec_keys.hpp"
 #include "gearwright/spec/read_contact.hpp"
 #include "gearwright/spec/read_gear.hpp"
 #include "gearwright/spec/read_search.hpp"
@@ -91,51 +92,28 @@ std::optional<int> deep_line(std::string_view text) {
 }
 
 PairInput read_pair(const Json& node) {
-  TableReader t(node, "pair");
+  TableReader t(pair_keys(), node, "pair");
   PairInput p;
-  p.center_distance = t.positive("center_distance_mm");
-  const auto mounting = t.one_of("mounting", {"tight", "extended"});
-  if (mounting && *mounting == "extended") p.mounting = Mounting::extended;
-  p.shorten_tips = t.boolean("shorten_tips").value_or(false);
-  p.shaft_angle_deg = t.number("shaft_angle_deg");
-  if (p.shaft_angle_deg && !(std::abs(*p.shaft_angle_deg) < 180.0)) {
-    t.fail("shaft_angle_deg", "must lie between -180 and 180 (> 0: right hands prevail)");
-  }
-  p.friction_coefficient = t.number("friction_coefficient");
-  if (p.friction_coefficient &&
-      !(*p.friction_coefficient >= 0.0 && *p.friction_coefficient < 1.0)) {
-    t.fail("friction_coefficient", "must be 0 or greater and less than 1, usually 0.03 to 0.1");
-  }
+  t.read(p);
   t.finish();
   return p;
 }
 
 FitInput read_fit(const Json& node) {
-  TableReader t(node, "fit");
+  TableReader t(fit_keys(), node, "fit");
   FitInput f;
-  f.normal_pressure_angle_deg = t.number("working_normal_pressure_angle_deg");
-  if (f.normal_pressure_angle_deg &&
-      !(*f.normal_pressure_angle_deg >= 1.0 && *f.normal_pressure_angle_deg <= 80.0)) {
-    t.fail("working_normal_pressure_angle_deg", "must lie between 1 and 80, usually 14.5 to 30");
+  t.read(f);
+  for (const Key& key : fit_keys().keys) {
+    const std::string name(key.key);
+    if (!f.few_teeth && !key.needs.empty() && t.has(name))
+      t.fail(name, "belongs to few_teeth = true");
   }
-  f.few_teeth = t.boolean("few_teeth").value_or(false);
-  const auto not_negative = [&](const char* key) {
-    const auto v = t.number(key);
-    if (v && *v < 0.0) t.fail(key, "must not be negative");
-    if (v && !f.few_teeth) t.fail(key, "belongs to few_teeth = true");
-    return v;
-  };
-  f.min_tip_land = not_negative("least_tip_land_mm");
-  f.min_gap = not_negative("least_gap_mm");
-  f.clearance = not_negative("clearance_mm");
-  f.backlash = not_negative("backlash_mm");
-  f.contact_ratio = not_negative("contact_ratio");
   t.finish();
   return f;
 }
 
 JobSpec read_tree(const Json& tree, const std::filesystem::path& folder) {
-  TableReader t(tree, "");
+  TableReader t(spec_keys(), tree, "");
   JobSpec spec;
   spec.tree = tree.dump(-1, ' ', false, Json::error_handler_t::replace);
   spec.title = t.text("title").value_or("");
@@ -146,8 +124,8 @@ JobSpec read_tree(const Json& tree, const std::filesystem::path& folder) {
   const auto is_gear = [&](const Json* gear) {
     return gear && (!search || gear->contains("teeth"));
   };
-  if (is_gear(gear_1)) spec.gears[0] = read_gear(*gear_1, "gear1", gear_2, folder);
-  if (is_gear(gear_2)) spec.gears[1] = read_gear(*gear_2, "gear2", gear_1, folder);
+  if (is_gear(gear_1)) spec.gears[0] = read_gear(gear_keys(), *gear_1, "gear1", gear_2, folder);
+  if (is_gear(gear_2)) spec.gears[1] = read_gear(gear_keys(), *gear_2, "gear2", gear_1, folder);
   if (search) spec.search = read_search(*search, gear_1, gear_2);
   if (const Json* node = t.table("pair")) spec.pair = read_pair(*node);
   if (const Json* node = t.table("fit")) spec.fit = read_fit(*node);

@@ -4,45 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
 namespace gearwright {
 
 namespace {
 
-constexpr double kMaxNumber = 1e9;  // of any quantity of a spec, in its unit
-
-// A value as a person wrote it, cut to a length that fits a sentence.
-std::string show(const Json& value) {
-  if (value.is_number_float()) return fmt::format("{}", value.get<double>());  // nan and inf too
-  if (value.is_object()) return "(a table)";
-  if (value.is_array()) {
-    // As it was written, if it is short enough for a sentence; JSON has no word for nan and inf.
-    std::string list;
-    for (const Json& item : value) {
-      list += list.empty() ? "[" : ", ";
-      list += item.is_structured() ? (item.is_array() ? "(a list)" : "(a table)") : show(item);
-      if (list.size() > 60) return "(a list)";
-    }
-    return list.empty() ? "[]" : list + "]";
-  }
-  return printable(value.dump(-1, ' ', false, Json::error_handler_t::replace), 60);
-}
-
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t above = row[j];
-      row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
-      diagonal = above;
-    }
-  }
-  return row[b.size()];
+std::string missing(const Key& key) {
+  const std::string may_be = key.form.empty() ? "" : "; it may be " + key.form;
+  return "is missing: " + plain_words(key.meaning) + may_be;
 }
 
 }  // namespace
@@ -78,33 +47,41 @@ std::string printable(const std::string& text, std::size_t most) {
   return out.size() < most ? out : out + "...";
 }
 
-std::string nearest_word(const std::string& word, const std::vector<std::string>& known) {
-  std::string best;
-  std::size_t least = std::numeric_limits<std::size_t>::max();
-  const std::string cut = word.substr(0, 80);
-  for (const std::string& k : known) {
-    const std::size_t d = edit_distance(cut, k);
-    if (d < least) {
-      least = d;
-      best = k;
+std::string shown(const Json& value) {
+  if (value.is_number_float()) return fmt::format("{}", value.get<double>());  // nan and inf too
+  if (value.is_object()) return "(a table)";
+  if (value.is_array()) {
+    // As it was written, if it is short enough for a sentence; JSON has no word for nan and inf.
+    std::string list;
+    for (const Json& item : value) {
+      list += list.empty() ? "[" : ", ";
+      list += item.is_structured() ? (item.is_array() ? "(a list)" : "(a table)") : shown(item);
+      if (list.size() > 60) return "(a list)";
     }
+    return list.empty() ? "[]" : list + "]";
   }
-  return best;
+  return printable(value.dump(-1, ' ', false, Json::error_handler_t::replace), 60);
 }
 
-TableReader::TableReader(const Json& node, std::string path)
-    : node_(node), path_(std::move(path)) {}
+TableReader::TableReader(const KeyTable& keys, const Json& node, std::string path)
+    : keys_(keys), node_(node), path_(std::move(path)) {}
 
 void TableReader::fail(const std::string& key, const std::string& why) const {
   const auto it = node_.find(key);
-  const std::string value = it == node_.end() ? "" : show(*it);
+  const std::string value = it == node_.end() ? "" : shown(*it);
   const std::string message = value.empty() ? fmt::format("{}: {}", name(key), why)
                                             : fmt::format("{} = {}: {}", name(key), value, why);
   throw SpecError{{name(key), value, message}};
 }
 
+const Key& TableReader::entry(const std::string& key) const {
+  const Key* known = keys_.find(key);
+  GW_EXPECTS(known != nullptr);
+  return *known;
+}
+
 const Json* TableReader::find(const std::string& key) {
-  known_.push_back(key);
+  asked_.insert(std::string(entry(key).key));
   const auto it = node_.find(key);
   return it == node_.end() ? nullptr : &*it;
 }
@@ -113,28 +90,55 @@ bool TableReader::has(const std::string& key) { return find(key) != nullptr; }
 
 const Json* TableReader::any(const std::string& key) { return find(key); }
 
+void TableReader::check(const std::string& key, double value) const {
+  const KeyRange& range = entry(key).range;
+  if (!range.contains(value)) fail(key, range.sentence(value));
+}
+
 std::optional<double> TableReader::number(const std::string& key) {
   const Json* value = find(key);
   if (!value) return std::nullopt;
   if (!value->is_number()) fail(key, "must be a number");
   const double x = value->get<double>();
   if (!std::isfinite(x)) fail(key, "must be a finite number");
-  if (std::abs(x) > kMaxNumber) fail(key, fmt::format("must lie between -{0} and {0}", kMaxNumber));
+  check(key, x);
+  if (std::abs(x) > kMaxInput) fail(key, fmt::format("must lie between -{0} and {0}", kMaxInput));
   return x;
 }
 
-std::optional<double> TableReader::positive(const std::string& key) {
-  const std::optional<double> x = number(key);
-  if (x && !(*x > 0.0)) fail(key, "must be greater than 0");
-  return x;
+std::optional<int> TableReader::whole(const std::string& key) {
+  const Json* value = find(key);
+  if (!value) return std::nullopt;
+  if (!value->is_number()) fail(key, "must be a number");
+  const double x = value->get<double>();
+  if (x != std::floor(x)) fail(key, "must be a whole number");
+  check(key, x);
+  if (!(std::abs(x) <= kMaxWholeInput))
+    fail(key, fmt::format("must lie between -{0} and {0}", kMaxWholeInput));
+  return static_cast<int>(x);
 }
 
-std::optional<int> TableReader::integer(const std::string& key) {
-  const std::optional<double> x = number(key);
-  if (!x) return std::nullopt;
-  if (*x != std::floor(*x)) fail(key, "must be a whole number");
-  if (std::abs(*x) > 1e6) fail(key, "must lie between -1000000 and 1000000");
-  return static_cast<int>(*x);
+std::optional<std::vector<double>> TableReader::numbers(const std::string& key) {
+  const Key& known = entry(key);
+  GW_EXPECTS(known.list.has_value());
+  const Json* node = find(key);
+  if (!node) return std::nullopt;
+  std::vector<double> values;
+  const auto take = [&](const Json& item) {
+    if (!item.is_number() || !std::isfinite(item.get<double>()))
+      fail(key, "must be " + form_of(known) + "; " + shown(item) + " is no number");
+    values.push_back(item.get<double>());
+  };
+  if (!node->is_array()) {
+    take(*node);
+    if (!known.list->single) fail(key, "must be " + form_of(known));
+    return values;
+  }
+  if (node->empty()) fail(key, "is an empty list; it must be " + form_of(known));
+  if (node->size() < known.list->least || node->size() > known.list->most)
+    fail(key, fmt::format("has {} values; it must be {}", node->size(), form_of(known)));
+  for (const Json& item : *node) take(item);
+  return values;
 }
 
 std::optional<bool> TableReader::boolean(const std::string& key) {
@@ -151,13 +155,34 @@ std::optional<std::string> TableReader::text(const std::string& key) {
   return value->get<std::string>();
 }
 
-std::optional<std::string> TableReader::one_of(const std::string& key,
-                                               const std::vector<std::string>& allowed) {
+std::optional<std::string> TableReader::word(const std::string& key) {
   const std::optional<std::string> word = text(key);
-  if (word && std::find(allowed.begin(), allowed.end(), *word) == allowed.end()) {
-    fail(key, fmt::format("must be one of \"{}\"", fmt::join(allowed, "\", \"")));
-  }
+  const auto& words = entry(key).words;
+  if (word && std::find(words.begin(), words.end(), *word) == words.end())
+    fail(key, fmt::format("must be one of \"{}\"", fmt::join(words, "\", \"")));
   return word;
+}
+
+std::optional<KeyValue> TableReader::plain(const Key& key) {
+  const std::string name(key.key);
+  const auto value = [](const auto& read) {
+    return read ? std::optional<KeyValue>(*read) : std::nullopt;
+  };
+  switch (key.kind) {
+    case KeyKind::number: return value(number(name));
+    case KeyKind::whole: return value(whole(name));
+    case KeyKind::boolean: return value(boolean(name));
+    case KeyKind::text: return value(text(name));
+    case KeyKind::word: {
+      const auto read = word(name);
+      if (!read) return std::nullopt;
+      return static_cast<int>(std::find(key.words.begin(), key.words.end(), *read) -
+                              key.words.begin());
+    }
+    default: break;
+  }
+  GW_EXPECTS(false);  // a table has no place
+  return std::nullopt;
 }
 
 const Json* TableReader::table(const std::string& key) {
@@ -170,15 +195,44 @@ void TableReader::refuse(const std::string& key, const std::string& why) {
   if (find(key)) fail(key, why);
 }
 
-void TableReader::finish() const {
+void TableReader::refuse_unknown() const {
   for (const auto& [key, value] : node_.items()) {
-    if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
+    if (keys_.find(key)) continue;
     const std::string where = path_.empty() ? "the file" : fmt::format("[{}]", path_);
-    const std::string shown = printable(key, 60);
-    throw SpecError{{name(shown), show(value),
-                     fmt::format("{} = {}: unknown key in {}; the nearest known one is {}",
-                                 name(shown), show(value), where, nearest_word(key, known_))}};
+    const std::string called = printable(key, 60);
+    throw SpecError{
+        {name(called), shown(value),
+         fmt::format("{} = {}: unknown key in {}; the nearest known one is {}", name(called),
+                     shown(value), where, nearest_word(key, keys_.names()))}};
   }
+}
+
+void TableReader::require(const std::string& key) {
+  if (find(key)) return;
+  refuse_unknown();
+  fail(key, missing(entry(key)));
+}
+
+void TableReader::finish() const {
+  refuse_unknown();
+  for (const Key& key : keys_.keys) {
+    const std::string name(key.key);
+    if (!given(name)) {
+      if (key.required) fail(name, missing(key));
+      continue;
+    }
+    for (const std::string_view other : key.needs) {
+      if (given(other)) continue;
+      fail(name,
+           fmt::format("needs {} beside it: {}", other, plain_words(keys_.find(other)->meaning)));
+    }
+    for (const std::string_view other : key.excludes) {
+      if (!given(other)) continue;
+      fail(name, fmt::format("one of {} and {} is enough; leave the others out",
+                             fmt::join(key.excludes, ", "), name));
+    }
+  }
+  for (const Key& key : keys_.keys) GW_ENSURES(asked_.count(key.key) == 1);
 }
 
 }  // namespace gearwright

@@ -1,14 +1,20 @@
-// Reads one table of a spec: typed values, complaints that name the key, unknown keys at the end.
+// Reads one table of a spec by the catalogue: typed values within their ranges, complaints that name
+// the key, unknown keys at the end.
+//
+// A key that the catalogue has not, or one of it that nobody read, is a mistake of ours and breaks a
+// contract: table and reader cannot drift apart.
 //
 // Internal to spec/: throws SpecError, which read_spec turns into a Result.
 #pragma once
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "gearwright/base/result.hpp"
+#include "gearwright/catalogue/key.hpp"
 
 namespace gearwright {
 
@@ -21,39 +27,60 @@ struct SpecError {
 class TableReader {
  public:
   /// `path` is the table's dotted name, empty for the file itself.
-  TableReader(const Json& node, std::string path);
+  TableReader(const KeyTable& keys, const Json& node, std::string path);
+
+  /// Every key that has a place goes there; absent ones leave what is there.
+  template <class T>
+  void read(T& input) {
+    for (const Key& key : keys_.keys) {
+      if (!key.place) continue;
+      if (const auto value = plain(key)) key.place.put(input, *value);
+    }
+  }
 
   bool has(const std::string& key);
-  std::optional<double> number(const std::string& key);    ///< finite
-  std::optional<double> positive(const std::string& key);  ///< finite and > 0
-  std::optional<int> integer(const std::string& key);
+  std::optional<double> number(const std::string& key);  ///< finite, within its range
   std::optional<bool> boolean(const std::string& key);
   std::optional<std::string> text(const std::string& key);
-  std::optional<std::string> one_of(const std::string& key,
-                                    const std::vector<std::string>& allowed);
+  std::optional<std::string> word(const std::string& key);
+  /// Of a key with a list: as many finite numbers as it may have, whose range is not looked at.
+  std::optional<std::vector<double>> numbers(const std::string& key);
   const Json* table(const std::string& key);  ///< a sub-table, or null
   const Json* any(const std::string& key);    ///< a value of whatever type, or null
 
-  /// A key of the interface that this version cannot honour: refused in plain words when present.
+  /// The key's range, of one of its numbers.
+  void check(const std::string& key, double value) const;
+  /// Complains if the key is absent; a misspelt one is named before one that is missing by it.
+  void require(const std::string& key);
+  /// A key that has no place here: refused in plain words when present.
   void refuse(const std::string& key, const std::string& why);
-  /// Complains about the first key that nobody asked for, naming the nearest known one.
+  /// Complains about a key that the table has not, naming the nearest one; about one that is
+  /// missing, by itself or beside another; about two that exclude each other.
   void finish() const;
 
+  const KeyTable& keys() const { return keys_; }
   std::string name(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
   [[noreturn]] void fail(const std::string& key, const std::string& why) const;
 
  private:
+  const Key& entry(const std::string& key) const;
   const Json* find(const std::string& key);
+  std::optional<KeyValue> plain(const Key& key);
+  std::optional<int> whole(const std::string& key);
+  bool given(std::string_view key) const { return node_.contains(std::string(key)); }
+  void refuse_unknown() const;
+
+  const KeyTable& keys_;
   const Json& node_;
   std::string path_;
-  std::vector<std::string> known_;
+  std::set<std::string, std::less<>> asked_;
 };
 
 /// Text that may stand in a sentence: control characters escaped, cut at a character after `most`
 /// bytes.
 std::string printable(const std::string& text, std::size_t most);
 
-/// The word of `known` with the least edit distance to `word`; empty when `known` is.
-std::string nearest_word(const std::string& word, const std::vector<std::string>& known);
+/// A value as a person wrote it, cut to a length that fits a sentence.
+std::string shown(const Json& value);
 
 }  // namespace gearwright

@@ -1,0 +1,64 @@
+#include "gearwright/catalogue/compensate_keys.hpp"
+
+namespace gearwright {
+
+namespace {
+
+std::vector<std::string_view> correction_words() {
+  std::vector<std::string_view> words;
+  for (const CorrectionEntry& c : kCorrections) words.push_back(c.key);
+  return words;
+}
+
+}  // namespace
+
+const KeyTable& compensate_keys() {
+  static const KeyTable table{
+      "compensate",
+      "Which corrections the verb compensate may make, and against what",
+      {{.key = "corrections",
+        .kind = KeyKind::word,
+        .words = correction_words(),
+        .list = KeyList{1, kCorrectionCount},
+        .form = "a list of names, [\"gear1.lead_crowning_um\"]",
+        .fallback = "`tool_setting_mm` and `cutter_lead1_deg` of circular-arc pairs, else "
+                    "`gear1.lead_slope_um` and `gear1.lead_crowning_um`",
+        .meaning = "`tool_setting_mm` (Δb_F of the rack F, at most 5 mm and a tenth of a module), "
+                   "`cutter_lead1_deg`, `cutter_lead2_deg` (within ±0.5), and of either gear "
+                   "`gear1.lead_slope_um` (±100), `gear1.lead_crowning_um` (0 to 50), "
+                   "`gear1.profile_slope_um` (±50), `gear1.profile_crowning_um` (0 to 50); each is "
+                   "added to what the spec has"},
+       {.key = "centering_arcsec",
+        .symbol = "w",
+        .range = KeyRange::not_negative(),
+        .place = &CompensateInput::centering_arcsec,
+        .fallback = "1",
+        .meaning = "what a pattern at the very end of the face may cost [T8.24] (of circular arcs, "
+                   "whose contact runs along the face anyhow, at the end of the profile); "
+                   "where less than 0.001 arcsec is to be had in all, every correction is 0"},
+       {.key = "range",
+        .kind = KeyKind::table,
+        .tables = {compensate_range_keys},
+        .in_documents = false,
+        .meaning = "errors that the corrections must serve, up to five, each [least, greatest]"}}};
+  return table;
+}
+
+const KeyTable& compensate_range_keys() {
+  static const KeyTable table = [] {
+    KeyTable t{"compensate_range",
+               "Errors that the corrections must serve at every corner, each [least, greatest]",
+               {}};
+    for (const Key& error : error_keys().keys) {
+      t.keys.push_back({.key = error.key,
+                        .symbol = error.symbol,
+                        .range = error.range,
+                        .list = KeyList{2, 2},
+                        .meaning = error.meaning});
+    }
+    return t;
+  }();
+  return table;
+}
+
+}  // namespace gearwright

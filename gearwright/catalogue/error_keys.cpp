@@ -1,0 +1,104 @@
+#include "gearwright/catalogue/error_keys.hpp"
+
+#include "gearwright/base/units.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace gearwright {
+
+namespace {
+
+using Gears = std::array<const Gear*, 2>;
+
+
+
+constexpr double kMaxTilt = 10;     // degrees: beyond it a shaft is not misaligned but elsewhere
+constexpr double kMaxSlope = 5000;  // µm over the face
+constexpr double kMinLead = 0.5, kMaxLead = 90.0;  // degrees
+
+// κ of f_Hβ over the face width, at the reference cylinder.
+void set_helix_slope(ContactErrors& e, const Gears& gears, std::size_t i, double slope_um) {
+  const Gear& gear = *gears[i];
+  e.helix_twist[i] =
+      slope_um * kMmPerUm / (gear.reference_diameter / 2 * gear.spec.face_width);
+}
+
+}  // namespace
+
+const std::array<ErrorEntry, kErrorCount>& error_entries() {
+  using E = ContactErrors;
+  static const std::array<ErrorEntry, kErrorCount> entries{{
+      {"center_distance_mm", "ΔC", "centre distance", ErrorKind::center_distance, 0,
+       [](E& e, const Gears&, double v) { e.center_distance = v; }, "axis 2 stands at a + ΔC"},
+      {"crossing_deg", "Δγ", "crossing of the axes", ErrorKind::crossing, 0,
+       [](E& e, const Gears&, double v) { e.crossing = v * kRadPerDeg; },
+       "axis 1 turns about the centre line, > 0 towards +y: the axes cross, by this much more"},
+      {"intersecting_deg", "Δδ", "inclination of the axes", ErrorKind::intersecting, 0,
+       [](E& e, const Gears&, double v) { e.intersecting = v * kRadPerDeg; },
+       "axis 1 tilts towards gear 2, > 0 towards +x: the axes would meet"},
+      {"axial_mm", "Δz", "axial place of gear 1", ErrorKind::axial, 0,
+       [](E& e, const Gears&, double v) { e.axial = v; }, "gear 1 moves along +z"},
+      {"helix_slope1_um", "f_Hβ1", "helix slope of gear 1", ErrorKind::helix_slope1, 1,
+       [](E& e, const Gears& g, double v) { set_helix_slope(e, g, 0, v); },
+       "over the face width, at the reference cylinder, of gear 1: the section at height z is "
+       "turned by z f_Hβ/(r b), counter-clockwise seen from +z; the section itself does not "
+       "change"},
+      {"helix_slope2_um", "f_Hβ2", "helix slope of gear 2", ErrorKind::helix_slope2, 2,
+       [](E& e, const Gears& g, double v) { set_helix_slope(e, g, 1, v); }, "the same of gear 2"},
+      {"cutter_lead1_deg", "Δλ1", "lead angle of gear 1", std::nullopt, 1,
+       [](E& e, const Gears&, double v) { e.cutter_lead[0] = v * kRadPerDeg; },
+       "gear 1 is cut with its lead angle λ = 90° − |β| wrong by this much, its pitch radius kept: "
+       "lead and transverse section change [T8.14]"},
+      {"cutter_lead2_deg", "Δλ2", "lead angle of gear 2", std::nullopt, 2,
+       [](E& e, const Gears&, double v) { e.cutter_lead[1] = v * kRadPerDeg; },
+       "the same of gear 2"},
+  }};
+  return entries;
+}
+
+double ErrorEntry::si() const {
+  return unit() == "deg" ? kRadPerDeg : unit() == "um" ? kMmPerUm : 1.0;
+}
+
+bool ErrorEntry::possible(const Gear& of, double value) const {
+  if (unit() != "deg" || gear == 0) return true;
+  const double lambda = 90.0 - std::abs(of.spec.helix_angle.deg()) + value;
+  return lambda > kMinLead && lambda < kMaxLead;
+}
+
+std::optional<std::size_t> error_index(std::string_view key) {
+  for (std::size_t i = 0; i < kErrorCount; ++i)
+    if (error_entries()[i].key == key) return i;
+  return std::nullopt;
+}
+
+const KeyTable& error_keys() {
+  static const KeyTable table = [] {
+    KeyTable t{"errors", "What is wrong with the mounting and the teeth, all at once", {}};
+    for (std::size_t i = 0; i < kErrorCount; ++i) {
+      const ErrorEntry& e = error_entries()[i];
+      KeyRange range;
+      if (e.unit() == "deg") {
+        range = KeyRange::between(-kMaxTilt, kMaxTilt,
+                                  " degrees: an error is small; a shaft angle belongs to "
+                                  "pair.shaft_angle_deg");
+      } else if (e.unit() == "um") {
+        range = KeyRange::between(-kMaxSlope, kMaxSlope,
+                                  " micrometres: a helix angle belongs to the gear");
+      }
+      t.keys.push_back({.key = e.key,
+                        .symbol = e.symbol,
+                        .range = range,
+                        .place = KeyPlace::within<ErrorsInput>([i](auto& errors) -> auto& {
+                          return errors.value[i];
+                        }),
+                        .fallback = "0",
+                        .meaning = e.meaning});
+    }
+    return t;
+  }();
+  return table;
+}
+
+}  // namespace gearwright

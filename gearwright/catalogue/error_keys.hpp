@@ -1,0 +1,50 @@
+// The eight errors of mounting and cutting, said once: key, symbol, words, the member of
+// ContactErrors; and from them the keys of [errors].
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "gearwright/catalogue/key.hpp"
+#include "gearwright/contact/contact_pair.hpp"
+#include "gearwright/contact/sensitivity.hpp"
+
+namespace gearwright {
+
+constexpr std::size_t kErrorCount = 8;
+
+/// An error. Signs and order: docs/spec.md, [errors].
+struct ErrorEntry {
+  std::string_view key;           ///< "crossing_deg"
+  std::string_view symbol;        ///< Δγ
+  std::string_view words;         ///< "crossing of the axes"
+  std::optional<ErrorKind> kind;  ///< of its derivative, where contact gives one
+  int gear;                       ///< 1 or 2 of a gear's own error, 0 of the mounting
+  void (*set)(ContactErrors&, const std::array<const Gear*, 2>&, double);  ///< to a value, in the
+                                                                           ///< key's unit
+  std::string_view meaning;
+
+  std::string_view unit() const { return key_unit(key); }  ///< "deg"
+  double si() const;                                       ///< rad or mm of one unit
+  /// "crossing" of crossing_deg.
+  std::string_view name() const { return key.substr(0, key.size() - unit().size() - 1); }
+  /// Whether a gear can have it: a cutter's lead leaves the lead angle between 0.5° and 90°.
+  bool possible(const Gear& of, double value) const;
+};
+
+/// In the order in which people read them.
+const std::array<ErrorEntry, kErrorCount>& error_entries();
+/// Place of a key in error_entries; none: no such error.
+std::optional<std::size_t> error_index(std::string_view key);
+
+/// [errors], a value for each of error_entries, in the key's unit.
+struct ErrorsInput {
+  std::array<double, kErrorCount> value{};
+  bool given = false;
+};
+
+const KeyTable& error_keys();
+
+}  // namespace gearwright

@@ -1,0 +1,21 @@
+// The keys of [fit]: what the verb fit is asked beside the gears and the pair.
+#pragma once
+
+#include <optional>
+
+#include "gearwright/base/angle.hpp"
+#include "gearwright/catalogue/key.hpp"
+
+namespace gearwright {
+
+/// [fit]
+struct FitInput {
+  std::optional<Angle> working_normal_pressure_angle;  ///< α_wn of the designs wanted
+  bool few_teeth = false;  ///< a pinion with circular fillets and the wheel it cuts
+  std::optional<double> min_tip_land, min_gap, clearance, backlash;  ///< mm, of few_teeth
+  std::optional<double> contact_ratio;                                   ///< total, of few_teeth
+};
+
+const KeyTable& fit_keys();
+
+}  // namespace gearwright

@@ -1,0 +1,133 @@
+#include "gearwright/catalogue/key.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace gearwright {
+
+namespace {
+
+// Ends of keys that say a unit.
+constexpr std::array<std::string_view, 6> kUnits{"mm", "deg", "um", "per_in", "arcsec", "rpm"};
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t above = row[j];
+      row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      diagonal = above;
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+bool KeyRange::limited() const { return std::isfinite(lo) || std::isfinite(hi) || !zero; }
+
+std::string KeyRange::sentence(double value) const {
+  GW_EXPECTS(limited());
+  std::string text;
+  if (std::isfinite(lo) && std::isfinite(hi)) {
+    text = lo_open == hi_open ? fmt::format("must lie between {} and {}", lo, hi)
+           : lo_open          ? fmt::format("must be greater than {} and at most {}", lo, hi)
+                              : fmt::format("must be {} or greater and less than {}", lo, hi);
+    if (lo_open && hi_open && (value == lo || value == hi)) text += ", the ends excluded";
+  } else if (std::isfinite(lo)) {
+    text = lo_open     ? fmt::format("must be greater than {}", lo)
+           : lo == 0.0 ? std::string("must not be negative")
+                       : fmt::format("must be at least {}", lo);
+  } else if (std::isfinite(hi)) {
+    text = fmt::format("must be {} {}", hi_open ? "less than" : "at most", hi);
+  }
+  if (!zero && (text.empty() || value == 0.0)) text = "must not be 0";
+  return text + reason;
+}
+
+std::string_view key_unit(std::string_view key) {
+  for (const std::string_view unit : kUnits) {
+    if (key.size() > unit.size() && key.ends_with(unit) && key[key.size() - unit.size() - 1] == '_')
+      return unit;
+  }
+  return {};
+}
+
+std::string Key::member() const {
+  if (!field.empty()) return field;
+  const std::string_view unit = key_unit(key);
+  return std::string(unit.empty() ? key : key.substr(0, key.size() - unit.size() - 1));
+}
+
+const Key* KeyTable::find(std::string_view name) const {
+  const auto it =
+      std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.key == name; });
+  return it == keys.end() ? nullptr : &*it;
+}
+
+std::vector<std::string> KeyTable::names() const {
+  std::vector<std::string> names;
+  for (const Key& k : keys) names.emplace_back(k.key);
+  return names;
+}
+
+std::string form_of(const Key& key) {
+  if (!key.form.empty()) return key.form;
+  const bool whole = key.kind == KeyKind::whole;
+  if (key.list) {
+    const char* const what = key.kind == KeyKind::word ? "words"
+                             : whole                   ? "whole numbers"
+                                                       : "numbers";
+    const std::string list =
+        key.list->least == key.list->most
+            ? fmt::format("a list of {} {}", key.list->most, what)
+            : fmt::format("a list of {} to {} {}", key.list->least, key.list->most, what);
+    return key.list->single ? (whole ? "a whole number or " : "a number or ") + list : list;
+  }
+  switch (key.kind) {
+    case KeyKind::number: return "a number";
+    case KeyKind::whole: return "a whole number";
+    case KeyKind::boolean: return "true or false";
+    case KeyKind::text: return "a text in quotes";
+    case KeyKind::word: return fmt::format("one of \"{}\"", fmt::join(key.words, "\", \""));
+    case KeyKind::table: return "a table";
+    case KeyKind::any: break;
+  }
+  return "anything";
+}
+
+std::string plain_words(std::string_view meaning) {
+  std::string text;
+  for (std::size_t i = 0; i < meaning.size(); ++i) {
+    if (meaning[i] == '`') continue;
+    if (meaning.substr(i).starts_with(" [T")) {
+      i = meaning.find(']', i);
+      continue;
+    }
+    text += meaning[i];
+  }
+  return text;
+}
+
+std::string nearest_word(const std::string& word, const std::vector<std::string>& known) {
+  std::string best;
+  std::size_t least = std::numeric_limits<std::size_t>::max();
+  const std::string cut = word.substr(0, 80);
+  for (const std::string& k : known) {
+    const std::size_t d = edit_distance(cut, k);
+    if (d < least) {
+      least = d;
+      best = k;
+    }
+  }
+  return best;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,211 @@
+// The key tables hold together: with themselves, with the defaults of the structs that they fill,
+// and with the limits of the rooms below.
+#include "gearwright/catalogue/key.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "gearwright/catalogue/compensate_keys.hpp"
+#include "gearwright/catalogue/contact_keys.hpp"
+#include "gearwright/catalogue/error_keys.hpp"
+#include "gearwright/catalogue/fit_keys.hpp"
+#include "gearwright/catalogue/gear_keys.hpp"
+#include "gearwright/catalogue/modification_keys.hpp"
+#include "gearwright/catalogue/pair_keys.hpp"
+#include "gearwright/catalogue/rack_keys.hpp"
+#include "gearwright/catalogue/search_keys.hpp"
+#include "gearwright/catalogue/spec_keys.hpp"
+#include "gearwright/tool/arc_racks.hpp"
+
+namespace gearwright {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST(Keys, each_is_said_once_and_knows_its_neighbours) {
+  std::size_t count = 0;
+  for (const KeyTable* table : all_key_tables()) {
+    std::set<std::string_view> names;
+    for (const Key& key : table->keys) {
+      ++count;
+      const std::string where = fmt::format("{}.{}", table->name, key.key);
+      EXPECT_TRUE(names.insert(key.key).second) << where << " stands there twice";
+      EXPECT_FALSE(key.meaning.empty()) << where;
+      EXPECT_FALSE(key.meaning.ends_with('.')) << where;
+      for (const auto& others : {key.needs, key.excludes})
+        for (const std::string_view other : others) EXPECT_TRUE(table->find(other)) << where;
+      EXPECT_EQ(key.kind == KeyKind::table, !key.tables.empty()) << where;
+      EXPECT_FALSE(key.kind == KeyKind::word && key.words.empty()) << where;
+    }
+  }
+  EXPECT_GT(count, 150u);
+}
+
+TEST(Keys, a_place_takes_what_the_key_says) {
+  for (const KeyTable* table : all_key_tables()) {
+    for (const Key& key : table->keys) {
+      if (!key.place) continue;
+      EXPECT_EQ(key.place.kind(), key.kind) << table->name << "." << key.key;
+      EXPECT_TRUE(!key.place.is_angle() || key_unit(key.key) == "deg") << key.key;
+      EXPECT_FALSE(key.list) << key.key;
+    }
+  }
+}
+
+KeyValue value_of(const Key& key, const Json& v) {
+  switch (key.kind) {
+    case KeyKind::whole: return v.get<int>();
+    case KeyKind::boolean: return v.get<bool>();
+    case KeyKind::text: return v.get<std::string>();
+    case KeyKind::word:
+      return static_cast<int>(std::find(key.words.begin(), key.words.end(), v.get<std::string>()) -
+                              key.words.begin());
+    default: return v.get<double>();
+  }
+}
+
+// A default that is a value is the one that the struct has by itself.
+template <class T>
+void expect_defaults(const KeyTable& table, std::size_t at_least) {
+  std::size_t seen = 0;
+  for (const Key& key : table.keys) {
+    const Json v = Json::parse(key.fallback, nullptr, false);
+    if (!key.place || v.is_discarded()) continue;
+    T said{};
+    key.place.put(said, value_of(key, v));
+    // What is absent by itself has its default from elsewhere.
+    EXPECT_TRUE(key.place.same(T{}, said)) << table.name << "." << key.key << " = " << key.fallback;
+    EXPECT_TRUE(!v.is_number() || key.range.contains(v.get<double>())) << key.key;
+    ++seen;
+  }
+  EXPECT_GE(seen, at_least) << table.name;
+}
+
+TEST(Keys, defaults_are_those_of_the_structs) {
+  expect_defaults<GearInput>(gear_keys(), 1);
+  expect_defaults<BasicInput>(basic_keys(), 1);
+  expect_defaults<RootFilletSpec>(root_fillet_keys(), 1);
+  expect_defaults<StraightRack>(straight_rack_keys(), 6);
+  expect_defaults<DoubleArcRack>(double_arc_rack_keys(), 8);
+  expect_defaults<RackArcInput>(rack_arc_keys(), 1);
+  expect_defaults<PairInput>(pair_keys(), 2);
+  expect_defaults<ErrorsInput>(error_keys(), 8);
+  expect_defaults<ContactInput>(contact_keys(), 5);
+  expect_defaults<CompensateInput>(compensate_keys(), 1);
+  expect_defaults<SearchProblem>(search_keys(), 6);
+}
+
+TEST(Keys, the_limits_of_a_gear_are_its_own) {
+  const auto refuses = [](const auto& set, double value) {
+    CylindricalSpec spec;
+    spec.teeth = 20;
+    spec.normal_module = 2.0;
+    spec.face_width = 2.0;
+    set(spec, value);
+    return check_limits(spec).has_value();
+  };
+  using Set = void (*)(CylindricalSpec&, double);
+  for (const auto& [key, set] : {
+           std::pair<const char*, Set>{
+               "teeth", [](CylindricalSpec&s, double v) { s.teeth = static_cast<int>(v); }},
+           {"normal_module_mm",
+            [](CylindricalSpec&s, double v) { s.normal_module = s.face_width = v; }},
+           {"normal_pressure_angle_deg",
+            [](CylindricalSpec&s, double v) { s.normal_pressure_angle = Angle::degrees(v); }},
+           {"helix_angle_deg",
+            [](CylindricalSpec&s, double v) { s.helix_angle = Angle::degrees(v); }},
+           {"profile_shift", [](CylindricalSpec&s, double v) { s.profile_shift = v; }},
+       }) {
+    const KeyRange& range = gear_keys().find(key)->range;
+    for (const double end : {range.lo, range.hi}) {
+      const double out = end == range.lo ? -1.0 : 1.0;
+      const double step = std::string_view(key) == "teeth" ? 1.0 : 1e-6 * std::abs(end);
+      EXPECT_FALSE(refuses(set, end)) << key << " = " << end;
+      EXPECT_TRUE(refuses(set, end + out * step)) << key << " = " << end;
+    }
+  }
+  EXPECT_TRUE(refuses([](CylindricalSpec& s, double) { s.teeth = 0; }, 0.0));
+}
+
+// What a rack's table refuses, its room refuses too: nobody passes a limit by another door.
+template <class Rack, class Edge>
+void expect_limits(const KeyTable& table, const Rack& good, const Edge& edge) {
+  for (const Key& key : table.keys) {
+    if (!key.place || !key.range.limited() || key.place.is_angle()) continue;
+    for (const double end : {key.range.lo, key.range.hi}) {
+      if (!std::isfinite(end)) continue;
+      Rack rack = good;
+      const double step = 1e-6 * std::max(1.0, std::abs(end));
+      key.place.put(rack, KeyValue(end == key.range.lo ? end - step : end + step));
+      EXPECT_FALSE(edge(rack)) << table.name << "." << key.key << " beyond " << end;
+    }
+  }
+}
+
+TEST(Keys, the_limits_of_a_rack_are_its_own) {
+  expect_limits(straight_rack_keys(), StraightRack{}, [](const StraightRack& r) {
+    return static_cast<bool>(make_edge(r, 1.0, Angle::degrees(20)));
+  });
+  ArcRack f = default_arc_rack(ArcRack::Cutter::F);
+  f.center_a = f.center_b = 0.1;
+  expect_limits(arc_rack_keys(), f, [](const ArcRack& r) { return static_cast<bool>(arcs_of(r)); });
+  expect_limits(double_arc_rack_keys(), DoubleArcRack{},
+                [](const DoubleArcRack& r) { return static_cast<bool>(arcs_of(r)); });
+}
+
+TEST(Keys, ranges_in_words) {
+  EXPECT_EQ(KeyRange::between(1, 60, ", usually 20").sentence(70),
+            "must lie between 1 and 60, usually 20");
+  EXPECT_EQ(KeyRange::inside(-90, 90).sentence(95), "must lie between -90 and 90");
+  EXPECT_EQ(KeyRange::inside(-90, 90).sentence(90),
+            "must lie between -90 and 90, the ends excluded");
+  EXPECT_EQ(KeyRange::above(0, 90).sentence(0), "must be greater than 0 and at most 90");
+  EXPECT_EQ(KeyRange::positive().sentence(0), "must be greater than 0");
+  EXPECT_EQ(KeyRange::not_negative().sentence(-1), "must not be negative");
+  const KeyRange teeth{.lo = -10, .hi = 10, .zero = false, .reason = "; ring"};
+  EXPECT_EQ(teeth.sentence(0), "must not be 0; ring");
+  EXPECT_EQ(teeth.sentence(11), "must lie between -10 and 10; ring");
+}
+
+TEST(Keys, units_and_members_stand_in_the_names) {
+  EXPECT_EQ(key_unit("helix_angle_deg"), "deg");
+  EXPECT_EQ(key_unit("normal_diametral_pitch_per_in"), "per_in");
+  EXPECT_EQ(key_unit("teeth"), "");
+  EXPECT_EQ((Key{.key = "helix_angle_deg", .meaning = ""}).member(), "helix_angle");
+  EXPECT_EQ((Key{.key = "lead_angle_deg", .meaning = "", .field = "helix_angle"}).member(),
+            "helix_angle");
+  EXPECT_EQ(plain_words("height of `tool_addendum` [T3.4], in modules"),
+            "height of tool_addendum, in modules");
+}
+
+TEST(Keys, the_eight_errors_and_seven_modifications_have_their_derivatives) {
+  std::set<ErrorKind> kinds;
+  for (const ErrorEntry& e : error_entries()) {
+    if (e.kind) kinds.insert(*e.kind);
+  }
+  EXPECT_EQ(kinds.size(), kErrorKinds.size());
+  for (std::size_t i = 0; i < RemovalField::kParameters.size(); ++i) {
+    const ModificationEntry& m = modification_entries()[i];
+    EXPECT_EQ(m.parameter, RemovalField::kParameters[i]) << m.name;
+    EXPECT_NE(m.relief == nullptr, m.amount == nullptr) << m.name;
+  }
+  Gear gear{};
+  gear.reference.reference_diameter = 20.0;
+  gear.spec.face_width = 5.0;
+  for (const ErrorEntry& e : error_entries()) {
+    ContactErrors errors;
+    e.set(errors, {&gear, &gear}, 2.0);
+    const double sum = errors.center_distance + errors.crossing + errors.intersecting +
+                       errors.axial + errors.cutter_lead[0] + errors.cutter_lead[1] +
+                       50.0 * (errors.helix_twist[0] + errors.helix_twist[1]);
+    EXPECT_DOUBLE_EQ(sum, 2.0 * e.si()) << e.key;
+  }
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,47 @@
+#include "gearwright/catalogue/pair_keys.hpp"
+
+namespace gearwright {
+
+const KeyTable& pair_keys() {
+  static const KeyTable table{
+      "pair",
+      "How the two gears are mounted",
+      {{.key = "center_distance_mm",
+        .symbol = "a",
+        .range = KeyRange::positive(),
+        .place = &PairInput::center_distance,
+        .fallback = "what `mounting` says",
+        .meaning = "centre distance"},
+       {.key = "shaft_angle_deg",
+        .symbol = "Σ",
+        .range = KeyRange::inside(-180, 180, " (> 0: right hands prevail)"),
+        .place = &PairInput::shaft_angle,
+        .fallback =
+            "0 where the helices allow it, else that of the minimum centre distance, with a "
+            "warning",
+        .meaning = "Σ = β_w1 + β_w2, signed: two right hands cross at Σ > 0, two left hands at "
+                   "Σ < 0"},
+       {.key = "mounting",
+        .kind = KeyKind::word,
+        .words = {"tight", "extended"},
+        .place = &PairInput::mounting,
+        .fallback = "\"tight\"",
+        .meaning =
+            "`\"tight\"`: free of backlash for nominal teeth; `\"extended\"`: a_d + m_n (x1 + "
+            "x2), a ring a_d − m_n (x1 + x2)"},
+       {.key = "shorten_tips",
+        .kind = KeyKind::boolean,
+        .place = &PairInput::shorten_tips,
+        .fallback = "false",
+        .meaning = "tips without a given `tip_diameter_mm` are cut back by k m_n, so that the "
+                   "clearance of the racks is kept"},
+       {.key = "friction_coefficient",
+        .symbol = "μ",
+        .range = {.lo = 0, .hi = 1, .hi_open = true, .reason = ", usually 0.03 to 0.1"},
+        .place = &PairInput::friction_coefficient,
+        .fallback = "no efficiency",
+        .meaning = "coefficient of friction of the flanks, for the efficiency"}}};
+  return table;
+}
+
+}  // namespace gearwright

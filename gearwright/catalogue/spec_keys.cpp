@@ -1,0 +1,52 @@
+#include "gearwright/catalogue/spec_keys.hpp"
+
+#include <algorithm>
+
+#include "gearwright/catalogue/compensate_keys.hpp"
+#include "gearwright/catalogue/contact_keys.hpp"
+#include "gearwright/catalogue/error_keys.hpp"
+#include "gearwright/catalogue/fit_keys.hpp"
+#include "gearwright/catalogue/gear_keys.hpp"
+#include "gearwright/catalogue/pair_keys.hpp"
+#include "gearwright/catalogue/search_keys.hpp"
+
+namespace gearwright {
+
+namespace {
+
+Key table_key(std::string_view key, const KeyTable& (*table)(), std::string_view meaning) {
+  return {.key = key, .kind = KeyKind::table, .tables = {table}, .meaning = meaning};
+}
+
+}  // namespace
+
+const KeyTable& spec_keys() {
+  static const KeyTable table{
+      "spec",
+      "One gear, a pair of gears, or a search for them; lengths in mm and angles in degrees, said "
+      "in the key",
+      {{.key = "title", .kind = KeyKind::text, .meaning = "heading of listings and of the report"},
+       table_key("gear1", gear_keys, "the first gear, the pinion of an internal pair"),
+       table_key("gear2", gear_keys, "the second gear"),
+       table_key("pair", pair_keys, "how the two gears are mounted"),
+       table_key("errors", error_keys, "what is wrong with the mounting and the teeth"),
+       table_key("contact", contact_keys, "how the contact of the pair is looked at"),
+       table_key("compensate", compensate_keys, "which corrections the verb compensate may make"),
+       table_key("fit", fit_keys, "what the verb fit is asked"),
+       table_key("search", search_keys, "what a design search is asked")}};
+  return table;
+}
+
+std::vector<const KeyTable*> all_key_tables() {
+  std::vector<const KeyTable*> list{&spec_keys()};
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    for (const Key& key : list[i]->keys) {
+      for (const auto table : key.tables) {
+        if (std::find(list.begin(), list.end(), &table()) == list.end()) list.push_back(&table());
+      }
+    }
+  }
+  return list;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,162 @@
+#include "gearwright/catalogue/spec_schema.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "gearwright/catalogue/gear_keys.hpp"
+#include "gearwright/catalogue/spec_keys.hpp"
+
+namespace gearwright {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Whole numbers without a point, as people write them.
+Json number_json(double x) {
+  return x == std::floor(x) && std::abs(x) < 1e15 ? Json(static_cast<long long>(x)) : Json(x);
+}
+
+// Numbers of a list have no limit but their own.
+Json number_schema(const Key& key) {
+  const bool whole = key.kind == KeyKind::whole;
+  const double most = whole ? kMaxWholeInput : kMaxInput;
+  const KeyRange& r = key.range;
+  Json s{{"type", whole ? "integer" : "number"}};
+  if (std::isfinite(r.lo)) {
+    s[r.lo_open ? "exclusiveMinimum" : "minimum"] = number_json(r.lo);
+  } else if (!key.list) {
+    s["minimum"] = number_json(-most);
+  }
+  if (std::isfinite(r.hi)) {
+    s[r.hi_open ? "exclusiveMaximum" : "maximum"] = number_json(r.hi);
+  } else if (!key.list) {
+    s["maximum"] = number_json(most);
+  }
+  if (!r.zero) s["not"] = {{"const", 0}};
+  return s;
+}
+
+Json enum_schema(const std::vector<std::string_view>& words) { return {{"enum", words}}; }
+
+Json reference(const KeyTable& table) { return {{"$ref", fmt::format("#/$defs/{}", table.name)}}; }
+
+// One value, or one element of a list.
+std::vector<Json> element_schemas(const Key& key) {
+  switch (key.kind) {
+    case KeyKind::number:
+    case KeyKind::whole: return {number_schema(key)};
+    case KeyKind::boolean: return {{{"type", "boolean"}}};
+    case KeyKind::text: return {{{"type", "string"}}};
+    case KeyKind::word: return {enum_schema(key.words)};
+    case KeyKind::table: {
+      std::vector<Json> list;
+      for (const auto table : key.tables) list.push_back(reference(table()));
+      return list;
+    }
+    case KeyKind::any: break;
+  }
+  return {};
+}
+
+Json any_of(const std::vector<Json>& list) {
+  if (list.empty()) return Json::object();
+  return list.size() == 1 ? list.front() : Json{{"anyOf", list}};
+}
+
+Json value_schema(const Key& key) {
+  std::vector<Json> list;
+  if (!key.words.empty() && key.kind != KeyKind::word) list.push_back(enum_schema(key.words));
+  const std::vector<Json> elements = element_schemas(key);
+  if (key.list) {
+    if (key.list->single) list.insert(list.end(), elements.begin(), elements.end());
+    Json array{{"type", "array"},
+               {"items", any_of(elements)},
+               {"minItems", key.list->least},
+               {"maxItems", key.list->most}};
+    if (key.kind == KeyKind::word) array["uniqueItems"] = true;
+    list.push_back(std::move(array));
+  } else {
+    list.insert(list.end(), elements.begin(), elements.end());
+  }
+  return any_of(list);
+}
+
+std::string description_of(const Key& key) {
+  std::string text = key.symbol.empty() ? "" : std::string(key.symbol) + ": ";
+  text += plain_words(key.meaning);
+  if (!key.fallback.empty() && !Json::accept(key.fallback))
+    text += "; default: " + plain_words(key.fallback);
+  return text;
+}
+
+Json key_schema(const Key& key) {
+  Json s{{"description", description_of(key)}};
+  s.update(value_schema(key));
+  if (!key.fallback.empty() && Json::accept(key.fallback)) s["default"] = Json::parse(key.fallback);
+  return s;
+}
+
+Json table_schema(const KeyTable& table) {
+  Json s{{"description", table.meaning}, {"type", "object"}};
+  Json properties = Json::object();
+  Json required = Json::array();
+  Json needs = Json::object();
+  Json rules = Json::array();
+  for (const Key& key : table.keys) {
+    properties[std::string(key.key)] = key_schema(key);
+    if (key.required) required.push_back(key.key);
+    if (!key.needs.empty()) needs[std::string(key.key)] = key.needs;
+    for (const std::string_view other : key.excludes)
+      rules.push_back({{"not", {{"required", {key.key, other}}}}});
+  }
+  s["properties"] = std::move(properties);
+  s["additionalProperties"] = false;
+  if (!required.empty()) s["required"] = std::move(required);
+  if (!needs.empty()) s["dependentRequired"] = std::move(needs);
+  if (!rules.empty()) s["allOf"] = std::move(rules);
+  return s;
+}
+
+Json required(std::initializer_list<const char*> keys) { return {{"required", keys}}; }
+
+// Beside [search] a gear may leave its teeth to it; else it is whole, and there is one at least.
+Json gears_or_search() {
+  const Json whole{{"$ref", "#/$defs/whole_gear"}};
+  const Json either{{"anyOf", {whole, reference(blank_keys())}}};
+  Json alone = required({"gear1"});
+  alone["properties"] = {{"gear1", whole}, {"gear2", whole}};
+  return {{"if", required({"search"})},
+          {"then", {{"properties", {{"gear1", either}, {"gear2", either}}}}},
+          {"else", std::move(alone)}};
+}
+
+Json whole_gear() {
+  Json s = required({"teeth"});
+  s["anyOf"] = {required({"normal_module_mm"}), required({"normal_diametral_pitch_per_in"}),
+                required({"transverse_module_mm"}), required({"basic"}), required({"cut_by"})};
+  return s;
+}
+
+}  // namespace
+
+std::string spec_schema() {
+  Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+              {"$id", "urn:gearwright:spec"},
+              {"title", "A spec of Gearwright"}};
+  schema.update(table_schema(spec_keys()));
+  schema.update(gears_or_search());
+  Json defs;
+  for (const KeyTable* table : all_key_tables()) {
+    if (table != &spec_keys()) defs[std::string(table->name)] = table_schema(*table);
+  }
+  defs[std::string(gear_keys().name)].erase("required");
+  defs["whole_gear"] = whole_gear();
+  defs[std::string(blank_keys().name)] = table_schema(blank_keys());
+  schema["$defs"] = std::move(defs);
+  return schema.dump(2) + "\n";
+}
+
+}  // namespace gearwright

@@ -1,0 +1,220 @@
+"""The JSON Schema of specs against a validator that is not ours, and against what the program reads.
+
+Every example and every spec that a test of the command line runs is valid where the program reads it, and refused where
+the program refuses a type, a word or a key. For each key of the schema, values of a wrong type and beyond the range are
+refused by both."""
+import copy
+import json
+import os
+import pathlib
+import re
+import subprocess
+import tempfile
+import tomllib
+import unittest
+
+BIN, NODE = os.environ["GW_BIN"], os.environ["GW_NODE"]
+SOURCE = pathlib.Path(os.environ["GW_SOURCE"])
+SPECS = pathlib.Path(os.environ["GW_SPECS"])
+SCHEMA = SOURCE / "docs/schema/spec.schema.json"
+# What the program says of a type, a word, a number of values or a key; ranges: see `Ranges`.
+OF_THE_READER = re.compile(r"unknown key in|: must be (a (whole )?number\n|true or false|a text in quotes|one of \"|a table, )|"
+                           r": is an empty list|values; it must be|is no number")
+
+
+def say(values):
+    """What ajv says to [(name, value)]: {name: "" or why not}."""
+    lines = "".join(json.dumps({"name": name, "value": value}) + "\n" for name, value in values)
+    p = subprocess.run([NODE, SOURCE / "tests/schema/validate.mjs", SCHEMA], input=lines, capture_output=True, text=True)
+    if p.returncode != 0:
+        raise RuntimeError(f"ajv (tools/install_npm_tools.sh): {p.stderr}")
+    said = [json.loads(line) for line in p.stdout.splitlines()]
+    return {s["name"]: "" if s["valid"] else s["why"] or "refused" for s in said}
+
+
+def parsed(text, name):
+    """The tree of a spec; None where it is none, or holds what JSON has no word for."""
+    try:
+        tree = json.loads(text) if name.endswith(".json") else tomllib.loads(text)
+        return json.loads(json.dumps(tree, allow_nan=False))
+    except (ValueError, TypeError, RecursionError):
+        return None
+
+
+def refusals(specs):
+    """What the program says of each of [(name, spec)], {name: sentence}; "" where it reads it. One run of `verify` asks all."""
+    wanted = {"gears.0.teeth": "a word that no number equals"}
+    cases = [{"id": name, "source": "here", "verb": "gear", "spec": spec, "expected": wanted} for name, spec in specs]
+    with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
+        json.dump({"cases": cases}, file)
+        file.flush()
+        p = subprocess.run([BIN, "verify", file.name, "--json"], capture_output=True, text=True, timeout=300)
+    said = {c["id"]: c["differences"][0] for c in json.loads(p.stdout)["cases"]}
+    return {name: "" if why.startswith("gears.0.teeth: got") else why for name, why in said.items()}
+
+
+class Shipped(unittest.TestCase):
+    def test_the_program_prints_it(self):
+        for args in ((), ("--json",)):
+            p = subprocess.run([BIN, "schema", "spec", *args], capture_output=True, text=True)
+            self.assertEqual([p.returncode, p.stdout], [0, SCHEMA.read_text()])
+        self.assertEqual(subprocess.run([BIN, "schema", "gear"], capture_output=True).returncode, 2)
+
+    def test_every_example_is_valid(self):
+        files = [*SOURCE.glob("examples/**/*.toml"), *SOURCE.glob("tests/fuzz/corpus/spec/*")]
+        self.assertGreater(len(files), 20)
+        for name, why in say([(str(f), parsed(f.read_text(), f.name)) for f in files]).items():
+            self.assertEqual(why, "", name)
+
+
+class OfTheTests(unittest.TestCase):
+    def test_the_validator_says_what_the_program_said(self):
+        kept = [json.loads(line) for file in sorted(SPECS.glob("*.jsonl")) for line in file.read_text().splitlines()]
+        trees = [(k, parsed(k["text"], k["name"])) for k in kept]
+        trees = [(k, tree) for k, tree in trees if tree is not None]
+        said = say([(str(i), tree) for i, (_, tree) in enumerate(trees)])
+        read = refused = 0
+        for i, (k, _) in enumerate(trees):
+            why = said[str(i)]
+            if k["status"] == 0:
+                read += 1
+                self.assertEqual(why, "", k["text"])
+            elif k["status"] == 1 and OF_THE_READER.search(k["message"]):
+                refused += 1
+                self.assertNotEqual(why, "", k["message"] + k["text"])
+        self.assertGreater(read, 140)
+        self.assertGreater(refused, 40)
+
+
+GEAR = {"teeth": 20, "normal_module_mm": 2, "face_width_mm": 10}
+F = {"kind": "circular_arc", "cutter": "F", "arc_radius": 1.4, "center_a": 0.1, "center_b": 0.1}
+DOUBLE = {"kind": "double_circular_arc", "concave_radius": 1.42, "concave_height": 0.0325, "space_width": 1.1773}
+ARC = {"center_height": 0.1, "center_offset": 0.1, "radius": 1, "begin_deg": 20, "end_deg": 10}
+MAP = {"x": "crossing_deg", "x_range": [-1, 1], "y": "axial_mm", "y_range": [-1, 1]}
+SEARCH = {"ratio": [1.9, 2.1], "modules_mm": [2], "pinion_teeth": [12, 40]}
+
+
+def of_gear(**more):
+    return {"gear1": GEAR | more}
+
+
+# A spec that has the table, and the way to it.
+TABLES = {
+    "gear": (of_gear(), ("gear1",)),
+    "cutter": (of_gear(cut_by={"teeth": 10}), ("gear1", "cut_by")),
+    "basic": (of_gear(basic={"base_diameter_mm": 37.588, "base_tooth_thickness_mm": 3.5}), ("gear1", "basic")),
+    "root_fillet": (of_gear(root_fillet={}), ("gear1", "root_fillet")),
+    "tip_fillet": (of_gear(tip_fillet={}), ("gear1", "tip_fillet")),
+    "measure": (of_gear(measure={}), ("gear1", "measure")),
+    "bore": (of_gear(bore={"diameter_mm": 10, "keyway_width_mm": 3, "keyway_depth_mm": 1}), ("gear1", "bore")),
+    "modifications": (of_gear(modifications={}), ("gear1", "modifications")),
+    "rack": (of_gear(rack={}), ("gear1", "rack")),
+    "rack_circular_arc": (of_gear(rack=F), ("gear1", "rack")),
+    "rack_double_circular_arc": (of_gear(rack=DOUBLE), ("gear1", "rack")),
+    "rack_arcs": (of_gear(rack={"kind": "arcs", "addendum": 1, "dedendum": 1, "arcs": [ARC]}), ("gear1", "rack")),
+    "rack_arc": (of_gear(rack={"kind": "arcs", "addendum": 1, "dedendum": 1, "arcs": [ARC]}), ("gear1", "rack", "arcs", 0)),
+    "pair": (of_gear() | {"pair": {}}, ("pair",)),
+    "fit": (of_gear() | {"fit": {"few_teeth": True}}, ("fit",)),
+    "errors": (of_gear() | {"errors": {}}, ("errors",)),
+    "contact": (of_gear() | {"contact": {}}, ("contact",)),
+    "contact_map": (of_gear() | {"contact": {"map": MAP}}, ("contact", "map")),
+    "compensate": (of_gear() | {"compensate": {}}, ("compensate",)),
+    "compensate_range": (of_gear() | {"compensate": {"range": {}}}, ("compensate", "range")),
+    "search": ({"search": SEARCH}, ("search",)),
+    "blank": ({"search": SEARCH, "gear1": {}}, ("gear1",)),
+}
+# Keys that another one of their table takes the place of, or that have a place beside it alone.
+BESIDE = {"transverse_module_mm": {"normal_module_mm": None}, "normal_diametral_pitch_per_in": {"normal_module_mm": None},
+          "lead_angle_deg": {"hand": "right"}}
+
+
+def changed(spec, way, keys):
+    spec = copy.deepcopy(spec)
+    table = spec
+    for step in way:
+        table = table[step]
+    for key, value in keys.items():
+        table.pop(key, None)
+        if value is not None:
+            table[key] = value
+    return spec
+
+
+def beyond(schema):
+    """Numbers that a number's schema does not allow, next to those it does."""
+    for least, step in (("minimum", -1), ("maximum", 1)):
+        if least in schema:
+            yield schema[least] + step * max(abs(schema[least]) * 1e-6, 1 if schema.get("type") == "integer" else 1e-6)
+    for end in ("exclusiveMinimum", "exclusiveMaximum"):
+        if end in schema:
+            yield schema[end]
+    if schema.get("not") == {"const": 0}:
+        yield 0
+
+
+def wrong(schema):
+    """Values that a key's schema does not allow."""
+    kind = schema.get("type")
+    if kind in ("number", "integer"):
+        yield from beyond(schema)
+        yield from ("1", True, [1], {})
+        if kind == "integer":
+            yield 5.5
+    elif kind == "boolean":
+        yield from (1, "yes")
+    elif kind == "string":
+        yield from (3, True)
+    elif kind == "array":
+        yield []
+        if schema["maxItems"] < 100:
+            yield [schema["items"].get("enum", [1])[0]] * (schema["maxItems"] + 1)
+        yield from ([{}], "two", {})
+        if "type" in schema["items"]:
+            yield from ([n] * schema["minItems"] for n in beyond(schema["items"]))
+    elif "enum" in schema:
+        yield from (schema["enum"][0] + "x", 3)
+    elif "$ref" in schema:
+        yield from (3, "word")
+    elif "anyOf" in schema:
+        kinds = {t for part in schema["anyOf"] for t in [part.get("type"), "enum" in part and "word", "$ref" in part and "table"] if t}
+        yield True
+        if "word" in kinds or "array" in kinds:
+            yield "no such word"
+        for part in schema["anyOf"]:
+            if part.get("type") == "array":
+                yield []
+
+
+class Ranges(unittest.TestCase):
+    """Both refuse a value, the program at its key."""
+
+    def test_every_key(self):
+        schema = json.loads(SCHEMA.read_text())
+        self.assertEqual(set(TABLES), set(schema["$defs"]) - {"whole_gear"})
+        cases = []
+        for table, (spec, way) in TABLES.items():
+            for key, about in schema["$defs"][table]["properties"].items():
+                values = [*wrong(about)]
+                self.assertTrue(values or set(about) == {"description"}, f"{table}.{key}: nothing is wrong")
+                for value in values:
+                    cases.append((f"{table}.{key} = {value!r}", changed(spec, way, BESIDE.get(key, {}) | {key: value}), key))
+            cases.append((f"{table}: no such key", changed(spec, way, {"no_such_key": 1}), "no_such_key"))
+        said = say([(name, spec) for name, spec, _ in cases])
+        said_right = say([(table, spec) for table, (spec, _) in TABLES.items()])
+        for table, why in said_right.items():
+            self.assertEqual(why, "", table)
+        sentences = refusals([(name, spec) for name, spec, _ in cases])
+        self.assertEqual(len(sentences), len(cases))
+        for name, _, key in cases:
+            with self.subTest(name):
+                self.assertIn(key, sentences[name], "the program does not refuse it")
+                self.assertNotEqual(said[name], "", f"ajv takes it, the program says: {sentences[name]}")
+        # The program reads what they were made from; a search is no gear.
+        for table, sentence in refusals([(table, spec) for table, (spec, _) in TABLES.items()]).items():
+            if "search" not in TABLES[table][0]:
+                self.assertNotRegex(sentence, r"must be|unknown key|is missing", table)
+        self.assertGreater(len(cases), 500)
+
+
+if __name__ == "__main__":
+    unittest.main()
