@@ -150,9 +150,9 @@ Result<Gear> make_gear(const CylindricalSpec& spec) {
   if (!rack_edge) return rack_edge.error();
   const CutterEdge& edge = rack_edge->edge;
   const double sin_alpha_t = std::sin(gear.reference.transverse_pressure_angle);
-  gear.undercut_free_profile_shift =
-      edge.flank_begin_depth / spec.normal_module -
-      std::abs(spec.teeth) * sin_alpha_t * sin_alpha_t / (2 * std::cos(spec.helix_angle.rad()));
+  gear.undercut_free_profile_shift = leaf::undercut_limit<double>(
+      edge.flank_begin_depth / spec.normal_module, std::abs(spec.teeth), sin_alpha_t,
+      std::cos(spec.helix_angle.rad()));
   if (rack_edge->became_full_radius) {
     detail::warn(
         gear, "full_radius_root",
