@@ -1,4 +1,5 @@
-# Run at install time: copies the public headers (gw_public_headers.cmake says which).
+# Run at install time: copies the public headers (gw_public_headers.cmake says which), and
+# the texts (.inc) that they include.
 #
 #   gw_source       the source folder             gw_headers_to   include folder under the prefix
 include(${CMAKE_CURRENT_LIST_DIR}/gw_public_headers.cmake)

@@ -7,7 +7,8 @@
 #   cmake -P cmake/gw_public_headers.cmake     prints their paths, one a line
 
 function(gw_public_headers out kept_out source)
-  file(GLOB_RECURSE headers RELATIVE ${source} ${source}/gearwright/*.hpp)
+  file(GLOB_RECURSE headers RELATIVE ${source} ${source}/gearwright/*.hpp
+       ${source}/gearwright/*.inc)
   set(public "")
   set(kept "")
   foreach(header IN LISTS headers)

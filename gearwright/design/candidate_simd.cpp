@@ -8,6 +8,7 @@
 #include <hwy/highway.h>
 
 #include <array>
+#include <cmath>
 #include <numbers>
 
 #include "gearwright/design/candidate.hpp"
@@ -20,33 +21,37 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::ScalableTag<double>;
 constexpr double kLanePi = std::numbers::pi;
 
-// Highway has no operators for its vectors everywhere; these have.
+// A vector with the words of the leaf formulas; Highway has no operators for its own everywhere.
 struct Lane {
   hn::Vec<Tag> v;
+  HWY_INLINE Lane() = default;
+  HWY_INLINE Lane(hn::Vec<Tag> lanes) : v(lanes) {}
+  explicit HWY_INLINE Lane(double value) : v(hn::Set(Tag(), value)) {}
 };
-HWY_INLINE Lane operator+(Lane a, Lane b) { return {hn::Add(a.v, b.v)}; }
-HWY_INLINE Lane operator-(Lane a, Lane b) { return {hn::Sub(a.v, b.v)}; }
-HWY_INLINE Lane operator*(Lane a, Lane b) { return {hn::Mul(a.v, b.v)}; }
-HWY_INLINE Lane operator/(Lane a, Lane b) { return {hn::Div(a.v, b.v)}; }
+HWY_INLINE Lane operator+(const Lane& a, const Lane& b) { return hn::Add(a.v, b.v); }
+HWY_INLINE Lane operator-(const Lane& a, const Lane& b) { return hn::Sub(a.v, b.v); }
+HWY_INLINE Lane operator*(const Lane& a, const Lane& b) { return hn::Mul(a.v, b.v); }
+HWY_INLINE Lane operator/(const Lane& a, const Lane& b) { return hn::Div(a.v, b.v); }
+HWY_INLINE Lane sqrt(const Lane& a) { return hn::Sqrt(a.v); }
+HWY_INLINE Lane atan(const Lane& a) { return hn::Atan(Tag(), a.v); }
+HWY_INLINE Lane abs(const Lane& a) { return hn::Abs(a.v); }
+HWY_INLINE Lane min_of(const Lane& a, const Lane& b) { return hn::Min(a.v, b.v); }
+HWY_INLINE Lane max_of(const Lane& a, const Lane& b) { return hn::Max(a.v, b.v); }
+HWY_INLINE auto is_less(const Lane& a, const Lane& b) { return hn::Lt(a.v, b.v); }
+template <class Mask>
+HWY_INLINE Lane pick(const Mask& mask, const Lane& a, const Lane& b) {
+  return hn::IfThenElse(mask, a.v, b.v);
+}
+// No series for small angles, which would be a branch: it loses 1e-16 of ξ, law (1) allows 1e-12.
+HWY_INLINE Lane involute_of_roll(const Lane& roll) { return roll - atan(roll); }
 
-struct Lanes {
-  using V = Lane;
-  static HWY_INLINE Lane set(double v) { return {hn::Set(Tag(), v)}; }
-  static HWY_INLINE Lane sqrt(Lane v) { return {hn::Sqrt(v.v)}; }
-  static HWY_INLINE Lane atan(Lane v) { return {hn::Atan(Tag(), v.v)}; }
-  static HWY_INLINE Lane abs(Lane v) { return {hn::Abs(v.v)}; }
-  static HWY_INLINE Lane min(Lane a, Lane b) { return {hn::Min(a.v, b.v)}; }
-  static HWY_INLINE Lane max(Lane a, Lane b) { return {hn::Max(a.v, b.v)}; }
-  static HWY_INLINE auto less(Lane a, Lane b) { return hn::Lt(a.v, b.v); }
-  template <class Mask>
-  static HWY_INLINE Lane select(Mask mask, Lane a, Lane b) {
-    return {hn::IfThenElse(mask, a.v, b.v)};
-  }
-};
-
-#define GW_LANE_INLINE HWY_INLINE
+#define GW_LEAF_INLINE HWY_INLINE
+#define GW_LEAF_LAMBDA HWY_ATTR
 #include "gearwright/design/candidate_formulas.inc"
-#undef GW_LANE_INLINE
+#include "gearwright/gear/leaf_formulas.inc"
+#include "gearwright/pair/leaf_formulas.inc"
+#undef GW_LEAF_LAMBDA
+#undef GW_LEAF_INLINE
 
 // Whole vectors, then the rest through a padded copy of itself.
 template <std::size_t kIn, std::size_t kOut, class Kernel>
@@ -57,7 +62,7 @@ HWY_INLINE void for_columns(const std::array<const double*, kIn>& in,
   std::size_t i = 0;
   for (; i + width <= n; i += width) {
     std::array<Lane, kIn> x;
-    for (std::size_t k = 0; k < kIn; ++k) x[k] = {hn::LoadU(Tag(), in[k] + i)};
+    for (std::size_t k = 0; k < kIn; ++k) x[k] = hn::LoadU(Tag(), in[k] + i);
     const std::array<Lane, kOut> y = kernel(x);
     for (std::size_t k = 0; k < kOut; ++k) hn::StoreU(y[k].v, Tag(), out[k] + i);
   }
@@ -66,7 +71,7 @@ HWY_INLINE void for_columns(const std::array<const double*, kIn>& in,
   std::array<Lane, kIn> x;
   for (std::size_t k = 0; k < kIn; ++k) {
     for (std::size_t j = 0; j < width; ++j) pad[j] = in[k][i + j < n ? i + j : n - 1];
-    x[k] = {hn::Load(Tag(), pad)};
+    x[k] = hn::Load(Tag(), pad);
   }
   const std::array<Lane, kOut> y = kernel(x);
   for (std::size_t k = 0; k < kOut; ++k) {
@@ -81,7 +86,7 @@ void evaluate_here(const CandidateConstants& constants, CandidateBatch& b) {
   std::array<double*, CandidateBatch::kOut> out{};
   for (std::size_t k = 0; k < out.size(); ++k) out[k] = b.out[k].data();
   for_columns(in, out, b.size(), [&](const std::array<Lane, CandidateBatch::kIn>& x) HWY_ATTR {
-    const auto v = evaluate_lanes<Lanes>(constants, x[0], x[1], x[2], x[3], x[4]);
+    const auto v = evaluate_lanes<Lane>(constants, x[0], x[1], x[2], x[3], x[4]);
     return std::array<Lane, CandidateBatch::kOut>{
         v.center_distance, v.tan_working,    v.contact_ratio,  v.contact_ratio_true,
         v.sliding,         v.tip_1,          v.tip_2,          v.clearance_1,
@@ -95,7 +100,7 @@ void sieve_here(const SieveConstants& constants, SieveBatch& b) {
   const std::array<double*, 1> out{b.verdict.data()};
   for_columns(in, out, b.size(), [&](const std::array<Lane, SieveBatch::kIn>& x) HWY_ATTR {
     return std::array<Lane, 1>{
-        sieve_lanes<Lanes>(constants, x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7])};
+        sieve_lanes<Lane>(constants, x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7])};
   });
 }
 

@@ -37,7 +37,8 @@ DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts) {
         teeth[i], m, problem.normal_pressure_angle, t.helix[i], shifts[static_cast<int>(i)], 0.0});
     in.gears[i] = base_gear(teeth[i], reference);
     const TrialGear& g = graph.gears()[i];
-    in.tip_form_radius[i] = m * std::abs(g.r + g.addendum + shifts[static_cast<int>(i)] + at.k);
+    in.tip_form_radius[i] =
+        m * std::abs(leaf::tip_radius(g.r, g.addendum, shifts[static_cast<int>(i)], at.k));
     in.face_width[i] = problem.face_width.value_or(10.0 * m);
   }
   in.center_distance = m * std::abs(at.a);
@@ -54,24 +55,24 @@ DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts) {
   row.contact_ratio = mesh.path_ratio;
   const auto flank_start = [&](std::size_t i) {
     const TrialGear& g = graph.gears()[i];
-    return m * (std::abs(g.r) * g.sin_transverse -
-                (g.edge_depth - shifts[static_cast<int>(i)]) / g.sin_transverse);
+    return m * leaf::flank_start(std::abs(g.r), g.sin_transverse, g.edge_depth,
+                                 shifts[static_cast<int>(i)]);
   };
   // Clipped to the usable flanks; crossed: not to the faces, which a search does not choose.
-  const double from = std::max({mesh.rho1_A, 0.0, flank_start(0)});
-  const double end =
-      mesh.base_tangent_distance - std::max(0.0, flank_start(1)) / mesh.base_cosine_ratio;
-  const double to = t.z2 < 0 ? mesh.rho1_E : std::min(mesh.rho1_E, end);
-  row.contact_ratio_true = std::max(0.0, (to - from) / mesh.step);
+  const double from = leaf::usable_begin(mesh.rho1_A, flank_start(0));
+  const double end = leaf::rho_1_where(mesh.base_tangent_distance, 1.0,
+                                       std::max(0.0, flank_start(1)) / mesh.base_cosine_ratio);
+  const double to = t.z2 < 0 ? mesh.rho1_E : leaf::usable_end(mesh.rho1_E, end);
+  row.contact_ratio_true = std::max(0.0, leaf::contact_ratio(from, to, mesh.step));
   row.overlap_ratio = mesh.overlap_ratio;
   row.backlash_normal = mesh.backlash.normal_base;
   row.tip_alteration = at.k * m;
+  const double lost = at.a - (graph.gears()[0].r + graph.gears()[1].r) - sum;
   for (std::size_t i : {0, 1}) {
     const TrialGear& g = graph.gears()[i];
     const TrialGear& mate = graph.gears()[1 - i];
     row.tip_thickness[i] = m * tip_thickness(g, shifts[static_cast<int>(i)], at.k);
-    row.tip_clearance[i] = m * (mate.dedendum - g.addendum +
-                                (at.a - (graph.gears()[0].r + graph.gears()[1].r) - sum) - at.k);
+    row.tip_clearance[i] = m * leaf::tip_clearance_of(mate.dedendum, g.addendum, lost, at.k);
   }
   const auto zeta_A = specific_sliding(in, mesh, mesh.rho1_A);
   const auto zeta_E = specific_sliding(in, mesh, mesh.rho1_E);

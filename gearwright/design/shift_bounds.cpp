@@ -1,4 +1,7 @@
 // What each limit says of x1 on a line Σ = const, and of Σ alone: the formulas of the s1–s2 graph.
+//
+// They are the leaf formulas (pair/leaf_formulas.hpp) solved for a shift, so that none of them stands
+// here as it is; tests hold the bounds and the numbers of a mounted pair together.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -162,7 +165,7 @@ ShiftGraph::SumMargin ShiftGraph::sum_margin(const SumPlace& at, double sum, int
     double path = at.N - min_path_;
     for (std::size_t i : {0, 1}) {
       const TrialGear& g = gears_[i];
-      path -= weight_[i] * (g.r * g.sin_transverse - g.edge_depth / g.sin_transverse);
+      path -= weight_[i] * leaf::flank_start(g.r, g.sin_transverse, g.edge_depth, 0.0);
     }
     const double slope = weight_[0] / gears_[0].sin_transverse;  // alike for both
     margin = {path / slope - sum, ShiftEdge::eps_true};

@@ -32,7 +32,8 @@ std::vector<ShiftLimits> shift_limit_chart(const SearchProblem& problem, int rac
     const TrialGear gear = trial_gear(problem, z, helix, rack, which);
     ShiftLimits row;
     row.teeth = z;
-    row.undercut = undercut_limit(gear.edge_depth, z, gear.sin_transverse, std::cos(helix));
+    row.undercut =
+        leaf::undercut_limit<double>(gear.edge_depth, z, gear.sin_transverse, std::cos(helix));
     for (std::size_t i = 0; i < kChartTips.size(); ++i)
       row.tip[i] = trial_gear(asked[i], z, helix, rack, which).x_max;
     row.min = gear.x_min;

@@ -8,6 +8,7 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/design/tip_curvature.hpp"
 #include "gearwright/math/newton.hpp"
+#include "gearwright/pair/leaf_formulas.hpp"
 
 namespace gearwright {
 
@@ -74,7 +75,7 @@ SumPlace ShiftGraph::place(double sum) const {
   if (crossed_) {
     at.N = crossed_line_0_ + crossed_line_1_ * sum;
   } else if (tight_) {
-    const double y = inv_alpha_t_ + 2.0 * tan_alpha_ * sum / teeth_sum_;
+    const double y = leaf::working_involute(inv_alpha_t_, tan_alpha_, sum, teeth_sum_);
     const double alpha_w = inverse_involute(std::max(y, 0.0));
     if (sum != 0.0) at.a = B_ / std::cos(alpha_w);
     at.N = sum != 0.0 ? B_ * std::tan(alpha_w) : std::copysign(curvature(R_, B_), B_);
@@ -151,6 +152,8 @@ ShiftGraph::Sums ShiftGraph::sums(int limits) const {
 }
 
 double ShiftGraph::path_length(const SumPlace& at, double sum, double x1) const {
+  // ρ_1E − ρ_1A of the leaf formulas, weighted for crossed axes and with the signs of N: its slopes
+  // over x1 are those of the two roots. The tip radii take k first, which a line Σ = const shares.
   const double u_1 = gears_[0].r + gears_[0].addendum + at.k + x1;
   const double u_2 = gears_[1].r + gears_[1].addendum + at.k + (sum - x1);
   const double sign = internal_ ? -1.0 : 1.0;
@@ -272,8 +275,7 @@ std::optional<Limit> ShiftGraph::what_kills() const {
 bool ShiftGraph::overlap_ratio_is_enough() const {
   if (!problem_->limits.overlap_ratio) return true;
   const double face = problem_->face_width.value_or(10.0 * trial_.module) / trial_.module;
-  const double overlap =
-      crossed_ ? 0.0 : face * std::abs(std::sin(trial_.helix[0])) / std::numbers::pi;
+  const double overlap = crossed_ ? 0.0 : leaf::overlap_of(face, gears_[0].tan_base_helix, pitch_);
   return overlap >= *problem_->limits.overlap_ratio - kTouching;
 }
 

@@ -9,15 +9,14 @@
 #include <cmath>
 #include <limits>
 
+#include "gearwright/gear/leaf_formulas.hpp"
+
 namespace gearwright::detail {
 
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// q, 0 inside the base circle; signs of u and b do not matter.
-inline double curvature(double u, double b) {
-  const double square = (std::abs(u) - std::abs(b)) * (std::abs(u) + std::abs(b));
-  return square > 0.0 ? std::sqrt(square) : 0.0;
-}
+inline double curvature(double u, double b) { return leaf::curvature_at(std::abs(u), std::abs(b)); }
 
 /// |u| of a tip whose flank ends with the curvature radius q.
 inline double radius_of(double q, double b) { return std::sqrt(b * b + q * q); }

@@ -13,18 +13,13 @@
 
 namespace gearwright {
 
-double undercut_limit(double edge_depth, int teeth, double sin_transverse, double cos_helix) {
-  return edge_depth - teeth * sin_transverse * sin_transverse / (2.0 * cos_helix);
-}
-
 double tip_thickness(const TrialGear& gear, double x, double k) {
   const double base = 2.0 * std::abs(gear.r_b);
-  const double d_a = 2.0 * std::abs(gear.r + gear.addendum + x + k);
+  const double d_a = 2.0 * std::abs(leaf::tip_radius(gear.r, gear.addendum, x, k));
   const double half = gear.reference_half_angle + x * gear.half_angle_per_shift;
   const double s_at =
       tooth_thickness_transverse(gear.teeth, base, base * half, std::max(d_a, base));
-  const double t = d_a / base * gear.tan_base_helix;
-  return s_at / std::sqrt(1.0 + t * t);
+  return s_at / leaf::helix_secant(base, gear.tan_base_helix, d_a);
 }
 
 namespace {
@@ -95,8 +90,9 @@ TrialGear trial_gear(const SearchProblem& problem, int teeth, double helix, int 
   g.x_min = thick.min;
   g.x_max = thick.max;
   if (teeth > 0) {
-    const double undercut = undercut_limit(g.edge_depth, teeth, g.sin_transverse, std::cos(helix)) +
-                            limits.undercut_margin;
+    const double undercut =
+        leaf::undercut_limit<double>(g.edge_depth, teeth, g.sin_transverse, std::cos(helix)) +
+        limits.undercut_margin;
     g.x_min = std::max(g.x_min, undercut);
   }
   if (limits.min_shift) g.x_min = std::max(g.x_min, *limits.min_shift);

@@ -38,9 +38,6 @@ struct TrialGear {
 /// Units     modules
 TrialGear trial_gear(const SearchProblem& problem, int teeth, double helix, int rack, int which);
 
-/// The undercut limit h_F − z sin² α_t/(2 cos β), modules. [T9.2]
-double undercut_limit(double edge_depth, int teeth, double sin_transverse, double cos_helix);
-
 /// Normal tip tooth thickness s_an at the shift x and the tip alteration k, modules; negative: the
 /// flanks cross below the tip. [T9.3]
 ///

@@ -47,7 +47,8 @@ TEST(TrialGear, LimitsAreThoseOfTheReference) {
                                             {0.4, "s_max_sa0.4"}}) {
         const TrialGear g = trial_gear(problem_with(thickness, depth), z, 0.0, 0, 0);
         const double least = number(row.at(low));
-        EXPECT_NEAR(undercut_limit(depth, z, g.sin_transverse, 1.0), least, kPrinted) << z;
+        EXPECT_NEAR(leaf::undercut_limit<double>(depth, z, g.sin_transverse, 1.0), least, kPrinted)
+            << z;
         EXPECT_NEAR(g.x_max, number(row.at(high)), kPrinted) << z << " " << thickness;
         if (least > number(row.at(high))) {
           ++empty;
@@ -121,8 +122,9 @@ TEST(TrialGear, AtTheEndsALimitIsMet) {
     const TrialGear g = trial_gear(p, z, beta, 0, 0);
     if (g.x_min > g.x_max) continue;
     const double thin = p.limits.tip_thickness;
-    const double undercut = undercut_limit(g.edge_depth, z, g.sin_transverse, std::cos(beta)) +
-                            p.limits.undercut_margin;
+    const double undercut =
+        leaf::undercut_limit<double>(g.edge_depth, z, g.sin_transverse, std::cos(beta)) +
+        p.limits.undercut_margin;
     const auto on_base = [&](double x) {
       return std::abs(tip_radius(g, x) - std::abs(g.r_b)) < 1e-12 * (1.0 + std::abs(g.r_b));
     };

@@ -177,8 +177,9 @@ Result<Gear> make_involute_gear(const CylindricalSpec& spec, const StraightRack&
   const CutterEdge& edge = rack_edge->edge;
   const double sin_alpha_t = std::sin(gear.reference().transverse_pressure_angle);
   std::get<InvoluteTeeth>(gear.flanks).undercut_free_profile_shift =  // [T3.14]
-      edge.flank_begin_depth / spec.normal_module -
-      std::abs(spec.teeth) * sin_alpha_t * sin_alpha_t / (2 * std::cos(spec.helix_angle.rad()));
+      leaf::undercut_limit<double>(edge.flank_begin_depth / spec.normal_module,
+                                   std::abs(spec.teeth), sin_alpha_t,
+                                   std::cos(spec.helix_angle.rad()));
   if (rack_edge->became_full_radius) {
     detail::warn(
         gear, "full_radius_root",

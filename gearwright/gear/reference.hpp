@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "gearwright/gear/leaf_formulas.hpp"
 #include "gearwright/math/involute.hpp"
 
 namespace gearwright {
@@ -89,21 +90,17 @@ ReferenceGeometry<T> reference_geometry(const ReferenceInput<T>& in) {
 template <class T>
 T tooth_thickness_transverse(int teeth, const T& base_diameter, const T& base_tooth_thickness,
                              const T& d_y) {
-  using std::sqrt;
   GW_EXPECTS(!(d_y < base_diameter));
-  const T xi = sqrt((d_y - base_diameter) * (d_y + base_diameter)) / base_diameter;
+  const T xi = leaf::curvature(d_y, base_diameter) / base_diameter;
   const T half = base_tooth_thickness / base_diameter;
-  const T inv = involute_of_roll(xi);
-  return d_y * (teeth > 0 ? T(half - inv) : T(half + inv));
+  return leaf::transverse_thickness(teeth > 0 ? T(1) : T(-1), half, xi, d_y);
 }
 
 /// cos β_y on the cylinder d_y:  tan β_y = d_y tan β_b / d_b. [T2.12]
 template <class T>
 T cos_helix_at(const T& base_diameter, const T& base_helix_angle, const T& d_y) {
-  using std::sqrt;
   using std::tan;
-  const T t = d_y / base_diameter * tan(base_helix_angle);
-  return T(1) / sqrt(T(1) + t * t);
+  return T(1) / leaf::helix_secant(base_diameter, T(tan(base_helix_angle)), d_y);
 }
 
 }  // namespace gearwright

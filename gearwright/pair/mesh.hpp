@@ -18,6 +18,7 @@
 #include <optional>
 
 #include "gearwright/pair/common_rack.hpp"
+#include "gearwright/pair/leaf_formulas.hpp"
 #include "gearwright/pair/working_angles.hpp"
 
 namespace gearwright {
@@ -64,7 +65,9 @@ struct Mesh {
   std::array<T, 2> tan_base_helix;         ///< tan β_bi
   std::array<T, 2> pitch_point_curvature;  ///< ρ_iC
 
-  T rho2(const T& rho1) const { return (base_tangent_distance - sigma * rho1) * base_cosine_ratio; }
+  T rho2(const T& rho1) const {
+    return leaf::rho_2_where(base_tangent_distance, sigma, rho1) * base_cosine_ratio;
+  }
 };
 
 /// s_i(ρ_1), mm: where the contact stands on gear i's face, from its middle.
@@ -83,33 +86,22 @@ std::array<T, 2> axial_place(const Mesh<T>& mesh, const T& rho1) {
 
 namespace detail {
 
-/// √(r² − r_b²), 0 inside the base circle.
-template <class T>
-T curvature_at(const T& radius, const T& base) {
-  using std::sqrt;
-  const T square = (radius - base) * (radius + base);
-  return square > T(0) ? T(sqrt(square)) : T(0);
-}
-
 // To where both flanks are usable: ρ_1 above gear 1's form point and ρ_2 above gear 2's (a ring's
 // form point limits from outside). [T2.19]
 template <class T>
 void clip_to_flanks(const MeshInput<T>& in, Mesh<T>& m) {
-  const T r_b1 = in.gears[0].radius;
-  const T r_b2 = in.gears[1].radius;
-  if (m.rho1_true_begin < T(0)) m.rho1_true_begin = T(0);
-  if (in.root_form_radius[0]) {
-    const T limit = curvature_at(*in.root_form_radius[0], r_b1);
-    if (limit > m.rho1_true_begin) m.rho1_true_begin = limit;
+  const auto start = [&](int i) {
+    const auto& radius = in.root_form_radius[i];
+    return radius ? leaf::curvature_at(*radius, in.gears[i].radius) : T(0);
+  };
+  m.rho1_true_begin = leaf::usable_begin(m.rho1_A, start(0));
+  m.rho1_true_end = m.rho1_E;
+  // Without a form point of its own an external flank 2 ends at its base circle, a ring's nowhere.
+  if (in.root_form_radius[1] || m.sigma > T(0)) {
+    const T rho2 = start(1) / m.base_cosine_ratio;
+    m.rho1_true_end =
+        leaf::usable_end(m.rho1_E, leaf::rho_1_where(m.base_tangent_distance, m.sigma, rho2));
   }
-  std::optional<T> limit;
-  if (in.root_form_radius[1]) {
-    const T rho2 = curvature_at(*in.root_form_radius[1], r_b2) / m.base_cosine_ratio;
-    limit = m.sigma * (m.base_tangent_distance - rho2);
-  } else if (m.sigma > T(0)) {
-    limit = m.base_tangent_distance;
-  }
-  if (limit && *limit < m.rho1_true_end) m.rho1_true_end = *limit;
 }
 
 // To −b/2 ≤ s_i ≤ b/2; a spur gear's contact stays at one place of its face.
@@ -169,7 +161,6 @@ RackAngles<T> working_angles(const MeshInput<T>& in) {
 /// Accuracy  ledger rows `mesh.*`, `crossed.*`
 template <class T>
 Mesh<T> mesh_of(const MeshInput<T>& in) {
-  using std::abs;
   using std::atan;
   using std::cos;
   using std::tan;
@@ -201,24 +192,21 @@ Mesh<T> mesh_of(const MeshInput<T>& in) {
   }
 
   const T p_bt = T(2) * pi * gears[0].radius / T(gears[0].teeth);
-  m.rho1_A = m.sigma *
-             (m.base_tangent_distance -
-              detail::curvature_at(in.tip_form_radius[1], gears[1].radius) / m.base_cosine_ratio);
-  m.rho1_E = detail::curvature_at(in.tip_form_radius[0], gears[0].radius);
+  const T rho2_A = leaf::curvature_at(in.tip_form_radius[1], gears[1].radius);
+  m.rho1_A = leaf::rho_1_where(m.base_tangent_distance, m.sigma, T(rho2_A / m.base_cosine_ratio));
+  m.rho1_E = leaf::curvature_at(in.tip_form_radius[0], gears[0].radius);
   m.step = m.crossed ? T(p_bt * c_1 * c_1) : p_bt;
   m.rho1_B = m.rho1_E - m.step;
   m.rho1_C = m.pitch_point_curvature[0];
   m.rho1_D = m.rho1_A + m.step;
   m.path_length = m.rho1_E - m.rho1_A;
-  m.path_ratio = m.path_length / m.step;
+  m.path_ratio = leaf::contact_ratio(m.rho1_A, m.rho1_E, m.step);
   const T face = in.face_width[0] < in.face_width[1] ? in.face_width[0] : in.face_width[1];
-  m.overlap_ratio = m.crossed ? T(0) : T(face * abs(m.tan_base_helix[0]) / p_bt);
-  m.rho1_true_begin = m.rho1_A;
-  m.rho1_true_end = m.rho1_E;
+  m.overlap_ratio = m.crossed ? T(0) : leaf::overlap_of(face, m.tan_base_helix[0], p_bt);
   detail::clip_to_flanks(in, m);
   if (m.crossed) detail::clip_to_faces(in, m);
-  const T true_length = m.rho1_true_end - m.rho1_true_begin;
-  m.true_ratio = true_length > T(0) ? T(true_length / m.step) : T(0);
+  const T true_ratio = leaf::contact_ratio(m.rho1_true_begin, m.rho1_true_end, m.step);
+  m.true_ratio = leaf::max_of(true_ratio, T(0));
   m.backlash = detail::backlash_of(in, m);
   return m;
 }
@@ -298,8 +286,8 @@ SpecificSliding<T> specific_sliding(const MeshInput<T>& in, const Mesh<T>& mesh,
   SpecificSliding<T> s;
   if (!mesh.crossed) {
     if (!(w.across[0] > T(0)) || !(w.across[1] > T(0))) return s;
-    s.zeta_1 = T(1) - w.across[1] / w.across[0];
-    s.zeta_2 = T(1) - w.across[0] / w.across[1];
+    s.zeta_1 = leaf::sliding_of(w.across[0], w.across[1]);
+    s.zeta_2 = leaf::sliding_of(w.across[1], w.across[0]);
     return s;
   }
   const auto speed = [](const T& x, const T& y) { return T(sqrt(x * x + y * y)); };

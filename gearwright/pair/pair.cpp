@@ -172,7 +172,7 @@ CrossedPlace crossed_place(const BasePair<double>& gears, double alpha) {
 std::optional<CrossedPlaces> contact_ratio_range(const MeshInput<double>& in) {
   double reach = -normal_base_pitch(in.gears[0]);
   for (int i : {0, 1}) {
-    reach += detail::curvature_at(in.tip_form_radius[i], in.gears[i].radius) /
+    reach += leaf::curvature_at(in.tip_form_radius[i], in.gears[i].radius) /
              std::cos(in.gears[i].helix_angle);
   }
   const auto interval = transverse_angles_with_line_within(in.gears, reach);

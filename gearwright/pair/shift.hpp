@@ -16,6 +16,7 @@
 
 #include "gearwright/base/result.hpp"
 #include "gearwright/math/involute.hpp"
+#include "gearwright/pair/leaf_formulas.hpp"
 
 namespace gearwright {
 
@@ -52,7 +53,7 @@ T reference_center_distance(int z1, int z2, const T& normal_module, const T& cos
 template <class T>
 T nominal_working_involute(int z1, int z2, const T& alpha_n, const T& alpha_t, const T& sum_x) {
   using std::tan;
-  return involute(alpha_t) + T(2) * tan(alpha_n) * sum_x / T(z1 + z2);
+  return leaf::working_involute(T(involute(alpha_t)), T(tan(alpha_n)), sum_x, T(z1 + z2));
 }
 
 /// Backlash-free centre distance of nominal teeth, mm.   Domain: nominal_working_involute ≥ 0

@@ -125,8 +125,8 @@ inline double margin_by_numbers(const ShiftGraph& graph, double x1, double x2) {
     if (std::abs(g.r + g.addendum + x + row.tip_alteration / m) < std::abs(g.r_b)) return -1.0;
     if (g.teeth > 0) {
       keep(x - limits.undercut_margin -
-           undercut_limit(g.edge_depth, g.teeth, g.sin_transverse,
-                          std::cos(graph.trial().helix[i])));
+           leaf::undercut_limit<double>(g.edge_depth, g.teeth, g.sin_transverse,
+                                        std::cos(graph.trial().helix[i])));
     }
     if (limits.min_shift) keep(x - *limits.min_shift);
     if (limits.max_shift) keep(*limits.max_shift - x);

@@ -1,0 +1,14 @@
+// Formulas of two gears in mesh for numbers of any kind: the text of pair/leaf_formulas.inc.
+#pragma once
+
+#include <cmath>
+
+#include "gearwright/gear/leaf_formulas.hpp"
+
+namespace gearwright::leaf {
+
+#define GW_LEAF_INLINE inline
+#include "gearwright/pair/leaf_formulas.inc"
+#undef GW_LEAF_INLINE
+
+}  // namespace gearwright::leaf
