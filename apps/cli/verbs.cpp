@@ -46,8 +46,8 @@ Result<SolvedJob> solve_file(const Options& o, Scope scope) {
 }
 
 std::string pair_listing_of(const SolvedJob& job) {
-  if (job.arc_pair) return pair_listing(*job.arc_pair);
-  return job.pair ? pair_listing(*job.pair) : std::string();
+  if (!job.pair) return {};
+  return job.pair->visit([](const auto& pair) { return pair_listing(pair); });
 }
 
 // Says on stderr what is being made, but only when it takes more than a second.

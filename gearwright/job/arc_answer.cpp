@@ -46,27 +46,27 @@ Json contact_json(const ArcPair& p, const ArcPairContact& c) {
   const Mat2& k_2 = first ? at.curvature_concave : at.curvature_convex;
   const auto diameters = first ? std::array{2 * at.radius_convex, 2 * at.radius_concave}
                                : std::array{2 * at.radius_concave, 2 * at.radius_convex};
-  return {{"convex_gear", c.convex_gear},
-          {"rack_angle_deg", deg(at.theta)},
-          {"nominal_rack_angle_deg",
-           std::isnan(c.nominal_theta) ? Json(nullptr) : Json(deg(c.nominal_theta))},
-          {"point_mm", vec(at.point)},
-          {"normal", vec(at.normal)},
-          {"contact_diameter_mm", {diameters[0], diameters[1]}},
-          {"rotation2_offset_deg",
-           deg(first ? at.rotation_offset : at.rotation_offset / p.gear_ratio())},
-          {"curvature_per_mm", {{"gear1", tensor(k_1)}, {"gear2", tensor(k_2)}}},
-          {"gap_curvature_per_mm", {at.gap[0], at.gap[1]}},
-          {"ellipse",
-           {{"marking_mm", kMarking_mm},
-            {"semi_major_mm", number(semi_axis(at.gap[0]))},
-            {"semi_minor_mm", number(semi_axis(at.gap[1]))},
-            {"angle_deg", deg(at.angle)}}},
-          {"transverse_radius_mm",
-           {{"convex", at.transverse_radius_convex}, {"concave", at.transverse_radius_concave}}},
-          {"transverse_radius_difference_mm",
-           at.transverse_radius_concave - at.transverse_radius_convex},
-          {"line_contact_radius_difference_mm", at.line_contact_difference}};
+  return {
+      {"convex_gear", c.convex_gear},
+      {"rack_angle_deg", at.theta.deg()},
+      {"nominal_rack_angle_deg", c.nominal_theta ? Json(c.nominal_theta->deg()) : Json(nullptr)},
+      {"point_mm", vec(at.point)},
+      {"normal", vec(at.normal)},
+      {"contact_diameter_mm", {diameters[0], diameters[1]}},
+      {"rotation2_offset_deg",
+       (first ? at.rotation_offset : at.rotation_offset / p.gear_ratio()).deg()},
+      {"curvature_per_mm", {{"gear1", tensor(k_1)}, {"gear2", tensor(k_2)}}},
+      {"gap_curvature_per_mm", {at.gap[0], at.gap[1]}},
+      {"ellipse",
+       {{"marking_mm", kMarking_mm},
+        {"semi_major_mm", number(semi_axis(at.gap[0]))},
+        {"semi_minor_mm", number(semi_axis(at.gap[1]))},
+        {"angle_deg", at.angle.deg()}}},
+      {"transverse_radius_mm",
+       {{"convex", at.transverse_radius_convex}, {"concave", at.transverse_radius_concave}}},
+      {"transverse_radius_difference_mm",
+       at.transverse_radius_concave - at.transverse_radius_convex},
+      {"line_contact_radius_difference_mm", at.line_contact_difference}};
 }
 
 // The way of the first contact over the common face, and its mirror image on the other flanks.
@@ -83,16 +83,16 @@ Json backlash_json(const ArcPair& p) {
   if (!p.backlash_rotation) return nullptr;
   const auto& j = *p.backlash_rotation;
   const auto d_w = p.working_pitch_diameter();
-  const double theta = p.first_contact().at.theta;
+  const double theta = p.first_contact().at.theta.rad();
   return {{"normal_base_mm", p.backlash_normal},
           {"normal_mm", p.backlash_normal / std::cos(theta)},
-          {"circumferential_mm", {j[0] * d_w[0] / 2, j[1] * d_w[1] / 2}},
-          {"rotation_deg", {deg(j[0]), deg(j[1])}}};
+          {"circumferential_mm", {j[0].rad() * d_w[0] / 2, j[1].rad() * d_w[1] / 2}},
+          {"rotation_deg", {j[0].deg(), j[1].deg()}}};
 }
 
 }  // namespace
 
-Json arc_pair_json(const ArcPair& p) {
+Json pair_json(const ArcPair& p) {
   const bool touch = !p.contacts.empty();
   Json j;
   j["kind"] = "parallel_external";
@@ -105,7 +105,7 @@ Json arc_pair_json(const ArcPair& p) {
   j["working_normal_pressure_angle_deg"] = nullptr;
   j["working_transverse_pressure_angle_deg"] = nullptr;
   if (touch) {
-    const double theta = p.first_contact().at.theta;
+    const double theta = p.first_contact().at.theta.rad();
     j["working_normal_pressure_angle_deg"] = deg(theta);
     j["working_transverse_pressure_angle_deg"] = {deg(transverse(p, 0, theta)),
                                                   deg(transverse(p, 1, theta))};

@@ -10,6 +10,6 @@ namespace gearwright {
 constexpr double kMarking_mm = 0.00635;
 
 /// The keys of a pair, `null` where only an involute has such a value, and `arc_contacts`.
-Json arc_pair_json(const ArcPair& pair);
+Json pair_json(const ArcPair& pair);
 
 }  // namespace gearwright

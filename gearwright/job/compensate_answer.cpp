@@ -166,7 +166,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job) {
   if (answer.setting && answer.setting->angle_nominal) {
     constexpr double kProfileEnd =
         10.0;  // degrees of rack angle off the drawing's: the flank's end
-    task.profile_target = *answer.setting->angle_nominal;
+    task.profile_target = answer.setting->angle_nominal->rad();
     task.profile_width = kProfileEnd * kRadPerDeg;
   }
   std::vector<double> closed_forms(answer.corrections.size(), 0.0);
@@ -174,7 +174,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job) {
     const std::size_t i = answer.corrections[k];
     if (i == setting && answer.setting) closed_forms[k] = answer.setting->exact;
     if (i == lead1 && answer.lead)
-      closed_forms[k] = answer.lead->exact[0].value_or(0.0) / kRadPerDeg;
+      closed_forms[k] = answer.lead->exact[0].value_or(Angle()).rad() / kRadPerDeg;
   }
   task.starts.push_back(std::move(closed_forms));
   // A pair points to what its setup holds.

@@ -19,8 +19,8 @@ std::string unit_of(const std::string& key) {
   return unit == "um" ? "µm" : unit == "deg" ? "°" : unit;
 }
 
-Json optional_deg(const std::optional<double>& rad) {
-  return rad ? Json(*rad * kDeg) : Json(nullptr);
+Json optional_deg(const std::optional<Angle>& angle) {
+  return angle ? Json(angle->deg()) : Json(nullptr);
 }
 
 Json score_json(const ContactScore& s) {
@@ -31,8 +31,8 @@ Json score_json(const ContactScore& s) {
           {"contact_lost", s.lost}};
 }
 
-std::string degrees(const std::optional<double>& rad) {
-  return rad ? fixed_text(*rad * kDeg, 6) + " °" : "-";
+std::string degrees(const std::optional<Angle>& angle) {
+  return angle ? fixed_text(angle->deg(), 6) + " °" : "-";
 }
 
 std::string percent(double v) { return fixed_text(100 * v, 1) + " %"; }

@@ -48,10 +48,6 @@ Error in_gear(Error error, int which) {
   return error;
 }
 
-const Gear& mounted_gear(const SolvedJob& job, int which) {
-  return job.arc_pair ? job.arc_pair->gears[which - 1] : job.pair->gears[which - 1];
-}
-
 FlankExtent flank_extent(const Gear& gear) {
   return {gear.involute() ? gear.base_radius() : 0.0, *gear.root_form_radius(),
           gear.tip_form_radius(), gear.spec.face_width};
@@ -180,12 +176,11 @@ Result<ContactSetup> ContactSetup::changed(const SetupChange& change) const {
 
 Result<ContactSetup> ContactSetup::of(const SolvedJob& job) {
   ContactSetup setup;
-  GW_EXPECTS(job.pair || job.arc_pair);
-  setup.place_.center_distance =
-      job.arc_pair ? job.arc_pair->center_distance : job.pair->center_distance;
-  setup.place_.shaft_angle = job.pair ? job.pair->shaft_angle() : 0.0;
+  GW_EXPECTS(job.pair.has_value());
+  setup.place_.center_distance = job.pair->center_distance();
+  setup.place_.shaft_angle = job.pair->shaft_angle().rad();
   for (int i = 0; i < 2; ++i) {
-    const Gear& gear = mounted_gear(job, i + 1);
+    const Gear& gear = job.pair->gear(i + 1);
     setup.gears_[i] = std::make_shared<const Gear>(gear);
     const auto form = gear.root_form_radius();
     if (!form) {

@@ -27,13 +27,13 @@ Json spec_of(const JobSpec& spec, const FitBranch& b) {
     if (given.basic) continue;
     if (!given.helix_given) {
       for (const char* key : kHelixKeys) gear.erase(key);
-      gear["helix_angle_deg"] = deg(b.helix[i]);
+      gear["helix_angle_deg"] = b.helix[i].deg();
     }
     if (!given.profile_shift) gear["profile_shift"] = b.shift[i];
   }
   if (!spec.pair.center_distance) tree["pair"]["center_distance_mm"] = b.center_distance;
-  if (!spec.pair.shaft_angle_deg || b.shaft_angle == 0.0)
-    tree["pair"]["shaft_angle_deg"] = deg(b.shaft_angle);
+  if (!spec.pair.shaft_angle_deg || b.shaft_angle.rad() == 0.0)
+    tree["pair"]["shaft_angle_deg"] = b.shaft_angle.deg();
   tree["pair"].erase("mounting");  // the place is said
   // Tables after plain values, as a TOML file has them.
   Json ordered = Json::object();
@@ -83,7 +83,7 @@ Result<FitAnswer> answer_fit(const JobSpec& spec) {
   FitProblem p;
   p.teeth = {c1.teeth, c2.teeth};
   p.normal_module = c1.normal_module;
-  p.normal_pressure_angle = c1.normal_pressure_angle.rad();
+  p.normal_pressure_angle = c1.normal_pressure_angle;
   for (const int i : {0, 1}) {
     CylindricalSpec c = i == 0 ? c1 : c2;
     c.profile_shift = spec.gears[i]->profile_shift.value_or(0.0);
@@ -96,7 +96,7 @@ Result<FitAnswer> answer_fit(const JobSpec& spec) {
   std::array<CylindricalSpec, 2> known{c1, c2};
   for (const int i : {0, 1}) {
     const GearInput& g = *spec.gears[i];
-    if (g.helix_given) p.helix[i] = g.cylindrical.helix_angle.rad();
+    if (g.helix_given) p.helix[i] = g.cylindrical.helix_angle;
     p.shift[i] = g.profile_shift;
     all = all && g.helix_given && g.profile_shift;
     known[i].profile_shift = g.profile_shift.value_or(0.0);
@@ -123,9 +123,9 @@ Result<FitAnswer> answer_fit(const JobSpec& spec) {
                              p.teeth[1], p.teeth[0])};
   }
   p.center_distance = spec.pair.center_distance;
-  if (spec.pair.shaft_angle_deg) p.shaft_angle = Angle::degrees(*spec.pair.shaft_angle_deg).rad();
+  if (spec.pair.shaft_angle_deg) p.shaft_angle = Angle::degrees(*spec.pair.shaft_angle_deg);
   if (spec.fit.normal_pressure_angle_deg)
-    p.working_normal_pressure_angle = Angle::degrees(*spec.fit.normal_pressure_angle_deg).rad();
+    p.working_normal_pressure_angle = Angle::degrees(*spec.fit.normal_pressure_angle_deg);
   auto found = fit(p);
   if (!found) return found.error();
   FitAnswer answer{std::move(found).take(), {}};
@@ -137,12 +137,13 @@ Json fit_json(const FitAnswer& answer) {
   Json branches = Json::array();
   for (std::size_t i = 0; i < answer.fit.branches.size(); ++i) {
     const FitBranch& b = answer.fit.branches[i];
-    branches.push_back({{"helix_angle_deg", {deg(b.helix[0]), deg(b.helix[1])}},
-                        {"profile_shift", {b.shift[0], b.shift[1]}},
-                        {"center_distance_mm", b.center_distance},
-                        {"shaft_angle_deg", deg(b.shaft_angle)},
-                        {"working_normal_pressure_angle_deg", deg(b.working_normal_pressure_angle)},
-                        {"spec", answer.specs[i]}});
+    branches.push_back(
+        {{"helix_angle_deg", {b.helix[0].deg(), b.helix[1].deg()}},
+         {"profile_shift", {b.shift[0], b.shift[1]}},
+         {"center_distance_mm", b.center_distance},
+         {"shaft_angle_deg", b.shaft_angle.deg()},
+         {"working_normal_pressure_angle_deg", b.working_normal_pressure_angle.deg()},
+         {"spec", answer.specs[i]}});
     if (answer.transverse_contact_ratio)
       branches.back()["transverse_contact_ratio"] = *answer.transverse_contact_ratio;
   }
@@ -154,7 +155,7 @@ Json fit_json(const FitAnswer& answer) {
   if (f.branches.empty() && (f.nearest_distance || f.nearest_shaft_angle)) {
     nearest = {{"center_distance_mm", value(f.nearest_distance, 1.0)},
                {"shaft_angle_deg",
-                f.nearest_shaft_angle ? Json(deg(*f.nearest_shaft_angle)) : Json(nullptr)}};
+                f.nearest_shaft_angle ? Json(f.nearest_shaft_angle->deg()) : Json(nullptr)}};
   }
   return {{"fit",
            {{"branches", branches},
@@ -171,7 +172,7 @@ std::string fit_listing(const FitAnswer& answer) {
                           *f.nearest_distance);
     if (f.nearest_shaft_angle)
       text += fmt::format("  nearest shaft angle at this centre distance  {:.5f}°\n",
-                          deg(*f.nearest_shaft_angle));
+                          f.nearest_shaft_angle->deg());
     return text;
   }
   std::string text =
@@ -181,8 +182,8 @@ std::string fit_listing(const FitAnswer& answer) {
   for (const FitBranch& b : f.branches) {
     text += fmt::format(
         "  {:>6}  {:>10.5f}° {:>10.5f}°  {:>9.5f} {:>9.5f}  {:>11.4f}  {:>10.5f}°  {:>9.5f}°\n",
-        ++number, deg(b.helix[0]), deg(b.helix[1]), b.shift[0], b.shift[1], b.center_distance,
-        deg(b.shaft_angle), deg(b.working_normal_pressure_angle));
+        ++number, b.helix[0].deg(), b.helix[1].deg(), b.shift[0], b.shift[1], b.center_distance,
+        b.shaft_angle.deg(), b.working_normal_pressure_angle.deg());
   }
   if (answer.transverse_contact_ratio)
     text += fmt::format("\n  transverse contact ratio {:.4f}\n", *answer.transverse_contact_ratio);

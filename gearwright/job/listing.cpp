@@ -36,6 +36,7 @@ std::string angle(const std::optional<double>& rad) {
   if (!rad) return "-";
   return fmt::format("{:.5f}", std::abs(deg(*rad)) < 0.5e-5 ? 0.0 : deg(*rad));
 }
+std::string angle(Angle value) { return angle(value.rad()); }
 std::string maybe(const std::optional<double>& v, double factor = 1.0) {
   return v ? mm(factor * *v) : "-";
 }
@@ -143,7 +144,7 @@ std::string gear_listing(const SolvedJob& job) {
   return t.take();
 }
 
-std::string pair_listing(const Pair& p) {
+std::string pair_listing(const InvolutePair& p) {
   Table t;
   t.head(p.crossed()                             ? "pair on crossed axes"
          : p.kind == PairKind::parallel_external ? "external pair, parallel axes"
@@ -158,7 +159,7 @@ std::string pair_listing(const Pair& p) {
   const auto& m = p.mesh;
   const auto& sides = m.rack.sides;
   one("gear ratio", "u", fmt::format("{:.6g}", p.gear_ratio()), "");
-  if (p.crossed()) one("shaft angle", "Σ", angle(p.shaft_angle()), "°");
+  if (p.crossed()) one("shaft angle", "Σ", angle(p.shaft_angle), "°");
   one("centre distance", "a", mm(p.center_distance), "mm");
   one("  reference", "a_d", mm(p.reference_center_distance), "mm");
   one("  backlash-free", "", maybe(p.backlash_free_center_distance), "mm");

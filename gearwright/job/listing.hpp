@@ -8,7 +8,7 @@
 namespace gearwright {
 
 std::string gear_listing(const SolvedJob& job);
-std::string pair_listing(const Pair& pair);
+std::string pair_listing(const InvolutePair& pair);
 std::string pair_listing(const ArcPair& pair);
 std::string warning_listing(const std::vector<Warning>& warnings);
 std::string file_listing(const std::vector<JobFile>& files);

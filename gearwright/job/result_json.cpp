@@ -19,6 +19,16 @@ Json optional(const std::optional<double>& value, double factor = 1.0) {
 
 using Reference = ReferenceGeometry<double>;
 
+Json optional(const std::optional<Angle>& angle) {
+  return angle ? Json(angle->deg()) : Json(nullptr);
+}
+
+// mm, or rad
+double amount(const Interference& i) {
+  const auto* angle = std::get_if<Angle>(&i.amount);
+  return angle ? angle->rad() : std::get<double>(i.amount);
+}
+
 // A number that only an involute gear has.
 Json number(const Gear& gear, double Reference::*member) {
   return optional(of_involute(gear, member));
@@ -30,7 +40,7 @@ Json angle(const Gear& gear, double Reference::*member) {
 
 Json point(const Point<Housing>& p) { return Json::array({p.r.x(), p.r.y(), p.r.z()}); }
 
-Json line_json(const Pair& p) {
+Json line_json(const InvolutePair& p) {
   Json line;
   line["length_mm"] = p.path_length();
   line["leading"] = {point(p.on_line_of_action(p.mesh.rho1_A)),
@@ -41,7 +51,7 @@ Json line_json(const Pair& p) {
 }
 
 // A…E by their distance from the pitch point along the line, and both curvature radii.
-Json path_points(const Pair& p) {
+Json path_points(const InvolutePair& p) {
   // Lengths along the line: in the transverse section, or in space where the axes cross.
   const double c = p.crossed() ? std::cos(p.input.gears[0].helix_angle) : 1.0;
   Json points = Json::object();
@@ -62,12 +72,12 @@ Json path_points(const Pair& p) {
 
 Json place_json(const CrossedPlace& place) {
   return {{"center_distance_mm", place.center_distance},
-          {"shaft_angle_deg", deg(place.shaft_angle)},
-          {"working_normal_pressure_angle_deg", deg(place.normal_pressure_angle)}};
+          {"shaft_angle_deg", place.shaft_angle.deg()},
+          {"working_normal_pressure_angle_deg", place.normal_pressure_angle.deg()}};
 }
 
 // What only crossed axes have.
-void add_crossed(Json& j, const Pair& p) {
+void add_crossed(Json& j, const InvolutePair& p) {
   for (const char* key : {"min_face_width_mm", "min_face_width_both_flanks_mm", "face_interval_mm",
                           "line_offset_mm", "minimum_center_distance", "contact_ratio_range"}) {
     j[key] = nullptr;
@@ -81,15 +91,16 @@ void add_crossed(Json& j, const Pair& p) {
   if (p.least_distance) j["minimum_center_distance"] = place_json(*p.least_distance);
   if (!p.contact_ratio_range) return;
   const CrossedPlaces& r = *p.contact_ratio_range;
-  j["contact_ratio_range"] = {{"working_normal_pressure_angle_deg",
-                               {deg(r.lo.normal_pressure_angle), deg(r.hi.normal_pressure_angle)}},
-                              {"center_distance_mm", {r.lo.center_distance, r.hi.center_distance}},
-                              {"shaft_angle_deg", {deg(r.lo.shaft_angle), deg(r.hi.shaft_angle)}},
-                              {"ends_at_90_deg_helix", r.limit}};
+  j["contact_ratio_range"] = {
+      {"working_normal_pressure_angle_deg",
+       {r.lo.normal_pressure_angle.deg(), r.hi.normal_pressure_angle.deg()}},
+      {"center_distance_mm", {r.lo.center_distance, r.hi.center_distance}},
+      {"shaft_angle_deg", {r.lo.shaft_angle.deg(), r.hi.shaft_angle.deg()}},
+      {"ends_at_90_deg_helix", r.limit}};
 }
 
 // Speeds of sliding at A, the pitch point of gear 1 and E, per radian of gear 1.
-Json sliding_json(const Pair& p) {
+Json sliding_json(const InvolutePair& p) {
   Json across = Json::array(), along = Json::array(), total = Json::array();
   for (const double rho1 : {p.mesh.rho1_A, p.mesh.rho1_C, p.mesh.rho1_E}) {
     const FlankSpeeds<double> w = flank_speeds(p.input, p.mesh, rho1);
@@ -169,14 +180,14 @@ Json gear_json(const Gear& g) {
   return j;
 }
 
-Json pair_json(const Pair& p) {
+Json pair_json(const InvolutePair& p) {
   const auto& sides = p.mesh.rack.sides;
   Json j;
   j["kind"] = p.crossed()                             ? "crossed"
               : p.kind == PairKind::parallel_external ? "parallel_external"
                                                       : "parallel_internal";
   j["gear_ratio"] = p.gear_ratio();
-  j["shaft_angle_deg"] = deg(p.shaft_angle());
+  j["shaft_angle_deg"] = p.shaft_angle.deg();
   j["center_distance_mm"] = p.center_distance;
   j["reference_center_distance_mm"] = p.reference_center_distance;
   j["backlash_free_center_distance_mm"] = optional(p.backlash_free_center_distance);
@@ -199,7 +210,7 @@ Json pair_json(const Pair& p) {
   j["interference"] = Json::array();
   for (const Interference& i : p.interference) {
     j["interference"].push_back(
-        {{"code", i.code}, {"gear", i.gear}, {"amount", i.amount}, {"message", i.message}});
+        {{"code", i.code}, {"gear", i.gear}, {"amount", amount(i)}, {"message", i.message}});
   }
   j["tip_clearance_mm"] = {p.tip_clearance[0], p.tip_clearance[1]};
   j["contact_root_diameter_mm"] = {optional(p.contact_root_diameter[0]),
@@ -235,8 +246,8 @@ Json pair_json(const Pair& p) {
                    {"rotation_deg", {deg(b.rotation[0]), deg(b.rotation[1])}}};
   if (p.kind == PairKind::parallel_internal) {
     j["internal"] = {{"involute_margin_mm", optional(p.involute_margin)},
-                     {"trochoid_margin_deg", optional(p.trochoid_margin, 180 / std::numbers::pi)},
-                     {"trimming_margin_deg", optional(p.trimming_margin, 180 / std::numbers::pi)}};
+                     {"trochoid_margin_deg", optional(p.trochoid_margin)},
+                     {"trimming_margin_deg", optional(p.trimming_margin)}};
   }
   return j;
 }
@@ -256,8 +267,7 @@ Json job_json(const SolvedJob& job) {
   if (!job.spec.title.empty()) j["title"] = job.spec.title;
   j["gears"] = Json::array();
   for (const Gear& g : job.gears) j["gears"].push_back(gear_json(g));
-  if (job.pair) j["pair"] = pair_json(*job.pair);
-  if (job.arc_pair) j["pair"] = arc_pair_json(*job.arc_pair);
+  if (job.pair) j["pair"] = job.pair->visit([](const auto& pair) { return pair_json(pair); });
   j["warnings"] = warnings_json(job.warnings);
   return j;
 }

@@ -8,7 +8,7 @@
 namespace gearwright {
 
 Json gear_json(const Gear& gear);
-Json pair_json(const Pair& pair);
+Json pair_json(const InvolutePair& pair);
 Json warnings_json(const std::vector<Warning>& warnings);
 /// `gears`, `pair` (when there is one), `warnings`.
 Json job_json(const SolvedJob& job);

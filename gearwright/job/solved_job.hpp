@@ -7,19 +7,17 @@
 #include <optional>
 #include <vector>
 
-#include "gearwright/spec/spec.hpp"
-#include "gearwright/pair/arc_pair.hpp"
 #include "gearwright/pair/pair.hpp"
+#include "gearwright/spec/spec.hpp"
 
 namespace gearwright {
 
 /// What a spec describes. With a pair its gears are the pair's.
 struct SolvedJob {
   JobSpec spec;
-  std::vector<Gear> gears;          ///< one or two
-  std::optional<Pair> pair;         ///< when the spec has two gears and the caller wanted the pair
-  std::optional<ArcPair> arc_pair;  ///< the same of gears with circular-arc teeth
-  std::vector<Warning> warnings;    ///< of gears and pair, with the gear's number
+  std::vector<Gear> gears;        ///< one or two
+  std::optional<Pair> pair;       ///< when the spec has two gears and the caller wanted the pair
+  std::vector<Warning> warnings;  ///< of gears and pair, with the gear's number
 
   std::optional<Bore> bore(int which) const {
     return spec.gears[static_cast<std::size_t>(which - 1)]->bore;

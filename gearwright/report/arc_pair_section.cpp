@@ -75,7 +75,8 @@ void add_contact(TableBuilder& t, const ArcPairContact& c) {
   const ArcContact& at = c.at;
   t.group(fmt::format("Contact on the convex flank of gear {}", c.convex_gear));
   t.common("Normal angle of the racks", "θ", "°", angle(at.theta));
-  t.common("The same at the reference centre distance", "θ_0", "°", angle(c.nominal_theta));
+  t.common("The same at the reference centre distance", "θ_0", "°",
+           c.nominal_theta ? angle(*c.nominal_theta) : shown::none());
   t.common("Point at rotation 0", "x, y, z", "mm",
            length(at.point.x()) + ", " + length(at.point.y()) + ", " + length(at.point.z()));
   const bool first = c.convex_gear == 1;
@@ -127,7 +128,7 @@ std::array<double, 2> angles_at_contact(const ArcPair& pair, const ArcPairContac
   std::array<double, 2> angles{pair.gears[0].twist() * z,
                                std::atan2(pose(1, 0), pose(0, 0)) + pair.gears[1].twist() * z};
   // The concave gear is turned against the convex one, so that the flanks touch.
-  angles[contact.convex_gear == 1 ? 1 : 0] += contact.at.rotation_offset;
+  angles[contact.convex_gear == 1 ? 1 : 0] += contact.at.rotation_offset.rad();
   return angles;
 }
 

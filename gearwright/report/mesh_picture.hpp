@@ -20,9 +20,9 @@ namespace gearwright {
 /// the
 ///           teeth on the working pitch circles, of a ring's s_bt2/d_b2 + inv α_wt
 /// Units     rad
-std::array<double, 2> rotation_to_pitch_point(const Pair& pair);
+std::array<double, 2> rotation_to_pitch_point(const InvolutePair& pair);
 
 /// The two figures; `shapes` are the names of the gears' definitions (gear_shape.hpp).
-std::string mesh_figures(const Pair& pair, const std::array<std::string, 2>& shapes);
+std::string mesh_figures(const InvolutePair& pair, const std::array<std::string, 2>& shapes);
 
 }  // namespace gearwright

@@ -19,7 +19,7 @@ using shown::ratio;
 
 namespace {
 
-void add_crossed_contact(TableBuilder& t, const Pair& p) {
+void add_crossed_contact(TableBuilder& t, const InvolutePair& p) {
   const FaceWidths<double>& f = *p.face_widths;
   t.common("Distance of the pitch planes", "X", "mm", length(p.mesh.pitch_plane_distance));
   t.common("Length of the line of action", "AE", "mm", length(p.path_length()));
@@ -46,13 +46,13 @@ void add_crossed_contact(TableBuilder& t, const Pair& p) {
 
 }  // namespace
 
-std::string pair_table(const Pair& p) {
+std::string pair_table(const InvolutePair& p) {
   const Mesh<double>& m = p.mesh;
   const auto& sides = m.rack.sides;
   TableBuilder t("Pair data", {"Gear 1", "Gear 2"});
   t.group("Mounting");
   t.common("Centre distance", "a", "mm", length(p.center_distance));
-  if (p.crossed()) t.common("Shaft angle", "Σ", "°", angle(p.shaft_angle()));
+  if (p.crossed()) t.common("Shaft angle", "Σ", "°", angle(p.shaft_angle));
   t.common("Reference centre distance", "a_d", "mm", length(p.reference_center_distance));
   t.common("Free of backlash, as cut", "", "mm", length(p.backlash_free_center_distance));
   t.common("Extended by the profile shifts", "", "mm", length(p.extended_center_distance));
@@ -106,9 +106,7 @@ std::string pair_table(const Pair& p) {
   t.common("Tip shortening that keeps the racks’ clearance", "k m_n", "mm",
            length(p.tip_shortening));
   if (p.kind == PairKind::parallel_internal) {
-    const auto degrees = [](const std::optional<double>& rad) {
-      return rad ? angle(*rad) : none();
-    };
+    const auto degrees = [](const std::optional<Angle>& a) { return a ? angle(*a) : none(); };
     t.group("Internal pair: margins against interference");
     t.common("Involute: path’s start above the pinion’s form point", "", "mm",
              length(p.involute_margin));
@@ -118,7 +116,7 @@ std::string pair_table(const Pair& p) {
   return t.str();
 }
 
-std::string path_table(const Pair& p) {
+std::string path_table(const InvolutePair& p) {
   const Mesh<double>& m = p.mesh;
   struct Mark {
     const char* letter;
@@ -160,7 +158,7 @@ std::string path_table(const Pair& p) {
   return text + "</tbody></table></div>\n";
 }
 
-std::string interference_table(const Pair& p) {
+std::string interference_table(const InvolutePair& p) {
   if (p.interference.empty()) {
     if (p.crossed()) {
       const bool lost = std::any_of(p.warnings.begin(), p.warnings.end(),
@@ -188,7 +186,8 @@ std::string interference_table(const Pair& p) {
     text += fmt::format(
         "<tr><th scope=\"row\">{}</th><td>{}</td><td class=\"value\">{}</td><td "
         "class=\"words\">{}</td></tr>\n",
-        escaped(i.code), i.gear, turns ? angle(i.amount) + "°" : length(i.amount) + " mm",
+        escaped(i.code), i.gear,
+        turns ? angle(std::get<Angle>(i.amount)) + "°" : length(std::get<double>(i.amount)) + " mm",
         escaped(i.message));
   }
   return text + "</tbody></table></div>\n";

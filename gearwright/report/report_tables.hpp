@@ -8,12 +8,12 @@
 namespace gearwright {
 
 /// Centre distances, working angles, contact ratios, backlash, clearances, sliding.
-std::string pair_table(const Pair& pair);
+std::string pair_table(const InvolutePair& pair);
 
 /// A … E: distance from the pitch point, radii of curvature, sliding.
-std::string path_table(const Pair& pair);
+std::string path_table(const InvolutePair& pair);
 
 /// Interference by name and amount, or the sentence that none was found.
-std::string interference_table(const Pair& pair);
+std::string interference_table(const InvolutePair& pair);
 
 }  // namespace gearwright
