@@ -27,7 +27,7 @@ face_width_mm = 25
 void spec_to_pair(benchmark::State& state) {
   for (auto _ : state) {
     const auto job = solve(read_spec(kSpec, SpecFormat::toml).value(), Scope::pair);
-    benchmark::DoNotOptimize(job->pair->center_distance);
+    benchmark::DoNotOptimize(job->pair->center_distance());
   }
 }
 BENCHMARK(spec_to_pair)->Unit(benchmark::kMicrosecond);

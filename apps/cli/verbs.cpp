@@ -20,8 +20,8 @@
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/spec/toml_text.hpp"
 #include "gearwright/job/verify.hpp"
+#include "gearwright/spec/toml_text.hpp"
 
 namespace gearwright::cli {
 

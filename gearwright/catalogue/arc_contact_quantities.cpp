@@ -9,8 +9,6 @@ namespace {
 
 constexpr double kMarking = 0.00635;  // mm: the ellipse is what a layer of marking compound shows
 
-double deg(double rad) { return Angle::radians(rad).deg(); }
-
 // The semi-axis that a gap curvature leaves under the marking; none where the gap closes.
 Value semi_axis(double k) { return k > 0.0 ? Value(std::sqrt(2 * kMarking / k)) : Value(); }
 
@@ -58,7 +56,7 @@ const Quantities<ArcContact>& ellipse_quantities() {
          [](const A& a) { return semi_axis(a.gap[1]); });
     q.deg("", "angle_deg", "major axis of the contact ellipse to the axis", "",
           "about the normal, from the projection of axis 1",
-          [](const A& a) { return Value(deg(a.angle)); });
+          [](const A& a) { return Value(a.angle.deg()); });
   });
   return kAll;
 }
@@ -80,11 +78,11 @@ void say(Quantities<C>& q) {
      return Value(c.contact->convex_gear);
    }).always();
   q.deg("", "rack_angle_deg", "normal angle of the racks", "θ", "at the contact",
-        at([](const ArcContact& a) { return deg(a.theta); }));
+        at([](const ArcContact& a) { return a.theta.deg(); }));
   q.deg("", "nominal_rack_angle_deg", "normal angle at the reference centre distance", "θ_0",
         "[T7.9]; null: no contact there", [](const C& c) {
-          const double theta = c.contact->nominal_theta;
-          return std::isnan(theta) ? Value() : Value(deg(theta));
+          const auto& theta = c.contact->nominal_theta;
+          return theta ? Value(theta->deg()) : Value();
         });
   q.mm("", "point_mm", "point of contact at rotation 0", "x, y, z", "in the housing frame",
        at([](const ArcContact& a) { return a.point; }))
@@ -100,8 +98,8 @@ void say(Quantities<C>& q) {
   q.deg("", "rotation2_offset_deg", "rotation of gear 2 at the contact", "",
         "how far gear 2 is ahead when these flanks touch [T7.18]",
         [](const C& c) {
-          const double offset = c.contact->at.rotation_offset;
-          return Value(deg(convex_first(c) ? offset : offset / c.pair->gear_ratio()));
+          const Angle offset = c.contact->at.rotation_offset;
+          return Value((convex_first(c) ? offset : offset / c.pair->gear_ratio()).deg());
         })
       .doors(kJson);
   q.record(

@@ -13,7 +13,7 @@ using V = CompensateView;
 constexpr const char* kSetting = "Setting of rack F that brings the contact back";
 constexpr const char* kLead = "Lead angle that takes the slope out of the transmission error";
 
-Value degrees(const std::optional<double>& rad) { return rad ? Value(*rad * kDegPerRad) : Value(); }
+Value degrees(const std::optional<Angle>& angle) { return angle ? Value(angle->deg()) : Value(); }
 
 const SaidTable& score_table() { return score_quantities().table(); }
 

@@ -6,14 +6,12 @@ namespace gearwright {
 
 namespace {
 
-double deg(double rad) { return Angle::radians(rad).deg(); }
-
 const Quantities<BranchView>& branch_quantities() {
   using B = BranchView;
   static const Quantities<B> kAll("fit.branches", [](Quantities<B>& q) {
     q.deg("", "helix_angle_deg", "helix angle", "β", "per gear",
           [](const B& b) {
-            return Value(std::array{deg(b.branch.helix[0]), deg(b.branch.helix[1])});
+            return Value(std::array{b.branch.helix[0].deg(), b.branch.helix[1].deg()});
           })
         .per_gear()
         .always();
@@ -27,11 +25,11 @@ const Quantities<BranchView>& branch_quantities() {
        return Value(b.branch.center_distance);
      }).always();
     q.deg("", "shaft_angle_deg", "shaft angle", "Σ", "of this answer", [](const B& b) {
-       return Value(deg(b.branch.shaft_angle));
+       return Value(b.branch.shaft_angle.deg());
      }).always();
     q.deg("", "working_normal_pressure_angle_deg", "working normal pressure angle", "α_wn",
           "of this answer",
-          [](const B& b) { return Value(deg(b.branch.working_normal_pressure_angle)); })
+          [](const B& b) { return Value(b.branch.working_normal_pressure_angle.deg()); })
         .always();
     q.add(Type::map, Unit::none, "", "spec", "spec", "", "the whole spec of this answer",
           [](const B& b) { return b.spec; })
@@ -52,7 +50,7 @@ const Quantities<Fit>& nearest_quantities() {
          "null: none is near", [](const Fit& f) { return Value(f.nearest_distance); });
     q.deg("", "shaft_angle_deg", "nearest shaft angle at this centre distance", "Σ",
           "null: none is near", [](const Fit& f) {
-            return f.nearest_shaft_angle ? Value(deg(*f.nearest_shaft_angle)) : Value();
+            return f.nearest_shaft_angle ? Value(f.nearest_shaft_angle->deg()) : Value();
           });
   });
   return kAll;

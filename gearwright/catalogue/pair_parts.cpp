@@ -10,16 +10,21 @@ namespace gearwright {
 
 namespace {
 
-double deg(double rad) { return Angle::radians(rad).deg(); }
-Value degrees(const std::optional<double>& rad) { return rad ? Value(*rad * kDegPerRad) : Value(); }
+Value degrees(const std::optional<Angle>& angle) { return angle ? Value(angle->deg()) : Value(); }
+
+// mm, or rad
+double amount(const Interference& i) {
+  const auto* angle = std::get_if<Angle>(&i.amount);
+  return angle ? angle->rad() : std::get<double>(i.amount);
+}
 
 // Lengths along the line: in the transverse section, or in space where the axes cross.
-double line_cosine(const Pair& p) {
+double line_cosine(const InvolutePair& p) {
   return p.crossed() ? std::cos(p.input.gears[0].helix_angle) : 1.0;
 }
 
 struct PathPoint {
-  const Pair* pair;
+  const InvolutePair* pair;
   double rho1;
 };
 
@@ -46,7 +51,7 @@ const Quantities<PathPoint>& path_point_quantities() {
 const SaidTable& path_point_table() { return path_point_quantities().table(); }
 
 // Speeds of sliding at A, the pitch point of gear 1 and E, per radian of gear 1.
-Value sliding_at_A_C_E(const Pair& p, double (*part)(double across, double along)) {
+Value sliding_at_A_C_E(const InvolutePair& p, double (*part)(double across, double along)) {
   ValueList speeds;
   for (const double rho1 : {p.mesh.rho1_A, p.mesh.rho1_C, p.mesh.rho1_E}) {
     const FlankSpeeds<double> w = flank_speeds(p.input, p.mesh, rho1);
@@ -73,10 +78,10 @@ const Quantities<CrossedPlace>& place_quantities() {
        return Value(p.center_distance);
      }).always();
     q.deg("", "shaft_angle_deg", "shaft angle", "Σ", "there", [](const P& p) {
-       return Value(deg(p.shaft_angle));
+       return Value(p.shaft_angle.deg());
      }).always();
     q.deg("", "working_normal_pressure_angle_deg", "working normal pressure angle", "α_wn", "there",
-          [](const P& p) { return Value(deg(p.normal_pressure_angle)); })
+          [](const P& p) { return Value(p.normal_pressure_angle.deg()); })
         .always();
   });
   return kAll;
@@ -89,14 +94,14 @@ const Quantities<CrossedPlaces>& places_quantities() {
     q.deg("", "working_normal_pressure_angle_deg", "working normal pressure angle", "α_wn", ends,
           [](const P& p) {
             return Value(
-                std::array{deg(p.lo.normal_pressure_angle), deg(p.hi.normal_pressure_angle)});
+                std::array{p.lo.normal_pressure_angle.deg(), p.hi.normal_pressure_angle.deg()});
           })
         .ends();
     q.mm("", "center_distance_mm", "centre distance", "a", ends, [](const P& p) {
        return Value(std::array{p.lo.center_distance, p.hi.center_distance});
      }).ends();
     q.deg("", "shaft_angle_deg", "shaft angle", "Σ", ends, [](const P& p) {
-       return Value(std::array{deg(p.lo.shaft_angle), deg(p.hi.shaft_angle)});
+       return Value(std::array{p.lo.shaft_angle.deg(), p.hi.shaft_angle.deg()});
      }).ends();
     q.flag("", "ends_at_90_deg_helix", "ends at a helix angle of 90°",
            "a helix angle of 90° ends it", [](const P& p) { return Value(p.limit); })
@@ -130,7 +135,7 @@ const Quantities<LineView>& line_quantities() {
 
 std::optional<LineView> line_of(const PairView& v) {
   if (v.involute) {
-    const Pair& p = *v.involute;
+    const InvolutePair& p = *v.involute;
     return LineView{p.path_length(),
                     {p.on_line_of_action(p.mesh.rho1_A).r, p.on_line_of_action(p.mesh.rho1_E).r},
                     {p.on_trailing_line(p.mesh.rho1_A).r, p.on_trailing_line(p.mesh.rho1_E).r}};
@@ -146,10 +151,10 @@ std::optional<LineView> line_of(const PairView& v) {
                   {Vec3(at.x(), -at.y(), half), Vec3(at.x(), -at.y(), -half)}};
 }
 
-const Quantities<Pair>& path_quantities() {
-  static const Quantities<Pair> kAll("pair.path", [](Quantities<Pair>& q) {
+const Quantities<InvolutePair>& path_quantities() {
+  static const Quantities<InvolutePair> kAll("pair.path", [](Quantities<InvolutePair>& q) {
     const auto point = [&q](const char* key, const char* meaning, auto rho1) {
-      q.record("", key, meaning, path_point_table, [rho1](const Pair& p) {
+      q.record("", key, meaning, path_point_table, [rho1](const InvolutePair& p) {
          return Value(path_point_quantities().of({&p, p.mesh.*rho1}));
        }).always();
     };
@@ -178,7 +183,7 @@ const Quantities<BacklashView>& backlash_quantities() {
         .always();
     q.deg("", "rotation_deg", "angular backlash (mating gear fixed)", "j_φ", "per gear",
           [](const B& b) {
-            return Value(std::array{deg(b.rotation[0]), deg(b.rotation[1])});
+            return Value(std::array{b.rotation[0].deg(), b.rotation[1].deg()});
           })
         .per_gear()
         .always();
@@ -189,52 +194,59 @@ const Quantities<BacklashView>& backlash_quantities() {
 std::optional<BacklashView> backlash_of(const PairView& v) {
   if (v.involute) {
     const Backlash<double>& b = v.involute->mesh.backlash;
-    return BacklashView{b.normal_base, b.normal, b.circumferential, b.rotation};
+    return BacklashView{b.normal_base,
+                        b.normal,
+                        b.circumferential,
+                        {Angle::radians(b.rotation[0]), Angle::radians(b.rotation[1])}};
   }
   const ArcPair& p = *v.arcs;
   if (!p.backlash_rotation) return std::nullopt;
   const auto& j = *p.backlash_rotation;
   const auto d_w = p.working_pitch_diameter();
   return BacklashView{p.backlash_normal,
-                      p.backlash_normal / std::cos(p.first_contact().at.theta),
-                      {j[0] * d_w[0] / 2, j[1] * d_w[1] / 2},
+                      p.backlash_normal / std::cos(p.first_contact().at.theta.rad()),
+                      {j[0].rad() * d_w[0] / 2, j[1].rad() * d_w[1] / 2},
                       j};
 }
 
-const Quantities<Pair>& needed_face_quantities() {
-  static const Quantities<Pair> kAll("pair.needed face width", [](Quantities<Pair>& q) {
-    const auto positive = [](double total) {
-      return [total](const Pair& p) { return face_width_for_total(p, total).value_or(0.0) > 0.0; };
-    };
-    q.mm("", "total_1", "face width for a total contact ratio of 1", "b",
-         "null for a spur pair that needs one",
-         [](const Pair& p) { return Value(face_width_for_total(p, 1.0)); })
-        .shown(positive(1.0));
-    q.mm("", "total_1_2", "face width for a total contact ratio of 1.2", "b",
-         "null for a spur pair that needs one",
-         [](const Pair& p) { return Value(face_width_for_total(p, 1.2)); })
-        .shown(positive(1.2));
-    q.mm("", "overlap_1", "face width for an overlap ratio of 1", "b", "null for spur pairs",
-         [](const Pair& p) { return Value(face_width_for_overlap(p)); });
-  });
+const Quantities<InvolutePair>& needed_face_quantities() {
+  static const Quantities<InvolutePair> kAll(
+      "pair.needed face width", [](Quantities<InvolutePair>& q) {
+        const auto positive = [](double total) {
+          return [total](const InvolutePair& p) {
+            return face_width_for_total(p, total).value_or(0.0) > 0.0;
+          };
+        };
+        q.mm("", "total_1", "face width for a total contact ratio of 1", "b",
+             "null for a spur pair that needs one",
+             [](const InvolutePair& p) { return Value(face_width_for_total(p, 1.0)); })
+            .shown(positive(1.0));
+        q.mm("", "total_1_2", "face width for a total contact ratio of 1.2", "b",
+             "null for a spur pair that needs one",
+             [](const InvolutePair& p) { return Value(face_width_for_total(p, 1.2)); })
+            .shown(positive(1.2));
+        q.mm("", "overlap_1", "face width for an overlap ratio of 1", "b", "null for spur pairs",
+             [](const InvolutePair& p) { return Value(face_width_for_overlap(p)); });
+      });
   return kAll;
 }
 
-const Quantities<Pair>& sliding_velocity_quantities() {
-  static const Quantities<Pair> kAll("pair.sliding velocity", [](Quantities<Pair>& q) {
-    const auto at = [&q](const char* key, const char* meaning, double (*part)(double, double)) {
-      q.add(Type::number, Unit::mm_per_rad, "", key, key, "", meaning,
-            [part](const Pair& p) { return sliding_at_A_C_E(p, part); })
-          .list({3})
-          .always();
-    };
-    at("across_teeth", "[at A, at C, at E]; on parallel axes in the transverse section",
-       [](double across, double) { return across; });
-    at("along_teeth", "[at A, at C, at E]; 0 on parallel axes",
-       [](double, double along) { return along; });
-    at("total", "[at A, at C, at E]; of the two together",
-       [](double across, double along) { return std::hypot(across, along); });
-  });
+const Quantities<InvolutePair>& sliding_velocity_quantities() {
+  static const Quantities<InvolutePair> kAll(
+      "pair.sliding velocity", [](Quantities<InvolutePair>& q) {
+        const auto at = [&q](const char* key, const char* meaning, double (*part)(double, double)) {
+          q.add(Type::number, Unit::mm_per_rad, "", key, key, "", meaning,
+                [part](const InvolutePair& p) { return sliding_at_A_C_E(p, part); })
+              .list({3})
+              .always();
+        };
+        at("across_teeth", "[at A, at C, at E]; on parallel axes in the transverse section",
+           [](double across, double) { return across; });
+        at("along_teeth", "[at A, at C, at E]; 0 on parallel axes",
+           [](double, double along) { return along; });
+        at("total", "[at A, at C, at E]; of the two together",
+           [](double across, double along) { return std::hypot(across, along); });
+      });
   return kAll;
 }
 
@@ -251,18 +263,18 @@ const Quantities<Efficiency>& efficiency_quantities() {
   return kAll;
 }
 
-const Quantities<Pair>& internal_quantities() {
-  static const Quantities<Pair> kAll("pair.internal", [](Quantities<Pair>& q) {
+const Quantities<InvolutePair>& internal_quantities() {
+  static const Quantities<InvolutePair> kAll("pair.internal", [](Quantities<InvolutePair>& q) {
     q.mm(kMargins, "involute_margin_mm",
          "involute: start of the path above the pinion's form point", "",
          "[T2.27]; negative: interference, null: no such limit",
-         [](const Pair& p) { return Value(p.involute_margin); });
+         [](const InvolutePair& p) { return Value(p.involute_margin); });
     q.deg(kMargins, "trochoid_margin_deg", "trochoid: tips pass each other", "",
           "[T2.28]; negative: interference, null: no such limit",
-          [](const Pair& p) { return degrees(p.trochoid_margin); });
+          [](const InvolutePair& p) { return degrees(p.trochoid_margin); });
     q.deg(kMargins, "trimming_margin_deg", "trimming: radial assembly", "",
           "[T2.28]; negative: interference, null: no such limit",
-          [](const Pair& p) { return degrees(p.trimming_margin); });
+          [](const InvolutePair& p) { return degrees(p.trimming_margin); });
   });
   return kAll;
 }
@@ -287,7 +299,7 @@ std::vector<InterferenceView> interference_of(const PairView& v) {
   std::vector<InterferenceView> list;
   if (v.involute) {
     for (const Interference& i : v.involute->interference)
-      list.push_back({i.code, i.gear, i.amount, i.message});
+      list.push_back({i.code, i.gear, amount(i), i.message});
   } else {
     for (const Warning& w : v.arcs->warnings) {
       if (w.code != "root" && w.code != "interference") continue;

@@ -30,20 +30,21 @@ const Quantities<LineView>& line_quantities();
 std::optional<LineView> line_of(const PairView& pair);
 
 /// The points A to E of an involute pair's path.
-const Quantities<Pair>& path_quantities();
+const Quantities<InvolutePair>& path_quantities();
 
 /// Backlash of any pair.
 struct BacklashView {
   double normal_base, normal;
-  std::array<double, 2> circumferential, rotation;  ///< mm, rad
+  std::array<double, 2> circumferential;  ///< mm
+  std::array<Angle, 2> rotation;
 };
 const Quantities<BacklashView>& backlash_quantities();
 std::optional<BacklashView> backlash_of(const PairView& pair);
 
-const Quantities<Pair>& needed_face_quantities();
-const Quantities<Pair>& sliding_velocity_quantities();
+const Quantities<InvolutePair>& needed_face_quantities();
+const Quantities<InvolutePair>& sliding_velocity_quantities();
 const Quantities<Efficiency>& efficiency_quantities();
-const Quantities<Pair>& internal_quantities();
+const Quantities<InvolutePair>& internal_quantities();
 
 /// One entry of `interference`.
 struct InterferenceView {

@@ -67,7 +67,7 @@ double working_helix(const ArcPair& p, std::size_t i) {
 
 // The transverse angle of the rack's normal angle at the first contact.
 double working_transverse(const ArcPair& p, std::size_t i) {
-  return std::atan(std::tan(p.first_contact().at.theta) /
+  return std::atan(std::tan(p.first_contact().at.theta.rad()) /
                    std::cos(p.gears[i].spec.helix_angle.rad()));
 }
 
@@ -80,7 +80,7 @@ void say_mounting(Quantities<V>& q) {
          both([](const auto& p) { return p.gear_ratio(); }))
       .always();
   q.deg(kMounting, "shaft_angle_deg", "shaft angle", "Σ", "0 on parallel axes",
-        [](const V& v) { return Value(v.involute ? deg(v.involute->shaft_angle()) : 0.0); })
+        [](const V& v) { return Value(v.involute ? v.involute->shaft_angle.deg() : 0.0); })
       .always()
       .shown(is_crossed);
   q.mm(kMounting, "center_distance_mm", "centre distance", "a", "as mounted",
@@ -93,17 +93,17 @@ void say_mounting(Quantities<V>& q) {
   q.mm(kMounting, "backlash_free_center_distance_mm", "backlash-free centre distance", "",
        "of the teeth as cut, allowances included [T2.20]; crossed: at this Σ [T4.11]; null: there "
        "is none",
-       involute([](const Pair& p) { return p.backlash_free_center_distance; }))
+       involute([](const InvolutePair& p) { return p.backlash_free_center_distance; }))
       .expected(is_involute);
   q.mm(kMounting, "extended_center_distance_mm", "extended centre distance", "",
        "the reference one and both profile shifts [T2.18]",
-       involute([](const Pair& p) { return p.extended_center_distance; }));
+       involute([](const InvolutePair& p) { return p.extended_center_distance; }));
   q.deg(kMounting, "working_normal_pressure_angle_deg", "working normal pressure angle", "α_wn",
         "of circular arcs the racks' normal angle at the contact",
         [](const V& v) -> Value {
           if (v.involute) return deg(v.involute->mesh.rack.normal_pressure_angle);
           if (v.arcs->contacts.empty()) return {};
-          return deg(v.arcs->first_contact().at.theta);
+          return v.arcs->first_contact().at.theta.deg();
         })
       .shown(is_involute);
   q.deg(kMounting, "working_transverse_pressure_angle_deg", "working transverse pressure angle",
@@ -134,24 +134,24 @@ void say_mounting(Quantities<V>& q) {
       .per_gear();
   q.mm(kMounting, "pitch_plane_distance_mm", "distance of the pitch planes", "X",
        "as mounted, backlash or not; 0 on parallel axes",
-       involute([](const Pair& p) { return p.mesh.pitch_plane_distance; }))
+       involute([](const InvolutePair& p) { return p.mesh.pitch_plane_distance; }))
       .shown(is_crossed);
 }
 
 // Null on parallel axes.
 void say_crossed(Quantities<V>& q) {
   q.mm(kFace, "min_face_width_mm", "minimum face width, one flank", "f", "per gear [T4.21]",
-       crossed([](const Pair& p) { return p.face_widths->one_flank; }))
+       crossed([](const InvolutePair& p) { return p.face_widths->one_flank; }))
       .per_gear()
       .shown([](const V& v) { return v.crossed() && v.involute->flanks_meet(); });
   q.mm(kFace, "min_face_width_both_flanks_mm", "minimum face width, both flanks", "f'",
        "per gear, about the centre line [T4.21]",
-       crossed([](const Pair& p) { return p.face_widths->both_flanks; }))
+       crossed([](const InvolutePair& p) { return p.face_widths->both_flanks; }))
       .per_gear()
       .shown([](const V& v) { return v.crossed() && v.involute->flanks_meet(); });
   q.record(kFace, "face_interval_mm",
            "[at A, at E]: where on the face the leading flanks touch, from its middle [T4.20]",
-           table_of<two_gears>, crossed([](const Pair& p) {
+           table_of<two_gears>, crossed([](const InvolutePair& p) {
              return each_gear(p.face_widths->interval[0], p.face_widths->interval[1]);
            }))
       .doors(kJson)
@@ -159,17 +159,19 @@ void say_crossed(Quantities<V>& q) {
   q.mm(kContact, "line_offset_mm", "offset of the line of action", "z_L",
        "how far along the rack's teeth the leading line stands from the centre line [T4.18]; the "
        "trailing one stands at −z_L",
-       crossed([](const Pair& p) { return p.mesh.line_offset; }))
+       crossed([](const InvolutePair& p) { return p.mesh.line_offset; }))
       .doors(kJson)
       .when(is_involute);
   q.record("Minimum centre distance, free of backlash", "minimum_center_distance",
            "of the teeth as cut [T4.15]; null: they are too thin to have one",
-           table_of<place_quantities>,
-           crossed([](const Pair& p) { return record_of(place_quantities(), p.min_distance); }));
-  q.record(
-      "Contact ratio of 1 and more, free of backlash", "contact_ratio_range",
-      "where AE ≥ p_bn [T4.23]; null: nowhere", table_of<places_quantities>,
-      crossed([](const Pair& p) { return record_of(places_quantities(), p.contact_ratio_range); }));
+           table_of<place_quantities>, crossed([](const InvolutePair& p) {
+             return record_of(place_quantities(), p.min_distance);
+           }));
+  q.record("Contact ratio of 1 and more, free of backlash", "contact_ratio_range",
+           "where AE ≥ p_bn [T4.23]; null: nowhere", table_of<places_quantities>,
+           crossed([](const InvolutePair& p) {
+             return record_of(places_quantities(), p.contact_ratio_range);
+           }));
 }
 
 void say_contact(Quantities<V>& q) {
@@ -183,11 +185,11 @@ void say_contact(Quantities<V>& q) {
       .shown([](const V& v) { return !v.crossed(); });
   // Crossed axes have one contact ratio: there is no transverse one to add an overlap to.
   q.pure(kContact, "contact_ratio_crossed", "contact ratio", "ε", "AE/p_bn",
-         crossed([](const Pair& p) { return p.contact_ratio(); }))
+         crossed([](const InvolutePair& p) { return p.contact_ratio(); }))
       .doors(kPeople);
   q.pure(kContact, "contact_ratio_crossed_true", "effective contact ratio", "",
          "the path clipped to the usable flanks and faces",
-         crossed([](const Pair& p) { return p.contact_ratio_true(); }))
+         crossed([](const InvolutePair& p) { return p.contact_ratio_true(); }))
       .doors(kPeople);
   q.pure(kContact, "transverse_contact_ratio", "transverse contact ratio", "ε_α",
          "tip form circle to tip form circle; null on crossed axes",
@@ -205,7 +207,7 @@ void say_contact(Quantities<V>& q) {
       .shown(is_parallel);
   q.pure(kContact, "transverse_contact_ratio_true", "effective transverse contact ratio", "",
          "the path clipped to the usable flanks",
-         parallel([](const Pair& p) { return p.mesh.true_ratio; }))
+         parallel([](const InvolutePair& p) { return p.mesh.true_ratio; }))
       .doors(kPeople);
   q.pure(kContact, "overlap_ratio", "overlap ratio", "ε_β", "null on crossed axes",
          [](const V& v) -> Value {
@@ -223,14 +225,14 @@ void say_contact(Quantities<V>& q) {
       .shown(is_involute);
   q.mm(kContact, "base_tangent_distance_mm", "distance of the base tangent points", "N",
        "in the transverse section [T2.14]; crossed: L, along the common normal [T4.19]",
-       involute([](const Pair& p) {
+       involute([](const InvolutePair& p) {
          return p.mesh.base_tangent_distance /
                 (p.crossed() ? std::cos(p.input.gears[0].helix_angle) : 1.0);
        }))
       .doors(kJson)
       .when(is_involute);
   q.record("", "path", "points of the path of contact", table_of<path_quantities>,
-           involute([](const Pair& p) { return path_quantities().of(p); }))
+           involute([](const InvolutePair& p) { return path_quantities().of(p); }))
       .doors(kJson)
       .when(is_involute);
   q.record("", "interference", "parts that get in each other's way",
@@ -248,26 +250,26 @@ void say_clearances(Quantities<V>& q) {
       .per_gear();
   q.mm(kClearances, "contact_root_diameter_mm", "active root diameter", "d_Nf",
        "per gear, where contact starts; null past the base tangent point",
-       involute([](const Pair& p) { return p.contact_root_diameter; }))
+       involute([](const InvolutePair& p) { return p.contact_root_diameter; }))
       .per_gear()
       .when(is_involute)
       .expected(is_involute);
   q.mm(kClearances, "form_clearance_mm", "form clearance at the root", "c_F",
        "per gear, (d_Nf − d_Ff)/2 [T2.25]; null past the base tangent point and without a d_Ff",
-       involute([](const Pair& p) { return p.form_clearance; }))
+       involute([](const InvolutePair& p) { return p.form_clearance; }))
       .per_gear()
       .when(is_involute)
       .expected(is_involute);
   q.mm(kClearances, "fillet_clearance_mm", "fillet clearance to the mating tip corner", "",
        "per gear, least distance [T2.26]; null on crossed axes, where this is not checked, and "
        "where no corner gets that deep",
-       involute([](const Pair& p) { return p.fillet_clearance; }))
+       involute([](const InvolutePair& p) { return p.fillet_clearance; }))
       .per_gear()
       .when(is_involute)
       .expected(is_parallel);
   q.mm(kClearances, "tip_shortening_mm", "tip alteration", "k m_n",
        "that would keep the racks' clearance [T2.21], ≤ 0 as a rule",
-       involute([](const Pair& p) { return p.tip_shortening; }))
+       involute([](const InvolutePair& p) { return p.tip_shortening; }))
       .when(is_involute);
 }
 
@@ -276,20 +278,20 @@ void say_sliding(Quantities<V>& q) {
            "[at A, at E]: how far the flanks slide for each mm that the contact runs over the "
            "flank. Parallel axes [T2.22]: < 0 where the mating gear drags the flank, null at and "
            "beyond a base tangent point; crossed [T4.25]: of whole velocities, ≥ 0",
-           table_of<two_gears>, involute([](const Pair& p) {
+           table_of<two_gears>, involute([](const InvolutePair& p) {
              return each_gear(std::array{p.sliding_A.zeta_1, p.sliding_E.zeta_1},
                               std::array{p.sliding_A.zeta_2, p.sliding_E.zeta_2});
            }))
       .doors(kJson);
   q.pure(kContact, "specific_sliding_at_A", "specific sliding at A", "ζ", "per gear",
-         involute([](const Pair& p) {
+         involute([](const InvolutePair& p) {
            return std::array{p.sliding_A.zeta_1, p.sliding_A.zeta_2};
          }))
       .per_gear()
       .doors(kPeople)
       .expected(is_involute);
   q.pure(kContact, "specific_sliding_at_E", "specific sliding at E", "ζ", "per gear",
-         involute([](const Pair& p) {
+         involute([](const InvolutePair& p) {
            return std::array{p.sliding_E.zeta_1, p.sliding_E.zeta_2};
          }))
       .per_gear()
@@ -299,19 +301,19 @@ void say_sliding(Quantities<V>& q) {
            "the face for a total contact ratio of 1 and 1.2, and for an overlap of 1 [T6.14]; null "
            "on crossed axes",
            table_of<needed_face_quantities>,
-           parallel([](const Pair& p) { return needed_face_quantities().of(p); }))
+           parallel([](const InvolutePair& p) { return needed_face_quantities().of(p); }))
       .when(is_involute);
   q.pure(kContact, "approach_contact_ratio", "approach contact ratio", "",
          "before the pitch point, gear 1 driving; null on crossed axes",
-         parallel([](const Pair& p) { return approach_and_recess(p)[0]; }))
+         parallel([](const InvolutePair& p) { return approach_and_recess(p)[0]; }))
       .when(is_involute);
   q.pure(kContact, "recess_contact_ratio", "recess contact ratio", "",
          "after the pitch point, gear 1 driving; null on crossed axes",
-         parallel([](const Pair& p) { return approach_and_recess(p)[1]; }))
+         parallel([](const InvolutePair& p) { return approach_and_recess(p)[1]; }))
       .when(is_involute);
   q.pure(kContact, "axial_force_ratio", "axial over tangential force", "F_z/F_t",
          "per gear, along +z, while gear 1 drives in its sense [T6.15]; null on crossed axes",
-         parallel([](const Pair& p) { return axial_force(p); }))
+         parallel([](const InvolutePair& p) { return axial_force(p); }))
       .per_gear()
       .when(is_involute)
       .shown([](const V& v) { return v.involute->input.gears[0].helix_angle != 0.0; });
@@ -319,12 +321,12 @@ void say_sliding(Quantities<V>& q) {
          "circumferential backlash per mm of centre "
          "distance",
          "", "[T6.16]; null on crossed axes",
-         parallel([](const Pair& p) { return backlash_per_distance(p); }))
+         parallel([](const InvolutePair& p) { return backlash_per_distance(p); }))
       .when(is_involute);
   q.record(kContact, "sliding_velocity_mm_per_rad",
            "speed of the contact over flank 1 less that over flank 2, per radian of gear 1 [T4.24]",
            table_of<sliding_velocity_quantities>,
-           involute([](const Pair& p) { return sliding_velocity_quantities().of(p); }))
+           involute([](const InvolutePair& p) { return sliding_velocity_quantities().of(p); }))
       .doors(kJson)
       .when(is_involute);
   q.record(
@@ -332,8 +334,9 @@ void say_sliding(Quantities<V>& q) {
        "by friction of the flanks alone [T4.27]; tooth pairs in contact at one time carry equal "
        "parts of a constant normal force. Null without `friction_coefficient`, and with "
        "`contact_ratio_true` below 1",
-       table_of<efficiency_quantities>,
-       involute([](const Pair& p) { return record_of(efficiency_quantities(), p.efficiency); }))
+       table_of<efficiency_quantities>, involute([](const InvolutePair& p) {
+         return record_of(efficiency_quantities(), p.efficiency);
+       }))
       .doors(kJson);
   q.add(Type::number, Unit::percent, kContact, "efficiency_driving",
         "efficiency, this gear driving", "η", "per gear",
@@ -358,7 +361,7 @@ void say(Quantities<V>& q) {
            table_of<backlash_quantities>,
            [](const V& v) { return record_of(backlash_quantities(), backlash_of(v)); });
   q.record(kMargins, "internal", "internal pairs only", table_of<internal_quantities>,
-           involute([](const Pair& p) { return internal_quantities().of(p); }))
+           involute([](const InvolutePair& p) { return internal_quantities().of(p); }))
       .when(
           [](const V& v) { return v.involute && v.involute->kind == PairKind::parallel_internal; });
   q.record("Point of contact", "arc_contacts",

@@ -4,14 +4,13 @@
 #include <optional>
 
 #include "gearwright/catalogue/quantity.hpp"
-#include "gearwright/pair/arc_pair.hpp"
 #include "gearwright/pair/pair.hpp"
 
 namespace gearwright {
 
-/// A pair with what the spec says besides. One of the two pairs is there.
+/// A mounted pair. One of the two is there.
 struct PairView {
-  const Pair* involute = nullptr;
+  const InvolutePair* involute = nullptr;
   const ArcPair* arcs = nullptr;
 
   bool crossed() const { return involute && involute->crossed(); }

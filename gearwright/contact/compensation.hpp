@@ -18,6 +18,7 @@
 #include <optional>
 #include <vector>
 
+#include "gearwright/base/angle.hpp"
 #include "gearwright/contact/contact_pair.hpp"
 
 namespace gearwright {
@@ -51,18 +52,18 @@ struct CompensationTask {
 /// Δb_F after ΔC, and what it does. mm and rad.
 struct SettingAnswer {
   double exact, first_order;              ///< Δb_F: [T8.20], −ΔC of [T8.21]
-  std::optional<double> angle_nominal;    ///< normal angle θ at the contact: as drawn,
-  std::optional<double> angle_displaced;  ///< with ΔC,
-  std::optional<double> angle_exact, angle_first_order;  ///< and with either setting
+  std::optional<Angle> angle_nominal;     ///< normal angle θ at the contact: as drawn,
+  std::optional<Angle> angle_displaced;   ///< with ΔC,
+  std::optional<Angle> angle_exact, angle_first_order;  ///< and with either setting
   double thickness_change;  ///< of the tooth that F cuts, normal, at the contact's height
   double backlash_change;   ///< normal, for the exact setting alone
 };
 
 /// The change of a gear's lead angle that leaves no slope, the other gear's kept. [T8.22]
 struct LeadAnswer {
-  std::array<std::optional<double>, 2> exact;  ///< Δλ_1, Δλ_2  rad
-  std::optional<double> first_order;           ///< Δλ_1 of circular-arc teeth
-  double slope;                                ///< dTE/dφ1 in the middle of the mesh, before
+  std::array<std::optional<Angle>, 2> exact;  ///< Δλ_1, Δλ_2
+  std::optional<Angle> first_order;           ///< Δλ_1 of circular-arc teeth
+  double slope;                               ///< dTE/dφ1 in the middle of the mesh, before
 };
 
 struct Compensation {

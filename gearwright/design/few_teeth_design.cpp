@@ -249,7 +249,7 @@ class Search {
                        p_.min_gap - gap);
       }
     }
-    auto pair = mount(*g1, *g2, {mounted});
+    auto pair = mount_involutes(*g1, *g2, {mounted});
     if (!pair) return stopped(11, pair.error().message);
     if (!pair->interference.empty())
       return stopped(12, "interference: " + pair->interference.front().message);
@@ -257,8 +257,8 @@ class Search {
     return made(pinion, spec, std::move(pair).take(), distance, mounted);
   }
 
-  Verdict made(CylindricalSpec pinion, const CylindricalSpec& cutter, Pair pair, double distance,
-               double mounted) {
+  Verdict made(CylindricalSpec pinion, const CylindricalSpec& cutter, InvolutePair pair,
+               double distance, double mounted) {
     const auto needed = face_width_for_total(pair, p_.contact_ratio);
     double face = p_.face_width.value_or(0.0);
     if (!needed)

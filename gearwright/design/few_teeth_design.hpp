@@ -42,7 +42,7 @@ struct FewTeethDesign {
   double wheel_tip_diameter, wheel_shift;
   double generating_distance, center_distance;
   double face_width;
-  Pair pair;
+  InvolutePair pair;
 };
 
 struct FewTeethAnswer {

@@ -14,8 +14,6 @@ namespace gearwright {
 
 namespace {
 
-double deg(double rad) { return Angle::radians(rad).deg(); }
-
 // Relative: a centre distance written with ten digits is the one that was computed.
 constexpr double kSameDistance = 1e-9;
 
@@ -29,8 +27,8 @@ std::array<CylindricalSpec, 2> specs_of(const FitProblem& p) {
   for (int i : {0, 1}) {
     specs[i].teeth = p.teeth[i];
     specs[i].normal_module = p.normal_module;
-    specs[i].normal_pressure_angle = Angle::radians(p.normal_pressure_angle);
-    specs[i].helix_angle = Angle::radians(*p.helix[i]);
+    specs[i].normal_pressure_angle = p.normal_pressure_angle;
+    specs[i].helix_angle = *p.helix[i];
     specs[i].profile_shift = p.shift[i].value_or(0.0);
   }
   return specs;
@@ -74,10 +72,11 @@ Fit place_on_parallel_axes(const FitProblem& p, const BasePair<double>& gears,
         "shift to have it follow from the centre distance",
         a);
     result.nearest_distance = a;
-    result.nearest_shaft_angle = 0.0;
+    result.nearest_shaft_angle = Angle();
     return result;
   }
-  result.branches.push_back({{*p.helix[0], *p.helix[1]}, shift, a, 0.0, alpha_wn});
+  result.branches.push_back(
+      {{*p.helix[0], *p.helix[1]}, shift, a, Angle(), Angle::radians(alpha_wn)});
   return result;
 }
 
@@ -98,7 +97,7 @@ Fit angles_of_distance(const FitProblem& p, const BasePair<double>& gears,
     result.reason = fmt::format(
         "the minimum centre distance of these gears is {} mm, at the shaft angle {}°; thinner "
         "teeth (less profile shift) come closer",
-        place.center_distance, deg(place.shaft_angle));
+        place.center_distance, place.shaft_angle.deg());
   } else {
     result.reason =
         "these teeth are too thin to have a minimum centre distance, and no shaft angle within "
@@ -116,13 +115,13 @@ Result<Fit> place_of_gears(const FitProblem& p) {
     return place_on_parallel_axes(p, gears, shift);
   }
   if (p.working_normal_pressure_angle) {
-    const double alpha_n = *p.working_normal_pressure_angle;
+    const double alpha_n = p.working_normal_pressure_angle->rad();
     if (p.center_distance || p.shaft_angle) return one_condition_too_many();
     for (const BaseGear<double>& gear : gears) {
       if (has_rack(gear, alpha_n)) continue;
       return missing("fit.working_normal_pressure_angle_deg",
                      fmt::format("must be less than {}°, 90° less the base helix angle",
-                                 90 - std::abs(deg(gear.helix_angle))));
+                                 90 - std::abs(Angle::radians(gear.helix_angle).deg())));
     }
     const int g = limiting_gear(gears);
     const double alpha = std::asin(std::sin(alpha_n) / std::cos(gears[g].helix_angle));
@@ -137,14 +136,13 @@ Result<Fit> place_of_gears(const FitProblem& p) {
   if (p.center_distance && !p.shaft_angle) return angles_of_distance(p, gears, shift);
   auto place = complete_place(gears, std::nullopt, p.shaft_angle);
   if (!place) return place.error();
-  const auto rack = common_rack(gears, angles_at_shaft_angle(gears, *place->shaft_angle));
+  const auto rack = common_rack(gears, angles_at_shaft_angle(gears, place->shaft_angle->rad()));
   const double a = place->center_distance;
   if (p.center_distance && std::abs(*p.center_distance - a) > kSameDistance * a) {
     Fit result = angles_of_distance(p, gears, shift);
     if (!result.branches.empty()) result.nearest_shaft_angle = result.branches[0].shaft_angle;
     for (const FitBranch& b : result.branches) {
-      if (std::abs(b.shaft_angle - *p.shaft_angle) <
-          std::abs(*result.nearest_shaft_angle - *p.shaft_angle))
+      if (abs(b.shaft_angle - *p.shaft_angle) < abs(*result.nearest_shaft_angle - *p.shaft_angle))
         result.nearest_shaft_angle = b.shaft_angle;
     }
     result.branches.clear();
@@ -156,7 +154,10 @@ Result<Fit> place_of_gears(const FitProblem& p) {
     return result;
   }
   return Fit{
-      {branch_at(p, shift, {a, *place->shaft_angle, rack.normal_pressure_angle})}, {}, {}, {}};
+      {branch_at(p, shift, {a, *place->shaft_angle, Angle::radians(rack.normal_pressure_angle)})},
+      {},
+      {},
+      {}};
 }
 
 // Helices and place are known: the sum of the shifts follows.
@@ -169,7 +170,7 @@ Result<Fit> shifts_of_place(const FitProblem& p) {
   if (p.working_normal_pressure_angle) return one_condition_too_many();
   const BasePair<double> gears = base_gears(p);
   const bool parallel = axes_are_parallel(gears);
-  std::optional<double> shaft_angle = p.shaft_angle;
+  std::optional<Angle> shaft_angle = p.shaft_angle;
   if (!parallel && !shaft_angle) {
     // The pair whose minimum centre distance this is.
     const auto alpha = transverse_angle_at_pitch_sum(gears, *p.center_distance);
@@ -197,13 +198,13 @@ Result<Fit> shifts_of_place(const FitProblem& p) {
   const auto solved = complete_shifts(s);
   if (!solved) return solved.error();
   const double a = *p.center_distance;
-  const auto angles =
-      parallel ? angles_at_parallel_distance(gears, a) : angles_at_shaft_angle(gears, *shaft_angle);
+  const auto angles = parallel ? angles_at_parallel_distance(gears, a)
+                               : angles_at_shaft_angle(gears, shaft_angle->rad());
   return Fit{{{{*p.helix[0], *p.helix[1]},
                {solved->x1, solved->x2},
                a,
-               parallel ? 0.0 : *shaft_angle,
-               std::atan2(angles.sin_alpha, angles.cos_alpha)}},
+               parallel ? Angle() : *shaft_angle,
+               Angle::radians(std::atan2(angles.sin_alpha, angles.cos_alpha))}},
              {},
              {},
              {}};

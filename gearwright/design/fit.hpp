@@ -20,16 +20,16 @@
 
 namespace gearwright {
 
-/// What is known; what is absent is wanted. Lengths mm, angles rad; ring: z2 < 0.
+/// What is known; what is absent is wanted. Lengths mm; ring: z2 < 0.
 struct FitProblem {
   std::array<int, 2> teeth{};
-  double normal_module = 0.0;                           ///< m_n, common to both gears
-  double normal_pressure_angle = 0.0;                   ///< α_n
-  std::array<std::optional<double>, 2> helix;           ///< β
-  std::array<std::optional<double>, 2> shift;           ///< x
-  std::optional<double> center_distance;                ///< a
-  std::optional<double> shaft_angle;                    ///< Σ
-  std::optional<double> working_normal_pressure_angle;  ///< α_wn
+  double normal_module = 0.0;                          ///< m_n, common to both gears
+  Angle normal_pressure_angle;                         ///< α_n
+  std::array<std::optional<Angle>, 2> helix;           ///< β
+  std::array<std::optional<double>, 2> shift;          ///< x
+  std::optional<double> center_distance;               ///< a
+  std::optional<Angle> shaft_angle;                    ///< Σ
+  std::optional<Angle> working_normal_pressure_angle;  ///< α_wn
   /// Both gears when helices and shifts are known: their racks may differ, and need not be the one
   /// above.
   std::optional<std::array<CylindricalSpec, 2>> known;
@@ -37,15 +37,17 @@ struct FitProblem {
 
 /// One answer: a pair without backlash.
 struct FitBranch {
-  std::array<double, 2> helix, shift;
-  double center_distance, shaft_angle, working_normal_pressure_angle;
+  std::array<Angle, 2> helix;
+  std::array<double, 2> shift;
+  double center_distance;
+  Angle shaft_angle, working_normal_pressure_angle;
 };
 
 struct Fit {
-  std::vector<FitBranch> branches;         ///< by growing |β_1|, of known gears by growing α_wn
-  std::string reason;                      ///< why there is none
-  std::optional<double> nearest_distance;  ///< mm, at the given shaft angle
-  std::optional<double> nearest_shaft_angle;  ///< rad, at the given centre distance
+  std::vector<FitBranch> branches;           ///< by growing |β_1|, of known gears by growing α_wn
+  std::string reason;                        ///< why there is none
+  std::optional<double> nearest_distance;    ///< mm, at the given shaft angle
+  std::optional<Angle> nearest_shaft_angle;  ///< at the given centre distance
 };
 
 /// Answers the question that the absent numbers ask.

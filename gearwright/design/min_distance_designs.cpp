@@ -27,8 +27,6 @@ constexpr double kSteepest = 89.0 * kRadPerDeg;  // of a gear, as on its rack
 constexpr double kParallel = 1e-9;               // rad: as the pair room has it
 constexpr int kCells = 512;  // of β_w1, when roots of a function of no known shape are looked for
 
-double deg(double rad) { return Angle::radians(rad).deg(); }
-
 // H and its slope over β_w1 at one shaft angle.
 class PitchSum {
  public:
@@ -75,7 +73,7 @@ class PitchSum {
 
 // Axes closer than this are parallel.
 double shaft_angle_of(const FitProblem& p) {
-  return std::abs(*p.shaft_angle) <= kParallel ? 0.0 : *p.shaft_angle;
+  return std::abs(p.shaft_angle->rad()) <= kParallel ? 0.0 : p.shaft_angle->rad();
 }
 
 // One design per β_w1: nothing where the rack has no such helix.
@@ -86,7 +84,7 @@ class Designs {
   // H of a design with the working angle α_wn.
   double target(double cos_wn) const {
     return 2 * *p_.center_distance * cos_wn /
-           (p_.normal_module * std::cos(p_.normal_pressure_angle));
+           (p_.normal_module * std::cos(p_.normal_pressure_angle.rad()));
   }
   struct Design {
     std::array<double, 2> helix;
@@ -95,7 +93,8 @@ class Designs {
   std::optional<Design> at(double b1) const { return at(b1, H_(b1) / target(1.0)); }
   std::optional<Design> at(double b1, double cos_wn) const {
     if (!(cos_wn > 0.0 && cos_wn < 1.0)) return std::nullopt;
-    const double cos_n = std::cos(p_.normal_pressure_angle);
+    const double alpha_n = p_.normal_pressure_angle.rad();
+    const double cos_n = std::cos(alpha_n);
     const double sin_wn = std::sqrt((1 - cos_wn) * (1 + cos_wn));
     const std::array<double, 2> b{b1, H_.second(b1)};
     Design d{{}, std::acos(cos_wn), 0.0};
@@ -104,10 +103,10 @@ class Designs {
       if (!(std::abs(sine) < std::sin(kSteepest))) return std::nullopt;
       d.helix[i] = std::asin(sine);
       const double alpha_wt = std::atan2(sin_wn, cos_wn * std::cos(b[i]));
-      const double alpha_t = std::atan(std::tan(p_.normal_pressure_angle) / std::cos(d.helix[i]));
+      const double alpha_t = std::atan(std::tan(alpha_n) / std::cos(d.helix[i]));
       d.shift_sum += p_.teeth[i] * (involute(alpha_wt) - involute(alpha_t));
     }
-    d.shift_sum /= 2 * std::tan(p_.normal_pressure_angle);
+    d.shift_sum /= 2 * std::tan(alpha_n);
     return d;
   }
 
@@ -168,7 +167,7 @@ void find_nearest(const FitProblem& p, double cos_wn, Fit& result) {
   result.reason = fmt::format(
       "at the shaft angle {}° every such pair is at least {} mm apart (working normal pressure "
       "angle {:.6g}°)",
-      deg(*p.shaft_angle), *result.nearest_distance, deg(std::acos(cos_wn)));
+      p.shaft_angle->deg(), *result.nearest_distance, Angle::radians(std::acos(cos_wn)).deg());
   if (p.teeth[1] < 0) return;
   // The least sum of pitch diameters grows with |Σ| from z1 + z2 on.
   if (!(t > p.teeth[0] + p.teeth[1])) {
@@ -178,10 +177,11 @@ void find_nearest(const FitProblem& p, double cos_wn, Fit& result) {
         *p.center_distance * (p.teeth[0] + p.teeth[1]) / t);
     return;
   }
-  const double sign = *p.shaft_angle < 0.0 ? -1.0 : 1.0;
+  const double sign = p.shaft_angle->rad() < 0.0 ? -1.0 : 1.0;
   const auto f = [&](double s) { return PitchSum(p.teeth, sign * s).min() - t; };
   const Root root = find_root(f, 0.0, std::numbers::pi - 3 * kMargin);
-  if (root.found()) result.nearest_shaft_angle = sign * root.x;  // none within ±179.8°
+  if (root.found())
+    result.nearest_shaft_angle = Angle::radians(sign * root.x);  // none within ±179.8°
 }
 
 std::optional<Error> contradiction(const FitProblem& p) {
@@ -199,17 +199,17 @@ std::optional<Error> contradiction(const FitProblem& p) {
   if (p.working_normal_pressure_angle && helix)
     return too_many("fit.working_normal_pressure_angle_deg", helix_key);
   if (helix && shifts) return too_many(helix_key, "the two profile shifts");
-  if (!(std::abs(*p.shaft_angle) < std::numbers::pi - 3 * kMargin)) {
-    return Error{"pair.shaft_angle_deg", fmt::format("{}", deg(*p.shaft_angle)),
+  if (!(std::abs(p.shaft_angle->rad()) < std::numbers::pi - 3 * kMargin)) {
+    return Error{"pair.shaft_angle_deg", fmt::format("{}", p.shaft_angle->deg()),
                  fmt::format("pair.shaft_angle_deg = {}: no two helix angles make it; it must lie "
                              "between -179.7 and 179.7",
-                             deg(*p.shaft_angle))};
+                             p.shaft_angle->deg())};
   }
-  if (p.teeth[1] < 0 && *p.shaft_angle != 0.0) {
-    return Error{"pair.shaft_angle_deg", fmt::format("{}", deg(*p.shaft_angle)),
+  if (p.teeth[1] < 0 && p.shaft_angle->rad() != 0.0) {
+    return Error{"pair.shaft_angle_deg", fmt::format("{}", p.shaft_angle->deg()),
                  fmt::format("pair.shaft_angle_deg = {}: an internal pair runs on parallel axes "
                              "only; 0 is allowed",
-                             deg(*p.shaft_angle))};
+                             p.shaft_angle->deg())};
   }
   return std::nullopt;
 }
@@ -226,8 +226,11 @@ Result<Fit> min_distance_designs(const FitProblem& p) {
                        std::optional<double> sum = std::nullopt) {
     const auto d = cos_wn ? designs.at(b1, *cos_wn) : designs.at(b1);
     if (!d) return;
-    result.branches.push_back({d->helix, divided(p, sum.value_or(d->shift_sum)), *p.center_distance,
-                               shaft_angle_of(p), d->alpha_wn});
+    result.branches.push_back({{Angle::radians(d->helix[0]), Angle::radians(d->helix[1])},
+                               divided(p, sum.value_or(d->shift_sum)),
+                               *p.center_distance,
+                               Angle::radians(shaft_angle_of(p)),
+                               Angle::radians(d->alpha_wn)});
   };
   const bool shifts = p.shift[0] && p.shift[1];
   const double wanted_sum = shifts ? *p.shift[0] + *p.shift[1] : 0.0;
@@ -236,16 +239,16 @@ Result<Fit> min_distance_designs(const FitProblem& p) {
     const auto miss = [&](double b1) -> std::optional<double> {
       const auto d = designs.at(b1);
       if (!d) return std::nullopt;
-      return d->helix[known] - *p.helix[known];
+      return d->helix[known] - p.helix[known]->rad();
     };
     for (const double b1 : roots(miss, H.lo(), H.hi())) add(b1);
     result.reason = fmt::format("no pair with {} = {} has its minimum centre distance there",
                                 known == 0 ? "gear1.helix_angle_deg" : "gear2.helix_angle_deg",
-                                deg(*p.helix[known]));
+                                p.helix[known]->deg());
   } else if (p.working_normal_pressure_angle || wanted_sum == 0.0) {
     // x1 + x2 = 0 at the minimum centre distance: the working angle is the rack's own.
-    const double alpha = p.working_normal_pressure_angle.value_or(p.normal_pressure_angle);
-    const double cos_wn = std::cos(alpha);
+    const Angle alpha = p.working_normal_pressure_angle.value_or(p.normal_pressure_angle);
+    const double cos_wn = std::cos(alpha.rad());
     const std::optional<double> sum =
         p.working_normal_pressure_angle ? std::nullopt : std::optional(0.0);
     for (const double b1 : H.where(designs.target(cos_wn))) add(b1, cos_wn, sum);
@@ -266,10 +269,9 @@ Result<Fit> min_distance_designs(const FitProblem& p) {
     }
   }
   if (!result.branches.empty()) result.reason.clear();
-  std::sort(result.branches.begin(), result.branches.end(),
-            [](const FitBranch& a, const FitBranch& b) {
-              return std::abs(a.helix[0]) < std::abs(b.helix[0]);
-            });
+  std::sort(
+      result.branches.begin(), result.branches.end(),
+      [](const FitBranch& a, const FitBranch& b) { return abs(a.helix[0]) < abs(b.helix[0]); });
   return result;
 }
 

@@ -112,8 +112,7 @@ Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
       const int gear = i < first_flank + 4 ? 1 : 2;
       const std::string name(kCorrections[i].key.substr(6));
       const bool slope = name.find("slope") != std::string::npos;
-      const bool left =
-          (job.spec.contact.driver == 2) != (gear == 2 && setup.gear(2).internal());
+      const bool left = (job.spec.contact.driver == 2) != (gear == 2 && setup.gear(2).internal());
       Json& table = tree[fmt::format("gear{}", gear)]["modifications"];
       const std::string own = slope ? (left ? "left_" : "right_") + name : name;
       // What holds for both flanks so far is the amount to add to.
@@ -164,7 +163,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job) {
   if (answer.setting && answer.setting->angle_nominal) {
     constexpr double kProfileEnd =
         10.0;  // degrees of rack angle off the drawing's: the flank's end
-    task.profile_target = *answer.setting->angle_nominal;
+    task.profile_target = answer.setting->angle_nominal->rad();
     task.profile_width = kProfileEnd * kRadPerDeg;
   }
   std::vector<double> closed_forms(answer.corrections.size(), 0.0);
@@ -172,7 +171,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job) {
     const std::size_t i = answer.corrections[k];
     if (i == setting && answer.setting) closed_forms[k] = answer.setting->exact;
     if (i == lead1 && answer.lead)
-      closed_forms[k] = answer.lead->exact[0].value_or(0.0) / kRadPerDeg;
+      closed_forms[k] = answer.lead->exact[0].value_or(Angle()).rad() / kRadPerDeg;
   }
   task.starts.push_back(std::move(closed_forms));
   // A pair points to what its setup holds.

@@ -1,7 +1,6 @@
 #include "gearwright/job/compensate_forms.hpp"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "gearwright/math/root.hpp"
@@ -11,8 +10,6 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 ArcMeshInput mesh_input(const ArcPair& pair, int convex) {
   const Gear& v = pair.gears[static_cast<std::size_t>(convex - 1)];
   const Gear& c = pair.gears[static_cast<std::size_t>(2 - convex)];
@@ -20,38 +17,41 @@ ArcMeshInput mesh_input(const ArcPair& pair, int convex) {
           concave_arcs(c).front(),
           v.reference_diameter / 2,
           c.reference_diameter / 2,
-          std::numbers::pi / 2 - std::abs(v.spec.helix_angle.rad()),
+          Angle::radians(std::numbers::pi / 2 - std::abs(v.spec.helix_angle.rad())),
           pair.center_distance};
 }
 
 // dTE/dφ1 of tooth pair 0 in the middle of its mesh, with one gear's lead angle changed.
-double middle_slope(const ContactSetup& setup, bool gear2_drives, int gear, double delta_lambda) {
+std::optional<double> middle_slope(const ContactSetup& setup, bool gear2_drives, int gear,
+                                   double delta_lambda) {
   SetupChange change;
   change.cutter_lead[static_cast<std::size_t>(gear - 1)] = delta_lambda;
   const auto changed = setup.changed(change);
-  if (!changed) return kNaN;
+  if (!changed) return std::nullopt;
   const ContactPair pair = changed->pair(gear2_drives);
   Transmission transmission(pair);
   const PairTouch touch = transmission.of_pair_0(0.0);
-  return touch.found() ? rotation_slope(transmission, touch) : kNaN;
+  if (!touch.found()) return std::nullopt;
+  return rotation_slope(transmission, touch);
 }
 
 }  // namespace
 
 std::optional<SettingAnswer> arc_setting(const SolvedJob& job, const ContactSetup& setup) {
   const auto convex = setup.convex_gear();
-  if (!convex || !job.arc_pair) return std::nullopt;
-  ArcMeshInput in = mesh_input(*job.arc_pair, *convex);
+  const ArcPair* arcs = job.pair->arcs();
+  if (!convex || !arcs) return std::nullopt;
+  ArcMeshInput in = mesh_input(*arcs, *convex);
   SettingAnswer answer{};
   answer.angle_nominal = contact_angle(in);
   if (!answer.angle_nominal) return std::nullopt;
-  const double theta = *answer.angle_nominal;
+  const Angle theta = *answer.angle_nominal;
   const double delta = setup.place().errors.center_distance;
   answer.exact = tool_setting_change(in, theta, delta);
   answer.first_order = -delta;  // [T8.21]
   answer.thickness_change = thickness_change(in.convex, theta, answer.exact);
   // Both flanks move off along their normals by Δb sin θ.
-  answer.backlash_change = 2 * answer.exact * std::sin(theta);
+  answer.backlash_change = 2 * answer.exact * std::sin(theta.rad());
   in.center_distance += delta;
   answer.angle_displaced = contact_angle(in);
   const double b = in.convex.b;
@@ -65,33 +65,39 @@ std::optional<SettingAnswer> arc_setting(const SolvedJob& job, const ContactSetu
 std::optional<LeadAnswer> lead_without_slope(const SolvedJob& job, const ContactSetup& setup) {
   // An involute pair touches along lines: its lead is mended by slopes, which `compensate` looks
   // for.
-  if (!job.arc_pair || setup.gear(1).twist() == 0.0) return std::nullopt;
+  const ArcPair* arcs = job.pair->arcs();
+  if (!arcs || setup.gear(1).twist() == 0.0) return std::nullopt;
   const bool gear2_drives = job.spec.contact.driver == 2;
+  const auto nominal = middle_slope(setup, gear2_drives, 1, 0.0);
+  if (!nominal) return std::nullopt;
   LeadAnswer answer{};
-  answer.slope = middle_slope(setup, gear2_drives, 1, 0.0);
-  if (std::isnan(answer.slope)) return std::nullopt;
+  answer.slope = *nominal;
   for (const int gear : {1, 2}) {
     const auto slope = [&](double d) { return middle_slope(setup, gear2_drives, gear, d); };
     constexpr double kReach = 0.01;  // rad: half a degree and a little
-    const double lo = slope(-kReach);
-    const double hi = slope(kReach);
-    if (std::isnan(lo) || std::isnan(hi) || lo * hi > 0.0) continue;
-    const Root root = find_root(slope, -kReach, kReach);
-    if (root.found()) answer.exact[static_cast<std::size_t>(gear - 1)] = root.x;
+    const auto lo = slope(-kReach);
+    const auto hi = slope(kReach);
+    if (!lo || !hi || *lo * *hi > 0.0) continue;
+    // Where contact is lost in between the bracket ends without a root.
+    constexpr double kLost = std::numeric_limits<double>::quiet_NaN();
+    const auto or_lost = [&](double d) { return slope(d).value_or(kLost); };
+    const Root root = find_root(or_lost, -kReach, kReach);
+    if (root.found()) answer.exact[static_cast<std::size_t>(gear - 1)] = Angle::radians(root.x);
   }
-  if (!job.arc_pair->contacts.empty()) {
+  if (!arcs->contacts.empty()) {
     // [T8.22], every error at once.
-    const double theta = job.arc_pair->first_contact().at.theta;
+    const double theta = arcs->first_contact().at.theta.rad();
     const ContactErrors& e = setup.place().errors;
     const double sin_lambda = std::cos(setup.gear(1).spec.helix_angle.rad());
     const double r1 = setup.gear(1).reference_diameter / 2;
     const double r2 = setup.gear(2).reference_diameter / 2;
     const double hand = setup.gear(1).twist() > 0.0 ? 1.0 : -1.0;
     const double driven = gear2_drives ? -1.0 : 1.0;
-    answer.first_order = hand * sin_lambda * sin_lambda *
-                             (e.crossing + e.helix_twist[0] * r1 + e.helix_twist[1] * r2) -
-                         hand * driven * sin_lambda * e.intersecting * std::tan(theta) -
-                         e.cutter_lead[0] + e.cutter_lead[1];
+    answer.first_order =
+        Angle::radians(hand * sin_lambda * sin_lambda *
+                           (e.crossing + e.helix_twist[0] * r1 + e.helix_twist[1] * r2) -
+                       hand * driven * sin_lambda * e.intersecting * std::tan(theta) -
+                       e.cutter_lead[0] + e.cutter_lead[1]);
   }
   return answer;
 }

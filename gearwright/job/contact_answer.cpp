@@ -26,10 +26,9 @@ std::optional<Error> check_cutter_lead(const JobSpec& spec, const Gear& gear, in
                    "the gear is cut by a gear, whose lead is that of its guide; a "
                    "change of it is helix_slope");
   if (!error_entries()[index].possible(gear, delta)) {
-    return refused(
-        key, delta,
-        fmt::format("makes the lead angle {} degrees; it must stay between 0.5 and 90",
-                    90.0 - std::abs(gear.spec.helix_angle.deg()) + delta));
+    return refused(key, delta,
+                   fmt::format("makes the lead angle {} degrees; it must stay between 0.5 and 90",
+                               90.0 - std::abs(gear.spec.helix_angle.deg()) + delta));
   }
   return std::nullopt;
 }
@@ -39,10 +38,6 @@ Error in_gear(Error error, int which) {
   error.key = prefix + error.key;
   error.message = prefix + error.message;
   return error;
-}
-
-const Gear& mounted_gear(const SolvedJob& job, int which) {
-  return job.arc_pair ? job.arc_pair->gears[which - 1] : job.pair->gears[which - 1];
 }
 
 FlankExtent flank_extent(const Gear& gear) {
@@ -149,12 +144,11 @@ Result<ContactSetup> ContactSetup::changed(const SetupChange& change) const {
 
 Result<ContactSetup> ContactSetup::of(const SolvedJob& job) {
   ContactSetup setup;
-  GW_EXPECTS(job.pair || job.arc_pair);
-  setup.place_.center_distance =
-      job.arc_pair ? job.arc_pair->center_distance : job.pair->center_distance;
-  setup.place_.shaft_angle = job.pair ? job.pair->shaft_angle() : 0.0;
+  GW_EXPECTS(job.pair.has_value());
+  setup.place_.center_distance = job.pair->center_distance();
+  setup.place_.shaft_angle = job.pair->shaft_angle().rad();
   for (int i = 0; i < 2; ++i) {
-    const Gear& gear = mounted_gear(job, i + 1);
+    const Gear& gear = job.pair->gear(i + 1);
     setup.gears_[i] = std::make_shared<const Gear>(gear);
     const auto form = gear.root_form_radius();
     if (!form) {
@@ -177,7 +171,8 @@ Result<ContactSetup> ContactSetup::of(const SolvedJob& job) {
     setup.place_.errors = setup.with_error(setup.place_.errors, i, job.spec.errors.value[i]);
   for (const ErrorEntry& e : error_entries()) {
     if (e.kind)
-      setup.influences_.push_back({fmt::format("{}_per_{}", e.name(), e.unit()), e.si(), {*e.kind}});
+      setup.influences_.push_back(
+          {fmt::format("{}_per_{}", e.name(), e.unit()), e.si(), {*e.kind}});
   }
   for (int i = 0; i < 2; ++i) {
     const GearInput& input = *job.spec.gears[i];

@@ -45,8 +45,7 @@ std::string words_of(const FlankModifications& m) {
                     r.shape == ReliefShape::parabolic ? ", parabolic" : ""));
   }
   for (const ModificationEntry& e : modification_entries()) {
-    if (!e.relief && e.amount_of(m) != 0.0)
-      add(fmt::format("{} {}", e.words, um(e.amount_of(m))));
+    if (!e.relief && e.amount_of(m) != 0.0) add(fmt::format("{} {}", e.words, um(e.amount_of(m))));
   }
   if (m.topography) add("topography from a file");
   return text;
@@ -125,7 +124,7 @@ void make_patterns(ContactReport& r, const SolvedJob& job, const ContactSetup& s
   const std::vector<Under> list = each_error(job, setup);
   r.under.resize(list.size());
   const int positions = std::min(r.positions, kMaxPositions);
-  const bool of_points = setup.place().shaft_angle != 0.0 || job.arc_pair;
+  const bool of_points = job.pair->crossed() || job.pair->arcs();
   const auto make = [&](std::size_t i) {
     if (i == 0) {
       r.patterns =
@@ -145,8 +144,7 @@ ContactReport report_of(const SolvedJob& job, const ContactAnswer& answer) {
   const bool gear2_drives = input.driver == 2;
   const ContactPair pair = answer.setup.pair(gear2_drives);
   ContactReport r;
-  for (std::size_t i = 0; i < 2; ++i)
-    r.gears[i] = job.arc_pair ? &job.arc_pair->gears[i] : &job.pair->gears[i];
+  for (std::size_t i = 0; i < 2; ++i) r.gears[i] = &job.pair->mounted().gears[i];
   r.axes = axes_of(pair);
   r.gear2_drives = gear2_drives;
   r.marking = input.marking;
@@ -163,22 +161,21 @@ ContactReport report_of(const SolvedJob& job, const ContactAnswer& answer) {
   r.middle = middle_of(r.driving.positions);
   if (r.middle) r.middle_gap = gap_map(pair, r.middle->rotation1, r.middle->pair, kGap);
   for (std::size_t i = 0; i < kErrorCount; ++i)
-    if (job.spec.errors.value[i] != 0.0)
-      r.errors.push_back(named(i, job.spec.errors.value[i]));
+    if (job.spec.errors.value[i] != 0.0) r.errors.push_back(named(i, job.spec.errors.value[i]));
   r.modifications = modifications_of(job);
   if (answer.map) {
     const auto& key = input.map->key;
     const auto& value = job.spec.errors.value;
     r.map = ContactMap{*answer.map, {named(key[0], value[key[0]]), named(key[1], value[key[1]])}};
   }
-  r.arc_pair = job.arc_pair ? &*job.arc_pair : nullptr;
+  r.arc_pair = job.pair->arcs();
   return r;
 }
 
 }  // namespace
 
 bool wants_contact(const SolvedJob& job) {
-  if (!job.pair && !job.arc_pair) return false;
+  if (!job.pair) return false;
   return job.spec.errors.given || job.spec.contact.given || !modifications_of(job).empty();
 }
 

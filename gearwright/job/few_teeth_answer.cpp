@@ -149,12 +149,11 @@ Result<FitAnswer> answer_few_teeth(const JobSpec& spec) {
     return answer;
   }
   const FewTeethDesign& d = *found->design;
-  const double beta = d.pinion.helix_angle.rad();
-  answer.fit.branches.push_back({{beta, d.pair.gears[1].spec.helix_angle.rad()},
+  answer.fit.branches.push_back({{d.pinion.helix_angle, d.pair.gears[1].spec.helix_angle},
                                  {d.pinion.profile_shift, d.wheel_shift},
                                  d.center_distance,
-                                 0.0,
-                                 d.pair.mesh.rack.normal_pressure_angle});
+                                 Angle(),
+                                 Angle::radians(d.pair.mesh.rack.normal_pressure_angle)});
   answer.specs.push_back(spec_of(spec, d));
   answer.transverse_contact_ratio = d.pair.mesh.true_ratio;
   return answer;

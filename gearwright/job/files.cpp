@@ -6,6 +6,7 @@
 
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/base/version.hpp"
 #include "gearwright/cad/dxf.hpp"
 #include "gearwright/cad/glb.hpp"
 #include "gearwright/cad/stl.hpp"
@@ -15,7 +16,6 @@
 #include "gearwright/job/contact_report.hpp"
 #include "gearwright/job/contact_text.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/base/version.hpp"
 #include "gearwright/report/report.hpp"
 
 namespace gearwright {
@@ -134,10 +134,6 @@ Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place) {
                    gear.spec.face_width,
                    gear.internal() ? rim(gear, job.bore(which)) : job.bore(which),
                    Eigen::Isometry3d::Identity()};
-  if (in_place && job.arc_pair) {
-    const ArcPair& pair = *job.arc_pair;
-    body.pose = which == 1 ? pair.pose_1().isometry() : pair.pose_2().isometry();
-  }
   if (in_place && job.pair) {
     body.pose = which == 1 ? job.pair->pose_1().isometry() : job.pair->pose_2().isometry();
   }
@@ -192,7 +188,7 @@ Result<std::vector<JobFile>> write_everything(SolvedJob& job, const fs::path& fo
       if (kind == FileKind::step && !options.step) continue;
       if (const auto error = make(kind, {*body}, gear_name(which))) return *error;
     }
-    if (job.pair || job.arc_pair) mounted.push_back(make_body(job, which, true).value());
+    if (job.pair) mounted.push_back(make_body(job, which, true).value());
   }
   if (mounted.size() == 2) {
     for (FileKind kind : {FileKind::step, FileKind::glb}) {
@@ -208,8 +204,7 @@ Result<std::vector<JobFile>> write_everything(SolvedJob& job, const fs::path& fo
   ReportInput report;
   report.title = job.spec.title.empty() ? "Gear data" : job.spec.title;
   for (const Gear& g : job.gears) report.gears.push_back(&g);
-  report.pair = job.pair ? &*job.pair : nullptr;
-  report.arc_pair = job.arc_pair ? &*job.arc_pair : nullptr;
+  report.pair = job.pair;
   if (*contact) report.contact = &contact.value()->report;
   report.warnings = job.warnings;
   report.files = report_files(files);

@@ -13,8 +13,6 @@ namespace gearwright {
 
 namespace {
 
-double deg(double rad) { return Angle::radians(rad).deg(); }
-
 bool same(double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(a); }
 
 // What makes a table's helix angle: found angles replace all of it.
@@ -29,13 +27,13 @@ Json spec_of(const JobSpec& spec, const FitBranch& b) {
     if (given.basic) continue;
     if (!given.helix_given) {
       for (const char* key : kHelixKeys) gear.erase(key);
-      gear["helix_angle_deg"] = deg(b.helix[i]);
+      gear["helix_angle_deg"] = b.helix[i].deg();
     }
     if (!given.profile_shift) gear["profile_shift"] = b.shift[i];
   }
   if (!spec.pair.center_distance) tree["pair"]["center_distance_mm"] = b.center_distance;
-  if (!spec.pair.shaft_angle || b.shaft_angle == 0.0)
-    tree["pair"]["shaft_angle_deg"] = deg(b.shaft_angle);
+  if (!spec.pair.shaft_angle || b.shaft_angle.rad() == 0.0)
+    tree["pair"]["shaft_angle_deg"] = b.shaft_angle.deg();
   tree["pair"].erase("mounting");  // the place is said
   // Tables after plain values, as a TOML file has them.
   Json ordered = Json::object();
@@ -85,7 +83,7 @@ Result<FitAnswer> answer_fit(const JobSpec& spec) {
   FitProblem p;
   p.teeth = {c1.teeth, c2.teeth};
   p.normal_module = c1.normal_module;
-  p.normal_pressure_angle = c1.normal_pressure_angle.rad();
+  p.normal_pressure_angle = c1.normal_pressure_angle;
   for (const int i : {0, 1}) {
     CylindricalSpec c = i == 0 ? c1 : c2;
     c.profile_shift = spec.gears[i]->profile_shift.value_or(0.0);
@@ -98,7 +96,7 @@ Result<FitAnswer> answer_fit(const JobSpec& spec) {
   std::array<CylindricalSpec, 2> known{c1, c2};
   for (const int i : {0, 1}) {
     const GearInput& g = *spec.gears[i];
-    if (g.helix_given) p.helix[i] = g.cylindrical.helix_angle.rad();
+    if (g.helix_given) p.helix[i] = g.cylindrical.helix_angle;
     p.shift[i] = g.profile_shift;
     all = all && g.helix_given && g.profile_shift;
     known[i].profile_shift = g.profile_shift.value_or(0.0);
@@ -125,9 +123,8 @@ Result<FitAnswer> answer_fit(const JobSpec& spec) {
                              p.teeth[1], p.teeth[0])};
   }
   p.center_distance = spec.pair.center_distance;
-  if (spec.pair.shaft_angle) p.shaft_angle = spec.pair.shaft_angle->rad();
-  if (spec.fit.working_normal_pressure_angle)
-    p.working_normal_pressure_angle = spec.fit.working_normal_pressure_angle->rad();
+  p.shaft_angle = spec.pair.shaft_angle;
+  p.working_normal_pressure_angle = spec.fit.working_normal_pressure_angle;
   auto found = fit(p);
   if (!found) return found.error();
   FitAnswer answer{std::move(found).take(), {}};
@@ -153,7 +150,7 @@ std::string fit_listing(const FitAnswer& answer) {
                           *f.nearest_distance);
     if (f.nearest_shaft_angle)
       text += fmt::format("  nearest shaft angle at this centre distance  {:.5f}°\n",
-                          deg(*f.nearest_shaft_angle));
+                          f.nearest_shaft_angle->deg());
     return text;
   }
   std::string text =
@@ -163,8 +160,8 @@ std::string fit_listing(const FitAnswer& answer) {
   for (const FitBranch& b : f.branches) {
     text += fmt::format(
         "  {:>6}  {:>10.5f}° {:>10.5f}°  {:>9.5f} {:>9.5f}  {:>11.4f}  {:>10.5f}°  {:>9.5f}°\n",
-        ++number, deg(b.helix[0]), deg(b.helix[1]), b.shift[0], b.shift[1], b.center_distance,
-        deg(b.shaft_angle), deg(b.working_normal_pressure_angle));
+        ++number, b.helix[0].deg(), b.helix[1].deg(), b.shift[0], b.shift[1], b.center_distance,
+        b.shaft_angle.deg(), b.working_normal_pressure_angle.deg());
   }
   if (answer.transverse_contact_ratio)
     text += fmt::format("\n  transverse contact ratio {:.4f}\n", *answer.transverse_contact_ratio);

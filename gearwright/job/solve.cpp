@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "gearwright/gear/ring_cutter.hpp"
-#include "gearwright/job/solve_arcs.hpp"
 #include "gearwright/job/cut_gears.hpp"
+#include "gearwright/job/solve_arcs.hpp"
 
 namespace gearwright {
 
@@ -84,10 +84,7 @@ Error of_distance(Error error, const JobSpec& spec) {
   return error;
 }
 
-std::optional<double> shaft_angle(const JobSpec& spec) {
-  if (!spec.pair.shaft_angle) return std::nullopt;
-  return spec.pair.shaft_angle->rad();
-}
+std::optional<Angle> shaft_angle(const JobSpec& spec) { return spec.pair.shaft_angle; }
 
 // Whether the axes cross: the helices decide, and the shaft angle has been checked against them.
 bool axes_cross(const JobSpec& spec) {
@@ -102,9 +99,9 @@ ShiftProblem shift_problem(const JobSpec& spec) {
   p.z1 = c1.teeth;
   p.z2 = c2.teeth;
   p.normal_module = c1.normal_module;
-  p.normal_pressure_angle = c1.normal_pressure_angle.rad();
-  p.helix_angle = {c1.helix_angle.rad(), c2.helix_angle.rad()};
-  if (axes_cross(spec)) p.shaft_angle = shaft_angle(spec).value_or(0.0);
+  p.normal_pressure_angle = c1.normal_pressure_angle;
+  p.helix_angle = {c1.helix_angle, c2.helix_angle};
+  if (axes_cross(spec)) p.shaft_angle = shaft_angle(spec).value_or(Angle());
   p.x1 = spec.gears[0]->profile_shift;
   p.x2 = spec.gears[1]->profile_shift;
   if (!spec.pair.center_distance) {
@@ -169,19 +166,14 @@ std::optional<Error> needs_one_rack(const JobSpec& spec, bool shift_wanted) {
 }
 
 // The place of the pair, after its shifts: absent distance and angle follow from the teeth.
-Result<PairSpec> place_of(const JobSpec& spec) {
-  auto place =
-      complete_place(nominal_base_pair(spec.gears[0]->cylindrical, spec.gears[1]->cylindrical),
-                     spec.pair.center_distance, shaft_angle(spec));
-  if (!place) return place.error();
-  PairSpec result = *place;
-  result.friction = spec.pair.friction_coefficient;
-  return result;
+Result<PairPlace> place_of(const JobSpec& spec) {
+  return complete_place(nominal_base_pair(spec.gears[0]->cylindrical, spec.gears[1]->cylindrical),
+                        spec.pair.center_distance, shaft_angle(spec));
 }
 
 // Completes shifts and place of a spec with two gears; `shift_wanted`: one or both are absent and
 // follow from the centre distance.
-Result<PairSpec> complete_pair(JobSpec& spec, bool shift_wanted) {
+Result<PairPlace> complete_pair(JobSpec& spec, bool shift_wanted) {
   if (auto error = check_partners(spec.gears[0]->cylindrical, spec.gears[1]->cylindrical,
                                   shaft_angle(spec))) {
     return *error;
@@ -203,7 +195,7 @@ Result<PairSpec> complete_pair(JobSpec& spec, bool shift_wanted) {
                                "it must be greater than {} mm, the sum of the base radii",
                                given, base_radius_sum(gears))};
     }
-    spec.pair.shaft_angle = Angle::radians(crossed_place(gears, *alpha).shaft_angle);
+    spec.pair.shaft_angle = crossed_place(gears, *alpha).shaft_angle;
     spec.shaft_angle_found = true;
   }
   // Gears of one rack on parallel axes meet at a distance of closed form, to the last digit.
@@ -229,9 +221,9 @@ void collect_warnings(SolvedJob& job) {
     const int number = static_cast<int>(i) + 1;
     if (!input.face_width_given) {
       job.warnings.push_back({"default_face_width",
-                                 fmt::format("No face_width_mm given: {} mm (10 modules) is used.",
-                                             input.cylindrical.face_width),
-                                 number});
+                              fmt::format("No face_width_mm given: {} mm (10 modules) is used.",
+                                          input.cylindrical.face_width),
+                              number});
     }
     for (Warning w : job.gears[i].warnings) {
       w.gear = number;
@@ -246,30 +238,26 @@ void collect_warnings(SolvedJob& job) {
     job.warnings.push_back(
         {"not_read", what + " is of a part that is not in this version: it was not read.", 0});
   }
-  if (job.arc_pair) {
-    const auto& list = job.arc_pair->warnings;
-    job.warnings.insert(job.warnings.end(), list.begin(), list.end());
-  }
   if (!job.pair) return;
-  if (job.pair->crossed() &&
-      (job.spec.shaft_angle_found || !job.spec.pair.shaft_angle)) {
+  if (job.pair->crossed() && (job.spec.shaft_angle_found || !job.spec.pair.shaft_angle)) {
     job.warnings.push_back(
         {"default_shaft_angle",
          fmt::format("No shaft_angle_deg given, and these helix angles do not allow parallel axes: "
                      "the pair crosses at {:.6g}°, the angle of its minimum centre distance.",
-                     Angle::radians(job.pair->shaft_angle()).deg()),
+                     job.pair->shaft_angle().deg()),
          0});
   }
-  for (const Warning& w : job.pair->warnings) job.warnings.push_back(w);
+  for (const Warning& w : job.pair->warnings()) job.warnings.push_back(w);
 }
 
 }  // namespace
 
 Result<SolvedJob> solve(const JobSpec& given, Scope scope) {
   if (!given.gears[0]) {
-    return Error{"gear1.teeth", "",
-                 "gear1.teeth: is missing; the spec describes a search. gearwright search finds the "
-                 "gears, and its --take 1 writes the pair that this verb takes"};
+    return Error{
+        "gear1.teeth", "",
+        "gear1.teeth: is missing; the spec describes a search. gearwright search finds the "
+        "gears, and its --take 1 writes the pair that this verb takes"};
   }
   SolvedJob job;
   job.spec = given;
@@ -294,7 +282,7 @@ Result<SolvedJob> solve(const JobSpec& given, Scope scope) {
     clear_tips = clear_tips || gear->tip_clearance || gear->tip_clearance_by_rule;
     if (auto error = check_limits(gear->cylindrical)) return in_table(*error, spec, which);
   }
-  std::optional<PairSpec> place;
+  std::optional<PairPlace> place;
   const bool shift_wanted = two && spec.pair.center_distance &&
                             (!spec.gears[0]->profile_shift || !spec.gears[1]->profile_shift);
   if (two && !arcs && (want_pair || shift_wanted || clear_tips || spec.pair.shorten_tips)) {
@@ -303,7 +291,7 @@ Result<SolvedJob> solve(const JobSpec& given, Scope scope) {
     place = *completed;
   }
   if (clear_tips) {
-    const bool parallel = place && place->shaft_angle.value_or(0.0) == 0.0;
+    const bool parallel = place && place->shaft_angle.value_or(Angle()).rad() == 0.0;
     const auto a = parallel ? std::optional(place->center_distance) : std::nullopt;
     if (auto error = place_clear_tips(spec, made, a)) return *error;
   }
@@ -322,16 +310,14 @@ Result<SolvedJob> solve(const JobSpec& given, Scope scope) {
     auto cut = bare_ring ? cut_by_default(*gear) : std::nullopt;
     job.gears.push_back(cut ? *std::move(cut) : std::move(gear).take());
   }
-  if (want_pair && arcs) {
-    auto pair = mount_arcs(job.gears[0], job.gears[1], spec.pair.center_distance);
-    if (!pair) return pair.error();
-    job.arc_pair = std::move(pair).take();
-    if (spec.pair.friction_coefficient)
-      spec.not_read.push_back("pair.friction_coefficient of circular-arc gears");
-  } else if (want_pair) {
-    auto pair = mount(job.gears[0], job.gears[1], *place);
-    if (!pair) return of_basic(of_distance(pair.error(), spec), spec);
+  if (want_pair) {
+    const PairSpec asked{place ? place->center_distance : spec.pair.center_distance,
+                         place ? place->shaft_angle : std::nullopt, spec.pair.friction_coefficient};
+    auto pair = mount(job.gears[0], job.gears[1], asked);
+    if (!pair) return arcs ? pair.error() : of_basic(of_distance(pair.error(), spec), spec);
     job.pair = std::move(pair).take();
+    if (arcs && spec.pair.friction_coefficient)
+      spec.not_read.push_back("pair.friction_coefficient of circular-arc gears");
   }
   collect_warnings(job);
   return job;

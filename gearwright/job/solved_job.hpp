@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "gearwright/catalogue/pair_quantities.hpp"
-#include "gearwright/pair/arc_pair.hpp"
 #include "gearwright/pair/pair.hpp"
 #include "gearwright/spec/spec.hpp"
 
@@ -17,15 +16,14 @@ namespace gearwright {
 /// What a spec describes. With a pair its gears are the pair's.
 struct SolvedJob {
   JobSpec spec;
-  std::vector<Gear> gears;          ///< one or two
-  std::optional<Pair> pair;         ///< when the spec has two gears and the caller wanted the pair
-  std::optional<ArcPair> arc_pair;  ///< the same of gears with circular-arc teeth
-  std::vector<Warning> warnings;    ///< of gears and pair, with the gear's number
+  std::vector<Gear> gears;        ///< one or two
+  std::optional<Pair> pair;       ///< when the spec has two gears and the caller wanted the pair
+  std::vector<Warning> warnings;  ///< of gears and pair, with the gear's number
 
   /// The pair as the catalogue takes it; none: there is no pair.
   std::optional<PairView> pair_view() const {
-    if (pair) return PairView{&*pair, nullptr};
-    return arc_pair ? std::optional(PairView{nullptr, &*arc_pair}) : std::nullopt;
+    if (!pair) return std::nullopt;
+    return PairView{pair->involute(), pair->arcs()};
   }
   std::optional<Bore> bore(int which) const {
     return spec.gears[static_cast<std::size_t>(which - 1)]->bore;

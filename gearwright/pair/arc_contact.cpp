@@ -51,7 +51,7 @@ Mat2 cut_curvature(double rho, double b, double theta, double lambda, double r, 
   return m;
 }
 
-std::optional<double> contact_angle(const ArcMeshInput& in) {
+std::optional<Angle> contact_angle(const ArcMeshInput& in) {
   const double c0 = in.pitch_radius_convex + in.pitch_radius_concave;
   const double change = in.center_distance - c0;
   const double difference = in.concave.radius - in.convex.radius;
@@ -60,7 +60,7 @@ std::optional<double> contact_angle(const ArcMeshInput& in) {
   const double s = (in.concave.b - in.convex.b - change) / difference;
   if (!(s > 0.0 && s < 1.0)) return std::nullopt;
   const double first = std::asin(s);
-  const double sin_lambda = std::sin(in.lead_angle);
+  const double sin_lambda = std::sin(in.lead_angle.rad());
   // [T7.16] times the sum of its roots' bases, without the cancellation of two squares.
   const auto excess = [&](double theta) {
     const double w = height_gap(in, theta);
@@ -68,7 +68,7 @@ std::optional<double> contact_angle(const ArcMeshInput& in) {
     return (w - change) * (c0 + w + in.center_distance) + across * across;
   };
   // The first-order angle leaves only the square; the exact one is greater, if by little.
-  if (!(excess(first) > 0.0)) return first;
+  if (!(excess(first) > 0.0)) return Angle::radians(first);
   // The bracket grows fourfold from a step that is short for the least change of distance.
   constexpr double kFirstStep = 1e-9;  // rad
   double hi = first;
@@ -76,7 +76,7 @@ std::optional<double> contact_angle(const ArcMeshInput& in) {
     hi = std::min(kHalfPi, first + step);
     if (excess(hi) <= 0.0) {
       const Root root = find_root(excess, first, hi);
-      if (root.found()) return root.x;
+      if (root.found()) return Angle::radians(root.x);
       return std::nullopt;
     }
   }
@@ -91,24 +91,26 @@ double line_contact_radius_difference(double rho_1, double l, double r_1, double
   return q * to_pitch * to_pitch / (1.0 - q * to_pitch);
 }
 
-ArcContact arc_contact(const ArcMeshInput& in, double theta) {
+ArcContact arc_contact(const ArcMeshInput& in, Angle normal_angle) {
   ArcContact at{};
-  const double lambda = in.lead_angle;
+  const double theta = normal_angle.rad();
+  const double lambda = in.lead_angle.rad();
   const double s = std::sin(lambda), c = std::cos(lambda);
   const double cot = 1.0 / std::tan(theta);
   const double r_v = in.pitch_radius_convex, r_c = in.pitch_radius_concave;
   const double c0 = r_v + r_c;
   const double w = height_gap(in, theta);
-  at.theta = theta;
-  at.mu = std::atan2(w * cot * s, c0 + w);
+  at.theta = normal_angle;
+  const double mu = std::atan2(w * cot * s, c0 + w);
+  at.mu = Angle::radians(mu);
 
   // The point and the normal where they are cut, then turned by μ.
   const double x = height(in.convex, theta);
   const double A = r_v + x, B = x * cot * s;
-  const double cos_mu = std::cos(at.mu), sin_mu = std::sin(at.mu);
+  const double cos_mu = std::cos(mu), sin_mu = std::sin(mu);
   at.advance = r_v * s / c;
   at.point = {A * cos_mu + B * sin_mu, A * sin_mu - B * cos_mu,
-              axial(in.convex, theta, lambda) + at.advance * at.mu};
+              axial(in.convex, theta, lambda) + at.advance * mu};
   const double n_x = std::sin(theta), n_y = -std::cos(theta) * s;
   at.normal = {n_x * cos_mu - n_y * sin_mu, n_x * sin_mu + n_y * cos_mu, std::cos(theta) * c};
   at.radius_convex = std::hypot(A, B);
@@ -117,7 +119,7 @@ ArcContact arc_contact(const ArcMeshInput& in, double theta) {
   // Both points at one z: r_c φ_c tan λ = r_v φ_v tan λ + difference, φ_c′ = φ_c + μ. [T7.18],
   // [T8.23]
   const double ahead = axial(in.convex, theta, lambda) - axial(in.concave, theta, lambda);
-  at.rotation_offset = (r_v * at.mu + ahead * c / s) / r_c + at.mu;
+  at.rotation_offset = Angle::radians((r_v * mu + ahead * c / s) / r_c + mu);
 
   at.curvature_convex = cut_curvature(in.convex.radius, in.convex.b, theta, lambda, r_v, 1.0);
   at.curvature_concave = cut_curvature(in.concave.radius, in.concave.b, theta, lambda, r_c, -1.0);
@@ -128,7 +130,7 @@ ArcContact arc_contact(const ArcMeshInput& in, double theta) {
   const Vec2 e = gap.eigenvectors().col(0);
   const double cross = axis.x() * e.y() - axis.y() * e.x();
   const double dot = axis.dot(e);
-  at.angle = std::atan(cross / dot);
+  at.angle = Angle::radians(std::atan(cross / dot));
 
   at.transverse_radius_convex = transverse_radius(at.curvature_convex, theta, lambda);
   at.transverse_radius_concave = transverse_radius(at.curvature_concave, theta, lambda);

@@ -16,6 +16,7 @@
 #include <array>
 #include <optional>
 
+#include "gearwright/base/angle.hpp"
 #include "gearwright/base/vector.hpp"
 
 namespace gearwright {
@@ -31,23 +32,23 @@ struct WorkingArc {
 struct ArcMeshInput {
   WorkingArc convex, concave;
   double pitch_radius_convex, pitch_radius_concave;  ///< r_v, r_c  mm
-  double lead_angle;                                 ///< λ  rad
+  Angle lead_angle;                                  ///< λ
   double center_distance;                            ///< mm
 };
 
 struct ArcContact {
-  double theta;  ///< θ  rad
-  double mu;     ///< μ  rad
-  Vec3 point;    ///< at rotation 0, mm
+  Angle theta;  ///< θ
+  Angle mu;     ///< μ
+  Vec3 point;   ///< at rotation 0, mm
   Vec3 normal;
   double advance;             ///< dz/dφ of the point while the convex gear turns, mm/rad
-  double rotation_offset;     ///< of the concave gear, rad: how far it is ahead; < 0: play
+  Angle rotation_offset;      ///< of the concave gear: how far it is ahead; < 0: play
   double radius_convex;       ///< of the point from each axis, mm
   double radius_concave;      ///<
   Mat2 curvature_convex;      ///< K in (t, u), 1/mm
   Mat2 curvature_concave;     ///<
   std::array<double, 2> gap;  ///< eigenvalues of K_c − K_v, 1/mm, k1 ≤ k2; ≤ 0: interference
-  double angle;               ///< of the direction of k1 to the projection of the axis, rad
+  Angle angle;                ///< of the direction of k1 to the projection of the axis
   double transverse_radius_convex;   ///< of the transverse profiles, mm; > 0: centre on the convex
   double transverse_radius_concave;  ///< gear's side
   double line_contact_difference;    ///< what the second less the first would be in line contact
@@ -56,6 +57,7 @@ struct ArcContact {
 /// K of the surface that a rack's circle (signed ρ, b) cuts, at θ. `turn` is +1 for gear 1 of the
 /// frame (the convex one), −1 for its mate.
 ///
+/// Units     mm, rad
 /// Formula   [T7.14]
 Mat2 cut_curvature(double rho, double b, double theta, double lead_angle, double pitch_radius,
                    double turn);
@@ -64,7 +66,7 @@ Mat2 cut_curvature(double rho, double b, double theta, double lead_angle, double
 /// there.
 ///
 /// Formula   exact, [T7.16]; solved in a bracket from the first-order angle [T7.17]
-std::optional<double> contact_angle(const ArcMeshInput& in);
+std::optional<Angle> contact_angle(const ArcMeshInput& in);
 
 /// The radius difference ρ_2 − ρ_1 of transverse profiles in line contact, from ρ_1, l, the pitch
 /// radii and sin ψ, all of the transverse section. [T7.10]
@@ -72,6 +74,6 @@ double line_contact_radius_difference(double rho_1, double l, double r_1, double
                                       double sin_psi);
 
 /// Everything at the contact with the angle θ.
-ArcContact arc_contact(const ArcMeshInput& in, double theta);
+ArcContact arc_contact(const ArcMeshInput& in, Angle theta);
 
 }  // namespace gearwright

@@ -21,7 +21,7 @@ ArcMeshInput mesh(double change = 0.0) {
                 b + difference * std::sin(psi)};
   in.pitch_radius_convex = 53.0;
   in.pitch_radius_concave = 160.0;
-  in.lead_angle = 70 * kDegree;
+  in.lead_angle = Angle::degrees(70);
   in.center_distance = in.pitch_radius_convex + in.pitch_radius_concave + change;
   return in;
 }
@@ -31,10 +31,10 @@ TEST(ArcContact, nominal) {
   const ArcMeshInput in = mesh();
   const auto theta = contact_angle(in);
   ASSERT_TRUE(theta);
-  EXPECT_NEAR(*theta, 30 * kDegree, 1e-15);
+  EXPECT_NEAR(theta->rad(), 30 * kDegree, 1e-15);
   const ArcContact at = arc_contact(in, *theta);
-  EXPECT_NEAR(at.mu, 0.0, 1e-16);
-  EXPECT_NEAR(at.rotation_offset, 0.0, 1e-16);
+  EXPECT_NEAR(at.mu.rad(), 0.0, 1e-16);
+  EXPECT_NEAR(at.rotation_offset.rad(), 0.0, 1e-16);
   EXPECT_GT(at.gap[0], 0.0);
   // The normal passes through the pitch point's axis: its moment about it vanishes.
   const Vec3 arm = at.point - Vec3(in.pitch_radius_convex, 0.0, 0.0);
@@ -49,8 +49,8 @@ TEST(ArcContact, parallel_surfaces_touch_alike) {
     in.convex.radius += 0.6;
     in.concave.radius += 0.6;
     const ArcContact grown = arc_contact(in, *contact_angle(in));
-    EXPECT_NEAR(grown.theta, at.theta, 1e-12);
-    EXPECT_NEAR(grown.rotation_offset, at.rotation_offset, 1e-14);
+    EXPECT_NEAR(grown.theta.rad(), at.theta.rad(), 1e-12);
+    EXPECT_NEAR(grown.rotation_offset.rad(), at.rotation_offset.rad(), 1e-14);
     EXPECT_NEAR((grown.point - at.point - 0.6 * at.normal).norm(), 0.0, 1e-12);
   }
 }
@@ -63,9 +63,9 @@ TEST(ArcContact, a_shift_along_the_datum_line_is_one_of_phase) {
   in.concave.a += 0.3;
   const ArcContact moved = arc_contact(in, *contact_angle(in));
   EXPECT_EQ(moved.theta, at.theta);
-  EXPECT_NEAR(at.point.z() - moved.point.z(), 0.3 / std::cos(in.lead_angle), 1e-12);
+  EXPECT_NEAR(at.point.z() - moved.point.z(), 0.3 / std::cos(in.lead_angle.rad()), 1e-12);
   // The hollow flank follows by its own pitch: what one gear is late the other is too.
-  EXPECT_NEAR(moved.rotation_offset, at.rotation_offset, 1e-15);
+  EXPECT_NEAR(moved.rotation_offset.rad(), at.rotation_offset.rad(), 1e-15);
 }
 
 // [T7.17] is what the exact angle tends to.
@@ -73,7 +73,7 @@ TEST(ArcContact, small_changes_are_of_first_order) {
   for (const double change : {1e-4, -1e-4, 1e-6}) {
     const ArcMeshInput in = mesh(change);
     const double first = std::asin(0.5 - change / 0.75);
-    EXPECT_NEAR(*contact_angle(in), first, 2 * change * change);
+    EXPECT_NEAR(contact_angle(in)->rad(), first, 2 * change * change);
   }
 }
 
@@ -91,10 +91,10 @@ TEST(ArcContact, one_rack_for_both_gears_means_line_contact) {
     for (const double theta : {0.2, 0.5, 0.9}) {
       for (const double lambda : {50 * kDegree, 75 * kDegree, 85 * kDegree}) {
         ArcMeshInput in = mesh();
-        in.lead_angle = lambda;
+        in.lead_angle = Angle::radians(lambda);
         in.convex.b = in.concave.b = b;
         in.concave.radius = in.convex.radius;
-        const ArcContact at = arc_contact(in, theta);
+        const ArcContact at = arc_contact(in, Angle::radians(theta));
         const double difference = at.transverse_radius_concave - at.transverse_radius_convex;
         EXPECT_NEAR(difference, at.line_contact_difference,
                     1e-9 * std::max(1.0, std::abs(difference)));

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "gearwright/base/refusal.hpp"
@@ -14,11 +13,8 @@ namespace gearwright {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 std::string table(int which) { return fmt::format("gear{}", which); }
-
-double deg(double rad) { return Angle::radians(rad).deg(); }
 
 std::vector<WorkingArc> working(const Gear& gear, double side) {
   GW_EXPECTS(gear.arcs() != nullptr);
@@ -93,7 +89,7 @@ void place(ArcContact& at, const Gear& convex, bool by_gear_2, double a) {
   const double hand = convex.spec.helix_angle.rad() > 0.0 ? 1.0 : -1.0;
   at.point.z() *= hand;
   at.normal.z() *= hand;
-  at.angle *= hand;
+  at.angle = hand * at.angle;
   at.advance *= hand;
 }
 
@@ -103,15 +99,15 @@ ArcMeshInput mesh_of(const Gear& convex, const Gear& concave, const WorkingArc& 
           c,
           pitch_radius(convex),
           pitch_radius(concave),
-          kPi / 2 - std::abs(convex.spec.helix_angle.rad()),
+          Angle::radians(kPi / 2 - std::abs(convex.spec.helix_angle.rad())),
           a};
 }
 
 // Whether an arc of the gear that was cut with these numbers has the normal angle θ at all.
-bool has_angle(const Gear& gear, double side, double theta) {
+bool has_angle(const Gear& gear, double side, Angle theta) {
   for (const RackArc& arc : gear.arcs()->rack.arcs) {
     if (arc.cuts != ArcName::flank || !arc.working || !(side * arc.radius > 0.0)) continue;
-    const auto [lo, hi] = std::minmax({arc.begin.rad(), arc.end.rad()});
+    const auto [lo, hi] = std::minmax({arc.begin, arc.end});
     if (theta >= lo && theta <= hi) return true;
   }
   return false;
@@ -156,8 +152,7 @@ std::optional<Error> find_contacts(ArcPair& pair) {
         }
         ArcMeshInput nominal = in;
         nominal.center_distance = pair.reference_center_distance;
-        ArcPairContact contact{by_gear_2 ? 2 : 1, arc_contact(in, *theta),
-                               contact_angle(nominal).value_or(kNaN)};
+        ArcPairContact contact{by_gear_2 ? 2 : 1, arc_contact(in, *theta), contact_angle(nominal)};
         place(contact.at, convex, by_gear_2, pair.center_distance);
         pair.contacts.push_back(contact);
       }
@@ -188,14 +183,14 @@ double longest_gap(const ArcPair& pair) {
 void find_backlash(ArcPair& pair) {
   if (pair.contacts.empty()) return;
   const ArcPairContact& first = pair.first_contact();
-  const double play = -2 * first.at.rotation_offset;  // of the concave gear; both flanks are alike
+  const Angle play = -2 * first.at.rotation_offset;  // of the concave gear; both flanks are alike
   const double z_1 = pair.gears[0].spec.teeth, z_2 = pair.gears[1].spec.teeth;
-  const double of_gear_2 = first.convex_gear == 1 ? play : play * z_1 / z_2;
-  pair.backlash_rotation = std::array{of_gear_2 * z_2 / z_1, of_gear_2};
+  const Angle of_gear_2 = first.convex_gear == 1 ? play : z_1 * play / z_2;
+  pair.backlash_rotation = std::array{z_2 * of_gear_2 / z_1, of_gear_2};
   // Turning gear 2 by dφ moves its flank along the normal by dφ (ẑ × r)·n.
   const Vec3 r = first.at.point - Vec3(pair.center_distance, 0.0, 0.0);
   const double lever = std::abs(r.x() * first.at.normal.y() - r.y() * first.at.normal.x());
-  pair.backlash_normal = of_gear_2 * lever;
+  pair.backlash_normal = of_gear_2.rad() * lever;
 }
 
 void warn(ArcPair& pair, const char* code, std::string message) {
@@ -222,7 +217,7 @@ void warn_about_contact(ArcPair& pair, const ArcPairContact& c) {
          fmt::format("The contact on the {}, at a normal angle of {:.4f}°, lies off the usable "
                      "flanks: the teeth touch with an edge. A centre distance nearer {:.4f} mm, or "
                      "another center_b, would help.",
-                     where, deg(c.at.theta), pair.reference_center_distance));
+                     where, c.at.theta.deg(), pair.reference_center_distance));
   }
   for (const int which : {1, 2}) {
     const Gear& gear = pair.gears[static_cast<std::size_t>(which - 1)];
@@ -232,11 +227,11 @@ void warn_about_contact(ArcPair& pair, const ArcPairContact& c) {
     } else if (const auto* rack_2 = std::get_if<DoubleArcRack>(&gear.spec.rack)) {
       written = rack_2->pressure_angle;
     }
-    if (!written || std::abs(written->rad() - c.nominal_theta) <= kSamePressureAngle.rad())
-      continue;
-    const std::string is = std::isnan(c.nominal_theta)
-                               ? "they have no common normal"
-                               : fmt::format("they touch at {:.4f}°", deg(c.nominal_theta));
+    if (!written) continue;
+    if (c.nominal_theta && abs(*written - *c.nominal_theta) <= kSamePressureAngle) continue;
+    const std::string is = c.nominal_theta
+                               ? fmt::format("they touch at {:.4f}°", c.nominal_theta->deg())
+                               : "they have no common normal";
     pair.warnings.push_back(
         {"pressure_angle",
          fmt::format("The rack's pressure angle is written as {:.4f}°, but with these radii and "
@@ -286,10 +281,6 @@ void warn_about_pair(ArcPair& pair) {
 std::vector<WorkingArc> convex_arcs(const Gear& gear) { return working(gear, 1.0); }
 std::vector<WorkingArc> concave_arcs(const Gear& gear) { return working(gear, -1.0); }
 
-double ArcPair::gear_ratio() const {
-  return static_cast<double>(gears[1].spec.teeth) / gears[0].spec.teeth;
-}
-
 std::array<double, 2> ArcPair::working_pitch_diameter() const {
   const double z_1 = gears[0].spec.teeth, z_2 = gears[1].spec.teeth;
   return {2 * center_distance * z_1 / (z_1 + z_2), 2 * center_distance * z_2 / (z_1 + z_2)};
@@ -303,18 +294,6 @@ const ArcPairContact& ArcPair::first_contact() const {
   };
   return *std::max_element(contacts.begin(), contacts.end(),
                            [&](const auto& a, const auto& b) { return ahead(a) < ahead(b); });
-}
-
-Pose<Housing, Gear1> ArcPair::pose_1() const { return Pose<Housing, Gear1>(); }
-
-Pose<Housing, Gear2> ArcPair::pose_2() const {
-  // Space 0, half a pitch from tooth 0, points to the mesh at −x.
-  const int z_2 = gears[1].spec.teeth;
-  const SinCos t = sincos_turn(z_2 - 1, 2LL * z_2);
-  Eigen::Isometry3d x = Eigen::Isometry3d::Identity();
-  x.linear() << t.cos, -t.sin, 0.0, t.sin, t.cos, 0.0, 0.0, 0.0, 1.0;
-  x.translation() = Vec3(center_distance, 0.0, 0.0);
-  return Pose<Housing, Gear2>(x);
 }
 
 Result<ArcPair> mount_arcs(Gear gear_1, Gear gear_2, std::optional<double> distance) {

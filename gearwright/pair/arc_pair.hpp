@@ -4,16 +4,14 @@
 // there is no transverse path of contact, and the overlap alone keeps the contact going. Racks F
 // and P make one such point on each side of a tooth, double arcs two.
 //                                              theory: docs/theory/07-circular-arc.md, 7.4 to 7.7
-// Housing frame and rest position as in pair/pair.hpp.
 #pragma once
 
 #include <array>
 #include <optional>
 #include <vector>
 
-#include "gearwright/gear/gear.hpp"
-#include "gearwright/kinematics/pose.hpp"
 #include "gearwright/pair/arc_contact.hpp"
+#include "gearwright/pair/mounted_gears.hpp"
 
 namespace gearwright {
 
@@ -22,30 +20,21 @@ struct ArcPairContact {
   int convex_gear;  ///< 1 or 2
   ArcContact at;    ///< `point` and `normal` (out of gear 1) in the housing frame, at rotation 0;
                     ///< rotation_offset of the concave gear
-  double nominal_theta;  ///< at the reference centre distance, rad [T7.9]; NaN: none there
+  std::optional<Angle> nominal_theta;  ///< θ at the reference centre distance [T7.9]
 };
 
-struct ArcPair {
-  std::array<Gear, 2> gears;
-  double center_distance;            ///< a    mm
-  double reference_center_distance;  ///< a_d = r_1 + r_2, mm
-  double overlap_ratio;              ///< ε_β  of the common face; for unequal racks of gear 1's
+struct ArcPair : MountedGears {
+  double overlap_ratio;  ///< ε_β  of the common face; for unequal racks of gear 1's
   std::vector<ArcPairContact> contacts;  ///< empty where the gears are not of one lead
   double contact_ratio;                  ///< ε_β times the number of contacts
   double face_for_contact;  ///< the least face width over which one point always touches, mm
-  std::array<double, 2> tip_clearance;  ///< c    mm: tip 1 to root 2, tip 2 to root 1
-  std::optional<std::array<double, 2>>
-      backlash_rotation;         ///< of each gear with the mate held, rad; none without contacts
+  std::optional<std::array<Angle, 2>>
+      backlash_rotation;         ///< of each gear with the mate held; none without contacts
   double backlash_normal = 0.0;  ///< along the normal at the contact that touches first, mm
-  std::vector<Warning> warnings;
 
-  double gear_ratio() const;                             ///< z2/z1
   std::array<double, 2> working_pitch_diameter() const;  ///< 2 a z_i/(z_1 + z_2), mm
   /// The contact that touches first: the one with the least play.   Domain: there are contacts
   const ArcPairContact& first_contact() const;
-  /// Gear frames in the housing at rotation 0.
-  Pose<Housing, Gear1> pose_1() const;
-  Pose<Housing, Gear2> pose_2() const;
 };
 
 /// The working arcs of a gear, in mm, with its thickness allowance.

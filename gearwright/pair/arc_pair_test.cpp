@@ -71,7 +71,7 @@ double distance_to_flank(const ArcPair& pair, std::size_t i, const ArcPairContac
     if (arc.name != ArcName::flank) continue;
     const auto& cut = curve_as<RackTrochoid>(*arc.curve);
     if ((cut.circle().q > 0.0) != convex) continue;
-    const Vec2 w = cut.point(contact.at.theta);
+    const Vec2 w = cut.point(contact.at.theta.rad());
     // Seen from +z, gear 1 turns clockwise: it leads with the side y < 0 of its tooth, gear 2 is
     // touched on the side y < 0 of its own.
     const Complex flank(w.x(), -w.y());
@@ -85,8 +85,10 @@ void expect_touching(const ArcPair& pair) {
   ASSERT_FALSE(pair.contacts.empty());
   for (const ArcPairContact& c : pair.contacts) {
     const bool first = c.convex_gear == 1;
-    EXPECT_NEAR(distance_to_flank(pair, 0, c, first ? 0.0 : c.at.rotation_offset), 0.0, 1e-11);
-    EXPECT_NEAR(distance_to_flank(pair, 1, c, first ? c.at.rotation_offset : 0.0), 0.0, 1e-11);
+    EXPECT_NEAR(distance_to_flank(pair, 0, c, first ? 0.0 : c.at.rotation_offset.rad()), 0.0,
+                1e-11);
+    EXPECT_NEAR(distance_to_flank(pair, 1, c, first ? c.at.rotation_offset.rad() : 0.0), 0.0,
+                1e-11);
     EXPECT_GT(c.at.gap[0], 0.0);
     EXPECT_LT(c.at.normal.y(), 0.0);  // gear 1 pushes gear 2 so
   }

@@ -7,14 +7,14 @@ namespace gearwright {
 
 namespace {
 
-double overlap_per_mm(const Pair& pair) {
+double overlap_per_mm(const InvolutePair& pair) {
   const double tan_b = std::abs(pair.mesh.tan_base_helix[0]);
   return tan_b / pair.mesh.step;
 }
 
 }  // namespace
 
-std::optional<double> face_width_for_total(const Pair& pair, double total) {
+std::optional<double> face_width_for_total(const InvolutePair& pair, double total) {
   GW_EXPECTS(!pair.crossed());
   if (!(pair.contact_ratio_true() > 0.0)) return std::nullopt;
   const double missing = total - pair.mesh.true_ratio;
@@ -24,14 +24,14 @@ std::optional<double> face_width_for_total(const Pair& pair, double total) {
   return missing / gain;
 }
 
-std::optional<double> face_width_for_overlap(const Pair& pair) {
+std::optional<double> face_width_for_overlap(const InvolutePair& pair) {
   GW_EXPECTS(!pair.crossed());
   const double gain = overlap_per_mm(pair);
   if (gain == 0.0) return std::nullopt;
   return 1.0 / gain;
 }
 
-std::array<double, 2> approach_and_recess(const Pair& pair) {
+std::array<double, 2> approach_and_recess(const InvolutePair& pair) {
   GW_EXPECTS(!pair.crossed());
   if (!(pair.contact_ratio_true() > 0.0)) return {0.0, 0.0};
   const Mesh<double>& m = pair.mesh;
@@ -39,13 +39,13 @@ std::array<double, 2> approach_and_recess(const Pair& pair) {
   return {(c - m.rho1_true_begin) / m.step, (m.rho1_true_end - c) / m.step};
 }
 
-std::array<double, 2> axial_force(const Pair& pair) {
+std::array<double, 2> axial_force(const InvolutePair& pair) {
   GW_EXPECTS(!pair.crossed());
   const double tan_w = pair.mesh.rack.sides[0].tan_helix;
   return {0.0 - tan_w, tan_w};
 }
 
-double backlash_per_distance(const Pair& pair) {
+double backlash_per_distance(const InvolutePair& pair) {
   GW_EXPECTS(!pair.crossed());
   return 2.0 * pair.mesh.rack.sides[0].tan_transverse;
 }

@@ -8,7 +8,7 @@
 #include <array>
 #include <optional>
 
-#include "gearwright/pair/pair.hpp"
+#include "gearwright/pair/involute_pair.hpp"
 
 namespace gearwright {
 
@@ -17,22 +17,22 @@ namespace gearwright {
 ///
 /// Formula   b = (total − ε_α) p_bt/|tan β_b|, [T6.14]
 /// Domain    parallel axes (contract)
-std::optional<double> face_width_for_total(const Pair& pair, double total);
+std::optional<double> face_width_for_total(const InvolutePair& pair, double total);
 
 /// The face width of ε_β = 1, mm; nothing for a spur pair.   Domain: parallel axes (contract)
-std::optional<double> face_width_for_overlap(const Pair& pair);
+std::optional<double> face_width_for_overlap(const InvolutePair& pair);
 
 /// Contact ratios before and after the pitch point, gear 1 driving: approach and recess. The path
 /// as clipped.   Domain: parallel axes (contract)
-std::array<double, 2> approach_and_recess(const Pair& pair);
+std::array<double, 2> approach_and_recess(const InvolutePair& pair);
 
 /// Axial force on each gear along +z of the housing, per unit of tangential force on the working
 /// pitch cylinder, while gear 1 drives in its sense (clockwise seen from +z).
 ///
 /// Formula   F_z1/F_t = −tan β_w1, F_z2 = −F_z1, [T6.15]; parallel axes (contract)
-std::array<double, 2> axial_force(const Pair& pair);
+std::array<double, 2> axial_force(const InvolutePair& pair);
 
 /// Growth of the circumferential backlash per mm of centre distance. [T6.16]; parallel (contract)
-double backlash_per_distance(const Pair& pair);
+double backlash_per_distance(const InvolutePair& pair);
 
 }  // namespace gearwright

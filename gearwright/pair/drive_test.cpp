@@ -12,8 +12,9 @@
 namespace gearwright {
 namespace {
 
-Pair mounted(const testing::SamplePair& p, double more = 0.0) {
-  auto pair = mount(p.gears[0], p.gears[1], {.center_distance = p.place.center_distance + more});
+InvolutePair mounted(const testing::SamplePair& p, double more = 0.0) {
+  auto pair =
+      mount_involutes(p.gears[0], p.gears[1], {.center_distance = p.place.center_distance + more});
   EXPECT_TRUE(pair) << pair.error().message;
   return std::move(pair).take();
 }
@@ -24,7 +25,7 @@ TEST(Drive, axial_force_is_that_of_the_contact_normal) {
   for (const int z2 : {41, -61}) {
     for (const double beta : {12.0, -20.0}) {
       const auto sample = testing::involutes(20, z2, beta);
-      const Pair pair = mounted(sample);
+      const InvolutePair pair = mounted(sample);
       ContactRequest request;
       request.rotations = {0.03};
       const ContactPoint at = analyse_contact(sample.pair(), request).positions[0];

@@ -136,7 +136,7 @@ std::optional<double> min_on(const std::function<double(double)>& f) {
 
 }  // namespace
 
-std::optional<double> fillet_clearance(const Pair& pair, int which) {
+std::optional<double> fillet_clearance(const InvolutePair& pair, int which) {
   GW_EXPECTS(which == 1 || which == 2);
   const Gear& gear = pair.gears[which - 1];
   const Gear& mate = pair.gears[2 - which];

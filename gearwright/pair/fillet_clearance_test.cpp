@@ -29,8 +29,8 @@ Gear gear(int teeth, double x = 0.0, double fillet = 0.38, double tip = 0.0) {
   return std::move(made).take();
 }
 
-Pair mounted(const Gear& g1, const Gear& g2, double a) {
-  auto pair = mount(g1, g2, {a});
+InvolutePair mounted(const Gear& g1, const Gear& g2, double a) {
+  auto pair = mount_involutes(g1, g2, {a});
   EXPECT_TRUE(pair) << pair.error().message;
   return std::move(pair).take();
 }
@@ -38,7 +38,7 @@ Pair mounted(const Gear& g1, const Gear& g2, double a) {
 // The fillet of gear 1 as 2000 points of the space's upper side in gear 1's frame (tooth 0 on the x
 // axis: y < 0 is its lower side, the space below it), and the corner of gear 2's tooth as it passes
 // in 4000 rotations. Both flanks of the pair touch at zero backlash, so no play comes in.
-double scanned(const Pair& p) {
+double scanned(const InvolutePair& p) {
   const Gear& g1 = p.gears[0];
   const Gear& g2 = p.gears[1];
   std::vector<Vec2> fillet;
@@ -73,7 +73,7 @@ double scanned(const Pair& p) {
 // of the corner: 2000 of 1.5 mm and 2000 of the 1.5 mm that it moves through a space.
 TEST(FilletClearance, agrees_with_a_scan) {
   for (const auto& [z1, z2, fillet] : {std::tuple{20, 40, 0.38}, {30, 30, 0.25}, {17, 90, 0.38}}) {
-    const Pair p = mounted(gear(z1, 0.0, fillet), gear(z2, 0.0, fillet), z1 + z2);
+    const InvolutePair p = mounted(gear(z1, 0.0, fillet), gear(z2, 0.0, fillet), z1 + z2);
     const auto clearance = fillet_clearance(p, 1);
     ASSERT_TRUE(clearance);
     const double scan = scanned(p);
@@ -85,7 +85,7 @@ TEST(FilletClearance, agrees_with_a_scan) {
 TEST(FilletClearance, shrinks_with_the_tip_and_goes_negative) {
   double last = std::numeric_limits<double>::infinity();
   for (const double tip : {83.6, 84.0, 84.4, 84.8, 85.4}) {
-    const Pair p = mounted(gear(20), gear(40, 0.0, 0.38, tip), 60.0);
+    const InvolutePair p = mounted(gear(20), gear(40, 0.0, 0.38, tip), 60.0);
     const auto c = fillet_clearance(p, 1);
     ASSERT_TRUE(c);
     EXPECT_LT(*c, last);
@@ -96,12 +96,12 @@ TEST(FilletClearance, shrinks_with_the_tip_and_goes_negative) {
 
 // Two equal gears: what one does to the other, the other does to the one.
 TEST(FilletClearance, equal_gears_have_equal_clearances) {
-  const Pair p = mounted(gear(30, 0.1), gear(30, 0.1), 60.3);
+  const InvolutePair p = mounted(gear(30, 0.1), gear(30, 0.1), 60.3);
   EXPECT_EQ(*fillet_clearance(p, 1), *fillet_clearance(p, 2));
 }
 
 TEST(FilletClearance, a_ring_has_no_fillet_here) {
-  const Pair p = mounted(gear(20), gear(-60), 40.0);
+  const InvolutePair p = mounted(gear(20), gear(-60), 40.0);
   EXPECT_FALSE(fillet_clearance(p, 2));
   EXPECT_TRUE(fillet_clearance(p, 1));
 }

@@ -9,7 +9,7 @@
 namespace gearwright {
 namespace {
 
-Pair mounted(int z1, int z2, double beta1_deg, double beta2_deg, double more) {
+InvolutePair mounted(int z1, int z2, double beta1_deg, double beta2_deg, double more) {
   CylindricalSpec s;
   s.normal_module = 2.0;
   s.face_width = 200.0;
@@ -24,9 +24,8 @@ Pair mounted(int z1, int z2, double beta1_deg, double beta2_deg, double more) {
   EXPECT_TRUE(one && two);
   const auto tight = complete_place(base_pair(*one, *two), std::nullopt, std::nullopt);
   EXPECT_TRUE(tight);
-  PairSpec place = *tight;
-  place.center_distance += more;
-  auto pair = mount(*one, *two, place);
+  const PairSpec place{tight->center_distance + more, tight->shaft_angle};
+  auto pair = mount_involutes(*one, *two, place);
   EXPECT_TRUE(pair) << pair.error().message;
   return std::move(pair).take();
 }
@@ -43,8 +42,8 @@ TEST(FlankSpeeds, are_those_of_the_contact_over_the_turning_gears) {
        {Case{9, 15, 51.6, 39.4, 0.0}, Case{17, 23, 20, 10, 0.05}, Case{13, 27, -45, -45, 0.1},
         Case{12, 40, 70, -5, 0.0}, Case{17, 31, 0, 0, 0.1}}) {
     SCOPED_TRACE(::testing::Message() << c.z1 << ":" << c.z2 << " " << c.beta1 << " " << c.beta2);
-    const Pair p = mounted(c.z1, c.z2, c.beta1, c.beta2, c.more);
-    const double sigma = p.shaft_angle();
+    const InvolutePair p = mounted(c.z1, c.z2, c.beta1, c.beta2, c.more);
+    const double sigma = p.shaft_angle.rad();
     const Vec3 axis_2(0.0, std::sin(sigma), std::cos(sigma));
     const Vec3 foot_2(p.center_distance, 0.0, 0.0);
     const auto& m = p.mesh;

@@ -11,13 +11,14 @@ namespace {
 
 // A gear cut by its mate touches it with no clearance at all: rounding is no interference.
 constexpr double kNoise = 1e-11;  // of the base pitch
-double noise(const Pair& p) { return kNoise * p.gears[0].reference().base_pitch_normal; }
+double noise(const InvolutePair& p) { return kNoise * p.gears[0].reference().base_pitch_normal; }
 
 double diameter_of(double base_radius, double rho) { return 2 * std::hypot(base_radius, rho); }
 
 // Past the flank that an undercut took nothing strikes: contact is lost. Elsewhere it is
 // interference.
-void past_the_flank(Pair& p, const char* code, int gear, double amount, const std::string& where) {
+void past_the_flank(InvolutePair& p, const char* code, int gear, double amount,
+                    const std::string& where) {
   const int mate = 3 - gear;
   if (p.gears[gear - 1].undercut) {
     p.warnings.push_back(
@@ -41,7 +42,7 @@ void past_the_flank(Pair& p, const char* code, int gear, double amount, const st
 
 // Where the mate's tip touches each gear deepest, and how far that is from the usable flank's
 // start. [T2.25]
-void find_form_clearance(Pair& p) {
+void find_form_clearance(InvolutePair& p) {
   const std::array<double, 2> rho{p.mesh.rho1_A, p.mesh.rho2(p.mesh.rho1_E)};
   for (int i : {0, 1}) {
     if (rho[i] < -noise(p)) {
@@ -62,7 +63,7 @@ void find_form_clearance(Pair& p) {
 }
 
 // [T2.23]
-void find_tip_clearance(Pair& p) {
+void find_tip_clearance(InvolutePair& p) {
   const double a = p.center_distance;
   const Gear& g1 = p.gears[0];
   const Gear& g2 = p.gears[1];
@@ -93,7 +94,7 @@ void find_tip_clearance(Pair& p) {
   }
 }
 
-void find_internal_margins(Pair& p) {
+void find_internal_margins(InvolutePair& p) {
   const Gear& g1 = p.gears[0];
   const Gear& g2 = p.gears[1];
   const double a = p.center_distance;
@@ -117,7 +118,7 @@ void find_internal_margins(Pair& p) {
     const double theta_1 =
         std::acos(clamp((r_a2 * r_a2 - r_a1 * r_a1 - a * a) / (2 * a * r_a1))) + inv_a1 - inv_w;
     const double theta_2 = std::acos(clamp((a * a + r_a2 * r_a2 - r_a1 * r_a1) / (2 * a * r_a2)));
-    p.trochoid_margin = theta_1 * z1 / z2 + inv_w - inv_a2 - theta_2;
+    p.trochoid_margin = Angle::radians(theta_1 * z1 / z2 + inv_w - inv_a2 - theta_2);
   }
 
   const double cos_a1 = g1.base_radius() / r_a1;
@@ -128,15 +129,15 @@ void find_internal_margins(Pair& p) {
         std::asin(std::sqrt(clamp((1 - ratio * ratio) / (1 - (z1 / z2) * (z1 / z2)))));
     const double phi_2 =
         std::asin(std::sqrt(clamp((1 / (ratio * ratio) - 1) / ((z2 / z1) * (z2 / z1) - 1))));
-    p.trimming_margin = phi_1 + inv_a1 - inv_w - z2 / z1 * (phi_2 + inv_a2 - inv_w);
+    p.trimming_margin = Angle::radians(phi_1 + inv_a1 - inv_w - z2 / z1 * (phi_2 + inv_a2 - inv_w));
   }
-  if (p.trochoid_margin && *p.trochoid_margin < 0.0) {
+  if (p.trochoid_margin && p.trochoid_margin->rad() < 0.0) {
     p.interference.push_back(
         {"trochoid", 2, *p.trochoid_margin,
          "Trochoid interference: the pinion's tip strikes the ring's tip on its way out; "
          "shorten a tip or choose tooth numbers further apart."});
   }
-  if (p.trimming_margin && *p.trimming_margin < 0.0) {
+  if (p.trimming_margin && p.trimming_margin->rad() < 0.0) {
     p.interference.push_back(
         {"trimming", 2, *p.trimming_margin,
          "Trimming interference: the pinion cannot be put into the ring radially with a "
@@ -144,7 +145,7 @@ void find_internal_margins(Pair& p) {
   }
 }
 
-void find_fillet_clearance(Pair& p) {
+void find_fillet_clearance(InvolutePair& p) {
   for (int i : {0, 1}) {
     p.fillet_clearance[i] = fillet_clearance(p, i + 1);
     if (p.fillet_clearance[i] && *p.fillet_clearance[i] < -noise(p)) {

@@ -1,115 +1,54 @@
-// A pair of cylindrical gears mounted in a housing, on parallel or crossed axes.
+// A pair of cylindrical gears mounted in a housing: involute gears on parallel or crossed axes, or
+// gears with circular-arc teeth on parallel ones.
 //
-// Gear 1 drives, turning clockwise seen from +z; at rest tooth 0 of gear 1 and space 0 of gear 2
-// stand on the centre line at the mesh. Housing frame: kinematics/pose.hpp. Symbols:
-// pair/mesh.hpp.
+//   const auto pair = mount(pinion, wheel, {.center_distance = 61.4});
+//   if (pair) use(pair->center_distance(), pair->involute()->mesh.backlash.normal);
 #pragma once
 
-#include <array>
-#include <optional>
-#include <string>
-#include <vector>
+#include <utility>
+#include <variant>
 
-#include "gearwright/gear/gear.hpp"
-#include "gearwright/kinematics/pose.hpp"
-#include "gearwright/pair/efficiency.hpp"
-#include "gearwright/pair/mesh.hpp"
-#include "gearwright/pair/partners.hpp"
-#include "gearwright/pair/shift.hpp"
+#include "gearwright/pair/arc_pair.hpp"
+#include "gearwright/pair/involute_pair.hpp"
 
 namespace gearwright {
 
-enum class PairKind { parallel_external, parallel_internal, crossed };
+/// What both kinds of pair have it tells; what one kind has is asked of that.
+class Pair {
+ public:
+  Pair(InvolutePair pair) : of_(std::move(pair)) {}
+  Pair(ArcPair pair) : of_(std::move(pair)) {}
 
-/// Two parts of the pair that get in each other's way, or a flank used where it is none.
-struct Interference {
-  std::string code;     ///< form_circle, base_tangent, tip_to_fillet, trochoid, trimming, root
-                        ///< (past an undercut nothing strikes: a warning `contact_lost` instead)
-  int gear;             ///< the gear whose root or tip suffers
-  double amount;        ///< mm, or rad for trochoid and trimming; < 0: by so much
-  std::string message;  ///< one sentence
+  const InvolutePair* involute() const { return std::get_if<InvolutePair>(&of_); }
+  const ArcPair* arcs() const { return std::get_if<ArcPair>(&of_); }
+  /// `f` called with the InvolutePair or the ArcPair.
+  template <class F>
+  decltype(auto) visit(F&& f) const {
+    return std::visit(std::forward<F>(f), of_);
+  }
+
+  const MountedGears& mounted() const {
+    return visit([](const MountedGears& m) -> const MountedGears& { return m; });
+  }
+  PairKind kind() const { return mounted().kind; }
+  bool crossed() const { return mounted().crossed(); }
+  const Gear& gear(int which) const { return mounted().gears[static_cast<std::size_t>(which - 1)]; }
+  double gear_ratio() const { return mounted().gear_ratio(); }          ///< z2/z1
+  double center_distance() const { return mounted().center_distance; }  ///< a  mm
+  Angle shaft_angle() const { return mounted().shaft_angle; }           ///< Σ
+  double contact_ratio() const;                                         ///< over the whole face
+  const std::vector<Warning>& warnings() const { return mounted().warnings; }
+  Pose<Housing, Gear1> pose_1() const { return mounted().pose_1(); }
+  Pose<Housing, Gear2> pose_2() const { return mounted().pose_2(); }
+
+ private:
+  std::variant<InvolutePair, ArcPair> of_;
 };
 
-/// A place that a crossed pair could take, free of backlash.
-struct CrossedPlace {
-  double center_distance;        ///< mm
-  double shaft_angle;            ///< rad
-  double normal_pressure_angle;  ///< α_wn  rad
-};
-
-/// The places from lo to hi, by growing α_wn.
-struct CrossedPlaces {
-  CrossedPlace lo, hi;
-  bool limit;  ///< hi is where a helix angle reaches 90°, no longer a gear
-};
-
-struct Pair {
-  PairKind kind;
-  std::array<Gear, 2> gears;
-  MeshInput<double> input;
-  Mesh<double> mesh;
-  double center_distance;            ///< a     mm
-  double reference_center_distance;  ///< a_d   mm
-  std::optional<double>
-      backlash_free_center_distance;    ///< of the teeth as cut (with allowances), mm
-  double extended_center_distance;      ///< mm
-  std::array<double, 2> tip_clearance;  ///< c     mm: tip 1 to root 2, tip 2 to root 1
-  std::array<std::optional<double>, 2> form_clearance;  ///< c_F   mm: (d_Nf − d_Ff)/2 of each gear
-  std::array<std::optional<double>, 2>
-      contact_root_diameter;  ///< d_Nf  mm; none beyond the base tangent
-  std::array<std::optional<double>, 2>
-      fillet_clearance;                   ///< mm: mate's tip corner to root fillet; parallel axes
-  std::optional<double> involute_margin;  ///< internal: ρ_1A − ρ_F1, mm
-  std::optional<double> trochoid_margin;  ///< internal: angle, rad
-  std::optional<double> trimming_margin;  ///< internal: angle, rad (radial assembly)
-  SpecificSliding<double> sliding_A, sliding_E;
-  double tip_shortening;  ///< k m_n  mm, ≤ 0: restores the clearance of the racks at this distance
-  std::optional<FaceWidths<double>> face_widths;     ///< crossed axes
-  std::optional<CrossedPlace> min_distance;          ///< crossed axes, teeth as cut
-  std::optional<CrossedPlaces> contact_ratio_range;  ///< crossed axes: where AE ≥ p_bn
-  std::optional<Efficiency> efficiency;  ///< with a coefficient of friction, if contact never stops
-  std::vector<Interference> interference;
-  std::vector<Warning> warnings;
-
-  bool crossed() const { return kind == PairKind::crossed; }
-  double shaft_angle() const { return input.shaft_angle.value_or(0.0); }  ///< Σ  rad
-  double gear_ratio() const;   ///< z2/z1, negative for internal pairs
-  bool flanks_meet() const;    ///< the path has a length, and both gears have a flank on it
-  double path_length() const;  ///< g_α, crossed AE  mm; 0: no contact
-  /// ε_α, tip form circle to tip form circle; 0: no contact. None on crossed axes.
-  std::optional<double> transverse_contact_ratio() const;
-  double contact_ratio() const;       ///< ε_α + ε_β, crossed AE/p_bn; 0 without contact
-  double contact_ratio_true() const;  ///< the same with the clipped path
-  /// The point of the leading line of action with curvature radius ρ_1; on parallel axes in the
-  /// section z = 0. [T1.6], [T4.20]
-  Point<Housing> on_line_of_action(double rho1) const;
-  /// Its image under the half turn about the centre line: the trailing line. [T1.7]
-  Point<Housing> on_trailing_line(double rho1) const;
-  /// Gear frames in the housing at rotation 0. [T1.5]
-  Pose<Housing, Gear1> pose_1() const;
-  Pose<Housing, Gear2> pose_2() const;
-};
-
-/// The two gears as mesh_of takes them, at the place.
-MeshInput<double> mesh_input(const Gear& gear_1, const Gear& gear_2, const PairSpec& place);
-
-/// The place at the transverse angle α of the limiting gear, free of backlash. [T4.14]
-CrossedPlace crossed_place(const BasePair<double>& gears, double alpha);
-
-/// The places at which a crossed pair's contact ratio is at least 1; none: nowhere. [T4.23]
-std::optional<CrossedPlaces> contact_ratio_range(const MeshInput<double>& input);
-
-/// Mounts two gears. Gears that do not exist (severed, through the axis) make no pair; everything
-/// else that is wrong with a mesh is data.
+/// Mounts any two gears.
 ///
-/// Errors    as check_partners, and `pair.center_distance_mm` where there is no working angle
-Result<Pair> mount(Gear gear_1, Gear gear_2, const PairSpec& spec);
-
-/// Least distance between the path of the mate's tip corner and the root fillet of gear `which` (1,
-/// 2), mm, < 0: so deep the corner cuts into the fillet. The flanks of that side touch meanwhile.
-///
-/// Formula   [T2.26]; the path is exact, the foot point solved to rounding
-/// Domain    none for the fillet of a ring; parallel axes (contract)
-std::optional<double> fillet_clearance(const Pair& pair, int which);
+/// Errors    as mount_involutes and mount_arcs; `gearN.rack` where one gear has involute teeth and
+///           the other circular arcs, `pair.shaft_angle_deg` of crossed axes with arcs
+Result<Pair> mount(Gear gear_1, Gear gear_2, const PairSpec& spec = {});
 
 }  // namespace gearwright

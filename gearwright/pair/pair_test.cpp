@@ -1,11 +1,9 @@
-// Pairs as mounted: partners that cannot mesh, poses, lines of action, clearances and warnings.
+// Any two gears mounted: of which kind the pair is, and what does not go together.
 #include "gearwright/pair/pair.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 namespace gearwright {
@@ -13,155 +11,66 @@ namespace {
 
 using namespace literals;
 
-Gear gear(int teeth, double x = 0.0, Angle beta = 0_deg, double tip = 0.0) {
+Gear gear(int teeth, const Rack& rack, Angle beta) {
   CylindricalSpec s;
   s.teeth = teeth;
-  s.normal_module = 2.0;
+  s.normal_module = 4.0;
   s.helix_angle = beta;
-  s.profile_shift = x;
-  s.face_width = 20.0;
-  s.rack = *iso53_rack("ISO53-A");
-  if (tip > 0.0) s.tip_diameter = tip;
+  s.face_width = 60.0;
+  s.rack = rack;
   auto made = make_gear(s);
   EXPECT_TRUE(made) << made.error().message;
   return std::move(made).take();
 }
 
-Pair mounted(const Gear& g1, const Gear& g2, double a) {
-  auto pair = mount(g1, g2, {a});
-  EXPECT_TRUE(pair) << pair.error().message;
-  return std::move(pair).take();
+TEST(Mount, two_involute_gears_are_an_involute_pair) {
+  const auto pair = mount(gear(20, StraightRack{}, 20_deg), gear(40, StraightRack{}, -20_deg));
+  ASSERT_TRUE(pair) << pair.error().message;
+  ASSERT_TRUE(pair->involute());
+  EXPECT_FALSE(pair->arcs());
+  EXPECT_FALSE(pair->crossed());
+  EXPECT_EQ(pair->gear(2).spec.teeth, 40);
+  EXPECT_EQ(pair->gear_ratio(), 2.0);
+  EXPECT_EQ(pair->contact_ratio(), pair->involute()->contact_ratio());
+  // No distance given: free of backlash.
+  EXPECT_NEAR(pair->center_distance(), *pair->involute()->backlash_free_center_distance, 1e-12);
+  EXPECT_NEAR(pair->involute()->mesh.backlash.normal, 0.0, 1e-12);
 }
 
-bool warns(const Pair& pair, const std::string& code) {
-  return std::any_of(pair.warnings.begin(), pair.warnings.end(),
-                     [&](const Warning& w) { return w.code == code; });
+// No place given, and no parallel axes possible: that of the least distance.
+TEST(Mount, helices_of_one_hand_cross) {
+  const auto pair = mount(gear(20, StraightRack{}, 45_deg), gear(30, StraightRack{}, 45_deg));
+  ASSERT_TRUE(pair) << pair.error().message;
+  EXPECT_TRUE(pair->crossed());
+  EXPECT_NEAR(pair->shaft_angle().deg(), 90.0, 1e-12);
+  EXPECT_EQ(pair->shaft_angle().rad(), *pair->involute()->input.shaft_angle);
+  const auto forced =
+      mount(gear(20, StraightRack{}, 45_deg), gear(30, StraightRack{}, 45_deg), {200.0, {}, {}});
+  EXPECT_FALSE(forced);  // on parallel axes
 }
 
-TEST(MountParallel, standard_pair) {
-  const Pair p = mounted(gear(20), gear(40), 60.0);
-  EXPECT_EQ(p.kind, PairKind::parallel_external);
-  EXPECT_EQ(p.gear_ratio(), 2.0);
-  EXPECT_EQ(p.reference_center_distance, 60.0);
-  EXPECT_EQ(p.extended_center_distance, 60.0);
-  EXPECT_EQ(p.tip_shortening, 0.0);
-  EXPECT_NEAR(*p.backlash_free_center_distance, 60.0, 1e-12);
-  EXPECT_NEAR(p.tip_clearance[0], 0.5, 1e-13);
-  EXPECT_NEAR(p.tip_clearance[1], 0.5, 1e-13);
-  EXPECT_GT(*p.form_clearance[0], 0.0);
-  EXPECT_GT(*p.fillet_clearance[0], 0.0);
-  EXPECT_TRUE(p.interference.empty());
-  EXPECT_TRUE(p.warnings.empty());
-  EXPECT_EQ(p.contact_ratio(), p.mesh.path_ratio);
+TEST(Mount, two_arc_gears_are_an_arc_pair) {
+  const auto pair = mount(gear(18, DoubleArcRack{}, 22_deg), gear(50, DoubleArcRack{}, -22_deg));
+  ASSERT_TRUE(pair) << pair.error().message;
+  ASSERT_TRUE(pair->arcs());
+  EXPECT_FALSE(pair->involute());
+  EXPECT_EQ(pair->kind(), PairKind::parallel_external);
+  EXPECT_EQ(pair->center_distance(), pair->arcs()->reference_center_distance);
+  EXPECT_EQ(pair->contact_ratio(), pair->arcs()->contact_ratio);
+  EXPECT_EQ(pair->shaft_angle(), 0_deg);
+  EXPECT_EQ(pair->pose_2().isometry().translation().x(), pair->center_distance());
 }
 
-TEST(MountParallel, internal_pair) {
-  const Pair p = mounted(gear(20), gear(-60), 40.0);
-  EXPECT_EQ(p.kind, PairKind::parallel_internal);
-  EXPECT_EQ(p.gear_ratio(), -3.0);
-  EXPECT_NEAR(p.tip_clearance[0], 0.5, 1e-13);
-  EXPECT_NEAR(p.tip_clearance[1], 0.5, 1e-13);
-  EXPECT_TRUE(p.trochoid_margin && *p.trochoid_margin > 0.0);
-  EXPECT_FALSE(p.fillet_clearance[1]);
-}
-
-TEST(MountParallel, partners_that_cannot_mesh) {
-  const auto key = [](const Gear& g1, const Gear& g2, double a) {
-    const auto p = mount(g1, g2, {a});
-    return p ? std::string("mounted") : p.error().key;
-  };
-  EXPECT_EQ(key(gear(20, 0, 15_deg), gear(40, 0, 15_deg), 62.0), "pair.shaft_angle_deg");
-  EXPECT_EQ(key(gear(20, 0, 15_deg), gear(40, 0, -15_deg), 63.0), "mounted");
-  EXPECT_EQ(key(gear(20, 0, 15_deg), gear(-60, 0, 15_deg), 41.5), "mounted");
-  EXPECT_EQ(key(gear(20, 0, 15_deg), gear(-60, 0, -15_deg), 41.5), "gear2.helix_angle_deg");
-  EXPECT_EQ(key(gear(-60), gear(20), 40.0), "gear1.teeth");
-  EXPECT_EQ(key(gear(60), gear(-60), 1.0), "gear2.teeth");
-  EXPECT_EQ(key(gear(20), gear(40), 55.0), "pair.center_distance_mm");
-  EXPECT_EQ(key(gear(2), gear(40), 42.0), "gear1.profile_shift");
-  CylindricalSpec other = gear(40).spec;
-  other.normal_module = 2.1;
-  EXPECT_EQ(key(gear(20), *make_gear(other), 61.0), "gear2.normal_module_mm");
-}
-
-// Another module and pressure angle with the same base pitch mesh.
-TEST(MountParallel, equal_base_pitches_are_enough) {
-  CylindricalSpec other = gear(40).spec;
-  other.normal_pressure_angle = 25_deg;
-  other.normal_module = 2.0 * std::cos((20_deg).rad()) / std::cos((25_deg).rad());
-  other.tip_diameter = 84.0;
-  const auto p = mount(gear(20), *make_gear(other), {60.5});
-  ASSERT_TRUE(p) << p.error().message;
-  EXPECT_GT(p->contact_ratio(), 1.0);
-}
-
-TEST(Pair, poses_put_tooth_and_space_on_the_centre_line) {
-  const Pair out = mounted(gear(20), gear(41), 61.0);
-  const Point<Housing> tooth_1 = out.pose_1() * Point<Gear1>{Vec3(22.0, 0.0, 3.0)};
-  EXPECT_EQ(tooth_1.r, Vec3(22.0, 0.0, 3.0));
-  // The middle of space 0 of gear 2, half a pitch from tooth 0, towards gear 1.
-  const double half = std::numbers::pi / 41;
-  for (const double side : {-1.0, 1.0}) {
-    const Vec3 space(41.0 * std::cos(half), side * 41.0 * std::sin(half), 0.0);
-    const Vec3 r = (out.pose_2() * Point<Gear2>{space}).r;
-    const bool on_line = (r - Vec3(61.0 - 41.0, 0.0, 0.0)).norm() < 1e-12;
-    EXPECT_EQ(on_line, side > 0.0);
+TEST(Mount, kinds_do_not_mix) {
+  const Gear involute = gear(20, StraightRack{}, 20_deg);
+  const Gear arcs = gear(40, DoubleArcRack{}, -20_deg);
+  for (const auto& pair : {mount(involute, arcs, {125.0, {}, {}}), mount(arcs, involute)}) {
+    ASSERT_FALSE(pair);
+    EXPECT_NE(pair.error().message.find("do not mesh"), std::string::npos);
   }
-  const Pair in = mounted(gear(20), gear(-60), 40.0);
-  EXPECT_EQ((in.pose_1() * Point<Gear1>{Vec3(22.0, 0.0, 0.0)}).r, Vec3(-22.0, 0.0, 0.0));
-  const double half_ring = std::numbers::pi / 60;
-  const Vec3 space(60.0 * std::cos(half_ring), 60.0 * std::sin(half_ring), 0.0);
-  EXPECT_LE(((in.pose_2() * Point<Gear2>{space}).r - Vec3(-20.0, 0.0, 0.0)).norm(), 1e-12);
-}
-
-TEST(Pair, line_of_action_touches_both_base_circles) {
-  for (const auto& p : {mounted(gear(20), gear(40), 60.4), mounted(gear(20), gear(-60), 40.2)}) {
-    const Vec3 a = p.on_line_of_action(p.mesh.rho1_A).r;
-    const Vec3 e = p.on_line_of_action(p.mesh.rho1_E).r;
-    const Vec3 d = (e - a).normalized();
-    const auto distance = [&](double x0) { return std::abs((a.x() - x0) * d.y() - a.y() * d.x()); };
-    EXPECT_NEAR(distance(0.0), p.input.gears[0].radius, 1e-12);
-    EXPECT_NEAR(distance(p.center_distance), p.input.gears[1].radius, 1e-12);
-    EXPECT_NEAR((e - a).norm(), p.mesh.path_length, 1e-12);
-    EXPECT_NEAR(e.norm(), p.input.tip_form_radius[0], 1e-12);
-    EXPECT_NEAR((a - Vec3(p.center_distance, 0, 0)).norm(), p.input.tip_form_radius[1], 1e-12);
-    EXPECT_EQ(p.on_line_of_action(p.mesh.rho1_C).r.y(), 0.0);
-    const Vec3 mirrored = p.on_trailing_line(p.mesh.rho1_E).r;
-    EXPECT_EQ(mirrored, Vec3(e.x(), -e.y(), 0.0));
-  }
-}
-
-// Gear 1 turns clockwise seen from +z and pushes: its leading flank's normal force on gear 2 has a
-// component along its motion at the mesh, −y for external pairs (mesh at +x).
-TEST(Pair, leading_line_is_the_driving_one) {
-  const Pair p = mounted(gear(20), gear(40), 60.0);
-  EXPECT_LT(p.on_line_of_action(p.mesh.rho1_E).r.y(), p.on_line_of_action(p.mesh.rho1_A).r.y());
-}
-
-TEST(Pair, what_is_wrong_with_a_mesh_is_data) {
-  const Pair tight = mounted(gear(20), gear(40), 59.9);
-  EXPECT_LT(tight.mesh.backlash.normal, 0.0);
-  EXPECT_TRUE(warns(tight, "negative_backlash"));
-  EXPECT_FALSE(warns(mounted(gear(20), gear(40), 60.0), "negative_backlash"));
-  const Pair apart = mounted(gear(20), gear(40), 62.0);
-  EXPECT_LT(apart.contact_ratio(), 1.0);
-  EXPECT_GT(apart.contact_ratio_true(), 0.0);
-  EXPECT_TRUE(warns(apart, "contact_ratio"));
-  const Pair apart_for_good = mounted(gear(20), gear(40), 66.0);
-  EXPECT_EQ(apart_for_good.contact_ratio_true(), 0.0);
-  EXPECT_TRUE(warns(apart_for_good, "no_contact"));
-  const Pair long_tip = mounted(gear(20), gear(40, 0, 0_deg, 85.0), 60.0);
-  EXPECT_TRUE(warns(long_tip, "form_circle"));
-  EXPECT_LT(*long_tip.form_clearance[0], 0.0);
-  const Pair longer = mounted(gear(20), gear(40, 0, 0_deg, 86.0), 60.0);
-  EXPECT_TRUE(warns(longer, "base_tangent"));
-  EXPECT_FALSE(longer.form_clearance[0]);
-  EXPECT_TRUE(warns(longer, "root"));
-  EXPECT_NEAR(longer.tip_clearance[1], -0.5, 1e-12);
-  const Pair undercut = mounted(gear(9), gear(120), 129.0);
-  EXPECT_TRUE(warns(undercut, "contact_lost"));
-  EXPECT_FALSE(warns(undercut, "base_tangent"));
-  const Pair close_ring = mounted(gear(50), gear(-56), 6.0);
-  EXPECT_TRUE(warns(close_ring, "trochoid"));
+  EXPECT_EQ(mount(involute, arcs).error().key, "gear1.rack");
+  EXPECT_EQ(mount(arcs, arcs, {125.0, 90_deg, {}}).error().key, "pair.shaft_angle_deg");
+  EXPECT_DEATH(static_cast<void>(mount_involutes(involute, arcs, {125.0, {}, {}})), "precondition");
 }
 
 }  // namespace

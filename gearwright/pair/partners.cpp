@@ -84,7 +84,7 @@ bool axes_are_parallel(const BasePair<double>& gears) {
 }
 
 std::optional<Error> check_partners(const CylindricalSpec& g1, const CylindricalSpec& g2,
-                                    const std::optional<double>& shaft_angle) {
+                                    const std::optional<Angle>& shaft_angle) {
   const int z1 = g1.teeth;
   const int z2 = g2.teeth;
   if (z1 < 0) {
@@ -118,12 +118,12 @@ std::optional<Error> check_partners(const CylindricalSpec& g1, const Cylindrical
                     deg(gears[0].helix_angle - gears[1].helix_angle), g1.helix_angle.deg()));
   }
   if (!shaft_angle) return std::nullopt;
-  return check_shaft_angle(gears, *shaft_angle, g1);
+  return check_shaft_angle(gears, shaft_angle->rad(), g1);
 }
 
-Result<PairSpec> complete_place(const BasePair<double>& nominal, std::optional<double> distance,
-                                std::optional<double> shaft_angle) {
-  PairSpec place;
+Result<PairPlace> complete_place(const BasePair<double>& nominal, std::optional<double> distance,
+                                 std::optional<Angle> shaft_angle) {
+  PairPlace place;
   const double excess = base_excess(nominal);
   const auto least = transverse_angle_at_min_distance(nominal);
   if (axes_are_parallel(nominal)) {
@@ -135,7 +135,8 @@ Result<PairSpec> complete_place(const BasePair<double>& nominal, std::optional<d
   if (shaft_angle) {
     place.shaft_angle = *shaft_angle;
   } else if (least) {
-    place.shaft_angle = common_rack(nominal, angles_at_transverse(nominal, *least)).shaft_angle;
+    place.shaft_angle =
+        Angle::radians(common_rack(nominal, angles_at_transverse(nominal, *least)).shaft_angle);
   } else {
     return Error{"pair.shaft_angle_deg", "",
                  fmt::format("pair.shaft_angle_deg: is missing, and there is no minimum centre "
@@ -148,7 +149,7 @@ Result<PairSpec> complete_place(const BasePair<double>& nominal, std::optional<d
     place.center_distance = *distance;
     return place;
   }
-  const auto rack = common_rack(nominal, angles_at_shaft_angle(nominal, *place.shaft_angle));
+  const auto rack = common_rack(nominal, angles_at_shaft_angle(nominal, place.shaft_angle->rad()));
   place.center_distance = conjugate_center_distance(nominal, rack);
   if (place.center_distance > 0.0) return place;
   return Error{"profile_shift", "",

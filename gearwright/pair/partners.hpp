@@ -21,20 +21,28 @@ BasePair<double> nominal_base_pair(const CylindricalSpec& gear_1, const Cylindri
 /// |β_b1 + σ β_b2| ≤ 1e-9 rad: the axes are parallel for every rack between the gears.
 bool axes_are_parallel(const BasePair<double>& gears);
 
-/// What keeps two gears apart, whatever the centre distance; nothing: they mesh. `shaft_angle` in
-/// rad, absent when the caller leaves it open.
+/// What keeps two gears apart, whatever the centre distance; nothing: they mesh. `shaft_angle`
+/// is absent when the caller leaves it open.
 ///
 /// Errors    `gear2.normal_module_mm` for unequal base pitches, `gear2.helix_angle_deg` for a ring
 ///           on a crossed axis, `gear1.teeth`, `gear2.teeth` for impossible internal pairs,
 ///           `pair.shaft_angle_deg` out of reach; each says by how much, and what would do
 std::optional<Error> check_partners(const CylindricalSpec& gear_1, const CylindricalSpec& gear_2,
-                                    const std::optional<double>& shaft_angle);
+                                    const std::optional<Angle>& shaft_angle);
 
+/// How a pair is to stand.
 struct PairSpec {
-  double center_distance = 0.0;  ///< a  mm
-  std::optional<double> shaft_angle =
-      std::nullopt;                               ///< Σ  rad, of crossed axes; none: parallel axes
-  std::optional<double> friction = std::nullopt;  ///< μ, for the efficiency
+  std::optional<double> center_distance = {};  ///< a  mm; none: free of backlash, or with
+                                               ///< circular-arc teeth the reference one
+  std::optional<Angle> shaft_angle = {};       ///< Σ  of crossed axes; none: parallel axes, or
+                                               ///< without a distance as complete_place has it
+  std::optional<double> friction = {};         ///< μ, for the efficiency
+};
+
+/// Where a pair stands.
+struct PairPlace {
+  double center_distance = 0.0;           ///< a  mm
+  std::optional<Angle> shaft_angle = {};  ///< Σ  of crossed axes; none: parallel axes
 };
 
 /// Completes a place from what is given: Σ absent is 0 where the helices allow it, else that of the
@@ -43,7 +51,7 @@ struct PairSpec {
 ///
 /// Domain    check_partners found nothing for the gears of `nominal` (contract)
 /// Errors    `pair.shaft_angle_deg`, `profile_shift` when the teeth leave no such place
-Result<PairSpec> complete_place(const BasePair<double>& nominal, std::optional<double> distance,
-                                std::optional<double> shaft_angle);
+Result<PairPlace> complete_place(const BasePair<double>& nominal, std::optional<double> distance,
+                                 std::optional<Angle> shaft_angle);
 
 }  // namespace gearwright

@@ -23,7 +23,7 @@ CylindricalSpec spec(int teeth, Angle beta, double module = 2.0) {
 
 std::string refused(const CylindricalSpec& a, const CylindricalSpec& b,
                     std::optional<Angle> sigma = std::nullopt) {
-  const auto error = check_partners(a, b, sigma ? std::optional(sigma->rad()) : std::nullopt);
+  const auto error = check_partners(a, b, sigma);
   return error ? error->message : std::string();
 }
 
@@ -60,7 +60,7 @@ TEST(CompletePlace, takes_the_least_distance_where_nothing_is_said) {
   const auto gears = nominal_base_pair(spec(20, 45_deg), spec(30, 45_deg));
   const auto place = complete_place(gears, std::nullopt, std::nullopt);
   ASSERT_TRUE(place);
-  EXPECT_NEAR(*place->shaft_angle, (90_deg).rad(), 1e-14);
+  EXPECT_NEAR(place->shaft_angle->rad(), (90_deg).rad(), 1e-14);
   EXPECT_NEAR(place->center_distance, 50 / std::cos((45_deg).rad()), 1e-12);
   EXPECT_EQ(complete_place(gears, 80.0, std::nullopt)->center_distance, 80.0);
   auto thin = spec(20, 45_deg);

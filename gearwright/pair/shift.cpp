@@ -36,8 +36,8 @@ ShiftSolution divided(const ShiftProblem& p, double sum, double a) {
 
 Result<ShiftSolution> complete_crossed(const ShiftProblem& p) {
   double a_d = 0.0;
-  a_d += p.z1 * p.normal_module / (2 * std::cos(p.helix_angle[0]));
-  a_d += p.z2 * p.normal_module / (2 * std::cos(p.helix_angle[1]));
+  a_d += p.z1 * p.normal_module / (2 * std::cos(p.helix_angle[0].rad()));
+  a_d += p.z2 * p.normal_module / (2 * std::cos(p.helix_angle[1].rad()));
   const double given = p.x1.value_or(0.0) + p.x2.value_or(0.0);
   if (!p.center_distance) {
     // Only the extended place follows from the shifts alone; the tight one needs the teeth.
@@ -66,31 +66,31 @@ double crossed_shift_sum(const ShiftProblem& p, double a) {
   for (int i : {0, 1}) {
     const int z = i == 0 ? p.z1 : p.z2;
     unshifted[i] =
-        base_gear(z, reference_geometry<double>({z, p.normal_module, p.normal_pressure_angle,
-                                                 p.helix_angle[i], 0.0, 0.0}));
+        base_gear(z, reference_geometry<double>({z, p.normal_module, p.normal_pressure_angle.rad(),
+                                                 p.helix_angle[i].rad(), 0.0, 0.0}));
   }
-  const auto rack = common_rack(unshifted, angles_at_shaft_angle(unshifted, *p.shaft_angle));
+  const auto rack = common_rack(unshifted, angles_at_shaft_angle(unshifted, p.shaft_angle->rad()));
   const double X = a - rack.sides[0].pitch_radius - rack.sides[1].pitch_radius;
   return (2 * X * rack.angles.sin_alpha - rack.excess) * std::numbers::pi /
-         (2 * normal_base_pitch(unshifted[0]) * std::tan(p.normal_pressure_angle));
+         (2 * normal_base_pitch(unshifted[0]) * std::tan(p.normal_pressure_angle.rad()));
 }
 
 Result<ShiftSolution> complete_shifts(const ShiftProblem& p) {
   if (p.shaft_angle) return complete_crossed(p);
   const bool external = p.z2 > 0;
-  const double cos_beta = std::cos(p.helix_angle[0]);
-  const double alpha_t = cos_beta == 1.0 ? p.normal_pressure_angle
-                                         : std::atan(std::tan(p.normal_pressure_angle) / cos_beta);
+  const double cos_beta = std::cos(p.helix_angle[0].rad());
+  const double alpha_n = p.normal_pressure_angle.rad();
+  const double alpha_t = cos_beta == 1.0 ? alpha_n : std::atan(std::tan(alpha_n) / cos_beta);
   const double a_d = reference_center_distance(p.z1, p.z2, p.normal_module, cos_beta);
   const double least = a_d * std::cos(alpha_t);
   if (p.center_distance) {
     const double a = *p.center_distance;
     if (!(a > least && a <= kMaxDistance * least)) return no_working_angle(a, least, external, a_d);
     if (p.x1 && p.x2) return ShiftSolution{*p.x1, *p.x2, a};
-    const double sum = p.mounting == Mounting::extended
-                           ? (external ? a - a_d : a_d - a) / p.normal_module
-                           : tight_shift_sum(p.z1, p.z2, p.normal_module, p.normal_pressure_angle,
-                                             alpha_t, cos_beta, a);
+    const double sum =
+        p.mounting == Mounting::extended
+            ? (external ? a - a_d : a_d - a) / p.normal_module
+            : tight_shift_sum(p.z1, p.z2, p.normal_module, alpha_n, alpha_t, cos_beta, a);
     return divided(p, sum, a);
   }
   ShiftSolution s{p.x1.value_or(0.0), p.x2.value_or(0.0), 0.0};
@@ -104,17 +104,16 @@ Result<ShiftSolution> complete_shifts(const ShiftProblem& p) {
                     "distance {} mm there is no working pressure angle; it must exceed {} mm",
                     sum, s.center_distance, least)};
   }
-  if (!(nominal_working_involute(p.z1, p.z2, p.normal_pressure_angle, alpha_t, sum) >= 0.0)) {
-    const double limit =
-        -involute(alpha_t) * (p.z1 + p.z2) / (2 * std::tan(p.normal_pressure_angle));
+  if (!(nominal_working_involute(p.z1, p.z2, alpha_n, alpha_t, sum) >= 0.0)) {
+    const double limit = -involute(alpha_t) * (p.z1 + p.z2) / (2 * std::tan(alpha_n));
     return Error{
         "profile_shift", fmt::format("{}", sum),
         fmt::format("gear1.profile_shift + gear2.profile_shift = {}: the teeth are too {} for any "
                     "backlash-free centre distance; the sum must be {} than {}",
                     sum, external ? "thin" : "thick", external ? "greater" : "less", limit)};
   }
-  s.center_distance = tight_center_distance(p.z1, p.z2, p.normal_module, p.normal_pressure_angle,
-                                            alpha_t, cos_beta, sum);
+  s.center_distance =
+      tight_center_distance(p.z1, p.z2, p.normal_module, alpha_n, alpha_t, cos_beta, sum);
   return s;
 }
 

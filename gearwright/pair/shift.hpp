@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <optional>
 
+#include "gearwright/base/angle.hpp"
 #include "gearwright/base/result.hpp"
 #include "gearwright/math/involute.hpp"
 #include "gearwright/pair/leaf_formulas.hpp"
@@ -29,9 +30,9 @@ inline constexpr double kMaxDistance = 100.0;
 struct ShiftProblem {
   int z1 = 0, z2 = 0;                     ///< ring: z2 < 0
   double normal_module = 0.0;             ///< m_n  mm
-  double normal_pressure_angle = 0.0;     ///< α_n  rad
-  std::array<double, 2> helix_angle{};    ///< β    rad, signed; parallel axes use the first
-  std::optional<double> shaft_angle;      ///< Σ    rad, of crossed axes; none: parallel
+  Angle normal_pressure_angle;            ///< α_n
+  std::array<Angle, 2> helix_angle{};     ///< β    signed; parallel axes use the first
+  std::optional<Angle> shaft_angle;       ///< Σ    of crossed axes; none: parallel
   std::optional<double> x1, x2;           ///< absent: wanted
   std::optional<double> center_distance;  ///< a    mm
   Mounting mounting = Mounting::tight;

@@ -19,7 +19,7 @@ ShiftProblem spur(int z1, int z2) {
   p.z1 = z1;
   p.z2 = z2;
   p.normal_module = 2.0;
-  p.normal_pressure_angle = kAlpha;
+  p.normal_pressure_angle = Angle::radians(kAlpha);
   return p;
 }
 

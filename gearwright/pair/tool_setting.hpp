@@ -13,12 +13,12 @@ namespace gearwright {
 /// The change Δb_F with which the contact has the angle θ at `in.center_distance` + ΔC.
 ///
 /// Formula   exact, a quadratic equation in w; the first order is −ΔC (Litvin and Tsay, Eq. 34)
-/// Units     mm, rad
+/// Units     mm
 /// Domain    0 < θ < π/2 (contract)
-double tool_setting_change(const ArcMeshInput& in, double theta, double delta_distance);
+double tool_setting_change(const ArcMeshInput& in, Angle theta, double delta_distance);
 
 /// Normal thickness that the convex tooth gains by Δb_F at the height of the point of angle θ, mm;
 /// < 0: it gets thinner.   Formula  2 (√(ρ² − (x + b)²) − ρ cos θ), exact; slope [T8.23]
-double thickness_change(const WorkingArc& convex, double theta, double delta_b);
+double thickness_change(const WorkingArc& convex, Angle theta, double delta_b);
 
 }  // namespace gearwright

@@ -18,7 +18,7 @@ ArcMeshInput example_1() {
   in.concave = {0.775, 0.27616968793293994, 0.1594466436700978};
   in.pitch_radius_convex = 3.3101337568874754;
   in.pitch_radius_concave = 25.929381095618556;
-  in.lead_angle = 75 * kDeg;
+  in.lead_angle = Angle::degrees(75);
   in.center_distance = in.pitch_radius_convex + in.pitch_radius_concave;
   return in;
 }
@@ -31,30 +31,30 @@ TEST(ToolSetting, example_1_of_the_paper) {
   displaced.center_distance += 0.021;
   const auto theta = contact_angle(displaced);
   ASSERT_TRUE(theta);
-  EXPECT_NEAR(*theta / kDeg, 12.814128904862558, 1e-10);
-  const double exact = tool_setting_change(in, 30 * kDeg, 0.021);
+  EXPECT_NEAR(theta->rad() / kDeg, 12.814128904862558, 1e-10);
+  const double exact = tool_setting_change(in, Angle::degrees(30), 0.021);
   EXPECT_NEAR(exact, -0.0209789493999995, 1e-14);
   displaced.convex.b += exact;
-  EXPECT_NEAR(*contact_angle(displaced) / kDeg, 30.0, 1e-10);
+  EXPECT_NEAR(contact_angle(displaced)->rad() / kDeg, 30.0, 1e-10);
   // The paper's first order misses by this much.
   displaced.convex.b = in.convex.b - 0.021;
-  EXPECT_NEAR(*contact_angle(displaced) / kDeg, 30.0185, 5e-5);
+  EXPECT_NEAR(contact_angle(displaced)->rad() / kDeg, 30.0185, 5e-5);
 }
 
 TEST(ToolSetting, nothing_to_do_without_a_change) {
-  EXPECT_NEAR(tool_setting_change(example_1(), 30 * kDeg, 0.0), 0.0, 1e-15);
+  EXPECT_NEAR(tool_setting_change(example_1(), Angle::degrees(30), 0.0), 0.0, 1e-15);
 }
 
 TEST(ToolSetting, brings_the_contact_back_from_either_side) {
   for (const double delta : {-0.03, -0.004, 0.002, 0.05}) {
     for (const double theta : {18.0, 25.0, 30.0, 38.0}) {
       ArcMeshInput in = example_1();
-      const double change = tool_setting_change(in, theta * kDeg, delta);
+      const double change = tool_setting_change(in, Angle::degrees(theta), delta);
       in.convex.b += change;
       in.center_distance += delta;
       const auto back = contact_angle(in);
       ASSERT_TRUE(back);
-      EXPECT_NEAR(*back / kDeg, theta, 1e-9) << delta;
+      EXPECT_NEAR(back->rad() / kDeg, theta, 1e-9) << delta;
     }
   }
 }
@@ -66,9 +66,9 @@ TEST(ToolSetting, thickness_is_that_of_the_moved_arc) {
   // Half thickness of the tooth at a height x: ρ cos θ − a with x = ρ sin θ − b.
   const double x = arc.radius * std::sin(theta) - arc.b;
   const double moved = std::asin((x + arc.b + delta) / arc.radius);
-  EXPECT_NEAR(thickness_change(arc, theta, delta),
+  EXPECT_NEAR(thickness_change(arc, Angle::radians(theta), delta),
               2 * arc.radius * (std::cos(moved) - std::cos(theta)), 1e-15);
-  EXPECT_GT(thickness_change(arc, theta, delta), 0.0);  // less b, thicker
+  EXPECT_GT(thickness_change(arc, Angle::radians(theta), delta), 0.0);  // less b, thicker
 }
 
 // [T8.23]: how far gear 2 is ahead with changed settings, exactly, and its backlash to the first

@@ -77,7 +77,7 @@ std::array<double, 2> angles_at_contact(const ArcPair& pair, const ArcPairContac
   std::array<double, 2> angles{pair.gears[0].twist() * z,
                                std::atan2(pose(1, 0), pose(0, 0)) + pair.gears[1].twist() * z};
   // The concave gear is turned against the convex one, so that the flanks touch.
-  angles[contact.convex_gear == 1 ? 1 : 0] += contact.at.rotation_offset;
+  angles[contact.convex_gear == 1 ? 1 : 0] += contact.at.rotation_offset.rad();
   return angles;
 }
 

@@ -38,7 +38,7 @@ ArcPair double_pair(double face_width = 60.0) {
 std::string page_of(const ArcPair& pair) {
   ReportInput input;
   input.gears = {&pair.gears[0], &pair.gears[1]};
-  input.arc_pair = &pair;
+  input.pair = pair;
   input.warnings = pair.warnings;
   return report_html(input);
 }
@@ -78,7 +78,7 @@ TEST(ArcPairSection, drawn_flanks_meet_in_the_mark) {
       for (const Arc& arc : gear.tooth->outline.arcs) {
         const auto* cut = curve_if<RackTrochoid>(*arc.curve);
         if (arc.name != ArcName::flank || !cut) continue;
-        const Vec2 w = cut->point(c.at.theta);
+        const Vec2 w = cut->point(c.at.theta.rad());
         for (int k = 0; k < gear.spec.teeth; ++k) {
           const Complex turn = std::polar(1.0, 2 * std::numbers::pi * k / gear.spec.teeth);
           least = std::min(least, std::abs(Complex(w.x(), -w.y()) * turn - at));

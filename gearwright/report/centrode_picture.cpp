@@ -24,7 +24,7 @@ struct Centrodes {
   double a_d, a;                             // mm
 };
 
-Centrodes centrodes_of(const Pair& pair) {
+Centrodes centrodes_of(const InvolutePair& pair) {
   Centrodes c{};
   for (const std::size_t i : {0u, 1u}) {
     c.reference[i] = pair.gears[i].reference_diameter / 2;
@@ -37,7 +37,7 @@ Centrodes centrodes_of(const Pair& pair) {
   return c;
 }
 
-Viewport window(const Pair& pair, const Centrodes& c) {
+Viewport window(const InvolutePair& pair, const Centrodes& c) {
   const double shift = std::abs(c.a - c.a_d);
   const double half = std::max(3.2 * shift, 1.2 * pair.gears[0].spec.normal_module);
   return {kWidth, kHeight, Vec2(c.side_1 * c.reference[0], 0.0), kHeight / (2 * half)};
@@ -104,7 +104,7 @@ std::string after_svg(const Viewport& view, const Centrodes& c) {
 
 }  // namespace
 
-bool centrodes_are_worth_a_picture(const Pair& pair) {
+bool centrodes_are_worth_a_picture(const InvolutePair& pair) {
   if (pair.crossed()) return false;
   const double sum = pair.gears[0].spec.profile_shift + pair.gears[1].spec.profile_shift;
   const bool reason = sum != 0.0 || pair.gears[0].cut_by || pair.gears[1].cut_by;
@@ -112,7 +112,7 @@ bool centrodes_are_worth_a_picture(const Pair& pair) {
   return reason && shift >= kMinShift * pair.gears[0].spec.normal_module;
 }
 
-std::string centrode_figures(const Pair& pair) {
+std::string centrode_figures(const InvolutePair& pair) {
   if (!centrodes_are_worth_a_picture(pair)) return {};
   const Centrodes c = centrodes_of(pair);
   const Viewport view = window(pair, c);

@@ -14,9 +14,9 @@ namespace gearwright {
 
 /// Whether there is something to see: parallel axes, a shift of the centre distance of at least
 /// 0.02 m_n, and a reason in the gears for it (shifts, or a gear cut by a pinion cutter).
-bool centrodes_are_worth_a_picture(const Pair& pair);
+bool centrodes_are_worth_a_picture(const InvolutePair& pair);
 
 /// The two figures; empty where they say nothing.
-std::string centrode_figures(const Pair& pair);
+std::string centrode_figures(const InvolutePair& pair);
 
 }  // namespace gearwright

@@ -85,15 +85,14 @@ struct Arcs {
   WorkingArc v, c;
 };
 
-Arcs arcs_of_contact(const ArcPair& pair, const ArcPairContact& contact) {
+Arcs arcs_of_contact(const ArcPair& pair, const ArcPairContact& contact, double theta) {
   const std::size_t convex = contact.convex_gear == 1 ? 0 : 1;
   Arcs best{};
   double least = 1e300;
   // The two whose points of the contact's normal angle are one.
   for (const WorkingArc& v : convex_arcs(pair.gears[convex])) {
     for (const WorkingArc& c : concave_arcs(pair.gears[1 - convex])) {
-      const double apart =
-          std::abs((v.radius - c.radius) * std::sin(contact.nominal_theta) - (v.b - c.b));
+      const double apart = std::abs((v.radius - c.radius) * std::sin(theta) - (v.b - c.b));
       if (apart >= least) continue;
       least = apart;
       best = {convex, 1 - convex, v, c};
@@ -114,9 +113,9 @@ std::string arc_key(std::size_t gear, const char* shape, const WorkingArc& arc) 
 }
 
 std::string rack_figure(const ArcPair& pair, const ArcPairContact& contact) {
-  const double theta = contact.nominal_theta;
-  if (std::isnan(theta)) return {};  // the racks themselves do not touch
-  const Arcs arcs = arcs_of_contact(pair, contact);
+  if (!contact.nominal_theta) return {};  // the racks themselves do not touch
+  const double theta = contact.nominal_theta->rad();
+  const Arcs arcs = arcs_of_contact(pair, contact, theta);
   const double m = pair.gears[0].spec.normal_module;
   // (height, across) in the frame of the convex tooth's middle.
   const Vec2 M(arcs.v.radius * std::sin(theta) - arcs.v.b,
@@ -188,7 +187,7 @@ std::string teeth_figure(const ArcPair& pair, const ArcPairContact& contact) {
       "class=\"swatch g1\"></i>gear 1, below</span> <span class=\"key\"><i class=\"swatch "
       "g2\"></i>gear 2, above</span> <span class=\"key\"><i class=\"swatch action\"></i>common "
       "normal</span></figcaption></figure>\n",
-      svg.str(), fixed(contact.at.theta * kDegPerRad, 3));
+      svg.str(), fixed(contact.at.theta.deg(), 3));
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ TEST(ContactSection, IsWellFormedForEveryKindOfContact) {
 
 TEST(ContactSection, StandsInThePage) {
   const ContactSample s = testing::helical_contact();
-  const Pair pair = testing::helical_pair();
+  const InvolutePair pair = testing::helical_pair();
   ReportInput input = testing::report_input(pair);
   EXPECT_EQ(report_html(input).find("Tooth contact"), std::string::npos);
   input.contact = &s.report;

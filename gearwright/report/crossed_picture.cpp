@@ -33,8 +33,8 @@ struct PlanFrame {
   Vec2 at(double s, double t) const { return s * along + t * across; }
 };
 
-PlanFrame frame_of(const Pair& pair, std::size_t which) {
-  const double sigma = which == 0 ? 0.0 : pair.shaft_angle();
+PlanFrame frame_of(const InvolutePair& pair, std::size_t which) {
+  const double sigma = which == 0 ? 0.0 : pair.shaft_angle.rad();
   return {{std::sin(sigma), std::cos(sigma)}, {std::cos(sigma), -std::sin(sigma)}};
 }
 
@@ -45,7 +45,7 @@ std::vector<Vec2> on_screen(const Viewport& view, const std::array<Vec2, 4>& cor
 }
 
 // Half the size of what the tips of both gears cover, mm.
-Vec2 extent(const Pair& pair) {
+Vec2 extent(const InvolutePair& pair) {
   Vec2 half = Vec2::Zero();
   for (const std::size_t i : {0u, 1u}) {
     for (const Vec2& c : face_in_plan(pair, i, pair.gears[i].actual_tip_radius()))
@@ -55,7 +55,7 @@ Vec2 extent(const Pair& pair) {
 }
 
 // Half the size of what the lines of action cover.
-Vec2 lines_extent(const Pair& pair) {
+Vec2 lines_extent(const InvolutePair& pair) {
   Vec2 half = Vec2::Zero();
   for (const double rho1 : line_ends(pair))
     half = half.cwiseMax(in_plan(pair.on_line_of_action(rho1)).cwiseAbs());
@@ -63,7 +63,7 @@ Vec2 lines_extent(const Pair& pair) {
 }
 
 // The lines with room for letters, and enough of the gears.
-Viewport plan_window(const Pair& pair) {
+Viewport plan_window(const InvolutePair& pair) {
   const Vec2 lines = lines_extent(pair);
   const auto scale = [](const Vec2& half) {
     return 0.5 * std::min((kPlanWidth - 90) / half.x(), (kPlanHeight - 90) / half.y());
@@ -74,7 +74,7 @@ Viewport plan_window(const Pair& pair) {
           std::clamp(close, whole / kMaxReduction, kMaxEnlargement * whole)};
 }
 
-void draw_axes(Svg& svg, const Viewport& view, const Pair& pair) {
+void draw_axes(Svg& svg, const Viewport& view, const InvolutePair& pair) {
   const double far = 1.1 * extent(pair).norm() + Vec2(view.width, view.height).norm() / view.scale;
   for (const std::size_t i : {0u, 1u}) {
     const PlanFrame f = frame_of(pair, i);
@@ -83,7 +83,7 @@ void draw_axes(Svg& svg, const Viewport& view, const Pair& pair) {
 }
 
 // Names of the axes where they leave the picture.
-void name_axes(Svg& svg, const Viewport& view, const Pair& pair) {
+void name_axes(Svg& svg, const Viewport& view, const InvolutePair& pair) {
   for (const std::size_t i : {0u, 1u}) {
     const Vec2 d(frame_of(pair, i).along.x(), -frame_of(pair, i).along.y());  // on the screen
     const double room = std::min((view.width / 2 - 34) / std::max(std::abs(d.x()), 1e-9),
@@ -97,7 +97,7 @@ void name_axes(Svg& svg, const Viewport& view, const Pair& pair) {
   }
 }
 
-std::string plan_svg(const Pair& pair) {
+std::string plan_svg(const InvolutePair& pair) {
   const Viewport view = plan_window(pair);
   Svg svg("plan", kPlanWidth, kPlanHeight, "Lines of action in plan",
           "Both gears seen along the centre line from gear 2: the faces of their pitch cylinders "
@@ -121,7 +121,7 @@ std::string plan_svg(const Pair& pair) {
 }
 
 // The teeth on the side of a pitch cylinder that is seen from gear 2's side: x > 0.
-void draw_teeth(Svg& svg, const Viewport& view, const Pair& pair, std::size_t i) {
+void draw_teeth(Svg& svg, const Viewport& view, const InvolutePair& pair, std::size_t i) {
   const auto& side = pair.mesh.rack.sides[i];
   const int z = pair.input.gears[i].teeth;
   if (z > kTeethShown) return;
@@ -157,7 +157,7 @@ void draw_teeth(Svg& svg, const Viewport& view, const Pair& pair, std::size_t i)
   }
 }
 
-Viewport whole_window(const Pair& pair) {
+Viewport whole_window(const InvolutePair& pair) {
   const Vec2 half = extent(pair);
   const double scale =
       0.5 * std::min((kWholeWidth - 70) / half.x(), (kWholeHeight - 60) / half.y());
@@ -166,7 +166,7 @@ Viewport whole_window(const Pair& pair) {
 }
 
 // The size of the plan in the picture of the whole pair, px; nothing when it shows more than that.
-std::optional<Vec2> frame_of_plan(const Pair& pair) {
+std::optional<Vec2> frame_of_plan(const InvolutePair& pair) {
   const Viewport whole = whole_window(pair);
   const Viewport plan = plan_window(pair);
   const Vec2 size = Vec2(plan.width, plan.height) * (whole.scale / plan.scale);
@@ -174,7 +174,7 @@ std::optional<Vec2> frame_of_plan(const Pair& pair) {
   return size;
 }
 
-std::string whole_svg(const Pair& pair) {
+std::string whole_svg(const InvolutePair& pair) {
   const Viewport view = whole_window(pair);
   Svg svg("whole", view.width, view.height, "The whole pair",
           "Both gears seen along the centre line, gear 2 in front, with the run of their teeth.");
@@ -196,14 +196,14 @@ std::string whole_svg(const Pair& pair) {
 
 Vec2 in_plan(const Point<Housing>& p) { return {p.r.y(), p.r.z()}; }
 
-std::array<Vec2, 4> face_in_plan(const Pair& pair, std::size_t which, double radius) {
+std::array<Vec2, 4> face_in_plan(const InvolutePair& pair, std::size_t which, double radius) {
   GW_EXPECTS(pair.crossed() && which < 2);
   const PlanFrame f = frame_of(pair, which);
   const double half = pair.input.face_width[which] / 2;
   return {f.at(-half, -radius), f.at(-half, radius), f.at(half, radius), f.at(half, -radius)};
 }
 
-std::string plan_figures(const Pair& pair) {
+std::string plan_figures(const InvolutePair& pair) {
   return fmt::format(
       "<div class=\"figures mesh\">\n<figure>{}<figcaption><strong>Lines of action</strong> seen "
       "along the centre line from gear 2. {} Rectangles: pitch cylinders from face to face, thin: "
@@ -211,8 +211,7 @@ std::string plan_figures(const Pair& pair) {
       "<figure>{}<figcaption><strong>The whole pair</strong>, gear 2 in front: shaft angle {}°, "
       "centre distance {} mm{}.</figcaption>"
       "</figure>\n</div>\n",
-      plan_svg(pair), line_key(), whole_svg(pair),
-      fixed(Angle::radians(pair.shaft_angle()).deg(), kAngleDigits),
+      plan_svg(pair), line_key(), whole_svg(pair), fixed(pair.shaft_angle.deg(), kAngleDigits),
       fixed(pair.center_distance, kLengthDigits),
       frame_of_plan(pair) ? "; the frame is the picture of the lines of action" : "");
 }

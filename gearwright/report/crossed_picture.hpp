@@ -17,11 +17,11 @@ namespace gearwright {
 Vec2 in_plan(const Point<Housing>& p);
 
 /// Corners in this view of gear `which` (0, 1): its cylinder of `radius` from face to face.
-std::array<Vec2, 4> face_in_plan(const Pair& pair, std::size_t which, double radius);
+std::array<Vec2, 4> face_in_plan(const InvolutePair& pair, std::size_t which, double radius);
 
 /// The figures: lines of action in plan, and both gears whole.
 ///
 /// Domain    crossed axes (contract)
-std::string plan_figures(const Pair& pair);
+std::string plan_figures(const InvolutePair& pair);
 
 }  // namespace gearwright

@@ -34,19 +34,19 @@ double transverse_of(const BasePair<double>& gears, double alpha_n) {
   return std::min(kHalfPi - kAtLimit, std::asin(std::min(1.0, std::sin(alpha_n) / c_g)));
 }
 
-std::optional<CrossedSample> sample_at_transverse(const Pair& pair, double alpha) {
+std::optional<CrossedSample> sample_at_transverse(const InvolutePair& pair, double alpha) {
   const BasePair<double>& gears = pair.input.gears;
   const CrossedPlace place = crossed_place(gears, alpha);
-  if (!shaft_angle_range(gears).contains(place.shaft_angle)) return std::nullopt;
+  if (!shaft_angle_range(gears).contains(place.shaft_angle.rad())) return std::nullopt;
   MeshInput<double> in = pair.input;
   in.center_distance = place.center_distance;
-  in.shaft_angle = place.shaft_angle;
+  in.shaft_angle = place.shaft_angle.rad();
   const Mesh<double> mesh = mesh_of(in);
   return CrossedSample{place, mesh.path_ratio, face_widths(mesh)};
 }
 
 // The gears as one rack cut them, or nothing.
-std::optional<RackPair<double>> shared_rack(const Pair& pair) {
+std::optional<RackPair<double>> shared_rack(const InvolutePair& pair) {
   RackPair<double> racks;
   for (std::size_t i : {0u, 1u}) {
     const CylindricalSpec& s = pair.gears[i].spec;
@@ -65,22 +65,23 @@ std::optional<RackPair<double>> shared_rack(const Pair& pair) {
 
 }  // namespace
 
-std::optional<CrossedSample> crossed_sample(const Pair& pair, double alpha_n) {
+std::optional<CrossedSample> crossed_sample(const InvolutePair& pair, Angle normal_pressure_angle) {
+  const double alpha_n = normal_pressure_angle.rad();
   GW_EXPECTS(pair.crossed());
   const BasePair<double>& gears = pair.input.gears;
   if (!(alpha_n > 0.0) || !has_rack(gears[limiting_gear(gears)], alpha_n)) return std::nullopt;
   return sample_at_transverse(pair, transverse_of(gears, alpha_n));
 }
 
-std::vector<CrossedSample> crossed_samples(const Pair& pair) {
+std::vector<CrossedSample> crossed_samples(const InvolutePair& pair) {
   GW_EXPECTS(pair.crossed());
   const BasePair<double>& gears = pair.input.gears;
   const double limit = kHalfPi - std::abs(gears[limiting_gear(gears)].helix_angle);
   std::vector<double> worth{pair.mesh.rack.normal_pressure_angle};
-  if (pair.min_distance) worth.push_back(pair.min_distance->normal_pressure_angle);
+  if (pair.min_distance) worth.push_back(pair.min_distance->normal_pressure_angle.rad());
   if (pair.contact_ratio_range) {
-    worth.push_back(pair.contact_ratio_range->lo.normal_pressure_angle);
-    worth.push_back(pair.contact_ratio_range->hi.normal_pressure_angle);
+    worth.push_back(pair.contact_ratio_range->lo.normal_pressure_angle.rad());
+    worth.push_back(pair.contact_ratio_range->hi.normal_pressure_angle.rad());
   }
   const auto [least, greatest] = std::minmax_element(worth.begin(), worth.end());
   const double margin =
@@ -98,30 +99,35 @@ std::vector<CrossedSample> crossed_samples(const Pair& pair) {
   return samples;
 }
 
-std::vector<Approximation> approximations(const Pair& pair) {
+std::vector<Approximation> approximations(const InvolutePair& pair) {
   const auto racks = shared_rack(pair);
   if (!racks || !pair.min_distance) return {};
   const auto series = min_distance_series(*racks);
-  std::vector<Approximation> all{{"1 term", "1", series.pressure_angle(1)},
-                                 {"2 terms", "2", series.pressure_angle(2)},
-                                 {"3 terms", "3", series.pressure_angle(3)}};
-  if (const auto v = series.virtual_pressure_angle()) all.push_back({"Virtual spur pair", "v", *v});
-  if (const auto v = series.corrected_virtual_pressure_angle())
-    all.push_back({"Virtual, corrected", "v′", *v});
+  std::vector<Approximation> all;
+  const auto add = [&](const char* name, const char* letter, const std::optional<double>& alpha_n) {
+    if (alpha_n) all.push_back({name, letter, Angle::radians(*alpha_n)});
+  };
+  add("1 term", "1", series.pressure_angle(1));
+  add("2 terms", "2", series.pressure_angle(2));
+  add("3 terms", "3", series.pressure_angle(3));
+  add("Virtual spur pair", "v", series.virtual_pressure_angle());
+  add("Virtual, corrected", "v′", series.corrected_virtual_pressure_angle());
   std::erase_if(
       all, [&](const Approximation& a) { return !crossed_sample(pair, a.normal_pressure_angle); });
   return all;
 }
 
 Axis angle_axis(const std::vector<CrossedSample>& samples, double from, double to) {
-  return {deg(samples.front().place.normal_pressure_angle),
-          deg(samples.back().place.normal_pressure_angle), from, to};
+  return {deg(samples.front().place.normal_pressure_angle.rad()),
+          deg(samples.back().place.normal_pressure_angle.rad()), from, to};
 }
 
-void draw_marked_angles(Svg& svg, const Pair& pair, const Axis& x, double top, double bottom) {
+void draw_marked_angles(Svg& svg, const InvolutePair& pair, const Axis& x, double top,
+                        double bottom) {
   if (pair.contact_ratio_range) {
-    const double lo = x(deg(pair.contact_ratio_range->lo.normal_pressure_angle));
-    const double hi = std::min(x(deg(pair.contact_ratio_range->hi.normal_pressure_angle)), x.to);
+    const double lo = x(deg(pair.contact_ratio_range->lo.normal_pressure_angle.rad()));
+    const double hi =
+        std::min(x(deg(pair.contact_ratio_range->hi.normal_pressure_angle.rad())), x.to);
     svg.rect(lo, top, hi - lo, bottom - top, "band");
   }
   struct Mark {
@@ -131,7 +137,7 @@ void draw_marked_angles(Svg& svg, const Pair& pair, const Axis& x, double top, d
   };
   std::vector<Mark> marks{{"mounted", "here", deg(pair.mesh.rack.normal_pressure_angle)}};
   if (pair.min_distance)
-    marks.push_back({"least distance", "least", deg(pair.min_distance->normal_pressure_angle)});
+    marks.push_back({"least distance", "least", pair.min_distance->normal_pressure_angle.deg()});
   std::vector<double> wanted;
   for (const Mark& m : marks) wanted.push_back(x(m.at));
   const std::vector<double> placed = spread(wanted, 176.0, x.from + 66.0, x.to - 84.0);

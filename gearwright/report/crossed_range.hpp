@@ -26,42 +26,42 @@ struct CrossedSample {
 /// such rack.
 ///
 /// Formula   crossed_place, then mesh_of at that place
-/// Units     rad
 /// Domain    crossed axes (contract)
-std::optional<CrossedSample> crossed_sample(const Pair& pair, double normal_pressure_angle);
+std::optional<CrossedSample> crossed_sample(const InvolutePair& pair, Angle normal_pressure_angle);
 
 /// Samples by growing α_wn over the part worth showing: where ε ≥ 1, the place of the pair and the
 /// least centre distance, with some margin, and no further than racks exist.
 ///
 /// Domain    crossed axes (contract)
 /// Laws      at least two samples; the pair's α_wn lies within, to 1e-6 rad
-std::vector<CrossedSample> crossed_samples(const Pair& pair);
+std::vector<CrossedSample> crossed_samples(const InvolutePair& pair);
 
 /// How the pair's gears would be treated by hand: a name and the α_wn that it gives.
 struct Approximation {
   const char* name;
   const char* letter;  ///< in pictures
-  double normal_pressure_angle;
+  Angle normal_pressure_angle;
 };
 
 /// The approximate solutions of the least centre distance (pair/series.hpp); none unless both gears
 /// have one rack, module and pressure angle equal to 1e-9 of themselves. Those that lead to no rack
 /// are left out.
-std::vector<Approximation> approximations(const Pair& pair);
+std::vector<Approximation> approximations(const InvolutePair& pair);
 
 /// The α_wn axis of these pictures, in degrees.
 Axis angle_axis(const std::vector<CrossedSample>& samples, double from, double to);
 
 /// The ground of a picture over α_wn: shaded where ε ≥ 1, lines at the least centre distance and at
 /// the pair's place, named above `top`.
-void draw_marked_angles(Svg& svg, const Pair& pair, const Axis& x, double top, double bottom);
+void draw_marked_angles(Svg& svg, const InvolutePair& pair, const Axis& x, double top,
+                        double bottom);
 
 /// Values of the samples as a curve over α_wn in degrees.
 template <class Value>
 std::vector<Vec2> over_angle(const std::vector<CrossedSample>& samples, const Value& value) {
   std::vector<Vec2> points;
   for (const CrossedSample& s : samples) {
-    points.push_back({Angle::radians(s.place.normal_pressure_angle).deg(), value(s)});
+    points.push_back({s.place.normal_pressure_angle.deg(), value(s)});
   }
   return points;
 }

@@ -13,10 +13,10 @@ namespace {
 constexpr double kDegree = 180 / std::numbers::pi;
 
 TEST(CrossedRangePicture, SamplesAreThePairAtItsPlaces) {
-  for (const Pair& pair : testing::crossed_pairs()) {
+  for (const InvolutePair& pair : testing::crossed_pairs()) {
     const auto samples = crossed_samples(pair);
     ASSERT_GT(samples.size(), 100u);
-    const double here = pair.mesh.rack.normal_pressure_angle;
+    const Angle here = Angle::radians(pair.mesh.rack.normal_pressure_angle);
     EXPECT_LT(samples.front().place.normal_pressure_angle, here);
     EXPECT_GT(samples.back().place.normal_pressure_angle, here);
     for (std::size_t i = 1; i < samples.size(); ++i) {
@@ -25,7 +25,7 @@ TEST(CrossedRangePicture, SamplesAreThePairAtItsPlaces) {
     // At the pair's own α_wn: its shaft angle, and its distance free of backlash.
     const auto s = crossed_sample(pair, here);
     ASSERT_TRUE(s.has_value());
-    EXPECT_NEAR(s->place.shaft_angle, pair.shaft_angle(), 1e-12);
+    EXPECT_NEAR(s->place.shaft_angle.rad(), pair.shaft_angle.rad(), 1e-12);
     EXPECT_NEAR(s->place.center_distance, *pair.backlash_free_center_distance, 1e-9);
     // Nothing anywhere below the least centre distance.
     ASSERT_TRUE(pair.min_distance.has_value());
@@ -35,7 +35,7 @@ TEST(CrossedRangePicture, SamplesAreThePairAtItsPlaces) {
 }
 
 TEST(CrossedRangePicture, ContactRatioIsOneAtTheEndsOfTheRange) {
-  const Pair pair = testing::crossed_pair();
+  const InvolutePair pair = testing::crossed_pair();
   ASSERT_TRUE(pair.contact_ratio_range.has_value());
   const CrossedPlaces& range = *pair.contact_ratio_range;
   for (const CrossedPlace& end : {range.lo, range.hi}) {
@@ -48,19 +48,19 @@ TEST(CrossedRangePicture, ContactRatioIsOneAtTheEndsOfTheRange) {
 }
 
 TEST(CrossedRangePicture, NoRackBeyondTheLimit) {
-  const Pair pair = testing::worm_pair();
+  const InvolutePair pair = testing::worm_pair();
   const double limit = std::numbers::pi / 2 - pair.input.gears[0].helix_angle;
-  EXPECT_TRUE(crossed_sample(pair, limit - 1e-6).has_value());
-  EXPECT_FALSE(crossed_sample(pair, limit + 1e-6).has_value());
-  EXPECT_FALSE(crossed_sample(pair, 0.0).has_value());
-  EXPECT_LT(crossed_samples(pair).back().place.normal_pressure_angle, limit);
+  EXPECT_TRUE(crossed_sample(pair, Angle::radians(limit - 1e-6)).has_value());
+  EXPECT_FALSE(crossed_sample(pair, Angle::radians(limit + 1e-6)).has_value());
+  EXPECT_FALSE(crossed_sample(pair, Angle()).has_value());
+  EXPECT_LT(crossed_samples(pair).back().place.normal_pressure_angle.rad(), limit);
 }
 
 // A spur gear and one of 0.3° stand at nearly 90° where the latter's helix angle reaches 90°.
 TEST(CrossedRangePicture, NearTheLimitItself) {
-  const Pair pair = testing::crossed_sample_pair(
+  const InvolutePair pair = testing::crossed_sample_pair(
       testing::sample_gear(17, 2, 0.3, 0.6), testing::sample_gear(17, 2, 0, 0.6), 90 - 0.11, 0.0);
-  const auto s = crossed_sample(pair, pair.mesh.rack.normal_pressure_angle);
+  const auto s = crossed_sample(pair, Angle::radians(pair.mesh.rack.normal_pressure_angle));
   ASSERT_TRUE(s.has_value());
   // Not nearer than 1e-8 rad to the limit, where a changes by r_b per rad.
   EXPECT_NEAR(s->place.center_distance, *pair.backlash_free_center_distance,
@@ -69,14 +69,14 @@ TEST(CrossedRangePicture, NearTheLimitItself) {
 }
 
 TEST(CrossedRangePicture, ApproximationsOfTheExample) {
-  const Pair pair = testing::crossed_pair();
+  const InvolutePair pair = testing::crossed_pair();
   const auto all = approximations(pair);
   ASSERT_EQ(all.size(), 5u);
   // 18° 42' 13.9" by three terms, 18° 43' 15.4" by the virtual pair, 18° 42' 18.6" corrected, from
   // the example's table of data.
-  EXPECT_NEAR(kDegree * all[2].normal_pressure_angle, 18 + (42 + 13.9 / 60) / 60, 0.05 / 3600);
-  EXPECT_NEAR(kDegree * all[3].normal_pressure_angle, 18 + (43 + 15.4 / 60) / 60, 0.05 / 3600);
-  EXPECT_NEAR(kDegree * all[4].normal_pressure_angle, 18 + (42 + 18.6 / 60) / 60, 0.05 / 3600);
+  EXPECT_NEAR(all[2].normal_pressure_angle.deg(), 18 + (42 + 13.9 / 60) / 60, 0.05 / 3600);
+  EXPECT_NEAR(all[3].normal_pressure_angle.deg(), 18 + (43 + 15.4 / 60) / 60, 0.05 / 3600);
+  EXPECT_NEAR(all[4].normal_pressure_angle.deg(), 18 + (42 + 18.6 / 60) / 60, 0.05 / 3600);
   EXPECT_TRUE(
       approximations(
           testing::crossed_sample_pair(

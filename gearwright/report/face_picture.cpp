@@ -30,7 +30,7 @@ double deg(double rad) { return Angle::radians(rad).deg(); }
 
 // Up to what is needed or there; further only as far as the curves go within ε ≥ 1, but no more
 // than twice that: f′ grows beyond all bounds where the lines of action wander along the teeth.
-double max_shown(const Pair& pair, const std::vector<CrossedSample>& samples) {
+double max_shown(const InvolutePair& pair, const std::vector<CrossedSample>& samples) {
   double there = 0.0;
   double curves = 0.0;
   for (int i : {0, 1}) {
@@ -42,7 +42,7 @@ double max_shown(const Pair& pair, const std::vector<CrossedSample>& samples) {
   return 1.12 * std::max(there, std::min(curves, 1.8 * there));
 }
 
-std::string widths_svg(const Pair& pair) {
+std::string widths_svg(const InvolutePair& pair) {
   const std::vector<CrossedSample> samples = crossed_samples(pair);
   const Axis x = angle_axis(samples, kLeft, kWidth - kRight);
   const Axis y{0.0, max_shown(pair, samples), kTop + kPlot, kTop};
@@ -95,7 +95,8 @@ constexpr double kFacesTop = 30.0;
 constexpr double kFacesHeight = kFacesTop + 2 * kRow + 40.0;
 
 // A line's part of the face: what the tips reach, and within it what flanks and faces leave.
-void draw_use(Svg& svg, const Pair& pair, std::size_t i, bool leading, const Axis& x, double y) {
+void draw_use(Svg& svg, const InvolutePair& pair, std::size_t i, bool leading, const Axis& x,
+              double y) {
   const Mesh<double>& m = pair.mesh;
   const double sign = leading ? 1.0 : -1.0;
   const auto at = [&](double rho1) { return x(sign * axial_place(m, rho1)[i]); };
@@ -115,7 +116,7 @@ void draw_use(Svg& svg, const Pair& pair, std::size_t i, bool leading, const Axi
   label(E, leading ? "E" : "E′", -side);
 }
 
-std::string faces_svg(const Pair& pair) {
+std::string faces_svg(const InvolutePair& pair) {
   double reach = 0.0;
   for (const std::size_t i : {0u, 1u}) {
     reach = std::max({reach, pair.input.face_width[i] / 2, pair.face_widths->both_flanks[i] / 2});
@@ -141,7 +142,7 @@ std::string faces_svg(const Pair& pair) {
 }
 
 // What falls outside, in words.
-std::string beyond(const Pair& pair) {
+std::string beyond(const InvolutePair& pair) {
   std::string text;
   for (const std::size_t i : {0u, 1u}) {
     const double more = (pair.face_widths->both_flanks[i] - pair.input.face_width[i]) / 2;
@@ -154,7 +155,7 @@ std::string beyond(const Pair& pair) {
 
 }  // namespace
 
-std::string face_width_figure(const Pair& pair) {
+std::string face_width_figure(const InvolutePair& pair) {
   GW_EXPECTS(pair.crossed());
   return fmt::format(
       "<figure>{}<figcaption><strong>Face widths</strong> that the lines of action ask for, free "
@@ -166,7 +167,7 @@ std::string face_width_figure(const Pair& pair) {
       pair.contact_ratio_range ? " Shaded: the contact ratio is at least 1." : "");
 }
 
-std::string face_use_figure(const Pair& pair) {
+std::string face_use_figure(const InvolutePair& pair) {
   GW_EXPECTS(pair.crossed() && pair.flanks_meet());
   return fmt::format(
       "<figure>{}<figcaption><strong>Use of the faces</strong> as mounted. <span class=\"key\"><i "

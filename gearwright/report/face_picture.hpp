@@ -14,11 +14,11 @@ namespace gearwright {
 /// f and f′ over α_wn, with the actual face widths.
 ///
 /// Domain    crossed axes (contract)
-std::string face_width_figure(const Pair& pair);
+std::string face_width_figure(const InvolutePair& pair);
 
 /// The faces from end to end, with what the leading and the trailing line use of them.
 ///
 /// Domain    crossed axes, the flanks meet (contract)
-std::string face_use_figure(const Pair& pair);
+std::string face_use_figure(const InvolutePair& pair);
 
 }  // namespace gearwright

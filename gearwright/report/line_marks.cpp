@@ -23,7 +23,7 @@ struct Mark {
   const char* style;
 };
 
-std::vector<Mark> marks_of(const Pair& pair, bool leading) {
+std::vector<Mark> marks_of(const InvolutePair& pair, bool leading) {
   const Mesh<double>& m = pair.mesh;
   const char* end = leading ? "mark action-dot" : "mark trailing-dot";
   std::vector<Mark> marks{{leading ? "A" : "A′", m.rho1_A, end},
@@ -50,7 +50,7 @@ Vec2 letter_side(const Vec2& p, const Vec2& along, const Vec2& other_from, const
 
 }  // namespace
 
-std::vector<double> line_ends(const Pair& pair) {
+std::vector<double> line_ends(const InvolutePair& pair) {
   GW_EXPECTS(pair.crossed());
   const Mesh<double>& m = pair.mesh;
   std::vector<double> ends{m.rho1_A, m.rho1_E};
@@ -61,7 +61,7 @@ std::vector<double> line_ends(const Pair& pair) {
   return ends;
 }
 
-void draw_lines_of_action(Svg& svg, const Pair& pair,
+void draw_lines_of_action(Svg& svg, const InvolutePair& pair,
                           const std::function<Vec2(const Point<Housing>&)>& on, Lines lines) {
   const Mesh<double>& m = pair.mesh;
   const std::array<double, 5> ends{m.rho1_A, m.rho1_E, 0.0, m.base_tangent_distance, m.rho1_C};

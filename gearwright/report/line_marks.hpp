@@ -15,13 +15,13 @@
 namespace gearwright {
 
 /// ρ_1 of what a picture should hold: A, E, and C and the base tangent points unless far from them.
-std::vector<double> line_ends(const Pair& pair);
+std::vector<double> line_ends(const InvolutePair& pair);
 
 enum class Lines { leading, both };
 
 /// Draws the lines; `on` carries the housing to px. Letters stay off the lines and each other: at
 /// each point they stand on the side away from the other line.
-void draw_lines_of_action(Svg& svg, const Pair& pair,
+void draw_lines_of_action(Svg& svg, const InvolutePair& pair,
                           const std::function<Vec2(const Point<Housing>&)>& on,
                           Lines lines = Lines::both);
 

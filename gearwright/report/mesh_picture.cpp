@@ -30,14 +30,16 @@ const std::array<const char*, 2> kInk{"g1", "g2"};
 
 Vec2 flat(const Point<Housing>& p) { return {p.r.x(), p.r.y()}; }
 
-Vec2 axis_of(const Pair& pair, std::size_t i) { return {i == 0 ? 0.0 : pair.center_distance, 0.0}; }
+Vec2 axis_of(const InvolutePair& pair, std::size_t i) {
+  return {i == 0 ? 0.0 : pair.center_distance, 0.0};
+}
 
 // What the pair covers, mm.
 struct Extent {
   double left, right, tall;
 };
 
-Extent extent_of(const Pair& pair) {
+Extent extent_of(const InvolutePair& pair) {
   const double a = pair.center_distance;
   const double R1 = drawn_radius(pair.gears[0]);
   const double R2 = drawn_radius(pair.gears[1]);
@@ -45,14 +47,14 @@ Extent extent_of(const Pair& pair) {
 }
 
 // Where the x axes of the gears point when drawn, degrees counter-clockwise.
-std::array<double, 2> drawn_angles(const Pair& pair) {
+std::array<double, 2> drawn_angles(const InvolutePair& pair) {
   const std::array<double, 2> phi = rotation_to_pitch_point(pair);
   const auto angle = [](const Eigen::Isometry3d& x) { return std::atan2(x(1, 0), x(0, 0)); };
   return {kDegPerRad * (angle(pair.pose_1().isometry()) + phi[0]),
           kDegPerRad * (angle(pair.pose_2().isometry()) + phi[1])};
 }
 
-void draw_bodies(Svg& svg, const Viewport& view, const Pair& pair,
+void draw_bodies(Svg& svg, const Viewport& view, const InvolutePair& pair,
                  const std::array<std::string, 2>& shapes) {
   const std::array<double, 2> angles = drawn_angles(pair);
   // Outlines after both bodies: where the teeth overlap, both are seen.
@@ -66,7 +68,7 @@ void draw_bodies(Svg& svg, const Viewport& view, const Pair& pair,
   }
 }
 
-std::vector<NamedCircle> circles_of(const Pair& pair, std::size_t i) {
+std::vector<NamedCircle> circles_of(const InvolutePair& pair, std::size_t i) {
   const Gear& gear = pair.gears[i];
   const double r_w = pair.mesh.rack.sides[i].pitch_radius;
   const std::string n = std::to_string(i + 1);
@@ -77,7 +79,7 @@ std::vector<NamedCircle> circles_of(const Pair& pair, std::size_t i) {
   return circles;
 }
 
-void draw_circles(Svg& svg, const Viewport& view, const Pair& pair, std::size_t i) {
+void draw_circles(Svg& svg, const Viewport& view, const InvolutePair& pair, std::size_t i) {
   // The side of the axis on which the mesh is.
   const double side =
       flat(pair.on_line_of_action(pair.mesh.rho1_C)).x() > axis_of(pair, i).x() ? 1.0 : -1.0;
@@ -85,7 +87,7 @@ void draw_circles(Svg& svg, const Viewport& view, const Pair& pair, std::size_t 
 }
 
 // The line of action with A … E; letters change sides where they would touch.
-void draw_path(Svg& svg, const Viewport& view, const Pair& pair) {
+void draw_path(Svg& svg, const Viewport& view, const InvolutePair& pair) {
   const Mesh<double>& mesh = pair.mesh;
   const auto at = [&](double rho1) { return view.px(flat(pair.on_line_of_action(rho1))); };
   // Base tangent points: ρ_1 = 0 and ρ_2 = 0 (a ring's lies on the same side as gear 1's).
@@ -123,7 +125,7 @@ void draw_path(Svg& svg, const Viewport& view, const Pair& pair) {
   }
 }
 
-Viewport mesh_window(const Pair& pair) {
+Viewport mesh_window(const InvolutePair& pair) {
   const Mesh<double>& mesh = pair.mesh;
   const double m = pair.gears[0].spec.normal_module;
   const double reach =
@@ -134,7 +136,7 @@ Viewport mesh_window(const Pair& pair) {
           kMeshHeight / (2 * half)};
 }
 
-std::string mesh_svg(const Pair& pair, const std::array<std::string, 2>& shapes) {
+std::string mesh_svg(const InvolutePair& pair, const std::array<std::string, 2>& shapes) {
   const Viewport view = mesh_window(pair);
   Svg svg("mesh", kMeshWidth, kMeshHeight, "The mesh at the pitch point",
           "Both gears near the pitch point C in the transverse section, with pitch, base and tip "
@@ -165,7 +167,7 @@ void draw_turn(Svg& svg, const Vec2& axis, double radius, bool clockwise, const 
               std::string("head ") + ink);
 }
 
-std::string whole_svg(const Pair& pair, const std::array<std::string, 2>& shapes) {
+std::string whole_svg(const InvolutePair& pair, const std::array<std::string, 2>& shapes) {
   const bool external = pair.kind == PairKind::parallel_external;
   const auto [left, right, tall] = extent_of(pair);
   const double scale = 0.94 * std::min(kWholeWidth / (right - left), kWholeHeight / tall);
@@ -216,7 +218,7 @@ std::string whole_svg(const Pair& pair, const std::array<std::string, 2>& shapes
 
 }  // namespace
 
-std::array<double, 2> rotation_to_pitch_point(const Pair& pair) {
+std::array<double, 2> rotation_to_pitch_point(const InvolutePair& pair) {
   const double inv_w = involute(pair.mesh.rack.sides[0].transverse_angle);
   const auto base_half = [&](std::size_t i) {
     const Gear& gear = pair.gears[i];
@@ -228,7 +230,7 @@ std::array<double, 2> rotation_to_pitch_point(const Pair& pair) {
   return {psi_1, -sigma * (std::numbers::pi / std::abs(pair.input.gears[1].teeth) - psi_2)};
 }
 
-std::string mesh_figures(const Pair& pair, const std::array<std::string, 2>& shapes) {
+std::string mesh_figures(const InvolutePair& pair, const std::array<std::string, 2>& shapes) {
   const Gear& gear_2 = pair.gears[1];
   const std::string ring =
       !gear_2.internal() ? ""

@@ -19,9 +19,9 @@ namespace gearwright {
 /// Formula   φ_1 = ψ_1, φ_2 = −σ (π/|z_2| − ψ_2);  ψ_i = s_bti/d_bi − inv α_wt the half angles of
 ///           the teeth on the working pitch circles, of a ring's s_bt2/d_b2 + inv α_wt
 /// Units     rad
-std::array<double, 2> rotation_to_pitch_point(const Pair& pair);
+std::array<double, 2> rotation_to_pitch_point(const InvolutePair& pair);
 
 /// The two figures; `shapes` are the names of the gears' definitions (gear_shape.hpp).
-std::string mesh_figures(const Pair& pair, const std::array<std::string, 2>& shapes);
+std::string mesh_figures(const InvolutePair& pair, const std::array<std::string, 2>& shapes);
 
 }  // namespace gearwright

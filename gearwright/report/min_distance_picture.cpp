@@ -29,18 +29,16 @@ constexpr double kWorthShowing = 1e-6;
 
 constexpr double kSameAngle = 1e-9;  // rad, 0.0002″
 
-double deg(double rad) { return Angle::radians(rad).deg(); }
-
 // µm of centre distance at α_wn (degrees) above the least.
-double above_min(const Pair& pair, double degrees) {
-  const auto s = crossed_sample(pair, Angle::degrees(degrees).rad());
+double above_min(const InvolutePair& pair, double degrees) {
+  const auto s = crossed_sample(pair, Angle::degrees(degrees));
   return s ? kUmPerMm * (s->place.center_distance - pair.min_distance->center_distance) : 0.0;
 }
 
-std::string zoom_svg(const Pair& pair, const std::vector<Approximation>& all) {
-  const double exact = deg(pair.min_distance->normal_pressure_angle);
+std::string zoom_svg(const InvolutePair& pair, const std::vector<Approximation>& all) {
+  const double exact = pair.min_distance->normal_pressure_angle.deg();
   std::vector<double> angles{exact};
-  for (const Approximation& a : all) angles.push_back(deg(a.normal_pressure_angle));
+  for (const Approximation& a : all) angles.push_back(a.normal_pressure_angle.deg());
   const auto [least, greatest] = std::minmax_element(angles.begin(), angles.end());
   const double reach = std::max(*greatest - *least, 1e-9);
   const Axis x{*least - 0.12 * reach, *greatest + 0.12 * reach, kLeft, kWidth - kRight};
@@ -48,7 +46,7 @@ std::string zoom_svg(const Pair& pair, const std::vector<Approximation>& all) {
   std::vector<Vec2> curve;
   for (int k = 0; k <= kSteps; ++k) {
     const double v = x.lo + k * (x.hi - x.lo) / kSteps;
-    if (!crossed_sample(pair, Angle::degrees(v).rad())) continue;
+    if (!crossed_sample(pair, Angle::degrees(v))) continue;
     curve.push_back({v, above_min(pair, v)});
   }
   for (const double a : angles) most = std::max(most, above_min(pair, a));
@@ -76,15 +74,15 @@ std::string zoom_svg(const Pair& pair, const std::vector<Approximation>& all) {
   return svg.str();
 }
 
-std::string table_row(const Pair& pair, const std::string& name, double angle) {
+std::string table_row(const InvolutePair& pair, const std::string& name, Angle angle) {
   const auto s = crossed_sample(pair, angle);
   GW_EXPECTS(s.has_value());  // of approximations(), or the exact one
   const double off = s->place.center_distance - pair.min_distance->center_distance;
-  const double seconds = kArcsecPerDeg * deg(angle - pair.min_distance->normal_pressure_angle);
+  const double seconds = kArcsecPerDeg * (angle - pair.min_distance->normal_pressure_angle).deg();
   std::string text = fmt::format("<tr><th scope=\"row\">{}</th>", escaped(name));
   for (const std::string& value :
-       {fixed(deg(angle), kAngleDigits), fixed(seconds, 1),
-        fixed(deg(s->place.shaft_angle), kAngleDigits),
+       {fixed(angle.deg(), kAngleDigits), fixed(seconds, 1),
+        fixed(s->place.shaft_angle.deg(), kAngleDigits),
         fixed(s->place.center_distance, kLengthDigits), fixed(kUmPerMm * off, 4)}) {
     text += fmt::format("<td class=\"value\">{}</td>", value);
   }
@@ -93,7 +91,7 @@ std::string table_row(const Pair& pair, const std::string& name, double angle) {
 
 }  // namespace
 
-std::string min_distance_figure(const Pair& pair) {
+std::string min_distance_figure(const InvolutePair& pair) {
   GW_EXPECTS(pair.crossed());
   const std::vector<Approximation> all = approximations(pair);
   const std::string zoom = all.empty() ? std::string() : zoom_svg(pair, all);
@@ -105,13 +103,13 @@ std::string min_distance_figure(const Pair& pair) {
       zoom);
 }
 
-std::string min_distance_table(const Pair& pair) {
+std::string min_distance_table(const InvolutePair& pair) {
   GW_EXPECTS(pair.crossed());
   const std::vector<Approximation> all = approximations(pair);
   if (all.empty()) return {};
-  const double exact = pair.min_distance->normal_pressure_angle;
+  const Angle exact = pair.min_distance->normal_pressure_angle;
   const bool one = std::all_of(all.begin(), all.end(), [&](const Approximation& a) {
-    return std::abs(a.normal_pressure_angle - exact) < kSameAngle;
+    return abs(a.normal_pressure_angle - exact).rad() < kSameAngle;
   });
   if (one) {
     return "<p>The profile shifts of the teeth as cut make nothing together: the least centre "

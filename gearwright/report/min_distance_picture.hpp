@@ -12,12 +12,12 @@ namespace gearwright {
 /// centre distance, gears of two racks, or a difference of less than 1e-6 µm.
 ///
 /// Domain    crossed axes (contract)
-std::string min_distance_figure(const Pair& pair);
+std::string min_distance_figure(const InvolutePair& pair);
 
 /// The solutions with the exact place at the angle of each: Δ to the exact solution. A sentence
 /// where all agree (the sum of shifts is nothing), empty where there are none.
 ///
 /// Domain    crossed axes (contract)
-std::string min_distance_table(const Pair& pair);
+std::string min_distance_table(const InvolutePair& pair);
 
 }  // namespace gearwright

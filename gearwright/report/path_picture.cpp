@@ -35,7 +35,7 @@ std::string count_words(int pairs, double width) {
   return fmt::format("{} pair{}", pairs, pairs == 1 ? "" : "s");
 }
 
-void draw_strip(Svg& svg, const Pair& pair, const Axis& x) {
+void draw_strip(Svg& svg, const InvolutePair& pair, const Axis& x) {
   const Mesh<double>& mesh = pair.mesh;
   const std::vector<ContactZone> zones = contact_zones(mesh.rho1_A, mesh.rho1_E, mesh.step);
   int most = 0;
@@ -92,13 +92,13 @@ void draw_strip(Svg& svg, const Pair& pair, const Axis& x) {
            Anchor::middle, "tick halo");
 }
 
-std::optional<double> zeta(const Pair& pair, int gear, double rho1) {
+std::optional<double> zeta(const InvolutePair& pair, int gear, double rho1) {
   const SpecificSliding<double> s = specific_sliding(pair.input, pair.mesh, rho1);
   return gear == 1 ? s.zeta_1 : s.zeta_2;
 }
 
 // From the lower of the ends, a little more, in halves.
-double lowest_shown(const Pair& pair) {
+double lowest_shown(const InvolutePair& pair) {
   double low = -0.5;
   for (const SpecificSliding<double>& s : {pair.sliding_A, pair.sliding_E}) {
     for (const auto& z : {s.zeta_1, s.zeta_2}) low = std::min(low, z ? *z : kDeepest);
@@ -106,7 +106,7 @@ double lowest_shown(const Pair& pair) {
   return std::max(kDeepest, std::floor(2 * low - 0.3) / 2);
 }
 
-void draw_sliding(Svg& svg, const Pair& pair, int gear, const Axis& x, const Axis& y) {
+void draw_sliding(Svg& svg, const InvolutePair& pair, int gear, const Axis& x, const Axis& y) {
   constexpr int kSteps = 96;
   std::vector<Vec2> points;
   for (int k = 0; k <= kSteps; ++k) {
@@ -119,7 +119,7 @@ void draw_sliding(Svg& svg, const Pair& pair, int gear, const Axis& x, const Axi
 }
 
 // The four values at the ends, beside their curves and out of each other's way.
-void label_end(Svg& svg, const Pair& pair, bool at_A, const Axis& x, const Axis& y) {
+void label_end(Svg& svg, const InvolutePair& pair, bool at_A, const Axis& x, const Axis& y) {
   const double rho1 = at_A ? pair.mesh.rho1_A : pair.mesh.rho1_E;
   const SpecificSliding<double>& s = at_A ? pair.sliding_A : pair.sliding_E;
   const std::array<std::optional<double>, 2> values{s.zeta_1, s.zeta_2};
@@ -140,7 +140,7 @@ void label_end(Svg& svg, const Pair& pair, bool at_A, const Axis& x, const Axis&
   }
 }
 
-std::string path_svg(const Pair& pair) {
+std::string path_svg(const InvolutePair& pair) {
   const Mesh<double>& mesh = pair.mesh;
   const double end = std::max(mesh.rho1_E, mesh.rho1_D);
   const Axis x{mesh.rho1_A, std::max(mesh.rho1_E, mesh.path_ratio < 1.0 ? end : mesh.rho1_E),
@@ -163,7 +163,7 @@ std::string path_svg(const Pair& pair) {
   return svg.str();
 }
 
-std::string ratio_svg(const Pair& pair) {
+std::string ratio_svg(const InvolutePair& pair) {
   const Mesh<double>& mesh = pair.mesh;
   const double e_alpha = mesh.path_ratio;
   const double e_true = mesh.true_ratio;
@@ -211,7 +211,7 @@ std::string ratio_svg(const Pair& pair) {
 
 }  // namespace
 
-std::string path_figures(const Pair& pair) {
+std::string path_figures(const InvolutePair& pair) {
   const bool differs = std::abs(pair.mesh.path_ratio - pair.mesh.true_ratio) > 1e-9;
   return fmt::format(
       "<figure>{}<figcaption><strong>Path of contact</strong>, zones of tooth "

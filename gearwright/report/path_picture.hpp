@@ -8,6 +8,6 @@
 namespace gearwright {
 
 /// The two figures.
-std::string path_figures(const Pair& pair);
+std::string path_figures(const InvolutePair& pair);
 
 }  // namespace gearwright

@@ -12,6 +12,6 @@ namespace gearwright {
 /// The figure. One curve per panel, all over the same α_wn.
 ///
 /// Domain    crossed axes (contract)
-std::string range_figure(const Pair& pair);
+std::string range_figure(const InvolutePair& pair);
 
 }  // namespace gearwright

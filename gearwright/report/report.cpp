@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/overloaded.hpp"
 #include "gearwright/report/arc_pair_section.hpp"
 #include "gearwright/report/centrode_picture.hpp"
 #include "gearwright/report/contact_section.hpp"
@@ -42,21 +43,21 @@ std::string default_title(const ReportInput& input) {
   if (input.gears.size() == 1) {
     return fmt::format("{} with {} teeth", z1 < 0 ? "Ring gear" : "Gear", std::abs(z1));
   }
-  return fmt::format("{} {} / {}", input.pair || input.arc_pair ? "Gear pair" : "Gears", z1,
+  return fmt::format("{} {} / {}", input.pair ? "Gear pair" : "Gears", z1,
                      input.gears[1]->spec.teeth);
 }
 
 std::string kind_of(const ReportInput& input) {
   const bool helical = input.gears[0]->spec.helix_angle.rad() != 0.0;
+  if (input.pair && input.pair->arcs()) return "Circular-arc gear pair on parallel axes";
   if (input.pair) {
     if (input.pair->crossed()) {
       return fmt::format("Crossed helical gear pair, shaft angle {:.8g}°",
-                         Angle::radians(input.pair->shaft_angle()).deg());
+                         input.pair->shaft_angle().deg());
     }
     return fmt::format("{} gear pair on parallel axes{}", helical ? "Helical" : "Spur",
-                       input.pair->kind == PairKind::parallel_internal ? ", internal" : "");
+                       input.pair->kind() == PairKind::parallel_internal ? ", internal" : "");
   }
-  if (input.arc_pair) return "Circular-arc gear pair on parallel axes";
   if (input.gears.size() == 2) return "Two cylindrical gears, not mounted";
   return fmt::format("{} {}{}", helical ? "Helical" : "Spur",
                      input.gears[0]->involute() ? "" : "circular-arc ",
@@ -75,9 +76,8 @@ std::string warning_list(const ReportInput& input) {
                                                        : "Note";
     for (const Warning& w : input.warnings) {
       if (severity_of(w) != severity) continue;
-      const std::string where = w.gear == 0
-                                    ? std::string(input.pair || input.arc_pair ? "Pair" : "")
-                                    : fmt::format("Gear {}", w.gear);
+      const std::string where =
+          w.gear == 0 ? std::string(input.pair ? "Pair" : "") : fmt::format("Gear {}", w.gear);
       text += fmt::format("<li class=\"{}\"><b>{}</b><span class=\"where\">{}</span>{}</li>\n",
                           name, word, where, escaped(w.message));
     }
@@ -132,8 +132,8 @@ std::string gear_section(const ReportInput& input) {
       pictures, table);
 }
 
-std::string crossed_section(const Pair& pair) {
-  const auto if_they_meet = [&](std::string (*figures)(const Pair&)) {
+std::string crossed_section(const InvolutePair& pair) {
+  const auto if_they_meet = [&](std::string (*figures)(const InvolutePair&)) {
     return pair.flanks_meet() ? figures(pair) : std::string();
   };
   return fmt::format(
@@ -141,13 +141,13 @@ std::string crossed_section(const Pair& pair) {
       "class=\"columns\"><div>{}{}</div><div>{}{}{}{}</div></div>\n"
       "<h3>Other places for these gears</h3>\n<div "
       "class=\"columns\"><div>{}{}</div><div>{}{}</div></div>\n</section>\n",
-      plan_figures(pair), pair_table({&pair, nullptr}), interference_table(pair), section_figure(pair),
-      if_they_meet(face_use_figure), if_they_meet(speed_figures), path_table(pair),
-      range_figure(pair), min_distance_table(pair), face_width_figure(pair),
+      plan_figures(pair), pair_table({&pair, nullptr}), interference_table(pair),
+      section_figure(pair), if_they_meet(face_use_figure), if_they_meet(speed_figures),
+      path_table(pair), range_figure(pair), min_distance_table(pair), face_width_figure(pair),
       min_distance_figure(pair));
 }
 
-std::string pair_section(const Pair& pair) {
+std::string pair_section(const InvolutePair& pair) {
   if (pair.crossed()) return crossed_section(pair);
   return fmt::format(
       "<section class=\"pair\">\n<h2>Pair</h2>\n{}<div "
@@ -197,7 +197,7 @@ std::string foot(const ReportInput& input) {
 std::string report_html(const ReportInput& input) {
   GW_EXPECTS(input.gears.size() == 1 || input.gears.size() == 2);
   for (const Gear* gear : input.gears) GW_EXPECTS(gear != nullptr);
-  GW_EXPECTS(input.pair == nullptr || input.gears.size() == 2);
+  GW_EXPECTS(!input.pair || input.gears.size() == 2);
   const std::string title = input.title.empty() ? default_title(input) : input.title;
   std::string page = page_head(title, input.version);
   page += "<body>\n" + definitions(input);
@@ -205,8 +205,11 @@ std::string report_html(const ReportInput& input) {
       "<header>\n<p class=\"kind\">{}</p>\n<h1>{}</h1>\n<p class=\"verdict\">{}</p>\n{}</header>\n",
       kind_of(input), escaped(title), escaped(verdict(input)), warning_list(input));
   page += "<main>\n" + gear_section(input) + few_teeth_section(input);
-  if (input.pair) page += pair_section(*input.pair);
-  if (input.arc_pair) page += arc_pair_section(*input.arc_pair, kShapes);
+  if (input.pair) {
+    page += input.pair->visit(
+        Overloaded{[](const InvolutePair& pair) { return pair_section(pair); },
+                   [](const ArcPair& pair) { return arc_pair_section(pair, kShapes); }});
+  }
   if (input.contact) page += contact_section(*input.contact);
   page += file_section(input.files) + spec_section(input.spec_text) + "</main>\n" + foot(input);
   page += fmt::format("<script>{}{}</script>\n</body>\n</html>\n", page_script(), turn_script());

@@ -5,11 +5,11 @@
 // Every number it shows is read from the gears and the pair, rounded to the digits of a drawing.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "gearwright/gear/gear.hpp"
-#include "gearwright/pair/arc_pair.hpp"
 #include "gearwright/pair/pair.hpp"
 #include "gearwright/report/contact_report.hpp"
 
@@ -25,8 +25,7 @@ struct ReportFile {
 struct ReportInput {
   std::string title;                       ///< empty: one is made from the tooth numbers
   std::vector<const Gear*> gears;          ///< one or two, with a pair its gears
-  const Pair* pair = nullptr;              ///< null: the gears are not mounted
-  const ArcPair* arc_pair = nullptr;       ///< the pair, of gears with circular-arc teeth
+  std::optional<Pair> pair;                ///< none: the gears are not mounted
   const ContactReport* contact = nullptr;  ///< null: the spec asks nothing about contact
   std::vector<Warning> warnings;           ///< of gears and pair, `gear` set
   std::vector<ReportFile> files;

@@ -23,7 +23,7 @@ std::string pair_table(const PairView& pair) {
   return t.str();
 }
 
-std::string path_table(const Pair& p) {
+std::string path_table(const InvolutePair& p) {
   const Mesh<double>& m = p.mesh;
   struct Mark {
     const char* letter;
@@ -65,7 +65,7 @@ std::string path_table(const Pair& p) {
   return text + "</tbody></table></div>\n";
 }
 
-std::string interference_table(const Pair& p) {
+std::string interference_table(const InvolutePair& p) {
   if (p.interference.empty()) {
     if (p.crossed()) {
       const bool lost = std::any_of(p.warnings.begin(), p.warnings.end(),
@@ -93,7 +93,8 @@ std::string interference_table(const Pair& p) {
     text += fmt::format(
         "<tr><th scope=\"row\">{}</th><td>{}</td><td class=\"value\">{}</td><td "
         "class=\"words\">{}</td></tr>\n",
-        escaped(i.code), i.gear, turns ? angle(i.amount) + "°" : length(i.amount) + " mm",
+        escaped(i.code), i.gear,
+        turns ? angle(std::get<Angle>(i.amount)) + "°" : length(std::get<double>(i.amount)) + " mm",
         escaped(i.message));
   }
   return text + "</tbody></table></div>\n";

@@ -11,9 +11,9 @@ namespace gearwright {
 std::string pair_table(const PairView& pair);
 
 /// A … E: distance from the pitch point, radii of curvature, sliding.
-std::string path_table(const Pair& pair);
+std::string path_table(const InvolutePair& pair);
 
 /// Interference by name and amount, or the sentence that none was found.
-std::string interference_table(const Pair& pair);
+std::string interference_table(const InvolutePair& pair);
 
 }  // namespace gearwright

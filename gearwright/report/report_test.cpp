@@ -71,7 +71,7 @@ TEST(StrictHtml, SeesWhatIsBroken) {
 }
 
 TEST(Report, IsWellFormedAndReachesForNothing) {
-  for (const Pair& pair : {helical_pair(), undercut_pair(), internal_pair()}) {
+  for (const InvolutePair& pair : {helical_pair(), undercut_pair(), internal_pair()}) {
     expect_sound(report_html(report_input(pair)));
   }
   for (const Gear& gear :
@@ -87,7 +87,7 @@ TEST(Report, SameInputSameBytes) {
 }
 
 TEST(Report, GearNumbersAreTheGears) {
-  const Pair pair = helical_pair();
+  const InvolutePair pair = helical_pair();
   const std::string page = report_html(report_input(pair));
   // d = z m_n/cos β and d_b = d cos α_t by hand, the rest as the gears have it.
   const double pi = std::numbers::pi;
@@ -112,7 +112,7 @@ TEST(Report, GearNumbersAreTheGears) {
 }
 
 TEST(Report, PairNumbersAreThePairs) {
-  const Pair pair = helical_pair();
+  const InvolutePair pair = helical_pair();
   const std::string page = report_html(report_input(pair));
   const Mesh<double>& m = pair.mesh;
   const double degree = 180 / std::numbers::pi;
@@ -126,7 +126,8 @@ TEST(Report, PairNumbersAreThePairs) {
   EXPECT_EQ(row(page, "Transverse contact ratio"), (Values{printed(m.path_ratio, 5)}));
   EXPECT_EQ(row(page, "Effective total contact ratio"),
             (Values{printed(pair.contact_ratio_true(), 5)}));
-  EXPECT_EQ(row(page, "Normal backlash along the line of action"), (Values{printed(m.backlash.normal_base, 4)}));
+  EXPECT_EQ(row(page, "Normal backlash along the line of action"),
+            (Values{printed(m.backlash.normal_base, 4)}));
   EXPECT_EQ(row(page, "Circumferential backlash"),
             (Values{printed(m.backlash.circumferential[0], 4),
                     printed(m.backlash.circumferential[1], 4)}));
@@ -142,7 +143,7 @@ TEST(Report, PairNumbersAreThePairs) {
 }
 
 TEST(Report, CrossedPairNumbersAreThePairs) {
-  const Pair pair = crossed_pair();
+  const InvolutePair pair = crossed_pair();
   const std::string page = report_html(report_input(pair));
   const Mesh<double>& m = pair.mesh;
   // Shaft angle, least distance and contact ratio of the example, to the digits of its reference
@@ -173,7 +174,7 @@ TEST(Report, CrossedPairNumbersAreThePairs) {
 }
 
 TEST(Report, CrossedPairsSayWhatTheyAre) {
-  for (const Pair& pair : testing::crossed_pairs()) {
+  for (const InvolutePair& pair : testing::crossed_pairs()) {
     const std::string page = report_html(report_input(pair));
     expect_sound(page);
     EXPECT_NE(page.find("Crossed helical gear pair, shaft angle "), page.npos);
@@ -190,12 +191,12 @@ TEST(Report, CrossedPairsSayWhatTheyAre) {
     EXPECT_EQ(page.find("inf\""), page.npos);
   }
   // Where an undercut took the flank, no tip can be said to stay on it.
-  const Pair undercut =
+  const InvolutePair undercut =
       testing::crossed_sample_pair(sample_gear(9, 2, 20, 0), sample_gear(24, 2, 35, 0), 55);
   const std::string page = report_html(report_input(undercut));
   EXPECT_NE(page.find("where an undercut took the flank nothing strikes"), page.npos);
   EXPECT_EQ(page.find("none reaches below"), page.npos);
-  const Pair pair = crossed_pair();
+  const InvolutePair pair = crossed_pair();
   EXPECT_NE(report_html(report_input(pair)).find("none reaches below"), std::string::npos);
   EXPECT_NE(report_html(report_input(pair)).find("pair, shaft angle 90°"), std::string::npos);
   EXPECT_NE(verdict(report_input(pair)).find("(contact ratio 1.731)"), std::string::npos);
@@ -210,7 +211,7 @@ TEST(Report, WhatDoesNotExistIsADash) {
 }
 
 TEST(Report, TextIsText) {
-  const Pair pair = helical_pair();
+  const InvolutePair pair = helical_pair();
   ReportInput input = report_input(pair);
   const std::string evil = "<script>alert(1)</script>\"'&\x01";
   input.title = evil;
@@ -233,11 +234,11 @@ TEST(Report, PicturesThatApply) {
   const auto ids = [](const ReportInput& input) {
     return StrictHtml::read(report_html(input)).ids;
   };
-  const Pair helical = helical_pair();
+  const InvolutePair helical = helical_pair();
   for (const char* id : {"tooth-gear1", "tooth-gear2", "mesh", "whole", "path", "ratios"}) {
     EXPECT_EQ(ids(report_input(helical)).count(id), 1u) << id;
   }
-  const Pair internal = internal_pair();
+  const InvolutePair internal = internal_pair();
   EXPECT_EQ(ids(report_input(internal)).count("tooth-gear2"), 0u);
   EXPECT_EQ(ids(report_input(internal)).count("mesh"), 1u);
   EXPECT_NE(report_html(report_input(internal)).find("The ring has no outline"), std::string::npos);
@@ -247,7 +248,7 @@ TEST(Report, PicturesThatApply) {
 }
 
 TEST(Report, PicturesOfFewTeethAndGearsCutByGears) {
-  const Pair sixty = testing::two_and_sixty();
+  const InvolutePair sixty = testing::two_and_sixty();
   const std::string page = report_html(report_input(sixty));
   expect_sound(page);
   const auto ids = StrictHtml::read(page).ids;
@@ -262,7 +263,7 @@ TEST(Report, PicturesOfFewTeethAndGearsCutByGears) {
   EXPECT_EQ(row(page, "Root fillet radius"), (Values{"0.3", "–"}));
   EXPECT_LT(page.size(), 200'000u);
 
-  const Pair ring = testing::pinion_in_cut_ring();
+  const InvolutePair ring = testing::pinion_in_cut_ring();
   const std::string in_ring = report_html(report_input(ring));
   expect_sound(in_ring);
   EXPECT_EQ(StrictHtml::read(in_ring).ids.count("tooth-gear2"), 1u);
@@ -272,7 +273,8 @@ TEST(Report, PicturesOfFewTeethAndGearsCutByGears) {
 }
 
 TEST(Report, OrdinaryPairsHaveNoneOfThat) {
-  const Pair pair = sample_pair(sample_gear(17, 2, 0, 0.1), sample_gear(43, 2, 0, -0.1), 60);
+  const InvolutePair pair =
+      sample_pair(sample_gear(17, 2, 0, 0.1), sample_gear(43, 2, 0, -0.1), 60);
   const std::string page = report_html(report_input(pair));
   for (const char* words : {"Roots and tips", "Centrodes", "pinion cutter", "id=\"root-"}) {
     EXPECT_EQ(page.find(words), page.npos) << words;
@@ -294,7 +296,8 @@ TEST(Report, GearsThatDoNotExistSayWhy) {
 }
 
 TEST(Report, StaysSmall) {
-  const Pair pair = sample_pair(sample_gear(60, 2, 0, 0, 0.3), sample_gear(60, 2, 0, 0, 0.3), 120);
+  const InvolutePair pair =
+      sample_pair(sample_gear(60, 2, 0, 0, 0.3), sample_gear(60, 2, 0, 0, 0.3), 120);
   const std::size_t size = report_html(report_input(pair)).size();
   EXPECT_GT(size, 20'000u);
   EXPECT_LT(size, 150'000u);

@@ -33,7 +33,7 @@ struct Box {
   Vec2 size() const { return hi - lo; }
 };
 
-Box box_of_lines(const Pair& pair, Lines lines) {
+Box box_of_lines(const InvolutePair& pair, Lines lines) {
   Box box;
   for (const double rho1 : line_ends(pair)) {
     box.cover(in_section(pair, pair.on_line_of_action(rho1)));
@@ -44,12 +44,12 @@ Box box_of_lines(const Pair& pair, Lines lines) {
 
 // Nearly parallel axes have their lines far apart along the teeth: the trailing one is left out
 // where it would make the picture much smaller.
-Lines lines_shown(const Pair& pair) {
+Lines lines_shown(const InvolutePair& pair) {
   const double one = box_of_lines(pair, Lines::leading).size().x();
   return box_of_lines(pair, Lines::both).size().x() > 3 * one ? Lines::leading : Lines::both;
 }
 
-Viewport window(const Pair& pair) {
+Viewport window(const InvolutePair& pair) {
   Box box = box_of_lines(pair, lines_shown(pair));
   const double middle = (box.lo.x() + box.hi.x()) / 2;
   box.cover({middle, pair.mesh.rack.sides[0].pitch_radius});
@@ -95,14 +95,14 @@ struct Cut {
   const char* style;
 };
 
-std::vector<Cut> cuts_of(const Pair& pair, std::size_t i) {
+std::vector<Cut> cuts_of(const InvolutePair& pair, std::size_t i) {
   const std::string n = std::to_string(i + 1);
   return {{"d_a" + n, pair.gears[i].actual_tip_radius(), ""},
           {"d_w" + n, pair.mesh.rack.sides[i].pitch_radius, " dashdot"},
           {"d_b" + n, pair.gears[i].base_radius(), " dash"}};
 }
 
-void draw_cylinders(Svg& svg, const Viewport& view, const Pair& pair, std::size_t i) {
+void draw_cylinders(Svg& svg, const Viewport& view, const InvolutePair& pair, std::size_t i) {
   const double side = i == 0 ? 1.0 : -1.0;  // gear 1's labels to the right, gear 2's to the left
   std::vector<Vec2> ends;
   std::vector<double> wanted;
@@ -140,7 +140,7 @@ void draw_cylinders(Svg& svg, const Viewport& view, const Pair& pair, std::size_
   }
 }
 
-std::string section_svg(const Pair& pair) {
+std::string section_svg(const InvolutePair& pair) {
   const Viewport view = window(pair);
   Svg svg("section", kWidth, view.height, "Section normal to the teeth of the common rack",
           "Tip, pitch and base cylinders of both gears cut by the plane of the leading line of "
@@ -157,20 +157,20 @@ std::string section_svg(const Pair& pair) {
 
 }  // namespace
 
-Vec2 in_section(const Pair& pair, const Point<Housing>& p) {
+Vec2 in_section(const InvolutePair& pair, const Point<Housing>& p) {
   const auto& side = pair.mesh.rack.sides[0];
   const double sin_helix = side.cos_helix * side.tan_helix;
   return {sin_helix * p.r.z() - side.cos_helix * p.r.y(), p.r.x()};
 }
 
-SectionEllipse section_of_cylinder(const Pair& pair, std::size_t which, double radius) {
+SectionEllipse section_of_cylinder(const InvolutePair& pair, std::size_t which, double radius) {
   GW_EXPECTS(pair.crossed() && which < 2 && radius > 0.0);
   const auto& side = pair.mesh.rack.sides[which];
   const double aside = (which == 0 ? 1.0 : -1.0) * pair.mesh.line_offset * side.tan_helix;
   return {{aside, which == 0 ? 0.0 : pair.center_distance}, radius / side.cos_helix, radius};
 }
 
-std::string section_figure(const Pair& pair) {
+std::string section_figure(const InvolutePair& pair) {
   const Mesh<double>& m = pair.mesh;
   return fmt::format(
       "<figure>{}<figcaption><strong>Section normal to the teeth</strong> of the common rack, "

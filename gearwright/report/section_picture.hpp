@@ -16,7 +16,7 @@ namespace gearwright {
 /// A point of the housing in this view, mm: (h, x).
 ///
 /// Formula   h = −y cos β_1 + z sin β_1
-Vec2 in_section(const Pair& pair, const Point<Housing>& p);
+Vec2 in_section(const InvolutePair& pair, const Point<Housing>& p);
 
 struct SectionEllipse {
   Vec2 center;         ///< (h, x)  mm
@@ -28,11 +28,11 @@ struct SectionEllipse {
 ///
 /// Formula   centre (z_L tan β_1, 0), (−z_L tan β_2, a); half width r/cos β_i, half height r
 /// Domain    crossed axes, radius > 0 (contract)
-SectionEllipse section_of_cylinder(const Pair& pair, std::size_t which, double radius);
+SectionEllipse section_of_cylinder(const InvolutePair& pair, std::size_t which, double radius);
 
 /// The figure.
 ///
 /// Domain    crossed axes (contract)
-std::string section_figure(const Pair& pair);
+std::string section_figure(const InvolutePair& pair);
 
 }  // namespace gearwright

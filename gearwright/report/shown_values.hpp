@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "gearwright/base/angle.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/report/html_text.hpp"
 
@@ -15,6 +16,7 @@ inline std::string length(const std::optional<double>& mm) { return fixed(mm, kL
 inline std::string angle(const std::optional<double>& rad) {
   return fixed(rad ? std::optional(kDegPerRad * *rad) : std::nullopt, kAngleDigits);
 }
+inline std::string angle(Angle value) { return angle(value.rad()); }
 inline std::string ratio(const std::optional<double>& value) { return fixed(value, kRatioDigits); }
 inline std::string none() { return std::string(kNoValue); }
 

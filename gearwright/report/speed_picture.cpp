@@ -34,16 +34,16 @@ Sliding sliding_of(const FlankSpeeds<double>& w) {
   return {w.across[0] - w.across[1], w.along[0] - w.along[1]};
 }
 
-Sliding sliding_at(const Pair& pair, double rho1) {
+Sliding sliding_at(const InvolutePair& pair, double rho1) {
   return sliding_of(flank_speeds(pair.input, pair.mesh, rho1));
 }
 
 // mm from C along the line of action.
-double along_line(const Pair& pair, double rho1) {
+double along_line(const InvolutePair& pair, double rho1) {
   return (rho1 - pair.mesh.rho1_C) / std::cos(pair.input.gears[0].helix_angle);
 }
 
-std::string speed_svg(const Pair& pair) {
+std::string speed_svg(const InvolutePair& pair) {
   const Mesh<double>& m = pair.mesh;
   const auto rho1 = [&](int k) { return m.rho1_A + k * m.path_length / kSteps; };
   std::array<std::vector<Vec2>, 3> curves;
@@ -90,7 +90,7 @@ std::string speed_svg(const Pair& pair) {
   return svg.str();
 }
 
-std::string speed_table(const Pair& pair) {
+std::string speed_table(const InvolutePair& pair) {
   const Mesh<double>& m = pair.mesh;
   std::string text =
       "<div class=\"scroll\"><table>\n<caption>Speeds of the contact over the flanks, mm per "
@@ -117,7 +117,7 @@ std::string speed_table(const Pair& pair) {
 
 }  // namespace
 
-std::string speed_figures(const Pair& pair) {
+std::string speed_figures(const InvolutePair& pair) {
   GW_EXPECTS(pair.crossed() && pair.flanks_meet());
   return fmt::format(
       "<figure>{}<figcaption><strong>Sliding of the flanks</strong>, gear 1 over gear 2. <span "

@@ -11,6 +11,6 @@ namespace gearwright {
 /// A figure and a table: speeds of the contact over the flanks, mm per radian of gear 1.
 ///
 /// Domain    crossed axes, the flanks meet (contract)
-std::string speed_figures(const Pair& pair);
+std::string speed_figures(const InvolutePair& pair);
 
 }  // namespace gearwright

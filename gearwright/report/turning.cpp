@@ -16,17 +16,17 @@ constexpr int kSteps = 120;  // of the slider, and of an arrow key, per pitch
 
 }  // namespace
 
-double turn_per_pitch(const Pair& pair, std::size_t i) {
+double turn_per_pitch(const InvolutePair& pair, std::size_t i) {
   GW_EXPECTS(!pair.crossed() && i < 2);
   const double one = 360.0 / std::abs(pair.gears[i].spec.teeth);
   return i == 0 || pair.kind == PairKind::parallel_internal ? one : -one;
 }
 
-std::string turn_attribute(const Pair& pair, std::size_t i) {
+std::string turn_attribute(const InvolutePair& pair, std::size_t i) {
   return fmt::format("data-turn=\"{:.12g}\"", turn_per_pitch(pair, i));
 }
 
-void draw_touches(Svg& svg, const Viewport& view, const Pair& pair) {
+void draw_touches(Svg& svg, const Viewport& view, const InvolutePair& pair) {
   const Mesh<double>& mesh = pair.mesh;
   if (!pair.flanks_meet() || !(mesh.true_ratio > 0.0)) return;
   const auto at = [&](double rho1) {
@@ -48,7 +48,7 @@ void draw_touches(Svg& svg, const Viewport& view, const Pair& pair) {
   }
 }
 
-std::string turn_control(const Pair& pair) {
+std::string turn_control(const InvolutePair& pair) {
   return fmt::format(
       "<div class=\"turn\" data-pitch=\"{:.12g}\" hidden><button type=\"button\">Turn</button> "
       "<label>Gear 1 <input type=\"range\" min=\"0\" max=\"1\" step=\"{:.9g}\" "

@@ -17,17 +17,17 @@ namespace gearwright {
 /// positive, as SVG has it.
 ///
 /// Formula   360/z_1, −σ 360/|z_2|   Domain  parallel axes (contract)
-double turn_per_pitch(const Pair& pair, std::size_t i);
+double turn_per_pitch(const InvolutePair& pair, std::size_t i);
 
 /// The same as the attribute of a shape that turns.
-std::string turn_attribute(const Pair& pair, std::size_t i);
+std::string turn_attribute(const InvolutePair& pair, std::size_t i);
 
 /// Rings where flanks touch in this section, one for each tooth that passes the usable path within
 /// a pitch. They appear once the gears have turned.
-void draw_touches(Svg& svg, const Viewport& view, const Pair& pair);
+void draw_touches(Svg& svg, const Viewport& view, const InvolutePair& pair);
 
 /// Button and slider (HTML), for the pictures in the same group of figures; the script shows it.
-std::string turn_control(const Pair& pair);
+std::string turn_control(const InvolutePair& pair);
 
 /// The script's part for it: report/page/turn_script.js.
 std::string_view turn_script();

@@ -15,7 +15,7 @@ constexpr double kRadian = std::numbers::pi / 180.0;
 
 // How far a point of the housing lies beside the leading flank of the gear's nearest tooth, mm,
 // after gear 1 has turned by t pitches out of the drawn position.
-double beside_flank(const Pair& pair, std::size_t i, double t, const Vec2& point) {
+double beside_flank(const InvolutePair& pair, std::size_t i, double t, const Vec2& point) {
   const Gear& gear = pair.gears[i];
   const Eigen::Isometry3d pose = i == 0 ? pair.pose_1().isometry() : pair.pose_2().isometry();
   const Vec2 arm = point - pose.translation().head<2>();
@@ -36,7 +36,7 @@ double beside_flank(const Pair& pair, std::size_t i, double t, const Vec2& point
 }
 
 TEST(Turning, FlanksStayInTouchAtTheRings) {
-  for (const Pair& pair :
+  for (const InvolutePair& pair :
        {testing::helical_pair(), testing::two_and_sixty(), testing::pinion_in_cut_ring()}) {
     const Mesh<double>& m = pair.mesh;
     int touches = 0;
@@ -55,17 +55,17 @@ TEST(Turning, FlanksStayInTouchAtTheRings) {
 }
 
 TEST(Turning, APitchAtATime) {
-  const Pair external = testing::two_and_sixty();
+  const InvolutePair external = testing::two_and_sixty();
   EXPECT_EQ(turn_per_pitch(external, 0), 180.0);
   EXPECT_EQ(turn_per_pitch(external, 1), -6.0);
-  const Pair internal = testing::pinion_in_cut_ring();
+  const InvolutePair internal = testing::pinion_in_cut_ring();
   EXPECT_EQ(turn_per_pitch(internal, 0), 20.0);
   EXPECT_EQ(turn_per_pitch(internal, 1), 6.0);
   EXPECT_EQ(turn_attribute(external, 1), "data-turn=\"-6\"");
 }
 
 TEST(Turning, RingsForEveryToothThatPasses) {
-  const auto rings = [](const Pair& pair) {
+  const auto rings = [](const InvolutePair& pair) {
     Svg svg("s", 100, 100, "t", "d");
     draw_touches(svg, {100, 100, Vec2::Zero(), 1.0}, pair);
     const std::string text = svg.str();

@@ -99,7 +99,7 @@ Severity severity_of(const Warning& warning) {
   return meaning == nullptr ? Severity::caution : meaning->severity;
 }
 
-std::optional<double> face_width_needed(const Pair& pair) {
+std::optional<double> face_width_needed(const InvolutePair& pair) {
   const Mesh<double>& m = pair.mesh;
   const double tan_beta = std::abs(m.tan_base_helix[0]);
   if (pair.crossed() || !pair.flanks_meet() || tan_beta == 0.0) return std::nullopt;
@@ -117,14 +117,14 @@ std::string verdict(const ReportInput& input) {
                            : "its teeth are cut off at their roots");
   }
   const std::vector<std::string> against = reasons(input);
-  if (input.arc_pair) {
+  if (const ArcPair* arcs = input.pair ? input.pair->arcs() : nullptr) {
     return against.empty()
-               ? arc_verdict(*input.arc_pair) + cautions(input)
+               ? arc_verdict(*arcs) + cautions(input)
                : fmt::format("The pair does not run as specified: {}.", joined(against));
   }
   const bool ring = std::any_of(input.gears.begin(), input.gears.end(),
                                 [](const Gear* gear) { return gear->internal() && !gear->tooth; });
-  if (input.pair == nullptr) {
+  if (!input.pair) {
     const char* who = input.gears.size() == 1 ? "The gear" : "Each gear";
     if (!against.empty()) return fmt::format("{} has a problem: {}.", who, joined(against));
     if (ring) {
@@ -135,7 +135,7 @@ std::string verdict(const ReportInput& input) {
     }
     return fmt::format("{} can be cut as specified.{}", who, cautions(input));
   }
-  const Pair& p = *input.pair;
+  const InvolutePair& p = *input.pair->involute();
   const std::optional<double> face = face_width_needed(p);
   if (!against.empty()) {
     const bool too_narrow = face && p.contact_ratio_true() < 1.0;

@@ -25,7 +25,7 @@ Severity severity_of(const Warning& warning);
 ///
 /// Formula   (1 − ε_α) p_bt/|tan β_b|, ε_α of the usable flanks
 /// Domain    parallel axes, else nothing
-std::optional<double> face_width_needed(const Pair& pair);
+std::optional<double> face_width_needed(const InvolutePair& pair);
 
 /// One sentence in plain words, not escaped.
 std::string verdict(const ReportInput& input);

@@ -17,19 +17,19 @@ using testing::sample_pair;
 using testing::undercut_pair;
 
 TEST(Verdict, FollowsTheFacts) {
-  const Pair good = helical_pair();
+  const InvolutePair good = helical_pair();
   EXPECT_NE(verdict(report_input(good)).find("The pair runs"), std::string::npos);
-  const Pair tight = sample_pair(sample_gear(20, 2, 0, 0), sample_gear(40, 2, 0, 0), 59.9);
+  const InvolutePair tight = sample_pair(sample_gear(20, 2, 0, 0), sample_gear(40, 2, 0, 0), 59.9);
   ASSERT_LT(tight.mesh.backlash.normal, 0.0);
   EXPECT_NE(verdict(report_input(tight)).find("too thick"), std::string::npos);
-  const Pair loose = sample_pair(sample_gear(20, 2, 0, 0), sample_gear(40, 2, 0, 0), 62.5);
+  const InvolutePair loose = sample_pair(sample_gear(20, 2, 0, 0), sample_gear(40, 2, 0, 0), 62.5);
   ASSERT_LT(loose.contact_ratio_true(), 1.0);
   EXPECT_NE(verdict(report_input(loose)).find("not continuous"), std::string::npos);
 }
 
 TEST(Verdict, OfPairsThatRunOnlyAsHelicalGears) {
   // ε_α = 0.6858, so that (1 − ε_α) p_bt/tan β_b = 3.4548 mm: rounded up.
-  const Pair wide = testing::two_and_sixty();
+  const InvolutePair wide = testing::two_and_sixty();
   EXPECT_EQ(face_width_needed(wide), 3.46);
   const std::string words = verdict(report_input(wide));
   EXPECT_NE(words.find("runs only as a helical gear pair: transverse contact ratio 0.686"),
@@ -42,7 +42,7 @@ TEST(Verdict, OfPairsThatRunOnlyAsHelicalGears) {
 
   // At the width itself contact never stops, a hundredth below it does.
   EXPECT_GE(testing::two_and_sixty(3.46).contact_ratio_true(), 1.0);
-  const Pair narrow = testing::two_and_sixty(3.45);
+  const InvolutePair narrow = testing::two_and_sixty(3.45);
   ASSERT_LT(narrow.contact_ratio_true(), 1.0);
   const std::string too_narrow = verdict(report_input(narrow));
   EXPECT_NE(too_narrow.find("does not run as specified: contact is not continuous."),
@@ -56,7 +56,7 @@ TEST(Verdict, OfPairsThatRunOnlyAsHelicalGears) {
 }
 
 TEST(Verdict, SeverityLooksAtTheGearThatIsMeant) {
-  const auto severity = [](const Pair& pair, const std::string& code) {
+  const auto severity = [](const InvolutePair& pair, const std::string& code) {
     const ReportInput input = report_input(pair);
     for (const Warning& w : input.warnings) {
       if (w.code == code) return severity_of(w);
@@ -66,10 +66,11 @@ TEST(Verdict, SeverityLooksAtTheGearThatIsMeant) {
   };
   // Gear 1 is undercut and loses contact there; a ring's tip below the pinion's base is in the way.
   EXPECT_EQ(severity(undercut_pair(), "contact_lost"), Severity::caution);
-  const Pair internal = sample_pair(sample_gear(18, 2, 0, 0.2), sample_gear(-60, 2, 0, 0.1), 41.8);
+  const InvolutePair internal =
+      sample_pair(sample_gear(18, 2, 0, 0.2), sample_gear(-60, 2, 0, 0.1), 41.8);
   EXPECT_EQ(severity(internal, "base_tangent"), Severity::problem);
   EXPECT_EQ(severity_of({"unheard_of", "", 0}), Severity::caution);
-  const Pair askew = testing::nearly_parallel_pair();
+  const InvolutePair askew = testing::nearly_parallel_pair();
   EXPECT_EQ(severity(askew, "nearly_parallel"), Severity::caution);
   EXPECT_EQ(severity(askew, "face_width"), Severity::caution);
   EXPECT_EQ(severity(askew, "no_contact"), Severity::problem);

@@ -22,13 +22,14 @@ int main() {
     std::fprintf(stderr, "%s\n", pair.error().message.c_str());
     return 1;
   }
-  std::printf("a %.6f mm, contact ratio %.6f, root form diameter %.6f mm\n", pair->center_distance,
-              pair->contact_ratio(), 2 * gear_1->root_form_radius().value());
+  std::printf("a %.6f mm, contact ratio %.6f, root form diameter %.6f mm\n",
+              pair->center_distance(), pair->contact_ratio(),
+              2 * gear_1->root_form_radius().value());
 
   const auto mesh = tessellate({"pinion", gear_1->tooth->outline, gear_1->twist(), 25.0,
                                 std::nullopt, Eigen::Isometry3d::Identity()});
   const auto bad = make_gear({.teeth = 17, .normal_module = -1.0, .face_width = 5});
-  const bool good = std::abs(pair->mesh.backlash.normal_base) < 1e-12 && mesh && !bad &&
+  const bool good = std::abs(pair->involute()->mesh.backlash.normal_base) < 1e-12 && mesh && !bad &&
                     bad.error().key == "normal_module_mm";
   return good ? 0 : 1;
 }

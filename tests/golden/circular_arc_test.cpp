@@ -179,16 +179,16 @@ TEST(CircularArc, contacts_at_other_centre_distances) {
     in.concave = arc(d["P"]);
     in.pitch_radius_convex = d["r1"];
     in.pitch_radius_concave = d["r2"];
-    in.lead_angle = d["lamF_deg"].get<double>() * kDegree;
+    in.lead_angle = Angle::degrees(d["lamF_deg"]);
     in.center_distance = d["r1"].get<double>() + d["r2"].get<double>() + e["dC"].get<double>();
     const double size = in.pitch_radius_convex;
     const auto theta = contact_angle(in);
     ASSERT_TRUE(theta) << name;
     const ArcContact at = arc_contact(in, *theta);
     for (const Json& t : c["tca"]) {
-      EXPECT_NEAR(*theta / kDegree, t["thF_deg"].get<double>(), 2e-11) << name;
-      EXPECT_NEAR(at.mu, t["mu1"].get<double>(), 1e-13) << name;
-      EXPECT_NEAR(at.rotation_offset, t["te_rad"].get<double>(), 1e-13) << name;
+      EXPECT_NEAR(theta->rad() / kDegree, t["thF_deg"].get<double>(), 2e-11) << name;
+      EXPECT_NEAR(at.mu.rad(), t["mu1"].get<double>(), 1e-13) << name;
+      EXPECT_NEAR(at.rotation_offset.rad(), t["te_rad"].get<double>(), 1e-13) << name;
       EXPECT_NEAR(at.radius_convex, t["radius1"].get<double>(), 1e-12 * size) << name;
       EXPECT_NEAR(at.radius_concave, t["radius2"].get<double>(), 1e-12 * size) << name;
       const double along = t["phi1p"].get<double>() * at.advance;
@@ -204,7 +204,7 @@ TEST(CircularArc, contacts_at_other_centre_distances) {
       EXPECT_NEAR(at.gap[0], k["relative_principal"][0].get<double>(), 1e-11 / size) << name;
       EXPECT_NEAR(at.gap[1], k["relative_principal"][1].get<double>(), 1e-11 / size) << name;
       EXPECT_NEAR(std::sqrt(2 * delta / at.gap[0]), k["semi_major"].get<double>(), 1e-8 * size);
-      EXPECT_NEAR(at.angle / kDegree, k["major_angle_deg"].get<double>(), 1e-8) << name;
+      EXPECT_NEAR(at.angle.rad() / kDegree, k["major_angle_deg"].get<double>(), 1e-8) << name;
     }
     ++seen;
   }
@@ -228,8 +228,8 @@ TEST(CircularArc, mounted_pairs) {
     ASSERT_EQ(pair->contacts.size(), 1u);
     const ArcPairContact& contact = pair->contacts.front();
     const Json& t = c["tca"][0];
-    EXPECT_NEAR(contact.at.theta / kDegree, t["thF_deg"].get<double>(), 1e-9) << name;
-    EXPECT_NEAR((*pair->backlash_rotation)[1], -2 * t["te_rad"].get<double>(), 1e-11) << name;
+    EXPECT_NEAR(contact.at.theta.rad() / kDegree, t["thF_deg"].get<double>(), 1e-9) << name;
+    EXPECT_NEAR((*pair->backlash_rotation)[1].rad(), -2 * t["te_rad"].get<double>(), 1e-11) << name;
     // Touching points of one section lie on both outlines.
     for (const std::size_t i : {0, 1}) {
       const double radius = i == 0 ? contact.at.radius_convex : contact.at.radius_concave;

@@ -21,13 +21,14 @@ oracle::Screw screw(const BaseGear<double>& g, double tip_radius) {
   return {g.teeth, g.radius, g.tooth_thickness, g.helix_angle, tip_radius};
 }
 
-oracle::ScrewPair solids(const Pair& p) {
+oracle::ScrewPair solids(const InvolutePair& p) {
   return {screw(p.input.gears[0], p.input.tip_form_radius[0]),
-          screw(p.input.gears[1], p.input.tip_form_radius[1]), p.center_distance, p.shaft_angle()};
+          screw(p.input.gears[1], p.input.tip_form_radius[1]), p.center_distance,
+          p.shaft_angle.rad()};
 }
 
 // Pairs whose flanks touch along the whole line: the oracle knows involutes only.
-bool runs_cleanly(const Pair& p) {
+bool runs_cleanly(const InvolutePair& p) {
   return p.mesh.rho1_A > 0.02 * p.mesh.base_tangent_distance && p.mesh.rho2(p.mesh.rho1_E) > 0.1 &&
          p.mesh.path_ratio > 1.1;
 }
@@ -38,7 +39,7 @@ double distance_to_line(const Vec3& p, const Vec3& a, const Vec3& b) {
 }
 
 // Everything at once, for one mounted pair and one rotation of gear 1.
-void compare(const Pair& p, double rotation_1) {
+void compare(const InvolutePair& p, double rotation_1) {
   const auto s = solids(p);
   const auto leading = oracle::touch(s, rotation_1, Side::leading);
   const auto trailing = oracle::touch(s, rotation_1, Side::trailing);
@@ -52,7 +53,7 @@ void compare(const Pair& p, double rotation_1) {
   const double ratio = p.input.gears[0].teeth / static_cast<double>(p.input.gears[1].teeth);
   const double middle = 0.5 * (leading->rotation_2 + trailing->rotation_2);
   EXPECT_NEAR((middle - ratio * rotation_1) * r_b2, 0.0, 1e-9);
-  const double sine = std::sin(p.shaft_angle());
+  const double sine = std::sin(p.shaft_angle.rad());
   const double tolerance = 1e-10 / (sine * sine);
   const Vec3 A = p.on_line_of_action(p.mesh.rho1_A).r;
   const Vec3 E = p.on_line_of_action(p.mesh.rho1_E).r;
@@ -65,7 +66,7 @@ void compare(const Pair& p, double rotation_1) {
   EXPECT_NEAR(p.mesh.rho2(leading->string_1), leading->string_2, tolerance);
   const auto place = axial_place(p.mesh, leading->string_1);
   EXPECT_NEAR(leading->point.z(), place[0], tolerance);
-  const Vec3 axis_2(0.0, std::sin(p.shaft_angle()), std::cos(p.shaft_angle()));
+  const Vec3 axis_2(0.0, std::sin(p.shaft_angle.rad()), std::cos(p.shaft_angle.rad()));
   EXPECT_NEAR((leading->point - Vec3(p.center_distance, 0, 0)).dot(axis_2), place[1], tolerance);
 }
 

@@ -135,7 +135,7 @@ TEST(ContactLaws, crossed_involutes_keep_to_the_line_of_action) {
     ++pairs;
     ContactMount place;
     place.center_distance = p->center_distance;
-    place.shaft_angle = p->shaft_angle();
+    place.shaft_angle = p->shaft_angle.rad();
     place.gear2_drives = i % 3 == 0;
     const double sense = place.gear2_drives ? 1.0 : -1.0;
     const auto r = over_a_pitch(ContactPair({&p->gears[0], {}}, {&p->gears[1], {}}, place), 8);
@@ -146,7 +146,7 @@ TEST(ContactLaws, crossed_involutes_keep_to_the_line_of_action) {
       const double rho1 = std::sqrt((rho - r_b) * (rho + r_b));
       const Vec3 line =
           place.gear2_drives ? p->on_trailing_line(rho1).r : p->on_line_of_action(rho1).r;
-      const double sine = std::sin(p->shaft_angle());
+      const double sine = std::sin(p->shaft_angle.rad());
       EXPECT_LT((q.point - line).norm(), 1e-12 * p->center_distance / (sine * sine));
     }
     if (HasFailure()) FAIL() << describe(specs);

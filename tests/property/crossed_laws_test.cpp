@@ -35,14 +35,15 @@ void over_crossed(std::uint64_t seed, double least, Law law) {
 }
 
 // Rounding of the angles, as lengths: near-parallel axes divide by sin Σ.
-double grain(const Pair& p) {
+double grain(const InvolutePair& p) {
   return 256 * kEps * (p.center_distance + p.input.gears[1].radius) /
-         std::abs(std::sin(p.shaft_angle()));
+         std::abs(std::sin(p.shaft_angle.rad()));
 }
 
 TEST(CrossedLaws, exchanging_the_gears) {
-  over_crossed(401, 5.0, [](const CrossedSpecs& specs, const Pair& p, Random&) {
-    const auto q = mount(p.gears[1], p.gears[0], {p.center_distance, specs.shaft_angle, 0.05});
+  over_crossed(401, 5.0, [](const CrossedSpecs& specs, const InvolutePair& p, Random&) {
+    const auto q =
+        mount_involutes(p.gears[1], p.gears[0], {p.center_distance, specs.shaft_angle, 0.05});
     ASSERT_TRUE(q) << q.error().message;
     const double tiny = grain(p);
     const auto &m = p.mesh, &n = q->mesh;
@@ -65,14 +66,14 @@ TEST(CrossedLaws, exchanging_the_gears) {
 }
 
 TEST(CrossedLaws, mirroring_both_hands) {
-  over_crossed(402, 5.0, [](const CrossedSpecs& specs, const Pair& p, Random&) {
+  over_crossed(402, 5.0, [](const CrossedSpecs& specs, const InvolutePair& p, Random&) {
     CrossedSpecs other = specs;
     other.first.helix_angle = -specs.first.helix_angle;
     other.second.helix_angle = -specs.second.helix_angle;
     other.shaft_angle = -specs.shaft_angle;
     const auto g1 = make_gear(other.first), g2 = make_gear(other.second);
     ASSERT_TRUE(g1 && g2);
-    const auto q = mount(*g1, *g2, {p.center_distance, other.shaft_angle, 0.05});
+    const auto q = mount_involutes(*g1, *g2, {p.center_distance, other.shaft_angle, 0.05});
     ASSERT_TRUE(q) << q.error().message;
     EXPECT_EQ(p.mesh.path_ratio, q->mesh.path_ratio);
     EXPECT_EQ(p.mesh.backlash.normal_base, q->mesh.backlash.normal_base);
@@ -88,7 +89,7 @@ TEST(CrossedLaws, mirroring_both_hands) {
 }
 
 TEST(CrossedLaws, scaling_by_two_is_exact) {
-  over_crossed(403, 5.0, [](const CrossedSpecs& specs, const Pair& p, Random&) {
+  over_crossed(403, 5.0, [](const CrossedSpecs& specs, const InvolutePair& p, Random&) {
     CrossedSpecs twice = specs;
     for (CylindricalSpec* s : {&twice.first, &twice.second}) {
       s->normal_module *= 2;
@@ -96,7 +97,7 @@ TEST(CrossedLaws, scaling_by_two_is_exact) {
     }
     const auto g1 = make_gear(twice.first), g2 = make_gear(twice.second);
     ASSERT_TRUE(g1 && g2);
-    const auto q = mount(*g1, *g2, {2 * p.center_distance, specs.shaft_angle, 0.05});
+    const auto q = mount_involutes(*g1, *g2, {2 * p.center_distance, specs.shaft_angle, 0.05});
     ASSERT_TRUE(q);
     EXPECT_EQ(q->mesh.pitch_plane_distance, 2 * p.mesh.pitch_plane_distance);
     EXPECT_EQ(q->mesh.path_length, 2 * p.mesh.path_length);
@@ -118,16 +119,16 @@ double line_to_axis(const Vec3& p, const Vec3& d, const Vec3& q, const Vec3& axi
 
 // The line touches both base cylinders; its ends lie on the tip cylinders.
 TEST(CrossedLaws, line_of_action) {
-  over_crossed(404, 5.0, [](const CrossedSpecs& specs, const Pair& p, Random&) {
+  over_crossed(404, 5.0, [](const CrossedSpecs& specs, const InvolutePair& p, Random&) {
     if (!(p.mesh.path_length > 0.05 * p.mesh.step)) return;
-    const double tiny = 64 * grain(p) / std::abs(std::sin(p.shaft_angle()));
+    const double tiny = 64 * grain(p) / std::abs(std::sin(p.shaft_angle.rad()));
     const Vec3 A = p.on_line_of_action(p.mesh.rho1_A).r, E = p.on_line_of_action(p.mesh.rho1_E).r;
     const double alpha = p.mesh.rack.normal_pressure_angle;
     const double beta = p.mesh.rack.sides[0].helix_angle;
     const Vec3 n(std::sin(alpha), -std::cos(alpha) * std::cos(beta),
                  std::cos(alpha) * std::sin(beta));
     EXPECT_LT(((E - A) - n * p.path_length()).norm(), tiny);
-    const Vec3 axis_2(0.0, std::sin(specs.shaft_angle), std::cos(specs.shaft_angle));
+    const Vec3 axis_2(0.0, std::sin(specs.shaft_angle.rad()), std::cos(specs.shaft_angle.rad()));
     const Vec3 foot_2(p.center_distance, 0.0, 0.0);
     EXPECT_NEAR(line_to_axis(A, n, Vec3::Zero(), Vec3::UnitZ()), p.input.gears[0].radius, tiny);
     EXPECT_NEAR(line_to_axis(A, n, foot_2, axis_2), p.input.gears[1].radius, tiny);
@@ -141,11 +142,11 @@ TEST(CrossedLaws, line_of_action) {
 
 // Backlash is linear in a, and nothing at the backlash-free distance.
 TEST(CrossedLaws, backlash) {
-  over_crossed(405, 5.0, [](const CrossedSpecs& specs, const Pair& p, Random& random) {
+  over_crossed(405, 5.0, [](const CrossedSpecs& specs, const InvolutePair& p, Random& random) {
     ASSERT_TRUE(p.backlash_free_center_distance);
     const double more = random.uniform(-0.2, 0.5);
-    const auto q =
-        mount(p.gears[0], p.gears[1], {*p.backlash_free_center_distance + more, specs.shaft_angle});
+    const auto q = mount_involutes(p.gears[0], p.gears[1],
+                                   {*p.backlash_free_center_distance + more, specs.shaft_angle});
     ASSERT_TRUE(q);
     EXPECT_NEAR(q->mesh.backlash.normal_base, 2 * more * p.mesh.rack.angles.sin_alpha, grain(p));
     EXPECT_EQ(q->mesh.rack.normal_pressure_angle, p.mesh.rack.normal_pressure_angle);
@@ -164,7 +165,7 @@ using Dual = boost::math::differentiation::autodiff_fvar<double, 1>;
 
 // c(α_n) by dual numbers: its slope is −X/tan α_n, nothing at the least distance, where it turns.
 TEST(CrossedLaws, the_slope_of_the_distance) {
-  over_crossed(406, 5.0, [](const CrossedSpecs&, const Pair& p, Random&) {
+  over_crossed(406, 5.0, [](const CrossedSpecs&, const InvolutePair& p, Random&) {
     const BasePair<double>& g = p.input.gears;
     BasePair<Dual> dual;
     for (int i : {0, 1}) {
@@ -184,7 +185,7 @@ TEST(CrossedLaws, the_slope_of_the_distance) {
         grain(p));
     ASSERT_TRUE(p.min_distance);
     for (const double away : {-0.02, -1e-3, 1e-3, 0.02}) {
-      const double there = p.min_distance->normal_pressure_angle + away;
+      const double there = p.min_distance->normal_pressure_angle.rad() + away;
       EXPECT_GT(conjugate_center_distance(g, common_rack(g, angles_at(g, there))),
                 p.min_distance->center_distance);
     }
@@ -193,16 +194,17 @@ TEST(CrossedLaws, the_slope_of_the_distance) {
 
 // dΣ moves a by z_L/tan α_n, to the first order.
 TEST(CrossedLaws, the_slope_over_the_shaft_angle) {
-  over_crossed(407, 10.0, [](const CrossedSpecs& specs, const Pair& p, Random&) {
+  over_crossed(407, 10.0, [](const CrossedSpecs& specs, const InvolutePair& p, Random&) {
     const BasePair<double>& g = p.input.gears;
     constexpr double kStep = 1e-5;
     const auto distance = [&](double sigma) {
       return conjugate_center_distance(g, common_rack(g, angles_at_shaft_angle(g, sigma)));
     };
     const double numeric =
-        (distance(specs.shaft_angle + kStep) - distance(specs.shaft_angle - kStep)) / (2 * kStep);
-    const auto tight =
-        mount(p.gears[0], p.gears[1], {*p.backlash_free_center_distance, specs.shaft_angle});
+        (distance(specs.shaft_angle.rad() + kStep) - distance(specs.shaft_angle.rad() - kStep)) /
+        (2 * kStep);
+    const auto tight = mount_involutes(p.gears[0], p.gears[1],
+                                       {*p.backlash_free_center_distance, specs.shaft_angle});
     ASSERT_TRUE(tight);
     const double slope =
         tight->mesh.line_offset * p.mesh.rack.angles.cos_alpha / p.mesh.rack.angles.sin_alpha;
@@ -212,7 +214,7 @@ TEST(CrossedLaws, the_slope_over_the_shaft_angle) {
 
 // Both places of a distance above the least are places of it.
 TEST(CrossedLaws, two_shaft_angles_of_a_distance) {
-  over_crossed(408, 5.0, [](const CrossedSpecs&, const Pair& p, Random& random) {
+  over_crossed(408, 5.0, [](const CrossedSpecs&, const InvolutePair& p, Random& random) {
     const BasePair<double>& g = p.input.gears;
     const double a = p.min_distance->center_distance * (1 + 0.02 * random.unit());
     const auto places = transverse_angles_at_distance(g, a);
@@ -222,7 +224,7 @@ TEST(CrossedLaws, two_shaft_angles_of_a_distance) {
     EXPECT_TRUE(
         transverse_angles_at_distance(g, p.min_distance->center_distance * (1 - 1e-9)).empty());
     if (places.size() == 2) {
-      const double middle = p.min_distance->normal_pressure_angle;
+      const Angle middle = p.min_distance->normal_pressure_angle;
       EXPECT_LT(crossed_place(g, places[0]).normal_pressure_angle, middle);
       EXPECT_GT(crossed_place(g, places[1]).normal_pressure_angle, middle);
     }
@@ -232,10 +234,10 @@ TEST(CrossedLaws, two_shaft_angles_of_a_distance) {
 // ε = 1 at the ends of the interval, more inside, less outside.
 TEST(CrossedLaws, range_of_the_contact_ratio) {
   int ends = 0;
-  over_crossed(409, 5.0, [&](const CrossedSpecs&, const Pair& p, Random&) {
+  over_crossed(409, 5.0, [&](const CrossedSpecs&, const InvolutePair& p, Random&) {
     const auto ratio_at = [&](const CrossedPlace& place) {
       MeshInput<double> in = p.input;
-      in.shaft_angle = place.shaft_angle;
+      in.shaft_angle = place.shaft_angle.rad();
       in.center_distance = place.center_distance;
       return mesh_of(in).path_ratio;
     };
@@ -250,7 +252,7 @@ TEST(CrossedLaws, range_of_the_contact_ratio) {
     const auto alpha_of = [&](const CrossedPlace& c) {
       const int g = limiting_gear(p.input.gears);
       return std::asin(std::min(
-          1.0, std::sin(c.normal_pressure_angle) / std::cos(p.input.gears[g].helix_angle)));
+          1.0, std::sin(c.normal_pressure_angle.rad()) / std::cos(p.input.gears[g].helix_angle)));
     };
     const double lo = alpha_of(r.lo), hi = alpha_of(r.hi);
     for (const double t : {0.1, 0.5, 0.9}) {

@@ -36,7 +36,7 @@ constexpr double kCloser = 0.01;   // mm closer than without backlash
 // at α_wt: ξ = α_wt + ψ_b + φ, and a pitch more for each tooth behind.
 constexpr double kEdge = 1e-6;  // mm: nearer to an end of the path rounding decides
 
-bool on_path(const Pair& pair, double phi, double edge = kEdge) {
+bool on_path(const InvolutePair& pair, double phi, double edge = kEdge) {
   const Gear& g = pair.gears[0];
   const double r_b = g.base_radius(), pitch = 2 * std::numbers::pi / g.spec.teeth;
   const double xi = pair.mesh.rack.sides[0].transverse_angle +
@@ -49,7 +49,7 @@ bool on_path(const Pair& pair, double phi, double edge = kEdge) {
 }
 
 // Half the play between the flanks of one side, along the line of action of the section, mm.
-double half_gap(const Pair& pair) {
+double half_gap(const InvolutePair& pair) {
   return pair.mesh.backlash.normal_base /
          (2 * std::cos(pair.gears[0].reference().base_helix_angle));
 }
@@ -58,7 +58,7 @@ double half_gap(const Pair& pair) {
 // flanks in contact.
 class PitchTurn {
  public:
-  explicit PitchTurn(const Pair& pair) : pair_(pair), outlines_(pair) {
+  explicit PitchTurn(const InvolutePair& pair) : pair_(pair), outlines_(pair) {
     for (int i = 0; i < kPhases; ++i) {
       phi_ = 2 * std::numbers::pi * i / (kPhases * pair.gears[0].spec.teeth);
       leads_ = on_path(pair, phi_);
@@ -112,7 +112,7 @@ class PitchTurn {
     }
   }
 
-  const Pair& pair_;
+  const InvolutePair& pair_;
   TurnedOutlines outlines_;
   double phi_ = 0.0;
   bool leads_ = false, trails_ = false;
@@ -122,7 +122,7 @@ class PitchTurn {
 
 // Tip and root where they stand on the line of centres: tooth 0 of gear 1 in space 0 of gear 2, and
 // the other way round half a pitch later. Only the ends of the outlines are asked.
-void expect_tip_clearance(const Pair& pair) {
+void expect_tip_clearance(const InvolutePair& pair) {
   const double side = pair.gears[1].internal() ? -1.0 : 1.0;
   for (const int i : {0, 1}) {
     const Outline& tip = pair.gears[i].tooth->outline;
@@ -139,16 +139,16 @@ void expect_tip_clearance(const Pair& pair) {
 }
 
 // Of so many phases some find the contact on the path.
-bool meets_long_enough(const Pair& pair) {
+bool meets_long_enough(const InvolutePair& pair) {
   return pair.flanks_meet() && pair.mesh.true_ratio > 2.0 / kPhases;
 }
 
 // Nearer than where they have no play by a hundredth, the flanks on the path overlap on both sides.
-void expect_overlap_when_closer(const Pair& pair) {
+void expect_overlap_when_closer(const InvolutePair& pair) {
   ASSERT_TRUE(pair.backlash_free_center_distance);
   const double a = *pair.backlash_free_center_distance;
-  const auto closer =
-      mount(pair.gears[0], pair.gears[1], {pair.gears[1].internal() ? a + kCloser : a - kCloser});
+  const auto closer = mount_involutes(pair.gears[0], pair.gears[1],
+                                      {pair.gears[1].internal() ? a + kCloser : a - kCloser});
   ASSERT_TRUE(closer) << closer.error().message;
   const TurnedOutlines outlines(*closer);
   const double half = -half_gap(*closer);
@@ -224,7 +224,7 @@ TEST(GeneratedPairTouch, random_cutters_and_what_they_cut) {
     if (!gear || !gear->exists()) continue;
     const bool ring = gear->internal();
     const double e = wanted->distance;
-    const auto pair = mount(*cutter, *gear, {e});
+    const auto pair = mount_involutes(*cutter, *gear, {e});
     if (!pair || !meets_long_enough(*pair)) continue;
     SCOPED_TRACE(describe(spec) + "; " + oracle::describe(*wanted));
     ++found;
@@ -232,7 +232,7 @@ TEST(GeneratedPairTouch, random_cutters_and_what_they_cut) {
     PitchTurn{*pair};
     expect_tip_clearance(*pair);
     expect_overlap_when_closer(*pair);
-    const auto with_play = mount(*cutter, *gear, {e + (ring ? -kPlay : kPlay)});
+    const auto with_play = mount_involutes(*cutter, *gear, {e + (ring ? -kPlay : kPlay)});
     if (!with_play || !meets_long_enough(*with_play)) continue;
     if (!with_play->interference.empty()) continue;  // said
     ++apart;

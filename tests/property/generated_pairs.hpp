@@ -27,7 +27,7 @@ inline constexpr double kPlay = 0.03;  // mm further apart than E, for some play
 
 struct NamedPair {
   std::string name;
-  Pair pair;
+  InvolutePair pair;
 };
 
 inline Gear gear_of(const CylindricalSpec& spec) {
@@ -49,8 +49,8 @@ inline Gear gear_cut(const Gear& cutter, int teeth, double e,
   return std::move(gear).take();
 }
 
-inline Pair mounted_at(const Gear& one, const Gear& two, double a) {
-  auto pair = mount(one, two, {a});
+inline InvolutePair mounted_at(const Gear& one, const Gear& two, double a) {
+  auto pair = mount_involutes(one, two, {a});
   EXPECT_TRUE(pair) << pair.error().message;
   return std::move(pair).take();
 }

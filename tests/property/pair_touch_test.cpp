@@ -45,7 +45,7 @@ struct Contact {
 // other.
 class Turned {
  public:
-  Turned(const Pair& pair, double rotation) : pair_(pair) {
+  Turned(const InvolutePair& pair, double rotation) : pair_(pair) {
     const Eigen::Matrix4d one = pair.pose_1().isometry().matrix();
     const Eigen::Matrix4d two = pair.pose_2().isometry().matrix();
     const double ratio = static_cast<double>(pair.input.gears[0].teeth) / pair.input.gears[1].teeth;
@@ -115,11 +115,11 @@ class Turned {
     }
   }
 
-  const Pair& pair_;
+  const InvolutePair& pair_;
   double angle_[2];
 };
 
-Contact contact_of(const Pair& pair, double rotation) {
+Contact contact_of(const InvolutePair& pair, double rotation) {
   Contact contact;
   const Turned turned(pair, rotation);
   turned.add(0, contact);
@@ -155,31 +155,34 @@ constexpr int kRotations = 7;  // over a pitch, the first with tooth and space o
 
 TEST(PairTouch, backlash_free_outlines_touch_on_both_sides_and_do_not_overlap) {
   constexpr int kPairs = 300;
-  const int found = over_running_pairs(301, kPairs, [](const SpecPair& specs, const Pair& pair) {
-    for (int i = 0; i < kRotations; ++i) {
-      const Contact c = contact_of(pair, 2 * std::numbers::pi / specs.first.teeth * i / kRotations);
-      EXPECT_NEAR(c.left, 0.0, kOverlap) << "rotation " << i;
-      EXPECT_NEAR(c.right, 0.0, kOverlap) << "rotation " << i;
-    }
-  });
+  const int found =
+      over_running_pairs(301, kPairs, [](const SpecPair& specs, const InvolutePair& pair) {
+        for (int i = 0; i < kRotations; ++i) {
+          const Contact c =
+              contact_of(pair, 2 * std::numbers::pi / specs.first.teeth * i / kRotations);
+          EXPECT_NEAR(c.left, 0.0, kOverlap) << "rotation " << i;
+          EXPECT_NEAR(c.right, 0.0, kOverlap) << "rotation " << i;
+        }
+      });
   EXPECT_EQ(found, kPairs);
 }
 
 TEST(PairTouch, closer_by_a_hundredth_they_overlap) {
   constexpr int kPairs = 150;
-  const int found = over_running_pairs(302, kPairs, [](const SpecPair& specs, const Pair& pair) {
-    const auto closer = mounted(specs, pair.center_distance - 0.01);
-    ASSERT_TRUE(closer);
-    // Half of the negative backlash on each side.
-    const double half = -closer->mesh.backlash.circumferential[0] / 2;
-    EXPECT_GT(half, 1e-3);
-    for (int i = 0; i < kRotations; ++i) {
-      const Contact c =
-          contact_of(*closer, 2 * std::numbers::pi / specs.first.teeth * i / kRotations);
-      EXPECT_LT(c.left, -0.5 * half);
-      EXPECT_LT(c.right, -0.5 * half);
-    }
-  });
+  const int found =
+      over_running_pairs(302, kPairs, [](const SpecPair& specs, const InvolutePair& pair) {
+        const auto closer = mounted(specs, pair.center_distance - 0.01);
+        ASSERT_TRUE(closer);
+        // Half of the negative backlash on each side.
+        const double half = -closer->mesh.backlash.circumferential[0] / 2;
+        EXPECT_GT(half, 1e-3);
+        for (int i = 0; i < kRotations; ++i) {
+          const Contact c =
+              contact_of(*closer, 2 * std::numbers::pi / specs.first.teeth * i / kRotations);
+          EXPECT_LT(c.left, -0.5 * half);
+          EXPECT_LT(c.right, -0.5 * half);
+        }
+      });
   EXPECT_EQ(found, kPairs);
 }
 
@@ -187,25 +190,26 @@ TEST(PairTouch, closer_by_a_hundredth_they_overlap) {
 // other.
 TEST(PairTouch, backlash_is_what_closes_the_gap) {
   constexpr int kPairs = 150;
-  const int found = over_running_pairs(303, kPairs, [](const SpecPair& specs, const Pair& pair) {
-    const double m = specs.first.normal_module;
-    const auto apart = mounted(specs, pair.center_distance + 0.02 * m);
-    ASSERT_TRUE(apart);
-    if (apart->mesh.true_ratio < 1.02) return;
-    const Contact c = contact_of(*apart, 0.0);
-    EXPECT_GT(c.left, 0.0);
-    EXPECT_GT(c.right, 0.0);
-    // Thicken gear 2 by the backlash: then both sides touch, at the distance as it is.
-    SpecPair filled = specs;
-    filled.second.thickness_allowance +=
-        apart->mesh.backlash.normal_base / std::cos(specs.first.normal_pressure_angle.rad());
-    const auto tight = mounted(filled, apart->center_distance);
-    ASSERT_TRUE(tight);
-    if (!tight->interference.empty()) return;
-    const Contact touch = contact_of(*tight, 0.0);
-    EXPECT_NEAR(touch.left, 0.0, kOverlap);
-    EXPECT_NEAR(touch.right, 0.0, kOverlap);
-  });
+  const int found =
+      over_running_pairs(303, kPairs, [](const SpecPair& specs, const InvolutePair& pair) {
+        const double m = specs.first.normal_module;
+        const auto apart = mounted(specs, pair.center_distance + 0.02 * m);
+        ASSERT_TRUE(apart);
+        if (apart->mesh.true_ratio < 1.02) return;
+        const Contact c = contact_of(*apart, 0.0);
+        EXPECT_GT(c.left, 0.0);
+        EXPECT_GT(c.right, 0.0);
+        // Thicken gear 2 by the backlash: then both sides touch, at the distance as it is.
+        SpecPair filled = specs;
+        filled.second.thickness_allowance +=
+            apart->mesh.backlash.normal_base / std::cos(specs.first.normal_pressure_angle.rad());
+        const auto tight = mounted(filled, apart->center_distance);
+        ASSERT_TRUE(tight);
+        if (!tight->interference.empty()) return;
+        const Contact touch = contact_of(*tight, 0.0);
+        EXPECT_NEAR(touch.left, 0.0, kOverlap);
+        EXPECT_NEAR(touch.right, 0.0, kOverlap);
+      });
   EXPECT_EQ(found, kPairs);
 }
 

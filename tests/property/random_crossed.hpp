@@ -16,7 +16,7 @@ namespace gearwright::property {
 
 struct CrossedSpecs {
   CylindricalSpec first, second;
-  double shaft_angle = 0.0;  ///< Σ  rad
+  Angle shaft_angle;  ///< Σ
 };
 
 /// Gears of one base pitch whose reference helices differ from opposite by `least` degrees or more;
@@ -45,31 +45,29 @@ inline CrossedSpecs random_crossed(Random& random, double least, bool racks = tr
     if (std::abs(range.from) < least * std::numbers::pi / 180) continue;
     const auto alpha = transverse_angle_at_min_distance(gears);
     if (!alpha) continue;
-    const double middle = crossed_place(gears, *alpha).shaft_angle;
-    s.shaft_angle = middle + random.uniform(-0.3, 0.3) * (middle - range.from);
+    const double middle = crossed_place(gears, *alpha).shaft_angle.rad();
+    s.shaft_angle = Angle::radians(middle + random.uniform(-0.3, 0.3) * (middle - range.from));
     return s;
   }
 }
 
 /// Mounted `play` mm further apart than without backlash; nothing when a gear cannot be.
-inline std::optional<Pair> mounted(const CrossedSpecs& s, double play = 0.0) {
+inline std::optional<InvolutePair> mounted(const CrossedSpecs& s, double play = 0.0) {
   auto g1 = make_gear(s.first);
   auto g2 = make_gear(s.second);
   if (!g1 || !g2 || !g1->exists() || !g2->exists()) return std::nullopt;
   const auto tight =
       complete_place(nominal_base_pair(s.first, s.second), std::nullopt, s.shaft_angle);
   if (!tight) return std::nullopt;
-  PairSpec place = *tight;
-  place.center_distance += play;
-  place.friction = 0.05;
-  auto pair = mount(std::move(g1).take(), std::move(g2).take(), place);
+  auto pair = mount_involutes(std::move(g1).take(), std::move(g2).take(),
+                              {tight->center_distance + play, tight->shaft_angle, 0.05});
   if (!pair) return std::nullopt;
   return std::move(pair).take();
 }
 
 inline std::string describe(const CrossedSpecs& s) {
   return fmt::format("\n  gear1: {}\n  gear2: {}\n  shaft angle {} rad", describe(s.first),
-                     describe(s.second), s.shaft_angle);
+                     describe(s.second), s.shaft_angle.rad());
 }
 
 }  // namespace gearwright::property

@@ -92,7 +92,7 @@ class FinishedOutline {
 class TurnedOutlines {
  public:
   /// Domain    both gears have outlines; parallel axes; `pair` outlives this
-  explicit TurnedOutlines(const Pair& pair)
+  explicit TurnedOutlines(const InvolutePair& pair)
       : pair_(pair),
         near_(0.05 * pair.gears[0].spec.normal_module),
         gears_{FinishedOutline(pair.gears[0].tooth->outline, kStep * near_),
@@ -234,7 +234,7 @@ class TurnedOutlines {
     }
   }
 
-  const Pair& pair_;
+  const InvolutePair& pair_;
   double near_;
   std::array<FinishedOutline, 2> gears_;
   std::array<double, 2> rest_;

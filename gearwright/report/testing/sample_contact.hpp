@@ -51,13 +51,13 @@ inline ContactSample contact_sample(const std::array<Gear, 2>& gears, ContactMou
   return sample;
 }
 
-inline ContactMount mount_of(const Pair& pair, const ContactErrors& errors = {}) {
-  return {pair.center_distance, pair.shaft_angle(), false, errors};
+inline ContactMount mount_of(const InvolutePair& pair, const ContactErrors& errors = {}) {
+  return {pair.center_distance, pair.shaft_angle.rad(), false, errors};
 }
 
 /// 17/43 with its axes crossed by 0.02°: edges carry all the way.
 inline ContactSample helical_contact() {
-  const Pair pair = helical_pair();
+  const InvolutePair pair = helical_pair();
   ContactErrors errors;
   errors.crossing = 0.02 * 3.14159265358979323846 / 180;
   return contact_sample({pair.gears[0], pair.gears[1]}, mount_of(pair, errors));
@@ -65,14 +65,14 @@ inline ContactSample helical_contact() {
 
 /// Crossed helical gears with errors of every kind: contact in points.
 inline ContactSample crossed_contact(bool gear2_drives = false) {
-  const Pair pair = left_hand_pair();
+  const InvolutePair pair = left_hand_pair();
   ContactMount mount = mount_of(pair, {0.05, 1e-3, -7e-4, 0.3, {1e-6, -2e-6}, {}});
   mount.gear2_drives = gear2_drives;
   return contact_sample({pair.gears[0], pair.gears[1]}, mount);
 }
 
 inline ContactSample ring_contact(bool gear2_drives = false) {
-  const Pair pair = pinion_in_cut_ring();
+  const InvolutePair pair = pinion_in_cut_ring();
   ContactMount mount = mount_of(pair, {0.0, 3e-4, 2e-4, 0.4, {}, {}});
   mount.gear2_drives = gear2_drives;
   return contact_sample({pair.gears[0], pair.gears[1]}, mount);
@@ -80,7 +80,7 @@ inline ContactSample ring_contact(bool gear2_drives = false) {
 
 /// Without errors: line contact, conjugate.
 inline ContactSample perfect_contact() {
-  const Pair pair = helical_pair();
+  const InvolutePair pair = helical_pair();
   ContactSample s = contact_sample({pair.gears[0], pair.gears[1]}, mount_of(pair));
   s.report.errors.clear();
   s.report.under.clear();

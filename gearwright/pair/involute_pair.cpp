@@ -1,0 +1,286 @@
+#include "gearwright/pair/involute_pair.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/base/angle.hpp"
+#include "gearwright/base/refusal.hpp"
+#include "gearwright/pair/drive.hpp"
+#include "gearwright/pair/interference.hpp"
+
+namespace gearwright {
+
+namespace {
+
+void warn(InvolutePair& p, const std::string& code, std::string message, int gear = 0) {
+  p.warnings.push_back({code, std::move(message), gear});
+}
+
+// What is needed at least is rounded up where it is printed to 0.01.
+double up(double mm) {
+  constexpr double kWhole = 1e-9;  // of 0.01 mm: whole hundredths are not one more
+  return std::ceil(mm * 100 - kWhole) / 100;
+}
+
+// Axes this close were most likely meant to be parallel.
+constexpr double kNearlyParallel = 1.0;  // degrees
+
+void warn_about_axes(InvolutePair& p) {
+  if (!p.crossed()) return;
+  if (std::abs(p.shaft_angle.deg()) < kNearlyParallel) {
+    const double wanted = -p.gears[0].spec.helix_angle.deg();
+    warn(
+        p, "nearly_parallel",
+        fmt::format("The axes cross at {:.4g}°: the teeth touch in points. Parallel axes need the "
+                    "helix angle {:.6f}° on gear 2 (with the module and pressure angle of gear 1).",
+                    p.shaft_angle.deg(), wanted));
+  }
+  for (int i : {0, 1}) {
+    const double b = p.gears[i].spec.face_width;
+    const double wanted = p.face_widths->both_flanks[i];
+    if (p.flanks_meet() && wanted > b) {
+      warn(
+          p, "face_width",
+          fmt::format("The line of action runs beyond the face of gear {}; both flanks need {:.2f} "
+                      "mm about the centre line, the face is {:.2f} mm wide.",
+                      i + 1, wanted, b),
+          i + 1);
+    }
+  }
+}
+
+std::string helped_by_face(const InvolutePair& p) {
+  const auto face = p.crossed() ? std::nullopt : face_width_for_total(p, 1.0);
+  return face ? fmt::format(" A face width of {:.2f} mm would help.", up(*face)) : "";
+}
+
+void warn_about_contact(InvolutePair& p) {
+  const double ratio = p.contact_ratio_true();
+  if (ratio == 0.0) {
+    warn(p, "no_contact",
+         p.flanks_meet()
+             ? (p.crossed() ? "No contact: what the tips reach of the line of action lies outside "
+                              "the usable flanks or the faces."
+                            : "No contact: what the tips reach of the line of action lies outside "
+                              "the usable flanks.")
+             : "No contact: at this centre distance the teeth do not reach each other's flanks.");
+  } else if (ratio < 1.0) {
+    warn(p, "contact_ratio",
+         fmt::format("{} {:.3f}: below 1, motion is not passed on continuously.{}",
+                     p.crossed() ? "Contact ratio" : "Total contact ratio", ratio,
+                     helped_by_face(p)));
+  } else if (p.mesh.true_ratio < 1.0) {
+    warn(p, "transverse_contact_ratio",
+         fmt::format(
+             "Transverse contact ratio {:.3f}: these run only as helical gears; a face width of at "
+             "least {:.2f} mm is needed.",
+             p.mesh.true_ratio, up(*face_width_for_total(p, 1.0))));
+  }
+}
+
+void warn_about_mesh(InvolutePair& p) {
+  // Rounding of a backlash-free distance is not a backlash.
+  constexpr double kOfPitch = 1e-12;
+  constexpr double kOfDistance = 4e-15;
+  const double noise =
+      kOfPitch * p.gears[0].reference().base_pitch_normal + kOfDistance * p.center_distance;
+  if (p.mesh.backlash.normal_base < -noise) {
+    const std::string distance = p.backlash_free_center_distance
+                                     ? fmt::format("{:.4f} mm", *p.backlash_free_center_distance)
+                                     : "none";
+    warn(p, "negative_backlash",
+         fmt::format(
+             "Negative backlash: the teeth are too thick by {:.4f} mm (normal) at this centre "
+             "distance; the backlash-free one is {}.",
+             -p.mesh.backlash.normal, distance));
+  }
+  warn_about_contact(p);
+  warn_about_axes(p);
+  if (p.efficiency && !(p.efficiency->gear1_drives && p.efficiency->gear2_drives)) {
+    const int gear = p.efficiency->gear1_drives ? 2 : 1;
+    warn(p, "self_locking",
+         fmt::format("Self-locking with this friction: gear {} cannot drive.", gear), gear);
+  }
+  for (const Interference& i : p.interference) warn(p, i.code, i.message, i.gear);
+}
+
+// Backlash-free pairs stand further apart than their base radii; half of that is in nobody's mind.
+constexpr double kMinCrossedDistance = 0.5;
+
+std::optional<Error> check_place(const InvolutePair& p) {
+  const double a = p.center_distance;
+  if (p.crossed()) {
+    const auto rack = common_rack(p.input.gears, working_angles(p.input));
+    const double most = kMaxDistance * (rack.sides[0].pitch_radius + rack.sides[1].pitch_radius);
+    const double least = kMinCrossedDistance * base_radius_sum(p.input.gears);
+    if (a >= least && a <= most) return std::nullopt;
+    return refused(
+        "pair.center_distance_mm", a,
+        fmt::format("must be at least {} mm (half the sum of the base radii) and at most {} "
+                    "mm",
+                    least, most));
+  }
+  const double least = base_radius_sum(p.input.gears);
+  if (a > least && a <= kMaxDistance * least) return std::nullopt;
+  return refused(
+      "pair.center_distance_mm", a,
+      fmt::format("there is no working pressure angle; it must be greater than {} mm and at "
+                  "most {} times that",
+                  least, kMaxDistance));
+}
+
+void find_backlash_free_distance(InvolutePair& p) {
+  const BasePair<double>& gears = p.input.gears;
+  if (!p.crossed()) {
+    const auto alpha = transverse_angle_at_min_distance(gears);
+    if (alpha) p.backlash_free_center_distance = base_radius_sum(gears) / std::cos(*alpha);
+    return;
+  }
+  const double a = conjugate_center_distance(gears, p.mesh.rack);
+  if (a > 0.0) p.backlash_free_center_distance = a;
+  if (const auto alpha = transverse_angle_at_min_distance(gears))
+    p.min_distance = crossed_place(gears, *alpha);
+  p.contact_ratio_range = contact_ratio_range(p.input);
+  p.face_widths = face_widths(p.mesh);
+}
+
+}  // namespace
+
+MeshInput<double> mesh_input(const Gear& g1, const Gear& g2, const PairPlace& place) {
+  MeshInput<double> in;
+  in.gears = base_pair(g1, g2);
+  in.tip_form_radius = {g1.tip_form_radius(), g2.tip_form_radius()};
+  in.root_form_radius = {g1.root_form_radius(), g2.root_form_radius()};
+  in.face_width = {g1.spec.face_width, g2.spec.face_width};
+  in.center_distance = place.center_distance;
+  if (place.shaft_angle) in.shaft_angle = place.shaft_angle->rad();
+  return in;
+}
+
+CrossedPlace crossed_place(const BasePair<double>& gears, double alpha) {
+  const auto d = detail::distance_and_line(gears, alpha);
+  const auto angles = angles_at_transverse(gears, alpha);
+  double sigma = 0.0;
+  for (int i : {0, 1}) sigma += std::atan2(std::sin(gears[i].helix_angle), angles.u[i]);
+  return {d.a.value, Angle::radians(sigma),
+          Angle::radians(std::atan2(angles.sin_alpha, angles.cos_alpha))};
+}
+
+std::optional<CrossedPlaces> contact_ratio_range(const MeshInput<double>& in) {
+  double reach = -normal_base_pitch(in.gears[0]);
+  for (int i : {0, 1}) {
+    reach += leaf::curvature_at(in.tip_form_radius[i], in.gears[i].radius) /
+             std::cos(in.gears[i].helix_angle);
+  }
+  const auto interval = transverse_angles_with_line_within(in.gears, reach);
+  if (!interval) return std::nullopt;
+  return CrossedPlaces{crossed_place(in.gears, interval->lo), crossed_place(in.gears, interval->hi),
+                       interval->limit};
+}
+
+bool InvolutePair::flanks_meet() const {
+  const auto has_flank = [](const Gear& g) { return !g.tooth || g.tooth->form_radius.has_value(); };
+  return mesh.path_length > 0.0 && has_flank(gears[0]) && has_flank(gears[1]);
+}
+
+double InvolutePair::path_length() const {
+  if (!flanks_meet()) return 0.0;
+  return crossed() ? mesh.path_length / std::cos(input.gears[0].helix_angle) : mesh.path_length;
+}
+
+std::optional<double> InvolutePair::transverse_contact_ratio() const {
+  if (crossed()) return std::nullopt;
+  return flanks_meet() ? mesh.path_ratio : 0.0;
+}
+
+double InvolutePair::contact_ratio() const {
+  return flanks_meet() ? mesh.path_ratio + mesh.overlap_ratio : 0.0;
+}
+
+double InvolutePair::contact_ratio_true() const {
+  const bool any = flanks_meet() && mesh.true_ratio > 0.0;
+  return any ? mesh.true_ratio + mesh.overlap_ratio : 0.0;
+}
+
+Point<Housing> InvolutePair::on_line_of_action(double rho1) const {
+  const auto& side = mesh.rack.sides[0];
+  const double from_pitch_point = rho1 - mesh.rho1_C;
+  if (crossed()) {
+    const double lambda = from_pitch_point / std::cos(input.gears[0].helix_angle);
+    return {Vec3(side.pitch_radius + lambda * mesh.rack.angles.sin_alpha,
+                 -lambda * mesh.rack.angles.u[0], axial_place(mesh, rho1)[0])};
+  }
+  // Pitch point at +r_w1 (external) or −r_w1 (internal); gear 1 turns clockwise, so the leading
+  // flanks' normal there is (sin α, −cos α), turned half a turn for internal pairs.
+  const double turn = kind == PairKind::parallel_internal ? -1.0 : 1.0;
+  const double alpha = side.transverse_angle;
+  return {turn * Vec3(side.pitch_radius + from_pitch_point * std::sin(alpha),
+                      -from_pitch_point * std::cos(alpha), 0.0)};
+}
+
+Point<Housing> InvolutePair::on_trailing_line(double rho1) const {
+  Point<Housing> p = on_line_of_action(rho1);
+  p.r.y() = 0.0 - p.r.y();
+  p.r.z() = 0.0 - p.r.z();
+  return p;
+}
+
+Result<InvolutePair> mount_involutes(Gear gear_1, Gear gear_2, const PairSpec& spec) {
+  GW_EXPECTS(gear_1.involute() && gear_2.involute());
+  const std::optional<Angle> angle =
+      spec.center_distance ? spec.shaft_angle.value_or(Angle()) : spec.shaft_angle;
+  if (auto error = check_partners(gear_1.spec, gear_2.spec, angle)) return *error;
+  for (const Gear* g : {&gear_1, &gear_2}) {
+    if (g->exists()) continue;
+    const std::string key = g == &gear_1 ? "gear1.profile_shift" : "gear2.profile_shift";
+    return Error{
+        key, fmt::format("{}", g->spec.profile_shift),
+        fmt::format("{} = {}: {}", key, g->spec.profile_shift, g->warnings.back().message)};
+  }
+  PairPlace place{spec.center_distance.value_or(0.0), spec.shaft_angle};
+  if (!spec.center_distance) {
+    auto free = complete_place(nominal_base_pair(gear_1.spec, gear_2.spec), std::nullopt, angle);
+    if (!free) return free.error();
+    place = *free;
+  }
+  InvolutePair p{};
+  const bool crossed = place.shaft_angle && place.shaft_angle->rad() != 0.0;
+  p.kind = crossed             ? PairKind::crossed
+           : gear_2.internal() ? PairKind::parallel_internal
+                               : PairKind::parallel_external;
+  p.center_distance = place.center_distance;
+  p.input = mesh_input(gear_1, gear_2, place);
+  if (crossed) {
+    p.shaft_angle = *place.shaft_angle;
+  } else {
+    p.input.shaft_angle.reset();
+  }
+  if (auto error = check_place(p)) return *error;
+  p.gears = {std::move(gear_1), std::move(gear_2)};
+  const Gear& g1 = p.gears[0];
+  const Gear& g2 = p.gears[1];
+  p.mesh = mesh_of(p.input);
+
+  const double sign = p.kind == PairKind::parallel_internal ? -1.0 : 1.0;
+  p.reference_center_distance = (g2.reference_diameter + sign * g1.reference_diameter) / 2;
+  const double x_m_1 = g1.spec.profile_shift * g1.spec.normal_module;
+  const double x_m_2 = g2.spec.profile_shift * g2.spec.normal_module;
+  p.extended_center_distance = p.reference_center_distance + sign * (x_m_1 + x_m_2);
+  p.tip_shortening = sign * (p.center_distance - p.extended_center_distance);
+
+  find_backlash_free_distance(p);
+  p.sliding_A = specific_sliding(p.input, p.mesh, p.mesh.rho1_A);
+  p.sliding_E = specific_sliding(p.input, p.mesh, p.mesh.rho1_E);
+  if (spec.friction && p.contact_ratio_true() >= 1.0 && p.mesh.true_ratio > 0.0)
+    p.efficiency = efficiency(sliding_shares(p.input, p.mesh), *spec.friction);
+  detail::find_form_clearance(p);
+  detail::find_tip_clearance(p);
+  if (p.kind == PairKind::parallel_internal) detail::find_internal_margins(p);
+  if (!crossed) detail::find_fillet_clearance(p);
+  warn_about_mesh(p);
+  return p;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,100 @@
+// A pair of involute gears, mounted on parallel or crossed axes. Symbols: pair/mesh.hpp.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "gearwright/pair/efficiency.hpp"
+#include "gearwright/pair/mesh.hpp"
+#include "gearwright/pair/mounted_gears.hpp"
+#include "gearwright/pair/partners.hpp"
+#include "gearwright/pair/shift.hpp"
+
+namespace gearwright {
+
+/// Two parts of the pair that get in each other's way, or a flank used where it is none.
+struct Interference {
+  std::string code;  ///< form_circle, base_tangent, tip_to_fillet, trochoid, trimming, root
+                     ///< (past an undercut nothing strikes: a warning `contact_lost` instead)
+  int gear;          ///< the gear whose root or tip suffers
+  std::variant<double, Angle>
+      amount;           ///< mm, or of trochoid and trimming an angle; < 0: by so much
+  std::string message;  ///< one sentence
+};
+
+/// A place that a crossed pair could take, free of backlash.
+struct CrossedPlace {
+  double center_distance;       ///< mm
+  Angle shaft_angle;            ///< Σ
+  Angle normal_pressure_angle;  ///< α_wn
+};
+
+/// The places from lo to hi, by growing α_wn.
+struct CrossedPlaces {
+  CrossedPlace lo, hi;
+  bool limit;  ///< hi is where a helix angle reaches 90°, no longer a gear
+};
+
+struct InvolutePair : MountedGears {
+  MeshInput<double> input;
+  Mesh<double> mesh;
+  std::optional<double>
+      backlash_free_center_distance;  ///< of the teeth as cut (with allowances), mm
+  double extended_center_distance;    ///< mm
+  std::array<std::optional<double>, 2> form_clearance;  ///< c_F   mm: (d_Nf − d_Ff)/2 of each gear
+  std::array<std::optional<double>, 2>
+      contact_root_diameter;  ///< d_Nf  mm; none beyond the base tangent
+  std::array<std::optional<double>, 2>
+      fillet_clearance;                   ///< mm: mate's tip corner to root fillet; parallel axes
+  std::optional<double> involute_margin;  ///< internal: ρ_1A − ρ_F1, mm
+  std::optional<Angle> trochoid_margin;   ///< internal
+  std::optional<Angle> trimming_margin;   ///< internal, of radial assembly
+  SpecificSliding<double> sliding_A, sliding_E;
+  double tip_shortening;  ///< k m_n  mm, ≤ 0: restores the clearance of the racks at this distance
+  std::optional<FaceWidths<double>> face_widths;     ///< crossed axes
+  std::optional<CrossedPlace> min_distance;          ///< crossed axes, teeth as cut
+  std::optional<CrossedPlaces> contact_ratio_range;  ///< crossed axes: where AE ≥ p_bn
+  std::optional<Efficiency> efficiency;  ///< with a coefficient of friction, if contact never stops
+  std::vector<Interference> interference;
+
+  bool flanks_meet() const;    ///< the path has a length, and both gears have a flank on it
+  double path_length() const;  ///< g_α, crossed AE  mm; 0: no contact
+  /// ε_α, tip form circle to tip form circle; 0: no contact. None on crossed axes.
+  std::optional<double> transverse_contact_ratio() const;
+  double contact_ratio() const;       ///< ε_α + ε_β, crossed AE/p_bn; 0 without contact
+  double contact_ratio_true() const;  ///< the same with the clipped path
+  /// The point of the leading line of action with curvature radius ρ_1; on parallel axes in the
+  /// section z = 0. [T1.6], [T4.20]
+  Point<Housing> on_line_of_action(double rho1) const;
+  /// Its image under the half turn about the centre line: the trailing line. [T1.7]
+  Point<Housing> on_trailing_line(double rho1) const;
+};
+
+/// The two gears as mesh_of takes them, at the place.
+MeshInput<double> mesh_input(const Gear& gear_1, const Gear& gear_2, const PairPlace& place);
+
+/// The place at the transverse angle α of the limiting gear, free of backlash. [T4.14]
+CrossedPlace crossed_place(const BasePair<double>& gears, double alpha);
+
+/// The places at which a crossed pair's contact ratio is at least 1; none: nowhere. [T4.23]
+std::optional<CrossedPlaces> contact_ratio_range(const MeshInput<double>& input);
+
+/// Mounts two involute gears. Gears that do not exist (severed, through the axis) make no pair;
+/// everything else that is wrong with a mesh is data.
+///
+/// Domain    both are involute gears (contract)
+/// Errors    as check_partners and complete_place, and `pair.center_distance_mm` where there is no
+/// working angle
+Result<InvolutePair> mount_involutes(Gear gear_1, Gear gear_2, const PairSpec& spec);
+
+/// Least distance between the path of the mate's tip corner and the root fillet of gear `which` (1,
+/// 2), mm, < 0: so deep the corner cuts into the fillet. The flanks of that side touch meanwhile.
+///
+/// Formula   [T2.26]; the path is exact, the foot point solved to rounding
+/// Domain    none for the fillet of a ring; parallel axes (contract)
+std::optional<double> fillet_clearance(const InvolutePair& pair, int which);
+
+}  // namespace gearwright

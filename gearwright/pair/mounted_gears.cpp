@@ -1,0 +1,31 @@
+#include "gearwright/pair/mounted_gears.hpp"
+
+#include <cmath>
+#include <cstdlib>
+
+namespace gearwright {
+
+double MountedGears::gear_ratio() const {
+  return static_cast<double>(gears[1].spec.teeth) / gears[0].spec.teeth;
+}
+
+Pose<Housing, Gear1> MountedGears::pose_1() const {
+  // Tooth 0 points to the mesh: +x for external pairs, −x for internal ones.
+  Eigen::Isometry3d x = Eigen::Isometry3d::Identity();
+  if (kind == PairKind::parallel_internal) x.linear().diagonal() << -1.0, -1.0, 1.0;
+  return Pose<Housing, Gear1>(x);
+}
+
+Pose<Housing, Gear2> MountedGears::pose_2() const {
+  // Space 0, half a pitch from tooth 0, points to the mesh at −x; axis 2 along (0, sin Σ, cos Σ).
+  const int z2 = std::abs(gears[1].spec.teeth);
+  const SinCos t = sincos_turn(z2 - 1, 2LL * z2);
+  const double s = std::sin(shaft_angle.rad());
+  const double c = std::cos(shaft_angle.rad());
+  Eigen::Isometry3d x = Eigen::Isometry3d::Identity();
+  x.linear() << t.cos, -t.sin, 0.0, c * t.sin, c * t.cos, s, -s * t.sin, -s * t.cos, c;
+  x.translation() = Vec3(center_distance, 0.0, 0.0);
+  return Pose<Housing, Gear2>(x);
+}
+
+}  // namespace gearwright

@@ -1,0 +1,33 @@
+// Two gears in their places: what every pair has, whatever its teeth.
+//
+// Gear 1 drives, turning clockwise seen from +z; at rest tooth 0 of gear 1 and space 0 of gear 2
+// stand on the centre line at the mesh. Housing frame: kinematics/pose.hpp.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "gearwright/gear/gear.hpp"
+#include "gearwright/kinematics/pose.hpp"
+
+namespace gearwright {
+
+enum class PairKind { parallel_external, parallel_internal, crossed };
+
+struct MountedGears {
+  PairKind kind = PairKind::parallel_external;
+  std::array<Gear, 2> gears{};
+  double center_distance = 0.0;            ///< a    mm
+  double reference_center_distance = 0.0;  ///< a_d  mm
+  Angle shaft_angle;                       ///< Σ    0 on parallel axes
+  std::array<double, 2> tip_clearance{};   ///< c    mm: tip 1 to root 2, tip 2 to root 1
+  std::vector<Warning> warnings;
+
+  bool crossed() const { return kind == PairKind::crossed; }
+  double gear_ratio() const;  ///< z2/z1, negative for internal pairs
+  /// Gear frames in the housing at rotation 0. [T1.5]
+  Pose<Housing, Gear1> pose_1() const;
+  Pose<Housing, Gear2> pose_2() const;
+};
+
+}  // namespace gearwright
