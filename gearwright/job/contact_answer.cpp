@@ -9,6 +9,7 @@
 #include "gearwright/base/refusal.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/modification_keys.hpp"
+#include "gearwright/contact/pair_contact.hpp"
 
 namespace gearwright {
 
@@ -43,11 +44,6 @@ Error in_gear(Error error, int which) {
 
 const Gear& mounted_gear(const SolvedJob& job, int which) {
   return job.arc_pair ? job.arc_pair->gears[which - 1] : job.pair->gears[which - 1];
-}
-
-FlankExtent flank_extent(const Gear& gear) {
-  return {gear.involute() ? gear.base_radius() : 0.0, *gear.root_form_radius(),
-          gear.tip_form_radius(), gear.spec.face_width};
 }
 
 bool any_modification(const GearInput& gear) {
