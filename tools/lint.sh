@@ -6,7 +6,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-mapfile -t sources < <(find gearwright apps tests bench docs -name node_modules -prune -o \
+mapfile -t sources < <(find gearwright apps tests bench docs examples -name node_modules -prune -o \
   \( -name '*.cpp' -o -name '*.hpp' \) -print | sort)
 if [ "${1:-}" = --fix ]; then
   clang-format -i "${sources[@]}"

@@ -32,7 +32,7 @@ constexpr const char* kIntroduction =
     "  gearwright outline pair.toml --gear 1 --points 200 --json\n"
     "  gearwright export pair.toml --step both.step --dxf pinion.dxf --gear 1\n"
     "  gearwright verify cases.json          published numbers against ours\n"
-    "  gearwright schema spec                the JSON Schema of specs, for editors\n\n"
+    "  gearwright schema spec                the JSON Schema of specs, for editors; or of results\n\n"
     "A spec is a TOML file, the least one:\n\n"
     "  [gear1]\n"
     "  teeth = 17\n"
@@ -154,9 +154,9 @@ int main(int argc, char** argv) {
            "gearwright verify tests/golden/external.json");
   verify->add_option("CASES", o.cases, "Case files")->required();
 
-  CLI::App* schema = verb(app, o, "schema", "The JSON Schema of specs, for editors and validators",
+  CLI::App* schema = verb(app, o, "schema", "The JSON Schema of specs or of results, for editors and validators",
                           "gearwright schema spec > spec.schema.json");
-  schema->add_option("WHAT", o.schema, "spec")->required()->check(CLI::IsMember({"spec"}));
+  schema->add_option("WHAT", o.schema, "spec or result")->required()->check(CLI::IsMember({"spec", "result"}));
 
   for (const char* name : kNotHere) {
     CLI::App* sub = app.add_subcommand(name, "Not in this version")->group("");

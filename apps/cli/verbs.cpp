@@ -20,6 +20,7 @@
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/job/result_schema.hpp"
 #include "gearwright/job/verify.hpp"
 #include "gearwright/spec/toml_text.hpp"
 
@@ -336,8 +337,7 @@ int verify_verb(const Options& o) {
 }
 
 int schema_verb(const Options& o) {
-  GW_EXPECTS(o.schema == "spec");  // the command line knows no other
-  print(spec_schema());
+  print(o.schema == "spec" ? spec_schema() : result_schema().dump(2) + "\n");
   return 0;
 }
 

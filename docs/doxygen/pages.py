@@ -31,7 +31,7 @@ def page_link(path, text, target, headers):
         return f"[{text}]({target})"
     name, _, anchor = target.partition("#")
     where = posixpath.normpath(posixpath.join(posixpath.dirname(path), name)) if name else path
-    if where in headers:
+    if where in headers and where.endswith(".hpp"):
         return f'@ref {where} "{text}"'
     if not where.endswith(".md"):
         return text  # a file that is no page: its name is enough

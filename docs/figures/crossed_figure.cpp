@@ -26,7 +26,7 @@ Figure crossed_figure() {
   spec.helix_angle = Angle::degrees(39.3766);
   const Gear two = gear_of(spec);
   const BasePair<double> gears = base_pair(one, two);
-  const auto least_angle = transverse_angle_at_least_distance(gears);
+  const auto least_angle = transverse_angle_at_min_distance(gears);
   if (!least_angle) throw std::logic_error("the figure's teeth are too thin");
   const CrossedPlace least = crossed_place(gears, *least_angle);
   const auto mounted =

@@ -6,7 +6,7 @@
 
 #include "docs/figures/figure.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
-#include "gearwright/generation/modified_fillet.hpp"
+#include "gearwright/generation/circular_fillets.hpp"
 
 namespace gearwright::figures {
 
@@ -21,8 +21,8 @@ Figure few_teeth_figure() {
   spec.helix_angle = Angle::degrees(30);
   spec.profile_shift = 0.7;
   spec.face_width = 12;
-  spec.rack.dedendum = 1.0;
-  spec.rack.root_fillet_radius = 0;
+  spec.straight_rack().dedendum = 1.0;
+  spec.straight_rack().root_fillet_radius = 0;
   spec.root_fillet = RootFilletSpec{0.01};
   spec.tip_fillet = TipFilletSpec{TipFilletSpec::By::radius, 0.332};
   const Gear pinion = gear_of(spec);
@@ -41,7 +41,7 @@ Figure few_teeth_figure() {
     f.shape(view, teeth(pinion, 0, 1, 0, 0.001), "body1 g1");
     const Arc& arc = *pinion.tooth->outline.find(ArcName::flank);
     const double r_b = pinion.base_radius();
-    const double psi_b = pinion.reference.base_tooth_thickness / pinion.reference.base_diameter;
+    const double psi_b = pinion.reference().base_tooth_thickness / pinion.reference().base_diameter;
     const Involute flank(r_b, psi_b);
     const double xi_c = flank.roll_at(arc.begin_point.norm());
     const double xi_j = flank.roll_at(arc.end_point.norm());

@@ -17,16 +17,17 @@ std::vector<Vec2> edge_points(const CutterEdge& edge, double module, double high
   std::vector<Vec2> points{{-edge.tip_depth, std::numbers::pi * module / 2},
                            {-edge.tip_depth, edge.tip_land_end}};
   for (const EdgeArc& arc : edge.arcs) {
-    if (arc.circle) {
-      const EdgeCircle& c = *arc.circle;
+    if (const auto* circle = std::get_if<EdgeCircle>(&arc.shape)) {
+      const EdgeCircle& c = *circle;
       for (int i = 0; i <= 12; ++i) {
-        const double tau = c.begin_tau + (c.end_tau - c.begin_tau) * i / 12;
+        const double begin = c.begin_tau.rad(), end = c.end_tau.rad();
+        const double tau = begin + (end - begin) * i / 12;
         points.push_back(c.center + c.q * Vec2(std::sin(tau), std::cos(tau)));
       }
     } else {
-      const EdgeLine& line = *arc.line;
+      const auto& line = std::get<EdgeLine>(arc.shape);
       for (const double x : {line.begin_height, std::min(line.end_height, highest)})
-        points.push_back({x, line.y_datum - x * std::tan(line.tau)});
+        points.push_back({x, line.y_datum - x * std::tan(line.tau.rad())});
     }
   }
   return points;
@@ -44,8 +45,8 @@ Figure generation_figure() {
   spec.normal_module = 10;
   spec.face_width = 20;
   const Gear gear = gear_of(spec);
-  const double r = gear.reference.reference_diameter / 2;
-  const auto made = make_edge(spec.rack, spec.normal_module, spec.normal_pressure_angle);
+  const double r = gear.reference_diameter / 2;
+  const auto made = make_edge(spec.straight_rack(), spec.normal_module, spec.normal_pressure_angle);
   if (!made) throw std::logic_error(made.error().message);
   const std::vector<Vec2> side = edge_points(made->edge, spec.normal_module, 10.0);
   const double pitch = std::numbers::pi * spec.normal_module;

@@ -36,7 +36,7 @@ Figure mesh_triangle_figure() {
   const double r_b1 = one.base_radius();
   const double alpha = m.rack.sides[0].transverse_angle;
   const double half =
-      one.reference.base_tooth_thickness / one.reference.base_diameter - involute(alpha);
+      one.reference().base_tooth_thickness / one.reference().base_diameter - involute(alpha);
   const double rho = 0.6 * m.rho1_B + 0.4 * m.rho1_C;
   const double phi_1 = -half + (rho - m.rho1_C) / r_b1;
   const double rest_2 = std::numbers::pi * (1 - 1.0 / 23);

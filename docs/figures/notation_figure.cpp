@@ -19,7 +19,7 @@ Figure notation_figure() {
   spec.profile_shift = 0.3;
   spec.face_width = 20;
   const Gear gear = gear_of(spec);
-  const double r = gear.reference.reference_diameter / 2;
+  const double r = gear.reference_diameter / 2;
   const double r_b = gear.base_radius();
   const double pitch = 2 * std::numbers::pi / gear.spec.teeth;
   const Viewport view{860, 560, {122.5, 0}, 13.6, true};
@@ -58,8 +58,8 @@ Figure notation_figure() {
   }
 
   // Thicknesses on the reference and the base circle, and the pitch.
-  const double psi = gear.reference.reference_tooth_thickness_transverse / (2 * r);
-  const double psi_b = gear.reference.base_tooth_thickness / (2 * r_b);
+  const double psi = gear.reference().reference_tooth_thickness_transverse / (2 * r);
+  const double psi_b = gear.reference().base_tooth_thickness / (2 * r_b);
   f.arc(view, Vec2::Zero(), r, -psi, psi, "ink thick", 2);
   f.label(view.px(polar(r, 0)), "{s_t}", Anchor::start, {8, -7}, "halo");
   f.arc(view, Vec2::Zero(), r_b, -psi_b, psi_b, "green thick", 2);

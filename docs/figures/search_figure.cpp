@@ -40,7 +40,7 @@ Figure search_figure() {
   problem.center_distance = {{19.42, 20.35}};
   problem.limits.contact_ratio = 1.4;
   problem.limits.tip_thickness = 0.3;
-  problem.limits.least_shift = -0.5;
+  problem.limits.min_shift = -0.5;
   Trial trial;
   trial.module = 1.0;
   trial.z1 = 15;
@@ -56,9 +56,9 @@ Figure search_figure() {
   const auto& [one, two] = graph.gears();
   const auto clip = [&](double x) { return std::min(std::max(x, -2.0), 2.0); };
   f.svg().begin_clip(62, 36, 430, 434);
-  f.svg().polygon({plot.px(one.x_least, two.x_least), plot.px(clip(one.x_greatest), two.x_least),
-                   plot.px(clip(one.x_greatest), clip(two.x_greatest)),
-                   plot.px(one.x_least, clip(two.x_greatest))},
+  f.svg().polygon({plot.px(one.x_min, two.x_min), plot.px(clip(one.x_max), two.x_min),
+                   plot.px(clip(one.x_max), clip(two.x_max)),
+                   plot.px(one.x_min, clip(two.x_max))},
                   "soft dash");
   const auto loops = region_boundary(graph, *region);
   for (const auto& loop : loops) {
@@ -89,7 +89,7 @@ Figure search_figure() {
               "small halo");
     }
   }
-  f.label(plot.px(one.x_greatest, 0.92), "the limits of each gear", Anchor::start, {8, 4},
+  f.label(plot.px(one.x_max, 0.92), "the limits of each gear", Anchor::start, {8, 4},
           "soft small halo");
   const ShiftSlice slice = graph.slice(sum);
   f.svg().line(plot.px(slice.lo, sum - slice.lo), plot.px(slice.hi, sum - slice.hi),
@@ -115,7 +115,7 @@ Figure search_figure() {
     path.push_back({x1, graph.path_length(at_sum, sum, x1)});
     most = std::max(most, path.back().y());
   }
-  const double k = graph.least_path();
+  const double k = graph.min_path();
   const Plot right{{-0.2, 1.0, 580, 838}, {k - 0.5, most + 0.15, 470, 36}};
   draw_frame(f, right, "{x1} along the line", "path of contact {E}, modules", 4, 6);
   f.svg().begin_clip(580, 36, 258, 434);

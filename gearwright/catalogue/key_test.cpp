@@ -20,7 +20,7 @@
 #include "gearwright/catalogue/rack_keys.hpp"
 #include "gearwright/catalogue/search_keys.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
-#include "gearwright/tool/arc_racks.hpp"
+#include "gearwright/tool/rack.hpp"
 
 namespace gearwright {
 namespace {
@@ -195,7 +195,7 @@ TEST(Keys, the_eight_errors_and_seven_modifications_have_their_derivatives) {
     EXPECT_NE(m.relief == nullptr, m.amount == nullptr) << m.name;
   }
   Gear gear{};
-  gear.reference.reference_diameter = 20.0;
+  gear.reference_diameter = 20.0;
   gear.spec.face_width = 5.0;
   for (const ErrorEntry& e : error_entries()) {
     ContactErrors errors;

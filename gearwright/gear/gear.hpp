@@ -24,10 +24,10 @@ struct CylindricalSpec {
   double profile_shift = 0.0;                        ///< x
   double thickness_allowance = 0.0;                  ///< E_sn  mm, < 0 thins the tooth
   double face_width = 0.0;                           ///< b     mm
-  std::optional<double> tip_diameter;                ///< d_a   mm; else from the rack
-  Rack rack;                                         ///< of arcs: no involute gear, and no α_n, x
-  std::optional<RootFilletSpec> root_fillet;  ///< a circular arc instead of the root as cut
-  std::optional<TipFilletSpec> tip_fillet;    ///< a circular arc instead of the tip as cut
+  std::optional<double> tip_diameter{};              ///< d_a   mm; else from the rack
+  Rack rack{};                                       ///< of arcs: no involute gear, and no α_n, x
+  std::optional<RootFilletSpec> root_fillet{};       ///< a circular arc instead of the root as cut
+  std::optional<TipFilletSpec> tip_fillet{};         ///< a circular arc instead of the tip as cut
 
   /// The rack of an involute gear.   Domain: it is straight (contract)
   const StraightRack& straight_rack() const;

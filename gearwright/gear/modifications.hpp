@@ -37,23 +37,23 @@ namespace gearwright {
 enum class ReliefShape { linear, parabolic };
 
 struct Relief {
-  double amount = 0.0;          ///< C  mm, ≥ 0
-  std::optional<double> reach;  ///< mm: start diameter (tip, root), length from each face (end)
+  double amount = 0.0;            ///< C  mm, ≥ 0
+  std::optional<double> reach{};  ///< mm: start diameter (tip, root), length from each face (end)
   ReliefShape shape = ReliefShape::linear;
 };
 
 /// The modifications of one flank, the same on every tooth.
 struct FlankModifications {
-  Relief tip_relief;              ///< C_αa, at d_Fa
-  Relief root_relief;             ///< C_αf, at d_Ff
+  Relief tip_relief{};            ///< C_αa, at d_Fa
+  Relief root_relief{};           ///< C_αf, at d_Ff
   double profile_crowning = 0.0;  ///< C_α   mm, at both ends of the usable flank; < 0: hollow
   double profile_slope = 0.0;     ///< C_Hα  mm, from root to tip; > 0 removes at the tip
   double lead_crowning = 0.0;     ///< C_β   mm, at both faces; < 0: hollow
   double lead_slope = 0.0;        ///< C_Hβ  mm, over the face; > 0 removes at its +z end
-  Relief end_relief;              ///< C_βI = C_βII
-  std::shared_ptr<const Topography> topography;
+  Relief end_relief{};            ///< C_βI = C_βII
+  std::shared_ptr<const Topography> topography{};
   /// Keys that a spec gives for this flank alone, "left_tip_relief_um": errors name them so.
-  std::vector<std::string> own_keys;
+  std::vector<std::string> own_keys{};
 };
 
 /// The usable flank that the modifications lie on.

@@ -9,6 +9,7 @@
 #include "gearwright/base/refusal.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/modification_keys.hpp"
+#include "gearwright/contact/pair_contact.hpp"
 
 namespace gearwright {
 
@@ -38,11 +39,6 @@ Error in_gear(Error error, int which) {
   error.key = prefix + error.key;
   error.message = prefix + error.message;
   return error;
-}
-
-FlankExtent flank_extent(const Gear& gear) {
-  return {gear.involute() ? gear.base_radius() : 0.0, *gear.root_form_radius(),
-          gear.tip_form_radius(), gear.spec.face_width};
 }
 
 bool any_modification(const GearInput& gear) {

@@ -124,9 +124,9 @@ Json result_schema() {
   properties["title"] = {{"type", "string"}};
   properties["gears"] = schema.list_of(gear_quantities().table());
   // What only the verb measure and --as-rack add to a gear.
-  Json& gear = schema.definitions()[definition_name(gear_quantities().table())]["properties"];
   const Json rack = schema.reference(as_rack_quantities().table());
   const Json measure = schema.reference(measure_quantities().table());
+  Json& gear = schema.definitions()[definition_name(gear_quantities().table())]["properties"];
   gear["as_rack"] = rack;
   gear["measure"] = measure;
   properties["pair"] = schema.reference(pair_quantities().table());

@@ -18,13 +18,13 @@ namespace gearwright {
 struct ArcRack {
   enum class Cutter { F, P };
   Cutter cutter = Cutter::F;
-  double arc_radius = 1.4;              ///< ρ*
-  double center_a = 0.0;                ///< a*
-  double center_b = 0.0;                ///< b*
-  std::optional<Angle> pressure_angle;  ///< ψ_c as the drawing has it: a check, no further number
-  double addendum = 0.9;                ///< of the gear's tooth above the pitch cylinder
-  double dedendum = 0.3;                ///< how deep the cutter goes
-  double root_fillet_radius = 0.35;     ///< the cutter's tip rounding; 0 is a sharp corner
+  double arc_radius = 1.4;                ///< ρ*
+  double center_a = 0.0;                  ///< a*
+  double center_b = 0.0;                  ///< b*
+  std::optional<Angle> pressure_angle{};  ///< ψ_c as the drawing has it: a check, no further number
+  double addendum = 0.9;                  ///< of the gear's tooth above the pitch cylinder
+  double dedendum = 0.3;                  ///< how deep the cutter goes
+  double root_fillet_radius = 0.35;       ///< the cutter's tip rounding; 0 is a sharp corner
 };
 
 /// Addendum, dedendum and tip rounding where a drawing gives none: F 0.9, 0.3, 0.35; P 0, 1.05,

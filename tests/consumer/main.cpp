@@ -2,8 +2,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "gearwright/cad/mesh.hpp"
-#include "gearwright/pair/pair.hpp"
+#include <gearwright/gearwright.hpp>
 
 int main() {
   using namespace gearwright;
@@ -28,8 +27,9 @@ int main() {
 
   const auto mesh = tessellate({"pinion", gear_1->tooth->outline, gear_1->twist(), 25.0,
                                 std::nullopt, Eigen::Isometry3d::Identity()});
+  const auto touching = contact(*pair, {.crossing = 1e-4});
   const auto bad = make_gear({.teeth = 17, .normal_module = -1.0, .face_width = 5});
-  const bool good = std::abs(pair->involute()->mesh.backlash.normal_base) < 1e-12 && mesh && !bad &&
-                    bad.error().key == "normal_module_mm";
+  const bool good = std::abs(pair->involute()->mesh.backlash.normal_base) < 1e-12 && mesh &&
+                    touching && !bad && bad.error().key == "normal_module_mm";
   return good ? 0 : 1;
 }

@@ -4,6 +4,8 @@ The rows of rooms are read from CONTRIBUTING.md (the block marked `rooms`, highe
 
     room      a file of gearwright/ROOM includes its own room or rows below, never a room beside it;
               *_test.cpp may include every room; nothing in gearwright/ includes apps/
+    door      the only file of gearwright/ itself is gearwright.hpp, for programs: it may include every
+              room but apps, and no room includes it
     store     the files of large searches know base only
     cycle     no header includes itself through others
     step      gearwright/cad/step_* is included by itself, tests and apps only: the core needs no OCCT;
@@ -28,6 +30,7 @@ SOURCE = re.compile(r"(\.(cpp|hpp|py|mjs|js|ts|sh|cmake|in|toml)|CMakeLists\.txt
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">]', re.M)
 # Built from parts, so that this file does not trip over itself.
 MACHINE_PATH = re.compile(r"(?<![\w.])/(?:work|root|home)/\w|\.\./(?:" + "sha" + "red)")
+DOOR = "gearwright/gearwright.hpp"
 # The bootstrap script works inside a chroot of its own, where root's home is a fact.
 PATH_EXEMPT = {"tools/bootstrap_check.sh"}
 
@@ -56,8 +59,14 @@ def check_includes(path, text, rows):
     here = own_room(path, rows)
     if here is not None and here not in rows:
         return [f"{path}: room {here} is not in the picture of CONTRIBUTING.md"]
-    is_test = path.endswith("_test.cpp") or path.startswith(("tests/", "bench/", "docs/"))
+    is_test = path.endswith("_test.cpp") or path.startswith(("tests/", "bench/", "docs/", "examples/"))
+    if path.startswith("gearwright/") and here is None and path != DOOR:
+        return [f"{path}: lies in no room; only {DOOR} does"]
     for quote, target in INCLUDE.findall(text):
+        if target == DOOR:
+            if path.startswith(("gearwright/", "apps/")):
+                faults.append(f"{path}: {DOOR} is for programs; include what is used")
+            continue
         if target.startswith((".", "../")):
             faults.append(f'{path}: "{target}" does not start at the root')
             continue
@@ -77,7 +86,10 @@ def check_includes(path, text, rows):
             faults.append(f"{path}: {target} needs OCCT, only apps and tests may include it")
         if here == "store" and there not in ("store", "base"):
             faults.append(f"{path}: store knows base only, not {target}")
-        if is_test:
+        if path == DOOR:
+            if there == "apps":
+                faults.append(f"{path}: the door includes {target}")
+        elif is_test:
             if there == "apps" and here not in (None, "apps"):
                 faults.append(f"{path}: a test of a room includes {target}")
         elif there != here and rows[there] >= rows[here]:
@@ -151,6 +163,9 @@ def self_test(rows):
         ("beside it", {"gearwright/cad/a.cpp": header("gearwright/report/b.hpp")}),
         ("above it", {"gearwright/job/a.hpp": header("apps/cli/b.hpp")}),
         ("store knows base only", {"gearwright/store/a.hpp": header("gearwright/math/b.hpp")}),
+        ("lies in no room", {"gearwright/a.hpp": head}),
+        ("is for programs", {"gearwright/job/a.hpp": header(DOOR)}),
+        ("the door includes", {DOOR: header("apps/cli/b.hpp")}),
         ("a test of a room", {"gearwright/job/a_test.cpp": header("apps/cli/b.hpp")}),
         ("needs OCCT", {"gearwright/job/a.cpp": header("gearwright/cad/step_solid.hpp")}),
         ("not in the picture", {"gearwright/attic/a.hpp": head}),
@@ -175,6 +190,8 @@ def self_test(rows):
         "gearwright/base/angle.hpp": head + "#include <cmath>\n#include <Eigen/Core>\n",
         "gearwright/math/a_test.cpp": header("gearwright/job/c.hpp", "gearwright/cad/step.hpp"),
         "gearwright/cad/step_shape.cpp": header("gearwright/cad/step.hpp"),
+        DOOR: header("gearwright/math/a.hpp", "gearwright/cad/step.hpp"),
+        "examples/cpp/a.cpp": "#include <gearwright/gearwright.hpp>\n",
         "apps/cli/main.cpp": header("gearwright/cad/step.hpp", "apps/cli/table.hpp"),
         "tests/house/a.cpp": "// as ratio 1/work and framework/home are words\n" + "\n" * 400,
     }

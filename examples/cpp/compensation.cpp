@@ -1,0 +1,51 @@
+// Compensation: the lead slope and the crowning that keep a pair quiet over a range of shaft errors.
+#include <cstdio>
+
+#include <gearwright/gearwright.hpp>
+
+using namespace gearwright;
+using namespace gearwright::literals;
+
+int fail(const Error& error) {
+  std::fprintf(stderr, "%s\n", error.message.c_str());
+  return 1;
+}
+
+int main() {
+  CylindricalSpec spec{.teeth = 21, .normal_module = 3, .helix_angle = 12_deg, .face_width = 40};
+  const Result<Gear> pinion = make_gear(spec);
+  if (!pinion) return fail(pinion.error());
+  spec.teeth = 55, spec.helix_angle = -12_deg;
+  const Result<Gear> wheel = make_gear(spec);
+  if (!wheel) return fail(wheel.error());
+  const Result<Pair> pair = mount(*pinion, *wheel, {.center_distance = 116.6});
+  if (!pair) return fail(pair.error());
+
+  const double crossings[] = {(-0.01_deg).rad(), (0.04_deg).rad()};
+  CompensationTask task;
+  task.corrections = {{.lo = -50, .hi = 50, .step = 1},  // lead slope of gear 1, um
+                      {.lo = 0, .hi = 20, .step = 1}};   // lead crowning of gear 1, um
+  task.scenarios = 2;
+  task.centering = 20 * kRadPerArcsec;  // what contact at the end of the face may cost
+  task.pair_at = [&](const std::vector<double>& um, int s) -> std::shared_ptr<const ContactPair> {
+    FlankModifications m;
+    m.lead_slope = um[0] * kMmPerUm;
+    m.lead_crowning = um[1] * kMmPerUm;
+    ContactOptions options;
+    options.modifications[0].right = m;  // the flank that drives
+    const auto made = contact_pair(*pair, {.crossing = crossings[s]}, options);
+    return made ? *made : nullptr;
+  };
+  const Compensation found = compensate(task);
+  std::printf("lead slope %.2f um, crowning %.2f um\n", found.value[0], found.value[1]);
+  std::printf("worst transmission error %.3f arcsec before, %.3f arcsec after\n",
+              found.before.peak_to_peak * kArcsecPerRad, found.after.peak_to_peak * kArcsecPerRad);
+  std::printf("contact along the face   %.3f before, %.3f after (1: at the end)\n",
+              found.before.along_face, found.after.along_face);
+}
+
+/* prints
+lead slope -9.68 um, crowning 20.00 um
+worst transmission error 2.875 arcsec before, 2.719 arcsec after
+contact along the face   -0.998 before, 0.202 after (1: at the end)
+*/

@@ -1,0 +1,45 @@
+// What goes wrong is a value: an error names the number to mend, a warning what the gear became.
+#include <cstdio>
+
+#include <gearwright/gearwright.hpp>
+
+using namespace gearwright;
+using namespace gearwright::literals;
+
+void tell(const Error& error) { std::printf("error: %s\n", error.message.c_str()); }
+
+void tell(const Result<Gear>& gear) {
+  if (!gear) return tell(gear.error());
+  std::printf("%d teeth, tip diameter %.3f mm\n", gear->spec.teeth, gear->tip_diameter);
+  for (const Warning& warning : gear->warnings) std::printf("  warning %s\n", warning.code.c_str());
+}
+
+int main() {
+  // A number that cannot be: the sentence says which, and what is allowed.
+  tell(make_gear({.teeth = 17, .normal_module = -1, .face_width = 5}));
+
+  // A gear that can be made, but is undercut: data, not an error.
+  tell(make_gear({.teeth = 9, .normal_module = 2, .face_width = 5}));
+
+  // Two gears that do not go together.
+  const Result<Gear> one = make_gear({.teeth = 20, .normal_module = 2, .face_width = 10});
+  const Result<Gear> other = make_gear({.teeth = 30, .normal_module = 2.5, .face_width = 10});
+  if (!one || !other) return 1;
+  const Result<Pair> pair = mount(*one, *other, {.center_distance = 56});
+  if (!pair) tell(pair.error());
+
+  // Two that do, and lose contact where the shafts stand too far apart: `contact_lost`.
+  const Result<Pair> far = mount(*one, *one, {.center_distance = 42});
+  if (!far) return 1;
+  const Result<Contact> touching = contact(*far, {.center_distance = 3});
+  if (!touching) return 1;
+  std::printf("contact lost: %s\n", touching->contact_lost ? "yes" : "no");
+}
+
+/* prints
+error: normal_module_mm = -1: must lie between 0.001 and 1000 mm
+9 teeth, tip diameter 22.000 mm
+  warning undercut
+error: gear2.normal_module_mm = 2.5: the normal base pitches differ by 1.47607 mm: gear1 has 5.904262868187098 mm, gear2 7.3803285852338725 mm; gears mesh only with equal m_n cos α_n. At this pressure angle the module would have to be 2 mm, at this base helix the base diameter 56.3815572 mm
+contact lost: yes
+*/

@@ -1,0 +1,107 @@
+#include "gearwright/contact/pair_contact.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "gearwright/base/refusal.hpp"
+
+namespace gearwright {
+
+namespace {
+
+using SharedPair = std::shared_ptr<const ContactPair>;
+
+// A ContactPair and what it points to, in one piece of memory.
+struct Held {
+  std::array<Gear, 2> gears;
+  std::array<std::array<std::optional<RemovalField>, 2>, 2> removal;
+  std::optional<ContactPair> pair;
+
+  ContactGear side(int i) const {
+    const auto field = [&](int k) { return removal[i][k] ? &*removal[i][k] : nullptr; };
+    return {&gears[i], {field(0), field(1)}};
+  }
+};
+
+Error in_gear(Error error, int which) {
+  const std::string prefix = fmt::format("gear{}.", which);
+  error.key = prefix + error.key;
+  error.message = prefix + error.message;
+  return error;
+}
+
+std::optional<Error> check_lead(const Gear& gear, double change, int which) {
+  if (change == 0.0) return std::nullopt;
+  const double delta = Angle::radians(change).deg();
+  const std::string key = fmt::format("errors.cutter_lead{}_deg", which);
+  if (gear.twist() == 0.0) return refused(key, delta, "a spur gear has no lead to change");
+  if (gear.cut_by)
+    return refused(key, delta, "the gear is cut by a gear, whose lead is that of its guide");
+  const double lambda = 90.0 - std::abs(gear.spec.helix_angle.deg()) + delta;
+  if (lambda > 0.5 && lambda < 90.0) return std::nullopt;
+  return refused(
+      key, delta,
+      fmt::format("makes the lead angle {} degrees; it must stay between 0.5 and 90", lambda));
+}
+
+bool any_modification(const FlankModifications& m) {
+  for (const Relief* relief : {&m.tip_relief, &m.root_relief, &m.end_relief})
+    if (relief->amount != 0.0 || relief->reach) return true;
+  return m.topography || m.profile_crowning != 0.0 || m.profile_slope != 0.0 ||
+         m.lead_crowning != 0.0 || m.lead_slope != 0.0;
+}
+
+}  // namespace
+
+GearModifications on_both_flanks(const FlankModifications& modifications) {
+  return {modifications, modifications};
+}
+
+Result<SharedPair> contact_pair(const Pair& pair, const ContactErrors& errors,
+                                const ContactOptions& options) {
+  const auto held = std::make_shared<Held>();
+  held->gears = pair.mounted().gears;
+  for (int i = 0; i < 2; ++i) {
+    const Gear& gear = held->gears[i];
+    if (!gear.root_form_radius()) {
+      const std::string key = fmt::format("gear{}", i + 1);
+      return Error{key, "", key + ": has no usable flank to touch with; see its warnings"};
+    }
+    if (auto error = check_lead(gear, errors.cutter_lead[i], i + 1)) return *error;
+    // Derivatives by a modification need its field, even where nothing is removed.
+    const bool asked =
+        std::any_of(options.request.influences.begin(), options.request.influences.end(),
+                    [&](const Influence& influence) { return influence.modified_gear == i + 1; });
+    const GearModifications& flanks = options.modifications[i];
+    if (!asked && !any_modification(flanks.right) && !any_modification(flanks.left)) continue;
+    for (int k = 0; k < 2; ++k) {
+      auto field = make_removal_field(k == 0 ? flanks.right : flanks.left, flank_extent(gear));
+      if (!field) return in_gear(field.error(), i + 1);
+      held->removal[i][k] = std::move(field).take();
+    }
+  }
+  const ContactMount mount{pair.center_distance(), pair.shaft_angle().rad(), options.gear2_drives,
+                           errors};
+  held->pair.emplace(held->side(0), held->side(1), mount);
+  return SharedPair(held, &*held->pair);
+}
+
+Result<Contact> contact(const Pair& pair, const ContactErrors& errors,
+                        const ContactOptions& options) {
+  auto touching = contact_pair(pair, errors, options);
+  if (!touching) return touching.error();
+  Contact contact{analyse_contact(**touching, options.request), std::move(touching).take()};
+  return contact;
+}
+
+FlankExtent flank_extent(const Gear& gear) {
+  return {gear.involute() ? gear.base_radius() : 0.0, gear.root_form_radius().value(),
+          gear.tip_form_radius(), gear.spec.face_width};
+}
+
+}  // namespace gearwright

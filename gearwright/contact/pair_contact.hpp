@@ -1,0 +1,61 @@
+// The contact of a mounted pair in one call; what comes back owns all that it needs.
+//
+//   const auto touching = contact(*pair, {.crossing = (0.02_deg).rad()});
+//   if (touching) use(touching->peak_to_peak);
+//
+// A ContactPair points to its gears and their modifications. Here both are copied and live as long
+// as the ContactPair does, so that nothing is left for a caller to keep: the pair may go.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "gearwright/base/result.hpp"
+#include "gearwright/contact/contact.hpp"
+#include "gearwright/pair/pair.hpp"
+
+namespace gearwright {
+
+/// The modifications of a gear, the same on all its teeth. Right and left: gear/modifications.hpp.
+struct GearModifications {
+  FlankModifications right{}, left{};
+};
+
+/// Both flanks alike.
+GearModifications on_both_flanks(const FlankModifications& modifications);
+
+struct ContactOptions {
+  std::array<GearModifications, 2> modifications{};  ///< of gear 1, gear 2
+  bool gear2_drives = false;                         ///< the other flanks touch
+  ContactRequest request{};
+};
+
+/// A contact analysis with the pair that it is about: contact_pattern(*contact.pair, 64).
+struct Contact : ContactResult {
+  std::shared_ptr<const ContactPair> pair;  ///< keeps gears and modifications too
+};
+
+/// The pair as contact takes it, for patterns, maps and CompensationTask::pair_at; keeps its gears.
+///
+/// Units     mm, rad
+/// Errors    `gearN` without a usable flank; `gearN.modifications.…` as make_removal_field;
+///           `errors.cutter_leadN_deg` where there is no lead to change or it leaves its range
+Result<std::shared_ptr<const ContactPair>> contact_pair(const Pair& pair,
+                                                        const ContactErrors& errors = {},
+                                                        const ContactOptions& options = {});
+
+/// Turns the pair under its errors and says where it touches. Contact that is lost is no error but
+/// `contact_lost`.
+///
+/// Errors    as contact_pair
+/// Domain    `options.request` as analyse_contact (contract)
+/// Accuracy  as analyse_contact
+Result<Contact> contact(const Pair& pair, const ContactErrors& errors = {},
+                        const ContactOptions& options = {});
+
+/// The usable flank of a gear, which its modifications lie on.
+///
+/// Domain  a gear with a root form radius (contract)
+FlankExtent flank_extent(const Gear& gear);
+
+}  // namespace gearwright

@@ -1,0 +1,57 @@
+// The front door: everything that a program about gears includes.
+//
+//   #include <gearwright/gearwright.hpp>
+//   using namespace gearwright;
+//   using namespace gearwright::literals;
+//
+//   CylindricalSpec spec{.teeth = 21, .normal_module = 3, .helix_angle = 12_deg, .face_width = 40};
+//   const Result<Gear> pinion = make_gear(spec);
+//   spec.teeth = 55, spec.helix_angle = -12_deg;
+//   const Result<Gear> wheel = make_gear(spec);
+//   if (!pinion || !wheel) return 1;  // error() says which number, and what is allowed
+//   const Result<Pair> pair = mount(*pinion, *wheel, {.center_distance = 116.6});
+//   if (pair) std::printf("contact ratio %.4f\n", pair->contact_ratio());
+//
+// Lengths are mm, angles Angle or rad, as each member says. A fact about gears is a value or an
+// error of a Result. Programs to start from: examples/cpp, shown in docs/programming.md.
+#pragma once
+
+// Numbers: 20_deg, Angle, Result, µm and arcseconds, the version
+#include "gearwright/base/angle.hpp"
+#include "gearwright/base/output_file.hpp"
+#include "gearwright/base/result.hpp"
+#include "gearwright/base/units.hpp"
+#include "gearwright/base/version.hpp"
+
+// One gear: make_gear, make_pinion_cut_gear, flank modifications
+#include "gearwright/gear/gear.hpp"
+#include "gearwright/gear/modifications.hpp"
+#include "gearwright/gear/pinion_cut.hpp"
+#include "gearwright/tool/rack.hpp"
+
+// Two gears: mount, what the drive asks of its housing
+#include "gearwright/pair/drive.hpp"
+#include "gearwright/pair/pair.hpp"
+
+// How they touch under errors: contact, contact_pattern, map_of_errors, compensate
+#include "gearwright/contact/compensation.hpp"
+#include "gearwright/contact/error_map.hpp"
+#include "gearwright/contact/pair_contact.hpp"
+#include "gearwright/contact/pattern.hpp"
+
+// What a calliper reads: chordal_thickness
+#include "gearwright/inspection/chordal_thickness.hpp"
+
+// Which gears to make: fit, design_few_teeth, Search
+#include "gearwright/design/few_teeth_design.hpp"
+#include "gearwright/design/fit.hpp"
+#include "gearwright/design/search.hpp"
+
+// Files: gear_body, then STL, 3MF, GLB, DXF, SVG; STEP is of the component cad, gearwright::cad
+#include "gearwright/cad/dxf.hpp"
+#include "gearwright/cad/gear_body.hpp"
+#include "gearwright/cad/glb.hpp"
+#include "gearwright/cad/step.hpp"
+#include "gearwright/cad/stl.hpp"
+#include "gearwright/cad/svg_outline.hpp"
+#include "gearwright/cad/threemf.hpp"

@@ -1,0 +1,84 @@
+"""docs/programming.md shows every program of examples/cpp as it is.
+
+    <!-- example: gear.cpp -->
+    ```cpp
+    ...
+    ```
+    <!-- end -->
+
+    verbatim  the block holds the file, letter for letter
+    complete  every program has a block, and every block a program
+    length    a program has 20 to 60 lines, what it prints not counted
+
+With GW_WRITE_DOCS in the environment the blocks are written anew. Each rule is first tried on a page that
+breaks it, so that a rule that has gone blind fails.
+"""
+
+import os
+import re
+import sys
+from pathlib import Path
+
+ROOT = Path(os.environ.get("GW_SOURCE", Path(__file__).resolve().parents[2]))
+PAGE = ROOT / "docs/programming.md"
+BLOCK = re.compile(r"(<!-- example: (\S+) -->\n).*?(<!-- end -->)", re.S)
+LINES = range(20, 61)
+
+
+def written(page, programs):
+    """The page with every block made from its program; blocks without one stay."""
+    def block(found):
+        text = programs.get(found.group(2))
+        return found.group(0) if text is None else f"{found.group(1)}```cpp\n{text}```\n{found.group(3)}"
+    return BLOCK.sub(block, page)
+
+
+def check(page, programs):
+    faults = []
+    shown = [name for _, name, _ in BLOCK.findall(page)]
+    for name in sorted(set(programs) - set(shown)):
+        faults.append(f"{name}: docs/programming.md has no block <!-- example: {name} -->")
+    for name in sorted(set(shown) - set(programs)):
+        faults.append(f"{name}: is shown by docs/programming.md, but examples/cpp has no such program")
+    if written(page, programs) != page:
+        faults.append("docs/programming.md does not show the programs as they are: write it with GW_WRITE_DOCS=1")
+    for name, text in sorted(programs.items()):
+        program, _, printed = text.partition("\n/* prints\n")
+        if not printed.endswith("*/\n"):
+            faults.append(f"{name}: does not end with /* prints")
+        if program.count("\n") not in LINES:
+            faults.append(f"{name}: {program.count(chr(10))} lines; {LINES[0]} to {LINES[-1]} are the measure")
+    return faults
+
+
+def self_test():
+    text = "// An idea.\n" + "int x;\n" * 25 + "\n/* prints\n1\n*/\n"
+    page = f"# P\n\n<!-- example: a.cpp -->\n```cpp\n{text}```\n<!-- end -->\n"
+    assert check(page, {"a.cpp": text}) == [], check(page, {"a.cpp": text})
+    assert written(page.replace("An idea", "x"), {"a.cpp": text}) == page
+    for word, broken, programs in [
+            ("as they are", page.replace("An idea", "Another"), {"a.cpp": text}),
+            ("has no block", page, {"a.cpp": text, "b.cpp": text}),
+            ("no such program", page, {}),
+            ("does not end", page, {"a.cpp": text.replace("prints", "says")}),
+            ("the measure", page, {"a.cpp": text.replace("int x;\n", "")})]:
+        assert any(word in fault for fault in check(broken, programs)), f"blind to: {word}"
+
+
+def main():
+    self_test()
+    programs = {p.name: p.read_text(encoding="utf-8") for p in (ROOT / "examples/cpp").glob("*.cpp")}
+    assert len(programs) >= 12, f"only {len(programs)} programs in examples/cpp"
+    page = PAGE.read_text(encoding="utf-8")
+    if os.environ.get("GW_WRITE_DOCS"):
+        page = written(page, programs)
+        PAGE.write_text(page, encoding="utf-8")
+    faults = check(page, programs)
+    for fault in faults:
+        print(fault)
+    print(f"{len(programs)} programs, {len(faults)} faults")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,61 @@
+"""The JSON Schema of results against a validator that is not ours: every answer of the examples is valid, an answer with a
+key or a type that the schema does not know is refused."""
+import copy
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+BIN, NODE = os.environ["GW_BIN"], os.environ["GW_NODE"]
+SOURCE = pathlib.Path(os.environ["GW_SOURCE"])
+VERBS = ("gear", "pair", "measure", "fit", "contact", "outline", "search")
+
+
+def answers():
+    """{name: answer} of every verb for every example; a refusal is an answer too."""
+    found = {}
+    for spec in sorted((SOURCE / "examples").glob("*.toml")):
+        for verb in VERBS:
+            p = subprocess.run([BIN, verb, spec, "--json"], capture_output=True, text=True, timeout=120)
+            if p.stdout.strip():
+                found[f"{spec.name} {verb}"] = json.loads(p.stdout)
+    return found
+
+
+def refused(values):
+    """What ajv refuses of {name: value}: {name: why}."""
+    with tempfile.NamedTemporaryFile("w", suffix=".json") as schema:
+        schema.write(subprocess.run([BIN, "schema", "result"], capture_output=True, text=True, check=True).stdout)
+        schema.flush()
+        lines = "".join(json.dumps({"name": n, "value": v}) + "\n" for n, v in values.items())
+        p = subprocess.run([NODE, SOURCE / "tests/schema/validate.mjs", schema.name], input=lines, capture_output=True,
+                           text=True)
+    if p.returncode != 0:
+        raise RuntimeError(f"ajv (tools/install_npm_tools.sh): {p.stderr}")
+    said = [json.loads(line) for line in p.stdout.splitlines()]
+    assert len(said) == len(values), p.stdout
+    return {s["name"]: s["why"] for s in said if not s["valid"]}
+
+
+class Results(unittest.TestCase):
+    def test_answers_are_valid_and_others_are_not(self):
+        valid = answers()
+        self.assertGreater(len(valid), 90)
+        self.assertEqual(refused(valid), {})
+        good = valid["helical_pair.toml pair"]
+        wrong = {}
+        for name, change in (("key", lambda j: j["gears"][0].update(tip_diameter=1.0)),
+                             ("type", lambda j: j["gears"][0].update(teeth="17")),
+                             ("null", lambda j: j["gears"][0].update(tip_diameter_mm=None)),
+                             ("word", lambda j: j["pair"].update(kind="parallel")),
+                             ("missing", lambda j: j["pair"].pop("contact_ratio")),
+                             ("length", lambda j: j["pair"].update(tip_clearance_mm=[0.1]))):
+            wrong[name] = copy.deepcopy(good)
+            change(wrong[name])
+        self.assertEqual(sorted(refused(wrong)), sorted(wrong))
+
+
+if __name__ == "__main__":
+    unittest.main()
