@@ -13,8 +13,10 @@ class Angle {
   constexpr Angle() = default;
   static constexpr Angle radians(double value) { return Angle(value); }
   static constexpr Angle degrees(double value) { return Angle(value * kRadPerDeg); }
+  static constexpr Angle arcseconds(double value) { return Angle(value * kRadPerArcsec); }
   constexpr double rad() const { return rad_; }
   constexpr double deg() const { return rad_ * kDegPerRad; }
+  constexpr double arcsec() const { return rad_ * kArcsecPerRad; }
   constexpr Angle operator-() const { return Angle(-rad_); }
   friend constexpr Angle operator+(Angle a, Angle b) { return Angle(a.rad_ + b.rad_); }
   friend constexpr Angle operator-(Angle a, Angle b) { return Angle(a.rad_ - b.rad_); }

@@ -171,7 +171,8 @@ Circle rim_circle(double radius, int copies, const SectionTolerance& tolerance) 
 
 Result<TriangleMesh> tessellate(const ToothedBody& body, const MeshOptions& options) {
   GW_EXPECTS(options.chord_tolerance_mm > 0.0);
-  GW_EXPECTS(options.facet_turn_max > 0.0 && options.facet_turn_max <= kPi / 4.0);
+  const double facet_turn = options.facet_turn_max.rad();
+  GW_EXPECTS(facet_turn > 0.0 && facet_turn <= kPi / 4.0);
   GW_EXPECTS(body.face_width > 0.0 && body.outline.teeth != 0);
   const int teeth = body.outline.teeth;
   const int copies = std::abs(teeth);
@@ -197,8 +198,7 @@ Result<TriangleMesh> tessellate(const ToothedBody& body, const MeshOptions& opti
   // Levels along the face.
   const double radius_max =
       ring ? body.bore->diameter / 2.0 : body.outline.arcs.back().end_point.norm();
-  const double turn_max =
-      std::min(std::sqrt(kLevelShare * chord / radius_max), options.facet_turn_max);
+  const double turn_max = std::min(std::sqrt(kLevelShare * chord / radius_max), facet_turn);
   const double steps = std::max(1.0, std::ceil(std::abs(body.twist) * body.face_width / turn_max));
   const auto too_fine = [&] {
     return Error{"chord_tolerance_mm", fmt::format("{}", options.chord_tolerance_mm),
@@ -208,7 +208,7 @@ Result<TriangleMesh> tessellate(const ToothedBody& body, const MeshOptions& opti
   };
   if (steps > kVerticesMax) return too_fine();
   const Levels levels{static_cast<int>(steps), body.twist, body.face_width};
-  const SectionTolerance tolerance{chord, options.facet_turn_max,
+  const SectionTolerance tolerance{chord, facet_turn,
                                    std::abs(body.twist) * body.face_width / steps, radius_max};
 
   // The section.
@@ -235,7 +235,7 @@ Result<TriangleMesh> tessellate(const ToothedBody& body, const MeshOptions& opti
   std::vector<Column> bore_part;
   if (ring) rim = builder.add_wall(circle_part, copies, levels, false);
   if (body.bore && !ring) {
-    bore_part = bore_columns(*body.bore, chord, options.facet_turn_max);
+    bore_part = bore_columns(*body.bore, chord, facet_turn);
     bore = builder.add_wall(bore_part, 1, {1, 0.0, body.face_width}, true);
   }
 

@@ -22,6 +22,7 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/base/angle.hpp"
 #include "gearwright/base/result.hpp"
 #include "gearwright/cad/toothed_body.hpp"
 
@@ -29,7 +30,8 @@ namespace gearwright {
 
 struct MeshOptions {
   double chord_tolerance_mm = 0.005;  ///< largest distance of the triangles from the exact surface
-  double facet_turn_max = 0.26;       ///< rad, largest turn of the surface over one facet (15°)
+  Angle facet_turn_max =
+      Angle::radians(0.26);  ///< largest turn of the surface over one facet (15°)
 };
 
 using Triangle = std::array<std::uint32_t, 3>;

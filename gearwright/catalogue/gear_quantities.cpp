@@ -37,7 +37,7 @@ Value reference_thickness(const Gear& g) {
 
 Value neck_thickness(const Gear& g) {
   if (!g.tooth || !g.tooth->neck_half_angle || !g.tooth->neck_radius) return {};
-  return 2 * *g.tooth->neck_radius * std::sin(*g.tooth->neck_half_angle);
+  return 2 * *g.tooth->neck_radius * std::sin(g.tooth->neck_half_angle->rad());
 }
 
 const FilletArc* fillet(const Gear& g, std::optional<FilletArc> GeneratedTooth::*which) {
@@ -51,7 +51,7 @@ Value fillet_radius(const Gear& g, std::optional<FilletArc> GeneratedTooth::*whi
 
 Value fillet_span(const Gear& g, std::optional<FilletArc> GeneratedTooth::*which) {
   const FilletArc* arc = fillet(g, which);
-  return arc ? Value(deg(arc->span)) : Value();
+  return arc ? Value(arc->span.deg()) : Value();
 }
 
 Value fillet_center(const Gear& g, std::optional<FilletArc> GeneratedTooth::*which) {

@@ -58,8 +58,8 @@ void find_neck(const std::vector<Branch>& chain, double tip_height, GeneratedToo
     }
     for (double t : candidates) {
       const double theta = branch.curve->polar_angle(t);
-      if (!tooth.neck_half_angle || theta < *tooth.neck_half_angle) {
-        tooth.neck_half_angle = theta;
+      if (!tooth.neck_half_angle || theta < tooth.neck_half_angle->rad()) {
+        tooth.neck_half_angle = Angle::radians(theta);
         tooth.neck_radius = branch.curve->point(t).norm();
       }
     }
@@ -187,7 +187,7 @@ Result<GeneratedTooth> finish_tooth(const std::vector<Branch>& branches, const T
   }
   if (auto error = amiss(chain, ends, tooth)) return *error;
   find_neck(chain, side * tooth.tip_radius, tooth);
-  if (tooth.neck_half_angle && *tooth.neck_half_angle <= 0.0) {
+  if (tooth.neck_half_angle && tooth.neck_half_angle->rad() <= 0.0) {
     tooth.severed = true;
     return tooth;
   }

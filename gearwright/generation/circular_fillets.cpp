@@ -30,7 +30,7 @@ std::optional<FilletArc> root_fillet_at(const Involute& flank, int teeth, double
   if (!(radius > 0.0)) return std::nullopt;
   // D − r_r = r_b (1/cos u − tan u + ξ), the difference as tan((π/2 − u)/2).
   const double end = r_b * (std::tan((kHalfPi - u) / 2) + xi);
-  return FilletArc{radius, r_b / std::cos(u), kHalfPi - u, end};
+  return FilletArc{radius, r_b / std::cos(u), Angle::radians(kHalfPi - u), end};
 }
 
 std::optional<FilletArc> tip_fillet_at(const Involute& flank, double xi) {
@@ -41,7 +41,7 @@ std::optional<FilletArc> tip_fillet_at(const Involute& flank, double xi) {
   const double radius = r_b * (xi + std::tan(delta));
   if (!(radius > 0.0)) return std::nullopt;
   const double distance = r_b / std::cos(delta);
-  return FilletArc{radius, distance, kHalfPi + delta, distance + radius};
+  return FilletArc{radius, distance, Angle::radians(kHalfPi + delta), distance + radius};
 }
 
 std::optional<double> roll_of_tip_fillet(const Involute& flank, double radius) {

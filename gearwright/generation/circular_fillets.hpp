@@ -15,6 +15,7 @@
 
 #include <optional>
 
+#include "gearwright/base/angle.hpp"
 #include "gearwright/base/result.hpp"
 #include "gearwright/curve/basic_curves.hpp"
 #include "gearwright/generation/rack_envelope.hpp"
@@ -56,7 +57,7 @@ FlankRuler flank_ruler(const CutterEdge& edge, const RackMotion& motion);
 struct FilletArc {
   double radius;    ///< r_r or r_t  mm
   double distance;  ///< of the centre from the gear's axis, mm
-  double span;      ///< σ  rad, from the flank to the centre line
+  Angle span;       ///< σ  from the flank to the centre line
   double end;       ///< mm: radius at which the arc meets the centre line
 };
 

@@ -58,7 +58,7 @@ TEST(RootFillet, touches_the_flank_and_is_centred_in_the_space) {
       ++arcs;
       const double gamma = kPi / tooth.teeth;
       const OffsetCircle circle(arc->distance, gamma, arc->radius);
-      const double at_c = gamma - kPi + arc->span;
+      const double at_c = gamma - kPi + arc->span.rad();
       const double scale = 1e-14 * (arc->distance + arc->radius);
       EXPECT_LE((circle.point(at_c) - tooth.flank.point(xi)).norm(), 4 * scale) << xi;
       if (xi > 0.0) {
@@ -67,8 +67,8 @@ TEST(RootFillet, touches_the_flank_and_is_centred_in_the_space) {
       }
       const Vec2 end = circle.point(gamma - kPi);
       EXPECT_LE((end - arc->end * unit(gamma)).norm(), 4 * scale) << xi;
-      EXPECT_GT(arc->span, 0.0);
-      EXPECT_LT(arc->span, kPi);
+      EXPECT_GT(arc->span.rad(), 0.0);
+      EXPECT_LT(arc->span.rad(), kPi);
     }
   }
   EXPECT_GT(arcs, 30);
@@ -103,7 +103,7 @@ TEST(RootFillet, span_is_the_turn_of_the_tangent) {
       const auto arc = root_fillet_at(tooth.flank, tooth.teeth, xi);
       if (!arc || xi == 0.0) continue;
       const double root_tangent = kPi / tooth.teeth - kHalfPi;
-      EXPECT_NEAR(tooth.flank.at(xi).tangent_angle - root_tangent, arc->span, 1e-13);
+      EXPECT_NEAR(tooth.flank.at(xi).tangent_angle - root_tangent, arc->span.rad(), 1e-13);
     }
   }
 }
@@ -131,10 +131,10 @@ TEST(TipFillet, touches_the_flank_and_is_centred_on_the_tooth) {
       ++arcs;
       const OffsetCircle circle(arc->distance, 0.0, arc->radius);
       const double scale = 1e-14 * (arc->distance + arc->radius);
-      EXPECT_LE((circle.point(arc->span) - tooth.flank.point(xi)).norm(), 4 * scale) << xi;
+      EXPECT_LE((circle.point(arc->span.rad()) - tooth.flank.point(xi)).norm(), 4 * scale) << xi;
       if (xi > 0.0) {  // walked from the flank to the centre line, against growing t
         const double turn =
-            circle.at(arc->span).tangent_angle + kPi - tooth.flank.at(xi).tangent_angle;
+            circle.at(arc->span.rad()).tangent_angle + kPi - tooth.flank.at(xi).tangent_angle;
         EXPECT_NEAR(std::remainder(turn, 2 * kPi), 0.0, 1e-14) << xi;
       }
       EXPECT_LE((circle.point(0.0) - Vec2(arc->end, 0.0)).norm(), scale) << xi;

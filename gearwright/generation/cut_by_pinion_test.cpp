@@ -337,7 +337,7 @@ TEST(CutByPinion, a_deep_cutter_severs_the_tooth) {
   const GeneratedTooth cutter = cutter_of(40, 0.0);
   const GeneratedTooth cut_off = cut(cutter, {40, 5, 21.4});
   EXPECT_TRUE(cut_off.severed);
-  EXPECT_LE(*cut_off.neck_half_angle, 0.0);
+  EXPECT_LE(cut_off.neck_half_angle->rad(), 0.0);
   EXPECT_TRUE(cut_off.outline.arcs.empty());
 }
 

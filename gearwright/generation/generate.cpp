@@ -78,8 +78,8 @@ std::optional<Error> put_root_fillet(std::vector<Branch>& branches, int teeth,
   flank.t_lo = root.roll;
   flank.height_lo = flank.height(root.roll);
   flank.smooth_start = true;
-  Branch fillet{ArcName::root_fillet, circle,       t_lo,
-                t_lo + root.arc.span, root.arc.end, flank.height_lo};
+  Branch fillet{ArcName::root_fillet,       circle,       t_lo,
+                t_lo + root.arc.span.rad(), root.arc.end, flank.height_lo};
   if (const auto ray = circle->tangent_ray()) fillet.turns = {gamma - *ray};
   branches.insert(branches.begin(), std::move(fillet));
   tooth.root_fillet = root.arc;
@@ -99,7 +99,7 @@ std::optional<Error> put_tip_fillet(std::vector<Branch>& branches, const Circula
   flank.height_hi = flank.height(tip.roll);
   Branch fillet{ArcName::tip_fillet,
                 std::make_shared<OffsetCircle>(tip.arc.distance, 0.0, tip.arc.radius),
-                tip.arc.span,
+                tip.arc.span.rad(),
                 0.0,
                 flank.height_hi,
                 tip.arc.end,

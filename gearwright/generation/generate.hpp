@@ -25,7 +25,7 @@ struct GeneratedTooth {
   double tip_radius;   ///< mm, where the tooth really ends: blank, cutter's bottom or point
   std::optional<double> form_radius;  ///< mm, where the flank starts; none when no flank is left
   std::optional<double> tip_form_radius;  ///< mm, where it ends
-  std::optional<double> neck_half_angle;  ///< rad, smallest half angle of the root fillet, signed
+  std::optional<Angle> neck_half_angle;   ///< smallest half angle of the root fillet, signed
   std::optional<double> neck_radius;      ///< mm, where that is
   bool through_axis = false;              ///< the root circle would have no or a negative radius
   bool severed = false;  ///< the root fillets of both sides meet: the tooth falls off

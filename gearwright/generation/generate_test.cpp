@@ -80,7 +80,7 @@ TEST(CutByRack, undercut_tooth_starts_above_its_base_circle) {
   expect_joined(tooth);
   EXPECT_GT(*tooth.form_radius, 4 * std::cos(std::numbers::pi / 9) * (1 + 1e-3));
   EXPECT_LT(*tooth.neck_radius, *tooth.form_radius);
-  EXPECT_GT(*tooth.neck_half_angle, 0.0);
+  EXPECT_GT(tooth.neck_half_angle->rad(), 0.0);
 }
 
 TEST(CutByRack, full_radius_has_no_root_land) {
@@ -145,7 +145,7 @@ TEST(CutByRack, severed_tooth_has_flags_and_no_arcs) {
   const GeneratedTooth tooth = tooth_of({.teeth = 4, .shift = -0.6});
   EXPECT_TRUE(tooth.severed);
   EXPECT_TRUE(tooth.outline.arcs.empty());
-  EXPECT_LE(*tooth.neck_half_angle, 0.0);
+  EXPECT_LE(tooth.neck_half_angle->rad(), 0.0);
 }
 
 TEST(CutByRack, through_the_axis) {
