@@ -59,7 +59,7 @@ ContactSet involutes(double crossing, double lead_crowning) {
   ContactSet set{{gear(20, 15), gear(41, -15)}, {}, {}};
   set.mount.center_distance =
       (set.gears[0].reference_diameter + set.gears[1].reference_diameter) / 2;
-  set.mount.errors.crossing = crossing;
+  set.mount.errors.crossing = Angle::radians(crossing);
   if (lead_crowning != 0.0) {
     FlankModifications m;
     m.lead_crowning = lead_crowning;
@@ -215,7 +215,7 @@ void contact_map_of_two_errors(benchmark::State& state, const ContactSet& set) {
   for (int i = 0; i < 100; ++i) x.push_back(4e-6 * (i - 50)), y.push_back(1e-3 * (i - 50));
   const auto pair_at = [&set](double crossing, double d_center) {
     ContactSet s = set;
-    s.mount.errors.crossing = crossing, s.mount.errors.center_distance = d_center;
+    s.mount.errors.crossing = Angle::radians(crossing), s.mount.errors.center_distance = d_center;
     return s.pair();
   };
   for (auto _ : state) {

@@ -83,7 +83,7 @@ SearchProblem gearboxes() {
   p.limits.min_shift = -0.6;
   p.limits.max_shift = 1.0;
   p.helix.clear();
-  for (int i = 0; i < 8; ++i) p.helix.push_back(i * std::numbers::pi / 180.0);
+  for (int i = 0; i < 8; ++i) p.helix.push_back(Angle::degrees(i));
   return p;
 }
 

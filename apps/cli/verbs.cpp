@@ -48,8 +48,7 @@ Result<SolvedJob> solve_file(const Options& o, Scope scope) {
 }
 
 std::string pair_listing_of(const SolvedJob& job) {
-  const auto pair = job.pair_view();
-  return pair ? pair_listing(*pair) : std::string();
+  return job.pair ? pair_listing(*job.pair) : std::string();
 }
 
 // Says on stderr what is being made, but only when it takes more than a second.

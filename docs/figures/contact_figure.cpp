@@ -34,7 +34,7 @@ Figure contact_figure() {
   ContactMount place;
   place.center_distance =
       reference_center_distance(21, 55, spec.normal_module, std::cos(spec.helix_angle.rad()));
-  place.errors.crossing = Angle::degrees(0.02).rad();
+  place.errors.crossing = Angle::degrees(0.02);
   const ContactPair pair({&one, {&*field, &*field}}, {&two, {}}, place);
 
   // The branch of one tooth pair; every other is the same, whole pitches later [T8.2].
@@ -47,7 +47,7 @@ Figure contact_figure() {
     const PairTouch touch = transmission.of_pair_0(phi);
     if (!touch.found()) continue;
     branch.push_back({phi / pitch, touch.te() * arcsec});
-    const ContactPoint point = describe(transmission, touch, phi, 0.006);
+    const ContactPoint point = describe(transmission, touch, Angle::radians(phi), 0.006);
     height.push_back({phi / pitch, point.height[0]});
   }
   const Plot top{{-1.5, 1.5, 74, 838}, {-12, 4, 300, 36}};

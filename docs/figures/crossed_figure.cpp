@@ -29,8 +29,8 @@ Figure crossed_figure() {
   const auto least_angle = transverse_angle_at_min_distance(gears);
   if (!least_angle) throw std::logic_error("the figure's teeth are too thin");
   const CrossedPlace least = crossed_place(gears, *least_angle);
-  const auto mounted =
-      mount(one, two, {.center_distance = least.center_distance, .shaft_angle = least.shaft_angle});
+  const auto mounted = mount_involutes(
+      one, two, {.center_distance = least.center_distance, .shaft_angle = least.shaft_angle});
   if (!mounted) throw std::logic_error(mounted.error().message);
   const auto range = contact_ratio_range(mounted->input);
   if (!range) throw std::logic_error("the figure's teeth do not meet");
@@ -38,8 +38,8 @@ Figure crossed_figure() {
   // Samples over α_n; each rack has its place, and the pair mounted there its contact ratio.
   std::vector<Vec2> distance, planes, shaft, ratio;
   const double to_deg = Angle::radians(1).deg();
-  const double low = Angle::radians(range->lo.normal_pressure_angle).deg();
-  const double high = Angle::radians(range->hi.normal_pressure_angle).deg();
+  const double low = range->lo.normal_pressure_angle.deg();
+  const double high = range->hi.normal_pressure_angle.deg();
   const double from = low - 0.07 * (high - low);
   const double to = high + 0.07 * (high - low);
   for (int i = 0; i <= 160; ++i) {
@@ -70,7 +70,7 @@ Figure crossed_figure() {
                           Panel{planes, "distance {X} of the pitch planes, mm", "action thick", 95},
                           Panel{shaft, "shaft angle {Σ}, °", "g2 thick", 95},
                           Panel{ratio, "contact ratio {ε}", "green thick", 95}};
-  const double alpha_least = least.normal_pressure_angle * to_deg;
+  const double alpha_least = least.normal_pressure_angle.deg();
   const Axis x{from, to, 70, 836};
   double top = 34;
   const double first = top;

@@ -45,8 +45,8 @@ Figure search_figure() {
   trial.module = 1.0;
   trial.z1 = 15;
   trial.z2 = 24;
-  const ShiftGraph graph(problem, trial, trial_gear(problem, 15, 0.0, 0, 0),
-                         trial_gear(problem, 24, 0.0, 0, 1));
+  const ShiftGraph graph(problem, trial, trial_gear(problem, 15, Angle(), 0, 0),
+                         trial_gear(problem, 24, Angle(), 0, 1));
   const auto region = shift_region(graph);
   if (!region) throw std::logic_error("the figure's region is empty");
 
@@ -57,8 +57,7 @@ Figure search_figure() {
   const auto clip = [&](double x) { return std::min(std::max(x, -2.0), 2.0); };
   f.svg().begin_clip(62, 36, 430, 434);
   f.svg().polygon({plot.px(one.x_min, two.x_min), plot.px(clip(one.x_max), two.x_min),
-                   plot.px(clip(one.x_max), clip(two.x_max)),
-                   plot.px(one.x_min, clip(two.x_max))},
+                   plot.px(clip(one.x_max), clip(two.x_max)), plot.px(one.x_min, clip(two.x_max))},
                   "soft dash");
   const auto loops = region_boundary(graph, *region);
   for (const auto& loop : loops) {

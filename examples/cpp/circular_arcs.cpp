@@ -39,10 +39,11 @@ int main() {
   std::printf("contact ratio    %.4f\n", pair->contact_ratio());
   std::printf("least face       %.4f mm\n", pair->arcs()->face_for_contact);
 
-  const Result<Contact> touching = contact(*pair, {.center_distance = 0.02, .crossing = 2e-4});
+  const Result<Contact> touching =
+      contact(*pair, {.center_distance = 0.02, .crossing = Angle::radians(2e-4)});
   if (!touching) return fail(touching.error());
   std::printf("transmission error with the shafts crossed by 0.2 mrad  %.3f arcsec\n",
-              touching->peak_to_peak * kArcsecPerRad);
+              touching->peak_to_peak.arcsec());
 }
 
 /* prints

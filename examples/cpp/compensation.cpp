@@ -21,12 +21,12 @@ int main() {
   const Result<Pair> pair = mount(*pinion, *wheel, {.center_distance = 116.6});
   if (!pair) return fail(pair.error());
 
-  const double crossings[] = {(-0.01_deg).rad(), (0.04_deg).rad()};
+  const Angle crossings[] = {-0.01_deg, 0.04_deg};
   CompensationTask task;
   task.corrections = {{.lo = -50, .hi = 50, .step = 1},  // lead slope of gear 1, um
                       {.lo = 0, .hi = 20, .step = 1}};   // lead crowning of gear 1, um
   task.scenarios = 2;
-  task.centering = 20 * kRadPerArcsec;  // what contact at the end of the face may cost
+  task.centering = Angle::arcseconds(20);  // what contact at the end of the face may cost
   task.pair_at = [&](const std::vector<double>& um, int s) -> std::shared_ptr<const ContactPair> {
     FlankModifications m;
     m.lead_slope = um[0] * kMmPerUm;
@@ -39,7 +39,7 @@ int main() {
   const Compensation found = compensate(task);
   std::printf("lead slope %.2f um, crowning %.2f um\n", found.value[0], found.value[1]);
   std::printf("worst transmission error %.3f arcsec before, %.3f arcsec after\n",
-              found.before.peak_to_peak * kArcsecPerRad, found.after.peak_to_peak * kArcsecPerRad);
+              found.before.peak_to_peak.arcsec(), found.after.peak_to_peak.arcsec());
   std::printf("contact along the face   %.3f before, %.3f after (1: at the end)\n",
               found.before.along_face, found.after.along_face);
 }

@@ -28,16 +28,14 @@ Result<Contact> crooked() {
   ContactOptions options;
   options.modifications[0] = on_both_flanks(crowned);
   options.request.influences = {{ErrorKind::crossing}};
-  return contact(
-      *pair,
-      {.center_distance = 0.03, .crossing = (0.02_deg).rad(), .intersecting = (-0.01_deg).rad()},
-      options);
+  return contact(*pair, {.center_distance = 0.03, .crossing = 0.02_deg, .intersecting = -0.01_deg},
+                 options);
 }
 
 int main() {
   const Result<Contact> touching = crooked();
   if (!touching) return fail(touching.error());
-  std::printf("transmission error  %.4f arcsec\n", touching->peak_to_peak * kArcsecPerRad);
+  std::printf("transmission error  %.4f arcsec\n", touching->peak_to_peak.arcsec());
   const ContactPoint& first = touching->positions.front();
   std::printf("first touch         %s, at (%.3f, %.3f, %.3f) mm\n", to_string(first.kind).data(),
               first.point.x(), first.point.y(), first.point.z());

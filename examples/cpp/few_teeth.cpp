@@ -15,8 +15,8 @@ int main() {
   FewTeethProblem problem;
   problem.teeth = {3, 30};
   problem.normal_module = 1.5;  // mm
-  problem.normal_pressure_angle = (20_deg).rad();
-  problem.helix = (30_deg).rad();
+  problem.normal_pressure_angle = 20_deg;
+  problem.helix = 30_deg;
   problem.min_tip_land = 0.3;  // mm, as all lengths here
   problem.min_gap = 0.2;
   problem.clearance = 0.25;

@@ -11,7 +11,7 @@ int main() {
   problem.center_distance = {{99.0, 101.0}};
   problem.modules = {1.5, 2.0, 2.5};
   problem.pinion_teeth = {17, 40};
-  problem.helix = {0.0, 8 * kRadPerDeg};
+  problem.helix = {0_deg, 8_deg};
   problem.limits.sliding = 1.2;
   problem.limits.tip_thickness = 0.25;  // modules
 

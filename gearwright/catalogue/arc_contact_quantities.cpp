@@ -133,10 +133,10 @@ const Quantities<ArcContactView>& arc_contact_quantities() {
   return kAll;
 }
 
-std::vector<ArcContactView> arc_contacts_of(const PairView& v) {
+std::vector<ArcContactView> arc_contacts_of(const Pair& v) {
   std::vector<ArcContactView> list;
-  if (v.arcs) {
-    for (const ArcPairContact& c : v.arcs->contacts) list.push_back({v.arcs, &c});
+  if (v.arcs()) {
+    for (const ArcPairContact& c : v.arcs()->contacts) list.push_back({v.arcs(), &c});
   }
   return list;
 }

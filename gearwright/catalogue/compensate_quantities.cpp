@@ -156,7 +156,7 @@ const Quantities<ContactScore>& score_quantities() {
     q.add(Type::number, Unit::arcsec, "", "peak_to_peak_arcsec", "transmission error, peak to peak",
           "", "the worst; null without contact",
           [](const S& s) {
-            return std::isfinite(s.peak_to_peak) ? Value(s.peak_to_peak * kArcsecPerRad) : Value();
+            return std::isfinite(s.peak_to_peak.rad()) ? Value(s.peak_to_peak.arcsec()) : Value();
           })
         .otherwise("no contact");
     q.add(Type::number, Unit::percent, "", "contact_along_face",

@@ -24,8 +24,8 @@ struct ContactInput {
   int pitches = 1;
   double marking = 0.00635;  ///< mm
   int driver = 1;
-  bool pattern = false;           ///< the raster of both flanks is wanted in the result
-  std::vector<double> rotations;  ///< degrees: these instead of positions
+  bool pattern = false;          ///< the raster of both flanks is wanted in the result
+  std::vector<Angle> rotations;  ///< of gear 1: these instead of positions
   std::optional<ContactMapInput> map;
 };
 

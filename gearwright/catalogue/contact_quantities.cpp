@@ -32,7 +32,7 @@ const Quantities<ContactEllipse>& ellipse_quantities() {
      }).always();
     q.deg("", "angle_deg", "major axis to the axis", "",
           "about the normal, from the projection of axis 1 to the major axis",
-          [](const E& e) { return Value(e.angle * kDegPerRad); })
+          [](const E& e) { return Value(e.angle.deg()); })
         .always();
   });
   return kAll;
@@ -41,13 +41,13 @@ const SaidTable& ellipse_table() { return ellipse_quantities().table(); }
 
 void say_position(Quantities<P>& q) {
   q.deg("", "rotation1_deg", "rotation of gear 1", "φ_1", "clockwise seen from +z", [](const P& p) {
-     return Value(p.rotation1 * kDegPerRad);
+     return Value(p.rotation1.deg());
    }).always();
   q.deg("", "rotation2_deg", "rotation of gear 2", "φ_2", "as it is driven",
-        touching([](const P& p) { return p.rotation2 * kDegPerRad; }));
+        touching([](const P& p) { return p.rotation2.deg(); }));
   q.add(Type::number, Unit::arcsec, "", "transmission_error_arcsec", "transmission error", "TE",
         "rotation 2 less |z1/z2| times rotation 1, not zeroed; > 0: gear 2 is ahead [T8.2]",
-        touching([](const P& p) { return p.te * kArcsecPerRad; }));
+        touching([](const P& p) { return p.te.arcsec(); }));
   q.whole("", "tooth", "tooth pair", "k", "the pair that stands on the centre line k pitches later",
           touching([](const P& p) { return p.pair; }));
   q.word("", "kind", "where the flanks touch",
@@ -68,7 +68,7 @@ void say_position(Quantities<P>& q) {
       .per_gear();
   q.deg("", "rack_angle_deg", "normal angle of the rack", "θ",
         "at the point, of the rack that cut gear 1; α_n on an involute",
-        [](const P& p) { return p.rack_angle ? Value(*p.rack_angle * kDegPerRad) : Value(); });
+        [](const P& p) { return p.rack_angle ? Value(p.rack_angle->deg()) : Value(); });
   q.add(Type::number, Unit::per_mm, "", "gap_curvature_per_mm", "curvatures of the gap", "k_1, k_2",
         "k1 ≤ k2 [T8.15]; 0 and k2 of a line, null at an edge",
         [](const P& p) { return Value(p.gap_curvature); })
@@ -96,7 +96,7 @@ const Quantities<ContactResult>& non_working_quantities() {
       };
     };
     q.add(Type::number, Unit::arcsec, "", "transmission_error_arcsec", "transmission error", "TE",
-          "at each position", each([](const P& p) { return p.te * kArcsecPerRad; }))
+          "at each position", each([](const P& p) { return p.te.arcsec(); }))
         .list({0})
         .doors(kJson);
     q.word("", "kind", "where the flanks touch", "at each position",
@@ -106,7 +106,7 @@ const Quantities<ContactResult>& non_working_quantities() {
     q.add(Type::number, Unit::arcsec, "", "peak_to_peak_arcsec",
           "transmission error of the non-working flanks, peak to peak", "",
           "over the positions with contact",
-          [](const R& r) { return Value(r.peak_to_peak * kArcsecPerRad); });
+          [](const R& r) { return Value(r.peak_to_peak.arcsec()); });
     q.flag("", "contact_lost", "contact of the non-working flanks lost",
            "at some position no tooth pair touches",
            [](const R& r) { return Value(r.contact_lost); })
@@ -229,7 +229,7 @@ void say(Quantities<V>& q) {
       .doors(kJson);
   q.add(Type::number, Unit::arcsec, kContact, "peak_to_peak_arcsec",
         "transmission error, peak to peak", "", "over the positions with contact",
-        [](const V& v) { return Value(v.working->peak_to_peak * kArcsecPerRad); })
+        [](const V& v) { return Value(v.working->peak_to_peak.arcsec()); })
       .always();
   q.pure(kContact, "mean_slope", "mean slope of the transmission error", "",
          "over the rotation of gear 1, by least squares, rad per rad",
@@ -240,7 +240,7 @@ void say(Quantities<V>& q) {
         "[T8.18]; empty with `rotation1_deg` and where contact is lost",
         [](const V& v) {
           ValueList list;
-          for (const double h : v.working->harmonics) list.push_back(h * kArcsecPerRad);
+          for (const Angle h : v.working->harmonics) list.push_back(h.arcsec());
           return Value(std::move(list));
         })
       .list({0})
@@ -255,7 +255,7 @@ void say(Quantities<V>& q) {
   q.deg(kContact, "least_play_deg", "minimum angular play of gear 2", "",
         "between both flanks, over the positions; negative: the gears jam, null: at no position do "
         "both touch",
-        [](const V& v) { return v.min_play ? Value(*v.min_play * kDegPerRad) : Value(); })
+        [](const V& v) { return v.min_play ? Value(v.min_play->deg()) : Value(); })
       .digits(6);
   q.add(Type::map, Unit::none, kContact, "sensitivity", "sensitivities", "",
         "exact derivatives [T8.10] by each of [errors] and each modification placed, "

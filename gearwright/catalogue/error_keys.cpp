@@ -11,8 +11,6 @@ namespace {
 
 using Gears = std::array<const Gear*, 2>;
 
-
-
 constexpr double kMaxTilt = 10;     // degrees: beyond it a shaft is not misaligned but elsewhere
 constexpr double kMaxSlope = 5000;  // µm over the face
 constexpr double kMinLead = 0.5, kMaxLead = 90.0;  // degrees
@@ -20,8 +18,7 @@ constexpr double kMinLead = 0.5, kMaxLead = 90.0;  // degrees
 // κ of f_Hβ over the face width, at the reference cylinder.
 void set_helix_slope(ContactErrors& e, const Gears& gears, std::size_t i, double slope_um) {
   const Gear& gear = *gears[i];
-  e.helix_twist[i] =
-      slope_um * kMmPerUm / (gear.reference_diameter / 2 * gear.spec.face_width);
+  e.helix_twist[i] = slope_um * kMmPerUm / (gear.reference_diameter / 2 * gear.spec.face_width);
 }
 
 }  // namespace
@@ -32,10 +29,10 @@ const std::array<ErrorEntry, kErrorCount>& error_entries() {
       {"center_distance_mm", "ΔC", "centre distance", ErrorKind::center_distance, 0,
        [](E& e, const Gears&, double v) { e.center_distance = v; }, "axis 2 stands at a + ΔC"},
       {"crossing_deg", "Δγ", "crossing of the axes", ErrorKind::crossing, 0,
-       [](E& e, const Gears&, double v) { e.crossing = v * kRadPerDeg; },
+       [](E& e, const Gears&, double v) { e.crossing = Angle::degrees(v); },
        "axis 1 turns about the centre line, > 0 towards +y: the axes cross, by this much more"},
       {"intersecting_deg", "Δδ", "inclination of the axes", ErrorKind::intersecting, 0,
-       [](E& e, const Gears&, double v) { e.intersecting = v * kRadPerDeg; },
+       [](E& e, const Gears&, double v) { e.intersecting = Angle::degrees(v); },
        "axis 1 tilts towards gear 2, > 0 towards +x: the axes would meet"},
       {"axial_mm", "Δz", "axial place of gear 1", ErrorKind::axial, 0,
        [](E& e, const Gears&, double v) { e.axial = v; }, "gear 1 moves along +z"},
@@ -47,11 +44,11 @@ const std::array<ErrorEntry, kErrorCount>& error_entries() {
       {"helix_slope2_um", "f_Hβ2", "helix slope of gear 2", ErrorKind::helix_slope2, 2,
        [](E& e, const Gears& g, double v) { set_helix_slope(e, g, 1, v); }, "the same of gear 2"},
       {"cutter_lead1_deg", "Δλ1", "lead angle of gear 1", std::nullopt, 1,
-       [](E& e, const Gears&, double v) { e.cutter_lead[0] = v * kRadPerDeg; },
+       [](E& e, const Gears&, double v) { e.cutter_lead[0] = Angle::degrees(v); },
        "gear 1 is cut with its lead angle λ = 90° − |β| wrong by this much, its pitch radius kept: "
        "lead and transverse section change [T8.14]"},
       {"cutter_lead2_deg", "Δλ2", "lead angle of gear 2", std::nullopt, 2,
-       [](E& e, const Gears&, double v) { e.cutter_lead[1] = v * kRadPerDeg; },
+       [](E& e, const Gears&, double v) { e.cutter_lead[1] = Angle::degrees(v); },
        "the same of gear 2"},
   }};
   return entries;

@@ -200,8 +200,9 @@ TEST(Keys, the_eight_errors_and_seven_modifications_have_their_derivatives) {
   for (const ErrorEntry& e : error_entries()) {
     ContactErrors errors;
     e.set(errors, {&gear, &gear}, 2.0);
-    const double sum = errors.center_distance + errors.crossing + errors.intersecting +
-                       errors.axial + errors.cutter_lead[0] + errors.cutter_lead[1] +
+    const Angle turned =
+        errors.crossing + errors.intersecting + errors.cutter_lead[0] + errors.cutter_lead[1];
+    const double sum = errors.center_distance + errors.axial + turned.rad() +
                        50.0 * (errors.helix_twist[0] + errors.helix_twist[1]);
     EXPECT_DOUBLE_EQ(sum, 2.0 * e.si()) << e.key;
   }

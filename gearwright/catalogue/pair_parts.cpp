@@ -133,15 +133,15 @@ const Quantities<LineView>& line_quantities() {
   return kAll;
 }
 
-std::optional<LineView> line_of(const PairView& v) {
-  if (v.involute) {
-    const InvolutePair& p = *v.involute;
+std::optional<LineView> line_of(const Pair& v) {
+  if (v.involute()) {
+    const InvolutePair& p = *v.involute();
     return LineView{p.path_length(),
                     {p.on_line_of_action(p.mesh.rho1_A).r, p.on_line_of_action(p.mesh.rho1_E).r},
                     {p.on_trailing_line(p.mesh.rho1_A).r, p.on_trailing_line(p.mesh.rho1_E).r}};
   }
   // The way of the first contact over the common face, and its mirror image on the other flanks.
-  const ArcPair& p = *v.arcs;
+  const ArcPair& p = *v.arcs();
   if (p.contacts.empty()) return std::nullopt;
   const Vec3 at = p.first_contact().at.point;
   const double face = std::min(p.gears[0].spec.face_width, p.gears[1].spec.face_width);
@@ -191,15 +191,15 @@ const Quantities<BacklashView>& backlash_quantities() {
   return kAll;
 }
 
-std::optional<BacklashView> backlash_of(const PairView& v) {
-  if (v.involute) {
-    const Backlash<double>& b = v.involute->mesh.backlash;
+std::optional<BacklashView> backlash_of(const Pair& v) {
+  if (v.involute()) {
+    const Backlash<double>& b = v.involute()->mesh.backlash;
     return BacklashView{b.normal_base,
                         b.normal,
                         b.circumferential,
                         {Angle::radians(b.rotation[0]), Angle::radians(b.rotation[1])}};
   }
-  const ArcPair& p = *v.arcs;
+  const ArcPair& p = *v.arcs();
   if (!p.backlash_rotation) return std::nullopt;
   const auto& j = *p.backlash_rotation;
   const auto d_w = p.working_pitch_diameter();
@@ -295,13 +295,13 @@ const Quantities<InterferenceView>& interference_quantities() {
   return kAll;
 }
 
-std::vector<InterferenceView> interference_of(const PairView& v) {
+std::vector<InterferenceView> interference_of(const Pair& v) {
   std::vector<InterferenceView> list;
-  if (v.involute) {
-    for (const Interference& i : v.involute->interference)
+  if (v.involute()) {
+    for (const Interference& i : v.involute()->interference)
       list.push_back({i.code, i.gear, amount(i), i.message});
   } else {
-    for (const Warning& w : v.arcs->warnings) {
+    for (const Warning& w : v.arcs()->warnings) {
       if (w.code != "root" && w.code != "interference") continue;
       list.push_back({w.code, w.gear, std::nullopt, w.message});
     }

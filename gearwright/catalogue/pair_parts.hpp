@@ -27,7 +27,7 @@ struct LineView {
   std::array<Vec3, 2> leading, trailing;
 };
 const Quantities<LineView>& line_quantities();
-std::optional<LineView> line_of(const PairView& pair);
+std::optional<LineView> line_of(const Pair& pair);
 
 /// The points A to E of an involute pair's path.
 const Quantities<InvolutePair>& path_quantities();
@@ -39,7 +39,7 @@ struct BacklashView {
   std::array<Angle, 2> rotation;
 };
 const Quantities<BacklashView>& backlash_quantities();
-std::optional<BacklashView> backlash_of(const PairView& pair);
+std::optional<BacklashView> backlash_of(const Pair& pair);
 
 const Quantities<InvolutePair>& needed_face_quantities();
 const Quantities<InvolutePair>& sliding_velocity_quantities();
@@ -54,7 +54,7 @@ struct InterferenceView {
   std::string message;
 };
 const Quantities<InterferenceView>& interference_quantities();
-std::vector<InterferenceView> interference_of(const PairView& pair);
+std::vector<InterferenceView> interference_of(const Pair& pair);
 
 /// A contact of circular arcs and the pair it belongs to.
 struct ArcContactView {
@@ -62,6 +62,6 @@ struct ArcContactView {
   const ArcPairContact* contact;
 };
 const Quantities<ArcContactView>& arc_contact_quantities();
-std::vector<ArcContactView> arc_contacts_of(const PairView& pair);
+std::vector<ArcContactView> arc_contacts_of(const Pair& pair);
 
 }  // namespace gearwright

@@ -9,34 +9,29 @@ namespace gearwright {
 
 namespace {
 
-using V = PairView;
+using V = Pair;
 
 double deg(double rad) { return Angle::radians(rad).deg(); }
 Value degrees(const std::array<double, 2>& rad) { return std::array{deg(rad[0]), deg(rad[1])}; }
 
-bool is_involute(const V& v) { return v.involute; }
-bool is_arcs(const V& v) { return v.arcs; }
-bool is_parallel(const V& v) { return v.involute && !v.crossed(); }
+bool is_involute(const V& v) { return v.involute() != nullptr; }
+bool is_arcs(const V& v) { return v.arcs() != nullptr; }
+bool is_parallel(const V& v) { return v.involute() && !v.crossed(); }
 bool is_crossed(const V& v) { return v.crossed(); }
 
-// Getters of what both pairs have, of what an involute pair has, of what one has on crossed or on
+// Getters of what an involute pair has, of what one has on crossed or on
 // parallel axes: null for the others.
 template <class F>
-auto both(F get) {
-  return [get](const V& v) { return v.involute ? Value(get(*v.involute)) : Value(get(*v.arcs)); };
-}
-template <class F>
 auto involute(F get) {
-  return [get](const V& v) { return v.involute ? Value(get(*v.involute)) : Value(); };
+  return [get](const V& v) { return v.involute() ? Value(get(*v.involute())) : Value(); };
 }
 template <class F>
 auto crossed(F get) {
-  return [get](const V& v) { return v.crossed() ? Value(get(*v.involute)) : Value(); };
+  return [get](const V& v) { return v.crossed() ? Value(get(*v.involute())) : Value(); };
 }
 template <class F>
 auto parallel(F get) {
-  return
-      [get](const V& v) { return v.involute && !v.crossed() ? Value(get(*v.involute)) : Value(); };
+  return [get](const V& v) { return is_parallel(v) ? Value(get(*v.involute())) : Value(); };
 }
 
 // The table of a sub-catalogue, and its record of something that may not be there.
@@ -54,8 +49,7 @@ Value each_gear(const Value& gear_1, const Value& gear_2) {
 
 Value kind(const V& v) {
   if (v.crossed()) return "crossed";
-  return v.arcs || v.involute->kind == PairKind::parallel_external ? "parallel_external"
-                                                                   : "parallel_internal";
+  return v.kind() == PairKind::parallel_external ? "parallel_external" : "parallel_internal";
 }
 
 // The helix angle on the working pitch cylinder: tan β grows with the radius.
@@ -77,18 +71,18 @@ void say_mounting(Quantities<V>& q) {
       .one_of({"parallel_external", "parallel_internal", "crossed"})
       .doors(kJson);
   q.pure(kMounting, "gear_ratio", "gear ratio", "u", "z2/z1, negative for internal pairs",
-         both([](const auto& p) { return p.gear_ratio(); }))
+         [](const V& v) { return Value(v.gear_ratio()); })
       .always();
   q.deg(kMounting, "shaft_angle_deg", "shaft angle", "Σ", "0 on parallel axes",
-        [](const V& v) { return Value(v.involute ? v.involute->shaft_angle.deg() : 0.0); })
+        [](const V& v) { return Value(v.shaft_angle().deg()); })
       .always()
       .shown(is_crossed);
-  q.mm(kMounting, "center_distance_mm", "centre distance", "a", "as mounted",
-       both([](const auto& p) { return p.center_distance; }))
-      .always();
+  q.mm(kMounting, "center_distance_mm", "centre distance", "a", "as mounted", [](const V& v) {
+     return Value(v.center_distance());
+   }).always();
   q.mm(kMounting, "reference_center_distance_mm", "reference centre distance", "a_d",
        "from the reference diameters",
-       both([](const auto& p) { return p.reference_center_distance; }))
+       [](const V& v) { return Value(v.mounted().reference_center_distance); })
       .always();
   q.mm(kMounting, "backlash_free_center_distance_mm", "backlash-free centre distance", "",
        "of the teeth as cut, allowances included [T2.20]; crossed: at this Σ [T4.11]; null: there "
@@ -101,34 +95,35 @@ void say_mounting(Quantities<V>& q) {
   q.deg(kMounting, "working_normal_pressure_angle_deg", "working normal pressure angle", "α_wn",
         "of circular arcs the racks' normal angle at the contact",
         [](const V& v) -> Value {
-          if (v.involute) return deg(v.involute->mesh.rack.normal_pressure_angle);
-          if (v.arcs->contacts.empty()) return {};
-          return v.arcs->first_contact().at.theta.deg();
+          if (v.involute()) return deg(v.involute()->mesh.rack.normal_pressure_angle);
+          if (v.arcs()->contacts.empty()) return {};
+          return v.arcs()->first_contact().at.theta.deg();
         })
       .shown(is_involute);
   q.deg(kMounting, "working_transverse_pressure_angle_deg", "working transverse pressure angle",
         "α_wt", "per gear",
         [](const V& v) -> Value {
-          if (v.involute) {
-            const auto& sides = v.involute->mesh.rack.sides;
+          if (v.involute()) {
+            const auto& sides = v.involute()->mesh.rack.sides;
             return degrees({sides[0].transverse_angle, sides[1].transverse_angle});
           }
-          if (v.arcs->contacts.empty()) return {};
-          return degrees({working_transverse(*v.arcs, 0), working_transverse(*v.arcs, 1)});
+          if (v.arcs()->contacts.empty()) return {};
+          return degrees({working_transverse(*v.arcs(), 0), working_transverse(*v.arcs(), 1)});
         })
       .per_gear()
       .shown(is_involute);
   q.deg(kMounting, "working_helix_angle_deg", "working helix angle", "β_w", "per gear",
         [](const V& v) {
-          if (!v.involute) return degrees({working_helix(*v.arcs, 0), working_helix(*v.arcs, 1)});
-          const auto& sides = v.involute->mesh.rack.sides;
+          if (!v.involute())
+            return degrees({working_helix(*v.arcs(), 0), working_helix(*v.arcs(), 1)});
+          const auto& sides = v.involute()->mesh.rack.sides;
           return degrees({sides[0].helix_angle, sides[1].helix_angle});
         })
       .per_gear();
   q.mm(kMounting, "working_pitch_diameter_mm", "working pitch diameter", "d_w", "per gear",
        [](const V& v) {
-         if (!v.involute) return Value(v.arcs->working_pitch_diameter());
-         const auto& sides = v.involute->mesh.rack.sides;
+         if (!v.involute()) return Value(v.arcs()->working_pitch_diameter());
+         const auto& sides = v.involute()->mesh.rack.sides;
          return Value(std::array{2 * sides[0].pitch_radius, 2 * sides[1].pitch_radius});
        })
       .per_gear();
@@ -143,12 +138,12 @@ void say_crossed(Quantities<V>& q) {
   q.mm(kFace, "min_face_width_mm", "minimum face width, one flank", "f", "per gear [T4.21]",
        crossed([](const InvolutePair& p) { return p.face_widths->one_flank; }))
       .per_gear()
-      .shown([](const V& v) { return v.crossed() && v.involute->flanks_meet(); });
+      .shown([](const V& v) { return v.crossed() && v.involute()->flanks_meet(); });
   q.mm(kFace, "min_face_width_both_flanks_mm", "minimum face width, both flanks", "f'",
        "per gear, about the centre line [T4.21]",
        crossed([](const InvolutePair& p) { return p.face_widths->both_flanks; }))
       .per_gear()
-      .shown([](const V& v) { return v.crossed() && v.involute->flanks_meet(); });
+      .shown([](const V& v) { return v.crossed() && v.involute()->flanks_meet(); });
   q.record(kFace, "face_interval_mm",
            "[at A, at E]: where on the face the leading flanks touch, from its middle [T4.20]",
            table_of<two_gears>, crossed([](const InvolutePair& p) {
@@ -178,9 +173,7 @@ void say_contact(Quantities<V>& q) {
   q.pure(kContact, "contact_ratio", "total contact ratio", "ε_γ",
          "ε_α + ε_β, crossed AE/p_bn; 0 when the teeth do not meet; of circular arcs ε_β times the "
          "points of contact per tooth",
-         [](const V& v) {
-           return Value(v.involute ? v.involute->contact_ratio() : v.arcs->contact_ratio);
-         })
+         [](const V& v) { return Value(v.contact_ratio()); })
       .always()
       .shown([](const V& v) { return !v.crossed(); });
   // Crossed axes have one contact ratio: there is no transverse one to add an overlap to.
@@ -194,15 +187,15 @@ void say_contact(Quantities<V>& q) {
   q.pure(kContact, "transverse_contact_ratio", "transverse contact ratio", "ε_α",
          "tip form circle to tip form circle; null on crossed axes",
          [](const V& v) {
-           return v.involute ? Value(v.involute->transverse_contact_ratio()) : Value(0.0);
+           return v.involute() ? Value(v.involute()->transverse_contact_ratio()) : Value(0.0);
          })
       .shown(is_involute);
   q.pure(kContact, "contact_ratio_true", "effective total contact ratio", "",
          "the path clipped to the usable flanks [T2.19], of crossed pairs to the faces too; 0 when "
          "nothing is left of it",
          [](const V& v) -> Value {
-           if (v.involute) return v.involute->contact_ratio_true();
-           return v.arcs->contacts.empty() ? Value() : Value(v.arcs->contact_ratio);
+           if (v.involute()) return v.involute()->contact_ratio_true();
+           return v.arcs()->contacts.empty() ? Value() : Value(v.arcs()->contact_ratio);
          })
       .shown(is_parallel);
   q.pure(kContact, "transverse_contact_ratio_true", "effective transverse contact ratio", "",
@@ -211,12 +204,12 @@ void say_contact(Quantities<V>& q) {
       .doors(kPeople);
   q.pure(kContact, "overlap_ratio", "overlap ratio", "ε_β", "null on crossed axes",
          [](const V& v) -> Value {
-           if (v.arcs) return v.arcs->overlap_ratio;
-           return v.crossed() ? Value() : Value(v.involute->mesh.overlap_ratio);
+           if (v.arcs()) return v.arcs()->overlap_ratio;
+           return v.crossed() ? Value() : Value(v.involute()->mesh.overlap_ratio);
          });
   q.mm(kFace, "face_width_for_contact_mm", "minimum face width for continuous contact", "b",
        "circular arcs only: the least common face over which a point always touches",
-       [](const V& v) { return Value(v.arcs->face_for_contact); })
+       [](const V& v) { return Value(v.arcs()->face_for_contact); })
       .when(is_arcs);
   q.record(kContact, "line_of_action",
            "of circular arcs the way of the point over the common face; null without contact",
@@ -246,7 +239,7 @@ void say_contact(Quantities<V>& q) {
 void say_clearances(Quantities<V>& q) {
   q.mm(kClearances, "tip_clearance_mm", "tip clearance", "c",
        "tip of gear 1 to root of gear 2, then the other",
-       both([](const auto& p) { return p.tip_clearance; }))
+       [](const V& v) { return Value(v.mounted().tip_clearance); })
       .per_gear();
   q.mm(kClearances, "contact_root_diameter_mm", "active root diameter", "d_Nf",
        "per gear, where contact starts; null past the base tangent point",
@@ -316,7 +309,7 @@ void say_sliding(Quantities<V>& q) {
          parallel([](const InvolutePair& p) { return axial_force(p); }))
       .per_gear()
       .when(is_involute)
-      .shown([](const V& v) { return v.involute->input.gears[0].helix_angle != 0.0; });
+      .shown([](const V& v) { return v.involute()->input.gears[0].helix_angle != 0.0; });
   q.pure(kBacklash, "backlash_per_center_distance",
          "circumferential backlash per mm of centre "
          "distance",
@@ -341,8 +334,8 @@ void say_sliding(Quantities<V>& q) {
   q.add(Type::number, Unit::percent, kContact, "efficiency_driving",
         "efficiency, this gear driving", "η", "per gear",
         [](const V& v) -> Value {
-          if (!v.involute || !v.involute->efficiency) return {};
-          const Efficiency& e = *v.involute->efficiency;
+          if (!v.involute() || !v.involute()->efficiency) return {};
+          const Efficiency& e = *v.involute()->efficiency;
           return std::array{e.gear1_drives, e.gear2_drives};
         })
       .per_gear()
@@ -362,8 +355,7 @@ void say(Quantities<V>& q) {
            [](const V& v) { return record_of(backlash_quantities(), backlash_of(v)); });
   q.record(kMargins, "internal", "internal pairs only", table_of<internal_quantities>,
            involute([](const InvolutePair& p) { return internal_quantities().of(p); }))
-      .when(
-          [](const V& v) { return v.involute && v.involute->kind == PairKind::parallel_internal; });
+      .when([](const V& v) { return v.kind() == PairKind::parallel_internal; });
   q.record("Point of contact", "arc_contacts",
            "circular arcs only: the points of contact; empty for gears of unequal lead",
            table_of<arc_contact_quantities>,
@@ -374,8 +366,8 @@ void say(Quantities<V>& q) {
 
 }  // namespace
 
-const Quantities<PairView>& pair_quantities() {
-  static const Quantities<PairView> kAll("pair", say);
+const Quantities<Pair>& pair_quantities() {
+  static const Quantities<Pair> kAll("pair", say);
   return kAll;
 }
 

@@ -141,8 +141,8 @@ TEST(Catalogue, ValuesAreWhatIsSaidOfThem) {
   for (const char* text : kSpecs) {
     const SolvedJob job = solved(text);
     for (const Gear& g : job.gears) EXPECT_EQ(fault_in(gear_quantities().of(g)), "") << text;
-    if (const auto pair = job.pair_view()) {
-      EXPECT_EQ(fault_in(pair_quantities().of(*pair)), "") << text;
+    if (job.pair) {
+      EXPECT_EQ(fault_in(pair_quantities().of(*job.pair)), "") << text;
     }
     EXPECT_EQ(fault_in({{warning_quantities().table().list[0], Value("code")}}), "");
   }

@@ -8,10 +8,10 @@
 
 namespace gearwright {
 
-double tidy_degrees(double rad) {
+double tidy_degrees(Angle angle) {
   constexpr double kPlaces = 1e9;      // decimals of a degree that people write, 1/kPlaces
   constexpr double kRounding = 1e-13;  // relative: what conversion to radians and back loses
-  const double value = Angle::radians(rad).deg();
+  const double value = angle.deg();
   const double tidy = std::round(value * kPlaces) / kPlaces;
   return std::abs(value - tidy) < kRounding * (1.0 + std::abs(value)) ? tidy : value;
 }
@@ -102,7 +102,7 @@ void say_numbers(Quantities<V>& q) {
       .always()
       .column("helix#_deg")
       .digits(kFewDigits)
-      .shown([](const V& v) { return is_crossed(v) || v.row->trial.helix[0] != 0.0; });
+      .shown([](const V& v) { return is_crossed(v) || v.row->trial.helix[0] != Angle(); });
   q.whole("", "rack", "rack", "", "which of the racks given, from 1; only with several",
           [](const V& v) { return Value(v.row->trial.rack + 1); })
       .always()

@@ -32,6 +32,6 @@ const Quantities<SearchView>& search_quantities();
 const Quantities<ShiftPoint>& point_quantities();
 
 /// Degrees as they were given: −12, not what −12° in radians comes back as.
-double tidy_degrees(double rad);
+double tidy_degrees(Angle angle);
 
 }  // namespace gearwright

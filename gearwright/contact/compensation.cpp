@@ -29,7 +29,7 @@ struct Looked {
   ContactScore score;
 };
 
-Looked curve_of(const ContactPair& pair, int positions, double target, double width) {
+Looked curve_of(const ContactPair& pair, int positions, Angle target, Angle width) {
   Looked c;
   Transmission transmission(pair);
   double z_half = 0.0;
@@ -48,12 +48,12 @@ Looked curve_of(const ContactPair& pair, int positions, double target, double wi
     ++n;
     // Along a contact line every point touches: the pattern is where the line is, all over.
     if (!t.touch.flat) height += t.touch.z / z_half;
-    if (width > 0.0) {
+    if (width > Angle()) {
       const auto angle = transmission.field(t.fields).one().profile.rack_angle(t.touch.s);
-      if (angle) profile += (*angle - target) / width;
+      if (angle) profile += (*angle - target.rad()) / width.rad();
     }
   }
-  c.score.peak_to_peak = peak_to_peak(c.te);
+  c.score.peak_to_peak = Angle::radians(peak_to_peak(c.te));
   c.score.along_face = n ? height / n : 0.0;
   c.score.along_profile = n ? profile / n : 0.0;
   return c;
@@ -86,10 +86,10 @@ class Judge {
     if (curves.empty()) return kInfinity;
     ContactScore worst;
     for (const Looked& c : curves) take_worst(worst, c.score);
-    if (worst.lost || !std::isfinite(worst.peak_to_peak)) return kInfinity;
-    return worst.peak_to_peak +
-           task_.centering * ((task_.along_face ? worst.along_face * worst.along_face : 0.0) +
-                              worst.along_profile * worst.along_profile);
+    if (worst.lost || !std::isfinite(worst.peak_to_peak.rad())) return kInfinity;
+    return worst.peak_to_peak.rad() +
+           task_.centering.rad() * ((task_.along_face ? worst.along_face * worst.along_face : 0.0) +
+                                    worst.along_profile * worst.along_profile);
   }
 
   double value(const std::vector<double>& v) { return value(curves(v)); }
@@ -177,8 +177,8 @@ std::vector<double> rounded(const CompensationTask& task, const std::vector<doub
 
 }  // namespace
 
-ContactScore score_of(const ContactPair& pair, int positions, double profile_target,
-                      double profile_width) {
+ContactScore score_of(const ContactPair& pair, int positions, Angle profile_target,
+                      Angle profile_width) {
   return curve_of(pair, positions, profile_target, profile_width).score;
 }
 

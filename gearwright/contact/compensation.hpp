@@ -29,7 +29,7 @@ struct Correction {
 };
 
 struct ContactScore {
-  double peak_to_peak = 0.0;   ///< rad; greatest over the scenarios
+  Angle peak_to_peak;          ///< greatest over the scenarios
   double along_face = 0.0;     ///< h: greatest magnitude over the scenarios, with its sign
   double along_profile = 0.0;  ///< p; 0 without a target
   bool lost = false;           ///< contact is lost somewhere
@@ -40,10 +40,10 @@ struct CompensationTask {
   int scenarios = 1;
   int positions = 24;       ///< per pitch, while looking
   int fine_positions = 64;  ///< per pitch, of the scores told
-  double centering = 0.0;   ///< w  rad: what a pattern at the end of the face may cost
+  Angle centering;          ///< w  what a pattern at the end of the face may cost
   bool along_face = true;   ///< false: a contact point runs along the face anyhow, h does not count
-  double profile_target = 0.0;                ///< rack angle, rad; with profile_width
-  double profile_width = 0.0;                 ///< rad: what counts as the end; 0: no target
+  Angle profile_target;     ///< rack angle; with profile_width
+  Angle profile_width;      ///< what counts as the end; 0: no target
   std::vector<std::vector<double>> starts{};  ///< guesses beside the two of its own
   /// The pair under a scenario with the corrections made. Null where there is none.
   std::function<std::shared_ptr<const ContactPair>(const std::vector<double>&, int)> pair_at;
@@ -51,9 +51,9 @@ struct CompensationTask {
 
 /// Δb_F after ΔC, and what it does. mm and rad.
 struct SettingAnswer {
-  double exact, first_order;              ///< Δb_F: [T8.20], −ΔC of [T8.21]
-  std::optional<Angle> angle_nominal;     ///< normal angle θ at the contact: as drawn,
-  std::optional<Angle> angle_displaced;   ///< with ΔC,
+  double exact, first_order;             ///< Δb_F: [T8.20], −ΔC of [T8.21]
+  std::optional<Angle> angle_nominal;    ///< normal angle θ at the contact: as drawn,
+  std::optional<Angle> angle_displaced;  ///< with ΔC,
   std::optional<Angle> angle_exact, angle_first_order;  ///< and with either setting
   double thickness_change;  ///< of the tooth that F cuts, normal, at the contact's height
   double backlash_change;   ///< normal, for the exact setting alone
@@ -80,7 +80,7 @@ struct Compensation {
 Compensation compensate(const CompensationTask& task);
 
 /// Of one pair.
-ContactScore score_of(const ContactPair& pair, int positions, double profile_target,
-                      double profile_width);
+ContactScore score_of(const ContactPair& pair, int positions, Angle profile_target,
+                      Angle profile_width);
 
 }  // namespace gearwright

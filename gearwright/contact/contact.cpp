@@ -27,33 +27,33 @@ double least_squares_slope(const std::vector<ContactPoint>& points) {
   for (const ContactPoint& p : points) {
     if (p.kind == TouchKind::none) continue;
     n += 1.0;
-    sum_x += p.rotation1;
-    sum_y += p.te;
+    sum_x += p.rotation1.rad();
+    sum_y += p.te.rad();
   }
   if (n < 2.0) return 0.0;
   double xx = 0.0;
   double xy = 0.0;
   for (const ContactPoint& p : points) {
     if (p.kind == TouchKind::none) continue;
-    const double x = p.rotation1 - sum_x / n;
+    const double x = p.rotation1.rad() - sum_x / n;
     xx += x * x;
-    xy += x * (p.te - sum_y / n);
+    xy += x * (p.te.rad() - sum_y / n);
   }
   return xx > 0.0 ? xy / xx : 0.0;
 }
 
 // Amplitudes of 1, 2, … waves per pitch. [T8.18]
-std::vector<double> harmonics(const std::vector<ContactPoint>& points, int n) {
+std::vector<Angle> harmonics(const std::vector<ContactPoint>& points, int n) {
   constexpr int kMax = 20;
-  std::vector<double> amplitude;
-  const double mean = points[0].te;  // of no consequence but for rounding
+  std::vector<Angle> amplitude;
+  const double mean = points[0].te.rad();  // of no consequence but for rounding
   for (int h = 1; h <= std::min(kMax, (n - 1) / 2); ++h) {
     Complex sum = 0.0;
     for (int i = 0; i < n; ++i) {
       const double turn = 2 * std::numbers::pi * ((static_cast<long long>(h) * i) % n) / n;
-      sum += (points[i].te - mean) * Complex(std::cos(turn), -std::sin(turn));
+      sum += (points[i].te.rad() - mean) * Complex(std::cos(turn), -std::sin(turn));
     }
-    amplitude.push_back(2.0 * std::abs(sum) / n);
+    amplitude.push_back(Angle::radians(2.0 * std::abs(sum) / n));
   }
   return amplitude;
 }
@@ -65,22 +65,22 @@ ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& req
   Transmission transmission(pair);
   ContactResult result;
   std::vector<PairTouch> touches;
-  std::vector<double> rotations = request.rotations;
+  std::vector<Angle> rotations = request.rotations;
   const int n = request.positions;
   if (rotations.empty()) {
     // Errors stand still: every pitch is like the first, its tooth pair one further.
     const double first = -0.5 * request.pitches * pair.pitch();
     const std::vector<PairTouch> once = one_pitch(transmission, first, n);
     for (int i = 0; i < request.pitches * n; ++i) {
-      rotations.push_back(first + pair.pitch() * (static_cast<double>(i) / n));
+      rotations.push_back(Angle::radians(first + pair.pitch() * (static_cast<double>(i) / n)));
       touches.push_back(once[i % n]);
       touches.back().pair += static_cast<int>(pair.turned()) * (i / n);
     }
   } else {
-    for (const double r : rotations) touches.push_back(transmission.at(pair.to_world(r)));
+    for (const Angle r : rotations) touches.push_back(transmission.at(pair.to_world(r.rad())));
   }
-  double least = std::numeric_limits<double>::infinity();
-  double greatest = -least;
+  Angle least = Angle::radians(std::numeric_limits<double>::infinity());
+  Angle greatest = -least;
   for (std::size_t i = 0; i < touches.size(); ++i) {
     const ContactPoint p = describe(transmission, touches[i], rotations[i], request.marking);
     result.positions.push_back(p);

@@ -13,21 +13,21 @@
 namespace gearwright {
 
 struct ContactRequest {
-  int positions = 64;               ///< per pitch of gear 1, ≥ 2
-  int pitches = 1;                  ///< ≥ 1
-  double marking = 0.00635;         ///< δ  mm
-  std::vector<double> rotations{};  ///< rad: these instead of positions
+  int positions = 64;              ///< per pitch of gear 1, ≥ 2
+  int pitches = 1;                 ///< ≥ 1
+  double marking = 0.00635;        ///< δ  mm
+  std::vector<Angle> rotations{};  ///< of gear 1: these instead of positions
   std::vector<Influence> influences{};
 };
 
 struct ContactResult {
   std::vector<ContactPoint> positions;
   std::vector<std::vector<Sensitivity>> sensitivities;  ///< [influence][position]; 0 where lost
-  double peak_to_peak = 0.0;                            ///< rad, over the positions with contact
-  double mean_slope = 0.0;        ///< least squares slope of TE over rotation1, rad/rad
-  std::vector<double> harmonics;  ///< rad: amplitudes of 1, 2, … per pitch; empty for rotations
-  bool contact_lost = false;      ///< a position at which no pair touches
-  long unfinished = 0;            ///< searches that did not end: 0 unless something is odd
+  Angle peak_to_peak;                                   ///< over the positions with contact
+  double mean_slope = 0.0;       ///< least squares slope of TE over rotation1, rad/rad
+  std::vector<Angle> harmonics;  ///< amplitudes of 1, 2, … per pitch; empty for rotations
+  bool contact_lost = false;     ///< a position at which no pair touches
+  long unfinished = 0;           ///< searches that did not end: 0 unless something is odd
   TouchCount work;
 };
 

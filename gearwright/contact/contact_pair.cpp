@@ -38,7 +38,7 @@ ContactPair::ContactPair(const ContactGear& gear_1, const ContactGear& gear_2,
   const bool right_2 = right_1 != internal_;
   const auto twist = [&](const Gear& g, int i) {
     const double r = g.reference_diameter / 2;
-    const double lead = with_cutter_lead(g.twist(), r, e.cutter_lead[i]);
+    const double lead = with_cutter_lead(g.twist(), r, e.cutter_lead[i].rad());
     return std::array{mirror * lead, mirror * e.helix_twist[i]};
   };
   for (int i = 0; i < 2; ++i) {
@@ -77,7 +77,7 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
     if (arc.name == ArcName::flank) flanks.push_back(arc);
   GW_EXPECTS(!flanks.empty());
   for (std::size_t i = 0; i < flanks.size(); ++i) {
-    const Arc arc = recut(flanks[i], g, place_.errors.cutter_lead[which]);
+    const Arc arc = recut(flanks[i], g, place_.errors.cutter_lead[which].rad());
     const Profile profile(arc, side, twist[0]);
     using End = FlankPatch::End;
     FlankPatch p{profile, center, twist[0] + twist[1], -half, half};
@@ -127,10 +127,10 @@ void ContactPair::set_mount() {
   const ContactErrors& e = place_.errors;
   const double mirror = sign_if(internal_);
   const double turned = sign_if(place_.gear2_drives);
-  tilt_ = detail::crossing_turn(mirror * e.crossing) *
-          detail::intersecting_turn(turned * e.intersecting);
+  tilt_ = detail::crossing_turn(mirror * e.crossing.rad()) *
+          detail::intersecting_turn(turned * e.intersecting.rad());
   lift_ = Vec3(0, 0, turned * e.axial);
-  const Mat3 shaft = detail::shaft_turn(mirror * place_.shaft_angle);
+  const Mat3 shaft = detail::shaft_turn(mirror * place_.shaft_angle.rad());
   relative_.rotation = shaft * tilt_;
   relative_.shift = shaft * (lift_ - Vec3(place_.center_distance + e.center_distance, 0, 0));
 }

@@ -24,11 +24,11 @@ namespace gearwright {
 /// Errors of mounting and of cutting, all at once. Order and signs: docs/spec.md, [errors].
 struct ContactErrors {
   double center_distance = 0.0;         ///< ΔC  mm
-  double crossing = 0.0;                ///< Δγ  rad, about the centre line
-  double intersecting = 0.0;            ///< Δδ  rad, in the plane of the axes
+  Angle crossing;                       ///< Δγ  about the centre line
+  Angle intersecting;                   ///< Δδ  in the plane of the axes
   double axial = 0.0;                   ///< Δz  mm
   std::array<double, 2> helix_twist{};  ///< κ   rad/mm: section z turned by κz
-  std::array<double, 2> cutter_lead{};  ///< Δλ  rad: cut with another lead angle
+  std::array<Angle, 2> cutter_lead{};   ///< Δλ  cut with another lead angle
 };
 
 struct ContactGear {
@@ -39,7 +39,7 @@ struct ContactGear {
 
 struct ContactMount {
   double center_distance = 0.0;  ///< a  mm, without errors
-  double shaft_angle = 0.0;      ///< Σ  rad
+  Angle shaft_angle;             ///< Σ
   bool gear2_drives = false;
   ContactErrors errors;
 };

@@ -152,7 +152,7 @@ void curvatures(const ContactPair& pair, const GapJet& j, bool line, double mark
   ellipse.semi_minor = std::sqrt(2 * marking / k2);
   Eigen::Vector2d major = eigen.eigenvectors().col(0);
   if (major[0] < 0.0 || (major[0] == 0.0 && major[1] < 0.0)) major = -major;
-  ellipse.angle = std::atan2(major[1], major[0]);
+  ellipse.angle = Angle::radians(std::atan2(major[1], major[0]));
   p.ellipse = ellipse;
 }
 
@@ -175,7 +175,7 @@ std::string_view to_string(TouchKind kind) {
   return "";
 }
 
-ContactPoint describe(Transmission& transmission, const PairTouch& touch, double rotation1,
+ContactPoint describe(Transmission& transmission, const PairTouch& touch, Angle rotation1,
                       double marking) {
   ContactPoint p;
   p.rotation1 = rotation1;
@@ -183,7 +183,7 @@ ContactPoint describe(Transmission& transmission, const PairTouch& touch, double
   const ContactPair& pair = transmission.pair();
   const GapField& field = transmission.field(touch.fields);
   const double turned = pair.turned();
-  p.te = turned * touch.touch.te;
+  p.te = Angle::radians(turned * touch.touch.te);
   p.rotation2 = pair.ratio() * rotation1 + p.te;
   p.pair = static_cast<int>(turned) * touch.pair;
   p.kind = kind_of(field, touch.touch.active);
@@ -210,8 +210,9 @@ ContactPoint describe(Transmission& transmission, const PairTouch& touch, double
   p.point = pair.in_housing(j.w1, at.z);
   p.diameter = {2 * std::abs(j.w1), 2 * std::exp(j.u.v)};
   p.height = {turned * at.z, turned * j.Z.v};
-  p.rack_angle = field.one().profile.is_involute() ? pair.normal_pressure_angle()
-                                                   : field.one().profile.rack_angle(at.s);
+  const auto rack_angle = field.one().profile.is_involute() ? pair.normal_pressure_angle()
+                                                            : field.one().profile.rack_angle(at.s);
+  if (rack_angle) p.rack_angle = Angle::radians(*rack_angle);
   const Vec3 r_s = pair.tilt() * space(j.w1_s, 0.0);
   const Vec3 r_z = pair.tilt() * space(j.w1_z, 1.0);
   // Out of gear 1: in N the flank's azimuth side, against its body.

@@ -23,18 +23,18 @@ inline constexpr double kLineGap = 1e-6;
 struct ContactEllipse {
   std::optional<double> semi_major;  ///< √(2δ/k1)  mm; none where the gap is flat that way
   double semi_minor;                 ///< √(2δ/k2)  mm
-  double angle;  ///< rad in (−π/2, π/2]: projection of axis 1 to the major axis, about the normal
+  Angle angle;  ///< in (−π/2, π/2]: projection of axis 1 to the major axis, about the normal
 };
 
 struct ContactPoint {
-  double rotation1 = 0.0, rotation2 = 0.0;  ///< rad
-  double te = 0.0;                          ///< rad, > 0: gear 2 is ahead
-  int pair = 0;                             ///< k
+  Angle rotation1, rotation2;
+  Angle te;      ///< > 0: gear 2 is ahead
+  int pair = 0;  ///< k
   TouchKind kind = TouchKind::none;
   Vec3 point = Vec3::Zero();                   ///< mm, housing
   Vec3 normal = Vec3::Zero();                  ///< out of gear 1, housing
   std::array<double, 2> diameter{}, height{};  ///< mm on each gear: 2ρ, and z of its own frame
-  std::optional<double> rack_angle;            ///< rad, of the rack that cut gear 1
+  std::optional<Angle> rack_angle;             ///< of the rack that cut gear 1
   std::optional<std::array<double, 2>> gap_curvature;  ///< 1/mm; interior and line
   std::optional<ContactEllipse> ellipse;
   std::optional<std::array<Vec3, 2>> line;  ///< ends of a contact line, housing
@@ -42,9 +42,9 @@ struct ContactPoint {
 
 /// Everything about a touch of pair 0 at `touch.phi`.
 ///
-/// Units     mm, rad; `rotation1` in the housing's sense
+/// Units     mm; `rotation1` in the housing's sense
 /// Accuracy  curvatures are exact at the point found: ledger rows `contact.*`
-ContactPoint describe(Transmission& transmission, const PairTouch& touch, double rotation1,
+ContactPoint describe(Transmission& transmission, const PairTouch& touch, Angle rotation1,
                       double marking);
 
 }  // namespace gearwright

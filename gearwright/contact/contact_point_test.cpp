@@ -13,7 +13,7 @@ namespace {
 
 ContactPoint at(const testing::SamplePair& p, double rotation) {
   ContactRequest request;
-  request.rotations = {rotation};
+  request.rotations = {Angle::radians(rotation)};
   return analyse_contact(p.pair(), request).positions[0];
 }
 
@@ -38,7 +38,7 @@ TEST(ContactPoint, a_spur_pair_touches_along_its_face) {
   EXPECT_FALSE(p.ellipse->semi_major);
   EXPECT_NEAR(p.ellipse->semi_minor, std::sqrt(2 * 0.00635 * rho_1 * rho_2 / (rho_1 + rho_2)),
               1e-9);
-  EXPECT_NEAR(p.ellipse->angle, 0.0, 1e-9);
+  EXPECT_NEAR(p.ellipse->angle.rad(), 0.0, 1e-9);
 }
 
 TEST(ContactPoint, a_ring_pair) {
@@ -57,13 +57,13 @@ TEST(ContactPoint, a_ring_pair) {
 
 TEST(ContactPoint, kinds) {
   auto p = testing::involutes(20, 41, 0);
-  p.place.errors.crossing = 1e-4;
+  p.place.errors.crossing = Angle::radians(1e-4);
   EXPECT_EQ(at(p, 0.05).kind, TouchKind::face2);
   std::swap(p.gears[0].spec.face_width, p.gears[1].spec.face_width);
   EXPECT_EQ(at(p, 0.05).kind, TouchKind::face1);
   // Helical gears with too much tilt run on their tips for part of the pitch.
   auto h = testing::involutes(20, 41, 25);
-  h.place.errors.crossing = 1e-3;
+  h.place.errors.crossing = Angle::radians(1e-3);
   int tips = 0;
   const auto curve = analyse_contact(h.pair(), {});
   for (const ContactPoint& q : curve.positions)
@@ -75,7 +75,7 @@ TEST(ContactPoint, kinds) {
   EXPECT_FALSE(inside.line);
   ASSERT_TRUE(inside.ellipse && inside.ellipse->semi_major);
   EXPECT_GT(*inside.ellipse->semi_major, inside.ellipse->semi_minor);
-  EXPECT_NEAR(*inside.rack_angle, std::numbers::pi / 6, 0.01);
+  EXPECT_NEAR(inside.rack_angle->rad(), std::numbers::pi / 6, 0.01);
 }
 
 // Spur gears so far apart that the path is shorter than a pitch: between, a tip corner carries

@@ -12,7 +12,8 @@ namespace {
 
 testing::SamplePair wrong_everywhere(testing::SamplePair p) {
   auto& e = p.place.errors;
-  e.center_distance = 0.05, e.crossing = 1e-3, e.intersecting = -2e-3, e.axial = 0.7;
+  e.center_distance = 0.05, e.crossing = Angle::radians(1e-3),
+  e.intersecting = Angle::radians(-2e-3), e.axial = 0.7;
   e.helix_twist = {2e-5, -1e-5};
   FlankModifications m;
   m.profile_crowning = 0.02, m.lead_crowning = 0.03, m.lead_slope = 0.01, m.profile_slope = 0.01;

@@ -35,9 +35,9 @@ Error in_gear(Error error, int which) {
   return error;
 }
 
-std::optional<Error> check_lead(const Gear& gear, double change, int which) {
-  if (change == 0.0) return std::nullopt;
-  const double delta = Angle::radians(change).deg();
+std::optional<Error> check_lead(const Gear& gear, Angle change, int which) {
+  if (change == Angle()) return std::nullopt;
+  const double delta = change.deg();
   const std::string key = fmt::format("errors.cutter_lead{}_deg", which);
   if (gear.twist() == 0.0) return refused(key, delta, "a spur gear has no lead to change");
   if (gear.cut_by)
@@ -85,7 +85,7 @@ Result<SharedPair> contact_pair(const Pair& pair, const ContactErrors& errors,
       held->removal[i][k] = std::move(field).take();
     }
   }
-  const ContactMount mount{pair.center_distance(), pair.shaft_angle().rad(), options.gear2_drives,
+  const ContactMount mount{pair.center_distance(), pair.shaft_angle(), options.gear2_drives,
                            errors};
   held->pair.emplace(held->side(0), held->side(1), mount);
   return SharedPair(held, &*held->pair);

@@ -1,6 +1,6 @@
 // The contact of a mounted pair in one call; what comes back owns all that it needs.
 //
-//   const auto touching = contact(*pair, {.crossing = (0.02_deg).rad()});
+//   const auto touching = contact(*pair, {.crossing = 0.02_deg});
 //   if (touching) use(touching->peak_to_peak);
 //
 // A ContactPair points to its gears and their modifications. Here both are copied and live as long

@@ -6,6 +6,8 @@
 namespace gearwright {
 namespace {
 
+using namespace literals;
+
 FlankModifications crowned() {
   FlankModifications m;
   m.lead_crowning = 0.005;
@@ -20,7 +22,7 @@ Result<Contact> of_a_pair_that_is_gone(const ContactErrors& errors, const Contac
 }
 
 TEST(PairContact, equals_a_pair_by_hand_and_outlives_its_own) {
-  const ContactErrors errors{.center_distance = 0.02, .crossing = 2e-4};
+  const ContactErrors errors{.center_distance = 0.02, .crossing = Angle::radians(2e-4)};
   ContactOptions options;
   options.modifications[0] = on_both_flanks(crowned());
   const auto owned = of_a_pair_that_is_gone(errors, options);
@@ -36,8 +38,8 @@ TEST(PairContact, asks_for_a_lead_that_can_change) {
   const testing::SamplePair p = testing::involutes(20, 41, 0);
   const auto pair = mount(p.gears[0], p.gears[1], {.center_distance = p.place.center_distance});
   ASSERT_TRUE(pair);
-  EXPECT_FALSE(contact(*pair, {.cutter_lead = {1e-3, 0.0}}));
-  EXPECT_FALSE(contact(*pair, {.cutter_lead = {0.0, 1e-3}}));
+  EXPECT_FALSE(contact(*pair, {.cutter_lead = {0.1_deg, 0_deg}}));
+  EXPECT_FALSE(contact(*pair, {.cutter_lead = {0_deg, 0.1_deg}}));
 }
 
 TEST(PairContact, derives_by_a_modification_that_is_not_there) {

@@ -281,10 +281,10 @@ std::array<FlankRaster, 2> contact_pattern(const ContactPair& pair, int position
   return rasterer.take();
 }
 
-FlankRaster gap_map(const ContactPair& pair, double rotation1, int k, const RasterSize& size) {
+FlankRaster gap_map(const ContactPair& pair, Angle rotation1, int k, const RasterSize& size) {
   GW_EXPECTS(size.rows >= 2 && size.columns >= 2);
   Transmission transmission(pair);
-  const double phi = pair.to_world(rotation1);
+  const double phi = pair.to_world(rotation1.rad());
   const PairTouch touch = transmission.at(phi);
   Rasterer rasterer(pair, size);
   if (touch.found())

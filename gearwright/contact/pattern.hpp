@@ -35,7 +35,7 @@ struct RasterSize {
 std::array<FlankRaster, 2> contact_pattern(const ContactPair& pair, int positions,
                                            const RasterSize& size = {});
 
-/// The gap of tooth pair k on the flank of gear 1 at the rotation `rotation1` (rad, housing).
-FlankRaster gap_map(const ContactPair& pair, double rotation1, int k, const RasterSize& size = {});
+/// The gap of tooth pair k on the flank of gear 1 at the rotation `rotation1` (housing).
+FlankRaster gap_map(const ContactPair& pair, Angle rotation1, int k, const RasterSize& size = {});
 
 }  // namespace gearwright

@@ -63,7 +63,7 @@ TEST(Pattern, crowning_is_the_gap_at_the_ends) {
 TEST(Pattern, heights_belong_to_their_gear) {
   for (const bool second : {false, true}) {
     auto p = testing::involutes(20, 41, 0);
-    p.place.errors.crossing = 3e-4;
+    p.place.errors.crossing = Angle::radians(3e-4);
     p.place.gear2_drives = second;
     const auto r = contact_pattern(p.pair(), 64, {7, 9});
     // Δγ > 0 turns the +z end of gear 1 towards +y: away from the flank that gear 1 drives with.
@@ -75,14 +75,14 @@ TEST(Pattern, heights_belong_to_their_gear) {
 
 TEST(Pattern, gap_map_of_one_position) {
   auto p = testing::arcs();
-  p.place.errors.crossing = 1e-4;
-  const FlankRaster r = gap_map(p.pair(), 0.05, 0, {41, 81});
+  p.place.errors.crossing = Angle::radians(1e-4);
+  const FlankRaster r = gap_map(p.pair(), Angle::radians(0.05), 0, {41, 81});
   double least = 1e300;
   for (const double gap : r.gap) least = std::min(least, gap);
   EXPECT_GE(least, 0.0);
   EXPECT_LT(least, 5e-3);
   // The pair before stands apart from its mate by more.
-  const FlankRaster other = gap_map(p.pair(), 0.05, 3, {41, 81});
+  const FlankRaster other = gap_map(p.pair(), Angle::radians(0.05), 3, {41, 81});
   double apart = 1e300;
   for (const double gap : other.gap) apart = std::min(apart, gap);
   EXPECT_GT(apart, least);

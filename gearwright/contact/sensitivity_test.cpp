@@ -16,7 +16,7 @@ using P = RemovalField::Parameter;
 std::vector<Sensitivity> by(const testing::SamplePair& p, const std::vector<Influence>& influences,
                             double rotation = 0.05) {
   ContactRequest request;
-  request.rotations = {rotation};
+  request.rotations = {Angle::radians(rotation)};
   request.influences = influences;
   const auto r = analyse_contact(p.pair(), request);
   std::vector<Sensitivity> all;
@@ -46,7 +46,7 @@ TEST(Sensitivity, of_conjugate_gears) {
 // the reference cylinder; the narrower face counts, and the edge of gear 2 moves with nothing.
 TEST(Sensitivity, helix_slopes_at_a_face) {
   auto p = testing::involutes(20, 41, 0);
-  p.place.errors.crossing = 1e-5;
+  p.place.errors.crossing = Angle::radians(1e-5);
   const auto s =
       by(p, {{ErrorKind::helix_slope1}, {ErrorKind::helix_slope2}, {ErrorKind::crossing}});
   // At z = −9 mm: κ z of gear 1 counts through the ratio, κ2 Z directly.

@@ -27,7 +27,7 @@ struct Search {
 // No place of a fine grid lies higher.
 TEST(TouchSearch, nothing_is_higher) {
   auto p = testing::arcs();
-  p.place.errors.crossing = 4e-4, p.place.errors.center_distance = 0.03;
+  p.place.errors.crossing = Angle::radians(4e-4), p.place.errors.center_distance = 0.03;
   for (const double phi : {-0.4, -0.1, 0.0, 0.2, 0.5}) {
     Search s(p, phi);
     const Touch t = s.search.cold();
@@ -53,7 +53,7 @@ TEST(TouchSearch, nothing_is_higher) {
 TEST(TouchSearch, face_edges) {
   for (const double tilt : {1e-5, -1e-5}) {
     auto p = testing::involutes(20, 41, 0);
-    p.place.errors.crossing = tilt;
+    p.place.errors.crossing = Angle::radians(tilt);
     const Touch t = Search(p).search.cold();
     ASSERT_TRUE(t.found());
     EXPECT_NEAR(t.te / (1e-5 * 9.0 / 41.0), 1.0, 1e-3);
@@ -84,7 +84,7 @@ TEST(TouchSearch, no_room) {
 // price.
 TEST(TouchSearch, work) {
   auto p = testing::arcs();
-  p.place.errors.crossing = 2e-4;
+  p.place.errors.crossing = Angle::radians(2e-4);
   Search s(p);
   const double step = s.pair.pitch() / 64;
   const Touch a = s.search.cold();
@@ -106,7 +106,7 @@ TEST(TouchSearch, every_maximum) {
   FlankModifications m;
   m.lead_crowning = -0.01;
   p.modify(1, m);
-  p.place.errors.crossing = 1e-6;
+  p.place.errors.crossing = Angle::radians(1e-6);
   Search s(p);
   const auto all = s.search.every_maximum();
   ASSERT_EQ(all.size(), 2u);

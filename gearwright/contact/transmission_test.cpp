@@ -40,7 +40,7 @@ TEST(Transmission, a_relieved_tip_is_followed_from_far_below) {
                   ReliefShape::linear};
   m.profile_crowning = 0.0016;
   p.modify(1, m);
-  p.place.errors.crossing = -1.4e-5;
+  p.place.errors.crossing = Angle::radians(-1.4e-5);
   const ContactPair pair = p.pair();
   for (const int n : {8, 64}) {
     const auto te = transmission_error(pair, n);
@@ -70,30 +70,30 @@ TEST(Transmission, lost_contact_is_a_fact) {
 // A saw tooth of misaligned arcs: peak to peak, harmonics and slope belong to the same curve.
 TEST(Transmission, numbers_of_a_curve) {
   auto p = testing::arcs();
-  p.place.errors.crossing = 2e-4;
+  p.place.errors.crossing = Angle::radians(2e-4);
   ContactRequest request;
   request.positions = 64;
   const auto r = analyse_contact(p.pair(), request);
   ASSERT_EQ(r.positions.size(), 64u);
   const auto te = transmission_error(p.pair(), 64);
-  for (int i = 0; i < 64; ++i) EXPECT_EQ(te[i], r.positions[i].te);
-  EXPECT_EQ(r.peak_to_peak, peak_to_peak(te));
+  for (int i = 0; i < 64; ++i) EXPECT_EQ(te[i], r.positions[i].te.rad());
+  EXPECT_EQ(r.peak_to_peak.rad(), peak_to_peak(te));
   ASSERT_FALSE(r.harmonics.empty());
   double cosine = 0.0, sine = 0.0;
   for (int i = 0; i < 64; ++i) {
     const double x = 2 * std::numbers::pi * i / 64;
     cosine += te[i] * std::cos(x), sine += te[i] * std::sin(x);
   }
-  EXPECT_NEAR(r.harmonics[0], 2 * std::hypot(cosine, sine) / 64, 1e-15);
+  EXPECT_NEAR(r.harmonics[0].rad(), 2 * std::hypot(cosine, sine) / 64, 1e-15);
   EXPECT_EQ(r.unfinished, 0);
 }
 
 // Work is pinned: more means that something got slower.
 TEST(Transmission, work) {
   auto arcs = testing::arcs();
-  arcs.place.errors.crossing = 2e-4;
+  arcs.place.errors.crossing = Angle::radians(2e-4);
   auto involutes = testing::involutes(20, 41, 15);
-  involutes.place.errors.crossing = 2e-4;
+  involutes.place.errors.crossing = Angle::radians(2e-4);
   auto crowned = involutes;
   FlankModifications m;
   m.lead_crowning = 0.01;

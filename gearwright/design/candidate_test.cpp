@@ -47,7 +47,7 @@ SearchProblem problem_of(const Mode& mode) {
 
 CandidateConstants constants_of(const SearchProblem& p) {
   const SearchRacks& r = p.racks[0];
-  return {std::tan(p.normal_pressure_angle),
+  return {std::tan(p.normal_pressure_angle.rad()),
           {r.rack[0].addendum, r.rack[1].addendum},
           {r.rack[0].dedendum, r.rack[1].dedendum},
           r.undercut_depth,
@@ -154,7 +154,7 @@ TEST_P(CandidateOfMode, NumbersAreThoseOfTheRow) {
         std::isnan(out(Batch::tip_2)))
       continue;
     SearchProblem p = given;
-    p.helix = {std::asin(b.in[Batch::sin_beta][i])};
+    p.helix = {Angle::radians(std::asin(b.in[Batch::sin_beta][i]))};
     const Trial t =
         trial(p, static_cast<int>(b.in[Batch::z1][i]), static_cast<int>(b.in[Batch::z2][i]));
     const ShiftGraph g = graph(p, t);
@@ -167,7 +167,7 @@ TEST_P(CandidateOfMode, NumbersAreThoseOfTheRow) {
       EXPECT_NEAR(value, expected, kRow * (1.0 + std::abs(expected))) << name << " " << what;
     };
     near(out(Batch::center_distance), row.center_distance, "a");
-    near(out(Batch::tan_working), std::tan(row.working_angle), "tan α_wt");
+    near(out(Batch::tan_working), std::tan(row.working_angle.rad()), "tan α_wt");
     near(out(Batch::contact_ratio), row.contact_ratio, "ε");
     near(out(Batch::contact_ratio_true), row.contact_ratio_true, "ε true");
     near(out(Batch::tip_1), row.tip_thickness[0], "s_an1");

@@ -33,8 +33,9 @@ DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts) {
   MeshInput<double> in;
   const std::array<int, 2> teeth{t.z1, t.z2};
   for (std::size_t i : {0, 1}) {
-    const auto reference = reference_geometry(ReferenceInput<double>{
-        teeth[i], m, problem.normal_pressure_angle, t.helix[i], shifts[static_cast<int>(i)], 0.0});
+    const auto reference = reference_geometry(
+        ReferenceInput<double>{teeth[i], m, problem.normal_pressure_angle.rad(), t.helix[i].rad(),
+                               shifts[static_cast<int>(i)], 0.0});
     in.gears[i] = base_gear(teeth[i], reference);
     const TrialGear& g = graph.gears()[i];
     in.tip_form_radius[i] =
@@ -42,15 +43,15 @@ DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts) {
     in.face_width[i] = problem.face_width.value_or(10.0 * m);
   }
   in.center_distance = m * std::abs(at.a);
-  in.shaft_angle = problem.shaft_angle;
+  if (problem.shaft_angle) in.shaft_angle = problem.shaft_angle->rad();
   const Mesh<double> mesh = mesh_of(in);
 
   DesignRow row;
   row.trial = t;
   row.shift = {shifts[0], shifts[1]};
   row.center_distance = in.center_distance;
-  row.working_angle =
-      problem.crossed() ? mesh.rack.normal_pressure_angle : mesh.rack.sides[0].transverse_angle;
+  row.working_angle = Angle::radians(problem.crossed() ? mesh.rack.normal_pressure_angle
+                                                       : mesh.rack.sides[0].transverse_angle);
   row.ratio = static_cast<double>(t.z2) / t.z1;
   row.contact_ratio = mesh.path_ratio;
   const auto flank_start = [&](std::size_t i) {

@@ -14,13 +14,13 @@
 
 namespace gearwright {
 
-/// Lengths mm, angles rad; shifts and region in normal modules.
+/// Lengths mm; shifts and region in normal modules.
 struct DesignRow {
   Trial trial;
   std::array<double, 2> shift{};          ///< x1, x2
   bool balanced = false;                  ///< the point of Eq. 11; else as chosen_point() says
   double center_distance = 0.0;           ///< a
-  double working_angle = 0.0;             ///< α_wt, crossed: α_n
+  Angle working_angle;                    ///< α_wt, crossed: α_n
   double ratio = 0.0;                     ///< z2/z1
   double contact_ratio = 0.0;             ///< ε_α, Eq. 10; crossed: of AE
   double contact_ratio_true = 0.0;        ///< the same with the path clipped to the usable flanks

@@ -113,7 +113,7 @@ class Search {
     CylindricalSpec c;
     c.teeth = p_.teeth[0];
     c.normal_module = p_.normal_module;
-    c.normal_pressure_angle = Angle::radians(p_.normal_pressure_angle);
+    c.normal_pressure_angle = p_.normal_pressure_angle;
     c.helix_angle =
         Angle::degrees(std::round(Angle::radians(beta).deg() * kHelixSteps) / kHelixSteps);
     c.profile_shift = x1;
@@ -133,10 +133,10 @@ class Search {
   };
 
   std::optional<double> distance_at(double beta, double x1, double x2) const {
-    const double alpha_t = std::atan(std::tan(p_.normal_pressure_angle) / std::cos(beta));
+    const double alpha_t = std::atan(std::tan(p_.normal_pressure_angle.rad()) / std::cos(beta));
     const int z = p_.teeth[0] + p_.teeth[1];
-    const double inv = nominal_working_involute(p_.teeth[0], p_.teeth[1], p_.normal_pressure_angle,
-                                                alpha_t, x1 + x2);
+    const double inv = nominal_working_involute(p_.teeth[0], p_.teeth[1],
+                                                p_.normal_pressure_angle.rad(), alpha_t, x1 + x2);
     if (!(inv >= 0.0)) return std::nullopt;
     const double r = p_.normal_module * std::abs(z) / (2 * std::cos(beta)) * std::cos(alpha_t);
     return r / std::cos(inverse_involute(inv));
@@ -145,7 +145,7 @@ class Search {
   double play_of(double beta, double x1, double x2) const {
     if (p_.backlash == 0.0) return 0.0;
     const auto e = distance_at(beta, x1, x2);
-    const double alpha_t = std::atan(std::tan(p_.normal_pressure_angle) / std::cos(beta));
+    const double alpha_t = std::atan(std::tan(p_.normal_pressure_angle.rad()) / std::cos(beta));
     const int z = p_.teeth[0] + p_.teeth[1];
     const double r = p_.normal_module * std::abs(z) / (2 * std::cos(beta)) * std::cos(alpha_t);
     if (!e || !(*e > r)) return 0.0;
@@ -153,7 +153,7 @@ class Search {
   }
 
   std::optional<double> helix_of(double x1, double x2) const {
-    if (p_.helix) return p_.helix;
+    if (p_.helix) return p_.helix->rad();
     const auto miss = [&](double beta) {
       const auto e = distance_at(beta, x1, x2);
       return e ? *e + side_ * play_of(beta, x1, x2) - *p_.center_distance

@@ -19,12 +19,12 @@
 
 namespace gearwright {
 
-/// Lengths mm, angles rad.
+/// Lengths mm.
 struct FewTeethProblem {
   std::array<int, 2> teeth{};  ///< wheel < 0: a ring
   double normal_module = 0.0;
-  double normal_pressure_angle = 0.0;
-  std::optional<double> helix;            ///< β of the pinion; absent: from the centre distance
+  Angle normal_pressure_angle;
+  std::optional<Angle> helix;             ///< β of the pinion; absent: from the centre distance
   std::optional<double> center_distance;  ///< a; absent: free
   std::optional<double> pinion_shift;     ///< x1; absent: wanted
   StraightRack rack;                      ///< of the pinion; its root is the circular fillet's

@@ -143,7 +143,7 @@ std::vector<Empty> empty_searches() {
        {"search.center_distance_mm", "search.contact_ratio_min", "search.profile_shift"}},
       {"overlap",
        with([](P& p) {
-         p.helix = {0.3};
+         p.helix = {Angle::radians(0.3)};
          p.limits.overlap_ratio = 1.25;
        }),
        {"search.overlap_ratio_min"},

@@ -25,7 +25,7 @@ constexpr double kNoLimit = 1e9;
 
 Search::Search(SearchProblem problem) : problem_(std::move(problem)), space_(problem_) {}
 
-std::shared_ptr<const TrialGears> Search::gears(int which, int rack, double helix) const {
+std::shared_ptr<const TrialGears> Search::gears(int which, int rack, Angle helix) const {
   const std::lock_guard lock(mutex_);
   const auto key = std::make_tuple(which, rack, helix);
   if (const auto found = tables_.find(key); found != tables_.end()) return found->second;
@@ -63,7 +63,7 @@ class Sieve {
     const SearchRacks& racks = problem.racks[static_cast<std::size_t>(rack_)];
     constants_.cos_transverse = std::cos(alpha_t);
     constants_.involute_transverse = involute(alpha_t);
-    constants_.sum_per_involute = cos_beta / std::tan(problem.normal_pressure_angle);
+    constants_.sum_per_involute = cos_beta / std::tan(problem.normal_pressure_angle.rad());
     constants_.min_path =
         problem.limits.contact_ratio * std::numbers::pi * std::cos(alpha_t) / cos_beta;
     constants_.addendum = {racks.rack[0].addendum, racks.rack[1].addendum};
@@ -110,7 +110,7 @@ class Sieve {
   }
 
  private:
-  double helix_;
+  Angle helix_;
   int rack_;
   bool shortened_ = false;
   double ceiling_ = 0.0;

@@ -58,12 +58,12 @@ class Search {
   // false.
   template <class F>
   void sift(std::int64_t from, std::int64_t to, const F& decide) const;
-  std::shared_ptr<const TrialGears> gears(int which, int rack, double helix) const;
+  std::shared_ptr<const TrialGears> gears(int which, int rack, Angle helix) const;
 
   SearchProblem problem_;
   SearchSpace space_;
   mutable std::mutex mutex_;
-  mutable std::map<std::tuple<int, int, double>, std::shared_ptr<const TrialGears>> tables_;
+  mutable std::map<std::tuple<int, int, Angle>, std::shared_ptr<const TrialGears>> tables_;
 };
 
 /// What a search found. Designs best first: without a Pareto front by the objective; of several

@@ -21,7 +21,8 @@ TEST(SearchEnds, WhereAnEdgeStopsBounding) {
   p.limits.sliding = 2.5;
   p.limits.avoid_interference = true;
   p.helix.clear();
-  for (int i = 0; i <= 8; ++i) p.helix.push_back(0.5 * i * std::numbers::pi / 180.0);
+  for (int i = 0; i <= 8; ++i)
+    p.helix.push_back(Angle::radians(0.5 * i * std::numbers::pi / 180.0));
   const Search search(p);
   std::vector<DesignRow> rows;
   const SearchCounts counts = search.range(0, *search.space().size(), rows);

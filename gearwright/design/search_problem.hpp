@@ -5,7 +5,7 @@
 //   Σ                x1 + x2, ISO 21771 signs (ring: z2 < 0)
 //                                              theory: docs/theory/09-design-search.md
 //
-// Lengths mm, angles rad; what limits a tooth is in normal modules.
+// Lengths mm; what limits a tooth is in normal modules.
 #pragma once
 
 #include <array>
@@ -60,9 +60,9 @@ struct SearchProblem {
   std::optional<std::array<double, 2>> center_distance;  ///< mm, closed; equal: exactly that
   std::vector<double> modules;                           ///< m_n  mm
   std::array<int, 2> pinion_teeth{};                     ///< z1, closed
-  std::vector<double> helix{0.0};                        ///< β of gear 1  rad
-  std::optional<double> shaft_angle;  ///< Σ  rad, of crossed axes; β2 = Σ − β1
-  double normal_pressure_angle = 0.3490658503988659;  ///< α_n  rad
+  std::vector<Angle> helix{Angle()};                     ///< β of gear 1
+  std::optional<Angle> shaft_angle;                      ///< Σ of crossed axes; β2 = Σ − β1
+  Angle normal_pressure_angle = Angle::degrees(20);      ///< α_n
   std::vector<SearchRacks> racks{SearchRacks{}};
   bool coprime = false;              ///< only z1, z2 without a common factor
   std::optional<double> face_width;  ///< mm, of both; absent: 10 m_n
@@ -83,8 +83,8 @@ struct Trial {
   std::int64_t index = 0;  ///< place in the order in which trials are counted
   double module = 0.0;     ///< m_n  mm
   int z1 = 0, z2 = 0;
-  std::array<double, 2> helix{};  ///< β  rad, signed
-  int rack = 0;                   ///< of SearchProblem::racks
+  std::array<Angle, 2> helix{};  ///< β  signed
+  int rack = 0;                  ///< of SearchProblem::racks
 };
 
 }  // namespace gearwright

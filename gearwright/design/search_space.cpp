@@ -97,11 +97,11 @@ void SearchSpace::next(Cursor& c) const {
 }
 
 Trial SearchSpace::trial_of(const Cursor& c) const {
-  const double beta = problem_->helix[c.helix];
+  const Angle beta = problem_->helix[c.helix];
   // β1 = −β2 on parallel external axes, β1 = β2 of a ring, Σ = β1 + β2 of crossed axes.
-  const double mate = problem_->crossed()    ? *problem_->shaft_angle - beta
-                      : problem_->internal() ? beta
-                                             : 0.0 - beta;
+  const Angle mate = problem_->crossed()    ? *problem_->shaft_angle - beta
+                     : problem_->internal() ? beta
+                                            : Angle() - beta;
   return {c.index, problem_->modules[c.module], c.z1, c.z2, {beta, mate}, static_cast<int>(c.rack)};
 }
 

@@ -19,7 +19,7 @@ SearchProblem space_problem() {
   p.ratio = {1.8, 2.4};
   p.modules = {1.5, 2.0, 2.5};
   p.pinion_teeth = {12, 24};
-  p.helix = {0.0, 0.2, -0.3};
+  p.helix = {Angle(), Angle::radians(0.2), Angle::radians(-0.3)};
   p.racks = {SearchRacks{}, SearchRacks{}};
   return p;
 }
@@ -87,7 +87,7 @@ TEST(SearchSpace, SpacesBeyondCountingHaveNoSize) {
   p.pinion_teeth = {5, 20};
   EXPECT_TRUE(SearchSpace(p).size());
   p.modules.assign(100'000, 1.0);
-  p.helix.assign(100'000, 0.1);
+  p.helix.assign(100'000, Angle::radians(0.1));
   p.racks.assign(10'000, SearchRacks{});
   const SearchSpace space(p);
   EXPECT_FALSE(space.size());

@@ -55,7 +55,7 @@ std::vector<double> bits_of(const DesignRow& r) {
                         r.shift[1],
                         r.balanced ? 1.0 : 0.0,
                         r.center_distance,
-                        r.working_angle,
+                        r.working_angle.rad(),
                         r.contact_ratio,
                         r.contact_ratio_true,
                         r.overlap_ratio,
@@ -203,7 +203,7 @@ TEST(Search, CountsAreWhole) {
 // Racks that differ, one after the other at the same helix: the sieve must not mix them up.
 TEST(Search, EveryTrialHasItsOwnVerdict) {
   SearchProblem p = testing::search::helical_search();
-  p.helix = {0.2};
+  p.helix = {Angle::radians(0.2)};
   p.mounting = Mounting::extended;
   p.limits.sliding.reset();
   p.limits.contact_ratio = 1.55;

@@ -22,7 +22,7 @@ SearchProblem with_tip(const SearchProblem& problem, double thickness) {
 
 }  // namespace
 
-std::vector<ShiftLimits> shift_limit_chart(const SearchProblem& problem, int rack, double helix,
+std::vector<ShiftLimits> shift_limit_chart(const SearchProblem& problem, int rack, Angle helix,
                                            int which, int from, int to) {
   GW_EXPECTS(1 <= from && from <= to);
   std::array<SearchProblem, kChartTips.size()> asked;
@@ -32,8 +32,8 @@ std::vector<ShiftLimits> shift_limit_chart(const SearchProblem& problem, int rac
     const TrialGear gear = trial_gear(problem, z, helix, rack, which);
     ShiftLimits row;
     row.teeth = z;
-    row.undercut =
-        leaf::undercut_limit<double>(gear.edge_depth, z, gear.sin_transverse, std::cos(helix));
+    row.undercut = leaf::undercut_limit<double>(gear.edge_depth, z, gear.sin_transverse,
+                                                std::cos(helix.rad()));
     for (std::size_t i = 0; i < kChartTips.size(); ++i)
       row.tip[i] = trial_gear(asked[i], z, helix, rack, which).x_max;
     row.min = gear.x_min;
@@ -59,7 +59,7 @@ std::optional<LimitsMeet> where_limits_meet(const std::vector<ShiftLimits>& char
 }
 
 std::vector<IdenticalGears> identical_gears_chart(const SearchProblem& problem, int rack,
-                                                  double helix, int from, int to) {
+                                                  Angle helix, int from, int to) {
   SearchProblem free = problem;  // no distance is asked, and both gears have one rack
   free.center_distance.reset();
   free.shaft_angle.reset();

@@ -33,7 +33,7 @@ struct ShiftLimits {
 ///
 /// Domain    1 ≤ from ≤ to (contract)
 /// Accuracy  1e-12 modules for 7 … 100 teeth
-std::vector<ShiftLimits> shift_limit_chart(const SearchProblem& problem, int rack, double helix,
+std::vector<ShiftLimits> shift_limit_chart(const SearchProblem& problem, int rack, Angle helix,
                                            int which, int from, int to);
 
 /// Where x_u meets x_t of kChartTips[tip] on the chart, between two neighbouring tooth numbers;
@@ -59,6 +59,6 @@ struct IdenticalGears {
 /// Domain    1 ≤ from ≤ to (contract)
 /// Accuracy  1e-12, absolute
 std::vector<IdenticalGears> identical_gears_chart(const SearchProblem& problem, int rack,
-                                                  double helix, int from, int to);
+                                                  Angle helix, int from, int to);
 
 }  // namespace gearwright

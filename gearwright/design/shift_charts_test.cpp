@@ -31,8 +31,8 @@ SearchProblem spur(double edge_depth = 1.0) {
 }
 
 TEST(ShiftCharts, LimitsAreThoseOfTheReference) {
-  const auto chart = shift_limit_chart(spur(), 0, 0.0, 0, 7, 100);
-  const auto sharp = shift_limit_chart(spur(1.25), 0, 0.0, 0, 7, 100);
+  const auto chart = shift_limit_chart(spur(), 0, Angle(), 0, 7, 100);
+  const auto sharp = shift_limit_chart(spur(1.25), 0, Angle(), 0, 7, 100);
   ASSERT_EQ(chart.size(), 94u);
   EXPECT_EQ(reference()["limits"].size(), 33u);
   for (const auto& row : reference()["limits"]) {
@@ -50,8 +50,8 @@ TEST(ShiftCharts, TheProblemsOwnLimitsAreThoseOfItsTrials) {
   problem.limits.min_shift = -0.6;
   problem.limits.max_shift = 1.0;
   problem.limits.tip_thickness = 0.4;
-  for (const ShiftLimits& row : shift_limit_chart(problem, 0, 0.3, 1, 9, 60)) {
-    const TrialGear gear = trial_gear(problem, row.teeth, 0.3, 0, 1);
+  for (const ShiftLimits& row : shift_limit_chart(problem, 0, Angle::radians(0.3), 1, 9, 60)) {
+    const TrialGear gear = trial_gear(problem, row.teeth, Angle::radians(0.3), 0, 1);
     EXPECT_EQ(row.min, gear.x_min);
     EXPECT_EQ(row.max, gear.x_max);
     EXPECT_EQ(row.min, std::max(-0.6, row.undercut));
@@ -62,7 +62,7 @@ TEST(ShiftCharts, TheProblemsOwnLimitsAreThoseOfItsTrials) {
 }
 
 TEST(ShiftCharts, LimitsMeetWhereTheReferenceHasThem) {
-  const auto chart = shift_limit_chart(spur(), 0, 0.0, 0, 7, 40);
+  const auto chart = shift_limit_chart(spur(), 0, Angle(), 0, 7, 40);
   for (std::size_t tip = 0; tip < kChartTips.size(); ++tip) {
     const double exact = number(reference()["teeth_where_limits_meet"][tip]);
     const auto meet = where_limits_meet(chart, tip);
@@ -70,9 +70,10 @@ TEST(ShiftCharts, LimitsMeetWhereTheReferenceHasThem) {
     EXPECT_NEAR(meet->teeth, exact, 0.01);
     EXPECT_EQ(meet->fewest, static_cast<int>(std::ceil(exact)));
     EXPECT_NEAR(meet->shift,
-                1.0 - exact * std::pow(std::sin(spur().normal_pressure_angle), 2) / 2.0, 0.01);
+                1.0 - exact * std::pow(std::sin(spur().normal_pressure_angle.rad()), 2) / 2.0,
+                0.01);
   }
-  EXPECT_FALSE(where_limits_meet(shift_limit_chart(spur(), 0, 0.0, 0, 20, 40), 0));
+  EXPECT_FALSE(where_limits_meet(shift_limit_chart(spur(), 0, Angle(), 0, 20, 40), 0));
 }
 
 TEST(ShiftCharts, ContactRatiosOfIdenticalGears) {

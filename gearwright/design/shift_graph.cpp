@@ -50,7 +50,7 @@ ShiftGraph::ShiftGraph(const SearchProblem& problem, const Trial& trial, const T
       tight_(!problem.crossed() && problem.mounting == Mounting::tight),
       R_(gear_1.r + gear_2.r),
       B_(gear_1.r_b + gear_2.r_b),
-      tan_alpha_(std::tan(problem.normal_pressure_angle)),
+      tan_alpha_(std::tan(problem.normal_pressure_angle.rad())),
       teeth_sum_(trial.z1 + trial.z2),
       nearest_(crossed_ ? 0.0 : std::abs(B_) * (1.0 + kMinOpening)) {
   const double cos_beta = std::abs(gear_1.teeth / (2.0 * gear_1.r));
@@ -59,12 +59,12 @@ ShiftGraph::ShiftGraph(const SearchProblem& problem, const Trial& trial, const T
   pitch_ = std::numbers::pi * std::cos(alpha_t) / cos_beta;
   if (crossed_) {
     // [T9.10]: N = Σ r_i sin α_ti/cos β_bi + Σ/sin α_n, for X = Σ.
-    pitch_ = std::numbers::pi * std::cos(problem.normal_pressure_angle);
+    pitch_ = std::numbers::pi * std::cos(problem.normal_pressure_angle.rad());
     for (std::size_t i : {0, 1}) {
       weight_[i] = 1.0 / gears_[i].cos_base_helix;
       crossed_line_0_ += gears_[i].r * gears_[i].sin_transverse * weight_[i];
     }
-    crossed_line_1_ = 1.0 / std::sin(problem.normal_pressure_angle);
+    crossed_line_1_ = 1.0 / std::sin(problem.normal_pressure_angle.rad());
   }
   min_path_ = problem.limits.contact_ratio * pitch_;
 }

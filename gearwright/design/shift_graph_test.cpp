@@ -157,8 +157,8 @@ TEST(ShiftGraph, CentreDistancesAreThoseOfThePair) {
   for (const Mounting mounting : {Mounting::extended, Mounting::tight}) {
     SearchProblem p;
     p.mounting = mounting;
-    p.helix = {0.3};
-    const double alpha_n = p.normal_pressure_angle;
+    p.helix = {Angle::radians(0.3)};
+    const double alpha_n = p.normal_pressure_angle.rad();
     const double alpha_t = std::atan(std::tan(alpha_n) / std::cos(0.3));
     for (const int z2 : {31, -61}) {
       const ShiftGraph g = graph(p, trial(p, 17, z2));
@@ -239,7 +239,7 @@ TEST(ShiftGraph, TheFirstLimitThatLeavesNothingIsNamed) {
 
 TEST(ShiftGraph, OverlapIsThatOfTheFaceWidth) {
   SearchProblem p;
-  p.helix = {0.25};
+  p.helix = {Angle::radians(0.25)};
   p.face_width = 12.0;
   p.limits.contact_ratio = 0.5;
   const double overlap = 12.0 * std::sin(0.25) / (std::numbers::pi * 2.0);

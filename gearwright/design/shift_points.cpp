@@ -16,7 +16,7 @@ constexpr std::size_t kBatch = 1024;
 CandidateConstants constants_of(const ShiftGraph& graph) {
   const SearchProblem& p = graph.problem();
   CandidateConstants c;
-  c.tan_alpha = std::tan(p.normal_pressure_angle);
+  c.tan_alpha = std::tan(p.normal_pressure_angle.rad());
   for (std::size_t i : {0, 1}) {
     c.addendum[i] = graph.gears()[i].addendum;
     c.dedendum[i] = graph.gears()[i].dedendum;
@@ -98,7 +98,7 @@ PointCounts feasible_points(const ShiftGraph& graph, const ShiftRegion& region, 
   CandidateBatch batch;
   batch.resize(kBatch);
   std::size_t n = 0;
-  const double sin_beta = std::sin(graph.trial().helix[0]);
+  const double sin_beta = std::sin(graph.trial().helix[0].rad());
   const auto flush = [&] {
     batch.resize(n);
     if (!p.crossed()) evaluate(constants, batch);

@@ -22,7 +22,7 @@ struct ShiftPoint {
   std::int64_t trial = 0;
   std::array<double, 2> shift{};
   double center_distance = 0.0;
-  double working_angle = 0.0;
+  Angle working_angle;
   double contact_ratio = 0.0, contact_ratio_true = 0.0;
   std::optional<double> sliding;  ///< greatest |ζ|
   std::array<double, 2> tip_thickness{}, tip_clearance{};

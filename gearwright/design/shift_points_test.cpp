@@ -39,13 +39,13 @@ std::vector<Case> cases() {
   c[2].problem.mounting = Mounting::tight;
   c[2].problem.shorten_tips = true;
   c[2].problem.limits.max_shift = 3.0;
-  c[4].problem.shaft_angle = std::numbers::pi / 2;
-  c[4].problem.helix = {std::numbers::pi / 4};
+  c[4].problem.shaft_angle = Angle::degrees(90);
+  c[4].problem.helix = {Angle::degrees(45)};
   c[5].problem.limits.sliding = 1.5;
   c[6].problem.limits.avoid_interference = true;
   c[6].problem.limits.min_shift.reset();
   c[6].problem.limits.max_shift.reset();
-  c[7].problem.helix = {0.3};
+  c[7].problem.helix = {Angle::radians(0.3)};
   c[7].problem.center_distance = {{52.0, 54.0}};
   c[8].problem.mounting = Mounting::tight;
   c[8].problem.limits.tip_clearance = 0.2;
@@ -112,8 +112,8 @@ TEST(ShiftPoints, ShortenedTipsMayBeShiftedFartherThanWholeOnes) {
   p.mounting = Mounting::tight;
   p.shorten_tips = true;
   p.limits.max_shift = 3.0;
-  const double a = ShiftGraph(p, {0, 2.0, 28, 28, {0.0, 0.0}, 0}, trial_gear(p, 28, 0.0, 0, 0),
-                              trial_gear(p, 28, 0.0, 0, 1))
+  const double a = ShiftGraph(p, {0, 2.0, 28, 28, {}, 0}, trial_gear(p, 28, Angle(), 0, 0),
+                              trial_gear(p, 28, Angle(), 0, 1))
                        .place(3.0)
                        .a *
                    2.0;

@@ -42,12 +42,12 @@ struct SieveCase {
 };
 
 SieveConstants constants_of(const SearchProblem& p) {
-  const double cos_beta = std::cos(p.helix[0]);
-  const double alpha_t = std::atan(std::tan(p.normal_pressure_angle) / cos_beta);
+  const double cos_beta = std::cos(p.helix[0].rad());
+  const double alpha_t = std::atan(std::tan(p.normal_pressure_angle.rad()) / cos_beta);
   SieveConstants c;
   c.cos_transverse = std::cos(alpha_t);
   c.involute_transverse = involute(alpha_t);
-  c.sum_per_involute = cos_beta / std::tan(p.normal_pressure_angle);
+  c.sum_per_involute = cos_beta / std::tan(p.normal_pressure_angle.rad());
   c.min_path = p.limits.contact_ratio * std::numbers::pi * c.cos_transverse / cos_beta;
   c.addendum = {p.racks[0].rack[0].addendum, p.racks[0].rack[1].addendum};
   c.tight = p.mounting == Mounting::tight;
@@ -71,8 +71,8 @@ SieveCase sieve_case(Random& random, const Mode& mode, std::size_t n) {
   SearchProblem& p = s.problem;
   p.ratio = mode.ring ? std::array{-20.0, -1.0} : std::array{1.0, 20.0};
   p.mounting = mode.tight ? Mounting::tight : Mounting::extended;
-  p.helix = {random.chance(0.5) ? 0.0 : random.uniform(-0.5, 0.5)};
-  p.normal_pressure_angle = random.uniform(0.26, 0.45);
+  p.helix = {Angle::radians(random.chance(0.5) ? 0.0 : random.uniform(-0.5, 0.5))};
+  p.normal_pressure_angle = Angle::radians(random.uniform(0.26, 0.45));
   SearchLimits& l = p.limits;
   l.tip_thickness = random.uniform(0.0, 0.6);
   l.contact_ratio = random.uniform(1.0, 1.9);
@@ -81,7 +81,7 @@ SieveCase sieve_case(Random& random, const Mode& mode, std::size_t n) {
   // One band of centre distances for pairs of about the same size.
   const int z1 = random.whole(8, 70);
   const int z2 = mode.ring ? -(z1 + random.whole(8, 60)) : z1 + random.whole(0, 60);
-  const double R = std::abs(z1 + z2) / (2.0 * std::cos(p.helix[0]));
+  const double R = std::abs(z1 + z2) / (2.0 * std::cos(p.helix[0].rad()));
   const double least = R + random.uniform(-0.08 * R, 1.5);
   const bool exact = random.chance(0.2);
   p.center_distance = {{least, exact ? least : least + random.uniform(0.0, 0.6)}};
@@ -137,8 +137,8 @@ void expect_verdicts_of_the_graph(const Mode& mode, unsigned seed, int cases, in
       ASSERT_TRUE(verdict == by_graph || clipped)
           << verdict << " " << by_graph << " " << repeat << ": " << s.trials[i].z1 << ":"
           << s.trials[i].z2 << " a " << (*s.problem.center_distance)[0] << " "
-          << (*s.problem.center_distance)[1] << " α " << s.problem.normal_pressure_angle << " β "
-          << s.problem.helix[0] << " ε " << s.problem.limits.contact_ratio << " s "
+          << (*s.problem.center_distance)[1] << " α " << s.problem.normal_pressure_angle.rad()
+          << " β " << s.problem.helix[0].rad() << " ε " << s.problem.limits.contact_ratio << " s "
           << s.problem.limits.tip_thickness << " x " << s.problem.limits.min_shift.value_or(-99.0)
           << " " << s.problem.limits.max_shift.value_or(99.0);
     }
@@ -185,7 +185,8 @@ TEST(Sieve, VerdictsOfAnyRectangleAreThoseOfTheGraph) {
     const Trial t = trial(p, random.whole(10, 40), random.whole(40, 80));
     const double least = (t.z1 + t.z2) / 2.0 + random.uniform(-1.0, 2.5);
     p.center_distance = {{least, least + random.uniform(0.0, 2.0)}};
-    std::array<TrialGear, 2> gears{trial_gear(p, t.z1, 0.0, 0, 0), trial_gear(p, t.z2, 0.0, 0, 1)};
+    std::array<TrialGear, 2> gears{trial_gear(p, t.z1, Angle(), 0, 0),
+                                   trial_gear(p, t.z2, Angle(), 0, 1)};
     for (TrialGear& g : gears) {
       g.x_min = random.uniform(-1.6, 1.5);
       g.x_max = g.x_min + random.uniform(-0.05, 1.0);
@@ -230,9 +231,9 @@ TEST(Sieve, BandsAboutTheBaseRadiiHaveOneVerdict) {
   SearchProblem& p = s.problem;
   p.ratio = {-20.0, -1.0};
   p.mounting = Mounting::tight;
-  const double nearest = 4.5 * std::cos(p.normal_pressure_angle);
+  const double nearest = 4.5 * std::cos(p.normal_pressure_angle.rad());
   p.center_distance = {{nearest - 0.04, nearest + 0.06}};
-  const double alpha = p.normal_pressure_angle;
+  const double alpha = p.normal_pressure_angle.rad();
   const double last = involute(alpha) * 9.0 / (2.0 * std::tan(alpha));
   p.limits.min_shift = last / 2.0 + 0.001;
   p.limits.max_shift = 0.5;

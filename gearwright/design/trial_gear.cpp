@@ -65,11 +65,11 @@ double max_shift(const SearchProblem& problem, const TrialGear& gear, double k) 
   return std::min(ceiling, thick_enough(gear, k).max);
 }
 
-TrialGear trial_gear(const SearchProblem& problem, int teeth, double helix, int rack, int which) {
+TrialGear trial_gear(const SearchProblem& problem, int teeth, Angle helix, int rack, int which) {
   const SearchRacks& racks = problem.racks[static_cast<std::size_t>(rack)];
   const auto i = static_cast<std::size_t>(which);
-  const auto reference = reference_geometry(
-      ReferenceInput<double>{teeth, 1.0, problem.normal_pressure_angle, std::abs(helix), 0.0, 0.0});
+  const auto reference = reference_geometry(ReferenceInput<double>{
+      teeth, 1.0, problem.normal_pressure_angle.rad(), std::abs(helix.rad()), 0.0, 0.0});
   TrialGear g;
   g.teeth = teeth;
   const double sign = teeth > 0 ? 1.0 : -1.0;
@@ -83,7 +83,7 @@ TrialGear trial_gear(const SearchProblem& problem, int teeth, double helix, int 
   g.tan_base_helix = std::tan(reference.base_helix_angle);
   g.min_tip_thickness = problem.limits.tip_thickness;
   g.reference_half_angle = reference.base_tooth_thickness / reference.base_diameter;
-  g.half_angle_per_shift = 2.0 * std::tan(problem.normal_pressure_angle) / std::abs(teeth);
+  g.half_angle_per_shift = 2.0 * std::tan(problem.normal_pressure_angle.rad()) / std::abs(teeth);
 
   const SearchLimits& limits = problem.limits;
   const Shifts thick = thick_enough(g, 0.0);
@@ -91,7 +91,7 @@ TrialGear trial_gear(const SearchProblem& problem, int teeth, double helix, int 
   g.x_max = thick.max;
   if (teeth > 0) {
     const double undercut =
-        leaf::undercut_limit<double>(g.edge_depth, teeth, g.sin_transverse, std::cos(helix)) +
+        leaf::undercut_limit<double>(g.edge_depth, teeth, g.sin_transverse, std::cos(helix.rad())) +
         limits.undercut_margin;
     g.x_min = std::max(g.x_min, undercut);
   }
@@ -100,8 +100,8 @@ TrialGear trial_gear(const SearchProblem& problem, int teeth, double helix, int 
   return g;
 }
 
-TrialGears::TrialGears(const SearchProblem& problem, int least, int greatest, double helix,
-                       int rack, int which)
+TrialGears::TrialGears(const SearchProblem& problem, int least, int greatest, Angle helix, int rack,
+                       int which)
     : min_teeth_(least) {
   GW_EXPECTS(least <= greatest);
   gears_.reserve(static_cast<std::size_t>(greatest - least + 1));

@@ -36,7 +36,7 @@ struct TrialGear {
 /// its tip does not lie inside its base circle.
 ///
 /// Units     modules
-TrialGear trial_gear(const SearchProblem& problem, int teeth, double helix, int rack, int which);
+TrialGear trial_gear(const SearchProblem& problem, int teeth, Angle helix, int rack, int which);
 
 /// Normal tip tooth thickness s_an at the shift x and the tip alteration k, modules; negative: the
 /// flanks cross below the tip. [T9.3]
@@ -51,7 +51,7 @@ double max_shift(const SearchProblem& problem, const TrialGear& gear, double k);
 /// The limits of every tooth number at one helix and rack, made once: trials ask for them often.
 class TrialGears {
  public:
-  TrialGears(const SearchProblem& problem, int least, int greatest, double helix, int rack,
+  TrialGears(const SearchProblem& problem, int least, int greatest, Angle helix, int rack,
              int which);
   /// Domain    least ≤ teeth ≤ greatest (contract)
   const TrialGear& operator[](int teeth) const;

@@ -45,7 +45,7 @@ TEST(TrialGear, LimitsAreThoseOfTheReference) {
                                             {0.2, "s_max_sa0.2"},
                                             {0.25, "s_max_sa0.25"},
                                             {0.4, "s_max_sa0.4"}}) {
-        const TrialGear g = trial_gear(problem_with(thickness, depth), z, 0.0, 0, 0);
+        const TrialGear g = trial_gear(problem_with(thickness, depth), z, Angle(), 0, 0);
         const double least = number(row.at(low));
         EXPECT_NEAR(leaf::undercut_limit<double>(depth, z, g.sin_transverse, 1.0), least, kPrinted)
             << z;
@@ -75,14 +75,14 @@ TEST(TrialGear, ThicknessIsThatOfTheGear) {
     const int z = ring ? -random.whole(20, 150) : random.whole(7, 150);
     const double beta = i % 2 == 0 ? 0.0 : random.uniform(-0.6, 0.6);
     SearchProblem p;
-    p.normal_pressure_angle = random.uniform(0.25, 0.45);
-    const TrialGear g = trial_gear(p, z, beta, 0, 0);
+    p.normal_pressure_angle = Angle::radians(random.uniform(0.25, 0.45));
+    const TrialGear g = trial_gear(p, z, Angle::radians(beta), 0, 0);
     const double x = random.uniform(-0.5, 0.9);
     const double k = i % 5 == 0 ? -random.uniform(0.0, 0.3) : 0.0;
     const double d_a = 2.0 * tip_radius(g, x, k);
     if (d_a <= 2.0 * std::abs(g.r_b)) continue;
-    const auto gear =
-        reference_geometry(ReferenceInput<double>{z, 1.0, p.normal_pressure_angle, beta, x, 0.0});
+    const auto gear = reference_geometry(
+        ReferenceInput<double>{z, 1.0, p.normal_pressure_angle.rad(), beta, x, 0.0});
     const double s_at =
         tooth_thickness_transverse(z, gear.base_diameter, gear.base_tooth_thickness, d_a);
     const double beta_a = std::atan(std::tan(beta) * d_a / gear.reference_diameter);
@@ -99,7 +99,7 @@ TEST(TrialGear, ThicknessIsThatOfTheReference) {
     const double m = number(in.at("mn"));
     for (const int i : {0, 1}) {
       const int z = in.at(i == 0 ? "z1" : "z2");
-      const TrialGear g = trial_gear(SearchProblem{}, z, beta, 0, i);
+      const TrialGear g = trial_gear(SearchProblem{}, z, Angle::radians(beta), 0, i);
       const double x = number(in.at(i == 0 ? "x1" : "x2"));
       EXPECT_NEAR(tip_thickness(g, x), number(pair.at("tip_thickness_n")[i]) / m, kPrinted)
           << in.dump();
@@ -119,7 +119,7 @@ TEST(TrialGear, AtTheEndsALimitIsMet) {
     const double beta = random.chance(0.5) ? random.uniform(-0.5, 0.5) : 0.0;
     SearchProblem p = problem_with(random.uniform(0.0, 0.5), random.uniform(0.9, 1.25));
     p.limits.undercut_margin = random.chance(0.3) ? random.uniform(-1.0, 0.2) : 0.0;
-    const TrialGear g = trial_gear(p, z, beta, 0, 0);
+    const TrialGear g = trial_gear(p, z, Angle::radians(beta), 0, 0);
     if (g.x_min > g.x_max) continue;
     const double thin = p.limits.tip_thickness;
     const double undercut =
@@ -159,24 +159,24 @@ TEST(TrialGear, AtTheEndsALimitIsMet) {
 
 TEST(TrialGear, FloorAndCeilingCutTheRange) {
   SearchProblem p = problem_with(0.2);
-  const TrialGear free = trial_gear(p, 40, 0.0, 0, 1);
+  const TrialGear free = trial_gear(p, 40, Angle(), 0, 1);
   p.limits.min_shift = -0.6;
   p.limits.max_shift = 1.0;
-  const TrialGear cut = trial_gear(p, 40, 0.0, 0, 1);
+  const TrialGear cut = trial_gear(p, 40, Angle(), 0, 1);
   EXPECT_LT(free.x_min, -0.6);
   EXPECT_GT(free.x_max, 1.0);
   EXPECT_EQ(cut.x_min, -0.6);
   EXPECT_EQ(cut.x_max, 1.0);
-  const TrialGear ring = trial_gear(p, -60, 0.0, 0, 1);
+  const TrialGear ring = trial_gear(p, -60, Angle(), 0, 1);
   EXPECT_EQ(ring.x_min, -0.6);
   EXPECT_LE(ring.x_max, 1.0);
 }
 
 TEST(TrialGear, MarginsRaiseTheUndercutLimit) {
   SearchProblem p = problem_with(0.2);
-  const double bare = trial_gear(p, 17, 0.3, 0, 0).x_min;
+  const double bare = trial_gear(p, 17, Angle::radians(0.3), 0, 0).x_min;
   p.limits.undercut_margin = 0.1;
-  EXPECT_NEAR(trial_gear(p, 17, 0.3, 0, 0).x_min, bare + 0.1, 1e-15);
+  EXPECT_NEAR(trial_gear(p, 17, Angle::radians(0.3), 0, 0).x_min, bare + 0.1, 1e-15);
 }
 
 // A tip cut back by −k is thicker there: the greatest shift grows until it is as thin again.
@@ -184,7 +184,7 @@ TEST(TrialGear, ShorterTipsMayShiftFarther) {
   SearchProblem p = problem_with(0.3);
   for (const double beta : {0.0, 0.4}) {
     for (const int z : {10, 17, 40, 120}) {
-      const TrialGear g = trial_gear(p, z, beta, 0, 0);
+      const TrialGear g = trial_gear(p, z, Angle::radians(beta), 0, 0);
       EXPECT_EQ(max_shift(p, g, 0.0), g.x_max);
       double last = g.x_max;
       for (const double k : {-1e-6, -0.01, -0.1, -0.3}) {
@@ -196,7 +196,7 @@ TEST(TrialGear, ShorterTipsMayShiftFarther) {
     }
   }
   p.limits.max_shift = 0.2;
-  const TrialGear g = trial_gear(p, 40, 0.0, 0, 0);
+  const TrialGear g = trial_gear(p, 40, Angle(), 0, 0);
   EXPECT_EQ(max_shift(p, g, -0.1), 0.2);
 }
 
@@ -206,9 +206,9 @@ TEST(TrialGear, TablesAndHandsChangeNothing) {
   p.limits.min_shift = -0.6;
   for (const double beta : {0.0, 0.35}) {
     for (const auto& [least, greatest] : {std::pair{5, 90}, {-90, -20}}) {
-      const TrialGears table(p, least, greatest, beta, 0, 1);
+      const TrialGears table(p, least, greatest, Angle::radians(beta), 0, 1);
       for (int z = least; z <= greatest; ++z) {
-        const TrialGear one = trial_gear(p, z, -beta, 0, 1);
+        const TrialGear one = trial_gear(p, z, Angle::radians(-beta), 0, 1);
         EXPECT_EQ(table[z].teeth, z);
         EXPECT_EQ(table[z].x_min, one.x_min);
         EXPECT_EQ(table[z].x_max, one.x_max);
@@ -223,8 +223,8 @@ TEST(TrialGear, EachGearHasItsOwnRack) {
   p.racks[0].rack[1].addendum = 0.8;
   p.racks[0].rack[1].dedendum = 1.4;
   p.racks[0].undercut_depth = {1.0, 1.2};
-  const TrialGear one = trial_gear(p, 20, 0.0, 0, 0);
-  const TrialGear two = trial_gear(p, 20, 0.0, 0, 1);
+  const TrialGear one = trial_gear(p, 20, Angle(), 0, 0);
+  const TrialGear two = trial_gear(p, 20, Angle(), 0, 1);
   EXPECT_EQ(one.addendum, 1.0);
   EXPECT_EQ(two.addendum, 0.8);
   EXPECT_EQ(two.dedendum, 1.4);

@@ -54,7 +54,7 @@ SetupChange change_of(const std::vector<std::size_t>& which, const std::vector<d
     if (i == setting) {
       c.tool_setting = v[k];
     } else if (i == lead1 || i == lead2) {
-      c.cutter_lead[i - lead1] = v[k] * kRadPerDeg;
+      c.cutter_lead[i - lead1] = Angle::degrees(v[k]);
     } else {
       SetupChange::Flank& f = c.flank[(i - first_flank) / 4];
       double* const amounts[] = {&f.lead_slope, &f.lead_crowning, &f.profile_slope,
@@ -151,7 +151,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job) {
   task.positions = kPositions;
   task.along_face = setup.gear(1).involute() != nullptr;
   task.fine_positions = job.spec.contact.positions;
-  task.centering = input.centering_arcsec * kRadPerArcsec;
+  task.centering = Angle::arcseconds(input.centering_arcsec);
   for (const std::size_t i : answer.corrections) {
     const CorrectionEntry& c = kCorrections[i];
     const double most =
@@ -161,10 +161,10 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job) {
   answer.setting = arc_setting(job, setup);
   answer.lead = lead_without_slope(job, setup);
   if (answer.setting && answer.setting->angle_nominal) {
-    constexpr double kProfileEnd =
-        10.0;  // degrees of rack angle off the drawing's: the flank's end
-    task.profile_target = answer.setting->angle_nominal->rad();
-    task.profile_width = kProfileEnd * kRadPerDeg;
+    // Of rack angle off the drawing's: the flank's end.
+    constexpr Angle kProfileEnd = Angle::degrees(10);
+    task.profile_target = *answer.setting->angle_nominal;
+    task.profile_width = kProfileEnd;
   }
   std::vector<double> closed_forms(answer.corrections.size(), 0.0);
   for (std::size_t k = 0; k < closed_forms.size(); ++k) {
@@ -191,7 +191,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job) {
     return {held, &held->pair};
   };
   answer.result = compensate(task);
-  if (!std::isfinite(answer.result.before.peak_to_peak))
+  if (!std::isfinite(answer.result.before.peak_to_peak.rad()))
     return Error{"errors", "",
                  "errors: nothing touches as the pair stands; see gearwright contact"};
   answer.corrected = corrected_spec(job, setup, answer.corrections, answer.result.value).dump();

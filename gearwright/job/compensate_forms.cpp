@@ -23,7 +23,7 @@ ArcMeshInput mesh_input(const ArcPair& pair, int convex) {
 
 // dTE/dφ1 of tooth pair 0 in the middle of its mesh, with one gear's lead angle changed.
 std::optional<double> middle_slope(const ContactSetup& setup, bool gear2_drives, int gear,
-                                   double delta_lambda) {
+                                   Angle delta_lambda) {
   SetupChange change;
   change.cutter_lead[static_cast<std::size_t>(gear - 1)] = delta_lambda;
   const auto changed = setup.changed(change);
@@ -68,12 +68,14 @@ std::optional<LeadAnswer> lead_without_slope(const SolvedJob& job, const Contact
   const ArcPair* arcs = job.pair->arcs();
   if (!arcs || setup.gear(1).twist() == 0.0) return std::nullopt;
   const bool gear2_drives = job.spec.contact.driver == 2;
-  const auto nominal = middle_slope(setup, gear2_drives, 1, 0.0);
+  const auto nominal = middle_slope(setup, gear2_drives, 1, Angle());
   if (!nominal) return std::nullopt;
   LeadAnswer answer{};
   answer.slope = *nominal;
   for (const int gear : {1, 2}) {
-    const auto slope = [&](double d) { return middle_slope(setup, gear2_drives, gear, d); };
+    const auto slope = [&](double d) {
+      return middle_slope(setup, gear2_drives, gear, Angle::radians(d));
+    };
     constexpr double kReach = 0.01;  // rad: half a degree and a little
     const auto lo = slope(-kReach);
     const auto hi = slope(kReach);
@@ -95,9 +97,9 @@ std::optional<LeadAnswer> lead_without_slope(const SolvedJob& job, const Contact
     const double driven = gear2_drives ? -1.0 : 1.0;
     answer.first_order =
         Angle::radians(hand * sin_lambda * sin_lambda *
-                           (e.crossing + e.helix_twist[0] * r1 + e.helix_twist[1] * r2) -
-                       hand * driven * sin_lambda * e.intersecting * std::tan(theta) -
-                       e.cutter_lead[0] + e.cutter_lead[1]);
+                           (e.crossing.rad() + e.helix_twist[0] * r1 + e.helix_twist[1] * r2) -
+                       hand * driven * sin_lambda * e.intersecting.rad() * std::tan(theta) -
+                       e.cutter_lead[0].rad() + e.cutter_lead[1].rad());
   }
   return answer;
 }

@@ -58,8 +58,8 @@ std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) 
                           {"before", "after"});
   for (std::size_t i = 0; a.scenarios.size() > 1 && i < a.scenarios.size(); ++i) {
     const auto arcsec = [](const ContactScore& s) {
-      return std::isfinite(s.peak_to_peak) ? fixed_text(s.peak_to_peak * kArcsecPerRad, 4) + " ″"
-                                           : std::string("no contact");
+      return std::isfinite(s.peak_to_peak.rad()) ? fixed_text(s.peak_to_peak.arcsec(), 4) + " ″"
+                                                 : std::string("no contact");
     };
     out += fmt::format("    {:<43}{:>16}{:>15}\n", a.scenarios[i], arcsec(a.result.each_before[i]),
                        arcsec(a.result.each_after[i]));

@@ -142,7 +142,7 @@ Result<ContactSetup> ContactSetup::of(const SolvedJob& job) {
   ContactSetup setup;
   GW_EXPECTS(job.pair.has_value());
   setup.place_.center_distance = job.pair->center_distance();
-  setup.place_.shaft_angle = job.pair->shaft_angle().rad();
+  setup.place_.shaft_angle = job.pair->shaft_angle();
   for (int i = 0; i < 2; ++i) {
     const Gear& gear = job.pair->gear(i + 1);
     setup.gears_[i] = std::make_shared<const Gear>(gear);
@@ -224,11 +224,11 @@ void warn_about(const ContactAnswer& answer, std::vector<Warning>& warnings) {
   }
   if (answer.driving.contact_lost)
     warn("contact_lost", "Contact is lost at some positions: no tooth pair touches there.");
-  constexpr double kTouching = 1e-12;  // rad: teeth without backlash do not jam
+  constexpr Angle kTouching = Angle::radians(1e-12);  // teeth without backlash do not jam
   if (answer.min_play && *answer.min_play < -kTouching) {
     warn("jam", fmt::format("The gears jam: both flanks of a tooth space are touched at once, gear "
                             "2 would have to give way by {:.6f} degrees.",
-                            -*answer.min_play / kRadPerDeg));
+                            -answer.min_play->deg()));
   }
   if (answer.driving.unfinished + answer.other.unfinished > 0) {
     warn("contact_search_unfinished",
@@ -247,7 +247,7 @@ Result<ContactAnswer> answer_contact(SolvedJob& job) {
   const ContactInput& input = job.spec.contact;
   const bool gear2_drives = input.driver == 2;
   ContactRequest request{input.positions, input.pitches, input.marking};
-  for (const double r : input.rotations) request.rotations.push_back(r * kRadPerDeg);
+  request.rotations = input.rotations;
   ContactRequest other = request;
   for (const NamedInfluence& i : answer.setup.influences())
     request.influences.push_back(i.influence);
@@ -261,7 +261,7 @@ Result<ContactAnswer> answer_contact(SolvedJob& job) {
     const ContactPoint& behind = answer.other.positions[i];
     if (!touches(positions[i]) || !touches(behind)) continue;
     // The flanks of gear 1 keep gear 2 ahead of one angle and behind the other.
-    const double play = (gear2_drives ? -1.0 : 1.0) * (behind.te - positions[i].te);
+    const Angle play = (gear2_drives ? -1.0 : 1.0) * (behind.te - positions[i].te);
     answer.min_play = std::min(answer.min_play.value_or(play), play);
   }
   if (input.map) answer.map = make_map(answer.setup, *input.map, input.positions, gear2_drives);

@@ -23,8 +23,8 @@ struct NamedInfluence {
 
 /// What a workshop changes: amounts on top of the drawing's.
 struct SetupChange {
-  double tool_setting = 0.0;            ///< Δb_F  mm, of the gear that F cuts
-  std::array<double, 2> cutter_lead{};  ///< Δλ  rad
+  double tool_setting = 0.0;           ///< Δb_F  mm, of the gear that F cuts
+  std::array<Angle, 2> cutter_lead{};  ///< Δλ
   struct Flank {
     double lead_slope = 0.0, lead_crowning = 0.0;        ///< mm; the slope on the driven flanks
     double profile_slope = 0.0, profile_crowning = 0.0;  ///< only, right if gear 1 drives
@@ -64,9 +64,9 @@ class ContactSetup {
 
 struct ContactAnswer {
   ContactSetup setup;
-  ContactResult driving;           ///< the flanks of the driver asked for
-  ContactResult other;             ///< the flanks behind them, at the same positions
-  std::optional<double> min_play;  ///< rad of gear 2, between both; < 0: the gears jam
+  ContactResult driving;          ///< the flanks of the driver asked for
+  ContactResult other;            ///< the flanks behind them, at the same positions
+  std::optional<Angle> min_play;  ///< of gear 2, between both; < 0: the gears jam
   std::optional<ErrorMap> map;
   std::optional<std::array<FlankRaster, 2>> pattern;  ///< where [contact] asks for it
 };

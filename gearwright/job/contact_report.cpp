@@ -71,7 +71,7 @@ std::vector<std::string> modifications_of(const SolvedJob& job) {
 // Axes as mounted, in the housing.
 std::array<ContactAxis, 2> axes_of(const ContactPair& pair) {
   const ContactMount& m = pair.place();
-  const double sigma = m.shaft_angle;
+  const double sigma = m.shaft_angle.rad();
   return {{{pair.in_housing(0.0, 0.0),
             pair.direction_in_housing(pair.tilt() * Vec3(0, 0, pair.turned()))},
            {Vec3(m.center_distance + m.errors.center_distance, 0, 0),
@@ -83,7 +83,7 @@ std::optional<ContactPoint> middle_of(const std::vector<ContactPoint>& points) {
   std::optional<ContactPoint> best;
   for (const ContactPoint& p : points) {
     if (p.kind == TouchKind::none) continue;
-    if (!best || std::abs(p.rotation1) < std::abs(best->rotation1)) best = p;
+    if (!best || abs(p.rotation1) < abs(best->rotation1)) best = p;
   }
   return best;
 }
@@ -134,7 +134,8 @@ void make_patterns(ContactReport& r, const SolvedJob& job, const ContactSetup& s
     const Under& u = list[i - 1];
     const ContactPair pair = setup.pair(u.errors, r.gear2_drives);
     r.under[i - 1] = {u.name, contact_pattern(pair, kSmallPositions, kSmall)[0],
-                      peak_to_peak(transmission_error(pair, positions)), u.as_specified};
+                      Angle::radians(peak_to_peak(transmission_error(pair, positions))),
+                      u.as_specified};
   };
   oneapi::tbb::parallel_for(std::size_t{0}, list.size() + 1, make);
 }

@@ -21,7 +21,8 @@ ContactView view_of(const SolvedJob& job, const ContactAnswer& answer) {
   if (answer.pattern) view.pattern = &*answer.pattern;
   if (answer.map) {
     view.map = &*answer.map;
-    for (const std::size_t i : {0, 1}) view.map_axes[i] = error_entries()[job.spec.contact.map->key[i]].key;
+    for (const std::size_t i : {0, 1})
+      view.map_axes[i] = error_entries()[job.spec.contact.map->key[i]].key;
   }
   return view;
 }
@@ -73,7 +74,7 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
   if (!r.harmonics.empty()) {
     std::string waves;
     for (std::size_t i = 0; i < std::min<std::size_t>(5, r.harmonics.size()); ++i)
-      waves += fmt::format("{}{:.4f}", i ? ", " : "", r.harmonics[i] * kArcsecPerRad);
+      waves += fmt::format("{}{:.4f}", i ? ", " : "", r.harmonics[i].arcsec());
     row("Harmonics 1 to 5, amplitudes", waves + " arcsec");
   }
   out +=
@@ -86,17 +87,17 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
   for (std::size_t i = 0; i < r.positions.size(); i += step) {
     const ContactPoint& p = r.positions[i];
     if (p.kind == TouchKind::none) {
-      out += fmt::format("  {:>11.4f}{:>15}\n", p.rotation1 * kDegPerRad, "no contact");
+      out += fmt::format("  {:>11.4f}{:>15}\n", p.rotation1.deg(), "no contact");
       continue;
     }
     const std::string major =
         p.ellipse && p.ellipse->semi_major ? fixed_text(*p.ellipse->semi_major, 4) : "-";
     const std::string minor = p.ellipse ? fixed_text(p.ellipse->semi_minor, 4) : "-";
-    out += fmt::format("  {:>11}{:>15}{:>7}  {:<9}{:>11}{:>11}{:>10}{:>10}{:>11}{:>11}\n",
-                       fixed_text(p.rotation1 * kDegPerRad, 4), fixed_text(p.te * kArcsecPerRad, 5),
-                       p.pair, to_string(p.kind), fixed_text(p.diameter[0], 4),
-                       fixed_text(p.diameter[1], 4), fixed_text(p.height[0], 4),
-                       fixed_text(p.height[1], 4), major, minor);
+    out +=
+        fmt::format("  {:>11}{:>15}{:>7}  {:<9}{:>11}{:>11}{:>10}{:>10}{:>11}{:>11}\n",
+                    fixed_text(p.rotation1.deg(), 4), fixed_text(p.te.arcsec(), 5), p.pair,
+                    to_string(p.kind), fixed_text(p.diameter[0], 4), fixed_text(p.diameter[1], 4),
+                    fixed_text(p.height[0], 4), fixed_text(p.height[1], 4), major, minor);
   }
   return out;
 }

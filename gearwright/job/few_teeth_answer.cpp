@@ -125,8 +125,8 @@ Result<FitAnswer> answer_few_teeth(const JobSpec& spec) {
   FewTeethProblem p;
   p.teeth = {g1.cylindrical.teeth, g2.cylindrical.teeth};
   p.normal_module = g1.cylindrical.normal_module;
-  p.normal_pressure_angle = g1.cylindrical.normal_pressure_angle.rad();
-  if (g1.helix_given) p.helix = g1.cylindrical.helix_angle.rad();
+  p.normal_pressure_angle = g1.cylindrical.normal_pressure_angle;
+  if (g1.helix_given) p.helix = g1.cylindrical.helix_angle;
   p.center_distance = spec.pair.center_distance;
   p.pinion_shift = g1.profile_shift;
   const double m = p.normal_module;

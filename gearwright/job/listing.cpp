@@ -6,6 +6,7 @@
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
+#include "gearwright/catalogue/pair_quantities.hpp"
 
 namespace gearwright {
 
@@ -75,12 +76,11 @@ std::string gear_listing(const SolvedJob& job) {
          quantity_listing(gear_quantities().table(), records, gear_columns(records.size()));
 }
 
-std::string pair_listing(const PairView& pair) {
-  const char* kind = pair.arcs        ? "Circular-arc pair, parallel axes"
+std::string pair_listing(const Pair& pair) {
+  const char* kind = pair.arcs()      ? "Circular-arc pair, parallel axes"
                      : pair.crossed() ? "Pair on crossed axes"
-                     : pair.involute->kind == PairKind::parallel_external
-                         ? "External pair, parallel axes"
-                         : "Internal pair, parallel axes";
+                     : pair.kind() == PairKind::parallel_external ? "External pair, parallel axes"
+                                                                  : "Internal pair, parallel axes";
   return fmt::format("\n{}\n", kind) +
          quantity_listing(pair_quantities().table(), {pair_quantities().of(pair)}, {});
 }

@@ -3,12 +3,13 @@
 
 #include <string>
 
+#include "gearwright/catalogue/quantity.hpp"
 #include "gearwright/job/files.hpp"
 
 namespace gearwright {
 
 std::string gear_listing(const SolvedJob& job);
-std::string pair_listing(const PairView& pair);
+std::string pair_listing(const Pair& pair);
 /// Records side by side under their headings; without `columns` one record, whose values may be
 /// two.
 std::string quantity_listing(const SaidTable& table, const std::vector<ValueRecord>& records,

@@ -102,7 +102,7 @@ std::optional<RackQuestion> parse_rack_question(const std::string& text) {
   RackQuestion q;
   q.normal_module = number(text.substr(0, comma), good);
   if (const auto angle = number(text.substr(comma + 1), good)) {
-    q.normal_pressure_angle = Angle::degrees(*angle).rad();
+    q.normal_pressure_angle = Angle::degrees(*angle);
     good = good && *angle >= 1.0 && *angle <= 60.0;  // as a gear's own
   }
   if (!good || (!q.normal_module && !q.normal_pressure_angle)) return std::nullopt;
@@ -117,7 +117,7 @@ Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion
   const auto bad = [](const std::string& value, const std::string& why) {
     return Error{"--as-rack", value, fmt::format("--as-rack {}: {}", value, why)};
   };
-  double alpha = question.normal_pressure_angle.value_or(0.0);
+  double alpha = question.normal_pressure_angle.value_or(Angle()).rad();
   if (question.normal_module) {
     const double m = *question.normal_module;
     if (!(m > m_cos)) {

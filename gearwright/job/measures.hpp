@@ -36,8 +36,8 @@ std::string measure_listing(const std::vector<MaybeChord>& measures);
 
 /// The rack that --as-rack names: "module,angle", either of them empty.
 struct RackQuestion {
-  std::optional<double> normal_module;          ///< mm
-  std::optional<double> normal_pressure_angle;  ///< rad
+  std::optional<double> normal_module;  ///< mm
+  std::optional<Angle> normal_pressure_angle;
 };
 
 /// Reads "3,20", ",17.5" or "3,"; nothing when it is none of these.

@@ -2,6 +2,7 @@
 
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
+#include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/job/value_json.hpp"
 
 namespace gearwright {
@@ -15,7 +16,7 @@ Json job_json(const SolvedJob& job) {
   if (!job.spec.title.empty()) j["title"] = job.spec.title;
   j["gears"] = Json::array();
   for (const Gear& g : job.gears) j["gears"].push_back(to_json(gear_quantities().of(g)));
-  if (const auto pair = job.pair_view()) j["pair"] = to_json(pair_quantities().of(*pair));
+  if (job.pair) j["pair"] = to_json(pair_quantities().of(*job.pair));
   j["warnings"] = warnings_json(job.warnings);
   return j;
 }

@@ -138,7 +138,7 @@ std::string search_listing(const Search& search, const SearchRun& run, std::size
     return text;
   }
   const bool helical =
-      std::any_of(p.helix.begin(), p.helix.end(), [](double b) { return b != 0.0; });
+      std::any_of(p.helix.begin(), p.helix.end(), [](Angle b) { return b != Angle(); });
   text += fmt::format(
       "\n{:>4} {:>7} {:>4} {:>5}{} {:>8} {:>10} {:>8} {:>8} {:>7} {:>7} {:>7} {:>7}  {}\n", "rank",
       "module", "z1", "z2", helical ? "   helix" : "", "ratio", "a mm", "x1", "x2", "ε_α", "ε true",

@@ -116,6 +116,7 @@ struct Writer {
     std::memcpy(&w, &v, 8);
     packer->word(w);
   }
+  void operator()(Angle v) const { (*this)(v.rad()); }
   void operator()(std::int64_t v) const { packer->word(static_cast<std::uint64_t>(v)); }
   void operator()(int v) const { (*this)(static_cast<std::int64_t>(v)); }
   void operator()(bool v) const { (*this)(static_cast<std::int64_t>(v)); }
@@ -135,6 +136,11 @@ struct Reader {
   void operator()(double& v) const {
     const std::uint64_t w = word();
     std::memcpy(&v, &w, 8);
+  }
+  void operator()(Angle& v) const {
+    double rad = 0.0;
+    (*this)(rad);
+    v = Angle::radians(rad);
   }
   void operator()(std::int64_t& v) const { v = static_cast<std::int64_t>(word()); }
   void operator()(int& v) const { v = static_cast<int>(static_cast<std::int64_t>(word())); }

@@ -84,8 +84,6 @@ Error of_distance(Error error, const JobSpec& spec) {
   return error;
 }
 
-std::optional<Angle> shaft_angle(const JobSpec& spec) { return spec.pair.shaft_angle; }
-
 // Whether the axes cross: the helices decide, and the shaft angle has been checked against them.
 bool axes_cross(const JobSpec& spec) {
   return !axes_are_parallel(
@@ -101,7 +99,7 @@ ShiftProblem shift_problem(const JobSpec& spec) {
   p.normal_module = c1.normal_module;
   p.normal_pressure_angle = c1.normal_pressure_angle;
   p.helix_angle = {c1.helix_angle, c2.helix_angle};
-  if (axes_cross(spec)) p.shaft_angle = shaft_angle(spec).value_or(Angle());
+  if (axes_cross(spec)) p.shaft_angle = spec.pair.shaft_angle.value_or(Angle());
   p.x1 = spec.gears[0]->profile_shift;
   p.x2 = spec.gears[1]->profile_shift;
   if (!spec.pair.center_distance) {
@@ -168,14 +166,14 @@ std::optional<Error> needs_one_rack(const JobSpec& spec, bool shift_wanted) {
 // The place of the pair, after its shifts: absent distance and angle follow from the teeth.
 Result<PairPlace> place_of(const JobSpec& spec) {
   return complete_place(nominal_base_pair(spec.gears[0]->cylindrical, spec.gears[1]->cylindrical),
-                        spec.pair.center_distance, shaft_angle(spec));
+                        spec.pair.center_distance, spec.pair.shaft_angle);
 }
 
 // Completes shifts and place of a spec with two gears; `shift_wanted`: one or both are absent and
 // follow from the centre distance.
 Result<PairPlace> complete_pair(JobSpec& spec, bool shift_wanted) {
   if (auto error = check_partners(spec.gears[0]->cylindrical, spec.gears[1]->cylindrical,
-                                  shaft_angle(spec))) {
+                                  spec.pair.shaft_angle)) {
     return *error;
   }
   const bool crossed = axes_cross(spec);

@@ -7,7 +7,6 @@
 #include <optional>
 #include <vector>
 
-#include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/pair/pair.hpp"
 #include "gearwright/spec/spec.hpp"
 
@@ -20,11 +19,6 @@ struct SolvedJob {
   std::optional<Pair> pair;       ///< when the spec has two gears and the caller wanted the pair
   std::vector<Warning> warnings;  ///< of gears and pair, with the gear's number
 
-  /// The pair as the catalogue takes it; none: there is no pair.
-  std::optional<PairView> pair_view() const {
-    if (!pair) return std::nullopt;
-    return PairView{pair->involute(), pair->arcs()};
-  }
   std::optional<Bore> bore(int which) const {
     return spec.gears[static_cast<std::size_t>(which - 1)]->bore;
   }

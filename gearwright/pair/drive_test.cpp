@@ -27,7 +27,7 @@ TEST(Drive, axial_force_is_that_of_the_contact_normal) {
       const auto sample = testing::involutes(20, z2, beta);
       const InvolutePair pair = mounted(sample);
       ContactRequest request;
-      request.rotations = {0.03};
+      request.rotations = {Angle::radians(0.03)};
       const ContactPoint at = analyse_contact(sample.pair(), request).positions[0];
       const Vec3 force = -at.normal;
       const double tangential = at.point.cross(force).z() / pair.mesh.rack.sides[0].pitch_radius;

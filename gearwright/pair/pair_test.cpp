@@ -5,11 +5,56 @@
 
 #include <cmath>
 #include <string>
+#include <type_traits>
+
+#include "gearwright/contact/compensation.hpp"
+#include "gearwright/contact/contact.hpp"
+#include "gearwright/design/few_teeth_design.hpp"
+#include "gearwright/design/fit.hpp"
+#include "gearwright/design/search_problem.hpp"
+#include "gearwright/pair/drive.hpp"
 
 namespace gearwright {
 namespace {
 
 using namespace literals;
+
+// Kinds are types. What is about involute pairs alone takes no other pair, and a number without a
+// unit is no angle: {.shaft_angle = 90} does not compile.
+static_assert(std::is_invocable_v<decltype(axial_force), const InvolutePair&>);
+static_assert(!std::is_invocable_v<decltype(axial_force), const ArcPair&>);
+static_assert(!std::is_invocable_v<decltype(axial_force), const Pair&>);
+static_assert(!std::is_invocable_v<decltype(fillet_clearance), const ArcPair&, int>);
+static_assert(!std::is_convertible_v<ArcPair, InvolutePair>);
+static_assert(!std::is_convertible_v<InvolutePair, ArcPair>);
+static_assert(!std::is_convertible_v<MountedGears, Pair>);
+
+template <class T>
+concept IsShaftAngle = requires(T angle) {
+  PairSpec{.shaft_angle = angle};
+};
+static_assert(IsShaftAngle<Angle>);
+static_assert(!IsShaftAngle<int>);
+static_assert(!IsShaftAngle<double>);
+
+template <class Struct, class Member>
+constexpr bool takes_a_number(Member Struct::*) {
+  return std::is_assignable_v<Member&, double>;
+}
+static_assert(takes_a_number(&PairSpec::center_distance));
+static_assert(!takes_a_number(&PairSpec::shaft_angle));
+static_assert(!takes_a_number(&PairPlace::shaft_angle));
+static_assert(!takes_a_number(&CylindricalSpec::helix_angle));
+static_assert(!takes_a_number(&CylindricalSpec::normal_pressure_angle));
+static_assert(!takes_a_number(&ContactErrors::crossing));
+static_assert(!takes_a_number(&ContactErrors::intersecting));
+static_assert(!takes_a_number(&ContactMount::shaft_angle));
+static_assert(!takes_a_number(&ContactPoint::te));
+static_assert(!takes_a_number(&CompensationTask::centering));
+static_assert(!takes_a_number(&FitProblem::shaft_angle));
+static_assert(!takes_a_number(&FewTeethProblem::helix));
+static_assert(!takes_a_number(&SearchProblem::shaft_angle));
+static_assert(!takes_a_number(&SearchProblem::normal_pressure_angle));
 
 Gear gear(int teeth, const Rack& rack, Angle beta) {
   CylindricalSpec s;

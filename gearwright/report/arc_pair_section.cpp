@@ -90,7 +90,7 @@ std::string arc_pair_section(const ArcPair& pair, const std::array<std::string, 
             "</div></div>\n</section>\n"
           : "<section class=\"pair\">\n<h2>Pair</h2>\n<div class=\"figures\">{}</div>\n{}"
             "</section>\n";
-  return fmt::format(fmt::runtime(frame), figures, pair_table({nullptr, &pair}));
+  return fmt::format(fmt::runtime(frame), figures, pair_table(pair));
 }
 
 std::string arc_verdict(const ArcPair& pair) {

@@ -255,7 +255,7 @@ std::vector<PathPiece> path_on_tooth(const ContactReport& report) {
   for (const ContactPoint& p : report.driving.positions)
     if (p.kind != TouchKind::none) points.push_back(&p);
   // Pair k does at a rotation what pair 0 did k pitches before.
-  const auto own = [&](const ContactPoint* p) { return p->rotation1 - p->pair * pitch; };
+  const auto own = [&](const ContactPoint* p) { return p->rotation1.rad() - p->pair * pitch; };
   std::sort(points.begin(), points.end(),
             [&](const auto* a, const auto* b) { return own(a) < own(b); });
   const double step = 1.5 * pitch / std::max(1, report.positions);
@@ -307,7 +307,7 @@ std::string gap_figure(const ContactReport& report) {
       "rotation {}°: lines where it is 1, 2, 5, 10, 20 and 50 µm, as far as the mate reaches. "
       "<span class=\"key\"><i class=\"swatch action\"></i>{}</span></figcaption></figure>\n",
       svg.str(), report.middle->pair == 0 ? "0" : fmt::format("{:+d}", report.middle->pair),
-      fixed(report.middle->rotation1 * kDegPerRad, 3),
+      fixed(report.middle->rotation1.deg(), 3),
       report.middle->line ? "contact line" : "contact point");
 }
 
@@ -323,7 +323,7 @@ std::string pattern_multiples(const ContactReport& report) {
     svg.path(loops_path(regions_below(field_of(u.pattern), report.marking), nodes_px(u.pattern, f)),
              "marked");
     svg.rect(f.z.from, f.top(), f.z.to - f.z.from, f.bottom() - f.top(), "limit");
-    const double peak = u.peak_to_peak * kArcsecPerRad;
+    const double peak = u.peak_to_peak.arcsec();
     text += fmt::format(
         "<figure{}>{}<figcaption>{}{}{}<br>{}</figcaption></figure>\n",
         u.as_specified ? " class=\"own\"" : "", svg.str(), u.as_specified ? "<strong>" : "",

@@ -48,7 +48,8 @@ std::vector<FlankPlace> ellipse_on(const ContactReport& report, const ContactPoi
   const Vec3& axis_1 = report.axes[0].direction;
   const Vec3 e_1 = (axis_1 - p.normal * p.normal.dot(axis_1)).normalized();
   const Vec3 e_2 = p.normal.cross(e_1);
-  const Vec3 major = std::cos(p.ellipse->angle) * e_1 + std::sin(p.ellipse->angle) * e_2;
+  const Vec3 major =
+      std::cos(p.ellipse->angle.rad()) * e_1 + std::sin(p.ellipse->angle.rad()) * e_2;
   const Vec3 minor = p.normal.cross(major);
   const ContactAxis& axis = report.axes[which];
   const FlankPlace at = place_on(axis, p.point);

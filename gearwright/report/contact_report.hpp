@@ -35,7 +35,7 @@ struct NamedAmount {
 struct PatternUnder {
   std::string name;  ///< "crossing of the axes +0.03°"; plain text
   FlankRaster pattern;
-  double peak_to_peak = 0.0;  ///< rad; NaN: nothing touches
+  Angle peak_to_peak;         ///< NaN: nothing touches
   bool as_specified = false;  ///< all errors at once: what the other pictures show
 };
 
@@ -49,11 +49,11 @@ struct ContactReport {
   std::array<const Gear*, 2> gears{};
   std::array<ContactAxis, 2> axes;
   bool gear2_drives = false;
-  double marking = 0.0;            ///< δ  mm
-  int positions = 0;               ///< per pitch
-  ContactResult driving;           ///< `positions` of one pitch, from −half a pitch on
-  ContactResult other;             ///< the flanks behind, at the same positions
-  std::optional<double> min_play;  ///< rad of gear 2; < 0: the gears jam
+  double marking = 0.0;           ///< δ  mm
+  int positions = 0;              ///< per pitch
+  ContactResult driving;          ///< `positions` of one pitch, from −half a pitch on
+  ContactResult other;            ///< the flanks behind, at the same positions
+  std::optional<Angle> min_play;  ///< of gear 2; < 0: the gears jam
   std::array<FlankRaster, 2> patterns;
   std::optional<ContactPoint> middle;      ///< the position nearest to the middle that touches
   FlankRaster middle_gap;                  ///< on gear 1, there

@@ -92,7 +92,7 @@ TEST(ContactReport, ThePathOnAToothIsAPitchOfPositions) {
     for (const PathPiece& piece : path_on_tooth(s.report)) {
       for (const ContactPoint* p : piece.points) {
         EXPECT_EQ(is_edge(p->kind), piece.edge);
-        const double own = p->rotation1 - p->pair * pitch;
+        const double own = p->rotation1.rad() - p->pair * pitch;
         EXPECT_GT(own, last);
         last = own;
         ++count;

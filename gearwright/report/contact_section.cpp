@@ -46,11 +46,10 @@ std::string facts(const ContactReport& report) {
   const ContactResult& a = report.driving;
   const ContactResult& b = report.other;
   TableBuilder t("Tooth contact", {"Driving flanks", "Flanks behind"});
-  t.row(
-      "Transmission error, peak to peak", "", "″",
-      {shown_arcsec(a.peak_to_peak * kArcsecPerRad), shown_arcsec(b.peak_to_peak * kArcsecPerRad)});
+  t.row("Transmission error, peak to peak", "", "″",
+        {shown_arcsec(a.peak_to_peak.arcsec()), shown_arcsec(b.peak_to_peak.arcsec())});
   const auto wave = [](const ContactResult& r) {
-    return r.harmonics.empty() ? shown::none() : shown_arcsec(r.harmonics[0] * kArcsecPerRad);
+    return r.harmonics.empty() ? shown::none() : shown_arcsec(r.harmonics[0].arcsec());
   };
   t.row("Wave at the tooth frequency, amplitude", "", "″", {wave(a), wave(b)});
   t.row("Rotation with contact inside the flanks", "", "%",
@@ -75,10 +74,10 @@ std::string finding(const ContactReport& report) {
            "pair needs a wider face, more teeth in mesh or smaller errors.";
   }
   const double edges = share(r, is_edge);
-  if (r.peak_to_peak * kArcsecPerRad < kConjugate && edges == 0.0)
+  if (r.peak_to_peak.arcsec() < kConjugate && edges == 0.0)
     return "Rotation is passed on exactly, without any error, and the flanks touch as they should.";
   std::string text = fmt::format("While a tooth passes, gear 2 runs up to {}″ unevenly. ",
-                                 shown_arcsec(r.peak_to_peak * kArcsecPerRad));
+                                 shown_arcsec(r.peak_to_peak.arcsec()));
   if (edges == 0.0) return text + "The flanks always touch inside their limits: no edge carries.";
   return text + fmt::format(
                     "During {} % of the rotation an edge touches where a flank should; "
@@ -116,7 +115,7 @@ std::string te_part(const ContactReport& report) {
 
 std::string pattern_part(const ContactReport& report) {
   // Conjugate flanks touch in all their tooth pairs at once.
-  const char* several = report.driving.peak_to_peak * kArcsecPerRad < kConjugate
+  const char* several = report.driving.peak_to_peak.arcsec() < kConjugate
                             ? " Here all tooth pairs in mesh touch at once; the way is drawn over "
                               "the pitch in which a pair is nearest to the centre line."
                             : "";

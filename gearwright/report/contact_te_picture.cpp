@@ -42,7 +42,7 @@ std::vector<ContactPoint> repeated(const std::vector<ContactPoint>& one, double 
   for (int i = -half; i < n + half; ++i) {
     const int turns = (i + n) / n - 1;
     ContactPoint p = one[static_cast<std::size_t>(i - turns * n)];
-    p.rotation1 += turns * pitch;
+    p.rotation1 += Angle::radians(turns * pitch);
     p.pair += turns;
     list.push_back(p);
   }
@@ -57,7 +57,7 @@ Span span_of(const std::vector<ContactPoint>& points) {
   Span s{1e300, -1e300};
   for (const ContactPoint& p : points) {
     if (p.kind == TouchKind::none) continue;
-    s = {std::min(s.lo, p.te), std::max(s.hi, p.te)};
+    s = {std::min(s.lo, p.te.rad()), std::max(s.hi, p.te.rad())};
   }
   return s;
 }
@@ -67,9 +67,9 @@ template <typename Value, typename Of>
 std::vector<std::pair<Value, Span>> blocks_of(const std::vector<ContactPoint>& points,
                                               const Of& of) {
   std::vector<std::pair<Value, Span>> blocks;
-  const double half = 0.5 * (points[1].rotation1 - points[0].rotation1);
+  const double half = 0.5 * (points[1].rotation1 - points[0].rotation1).rad();
   for (const ContactPoint& p : points) {
-    const Span here{p.rotation1 - half, p.rotation1 + half};
+    const Span here{p.rotation1.rad() - half, p.rotation1.rad() + half};
     if (!blocks.empty() && blocks.back().first == of(p)) {
       blocks.back().second.hi = here.hi;
     } else {
@@ -200,7 +200,9 @@ std::vector<TeRun> te_runs(const std::vector<ContactPoint>& positions) {
   std::vector<TeRun> runs;
   const std::size_t n = positions.size();
   const Span span = span_of(positions);
-  const auto at = [&](std::size_t i) { return Vec2(positions[i].rotation1, positions[i].te); };
+  const auto at = [&](std::size_t i) {
+    return Vec2(positions[i].rotation1.rad(), positions[i].te.rad());
+  };
   const auto same_pair = [&](std::size_t i, std::size_t k) {
     return k < n && positions[k].kind != TouchKind::none && positions[k].pair == positions[i].pair;
   };
@@ -231,15 +233,14 @@ std::vector<TeRun> te_runs(const std::vector<ContactPoint>& positions) {
       runs.push_back(std::move(run));
       open = true;
     }
-    runs.back().rotation.push_back(p.rotation1);
-    runs.back().te.push_back(p.te);
+    runs.back().rotation.push_back(p.rotation1.rad());
+    runs.back().te.push_back(p.te.rad());
   }
   return runs;
 }
 
-bool waves_are_rounding(const std::vector<double>& waves) {
-  return std::none_of(waves.begin(), waves.end(),
-                      [](double w) { return w * kArcsecPerRad > kRounding; });
+bool waves_are_rounding(const std::vector<Angle>& waves) {
+  return std::none_of(waves.begin(), waves.end(), [](Angle w) { return w.arcsec() > kRounding; });
 }
 
 std::string shown_arcsec(double arcsec) {
@@ -264,13 +265,13 @@ std::string te_figure(const ContactReport& report, bool other_flanks) {
 }
 
 std::string te_spectrum_figure(const ContactReport& report) {
-  const std::vector<double>& waves = report.driving.harmonics;
+  const std::vector<Angle>& waves = report.driving.harmonics;
   if (waves.empty() || waves_are_rounding(waves)) return {};
   constexpr double kSpectrumLeft = 66.0;
   constexpr double kSpectrumTop = 46.0;
   constexpr double kSpectrumPlot = 240.0;
   std::vector<double> arcsec;
-  for (const double w : waves) arcsec.push_back(w * kArcsecPerRad);
+  for (const Angle w : waves) arcsec.push_back(w.arcsec());
   const double most = *std::max_element(arcsec.begin(), arcsec.end());
   const int n = static_cast<int>(arcsec.size());
   const Axis x{0.3, n + 0.7, kSpectrumLeft, kWidth - 18};

@@ -26,8 +26,8 @@ std::string shown_arcsec(double arcsec);
 
 /// One figure each; of the other flanks a shorter caption.
 std::string te_figure(const ContactReport& report, bool other_flanks);
-/// Whether nothing but rounding is left of the waves (rad).
-bool waves_are_rounding(const std::vector<double>& waves);
+/// Whether nothing but rounding is left of the waves.
+bool waves_are_rounding(const std::vector<Angle>& waves);
 /// Empty when contact is lost, for what does not repeat has no spectrum, and when there is no wave.
 std::string te_spectrum_figure(const ContactReport& report);
 

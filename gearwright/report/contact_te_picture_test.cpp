@@ -13,8 +13,8 @@ namespace {
 
 ContactPoint point(double rotation, double te, int pair, TouchKind kind = TouchKind::interior) {
   ContactPoint p;
-  p.rotation1 = rotation;
-  p.te = te;
+  p.rotation1 = Angle::radians(rotation);
+  p.te = Angle::radians(te);
   p.pair = pair;
   p.kind = kind;
   return p;
@@ -58,8 +58,7 @@ TEST(TeRuns, LostContactEndsARunAndEdgesHaveTheirOwn) {
 
 TEST(TePicture, SaysThePeakToPeakOfTheResult) {
   const auto s = testing::helical_contact();
-  const std::string words =
-      "peak to peak " + shown_arcsec(s.report.driving.peak_to_peak * kArcsecPerRad);
+  const std::string words = "peak to peak " + shown_arcsec(s.report.driving.peak_to_peak.arcsec());
   EXPECT_NE(te_figure(s.report, false).find(words), std::string::npos);
   EXPECT_NE(te_figure(s.report, false).find("end of face 1"), std::string::npos);
   EXPECT_NE(te_figure(s.report, false).find("\"handover\""), std::string::npos);

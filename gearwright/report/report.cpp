@@ -141,9 +141,9 @@ std::string crossed_section(const InvolutePair& pair) {
       "class=\"columns\"><div>{}{}</div><div>{}{}{}{}</div></div>\n"
       "<h3>Other places for these gears</h3>\n<div "
       "class=\"columns\"><div>{}{}</div><div>{}{}</div></div>\n</section>\n",
-      plan_figures(pair), pair_table({&pair, nullptr}), interference_table(pair),
-      section_figure(pair), if_they_meet(face_use_figure), if_they_meet(speed_figures),
-      path_table(pair), range_figure(pair), min_distance_table(pair), face_width_figure(pair),
+      plan_figures(pair), pair_table(pair), interference_table(pair), section_figure(pair),
+      if_they_meet(face_use_figure), if_they_meet(speed_figures), path_table(pair),
+      range_figure(pair), min_distance_table(pair), face_width_figure(pair),
       min_distance_figure(pair));
 }
 
@@ -153,7 +153,7 @@ std::string pair_section(const InvolutePair& pair) {
       "<section class=\"pair\">\n<h2>Pair</h2>\n{}<div "
       "class=\"columns\"><div>{}{}</div><div>{}{}</div></div>\n{}"
       "</section>\n",
-      mesh_figures(pair, kShapes), pair_table({&pair, nullptr}), interference_table(pair),
+      mesh_figures(pair, kShapes), pair_table(pair), interference_table(pair),
       pair.flanks_meet() ? path_figures(pair) : std::string(), path_table(pair),
       centrode_figures(pair));
 }

@@ -16,7 +16,7 @@ using shown::angle;
 using shown::length;
 using shown::ratio;
 
-std::string pair_table(const PairView& pair) {
+std::string pair_table(const Pair& pair) {
   TableBuilder t("Pair data, symbols of ISO 21771", {"Gear 1", "Gear 2"});
   const auto& quantities = pair_quantities();
   add_groups(t, text_groups(quantities.table(), {quantities.of(pair)}, kPage));

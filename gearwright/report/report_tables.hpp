@@ -8,7 +8,7 @@
 namespace gearwright {
 
 /// The catalogue's quantities of a pair, under their headings.
-std::string pair_table(const PairView& pair);
+std::string pair_table(const Pair& pair);
 
 /// A … E: distance from the pitch point, radii of curvature, sliding.
 std::string path_table(const InvolutePair& pair);

@@ -21,14 +21,13 @@ std::string band(const std::array<double, 2>& limits) {
 
 std::string kind_of(const SearchProblem& problem) {
   const bool helical = [&] {
-    for (const double beta : problem.helix)
-      if (beta != 0.0) return true;
+    for (const Angle beta : problem.helix)
+      if (beta != Angle()) return true;
     return false;
   }();
   std::string kind = "Design search, ";
   if (problem.crossed()) {
-    kind += fmt::format("crossed helical gears, shaft angle {:.8g}°",
-                        kDegPerRad * *problem.shaft_angle);
+    kind += fmt::format("crossed helical gears, shaft angle {:.8g}°", problem.shaft_angle->deg());
   } else {
     kind += fmt::format("{} gears{}", helical ? "helical" : "spur",
                         problem.internal() ? ", internal" : "");

@@ -112,7 +112,7 @@ std::string chart_section(const SearchReport& report) {
   const SearchProblem& problem = report.search.problem();
   const DesignRow* best = report.answer.designs.empty() ? nullptr : &report.answer.designs.front();
   Trial trial;  // of the first rack and helix, when there is no design
-  trial.helix = {problem.helix.front(), 0.0};
+  trial.helix = {problem.helix.front(), Angle()};
   if (best != nullptr) trial = best->trial;
   return fmt::format(
       "<section>\n<h2>What tooth numbers allow</h2>\n{}<div class=\"figures\">\n{}{}</div>\n"

@@ -57,7 +57,7 @@ TEST(SearchTable, ARowIsItsDesign) {
     EXPECT_EQ(c[9].text, row.balanced ? "Eq. 11" : "middle");
     EXPECT_EQ(c[10].text, fixed(row.contact_ratio, 3));
     EXPECT_EQ(c[11].text, fixed(row.contact_ratio_true, 3));
-    EXPECT_EQ(c[12].text, fixed(row.working_angle * 180 / std::numbers::pi, 3));
+    EXPECT_EQ(c[12].text, fixed(row.working_angle.deg(), 3));
     EXPECT_EQ(c[13].text, fixed(row.backlash_normal, 4));
     EXPECT_EQ(c[14].text, fixed(row.tip_thickness[0], 3));
     EXPECT_EQ(c[16].text, fixed(row.tip_clearance[0], 3));

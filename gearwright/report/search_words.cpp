@@ -72,7 +72,7 @@ std::optional<double> value_of(const SearchProblem& problem, const DesignRow& ro
 }
 
 std::string design_name(const Trial& trial) {
-  const double beta = Angle::radians(trial.helix[0]).deg();
+  const double beta = trial.helix[0].deg();
   return fmt::format("{:.10g} · {}:{}{}", trial.module, trial.z1, trial.z2,
                      beta == 0.0 ? "" : fmt::format(" · {:.6g}°", beta));
 }

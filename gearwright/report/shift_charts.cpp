@@ -114,8 +114,8 @@ void draw_room(Svg& svg, const Axis& x, const Axis& y, const std::vector<ShiftLi
 }
 
 std::string helix_words(const Trial& trial) {
-  if (trial.helix[0] == 0.0) return "";
-  return fmt::format(", helix angle {:.6g}°", kDegPerRad * std::abs(trial.helix[0]));
+  if (trial.helix[0] == Angle()) return "";
+  return fmt::format(", helix angle {:.6g}°", abs(trial.helix[0]).deg());
 }
 
 bool on_chart(int teeth) { return teeth >= kChartMin && teeth <= kChartMax; }

@@ -86,8 +86,10 @@ ContactInput read_contact(const Json& node) {
                                   "the first",
                                   kMaxPositions));
   }
-  c.rotations = t.numbers("rotation1_deg").value_or(std::vector<double>());
-  for (const double r : c.rotations) t.check("rotation1_deg", r);
+  for (const double r : t.numbers("rotation1_deg").value_or(std::vector<double>())) {
+    t.check("rotation1_deg", r);
+    c.rotations.push_back(Angle::degrees(r));
+  }
   if (const Json* map = t.table("map")) c.map = read_map(*map);
   t.finish();
   return c;

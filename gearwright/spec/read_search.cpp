@@ -116,12 +116,12 @@ void read_helix(TableReader& t, SearchProblem& p, double of_gear_deg) {
   p.helix.clear();
   for (const double beta : degrees) {
     t.check(key, beta);
-    if (p.shaft_angle && !(std::abs(Angle::radians(*p.shaft_angle).deg() - beta) < 89.0)) {
+    if (p.shaft_angle && !(std::abs(p.shaft_angle->deg() - beta) < 89.0)) {
       t.fail(key, fmt::format("{} leaves gear 2 the helix angle {}, beyond 89; gear 2 has the "
                               "shaft angle less this one",
-                              beta, Angle::radians(*p.shaft_angle).deg() - beta));
+                              beta, p.shaft_angle->deg() - beta));
     }
-    p.helix.push_back(Angle::degrees(beta).rad());
+    p.helix.push_back(Angle::degrees(beta));
   }
 }
 
@@ -240,13 +240,13 @@ void read_racks(TableReader& t, SearchProblem& p, const std::array<Blank, 2>& bl
     SearchRacks racks;
     for (std::size_t i : {0, 1}) {
       if (pair[i]) {
-        const auto edge = make_edge(*pair[i], 1.0, Angle::radians(p.normal_pressure_angle));
+        const auto edge = make_edge(*pair[i], 1.0, p.normal_pressure_angle);
         const std::string path = list ? "search.racks: " : fmt::format("gear{}.", i + 1);
         if (!edge)
           throw SpecError{
               {path + edge.error().key, edge.error().value, path + edge.error().message}};
         racks.rack[i] = *pair[i];
-        racks.undercut_depth[i] = straight_depth(*pair[i], p.normal_pressure_angle);
+        racks.undercut_depth[i] = straight_depth(*pair[i], p.normal_pressure_angle.rad());
       }
       if (depth) racks.undercut_depth[i] = *depth;
     }
@@ -269,7 +269,7 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
                      "one pressure angle, gear1 has {}",
                      *blanks[1].alpha_deg, alpha)}};
   }
-  p.normal_pressure_angle = Angle::degrees(alpha).rad();
+  p.normal_pressure_angle = Angle::degrees(alpha);
   read_teeth(t, p);
   if (const auto distance = band(t, "center_distance_mm")) {
     t.check("center_distance_mm", (*distance)[0]);
@@ -285,9 +285,9 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
       t.fail("shaft_angle_deg",
              "has no place in an internal pair: its axes are "
              "parallel");
-    p.shaft_angle = Angle::degrees(*sigma).rad();
+    p.shaft_angle = Angle::degrees(*sigma);
   }
-  const double half = p.shaft_angle ? Angle::radians(*p.shaft_angle).deg() / 2.0 : 0.0;
+  const double half = p.shaft_angle ? p.shaft_angle->deg() / 2.0 : 0.0;
   read_helix(t, p, blanks[0].helix_deg.value_or(half));
   read_racks(t, p, blanks);
   if (!p.face_width) p.face_width = blanks[0].face_mm;

@@ -133,16 +133,16 @@ std::vector<Row> contact_rows() {
                                           d.helix_deg, d.f.arc_radius);
     const ExactDrive exact(d);
     ContactRequest request;
-    request.rotations = {0.0};
+    request.rotations = {Angle()};
     for (const double delta : {0.0, uniform(-0.1, 0.1) * more}) {
       place.errors.center_distance = delta * d.module;
       const ContactPair pair({&*g1}, {&*g2}, place);
       const ContactPoint p = analyse_contact(pair, request).positions[0];
       if (p.kind != TouchKind::interior) continue;
       const Exact true_delta = Exact(place.errors.center_distance) / Exact(d.module);
-      const Exact theta = exact.angle(*p.rack_angle, true_delta);
-      angle.see(std::abs(static_cast<double>(Exact(*p.rack_angle) - theta)), input);
-      te.see(std::abs(static_cast<double>(Exact(p.te) - exact.te(theta))), input);
+      const Exact theta = exact.angle(p.rack_angle->rad(), true_delta);
+      angle.see(std::abs(static_cast<double>(Exact(p.rack_angle->rad()) - theta)), input);
+      te.see(std::abs(static_cast<double>(Exact(p.te.rad()) - exact.te(theta))), input);
       if (delta != 0.0) continue;
       const auto k = exact.gap_curvature(theta);
       k1.see(relative_error((*p.gap_curvature)[0] * d.module, k[0]), input);

@@ -27,7 +27,7 @@ int main() {
 
   const auto mesh = tessellate({"pinion", gear_1->tooth->outline, gear_1->twist(), 25.0,
                                 std::nullopt, Eigen::Isometry3d::Identity()});
-  const auto touching = contact(*pair, {.crossing = 1e-4});
+  const auto touching = contact(*pair, {.crossing = Angle::radians(1e-4)});
   const auto bad = make_gear({.teeth = 17, .normal_module = -1.0, .face_width = 5});
   const bool good = std::abs(pair->involute()->mesh.backlash.normal_base) < 1e-12 && mesh &&
                     touching && !bad && bad.error().key == "normal_module_mm";

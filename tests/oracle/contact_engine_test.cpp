@@ -22,10 +22,10 @@ using property::Random;
 double number_of(const json& of, const char* key) { return of.at(key).get<double>(); }
 
 /// All positions of `rotations`, each from cold.
-ContactResult at_rotations(const ContactPair& pair, std::vector<double> rotations,
+ContactResult at_rotations(const ContactPair& pair, const std::vector<double>& rotations,
                            double marking = 0.00635) {
   ContactRequest request;
-  request.rotations = std::move(rotations);
+  for (const double r : rotations) request.rotations.push_back(Angle::radians(r));
   request.marking = marking;
   return analyse_contact(pair, request);
 }
@@ -84,7 +84,7 @@ TEST(ContactEngine, case_file) {
       EXPECT_LT((p.normal - tca::vector(t, "normal_f").cast<double>()).norm(), 1e-10);
       EXPECT_NEAR(p.diameter[0] / (2 * number_of(t, "radius1")), 1.0, 1e-11);
       EXPECT_NEAR(p.diameter[1] / (2 * number_of(t, "radius2")), 1.0, 1e-11);
-      EXPECT_NEAR(*p.rack_angle * 180 / std::numbers::pi, number_of(t, "thF_deg"), 1e-8);
+      EXPECT_NEAR(p.rack_angle->deg(), number_of(t, "thF_deg"), 1e-8);
     }
   }
   EXPECT_GE(positions, 50);
@@ -108,7 +108,7 @@ TEST(ContactEngine, cutter_lead_is_another_rack) {
     const auto b = at_rotations(as_error.pair(), rotations);
     for (std::size_t i = 0; i < rotations.size(); ++i) {
       EXPECT_EQ(a.positions[i].kind, b.positions[i].kind);
-      EXPECT_NEAR(a.positions[i].te, b.positions[i].te, 1e-13);
+      EXPECT_NEAR(a.positions[i].te.rad(), b.positions[i].te.rad(), 1e-13);
       EXPECT_EQ(a.positions[i].pair, b.positions[i].pair);
     }
   }
@@ -144,7 +144,7 @@ TEST(ContactEngine, composite_curves_with_edges) {
       const json& row = composite.at("rows").at(i);
       SCOPED_TRACE(row.dump());
       const ContactPoint& p = r.positions[i];
-      EXPECT_NEAR(p.te, number_of(row, "te_with_edges_arcsec") * second,
+      EXPECT_NEAR(p.te.rad(), number_of(row, "te_with_edges_arcsec") * second,
                   std::min(1e-6 * height, 1e-14));
       EXPECT_EQ(p.pair, row.at("pair_edges").get<int>());
       EXPECT_NEAR(p.diameter[0] / 2 - r_1, number_of(row, "x_contact"), 1e-6);
@@ -174,17 +174,18 @@ void report(const char* what, const Tally& t) {
 // stay behind: it passes over what is smaller than its steps, and stops short of a face that runs
 // across flank 1.
 void against_cloud(const tca::CloudPair& cloud, const BrutePair& brute, const ContactPoint& p) {
-  const auto t = tca::cloud_touch(cloud, p.rotation1);
+  const auto t = tca::cloud_touch(cloud, p.rotation1.rad());
   if (p.kind == TouchKind::none) {
     EXPECT_FALSE(t.has_value());
     return;
   }
-  const auto seen = BruteContact(brute).look(p.rotation1, p.pair, p.diameter[0] / 2, p.height[0]);
-  EXPECT_NEAR(seen.te, p.te, 1e-12);
+  const auto seen =
+      BruteContact(brute).look(p.rotation1.rad(), p.pair, p.diameter[0] / 2, p.height[0]);
+  EXPECT_NEAR(seen.te, p.te.rad(), 1e-12);
   EXPECT_LT(seen.outside, 1e-9 * p.diameter[0]);
   if (!t) return;
   const tca::Real ratio = static_cast<tca::Real>(cloud.teeth_1) / cloud.teeth_2;
-  EXPECT_LT(static_cast<double>(t->rotation_2 - ratio * p.rotation1), p.te + 1e-12);
+  EXPECT_LT(static_cast<double>(t->rotation_2 - ratio * p.rotation1.rad()), p.te.rad() + 1e-12);
 }
 
 // Circular arcs with every error at once. Where the room says `interior` the five equations, from
@@ -204,13 +205,14 @@ Tally arcs(std::uint64_t seed, int pairs, int clouds) {
     EXPECT_EQ(r.unfinished, 0);
     for (const ContactPoint& p : r.positions) {
       SCOPED_TRACE(testing::Message() << "seed " << seed << " pair " << tally.pairs << " rotation "
-                                      << p.rotation1 << " kind " << to_string(p.kind));
-      const auto five = tca::carrying_arc_touch(pair, p.rotation1, 3);
+                                      << p.rotation1.rad() << " kind " << to_string(p.kind));
+      const auto five = tca::carrying_arc_touch(pair, p.rotation1.rad(), 3);
       if (p.kind == TouchKind::interior) {
         ++tally.inside;
         EXPECT_TRUE(five.has_value());
         if (!five) continue;
-        const double off = std::abs(p.te - static_cast<double>(five->touch.transmission_error));
+        const double off =
+            std::abs(p.te.rad() - static_cast<double>(five->touch.transmission_error));
         EXPECT_LT(off, 1e-12);
         tally.worst_rotation = std::max(tally.worst_rotation, off);
         if (five->pair != p.pair) continue;  // two pairs that touch together
@@ -222,7 +224,7 @@ Tally arcs(std::uint64_t seed, int pairs, int clouds) {
         continue;
       }
       if (p.kind != TouchKind::none && five) {
-        EXPECT_GE(p.te, static_cast<double>(five->touch.transmission_error) - 1e-12);
+        EXPECT_GE(p.te.rad(), static_cast<double>(five->touch.transmission_error) - 1e-12);
       }
       ++tally.edges;
       if (tally.clouds >= clouds) continue;
@@ -281,9 +283,9 @@ TEST(ContactEngine, modified_arcs_against_dense_places) {
       ASSERT_EQ(t.has_value(), p.kind != TouchKind::none);
       if (!t) continue;
       const auto seen = places.look(rotation, p.pair, p.diameter[0] / 2, p.height[0]);
-      EXPECT_NEAR(seen.te, p.te, 1e-12);
+      EXPECT_NEAR(seen.te, p.te.rad(), 1e-12);
       EXPECT_LT(seen.outside, 1e-9 * size);
-      EXPECT_LT(t->te, p.te + 1e-12);
+      EXPECT_LT(t->te, p.te.rad() + 1e-12);
     }
   }
 }
@@ -303,13 +305,13 @@ Tally screws(std::uint64_t seed, ScrewKind kind, int pairs, int clouds) {
     EXPECT_EQ(r.unfinished, 0);
     for (const ContactPoint& p : r.positions) {
       SCOPED_TRACE(testing::Message() << "seed " << seed << " pair " << tally.pairs << " rotation "
-                                      << p.rotation1 << " kind " << to_string(p.kind));
+                                      << p.rotation1.rad() << " kind " << to_string(p.kind));
       if (p.kind == TouchKind::interior) {
         ++tally.inside;
         const auto five = five_equations(s, p);
         EXPECT_TRUE(five.solved);
         EXPECT_TRUE(five.opens);
-        const double off = std::abs(p.te - static_cast<double>(five.transmission_error));
+        const double off = std::abs(p.te.rad() - static_cast<double>(five.transmission_error));
         EXPECT_LT(off, 1e-12);
         tally.worst_rotation = std::max(tally.worst_rotation, off);
         const double place = (p.point - five.point_f.cast<double>()).norm();

@@ -62,17 +62,17 @@ inline ContactMount contact_mount(const tca::Mounting& m) {
   const auto d = [](tca::Real x) { return static_cast<double>(x); };
   ContactMount out;
   out.center_distance = d(m.center_distance);
-  out.shaft_angle = d(m.shaft_angle);
+  out.shaft_angle = Angle::radians(d(m.shaft_angle));
   out.errors.center_distance = d(m.d_center);
-  out.errors.crossing = d(m.crossing);
-  out.errors.intersecting = d(m.intersecting);
+  out.errors.crossing = Angle::radians(d(m.crossing));
+  out.errors.intersecting = Angle::radians(d(m.intersecting));
   out.errors.axial = d(m.axial);
   return out;
 }
 
 inline tca::Mounting mounting_of(const ContactMount& m) {
-  return {m.center_distance, m.shaft_angle,         m.errors.center_distance,
-          m.errors.crossing, m.errors.intersecting, m.errors.axial};
+  return {m.center_distance,       m.shaft_angle.rad(),         m.errors.center_distance,
+          m.errors.crossing.rad(), m.errors.intersecting.rad(), m.errors.axial};
 }
 
 /// Both gears and their place; keeps what ContactPair only points to.

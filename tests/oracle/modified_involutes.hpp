@@ -97,8 +97,8 @@ inline std::optional<ModifiedPair> random_modified(property::Random& random, con
     const double size = random.logarithmic(1e-3, 1.0);
     const double slope = 3e-3 * m / specs.first.face_width * size;
     e.center_distance = 0.1 * m * size * random.unit() * (want.internal ? -1 : 1);
-    if (random.chance(0.7)) e.crossing = slope * sign() * random.unit();
-    if (random.chance(0.7)) e.intersecting = slope * sign() * random.unit();
+    if (random.chance(0.7)) e.crossing = Angle::radians(slope * sign() * random.unit());
+    if (random.chance(0.7)) e.intersecting = Angle::radians(slope * sign() * random.unit());
     if (random.chance(0.5)) e.axial = 0.5 * m * sign() * random.unit();
     for (int i : {0, 1}) {
       const double r = gears[i].reference_diameter / 2;

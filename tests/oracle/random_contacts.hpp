@@ -152,11 +152,15 @@ inline ScrewContact random_screws(property::Random& random, ScrewKind kind) {
   }
   auto& place = s.set.mount;
   place.center_distance = distance;
-  place.shaft_angle = parallel ? 0.0 : beta[0] + beta[1];
+  place.shaft_angle = Angle::radians(parallel ? 0.0 : beta[0] + beta[1]);
   const double tilt = parallel ? 2e-4 : 3e-3;
   place.errors.center_distance = 0.1 * m * size * random.unit();
-  if (random.chance(0.8)) place.errors.crossing = tilt * size * sign() * random.unit();
-  if (random.chance(0.8)) place.errors.intersecting = tilt * size * sign() * random.unit();
+  if (random.chance(0.8)) {
+    place.errors.crossing = Angle::radians(tilt * size * sign() * random.unit());
+  }
+  if (random.chance(0.8)) {
+    place.errors.intersecting = Angle::radians(tilt * size * sign() * random.unit());
+  }
   if (random.chance(0.8)) place.errors.axial = 0.5 * m * size * sign() * random.unit();
   s.cloud.mounting = mounting_of(place);
   return s;
@@ -190,8 +194,8 @@ inline tca::FiveEquationTouch five_equations(const ScrewContact& s, const Contac
   };
   const tca::Real back = 2 * std::numbers::pi_v<tca::Real> * p.pair;
   const tca::Unknowns start{roll(0) * 1.0001L, p.height[0] + 1e-4L * pair.scale, roll(1),
-                            p.height[1], p.rotation2 - back / s.cloud.teeth_2 + 1e-6L};
-  return solve(pair, p.rotation1 - back / s.cloud.teeth_1, start);
+                            p.height[1], p.rotation2.rad() - back / s.cloud.teeth_2 + 1e-6L};
+  return solve(pair, p.rotation1.rad() - back / s.cloud.teeth_1, start);
 }
 
 }  // namespace gearwright::oracle

@@ -63,8 +63,8 @@ void expect_same_points(TwinKind kind, unsigned seed, int points) {
       ++(margin > 0.0 ? inside : outside);
       ASSERT_EQ(margin > 0.0, least > 0.0L)
           << t.z1 << ":" << t.z2 << " x " << x1 << " " << x2 << ": " << margin << " "
-          << static_cast<double>(least) << " α " << problem.normal_pressure_angle << " β "
-          << problem.helix[0] << " problem " << problems;
+          << static_cast<double>(least) << " α " << problem.normal_pressure_angle.rad() << " β "
+          << problem.helix[0].rad() << " problem " << problems;
     }
   }
   EXPECT_GT(inside, points / 10);

@@ -37,8 +37,8 @@ inline SearchProblem engine_problem(const Twin& twin) {
   p.center_distance = twin.center_distance;
   p.modules = twin.modules;
   p.pinion_teeth = twin.pinion_teeth;
-  p.helix = {static_cast<double>(plain.beta)};
-  p.normal_pressure_angle = static_cast<double>(plain.alpha_n);
+  p.helix = {Angle::radians(static_cast<double>(plain.beta))};
+  p.normal_pressure_angle = Angle::radians(static_cast<double>(plain.alpha_n));
   SearchRacks& racks = p.racks[0];
   for (StraightRack& rack : racks.rack) {
     rack.addendum = static_cast<double>(plain.ha);

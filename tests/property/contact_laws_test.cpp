@@ -34,7 +34,7 @@ TEST(ContactLaws, parallel_flanks) {
       if (p.kind != TouchKind::interior || q.kind != TouchKind::interior) continue;
       if (p.pair != q.pair) continue;
       ++inside;
-      EXPECT_NEAR(p.te, q.te, 1e-14);
+      EXPECT_NEAR(p.te.rad(), q.te.rad(), 1e-14);
       EXPECT_LT((q.point - p.point - 0.3 * p.normal).norm(), 1e-9);
     }
     EXPECT_GE(inside, 8);
@@ -48,15 +48,15 @@ TEST(ContactLaws, racks_moved_along_the_pitch_line) {
   const double d = 0.4;
   moved.f.a += d, moved.p.a += d;
   const double by = d / static_cast<double>(moved.pitch_radius_1 * std::sin(moved.lead_angle_f));
-  std::vector<double> rotations, earlier;
+  std::vector<Angle> rotations, earlier;
   for (int i = -4; i < 4; ++i) {
-    rotations.push_back(0.05 * i);
-    earlier.push_back(0.05 * i - by);
+    rotations.push_back(Angle::radians(0.05 * i));
+    earlier.push_back(Angle::radians(0.05 * i - by));
   }
   const auto a = at_rotations(contact_set(moved).pair(), rotations);
   const auto b = at_rotations(contact_set(some_arcs(crossing)).pair(), earlier);
   for (std::size_t i = 0; i < rotations.size(); ++i) {
-    EXPECT_NEAR(a.positions[i].te, b.positions[i].te, 1e-14);
+    EXPECT_NEAR(a.positions[i].te.rad(), b.positions[i].te.rad(), 1e-14);
     EXPECT_EQ(a.positions[i].kind, b.positions[i].kind);
   }
 }
@@ -70,12 +70,13 @@ TEST(ContactLaws, centre_distance_alone) {
     const ContactPoint& first = r.positions[0];
     for (const ContactPoint& p : r.positions) {
       ASSERT_EQ(p.kind, TouchKind::interior);
-      EXPECT_NEAR(p.te, first.te, 1e-14);
+      EXPECT_NEAR(p.te.rad(), first.te.rad(), 1e-14);
       EXPECT_LT((p.point - first.point).head<2>().norm(), 1e-10);
     }
-    EXPECT_LT(r.peak_to_peak, 2e-14);
+    EXPECT_LT(r.peak_to_peak.rad(), 2e-14);
     EXPECT_NEAR(r.mean_slope, 0.0, 1e-13);
-    const double tau = *first.rack_angle, c_0 = static_cast<double>(pair.mounting.center_distance);
+    const double tau = first.rack_angle->rad(),
+                 c_0 = static_cast<double>(pair.mounting.center_distance);
     const double w = static_cast<double>(pair.f.rho - pair.p.rho) * std::sin(tau) -
                      static_cast<double>(pair.f.b - pair.p.b);
     const double across = w / std::tan(tau) * static_cast<double>(std::sin(pair.lead_angle_f));
@@ -102,7 +103,7 @@ TEST(ContactLaws, conjugate_flanks) {
     const auto r = over_a_pitch(pair, 12);
     EXPECT_EQ(r.unfinished, 0);
     for (const ContactPoint& q : r.positions) {
-      EXPECT_NEAR(q.te, 0.0, 1e-12);                  // (1)
+      EXPECT_NEAR(q.te.rad(), 0.0, 1e-12);            // (1)
       ASSERT_EQ(q.kind, TouchKind::line) << p->name;  // (2)
       ASSERT_TRUE(q.line);
       for (const Vec3& end : *q.line) {  // (3)
@@ -135,13 +136,13 @@ TEST(ContactLaws, crossed_involutes_keep_to_the_line_of_action) {
     ++pairs;
     ContactMount place;
     place.center_distance = p->center_distance;
-    place.shaft_angle = p->shaft_angle.rad();
+    place.shaft_angle = p->shaft_angle;
     place.gear2_drives = i % 3 == 0;
     const double sense = place.gear2_drives ? 1.0 : -1.0;
     const auto r = over_a_pitch(ContactPair({&p->gears[0], {}}, {&p->gears[1], {}}, place), 8);
     for (const ContactPoint& q : r.positions) {
       ASSERT_EQ(q.kind, TouchKind::interior) << describe(specs);
-      EXPECT_NEAR(q.te, sense * p->mesh.backlash.rotation[1] / 2, 1e-12);
+      EXPECT_NEAR(q.te.rad(), sense * p->mesh.backlash.rotation[1] / 2, 1e-12);
       const double rho = q.diameter[0] / 2, r_b = p->input.gears[0].radius;
       const double rho1 = std::sqrt((rho - r_b) * (rho + r_b));
       const Vec3 line =
@@ -160,14 +161,14 @@ TEST(ContactLaws, positions_are_rotations) {
   over_pairs(26, 40, {}, [](const ModifiedPair& p, Random&) {
     const ContactPair pair = p.set.pair();
     const auto followed = over_a_pitch(pair, 32);
-    std::vector<double> rotations;
+    std::vector<Angle> rotations;
     for (std::size_t i = 0; i < followed.positions.size(); i += 4)
       rotations.push_back(followed.positions[i].rotation1);
     const auto cold = at_rotations(pair, rotations);
     const auto coarse = transmission_error(pair, 8);
     for (std::size_t i = 0; i < rotations.size(); ++i) {
-      EXPECT_NEAR(followed.positions[4 * i].te, cold.positions[i].te, 1e-12);
-      EXPECT_NEAR(followed.positions[4 * i].te, coarse[i], 1e-12);
+      EXPECT_NEAR(followed.positions[4 * i].te.rad(), cold.positions[i].te.rad(), 1e-12);
+      EXPECT_NEAR(followed.positions[4 * i].te.rad(), coarse[i], 1e-12);
     }
   });
 }
@@ -179,16 +180,16 @@ TEST(ContactLaws, pitches_repeat) {
     const auto r = over_a_pitch(pair, 10, 3);
     ASSERT_EQ(r.positions.size(), 30u);
     for (std::size_t i = 10; i < 30; ++i) {
-      EXPECT_TRUE(same_bits(r.positions[i].te, r.positions[i - 10].te));
+      EXPECT_TRUE(same_bits(r.positions[i].te.rad(), r.positions[i - 10].te.rad()));
       EXPECT_EQ(r.positions[i].pair, r.positions[i - 10].pair + 1);
       EXPECT_EQ(r.positions[i].kind, r.positions[i - 10].kind);
     }
-    std::vector<double> rotations{r.positions[3].rotation1, r.positions[17].rotation1,
-                                  r.positions[26].rotation1};
+    std::vector<Angle> rotations{r.positions[3].rotation1, r.positions[17].rotation1,
+                                 r.positions[26].rotation1};
     const auto alone = at_rotations(pair, rotations);
-    EXPECT_NEAR(alone.positions[0].te, r.positions[3].te, 1e-12);
-    EXPECT_NEAR(alone.positions[1].te, r.positions[17].te, 1e-12);
-    EXPECT_NEAR(alone.positions[2].te, r.positions[26].te, 1e-12);
+    EXPECT_NEAR(alone.positions[0].te.rad(), r.positions[3].te.rad(), 1e-12);
+    EXPECT_NEAR(alone.positions[1].te.rad(), r.positions[17].te.rad(), 1e-12);
+    EXPECT_NEAR(alone.positions[2].te.rad(), r.positions[26].te.rad(), 1e-12);
     EXPECT_EQ(alone.positions[2].pair, r.positions[26].pair);
   });
 }
@@ -198,7 +199,7 @@ TEST(ContactLaws, twice_is_the_same) {
   over_pairs(28, 20, {}, [](const ModifiedPair& p, Random&) {
     const auto a = over_a_pitch(p.set.pair(), 16), b = over_a_pitch(p.set.pair(), 16);
     for (std::size_t i = 0; i < a.positions.size(); ++i) {
-      EXPECT_TRUE(same_bits(a.positions[i].te, b.positions[i].te));
+      EXPECT_TRUE(same_bits(a.positions[i].te.rad(), b.positions[i].te.rad()));
       EXPECT_EQ(a.positions[i].point, b.positions[i].point);
     }
     EXPECT_EQ(a.work.evaluations, b.work.evaluations);
@@ -270,7 +271,7 @@ TEST(ContactLaws, scaling_by_two_is_exact) {
     e.helix_twist[0] /= 2, e.helix_twist[1] /= 2;
     const auto a = over_a_pitch(p.set.pair(), 8), b = over_a_pitch(twice.pair(), 8);
     for (std::size_t i = 0; i < a.positions.size(); ++i) {
-      EXPECT_NEAR(a.positions[i].te, b.positions[i].te, 1e-15);
+      EXPECT_NEAR(a.positions[i].te.rad(), b.positions[i].te.rad(), 1e-15);
       // A nanometre is half as much of a gear twice the size.
       if (a.positions[i].kind == TouchKind::line || b.positions[i].kind == TouchKind::line)
         continue;
@@ -299,7 +300,7 @@ TEST(ContactLaws, mirroring_both_hands) {
     const auto a = over_a_pitch(p.set.pair(), 8);
     const auto b = over_a_pitch(mirrored_hands(p.set).pair(), 8);
     for (std::size_t i = 0; i < a.positions.size(); ++i) {
-      EXPECT_NEAR(a.positions[i].te, b.positions[i].te, 1e-14);
+      EXPECT_NEAR(a.positions[i].te.rad(), b.positions[i].te.rad(), 1e-14);
       const Vec3 &r = a.positions[i].point, &q = b.positions[i].point;
       if (a.positions[i].kind == TouchKind::line || a.positions[i].pair != b.positions[i].pair)
         continue;
@@ -318,12 +319,12 @@ TEST(ContactLaws, the_other_driver_is_half_a_turn) {
     other.mount.gear2_drives = !p.set.mount.gear2_drives;
     other.mount.errors.intersecting = -p.set.mount.errors.intersecting;
     other.mount.errors.axial = -p.set.mount.errors.axial;
-    std::vector<double> rotations, back;
-    for (int i = 0; i < 5; ++i) rotations.push_back(random.uniform(-0.2, 0.2));
-    for (const double r : rotations) back.push_back(-r);
+    std::vector<Angle> rotations, back;
+    for (int i = 0; i < 5; ++i) rotations.push_back(Angle::radians(random.uniform(-0.2, 0.2)));
+    for (const Angle r : rotations) back.push_back(-r);
     const auto a = at_rotations(p.set.pair(), rotations), b = at_rotations(other.pair(), back);
     for (int i = 0; i < 5; ++i) {
-      EXPECT_NEAR(a.positions[i].te, -b.positions[i].te, 1e-14);
+      EXPECT_NEAR(a.positions[i].te.rad(), -b.positions[i].te.rad(), 1e-14);
       EXPECT_EQ(a.positions[i].kind, b.positions[i].kind);
     }
   });
@@ -340,20 +341,25 @@ TEST(ContactLaws, exchanging_the_gears) {
     ++pairs;
     ContactSet set = p.set;
     auto& e = set.mount.errors;
-    e.intersecting = 0.0;
-    (random.chance(0.5) ? e.axial : e.crossing) = 0.0;
+    e.intersecting = Angle();
+    if (random.chance(0.5))
+      e.axial = 0.0;
+    else
+      e.crossing = Angle();
     ContactSet other{{set.gears[1], set.gears[0]}, {}, set.mount};
     other.mount.errors.axial = -e.axial;
     std::swap(other.mount.errors.helix_twist[0], other.mount.errors.helix_twist[1]);
     const double z1 = set.gears[0].spec.teeth, z2 = set.gears[1].spec.teeth;
-    std::vector<double> rotations, seen;
-    for (int i = 0; i < 5; ++i) rotations.push_back(random.uniform(-0.2, 0.2));
+    std::vector<Angle> rotations, seen;
+    for (int i = 0; i < 5; ++i) rotations.push_back(Angle::radians(random.uniform(-0.2, 0.2)));
     const auto a = at_rotations(set.pair(), rotations);
-    for (const ContactPoint& q : a.positions) seen.push_back(-q.rotation2 - kPi / z2);
+    for (const ContactPoint& q : a.positions)
+      seen.push_back(-q.rotation2 - Angle::radians(kPi / z2));
     const auto b = at_rotations(other.pair(), seen);
     // Pairs of teeth that touch together within 1e-13 rad are one touch.
     for (int i = 0; i < 5; ++i)
-      EXPECT_NEAR(b.positions[i].te, z2 / z1 * a.positions[i].te, 1e-13 * (1 + z2 / z1));
+      EXPECT_NEAR(b.positions[i].te.rad(), z2 / z1 * a.positions[i].te.rad(),
+                  1e-13 * (1 + z2 / z1));
   });
   EXPECT_GT(pairs, 15);
 }
@@ -366,7 +372,7 @@ TEST(ContactLaws, a_map_does_not_depend_on_threads) {
   for (int i = 0; i < 7; ++i) x.push_back(1e-4 * (i - 3)), y.push_back(0.01 * (i - 3));
   const auto pair_at = [&set](double crossing, double d_center) {
     ContactSet s = set;
-    s.mount.errors.crossing = crossing, s.mount.errors.center_distance = d_center;
+    s.mount.errors.crossing = Angle::radians(crossing), s.mount.errors.center_distance = d_center;
     return s.pair();
   };
   const ErrorMap one = map_of_errors(x, y, pair_at, 16, 1);

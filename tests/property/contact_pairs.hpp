@@ -21,7 +21,7 @@ inline ContactResult over_a_pitch(const ContactPair& pair, int positions, int pi
   return analyse_contact(pair, request);
 }
 
-inline ContactResult at_rotations(const ContactPair& pair, std::vector<double> rotations) {
+inline ContactResult at_rotations(const ContactPair& pair, std::vector<Angle> rotations) {
   ContactRequest request;
   request.rotations = std::move(rotations);
   return analyse_contact(pair, request);

@@ -16,16 +16,18 @@ void against_places(const ModifiedPair& p, const ContactResult& r) {
   const double sign = p.set.mount.gear2_drives ? -1.0 : 1.0;
   EXPECT_EQ(r.unfinished, 0);
   for (const ContactPoint& q : r.positions) {
-    SCOPED_TRACE(testing::Message() << "rotation " << q.rotation1 << ", " << to_string(q.kind));
-    const auto t = brute.touch(q.rotation1, 4);
+    SCOPED_TRACE(testing::Message()
+                 << "rotation " << q.rotation1.rad() << ", " << to_string(q.kind));
+    const auto t = brute.touch(q.rotation1.rad(), 4);
     ASSERT_EQ(t.has_value(), q.kind != TouchKind::none);
     if (!t) continue;
-    const auto seen = brute.look(q.rotation1, q.pair, q.diameter[0] / 2, q.height[0]);
+    const auto seen = brute.look(q.rotation1.rad(), q.pair, q.diameter[0] / 2, q.height[0]);
     // A line's middle is anywhere on a ridge flatter than a nanometre.
     const double arm = std::min(p.brute.one.rho_low, p.brute.two.rho_low);
-    EXPECT_NEAR(seen.te, q.te, q.kind == TouchKind::line ? 2 * kLineGap / arm : 1e-12);  // (1)
+    EXPECT_NEAR(seen.te, q.te.rad(),
+                q.kind == TouchKind::line ? 2 * kLineGap / arm : 1e-12);  // (1)
     EXPECT_LT(seen.outside, 1e-9 * q.diameter[1]);
-    EXPECT_LT(sign * t->te, sign * q.te + 1e-12);  // (2)
+    EXPECT_LT(sign * t->te, sign * q.te.rad() + 1e-12);  // (2)
   }
 }
 

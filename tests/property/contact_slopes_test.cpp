@@ -28,7 +28,7 @@ Slopes differences(const ContactPoint& here, double h, double near, At at) {
     s.smooth &=
         p[i].kind == here.kind && p[i].pair == here.pair && (p[i].point - here.point).norm() < near;
   }
-  const double one = (p[0].te - p[1].te) / (2 * h), two = (p[2].te - p[3].te) / (4 * h);
+  const double one = (p[0].te - p[1].te).rad() / (2 * h), two = (p[2].te - p[3].te).rad() / (4 * h);
   s.te = (4 * one - two) / 3, s.te_noise = std::abs(one - two);
   const Vec3 short_way = (p[0].point - p[1].point) / (2 * h);
   s.point = (4 * short_way - (p[2].point - p[3].point) / (4 * h)) / 3;
@@ -48,7 +48,8 @@ TEST(ContactSlopes, sensitivities_to_errors) {
   std::map<TouchKind, int> seen;
   const auto law = [&seen](const ModifiedPair& p, Random& random) {
     ContactRequest request;
-    request.rotations = {random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1)};
+    request.rotations = {Angle::radians(random.uniform(-0.1, 0.1)),
+                         Angle::radians(random.uniform(-0.1, 0.1))};
     for (const ErrorKind k : kErrorKinds) request.influences.push_back({k});
     const auto r = analyse_contact(p.set.pair(), request);
     const double size = p.set.mount.center_distance;
@@ -67,8 +68,8 @@ TEST(ContactSlopes, sensitivities_to_errors) {
             e.helix_twist[g] += d / (gear.reference_diameter / 2 * gear.spec.face_width);
           };
           if (kind == ErrorKind::center_distance) e.center_distance += d;
-          if (kind == ErrorKind::crossing) e.crossing += d;
-          if (kind == ErrorKind::intersecting) e.intersecting += d;
+          if (kind == ErrorKind::crossing) e.crossing += Angle::radians(d);
+          if (kind == ErrorKind::intersecting) e.intersecting += Angle::radians(d);
           if (kind == ErrorKind::axial) e.axial += d;
           if (kind == ErrorKind::helix_slope1) twist(0);
           if (kind == ErrorKind::helix_slope2) twist(1);
@@ -116,7 +117,7 @@ TEST(ContactSlopes, sensitivities_to_modifications) {
         return set.pair();
       };
       ContactRequest request;
-      request.rotations = {random.uniform(-0.1, 0.1)};
+      request.rotations = {Angle::radians(random.uniform(-0.1, 0.1))};
       for (const P q : RemovalField::kParameters)
         request.influences.push_back({ErrorKind::center_distance, g + 1, q});
       const auto r = analyse_contact(with(f), request);
@@ -151,7 +152,7 @@ TEST(ContactSlopes, the_point_moves_as_said) {
     const double crossing = random.uniform(-4e-4, 4e-4);
     const ContactSet set = contact_set(some_arcs(crossing, random.uniform(-0.05, 0.05)));
     ContactRequest request;
-    request.rotations = {random.uniform(-0.2, 0.2)};
+    request.rotations = {Angle::radians(random.uniform(-0.2, 0.2))};
     for (const ErrorKind k : kErrorKinds) request.influences.push_back({k});
     const auto r = analyse_contact(set.pair(), request);
     const ContactPoint& here = r.positions[0];
@@ -160,7 +161,10 @@ TEST(ContactSlopes, the_point_moves_as_said) {
       const Slopes want = differences(here, h, 1.0, [&](double d) {
         ContactSet moved = set;
         auto& e = moved.mount.errors;
-        (k == 0 ? e.center_distance : k == 1 ? e.crossing : k == 2 ? e.intersecting : e.axial) += d;
+        if (k == 0) e.center_distance += d;
+        if (k == 1) e.crossing += Angle::radians(d);
+        if (k == 2) e.intersecting += Angle::radians(d);
+        if (k == 3) e.axial += d;
         return at_rotations(moved.pair(), request.rotations).positions[0];
       });
       if (!want.smooth) continue;

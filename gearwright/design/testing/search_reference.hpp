@@ -72,7 +72,7 @@ inline SearchProblem helical_search() {
   p.center_distance = {{60.0, 62.0}};
   p.modules = {1.5, 2.0, 2.5};
   p.pinion_teeth = {12, 24};
-  p.helix = {0.0, 0.2, -0.3};
+  p.helix = {Angle(), Angle::radians(0.2), Angle::radians(-0.3)};
   p.racks = {SearchRacks{}, SearchRacks{}};
   p.racks[1].rack[0].addendum = p.racks[1].rack[1].addendum = 1.1;
   p.mounting = Mounting::tight;
@@ -84,8 +84,8 @@ inline SearchProblem helical_search() {
 
 /// One pair of a problem with one helix and rack; m in mm.
 inline Trial trial(const SearchProblem& p, int z1, int z2, double m = 1.0) {
-  const double beta = p.helix[0];
-  const double mate = p.crossed() ? *p.shaft_angle - beta : z2 < 0 ? beta : -beta;
+  const Angle beta = p.helix[0];
+  const Angle mate = p.crossed() ? *p.shaft_angle - beta : z2 < 0 ? beta : -beta;
   return {0, m, z1, z2, {beta, mate}, 0};
 }
 
@@ -105,7 +105,7 @@ inline bool has_working_angle(const ShiftGraph& graph, double sum) {
   if (p.mounting == Mounting::extended)
     return std::abs(g_1.r + g_2.r + sum) > (1.0 + 1e-12) * std::abs(g_1.r_b + g_2.r_b);
   const double alpha_t = std::asin(g_1.sin_transverse);
-  return nominal_working_involute(t.z1, t.z2, p.normal_pressure_angle, alpha_t, sum) > 1e-12;
+  return nominal_working_involute(t.z1, t.z2, p.normal_pressure_angle.rad(), alpha_t, sum) > 1e-12;
 }
 
 /// How far inside all limits a point lies, in the unit of the nearest one, by the numbers that
@@ -126,7 +126,7 @@ inline double margin_by_numbers(const ShiftGraph& graph, double x1, double x2) {
     if (g.teeth > 0) {
       keep(x - limits.undercut_margin -
            leaf::undercut_limit<double>(g.edge_depth, g.teeth, g.sin_transverse,
-                                        std::cos(graph.trial().helix[i])));
+                                        std::cos(graph.trial().helix[i].rad())));
     }
     if (limits.min_shift) keep(x - *limits.min_shift);
     if (limits.max_shift) keep(*limits.max_shift - x);
@@ -188,9 +188,10 @@ inline RandomTrial random_trial(Random& random, const Kind& kind) {
   p.ratio = {static_cast<double>(z2) / z1, static_cast<double>(z2) / z1};
   p.pinion_teeth = {z1, z1};
   p.modules = {1.0};
-  p.normal_pressure_angle = random.uniform(17.0, 25.0) * std::numbers::pi / 180.0;
-  if (kind.helical) p.helix = {random.uniform(5.0, 30.0) * std::numbers::pi / 180.0};
-  if (kind.crossed) p.shaft_angle = p.helix[0] + random.uniform(0.2, 0.9);
+  p.normal_pressure_angle = Angle::radians(random.uniform(17.0, 25.0) * std::numbers::pi / 180.0);
+  if (kind.helical)
+    p.helix = {Angle::radians(random.uniform(5.0, 30.0) * std::numbers::pi / 180.0)};
+  if (kind.crossed) p.shaft_angle = p.helix[0] + Angle::radians(random.uniform(0.2, 0.9));
   p.mounting = kind.tight ? Mounting::tight : Mounting::extended;
   p.shorten_tips = kind.shorten;
   SearchLimits& l = p.limits;
@@ -206,7 +207,8 @@ inline RandomTrial random_trial(Random& random, const Kind& kind) {
   // that branch out.
   if (l.avoid_interference && !l.min_shift) l.min_shift = random.uniform(-0.6, 0.0);
   const Trial t = trial(p, z1, z2);
-  const double R = z1 / (2.0 * std::cos(t.helix[0])) + z2 / (2.0 * std::cos(t.helix[1]));
+  const double R =
+      z1 / (2.0 * std::cos(t.helix[0].rad())) + z2 / (2.0 * std::cos(t.helix[1].rad()));
   const double least = std::abs(R) + random.uniform(-1.0, 1.0);
   p.center_distance = {{least, random.chance(0.3) ? least : least + random.uniform(0.0, 0.5)}};
   return {std::move(p), t};

@@ -35,45 +35,48 @@ inline ContactSample contact_sample(const std::array<Gear, 2>& gears, ContactMou
   r.axes = {{{pair.in_housing(0.0, 0.0),
               pair.direction_in_housing(pair.tilt() * Vec3(0, 0, pair.turned()))},
              {Vec3(mount.center_distance + mount.errors.center_distance, 0, 0),
-              Vec3(0, std::sin(mount.shaft_angle), std::cos(mount.shaft_angle))}}};
+              Vec3(0, std::sin(mount.shaft_angle.rad()), std::cos(mount.shaft_angle.rad()))}}};
   r.gear2_drives = mount.gear2_drives;
   r.marking = 0.00635;
   r.positions = positions;
   const ContactRequest request{positions, 1, r.marking};
   r.driving = analyse_contact(pair, request);
   r.other = analyse_contact(turned(true), request);
-  r.min_play = 0.001;
+  r.min_play = Angle::radians(0.001);
   r.patterns = contact_pattern(pair, positions, {17, 33});
   r.middle = r.driving.positions[static_cast<std::size_t>(positions / 2)];
   r.middle_gap = gap_map(pair, r.middle->rotation1, r.middle->pair, {17, 33});
   r.errors = {{"crossing of the axes", 0.02, "°"}};
-  r.under = {{"no error", r.patterns[0], 0.0, false}, {"as specified", r.patterns[0], 1e-5, true}};
+  r.under = {{"no error", r.patterns[0], Angle(), false},
+             {"as specified", r.patterns[0], Angle::radians(1e-5), true}};
   return sample;
 }
 
 inline ContactMount mount_of(const InvolutePair& pair, const ContactErrors& errors = {}) {
-  return {pair.center_distance, pair.shaft_angle.rad(), false, errors};
+  return {pair.center_distance, pair.shaft_angle, false, errors};
 }
 
 /// 17/43 with its axes crossed by 0.02°: edges carry all the way.
 inline ContactSample helical_contact() {
   const InvolutePair pair = helical_pair();
   ContactErrors errors;
-  errors.crossing = 0.02 * 3.14159265358979323846 / 180;
+  errors.crossing = Angle::degrees(0.02);
   return contact_sample({pair.gears[0], pair.gears[1]}, mount_of(pair, errors));
 }
 
 /// Crossed helical gears with errors of every kind: contact in points.
 inline ContactSample crossed_contact(bool gear2_drives = false) {
   const InvolutePair pair = left_hand_pair();
-  ContactMount mount = mount_of(pair, {0.05, 1e-3, -7e-4, 0.3, {1e-6, -2e-6}, {}});
+  ContactMount mount =
+      mount_of(pair, {0.05, Angle::radians(1e-3), Angle::radians(-7e-4), 0.3, {1e-6, -2e-6}, {}});
   mount.gear2_drives = gear2_drives;
   return contact_sample({pair.gears[0], pair.gears[1]}, mount);
 }
 
 inline ContactSample ring_contact(bool gear2_drives = false) {
   const InvolutePair pair = pinion_in_cut_ring();
-  ContactMount mount = mount_of(pair, {0.0, 3e-4, 2e-4, 0.4, {}, {}});
+  ContactMount mount =
+      mount_of(pair, {0.0, Angle::radians(3e-4), Angle::radians(2e-4), 0.4, {}, {}});
   mount.gear2_drives = gear2_drives;
   return contact_sample({pair.gears[0], pair.gears[1]}, mount);
 }

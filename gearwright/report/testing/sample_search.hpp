@@ -67,7 +67,7 @@ inline SearchSample pareto_search() {
 
 inline SearchSample helical_search() {
   SearchProblem p = spur_problem();
-  p.helix = {0.2, 0.35};
+  p.helix = {Angle::radians(0.2), Angle::radians(0.35)};
   p.limits.overlap_ratio = 1.0;
   p.coprime = true;
   p.objectives = {Objective::ratio};
@@ -87,8 +87,8 @@ inline SearchSample ring_search() {
 
 inline SearchSample crossed_search() {
   SearchProblem p = spur_problem();
-  p.shaft_angle = 1.5707963267948966;
-  p.helix = {0.7853981633974483};
+  p.shaft_angle = Angle::degrees(90);
+  p.helix = {Angle::degrees(45)};
   p.center_distance.reset();
   p.modules = {2};
   p.pinion_teeth = {12, 16};
