@@ -81,14 +81,14 @@ std::vector<Piece> random_pieces(int count) {
     const auto root = root_fillet_at(flank, z_0, between(0.0, 0.2));
     if (root && root->end > 0.0) {
       add({motion, std::make_shared<OffsetCircle>(root->distance, gamma, root->radius), gamma - kPi,
-           gamma - kPi + root->span});
+           gamma - kPi + root->span.rad()});
     }
     const auto tip = tip_fillet_at(
         flank, between(0.3, 1.0) * std::tan(inverse_involute(flank.base_half_angle())));
     if (!tip) continue;
     const auto circle = std::make_shared<OffsetCircle>(tip->distance, 0.0, tip->radius);
-    add({motion, circle, tip->span, 0.0});
-    if (ring) add({motion, circle, tip->span, 0.0, Meeting::behind});
+    add({motion, circle, tip->span.rad(), 0.0});
+    if (ring) add({motion, circle, tip->span.rad(), 0.0, Meeting::behind});
     // A sharp tip on the flank, with its fan of normals.
     const double xi = between(0.2, 1.0) * std::tan(inverse_involute(flank.base_half_angle()));
     const double nu = flank.base_half_angle() - xi + kPi / 2;
@@ -167,7 +167,7 @@ TEST(PinionCusps, cusp_of_a_known_set) {
   const auto circle = std::make_shared<OffsetCircle>(root->distance, kPi / 8, root->radius);
   const PinionEnvelope envelope({8, 24, 48.0}, circle, Walk::forward);
   const double from = kPi / 8 - kPi;
-  const auto cusps = envelope.breaks(from, from + root->span);
+  const auto cusps = envelope.breaks(from, from + root->span.rad());
   ASSERT_EQ(cusps.size(), 1u);
   EXPECT_NEAR(cusps[0], -kPi / 2 + 0.13050237994245208615, 1e-12);
 }

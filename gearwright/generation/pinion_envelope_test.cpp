@@ -70,13 +70,13 @@ std::vector<Piece> pieces(Meeting meeting) {
     EXPECT_TRUE(root && tip) << cutter.teeth;
     const double gamma = kPi / cutter.teeth;
     all.push_back({motion, std::make_shared<OffsetCircle>(tip->distance, 0.0, tip->radius),
-                   tip->span, 0.0, meeting});
+                   tip->span.rad(), 0.0, meeting});
     const Vec2 j = cutter.flank.point(cutter.xi_j);
     const double nu = cutter.flank.base_half_angle() - cutter.xi_j + kPi / 2;
     all.push_back({motion, std::make_shared<CornerFan>(j), nu, std::atan2(j.y(), j.x()), meeting});
     if (meeting == Meeting::behind) continue;  // the root comes nowhere near
     all.push_back({motion, std::make_shared<OffsetCircle>(root->distance, gamma, root->radius),
-                   gamma - kPi, gamma - kPi + root->span, meeting});
+                   gamma - kPi, gamma - kPi + root->span.rad(), meeting});
   }
   if (meeting == Meeting::behind) return all;
   // What a rack left at the root of a cutter of 20 teeth, module 2.
