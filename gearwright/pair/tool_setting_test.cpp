@@ -76,9 +76,9 @@ TEST(ToolSetting, thickness_is_that_of_the_moved_arc) {
 TEST(ToolSetting, what_changed_settings_do) {
   const ArcMeshInput in = example_1();
   const double r_2 = in.pitch_radius_concave, c_0 = in.center_distance;
-  const double sin_lambda = std::sin(in.lead_angle), tan_0 = std::tan(30 * kDeg);
+  const double sin_lambda = std::sin(in.lead_angle.rad()), tan_0 = std::tan(30 * kDeg);
   // The teeth of the example are not quite of its pitch radii: what is ahead before any change.
-  const double before = arc_contact(in, *contact_angle(in)).rotation_offset;
+  const Angle before = arc_contact(in, *contact_angle(in)).rotation_offset;
   for (const double b_f : {-2e-4, 0.0, 3e-4}) {
     for (const double b_p : {-1e-4, 2e-4}) {
       for (const double more : {-2e-4, 1e-4}) {
@@ -86,15 +86,15 @@ TEST(ToolSetting, what_changed_settings_do) {
         changed.convex.b += b_f;
         changed.concave.b += b_p;
         changed.center_distance += more;
-        const double theta = *contact_angle(changed);
-        const ArcContact at = arc_contact(changed, theta);
+        const ArcContact at = arc_contact(changed, *contact_angle(changed));
+        const double theta = at.theta.rad();
         const double difference = in.convex.radius - in.concave.radius;
         const double w = difference * std::sin(theta) - changed.convex.b + changed.concave.b;
         const double ahead =
-            c_0 * at.mu - w / std::tan(theta) * sin_lambda +
+            c_0 * at.mu.rad() - w / std::tan(theta) * sin_lambda +
             (difference * std::cos(theta) - in.convex.a + in.concave.a) / sin_lambda;
-        EXPECT_NEAR(r_2 * at.rotation_offset, ahead, 1e-13);
-        const double play = -2 * (at.rotation_offset - before);
+        EXPECT_NEAR(r_2 * at.rotation_offset.rad(), ahead, 1e-13);
+        const double play = -2 * (at.rotation_offset - before).rad();
         const double change = b_f - b_p + more;
         // The next terms: dθ = Δ/((ρ_F − ρ_P) cos θ_0), and 2 cot θ_0 sin² λ ΔC²/C_0 of the turn μ.
         const double cos_0 = std::cos(30 * kDeg);
