@@ -4,12 +4,14 @@
 #   make demo       build the program, run a helical pair through it, say where the files are
 #   make test       configure, build and test: cmake --workflow --preset check
 #   make test-long  the tests whose names start with Long
+#   make test-cluster  searches under a Slurm of two nodes, started for the test; skipped where its
+#                      daemons cannot run
 #   make bench      benchmarks
 #   make lint       formatting (must be clean) and clang-tidy (advice)
 #   make package    .deb and .tgz in build/release
 #   make clean      remove build/
 
-.PHONY: demo test test-long bench lint package clean
+.PHONY: demo test test-long test-cluster bench lint package clean
 JOBS ?= $(shell nproc)
 export CMAKE_BUILD_PARALLEL_LEVEL ?= $(JOBS)
 DEMO = examples/helical_pair.toml
@@ -31,11 +33,17 @@ test:
 	@cmake --workflow --preset check
 
 test-long:
-	@tools/install_packages.sh core step mpi test
+	@tools/install_packages.sh core step mpi test cluster
 	@tools/install_npm_tools.sh
 	@cmake --preset release
 	@cmake --build --preset release
 	@ctest --preset long
+
+test-cluster:
+	@tools/install_packages.sh core step mpi test cluster
+	@cmake --preset release
+	@cmake --build --preset release --target gearwright_cli --target gearwright_mpi
+	@ctest --preset cluster
 
 bench:
 	@tools/install_packages.sh core step mpi test

@@ -26,11 +26,3 @@ function(gw_target target)
   endif()
   set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
 endfunction()
-
-# Parses once what nearly every source includes. A source includes what it uses all the same: the
-# presets of clang build without.
-function(gw_precompile target)
-  target_precompile_headers(${target} PRIVATE
-    <algorithm> <array> <cmath> <cstddef> <cstdint> <functional> <limits> <memory> <numbers> <optional>
-    <span> <string> <string_view> <utility> <vector> <Eigen/Geometry> <fmt/format.h> ${ARGN})
-endfunction()

@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
 # From nothing to a tested build: a minimal Debian 12 in DIR, a clean clone in it, make demo, make test.
+# First as root, who installs what is missing; then as an ordinary user, for whom nothing may be.
 #
 #   tools/bootstrap_check.sh [--prepare-only] DIR
 #
-# DIR must be new or made by this script. The mirror is the one that this machine's package sources
-# name. Needs root and debootstrap. --prepare-only stops before make; mounts are undone in any case.
+# DIR must be new or made by this script. Of this machine it sees /proc only: devices are the few that
+# debootstrap makes, as in a plain container. The mirror is the one that this machine's package sources
+# name. Needs root and debootstrap. --prepare-only stops before make; the mount is undone in any case.
 set -euo pipefail
 
 prepare_only=no
@@ -77,32 +79,54 @@ cp -L /etc/ssl/certs/ca-certificates.crt "$root/etc/ssl/certs/ca-certificates.cr
 for file in /etc/resolv.conf /etc/hosts; do
   if [ -f $file ]; then cp -L $file "$root$file"; fi
 done
-if command -v npm >/dev/null; then
-  registry=$(npm config get registry 2>/dev/null || true)
-  [ -z "$registry" ] || echo "registry=$registry" >"$root/root/.npmrc"
-fi
+registry=
+if command -v npm >/dev/null; then registry=$(npm config get registry 2>/dev/null || true); fi
 
-for point in proc dev dev/pts; do
-  mount --bind /$point "$root/$point"
-  mounts+=("$root/$point")
-done
+mount -t proc proc "$root/proc"
+mounts+=("$root/proc")
 
-say "cloning"
-rm -rf "$root/root/gearwright"
-git clone -q --no-hardlinks "$source_dir" "$root/root/gearwright"
+user=newcomer
+home_of() { if [ "$1" = root ]; then echo /root; else echo "/home/$1"; fi; }
 
-inside() {
-  chroot "$root" env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \
+inside() { # USER COMMAND: in the user's clone, or the home where there is none yet
+  local home
+  home=$(home_of "$1")
+  chroot --userspec="$1" "$root" env -i HOME="$home" USER="$1" LC_ALL=C.UTF-8 \
+    PATH="$(if [ "$1" = root ]; then echo /usr/sbin:/usr/bin:/sbin:/bin; else echo /usr/bin:/bin; fi)" \
     ${http_proxy:+http_proxy="$http_proxy"} ${https_proxy:+https_proxy="$https_proxy"} \
     NODE_EXTRA_CA_CERTS=/etc/ssl/certs/ca-certificates.crt \
-    bash -euc "cd /root/gearwright && $1"
+    bash -euc "cd $home/gearwright && $2"
 }
-inside 'make --version | head -n 1; git --version; git status --short | head; apt-get -q update'
+
+make_goals() { # USER GOAL ...
+  local who=$1 goal begin
+  shift
+  for goal in "$@"; do
+    say "$who: make $goal"
+    begin=$SECONDS
+    inside "$who" "make $goal"
+    say "$who: make $goal took $((SECONDS - begin)) s"
+  done
+}
+
+say "cloning"
+chroot "$root" sh -c "id $user >/dev/null 2>&1 || useradd --create-home $user"
+for who in root $user; do
+  home=$root$(home_of $who)
+  [ -z "$registry" ] || echo "registry=$registry" >"$home/.npmrc"
+  rm -rf "$home/gearwright"
+  git clone -q --no-hardlinks "$source_dir" "$home/gearwright"
+  chroot "$root" chown -R "$who:" "$(home_of $who)/gearwright"
+done
+
+inside root 'make --version | head -n 1; git --version; git status --short | head; apt-get -q update'
 if [ $prepare_only = yes ]; then say "prepared: $root"; exit 0; fi
 
-for goal in demo demo test; do
-  say "make $goal"
-  begin=$SECONDS
-  inside "make $goal"
-  say "make $goal took $((SECONDS - begin)) s"
-done
+make_goals root demo demo test
+packages=$(sha256sum <"$root/var/lib/dpkg/status")
+make_goals $user demo test
+if [ "$packages" != "$(sha256sum <"$root/var/lib/dpkg/status")" ]; then
+  say "packages changed while $user built"
+  exit 1
+fi
+say "passed, as root and as $user"

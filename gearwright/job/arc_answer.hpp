@@ -1,8 +1,8 @@
 // The pair of circular-arc gears as JSON. Internal to job/ and its tests.
 #pragma once
 
-#include "gearwright/spec/table_reader.hpp"
 #include "gearwright/pair/arc_pair.hpp"
+#include "gearwright/spec/json.hpp"
 
 namespace gearwright {
 

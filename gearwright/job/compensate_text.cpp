@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "gearwright/job/fixed_text.hpp"
@@ -76,7 +77,7 @@ Json compensate_json(const SolvedJob& job, const CompensateAnswer& a) {
                  {"cutter_lead2_deg", optional_deg(a.lead->exact[1])},
                  {"first_order1_deg", optional_deg(a.lead->first_order)}};
   }
-  c["spec"] = Json::parse(a.corrected);
+  c["spec"] = parse_json(a.corrected);
   Json j;
   if (!job.spec.title.empty()) j["title"] = job.spec.title;
   j["compensate"] = std::move(c);

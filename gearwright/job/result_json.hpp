@@ -1,9 +1,9 @@
 // The result as JSON: every key of the interface, in its order. Internal to job/ and its tests.
 #pragma once
 
-#include "gearwright/job/solved_job.hpp"
 #include "gearwright/job/files.hpp"
-#include "gearwright/spec/table_reader.hpp"
+#include "gearwright/job/solved_job.hpp"
+#include "gearwright/spec/json.hpp"
 
 namespace gearwright {
 

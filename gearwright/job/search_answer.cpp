@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "gearwright/job/search_tables.hpp"
 
@@ -54,7 +55,7 @@ Json rejected_json(const SearchCounts& counts) {
 }
 
 Json rack_of(const JobSpec& spec, int rack, int which) {
-  const Json tree = Json::parse(spec.tree);
+  const Json tree = parse_json(spec.tree);
   if (tree["search"].contains("racks"))
     return tree["search"]["racks"][static_cast<std::size_t>(rack)];
   for (const char* table : {which == 0 ? "gear1" : "gear2", "gear1"})
@@ -116,14 +117,14 @@ std::string search_json_text(const Search& search, const SearchRun& run) {
   if (a.counts.feasible == 0) head["changes"] = std::move(changes);
   head["pareto"] = a.pareto;
 
-  std::string text = "{\n  \"search\": " + head.dump();
+  std::string text = "{\n  \"search\": " + json_text(head);
   text.pop_back();  // the head's closing brace: the designs go in before it
   text += ",\n  \"designs\": [";
   const bool edges = a.designs.size() <= kMostBoundaries;
   if (!edges) text.reserve(a.designs.size() * 1000);  // not twice the whole while it grows
   for (std::size_t i = 0; i < a.designs.size(); ++i) {
     text += i == 0 ? "\n    " : ",\n    ";
-    text += design_row_json(search, a.designs[i], edges).dump();
+    text += json_text(design_row_json(search, a.designs[i], edges));
   }
   text += a.designs.empty() ? "]}" : "\n  ]}";
   Json warnings = Json::array();
@@ -146,7 +147,7 @@ std::string search_json_text(const Search& search, const SearchRun& run) {
                      kMostBoundaries));
   }
   if (!run.changes_left_out.empty()) warn("changes_left_out", run.changes_left_out + ".");
-  return text + ",\n  \"warnings\": " + warnings.dump() + "\n}\n";
+  return text + ",\n  \"warnings\": " + json_text(warnings) + "\n}\n";
 }
 
 Json unfinished_json(const SearchRun& run) {

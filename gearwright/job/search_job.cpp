@@ -10,13 +10,14 @@
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "gearwright/store/chunk_store.hpp"
+#include "gearwright/base/version.hpp"
 #include "gearwright/job/search_files.hpp"
 #include "gearwright/job/search_record.hpp"
 #include "gearwright/spec/table_reader.hpp"
-#include "gearwright/base/version.hpp"
+#include "gearwright/store/chunk_store.hpp"
 
 namespace gearwright {
 
@@ -32,7 +33,7 @@ void flatten(const Json& node, const std::string& path, std::string& lines) {
       flatten(value, path.empty() ? key : path + "." + key, lines);
     return;
   }
-  lines += path + " = " + node.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  lines += path + " = " + json_text(node) + "\n";
 }
 
 // The store's counts by name: the limits, then the points of the grid.
@@ -214,7 +215,7 @@ void look_for_changes(const Search& search, SearchRun& run) {
 SearchRun run_in_memory(const JobSpec& spec, const Search& search, std::int64_t chunk,
                         const SearchOptions& options) {
   SearchRun run;
-  run.pair_not_read = Json::parse(spec.tree).contains("pair");
+  run.pair_not_read = parse_json(spec.tree).contains("pair");
   run.chunks = (*search.space().size() + chunk - 1) / chunk;
   std::vector<std::int64_t> todo(static_cast<std::size_t>(run.chunks));
   std::iota(todo.begin(), todo.end(), 0);
@@ -250,7 +251,7 @@ SearchRun run_in_memory(const JobSpec& spec, const Search& search, std::int64_t 
 Result<SearchRun> run_campaign(const JobSpec& spec, const Search& search, std::int64_t chunk,
                                const SearchOptions& options) {
   SearchRun run;
-  run.pair_not_read = Json::parse(spec.tree).contains("pair");
+  run.pair_not_read = parse_json(spec.tree).contains("pair");
   run.chunks = (*search.space().size() + chunk - 1) / chunk;
   // Ranks restarted by a scheduler say --resume always: they go on with whatever is there.
   const bool first = !options.many;
@@ -311,7 +312,7 @@ std::int64_t chunk_size(const SearchProblem& problem, std::int64_t trials) {
 }
 
 std::string search_fingerprint(const JobSpec& spec, std::int64_t chunk) {
-  const Json tree = Json::parse(spec.tree);
+  const Json tree = parse_json(spec.tree);
   std::string lines;
   for (const char* table : {"search", "gear1", "gear2"})
     if (tree.contains(table)) flatten(tree[table], table, lines);

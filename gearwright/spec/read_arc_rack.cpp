@@ -1,5 +1,7 @@
 #include "gearwright/spec/read_arc_rack.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <fmt/format.h>
 
 namespace gearwright {

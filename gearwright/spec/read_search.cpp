@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 
 #include "gearwright/design/search_space.hpp"
 #include "gearwright/spec/read_gear.hpp"
@@ -27,7 +28,7 @@ constexpr std::size_t kMostValues = 100'000;  // of one list or band
 // JSON has no word for nan and inf.
 std::string shown(const Json& value) {
   return value.is_number_float() ? fmt::format("{}", value.get<double>())
-                                 : printable(value.dump(), 60);
+                                 : printable(json_text(value), 60);
 }
 
 // Numbers of a list, or one number as a list of one; none: the key is absent.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <numeric>
 
 namespace gearwright {
@@ -27,7 +28,7 @@ std::string show(const Json& value) {
     }
     return list.empty() ? "[]" : list + "]";
   }
-  return printable(value.dump(-1, ' ', false, Json::error_handler_t::replace), 60);
+  return printable(json_text(value), 60);
 }
 
 std::size_t edit_distance(const std::string& a, const std::string& b) {

@@ -3,16 +3,14 @@
 // Internal to spec/: throws SpecError, which read_spec turns into a Result.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "gearwright/base/result.hpp"
+#include "gearwright/spec/json.hpp"
 
 namespace gearwright {
-
-using Json = nlohmann::ordered_json;
 
 struct SpecError {
   Error error;

@@ -2,13 +2,11 @@
 
 Slurm waits two minutes before it starts the task of a dead node again. Needs what test_slurm.py needs.
 """
-import sys
 import time
-import unittest
 
 from searching import chunks, wait_until
 from test_slurm import CHUNK, SCRIPTS, Slurm as Short
-from two_nodes import why_not
+from two_nodes import main
 
 
 class LongSlurm(Short):
@@ -33,7 +31,4 @@ class LongSlurm(Short):
 
 del Short  # unittest would run it again
 if __name__ == "__main__":
-    if why_not():
-        print(f"skipped: {why_not()}")
-        sys.exit(77)
-    unittest.main()
+    main()

@@ -1,15 +1,14 @@
 """The job scripts of examples/slurm on a Slurm of two nodes: the result of one process, byte for byte, whatever is killed.
 
-Needs root, slurm-wlm and munge; without them it is skipped, and says why.
+Needs what two_nodes.py needs; without it is skipped, and says why.
 """
 import os
 import shutil
 import signal
-import sys
 import unittest
 
 from searching import BIN, SOURCE, WIDE, chunks, contents, end, folder, spec, start, wait_until
-from two_nodes import NODES, TwoNodes, why_not
+from two_nodes import NODES, TwoNodes, main
 
 SCRIPTS = SOURCE / "examples" / "slurm"
 # 10 million candidates: ten seconds on one core.
@@ -85,7 +84,4 @@ class Slurm(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if why_not():
-        print(f"skipped: {why_not()}")
-        sys.exit(77)
-    unittest.main()
+    main()

@@ -2,6 +2,9 @@
 
 The daemons stay in the foreground as children of the test and the kernel ends them with it, so that nothing is left
 whatever happens. What they start in turn is found by its environment: SLURM_CONF names our folder.
+
+They need root, slurm-wlm, munge and a kernel's control groups, which a plain container or chroot does not show. Where they
+cannot run, a test exits 77, skipped, with the reason; where the variable CI is set it fails.
 """
 import ctypes
 import os
@@ -10,8 +13,10 @@ import shutil
 import signal
 import socket
 import subprocess
+import sys
 import tempfile
 import time
+import unittest
 
 NODES = ("n1", "n2")
 NEEDED = ("munged", "slurmctld", "slurmd", "sbatch", "squeue", "scontrol", "scancel")
@@ -50,7 +55,24 @@ def why_not():
     if os.name != "posix" or os.geteuid() != 0:
         return "the daemons of a Slurm of one's own need root"
     missing = [name for name in NEEDED if not shutil.which(name)]
-    return f"not installed: {', '.join(missing)} (Debian: slurm-wlm, munge)" if missing else None
+    if missing:
+        return f"not installed: {', '.join(missing)} (Debian: slurm-wlm, munge)"
+    try:
+        with TwoNodes():
+            return None
+    except NoCluster as reason:
+        return f"the daemons do not run: {reason}"
+
+
+def main():
+    """The tests of the calling script, or a word why there can be none."""
+    reason = why_not()
+    if not reason:
+        unittest.main()
+    elif os.environ.get("CI"):
+        sys.exit(f"failed, for CI is set: {reason}")
+    print(f"skipped: {reason}", flush=True)
+    sys.exit(77)
 
 
 def free_ports(count):
@@ -83,6 +105,10 @@ def parent_of(process):
         return parent, pathlib.Path(f"/proc/{parent}/comm").read_text().strip()
     except OSError:
         return 0, ""
+
+
+class NoCluster(Exception):
+    """No Slurm can be started here."""
 
 
 class TwoNodes:
@@ -120,11 +146,25 @@ class TwoNodes:
         (self.folder / "slurm.conf").write_text(CONF.format(folder=self.folder, host=host, ports=free_ports(3)))
         self.daemon("munged", "munged", "--foreground", "--force", *(f"--{what}={self.folder}/munge{end}" for what, end in (
             ("key-file", ".key"), ("socket", ".sock"), ("pid-file", "d.pid"), ("log-file", "d.log"), ("seed-file", "d.seed"))))
-        self.wait_for(lambda: (self.folder / "munge.sock").exists(), 10, "munged does not open its socket")
+        self.wait_to_begin(lambda: (self.folder / "munge.sock").exists(), 10, "munged does not open its socket")
         self.daemon("slurmctld", "slurmctld", "-D")
         for node in NODES:
             self.begin_node(node)
-        self.wait_for(lambda: self.ask("sinfo", "-h", "-o", "%t %D").split() == ["idle", "2"], 30, "the nodes do not come up")
+        self.wait_to_begin(lambda: self.ask("sinfo", "-h", "-o", "%t %D").split() == ["idle", "2"], 30, "the nodes do not come up")
+
+    def wait_to_begin(self, true, seconds, what):
+        def begun():
+            for name, daemon in self.daemons.items():
+                if daemon.poll() is not None:
+                    said = (self.folder / f"{name}.out").read_text(errors="replace").splitlines()
+                    errors = [line for line in said if "error:" in line]
+                    raise NoCluster(f"{name} has ended: {'; '.join(errors or said[-1:])}")
+            return true()
+
+        try:
+            self.wait_for(begun, seconds, what)
+        except TimeoutError as late:
+            raise NoCluster(late) from None
 
     def begin_node(self, node):
         self.daemon(node, "slurmd", "-D", "-N", node)
