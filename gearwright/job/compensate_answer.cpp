@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "gearwright/base/units.hpp"
@@ -92,7 +93,7 @@ std::vector<Scenario> scenarios_of(const ContactSetup& setup, const CompensateIn
 // Corrections written into the spec, where its own keys hold them.
 Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
                     const std::vector<std::size_t>& which, const std::vector<double>& v) {
-  Json tree = Json::parse(job.spec.tree);
+  Json tree = parse_json(job.spec.tree);
   tree.erase("compensate");
   const auto add = [](Json& table, const std::string& key, double value) {
     table[key] = (table.contains(key) ? table[key].get<double>() : 0.0) + value;
@@ -112,8 +113,7 @@ Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
       const int gear = i < first_flank + 4 ? 1 : 2;
       const std::string name(kCorrections[i].key.substr(6));
       const bool slope = name.find("slope") != std::string::npos;
-      const bool left =
-          (job.spec.contact.driver == 2) != (gear == 2 && setup.gear(2).internal());
+      const bool left = (job.spec.contact.driver == 2) != (gear == 2 && setup.gear(2).internal());
       Json& table = tree[fmt::format("gear{}", gear)]["modifications"];
       const std::string own = slope ? (left ? "left_" : "right_") + name : name;
       // What holds for both flanks so far is the amount to add to.
@@ -195,7 +195,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job) {
   if (!std::isfinite(answer.result.before.peak_to_peak))
     return Error{"errors", "",
                  "errors: nothing touches as the pair stands; see gearwright contact"};
-  answer.corrected = corrected_spec(job, setup, answer.corrections, answer.result.value).dump();
+  answer.corrected = json_text(corrected_spec(job, setup, answer.corrections, answer.result.value));
   return answer;
 }
 

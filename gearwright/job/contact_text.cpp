@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "gearwright/base/units.hpp"
@@ -21,7 +22,8 @@ ContactView view_of(const SolvedJob& job, const ContactAnswer& answer) {
   if (answer.pattern) view.pattern = &*answer.pattern;
   if (answer.map) {
     view.map = &*answer.map;
-    for (const std::size_t i : {0, 1}) view.map_axes[i] = error_entries()[job.spec.contact.map->key[i]].key;
+    for (const std::size_t i : {0, 1})
+      view.map_axes[i] = error_entries()[job.spec.contact.map->key[i]].key;
   }
   return view;
 }

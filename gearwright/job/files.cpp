@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/base/version.hpp"
 #include "gearwright/cad/dxf.hpp"
 #include "gearwright/cad/glb.hpp"
 #include "gearwright/cad/stl.hpp"
@@ -15,7 +17,6 @@
 #include "gearwright/job/contact_report.hpp"
 #include "gearwright/job/contact_text.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/base/version.hpp"
 #include "gearwright/report/report.hpp"
 
 namespace gearwright {
@@ -221,7 +222,7 @@ Result<std::vector<JobFile>> write_everything(SolvedJob& job, const fs::path& fo
   if (*contact) result["contact"] = contact_json(job, contact.value()->answer)["contact"];
   result["files"] = files_json(files);
   files.insert(files.begin(), {folder / "result.json", "result", std::nullopt,
-                               "every number, as JSON", result.dump(2) + "\n"});
+                               "every number, as JSON", json_text(result, 2) + "\n"});
 
   std::error_code error;
   fs::create_directories(folder, error);

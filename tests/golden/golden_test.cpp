@@ -9,13 +9,14 @@
 #include <fstream>
 #include <sstream>
 
+#include "gearwright/base/testing/source_file.hpp"
 #include "gearwright/job/verify.hpp"
 
 namespace gearwright {
 namespace {
 
 std::string text_of(const std::string& name) {
-  std::ifstream file(std::string(GW_SOURCE_DIR) + "/tests/golden/" + name);
+  std::ifstream file(testing::source_file("tests/golden/" + name));
   EXPECT_TRUE(file) << name;
   std::ostringstream text;
   text << file.rdbuf();
