@@ -126,7 +126,8 @@ TEST(Report, PairNumbersAreThePairs) {
   EXPECT_EQ(row(page, "Transverse contact ratio"), (Values{printed(m.path_ratio, 5)}));
   EXPECT_EQ(row(page, "Effective total contact ratio"),
             (Values{printed(pair.contact_ratio_true(), 5)}));
-  EXPECT_EQ(row(page, "Normal backlash along the line of action"), (Values{printed(m.backlash.normal_base, 4)}));
+  EXPECT_EQ(row(page, "Normal backlash along the line of action"),
+            (Values{printed(m.backlash.normal_base, 4)}));
   EXPECT_EQ(row(page, "Circumferential backlash"),
             (Values{printed(m.backlash.circumferential[0], 4),
                     printed(m.backlash.circumferential[1], 4)}));
