@@ -24,13 +24,11 @@ function(gw_target target)
     # A program loads only the libraries that it calls: OCCT alone is twenty.
     target_link_options(${target} PRIVATE LINKER:--as-needed)
   endif()
-  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
-endfunction()
-
-# Parses once what nearly every source includes. A source includes what it uses all the same: the
-# presets of clang build without.
-function(gw_precompile target)
-  target_precompile_headers(${target} PRIVATE
-    <algorithm> <array> <cmath> <cstddef> <cstdint> <functional> <limits> <memory> <numbers> <optional>
-    <span> <string> <string_view> <utility> <vector> <Eigen/Geometry> <fmt/format.h> ${ARGN})
+  # Programs too, where CMake would say -fPIE: one precompiled header serves all (gw_precompiled.cmake).
+  get_target_property(type ${target} TYPE)
+  if(type STREQUAL "EXECUTABLE")
+    target_compile_options(${target} PRIVATE ${CMAKE_CXX_COMPILE_OPTIONS_PIC})
+  else()
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  endif()
 endfunction()

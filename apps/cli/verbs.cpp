@@ -9,6 +9,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 
 #include "apps/common/speaking.hpp"
 #include "gearwright/base/output_file.hpp"
@@ -202,9 +203,9 @@ int compensate_verb(const Options& o) {
   if (!answer) return fail(o, answer.error());
   if (o.spec_only) {
     if (o.json) {
-      print_json(Json::parse(answer->corrected));
+      print_json(parse_json(answer->corrected));
     } else {
-      print(toml_text(Json::parse(answer->corrected)));
+      print(toml_text(parse_json(answer->corrected)));
     }
   } else if (o.json) {
     print_json(compensate_json(job, *answer));
@@ -251,7 +252,7 @@ int run_verb(const Options& o) {
   if (!files) return fail(o, files.error());
   if (o.json) {
     // As in result.json, which comes first, with all the files.
-    Json j = Json::parse(files->front().bytes);
+    Json j = parse_json(files->front().bytes);
     j["files"] = files_json(*files);
     print_json(j);
   } else {

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "apps/common/speaking.hpp"
 #include "gearwright/job/search_answer.hpp"

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <nlohmann/json.hpp>
 
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/job/result_json.hpp"
@@ -15,9 +16,7 @@ void print(const std::string& text) {
   }
 }
 
-void print_json(const Json& j) {
-  print(j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
-}
+void print_json(const Json& j) { print(json_text(j, 2) + "\n"); }
 
 int fail(const Error& error, bool json) {
   std::fprintf(stderr, "gearwright: %s\n", error.message.c_str());

@@ -4,7 +4,6 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 
 #include "gearwright/base/contract.hpp"
@@ -52,23 +51,23 @@ class Pairs {
  public:
   explicit Pairs(std::string& text) : text_(text) {}
   Pairs& word(int code, const std::string& value) {
-    fmt::format_to(std::back_inserter(text_), "{}\n{}\n", code, value);
+    text_ += fmt::format("{}\n{}\n", code, value);
     return *this;
   }
   Pairs& integer(int code, int value) {
-    fmt::format_to(std::back_inserter(text_), "{}\n{}\n", code, value);
+    text_ += fmt::format("{}\n{}\n", code, value);
     return *this;
   }
   Pairs& real(int code, double value) {
     const std::size_t start = text_.size();
-    fmt::format_to(std::back_inserter(text_), "{}\n{}", code, value + 0.0);
+    text_ += fmt::format("{}\n{}", code, value + 0.0);
     const std::size_t number = text_.find('\n', start) + 1;
     if (text_.find_first_of(".e", number) == std::string::npos) text_ += ".0";
     text_ += '\n';
     return *this;
   }
   Pairs& handle(int code, int value) {
-    fmt::format_to(std::back_inserter(text_), "{}\n{:X}\n", code, value);
+    text_ += fmt::format("{}\n{:X}\n", code, value);
     return *this;
   }
   Pairs& point(int code, double x, double y) { return real(code, x).real(code + 10, y); }

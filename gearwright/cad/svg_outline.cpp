@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 #include <optional>
 #include <string_view>
@@ -73,7 +72,7 @@ class Path {
   static int shorter(int value) { return value; }
   template <class... T>
   void add(const char* form, T... values) {
-    fmt::format_to(std::back_inserter(text_), fmt::runtime(form), shorter(values)...);
+    text_ += fmt::format(fmt::runtime(form), shorter(values)...);
     text_ += '\n';
   }
 

@@ -52,9 +52,9 @@ std::string xml_attribute(const std::string& text) {
 }
 
 void append_object(std::string& xml, const MeshPart& part, std::size_t id) {
+  xml += fmt::format("<object id=\"{}\" type=\"model\" name=\"{}\"><mesh><vertices>\n", id,
+                     xml_attribute(part.name));
   const auto out = std::back_inserter(xml);
-  fmt::format_to(out, "<object id=\"{}\" type=\"model\" name=\"{}\"><mesh><vertices>\n", id,
-                 xml_attribute(part.name));
   for (const Vec3& v : part.mesh.vertices) {
     fmt::format_to(out, FMT_COMPILE("<vertex x=\"{:.9g}\" y=\"{:.9g}\" z=\"{:.9g}\"/>\n"), v.x(),
                    v.y(), v.z());
@@ -87,8 +87,8 @@ std::string threemf_bytes(const std::vector<MeshPart>& parts) {
   for (std::size_t i = 0; i < parts.size(); ++i) append_object(xml, parts[i], i + 1);
   xml += "</resources>\n<build>\n";
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    fmt::format_to(std::back_inserter(xml), "<item objectid=\"{}\" transform=\"{}\"/>\n", i + 1,
-                   transform(parts[i].pose));
+    xml +=
+        fmt::format("<item objectid=\"{}\" transform=\"{}\"/>\n", i + 1, transform(parts[i].pose));
   }
   xml += "</build>\n</model>\n";
 

@@ -1,6 +1,5 @@
 #include "gearwright/contact/compensation.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +7,7 @@
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/contact/contact.hpp"
+#include "gearwright/math/decompositions.hpp"
 
 namespace gearwright {
 
@@ -127,7 +127,7 @@ std::vector<double> linearised(const CompensationTask& task, Judge& judge) {
     if (moved.empty()) return zero;
     a.col(static_cast<Eigen::Index>(k)) = (column(moved) - y) / v[k];
   }
-  const Eigen::VectorXd x = a.completeOrthogonalDecomposition().solve(-y);
+  const Eigen::VectorXd x = least_squares(a, -y);
   std::vector<double> v(n);
   for (std::size_t k = 0; k < n; ++k)
     v[k] =

@@ -1,8 +1,10 @@
 #include "gearwright/contact/contact_point.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+
+#include "gearwright/math/decompositions.hpp"
 
 namespace gearwright {
 
@@ -64,10 +66,10 @@ class LineWalk {
     Eigen::Matrix2d h;
     h << j.t.ss * s_half_ * s_half_, j.t.sz * s_half_ * z_half_, j.t.sz * s_half_ * z_half_,
         j.t.zz * z_half_ * z_half_;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(h);
-    const int soft = std::abs(eigen.eigenvalues()[0]) < std::abs(eigen.eigenvalues()[1]) ? 0 : 1;
-    direction_ = eigen.eigenvectors().col(soft);
-    soft_ = eigen.eigenvalues()[soft];
+    const SymmetricEigen eigen = symmetric_eigen(h);
+    const int soft = std::abs(eigen.values[0]) < std::abs(eigen.values[1]) ? 0 : 1;
+    direction_ = eigen.vectors.col(soft);
+    soft_ = eigen.values[soft];
     arm_ = GapField::arm(j);
   }
 
@@ -142,15 +144,15 @@ void curvatures(const ContactPair& pair, const GapJet& j, bool line, double mark
   Eigen::Matrix2d h;
   h << j.t.ss, j.t.sz, j.t.sz, j.t.zz;
   const Eigen::Matrix2d k = -GapField::arm(j) * inverse.transpose() * h * inverse;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(0.5 * (k + k.transpose()));
-  const double k1 = line ? 0.0 : eigen.eigenvalues()[0];
-  const double k2 = eigen.eigenvalues()[1];
+  const SymmetricEigen eigen = symmetric_eigen(0.5 * (k + k.transpose()));
+  const double k1 = line ? 0.0 : eigen.values[0];
+  const double k2 = eigen.values[1];
   p.gap_curvature = std::array{k1, k2};
   if (!(k2 > 0.0)) return;
   ContactEllipse ellipse;
   if (k1 > 0.0) ellipse.semi_major = std::sqrt(2 * marking / k1);
   ellipse.semi_minor = std::sqrt(2 * marking / k2);
-  Eigen::Vector2d major = eigen.eigenvectors().col(0);
+  Eigen::Vector2d major = eigen.vectors.col(0);
   if (major[0] < 0.0 || (major[0] == 0.0 && major[1] < 0.0)) major = -major;
   ellipse.angle = Angle::radians(std::atan2(major[1], major[0]));
   p.ellipse = ellipse;

@@ -1,8 +1,7 @@
 #include "gearwright/contact/sensitivity.hpp"
 
-#include <Eigen/Dense>
-
 #include "gearwright/contact/error_turns.hpp"
+#include "gearwright/math/decompositions.hpp"
 
 namespace gearwright {
 
@@ -171,7 +170,7 @@ Sensitivity answer_to(const Change& c, const ContactPair& pair, const PairTouch&
   } else if (n == 2) {
     Eigen::Matrix2d m;
     m << bounds[0].a_s, bounds[1].a_s, bounds[0].a_z, bounds[1].a_z;
-    const Eigen::Vector2d x = m.fullPivLu().solve(Eigen::Vector2d(-j.t.s, -j.t.z));
+    const Eigen::VectorXd x = solve_linear(m, Eigen::Vector2d(-j.t.s, -j.t.z));
     mu = {x[0], x[1]};
   }
   Sensitivity result;
@@ -194,7 +193,7 @@ Sensitivity answer_to(const Change& c, const ContactPair& pair, const PairTouch&
     a(1, 2 + k) = a(2 + k, 1) = q.a_z;
     b[2 + k] = -q.d;
   }
-  const Eigen::VectorXd x = a.fullPivLu().solve(b);
+  const Eigen::VectorXd x = solve_linear(a, b);
   const Vec3 r_s = pair.tilt() * space(j.w1_s, 0.0);
   const Vec3 r_z = pair.tilt() * space(j.w1_z, 1.0);
   result.point = pair.direction_in_housing(c.dr + r_s * x[0] + r_z * x[1]);

@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "gearwright/base/testing/source_file.hpp"
 #include "gearwright/design/testing/search_reference.hpp"
 
 namespace gearwright {
@@ -30,8 +31,8 @@ using testing::search::reference;
 constexpr double kPrinted = 1e-11;  // the source's own doubles: areas of some 1 modules²
 
 const json& bests() {
-  static const json file = json::parse(
-      std::ifstream(std::string(GW_SOURCE_DIR) + "/tests/oracle/spur_search_bests.json"));
+  static const json file =
+      json::parse(std::ifstream(testing::source_file("tests/oracle/spur_search_bests.json")));
   return file;
 }
 

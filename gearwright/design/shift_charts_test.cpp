@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "gearwright/base/testing/source_file.hpp"
 #include "gearwright/design/trial_gear.hpp"
 
 namespace gearwright {
@@ -16,8 +17,8 @@ namespace {
 constexpr double kAccuracy = 1e-12;  // that of the header, modules
 
 const nlohmann::json& reference() {
-  static const nlohmann::json file = nlohmann::json::parse(
-      std::ifstream(std::string(GW_SOURCE_DIR) + "/tests/oracle/shift_charts.json"));
+  static const nlohmann::json file =
+      nlohmann::json::parse(std::ifstream(testing::source_file("tests/oracle/shift_charts.json")));
   return file;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "gearwright/base/units.hpp"
@@ -92,7 +93,7 @@ std::vector<Scenario> scenarios_of(const ContactSetup& setup, const CompensateIn
 // Corrections written into the spec, where its own keys hold them.
 Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
                     const std::vector<std::size_t>& which, const std::vector<double>& v) {
-  Json tree = Json::parse(job.spec.tree);
+  Json tree = parse_json(job.spec.tree);
   tree.erase("compensate");
   const auto add = [](Json& table, const std::string& key, double value) {
     table[key] = (table.contains(key) ? table[key].get<double>() : 0.0) + value;
@@ -194,7 +195,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job) {
   if (!std::isfinite(answer.result.before.peak_to_peak.rad()))
     return Error{"errors", "",
                  "errors: nothing touches as the pair stands; see gearwright contact"};
-  answer.corrected = corrected_spec(job, setup, answer.corrections, answer.result.value).dump();
+  answer.corrected = json_text(corrected_spec(job, setup, answer.corrections, answer.result.value));
   return answer;
 }
 

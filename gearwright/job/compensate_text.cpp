@@ -1,5 +1,7 @@
 #include "gearwright/job/compensate_text.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <fmt/format.h>
 
 #include <cmath>

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "gearwright/design/few_teeth_design.hpp"
 
@@ -90,7 +91,7 @@ Json pinion_json(const CylindricalSpec& c) {
 
 // Found numbers in place of what was asked; what a user gave beside them (bore, title) stays.
 Json spec_of(const JobSpec& spec, const FewTeethDesign& d) {
-  const Json given = Json::parse(spec.tree);
+  const Json given = parse_json(spec.tree);
   Json tree;
   if (given.contains("title")) tree["title"] = given["title"];
   Json pinion = pinion_json(d.pinion);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "gearwright/base/output_file.hpp"
@@ -216,7 +217,7 @@ Result<std::vector<JobFile>> write_everything(SolvedJob& job, const fs::path& fo
   if (*contact) result["contact"] = contact_json(job, contact.value()->answer)["contact"];
   result["files"] = files_json(files);
   files.insert(files.begin(), {folder / "result.json", "result", std::nullopt,
-                               "every number, as JSON", result.dump(2) + "\n"});
+                               "every number, as JSON", json_text(result, 2) + "\n"});
 
   std::error_code error;
   fs::create_directories(folder, error);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/job/few_teeth_answer.hpp"
@@ -19,7 +20,7 @@ bool same(double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(a); }
 constexpr const char* kHelixKeys[] = {"helix_angle_deg", "lead_angle_deg", "hand"};
 
 Json spec_of(const JobSpec& spec, const FitBranch& b) {
-  Json tree = Json::parse(spec.tree);
+  Json tree = parse_json(spec.tree);
   tree.erase("fit");
   for (const int i : {0, 1}) {
     const GearInput& given = *spec.gears[i];
@@ -46,7 +47,7 @@ Json spec_of(const JobSpec& spec, const FitBranch& b) {
 }
 
 std::optional<Error> unknown_module(const JobSpec& spec) {
-  const Json tree = Json::parse(spec.tree);
+  const Json tree = parse_json(spec.tree);
   for (const int i : {0, 1}) {
     const char* name = i == 0 ? "gear1" : "gear2";
     if (spec.gears[i]->helix_given) continue;

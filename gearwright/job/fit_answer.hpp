@@ -8,8 +8,8 @@
 #include <string>
 
 #include "gearwright/design/fit.hpp"
+#include "gearwright/spec/json.hpp"
 #include "gearwright/spec/spec.hpp"
-#include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {
 

@@ -8,7 +8,7 @@
 
 #include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/job/solved_job.hpp"
-#include "gearwright/spec/table_reader.hpp"
+#include "gearwright/spec/json.hpp"
 
 namespace gearwright {
 

@@ -1,5 +1,7 @@
 #include "gearwright/job/result_json.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"

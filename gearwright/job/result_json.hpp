@@ -3,7 +3,7 @@
 
 #include "gearwright/job/files.hpp"
 #include "gearwright/job/solved_job.hpp"
-#include "gearwright/spec/table_reader.hpp"
+#include "gearwright/spec/json.hpp"
 
 namespace gearwright {
 

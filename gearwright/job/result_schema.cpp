@@ -1,5 +1,7 @@
 #include "gearwright/job/result_schema.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 
 #include "gearwright/catalogue/compensate_quantities.hpp"

@@ -2,7 +2,7 @@
 // Internal to job/ and the program.
 #pragma once
 
-#include "gearwright/spec/table_reader.hpp"
+#include "gearwright/spec/json.hpp"
 
 namespace gearwright {
 

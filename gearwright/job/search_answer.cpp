@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/job/value_json.hpp"
@@ -30,7 +31,7 @@ Value edges_of(const Search& search, const DesignRow& row) {
 }
 
 Json rack_of(const JobSpec& spec, int rack, int which) {
-  const Json tree = Json::parse(spec.tree);
+  const Json tree = parse_json(spec.tree);
   if (tree["search"].contains("racks"))
     return tree["search"]["racks"][static_cast<std::size_t>(rack)];
   for (const char* table : {which == 0 ? "gear1" : "gear2", "gear1"})
@@ -51,14 +52,14 @@ std::string search_json_text(const Search& search, const SearchRun& run) {
   Json head = to_json(search_quantities().of({&search.problem(), &a, &run.changes}));
   head.erase("designs");  // they come one by one
 
-  std::string text = "{\n  \"search\": " + head.dump();
+  std::string text = "{\n  \"search\": " + json_text(head);
   text.pop_back();  // the head's closing brace: the designs go in before it
   text += ",\n  \"designs\": [";
   const bool edges = a.designs.size() <= kMaxBoundaries;
   if (!edges) text.reserve(a.designs.size() * 1000);  // not twice the whole while it grows
   for (std::size_t i = 0; i < a.designs.size(); ++i) {
     text += i == 0 ? "\n    " : ",\n    ";
-    text += design_row_json(search, a.designs[i], edges).dump();
+    text += json_text(design_row_json(search, a.designs[i], edges));
   }
   text += a.designs.empty() ? "]}" : "\n  ]}";
   Json warnings = Json::array();
@@ -81,7 +82,7 @@ std::string search_json_text(const Search& search, const SearchRun& run) {
                      kMaxBoundaries));
   }
   if (!run.changes_left_out.empty()) warn("changes_left_out", run.changes_left_out + ".");
-  return text + ",\n  \"warnings\": " + warnings.dump() + "\n}\n";
+  return text + ",\n  \"warnings\": " + json_text(warnings) + "\n}\n";
 }
 
 Json unfinished_json(const SearchRun& run) {

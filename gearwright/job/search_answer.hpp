@@ -5,7 +5,7 @@
 #include <string>
 
 #include "gearwright/job/search_job.hpp"
-#include "gearwright/spec/table_reader.hpp"
+#include "gearwright/spec/json.hpp"
 
 namespace gearwright {
 

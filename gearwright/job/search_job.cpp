@@ -10,20 +10,21 @@
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "gearwright/store/chunk_store.hpp"
+#include "gearwright/base/version.hpp"
 #include "gearwright/job/search_files.hpp"
 #include "gearwright/job/search_record.hpp"
 #include "gearwright/spec/table_reader.hpp"
-#include "gearwright/base/version.hpp"
+#include "gearwright/store/chunk_store.hpp"
 
 namespace gearwright {
 
 namespace {
 
 constexpr std::int64_t kMinChunk = 1 << 18;
-constexpr std::int64_t kShare = 1 << 16;  // of a thread at a time, where no file is made of it
+constexpr std::int64_t kShare = 1 << 16;     // of a thread at a time, where no file is made of it
 constexpr std::int64_t kMaxChunk = 1 << 22;  // a thread holds the designs of one
 
 void flatten(const Json& node, const std::string& path, std::string& lines) {
@@ -32,7 +33,7 @@ void flatten(const Json& node, const std::string& path, std::string& lines) {
       flatten(value, path.empty() ? key : path + "." + key, lines);
     return;
   }
-  lines += path + " = " + node.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  lines += path + " = " + json_text(node) + "\n";
 }
 
 // The store's counts by name: the limits, then the points of the grid.
@@ -214,7 +215,7 @@ void look_for_changes(const Search& search, SearchRun& run) {
 SearchRun run_in_memory(const JobSpec& spec, const Search& search, std::int64_t chunk,
                         const SearchOptions& options) {
   SearchRun run;
-  run.pair_not_read = Json::parse(spec.tree).contains("pair");
+  run.pair_not_read = parse_json(spec.tree).contains("pair");
   run.chunks = (*search.space().size() + chunk - 1) / chunk;
   std::vector<std::int64_t> todo(static_cast<std::size_t>(run.chunks));
   std::iota(todo.begin(), todo.end(), 0);
@@ -250,7 +251,7 @@ SearchRun run_in_memory(const JobSpec& spec, const Search& search, std::int64_t 
 Result<SearchRun> run_campaign(const JobSpec& spec, const Search& search, std::int64_t chunk,
                                const SearchOptions& options) {
   SearchRun run;
-  run.pair_not_read = Json::parse(spec.tree).contains("pair");
+  run.pair_not_read = parse_json(spec.tree).contains("pair");
   run.chunks = (*search.space().size() + chunk - 1) / chunk;
   // Ranks restarted by a scheduler say --resume always: they go on with whatever is there.
   const bool first = !options.many;
@@ -301,8 +302,7 @@ Result<SearchRun> run_campaign(const JobSpec& spec, const Search& search, std::i
 
 std::int64_t chunk_size(const SearchProblem& problem, std::int64_t trials) {
   constexpr std::int64_t kChunks = 4096;
-  const std::int64_t size =
-      std::clamp((trials + kChunks - 1) / kChunks, kMinChunk, kMaxChunk);
+  const std::int64_t size = std::clamp((trials + kChunks - 1) / kChunks, kMinChunk, kMaxChunk);
   if (!problem.shift_step) return size;
   // A region has about one square module: so many points of the grid fit into memory.
   constexpr double kPoints = 5e4;
@@ -311,7 +311,7 @@ std::int64_t chunk_size(const SearchProblem& problem, std::int64_t trials) {
 }
 
 std::string search_fingerprint(const JobSpec& spec, std::int64_t chunk) {
-  const Json tree = Json::parse(spec.tree);
+  const Json tree = parse_json(spec.tree);
   std::string lines;
   for (const char* table : {"search", "gear1", "gear2"})
     if (tree.contains(table)) flatten(tree[table], table, lines);

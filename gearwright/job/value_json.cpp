@@ -1,5 +1,7 @@
 #include "gearwright/job/value_json.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "gearwright/catalogue/quantity.hpp"
 
 namespace gearwright {

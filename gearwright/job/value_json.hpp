@@ -3,7 +3,7 @@
 #pragma once
 
 #include "gearwright/catalogue/value.hpp"
-#include "gearwright/spec/table_reader.hpp"
+#include "gearwright/spec/json.hpp"
 
 namespace gearwright {
 

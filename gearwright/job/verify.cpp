@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "gearwright/job/fit_answer.hpp"
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {
 
@@ -54,7 +56,7 @@ const Json* follow(const Json& root, const std::string& path) {
 
 std::string compare(const std::string& path, const Json* got, const Json& want,
                     const Tolerance& tolerance) {
-  if (!got) return fmt::format("{}: there is no such value, want {}", path, want.dump());
+  if (!got) return fmt::format("{}: there is no such value, want {}", path, json_text(want));
   if (want.is_number() && got->is_number()) {
     const double w = want.get<double>();
     const double g = got->get<double>();
@@ -64,7 +66,7 @@ std::string compare(const std::string& path, const Json* got, const Json& want,
                        allowed);
   }
   if (*got == want) return {};
-  return fmt::format("{}: got {}, want {}", path, got->dump(), want.dump());
+  return fmt::format("{}: got {}, want {}", path, json_text(*got), json_text(want));
 }
 
 Error malformed(const std::string& id, const std::string& why) {
@@ -100,7 +102,7 @@ Result<CaseOutcome> run_case(const Json& c) {
   if (verb != "gear" && verb != "pair" && verb != "measure" && verb != "fit")
     return malformed(id, fmt::format("verb \"{}\": gear, pair, measure or fit", verb));
 
-  const auto spec = read_spec(c["spec"].dump(), SpecFormat::json);
+  const auto spec = read_spec(json_text(c["spec"]), SpecFormat::json);
   const auto answered = spec ? answer(verb, *spec) : Result<Json>(spec.error());
   const Json result = answered ? *answered : error_json(answered.error());
   CaseOutcome outcome{id, 0, {}};
@@ -122,7 +124,7 @@ Result<CaseOutcome> run_case(const Json& c) {
 
 Result<std::vector<CaseOutcome>> verify_cases(std::string_view json_text) {
   try {
-    const Json file = Json::parse(json_text.begin(), json_text.end());
+    const Json file = parse_json(json_text);
     if (!file.is_object() || !file.contains("cases") || !file["cases"].is_array() ||
         file["cases"].empty()) {
       return Error{"cases", "", "a case file is {\"cases\": [...]} with at least one case"};

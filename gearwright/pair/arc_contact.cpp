@@ -1,11 +1,10 @@
 #include "gearwright/pair/arc_contact.hpp"
 
-#include <Eigen/Eigenvalues>
-
 #include <cmath>
 #include <numbers>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/math/decompositions.hpp"
 #include "gearwright/math/root.hpp"
 
 namespace gearwright {
@@ -123,11 +122,11 @@ ArcContact arc_contact(const ArcMeshInput& in, Angle normal_angle) {
 
   at.curvature_convex = cut_curvature(in.convex.radius, in.convex.b, theta, lambda, r_v, 1.0);
   at.curvature_concave = cut_curvature(in.concave.radius, in.concave.b, theta, lambda, r_c, -1.0);
-  const Eigen::SelfAdjointEigenSolver<Mat2> gap(at.curvature_concave - at.curvature_convex);
-  at.gap = {gap.eigenvalues()(0), gap.eigenvalues()(1)};
+  const SymmetricEigen gap = symmetric_eigen(at.curvature_concave - at.curvature_convex);
+  at.gap = {gap.values[0], gap.values[1]};
   // The axis' projection on the tangent plane, in (t, u).
   const Vec2 axis(-std::sin(theta) * c, s);
-  const Vec2 e = gap.eigenvectors().col(0);
+  const Vec2 e = gap.vectors.col(0);
   const double cross = axis.x() * e.y() - axis.y() * e.x();
   const double dot = axis.dot(e);
   at.angle = Angle::radians(std::atan(cross / dot));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace gearwright {
 
@@ -51,7 +52,7 @@ std::vector<std::size_t> read_corrections(TableReader& t) {
   const std::vector<std::string> known(key.words.begin(), key.words.end());
   if (!list->is_array() || list->empty()) t.fail("corrections", "must be " + form_of(key));
   for (const Json& item : *list) {
-    const std::string name = item.is_string() ? item.get<std::string>() : item.dump();
+    const std::string name = item.is_string() ? item.get<std::string>() : json_text(item);
     const auto it = std::find(known.begin(), known.end(), name);
     if (it == known.end()) {
       t.fail("corrections", fmt::format("does not know {}; did you mean {}?", printable(name, 60),

@@ -1,6 +1,7 @@
 #include "gearwright/spec/read_cutting.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "gearwright/spec/read_gear.hpp"
 

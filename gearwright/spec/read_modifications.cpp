@@ -1,5 +1,7 @@
 #include "gearwright/spec/read_modifications.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 
 #include "gearwright/catalogue/search_keys.hpp"
 #include "gearwright/design/search_space.hpp"

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
@@ -48,7 +49,7 @@ Json to_json(const toml::node& node) {
 constexpr int kDeepest = 32;  // tables in tables; a spec has three
 
 // Reads JSON with its nesting bounded and every key of a table there once, as TOML has it.
-Json parse_json(std::string_view text) {
+Json parse_strict_json(std::string_view text) {
   std::vector<std::set<std::string>> keys;
   const auto look = [&](int depth, Json::parse_event_t event, Json& parsed) {
     if (depth > kDeepest) {
@@ -115,7 +116,7 @@ FitInput read_fit(const Json& node) {
 JobSpec read_tree(const Json& tree, const std::filesystem::path& folder) {
   TableReader t(spec_keys(), tree, "");
   JobSpec spec;
-  spec.tree = tree.dump(-1, ' ', false, Json::error_handler_t::replace);
+  spec.tree = json_text(tree);
   spec.title = t.text("title").value_or("");
   const Json* gear_1 = t.table("gear1");
   const Json* gear_2 = t.table("gear2");
@@ -157,7 +158,7 @@ Result<JobSpec> read_spec(std::string_view text, SpecFormat format,
   }
   try {
     if (format == SpecFormat::json) {
-      const Json tree = parse_json(text);
+      const Json tree = parse_strict_json(text);
       if (!tree.is_object()) return syntax_error("a JSON spec is one object, {\"gear1\": {...}}");
       return with_text(read_tree(tree, folder), text);
     }

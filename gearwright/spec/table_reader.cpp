@@ -1,5 +1,7 @@
 #include "gearwright/spec/table_reader.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -193,6 +195,10 @@ const Json* TableReader::table(const std::string& key) {
 
 void TableReader::refuse(const std::string& key, const std::string& why) {
   if (find(key)) fail(key, why);
+}
+
+bool TableReader::given(std::string_view key) const {
+  return node_.contains(std::string(key));
 }
 
 void TableReader::refuse_unknown() const {

@@ -7,7 +7,6 @@
 // Internal to spec/: throws SpecError, which read_spec turns into a Result.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <string>
@@ -15,10 +14,9 @@
 
 #include "gearwright/base/result.hpp"
 #include "gearwright/catalogue/key.hpp"
+#include "gearwright/spec/json.hpp"
 
 namespace gearwright {
-
-using Json = nlohmann::ordered_json;
 
 struct SpecError {
   Error error;
@@ -67,7 +65,7 @@ class TableReader {
   const Json* find(const std::string& key);
   std::optional<KeyValue> plain(const Key& key);
   std::optional<int> whole(const std::string& key);
-  bool given(std::string_view key) const { return node_.contains(std::string(key)); }
+  bool given(std::string_view key) const;
   void refuse_unknown() const;
 
   const KeyTable& keys_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "gearwright/base/contract.hpp"
 
@@ -46,7 +47,7 @@ std::string value_text(const Json& v) {
     return "{ " + text + " }";
   }
   GW_EXPECTS(v.is_boolean() || v.is_number_integer());
-  return v.dump();
+  return json_text(v);
 }
 
 void write_table(const Json& table, const std::string& path, std::string& out) {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "gearwright/spec/table_reader.hpp"
+#include "gearwright/spec/json.hpp"
 
 namespace gearwright {
 

@@ -1,6 +1,8 @@
 // Written specs read back to what they were.
 #include "gearwright/spec/toml_text.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <gtest/gtest.h>
 
 #include "gearwright/spec/spec.hpp"
@@ -30,11 +32,11 @@ shorten_tips = true
 )";
   const auto spec = read_spec(text, SpecFormat::toml);
   ASSERT_TRUE(spec) << spec.error().message;
-  const Json tree = Json::parse(spec->tree);
+  const Json tree = parse_json(spec->tree);
   const std::string written = toml_text(tree);
   const auto again = read_spec(written, SpecFormat::toml);
   ASSERT_TRUE(again) << again.error().message << "\n" << written;
-  EXPECT_EQ(Json::parse(again->tree), tree) << written;
+  EXPECT_EQ(parse_json(again->tree), tree) << written;
 }
 
 }  // namespace

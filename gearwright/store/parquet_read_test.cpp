@@ -10,9 +10,10 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/base/testing/source_file.hpp"
+#include "gearwright/base/version.hpp"
 #include "gearwright/store/parquet.hpp"
 #include "gearwright/store/parquet_test_table.hpp"
-#include "gearwright/base/version.hpp"
 
 namespace gearwright {
 namespace {
@@ -56,8 +57,8 @@ class ParquetRead : public ParquetFile {
     };
     const char* node = std::getenv("GW_NODE");
     const std::string command = quoted(node != nullptr && *node != '\0' ? node : "node") + " " +
-                                quoted(GW_SOURCE_DIR "/tests/search/read_parquet.mjs") + " " +
-                                quoted(file_.string()) + " " + quoted(sql) + " 2>&1";
+                                quoted(testing::source_file("tests/search/read_parquet.mjs")) +
+                                " " + quoted(file_.string()) + " " + quoted(sql) + " 2>&1";
     std::FILE* pipe = ::popen(command.c_str(), "r");
     if (pipe == nullptr) return {-1, "no shell"};
     std::string text;

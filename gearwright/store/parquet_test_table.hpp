@@ -21,7 +21,7 @@
 
 namespace gearwright {
 
-class ParquetFile : public testing::Test {
+class ParquetFile : public ::testing::Test {
  protected:
   void SetUp() override {
     std::string name =

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "gearwright/base/testing/source_file.hpp"
 #include "tests/accuracy/ledger.hpp"
 
 namespace gearwright::ledger {
@@ -68,7 +69,7 @@ TEST(Ledger, ErrorsAreWithinTheirClaims) {
   if (const char* path = std::getenv("GW_WRITE_LEDGER")) {
     std::ofstream(path) << markdown(rows);
   }
-  std::ifstream file(std::string(GW_SOURCE_DIR) + "/docs/accuracy.md");
+  std::ifstream file(testing::source_file("docs/accuracy.md"));
   std::ostringstream text;
   text << file.rdbuf();
   EXPECT_EQ(claims(text.str()), claims(markdown(rows)))

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "gearwright/base/testing/source_file.hpp"
 #include "gearwright/gear/arc_gear.hpp"
 #include "gearwright/pair/arc_pair.hpp"
 
@@ -26,7 +27,7 @@ constexpr double kDegree = kPi / 180;
 
 const Json& cases() {
   static const Json all = [] {
-    std::ifstream file(std::string(GW_SOURCE_DIR) + "/tests/oracle/circular_arc.json");
+    std::ifstream file(testing::source_file("tests/oracle/circular_arc.json"));
     EXPECT_TRUE(file);
     return Json::parse(file);
   }();

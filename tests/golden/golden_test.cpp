@@ -9,20 +9,21 @@
 #include <fstream>
 #include <sstream>
 
+#include "gearwright/base/testing/source_file.hpp"
 #include "gearwright/job/verify.hpp"
 
 namespace gearwright {
 namespace {
 
 std::string text_of(const std::string& name) {
-  std::ifstream file(std::string(GW_SOURCE_DIR) + "/tests/golden/" + name);
+  std::ifstream file(testing::source_file("tests/golden/" + name));
   EXPECT_TRUE(file) << name;
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();
 }
 
-class Golden : public testing::TestWithParam<std::pair<const char*, int>> {};
+class Golden : public ::testing::TestWithParam<std::pair<const char*, int>> {};
 
 TEST_P(Golden, CasesHold) {
   const auto [name, count] = GetParam();
@@ -36,11 +37,11 @@ TEST_P(Golden, CasesHold) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, Golden,
-                         testing::Values(std::pair{"external.json", 12},
-                                         std::pair{"spur_design.json", 18},
-                                         std::pair{"inspection.json", 38},
-                                         std::pair{"conjugate_action.json", 217},
-                                         std::pair{"small_tooth_numbers.json", 102}));
+                         ::testing::Values(std::pair{"external.json", 12},
+                                           std::pair{"spur_design.json", 18},
+                                           std::pair{"inspection.json", 38},
+                                           std::pair{"conjugate_action.json", 217},
+                                           std::pair{"small_tooth_numbers.json", 102}));
 
 TEST(Verify, SeesAWrongNumber) {
   const char* text = R"({"cases": [{"id": "wrong", "source": "none", "verb": "gear",

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/base/testing/source_file.hpp"
 #include "tests/oracle/five_equation.hpp"
 
 namespace gearwright::oracle::tca {
@@ -17,8 +18,8 @@ inline constexpr Real kDegree = std::numbers::pi_v<Real> / 180;
 inline constexpr Real kArcsec = kDegree / 3600;
 
 inline const nlohmann::json& circular_arc_file() {
-  static const nlohmann::json file = nlohmann::json::parse(
-      std::ifstream(std::string(GW_SOURCE_DIR) + "/tests/oracle/circular_arc.json"));
+  static const nlohmann::json file =
+      nlohmann::json::parse(std::ifstream(testing::source_file("tests/oracle/circular_arc.json")));
   return file;
 }
 

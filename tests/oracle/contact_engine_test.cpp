@@ -164,7 +164,7 @@ struct Tally {
 };
 
 void report(const char* what, const Tally& t) {
-  testing::Test::RecordProperty("positions_inside", t.inside);
+  ::testing::Test::RecordProperty("positions_inside", t.inside);
   std::printf(
       "%s: %d pairs, %d positions inside (TE %.1e rad, place %.1e), %d at edges, %d clouds\n", what,
       t.pairs, t.inside, t.worst_rotation, t.worst_place, t.edges, t.clouds);
@@ -194,7 +194,7 @@ void against_cloud(const tca::CloudPair& cloud, const BrutePair& brute, const Co
 Tally arcs(std::uint64_t seed, int pairs, int clouds) {
   Tally tally;
   Random random(seed);
-  while (tally.pairs < pairs && !testing::Test::HasFailure()) {
+  while (tally.pairs < pairs && !::testing::Test::HasFailure()) {
     const tca::ArcPair pair = random_arcs(random);
     ++tally.pairs;
     const ContactPair contact = contact_set(pair).pair();
@@ -204,8 +204,9 @@ Tally arcs(std::uint64_t seed, int pairs, int clouds) {
     const auto r = at_rotations(contact, rotations);
     EXPECT_EQ(r.unfinished, 0);
     for (const ContactPoint& p : r.positions) {
-      SCOPED_TRACE(testing::Message() << "seed " << seed << " pair " << tally.pairs << " rotation "
-                                      << p.rotation1.rad() << " kind " << to_string(p.kind));
+      SCOPED_TRACE(::testing::Message()
+                   << "seed " << seed << " pair " << tally.pairs << " rotation "
+                   << p.rotation1.rad() << " kind " << to_string(p.kind));
       const auto five = tca::carrying_arc_touch(pair, p.rotation1.rad(), 3);
       if (p.kind == TouchKind::interior) {
         ++tally.inside;
@@ -278,7 +279,7 @@ TEST(ContactEngine, modified_arcs_against_dense_places) {
     const double size = static_cast<double>(pair.f.rho);
     for (const double rotation : {contact.pitch() * random.uniform(-0.5, 0.5)}) {
       const ContactPoint p = at_rotations(contact, {rotation}).positions[0];
-      SCOPED_TRACE(testing::Message() << "pair " << i << ' ' << to_string(p.kind));
+      SCOPED_TRACE(::testing::Message() << "pair " << i << ' ' << to_string(p.kind));
       const auto t = places.touch(rotation, 2, 30, 24);
       ASSERT_EQ(t.has_value(), p.kind != TouchKind::none);
       if (!t) continue;
@@ -295,7 +296,7 @@ TEST(ContactEngine, modified_arcs_against_dense_places) {
 Tally screws(std::uint64_t seed, ScrewKind kind, int pairs, int clouds) {
   Tally tally;
   Random random(seed);
-  while (tally.pairs < pairs && !testing::Test::HasFailure()) {
+  while (tally.pairs < pairs && !::testing::Test::HasFailure()) {
     const ScrewContact s = random_screws(random, kind);
     ++tally.pairs;
     const ContactPair contact = s.set.pair();
@@ -304,8 +305,9 @@ Tally screws(std::uint64_t seed, ScrewKind kind, int pairs, int clouds) {
     const auto r = at_rotations(contact, rotations);
     EXPECT_EQ(r.unfinished, 0);
     for (const ContactPoint& p : r.positions) {
-      SCOPED_TRACE(testing::Message() << "seed " << seed << " pair " << tally.pairs << " rotation "
-                                      << p.rotation1.rad() << " kind " << to_string(p.kind));
+      SCOPED_TRACE(::testing::Message()
+                   << "seed " << seed << " pair " << tally.pairs << " rotation "
+                   << p.rotation1.rad() << " kind " << to_string(p.kind));
       if (p.kind == TouchKind::interior) {
         ++tally.inside;
         const auto five = five_equations(s, p);

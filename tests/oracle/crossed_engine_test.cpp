@@ -80,7 +80,7 @@ TEST(CrossedEngine, touches_as_the_solids_do) {
     ++pairs;
     for (const double turn : {0.0, 0.37, -0.81}) {
       compare(*p, turn * 2 * std::numbers::pi / p->input.gears[0].teeth);
-      if (testing::Test::HasFailure()) {
+      if (::testing::Test::HasFailure()) {
         ADD_FAILURE() << describe(specs) << "\n  rotation " << turn << " pitches";
         return;
       }

@@ -163,7 +163,7 @@ Tally check_grid(const std::vector<int>& teeth, const std::vector<double>& betas
       for (const double beta : betas) {
         for (const double x : shifts(cutter, z, beta, n_shifts)) {
           check_outline(cutter, spec_of(cutter, z, beta, x), points, tally);
-          if (testing::Test::HasFatalFailure()) return tally;
+          if (::testing::Test::HasFatalFailure()) return tally;
         }
       }
     }

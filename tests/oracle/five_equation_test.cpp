@@ -30,12 +30,12 @@ ArcPair case_named(const char* name) {
   throw std::invalid_argument(name);
 }
 
-class ArcCases : public testing::TestWithParam<int> {
+class ArcCases : public ::testing::TestWithParam<int> {
  protected:
   const json& file() const { return circular_arc_file().at("cases").at(GetParam()); }
 };
 
-INSTANTIATE_TEST_SUITE_P(File, ArcCases, testing::Range(0, 18), [](const auto& info) {
+INSTANTIATE_TEST_SUITE_P(File, ArcCases, ::testing::Range(0, 18), [](const auto& info) {
   return circular_arc_file().at("cases").at(info.param).at("name").template get<std::string>();
 });
 

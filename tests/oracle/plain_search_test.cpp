@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/base/testing/source_file.hpp"
 #include "tests/oracle/plain_pair.hpp"
 
 namespace gearwright::oracle {
@@ -27,7 +28,7 @@ constexpr double kPrinted = 1e-12;  // modules, degrees or ratio: the source pri
 
 const json& source() {
   static const json file =
-      json::parse(std::ifstream(std::string(GW_SOURCE_DIR) + "/tests/oracle/spur_searches.json"));
+      json::parse(std::ifstream(testing::source_file("tests/oracle/spur_searches.json")));
   return file;
 }
 

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/base/testing/source_file.hpp"
 #include "gearwright/design/search.hpp"
 #include "tests/oracle/plain_search.hpp"
 #include "tests/oracle/search_twin.hpp"
@@ -92,7 +93,7 @@ Twin with_shifts(double floor, double ceil) {
 
 TEST(SearchEngine, SearchesOfTheSource) {
   const json source =
-      json::parse(std::ifstream(std::string(GW_SOURCE_DIR) + "/tests/oracle/spur_searches.json"));
+      json::parse(std::ifstream(testing::source_file("tests/oracle/spur_searches.json")));
   const std::vector<double> series{1, 1.25, 1.5, 2,  2.5, 3,  4,  5,  6,
                                    8, 10,   12,  16, 20,  25, 32, 40, 50};
   for (const json& search : source.at("searches")) {

@@ -111,8 +111,8 @@ TEST(TouchingScrews, laws_over_seeded_pairs) {
     // Nearly parallel: hundreds of teeth; the pairs of the file have that.
     if (std::abs(p.shaft_angle) < 5 * kDegree) continue;
     ++meshes;
-    SCOPED_TRACE(testing::Message() << "pair " << meshes << ", Σ = " << p.shaft_angle / kDegree
-                                    << "°, a = " << p.center_distance);
+    SCOPED_TRACE(::testing::Message() << "pair " << meshes << ", Σ = " << p.shaft_angle / kDegree
+                                      << "°, a = " << p.center_distance);
     std::vector<double> ahead;
     for (const double part : {0.0, 0.31, 0.62}) {
       const double rotation_1 = part * pitch_1(p);

@@ -48,8 +48,8 @@ Vector3d contact_point(const ScrewPair& p, const Touch& t) {
   return p.shaft_angle == 0.0 ? Vector3d(t.point.x(), t.point.y(), 0) : t.point;
 }
 
-class ConjugateScrews : public testing::TestWithParam<ConjugatePair> {};
-INSTANTIATE_TEST_SUITE_P(Pairs, ConjugateScrews, testing::ValuesIn(conjugate_pairs()),
+class ConjugateScrews : public ::testing::TestWithParam<ConjugatePair> {};
+INSTANTIATE_TEST_SUITE_P(Pairs, ConjugateScrews, ::testing::ValuesIn(conjugate_pairs()),
                          [](const auto& info) { return std::string(info.param.name); });
 
 // Σ where the formulas say that there is no backlash: both flanks touch, at the ratio, on their
@@ -61,7 +61,7 @@ TEST_P(ConjugateScrews, no_backlash_one_ratio_one_line) {
     for (const double part : {-0.37, -0.1, 0.0, 0.25, 0.5, 0.83, 7.4}) {
       const double rotation_1 = part * pitch_1(p);
       for (const Side side : kSides) {
-        SCOPED_TRACE(testing::Message() << part << " pitches, side " << static_cast<int>(side));
+        SCOPED_TRACE(::testing::Message() << part << " pitches, side " << static_cast<int>(side));
         const auto t = touch(p, rotation_1, side);
         ASSERT_TRUE(t.has_value());
         EXPECT_EQ(t->where, Where::flanks);

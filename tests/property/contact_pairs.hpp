@@ -55,7 +55,7 @@ void over_pairs(std::uint64_t seed, int pairs, Wanted want, Law law) {
     if (!p) continue;
     ++held;
     law(*p, random);
-    if (testing::Test::HasFailure()) {
+    if (::testing::Test::HasFailure()) {
       ADD_FAILURE() << "seed " << seed << ", draw " << i << p->name
                     << (p->set.mount.gear2_drives ? "\n  gear 2 drives" : "");
       return;

@@ -16,7 +16,7 @@ void against_places(const ModifiedPair& p, const ContactResult& r) {
   const double sign = p.set.mount.gear2_drives ? -1.0 : 1.0;
   EXPECT_EQ(r.unfinished, 0);
   for (const ContactPoint& q : r.positions) {
-    SCOPED_TRACE(testing::Message()
+    SCOPED_TRACE(::testing::Message()
                  << "rotation " << q.rotation1.rad() << ", " << to_string(q.kind));
     const auto t = brute.touch(q.rotation1.rad(), 4);
     ASSERT_EQ(t.has_value(), q.kind != TouchKind::none);

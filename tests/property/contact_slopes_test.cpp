@@ -77,7 +77,7 @@ TEST(ContactSlopes, sensitivities_to_errors) {
         };
         const Slopes want = differences(here, h, 0.01 * size, at);
         if (want.smooth) ++seen[here.kind];
-        SCOPED_TRACE(testing::Message() << to_string(here.kind) << " by error " << k);
+        SCOPED_TRACE(::testing::Message() << to_string(here.kind) << " by error " << k);
         check(r.sensitivities[k][i], want, h, angle ? size : 1.0, false);
       }
     }
@@ -134,7 +134,7 @@ TEST(ContactSlopes, sensitivities_to_modifications) {
           *amounts[k] = was;
           return there;
         });
-        SCOPED_TRACE(testing::Message()
+        SCOPED_TRACE(::testing::Message()
                      << to_string(here.kind) << " by modification " << k << " of gear " << g + 1);
         compared += want.smooth;
         check(r.sensitivities[k][0], want, h, 1.0, false);
@@ -169,7 +169,7 @@ TEST(ContactSlopes, the_point_moves_as_said) {
       });
       if (!want.smooth) continue;
       ++compared;
-      SCOPED_TRACE(testing::Message() << to_string(here.kind) << " by error " << k);
+      SCOPED_TRACE(::testing::Message() << to_string(here.kind) << " by error " << k);
       const Sensitivity& got = r.sensitivities[k][0];
       EXPECT_NEAR(got.te, want.te, 1e-7 * std::abs(want.te) + 2e-14 / h);
       EXPECT_LT((got.point - want.point).norm(), 1e-4 * want.point.norm() + 1e-9 / h);

@@ -26,7 +26,7 @@ void over_crossed(std::uint64_t seed, double least, Law law) {
     if (!pair) continue;
     ++held;
     law(specs, *pair, random);
-    if (testing::Test::HasFailure()) {
+    if (::testing::Test::HasFailure()) {
       ADD_FAILURE() << "the pair: " << describe(specs);
       break;
     }

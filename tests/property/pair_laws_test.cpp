@@ -26,7 +26,7 @@ int over_pairs(std::uint64_t seed, Law law) {
     if (!pair) continue;
     ++held;
     law(specs, *pair, random);
-    if (testing::Test::HasFailure()) {
+    if (::testing::Test::HasFailure()) {
       ADD_FAILURE() << "the pair: " << describe(specs) << "\n  a = " << pair->center_distance;
       break;
     }

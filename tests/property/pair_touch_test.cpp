@@ -143,7 +143,7 @@ int over_running_pairs(std::uint64_t seed, int wanted, Check check) {
     if (!pair || !pair->interference.empty() || pair->mesh.true_ratio < 1.02) continue;
     ++found;
     check(specs, *pair);
-    if (testing::Test::HasFailure()) {
+    if (::testing::Test::HasFailure()) {
       ADD_FAILURE() << "the pair: " << describe(specs) << "\n  a = " << pair->center_distance;
       break;
     }

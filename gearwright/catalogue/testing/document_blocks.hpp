@@ -14,18 +14,20 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/base/testing/source_file.hpp"
+
 namespace gearwright {
 
 /// A file below the source folder; empty where there is none.
 inline std::string document(const std::string& path) {
-  std::ifstream file(std::string(GW_SOURCE_DIR) + "/" + path);
+  std::ifstream file(testing::source_file(path));
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();
 }
 
 inline void write_document(const std::string& path, const std::string& text) {
-  std::ofstream(std::string(GW_SOURCE_DIR) + "/" + path) << text;
+  std::ofstream(testing::source_file(path)) << text;
 }
 
 inline bool documents_are_written() { return std::getenv("GW_WRITE_DOCS") != nullptr; }

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "gearwright/base/testing/source_file.hpp"
 #include "gearwright/design/search.hpp"
 
 namespace gearwright::testing::search {
@@ -23,8 +24,8 @@ inline const std::vector<double> kSeriesI{1, 1.25, 1.5, 2,  2.5, 3,  4,  5,  6,
                                           8, 10,   12,  16, 20,  25, 32, 40, 50};
 
 inline const nlohmann::json& reference() {
-  static const nlohmann::json file = nlohmann::json::parse(
-      std::ifstream(std::string(GW_SOURCE_DIR) + "/tests/oracle/spur_searches.json"));
+  static const nlohmann::json file =
+      nlohmann::json::parse(std::ifstream(testing::source_file("tests/oracle/spur_searches.json")));
   return file;
 }
 

@@ -1,0 +1,1 @@
+// Empty: the object that a precompiled header belongs to (gw_precompiled.cmake).

@@ -1,0 +1,14 @@
+// Files of the source tree that tests read: golden cases, tables of oracles, documents.
+//
+// One object knows where the sources lie. No other depends on the folder, so that compilations of
+// two copies of the tree are the same.
+#pragma once
+
+#include <string>
+
+namespace gearwright::testing {
+
+/// Path of a file of the source tree: source_file("docs/accuracy.md").
+std::string source_file(const std::string& path);
+
+}  // namespace gearwright::testing

@@ -1,0 +1,22 @@
+// Trees of specs and results, members in the order in which they were written.
+//
+// Declared only: nlohmann/json.hpp costs a compilation a second, and reading or writing text
+// another two. Headers include this one, sources that look into a tree nlohmann/json.hpp, and text
+// is read and written here.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+
+namespace gearwright {
+
+using Json = nlohmann::ordered_json;
+
+/// Throws  nlohmann::json::parse_error
+Json parse_json(std::string_view text);
+
+/// On one line, or with `indent` spaces a level; bytes that are no characters become U+FFFD.
+std::string json_text(const Json& tree, int indent = -1);
+
+}  // namespace gearwright
