@@ -109,12 +109,16 @@ Figure arcs_figure() {
 
   // Right: θ over ΔC, exactly and to first order, module 12.7 mm.
   const double m = 12.7;
-  const double lead = Angle::degrees(75).rad();
+  const Angle lead = Angle::degrees(75);
   const auto scaled = [&](const WorkingArc& arc) {
     return WorkingArc{m * arc.radius, m * arc.a, m * arc.b};
   };
-  ArcMeshInput input{
-      scaled(convex), scaled(concave), 6 * m / std::sin(lead), 47 * m / std::sin(lead), lead, 0.0};
+  ArcMeshInput input{scaled(convex),
+                     scaled(concave),
+                     6 * m / std::sin(lead.rad()),
+                     47 * m / std::sin(lead.rad()),
+                     lead,
+                     0.0};
   const double a_0 = input.pitch_radius_convex + input.pitch_radius_concave;
   const Plot plot{{-0.8, 0.8, 506, 838}, {0, 70, 416, 44}};
   draw_frame(f, plot, "change {ΔC} of the centre distance, mm",
@@ -123,8 +127,7 @@ Figure arcs_figure() {
   for (int i = 0; i <= 80; ++i) {
     const double change = -0.8 + 1.6 * i / 80;
     input.center_distance = a_0 + change;
-    if (const auto theta = contact_angle(input))
-      exact.push_back({change, Angle::radians(*theta).deg()});
+    if (const auto theta = contact_angle(input)) exact.push_back({change, theta->deg()});
     const double sine =
         (m * (concave.b - convex.b) - change) / (m * (concave.radius - convex.radius));
     if (std::abs(sine) < 1) first.push_back({change, Angle::radians(std::asin(sine)).deg()});

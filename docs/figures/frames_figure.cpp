@@ -26,7 +26,7 @@ Figure frames_figure() {
                                          spec.normal_pressure_angle.rad(), 1.0, 0.4);
   const auto mounted = mount_involutes(one, two, {.center_distance = a});
   if (!mounted) throw std::logic_error(mounted.error().message);
-  const Pair& pair = *mounted;
+  const InvolutePair& pair = *mounted;
   const Viewport view{860, 540, {93, 0}, 2.5};
   const auto at_2 = [&](const Vec2& p) {
     const Vec3 q = (pair.pose_2() * Point<Gear2>{Vec3(p.x(), p.y(), 0)}).r;

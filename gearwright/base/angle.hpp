@@ -23,6 +23,7 @@ class Angle {
   friend constexpr Angle operator*(double k, Angle a) { return Angle(k * a.rad_); }
   friend constexpr Angle operator/(Angle a, double k) { return Angle(a.rad_ / k); }
   constexpr Angle& operator+=(Angle a) { return *this = *this + a; }
+  friend Angle abs(Angle a) { return Angle(std::abs(a.rad_)); }
   friend constexpr bool operator==(Angle a, Angle b) = default;
   friend constexpr auto operator<=>(Angle a, Angle b) = default;
 
@@ -30,8 +31,6 @@ class Angle {
   constexpr explicit Angle(double rad) : rad_(rad) {}
   double rad_ = 0.0;
 };
-
-inline Angle abs(Angle a) { return Angle::radians(std::abs(a.rad())); }
 
 namespace literals {
 constexpr Angle operator""_deg(long double value) {

@@ -40,10 +40,10 @@ struct CompensationTask {
   int scenarios = 1;
   int positions = 24;       ///< per pitch, while looking
   int fine_positions = 64;  ///< per pitch, of the scores told
-  Angle centering;          ///< w  what a pattern at the end of the face may cost
+  Angle centering{};        ///< w  what a pattern at the end of the face may cost
   bool along_face = true;   ///< false: a contact point runs along the face anyhow, h does not count
-  Angle profile_target;     ///< rack angle; with profile_width
-  Angle profile_width;      ///< what counts as the end; 0: no target
+  Angle profile_target{};   ///< rack angle; with profile_width
+  Angle profile_width{};    ///< what counts as the end; 0: no target
   std::vector<std::vector<double>> starts{};  ///< guesses beside the two of its own
   /// The pair under a scenario with the corrections made. Null where there is none.
   std::function<std::shared_ptr<const ContactPair>(const std::vector<double>&, int)> pair_at;

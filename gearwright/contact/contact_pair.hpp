@@ -24,8 +24,8 @@ namespace gearwright {
 /// Errors of mounting and of cutting, all at once. Order and signs: docs/spec.md, [errors].
 struct ContactErrors {
   double center_distance = 0.0;         ///< ΔC  mm
-  Angle crossing;                       ///< Δγ  about the centre line
-  Angle intersecting;                   ///< Δδ  in the plane of the axes
+  Angle crossing{};                     ///< Δγ  about the centre line
+  Angle intersecting{};                 ///< Δδ  in the plane of the axes
   double axial = 0.0;                   ///< Δz  mm
   std::array<double, 2> helix_twist{};  ///< κ   rad/mm: section z turned by κz
   std::array<Angle, 2> cutter_lead{};   ///< Δλ  cut with another lead angle
@@ -39,7 +39,7 @@ struct ContactGear {
 
 struct ContactMount {
   double center_distance = 0.0;  ///< a  mm, without errors
-  Angle shaft_angle;             ///< Σ
+  Angle shaft_angle{};           ///< Σ
   bool gear2_drives = false;
   ContactErrors errors;
 };

@@ -23,7 +23,7 @@ namespace gearwright {
 struct FewTeethProblem {
   std::array<int, 2> teeth{};  ///< wheel < 0: a ring
   double normal_module = 0.0;
-  Angle normal_pressure_angle;
+  Angle normal_pressure_angle{};
   std::optional<Angle> helix;             ///< β of the pinion; absent: from the centre distance
   std::optional<double> center_distance;  ///< a; absent: free
   std::optional<double> pinion_shift;     ///< x1; absent: wanted

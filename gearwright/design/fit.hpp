@@ -24,7 +24,7 @@ namespace gearwright {
 struct FitProblem {
   std::array<int, 2> teeth{};
   double normal_module = 0.0;                          ///< m_n, common to both gears
-  Angle normal_pressure_angle;                         ///< α_n
+  Angle normal_pressure_angle{};                       ///< α_n
   std::array<std::optional<Angle>, 2> helix;           ///< β
   std::array<std::optional<double>, 2> shift;          ///< x
   std::optional<double> center_distance;               ///< a

@@ -40,7 +40,7 @@ TEST(SearchSpace, EveryNumberIsATrialOnce) {  // (1)
       EXPECT_GE(ratio, p.ratio[0] - 1e-12);
       EXPECT_LE(ratio, p.ratio[1] + 1e-12);
       EXPECT_EQ(t.helix[1], internal ? t.helix[0] : -t.helix[0]);
-      seen.insert({t.rack, t.helix[0], t.module, t.z1, t.z2});
+      seen.insert({t.rack, t.helix[0].rad(), t.module, t.z1, t.z2});
       return true;
     });
     EXPECT_EQ(next, *space.size());

@@ -85,7 +85,7 @@ TEST(ShiftCharts, ContactRatiosOfIdenticalGears) {
     if (!row["floor"].is_null()) problem.limits.min_shift = row["floor"].get<double>();
     problem.limits.tip_thickness = row["tip_thickness"].get<double>();
     const int z = row["z"].get<int>();
-    const auto chart = identical_gears_chart(problem, 0, 0.0, z, z);
+    const auto chart = identical_gears_chart(problem, 0, Angle(), z, z);
     ASSERT_EQ(chart.size(), 1u);
     EXPECT_NEAR(chart[0].limits.min, number(row["shifts"][0]), kAccuracy) << z;
     EXPECT_NEAR(chart[0].limits.max, number(row["shifts"][1]), kAccuracy) << z;
@@ -112,7 +112,7 @@ TEST(ShiftCharts, TipsInsideTheirBaseCirclesHaveNoContactRatio) {
   problem.shorten_tips = true;
   problem.racks[0].rack[0].addendum = 0.8;
   int none = 0;
-  for (const IdenticalGears& row : identical_gears_chart(problem, 0, 0.0, 7, 400)) {
+  for (const IdenticalGears& row : identical_gears_chart(problem, 0, Angle(), 7, 400)) {
     for (const auto& eps : row.contact_ratio) {
       if (!eps) {
         ++none;
@@ -127,12 +127,12 @@ TEST(ShiftCharts, TipsInsideTheirBaseCirclesHaveNoContactRatio) {
 // The chart asks about gears by themselves: what the problem wants of its own pair is not in it.
 TEST(ShiftCharts, TheProblemsDistanceRatioAndWheelRackChangeNothing) {
   SearchProblem problem = spur();
-  const auto plain = identical_gears_chart(problem, 0, 0.0, 12, 30);
+  const auto plain = identical_gears_chart(problem, 0, Angle(), 12, 30);
   problem.ratio = {-3.0, -2.5};
   problem.center_distance = std::array<double, 2>{99.0, 99.0};
   problem.racks[0].rack[1].addendum = 0.8;
   problem.racks[0].undercut_depth[1] = 1.25;
-  const auto asked = identical_gears_chart(problem, 0, 0.0, 12, 30);
+  const auto asked = identical_gears_chart(problem, 0, Angle(), 12, 30);
   for (std::size_t i = 0; i < plain.size(); ++i)
     EXPECT_EQ(plain[i].contact_ratio, asked[i].contact_ratio);
 }

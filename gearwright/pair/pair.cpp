@@ -7,19 +7,17 @@ namespace gearwright {
 
 namespace {
 
-// Out of line: inlined into mount, g++ 12 takes the other kind's members for uninitialised.
-template <class Kind>
-[[gnu::noinline]] Pair pair_of(Kind&& kind) {
-  return Pair(std::forward<Kind>(kind));
-}
-
 template <class Kind>
 Result<Pair> either(Result<Kind> made) {
   if (!made) return made.error();
-  return pair_of(std::move(made).take());
+  return Pair(std::move(made).take());
 }
 
 }  // namespace
+
+// Inlined, g++ 12 takes the other kind's members for uninitialised.
+[[gnu::noinline]] Pair::Pair(InvolutePair pair) : of_(std::move(pair)) {}
+[[gnu::noinline]] Pair::Pair(ArcPair pair) : of_(std::move(pair)) {}
 
 double Pair::contact_ratio() const {
   return visit(Overloaded{[](const InvolutePair& p) { return p.contact_ratio(); },

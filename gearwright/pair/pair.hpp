@@ -16,8 +16,8 @@ namespace gearwright {
 /// What both kinds of pair have it tells; what one kind has is asked of that.
 class Pair {
  public:
-  Pair(InvolutePair pair) : of_(std::move(pair)) {}
-  Pair(ArcPair pair) : of_(std::move(pair)) {}
+  Pair(InvolutePair pair);
+  Pair(ArcPair pair);
 
   const InvolutePair* involute() const { return std::get_if<InvolutePair>(&of_); }
   const ArcPair* arcs() const { return std::get_if<ArcPair>(&of_); }

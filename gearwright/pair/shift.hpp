@@ -30,7 +30,7 @@ inline constexpr double kMaxDistance = 100.0;
 struct ShiftProblem {
   int z1 = 0, z2 = 0;                     ///< ring: z2 < 0
   double normal_module = 0.0;             ///< m_n  mm
-  Angle normal_pressure_angle;            ///< α_n
+  Angle normal_pressure_angle{};          ///< α_n
   std::array<Angle, 2> helix_angle{};     ///< β    signed; parallel axes use the first
   std::optional<Angle> shaft_angle;       ///< Σ    of crossed axes; none: parallel
   std::optional<double> x1, x2;           ///< absent: wanted

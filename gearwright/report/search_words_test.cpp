@@ -55,7 +55,7 @@ TEST(SearchWords, ValuesAreCostsWithTheirNaturalSign) {
 TEST(SearchWords, NamesAndCounts) {
   EXPECT_EQ(design_name({0, 2.5, 28, 54, {}, 0}), "2.5 · 28:54");
   EXPECT_EQ(design_name({0, 1, 18, -60, {}, 0}), "1 · 18:-60");
-  const double beta = Angle::degrees(8).rad();
+  const Angle beta = Angle::degrees(8);
   EXPECT_EQ(design_name({0, 1, 18, 60, {beta, -beta}, 0}), "1 · 18:60 · 8°");
   EXPECT_EQ(counted(0), "0");
   EXPECT_EQ(counted(999), "999");

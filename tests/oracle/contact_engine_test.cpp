@@ -70,7 +70,7 @@ TEST(ContactEngine, case_file) {
     Transmission transmission(contact);
     field.set_rotation(rotation);
     PairTouch alone{TouchSearch(field, 0.0, contact.reach()).cold(), 0, rotation, 0};
-    const ContactPoint p = describe(transmission, alone, rotation, delta);
+    const ContactPoint p = describe(transmission, alone, Angle::radians(rotation), delta);
     ASSERT_EQ(p.kind, TouchKind::interior);
     ASSERT_TRUE(p.gap_curvature && p.ellipse && p.ellipse->semi_major);
     for (int i : {0, 1})
@@ -78,7 +78,7 @@ TEST(ContactEngine, case_file) {
                   1e-10);
     EXPECT_NEAR(*p.ellipse->semi_major / number_of(k, "semi_major"), 1.0, 1e-10);
     EXPECT_NEAR(p.ellipse->semi_minor / number_of(k, "semi_minor"), 1.0, 1e-10);
-    EXPECT_NEAR(p.ellipse->angle * 180 / std::numbers::pi, number_of(k, "major_angle_deg"), 1e-8);
+    EXPECT_NEAR(p.ellipse->angle.deg(), number_of(k, "major_angle_deg"), 1e-8);
     for (const json& t : c.at("tca")) {
       if (number_of(t, "phi1p") != rotation) continue;
       EXPECT_LT((p.normal - tca::vector(t, "normal_f").cast<double>()).norm(), 1e-10);
@@ -102,7 +102,7 @@ TEST(ContactEngine, cutter_lead_is_another_rack) {
     equal.lead_angle_f = pair.lead_angle_p;
     ContactSet as_error = contact_set(equal);
     as_error.mount.errors.cutter_lead[0] =
-        static_cast<double>(pair.lead_angle_f - pair.lead_angle_p);
+        Angle::radians(static_cast<double>(pair.lead_angle_f - pair.lead_angle_p));
     const std::vector<double> rotations{-0.2, 0.0, 0.13};
     const auto a = at_rotations(contact_set(pair).pair(), rotations);
     const auto b = at_rotations(as_error.pair(), rotations);
