@@ -107,7 +107,7 @@ BENCHMARK(search_one_thread_over_two)->Unit(benchmark::kMillisecond)->Iterations
 // One region: ends, corners, area, the line of Eq. 11.
 void region_of_one_trial(benchmark::State& state) {
   const Search search(gearboxes());
-  const ShiftGraph graph = search.graph({0, 2.0, 33, 66, {0.0, 0.0}, 0});
+  const ShiftGraph graph = search.graph({0, 2.0, 33, 66, {}, 0});
   for (auto _ : state) benchmark::DoNotOptimize(shift_region(graph));
 }
 BENCHMARK(region_of_one_trial)->Unit(benchmark::kMicrosecond);
