@@ -4,6 +4,7 @@
 #include <gearwright/gearwright.hpp>
 
 using namespace gearwright;
+using namespace gearwright::literals;
 
 int main() {
   SearchProblem problem;
