@@ -16,6 +16,7 @@ inline constexpr double kArcsecPerRad = kArcsecPerDeg * kDegPerRad;  // 206265
 
 inline constexpr double kMmPerInch = 25.4;
 inline constexpr double kUmPerMm = 1e3;
+inline constexpr double kMmPerM = 1e3;
 inline constexpr double kMmPerUm = 1e-3;
 inline constexpr double kMetresPerMm = 1e-3;
 

@@ -40,7 +40,13 @@ const KeyTable& pair_keys() {
         .range = {.lo = 0, .hi = 1, .hi_open = true, .reason = ", usually 0.03 to 0.1"},
         .place = &PairInput::friction_coefficient,
         .fallback = "no efficiency",
-        .meaning = "coefficient of friction of the flanks, for the efficiency"}}};
+        .meaning = "coefficient of friction of the flanks, for the efficiency"},
+       {.key = "speed_rpm",
+        .symbol = "n_1",
+        .range = KeyRange::positive(),
+        .place = &PairInput::speed_rpm,
+        .fallback = "no velocities",
+        .meaning = "speed of rotation of gear 1, for the pitch line velocity"}}};
   return table;
 }
 

@@ -16,6 +16,7 @@ struct PairInput {
   Mounting mounting = Mounting::tight;
   bool shorten_tips = false;  ///< tips cut back by k m_n, where no tip diameter is given
   std::optional<double> friction_coefficient;  ///< μ
+  std::optional<double> speed_rpm;             ///< n_1  1/min
 };
 
 const KeyTable& pair_keys();

@@ -1,7 +1,9 @@
 #include "gearwright/catalogue/pair_quantities.hpp"
 
 #include <cmath>
+#include <numbers>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/pair_parts.hpp"
 #include "gearwright/pair/drive.hpp"
 
@@ -65,6 +67,20 @@ double working_transverse(const ArcPair& p, std::size_t i) {
                    std::cos(p.gears[i].spec.helix_angle.rad()));
 }
 
+std::array<double, 2> working_pitch_diameter(const V& v) {
+  if (v.arcs()) return v.arcs()->working_pitch_diameter();
+  const auto& sides = v.involute()->mesh.rack.sides;
+  return {2 * sides[0].pitch_radius, 2 * sides[1].pitch_radius};
+}
+
+// v_t = π d_w n/60 in m/s of d_w in mm and n in 1/min; gear 2 turns at n_1/|u|. ISO 6336-1.
+std::array<double, 2> pitch_line_velocity(const V& v) {
+  const auto d = working_pitch_diameter(v);
+  const double turns_1 = v.mounted().speed_rpm.value() / 60.0;
+  const double turns_2 = turns_1 / std::abs(v.gear_ratio());
+  return {std::numbers::pi * d[0] * turns_1 / kMmPerM, std::numbers::pi * d[1] * turns_2 / kMmPerM};
+}
+
 void say_mounting(Quantities<V>& q) {
   q.word(kMounting, "kind", "kind of pair", "how the axes lie", kind)
       .always()
@@ -121,12 +137,15 @@ void say_mounting(Quantities<V>& q) {
         })
       .per_gear();
   q.mm(kMounting, "working_pitch_diameter_mm", "working pitch diameter", "d_w", "per gear",
-       [](const V& v) {
-         if (!v.involute()) return Value(v.arcs()->working_pitch_diameter());
-         const auto& sides = v.involute()->mesh.rack.sides;
-         return Value(std::array{2 * sides[0].pitch_radius, 2 * sides[1].pitch_radius});
-       })
+       [](const V& v) { return Value(working_pitch_diameter(v)); })
       .per_gear();
+  q.add(
+       Type::number, Unit::m_per_s, kMounting, "pitch_line_velocity_m_per_s", "pitch line velocity",
+       "v_t",
+       "per gear, on the working pitch cylinder; with `speed_rpm` only. On parallel axes it is one",
+       [](const V& v) { return Value(pitch_line_velocity(v)); })
+      .per_gear()
+      .when([](const V& v) { return v.mounted().speed_rpm.has_value(); });
   q.mm(kMounting, "pitch_plane_distance_mm", "distance of the pitch planes", "X",
        "as mounted, backlash or not; 0 on parallel axes",
        involute([](const InvolutePair& p) { return p.mesh.pitch_plane_distance; }))

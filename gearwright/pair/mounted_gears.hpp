@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "gearwright/gear/gear.hpp"
@@ -21,6 +22,7 @@ struct MountedGears {
   double reference_center_distance = 0.0;  ///< a_d  mm
   Angle shaft_angle;                       ///< Σ    0 on parallel axes
   std::array<double, 2> tip_clearance{};   ///< c    mm: tip 1 to root 2, tip 2 to root 1
+  std::optional<double> speed_rpm{};       ///< n_1  1/min, where one is given
   std::vector<Warning> warnings;
 
   bool crossed() const { return kind == PairKind::crossed; }

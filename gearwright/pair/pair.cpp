@@ -8,9 +8,11 @@ namespace gearwright {
 namespace {
 
 template <class Kind>
-Result<Pair> either(Result<Kind> made) {
+Result<Pair> either(Result<Kind> made, const PairSpec& spec) {
   if (!made) return made.error();
-  return Pair(std::move(made).take());
+  Kind pair = std::move(made).take();
+  pair.speed_rpm = spec.speed_rpm;
+  return Pair(std::move(pair));
 }
 
 }  // namespace
@@ -26,12 +28,12 @@ double Pair::contact_ratio() const {
 
 Result<Pair> mount(Gear gear_1, Gear gear_2, const PairSpec& spec) {
   if (gear_1.involute() && gear_2.involute())
-    return either(mount_involutes(std::move(gear_1), std::move(gear_2), spec));
+    return either(mount_involutes(std::move(gear_1), std::move(gear_2), spec), spec);
   if (spec.shaft_angle && spec.shaft_angle->rad() != 0.0) {
     return refused("pair.shaft_angle_deg", spec.shaft_angle->deg(),
                    "circular-arc gears run on parallel axes; leave it out");
   }
-  return either(mount_arcs(std::move(gear_1), std::move(gear_2), spec.center_distance));
+  return either(mount_arcs(std::move(gear_1), std::move(gear_2), spec.center_distance), spec);
 }
 
 }  // namespace gearwright

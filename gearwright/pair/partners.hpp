@@ -37,6 +37,7 @@ struct PairSpec {
   std::optional<Angle> shaft_angle = {};       ///< Σ  of crossed axes; none: parallel axes, or
                                                ///< without a distance as complete_place has it
   std::optional<double> friction = {};         ///< μ, for the efficiency
+  std::optional<double> speed_rpm = {};        ///< n_1  1/min, of gear 1
 };
 
 /// Where a pair stands.

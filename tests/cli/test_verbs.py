@@ -36,6 +36,20 @@ class Verbs(unittest.TestCase):
         a, b = line["leading"]
         self.assertAlmostEqual(math.dist(a, b), line["length_mm"], places=12)
 
+    def test_a_speed_gives_the_pitch_line_velocity_in_every_output(self):
+        with_speed = PAIR + "[pair]\nspeed_rpm = 1500\n"
+        pair = Run("pair", with_speed, "--json").json["pair"]
+        # The pitch point of gears at a centre distance a is a/(1 + u) from axis 1.
+        want = 2 * math.pi * pair["center_distance_mm"] / (1 + pair["gear_ratio"]) * 1500 / 60e3
+        for velocity in pair["pitch_line_velocity_m_per_s"]:
+            self.assertAlmostEqual(velocity, want, places=12)
+        self.assertRegex(Run("pair", with_speed).out, rf"pitch line velocity +v_t +{want:.4f} +{want:.4f} +m/s")
+        ran = Run("run", with_speed)
+        self.assertEqual(ran.status, 0, ran.err)
+        self.assertIn("pitch line velocity", (ran.folder / "case_out/report.html").read_text().lower())
+        self.assertNotIn("pitch_line_velocity_m_per_s", Run("pair", PAIR, "--json").json["pair"])
+        self.assertIn("pair.speed_rpm", Run("pair", PAIR + "[pair]\nspeed_rpm = 0\n").err)
+
     def test_outline_runs_from_space_to_tooth_without_gaps(self):
         r = Run("outline", PAIR, "--gear", 2, "--points", 7, "--json")
         self.assertEqual(r.status, 0, r.err)
