@@ -33,6 +33,11 @@ namespace {
 
 int fail(const Options& o, const Error& error) { return cli::fail(error, o.json); }
 
+// In the keys that the spec has.
+int fail(const Options& o, const Error& error, const GivenKeys& given) {
+  return fail(o, spelled(error, given));
+}
+
 std::string read_text(const std::string& path) {
   if (fs::is_directory(path)) throw IoError("cannot read " + path + ": it is a folder");
   std::ifstream file(path, std::ios::binary);
@@ -45,7 +50,9 @@ std::string read_text(const std::string& path) {
 Result<SolvedJob> solve_file(const Options& o, Scope scope) {
   const auto spec = read_spec_file(o.spec);
   if (!spec) return spec.error();
-  return solve(*spec, scope);
+  auto job = solve(*spec, scope);
+  if (!job) return spelled(job.error(), spec->given);
+  return job;
 }
 
 std::string pair_listing_of(const SolvedJob& job) {
@@ -110,7 +117,7 @@ int gear_verb(const Options& o) {
     auto rack = gear_as_rack(job->gears[i], *question);
     if (!rack) {
       Error error = rack.error();
-      error.message = fmt::format("gear{}: {}", i + 1, error.message);
+      error.rule = fmt::format("of gear {}: {}", i + 1, error.rule);
       return fail(o, error);
     }
     racks.push_back(*rack);
@@ -131,7 +138,7 @@ int measure_verb(const Options& o) {
   if (!solved) return fail(o, solved.error());
   SolvedJob job = std::move(solved).take();
   const auto measures = chord_measures(job);
-  if (!measures) return fail(o, measures.error());
+  if (!measures) return fail(o, measures.error(), job.spec.given);
   if (o.json) {
     print_json(measures_json(job, *measures));
   } else {
@@ -144,15 +151,13 @@ int fit_verb(const Options& o) {
   const auto spec = read_spec_file(o.spec);
   if (!spec) return fail(o, spec.error());
   const auto answer = answer_fit(*spec);
-  if (!answer) return fail(o, answer.error());
+  if (!answer) return fail(o, answer.error(), spec->given);
   const int count = static_cast<int>(answer->specs.size());
   if (o.take) {
     if (*o.take > count) {
-      const std::string number = std::to_string(*o.take);
-      return fail(o, {"--take", number,
-                      fmt::format("--take {}: {}", number,
-                                  count == 0 ? "there is no branch: " + answer->fit.reason
-                                             : fmt::format("there are {} branches", count))});
+      return fail(o, {"--take", std::to_string(*o.take),
+                      count == 0 ? "there is no branch: " + answer->fit.reason
+                                 : fmt::format("there are {} branches", count)});
     }
     const Json& taken = answer->specs[static_cast<std::size_t>(*o.take - 1)];
     if (o.json) {
@@ -186,7 +191,7 @@ int contact_verb(const Options& o) {
   if (!solved) return fail(o, solved.error());
   SolvedJob job = std::move(solved).take();
   const auto answer = answer_contact(job);
-  if (!answer) return fail(o, answer.error());
+  if (!answer) return fail(o, answer.error(), job.spec.given);
   if (o.json) {
     print_json(contact_json(job, *answer));
   } else {
@@ -200,7 +205,7 @@ int compensate_verb(const Options& o) {
   if (!solved) return fail(o, solved.error());
   SolvedJob job = std::move(solved).take();
   const auto answer = answer_compensate(job);
-  if (!answer) return fail(o, answer.error());
+  if (!answer) return fail(o, answer.error(), job.spec.given);
   if (o.spec_only) {
     if (o.json) {
       print_json(parse_json(answer->corrected));
@@ -220,10 +225,10 @@ int outline_verb(const Options& o) {
   if (!job) return fail(o, job.error());
   const int which = o.gear.value_or(1);
   if (which > static_cast<int>(job->gears.size())) {
-    return fail(o, {"gear2", "", "gear2: is missing from the spec, --gear 2 asks for its outline"});
+    return fail(o, {"gear2", "", "is missing from the spec, --gear 2 asks for its outline"});
   }
   const auto body = make_body(*job, which, false);
-  if (!body) return fail(o, body.error());
+  if (!body) return fail(o, body.error(), job->spec.given);
   if (o.json) {
     Json j = outline_json(body->outline, o.points);
     j["warnings"] = warnings_json(job->warnings);
@@ -249,7 +254,7 @@ int run_verb(const Options& o) {
     out += "_out";
   }
   const auto files = write_everything(job, out, file_options(o));
-  if (!files) return fail(o, files.error());
+  if (!files) return fail(o, files.error(), job.spec.given);
   if (o.json) {
     // As in result.json, which comes first, with all the files.
     Json j = parse_json(files->front().bytes);
@@ -278,13 +283,13 @@ int export_verb(const Options& o) {
   if (!job) return fail(o, job.error());
   const int count = static_cast<int>(job->gears.size());
   if (o.gear && *o.gear > count) {
-    return fail(o, {"gear2", "", "gear2: is missing from the spec, --gear 2 asks for its files"});
+    return fail(o, {"gear2", "", "is missing from the spec, --gear 2 asks for its files"});
   }
   std::vector<ToothedBody> bodies;
   for (int which = 1; which <= count; ++which) {
     if (o.gear && *o.gear != which) continue;
     auto body = make_body(*job, which, !o.gear);
-    if (!body) return fail(o, body.error());
+    if (!body) return fail(o, body.error(), job->spec.given);
     bodies.push_back(std::move(body).take());
   }
   std::vector<JobFile> files;
@@ -292,7 +297,7 @@ int export_verb(const Options& o) {
   for (const auto& [kind, path] : wanted) {
     if (path->empty()) continue;
     auto file = make_file(kind, bodies, *path, options);
-    if (!file) return fail(o, file.error());
+    if (!file) return fail(o, file.error(), job->spec.given);
     files.push_back(std::move(file).take());
   }
   write_files(files);
@@ -314,7 +319,7 @@ int verify_verb(const Options& o) {
     const auto outcomes = verify_cases(read_text(path));
     if (!outcomes) {
       Error error = outcomes.error();
-      error.message = path + ": " + error.message;
+      error.rule = fmt::format("{} (in {})", error.rule, path);
       return fail(o, error);
     }
     for (const CaseOutcome& c : *outcomes) {

@@ -113,7 +113,7 @@ std::optional<Shard> parse_shard(const std::string& text) {
 int say_unfinished(const SearchCommand& c, const SearchRun& run) {
   const std::string state = fmt::format("{} of {} chunks are done", run.chunks_done, run.chunks);
   if (c.take && !run.stopped) {
-    return fail({"--take", std::to_string(*c.take), "--take: the search is not finished, " + state},
+    return fail({"--take", std::to_string(*c.take), "the search is not finished, " + state},
                 c.json);
   }
   if (c.json) print_json(unfinished_json(run));
@@ -132,13 +132,10 @@ int take_one(const SearchCommand& c, const JobSpec& spec, const Search& search,
              const SearchRun& run) {
   const auto count = static_cast<int>(run.answer.designs.size());
   if (*c.take > count) {
-    const std::string number = std::to_string(*c.take);
     return fail(
-        {"--take", number,
-         fmt::format("--take {}: {}", number,
-                     count == 0 ? "no design is feasible; the search without --take says what "
-                                  "would help"
-                                : fmt::format("there are {} designs", count))},
+        {"--take", std::to_string(*c.take),
+         count == 0 ? "no design is feasible; the search without --take says what would help"
+                    : fmt::format("there are {} designs", count)},
         c.json);
   }
   const Json taken =
@@ -177,7 +174,7 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
   if (!spec) return speaks ? fail(spec.error(), c.json) : 1;
   if (!spec->search) {
     const Error error{"search", "",
-                      "search: is missing; a search needs a table [search] with at least ratio, "
+                      "is missing; a search needs a table [search] with at least ratio, "
                       "modules_mm and pinion_teeth"};
     return speaks ? fail(error, c.json) : 1;
   }
@@ -207,7 +204,7 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
   const auto run = run_search(*spec, search, options);
-  if (!run) return speaks ? fail(run.error(), c.json) : 1;
+  if (!run) return speaks ? fail(spelled(run.error(), spec->given), c.json) : 1;
   for (const std::string& note : run->notes) std::fprintf(stderr, "gearwright: %s\n", note.c_str());
   if (!run->finished) return speaks ? say_unfinished(c, *run) : run->stopped ? 3 : 0;
   if (c.take) return take_one(c, *spec, search, *run);

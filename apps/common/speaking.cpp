@@ -19,7 +19,7 @@ void print(const std::string& text) {
 void print_json(const Json& j) { print(json_text(j, 2) + "\n"); }
 
 int fail(const Error& error, bool json) {
-  std::fprintf(stderr, "gearwright: %s\n", error.message.c_str());
+  std::fprintf(stderr, "gearwright: %s\n", error.message().c_str());
   if (json) print_json(error_json(error));
   return 1;
 }

@@ -12,7 +12,8 @@ namespace gearwright::cli {
 void print(const std::string& text);
 /// Names of files may be any bytes; JSON takes characters only.   Throws  IoError
 void print_json(const Json& j);
-/// The input is wrong or the gears are impossible: says so, as JSON too if asked; status 1.
+/// The input is wrong or the gears are impossible: says so, as JSON too if asked; status 1. What
+/// the library says is spelled (catalogue/spelling.hpp) before, what is read from a file is not.
 int fail(const Error& error, bool json);
 /// The command line is wrong: status 2.
 int usage(const std::string& message);

@@ -20,7 +20,7 @@ RackOfArcs rack_of(ArcRack::Cutter cutter, double radius, double a, double b) {
   rack.center_a = a;
   rack.center_b = b;
   const auto made = arcs_of(rack);
-  if (!made) throw std::logic_error(made.error().message);
+  if (!made) throw std::logic_error(made.error().message());
   return *made;
 }
 

@@ -30,7 +30,7 @@ Figure contact_figure() {
   crowning.profile_crowning = 0.004;
   const auto field = make_removal_field(crowning, {one.base_radius(), *one.root_form_radius(),
                                                    one.tip_form_radius(), one.spec.face_width});
-  if (!field) throw std::logic_error(field.error().message);
+  if (!field) throw std::logic_error(field.error().message());
   ContactMount place;
   place.center_distance =
       reference_center_distance(21, 55, spec.normal_module, std::cos(spec.helix_angle.rad()));

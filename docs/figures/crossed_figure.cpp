@@ -31,7 +31,7 @@ Figure crossed_figure() {
   const CrossedPlace least = crossed_place(gears, *least_angle);
   const auto mounted = mount_involutes(
       one, two, {.center_distance = least.center_distance, .shaft_angle = least.shaft_angle});
-  if (!mounted) throw std::logic_error(mounted.error().message);
+  if (!mounted) throw std::logic_error(mounted.error().message());
   const auto range = contact_ratio_range(mounted->input);
   if (!range) throw std::logic_error("the figure's teeth do not meet");
 

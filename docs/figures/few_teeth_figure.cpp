@@ -27,13 +27,13 @@ Figure few_teeth_figure() {
   spec.tip_fillet = TipFilletSpec{TipFilletSpec::By::radius, 0.332};
   const Gear pinion = gear_of(spec);
   const auto distance = generating_distance(pinion, 60, -1.4);
-  if (!distance) throw std::logic_error(distance.error().message);
+  if (!distance) throw std::logic_error(distance.error().message());
   PinionCutSpec cut;
   cut.teeth = 60;
   cut.distance = *distance;
   cut.face_width = 12;
   const auto wheel = make_pinion_cut_gear(pinion, cut);
-  if (!wheel) throw std::logic_error(wheel.error().message);
+  if (!wheel) throw std::logic_error(wheel.error().message());
 
   // Left: the tooth upright.
   {

@@ -214,7 +214,7 @@ std::vector<Vec2> teeth(const Gear& gear, int first, int last, double angle, dou
 
 Gear gear_of(const CylindricalSpec& spec) {
   auto gear = make_gear(spec);
-  if (!gear) throw std::logic_error(gear.error().message);
+  if (!gear) throw std::logic_error(gear.error().message());
   return *gear;
 }
 

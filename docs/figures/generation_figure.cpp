@@ -47,7 +47,7 @@ Figure generation_figure() {
   const Gear gear = gear_of(spec);
   const double r = gear.reference_diameter / 2;
   const auto made = make_edge(spec.straight_rack(), spec.normal_module, spec.normal_pressure_angle);
-  if (!made) throw std::logic_error(made.error().message);
+  if (!made) throw std::logic_error(made.error().message());
   const std::vector<Vec2> side = edge_points(made->edge, spec.normal_module, 10.0);
   const double pitch = std::numbers::pi * spec.normal_module;
   const Viewport view{860, 600, {45.5, 0}, 16, true};

@@ -26,7 +26,7 @@ Figure mesh_triangle_figure() {
   const double alpha_0 = spec.normal_pressure_angle.rad();
   const double a = tight_center_distance(17, 23, 10.0, alpha_0, alpha_0, 1.0, 0.5);
   const auto mounted = mount_involutes(one, two, {.center_distance = a});
-  if (!mounted) throw std::logic_error(mounted.error().message);
+  if (!mounted) throw std::logic_error(mounted.error().message());
   const InvolutePair& pair = *mounted;
   const Mesh<double>& m = pair.mesh;
   const Viewport view{860, 620, {a / 2 - 6, 8}, 3.7};

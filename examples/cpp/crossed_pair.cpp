@@ -7,7 +7,7 @@ using namespace gearwright;
 using namespace gearwright::literals;
 
 int fail(const Error& error) {
-  std::fprintf(stderr, "%s\n", error.message.c_str());
+  std::fprintf(stderr, "%s\n", error.message().c_str());
   return 1;
 }
 

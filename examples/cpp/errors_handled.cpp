@@ -1,4 +1,4 @@
-// What goes wrong is a value: an error names the number to mend, a warning what the gear became.
+// What goes wrong is a value: an error names the field to mend, a warning what the gear became.
 #include <cstdio>
 
 #include <gearwright/gearwright.hpp>
@@ -6,7 +6,7 @@
 using namespace gearwright;
 using namespace gearwright::literals;
 
-void tell(const Error& error) { std::printf("error: %s\n", error.message.c_str()); }
+void tell(const Error& error) { std::printf("error: %s\n", error.message().c_str()); }
 
 void tell(const Result<Gear>& gear) {
   if (!gear) return tell(gear.error());
@@ -27,6 +27,7 @@ int main() {
   if (!one || !other) return 1;
   const Result<Pair> pair = mount(*one, *other, {.center_distance = 56});
   if (!pair) tell(pair.error());
+  if (!pair && pair.error().field == "gear2.normal_module") std::printf("mend: the wheel\n");
 
   // Two that do, and lose contact where the shafts stand too far apart: `contact_lost`.
   const Result<Pair> far = mount(*one, *one, {.center_distance = 42});
@@ -37,9 +38,10 @@ int main() {
 }
 
 /* prints
-error: normal_module_mm = -1: must lie between 0.001 and 1000 mm
+error: normal_module = -1: must lie between 0.001 and 1000 mm
 9 teeth, tip diameter 22.000 mm
   warning undercut
-error: gear2.normal_module_mm = 2.5: the normal base pitches differ by 1.47607 mm: gear1 has 5.904262868187098 mm, gear2 7.3803285852338725 mm; gears mesh only with equal m_n cos α_n. At this pressure angle the module would have to be 2 mm, at this base helix the base diameter 56.3815572 mm
+error: gear2.normal_module = 2.5: the normal base pitches differ by 1.47607 mm: gear 1 has 5.90426 mm, gear 2 7.38033 mm; gears mesh only with equal m_n cos α_n. At this pressure angle the module would have to be 2 mm, at this base helix the base diameter 56.3815572 mm
+mend: the wheel
 contact lost: yes
 */

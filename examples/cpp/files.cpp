@@ -6,7 +6,7 @@
 using namespace gearwright;
 
 int fail(const Error& error) {
-  std::fprintf(stderr, "%s\n", error.message.c_str());
+  std::fprintf(stderr, "%s\n", error.message().c_str());
   return 1;
 }
 

@@ -1,23 +1,16 @@
 // Result<T>: a value, or the reason why there is none.
 //
 // Facts about gears (no working angle, a tooth that cannot exist) are answers, not accidents. The
-// error carries what a person needs to mend the input: the key, its value, what is allowed and what
-// would help, in one sentence.
+// error carries what a person needs to mend the input: base/error.hpp.
 #pragma once
 
-#include <string>
 #include <utility>
 #include <variant>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/error.hpp"
 
 namespace gearwright {
-
-struct Error {
-  std::string key;      ///< dotted path of the input, "gear1.normal_module_mm"; empty if none
-  std::string value;    ///< its value as given
-  std::string message;  ///< one sentence: what is wrong, what is allowed, what would help
-};
 
 template <class T>
 class [[nodiscard]] Result {

@@ -27,10 +27,6 @@ std::vector<Column> arc_columns(double radius, double begin, double end, int seg
   return columns;
 }
 
-Error refuse(const char* key, double value, std::string message) {
-  return {key, fmt::format("{}", value), std::move(message)};
-}
-
 }  // namespace
 
 double bore_reach(const Bore& bore) {
@@ -40,17 +36,16 @@ double bore_reach(const Bore& bore) {
 
 std::optional<Error> bore_error(const Bore& bore, double room) {
   if (!(bore.diameter > 0.0)) {
-    return refuse("bore.diameter_mm", bore.diameter,
-                  "a bore must be greater than 0; leave it out for a solid body");
+    return refused("bore.diameter", bore.diameter,
+                   "a bore must be greater than 0; leave it out for a solid body");
   }
   if (!(bore.keyway_width >= 0.0 && bore.keyway_width < bore.diameter)) {
-    return refuse("bore.keyway_width_mm", bore.keyway_width,
-                  fmt::format("a keyway must be at least 0 and narrower than the bore, {} mm",
-                              bore.diameter));
+    return refused("bore.keyway_width", bore.keyway_width, {0.0, bore.diameter},
+                   "a keyway must be at least {} and narrower than the bore, {} mm");
   }
   if (has_keyway(bore) && !(bore.keyway_depth >= 0.0)) {
-    return refuse("bore.keyway_depth_mm", bore.keyway_depth,
-                  "a keyway's depth, measured from the bore circle, must not be negative");
+    return refused("bore.keyway_depth", bore.keyway_depth,
+                   "a keyway's depth, measured from the bore circle, must not be negative");
   }
   if (bore_reach(bore) <= room) return std::nullopt;
 
@@ -60,8 +55,8 @@ std::optional<Error> bore_error(const Bore& bore, double room) {
       room > half ? 2.0 * (std::sqrt((room - half) * (room + half)) - depth) : 0.0;
   const double printed = std::floor(largest * 1000.0) / 1000.0;  // rounded down: it fits
   const char* with = has_keyway(bore) ? " with its keyway" : "";
-  return refuse(
-      "bore.diameter_mm", bore.diameter,
+  return refused(
+      "bore.diameter", bore.diameter,
       printed > bore.keyway_width
           ? fmt::format("the bore{} must stay inside the root: at most {:.3f} mm", with, printed)
           : fmt::format("the bore{} must stay inside the root; none does", with));

@@ -53,14 +53,13 @@ Result<WallLoop> make_rim(const ToothedBody& body, double outer) {
   const double smallest = std::ceil(2.0 * room * 1000.0) / 1000.0;  // rounded up: it fits
   const std::string need = fmt::format(
       "a ring's bore is its rim and must lie around its roots: at least {:.3f} mm", smallest);
-  if (!body.bore) return Error{"bore.diameter_mm", "", need};
+  if (!body.bore) return Error{"bore.diameter", "", need};
   const Bore& rim = *body.bore;
   if (rim.keyway_width > 0.0) {
-    return Error{"bore.keyway_width_mm", fmt::format("{}", rim.keyway_width),
-                 "a ring has no keyway; leave it out"};
+    return refused("bore.keyway_width", rim.keyway_width, "a ring has no keyway; leave it out");
   }
   if (!(rim.diameter / 2.0 >= room)) {
-    return Error{"bore.diameter_mm", fmt::format("{}", rim.diameter), need};
+    return refused("bore.diameter", rim.diameter, need);
   }
   return circle(rim.diameter / 2.0);
 }

@@ -159,9 +159,9 @@ TEST(Contour, ASeveredToothIsAFact) {
   for (const ToothedBody& body : {deep, testing::plain_body(12, 20.0, -0.02, 24.0, 0.05)}) {
     const auto contour = closed_contour(body.outline);
     ASSERT_FALSE(contour);
-    EXPECT_EQ(contour.error().key, "teeth");
+    EXPECT_EQ(contour.error().field, "teeth");
     EXPECT_EQ(contour.error().value, std::to_string(body.outline.teeth));
-    EXPECT_NE(contour.error().message.find("crosses"), std::string::npos);
+    EXPECT_NE(contour.error().message().find("crosses"), std::string::npos);
   }
 }
 

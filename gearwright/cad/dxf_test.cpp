@@ -122,7 +122,7 @@ std::vector<ToothedBody> bodies() {
 
 Drawing drawing_of(const ToothedBody& body, const ContourOptions& options = {}) {
   const auto drawing = dxf_drawing(body, options);
-  EXPECT_TRUE(static_cast<bool>(drawing)) << (drawing ? "" : drawing.error().message);
+  EXPECT_TRUE(static_cast<bool>(drawing)) << (drawing ? "" : drawing.error().message());
   return *drawing;
 }
 
@@ -303,7 +303,7 @@ TEST(Dxf, RefusesWhatIsNoGear) {
   body.bore = Bore{35.1};
   const auto wide = dxf_drawing(body);
   ASSERT_FALSE(wide);
-  EXPECT_NE(wide.error().key.find("bore.diameter_mm"), std::string::npos);
+  EXPECT_NE(wide.error().field.find("bore.diameter"), std::string::npos);
   body.bore = Bore{34.0, 8.0, 3.0};
   EXPECT_FALSE(dxf_drawing(body));
   ToothedBody ring = testing::ring_body(40, 2.0, 0.0, 10.0, 84.0);
@@ -315,8 +315,8 @@ TEST(Dxf, SaysWhatToleranceItCanKeep) {
   // Nothing in doubles is within 1e-18 mm.
   const auto drawing = dxf_drawing(testing::sample_body({}), {.tolerance_mm = 1e-18});
   ASSERT_FALSE(drawing);
-  EXPECT_EQ(drawing.error().key, "tolerance_mm");
-  EXPECT_NE(drawing.error().message.find("root_fillet"), std::string::npos);
+  EXPECT_EQ(drawing.error().field, "tolerance_mm");
+  EXPECT_NE(drawing.error().message().find("root_fillet"), std::string::npos);
 }
 
 }  // namespace

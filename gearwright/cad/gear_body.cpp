@@ -5,11 +5,11 @@ namespace gearwright {
 Result<ToothedBody> gear_body(const Gear& gear, const std::string& name,
                               const std::optional<Bore>& bore) {
   if (!gear.tooth)
-    return Error{"cut_by", "", "cut_by: is missing; a ring's outline is cut by a pinion cutter"};
+    return Error{"cut_by", "", "is missing; a ring's outline is cut by a pinion cutter"};
   if (!gear.exists()) {
     const std::string why =
         gear.warnings.empty() ? "there is no such tooth" : gear.warnings.back().message;
-    return Error{"teeth", std::to_string(gear.spec.teeth), "teeth: " + why};
+    return Error{"teeth", std::to_string(gear.spec.teeth), why};
   }
   ToothedBody body;
   body.name = name;

@@ -22,41 +22,41 @@ TEST(MeshRefusal, ABoreThatCutsTheRoot) {
   body.bore = Bore{36.0};
   auto wide = tessellate(body);
   ASSERT_FALSE(wide);
-  EXPECT_EQ(wide.error().key, "bore.diameter_mm");
+  EXPECT_EQ(wide.error().field, "bore.diameter");
   EXPECT_EQ(wide.error().value, "36");
-  EXPECT_NE(wide.error().message.find("at most 34.998 mm"), std::string::npos)
-      << wide.error().message;
+  EXPECT_NE(wide.error().message().find("at most 34.998 mm"), std::string::npos)
+      << wide.error().message();
   body.bore = Bore{34.998};
   EXPECT_TRUE(tessellate(body));
 
   body.bore = Bore{30.0, 8.0, 3.5};  // corner at hypot(4, 18.5) = 18.93
   const auto corner = tessellate(body);
   ASSERT_FALSE(corner);
-  EXPECT_EQ(corner.error().key, "bore.diameter_mm");
+  EXPECT_EQ(corner.error().field, "bore.diameter");
   const double largest = std::floor(2e3 * (std::sqrt(17.499 * 17.499 - 16.0) - 3.5)) / 1e3;
-  EXPECT_NE(corner.error().message.find(std::to_string(largest).substr(0, 6)), std::string::npos)
-      << corner.error().message;
+  EXPECT_NE(corner.error().message().find(std::to_string(largest).substr(0, 6)), std::string::npos)
+      << corner.error().message();
   body.bore->diameter = largest;
   EXPECT_TRUE(tessellate(body));
   body.bore = Bore{6.0, 36.0, 1.0};
-  EXPECT_EQ(tessellate(body).error().key, "bore.keyway_width_mm");
+  EXPECT_EQ(tessellate(body).error().field, "bore.keyway_width");
   body.bore = Bore{0.0};
-  EXPECT_EQ(tessellate(body).error().key, "bore.diameter_mm");
+  EXPECT_EQ(tessellate(body).error().field, "bore.diameter");
   body.bore = Bore{20.0, 6.0, -1.0};
-  EXPECT_EQ(tessellate(body).error().key, "bore.keyway_depth_mm");
+  EXPECT_EQ(tessellate(body).error().field, "bore.keyway_depth");
 }
 
 TEST(MeshRefusal, WhatIsNoBody) {
   ToothedBody ring = ring_body(40, 2, 0.0, 15, 84);  // roots at 85 mm
-  EXPECT_EQ(tessellate(ring).error().key, "bore.diameter_mm");
+  EXPECT_EQ(tessellate(ring).error().field, "bore.diameter");
   ring.bore.reset();
-  EXPECT_EQ(tessellate(ring).error().key, "bore.diameter_mm");
+  EXPECT_EQ(tessellate(ring).error().field, "bore.diameter");
   ring.bore = Bore{95.0, 4.0, 2.0};
-  EXPECT_EQ(tessellate(ring).error().key, "bore.keyway_width_mm");
+  EXPECT_EQ(tessellate(ring).error().field, "bore.keyway_width");
 
   ToothedBody none = sample_body({});
   none.outline.arcs.clear();
-  EXPECT_EQ(tessellate(none).error().key, "teeth");
+  EXPECT_EQ(tessellate(none).error().field, "teeth");
 
   // Flanks that cross the tooth's centre line: a severed tooth.
   ToothedBody severed{"severed", {3, {}}, 0.0, 5.0, std::nullopt, Eigen::Isometry3d::Identity()};
@@ -66,9 +66,9 @@ TEST(MeshRefusal, WhatIsNoBody) {
                   std::make_shared<testing::SampleLine>(root, corner(6, -0.5)), 0, 1);
   testing::append(severed.outline, ArcName::flank,
                   std::make_shared<testing::SampleLine>(corner(6, -0.5), corner(8, 0.0)), 0, 1);
-  EXPECT_EQ(tessellate(severed).error().key, "teeth");
+  EXPECT_EQ(tessellate(severed).error().field, "teeth");
 
-  EXPECT_EQ(tessellate(sample_body({.beta = 0.3}), {.chord_tolerance_mm = 1e-9}).error().key,
+  EXPECT_EQ(tessellate(sample_body({.beta = 0.3}), {.chord_tolerance_mm = 1e-9}).error().field,
             "chord_tolerance_mm");
 }
 

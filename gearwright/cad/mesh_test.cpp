@@ -121,7 +121,7 @@ std::vector<Case> cases() {
 
 TriangleMesh mesh_of(const ToothedBody& body, double tolerance = 0.005) {
   auto mesh = tessellate(body, {.chord_tolerance_mm = tolerance});
-  EXPECT_TRUE(mesh) << (mesh ? "" : mesh.error().message);
+  EXPECT_TRUE(mesh) << (mesh ? "" : mesh.error().message());
   return mesh ? std::move(mesh).take() : TriangleMesh{};
 }
 

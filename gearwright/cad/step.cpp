@@ -142,10 +142,7 @@ Result<StepDocument> make_document(const std::vector<ToothedBody>& bodies,
   std::vector<Part> parts;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const ToothedBody& body = bodies[i];
-    const auto of_body = [&](Error error) {
-      error.message = body.name + ": " + error.message;
-      return error;
-    };
+    const auto of_body = [&](Error error) { return within(body.name, std::move(error)); };
     const auto walls = make_walls(body);
     if (!walls) return of_body(walls.error());
     const std::size_t faces =

@@ -93,7 +93,7 @@ class StepSolidOf : public ::testing::TestWithParam<Case> {};
 TEST_P(StepSolidOf, IsAValidClosedSolidOfTheExactVolume) {
   const Case& c = GetParam();
   const auto made = make_solid(c.body);
-  ASSERT_TRUE(made) << made.error().message;
+  ASSERT_TRUE(made) << made.error().message();
   EXPECT_EQ(made->face_count, c.faces);
 
   TopTools_IndexedMapOfShape faces, edges, vertices, shells;
@@ -195,7 +195,7 @@ TEST(StepSolid, WorkGrowsWithTheTeethAlone) {
 TEST(StepSolid, BoreTooLargeIsAnAnswer) {
   const auto made = make_solid(with_bore(sample_body({}), {80.0}));
   ASSERT_FALSE(made);
-  EXPECT_EQ(made.error().key, "bore.diameter_mm");
+  EXPECT_EQ(made.error().field, "bore.diameter");
   EXPECT_EQ(made.error().value, "80");
 }
 

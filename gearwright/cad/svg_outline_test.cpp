@@ -90,7 +90,7 @@ std::vector<ToothedBody> bodies() {
 
 Drawing drawing_of(const ToothedBody& body, const SvgOptions& options = {}) {
   const auto drawing = svg_drawing(body, options);
-  EXPECT_TRUE(static_cast<bool>(drawing)) << (drawing ? "" : drawing.error().message);
+  EXPECT_TRUE(static_cast<bool>(drawing)) << (drawing ? "" : drawing.error().message());
   return *drawing;
 }
 
@@ -148,7 +148,7 @@ TEST(Svg, RefusesWhatIsNoGear) {
   EXPECT_FALSE(svg_drawing(testing::plain_body(12, 20.0, -0.02, 24.0, 0.05)));
   const auto drawing = svg_drawing(testing::sample_body({}), {.tolerance_mm = 1e-18});
   ASSERT_FALSE(drawing);
-  EXPECT_EQ(drawing.error().key, "tolerance_mm");
+  EXPECT_EQ(drawing.error().field, "tolerance_mm");
 }
 
 }  // namespace

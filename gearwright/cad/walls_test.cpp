@@ -148,21 +148,21 @@ TEST(Walls, BoreKeywayAndRim) {
 TEST(Walls, RefusesWhatIsNoBody) {
   auto body = plain_body(12, 20.0, 0.2, 25.0, 0.08);
   body.bore = Bore{40.0};
-  EXPECT_EQ(make_walls(body).error().key, "bore.diameter_mm");
+  EXPECT_EQ(make_walls(body).error().field, "bore.diameter");
   EXPECT_EQ(make_walls(body).error().value, "40");
   body.bore = Bore{36.0, 10.0, 2.0};  // the corner: hypot(5, 20) > 20
-  EXPECT_EQ(make_walls(body).error().key, "bore.diameter_mm");
+  EXPECT_EQ(make_walls(body).error().field, "bore.diameter");
   body.bore = Bore{34.0, 10.0, 2.0};
   EXPECT_TRUE(make_walls(body));
   body.bore = Bore{10.0, 10.0, 2.0};
-  EXPECT_EQ(make_walls(body).error().key, "bore.keyway_width_mm");
+  EXPECT_EQ(make_walls(body).error().field, "bore.keyway_width");
   auto ring = plain_body(-12, 25.0, 0.2, 20.0, 0.08);
-  EXPECT_EQ(make_walls(ring).error().key, "bore.diameter_mm");
+  EXPECT_EQ(make_walls(ring).error().field, "bore.diameter");
   ring.bore = Bore{50.0};
-  EXPECT_EQ(make_walls(ring).error().key, "bore.diameter_mm");
+  EXPECT_EQ(make_walls(ring).error().field, "bore.diameter");
 
-  EXPECT_EQ(make_walls(plain_body(12, 20.0, -0.01, 25.0, 0.08)).error().key, "teeth");  // tooth
-  EXPECT_EQ(make_walls(plain_body(12, 20.0, 0.30, 25.0, 0.08)).error().key, "teeth");   // space
+  EXPECT_EQ(make_walls(plain_body(12, 20.0, -0.01, 25.0, 0.08)).error().field, "teeth");  // tooth
+  EXPECT_EQ(make_walls(plain_body(12, 20.0, 0.30, 25.0, 0.08)).error().field, "teeth");   // space
 }
 
 // A flank that jumps by 0.01 mm halfway: no spline comes near it.
@@ -185,7 +185,8 @@ TEST(Walls, RefusesAnArcThatNoSplineMeets) {
   const auto walls =
       make_walls({"torn", outline, 0.0, 10.0, std::nullopt, Eigen::Isometry3d::Identity()});
   ASSERT_FALSE(walls);
-  EXPECT_NE(walls.error().message.find("the flank cannot be drawn as a spline"), std::string::npos);
+  EXPECT_NE(walls.error().message().find("the flank cannot be drawn as a spline"),
+            std::string::npos);
 }
 
 }  // namespace

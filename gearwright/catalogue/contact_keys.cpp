@@ -53,7 +53,7 @@ const KeyTable& contact_keys() {
         .range = Range::between(-1e6, 1e6),
         .list = KeyList{1, 100'000},
         .meaning = "rotations of gear 1, in place of positions and pitches",
-        .field = "rotations"},
+        .fields = {"rotations"}},
        {.key = "map",
         .kind = KeyKind::table,
         .tables = {contact_map_keys},

@@ -13,7 +13,6 @@ using Gears = std::array<const Gear*, 2>;
 
 constexpr double kMaxTilt = 10;     // degrees: beyond it a shaft is not misaligned but elsewhere
 constexpr double kMaxSlope = 5000;  // µm over the face
-constexpr double kMinLead = 0.5, kMaxLead = 90.0;  // degrees
 
 // κ of f_Hβ over the face width, at the reference cylinder.
 void set_helix_slope(ContactErrors& e, const Gears& gears, std::size_t i, double slope_um) {
@@ -58,10 +57,9 @@ double ErrorEntry::si() const {
   return unit() == "deg" ? kRadPerDeg : unit() == "um" ? kMmPerUm : 1.0;
 }
 
-bool ErrorEntry::possible(const Gear& of, double value) const {
-  if (unit() != "deg" || gear == 0) return true;
-  const double lambda = 90.0 - std::abs(of.spec.helix_angle.deg()) + value;
-  return lambda > kMinLead && lambda < kMaxLead;
+std::string ErrorEntry::member() const {
+  if (gear == 0) return std::string(name());
+  return (of_cutter() ? "cutter_lead[" : "helix_twist[") + std::to_string(gear - 1) + "]";
 }
 
 std::optional<std::size_t> error_index(std::string_view key) {
@@ -91,7 +89,8 @@ const KeyTable& error_keys() {
                           return errors.value[i];
                         }),
                         .fallback = "0",
-                        .meaning = e.meaning});
+                        .meaning = e.meaning,
+                        .fields = {e.member()}});
     }
     return t;
   }();

@@ -30,8 +30,8 @@ struct ErrorEntry {
   double si() const;                                       ///< rad or mm of one unit
   /// "crossing" of crossing_deg.
   std::string_view name() const { return key.substr(0, key.size() - unit().size() - 1); }
-  /// Whether a gear can have it: a cutter's lead leaves the lead angle between 0.5° and 90°.
-  bool possible(const Gear& of, double value) const;
+  bool of_cutter() const { return gear != 0 && unit() == "deg"; }
+  std::string member() const;  ///< of ContactErrors, "cutter_lead[0]"
 };
 
 /// In the order in which people read them.

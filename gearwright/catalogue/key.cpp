@@ -60,10 +60,10 @@ std::string_view key_unit(std::string_view key) {
   return {};
 }
 
-std::string Key::member() const {
-  if (!field.empty()) return field;
+std::vector<std::string> Key::members() const {
+  if (!fields.empty()) return fields;
   const std::string_view unit = key_unit(key);
-  return std::string(unit.empty() ? key : key.substr(0, key.size() - unit.size() - 1));
+  return {std::string(unit.empty() ? key : key.substr(0, key.size() - unit.size() - 1))};
 }
 
 const Key* KeyTable::find(std::string_view name) const {

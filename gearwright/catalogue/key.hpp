@@ -158,10 +158,12 @@ struct Key {
   std::string_view fallback{};  ///< what holds when it is absent: a value as in the file, or words
   bool in_documents = true;     ///< false: the prose beside the table says it
   std::string_view meaning;     ///< one sentence, lower case, without the full stop
-  std::string field{};          ///< the member it sets, as errors name it; else the key's own words
+  /// The members it sets, as errors name them; none: what its name says, "helix_angle" of
+  /// helix_angle_deg.
+  std::vector<std::string> fields{};
 
-  /// "helix_angle" of helix_angle_deg, or `field`.
-  std::string member() const;
+  /// `fields`, or the one of the name.
+  std::vector<std::string> members() const;
 };
 
 /// The keys of one table of a spec, in the order in which people read them.

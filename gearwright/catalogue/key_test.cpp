@@ -176,9 +176,10 @@ TEST(Keys, units_and_members_stand_in_the_names) {
   EXPECT_EQ(key_unit("helix_angle_deg"), "deg");
   EXPECT_EQ(key_unit("normal_diametral_pitch_per_in"), "per_in");
   EXPECT_EQ(key_unit("teeth"), "");
-  EXPECT_EQ((Key{.key = "helix_angle_deg", .meaning = ""}).member(), "helix_angle");
-  EXPECT_EQ((Key{.key = "lead_angle_deg", .meaning = "", .field = "helix_angle"}).member(),
-            "helix_angle");
+  using Members = std::vector<std::string>;
+  EXPECT_EQ((Key{.key = "helix_angle_deg", .meaning = ""}).members(), Members{"helix_angle"});
+  EXPECT_EQ((Key{.key = "lead_angle_deg", .meaning = "", .fields = {"helix_angle"}}).members(),
+            Members{"helix_angle"});
   EXPECT_EQ(plain_words("height of `tool_addendum` [T3.4], in modules"),
             "height of tool_addendum, in modules");
 }

@@ -16,10 +16,12 @@ std::string_view kept(std::string text) {
 void add(std::vector<Key>& keys, Key key) {
   keys.push_back(key);
   const std::string name(key.key);
+  const std::string member = key.members().front();
   const std::string meaning(key.meaning);
   key.in_documents = false;
   for (const std::string_view side : kFlankSides) {
     key.key = kept(std::string(side) + name);
+    key.fields = {std::string(side == "right_" ? kFlankMembers[0] : kFlankMembers[1]) + member};
     key.meaning =
         kept(meaning + (side == "right_" ? ", of the right flank" : ", of the left flank"));
     keys.push_back(key);
@@ -69,20 +71,20 @@ const KeyTable& modification_keys() {
                    .symbol = m.symbol,
                    .range = amount,
                    .meaning = m.meaning,
-                   .field = m.relief ? name + ".amount" : name});
+                   .fields = {m.relief ? name + ".amount" : name}});
       if (!m.relief) continue;
       const bool length = m.reach == "_length_mm";
       add(t.keys, {.key = kept(name + std::string(m.reach)),
                    .range = KeyRange::positive(),
                    .meaning = length ? "the length l, from b/1000 to b/2"
                                      : "the start diameter, on the usable flank",
-                   .field = name + ".reach"});
+                   .fields = {name + ".reach"}});
       add(t.keys, {.key = kept(name + "_shape"),
                    .kind = KeyKind::word,
                    .words = {"linear", "parabolic"},
                    .fallback = "\"linear\"",
                    .meaning = "shape of the relief, C q or C q², q from 0 to 1",
-                   .field = name + ".shape"});
+                   .fields = {name + ".shape"}});
     }
     add(t.keys, {.key = "topography",
                  .kind = KeyKind::text,

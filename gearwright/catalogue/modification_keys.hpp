@@ -35,6 +35,8 @@ struct ModificationEntry {
 const std::array<ModificationEntry, 7>& modification_entries();
 
 constexpr std::array<std::string_view, 2> kFlankSides{"right_", "left_"};
+/// How members of one flank are named: "modifications.right.tip_relief.amount".
+constexpr std::array<std::string_view, 2> kFlankMembers{"right.", "left."};
 
 const KeyTable& modification_keys();
 

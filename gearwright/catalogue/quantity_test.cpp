@@ -119,9 +119,9 @@ std::string fault(const Said& s, const Value& v, std::size_t depth) {
 
 SolvedJob solved(const std::string& text) {
   const auto spec = read_spec(text, SpecFormat::toml);
-  EXPECT_TRUE(spec) << (spec ? "" : spec.error().message);
+  EXPECT_TRUE(spec) << (spec ? "" : spec.error().message());
   auto job = solve(*spec, Scope::everything);
-  EXPECT_TRUE(job) << (job ? "" : job.error().message);
+  EXPECT_TRUE(job) << (job ? "" : job.error().message());
   return std::move(job).take();
 }
 

@@ -5,6 +5,7 @@
 
 #include "gearwright/base/angle.hpp"
 #include "gearwright/catalogue/pair_parts.hpp"
+#include "gearwright/catalogue/spelling.hpp"
 
 namespace gearwright {
 
@@ -251,7 +252,9 @@ void say(Quantities<V>& q) {
 const Quantities<NearestChange>& change_quantities() {
   using C = NearestChange;
   static const Quantities<C> kAll("search.changes", [](Quantities<C>& q) {
-    q.text("key", "of the spec", [](const C& c) { return Value(c.key); }).always();
+    q.text("key", "of the spec", [](const C& c) {
+       return Value(spelled_member("search." + c.field));
+     }).always();
     q.text("from", "as given", [](const C& c) { return Value(c.from); }).always();
     q.text("to", "with which a design exists", [](const C& c) { return Value(c.to); }).always();
     q.pure("", "effort", "effort", "", "they are ordered by it", [](const C& c) {

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "gearwright/base/refusal.hpp"
+#include "gearwright/gear/gear_field.hpp"
 
 namespace gearwright {
 
@@ -27,27 +27,6 @@ struct Held {
     return {&gears[i], {field(0), field(1)}};
   }
 };
-
-Error in_gear(Error error, int which) {
-  const std::string prefix = fmt::format("gear{}.", which);
-  error.key = prefix + error.key;
-  error.message = prefix + error.message;
-  return error;
-}
-
-std::optional<Error> check_lead(const Gear& gear, Angle change, int which) {
-  if (change == Angle()) return std::nullopt;
-  const double delta = change.deg();
-  const std::string key = fmt::format("errors.cutter_lead{}_deg", which);
-  if (gear.twist() == 0.0) return refused(key, delta, "a spur gear has no lead to change");
-  if (gear.cut_by)
-    return refused(key, delta, "the gear is cut by a gear, whose lead is that of its guide");
-  const double lambda = 90.0 - std::abs(gear.spec.helix_angle.deg()) + delta;
-  if (lambda > 0.5 && lambda < 90.0) return std::nullopt;
-  return refused(
-      key, delta,
-      fmt::format("makes the lead angle {} degrees; it must stay between 0.5 and 90", lambda));
-}
 
 bool any_modification(const FlankModifications& m) {
   for (const Relief* relief : {&m.tip_relief, &m.root_relief, &m.end_relief})
@@ -69,10 +48,9 @@ Result<SharedPair> contact_pair(const Pair& pair, const ContactErrors& errors,
   for (int i = 0; i < 2; ++i) {
     const Gear& gear = held->gears[i];
     if (!gear.root_form_radius()) {
-      const std::string key = fmt::format("gear{}", i + 1);
-      return Error{key, "", key + ": has no usable flank to touch with; see its warnings"};
+      return Error{gear_field(i + 1), "", "has no usable flank to touch with; see its warnings"};
     }
-    if (auto error = check_lead(gear, errors.cutter_lead[i], i + 1)) return *error;
+    if (auto error = check_cutter_lead(gear, i + 1, errors.cutter_lead[i])) return *error;
     // Derivatives by a modification need its field, even where nothing is removed.
     const bool asked =
         std::any_of(options.request.influences.begin(), options.request.influences.end(),
@@ -81,7 +59,7 @@ Result<SharedPair> contact_pair(const Pair& pair, const ContactErrors& errors,
     if (!asked && !any_modification(flanks.right) && !any_modification(flanks.left)) continue;
     for (int k = 0; k < 2; ++k) {
       auto field = make_removal_field(k == 0 ? flanks.right : flanks.left, flank_extent(gear));
-      if (!field) return in_gear(field.error(), i + 1);
+      if (!field) return of_flank(i + 1, k, field.error());
       held->removal[i][k] = std::move(field).take();
     }
   }
@@ -97,6 +75,29 @@ Result<Contact> contact(const Pair& pair, const ContactErrors& errors,
   if (!touching) return touching.error();
   Contact contact{analyse_contact(**touching, options.request), std::move(touching).take()};
   return contact;
+}
+
+std::optional<Error> check_cutter_lead(const Gear& gear, int which, Angle change) {
+  if (change == Angle()) return std::nullopt;
+  const double delta = change.deg();
+  const std::string field = fmt::format("errors.cutter_lead[{}]", which - 1);
+  if (gear.twist() == 0.0)
+    return refused(field, delta, "a spur gear has no lead to change; give it a helix angle");
+  if (gear.cut_by)
+    return refused(field, delta,
+                   fmt::format("the gear is cut by a gear, whose lead is that of its guide; a "
+                               "change of it is `errors.helix_twist[{}]`",
+                               which - 1));
+  const double lambda = 90.0 - std::abs(gear.spec.helix_angle.deg()) + delta;
+  if (lambda > kMinLead.deg() && lambda < kMaxLead.deg()) return std::nullopt;
+  return refused(field, delta,
+                 fmt::format("makes the lead angle {} degrees; it must stay between {} and {}",
+                             spoken(lambda, kMaxLead.deg()), kMinLead.deg(), kMaxLead.deg()));
+}
+
+Error of_flank(int which, int side, Error error) {
+  const char* const flank = side == 0 ? "modifications.right" : "modifications.left";
+  return of_gear(which, within(flank, std::move(error)));
 }
 
 FlankExtent flank_extent(const Gear& gear) {

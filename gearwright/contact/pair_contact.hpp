@@ -9,6 +9,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "gearwright/base/result.hpp"
 #include "gearwright/contact/contact.hpp"
@@ -39,7 +40,7 @@ struct Contact : ContactResult {
 ///
 /// Units     mm, rad
 /// Errors    `gearN` without a usable flank; `gearN.modifications.…` as make_removal_field;
-///           `errors.cutter_leadN_deg` where there is no lead to change or it leaves its range
+///           `errors.cutter_lead[N]` where there is no lead to change or it leaves its range
 Result<std::shared_ptr<const ContactPair>> contact_pair(const Pair& pair,
                                                         const ContactErrors& errors = {},
                                                         const ContactOptions& options = {});
@@ -52,6 +53,16 @@ Result<std::shared_ptr<const ContactPair>> contact_pair(const Pair& pair,
 /// Accuracy  as analyse_contact
 Result<Contact> contact(const Pair& pair, const ContactErrors& errors = {},
                         const ContactOptions& options = {});
+
+/// A cutter may be set wrong by this much: nothing, or why not.
+///
+/// Errors    `errors.cutter_lead[N]` of a spur gear, of one that a gear has cut, or where the lead
+///           angle leaves kMinLead to kMaxLead
+std::optional<Error> check_cutter_lead(const Gear& gear, int which, Angle change);
+constexpr Angle kMinLead = Angle::degrees(0.5), kMaxLead = Angle::degrees(90);
+
+/// The error of a flank's modifications, side 0 right, as one of gear 1 or 2.
+Error of_flank(int which, int side, Error error);
 
 /// The usable flank of a gear, which its modifications lie on.
 ///

@@ -26,7 +26,7 @@ TEST(PairContact, equals_a_pair_by_hand_and_outlives_its_own) {
   ContactOptions options;
   options.modifications[0] = on_both_flanks(crowned());
   const auto owned = of_a_pair_that_is_gone(errors, options);
-  ASSERT_TRUE(owned) << owned.error().message;
+  ASSERT_TRUE(owned) << owned.error().message();
   testing::SamplePair by_hand = testing::involutes(20, 41, 15);
   by_hand.modify(1, crowned());
   by_hand.place.errors = errors;

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "gearwright/base/refusal.hpp"
+#include "gearwright/gear/gear_field.hpp"
 #include "gearwright/generation/pinion_envelope.hpp"
 #include "gearwright/math/root.hpp"
 #include "gearwright/pair/drive.hpp"
@@ -192,7 +192,7 @@ class Search {
     if (!beta) return stopped(1, "the centre distance, which no helix angle up to 75° gives");
     const CylindricalSpec spec = cutter_spec(*beta, x1);
     auto cutter = make_gear(spec);
-    if (!cutter) return stopped(2, "the pinion's fillets: " + cutter.error().message);
+    if (!cutter) return stopped(2, "the pinion's fillets: " + cutter.error().quoted());
     if (!cutter->exists() || !cutter->tooth->form_radius || !cutter->tooth->rounded_tip)
       return stopped(2, "the pinion's tooth, which ends before its tip fillet");
     double distance = 0.0;
@@ -205,7 +205,7 @@ class Search {
       distance = *within;
     } else {
       const auto e = generating_distance(*cutter, p_.teeth[1], x2);
-      if (!e) return stopped(3, "the wheel: " + e.error().message);
+      if (!e) return stopped(3, "the wheel: " + e.error().quoted());
       distance = *e;
       const double r_t =
           cutter->base_radius() * std::abs(1.0 + static_cast<double>(p_.teeth[1]) / p_.teeth[0]);
@@ -213,7 +213,7 @@ class Search {
       mounted = distance + side_ * p_.backlash / (2 * tan_w);
     }
     auto whole = make_pinion_cut_gear(*cutter, {p_.teeth[1], distance, spec.face_width, {}});
-    if (!whole) return stopped(4, "the wheel: " + whole.error().message);
+    if (!whole) return stopped(4, "the wheel: " + whole.error().quoted());
     return finished(spec, *cutter, *whole, distance, mounted);
   }
 
@@ -250,7 +250,7 @@ class Search {
       }
     }
     auto pair = mount_involutes(*g1, *g2, {mounted});
-    if (!pair) return stopped(11, pair.error().message);
+    if (!pair) return stopped(11, pair.error().quoted());
     if (!pair->interference.empty())
       return stopped(12, "interference: " + pair->interference.front().message);
     if (!(pair->contact_ratio_true() > 0.0)) return stopped(13, "contact, of which there is none");
@@ -303,13 +303,12 @@ class Search {
 
 Result<FewTeethAnswer> design_few_teeth(const FewTeethProblem& problem) {
   if (!problem.helix && !problem.center_distance) {
-    return Error{"gear1.helix_angle_deg", "",
-                 "gear1.helix_angle_deg: is missing; few teeth need a helix angle, or "
-                 "pair.center_distance_mm to find one"};
+    return Error{gear_field(1, "helix_angle"), "",
+                 "is missing; few teeth need a helix angle, or `pair.center_distance` to find one"};
   }
   if (problem.teeth[1] < 0 && -problem.teeth[1] <= problem.teeth[0]) {
-    return refused("gear2.teeth", problem.teeth[1],
-                   fmt::format("a ring must have more teeth than its pinion (gear1.teeth = {})",
+    return refused(gear_field(2, "teeth"), problem.teeth[1],
+                   fmt::format("a ring must have more teeth than its pinion (gear 1 has {})",
                                problem.teeth[0]));
   }
   Search search(problem);

@@ -55,7 +55,7 @@ struct FewTeethAnswer {
 /// The design with the greatest transverse contact ratio; of those alike to 0.02 the one with the
 /// least |x1 + x2|.
 ///
-/// Errors    `gear1.helix_angle_deg` when neither helix nor centre distance is given; `gear2.teeth`
+/// Errors    `gear1.helix_angle` when neither helix nor centre distance is given; `gear2.teeth`
 Result<FewTeethAnswer> design_few_teeth(const FewTeethProblem& problem);
 
 }  // namespace gearwright

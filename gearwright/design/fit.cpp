@@ -17,10 +17,6 @@ namespace {
 // Relative: a centre distance written with ten digits is the one that was computed.
 constexpr double kSameDistance = 1e-9;
 
-Error missing(const char* key, const std::string& why) {
-  return {key, "", fmt::format("{}: {}", key, why)};
-}
-
 std::array<CylindricalSpec, 2> specs_of(const FitProblem& p) {
   if (p.known) return *p.known;
   std::array<CylindricalSpec, 2> specs;
@@ -49,8 +45,8 @@ FitBranch branch_at(const FitProblem& p, const std::array<double, 2>& shift,
 }
 
 Error one_condition_too_many() {
-  return missing("fit.working_normal_pressure_angle_deg",
-                 "is one condition too many beside what is given; leave it or another number out");
+  return {"fit.working_normal_pressure_angle", "",
+          "is one condition too many beside what is given; leave it or another number out"};
 }
 
 // Known gears on parallel axes: one place is free of backlash.
@@ -70,7 +66,7 @@ Fit place_on_parallel_axes(const FitProblem& p, const BasePair<double>& gears,
     result.reason = fmt::format(
         "on parallel axes these gears are free of backlash at {} mm only; leave out a profile "
         "shift to have it follow from the centre distance",
-        a);
+        spoken(a, *p.center_distance));
     result.nearest_distance = a;
     result.nearest_shaft_angle = Angle();
     return result;
@@ -97,7 +93,7 @@ Fit angles_of_distance(const FitProblem& p, const BasePair<double>& gears,
     result.reason = fmt::format(
         "the minimum centre distance of these gears is {} mm, at the shaft angle {}°; thinner "
         "teeth (less profile shift) come closer",
-        place.center_distance, place.shaft_angle.deg());
+        spoken(place.center_distance, a), spoken(place.shaft_angle.deg()));
   } else {
     result.reason =
         "these teeth are too thin to have a minimum centre distance, and no shaft angle within "
@@ -119,9 +115,9 @@ Result<Fit> place_of_gears(const FitProblem& p) {
     if (p.center_distance || p.shaft_angle) return one_condition_too_many();
     for (const BaseGear<double>& gear : gears) {
       if (has_rack(gear, alpha_n)) continue;
-      return missing("fit.working_normal_pressure_angle_deg",
-                     fmt::format("must be less than {}°, 90° less the base helix angle",
-                                 90 - std::abs(Angle::radians(gear.helix_angle).deg())));
+      return refused("fit.working_normal_pressure_angle", Angle::radians(alpha_n).deg(),
+                     {90 - std::abs(Angle::radians(gear.helix_angle).deg())},
+                     "must be less than {}°, 90° less the base helix angle");
     }
     const int g = limiting_gear(gears);
     const double alpha = std::asin(std::sin(alpha_n) / std::cos(gears[g].helix_angle));
@@ -150,7 +146,7 @@ Result<Fit> place_of_gears(const FitProblem& p) {
     result.reason = fmt::format(
         "at this shaft angle these gears are free of backlash at {} mm only; leave out a profile "
         "shift, the shaft angle or the centre distance to have it follow",
-        a);
+        spoken(a, *p.center_distance));
     return result;
   }
   return Fit{
@@ -163,9 +159,9 @@ Result<Fit> place_of_gears(const FitProblem& p) {
 // Helices and place are known: the sum of the shifts follows.
 Result<Fit> shifts_of_place(const FitProblem& p) {
   if (!p.center_distance) {
-    return missing("pair.center_distance_mm",
-                   "is missing; an absent profile shift is found from it. (With both profile "
-                   "shifts given, the centre distance follows.)");
+    return Error{"pair.center_distance", "",
+                 "is missing; an absent profile shift is found from it. (With both profile shifts "
+                 "given, the centre distance follows.)"};
   }
   if (p.working_normal_pressure_angle) return one_condition_too_many();
   const BasePair<double> gears = base_gears(p);
@@ -176,10 +172,10 @@ Result<Fit> shifts_of_place(const FitProblem& p) {
     const auto alpha = transverse_angle_at_pitch_sum(gears, *p.center_distance);
     if (!alpha) {
       Fit none;
-      none.reason = fmt::format(
-          "the centre distance must be greater than {} mm, the sum of the "
-          "base radii",
-          base_radius_sum(gears));
+      none.reason = refused("", *p.center_distance, {base_radius_sum(gears)},
+                            "the centre distance must be greater than {} mm, the sum of the base "
+                            "radii")
+                        .rule;
       none.nearest_distance = base_radius_sum(gears);
       return none;
     }
@@ -221,13 +217,13 @@ Result<Fit> fit(const FitProblem& p) {
     if (auto error = check_partners(specs[0], specs[1], p.shaft_angle)) return *error;
     return shifts ? place_of_gears(p) : shifts_of_place(p);
   }
-  for (const auto& [known, key] :
-       {std::pair{p.center_distance.has_value(), "pair.center_distance_mm"},
-        std::pair{p.shaft_angle.has_value(), "pair.shaft_angle_deg"}}) {
+  for (const auto& [known, field] :
+       {std::pair{p.center_distance.has_value(), "pair.center_distance"},
+        std::pair{p.shaft_angle.has_value(), "pair.shaft_angle"}}) {
     if (known) continue;
-    return missing(key,
-                   "is missing; to find helix angles both centre distance and shaft angle are "
-                   "needed");
+    return Error{field, "",
+                 "is missing; to find helix angles both centre distance and shaft angle are "
+                 "needed"};
   }
   return min_distance_designs(p);
 }

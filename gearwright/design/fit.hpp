@@ -58,7 +58,7 @@ struct Fit {
 ///                              distance: with the given α_wn, helix or shifts; else with
 ///                              x1 + x2 = 0
 ///
-/// Errors    the key that is missing, or that makes one condition too many
+/// Errors    the member that is missing, or that makes one condition too many
 Result<Fit> fit(const FitProblem& problem);
 
 }  // namespace gearwright

@@ -104,7 +104,7 @@ TEST(Fit, parallel_axes_come_out_of_it) {
   EXPECT_NEAR(std::cos(r->branches[0].helix[0].rad()), 1.5 * 43 / 66, 1e-13);
   EXPECT_NEAR(r->branches[0].helix[0].rad(), r->branches[0].helix[1].rad(), 1e-15);
   ring.shaft_angle = Angle::radians(0.1);
-  EXPECT_EQ(fit(ring).error().key, "pair.shaft_angle_deg");
+  EXPECT_EQ(fit(ring).error().field, "pair.shaft_angle");
   // Known helices: the shifts.
   FitProblem s = problem(17, 43);
   s.helix = {0_deg, 0_deg};
@@ -131,27 +131,27 @@ TEST(Fit, an_absent_angle_is_that_of_the_least_distance) {
   EXPECT_FALSE(fit(p)->reason.empty());
   p.center_distance = 38.4;
   p.working_normal_pressure_angle = Angle::radians(0.3);
-  EXPECT_EQ(fit(p).error().key, "fit.working_normal_pressure_angle_deg");
+  EXPECT_EQ(fit(p).error().field, "fit.working_normal_pressure_angle");
 }
 
 TEST(Fit, too_much_or_too_little_is_named) {
   FitProblem p = problem(12, 24);
-  EXPECT_EQ(fit(p).error().key, "pair.center_distance_mm");
+  EXPECT_EQ(fit(p).error().field, "pair.center_distance");
   p.center_distance = 40.0;
-  EXPECT_EQ(fit(p).error().key, "pair.shaft_angle_deg");
+  EXPECT_EQ(fit(p).error().field, "pair.shaft_angle");
   p.shaft_angle = Angle::radians(1.5);
   p.helix[0] = Angle::radians(0.7);
   p.shift = {0.0, 0.0};
-  EXPECT_EQ(fit(p).error().key, "gear1.helix_angle_deg");
+  EXPECT_EQ(fit(p).error().field, "gear1.helix_angle");
   p.shift[1].reset();
   p.working_normal_pressure_angle = Angle::radians(0.3);
-  EXPECT_EQ(fit(p).error().key, "fit.working_normal_pressure_angle_deg");
+  EXPECT_EQ(fit(p).error().field, "fit.working_normal_pressure_angle");
   FitProblem q = problem(12, 24);
   q.helix = {Angle::radians(0.7), Angle::radians(0.7)};
-  EXPECT_EQ(fit(q).error().key, "pair.center_distance_mm");
+  EXPECT_EQ(fit(q).error().field, "pair.center_distance");
   q.center_distance = 40.0;
   q.shaft_angle = Angle::radians(0.1);
-  EXPECT_EQ(fit(q).error().key, "pair.shaft_angle_deg");
+  EXPECT_EQ(fit(q).error().field, "pair.shaft_angle");
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "gearwright/base/angle.hpp"
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/gear/gear_field.hpp"
 #include "gearwright/math/involute.hpp"
 #include "gearwright/math/newton.hpp"
 #include "gearwright/math/root.hpp"
@@ -164,10 +165,12 @@ void find_nearest(const FitProblem& p, double cos_wn, Fit& result) {
   const PitchSum& H = designs.pitch_sum();
   const double t = designs.target(cos_wn);
   result.nearest_distance = *p.center_distance * H.min() / t;
-  result.reason = fmt::format(
-      "at the shaft angle {}° every such pair is at least {} mm apart (working normal pressure "
-      "angle {:.6g}°)",
-      p.shaft_angle->deg(), *result.nearest_distance, Angle::radians(std::acos(cos_wn)).deg());
+  result.reason =
+      refused("", *p.center_distance, {*result.nearest_distance},
+              fmt::format("at the shaft angle {}° every such pair is at least {{}} mm "
+                          "apart (working normal pressure angle {:.6g}°)",
+                          spoken(p.shaft_angle->deg()), Angle::radians(std::acos(cos_wn)).deg()))
+          .rule;
   if (p.teeth[1] < 0) return;
   // The least sum of pitch diameters grows with |Σ| from z1 + z2 on.
   if (!(t > p.teeth[0] + p.teeth[1])) {
@@ -187,29 +190,26 @@ void find_nearest(const FitProblem& p, double cos_wn, Fit& result) {
 std::optional<Error> contradiction(const FitProblem& p) {
   const bool shifts = p.shift[0] && p.shift[1];
   const bool helix = p.helix[0] || p.helix[1];
-  const char* helix_key = p.helix[0] ? "gear1.helix_angle_deg" : "gear2.helix_angle_deg";
-  const auto too_many = [](const char* key, const char* other) {
-    return Error{key, "",
-                 fmt::format("{} and {}: one condition too many beside centre distance and shaft "
+  const std::string helix_field = gear_field(p.helix[0] ? 1 : 2, "helix_angle");
+  const std::string alpha_field = "fit.working_normal_pressure_angle";
+  const auto too_many = [](const std::string& field, const std::string& other) {
+    return Error{field, "",
+                 fmt::format("and {} are one condition too many beside centre distance and shaft "
                              "angle; leave one of them out",
-                             key, other)};
+                             other)};
   };
   if (p.working_normal_pressure_angle && shifts)
-    return too_many("fit.working_normal_pressure_angle_deg", "the two profile shifts");
+    return too_many(alpha_field, "the two profile shifts");
   if (p.working_normal_pressure_angle && helix)
-    return too_many("fit.working_normal_pressure_angle_deg", helix_key);
-  if (helix && shifts) return too_many(helix_key, "the two profile shifts");
+    return too_many(alpha_field, "`" + helix_field + "`");
+  if (helix && shifts) return too_many(helix_field, "the two profile shifts");
   if (!(std::abs(p.shaft_angle->rad()) < std::numbers::pi - 3 * kMargin)) {
-    return Error{"pair.shaft_angle_deg", fmt::format("{}", p.shaft_angle->deg()),
-                 fmt::format("pair.shaft_angle_deg = {}: no two helix angles make it; it must lie "
-                             "between -179.7 and 179.7",
-                             p.shaft_angle->deg())};
+    return refused("pair.shaft_angle", p.shaft_angle->deg(),
+                   "no two helix angles make it; it must lie between -179.7° and 179.7°");
   }
   if (p.teeth[1] < 0 && p.shaft_angle->rad() != 0.0) {
-    return Error{"pair.shaft_angle_deg", fmt::format("{}", p.shaft_angle->deg()),
-                 fmt::format("pair.shaft_angle_deg = {}: an internal pair runs on parallel axes "
-                             "only; 0 is allowed",
-                             p.shaft_angle->deg())};
+    return refused("pair.shaft_angle", p.shaft_angle->deg(),
+                   "an internal pair runs on parallel axes only; 0 is allowed");
   }
   return std::nullopt;
 }
@@ -242,9 +242,9 @@ Result<Fit> min_distance_designs(const FitProblem& p) {
       return d->helix[known] - p.helix[known]->rad();
     };
     for (const double b1 : roots(miss, H.lo(), H.hi())) add(b1);
-    result.reason = fmt::format("no pair with {} = {} has its minimum centre distance there",
-                                known == 0 ? "gear1.helix_angle_deg" : "gear2.helix_angle_deg",
-                                p.helix[known]->deg());
+    result.reason =
+        fmt::format("no pair with `{}` = {} has its minimum centre distance there",
+                    gear_field(known + 1, "helix_angle"), spoken(p.helix[known]->deg()));
   } else if (p.working_normal_pressure_angle || wanted_sum == 0.0) {
     // x1 + x2 = 0 at the minimum centre distance: the working angle is the rack's own.
     const Angle alpha = p.working_normal_pressure_angle.value_or(p.normal_pressure_angle);
@@ -263,7 +263,7 @@ Result<Fit> min_distance_designs(const FitProblem& p) {
     if (result.branches.empty()) {
       find_nearest(p, 1.0, result);
       result.reason = fmt::format("no pair with x1 + x2 = {} has its minimum centre distance there",
-                                  wanted_sum);
+                                  spoken(wanted_sum));
       result.nearest_distance.reset();
       result.nearest_shaft_angle.reset();
     }

@@ -28,7 +28,7 @@ std::string shown(const std::array<double, 2>& b) {
 
 // A number that may move from its value towards a far end.
 struct Knob {
-  std::string key;
+  std::string field;  // of SearchProblem
   double value, far;
   double scale;  // one unit of effort
   bool whole;    // teeth
@@ -68,16 +68,16 @@ std::optional<double> min_move(const SearchProblem& problem, const Knob& knob) {
 std::vector<Knob> knobs(const SearchProblem& p) {
   std::vector<Knob> k;
   const auto plain = [](double v) { return shown(v); };
-  k.push_back({"search.contact_ratio_min", p.limits.contact_ratio,
+  k.push_back({"limits.contact_ratio", p.limits.contact_ratio,
                std::min(1.0, p.limits.contact_ratio), 1.0, false,
                [](SearchProblem& q, double v) { q.limits.contact_ratio = v; }, plain});
-  k.push_back({"search.tip_thickness_min", p.limits.tip_thickness, 0.0, 1.0, false,
+  k.push_back({"limits.tip_thickness", p.limits.tip_thickness, 0.0, 1.0, false,
                [](SearchProblem& q, double v) { q.limits.tip_thickness = v; }, plain});
   if (p.center_distance) {
     const auto band = *p.center_distance;
     for (const int i : {0, 1}) {
-      k.push_back({"search.center_distance_mm", band[i], band[i] * (i == 0 ? 0.5 : 2.0), band[i],
-                   false, [i](SearchProblem& q, double v) { (*q.center_distance)[i] = v; },
+      k.push_back({"center_distance", band[i], band[i] * (i == 0 ? 0.5 : 2.0), band[i], false,
+                   [i](SearchProblem& q, double v) { (*q.center_distance)[i] = v; },
                    [band, i](double v) {
                      auto b = band;
                      b[i] = v;
@@ -93,7 +93,7 @@ std::vector<Knob> knobs(const SearchProblem& p) {
     // A ring has more teeth than its pinion: no ratio from −1 up.
     constexpr double kBeyondOne = 1e-3;
     if (p.internal() && i == 1) far = std::min(far, -1.0 - kBeyondOne);
-    k.push_back({"search.ratio", band[i], far, std::abs(band[i]), false,
+    k.push_back({"ratio", band[i], far, std::abs(band[i]), false,
                  [i](SearchProblem& q, double v) { q.ratio[i] = v; },
                  [band, i](double v) {
                    auto b = band;
@@ -103,9 +103,8 @@ std::vector<Knob> knobs(const SearchProblem& p) {
     const auto teeth = p.pinion_teeth;
     const double far_teeth = i == 0 ? std::min(5, teeth[0]) : 2.0 * teeth[1] + 10.0;
     k.push_back(
-        {"search.pinion_teeth", static_cast<double>(teeth[i]), far_teeth,
-         static_cast<double>(teeth[i]), true,
-         [i](SearchProblem& q, double v) { q.pinion_teeth[i] = static_cast<int>(v); },
+        {"pinion_teeth", static_cast<double>(teeth[i]), far_teeth, static_cast<double>(teeth[i]),
+         true, [i](SearchProblem& q, double v) { q.pinion_teeth[i] = static_cast<int>(v); },
          [teeth, i](double v) {
            std::array<double, 2> b{static_cast<double>(teeth[0]), static_cast<double>(teeth[1])};
            b[i] = v;
@@ -115,7 +114,8 @@ std::vector<Knob> knobs(const SearchProblem& p) {
   if (p.limits.min_shift && p.limits.max_shift) {
     const std::array<double, 2> band{*p.limits.min_shift, *p.limits.max_shift};
     for (const int i : {0, 1}) {
-      k.push_back({"search.profile_shift", band[i], band[i] + (i == 0 ? -2.0 : 2.0), 1.0, false,
+      k.push_back({i == 0 ? "limits.min_shift" : "limits.max_shift", band[i],
+                   band[i] + (i == 0 ? -2.0 : 2.0), 1.0, false,
                    [i](SearchProblem& q, double v) {
                      (i == 0 ? q.limits.min_shift : q.limits.max_shift) = v;
                    },
@@ -127,19 +127,19 @@ std::vector<Knob> knobs(const SearchProblem& p) {
     }
   }
   if (p.limits.undercut_margin > 0.0) {
-    k.push_back({"search.undercut_margin", p.limits.undercut_margin, 0.0, 1.0, false,
+    k.push_back({"limits.undercut_margin", p.limits.undercut_margin, 0.0, 1.0, false,
                  [](SearchProblem& q, double v) { q.limits.undercut_margin = v; }, plain});
   }
   if (p.limits.overlap_ratio) {
-    k.push_back({"search.overlap_ratio_min", *p.limits.overlap_ratio, 0.0, 1.0, false,
+    k.push_back({"limits.overlap_ratio", *p.limits.overlap_ratio, 0.0, 1.0, false,
                  [](SearchProblem& q, double v) { q.limits.overlap_ratio = v; }, plain});
   }
   if (p.limits.sliding) {
-    k.push_back({"search.sliding_max", *p.limits.sliding, *p.limits.sliding + 20.0, 2.0, false,
+    k.push_back({"limits.sliding", *p.limits.sliding, *p.limits.sliding + 20.0, 2.0, false,
                  [](SearchProblem& q, double v) { q.limits.sliding = v; }, plain});
   }
   if (p.limits.tip_clearance) {
-    k.push_back({"search.tip_clearance_min", *p.limits.tip_clearance,
+    k.push_back({"limits.tip_clearance", *p.limits.tip_clearance,
                  std::min(0.0, *p.limits.tip_clearance), 1.0, false,
                  [](SearchProblem& q, double v) { q.limits.tip_clearance = v; }, plain});
   }
@@ -154,17 +154,17 @@ std::vector<NearestChange> nearest_changes(const SearchProblem& problem) {
   for (const Knob& knob : knobs(problem)) {
     const auto to = min_move(problem, knob);
     if (!to) continue;
-    found.push_back(
-        {knob.key, knob.show(knob.value), knob.show(*to), std::abs(*to - knob.value) / knob.scale});
+    found.push_back({knob.field, knob.show(knob.value), knob.show(*to),
+                     std::abs(*to - knob.value) / knob.scale});
   }
-  const auto switched = [&](const char* key, const auto& set) {
+  const auto switched = [&](const char* field, const auto& set) {
     SearchProblem p = problem;
     set(p);
-    if (feasible(p)) found.push_back({key, "true", "false", 0.5});
+    if (feasible(p)) found.push_back({field, "true", "false", 0.5});
   };
-  if (problem.coprime) switched("search.coprime", [](SearchProblem& p) { p.coprime = false; });
+  if (problem.coprime) switched("coprime", [](SearchProblem& p) { p.coprime = false; });
   if (problem.limits.avoid_interference)
-    switched("search.avoid_interference",
+    switched("limits.avoid_interference",
              [](SearchProblem& p) { p.limits.avoid_interference = false; });
   std::stable_sort(found.begin(), found.end(), [](const NearestChange& a, const NearestChange& b) {
     return a.effort < b.effort;

@@ -12,9 +12,9 @@
 namespace gearwright {
 
 struct NearestChange {
-  std::string key;   ///< "search.contact_ratio_min"
-  std::string from;  ///< as given, "1.2" or "[99, 101]"
-  std::string to;    ///< with which a design exists: rounded to the side that lets it through
+  std::string field;  ///< the member of SearchProblem, "limits.contact_ratio"
+  std::string from;   ///< as given, "1.2" or "[99, 101]"
+  std::string to;     ///< with which a design exists: rounded to the side that lets it through
   /// |to − from| in units of the value itself (distance, ratio, teeth), of 1, or of 2 (sliding); a
   /// switch counts 0.5.
   double effort;  ///< they are ordered by it

@@ -35,29 +35,34 @@ std::array<double, 2> band(const std::string& text) {
   return {a, a};
 }
 
-// Sets the key of a change to a band; one number where the key holds one.
+// The member that a change is about; both ends of the shifts are one band.
+std::string member(const NearestChange& c) {
+  return c.field.ends_with("_shift") ? "limits.shift" : c.field;
+}
+
+// Sets a member to a band; one number where it holds one.
 void set(SearchProblem& p, const std::string& key, const std::array<double, 2>& v) {
   SearchLimits& l = p.limits;
-  if (key == "search.contact_ratio_min") {
+  if (key == "limits.contact_ratio") {
     l.contact_ratio = v[0];
-  } else if (key == "search.tip_thickness_min") {
+  } else if (key == "limits.tip_thickness") {
     l.tip_thickness = v[0];
-  } else if (key == "search.center_distance_mm") {
+  } else if (key == "center_distance") {
     p.center_distance = v;
-  } else if (key == "search.ratio") {
+  } else if (key == "ratio") {
     p.ratio = v;
-  } else if (key == "search.pinion_teeth") {
+  } else if (key == "pinion_teeth") {
     p.pinion_teeth = {static_cast<int>(v[0]), static_cast<int>(v[1])};
-  } else if (key == "search.profile_shift") {
+  } else if (key == "limits.shift") {
     l.min_shift = v[0];
     l.max_shift = v[1];
-  } else if (key == "search.undercut_margin") {
+  } else if (key == "limits.undercut_margin") {
     l.undercut_margin = v[0];
-  } else if (key == "search.overlap_ratio_min") {
+  } else if (key == "limits.overlap_ratio") {
     l.overlap_ratio = v[0];
-  } else if (key == "search.sliding_max") {
+  } else if (key == "limits.sliding") {
     l.sliding = v[0];
-  } else if (key == "search.tip_clearance_min") {
+  } else if (key == "limits.tip_clearance") {
     l.tip_clearance = v[0];
   } else {
     FAIL() << key;
@@ -96,65 +101,65 @@ std::vector<Empty> empty_searches() {
   return {
       {"contact_ratio",
        with([](P& p) { p.limits.contact_ratio = 1.9; }),
-       {"search.contact_ratio_min"},
-       {"search.tip_thickness_min"}},
+       {"limits.contact_ratio"},
+       {"limits.tip_thickness"}},
       {"contact_ratio_of_the_reference",
        with([](P& p) { p.limits.contact_ratio = 1.95; }, first),
-       {"search.contact_ratio_min"},
+       {"limits.contact_ratio"},
        {}},
       {"center_distance",
        with([](P& p) {
          p.center_distance = {{80.0, 81.5}};
        }),
-       {"search.center_distance_mm", "search.pinion_teeth", "search.ratio"},
-       {"search.contact_ratio_min", "search.tip_thickness_min"}},
+       {"center_distance", "pinion_teeth", "ratio"},
+       {"limits.contact_ratio", "limits.tip_thickness"}},
       {"exact_center_distance",
        with([](P& p) {
          p.center_distance = {{81.25, 81.25}};
        }),
-       {"search.center_distance_mm"},
+       {"center_distance"},
        {}},
       {"tip_thickness",
        with([](P& p) { p.limits.tip_thickness = 0.95; }),
-       {"search.tip_thickness_min"},
-       {"search.center_distance_mm", "search.contact_ratio_min"}},
+       {"limits.tip_thickness"},
+       {"center_distance", "limits.contact_ratio"}},
       {"shift",
        with([](P& p) {
          p.limits.min_shift = 0.9;
          p.limits.max_shift = 0.95;
          p.pinion_teeth = {24, 24};
        }),
-       {"search.profile_shift"},
-       {"search.coprime"}},
+       {"limits.shift"},
+       {"coprime"}},
       {"undercut_margin",
        with([](P& p) { p.limits.undercut_margin = 1.6; }),
-       {"search.undercut_margin"},
+       {"limits.undercut_margin"},
        {}},
       {"sliding",
        with([](P& p) {
          p.mounting = Mounting::tight;
          p.limits.sliding = 0.4;
        }),
-       {"search.sliding_max"},
-       {"search.tip_thickness_min"}},
+       {"limits.sliding"},
+       {"limits.tip_thickness"}},
       {"tip_clearance",
        with([](P& p) { p.limits.tip_clearance = 0.3; }),
-       {"search.tip_clearance_min"},
-       {"search.center_distance_mm", "search.contact_ratio_min", "search.profile_shift"}},
+       {"limits.tip_clearance"},
+       {"center_distance", "limits.contact_ratio", "limits.shift"}},
       {"overlap",
        with([](P& p) {
          p.helix = {Angle::radians(0.3)};
          p.limits.overlap_ratio = 1.25;
        }),
-       {"search.overlap_ratio_min"},
-       {"search.contact_ratio_min"}},
+       {"limits.overlap_ratio"},
+       {"limits.contact_ratio"}},
       {"coprime",
        with([](P& p) {
          p.ratio = {2.0, 2.0};
          p.coprime = true;
        }),
-       {"search.coprime", "search.ratio"},
-       {"search.contact_ratio_min"}},
+       {"coprime", "ratio"},
+       {"limits.contact_ratio"}},
       {"interference",
        with([](P& p) {
          p.ratio = {4.1, 4.15};
@@ -164,8 +169,8 @@ std::vector<Empty> empty_searches() {
          p.limits.max_shift = 0.1;
          p.limits.avoid_interference = true;
        }),
-       {"search.avoid_interference"},
-       {"search.profile_shift"}},  // either end alone: Σ is given, and the other end holds
+       {"limits.avoid_interference"},
+       {"limits.shift"}},  // either end alone: Σ is given, and the other end holds
 
       {"ring",
        with([](P& p) {
@@ -173,7 +178,7 @@ std::vector<Empty> empty_searches() {
          p.center_distance = {{45.0, 46.0}};
          p.limits.contact_ratio = 2.9;
        }),
-       {"search.contact_ratio_min"},
+       {"limits.contact_ratio"},
        {}},
   };
 }
@@ -193,39 +198,39 @@ TEST_P(NearestChangeOf, ItHelpsAndLessDoesNot) {
   })) << e.name;
   const auto is_named = [&](const std::string& key) {
     return std::any_of(changes.begin(), changes.end(),
-                       [&](const NearestChange& c) { return c.key == key; });
+                       [&](const NearestChange& c) { return member(c) == key; });
   };
   for (const std::string& key : e.named) EXPECT_TRUE(is_named(key)) << e.name << " " << key;
   for (const std::string& key : e.useless) EXPECT_FALSE(is_named(key)) << e.name << " " << key;
 
   for (const NearestChange& c : changes) {
-    const std::string what = std::string(e.name) + ": " + c.key + " " + c.from + " -> " + c.to;
+    const std::string what = std::string(e.name) + ": " + c.field + " " + c.from + " -> " + c.to;
     EXPECT_GT(c.effort, 0.0) << what;
     SearchProblem p = e.problem;
-    if (c.key == "search.coprime" || c.key == "search.avoid_interference") {
+    if (c.field == "coprime" || c.field == "limits.avoid_interference") {
       EXPECT_EQ(c.from + c.to, "truefalse") << what;
-      (c.key == "search.coprime" ? p.coprime : p.limits.avoid_interference) = false;
+      (c.field == "coprime" ? p.coprime : p.limits.avoid_interference) = false;
       EXPECT_TRUE(feasible(p)) << what;
       continue;
     }
     const auto from = band(c.from);
     const auto to = band(c.to);
-    set(p, c.key, from);
+    set(p, member(c), from);
     EXPECT_FALSE(feasible(p)) << what;  // `from` is what was given
-    set(p, c.key, to);
+    set(p, member(c), to);
     EXPECT_TRUE(feasible(p)) << what;  // (1)
     // The text has four digits of the move, rounded outwards: what is needed is at most 1.1e-3
     // less.
     auto less = to;
     for (const std::size_t i : {0, 1}) {
       const double move = to[i] - from[i];
-      if (c.key == "search.pinion_teeth") {
+      if (c.field == "pinion_teeth") {
         less[i] = move == 0.0 ? to[i] : to[i] - std::copysign(1.0, move);
       } else {
         less[i] = from[i] + move * (1.0 - 2e-3);
       }
     }
-    set(p, c.key, less);
+    set(p, member(c), less);
     EXPECT_FALSE(feasible(p)) << what;  // (2)
   }
 }

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearwright/base/refusal.hpp"
+#include "gearwright/base/error.hpp"
 #include "gearwright/gear/finished_gear.hpp"
 #include "gearwright/math/polynomial.hpp"
 #include "gearwright/math/root.hpp"
@@ -18,11 +18,11 @@ std::optional<Error> check_spec(const CylindricalSpec& spec) {
     return refused("teeth", spec.teeth, "a ring cannot have circular-arc teeth: a rack cuts them");
   if (spec.profile_shift != 0.0) {
     return refused("profile_shift", spec.profile_shift,
-                   why + "; the place of its centres (center_b) says how deep it goes");
+                   why + "; the place of its centres (`rack.center_b`) says how deep it goes");
   }
   for (const auto* fillet :
        {spec.root_fillet ? "root_fillet" : nullptr, spec.tip_fillet ? "tip_fillet" : nullptr}) {
-    if (fillet) return Error{fillet, "", std::string(fillet) + ": " + why};
+    if (fillet) return Error{fillet, "", why};
   }
   return std::nullopt;
 }

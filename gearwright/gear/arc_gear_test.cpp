@@ -36,7 +36,7 @@ CylindricalSpec double_spec(int teeth) {
 
 Gear made(const CylindricalSpec& s) {
   auto gear = make_gear(s);
-  EXPECT_TRUE(gear) << gear.error().message;
+  EXPECT_TRUE(gear) << gear.error().message();
   return std::move(gear).take();
 }
 
@@ -142,16 +142,16 @@ TEST(ArcGear, errors_name_their_key) {
     change(s);
     const auto gear = make_gear(s);
     if (gear) return std::string("made");
-    EXPECT_NE(gear.error().message.find(gear.error().key), std::string::npos);
-    return gear.error().key;
+    EXPECT_NE(gear.error().message().find(gear.error().field), std::string::npos);
+    return gear.error().field;
   };
   EXPECT_EQ(key([](CylindricalSpec&) {}), "made");
   EXPECT_EQ(key([](CylindricalSpec& s) { s.teeth = -40; }), "teeth");
-  EXPECT_EQ(key([](CylindricalSpec& s) { s.normal_module = 0.0; }), "normal_module_mm");
+  EXPECT_EQ(key([](CylindricalSpec& s) { s.normal_module = 0.0; }), "normal_module");
   EXPECT_EQ(key([](CylindricalSpec& s) { s.profile_shift = 0.1; }), "profile_shift");
   EXPECT_EQ(key([](CylindricalSpec& s) { s.root_fillet = RootFilletSpec{}; }), "root_fillet");
   EXPECT_EQ(key([](CylindricalSpec& s) { s.tip_fillet = TipFilletSpec{}; }), "tip_fillet");
-  EXPECT_EQ(key([](CylindricalSpec& s) { s.tip_diameter = 30.0; }), "tip_diameter_mm");
+  EXPECT_EQ(key([](CylindricalSpec& s) { s.tip_diameter = 30.0; }), "tip_diameter");
   EXPECT_EQ(key([](CylindricalSpec& s) { std::get<ArcRack>(s.rack).addendum = 1.2; }),
             "rack.addendum");
 }

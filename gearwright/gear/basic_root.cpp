@@ -7,11 +7,9 @@
 
 #include "gearwright/gear/reference.hpp"
 
-#include "gearwright/base/refusal.hpp"
+#include "gearwright/base/error.hpp"
 
 namespace gearwright {
-
-namespace {}  // namespace
 
 Result<StraightRack> rack_leaving_root(const CylindricalSpec& spec, double root_diameter,
                                        std::optional<double> root_form_diameter) {
@@ -26,15 +24,15 @@ Result<StraightRack> rack_leaving_root(const CylindricalSpec& spec, double root_
   rack.dedendum = ring ? x_E + (root_diameter - d) / (2 * m) : x_E + (d - root_diameter) / (2 * m);
   if (!(rack.dedendum > 0.0)) {
     const double most = ring ? d - 2 * m * x_E : d + 2 * m * x_E;
-    return refused("root_diameter_mm", root_diameter,
-                   fmt::format("no rack tooth is left; it must be {} than {} mm",
-                               ring ? "greater" : "less", most));
+    return refused("root_diameter", root_diameter, {most},
+                   ring ? "no rack tooth is left; it must be greater than {} mm"
+                        : "no rack tooth is left; it must be less than {} mm");
   }
   if (!root_form_diameter) return rack;
   const double d_Ff = *root_form_diameter;
   if (ring) {
     return refused(
-        "root_form_diameter_mm", d_Ff,
+        "root_form_diameter", d_Ff,
         "the fillet of a ring is left by its pinion cutter, which is not in this version");
   }
   const double sin_n = std::sin(spec.normal_pressure_angle.rad());
@@ -51,11 +49,9 @@ Result<StraightRack> rack_leaving_root(const CylindricalSpec& spec, double root_
   const double most = form_at(round_depth);
   const bool undercut = rho_C - (sharp_depth - x_E) * m / sin_t < 0.0;
   if (!(d_Ff > g.base_diameter && d_Ff <= most && (undercut || d_Ff >= least))) {
-    return refused(
-        "root_form_diameter_mm", d_Ff,
-        fmt::format("no rounding of the rack leaves it with this root diameter; it must lie "
-                    "between {} (sharp corner) and {} mm (full radius)",
-                    undercut ? g.base_diameter : least, most));
+    return refused("root_form_diameter", d_Ff, {undercut ? g.base_diameter : least, most},
+                   "no rounding of the rack leaves it with this root diameter; it must lie between "
+                   "{} (sharp corner) and {} mm (full radius)");
   }
   const double rho_F = std::sqrt((d_Ff / 2 - r_b) * (d_Ff / 2 + r_b));
   const double depth = x_E - (rho_F - rho_C) * sin_t / m;

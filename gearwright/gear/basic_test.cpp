@@ -70,18 +70,18 @@ TEST(RackLeavingRoot, gives_back_the_rack_that_cut_it) {
     ASSERT_TRUE(made);
     const auto rack =
         rack_leaving_root(spec(40, 0.1), made->root_diameter, 2 * *made->root_form_radius());
-    ASSERT_TRUE(rack) << rack.error().message;
+    ASSERT_TRUE(rack) << rack.error().message();
     EXPECT_NEAR(rack->dedendum, 1.25, 1e-13);
     EXPECT_NEAR(rack->root_fillet_radius, radius, 1e-10);
   }
 }
 
 TEST(RackLeavingRoot, names_what_cannot_be) {
-  EXPECT_EQ(rack_leaving_root(spec(40, 0.1), 200.0, std::nullopt).error().key, "root_diameter_mm");
+  EXPECT_EQ(rack_leaving_root(spec(40, 0.1), 200.0, std::nullopt).error().field, "root_diameter");
   const double d_f = spec(40, 0.1).normal_module * 40 / std::cos(20 * kDegree) - 5.0;
-  EXPECT_EQ(rack_leaving_root(spec(40, 0.1), d_f, 500.0).error().key, "root_form_diameter_mm");
-  EXPECT_EQ(rack_leaving_root(spec(40, 0.1), d_f, 10.0).error().key, "root_form_diameter_mm");
-  EXPECT_EQ(rack_leaving_root(spec(-40, 0.1), 120.0, 118.0).error().key, "root_form_diameter_mm");
+  EXPECT_EQ(rack_leaving_root(spec(40, 0.1), d_f, 500.0).error().field, "root_form_diameter");
+  EXPECT_EQ(rack_leaving_root(spec(40, 0.1), d_f, 10.0).error().field, "root_form_diameter");
+  EXPECT_EQ(rack_leaving_root(spec(-40, 0.1), 120.0, 118.0).error().field, "root_form_diameter");
   EXPECT_TRUE(rack_leaving_root(spec(-40, 0.1), 120.0, std::nullopt));
 }
 

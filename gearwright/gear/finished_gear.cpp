@@ -79,9 +79,8 @@ void warn_about_ring(Gear& gear) {
   if (rack.tip_fillet_radius > 0.0 || rack.tool_addendum || rack.semi_topping_angle ||
       rack.protuberance > 0.0) {
     warn(gear, "rack_not_used",
-         "A ring is not cut by a rack: tip_fillet_radius, tool_addendum, semi_topping_angle_deg "
-         "and protuberance "
-         "have no effect on it.");
+         "A ring is not cut by a rack: `rack.tip_fillet_radius`, `rack.tool_addendum`, "
+         "`rack.semi_topping_angle` and `rack.protuberance` have no effect on it.");
   }
   if (gear.tip_diameter < gear.reference().base_diameter) {
     warn(gear, "tip_below_base",

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "gearwright/base/error.hpp"
 #include "gearwright/base/overloaded.hpp"
-#include "gearwright/base/refusal.hpp"
 #include "gearwright/gear/arc_gear.hpp"
 #include "gearwright/gear/finished_gear.hpp"
 
@@ -54,39 +54,35 @@ std::optional<Error> check_limits(const CylindricalSpec& spec) {
   }
   const double m = spec.normal_module;
   if (!within(m, kMinModule, kMaxModule)) {
-    return refused("normal_module_mm", m,
-                   fmt::format("must lie between {} and {} mm", kMinModule, kMaxModule));
+    return refused("normal_module", m, {kMinModule, kMaxModule}, "must lie between {} and {} mm");
   }
   const double alpha = spec.normal_pressure_angle.deg();
   if (!within(alpha, kMinPressure, kMaxPressure)) {
-    return refused(
-        "normal_pressure_angle_deg", alpha,
-        fmt::format("must lie between {} and {}, usually 14.5 to 30", kMinPressure, kMaxPressure));
+    return refused("normal_pressure_angle", alpha, {kMinPressure, kMaxPressure},
+                   "must lie between {}° and {}°, usually 14.5° to 30°");
   }
   const double beta = spec.helix_angle.deg();
   if (!within(beta, -kMaxHelix, kMaxHelix)) {
-    return refused(
-        "helix_angle_deg", beta,
-        fmt::format("must lie between -{} (left hand) and {} (right hand)", kMaxHelix, kMaxHelix));
+    return refused("helix_angle", beta, {-kMaxHelix, kMaxHelix},
+                   "must lie between {}° (left hand) and {}° (right hand)");
   }
   if (!within(spec.profile_shift, -kMaxShift, kMaxShift)) {
-    return refused("profile_shift", spec.profile_shift,
-                   fmt::format("must lie between -{} and {} modules", kMaxShift, kMaxShift));
+    return refused("profile_shift", spec.profile_shift, {-kMaxShift, kMaxShift},
+                   "must lie between {} and {} modules");
   }
   const double allowance = kMaxAllowance * m;
   if (!within(spec.thickness_allowance, -allowance, allowance)) {
-    return refused(
-        "thickness_allowance_mm", spec.thickness_allowance,
-        fmt::format("must lie between -{} and {} mm (10 modules)", allowance, allowance));
+    return refused("thickness_allowance", spec.thickness_allowance, {-allowance, allowance},
+                   "must lie between {} and {} mm (10 modules)");
   }
   if (!within(spec.face_width, kMinFace * m, kMaxFace * m)) {
-    return refused("face_width_mm", spec.face_width,
-                   fmt::format("must lie between {} and {} mm", kMinFace * m, kMaxFace * m));
+    return refused("face_width", spec.face_width, {kMinFace * m, kMaxFace * m},
+                   "must lie between {} and {} mm");
   }
   const double d = m / std::cos(spec.helix_angle.rad()) * std::abs(spec.teeth);
   if (spec.tip_diameter && !(*spec.tip_diameter > 0.0 && *spec.tip_diameter <= kMaxTip * d)) {
-    return refused("tip_diameter_mm", *spec.tip_diameter,
-                   fmt::format("must be greater than 0 and at most {} mm", kMaxTip * d));
+    return refused("tip_diameter", *spec.tip_diameter, {0.0, kMaxTip * d},
+                   "must be greater than {} and at most {} mm");
   }
   return std::nullopt;
 }
@@ -101,7 +97,7 @@ void forget_fillet_cut_off(Gear& gear, double fillet_begin) {
   std::get<InvoluteTeeth>(gear.flanks).point_j_l.reset();
   detail::warn(gear, "tip_fillet_cut_off",
                fmt::format("The tooth ends at {:.4f} mm diameter, before its tip fillet begins: "
-                           "tip_fillet has no effect.",
+                           "`tip_fillet` has no effect.",
                            2 * tooth.tip_radius));
 }
 
@@ -190,18 +186,15 @@ Result<Gear> make_involute_gear(const CylindricalSpec& spec, const StraightRack&
   }
   if (gear.internal()) {
     if (!(gear.tip_diameter > 0.0 && gear.tip_diameter < gear.root_diameter)) {
-      return refused(
-          "tip_diameter_mm", gear.tip_diameter,
-          fmt::format("must be greater than 0 and less than the ring's root diameter {} mm",
-                      gear.root_diameter));
+      return refused("tip_diameter", gear.tip_diameter, {0.0, gear.root_diameter},
+                     "must be greater than {} and less than the ring's root diameter {} mm");
     }
     for (const auto* fillet :
          {spec.root_fillet ? "root_fillet" : nullptr, spec.tip_fillet ? "tip_fillet" : nullptr}) {
       if (!fillet) continue;
       return Error{fillet, "",
-                   std::string(fillet) +
-                       ": a ring has the root and tip that its cutter leaves; "
-                       "give the fillet to the cutter, in cut_by"};
+                   "a ring has the root and tip that its cutter leaves; give the fillet to the "
+                   "cutter, in `cut_by`"};
     }
   } else if (auto error = cut(gear, edge)) {
     return *error;

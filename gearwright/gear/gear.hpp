@@ -102,13 +102,13 @@ struct Gear {
 std::optional<double> of_involute(const Gear& gear, double ReferenceGeometry<double>::*number);
 std::optional<double> of_involute(const Gear& gear, std::optional<double> InvoluteTeeth::*number);
 
-/// What a spec may say: nothing, or the key that is out of bounds. make_gear asks it too.
+/// What a spec may say: nothing, or the member that is out of bounds. make_gear asks it too.
 std::optional<Error> check_limits(const CylindricalSpec& spec);
 
 /// Makes the gear: closed-form data, then the tooth by generation.
 ///
-/// Errors    the key as in the spec file ("teeth", "normal_module_mm", "rack.dedendum", …), without
-///           the gear's table name. Undercut, pointed, severed teeth are data and warnings.
+/// Errors    the member of CylindricalSpec ("teeth", "normal_module", "rack.dedendum", …).
+///           Undercut, pointed, severed teeth are data and warnings.
 Result<Gear> make_gear(const CylindricalSpec& spec);
 
 }  // namespace gearwright

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/base/refusal.hpp"
+#include "gearwright/base/error.hpp"
 #include "gearwright/base/units.hpp"
 
 namespace gearwright {
@@ -39,140 +39,125 @@ double in_um(double mm) {
   return std::round(mm / kMmPerUm * kSteps) / kSteps;
 }
 
-std::string key_of(const FlankModifications& m, const std::string& key) {
-  for (const std::string& own : m.own_keys) {
-    if (own == "right_" + key || own == "left_" + key) return "modifications." + own;
-  }
-  return "modifications." + key;
-}
-
 double length(double rho, double r0) { return std::sqrt(std::max(0.0, (rho - r0) * (rho + r0))); }
 
-std::optional<Error> check_amount(const FlankModifications& m, const char* key, double amount,
-                                  double greatest) {
+// µm are what people read.
+constexpr const char* kTenth =
+    "must lie between {} and {} µm, a tenth of the depth of this gear's usable flank";
+
+std::optional<Error> check_amount(std::string field, double amount, double greatest) {
   if (std::abs(amount) <= greatest) return std::nullopt;  // false for NaN
-  return refused(key_of(m, key), in_um(amount),
-                 fmt::format("must lie between -{0:.6g} and {0:.6g} um, a tenth of the depth of "
-                             "this gear's usable flank; more is another tooth: change the rack "
-                             "or thickness_allowance_mm",
-                             greatest / kMmPerUm));
+  return refused(
+      std::move(field), in_um(amount), {-greatest / kMmPerUm, greatest / kMmPerUm},
+      std::string(kTenth) + "; more is another tooth: change the rack or the thickness allowance");
 }
 
-struct ReliefKeys {
-  const char* amount;
-  const char* reach;
-};
+std::string amount_of(const std::string& relief) { return relief + ".amount"; }
+std::string reach_of(const std::string& relief) { return relief + ".reach"; }
 
-std::optional<Error> check_steepness(const FlankModifications& m, const ReliefKeys& keys,
-                                     const Relief& relief, double over) {
+std::optional<Error> check_steepness(const std::string& name, const Relief& relief, double over) {
   const double greatest = kSteepest * over / (relief.shape == ReliefShape::parabolic ? 2 : 1);
   if (relief.amount <= greatest) return std::nullopt;
-  return refused(
-      key_of(m, keys.amount), in_um(relief.amount),
-      fmt::format("must be at most {:.6g} um over {:.6g} mm, a slope of 1 in 5; a longer "
-                  "relief ({}) may remove more, a chamfer is cut by the rack "
-                  "(semi_topping_angle_deg)",
-                  greatest / kMmPerUm, over, keys.reach));
+  return refused(amount_of(name), in_um(relief.amount), {greatest / kMmPerUm},
+                 fmt::format("must be at most {{}} µm over {} mm, a slope of 1 in 5; a longer "
+                             "relief (`{}`) may remove more, a chamfer is cut by the rack "
+                             "(`rack.semi_topping_angle`)",
+                             spoken(over), reach_of(name)));
 }
 
-std::optional<Error> check_relief(const FlankModifications& m, const ReliefKeys& keys,
-                                  const Relief& relief) {
+std::optional<Error> check_relief(const std::string& name, const Relief& relief) {
   if (!(relief.amount >= 0.0)) {
-    return refused(key_of(m, keys.amount), in_um(relief.amount),
-                   "must not be negative: a relief takes material away; profile_crowning_um and "
-                   "lead_crowning_um may be negative (hollow)");
+    return refused(amount_of(name), in_um(relief.amount),
+                   "must not be negative: a relief takes material away; `profile_crowning` and "
+                   "`lead_crowning` may be negative (hollow)");
   }
-  if (relief.amount > 0.0 && !relief.reach) {
-    const std::string key = key_of(m, keys.reach);
-    return Error{key, "", fmt::format("{}: is missing beside {}", key, key_of(m, keys.amount))};
-  }
+  if (relief.amount > 0.0 && !relief.reach)
+    return Error{reach_of(name), "", fmt::format("is missing beside `{}`", amount_of(name))};
   return std::nullopt;
 }
 
-std::optional<Error> check_profile_relief(const FlankModifications& m, const ReliefKeys& keys,
-                                          const Relief& relief, double rho_far, double rho_end) {
-  if (auto error = check_relief(m, keys, relief)) return error;
+std::optional<Error> check_profile_relief(const std::string& name, const Relief& relief,
+                                          double rho_far, double rho_end) {
+  if (auto error = check_relief(name, relief)) return error;
   if (!relief.reach) return std::nullopt;
   const double nearest = 2 * (rho_end - kMinReach * (rho_end - rho_far));
   const auto [lo, hi] = std::minmax({2 * rho_far, nearest});
   const double slack = kSameDiameter * rho_far;
   if (!(*relief.reach >= lo - slack && *relief.reach <= hi + slack)) {
-    return refused(key_of(m, keys.reach), *relief.reach,
-                   fmt::format("must lie on the usable flank, between {} and {} mm diameter, and "
-                               "not on the end that it relieves, {} mm",
-                               lo, hi, 2 * rho_end));
+    return refused(reach_of(name), *relief.reach, {lo, hi},
+                   fmt::format("must lie on the usable flank, between {{}} and {{}} mm diameter, "
+                               "and not on the end that it relieves, {} mm",
+                               spoken(2 * rho_end, *relief.reach)));
   }
-  return check_steepness(m, keys, relief, std::abs(rho_end - *relief.reach / 2));
+  return check_steepness(name, relief, std::abs(rho_end - *relief.reach / 2));
 }
 
-std::optional<Error> check_end_relief(const FlankModifications& m, double b) {
-  constexpr ReliefKeys keys{"end_relief_um", "end_relief_length_mm"};
-  if (auto error = check_relief(m, keys, m.end_relief)) return error;
-  if (!m.end_relief.reach) return std::nullopt;
-  const double l = *m.end_relief.reach;
+std::optional<Error> check_end_relief(const Relief& relief, double b) {
+  const std::string name = "end_relief";
+  if (auto error = check_relief(name, relief)) return error;
+  if (!relief.reach) return std::nullopt;
+  const double l = *relief.reach;
   if (!(l >= kMinReach * b && l <= b / 2)) {
-    return refused(key_of(m, keys.reach), l,
-                   fmt::format("must lie between {} mm and half the face width, {} mm; "
-                               "lead_crowning_um takes from the whole face",
-                               kMinReach * b, b / 2));
+    return refused(reach_of(name), l, {kMinReach * b, b / 2},
+                   "must lie between {} mm and half the face width, {} mm; `lead_crowning` takes "
+                   "from the whole face");
   }
-  return check_steepness(m, keys, m.end_relief, l);
+  return check_steepness(name, relief, l);
 }
 
 std::optional<Error> check_topography(const FlankModifications& m, const FlankExtent& e,
                                       double greatest) {
   if (!m.topography) return std::nullopt;
   const Topography& t = *m.topography;
-  const std::string key = key_of(m, "topography");
   const auto [inner, outer] = std::minmax({2 * e.rho_root_form, 2 * e.rho_tip_form});
   const double slack = kSameDiameter * outer;
   const auto refusal = [&](const char* what, double value, const std::string& why) {
-    return Error{key, fmt::format("{}", value),
-                 fmt::format("{}: {} {}: {}", key, what, value, why)};
+    Error error = refused("topography", value, why);
+    error.rule = fmt::format("{}: {}", what, error.rule);
+    return error;
   };
-  const auto range = [](double lo, double hi) {
+  const auto range = [](double lo, double hi, double value) {
     return fmt::format(
-        "the grid must cover the usable flank, {} to {} mm; measure or design it "
-        "that far",
-        lo, hi);
+        "the grid must cover the usable flank, {} to {} mm; measure or design it that far",
+        spoken(lo, value), spoken(hi, value));
   };
-  if (!(t.diameters.front() <= inner + slack))
-    return refusal("least diameter_mm", t.diameters.front(), range(inner, outer));
-  if (!(t.diameters.back() >= outer - slack))
-    return refusal("greatest diameter_mm", t.diameters.back(), range(inner, outer));
+  const double first = t.diameters.front(), last = t.diameters.back();
+  if (!(first <= inner + slack))
+    return refusal("least diameter", first, range(inner, outer, first));
+  if (!(last >= outer - slack))
+    return refusal("greatest diameter", last, range(inner, outer, last));
   const double half = e.face_width / 2;
-  if (!(t.heights.front() <= -half * (1 - kSameDiameter)))
-    return refusal("least z_mm", t.heights.front(), range(-half, half));
-  if (!(t.heights.back() >= half * (1 - kSameDiameter)))
-    return refusal("greatest z_mm", t.heights.back(), range(-half, half));
+  const double bottom = t.heights.front(), top = t.heights.back();
+  if (!(bottom <= -half * (1 - kSameDiameter)))
+    return refusal("least z", bottom, range(-half, half, bottom));
+  if (!(top >= half * (1 - kSameDiameter)))
+    return refusal("greatest z", top, range(-half, half, top));
   for (const double c : t.removed) {
     if (std::abs(c) <= greatest) continue;
-    return refusal("removed_um", in_um(c),
-                   fmt::format("must lie between -{0:.6g} and {0:.6g}, a tenth of the depth of "
-                               "this gear's usable flank",
-                               greatest / kMmPerUm));
+    return refused("topography", in_um(c), {-greatest / kMmPerUm, greatest / kMmPerUm},
+                   std::string("µm to remove: ") + kTenth);
   }
   return std::nullopt;
 }
 
 std::optional<Error> check(const FlankModifications& m, const FlankExtent& e) {
   const double depth = std::abs(e.rho_tip_form - e.rho_root_form);
-  if (auto error = check_profile_relief(m, {"tip_relief_um", "tip_relief_start_mm"}, m.tip_relief,
-                                        e.rho_root_form, e.rho_tip_form))
+  if (auto error =
+          check_profile_relief("tip_relief", m.tip_relief, e.rho_root_form, e.rho_tip_form))
     return error;
-  if (auto error = check_profile_relief(m, {"root_relief_um", "root_relief_start_mm"},
-                                        m.root_relief, e.rho_tip_form, e.rho_root_form))
+  if (auto error =
+          check_profile_relief("root_relief", m.root_relief, e.rho_tip_form, e.rho_root_form))
     return error;
-  if (auto error = check_end_relief(m, e.face_width)) return error;
+  if (auto error = check_end_relief(m.end_relief, e.face_width)) return error;
   const double greatest = kMaxAmount * depth;
-  for (const auto& [key, amount] :
-       {std::pair("tip_relief_um", m.tip_relief.amount),
-        std::pair("root_relief_um", m.root_relief.amount),
-        std::pair("profile_crowning_um", m.profile_crowning),
-        std::pair("profile_slope_um", m.profile_slope),
-        std::pair("lead_crowning_um", m.lead_crowning), std::pair("lead_slope_um", m.lead_slope),
-        std::pair("end_relief_um", m.end_relief.amount)}) {
-    if (auto error = check_amount(m, key, amount, greatest)) return error;
+  for (const auto& [field, amount] :
+       {std::pair("tip_relief.amount", m.tip_relief.amount),
+        std::pair("root_relief.amount", m.root_relief.amount),
+        std::pair("profile_crowning", m.profile_crowning),
+        std::pair("profile_slope", m.profile_slope), std::pair("lead_crowning", m.lead_crowning),
+        std::pair("lead_slope", m.lead_slope),
+        std::pair("end_relief.amount", m.end_relief.amount)}) {
+    if (auto error = check_amount(field, amount, greatest)) return error;
   }
   return check_topography(m, e, greatest);
 }

@@ -52,8 +52,6 @@ struct FlankModifications {
   double lead_slope = 0.0;        ///< C_Hβ  mm, over the face; > 0 removes at its +z end
   Relief end_relief{};            ///< C_βI = C_βII
   std::shared_ptr<const Topography> topography{};
-  /// Keys that a spec gives for this flank alone, "left_tip_relief_um": errors name them so.
-  std::vector<std::string> own_keys{};
 };
 
 /// The usable flank that the modifications lie on.
@@ -165,8 +163,8 @@ class RemovalField {
 
 /// The field, if the modifications fit the flank.
 ///
-/// Errors    the key under the gear's table, `modifications.tip_relief_start_mm`: a start off the
-///           usable flank, a relief without start or length, one steeper than 1 in 5 (a chamfer),
+/// Errors    the member of FlankModifications, `tip_relief.reach`: a start off the usable flank,
+///           a relief without start or length, one steeper than 1 in 5 (a chamfer),
 ///           an amount over a tenth of the flank's depth, a grid that does not cover the flank
 /// Domain    0 ≤ r0 ≤ both form radii, which differ; face_width > 0; a topography's grid as its
 ///           members say (contract)

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "gearwright/base/refusal.hpp"
+#include "gearwright/base/error.hpp"
 #include "gearwright/gear/finished_gear.hpp"
 #include "gearwright/generation/cut_by_pinion.hpp"
 #include "gearwright/math/involute.hpp"
@@ -52,10 +52,10 @@ Result<double> generating_distance(const Gear& cutter, int teeth, double profile
   if (sum == 0.0) return r / std::cos(g.transverse_pressure_angle);
   if (!(inv_w >= 0.0)) {
     const double least = shift_at(cutter, teeth, 0.0);
-    return refused("profile_shift", profile_shift,
+    return refused("profile_shift", profile_shift, {least},
                    fmt::format("this cutter reaches no such gear: there is no working pressure "
-                               "angle; {} {} is allowed",
-                               teeth > 0 ? "at least" : "at most", least));
+                               "angle; {} {{}} is allowed",
+                               teeth > 0 ? "at least" : "at most"));
   }
   return r / std::cos(inverse_involute(inv_w));
 }
@@ -66,10 +66,9 @@ Result<Gear> make_pinion_cut_gear(const Gear& cutter, const PinionCutSpec& wante
   const double r = base_distance(cutter, wanted.teeth);
   const double e = wanted.distance;
   if (!(e > r)) {
-    return refused("cut_by", e,
-                   fmt::format("the generating centre distance is too small for a working pressure "
-                               "angle; it must be greater than {} mm",
-                               r));
+    return refused("cut_by", e, {r},
+                   "the generating centre distance is too small for a working pressure angle; it "
+                   "must be greater than {} mm");
   }
   CylindricalSpec spec = cutter.spec;
   spec.teeth = wanted.teeth;

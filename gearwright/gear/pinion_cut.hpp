@@ -28,7 +28,7 @@ Result<double> generating_distance(const Gear& cutter, int teeth, double profile
 /// external gear the other one.
 ///
 /// Domain    `cutter` is an external involute gear that exists (contract)
-/// Errors    `teeth`, `cut_by`, `tip_diameter_mm`, `face_width_mm`, as in a gear's table
+/// Errors    `teeth`, `cut_by`, `tip_diameter`, `face_width`
 Result<Gear> make_pinion_cut_gear(const Gear& cutter, const PinionCutSpec& spec);
 
 }  // namespace gearwright

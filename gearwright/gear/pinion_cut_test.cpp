@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/base/testing/named_limit.hpp"
 #include "gearwright/math/involute.hpp"
 
 namespace gearwright {
@@ -45,26 +46,20 @@ CylindricalSpec two_teeth() {
 
 Gear made(const CylindricalSpec& s) {
   auto gear = make_gear(s);
-  EXPECT_TRUE(gear) << gear.error().message;
+  EXPECT_TRUE(gear) << gear.error().message();
   return std::move(gear).take();
 }
 
 Gear cut(const Gear& cutter, const PinionCutSpec& s) {
   auto gear = make_pinion_cut_gear(cutter, s);
-  EXPECT_TRUE(gear) << gear.error().message;
+  EXPECT_TRUE(gear) << gear.error().message();
   return std::move(gear).take();
 }
 
 double distance(const Gear& cutter, int teeth, double x) {
   const auto e = generating_distance(cutter, teeth, x);
-  EXPECT_TRUE(e) << e.error().message;
+  EXPECT_TRUE(e) << e.error().message();
   return *e;
-}
-
-double number_after(const std::string& text, const std::string& words) {
-  const std::size_t at = text.find(words);
-  EXPECT_NE(at, std::string::npos) << words << " in: " << text;
-  return at == std::string::npos ? 0.0 : std::stod(text.substr(at + words.size()));
 }
 
 TEST(GeneratingDistance, gives_the_shift_back) {
@@ -110,16 +105,18 @@ TEST(GeneratingDistance, grows_with_the_shift_and_falls_on_a_ring) {
 // The limit that a refusal names is sharp.
 TEST(GeneratingDistance, refuses_a_shift_without_a_working_angle) {
   const Gear cutter = made(cutter_spec(20, 0.0));
-  const auto shallow = generating_distance(cutter, 45, -5.0);
-  ASSERT_FALSE(shallow);
-  EXPECT_EQ(shallow.error().key, "profile_shift");
-  const double least = number_after(shallow.error().message, "at least ");
+  const auto refusal = [&](int teeth) {
+    return [&cutter, teeth](double x) {
+      const auto e = generating_distance(cutter, teeth, x);
+      if (e) return std::string();
+      EXPECT_EQ(e.error().field, "profile_shift");
+      return e.error().message();
+    };
+  };
+  const double least = named_limit(refusal(45), -5.0, "at least ");
   EXPECT_TRUE(generating_distance(cutter, 45, least + 1e-9));
   EXPECT_FALSE(generating_distance(cutter, 45, least - 1e-9));
-  const auto deep = generating_distance(cutter, -60, 5.0);
-  ASSERT_FALSE(deep);
-  EXPECT_EQ(deep.error().key, "profile_shift");
-  const double most = number_after(deep.error().message, "at most ");
+  const double most = named_limit(refusal(-60), 5.0, "at most ");
   EXPECT_TRUE(generating_distance(cutter, -60, most - 1e-9));
   EXPECT_FALSE(generating_distance(cutter, -60, most + 1e-9));
 }
@@ -206,23 +203,26 @@ TEST(PinionCut, refusals_name_their_key) {
   const auto key = [&](const PinionCutSpec& s) {
     const auto gear = make_pinion_cut_gear(cutter, s);
     if (gear) return std::string("made");
-    EXPECT_FALSE(gear.error().message.empty());
-    EXPECT_NE(gear.error().message.find(gear.error().key), std::string::npos);
-    return gear.error().key;
+    EXPECT_FALSE(gear.error().message().empty());
+    EXPECT_NE(gear.error().message().find(gear.error().field), std::string::npos);
+    return gear.error().field;
   };
   EXPECT_EQ(key({45, 65.0, 20.0, std::nullopt}), "made");
   EXPECT_EQ(key({0, 65.0, 20.0, std::nullopt}), "teeth");
   EXPECT_EQ(key({-20, 5.0, 20.0, std::nullopt}), "teeth");
   EXPECT_EQ(key({-7, 5.0, 20.0, std::nullopt}), "teeth");
   EXPECT_EQ(key({200'000, 65.0, 20.0, std::nullopt}), "cut_by");
-  EXPECT_EQ(key({45, 65.0, 0.0, std::nullopt}), "face_width_mm");
-  EXPECT_EQ(key({45, 65.0, 20.0, 80.0}), "tip_diameter_mm");
-  EXPECT_EQ(key({-60, 40.0, 20.0, 130.0}), "tip_diameter_mm");
+  EXPECT_EQ(key({45, 65.0, 0.0, std::nullopt}), "face_width");
+  EXPECT_EQ(key({45, 65.0, 20.0, 80.0}), "tip_diameter");
+  EXPECT_EQ(key({-60, 40.0, 20.0, 130.0}), "tip_diameter");
   const auto small = make_pinion_cut_gear(cutter, {45, 50.0, 20.0, std::nullopt});
   ASSERT_FALSE(small);
-  EXPECT_EQ(small.error().key, "cut_by");
-  const double least = number_after(small.error().message, "greater than ");
-  EXPECT_NEAR(least, 65.0 * std::cos(std::numbers::pi / 9), 1e-12);
+  EXPECT_EQ(small.error().field, "cut_by");
+  const double least = 65.0 * std::cos(std::numbers::pi / 9);
+  EXPECT_NEAR(number_after(small.error().message(), "greater than "), least, 1e-4);
+  const auto close = make_pinion_cut_gear(cutter, {45, least - 1e-8, 20.0, std::nullopt});
+  ASSERT_FALSE(close);
+  EXPECT_NEAR(number_after(close.error().message(), "greater than "), least, 1e-7);
   EXPECT_EQ(key({45, least * (1 - 1e-12), 20.0, std::nullopt}), "cut_by");
   EXPECT_EQ(key({45, least * (1 + 1e-3), 20.0, std::nullopt}), "made");
 }
@@ -232,12 +232,12 @@ TEST(PinionCut, ring_must_be_larger_than_its_cutter) {
   const Gear cutter = made(cutter_spec(20, 0.0));
   const auto error = generating_distance(cutter, -18, 0.0);
   ASSERT_FALSE(error);
-  EXPECT_EQ(error.error().key, "teeth");
-  const int least = static_cast<int>(number_after(error.error().message, "at least "));
+  EXPECT_EQ(error.error().field, "teeth");
+  const int least = static_cast<int>(number_after(error.error().message(), "at least "));
   EXPECT_EQ(least, -21);
   EXPECT_TRUE(generating_distance(cutter, least, 0.0));
   EXPECT_FALSE(generating_distance(cutter, least + 1, 0.0));
-  EXPECT_NE(error.error().message.find("at most 17"), std::string::npos);
+  EXPECT_NE(error.error().message().find("at most 17"), std::string::npos);
 }
 
 }  // namespace

@@ -60,10 +60,11 @@ std::optional<Gear> cut_with(const Gear& ring, const Cutter& cutter) {
   with.cut_by->by_default = true;
   with.warnings.clear();
   detail::finish(with);
-  detail::warn(with, "default_cutter",
-               fmt::format("No cut_by given: the ring's fillets are those of a pinion cutter of {} "
-                           "teeth without profile shift that reaches the root diameter.",
-                           cutter.gear.spec.teeth));
+  detail::warn(
+      with, "default_cutter",
+      fmt::format("No `cut_by` given: the ring's fillets are those of a pinion cutter of {} "
+                  "teeth without profile shift that reaches the root diameter.",
+                  cutter.gear.spec.teeth));
   return with;
 }
 

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "gearwright/base/angle.hpp"
-#include "gearwright/base/refusal.hpp"
+#include "gearwright/base/error.hpp"
 #include "gearwright/curve/basic_curves.hpp"
 #include "gearwright/generation/chain.hpp"
 #include "gearwright/math/root.hpp"
@@ -150,16 +150,13 @@ std::optional<Error> amiss(const std::vector<Branch>& chain, const ToothEnds& en
     if (!chain.empty() && !(root && chain.front().name != ArcName::root_fillet))
       return std::nullopt;
     GW_ENSURES(root || tooth.tip_fillet);
-    const std::string key = root ? "root_fillet.offset_mm" : "tip_fillet";
-    return Error{key, "",
-                 key +
-                     ": leaves no flank between the root fillet and the tip as the rack "
-                     "cuts it; a smaller one is needed, or a rack without ramp and "
-                     "bottom rounding"};
+    return Error{root ? "root_fillet.offset" : "tip_fillet", "",
+                 "leaves no flank between the root fillet and the tip as the rack cuts it; a "
+                 "smaller one is needed, or a rack without ramp and bottom rounding"};
   }
   if (!chain.empty() && is_continuous(chain)) return std::nullopt;
   return Error{"cut_by", "",
-               "cut_by: a sharp edge of the cutter outside its rolling circle draws a loop that "
+               "a sharp edge of the cutter outside its rolling circle draws a loop that "
                "ends in the air; a cutter without undercut, or another generating distance, cuts "
                "a whole tooth"};
 }
@@ -174,9 +171,9 @@ Result<GeneratedTooth> finish_tooth(const std::vector<Branch>& branches, const T
   };
   tooth.tip_radius = nearer(ends.blank_radius, ends.cutter_radius);
   if (!(side * tooth.tip_radius > side * tooth.root_radius)) {
-    return refused("tip_diameter_mm", 2 * ends.blank_radius,
-                   fmt::format("must be {} than the root diameter {} mm",
-                               side > 0.0 ? "greater" : "less", 2 * tooth.root_radius));
+    return refused("tip_diameter", 2 * ends.blank_radius, {2 * tooth.root_radius},
+                   side > 0.0 ? "must be greater than the root diameter {} mm"
+                              : "must be less than the root diameter {} mm");
   }
   const double tip_height = side * tooth.tip_radius;
   std::vector<Branch> chain;

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/base/refusal.hpp"
+#include "gearwright/base/error.hpp"
 #include "gearwright/math/involute.hpp"
 #include "gearwright/math/newton.hpp"
 
@@ -77,24 +77,22 @@ Result<CircularFillet> root_fillet(const FlankRuler& ruler, int teeth, const Roo
   const double most = std::min(tip_roll, kHalfPi - eta);
   // The rack cuts both flanks of the space there, so that it is open.
   const double least = std::max(0.0, ruler.roll(l_zero));
-  const char* key = "root_fillet.offset_mm";
+  const char* const field = "root_fillet.offset";
   if (!(least < most)) {
-    return refused(key, root.offset,
+    return refused(field, root.offset,
                    "no circle centred in the space fits: the flank ends before it could touch it; "
                    "less profile shift or a greater tip diameter would help");
   }
   if (!(xi < most)) {
-    return refused(key, root.offset,
-                   fmt::format("leaves no flank between the root fillet and the tip; the greatest "
-                               "that fits is just under {} mm",
-                               ruler.l(most) - l_zero));
+    return refused(field, root.offset, {ruler.l(most) - l_zero},
+                   "leaves no flank between the root fillet and the tip; the greatest that fits is "
+                   "just under {} mm");
   }
   const auto arc = root_fillet_at(flank, teeth, xi);
   if (!arc || !(arc->end > 0.0)) {
-    return refused(key, root.offset,
-                   fmt::format("no circle centred in the space touches the flank there; it must be "
-                               "less than {} mm",
-                               ruler.l(most) - l_zero));
+    return refused(field, root.offset, {ruler.l(most) - l_zero},
+                   "no circle centred in the space touches the flank there; it must be less than "
+                   "{} mm");
   }
   return CircularFillet{xi, *arc};
 }
@@ -124,8 +122,7 @@ Result<double> tip_roll(const FlankRuler& ruler, const TipFilletSpec& tip, doubl
   least = std::max(least, flank.base_half_angle() - kHalfPi);
   if (!(least < most)) {
     return Error{"tip_fillet", "",
-                 "tip_fillet: no flank is left between the root and the point of the tooth for it "
-                 "to touch"};
+                 "no flank is left between the root and the point of the tooth for it to touch"};
   }
   const auto widest = tip_fillet_at(flank, least);
   const auto narrowest = most < roll_of_point(flank) ? tip_fillet_at(flank, most) : std::nullopt;
@@ -136,21 +133,22 @@ Result<double> tip_roll(const FlankRuler& ruler, const TipFilletSpec& tip, doubl
       if (tip.value <= r_max && tip.value > r_min) {
         if (const auto xi = roll_of_tip_fillet(flank, tip.value)) return *xi;
       }
-      return refused("tip_fillet.radius_mm", tip.value,
-                     fmt::format("no such circle touches both flanks of the tooth; it must be "
-                                 "greater than {} mm{}",
-                                 r_min,
-                                 std::isinf(r_max)
-                                     ? std::string()
-                                     : fmt::format(", and the largest that fits is {} mm", r_max)));
+      const char* const field = "tip_fillet.radius";
+      if (std::isinf(r_max)) {
+        return refused(field, tip.value, {r_min},
+                       "no such circle touches both flanks of the tooth; it must be greater than "
+                       "{} mm");
+      }
+      return refused(field, tip.value, {r_min, r_max},
+                     "no such circle touches both flanks of the tooth; it must be greater than {} "
+                     "mm, and the largest that fits is {} mm");
     }
     case TipFilletSpec::By::l: {
       const double xi = ruler.roll(tip.value);
       if (xi > least && xi < most) return xi;
-      return refused("tip_fillet.l_mm", tip.value,
-                     fmt::format("must lie between {} mm, where the flank begins, and {} mm, where "
-                                 "it ends or the tooth is pointed",
-                                 ruler.l(least), ruler.l(most)));
+      return refused("tip_fillet.l", tip.value, {ruler.l(least), ruler.l(most)},
+                     "must lie between {} mm, where the flank begins, and {} mm, where it ends or "
+                     "the tooth is pointed");
     }
     case TipFilletSpec::By::end_radius: {
       const auto xi = roll_of_end(flank, tip.value);
@@ -158,12 +156,11 @@ Result<double> tip_roll(const FlankRuler& ruler, const TipFilletSpec& tip, doubl
       const auto from = tip_fillet_at(flank, std::max(least, flank.base_half_angle()));
       const auto to = tip_fillet_at(flank, most);
       return refused(
-          "tip_fillet", 2 * tip.value,
-          fmt::format(
-              "no circle that touches both flanks ends the tooth at this "
-              "diameter; it could lie between {} and {} mm",
-              from ? 2 * from->end : 2 * flank.base_radius(),
-              to ? 2 * to->end : 2 * flank.base_radius() * std::hypot(1.0, roll_of_point(flank))));
+          "tip_fillet.end_radius", tip.value,
+          {from ? from->end : flank.base_radius(),
+           to ? to->end : flank.base_radius() * std::hypot(1.0, roll_of_point(flank))},
+          "no circle that touches both flanks ends the tooth at this radius; it could lie between "
+          "{} and {} mm");
     }
   }
   GW_ENSURES(false);
@@ -202,8 +199,7 @@ Result<CircularFillets> circular_fillets(const FlankRuler& ruler, int teeth,
     if (!xi) return xi.error();
     const auto arc = tip_fillet_at(ruler.flank, *xi);
     if (!arc) {
-      return Error{"tip_fillet", "",
-                   "tip_fillet: it would touch the tooth where the rack leaves no flank"};
+      return Error{"tip_fillet", "", "it would touch the tooth where the rack leaves no flank"};
     }
     fillets.tip = CircularFillet{*xi, *arc};
     top = std::min(top, *xi);

@@ -7,8 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "gearwright/base/error.hpp"
 #include "gearwright/base/overloaded.hpp"
-#include "gearwright/base/refusal.hpp"
 #include "gearwright/generation/branch.hpp"
 #include "gearwright/math/root.hpp"
 
@@ -224,7 +224,7 @@ Result<GeneratedTooth> cut_by_pinion(const GeneratedTooth& cutter, const PinionM
                    "circle, so that its flanks cut nothing; a greater one is needed");
   }
   if (cutting.branches.empty())
-    return Error{"cut_by", "", "cut_by: the cutter leaves no tooth at this centre distance"};
+    return Error{"cut_by", "", "the cutter leaves no tooth at this centre distance"};
   const Arc& last = arcs.back();
   const double land = last.name == ArcName::tip_land ? last.begin : 0.0;
   const detail::ToothEnds ends{motion.teeth,

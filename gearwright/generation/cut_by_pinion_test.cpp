@@ -32,7 +32,7 @@ GeneratedTooth by_rack(int teeth, double shift, const StraightRack& rack, double
   auto edge = make_edge(rack, 1.0, 20_deg);
   EXPECT_TRUE(edge);
   auto tooth = cut_by_rack(edge->edge, {teeth / 2.0, 1.0, shift}, teeth, blank, fillets);
-  EXPECT_TRUE(tooth) << tooth.error().message;
+  EXPECT_TRUE(tooth) << tooth.error().message();
   return std::move(tooth).take();
 }
 
@@ -52,7 +52,7 @@ double no_blank(int teeth) { return teeth > 0 ? kInfinity : 0.0; }
 
 GeneratedTooth cut(const GeneratedTooth& cutter, const PinionMotion& motion, double blank) {
   auto tooth = cut_by_pinion(cutter, motion, blank);
-  EXPECT_TRUE(tooth) << tooth.error().message;
+  EXPECT_TRUE(tooth) << tooth.error().message();
   return std::move(tooth).take();
 }
 
@@ -346,18 +346,18 @@ TEST(CutByPinion, refusals) {
   const double base = 10 * std::cos(kAlpha) * (1 + 45.0 / 20);  // r_p = r_b
   const auto inside = cut_by_pinion(cutter, {20, 45, base * (1 - 1e-9)}, kInfinity);
   ASSERT_FALSE(inside);
-  EXPECT_EQ(inside.error().key, "cut_by");
-  EXPECT_NE(inside.error().message.find("greater"), std::string::npos);
+  EXPECT_EQ(inside.error().field, "cut_by");
+  EXPECT_NE(inside.error().message().find("greater"), std::string::npos);
   EXPECT_TRUE(cut_by_pinion(cutter, {20, 45, base * (1 + 1e-3)}, kInfinity));
   const double root = 32.5 - cutter.tip_radius;
   const auto small = cut_by_pinion(cutter, {20, 45, 32.5}, root * (1 - 1e-12));
   ASSERT_FALSE(small);
-  EXPECT_EQ(small.error().key, "tip_diameter_mm");
+  EXPECT_EQ(small.error().field, "tip_diameter");
   EXPECT_TRUE(cut_by_pinion(cutter, {20, 45, 32.5}, root + 0.1));
   const auto wide = cut_by_pinion(cutter, {20, -60, 20.0}, 20.0 + cutter.tip_radius + 1e-9);
   ASSERT_FALSE(wide);
-  EXPECT_EQ(wide.error().key, "tip_diameter_mm");
-  EXPECT_NE(wide.error().message.find("less"), std::string::npos);
+  EXPECT_EQ(wide.error().field, "tip_diameter");
+  EXPECT_NE(wide.error().message().find("less"), std::string::npos);
 }
 
 }  // namespace

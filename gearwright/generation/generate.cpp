@@ -69,8 +69,7 @@ std::optional<Error> put_root_fillet(std::vector<Branch>& branches, int teeth,
                                      const CircularFillet& root, GeneratedTooth& tooth) {
   Branch& flank = branches.front();
   if (!(root.roll < flank.t_hi)) {
-    return Error{"root_fillet", "",
-                 "root_fillet: no circle centred in the space touches the flank there"};
+    return Error{"root_fillet", "", "no circle centred in the space touches the flank there"};
   }
   const double gamma = std::numbers::pi / teeth;
   auto circle = std::make_shared<OffsetCircle>(root.arc.distance, gamma, root.arc.radius);
@@ -92,8 +91,7 @@ std::optional<Error> put_tip_fillet(std::vector<Branch>& branches, const Circula
                                     GeneratedTooth& tooth) {
   Branch& flank = branches.back();
   if (!(tip.roll > flank.t_lo && tip.roll <= flank.t_hi)) {
-    return Error{"tip_fillet", "",
-                 "tip_fillet: it would touch the tooth where the rack leaves no flank"};
+    return Error{"tip_fillet", "", "it would touch the tooth where the rack leaves no flank"};
   }
   flank.t_hi = tip.roll;
   flank.height_hi = flank.height(tip.roll);
@@ -116,8 +114,8 @@ std::optional<Error> put_fillets(std::vector<Branch>& branches, int teeth,
   const auto flank = std::find_if(branches.begin(), branches.end(),
                                   [](const Branch& b) { return b.name == ArcName::flank; });
   if (flank == branches.end()) {
-    const char* key = fillets.root ? "root_fillet" : "tip_fillet";
-    return Error{key, "", std::string(key) + ": the rack leaves no involute for it to touch"};
+    return Error{fillets.root ? "root_fillet" : "tip_fillet", "",
+                 "the rack leaves no involute for it to touch"};
   }
   // The tip first: what goes from the front shifts the flank's place.
   if (fillets.tip) {

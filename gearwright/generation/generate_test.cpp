@@ -159,7 +159,7 @@ TEST(CutByRack, a_blank_below_the_root_is_an_error) {
   const auto edge = make_edge(StraightRack{}, 1.0, 20_deg);
   const auto tooth = cut_by_rack(edge->edge, {10.0, 1.0, 0.0}, 20, 8.75);
   ASSERT_FALSE(tooth);
-  EXPECT_EQ(tooth.error().key, "tip_diameter_mm");
+  EXPECT_EQ(tooth.error().field, "tip_diameter");
 }
 
 // Undercut that begins just here: the swallowtail between fillet and flank is smaller than an ulp,

@@ -13,8 +13,7 @@ namespace gearwright {
 namespace {
 
 Error off_flank(double diameter, const std::string& why) {
-  return {"chord_diameter_mm", fmt::format("{}", diameter),
-          fmt::format("chord_diameter_mm = {}: {}", diameter, why)};
+  return refused("chord_diameter", diameter, why);
 }
 
 struct FlankRange {
@@ -30,7 +29,8 @@ Result<FlankRange> flank_range(const Gear& gear, double diameter) {
     return FlankRange{std::max(d_Fa, d_b), gear.root_diameter,
                       fmt::format("at least the base diameter {} mm, from d_Fa = {} mm to the "
                                   "ring's root diameter {} mm",
-                                  d_b, d_Fa, gear.root_diameter)};
+                                  spoken(d_b, diameter), spoken(d_Fa, diameter),
+                                  spoken(gear.root_diameter, diameter))};
   }
   const auto form = gear.root_form_radius();
   if (!gear.exists() || !form) {
@@ -38,10 +38,11 @@ Result<FlankRange> flank_range(const Gear& gear, double diameter) {
                      "there is no usable flank to measure, neither here nor at another diameter; "
                      "see the gear's warnings");
   }
-  return FlankRange{std::max(2 * *form, d_b), d_Fa,
-                    fmt::format("at least the base diameter {} mm, on the usable flank from d_Ff = "
-                                "{} mm to d_Fa = {} mm",
-                                d_b, 2 * *form, d_Fa)};
+  return FlankRange{
+      std::max(2 * *form, d_b), d_Fa,
+      fmt::format("at least the base diameter {} mm, on the usable flank from d_Ff = "
+                  "{} mm to d_Fa = {} mm",
+                  spoken(d_b, diameter), spoken(2 * *form, diameter), spoken(d_Fa, diameter))};
 }
 
 }  // namespace
@@ -70,8 +71,8 @@ Result<ChordalThickness<double>> chordal_thickness(const Gear& gear, double diam
         diameter,
         fmt::format("the two flanks meet at {} mm, there is no tooth {} that; the diameter must be "
                     "{}",
-                    gear.pointed_diameter.value_or(diameter), gear.internal() ? "inside" : "beyond",
-                    range->ends));
+                    spoken(gear.pointed_diameter.value_or(diameter)),
+                    gear.internal() ? "inside" : "beyond", range->ends));
   }
   if (arc.half_angle < std::numbers::pi) {
     const auto chord = shortest_chord(arc);
@@ -81,7 +82,7 @@ Result<ChordalThickness<double>> chordal_thickness(const Gear& gear, double diam
       diameter,
       fmt::format("the tooth covers {} degrees about the axis, no calliper reaches over it; a "
                   "greater diameter may do, it must be {}",
-                  2 * arc.half_angle * kDegPerRad, range->ends));
+                  spoken(2 * arc.half_angle * kDegPerRad), range->ends));
 }
 
 }  // namespace gearwright

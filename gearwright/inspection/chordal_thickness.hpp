@@ -120,7 +120,7 @@ ToothArc<double> tooth_arc(const Gear& gear, double diameter);
 
 /// The shortest chord over a tooth of the gear, allowance included; of a ring's tooth too.
 ///
-/// Errors    `chord_diameter_mm`: not on the usable flank (from d_Ff to d_Fa, and never inside the
+/// Errors    `chord_diameter`: not on the usable flank (from d_Ff to d_Fa, and never inside the
 ///           base circle; a ring: from d_Fa to its root), beyond the diameter at which the flanks
 ///           meet, over a tooth that no calliper can span, or on a gear without a flank
 Result<ChordalThickness<double>> chordal_thickness(const Gear& gear, double diameter);

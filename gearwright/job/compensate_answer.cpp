@@ -32,10 +32,9 @@ std::optional<Error> check_corrections(const ContactSetup& setup, const Compensa
   for (const std::size_t i : input.corrections) {
     if (can_take(setup, i)) continue;
     return Error{"compensate.corrections", std::string(kCorrections[i].key),
-                 fmt::format("compensate.corrections: {} {}", kCorrections[i].key,
-                             i == setting ? "is the setting of a rack F (kind = \"circular_arc\"), "
-                                            "which cuts neither gear"
-                                          : "needs a helical gear cut by a rack")};
+                 i == setting ? "is the setting of a rack F (one of circular arcs), which cuts "
+                                "neither gear"
+                              : "needs a helical gear cut by a rack"};
   }
   return std::nullopt;
 }
@@ -193,8 +192,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job) {
   };
   answer.result = compensate(task);
   if (!std::isfinite(answer.result.before.peak_to_peak.rad()))
-    return Error{"errors", "",
-                 "errors: nothing touches as the pair stands; see gearwright contact"};
+    return Error{"errors", "", "nothing touches as the pair stands; see gearwright contact"};
   answer.corrected = json_text(corrected_spec(job, setup, answer.corrections, answer.result.value));
   return answer;
 }

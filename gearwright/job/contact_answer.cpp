@@ -6,40 +6,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearwright/base/refusal.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/modification_keys.hpp"
 #include "gearwright/contact/pair_contact.hpp"
+#include "gearwright/gear/gear_field.hpp"
 
 namespace gearwright {
 
 namespace {
-
-std::optional<Error> check_cutter_lead(const JobSpec& spec, const Gear& gear, int which) {
-  const std::size_t index = *error_index(fmt::format("cutter_lead{}_deg", which));
-  const double delta = spec.errors.value[index];
-  if (delta == 0.0) return std::nullopt;
-  const std::string key = "errors." + std::string(error_entries()[index].key);
-  if (gear.twist() == 0.0)
-    return refused(key, delta, "a spur gear has no lead to change; give it a helix angle");
-  if (gear.cut_by)
-    return refused(key, delta,
-                   "the gear is cut by a gear, whose lead is that of its guide; a "
-                   "change of it is helix_slope");
-  if (!error_entries()[index].possible(gear, delta)) {
-    return refused(key, delta,
-                   fmt::format("makes the lead angle {} degrees; it must stay between 0.5 and 90",
-                               90.0 - std::abs(gear.spec.helix_angle.deg()) + delta));
-  }
-  return std::nullopt;
-}
-
-Error in_gear(Error error, int which) {
-  const std::string prefix = fmt::format("gear{}.", which);
-  error.key = prefix + error.key;
-  error.message = prefix + error.message;
-  return error;
-}
 
 bool any_modification(const GearInput& gear) {
   for (const FlankModifications& m : gear.modifications) {
@@ -58,7 +32,7 @@ std::string why_nothing_touches(const ContactSetup& setup) {
   if (!setup.gear(2).internal() && a >= r1 + r2) {
     return fmt::format(
         "the axes stand {:.6g} mm apart and the tip radii reach {:.6g} mm: the teeth pass each "
-        "other; reduce errors.center_distance_mm or pair.center_distance_mm",
+        "other; reduce `errors.center_distance` or `pair.center_distance`",
         a, r1 + r2);
   }
   return fmt::format(
@@ -116,7 +90,7 @@ Result<ContactSetup> ContactSetup::changed(const SetupChange& change) const {
         m.profile_slope += f.profile_slope;
       }
       auto field = make_removal_field(m, flank_extent(*gears_[i]));
-      if (!field) return in_gear(field.error(), i + 1);
+      if (!field) return of_flank(i + 1, side, field.error());
       setup.removal_[i][side] = std::make_shared<const RemovalField>(std::move(field).take());
     }
   }
@@ -129,10 +103,10 @@ Result<ContactSetup> ContactSetup::changed(const SetupChange& change) const {
     rack->center_b += change.tool_setting / spec.normal_module;
     rack->pressure_angle.reset();  // a check of the drawing's setting
     auto gear = make_gear(spec);
-    if (!gear) return in_gear(gear.error(), *which);
+    if (!gear) return of_gear(*which, gear.error());
     if (!gear->exists() || !gear->root_form_radius())
       return Error{"compensate.corrections", "tool_setting_mm",
-                   "compensate.corrections: this tool setting leaves no tooth"};
+                   "this tool setting leaves no tooth"};
     setup.gears_[*which - 1] = std::make_shared<const Gear>(std::move(gear).take());
   }
   return setup;
@@ -143,28 +117,27 @@ Result<ContactSetup> ContactSetup::of(const SolvedJob& job) {
   GW_EXPECTS(job.pair.has_value());
   setup.place_.center_distance = job.pair->center_distance();
   setup.place_.shaft_angle = job.pair->shaft_angle();
+  for (const int i : {0, 1}) setup.gears_[i] = std::make_shared<const Gear>(job.pair->gear(i + 1));
+  for (std::size_t i = 0; i < kErrorCount; ++i)
+    setup.place_.errors = setup.with_error(setup.place_.errors, i, job.spec.errors.value[i]);
   for (int i = 0; i < 2; ++i) {
-    const Gear& gear = job.pair->gear(i + 1);
-    setup.gears_[i] = std::make_shared<const Gear>(gear);
+    const Gear& gear = setup.gear(i + 1);
     const auto form = gear.root_form_radius();
     if (!form) {
-      return Error{fmt::format("gear{}", i + 1), "",
-                   fmt::format("gear{}: has no usable flank to touch with; see its warnings "
-                               "(gearwright gear)",
-                               i + 1)};
+      return Error{gear_field(i + 1), "",
+                   "has no usable flank to touch with; see its warnings (gearwright gear)"};
     }
-    if (auto error = check_cutter_lead(job.spec, gear, i + 1)) return *error;
+    if (auto error = check_cutter_lead(gear, i + 1, setup.place_.errors.cutter_lead[i]))
+      return *error;
     const GearInput& input = *job.spec.gears[i];
     setup.modifications_[i] = input.modifications;
     if (!any_modification(input)) continue;
     for (int side = 0; side < 2; ++side) {
       auto field = make_removal_field(input.modifications[side], flank_extent(gear));
-      if (!field) return in_gear(field.error(), i + 1);
+      if (!field) return of_flank(i + 1, side, field.error());
       setup.removal_[i][side] = std::make_shared<const RemovalField>(std::move(field).take());
     }
   }
-  for (std::size_t i = 0; i < kErrorCount; ++i)
-    setup.place_.errors = setup.with_error(setup.place_.errors, i, job.spec.errors.value[i]);
   for (const ErrorEntry& e : error_entries()) {
     if (e.kind)
       setup.influences_.push_back(
@@ -256,7 +229,7 @@ Result<ContactAnswer> answer_contact(SolvedJob& job) {
   const auto touches = [](const ContactPoint& p) { return p.kind != TouchKind::none; };
   const auto& positions = answer.driving.positions;
   if (std::none_of(positions.begin(), positions.end(), touches))
-    return Error{"errors", "", "errors: nothing touches; " + why_nothing_touches(answer.setup)};
+    return Error{"errors", "", "nothing touches; " + why_nothing_touches(answer.setup)};
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const ContactPoint& behind = answer.other.positions[i];
     if (!touches(positions[i]) || !touches(behind)) continue;

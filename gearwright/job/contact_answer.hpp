@@ -36,7 +36,7 @@ struct SetupChange {
 /// The pair of a job as contact takes it, with what it points to.
 class ContactSetup {
  public:
-  /// Errors    `gearN.modifications.…`; `errors.cutter_leadN_deg` where there is no lead to change;
+  /// Errors    `gearN.modifications.…`; `errors.cutter_lead[N]` where there is no lead to change;
   ///           `gearN` without a usable flank
   static Result<ContactSetup> of(const SolvedJob& job);
 

@@ -9,7 +9,9 @@
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/modification_keys.hpp"
+#include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/contact/contact.hpp"
+#include "gearwright/contact/pair_contact.hpp"
 
 namespace gearwright {
 
@@ -91,7 +93,7 @@ std::optional<ContactPoint> middle_of(const std::vector<ContactPoint>& points) {
 // An error the other way round may be a lead that no gear has.
 bool can_be(const ContactSetup& setup, std::size_t index, double value) {
   const ErrorEntry& e = error_entries()[index];
-  return e.gear == 0 || e.possible(setup.gear(e.gear), value);
+  return !e.of_cutter() || !check_cutter_lead(setup.gear(e.gear), e.gear, Angle::degrees(value));
 }
 
 // An error or several, to be shown by themselves.
@@ -185,10 +187,10 @@ Result<std::optional<ContactPart>> contact_part(SolvedJob& job) {
   auto made = answer_contact(job);
   if (!made) {
     // Of the whole pair there is a reason why nothing touches; of one number it is wrong.
-    const std::string& key = made.error().key;
-    if (key != "errors" && key != "gear1" && key != "gear2") return made.error();
-    std::string reason = made.error().message;
-    if (reason.rfind("errors: ", 0) == 0) reason.erase(0, 8);
+    const std::string& field = made.error().field;
+    if (field != "errors" && field != "gear1" && field != "gear2") return made.error();
+    const Error why = spelled(made.error(), job.spec.given);
+    const std::string reason = field == "errors" ? why.rule : why.message();
     job.warnings.push_back({"no_contact", "No contact analysis: " + reason + ".", 0});
     return std::optional<ContactPart>();
   }

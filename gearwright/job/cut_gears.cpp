@@ -4,14 +4,12 @@
 
 #include <cmath>
 
-#include "gearwright/base/refusal.hpp"
+#include "gearwright/gear/gear_field.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
 
 namespace gearwright {
 
 namespace {
-
-std::string table(int which) { return fmt::format("gear{}", which); }
 
 GearInput& input(JobSpec& spec, int which) {
   return *spec.gears[static_cast<std::size_t>(which - 1)];
@@ -22,28 +20,27 @@ std::optional<Error> check_cutters(const JobSpec& spec) {
   for (const int which : {1, 2}) {
     const auto& gear = spec.gears[static_cast<std::size_t>(which - 1)];
     if (!gear || !gear->cut_by || gear->cut_by->gear == 0) continue;
-    const std::string key = table(which) + ".cut_by";
     const int by = gear->cut_by->gear;
     const auto& cutter = spec.gears[static_cast<std::size_t>(by - 1)];
     const auto fail = [&](const std::string& why) {
-      return Error{key, table(by), fmt::format("{} = \"{}\": {}", key, table(by), why)};
+      return Error{gear_field(which, "cut_by"), gear_field(by), why};
     };
     if (by == which) return fail("a gear cannot cut itself; name the other gear or a cutter");
-    if (!cutter) return fail(fmt::format("there is no [{}] in this spec", table(by)));
+    if (!cutter) return fail(fmt::format("there is no `{}` in this spec", gear_field(by)));
     if (cutter->cut_by && cutter->cut_by->gear == which) {
       return fail(
-          fmt::format("and {}.cut_by = \"{}\" go in a circle; one of the two needs a rack "
-                      "or a cutter of its own",
-                      table(by), table(which)));
+          fmt::format("goes in a circle with `{}`; one of the two needs a rack or a cutter "
+                      "of its own",
+                      gear_field(by, "cut_by")));
     }
     if (cutter->cylindrical.teeth < 0) return fail("a ring cannot be a pinion cutter");
     if (cutter->tip_clearance || cutter->tip_clearance_by_rule) {
       return Error{
-          table(by) + ".tip_fillet.clearance_mm", "",
-          fmt::format("{}.tip_fillet.clearance_mm: {} is cut by this very tip, which leaves "
-                      "no clearance to it; give radius_mm or l_mm here, and {} a cutter of its own "
-                      "with a longer tip, or a centre distance greater than the generating one",
-                      table(by), table(which), table(which))};
+          gear_field(by, "tip_fillet.clearance"), "",
+          fmt::format("gear {} is cut by this very tip, which leaves no clearance to it; give "
+                      "`radius` or `l` here, and gear {} a cutter of its own with a longer tip, or "
+                      "a centre distance greater than the generating one",
+                      which, which)};
     }
   }
   return std::nullopt;
@@ -54,20 +51,18 @@ std::optional<Error> check_agreement(const GearInput& gear, const Gear& made, in
   const auto differs = [](const std::optional<double>& given, double value) {
     return given && std::abs(*given - value) > 1e-9 * std::max(1.0, std::abs(value));
   };
-  const auto fail = [&](const char* key, double given, double value) {
-    const std::string name = table(which) + "." + key;
-    return refused(name, given,
-                   fmt::format("contradicts {}.cut_by, which makes it {}; leave one of them out",
-                               table(which), value));
+  const auto fail = [&](const char* member, double given, double value) {
+    return refused(gear_field(which, member), given, {value},
+                   "contradicts `cut_by`, which makes it {}; leave one of them out");
   };
   const CylindricalSpec& s = made.spec;
   if (differs(gear.cut_by->module, s.normal_module))
-    return fail("normal_module_mm", *gear.cut_by->module, s.normal_module);
+    return fail("normal_module", *gear.cut_by->module, s.normal_module);
   if (const auto given = gear.cut_by->pressure_angle;
       given && differs(given->deg(), s.normal_pressure_angle.deg()))
-    return fail("normal_pressure_angle_deg", given->deg(), s.normal_pressure_angle.deg());
+    return fail("normal_pressure_angle", given->deg(), s.normal_pressure_angle.deg());
   if (gear.helix_given && differs(gear.cylindrical.helix_angle.deg(), s.helix_angle.deg()))
-    return fail("helix_angle_deg", gear.cylindrical.helix_angle.deg(), s.helix_angle.deg());
+    return fail("helix_angle", gear.cylindrical.helix_angle.deg(), s.helix_angle.deg());
   return std::nullopt;
 }
 
@@ -100,15 +95,10 @@ Result<double> distance_of(const JobSpec& spec, const Gear& cutter, int which) {
   if (auto error = check_cutter(cutter, z)) return *error;
   if (cut.profile_shift_pair) {
     auto e = generating_distance(cutter, z, *cut.profile_shift_pair - x_0);
-    if (!e) {
-      Error error = e.error();
-      error.key = "profile_shift_pair";
-      error.value = fmt::format("{}", *cut.profile_shift_pair);
-      error.message = fmt::format("profile_shift_pair = {}: with the cutter's shift {} it means {}",
-                                  *cut.profile_shift_pair, x_0, error.message);
-      return error;
-    }
-    return e;
+    if (e) return e;
+    return following_from("profile_shift_pair", spoken(*cut.profile_shift_pair),
+                          fmt::format("with the cutter's shift {} it means", spoken(x_0)),
+                          e.error());
   }
   if (gear.profile_shift) return generating_distance(cutter, z, *gear.profile_shift);
   if (cut.gear != 0 && spec.pair.center_distance) return *spec.pair.center_distance;
@@ -125,22 +115,16 @@ std::optional<Error> make_cut_gear(JobSpec& spec, int which, MadeGears& made) {
     CylindricalSpec c = cut.cutter->cylindrical;
     c.profile_shift = cut.cutter->profile_shift.value_or(0.0);
     auto cutter = make_gear(c);
-    if (!cutter) {
-      Error e = cutter.error();
-      e.key = "cut_by." + e.key;
-      e.message = "cut_by." + e.message;
-      return in_table(e, spec, which);
-    }
+    if (!cutter) return of_given_gear(within("cut_by", cutter.error()), spec, which);
     own = std::move(cutter).take();
   }
   const Gear& cutter = own ? *own : *made[static_cast<std::size_t>(cut.gear - 1)];
   if (!cutter.exists()) {
-    const std::string key = table(which) + ".cut_by";
-    return Error{key, "",
-                 fmt::format("{}: the cutter is no gear. {}", key, cutter.warnings.back().message)};
+    return Error{gear_field(which, "cut_by"), "",
+                 "the cutter is no gear. " + cutter.warnings.back().message};
   }
   auto distance = distance_of(spec, cutter, which);
-  if (!distance) return in_table(distance.error(), spec, which);
+  if (!distance) return of_given_gear(distance.error(), spec, which);
   const double face =
       gear.face_width_given ? gear.cylindrical.face_width : 10 * cutter.spec.normal_module;
   const bool by_distance =
@@ -148,12 +132,10 @@ std::optional<Error> make_cut_gear(JobSpec& spec, int which, MadeGears& made) {
   auto result = make_pinion_cut_gear(
       cutter, {gear.cylindrical.teeth, *distance, face, gear.cylindrical.tip_diameter});
   if (!result) {
-    Error error = result.error();
-    if (!by_distance || error.key != "cut_by") return in_table(error, spec, which);
+    const Error& error = result.error();
+    if (!by_distance || error.field != "cut_by") return of_given_gear(error, spec, which);
     // The pair's distance is the generating one here.
-    error.key = "pair.center_distance_mm";
-    error.message = "pair.center_distance_mm, at which the gear is cut: " + error.message;
-    return error;
+    return Error{"pair.center_distance", error.value, "the gear is cut there: " + error.rule};
   }
   if (auto error = check_agreement(gear, *result, which)) return error;
   gear.cylindrical = result->spec;
@@ -175,15 +157,16 @@ std::optional<Error> make_cut_gears(JobSpec& spec, MadeGears& made) {
   if (!is_cut(1) && !is_cut(2)) return std::nullopt;
   if (spec.pair.shorten_tips) {
     return Error{"pair.shorten_tips", "true",
-                 "pair.shorten_tips = true: has no place beside cut_by; give tip_diameter_mm"};
+                 fmt::format("has no place beside `{}`; give `gear1.tip_diameter` and "
+                             "`gear2.tip_diameter`",
+                             gear_field(is_cut(1) ? 1 : 2, "cut_by"))};
   }
   const bool mates = (is_cut(1) && spec.gears[0]->cut_by->gear != 0) ||
                      (is_cut(2) && spec.gears[1]->cut_by->gear != 0);
   if (mates && spec.pair.mounting == Mounting::extended) {
-    return Error{
-        "pair.mounting", "extended",
-        "pair.mounting = \"extended\": a gear cut by its mate is mounted at the generating "
-        "distance; give center_distance_mm for another one"};
+    return Error{"pair.mounting", "extended",
+                 "a gear cut by its mate is mounted at the generating distance; give "
+                 "`pair.center_distance` for another one"};
   }
   // First the one that waits for no other.
   const bool second_first = is_cut(1) && spec.gears[0]->cut_by->gear == 2;
@@ -199,7 +182,7 @@ std::optional<Error> make_cut_gears(JobSpec& spec, MadeGears& made) {
     gear.profile_shift = gear.profile_shift.value_or(0.0);
     gear.cylindrical.profile_shift = *gear.profile_shift;
     auto cutter = make_gear(gear.cylindrical);
-    if (!cutter) return in_table(cutter.error(), spec, which);
+    if (!cutter) return of_given_gear(cutter.error(), spec, which);
     made[static_cast<std::size_t>(which - 1)] = std::move(cutter).take();
   }
   return std::nullopt;
@@ -210,13 +193,11 @@ std::optional<Error> place_clear_tips(JobSpec& spec, const MadeGears& made,
   for (const int which : {1, 2}) {
     auto& gear = spec.gears[static_cast<std::size_t>(which - 1)];
     if (!gear || !(gear->tip_clearance || gear->tip_clearance_by_rule)) continue;
-    const std::string key = table(which) + ".tip_fillet.clearance_mm";
     const auto& mate = spec.gears[static_cast<std::size_t>(2 - which)];
     if (!mate || !center_distance) {
-      return Error{key, "",
-                   key +
-                       ": needs a mate on a parallel axis to keep clear of; radius_mm or l_mm "
-                       "says where the fillet begins without one"};
+      return Error{gear_field(which, "tip_fillet.clearance"), "",
+                   "needs a mate on a parallel axis to keep clear of; `radius` or `l` says where "
+                   "the fillet begins without one"};
     }
     double root = 0.0;
     if (const auto& done = made[static_cast<std::size_t>(2 - which)]) {
@@ -225,11 +206,11 @@ std::optional<Error> place_clear_tips(JobSpec& spec, const MadeGears& made,
       CylindricalSpec bare = mate->cylindrical;
       bare.tip_fillet.reset();
       auto other = make_gear(bare);
-      if (!other) return in_table(other.error(), spec, 3 - which);
+      if (!other) return of_given_gear(other.error(), spec, 3 - which);
       root = other->root_diameter / 2;
     }
-    const double m = gear->cylindrical.normal_module;
-    const double clearance = gear->tip_clearance.value_or(0.2 * m + 0.05);  // [T6.7]
+    const double clearance =
+        gear->tip_clearance.value_or(default_tip_clearance(gear->cylindrical.normal_module));
     const double side = mate->cylindrical.teeth < 0 ? -1.0 : 1.0;
     gear->cylindrical.tip_fillet =
         TipFilletSpec{TipFilletSpec::By::end_radius, side * (*center_distance - root) - clearance};

@@ -12,9 +12,12 @@ namespace gearwright {
 
 using MadeGears = std::array<std::optional<Gear>, 2>;
 
-/// The key of an error of a gear's own table, "profile_shift", as the file has it,
-/// "gear2.profile_shift".
-Error in_table(Error error, const JobSpec& spec, int which);
+/// The error of a gear as one of the spec's gear 1 or 2; of one given by its base cylinder it is
+/// told what the rack makes of it.
+Error of_given_gear(Error error, const JobSpec& spec, int which);
+
+/// What a tip fillet leaves to the mate's root where nobody says: 0.2 m_n + 0.05 mm. [T6.7]
+inline double default_tip_clearance(double normal_module) { return 0.2 * normal_module + 0.05; }
 
 /// Makes every gear with cut_by and writes what follows (module, angles, shift) into its input;
 /// with it the gear that cuts it. The pair's distance is set to the generating one where it is
@@ -24,9 +27,9 @@ Error in_table(Error error, const JobSpec& spec, int which);
 ///           make_pinion_cut_gear
 std::optional<Error> make_cut_gears(JobSpec& spec, MadeGears& made);
 
-/// Turns [gearN.tip_fillet] clearance_mm into where the tooth ends, at the centre distance a.
+/// Turns the clearance of a tip fillet into where the tooth ends, at the centre distance a.
 ///
-/// Errors    `gearN.tip_fillet.clearance_mm` where there is no mate, or it is cut by this gear
+/// Errors    `gearN.tip_fillet.clearance` where there is no mate, or it is cut by this gear
 std::optional<Error> place_clear_tips(JobSpec& spec, const MadeGears& made,
                                       std::optional<double> center_distance);
 

@@ -5,60 +5,62 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/design/few_teeth_design.hpp"
+#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/job/cut_gears.hpp"
 
 namespace gearwright {
 
 namespace {
 
 constexpr double kMaxContact = 20.0;  // nobody has mounted more
+constexpr const char* kChosen = "is chosen by `fit.few_teeth` itself; leave it out";
 
 std::optional<Error> out_of_place(const JobSpec& spec) {
-  const auto fail = [](const std::string& key, const std::string& why) {
-    return Error{key, "", key + ": " + why};
+  const auto fail = [](const std::string& field, const std::string& why) {
+    return Error{field, "", why};
   };
   for (const int which : {1, 2}) {
     const GearInput& g = *spec.gears[static_cast<std::size_t>(which - 1)];
-    const std::string table = fmt::format("gear{}.", which);
     if (g.cut_by || g.basic || g.cylindrical.tip_fillet || g.tip_clearance)
-      return fail(table + (g.cut_by  ? "cut_by"
-                           : g.basic ? "basic"
-                                     : "tip_fillet"),
-                  "few_teeth = true chooses this itself; leave it out");
-    if (g.cylindrical.tip_diameter)
-      return fail(table + "tip_diameter_mm", "few_teeth = true chooses this itself; leave it out");
+      return fail(gear_field(which, g.cut_by  ? "cut_by"
+                                    : g.basic ? "basic"
+                                              : "tip_fillet"),
+                  kChosen);
+    if (g.cylindrical.tip_diameter) return fail(gear_field(which, "tip_diameter"), kChosen);
   }
   const GearInput& pinion = *spec.gears[0];
   const GearInput& wheel = *spec.gears[1];
   const auto differs = [](double a, double b) { return std::abs(a - b) > 1e-9 * std::abs(a); };
   for (const GearInput* g : {&pinion, &wheel}) {
     if (g->cylindrical.thickness_allowance != 0.0) {
-      return fail(g == &pinion ? "gear1.thickness_allowance_mm" : "gear2.thickness_allowance_mm",
-                  "the backlash is made by [fit] backlash_mm; leave this out");
+      return fail(gear_field(g == &pinion ? 1 : 2, "thickness_allowance"),
+                  "the backlash is made by `fit.backlash`; leave this out");
     }
   }
   if (differs(pinion.cylindrical.normal_module, wheel.cylindrical.normal_module))
-    return fail("gear2.normal_module_mm", "must be that of gear1, which cuts it");
+    return fail("gear2.normal_module", "must be that of gear 1, which cuts it");
   if (differs(pinion.cylindrical.normal_pressure_angle.deg(),
               wheel.cylindrical.normal_pressure_angle.deg()))
-    return fail("gear2.normal_pressure_angle_deg", "must be that of gear1, which cuts it");
-  if (wheel.helix_given) return fail("gear2.helix_angle_deg", "follows from gear1; leave it out");
-  if (wheel.face_width_given) return fail("gear2.face_width_mm", "is that of gear1; leave it out");
+    return fail("gear2.normal_pressure_angle", "must be that of gear 1, which cuts it");
+  if (wheel.helix_given) return fail("gear2.helix_angle", "follows from gear 1; leave it out");
+  if (wheel.face_width_given) return fail("gear2.face_width", "is that of gear 1; leave it out");
   if (spec.pair.shorten_tips || spec.pair.mounting == Mounting::extended)
-    return fail(spec.pair.shorten_tips ? "pair.shorten_tips" : "pair.mounting",
-                "few_teeth = true chooses tips and distance; leave this out");
+    return fail(
+        spec.pair.shorten_tips ? "pair.shorten_tips" : "pair.mounting",
+        "gears of few teeth (`fit.few_teeth` = true) get their tips and distance; leave this out");
   if (spec.fit.working_normal_pressure_angle)
-    return fail("fit.working_normal_pressure_angle_deg", "has no place beside few_teeth = true");
+    return fail("fit.working_normal_pressure_angle", "has no place beside `few_teeth` = true");
   if (spec.fit.contact_ratio && *spec.fit.contact_ratio > kMaxContact)
     return fail("fit.contact_ratio", fmt::format("must be at most {}", kMaxContact));
   if (wheel.cylindrical.root_fillet)
     return fail("gear2.root_fillet", "the wheel's root is cut by the pinion; leave it out");
-  if (wheel.profile_shift)
-    return fail("gear2.profile_shift", "few_teeth = true chooses this itself; leave it out");
+  if (wheel.profile_shift) return fail("gear2.profile_shift", kChosen);
   if (spec.gears[0]->cylindrical.teeth < 0)
-    return fail("gear1.teeth", "the ring of an internal pair is gear2; exchange the two tables");
+    return fail("gear1.teeth", "the ring of an internal pair is gear 2; exchange the two gears");
   if (spec.pair.shaft_angle && spec.pair.shaft_angle->rad() != 0.0)
-    return fail("pair.shaft_angle_deg",
+    return fail("pair.shaft_angle",
                 "gears of few teeth are designed for parallel axes; leave "
                 "it out");
   return std::nullopt;
@@ -121,8 +123,7 @@ Result<FitAnswer> answer_few_teeth(const JobSpec& spec) {
   const GearInput& g2 = *spec.gears[1];
   CylindricalSpec limits = g1.cylindrical;
   limits.profile_shift = g1.profile_shift.value_or(0.0);
-  if (auto error = check_limits(limits))
-    return Error{"gear1." + error->key, error->value, "gear1." + error->message};
+  if (auto error = check_limits(limits)) return of_gear(1, *error);
   FewTeethProblem p;
   p.teeth = {g1.cylindrical.teeth, g2.cylindrical.teeth};
   p.normal_module = g1.cylindrical.normal_module;
@@ -135,7 +136,7 @@ Result<FitAnswer> answer_few_teeth(const JobSpec& spec) {
   p.root_offset = g1.cylindrical.root_fillet ? g1.cylindrical.root_fillet->offset : 0.01 * m;
   p.min_tip_land = spec.fit.min_tip_land.value_or(0.0);
   p.min_gap = spec.fit.min_gap.value_or(0.0);
-  p.clearance = spec.fit.clearance.value_or(0.2 * m + 0.05);
+  p.clearance = spec.fit.clearance.value_or(default_tip_clearance(m));
   p.backlash = spec.fit.backlash.value_or(0.0);
   p.contact_ratio = spec.fit.contact_ratio.value_or(1.2);
   if (g1.face_width_given) p.face_width = g1.cylindrical.face_width;
@@ -146,7 +147,7 @@ Result<FitAnswer> answer_few_teeth(const JobSpec& spec) {
     answer.fit.reason = fmt::format(
         "of {} pairs of profile shifts none will do. What got furthest "
         "was stopped by {}",
-        found->candidates, found->limit);
+        found->candidates, spelled(found->limit, spec.given, "gear1"));
     return answer;
   }
   const FewTeethDesign& d = *found->design;

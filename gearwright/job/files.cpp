@@ -14,6 +14,7 @@
 #include "gearwright/cad/svg_outline.hpp"
 #include "gearwright/cad/threemf.hpp"
 #include "gearwright/cad/walls.hpp"
+#include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/job/contact_report.hpp"
 #include "gearwright/job/contact_text.hpp"
 #include "gearwright/job/result_json.hpp"
@@ -27,18 +28,12 @@ namespace {
 
 std::string gear_name(int which) { return "gear" + std::to_string(which); }
 
-// CAD errors name a body's key; a user knows it under the gear's table. Of a tolerance or of the
-// number of faces the spec has no key: their sentence stands alone.
-Error of_gear(Error error, const std::string& name) {
-  const bool of_spec = error.key == "teeth" || error.key.rfind("bore.", 0) == 0;
-  if (of_spec) {
-    error.message = name + "." + error.key + " = " + error.value + ": " + error.message;
-    error.key = name + "." + error.key;
-  } else {
-    error.message = name + ": " + error.message;
-    error.key = name;
-  }
-  return error;
+// CAD errors name a member of a body, which is the gear's. Of a tolerance or of the number of faces
+// a spec says nothing: their sentence is about the gear.
+Error of_body(Error error, const std::string& name) {
+  const bool of_spec = error.field == "teeth" || error.field.starts_with("bore.");
+  if (of_spec) return within(name, std::move(error));
+  return {name, "", error.rule};
 }
 
 Result<JobFile> make_mesh(FileKind kind, const std::vector<ToothedBody>& bodies,
@@ -47,7 +42,7 @@ Result<JobFile> make_mesh(FileKind kind, const std::vector<ToothedBody>& bodies,
   std::size_t triangles = 0;
   for (const ToothedBody& body : bodies) {
     auto mesh = tessellate(body, {.chord_tolerance_mm = options.mesh_tolerance_mm});
-    if (!mesh) return of_gear(mesh.error(), body.name);
+    if (!mesh) return of_body(mesh.error(), body.name);
     triangles += mesh->triangles.size();
     parts.push_back({body.name, std::move(mesh).take(), body.pose});
   }
@@ -63,8 +58,8 @@ Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodi
                              const fs::path& path, const FileOptions& options) {
   for (const ToothedBody& body : bodies) {
     if (body.pose.linear()(2, 2) == 1.0) continue;
-    return Error{"pair.shaft_angle_deg", "",
-                 "pair.shaft_angle_deg: a drawing is one plane section, and gears on crossed axes "
+    return Error{"pair.shaft_angle", "",
+                 "a drawing is one plane section, and gears on crossed axes "
                  "have none in common; draw each of them, --gear 1 and --gear 2"};
   }
   const auto style =
@@ -72,7 +67,7 @@ Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodi
   std::optional<double> tolerance;
   if (!options.drawing_splines) tolerance = options.drawing_tolerance_mm;
   auto made = kind == FileKind::svg ? svg_drawing(bodies) : dxf_drawing(bodies, {style, tolerance});
-  if (!made) return of_gear(made.error(), bodies.front().name);
+  if (!made) return of_body(made.error(), bodies.front().name);
   Drawing drawing = std::move(made).take();
   const char* what = kind == FileKind::svg     ? "SVG outline"
                      : options.drawing_splines ? "DXF, splines"
@@ -116,18 +111,14 @@ Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place) {
   const std::string name = gear_name(which);
   if (!gear.tooth) {
     return Error{name + ".cut_by", "",
-                 fmt::format("{}.cut_by: is missing; a ring's outline is cut by a pinion cutter "
-                             "([{}.cut_by] with its teeth, or the mate: cut_by = \"gear1\")",
-                             name, name)};
+                 "is missing; a ring's outline is cut by a pinion cutter: give one with its teeth, "
+                 "or name the mate, gear1"};
   }
   if (!gear.exists() && !gear.involute()) {
-    return Error{name + ".rack", "",
-                 fmt::format("{}.rack: {}", name, gear.warnings.back().message)};
+    return Error{name + ".rack", "", gear.warnings.back().message};
   }
   if (!gear.exists()) {
-    return Error{name + ".profile_shift", fmt::format("{}", gear.spec.profile_shift),
-                 fmt::format("{}.profile_shift = {}: {}", name, gear.spec.profile_shift,
-                             gear.warnings.back().message)};
+    return refused(name + ".profile_shift", gear.spec.profile_shift, gear.warnings.back().message);
   }
   ToothedBody body{name,
                    gear.tooth->outline,
@@ -152,7 +143,7 @@ Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
     return Error{"", "", "this build of gearwright has no STEP: it was configured without OCCT"};
   }
   for (const ToothedBody& body : bodies) {
-    if (const auto walls = make_walls(body); !walls) return of_gear(walls.error(), body.name);
+    if (const auto walls = make_walls(body); !walls) return of_body(walls.error(), body.name);
   }
   auto made = options.step(bodies, path.filename().string());
   if (!made) return made.error();
@@ -181,7 +172,8 @@ Result<std::vector<JobFile>> write_everything(SolvedJob& job, const fs::path& fo
   for (int which = 1; which <= static_cast<int>(job.gears.size()); ++which) {
     const auto body = make_body(job, which, false);
     if (!body) {
-      job.warnings.push_back({"no_outline", body.error().message, which});
+      job.warnings.push_back(
+          {"no_outline", spelled(body.error(), job.spec.given).message(), which});
       continue;
     }
     for (FileKind kind :

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/catalogue/fit_quantities.hpp"
+#include "gearwright/catalogue/spelling.hpp"
+#include "gearwright/gear/gear_field.hpp"
 #include "gearwright/job/few_teeth_answer.hpp"
 #include "gearwright/job/solve_arcs.hpp"
 #include "gearwright/job/value_json.hpp"
@@ -47,17 +49,14 @@ Json spec_of(const JobSpec& spec, const FitBranch& b) {
 }
 
 std::optional<Error> unknown_module(const JobSpec& spec) {
-  const Json tree = parse_json(spec.tree);
   for (const int i : {0, 1}) {
-    const char* name = i == 0 ? "gear1" : "gear2";
     if (spec.gears[i]->helix_given) continue;
     for (const char* key : {"transverse_module_mm", "transverse_pressure_angle_deg"}) {
-      if (!tree[name].contains(key)) continue;
-      const std::string full = std::string(name) + "." + key;
+      const std::string full = gear_field(i + 1, key);
+      if (!spec.given.contains(full)) continue;
       return Error{full, "",
-                   full +
-                       ": needs a helix angle, which is wanted here; give the rack's normal "
-                       "module and pressure angle"};
+                   "needs a helix angle, which is wanted here; give the rack's normal module and "
+                   "pressure angle"};
     }
   }
   return std::nullopt;
@@ -66,17 +65,15 @@ std::optional<Error> unknown_module(const JobSpec& spec) {
 }  // namespace
 
 Result<FitAnswer> answer_fit(const JobSpec& spec) {
-  if (!spec.gears[0]) return Error{"gear1", "", "gear1: is missing; fit is about two gears"};
+  if (!spec.gears[0]) return Error{"gear1", "", "is missing; fit is about two gears"};
   if (auto error = refuse_arcs(spec, "fit")) return *error;
-  if (!spec.gears[1]) return Error{"gear2", "", "gear2: is missing; fit is about two gears"};
+  if (!spec.gears[1]) return Error{"gear2", "", "is missing; fit is about two gears"};
   if (spec.fit.few_teeth) return answer_few_teeth(spec);
   for (const int i : {0, 1}) {
     if (!spec.gears[i]->cut_by) continue;
-    const std::string key = fmt::format("gear{}.cut_by", i + 1);
-    return Error{key, "",
-                 key +
-                     ": fit looks for gears cut by racks, or, with few_teeth = true in [fit], for "
-                     "the pinion that cuts its wheel, and chooses the cutter; leave this out"};
+    return Error{gear_field(i + 1, "cut_by"), "",
+                 "fit looks for gears cut by racks, or, with `fit.few_teeth` = true, for the "
+                 "pinion that cuts its wheel, and chooses the cutter; leave this out"};
   }
   if (auto error = unknown_module(spec)) return *error;
   const CylindricalSpec& c1 = spec.gears[0]->cylindrical;
@@ -88,10 +85,7 @@ Result<FitAnswer> answer_fit(const JobSpec& spec) {
   for (const int i : {0, 1}) {
     CylindricalSpec c = i == 0 ? c1 : c2;
     c.profile_shift = spec.gears[i]->profile_shift.value_or(0.0);
-    if (auto error = check_limits(c)) {
-      const std::string table = i == 0 ? "gear1." : "gear2.";
-      return Error{table + error->key, error->value, table + error->message};
-    }
+    if (auto error = check_limits(c)) return of_gear(i + 1, *error);
   }
   bool all = true;
   std::array<CylindricalSpec, 2> known{c1, c2};
@@ -106,22 +100,19 @@ Result<FitAnswer> answer_fit(const JobSpec& spec) {
     p.known = known;
   } else if (!same(c1.normal_module, c2.normal_module) ||
              !same(c1.normal_pressure_angle.rad(), c2.normal_pressure_angle.rad())) {
-    return Error{"gear2.normal_module_mm", fmt::format("{}", c2.normal_module),
-                 fmt::format("gear2.normal_module_mm = {}: to find helix angles or profile shifts "
-                             "both gears need the same module ({} mm) and pressure angle ({}°)",
-                             c2.normal_module, c1.normal_module, c1.normal_pressure_angle.deg())};
+    return refused("gear2.normal_module", c2.normal_module, {c1.normal_module},
+                   fmt::format("to find helix angles or profile shifts both gears need the same "
+                               "module ({{}} mm) and pressure angle ({}°)",
+                               spoken(c1.normal_pressure_angle.deg())));
   }
   if (p.teeth[0] < 0) {
-    return Error{"gear1.teeth", fmt::format("{}", p.teeth[0]),
-                 fmt::format("gear1.teeth = {}: the ring of an internal pair is gear2; exchange "
-                             "the two tables",
-                             p.teeth[0])};
+    return refused("gear1.teeth", p.teeth[0],
+                   "the ring of an internal pair is gear 2; exchange the two gears");
   }
   if (p.teeth[1] < 0 && -p.teeth[1] <= p.teeth[0]) {
-    return Error{"gear2.teeth", fmt::format("{}", p.teeth[1]),
-                 fmt::format("gear2.teeth = {}: a ring must have more teeth than its pinion "
-                             "(gear1.teeth = {})",
-                             p.teeth[1], p.teeth[0])};
+    return refused(
+        "gear2.teeth", p.teeth[1],
+        fmt::format("a ring must have more teeth than its pinion (gear 1 has {})", p.teeth[0]));
   }
   p.center_distance = spec.pair.center_distance;
   p.shaft_angle = spec.pair.shaft_angle;
@@ -129,6 +120,7 @@ Result<FitAnswer> answer_fit(const JobSpec& spec) {
   auto found = fit(p);
   if (!found) return found.error();
   FitAnswer answer{std::move(found).take(), {}};
+  answer.fit.reason = spelled(answer.fit.reason, spec.given);
   for (const FitBranch& b : answer.fit.branches) answer.specs.push_back(spec_of(spec, b));
   return answer;
 }

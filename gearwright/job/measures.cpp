@@ -7,7 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/gear/basic.hpp"
+#include "gearwright/gear/gear_field.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/value_json.hpp"
@@ -39,19 +41,12 @@ Result<ChordView> chord_measure(const SolvedJob& job, int which) {
   const auto i = static_cast<std::size_t>(which - 1);
   const Gear& gear = job.gears[i];
   if (!gear.involute()) {
-    const std::string key = fmt::format("gear{}.measure.chord_diameter_mm", which);
-    return Error{key, "",
-                 key + ": chords are measured on involute flanks; these are circular arcs"};
+    return Error{gear_field(which, "measure.chord_diameter"), "",
+                 "chords are measured on involute flanks; these are circular arcs"};
   }
   const double d = job.spec.gears[i]->chord_diameter.value_or(default_chord_diameter(gear));
   auto chord = chordal_thickness(gear, d);
-  if (!chord) {
-    Error e = chord.error();
-    const std::string table = fmt::format("gear{}.measure.", which);
-    e.key = table + e.key;
-    e.message = table + e.message;
-    return e;
-  }
+  if (!chord) return within(gear_field(which, "measure"), chord.error());
   return ChordView{d, *chord};
 }
 
@@ -65,8 +60,8 @@ Result<std::vector<MaybeChord>> chord_measures(SolvedJob& job) {
       return measure.error();
     } else {
       measures.push_back(std::nullopt);
-      job.warnings.push_back(
-          {"no_chord", "No chordal thickness: " + measure.error().message, which});
+      const Error why = spelled(measure.error(), job.spec.given);
+      job.warnings.push_back({"no_chord", "No chordal thickness: " + why.message(), which});
     }
   }
   return measures;
@@ -112,36 +107,38 @@ std::optional<RackQuestion> parse_rack_question(const std::string& text) {
 
 Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion& question) {
   if (!gear.involute())
-    return Error{"--as-rack", "", "--as-rack: only involute teeth have racks of other angles"};
+    return Error{"--as-rack", "", "only involute teeth have racks of other angles"};
   const BaseGear<double> base = base_gear(gear.spec.teeth, gear.reference());
   const double m_cos = normal_base_pitch(base) / std::numbers::pi;
   const auto bad = [](const std::string& value, const std::string& why) {
-    return Error{"--as-rack", value, fmt::format("--as-rack {}: {}", value, why)};
+    return Error{"--as-rack", value, why};
   };
   double alpha = question.normal_pressure_angle.value_or(Angle()).rad();
   if (question.normal_module) {
     const double m = *question.normal_module;
     if (!(m > m_cos)) {
-      return bad(fmt::format("{},", m),
+      return bad(spoken(m, m_cos) + ",",
                  fmt::format("no rack of this module has the gear: m_n cos α_n is {} mm, and the "
                              "module must be greater",
-                             m_cos));
+                             spoken(m_cos, m)));
     }
     const double of_module = std::acos(m_cos / m);
     if (!question.normal_pressure_angle) {
       alpha = of_module;
     } else if (std::abs(m * std::cos(alpha) - m_cos) > kSameRack * m_cos) {
-      return bad(fmt::format("{},{}", m, deg(alpha)),
-                 fmt::format("this rack has another base pitch: at {}° the module is {} mm, and at "
-                             "{} mm the angle is {}°",
-                             deg(alpha), m_cos / std::cos(alpha), m, deg(of_module)));
+      return bad(
+          fmt::format("{:.9g},{:.9g}", m, deg(alpha)),
+          fmt::format("this rack has another base pitch: at {:.9g}° the module is {:.9g} mm, "
+                      "and at {:.9g} mm the angle is {:.9g}°",
+                      deg(alpha), m_cos / std::cos(alpha), m, deg(of_module)));
     }
   }
   if (!has_rack(base, alpha)) {
-    return bad(fmt::format(",{}", deg(alpha)),
+    const double limit = 90 - std::abs(deg(base.helix_angle));
+    return bad("," + spoken(deg(alpha), limit),
                fmt::format("no rack of this angle has the gear; it must be less than {}°, 90° less "
                            "the base helix angle",
-                           90 - std::abs(deg(base.helix_angle))));
+                           spoken(limit, deg(alpha))));
   }
   return as_rack(base, alpha);
 }

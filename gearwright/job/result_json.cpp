@@ -39,7 +39,7 @@ Json files_json(const std::vector<JobFile>& files) {
 }
 
 Json error_json(const Error& error) {
-  return {{"error", {{"key", error.key}, {"value", error.value}, {"message", error.message}}}};
+  return {{"error", {{"key", error.field}, {"value", error.value}, {"message", error.message()}}}};
 }
 
 }  // namespace gearwright

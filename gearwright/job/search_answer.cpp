@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/catalogue/search_quantities.hpp"
+#include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/job/value_json.hpp"
 
 namespace gearwright {
@@ -15,6 +16,8 @@ namespace {
 
 // Regions of more designs than this are given without their boundary, whose curves have 25 points.
 constexpr std::size_t kMaxBoundaries = 10'000;
+
+std::string key_of(const NearestChange& c) { return spelled_member("search." + c.field); }
 
 Value edges_of(const Search& search, const DesignRow& row) {
   const ShiftGraph graph = search.graph(row.trial);
@@ -113,7 +116,7 @@ std::vector<std::string> rejected_lines(const SearchCounts& counts) {
 std::vector<std::string> change_lines(const SearchRun& run) {
   std::vector<std::string> lines;
   for (const NearestChange& c : run.changes)
-    lines.push_back(fmt::format("{} = {} instead of {}", c.key, c.to, c.from));
+    lines.push_back(fmt::format("{} = {} instead of {}", key_of(c), c.to, c.from));
   return lines;
 }
 

@@ -97,12 +97,11 @@ std::optional<Error> refuse_many_points(const Search& search, const SearchOption
   constexpr double kMaxTrials = 1e7;
   constexpr double kPointBytes = 66;  // measured: 16 in the table, 50 in the chunks
   if (search.space().approximate_size() > kMaxTrials) {
-    return Error{
-        "search.shift_step", fmt::format("{}", step),
-        fmt::format("search.shift_step = {}: with more than {:g} candidates its points are "
-                    "not counted beforehand; leave it out, narrow the search, or say "
-                    "--yes-large",
-                    step, kMaxTrials)};
+    return Error{"search.shift_step", fmt::format("{}", step),
+                 fmt::format("with more than {:g} candidates its points are "
+                             "not counted beforehand; leave it out, narrow the search, or say "
+                             "--yes-large",
+                             kMaxTrials)};
   }
   std::vector<DesignRow> rows;
   search.range(0, *search.space().size(), rows);
@@ -112,10 +111,10 @@ std::optional<Error> refuse_many_points(const Search& search, const SearchOption
   if (points <= kManyPoints) return std::nullopt;
   const double enough = std::sqrt(area / kManyPoints);
   return Error{"search.shift_step", fmt::format("{}", step),
-               fmt::format("search.shift_step = {}: the regions of {} designs hold about {:.2g} "
+               fmt::format("the regions of {} designs hold about {:.2g} "
                            "points of that grid, some {:.0f} GB; take a step of {:.2g} or more, "
                            "narrow the search, or say --yes-large",
-                           step, rows.size(), points, points * kPointBytes * 1e-9, enough * 1.01)};
+                           rows.size(), points, points * kPointBytes * 1e-9, enough * 1.01)};
 }
 
 std::optional<Error> refuse_large(const Search& search, const SearchOptions& options) {
@@ -124,16 +123,15 @@ std::optional<Error> refuse_large(const Search& search, const SearchOptions& opt
   if (!search.space().size()) {
     return Error{
         "search", fmt::format("{:.3g}", size),
-        fmt::format("search: {:.3g} candidates are more than can be counted here; narrow "
-                    "the bands of teeth and ratio, or the lists of modules and helix angles",
-                    size)};
+        "so many candidates are more than can be counted here; narrow the bands of teeth and "
+        "ratio, or the lists of modules and helix angles"};
   }
   if (size <= kLargeSearch || options.yes_large) return std::nullopt;
   const int threads = thread_count(options);
   const double rate = measured_rate(search, *search.space().size()) * threads;
   return Error{
       "--yes-large", fmt::format("{:.3g}", size),
-      fmt::format("search: {:.3g} candidates would take about {} here, at {:.3g} a second "
+      fmt::format("{:.3g} candidates would take about {} here, at {:.3g} a second "
                   "on {} thread{}. Narrow the bands, or say --yes-large (and --out DIR, so "
                   "that it can be stopped and resumed; --shard i/N shares it among "
                   "machines)",
@@ -323,7 +321,7 @@ Result<SearchRun> run_search(const JobSpec& spec, const Search& search,
                              const SearchOptions& options) {
   if (options.out.empty() && (options.resume || options.shards > 1)) {
     const std::string flag = options.resume ? "--resume" : "--shard";
-    return Error{flag, "", flag + ": needs --out DIR, the folder of the search"};
+    return Error{flag, "", "needs --out DIR, the folder of the search"};
   }
   if (auto error = refuse_large(search, options)) return *error;
   const std::int64_t trials = *search.space().size();
@@ -333,16 +331,15 @@ Result<SearchRun> run_search(const JobSpec& spec, const Search& search,
   if (chunks > kMaxChunks) {
     return Error{
         "search", fmt::format("{:.3g}", static_cast<double>(trials)),
-        fmt::format("search: {:.3g} candidates in {:.3g} chunks are more than one search can "
-                    "keep account of, at most {}; split the list of modules or the band of "
-                    "pinion_teeth among several searches{}",
-                    static_cast<double>(trials), chunks, kMaxChunks,
-                    options.chunk ? ", or take a larger --chunk" : "")};
+        fmt::format("so many candidates in {:.3g} chunks are more than one search can keep account "
+                    "of, at most {}; split the list of modules or the band of `pinion_teeth` among "
+                    "several searches{}",
+                    chunks, kMaxChunks, options.chunk ? ", or take a larger --chunk" : "")};
   }
   if (trials == 0) {
     return Error{"search.ratio", "",
-                 "search.ratio: no tooth numbers within pinion_teeth have such a ratio; widen one "
-                 "of the two bands"};
+                 "no tooth numbers within `pinion_teeth` have such a ratio; widen one of the two "
+                 "bands"};
   }
   const std::int64_t chunk = options.chunk.value_or(chunk_size(search.problem(), trials));
   const bool campaign =

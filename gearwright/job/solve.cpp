@@ -4,82 +4,69 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
+#include "gearwright/catalogue/spelling.hpp"
+#include "gearwright/gear/gear_field.hpp"
 #include "gearwright/gear/ring_cutter.hpp"
 #include "gearwright/job/cut_gears.hpp"
 #include "gearwright/job/solve_arcs.hpp"
 
 namespace gearwright {
 
-// A gear given by its base cylinder has none of a rack's keys: the complaint is about what the rack
-// makes of it.
-Error in_table(Error error, const JobSpec& spec, int which) {
-  const std::string table = fmt::format("gear{}", which);
+// A gear given by its base cylinder has none of a rack's numbers: it is told what the rack makes of
+// it.
+Error of_given_gear(Error error, const JobSpec& spec, int which) {
   const GearInput& gear = *spec.gears[static_cast<std::size_t>(which - 1)];
   const bool own =
-      error.key == "face_width_mm" || error.key == "tip_diameter_mm" || error.key == "teeth";
-  if (gear.basic && !own) {
-    error.message = fmt::format("{}.basic: on the rack of {:.6g}° that describes this gear {}",
-                                table, gear.cylindrical.normal_pressure_angle.deg(), error.message);
-    error.key = table + ".basic";
-    return error;
-  }
-  error.key = table + "." + error.key;
-  error.message = table + "." + error.message;
-  return error;
+      error.field == "face_width" || error.field == "tip_diameter" || error.field == "teeth";
+  if (!gear.basic || own) return of_gear(which, std::move(error));
+  return following_from(gear_field(which, "basic"), "",
+                        fmt::format("on the rack of {:.6g}° that describes this gear",
+                                    gear.cylindrical.normal_pressure_angle.deg()),
+                        error);
 }
 
 namespace {
 
-// A pair names its gears' rack keys; those of a gear given by its base cylinder are [gearN.basic].
-Error of_basic(Error error, const JobSpec& spec) {
+// A pair names its gears' racks; the numbers of a gear given by its base cylinder are its own.
+Error of_basic(const Error& error, const JobSpec& spec) {
   for (const int which : {1, 2}) {
     const auto& gear = spec.gears[static_cast<std::size_t>(which - 1)];
-    const std::string table = fmt::format("gear{}.", which);
-    if (!gear || !gear->basic || error.key.rfind(table, 0) != 0) continue;
-    const std::string own = error.key.substr(table.size());
-    if (own == "normal_module_mm") {
-      error.key = table + "basic.base_diameter_mm";
-      error.value = fmt::format("{}", 2 * gear->basic->radius);
-    } else if (own == "helix_angle_deg") {
-      error.key = table + "basic.base_helix_angle_deg";
-      error.value = fmt::format("{}", Angle::radians(gear->basic->helix_angle).deg());
-    } else if (own == "profile_shift") {
-      error.key = table + "basic.base_tooth_thickness_mm";
-      error.value = fmt::format("{}", gear->basic->tooth_thickness);
-    } else {
-      continue;
+    if (!gear || !gear->basic) continue;
+    const BaseGear<double>& base = *gear->basic;
+    for (const auto& [of_rack, own, value] :
+         {std::tuple{"normal_module", "basic.base_diameter", 2 * base.radius},
+          std::tuple{"helix_angle", "basic.base_helix_angle",
+                     Angle::radians(base.helix_angle).deg()},
+          std::tuple{"profile_shift", "basic.base_tooth_thickness", base.tooth_thickness}}) {
+      if (error.field != gear_field(which, of_rack)) continue;
+      return following_from(gear_field(which, own), spoken(value), "as a rack describes this gear,",
+                            error);
     }
-    error.message = fmt::format("{} = {}: as a rack describes this gear, {}", error.key,
-                                error.value, error.message);
   }
   return error;
 }
 
-// Nobody gave the diameter at which a tip with a clearance ends.
-Error of_clearance(Error error, const JobSpec& spec, int which) {
+// Nobody gave the radius at which a tip with a clearance ends.
+Error of_clearance(const Error& error, const JobSpec& spec, int which) {
   const GearInput& gear = *spec.gears[static_cast<std::size_t>(which - 1)];
-  const std::string table = fmt::format("gear{}.tip_fillet", which);
-  if (error.key != table || !(gear.tip_clearance || gear.tip_clearance_by_rule)) return error;
-  const double m = gear.cylindrical.normal_module;
-  error.key = table + ".clearance_mm";
-  error.value = fmt::format("{}", gear.tip_clearance.value_or(0.2 * m + 0.05));
-  error.message = fmt::format("{} = {}: the tip would have to end elsewhere. {}", error.key,
-                              error.value, error.message);
-  return error;
+  if (error.field != gear_field(which, "tip_fillet.end_radius")) return error;
+  const double clearance =
+      gear.tip_clearance.value_or(default_tip_clearance(gear.cylindrical.normal_module));
+  return {
+      gear_field(which, "tip_fillet.clearance"), spoken(clearance),
+      fmt::format("the tip would have to end at a radius of {} mm: {}", error.value, error.rule)};
 }
 
 // A shift that nobody gave cannot be to blame: it followed from the centre distance.
-Error of_distance(Error error, const JobSpec& spec) {
+Error of_distance(const Error& error, const JobSpec& spec) {
   for (const int which : {1, 2}) {
-    const std::string key = fmt::format("gear{}.profile_shift", which);
-    if (error.key != key || spec.gears[static_cast<std::size_t>(which - 1)]->profile_shift ||
-        !spec.pair.center_distance)
+    if (error.field != gear_field(which, "profile_shift") || !spec.pair.center_distance ||
+        spec.gears[static_cast<std::size_t>(which - 1)]->profile_shift)
       continue;
-    error.key = "pair.center_distance_mm";
-    error.value = fmt::format("{}", *spec.pair.center_distance);
-    error.message =
-        fmt::format("pair.center_distance_mm = {}: it asks for {}", error.value, error.message);
+    return following_from("pair.center_distance", spoken(*spec.pair.center_distance), "it asks for",
+                          error);
   }
   return error;
 }
@@ -148,18 +135,14 @@ void shorten_tips(JobSpec& spec, double a) {
 // What cannot be had from gears of different racks: x means something else in each of them.
 std::optional<Error> needs_one_rack(const JobSpec& spec, bool shift_wanted) {
   const std::string why =
-      ": needs two gears of the same module and pressure angle; of different racks give both "
+      "needs two gears of the same module and pressure angle; of different racks give both "
       "shifts and the centre distance";
   if (shift_wanted) {
-    const std::string key =
-        spec.gears[0]->profile_shift ? "gear2.profile_shift" : "gear1.profile_shift";
-    return Error{key, "",
-                 key + ": is missing, and to find it from the centre distance" + why.substr(1)};
+    return Error{gear_field(spec.gears[0]->profile_shift ? 2 : 1, "profile_shift"), "",
+                 "is missing, and to find it from the centre distance " + why};
   }
-  if (spec.pair.mounting == Mounting::extended)
-    return Error{"pair.mounting", "extended", "pair.mounting = \"extended\"" + why};
-  if (spec.pair.shorten_tips)
-    return Error{"pair.shorten_tips", "true", "pair.shorten_tips = true" + why};
+  if (spec.pair.mounting == Mounting::extended) return Error{"pair.mounting", "extended", why};
+  if (spec.pair.shorten_tips) return Error{"pair.shorten_tips", "true", why};
   return std::nullopt;
 }
 
@@ -188,10 +171,10 @@ Result<PairPlace> complete_pair(JobSpec& spec, bool shift_wanted) {
     const double given = *spec.pair.center_distance;
     const auto alpha = transverse_angle_at_pitch_sum(gears, given);
     if (!alpha) {
-      return Error{"pair.center_distance_mm", fmt::format("{}", given),
-                   fmt::format("pair.center_distance_mm = {}: there is no working pressure angle; "
-                               "it must be greater than {} mm, the sum of the base radii",
-                               given, base_radius_sum(gears))};
+      return refused(
+          "pair.center_distance", given, {base_radius_sum(gears)},
+          "there is no working pressure angle; it must be greater than {} mm, the sum of "
+          "the base radii");
     }
     spec.pair.shaft_angle = crossed_place(gears, *alpha).shaft_angle;
     spec.shaft_angle_found = true;
@@ -219,8 +202,8 @@ void collect_warnings(SolvedJob& job) {
     const int number = static_cast<int>(i) + 1;
     if (!input.face_width_given) {
       job.warnings.push_back({"default_face_width",
-                              fmt::format("No face_width_mm given: {} mm (10 modules) is used.",
-                                          input.cylindrical.face_width),
+                              fmt::format("No `face_width` given: {} mm (10 modules) is used.",
+                                          spoken(input.cylindrical.face_width)),
                               number});
     }
     for (Warning w : job.gears[i].warnings) {
@@ -240,29 +223,35 @@ void collect_warnings(SolvedJob& job) {
   if (job.pair->crossed() && (job.spec.shaft_angle_found || !job.spec.pair.shaft_angle)) {
     job.warnings.push_back(
         {"default_shaft_angle",
-         fmt::format("No shaft_angle_deg given, and these helix angles do not allow parallel axes: "
-                     "the pair crosses at {:.6g}°, the angle of its minimum centre distance.",
-                     job.pair->shaft_angle().deg()),
+         fmt::format(
+             "No `pair.shaft_angle` given, and these helix angles do not allow parallel axes: "
+             "the pair crosses at {:.6g}°, the angle of its minimum centre distance.",
+             job.pair->shaft_angle().deg()),
          0});
   }
   for (const Warning& w : job.pair->warnings()) job.warnings.push_back(w);
+}
+
+// Warnings are for the person with the file: the members in them become its keys.
+void spell_warnings(SolvedJob& job) {
+  for (Warning& w : job.warnings)
+    w.message = spelled(w.message, job.spec.given, w.gear == 0 ? "" : gear_field(w.gear));
 }
 
 }  // namespace
 
 Result<SolvedJob> solve(const JobSpec& given, Scope scope) {
   if (!given.gears[0]) {
-    return Error{
-        "gear1.teeth", "",
-        "gear1.teeth: is missing; the spec describes a search. gearwright search finds the "
-        "gears, and its --take 1 writes the pair that this verb takes"};
+    return Error{"gear1.teeth", "",
+                 "is missing; the spec describes a search. gearwright search finds the "
+                 "gears, and its --take 1 writes the pair that this verb takes"};
   }
   SolvedJob job;
   job.spec = given;
   JobSpec& spec = job.spec;
   const bool two = spec.gears[1].has_value();
   if (scope == Scope::pair && !two) {
-    return Error{"gear2", "", "gear2: is missing; a pair needs a second table, [gear2]"};
+    return Error{"gear2", "", "is missing; a pair needs a second gear, `gear2`"};
   }
   const bool want_pair = two && scope != Scope::gears;
 
@@ -278,7 +267,7 @@ Result<SolvedJob> solve(const JobSpec& given, Scope scope) {
     if (!gear) continue;
     gear->cylindrical.profile_shift = gear->profile_shift.value_or(0.0);
     clear_tips = clear_tips || gear->tip_clearance || gear->tip_clearance_by_rule;
-    if (auto error = check_limits(gear->cylindrical)) return in_table(*error, spec, which);
+    if (auto error = check_limits(gear->cylindrical)) return of_given_gear(*error, spec, which);
   }
   std::optional<PairPlace> place;
   const bool shift_wanted = two && spec.pair.center_distance &&
@@ -301,7 +290,7 @@ Result<SolvedJob> solve(const JobSpec& given, Scope scope) {
     auto gear = make_gear(spec.gears[i]->cylindrical);
     if (!gear) {
       const int which = static_cast<int>(i) + 1;
-      const Error error = of_distance(in_table(gear.error(), spec, which), spec);
+      const Error error = of_distance(of_given_gear(gear.error(), spec, which), spec);
       return clear_tips ? of_clearance(error, spec, which) : error;
     }
     const bool bare_ring = gear->internal();
@@ -318,6 +307,7 @@ Result<SolvedJob> solve(const JobSpec& given, Scope scope) {
       spec.not_read.push_back("pair.friction_coefficient of circular-arc gears");
   }
   collect_warnings(job);
+  spell_warnings(job);
   return job;
 }
 

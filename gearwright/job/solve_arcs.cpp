@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "gearwright/gear/gear_field.hpp"
+
 namespace gearwright {
 
 namespace {
-
-std::string table(int which) { return fmt::format("gear{}", which); }
 
 bool of_arcs(const GearInput& gear) { return !is_straight(gear.cylindrical.rack); }
 
@@ -30,23 +30,20 @@ std::optional<Error> check_arcs(const JobSpec& spec) {
     const auto& cutter = spec.gears[static_cast<std::size_t>(2 - which)];
     const bool by_mate = gear->cut_by->gear != 0 && cutter && of_arcs(*cutter);
     if (!by_mate && !cuts_with_arcs(*gear)) continue;
-    const std::string key = table(which) + ".cut_by";
-    return Error{key, "",
-                 key +
-                     ": a gear with circular-arc teeth is no pinion cutter here; give this gear a "
-                     "rack of its own"};
+    return Error{
+        gear_field(which, "cut_by"), "",
+        "a gear with circular-arc teeth is no pinion cutter here; give this gear a rack of "
+        "its own"};
   }
   if (!spec.gears[1]) return std::nullopt;
   if (spec.pair.shaft_angle && spec.pair.shaft_angle->rad() != 0.0) {
-    return Error{"pair.shaft_angle_deg", fmt::format("{}", spec.pair.shaft_angle->deg()),
-                 fmt::format("pair.shaft_angle_deg = {}: circular-arc gears run on parallel axes; "
-                             "leave it out",
-                             spec.pair.shaft_angle->deg())};
+    return refused("pair.shaft_angle", spec.pair.shaft_angle->deg(),
+                   "circular-arc gears run on parallel axes; leave it out");
   }
   if (spec.pair.shorten_tips) {
     return Error{"pair.shorten_tips", "true",
-                 "pair.shorten_tips = true: circular-arc gears have no profile shifts that would "
-                 "ask for it; give tip_diameter_mm"};
+                 "circular-arc gears have no profile shifts that would ask for it; give "
+                 "`gear1.tip_diameter` and `gear2.tip_diameter`"};
   }
   return std::nullopt;
 }
@@ -55,11 +52,9 @@ std::optional<Error> refuse_arcs(const JobSpec& spec, const std::string& verb) {
   for (const int which : {1, 2}) {
     const auto& gear = spec.gears[static_cast<std::size_t>(which - 1)];
     if (!gear || !(of_arcs(*gear) || cuts_with_arcs(*gear))) continue;
-    const std::string key = table(which) + ".rack";
-    return Error{key, "",
-                 fmt::format("{}: the verb {} is about involute gears; these teeth are circular "
-                             "arcs",
-                             key, verb)};
+    return Error{
+        gear_field(which, "rack"), "",
+        fmt::format("the verb {} is about involute gears; these teeth are circular arcs", verb)};
   }
   return std::nullopt;
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/job/fit_answer.hpp"
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/result_json.hpp"
@@ -69,9 +70,7 @@ std::string compare(const std::string& path, const Json* got, const Json& want,
   return fmt::format("{}: got {}, want {}", path, json_text(*got), json_text(want));
 }
 
-Error malformed(const std::string& id, const std::string& why) {
-  return {id, "", fmt::format("case {}: {}", id, why)};
-}
+Error malformed(const std::string& id, const std::string& why) { return {id, "", why}; }
 
 // What the verb prints with --json.
 Result<Json> answer(const std::string& verb, const JobSpec& spec) {
@@ -104,7 +103,9 @@ Result<CaseOutcome> run_case(const Json& c) {
 
   const auto spec = read_spec(json_text(c["spec"]), SpecFormat::json);
   const auto answered = spec ? answer(verb, *spec) : Result<Json>(spec.error());
-  const Json result = answered ? *answered : error_json(answered.error());
+  const Json result = answered ? *answered
+                      : spec   ? error_json(spelled(answered.error(), spec->given))
+                               : error_json(answered.error());
   CaseOutcome outcome{id, 0, {}};
   const bool wants_error =
       std::any_of(c["expected"].items().begin(), c["expected"].items().end(),

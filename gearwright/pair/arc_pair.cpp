@@ -6,15 +6,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearwright/base/refusal.hpp"
+#include "gearwright/gear/gear_field.hpp"
 
 namespace gearwright {
 
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-std::string table(int which) { return fmt::format("gear{}", which); }
 
 std::vector<WorkingArc> working(const Gear& gear, double side) {
   GW_EXPECTS(gear.arcs() != nullptr);
@@ -38,33 +36,27 @@ std::optional<Error> check_gears(const std::array<Gear, 2>& gears) {
   for (const int which : {1, 2}) {
     const Gear& gear = gears[static_cast<std::size_t>(which - 1)];
     if (gear.involute()) {
-      return Error{table(which) + ".rack", "",
-                   fmt::format("{}.rack: an involute gear and one with circular-arc teeth do not "
-                               "mesh; give both a rack of arcs",
-                               table(which))};
+      return Error{gear_field(which, "rack"), "",
+                   "an involute gear and one with circular-arc teeth do not mesh; give both a rack "
+                   "of arcs"};
     }
     if (!gear.exists()) {
-      return Error{table(which) + ".rack.dedendum", "",
-                   fmt::format("{}.rack.dedendum: {}", table(which), gear.warnings.back().message)};
+      return Error{gear_field(which, "rack.dedendum"), "", gear.warnings.back().message};
     }
   }
   const CylindricalSpec &s_1 = gears[0].spec, &s_2 = gears[1].spec;
   if (s_1.helix_angle.rad() == 0.0) {
-    return refused("gear1.helix_angle_deg", 0.0,
+    return refused(gear_field(1, "helix_angle"), 0.0,
                    "circular-arc teeth touch in points that run along the teeth; a pair needs a "
                    "helix, usually 10° to 35°");
   }
   if (!(std::abs(s_2.normal_module / s_1.normal_module - 1.0) <= kNearModule)) {
-    return refused("gear2.normal_module_mm", s_2.normal_module,
-                   fmt::format("must be gear 1's, {} mm: racks of different pitch do not fit into "
-                               "each other",
-                               s_1.normal_module));
+    return refused(gear_field(2, "normal_module"), s_2.normal_module, {s_1.normal_module},
+                   "must be gear 1's, {} mm: racks of different pitch do not fit into each other");
   }
   if (!(std::abs((s_1.helix_angle + s_2.helix_angle).rad()) <= kNearHelix.rad())) {
-    return refused("gear2.helix_angle_deg", s_2.helix_angle.deg(),
-                   fmt::format("must be {}: circular-arc gears run on parallel axes, with opposite "
-                               "hands",
-                               -s_1.helix_angle.deg()));
+    return refused(gear_field(2, "helix_angle"), s_2.helix_angle.deg(), {-s_1.helix_angle.deg()},
+                   "must be {}°: circular-arc gears run on parallel axes, with opposite hands");
   }
   return std::nullopt;
 }
@@ -113,12 +105,12 @@ bool has_angle(const Gear& gear, double side, Angle theta) {
   return false;
 }
 
-// The key under which the spec has the radius of the gear's concave flank.
-const char* radius_key(const Gear& concave) {
+// The member that has the radius of the gear's concave flank.
+const char* radius_field(const Gear& concave) {
   const Rack& rack = concave.spec.rack;
-  return std::holds_alternative<ArcRack>(rack)         ? ".rack.arc_radius"
-         : std::holds_alternative<DoubleArcRack>(rack) ? ".rack.concave_radius"
-                                                       : ".rack.arcs";
+  return std::holds_alternative<ArcRack>(rack)         ? "rack.arc_radius"
+         : std::holds_alternative<DoubleArcRack>(rack) ? "rack.concave_radius"
+                                                       : "rack.arcs";
 }
 
 // All contacts; if there is none, why.
@@ -127,15 +119,14 @@ std::optional<Error> find_contacts(ArcPair& pair) {
   for (const bool by_gear_2 : {false, true}) {
     const Gear& convex = pair.gears[by_gear_2 ? 1 : 0];
     const Gear& concave = pair.gears[by_gear_2 ? 0 : 1];
-    const std::string mate = table(by_gear_2 ? 1 : 2);
     for (const WorkingArc& v : convex_arcs(convex)) {
       for (const WorkingArc& c : concave_arcs(concave)) {
         if (!(c.radius > v.radius)) {
           const double m = concave.spec.normal_module;
-          reason = refused(mate + radius_key(concave), c.radius / m,
-                           fmt::format("a concave flank must have a greater radius than the convex "
-                                       "one of its mate, {} modules",
-                                       v.radius / convex.spec.normal_module));
+          reason = refused(gear_field(by_gear_2 ? 1 : 2, radius_field(concave)), c.radius / m,
+                           {v.radius / convex.spec.normal_module},
+                           "a concave flank must have a greater radius than the convex one of its "
+                           "mate, {} modules");
           continue;
         }
         const ArcMeshInput in = mesh_of(convex, concave, v, c, pair.center_distance);
@@ -143,11 +134,11 @@ std::optional<Error> find_contacts(ArcPair& pair) {
         if (!theta) {
           const double free = pair.reference_center_distance + c.b - v.b;
           reason = refused(
-              "pair.center_distance_mm", pair.center_distance,
+              "pair.center_distance", pair.center_distance, {free - (c.radius - v.radius), free},
               fmt::format("the arcs have no common normal there; with radii {:.6g} and {:.6g} mm "
-                          "and center_b {:.6g} and {:.6g} mm it must lie between {:.6f} mm and "
-                          "{:.6f} mm",
-                          v.radius, c.radius, v.b, c.b, free - (c.radius - v.radius), free));
+                          "and centres {:.6g} and {:.6g} mm from the pitch plane it must lie "
+                          "between {{}} mm and {{}} mm",
+                          v.radius, c.radius, v.b, c.b));
           continue;
         }
         ArcMeshInput nominal = in;
@@ -160,8 +151,8 @@ std::optional<Error> find_contacts(ArcPair& pair) {
   }
   if (!pair.contacts.empty()) return std::nullopt;
   if (reason) return reason;
-  return Error{"gear2.rack", "",
-               "gear2.rack: no convex flank of one gear meets a concave one of the other; F goes "
+  return Error{gear_field(2, "rack"), "",
+               "no convex flank of one gear meets a concave one of the other; F goes "
                "with P, a double circular arc with itself"};
 }
 
@@ -216,7 +207,7 @@ void warn_about_contact(ArcPair& pair, const ArcPairContact& c) {
     warn(pair, "contact_off_flank",
          fmt::format("The contact on the {}, at a normal angle of {:.4f}°, lies off the usable "
                      "flanks: the teeth touch with an edge. A centre distance nearer {:.4f} mm, or "
-                     "another center_b, would help.",
+                     "another `rack.center_b`, would help.",
                      where, c.at.theta.deg(), pair.reference_center_distance));
   }
   for (const int which : {1, 2}) {

@@ -52,8 +52,8 @@ constexpr Angle kSamePressureAngle = Angle::degrees(0.05);  ///< ψ_c as written
 ///
 /// Errors    `gearN.rack` when one of them is an involute gear or no convex arc meets a concave
 /// one;
-///           `gear2.normal_module_mm`, `gear2.helix_angle_deg`, `gear1.helix_angle_deg` (spur);
-///           `gear2.rack.arc_radius`, `pair.center_distance_mm` where no two arcs can touch, with
+///           `gear2.normal_module`, `gear2.helix_angle`, `gear1.helix_angle` (spur);
+///           `gear2.rack.arc_radius`, `pair.center_distance` where no two arcs can touch, with
 ///           the numbers that would. Contacts off the usable flanks, and the like, are warnings
 Result<ArcPair> mount_arcs(Gear gear_1, Gear gear_2, std::optional<double> distance);
 

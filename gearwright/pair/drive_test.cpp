@@ -15,7 +15,7 @@ namespace {
 InvolutePair mounted(const testing::SamplePair& p, double more = 0.0) {
   auto pair =
       mount_involutes(p.gears[0], p.gears[1], {.center_distance = p.place.center_distance + more});
-  EXPECT_TRUE(pair) << pair.error().message;
+  EXPECT_TRUE(pair) << pair.error().message();
   return std::move(pair).take();
 }
 

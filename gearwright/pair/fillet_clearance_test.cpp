@@ -25,13 +25,13 @@ Gear gear(int teeth, double x = 0.0, double fillet = 0.38, double tip = 0.0) {
   s.straight_rack().root_fillet_radius = fillet;
   if (tip > 0.0) s.tip_diameter = tip;
   auto made = make_gear(s);
-  EXPECT_TRUE(made) << made.error().message;
+  EXPECT_TRUE(made) << made.error().message();
   return std::move(made).take();
 }
 
 InvolutePair mounted(const Gear& g1, const Gear& g2, double a) {
   auto pair = mount_involutes(g1, g2, {a});
-  EXPECT_TRUE(pair) << pair.error().message;
+  EXPECT_TRUE(pair) << pair.error().message();
   return std::move(pair).take();
 }
 

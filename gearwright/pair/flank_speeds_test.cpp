@@ -26,7 +26,7 @@ InvolutePair mounted(int z1, int z2, double beta1_deg, double beta2_deg, double 
   EXPECT_TRUE(tight);
   const PairSpec place{tight->center_distance + more, tight->shaft_angle};
   auto pair = mount_involutes(*one, *two, place);
-  EXPECT_TRUE(pair) << pair.error().message;
+  EXPECT_TRUE(pair) << pair.error().message();
   return std::move(pair).take();
 }
 

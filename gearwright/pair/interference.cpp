@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/gear/gear_field.hpp"
+
 namespace gearwright::detail {
 
 namespace {
@@ -81,9 +83,9 @@ void find_tip_clearance(InvolutePair& p) {
           {"no_tip_clearance",
            fmt::format(
                "The tip of gear {} runs on the root of gear {} without clearance; 0.2 m_n + "
-               "0.05 mm = {:.3f} mm is usual: shorten it by tip_diameter_mm. If it is the tip that "
-               "has cut gear {}, name a longer cutter in a table [gear{}.cut_by].",
-               i + 1, 2 - i, 0.2 * m + 0.05, 2 - i, 2 - i),
+               "0.05 mm = {:.3f} mm is usual: shorten it by `tip_diameter`. If it is the tip that "
+               "has cut gear {}, name a longer cutter in `{}`.",
+               i + 1, 2 - i, 0.2 * m + 0.05, 2 - i, gear_field(2 - i, "cut_by")),
            i + 1});
     } else if (p.tip_clearance[i] < 0.0) {
       p.interference.push_back(

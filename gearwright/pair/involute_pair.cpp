@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "gearwright/base/angle.hpp"
-#include "gearwright/base/refusal.hpp"
+#include "gearwright/gear/gear_field.hpp"
 #include "gearwright/pair/drive.hpp"
 #include "gearwright/pair/interference.hpp"
 
@@ -116,19 +116,15 @@ std::optional<Error> check_place(const InvolutePair& p) {
     const double most = kMaxDistance * (rack.sides[0].pitch_radius + rack.sides[1].pitch_radius);
     const double least = kMinCrossedDistance * base_radius_sum(p.input.gears);
     if (a >= least && a <= most) return std::nullopt;
-    return refused(
-        "pair.center_distance_mm", a,
-        fmt::format("must be at least {} mm (half the sum of the base radii) and at most {} "
-                    "mm",
-                    least, most));
+    return refused("pair.center_distance", a, {least, most},
+                   "must be at least {} mm (half the sum of the base radii) and at most {} mm");
   }
   const double least = base_radius_sum(p.input.gears);
   if (a > least && a <= kMaxDistance * least) return std::nullopt;
-  return refused(
-      "pair.center_distance_mm", a,
-      fmt::format("there is no working pressure angle; it must be greater than {} mm and at "
-                  "most {} times that",
-                  least, kMaxDistance));
+  return refused("pair.center_distance", a, {least, kMaxDistance * least},
+                 fmt::format("there is no working pressure angle; it must be greater than {{}} mm "
+                             "and at most {{}} mm, {} times that",
+                             kMaxDistance));
 }
 
 void find_backlash_free_distance(InvolutePair& p) {
@@ -234,10 +230,8 @@ Result<InvolutePair> mount_involutes(Gear gear_1, Gear gear_2, const PairSpec& s
   if (auto error = check_partners(gear_1.spec, gear_2.spec, angle)) return *error;
   for (const Gear* g : {&gear_1, &gear_2}) {
     if (g->exists()) continue;
-    const std::string key = g == &gear_1 ? "gear1.profile_shift" : "gear2.profile_shift";
-    return Error{
-        key, fmt::format("{}", g->spec.profile_shift),
-        fmt::format("{} = {}: {}", key, g->spec.profile_shift, g->warnings.back().message)};
+    return refused(gear_field(g == &gear_1 ? 1 : 2, "profile_shift"), g->spec.profile_shift,
+                   g->warnings.back().message);
   }
   PairPlace place{spec.center_distance.value_or(0.0), spec.shaft_angle};
   if (!spec.center_distance) {

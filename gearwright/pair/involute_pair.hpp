@@ -86,8 +86,8 @@ std::optional<CrossedPlaces> contact_ratio_range(const MeshInput<double>& input)
 /// everything else that is wrong with a mesh is data.
 ///
 /// Domain    both are involute gears (contract)
-/// Errors    as check_partners and complete_place, and `pair.center_distance_mm` where there is no
-/// working angle
+/// Errors    as check_partners and complete_place, and `pair.center_distance` where there is
+///           no working angle
 Result<InvolutePair> mount_involutes(Gear gear_1, Gear gear_2, const PairSpec& spec);
 
 /// Least distance between the path of the mate's tip corner and the root fillet of gear `which` (1,

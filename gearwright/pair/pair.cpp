@@ -1,7 +1,6 @@
 #include "gearwright/pair/pair.hpp"
 
 #include "gearwright/base/overloaded.hpp"
-#include "gearwright/base/refusal.hpp"
 
 namespace gearwright {
 
@@ -30,7 +29,7 @@ Result<Pair> mount(Gear gear_1, Gear gear_2, const PairSpec& spec) {
   if (gear_1.involute() && gear_2.involute())
     return either(mount_involutes(std::move(gear_1), std::move(gear_2), spec), spec);
   if (spec.shaft_angle && spec.shaft_angle->rad() != 0.0) {
-    return refused("pair.shaft_angle_deg", spec.shaft_angle->deg(),
+    return refused("pair.shaft_angle", spec.shaft_angle->deg(),
                    "circular-arc gears run on parallel axes; leave it out");
   }
   return either(mount_arcs(std::move(gear_1), std::move(gear_2), spec.center_distance), spec);

@@ -48,7 +48,7 @@ class Pair {
 /// Mounts any two gears.
 ///
 /// Errors    as mount_involutes and mount_arcs; `gearN.rack` where one gear has involute teeth and
-///           the other circular arcs, `pair.shaft_angle_deg` of crossed axes with arcs
+///           the other circular arcs, `pair.shaft_angle` of crossed axes with arcs
 Result<Pair> mount(Gear gear_1, Gear gear_2, const PairSpec& spec = {});
 
 }  // namespace gearwright

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "gearwright/base/angle.hpp"
-#include "gearwright/base/refusal.hpp"
+#include "gearwright/gear/gear_field.hpp"
 
 namespace gearwright {
 
@@ -21,47 +21,49 @@ constexpr double kSamePitch = 1e-9;
 // Beyond, a pitch cylinder is hundreds of times the base cylinder, and no tooth reaches there.
 constexpr double kMaxWorkingHelix = 89.9;  // degrees
 
-std::string reach(const ShaftAngleRange<double>& range) {
-  return fmt::format("these gears can cross at more than {:.9g}° and less than {:.9g}°",
-                     deg(std::min(range.from, range.to)), deg(std::max(range.from, range.to)));
+constexpr const char* kReach = "these gears can cross at more than {}° and less than {}°";
+
+// `rule` says kReach.
+Error beyond(const ShaftAngleRange<double>& range, double sigma, const std::string& rule) {
+  return refused("pair.shaft_angle", deg(sigma),
+                 {deg(std::min(range.from, range.to)), deg(std::max(range.from, range.to))}, rule);
 }
 
 std::optional<Error> check_shaft_angle(const BasePair<double>& gears, double sigma,
                                        const CylindricalSpec& gear_1) {
   const bool parallel = axes_are_parallel(gears);
   if (sigma == 0.0 && parallel) return std::nullopt;
-  const char* key = "pair.shaft_angle_deg";
   if (parallel) {
     return refused(
-        key, deg(sigma),
+        "pair.shaft_angle", deg(sigma),
         "these base helices are equal and opposite, so that the axes are parallel for every "
         "centre distance; 0 is allowed, or another helix angle on one gear");
   }
   const auto range = shaft_angle_range(gears);
   if (sigma == 0.0) {
-    return refused(
-        key, 0.0,
-        fmt::format("parallel axes need opposite base helices (helix_angle_deg = {} on a "
-                    "gear 2 of the same module); {}",
-                    0.0 - gear_1.helix_angle.deg(), reach(range)));
+    return beyond(
+        range, 0.0,
+        fmt::format("parallel axes need opposite base helices (a helix angle of {}° on a gear 2 of "
+                    "the same module); {}",
+                    spoken(0.0 - gear_1.helix_angle.deg()), kReach));
   }
   if (range.contains(sigma)) {
     const RackAngles<double> angles = angles_at_shaft_angle(gears, sigma);
     const int g = limiting_gear(gears);
     const double helix = deg(std::atan2(std::abs(std::sin(gears[g].helix_angle)), angles.u[g]));
     if (helix <= kMaxWorkingHelix && angles.sin_alpha > 0.0) return std::nullopt;
-    return refused(
-        key, deg(sigma),
+    return beyond(
+        range, sigma,
         fmt::format("too near an end of what these gears reach (the working helix angle of "
                     "gear {} would be {:.6g}°, at most {} is allowed); {}",
-                    g + 1, helix, kMaxWorkingHelix, reach(range)));
+                    g + 1, helix, kMaxWorkingHelix, kReach));
   }
   const double miss = std::min(std::abs(sigma - range.from), std::abs(sigma - range.to));
-  return refused(
-      key, deg(sigma),
+  return beyond(
+      range, sigma,
       fmt::format("out of reach by {:.6g}°; {} (right hand > 0, two left hands cross at a "
                   "negative angle); more helix angle on either gear widens that",
-                  deg(miss), reach(range)));
+                  deg(miss), kReach));
 }
 
 }  // namespace
@@ -88,34 +90,35 @@ std::optional<Error> check_partners(const CylindricalSpec& g1, const Cylindrical
   const int z1 = g1.teeth;
   const int z2 = g2.teeth;
   if (z1 < 0) {
-    return refused("gear1.teeth", z1,
-                   "the ring of an internal pair is gear2; exchange the two tables");
+    return refused(gear_field(1, "teeth"), z1,
+                   "the ring of an internal pair is gear 2; exchange the two gears");
   }
   if (z2 < 0 && -z2 <= z1) {
-    return refused(
-        "gear2.teeth", z2,
-        fmt::format("a ring must have more teeth than its pinion (gear1.teeth = {})", z1));
+    return refused(gear_field(2, "teeth"), z2,
+                   fmt::format("a ring must have more teeth than its pinion (gear 1 has {})", z1));
   }
   const BasePair<double> gears = nominal_base_pair(g1, g2);
   const double p1 = normal_base_pitch(gears[0]);
   const double p2 = normal_base_pitch(gears[1]);
   if (std::abs(p1 - p2) > kSamePitch * p1) {
     return refused(
-        "gear2.normal_module_mm", g2.normal_module,
+        gear_field(2, "normal_module"), g2.normal_module,
         fmt::format(
-            "the normal base pitches differ by {:.6g} mm: gear1 has {} mm, gear2 {} "
+            "the normal base pitches differ by {:.6g} mm: gear 1 has {} mm, gear 2 {} "
             "mm; gears mesh only with equal m_n cos α_n. At this pressure angle the "
             "module would have to be {:.9g} mm, at this base helix the base diameter {:.9g} "
             "mm",
-            p2 - p1, p1, p2, g2.normal_module * p1 / p2, 2 * gears[1].radius * p1 / p2));
+            p2 - p1, spoken(p1, p2), spoken(p2, p1), g2.normal_module * p1 / p2,
+            2 * gears[1].radius * p1 / p2));
   }
   if (z2 < 0 && !axes_are_parallel(gears)) {
     return refused(
-        "gear2.helix_angle_deg", g2.helix_angle.deg(),
+        gear_field(2, "helix_angle"), g2.helix_angle.deg(),
         fmt::format("the axes of this internal pair would cross ({:.6g}°), and a ring "
                     "touches its pinion along the flanks on parallel axes only; {}° (the "
                     "same hand) is allowed on a ring of the same module",
-                    deg(gears[0].helix_angle - gears[1].helix_angle), g1.helix_angle.deg()));
+                    deg(gears[0].helix_angle - gears[1].helix_angle),
+                    spoken(g1.helix_angle.deg(), g2.helix_angle.deg())));
   }
   if (!shaft_angle) return std::nullopt;
   return check_shaft_angle(gears, shaft_angle->rad(), g1);
@@ -138,12 +141,14 @@ Result<PairPlace> complete_place(const BasePair<double>& nominal, std::optional<
     place.shaft_angle =
         Angle::radians(common_rack(nominal, angles_at_transverse(nominal, *least)).shaft_angle);
   } else {
-    return Error{"pair.shaft_angle_deg", "",
-                 fmt::format("pair.shaft_angle_deg: is missing, and there is no minimum centre "
-                             "distance to take it from: the teeth are too thin by {:.6g} mm on the "
-                             "base cylinders (normal); give the shaft angle, or more profile "
-                             "shift. {}",
-                             -excess, reach(shaft_angle_range(nominal)))};
+    Error error = beyond(
+        shaft_angle_range(nominal), 0.0,
+        fmt::format("is missing, and there is no minimum centre distance to take it from: the "
+                    "teeth are too thin by {:.6g} mm on the base cylinders (normal); give the "
+                    "shaft angle, or more profile shift. {}",
+                    -excess, kReach));
+    error.value.clear();
+    return error;
   }
   if (distance) {
     place.center_distance = *distance;
@@ -152,12 +157,14 @@ Result<PairPlace> complete_place(const BasePair<double>& nominal, std::optional<
   const auto rack = common_rack(nominal, angles_at_shaft_angle(nominal, place.shaft_angle->rad()));
   place.center_distance = conjugate_center_distance(nominal, rack);
   if (place.center_distance > 0.0) return place;
-  return Error{"profile_shift", "",
-               fmt::format("gear1.profile_shift + gear2.profile_shift: the teeth are so thin that "
-                           "no centre distance is free of backlash at this shaft angle (working "
-                           "normal pressure angle {:.4f}°); more profile shift would help, or a "
-                           "centre distance with backlash in pair.center_distance_mm",
-                           deg(rack.normal_pressure_angle))};
+  return Error{
+      "profile_shift", "",
+      fmt::format(
+          "the teeth are so thin that no centre distance is free "
+          "of backlash at this shaft angle (working normal pressure angle "
+          "{:.4f}°); more profile shift of either gear would help, or a centre distance with "
+          "backlash in `pair.center_distance`",
+          deg(rack.normal_pressure_angle))};
 }
 
 }  // namespace gearwright

@@ -24,9 +24,9 @@ bool axes_are_parallel(const BasePair<double>& gears);
 /// What keeps two gears apart, whatever the centre distance; nothing: they mesh. `shaft_angle`
 /// is absent when the caller leaves it open.
 ///
-/// Errors    `gear2.normal_module_mm` for unequal base pitches, `gear2.helix_angle_deg` for a ring
+/// Errors    `gear2.normal_module` for unequal base pitches, `gear2.helix_angle` for a ring
 ///           on a crossed axis, `gear1.teeth`, `gear2.teeth` for impossible internal pairs,
-///           `pair.shaft_angle_deg` out of reach; each says by how much, and what would do
+///           `pair.shaft_angle` out of reach; each says by how much, and what would do
 std::optional<Error> check_partners(const CylindricalSpec& gear_1, const CylindricalSpec& gear_2,
                                     const std::optional<Angle>& shaft_angle);
 
@@ -51,7 +51,7 @@ struct PairPlace {
 /// backlash.
 ///
 /// Domain    check_partners found nothing for the gears of `nominal` (contract)
-/// Errors    `pair.shaft_angle_deg`, `profile_shift` when the teeth leave no such place
+/// Errors    `pair.shaft_angle`, `profile_shift` when the teeth leave no such place
 Result<PairPlace> complete_place(const BasePair<double>& nominal, std::optional<double> distance,
                                  std::optional<Angle> shaft_angle);
 

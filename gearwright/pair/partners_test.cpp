@@ -24,7 +24,7 @@ CylindricalSpec spec(int teeth, Angle beta, double module = 2.0) {
 std::string refused(const CylindricalSpec& a, const CylindricalSpec& b,
                     std::optional<Angle> sigma = std::nullopt) {
   const auto error = check_partners(a, b, sigma);
-  return error ? error->message : std::string();
+  return error ? error->message() : std::string();
 }
 
 bool has(const std::string& text, const char* word) { return text.find(word) != std::string::npos; }
@@ -44,7 +44,7 @@ TEST(Partners, crossed_axes_need_an_angle_within_reach) {
 
 TEST(Partners, unequal_base_pitches_say_what_would_fit) {
   const std::string why = refused(spec(20, 0_deg), spec(30, 0_deg, 2.1));
-  EXPECT_TRUE(has(why, "gear2.normal_module_mm = 2.1"));
+  EXPECT_TRUE(has(why, "gear2.normal_module = 2.1"));
   EXPECT_TRUE(has(why, "0.29521")) << why;  // by how much: 0.1 π cos 20°
   EXPECT_TRUE(has(why, "2 mm, at this base helix")) << why;
 }
@@ -68,8 +68,8 @@ TEST(CompletePlace, takes_the_least_distance_where_nothing_is_said) {
   const auto none =
       complete_place(nominal_base_pair(thin, spec(30, 45_deg)), std::nullopt, std::nullopt);
   ASSERT_FALSE(none);
-  EXPECT_EQ(none.error().key, "pair.shaft_angle_deg");
-  EXPECT_TRUE(has(none.error().message, "too thin by"));
+  EXPECT_EQ(none.error().field, "pair.shaft_angle");
+  EXPECT_TRUE(has(none.error().message(), "too thin by"));
 }
 
 }  // namespace

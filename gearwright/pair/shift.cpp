@@ -12,11 +12,11 @@ namespace gearwright {
 namespace {
 
 Error no_working_angle(double a, double least, bool external, double a_d) {
-  return {"pair.center_distance_mm", fmt::format("{}", a),
-          fmt::format("pair.center_distance_mm = {}: there is no working pressure angle; it must "
-                      "be greater than {} mm, the {} of the base radii, and at most {} times that "
-                      "(reference centre distance: {} mm)",
-                      a, least, external ? "sum" : "difference", kMaxDistance, a_d)};
+  return refused("pair.center_distance", a, {least, kMaxDistance * least},
+                 fmt::format("there is no working pressure angle; it must be greater than {{}} mm, "
+                             "the {} of the base radii, and at most {{}} mm, {} times that "
+                             "(reference centre distance: {} mm)",
+                             external ? "sum" : "difference", kMaxDistance, spoken(a_d)));
 }
 
 // One sum, two shifts: what is given stays.
@@ -99,18 +99,19 @@ Result<ShiftSolution> complete_shifts(const ShiftProblem& p) {
     s.center_distance = extended_center_distance(p.z1, p.z2, p.normal_module, cos_beta, sum);
     if (s.center_distance > least) return s;
     return Error{
-        "profile_shift", fmt::format("{}", sum),
-        fmt::format("gear1.profile_shift + gear2.profile_shift = {}: at the extended centre "
-                    "distance {} mm there is no working pressure angle; it must exceed {} mm",
-                    sum, s.center_distance, least)};
+        "profile_shift", spoken(sum),
+        fmt::format("is the sum of both gears; at the extended centre distance {} mm there is no "
+                    "working pressure angle; that must exceed {} mm",
+                    spoken(s.center_distance, least), spoken(least, s.center_distance))};
   }
   if (!(nominal_working_involute(p.z1, p.z2, alpha_n, alpha_t, sum) >= 0.0)) {
     const double limit = -involute(alpha_t) * (p.z1 + p.z2) / (2 * std::tan(alpha_n));
-    return Error{
-        "profile_shift", fmt::format("{}", sum),
-        fmt::format("gear1.profile_shift + gear2.profile_shift = {}: the teeth are too {} for any "
-                    "backlash-free centre distance; the sum must be {} than {}",
-                    sum, external ? "thin" : "thick", external ? "greater" : "less", limit)};
+    return refused("profile_shift", sum, {limit},
+                   external
+                       ? "is the sum of both gears: the teeth are too thin for any backlash-free "
+                         "centre distance; it must be greater than {}"
+                       : "is the sum of both gears: the teeth are too thick for any "
+                         "backlash-free centre distance; it must be less than {}");
   }
   s.center_distance =
       tight_center_distance(p.z1, p.z2, p.normal_module, alpha_n, alpha_t, cos_beta, sum);

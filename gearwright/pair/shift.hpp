@@ -105,7 +105,7 @@ std::array<double, 2> divided_shift_sum(int z1, int z2, double sum, double lambd
 
 /// Fills in what is absent (docs/spec.md, Shift and centre distance).
 ///
-/// Errors    `pair.center_distance_mm` too small for a working angle; `profile_shift` when the
+/// Errors    `pair.center_distance` too small for a working angle; `profile_shift` when the
 /// shifts
 ///           leave no backlash-free distance
 Result<ShiftSolution> complete_shifts(const ShiftProblem& problem);

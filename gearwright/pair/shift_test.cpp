@@ -25,7 +25,7 @@ ShiftProblem spur(int z1, int z2) {
 
 ShiftSolution solved(const ShiftProblem& p) {
   const auto s = complete_shifts(p);
-  EXPECT_TRUE(s) << s.error().message;
+  EXPECT_TRUE(s) << s.error().message();
   return *s;
 }
 
@@ -118,22 +118,22 @@ TEST(Shift, what_has_no_answer_is_named) {
   close.center_distance = 60 * std::cos(kAlpha) - 0.1;
   const auto a = complete_shifts(close);
   ASSERT_FALSE(a);
-  EXPECT_EQ(a.error().key, "pair.center_distance_mm");
+  EXPECT_EQ(a.error().field, "pair.center_distance");
   ShiftProblem thin = spur(17, 43);
   thin.x1 = -1.0;
   thin.x2 = -1.0;
   const auto b = complete_shifts(thin);
   ASSERT_FALSE(b);
-  EXPECT_EQ(b.error().key, "profile_shift");
+  EXPECT_EQ(b.error().field, "profile_shift");
   ShiftProblem thick_ring = spur(17, -43);
   thick_ring.x1 = 1.0;
   ASSERT_FALSE(complete_shifts(thick_ring));
-  EXPECT_EQ(complete_shifts(thick_ring).error().key, "profile_shift");
+  EXPECT_EQ(complete_shifts(thick_ring).error().field, "profile_shift");
   ShiftProblem extended = thin;
   extended.mounting = Mounting::extended;
   extended.x1 = -3.0;
   ASSERT_FALSE(complete_shifts(extended));
-  EXPECT_EQ(complete_shifts(extended).error().key, "profile_shift");
+  EXPECT_EQ(complete_shifts(extended).error().field, "profile_shift");
 }
 
 }  // namespace

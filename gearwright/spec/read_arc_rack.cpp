@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "gearwright/catalogue/rack_keys.hpp"
+#include "gearwright/catalogue/spelling.hpp"
 
 namespace gearwright {
 
@@ -53,9 +54,9 @@ RackOfArcs read_arcs(TableReader& t) {
   for (std::size_t i = 0; i < list.size(); ++i) {
     const std::string name = fmt::format("{}[{}]", t.name("arcs"), i + 1);
     if (!list[i].is_object()) {
-      throw SpecError{{name, "",
-                       fmt::format("{}: must be a table with {}", name,
-                                   fmt::join(rack_arc_keys().names(), ", "))}};
+      throw SpecError{
+          {name, "",
+           fmt::format("must be a table with {}", fmt::join(rack_arc_keys().names(), ", "))}};
     }
     rack.arcs.push_back(read_arc(list[i], name));
   }
@@ -97,10 +98,7 @@ std::optional<Rack> read_arc_rack(TableReader& gear, const Once& module) {
   if (node->is_string() && node->get<std::string>() == "GBT12759") {
     refuse_involute_keys(gear);
     auto rack = gbt12759_rack(module.required());
-    if (!rack) {
-      const Error& e = rack.error();
-      throw SpecError{{gear.name(e.key), e.value, gear.name(e.message)}};
-    }
+    if (!rack) throw SpecError{spelled(within(gear.name(), rack.error()))};
     return *rack;
   }
   if (!node->is_object()) return std::nullopt;

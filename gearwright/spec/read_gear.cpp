@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "gearwright/catalogue/rack_keys.hpp"
+#include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/gear/basic_root.hpp"
 #include "gearwright/spec/once.hpp"
 #include "gearwright/spec/read_arc_rack.hpp"
@@ -48,7 +49,7 @@ std::optional<Bore> read_bore(TableReader& gear) {
   t.finish();
   if (bore.keyway_width >= bore.diameter) {
     t.fail("keyway_width_mm",
-           fmt::format("must be less than the bore's diameter {} mm", bore.diameter));
+           fmt::format("must be less than the bore's diameter {} mm", spoken(bore.diameter)));
   }
   return bore;
 }
@@ -113,29 +114,32 @@ void read_basic(TableReader& gear, GearInput& g, const Once& module, const Once&
   if (module.value()) {
     if (!(*module.value() > m_cos_alpha)) {
       gear.fail("normal_module_mm",
-                fmt::format("is too small for this base pitch; m_n cos α_n is {} mm", m_cos_alpha));
+                fmt::format("is too small for this base pitch; m_n cos α_n is {} mm",
+                            spoken(m_cos_alpha, *module.value())));
     }
     const double of_module = std::acos(m_cos_alpha / *module.value());
     if (alpha.value() && std::abs(of_module - alpha_n) > kSameInput) {
       gear.fail("normal_module_mm",
                 fmt::format("contradicts normal_pressure_angle_deg on this base cylinder: at {}° "
                             "the module is {} mm",
-                            *alpha.value(), m_cos_alpha / std::cos(alpha_n)));
+                            spoken(*alpha.value()),
+                            spoken(m_cos_alpha / std::cos(alpha_n), *module.value())));
     }
     alpha_n = of_module;
   }
   if (!has_rack(base, alpha_n)) {
-    gear.fail("normal_pressure_angle_deg",
-              fmt::format(
-                  "{:.9g}° has no rack with the base helix angle {}°; it must be less than {:.9g}°",
-                  Angle::radians(alpha_n).deg(), in.base_helix_angle.deg(),
-                  90.0 - std::abs(in.base_helix_angle.deg())));
+    const double asked = Angle::radians(alpha_n).deg();
+    const double limit = 90.0 - std::abs(in.base_helix_angle.deg());
+    gear.fail(
+        "normal_pressure_angle_deg",
+        fmt::format("{}° has no rack with the base helix angle {}°; it must be less than {}°",
+                    spoken(asked, limit), spoken(in.base_helix_angle.deg()), spoken(limit, asked)));
   }
   const ReferenceInput<double> rack = as_rack(base, alpha_n);
   const auto agrees = [&](const char* key, const std::optional<double>& given, double value) {
     if (!given || std::abs(*given - value) <= kSameInput * std::max(1.0, std::abs(value))) return;
     gear.fail(key, fmt::format("contradicts [{}], which makes it {}; leave one of them out",
-                               gear.name("basic"), value));
+                               gear.name("basic"), spoken(value, *given)));
   };
   agrees(gear.has("lead_angle_deg") ? "lead_angle_deg" : "helix_angle_deg",
          g.helix_given ? std::optional(g.cylindrical.helix_angle.deg()) : std::nullopt,
@@ -151,10 +155,7 @@ void read_basic(TableReader& gear, GearInput& g, const Once& module, const Once&
   if (!in.root_diameter) return;
   c.profile_shift = rack.profile_shift;
   auto leaving = rack_leaving_root(c, *in.root_diameter, in.root_form_diameter);
-  if (!leaving) {
-    const Error& e = leaving.error();
-    throw SpecError{{t.name(e.key), e.value, t.name(e.message)}};
-  }
+  if (!leaving) throw SpecError{spelled(within(t.name(), leaving.error()))};
   c.rack = *leaving;
 }
 

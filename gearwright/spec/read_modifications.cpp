@@ -52,13 +52,6 @@ auto read_sided(TableReader& t, const std::string& key, const Read& read) {
   return s;
 }
 
-template <class T>
-void note_own_keys(const Sided<T>& s, std::array<FlankModifications, 2>& flanks) {
-  for (std::size_t flank = 0; flank < 2; ++flank) {
-    if (s.given[flank + 1]) flanks[flank].own_keys.push_back(s.name(flank + 1));
-  }
-}
-
 Sided<double> read_number(TableReader& t, const std::string& key) {
   return read_sided(t, key, [&](const std::string& k) { return t.number(k); });
 }
@@ -102,9 +95,6 @@ void take_relief(const TableReader& t, const ReliefInput& in, Relief FlankModifi
         relief = {*amount / kUmPerMm, in.reach.of(flank),
                   shape && *shape == "parabolic" ? ReliefShape::parabolic : ReliefShape::linear};
   }
-  note_own_keys(in.amount, flanks);
-  note_own_keys(in.reach, flanks);
-  note_own_keys(in.shape, flanks);
 }
 
 std::string_view trimmed(std::string_view s) {
@@ -284,19 +274,17 @@ std::array<FlankModifications, 2> read_modifications(TableReader& gear, const fs
   for (const auto& [m, input] : plain) {
     for (std::size_t flank = 0; flank < 2; ++flank)
       flanks[flank].*(m->amount) = input.of(flank).value_or(0.0) / kUmPerMm;
-    note_own_keys(input, flanks);
   }
   for (std::size_t i = 0; i < 3; ++i) {
     if (!file.given[i]) continue;
     const std::string key = file.name(i);
     auto grid = topography_from_csv(read_whole(t, key, folder / *file.given[i]));
-    if (!grid) t.fail(key, grid.error().message);
+    if (!grid) t.fail(key, grid.error().rule);
     const auto shared = std::make_shared<const Topography>(std::move(grid).take());
     for (std::size_t flank = 0; flank < 2; ++flank) {
       if (file.which(flank) == i) flanks[flank].topography = shared;
     }
   }
-  note_own_keys(file, flanks);
   return flanks;
 }
 

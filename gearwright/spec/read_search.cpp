@@ -8,7 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/catalogue/search_keys.hpp"
+#include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/design/search_space.hpp"
+#include "gearwright/gear/gear_field.hpp"
 #include "gearwright/spec/read_gear.hpp"
 
 namespace gearwright {
@@ -242,10 +244,10 @@ void read_racks(TableReader& t, SearchProblem& p, const std::array<Blank, 2>& bl
     for (std::size_t i : {0, 1}) {
       if (pair[i]) {
         const auto edge = make_edge(*pair[i], 1.0, p.normal_pressure_angle);
-        const std::string path = list ? "search.racks: " : fmt::format("gear{}.", i + 1);
         if (!edge)
           throw SpecError{
-              {path + edge.error().key, edge.error().value, path + edge.error().message}};
+              spelled(list ? following_from("search.racks", "", "of one of them", edge.error())
+                           : of_gear(static_cast<int>(i) + 1, edge.error()))};
         racks.rack[i] = *pair[i];
         racks.undercut_depth[i] = straight_depth(*pair[i], p.normal_pressure_angle.rad());
       }
@@ -266,9 +268,7 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
   if (blanks[1].alpha_deg && *blanks[1].alpha_deg != alpha) {
     throw SpecError{
         {"gear2.normal_pressure_angle_deg", fmt::format("{}", *blanks[1].alpha_deg),
-         fmt::format("gear2.normal_pressure_angle_deg = {}: both gears of a search have "
-                     "one pressure angle, gear1 has {}",
-                     *blanks[1].alpha_deg, alpha)}};
+         fmt::format("both gears of a search have one pressure angle, gear1 has {}", alpha)}};
   }
   p.normal_pressure_angle = Angle::degrees(alpha);
   read_teeth(t, p);

@@ -61,7 +61,7 @@ Json parse_strict_json(std::string_view text) {
     if (event == Json::parse_event_t::key &&
         !keys.back().insert(parsed.get<std::string>()).second) {
       const std::string key = printable(parsed.get<std::string>(), 60);
-      throw SpecError{{key, "", fmt::format("{}: stands twice in one table; leave one out", key)}};
+      throw SpecError{{key, "", "stands twice in one table; leave one out"}};
     }
     return true;
   };
@@ -113,10 +113,19 @@ FitInput read_fit(const Json& node) {
   return f;
 }
 
+void note_keys(const Json& table, const std::string& path, GivenKeys& keys) {
+  for (const auto& [key, value] : table.items()) {
+    const std::string here = path.empty() ? key : path + "." + key;
+    keys.insert(here);
+    if (value.is_object()) note_keys(value, here, keys);
+  }
+}
+
 JobSpec read_tree(const Json& tree, const std::filesystem::path& folder) {
   TableReader t(spec_keys(), tree, "");
   JobSpec spec;
   spec.tree = json_text(tree);
+  note_keys(tree, "", spec.given);
   spec.title = t.text("title").value_or("");
   const Json* gear_1 = t.table("gear1");
   const Json* gear_2 = t.table("gear2");
@@ -136,7 +145,7 @@ JobSpec read_tree(const Json& tree, const std::filesystem::path& folder) {
   t.finish();
   if (!spec.gears[0] && !spec.search) {
     throw SpecError{{"gear1", "",
-                     "gear1: is missing; a spec describes a gear in a table [gear1] with at least "
+                     "is missing; a spec describes a gear in a table [gear1] with at least "
                      "teeth and normal_module_mm"}};
   }
   return spec;

@@ -18,6 +18,7 @@
 #include "gearwright/catalogue/fit_keys.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/pair_keys.hpp"
+#include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/design/search_problem.hpp"
 
 namespace gearwright {
@@ -25,6 +26,7 @@ namespace gearwright {
 struct JobSpec {
   std::string text;  ///< the spec as read, for the report
   std::string tree;  ///< the same as a tree of tables, in JSON
+  GivenKeys given;   ///< the paths of its keys
   std::string title;
   std::array<std::optional<GearInput>, 2> gears;  ///< without the first only beside a search
   PairInput pair;
@@ -42,8 +44,8 @@ enum class SpecFormat { toml, json };
 /// Reads a spec from text. File names in it start at `folder`; empty: the working directory.
 ///
 /// Throws    IoError when a file that it names is there and cannot be read
-/// Errors    the key with its table ("gear1.normal_module_mm"), its value, what is allowed; syntax
-///           errors with line and column; unknown keys with the nearest known one
+/// Errors    the key with its table ("gear1.normal_module_mm") for a field, its value, what is
+///           allowed; syntax errors with line and column; unknown keys with the nearest known one
 Result<JobSpec> read_spec(std::string_view text, SpecFormat format,
                           const std::filesystem::path& folder = {});
 

@@ -70,10 +70,7 @@ TableReader::TableReader(const KeyTable& keys, const Json& node, std::string pat
 
 void TableReader::fail(const std::string& key, const std::string& why) const {
   const auto it = node_.find(key);
-  const std::string value = it == node_.end() ? "" : shown(*it);
-  const std::string message = value.empty() ? fmt::format("{}: {}", name(key), why)
-                                            : fmt::format("{} = {}: {}", name(key), value, why);
-  throw SpecError{{name(key), value, message}};
+  throw SpecError{{name(key), it == node_.end() ? "" : shown(*it), why}};
 }
 
 const Key& TableReader::entry(const std::string& key) const {
@@ -197,19 +194,16 @@ void TableReader::refuse(const std::string& key, const std::string& why) {
   if (find(key)) fail(key, why);
 }
 
-bool TableReader::given(std::string_view key) const {
-  return node_.contains(std::string(key));
-}
+bool TableReader::given(std::string_view key) const { return node_.contains(std::string(key)); }
 
 void TableReader::refuse_unknown() const {
   for (const auto& [key, value] : node_.items()) {
     if (keys_.find(key)) continue;
     const std::string where = path_.empty() ? "the file" : fmt::format("[{}]", path_);
     const std::string called = printable(key, 60);
-    throw SpecError{
-        {name(called), shown(value),
-         fmt::format("{} = {}: unknown key in {}; the nearest known one is {}", name(called),
-                     shown(value), where, nearest_word(key, keys_.names()))}};
+    throw SpecError{{name(called), shown(value),
+                     fmt::format("unknown key in {}; the nearest known one is {}", where,
+                                 nearest_word(key, keys_.names()))}};
   }
 }
 

@@ -57,6 +57,7 @@ class TableReader {
   void finish() const;
 
   const KeyTable& keys() const { return keys_; }
+  const std::string& name() const { return path_; }  ///< of the table
   std::string name(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
   [[noreturn]] void fail(const std::string& key, const std::string& why) const;
 

@@ -31,11 +31,11 @@ over_balls_mm = [{ ball_diameter_mm = 5, dimension_mm = 69.426 }]
 shorten_tips = true
 )";
   const auto spec = read_spec(text, SpecFormat::toml);
-  ASSERT_TRUE(spec) << spec.error().message;
+  ASSERT_TRUE(spec) << spec.error().message();
   const Json tree = parse_json(spec->tree);
   const std::string written = toml_text(tree);
   const auto again = read_spec(written, SpecFormat::toml);
-  ASSERT_TRUE(again) << again.error().message << "\n" << written;
+  ASSERT_TRUE(again) << again.error().message() << "\n" << written;
   EXPECT_EQ(parse_json(again->tree), tree) << written;
 }
 

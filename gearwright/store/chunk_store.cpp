@@ -94,7 +94,7 @@ std::string differences(const std::string& was, const std::string& is) {
 }
 
 Error refused_folder(const fs::path& folder, const std::string& why) {
-  return {"--out", folder.string(), fmt::format("--out = {}: {}", folder.string(), why)};
+  return {"--out", folder.string(), why};
 }
 
 // Why `as` cannot be done in this folder, if it cannot. `old` is what the journal tells, empty

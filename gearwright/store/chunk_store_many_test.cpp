@@ -120,7 +120,7 @@ TEST_F(ChunkStoreMany, killed_again_and_again_it_still_completes) {
       EXPECT_TRUE(WIFSIGNALED(status) || WEXITSTATUS(status) == 0);
     }
     const auto found = ChunkStore::open(folder_, campaign(kChunks), kNames, OpenAs::join, "parent");
-    ASSERT_TRUE(found) << found.error().message;
+    ASSERT_TRUE(found) << found.error().message();
     EXPECT_TRUE(found->notes().empty());  // nothing half written, no row too early
     const std::size_t done = kChunks - found->missing().size();
     EXPECT_GE(done, kept);  // what is done stays done

@@ -62,7 +62,7 @@ TEST_F(ChunkStoreTest, two_runs_write_the_same_files) {
   const std::string first = content(file(3));
   fs::remove_all(folder_);
   auto other = ChunkStore::open(folder_, campaign(5), kNames, OpenAs::join, "somebody else");
-  ASSERT_TRUE(other) << other.error().message;
+  ASSERT_TRUE(other) << other.error().message();
   ChunkStore store = std::move(other).take();
   put(store, 3);
   EXPECT_EQ(content(file(3)), first);
@@ -105,8 +105,8 @@ TEST_F(ChunkStoreTest, a_changed_campaign_is_told_by_its_lines) {
   EXPECT_TRUE(contains(changed(fingerprint("1.2") + fingerprint("1.2")), "the same lines"));
   const auto names = ChunkStore::open(folder_, campaign(40), {"one"}, OpenAs::resume, "test");
   ASSERT_FALSE(names);
-  EXPECT_TRUE(contains(names.error().message, "counts was shift_limits, contact ratio,"));
-  EXPECT_TRUE(contains(names.error().message, ", is one;"));
+  EXPECT_TRUE(contains(names.error().message(), "counts was shift_limits, contact ratio,"));
+  EXPECT_TRUE(contains(names.error().message(), ", is one;"));
   opened(OpenAs::resume, campaign(40));  // and none of this did any harm
 }
 

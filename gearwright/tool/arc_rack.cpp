@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearwright/base/refusal.hpp"
+#include "gearwright/base/error.hpp"
 
 namespace gearwright {
 
@@ -16,10 +16,6 @@ constexpr double kHalfPi = std::numbers::pi / 2;
 constexpr double kMaxModules = 1e4;
 // P's arc rises to where it is upright, τ = 0; it ends a little before.
 constexpr Angle kLastOfP = Angle::degrees(1);
-
-Error bad(const char* key, double value, const std::string& why) {
-  return refused(std::string("rack.") + key, value, why);
-}
 
 bool is_F(const ArcRack& rack) { return rack.cutter == ArcRack::Cutter::F; }
 
@@ -40,18 +36,18 @@ double joint_sine(const ArcRack& rack, double rho) {
 
 std::optional<Error> check_numbers(const ArcRack& rack) {
   if (!(rack.arc_radius > 0.0 && rack.arc_radius <= kMaxModules)) {
-    return bad("arc_radius", rack.arc_radius,
-               fmt::format("must be greater than 0 and at most {}", kMaxModules));
+    return refused("rack.arc_radius", rack.arc_radius, {0.0, kMaxModules},
+                   "must be greater than {} and at most {}");
   }
-  for (const auto& [key, value] :
-       {std::pair{"center_a", rack.center_a}, std::pair{"center_b", rack.center_b},
-        std::pair{"addendum", rack.addendum}, std::pair{"dedendum", rack.dedendum}}) {
+  for (const auto& [member, value] :
+       {std::pair{"rack.center_a", rack.center_a}, std::pair{"rack.center_b", rack.center_b},
+        std::pair{"rack.addendum", rack.addendum}, std::pair{"rack.dedendum", rack.dedendum}}) {
     if (!(std::abs(value) <= kMaxModules))
-      return bad(key, value, fmt::format("must lie between {} and {}", -kMaxModules, kMaxModules));
+      return refused(member, value, {-kMaxModules, kMaxModules}, "must lie between {} and {}");
   }
   if (!(rack.root_fillet_radius >= 0.0 && rack.root_fillet_radius <= kMaxModules)) {
-    return bad("root_fillet_radius", rack.root_fillet_radius,
-               fmt::format("must lie between 0 (a sharp corner) and {}", kMaxModules));
+    return refused("rack.root_fillet_radius", rack.root_fillet_radius, {0.0, kMaxModules},
+                   "must lie between {} (a sharp corner) and {}");
   }
   return std::nullopt;
 }
@@ -60,31 +56,28 @@ std::optional<Error> check_numbers(const ArcRack& rack) {
 std::optional<Error> check_joint(const ArcRack& rack) {
   const double rho = rack.root_fillet_radius;
   if (!is_F(rack) && !(rho < rack.arc_radius)) {
-    return bad("root_fillet_radius", rho,
-               fmt::format("must be less than the flank's arc_radius, {}", rack.arc_radius));
+    return refused("rack.root_fillet_radius", rho, {rack.arc_radius},
+                   "must be less than the flank's `arc_radius`, {}");
   }
   const double s = joint_sine(rack, rho);
   if (is_F(rack) && !(s > 0.0)) {
-    return bad("dedendum", rack.dedendum,
-               fmt::format("the flank's arc ends {} modules below the datum line; with this root "
-                           "fillet radius the dedendum must be less than {}",
-                           rack.center_b, rack.center_b + rho));
+    return refused(
+        "rack.dedendum", rack.dedendum, {rack.center_b + rho},
+        fmt::format("the flank's arc ends {} modules below the datum line; with this root "
+                    "fillet radius the dedendum must be less than {{}}",
+                    spoken(rack.center_b)));
   }
   if (is_F(rack) && !(s < 1.0)) {
-    return bad("dedendum", rack.dedendum,
-               fmt::format("the flank's arc ends below it; the dedendum must be greater than {}",
-                           rack.center_b - rack.arc_radius));
+    return refused("rack.dedendum", rack.dedendum, {rack.center_b - rack.arc_radius},
+                   "the flank's arc ends below it; the dedendum must be greater than {}");
   }
   if (!is_F(rack) && !(s > 0.0)) {
-    return bad(
-        "root_fillet_radius", rho,
-        fmt::format("the flank's arc does not reach so high; the radius must be less than {}",
-                    rack.center_b + rack.dedendum));
+    return refused("rack.root_fillet_radius", rho, {rack.center_b + rack.dedendum},
+                   "the flank's arc does not reach so high; the radius must be less than {}");
   }
   if (!is_F(rack) && !(s < 1.0)) {
-    return bad("dedendum", rack.dedendum,
-               fmt::format("the flank's arc ends above it; the dedendum must be less than {}",
-                           rack.arc_radius - rack.center_b));
+    return refused("rack.dedendum", rack.dedendum, {rack.arc_radius - rack.center_b},
+                   "the flank's arc ends above it; the dedendum must be less than {}");
   }
   return std::nullopt;
 }
@@ -118,9 +111,8 @@ Result<RackOfArcs> arcs_of(const ArcRack& rack) {
   const double meeting = std::min(1.0, std::max(0.0, -flank.center_offset / flank.radius));
   if (is_F(rack)) {
     if (!(meeting < 1.0)) {
-      return bad(
-          "center_a", rack.center_a,
-          fmt::format("leaves no tooth: it must be less than the arc_radius, {}", rack.arc_radius));
+      return refused("rack.center_a", rack.center_a, {rack.arc_radius},
+                     "leaves no tooth: it must be less than the `arc_radius`, {}");
     }
     flank.end = Angle::radians(std::acos(meeting));
   } else {
@@ -132,18 +124,20 @@ Result<RackOfArcs> arcs_of(const ArcRack& rack) {
   const bool rises = is_F(rack) == (flank.end.rad() > flank.begin.rad());
   const double top = point_at(flank, flank.end).x();
   if (!rises) {
-    return bad("dedendum", rack.dedendum,
-               fmt::format("the flank would end before it begins: its arc reaches {} modules above "
-                           "the datum line and starts at {}",
-                           top, point_at(flank, flank.begin).x()));
+    return refused(
+        "rack.dedendum", rack.dedendum,
+        fmt::format("the flank would end before it begins: its arc reaches {} modules above "
+                    "the datum line and starts at {}",
+                    spoken(top), spoken(point_at(flank, flank.begin).x())));
   }
   if (!(rack.addendum <= top)) {
-    const std::string why = meeting > 0.0 && meeting < 1.0
-                                ? "pointed: both flank arcs meet {} modules above the datum line; "
-                                  "the addendum must not be greater"
-                                : "the flank's arc ends {} modules above the datum line; the "
-                                  "addendum must not be greater";
-    return bad("addendum", rack.addendum, fmt::format(fmt::runtime(why), top));
+    return refused(
+        "rack.addendum", rack.addendum, {top},
+        meeting > 0.0 && meeting < 1.0
+            ? "pointed: both flank arcs meet {} modules above the datum line; the addendum "
+              "must not be greater"
+            : "the flank's arc ends {} modules above the datum line; the addendum must not "
+              "be greater");
   }
   const double rho = rack.root_fillet_radius;
   const double y_c = flank.center_offset + (flank.radius + rho) * std::cos(flank.begin.rad());
@@ -152,21 +146,18 @@ Result<RackOfArcs> arcs_of(const ArcRack& rack) {
     // F's rounding pushes itself outward, P's inward as it grows.
     const bool smaller_fits = greatest >= 0.0 && greatest < rho;
     return smaller_fits
-               ? bad("root_fillet_radius", rho,
-                     fmt::format("does not fit into the cutter's tip; the greatest (full radius) "
-                                 "is {}",
-                                 greatest))
-               : bad("dedendum", rack.dedendum,
-                     "the cutter's tooth is pointed before it gets that deep");
+               ? refused("rack.root_fillet_radius", rho, {greatest},
+                         "does not fit into the cutter's tip; the greatest (full radius) is {}")
+               : refused("rack.dedendum", rack.dedendum,
+                         "the cutter's tooth is pointed before it gets that deep");
   }
   if (rack.pressure_angle) {
     const auto [lo, hi] = std::minmax({flank.begin.rad(), flank.end.rad()});
     const double psi = rack.pressure_angle->rad();
     if (!(psi >= lo && psi <= hi)) {
-      return bad("pressure_angle_deg", rack.pressure_angle->deg(),
-                 fmt::format("the flank's arc has no such point; its normal angles run from {}° to "
-                             "{}°",
-                             Angle::radians(lo).deg(), Angle::radians(hi).deg()));
+      return refused("rack.pressure_angle", rack.pressure_angle->deg(),
+                     {Angle::radians(lo).deg(), Angle::radians(hi).deg()},
+                     "the flank's arc has no such point; its normal angles run from {}° to {}°");
     }
   }
   RackArc tip;

@@ -38,7 +38,7 @@ double full_radius(const ArcRack& rack);
 /// both sides meet, P's until its normal is 1° to the datum line. [T7.1], [T7.2], [T7.4]
 ///
 /// Errors    `rack.arc_radius`, `rack.center_a`, `rack.dedendum`, `rack.root_fillet_radius`,
-///           `rack.addendum` with what fits; `rack.pressure_angle_deg` when the arc has no such
+///           `rack.addendum` with what fits; `rack.pressure_angle` when the arc has no such
 ///           point
 Result<RackOfArcs> arcs_of(const ArcRack& rack);
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "gearwright/base/refusal.hpp"
+#include "gearwright/base/error.hpp"
 
 namespace gearwright {
 
@@ -15,28 +15,26 @@ namespace {
 constexpr double kHalfPi = std::numbers::pi / 2;
 constexpr double kMaxModules = 1e4;
 
-Error bad(const char* key, double value, const std::string& why) {
-  return refused(std::string("rack.") + key, value, why);
-}
-
 // What can be said of each number alone.
 std::optional<Error> check_numbers(const DoubleArcRack& r) {
   const double alpha = r.pressure_angle.deg();
   if (!(alpha > 0.0 && alpha < 90.0))
-    return bad("pressure_angle_deg", alpha, "must lie between 0 and 90, usually 24");
-  for (const auto& [key, value] :
-       {std::pair{"addendum", r.addendum}, std::pair{"dedendum", r.dedendum},
-        std::pair{"convex_radius", r.convex_radius}, std::pair{"concave_radius", r.concave_radius},
-        std::pair{"space_width", r.space_width}, std::pair{"step_height", r.step_height},
-        std::pair{"step_depth", r.step_depth}}) {
+    return refused("rack.pressure_angle", alpha, {0.0, 90.0},
+                   "must lie between {}° and {}°, usually 24°");
+  for (const auto& [member, value] :
+       {std::pair{"rack.addendum", r.addendum}, std::pair{"rack.dedendum", r.dedendum},
+        std::pair{"rack.convex_radius", r.convex_radius},
+        std::pair{"rack.concave_radius", r.concave_radius},
+        std::pair{"rack.space_width", r.space_width}, std::pair{"rack.step_height", r.step_height},
+        std::pair{"rack.step_depth", r.step_depth}}) {
     if (!(value > 0.0 && value <= kMaxModules))
-      return bad(key, value, fmt::format("must be greater than 0 and at most {}", kMaxModules));
+      return refused(member, value, {0.0, kMaxModules}, "must be greater than {} and at most {}");
   }
-  for (const auto& [key, value] :
-       {std::pair{"convex_height", r.convex_height}, std::pair{"concave_height", r.concave_height},
-        std::pair{"convex_offset", r.convex_offset}}) {
+  for (const auto& [member, value] : {std::pair{"rack.convex_height", r.convex_height},
+                                      std::pair{"rack.concave_height", r.concave_height},
+                                      std::pair{"rack.convex_offset", r.convex_offset}}) {
     if (!(std::abs(value) <= kMaxModules))
-      return bad(key, value, fmt::format("must lie between {} and {}", -kMaxModules, kMaxModules));
+      return refused(member, value, {-kMaxModules, kMaxModules}, "must lie between {} and {}");
   }
   return std::nullopt;
 }
@@ -66,10 +64,10 @@ Result<DoubleArcRack> gbt12759_rack(double m) {
   }
   return Error{
       "rack", "GBT12759",
-      fmt::format("rack = \"GBT12759\": for a normal module of {} mm the standard's numbers are "
-                  "not known here (known: 1.5 to 3, over 3 to 6, over 10 to 16, over 32 to 50 mm); "
-                  "give them in a table with kind = \"double_circular_arc\"",
-                  m)};
+      fmt::format("for a normal module of {} mm the standard's numbers are not known here (known: "
+                  "1.5 to 3, over 3 to 6, over 10 to 16, over 32 to 50 mm); give the numbers "
+                  "themselves, of a rack of the kind double_circular_arc",
+                  spoken(m))};
 }
 
 Result<DoubleArcDerived> derived(const DoubleArcRack& r) {
@@ -85,23 +83,23 @@ Result<DoubleArcDerived> derived(const DoubleArcRack& r) {
   // The step: tangent to the convex arc at its foot, and through the concave arc's upper end.
   const double sin_1 = (r.step_height - r.convex_height) / r.convex_radius;
   if (!(sin_1 > 0.0 && sin_1 < 1.0)) {
-    return bad("step_height", r.step_height,
-               fmt::format("must lie between the convex arc's foot, {}, and its head, {}",
-                           r.convex_height, r.convex_height + r.convex_radius));
+    return refused("rack.step_height", r.step_height,
+                   {r.convex_height, r.convex_height + r.convex_radius},
+                   "must lie between the convex arc's foot, {}, and its head, {}");
   }
   const double sin_2 = (r.step_depth + r.concave_height) / r.concave_radius;
   if (!(sin_2 > 0.0 && sin_2 < 1.0)) {
-    return bad("step_depth", r.step_depth,
-               fmt::format("must lie between the concave arc's head, {}, and its foot, {}",
-                           -r.concave_height, r.concave_radius - r.concave_height));
+    return refused("rack.step_depth", r.step_depth,
+                   {-r.concave_height, r.concave_radius - r.concave_height},
+                   "must lie between the concave arc's head, {}, and its foot, {}");
   }
   d.convex_begin = Angle::radians(std::asin(sin_1));
   d.concave_end = Angle::radians(std::asin(sin_2));
   const double cos_1 = std::sqrt((1 - sin_1) * (1 + sin_1));
   const double cos_2 = std::sqrt((1 - sin_2) * (1 + sin_2));
   if (!(r.convex_offset < r.convex_radius * cos_1)) {
-    return bad("convex_offset", r.convex_offset,
-               fmt::format("leaves no tooth; it must be less than {}", r.convex_radius * cos_1));
+    return refused("rack.convex_offset", r.convex_offset, {r.convex_radius * cos_1},
+                   "leaves no tooth; it must be less than {}");
   }
   const double dx = -r.step_depth - r.step_height;
   const double dy = (kHalfPi + d.concave_offset - r.concave_radius * cos_2) -
@@ -112,9 +110,9 @@ Result<DoubleArcDerived> derived(const DoubleArcRack& r) {
   // most.
   if (!(across > 0.0 && d.step_radius <= kMaxModules && dy <= d.step_radius * cos_1 &&
         r.step_height + d.step_radius * sin_1 + r.step_depth < d.step_radius)) {
-    return bad("space_width", r.space_width,
-               "leaves no step between the concave and the convex arc; a narrower space or a "
-               "greater convex_offset would");
+    return refused("rack.space_width", r.space_width,
+                   "leaves no step between the concave and the convex arc; a narrower space or a "
+                   "greater `convex_offset` would");
   }
 
   const double depth = r.concave_height + r.dedendum;  // of the tip under the concave arc's centre
@@ -122,13 +120,12 @@ Result<DoubleArcDerived> derived(const DoubleArcRack& r) {
       (r.concave_radius * r.concave_radius - depth * depth - d.concave_offset * d.concave_offset) /
       (2 * (r.concave_radius - depth));
   if (!(r.concave_radius > depth && d.root_radius >= 0.0)) {
-    return bad(
-        "dedendum", r.dedendum,
-        fmt::format("the cutter's tooth is pointed before it gets that deep; it must be less "
-                    "than {}",
-                    std::sqrt(std::max(0.0, (r.concave_radius - d.concave_offset) *
-                                                (r.concave_radius + d.concave_offset))) -
-                        r.concave_height));
+    const double deepest = std::sqrt(std::max(0.0, (r.concave_radius - d.concave_offset) *
+                                                       (r.concave_radius + d.concave_offset))) -
+                           r.concave_height;
+    return refused(
+        "rack.dedendum", r.dedendum, {deepest},
+        "the cutter's tooth is pointed before it gets that deep; it must be less than {}");
   }
   return d;
 }
@@ -148,9 +145,8 @@ Result<RackOfArcs> arcs_of(const DoubleArcRack& r) {
       Angle::radians(std::asin((r.concave_height + r.dedendum - r_g) / (r.concave_radius - r_g)));
   concave.end = d.concave_end;
   if (!(concave.begin.rad() > concave.end.rad())) {
-    return bad("step_depth", r.step_depth,
-               fmt::format("must be less than {}, where the root begins",
-                           -point_at(concave, concave.begin).x()));
+    return refused("rack.step_depth", r.step_depth, {-point_at(concave, concave.begin).x()},
+                   "must be less than {}, where the root begins");
   }
   tip.cuts = ArcName::root_fillet;
   tip.working = false;
@@ -167,10 +163,10 @@ Result<RackOfArcs> arcs_of(const DoubleArcRack& r) {
   convex.end = Angle::radians(std::acos(std::max(0.0, r.convex_offset / r.convex_radius)));
   const double top = point_at(convex, convex.end).x();
   if (!(r.addendum <= top)) {
-    return bad("addendum", r.addendum,
-               fmt::format("pointed: both flank arcs meet {} modules above the datum line; the "
-                           "addendum must not be greater",
-                           top));
+    return refused(
+        "rack.addendum", r.addendum, {top},
+        "pointed: both flank arcs meet {} modules above the datum line; the addendum must "
+        "not be greater");
   }
 
   step.working = false;

@@ -51,7 +51,7 @@ struct DoubleArcDerived {
   Angle concave_end;             ///< δ_2
 };
 
-/// Errors    the key of a number that leaves no such rack, `rack.step_depth` and so on
+/// Errors    the member, a number that leaves no such rack, `rack.step_depth` and so on
 Result<DoubleArcDerived> derived(const DoubleArcRack& rack);
 
 /// Full-radius tip, concave arc, step, convex arc up to where both sides meet.

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearwright/base/refusal.hpp"
+#include "gearwright/base/error.hpp"
 
 namespace gearwright {
 
@@ -20,13 +20,9 @@ constexpr double kMaxModules = 1e4;   // no cutter is that large
 constexpr double kAbove90 = 1e-15;    // of 90°: degrees that came out of radians
 constexpr double kOverlap = 1e-12;    // of half the pitch: a full radius, but for rounding
 
-Error bad(const char* key, double value, const std::string& why) {
-  return refused(std::string("rack.") + key, value, why);
-}
-
-Error bad_arc(std::size_t i, const std::string& why) {
-  const std::string key = fmt::format("rack.arcs[{}]", i + 1);
-  return {key, "", key + ": " + why};
+// Arcs are counted from 1, as people do.
+Error bad_arc(std::size_t i, std::string rule) {
+  return {fmt::format("rack.arcs[{}]", i + 1), "", std::move(rule)};
 }
 
 std::optional<Error> check_arc(const RackArc& arc, std::size_t i) {
@@ -36,14 +32,15 @@ std::optional<Error> check_arc(const RackArc& arc, std::size_t i) {
   }
   for (const Angle tau : {arc.begin, arc.end}) {
     if (!(tau.rad() > 0.0 && tau.rad() <= kHalfPi * (1 + kAbove90)))
-      return bad_arc(
-          i,
-          fmt::format("normal angles must be greater than 0° and at most 90°, not {}°", tau.deg()));
+      return bad_arc(i,
+                     fmt::format("normal angles must be greater than 0° and at most 90°, not {}°",
+                                 spoken(tau.deg(), 90.0)));
   }
   if (arc.radius != 0.0 && (arc.radius > 0.0) != (arc.end.rad() > arc.begin.rad())) {
     return bad_arc(i, fmt::format("from {}° to {}° it falls towards the gear's axis; an edge rises "
                                   "from the cutter's tip on, a radius > 0 with growing angle",
-                                  arc.begin.deg(), arc.end.deg()));
+                                  spoken(arc.begin.deg(), arc.end.deg()),
+                                  spoken(arc.end.deg(), arc.begin.deg())));
   }
   if (arc.radius == 0.0 && !(arc.end.rad() < arc.begin.rad()))
     return bad_arc(i, "a corner (radius 0) turns from the greater normal angle to the smaller one");
@@ -59,9 +56,10 @@ Result<std::vector<RackArc>> joined(const RackOfArcs& rack) {
     const Vec2 begin = point_at(arc, arc.begin);
     if (chain.empty()) {
       if (std::abs(begin.x() + rack.dedendum) > kSameRackPoint) {
-        return bad_arc(i, fmt::format("begins {} modules below the datum line; the cutter's tip "
-                                      "lies at the dedendum, {}",
-                                      -begin.x(), rack.dedendum));
+        return bad_arc(
+            i, fmt::format("begins {} modules below the datum line; the cutter's tip "
+                           "lies at the dedendum, {}",
+                           spoken(-begin.x(), rack.dedendum), spoken(rack.dedendum, -begin.x())));
       }
       arc.center_height -= begin.x() + rack.dedendum;
       if (arc.begin.rad() < kHalfPi - kSameNormal)
@@ -74,7 +72,7 @@ Result<std::vector<RackArc>> joined(const RackOfArcs& rack) {
     const Vec2 gap = end - begin;
     if (!(gap.norm() <= kSameRackPoint)) {
       return bad_arc(i, fmt::format("begins at ({}, {}), {} modules from where the arc before ends",
-                                    begin.x(), begin.y(), gap.norm()));
+                                    spoken(begin.x()), spoken(begin.y()), spoken(gap.norm())));
     }
     arc.center_height += gap.x();
     arc.center_offset += gap.y();
@@ -120,21 +118,22 @@ std::optional<double> half_thickness_on_datum(const RackOfArcs& rack) {
 Result<CutterEdge> make_edge(const RackOfArcs& rack, double m, double thickness_allowance) {
   GW_EXPECTS(m > 0.0);
   if (!(std::abs(rack.addendum) <= kMaxModules))
-    return bad("addendum", rack.addendum, fmt::format("must lie within {} modules", kMaxModules));
+    return refused("rack.addendum", rack.addendum, {-kMaxModules, kMaxModules},
+                   "must lie between {} and {} modules");
   if (!(std::abs(rack.dedendum) <= kMaxModules && rack.dedendum > -rack.addendum)) {
-    return bad("dedendum", rack.dedendum,
-               fmt::format("must be greater than -{}, less the addendum, and at most {}",
-                           rack.addendum, kMaxModules));
+    return refused("rack.dedendum", rack.dedendum,
+                   fmt::format("must be greater than -{}, less the addendum, and at most {}",
+                               spoken(rack.addendum), kMaxModules));
   }
   if (rack.arcs.empty())
-    return Error{"rack.arcs", "", "rack.arcs: is empty; an edge has one arc at least, a flank"};
+    return Error{"rack.arcs", "", "is empty; an edge has one arc at least, a flank"};
   auto joined_arcs = joined(rack);
   if (!joined_arcs) return joined_arcs.error();
   std::vector<RackArc> chain = std::move(joined_arcs).take();
   const bool any_flank = std::any_of(chain.begin(), chain.end(), [](const RackArc& arc) {
     return arc.cuts == ArcName::flank && arc.radius != 0.0;
   });
-  if (!any_flank) return Error{"rack.arcs", "", "rack.arcs: none of them cuts the flank"};
+  if (!any_flank) return Error{"rack.arcs", "", "none of them cuts the flank"};
 
   const double thinner = thickness_allowance / 2;
   end_in_the_middle(chain.back(), thinner / m);
@@ -143,9 +142,9 @@ Result<CutterEdge> make_edge(const RackOfArcs& rack, double m, double thickness_
   const Vec2 first = point_at(chain.front(), chain.front().begin);
   edge.tip_land_end = first.y() * m + thinner;
   if (first.y() * m + thinner > kHalfPi * m * (1 + kOverlap)) {
-    return bad("dedendum", rack.dedendum,
-               fmt::format("the two sides of the cutter's tip overlap by {} modules there",
-                           2 * (first.y() + thinner / m - kHalfPi)));
+    return refused("rack.dedendum", rack.dedendum,
+                   fmt::format("the two sides of the cutter's tip overlap by {} modules there",
+                               spoken(2 * (first.y() + thinner / m - kHalfPi))));
   }
   std::optional<double> flank_begin;
   for (std::size_t i = 0; i < chain.size(); ++i) {
@@ -153,10 +152,10 @@ Result<CutterEdge> make_edge(const RackOfArcs& rack, double m, double thickness_
     const Vec2 begin = point_at(arc, arc.begin);
     const Vec2 end = point_at(arc, arc.end);
     if (end.y() * m + thinner < -kSameRackPoint * m) {
-      return bad("addendum", rack.addendum,
-                 fmt::format("the two sides of the cutter's space overlap by {} modules at the "
-                             "height {}",
-                             -2 * (end.y() + thinner / m), end.x()));
+      return refused("rack.addendum", rack.addendum,
+                     fmt::format("the two sides of the cutter's space overlap by {} modules at the "
+                                 "height {}",
+                                 spoken(-2 * (end.y() + thinner / m)), spoken(end.x())));
     }
     if (arc.cuts == ArcName::flank && arc.radius != 0.0) {
       if (!flank_begin) flank_begin = begin.x() * m;
@@ -169,9 +168,8 @@ Result<CutterEdge> make_edge(const RackOfArcs& rack, double m, double thickness_
   edge.flank_begin_depth = -*flank_begin;
   edge.bottom_height = point_at(chain.back(), chain.back().end).x() * m;
   if (!(rack.addendum * m <= edge.bottom_height)) {
-    return bad("addendum", rack.addendum,
-               fmt::format("the arcs end {} modules above the datum line, no tooth reaches higher",
-                           edge.bottom_height / m));
+    return refused("rack.addendum", rack.addendum, {edge.bottom_height / m},
+                   "the arcs end {} modules above the datum line, no tooth reaches higher");
   }
   return edge;
 }

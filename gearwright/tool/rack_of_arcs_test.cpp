@@ -37,7 +37,7 @@ ArcRack rack_P() {
 }
 
 RackOfArcs made(const Result<RackOfArcs>& rack) {
-  EXPECT_TRUE(rack) << rack.error().message;
+  EXPECT_TRUE(rack) << rack.error().message();
   return *rack;
 }
 
@@ -67,7 +67,7 @@ TEST(RackOfArcs, edges_obey_the_laws_of_an_edge) {
     for (const double allowance : {0.0, -0.02}) {
       for (const RackOfArcs& rack : racks()) {
         const auto edge = make_edge(rack, m, allowance * m);
-        ASSERT_TRUE(edge) << edge.error().message;
+        ASSERT_TRUE(edge) << edge.error().message();
         EXPECT_EQ(edge->tip_depth, rack.dedendum * m);
         EXPECT_LE(edge->tip_land_end, kPi * m / 2);
         Vec2 last(-edge->tip_depth, edge->tip_land_end);
@@ -123,7 +123,7 @@ TEST(RackOfArcs, joints_and_corners) {
   second.center_offset = end.y() - 1.5 * std::cos(deg(12).rad()) + 4e-7;
   rack.arcs = {first, second};
   const auto edge = make_edge(rack, 1.0, 0.0);
-  ASSERT_TRUE(edge) << edge.error().message;
+  ASSERT_TRUE(edge) << edge.error().message();
   // The tip's corner from 90° to 45°, the flank, the corner from 20° to 12°, the flank.
   ASSERT_EQ(edge->arcs.size(), 4u);
   EXPECT_EQ(circle_of(edge->arcs[0]).q, 0.0);
@@ -137,7 +137,7 @@ TEST(RackOfArcs, joints_and_corners) {
   rack.arcs[1].center_height = end.x() - 1.5 * std::sin(deg(25).rad());
   rack.arcs[1].center_offset = end.y() - 1.5 * std::cos(deg(25).rad());
   const auto hollow = make_edge(rack, 1.0, 0.0);
-  ASSERT_TRUE(hollow) << hollow.error().message;
+  ASSERT_TRUE(hollow) << hollow.error().message();
   EXPECT_EQ(hollow->arcs.size(), 3u);
   EXPECT_FALSE(hollow->arcs[2].smooth_start);
 }
@@ -162,8 +162,8 @@ TEST(RackOfArcs, what_is_no_edge_is_named) {
     change(rack);
     const auto edge = make_edge(rack, 2.0, 0.0);
     if (edge) return std::string("made");
-    EXPECT_NE(edge.error().message.find(edge.error().key), std::string::npos);
-    return edge.error().key;
+    EXPECT_NE(edge.error().message().find(edge.error().field), std::string::npos);
+    return edge.error().field;
   };
   EXPECT_EQ(key([](RackOfArcs&) {}), "made");
   EXPECT_EQ(key([](RackOfArcs& r) { r.arcs.clear(); }), "rack.arcs");

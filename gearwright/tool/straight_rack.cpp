@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearwright/base/refusal.hpp"
+#include "gearwright/base/error.hpp"
 
 namespace gearwright {
 
@@ -16,10 +16,6 @@ constexpr Angle kRightAngle = Angle::radians(kHalfPi);
 // No cutter is that large in modules; within it nothing overflows.
 constexpr double kMaxModules = 1e4;
 
-Error bad(const char* key, double value, const std::string& why) {
-  return refused(std::string("rack.") + key, value, why);
-}
-
 EdgeArc line(ArcName cuts, const EdgeLine& piece, bool smooth) { return {cuts, piece, smooth}; }
 
 EdgeArc circle(ArcName cuts, const EdgeCircle& piece, bool smooth) { return {cuts, piece, smooth}; }
@@ -28,50 +24,52 @@ EdgeArc circle(ArcName cuts, const EdgeCircle& piece, bool smooth) { return {cut
 std::optional<Error> check_numbers(const StraightRack& rack, double alpha) {
   const double alpha_deg = Angle::radians(alpha).deg();
   if (!(rack.addendum >= 0.0 && rack.addendum <= kMaxModules)) {
-    return bad("addendum", rack.addendum, fmt::format("must lie between 0 and {}", kMaxModules));
+    return refused("rack.addendum", rack.addendum, {0.0, kMaxModules},
+                   "must lie between {} and {}");
   }
   if (!(rack.dedendum > 0.0 && rack.dedendum <= kMaxModules)) {
-    return bad("dedendum", rack.dedendum,
-               fmt::format("must be greater than 0 and at most {}", kMaxModules));
+    return refused("rack.dedendum", rack.dedendum, {0.0, kMaxModules},
+                   "must be greater than {} and at most {}");
   }
   if (!(rack.root_fillet_radius >= 0.0 && rack.root_fillet_radius <= kMaxModules)) {
-    return bad("root_fillet_radius", rack.root_fillet_radius,
-               fmt::format("must lie between 0 (a sharp corner) and {}", kMaxModules));
+    return refused("rack.root_fillet_radius", rack.root_fillet_radius, {0.0, kMaxModules},
+                   "must lie between {} (a sharp corner) and {}");
   }
   if (!(rack.tip_fillet_radius >= 0.0 && rack.tip_fillet_radius <= kMaxModules)) {
-    return bad("tip_fillet_radius", rack.tip_fillet_radius,
-               fmt::format("must lie between 0 (none) and {}", kMaxModules));
+    return refused("rack.tip_fillet_radius", rack.tip_fillet_radius, {0.0, kMaxModules},
+                   "must lie between {} (none) and {}");
   }
   if (!(rack.protuberance >= 0.0 && rack.protuberance <= kMaxModules)) {
-    return bad("protuberance", rack.protuberance,
-               fmt::format("must lie between 0 (none) and {}", kMaxModules));
+    return refused("rack.protuberance", rack.protuberance, {0.0, kMaxModules},
+                   "must lie between {} (none) and {}");
   }
   if (rack.protuberance > 0.0) {
     const double a = rack.protuberance_angle.deg();
     if (!(a > 0.0 && a < alpha_deg)) {
-      return bad(
-          "protuberance_angle_deg", a,
-          fmt::format("must be greater than 0 and less than the pressure angle {}°", alpha_deg));
+      return refused("rack.protuberance_angle", a, {0.0, alpha_deg},
+                     "must be greater than {} and less than the pressure angle {}°");
     }
   }
   if (rack.tool_addendum && !(std::abs(*rack.tool_addendum) <= kMaxModules)) {
-    return bad("tool_addendum", *rack.tool_addendum,
-               fmt::format("must lie between {} and {}", -kMaxModules, kMaxModules));
+    return refused("rack.tool_addendum", *rack.tool_addendum, {-kMaxModules, kMaxModules},
+                   "must lie between {} and {}");
   }
   if (rack.semi_topping_angle) {
     const double a = rack.semi_topping_angle->deg();
     if (!(a > alpha_deg && a < 90.0)) {
-      return bad("semi_topping_angle_deg", a,
-                 fmt::format("must lie between the pressure angle {}° and 90°", alpha_deg));
+      return refused("rack.semi_topping_angle", a, {alpha_deg, 90.0},
+                     "must lie between the pressure angle {}° and {}°");
     }
     if (rack.tip_fillet_radius > 0.0) {
-      return bad("semi_topping_angle_deg", a,
-                 "stands beside tip_fillet_radius: a cutter's bottom has a ramp or a rounding, "
-                 "leave one out");
+      return refused(
+          "rack.semi_topping_angle", a,
+          "stands beside `tip_fillet_radius`: a cutter's bottom has a ramp or a rounding, "
+          "leave one out");
     }
     if (!rack.tool_addendum) {
-      return bad("semi_topping_angle_deg", a,
-                 "needs tool_addendum, the height above the datum line at which the ramp starts");
+      return refused(
+          "rack.semi_topping_angle", a,
+          "needs `tool_addendum`, the height above the datum line at which the ramp starts");
     }
   }
   return std::nullopt;
@@ -122,20 +120,20 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
   const double greatest = full_radius(rack, normal_pressure_angle);
   if (!(greatest > 0.0)) {
     const double deepest = (std::numbers::pi / 4 * c + rack.protuberance) / s;
-    return bad(
-        "dedendum", rack.dedendum,
+    return refused(
+        "rack.dedendum", rack.dedendum, {deepest},
         fmt::format("the cutter's tooth is pointed before it gets that deep; the greatest at "
-                    "α_n = {}° is {}",
-                    normal_pressure_angle.deg(), deepest));
+                    "α_n = {}° is {{}}",
+                    spoken(normal_pressure_angle.deg())));
   }
   StraightRackEdge result;
   double rho = rack.root_fillet_radius;
   if (rho > greatest) {
     if (!rack.named) {
-      return bad("root_fillet_radius", rho,
-                 fmt::format("does not fit between the flanks of the cutter's tip; the greatest "
-                             "(full radius) is {}",
-                             greatest));
+      return refused(
+          "rack.root_fillet_radius", rho, {greatest},
+          "does not fit between the flanks of the cutter's tip; the greatest (full radius) "
+          "is {}");
     }
     rho = greatest;
     result.became_full_radius = true;
@@ -173,11 +171,11 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
     const double x_end = (std::numbers::pi * m / 4 - y_datum) / (std::tan(alpha) - std::tan(a));
     const double meeting = std::numbers::pi * m / 4 / std::tan(alpha);
     if (!(x_end < meeting)) {
-      return bad(
-          "protuberance", rack.protuberance,
-          fmt::format("at protuberance_angle_deg = {} the proud line ends {} modules above the "
+      return refused(
+          "rack.protuberance", rack.protuberance,
+          fmt::format("at `protuberance_angle` = {} the proud line ends {} modules above the "
                       "datum line, where no flank is left; a smaller protuberance or angle helps",
-                      rack.protuberance_angle.deg(), x_end / m));
+                      spoken(rack.protuberance_angle.deg()), spoken(x_end / m)));
     }
     edge.arcs.push_back(
         line(ArcName::root_fillet, {Angle::radians(a), y_datum, x_begin, x_end}, true));
@@ -197,11 +195,10 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
     edge.flank_end_height = std::numeric_limits<double>::infinity();
   }
   if (!(edge.flank_end_height > -edge.flank_begin_depth)) {
-    return bad(
-        "tool_addendum", edge.flank_end_height / m,
-        fmt::format("the straight flank would end before it starts; it starts {} modules from "
-                    "the datum line",
-                    -edge.flank_begin_depth / m));
+    return refused(
+        "rack.tool_addendum", edge.flank_end_height / m, {-edge.flank_begin_depth / m},
+        "the straight flank would end before it starts; it starts {} modules from the datum "
+        "line");
   }
   edge.arcs.push_back(line(ArcName::flank,
                            {normal_pressure_angle, std::numbers::pi * m / 4,
@@ -210,9 +207,9 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
   const double y_end =
       std::isinf(edge.flank_end_height) ? 0.0 : flank_y(m, alpha, edge.flank_end_height);
   if (y_end < 0.0) {
-    return bad("tool_addendum", edge.flank_end_height / m,
-               fmt::format("the two flanks of the cutter's space meet below; the greatest is {}",
-                           std::numbers::pi / 4 / std::tan(alpha)));
+    return refused("rack.tool_addendum", edge.flank_end_height / m,
+                   {std::numbers::pi / 4 / std::tan(alpha)},
+                   "the two flanks of the cutter's space meet below; the greatest is {}");
   }
   if (rho_1 > 0.0) {
     const Vec2 center(edge.flank_end_height - rho_1 * s, y_end - rho_1 * c);
@@ -221,9 +218,8 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
       const double rho_max_1 = rack.tool_addendum ? y_end / (m * c)
                                                   : (std::numbers::pi / 4 - rack.addendum * s / c) /
                                                         (c - (1 - s) * s / c);
-      return bad("tip_fillet_radius", rack.tip_fillet_radius,
-                 fmt::format("does not fit into the cutter's bottom; the greatest there is {}",
-                             rho_max_1));
+      return refused("rack.tip_fillet_radius", rack.tip_fillet_radius, {rho_max_1},
+                     "does not fit into the cutter's bottom; the greatest there is {}");
     }
     edge.arcs.push_back(
         circle(ArcName::tip_fillet, {center, rho_1, normal_pressure_angle, kRightAngle}, true));

@@ -39,7 +39,7 @@ struct StraightRackEdge {
   bool became_full_radius = false;  ///< a named rack's radius did not fit at this pressure angle
 };
 
-/// The edge in mm. Errors name `rack.KEY`, its value and the allowed range.
+/// The edge in mm. Errors name the member, `rack.dedendum`, its value and the allowed range.
 Result<StraightRackEdge> make_edge(const StraightRack& rack, double normal_module,
                                    Angle normal_pressure_angle);
 

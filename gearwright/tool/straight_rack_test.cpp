@@ -69,7 +69,7 @@ TEST(StraightRack, edges_obey_the_laws_of_an_edge) {
   for (const double m : {0.5, 2.0, 7.0}) {
     for (const StraightRack& rack : racks()) {
       const auto made = make_edge(rack, m, 20_deg);
-      ASSERT_TRUE(made) << made.error().message;
+      ASSERT_TRUE(made) << made.error().message();
       const CutterEdge& edge = made->edge;
       EXPECT_EQ(edge.tip_depth, rack.dedendum * m);
       EdgeEnd last{-edge.tip_depth, edge.tip_land_end, kPi / 2};
@@ -160,9 +160,9 @@ TEST(StraightRack, what_is_impossible_is_named) {
     change(rack);
     const auto made = make_edge(rack, 2.0, alpha);
     if (made) return std::string("made");
-    EXPECT_NE(made.error().message.find(made.error().key), std::string::npos);
+    EXPECT_NE(made.error().message().find(made.error().field), std::string::npos);
     EXPECT_FALSE(made.error().value.empty());
-    return made.error().key;
+    return made.error().field;
   };
   EXPECT_EQ(key([](StraightRack&) {}), "made");
   EXPECT_EQ(key([](StraightRack& r) { r.addendum = -0.1; }), "rack.addendum");
@@ -179,26 +179,25 @@ TEST(StraightRack, what_is_impossible_is_named) {
               r.protuberance = 0.1;
               r.protuberance_angle = 25_deg;
             }),
-            "rack.protuberance_angle_deg");
+            "rack.protuberance_angle");
   // The proud line of an angle close to the flank's runs past the flank's end.
   EXPECT_EQ(key([](StraightRack& r) {
               r.protuberance = 0.1;
               r.protuberance_angle = 19.5_deg;
             }),
             "rack.protuberance");
-  EXPECT_EQ(key([](StraightRack& r) { r.semi_topping_angle = 45_deg; }),
-            "rack.semi_topping_angle_deg");
+  EXPECT_EQ(key([](StraightRack& r) { r.semi_topping_angle = 45_deg; }), "rack.semi_topping_angle");
   EXPECT_EQ(key([](StraightRack& r) {
               r.semi_topping_angle = 15_deg;
               r.tool_addendum = 0.7;
             }),
-            "rack.semi_topping_angle_deg");
+            "rack.semi_topping_angle");
   EXPECT_EQ(key([](StraightRack& r) {
               r.semi_topping_angle = 45_deg;
               r.tool_addendum = 0.7;
               r.tip_fillet_radius = 0.1;
             }),
-            "rack.semi_topping_angle_deg");
+            "rack.semi_topping_angle");
 }
 
 // The greatest value that an error names is one that works.

@@ -18,7 +18,7 @@ int main() {
   const double a = tight_center_distance(17, 43, 2.5, alpha, alpha, 1.0, 0.3);
   const auto pair = mount(*gear_1, *gear_2, {a});
   if (!pair) {
-    std::fprintf(stderr, "%s\n", pair.error().message.c_str());
+    std::fprintf(stderr, "%s\n", pair.error().message().c_str());
     return 1;
   }
   std::printf("a %.6f mm, contact ratio %.6f, root form diameter %.6f mm\n",
@@ -30,6 +30,6 @@ int main() {
   const auto touching = contact(*pair, {.crossing = Angle::radians(1e-4)});
   const auto bad = make_gear({.teeth = 17, .normal_module = -1.0, .face_width = 5});
   const bool good = std::abs(pair->involute()->mesh.backlash.normal_base) < 1e-12 && mesh &&
-                    touching && !bad && bad.error().key == "normal_module_mm";
+                    touching && !bad && bad.error().field == "normal_module";
   return good ? 0 : 1;
 }

@@ -5,10 +5,10 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "gearwright/job/solved_job.hpp"
 #include "gearwright/job/fit_answer.hpp"
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/job/solved_job.hpp"
 #include "gearwright/spec/toml_text.hpp"
 
 namespace {
@@ -26,20 +26,20 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       !text.empty() && text.front() == '{' ? SpecFormat::json : SpecFormat::toml;
   const auto spec = read_spec(text, format);
   if (!spec) {
-    require(!spec.error().message.empty());
+    require(!spec.error().message().empty());
     return 0;
   }
   for (const Scope scope : {Scope::gears, Scope::everything}) {
     const auto job = solve(*spec, scope);
     if (!job) {
-      require(!job.error().message.empty() && !job.error().key.empty());
+      require(!job.error().message().empty() && !job.error().field.empty());
       continue;
     }
     require(!job_json(*job).dump().empty());
     SolvedJob measured = *job;
     const auto measures = chord_measures(measured);
     require(measures ? !measures_json(measured, *measures).dump().empty()
-                     : !measures.error().message.empty());
+                     : !measures.error().message().empty());
     for (const Gear& gear : job->gears) {
       if (!gear.tooth || !gear.exists()) continue;
       for (const Arc& arc : gear.tooth->outline.arcs) {
@@ -49,7 +49,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   const auto answer = answer_fit(*spec);
   if (!answer) {
-    require(!answer.error().message.empty() && !answer.error().key.empty());
+    require(!answer.error().message().empty() && !answer.error().field.empty());
     return 0;
   }
   require(!fit_json(*answer).dump().empty());

@@ -53,7 +53,7 @@ Gear gear_of(const Json& design, int which, double m) {
   spec.rack =
       rack_of(design[first ? "F" : "P"], first ? ArcRack::Cutter::F : ArcRack::Cutter::P, m);
   auto gear = make_gear(spec);
-  EXPECT_TRUE(gear) << gear.error().message;
+  EXPECT_TRUE(gear) << gear.error().message();
   return std::move(gear).take();
 }
 
@@ -64,9 +64,9 @@ TEST(CircularArc, racks) {
     const bool is_F = *name == 'F';
     const auto cutter = is_F ? ArcRack::Cutter::F : ArcRack::Cutter::P;
     const auto rack = arcs_of(rack_of(racks[name], cutter, m));
-    ASSERT_TRUE(rack) << rack.error().message;
+    ASSERT_TRUE(rack) << rack.error().message();
     const auto edge = make_edge(*rack, m, 0.0);
-    ASSERT_TRUE(edge) << edge.error().message;
+    ASSERT_TRUE(edge) << edge.error().message();
     ASSERT_EQ(edge->arcs.size(), 2u);
     for (const bool fillet : {true, false}) {
       const Json& want = racks[std::string(name) + (fillet ? "f" : "")];
@@ -99,7 +99,7 @@ TEST(CircularArc, undercut_limits) {
     ArcRack rack = rack_of(design["F"], ArcRack::Cutter::F, m);
     spec.rack = rack;
     const auto gear = make_gear(spec);
-    ASSERT_TRUE(gear) << gear.error().message;
+    ASSERT_TRUE(gear) << gear.error().message();
     ASSERT_TRUE(gear->arcs()->undercut_limit);
     const double limit = c["theta_limit_deg"];
     EXPECT_NEAR(gear->arcs()->undercut_limit->deg(), limit, 1e-10);
@@ -111,7 +111,7 @@ TEST(CircularArc, undercut_limits) {
       rack.dedendum = at_limit + more;
       spec.rack = rack;
       const auto changed = make_gear(spec);
-      ASSERT_TRUE(changed) << changed.error().message;
+      ASSERT_TRUE(changed) << changed.error().message();
       EXPECT_EQ(changed->undercut, more > 0.0);
       EXPECT_TRUE(changed->root_form_radius());
     }
@@ -225,7 +225,7 @@ TEST(CircularArc, mounted_pairs) {
                      d["N1"].get<double>();
     const double a = d["r1"].get<double>() + d["r2"].get<double>() + e["dC"].get<double>();
     const auto pair = mount_arcs(gear_of(d, 1, m), gear_of(d, 2, m), a);
-    ASSERT_TRUE(pair) << pair.error().message;
+    ASSERT_TRUE(pair) << pair.error().message();
     ASSERT_EQ(pair->contacts.size(), 1u);
     const ArcPairContact& contact = pair->contacts.front();
     const Json& t = c["tca"][0];

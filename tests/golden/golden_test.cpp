@@ -28,7 +28,7 @@ class Golden : public ::testing::TestWithParam<std::pair<const char*, int>> {};
 TEST_P(Golden, CasesHold) {
   const auto [name, count] = GetParam();
   const auto outcomes = verify_cases(text_of(name));
-  ASSERT_TRUE(outcomes) << outcomes.error().message;
+  ASSERT_TRUE(outcomes) << outcomes.error().message();
   EXPECT_EQ(static_cast<int>(outcomes->size()), count);
   for (const CaseOutcome& c : *outcomes) {
     EXPECT_GT(c.values, 0) << c.id;

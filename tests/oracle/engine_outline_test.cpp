@@ -88,7 +88,7 @@ CylindricalSpec spec_of(const Cutter& cutter, int teeth, double beta_deg, double
 
 Gear made(const CylindricalSpec& spec) {
   auto gear = make_gear(spec);
-  EXPECT_TRUE(gear) << gear.error().message;
+  EXPECT_TRUE(gear) << gear.error().message();
   return std::move(gear).take();
 }
 
@@ -133,7 +133,7 @@ struct Tally {
 // Points of one tooth on the surface, with material on the inside only.
 void check_outline(const Cutter& cutter, const CylindricalSpec& spec, int points, Tally& tally) {
   const auto gear = make_gear(spec);
-  ASSERT_TRUE(gear) << name_of(cutter, spec) << ": " << gear.error().message;
+  ASSERT_TRUE(gear) << name_of(cutter, spec) << ": " << gear.error().message();
   const GeneratedTooth& tooth = *gear->tooth;
   ++tally.gears;
   tally.through_axis += tooth.through_axis;

@@ -148,10 +148,10 @@ inline PinionCutOutcome check_pinion_cut(const Gear& cutter, const PinionCutSpec
   const SweptPinion sweep = swept_by(cutter, wanted);
   if (!cut) {
     const Error& error = cut.error();
-    outcome.key = error.key;
-    if (error.key.empty() || error.message.find(error.key) == std::string::npos) {
-      outcome.broken = "an error that does not name its key: " + error.message;
-    } else if (error.message.find("catch the ring's flanks") != std::string::npos) {
+    outcome.key = error.field;
+    if (error.field.empty() || error.message().find(error.field) == std::string::npos) {
+      outcome.broken = "an error that does not name its field: " + error.message();
+    } else if (error.message().find("catch the ring's flanks") != std::string::npos) {
       outcome.caught_flank = true;
       outcome.broken = pinion_detail::deny_caught_flank(cutter, wanted, sweep, check.on_surface);
     }

@@ -70,7 +70,7 @@ Match match(const Outline& outline, const Vec2& p, const Vec2& normal) {
 
 Gear made(const CylindricalSpec& spec) {
   auto gear = make_gear(spec);
-  EXPECT_TRUE(gear) << gear.error().message;
+  EXPECT_TRUE(gear) << gear.error().message();
   return std::move(gear).take();
 }
 
@@ -165,7 +165,7 @@ TEST(FewToothPoints, of_gears_that_such_pinions_cut) {
     const int z = c.pinion.gear_teeth;
     const auto gear = make_pinion_cut_gear(made(spec_of(c.pinion)),
                                            {z, c.pinion.center_distance, 20.0, std::nullopt});
-    ASSERT_TRUE(gear) << gear.error().message;
+    ASSERT_TRUE(gear) << gear.error().message();
     const double turn = kPi / z - kPi;  // the source has space 0 on the negative x axis
     for (std::size_t i = 0; i < c.points.size(); ++i) {
       const CutGearPoint& p = c.points[i];

@@ -44,7 +44,7 @@ TEST(CrossedLaws, exchanging_the_gears) {
   over_crossed(401, 5.0, [](const CrossedSpecs& specs, const InvolutePair& p, Random&) {
     const auto q =
         mount_involutes(p.gears[1], p.gears[0], {p.center_distance, specs.shaft_angle, 0.05});
-    ASSERT_TRUE(q) << q.error().message;
+    ASSERT_TRUE(q) << q.error().message();
     const double tiny = grain(p);
     const auto &m = p.mesh, &n = q->mesh;
     EXPECT_NEAR(m.rack.normal_pressure_angle, n.rack.normal_pressure_angle, 1e-13);
@@ -74,7 +74,7 @@ TEST(CrossedLaws, mirroring_both_hands) {
     const auto g1 = make_gear(other.first), g2 = make_gear(other.second);
     ASSERT_TRUE(g1 && g2);
     const auto q = mount_involutes(*g1, *g2, {p.center_distance, other.shaft_angle, 0.05});
-    ASSERT_TRUE(q) << q.error().message;
+    ASSERT_TRUE(q) << q.error().message();
     EXPECT_EQ(p.mesh.path_ratio, q->mesh.path_ratio);
     EXPECT_EQ(p.mesh.backlash.normal_base, q->mesh.backlash.normal_base);
     EXPECT_EQ(p.mesh.rack.sides[0].helix_angle, -q->mesh.rack.sides[0].helix_angle);

@@ -83,9 +83,9 @@ CylindricalSpec random_few_teeth(Random& random) {
 }
 
 std::string broken_error(const Error& error) {
-  if (error.key.empty() || error.message.empty()) return "an error without key or message";
-  if (error.message.find(error.key) == std::string::npos)
-    return "the message does not name its key: " + error.message;
+  if (error.field.empty() || error.message().empty()) return "an error without field or message";
+  if (error.message().find(error.field) == std::string::npos)
+    return "the message does not name its field: " + error.message();
   return {};
 }
 
@@ -289,7 +289,7 @@ TEST(FewTeeth, root_fillet_beyond_the_ramp_is_refused) {
   for (const CylindricalSpec& spec : {part, whole}) {
     const auto gear = make_gear(spec);
     ASSERT_FALSE(gear) << describe(spec);
-    EXPECT_EQ(gear.error().key.rfind("root_fillet", 0), 0u) << gear.error().key;
+    EXPECT_EQ(gear.error().field.rfind("root_fillet", 0), 0u) << gear.error().field;
     EXPECT_EQ(broken_error(gear.error()), "");
   }
 }

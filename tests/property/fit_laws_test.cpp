@@ -36,7 +36,7 @@ TEST(FitLaws, branches_stand_at_their_least_distance) {
     if (kind == 2) problem.shift = {random.uniform(-0.2, 0.4), random.uniform(-0.2, 0.4)};
     if (kind == 3) problem.helix[0] = Angle::radians(random.uniform(-1.0, 1.0));
     const auto found = fit(problem);
-    ASSERT_TRUE(found) << found.error().message;
+    ASSERT_TRUE(found) << found.error().message();
     EXPECT_EQ(found->branches.empty(), !found->reason.empty());
     for (const FitBranch& b : found->branches) {
       ++branches;

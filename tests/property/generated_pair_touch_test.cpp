@@ -149,7 +149,7 @@ void expect_overlap_when_closer(const InvolutePair& pair) {
   const double a = *pair.backlash_free_center_distance;
   const auto closer = mount_involutes(pair.gears[0], pair.gears[1],
                                       {pair.gears[1].internal() ? a + kCloser : a - kCloser});
-  ASSERT_TRUE(closer) << closer.error().message;
+  ASSERT_TRUE(closer) << closer.error().message();
   const TurnedOutlines outlines(*closer);
   const double half = -half_gap(*closer);
   EXPECT_GT(half, kCloser / 100);  // a sine: 1e-4 mm from a working angle of 0.6° on

@@ -32,26 +32,26 @@ struct NamedPair {
 
 inline Gear gear_of(const CylindricalSpec& spec) {
   auto gear = make_gear(spec);
-  EXPECT_TRUE(gear) << gear.error().message;
+  EXPECT_TRUE(gear) << gear.error().message();
   return std::move(gear).take();
 }
 
 inline double distance_for(const Gear& cutter, int teeth, double x) {
   const auto e = generating_distance(cutter, teeth, x);
-  EXPECT_TRUE(e) << e.error().message;
+  EXPECT_TRUE(e) << e.error().message();
   return *e;
 }
 
 inline Gear gear_cut(const Gear& cutter, int teeth, double e,
                      std::optional<double> tip_diameter = {}) {
   auto gear = make_pinion_cut_gear(cutter, {teeth, e, 10.0, tip_diameter});
-  EXPECT_TRUE(gear) << gear.error().message;
+  EXPECT_TRUE(gear) << gear.error().message();
   return std::move(gear).take();
 }
 
 inline InvolutePair mounted_at(const Gear& one, const Gear& two, double a) {
   auto pair = mount_involutes(one, two, {a});
-  EXPECT_TRUE(pair) << pair.error().message;
+  EXPECT_TRUE(pair) << pair.error().message();
   return std::move(pair).take();
 }
 

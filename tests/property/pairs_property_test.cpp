@@ -109,9 +109,9 @@ void check_pairs(std::uint64_t seed, int n) {
     const auto pair = mount_involutes(*g1, *g2, {a});
     if (!pair) {
       ++refused;
-      if (pair.error().message.find(pair.error().key) == std::string::npos) {
+      if (pair.error().message().find(pair.error().field) == std::string::npos) {
         ++failures;
-        ADD_FAILURE() << pair.error().message << pair_at_hand;
+        ADD_FAILURE() << pair.error().message() << pair_at_hand;
       }
       continue;
     }

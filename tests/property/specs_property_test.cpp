@@ -39,31 +39,31 @@ struct PrintsSpecOnAbort {
   void (*old)(int);
 };
 
-// The keys that a gear's spec has; a message that names another helps nobody.
-bool known_key(const std::string& key) {
-  static const std::array<const char*, 16> keys = {"teeth",
-                                                   "normal_module_mm",
-                                                   "normal_pressure_angle_deg",
-                                                   "helix_angle_deg",
-                                                   "profile_shift",
-                                                   "thickness_allowance_mm",
-                                                   "face_width_mm",
-                                                   "tip_diameter_mm",
-                                                   "rack.addendum",
-                                                   "rack.dedendum",
-                                                   "rack.root_fillet_radius",
-                                                   "rack.tip_fillet_radius",
-                                                   "rack.tool_addendum",
-                                                   "rack.semi_topping_angle_deg",
-                                                   "rack.protuberance",
-                                                   "rack.protuberance_angle_deg"};
-  return std::find(keys.begin(), keys.end(), key) != keys.end();
+// The members that a gear's spec has; a message that names another helps nobody.
+bool known_field(const std::string& field) {
+  static const std::array<const char*, 16> fields = {"teeth",
+                                                     "normal_module",
+                                                     "normal_pressure_angle",
+                                                     "helix_angle",
+                                                     "profile_shift",
+                                                     "thickness_allowance",
+                                                     "face_width",
+                                                     "tip_diameter",
+                                                     "rack.addendum",
+                                                     "rack.dedendum",
+                                                     "rack.root_fillet_radius",
+                                                     "rack.tip_fillet_radius",
+                                                     "rack.tool_addendum",
+                                                     "rack.semi_topping_angle",
+                                                     "rack.protuberance",
+                                                     "rack.protuberance_angle"};
+  return std::find(fields.begin(), fields.end(), field) != fields.end();
 }
 
 std::string broken_error(const Error& e) {
-  if (!known_key(e.key)) return "error names no key of the spec: '" + e.key + "'";
-  if (e.value.empty() || e.message.find(e.key) == std::string::npos) {
-    return "the message does not name key and value: " + e.message;
+  if (!known_field(e.field)) return "error names no member of the spec: '" + e.field + "'";
+  if (e.value.empty() || e.message().find(e.field) == std::string::npos) {
+    return "the message does not name member and value: " + e.message();
   }
   return {};
 }

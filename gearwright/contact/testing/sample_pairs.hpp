@@ -27,7 +27,7 @@ struct SamplePair {
     const Gear& g = gears[gear - 1];
     auto field = make_removal_field(m, {g.involute() ? g.base_radius() : 0.0, *g.root_form_radius(),
                                         g.tip_form_radius(), g.spec.face_width});
-    ASSERT_TRUE(field) << field.error().message;
+    ASSERT_TRUE(field) << field.error().message();
     removal[gear - 1] = std::make_shared<RemovalField>(std::move(field).take());
   }
 };

@@ -117,17 +117,17 @@ class ChunkFolderTest : public ::testing::Test {
   }
   ChunkStore opened(OpenAs as, const Campaign& campaign) const {
     auto store = open(as, campaign);
-    if (!store) throw std::runtime_error(store.error().message);
+    if (!store) throw std::runtime_error(store.error().message());
     return std::move(store).take();
   }
   // The sentence of a refusal; it names the folder's key and value.
   std::string refusal(OpenAs as, const Campaign& campaign) const {
     const auto store = open(as, campaign);
     if (store) return "";
-    EXPECT_EQ(store.error().key, "--out");
+    EXPECT_EQ(store.error().field, "--out");
     EXPECT_EQ(store.error().value, folder_.string());
-    EXPECT_EQ(store.error().message.rfind("--out = " + folder_.string() + ": ", 0), 0u);
-    return store.error().message.substr(("--out = " + folder_.string() + ": ").size());
+    EXPECT_EQ(store.error().message().rfind("--out = " + folder_.string() + ": ", 0), 0u);
+    return store.error().message().substr(("--out = " + folder_.string() + ": ").size());
   }
   void put(ChunkStore& store, std::int64_t k) const { store.put(k, bytes_of(k), counts_of(k)); }
   fs::path file(std::int64_t k) const {

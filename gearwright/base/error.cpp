@@ -1,0 +1,95 @@
+#include "gearwright/base/error.hpp"
+
+#include <fmt/args.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+#include <vector>
+
+namespace gearwright {
+
+namespace {
+
+constexpr int kDigits = 6;       // that a person uses
+constexpr int kAllDigits = 17;   // of a double
+constexpr double kSame = 1e-12;  // relative: a decimal that a double holds as well as it can
+
+// A number of no more digits as it is usually written.
+std::string with_digits(double x, int digits) {
+  const std::string text = fmt::format("{:.{}g}", x, digits);
+  return std::strtod(text.c_str(), nullptr) == x ? fmt::format("{}", x) : text;
+}
+
+// Digits with which x and other read differently; six where nothing tells them apart.
+int digits_between(double x, double other) {
+  if (x == other) return kDigits;
+  for (int d = kDigits; d <= kAllDigits; ++d)
+    if (with_digits(x, d) != with_digits(other, d)) return d;
+  return kDigits;
+}
+
+enum class Side { down, up };
+
+// Rounded to the side on which everything is allowed, unless the decimal is the number.
+std::string limit_text(double limit, int digits, Side side) {
+  const std::string nearest = with_digits(limit, digits);
+  const double read = std::strtod(nearest.c_str(), nullptr);
+  const bool beyond = side == Side::down ? read > limit : read < limit;
+  if (!std::isfinite(limit) || !beyond || std::abs(read - limit) <= kSame * std::abs(limit))
+    return nearest;
+  const double unit = std::pow(10.0, std::floor(std::log10(std::abs(limit))) - digits + 1);
+  return with_digits(read + (side == Side::down ? -unit : unit), digits);
+}
+
+}  // namespace
+
+std::string Error::message() const {
+  if (field.empty()) return rule;
+  return value.empty() ? fmt::format("{}: {}", field, rule)
+                       : fmt::format("{} = {}: {}", field, value, rule);
+}
+
+std::string Error::quoted() const {
+  return Error{field.empty() ? field : fmt::format("`{}`", field), value, rule}.message();
+}
+
+std::string spoken(double x) { return with_digits(x, kDigits); }
+
+std::string spoken(double x, double other) { return with_digits(x, digits_between(x, other)); }
+
+Error refused(std::string field, double value, std::string rule) {
+  return {std::move(field), spoken(value), std::move(rule)};
+}
+
+Error refused(std::string field, int value, std::string rule) {
+  return {std::move(field), fmt::format("{}", value), std::move(rule)};
+}
+
+Error refused(std::string field, double value, std::initializer_list<double> limits,
+              std::string_view rule) {
+  int digits = kDigits;
+  for (const double limit : limits) digits = std::max(digits, digits_between(value, limit));
+  fmt::dynamic_format_arg_store<fmt::format_context> texts;
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const double limit = limits.begin()[i];
+    const bool greatest = limits.size() == 1 ? value >= limit : i == 1;
+    texts.push_back(limit_text(limit, digits, greatest ? Side::down : Side::up));
+  }
+  return {std::move(field), with_digits(value, digits),
+          fmt::vformat(fmt::string_view(rule.data(), rule.size()), texts)};
+}
+
+Error within(std::string_view whole, Error error) {
+  error.field = error.field.empty() ? std::string(whole) : fmt::format("{}.{}", whole, error.field);
+  return error;
+}
+
+Error following_from(std::string field, std::string value, std::string_view how,
+                     const Error& error) {
+  return {std::move(field), std::move(value), fmt::format("{} {}", how, error.quoted())};
+}
+
+}  // namespace gearwright

@@ -1,0 +1,39 @@
+// A limit as a refusal names it: with six digits from afar, with more from near by, and sharp.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+
+namespace gearwright {
+
+/// The number that follows `words` in a sentence.
+inline double number_after(const std::string& text, const std::string& words) {
+  const std::size_t at = text.find(words);
+  EXPECT_NE(at, std::string::npos) << words << " in: " << text;
+  return at == std::string::npos ? 0.0 : std::stod(text.substr(at + words.size()));
+}
+
+/// `refusal(x)` is the sentence that refuses x, empty where x is allowed. What is named from
+/// `beyond` is allowed as it is said, and the limit lies within its six digits; asked from 1e-9
+/// beyond, the sentence has the digits for that. The limit itself, to 1e-12.
+inline double named_limit(const std::function<std::string(double)>& refusal, double beyond,
+                          const std::string& words) {
+  const double said = number_after(refusal(beyond), words);
+  const double out = beyond > said ? 1.0 : -1.0;
+  const double scale = std::abs(said);
+  double allowed = said - out * 1e-9 * scale;  // the end itself may be excluded
+  EXPECT_EQ(refusal(allowed), "");
+  double refused = said + out * 2e-5 * scale;
+  EXPECT_NE(refusal(refused), "") << said << " is not all of it";
+  while (std::abs(refused - allowed) > 1e-12 * scale) {
+    const double middle = (allowed + refused) / 2;
+    (refusal(middle).empty() ? allowed : refused) = middle;
+  }
+  EXPECT_NEAR(number_after(refusal(allowed + out * 1e-9 * scale), words), allowed, 2e-8 * scale);
+  return allowed;
+}
+
+}  // namespace gearwright

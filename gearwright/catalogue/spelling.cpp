@@ -1,0 +1,132 @@
+#include "gearwright/catalogue/spelling.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <vector>
+
+#include "gearwright/catalogue/modification_keys.hpp"
+#include "gearwright/catalogue/spec_keys.hpp"
+
+namespace gearwright {
+
+namespace {
+
+struct Spelling {
+  std::string path;
+  const Key* key;
+};
+
+std::string joined(std::string_view path, std::string_view key) {
+  return path.empty() ? std::string(key) : std::string(path) + "." + std::string(key);
+}
+
+// All keys of `table`, which stands at `path`, that set the member.
+void find_keys(const KeyTable& table, const std::string& path, std::string_view member,
+               std::vector<Spelling>& found) {
+  for (const Key& key : table.keys) {
+    for (const std::string& name : key.members()) {
+      const std::string here = joined(path, key.key);
+      if (member == name) found.push_back({here, &key});
+      if (key.tables.empty() || !member.starts_with(name)) continue;
+      std::string_view rest = member.substr(name.size());
+      std::string index;  // of a list: "arcs[2]"
+      if (rest.starts_with('[')) {
+        const std::size_t end = std::min(rest.find(']'), rest.size() - 1) + 1;
+        index = rest.substr(0, end);
+        rest.remove_prefix(end);
+        if (rest.empty()) found.push_back({here + index, &key});
+      }
+      if (!rest.starts_with('.')) continue;
+      for (const auto part : key.tables) find_keys(part(), here + index, rest.substr(1), found);
+    }
+  }
+  // What one flank has may be said of both.
+  if (&table != &modification_keys()) return;
+  for (const std::string_view side : kFlankMembers)
+    if (member.starts_with(side)) find_keys(table, path, member.substr(side.size()), found);
+}
+
+// Of several keys the one that was given; else the one that documents show first.
+std::optional<Spelling> chosen(const std::vector<Spelling>& found, const GivenKeys& given) {
+  if (found.empty()) return std::nullopt;
+  for (const Spelling& s : found)
+    if (given.contains(s.path)) return s;
+  for (const Spelling& s : found)
+    if (s.key->in_documents) return s;
+  return found.front();
+}
+
+std::optional<Spelling> spelling_of(std::string_view member, const GivenKeys& given) {
+  std::vector<Spelling> found;
+  find_keys(spec_keys(), "", member, found);
+  return chosen(found, given);
+}
+
+// The key that has the member's own number: another one makes it, a diametral pitch a module.
+std::optional<Spelling> own_spelling(std::string_view member, const Spelling& s) {
+  const auto plain = spelling_of(member, {});
+  if (!plain || !plain->key->in_documents || !s.key->in_documents || plain->path == s.path)
+    return std::nullopt;
+  return plain;
+}
+
+// Words as a file has them, in quotes.
+std::string spelled_value(const std::string& value, const Key& key) {
+  const bool word = key.kind != KeyKind::number && key.kind != KeyKind::whole && !value.empty() &&
+                    value != "true" && value != "false" &&
+                    std::isalpha(static_cast<unsigned char>(value.front()));
+  return word ? "\"" + value + "\"" : value;
+}
+
+// A member named in a sentence about `owner`: the nearest table that has it counts.
+std::string named(std::string_view member, const GivenKeys& given, std::string_view owner) {
+  for (std::string_view around = owner; !around.empty();) {
+    if (const auto s = spelling_of(joined(around, member), given))
+      return s->path.substr(around.size() + 1);
+    const std::size_t dot = around.rfind('.');
+    around = dot == std::string_view::npos ? std::string_view() : around.substr(0, dot);
+  }
+  const auto s = spelling_of(member, given);
+  if (!s) return std::string(member);
+  const bool table = s->key->kind == KeyKind::table && s->key->words.empty();
+  return table ? "[" + s->path + "]" : s->path;
+}
+
+}  // namespace
+
+std::string spelled_member(std::string_view member, const GivenKeys& given) {
+  const auto s = spelling_of(member, given);
+  return s ? s->path : std::string(member);
+}
+
+std::string spelled(std::string_view sentence, const GivenKeys& given, std::string_view owner) {
+  std::string text;
+  while (!sentence.empty()) {
+    const std::size_t begin = sentence.find('`');
+    const std::size_t end = begin == std::string_view::npos ? begin : sentence.find('`', begin + 1);
+    if (end == std::string_view::npos) break;
+    text += sentence.substr(0, begin);
+    text += named(sentence.substr(begin + 1, end - begin - 1), given, owner);
+    sentence.remove_prefix(end + 1);
+  }
+  return text += sentence;
+}
+
+Error spelled(const Error& error, const GivenKeys& given) {
+  const std::size_t dot = error.field.rfind('.');
+  const std::string_view owner =
+      dot == std::string::npos ? std::string_view() : std::string_view(error.field).substr(0, dot);
+  Error told{error.field, error.value, spelled(error.rule, given, owner)};
+  const auto s = spelling_of(error.field, given);
+  if (!s) return told;
+  told.field = s->path;
+  told.value = spelled_value(told.value, *s->key);
+  const auto own = own_spelling(error.field, *s);
+  if (!own) return told;
+  Error made = told;
+  made.field = own->path.substr(own->path.rfind('.') + 1);
+  return {s->path, "", "with it " + made.message()};
+}
+
+}  // namespace gearwright
