@@ -3,11 +3,11 @@
 //   p     a point of the half tooth as a complex number x + iy, mm
 //   k     tooth, 0 … |z| − 1; tooth k is tooth 0 times e^{2πik/|z|}, exact in the quarters
 //
-// Counter-clockwise about the axis, for a ring too: the tip land of tooth 0, its upper half from
-// tip to root, the root land, the lower (mirrored) half of tooth 1 from root to tip, its tip land,
-// … The halves of a land meet in one piece, a true circle about the axis; everything else is an arc
-// of the outline, mirrored and turned. A drawing renders each arc of the half tooth once and places
-// the points that came out (`placed`), so all teeth are the same tooth.
+// Counter-clockwise about the axis, for an internal gear too: the tip land of tooth 0, its upper
+// half from tip to root, the root land, the lower (mirrored) half of tooth 1 from root to tip, its
+// tip land, … The halves of a land meet in one piece, a true circle about the axis; everything else
+// is an arc of the outline, mirrored and turned. A drawing renders each arc of the half tooth once
+// and places the points that came out (`placed`), so all teeth are the same tooth.
 //
 //   Laws  (1) the end of each piece is the begin of the next, bit for bit, and the last closes on
 //             the first

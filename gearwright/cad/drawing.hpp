@@ -39,7 +39,8 @@ struct Drawing {
   double tolerance_mm;  ///< what was allowed
 };
 
-/// The bore, or the rim of a ring, as a closed chain of arcs and lines, counter-clockwise.
+/// The bore, or the rim of an internal gear, as a closed chain of arcs and lines,
+/// counter-clockwise.
 struct BoreContour {
   double radius;               ///< r  mm
   bool keyway;                 ///< false: the whole circle
@@ -50,7 +51,7 @@ struct BoreContour {
 /// None without a bore.
 ///
 /// Facts     refused as make_walls refuses them (cad/walls.hpp): a bore or keyway that leaves the
-///           root, a ring's rim that does not go round it
+///           root, an internal gear's rim that does not go round it
 /// Units     inner, outer: extreme radii of the outline, mm
 Result<std::optional<BoreContour>> bore_contour(const ToothedBody& body, double inner,
                                                 double outer);

@@ -1,7 +1,7 @@
 // DXF drawings of the transverse section: AutoCAD 2000 (AC1015), millimetres.
 //
 //   layer PROFILE   the closed outline of all teeth
-//   layer BORE      the bore with its keyway; a ring's rim
+//   layer BORE      the bore with its keyway; an internal gear's rim
 //
 //   biarcs    PROFILE is one closed LWPOLYLINE whose bulges are true arcs; lands are one arc each
 //   splines   PROFILE is one SPLINE per arc of the outline and one ARC per land; poles at the ends

@@ -20,7 +20,7 @@ namespace gearwright {
 /// Domain    counter-clockwise, n ≥ 3 (contract)
 std::optional<std::vector<Triangle>> clip_ears(const std::vector<Vec2>& polygon);
 
-/// Triangles of the ring between an inner loop and a regular polygon around it, both
+/// Triangles of the internal gear between an inner loop and a regular polygon around it, both
 /// counter-clockwise about the origin, sorted by polar angle.
 ///
 /// The inner loop is a circle, or a circle with a rectangular slot. With δ the angle between two

@@ -14,7 +14,7 @@
 
 namespace gearwright {
 
-/// Area enclosed by the closed outline of |z| teeth; of a ring: the area of its hole.
+/// Area enclosed by the closed outline of |z| teeth; of an internal gear: the area of its hole.
 ///
 /// Formula   2|z| Σ_arcs ½ ∫ (x dy − y dx)
 /// Units     mm²
@@ -29,10 +29,11 @@ double section_area(const Outline& outline);
 /// Domain    0 ≤ w < 2r, t ≥ 0 (contract)
 double bore_area(const Bore& bore);
 
-/// Area of the metal in a transverse section: outline less bore; of a ring: rim less outline.
+/// Area of the metal in a transverse section: outline less bore; of an internal gear: rim less
+/// outline.
 ///
 /// Units     mm²
-/// Domain    a ring has a bore, its rim (contract)
+/// Domain    an internal gear has a bore, its rim (contract)
 double metal_area(const ToothedBody& body);
 
 }  // namespace gearwright

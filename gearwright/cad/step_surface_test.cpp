@@ -95,7 +95,7 @@ TEST(StepSurface, OneToothThatTurnsThreeTimes) {
 }
 
 // Every face of the first tooth: circular fillets, an involute, and what a pinion leaves of a wheel
-// and of a ring.
+// and of an internal gear.
 TEST(StepSurface, TeethOfFewAndTeethCutByTeeth) {
   expect_near(testing::two_teeth(), 6);
   expect_near(testing::one_tooth(), 6);

@@ -1,9 +1,9 @@
 // SVG of the transverse section: one path, in millimetres.
 //
 // The profile is the first subpath, bore or rim the second, filled by the even-odd rule: a gear
-// shows its bore, a ring its rim. Lands are elliptical arc commands (A), true circles; other arcs
-// cubic Bézier curves (C). SVG's y axis points down: y is written negated, so that the picture
-// stands up as the gear frame does, without a transformation that some readers leave out.
+// shows its bore, an internal gear its rim. Lands are elliptical arc commands (A), true circles;
+// other arcs cubic Bézier curves (C). SVG's y axis points down: y is written negated, so that the
+// picture stands up as the gear frame does, without a transformation that some readers leave out.
 #pragma once
 
 #include "gearwright/cad/drawing.hpp"

@@ -42,8 +42,9 @@ const KeyTable& contact_keys() {
         .range = Range::between(1, 2),
         .place = &ContactInput::driver,
         .fallback = "1",
-        .meaning = "1, or 2: gear 2 pushes in the same sense of rotation, and the other flanks "
-                   "touch"},
+        .meaning =
+            "1, or 2: gear 2 pushes in the same sense of rotation, and the non-working flanks "
+            "touch"},
        {.key = "pattern",
         .kind = KeyKind::boolean,
         .place = &ContactInput::pattern,

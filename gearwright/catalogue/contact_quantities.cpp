@@ -252,7 +252,7 @@ void say(Quantities<V>& q) {
            "the flanks that the driver does not push, at the same positions", non_working_table,
            [](const V& v) { return Value(non_working_quantities().of(*v.non_working)); })
       .always();
-  q.deg(kContact, "least_play_deg", "minimum angular play of gear 2", "",
+  q.deg(kContact, "least_play_deg", "minimum angular backlash of gear 2", "",
         "between both flanks, over the positions; negative: the gears jam, null: at no position do "
         "both touch",
         [](const V& v) { return v.min_play ? Value(v.min_play->deg()) : Value(); })

@@ -15,7 +15,8 @@ const KeyTable& fit_keys() {
         .kind = KeyKind::boolean,
         .place = &FitInput::few_teeth,
         .fallback = "false",
-        .meaning = "the pinion of few teeth and the wheel, or ring, that its longer twin cuts"},
+        .meaning =
+            "the pinion of few teeth and the wheel, or internal gear, that its longer twin cuts"},
        {.key = "least_tip_land_mm",
         .range = KeyRange::not_negative(),
         .place = &FitInput::min_tip_land,

@@ -45,10 +45,10 @@ const KeyTable& gear_keys() {
         .range = {.lo = -kMaxTeeth,
                   .hi = kMaxTeeth,
                   .zero = false,
-                  .reason = "; negative for an internal gear (ring)"},
+                  .reason = "; negative for an internal gear (internal gear)"},
         .place = KeyPlace::within<GearInput>([](auto& g) -> auto& { return g.cylindrical.teeth; }),
         .required = true,
-        .meaning = "number of teeth, negative for an internal gear (ring)"},
+        .meaning = "number of teeth, negative for an internal gear (internal gear)"},
        {.key = "normal_module_mm",
         .symbol = "m_n",
         .range = Range::between(kMinModule, kMaxModule),
@@ -77,7 +77,8 @@ const KeyTable& gear_keys() {
         .symbol = "β",
         .range = Range::between(-kMaxHelix, kMaxHelix, ": > 0 right hand, < 0 left hand"),
         .fallback = "0",
-        .meaning = "helix angle, > 0 right hand, < 0 left hand, of a ring too; or the next two"},
+        .meaning =
+            "helix angle, > 0 right hand, < 0 left hand, of an internal gear too; or the next two"},
        {.key = "lead_angle_deg",
         .symbol = "90° − |β|",
         .range = Range::above(0, 90, " (spur)"),
@@ -92,7 +93,8 @@ const KeyTable& gear_keys() {
         .range = Range::between(-kMaxShift, kMaxShift),
         .place = &GearInput::profile_shift,
         .fallback = "see *Shift and centre distance*",
-        .meaning = "profile shift in normal modules; > 0 thickens the tooth, of a ring too"},
+        .meaning =
+            "profile shift in normal modules; > 0 thickens the tooth, of an internal gear too"},
        {.key = "thickness_allowance_mm",
         .symbol = "E_sn",
         .place = KeyPlace::within<GearInput>(
@@ -110,7 +112,7 @@ const KeyTable& gear_keys() {
         .range = Range::positive(),
         .place = KeyPlace::within<GearInput>(
             [](auto& g) -> auto& { return g.cylindrical.tip_diameter; }),
-        .fallback = "d + 2 m_n (h_aP* + x); ring: d − 2 m_n (h_aP* + x)",
+        .fallback = "d + 2 m_n (h_aP* + x); internal gear: d − 2 m_n (h_aP* + x)",
         .meaning = "tip diameter, at most 1000 d"},
        {.key = "rack",
         .kind = KeyKind::table,
@@ -154,7 +156,7 @@ const KeyTable& gear_keys() {
         .kind = KeyKind::table,
         .tables = {bore_keys},
         .in_documents = false,
-        .meaning = "bore and keyway of the CAD files; of a ring its rim"},
+        .meaning = "bore and keyway of the CAD files; of an internal gear its rim"},
        {.key = "measure",
         .kind = KeyKind::table,
         .tables = {measure_keys},
@@ -225,7 +227,7 @@ const KeyTable& basic_keys() {
         .needs = {"root_diameter_mm"},
         .fallback = "what `rack` leaves",
         .meaning = "beside `root_diameter_mm`: sets the rack's tip rounding so that the flank "
-                   "begins here; not of a ring"}}};
+                   "begins here; not of an internal gear"}}};
   return table;
 }
 
@@ -270,11 +272,11 @@ const KeyTable& tip_fillet_keys() {
         .excludes = {"radius_mm"},
         .meaning = "where the fillet begins"},
        {.key = "clearance_mm",
-        .range = Range::not_negative(": the tip would cut into the mate's root"),
+        .range = Range::not_negative(": the tip would cut into the mating gear's root"),
         .place = &TipFilletInput::clearance,
         .excludes = {"radius_mm", "l_mm"},
         .fallback = "0.2 m_n + 0.05",
-        .meaning = "what the tip leaves to the mate's root, on parallel axes [T6.7]"}}};
+        .meaning = "what the tip leaves to the mating gear's root, on parallel axes [T6.7]"}}};
   return table;
 }
 
@@ -306,7 +308,7 @@ const KeyTable& measure_keys() {
 const KeyTable& bore_keys() {
   static const KeyTable table{
       "bore",
-      "Bore and keyway of the CAD files; of a ring the bore is its rim",
+      "Bore and keyway of the CAD files; of an internal gear the bore is its rim",
       {{.key = "diameter_mm",
         .range = Range::positive(),
         .place = &Bore::diameter,

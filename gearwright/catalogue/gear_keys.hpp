@@ -39,7 +39,7 @@ struct GearInput {
   bool face_width_given = false;          ///< else 10 m_n, and a warning says so
   std::optional<BaseGear<double>> basic;  ///< [gearN.basic], as given; module, helix, shift follow
   std::optional<CutByInput> cut_by;       ///< none: cut by its rack
-  std::optional<double> tip_clearance;    ///< [gearN.tip_fillet] clearance_mm, to the mate's root
+  std::optional<double> tip_clearance;    ///< [gearN.tip_fillet] clearance_mm, to the mating root
   bool tip_clearance_by_rule = false;     ///< [gearN.tip_fillet] without a number: 0.2 m_n + 0.05
   std::optional<double> chord_diameter;   ///< [gearN.measure] chord_diameter_mm
   std::vector<std::string> not_read;      ///< sub-tables of verbs that are not in this version

@@ -167,9 +167,9 @@ TEST(Keys, ranges_in_words) {
   EXPECT_EQ(KeyRange::above(0, 90).sentence(0), "must be greater than 0 and at most 90");
   EXPECT_EQ(KeyRange::positive().sentence(0), "must be greater than 0");
   EXPECT_EQ(KeyRange::not_negative().sentence(-1), "must not be negative");
-  const KeyRange teeth{.lo = -10, .hi = 10, .zero = false, .reason = "; ring"};
-  EXPECT_EQ(teeth.sentence(0), "must not be 0; ring");
-  EXPECT_EQ(teeth.sentence(11), "must lie between -10 and 10; ring");
+  const KeyRange teeth{.lo = -10, .hi = 10, .zero = false, .reason = "; internal gear"};
+  EXPECT_EQ(teeth.sentence(0), "must not be 0; internal gear");
+  EXPECT_EQ(teeth.sentence(11), "must lie between -10 and 10; internal gear");
 }
 
 TEST(Keys, units_and_members_stand_in_the_names) {

@@ -45,10 +45,10 @@ const std::array<ModificationEntry, 7>& modification_entries() {
        "",
        "linear over the usable flank, 0 in its middle, C more at d_Fa than at d_Ff; may be "
        "negative"},
-      {"lead_crowning", "C_β", "lead crowning", P::lead_crowning, nullptr, &M::lead_crowning, "",
+      {"lead_crowning", "C_β", "helix crowning", P::lead_crowning, nullptr, &M::lead_crowning, "",
        "", "a parabola over the face, 0 in its middle, C at both ends; < 0 is hollow"},
-      {"lead_slope", "C_Hβ", "lead slope", P::lead_slope, nullptr, &M::lead_slope, "", "",
-       "C z/b: 0 in the middle, C more at the +z end than at the other; may be negative"},
+      {"lead_slope", "C_Hβ", "helix slope modification", P::lead_slope, nullptr, &M::lead_slope, "",
+       "", "C z/b: 0 in the middle, C more at the +z end than at the other; may be negative"},
       {"end_relief", "C_βI = C_βII", "end relief", P::end_relief, &M::end_relief, nullptr,
        "_length_mm", "over", "over the length l from each end of the face, 0 to C"},
   }};

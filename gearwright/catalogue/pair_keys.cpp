@@ -28,7 +28,7 @@ const KeyTable& pair_keys() {
         .fallback = "\"tight\"",
         .meaning =
             "`\"tight\"`: free of backlash for nominal teeth; `\"extended\"`: a_d + m_n (x1 + "
-            "x2), a ring a_d − m_n (x1 + x2)"},
+            "x2), an internal gear a_d − m_n (x1 + x2)"},
        {.key = "shorten_tips",
         .kind = KeyKind::boolean,
         .place = &PairInput::shorten_tips,

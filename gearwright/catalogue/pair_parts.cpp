@@ -140,7 +140,8 @@ std::optional<LineView> line_of(const Pair& v) {
                     {p.on_line_of_action(p.mesh.rho1_A).r, p.on_line_of_action(p.mesh.rho1_E).r},
                     {p.on_trailing_line(p.mesh.rho1_A).r, p.on_trailing_line(p.mesh.rho1_E).r}};
   }
-  // The way of the first contact over the common face, and its mirror image on the other flanks.
+  // The way of the first contact over the common face, and its mirror image on the non-working
+  // flanks.
   const ArcPair& p = *v.arcs();
   if (p.contacts.empty()) return std::nullopt;
   const Vec3 at = p.first_contact().at.point;

@@ -90,7 +90,7 @@ const KeyTable& arc_rack_keys() {
       "rack_circular_arc",
       "A rack with one circular arc for a flank: F cuts the convex teeth of one gear, P the "
       "concave "
-      "ones of its mate; lengths in normal modules",
+      "ones of its mating gear; lengths in normal modules",
       {kind("circular_arc", "one circular arc for a flank", true),
        {.key = "cutter",
         .kind = KeyKind::word,
@@ -173,7 +173,7 @@ const KeyTable& double_arc_rack_keys() {
         .range = Range::inside(0, 90, ", usually 24"),
         .place = &DoubleArcRack::pressure_angle,
         .fallback = "24",
-        .meaning = "pressure angle where the arcs touch the mate's"},
+        .meaning = "pressure angle where the arcs touch the mating gear's"},
        {.key = "addendum",
         .symbol = "h_a*",
         .range = some_length(),

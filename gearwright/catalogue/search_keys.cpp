@@ -157,9 +157,10 @@ std::vector<Key> limit_keys() {
        .kind = KeyKind::boolean,
        .place = limit([](auto& l) -> auto& { return l.avoid_interference; }),
        .fallback = "false",
-       .meaning = "a tip may not pass the start of the mate's flank [T9.9]; shifts with a tip "
-                  "inside its own reference circle are then left out; false: each design says "
-                  "so in `interference`",
+       .meaning =
+           "a tip may not pass the start of the mating gear's flank [T9.9]; shifts with a tip "
+           "inside its own reference circle are then left out; false: each design says "
+           "so in `interference`",
        .fields = {"limits.avoid_interference"}},
       {.key = "coprime",
        .kind = KeyKind::boolean,
@@ -191,7 +192,7 @@ std::vector<Key> design_keys() {
            .place = &P::lambda,
            .fallback = "0.625",
            .meaning = "λ of the line of Eq. 11 [T2.18a] on which a design's shifts are chosen; a "
-                      "ring's pinion takes all"},
+                      "internal gear's pinion takes all"},
           {.key = "objective",
            .kind = KeyKind::word,
            .words = objective_words(),

@@ -48,7 +48,7 @@ ContactPair::ContactPair(const ContactGear& gear_1, const ContactGear& gear_2,
   add_patches(0, gear_1, twist(g1, 0), mesh_azimuth(), internal_ ? 1.0 : -1.0, right_1);
   add_patches(1, gear_2, twist(g2, 1), pi + pi / z2, -1.0, right_2);
   set_mount();
-  // Points of gear 1 farther than this from the mesh lie outside the mate's annulus.
+  // Points of gear 1 farther than this from the mesh lie outside the mating gear's annulus.
   const auto radius = [](const std::vector<FlankPatch>& patches, bool greatest) {
     double r = greatest ? 0.0 : std::numeric_limits<double>::infinity();
     for (const FlankPatch& p : patches)

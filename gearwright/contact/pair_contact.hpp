@@ -27,7 +27,7 @@ GearModifications on_both_flanks(const FlankModifications& modifications);
 
 struct ContactOptions {
   std::array<GearModifications, 2> modifications{};  ///< of gear 1, gear 2
-  bool gear2_drives = false;                         ///< the other flanks touch
+  bool gear2_drives = false;                         ///< the non-working flanks touch
   ContactRequest request{};
 };
 

@@ -10,7 +10,8 @@
 namespace gearwright {
 namespace {
 
-// Conjugate flanks touch everywhere that both reach, and a place that no mate reaches has no gap.
+// Conjugate flanks touch everywhere that both reach, and a place that no mating gear reaches has no
+// gap.
 TEST(Pattern, conjugate_flanks_touch_everywhere) {
   const auto p = testing::involutes(20, 41, 15);
   const auto rasters = contact_pattern(p.pair(), 64);
@@ -22,7 +23,7 @@ TEST(Pattern, conjugate_flanks_touch_everywhere) {
     for (std::size_t i = 11; i < 22; ++i)
       for (std::size_t k = 13; k < 52; ++k) EXPECT_LT(r.at(i, k), g == 0 ? 5e-5 : 5e-4);
   }
-  EXPECT_TRUE(std::isinf(rasters[0].at(16, 0)));  // z = −10 beyond the mate's −9
+  EXPECT_TRUE(std::isinf(rasters[0].at(16, 0)));  // z = −10 beyond the mating gear's −9
 }
 
 // The narrower gear 2 touches up to its faces.
@@ -81,7 +82,7 @@ TEST(Pattern, gap_map_of_one_position) {
   for (const double gap : r.gap) least = std::min(least, gap);
   EXPECT_GE(least, 0.0);
   EXPECT_LT(least, 5e-3);
-  // The pair before stands apart from its mate by more.
+  // The pair before stands apart from its mating gear by more.
   const FlankRaster other = gap_map(p.pair(), Angle::radians(0.05), 3, {41, 81});
   double apart = 1e300;
   for (const double gap : other.gap) apart = std::min(apart, gap);

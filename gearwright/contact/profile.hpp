@@ -2,10 +2,10 @@
 //
 //   W(s)   point ρ e^{iθ}, mm; s the piece's own parameter         ℓ = log W,  u = ln ρ = Re ℓ
 //   c      +1 the side y > 0 of a tooth about the x axis, −1 its mirror image, the side y < 0
-//   θ′, θ″ derivatives of θ by u: what a mate sees of the flank
+//   θ′, θ″ derivatives of θ by u: what a mating gear sees of the flank
 //                                    theory: docs/theory/08-contact.md, [T8.4]…[T8.6]
 //
-//   involute       s = ξ   roll angle (a ring's is negative)
+//   involute       s = ξ   roll angle (an internal gear's is negative)
 //   rack circle    s = τ   normal angle of the generating rack
 //   by radius      s = u   every other curve of an outline
 //

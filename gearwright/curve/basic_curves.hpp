@@ -32,7 +32,7 @@ class AxisCircle final : public Curve {
 ///
 /// Laws  (1) |W| = r_b √(1 + ξ²)   (2) arg W = ψ_b − (ξ − atan ξ)   (3) curvature radius r_b ξ
 /// Domain  any ξ; ξ > 0 is the flank of an external tooth. The branch behind the cusp, ξ < 0, is
-///         that of a ring's tooth: its half angle ψ_b + inv α grows outward
+///         that of an internal gear's tooth: its half angle ψ_b + inv α grows outward
 class Involute final : public Curve {
  public:
   Involute(double base_radius, double base_half_angle)

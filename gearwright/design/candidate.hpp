@@ -25,7 +25,7 @@ struct CandidateConstants {
   bool tight = false, shorten = false;
 };
 
-/// Columns in: z1, z2 (ring: < 0), sin β, x1, x2. Columns out, in normal modules:
+/// Columns in: z1, z2 (internal gear: < 0), sin β, x1, x2. Columns out, in normal modules:
 struct CandidateBatch {
   enum In { z1, z2, sin_beta, x1, x2, kIn };
   enum Out {
@@ -39,7 +39,7 @@ struct CandidateBatch {
     clearance_1,
     clearance_2,
     interference_1,
-    interference_2,  ///< ρ at the mate's tip − ρ_F; ∞: a ring, no such limit
+    interference_2,  ///< ρ at the mating gear's tip − ρ_F; ∞: an internal gear, no such limit
     residual,        ///< of inv α_wt; the error of tan α_wt is this over tan² α_wt
     kOut
   };

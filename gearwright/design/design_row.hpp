@@ -30,7 +30,7 @@ struct DesignRow {
   std::array<double, 2> tip_clearance{};  ///< tip 1 to root 2, tip 2 to root 1
   double tip_alteration = 0.0;            ///< k m_n, ≤ 0
   std::array<std::array<std::optional<double>, 2>, 2> sliding;  ///< ζ of gear 1, 2 at A, E
-  bool interference = false;  ///< a tip passes the start of the mate's straight-cut flank
+  bool interference = false;  ///< a tip passes the start of the mating gear's straight-cut flank
   double area = 0.0;
   std::array<double, 2> sums{};  ///< least and greatest Σ
   Vec2 lo{0.0, 0.0}, hi{0.0, 0.0};

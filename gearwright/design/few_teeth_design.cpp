@@ -307,9 +307,10 @@ Result<FewTeethAnswer> design_few_teeth(const FewTeethProblem& problem) {
                  "is missing; few teeth need a helix angle, or `pair.center_distance` to find one"};
   }
   if (problem.teeth[1] < 0 && -problem.teeth[1] <= problem.teeth[0]) {
-    return refused(gear_field(2, "teeth"), problem.teeth[1],
-                   fmt::format("a ring must have more teeth than its pinion (gear 1 has {})",
-                               problem.teeth[0]));
+    return refused(
+        gear_field(2, "teeth"), problem.teeth[1],
+        fmt::format("an internal gear must have more teeth than its pinion (gear 1 has {})",
+                    problem.teeth[0]));
   }
   Search search(problem);
   search.run();

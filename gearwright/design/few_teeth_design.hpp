@@ -21,7 +21,7 @@ namespace gearwright {
 
 /// Lengths mm.
 struct FewTeethProblem {
-  std::array<int, 2> teeth{};  ///< wheel < 0: a ring
+  std::array<int, 2> teeth{};  ///< wheel < 0: an internal gear
   double normal_module = 0.0;
   Angle normal_pressure_angle{};
   std::optional<Angle> helix;             ///< β of the pinion; absent: from the centre distance

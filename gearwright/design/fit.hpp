@@ -20,7 +20,7 @@
 
 namespace gearwright {
 
-/// What is known; what is absent is wanted. Lengths mm; ring: z2 < 0.
+/// What is known; what is absent is wanted. Lengths mm; internal gear: z2 < 0.
 struct FitProblem {
   std::array<int, 2> teeth{};
   double normal_module = 0.0;                          ///< m_n, common to both gears

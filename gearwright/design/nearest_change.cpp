@@ -90,7 +90,7 @@ std::vector<Knob> knobs(const SearchProblem& p) {
     const double widen = (i == 0 ? -0.5 : 0.5) * std::abs(band[i]);
     double far = band[i] + widen;
     if (!p.internal()) far = std::max(far, 1.0);
-    // A ring has more teeth than its pinion: no ratio from −1 up.
+    // An internal gear has more teeth than its pinion: no ratio from −1 up.
     constexpr double kBeyondOne = 1e-3;
     if (p.internal() && i == 1) far = std::min(far, -1.0 - kBeyondOne);
     k.push_back({"ratio", band[i], far, std::abs(band[i]), false,

@@ -2,7 +2,7 @@
 //
 //   m_n, z1, z2, β   the numbers of a trial; x1, x2 are not tried but solved for: every trial has
 //                    its exact region of them (design/shift_graph.hpp)
-//   Σ                x1 + x2, ISO 21771 signs (ring: z2 < 0)
+//   Σ                x1 + x2, ISO 21771 signs (internal gear: z2 < 0)
 //                                              theory: docs/theory/09-design-search.md
 //
 // Lengths mm; what limits a tooth is in normal modules.
@@ -52,7 +52,7 @@ struct SearchLimits {
   std::optional<double> overlap_ratio;  ///< ε_β ≥ this
   std::optional<double> sliding;        ///< |ζ| ≤ this at both ends of the path; parallel axes
   std::optional<double> tip_clearance;  ///< c ≥ this, modules
-  bool avoid_interference = false;      ///< a tip may not pass the start of the mate's flank
+  bool avoid_interference = false;      ///< a tip may not pass the start of the mating gear's flank
 };
 
 struct SearchProblem {

@@ -98,7 +98,7 @@ void SearchSpace::next(Cursor& c) const {
 
 Trial SearchSpace::trial_of(const Cursor& c) const {
   const Angle beta = problem_->helix[c.helix];
-  // β1 = −β2 on parallel external axes, β1 = β2 of a ring, Σ = β1 + β2 of crossed axes.
+  // β1 = −β2 on parallel external axes, β1 = β2 of an internal gear, Σ = β1 + β2 of crossed axes.
   const Angle mate = problem_->crossed()    ? *problem_->shaft_angle - beta
                      : problem_->internal() ? beta
                                             : Angle() - beta;

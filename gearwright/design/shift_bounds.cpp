@@ -1,7 +1,7 @@
 // What each limit says of x1 on a line Σ = const, and of Σ alone: the formulas of the s1–s2 graph.
 //
-// They are the leaf formulas (pair/leaf_formulas.hpp) solved for a shift, so that none of them stands
-// here as it is; tests hold the bounds and the numbers of a mounted pair together.
+// They are the leaf formulas (pair/leaf_formulas.hpp) solved for a shift, so that none of them
+// stands here as it is; tests hold the bounds and the numbers of a mounted pair together.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -41,8 +41,8 @@ void ShiftGraph::bound_sliding(const SumPlace& at, double sum, double& lo, doubl
   }
 }
 
-// ρ_1A ≥ ρ_F1 and ρ_2E ≥ ρ_F2: the mate's tip stays on the flank. Each is w q(u) ≤ c + s u in the
-// mate's tip radius u, a quadratic; it fails between its roots. [T9.9]
+// ρ_1A ≥ ρ_F1 and ρ_2E ≥ ρ_F2: the mating gear's tip stays on the flank. Each is w q(u) ≤ c + s u
+// in the mating gear's tip radius u, a quadratic; it fails between its roots. [T9.9]
 void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2,
                                     double& hi_1) const {
   const auto greater_root = [](double w, double c, double s, double b) {
@@ -65,7 +65,7 @@ void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2
     lo_2 = greater_root(weight_[0], c_2, s_2, gears_[0].r_b) - A_1;
     return;
   }
-  // The ring's tip v = |u|: √(v² − b²) ≥ s v + c, between the roots.
+  // The internal gear's tip v = |u|: √(v² − b²) ≥ s v + c, between the roots.
   const double s = 1.0 / gears_[0].sin_transverse;
   const double c =
       -at.N + gears_[0].r * gears_[0].sin_transverse - s * gears_[0].edge_depth + s * (A_2 + sum);
@@ -83,7 +83,7 @@ void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2
 
 // The path clipped to the usable flanks, which begin at f_i = max(0, w_i ρ_Fi) [T9.1]: from f_1 to
 // the tip, w_1 q_1 − f_1 ≥ K, the same of gear 2, and N − f_1 − f_2 ≥ K. Of the last the case of
-// both starts is one of Σ alone (sum_margin). A ring's start is not known. [T9.7]
+// both starts is one of Σ alone (sum_margin). An internal gear's start is not known. [T9.7]
 void ShiftGraph::bound_usable_path(const SumPlace& at, double sum, double& lo, double& hi) const {
   for (std::size_t i : {0, 1}) {
     const TrialGear& g = gears_[i];

@@ -102,7 +102,7 @@ ShiftGraph::Sums ShiftGraph::sums(int limits) const {
   const auto from_above = [&](double sum, ShiftEdge edge) {
     if (sum < s.hi) s.hi = sum, s.hi_edge = edge;
   };
-  // A ring's distance falls as Σ grows: what bounds it from below bounds Σ from above.
+  // An internal gear's distance falls as Σ grows: what bounds it from below bounds Σ from above.
   const auto not_nearer = [&](double sum, ShiftEdge edge) {
     internal_ ? from_above(sum, edge) : from_below(sum, edge);
   };
@@ -215,8 +215,8 @@ ShiftSlice ShiftGraph::slice(double sum, int limits) const {
                                    weight_[1], internal_);
     return Slope<double>{path_length(at, sum, x) - min_path_, s.first};
   };
-  // External E is concave: Newton's steps from outside fall short of the root. A ring's may bend
-  // upwards; the bracket holds them.
+  // External E is concave: Newton's steps from outside fall short of the root. An internal gear's
+  // may bend upwards; the bracket holds them.
   if (slice.lo < top.x1 && excess(slice.lo).value < 0.0) {
     slice.lo = newton_in_bracket<double>(excess, slice.lo, top.x1, slice.lo, true).x;
     slice.lo_edge = ShiftEdge::eps;

@@ -24,8 +24,8 @@ double tip_thickness(const TrialGear& gear, double x, double k) {
 
 namespace {
 
-// The shifts at which the tip stands on the base circle: an external tooth begins there, a ring's
-// ends.
+// The shifts at which the tip stands on the base circle: an external tooth begins there, an
+// internal gear's ends.
 double shift_of_base_circle(const TrialGear& g, double k) {
   const double x = g.r_b - g.r - g.addendum - k;
   // A rounding on the safe side, for the thickness is asked at both ends.
@@ -40,7 +40,8 @@ struct Shifts {
 // Where the tip is thick enough: the interval that reaches highest.
 Shifts thick_enough(const TrialGear& g, double k) {
   const double edge = shift_of_base_circle(g, k);
-  // External: past x = |z|, tips are long crossed; a ring's x has no natural floor but its size.
+  // External: past x = |z|, tips are long crossed; an internal gear's x has no natural floor but
+  // its size.
   const double far = std::abs(static_cast<double>(g.teeth)) + 5.0;
   const double lo = g.teeth > 0 ? edge : -far;
   const double hi = g.teeth > 0 ? edge + far : edge;

@@ -1,7 +1,7 @@
 // One gear of a trial, in normal modules: what its teeth, helix and rack say about it before its
 // profile shift is chosen, and the limits of that shift.
 //
-//   r, r_b    reference and base radius, negative for a ring (ISO 21771 signs): external and
+//   r, r_b    reference and base radius, negative if internal (ISO 21771 signs): external and
 //             internal pairs share every formula,  |r_a| = |r + h_a + x + k|
 //   h_a, h_f  addendum and dedendum of the rack
 //   h_F       depth of its straight edge
@@ -26,14 +26,14 @@ struct TrialGear {
   double cos_base_helix = 1.0;        ///< cos β_b
   double tan_base_helix = 0.0;        ///< tan β_b, unsigned
   double min_tip_thickness = 0.0;     ///< the limit of s_an
-  double reference_half_angle = 0.0;  ///< s_t/d at x = 0, plus (ring: minus) inv α_t
+  double reference_half_angle = 0.0;  ///< s_t/d at x = 0, plus (internal gear: minus) inv α_t
   double half_angle_per_shift = 0.0;  ///< 2 tan α_n/|z|
   double x_min = 0.0,
          x_max = 0.0;  ///< the limits, at k = 0; none possible: x_min > x_max
 };
 
-/// The gear and its limits: undercut (none of a ring), tip thickness, floor and ceiling, and that
-/// its tip does not lie inside its base circle.
+/// The gear and its limits: undercut (none of an internal gear), tip thickness, floor and ceiling,
+/// and that its tip does not lie inside its base circle.
 ///
 /// Units     modules
 TrialGear trial_gear(const SearchProblem& problem, int teeth, Angle helix, int rack, int which);

@@ -91,7 +91,7 @@ TEST(TrialGear, ThicknessIsThatOfTheGear) {
   }
 }
 
-// Values of a helical pair and a ring, in mm there.
+// Values of a helical pair and an internal gear, in mm there.
 TEST(TrialGear, ThicknessIsThatOfTheReference) {
   for (const auto& pair : reference().at("mounted")) {
     const auto& in = pair.at("input");

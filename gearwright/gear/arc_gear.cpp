@@ -15,7 +15,8 @@ namespace {
 std::optional<Error> check_spec(const CylindricalSpec& spec) {
   const std::string why = "has no place beside a rack of arcs";
   if (spec.teeth < 0)
-    return refused("teeth", spec.teeth, "a ring cannot have circular-arc teeth: a rack cuts them");
+    return refused("teeth", spec.teeth,
+                   "an internal gear cannot have circular-arc teeth: a rack cuts them");
   if (spec.profile_shift != 0.0) {
     return refused("profile_shift", spec.profile_shift,
                    why + "; the place of its centres (`rack.center_b`) says how deep it goes");

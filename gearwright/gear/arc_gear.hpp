@@ -16,8 +16,8 @@ std::optional<Angle> undercut_limit(const RackMotion& motion, const EdgeCircle& 
 
 /// Makes the gear of the spec's arcs, if they are such.   Domain  check_limits found nothing
 ///
-/// Errors    as the rack's own; `teeth` for a ring; `profile_shift`, `root_fillet`, `tip_fillet`,
-///           which these teeth do not have; `tip_diameter`
+/// Errors    as the rack's own; `teeth` for an internal gear; `profile_shift`, `root_fillet`,
+///           `tip_fillet`, which these teeth do not have; `tip_diameter`
 Result<Gear> make_arc_gear(const CylindricalSpec& spec, const Result<RackOfArcs>& rack);
 
 }  // namespace gearwright::detail

@@ -1,7 +1,7 @@
 // A gear as itself: what its flanks are, without a word of the rack that cut them.
 //
-//   z    teeth, negative for a ring     r_b    base radius, mm
-//   s_bt tooth thickness on the base cylinder, transverse, mm; a ring's is extrapolated
+//   z    teeth, negative if internal     r_b    base radius, mm
+//   s_bt tooth thickness on the base cylinder, transverse, mm; an internal gear's is extrapolated
 //   β_b  base helix angle, rad, > 0 right hand
 //   α_n  pressure angle of a rack       p_bn   normal base pitch, mm
 //                                              theory: docs/theory/04-conjugate-action.md
@@ -27,7 +27,7 @@ struct BaseGear {
   T helix_angle{};      ///< β_b   rad, signed
 };
 
-/// +1 for an external gear, −1 for a ring.
+/// +1 for an external gear, −1 for an internal gear.
 template <class T>
 T side_of(const BaseGear<T>& gear) {
   return gear.teeth > 0 ? T(1) : T(-1);

@@ -31,9 +31,9 @@ Result<StraightRack> rack_leaving_root(const CylindricalSpec& spec, double root_
   if (!root_form_diameter) return rack;
   const double d_Ff = *root_form_diameter;
   if (ring) {
-    return refused(
-        "root_form_diameter", d_Ff,
-        "the fillet of a ring is left by its pinion cutter, which is not in this version");
+    return refused("root_form_diameter", d_Ff,
+                   "the fillet of an internal gear is left by its pinion cutter, which is not in "
+                   "this version");
   }
   const double sin_n = std::sin(spec.normal_pressure_angle.rad());
   const double sin_t = std::sin(g.transverse_pressure_angle);

@@ -16,7 +16,7 @@ namespace gearwright {
 ///
 /// Formula   h_fP* = x_E ± (d − d_f)/(2 m_n), h_Ff* = x_E − (ρ_F − ρ_C) sin α_t/m_n,
 ///           ρ_fP* = (h_fP* − h_Ff*)/(1 − sin α_n); [T4.4]
-/// Errors    `root_diameter`, `root_form_diameter`: what is allowed (no fillet form of a ring
+/// Errors    `root_diameter`, `root_form_diameter`: what is allowed (no fillet form if internal
 ///           is taken: a rack does not cut it)
 Result<StraightRack> rack_leaving_root(const CylindricalSpec& spec, double root_diameter,
                                        std::optional<double> root_form_diameter);

@@ -27,7 +27,7 @@ Gear described(const CylindricalSpec& spec) {
   gear.root_diameter = d - sign * 2 * m * (dedendum_of(spec.rack) - x_E);
   gear.lead = beta == 0.0 ? 0.0 : std::numbers::pi * d / std::tan(beta);
   const double psi_b = reference.base_tooth_thickness / reference.base_diameter;
-  // A ring's tooth thins inward: its flanks meet at inv α = −ψ_b, if they do. [T2.13]
+  // An internal gear's tooth thins inward: its flanks meet at inv α = −ψ_b, if they do. [T2.13]
   const double y = sign * psi_b;
   if (y >= 0.0) gear.pointed_diameter = reference.base_diameter / std::cos(inverse_involute(y));
   return gear;
@@ -73,21 +73,21 @@ void warn_about_tip(Gear& gear) {
   }
 }
 
-// What the numbers of a rack say of a ring: nothing beyond addendum and dedendum.
+// What the numbers of a rack say of an internal gear: nothing beyond addendum and dedendum.
 void warn_about_ring(Gear& gear) {
   const StraightRack& rack = gear.spec.straight_rack();
   if (rack.tip_fillet_radius > 0.0 || rack.tool_addendum || rack.semi_topping_angle ||
       rack.protuberance > 0.0) {
     warn(gear, "rack_not_used",
-         "A ring is not cut by a rack: `rack.tip_fillet_radius`, `rack.tool_addendum`, "
+         "An internal gear is not cut by a rack: `rack.tip_fillet_radius`, `rack.tool_addendum`, "
          "`rack.semi_topping_angle` and `rack.protuberance` have no effect on it.");
   }
   if (gear.tip_diameter < gear.reference().base_diameter) {
     warn(gear, "tip_below_base",
-         fmt::format(
-             "The ring's tip {:.4f} mm lies inside its base circle {:.4f} mm: the flank has no "
-             "involute there.",
-             gear.tip_diameter, gear.reference().base_diameter));
+         fmt::format("The internal gear's tip {:.4f} mm lies inside its base circle {:.4f} mm: the "
+                     "flank has no "
+                     "involute there.",
+                     gear.tip_diameter, gear.reference().base_diameter));
   }
   warn_about_tip(gear);
 }

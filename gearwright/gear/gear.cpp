@@ -47,10 +47,11 @@ std::optional<Error> check_limits(const CylindricalSpec& spec) {
     return v >= lo && v <= hi;
   };  // false for NaN
   if (spec.teeth == 0)
-    return refused("teeth", 0, "must not be 0; negative for an internal gear (ring)");
+    return refused("teeth", 0, "must not be 0; negative for an internal gear (internal gear)");
   if (std::abs(spec.teeth) > kMaxTeeth) {
-    return refused("teeth", spec.teeth,
-                   fmt::format("must be at most {} (a ring: at least -{})", kMaxTeeth, kMaxTeeth));
+    return refused(
+        "teeth", spec.teeth,
+        fmt::format("must be at most {} (an internal gear: at least -{})", kMaxTeeth, kMaxTeeth));
   }
   const double m = spec.normal_module;
   if (!within(m, kMinModule, kMaxModule)) {
@@ -186,15 +187,17 @@ Result<Gear> make_involute_gear(const CylindricalSpec& spec, const StraightRack&
   }
   if (gear.internal()) {
     if (!(gear.tip_diameter > 0.0 && gear.tip_diameter < gear.root_diameter)) {
-      return refused("tip_diameter", gear.tip_diameter, {0.0, gear.root_diameter},
-                     "must be greater than {} and less than the ring's root diameter {} mm");
+      return refused(
+          "tip_diameter", gear.tip_diameter, {0.0, gear.root_diameter},
+          "must be greater than {} and less than the internal gear's root diameter {} mm");
     }
     for (const auto* fillet :
          {spec.root_fillet ? "root_fillet" : nullptr, spec.tip_fillet ? "tip_fillet" : nullptr}) {
       if (!fillet) continue;
-      return Error{fillet, "",
-                   "a ring has the root and tip that its cutter leaves; give the fillet to the "
-                   "cutter, in `cut_by`"};
+      return Error{
+          fillet, "",
+          "an internal gear has the root and tip that its cutter leaves; give the fillet to the "
+          "cutter, in `cut_by`"};
     }
   } else if (auto error = cut(gear, edge)) {
     return *error;

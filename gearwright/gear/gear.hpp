@@ -17,7 +17,7 @@
 namespace gearwright {
 
 struct CylindricalSpec {
-  int teeth = 0;                                     ///< z     negative for a ring
+  int teeth = 0;                                     ///< z     negative if internal
   double normal_module = 0.0;                        ///< m_n   mm
   Angle normal_pressure_angle = Angle::degrees(20);  ///< α_n
   Angle helix_angle = Angle::degrees(0);             ///< β     > 0 right hand
@@ -52,7 +52,7 @@ struct PinionCutting {
 struct InvoluteTeeth {
   ReferenceGeometry<double> reference;
   std::optional<double> undercut_free_profile_shift;  ///< least x_E without, signed; of a rack
-  std::optional<double> undercut_l;                   ///< l_F  mm, signed; none for a ring
+  std::optional<double> undercut_l;                   ///< l_F  mm, signed; none if internal
   std::optional<double> point_c_l, point_j_l;         ///< l_C, l_J  mm, with circular fillets
 };
 
@@ -77,7 +77,7 @@ struct Gear {
   bool undercut;  ///< the cutter took some of the flank; not under a circular root fillet
   std::optional<double> pointed_diameter;            ///< where the two flanks meet, mm
   std::optional<double> tip_tooth_thickness_normal;  ///< s_an  mm, of the finished tooth
-  std::optional<GeneratedTooth> tooth;  ///< none for a ring that no pinion cutter has cut
+  std::optional<GeneratedTooth> tooth;  ///< none for an internal gear that no pinion cutter has cut
   std::vector<Warning> warnings;
 
   bool internal() const { return spec.teeth < 0; }
@@ -87,11 +87,13 @@ struct Gear {
   const ReferenceGeometry<double>& reference() const;
   double base_radius() const { return reference().base_diameter / 2; }
   bool exists() const { return !tooth || (!tooth->through_axis && !tooth->severed); }
-  /// d_Ff/2, where the usable flank starts; none for a ring or when no flank is left.
+  /// d_Ff/2, where the usable flank starts; none for an internal gear or when no flank is left.
   std::optional<double> root_form_radius() const;
-  /// Two flanks meet before the tip: a pointed tooth, or a ring's that thins to nothing inward.
+  /// Two flanks meet before the tip: a pointed tooth, or an internal gear's that thins to nothing
+  /// inward.
   bool pointed() const;
-  /// d_Fa/2, where it ends; a ring's is its tip, or its base circle where the tip lies inside that.
+  /// d_Fa/2, where it ends; an internal gear's is its tip, or its base circle where the tip lies
+  /// inside that.
   double tip_form_radius() const;
   /// The radius at which the finished tooth ends: blank, cutter's bottom, or its point.
   double actual_tip_radius() const;

@@ -193,7 +193,7 @@ TEST(MakeGear, errors_name_their_key) {
               s.tip_diameter = 50.0;
             }),
             "tip_diameter");
-  // A ring whose teeth would reach past its axis.
+  // An internal gear whose teeth would reach past its axis.
   EXPECT_EQ(key([](CylindricalSpec& s) {
               s.teeth = -4;
               s.profile_shift = 2.0;

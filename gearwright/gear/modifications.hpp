@@ -13,11 +13,11 @@
 //   tip relief        q or q²,  q = (L − L_start)/(L_a − L_start), from d_start to the tip
 //   root relief       q or q²,  q = (L − L_start)/(L_f − L_start), from d_start to the root
 //   profile crowning  4 w²                          profile slope  w
-//   lead crowning     4 (z/b)²                      lead slope     z/b
+//   helix crowning     4 (z/b)²                      helix slope modification     z/b
 //   end relief        q or q²,  q = (|z| − b/2 + l)/l, over the length l from each face
 //
-// and a measured or designed topography is added as it is. A ring's tip has the lesser radius; the
-// same formulas hold.
+// and a measured or designed topography is added as it is. An internal gear's tip has the lesser
+// radius; the same formulas hold.
 //
 // Right and left: seen from +z with the tooth pointing up, so that on the tooth whose centre line
 // is the x axis the right flank has y < 0.
@@ -58,7 +58,7 @@ struct FlankModifications {
 struct FlankExtent {
   double r0;             ///< mm, base radius of an involute, 0 for other teeth
   double rho_root_form;  ///< d_Ff/2  mm
-  double rho_tip_form;   ///< d_Fa/2  mm; less than rho_root_form on a ring
+  double rho_tip_form;   ///< d_Fa/2  mm; less than rho_root_form on an internal gear
   double face_width;     ///< b  mm
 };
 

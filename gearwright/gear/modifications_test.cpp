@@ -392,7 +392,7 @@ TEST(RemovalField, refuses_what_does_not_fit_and_names_it) {
   FlankModifications m = tip(0.0501, 46.5);
   m.tip_relief.shape = ReliefShape::parabolic;  // twice as steep at its end
   EXPECT_EQ(refusal_of(m), "tip_relief.amount");
-  // A ring's tip relief starts outside its tip.
+  // An internal gear's tip relief starts outside its tip.
   EXPECT_EQ(refusal_of(tip(0.02, 126.0), kRing), "");
   EXPECT_EQ(refusal_of(tip(0.02, 124.0), kRing), "tip_relief.reach");
   EXPECT_EQ(refusal_of(tip(0.02, 123.0), kRing), "tip_relief.reach");

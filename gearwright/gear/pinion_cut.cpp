@@ -31,12 +31,14 @@ double base_distance(const Gear& cutter, int teeth) {
 
 std::optional<Error> check_cutter(const Gear& cutter, int teeth) {
   const int z_0 = cutter.spec.teeth;
-  if (teeth == 0) return refused("teeth", 0, "must not be 0; negative for an internal gear (ring)");
+  if (teeth == 0) return refused("teeth", 0, "must not be 0; negative for an internal gear");
   if (teeth < 0 && -teeth <= z_0) {
-    return refused("teeth", teeth,
-                   fmt::format("the cutter with its {} teeth is larger than the ring; a ring of at "
-                               "least {} teeth, or a cutter of at most {}, is needed",
-                               z_0, -(z_0 + 1), -teeth - 1));
+    return refused(
+        "teeth", teeth,
+        fmt::format(
+            "the cutter with its {} teeth is larger than the internal gear; an internal gear of at "
+            "least {} teeth, or a cutter of at most {}, is needed",
+            z_0, -(z_0 + 1), -teeth - 1));
   }
   return std::nullopt;
 }

@@ -10,7 +10,7 @@
 namespace gearwright {
 
 struct PinionCutSpec {
-  int teeth = 0;                       ///< z, negative for a ring
+  int teeth = 0;                       ///< z, negative for an internal gear
   double distance = 0.0;               ///< E  mm
   double face_width = 0.0;             ///< b  mm
   std::optional<double> tip_diameter;  ///< d_a  mm; absent: what the cutter's root leaves
@@ -24,8 +24,8 @@ std::optional<Error> check_cutter(const Gear& cutter, int teeth);
 /// Errors    `profile_shift` where the cutter has no such place
 Result<double> generating_distance(const Gear& cutter, int teeth, double profile_shift);
 
-/// Makes the gear. Module, pressure angle and |β| are the cutter's; a ring has its hand, an
-/// external gear the other one.
+/// Makes the gear. Module, pressure angle and |β| are the cutter's; an internal gear has its hand,
+/// an external gear the other one.
 ///
 /// Domain    `cutter` is an external involute gear that exists (contract)
 /// Errors    `teeth`, `cut_by`, `tip_diameter`, `face_width`

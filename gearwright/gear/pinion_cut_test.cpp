@@ -227,7 +227,7 @@ TEST(PinionCut, refusals_name_their_key) {
   EXPECT_EQ(key({45, least * (1 + 1e-3), 20.0, std::nullopt}), "made");
 }
 
-// The smallest ring that its refusal names can be asked for.
+// The smallest internal gear that its refusal names can be asked for.
 TEST(PinionCut, ring_must_be_larger_than_its_cutter) {
   const Gear cutter = made(cutter_spec(20, 0.0));
   const auto error = generating_distance(cutter, -18, 0.0);

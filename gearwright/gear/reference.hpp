@@ -1,6 +1,6 @@
 // Reference geometry of a cylindrical involute gear: what follows from its numbers in closed form.
 //
-//   z         teeth, negative for a ring     m_n, m_t   normal and transverse module, mm
+//   z         teeth, negative if internal     m_n, m_t   normal and transverse module, mm
 //   α_n, α_t  pressure angles, rad           β, β_b     helix angles, rad, > 0 right hand
 //   d, d_b    reference and base diameter    s_n, s_t, s_bt   tooth thicknesses, mm
 //   x         profile shift                  x_E        the same with the thickness allowance E_sn
@@ -37,7 +37,7 @@ struct ReferenceGeometry {
   T generating_profile_shift;              ///< x_E
   T reference_tooth_thickness_normal;      ///< s_n   mm, with the allowance
   T reference_tooth_thickness_transverse;  ///< s_t   mm
-  T base_tooth_thickness;   ///< s_bt  mm, transverse; a ring's is extrapolated, may be negative
+  T base_tooth_thickness;   ///< s_bt  mm, transverse; if internal extrapolated, may be < 0
   T base_pitch_normal;      ///< p_bn  mm
   T base_pitch_transverse;  ///< p_bt  mm
 };

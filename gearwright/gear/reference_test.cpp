@@ -59,7 +59,7 @@ TEST(Reference, allowance_is_a_shift) {
   EXPECT_EQ(reference_geometry(helical()).generating_profile_shift, 0.3);
 }
 
-// A ring's space is its pinion's tooth: s_bt + the external gear's is the pitch at x = 0.
+// An internal gear's space is its pinion's tooth: s_bt + the external gear's is the pitch at x = 0.
 TEST(Reference, ring_and_pinion_of_the_same_numbers_fill_the_pitch) {
   ReferenceInput<double> in = helical();
   in.profile_shift = 0.0;
@@ -92,7 +92,7 @@ TEST(ToothThickness, on_the_reference_circle_and_at_the_point) {
       g.base_diameter / std::cos(inverse_involute(g.base_tooth_thickness / g.base_diameter));
   EXPECT_NEAR(tooth_thickness_transverse(17, g.base_diameter, g.base_tooth_thickness, pointed), 0.0,
               64 * kEps * pointed);
-  // A ring's teeth grow thicker outward.
+  // An internal gear's teeth grow thicker outward.
   EXPECT_GT(tooth_thickness_transverse(-40, 80.0, 3.0, 84.0), 3.0);
 }
 

@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kCutterDedendum = 1.5;  // modules, with a sharp root: flanks for every ring's tip
+constexpr double kCutterDedendum = 1.5;  // modules, with a sharp root: flanks for any internal tip
 constexpr double kMinLand = 0.1;         // modules, at the cutter's tip
 constexpr double kSameTip = 1e-9;        // relative: the tip that was asked for, but for rounding
 
@@ -21,7 +21,7 @@ struct Cutter {
   double distance;
 };
 
-// A cutter of z_0 teeth that reaches the ring's root, its tip rounded by ρ.
+// A cutter of z_0 teeth that reaches the internal gear's root, its tip rounded by ρ.
 std::optional<Cutter> cutter_of(const Gear& ring, int z_0, double rounding) {
   CylindricalSpec c;
   c.teeth = z_0;
@@ -62,9 +62,10 @@ std::optional<Gear> cut_with(const Gear& ring, const Cutter& cutter) {
   detail::finish(with);
   detail::warn(
       with, "default_cutter",
-      fmt::format("No `cut_by` given: the ring's fillets are those of a pinion cutter of {} "
-                  "teeth without profile shift that reaches the root diameter.",
-                  cutter.gear.spec.teeth));
+      fmt::format(
+          "No `cut_by` given: the internal gear's fillets are those of a pinion cutter of {} "
+          "teeth without profile shift that reaches the root diameter.",
+          cutter.gear.spec.teeth));
   return with;
 }
 

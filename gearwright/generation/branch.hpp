@@ -1,8 +1,8 @@
 // A piece of envelope that may stand on the tooth, and the tooth that many of them leave standing.
 //
 // Internal to generation/. Along a branch the height grows: the radius on an external tooth, minus
-// the radius on a ring's, so that heights rise from root to tip on both. The tooth is the lower
-// envelope of the branches' half angles, |θ| < min θ(height). Two neighbours that do not join
+// the radius on an internal gear's, so that heights rise from root to tip on both. The tooth is the
+// lower envelope of the branches' half angles, |θ| < min θ(height). Two neighbours that do not join
 // smoothly meet in a true intersection, found in closed bracket.
 //                            theory: docs/theory/03-rack-and-generation.md, [T3.11]…[T3.13]
 #pragma once
@@ -25,7 +25,7 @@ struct Branch {
   double t_lo, t_hi;
   double height_lo, height_hi;
   bool smooth_start = false;         ///< goes on from the end of the branch before
-  double side = 1.0;                 ///< height = side·|W|; −1 on a ring
+  double side = 1.0;                 ///< height = side·|W|; −1 on an internal gear
   std::vector<double> turns = {};    ///< parameters at which the half angle is stationary
   bool ends_on_center_line = false;  ///< a rounded tip: at its end θ = 0, without a point
 
@@ -42,9 +42,9 @@ Branch branch_of(ArcName name, CurvePtr curve, double t_lo, double t_hi, double 
 /// What the branches, given from root to tip, are cut to; `side` as theirs.
 struct ToothEnds {
   int teeth;                ///< z
-  double side;              ///< 1, a ring −1
+  double side;              ///< 1, an internal gear −1
   double root_land_angle;   ///< rad: polar angle where the root land ends; π/|z| without one
-  double blank_radius;      ///< mm, infinite (a ring: 0) without one
+  double blank_radius;      ///< mm, infinite (an internal gear: 0) without one
   double cutter_radius;     ///< mm, where the cutter itself tops the tooth; likewise
   bool rack = true;         ///< cut by a rack
   bool turns_back = false;  ///< the cutter's way does: behind the tooth, too, it may cut

@@ -121,7 +121,7 @@ class Cutting {
     if (!cut) return;
     const double a = cut->roll(arc.begin);
     const double b = cut->roll(arc.end);
-    // On one side of the cusp only: an external gear's ξ < 0, a ring's ξ > 0.
+    // On one side of the cusp only: an external gear's ξ < 0, an internal gear's ξ > 0.
     const double side = motion_.side();
     const double t_lo = side > 0.0 ? std::min(a, 0.0) : std::max(a, 0.0);
     const double t_hi = side > 0.0 ? std::min(b, 0.0) : std::max(b, 0.0);

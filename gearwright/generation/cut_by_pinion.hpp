@@ -13,8 +13,9 @@ namespace gearwright {
 
 /// Cuts a tooth with a pinion cutter.
 ///
-/// Units     mm, rad; `blank_radius` infinite (a ring: 0) leaves the tip to the cutter's root
-/// Domain    `cutter` has an outline; a ring has more teeth than its cutter (contract)
+/// Units     mm, rad; `blank_radius` infinite (an internal gear: 0) leaves the tip to the cutter's
+/// root
+/// Domain    `cutter` has an outline; an internal gear has more teeth than its cutter (contract)
 /// Errors    `cut_by` where the centrode lies inside the cutter's base circle, where the cutter
 ///           passes the axis or leaves no tooth; `tip_diameter_mm` when the blank ends at the root
 Result<GeneratedTooth> cut_by_pinion(const GeneratedTooth& cutter, const PinionMotion& motion,

@@ -66,7 +66,8 @@ double tight_distance(int z_0, double x_0, int z, double x) {
   return std::abs(z_0 + z) / 2.0 * std::cos(kAlpha) / std::cos(inverse_involute(inv_w));
 }
 
-// Half angle of the tooth on the base circle that the shift gives; a ring's is extrapolated.
+// Half angle of the tooth on the base circle that the shift gives; an internal gear's is
+// extrapolated.
 double base_half_angle(int z, double x) {
   const double thickness = kPi / 2 + 2 * x * std::tan(kAlpha);
   return thickness / std::abs(z) + (z > 0 ? 1.0 : -1.0) * involute(kAlpha);
@@ -217,7 +218,8 @@ TEST(CutByPinion, at_the_reference_distance_it_is_the_rack) {
   EXPECT_GE(compared, 6);
 }
 
-// The space of a ring is the tooth of an external gear of as many teeth and the opposite shift.
+// The space of an internal gear is the tooth of an external gear of as many teeth and the opposite
+// shift.
 TEST(CutByPinion, space_of_a_ring_is_the_tooth_of_its_mirror) {
   for (const double x : {0.0, 0.3, -0.25}) {
     const GeneratedTooth ring = cut(cutter_of(20, 0.0), {20, -60, tight_distance(20, 0.0, -60, x)});

@@ -232,7 +232,7 @@ TEST(FewTeethRanges, what_never_fits) {
   CylindricalSpec low = spur(17, 0.0);
   low.tip_diameter = 31.9;
   expect_refused(with_root(low, 0.0), "root_fillet.offset");
-  for (const char* key : {"root_fillet", "tip_fillet"}) {  // a ring has what its cutter leaves
+  for (const char* key : {"root_fillet", "tip_fillet"}) {  // has what its cutter leaves
     CylindricalSpec ring = spur(-60, 0.0);
     if (std::string(key) == "root_fillet") ring.root_fillet = RootFilletSpec{0.0};
     if (std::string(key) == "tip_fillet") ring.tip_fillet = TipFilletSpec{By::radius, 0.3};

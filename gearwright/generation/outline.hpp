@@ -27,7 +27,7 @@ struct Arc {
 };
 
 struct Outline {
-  int teeth = 0;  ///< z, negative for a ring
+  int teeth = 0;  ///< z, negative for an internal gear
   std::vector<Arc> arcs;
 
   const Arc* find(ArcName name) const;  ///< first arc of that name, or null

@@ -124,8 +124,8 @@ TEST(PinionCusps, cusps_are_all_and_only_the_turns_of_the_radius) {
     }));
     cusps += static_cast<int>(breaks.size());
     expect_same_places(scanned(rise), breaks, piece, "cusp");
-    // w G > 0: along the walk the radius falls on an external gear and grows on a ring; behind, w
-    // has the other sign.
+    // w G > 0: along the walk the radius falls on an external gear and grows on an internal gear;
+    // behind, w has the other sign.
     const double sense = -piece.motion.side() * (piece.meeting == Meeting::ahead ? 1.0 : -1.0);
     for (int i = 2; i < kCells - 2; i += 97) {
       const double u = (i + 0.5) / kCells;

@@ -1,6 +1,6 @@
 // What a pinion cutter's outline cuts in the transverse section of the gear that rolls with it.
 //
-//   r_p, r_g  radii of the two centrodes, mm; r_g < 0 for a ring    m = z_0/z, < 0 for a ring
+//   r_p, r_g  radii of the two centrodes, mm; r_g < 0 if internal    m = z_0/z, < 0 if internal
 //   s, q      the cutter's point along its tangent and along its outward normal ν, mm
 //   w         √(r_p² − s²): the pitch point along ν when the normal passes through it
 //   λ         w − q: from the cutter's point along ν to the pitch point
@@ -23,7 +23,7 @@ namespace gearwright {
 
 struct PinionMotion {
   int cutter_teeth;  ///< z_0 ≥ 1
-  int teeth;         ///< z, negative for a ring
+  int teeth;         ///< z, negative for an internal gear
   double distance;   ///< E > 0  mm
   double side() const { return teeth > 0 ? 1.0 : -1.0; }
   double ratio() const { return static_cast<double>(cutter_teeth) / teeth; }  ///< m
@@ -47,8 +47,8 @@ class CornerFan final : public Curve {
 enum class Walk { forward, backward };
 
 /// The normal meets the cutter's centrode twice: ahead of the tooth (w > 0), where it cuts root,
-/// flank and tip, and behind it (w < 0), where a ring's tip may be caught when the tooth leaves
-/// [T6.13].
+/// flank and tip, and behind it (w < 0), where an internal gear's tip may be caught when the tooth
+/// leaves [T6.13].
 enum class Meeting { ahead, behind };
 
 /// The envelope by the cutter's own parameter.
@@ -89,8 +89,8 @@ class PinionEnvelope final : public Curve {
 };
 
 /// The involute that the cutter's involute cuts; nothing when the base circle does not lie inside
-/// the centrode. Its ξ for the cutter's ξ_0 is (1 + m) tan α_w − m ξ_0, for a ring minus that.
-/// [T6.11]
+/// the centrode. Its ξ for the cutter's ξ_0 is (1 + m) tan α_w − m ξ_0, for an internal gear minus
+/// that. [T6.11]
 struct PinionInvolute {
   Involute flank;
   double roll_at_0, roll_per_roll;

@@ -115,7 +115,8 @@ Vec2 rolled(const Piece& piece, double t) {
   const Vec2 axis(m.distance, 0.0);
   const Vec2 p = piece.curve->point(t);
   if (m.teeth > 0) return turned(axis + turned(p, kPi + psi), half_pitch + gear_turn);
-  // In a ring the side y > 0 of the cutter faces the tooth above: seen in the mirror it is tooth 0.
+  // In an internal gear the side y > 0 of the cutter faces the tooth above: seen in the mirror it
+  // is tooth 0.
   return turned(mirrored(turned(axis + turned(p, psi), -gear_turn)), half_pitch);
 }
 
@@ -231,7 +232,7 @@ TEST(PinionEnvelope, radius_law) {
 }
 
 // The cutter's involute by the general formulas and in closed form: the same points, tangents and
-// curvatures. On a ring the roll is negative.
+// curvatures. On an internal gear the roll is negative.
 TEST(PinionInvolute, is_what_the_envelope_says) {
   for (const PinionMotion& motion : {PinionMotion{20, 45, 65.0}, PinionMotion{20, -60, 40.3},
                                      PinionMotion{2, 60, 61.335}, PinionMotion{1, 30, 54.05}}) {
@@ -257,7 +258,7 @@ TEST(PinionInvolute, is_what_the_envelope_says) {
   }
 }
 
-// Behind, the involute that the leaving flank cuts into a ring, tooth and all.
+// Behind, the involute that the leaving flank cuts into an internal gear, tooth and all.
 TEST(PinionInvolute, behind_is_what_the_envelope_says) {
   for (const PinionMotion& motion :
        {PinionMotion{20, -60, 40.3}, PinionMotion{20, -26, 6.1}, PinionMotion{5, -9, 4.2}}) {
@@ -275,8 +276,8 @@ TEST(PinionInvolute, behind_is_what_the_envelope_says) {
   }
 }
 
-// Cutter and gear touch on the line of action: their rolls add up to its length, on a ring they
-// differ by it; the base tangent points are (1 + m) r_b tan α_w apart.
+// Cutter and gear touch on the line of action: their rolls add up to its length, on an internal
+// gear they differ by it; the base tangent points are (1 + m) r_b tan α_w apart.
 TEST(PinionInvolute, rolls_add_up_to_the_line_of_action) {
   const PinionMotion external{20, 45, 65.0}, ring{20, -60, 40.3};
   for (const PinionMotion& motion : {external, ring}) {

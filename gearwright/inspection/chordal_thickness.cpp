@@ -28,7 +28,7 @@ Result<FlankRange> flank_range(const Gear& gear, double diameter) {
   if (gear.internal()) {
     return FlankRange{std::max(d_Fa, d_b), gear.root_diameter,
                       fmt::format("at least the base diameter {} mm, from d_Fa = {} mm to the "
-                                  "ring's root diameter {} mm",
+                                  "internal gear's root diameter {} mm",
                                   spoken(d_b, diameter), spoken(d_Fa, diameter),
                                   spoken(gear.root_diameter, diameter))};
   }

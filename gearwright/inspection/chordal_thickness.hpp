@@ -27,14 +27,14 @@ struct ToothArc {
   T helix_angle{};        ///< ψ    rad, signed
   T radius{};             ///< r    mm
   T tip_radius{};         ///< r_a  mm
-  bool internal = false;  ///< a ring: its tip lies inside r
+  bool internal = false;  ///< an internal gear: its tip lies inside r
 };
 
 template <class T>
 struct ChordalThickness {
   T chord;            ///< k*   mm, the least over the inclinations of the calliper
   T height;           ///< Δh*  mm, rise of the arc over the chord
-  T tip_to_chord;     ///< mm, the calliper's depth setting; < 0: a ring's chord passes its tip
+  T tip_to_chord;     ///< mm, the calliper's depth setting; < 0: an internal chord passes its tip
   T caliper_angle;    ///< rad, to the transverse plane, with the sign of ψ while θ* < π/2
   T half_angle_used;  ///< θ*   rad
 };
@@ -118,11 +118,12 @@ ChordalThickness<T> shortest_chord(const ToothArc<T>& tooth) {
 /// Domain    d_y ≥ d_b (contract); a tooth thinner than nothing has θ_t ≤ 0
 ToothArc<double> tooth_arc(const Gear& gear, double diameter);
 
-/// The shortest chord over a tooth of the gear, allowance included; of a ring's tooth too.
+/// The shortest chord over a tooth of the gear, allowance included; of an internal gear's tooth
+/// too.
 ///
 /// Errors    `chord_diameter`: not on the usable flank (from d_Ff to d_Fa, and never inside the
-///           base circle; a ring: from d_Fa to its root), beyond the diameter at which the flanks
-///           meet, over a tooth that no calliper can span, or on a gear without a flank
+///           base circle; an internal gear: from d_Fa to its root), beyond the diameter at which
+///           the flanks meet, over a tooth that no calliper can span, or on a gear without a flank
 Result<ChordalThickness<double>> chordal_thickness(const Gear& gear, double diameter);
 
 }  // namespace gearwright

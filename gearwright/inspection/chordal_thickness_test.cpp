@@ -18,7 +18,7 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kDegree = kPi / 180;
 
 // Computed with 40 digits from the equations of the theory page and confirmed there by a direct
-// search; worm threads, left hands, a spur gear, a ring.
+// search; worm threads, left hands, a spur gear, an internal gear.
 struct Golden {
   const char* tooth;
   double psi_deg, diameter, theta_t, theta, chord, height, caliper_deg;
@@ -48,7 +48,7 @@ const Golden kGolden[] = {
      0.021861129125475814, 2.339953794976338, 0.011551854285675588, -25.409570300892437},
     {"spur 17", 0.0, 51.0, 0.10952779495340344, 0.10952779495340344, 5.574755814030794,
      0.15280046230979652, 0.0},
-    {"ring 60", 0.0, 120.0, 0.02011376820881157, 0.02011376820881157, 2.4134894423511044,
+    {"internal gear 60", 0.0, 120.0, 0.02011376820881157, 0.02011376820881157, 2.4134894423511044,
      0.012136500972841042, 0.0},
     {"7 teeth", 15.0, 14.493866525741163, 0.20360117615548795, 0.19026787191090935,
      2.8344023289696807, 0.1307809847429546, 14.741193395081035},
@@ -372,7 +372,7 @@ TEST(ChordalThickness, says_what_is_allowed) {
   const auto near_point = chordal_thickness(sharp, *sharp.pointed_diameter - 1e-6);
   ASSERT_TRUE(near_point);
   EXPECT_LT(near_point->chord, 1e-5);
-  // A ring whose teeth meet before its tip.
+  // An internal gear whose teeth meet before its tip.
   auto thin_ring = spec_of(-60, 2, 0, -1.2);
   thin_ring.tip_diameter = 115;
   const Gear ring = made(thin_ring);

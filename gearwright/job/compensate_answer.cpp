@@ -42,7 +42,7 @@ std::optional<Error> check_corrections(const ContactSetup& setup, const Compensa
 // What a workshop would reach for when nothing is said.
 std::vector<std::size_t> default_corrections(const ContactSetup& setup) {
   if (can_take(setup, setting)) return {setting, lead1};
-  return {first_flank, first_flank + 1};  // lead slope and crowning of gear 1
+  return {first_flank, first_flank + 1};  // helix slope modification and crowning of gear 1
 }
 
 SetupChange change_of(const std::vector<std::size_t>& which, const std::vector<double>& v,

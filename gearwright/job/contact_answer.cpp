@@ -189,10 +189,11 @@ void warn_about(const ContactAnswer& answer, std::vector<Warning>& warnings) {
     const Gear& gear = answer.setup.gear(i + 1);
     if (!below[i] || gear.undercut) continue;
     warn("contact_below_form",
-         fmt::format("Contact reaches the end of gear {}'s usable flank, {:.4f} mm diameter, where "
-                     "the tooth goes on as a root fillet: the mate's tip works into it, and the "
-                     "transmission error there is less than the true one.",
-                     i + 1, 2 * *gear.root_form_radius()),
+         fmt::format(
+             "Contact reaches the end of gear {}'s usable flank, {:.4f} mm diameter, where "
+             "the tooth goes on as a root fillet: the mating gear's tip works into it, and the "
+             "transmission error there is less than the true one.",
+             i + 1, 2 * *gear.root_form_radius()),
          i + 1);
   }
   if (answer.driving.contact_lost)

@@ -65,7 +65,7 @@ class ContactSetup {
 struct ContactAnswer {
   ContactSetup setup;
   ContactResult driving;          ///< the flanks of the driver asked for
-  ContactResult other;            ///< the flanks behind them, at the same positions
+  ContactResult other;            ///< the non-working flanks, at the same positions
   std::optional<Angle> min_play;  ///< of gear 2, between both; < 0: the gears jam
   std::optional<ErrorMap> map;
   std::optional<std::array<FlankRaster, 2>> pattern;  ///< where [contact] asks for it

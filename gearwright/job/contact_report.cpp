@@ -34,7 +34,7 @@ NamedAmount named(std::size_t index, double value) {
   return {std::string(e.words), value, unit};
 }
 
-// "tip relief 15 µm from 64.5 mm, lead crowning 8 µm"; empty: none.
+// "tip relief 15 µm from 64.5 mm, helix crowning 8 µm"; empty: none.
 std::string words_of(const FlankModifications& m) {
   std::string text;
   const auto add = [&](const std::string& words) { text += (text.empty() ? "" : ", ") + words; };

@@ -33,7 +33,7 @@ std::optional<Error> check_cutters(const JobSpec& spec) {
                       "of its own",
                       gear_field(by, "cut_by")));
     }
-    if (cutter->cylindrical.teeth < 0) return fail("a ring cannot be a pinion cutter");
+    if (cutter->cylindrical.teeth < 0) return fail("an internal gear cannot be a pinion cutter");
     if (cutter->tip_clearance || cutter->tip_clearance_by_rule) {
       return Error{
           gear_field(by, "tip_fillet.clearance"), "",
@@ -66,8 +66,8 @@ std::optional<Error> check_agreement(const GearInput& gear, const Gear& made, in
   return std::nullopt;
 }
 
-// A gear with a cutter of its own that names neither shift nor e meets its mate at the pair's
-// distance without backlash.
+// A gear with a cutter of its own that names neither shift nor e meets its mating gear at the
+// pair's distance without backlash.
 std::optional<double> shift_at_distance(const JobSpec& spec, const Gear& cutter, int which) {
   const auto& mate = spec.gears[static_cast<std::size_t>(2 - which)];
   const auto& gear = *spec.gears[static_cast<std::size_t>(which - 1)];
@@ -165,7 +165,7 @@ std::optional<Error> make_cut_gears(JobSpec& spec, MadeGears& made) {
                      (is_cut(2) && spec.gears[1]->cut_by->gear != 0);
   if (mates && spec.pair.mounting == Mounting::extended) {
     return Error{"pair.mounting", "extended",
-                 "a gear cut by its mate is mounted at the generating distance; give "
+                 "a gear cut by its mating gear is mounted at the generating distance; give "
                  "`pair.center_distance` for another one"};
   }
   // First the one that waits for no other.
@@ -195,9 +195,10 @@ std::optional<Error> place_clear_tips(JobSpec& spec, const MadeGears& made,
     if (!gear || !(gear->tip_clearance || gear->tip_clearance_by_rule)) continue;
     const auto& mate = spec.gears[static_cast<std::size_t>(2 - which)];
     if (!mate || !center_distance) {
-      return Error{gear_field(which, "tip_fillet.clearance"), "",
-                   "needs a mate on a parallel axis to keep clear of; `radius` or `l` says where "
-                   "the fillet begins without one"};
+      return Error{
+          gear_field(which, "tip_fillet.clearance"), "",
+          "needs a mating gear on a parallel axis to keep clear of; `radius` or `l` says where "
+          "the fillet begins without one"};
     }
     double root = 0.0;
     if (const auto& done = made[static_cast<std::size_t>(2 - which)]) {

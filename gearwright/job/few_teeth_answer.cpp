@@ -58,7 +58,7 @@ std::optional<Error> out_of_place(const JobSpec& spec) {
     return fail("gear2.root_fillet", "the wheel's root is cut by the pinion; leave it out");
   if (wheel.profile_shift) return fail("gear2.profile_shift", kChosen);
   if (spec.gears[0]->cylindrical.teeth < 0)
-    return fail("gear1.teeth", "the ring of an internal pair is gear 2; exchange the two gears");
+    return fail("gear1.teeth", "the internal gear of a pair is gear 2; exchange the two gears");
   if (spec.pair.shaft_angle && spec.pair.shaft_angle->rad() != 0.0)
     return fail("pair.shaft_angle",
                 "gears of few teeth are designed for parallel axes; leave "

@@ -101,7 +101,7 @@ std::string_view ending(FileKind kind) {
   contract_failed("postcondition", "known file kind", __FILE__, __LINE__);
 }
 
-// A ring without a given rim gets one of 2.5 modules around its roots.
+// An internal gear without a given rim gets one of 2.5 modules around its roots.
 Bore rim(const Gear& ring, const std::optional<Bore>& given) {
   return given.value_or(Bore{ring.root_diameter + 5 * ring.spec.normal_module});
 }
@@ -111,8 +111,9 @@ Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place) {
   const std::string name = gear_name(which);
   if (!gear.tooth) {
     return Error{name + ".cut_by", "",
-                 "is missing; a ring's outline is cut by a pinion cutter: give one with its teeth, "
-                 "or name the mate, gear1"};
+                 "is missing; an internal gear's outline is cut by a pinion cutter: give one with "
+                 "its teeth, "
+                 "or name the mating gear, gear1"};
   }
   if (!gear.exists() && !gear.involute()) {
     return Error{name + ".rack", "", gear.warnings.back().message};

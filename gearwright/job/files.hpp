@@ -46,8 +46,8 @@ std::string_view ending(FileKind kind);
 
 /// One gear as a body, in its own frame or in the housing.
 ///
-/// Errors    the gear's reason when it has no outline: a ring, a severed tooth, a root through the
-///           axis
+/// Errors    the gear's reason when it has no outline: an internal gear, a severed tooth, a root
+///           through the axis
 Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place);
 
 /// Makes one file with these bodies, in memory: what can be refused is refused before anything is

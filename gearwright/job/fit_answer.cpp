@@ -107,12 +107,13 @@ Result<FitAnswer> answer_fit(const JobSpec& spec) {
   }
   if (p.teeth[0] < 0) {
     return refused("gear1.teeth", p.teeth[0],
-                   "the ring of an internal pair is gear 2; exchange the two gears");
+                   "the internal gear of a pair is gear 2; exchange the two gears");
   }
   if (p.teeth[1] < 0 && -p.teeth[1] <= p.teeth[0]) {
     return refused(
         "gear2.teeth", p.teeth[1],
-        fmt::format("a ring must have more teeth than its pinion (gear 1 has {})", p.teeth[0]));
+        fmt::format("an internal gear must have more teeth than its pinion (gear 1 has {})",
+                    p.teeth[0]));
   }
   p.center_distance = spec.pair.center_distance;
   p.shaft_angle = spec.pair.shaft_angle;

@@ -304,7 +304,7 @@ Result<SolvedJob> solve(const JobSpec& given, Scope scope) {
     if (!pair) return arcs ? pair.error() : of_basic(of_distance(pair.error(), spec), spec);
     job.pair = std::move(pair).take();
     if (arcs && spec.pair.friction_coefficient)
-      spec.not_read.push_back("pair.friction_coefficient of circular-arc gears");
+      spec.not_read.emplace_back("pair.friction_coefficient of circular-arc gears");
   }
   collect_warnings(job);
   spell_warnings(job);

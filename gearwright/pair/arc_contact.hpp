@@ -9,7 +9,8 @@
 //                                              theory: docs/theory/07-circular-arc.md, 7.5, 7.6
 //
 // Frame: z along the axis of the convex gear, x towards the other axis; the convex gear is right
-// handed, drives clockwise and at rotation 0 has its tooth 0 on the x axis, as the mate a space.
+// handed, drives clockwise and at rotation 0 has its tooth 0 on the x axis, as the mating gear a
+// space.
 // The surfaces' normal n points out of the convex flank; curvature  dn = −K dr.
 #pragma once
 
@@ -55,7 +56,7 @@ struct ArcContact {
 };
 
 /// K of the surface that a rack's circle (signed ρ, b) cuts, at θ. `turn` is +1 for gear 1 of the
-/// frame (the convex one), −1 for its mate.
+/// frame (the convex one), −1 for its mating gear.
 ///
 /// Units     mm, rad
 /// Formula   [T7.14]

@@ -126,7 +126,7 @@ std::optional<Error> find_contacts(ArcPair& pair) {
           reason = refused(gear_field(by_gear_2 ? 1 : 2, radius_field(concave)), c.radius / m,
                            {v.radius / convex.spec.normal_module},
                            "a concave flank must have a greater radius than the convex one of its "
-                           "mate, {} modules");
+                           "mating gear, {} modules");
           continue;
         }
         const ArcMeshInput in = mesh_of(convex, concave, v, c, pair.center_distance);
@@ -279,7 +279,7 @@ std::array<double, 2> ArcPair::working_pitch_diameter() const {
 
 const ArcPairContact& ArcPair::first_contact() const {
   GW_EXPECTS(!contacts.empty());
-  // The least play, counted as rotation of gear 2.
+  // The minimum angular backlash, counted as rotation of gear 2.
   const auto ahead = [&](const ArcPairContact& c) {
     return c.convex_gear == 1 ? c.at.rotation_offset : c.at.rotation_offset / gear_ratio();
   };

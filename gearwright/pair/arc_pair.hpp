@@ -29,11 +29,12 @@ struct ArcPair : MountedGears {
   double contact_ratio;                  ///< ε_β times the number of contacts
   double face_for_contact;  ///< the least face width over which one point always touches, mm
   std::optional<std::array<Angle, 2>>
-      backlash_rotation;         ///< of each gear with the mate held; none without contacts
+      backlash_rotation;         ///< of each gear with the mating gear held; none without contacts
   double backlash_normal = 0.0;  ///< along the normal at the contact that touches first, mm
 
   std::array<double, 2> working_pitch_diameter() const;  ///< 2 a z_i/(z_1 + z_2), mm
-  /// The contact that touches first: the one with the least play.   Domain: there are contacts
+  /// The contact that touches first: the one with the minimum angular backlash.   Domain: there are
+  /// contacts
   const ArcPairContact& first_contact() const;
 };
 

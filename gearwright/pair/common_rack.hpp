@@ -4,7 +4,7 @@
 //   α_n  pressure angle of the rack, the free parameter     u_i = cos α_n cos β_i
 //   β_i, α_ti, r_i, t_ni   helix, transverse pressure angle, pitch radius and normal tooth
 //        thickness of gear i in rolling with it
-//   τ_i  +1, −1 for a ring       σ   +1 external pair, −1 internal
+//   τ_i  +1, −1 if internal       σ   +1 external pair, −1 internal
 //   X    distance of the two pitch planes, mm, X = σ (a − r_2 − σ r_1)
 //                                              theory: docs/theory/04-conjugate-action.md
 //

@@ -52,7 +52,7 @@ TEST(Drive, a_face_gives_the_contact_ratio_asked_for) {
   EXPECT_FALSE(face_width_for_total(mounted(testing::involutes(20, 41, 0)), 2.7));
 }
 
-// [T6.16]: where there is no backlash yet, it grows by 2 tan α_wt per mm; a ring's falls.
+// [T6.16]: where there is no backlash yet, it grows by 2 tan α_wt per mm; an internal gear's falls.
 TEST(Drive, backlash_grows_with_the_distance) {
   for (const int z2 : {41, -61}) {
     const auto sample = testing::involutes(20, z2, 15);

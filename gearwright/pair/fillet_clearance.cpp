@@ -1,13 +1,13 @@
-// The path of a tip corner through the mate's root, and how close it comes to the fillet.
+// The path of a tip corner through the mating gear's root, and how close it comes to the fillet.
 //
 //   ρ_c, θ_c   radius and half angle of the corner on its own tooth     u = z_gear/z_mate
-//   η          half the backlash as a rotation of the mate: the flanks of this side touch
+//   η          half the backlash as a rotation of the mating gear: the flanks of this side touch
 //   w          orbit parameter: 0 where the corner crosses the centre line, its deepest place
 //
-// Held still, the gear sees the mate's axis orbit. The corner stands at [T2.26]
+// Held still, the gear sees the mating gear's axis orbit. The corner stands at [T2.26]
 //   P(w) = e^{iφ} (a − ρ_c e^{iw}),  w = uφ − (θ_c + η)      external pair
-//   P(w) = e^{iφ} (ρ_c e^{iw} − a),  w = (θ_c + η) − uφ      pinion in its ring
-//   P(w) = e^{iφ} (ρ_c e^{iw} + a),  w = (θ_c + η) − uφ      ring about its pinion
+//   P(w) = e^{iφ} (ρ_c e^{iw} − a),  w = (θ_c + η) − uφ      pinion in its internal gear
+//   P(w) = e^{iφ} (ρ_c e^{iw} + a),  w = (θ_c + η) − uφ      internal gear about its pinion
 // with the space's centre line on the x axis; the fillet beside it is that of the tooth at π/z.
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
@@ -97,7 +97,7 @@ double signed_distance(const Arc& arc, const Vec2& p) {
   const double beside = along.dot(away);
   const double above = along.x() * away.y() - along.y() * away.x();
   // At a foot the way to p is across the arc: its length is exact although u is known to half the
-  // digits only. The space lies to the left, on a ring's tooth to the right.
+  // digits only. The space lies to the left, on an internal gear's tooth to the right.
   if (std::abs(beside) <= kFoot * (arc.end_point - arc.begin_point).norm())
     return arc.begin_point.norm() < arc.end_point.norm() ? above : -above;
   least = std::min(least, distance(u));
@@ -140,7 +140,7 @@ std::optional<double> fillet_clearance(const InvolutePair& pair, int which) {
   GW_EXPECTS(which == 1 || which == 2);
   const Gear& gear = pair.gears[which - 1];
   const Gear& mate = pair.gears[2 - which];
-  if (!gear.tooth) return std::nullopt;  // a ring that nothing has cut
+  if (!gear.tooth) return std::nullopt;  // an internal gear that nothing has cut
   const double a = pair.center_distance;
   GW_EXPECTS(!pair.crossed());
   const Orbit::Kind kind = pair.kind == PairKind::parallel_external ? Orbit::external
@@ -160,7 +160,7 @@ std::optional<double> fillet_clearance(const InvolutePair& pair, int which) {
       const double c = (kind == Orbit::ring ? -deep : deep) / (2 * a * corner.radius);
       if (c >= 1.0) continue;  // never gets that deep
       const double w_end = std::acos(std::max(-1.0, c));
-      // The side of the path that lies towards this fillet; a ring's pinion takes both.
+      // The side of the path that lies towards this fillet; an internal gear's pinion takes both.
       const double from = kind == Orbit::ring ? -w_end : 0.0;
       const auto gap = [&](double s) {
         const double w = from + s * (w_end - from);

@@ -1,5 +1,5 @@
-// The least distance between a tip corner's path and the mate's root fillet, against a plain scan
-// that turns the gears one by one.
+// The least distance between a tip corner's path and the mating gear's root fillet, against a plain
+// scan that turns the gears one by one.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -11,7 +11,7 @@ namespace gearwright::detail {
 
 namespace {
 
-// A gear cut by its mate touches it with no clearance at all: rounding is no interference.
+// A gear cut by its mating gear touches it with no clearance at all: rounding is no interference.
 constexpr double kNoise = 1e-11;  // of the base pitch
 double noise(const InvolutePair& p) { return kNoise * p.gears[0].reference().base_pitch_normal; }
 
@@ -42,8 +42,8 @@ void past_the_flank(InvolutePair& p, const char* code, int gear, double amount,
 
 }  // namespace
 
-// Where the mate's tip touches each gear deepest, and how far that is from the usable flank's
-// start. [T2.25]
+// Where the mating gear's tip touches each gear deepest, and how far that is from the usable
+// flank's start. [T2.25]
 void find_form_clearance(InvolutePair& p) {
   const std::array<double, 2> rho{p.mesh.rho1_A, p.mesh.rho2(p.mesh.rho1_E)};
   for (int i : {0, 1}) {
@@ -54,7 +54,7 @@ void find_form_clearance(InvolutePair& p) {
     p.contact_root_diameter[i] = diameter_of(p.gears[i].base_radius(), std::max(0.0, rho[i]));
     const auto form = p.gears[i].root_form_radius();
     if (!form) continue;
-    const double side = p.gears[i].internal() ? -1.0 : 1.0;  // a ring's flank begins outside
+    const double side = p.gears[i].internal() ? -1.0 : 1.0;  // an internal flank begins outside
     p.form_clearance[i] = side * (*p.contact_root_diameter[i] / 2 - *form);
     if (*p.form_clearance[i] < -noise(p)) {
       past_the_flank(
@@ -101,7 +101,7 @@ void find_internal_margins(InvolutePair& p) {
   const Gear& g2 = p.gears[1];
   const double a = p.center_distance;
   const double r_a1 = g1.actual_tip_radius();
-  // Where the ring's flank really ends: a rounded tip gives way.
+  // Where the internal gear's flank really ends: a rounded tip gives way.
   const double r_a2 = g2.tooth ? g2.tip_form_radius() : g2.actual_tip_radius();
   const double z1 = g1.spec.teeth;
   const double z2 = std::abs(g2.spec.teeth);
@@ -136,13 +136,13 @@ void find_internal_margins(InvolutePair& p) {
   if (p.trochoid_margin && p.trochoid_margin->rad() < 0.0) {
     p.interference.push_back(
         {"trochoid", 2, *p.trochoid_margin,
-         "Trochoid interference: the pinion's tip strikes the ring's tip on its way out; "
+         "Trochoid interference: the pinion's tip strikes the internal gear's tip on its way out; "
          "shorten a tip or choose tooth numbers further apart."});
   }
   if (p.trimming_margin && p.trimming_margin->rad() < 0.0) {
     p.interference.push_back(
         {"trimming", 2, *p.trimming_margin,
-         "Trimming interference: the pinion cannot be put into the ring radially with a "
+         "Trimming interference: the pinion cannot be put into the internal gear radially with a "
          "space on the centre line; slide it in along the axis."});
   }
 }

@@ -48,7 +48,7 @@ struct InvolutePair : MountedGears {
   std::array<std::optional<double>, 2>
       contact_root_diameter;  ///< d_Nf  mm; none beyond the base tangent
   std::array<std::optional<double>, 2>
-      fillet_clearance;                   ///< mm: mate's tip corner to root fillet; parallel axes
+      fillet_clearance;                   ///< mm: mating tip corner to root fillet; parallel axes
   std::optional<double> involute_margin;  ///< internal: ρ_1A − ρ_F1, mm
   std::optional<Angle> trochoid_margin;   ///< internal
   std::optional<Angle> trimming_margin;   ///< internal, of radial assembly
@@ -90,11 +90,12 @@ std::optional<CrossedPlaces> contact_ratio_range(const MeshInput<double>& input)
 ///           no working angle
 Result<InvolutePair> mount_involutes(Gear gear_1, Gear gear_2, const PairSpec& spec);
 
-/// Least distance between the path of the mate's tip corner and the root fillet of gear `which` (1,
-/// 2), mm, < 0: so deep the corner cuts into the fillet. The flanks of that side touch meanwhile.
+/// Least distance between the path of the mating gear's tip corner and the root fillet of gear
+/// `which` (1, 2), mm, < 0: so deep the corner cuts into the fillet. The flanks of that side touch
+/// meanwhile.
 ///
 /// Formula   [T2.26]; the path is exact, the foot point solved to rounding
-/// Domain    none for the fillet of a ring; parallel axes (contract)
+/// Domain    none for the fillet of an internal gear; parallel axes (contract)
 std::optional<double> fillet_clearance(const InvolutePair& pair, int which);
 
 }  // namespace gearwright

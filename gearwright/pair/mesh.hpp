@@ -23,7 +23,7 @@
 
 namespace gearwright {
 
-/// Inputs of a mesh; lengths mm, angles rad. Ring: z2 < 0, radii positive.
+/// Inputs of a mesh; lengths mm, angles rad. Internal gear: z2 < 0, radii positive.
 template <class T>
 struct MeshInput {
   BasePair<T> gears;
@@ -39,7 +39,7 @@ struct Backlash {
   T normal_base;                     ///< j_bn  along the common normal; < 0 the teeth overlap
   T normal;                          ///< j_n = j_bn/cos α_wn
   std::array<T, 2> circumferential;  ///< j_wt  at the working pitch circles
-  std::array<T, 2> rotation;         ///< rad, the mate held
+  std::array<T, 2> rotation;         ///< rad, the mating gear held
 };
 
 template <class T>
@@ -86,8 +86,8 @@ std::array<T, 2> axial_place(const Mesh<T>& mesh, const T& rho1) {
 
 namespace detail {
 
-// To where both flanks are usable: ρ_1 above gear 1's form point and ρ_2 above gear 2's (a ring's
-// form point limits from outside). [T2.19]
+// To where both flanks are usable: ρ_1 above gear 1's form point and ρ_2 above gear 2's (an
+// internal gear's form point limits from outside). [T2.19]
 template <class T>
 void clip_to_flanks(const MeshInput<T>& in, Mesh<T>& m) {
   const auto start = [&](int i) {
@@ -96,7 +96,8 @@ void clip_to_flanks(const MeshInput<T>& in, Mesh<T>& m) {
   };
   m.rho1_true_begin = leaf::usable_begin(m.rho1_A, start(0));
   m.rho1_true_end = m.rho1_E;
-  // Without a form point of its own an external flank 2 ends at its base circle, a ring's nowhere.
+  // Without a form point of its own an external flank 2 ends at its base circle, an internal gear's
+  // nowhere.
   if (in.root_form_radius[1] || m.sigma > T(0)) {
     const T rho2 = start(1) / m.base_cosine_ratio;
     m.rho1_true_end =

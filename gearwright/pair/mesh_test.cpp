@@ -93,7 +93,7 @@ TEST(MeshOfParallelAxes, clipped_path) {
   EXPECT_EQ(mesh_of(in).true_ratio, 0.0);
 }
 
-// A tip beyond the base tangent point of the mate touches nothing there.
+// A tip beyond the base tangent point of the mating gear touches nothing there.
 TEST(MeshOfParallelAxes, path_is_clipped_at_the_base_tangents) {
   auto in = spur(8, 120);
   const auto m = mesh_of(in);

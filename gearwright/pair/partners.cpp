@@ -91,11 +91,12 @@ std::optional<Error> check_partners(const CylindricalSpec& g1, const Cylindrical
   const int z2 = g2.teeth;
   if (z1 < 0) {
     return refused(gear_field(1, "teeth"), z1,
-                   "the ring of an internal pair is gear 2; exchange the two gears");
+                   "the internal gear of a pair is gear 2; exchange the two gears");
   }
   if (z2 < 0 && -z2 <= z1) {
-    return refused(gear_field(2, "teeth"), z2,
-                   fmt::format("a ring must have more teeth than its pinion (gear 1 has {})", z1));
+    return refused(
+        gear_field(2, "teeth"), z2,
+        fmt::format("an internal gear must have more teeth than its pinion (gear 1 has {})", z1));
   }
   const BasePair<double> gears = nominal_base_pair(g1, g2);
   const double p1 = normal_base_pitch(gears[0]);
@@ -114,9 +115,9 @@ std::optional<Error> check_partners(const CylindricalSpec& g1, const Cylindrical
   if (z2 < 0 && !axes_are_parallel(gears)) {
     return refused(
         gear_field(2, "helix_angle"), g2.helix_angle.deg(),
-        fmt::format("the axes of this internal pair would cross ({:.6g}°), and a ring "
+        fmt::format("the axes of this internal pair would cross ({:.6g}°), and an internal gear "
                     "touches its pinion along the flanks on parallel axes only; {}° (the "
-                    "same hand) is allowed on a ring of the same module",
+                    "same hand) is allowed on an internal gear of the same module",
                     deg(gears[0].helix_angle - gears[1].helix_angle),
                     spoken(g1.helix_angle.deg(), g2.helix_angle.deg())));
   }

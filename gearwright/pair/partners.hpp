@@ -1,7 +1,7 @@
 // Which two gears go together, and how their axes may stand.
 //
 //   Two gears mesh when their normal base pitches agree. Their base helices then decide: equal and
-//   opposite (a ring: equal) leave parallel axes, any others cross.
+//   opposite (an internal gear: equal) leave parallel axes, any others cross.
 #pragma once
 
 #include <optional>
@@ -24,7 +24,7 @@ bool axes_are_parallel(const BasePair<double>& gears);
 /// What keeps two gears apart, whatever the centre distance; nothing: they mesh. `shaft_angle`
 /// is absent when the caller leaves it open.
 ///
-/// Errors    `gear2.normal_module` for unequal base pitches, `gear2.helix_angle` for a ring
+/// Errors    `gear2.normal_module` for unequal base pitches, `gear2.helix_angle` if internal
 ///           on a crossed axis, `gear1.teeth`, `gear2.teeth` for impossible internal pairs,
 ///           `pair.shaft_angle` out of reach; each says by how much, and what would do
 std::optional<Error> check_partners(const CylindricalSpec& gear_1, const CylindricalSpec& gear_2,

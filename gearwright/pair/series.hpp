@@ -4,7 +4,7 @@
 //
 //   α        pressure angle of the rack that describes both gears, normal section, rad
 //   β_i, x_i helix angle there, and shift with the allowance in it      σ  +1, −1 internal pair
-//   z_i′     virtual number of teeth z_i/cos³ β_i, negative for a ring  w_i  z_i′/(z_1′ + z_2′)
+//   z_i′     virtual number of teeth z_i/cos³ β_i, negative if internal  w_i  z_i′/(z_1′ + z_2′)
 //   L        2 (x_1 + x_2)/((z_1′ + z_2′) tan α), what the series go by
 //   M_2, M_4 Σ w_i tan² β_i, Σ w_i tan⁴ β_i
 //   Δ        α_n − α, α_n the pressure angle of the common rack at the least distance
@@ -25,7 +25,8 @@
 
 namespace gearwright {
 
-/// Two gears as one rack describes them: equal module and pressure angle. A ring is the second.
+/// Two gears as one rack describes them: equal module and pressure angle. An internal gear is the
+/// second.
 template <class T>
 using RackPair = std::array<ReferenceInput<T>, 2>;
 
@@ -123,8 +124,8 @@ struct MinDistanceSeries {
 };
 
 /// Formula   [T5.18], [T5.19], [T5.23]
-/// Domain    common m_n > 0 and 0 < α < π/2, |β| < π/2, z_1 > 0, z_2 ≠ 0; a ring has more virtual
-///           teeth than its pinion and the same helix angle (contract)
+/// Domain    common m_n > 0 and 0 < α < π/2, |β| < π/2, z_1 > 0, z_2 ≠ 0; an internal gear has more
+///           virtual teeth than its pinion and the same helix angle (contract)
 template <class T>
 MinDistanceSeries<T> min_distance_series(const RackPair<T>& pair) {
   using std::cos;
@@ -155,7 +156,7 @@ MinDistanceSeries<T> min_distance_series(const RackPair<T>& pair) {
     s.M4 += s.weight[i] * P * P;
   }
   s.L = T(2) * shifts / (total * t);
-  // r_2 + σ r_1 with a ring's z negative is σ times the sum of m_n z/(2 cos β).
+  // r_2 + σ r_1 with an internal gear's z negative is σ times the sum of m_n z/(2 cos β).
   const T radii = T(g1.teeth) / cos(g1.helix_angle) + T(g2.teeth) / cos(g2.helix_angle);
   s.rack_center_distance = s.side * s.module * (radii / T(2) + shifts);
   s.rack_shaft_angle = g1.helix_angle + s.side * g2.helix_angle;

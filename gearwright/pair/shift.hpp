@@ -28,7 +28,7 @@ enum class Mounting { tight, extended };
 inline constexpr double kMaxDistance = 100.0;
 
 struct ShiftProblem {
-  int z1 = 0, z2 = 0;                     ///< ring: z2 < 0
+  int z1 = 0, z2 = 0;                     ///< internal gear: z2 < 0
   double normal_module = 0.0;             ///< m_n  mm
   Angle normal_pressure_angle{};          ///< α_n
   std::array<Angle, 2> helix_angle{};     ///< β    signed; parallel axes use the first
@@ -99,8 +99,8 @@ T tight_shift_sum(int z1, int z2, const T& normal_module, const T& alpha_n, cons
 /// Domain    as angles_at_shaft_angle (contract)
 double crossed_shift_sum(const ShiftProblem& problem, double a);
 
-/// Divides a sum of two wanted shifts: external pairs by the λ line, a ring's pinion takes all.
-/// [T2.18a]
+/// Divides a sum of two wanted shifts: external pairs by the λ line, an internal gear's pinion
+/// takes all. [T2.18a]
 std::array<double, 2> divided_shift_sum(int z1, int z2, double sum, double lambda = 0.625);
 
 /// Fills in what is absent (docs/spec.md, Shift and centre distance).

@@ -126,7 +126,7 @@ RackAngles<T> angles_at_shaft_angle(const BasePair<T>& gears, const T& sigma) {
 }
 
 /// The rack at X = 0: of the least centre distance on crossed axes, free of backlash on parallel
-/// ones. Nothing when the teeth are too thin (a ring's too thick) for it.
+/// ones. Nothing when the teeth are too thin (an internal gear's too thick) for it.
 ///
 /// Formula   Q(α) = 0; [T4.15], [T5.17]. Equal |β_b|: inv α = K/Σ τ d_b cos β_b, no iteration;
 ///           [T2.20]

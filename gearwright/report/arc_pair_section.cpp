@@ -30,11 +30,12 @@ std::string contact_figure(const ArcPair& pair, std::size_t which,
   const Vec3& at = contact.at.point;
   const double m = pair.gears[0].spec.normal_module;
   const Viewport view{kWidth, kHeight, Vec2(at.x(), at.y()), kHeight / (6.8 * m)};
-  Svg svg(fmt::format("contact{}", which + 1), kWidth, kHeight,
-          fmt::format("The contact on the convex flank of gear {}", contact.convex_gear),
-          fmt::format("Both gears in the transverse section {:.4g} mm from the middle of the face, "
-                      "where the convex flank of gear {} touches the concave one of its mate.",
-                      at.z(), contact.convex_gear));
+  Svg svg(
+      fmt::format("contact{}", which + 1), kWidth, kHeight,
+      fmt::format("The contact on the convex flank of gear {}", contact.convex_gear),
+      fmt::format("Both gears in the transverse section {:.4g} mm from the middle of the face, "
+                  "where the convex flank of gear {} touches the concave one of its mating gear.",
+                  at.z(), contact.convex_gear));
   const std::array<double, 2> angles = angles_at_contact(pair, contact);
   const std::array<Vec2, 2> axes{Vec2(0.0, 0.0), Vec2(pair.center_distance, 0.0)};
   // Outlines after both bodies: where the teeth overlap, both are seen.

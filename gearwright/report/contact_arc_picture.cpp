@@ -25,7 +25,7 @@ constexpr double kHeight = 460.0;
 const std::array<const char*, 2> kInk{"g1", "g2"};
 
 // A rack over two pitches, from the side of the material, in the frame of the convex gear's tooth:
-// (height towards the mate, across). `mate`: turned over and moved by half a pitch.
+// (height towards the mating gear, across). `mate`: turned over and moved by half a pitch.
 std::vector<Vec2> rack_over_pitches(const Gear& gear, bool mate) {
   const double pitch = kPi * gear.spec.normal_module;
   const std::vector<Vec2> half = rack_half_tooth(gear);

@@ -58,7 +58,7 @@ TEST(ArcPicture, BothRacksPassTheirContactPoint) {
   const Vec2 M(0.45610671265980433 * m, 0.79 * m);
   // Chords of arcs of 1.4 modules over 1/32 of their angle stay within 3e-4 modules.
   EXPECT_LT(distance(rack_half_tooth(pair.gears[0]), M), 3e-4 * m);
-  // The mate's tooth is half a pitch away and upside down.
+  // The mating gear's tooth is half a pitch away and upside down.
   const double half_pitch = 3.14159265358979323846 * m / 2;
   EXPECT_LT(distance(rack_half_tooth(pair.gears[1]), {-M.x(), half_pitch - M.y()}), 3e-4 * m);
 }

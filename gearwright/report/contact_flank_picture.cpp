@@ -163,7 +163,7 @@ std::string side_words(const ContactReport& report, std::size_t which) {
   const bool right =
       which == 0 ? !report.gear2_drives : report.gear2_drives == report.gears[1]->internal();
   return fmt::format("{} flank{}", right ? "right" : "left",
-                     ring ? " of the ring (its tip is the smaller diameter)" : "");
+                     ring ? " of the internal gear (its tip is the smaller diameter)" : "");
 }
 
 std::string pattern_figure(const ContactReport& report, const std::vector<PathPiece>& pieces,
@@ -197,7 +197,7 @@ std::string pattern_figure(const ContactReport& report, const std::vector<PathPi
     keys += "<span class=\"key\"><i class=\"swatch instant-line\"></i>contact line</span> ";
   return fmt::format(
       "<figure>{}<figcaption><strong>{}, {}</strong>; the marking covers {} % of it. {}From the "
-      "ring to the dot. {}</figcaption></figure>\n",
+      "internal gear to the dot. {}</figcaption></figure>\n",
       svg.str(), name, side_words(report, which),
       fixed(100 * pattern_share(raster, report.marking), 0), keys,
       std::abs(f.taller - 1) < 0.02
@@ -304,7 +304,8 @@ std::string gap_figure(const ContactReport& report) {
   }
   return fmt::format(
       "<figure>{}<figcaption><strong>Gap between the flanks</strong> on gear 1, tooth pair {}, at "
-      "rotation {}°: lines where it is 1, 2, 5, 10, 20 and 50 µm, as far as the mate reaches. "
+      "rotation {}°: lines where it is 1, 2, 5, 10, 20 and 50 µm, as far as the mating gear "
+      "reaches. "
       "<span class=\"key\"><i class=\"swatch action\"></i>{}</span></figcaption></figure>\n",
       svg.str(), report.middle->pair == 0 ? "0" : fmt::format("{:+d}", report.middle->pair),
       fixed(report.middle->rotation1.deg(), 3),

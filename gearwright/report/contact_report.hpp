@@ -52,7 +52,7 @@ struct ContactReport {
   double marking = 0.0;           ///< δ  mm
   int positions = 0;              ///< per pitch
   ContactResult driving;          ///< `positions` of one pitch, from −half a pitch on
-  ContactResult other;            ///< the flanks behind, at the same positions
+  ContactResult other;            ///< the non-working flanks, at the same positions
   std::optional<Angle> min_play;  ///< of gear 2; < 0: the gears jam
   std::array<FlankRaster, 2> patterns;
   std::optional<ContactPoint> middle;      ///< the position nearest to the middle that touches

@@ -45,7 +45,7 @@ std::string assumed(const ContactReport& report) {
 std::string facts(const ContactReport& report) {
   const ContactResult& a = report.driving;
   const ContactResult& b = report.other;
-  TableBuilder t("Tooth contact", {"Driving flanks", "Flanks behind"});
+  TableBuilder t("Tooth contact", {"Driving flanks", "Non-working flanks"});
   t.row("Transmission error, peak to peak", "", "″",
         {shown_arcsec(a.peak_to_peak.arcsec()), shown_arcsec(b.peak_to_peak.arcsec())});
   const auto wave = [](const ContactResult& r) {
@@ -60,7 +60,8 @@ std::string facts(const ContactReport& report) {
     t.row("Rotation without contact", "", "%",
           {percent(share(a, nowhere)), percent(share(b, nowhere))});
   if (report.min_play) {
-    t.common("Least play of gear 2 between both flanks", "", "°", shown::angle(*report.min_play));
+    t.common("Minimum angular backlash of gear 2 between both flanks", "", "°",
+             shown::angle(*report.min_play));
   }
   t.common("Thickness of the marking compound", "δ", "mm", fmt::format("{:g}", report.marking));
   return t.str();
@@ -129,7 +130,7 @@ std::string pattern_part(const ContactReport& report) {
              "a line; while the gears turn it wanders over the flank. A good pattern lies in "
              "the middle and keeps off the borders. Where the way of contact runs along a border "
              "(dashed), an <em>edge</em> works: its sharp line carries what a surface should, "
-             "scrapes off the oil and wears or pits the mate.{}</p>\n",
+             "scrapes off the oil and wears or pits the mating gear.{}</p>\n",
              fixed(kUmPerMm * report.marking, 2), several) +
          pattern_figures(report);
 }

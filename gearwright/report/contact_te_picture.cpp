@@ -138,7 +138,7 @@ std::string te_svg(const ContactReport& report, bool other_flanks) {
   const Axis y{-half, half, kTop + kPlot, kTop};
   Svg svg(
       other_flanks ? "te-other" : "te", kWidth, height,
-      other_flanks ? "Transmission error of the other flanks" : "Transmission error",
+      other_flanks ? "Transmission error of the non-working flanks" : "Transmission error",
       "Over the rotation of gear 1: transmission error in arc seconds, below it which tooth pair "
       "touches and where on its flanks.");
   svg.text({12, 22}, "transmission error, arc seconds", Anchor::start, "panel");
@@ -260,7 +260,7 @@ std::string te_figure(const ContactReport& report, bool other_flanks) {
       "numbered from the one nearest "
       "the centre line; dashed: an edge touches; dotted upright: one pair hands over to the "
       "next.</figcaption></figure>\n",
-      te_svg(report, other_flanks), other_flanks ? " of the flanks behind" : "",
+      te_svg(report, other_flanks), other_flanks ? " of the non-working flanks" : "",
       shown_arcsec(middle), report.positions);
 }
 

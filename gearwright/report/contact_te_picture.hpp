@@ -24,7 +24,7 @@ std::vector<TeRun> te_runs(const std::vector<ContactPoint>& positions);
 /// Arc seconds with the digits that a reader can use.
 std::string shown_arcsec(double arcsec);
 
-/// One figure each; of the other flanks a shorter caption.
+/// One figure each; of the non-working flanks a shorter caption.
 std::string te_figure(const ContactReport& report, bool other_flanks);
 /// Whether nothing but rounding is left of the waves.
 bool waves_are_rounding(const std::vector<Angle>& waves);

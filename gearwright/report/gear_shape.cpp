@@ -173,7 +173,8 @@ std::string gear_definition(const Gear& gear, const std::string& name) {
         "id=\"{0}\"><circle stroke=\"none\" r=\"{2}\"/>",
         name, tooth, r_f);
   } else {
-    // A ring's tooth hangs on its rim: the fill is closed within that, the stroke stays open.
+    // An internal gear's tooth hangs on its rim: the fill is closed within that, the stroke stays
+    // open.
     const long rim = units(drawn_radius(gear));
     const double inside = 0.5 * (gear.tooth->root_radius + drawn_radius(gear));
     const Vec2 end =

@@ -14,7 +14,7 @@ namespace gearwright {
 
 constexpr double kOutlineUnit = 5e-5;       ///< m_n; rounding moves a point by at most 0.71 of it
 constexpr double kOutlineTolerance = 1e-4;  ///< m_n; chords and rounding together stay within
-constexpr double kRim = 2.5;                ///< m_n: metal drawn around the roots of a ring
+constexpr double kRim = 2.5;                ///< m_n: metal drawn around internal roots
 
 /// Points of an arc, root to tip, such that the chords stay within `tolerance`, both ends included.
 ///
@@ -29,8 +29,8 @@ std::string arc_path(const Gear& gear, const Arc& arc, int side);
 /// Path data of one tooth from the middle of one space to the middle of the next.
 std::string tooth_path(const Gear& gear);
 
-/// Definitions of the shapes "NAME-tooth" and "NAME" (the gear's body and its teeth; of a ring a
-/// rim of kRim and its teeth). A gear that has no outline has none: empty.
+/// Definitions of the shapes "NAME-tooth" and "NAME" (the gear's body and its teeth; of an internal
+/// gear a rim of kRim and its teeth). A gear that has no outline has none: empty.
 std::string gear_definition(const Gear& gear, const std::string& name);
 
 /// Whether there is an outline to draw.
@@ -39,7 +39,7 @@ bool has_outline(const Gear& gear);
 /// mm per path unit.
 double outline_unit_mm(const Gear& gear);
 
-/// The largest radius of what is drawn, mm: the tip, of a ring the rim around its roots.
+/// The largest radius of what is drawn, mm: the tip, of an internal gear the rim around its roots.
 double drawn_radius(const Gear& gear);
 
 }  // namespace gearwright

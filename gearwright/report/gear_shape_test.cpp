@@ -120,7 +120,7 @@ TEST(GearShape, ARingIsMetalAroundItsTeeth) {
   for (std::size_t at = text.find("#g-tooth"); at != text.npos; at = text.find("#g-tooth", at + 1))
     ++uses;
   EXPECT_EQ(uses, 60u);
-  // The rim and the roots as one ring with a hole, and no disc.
+  // The rim and the roots as one internal gear with a hole, and no disc.
   const auto radius = [&](double mm) {
     return std::to_string(std::lround(mm / outline_unit_mm(ring)));
   };
@@ -129,7 +129,7 @@ TEST(GearShape, ARingIsMetalAroundItsTeeth) {
   EXPECT_LT(text.find("evenodd"), text.find(rim));
   EXPECT_LT(text.find(rim), text.find(hole));
   EXPECT_NE(text.find(hole), text.npos);
-  // An external gear ends at its tip, a ring without an outline at its roots.
+  // An external gear ends at its tip, an internal gear without an outline at its roots.
   EXPECT_DOUBLE_EQ(drawn_radius(testing::sample_gear(20, 2, 0, 0)), 22.0);
   EXPECT_DOUBLE_EQ(drawn_radius(testing::sample_gear(-60, 2, 0, 0)), 62.5);
 }

@@ -90,7 +90,8 @@ void draw_circles(Svg& svg, const Viewport& view, const InvolutePair& pair, std:
 void draw_path(Svg& svg, const Viewport& view, const InvolutePair& pair) {
   const Mesh<double>& mesh = pair.mesh;
   const auto at = [&](double rho1) { return view.px(flat(pair.on_line_of_action(rho1))); };
-  // Base tangent points: ρ_1 = 0 and ρ_2 = 0 (a ring's lies on the same side as gear 1's).
+  // Base tangent points: ρ_1 = 0 and ρ_2 = 0 (an internal gear's lies on the same side as gear
+  // 1's).
   const double T2 = mesh.sigma * mesh.base_tangent_distance;
   const double from = std::min({0.0, T2, mesh.rho1_A});
   const double to = std::max({0.0, T2, mesh.rho1_E});
@@ -175,16 +176,17 @@ std::string whole_svg(const InvolutePair& pair, const std::array<std::string, 2>
   const double height = std::max(120.0, std::min(kWholeHeight, scale * tall + 24.0));
   const Viewport view{kWholeWidth, height, Vec2((left + right) / 2, 0.0), scale};
 
-  Svg svg(
-      "whole", kWholeWidth, height, "The whole pair",
-      external
-          ? "Both gears in place with their axes and directions of rotation; a frame marks the "
-            "part that the picture of the mesh shows."
-      : has_outline(pair.gears[1])
-          ? "The pinion in the ring with axes and directions of rotation; a frame marks the part "
-            "that the picture of the mesh shows."
-          : "The pinion in the ring, whose circles alone are drawn, with axes and directions of "
-            "rotation; a frame marks the part that the picture of the mesh shows.");
+  Svg svg("whole", kWholeWidth, height, "The whole pair",
+          external
+              ? "Both gears in place with their axes and directions of rotation; a frame marks the "
+                "part that the picture of the mesh shows."
+          : has_outline(pair.gears[1])
+              ? "The pinion in the internal gear with axes and directions of rotation; a frame "
+                "marks the part "
+                "that the picture of the mesh shows."
+              : "The pinion in the internal gear, whose circles alone are drawn, with axes and "
+                "directions of "
+                "rotation; a frame marks the part that the picture of the mesh shows.");
   draw_bodies(svg, view, pair, shapes);
   for (const std::size_t i : {0, 1}) {
     for (const NamedCircle& c : circles_of(pair, i)) {
@@ -201,7 +203,7 @@ std::string whole_svg(const InvolutePair& pair, const std::array<std::string, 2>
     const Vec2 axis = view.px(axis_of(pair, i));
     const Gear& gear = pair.gears[i];
     const double r = 0.66 * scale * gear.root_diameter / 2;
-    const bool readable = r > 20.0 && !gear.internal();  // a ring's arrow would lie on its pinion
+    const bool readable = r > 20.0 && !gear.internal();  // that arrow would lie on its pinion
     if (readable) draw_turn(svg, axis, r, i == 0, kInk[i]);
     svg.line(axis - Vec2(5, 0), axis + Vec2(5, 0), "cross");
     svg.line(axis - Vec2(0, 5), axis + Vec2(0, 5), "cross");
@@ -235,8 +237,9 @@ std::string mesh_figures(const InvolutePair& pair, const std::array<std::string,
   const std::string ring =
       !gear_2.internal() ? ""
       : has_outline(gear_2)
-          ? fmt::format(" The ring is drawn with a rim of {:g} modules.", kRim)
-          : " <strong>The ring has no outline</strong>, for its cutter is not given: tip and root "
+          ? fmt::format(" The internal gear is drawn with a rim of {:g} modules.", kRim)
+          : " <strong>The internal gear has no outline</strong>, for its cutter is not given: tip "
+            "and root "
             "circles stand for it.";
   return fmt::format(
       "<div class=\"figures mesh\">\n<figure>{}{}<figcaption><strong>The mesh</strong> at the "

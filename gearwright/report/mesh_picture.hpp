@@ -1,8 +1,8 @@
 // The mounted pair: the mesh at the pitch point, and the whole pair.
 //
-// Both in the housing frame, seen from +z: axis 1 left, axis 2 right (a ring's too), y up. Gear 1
-// is turned so that its leading flank touches at C, gear 2 so that it is touched there; a backlash
-// opens on the other side.
+// Both in the housing frame, seen from +z: axis 1 left, axis 2 right (an internal gear's too), y
+// up. Gear 1 is turned so that its leading flank touches at C, gear 2 so that it is touched there;
+// a backlash opens on the other side.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ namespace gearwright {
 /// pitch circle onto the centre line.
 ///
 /// Formula   φ_1 = ψ_1, φ_2 = −σ (π/|z_2| − ψ_2);  ψ_i = s_bti/d_bi − inv α_wt the half angles of
-///           the teeth on the working pitch circles, of a ring's s_bt2/d_b2 + inv α_wt
+///           the teeth on the working pitch circles, of an internal gear's s_bt2/d_b2 + inv α_wt
 /// Units     rad
 std::array<double, 2> rotation_to_pitch_point(const InvolutePair& pair);
 

@@ -69,7 +69,7 @@ std::string zoom_svg(const InvolutePair& pair, const std::vector<Approximation>&
     const Vec2 at(wanted[i], y(above_min(pair, angles[i])));
     svg.polyline({{placed[i], kTop - 4}, {wanted[i], kTop + 9}, at}, "leader");
     svg.text({placed[i], kTop - 9}, i == 0 ? "0" : all[i - 1].letter, Anchor::middle, "letter");
-    svg.dot(at, i == 0 ? 3.4 : 4.0, i == 0 ? "mark" : "mark ring");
+    svg.dot(at, i == 0 ? 3.4 : 4.0, i == 0 ? "mark" : "mark internal gear");
   }
   return svg.str();
 }

@@ -74,13 +74,13 @@ std::string interference_table(const InvolutePair& p) {
           "<p>No interference was found: tips keep clear of roots, and {}. Whether a tip corner "
           "strikes a root fillet is checked on parallel axes only.</p>\n",
           lost ? "where an undercut took the flank nothing strikes"
-               : "none reaches below the mate’s usable flank");
+               : "none reaches below the mating gear’s usable flank");
     }
     return fmt::format(
         "<p>No interference was found: tips, roots, fillets and flanks keep clear of each "
         "other{}.</p>\n",
         p.kind == PairKind::parallel_internal && !p.gears[1].tooth
-            ? "; the ring’s root fillet is not checked"
+            ? "; the internal gear’s root fillet is not checked"
             : "");
   }
   std::string text =

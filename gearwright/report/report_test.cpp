@@ -241,7 +241,8 @@ TEST(Report, PicturesThatApply) {
   const InvolutePair internal = internal_pair();
   EXPECT_EQ(ids(report_input(internal)).count("tooth-gear2"), 0u);
   EXPECT_EQ(ids(report_input(internal)).count("mesh"), 1u);
-  EXPECT_NE(report_html(report_input(internal)).find("The ring has no outline"), std::string::npos);
+  EXPECT_NE(report_html(report_input(internal)).find("The internal gear has no outline"),
+            std::string::npos);
   const Gear one = sample_gear(20, 2, 0, 0);
   EXPECT_EQ(ids(report_input(one)).count("mesh"), 0u);
   EXPECT_EQ(report_html(report_input(one)).find("<h2>Pair</h2>"), std::string::npos);

@@ -19,7 +19,7 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
                                 const DesignRow* design);
 
 /// ε_α at shifts 0, ¼, ½, ¾ and 1 of the way from the least to the greatest; empty for searches of
-/// crossed axes and rings, about which it says nothing.
+/// crossed axes and internal gears, about which it says nothing.
 std::string identical_gears_figure(const SearchProblem& problem, const Trial& trial);
 
 }  // namespace gearwright

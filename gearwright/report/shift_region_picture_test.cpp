@@ -126,7 +126,7 @@ TEST(ShiftRegionPicture, APointATinyCornerAndAWholeRectangle) {
   EXPECT_EQ(all.find("class=\"region-map\""), all.npos);
 }
 
-// Without interference a ring of 60 leaves 40 teeth two regions apart.
+// Without interference an internal gear of 60 leaves 40 teeth two regions apart.
 TEST(ShiftRegionPicture, ARegionInTwoPieces) {
   SearchProblem p = testing::spur_problem();
   p.ratio = {-1.5, -1.5};

@@ -40,7 +40,8 @@ std::vector<LabelledCircle> circles_of(const Gear& gear) {
   return circles;
 }
 
-// One tooth and a quarter pitch on both sides, with some body behind its root. A ring's hangs down.
+// One tooth and a quarter pitch on both sides, with some body behind its root. An internal gear's
+// hangs down.
 Viewport window(const Gear& gear) {
   const double r_f = gear.tooth->root_radius;
   const double r_a = gear.tooth->tip_radius;
@@ -85,7 +86,8 @@ const char* words_of(const Gear& gear, ArcName name) {
 
 std::string why_no_outline(const Gear& gear) {
   if (gear.internal()) {
-    return "A ring: its diameters and thicknesses are in the table. Its outline is what its pinion "
+    return "An internal gear: its diameters and thicknesses are in the table. Its outline is what "
+           "its pinion "
            "cutter leaves, and no cutter is given: with cut_by there is a picture of its tooth.";
   }
   for (const Warning& w : gear.warnings) {

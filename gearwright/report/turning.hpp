@@ -22,8 +22,8 @@ double turn_per_pitch(const InvolutePair& pair, std::size_t i);
 /// The same as the attribute of a shape that turns.
 std::string turn_attribute(const InvolutePair& pair, std::size_t i);
 
-/// Rings where flanks touch in this section, one for each tooth that passes the usable path within
-/// a pitch. They appear once the gears have turned.
+/// Internal gears where flanks touch in this section, one for each tooth that passes the usable
+/// path within a pitch. They appear once the gears have turned.
 void draw_touches(Svg& svg, const Viewport& view, const InvolutePair& pair);
 
 /// Button and slider (HTML), for the pictures in the same group of figures; the script shows it.

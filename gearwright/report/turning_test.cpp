@@ -27,7 +27,7 @@ double beside_flank(const InvolutePair& pair, std::size_t i, double t, const Vec
   const double xi = ring ? flank->curve->parameter_at_radius(arm.norm(), flank->end, flank->begin)
                          : flank->curve->parameter_at_radius(arm.norm(), flank->begin, flank->end);
   // Gear 1 pushes with its clockwise flanks and gear 2 is touched on its own, for it turns the
-  // other way; a ring turns the same way and is touched on its counter-clockwise ones.
+  // other way; an internal gear turns the same way and is touched on its counter-clockwise ones.
   const double half = (ring ? -1.0 : 1.0) * flank->curve->polar_angle(xi);
   const double pitch = 2 * std::numbers::pi / std::abs(gear.spec.teeth);
   const double angle = std::atan2(arm.y(), arm.x()) - drawn + half;

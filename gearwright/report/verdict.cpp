@@ -28,11 +28,11 @@ constexpr std::array<Meaning, 34> kMeanings{{
     {"contact_lost", Severity::caution, "contact is lost where an undercut took the flank"},
     {"no_contact", Severity::problem, "the teeth do not touch"},
     {"not_read", Severity::note, "a part of the spec was not read"},
-    {"rack_not_used", Severity::caution, "a ring is not cut by a rack"},
-    {"base_tangent", Severity::problem, "a tip reaches where the mate has no involute"},
-    {"form_circle", Severity::problem, "a tip reaches below the mate’s usable flank"},
+    {"rack_not_used", Severity::caution, "an internal gear is not cut by a rack"},
+    {"base_tangent", Severity::problem, "a tip reaches where the mating gear has no involute"},
+    {"form_circle", Severity::problem, "a tip reaches below the mating gear’s usable flank"},
     {"tip_to_fillet", Severity::problem, "a tip corner cuts into a root fillet"},
-    {"root", Severity::problem, "a tip cuts into the mate’s root"},
+    {"root", Severity::problem, "a tip cuts into the mating gear’s root"},
     {"trochoid", Severity::problem, "the tips strike each other"},
     {"no_tip_clearance", Severity::caution, ""},
     {"transverse_contact_ratio", Severity::note, ""},
@@ -129,7 +129,8 @@ std::string verdict(const ReportInput& input) {
     if (!against.empty()) return fmt::format("{} has a problem: {}.", who, joined(against));
     if (ring) {
       return fmt::format(
-          "{} has the data below; a ring’s outline is what its pinion cutter leaves, which is not "
+          "{} has the data below; an internal gear’s outline is what its pinion cutter leaves, "
+          "which is not "
           "given, and is not checked.{}",
           who, cautions(input));
     }
@@ -159,10 +160,10 @@ std::string verdict(const ReportInput& input) {
                 fixed(p.mesh.true_ratio, 3), fixed(p.contact_ratio_true(), 3), *face)
           : fmt::format("The pair runs: contact is continuous ({}contact ratio {}), there is",
                         p.crossed() ? "" : "total ", fixed(p.contact_ratio_true(), 3));
-  return fmt::format("{} {}{}.{}{}", contact, backlash,
-                     p.interference.empty() ? " and no interference" : "",
-                     ring ? " The ring’s cutter is not given: its root fillet is not checked." : "",
-                     cautions(input));
+  return fmt::format(
+      "{} {}{}.{}{}", contact, backlash, p.interference.empty() ? " and no interference" : "",
+      ring ? " The internal gear’s cutter is not given: its root fillet is not checked." : "",
+      cautions(input));
 }
 
 }  // namespace gearwright

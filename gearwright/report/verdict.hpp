@@ -16,7 +16,7 @@ enum class Severity {
 };
 
 /// By the warning's code; one that is not known is a caution. Where an undercut has taken the flank
-/// away, a mate's tip that reaches below the flank meets nothing: a caution too.
+/// away, a mating gear's tip that reaches below the flank meets nothing: a caution too.
 Severity severity_of(const Warning& warning);
 
 /// The face width from which a helical pair's contact is continuous, although in one section it is

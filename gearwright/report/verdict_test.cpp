@@ -64,7 +64,8 @@ TEST(Verdict, SeverityLooksAtTheGearThatIsMeant) {
     ADD_FAILURE() << "no warning " << code;
     return Severity::note;
   };
-  // Gear 1 is undercut and loses contact there; a ring's tip below the pinion's base is in the way.
+  // Gear 1 is undercut and loses contact there; an internal gear's tip below the pinion's base is
+  // in the way.
   EXPECT_EQ(severity(undercut_pair(), "contact_lost"), Severity::caution);
   const InvolutePair internal =
       sample_pair(sample_gear(18, 2, 0, 0.2), sample_gear(-60, 2, 0, 0.1), 41.8);

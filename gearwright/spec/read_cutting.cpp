@@ -9,7 +9,7 @@ namespace gearwright {
 
 namespace {
 
-// Numbers that a gear, its cutter and its mate share: a cutter's table may leave them out.
+// Numbers that a gear, its cutter and its mating gear share: a cutter's table may leave them out.
 Json with_shared_keys(const Json& cutter, const Json& gear, const Json* mate) {
   static const std::vector<std::vector<const char*>> kShared{
       {"normal_module_mm", "normal_diametral_pitch_per_in", "transverse_module_mm"},
@@ -36,7 +36,7 @@ Json with_shared_keys(const Json& cutter, const Json& gear, const Json* mate) {
   if (gear.contains("helix_angle_deg") && gear["helix_angle_deg"].is_number()) {
     const bool ring = gear.contains("teeth") && gear["teeth"].is_number() && gear["teeth"] < 0;
     whole["helix_angle_deg"] = (ring ? 1.0 : -1.0) * gear["helix_angle_deg"].get<double>();
-  } else if (!has_helix(gear) && mate) {  // the cutter stands where the mate will
+  } else if (!has_helix(gear) && mate) {  // the cutter stands where the mating gear will
     for (const char* key : kHelix) {
       if (mate->contains(key)) whole[key] = (*mate)[key];
     }
@@ -97,11 +97,11 @@ void read_cut_by(TableReader& gear, const Json& node, const Json* mate, GearInpu
     }
     GearInput cutter = read_gear(cutter_keys(), with_shared_keys(*by, node, mate), path);
     if (cutter.cylindrical.teeth < 0)
-      gear.fail("cut_by.teeth", "must be positive: a ring cannot be a pinion cutter");
+      gear.fail("cut_by.teeth", "must be positive: an internal gear cannot be a pinion cutter");
     if (!by->contains("rack")) cutter.cylindrical.straight_rack().addendum = kCutterAddendum;
     if (cutter.tip_clearance || cutter.tip_clearance_by_rule) {
       gear.fail("cut_by.tip_fillet",
-                "a cutter has no mate to keep clear of; give radius_mm or l_mm");
+                "a cutter has no mating gear to keep clear of; give radius_mm or l_mm");
     }
     cut.cutter = std::make_shared<GearInput>(std::move(cutter));
   } else {

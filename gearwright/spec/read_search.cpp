@@ -72,7 +72,7 @@ void read_teeth(TableReader& t, SearchProblem& p) {
   if (p.ratio[0] >= 0.0 && p.ratio[1] < 1.0)
     t.fail("ratio", "must reach 1: the ratio is z2/z1, and gear 2 is the one with more teeth");
   if (p.ratio[0] < 0.0 && p.ratio[0] >= -1.0)
-    t.fail("ratio", "must pass -1: a ring has more teeth than its pinion");
+    t.fail("ratio", "must pass -1: an internal gear has more teeth than its pinion");
   t.require("pinion_teeth");
   const auto z1 = *band(t, "pinion_teeth");
   for (const double z : z1) {

@@ -5,8 +5,8 @@
 //                gear 1 towards that of gear 2 and from the middle of F's space = P's tooth
 //   ψ_c          pressure angle where the two racks touch    theory: docs/theory/07-circular-arc.md
 //
-// F cuts the convex teeth of one gear, P the concave ones of its mate; θ is the normal angle τ of
-// tool/cutter_edge.hpp on both. Everything is in normal modules.
+// F cuts the convex teeth of one gear, P the concave ones of its mating gear; θ is the normal angle
+// τ of tool/cutter_edge.hpp on both. Everything is in normal modules.
 #pragma once
 
 #include <optional>

@@ -1,7 +1,7 @@
 // The basic rack of double circular-arc gears: a convex arc in the addendum, a concave one in the
 // dedendum, a step between them. Two gears of the same rack mesh.
 //
-//   α            pressure angle where the arcs touch the mate's
+//   α            pressure angle where the arcs touch the mating gear's
 //   ρ_a, ρ_f     radii of the two arcs
 //   x_a, x_f     heights of their centres over the datum line
 //   l_a          how far the convex arc's centre lies beyond the middle of the tooth

@@ -24,7 +24,7 @@ struct RackArc {
   double center_offset = 0.0;  ///< y  modules
   double radius = 0.0;         ///< q  modules
   Angle begin, end;            ///< τ at the root side and at the tip side
-  bool working = true;         ///< of a flank: made to touch the mate; a joint between two is not
+  bool working = true;         ///< of a flank: made to touch; a joint between two is not
 };
 
 struct RackOfArcs {

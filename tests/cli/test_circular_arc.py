@@ -145,7 +145,7 @@ arcs = [
                           ("tip_fillet = { radius_mm = 0.1 }", "tip_fillet"),
                           ("basic = { base_diameter_mm = 50, base_tooth_thickness_mm = 6 }", "basic")):
             self.refused(GEAR.format(n=1, z=15, beta=18, rack=F_RACK, more=more), f"gear1.{key}", verb="gear")
-        self.refused(F.replace("teeth = 15", "teeth = -60"), "gear1.teeth", "ring", verb="gear")
+        self.refused(F.replace("teeth = 15", "teeth = -60"), "gear1.teeth", "internal gear", verb="gear")
         self.assertEqual(self.ok("gear", GEAR.format(n=1, z=15, beta=18, rack=F_RACK, more="profile_shift = 0")),
                          self.ok("gear", F))
 

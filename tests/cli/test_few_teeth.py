@@ -103,7 +103,7 @@ class Fillets(Asked):
             p = self.ok("pair", gears.format(line))
             self.assertAlmostEqual(p["pair"]["tip_clearance_mm"][0], wanted, places=12)
             self.assertGreater(p["gears"][0]["tip_fillet_radius_mm"], 0)
-        self.refused(gears.format("clearance_mm = 0.9").split("[gear2]")[0], "gear1.tip_fillet.clearance_mm", "mate", verb="gear")
+        self.refused(gears.format("clearance_mm = 0.9").split("[gear2]")[0], "gear1.tip_fillet.clearance_mm", "mating gear", verb="gear")
         key = "gear1.tip_fillet"
         r = Run("pair", gears.format("clearance_mm = 9"), "--json")
         self.assertEqual(r.status, 1)
@@ -116,7 +116,7 @@ class Fillets(Asked):
 
     def test_rings_have_what_their_cutter_leaves(self):
         for table in ("root_fillet]\noffset_mm = 0.1", "tip_fillet]\nradius_mm = 0.3"):
-            self.refused(SPUR + RING + "normal_module_mm = 2\n[gear2." + table + "\n", "gear2." + table.split("]")[0], "ring")
+            self.refused(SPUR + RING + "normal_module_mm = 2\n[gear2." + table + "\n", "gear2." + table.split("]")[0], "internal gear")
 
 
 class CutBy(Asked):
@@ -214,14 +214,14 @@ class CutByErrors(Asked):
 
     def test_a_ring_is_no_cutter(self):
         ring = SPUR.replace("teeth = 20", "teeth = -60") + "[gear2]\nteeth = 20\nface_width_mm = 10\ncut_by = \"gear1\"\n"
-        self.refused(ring, "gear2.cut_by", "ring", verb="gear")
-        self.refused(SPUR + RING + "[gear2.cut_by]\nteeth = -20\n", "gear2.cut_by.teeth", "ring")
+        self.refused(ring, "gear2.cut_by", "internal gear", verb="gear")
+        self.refused(SPUR + RING + "[gear2.cut_by]\nteeth = -20\n", "gear2.cut_by.teeth", "internal gear")
         self.refused(SPUR + RING + "[gear2.cut_by]\nteeth = 20\ncut_by = \"gear1\"\n", "gear2.cut_by.cut_by", "rack")
 
     def test_a_cutter_larger_than_the_ring(self):
         for teeth in (20, 21, 60):
             spec = SPUR.replace("teeth = 20", f"teeth = {teeth}") + RING.replace("-60", "-20") + "cut_by = \"gear1\"\n"
-            self.refused(spec, "gear2.teeth", "larger than the ring", "19", verb="gear")
+            self.refused(spec, "gear2.teeth", "larger than the internal gear", "19", verb="gear")
 
     def test_keys_without_a_place(self):
         for lines, key in (("rack = \"ISO53-A\"\n", "rack"), ("thickness_allowance_mm = -0.1\n", "thickness_allowance_mm"),

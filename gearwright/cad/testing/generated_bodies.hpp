@@ -4,7 +4,7 @@
 //   two_teeth       circular root fillet, a circular tip fillet in place of the land; β 30°
 //   cut_wheel       of 60 teeth, cut by two_teeth: tip, flank and root are three kinds of envelope
 //   one_tooth       likewise with one tooth, β 55°
-//   cut_ring        cut by a pinion of 18 teeth, whose tip leaves the ring's root fillet
+//   cut_ring        cut by a pinion of 18 teeth, whose tip leaves the internal gear's root fillet
 //   arc_pinion      convex circular-arc teeth, β 20°
 //   double_arcs     convex and concave arcs with a step between them, β −20°
 //

@@ -1,6 +1,6 @@
 // Outlines at the edge of what a gear can be, for tests of the CAD rooms: undercut teeth, one or
-// two teeth, rings. Written down from the geometry of a sharp rack, independently of the generation
-// rooms.
+// two teeth, internal gears. Written down from the geometry of a sharp rack, independently of the
+// generation rooms.
 //
 //   m   module, mm     r = |z|m/2, r_b = r cos 20°     c   corner depth below the pitch line, mm
 //   corner   W(p) = (r − c − ip) e^{i(p + y_c)/r},  y_c = πm/4 + c tan 20°
@@ -32,7 +32,8 @@ class CornerTrochoid final : public ComplexCurve {
   double r_, c_, y_c_;
 };
 
-/// The flank of a space of an external gear is the flank of a ring's tooth: it thickens outward.
+/// The flank of a space of an external gear is the flank of an internal gear's tooth: it thickens
+/// outward.
 class RingInvolute final : public ComplexCurve {
  public:
   RingInvolute(double r_b, double psi_b) : r_b_(r_b), psi_b_(psi_b) {}
@@ -112,7 +113,7 @@ inline ToothedBody few_tooth_body(int z, double m, double twist, double width) {
   return body;
 }
 
-/// A ring of |z| teeth with corners at root and tip; its rim is `rim` mm in diameter.
+/// An internal gear of |z| teeth with corners at root and tip; its rim is `rim` mm in diameter.
 inline ToothedBody ring_body(int z, double m, double twist, double width, double rim) {
   const double r = m * z / 2, r_b = r * std::cos(kAlpha20), r_f = r + 1.25 * m, r_a = r - 0.8 * m;
   const double psi_b = kPi / (2 * z) - (std::tan(kAlpha20) - kAlpha20);

@@ -173,7 +173,8 @@ inline ToothedBody sample_body(const SampleGear& g) {
   return body;
 }
 
-/// Lands joined by a straight flank: the simplest outline, of a ring too (teeth < 0, root > tip).
+/// Lands joined by a straight flank: the simplest outline, of an internal gear too (teeth < 0, root
+/// > tip).
 inline ToothedBody plain_body(int teeth, double r_root, double root_angle, double r_tip,
                               double tip_angle, double face_width = 10.0, double twist = 0.0) {
   ToothedBody body{"plain", {teeth, {}}, twist, face_width, std::nullopt, {}};

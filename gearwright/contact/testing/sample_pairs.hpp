@@ -1,4 +1,4 @@
-// Pairs for the tests of this room: an involute pair, an involute ring, circular arcs.
+// Pairs for the tests of this room: an involute pair, an involute internal gear, circular arcs.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ inline Gear involute_gear(int teeth, double helix_deg, double face) {
   return g.internal() ? *cut_by_default(g) : g;
 }
 
-/// m = 2 without backlash, z2 < 0: a ring. Faces 20 and 18 mm.
+/// m = 2 without backlash, z2 < 0: an internal gear. Faces 20 and 18 mm.
 inline SamplePair involutes(int z1, int z2, double helix_deg) {
   SamplePair p{
       {involute_gear(z1, helix_deg, 20), involute_gear(z2, z2 < 0 ? helix_deg : -helix_deg, 18)},

@@ -80,7 +80,8 @@ inline InvolutePair two_and_sixty(double face_width = 17.5) {
   const double distance = wheel.cut_by->distance;
   return sample_pair(std::move(pinion), std::move(wheel), distance);
 }
-/// 18 in a ring of 60 that a cutter of 20 teeth has cut; without backlash but for 0.05 mm.
+/// 18 in an internal gear of 60 that a cutter of 20 teeth has cut; without backlash but for 0.05
+/// mm.
 inline InvolutePair pinion_in_cut_ring() {
   CylindricalSpec cutter;
   cutter.teeth = 20;
