@@ -1,0 +1,76 @@
+// Half a tooth as the other gear meets it: where its outline stands at a radius, where its corners
+// are. Internal to pair/: the outlines of outline_gap.
+//
+//   ρ, θ   radius and polar angle of a point W of the half tooth, θ from its centre line
+//   τ, k   direction and curvature of the walk from root to tip
+//   s, q   the point along that walk and along its left-hand normal: W e^{−iτ} = s + iq, mm; |s| is
+//          the arm of the outline's normal about the axis, −q/s the slope dθ/d ln ρ
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "gearwright/generation/outline.hpp"
+
+namespace gearwright::detail {
+
+struct ProfilePlace {
+  double rho, theta;
+  double s, q;
+  double tau;
+};
+
+/// A point in which an arc ends, and the material with it: the mating gear's outline may strike it.
+struct ProfileCorner {
+  double rho, theta;
+  ArcName name;  ///< the arc that ends the tooth there; a land leaves its name to its neighbour
+};
+
+/// An arc that is no land: its radius changes all along it.
+struct ProfileArc {
+  const Arc* arc;
+  double rho_root, rho_tip;  ///< of its two ends
+  bool closed_form;          ///< the parameter of a radius is
+  /// Radii at even steps of u, for a first guess; filled when first asked for.
+  static constexpr int kGuesses = 16;
+  mutable std::vector<ProfilePlace> guesses = {};
+
+  ProfilePlace at(double u) const;
+  /// The place at a radius between the two ends, moved there if it lies beyond them.
+  ///
+  /// Accuracy  as the curve's own points: the last step is along the circle of curvature, shorter
+  ///           than 2e-6 of its radius
+  ProfilePlace at_radius(double rho) const;
+  double u_at_radius(double rho) const;
+
+ private:
+  struct Found {
+    double u;
+    ProfilePlace place;
+  };
+  Found find(double rho) const;
+};
+
+class GapProfile {
+ public:
+  /// `outline` outlives this.   Domain: a tooth with arcs (contract)
+  explicit GapProfile(const Outline& outline);
+
+  int teeth() const { return teeth_; }  ///< |z|
+  bool ring() const { return ring_; }
+  double tip_radius() const { return tip_radius_; }
+  double root_radius() const { return root_radius_; }
+  const std::vector<ProfileArc>& arcs() const { return arcs_; }
+  const std::vector<ProfileCorner>& corners() const { return corners_; }
+  /// The arc that has points at that radius; null: none, beyond root or tip.
+  const ProfileArc* arc_at(double rho) const;
+
+ private:
+  int teeth_;
+  bool ring_;
+  double tip_radius_, root_radius_;
+  std::vector<ProfileArc> arcs_;
+  std::vector<ProfileCorner> corners_;
+};
+
+}  // namespace gearwright::detail

@@ -1,0 +1,133 @@
+// The least value of a smooth function between two parameters, in so far as it is less than what is
+// known already. Internal to pair/: one family of touches of outline_gap.
+//
+//   g      the gap at a parameter t, and H, whose zeros are its stationary places
+//
+// The gaps at even steps are known; between two neighbours g is taken to lie no deeper under their
+// chord than half of the second difference about them, four times what a parabola would do. Cells
+// that could hold less than is known are halved, or cut at H = 0 where H changes its sign.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace gearwright::detail {
+
+struct GapSample {
+  double gap = 0.0;
+  double slope = 0.0;  ///< H: a sign, and a zero where g is stationary
+  double noise = 0.0;  ///< rounding of the gap, rad
+};
+
+/// Sampler: GapSample sample(double t), which keeps what it meets; double known(): what is not
+/// worth looking for.
+template <class Sampler>
+class LeastGap {
+ public:
+  LeastGap(Sampler& sampler, double from, double to) : sampler_(sampler) {
+    std::array<GapSample, kCells + 1> at;
+    const auto t = [&](int i) { return from + (to - from) * i / kCells; };
+    for (int i = 0; i <= kCells; ++i) at[index(i)] = ask(t(i));
+    std::array<double, kCells + 1> bend{};
+    for (int i = 1; i < kCells; ++i)
+      bend[index(i)] = std::abs(at[index(i - 1)].gap - 2 * at[index(i)].gap + at[index(i + 1)].gap);
+    bend[0] = bend[1];
+    bend[index(kCells)] = bend[index(kCells - 1)];
+    for (int i = 0; i < kCells; ++i)
+      search(t(i), at[index(i)], t(i + 1), at[index(i + 1)],
+             std::max(bend[index(i)], bend[index(i + 1)]), 0);
+  }
+
+ private:
+  static constexpr int kCells = 8;
+  static constexpr int kDeepest = 40;           // halvings: what is left then is rounding
+  static constexpr double kResolution = 1e-12;  // rad: less is not worth a look
+  static constexpr double kNoises = 8;          // more than rounding adds up to
+  static constexpr int kMost = 400;             // places asked; a smooth gap needs thirty
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+  bool worth(double least) const {
+    return asked_ < kMost && least < sampler_.known() - kResolution;
+  }
+  GapSample ask(double t) {
+    ++asked_;
+    return sampler_.sample(t);
+  }
+
+  void search(double t_1, const GapSample& one, double t_2, const GapSample& two, double bend,
+              int depth) {
+    const double ends = std::min(one.gap + kNoises * one.noise, two.gap + kNoises * two.noise);
+    if (depth >= kDeepest || !worth(ends - 0.5 * bend)) return;
+    // At a zero of H, or in the middle; there the two parts are looked at again.
+    const bool turns = (one.slope < 0.0) != (two.slope < 0.0);
+    const auto [t, middle] = turns ? solved(t_1, one, t_2, two) : halved(t_1, t_2);
+    const double inner = bend_of(t_1, one, t, middle, t_2, two);
+    GapSample before = middle;
+    GapSample after = middle;
+    if (turns) {
+      before.slope = one.slope;
+      after.slope = two.slope;
+    }
+    search(t_1, one, t, before, inner, depth + 1);
+    search(t, after, t_2, two, inner, depth + 1);
+  }
+
+  struct Asked {
+    double t;
+    GapSample sample;
+  };
+  Asked halved(double t_1, double t_2) {
+    const double t = 0.5 * (t_1 + t_2);
+    return {t, ask(t)};
+  }
+
+  // The second difference as it would be with the place in the middle.
+  static double bend_of(double t_1, const GapSample& one, double t, const GapSample& middle,
+                        double t_2, const GapSample& two) {
+    const double part = (t - t_1) / (t_2 - t_1);
+    const double over = middle.gap - (one.gap + part * (two.gap - one.gap));
+    const double weight = 4 * part * (1.0 - part);
+    return weight > 0.0 ? 2 * std::abs(over) / weight : 0.0;
+  }
+
+  // H = 0 by the false position of Illinois, halved where that is slow. g is stationary there, so
+  // that half of the digits of t are enough. A jump of H ends at the jump.
+  Asked solved(double t_1, const GapSample& one, double t_2, const GapSample& two) {
+    constexpr double kEnough = 1e-8;  // of the whole cell
+    constexpr int kSteps = 60;
+    const double width = std::abs(t_2 - t_1);
+    double f_1 = one.slope;
+    double f_2 = two.slope;
+    int stays = 0;
+    Asked best{t_1, one};
+    for (int i = 0; i < kSteps && std::abs(t_2 - t_1) > kEnough * width; ++i) {
+      double t = t_1 - f_1 * (t_2 - t_1) / (f_2 - f_1);
+      const double lo = std::min(t_1, t_2);
+      const double hi = std::max(t_1, t_2);
+      if (!(t > lo && t < hi) || std::abs(stays) > 3) t = 0.5 * (t_1 + t_2);
+      best = {t, ask(t)};
+      const double f = best.sample.slope;
+      if (std::abs(f) < 1e-12 * std::max(std::abs(one.slope), std::abs(two.slope))) break;
+      const int way = (f < 0.0) == (f_1 < 0.0) ? 1 : -1;
+      const bool again = way * stays > 0;
+      if (way > 0) {
+        t_1 = t;
+        f_1 = f;
+        if (again) f_2 *= 0.5;
+      } else {
+        t_2 = t;
+        f_2 = f;
+        if (again) f_1 *= 0.5;
+      }
+      stays = again ? stays + way : way;
+    }
+    return best;
+  }
+
+  Sampler& sampler_;
+  int asked_ = 0;
+};
+
+}  // namespace gearwright::detail

@@ -1,0 +1,364 @@
+// All touches of two outlines as families of one parameter. [T2.29]…[T2.33]
+//
+//   A, B   the gear that moves and the one that is asked, either may be gear 1
+//   D      the moving point seen from the axis of B, e^{iφ} W turned into the frame of the mesh
+//   ψ      where it stands in the space of B, from the middle of the space
+//   g = π/z_B − θ_B(|D|) − |ψ|,  in turns of B; of gear 2 if B is gear 2, else times z_1/z_2
+//
+// The mesh stands at +x of the axis of A; a tooth of A stands in the middle of a space of B at
+// φ = 0, and B turns by −κφ:  D = k a + ε e^{iφ} W,  ψ = arg D + κφ, reduced to one pitch.
+#include "gearwright/pair/outline_gap.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/pair/gap_profile.hpp"
+#include "gearwright/pair/least_gap.hpp"
+
+namespace gearwright {
+
+namespace {
+
+using detail::GapProfile;
+using detail::GapSample;
+using detail::LeastGap;
+using detail::ProfileArc;
+using detail::ProfileCorner;
+using detail::ProfilePlace;
+
+constexpr double kPi = std::numbers::pi;
+
+std::size_t index_of(ArcName name) { return static_cast<std::size_t>(name); }
+
+struct Table {
+  OutlineGap found;
+  double limit;
+
+  std::optional<OutlineTouch>& at(int entry) {
+    return found.touches[static_cast<std::size_t>(entry) / OutlineGap::kNames]
+                        [static_cast<std::size_t>(entry) % OutlineGap::kNames];
+  }
+};
+
+/// One gear moving past the other.
+struct Motion {
+  const GapProfile& mover;
+  const GapProfile& asked;
+  Table& table;
+  double a;
+  bool first_moves;  ///< A is gear 1
+  bool internal;
+  double k, epsilon, kappa;
+  double pitch_radius;  ///< of A
+  double half_pitch;    ///< π/z_B
+  double unit;          ///< turn of gear 2 for a turn of B
+  double to_arm;        ///< arm about axis 2 for an arm about the axis of B
+
+  Motion(const GapProfile& m, const GapProfile& b, Table& t, double distance, bool first)
+      : mover(m), asked(b), table(t), a(distance), first_moves(first) {
+    internal = m.ring() || b.ring();
+    const double ratio = static_cast<double>(m.teeth()) / b.teeth();
+    k = m.ring() ? -1.0 : 1.0;
+    epsilon = internal ? 1.0 : -1.0;
+    kappa = internal ? -ratio : ratio;
+    const double sum = internal ? std::abs(b.teeth() - m.teeth()) : b.teeth() + m.teeth();
+    pitch_radius = a * m.teeth() / sum;
+    half_pitch = kPi / b.teeth();
+    unit = first ? 1.0 : 1.0 / ratio;
+    to_arm = first ? 1.0 : ratio;
+  }
+
+  struct Gap {
+    double value;  ///< of B
+    double side;   ///< sign of ψ
+    double lost;   ///< that much of the value may be rounding
+  };
+  // Where the outline runs along a circle about the axis, an angle says nothing: a radius that is
+  // wrong in its last digits moves it by more than there is. A touch is kept with the most that it
+  // may be.
+  Gap gap_of(const ProfilePlace& b, double psi) const {
+    constexpr double kRounding = std::numeric_limits<double>::epsilon();
+    const double reduced = std::remainder(psi, 2 * half_pitch);
+    const double lost = kRounding * (a + b.rho) * std::abs(b.q / (b.s * b.rho));
+    return {half_pitch - b.theta - std::abs(reduced), reduced < 0.0 ? -1.0 : 1.0, lost};
+  }
+
+  int entry(ArcName of_mover, ArcName of_asked) const {
+    const auto i = static_cast<int>(of_mover), j = static_cast<int>(of_asked);
+    return first_moves ? i * OutlineGap::kNames + j : j * OutlineGap::kNames + i;
+  }
+
+  /// What is not worth looking for, in turns of B.
+  double known(int e) const {
+    const auto& touch = table.at(e);
+    return (touch ? std::min(touch->gap, table.limit) : table.limit) / unit;
+  }
+
+  void keep(int e, const Gap& gap, double arm, double phi, const Vec2& in_mesh,
+            OutlinePlace of_mover, OutlinePlace of_asked) const {
+    ++table.found.evaluations;
+    auto& touch = table.at(e);
+    const double value = (gap.value + gap.lost) * unit;
+    if (touch && touch->gap <= value) return;
+    OutlineTouch t;
+    t.gap = value;
+    t.arm = arm * to_arm;
+    const double turn = -gap.side * gap.value;  // of B, counter-clockwise
+    double phi_1 = phi;
+    if (first_moves) {
+      t.turn_2 = turn;
+      t.point = internal ? Vec2(-in_mesh) : in_mesh;
+      t.places = {of_mover, of_asked};
+    } else {
+      // Both roll back until gear 2 alone has turned.
+      phi_1 = -kappa * phi + half_pitch + turn;
+      t.turn_2 = (internal ? -unit : unit) * turn;
+      t.point = Vec2(a - in_mesh.x(), -in_mesh.y());
+      t.places = {of_asked, of_mover};
+    }
+    const int teeth_1 = first_moves ? mover.teeth() : asked.teeth();
+    t.rotation_1 = -std::remainder(phi_1, 2 * kPi / teeth_1);
+    touch = t;
+  }
+};
+
+/// [T2.31]: the points of an arc of A, each where its normal passes through the pitch point, ahead
+/// or behind, against an arc of B.
+class ArcFamily {
+ public:
+  ArcFamily(const Motion& motion, const ProfileArc& arc, double branch)
+      : m_(motion), arc_(arc), branch_(branch) {}
+
+  void ask(const ProfileArc& asked) {
+    asked_ = &asked;
+    entry_ = m_.entry(arc_.arc->name, asked.arc->name);
+  }
+  double known() const { return m_.known(entry_); }
+
+  /// |D|; 0 where no normal passes through the pitch point.
+  double radius(double u) const {
+    const ProfilePlace p = arc_.at(u);
+    if (!(std::abs(p.s) <= m_.pitch_radius)) return 0.0;
+    return position(p).d.norm();
+  }
+
+  GapSample sample(double u) const {
+    const ProfilePlace p = arc_.at(u);
+    const Position at = position(p);
+    const ProfilePlace b = asked_->at_radius(at.d.norm());
+    const double phi = std::atan2(at.across, at.along) - p.tau;
+    const auto gap = m_.gap_of(b, std::atan2(at.d.y(), at.d.x()) + m_.kappa * phi);
+    // The envelope runs along the tangent of A.
+    const double radial = m_.epsilon * (at.along * at.d.x() + at.across * at.d.y());
+    const double around = m_.epsilon * (at.across * at.d.x() - at.along * at.d.y());
+    m_.keep(entry_, gap, std::abs(b.s), phi, at.w, {arc_.arc->name, false},
+            {asked_->arc->name, false});
+    return {gap.value, b.q * radial - gap.side * around * b.s, gap.lost};
+  }
+
+ private:
+  struct Position {
+    double along, across;  ///< of the tangent, e^{i(τ + φ)}
+    Vec2 w, d;             ///< the point in the mesh, from the axes of A and B
+  };
+  Position position(const ProfilePlace& p) const {
+    const double c = std::clamp(p.s / m_.pitch_radius, -1.0, 1.0);
+    const double s = branch_ * std::sqrt((1.0 - c) * (1.0 + c));
+    const Vec2 w(p.s * c - p.q * s, p.s * s + p.q * c);
+    return {c, s, w, {m_.k * m_.a + m_.epsilon * w.x(), m_.epsilon * w.y()}};
+  }
+
+  const Motion& m_;
+  const ProfileArc& arc_;
+  double branch_;
+  const ProfileArc* asked_ = nullptr;
+  int entry_ = 0;
+};
+
+/// [T2.32]: a corner of A against an arc of B, by the arc's parameter u = u_0 + (1 − u_0) t².
+class CornerFamily {
+ public:
+  CornerFamily(const Motion& motion, const ProfileCorner& corner, const ProfileArc& arc)
+      : m_(motion), corner_(corner), arc_(arc) {
+    const bool in_ring = m_.asked.ring();
+    side_ = in_ring ? -1.0 : 1.0;
+    deepest_ = in_ring ? m_.a + corner.rho : std::abs(m_.a - corner.rho);
+    entry_ = m_.entry(corner.name, arc.arc->name);
+    const double at_root = excess(arc.rho_root);
+    const double at_tip = excess(arc.rho_tip);
+    reaches_ = at_tip > 0.0 && at_root < 2.0;
+    if (!reaches_) return;
+    if (at_root <= 0.0) {
+      u_0_ = arc.u_at_radius(deepest_);
+      if (!(u_0_ < 1.0)) reaches_ = false;
+    } else {
+      // Where a straight line through the two ends would have its zero.
+      u_0_ = -at_root / (at_tip - at_root);
+      t_0_ = std::sqrt(-u_0_ / (1.0 - u_0_));
+    }
+  }
+
+  bool reaches() const { return reaches_; }
+  double t_begin() const { return t_0_; }
+  void take_branch(double branch) { branch_ = branch; }
+  double known() const { return m_.known(entry_); }
+
+  GapSample sample(double t) const {
+    const double u = std::clamp(u_0_ + (1.0 - u_0_) * t * t, 0.0, 1.0);
+    const ProfilePlace b = arc_.at(u);
+    const double x = std::clamp(excess(b.rho), 0.0, 2.0);
+    const double w = 2 * branch_ * std::asin(std::sqrt(0.5 * x));
+    const double c = 1.0 - x;
+    const double s = branch_ * std::sqrt(x * (2.0 - x));
+    const double phi = w - corner_.theta;
+    const Vec2 p(corner_.rho * c, corner_.rho * s);
+    const Vec2 d(m_.k * m_.a + m_.epsilon * p.x(), m_.epsilon * p.y());
+    const auto gap = m_.gap_of(b, std::atan2(d.y(), d.x()) + m_.kappa * phi);
+    // D' = iε ρ_c e^{iw} over D.
+    const double square = d.squaredNorm();
+    const double radial = m_.epsilon * (p.x() * d.y() - p.y() * d.x()) / square;
+    const double across = m_.epsilon * (p.x() * d.x() + p.y() * d.y()) / square;
+    m_.keep(entry_, gap, std::abs(b.s), phi, p, {corner_.name, true}, {arc_.arc->name, false});
+    return {gap.value, b.q * radial - gap.side * (across + m_.kappa) * b.s, gap.lost};
+  }
+
+ private:
+  // 1 − cos w where the corner passes the radius ρ.
+  double excess(double rho) const {
+    return side_ * (rho - deepest_) * (rho + deepest_) / (2 * m_.a * corner_.rho);
+  }
+
+  const Motion& m_;
+  const ProfileCorner& corner_;
+  const ProfileArc& arc_;
+  double side_, deepest_, u_0_ = 0.0, t_0_ = 0.0, branch_ = 1.0;
+  int entry_;
+  bool reaches_;
+};
+
+void strike_with_corners(const Motion& motion) {
+  for (const ProfileCorner& corner : motion.mover.corners()) {
+    for (const ProfileArc& arc : motion.asked.arcs()) {
+      CornerFamily family(motion, corner, arc);
+      if (!family.reaches()) continue;
+      for (const double branch : {1.0, -1.0}) {
+        family.take_branch(branch);
+        LeastGap(family, family.t_begin(), 1.0);
+      }
+    }
+  }
+}
+
+// Where f, of one sign at lo and of the other at hi, has its zero, to `near`, and there a place at
+// which f is not `against`: by false position, halved now and then; f need not be smooth.
+template <class F>
+double zero_between(const F& f, double lo, double f_lo, double hi, double f_hi, double near,
+                    double against) {
+  const bool lo_is_against = f_lo * against > 0.0;
+  for (int i = 0; hi - lo > near; ++i) {
+    double t = lo - f_lo * (hi - lo) / (f_hi - f_lo);
+    t = i % 3 == 2 ? 0.5 * (lo + hi) : std::clamp(t, lo + 0.1 * near, hi - 0.1 * near);
+    const double value = f(t);
+    if (value == 0.0) return t;
+    if ((value < 0.0) == (f_lo < 0.0)) {
+      lo = t;
+      f_lo = value;
+      f_hi *= 0.5;
+    } else {
+      hi = t;
+      f_hi = value;
+      f_lo *= 0.5;
+    }
+  }
+  return lo_is_against ? hi : lo;
+}
+
+// The stretches of an arc of A that meet one arc of B each.
+void strike_with_arc(const Motion& motion, const ProfileArc& arc, double branch) {
+  constexpr int kSteps = 8;
+  ArcFamily family(motion, arc, branch);
+  const auto& asked = motion.asked.arcs();
+  std::array<double, kSteps + 1> radius;
+  const auto u = [](int i) { return static_cast<double>(i) / kSteps; };
+  for (int i = 0; i <= kSteps; ++i) radius[static_cast<std::size_t>(i)] = family.radius(u(i));
+  for (const ProfileArc& b : asked) {
+    const double lo = std::min(b.rho_root, b.rho_tip);
+    const double hi = std::max(b.rho_root, b.rho_tip);
+    const auto meets = [&](double rho) { return rho >= lo && rho <= hi; };
+    // The mating gear's next arc goes on from there, so that a little more or less is all the same.
+    constexpr double kNear = 1e-7;  // of the arc
+    const auto crossing = [&](int i, double limit) {
+      return zero_between([&](double at) { return family.radius(at) - limit; }, u(i),
+                          radius[static_cast<std::size_t>(i)] - limit, u(i + 1),
+                          radius[static_cast<std::size_t>(i) + 1] - limit, kNear,
+                          limit == lo ? -1.0 : 1.0);
+    };
+    family.ask(b);
+    double begin = meets(radius[0]) ? 0.0 : -1.0;
+    for (int i = 0; i < kSteps; ++i) {
+      const double one = radius[static_cast<std::size_t>(i)];
+      const double two = radius[static_cast<std::size_t>(i) + 1];
+      if (meets(one) && meets(two)) continue;
+      // In at one end or past the whole arc.
+      if (!meets(one) && (meets(two) || (one < lo) == (two > hi)))
+        begin = crossing(i, one < lo ? lo : hi);
+      if (!meets(two) && begin >= 0.0) {
+        const double end = crossing(i, two < lo ? lo : hi);
+        if (begin < end) LeastGap(family, begin, end);
+        begin = -1.0;
+      }
+    }
+    if (begin >= 0.0) LeastGap(family, begin, 1.0);
+  }
+}
+
+void strike_with_arcs(const Motion& motion) {
+  for (const ProfileArc& arc : motion.mover.arcs()) {
+    for (const double branch : {1.0, -1.0}) strike_with_arc(motion, arc, branch);
+  }
+}
+
+}  // namespace
+
+const std::optional<OutlineTouch>& OutlineGap::of(ArcName arc_1, ArcName arc_2) const {
+  return touches[index_of(arc_1)][index_of(arc_2)];
+}
+
+std::optional<OutlineTouch> OutlineGap::least() const {
+  std::optional<OutlineTouch> least = of(ArcName::flank, ArcName::flank);
+  if (const auto other = least_beyond_flanks(); other && (!least || other->gap < least->gap))
+    least = other;
+  return least;
+}
+
+std::optional<OutlineTouch> OutlineGap::least_beyond_flanks() const {
+  std::optional<OutlineTouch> least;
+  for (const Row& row : touches) {
+    for (const auto& touch : row) {
+      if (!touch || (least && least->gap <= touch->gap)) continue;
+      if (touch->places[0].arc == ArcName::flank && touch->places[1].arc == ArcName::flank)
+        continue;
+      least = touch;
+    }
+  }
+  return least;
+}
+
+OutlineGap outline_gap(const Outline& gear_1, const Outline& gear_2, double center_distance,
+                       double limit) {
+  GW_EXPECTS(gear_1.teeth > 0 && center_distance > 0.0);
+  GW_EXPECTS(gear_2.teeth > 0 || -gear_2.teeth > gear_1.teeth);
+  const GapProfile one(gear_1);
+  const GapProfile two(gear_2);
+  Table table{{}, limit};
+  const Motion first(one, two, table, center_distance, true);
+  const Motion second(two, one, table, center_distance, false);
+  strike_with_arcs(first);
+  strike_with_corners(first);
+  strike_with_corners(second);
+  return table.found;
+}
+
+}  // namespace gearwright

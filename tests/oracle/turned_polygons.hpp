@@ -1,0 +1,58 @@
+// Two toothed polygons turned against each other: the area that they share.
+//
+//   half tooth   points from the middle of the space (polar angle π/z) to the middle of the tooth
+//                (the x axis), on the side y ≥ 0; an internal gear's material lies beyond it
+//   mesh         at +x of axis 1; axis 2 at (a, 0), an internal gear's at (−a, 0); at rest a tooth
+//                of gear 1 stands in the middle of a space of gear 2, both on the x axis
+//
+// Lines x = const, evenly spaced where the tip circles overlap, are cut with both polygons. Along a
+// line the polar angle about either axis grows with y, so that the cuts come out in order as the
+// polygon is walked. The length that both materials share, times the spacing, is the area.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace gearwright::oracle {
+
+struct ToothedPolygon {
+  int teeth;  ///< z, negative for an internal gear
+  std::vector<Eigen::Vector2d> half_tooth;
+};
+
+class TurnedPolygons {
+ public:
+  /// Units     mm
+  /// Domain    gear 1 external; half teeth that are star-shaped
+  TurnedPolygons(ToothedPolygon gear_1, ToothedPolygon gear_2, double a, int lines);
+
+  bool in_reach() const { return step_ > 0.0; }
+  /// The area shared when gear 1 has turned counter-clockwise by φ and gear 2, which rolls with it,
+  /// by `turn` besides, mm².
+  double shared_area(double phi, double turn) const;
+
+ private:
+  using Cuts = std::vector<std::vector<double>>;
+  struct Gear {
+    int teeth;
+    bool ring;
+    double tip;
+    std::vector<Eigen::Vector2d> pitch;  ///< from the middle of tooth 0 to that of tooth 1
+  };
+  static Gear gear_of(const ToothedPolygon& polygon);
+  double line(std::size_t i) const { return from_ + step_ * (static_cast<double>(i) + 0.5); }
+  /// Half of the part of the line x that lies within the tip circles of external teeth.
+  double half_length(double x) const;
+  /// Cuts of the lines offset + line(i), by growing y, with the gear turned by `turn`. The first
+  /// stretch is material if `starts[i]`.
+  void cut(const Gear& gear, double turn, double sign, double offset, Cuts& cuts,
+           std::vector<char>& starts) const;
+
+  Gear one_, two_;
+  double a_, from_ = 0.0, step_ = 0.0;
+  std::size_t lines_;
+  mutable Cuts cuts_1_, cuts_2_;
+  mutable std::vector<char> starts_1_, starts_2_;
+};
+
+}  // namespace gearwright::oracle
