@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "gearwright/base/testing/named_limit.hpp"
+#include "gearwright/gear/ring_cutter.hpp"
 #include "gearwright/math/involute.hpp"
 
 namespace gearwright {
@@ -238,6 +239,20 @@ TEST(PinionCut, ring_must_be_larger_than_its_cutter) {
   EXPECT_TRUE(generating_distance(cutter, least, 0.0));
   EXPECT_FALSE(generating_distance(cutter, least + 1, 0.0));
   EXPECT_NE(error.error().message().find("at most 17"), std::string::npos);
+}
+
+// The cutter of profile C has a rounding that begins at its tip circle, a branch of no height: of
+// 13, 15, 17, 26, 27 and 34 to 36 teeth it was taken for the end of the tooth.
+TEST(DefaultCutter, cuts_internal_gears_of_every_named_rack) {
+  for (const char* name : {"ISO53-A", "ISO53-B", "ISO53-C", "ISO53-D"}) {
+    for (int z = 10; z <= 60; ++z) {
+      CylindricalSpec ring = cutter_spec(-z, 0.0);
+      ring.rack = *iso53_rack(name);
+      const auto cut = cut_by_default(made(ring));
+      EXPECT_EQ(cut.has_value(), z >= 38) << name << " " << z;  // of fewer the flanks are too short
+      EXPECT_EQ(cut.has_value(), cut && cut->tooth);
+    }
+  }
 }
 
 }  // namespace

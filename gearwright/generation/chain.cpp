@@ -41,6 +41,7 @@ double crossing(const Branch& last, const Branch& next, double lo, double hi) {
 // only touch, or where one ends without having crossed the other, they share that point up to
 // rounding (undercut that begins just here, a corner of the edge on the pitch line).
 Joint joint(const Branch& last, const Branch& next) {
+  if (!(next.height_lo < next.height_hi)) return {Joint::next_hidden};  // of no height at all
   const double lo = std::max(last.height_lo, next.height_lo);
   double hi = std::min(last.height_hi, next.height_hi);
   const auto gap = [&](double h) { return last.theta_at(h) - next.theta_at(h); };

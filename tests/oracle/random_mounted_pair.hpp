@@ -70,9 +70,6 @@ inline CylindricalSpec spec(Random& random, const Common& common, int teeth, dou
   s.profile_shift = random.chance(0.3) ? 0.0 : random.uniform(-0.5, 0.9);
   if (random.chance(0.3)) s.thickness_allowance = -common.module * random.uniform(0.0, 0.1);
   s.rack = rack(random, common.alpha);
-  // With the rounding of profile C the default cutter of some internal gears (13, 15, 17, 26 …
-  // teeth) is none.
-  if (teeth < 0 && s.straight_rack().named) s.rack = *iso53_rack("ISO53-A");
   if (teeth < 0) return s;
   if (random.chance(0.15))
     s.root_fillet =
