@@ -27,12 +27,14 @@ const std::array<ErrorEntry, kErrorCount>& error_entries() {
   static const std::array<ErrorEntry, kErrorCount> entries{{
       {"center_distance_mm", "ΔC", "centre distance", ErrorKind::center_distance, 0,
        [](E& e, const Gears&, double v) { e.center_distance = v; }, "axis 2 stands at a + ΔC"},
-      {"crossing_deg", "Δγ", "crossing of the axes", ErrorKind::crossing, 0,
+      {"crossing_deg", "Δγ", "out-of-plane shaft deviation", ErrorKind::crossing, 0,
        [](E& e, const Gears&, double v) { e.crossing = Angle::degrees(v); },
-       "axis 1 turns about the centre line, > 0 towards +y: the axes cross, by this much more"},
-      {"intersecting_deg", "Δδ", "inclination of the axes", ErrorKind::intersecting, 0,
+       "f_Σβ as an angle: axis 1 turns about the centre line, > 0 towards +y: the axes cross, by "
+       "this "
+       "much more"},
+      {"intersecting_deg", "Δδ", "in-plane shaft deviation", ErrorKind::intersecting, 0,
        [](E& e, const Gears&, double v) { e.intersecting = Angle::degrees(v); },
-       "axis 1 tilts towards gear 2, > 0 towards +x: the axes would meet"},
+       "f_Σδ as an angle: axis 1 tilts towards gear 2, > 0 towards +x: the axes would meet"},
       {"axial_mm", "Δz", "axial place of gear 1", ErrorKind::axial, 0,
        [](E& e, const Gears&, double v) { e.axial = v; }, "gear 1 moves along +z"},
       {"helix_slope1_um", "f_Hβ1", "helix slope of gear 1", ErrorKind::helix_slope1, 1,

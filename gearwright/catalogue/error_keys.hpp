@@ -19,7 +19,7 @@ constexpr std::size_t kErrorCount = 8;
 struct ErrorEntry {
   std::string_view key;           ///< "crossing_deg"
   std::string_view symbol;        ///< Δγ
-  std::string_view words;         ///< "crossing of the axes"
+  std::string_view words;         ///< "out-of-plane shaft deviation"
   std::optional<ErrorKind> kind;  ///< of its derivative, where contact gives one
   int gear;                       ///< 1 or 2 of a gear's own error, 0 of the mounting
   void (*set)(ContactErrors&, const std::array<const Gear*, 2>&, double);  ///< to a value, in the

@@ -12,7 +12,7 @@ namespace gearwright {
 namespace {
 
 ContactMap bowl() {
-  ContactMap m{{}, {{{"crossing of the axes", 0.0, "°"}, {"axial <place>", 5.0, "mm"}}}};
+  ContactMap m{{}, {{{"out-of-plane shaft deviation", 0.0, "°"}, {"axial <place>", 5.0, "mm"}}}};
   for (int i = 0; i < 11; ++i) m.map.x.push_back(-0.1 + 0.02 * i);
   for (int k = 0; k < 7; ++k) m.map.y.push_back(-3.0 + k);
   for (int k = 0; k < 7; ++k) {

@@ -26,14 +26,14 @@ struct ContactAxis {
 
 /// An error or a modification in plain words.
 struct NamedAmount {
-  std::string name;  ///< "crossing of the axes"; plain text
+  std::string name;  ///< "out-of-plane shaft deviation"; plain text
   double value = 0.0;
   std::string unit;  ///< "°", "mm", "µm"
 };
 
 /// The pattern on gear 1 under one error alone, or under all.
 struct PatternUnder {
-  std::string name;  ///< "crossing of the axes +0.03°"; plain text
+  std::string name;  ///< "out-of-plane shaft deviation +0.03°"; plain text
   FlankRaster pattern;
   Angle peak_to_peak;         ///< NaN: nothing touches
   bool as_specified = false;  ///< all errors at once: what the other pictures show

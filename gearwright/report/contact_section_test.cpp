@@ -81,7 +81,7 @@ TEST(ContactSection, APatternUnderWhichNothingTouches) {
 }
 
 // Without errors the flanks meet in lines that sweep all of the flank both gears have in common; a
-// crossing of the axes leaves a part of it unmarked.
+// out-of-plane shaft deviation leaves a part of it unmarked.
 TEST(ContactSection, MisalignmentLeavesAPartUnmarked) {
   const ContactSample straight = testing::perfect_contact();
   const ContactSample crossed = testing::helical_contact();

@@ -46,7 +46,7 @@ inline ContactSample contact_sample(const std::array<Gear, 2>& gears, ContactMou
   r.patterns = contact_pattern(pair, positions, {17, 33});
   r.middle = r.driving.positions[static_cast<std::size_t>(positions / 2)];
   r.middle_gap = gap_map(pair, r.middle->rotation1, r.middle->pair, {17, 33});
-  r.errors = {{"crossing of the axes", 0.02, "°"}};
+  r.errors = {{"out-of-plane shaft deviation", 0.02, "°"}};
   r.under = {{"no error", r.patterns[0], Angle(), false},
              {"as specified", r.patterns[0], Angle::radians(1e-5), true}};
   return sample;
