@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "apps/common/speaking.hpp"
@@ -42,7 +42,14 @@ std::string read_text(const std::string& path) {
   if (fs::is_directory(path)) throw IoError("cannot read " + path + ": it is a folder");
   std::ifstream file(path, std::ios::binary);
   if (!file) throw IoError("cannot read " + path + ": " + std::strerror(errno));
-  std::string text{std::istreambuf_iterator<char>(file), {}};
+  constexpr std::size_t kMaxBytes = 1 << 26;  // of a file of cases; a device may have no end
+  std::string text;
+  std::array<char, 1 << 16> part{};
+  while (file.read(part.data(), part.size()), file.gcount() > 0) {
+    text.append(part.data(), static_cast<std::size_t>(file.gcount()));
+    if (text.size() > kMaxBytes)
+      throw IoError(fmt::format("cannot read {}: it has more than {} bytes", path, kMaxBytes));
+  }
   if (file.bad()) throw IoError("cannot read " + path + ": " + std::strerror(errno));
   return text;
 }

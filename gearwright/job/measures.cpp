@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/gear/basic.hpp"
 #include "gearwright/gear/gear_field.hpp"
@@ -34,6 +35,8 @@ double default_chord_diameter(const Gear& g) {
 
 // Two names of one rack may differ by what people write down: a part in a million.
 constexpr double kSameRack = 1e-6;
+// Normal pressure angles of the racks that can be asked for, deg: as a gear's own.
+constexpr double kMinRackAngle = 1.0, kMaxRackAngle = 60.0;
 
 }  // namespace
 
@@ -99,7 +102,7 @@ std::optional<RackQuestion> parse_rack_question(const std::string& text) {
   q.normal_module = number(text.substr(0, comma), good);
   if (const auto angle = number(text.substr(comma + 1), good)) {
     q.normal_pressure_angle = Angle::degrees(*angle);
-    good = good && *angle >= 1.0 && *angle <= 60.0;  // as a gear's own
+    good = good && *angle >= kMinRackAngle && *angle <= kMaxRackAngle;
   }
   if (!good || (!q.normal_module && !q.normal_pressure_angle)) return std::nullopt;
   return q;
@@ -123,6 +126,14 @@ Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion
                              spoken(m_cos, m)));
     }
     const double of_module = std::acos(m_cos / m);
+    const double m_max = m_cos / std::cos(kMaxRackAngle * kRadPerDeg);
+    if (m > m_max) {
+      return bad(
+          spoken(m, m_max) + ",",
+          fmt::format("at this base pitch the angle would be {}°; it is at most {}°, of a "
+                      "module of {} mm",
+                      spoken(deg(of_module), kMaxRackAngle), kMaxRackAngle, spoken(m_max, m)));
+    }
     if (!question.normal_pressure_angle) {
       alpha = of_module;
     } else if (std::abs(m * std::cos(alpha) - m_cos) > kSameRack * m_cos) {

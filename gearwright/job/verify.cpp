@@ -124,6 +124,12 @@ Result<CaseOutcome> run_case(const Json& c) {
 }  // namespace
 
 Result<std::vector<CaseOutcome>> verify_cases(std::string_view json_text) {
+  constexpr int kDeepest = 64;  // a case nests ten
+  const auto unreadable = [](const std::string& why) {
+    return Error{"", "", "the case file cannot be read: " + why};
+  };
+  if (json_depth(json_text) > kDeepest)
+    return unreadable(fmt::format("it nests more than {} levels", kDeepest));
   try {
     const Json file = parse_json(json_text);
     if (!file.is_object() || !file.contains("cases") || !file["cases"].is_array() ||
@@ -138,7 +144,9 @@ Result<std::vector<CaseOutcome>> verify_cases(std::string_view json_text) {
     }
     return outcomes;
   } catch (const nlohmann::json::exception& e) {
-    return Error{"", "", "the case file cannot be read: " + printable(e.what(), 200)};
+    const std::string what = e.what();  // "[json.exception.parse_error.101] parse error at line …"
+    const std::size_t at = what.find("] ");
+    return unreadable(printable(at == std::string::npos ? what : what.substr(at + 2), 200));
   }
 }
 

@@ -13,6 +13,10 @@ namespace gearwright {
 
 using Json = nlohmann::ordered_json;
 
+/// How deep brackets nest in a text, those in strings aside. Who takes a text from outside asks
+/// before it is parsed: trees are written and taken apart level in level.
+int json_depth(std::string_view text);
+
 /// Throws  nlohmann::json::parse_error
 Json parse_json(std::string_view text);
 

@@ -77,6 +77,10 @@ class Crossed(unittest.TestCase):
         self.assertAlmostEqual(Run("gear", BASIC.format(""), "--as-rack", "3,", "--json").json["gears"][1]["as_rack"]["normal_pressure_angle_deg"], 20, places=9)
         self.assertEqual(Run("gear", BASIC.format(""), "--as-rack", "3,21").status, 1)
         self.assertEqual(Run("gear", BASIC.format(""), "--as-rack", ",50").status, 1)
+        for module in ("1e16", "1e17", "1e300", "50"):  # beyond 60°: an angle of 90° is none
+            r = Run("gear", BASIC.format(""), "--as-rack", module + ",")
+            self.assertEqual(r.status, 1, r.err)
+            self.assertIn("60°", r.err)
         for junk in ("3", ",", "", "3,20,1", "x,20", "-3,20", "3,nan", "3 ,20x", "0x3,", ",1e-300", ",85"):
             self.assertEqual(Run("gear", BASIC.format(""), "--as-rack", junk).status, 2, junk)
 

@@ -1,8 +1,10 @@
 """The verbs as a user types them: outputs, exit status, files."""
 import json
 import math
+import pathlib
 import re
 import struct
+import tempfile
 import unittest
 
 from cli import HAS_STEP, PAIR, SOURCE, Run, raw
@@ -138,6 +140,21 @@ class Verbs(unittest.TestCase):
         reach = a["pair"]["center_distance_mm"] + a["gears"][1]["tip_diameter_mm"] / 2
         self.assertAlmostEqual(max(x), reach, delta=0.05)
         self.assertAlmostEqual(min(x), -a["gears"][0]["tip_diameter_mm"] / 2, delta=0.5)
+
+    def test_verify_refuses_what_is_no_case_file(self):
+        case = '{"cases": [{"id": "a", "source": "b", "expected": {"x": 1}, "spec": %s}]}'
+        where = pathlib.Path(tempfile.mkdtemp(prefix="gearwright_cli_"))
+        for text, words in ((case % ('{"a": ' * 50_000 + "1" + "}" * 50_000), "nests more than 64 levels"),
+                            (case % ("[" * 50_000 + "]" * 50_000), "nests more than 64 levels"),
+                            ("{", "line 1")):
+            (where / "cases.json").write_text(text)
+            p = raw("verify", where / "cases.json")
+            self.assertEqual([p.returncode, p.stdout], [1, ""], p.stderr)
+            self.assertIn(words, p.stderr)
+            self.assertNotIn("json.exception", p.stderr)
+        p = raw("verify", "/dev/zero")
+        self.assertEqual([p.returncode, p.stdout], [3, ""], p.stderr)
+        self.assertIn("more than", p.stderr)
 
     def test_verify_runs_the_golden_cases(self):
         p = raw("verify", *[str(f) for f in sorted((SOURCE / "tests/golden").glob("*.json"))])
