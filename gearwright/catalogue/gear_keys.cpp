@@ -175,7 +175,7 @@ const KeyTable& cutter_keys() {
     t.name = "cutter";
     t.meaning =
         "A pinion cutter; module and angles where they are not those of the gear or its "
-        "mate";
+        "mating gear";
     return t;
   }();
   return table;

@@ -121,7 +121,7 @@ Touch TouchSearch::from(double s, double z, double s2, const detail::ActiveSet& 
   detail::StepProblem p;
   const double ks = scale_.s_half;
   const double kz = scale_.z_half;
-  // The merit of a place: what it breaks costs more than it can gain.
+  // The exact-penalty merit of a place: the gap angle less a price on the bounds that it violates.
   double price = 0.0;
   const auto merit = [&](const GapJet& at) {
     double broken = 0.0;

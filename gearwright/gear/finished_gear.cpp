@@ -104,7 +104,7 @@ void warn_about_tooth(Gear& gear) {
   }
   if (tooth.severed) {
     warn(gear, "severed",
-         "The root fillets of both sides meet: the tooth is cut off. " +
+         "The root fillets of both sides meet: the tooth is cut through. " +
              (gear.undercut ? "There is undercut: " + without_undercut(gear)
                             : "Less profile shift or a thicker tooth would help."));
     return;
