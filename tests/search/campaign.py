@@ -62,6 +62,11 @@ class Campaign(unittest.TestCase):
             self.assertEqual(row["tested"], row["feasible"] + sum(row[name] for name in result["rejected"]))
         return {row["writer"] for row in rows}
 
+    def forget_parts(self):
+        """What those that were killed had begun to write; no reader takes it for a result."""
+        for part in self.out.glob(".*.part"):
+            part.unlink()
+
     def kill_at_random(self, begin, kills=4):
         """Kills as many times, each after some chunks and a moment drawn by lot; then lets it come through."""
         for _ in range(kills):

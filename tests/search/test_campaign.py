@@ -64,6 +64,7 @@ class OneMachine(Campaign):
 
     def test_killed_and_resumed(self):
         self.kill_at_random(lambda *args: self.begin("--threads", 1, *args))
+        self.forget_parts()
         self.check()
 
     def test_killed_at_its_beginning(self):
@@ -73,6 +74,7 @@ class OneMachine(Campaign):
             process.kill()
             end(process)
         self.go("--shard", "1/1")
+        self.forget_parts()
         self.check()
 
     def test_shards_killed_and_begun_again(self):
@@ -87,6 +89,7 @@ class OneMachine(Campaign):
         for shard in shards:
             status, _, err = end(shard)
             self.assertEqual(status, 0, err)
+        self.forget_parts()
         self.check()
 
     def test_killed_while_the_files_are_written(self):

@@ -115,6 +115,7 @@ class Ranks(Campaign):
             end(process)
         status, _, err = end(self.mpi("--resume"))
         self.assertEqual(status, 0, err)
+        self.forget_parts()
         self.check()
 
 
