@@ -19,6 +19,7 @@
 #include <sstream>
 
 #include "gearwright/base/output_file.hpp"
+#include "gearwright/base/testing/scratch_folder.hpp"
 #include "gearwright/cad/section.hpp"
 #include "gearwright/cad/testing/generated_bodies.hpp"
 #include "gearwright/cad/testing/sample_outlines.hpp"
@@ -32,14 +33,8 @@ using testing::sample_body;
 
 class Step : public ::testing::Test {
  protected:
-  void SetUp() override {
-    // A folder of its own: two builds may be tested at once.
-    std::string name = (fs::temp_directory_path() / "gearwright_step_XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-  fs::path folder_;
+  testing::ScratchFolder scratch_;
+  fs::path folder_ = scratch_.path();
 };
 
 std::string text_of(const fs::path& path) {

@@ -21,12 +21,6 @@ namespace {
 
 constexpr const char* kDocument = "docs/spec.md";
 
-std::string cell(std::string_view text) {
-  std::string out;
-  for (const char c : text) out += c == '|' ? "\\|" : std::string(1, c);
-  return out;
-}
-
 // A word's values, then the meaning: "tip diameter, of the blank".
 std::string meaning_of(const Said& s) {
   std::string text = s.words == s.key ? "" : s.words;

@@ -17,12 +17,6 @@ namespace {
 
 constexpr const char* kSpecDocument = "docs/spec.md";
 
-std::string cell(std::string_view text) {
-  std::string out;
-  for (const char c : text) out += c == '|' ? "\\|" : std::string(1, c);
-  return out;
-}
-
 std::string code(std::string_view text) { return fmt::format("`{}`", text); }
 
 // "−100 000", as documents write numbers.

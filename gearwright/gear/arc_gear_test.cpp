@@ -1,6 +1,8 @@
 // Gears with circular-arc teeth from their specs: what they have, what they do not, flags and
 // refusals.
 #include "gearwright/gear/arc_gear.hpp"
+#include "gearwright/base/testing/taken.hpp"
+#include "gearwright/gear/testing/warns.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +13,8 @@
 
 namespace gearwright {
 namespace {
+
+using testing::warns;
 
 using Cutter = ArcRack::Cutter;
 
@@ -34,16 +38,7 @@ CylindricalSpec double_spec(int teeth) {
   return s;
 }
 
-Gear made(const CylindricalSpec& s) {
-  auto gear = make_gear(s);
-  EXPECT_TRUE(gear) << gear.error().message();
-  return std::move(gear).take();
-}
-
-bool warns(const Gear& gear, const std::string& code) {
-  return std::any_of(gear.warnings.begin(), gear.warnings.end(),
-                     [&](const Warning& w) { return w.code == code; });
-}
+Gear made(const CylindricalSpec& s) { return testing::taken(make_gear(s)); }
 
 std::vector<ArcName> names(const Gear& gear) {
   std::vector<ArcName> list;

@@ -1,5 +1,7 @@
 // A gear from its spec: defaults, flags with their warnings, and errors that name their key.
 #include "gearwright/gear/gear.hpp"
+#include "gearwright/base/testing/taken.hpp"
+#include "gearwright/gear/testing/warns.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +13,8 @@
 
 namespace gearwright {
 namespace {
+
+using testing::warns;
 
 using namespace literals;
 
@@ -26,16 +30,7 @@ CylindricalSpec spec(int teeth) {
   return s;
 }
 
-Gear made(const CylindricalSpec& s) {
-  auto gear = make_gear(s);
-  EXPECT_TRUE(gear) << gear.error().message();
-  return std::move(gear).take();
-}
-
-bool warns(const Gear& gear, const std::string& code) {
-  return std::any_of(gear.warnings.begin(), gear.warnings.end(),
-                     [&](const Warning& w) { return w.code == code; });
-}
+Gear made(const CylindricalSpec& s) { return testing::taken(make_gear(s)); }
 
 TEST(MakeGear, defaults_from_the_rack) {
   CylindricalSpec s = spec(30);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "gearwright/base/testing/named_limit.hpp"
+#include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/ring_cutter.hpp"
 #include "gearwright/math/involute.hpp"
 
@@ -45,16 +46,10 @@ CylindricalSpec two_teeth() {
   return s;
 }
 
-Gear made(const CylindricalSpec& s) {
-  auto gear = make_gear(s);
-  EXPECT_TRUE(gear) << gear.error().message();
-  return std::move(gear).take();
-}
+Gear made(const CylindricalSpec& s) { return testing::taken(make_gear(s)); }
 
 Gear cut(const Gear& cutter, const PinionCutSpec& s) {
-  auto gear = make_pinion_cut_gear(cutter, s);
-  EXPECT_TRUE(gear) << gear.error().message();
-  return std::move(gear).take();
+  return testing::taken(make_pinion_cut_gear(cutter, s));
 }
 
 double distance(const Gear& cutter, int teeth, double x) {

@@ -13,6 +13,7 @@
 #include <numbers>
 #include <vector>
 
+#include "gearwright/base/testing/taken.hpp"
 #include "gearwright/math/involute.hpp"
 #include "gearwright/tool/straight_rack.hpp"
 
@@ -31,9 +32,7 @@ GeneratedTooth by_rack(int teeth, double shift, const StraightRack& rack, double
                        const CircularFillets& fillets = {}) {
   auto edge = make_edge(rack, 1.0, 20_deg);
   EXPECT_TRUE(edge);
-  auto tooth = cut_by_rack(edge->edge, {teeth / 2.0, 1.0, shift}, teeth, blank, fillets);
-  EXPECT_TRUE(tooth) << tooth.error().message();
-  return std::move(tooth).take();
+  return testing::taken(cut_by_rack(edge->edge, {teeth / 2.0, 1.0, shift}, teeth, blank, fillets));
 }
 
 // A cutter with rounded tips, sharp at its root.
@@ -51,9 +50,7 @@ GeneratedTooth cutter_of(int teeth, double shift) { return by_rack(teeth, shift,
 double no_blank(int teeth) { return teeth > 0 ? kInfinity : 0.0; }
 
 GeneratedTooth cut(const GeneratedTooth& cutter, const PinionMotion& motion, double blank) {
-  auto tooth = cut_by_pinion(cutter, motion, blank);
-  EXPECT_TRUE(tooth) << tooth.error().message();
-  return std::move(tooth).take();
+  return testing::taken(cut_by_pinion(cutter, motion, blank));
 }
 
 GeneratedTooth cut(const GeneratedTooth& cutter, const PinionMotion& motion) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gearwright/base/testing/named_limit.hpp"
+#include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/gear.hpp"
 
 namespace gearwright {
@@ -50,11 +51,7 @@ CylindricalSpec with_tip(CylindricalSpec s, By by, double value) {
   return s;
 }
 
-Gear made(const CylindricalSpec& s) {
-  auto gear = make_gear(s);
-  EXPECT_TRUE(gear) << gear.error().message();
-  return std::move(gear).take();
-}
+Gear made(const CylindricalSpec& s) { return testing::taken(make_gear(s)); }
 
 // What a spec is refused with, whose field is checked; empty: it is made.
 std::string refusal(const CylindricalSpec& s, const std::string& field) {

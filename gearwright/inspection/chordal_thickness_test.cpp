@@ -1,5 +1,6 @@
 // The shortest chord: golden values, a search that knows nothing of the equation, laws, gears.
 #include "gearwright/inspection/chordal_thickness.hpp"
+#include "gearwright/base/testing/taken.hpp"
 
 #include <gtest/gtest.h>
 
@@ -148,7 +149,7 @@ TEST(ShortestChord, is_what_a_search_over_inclinations_finds) {
     const Found best = *std::min_element(found.begin(), found.end(),
                                          [](auto& a, auto& b) { return a.distance < b.distance; });
     const auto c = shortest_chord(ToothArc<double>{theta_t, psi, r, r});
-    expect_same(c, h, best, testing::PrintToString(std::pair{psi / kDegree, theta_t}));
+    expect_same(c, h, best, ::testing::PrintToString(std::pair{psi / kDegree, theta_t}));
   }
   EXPECT_GE(steep, 50);
   EXPECT_GE(thick, 20);
@@ -168,7 +169,7 @@ TEST(ShortestChord, of_a_thread_over_half_the_circumference) {
     const long double half_turn = (kPi - 2 * h.theta_t) / h.tan_psi;
     const auto found = dips(h, axial, half_turn);
     const auto c = shortest_chord(ToothArc<double>{theta_t, psi, 1.0, 1.0});
-    const std::string what = testing::PrintToString(std::pair{psi / kDegree, theta_t});
+    const std::string what = ::testing::PrintToString(std::pair{psi / kDegree, theta_t});
     if (c.half_angle_used > kPi / 2) {
       EXPECT_TRUE(found.empty()) << what;
       EXPECT_LT(c.half_angle_used, kPi) << what;
@@ -270,11 +271,7 @@ TEST(ShortestChord, height_does_not_cancel) {
 
 // ---- gears ----
 
-Gear made(const CylindricalSpec& spec) {
-  auto gear = make_gear(spec);
-  EXPECT_TRUE(gear) << gear.error().message();
-  return std::move(gear).take();
-}
+Gear made(const CylindricalSpec& spec) { return testing::taken(make_gear(spec)); }
 
 CylindricalSpec spec_of(int z, double m, double beta_deg, double x) {
   CylindricalSpec s;

@@ -1,6 +1,8 @@
 // Mounted circular-arc pairs: contacts that lie on both gears, roles and hands exchanged,
 // clearances, and what keeps two gears apart.
 #include "gearwright/pair/arc_pair.hpp"
+#include "gearwright/base/testing/taken.hpp"
+#include "gearwright/gear/testing/warns.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +14,8 @@
 
 namespace gearwright {
 namespace {
+
+using testing::warns;
 
 using Complex = std::complex<double>;
 using Cutter = ArcRack::Cutter;
@@ -37,22 +41,11 @@ ArcRack rack_of(Cutter cutter) {
   return rack;
 }
 
-Gear made(const CylindricalSpec& s) {
-  auto gear = make_gear(s);
-  EXPECT_TRUE(gear) << gear.error().message();
-  return std::move(gear).take();
-}
+Gear made(const CylindricalSpec& s) { return testing::taken(make_gear(s)); }
 
 ArcPair mounted(const CylindricalSpec& s_1, const CylindricalSpec& s_2,
                 std::optional<double> a = std::nullopt) {
-  auto pair = mount_arcs(made(s_1), made(s_2), a);
-  EXPECT_TRUE(pair) << pair.error().message();
-  return std::move(pair).take();
-}
-
-bool warns(const ArcPair& pair, const std::string& code) {
-  return std::any_of(pair.warnings.begin(), pair.warnings.end(),
-                     [&](const Warning& w) { return w.code == code; });
+  return testing::taken(mount_arcs(made(s_1), made(s_2), a));
 }
 
 // How far a point of the housing is from the gear's leading flank that holds the normal angle θ, at

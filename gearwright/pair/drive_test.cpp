@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "gearwright/base/testing/taken.hpp"
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/contact/testing/sample_pairs.hpp"
 
@@ -13,10 +14,8 @@ namespace gearwright {
 namespace {
 
 InvolutePair mounted(const testing::SamplePair& p, double more = 0.0) {
-  auto pair =
-      mount_involutes(p.gears[0], p.gears[1], {.center_distance = p.place.center_distance + more});
-  EXPECT_TRUE(pair) << pair.error().message();
-  return std::move(pair).take();
+  return testing::taken(
+      mount_involutes(p.gears[0], p.gears[1], {.center_distance = p.place.center_distance + more}));
 }
 
 // [T6.15]: gear 2 presses against the normal that points out of gear 1. The moment about axis 1

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "gearwright/base/testing/taken.hpp"
 #include "gearwright/pair/pair.hpp"
 
 namespace gearwright {
@@ -24,15 +25,11 @@ Gear gear(int teeth, double x = 0.0, double fillet = 0.38, double tip = 0.0) {
   s.face_width = 20.0;
   s.straight_rack().root_fillet_radius = fillet;
   if (tip > 0.0) s.tip_diameter = tip;
-  auto made = make_gear(s);
-  EXPECT_TRUE(made) << made.error().message();
-  return std::move(made).take();
+  return testing::taken(make_gear(s));
 }
 
 InvolutePair mounted(const Gear& g1, const Gear& g2, double a) {
-  auto pair = mount_involutes(g1, g2, {a});
-  EXPECT_TRUE(pair) << pair.error().message();
-  return std::move(pair).take();
+  return testing::taken(mount_involutes(g1, g2, {a}));
 }
 
 // The fillet of gear 1 as 2000 points of the space's upper side in gear 1's frame (tooth 0 on the x

@@ -1,5 +1,7 @@
 // Pairs as mounted: partners that cannot mesh, poses, lines of action, clearances and warnings.
 #include "gearwright/pair/involute_pair.hpp"
+#include "gearwright/base/testing/taken.hpp"
+#include "gearwright/gear/testing/warns.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +12,8 @@
 
 namespace gearwright {
 namespace {
+
+using testing::warns;
 
 using namespace literals;
 
@@ -22,20 +26,11 @@ Gear gear(int teeth, double x = 0.0, Angle beta = 0_deg, double tip = 0.0) {
   s.face_width = 20.0;
   s.rack = *iso53_rack("ISO53-A");
   if (tip > 0.0) s.tip_diameter = tip;
-  auto made = make_gear(s);
-  EXPECT_TRUE(made) << made.error().message();
-  return std::move(made).take();
+  return testing::taken(make_gear(s));
 }
 
 InvolutePair mounted(const Gear& g1, const Gear& g2, double a) {
-  auto pair = mount_involutes(g1, g2, {a});
-  EXPECT_TRUE(pair) << pair.error().message();
-  return std::move(pair).take();
-}
-
-bool warns(const InvolutePair& pair, const std::string& code) {
-  return std::any_of(pair.warnings.begin(), pair.warnings.end(),
-                     [&](const Warning& w) { return w.code == code; });
+  return testing::taken(mount_involutes(g1, g2, {a}));
 }
 
 TEST(MountParallel, standard_pair) {

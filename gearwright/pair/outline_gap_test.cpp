@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/gear/ring_cutter.hpp"
 #include "gearwright/pair/involute_pair.hpp"
@@ -15,11 +16,7 @@
 namespace gearwright {
 namespace {
 
-Gear made(const CylindricalSpec& spec) {
-  auto gear = make_gear(spec);
-  EXPECT_TRUE(gear) << gear.error().message();
-  return std::move(gear).take();
-}
+Gear made(const CylindricalSpec& spec) { return testing::taken(make_gear(spec)); }
 
 CylindricalSpec spec(int teeth, double m, double x = 0.0, double beta_deg = 0.0) {
   CylindricalSpec s;
@@ -42,15 +39,11 @@ Gear ring(int teeth, double m, double x = 0.0, double beta_deg = 0.0) {
 Gear cut(const Gear& cutter, int teeth, double x, std::optional<double> tip_diameter = {}) {
   const auto distance = generating_distance(cutter, teeth, x);
   EXPECT_TRUE(distance);
-  auto gear = make_pinion_cut_gear(cutter, {teeth, *distance, 20.0, tip_diameter});
-  EXPECT_TRUE(gear) << gear.error().message();
-  return std::move(gear).take();
+  return testing::taken(make_pinion_cut_gear(cutter, {teeth, *distance, 20.0, tip_diameter}));
 }
 
 InvolutePair mounted(const Gear& one, const Gear& two, double a) {
-  auto pair = mount_involutes(one, two, {a});
-  EXPECT_TRUE(pair) << pair.error().message();
-  return std::move(pair).take();
+  return testing::taken(mount_involutes(one, two, {a}));
 }
 
 double half_play(const InvolutePair& p) { return p.mesh.backlash.rotation[1] / 2; }

@@ -7,6 +7,7 @@
 #include <string>
 #include <type_traits>
 
+#include "gearwright/base/testing/taken.hpp"
 #include "gearwright/contact/compensation.hpp"
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/design/few_teeth_design.hpp"
@@ -63,9 +64,7 @@ Gear gear(int teeth, const Rack& rack, Angle beta) {
   s.helix_angle = beta;
   s.face_width = 60.0;
   s.rack = rack;
-  auto made = make_gear(s);
-  EXPECT_TRUE(made) << made.error().message();
-  return std::move(made).take();
+  return testing::taken(make_gear(s));
 }
 
 TEST(Mount, two_involute_gears_are_an_involute_pair) {

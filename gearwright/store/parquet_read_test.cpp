@@ -13,7 +13,7 @@
 #include "gearwright/base/testing/source_file.hpp"
 #include "gearwright/base/version.hpp"
 #include "gearwright/store/parquet.hpp"
-#include "gearwright/store/parquet_test_table.hpp"
+#include "gearwright/store/testing/parquet_table.hpp"
 
 namespace gearwright {
 namespace {

@@ -15,7 +15,7 @@
 #include <limits>
 
 #include "gearwright/base/output_file.hpp"
-#include "gearwright/store/parquet_test_table.hpp"
+#include "gearwright/store/testing/parquet_table.hpp"
 
 namespace gearwright {
 namespace {

@@ -13,6 +13,7 @@
 #include <numbers>
 
 #include "gearwright/base/testing/source_file.hpp"
+#include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/arc_gear.hpp"
 #include "gearwright/pair/arc_pair.hpp"
 
@@ -52,9 +53,7 @@ Gear gear_of(const Json& design, int which, double m) {
   spec.face_width = 40 * m;
   spec.rack =
       rack_of(design[first ? "F" : "P"], first ? ArcRack::Cutter::F : ArcRack::Cutter::P, m);
-  auto gear = make_gear(spec);
-  EXPECT_TRUE(gear) << gear.error().message();
-  return std::move(gear).take();
+  return testing::taken(make_gear(spec));
 }
 
 TEST(CircularArc, racks) {

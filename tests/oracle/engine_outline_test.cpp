@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "tests/oracle/engine_numbers.hpp"
 #include "tests/oracle/outline_against_sweep.hpp"
@@ -86,11 +87,7 @@ CylindricalSpec spec_of(const Cutter& cutter, int teeth, double beta_deg, double
   return spec;
 }
 
-Gear made(const CylindricalSpec& spec) {
-  auto gear = make_gear(spec);
-  EXPECT_TRUE(gear) << gear.error().message();
-  return std::move(gear).take();
-}
+Gear made(const CylindricalSpec& spec) { return testing::taken(make_gear(spec)); }
 
 // From a little below the shift at which the cutter reaches the axis or severs the tooth to a
 // little above the one at which it is pointed. Three modules below the undercut limit every tooth

@@ -12,6 +12,7 @@
 #include <limits>
 #include <numbers>
 
+#include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
 #include "tests/oracle/few_tooth_cases.hpp"
 #include "tests/oracle/pinion_cutter_cases.hpp"
@@ -68,11 +69,7 @@ Match match(const Outline& outline, const Vec2& p, const Vec2& normal) {
   return best;
 }
 
-Gear made(const CylindricalSpec& spec) {
-  auto gear = make_gear(spec);
-  EXPECT_TRUE(gear) << gear.error().message();
-  return std::move(gear).take();
-}
+Gear made(const CylindricalSpec& spec) { return testing::taken(make_gear(spec)); }
 
 CylindricalSpec spec_of(const RackNumbers& n) {
   CylindricalSpec s;

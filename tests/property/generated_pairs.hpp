@@ -16,6 +16,7 @@
 
 #include <fmt/format.h>
 
+#include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/gear/ring_cutter.hpp"
 #include "gearwright/pair/pair.hpp"
@@ -30,11 +31,7 @@ struct NamedPair {
   InvolutePair pair;
 };
 
-inline Gear gear_of(const CylindricalSpec& spec) {
-  auto gear = make_gear(spec);
-  EXPECT_TRUE(gear) << gear.error().message();
-  return std::move(gear).take();
-}
+inline Gear gear_of(const CylindricalSpec& spec) { return testing::taken(make_gear(spec)); }
 
 inline double distance_for(const Gear& cutter, int teeth, double x) {
   const auto e = generating_distance(cutter, teeth, x);
@@ -44,15 +41,11 @@ inline double distance_for(const Gear& cutter, int teeth, double x) {
 
 inline Gear gear_cut(const Gear& cutter, int teeth, double e,
                      std::optional<double> tip_diameter = {}) {
-  auto gear = make_pinion_cut_gear(cutter, {teeth, e, 10.0, tip_diameter});
-  EXPECT_TRUE(gear) << gear.error().message();
-  return std::move(gear).take();
+  return testing::taken(make_pinion_cut_gear(cutter, {teeth, e, 10.0, tip_diameter}));
 }
 
 inline InvolutePair mounted_at(const Gear& one, const Gear& two, double a) {
-  auto pair = mount_involutes(one, two, {a});
-  EXPECT_TRUE(pair) << pair.error().message();
-  return std::move(pair).take();
+  return testing::taken(mount_involutes(one, two, {a}));
 }
 
 inline CylindricalSpec spec_of(int teeth, double m, double beta_deg, double x) {

@@ -12,11 +12,19 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gearwright/base/testing/source_file.hpp"
 
 namespace gearwright {
+
+/// A text as the cell of a table.
+inline std::string cell(std::string_view text) {
+  std::string out;
+  for (const char c : text) out += c == '|' ? "\\|" : std::string(1, c);
+  return out;
+}
 
 /// A file below the source folder; empty where there is none.
 inline std::string document(const std::string& path) {

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "gearwright/base/output_file.hpp"
+#include "gearwright/base/testing/scratch_folder.hpp"
 #include "gearwright/store/chunk_store.hpp"
 
 namespace gearwright::testing::chunks {
@@ -104,14 +105,6 @@ inline Rows query(const fs::path& folder, const std::string& sql) {
 
 class ChunkFolderTest : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "gearwright_chunks_XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    root_ = name;
-    folder_ = root_ / "runs" / "a";
-  }
-  void TearDown() override { fs::remove_all(root_); }
-
   Result<ChunkStore> open(OpenAs as, const Campaign& campaign) const {
     return ChunkStore::open(folder_, campaign, kNames, as, "test");
   }
@@ -195,8 +188,9 @@ class ChunkFolderTest : public ::testing::Test {
     EXPECT_EQ(sums[0][1], std::to_string(sum_of(range(n)).feasible));
   }
 
-  fs::path root_;
-  fs::path folder_;
+  ScratchFolder scratch_;
+  fs::path root_ = scratch_.path();
+  fs::path folder_ = root_ / "runs" / "a";
 };
 
 }  // namespace gearwright::testing::chunks

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstdint>
@@ -17,22 +16,16 @@
 #include <utility>
 #include <vector>
 
+#include "gearwright/base/testing/scratch_folder.hpp"
 #include "gearwright/store/parquet.hpp"
 
 namespace gearwright {
 
 class ParquetFile : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string name =
-        (std::filesystem::temp_directory_path() / "gearwright_parquet_XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    folder_ = name;
-    file_ = folder_ / "table.parquet";
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::filesystem::path folder_, file_;
+  testing::ScratchFolder scratch_;
+  std::filesystem::path folder_ = scratch_.path();
+  std::filesystem::path file_ = folder_ / "table.parquet";
 };
 
 inline std::string content(const std::filesystem::path& path) {

@@ -1,0 +1,17 @@
+// Whether a gear, or a pair, has a warning of this code.
+#pragma once
+
+#include <algorithm>
+#include <string>
+
+#include "gearwright/gear/gear.hpp"
+
+namespace gearwright::testing {
+
+template <class Warned>
+bool warns(const Warned& of, const std::string& code) {
+  return std::any_of(of.warnings.begin(), of.warnings.end(),
+                     [&](const Warning& w) { return w.code == code; });
+}
+
+}  // namespace gearwright::testing
