@@ -13,7 +13,7 @@ struct FitInput {
   std::optional<Angle> working_normal_pressure_angle;  ///< α_wn of the designs wanted
   bool few_teeth = false;  ///< a pinion with circular fillets and the wheel it cuts
   std::optional<double> min_tip_land, min_gap, clearance, backlash;  ///< mm, of few_teeth
-  std::optional<double> contact_ratio;                                   ///< total, of few_teeth
+  std::optional<double> contact_ratio;                               ///< total, of few_teeth
 };
 
 const KeyTable& fit_keys();

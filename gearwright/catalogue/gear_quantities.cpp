@@ -234,6 +234,13 @@ void say(Quantities<Gear>& q) {
   q.mm(kTipFillet, "point_j_l_mm", "touches the flank at J", "l_J",
        "along the rack's flank; null without a circular tip fillet",
        [](const G& g) { return Value(of_involute(g, &InvoluteTeeth::point_j_l)); });
+  q.mm(kTooth, "tip_bulge_mm", "tip beyond the involute", "",
+       "a tip that the cutter's own flank did not reach stands out by so much, along the normal",
+       [](const G& g) { return g.tip_bulge ? Value(g.tip_bulge->amount) : Value(); })
+      .when([](const G& g) { return g.tip_bulge.has_value(); });
+  q.mm(kTooth, "tip_bulge_from_mm", "… from this diameter on", "", "where its flank ends",
+       [](const G& g) { return g.tip_bulge ? Value(g.tip_bulge->from_diameter) : Value(); })
+      .when([](const G& g) { return g.tip_bulge.has_value(); });
   q.mm(kTooth, "neck_thickness_mm", "minimum root thickness (chord)", "",
        "chord at the smallest half angle of the root fillet below the tip; ≤ 0 when `severed`",
        neck_thickness)

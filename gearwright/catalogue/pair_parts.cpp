@@ -188,9 +188,31 @@ const Quantities<BacklashView>& backlash_quantities() {
           })
         .per_gear()
         .always();
+    q.deg("", "free_rotation_deg", "free play (mating gear fixed)", "",
+          "per gear, the part of it in which nothing strikes: less where something stands before "
+          "the flanks; null: not looked for, or a tip stands in a root",
+          [](const B& b) {
+            if (!b.free) return Value();
+            return Value(std::array{b.free->at(0).deg(), b.free->at(1).deg()});
+          })
+        .per_gear()
+        .shown([](const B& b) {
+          constexpr double kSame = 1e-9;
+          return b.free && std::abs(b.free->at(1).rad() - b.rotation[1].rad()) > kSame;
+        });
   });
   return kAll;
 }
+
+namespace {
+
+std::optional<std::array<Angle, 2>> free_play_of(const Pair& v) {
+  const auto& play = v.mounted().free_play;
+  if (!play) return std::nullopt;
+  return std::array{std::abs(v.gear_ratio()) * *play, *play};
+}
+
+}  // namespace
 
 std::optional<BacklashView> backlash_of(const Pair& v) {
   if (v.involute()) {
@@ -198,7 +220,8 @@ std::optional<BacklashView> backlash_of(const Pair& v) {
     return BacklashView{b.normal_base,
                         b.normal,
                         b.circumferential,
-                        {Angle::radians(b.rotation[0]), Angle::radians(b.rotation[1])}};
+                        {Angle::radians(b.rotation[0]), Angle::radians(b.rotation[1])},
+                        free_play_of(v)};
   }
   const ArcPair& p = *v.arcs();
   if (!p.backlash_rotation) return std::nullopt;
@@ -207,7 +230,8 @@ std::optional<BacklashView> backlash_of(const Pair& v) {
   return BacklashView{p.backlash_normal,
                       p.backlash_normal / std::cos(p.first_contact().at.theta.rad()),
                       {j[0].rad() * d_w[0] / 2, j[1].rad() * d_w[1] / 2},
-                      j};
+                      j,
+                      free_play_of(v)};
 }
 
 const Quantities<InvolutePair>& needed_face_quantities() {
@@ -268,13 +292,13 @@ const Quantities<InvolutePair>& internal_quantities() {
   static const Quantities<InvolutePair> kAll("pair.internal", [](Quantities<InvolutePair>& q) {
     q.mm(kMargins, "involute_margin_mm",
          "involute: start of the path above the pinion's form point", "",
-         "[T2.27]; negative: interference, null: no such limit",
+         "[T2.27]; negative: the tip reaches below it, null: no such limit",
          [](const InvolutePair& p) { return Value(p.involute_margin); });
     q.deg(kMargins, "trochoid_margin_deg", "trochoid: tips pass each other", "",
-          "[T2.28]; negative: interference, null: no such limit",
+          "[T2.28], of sharp tips without backlash; negative: they strike, null: no such limit",
           [](const InvolutePair& p) { return degrees(p.trochoid_margin); });
     q.deg(kMargins, "trimming_margin_deg", "trimming: radial assembly", "",
-          "[T2.28]; negative: interference, null: no such limit",
+          "[T2.28]; negative: only along the axis, null: no such limit",
           [](const InvolutePair& p) { return degrees(p.trimming_margin); });
   });
   return kAll;
@@ -286,11 +310,49 @@ const Quantities<InterferenceView>& interference_quantities() {
     q.text("code", "a fixed word for programs", [](const I& i) { return Value(i.code); }).always();
     q.whole("", "gear", "gear", "", "the one whose root or tip suffers; null: both",
             [](const I& i) { return i.gear ? Value(i.gear) : Value(); });
-    q.pure("", "amount", "amount", "", "mm; rad for `trochoid` and `trimming`; < 0: by so much",
-           [](const I& i) { return Value(i.amount); })
-        .when([](const I& i) { return i.amount.has_value(); });
+    q.pure("", "amount", "amount", "", "mm; rad for `trochoid`; < 0: by so much", [](const I& i) {
+       return Value(i.amount);
+     }).when([](const I& i) { return i.amount.has_value(); });
     q.text("message", "one sentence for people", [](const I& i) {
        return Value(i.message);
+     }).always();
+  });
+  return kAll;
+}
+
+const Quantities<Strike>& strike_quantities() {
+  using S = Strike;
+  const auto at = [](auto get) {
+    return [get](const S& s) { return s.touch ? Value(get(*s.touch)) : Value(); };
+  };
+  static const Quantities<S> kAll("pair.strike", [at](Quantities<S>& q) {
+    q.text("cause", "a fixed word for programs", [](const S& s) {
+       return Value(s.cause);
+     }).always();
+    q.whole("", "gear", "gear", "", "whose root, or whose tip that stands out; null: both alike",
+            [](const S& s) { return s.gear ? Value(s.gear) : Value(); });
+    q.mm("", "depth_mm", "depth", "",
+         "along the common normal: of an overlap in the middle of the play, beyond the flank how "
+         "much before the flanks meet",
+         [](const S& s) { return Value(s.depth); })
+        .always();
+    q.text("arcs", "of gear 1 and of gear 2, named as in `outline`", at([](const OutlineTouch& t) {
+             return Value(ValueList{std::string(to_string(t.places[0].arc)),
+                                    std::string(to_string(t.places[1].arc))});
+           }))
+        .list({2});
+    q.flag("", "corners", "in the corner", "that ends the arc, of gear 1 and of gear 2",
+           at([](const OutlineTouch& t) {
+             return Value(ValueList{t.places[0].corner, t.places[1].corner});
+           }))
+        .list({2});
+    q.deg("", "rotation1_deg", "rotation of gear 1", "", "there, within half a pitch",
+          at([](const OutlineTouch& t) { return Angle::radians(t.rotation_1).deg(); }));
+    q.mm("", "point_mm", "point", "", "in the housing frame",
+         at([](const OutlineTouch& t) { return Vec3(t.point.x(), t.point.y(), 0.0); }))
+        .list({3});
+    q.text("message", "one sentence for people", [](const S& s) {
+       return Value(s.message);
      }).always();
   });
   return kAll;

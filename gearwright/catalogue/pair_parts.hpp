@@ -37,6 +37,7 @@ struct BacklashView {
   double normal_base, normal;
   std::array<double, 2> circumferential;  ///< mm
   std::array<Angle, 2> rotation;
+  std::optional<std::array<Angle, 2>> free;  ///< in which nothing strikes
 };
 const Quantities<BacklashView>& backlash_quantities();
 std::optional<BacklashView> backlash_of(const Pair& pair);
@@ -55,6 +56,9 @@ struct InterferenceView {
 };
 const Quantities<InterferenceView>& interference_quantities();
 std::vector<InterferenceView> interference_of(const Pair& pair);
+
+/// An entry of `overlap` or of `beyond_flank`.
+const Quantities<Strike>& strike_quantities();
 
 /// A contact of circular arcs and the pair it belongs to.
 struct ArcContactView {

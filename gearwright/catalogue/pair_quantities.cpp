@@ -247,7 +247,26 @@ void say_contact(Quantities<V>& q) {
            involute([](const InvolutePair& p) { return path_quantities().of(p); }))
       .doors(kJson)
       .when(is_involute);
-  q.record("", "interference", "parts that get in each other's way",
+  q.record("", "overlap",
+           "where the bodies would share space, in the middle of the play, deepest first "
+           "[T2.29]…[T2.33]; null: not looked for (crossed axes, circular arcs of unequal lead, an "
+           "internal gear whose cutter is not known)",
+           table_of<strike_quantities>,
+           [](const V& v) {
+             const auto& overlap = v.mounted().overlap;
+             return overlap ? Value(strike_quantities().each(*overlap)) : Value();
+           })
+      .list({0})
+      .doors(kJson);
+  q.record("", "beyond_flank",
+           "contact on a root or a tip that is no flank, while nothing overlaps",
+           table_of<strike_quantities>,
+           [](const V& v) { return Value(strike_quantities().each(v.mounted().beyond_flank)); })
+      .always()
+      .list({0})
+      .doors(kJson);
+  q.record("", "interference",
+           "what explains an overlap; where none is looked for all that a circle or a corner says",
            table_of<interference_quantities>,
            [](const V& v) { return Value(interference_quantities().each(interference_of(v))); })
       .always()
@@ -369,7 +388,7 @@ void say(Quantities<V>& q) {
   say_contact(q);
   say_clearances(q);
   say_sliding(q);
-  q.record(kBacklash, "backlash", "of the teeth as cut at this centre distance",
+  q.record(kBacklash, "backlash", "of the flanks as cut at this centre distance",
            table_of<backlash_quantities>,
            [](const V& v) { return record_of(backlash_quantities(), backlash_of(v)); });
   q.record(kMargins, "internal", "internal pairs only", table_of<internal_quantities>,

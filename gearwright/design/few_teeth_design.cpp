@@ -253,6 +253,8 @@ class Search {
     if (!pair) return stopped(11, pair.error().quoted());
     if (!pair->interference.empty())
       return stopped(12, "interference: " + pair->interference.front().message);
+    if (!pair->beyond_flank.empty())
+      return stopped(12, "contact beyond the flank: " + pair->beyond_flank.front().message);
     if (!(pair->contact_ratio_true() > 0.0)) return stopped(13, "contact, of which there is none");
     return made(pinion, spec, std::move(pair).take(), distance, mounted);
   }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "gearwright/gear/tip_bulge.hpp"
+
 namespace gearwright::detail {
 
 Gear described(const CylindricalSpec& spec) {
@@ -131,6 +133,19 @@ void warn_about_tooth(Gear& gear) {
   }
 }
 
+void find_tip_bulge(Gear& gear) {
+  if (!gear.involute() || !gear.exists()) return;
+  gear.tip_bulge = tip_bulge(gear);
+  if (!gear.tip_bulge) return;
+  const TipBulge& bulge = *gear.tip_bulge;
+  warn(gear, "tip_bulge",
+       fmt::format(
+           "The tip stands out by {:.4g} mm beyond the involute, from {:.4f} mm diameter on, "
+           "where the cutter's own flank ends: another mating gear than the cutter may "
+           "strike it. A `tip_diameter` of at {} that much takes it away.",
+           bulge.amount, bulge.from_diameter, gear.internal() ? "least" : "most"));
+}
+
 // Normal thickness of the finished tooth at its tip: the land that is left, 0 at a point.
 std::optional<double> tip_thickness(const Gear& gear) {
   if (!gear.exists()) return std::nullopt;
@@ -165,6 +180,7 @@ void finish(Gear& gear) {
   gear.tip_tooth_thickness_normal = tip_thickness(gear);
   if (gear.tooth) {
     warn_about_tooth(gear);
+    find_tip_bulge(gear);
   } else {
     warn_about_ring(gear);
   }

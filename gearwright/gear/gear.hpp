@@ -65,6 +65,12 @@ struct ArcTeeth {
   std::optional<Angle> undercut_limit;        ///< τ of that arc's cusp; none: it has none
 };
 
+/// How far the tip of a tooth stands out beyond the involute: gear/tip_bulge.hpp.
+struct TipBulge {
+  double amount;         ///< mm, along the involute's normal
+  double from_diameter;  ///< mm, where the flank ends
+};
+
 struct Gear {
   CylindricalSpec spec;
   std::optional<PinionCutting> cut_by;  ///< none: cut by its rack
@@ -77,6 +83,7 @@ struct Gear {
   bool undercut;  ///< the cutter took some of the flank; not under a circular root fillet
   std::optional<double> pointed_diameter;            ///< where the two flanks meet, mm
   std::optional<double> tip_tooth_thickness_normal;  ///< s_an  mm, of the finished tooth
+  std::optional<TipBulge> tip_bulge;                 ///< none: nothing stands out
   std::optional<GeneratedTooth> tooth;  ///< none for an internal gear that no pinion cutter has cut
   std::vector<Warning> warnings;
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "gearwright/gear/gear_field.hpp"
+#include "gearwright/pair/interference.hpp"
 
 namespace gearwright {
 
@@ -308,6 +309,12 @@ Result<ArcPair> mount_arcs(Gear gear_1, Gear gear_2, std::optional<double> dista
                             pair.gears[1 - i].root_diameter / 2;
   }
   find_backlash(pair);
+  // Sections of gears of one lead are one outline that turns: the whole body is looked at.
+  if (pair.backlash_rotation) {
+    detail::find_strikes(pair, pair.backlash_rotation->at(1).rad() / 2, pair.backlash_normal);
+    for (const Strike& s : pair.beyond_flank)
+      pair.warnings.push_back({"beyond_flank", s.message, s.gear});
+  }
   warn_about_pair(pair);
   return pair;
 }

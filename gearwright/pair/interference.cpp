@@ -140,10 +140,12 @@ void find_internal_margins(InvolutePair& p) {
          "shorten a tip or choose tooth numbers further apart."});
   }
   if (p.trimming_margin && p.trimming_margin->rad() < 0.0) {
-    p.interference.push_back(
-        {"trimming", 2, *p.trimming_margin,
+    // Of assembly only: once in place nothing strikes.
+    p.warnings.push_back(
+        {"trimming",
          "Trimming interference: the pinion cannot be put into the internal gear radially with a "
-         "space on the centre line; slide it in along the axis."});
+         "space on the centre line; slide it in along the axis.",
+         2});
   }
 }
 

@@ -1,5 +1,5 @@
 // Where two mounted gears get in each other's way. Internal to pair/: fills in a pair whose gears,
-// mesh and distances are set.
+// mesh, distances and tip clearances are set.
 #pragma once
 
 #include "gearwright/pair/involute_pair.hpp"
@@ -14,5 +14,13 @@ void find_tip_clearance(InvolutePair& pair);
 void find_internal_margins(InvolutePair& pair);
 /// Tip corners to fillets, parallel axes; `tip_to_fillet`. [T2.26]
 void find_fillet_clearance(InvolutePair& pair);
+/// Overlap of the outlines, strikes beyond the flanks and the free play of two gears whose flanks
+/// have this play: half of it as a turn of gear 2, all of it along the normal, mm. [T2.29]…[T2.33]
+///
+/// Domain    parallel axes, both gears with a tooth
+void find_strikes(MountedGears& pair, double half_play, double normal_play);
+/// The same of an involute pair; leaves in `interference` what explains an overlap. After all
+/// others.
+void find_overlap(InvolutePair& pair);
 
 }  // namespace gearwright::detail

@@ -104,6 +104,7 @@ void warn_about_mesh(InvolutePair& p) {
          fmt::format("Self-locking with this friction: gear {} cannot drive.", gear), gear);
   }
   for (const Interference& i : p.interference) warn(p, i.code, i.message, i.gear);
+  for (const Strike& s : p.beyond_flank) warn(p, "beyond_flank", s.message, s.gear);
 }
 
 // Backlash-free pairs stand further apart than their base radii; half of that is in nobody's mind.
@@ -273,6 +274,7 @@ Result<InvolutePair> mount_involutes(Gear gear_1, Gear gear_2, const PairSpec& s
   detail::find_tip_clearance(p);
   if (p.kind == PairKind::parallel_internal) detail::find_internal_margins(p);
   if (!crossed) detail::find_fillet_clearance(p);
+  detail::find_overlap(p);
   warn_about_mesh(p);
   return p;
 }

@@ -15,14 +15,14 @@
 
 namespace gearwright {
 
-/// Two parts of the pair that get in each other's way, or a flank used where it is none.
+/// Why parts of the pair get in each other's way.
 struct Interference {
-  std::string code;  ///< form_circle, base_tangent, tip_to_fillet, trochoid, trimming, root
+  std::string code;  ///< form_circle, base_tangent, tip_to_fillet, trochoid, root, or `overlap` for
+                     ///< what has no name of its own
                      ///< (past an undercut nothing strikes: a warning `contact_lost` instead)
   int gear;          ///< the gear whose root or tip suffers
-  std::variant<double, Angle>
-      amount;           ///< mm, or of trochoid and trimming an angle; < 0: by so much
-  std::string message;  ///< one sentence
+  std::variant<double, Angle> amount;  ///< mm, or of trochoid an angle; < 0: by so much
+  std::string message;                 ///< one sentence
 };
 
 /// A place that a crossed pair could take, free of backlash.
@@ -58,7 +58,9 @@ struct InvolutePair : MountedGears {
   std::optional<CrossedPlace> min_distance;          ///< crossed axes, teeth as cut
   std::optional<CrossedPlaces> contact_ratio_range;  ///< crossed axes: where AE ≥ p_bn
   std::optional<Efficiency> efficiency;  ///< with a coefficient of friction, if contact never stops
-  std::vector<Interference> interference;
+  std::vector<Interference>
+      interference;  ///< what explains the overlap; all that has a name, where
+                     ///< none was looked for
 
   bool flanks_meet() const;    ///< the path has a length, and both gears have a flank on it
   double path_length() const;  ///< g_α, crossed AE  mm; 0: no contact

@@ -10,6 +10,7 @@
 
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/kinematics/pose.hpp"
+#include "gearwright/pair/strike.hpp"
 
 namespace gearwright {
 
@@ -23,6 +24,14 @@ struct MountedGears {
   Angle shaft_angle;                       ///< Σ    0 on parallel axes
   std::array<double, 2> tip_clearance{};   ///< c    mm: tip 1 to root 2, tip 2 to root 1
   std::optional<double> speed_rpm{};       ///< n_1  1/min, where one is given
+  /// Where the bodies would share space, in the middle of the play, deepest first. None: not looked
+  /// for (crossed axes, unequal leads, an internal gear whose cutter nobody knows)
+  std::optional<std::vector<Strike>> overlap{};
+  /// Contact off the flanks while nothing overlaps: the ratio is not constant then.
+  std::vector<Strike> beyond_flank{};
+  /// The play of gear 2 in which nothing strikes, that of the flanks or less; < 0: there is no place
+  /// without overlap. None: not looked for, or a tip stands in a root
+  std::optional<Angle> free_play{};
   std::vector<Warning> warnings;
 
   bool crossed() const { return kind == PairKind::crossed; }

@@ -65,39 +65,80 @@ std::string path_table(const InvolutePair& p) {
   return text + "</tbody></table></div>\n";
 }
 
-std::string interference_table(const InvolutePair& p) {
-  if (p.interference.empty()) {
-    if (p.crossed()) {
-      const bool lost = std::any_of(p.warnings.begin(), p.warnings.end(),
-                                    [](const Warning& w) { return w.code == "contact_lost"; });
-      return fmt::format(
-          "<p>No interference was found: tips keep clear of roots, and {}. Whether a tip corner "
-          "strikes a root fillet is checked on parallel axes only.</p>\n",
-          lost ? "where an undercut took the flank nothing strikes"
-               : "none reaches below the mating gear’s usable flank");
-    }
-    return fmt::format(
-        "<p>No interference was found: tips, roots, fillets and flanks keep clear of each "
-        "other{}.</p>\n",
-        p.kind == PairKind::parallel_internal && !p.gears[1].tooth
-            ? "; the internal gear’s root fillet is not checked"
-            : "");
+namespace {
+
+// What was looked at, where nothing was found.
+std::string nothing_strikes(const InvolutePair& p) {
+  if (p.overlap) {
+    return "<p>No interference: in every position of a pitch, and over the whole backlash, the two "
+           "finished outlines meet flank on flank only.</p>\n";
   }
-  std::string text =
-      "<div class=\"scroll\"><table>\n<caption>Interference</caption>\n<thead><tr><th "
-      "scope=\"col\">"
-      "What</th><th scope=\"col\">Gear</th><th scope=\"col\" class=\"value\">Amount</th>"
-      "<th scope=\"col\">In words</th></tr></thead>\n<tbody>\n";
-  for (const Interference& i : p.interference) {
-    const bool turns = i.code == "trochoid" || i.code == "trimming";
+  const bool lost = std::any_of(p.warnings.begin(), p.warnings.end(),
+                                [](const Warning& w) { return w.code == "contact_lost"; });
+  return fmt::format(
+      "<p>No interference was found: tips keep clear of roots, and {}. {}</p>\n",
+      lost ? "where an undercut took the flank nothing strikes"
+           : "none reaches below the mating gear’s usable flank",
+      p.crossed() ? "Whether a tip corner strikes a root fillet is checked on parallel axes only."
+                  : "The internal gear’s root fillet is not checked.");
+}
+
+struct StrikeRow {
+  std::string code;
+  int gear;
+  std::string amount, words;
+};
+
+std::string strike_rows(const std::string& caption, const std::vector<StrikeRow>& rows) {
+  if (rows.empty()) return "";
+  std::string text = fmt::format(
+      "<div class=\"scroll\"><table>\n<caption>{}</caption>\n<thead><tr><th scope=\"col\">What</th>"
+      "<th scope=\"col\">Gear</th><th scope=\"col\" class=\"value\">Depth</th>"
+      "<th scope=\"col\">In words</th></tr></thead>\n<tbody>\n",
+      caption);
+  for (const StrikeRow& row : rows) {
     text += fmt::format(
         "<tr><th scope=\"row\">{}</th><td>{}</td><td class=\"value\">{}</td><td "
         "class=\"words\">{}</td></tr>\n",
-        escaped(i.code), i.gear,
-        turns ? angle(std::get<Angle>(i.amount)) + "°" : length(std::get<double>(i.amount)) + " mm",
-        escaped(i.message));
+        escaped(row.code), row.gear > 0 ? std::to_string(row.gear) : "both", row.amount,
+        escaped(row.words));
   }
   return text + "</tbody></table></div>\n";
+}
+
+std::vector<StrikeRow> rows_of(const std::vector<Strike>& strikes) {
+  std::vector<StrikeRow> rows;
+  for (const Strike& s : strikes)
+    rows.push_back({s.cause, s.gear, length(s.depth) + " mm", s.message});
+  return rows;
+}
+
+// Without what a row of the overlap has said.
+std::vector<StrikeRow> rows_of(const std::vector<Interference>& named,
+                               const std::vector<StrikeRow>& said) {
+  std::vector<StrikeRow> rows;
+  for (const Interference& i : named) {
+    const bool again = std::any_of(said.begin(), said.end(),
+                                   [&](const StrikeRow& row) { return row.words == i.message; });
+    if (again) continue;
+    const auto* turn = std::get_if<Angle>(&i.amount);
+    rows.push_back({i.code, i.gear,
+                    turn ? angle(*turn) + "°" : length(std::get<double>(i.amount)) + " mm",
+                    i.message});
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::string interference_table(const InvolutePair& p) {
+  const std::vector<StrikeRow> overlap = p.overlap ? rows_of(*p.overlap) : std::vector<StrikeRow>{};
+  if (overlap.empty() && p.interference.empty() && p.beyond_flank.empty())
+    return nothing_strikes(p);
+  return strike_rows("Overlap of the outlines, in the middle of the backlash", overlap) +
+         strike_rows(p.overlap ? "What explains it" : "Interference",
+                     rows_of(p.interference, overlap)) +
+         strike_rows("Contact beyond the flanks, before they meet", rows_of(p.beyond_flank));
 }
 
 }  // namespace gearwright

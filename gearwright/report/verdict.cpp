@@ -19,7 +19,7 @@ struct Meaning {
   const char* reason;  // completes "does not run as specified: …"
 };
 
-constexpr std::array<Meaning, 34> kMeanings{{
+constexpr std::array<Meaning, 37> kMeanings{{
     {"through_axis", Severity::problem, "the cutter passes the axis"},
     {"severed", Severity::problem, "the teeth are cut off at their roots"},
     {"no_flank", Severity::problem, "a gear has no usable flank"},
@@ -34,6 +34,9 @@ constexpr std::array<Meaning, 34> kMeanings{{
     {"tip_to_fillet", Severity::problem, "a tip corner cuts into a root fillet"},
     {"root", Severity::problem, "a tip cuts into the mating gear’s root"},
     {"trochoid", Severity::problem, "the tips strike each other"},
+    {"overlap", Severity::problem, "the teeth overlap"},
+    {"beyond_flank", Severity::caution, ""},
+    {"tip_bulge", Severity::note, ""},
     {"no_tip_clearance", Severity::caution, ""},
     {"transverse_contact_ratio", Severity::note, ""},
     {"undercut", Severity::caution, ""},
@@ -160,8 +163,9 @@ std::string verdict(const ReportInput& input) {
                 fixed(p.mesh.true_ratio, 3), fixed(p.contact_ratio_true(), 3), *face)
           : fmt::format("The pair runs: contact is continuous ({}contact ratio {}), there is",
                         p.crossed() ? "" : "total ", fixed(p.contact_ratio_true(), 3));
+  const bool nothing_strikes = p.interference.empty() && p.beyond_flank.empty();
   return fmt::format(
-      "{} {}{}.{}{}", contact, backlash, p.interference.empty() ? " and no interference" : "",
+      "{} {}{}.{}{}", contact, backlash, nothing_strikes ? " and no interference" : "",
       ring ? " The internal gear’s cutter is not given: its root fillet is not checked." : "",
       cautions(input));
 }

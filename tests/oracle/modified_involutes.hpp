@@ -87,7 +87,8 @@ inline std::optional<ModifiedPair> random_modified(property::Random& random, con
   place.gear2_drives = random.chance(0.4);
   const auto pair = mount_involutes(gears[0], gears[1], {place.center_distance});
   if (!pair || !(pair->transverse_contact_ratio().value_or(0.0) > 1.05)) return std::nullopt;
-  if (!pair->interference.empty()) return std::nullopt;
+  if (!pair->interference.empty() || !pair->beyond_flank.empty()) return std::nullopt;
+  if (pair->trimming_margin && pair->trimming_margin->rad() < 0.0) return std::nullopt;
   if (pair->mesh.rho1_true_begin > pair->mesh.rho1_A + 1e-9 ||
       pair->mesh.rho1_true_end < pair->mesh.rho1_E - 1e-9)
     return std::nullopt;

@@ -1,0 +1,224 @@
+// Overlap and strikes beyond the flanks, from the gap of the two finished outlines.
+//
+//   g_f    gap of the flanks, half their play as a turn of gear 2     g  gap of two other arcs
+//   early  (g_f − g) h: what lies nearer than the flanks, mm along the common normal; > 0: driven to
+//          the end of the play the gears touch there first
+//   g < 0  they overlap even in the middle of the play, by −g h  [T2.34]
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "gearwright/pair/interference.hpp"
+
+namespace gearwright::detail {
+
+namespace {
+
+// Outlines that were made to touch do so to rounding.
+constexpr double kTouching = 6e-10;  // of the module
+double touching(const MountedGears& p) { return kTouching * p.gears[0].spec.normal_module; }
+
+const char* words(ArcName name) {
+  switch (name) {
+    case ArcName::root_land: return "root land";
+    case ArcName::root_fillet: return "root fillet";
+    case ArcName::flank: return "flank";
+    case ArcName::tip_fillet: return "tip fillet";
+    case ArcName::tip_land: return "tip land";
+  }
+  return "";
+}
+
+std::string part(const OutlineTouch& touch, int gear) {
+  const OutlinePlace& place = touch.places[static_cast<std::size_t>(gear - 1)];
+  const bool tip_corner = place.corner && place.arc == ArcName::flank;
+  return fmt::format("{} of gear {}", tip_corner ? "tip corner" : words(place.arc), gear);
+}
+
+// The gear that has that arc there; 0: neither.
+int gear_with(const OutlineTouch& touch, ArcName arc) {
+  for (int i : {0, 1}) {
+    if (touch.places[static_cast<std::size_t>(i)].arc == arc) return i + 1;
+  }
+  return 0;
+}
+
+struct Cause {
+  const char* code;
+  int gear;
+};
+
+Cause cause_of(const MountedGears& p, const OutlineTouch& touch) {
+  if (const int gear = gear_with(touch, ArcName::root_fillet)) return {"tip_to_fillet", gear};
+  if (const int gear = gear_with(touch, ArcName::tip_fillet);
+      gear > 0 && p.gears[static_cast<std::size_t>(gear - 1)].tip_bulge)
+    return {"tip_bulge", gear};
+  // A pinion's tip corner in an internal gear's flank passes it on the way in or out.
+  if (touch.places[0].corner)
+    return p.kind == PairKind::parallel_internal ? Cause{"trochoid", 2} : Cause{"tip_corner", 2};
+  if (touch.places[1].corner) return {"tip_corner", 1};
+  return {"outline", 0};
+}
+
+// What would take it away, where that is known.
+std::string remedy(const MountedGears& p, const Cause& cause) {
+  const std::string code = cause.code;
+  if (code == "tip_bulge") {
+    const Gear& gear = p.gears[static_cast<std::size_t>(cause.gear - 1)];
+    return fmt::format(
+        " That tip stands out beyond its involute; a tip diameter of at {} {:.4f} mm takes it "
+        "away.",
+        gear.internal() ? "least" : "most", gear.tip_bulge->from_diameter);
+  }
+  if (code == "tip_to_fillet" || code == "tip_corner")
+    return fmt::format(" Shorten the tip of gear {} or shift gear {} outward.", 3 - cause.gear,
+                       cause.gear);
+  if (code == "trochoid") return " Shorten a tip or choose tooth numbers further apart.";
+  return "";
+}
+
+std::string at(const OutlineTouch& touch) {
+  return fmt::format("at {:.3f}° of gear 1", Angle::radians(touch.rotation_1).deg());
+}
+
+Strike overlapping(const MountedGears& p, const OutlineTouch& touch) {
+  const Cause cause = cause_of(p, touch);
+  const double depth = -touch.gap * touch.arm;
+  return {cause.code, cause.gear, depth, touch,
+          fmt::format("The {} and the {} overlap by {:.4g} mm, {}.{}", part(touch, 1),
+                      part(touch, 2), depth, at(touch), remedy(p, cause))};
+}
+
+Strike beyond(const MountedGears& p, const OutlineTouch& touch, double early) {
+  const Cause cause = cause_of(p, touch);
+  return {cause.code, cause.gear, early, touch,
+          fmt::format("The {} and the {} meet {:.4g} mm before the flanks do, {}: the ratio is not "
+                      "constant there.{}",
+                      part(touch, 1), part(touch, 2), early, at(touch), remedy(p, cause))};
+}
+
+// A tip below the mating gear's root circle, on the centre line.
+Strike in_root(const MountedGears& p, int tip) {
+  const auto i = static_cast<std::size_t>(tip - 1);
+  const double depth = -p.tip_clearance[i];
+  OutlineTouch touch;
+  touch.arm = 0.0;
+  touch.gap = 0.0;
+  const double r = p.gears[i].actual_tip_radius();
+  const double side = p.kind == PairKind::parallel_internal ? -1.0 : 1.0;
+  touch.point = tip == 1 ? Vec2(side * r, 0.0) : Vec2(p.center_distance - r, 0.0);
+  touch.rotation_1 = tip == 1 ? 0.0 : std::numbers::pi / p.gears[0].spec.teeth;
+  touch.places[i] = {ArcName::tip_land, false};
+  touch.places[1 - i] = {ArcName::root_land, false};
+  return {"root", 3 - tip, depth, touch,
+          fmt::format("The tip of gear {} cuts {:.4g} mm into the root of gear {}.", tip, depth,
+                      3 - tip)};
+}
+
+Strike too_thick(double normal_play, const OutlineTouch& touch) {
+  const double depth = -normal_play / 2;
+  return {"negative_backlash", 0, depth, touch,
+          fmt::format("The flanks overlap by {:.4g} mm on either side: the teeth are too thick for "
+                      "this centre distance.",
+                      depth)};
+}
+
+bool flank_on_flank(const OutlineTouch& touch) {
+  return touch.places[0].arc == ArcName::flank && touch.places[1].arc == ArcName::flank;
+}
+
+void deepest_first(std::vector<Strike>& strikes) {
+  std::stable_sort(strikes.begin(), strikes.end(),
+                   [](const Strike& a, const Strike& b) { return a.depth > b.depth; });
+}
+
+// A named finding that the strikes bear out.
+bool borne_out(const Interference& named, const std::vector<Strike>& strikes) {
+  return std::any_of(strikes.begin(), strikes.end(), [&](const Strike& s) {
+    if (named.code == "trochoid") return s.cause == "trochoid";
+    return (s.cause == "tip_to_fillet" || s.cause == "tip_corner") && s.gear == named.gear;
+  });
+}
+
+bool is_of_a_circle(const Interference& named) {
+  return named.code == "form_circle" || named.code == "base_tangent";
+}
+
+// What overlaps has a name, or gets one; what has a name but does not overlap is contact beyond the
+// flank or nothing.
+void explain(InvolutePair& p) {
+  std::vector<Interference> named = std::exchange(p.interference, {});
+  const auto said = [&](const Strike& s, const std::vector<Interference>& by) {
+    return std::any_of(by.begin(), by.end(),
+                       [&](const Interference& i) { return borne_out(i, {s}); });
+  };
+  std::vector<Interference> only_beyond;
+  for (Interference& i : named) {
+    if (borne_out(i, *p.overlap)) {
+      p.interference.push_back(std::move(i));
+    } else if (is_of_a_circle(i)) {
+      only_beyond.push_back(std::move(i));
+    }
+  }
+  for (const Strike& s : *p.overlap) {
+    if (s.cause == "negative_backlash" || said(s, p.interference)) continue;
+    const bool has_name = s.cause == "tip_to_fillet";
+    p.interference.push_back({has_name ? s.cause : "overlap", s.gear, -s.depth, s.message});
+  }
+  // One line for one fact: the circle says by which diameter, the outlines by how much.
+  std::vector<Strike>& strikes = p.beyond_flank;
+  for (Interference& i : only_beyond) {
+    if (borne_out(i, strikes)) continue;
+    strikes.push_back({i.code, i.gear, -std::get<double>(i.amount), std::nullopt, i.message});
+  }
+  deepest_first(strikes);
+}
+
+}  // namespace
+
+void find_strikes(MountedGears& p, double half_play, double normal_play) {
+  const double close = touching(p);
+  p.overlap.emplace();
+  for (int tip : {1, 2}) {
+    if (p.tip_clearance[static_cast<std::size_t>(tip - 1)] < -close)
+      p.overlap->push_back(in_root(p, tip));
+  }
+  if (!p.overlap->empty()) return;
+  double least = half_play;
+  const OutlineGap gap = outline_gap(p.gears[0].tooth->outline, p.gears[1].tooth->outline,
+                                     p.center_distance, half_play);
+  for (const auto& row : gap.touches) {
+    for (const auto& touch : row) {
+      if (!touch) continue;
+      const double early = (half_play - touch->gap) * touch->arm;
+      if (early <= close) {
+        if (flank_on_flank(*touch) && -normal_play / 2 > close)
+          p.overlap->push_back(too_thick(normal_play, *touch));
+        continue;
+      }
+      least = std::min(least, touch->gap);
+      if (touch->gap * touch->arm < -close) {
+        p.overlap->push_back(overlapping(p, *touch));
+      } else {
+        p.beyond_flank.push_back(beyond(p, *touch, early));
+      }
+    }
+  }
+  p.free_play = Angle::radians(2 * least);
+  deepest_first(*p.overlap);
+  deepest_first(p.beyond_flank);
+}
+
+void find_overlap(InvolutePair& p) {
+  if (p.crossed() || !p.gears[0].tooth || !p.gears[1].tooth) return;
+  find_strikes(p, p.mesh.backlash.rotation[1] / 2, p.mesh.backlash.normal_base);
+  // With a tip in a root the outlines were not asked: all that has a name stays.
+  if (p.free_play) explain(p);
+}
+
+}  // namespace gearwright::detail

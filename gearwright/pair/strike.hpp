@@ -1,0 +1,26 @@
+// Where two finished outlines strike each other besides flank on flank, and what that means: the
+// bodies overlap, or contact leaves the flanks while the gears still turn.
+//
+// A fact about outlines first [T2.29]…[T2.33]; the findings of interference.hpp, which go by the
+// names of circles and corners, then only say why.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "gearwright/pair/outline_gap.hpp"
+
+namespace gearwright {
+
+/// Two parts of the pair's outlines that strike each other.
+struct Strike {
+  std::string cause;  ///< negative_backlash, root, tip_to_fillet, tip_corner, trochoid, tip_bulge,
+                      ///< outline (no name); of beyond_flank also form_circle, base_tangent
+  int gear;           ///< whose root, or whose tip that stands out; 0: both alike
+  double depth;       ///< mm along the common normal: of an overlap in the middle of the play, of
+                      ///< a strike beyond the flank how much earlier than the flanks
+  std::optional<OutlineTouch> touch;  ///< where; none: a named circle says it, not the outlines
+  std::string message;                ///< one sentence
+};
+
+}  // namespace gearwright
