@@ -1,7 +1,7 @@
 // gearwright: the program. Parses the command line, calls the job room, prints.
 //
 // Exit status: 0 done; 1 the input is wrong or the gears are impossible; 2 the command line is
-// wrong; 3 the outside world failed.
+// wrong; 3 the outside world failed; 4 with --strict: the verdict is not green.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -32,7 +32,8 @@ constexpr const char* kIntroduction =
     "  gearwright outline pair.toml --gear 1 --points 200 --json\n"
     "  gearwright export pair.toml --step both.step --dxf pinion.dxf --gear 1\n"
     "  gearwright verify cases.json          published numbers against ours\n"
-    "  gearwright schema spec                the JSON Schema of specs, for editors; or of results\n\n"
+    "  gearwright schema spec                the JSON Schema of specs, for editors; or of "
+    "results\n\n"
     "A spec is a TOML file, the least one:\n\n"
     "  [gear1]\n"
     "  teeth = 17\n"
@@ -63,6 +64,10 @@ void spec_argument(CLI::App* sub, Options& o) {
       ->required();
 }
 
+void strict_flag(CLI::App* sub, Options& o) {
+  sub->add_flag("--strict", o.strict, "Exit status 4 where the verdict is not green");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -78,6 +83,8 @@ int main(int argc, char** argv) {
   spec_argument(run, o);
   run->add_option("--out", o.out,
                   "Folder for the files; default: the spec's name without .toml, plus _out");
+
+  strict_flag(run, o);
 
   CLI::App* gear =
       verb(app, o, "gear", "Geometry of each gear: diameters, thicknesses, limits, flags",
@@ -100,17 +107,23 @@ int main(int argc, char** argv) {
            "gearwright pair examples/helical_pair.toml");
   spec_argument(pair, o);
 
+  strict_flag(pair, o);
+
   CLI::App* contact = verb(app, o, "contact",
                            "Tooth contact under the spec's [errors]: transmission error, contact "
                            "points, edges, ellipses",
                            "gearwright contact examples/misaligned_pair.toml");
   spec_argument(contact, o);
 
+  strict_flag(contact, o);
+
   CLI::App* compensate = verb(app, o, "compensate",
                               "Tool settings, leads and crowning that cancel the spec's [errors]",
                               "gearwright compensate examples/misaligned_pair.toml --take");
   spec_argument(compensate, o);
   compensate->add_flag("--take", o.spec_only, "Print the corrected spec and nothing else");
+
+  strict_flag(compensate, o);
 
   CLI::App* measure = verb(app, o, "measure", "Chordal tooth thickness, the calliper's settings",
                            "gearwright measure examples/helical_pair.toml");
@@ -154,9 +167,12 @@ int main(int argc, char** argv) {
            "gearwright verify tests/golden/external.json");
   verify->add_option("CASES", o.cases, "Case files")->required();
 
-  CLI::App* schema = verb(app, o, "schema", "The JSON Schema of specs or of results, for editors and validators",
-                          "gearwright schema spec > spec.schema.json");
-  schema->add_option("WHAT", o.schema, "spec or result")->required()->check(CLI::IsMember({"spec", "result"}));
+  CLI::App* schema =
+      verb(app, o, "schema", "The JSON Schema of specs or of results, for editors and validators",
+           "gearwright schema spec > spec.schema.json");
+  schema->add_option("WHAT", o.schema, "spec or result")
+      ->required()
+      ->check(CLI::IsMember({"spec", "result"}));
 
   for (const char* name : kNotHere) {
     CLI::App* sub = app.add_subcommand(name, "Not in this version")->group("");

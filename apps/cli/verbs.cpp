@@ -18,6 +18,7 @@
 #include "gearwright/job/contact_text.hpp"
 #include "gearwright/job/files.hpp"
 #include "gearwright/job/fit_answer.hpp"
+#include "gearwright/job/judgement.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/result_json.hpp"
@@ -64,6 +65,11 @@ Result<SolvedJob> solve_file(const Options& o, Scope scope) {
 
 std::string pair_listing_of(const SolvedJob& job) {
   return job.pair ? pair_listing(*job.pair) : std::string();
+}
+
+// For scripts: 4 where the verdict is not green and they want it to be.
+int status(const Options& o, const Verdict& verdict) {
+  return o.strict && verdict.level != Level::green ? 4 : 0;
 }
 
 // Says on stderr what is being made, but only when it takes more than a second.
@@ -185,12 +191,14 @@ int fit_verb(const Options& o) {
 int pair_verb(const Options& o) {
   const auto job = solve_file(o, Scope::pair);
   if (!job) return fail(o, job.error());
+  const Verdict verdict = judge(*job);
   if (o.json) {
     print_json(job_json(*job));
   } else {
-    print(gear_listing(*job) + pair_listing_of(*job) + warning_listing(job->warnings));
+    print(gear_listing(*job) + pair_listing_of(*job) + warning_listing(job->warnings) +
+          verdict_listing(verdict));
   }
-  return 0;
+  return status(o, verdict);
 }
 
 int contact_verb(const Options& o) {
@@ -199,12 +207,13 @@ int contact_verb(const Options& o) {
   SolvedJob job = std::move(solved).take();
   const auto answer = answer_contact(job);
   if (!answer) return fail(o, answer.error(), job.spec.given);
+  const Verdict verdict = judge(job, &answer->driving);
   if (o.json) {
     print_json(contact_json(job, *answer));
   } else {
-    print(contact_listing(job, *answer) + warning_listing(job.warnings));
+    print(contact_listing(job, *answer) + warning_listing(job.warnings) + verdict_listing(verdict));
   }
-  return 0;
+  return status(o, verdict);
 }
 
 int compensate_verb(const Options& o) {
@@ -222,9 +231,10 @@ int compensate_verb(const Options& o) {
   } else if (o.json) {
     print_json(compensate_json(job, *answer));
   } else {
-    print(compensate_listing(job, *answer) + warning_listing(job.warnings));
+    print(compensate_listing(job, *answer) + warning_listing(job.warnings) +
+          verdict_listing(judge(job)));
   }
-  return 0;
+  return status(o, judge(job));
 }
 
 int outline_verb(const Options& o) {
@@ -262,16 +272,18 @@ int run_verb(const Options& o) {
   }
   const auto files = write_everything(job, out, file_options(o));
   if (!files) return fail(o, files.error(), job.spec.given);
+  // As in result.json, which comes first, with all the files.
+  Json j = parse_json(files->front().bytes);
+  const auto level = j["verdict"]["level"].get<std::string>();
   if (o.json) {
-    // As in result.json, which comes first, with all the files.
-    Json j = parse_json(files->front().bytes);
     j["files"] = files_json(*files);
     print_json(j);
   } else {
     print(gear_listing(job) + pair_listing_of(job) + warning_listing(job.warnings) +
-          file_listing(*files));
+          file_listing(*files) +
+          verdict_listing(level, j["verdict"]["headline"].get<std::string>()));
   }
-  return 0;
+  return o.strict && level != to_string(Level::green) ? 4 : 0;
 }
 
 int export_verb(const Options& o) {

@@ -10,6 +10,7 @@ namespace gearwright::cli {
 struct Options {
   std::string spec;
   bool json = false;
+  bool strict = false;  // a verdict that is not green ends in status 4
   std::string out;
   std::optional<int> gear;
   int points = 50;

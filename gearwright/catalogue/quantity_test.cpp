@@ -18,6 +18,7 @@
 #include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
+#include "gearwright/catalogue/verdict_quantities.hpp"
 #include "gearwright/job/solved_job.hpp"
 #include "gearwright/spec/spec.hpp"
 
@@ -37,7 +38,8 @@ std::set<const SaidTable*> all_tables() {
        {&gear_quantities().table(), &pair_quantities().table(), &contact_quantities().table(),
         &compensate_quantities().table(), &fit_quantities().table(), &measure_quantities().table(),
         &as_rack_quantities().table(), &search_quantities().table(), &design_quantities().table(),
-        &file_quantities().table(), &outline_quantities().table(), &warning_quantities().table()})
+        &file_quantities().table(), &outline_quantities().table(), &warning_quantities().table(),
+        &verdict_quantities().table()})
     collect(*t, all);
   return all;
 }

@@ -15,6 +15,7 @@
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/testing/document_blocks.hpp"
+#include "gearwright/catalogue/verdict_quantities.hpp"
 
 namespace gearwright {
 namespace {
@@ -48,7 +49,8 @@ const std::map<std::string, const SaidTable*>& blocks() {
       {"search", &search_quantities().table()},
       {"search.designs", &design_quantities().table()},
       {"file", &file_quantities().table()},
-      {"warning", &warning_quantities().table()}};
+      {"warning", &warning_quantities().table()},
+      {"verdict", &verdict_quantities().table()}};
   return kBlocks;
 }
 

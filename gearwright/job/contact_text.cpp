@@ -9,7 +9,9 @@
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
+#include "gearwright/job/judgement.hpp"
 #include "gearwright/job/listing.hpp"
+#include "gearwright/job/result_json.hpp"
 #include "gearwright/job/value_json.hpp"
 
 namespace gearwright {
@@ -54,6 +56,7 @@ Json contact_json(const SolvedJob& job, const ContactAnswer& answer) {
   if (!job.spec.title.empty()) j["title"] = job.spec.title;
   j["contact"] = to_json(contact_quantities().of(view_of(job, answer)));
   j["warnings"] = warnings_json(job.warnings);
+  j["verdict"] = verdict_json(judge(job, &answer.driving));
   return j;
 }
 

@@ -17,6 +17,7 @@
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/job/contact_report.hpp"
 #include "gearwright/job/contact_text.hpp"
+#include "gearwright/job/judgement.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/report/report.hpp"
 
@@ -200,7 +201,7 @@ Result<std::vector<JobFile>> write_everything(SolvedJob& job, const fs::path& fo
   for (const Gear& g : job.gears) report.gears.push_back(&g);
   report.pair = job.pair;
   if (*contact) report.contact = &contact.value()->report;
-  report.warnings = job.warnings;
+  report.verdict = judge(job, *contact ? &contact.value()->answer.driving : nullptr);
   report.files = report_files(files);
   report.spec_text = job.spec.text;
   report.version = kVersion;
@@ -208,6 +209,7 @@ Result<std::vector<JobFile>> write_everything(SolvedJob& job, const fs::path& fo
                                "one self-contained page", report_html(report)});
   Json result = job_json(job);
   if (*contact) result["contact"] = contact_json(job, contact.value()->answer)["contact"];
+  result["verdict"] = verdict_json(report.verdict);
   result["files"] = files_json(files);
   files.insert(files.begin(), {folder / "result.json", "result", std::nullopt,
                                "every number, as JSON", json_text(result, 2) + "\n"});

@@ -5,6 +5,7 @@
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/verdict_quantities.hpp"
 #include "gearwright/job/value_json.hpp"
 
 namespace gearwright {
@@ -20,8 +21,11 @@ Json job_json(const SolvedJob& job) {
   for (const Gear& g : job.gears) j["gears"].push_back(to_json(gear_quantities().of(g)));
   if (job.pair) j["pair"] = to_json(pair_quantities().of(*job.pair));
   j["warnings"] = warnings_json(job.warnings);
+  if (job.pair) j["verdict"] = verdict_json(judge(job));
   return j;
 }
+
+Json verdict_json(const Verdict& verdict) { return to_json(verdict_quantities().of(verdict)); }
 
 Json outline_json(const Outline& outline, int n) {
   GW_EXPECTS(!outline.arcs.empty());

@@ -2,18 +2,20 @@
 #pragma once
 
 #include "gearwright/job/files.hpp"
+#include "gearwright/job/judgement.hpp"
 #include "gearwright/job/solved_job.hpp"
 #include "gearwright/spec/json.hpp"
 
 namespace gearwright {
 
 Json warnings_json(const std::vector<Warning>& warnings);
-/// `gears`, `pair` (when there is one), `warnings`.
+/// `gears`, `pair` and `verdict` (when there is one), `warnings`.
 Json job_json(const SolvedJob& job);
 /// `arcs`: [{name, points}], n points per arc.   Domain: the outline is not empty (contract)
 Json outline_json(const Outline& outline, int n);
 /// [{file, what, max_deviation_um, note}]
 Json files_json(const std::vector<JobFile>& files);
 Json error_json(const Error& error);
+Json verdict_json(const Verdict& verdict);
 
 }  // namespace gearwright

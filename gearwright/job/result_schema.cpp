@@ -12,6 +12,7 @@
 #include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
+#include "gearwright/catalogue/verdict_quantities.hpp"
 
 namespace gearwright {
 
@@ -139,6 +140,7 @@ Json result_schema() {
   properties["arcs"] = schema.list_of(outline_quantities().table());
   properties["files"] = schema.list_of(file_quantities().table());
   properties["warnings"] = schema.list_of(warning_quantities().table());
+  properties["verdict"] = schema.reference(verdict_quantities().table());
   properties["error"] = error_schema();
   return {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
           {"title", "Gearwright result"},

@@ -299,7 +299,8 @@ Result<SolvedJob> solve(const JobSpec& given, Scope scope) {
   }
   if (want_pair) {
     const PairSpec asked{place ? place->center_distance : spec.pair.center_distance,
-                         place ? place->shaft_angle : std::nullopt, spec.pair.friction_coefficient, spec.pair.speed_rpm};
+                         place ? place->shaft_angle : std::nullopt, spec.pair.friction_coefficient,
+                         spec.pair.speed_rpm};
     auto pair = mount(job.gears[0], job.gears[1], asked);
     if (!pair) return arcs ? pair.error() : of_basic(of_distance(pair.error(), spec), spec);
     job.pair = std::move(pair).take();

@@ -5,8 +5,8 @@
 
 #include <optional>
 
-#include "gearwright/spec/spec.hpp"
 #include "gearwright/pair/arc_pair.hpp"
+#include "gearwright/spec/spec.hpp"
 
 namespace gearwright {
 

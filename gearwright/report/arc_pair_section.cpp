@@ -94,17 +94,4 @@ std::string arc_pair_section(const ArcPair& pair, const std::array<std::string, 
   return fmt::format(fmt::runtime(frame), figures, pair_table(pair));
 }
 
-std::string arc_verdict(const ArcPair& pair) {
-  if (pair.contacts.empty())
-    return "The gears are not of one lead: where they touch is a matter of contact analysis.";
-  // A backlash that the report shows as 0.0000 mm is none.
-  const double j = pair.backlash_normal;
-  return fmt::format(
-      "The pair runs: contact is continuous (overlap ratio {}), with {} per tooth and {}.",
-      ratio(pair.overlap_ratio),
-      pair.contacts.size() == 1 ? "one point of contact"
-                                : fmt::format("{} points of contact", pair.contacts.size()),
-      std::abs(j) < 0.5e-4 ? "no backlash" : "a normal backlash of " + length(j) + " mm");
-}
-
 }  // namespace gearwright

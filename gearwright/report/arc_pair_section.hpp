@@ -12,9 +12,6 @@ namespace gearwright {
 /// The section of the page; `shapes` are the names of the gears' definitions (gear_shape.hpp).
 std::string arc_pair_section(const ArcPair& pair, const std::array<std::string, 2>& shapes);
 
-/// One sentence about a pair against which nothing is to be said.
-std::string arc_verdict(const ArcPair& pair);
-
 /// Where the gears are turned to in the section through a contact, rad counter-clockwise: the
 /// angles of their x axes.
 std::array<double, 2> angles_at_contact(const ArcPair& pair, const ArcPairContact& contact);

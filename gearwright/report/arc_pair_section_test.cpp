@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "gearwright/report/report.hpp"
+#include "gearwright/report/testing/sample_reports.hpp"
 #include "gearwright/report/testing/strict_html.hpp"
 
 namespace gearwright {
@@ -39,7 +40,7 @@ std::string page_of(const ArcPair& pair) {
   ReportInput input;
   input.gears = {&pair.gears[0], &pair.gears[1]};
   input.pair = pair;
-  input.warnings = pair.warnings;
+  testing::judge(input, pair.warnings);
   return report_html(input);
 }
 

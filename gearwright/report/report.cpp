@@ -30,7 +30,6 @@
 #include "gearwright/report/speed_picture.hpp"
 #include "gearwright/report/tooth_picture.hpp"
 #include "gearwright/report/turning.hpp"
-#include "gearwright/report/verdict.hpp"
 
 namespace gearwright {
 
@@ -64,23 +63,17 @@ std::string kind_of(const ReportInput& input) {
                      input.gears[0]->internal() ? "internal gear gear" : "gear");
 }
 
-std::string warning_list(const ReportInput& input) {
+// Worst first, as the verdict has them.
+std::string finding_list(const ReportInput& input) {
   std::string text;
-  // The worst first; within a kind as they came.
-  for (const Severity severity : {Severity::problem, Severity::caution, Severity::note}) {
-    const char* name = severity == Severity::problem   ? "problem"
-                       : severity == Severity::caution ? "caution"
-                                                       : "note";
-    const char* word = severity == Severity::problem   ? "Problem"
-                       : severity == Severity::caution ? "Caution"
-                                                       : "Note";
-    for (const Warning& w : input.warnings) {
-      if (severity_of(w) != severity) continue;
-      const std::string where =
-          w.gear == 0 ? std::string(input.pair ? "Pair" : "") : fmt::format("Gear {}", w.gear);
-      text += fmt::format("<li class=\"{}\"><b>{}</b><span class=\"where\">{}</span>{}</li>\n",
-                          name, word, where, escaped(w.message));
-    }
+  for (const Finding& f : input.verdict.findings) {
+    const auto [name, word] = f.level == Level::red     ? std::pair{"problem", "Problem"}
+                              : f.level == Level::amber ? std::pair{"caution", "Caution"}
+                                                        : std::pair{"note", "Note"};
+    const std::string where =
+        f.gear == 0 ? std::string(input.pair ? "Pair" : "") : fmt::format("Gear {}", f.gear);
+    text += fmt::format("<li class=\"{}\"><b>{}</b><span class=\"where\">{}</span>{}</li>\n", name,
+                        word, where, escaped(f.whole()));
   }
   return text.empty() ? text : "<ul class=\"warnings\">\n" + text + "</ul>\n";
 }
@@ -202,8 +195,10 @@ std::string report_html(const ReportInput& input) {
   std::string page = page_head(title, input.version);
   page += "<body>\n" + definitions(input);
   page += fmt::format(
-      "<header>\n<p class=\"kind\">{}</p>\n<h1>{}</h1>\n<p class=\"verdict\">{}</p>\n{}</header>\n",
-      kind_of(input), escaped(title), escaped(verdict(input)), warning_list(input));
+      "<header>\n<p class=\"kind\">{}</p>\n<h1>{}</h1>\n<p class=\"verdict {}\"><b>{}</b> "
+      "{}</p>\n{}</header>\n",
+      kind_of(input), escaped(title), to_string(input.verdict.level),
+      to_string(input.verdict.level), escaped(input.verdict.headline), finding_list(input));
   page += "<main>\n" + gear_section(input) + few_teeth_section(input);
   if (input.pair) {
     page += input.pair->visit(

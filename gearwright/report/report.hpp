@@ -12,6 +12,7 @@
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/pair/pair.hpp"
 #include "gearwright/report/contact_report.hpp"
+#include "gearwright/verdict/verdict.hpp"
 
 namespace gearwright {
 
@@ -27,7 +28,7 @@ struct ReportInput {
   std::vector<const Gear*> gears;          ///< one or two, with a pair its gears
   std::optional<Pair> pair;                ///< none: the gears are not mounted
   const ContactReport* contact = nullptr;  ///< null: the spec asks nothing about contact
-  std::vector<Warning> warnings;           ///< of gears and pair, `gear` set
+  Verdict verdict;                         ///< over gears, pair and contact
   std::vector<ReportFile> files;
   std::string spec_text;  ///< the spec, verbatim; empty: left out
   std::string version;    ///< of the program
@@ -37,7 +38,7 @@ struct ReportInput {
 ///
 ///   Laws      (1) same input, same bytes
 ///             (2) no request leaves the page: style, script and pictures are in it
-///             (3) title, spec, warnings and file names are text, whatever they contain
+///             (3) title, spec, findings and file names are text, whatever they contain
 /// Units     shown lengths mm to 0.1 µm, angles degrees to 0.00001°; what does not exist is “–”
 /// Accuracy  outlines within 1e-4 normal modules (kOutlineTolerance in report/gear_shape.hpp)
 /// Domain    one or two gears, none null; with a pair two (contract)

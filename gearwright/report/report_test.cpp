@@ -10,7 +10,7 @@
 
 #include "gearwright/report/testing/sample_reports.hpp"
 #include "gearwright/report/testing/strict_html.hpp"
-#include "gearwright/report/verdict.hpp"
+#include "gearwright/verdict/verdict.hpp"
 
 namespace gearwright {
 namespace {
@@ -199,7 +199,7 @@ TEST(Report, CrossedPairsSayWhatTheyAre) {
   const InvolutePair pair = crossed_pair();
   EXPECT_NE(report_html(report_input(pair)).find("none reaches below"), std::string::npos);
   EXPECT_NE(report_html(report_input(pair)).find("pair, shaft angle 90°"), std::string::npos);
-  EXPECT_NE(verdict(report_input(pair)).find("(contact ratio 1.731)"), std::string::npos);
+  EXPECT_NE(report_input(pair).verdict.headline.find("(contact ratio 1.731)"), std::string::npos);
 }
 
 TEST(Report, WhatDoesNotExistIsADash) {
@@ -217,15 +217,17 @@ TEST(Report, TextIsText) {
   input.title = evil;
   input.spec_text = "</pre>" + evil;
   input.version = evil;
-  input.warnings.push_back({"unheard_of", evil, 1});
+  input.verdict.headline = evil;
+  input.verdict.findings.push_back({"unheard_of", Level::amber, 1, evil, evil});
   input.files.push_back({"javascript:alert(1)//\"<b>", evil, evil});
   const std::string page = report_html(input);
   expect_sound(page);
   const auto facts = StrictHtml::read(page);
   EXPECT_EQ(facts.elements.at("script"), 1);
   EXPECT_EQ(facts.elements.at("pre"), 1);
-  EXPECT_EQ(facts.elements.count("b"), 1u);  // the warning's own
-  EXPECT_EQ(facts.elements.at("b"), 1);
+  EXPECT_EQ(
+      facts.elements.at("b"),
+      static_cast<int>(1 + input.verdict.findings.size()));  // of the verdict and of each finding
   EXPECT_EQ(page.find("<script>alert"), page.npos);
   EXPECT_NE(page.find("&lt;script&gt;alert(1)&lt;/script&gt;&quot;&#39;&amp;"), page.npos);
 }
@@ -292,7 +294,7 @@ TEST(Report, GearsThatDoNotExistSayWhy) {
     const std::string page = report_html(report_input(*gear));
     EXPECT_EQ(page.find("<svg class=\"zoom\""), page.npos);
     EXPECT_NE(page.find("Gear 1: no picture."), page.npos);
-    EXPECT_NE(verdict(report_input(*gear)).find("cannot be made"), std::string::npos);
+    EXPECT_NE(report_input(*gear).verdict.headline.find("cannot be made"), std::string::npos);
   }
 }
 

@@ -160,19 +160,31 @@ inline std::vector<InvolutePair> crossed_pairs() {
   return pairs;
 }
 
+/// The verdict over what a report has, with warnings of its own.
+inline void judge(ReportInput& input, std::vector<Warning> warnings) {
+  Judged judged{input.gears, input.pair ? &*input.pair : nullptr, &warnings, nullptr};
+  input.verdict = verdict_of(judged);
+}
+
+inline std::vector<Warning> warnings_of(const InvolutePair& pair) {
+  std::vector<Warning> warnings;
+  for (int i : {0, 1}) {
+    for (Warning w : pair.gears[static_cast<std::size_t>(i)].warnings) {
+      w.gear = i + 1;
+      warnings.push_back(std::move(w));
+    }
+  }
+  for (const Warning& w : pair.warnings) warnings.push_back(w);
+  return warnings;
+}
+
 /// What a job would hand over.
 inline ReportInput report_input(const InvolutePair& pair) {
   ReportInput input;
   input.title = "Sample";
   input.gears = {&pair.gears[0], &pair.gears[1]};
   input.pair = pair;
-  for (int i : {0, 1}) {
-    for (Warning w : pair.gears[static_cast<std::size_t>(i)].warnings) {
-      w.gear = i + 1;
-      input.warnings.push_back(std::move(w));
-    }
-  }
-  for (const Warning& w : pair.warnings) input.warnings.push_back(w);
+  judge(input, warnings_of(pair));
   input.files = {{"gear1.step", "STEP solid of gear 1", "within 0.9 µm"}};
   input.spec_text = "[gear1]\nteeth = 17\n";
   input.version = "0.0.0";
@@ -182,10 +194,9 @@ inline ReportInput report_input(const InvolutePair& pair) {
 inline ReportInput report_input(const Gear& gear) {
   ReportInput input;
   input.gears = {&gear};
-  for (Warning w : gear.warnings) {
-    w.gear = 1;
-    input.warnings.push_back(std::move(w));
-  }
+  std::vector<Warning> warnings = gear.warnings;
+  for (Warning& w : warnings) w.gear = 1;
+  judge(input, warnings);
   return input;
 }
 

@@ -1,0 +1,11 @@
+// The quantities of a verdict: `verdict` of a result.
+#pragma once
+
+#include "gearwright/catalogue/quantity.hpp"
+#include "gearwright/verdict/verdict.hpp"
+
+namespace gearwright {
+
+const Quantities<Verdict>& verdict_quantities();
+
+}  // namespace gearwright

@@ -1,0 +1,19 @@
+// The verdict over a job: its gears, its pair, and the contact that was asked for.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "gearwright/job/solved_job.hpp"
+#include "gearwright/verdict/verdict.hpp"
+
+namespace gearwright {
+
+/// `contact`: under the spec's errors; null where nobody asked. Keys as a file has them.
+Verdict judge(const SolvedJob& job, const ContactResult* contact = nullptr);
+
+/// The last lines of a listing, of at most 100 bytes.
+std::string verdict_listing(std::string_view level, std::string_view headline);
+std::string verdict_listing(const Verdict& verdict);
+
+}  // namespace gearwright

@@ -1,0 +1,106 @@
+#include "gearwright/verdict/margins.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gearwright::detail {
+
+namespace {
+
+struct Margin {
+  const char* code;
+  const char* what;  // "The form clearance at the root of gear {}"
+  const char* remedy;
+  double modules;
+};
+
+constexpr Margin kForm{"form_margin", "The form clearance at the root of gear {}",
+                       "A little more profile shift there, or a shorter mating tip, would help.",
+                       kMarginForm};
+constexpr Margin kFillet{
+    "fillet_margin", "The clearance of the mating tip corner to the root fillet of gear {}",
+    "A little more profile shift there, or a shorter mating tip, would help.", kMarginFillet};
+constexpr Margin kTip{
+    "tip_margin", "The clearance of the tip of gear {} to the root of its mating gear",
+    "A smaller tip diameter or more dedendum on the mating gear would help.", kMarginTip};
+
+void judge(std::vector<Finding>& findings, const Margin& margin, int gear,
+           const std::optional<double>& clearance, double module) {
+  if (!clearance || *clearance < 0.0) return;  // below 0 a warning says more
+  const double threshold = margin.modules * module;
+  if (*clearance >= threshold) return;
+  findings.push_back({margin.code,
+                      Level::amber,
+                      gear,
+                      fmt::format("{} is {:.4f} mm, less than {:g} modules ({:.4f} mm).",
+                                  fmt::format(fmt::runtime(margin.what), gear), *clearance,
+                                  margin.modules, threshold),
+                      margin.remedy,
+                      {{"clearance", *clearance, true}, {"threshold", threshold, true}}});
+}
+
+bool is_edge(TouchKind kind) {
+  return kind != TouchKind::none && kind != TouchKind::interior && kind != TouchKind::line;
+}
+
+}  // namespace
+
+std::vector<Finding> margin_findings(const Pair& pair) {
+  std::vector<Finding> findings;
+  const double m = pair.gear(1).spec.normal_module;
+  for (const int which : {1, 2}) {
+    const auto i = static_cast<std::size_t>(which - 1);
+    judge(findings, kTip, which, pair.mounted().tip_clearance[i], m);
+    const InvolutePair* p = pair.involute();
+    if (p == nullptr) continue;
+    // Past an undercut there is no flank to be clear of: `undercut` and `contact_lost` say it.
+    if (!p->gears[i].undercut) judge(findings, kForm, which, p->form_clearance[i], m);
+    judge(findings, kFillet, which, p->fillet_clearance[i], m);
+  }
+  return findings;
+}
+
+std::vector<Finding> contact_findings(const ContactResult& contact, const Pair& pair) {
+  std::vector<Finding> findings;
+  std::size_t touching = 0, edges = 0, points = 0;
+  double place = 0.0;
+  for (const ContactPoint& p : contact.positions) {
+    if (p.kind == TouchKind::none) continue;
+    ++touching;
+    if (is_edge(p.kind)) ++edges;
+    if (p.kind == TouchKind::line) continue;
+    ++points;
+    place += p.height[0] / (pair.gear(1).spec.face_width / 2);
+  }
+  if (touching == 0) return findings;
+  const double share = static_cast<double>(edges) / static_cast<double>(touching);
+  if (edges > 0) {
+    findings.push_back(
+        {"edge_contact",
+         Level::amber,
+         0,
+         fmt::format("An edge touches during {:.0f} % of the rotation: pressure there "
+                     "is high and the teeth wear.",
+                     std::max(1.0, 100 * share)),
+         "Crown the flanks, relieve the tips, or reduce the errors.",
+         {{"share", share, false}}});
+  }
+  if (points > 0) {
+    place /= static_cast<double>(points);
+    if (std::abs(place) > kCentralPlace && edges < touching) {
+      findings.push_back(
+          {"contact_place",
+           Level::amber,
+           0,
+           fmt::format("The contact lies at {:.0f} % of half the face, near its end.",
+                       100 * std::abs(place)),
+           "A helix slope modification brings it to the middle.",
+           {{"share_of_half_face", place, false}}});
+    }
+  }
+  return findings;
+}
+
+}  // namespace gearwright::detail

@@ -1,0 +1,177 @@
+#include "gearwright/verdict/verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/verdict/margins.hpp"
+
+namespace gearwright {
+
+namespace {
+
+Level level_of(Severity severity) {
+  switch (severity) {
+    case Severity::problem: return Level::red;
+    case Severity::caution: return Level::amber;
+    case Severity::note: return Level::green;
+  }
+  return Level::amber;
+}
+
+std::vector<std::string> reasons(const std::vector<Warning>& warnings) {
+  std::vector<std::string> list;
+  for (const Warning& w : warnings) {
+    const Meaning meaning = meaning_of(w);
+    if (meaning.severity != Severity::problem) continue;
+    if (std::find(list.begin(), list.end(), meaning.reason) == list.end())
+      list.emplace_back(meaning.reason);
+  }
+  return list;
+}
+
+std::string joined(const std::vector<std::string>& list) {
+  std::string text;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (i > 0) text += i + 1 == list.size() ? " and " : ", ";
+    text += list[i];
+  }
+  return text;
+}
+
+// A backlash that is shown as 0.0000 mm is none.
+std::string backlash_words(double j) {
+  return std::abs(j) < 0.5e-4 ? std::string("no backlash")
+                              : fmt::format("a normal backlash of {:.4f} mm", j);
+}
+
+std::string running(const ArcPair& pair) {
+  if (pair.contacts.empty())
+    return "The gears are not of one lead: where they touch is a matter of contact analysis.";
+  return fmt::format(
+      "The pair runs: contact is continuous (overlap ratio {:.5f}), with {} per tooth and {}.",
+      pair.overlap_ratio,
+      pair.contacts.size() == 1 ? "one point of contact"
+                                : fmt::format("{} points of contact", pair.contacts.size()),
+      backlash_words(pair.backlash_normal));
+}
+
+bool uncut_ring(const Gear* gear) { return gear->internal() && !gear->tooth; }
+
+constexpr const char* kNoCutter =
+    " The internal gear’s cutter is not given: its root fillet is not checked.";
+
+std::string running(const InvolutePair& p) {
+  const std::optional<double> face = face_width_needed(p);
+  const std::string contact =
+      face
+          ? fmt::format(
+                "The pair runs only as a helical gear pair: transverse contact ratio {:.3f}, total "
+                "{:.3f}; it needs b ≥ {:.2f} mm. There is",
+                p.mesh.true_ratio, p.contact_ratio_true(), *face)
+          : fmt::format("The pair runs: contact is continuous ({}contact ratio {:.3f}), there is",
+                        p.crossed() ? "" : "total ", p.contact_ratio_true());
+  const bool nothing_strikes = p.interference.empty() && p.beyond_flank.empty();
+  return fmt::format("{} {}{}.{}", contact, backlash_words(p.mesh.backlash.normal),
+                     nothing_strikes ? " and no interference" : "",
+                     uncut_ring(&p.gears[1]) ? kNoCutter : "");
+}
+
+std::string gears_alone(const Judged& judged) {
+  const char* who = judged.gears.size() == 1 ? "The gear" : "Each gear";
+  if (std::any_of(judged.gears.begin(), judged.gears.end(), uncut_ring)) {
+    return fmt::format(
+        "{} has the data below; an internal gear’s outline is what its pinion cutter leaves, which "
+        "is not given, and is not checked.",
+        who);
+  }
+  return fmt::format("{} can be cut as specified.", who);
+}
+
+// How it stands, when nothing speaks against it.
+std::string standing(const Judged& judged) {
+  if (!judged.pair) return gears_alone(judged);
+  return judged.pair->visit([](const auto& pair) { return running(pair); });
+}
+
+std::string not_running(const Judged& judged, const std::vector<std::string>& against) {
+  if (!judged.pair) {
+    return fmt::format("{} has a problem: {}.", judged.gears.size() == 1 ? "The gear" : "Each gear",
+                       joined(against));
+  }
+  std::string text = fmt::format("The pair does not run as specified: {}.", joined(against));
+  const InvolutePair* p = judged.pair->involute();
+  const auto face = p ? face_width_needed(*p) : std::nullopt;
+  if (face && p->contact_ratio_true() < 1.0) {
+    text += fmt::format(
+        " With a transverse contact ratio of {:.3f} contact is continuous only on helical gears, "
+        "from b ≥ {:.2f} mm on.",
+        p->mesh.true_ratio, *face);
+  }
+  return text;
+}
+
+std::string headline(const Judged& judged, const Verdict& verdict) {
+  for (std::size_t i = 0; i < judged.gears.size(); ++i) {
+    const Gear& gear = *judged.gears[i];
+    if (gear.exists()) continue;
+    return fmt::format("Gear {} cannot be made as specified: {}.", i + 1,
+                       gear.tooth->through_axis ? "the cutter passes its axis"
+                                                : "its teeth are cut off at their roots");
+  }
+  if (verdict.level == Level::green) return standing(judged);
+  const Finding& worst = verdict.findings.front();
+  if (verdict.level == Level::red) {
+    const std::string text = not_running(judged, reasons(*judged.warnings));
+    return worst.remedy.empty() ? text : text + " " + worst.remedy;
+  }
+  const std::string where = worst.gear > 0 && worst.message.find("gear ") == std::string::npos
+                                ? fmt::format("Gear {}: ", worst.gear)
+                                : "";
+  return fmt::format("{} To look at: {}{}", standing(judged), where, worst.whole());
+}
+
+}  // namespace
+
+const char* to_string(Level level) {
+  switch (level) {
+    case Level::green: return "green";
+    case Level::amber: return "amber";
+    case Level::red: return "red";
+  }
+  return "";
+}
+
+std::optional<double> face_width_needed(const InvolutePair& pair) {
+  const Mesh<double>& m = pair.mesh;
+  const double tan_beta = std::abs(m.tan_base_helix[0]);
+  if (pair.crossed() || !pair.flanks_meet() || tan_beta == 0.0) return std::nullopt;
+  if (!(m.true_ratio > 0.0 && m.true_ratio < 1.0)) return std::nullopt;
+  // Rounding of the ratio itself must not ask for a hundredth more.
+  return std::ceil((1.0 - m.true_ratio) * m.step / tan_beta * 100 - 1e-9) / 100;
+}
+
+Verdict verdict_of(const Judged& judged) {
+  GW_EXPECTS(!judged.gears.empty() && judged.warnings != nullptr);
+  Verdict verdict;
+  for (const Warning& w : *judged.warnings) {
+    const Meaning meaning = meaning_of(w);
+    verdict.findings.push_back(
+        {w.code, level_of(meaning.severity), w.gear, w.message, meaning.remedy, {}, meaning.told});
+  }
+  const auto add = [&](std::vector<Finding> more) {
+    for (Finding& f : more) verdict.findings.push_back(std::move(f));
+  };
+  if (judged.pair) add(detail::margin_findings(*judged.pair));
+  if (judged.contact && judged.pair) add(detail::contact_findings(*judged.contact, *judged.pair));
+  std::stable_sort(verdict.findings.begin(), verdict.findings.end(),
+                   [](const Finding& a, const Finding& b) { return a.level > b.level; });
+  if (!verdict.findings.empty()) verdict.level = verdict.findings.front().level;
+  verdict.headline = headline(judged, verdict);
+  return verdict;
+}
+
+}  // namespace gearwright

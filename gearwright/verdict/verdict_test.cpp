@@ -1,0 +1,165 @@
+#include "gearwright/verdict/verdict.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "gearwright/base/testing/taken.hpp"
+
+#include "gearwright/report/testing/sample_reports.hpp"
+
+namespace gearwright {
+namespace {
+
+using testing::crossed_pair;
+using testing::helical_pair;
+using testing::report_input;
+using testing::sample_gear;
+using testing::sample_pair;
+using testing::undercut_pair;
+
+TEST(Verdict, FollowsTheFacts) {
+  const InvolutePair good = helical_pair();
+  EXPECT_NE(report_input(good).verdict.headline.find("The pair runs"), std::string::npos);
+  const InvolutePair tight = sample_pair(sample_gear(20, 2, 0, 0), sample_gear(40, 2, 0, 0), 59.9);
+  ASSERT_LT(tight.mesh.backlash.normal, 0.0);
+  EXPECT_NE(report_input(tight).verdict.headline.find("too thick"), std::string::npos);
+  const InvolutePair loose = sample_pair(sample_gear(20, 2, 0, 0), sample_gear(40, 2, 0, 0), 62.5);
+  ASSERT_LT(loose.contact_ratio_true(), 1.0);
+  EXPECT_NE(report_input(loose).verdict.headline.find("not continuous"), std::string::npos);
+}
+
+TEST(Verdict, OfPairsThatRunOnlyAsHelicalGears) {
+  // ε_α = 0.6858, so that (1 − ε_α) p_bt/tan β_b = 3.4548 mm: rounded up.
+  const InvolutePair wide = testing::two_and_sixty();
+  EXPECT_EQ(face_width_needed(wide), 3.46);
+  const std::string words = report_input(wide).verdict.headline;
+  EXPECT_NE(words.find("runs only as a helical gear pair: transverse contact ratio 0.686"),
+            std::string::npos)
+      << words;
+  EXPECT_NE(words.find("it needs b ≥ 3.46 mm. There is no backlash and no interference."),
+            std::string::npos)
+      << words;
+  EXPECT_EQ(severity_of({"transverse_contact_ratio", "", 0}), Severity::note);
+
+  // At the width itself contact never stops, a hundredth below it does.
+  EXPECT_GE(testing::two_and_sixty(3.46).contact_ratio_true(), 1.0);
+  const InvolutePair narrow = testing::two_and_sixty(3.45);
+  ASSERT_LT(narrow.contact_ratio_true(), 1.0);
+  const std::string too_narrow = report_input(narrow).verdict.headline;
+  EXPECT_NE(too_narrow.find("does not run as specified: contact is not continuous."),
+            std::string::npos)
+      << too_narrow;
+  EXPECT_NE(too_narrow.find("from b ≥ 3.46 mm on"), std::string::npos) << too_narrow;
+
+  EXPECT_FALSE(face_width_needed(helical_pair()));
+  EXPECT_FALSE(face_width_needed(undercut_pair()));  // spur: no width helps
+  EXPECT_FALSE(face_width_needed(crossed_pair()));
+}
+
+TEST(Verdict, SeverityLooksAtTheGearThatIsMeant) {
+  const auto severity = [](const InvolutePair& pair, const std::string& code) {
+    for (const Warning& w : testing::warnings_of(pair)) {
+      if (w.code == code) return severity_of(w);
+    }
+    ADD_FAILURE() << "no warning " << code;
+    return Severity::note;
+  };
+  // Gear 1 is undercut and loses contact there; an internal gear's tip below the pinion's base is
+  // in the way.
+  EXPECT_EQ(severity(undercut_pair(), "contact_lost"), Severity::caution);
+  const InvolutePair internal =
+      sample_pair(sample_gear(18, 2, 0, 0.2), sample_gear(-60, 2, 0, 0.1), 41.8);
+  EXPECT_EQ(severity(internal, "base_tangent"), Severity::problem);
+  EXPECT_EQ(severity_of({"unheard_of", "", 0}), Severity::caution);
+  const InvolutePair askew = testing::nearly_parallel_pair();
+  EXPECT_EQ(severity(askew, "nearly_parallel"), Severity::caution);
+  EXPECT_EQ(severity(askew, "face_width"), Severity::caution);
+  EXPECT_EQ(severity(askew, "no_contact"), Severity::problem);
+  EXPECT_EQ(severity(testing::worm_pair(), "self_locking"), Severity::note);
+}
+
+Verdict judged(const InvolutePair& pair) { return report_input(pair).verdict; }
+
+bool finds(const Verdict& verdict, const std::string& code, Level level) {
+  return std::any_of(verdict.findings.begin(), verdict.findings.end(),
+                     [&](const Finding& f) { return f.code == code && f.level == level; });
+}
+
+TEST(Verdict, level_is_that_of_the_worst_finding) {
+  EXPECT_EQ(judged(helical_pair()).level, Level::green);
+  const Verdict amber =
+      judged(sample_pair(sample_gear(16, 2, 0, 0), sample_gear(40, 2, 0, 0), 56.1));
+  EXPECT_EQ(amber.level, Level::amber);
+  EXPECT_EQ(amber.findings.front().level, Level::amber);
+  const InvolutePair tight = sample_pair(sample_gear(20, 2, 0, 0), sample_gear(40, 2, 0, 0), 59.9);
+  const Verdict red = judged(tight);
+  EXPECT_EQ(red.level, Level::red);
+  EXPECT_EQ(red.findings.front().code, "negative_backlash");
+  EXPECT_FALSE(red.findings.front().remedy.empty());
+  EXPECT_NE(red.headline.find(red.findings.front().remedy), std::string::npos);
+  for (std::size_t i = 1; i < red.findings.size(); ++i)
+    EXPECT_LE(red.findings[i].level, red.findings[i - 1].level);
+}
+
+TEST(Verdict, small_clearances_are_said_with_their_thresholds) {
+  const double m = 2.0;
+  for (double x = -0.1; x < 0.2; x += 0.001) {
+    const InvolutePair pair =
+        testing::taken(mount_involutes(sample_gear(19, m, 0, x), sample_gear(40, m, 0, 0.0), {}));
+    const Verdict verdict = judged(pair);
+    const double form = pair.form_clearance[0].value_or(-1.0);
+    EXPECT_EQ(finds(verdict, "form_margin", Level::amber),
+              !pair.gears[0].undercut && form >= 0.0 && form < kMarginForm * m)
+        << x;
+    const double fillet = pair.fillet_clearance[0].value_or(-1.0);
+    EXPECT_EQ(finds(verdict, "fillet_margin", Level::amber),
+              fillet >= 0.0 && fillet < kMarginFillet * m)
+        << x;
+  }
+  CylindricalSpec longer = sample_gear(40, m, 0, 0).spec;
+  longer.tip_diameter = 84.0 + 2 * 0.35;
+  const InvolutePair close =
+      sample_pair(sample_gear(30, m, 0, 0), testing::taken(make_gear(longer)), 70.0);
+  const Verdict verdict = judged(close);
+  ASSERT_TRUE(finds(verdict, "tip_margin", Level::amber));
+  for (const Finding& f : verdict.findings) {
+    if (f.code != "tip_margin") continue;
+    EXPECT_EQ(f.gear, 2);
+    EXPECT_NEAR(f.values[0].value, 0.15, 1e-12);
+    EXPECT_NEAR(f.values[1].value, kMarginTip * m, 1e-12);
+    EXPECT_NE(f.message.find("0.1500 mm, less than 0.1 modules (0.2000 mm)"), std::string::npos)
+        << f.message;
+  }
+}
+
+TEST(Verdict, edges_and_places_under_errors) {
+  const InvolutePair involutes = helical_pair();
+  const Pair pair(involutes);
+  const std::vector<Warning> none, jams{{"jam", "They jam.", 0}};
+  ContactResult contact;
+  contact.positions.resize(4);
+  for (ContactPoint& p : contact.positions) p.kind = TouchKind::interior;
+  const auto judged_with = [&](const std::vector<Warning>& warnings) {
+    return verdict_of({{&involutes.gears[0], &involutes.gears[1]}, &pair, &warnings, &contact});
+  };
+  EXPECT_FALSE(finds(judged_with(none), "edge_contact", Level::amber));
+  contact.positions[1].kind = TouchKind::tip2;
+  const Verdict edge = judged_with(none);
+  ASSERT_TRUE(finds(edge, "edge_contact", Level::amber));
+  EXPECT_EQ(edge.level, Level::amber);
+  EXPECT_EQ(edge.findings.front().code, "edge_contact");
+  EXPECT_EQ(edge.findings.front().values[0].value, 0.25);
+  EXPECT_EQ(judged_with(jams).level, Level::red);
+  EXPECT_NE(judged_with(jams).headline.find("the gears jam"), std::string::npos);
+  for (ContactPoint& p : contact.positions) {
+    p.kind = TouchKind::interior;
+    p.height[0] = -0.8 * involutes.gears[0].spec.face_width / 2;
+  }
+  EXPECT_TRUE(finds(judged_with(none), "contact_place", Level::amber));
+  EXPECT_EQ(meaning_of({"contact_lost", "", 0}).severity, Severity::problem);
+}
+
+}  // namespace
+}  // namespace gearwright

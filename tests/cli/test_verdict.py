@@ -1,0 +1,76 @@
+"""The verdict: last line of every listing, `verdict` of every JSON, exit status 4 with --strict."""
+
+import json
+import unittest
+
+from cli import Run
+
+GREEN = """
+[gear1]
+teeth = 20
+normal_module_mm = 2
+face_width_mm = 20
+profile_shift = 0.2
+thickness_allowance_mm = -0.05
+[gear2]
+teeth = 41
+normal_module_mm = 2
+face_width_mm = 20
+"""
+AMBER = GREEN.replace("teeth = 20", "teeth = 15").replace("profile_shift = 0.2", "profile_shift = 0")
+RED = GREEN + "profile_shift = 0\n[pair]\ncenter_distance_mm = 61\n"
+ASKEW = GREEN + "[errors]\ncrossing_deg = 0.05\nintersecting_deg = 0.3\n"
+
+
+class VerdictTest(unittest.TestCase):
+    def test_every_verb_that_mounts_a_pair_says_it(self):
+        for verb in ("pair", "contact", "run"):
+            for spec, level in ((GREEN, "green"), (AMBER, "amber"), (RED, "red")):
+                with self.subTest(verb=verb, level=level):
+                    said = Run(verb, spec, "--json").json["verdict"]
+                    self.assertEqual(said["level"], level, said["headline"])
+                    text = Run(verb, spec)
+                    self.assertEqual(text.status, 0)
+                    last = " ".join(text.out[text.out.rindex("\nVerdict:") :].split())
+                    self.assertEqual(last, f"Verdict: {level}. {said['headline']}")
+                    if level != "green":
+                        worst = said["findings"][0]
+                        self.assertEqual(worst["level"], level)
+                        self.assertTrue(worst["remedy"])
+
+    def test_strict_ends_in_4_unless_it_is_green(self):
+        for verb in ("pair", "contact", "run"):
+            for spec, status in ((GREEN, 0), (AMBER, 4), (RED, 4)):
+                with self.subTest(verb=verb, status=status):
+                    self.assertEqual(Run(verb, spec, "--strict").status, status)
+                    self.assertEqual(Run(verb, spec, "--strict", "--json").status, status)
+                    self.assertEqual(Run(verb, spec).status, 0)
+
+    def test_findings_stand_worst_first(self):
+        order = ["red", "amber", "green"]
+        levels = [f["level"] for f in Run("pair", RED, "--json").json["verdict"]["findings"]]
+        self.assertEqual(levels, sorted(levels, key=order.index))
+
+    def test_an_edge_that_touches_is_no_green(self):
+        verdict = Run("contact", ASKEW, "--json").json["verdict"]
+        codes = [f["code"] for f in verdict["findings"] if f["level"] != "green"]
+        self.assertIn("edge_contact", codes)
+        self.assertNotEqual(verdict["level"], "green")
+        # The mounted pair without its errors is as good as before.
+        self.assertEqual(Run("pair", ASKEW, "--json").json["verdict"]["level"], "green")
+
+    def test_the_page_says_the_same(self):
+        ran = Run("run", ASKEW)
+        result = json.loads((ran.folder / "case_out/result.json").read_text())
+        page = (ran.folder / "case_out/report.html").read_text()
+        level = result["verdict"]["level"]
+        self.assertIn(f'<p class="verdict {level}"><b>{level}</b>', page)
+        self.assertIn("An edge touches during", page)
+
+    def test_a_gear_alone_has_none(self):
+        one = GREEN.split("[gear2]")[0]
+        self.assertNotIn("verdict", Run("gear", one, "--json").json)
+
+
+if __name__ == "__main__":
+    unittest.main()
