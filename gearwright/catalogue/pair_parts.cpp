@@ -349,7 +349,7 @@ const Quantities<Strike>& strike_quantities() {
     q.deg("", "rotation1_deg", "rotation of gear 1", "", "there, within half a pitch",
           at([](const OutlineTouch& t) { return Angle::radians(t.rotation_1).deg(); }));
     q.mm("", "point_mm", "point", "", "in the housing frame",
-         at([](const OutlineTouch& t) { return Vec3(t.point.x(), t.point.y(), 0.0); }))
+         at([](const OutlineTouch& t) { return Vec3(t.point.x(), t.point.y(), t.height); }))
         .list({3});
     q.text("message", "one sentence for people", [](const S& s) {
        return Value(s.message);

@@ -247,15 +247,16 @@ void say_contact(Quantities<V>& q) {
            involute([](const InvolutePair& p) { return path_quantities().of(p); }))
       .doors(kJson)
       .when(is_involute);
-  q.record("", "overlap",
-           "where the bodies would share space, in the middle of the play, deepest first "
-           "[T2.29]…[T2.33]; null: not looked for (crossed axes, circular arcs of unequal lead, an "
-           "internal gear whose cutter is not known)",
-           table_of<strike_quantities>,
-           [](const V& v) {
-             const auto& overlap = v.mounted().overlap;
-             return overlap ? Value(strike_quantities().each(*overlap)) : Value();
-           })
+  q.record(
+       "", "overlap",
+       "where the bodies would share space, in the middle of the play, deepest first "
+       "[T2.34], on crossed axes of tips and roots [T4.33]; null: not looked for (circular arcs "
+       "of unequal lead, an internal gear whose cutter is not known)",
+       table_of<strike_quantities>,
+       [](const V& v) {
+         const auto& overlap = v.mounted().overlap;
+         return overlap ? Value(strike_quantities().each(*overlap)) : Value();
+       })
       .list({0})
       .doors(kJson);
   q.record("", "beyond_flank",
@@ -292,7 +293,7 @@ void say_clearances(Quantities<V>& q) {
       .when(is_involute)
       .expected(is_involute);
   q.mm(kClearances, "fillet_clearance_mm", "fillet clearance to the mating tip corner", "",
-       "per gear, least distance [T2.26]; null on crossed axes, where this is not checked, and "
+       "per gear, least distance [T2.26]; null on crossed axes and "
        "where no corner gets that deep",
        involute([](const InvolutePair& p) { return p.fillet_clearance; }))
       .per_gear()

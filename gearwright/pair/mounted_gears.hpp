@@ -25,7 +25,7 @@ struct MountedGears {
   std::array<double, 2> tip_clearance{};   ///< c    mm: tip 1 to root 2, tip 2 to root 1
   std::optional<double> speed_rpm{};       ///< n_1  1/min, where one is given
   /// Where the bodies would share space, in the middle of the play, deepest first. None: not looked
-  /// for (crossed axes, unequal leads, an internal gear whose cutter nobody knows)
+  /// for (unequal leads, an internal gear whose cutter nobody knows). On crossed axes: tips in roots
   std::optional<std::vector<Strike>> overlap{};
   /// Contact off the flanks while nothing overlaps: the ratio is not constant then.
   std::vector<Strike> beyond_flank{};

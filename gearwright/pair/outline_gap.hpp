@@ -29,6 +29,7 @@ struct OutlineTouch {
   double rotation_1 = 0.0;  ///< of gear 1 when they touch, as Pair counts it, within half a pitch
   double turn_2 = 0.0;   ///< ±g, which closes it: counter-clockwise, from the middle of the play
   Vec2 point{0.0, 0.0};  ///< where, in the housing frame, mm
+  double height = 0.0;   ///< along axis 1, mm; on parallel axes every section is alike
   std::array<OutlinePlace, 2> places{};
 
   /// Along the common normal, mm, gear 2 turned by `play` from the middle towards it; < 0: so deep

@@ -13,6 +13,7 @@
 #include <string>
 #include <utility>
 
+#include "gearwright/pair/crossed_gap.hpp"
 #include "gearwright/pair/interference.hpp"
 
 namespace gearwright::detail {
@@ -179,6 +180,29 @@ void explain(InvolutePair& p) {
   deepest_first(strikes);
 }
 
+// What lies nearer than the flanks, and the flanks.
+std::vector<OutlineTouch> touches_of(const MountedGears& p, double half_play) {
+  std::vector<OutlineTouch> touches;
+  if (p.crossed()) {
+    touches = crossed_gaps(p);
+    if (half_play < 0.0) {
+      OutlineTouch flanks;
+      flanks.gap = half_play;
+      flanks.places = {OutlinePlace{ArcName::flank, false}, OutlinePlace{ArcName::flank, false}};
+      touches.push_back(flanks);
+    }
+    return touches;
+  }
+  const OutlineGap gap = outline_gap(p.gears[0].tooth->outline, p.gears[1].tooth->outline,
+                                     p.center_distance, half_play);
+  for (const auto& row : gap.touches) {
+    for (const auto& touch : row) {
+      if (touch) touches.push_back(*touch);
+    }
+  }
+  return touches;
+}
+
 }  // namespace
 
 void find_strikes(MountedGears& p, double half_play, double normal_play) {
@@ -190,23 +214,18 @@ void find_strikes(MountedGears& p, double half_play, double normal_play) {
   }
   if (!p.overlap->empty()) return;
   double least = half_play;
-  const OutlineGap gap = outline_gap(p.gears[0].tooth->outline, p.gears[1].tooth->outline,
-                                     p.center_distance, half_play);
-  for (const auto& row : gap.touches) {
-    for (const auto& touch : row) {
-      if (!touch) continue;
-      const double early = (half_play - touch->gap) * touch->arm;
-      if (early <= close) {
-        if (flank_on_flank(*touch) && -normal_play / 2 > close)
-          p.overlap->push_back(too_thick(normal_play, *touch));
-        continue;
-      }
-      least = std::min(least, touch->gap);
-      if (touch->gap * touch->arm < -close) {
-        p.overlap->push_back(overlapping(p, *touch));
-      } else {
-        p.beyond_flank.push_back(beyond(p, *touch, early));
-      }
+  for (const OutlineTouch& touch : touches_of(p, half_play)) {
+    const double early = (half_play - touch.gap) * touch.arm;
+    if (early <= close) {
+      if (flank_on_flank(touch) && -normal_play / 2 > close)
+        p.overlap->push_back(too_thick(normal_play, touch));
+      continue;
+    }
+    least = std::min(least, touch.gap);
+    if (touch.gap * touch.arm < -close) {
+      p.overlap->push_back(overlapping(p, touch));
+    } else {
+      p.beyond_flank.push_back(beyond(p, touch, early));
     }
   }
   p.free_play = Angle::radians(2 * least);
@@ -215,7 +234,7 @@ void find_strikes(MountedGears& p, double half_play, double normal_play) {
 }
 
 void find_overlap(InvolutePair& p) {
-  if (p.crossed() || !p.gears[0].tooth || !p.gears[1].tooth) return;
+  if (!p.gears[0].tooth || !p.gears[1].tooth) return;
   find_strikes(p, p.mesh.backlash.rotation[1] / 2, p.mesh.backlash.normal_base);
   // With a tip in a root the outlines were not asked: all that has a name stays.
   if (p.free_play) explain(p);

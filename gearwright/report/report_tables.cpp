@@ -70,17 +70,19 @@ namespace {
 // What was looked at, where nothing was found.
 std::string nothing_strikes(const InvolutePair& p) {
   if (p.overlap) {
-    return "<p>No interference: in every position of a pitch, and over the whole backlash, the two "
-           "finished outlines meet flank on flank only.</p>\n";
+    return fmt::format(
+        "<p>No interference: in every position of a pitch, and over the whole backlash, the two "
+        "finished {}.</p>\n",
+        p.crossed() ? "gears meet flank on flank only; tips keep clear of roots and fillets"
+                    : "outlines meet flank on flank only");
   }
   const bool lost = std::any_of(p.warnings.begin(), p.warnings.end(),
                                 [](const Warning& w) { return w.code == "contact_lost"; });
   return fmt::format(
-      "<p>No interference was found: tips keep clear of roots, and {}. {}</p>\n",
+      "<p>No interference was found: tips keep clear of roots, and {}. The internal gear’s root "
+      "fillet is not checked.</p>\n",
       lost ? "where an undercut took the flank nothing strikes"
-           : "none reaches below the mating gear’s usable flank",
-      p.crossed() ? "Whether a tip corner strikes a root fillet is checked on parallel axes only."
-                  : "The internal gear’s root fillet is not checked.");
+           : "none reaches below the mating gear’s usable flank");
 }
 
 struct StrikeRow {

@@ -1,0 +1,133 @@
+// Tips and roots on crossed axes against the sections of both solids, which share no code with the
+// gap: every place of a tip's edge, over a whole pitch, is put into the mating gear's section there.
+//
+//   free     at both ends of the free play no place of an edge lies in the material
+//   tight    where a strike is said to be, both solids have a point
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "tests/oracle/toothed_outline.hpp"
+#include "tests/property/random_crossed.hpp"
+
+namespace gearwright::oracle {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kShared = 1e-6;  // mm, between the places that are asked
+constexpr double kTight = 1e-8;   // mm
+
+// The solid of a gear: its section, turned as it goes up.
+class Screwed {
+ public:
+  Screwed(const InvolutePair& pair, int which)
+      : gear_(pair.gears[static_cast<std::size_t>(which - 1)]),
+        place_(which == 1 ? pair.pose_1().isometry() : pair.pose_2().isometry()),
+        section_(gear_.spec.teeth, curves(gear_.tooth->outline)) {}
+
+  // Distance in the section of a point of the housing, the gear turned by `turn`; > 0 outside.
+  double distance(const Vec3& housing, double turn) const {
+    const Vec3 p = place_.inverse() * housing;
+    if (std::abs(p.z()) > gear_.spec.face_width / 2) return 1.0;
+    const double back = -turn - (gear_.lead == 0.0 ? 0.0 : 2 * kPi * p.z() / gear_.lead);
+    const double c = std::cos(back), s = std::sin(back);
+    return section_.distance({c * p.x() - s * p.y(), s * p.x() + c * p.y()});
+  }
+  // A place of the edge in which the flank of tooth 0 ends.
+  Vec3 edge(double z, double turn, double side) const {
+    const Vec2 end = gear_.tooth->outline.find(ArcName::flank)->end_point;
+    const double angle = side * std::atan2(end.y(), end.x()) + turn +
+                         (gear_.lead == 0.0 ? 0.0 : 2 * kPi * z / gear_.lead);
+    return place_ * Vec3(end.norm() * std::cos(angle), end.norm() * std::sin(angle), z);
+  }
+  double half_face() const { return gear_.spec.face_width / 2; }
+  int teeth() const { return gear_.spec.teeth; }
+
+ private:
+  static std::vector<ToothedOutline::Curve> curves(const Outline& outline) {
+    std::vector<ToothedOutline::Curve> list;
+    for (const Arc& arc : outline.arcs)
+      list.push_back([&arc](double u) -> Eigen::Vector2d { return arc.point(u); });
+    return list;
+  }
+  const Gear& gear_;
+  Eigen::Isometry3d place_;
+  ToothedOutline section_;
+};
+
+// The deepest place of the edges of `one` in `two`; gear 2 stands `away` from the middle.
+double deepest(const Screwed& one, const Screwed& two, bool first_moves, double away) {
+  constexpr int kTurns = 60, kHeights = 81;
+  double least = 1.0;
+  const double reach = std::min(one.half_face(), 12.0 * 2 * kPi / one.teeth());
+  for (int i = 0; i < kTurns; ++i) {
+    const double turn = 2 * kPi / one.teeth() * (i - kTurns / 2) / kTurns;
+    const double mate = -turn * one.teeth() / two.teeth();
+    // Gear 2 is the one that stands away.
+    const double turn_1 = first_moves ? turn : turn + away;
+    const double turn_2 = first_moves ? mate + away : mate;
+    for (int k = -2; k <= 2; ++k) {
+      for (int j = 0; j < kHeights; ++j) {
+        const double z = reach * (2.0 * j / (kHeights - 1) - 1.0);
+        for (const double side : {1.0, -1.0}) {
+          const Vec3 p = one.edge(z, turn_1 + 2 * kPi * k / one.teeth(), side);
+          least = std::min(least, two.distance(p, turn_2));
+        }
+      }
+    }
+  }
+  return least;
+}
+
+TEST(CrossedGapOracle, edges_are_free_within_the_free_play_and_strikes_are_tight) {
+  property::Random random(4033);
+  int pairs = 0, strikes = 0;
+  for (int i = 0; i < 4000 && pairs < 22; ++i) {
+    auto specs = property::random_crossed(random, 10.0, false);
+    const double m = specs.first.normal_module;
+    for (CylindricalSpec* spec : {&specs.first, &specs.second})
+      spec->profile_shift = random.uniform(-0.5, 0.3);
+    // Longer tips, so that some reach the fillets.
+    const auto plain = property::mounted(specs, 0.05 * m);
+    if (!plain) continue;
+    specs.first.tip_diameter = plain->gears[0].tip_diameter + random.uniform(-0.1, 0.45) * m;
+    specs.second.tip_diameter = plain->gears[1].tip_diameter + random.uniform(-0.1, 0.45) * m;
+    const auto pair = property::mounted(specs, random.uniform(0.0, 0.1) * m);
+    if (!pair || !pair->overlap || !pair->free_play || !(pair->mesh.path_ratio > 1.0)) continue;
+    if (pair->gears[0].pointed() || pair->gears[1].pointed()) continue;
+    if (std::min(pair->tip_clearance[0], pair->tip_clearance[1]) < 0.0) continue;
+    // Of pairs in which nothing strikes a dozen will do.
+    if (pair->overlap->empty() && pair->beyond_flank.empty() && pairs >= 12) continue;
+    SCOPED_TRACE(describe(specs));
+    ++pairs;
+    const Screwed one(*pair, 1), two(*pair, 2);
+    const double half = pair->free_play->rad() / 2;
+    if (half > 0.0) {
+      for (const double away : {half, -half}) {
+        EXPECT_GE(deepest(one, two, true, away), -kShared);
+        EXPECT_GE(deepest(two, one, false, away), -kShared);
+      }
+    }
+    std::vector<Strike> all = *pair->overlap;
+    all.insert(all.end(), pair->beyond_flank.begin(), pair->beyond_flank.end());
+    for (const Strike& s : all) {
+      if (!s.touch || s.cause == "negative_backlash") continue;
+      ++strikes;
+      const double turn_1 = -s.touch->rotation_1;
+      const double turn_2 = -turn_1 * one.teeth() / two.teeth() + s.touch->turn_2;
+      const Vec3 p(s.touch->point.x(), s.touch->point.y(), s.touch->height);
+      const bool of_1 = s.touch->places[0].corner;
+      EXPECT_LE(std::abs((of_1 ? two : one).distance(p, of_1 ? turn_2 : turn_1)), kTight);
+    }
+    if (::testing::Test::HasFailure()) break;
+  }
+  EXPECT_EQ(pairs, 22);
+  EXPECT_GT(strikes, 8);
+  RecordProperty("strikes", strikes);
+}
+
+}  // namespace
+}  // namespace gearwright::oracle
