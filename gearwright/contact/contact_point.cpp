@@ -177,6 +177,10 @@ std::string_view to_string(TouchKind kind) {
   return "";
 }
 
+bool is_edge(TouchKind kind) {
+  return kind != TouchKind::none && kind != TouchKind::interior && kind != TouchKind::line;
+}
+
 ContactPoint describe(Transmission& transmission, const PairTouch& touch, Angle rotation1,
                       double marking) {
   ContactPoint p;

@@ -16,6 +16,8 @@ namespace gearwright {
 
 enum class TouchKind { none, interior, line, tip1, tip2, face1, face2, form1, form2, corner };
 std::string_view to_string(TouchKind kind);
+/// Edges, which touch where the flanks themselves should.
+bool is_edge(TouchKind kind);
 
 /// Gap below which a flat ridge counts as a contact line, mm: less than any flank is smooth.
 inline constexpr double kLineGap = 1e-6;

@@ -25,10 +25,10 @@ bool any_modification(const GearInput& gear) {
 }
 
 // Tips that pass each other, or why else no tooth finds another.
-std::string why_nothing_touches(const ContactSetup& setup) {
+std::string why_nothing_touches(const ContactSetup& setup, const ContactErrors& errors) {
   const double r1 = setup.gear(1).actual_tip_radius();
   const double r2 = setup.gear(2).actual_tip_radius();
-  const double a = setup.place().center_distance + setup.place().errors.center_distance;
+  const double a = setup.place().center_distance + errors.center_distance;
   if (!setup.gear(2).internal() && a >= r1 + r2) {
     return fmt::format(
         "the axes stand {:.6g} mm apart and the tip radii reach {:.6g} mm: the teeth pass each "
@@ -42,6 +42,15 @@ std::string why_nothing_touches(const ContactSetup& setup) {
 }
 
 }  // namespace
+
+Error nothing_touches(const ContactSetup& setup) {
+  return {"errors", "", "nothing touches; " + why_nothing_touches(setup, setup.place().errors)};
+}
+
+Error nothing_touches_under(const ContactSetup& setup, const std::string& name,
+                            const ContactErrors& errors) {
+  return {"compensate.range", name, "nothing touches there; " + why_nothing_touches(setup, errors)};
+}
 
 ContactErrors ContactSetup::with_error(ContactErrors e, std::size_t index, double value) const {
   error_entries()[index].set(e, {gears_[0].get(), gears_[1].get()}, value);
@@ -230,7 +239,7 @@ Result<ContactAnswer> answer_contact(SolvedJob& job) {
   const auto touches = [](const ContactPoint& p) { return p.kind != TouchKind::none; };
   const auto& positions = answer.driving.positions;
   if (std::none_of(positions.begin(), positions.end(), touches))
-    return Error{"errors", "", "nothing touches; " + why_nothing_touches(answer.setup)};
+    return nothing_touches(answer.setup);
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const ContactPoint& behind = answer.other.positions[i];
     if (!touches(positions[i]) || !touches(behind)) continue;

@@ -14,10 +14,6 @@ double pitch_of(const ContactReport& report) {
   return 2 * std::numbers::pi / std::abs(report.gears[0]->spec.teeth);
 }
 
-bool is_edge(TouchKind kind) {
-  return kind != TouchKind::none && kind != TouchKind::interior && kind != TouchKind::line;
-}
-
 const char* words_of(TouchKind kind) {
   switch (kind) {
     case TouchKind::none: return "no contact";
