@@ -259,6 +259,19 @@ class Contact(unittest.TestCase):
             self.assertEqual(c["before"], self.ok("compensate", self.spec(HELICAL, "[errors]\ncrossing_deg = 0.02"))["compensate"]["before"])
             self.assertNotIn("compensate", json.loads(Run("run", self.spec(HELICAL), "--json", "--out", folder).out))
 
+    def test_a_linear_relief_has_a_ridge(self):
+        relief = "[gear1.modifications]\nlead_crowning_um = 10\ntip_relief_um = 30\ntip_relief_start_mm = 40\n"
+        for shape, has in (("linear", True), ("parabolic", False)):
+            c = self.ok("contact", self.spec(HELICAL, gear1=relief + f'tip_relief_shape = "{shape}"'))["contact"]
+            ridges = [p for p in c["positions"] if p["kind"] == "ridge"]
+            self.assertEqual(bool(ridges), has)
+            for p in ridges:
+                self.assertAlmostEqual(p["diameter_mm"][0], 40, places=6)
+                self.assertEqual(p["ridge"]["gear"], 1)
+                self.assertIsNone(p["gap_curvature_per_mm"])
+                self.assertGreaterEqual(min(p["ridge"]["slope"]), 0)
+            self.assertTrue(all("ridge" not in p for p in c["positions"] if p["kind"] != "ridge"))
+
     def test_a_map_of_two_errors(self):
         rest = ('[contact]\npositions = 8\n[contact.map]\nx = "crossing_deg"\nx_range = [-0.05, 0.05]\ny = "center_distance_mm"\n'
                 'y_range = [0, 0.2]\npoints = [5, 3]')
