@@ -38,6 +38,7 @@ class Judge {
 
   std::vector<ContactCurve> curves(const std::vector<double>& v, bool edges = false) {
     ++evaluations_;
+    count_step(task_.headway);
     std::vector<ContactCurve> all;
     for (int s = 0; s < task_.scenarios; ++s) {
       const auto pair = task_.pair_at(v, s);
@@ -245,6 +246,9 @@ Compensation compensate(const CompensationTask& task) {
   GW_EXPECTS(task.positions >= 2 && task.fine_positions >= 2);
   for (const Correction& c : task.corrections)
     GW_EXPECTS(c.lo <= 0.0 && c.hi >= 0.0 && c.lo < c.hi && c.step > 0.0);
+  // Two or three searches of the box and as many descents as there are starts, most ended early.
+  constexpr std::int64_t kUsual = 1000;
+  begin_stage(task.headway, "corrections tried", kUsual);
   Judge coarse(task, task.positions);
   Judge fine(task, task.fine_positions);
   Compensation result;

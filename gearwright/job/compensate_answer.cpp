@@ -138,7 +138,7 @@ Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
 
 }  // namespace
 
-Result<CompensateAnswer> answer_compensate(SolvedJob& job) {
+Result<CompensateAnswer> answer_compensate(SolvedJob& job, Headway* headway) {
   auto made = ContactSetup::of(job);
   if (!made) return made.error();
   const ContactSetup setup = std::move(made).take();
@@ -156,6 +156,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job) {
   CompensationTask task;
   task.scenarios = static_cast<int>(scenarios.size());
   task.positions = kPositions;
+  task.headway = headway;
   task.along_face = setup.gear(1).involute() != nullptr;
   task.fine_positions = job.spec.contact.positions;
   if (input.centering_arcsec) task.centering = Angle::arcseconds(*input.centering_arcsec);

@@ -175,13 +175,13 @@ std::vector<double> spread(const std::array<double, 2>& range, int n) {
 }
 
 ErrorMap make_map(const ContactSetup& setup, const ContactMapInput& m, int positions,
-                  bool gear2_drives) {
+                  bool gear2_drives, Headway* headway) {
   const auto pair_at = [&](double x, double y) {
     ContactErrors e = setup.with_error(setup.place().errors, m.key[0], x);
     return setup.pair(setup.with_error(e, m.key[1], y), gear2_drives);
   };
   return map_of_errors(spread(m.range[0], m.points[0]), spread(m.range[1], m.points[1]), pair_at,
-                       positions);
+                       positions, 0, headway);
 }
 
 // What the answer says that the numbers alone do not.
@@ -223,7 +223,7 @@ void warn_about(const ContactAnswer& answer, std::vector<Warning>& warnings) {
 
 }  // namespace
 
-Result<ContactAnswer> answer_contact(SolvedJob& job) {
+Result<ContactAnswer> answer_contact(SolvedJob& job, Headway* headway) {
   auto made = ContactSetup::of(job);
   if (!made) return made.error();
   ContactAnswer answer{std::move(made).take(), {}, {}, std::nullopt, std::nullopt, std::nullopt};
@@ -231,6 +231,7 @@ Result<ContactAnswer> answer_contact(SolvedJob& job) {
   const bool gear2_drives = input.driver == 2;
   ContactRequest request{input.positions, input.pitches, input.marking};
   request.rotations = input.rotations;
+  request.headway = headway;
   ContactRequest other = request;
   for (const NamedInfluence& i : answer.setup.influences())
     request.influences.push_back(i.influence);
@@ -247,9 +248,10 @@ Result<ContactAnswer> answer_contact(SolvedJob& job) {
     const Angle play = (gear2_drives ? -1.0 : 1.0) * (behind.te - positions[i].te);
     answer.min_play = std::min(answer.min_play.value_or(play), play);
   }
-  if (input.map) answer.map = make_map(answer.setup, *input.map, input.positions, gear2_drives);
+  if (input.map)
+    answer.map = make_map(answer.setup, *input.map, input.positions, gear2_drives, headway);
   if (input.pattern)
-    answer.pattern = contact_pattern(answer.setup.pair(gear2_drives), input.positions);
+    answer.pattern = contact_pattern(answer.setup.pair(gear2_drives), input.positions, {}, headway);
   warn_about(answer, job.warnings);
   return answer;
 }

@@ -78,6 +78,6 @@ Error nothing_touches_under(const ContactSetup& setup, const std::string& name,
                             const ContactErrors& errors);
 
 /// Errors    as ContactSetup; `errors` when no tooth touches at any position
-Result<ContactAnswer> answer_contact(SolvedJob& job);
+Result<ContactAnswer> answer_contact(SolvedJob& job, Headway* headway = nullptr);
 
 }  // namespace gearwright

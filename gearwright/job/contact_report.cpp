@@ -182,9 +182,9 @@ bool wants_contact(const SolvedJob& job) {
   return job.spec.errors.given || job.spec.contact.given || !modifications_of(job).empty();
 }
 
-Result<std::optional<ContactPart>> contact_part(SolvedJob& job) {
+Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Headway* headway) {
   if (!wants_contact(job)) return std::optional<ContactPart>();
-  auto made = answer_contact(job);
+  auto made = answer_contact(job, headway);
   if (!made) {
     // Of the whole pair there is a reason why nothing touches; of one number it is wrong.
     const std::string& field = made.error().field;

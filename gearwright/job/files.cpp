@@ -81,9 +81,9 @@ Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodi
 
 // None where the spec has no [compensate], and where nothing touches: then the warning of the
 // contact analysis, or one of its own, says why.
-Result<std::optional<CompensateView>> compensation_part(SolvedJob& job) {
+Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Headway* headway) {
   if (!job.pair || !job.spec.compensate.given) return std::optional<CompensateView>();
-  auto answer = answer_compensate(job);
+  auto answer = answer_compensate(job, headway);
   if (answer) return std::optional(compensate_view(*answer));
   const std::string& field = answer.error().field;
   if (field != "errors" && field != "gear1" && field != "gear2") return answer.error();
@@ -180,9 +180,9 @@ Result<std::vector<JobFile>> write_everything(SolvedJob& job, const fs::path& fo
                                               const FileOptions& options) {
   std::vector<JobFile> files;
   std::vector<ToothedBody> mounted;
-  const auto contact = contact_part(job);
+  const auto contact = contact_part(job, options.headway);
   if (!contact) return contact.error();
-  const auto compensation = compensation_part(job);
+  const auto compensation = compensation_part(job, options.headway);
   if (!compensation) return compensation.error();
   const auto make = [&](FileKind kind, const std::vector<ToothedBody>& bodies,
                         const std::string& name) {
@@ -235,6 +235,7 @@ Result<std::vector<JobFile>> write_everything(SolvedJob& job, const fs::path& fo
   files.insert(files.begin(), {folder / "result.json", "result", std::nullopt,
                                "every number, as JSON", json_text(result, 2) + "\n"});
 
+  if (options.headway) options.headway->begin_writing();
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw IoError("cannot make the folder " + folder.string() + ": " + error.message());
