@@ -8,7 +8,8 @@
 
 namespace gearwright {
 
-/// The spec has [errors], [contact] or modifications, and a pair to turn.
+/// The spec has [errors], [contact] or modifications, or its pair is one of circular arcs; and there
+/// is a pair to turn.
 bool wants_contact(const SolvedJob& job);
 
 /// An answer and the part of the report about it. The report points into the job.

@@ -259,6 +259,15 @@ class Contact(unittest.TestCase):
             self.assertEqual(c["before"], self.ok("compensate", self.spec(HELICAL, "[errors]\ncrossing_deg = 0.02"))["compensate"]["before"])
             self.assertNotIn("compensate", json.loads(Run("run", self.spec(HELICAL), "--json", "--out", folder).out))
 
+    def test_circular_arcs_have_pattern_and_ellipse_without_errors(self):
+        with tempfile.TemporaryDirectory() as folder:
+            run = Run("run", ARCS.format(rest=""), "--json", "--out", folder)
+            self.assertEqual(run.status, 0, run.err)
+            ellipses = [p["ellipse"] for p in run.json["contact"]["positions"]]
+            self.assertTrue(all(e["semi_major_mm"] > e["semi_minor_mm"] > 0 for e in ellipses if e))
+            self.assertTrue(any(ellipses))
+            self.assertIn("marking pattern", (Path(folder) / "report.html").read_text())
+
     def test_a_linear_relief_has_a_ridge(self):
         relief = "[gear1.modifications]\nlead_crowning_um = 10\ntip_relief_um = 30\ntip_relief_start_mm = 40\n"
         for shape, has in (("linear", True), ("parabolic", False)):
