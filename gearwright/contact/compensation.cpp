@@ -20,8 +20,9 @@ constexpr double kLastGain = 1e-5;  // relative
 constexpr double kLastGain_rad = 1e-5 * kRadPerArcsec;
 // f of corrections at which contact is lost, rad: far above any other, and finite for the optimiser.
 constexpr double kLost = 1e3;
-// What an arcsec of transmission error costs beyond the error of no corrections, where that is the
-// limit: more than any pattern is worth, so that the limit holds to rounding.
+// What an arcsec of transmission error costs beyond the limit, on top of all that the pattern of no
+// corrections costs: so that nothing beyond the limit is better than nothing, and the way back from
+// there leads down.
 constexpr double kOverLimit = 100.0;
 
 // f at a number of positions.
@@ -34,6 +35,7 @@ class Judge {
     if (!task.centering && !score.lost)
       limit_ = std::max(kQuiet, score.peak_to_peak + 0.5 * kSameError).rad();
     centering_ = task.centering.value_or(default_centering(score.peak_to_peak)).rad();
+    place_of_none_ = place_cost(score);
   }
 
   std::vector<ContactCurve> curves(const std::vector<double>& v, bool edges = false) {
@@ -54,10 +56,8 @@ class Judge {
     const ContactScore s = worst(all);
     if (s.lost) return kInfinity;
     const double te = s.peak_to_peak.rad();
-    const double along = task_.along_face ? s.along_face * s.along_face : 0.0;
-    double f = te + centering_ * (along + s.along_profile * s.along_profile);
-    if (te > limit_) f += kOverLimit * (te - limit_);
-    return f;
+    const double f = te + place_cost(s);
+    return te > limit_ ? f + place_of_none_ + kOverLimit * (te - limit_) : f;
   }
 
   int positions() const { return positions_; }
@@ -65,6 +65,11 @@ class Judge {
   int evaluations() const { return evaluations_; }
 
  private:
+  double place_cost(const ContactScore& s) const {
+    const double along = task_.along_face ? s.along_face * s.along_face : 0.0;
+    return centering_ * (along + s.along_profile * s.along_profile);
+  }
+
   static ContactScore worst(const std::vector<ContactCurve>& all) {
     ContactScore score;
     for (const ContactCurve& c : all) take_worst(score, c.score);
@@ -74,7 +79,7 @@ class Judge {
   const CompensationTask& task_;
   int positions_;
   double limit_ = kInfinity;  // of the peak to peak, rad
-  double centering_ = 0.0;
+  double centering_ = 0.0, place_of_none_ = 0.0;
   int evaluations_ = 0;
 };
 
@@ -181,7 +186,7 @@ std::vector<double> searched(const CompensationTask& task, Judge& judge) {
   if (best.least < kSameError.rad()) return zero;
   const int n = static_cast<int>(zero.size());
   // Curves are what costs: so many in all, whatever the number of scenarios.
-  const int budget = std::clamp(6000 / task.scenarios, 60, 400 * n);
+  const int budget = std::clamp(task.curves / task.scenarios, 1, 400 * n);
   std::vector<std::vector<double>> starts = task.starts;
   starts.push_back(zero);
   starts.push_back(linearised(task, judge));
@@ -206,7 +211,8 @@ std::vector<double> settled(const CompensationTask& task, Judge& fine,
   const double none = best.least;
   if (found != zero) {
     best.take(found);
-    const int budget = std::clamp(1000 / task.scenarios, 30, 60 * static_cast<int>(found.size()));
+    const int most = 60 * static_cast<int>(found.size());
+    const int budget = std::clamp(task.curves / (6 * task.scenarios), 1, most);
     for (const double step : {0.3, 0.03})
       best.take(optimise(task, fine, nlopt::LN_SBPLX, budget, step, best.v));
   }

@@ -36,6 +36,7 @@ struct CompensationTask {
   int scenarios = 1;
   int positions = 24;                ///< per pitch, while looking
   int fine_positions = 64;           ///< per pitch, of the scores told
+  int curves = 6000;                 ///< about so many are looked at by each search of the box
   std::optional<Angle> centering{};  ///< w  what a pattern at the end of the face may cost; absent:
                                      ///< default_centering, and the error never gets worse
   bool along_face = true;  ///< false: a contact point runs along the face anyhow, h does not count

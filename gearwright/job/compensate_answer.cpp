@@ -138,7 +138,7 @@ Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
 
 }  // namespace
 
-Result<CompensateAnswer> answer_compensate(SolvedJob& job, Headway* headway) {
+Result<CompensateAnswer> answer_compensate(SolvedJob& job, Headway* headway, int curves) {
   auto made = ContactSetup::of(job);
   if (!made) return made.error();
   const ContactSetup setup = std::move(made).take();
@@ -157,6 +157,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Headway* headway) {
   task.scenarios = static_cast<int>(scenarios.size());
   task.positions = kPositions;
   task.headway = headway;
+  task.curves = curves;
   task.along_face = setup.gear(1).involute() != nullptr;
   task.fine_positions = job.spec.contact.positions;
   if (input.centering_arcsec) task.centering = Angle::arcseconds(*input.centering_arcsec);

@@ -26,6 +26,8 @@ struct CompensateAnswer {
 /// Errors    as answer_contact, `errors` when nothing touches as the pair stands;
 ///           `compensate.corrections` for one that the teeth cannot take; `compensate.range` when
 ///           nothing touches in a corner of it, whatever is corrected
-Result<CompensateAnswer> answer_compensate(SolvedJob& job, Headway* headway = nullptr);
+/// `curves`  as CompensationTask
+Result<CompensateAnswer> answer_compensate(SolvedJob& job, Headway* headway = nullptr,
+                                           int curves = CompensationTask{}.curves);
 
 }  // namespace gearwright
