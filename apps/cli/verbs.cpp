@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/common/speaking.hpp"
+#include "apps/common/watch.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/catalogue/spec_schema.hpp"
 #include "gearwright/job/compensate_text.hpp"
@@ -111,6 +112,13 @@ std::string collision(const Options& o) {
   return {};
 }
 
+// A work that may take long, with a line of how far it is.
+template <class Work>
+auto watched(const char* verb, const Work& work) {
+  Watch watch(verb);
+  return work(watch.headway());
+}
+
 }  // namespace
 
 int gear_verb(const Options& o) {
@@ -163,7 +171,7 @@ int measure_verb(const Options& o) {
 int fit_verb(const Options& o) {
   const auto spec = read_spec_file(o.spec);
   if (!spec) return fail(o, spec.error());
-  const auto answer = answer_fit(*spec);
+  const auto answer = watched("fit", [&](Headway* h) { return answer_fit(*spec, h); });
   if (!answer) return fail(o, answer.error(), spec->given);
   const int count = static_cast<int>(answer->specs.size());
   if (o.take) {
@@ -205,7 +213,7 @@ int contact_verb(const Options& o) {
   auto solved = solve_file(o, Scope::pair);
   if (!solved) return fail(o, solved.error());
   SolvedJob job = std::move(solved).take();
-  const auto answer = answer_contact(job);
+  const auto answer = watched("contact", [&](Headway* h) { return answer_contact(job, h); });
   if (!answer) return fail(o, answer.error(), job.spec.given);
   const Verdict verdict = judge(job, &answer->driving);
   if (o.json) {
@@ -220,7 +228,7 @@ int compensate_verb(const Options& o) {
   auto solved = solve_file(o, Scope::pair);
   if (!solved) return fail(o, solved.error());
   SolvedJob job = std::move(solved).take();
-  const auto answer = answer_compensate(job);
+  const auto answer = watched("compensate", [&](Headway* h) { return answer_compensate(job, h); });
   if (!answer) return fail(o, answer.error(), job.spec.given);
   if (o.spec_only) {
     if (o.json) {
@@ -270,7 +278,11 @@ int run_verb(const Options& o) {
     if (out.extension() == ".toml" || out.extension() == ".json") out.replace_extension();
     out += "_out";
   }
-  const auto files = write_everything(job, out, file_options(o));
+  const auto files = watched("run", [&](Headway* h) {
+    FileOptions options = file_options(o);
+    options.headway = h;
+    return write_everything(job, out, options);
+  });
   if (!files) return fail(o, files.error(), job.spec.given);
   // As in result.json, which comes first, with all the files.
   Json j = parse_json(files->front().bytes);

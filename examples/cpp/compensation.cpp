@@ -45,7 +45,7 @@ int main() {
 }
 
 /* prints
-lead slope -9.68 um, crowning 20.00 um
-worst transmission error 2.875 arcsec before, 2.719 arcsec after
-contact along the face   -0.998 before, 0.202 after (1: at the end)
+lead slope -9.61 um, crowning 20.00 um
+worst transmission error 2.875 arcsec before, 2.718 arcsec after
+contact along the face   -0.998 before, -0.201 after (1: at the end)
 */

@@ -32,9 +32,11 @@ const KeyTable& compensate_keys() {
         .symbol = "w",
         .range = KeyRange::not_negative(),
         .place = &CompensateInput::centering_arcsec,
-        .fallback = "1",
+        .fallback = "a tenth of the transmission error as it stands, at least 0.1, and no "
+                    "correction that makes that error greater (less than 0.01 is none)",
         .meaning = "what a pattern at the very end of the face may cost [T8.24] (of circular arcs, "
-                   "whose contact runs along the face anyhow, at the end of the profile); "
+                   "whose contact runs along the face anyhow, at the end of the profile): a value "
+                   "asks for a trade, in which the transmission error may grow; "
                    "where less than 0.001 arcsec is to be had in all, every correction is 0"},
        {.key = "range",
         .kind = KeyKind::table,

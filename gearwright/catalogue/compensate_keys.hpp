@@ -17,29 +17,35 @@ struct CorrectionEntry {
   std::string_view key;  ///< as in the result, "gear1.lead_crowning_um"
   double lo, hi;         ///< bounds, in its unit
   double step;           ///< a small change
+  std::string_view words;
 
   std::string_view unit() const { return key_unit(key); }
+  /// "µm", "°", "mm"
+  std::string_view shown_unit() const {
+    return unit() == "um" ? "µm" : unit() == "deg" ? "°" : unit();
+  }
 };
 
 constexpr std::size_t kCorrectionCount = 11;
 
 /// Bounds of everyday work; `tool_setting_mm` is bounded by the module as well.
 inline constexpr std::array<CorrectionEntry, kCorrectionCount> kCorrections{
-    {{"tool_setting_mm", -5.0, 5.0, 0.005},
-     {"cutter_lead1_deg", -0.5, 0.5, 0.005},
-     {"cutter_lead2_deg", -0.5, 0.5, 0.005},
-     {"gear1.lead_slope_um", -100.0, 100.0, 2.0},
-     {"gear1.lead_crowning_um", 0.0, 50.0, 2.0},
-     {"gear1.profile_slope_um", -50.0, 50.0, 1.0},
-     {"gear1.profile_crowning_um", 0.0, 50.0, 1.0},
-     {"gear2.lead_slope_um", -100.0, 100.0, 2.0},
-     {"gear2.lead_crowning_um", 0.0, 50.0, 2.0},
-     {"gear2.profile_slope_um", -50.0, 50.0, 1.0},
-     {"gear2.profile_crowning_um", 0.0, 50.0, 1.0}}};
+    {{"tool_setting_mm", -5.0, 5.0, 0.005, "tool setting of rack F, Δb_F"},
+     {"cutter_lead1_deg", -0.5, 0.5, 0.005, "lead angle of the cutter of gear 1"},
+     {"cutter_lead2_deg", -0.5, 0.5, 0.005, "lead angle of the cutter of gear 2"},
+     {"gear1.lead_slope_um", -100.0, 100.0, 2.0, "helix slope modification of gear 1"},
+     {"gear1.lead_crowning_um", 0.0, 50.0, 2.0, "helix crowning of gear 1"},
+     {"gear1.profile_slope_um", -50.0, 50.0, 1.0, "profile slope of gear 1"},
+     {"gear1.profile_crowning_um", 0.0, 50.0, 1.0, "profile crowning of gear 1"},
+     {"gear2.lead_slope_um", -100.0, 100.0, 2.0, "helix slope modification of gear 2"},
+     {"gear2.lead_crowning_um", 0.0, 50.0, 2.0, "helix crowning of gear 2"},
+     {"gear2.profile_slope_um", -50.0, 50.0, 1.0, "profile slope of gear 2"},
+     {"gear2.profile_crowning_um", 0.0, 50.0, 1.0, "profile crowning of gear 2"}}};
 
 struct CompensateInput {
-  std::vector<std::size_t> corrections;  ///< places in kCorrections; empty: the pair's own
-  double centering_arcsec = 1.0;         ///< what a pattern at the end of the face may cost
+  bool given = false;                      ///< the spec has [compensate]
+  std::vector<std::size_t> corrections;    ///< places in kCorrections; empty: the pair's own
+  std::optional<double> centering_arcsec;  ///< what a pattern at the end of the face may cost
   /// [compensate.range]: the least and the greatest value of an error, by its place in
   /// error_entries.
   std::array<std::optional<std::array<double, 2>>, kErrorCount> range{};

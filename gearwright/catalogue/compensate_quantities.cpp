@@ -124,6 +124,15 @@ void say(Quantities<V>& q) {
            [](const V& v) { return Value(score_quantities().of(v.after)); })
       .always()
       .doors(kJson);
+  q.flag("", "nothing_to_correct", "nothing to correct",
+         "no corrections within reach are better by 0.001 arcsec: each is 0",
+         [](const V& v) { return Value(v.nothing_to_correct); })
+      .doors(kJson);
+  q.add(Type::number, Unit::arcsec, "", "centering_arcsec",
+        "cost of a pattern at the end of the face", "w",
+        "the key of this name, or what was taken in its place [T8.24]",
+        [](const V& v) { return Value(v.centering.arcsec()); })
+      .doors(kJson);
   q.record("", "scenarios", "one by one", scenario_table,
            [](const V& v) { return Value(scenario_quantities().each(v.scenarios)); })
       .list({0})
@@ -166,6 +175,10 @@ const Quantities<ContactScore>& score_quantities() {
     q.add(Type::number, Unit::percent, "", "contact_along_profile",
           "contact off the middle of the profile", "", "mean place, ±1 at the ends [T8.24]",
           [](const S& s) { return Value(s.along_profile); })
+        .digits(1);
+    q.add(Type::number, Unit::percent, "", "edge_share", "positions with an edge in contact", "",
+          "share of the positions of a pitch at which an edge touches, 0 to 1",
+          [](const S& s) { return Value(s.edge_share); })
         .digits(1);
     q.flag("", "contact_lost", "contact lost", "somewhere", [](const S& s) {
        return Value(s.lost);

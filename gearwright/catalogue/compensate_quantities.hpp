@@ -12,6 +12,7 @@ namespace gearwright {
 /// A correction found, by its key and its unit as keys end: "gear1.lead_crowning_um", "um".
 struct FoundCorrection {
   std::string key, unit;
+  std::string words, shown_unit;  ///< for people: "helix crowning of gear 1", "µm"
   double value;
 };
 
@@ -24,6 +25,8 @@ struct Scenario {
 struct CompensateView {
   std::vector<FoundCorrection> corrections;
   ContactScore before, after;
+  bool nothing_to_correct = false;
+  Angle centering;
   std::vector<Scenario> scenarios;
   std::optional<SettingAnswer> setting;
   std::optional<LeadAnswer> lead;

@@ -39,6 +39,34 @@ const Quantities<ContactEllipse>& ellipse_quantities() {
 }
 const SaidTable& ellipse_table() { return ellipse_quantities().table(); }
 
+const Quantities<ContactRidge>& ridge_quantities() {
+  using R = ContactRidge;
+  static const Quantities<R> kAll("contact.positions ridge", [](Quantities<R>& q) {
+    q.whole("", "gear", "gear", "", "whose flank has the ridge", [](const R& r) {
+       return Value(r.gear);
+     }).always();
+    q.add(Type::number, Unit::per_mm, "", "along_per_mm", "curvature of the gap along the ridge",
+          "", "the same from either side", [](const R& r) { return Value(r.along); })
+        .always();
+    q.pure("", "slope", "slopes of the gap", "",
+           "away from the ridge, that towards the lesser diameter (height, of an end relief) first",
+           [](const R& r) {
+             return Value(ValueList{r.side[0].slope, r.side[1].slope});
+           })
+        .list({2})
+        .always();
+    q.add(Type::number, Unit::per_mm, "", "gap_curvature_per_mm", "curvatures of the gap",
+          "k_1, k_2", "of the flank on either side, in the same order",
+          [](const R& r) {
+            return Value(ValueList{Value(r.side[0].curvature), Value(r.side[1].curvature)});
+          })
+        .list({2, 2})
+        .always();
+  });
+  return kAll;
+}
+const SaidTable& ridge_table() { return ridge_quantities().table(); }
+
 void say_position(Quantities<P>& q) {
   q.deg("", "rotation1_deg", "rotation of gear 1", "φ_1", "clockwise seen from +z", [](const P& p) {
      return Value(p.rotation1.deg());
@@ -51,9 +79,11 @@ void say_position(Quantities<P>& q) {
   q.whole("", "tooth", "tooth pair", "k", "the pair that stands on the centre line k pitches later",
           touching([](const P& p) { return p.pair; }));
   q.word("", "kind", "where the flanks touch",
-         "in a point, along a line, or an edge; `form1`, `form2`: the end of the usable flank",
+         "in a point, along a line, or an edge; `form1`, `form2`: the end of the usable flank; "
+         "`ridge`: where a linear relief begins",
          touching([](const P& p) { return to_string(p.kind); }))
-      .one_of({"interior", "line", "tip1", "tip2", "face1", "face2", "form1", "form2", "corner"});
+      .one_of({"interior", "line", "tip1", "tip2", "face1", "face2", "form1", "form2", "ridge",
+               "corner"});
   q.mm("", "point_mm", "point of contact", "", "in the housing frame",
        touching([](const P& p) { return p.point; }))
       .list({3});
@@ -77,6 +107,9 @@ void say_position(Quantities<P>& q) {
            ellipse_table, [](const P& p) {
              return p.ellipse ? Value(ellipse_quantities().of(*p.ellipse)) : Value();
            });
+  q.record("", "ridge", "how the gap opens on either side of a ridge; absent of other kinds",
+           ridge_table, [](const P& p) { return Value(ridge_quantities().of(*p.ridge)); })
+      .when([](const P& p) { return p.ridge.has_value(); });
   q.mm("", "line_mm", "contact line", "", "both its ends; null of other kinds", [](const P& p) {
      return p.line ? Value(ValueList{(*p.line)[0], (*p.line)[1]}) : Value();
    }).list({2, 3});

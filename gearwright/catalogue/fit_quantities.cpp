@@ -39,6 +39,11 @@ const Quantities<BranchView>& branch_quantities() {
            "of a design with few teeth",
            [](const B& b) { return Value(b.transverse_contact_ratio); })
         .when([](const B& b) { return b.transverse_contact_ratio.has_value(); });
+    q.text("refused",
+           "why the verb pair refuses this answer: its line of action is right, its teeth "
+           "are not; absent when it takes it",
+           [](const B& b) { return b.refused ? Value(*b.refused) : Value(); })
+        .when([](const B& b) { return b.refused.has_value(); });
   });
   return kAll;
 }

@@ -13,6 +13,7 @@ struct BranchView {
   FitBranch branch;
   Value spec;                                        ///< the whole spec of this answer
   std::optional<double> transverse_contact_ratio{};  ///< of a design with few teeth
+  std::optional<std::string> refused{};              ///< what the verb pair says against it
 };
 
 struct FitView {

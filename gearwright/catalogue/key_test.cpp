@@ -96,7 +96,6 @@ TEST(Keys, defaults_are_those_of_the_structs) {
   expect_defaults<PairInput>(pair_keys(), 2);
   expect_defaults<ErrorsInput>(error_keys(), 8);
   expect_defaults<ContactInput>(contact_keys(), 5);
-  expect_defaults<CompensateInput>(compensate_keys(), 1);
   expect_defaults<SearchProblem>(search_keys(), 6);
 }
 

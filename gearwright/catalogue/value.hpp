@@ -31,27 +31,28 @@ class Value {
 
   // NOLINTBEGIN(google-explicit-constructor): a getter returns what it has.
   Value() noexcept;  ///< nothing: JSON's null
-  Value(bool flag) : variant_(flag) {}
-  Value(int whole) : variant_(static_cast<long long>(whole)) {}
-  Value(long whole) : variant_(static_cast<long long>(whole)) {}
-  Value(long long whole) : variant_(whole) {}
-  Value(std::size_t whole) : variant_(static_cast<long long>(whole)) {}
-  Value(double number) : variant_(number) {}
+  // In value.cpp, where a Member is complete: clang wants that of whatever may destroy the variant.
+  Value(bool flag);
+  Value(int whole);
+  Value(long whole);
+  Value(long long whole);
+  Value(std::size_t whole);
+  Value(double number);
   Value(std::string word);
-  Value(std::string_view word) : variant_(std::string(word)) {}
-  Value(const char* word) : variant_(std::string(word)) {}
+  Value(std::string_view word);
+  Value(const char* word);
   Value(ValueList list);
   Value(ValueRecord record);
   Value(ValueMap map);
   template <class T>
-  Value(const std::optional<T>& maybe) {
+  Value(const std::optional<T>& maybe) : Value() {
     if (maybe) *this = Value(*maybe);
   }
   template <class T, std::size_t n>
-  Value(const std::array<T, n>& each) : variant_(ValueList(each.begin(), each.end())) {}
-  Value(const Vec2& p) : variant_(ValueList{p.x(), p.y()}) {}
-  Value(const Vec3& p) : variant_(ValueList{p.x(), p.y(), p.z()}) {}
-  Value(const std::vector<double>& numbers) : variant_(ValueList(numbers.begin(), numbers.end())) {}
+  Value(const std::array<T, n>& each) : Value(ValueList(each.begin(), each.end())) {}
+  Value(const Vec2& p);
+  Value(const Vec3& p);
+  Value(const std::vector<double>& numbers);
   // NOLINTEND(google-explicit-constructor)
   // Out of line: inlined into every getter they double the catalogue's object code.
   Value(const Value& other);

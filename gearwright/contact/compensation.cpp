@@ -15,88 +15,71 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// A search ends when f changes by less: this part of itself, or a hundredth of kNothing.
+// A search ends when f changes by less: this part of itself, or a hundredth of kSameError.
 constexpr double kLastGain = 1e-5;  // relative
 constexpr double kLastGain_rad = 1e-5 * kRadPerArcsec;
 // f of corrections at which contact is lost, rad: far above any other, and finite for the optimiser.
 constexpr double kLost = 1e3;
-// No instrument sees a difference below 0.001 arcsec, rad.
-constexpr double kNothing = 1e-3 * kRadPerArcsec;
+// What an arcsec of transmission error costs beyond the limit, on top of all that the pattern of no
+// corrections costs: so that nothing beyond the limit is better than nothing, and the way back from
+// there leads down.
+constexpr double kOverLimit = 100.0;
 
-// One scenario, looked at.
-struct Looked {
-  std::vector<double> te;  // rad, NaN where lost
-  ContactScore score;
-};
-
-Looked curve_of(const ContactPair& pair, int positions, Angle target, Angle width) {
-  Looked c;
-  Transmission transmission(pair);
-  double z_half = 0.0;
-  for (const FlankPatch& p : pair.patches(1))
-    z_half = std::max({z_half, std::abs(p.z_lo), std::abs(p.z_hi)});
-  double height = 0.0;
-  double profile = 0.0;
-  int n = 0;
-  for (const PairTouch& t : transmission.over_a_pitch(-0.5 * pair.pitch(), positions)) {
-    if (!t.found()) {
-      c.score.lost = true;
-      c.te.push_back(std::numeric_limits<double>::quiet_NaN());
-      continue;
-    }
-    c.te.push_back(t.te());
-    ++n;
-    // Along a contact line every point touches: the pattern is where the line is, all over.
-    if (!t.touch.flat) height += t.touch.z / z_half;
-    if (width > Angle()) {
-      const auto angle = transmission.field(t.fields).one().profile.rack_angle(t.touch.s);
-      if (angle) profile += (*angle - target.rad()) / width.rad();
-    }
-  }
-  c.score.peak_to_peak = Angle::radians(peak_to_peak(c.te));
-  c.score.along_face = n ? height / n : 0.0;
-  c.score.along_profile = n ? profile / n : 0.0;
-  return c;
-}
-
-void take_worst(ContactScore& worst, const ContactScore& s) {
-  worst.peak_to_peak = std::max(worst.peak_to_peak, s.peak_to_peak);
-  if (std::abs(s.along_face) > std::abs(worst.along_face)) worst.along_face = s.along_face;
-  if (std::abs(s.along_profile) > std::abs(worst.along_profile))
-    worst.along_profile = s.along_profile;
-  worst.lost = worst.lost || s.lost;
-}
-
+// f at a number of positions.
 class Judge {
  public:
-  explicit Judge(const CompensationTask& task) : task_(task) {}
+  Judge(const CompensationTask& task, int positions) : task_(task), positions_(positions) {
+    const std::vector<double> zero(task.corrections.size(), 0.0);
+    const ContactScore score = worst(curves(zero));
+    // Where contact is lost already, regaining it may cost what it will.
+    if (!task.centering && !score.lost)
+      limit_ = std::max(kQuiet, score.peak_to_peak + 0.5 * kSameError).rad();
+    centering_ = task.centering.value_or(default_centering(score.peak_to_peak)).rad();
+    place_of_none_ = place_cost(score);
+  }
 
-  std::vector<Looked> curves(const std::vector<double>& v) {
+  std::vector<ContactCurve> curves(const std::vector<double>& v, bool edges = false) {
     ++evaluations_;
-    std::vector<Looked> all;
+    count_step(task_.headway);
+    std::vector<ContactCurve> all;
     for (int s = 0; s < task_.scenarios; ++s) {
       const auto pair = task_.pair_at(v, s);
       if (!pair) return {};
-      all.push_back(curve_of(*pair, task_.positions, task_.profile_target, task_.profile_width));
+      all.push_back(contact_curve(*pair, positions_, task_.profile, edges));
     }
     return all;
   }
 
-  double value(const std::vector<Looked>& curves) const {
-    if (curves.empty()) return kInfinity;
-    ContactScore worst;
-    for (const Looked& c : curves) take_worst(worst, c.score);
-    if (worst.lost || !std::isfinite(worst.peak_to_peak.rad())) return kInfinity;
-    return worst.peak_to_peak.rad() +
-           task_.centering.rad() * ((task_.along_face ? worst.along_face * worst.along_face : 0.0) +
-                                    worst.along_profile * worst.along_profile);
+  double value(const std::vector<double>& v) {
+    const auto all = curves(v);
+    if (all.empty()) return kInfinity;
+    const ContactScore s = worst(all);
+    if (s.lost) return kInfinity;
+    const double te = s.peak_to_peak.rad();
+    const double f = te + place_cost(s);
+    return te > limit_ ? f + place_of_none_ + kOverLimit * (te - limit_) : f;
   }
 
-  double value(const std::vector<double>& v) { return value(curves(v)); }
+  int positions() const { return positions_; }
+  Angle centering() const { return Angle::radians(centering_); }
   int evaluations() const { return evaluations_; }
 
  private:
+  double place_cost(const ContactScore& s) const {
+    const double along = task_.along_face ? s.along_face * s.along_face : 0.0;
+    return centering_ * (along + s.along_profile * s.along_profile);
+  }
+
+  static ContactScore worst(const std::vector<ContactCurve>& all) {
+    ContactScore score;
+    for (const ContactCurve& c : all) take_worst(score, c.score);
+    return score;
+  }
+
   const CompensationTask& task_;
+  int positions_;
+  double limit_ = kInfinity;  // of the peak to peak, rad
+  double centering_ = 0.0, place_of_none_ = 0.0;
   int evaluations_ = 0;
 };
 
@@ -105,13 +88,13 @@ std::vector<double> linearised(const CompensationTask& task, Judge& judge) {
   const std::size_t n = task.corrections.size();
   const std::vector<double> zero(n, 0.0);
   const auto base = judge.curves(zero);
-  const std::size_t rows = static_cast<std::size_t>(task.scenarios * task.positions);
-  const auto column = [&](const std::vector<Looked>& curves) {
+  const std::size_t rows = static_cast<std::size_t>(task.scenarios * judge.positions());
+  const auto column = [&](const std::vector<ContactCurve>& curves) {
     Eigen::VectorXd y = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows));
     Eigen::Index i = 0;
-    for (const Looked& c : curves) {
+    for (const ContactCurve& c : curves) {
       double mean = 0.0;
-      for (const double te : c.te) mean += std::isnan(te) ? 0.0 : te / task.positions;
+      for (const double te : c.te) mean += std::isnan(te) ? 0.0 : te / judge.positions();
       for (const double te : c.te) y[i++] = std::isnan(te) ? 0.0 : te - mean;
     }
     return y;
@@ -165,68 +148,125 @@ std::vector<double> optimise(const CompensationTask& task, Judge& judge, nlopt::
   return v;
 }
 
-// Values as a workshop would write them, as long as nothing is lost by it.
-std::vector<double> rounded(const CompensationTask& task, const std::vector<double>& v) {
+// Values as a workshop would write them: whole numbers of a part of a step, each the nearest double
+// to its decimal, and 0 without a sign.
+std::vector<double> rounded(const CompensationTask& task, const std::vector<double>& v,
+                            double parts) {
   std::vector<double> r = v;
   for (std::size_t k = 0; k < v.size(); ++k) {
-    const double unit = task.corrections[k].step / 100;
-    r[k] = std::round(v[k] / unit) * unit;
+    const Correction& c = task.corrections[k];
+    const double per_unit = parts / c.step;
+    double n = std::round(v[k] * per_unit);
+    if (n / per_unit > c.hi) --n;
+    if (n / per_unit < c.lo) ++n;
+    r[k] = n == 0.0 ? 0.0 : n / per_unit;
   }
   return r;
 }
 
+// The best so far, and what it is worth.
+struct Best {
+  Judge& judge;
+  std::vector<double> v;
+  double least;
+
+  Best(Judge& j, std::vector<double> start)
+      : judge(j), v(std::move(start)), least(judge.value(v)) {}
+  void take(const std::vector<double>& other) {
+    const double f = judge.value(other);
+    if (!(f < least)) return;
+    least = f;
+    v = other;
+  }
+};
+
+std::vector<double> searched(const CompensationTask& task, Judge& judge) {
+  const std::vector<double> zero(task.corrections.size(), 0.0);
+  Best best(judge, zero);
+  if (best.least < kSameError.rad()) return zero;
+  const int n = static_cast<int>(zero.size());
+  // Curves are what costs: so many in all, whatever the number of scenarios.
+  const int budget = std::clamp(task.curves / task.scenarios, 1, 400 * n);
+  std::vector<std::vector<double>> starts = task.starts;
+  starts.push_back(zero);
+  starts.push_back(linearised(task, judge));
+  starts.push_back(optimise(task, judge, nlopt::GN_DIRECT_L, budget, 1.0, zero));
+  for (std::vector<double>& start : starts) {
+    for (std::size_t k = 0; k < start.size(); ++k)
+      start[k] = std::clamp(start[k], task.corrections[k].lo, task.corrections[k].hi);
+    best.take(start);
+    best.take(optimise(task, judge, nlopt::LN_SBPLX, budget, 1.0, start));
+  }
+  // A crease may have stopped it: again, with smaller steps.
+  for (const double step : {1.0, 0.1, 0.01})
+    best.take(optimise(task, judge, nlopt::LN_SBPLX, budget, step, best.v));
+  return best.v;
+}
+
+// What is told is judged at the positions told of: a peak may lie between those of the search.
+std::vector<double> settled(const CompensationTask& task, Judge& fine,
+                            const std::vector<double>& found) {
+  const std::vector<double> zero(task.corrections.size(), 0.0);
+  Best best(fine, zero);
+  const double none = best.least;
+  if (found != zero) {
+    best.take(found);
+    const int most = 60 * static_cast<int>(found.size());
+    const int budget = std::clamp(task.curves / (6 * task.scenarios), 1, most);
+    for (const double step : {0.3, 0.03})
+      best.take(optimise(task, fine, nlopt::LN_SBPLX, budget, step, best.v));
+  }
+  if (!(best.least < none - kSameError.rad())) return zero;
+  constexpr double kPartLost = 0.01;  // of what is gained, for values that can be written down
+  const double loss = std::max(
+      kSameError.rad(), std::isfinite(none) ? kPartLost * (none - best.least) : kSameError.rad());
+  for (const double parts : {1e2, 1e4, 1e6}) {
+    // The nearest values, or the next ones where those are on the wrong side of a crease.
+    Best drawn(fine, rounded(task, best.v, parts));
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      for (const double away : {-1.0, 1.0}) {
+        std::vector<double> next = drawn.v;
+        next[k] += away * task.corrections[k].step / parts;
+        drawn.take(rounded(task, next, parts));
+      }
+    }
+    if (drawn.least <= best.least + loss && drawn.least < none - kSameError.rad()) return drawn.v;
+  }
+  return best.v;
+}
+
 }  // namespace
 
-ContactScore score_of(const ContactPair& pair, int positions, Angle profile_target,
-                      Angle profile_width) {
-  return curve_of(pair, positions, profile_target, profile_width).score;
+bool Compensation::nothing_to_correct() const {
+  return std::all_of(value.begin(), value.end(), [](double v) { return v == 0.0; });
+}
+
+Angle default_centering(Angle peak_to_peak) {
+  constexpr double kPart = 0.1;
+  constexpr Angle kLeast = Angle::arcseconds(0.1);
+  return peak_to_peak > kLeast / kPart ? kPart * peak_to_peak : kLeast;  // of NaN the least
 }
 
 Compensation compensate(const CompensationTask& task) {
-  GW_EXPECTS(!task.corrections.empty() && task.scenarios >= 1 && task.positions >= 2);
+  GW_EXPECTS(!task.corrections.empty() && task.scenarios >= 1);
+  GW_EXPECTS(task.positions >= 2 && task.fine_positions >= 2);
   for (const Correction& c : task.corrections)
     GW_EXPECTS(c.lo <= 0.0 && c.hi >= 0.0 && c.lo < c.hi && c.step > 0.0);
-  Judge judge(task);
-  const std::vector<double> zero(task.corrections.size(), 0.0);
-  std::vector<double> best = zero;
-  double least = judge.value(zero);
-  const auto take = [&](const std::vector<double>& v) {
-    const double f = judge.value(v);
-    if (!(f < least)) return;
-    least = f;
-    best = v;
-  };
-  if (!(least < kNothing)) {
-    const int n = static_cast<int>(zero.size());
-    // Curves are what costs: so many in all, whatever the number of scenarios.
-    const int budget = std::clamp(6000 / task.scenarios, 60, 400 * n);
-    std::vector<std::vector<double>> starts = task.starts;
-    starts.push_back(zero);
-    starts.push_back(linearised(task, judge));
-    starts.push_back(optimise(task, judge, nlopt::GN_DIRECT_L, budget, 1.0, zero));
-    for (std::vector<double>& start : starts) {
-      for (std::size_t k = 0; k < start.size(); ++k)
-        start[k] = std::clamp(start[k], task.corrections[k].lo, task.corrections[k].hi);
-      take(start);
-      take(optimise(task, judge, nlopt::LN_SBPLX, budget, 1.0, start));
-    }
-    // A crease may have stopped it: again, with smaller steps.
-    for (const double step : {1.0, 0.1, 0.01})
-      take(optimise(task, judge, nlopt::LN_SBPLX, budget, step, best));
-    if (const auto r = rounded(task, best); judge.value(r) <= least + kNothing) best = r;
-    if (judge.value(zero) - least < kNothing) best = zero;
-  }
+  // Two or three searches of the box and as many descents as there are starts, most ended early.
+  constexpr std::int64_t kUsual = 1000;
+  begin_stage(task.headway, "corrections tried", kUsual);
+  Judge coarse(task, task.positions);
+  Judge fine(task, task.fine_positions);
   Compensation result;
-  result.value = best;
-  result.evaluations = judge.evaluations();
-  CompensationTask fine = task;
-  fine.positions = task.fine_positions;
-  Judge told(fine);
-  for (const Looked& c : told.curves(zero)) {
+  result.value = settled(task, fine, searched(task, coarse));
+  result.centering = fine.centering();
+  result.evaluations = coarse.evaluations() + fine.evaluations();
+  const std::vector<double> zero(task.corrections.size(), 0.0);
+  for (const ContactCurve& c : fine.curves(zero, true)) {
     result.each_before.push_back(c.score);
     take_worst(result.before, c.score);
   }
-  for (const Looked& c : told.curves(best)) {
+  for (const ContactCurve& c : fine.curves(result.value, true)) {
     result.each_after.push_back(c.score);
     take_worst(result.after, c.score);
   }

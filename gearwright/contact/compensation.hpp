@@ -7,6 +7,9 @@
 //   h   mean place of the contact along the face, −1 to 1      p   the same along the profile,
 //       where there is a target for it (the racks' pressure angle of circular-arc teeth)
 //
+// Whoever gives w asks for a trade: quiet running for a central pattern. Without one w is small,
+// and no corrections are taken that make the transmission error greater than none do.
+//
 // f is a maximum of maxima and has creases, so that its own values lead the way (subplex), from
 // several starts: as it is, the least squares answer of the linearised problem, what closed forms
 // the caller has, and the best of the whole box.
@@ -18,8 +21,8 @@
 #include <optional>
 #include <vector>
 
-#include "gearwright/base/angle.hpp"
-#include "gearwright/contact/contact_pair.hpp"
+#include "gearwright/base/headway.hpp"
+#include "gearwright/contact/contact_score.hpp"
 
 namespace gearwright {
 
@@ -28,23 +31,18 @@ struct Correction {
   double step;    ///< what is a small change
 };
 
-struct ContactScore {
-  Angle peak_to_peak;          ///< greatest over the scenarios
-  double along_face = 0.0;     ///< h: greatest magnitude over the scenarios, with its sign
-  double along_profile = 0.0;  ///< p; 0 without a target
-  bool lost = false;           ///< contact is lost somewhere
-};
-
 struct CompensationTask {
   std::vector<Correction> corrections;
   int scenarios = 1;
-  int positions = 24;       ///< per pitch, while looking
-  int fine_positions = 64;  ///< per pitch, of the scores told
-  Angle centering{};        ///< w  what a pattern at the end of the face may cost
-  bool along_face = true;   ///< false: a contact point runs along the face anyhow, h does not count
-  Angle profile_target{};   ///< rack angle; with profile_width
-  Angle profile_width{};    ///< what counts as the end; 0: no target
+  int positions = 24;                ///< per pitch, while looking
+  int fine_positions = 64;           ///< per pitch, of the scores told
+  int curves = 6000;                 ///< about so many are looked at by each search of the box
+  std::optional<Angle> centering{};  ///< w  what a pattern at the end of the face may cost; absent:
+                                     ///< default_centering, and the error never gets worse
+  bool along_face = true;  ///< false: a contact point runs along the face anyhow, h does not count
+  ProfileTarget profile{};
   std::vector<std::vector<double>> starts{};  ///< guesses beside the two of its own
+  Headway* headway = nullptr;                 ///< told how far it is
   /// The pair under a scenario with the corrections made. Null where there is none.
   std::function<std::shared_ptr<const ContactPair>(const std::vector<double>&, int)> pair_at;
 };
@@ -68,19 +66,34 @@ struct LeadAnswer {
 
 struct Compensation {
   std::vector<double> value;
-  ContactScore before, after;
+  ContactScore before, after;                         ///< the worst, number by number
   std::vector<ContactScore> each_before, each_after;  ///< by scenario
+  Angle centering;                                    ///< w
   int evaluations = 0;                                ///< of f
+
+  /// No corrections lower f by 0.001 arcsec: every value is 0.
+  bool nothing_to_correct() const;
 };
 
-/// Domain    at least one correction with lo ≤ 0 ≤ hi, at least one scenario (contract)
-/// Accuracy  a local least of f, the best that a deterministic search of the whole box (DIRECT) and
-///           descents from several starts find; values are rounded to a hundredth of `step`, and 0
-///           where less than 0.001 arcsec is to be had
-Compensation compensate(const CompensationTask& task);
+/// No instrument sees a transmission error that differs by less.
+constexpr Angle kSameError = Angle::arcseconds(0.001);
 
-/// Of one pair.
-ContactScore score_of(const ContactPair& pair, int positions, Angle profile_target,
-                      Angle profile_width);
+/// A pair with less runs without error: 2 nm on a radius of 50 mm, and no flank is that smooth. A
+/// limit that is less binds nobody.
+constexpr Angle kQuiet = Angle::arcseconds(0.01);
+
+/// The w of a caller that asks for none: a tenth of the error as it stands, at least 0.1 arcsec.
+/// What then counts most is TE; yet of two quiet pairs the one with the central pattern is better.
+Angle default_centering(Angle peak_to_peak);
+
+/// Domain    at least one correction, each with lo ≤ 0 ≤ hi and lo < hi, step > 0; at least one
+///           scenario; positions and fine_positions ≥ 2 (contract)
+/// Accuracy  a local least of f, the best that a deterministic search of the whole box (DIRECT) and
+///           descents from several starts find; values are multiples of a hundredth of `step`, of
+///           less where that loses more than 1 % of what is gained; all are 0 where less than kSameError is to be had
+/// Laws      (1) f(value) <= f(0) at fine_positions
+///           (2) without a given w, after.peak_to_peak is at most before.peak_to_peak + kSameError,
+///               or kQuiet where that is more
+Compensation compensate(const CompensationTask& task);
 
 }  // namespace gearwright

@@ -62,11 +62,21 @@ std::vector<Angle> harmonics(const std::vector<ContactPoint>& points, int n) {
 
 ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& request) {
   GW_EXPECTS(request.positions >= 2 && request.pitches >= 1 && request.marking > 0.0);
-  Transmission transmission(pair);
+  Transmission transmission(pair, request.headway);
   ContactResult result;
   std::vector<PairTouch> touches;
   std::vector<Angle> rotations = request.rotations;
   const int n = request.positions;
+  // A step each for the touch, the kind and every influence.
+  const auto wanted =
+      static_cast<std::int64_t>(rotations.size()) *
+          static_cast<std::int64_t>(2 + request.influences.size()) +
+      (rotations.empty()
+           ? static_cast<std::int64_t>(n) *
+                 (1 + request.pitches * (1 + static_cast<std::int64_t>(request.influences.size())))
+           : 0);
+  begin_stage(request.headway, pair.gear2_drives() ? "positions, gear 2 driving" : "positions",
+              wanted);
   if (rotations.empty()) {
     // Errors stand still: every pitch is like the first, its tooth pair one further.
     const double first = -0.5 * request.pitches * pair.pitch();
@@ -84,6 +94,7 @@ ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& req
   for (std::size_t i = 0; i < touches.size(); ++i) {
     const ContactPoint p = describe(transmission, touches[i], rotations[i], request.marking);
     result.positions.push_back(p);
+    count_step(request.headway);
     if (p.kind == TouchKind::none) {
       result.contact_lost = true;
       continue;
@@ -98,6 +109,7 @@ ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& req
   for (const Influence& influence : request.influences) {
     std::vector<Sensitivity> column;
     for (const PairTouch& t : touches) {
+      count_step(request.headway);
       column.push_back(t.found() ? sensitivity(transmission, t, influence)
                                  : Sensitivity{0.0, Vec3::Zero()});
     }

@@ -16,6 +16,21 @@ double sign_if(bool negative) { return negative ? -1.0 : 1.0; }
 
 Vec3 space(const Complex& w, double z) { return {w.real(), w.imag(), z}; }
 
+using End = FlankPatch::End;
+using Cell = RemovalField::Cell;
+
+// What a cell's border by u (below, above) or by z is to the cell across.
+End border(const RemovalField& field, const Cell& cell, bool of_u, bool below) {
+  for (const Cell& other : field.pieces()) {
+    const bool across = of_u ? other.z_lo == cell.z_lo &&
+                                   (below ? other.u_hi == cell.u_lo : other.u_lo == cell.u_hi)
+                             : other.u_lo == cell.u_lo &&
+                                   (below ? other.z_hi == cell.z_lo : other.z_lo == cell.z_hi);
+    if (across && field.ridge_between(cell.piece, other.piece)) return End::ridge;
+  }
+  return End::seam;
+}
+
 }  // namespace
 
 ContactPair::ContactPair(const ContactGear& gear_1, const ContactGear& gear_2,
@@ -79,7 +94,6 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
   for (std::size_t i = 0; i < flanks.size(); ++i) {
     const Arc arc = recut(flanks[i], g, place_.errors.cutter_lead[which].rad());
     const Profile profile(arc, side, twist[0]);
-    using End = FlankPatch::End;
     FlankPatch p{profile, center, twist[0] + twist[1], -half, half};
     const End root = i == 0 ? End::form : End::seam;
     const End tip = i + 1 == flanks.size() ? End::tip : End::seam;
@@ -108,7 +122,7 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
       const auto cut_u = [&](double u, bool at_lower) {
         const bool first = profile.grows() == at_lower;
         (first ? c.s_lo : c.s_hi) = profile.s_of(u);
-        (first ? c.s_lo_end : c.s_hi_end) = End::seam;
+        (first ? c.s_lo_end : c.s_hi_end) = border(*removal, cell, true, at_lower);
       };
       if (c.u_lo > p.u_lo + kSameBorder) cut_u(c.u_lo, true);
       if (c.u_hi < p.u_hi - kSameBorder) cut_u(c.u_hi, false);
@@ -116,8 +130,9 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
       const double z_b = turned * cell.z_hi;
       c.z_lo = std::max(-half, std::min(z_a, z_b));
       c.z_hi = std::min(half, std::max(z_a, z_b));
-      if (c.z_lo > -half) c.z_lo_end = End::seam;
-      if (c.z_hi < half) c.z_hi_end = End::seam;
+      // In N z may run the other way.
+      if (c.z_lo > -half) c.z_lo_end = border(*removal, cell, false, turned > 0.0);
+      if (c.z_hi < half) c.z_hi_end = border(*removal, cell, false, turned < 0.0);
       patches_[which].push_back(c);
     }
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/contact/ridge.hpp"
 #include "gearwright/math/decompositions.hpp"
 
 namespace gearwright {
@@ -17,10 +18,13 @@ TouchKind kind_of(const GapField& field, int j) {
   const FlankPatch& a = field.one();
   const FlankPatch& b = field.two();
   const auto profile = [](End end, TouchKind tip, TouchKind form) {
-    return end == End::tip ? tip : end == End::form ? form : TouchKind::none;
+    return end == End::tip     ? tip
+           : end == End::form  ? form
+           : end == End::ridge ? TouchKind::ridge
+                               : TouchKind::none;
   };
   const auto face = [](End end, TouchKind kind) {
-    return end == End::face ? kind : TouchKind::none;
+    return end == End::face ? kind : end == End::ridge ? TouchKind::ridge : TouchKind::none;
   };
   const bool s_is_u = b.profile.grows();
   switch (j) {
@@ -171,10 +175,15 @@ std::string_view to_string(TouchKind kind) {
     case TouchKind::face2: return "face2";
     case TouchKind::form1: return "form1";
     case TouchKind::form2: return "form2";
+    case TouchKind::ridge: return "ridge";
     case TouchKind::corner: return "corner";
   }
   GW_ENSURES(false);
   return "";
+}
+
+bool is_edge(TouchKind kind) {
+  return kind != TouchKind::none && kind != TouchKind::interior && kind != TouchKind::line;
 }
 
 ContactPoint describe(Transmission& transmission, const PairTouch& touch, Angle rotation1,
@@ -194,6 +203,8 @@ ContactPoint describe(Transmission& transmission, const PairTouch& touch, Angle 
   const double weight = std::max(touch.touch.multiplier[0], touch.touch.multiplier[1]);
   const bool edge =
       weight * GapField::arm(transmission.jet_at(touch, touch.touch.s, touch.touch.z)) > kLineGap;
+  // Without weight the next patch goes on as this one does, but for a slope that does not count here.
+  if (p.kind == TouchKind::ridge && !edge) p.kind = TouchKind::interior;
   if (LineWalk walk(transmission, touch); !edge && walk.worth_walking()) {
     if (const auto ends = walk.ends()) {
       p.kind = TouchKind::line;
@@ -224,6 +235,7 @@ ContactPoint describe(Transmission& transmission, const PairTouch& touch, Angle 
   p.normal = pair.direction_in_housing(normal);
   if (p.kind == TouchKind::line || (p.kind == TouchKind::interior && touch.touch.active.inside()))
     curvatures(pair, j, p.kind == TouchKind::line, marking, p);
+  if (p.kind == TouchKind::ridge) p.ridge = detail::ridge_at(transmission, touch);
   return p;
 }
 

@@ -14,8 +14,23 @@
 
 namespace gearwright {
 
-enum class TouchKind { none, interior, line, tip1, tip2, face1, face2, form1, form2, corner };
+/// ridge: where a linear relief begins, an edge that a modification has made
+enum class TouchKind {
+  none,
+  interior,
+  line,
+  tip1,
+  tip2,
+  face1,
+  face2,
+  form1,
+  form2,
+  ridge,
+  corner
+};
 std::string_view to_string(TouchKind kind);
+/// Edges, which touch where the flanks themselves should.
+bool is_edge(TouchKind kind);
 
 /// Gap below which a flat ridge counts as a contact line, mm: less than any flank is smooth.
 inline constexpr double kLineGap = 1e-6;
@@ -24,6 +39,18 @@ struct ContactEllipse {
   std::optional<double> semi_major;  ///< √(2δ/k1)  mm; none where the gap is flat that way
   double semi_minor;                 ///< √(2δ/k2)  mm
   Angle angle;  ///< in (−π/2, π/2]: projection of axis 1 to the major axis, about the normal
+};
+
+/// A touch on the ridge of a flank, which bends by an angle there: seen from either side the gap
+/// opens with a slope.
+struct ContactRidge {
+  int gear;      ///< 1 or 2, whose flank has it
+  double along;  ///< 1/mm: curvature of the gap along the ridge, the same from either side
+  struct Side {
+    double slope;                     ///< ≥ 0: of the gap, away from the ridge
+    std::array<double, 2> curvature;  ///< 1/mm: principal values of the gap of that side's flank
+  };
+  std::array<Side, 2> side;  ///< that of the lesser diameter, or height, first
 };
 
 struct ContactPoint {
@@ -37,6 +64,7 @@ struct ContactPoint {
   std::optional<Angle> rack_angle;             ///< of the rack that cut gear 1
   std::optional<std::array<double, 2>> gap_curvature;  ///< 1/mm; interior and line
   std::optional<ContactEllipse> ellipse;
+  std::optional<ContactRidge> ridge;
   std::optional<std::array<Vec3, 2>> line;  ///< ends of a contact line, housing
 };
 

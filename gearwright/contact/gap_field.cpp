@@ -75,6 +75,9 @@ GapJet GapField::at(double s, double z, double& s2) const {
                         times({-l_z * l_z, l_zz}, j.w1)};
   j.w1_s = d[0];
   j.w1_z = d[1];
+  j.w1_ss = d[2];
+  j.w1_sz = d[3];
+  j.w1_zz = d[4];
   // Seen from gear 2.
   const Mat3& r = mount_.rotation;
   const auto across = [&](const Complex& v) { return v.real() * from_x_ + v.imag() * from_y_; };

@@ -32,8 +32,9 @@ struct FlankPatch {
   const RemovalField* removal = nullptr;
   RemovalField::Piece piece = {};
   double removal_z = 1.0;
-  /// What meets the patch at its ends: of the flank, or of the next patch.
-  enum class End { tip, form, seam, face };
+  /// What meets the patch at its ends: of the flank, or of the next patch. At a ridge the next one
+  /// goes on with another slope, at a seam with the same.
+  enum class End { tip, form, seam, ridge, face };
   End s_lo_end = End::form, s_hi_end = End::tip, z_lo_end = End::face, z_hi_end = End::face;
   /// Ends of the part in use, within the profile's.
   double s_lo = 0.0, s_hi = 0.0, u_lo = 0.0, u_hi = 0.0;
@@ -57,7 +58,8 @@ struct GapJet {
   double slope2_u, slope2_Z;  ///< θ2′ + ∂m2/∂u,  τ2 + ∂m2/∂Z: of flank 2 there
   double bend2_uu, bend2_uZ, bend2_ZZ;  ///< and their derivatives
   Complex w1, w1_s, w1_z;  ///< the point of gear 1 across its axis, mm, before mounting
-  Complex w, w_s, w_z;     ///< the same point seen from gear 2
+  Complex w1_ss, w1_sz, w1_zz;
+  Complex w, w_s, w_z;  ///< the same point seen from gear 2
 };
 
 class GapField {

@@ -10,6 +10,7 @@
 #include <array>
 #include <vector>
 
+#include "gearwright/base/headway.hpp"
 #include "gearwright/contact/transmission.hpp"
 
 namespace gearwright {
@@ -33,7 +34,7 @@ struct RasterSize {
 ///           contact passes by at an even pace; some nm at 64 positions
 /// Domain    positions ≥ 2, a raster of 2 × 2 or more (contract)
 std::array<FlankRaster, 2> contact_pattern(const ContactPair& pair, int positions,
-                                           const RasterSize& size = {});
+                                           const RasterSize& size = {}, Headway* headway = nullptr);
 
 /// The gap of tooth pair k on the flank of gear 1 at the rotation `rotation1` (housing).
 FlankRaster gap_map(const ContactPair& pair, Angle rotation1, int k, const RasterSize& size = {});

@@ -1,11 +1,14 @@
 #include "gearwright/design/few_teeth_design.hpp"
 
 #include <fmt/format.h>
+#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <variant>
+#include <vector>
 
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/generation/pinion_envelope.hpp"
@@ -29,18 +32,45 @@ constexpr double kOffBase = 1e-9;
 // Relative: one radius got in two ways.
 constexpr double kSameRadius = 1e-9;
 
+// What ranks the candidates that pass: the contact ratio by steps, then the sum of the shifts. The
+// path is as long as the pinion's flank wherever the wheel stands; of paths that are the same to two
+// hundredths of a pitch the one nearest the reference centre distance is taken.
+struct Rank {
+  double ratio, sum;  // in whole steps
+
+  static Rank of(double ratio, double shift_sum) {
+    return {std::floor(ratio / kSameRatio), std::round(std::abs(shift_sum) / kSameSum)};
+  }
+  bool is_better_than(const Rank& other) const {
+    return ratio != other.ratio ? ratio > other.ratio : sum < other.sum;
+  }
+};
+
 // How far a candidate got, and what then stopped it.
 struct Verdict {
   int stage = 0;
   double shortfall = 0.0;  // of candidates stopped at one stage the nearest is told
   std::string limit;
   std::optional<FewTeethDesign> design;
-  double ratio() const { return design ? design->pair.mesh.true_ratio : 0.0; }
 };
 
 Verdict stopped(int stage, std::string limit, double shortfall = 0.0) {
   return {stage, shortfall, std::move(limit), std::nullopt};
 }
+
+// Both gears as cut, before they are mounted.
+struct Cut {
+  CylindricalSpec pinion, cutter;
+  Gear gear_1, gear_2;
+  double distance, mounted;
+};
+
+// A pair of shifts: what stopped it as it was cut, or its rank if it mounts.
+struct Candidate {
+  double x1, x2;
+  Verdict verdict;
+  std::optional<Rank> rank;
+};
 
 // Chord of the space where the flanks begin.
 double gap_of(const Gear& gear) {
@@ -74,39 +104,74 @@ class Search {
   void scan(double reach1, double reach2, double step, double x1, double x2) {
     const int n1 = static_cast<int>(std::lround(reach1 / step));
     const int n2 = static_cast<int>(std::lround(reach2 / step));
+    std::vector<Candidate> all;
     for (int i = -n1; i <= n1; ++i) {
-      for (int k = -n2; k <= n2; ++k) try_at(x1 + i * step, x2 + k * step);
+      // Numbers that a drawing can carry.
+      for (int k = -n2; k <= n2; ++k)
+        all.push_back({p_.pinion_shift.value_or(std::round((x1 + i * step) * 1000) / 1000),
+                       std::round((x2 + k * step) * 1000) / 1000,
+                       {},
+                       std::nullopt});
+    }
+    tried += static_cast<int>(all.size());
+    begin_stage(p_.headway, "pairs of profile shifts", static_cast<std::int64_t>(all.size()));
+    // Each by itself: the answer does not depend on the number of threads.
+    oneapi::tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) {
+      Candidate& c = all[i];
+      const auto cut = cut_gears(c.x1, c.x2, c.verdict);
+      if (cut) c.rank = rank_of(*cut);
+      count_step(p_.headway);
+    });
+    mount_the_best(all);
+    if (best.design) return;
+    for (Candidate& c : all) {
+      if (got_further(c.verdict)) best = std::move(c.verdict);
     }
   }
 
-  void try_at(double x1, double x2) {
-    // Numbers that a drawing can carry.
-    x1 = p_.pinion_shift.value_or(std::round(x1 * 1000) / 1000);
-    x2 = std::round(x2 * 1000) / 1000;
-    ++tried;
-    Verdict v = candidate(x1, x2);
-    const bool better = v.design ? is_better(v) : !best.design && got_further(v);
-    if (!better) return;
-    best = std::move(v);
-    best_x1_ = x1;
-    best_x2_ = x2;
+  // The best rank first; of equal ones the first of the grid.
+  void mount_the_best(std::vector<Candidate>& all) {
+    std::vector<Candidate*> order;
+    for (Candidate& c : all) {
+      if (c.rank && !(best.design && !c.rank->is_better_than(best_rank_))) order.push_back(&c);
+    }
+    std::stable_sort(order.begin(), order.end(), [](const Candidate* a, const Candidate* b) {
+      return a->rank->is_better_than(*b->rank);
+    });
+    // One, then two together, four, …: the first that passes is mostly among the first.
+    begin_stage(p_.headway, "pairs mounted", static_cast<std::int64_t>(order.size()));
+    std::size_t together = 1;
+    for (std::size_t from = 0; from < order.size(); from += together, together *= 2) {
+      together = std::min({together, std::size_t{64}, order.size() - from});
+      oneapi::tbb::parallel_for(from, from + together, [&](std::size_t i) {
+        Candidate& c = *order[i];
+        auto cut = cut_gears(c.x1, c.x2, c.verdict);
+        c.verdict = mounted(std::move(*cut));
+        count_step(p_.headway);
+      });
+      for (std::size_t i = from; i < from + together; ++i) {
+        Candidate& c = *order[i];
+        if (!c.verdict.design) continue;
+        best = std::move(c.verdict);
+        best_rank_ = *c.rank;
+        best_x1_ = c.x1;
+        best_x2_ = c.x2;
+        return;
+      }
+    }
   }
 
   bool got_further(const Verdict& v) const {
     return v.stage > best.stage || (v.stage == best.stage && v.shortfall < best.shortfall);
   }
 
-  // The path is as long as the pinion's flank wherever the wheel stands; of paths that are the same
-  // to two hundredths of a pitch the one nearest the reference centre distance is taken.
-  bool is_better(const Verdict& v) const {
-    if (!best.design) return true;
-    const double mine = std::floor(v.ratio() / kSameRatio);
-    const double others = std::floor(best.ratio() / kSameRatio);
-    if (mine != others) return mine > others;
-    const auto sum = [](const FewTeethDesign& d) {
-      return std::abs(d.pinion.profile_shift + d.wheel_shift);
-    };
-    return sum(*v.design) < sum(*best.design) - kSameSum;
+  static Rank rank_of(const Cut& cut) {
+    const auto input = mesh_input(cut.gear_1, cut.gear_2, {cut.mounted, std::nullopt});
+    // Where the base circles are as far apart as the axes there is no mesh: the last to be tried.
+    const bool meshes = cut.mounted > base_radius_sum(input.gears);
+    const double ratio = meshes ? mesh_of(input).true_ratio : 0.0;
+    return Rank::of(std::isfinite(ratio) ? ratio : 0.0,
+                    cut.pinion.profile_shift + cut.gear_2.spec.profile_shift);
   }
 
   CylindricalSpec cutter_spec(double beta, double x1) const {
@@ -187,7 +252,17 @@ class Search {
     return find_root(miss, from, hi).x;
   }
 
-  Verdict candidate(double x1, double x2) {
+  // The gears of a candidate, or none and why in `verdict`.
+  std::optional<Cut> cut_gears(double x1, double x2, Verdict& verdict) const {
+    auto made = candidate(x1, x2);
+    if (auto* cut = std::get_if<Cut>(&made)) return std::move(*cut);
+    verdict = std::get<Verdict>(std::move(made));
+    return std::nullopt;
+  }
+
+  using Made = std::variant<Verdict, Cut>;
+
+  Made candidate(double x1, double x2) const {
     const auto beta = helix_of(x1, x2);
     if (!beta) return stopped(1, "the centre distance, which no helix angle up to 75° gives");
     const CylindricalSpec spec = cutter_spec(*beta, x1);
@@ -217,8 +292,8 @@ class Search {
     return finished(spec, *cutter, *whole, distance, mounted);
   }
 
-  Verdict finished(const CylindricalSpec& spec, const Gear& cutter, const Gear& whole,
-                   double distance, double mounted) {
+  Made finished(const CylindricalSpec& spec, const Gear& cutter, const Gear& whole, double distance,
+                double mounted) const {
     if (!whole.exists() || !whole.tooth->form_radius)
       return stopped(5, "the wheel, which would have no teeth");
     if (whole.undercut) return stopped(6, "undercut of the wheel");
@@ -249,18 +324,22 @@ class Search {
                        p_.min_gap - gap);
       }
     }
-    auto pair = mount_involutes(*g1, *g2, {mounted});
+    return Cut{pinion, spec, *g1, *g2, distance, mounted};
+  }
+
+  Verdict mounted(Cut cut) const {
+    auto pair = mount_involutes(std::move(cut.gear_1), std::move(cut.gear_2), {cut.mounted});
     if (!pair) return stopped(11, pair.error().quoted());
     if (!pair->interference.empty())
       return stopped(12, "interference: " + pair->interference.front().message);
     if (!pair->beyond_flank.empty())
       return stopped(12, "contact beyond the flank: " + pair->beyond_flank.front().message);
     if (!(pair->contact_ratio_true() > 0.0)) return stopped(13, "contact, of which there is none");
-    return made(pinion, spec, std::move(pair).take(), distance, mounted);
+    return made(cut.pinion, cut.cutter, std::move(pair).take(), cut.distance, cut.mounted);
   }
 
   Verdict made(CylindricalSpec pinion, const CylindricalSpec& cutter, InvolutePair pair,
-               double distance, double mounted) {
+               double distance, double mounted) const {
     const auto needed = face_width_for_total(pair, p_.contact_ratio);
     double face = p_.face_width.value_or(0.0);
     if (!needed)
@@ -298,6 +377,7 @@ class Search {
 
   const FewTeethProblem& p_;
   double side_;
+  Rank best_rank_{};
   double best_x1_ = 0.0, best_x2_ = 0.0;
 };
 

@@ -5,14 +5,17 @@
 //   The wheel is cut by the pinion's longer twin, whose tip fillet and root fillet it follows; both
 //   gears are then shortened by C.   theory: docs/theory/06-few-teeth.md, 6.7
 //
-// Every candidate is generated and mounted exactly. The shifts are searched on a grid of 0.05, then
-// on finer ones around the best, to 0.001.
+// Every candidate is generated exactly. The shifts are searched on a grid of 0.05, then on finer
+// ones around the best, to 0.001. What is asked of a mounted pair is asked of the best candidate
+// first, and then of the next until one passes: interference takes ten times as long to find as the
+// teeth take to cut.
 #pragma once
 
 #include <array>
 #include <optional>
 #include <string>
 
+#include "gearwright/base/headway.hpp"
 #include "gearwright/base/result.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/pair/pair.hpp"
@@ -35,6 +38,7 @@ struct FewTeethProblem {
   double backlash = 0.0;                  ///< circumferential
   double contact_ratio = 1.2;             ///< total, which the face width is made for
   std::optional<double> face_width;       ///< of both; absent: what the contact ratio needs
+  Headway* headway = nullptr;             ///< told how far it is
 };
 
 struct FewTeethDesign {

@@ -7,11 +7,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
 #include "gearwright/design/testing/search_reference.hpp"
 #include "gearwright/gear/reference.hpp"
+#include "gearwright/math/root.hpp"
 
 namespace gearwright {
 namespace {
@@ -155,6 +157,28 @@ TEST(TrialGear, AtTheEndsALimitIsMet) {
   EXPECT_GT(undercut_ends, 500);
   EXPECT_GT(thin_below, 100);
   EXPECT_GT(at_base, 3);
+}
+
+// Where the tip is thick enough on the base circle and at x = 0 and has crossed far out, the upper
+// limit is the one root between, to the last bit: looking at 64 places of the range gives another
+// last bit, and takes five times as long.
+TEST(TrialGear, TheUpperLimitIsTheOneRoot) {
+  const SearchProblem p = problem_with(0.2);
+  int seen = 0;
+  for (int z = 12; z <= 160; ++z) {
+    const TrialGear g = trial_gear(p, z, Angle::radians(z % 2 == 0 ? 0.0 : 0.3), 0, 0);
+    const auto margin = [&](double x) { return tip_thickness(g, x) - g.min_tip_thickness; };
+    // Beyond the base circle by some digits, and past x = z, where all tips have crossed.
+    const double edge =
+        g.r_b - g.r - g.addendum + 4.0 * std::numeric_limits<double>::epsilon() * (g.r + 2.0);
+    const double hi = edge + (z + 5.0);
+    ASSERT_LT(margin(hi), 0.0) << z;
+    ASSERT_GT(margin(std::max(edge, 0.0)), 0.0) << z;
+    if (margin(edge) < 0.0) continue;  // a tip on the base circle of large gears: of no rule
+    ++seen;
+    EXPECT_EQ(g.x_max, find_root(margin, std::max(edge, 0.0), hi).x) << z;
+  }
+  EXPECT_GT(seen, 50);
 }
 
 TEST(TrialGear, FloorAndCeilingCutTheRange) {

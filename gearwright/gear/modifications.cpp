@@ -261,6 +261,15 @@ void RemovalField::make_cells() {
   }
 }
 
+bool RemovalField::ridge_between(const Piece& a, const Piece& b) const {
+  const auto begins = [&](bool differs, const Ramp& r, Parameter p) {
+    return differs && r.placed && r.shape == ReliefShape::linear && amount(p) != 0.0;
+  };
+  return begins(a.tip != b.tip, tip_, Parameter::tip_relief) ||
+         begins(a.root != b.root, root_, Parameter::root_relief) ||
+         begins(a.end_lo != b.end_lo || a.end_hi != b.end_hi, end_, Parameter::end_relief);
+}
+
 // L of y = ρ² − r0². Below y0 = y_floor_, with t = (y0 − y)/y0:  L = √y0 (1 − h),
 // h = t (1 + 7t/4)/(2 (1 + t)^(3/2)) has the value, slope and second derivative of 1 − √(1 − t)
 // at t = 0, grows for all t, and as √t in the end.

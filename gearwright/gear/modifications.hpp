@@ -133,6 +133,10 @@ class RemovalField {
   const std::vector<double>& kinks_u() const { return kinks_u_; }
   const std::vector<double>& kinks_z() const { return kinks_z_; }
 
+  /// Whether the flank has a ridge where two neighbouring pieces meet: a linear relief begins there,
+  /// of an amount that is not 0, and the first derivative of c jumps.
+  bool ridge_between(const Piece& a, const Piece& b) const;
+
   bool has_topography() const { return topography_ != nullptr; }
   bool none() const;  ///< nothing is removed: no topography and every amount 0
 

@@ -95,7 +95,10 @@ Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
   Json tree = parse_json(job.spec.tree);
   tree.erase("compensate");
   const auto add = [](Json& table, const std::string& key, double value) {
-    table[key] = (table.contains(key) ? table[key].get<double>() : 0.0) + value;
+    // A sum of decimals has none of the digits that binary addition leaves.
+    constexpr double kDigits = 1e9;
+    const double sum = (table.contains(key) ? table[key].get<double>() : 0.0) + value;
+    table[key] = std::round(sum * kDigits) / kDigits;
   };
   for (std::size_t k = 0; k < which.size(); ++k) {
     const std::size_t i = which[k];
@@ -135,7 +138,7 @@ Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
 
 }  // namespace
 
-Result<CompensateAnswer> answer_compensate(SolvedJob& job) {
+Result<CompensateAnswer> answer_compensate(SolvedJob& job, Headway* headway, int curves) {
   auto made = ContactSetup::of(job);
   if (!made) return made.error();
   const ContactSetup setup = std::move(made).take();
@@ -144,14 +147,20 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job) {
   CompensateAnswer answer;
   answer.corrections = input.corrections.empty() ? default_corrections(setup) : input.corrections;
   const bool gear2_drives = job.spec.contact.driver == 2;
+  // Before a search: nothing that a workshop corrects makes teeth longer.
+  if (std::isnan(
+          peak_to_peak(transmission_error(setup.pair(gear2_drives), job.spec.contact.positions))))
+    return nothing_touches(setup);
   const std::vector<Scenario> scenarios = scenarios_of(setup, input);
   for (const Scenario& s : scenarios) answer.scenarios.push_back(s.name);
   CompensationTask task;
   task.scenarios = static_cast<int>(scenarios.size());
   task.positions = kPositions;
+  task.headway = headway;
+  task.curves = curves;
   task.along_face = setup.gear(1).involute() != nullptr;
   task.fine_positions = job.spec.contact.positions;
-  task.centering = Angle::arcseconds(input.centering_arcsec);
+  if (input.centering_arcsec) task.centering = Angle::arcseconds(*input.centering_arcsec);
   for (const std::size_t i : answer.corrections) {
     const CorrectionEntry& c = kCorrections[i];
     const double most =
@@ -163,8 +172,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job) {
   if (answer.setting && answer.setting->angle_nominal) {
     // Of rack angle off the drawing's: the flank's end.
     constexpr Angle kProfileEnd = Angle::degrees(10);
-    task.profile_target = *answer.setting->angle_nominal;
-    task.profile_width = kProfileEnd;
+    task.profile = {*answer.setting->angle_nominal, kProfileEnd};
   }
   std::vector<double> closed_forms(answer.corrections.size(), 0.0);
   for (std::size_t k = 0; k < closed_forms.size(); ++k) {
@@ -191,8 +199,17 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job) {
     return {held, &held->pair};
   };
   answer.result = compensate(task);
-  if (!std::isfinite(answer.result.before.peak_to_peak.rad()))
-    return Error{"errors", "", "nothing touches as the pair stands; see gearwright contact"};
+  for (std::size_t i = 0; i < scenarios.size(); ++i) {
+    if (answer.result.each_after[i].nothing_touches())
+      return nothing_touches_under(setup, scenarios[i].name, scenarios[i].errors);
+  }
+  const auto said = [](const Warning& w) { return w.code == "contact_lost"; };
+  if (answer.result.after.lost && std::none_of(job.warnings.begin(), job.warnings.end(), said)) {
+    job.warnings.push_back({"contact_lost",
+                            "Contact is lost at some positions, and no correction within reach "
+                            "brings it back: the error is told of the others.",
+                            0});
+  }
   answer.corrected = json_text(corrected_spec(job, setup, answer.corrections, answer.result.value));
   return answer;
 }

@@ -23,8 +23,11 @@ struct CompensateAnswer {
   std::string corrected;  ///< the spec with the corrections in it, JSON
 };
 
-/// Errors    as ContactSetup; `compensate.corrections` for one that the teeth cannot take; `errors`
-///           when nothing touches as the pair stands
-Result<CompensateAnswer> answer_compensate(SolvedJob& job);
+/// Errors    as answer_contact, `errors` when nothing touches as the pair stands;
+///           `compensate.corrections` for one that the teeth cannot take; `compensate.range` when
+///           nothing touches in a corner of it, whatever is corrected
+/// `curves`  as CompensationTask
+Result<CompensateAnswer> answer_compensate(SolvedJob& job, Headway* headway = nullptr,
+                                           int curves = CompensationTask{}.curves);
 
 }  // namespace gearwright

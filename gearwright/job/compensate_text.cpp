@@ -13,17 +13,20 @@
 
 namespace gearwright {
 
-namespace {
-
-std::string_view shown_unit(const CorrectionEntry& c) {
-  return c.unit() == "um" ? "µm" : c.unit() == "deg" ? "°" : c.unit();
-}
-
-CompensateView view_of(const CompensateAnswer& a) {
-  CompensateView view{{}, a.result.before, a.result.after, {}, a.setting, a.lead, {}};
+CompensateView compensate_view(const CompensateAnswer& a) {
+  CompensateView view{{},
+                      a.result.before,
+                      a.result.after,
+                      a.result.nothing_to_correct(),
+                      a.result.centering,
+                      {},
+                      a.setting,
+                      a.lead,
+                      {}};
   for (std::size_t i = 0; i < a.corrections.size(); ++i) {
     const CorrectionEntry& c = kCorrections[a.corrections[i]];
-    view.corrections.push_back({std::string(c.key), std::string(c.unit()), a.result.value[i]});
+    view.corrections.push_back({std::string(c.key), std::string(c.unit()), std::string(c.words),
+                                std::string(c.shown_unit()), a.result.value[i]});
   }
   for (std::size_t i = 0; i < a.scenarios.size(); ++i)
     view.scenarios.push_back({a.scenarios[i], a.result.each_before[i], a.result.each_after[i]});
@@ -31,12 +34,10 @@ CompensateView view_of(const CompensateAnswer& a) {
   return view;
 }
 
-}  // namespace
-
 Json compensate_json(const SolvedJob& job, const CompensateAnswer& a) {
   Json j;
   if (!job.spec.title.empty()) j["title"] = job.spec.title;
-  j["compensate"] = to_json(compensate_quantities().of(view_of(a)));
+  j["compensate"] = to_json(compensate_quantities().of(compensate_view(a)));
   j["warnings"] = warnings_json(job.warnings);
   j["verdict"] = verdict_json(judge(job));
   return j;
@@ -49,13 +50,15 @@ std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) 
   const auto row = [&](const std::string& what, const std::string& value) {
     out += fmt::format("  {:<44}{}\n", what, value);
   };
-  out += quantity_listing(compensate_quantities().table(), {compensate_quantities().of(view_of(a))},
-                          {});
+  out += quantity_listing(compensate_quantities().table(),
+                          {compensate_quantities().of(compensate_view(a))}, {});
   head("Corrections together, for the worst of the errors");
   for (std::size_t i = 0; i < a.corrections.size(); ++i) {
     const CorrectionEntry& c = kCorrections[a.corrections[i]];
-    row(std::string(c.key), fmt::format("{:.4f} {}", a.result.value[i], shown_unit(c)));
+    row(std::string(c.key), fixed_text(a.result.value[i], 4) + " " + std::string(c.shown_unit()));
   }
+  if (a.result.nothing_to_correct())
+    out += "  nothing to correct: none within reach is better by 0.001 ″\n";
   const auto& scores = score_quantities();
   out += quantity_listing(scores.table(), {scores.of(a.result.before), scores.of(a.result.after)},
                           {"before", "after"});

@@ -3,11 +3,14 @@
 
 #include <string>
 
+#include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/job/compensate_answer.hpp"
 #include "gearwright/job/result_json.hpp"
 
 namespace gearwright {
 
+/// What the catalogue says of an answer, for every door.
+CompensateView compensate_view(const CompensateAnswer& answer);
 Json compensate_json(const SolvedJob& job, const CompensateAnswer& answer);
 std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& answer);
 

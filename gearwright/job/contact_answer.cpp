@@ -25,10 +25,10 @@ bool any_modification(const GearInput& gear) {
 }
 
 // Tips that pass each other, or why else no tooth finds another.
-std::string why_nothing_touches(const ContactSetup& setup) {
+std::string why_nothing_touches(const ContactSetup& setup, const ContactErrors& errors) {
   const double r1 = setup.gear(1).actual_tip_radius();
   const double r2 = setup.gear(2).actual_tip_radius();
-  const double a = setup.place().center_distance + setup.place().errors.center_distance;
+  const double a = setup.place().center_distance + errors.center_distance;
   if (!setup.gear(2).internal() && a >= r1 + r2) {
     return fmt::format(
         "the axes stand {:.6g} mm apart and the tip radii reach {:.6g} mm: the teeth pass each "
@@ -42,6 +42,15 @@ std::string why_nothing_touches(const ContactSetup& setup) {
 }
 
 }  // namespace
+
+Error nothing_touches(const ContactSetup& setup) {
+  return {"errors", "", "nothing touches; " + why_nothing_touches(setup, setup.place().errors)};
+}
+
+Error nothing_touches_under(const ContactSetup& setup, const std::string& name,
+                            const ContactErrors& errors) {
+  return {"compensate.range", name, "nothing touches there; " + why_nothing_touches(setup, errors)};
+}
 
 ContactErrors ContactSetup::with_error(ContactErrors e, std::size_t index, double value) const {
   error_entries()[index].set(e, {gears_[0].get(), gears_[1].get()}, value);
@@ -166,13 +175,13 @@ std::vector<double> spread(const std::array<double, 2>& range, int n) {
 }
 
 ErrorMap make_map(const ContactSetup& setup, const ContactMapInput& m, int positions,
-                  bool gear2_drives) {
+                  bool gear2_drives, Headway* headway) {
   const auto pair_at = [&](double x, double y) {
     ContactErrors e = setup.with_error(setup.place().errors, m.key[0], x);
     return setup.pair(setup.with_error(e, m.key[1], y), gear2_drives);
   };
   return map_of_errors(spread(m.range[0], m.points[0]), spread(m.range[1], m.points[1]), pair_at,
-                       positions);
+                       positions, 0, headway);
 }
 
 // What the answer says that the numbers alone do not.
@@ -214,7 +223,7 @@ void warn_about(const ContactAnswer& answer, std::vector<Warning>& warnings) {
 
 }  // namespace
 
-Result<ContactAnswer> answer_contact(SolvedJob& job) {
+Result<ContactAnswer> answer_contact(SolvedJob& job, Headway* headway) {
   auto made = ContactSetup::of(job);
   if (!made) return made.error();
   ContactAnswer answer{std::move(made).take(), {}, {}, std::nullopt, std::nullopt, std::nullopt};
@@ -222,6 +231,7 @@ Result<ContactAnswer> answer_contact(SolvedJob& job) {
   const bool gear2_drives = input.driver == 2;
   ContactRequest request{input.positions, input.pitches, input.marking};
   request.rotations = input.rotations;
+  request.headway = headway;
   ContactRequest other = request;
   for (const NamedInfluence& i : answer.setup.influences())
     request.influences.push_back(i.influence);
@@ -230,7 +240,7 @@ Result<ContactAnswer> answer_contact(SolvedJob& job) {
   const auto touches = [](const ContactPoint& p) { return p.kind != TouchKind::none; };
   const auto& positions = answer.driving.positions;
   if (std::none_of(positions.begin(), positions.end(), touches))
-    return Error{"errors", "", "nothing touches; " + why_nothing_touches(answer.setup)};
+    return nothing_touches(answer.setup);
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const ContactPoint& behind = answer.other.positions[i];
     if (!touches(positions[i]) || !touches(behind)) continue;
@@ -238,9 +248,10 @@ Result<ContactAnswer> answer_contact(SolvedJob& job) {
     const Angle play = (gear2_drives ? -1.0 : 1.0) * (behind.te - positions[i].te);
     answer.min_play = std::min(answer.min_play.value_or(play), play);
   }
-  if (input.map) answer.map = make_map(answer.setup, *input.map, input.positions, gear2_drives);
+  if (input.map)
+    answer.map = make_map(answer.setup, *input.map, input.positions, gear2_drives, headway);
   if (input.pattern)
-    answer.pattern = contact_pattern(answer.setup.pair(gear2_drives), input.positions);
+    answer.pattern = contact_pattern(answer.setup.pair(gear2_drives), input.positions, {}, headway);
   warn_about(answer, job.warnings);
   return answer;
 }

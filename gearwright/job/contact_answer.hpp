@@ -71,7 +71,13 @@ struct ContactAnswer {
   std::optional<std::array<FlankRaster, 2>> pattern;  ///< where [contact] asks for it
 };
 
+/// No tooth touches at any position: the tips pass each other, or why else. The second: under
+/// `errors`, a corner of [compensate.range] of this name.
+Error nothing_touches(const ContactSetup& setup);
+Error nothing_touches_under(const ContactSetup& setup, const std::string& name,
+                            const ContactErrors& errors);
+
 /// Errors    as ContactSetup; `errors` when no tooth touches at any position
-Result<ContactAnswer> answer_contact(SolvedJob& job);
+Result<ContactAnswer> answer_contact(SolvedJob& job, Headway* headway = nullptr);
 
 }  // namespace gearwright

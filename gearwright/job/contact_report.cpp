@@ -179,12 +179,14 @@ ContactReport report_of(const SolvedJob& job, const ContactAnswer& answer) {
 
 bool wants_contact(const SolvedJob& job) {
   if (!job.pair) return false;
-  return job.spec.errors.given || job.spec.contact.given || !modifications_of(job).empty();
+  // Circular arcs touch in points, whose ellipse and pattern are what such a pair is chosen for.
+  return job.spec.errors.given || job.spec.contact.given || !modifications_of(job).empty() ||
+         job.pair->arcs();
 }
 
-Result<std::optional<ContactPart>> contact_part(SolvedJob& job) {
+Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Headway* headway) {
   if (!wants_contact(job)) return std::optional<ContactPart>();
-  auto made = answer_contact(job);
+  auto made = answer_contact(job, headway);
   if (!made) {
     // Of the whole pair there is a reason why nothing touches; of one number it is wrong.
     const std::string& field = made.error().field;

@@ -8,7 +8,8 @@
 
 namespace gearwright {
 
-/// The spec has [errors], [contact] or modifications, and a pair to turn.
+/// The spec has [errors], [contact] or modifications, or its pair is one of circular arcs; and there
+/// is a pair to turn.
 bool wants_contact(const SolvedJob& job);
 
 /// An answer and the part of the report about it. The report points into the job.
@@ -22,6 +23,6 @@ struct ContactPart {
 /// spec has other rotations, those are the answer's, and a pitch of its own the report's.
 ///
 /// Errors    as answer_contact: modifications that do not fit, a lead that cannot be
-Result<std::optional<ContactPart>> contact_part(SolvedJob& job);
+Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Headway* headway = nullptr);
 
 }  // namespace gearwright

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
@@ -15,10 +16,12 @@
 #include "gearwright/cad/threemf.hpp"
 #include "gearwright/cad/walls.hpp"
 #include "gearwright/catalogue/spelling.hpp"
+#include "gearwright/job/compensate_text.hpp"
 #include "gearwright/job/contact_report.hpp"
 #include "gearwright/job/contact_text.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/job/value_json.hpp"
 #include "gearwright/report/report.hpp"
 
 namespace gearwright {
@@ -75,6 +78,22 @@ Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodi
                                                : "DXF, arcs";
   return JobFile{path, what, drawing.deviation_mm, fmt::format("{} segments", drawing.segments),
                  std::move(drawing.text)};
+}
+
+// None where the spec has no [compensate], and where nothing touches: then the warning of the
+// contact analysis, or one of its own, says why.
+Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Headway* headway) {
+  if (!job.pair || !job.spec.compensate.given) return std::optional<CompensateView>();
+  auto answer = answer_compensate(job, headway);
+  if (answer) return std::optional(compensate_view(*answer));
+  const std::string& field = answer.error().field;
+  if (field != "errors" && field != "gear1" && field != "gear2") return answer.error();
+  const auto is_said = [](const Warning& w) { return w.code == "no_contact"; };
+  if (std::none_of(job.warnings.begin(), job.warnings.end(), is_said)) {
+    const Error why = spelled(answer.error(), job.spec.given);
+    job.warnings.push_back({"no_contact", "No corrections: " + why.message() + ".", 0});
+  }
+  return std::optional<CompensateView>();
 }
 
 std::vector<ReportFile> report_files(const std::vector<JobFile>& files) {
@@ -162,8 +181,10 @@ Result<std::vector<JobFile>> write_everything(SolvedJob& job, const fs::path& fo
                                               const FileOptions& options) {
   std::vector<JobFile> files;
   std::vector<ToothedBody> mounted;
-  const auto contact = contact_part(job);
+  const auto contact = contact_part(job, options.headway);
   if (!contact) return contact.error();
+  const auto compensation = compensation_part(job, options.headway);
+  if (!compensation) return compensation.error();
   const auto make = [&](FileKind kind, const std::vector<ToothedBody>& bodies,
                         const std::string& name) {
     auto file = make_file(kind, bodies, folder / (name + std::string(ending(kind))), options);
@@ -202,6 +223,7 @@ Result<std::vector<JobFile>> write_everything(SolvedJob& job, const fs::path& fo
   report.pair = job.pair;
   if (*contact) report.contact = &contact.value()->report;
   report.verdict = judge(job, *contact ? &contact.value()->answer.driving : nullptr);
+  if (*compensation) report.compensate = &**compensation;
   report.files = report_files(files);
   report.spec_text = job.spec.text;
   report.version = kVersion;
@@ -209,11 +231,13 @@ Result<std::vector<JobFile>> write_everything(SolvedJob& job, const fs::path& fo
                                "one self-contained page", report_html(report)});
   Json result = job_json(job);
   if (*contact) result["contact"] = contact_json(job, contact.value()->answer)["contact"];
+  if (*compensation) result["compensate"] = to_json(compensate_quantities().of(**compensation));
   result["verdict"] = verdict_json(report.verdict);
   result["files"] = files_json(files);
   files.insert(files.begin(), {folder / "result.json", "result", std::nullopt,
                                "every number, as JSON", json_text(result, 2) + "\n"});
 
+  if (options.headway) options.headway->begin_writing();
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw IoError("cannot make the folder " + folder.string() + ": " + error.message());

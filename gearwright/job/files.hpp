@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "gearwright/base/headway.hpp"
 #include "gearwright/cad/mesh.hpp"
 #include "gearwright/cad/step.hpp"
 #include "gearwright/cad/toothed_body.hpp"
@@ -26,6 +27,7 @@ using Progress = std::function<void(std::string_view what)>;
 struct FileOptions {
   StepMaker step;                       ///< empty: this build has no STEP
   Progress progress;                    ///< told before each file; may be empty
+  Headway* headway = nullptr;           ///< told how far contact and corrections are
   double mesh_tolerance_mm = 0.005;     ///< of STL, GLB, 3MF
   double drawing_tolerance_mm = 0.001;  ///< of DXF as arcs
   bool drawing_splines = false;         ///< DXF as splines instead of arcs

@@ -10,6 +10,7 @@
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/job/few_teeth_answer.hpp"
 #include "gearwright/job/solve_arcs.hpp"
+#include "gearwright/job/solved_job.hpp"
 #include "gearwright/job/value_json.hpp"
 
 namespace gearwright {
@@ -62,13 +63,33 @@ std::optional<Error> unknown_module(const JobSpec& spec) {
   return std::nullopt;
 }
 
+// What `pair` says to each branch.
+void mark_refused(FitAnswer& answer) {
+  for (const Json& tree : answer.specs) {
+    std::optional<Error> error;
+    const auto branch = read_spec(json_text(tree), SpecFormat::json);
+    if (!branch) {
+      error = branch.error();
+    } else if (const auto job = solve(*branch, Scope::pair); !job) {
+      error = spelled(job.error(), branch->given);
+    }
+    answer.refused.push_back(std::move(error));
+  }
+}
+
 }  // namespace
 
-Result<FitAnswer> answer_fit(const JobSpec& spec) {
+Result<FitAnswer> answer_fit(const JobSpec& spec, Headway* headway) {
   if (!spec.gears[0]) return Error{"gear1", "", "is missing; fit is about two gears"};
   if (auto error = refuse_arcs(spec, "fit")) return *error;
   if (!spec.gears[1]) return Error{"gear2", "", "is missing; fit is about two gears"};
-  if (spec.fit.few_teeth) return answer_few_teeth(spec);
+  if (spec.fit.few_teeth) {
+    auto made = answer_few_teeth(spec, headway);
+    if (!made) return made.error();
+    FitAnswer few = std::move(made).take();
+    mark_refused(few);
+    return few;
+  }
   for (const int i : {0, 1}) {
     if (!spec.gears[i]->cut_by) continue;
     return Error{gear_field(i + 1, "cut_by"), "",
@@ -123,6 +144,7 @@ Result<FitAnswer> answer_fit(const JobSpec& spec) {
   FitAnswer answer{std::move(found).take(), {}};
   answer.fit.reason = spelled(answer.fit.reason, spec.given);
   for (const FitBranch& b : answer.fit.branches) answer.specs.push_back(spec_of(spec, b));
+  mark_refused(answer);
   return answer;
 }
 
@@ -130,7 +152,8 @@ Json fit_json(const FitAnswer& answer) {
   FitView view{&answer.fit, {}};
   for (std::size_t i = 0; i < answer.fit.branches.size(); ++i) {
     view.branches.push_back(
-        {answer.fit.branches[i], to_value(answer.specs[i]), answer.transverse_contact_ratio});
+        {answer.fit.branches[i], to_value(answer.specs[i]), answer.transverse_contact_ratio, {}});
+    if (const auto& error = answer.refused[i]) view.branches.back().refused = error->message();
   }
   return {{"fit", to_json(fit_quantities().of(view))}};
 }
@@ -156,6 +179,8 @@ std::string fit_listing(const FitAnswer& answer) {
         "  {:>6}  {:>10.5f}° {:>10.5f}°  {:>9.5f} {:>9.5f}  {:>11.4f}  {:>10.5f}°  {:>9.5f}°\n",
         ++number, b.helix[0].deg(), b.helix[1].deg(), b.shift[0], b.shift[1], b.center_distance,
         b.shaft_angle.deg(), b.working_normal_pressure_angle.deg());
+    if (const auto& error = answer.refused[static_cast<std::size_t>(number - 1)])
+      text += fmt::format("          refused by pair: {}\n", error->message());
   }
   if (answer.transverse_contact_ratio)
     text += fmt::format("\n  transverse contact ratio {:.4f}\n", *answer.transverse_contact_ratio);

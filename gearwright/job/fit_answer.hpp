@@ -7,6 +7,7 @@
 
 #include <string>
 
+#include "gearwright/base/headway.hpp"
 #include "gearwright/design/fit.hpp"
 #include "gearwright/spec/json.hpp"
 #include "gearwright/spec/spec.hpp"
@@ -16,11 +17,13 @@ namespace gearwright {
 struct FitAnswer {
   Fit fit;
   std::vector<Json> specs;  ///< of the branches: the spec as read, with what was found
+  /// Of the branches: why the verb pair refuses it. A conjugate line of action is no tooth yet.
+  std::vector<std::optional<Error>> refused{};
   std::optional<double> transverse_contact_ratio = std::nullopt;  ///< of a design with few teeth
 };
 
 /// Errors    as fit, with keys of the spec; `gear2` missing
-Result<FitAnswer> answer_fit(const JobSpec& spec);
+Result<FitAnswer> answer_fit(const JobSpec& spec, Headway* headway = nullptr);
 
 /// {"fit": {"branches", "reason", "nearest"}}
 Json fit_json(const FitAnswer& answer);

@@ -14,10 +14,6 @@ double pitch_of(const ContactReport& report) {
   return 2 * std::numbers::pi / std::abs(report.gears[0]->spec.teeth);
 }
 
-bool is_edge(TouchKind kind) {
-  return kind != TouchKind::none && kind != TouchKind::interior && kind != TouchKind::line;
-}
-
 const char* words_of(TouchKind kind) {
   switch (kind) {
     case TouchKind::none: return "no contact";
@@ -29,6 +25,7 @@ const char* words_of(TouchKind kind) {
     case TouchKind::face2: return "end of face 2";
     case TouchKind::form1: return "foot of flank 1";
     case TouchKind::form2: return "foot of flank 2";
+    case TouchKind::ridge: return "ridge where a relief begins";
     case TouchKind::corner: return "corner of a tooth";
   }
   contract_failed("postcondition", "known kind of contact", __FILE__, __LINE__);

@@ -67,8 +67,6 @@ struct ContactReport {
 /// The pitch of gear 1, rad.
 double pitch_of(const ContactReport& report);
 
-/// Edges, which touch where the flanks themselves should.
-bool is_edge(TouchKind kind);
 /// "tip edge of gear 1"
 const char* words_of(TouchKind kind);
 

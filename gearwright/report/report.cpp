@@ -10,6 +10,7 @@
 #include "gearwright/base/overloaded.hpp"
 #include "gearwright/report/arc_pair_section.hpp"
 #include "gearwright/report/centrode_picture.hpp"
+#include "gearwright/report/compensate_section.hpp"
 #include "gearwright/report/contact_section.hpp"
 #include "gearwright/report/crossed_picture.hpp"
 #include "gearwright/report/face_picture.hpp"
@@ -206,6 +207,7 @@ std::string report_html(const ReportInput& input) {
                    [](const ArcPair& pair) { return arc_pair_section(pair, kShapes); }});
   }
   if (input.contact) page += contact_section(*input.contact);
+  if (input.compensate) page += compensate_section(*input.compensate);
   page += file_section(input.files) + spec_section(input.spec_text) + "</main>\n" + foot(input);
   page += fmt::format("<script>{}{}</script>\n</body>\n</html>\n", page_script(), turn_script());
   return page;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/pair/pair.hpp"
 #include "gearwright/report/contact_report.hpp"
@@ -24,11 +25,12 @@ struct ReportFile {
 };
 
 struct ReportInput {
-  std::string title;                       ///< empty: one is made from the tooth numbers
-  std::vector<const Gear*> gears;          ///< one or two, with a pair its gears
-  std::optional<Pair> pair;                ///< none: the gears are not mounted
-  const ContactReport* contact = nullptr;  ///< null: the spec asks nothing about contact
-  Verdict verdict;                         ///< over gears, pair and contact
+  std::string title;                           ///< empty: one is made from the tooth numbers
+  std::vector<const Gear*> gears;              ///< one or two, with a pair its gears
+  std::optional<Pair> pair;                    ///< none: the gears are not mounted
+  const ContactReport* contact = nullptr;      ///< null: the spec asks nothing about contact
+  const CompensateView* compensate = nullptr;  ///< null: the spec asks for no corrections
+  Verdict verdict;                             ///< over gears, pair and contact
   std::vector<ReportFile> files;
   std::string spec_text;  ///< the spec, verbatim; empty: left out
   std::string version;    ///< of the program

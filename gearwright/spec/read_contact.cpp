@@ -99,6 +99,7 @@ ContactInput read_contact(const Json& node) {
 CompensateInput read_compensate(const Json& node) {
   TableReader t(compensate_keys(), node, "compensate");
   CompensateInput c;
+  c.given = true;
   t.read(c);
   c.corrections = read_corrections(t);
   if (const Json* table = t.table("range")) {

@@ -41,8 +41,15 @@ void judge(std::vector<Finding>& findings, const Margin& margin, int gear,
                       {{"clearance", *clearance, true}, {"threshold", threshold, true}}});
 }
 
+// The kink of a linear relief (a ridge) is no edge of the tooth.
 bool is_edge(TouchKind kind) {
-  return kind != TouchKind::none && kind != TouchKind::interior && kind != TouchKind::line;
+  switch (kind) {
+    case TouchKind::none:
+    case TouchKind::interior:
+    case TouchKind::line:
+    case TouchKind::ridge: return false;
+    default: return true;
+  }
 }
 
 }  // namespace

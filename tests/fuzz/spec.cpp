@@ -1,30 +1,18 @@
 // Any bytes as a spec: every one ends in gears, a pair, or an error with a sentence. Never a crash,
 // a broken contract or an empty message.
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <string_view>
+#include <nlohmann/json.hpp>
 
 #include "gearwright/job/fit_answer.hpp"
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/solved_job.hpp"
 #include "gearwright/spec/toml_text.hpp"
-
-namespace {
-
-void require(bool condition) {
-  if (!condition) std::abort();
-}
-
-}  // namespace
+#include "tests/fuzz/fuzzing.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace gearwright;
-  const std::string_view text(reinterpret_cast<const char*>(data), size);
-  const SpecFormat format =
-      !text.empty() && text.front() == '{' ? SpecFormat::json : SpecFormat::toml;
-  const auto spec = read_spec(text, format);
+  using fuzz::require;
+  const auto spec = fuzz::spec_of(fuzz::text_of(data, size));
   if (!spec) {
     require(!spec.error().message().empty());
     return 0;

@@ -224,14 +224,21 @@ TEST(ContactLaws, the_curve_has_no_jump) {
 // Neighbouring pieces of a modified flank meet: the field is the same seen from either.
 TEST(ContactLaws, pieces_meet) {
   int seams = 0;
-  over_pairs(30, 60, {}, [&seams](const ModifiedPair& p, Random& random) {
+  int ridges = 0;
+  over_pairs(30, 60, {}, [&](const ModifiedPair& p, Random& random) {
     const ContactPair pair = p.set.pair();
     const auto& patches = pair.patches(1);
     const FlankPatch& mate = pair.patches(2)[0];
-    const auto value = [&](const FlankPatch& f, double s, double z) {
+    const auto jet = [&](const FlankPatch& f, double s, double z) {
       const GapField field(f, mate, pair.mount(), pair.ratio(), pair.rotation_sign());
       double s2 = 0.5 * (mate.s_lo + mate.s_hi);
-      return field.at(s, z, s2).t.v;
+      return field.at(s, z, s2).t;
+    };
+    // A border is a ridge exactly where the slope across it jumps.
+    const auto end_for = [&](double slope, double other) {
+      const bool jumps = std::abs(slope - other) > 1e-8 * (std::abs(slope) + std::abs(other));
+      ridges += jumps;
+      return jumps ? FlankPatch::End::ridge : FlankPatch::End::seam;
     };
     for (const FlankPatch& a : patches) {
       for (const FlankPatch& b : patches) {
@@ -239,20 +246,25 @@ TEST(ContactLaws, pieces_meet) {
         const double s_lo = std::max(a.s_lo, b.s_lo), s_hi = std::min(a.s_hi, b.s_hi);
         if (a.s_hi == b.s_lo && z_hi > z_lo) {
           ++seams;
-          EXPECT_EQ(a.s_hi_end, FlankPatch::End::seam);
           const double z = random.uniform(z_lo, z_hi);
-          EXPECT_NEAR(value(a, a.s_hi, z), value(b, b.s_lo, z), 1e-13);
+          const Jet2 x = jet(a, a.s_hi, z), y = jet(b, b.s_lo, z);
+          EXPECT_NEAR(x.v, y.v, 1e-13);
+          EXPECT_EQ(a.s_hi_end, end_for(x.s, y.s));
+          EXPECT_EQ(b.s_lo_end, a.s_hi_end);
         }
         if (a.z_hi == b.z_lo && s_hi > s_lo) {
           ++seams;
-          EXPECT_EQ(b.z_lo_end, FlankPatch::End::seam);
           const double s = random.uniform(s_lo, s_hi);
-          EXPECT_NEAR(value(a, s, a.z_hi), value(b, s, b.z_lo), 1e-13);
+          const Jet2 x = jet(a, s, a.z_hi), y = jet(b, s, b.z_lo);
+          EXPECT_NEAR(x.v, y.v, 1e-13);
+          EXPECT_EQ(b.z_lo_end, end_for(x.z, y.z));
+          EXPECT_EQ(a.z_hi_end, b.z_lo_end);
         }
       }
     }
   });
   EXPECT_GT(seams, 30);
+  EXPECT_GT(ridges, 10);
 }
 
 // Twice the size: the same rotations to the last bit.

@@ -1,0 +1,45 @@
+// How far a long work is: counted by whoever does it, read by whoever waits, from any thread.
+//
+// Work that can be watched takes a `Headway*`; null means that nobody waits. Counting changes no
+// result and needs no lock.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+namespace gearwright {
+
+class Headway {
+ public:
+  struct State {
+    const char* stage;  ///< "map of two errors"; null: nothing has begun
+    std::int64_t done, of;
+  };
+
+  /// A stage of about so many steps. The words live as long as the program.
+  void begin(const char* stage, std::int64_t steps) {
+    done_ = 0;
+    of_ = steps;
+    stage_ = stage;
+  }
+  void step() { done_.fetch_add(1, std::memory_order_relaxed); }
+  State state() const { return {stage_, done_, of_}; }
+
+  /// From here on files are written: who wants to stop waits until they are whole.
+  void begin_writing() { writing_ = true; }
+  bool writing() const { return writing_; }
+
+ private:
+  std::atomic<const char*> stage_{nullptr};
+  std::atomic<std::int64_t> done_{0}, of_{0};
+  std::atomic<bool> writing_{false};
+};
+
+inline void begin_stage(Headway* headway, const char* stage, std::int64_t steps) {
+  if (headway) headway->begin(stage, steps);
+}
+inline void count_step(Headway* headway) {
+  if (headway) headway->step();
+}
+
+}  // namespace gearwright

@@ -1,0 +1,80 @@
+#include "gearwright/report/compensate_section.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/report/html_text.hpp"
+#include "gearwright/report/quantity_table.hpp"
+#include "gearwright/report/table_builder.hpp"
+
+namespace gearwright {
+
+namespace {
+
+std::string arcsec(const ContactScore& s) {
+  return s.nothing_touches() ? "no contact" : fixed(s.peak_to_peak.arcsec(), 4);
+}
+
+std::string percent(double share) { return fixed(100 * std::abs(share), 0); }
+
+std::string finding(const CompensateView& v) {
+  if (v.nothing_to_correct)
+    return "Nothing to correct: none of these within reach makes the pair better by 0.001″.";
+  // The pattern's place is that along the face, else along the profile.
+  const bool face = v.before.along_face != 0.0 || v.after.along_face != 0.0;
+  const auto place = [&](const ContactScore& s) {
+    return percent(face ? s.along_face : s.along_profile);
+  };
+  return fmt::format(
+      "At worst gear 2 then runs up to {}″ unevenly instead of {}″, the contact lies {} % off the "
+      "middle of the {} instead of {} %, and an edge touches at {} % of the positions instead of "
+      "{} %.",
+      arcsec(v.after), arcsec(v.before), place(v.after), face ? "face" : "profile", place(v.before),
+      percent(v.after.edge_share), percent(v.before.edge_share));
+}
+
+std::string corrections(const CompensateView& v) {
+  TableBuilder t("Corrections", {"On top of the drawing"});
+  for (const FoundCorrection& c : v.corrections)
+    t.row(capitalised(c.words), "", c.shown_unit, {fixed(c.value, kLengthDigits)});
+  return t.str();
+}
+
+std::string scores(const CompensateView& v) {
+  const auto& said = score_quantities();
+  TableBuilder t("The aims, at the worst of the errors", {"Before", "After"});
+  add_groups(t, text_groups(said.table(), {said.of(v.before), said.of(v.after)}, kPage));
+  if (v.scenarios.size() > 1) {
+    t.group("Transmission error, peak to peak, one by one");
+    for (const Scenario& s : v.scenarios)
+      t.row(capitalised(s.errors), "", "″", {arcsec(s.before), arcsec(s.after)});
+  }
+  return t.str();
+}
+
+// The answers in closed form that circular-arc teeth have besides.
+std::string closed_forms(const CompensateView& v) {
+  if (!v.setting && !v.lead) return {};
+  TableBuilder t("In closed form, one by one", {"Value"});
+  const auto& said = compensate_quantities();
+  add_groups(t, text_groups(said.table(), {said.of(v)}, kPage));
+  return t.str();
+}
+
+}  // namespace
+
+std::string compensate_section(const CompensateView& view) {
+  GW_EXPECTS(!view.before.nothing_touches() && !view.corrections.empty());
+  return fmt::format(
+      "<section class=\"compensate\">\n<h2>Corrections</h2>\n<div "
+      "class=\"columns\"><div>\n<p>What a workshop can change so that this pair bears its errors. "
+      "The transmission error counts first; of what is equally quiet, that whose contact lies in "
+      "the middle of the flank. <code>gearwright compensate --take</code> prints the specification "
+      "with the corrections in it.</p>\n<p><strong>{}</strong></p>\n{}</div><div>\n{}</div></div>\n"
+      "{}</section>\n",
+      finding(view), corrections(view), scores(view), closed_forms(view));
+}
+
+}  // namespace gearwright

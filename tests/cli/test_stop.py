@@ -1,0 +1,92 @@
+"""Long work says how far it is, and ends at once, with nothing half-written, when it is told to."""
+
+import json
+import os
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+from cli import BIN, SOURCE, Run
+
+# A million positions with their pattern, and a map of a million points: hours, or minutes at least.
+POSITIONS = """
+[contact]
+positions = 100000
+pitches = 10
+pattern = true
+"""
+MAP = """
+[contact]
+positions = 64
+[contact.map]
+x = "crossing_deg"
+x_range = [-0.05, 0.05]
+y = "center_distance_mm"
+y_range = [0, 0.2]
+points = [1000, 1000]
+"""
+WITHIN = 1.0  # s, from the signal to the end
+
+
+def pair():
+    text = (SOURCE / "examples" / "misaligned_pair.toml").read_text()
+    return text[:text.index("[contact]")]
+
+
+class Stop(unittest.TestCase):
+    def stopped(self, verb, spec, sent, *args):
+        """stderr of a program that was told to stop when it had said how far it is, and how long it then took."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "case.toml"
+            path.write_text(spec)
+            command = [BIN, verb, str(path), *args]
+            with open(Path(folder) / "out", "wb") as out, subprocess.Popen(
+                    command, stdout=out, stderr=subprocess.PIPE, cwd=folder, text=True) as p:
+                first = p.stderr.readline()
+                start = time.monotonic()
+                os.kill(p.pid, sent)
+                rest = p.stderr.read()
+                status = p.wait(30)
+                took = time.monotonic() - start
+            self.assertEqual(status, 3, rest)
+            self.assertEqual((Path(folder) / "out").read_bytes(), b"")
+            self.assertEqual(sorted(f.name for f in Path(folder).iterdir()), ["case.toml", "out"])
+            self.assertIn("stopped; nothing was written", rest)
+            self.assertLess(took, WITHIN)
+            return first
+
+    def test_a_million_positions(self):
+        self.assertRegex(self.stopped("contact", pair() + POSITIONS, signal.SIGINT, "--json"), r"contact, 2 s: positions \d+ %")
+
+    def test_a_million_points_of_a_map(self):
+        self.assertRegex(self.stopped("contact", pair() + MAP, signal.SIGTERM), "contact, 2 s: map of two errors 0 %")
+
+    def test_run_leaves_no_folder(self):
+        self.assertIn("run, 2 s: ", self.stopped("run", pair() + MAP, signal.SIGTERM, "--json"))
+
+    def test_short_work_says_nothing(self):
+        run = Run("contact", pair() + "[contact]\npositions = 8\n", "--json")
+        self.assertEqual((run.status, run.err), (0, ""))
+
+    def test_what_pair_refuses_is_marked_by_fit(self):
+        """Two teeth and a wheel at a distance that no standard tooth fills: a line of action, and no teeth."""
+        wish = ("[gear1]\nteeth = 2\nnormal_module_mm = 2\nhelix_angle_deg = 20\n"
+                "[gear2]\nteeth = 30\nnormal_module_mm = 2\nhelix_angle_deg = -20\n[pair]\ncenter_distance_mm = {}\n")
+        marked = 0
+        for distance in (29, 31, 34.1, 40, 52):
+            branches = Run("fit", wish.format(distance), "--json").json.get("fit", {}).get("branches", [])
+            for i, b in enumerate(branches):
+                pair_run = Run("pair", json.dumps(b["spec"]), "--json", name="pair.json")
+                self.assertEqual(pair_run.status, 1 if "refused" in b else 0, pair_run.err)
+                if "refused" in b:
+                    marked += 1
+                    self.assertEqual(b["refused"], pair_run.err.removeprefix("gearwright: ").strip())
+                    self.assertIn("refused by pair: ", Run("fit", wish.format(distance)).out)
+        self.assertGreater(marked, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
