@@ -10,7 +10,9 @@ namespace gearwright::cli {
 struct Options {
   std::string spec;
   bool json = false;
-  std::string out;
+  bool csv = false;
+  std::optional<std::string> out;
+  std::optional<std::string> only;  // of run: words of kRunParts
   std::optional<int> gear;
   int points = 50;
   std::string step, stl, glb, threemf, dxf, svg;
@@ -22,6 +24,9 @@ struct Options {
   std::optional<int> take;             // of fit: the branch whose spec is printed
   bool spec_only = false;              // of compensate: print the corrected spec
   std::string schema;                  // of schema: of what
+  std::string shell;                   // of completion
+  std::vector<std::string> words;      // of batch: a verb, a file
+  int threads = 0;                     // of batch; 0: all
 };
 
 // All throw IoError when the outside world fails.
