@@ -17,9 +17,9 @@ const KeyTable& pair_keys() {
         .symbol = "Σ",
         .range = KeyRange::inside(-180, 180, " (> 0: right hands prevail)"),
         .place = &PairInput::shaft_angle,
-        .fallback =
-            "0 where the helices allow it, else that of the minimum centre distance, with a "
-            "warning",
+        .fallback = "0 where the helices allow it; an error where both have one hand and angle; "
+                    "else that of "
+                    "the minimum centre distance, with a warning",
         .meaning = "Σ = β_w1 + β_w2, signed: two right hands cross at Σ > 0, two left hands at "
                    "Σ < 0",
         .also = {"axis_angle", "crossing_angle"}},

@@ -21,9 +21,12 @@ Error of_given_gear(Error error, const JobSpec& spec, int which) {
   const GearInput& gear = *spec.gears[static_cast<std::size_t>(which - 1)];
   const bool own =
       error.field == "face_width" || error.field == "tip_diameter" || error.field == "teeth";
-  if (error.field == "tip_diameter" && !gear.cylindrical.tip_diameter && gear.profile_shift) {
-    return following_from(gear_field(which, "profile_shift"), spoken(*gear.profile_shift),
-                          "it asks for", of_gear(which, std::move(error)));
+  if (error.field == "tip_diameter" && !gear.cylindrical.tip_diameter) {
+    // Nobody gave it: it follows from the shift, or from the rack alone.
+    const std::string from = gear.profile_shift ? "profile_shift" : "rack.addendum";
+    const double value = gear.profile_shift.value_or(addendum_of(gear.cylindrical.rack));
+    return following_from(gear_field(which, from), spoken(value), "it asks for",
+                          of_gear(which, std::move(error)));
   }
   if (!gear.basic || own) return of_gear(which, std::move(error));
   return following_from(gear_field(which, "basic"), "",
@@ -266,9 +269,13 @@ void spell_warnings(SolvedJob& job) {
     w.message = spelled(w.message, job.spec.given, w.gear == 0 ? "" : gear_field(w.gear));
 }
 
-// What nobody said may be what the verb fit is to find.
-bool asks_for_a_fit(const JobSpec& spec) {
+// What nobody said may be what the verb fit is to find: the place, helices, shifts.
+bool asks_for_a_fit(const JobSpec& spec, const Error& error) {
   if (!spec.gears[0] || !spec.gears[1]) return false;
+  const bool found_by_fit = error.field.starts_with("pair.") ||
+                            error.field.ends_with(".helix_angle") ||
+                            error.field.ends_with(".profile_shift");
+  if (!found_by_fit) return false;
   const bool helices = spec.gears[0]->helix_given || spec.gears[1]->helix_given;
   return spec.given.contains("fit") || (spec.pair.shaft_angle && !helices);
 }
@@ -354,7 +361,7 @@ Result<SolvedJob> solve_as_given(const JobSpec& given, Scope scope) {
 
 Result<SolvedJob> solve(const JobSpec& given, Scope scope) {
   auto job = solve_as_given(given, scope);
-  if (job || scope == Scope::gears || !asks_for_a_fit(given)) return job;
+  if (job || !asks_for_a_fit(given, job.error())) return job;
   Error error = job.error();
   error.rule +=
       ". The spec leaves numbers to be found: gearwright fit finds them, and its --take 1 writes "

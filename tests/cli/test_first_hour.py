@@ -73,6 +73,8 @@ class Keys(Asked):
             self.refused(ring + f"tip_diameter_mm = {d}\n", "gear2.tip_diameter_mm", "greater than 0")
         # nobody gave this tip diameter; the shift that asks for it was given
         self.refused(ring + "profile_shift = 40\n", "gear2.profile_shift", "tip_diameter_mm", verb="gear")
+        self.refused("[gear1]\nteeth = -10\nnormal_module_mm = 2\n[gear1.rack]\naddendum = 6\n", "gear1.rack.addendum",
+                     "tip_diameter_mm", verb="gear")
 
 
 class Places(unittest.TestCase):
