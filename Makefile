@@ -73,6 +73,7 @@ package:
 	@cmake --preset package
 	@cmake --build --preset package
 	@cd build/package && cpack
+	@cd build/package && lintian --fail-on error,warning *.deb
 
 clean:
 	rm -rf build
