@@ -18,6 +18,7 @@ constexpr std::size_t kLongest = 80;    // bytes of a key that are compared
 constexpr std::size_t kLeastPart = 3;   // letters: a part that is shorter stands in every name
 constexpr std::size_t kLettersOff = 3;  // one letter of so many may differ
 constexpr std::size_t kSlipOff = 6;     // a slip of the hand: one of so many
+constexpr double kLikeWords = 0.7;      // share of the words of a name
 constexpr std::size_t kListed = 24;     // keys of a table that a sentence still lists
 
 struct Letter {
@@ -144,6 +145,36 @@ const Key* with_part(const KeyTable& table, const Word& word) {
   return best;
 }
 
+// The words of a name, between underscores.
+std::vector<std::string_view> words_of(std::string_view name) {
+  std::vector<std::string_view> words;
+  for (std::size_t at = 0; at <= name.size();) {
+    const std::size_t end = std::min(name.find('_', at), name.size());
+    words.push_back(name.substr(at, end - at));
+    at = end + 1;
+  }
+  return words;
+}
+
+// Of the same words but one of four or more: tip_relief_begin_mm.
+const Key* of_like_words(const KeyTable& table, std::string_view name) {
+  const auto words = words_of(name);
+  const Key* best = nullptr;
+  double most = kLikeWords;
+  for (const Key& key : table.keys) {
+    const auto own = words_of(key.key);
+    const auto common = std::count_if(own.begin(), own.end(), [&](std::string_view w) {
+      return std::find(words.begin(), words.end(), w) != words.end();
+    });
+    const double share =
+        static_cast<double>(common) / static_cast<double>(std::max(own.size(), words.size()));
+    if (share <= most) continue;
+    most = share;
+    best = &key;
+  }
+  return best;
+}
+
 const Key* nearly_called(const KeyTable& table, const Word& word, std::size_t letters_off) {
   const Key* best = nullptr;
   std::size_t least = word.bare.size() / letters_off + 1;
@@ -209,6 +240,7 @@ std::string key_hint(const KeyTable& table, std::string_view path, std::string_v
   }
   if (const Key* slip = nearly_called(table, word, kSlipOff)) return nearest(slip->key);
   if (const auto other = called_elsewhere(table, path, word)) return nearest(*other);
+  if (const Key* like = of_like_words(table, key.substr(0, kLongest))) return nearest(like->key);
   if (const Key* part = with_part(table, word)) return nearest(part->key);
   if (const Key* near = nearly_called(table, word, kLettersOff)) return nearest(near->key);
   return "known keys here: " + listed(table);

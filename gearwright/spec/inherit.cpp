@@ -25,6 +25,21 @@ bool has_any(const Json& table, Keys keys) {
                      [&](const char* key) { return table.contains(key); });
 }
 
+// A new member where the alphabet has it, as the TOML reader orders a table: a spec that is written
+// out and read again is the same tree.
+void put(Json& table, const char* key, const Json& value) {
+  Json::object_t& members = table.get_ref<Json::object_t&>();
+  Json::object_t sorted;
+  bool there = false;
+  for (auto& [name, member] : members) {
+    if (!there && name > key) sorted.emplace_back(key, value);
+    there = there || name > key;
+    sorted.emplace_back(name, std::move(member));
+  }
+  if (!there) sorted.emplace_back(key, value);
+  table = std::move(sorted);
+}
+
 std::optional<double> number(const Json& table, const char* key) {
   const auto it = table.find(key);
   if (it == table.end() || !it->is_number()) return std::nullopt;
@@ -54,10 +69,10 @@ bool hand_on_helix(const Json& from, Json& to) {
   if (const auto beta = number(from, "helix_angle_deg")) {
     double turned = ring || *beta == 0.0 ? *beta : -*beta;
     if (own_hand && *beta != 0.0) turned = std::abs(*beta) * (to["hand"] == "left" ? -1.0 : 1.0);
-    to["helix_angle_deg"] = turned;
+    put(to, "helix_angle_deg", turned);
   } else if (const auto lead = number(from, "lead_angle_deg")) {
-    to["lead_angle_deg"] = *lead;
-    if (!own_hand && hand != from.end()) to["hand"] = left == ring ? "left" : "right";
+    put(to, "lead_angle_deg", *lead);
+    if (!own_hand && hand != from.end()) put(to, "hand", left == ring ? "left" : "right");
   }
   return true;
 }
@@ -71,9 +86,9 @@ void hand_on(const Json& from, Json& to, Keys keys, const char* transverse,
     if (!from.contains(key)) continue;
     const auto value = number(from, key);
     if (key == std::string_view(transverse) && value) {
-      to[*keys.begin()] = normal_of(*value, std::cos(Angle::degrees(helix_of(from)).rad()));
+      put(to, *keys.begin(), normal_of(*value, std::cos(Angle::degrees(helix_of(from)).rad())));
     } else {
-      to[key] = from[key];
+      put(to, key, from[key]);
     }
     return;
   }
@@ -108,7 +123,7 @@ Inherited inherit(const Json& tree) {
         return Angle::radians(std::atan(std::tan(Angle::degrees(alpha_t).rad()) * cos_beta)).deg();
       });
   if (from->contains("rack") && !to->contains("rack") && cuts_both((*from)["rack"]))
-    (*to)["rack"] = (*from)["rack"];
+    put(*to, "rack", (*from)["rack"]);
   return made;
 }
 
