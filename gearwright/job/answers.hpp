@@ -1,4 +1,5 @@
 // What a verb prints with --json, for doors that ask for many answers: case files, batches.
+// Internal to job/ and the program.
 #pragma once
 
 #include <array>

@@ -7,6 +7,7 @@
 
 #include "gearwright/catalogue/spec_keys.hpp"
 #include "gearwright/spec/inherit.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_contact.hpp"
 #include "gearwright/spec/read_gear.hpp"
 #include "gearwright/spec/read_search.hpp"

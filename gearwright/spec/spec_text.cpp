@@ -19,6 +19,7 @@
 
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/spec/json_place.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {

@@ -1,5 +1,4 @@
-// The text of a spec before it is understood: where it came from, its tree of tables, and where in
-// it a key stands.
+// The text of a spec before it is understood: where it came from, and where in it a key stands.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +7,6 @@
 #include <string_view>
 
 #include "gearwright/base/result.hpp"
-#include "gearwright/spec/json.hpp"
 
 namespace gearwright {
 
@@ -30,19 +28,13 @@ struct SpecText {
 /// Errors    more than kMaxSpec bytes, which are refused unread
 Result<SpecText> read_spec_text(const std::filesystem::path& path);
 
-/// The tree of a spec, members in their order. Nesting is bounded, and every key of a table stands
-/// there once, in JSON too.
-///
-/// Errors    what is wrong, with line and column
-Result<Json> parse_spec(std::string_view text, SpecFormat format);
-
 /// Counted from 1, columns in characters.
 struct TextPlace {
   int line = 1, column = 1;
 };
 
 /// Where a key stands, "gear1.rack.arcs[2].radius"; of one that is absent its table. The text is one
-/// that parse_spec read. None where not even the table is there.
+/// that read_spec parsed. None where not even the table is there.
 std::optional<TextPlace> place_of_key(const SpecText& text, std::string_view key);
 
 }  // namespace gearwright
