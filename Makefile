@@ -10,7 +10,7 @@
 #   make lint       formatting (must be clean) and clang-tidy (advice)
 #   make docs       the API reference and all pages as HTML, build/docs/html
 #   make figures    draws the figures of the theory pages anew
-#   make package    .deb and .tgz in build/release
+#   make package    .deb and .tgz in build/package
 #   make clean      remove build/
 
 .PHONY: demo test test-long test-cluster bench lint docs figures package clean
@@ -70,9 +70,10 @@ figures:
 
 package:
 	@tools/install_packages.sh core step mpi package
-	@cmake --preset release
-	@cmake --build --preset release
-	@cd build/release && cpack
+	@cmake --preset package
+	@cmake --build --preset package
+	@cd build/package && cpack
+	@cd build/package && lintian --fail-on error,warning *.deb
 
 clean:
 	rm -rf build

@@ -40,7 +40,7 @@ void run_everything(benchmark::State& state) {
 #endif
   for (auto _ : state) {
     SolvedJob job = solve(read_spec(kSpec, SpecFormat::toml).value(), Scope::everything).value();
-    benchmark::DoNotOptimize(write_everything(job, folder, options)->size());
+    benchmark::DoNotOptimize(write_everything(job, folder, options)->files.size());
   }
   std::filesystem::remove_all(folder);
 }

@@ -26,9 +26,15 @@ if(has_cli)
   set_target_properties(gearwright_cli PROPERTIES INSTALL_RPATH "$ORIGIN/${bin_to_lib}")
   if(has_mpi)
     set_target_properties(gearwright_mpi PROPERTIES INSTALL_RPATH "$ORIGIN/${bin_to_lib}")
-    install(TARGETS gearwright_mpi RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT mpi)
+    # What was built is installed: `make demo` builds the program alone.
+    install(TARGETS gearwright_mpi RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT mpi OPTIONAL)
   endif()
   install(TARGETS gearwright_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
+  if(has_step)
+    # No name to be linked by: it is no library of the system, and no ldconfig is to know it.
+    set_target_properties(gearwright_step PROPERTIES INSTALL_RPATH "$ORIGIN/.." NO_SONAME ON)
+    install(TARGETS gearwright_step LIBRARY DESTINATION ${gw_module_dir} COMPONENT runtime)
+  endif()
 endif()
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/gearwrightConfig.cmake.in
@@ -52,18 +58,20 @@ endif()
 configure_file(${CMAKE_CURRENT_LIST_DIR}/gearwright.pc.in ${PROJECT_BINARY_DIR}/gearwright.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/gearwright.pc DESTINATION ${pc_dir} COMPONENT dev)
 
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT dev)
 install(FILES ${PROJECT_SOURCE_DIR}/docs/schema/spec.schema.json
         DESTINATION ${CMAKE_INSTALL_DATADIR}/gearwright COMPONENT runtime)
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/gearwright-cli
-        COMPONENT runtime)
+include(gw_install_documents)
 
 if(PROJECT_IS_TOP_LEVEL)
   set(CPACK_GENERATOR DEB TGZ)
-  set(CPACK_PACKAGE_CONTACT "The Gearwright developers")
+  set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${gw_synopsis}")
+  set(CPACK_PACKAGE_CONTACT "${gw_maintainer}")
   set(CPACK_PACKAGE_VENDOR "The Gearwright developers")
   set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
   set(CPACK_STRIP_FILES ON)
+  set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE
+      GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+  set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
   set(CPACK_COMPONENTS_ALL dev)
   if(has_cli OR BUILD_SHARED_LIBS)
     list(APPEND CPACK_COMPONENTS_ALL runtime)
@@ -78,6 +86,9 @@ if(PROJECT_IS_TOP_LEVEL)
   set(CPACK_DEBIAN_PACKAGE_SECTION science)
   set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
   set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME gearwright)
+  foreach(part RUNTIME DEV MPI)
+    set(CPACK_DEBIAN_${part}_DESCRIPTION "${gw_about_${part}}")
+  endforeach()
   set(CPACK_DEBIAN_DEV_PACKAGE_NAME libgearwright-dev)
   set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
   set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS

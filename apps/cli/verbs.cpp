@@ -11,12 +11,14 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "apps/cli/step_module.hpp"
 #include "apps/common/speaking.hpp"
 #include "apps/common/watch.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/catalogue/spec_schema.hpp"
 #include "gearwright/job/compensate_text.hpp"
 #include "gearwright/job/contact_text.hpp"
+#include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/files.hpp"
 #include "gearwright/job/fit_answer.hpp"
 #include "gearwright/job/judgement.hpp"
@@ -33,12 +35,35 @@ namespace fs = std::filesystem;
 
 namespace {
 
-int fail(const Options& o, const Error& error) { return cli::fail(error, o.json); }
+// The spec of a verb: read once, from a file or a pipe, and what is wrong with it said by its lines.
+class Door {
+ public:
+  explicit Door(const Options& o) : options_(o) {}
 
-// In the keys that the spec has.
-int fail(const Options& o, const Error& error, const GivenKeys& given) {
-  return fail(o, spelled(error, given));
-}
+  Result<JobSpec> read() {
+    auto text = read_spec_text(options_.spec);
+    if (!text) return text.error();
+    text_ = std::move(text).take();
+    auto spec = read_spec(*text_);
+    if (spec) given_ = spec->given;
+    return spec;
+  }
+  Result<SolvedJob> solve(Scope scope) {
+    const auto spec = read();
+    if (!spec) return spec.error();
+    return gearwright::solve(*spec, scope);
+  }
+  /// Says what is wrong, in the keys that the spec has; the exit status.
+  int fail(const Error& error) const {
+    return cli::fail(given_ ? spelled(error, *given_) : error, options_.json,
+                     text_ ? &*text_ : nullptr);
+  }
+
+ private:
+  const Options& options_;
+  std::optional<SpecText> text_;
+  std::optional<GivenKeys> given_;
+};
 
 std::string read_text(const std::string& path) {
   if (fs::is_directory(path)) throw IoError("cannot read " + path + ": it is a folder");
@@ -54,14 +79,6 @@ std::string read_text(const std::string& path) {
   }
   if (file.bad()) throw IoError("cannot read " + path + ": " + std::strerror(errno));
   return text;
-}
-
-Result<SolvedJob> solve_file(const Options& o, Scope scope) {
-  const auto spec = read_spec_file(o.spec);
-  if (!spec) return spec.error();
-  auto job = solve(*spec, scope);
-  if (!job) return spelled(job.error(), spec->given);
-  return job;
 }
 
 std::string pair_listing_of(const SolvedJob& job) {
@@ -88,14 +105,25 @@ class SlowProgress {
 
 FileOptions file_options(const Options& o) {
   FileOptions options;
-#ifdef GEARWRIGHT_HAS_STEP
-  options.step = step_document;
-#endif
+  options.step = step_maker();
   options.progress = SlowProgress();
   options.mesh_tolerance_mm = o.mesh_tolerance;
   options.drawing_tolerance_mm = o.drawing_tolerance;
   options.drawing_splines = o.drawing_splines;
   return options;
+}
+
+// The words between commas; none where one of them is no part of a run.
+std::optional<std::vector<std::string>> run_parts(const std::string& text) {
+  std::vector<std::string> parts;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    parts.push_back(text.substr(at, end - at));
+    if (std::find(kRunParts.begin(), kRunParts.end(), parts.back()) == kRunParts.end())
+      return std::nullopt;
+    at = end + 1;
+  }
+  return parts;
 }
 
 // The first output that would overwrite another one, or the spec; empty when there is none.
@@ -131,19 +159,22 @@ int gear_verb(const Options& o) {
           "--as-rack 3,20 or --as-rack ,17.5");
     }
   }
-  const auto job = solve_file(o, Scope::gears);
-  if (!job) return fail(o, job.error());
+  Door door(o);
+  const auto job = door.solve(Scope::gears);
+  if (!job) return door.fail(job.error());
   std::vector<ReferenceInput<double>> racks;
   for (std::size_t i = 0; question && i < job->gears.size(); ++i) {
     auto rack = gear_as_rack(job->gears[i], *question);
     if (!rack) {
       Error error = rack.error();
       error.rule = fmt::format("of gear {}: {}", i + 1, error.rule);
-      return fail(o, error);
+      return door.fail(error);
     }
     racks.push_back(*rack);
   }
-  if (o.json) {
+  if (o.csv) {
+    print(quantities_csv(*job));
+  } else if (o.json) {
     Json j = job_json(*job);
     for (std::size_t i = 0; i < racks.size(); ++i) j["gears"][i]["as_rack"] = rack_json(racks[i]);
     print_json(j);
@@ -155,11 +186,12 @@ int gear_verb(const Options& o) {
 }
 
 int measure_verb(const Options& o) {
-  auto solved = solve_file(o, Scope::gears);
-  if (!solved) return fail(o, solved.error());
+  Door door(o);
+  auto solved = door.solve(Scope::gears);
+  if (!solved) return door.fail(solved.error());
   SolvedJob job = std::move(solved).take();
   const auto measures = chord_measures(job);
-  if (!measures) return fail(o, measures.error(), job.spec.given);
+  if (!measures) return door.fail(measures.error());
   if (o.json) {
     print_json(measures_json(job, *measures));
   } else {
@@ -169,16 +201,17 @@ int measure_verb(const Options& o) {
 }
 
 int fit_verb(const Options& o) {
-  const auto spec = read_spec_file(o.spec);
-  if (!spec) return fail(o, spec.error());
+  Door door(o);
+  const auto spec = door.read();
+  if (!spec) return door.fail(spec.error());
   const auto answer = watched("fit", [&](Headway* h) { return answer_fit(*spec, h); });
-  if (!answer) return fail(o, answer.error(), spec->given);
+  if (!answer) return door.fail(answer.error());
   const int count = static_cast<int>(answer->specs.size());
   if (o.take) {
     if (*o.take > count) {
-      return fail(o, {"--take", std::to_string(*o.take),
-                      count == 0 ? "there is no branch: " + answer->fit.reason
-                                 : fmt::format("there are {} branches", count)});
+      return door.fail({"--take", std::to_string(*o.take),
+                        count == 0 ? "there is no branch: " + answer->fit.reason
+                                   : fmt::format("there are {} branches", count)});
     }
     const Json& taken = answer->specs[static_cast<std::size_t>(*o.take - 1)];
     if (o.json) {
@@ -197,10 +230,13 @@ int fit_verb(const Options& o) {
 }
 
 int pair_verb(const Options& o) {
-  const auto job = solve_file(o, Scope::pair);
-  if (!job) return fail(o, job.error());
+  Door door(o);
+  const auto job = door.solve(Scope::pair);
+  if (!job) return door.fail(job.error());
   const Verdict verdict = judge(*job);
-  if (o.json) {
+  if (o.csv) {
+    print(quantities_csv(*job));
+  } else if (o.json) {
     print_json(job_json(*job));
   } else {
     print(gear_listing(*job) + pair_listing_of(*job) + warning_listing(job->warnings) +
@@ -210,13 +246,16 @@ int pair_verb(const Options& o) {
 }
 
 int contact_verb(const Options& o) {
-  auto solved = solve_file(o, Scope::pair);
-  if (!solved) return fail(o, solved.error());
+  Door door(o);
+  auto solved = door.solve(Scope::pair);
+  if (!solved) return door.fail(solved.error());
   SolvedJob job = std::move(solved).take();
   const auto answer = watched("contact", [&](Headway* h) { return answer_contact(job, h); });
-  if (!answer) return fail(o, answer.error(), job.spec.given);
+  if (!answer) return door.fail(answer.error());
   const Verdict verdict = judge(job, &answer->driving);
-  if (o.json) {
+  if (o.csv) {
+    print(contact_csv(job, *answer));
+  } else if (o.json) {
     print_json(contact_json(job, *answer));
   } else {
     print(contact_listing(job, *answer) + warning_listing(job.warnings) + verdict_listing(verdict));
@@ -225,11 +264,12 @@ int contact_verb(const Options& o) {
 }
 
 int compensate_verb(const Options& o) {
-  auto solved = solve_file(o, Scope::pair);
-  if (!solved) return fail(o, solved.error());
+  Door door(o);
+  auto solved = door.solve(Scope::pair);
+  if (!solved) return door.fail(solved.error());
   SolvedJob job = std::move(solved).take();
   const auto answer = watched("compensate", [&](Headway* h) { return answer_compensate(job, h); });
-  if (!answer) return fail(o, answer.error(), job.spec.given);
+  if (!answer) return door.fail(answer.error());
   if (o.spec_only) {
     if (o.json) {
       print_json(parse_json(answer->corrected));
@@ -246,15 +286,18 @@ int compensate_verb(const Options& o) {
 }
 
 int outline_verb(const Options& o) {
-  const auto job = solve_file(o, Scope::gears);
-  if (!job) return fail(o, job.error());
+  Door door(o);
+  const auto job = door.solve(Scope::gears);
+  if (!job) return door.fail(job.error());
   const int which = o.gear.value_or(1);
   if (which > static_cast<int>(job->gears.size())) {
-    return fail(o, {"gear2", "", "is missing from the spec, --gear 2 asks for its outline"});
+    return door.fail({"gear2", "", "is missing from the spec, --gear 2 asks for its outline"});
   }
   const auto body = make_body(*job, which, false);
-  if (!body) return fail(o, body.error(), job->spec.given);
-  if (o.json) {
+  if (!body) return door.fail(body.error());
+  if (o.csv) {
+    print(outline_csv(body->outline, o.points));
+  } else if (o.json) {
     Json j = outline_json(body->outline, o.points);
     j["warnings"] = warnings_json(job->warnings);
     print_json(j);
@@ -265,37 +308,46 @@ int outline_verb(const Options& o) {
 }
 
 int run_verb(const Options& o) {
-  if (o.out.empty() && fs::exists(o.spec) && !fs::is_regular_file(o.spec) &&
-      !fs::is_directory(o.spec)) {
+  if (o.out && o.out->empty()) return usage("--out needs the name of a folder");
+  const bool nameless = o.spec == "-" || (fs::exists(o.spec) && !fs::is_regular_file(o.spec) &&
+                                          !fs::is_directory(o.spec));
+  if (!o.out && nameless) {
     return usage("the spec has no name to call the folder after: choose it with --out DIR");
   }
-  auto solved = solve_file(o, Scope::everything);
-  if (!solved) return fail(o, solved.error());
+  FileOptions options = file_options(o);
+  if (o.only) {
+    const auto parts = run_parts(*o.only);
+    if (!parts) {
+      return usage(fmt::format("--only takes some of {}, with commas between: --only step,report",
+                               fmt::join(kRunParts, ", ")));
+    }
+    options.only = *parts;
+  }
+  Door door(o);
+  auto solved = door.solve(Scope::everything);
+  if (!solved) return door.fail(solved.error());
   SolvedJob job = std::move(solved).take();
-  fs::path out = o.out;
+  fs::path out = o.out.value_or("");
   if (out.empty()) {
     out = fs::path(o.spec);
     if (out.extension() == ".toml" || out.extension() == ".json") out.replace_extension();
     out += "_out";
   }
-  const auto files = watched("run", [&](Headway* h) {
-    FileOptions options = file_options(o);
+  const auto made = watched("run", [&](Headway* h) {
     options.headway = h;
     return write_everything(job, out, options);
   });
-  if (!files) return fail(o, files.error(), job.spec.given);
-  // As in result.json, which comes first, with all the files.
-  Json j = parse_json(files->front().bytes);
-  const auto level = j["verdict"]["level"].get<std::string>();
+  if (!made) return door.fail(made.error());
   if (o.json) {
-    j["files"] = files_json(*files);
+    // As in result.json, with all the files.
+    Json j = parse_json(made->result);
+    j["files"] = files_json(made->files);
     print_json(j);
   } else {
     print(gear_listing(job) + pair_listing_of(job) + warning_listing(job.warnings) +
-          file_listing(*files) +
-          verdict_listing(level, j["verdict"]["headline"].get<std::string>()));
+          file_listing(made->files) + verdict_listing(made->verdict));
   }
-  return o.strict && level != to_string(Level::green) ? 4 : 0;
+  return status(o, made->verdict);
 }
 
 int export_verb(const Options& o) {
@@ -310,17 +362,18 @@ int export_verb(const Options& o) {
   if (const std::string name = collision(o); !name.empty()) {
     return usage(name + " is named twice, or is the spec itself");
   }
-  const auto job = solve_file(o, o.gear ? Scope::gears : Scope::everything);
-  if (!job) return fail(o, job.error());
+  Door door(o);
+  const auto job = door.solve(o.gear ? Scope::gears : Scope::everything);
+  if (!job) return door.fail(job.error());
   const int count = static_cast<int>(job->gears.size());
   if (o.gear && *o.gear > count) {
-    return fail(o, {"gear2", "", "is missing from the spec, --gear 2 asks for its files"});
+    return door.fail({"gear2", "", "is missing from the spec, --gear 2 asks for its files"});
   }
   std::vector<ToothedBody> bodies;
   for (int which = 1; which <= count; ++which) {
     if (o.gear && *o.gear != which) continue;
     auto body = make_body(*job, which, !o.gear);
-    if (!body) return fail(o, body.error(), job->spec.given);
+    if (!body) return door.fail(body.error());
     bodies.push_back(std::move(body).take());
   }
   std::vector<JobFile> files;
@@ -328,7 +381,7 @@ int export_verb(const Options& o) {
   for (const auto& [kind, path] : wanted) {
     if (path->empty()) continue;
     auto file = make_file(kind, bodies, *path, options);
-    if (!file) return fail(o, file.error(), job->spec.given);
+    if (!file) return door.fail(file.error());
     files.push_back(std::move(file).take());
   }
   write_files(files);
@@ -351,7 +404,7 @@ int verify_verb(const Options& o) {
     if (!outcomes) {
       Error error = outcomes.error();
       error.rule = fmt::format("{} (in {})", error.rule, path);
-      return fail(o, error);
+      return fail(error, o.json);
     }
     for (const CaseOutcome& c : *outcomes) {
       ++cases;

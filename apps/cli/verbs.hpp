@@ -11,7 +11,9 @@ struct Options {
   std::string spec;
   bool json = false;
   bool strict = false;  // a verdict that is not green ends in status 4
-  std::string out;
+  bool csv = false;
+  std::optional<std::string> out;
+  std::optional<std::string> only;  // of run: words of kRunParts
   std::optional<int> gear;
   int points = 50;
   std::string step, stl, glb, threemf, dxf, svg;
@@ -23,6 +25,9 @@ struct Options {
   std::optional<int> take;             // of fit: the branch whose spec is printed
   bool spec_only = false;              // of compensate: print the corrected spec
   std::string schema;                  // of schema: of what
+  std::string shell;                   // of completion
+  std::vector<std::string> words;      // of batch: a verb, a file
+  int threads = 0;                     // of batch; 0: all
 };
 
 // All throw IoError when the outside world fails.

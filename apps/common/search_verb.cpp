@@ -26,7 +26,8 @@ CLI::App* add_search(CLI::App& app, SearchCommand& c) {
       "  gearwright search examples/gearbox_search.toml --take 1 > pair.toml\n"
       "  gearwright search wide.toml --out wide --shard 3/8     on each of eight machines");
   sub->add_flag("--json", c.json, "Print one JSON object to stdout and nothing else");
-  sub->add_option("SPEC", c.spec, "The spec file: TOML, or JSON if its name ends in .json")
+  sub->add_option("SPEC", c.spec,
+                  "The spec file: TOML, or JSON if its name ends in .json; -: standard input")
       ->required();
   sub->add_option("--out", c.out,
                   "Folder for search.parquet, best.csv, search.json, report.html, and for the "
@@ -170,13 +171,15 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
   }
   if (together && !c.out)
     return wrong("a search of several ranks needs --out DIR, where they meet");
-  const auto spec = read_spec_file(c.spec);
-  if (!spec) return speaks ? fail(spec.error(), c.json) : 1;
+  const auto text = read_spec_text(c.spec);
+  if (!text) return speaks ? fail(text.error(), c.json) : 1;
+  const auto spec = read_spec(*text);
+  if (!spec) return speaks ? fail(spec.error(), c.json, &*text) : 1;
   if (!spec->search) {
     const Error error{"search", "",
                       "is missing; a search needs a table [search] with at least ratio, "
                       "modules_mm and pinion_teeth"};
-    return speaks ? fail(error, c.json) : 1;
+    return speaks ? fail(error, c.json, &*text) : 1;
   }
   const Search search(*spec->search);
   options.out = c.out.value_or("");
@@ -204,7 +207,7 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
   const auto run = run_search(*spec, search, options);
-  if (!run) return speaks ? fail(spelled(run.error(), spec->given), c.json) : 1;
+  if (!run) return speaks ? fail(spelled(run.error(), spec->given), c.json, &*text) : 1;
   for (const std::string& note : run->notes) std::fprintf(stderr, "gearwright: %s\n", note.c_str());
   if (!run->finished) return speaks ? say_unfinished(c, *run) : run->stopped ? 3 : 0;
   if (c.take) return take_one(c, *spec, search, *run);

@@ -5,6 +5,7 @@
 
 #include "gearwright/base/result.hpp"
 #include "gearwright/spec/json.hpp"
+#include "gearwright/spec/spec_text.hpp"
 
 namespace gearwright::cli {
 
@@ -14,7 +15,8 @@ void print(const std::string& text);
 void print_json(const Json& j);
 /// The input is wrong or the gears are impossible: says so, as JSON too if asked; status 1. What
 /// the library says is spelled (catalogue/spelling.hpp) before, what is read from a file is not.
-int fail(const Error& error, bool json);
+/// `text`: the spec that the error is about, whose name and line are told too.
+int fail(const Error& error, bool json, const SpecText* text = nullptr);
 /// The command line is wrong: status 2.
 int usage(const std::string& message);
 

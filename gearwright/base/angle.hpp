@@ -15,7 +15,15 @@ class Angle {
   static constexpr Angle degrees(double value) { return Angle(value * kRadPerDeg); }
   static constexpr Angle arcseconds(double value) { return Angle(value * kRadPerArcsec); }
   constexpr double rad() const { return rad_; }
-  constexpr double deg() const { return rad_ * kDegPerRad; }
+  /// Degrees of at most ten decimals come back as they were given: 60° are not 59.99999999999999°.
+  constexpr double deg() const {
+    constexpr double kDecimals = 1e10;
+    const double x = rad_ * kDegPerRad;
+    if (!(x > -1e5 && x < 1e5) || x == 0.0) return x;  // 1e15 units are counted exactly
+    const double units = x * kDecimals + (x < 0.0 ? -0.5 : 0.5);
+    const double given = static_cast<double>(static_cast<long long>(units)) / kDecimals;
+    return given * kRadPerDeg == rad_ ? given : x;
+  }
   constexpr double arcsec() const { return rad_ * kArcsecPerRad; }
   constexpr Angle operator-() const { return Angle(-rad_); }
   friend constexpr Angle operator+(Angle a, Angle b) { return Angle(a.rad_ + b.rad_); }

@@ -100,5 +100,20 @@ TEST(Angle, DegreesAndRadiansAreOneThing) {
   }
 }
 
+TEST(Angle, degrees_of_ten_decimals_come_back_as_they_were_given) {
+  for (const double step : {1.0, 0.1, 1e-3, 1e-7, 1e-10}) {
+    for (int k = -720; k <= 720; ++k) {
+      const double given = std::round(k * step * 1e10) / 1e10;
+      EXPECT_EQ(Angle::degrees(given).deg(), given);
+    }
+  }
+  EXPECT_EQ(Angle::degrees(60).deg(), 60);
+  // Others to the last bit but one, and what is no number of degrees stays what it is.
+  EXPECT_NEAR(Angle::degrees(12.345678901234567).deg(), 12.345678901234567, 2e-15);
+  EXPECT_TRUE(std::isnan(Angle::radians(std::nan("")).deg()));
+  EXPECT_TRUE(std::signbit(Angle::radians(-0.0).deg()));
+  EXPECT_EQ(Angle::degrees(1e300).deg(), 1e300 * kRadPerDeg * kDegPerRad);
+}
+
 }  // namespace
 }  // namespace gearwright

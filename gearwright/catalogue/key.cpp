@@ -14,6 +14,8 @@ namespace {
 // Ends of keys that say a unit.
 constexpr std::array<std::string_view, 6> kUnits{"mm", "deg", "um", "per_in", "arcsec", "rpm"};
 
+}  // namespace
+
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -28,8 +30,6 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   }
   return row[b.size()];
 }
-
-}  // namespace
 
 bool KeyRange::limited() const { return std::isfinite(lo) || std::isfinite(hi) || !zero; }
 

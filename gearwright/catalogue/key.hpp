@@ -161,6 +161,7 @@ struct Key {
   /// The members it sets, as errors name them; none: what its name says, "helix_angle" of
   /// helix_angle_deg.
   std::vector<std::string> fields{};
+  std::vector<std::string_view> also{};  ///< what people write for it: "module", "dp"
 
   /// `fields`, or the one of the name.
   std::vector<std::string> members() const;
@@ -184,6 +185,9 @@ std::string form_of(const Key& key);
 
 /// A meaning without what only documents show: backticks and numbers of equations.
 std::string plain_words(std::string_view meaning);
+
+/// Letters to add, drop or exchange.
+std::size_t edit_distance(std::string_view a, std::string_view b);
 
 /// The word of `known` with the least edit distance to `word`; empty when `known` is.
 std::string nearest_word(const std::string& word, const std::vector<std::string>& known);

@@ -17,7 +17,17 @@ struct PairInput {
   bool shorten_tips = false;  ///< tips cut back by k m_n, where no tip diameter is given
   std::optional<double> friction_coefficient;  ///< μ
   std::optional<double> speed_rpm;             ///< n_1  1/min
+  // The backlash that the teeth are thinned for, said in one of three ways.
+  std::optional<double> backlash;                  ///< j_n  mm, normal
+  std::optional<double> backlash_circumferential;  ///< j_t  mm, at gear 1's working pitch circle
+  std::optional<Angle> backlash_angle;             ///< of gear 1, gear 2 held
+  double backlash_split = 0.5;                     ///< gear 1's share of it
 };
+
+/// Whether the teeth are to be thinned for a backlash.
+inline bool wants_backlash(const PairInput& pair) {
+  return pair.backlash || pair.backlash_circumferential || pair.backlash_angle;
+}
 
 const KeyTable& pair_keys();
 

@@ -125,11 +125,13 @@ Json required(std::initializer_list<const char*> keys) { return {{"required", ke
 // Beside [search] a gear may leave its teeth to it; else it is whole, and there is one at least.
 Json gears_or_search() {
   const Json whole{{"$ref", "#/$defs/whole_gear"}};
+  const Json second = required({"teeth"});  // it has the rest from the first
   const Json either{{"anyOf", {whole, reference(blank_keys())}}};
+  const Json either_second{{"anyOf", {second, reference(blank_keys())}}};
   Json alone = required({"gear1"});
-  alone["properties"] = {{"gear1", whole}, {"gear2", whole}};
+  alone["properties"] = {{"gear1", whole}, {"gear2", second}};
   return {{"if", required({"search"})},
-          {"then", {{"properties", {{"gear1", either}, {"gear2", either}}}}},
+          {"then", {{"properties", {{"gear1", either}, {"gear2", either_second}}}}},
           {"else", std::move(alone)}};
 }
 

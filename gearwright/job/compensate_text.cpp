@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "gearwright/base/printable.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/job/listing.hpp"
@@ -45,7 +46,7 @@ Json compensate_json(const SolvedJob& job, const CompensateAnswer& a) {
 
 std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) {
   std::string out;
-  if (!job.spec.title.empty()) out += job.spec.title + "\n";
+  if (!job.spec.title.empty()) out += printable(job.spec.title) + "\n";
   const auto head = [&](const char* text) { out += fmt::format("\n{}\n", text); };
   const auto row = [&](const std::string& what, const std::string& value) {
     out += fmt::format("  {:<44}{}\n", what, value);

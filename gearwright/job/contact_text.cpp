@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "gearwright/base/printable.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
 #include "gearwright/job/judgement.hpp"
@@ -51,10 +52,15 @@ std::string kinds_of(const ContactResult& result) {
 
 }  // namespace
 
+ValueRecord contact_record(const SolvedJob& job, const ContactAnswer& answer) {
+  // The record's getters look at the view, its values do not.
+  return contact_quantities().of(view_of(job, answer));
+}
+
 Json contact_json(const SolvedJob& job, const ContactAnswer& answer) {
   Json j;
   if (!job.spec.title.empty()) j["title"] = job.spec.title;
-  j["contact"] = to_json(contact_quantities().of(view_of(job, answer)));
+  j["contact"] = to_json(contact_record(job, answer));
   j["warnings"] = warnings_json(job.warnings);
   j["verdict"] = verdict_json(judge(job, &answer.driving));
   return j;
@@ -63,9 +69,8 @@ Json contact_json(const SolvedJob& job, const ContactAnswer& answer) {
 std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
   const ContactResult& r = answer.driving;
   std::string out;
-  if (!job.spec.title.empty()) out += job.spec.title + "\n";
-  out += quantity_listing(contact_quantities().table(),
-                          {contact_quantities().of(view_of(job, answer))}, {});
+  if (!job.spec.title.empty()) out += printable(job.spec.title) + "\n";
+  out += quantity_listing(contact_quantities().table(), {contact_record(job, answer)}, {});
   const auto row = [&](const char* what, const std::string& value) {
     out += fmt::format("  {:<42}{}\n", what, value);
   };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
@@ -21,6 +22,7 @@
 #include "gearwright/job/contact_text.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/job/run_folder.hpp"
 #include "gearwright/job/value_json.hpp"
 #include "gearwright/report/report.hpp"
 
@@ -161,7 +163,7 @@ Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
     return make_drawing(kind, bodies, path, options);
   if (kind != FileKind::step) return make_mesh(kind, bodies, path, options);
   if (!options.step) {
-    return Error{"", "", "this build of gearwright has no STEP: it was configured without OCCT"};
+    return Error{"", "", "this gearwright has no STEP: it was built, or installed, without OCCT"};
   }
   for (const ToothedBody& body : bodies) {
     if (const auto walls = make_walls(body); !walls) return of_body(walls.error(), body.name);
@@ -177,14 +179,21 @@ void write_files(const std::vector<JobFile>& files) {
   for (const JobFile& f : files) write_file(f.path, f.bytes);
 }
 
-Result<std::vector<JobFile>> write_everything(SolvedJob& job, const fs::path& folder,
-                                              const FileOptions& options) {
+Result<RunFiles> write_everything(SolvedJob& job, const fs::path& folder,
+                                  const FileOptions& options) {
   std::vector<JobFile> files;
   std::vector<ToothedBody> mounted;
   const auto contact = contact_part(job, options.headway);
   if (!contact) return contact.error();
   const auto compensation = compensation_part(job, options.headway);
   if (!compensation) return compensation.error();
+  const auto wanted = [&](std::string_view part) {
+    return options.only.empty() ||
+           std::find(options.only.begin(), options.only.end(), part) != options.only.end();
+  };
+  const auto skipped = [&](FileKind kind) {
+    return !wanted(ending(kind).substr(1)) || (kind == FileKind::step && !options.step);
+  };
   const auto make = [&](FileKind kind, const std::vector<ToothedBody>& bodies,
                         const std::string& name) {
     auto file = make_file(kind, bodies, folder / (name + std::string(ending(kind))), options);
@@ -201,20 +210,21 @@ Result<std::vector<JobFile>> write_everything(SolvedJob& job, const fs::path& fo
     }
     for (FileKind kind :
          {FileKind::stl, FileKind::threemf, FileKind::dxf, FileKind::svg, FileKind::step}) {
-      if (kind == FileKind::step && !options.step) continue;
+      if (skipped(kind)) continue;
       if (const auto error = make(kind, {*body}, gear_name(which))) return *error;
     }
     if (job.pair) mounted.push_back(make_body(job, which, true).value());
   }
   if (mounted.size() == 2) {
     for (FileKind kind : {FileKind::step, FileKind::glb}) {
-      if (kind == FileKind::step && !options.step) continue;
+      if (skipped(kind)) continue;
       if (const auto error = make(kind, mounted, "pair")) return *error;
     }
   }
-  if (!options.step) {
+  if (!options.step && wanted("step")) {
     job.warnings.push_back(
-        {"no_step", "This build has no STEP: it was configured without OCCT.", 0});
+        {"no_step",
+         "There are no STEP files: this gearwright was built, or installed, without OCCT.", 0});
   }
 
   ReportInput report;
@@ -227,22 +237,29 @@ Result<std::vector<JobFile>> write_everything(SolvedJob& job, const fs::path& fo
   report.files = report_files(files);
   report.spec_text = job.spec.text;
   report.version = kVersion;
-  files.insert(files.begin(), {folder / "report.html", "report", std::nullopt,
-                               "one self-contained page", report_html(report)});
+  std::vector<JobFile> all;
+  if (wanted("report")) {
+    all.push_back({folder / "report.html", "report", std::nullopt, "one self-contained page",
+                   report_html(report)});
+  }
+  std::move(files.begin(), files.end(), std::back_inserter(all));
   Json result = job_json(job);
   if (*contact) result["contact"] = contact_json(job, contact.value()->answer)["contact"];
   if (*compensation) result["compensate"] = to_json(compensate_quantities().of(**compensation));
   result["verdict"] = verdict_json(report.verdict);
-  result["files"] = files_json(files);
-  files.insert(files.begin(), {folder / "result.json", "result", std::nullopt,
-                               "every number, as JSON", json_text(result, 2) + "\n"});
+  result["files"] = files_json(all);
+  const std::string text = json_text(result, 2) + "\n";
+  if (wanted("result")) {
+    all.insert(all.begin(),
+               {folder / "result.json", "result", std::nullopt, "every number, as JSON", text});
+  }
 
   if (options.headway) options.headway->begin_writing();
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw IoError("cannot make the folder " + folder.string() + ": " + error.message());
-  write_files(files);
-  return files;
+  write_run(folder, all);
+  return RunFiles{std::move(all), text, std::move(report.verdict)};
 }
 
 }  // namespace gearwright

@@ -4,6 +4,7 @@
 // in.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "gearwright/cad/step.hpp"
 #include "gearwright/cad/toothed_body.hpp"
 #include "gearwright/job/solved_job.hpp"
+#include "gearwright/verdict/verdict.hpp"
 
 namespace gearwright {
 
@@ -31,7 +33,12 @@ struct FileOptions {
   double mesh_tolerance_mm = 0.005;     ///< of STL, GLB, 3MF
   double drawing_tolerance_mm = 0.001;  ///< of DXF as arcs
   bool drawing_splines = false;         ///< DXF as splines instead of arcs
+  std::vector<std::string> only{};      ///< of `run`: words of kRunParts; empty: everything
 };
+
+/// What `run` makes: kinds of files by their endings, the report, the result.
+inline constexpr std::array<std::string_view, 8> kRunParts{"result", "report", "step", "stl",
+                                                           "glb",    "3mf",    "dxf",  "svg"};
 
 struct JobFile {
   std::filesystem::path path;
@@ -62,9 +69,16 @@ Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
 /// Writes them, each whole or not at all.   Throws  IoError
 void write_files(const std::vector<JobFile>& files);
 
-/// `run`: everything that applies, into `folder`: result.json, report.html, gear1.*, gear2.*,
-/// pair.* Gears without an outline get a warning in the job instead of files.
-Result<std::vector<JobFile>> write_everything(SolvedJob& job, const std::filesystem::path& folder,
-                                              const FileOptions& options);
+struct RunFiles {
+  std::vector<JobFile> files;
+  std::string result;  ///< result.json, written or not
+  Verdict verdict;
+};
+
+/// `run`: everything that applies, or what `only` names, into `folder`: result.json, report.html,
+/// gear1.*, gear2.*, pair.* Gears without an outline get a warning in the job instead of files.
+/// What a former run left there and this one does not write is removed (run_folder.hpp).
+Result<RunFiles> write_everything(SolvedJob& job, const std::filesystem::path& folder,
+                                  const FileOptions& options);
 
 }  // namespace gearwright

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "gearwright/base/printable.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
@@ -72,7 +73,7 @@ std::string gear_listing(const SolvedJob& job) {
   std::vector<ValueRecord> records;
   for (const Gear& g : job.gears) records.push_back(gear_quantities().of(g));
   const std::string& title = job.spec.title;
-  return (title.empty() ? "" : "\n" + title + "\n") +
+  return (title.empty() ? "" : "\n" + printable(title) + "\n") +
          quantity_listing(gear_quantities().table(), records, gear_columns(records.size()));
 }
 
@@ -99,7 +100,7 @@ std::string file_listing(const std::vector<JobFile>& files) {
   for (const JobFile& f : files) {
     std::string note = f.note;
     if (f.deviation_mm) note += fmt::format(", within {:.2g} µm", *f.deviation_mm * kUmPerMm);
-    out += "  " + pad(f.path.string(), 44) + "  " + pad(f.what, 14) + note + "\n";
+    out += "  " + pad(printable(f.path.string()), 44) + "  " + pad(f.what, 14) + note + "\n";
   }
   return out;
 }

@@ -114,7 +114,13 @@ Json search_schema(Schema& schema) {
 Json error_schema() {
   const Json text{{"type", "string"}};
   return {{"type", "object"},
-          {"properties", {{"key", text}, {"value", text}, {"message", text}}},
+          {"properties",
+           {{"key", text},
+            {"value", text},
+            {"message", text},
+            {"file", text},
+            {"line", {{"type", "integer"}}},
+            {"column", {{"type", "integer"}}}}},
           {"required", {"key", "value", "message"}},
           {"additionalProperties", false}};
 }

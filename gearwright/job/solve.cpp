@@ -9,6 +9,7 @@
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/gear/ring_cutter.hpp"
+#include "gearwright/job/backlash_thinning.hpp"
 #include "gearwright/job/cut_gears.hpp"
 #include "gearwright/job/solve_arcs.hpp"
 
@@ -20,6 +21,13 @@ Error of_given_gear(Error error, const JobSpec& spec, int which) {
   const GearInput& gear = *spec.gears[static_cast<std::size_t>(which - 1)];
   const bool own =
       error.field == "face_width" || error.field == "tip_diameter" || error.field == "teeth";
+  if (error.field == "tip_diameter" && !gear.cylindrical.tip_diameter) {
+    // Nobody gave it: it follows from the shift, or from the rack alone.
+    const std::string from = gear.profile_shift ? "profile_shift" : "rack.addendum";
+    const double value = gear.profile_shift.value_or(addendum_of(gear.cylindrical.rack));
+    return following_from(gear_field(which, from), spoken(value), "it asks for",
+                          of_gear(which, std::move(error)));
+  }
   if (!gear.basic || own) return of_gear(which, std::move(error));
   return following_from(gear_field(which, "basic"), "",
                         fmt::format("on the rack of {:.6g}° that describes this gear",
@@ -146,6 +154,28 @@ std::optional<Error> needs_one_rack(const JobSpec& spec, bool shift_wanted) {
   return std::nullopt;
 }
 
+// Two helices of one hand and angle cross at twice that angle; who gives no shaft angle has
+// forgotten a sign more often than meant it.
+std::optional<Error> check_hands(const JobSpec& spec) {
+  if (spec.pair.shaft_angle) return std::nullopt;
+  const CylindricalSpec& c1 = spec.gears[0]->cylindrical;
+  const CylindricalSpec& c2 = spec.gears[1]->cylindrical;
+  const double b1 = c1.helix_angle.deg();
+  const double b2 = c2.helix_angle.deg();
+  const bool one_angle = b1 != 0.0 && std::abs(b1 - b2) <= 1e-9 * std::abs(b1);
+  if (!one_angle || c1.teeth < 0 || c2.teeth < 0) return std::nullopt;
+  // Nobody slips who gives base cylinders, which have no helix angle to turn round.
+  if (spec.gears[0]->basic || spec.gears[1]->basic) return std::nullopt;
+  const std::string opposite =
+      spec.given.contains("gear2.hand")
+          ? fmt::format("`gear2.hand` = \"{}\"", b2 > 0.0 ? "left" : "right")
+          : fmt::format("`gear2.helix_angle` = {}", spoken(-b2));
+  return refused("gear2.helix_angle", b2,
+                 fmt::format("is of the hand of gear 1. On parallel shafts the hands are opposite, "
+                             "{}; if the shafts are to cross, say so: `pair.shaft_angle` = {}",
+                             opposite, spoken(2 * b2)));
+}
+
 // The place of the pair, after its shifts: absent distance and angle follow from the teeth.
 Result<PairPlace> place_of(const JobSpec& spec) {
   return complete_place(nominal_base_pair(spec.gears[0]->cylindrical, spec.gears[1]->cylindrical),
@@ -155,6 +185,7 @@ Result<PairPlace> place_of(const JobSpec& spec) {
 // Completes shifts and place of a spec with two gears; `shift_wanted`: one or both are absent and
 // follow from the centre distance.
 Result<PairPlace> complete_pair(JobSpec& spec, bool shift_wanted) {
+  if (auto error = check_hands(spec)) return *error;
   if (auto error = check_partners(spec.gears[0]->cylindrical, spec.gears[1]->cylindrical,
                                   spec.pair.shaft_angle)) {
     return *error;
@@ -238,9 +269,18 @@ void spell_warnings(SolvedJob& job) {
     w.message = spelled(w.message, job.spec.given, w.gear == 0 ? "" : gear_field(w.gear));
 }
 
-}  // namespace
+// What nobody said may be what the verb fit is to find: the place, helices, shifts.
+bool asks_for_a_fit(const JobSpec& spec, const Error& error) {
+  if (!spec.gears[0] || !spec.gears[1]) return false;
+  const bool found_by_fit = error.field.starts_with("pair.") ||
+                            error.field.ends_with(".helix_angle") ||
+                            error.field.ends_with(".profile_shift");
+  if (!found_by_fit) return false;
+  const bool helices = spec.gears[0]->helix_given || spec.gears[1]->helix_given;
+  return spec.given.contains("fit") || (spec.pair.shaft_angle && !helices);
+}
 
-Result<SolvedJob> solve(const JobSpec& given, Scope scope) {
+Result<SolvedJob> solve_as_given(const JobSpec& given, Scope scope) {
   if (!given.gears[0]) {
     return Error{"gear1.teeth", "",
                  "is missing; the spec describes a search. gearwright search finds the "
@@ -272,10 +312,16 @@ Result<SolvedJob> solve(const JobSpec& given, Scope scope) {
   std::optional<PairPlace> place;
   const bool shift_wanted = two && spec.pair.center_distance &&
                             (!spec.gears[0]->profile_shift || !spec.gears[1]->profile_shift);
-  if (two && !arcs && (want_pair || shift_wanted || clear_tips || spec.pair.shorten_tips)) {
+  if (two && !arcs &&
+      (want_pair || shift_wanted || clear_tips || spec.pair.shorten_tips ||
+       wants_backlash(spec.pair))) {
     auto completed = complete_pair(spec, shift_wanted);
     if (!completed) return of_basic(completed.error(), spec);
     place = *completed;
+  }
+  if (two && wants_backlash(spec.pair)) {
+    auto thinned = thin_for_backlash(spec, place, job.warnings);
+    if (thinned) return of_basic(of_distance(*thinned, spec), spec);
   }
   if (clear_tips) {
     const bool parallel = place && place->shaft_angle.value_or(Angle()).rad() == 0.0;
@@ -310,6 +356,18 @@ Result<SolvedJob> solve(const JobSpec& given, Scope scope) {
   collect_warnings(job);
   spell_warnings(job);
   return job;
+}
+
+}  // namespace
+
+Result<SolvedJob> solve(const JobSpec& given, Scope scope) {
+  auto job = solve_as_given(given, scope);
+  if (job || !asks_for_a_fit(given, job.error())) return job;
+  Error error = job.error();
+  error.rule +=
+      ". The spec leaves numbers to be found: gearwright fit finds them, and its --take 1 writes "
+      "the pair that this verb takes";
+  return error;
 }
 
 }  // namespace gearwright

@@ -8,8 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/job/fit_answer.hpp"
-#include "gearwright/job/measures.hpp"
+#include "gearwright/job/answers.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
@@ -72,22 +71,6 @@ std::string compare(const std::string& path, const Json* got, const Json& want,
 
 Error malformed(const std::string& id, const std::string& why) { return {id, "", why}; }
 
-// What the verb prints with --json.
-Result<Json> answer(const std::string& verb, const JobSpec& spec) {
-  if (verb == "fit") {
-    const auto found = answer_fit(spec);
-    if (!found) return found.error();
-    return fit_json(*found);
-  }
-  auto solved = solve(spec, verb == "pair" ? Scope::pair : Scope::gears);
-  if (!solved) return solved.error();
-  SolvedJob job = std::move(solved).take();
-  if (verb != "measure") return job_json(job);
-  const auto measures = chord_measures(job);
-  if (!measures) return measures.error();
-  return measures_json(job, *measures);
-}
-
 Result<CaseOutcome> run_case(const Json& c) {
   const std::string id = c.value("id", std::string("without id"));
   if (!c.contains("spec") || !c["spec"].is_object())
@@ -102,7 +85,7 @@ Result<CaseOutcome> run_case(const Json& c) {
     return malformed(id, fmt::format("verb \"{}\": gear, pair, measure or fit", verb));
 
   const auto spec = read_spec(json_text(c["spec"]), SpecFormat::json);
-  const auto answered = spec ? answer(verb, *spec) : Result<Json>(spec.error());
+  const auto answered = spec ? answer_json(verb, *spec) : Result<Json>(spec.error());
   const Json result = answered ? *answered
                       : spec   ? error_json(spelled(answered.error(), spec->given))
                                : error_json(answered.error());

@@ -11,12 +11,20 @@ namespace gearwright {
 
 namespace {
 
+// Where a default is the full radius, rounding of the last digits may not push it out of the tip.
+constexpr double kInside = 1.0 - 1e-12;
+
 ArcRack read_F_or_P(TableReader& t) {
   const auto cutter = t.word("cutter");
   ArcRack rack =
       default_arc_rack(cutter && *cutter == "P" ? ArcRack::Cutter::P : ArcRack::Cutter::F);
   t.read(rack);
   t.finish();
+  if (!t.has("root_fillet_radius")) {
+    const double greatest = full_radius(rack);
+    if (greatest >= 0.0 && greatest < rack.root_fillet_radius)
+      rack.root_fillet_radius = greatest * kInside;
+  }
   return rack;
 }
 

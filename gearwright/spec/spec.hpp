@@ -20,13 +20,14 @@
 #include "gearwright/catalogue/pair_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/design/search_problem.hpp"
+#include "gearwright/spec/spec_text.hpp"
 
 namespace gearwright {
 
 struct JobSpec {
   std::string text;  ///< the spec as read, for the report
-  std::string tree;  ///< the same as a tree of tables, in JSON
-  GivenKeys given;   ///< the paths of its keys
+  std::string tree;  ///< the same as a tree of tables, in JSON, with what gear 2 has from gear 1
+  GivenKeys given;   ///< the paths of the keys in the text
   std::string title;
   std::array<std::optional<GearInput>, 2> gears;  ///< without the first only beside a search
   PairInput pair;
@@ -39,8 +40,6 @@ struct JobSpec {
   std::vector<std::string> not_read;  ///< tables and keys of verbs that are not in this version
 };
 
-enum class SpecFormat { toml, json };
-
 /// Reads a spec from text. File names in it start at `folder`; empty: the working directory.
 ///
 /// Throws    IoError when a file that it names is there and cannot be read
@@ -49,13 +48,9 @@ enum class SpecFormat { toml, json };
 Result<JobSpec> read_spec(std::string_view text, SpecFormat format,
                           const std::filesystem::path& folder = {});
 
-/// Reads a spec file; JSON when its name ends in .json. File names in it start at its folder, those
-/// of a pipe at the working directory.
-///
-/// Throws    IoError when the file cannot be read
-/// Errors    as read_spec; files over kMaxSpec bytes are refused unread
-Result<JobSpec> read_spec_file(const std::filesystem::path& path);
+Result<JobSpec> read_spec(const SpecText& text);
 
-constexpr std::size_t kMaxSpec = 4 << 20;  ///< bytes: no drawing has that many numbers
+/// Both at once: read_spec_text() and what it says.
+Result<JobSpec> read_spec_file(const std::filesystem::path& path);
 
 }  // namespace gearwright

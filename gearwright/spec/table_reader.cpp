@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/catalogue/key_hint.hpp"
+
 namespace gearwright {
 
 namespace {
@@ -17,37 +19,6 @@ std::string missing(const Key& key) {
 }
 
 }  // namespace
-
-std::string printable(const std::string& text, std::size_t most) {
-  std::string out;
-  for (std::size_t i = 0; i < text.size() && out.size() < most; ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    if (byte < 0x20 || byte == 0x7F) {
-      out += fmt::format("\\x{:02x}", byte);
-      continue;
-    }
-    // A whole character or nothing: its length stands in the first byte (UTF-8).
-    const std::size_t length = byte < 0x80   ? 1
-                               : byte < 0xC0 ? 0
-                               : byte < 0xE0 ? 2
-                               : byte < 0xF0 ? 3
-                                             : 4;
-    if (length == 0 || i + length > text.size()) {
-      out += fmt::format("\\x{:02x}", byte);
-      continue;
-    }
-    bool whole = true;
-    for (std::size_t k = 1; k < length; ++k)
-      whole = whole && (static_cast<unsigned char>(text[i + k]) & 0xC0) == 0x80;
-    if (whole) {
-      out += text.substr(i, length);
-      i += length - 1;
-    } else {
-      out += fmt::format("\\x{:02x}", byte);
-    }
-  }
-  return out.size() < most ? out : out + "...";
-}
 
 std::string shown(const Json& value) {
   if (value.is_number_float()) return fmt::format("{}", value.get<double>());  // nan and inf too
@@ -202,8 +173,7 @@ void TableReader::refuse_unknown() const {
     const std::string where = path_.empty() ? "the file" : fmt::format("[{}]", path_);
     const std::string called = printable(key, 60);
     throw SpecError{{name(called), shown(value),
-                     fmt::format("unknown key in {}; the nearest known one is {}", where,
-                                 nearest_word(key, keys_.names()))}};
+                     fmt::format("unknown key in {}; {}", where, key_hint(keys_, path_, key))}};
   }
 }
 

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/base/printable.hpp"
 #include "gearwright/base/result.hpp"
 #include "gearwright/catalogue/key.hpp"
 #include "gearwright/spec/json.hpp"
@@ -74,10 +75,6 @@ class TableReader {
   std::string path_;
   std::set<std::string, std::less<>> asked_;
 };
-
-/// Text that may stand in a sentence: control characters escaped, cut at a character after `most`
-/// bytes.
-std::string printable(const std::string& text, std::size_t most);
 
 /// A value as a person wrote it, cut to a length that fits a sentence.
 std::string shown(const Json& value);

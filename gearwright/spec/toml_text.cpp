@@ -19,9 +19,13 @@ bool bare(const std::string& key) {
   });
 }
 
-// JSON's escapes are TOML's too, but for a slash that is never escaped here.
+// JSON's escapes are TOML's too, but for characters beyond U+FFFF, whose two halves TOML refuses: all
+// but control characters stand as they are, and DEL, which JSON lets stand, is escaped.
 std::string quoted(const std::string& text) {
-  return Json(text).dump(-1, ' ', true, Json::error_handler_t::replace);
+  std::string out;
+  for (const char c : Json(text).dump(-1, ' ', false, Json::error_handler_t::replace))
+    out += c == '\x7F' ? std::string("\\u007f") : std::string(1, c);
+  return out;
 }
 
 std::string key_text(const std::string& key) { return bare(key) ? key : quoted(key); }

@@ -42,7 +42,7 @@ void judge(std::vector<Finding>& findings, const Margin& margin, int gear,
 }
 
 // The kink of a linear relief (a ridge) is no edge of the tooth.
-bool is_edge(TouchKind kind) {
+bool is_edge_of_tooth(TouchKind kind) {
   switch (kind) {
     case TouchKind::none:
     case TouchKind::interior:
@@ -76,7 +76,7 @@ std::vector<Finding> contact_findings(const ContactResult& contact, const Pair& 
   for (const ContactPoint& p : contact.positions) {
     if (p.kind == TouchKind::none) continue;
     ++touching;
-    if (is_edge(p.kind)) ++edges;
+    if (is_edge_of_tooth(p.kind)) ++edges;
     if (p.kind == TouchKind::line) continue;
     ++points;
     place += p.height[0] / (pair.gear(1).spec.face_width / 2);

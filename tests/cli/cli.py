@@ -61,7 +61,9 @@ class Run:
             file.write(json.dumps(kept) + "\n")
 
     def files(self):
-        return sorted(str(f.relative_to(self.folder)) for f in self.folder.rglob("*") if f.is_file())
+        """Without the list of its files that `run` keeps."""
+        files = (f for f in self.folder.rglob("*") if f.is_file() and f.name != ".gearwright_files")
+        return sorted(str(f.relative_to(self.folder)) for f in files)
 
 
 def raw(*args):

@@ -163,6 +163,7 @@ class Crossed(unittest.TestCase):
         p = Run("pair", text, "--json").json
         self.assertAlmostEqual(p["pair"]["backlash"]["normal_base_mm"], 0, places=11)
         # without the angle: the pair whose minimum centre distance this is
+        text = WISH.format("helix_angle_deg = 46\nprofile_shift = 0.1", "helix_angle_deg = 45", "center_distance_mm = 38.4\nshaft_angle_deg = 90")
         r = Run("pair", text.replace("shaft_angle_deg = 90", ""), "--json")
         self.assertAlmostEqual(r.json["pair"]["minimum_center_distance"]["center_distance_mm"], 38.4, places=10)
         self.assertIn("default_shaft_angle", [w["code"] for w in r.json["warnings"]])

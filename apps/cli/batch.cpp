@@ -1,0 +1,78 @@
+#include "apps/cli/batch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "apps/common/speaking.hpp"
+#include "gearwright/base/output_file.hpp"
+#include "gearwright/base/printable.hpp"
+#include "gearwright/job/answers.hpp"
+#include "gearwright/spec/spec_text.hpp"
+
+namespace gearwright::cli {
+
+namespace {
+
+bool answering(const std::string& word) {
+  return std::find(kAnswering.begin(), kAnswering.end(), word) != kAnswering.end();
+}
+
+void write_line(const std::string& line) {
+  if (std::fwrite(line.data(), 1, line.size(), stdout) != line.size() ||
+      std::fputc('\n', stdout) == EOF)
+    throw IoError(std::string("cannot write to standard output: ") + std::strerror(errno));
+}
+
+}  // namespace
+
+std::string batch_verbs() { return fmt::format("{}", fmt::join(kAnswering, ", ")); }
+
+int batch_verb(const Options& o) {
+  std::vector<std::string> words = o.words;
+  std::string verb;
+  if (!words.empty() && answering(words.front())) {
+    verb = words.front();
+    words.erase(words.begin());
+  }
+  const std::string path = words.empty() ? "-" : words.front();
+  const bool a_word = path.find_first_of("-./") == std::string::npos;
+  if (words.size() > 1 || (a_word && !std::filesystem::exists(path)))
+    return usage(fmt::format("batch answers with one of {}, not with {}", batch_verbs(),
+                             printable(path, 60)));
+  std::ifstream file;
+  if (path != "-") {
+    if (std::filesystem::is_directory(path))
+      throw IoError("cannot read " + path + ": it is a folder");
+    file.open(path, std::ios::binary);
+    if (!file) throw IoError("cannot read " + path + ": " + std::strerror(errno));
+  }
+  std::ios::sync_with_stdio(false);
+  std::istream& in = path == "-" ? std::cin : file;
+  long long failed = 0;
+  long long lines = 0;
+  in_order([&](std::string& line) { return static_cast<bool>(std::getline(in, line)); },
+           [&](const std::string& line) {
+             if (line.size() <= kMaxSpec) return batch_line(verb, line);
+             return batch_line(verb, fmt::format("\"a line of {} bytes\"", line.size()));
+           },
+           [&](const std::string& answer) {
+             ++lines;
+             if (answer.starts_with("{\"error\":")) ++failed;
+             write_line(answer);
+           },
+           o.threads);
+  if (in.bad()) throw IoError("cannot read " + path + ": " + std::strerror(errno));
+  print("");
+  if (failed > 0)
+    std::fprintf(stderr, "gearwright: %lld of %lld specs have no answer\n", failed, lines);
+  return failed > 0 ? 1 : 0;
+}
+
+}  // namespace gearwright::cli

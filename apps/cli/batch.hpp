@@ -1,0 +1,16 @@
+// The verb batch: many specs through one process.
+#pragma once
+
+#include <string>
+
+#include "apps/cli/verbs.hpp"
+
+namespace gearwright::cli {
+
+/// Lines of JSON in, lines of JSON out; 1 if one of them is an error.   Throws  IoError
+int batch_verb(const Options& o);
+
+/// "gear, pair, …"
+std::string batch_verbs();
+
+}  // namespace gearwright::cli

@@ -1,0 +1,311 @@
+#include "apps/cli/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "apps/cli/batch.hpp"
+#include "apps/cli/completion.hpp"
+#include "apps/cli/manual.hpp"
+#include "apps/common/speaking.hpp"
+#include "gearwright/base/printable.hpp"
+#include "gearwright/base/version.hpp"
+#include "gearwright/catalogue/key.hpp"
+#include "gearwright/job/files.hpp"
+
+namespace gearwright::cli {
+
+namespace {
+
+constexpr const char* kIntroduction =
+    "Gearwright: exact geometry, mesh and CAD files of cylindrical gears.\n\n"
+    "  gearwright run pair.toml              everything: report.html, STEP, STL, 3MF, GLB, DXF, "
+    "SVG\n"
+    "  gearwright gear pair.toml             diameters, thicknesses, limits of each gear\n"
+    "  gearwright pair pair.toml --json      the mounted pair, as JSON\n"
+    "  gearwright contact pair.toml          transmission error and contact under [errors]\n"
+    "  gearwright compensate pair.toml       corrections that cancel those errors\n"
+    "  gearwright measure pair.toml          the calliper's settings\n"
+    "  gearwright fit wish.toml              gears for a centre distance and a shaft angle\n"
+    "  gearwright search wish.toml --out found  all designs within limits, ranked\n"
+    "  gearwright outline pair.toml --gear 1 --points 200 --json\n"
+    "  gearwright export pair.toml --step both.step --dxf pinion.dxf --gear 1\n"
+    "  gearwright batch pair specs.jsonl     a spec per line in, an answer per line out\n"
+    "  gearwright verify cases.json          published numbers against ours\n"
+    "  gearwright schema spec                the JSON Schema of specs, for editors; or of results\n"
+    "  gearwright completion bash            completion for bash, zsh or fish\n\n"
+    "A spec is a TOML file, the least one:\n\n"
+    "  [gear1]\n"
+    "  teeth = 17\n"
+    "  normal_module_mm = 2.5\n";
+
+constexpr const char* kNotHere[] = {"identify"};
+constexpr std::size_t kLettersOff = 3;  // of a verb, one of so many may be wrong
+
+std::string version_text() { return std::string("gearwright ") + kVersion; }
+
+// CLI11's own range lets nan pass.
+CLI::Validator between(double lo, double hi) {
+  return CLI::Validator(
+      [lo, hi](const std::string& text) {
+        double value = 0.0;
+        const bool good = CLI::detail::lexical_cast(text, value) && value >= lo && value <= hi;
+        return good ? std::string() : fmt::format("{} must lie between {} and {}", text, lo, hi);
+      },
+      fmt::format("{}...{}", lo, hi));
+}
+
+void spec_argument(CLI::App* sub, Options& o) {
+  sub->add_option("SPEC", o.spec,
+                  "The spec file: TOML, or JSON if its name ends in .json; -: standard input")
+      ->required();
+}
+
+void csv_flag(CLI::App* sub, Options& o) {
+  sub->add_flag("--csv", o.csv, "Print a table for a spreadsheet, CSV, and nothing else")
+      ->excludes("--json");
+}
+
+void strict_flag(CLI::App* sub, Options& o) {
+  sub->add_flag("--strict", o.strict, "Exit status 4 where the verdict is not green");
+}
+
+}  // namespace
+
+std::vector<const CLI::App*> verbs_of(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App* sub) { return !sub->get_group().empty(); });
+}
+
+CommandLine::CommandLine() : app_(kIntroduction, "gearwright") {
+  app_.set_version_flag("-V,--version", version_text());
+  app_.require_subcommand(1);
+  add_run();
+  add_answering();
+  add_files();
+  add_others();
+  for (const char* name : kNotHere) {
+    CLI::App* sub = app_.add_subcommand(name, "Not in this version")->group("");
+    sub->allow_extras();
+  }
+  for (CLI::App* sub : app_.get_subcommands({}))
+    sub->set_version_flag("-V,--version", version_text());
+}
+
+CLI::App* CommandLine::verb(const char* name, const char* what, const char* example) {
+  CLI::App* sub = app_.add_subcommand(name, what);
+  sub->footer(std::string("Example:\n  ") + example);
+  return sub;
+}
+
+CLI::App* CommandLine::json_verb(const char* name, const char* what, const char* example) {
+  CLI::App* sub = verb(name, what, example);
+  sub->add_flag("--json", options_.json, "Print one JSON object to stdout and nothing else");
+  return sub;
+}
+
+void CommandLine::add_run() {
+  Options& o = options_;
+  CLI::App* run = json_verb("run", "Everything that applies to the spec, into a folder",
+                            "gearwright run examples/helical_pair.toml --out helical");
+  spec_argument(run, o);
+  run->add_option("--out", o.out,
+                  "Folder for the files; default: the spec's name without .toml, plus _out");
+  strict_flag(run, o);
+  run->add_option(
+      "--only", o.only,
+      fmt::format("Only these files, with commas between: {}", fmt::join(kRunParts, ", ")));
+}
+
+void CommandLine::add_answering() {
+  Options& o = options_;
+  const CLI::Range gears(1, 2);
+  CLI::App* gear = json_verb("gear", "Geometry of each gear: diameters, thicknesses, limits, flags",
+                             "gearwright gear examples/helical_pair.toml --json");
+  spec_argument(gear, o);
+  csv_flag(gear, o);
+  gear->add_option("--as-rack", o.as_rack,
+                   "MODULE,ANGLE: the same teeth as that rack describes them; one may be empty");
+
+  CLI::App* outline =
+      json_verb("outline", "Points of the transverse tooth outline, per named arc",
+                "gearwright outline examples/helical_pair.toml --gear 2 --points 100");
+  spec_argument(outline, o);
+  csv_flag(outline, o);
+  outline->add_option("--gear", o.gear, "Which gear, 1 or 2 (default 1)")->check(gears);
+  outline->add_option("--points", o.points, "Points per arc, both ends included (default 50)")
+      ->check(CLI::Range(2, 1000000));
+
+  CLI::App* pair =
+      json_verb("pair", "The mounted pair: distances, angles, contact ratios, backlash, sliding",
+                "gearwright pair examples/helical_pair.toml");
+  spec_argument(pair, o);
+  strict_flag(pair, o);
+  csv_flag(pair, o);
+
+  CLI::App* contact =
+      json_verb("contact",
+                "Tooth contact under the spec's [errors]: transmission error, contact points, "
+                "edges, ellipses",
+                "gearwright contact examples/misaligned_pair.toml");
+  spec_argument(contact, o);
+  strict_flag(contact, o);
+  csv_flag(contact, o);
+
+  CLI::App* compensate =
+      json_verb("compensate", "Tool settings, leads and crowning that cancel the spec's [errors]",
+                "gearwright compensate examples/misaligned_pair.toml --take");
+  spec_argument(compensate, o);
+  strict_flag(compensate, o);
+  compensate->add_flag("--take", o.spec_only, "Print the corrected spec and nothing else");
+
+  CLI::App* measure = json_verb("measure", "Chordal tooth thickness, the calliper's settings",
+                                "gearwright measure examples/helical_pair.toml");
+  spec_argument(measure, o);
+
+  CLI::App* fit =
+      json_verb("fit", "Gears for a place, or places for gears: what the spec leaves out is found",
+                "gearwright fit examples/crossed_fit.toml");
+  spec_argument(fit, o);
+  fit->add_option("--take", o.take, "Print the spec of this branch and nothing else")
+      ->check(CLI::Range(1, 1000));
+}
+
+void CommandLine::add_files() {
+  Options& o = options_;
+  add_search(app_, search_);
+
+  CLI::App* files =
+      json_verb("export", "CAD files of one gear, or of both in place",
+                "gearwright export examples/helical_pair.toml --step pair.step --glb pair.glb");
+  spec_argument(files, o);
+  files->add_option("--gear", o.gear, "Only this gear, in its own frame; absent: both in place")
+      ->check(CLI::Range(1, 2));
+  files->add_option("--step", o.step, "STEP AP242 solid");
+  files->add_option("--stl", o.stl, "STL mesh, binary");
+  files->add_option("--glb", o.glb, "GLB (glTF 2.0) mesh");
+  files->add_option("--3mf", o.threemf, "3MF mesh");
+  files->add_option("--dxf", o.dxf, "DXF outline");
+  files->add_option("--svg", o.svg, "SVG outline");
+  files
+      ->add_option("--mesh-tolerance", o.mesh_tolerance,
+                   "mm between mesh and exact surface (default 0.005)")
+      ->check(between(1e-5, 10.0));
+  files
+      ->add_option("--dxf-tolerance", o.drawing_tolerance,
+                   "mm between DXF arcs and exact outline (default 0.001)")
+      ->check(between(1e-7, 1.0));
+  files->add_flag("--dxf-splines", o.drawing_splines,
+                  "DXF as splines (within 1 nm) instead of arcs");
+}
+
+void CommandLine::add_others() {
+  Options& o = options_;
+  CLI::App* batch = verb("batch",
+                         "One spec per line (JSON) in, one answer per line out, in order, on all "
+                         "cores",
+                         "gearwright batch pair specs.jsonl > answers.jsonl");
+  batch
+      ->add_option("VERB", o.words,
+                   fmt::format("{} (absent: pair, or gear of a single gear); then a file, absent "
+                               "or -: standard input",
+                               batch_verbs()))
+      ->expected(0, 2);
+  batch->add_option("--threads", o.threads, "Threads (default: as many as the machine has)")
+      ->check(CLI::Range(1, 1024));
+
+  CLI::App* verify =
+      json_verb("verify", "Runs case files of published numbers and says what differs",
+                "gearwright verify tests/golden/external.json");
+  verify->add_option("CASES", o.cases, "Case files")->required();
+
+  CLI::App* schema =
+      json_verb("schema", "The JSON Schema of specs or of results, for editors and validators",
+                "gearwright schema spec > spec.schema.json");
+  schema->add_option("WHAT", o.schema, "spec or result")
+      ->required()
+      ->check(CLI::IsMember({"spec", "result"}));
+
+  CLI::App* completion = verb("completion", "Completion of verbs, options and files for a shell",
+                              "source <(gearwright completion bash)");
+  completion->add_option("SHELL", o.shell, "bash, zsh or fish")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+  verb("manual", "The manual page, for man: verbs, options, the keys of a spec",
+       "gearwright manual > gearwright.1; man ./gearwright.1");
+}
+
+int CommandLine::unknown_verb(const std::string& word) const {
+  std::string best;
+  std::string all;
+  std::size_t least = std::max<std::size_t>(2, word.size() / kLettersOff + 1);
+  for (const CLI::App* sub : verbs_of(app_)) {
+    const std::string& name = sub->get_name();
+    all += (all.empty() ? "" : ", ") + name;
+    const bool begins = word.size() > 1 && name.starts_with(word);
+    const std::size_t off = begins ? 1 : edit_distance(word.substr(0, 80), name);
+    // gaer is gear with two letters exchanged: two steps of editing, one slip of the hand.
+    const bool turned =
+        word.size() == name.size() && std::is_permutation(word.begin(), word.end(), name.begin());
+    if (std::min<std::size_t>(off, turned ? 1 : off) >= least) continue;
+    least = turned ? 1 : off;
+    best = name;
+  }
+  return usage(fmt::format("no verb {}; {} (gearwright --help says what each does)",
+                           printable(word, 60), best.empty() ? "verbs: " + all : best + "?"));
+}
+
+std::optional<int> CommandLine::answer_at_once(int argc, char** argv) const {
+  if (argc < 2 || argv[1][0] == '-') return std::nullopt;
+  const bool help = std::string_view(argv[1]) == "help";
+  if (help && argc == 2) {
+    print(app_.help());
+    return 0;
+  }
+  const std::string word = argv[help ? 2 : 1];
+  const auto named = app_.get_subcommands([&](const CLI::App* s) { return s->get_name() == word; });
+  const CLI::App* verb = named.empty() ? nullptr : named.front();
+  if (help && word.starts_with('-')) return std::nullopt;
+  if (!verb) return unknown_verb(word);
+  if (!help) return std::nullopt;
+  print(verb->help("gearwright"));
+  return 0;
+}
+
+int CommandLine::answer(const std::string& verb) const {
+  const Options& o = options_;
+  if (verb == "run") return run_verb(o);
+  if (verb == "gear") return gear_verb(o);
+  if (verb == "outline") return outline_verb(o);
+  if (verb == "pair") return pair_verb(o);
+  if (verb == "contact") return contact_verb(o);
+  if (verb == "compensate") return compensate_verb(o);
+  if (verb == "measure") return measure_verb(o);
+  if (verb == "fit") return fit_verb(o);
+  if (verb == "search") return run_search_verb(search_);
+  if (verb == "export") return export_verb(o);
+  if (verb == "batch") return batch_verb(o);
+  if (verb == "schema") return schema_verb(o);
+  if (verb == "completion") {
+    print(completion(o.shell, app_));
+    return 0;
+  }
+  if (verb == "manual") {
+    print(manual_page(app_));
+    return 0;
+  }
+  if (verb == "verify") return verify_verb(o);
+  return usage("the verb " + verb + " is not in this version; see gearwright --help");
+}
+
+int CommandLine::run(int argc, char** argv) {
+  if (const auto status = answer_at_once(argc, argv)) return *status;
+  try {
+    app_.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app_.exit(e) == 0 ? 0 : 2;
+  }
+  return answer(app_.get_subcommands().front()->get_name());
+}
+
+}  // namespace gearwright::cli

@@ -1,0 +1,45 @@
+// The command line, said once: verbs, options, their words. Parsing, --help, completion and the
+// manual page read it.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "apps/cli/verbs.hpp"
+#include "apps/common/search_verb.hpp"
+
+namespace gearwright::cli {
+
+class CommandLine {
+ public:
+  CommandLine();
+  CommandLine(const CommandLine&) = delete;  // options point into it
+  CommandLine& operator=(const CommandLine&) = delete;
+
+  const CLI::App& app() const { return app_; }
+  /// The exit status of what was asked.   Throws  IoError
+  int run(int argc, char** argv);
+
+ private:
+  CLI::App* verb(const char* name, const char* what, const char* example);
+  CLI::App* json_verb(const char* name, const char* what, const char* example);
+  void add_run();
+  void add_answering();
+  void add_files();
+  void add_others();
+
+  /// `help`, `help VERB`, and a first word that is no verb.
+  std::optional<int> answer_at_once(int argc, char** argv) const;
+  int unknown_verb(const std::string& word) const;
+  int answer(const std::string& verb) const;
+
+  Options options_;
+  SearchCommand search_;
+  CLI::App app_;
+};
+
+/// Verbs that a user sees, in their order.
+std::vector<const CLI::App*> verbs_of(const CLI::App& app);
+
+}  // namespace gearwright::cli

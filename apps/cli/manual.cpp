@@ -1,0 +1,123 @@
+#include "apps/cli/manual.hpp"
+
+#include <fmt/format.h>
+
+#include "apps/cli/command_line.hpp"
+#include "gearwright/base/version.hpp"
+#include "gearwright/catalogue/spec_keys.hpp"
+
+namespace gearwright::cli {
+
+namespace {
+
+// Text as troff takes it: a hyphen that may be typed, nothing that begins a request.
+std::string troff(std::string_view text) {
+  std::string out;
+  bool begin = true;
+  for (const char c : text) {
+    if (begin && (c == '.' || c == '\'')) out += "\\&";
+    if (c == '\\') {
+      out += "\\e";
+    } else if (c == '-') {
+      out += "\\-";
+    } else {
+      out += c;
+    }
+    begin = c == '\n';
+  }
+  return out;
+}
+
+std::string option_text(const CLI::Option& option) {
+  std::vector<std::string> names;
+  for (const std::string& name : option.get_snames()) names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
+  const bool value = option.get_items_expected_max() > 0;
+  return fmt::format(".TP\n.B {}{}\n{}\n", troff(fmt::format("{}", fmt::join(names, ", "))),
+                     value ? " \\fI" + troff("VALUE") + "\\fR" : "",
+                     troff(option.get_description()));
+}
+
+std::string verb_text(const CLI::App& verb) {
+  std::string usage = "gearwright " + verb.get_name();
+  std::string arguments;
+  for (const CLI::Option* o :
+       verb.get_options([](const CLI::Option* option) { return option->get_positional(); })) {
+    usage += " " + o->get_name(true);
+    arguments +=
+        fmt::format(".TP\n.I {}\n{}\n", troff(o->get_name(true)), troff(o->get_description()));
+  }
+  std::string out = fmt::format(".SS \"{}\"\n{}.\n", troff(usage), troff(verb.get_description()));
+  out += arguments;
+  for (const CLI::Option* o :
+       verb.get_options([](const CLI::Option* option) { return option->nonpositional(); })) {
+    const auto& names = o->get_lnames();
+    const bool everywhere = !names.empty() && (names[0] == "help" || names[0] == "version");
+    if (!everywhere) out += option_text(*o);
+  }
+  return out;
+}
+
+std::string table_text(const KeyTable& table) {
+  std::string out =
+      fmt::format(".SS \"{}\"\n{}.\n", troff(table.name), troff(plain_words(table.meaning)));
+  for (const Key& key : table.keys) {
+    if (!key.in_documents) continue;
+    const std::string fallback = key.required           ? "; required"
+                                 : key.fallback.empty() ? ""
+                                                        : "; default: " + plain_words(key.fallback);
+    out += fmt::format(".TP\n.B {}\n{}{}{}.\n", troff(key.key),
+                       key.symbol.empty() ? "" : troff(key.symbol) + ": ",
+                       troff(plain_words(key.meaning)), troff(fallback));
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string manual_page(const CLI::App& app) {
+  std::string out = fmt::format(
+      ".\\\" made by `gearwright manual`\n"
+      ".TH GEARWRIGHT 1 \"\" \"gearwright {}\" \"User Commands\"\n"
+      ".SH NAME\n"
+      "gearwright \\- exact geometry, mesh and CAD files of cylindrical gears\n"
+      ".SH SYNOPSIS\n"
+      ".B gearwright\n"
+      ".I VERB SPEC\n"
+      "[\\fB\\-\\-json\\fR] [\\fIoptions\\fR]\n"
+      ".SH DESCRIPTION\n"
+      "Reads a gear, a pair of gears or a wish for them from a spec, a TOML or JSON file, and "
+      "says\n"
+      "what they are: diameters and limits, contact, what to measure, which gears to make; as\n"
+      "tables, as JSON, and as files for CAD.\n"
+      ".PP\n"
+      "The least spec is\n"
+      ".PP\n.nf\n[gear1]\nteeth = 17\nnormal_module_mm = 2.5\n.fi\n"
+      ".PP\n"
+      "A spec named \\fB\\-\\fR is standard input, TOML or JSON.\n"
+      ".SH VERBS\n",
+      kVersion);
+  for (const CLI::App* verb : verbs_of(app)) out += verb_text(*verb);
+  out +=
+      ".SH \"KEYS OF A SPEC\"\n"
+      "Lengths in mm and angles in degrees, said in the key. gear2 has the keys of gear1, and "
+      "takes\n"
+      "module, pressure angle, rack and helix angle from it where it leaves them out.\n";
+  for (const KeyTable* table : all_key_tables()) {
+    if (table != &spec_keys() && table->name != "cutter" && table->name != "compensate_range")
+      out += table_text(*table);
+  }
+  out +=
+      ".SH \"EXIT STATUS\"\n"
+      ".TP\n.B 0\nDone.\n"
+      ".TP\n.B 1\nThe input is wrong or the gears are impossible; the message names the key.\n"
+      ".TP\n.B 2\nThe command line is wrong.\n"
+      ".TP\n.B 3\nThe outside world failed: no such file, disk full, memory.\n"
+      ".SH FILES\n"
+      ".TP\n.I .gearwright_files\n"
+      "In the folder of a run: what it wrote there. The next run into it removes what it does not\n"
+      "write itself and nobody has changed.\n";
+  return out;
+}
+
+}  // namespace gearwright::cli

@@ -1,0 +1,12 @@
+// The manual page, made from the command line and the catalogue of keys.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace gearwright::cli {
+
+/// gearwright(1), for man.
+std::string manual_page(const CLI::App& app);
+
+}  // namespace gearwright::cli

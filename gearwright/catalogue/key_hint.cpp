@@ -1,0 +1,249 @@
+#include "gearwright/catalogue/key_hint.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "gearwright/catalogue/gear_keys.hpp"
+#include "gearwright/catalogue/spec_keys.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr std::size_t kLongest = 80;    // bytes of a key that are compared
+constexpr std::size_t kLeastPart = 3;   // letters: a part that is shorter stands in every name
+constexpr std::size_t kLettersOff = 3;  // one letter of so many may differ
+constexpr std::size_t kSlipOff = 6;     // a slip of the hand: one of so many
+constexpr double kLikeWords = 0.7;      // share of the words of a name
+constexpr std::size_t kListed = 24;     // keys of a table that a sentence still lists
+
+struct Letter {
+  std::string_view greek, latin;
+};
+constexpr std::array<Letter, 12> kLetters{{{"α", "alpha"},
+                                           {"β", "beta"},
+                                           {"δ", "delta"},
+                                           {"ε", "epsilon"},
+                                           {"λ", "lambda"},
+                                           {"μ", "mu"},
+                                           {"µ", "mu"},
+                                           {"ρ", "rho"},
+                                           {"Σ", "sigma"},
+                                           {"σ", "sigma"},
+                                           {"τ", "tau"},
+                                           {"ψ", "psi"}}};
+
+std::string_view without_unit(std::string_view key) {
+  const std::string_view unit = key_unit(key);
+  return unit.empty() ? key : key.substr(0, key.size() - unit.size() - 1);
+}
+
+// Names of a key, folded: with and without its unit.
+struct Word {
+  std::string whole, bare;
+};
+
+Word word_of(std::string_view key) { return {folded(key), folded(without_unit(key))}; }
+
+bool is_table(const Key& key) { return key.kind == KeyKind::table && key.words.empty(); }
+
+// Called so by its name, its symbol or one of the words that people try; the first counts most.
+int likeness(const Key& key, const Word& word) {
+  const std::string bare = folded(without_unit(key.key));
+  if (bare == word.bare || bare == word.whole) return 3;
+  for (const std::string_view also : key.also) {
+    const std::string name = folded(also);
+    if (name == word.whole || name == word.bare) return 2;
+  }
+  const std::string symbol = folded(key.symbol);
+  return !symbol.empty() && (symbol == word.whole || symbol == word.bare) ? 1 : 0;
+}
+
+// How sure a name must be, as likeness() counts.
+enum Sure { by_symbol = 1, by_word = 2 };
+
+const Key* called(const KeyTable& table, const Word& word, Sure sure, bool tables) {
+  const Key* best = nullptr;
+  int most = sure - 1;
+  for (const Key& key : table.keys) {
+    if (!tables && is_table(key)) continue;
+    const int now = likeness(key, word);
+    if (now > most) {
+      best = &key;
+      most = now;
+    }
+  }
+  return best;
+}
+
+std::string joined(std::string_view path, std::string_view key) {
+  return path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
+}
+
+struct Place {
+  const KeyTable* table;
+  std::string path;
+};
+
+// The tables below `top`, those that lie less deep first.
+std::vector<Place> tables_below(const KeyTable& top, std::string_view path) {
+  std::vector<Place> list{{&top, std::string(path)}};
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Place at = list[i];
+    for (const Key& key : at.table->keys) {
+      for (const auto part : key.tables) {
+        const bool known = std::any_of(list.begin(), list.end(),
+                                       [&](const Place& p) { return p.table == &part(); });
+        if (!known) list.push_back({&part(), joined(at.path, key.key)});
+      }
+    }
+  }
+  list.erase(list.begin());
+  return list;
+}
+
+// In other tables: below this one, then anywhere; "diameter_mm in [gear1.bore]".
+std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_view path,
+                                            const Word& word) {
+  const auto told = [](const Key& key, const std::string& where) {
+    return fmt::format("{} in [{}]", key.key, where);
+  };
+  for (const Place& p : tables_below(table, path))
+    if (const Key* found = called(*p.table, word, by_word, false)) return told(*found, p.path);
+  if (path.empty()) return std::nullopt;
+  // A table of gear 2 looks in gear 2 first.
+  const std::string_view own = path.substr(0, path.find('.'));
+  std::vector<Place> all = tables_below(spec_keys(), "");
+  std::stable_partition(all.begin(), all.end(), [&](const Place& p) { return p.path == own; });
+  for (Place& p : all) {
+    if (p.path == path) continue;  // a table of another kind in the same place
+    const bool outside = p.path.find('.') == std::string::npos;
+    if (p.table == &gear_keys() && own == "gear2") p.path = own;
+    if (const Key* found = called(*p.table, word, outside ? by_symbol : by_word, false))
+      return told(*found, p.path);
+  }
+  return std::nullopt;
+}
+
+// A part of the other: the one that says least besides.
+const Key* with_part(const KeyTable& table, const Word& word) {
+  const Key* best = nullptr;
+  std::size_t least = kLongest;
+  for (const Key& key : table.keys) {
+    const std::string name = folded(without_unit(key.key));
+    const std::string& a = name.size() < word.bare.size() ? name : word.bare;
+    const std::string& b = &a == &name ? word.bare : name;
+    if (a.size() < kLeastPart || b.find(a) == std::string::npos || b.size() - a.size() >= least)
+      continue;
+    least = b.size() - a.size();
+    best = &key;
+  }
+  return best;
+}
+
+// The words of a name, between underscores.
+std::vector<std::string_view> words_of(std::string_view name) {
+  std::vector<std::string_view> words;
+  for (std::size_t at = 0; at <= name.size();) {
+    const std::size_t end = std::min(name.find('_', at), name.size());
+    words.push_back(name.substr(at, end - at));
+    at = end + 1;
+  }
+  return words;
+}
+
+// Of the same words but one of four or more: tip_relief_begin_mm.
+const Key* of_like_words(const KeyTable& table, std::string_view name) {
+  const auto words = words_of(name);
+  const Key* best = nullptr;
+  double most = kLikeWords;
+  for (const Key& key : table.keys) {
+    const auto own = words_of(key.key);
+    const auto common = std::count_if(own.begin(), own.end(), [&](std::string_view w) {
+      return std::find(words.begin(), words.end(), w) != words.end();
+    });
+    const double share =
+        static_cast<double>(common) / static_cast<double>(std::max(own.size(), words.size()));
+    if (share <= most) continue;
+    most = share;
+    best = &key;
+  }
+  return best;
+}
+
+const Key* nearly_called(const KeyTable& table, const Word& word, std::size_t letters_off) {
+  const Key* best = nullptr;
+  std::size_t least = word.bare.size() / letters_off + 1;
+  const auto look = [&](const Key& key, std::string_view name) {
+    const std::size_t off = edit_distance(word.bare, folded(without_unit(name)));
+    if (off >= least) return;
+    least = off;
+    best = &key;
+  };
+  for (const Key& key : table.keys) {
+    look(key, key.key);
+    for (const std::string_view also : key.also)
+      if (folded(also).size() > kLettersOff) look(key, also);
+  }
+  return best;
+}
+
+std::string listed(const KeyTable& table) {
+  std::string text;
+  std::size_t count = 0;
+  for (const Key& key : table.keys) {
+    if (!key.in_documents && !is_table(key)) continue;
+    if (++count > kListed) return text + ", …";
+    text += (text.empty() ? "" : ", ") + std::string(key.key);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string folded(std::string_view name) {
+  std::string text;
+  for (std::size_t i = 0; i < name.size();) {
+    const auto it = std::find_if(kLetters.begin(), kLetters.end(), [&](const Letter& l) {
+      return name.substr(i).starts_with(l.greek);
+    });
+    if (it != kLetters.end()) {
+      text += it->latin;
+      i += it->greek.size();
+      continue;
+    }
+    const char c = name[i++];
+    if (c >= 'A' && c <= 'Z') text += static_cast<char>(c - 'A' + 'a');
+    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) text += c;
+  }
+  return text;
+}
+
+std::string key_hint(const KeyTable& table, std::string_view path, std::string_view key) {
+  const Word word = word_of(key.substr(0, kLongest));
+  const auto nearest = [](std::string_view what) {
+    return fmt::format("the nearest known one is {}", what);
+  };
+  if (word.bare.empty()) return "known keys here: " + listed(table);
+  if (const Key* here = called(table, word, by_symbol, true)) {
+    // A value given where a table stands: the key in it that is called so.
+    for (const auto part : here->tables) {
+      if (!is_table(*here)) break;
+      if (const Key* inside = called(part(), word, by_word, false))
+        return nearest(fmt::format("{} in [{}]", inside->key, joined(path, here->key)));
+    }
+    return nearest(here->key);
+  }
+  if (const Key* slip = nearly_called(table, word, kSlipOff)) return nearest(slip->key);
+  if (const auto other = called_elsewhere(table, path, word)) return nearest(*other);
+  if (const Key* like = of_like_words(table, key.substr(0, kLongest))) return nearest(like->key);
+  if (const Key* part = with_part(table, word)) return nearest(part->key);
+  if (const Key* near = nearly_called(table, word, kLettersOff)) return nearest(near->key);
+  return "known keys here: " + listed(table);
+}
+
+}  // namespace gearwright

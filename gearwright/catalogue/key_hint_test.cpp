@@ -1,0 +1,58 @@
+#include "gearwright/catalogue/key_hint.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "gearwright/catalogue/gear_keys.hpp"
+#include "gearwright/catalogue/pair_keys.hpp"
+#include "gearwright/catalogue/spec_keys.hpp"
+
+namespace gearwright {
+namespace {
+
+std::string nearest(std::string_view key) { return "the nearest known one is " + std::string(key); }
+
+TEST(KeyHint, what_people_try_leads_to_the_entry_that_says_so) {
+  std::size_t words = 0;
+  for (const KeyTable* table : all_key_tables()) {
+    for (const Key& key : table->keys) {
+      for (const std::string_view also : key.also) {
+        ++words;
+        EXPECT_FALSE(table->find(also)) << table->name << " has a key " << also;
+        EXPECT_EQ(key_hint(*table, "somewhere", also), nearest(key.key))
+            << table->name << ": " << also;
+      }
+    }
+  }
+  EXPECT_GT(words, 60u);
+}
+
+TEST(KeyHint, one_letter_of_a_long_key_may_be_anything) {
+  for (const KeyTable* table : all_key_tables()) {
+    for (const Key& key : table->keys) {
+      if (key.key.size() < 14) continue;
+      std::string slip(key.key);
+      slip[1] = slip[1] == 'q' ? 'w' : 'q';
+      EXPECT_EQ(key_hint(*table, "somewhere", slip), nearest(key.key)) << table->name;
+    }
+  }
+}
+
+TEST(KeyHint, where_nothing_is_near_the_table_says_what_it_has) {
+  for (const char* key : {"", "_", "quality", "xylophone"})
+    EXPECT_TRUE(key_hint(pair_keys(), "pair", key).starts_with("known keys here: center_distance"))
+        << key;
+  EXPECT_EQ(key_hint(pair_keys(), "pair", std::string(100'000, 'x')).find("nearest"),
+            std::string::npos);
+}
+
+TEST(KeyHint, greek_letters_are_written_out) {
+  EXPECT_EQ(folded("α_n"), "alphan");
+  EXPECT_EQ(folded("h_aP*"), "hap");
+  EXPECT_EQ(folded("Face-Width mm"), "facewidthmm");
+  EXPECT_EQ(key_hint(gear_keys(), "gear1", "β"), nearest("helix_angle_deg"));
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,100 @@
+#include "gearwright/job/backlash_thinning.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "gearwright/catalogue/pair_parts.hpp"
+#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/pair/pair.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kNear = 1e-12;  // mm or degrees: the answer prints what was asked for
+constexpr double kSame = 1e-9;   // beyond it there is no such thickness
+constexpr int kMostSteps = 12;   // secants; involute teeth need one
+
+struct Wanted {
+  const char* field;
+  double value;  // mm or degrees
+};
+
+Wanted wanted_of(const PairInput& p) {
+  if (p.backlash) return {"pair.backlash", *p.backlash};
+  if (p.backlash_circumferential)
+    return {"pair.backlash_circumferential", *p.backlash_circumferential};
+  return {"pair.backlash_angle", p.backlash_angle->deg()};
+}
+
+// How much thinner both teeth are together, in mm of the normal section, split onto the two.
+void thin(JobSpec& spec, double thinning) {
+  const double share = spec.pair.backlash_split;
+  const std::array<double, 2> shares{share, 1.0 - share};
+  for (std::size_t i = 0; i < 2; ++i)
+    spec.gears[i]->cylindrical.thickness_allowance = thinning == 0.0 ? 0.0 : -shares[i] * thinning;
+}
+
+// Of the pair with teeth thinned so; fillets and tips do not matter to it.
+Result<double> backlash_at(JobSpec spec, const std::optional<PairPlace>& place, double thinning) {
+  thin(spec, thinning);
+  std::vector<Gear> gears;
+  for (auto& gear : spec.gears) {
+    gear->cylindrical.root_fillet.reset();
+    gear->cylindrical.tip_fillet.reset();
+    auto made = make_gear(gear->cylindrical);
+    if (!made) return of_gear(static_cast<int>(gears.size()) + 1, made.error());
+    gears.push_back(std::move(made).take());
+  }
+  const PairSpec at{place ? place->center_distance : spec.pair.center_distance,
+                    place ? place->shaft_angle : std::nullopt};
+  const auto pair = mount(gears[0], gears[1], at);
+  if (!pair) return pair.error();
+  const auto view = backlash_of(*pair);
+  if (!view) return Error{"pair", "", "has no contact whose backlash could be set"};
+  if (spec.pair.backlash) return view->normal;
+  return spec.pair.backlash_circumferential ? view->circumferential[0] : view->rotation[0].deg();
+}
+
+}  // namespace
+
+std::optional<Error> thin_for_backlash(JobSpec& spec, const std::optional<PairPlace>& place,
+                                       std::vector<Warning>& warnings) {
+  GW_EXPECTS(wants_backlash(spec.pair) && spec.gears[0] && spec.gears[1]);
+  const Wanted wanted = wanted_of(spec.pair);
+  const auto asked = [&](const Error& error) {
+    return following_from(wanted.field, spoken(wanted.value), "it asks for", error);
+  };
+  double before = 0.0;
+  auto at_before = backlash_at(spec, place, before);
+  if (!at_before) return at_before.error();
+  double off_before = *at_before - wanted.value;
+  double now = 0.05 * spec.gears[0]->cylindrical.normal_module;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const auto at_now = backlash_at(spec, place, now);
+    if (!at_now) return asked(at_now.error());
+    const double off = *at_now - wanted.value;
+    const double slope = (off - off_before) / (now - before);
+    if (std::abs(off) <= kNear * std::max(1.0, wanted.value) || !(slope > 0.0)) break;
+    before = now;
+    off_before = off;
+    now -= off / slope;
+  }
+  thin(spec, now);
+  const auto made = backlash_at(spec, place, now);
+  if (!made || std::abs(*made - wanted.value) > kSame * std::max(1.0, wanted.value))
+    return refused(wanted.field, wanted.value, "no thickness of these teeth has this backlash");
+  if (now < -kSame) {
+    warnings.push_back({"thickened_for_backlash",
+                        fmt::format("The centre distance leaves a backlash greater than "
+                                    "`{}` = {}: the teeth are thicker than their profile shifts "
+                                    "make them, by {} mm together.",
+                                    wanted.field, spoken(wanted.value), spoken(-now)),
+                        0});
+  }
+  return std::nullopt;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,163 @@
+#include "gearwright/job/csv_answer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "gearwright/catalogue/gear_quantities.hpp"
+#include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/job/contact_text.hpp"
+
+namespace gearwright {
+
+namespace {
+
+std::string cell(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + "\"";
+}
+
+// A plain value; lists and records have cells of their own.
+std::string cell(const Value& value) {
+  if (const auto* n = std::get_if<long long>(&value.variant())) return std::to_string(*n);
+  if (const auto* flag = std::get_if<bool>(&value.variant())) return *flag ? "1" : "0";
+  if (const auto* x = std::get_if<double>(&value.variant())) return fmt::format("{}", *x);
+  if (const auto* s = std::get_if<std::string>(&value.variant())) return cell(std::string_view(*s));
+  return {};
+}
+
+std::string row(const std::vector<std::string>& cells) {
+  return fmt::format("{}\r\n", fmt::join(cells, ","));
+}
+
+bool plain(const Value& v) { return !v.list() && !v.record() && !v.map(); }
+
+// A quantity whose value is one or two plain ones, or a record of such.
+void add_rows(const Said& said, const std::string& path, const std::vector<const Value*>& values,
+              std::string& out) {
+  std::vector<std::string> cells;
+  for (const Value* v : values) {
+    if (plain(*v)) {
+      cells.push_back(cell(*v));
+    } else if (const ValueList* list = v->list(); list && list->size() <= 2) {
+      for (const Value& item : *list) {
+        if (!plain(item)) return;
+        cells.push_back(cell(item));
+      }
+    } else {
+      return;
+    }
+  }
+  if (cells.size() > 2) return;
+  cells.resize(2);
+  out += row({path, cell(std::string_view(said.words)), cell(std::string_view(said.symbol)),
+              std::string(unit_text(said.unit)), cells[0], cells[1]});
+}
+
+// Records side by side: those of the gears, or one of the pair.
+void add_records(const std::string& path, const std::vector<const ValueRecord*>& records,
+                 std::string& out) {
+  for (const Member& m : *records.front()) {
+    if (!(m.said->doors & kJson)) continue;
+    std::vector<const Value*> values;
+    std::vector<const ValueRecord*> inner;
+    for (const ValueRecord* record : records) {
+      const auto same = std::find_if(record->begin(), record->end(),
+                                     [&](const Member& o) { return o.said == m.said; });
+      if (same == record->end()) continue;
+      values.push_back(&same->value);
+      if (same->value.record()) inner.push_back(same->value.record());
+    }
+    const std::string here = path + "." + m.said->key;
+    if (!inner.empty()) {
+      add_records(here, inner, out);
+    } else {
+      add_rows(*m.said, here, values, out);
+    }
+  }
+}
+
+using Cells = std::vector<std::pair<std::string, std::string>>;
+
+// Columns of one value of a row: records and short lists take one for each number.
+void add_cells(const std::string& name, const Value& value, Cells& cells) {
+  if (const ValueRecord* record = value.record()) {
+    for (const Member& m : *record)
+      if (m.said->doors & kJson) add_cells(name + "." + m.said->key, m.value, cells);
+  } else if (const ValueList* list = value.list()) {
+    for (std::size_t i = 0; i < list->size(); ++i)
+      add_cells(fmt::format("{}.{}", name, i + 1), (*list)[i], cells);
+  } else if (!value.nothing()) {
+    cells.emplace_back(name, cell(value));
+  }
+}
+
+// Rows of records; a column for whatever one of them has.
+std::string records_csv(const ValueList& records) {
+  std::vector<std::string> heads;
+  std::vector<Cells> rows;
+  for (const Value& v : records) {
+    Cells cells;
+    for (const Member& m : *v.record())
+      if (m.said->doors & kJson) add_cells(m.said->key, m.value, cells);
+    std::size_t at = 0;
+    for (const auto& [name, text] : cells) {
+      const auto it = std::find(heads.begin(), heads.end(), name);
+      // What this row has and no earlier one stands beside its neighbour.
+      if (it == heads.end()) {
+        heads.insert(heads.begin() + static_cast<std::ptrdiff_t>(at++), name);
+      } else {
+        at = static_cast<std::size_t>(it - heads.begin()) + 1;
+      }
+    }
+    rows.push_back(std::move(cells));
+  }
+  std::string out = row(heads);
+  for (const Cells& cells : rows) {
+    std::vector<std::string> line(heads.size());
+    for (const auto& [name, text] : cells)
+      line[static_cast<std::size_t>(std::find(heads.begin(), heads.end(), name) - heads.begin())] =
+          text;
+    out += row(line);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string quantities_csv(const SolvedJob& job) {
+  std::string out = row({"key", "quantity", "symbol", "unit", "first", "second"});
+  std::vector<ValueRecord> records;
+  for (const Gear& g : job.gears) records.push_back(gear_quantities().of(g));
+  std::vector<const ValueRecord*> gears;
+  for (const ValueRecord& record : records) gears.push_back(&record);
+  add_records("gears", gears, out);
+  if (job.pair) {
+    const ValueRecord pair = pair_quantities().of(*job.pair);
+    add_records("pair", {&pair}, out);
+  }
+  return out;
+}
+
+std::string contact_csv(const SolvedJob& job, const ContactAnswer& answer) {
+  for (const Member& m : contact_record(job, answer)) {
+    if (m.said->key == "positions" && m.value.list()) return records_csv(*m.value.list());
+  }
+  return {};
+}
+
+std::string outline_csv(const Outline& outline, int points) {
+  std::string out = row({"arc", "x_mm", "y_mm"});
+  for (const Arc& arc : outline.arcs) {
+    for (const Vec2& p : sample(arc, points))
+      out += row(
+          {std::string(to_string(arc.name)), fmt::format("{}", p.x()), fmt::format("{}", p.y())});
+  }
+  return out;
+}
+
+}  // namespace gearwright

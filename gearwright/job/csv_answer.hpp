@@ -1,0 +1,19 @@
+// Answers as tables for a spreadsheet: RFC 4180, numbers that read back to the same double.
+#pragma once
+
+#include <string>
+
+#include "gearwright/job/contact_answer.hpp"
+
+namespace gearwright {
+
+/// A row for each quantity of the gears and, where they are mounted, of the pair:
+/// key, quantity, symbol, unit, first, second. The last two are gear 1 and gear 2, or the two ends
+/// of a range; what both have in common stands in `first`.
+std::string quantities_csv(const SolvedJob& job);
+/// A row for each position of the working flanks, a column for each number of it.
+std::string contact_csv(const SolvedJob& job, const ContactAnswer& answer);
+/// A row for each point: arc, x_mm, y_mm.
+std::string outline_csv(const Outline& outline, int points);
+
+}  // namespace gearwright

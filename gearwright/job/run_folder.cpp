@@ -1,0 +1,82 @@
+#include "gearwright/job/run_folder.hpp"
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "gearwright/base/output_file.hpp"
+
+namespace gearwright {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kHeading =
+    "What the last gearwright run wrote here: checksum, bytes, name. The next run removes of "
+    "these\n"
+    "what it does not write itself and what nobody has changed.\n";
+
+struct Listed {
+  unsigned long checksum = 0;
+  std::size_t bytes = 0;
+  std::string name;
+};
+
+unsigned long checksum_of(const std::string& bytes) {
+  return crc32_z(crc32_z(0, nullptr, 0), reinterpret_cast<const Bytef*>(bytes.data()),
+                 bytes.size());
+}
+
+std::vector<Listed> read_list(const fs::path& folder) {
+  std::vector<Listed> list;
+  std::ifstream file(folder / kRunList);
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream words(line);
+    Listed l;
+    words >> std::hex >> l.checksum >> std::dec >> l.bytes;
+    if (!words || !std::getline(words >> std::ws, l.name)) continue;
+    // Nothing outside the folder, whatever the list says.
+    if (fs::path(l.name).filename() == l.name && l.name != "." && l.name != "..") list.push_back(l);
+  }
+  return list;
+}
+
+bool as_written(const fs::path& path, const Listed& was) {
+  std::error_code error;
+  if (!fs::is_regular_file(fs::symlink_status(path, error)) ||
+      fs::file_size(path, error) != was.bytes)
+    return false;
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << file.rdbuf();
+  return file && checksum_of(bytes.str()) == was.checksum;
+}
+
+}  // namespace
+
+void write_run(const fs::path& folder, const std::vector<JobFile>& files) {
+  const std::vector<Listed> former = read_list(folder);
+  std::string list = kHeading;
+  for (const JobFile& f : files) {
+    list += fmt::format("{:08x} {} {}\n", checksum_of(f.bytes), f.bytes.size(),
+                        f.path.filename().string());
+  }
+  write_files(files);
+  // Until the new list stands, the old one does: what it names is then removed by the next run.
+  for (const Listed& was : former) {
+    const bool again = std::any_of(files.begin(), files.end(),
+                                   [&](const JobFile& f) { return f.path.filename() == was.name; });
+    std::error_code error;
+    if (!again && as_written(folder / was.name, was)) fs::remove(folder / was.name, error);
+    if (error)
+      throw IoError("cannot remove " + (folder / was.name).string() + ": " + error.message());
+  }
+  write_file(folder / kRunList, list);
+}
+
+}  // namespace gearwright

@@ -1,0 +1,130 @@
+#include "gearwright/spec/inherit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
+
+#include "gearwright/base/angle.hpp"
+
+namespace gearwright {
+
+namespace {
+
+using Keys = std::initializer_list<const char*>;
+
+constexpr Keys kModules{"normal_module_mm", "normal_diametral_pitch_per_in",
+                        "transverse_module_mm"};
+constexpr Keys kPressureAngles{"normal_pressure_angle_deg", "transverse_pressure_angle_deg"};
+constexpr Keys kHelices{"helix_angle_deg", "lead_angle_deg"};
+
+bool has_any(const Json& table, Keys keys) {
+  return std::any_of(keys.begin(), keys.end(),
+                     [&](const char* key) { return table.contains(key); });
+}
+
+// A new member where the alphabet has it, as the TOML reader orders a table: a spec that is written
+// out and read again is the same tree.
+void put(Json& table, const char* key, const Json& value) {
+  Json::object_t& members = table.get_ref<Json::object_t&>();
+  Json::object_t sorted;
+  bool there = false;
+  for (auto& [name, member] : members) {
+    if (!there && name > key) sorted.emplace_back(key, value);
+    there = there || name > key;
+    sorted.emplace_back(name, std::move(member));
+  }
+  if (!there) sorted.emplace_back(key, value);
+  table = std::move(sorted);
+}
+
+std::optional<double> number(const Json& table, const char* key) {
+  const auto it = table.find(key);
+  if (it == table.end() || !it->is_number()) return std::nullopt;
+  return it->get<double>();
+}
+
+// |β| in degrees.
+double helix_of(const Json& gear) {
+  if (const auto beta = number(gear, "helix_angle_deg")) return std::abs(*beta);
+  if (const auto lead = number(gear, "lead_angle_deg")) return 90.0 - *lead;
+  return 0.0;
+}
+
+bool parallel(const Json& tree) {
+  const auto pair = tree.find("pair");
+  if (pair == tree.end() || !pair->is_object()) return true;
+  return !pair->contains("shaft_angle_deg") || number(*pair, "shaft_angle_deg") == 0.0;
+}
+
+// Helix angle and hand; true: they are gear 1's.
+bool hand_on_helix(const Json& from, Json& to) {
+  if (has_any(to, kHelices) || !has_any(from, kHelices)) return false;
+  const bool ring = number(to, "teeth").value_or(0.0) < 0.0;
+  const auto hand = from.find("hand");
+  const bool left = hand != from.end() && *hand == "left";
+  const bool own_hand = to.contains("hand");
+  if (const auto beta = number(from, "helix_angle_deg")) {
+    double turned = ring || *beta == 0.0 ? *beta : -*beta;
+    if (own_hand && *beta != 0.0) turned = std::abs(*beta) * (to["hand"] == "left" ? -1.0 : 1.0);
+    put(to, "helix_angle_deg", turned);
+  } else if (const auto lead = number(from, "lead_angle_deg")) {
+    put(to, "lead_angle_deg", *lead);
+    if (!own_hand && hand != from.end()) put(to, "hand", left == ring ? "left" : "right");
+  }
+  return true;
+}
+
+// A number of the normal section, of whatever section gear 1 says it; the helix of gear 2 may be
+// another one.
+void hand_on(const Json& from, Json& to, Keys keys, const char* transverse,
+             double (*normal_of)(double transverse, double cos_beta)) {
+  if (has_any(to, keys)) return;
+  for (const char* key : keys) {
+    if (!from.contains(key)) continue;
+    const auto value = number(from, key);
+    if (key == std::string_view(transverse) && value) {
+      put(to, *keys.begin(), normal_of(*value, std::cos(Angle::degrees(helix_of(from)).rad())));
+    } else {
+      put(to, key, from[key]);
+    }
+    return;
+  }
+}
+
+// Straight flanks and double arcs cut both gears of a pair; F and P cut one each.
+bool cuts_both(const Json& rack) {
+  if (rack.is_string()) return true;
+  if (!rack.is_object()) return false;
+  const auto kind = rack.find("kind");
+  return kind == rack.end() || *kind == "straight" || *kind == "double_circular_arc";
+}
+
+}  // namespace
+
+Inherited inherit(const Json& tree) {
+  Inherited made{tree, false};
+  const auto gear = [&](const char* name) -> Json* {
+    const auto it = made.tree.find(name);
+    const bool mounted = it != made.tree.end() && it->is_object() && it->contains("teeth");
+    return mounted ? &*it : nullptr;
+  };
+  const Json* from = gear("gear1");
+  Json* to = gear("gear2");
+  if (!from || !to || has_any(*to, {"cut_by", "basic"})) return made;
+  if (parallel(tree) && !from->contains("basic")) made.helix_angle = hand_on_helix(*from, *to);
+  hand_on(*from, *to, kModules, "transverse_module_mm",
+          [](double m_t, double cos_beta) { return m_t * cos_beta; });
+  hand_on(
+      *from, *to, kPressureAngles, "transverse_pressure_angle_deg",
+      [](double alpha_t, double cos_beta) {
+        return Angle::radians(std::atan(std::tan(Angle::degrees(alpha_t).rad()) * cos_beta)).deg();
+      });
+  if (from->contains("rack") && !to->contains("rack") && cuts_both((*from)["rack"]))
+    put(*to, "rack", (*from)["rack"]);
+  return made;
+}
+
+}  // namespace gearwright

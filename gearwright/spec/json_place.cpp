@@ -1,0 +1,123 @@
+#include "gearwright/spec/json_place.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace gearwright {
+
+namespace {
+
+// Walks over a text that is JSON: no step looks for what cannot be there.
+class Walk {
+ public:
+  explicit Walk(std::string_view text) : text_(text) {}
+
+  std::size_t at() const { return at_; }
+  char here() {
+    blanks();
+    return at_ < text_.size() ? text_[at_] : '\0';
+  }
+  /// Past the bracket, comma or colon here.
+  void step() { ++at_; }
+  /// Past a string; gives what stands between the quotes, escapes as they are.
+  std::string_view quoted() {
+    const std::size_t begin = ++at_;
+    while (at_ < text_.size() && text_[at_] != '"') at_ += text_[at_] == '\\' ? 2 : 1;
+    const std::string_view inside = text_.substr(begin, at_ - begin);
+    step();
+    return inside;
+  }
+  /// Past a value.
+  void skip() {
+    int deep = 0;
+    do {
+      const char c = here();
+      if (c == '"') {
+        quoted();
+        continue;
+      }
+      if (c == '{' || c == '[') ++deep;
+      if (c == '}' || c == ']') --deep;
+      if (deep == 0 && c != '}' && c != ']') {  // a number or a word
+        at_ = std::min(text_.find_first_of(",]} \t\r\n", at_), text_.size());
+        return;
+      }
+      step();
+    } while (deep > 0 && at_ < text_.size());
+  }
+
+ private:
+  void blanks() { at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size()); }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+};
+
+TextPlace place_at(std::string_view text, std::size_t at) {
+  TextPlace place;
+  for (const char c : text.substr(0, at)) {
+    if (c == '\n') {
+      ++place.line;
+      place.column = 1;
+    } else if ((static_cast<unsigned char>(c) & 0xC0) != 0x80) {
+      ++place.column;
+    }
+  }
+  return place;
+}
+
+// To the value of the member that `path` begins with; false: there is none.
+bool enter(Walk& walk, std::string_view& path, std::optional<std::size_t>& found) {
+  walk.step();  // the brace
+  while (walk.here() == '"') {
+    const std::size_t at = walk.at();
+    const std::string_view key = walk.quoted();
+    if (walk.here() == ':') walk.step();
+    walk.here();
+    const bool whole =
+        path.starts_with(key) &&
+        (path.size() == key.size() || path[key.size()] == '.' || path[key.size()] == '[');
+    if (whole) {
+      found = at;
+      path.remove_prefix(key.size());
+      return true;
+    }
+    walk.skip();
+    if (walk.here() == ',') walk.step();
+    walk.here();
+  }
+  return false;
+}
+
+// To the element of a list that "[2]" names.
+bool enter_list(Walk& walk, std::string_view& path, std::optional<std::size_t>& found) {
+  const int wanted = std::atoi(path.data() + 1);
+  walk.step();
+  for (int i = 1; walk.here() != ']' && walk.here() != '\0'; ++i) {
+    if (i == wanted) {
+      found = walk.at();
+      path.remove_prefix(std::min(path.find(']'), path.size() - 1) + 1);
+      return true;
+    }
+    walk.skip();
+    if (walk.here() == ',') walk.step();
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<TextPlace> json_place(std::string_view text, std::string_view path) {
+  Walk walk(text);
+  std::optional<std::size_t> found;
+  while (walk.here() == '{' && enter(walk, path, found)) {
+    while (path.starts_with('[') && walk.here() == '[' && enter_list(walk, path, found)) {
+    }
+    if (!path.starts_with('.')) break;
+    path.remove_prefix(1);
+  }
+  if (!found) return std::nullopt;
+  return place_at(text, *found);
+}
+
+}  // namespace gearwright

@@ -1,0 +1,254 @@
+// toml++ 3.3 answers some broken input ("[" and a newline) with an assert instead of a parse error;
+// the release behaviour of the same code is a clean parse error, so this file takes that in every
+// build.
+#ifndef NDEBUG
+#define NDEBUG
+#endif
+#include "gearwright/spec/spec_text.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <vector>
+
+#include "gearwright/base/output_file.hpp"
+#include "gearwright/spec/json_place.hpp"
+#include "gearwright/spec/parse_spec.hpp"
+#include "gearwright/spec/table_reader.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr int kDeepest = 32;  // tables in tables; a spec has three
+
+Error syntax_error(const std::string& what) { return {"", "", "the spec cannot be read: " + what}; }
+
+// Members are put at the end of an object without a look for their like, which would take a time
+// that grows with the square of their number: both parsers give every key once.
+Json& put(Json& object, std::string key, Json value) {
+  return object.get_ref<Json::object_t&>().emplace_back(std::move(key), std::move(value)).second;
+}
+
+Json to_json(const toml::node& node) {
+  if (const auto* table = node.as_table()) {
+    Json result = Json::object();
+    for (const auto& [key, value] : *table) put(result, std::string(key.str()), to_json(value));
+    return result;
+  }
+  if (const auto* array = node.as_array()) {
+    Json result = Json::array();
+    for (const toml::node& value : *array) result.push_back(to_json(value));
+    return result;
+  }
+  if (const auto* v = node.as_integer()) return v->get();
+  if (const auto* v = node.as_floating_point()) return v->get();
+  if (const auto* v = node.as_boolean()) return v->get();
+  if (const auto* v = node.as_string()) return v->get();
+  return "(a date or time)";
+}
+
+// Builds the tree of a JSON text with its nesting bounded and every key of a table there once, as
+// TOML has it.
+class TreeBuilder final : public nlohmann::json_sax<Json> {
+ public:
+  Json tree;
+
+  bool null() override { return add(nullptr); }
+  bool boolean(bool v) override { return add(v); }
+  bool number_integer(std::int64_t v) override { return add(v); }
+  bool number_unsigned(std::uint64_t v) override { return add(v); }
+  bool number_float(double v, const std::string&) override { return add(v); }
+  bool string(std::string& v) override { return add(std::move(v)); }
+  bool binary(nlohmann::json::binary_t&) override { return false; }
+  bool start_object(std::size_t) override { return open(Json::object()); }
+  bool start_array(std::size_t) override { return open(Json::array()); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+  bool key(std::string& name) override {
+    if (!open_.back().keys.insert(name).second)
+      throw SpecError{{printable(name, 60), "", "stands twice in one table; leave one out"}};
+    open_.back().key = name;
+    return true;
+  }
+  bool parse_error(std::size_t, const std::string&,
+                   const nlohmann::json::exception& error) override {
+    // The library's own words begin with "[json.exception.parse_error.101] ".
+    const std::string what = error.what();
+    const std::size_t at = what.find("] ");
+    throw SpecError{
+        syntax_error(printable(at == std::string::npos ? what : what.substr(at + 2), 200))};
+  }
+
+ private:
+  struct Open {
+    Json* node;
+    std::set<std::string> keys{};
+    std::string key{};
+  };
+
+  Json* place(Json value) {
+    if (open_.empty()) {
+      tree = std::move(value);
+      return &tree;
+    }
+    Open& o = open_.back();
+    if (o.node->is_object()) return &put(*o.node, std::move(o.key), std::move(value));
+    o.node->push_back(std::move(value));
+    return &o.node->back();
+  }
+  bool add(Json value) {
+    place(std::move(value));
+    return true;
+  }
+  bool open(Json value) {
+    Json* node = place(std::move(value));
+    open_.push_back({node});
+    if (open_.size() > static_cast<std::size_t>(kDeepest)) {
+      throw SpecError{
+          {"", "", fmt::format("the spec cannot be read: it nests more than {} tables", kDeepest)}};
+    }
+    return true;
+  }
+  bool close() {
+    open_.pop_back();
+    return true;
+  }
+
+  std::vector<Open> open_;
+};
+
+// The first line with more dots outside quotes than tables may nest: the TOML parser calls itself
+// for each part of a dotted name.
+std::optional<int> deep_line(std::string_view text) {
+  int line = 1;
+  int dots = 0;
+  char quote = 0;
+  for (const char c : text) {
+    if (c == '\n') {
+      ++line;
+      dots = 0;
+      quote = 0;
+    } else if (quote) {
+      if (c == quote) quote = 0;
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+    } else if (c == ',') {
+      dots = 0;  // the next one of a list
+    } else if (c == '.' && ++dots > 8 * kDeepest) {
+      return line;
+    }
+  }
+  return std::nullopt;
+}
+
+TextPlace place_of(const toml::source_region& source) {
+  return {static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
+}
+
+// The part of `path` that names a member of a table: the longest of its keys that it begins with.
+const toml::key* first_key(const toml::table& table, std::string_view path) {
+  const toml::key* longest = nullptr;
+  for (const auto& [key, value] : table) {
+    const std::string_view name = key.str();
+    const bool whole =
+        path.starts_with(name) &&
+        (path.size() == name.size() || path[name.size()] == '.' || path[name.size()] == '[');
+    if (whole && (!longest || name.size() > longest->str().size())) longest = &key;
+  }
+  return longest;
+}
+
+std::optional<TextPlace> toml_place(const toml::table& root, std::string_view path) {
+  std::optional<TextPlace> place;
+  const toml::table* table = &root;
+  while (table) {
+    const toml::key* key = first_key(*table, path);
+    if (!key) return place;
+    place = place_of(key->source());
+    const toml::node* node = table->get(key->str());
+    path.remove_prefix(key->str().size());
+    while (path.starts_with('[') && node->as_array()) {
+      const std::size_t end = path.find(']');
+      const auto index = static_cast<std::size_t>(std::atoi(path.data() + 1)) - 1;
+      node = node->as_array()->get(index);
+      if (!node || end == std::string_view::npos) return place;
+      place = place_of(node->source());
+      path.remove_prefix(end + 1);
+    }
+    if (!path.starts_with('.')) return place;
+    path.remove_prefix(1);
+    table = node->as_table();
+  }
+  return place;
+}
+
+}  // namespace
+
+Result<Json> parse_spec(std::string_view text, SpecFormat format) {
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+    return syntax_error("it is empty; the least is [gear1] with teeth and normal_module_mm");
+  try {
+    if (format == SpecFormat::json) {
+      TreeBuilder builder;
+      Json::sax_parse(text.begin(), text.end(), &builder);
+      if (!builder.tree.is_object())
+        return syntax_error("a JSON spec is one object, {\"gear1\": {...}}");
+      return std::move(builder.tree);
+    }
+    if (const auto line = deep_line(text))
+      return syntax_error(fmt::format("line {} nests more than {} tables", *line, kDeepest));
+    return to_json(toml::parse(text));
+  } catch (const SpecError& e) {
+    return e.error;
+  } catch (const toml::parse_error& e) {
+    const auto& at = e.source().begin;
+    return syntax_error(fmt::format("line {}, column {}: {}", at.line, at.column, e.description()));
+  }
+}
+
+std::optional<TextPlace> place_of_key(const SpecText& text, std::string_view key) {
+  if (key.empty()) return std::nullopt;
+  if (text.format == SpecFormat::json) return json_place(text.text, key);
+  if (deep_line(text.text)) return std::nullopt;
+  try {
+    return toml_place(toml::parse(text.text), key);
+  } catch (const toml::parse_error&) {
+    return std::nullopt;
+  }
+}
+
+Result<SpecText> read_spec_text(const std::filesystem::path& path) {
+  const bool pipe = path == "-";
+  const std::string name = pipe ? "standard input" : path.string();
+  std::error_code error;
+  if (!pipe && std::filesystem::is_directory(path, error))
+    throw IoError("cannot read " + name + ": it is a folder");
+  std::ifstream file;
+  if (!pipe) file.open(path, std::ios::binary);
+  if (!pipe && !file) throw IoError("cannot read " + name + ": " + std::strerror(errno));
+  std::istream& in = pipe ? std::cin : file;
+  SpecText read{name, std::string(kMaxSpec + 1, '\0')};
+  in.read(read.text.data(), static_cast<std::streamsize>(read.text.size()));
+  if (in.bad()) throw IoError("cannot read " + name + ": " + std::strerror(errno));
+  read.text.resize(static_cast<std::size_t>(in.gcount()));
+  if (read.text.size() > kMaxSpec) {
+    return syntax_error(
+        fmt::format("{} has more than {} bytes, which no gear needs", name, kMaxSpec));
+  }
+  const bool in_folder = !pipe && std::filesystem::is_regular_file(path, error);
+  if (in_folder) read.folder = path.parent_path();
+  const std::size_t first = read.text.find_first_not_of(" \t\r\n");
+  const bool brace = first != std::string::npos && read.text[first] == '{';
+  if (in_folder ? path.extension() == ".json" : brace || path.extension() == ".json")
+    read.format = SpecFormat::json;
+  return read;
+}
+
+}  // namespace gearwright
