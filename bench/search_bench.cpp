@@ -53,7 +53,7 @@ void candidates_lanes_over_scalar(benchmark::State& state) {
   c.tan_alpha = std::tan(20.0 * std::numbers::pi / 180.0);
   c.addendum = {1.0, 1.0};
   c.dedendum = {1.25, 1.25};
-  c.edge_depth = {1.0, 1.0};
+  c.edge_depth = c.flank_depth = {1.0, 1.0};
   c.tight = c.shorten = state.range(0) == 1;
   CandidateBatch batch;
   batch.resize(16384);
@@ -137,7 +137,11 @@ void feasible_designs_over_sieve(benchmark::State& state) {
                                     static_cast<double>(size) / state.counters["ratio"];
   state.SetLabel(p.limits.avoid_interference ? "without interference" : "whatever interferes");
 }
-BENCHMARK(feasible_designs_over_sieve)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->Iterations(7);
+BENCHMARK(feasible_designs_over_sieve)
+    ->Arg(0)
+    ->Arg(1)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(7);
 
 // One region: ends, corners, area, the line of Eq. 11.
 void region_of_one_trial(benchmark::State& state) {

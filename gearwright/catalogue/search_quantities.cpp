@@ -126,10 +126,11 @@ void say_place(Quantities<V>& q) {
       .always()
       .column("x#")
       .digits(4);
-  q.word("", "point", "place of the shifts",
-         "where in the region the shifts stand: `eq11` on the line of Eq. 11, off the walls, `lo_hi` "
-         "in the middle where that line misses the region",
-         [](const V& v) { return Value(v.row->balanced ? "eq11" : "lo_hi"); })
+  q.word(
+       "", "point", "place of the shifts",
+       "where in the region the shifts stand: `eq11` on the line of Eq. 11, off the walls, `lo_hi` "
+       "in the middle where that line misses the region",
+       [](const V& v) { return Value(v.row->balanced ? "eq11" : "lo_hi"); })
       .one_of({"eq11", "lo_hi"})
       .always()
       .column("point")
@@ -320,9 +321,9 @@ void say_search(Quantities<SearchView>& q) {
           return Value(std::move(map));
         })
       .always();
-  q.record("", "margins", "what every design keeps, in modules", margin_table,
-           [](const S& s) { return Value(margin_quantities().of(s.problem->limits)); })
-      .always();
+  q.record("", "margins", "what every design keeps, in modules", margin_table, [](const S& s) {
+     return Value(margin_quantities().of(s.problem->limits));
+   }).always();
   count("points_tested", "of the grid of `shift_step`", &SearchCounts::points_tested).when(grid);
   count("points_feasible", "of the grid of `shift_step`", &SearchCounts::points_feasible)
       .when(grid);

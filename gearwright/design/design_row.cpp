@@ -83,8 +83,8 @@ DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts) {
   for (std::size_t i : {0, 1}) {
     const TrialGear& g = graph.gears()[i];
     if (g.teeth < 0) continue;
-    const double start = m * leaf::flank_start(g.r, g.sin_transverse, g.flank_depth,
-                                               shifts[static_cast<int>(i)]);
+    const double start =
+        m * leaf::flank_start(g.r, g.sin_transverse, g.flank_depth, shifts[static_cast<int>(i)]);
     // Along the line of action, which on crossed axes rises by the base helix.
     const double weight = problem.crossed() ? 1.0 / g.cos_base_helix : 1.0;
     row.form_clearance[i] = weight * (ends[i] - start);

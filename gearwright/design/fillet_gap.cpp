@@ -29,8 +29,7 @@ class Fillet {
     const double sin_n = std::sin(alpha_n);
     radius_ = (g.dedendum - g.flank_depth) / (1.0 - sin_n);
     const double depth = g.dedendum - radius_;  // of its centre
-    across_ =
-        std::numbers::pi / 4.0 - depth * std::tan(alpha_n) - radius_ / std::cos(alpha_n);
+    across_ = std::numbers::pi / 4.0 - depth * std::tan(alpha_n) - radius_ / std::cos(alpha_n);
     down_ = depth - x;
     end_ = std::numbers::pi / 2.0 - alpha_n;
   }
@@ -120,8 +119,8 @@ std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts) {
   if (graph.problem().crossed() || g[1].teeth < 0) return std::nullopt;
   const double sum = shifts[0] + shifts[1];
   // Both gears mesh with one rack, whose corner does not reach the fillet its rounding cuts.
-  if (sum == 0.0 && std::max(g[0].addendum, g[1].addendum) <=
-                        std::min(g[0].flank_depth, g[1].flank_depth) + 1e-3)
+  if (sum == 0.0 &&
+      std::max(g[0].addendum, g[1].addendum) <= std::min(g[0].flank_depth, g[1].flank_depth) + 1e-3)
     return std::nullopt;
   const SumPlace at = graph.place(sum);
   const double alpha_n = graph.problem().normal_pressure_angle.rad();
@@ -130,8 +129,7 @@ std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts) {
   const double inv_t = std::tan(std::asin(g[0].sin_transverse)) - std::asin(g[0].sin_transverse);
   const double inv_w = at.N / B - alpha_w;
   // Backlash along the path of contact: what the distance opens beyond the tight one.
-  const double opened = inv_w - inv_t -
-                        2.0 * std::tan(alpha_n) * sum / (g[0].teeth + g[1].teeth);
+  const double opened = inv_w - inv_t - 2.0 * std::tan(alpha_n) * sum / (g[0].teeth + g[1].teeth);
   const double backlash = std::max(0.0, 2.0 * B * opened);
   double least = kInfinite;
   for (std::size_t i : {0, 1}) {
@@ -139,7 +137,8 @@ std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts) {
     const double x = shifts[static_cast<int>(1 - i)];
     const double u = mate.r + mate.addendum + x + at.k;
     // Half the transverse tip thickness as an angle, from s_an. [T9.3]
-    const double cos_at_tip = 1.0 / std::sqrt(1.0 + std::pow(mate.tan_base_helix * u / mate.r_b, 2));
+    const double cos_at_tip =
+        1.0 / std::sqrt(1.0 + std::pow(mate.tan_base_helix * u / mate.r_b, 2));
     const double half = tip_thickness(mate, x, at.k) / cos_at_tip / (2.0 * u);
     const Fillet fillet(g[i], alpha_n, shifts[static_cast<int>(i)]);
     const Corner corner{at.a, u, half + backlash / (2.0 * mate.r_b),
@@ -150,7 +149,8 @@ std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts) {
 }
 
 bool fillet_is_cut(const ShiftGraph& graph, const Vec2& shifts) {
-  if (!graph.problem().limits.avoid_interference) return false;
+  const SearchLimits& limits = graph.problem().limits;
+  if (!limits.avoid_interference || !limits.tip_clearance) return false;
   constexpr double kClear = 1e-6;  // modules: what the rounding of a printed spec may take
   const auto gap = fillet_gap(graph, shifts);
   return gap && *gap < kClear;

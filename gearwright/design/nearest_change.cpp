@@ -127,8 +127,7 @@ class Least {
       if (!go_on()) break;
       std::swap(order[i], order[i + random() % (order.size() - i)]);
       const Trial t = space.trial(order[i]);
-      const double nearer =
-          best ? *best + std::copysign(enough, knob_->value - knob_->far) : far_;
+      const double nearer = best ? *best + std::copysign(enough, knob_->value - knob_->far) : far_;
       if (best && std::abs(*best - knob_->value) <= enough) break;
       if (!feasible(t, nearer)) continue;
       double no = knob_->value;

@@ -260,7 +260,7 @@ TEST(NearestChange, EveryTrialIsAskedOnceOrTwice) {
   const NearestChanges found = nearest_changes(p);
   ASSERT_EQ(found.changes.size(), 1u);
   EXPECT_EQ(found.changes[0].field, "limits.tip_clearance");
-  EXPECT_EQ(found.changes[0].to, "0.25");
+  EXPECT_NEAR(std::stod(found.changes[0].to), 0.25, 1e-6);
   EXPECT_TRUE(found.bounded.empty());
   EXPECT_FALSE(found.stopped);
   // Questions, counted: what each knob's far end leaves after the sieve, and the bisections.

@@ -203,8 +203,7 @@ bool Search::exists(std::int64_t from, std::int64_t to) const {
   bool found = false;
   sift(from, to, {},
        [&](const Trial& t, double verdict, const TrialGear& g_1, const TrialGear& g_2) {
-         found = verdict > kSieveContactRatio &&
-                 has_design(ShiftGraph(problem_, t, g_1, g_2));
+         found = verdict > kSieveContactRatio && has_design(ShiftGraph(problem_, t, g_1, g_2));
          return !found;
        });
   return found;

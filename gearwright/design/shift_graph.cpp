@@ -296,9 +296,7 @@ bool ShiftGraph::tip_clearance_can_be_enough() const {
   return most >= *problem_->limits.tip_clearance - 2.0 * kTouching;
 }
 
-double ShiftGraph::margin(double x1, double x2) const {
-  return margin_in(sums(), x1, x2);
-}
+double ShiftGraph::margin(double x1, double x2) const { return margin_in(sums(), x1, x2); }
 
 double ShiftGraph::wall_distance(double x1, double x2) const {
   return margin_in(plain_sums(kLimits, Band::left_out), x1, x2);

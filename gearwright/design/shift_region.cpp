@@ -236,9 +236,9 @@ double greatest(const F& f, double a, double b) {
   }
   // climb() stops above 0: seen from one above the top it never does.
   const double above = top + 1.0;
-  const double x = detail::climb([&](double s) { return f(s) - above; },
-                                 node(std::max(best - 1, 0)),
-                                 node(std::min(best + 1, kIntervalNodes)));
+  const double x =
+      detail::climb([&](double s) { return f(s) - above; }, node(std::max(best - 1, 0)),
+                    node(std::min(best + 1, kIntervalNodes)));
   return std::max(top, f(x));
 }
 
@@ -258,7 +258,8 @@ std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
     return fillets == Fillets::asked && wall > 0.0 && fillet_is_cut(graph, p) ? -wall : wall;
   };
   const double nearest = std::clamp(0.0, range.lo, range.hi);
-  if (off_walls(nearest) >= kWallDistance) return place(nearest);
+  const double at_nearest = off_walls(nearest);
+  if (at_nearest >= kWallDistance) return place(nearest);
   // The distance has one hump but for rare regions in pieces: uphill from there in growing steps,
   // and back to the first place that is far enough.
   constexpr double kStep = 0.05;  // modules: a tenth of what is usual
@@ -270,21 +271,36 @@ std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
   double before = nearest;
   double here = side > 0.0 ? right : left;
   double value = std::max(at_right, at_left);
+  double beyond = here;
   for (double step = kStep; value < kWallDistance; step *= 2.0) {
-    const double next = std::clamp(here + side * step, range.lo, range.hi);
-    const double beyond = next == here ? value : off_walls(next);
-    if (!(beyond > value)) break;
-    before = std::exchange(here, next);
-    value = beyond;
+    beyond = std::clamp(here + side * step, range.lo, range.hi);
+    const double next = beyond == here ? value : off_walls(beyond);
+    if (!(next > value)) break;
+    before = std::exchange(here, beyond);
+    value = next;
   }
-  if (value >= kWallDistance) {
-    const Root root = find_root([&](double sum) { return off_walls(sum) - kWallDistance; },
-                                std::min(before, here), std::max(before, here));
+  if (value < kWallDistance) {
+    // The top lies between, or on both sides of the start.
+    if (before == nearest) before = side > 0.0 ? left : right;
+    here = detail::climb([&](double sum) { return off_walls(sum) - kWallDistance; },
+                         std::min(before, beyond), std::max(before, beyond));
+    value = off_walls(here);
+  }
+  if (value > kSameEnd) {
+    const double distance = std::min(kWallDistance, value / 2.0);
+    if (at_nearest >= distance) return place(nearest);
+    const Root root = find_root([&](double sum) { return off_walls(sum) - distance; },
+                                std::min(nearest, here), std::max(nearest, here));
     if (root.found()) return place(root.x);
   }
+  // At extended centres of external gears there is one hump, and no more to find.
+  const SearchProblem& problem = graph.problem();
+  const bool one_hump = problem.mounting == Mounting::extended && !problem.internal() &&
+                        !problem.crossed() && fillets == Fillets::left_out;
+  if (one_hump) return std::nullopt;
   const auto first_beyond = [&](double distance) {
-    return nearest_zero(where_not_negative(
-        [&](double sum) { return off_walls(sum) - distance; }, range.lo, range.hi));
+    return nearest_zero(where_not_negative([&](double sum) { return off_walls(sum) - distance; },
+                                           range.lo, range.hi));
   };
   if (const auto sum = first_beyond(kWallDistance)) return place(*sum);
   const double most = greatest(off_walls, range.lo, range.hi);
@@ -296,6 +312,16 @@ std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
 }  // namespace
 
 std::optional<Vec2> point_off_walls(const ShiftGraph& graph) {
+  if (!graph.problem().limits.avoid_interference) {
+    // Designs need not run: the bare theory, whose point may stand at a wall. Inside them it is known
+    // without the region.
+    const ShiftGraph::Sums range = graph.sums();
+    if (!(range.lo <= range.hi)) return std::nullopt;
+    const Trial& t = graph.trial();
+    const Vec2 p =
+        balanced_point(t.z1, t.z2, std::clamp(0.0, range.lo, range.hi), graph.problem().lambda);
+    return graph.wall_distance(p[0], p[1]) > kSameEnd ? std::optional(p) : std::nullopt;
+  }
   // Fillets cost more than all walls together and are cut at few places.
   const auto place = place_off_walls(graph, Fillets::left_out);
   return place && fillet_is_cut(graph, *place) ? place_off_walls(graph, Fillets::asked) : place;
@@ -345,8 +371,9 @@ Vec2 middle_point(const ShiftGraph& graph, const ShiftRegion& region) {
   const double sum = (longest->lo + longest->hi) / 2.0;
   const Vec2 inside = point(sum, graph.slice(sum).middle());
   const Vec2 middle = (region.lo + region.hi) / 2.0;
+  const bool runs = graph.problem().limits.avoid_interference;
   const double enough =
-      std::max(-kTouching, graph.wall_distance(inside[0], inside[1]) / 2.0);
+      runs ? std::max(-kTouching, graph.wall_distance(inside[0], inside[1]) / 2.0) : -kTouching;
   const bool one = region.sums.size() == 1;
   return one && graph.wall_distance(middle[0], middle[1]) >= enough ? middle : inside;
 }

@@ -48,7 +48,8 @@ std::optional<ShiftRegion> shift_region(const ShiftGraph& graph,
 inline constexpr double kWallDistance = 0.05;
 
 /// The point of the line of Eq. 11 with Σ nearest 0 that stands off the walls; none: the line has no
-/// point inside them.   Cost  one evaluation of all limits where Σ = 0 will do
+/// point inside them. Where designs that interfere are not excluded it may stand at a wall, and is
+/// none then: the region knows it (`balanced`).   Cost  one evaluation of all limits where Σ = 0 will do
 std::optional<Vec2> point_off_walls(const ShiftGraph& graph);
 
 /// The boundary of each piece, counterclockwise; of a band that is one distance the segment there

@@ -8,8 +8,8 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/design/intervals.hpp"
-#include "gearwright/gear/reference.hpp"
 #include "gearwright/gear/leaf_formulas.hpp"
+#include "gearwright/gear/reference.hpp"
 #include "gearwright/math/involute.hpp"
 #include "gearwright/math/newton.hpp"
 
@@ -93,8 +93,8 @@ double thick_until_with(const TrialGear& g, double k) {
 double max_shift(const SearchProblem& problem, const TrialGear& gear, double k) {
   if (k == 0.0) return gear.x_max;
   const double ceiling = problem.limits.max_shift.value_or(std::numeric_limits<double>::infinity());
-  return std::min(ceiling, k < 0.0 && gear.thick_until ? thick_until_with(gear, k)
-                                                       : thick_enough(gear, k).max);
+  return std::min(
+      ceiling, k < 0.0 && gear.thick_until ? thick_until_with(gear, k) : thick_enough(gear, k).max);
 }
 
 TrialGear trial_gear(const SearchProblem& problem, int teeth, Angle helix, int rack, int which) {

@@ -117,7 +117,8 @@ std::string margin_line(const SearchLimits& limits) {
           ? fmt::format("every design runs without interference, form clearance >= {:g} modules",
                         limits.form_clearance)
           : "designs that interfere are listed too";
-  if (limits.tip_clearance) text += fmt::format(", tip clearance >= {:g} modules", *limits.tip_clearance);
+  if (limits.tip_clearance)
+    text += fmt::format(", tip clearance >= {:g} modules", *limits.tip_clearance);
   return text;
 }
 
