@@ -131,8 +131,10 @@ std::optional<DesignRow> design_row(const ShiftGraph& graph, RegionDetail detail
 }
 
 bool has_design(const ShiftGraph& graph) {
-  if (!graph.problem().limits.avoid_interference) return !graph.feasible_sums().empty();
-  return design_row(graph, RegionDetail::point).has_value();
+  // Most of those that are asked have no region, and that is known sooner than that no point runs.
+  if (graph.feasible_sums().empty()) return false;
+  return !graph.problem().limits.avoid_interference ||
+         design_row(graph, RegionDetail::point).has_value();
 }
 
 std::optional<double> cost(const SearchProblem& problem, const DesignRow& row,
