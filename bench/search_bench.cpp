@@ -113,6 +113,7 @@ void feasible_designs_over_sieve(benchmark::State& state) {
   p.modules = {2.0};
   p.pinion_teeth = {20, 200};
   p.limits.avoid_interference = state.range(0) == 1;
+  p.limits.clear_fillets = p.limits.avoid_interference;
   if (p.limits.avoid_interference) {
     p.limits.tip_clearance = kRunningTipClearance;
     p.limits.form_clearance = kRunningFormClearance;

@@ -21,7 +21,7 @@ SearchProblem wish(Mounting mounting, bool exclude) {
   p.modules = {1.5, 2.0, 3.0, 4.0};
   p.pinion_teeth = {10, 45};
   p.mounting = mounting;
-  p.limits.avoid_interference = exclude;
+  p.limits.avoid_interference = p.limits.clear_fillets = exclude;
   if (exclude) {
     p.limits.tip_clearance = kRunningTipClearance;
     p.limits.form_clearance = kRunningFormClearance;

@@ -133,7 +133,7 @@ std::optional<DesignRow> design_row(const ShiftGraph& graph, RegionDetail detail
 bool has_design(const ShiftGraph& graph) {
   // Most of those that are asked have no region, and that is known sooner than that no point runs.
   if (graph.feasible_sums().empty()) return false;
-  return !graph.problem().limits.avoid_interference ||
+  return !graph.problem().limits.clear_fillets ||
          design_row(graph, RegionDetail::point).has_value();
 }
 

@@ -149,8 +149,7 @@ std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts) {
 }
 
 bool fillet_is_cut(const ShiftGraph& graph, const Vec2& shifts) {
-  const SearchLimits& limits = graph.problem().limits;
-  if (!limits.avoid_interference || !limits.tip_clearance) return false;
+  if (!graph.problem().limits.clear_fillets) return false;
   constexpr double kClear = 1e-6;  // modules: what the rounding of a printed spec may take
   const auto gap = fillet_gap(graph, shifts);
   return gap && *gap < kClear;

@@ -24,9 +24,7 @@ namespace gearwright {
 /// Domain    a working angle exists, no gear is undercut
 std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts);
 
-/// Designs that interfere are excluded, tips are kept off the roots by a clearance however small, and
-/// at this point a corner cuts into a fillet. Without a limit of the tip clearance there is no limit
-/// of what tips do below the flanks: the bare [T9.9].
+/// It is asked (SearchLimits::clear_fillets), and at this point a corner cuts into a fillet.
 bool fillet_is_cut(const ShiftGraph& graph, const Vec2& shifts);
 
 }  // namespace gearwright

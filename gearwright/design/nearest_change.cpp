@@ -330,7 +330,7 @@ NearestChanges nearest_changes(const SearchProblem& problem, const SearchWatch& 
   if (problem.coprime) switched("coprime", 0.5, [](SearchProblem& p) { p.coprime = false; });
   if (problem.limits.avoid_interference)
     switched("limits.avoid_interference", kNotToRun, [](SearchProblem& p) {
-      p.limits.avoid_interference = false;
+      p.limits.avoid_interference = p.limits.clear_fillets = false;
       p.limits.form_clearance = 0.0;
     });
   std::stable_sort(

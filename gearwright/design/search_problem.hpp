@@ -61,8 +61,9 @@ struct SearchLimits {
   std::optional<double> overlap_ratio;  ///< ε_β ≥ this
   std::optional<double> sliding;        ///< |ζ| ≤ this at both ends of the path; parallel axes
   std::optional<double> tip_clearance;  ///< c ≥ this, modules
-  bool avoid_interference = false;      ///< a tip may not pass the start of the mating gear's flank,
-  double form_clearance = 0.0;          ///< and keeps this from it along the line of action, modules
+  bool avoid_interference = false;  ///< a tip may not pass the start of the mating gear's flank,
+  bool clear_fillets = false;       ///< nor cut into the root fillet, at the point of the design
+  double form_clearance = 0.0;      ///< and keeps this from it along the line of action, modules
 };
 
 /// What a search keeps unless it is told otherwise, so that what it finds runs: modules. The struct

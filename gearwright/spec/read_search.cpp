@@ -142,6 +142,7 @@ void read_limits(TableReader& t, SearchProblem& p) {
   if (word && avoid && (*word == "exclude") != *avoid)
     t.fail("avoid_interference", "contradicts interference; leave one out");
   l.avoid_interference = word ? *word == "exclude" : avoid.value_or(true);
+  l.clear_fillets = l.avoid_interference;
   if (l.avoid_interference) {
     if (!t.has("tip_clearance_min")) l.tip_clearance = kRunningTipClearance;
     if (!t.has("form_clearance_min")) l.form_clearance = kRunningFormClearance;
