@@ -1,4 +1,5 @@
-// The design search: lanes against their own scalar instance in one run, one thread against two.
+// The design search: lanes against their own scalar instance in one run, one thread against two,
+// feasible designs against trials that the sieve kills.
 //
 // Counters: `ratio`, the median over rounds in which both ways take turns, so that a noisy machine
 // slows both; `per_s`, candidates a second. The lanes' instruction set is the benchmark's label.
@@ -52,7 +53,7 @@ void candidates_lanes_over_scalar(benchmark::State& state) {
   c.tan_alpha = std::tan(20.0 * std::numbers::pi / 180.0);
   c.addendum = {1.0, 1.0};
   c.dedendum = {1.25, 1.25};
-  c.edge_depth = {1.0, 1.0};
+  c.edge_depth = c.flank_depth = {1.0, 1.0};
   c.tight = c.shorten = state.range(0) == 1;
   CandidateBatch batch;
   batch.resize(16384);
@@ -103,6 +104,45 @@ void search_one_thread_over_two(benchmark::State& state) {
       state, static_cast<double>(*search.space().size()), [&] { run(1); }, [&] { run(2); });
 }
 BENCHMARK(search_one_thread_over_two)->Unit(benchmark::kMillisecond)->Iterations(7);
+
+// Spur pairs at free centres, most of them feasible: what a design costs, with the limits under which
+// it runs and without. `ratio`: designs over trials that die in the sieve, by time.
+void feasible_designs_over_sieve(benchmark::State& state) {
+  SearchProblem p;
+  p.ratio = {1.0, 6.0};
+  p.modules = {2.0};
+  p.pinion_teeth = {20, 200};
+  p.limits.avoid_interference = state.range(0) == 1;
+  p.limits.clear_fillets = p.limits.avoid_interference;
+  if (p.limits.avoid_interference) {
+    p.limits.tip_clearance = kRunningTipClearance;
+    p.limits.form_clearance = kRunningFormClearance;
+  }
+  SearchProblem far = p;
+  far.center_distance = {{1.0, 2.0}};
+  const Search search(p);
+  const Search dead(far);
+  const std::int64_t size = *search.space().size();
+  std::vector<DesignRow> rows;
+  std::vector<DesignRow> none;
+  std::int64_t feasible = 0;
+  paired(
+      state, static_cast<double>(size),
+      [&] {
+        rows.clear();
+        feasible = search.range(0, size, rows, {.detail = RegionDetail::point}).feasible;
+      },
+      [&] { dead.range(0, size, none); });
+  state.counters["feasible"] = static_cast<double>(feasible) / static_cast<double>(size);
+  state.counters["designs_per_s"] = static_cast<double>(feasible) * state.counters["per_s"] /
+                                    static_cast<double>(size) / state.counters["ratio"];
+  state.SetLabel(p.limits.avoid_interference ? "without interference" : "whatever interferes");
+}
+BENCHMARK(feasible_designs_over_sieve)
+    ->Arg(0)
+    ->Arg(1)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(7);
 
 // One region: ends, corners, area, the line of Eq. 11.
 void region_of_one_trial(benchmark::State& state) {

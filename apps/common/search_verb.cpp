@@ -51,30 +51,28 @@ namespace {
 
 std::atomic<bool> stop_wanted{false};
 
-// The first Ctrl-C lets the chunks in work finish, the second ends the program.
+// The first Ctrl-C ends the search at the next trial, the second the program.
 extern "C" void on_interrupt(int signal) {
   stop_wanted = true;
   std::signal(signal, SIG_DFL);
 }
 
-// How far the search is, on stderr: one line that is written over in a terminal, a line every ten
-// seconds elsewhere; nothing in the first second.
+// How far the search is, on stderr: one line that is written over in a terminal; elsewhere a line
+// after a second and a half, then every ten; nothing before.
 class ProgressLine {
  public:
   void operator()(const SearchProgress& p) {
     const auto now = Clock::now();
     const double seconds = std::chrono::duration<double>(now - start_).count();
-    const bool last = p.left == 0;
-    if (seconds < 1.0 || (last && !shown_)) return;
-    if (!last &&
+    const bool searching = p.stage == SearchProgress::Stage::trials;
+    const bool last = searching && p.left == 0;
+    if (seconds < kQuiet || (last && (!shown_ || said_last_))) return;
+    if (!last && shown_ &&
         now - said_ < (terminal_ ? std::chrono::milliseconds(500) : std::chrono::seconds(10)))
       return;
     said_ = now;
-    const double rate = static_cast<double>(p.trials) / seconds;
-    const double left = rate > 0.0 ? static_cast<double>(p.left) / rate : 0.0;
-    std::fprintf(stderr, "%sgearwright: %lld of %lld chunks, %.3g candidates a second, %s left%s",
-                 terminal_ ? "\r" : "", static_cast<long long>(p.chunks),
-                 static_cast<long long>(p.of_chunks), rate, clock(left).c_str(),
+    said_last_ = last;
+    std::fprintf(stderr, "%sgearwright: %s%s", terminal_ ? "\r" : "", text(p, seconds).c_str(),
                  terminal_ ? "   " : "\n");
     shown_ = true;
   }
@@ -84,6 +82,21 @@ class ProgressLine {
 
  private:
   using Clock = std::chrono::steady_clock;
+  static constexpr double kQuiet = 1.5;  // seconds
+  static std::string text(const SearchProgress& p, double seconds) {
+    switch (p.stage) {
+      case SearchProgress::Stage::changes:
+        return fmt::format("nothing is feasible; {} questions for the smallest change that helps",
+                           p.done);
+      case SearchProgress::Stage::regions:
+        return fmt::format("regions of {} of {} designs", p.done, p.of);
+      case SearchProgress::Stage::trials: break;
+    }
+    const double rate = static_cast<double>(p.trials) / seconds;
+    const double left = rate > 0.0 ? static_cast<double>(p.left) / rate : 0.0;
+    return fmt::format("{} of {} chunks, {:.3g} candidates a second, {} left", p.chunks,
+                       p.of_chunks, rate, clock(left));
+  }
   static std::string clock(double seconds) {
     const auto s = static_cast<long long>(seconds + 0.5);
     return s >= 3600 ? fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60)
@@ -91,7 +104,7 @@ class ProgressLine {
   }
   Clock::time_point start_ = Clock::now(), said_ = start_;
   bool terminal_ = isatty(2) != 0;
-  bool shown_ = false;
+  bool shown_ = false, said_last_ = false;
 };
 
 struct Shard {
@@ -188,6 +201,9 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
   options.top = c.top;
   if (c.take)
     options.top = std::max<std::size_t>(c.top.value_or(0), static_cast<std::size_t>(*c.take));
+  // Of a pair's spec the region is no part, of the table for people the first rows are.
+  if (!c.out && c.take) options.regions = 0;
+  if (!c.out && !c.take && !c.json) options.regions = kListedDesigns;
   options.chunk = c.chunk;
   options.threads = c.threads;
   options.stop = &stop_wanted;

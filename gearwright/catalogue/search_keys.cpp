@@ -151,17 +151,31 @@ std::vector<Key> limit_keys() {
        .symbol = "c",
        .range = Range::between(-1, 1),
        .place = limit([](auto& l) -> auto& { return l.tip_clearance; }),
-       .fallback = "none",
+       .fallback = "0.02; none with `interference = \"flag\"`",
        .meaning = "least tip clearance, in modules",
        .fields = {"limits.tip_clearance"}},
+      {.key = "form_clearance_min",
+       .symbol = "c_F",
+       .range = Range::between(0, 1),
+       .place = limit([](auto& l) -> auto& { return l.form_clearance; }),
+       .fallback = "0.02; 0 with `interference = \"flag\"`",
+       .meaning =
+           "how far a tip stays from the start of the mating gear's flank, along the line of "
+           "action, in modules [T9.9]",
+       .fields = {"limits.form_clearance"}},
+      {.key = "interference",
+       .kind = KeyKind::word,
+       .words = {"exclude", "flag"},
+       .fallback = "\"exclude\"",
+       .meaning =
+           "`\"exclude\"`: a tip may not pass the start of the mating gear's flank [T9.9]; "
+           "shifts with a tip inside its own reference circle are then left out; `\"flag\"`: "
+           "designs that interfere are listed too, and each says so",
+       .fields = {"limits.avoid_interference"}},
       {.key = "avoid_interference",
        .kind = KeyKind::boolean,
-       .place = limit([](auto& l) -> auto& { return l.avoid_interference; }),
-       .fallback = "false",
-       .meaning =
-           "a tip may not pass the start of the mating gear's flank [T9.9]; shifts with a tip "
-           "inside its own reference circle are then left out; false: each design says "
-           "so in `interference`",
+       .fallback = "that of `interference`",
+       .meaning = "the same as a switch: true is `\"exclude\"`, false `\"flag\"`",
        .fields = {"limits.avoid_interference"}},
       {.key = "coprime",
        .kind = KeyKind::boolean,
@@ -199,9 +213,10 @@ std::vector<Key> design_keys() {
            .words = objective_words(),
            .list = KeyList{1, kObjectiveNames.size(), true},
            .fallback = "\"contact_ratio\"",
-           .meaning = "what is better: `contact_ratio` (greatest), `ratio` (nearest to "
+           .meaning = "what is better: `contact_ratio` (greatest effective), `ratio` (nearest to "
                       "`target_ratio`), `size` (least m²(z1² + z2²)), `shift` (least |Σx|), `area` "
-                      "(largest region), `sliding` (least |ζ|); or a list of them: a Pareto front",
+                      "(largest region), `sliding` (least |ζ|), `formula_contact_ratio` (greatest "
+                      "by Eq. 10); or a list of them: a Pareto front",
            .fields = {"objectives"}},
           {.key = "target_ratio",
            .place = &P::target_ratio,

@@ -17,6 +17,13 @@ double tidy_degrees(Angle angle) {
   return std::abs(value - tidy) < kRounding * (1.0 + std::abs(value)) ? tidy : value;
 }
 
+SpelledChange spelled_change(const NearestChange& change) {
+  SpelledChange said{spelled_member("search." + change.field), change.from, change.to};
+  if (change.field == "limits.avoid_interference")
+    said = {"search.interference", "\"exclude\"", "\"flag\""};
+  return said;
+}
+
 namespace {
 
 using V = DesignView;
@@ -30,7 +37,8 @@ bool is_parallel(const V& v) { return !is_crossed(v); }
 // The value of an objective as people count it.
 Value objective_value(const V& v, Objective o) {
   const auto c = cost(*v.problem, *v.row, o);
-  const bool greater_is_better = o == Objective::contact_ratio || o == Objective::area;
+  const bool greater_is_better = o == Objective::contact_ratio || o == Objective::area ||
+                                 o == Objective::formula_contact_ratio;
   return c ? Value(greater_is_better ? -*c : *c) : Value();
 }
 
@@ -118,10 +126,11 @@ void say_place(Quantities<V>& q) {
       .always()
       .column("x#")
       .digits(4);
-  q.word("", "point", "place of the shifts",
-         "where in the region the shifts stand: `eq11` on the line of Eq. 11, `lo_hi` in the "
-         "middle where that line misses the region",
-         [](const V& v) { return Value(v.row->balanced ? "eq11" : "lo_hi"); })
+  q.word(
+       "", "point", "place of the shifts",
+       "where in the region the shifts stand: `eq11` on the line of Eq. 11, off the walls, `lo_hi` "
+       "in the middle where that line misses the region",
+       [](const V& v) { return Value(v.row->balanced ? "eq11" : "lo_hi"); })
       .one_of({"eq11", "lo_hi"})
       .always()
       .column("point")
@@ -198,6 +207,13 @@ void say_limits(Quantities<V>& q) {
       .column("tip_clearance#_mm")
       .greater_first()
       .digits(kFewDigits);
+  q.mm("", "form_clearance_path_mm", "form clearance along the line of action", "",
+       "how far the mating tip stays from the start of the flank of gear 1, of gear 2; negative: "
+       "interference; none of an internal gear, whose flank ends where its cutter says",
+       [](const V& v) { return Value(v.row->form_clearance); })
+      .per_gear()
+      .column("form_clearance_path#_mm")
+      .doors(kJson);
   q.mm("", "tip_alteration_mm", "tip alteration", "k m_n", "as applied, 0 without `shorten_tips`",
        [](const V& v) { return Value(v.row->tip_alteration); })
       .always()
@@ -252,17 +268,33 @@ void say(Quantities<V>& q) {
 const Quantities<NearestChange>& change_quantities() {
   using C = NearestChange;
   static const Quantities<C> kAll("search.changes", [](Quantities<C>& q) {
-    q.text("key", "of the spec", [](const C& c) {
-       return Value(spelled_member("search." + c.field));
+    q.text("key", "of the spec", [](const C& c) { return Value(spelled_change(c).key); }).always();
+    q.text("from", "as given", [](const C& c) { return Value(spelled_change(c).from); }).always();
+    q.text("to", "with which a design exists", [](const C& c) {
+       return Value(spelled_change(c).to);
      }).always();
-    q.text("from", "as given", [](const C& c) { return Value(c.from); }).always();
-    q.text("to", "with which a design exists", [](const C& c) { return Value(c.to); }).always();
     q.pure("", "effort", "effort", "", "they are ordered by it", [](const C& c) {
        return Value(c.effort);
      }).always();
   });
   return kAll;
 }
+const Quantities<SearchLimits>& margin_quantities() {
+  using L = SearchLimits;
+  static const Quantities<L> kAll("search.margins", [](Quantities<L>& q) {
+    q.word("", "interference", "interference", "`exclude` or `flag`",
+           [](const L& l) { return Value(l.avoid_interference ? "exclude" : "flag"); })
+        .one_of({"exclude", "flag"})
+        .always();
+    q.pure("", "tip_clearance_min", "tip clearance", "c", "`null`: none is asked",
+           [](const L& l) { return Value(l.tip_clearance); });
+    q.pure("", "form_clearance_min", "form clearance", "c_F", "along the line of action",
+           [](const L& l) { return Value(l.form_clearance); })
+        .always();
+  });
+  return kAll;
+}
+const SaidTable& margin_table() { return margin_quantities().table(); }
 const SaidTable& change_table() { return change_quantities().table(); }
 const SaidTable& design_table() { return design_quantities().table(); }
 
@@ -289,6 +321,9 @@ void say_search(Quantities<SearchView>& q) {
           return Value(std::move(map));
         })
       .always();
+  q.record("", "margins", "what every design keeps, in modules", margin_table, [](const S& s) {
+     return Value(margin_quantities().of(s.problem->limits));
+   }).always();
   count("points_tested", "of the grid of `shift_step`", &SearchCounts::points_tested).when(grid);
   count("points_feasible", "of the grid of `shift_step`", &SearchCounts::points_feasible)
       .when(grid);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "gearwright/catalogue/quantity.hpp"
 #include "gearwright/design/design_row.hpp"
@@ -30,6 +31,12 @@ const Quantities<SearchView>& search_quantities();
 
 /// A point of the grid of shifts: columns alone.
 const Quantities<ShiftPoint>& point_quantities();
+
+/// A change as a file says it: search.interference, "exclude", "flag".
+struct SpelledChange {
+  std::string key, from, to;
+};
+SpelledChange spelled_change(const NearestChange& change);
 
 /// Degrees as they were given: −12, not what −12° in radians comes back as.
 double tidy_degrees(Angle angle);

@@ -22,6 +22,7 @@ namespace gearwright {
 struct CandidateConstants {
   double tan_alpha = 0.0;                                      ///< tan α_n
   std::array<double, 2> addendum{}, dedendum{}, edge_depth{};  ///< of the racks
+  std::array<double, 2> flank_depth{};                         ///< for the interference
   bool tight = false, shorten = false;
 };
 

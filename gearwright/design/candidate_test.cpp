@@ -51,6 +51,7 @@ CandidateConstants constants_of(const SearchProblem& p) {
           {r.rack[0].addendum, r.rack[1].addendum},
           {r.rack[0].dedendum, r.rack[1].dedendum},
           r.undercut_depth,
+          r.flank_depth,
           p.mounting == Mounting::tight,
           p.shorten_tips};
 }

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <limits>
 #include <numbers>
-#include <tuple>
 
+#include "gearwright/design/fillet_gap.hpp"
 #include "gearwright/gear/basic.hpp"
 #include "gearwright/pair/mesh.hpp"
 
@@ -79,14 +79,26 @@ DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts) {
   const auto zeta_E = specific_sliding(in, mesh, mesh.rho1_E);
   row.sliding = {{{zeta_A.zeta_1, zeta_E.zeta_1}, {zeta_A.zeta_2, zeta_E.zeta_2}}};
   const double slack = kTouching * m;
-  row.interference = mesh.rho1_A < flank_start(0) - slack ||
-                     (t.z2 > 0 && mesh.rho2(mesh.rho1_E) < flank_start(1) - slack);
+  const std::array<double, 2> ends{mesh.rho1_A, mesh.rho2(mesh.rho1_E)};
+  for (std::size_t i : {0, 1}) {
+    const TrialGear& g = graph.gears()[i];
+    if (g.teeth < 0) continue;
+    const double start =
+        m * leaf::flank_start(g.r, g.sin_transverse, g.flank_depth, shifts[static_cast<int>(i)]);
+    // Along the line of action, which on crossed axes rises by the base helix.
+    const double weight = problem.crossed() ? 1.0 / g.cos_base_helix : 1.0;
+    row.form_clearance[i] = weight * (ends[i] - start);
+    row.interference = row.interference || ends[i] < start - slack;
+  }
   return row;
 }
 
-DesignRow design_row(const ShiftGraph& graph, const ShiftRegion& region) {
-  DesignRow row = row_at(graph, chosen_point(graph, region));
-  row.balanced = region.balanced.has_value();
+namespace {
+
+DesignRow row_of_region(const ShiftGraph& graph, const ShiftRegion& region, const Vec2& shifts) {
+  DesignRow row = row_at(graph, shifts);
+  if (region.detail != RegionDetail::whole) return row;
+  row.whole = true;
   row.area = region.area;
   row.sums = {region.sums.front().lo, region.sums.back().hi};
   row.lo = region.lo;
@@ -94,16 +106,43 @@ DesignRow design_row(const ShiftGraph& graph, const ShiftRegion& region) {
   return row;
 }
 
-std::optional<DesignRow> design_row(const ShiftGraph& graph) {
-  const auto region = shift_region(graph);
-  return region ? std::optional(design_row(graph, *region)) : std::nullopt;
+}  // namespace
+
+DesignRow design_row(const ShiftGraph& graph, const ShiftRegion& region) {
+  DesignRow row = row_of_region(graph, region, chosen_point(graph, region));
+  row.balanced = region.off_walls || region.balanced;
+  return row;
+}
+
+std::optional<DesignRow> design_row(const ShiftGraph& graph, RegionDetail detail) {
+  if (detail == RegionDetail::point) {
+    if (const auto place = point_off_walls(graph)) {
+      DesignRow row = row_at(graph, *place);
+      row.balanced = true;
+      return row;
+    }
+  }
+  const auto region = shift_region(graph, detail);
+  if (!region) return std::nullopt;
+  if (!fillet_is_cut(graph, chosen_point(graph, *region))) return design_row(graph, *region);
+  const Vec2 middle = middle_point(graph, *region);
+  if (fillet_is_cut(graph, middle)) return std::nullopt;
+  return row_of_region(graph, *region, middle);
+}
+
+bool has_design(const ShiftGraph& graph) {
+  // Most of those that are asked have no region, and that is known sooner than that no point runs.
+  if (graph.feasible_sums().empty()) return false;
+  return !graph.problem().limits.clear_fillets ||
+         design_row(graph, RegionDetail::point).has_value();
 }
 
 std::optional<double> cost(const SearchProblem& problem, const DesignRow& row,
                            Objective objective) {
   if (!row.balanced) return std::nullopt;
   switch (objective) {
-    case Objective::contact_ratio: return -row.contact_ratio;
+    case Objective::contact_ratio: return -row.contact_ratio_true;
+    case Objective::formula_contact_ratio: return -row.contact_ratio;
     case Objective::ratio: return std::abs(row.ratio - problem.target_ratio);
     case Objective::size: {
       const double z1 = row.trial.z1;
@@ -128,14 +167,20 @@ double settled(double cost) {
 
 }  // namespace
 
+RankKey rank_key(const SearchProblem& problem, Objective objective, const DesignRow& row) {
+  const auto c = cost(problem, row, objective);
+  return {!c,
+          settled(c.value_or(0.0)),
+          settled(-row.contact_ratio),
+          row.trial.module,
+          row.trial.z1,
+          std::abs(row.trial.z2),
+          row.trial.index};
+}
+
 bool ranks_before(const SearchProblem& problem, Objective objective, const DesignRow& a,
                   const DesignRow& b) {
-  const auto key = [&](const DesignRow& row) {
-    const auto c = cost(problem, row, objective);
-    return std::make_tuple(!c, settled(c.value_or(0.0)), settled(-row.contact_ratio),
-                           row.trial.module, row.trial.z1, std::abs(row.trial.z2), row.trial.index);
-  };
-  return key(a) < key(b);
+  return rank_key(problem, objective, a) < rank_key(problem, objective, b);
 }
 
 bool dominates(const SearchProblem& problem, const DesignRow& a, const DesignRow& b) {

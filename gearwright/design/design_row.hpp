@@ -5,6 +5,8 @@
 #pragma once
 
 #include <array>
+#include <compare>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -18,7 +20,7 @@ namespace gearwright {
 struct DesignRow {
   Trial trial;
   std::array<double, 2> shift{};          ///< x1, x2
-  bool balanced = false;                  ///< the point of Eq. 11; else as chosen_point() says
+  bool balanced = false;                  ///< on the line of Eq. 11; else as chosen_point() says
   double center_distance = 0.0;           ///< a
   Angle working_angle;                    ///< α_wt, crossed: α_n
   double ratio = 0.0;                     ///< z2/z1
@@ -31,6 +33,11 @@ struct DesignRow {
   double tip_alteration = 0.0;            ///< k m_n, ≤ 0
   std::array<std::array<std::optional<double>, 2>, 2> sliding;  ///< ζ of gear 1, 2 at A, E
   bool interference = false;  ///< a tip passes the start of the mating gear's straight-cut flank
+  /// How far the mating gear's tip stays from it along the line of action, on the flank of gear 1,
+  /// of gear 2; none: an internal gear, whose flank ends where its cutter says.
+  std::array<std::optional<double>, 2> form_clearance{};
+  /// What follows are the region's numbers; else they are yet to be computed.
+  bool whole = false;
   double area = 0.0;
   std::array<double, 2> sums{};  ///< least and greatest Σ
   Vec2 lo{0.0, 0.0}, hi{0.0, 0.0};
@@ -39,9 +46,15 @@ struct DesignRow {
   std::optional<double> max_sliding() const;
 };
 
-/// The row of a trial; none: nothing of it is feasible.
-std::optional<DesignRow> design_row(const ShiftGraph& graph);
+/// The row of a trial; none: nothing of it is feasible. The shifts are the same with any detail;
+/// `point` leaves the region's numbers out, which cost a hundred times as much as the rest.
+std::optional<DesignRow> design_row(const ShiftGraph& graph,
+                                    RegionDetail detail = RegionDetail::whole);
 DesignRow design_row(const ShiftGraph& graph, const ShiftRegion& region);
+
+/// There is one: a region, and where designs that interfere are excluded a point of it for a design
+/// whose tips keep clear of the fillets.
+bool has_design(const ShiftGraph& graph);
 
 /// The numbers at any point of the graph.   Domain: a working angle exists there (contract)
 DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts);
@@ -50,7 +63,18 @@ DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts);
 /// Eq. 11; rows without one have none and come last.
 std::optional<double> cost(const SearchProblem& problem, const DesignRow& row, Objective objective);
 
-/// A comes before B: by the objective, then contact ratio, module, z1, z2, trial. A total order.
+/// The place of a row in the order: by the objective, then contact ratio, module, z1, z2, trial. A
+/// total order; smaller comes first.
+struct RankKey {
+  bool without_cost;
+  double cost, contact_ratio, module;
+  int z1, z2;
+  std::int64_t trial;
+  auto operator<=>(const RankKey&) const = default;
+};
+RankKey rank_key(const SearchProblem& problem, Objective objective, const DesignRow& row);
+
+/// A comes before B in that order.
 bool ranks_before(const SearchProblem& problem, Objective objective, const DesignRow& a,
                   const DesignRow& b);
 

@@ -5,21 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <random>
 
 #include "gearwright/base/contract.hpp"
 
 namespace gearwright {
 
 namespace {
-
-bool feasible(const SearchProblem& problem) {
-  if (!(problem.ratio[0] <= problem.ratio[1])) return false;
-  const double most = std::max(std::abs(problem.ratio[0]), std::abs(problem.ratio[1]));
-  if (!(most * problem.pinion_teeth[1] <= kMaxSearchTeeth)) return false;
-  const Search search(problem);
-  if (!search.space().size() || *search.space().size() > 20 * kMaxForChange) return false;
-  return search.exists(0, *search.space().size());
-}
 
 std::string shown(double v) { return fmt::format("{:.10g}", v); }
 std::string shown(const std::array<double, 2>& b) {
@@ -28,55 +20,197 @@ std::string shown(const std::array<double, 2>& b) {
 
 // A number that may move from its value towards a far end.
 struct Knob {
+  enum class Kind { limit, ratio, teeth };
   std::string field;  // of SearchProblem
   double value, far;
   double scale;  // one unit of effort
-  bool whole;    // teeth
+  Kind kind;
   std::function<void(SearchProblem&, double)> set;
   std::function<std::string(double)> show;
 };
 
-// The least move after which a design exists, rounded outwards to four digits of the move.
-std::optional<double> min_move(const SearchProblem& problem, const Knob& knob) {
-  const auto works = [&](double value) {
-    SearchProblem p = problem;
-    knob.set(p, value);
-    return feasible(p);
-  };
-  if (knob.value == knob.far || !works(knob.far)) return std::nullopt;
-  // The change is printed with four digits of itself: this much of the value is beyond all of them.
-  constexpr double kEnough = 1e-9;
-  double no = knob.value;
-  double yes = knob.far;
-  const double enough = knob.whole ? 1.0 : kEnough * std::max(1.0, std::abs(knob.value));
-  while (std::abs(yes - no) > enough) {
-    double middle = (no + yes) / 2.0;
-    if (knob.whole) middle = knob.far < knob.value ? std::floor(middle) : std::ceil(middle);
-    if (middle == no || middle == yes) break;
-    (works(middle) ? yes : no) = middle;
+// More trials than this are not sifted for one knob.
+constexpr std::int64_t kMaxSifted = 20 * kMaxForChange;
+// Of the last change to be thought of: designs that do not run.
+constexpr double kNotToRun = 100.0;
+// The change is printed with four digits of itself: this much of the value is beyond all of them.
+constexpr double kEnough = 1e-9;
+
+// The least change of one knob, and what it costs to know it.
+class Least {
+ public:
+  Least(const SearchProblem& problem, const Knob& knob, const SearchWatch& watch,
+        std::int64_t most_questions)
+      : knob_(&knob), watch_(&watch), max_questions_(most_questions), problem_(problem) {}
+
+  /// The value with which a design exists, rounded outwards to four digits of the move.
+  std::optional<double> find() {
+    if (knob_->value == knob_->far || !reach()) return std::nullopt;
+    const auto to = knob_->kind == Knob::Kind::limit ? of_limit() : of_new_trials();
+    if (!to || knob_->kind == Knob::Kind::teeth) return to;
+    const double move = *to - knob_->value;
+    const double step = std::pow(10.0, std::floor(std::log10(std::abs(move))) - 3.0);
+    constexpr double kWhole = 1e-6;  // of a step: a move of whole steps is not one step more
+    const double rounded =
+        knob_->value + std::copysign(std::ceil(std::abs(move) / step - kWhole) * step, move);
+    const double tidy = std::stod(shown(rounded));
+    return lets_through(tidy) ? tidy : *to;
   }
-  if (knob.whole) return yes;
-  const double move = yes - knob.value;
-  const double step = std::pow(10.0, std::floor(std::log10(std::abs(move))) - 3.0);
-  constexpr double kWhole = 1e-6;  // of a step: a move of whole steps is not one step more
-  const double rounded =
-      knob.value + std::copysign(std::ceil(std::abs(move) / step - kWhole) * step, move);
-  const double tidy = std::stod(shown(rounded));
-  return works(tidy) ? tidy : yes;
-}
+  std::int64_t questions() const { return questions_; }
+  bool bounded() const { return bounded_; }
+  bool stopped() const { return stopped_; }
+
+ private:
+  // Brings the far end near enough for its trials to be counted.
+  bool reach() {
+    far_ = knob_->far;
+    for (int i = 0; i < 60; ++i) {
+      knob_->set(problem_, far_);
+      const double most = std::max(std::abs(problem_.ratio[0]), std::abs(problem_.ratio[1]));
+      if (problem_.ratio[0] <= problem_.ratio[1] &&
+          most * problem_.pinion_teeth[1] <= kMaxSearchTeeth) {
+        const auto size = SearchSpace(problem_).size();
+        if (size && *size <= kMaxSifted) return *size > 0;
+      }
+      bounded_ = true;
+      far_ = (far_ + knob_->value) / 2.0;
+      if (knob_->kind == Knob::Kind::teeth) far_ = std::trunc(far_);
+      if (far_ == knob_->value) return false;
+    }
+    return false;
+  }
+  // One question to one trial with the knob at a value.
+  bool feasible(const Trial& t, double value) {
+    ++questions_;
+    knob_->set(problem_, value);
+    const ShiftGraph graph(problem_, t, trial_gear(problem_, t.z1, t.helix[0], t.rack, 0),
+                           trial_gear(problem_, t.z2, t.helix[1], t.rack, 1));
+    return has_design(graph);
+  }
+  bool go_on() {
+    if (*watch_ && !(*watch_)(1)) stopped_ = true;
+    if (questions_ >= max_questions_) bounded_ = true;
+    return !stopped_ && questions_ < max_questions_;
+  }
+  bool lets_through(double value) {
+    if (knob_->kind == Knob::Kind::limit) return feasible(*witness_, value);
+    // The band's end must hold the very ratio of the witness, by the rule of the space.
+    knob_->set(problem_, value);
+    const auto [first, last] = wheels_of(problem_, witness_->z1);
+    return first <= witness_->z2 && witness_->z2 <= last;
+  }
+  // Trials that the sieve lets pass with the knob at its far end.
+  template <class F>
+  void each_candidate(const F& f) {
+    knob_->set(problem_, far_);
+    const Search search(problem_);
+    search.candidates(f, [&](std::int64_t) {
+      if (*watch_ && !(*watch_)(0)) stopped_ = true;
+      return !stopped_;
+    });
+  }
+
+  std::optional<double> of_limit() {
+    std::vector<std::int64_t> order;
+    each_candidate([&](const Trial& t) {
+      order.push_back(t.index);
+      return true;
+    });
+    if (stopped_) return std::nullopt;
+    knob_->set(problem_, far_);
+    const SearchProblem at_far = problem_;
+    const SearchSpace space(at_far);
+    std::mt19937_64 random(1);  // any: the same answer comes of every order
+    const double enough = kEnough * std::max(1.0, std::abs(knob_->value));
+    std::optional<double> best;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      if (!go_on()) break;
+      std::swap(order[i], order[i + random() % (order.size() - i)]);
+      const Trial t = space.trial(order[i]);
+      const double nearer = best ? *best + std::copysign(enough, knob_->value - knob_->far) : far_;
+      if (best && std::abs(*best - knob_->value) <= enough) break;
+      if (!feasible(t, nearer)) continue;
+      double no = knob_->value;
+      double yes = nearer;
+      while (std::abs(yes - no) > enough) {
+        const double middle = (no + yes) / 2.0;
+        if (middle == no || middle == yes) break;
+        (feasible(t, middle) ? yes : no) = middle;
+      }
+      best = yes;
+      witness_ = t;
+    }
+    return best;
+  }
+
+  // How far beyond its band a trial lies, and the value of the knob that lets it in.
+  double needs(const Trial& t) const {
+    return knob_->kind == Knob::Kind::teeth ? t.z1 : static_cast<double>(t.z2) / t.z1;
+  }
+
+  std::optional<double> of_new_trials() {
+    struct Place {
+      double move;
+      std::int64_t index;
+      bool operator<(const Place& other) const {
+        return move != other.move ? move < other.move : index < other.index;
+      }
+    };
+    const double slack = knob_->kind == Knob::Kind::teeth ? 0.0 : kEnough * std::abs(knob_->value);
+    const double side = knob_->far < knob_->value ? -1.0 : 1.0;
+    const auto most = static_cast<std::size_t>(max_questions_);
+    std::vector<Place> places;
+    const auto keep_nearest = [&] {
+      if (places.size() <= most) return;
+      std::nth_element(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(most),
+                       places.end());
+      places.resize(most);
+    };
+    each_candidate([&](const Trial& t) {
+      const double move = side * (needs(t) - knob_->value);
+      if (move > slack) places.push_back({move, t.index});
+      if (places.size() >= 4 * most) keep_nearest();
+      return true;
+    });
+    if (stopped_) return std::nullopt;
+    keep_nearest();
+    std::sort(places.begin(), places.end());
+    knob_->set(problem_, far_);
+    const SearchProblem at_far = problem_;
+    const SearchSpace space(at_far);
+    for (const Place& place : places) {
+      if (!go_on()) break;
+      const Trial t = space.trial(place.index);
+      if (!feasible(t, far_)) continue;
+      witness_ = t;
+      return needs(t);
+    }
+    return std::nullopt;
+  }
+
+  const Knob* knob_;
+  const SearchWatch* watch_;
+  std::int64_t max_questions_;
+  SearchProblem problem_;  // with the knob somewhere
+  double far_ = 0.0;
+  std::optional<Trial> witness_;
+  std::int64_t questions_ = 0;
+  bool bounded_ = false, stopped_ = false;
+};
 
 std::vector<Knob> knobs(const SearchProblem& p) {
+  constexpr auto kLimit = Knob::Kind::limit;
   std::vector<Knob> k;
   const auto plain = [](double v) { return shown(v); };
   k.push_back({"limits.contact_ratio", p.limits.contact_ratio,
-               std::min(1.0, p.limits.contact_ratio), 1.0, false,
+               std::min(1.0, p.limits.contact_ratio), 1.0, kLimit,
                [](SearchProblem& q, double v) { q.limits.contact_ratio = v; }, plain});
-  k.push_back({"limits.tip_thickness", p.limits.tip_thickness, 0.0, 1.0, false,
+  k.push_back({"limits.tip_thickness", p.limits.tip_thickness, 0.0, 1.0, kLimit,
                [](SearchProblem& q, double v) { q.limits.tip_thickness = v; }, plain});
   if (p.center_distance) {
     const auto band = *p.center_distance;
     for (const int i : {0, 1}) {
-      k.push_back({"center_distance", band[i], band[i] * (i == 0 ? 0.5 : 2.0), band[i], false,
+      k.push_back({"center_distance", band[i], band[i] * (i == 0 ? 0.5 : 2.0), band[i], kLimit,
                    [i](SearchProblem& q, double v) { (*q.center_distance)[i] = v; },
                    [band, i](double v) {
                      auto b = band;
@@ -93,7 +227,7 @@ std::vector<Knob> knobs(const SearchProblem& p) {
     // An internal gear has more teeth than its pinion: no ratio from −1 up.
     constexpr double kBeyondOne = 1e-3;
     if (p.internal() && i == 1) far = std::min(far, -1.0 - kBeyondOne);
-    k.push_back({"ratio", band[i], far, std::abs(band[i]), false,
+    k.push_back({"ratio", band[i], far, std::abs(band[i]), Knob::Kind::ratio,
                  [i](SearchProblem& q, double v) { q.ratio[i] = v; },
                  [band, i](double v) {
                    auto b = band;
@@ -104,7 +238,8 @@ std::vector<Knob> knobs(const SearchProblem& p) {
     const double far_teeth = i == 0 ? std::min(5, teeth[0]) : 2.0 * teeth[1] + 10.0;
     k.push_back(
         {"pinion_teeth", static_cast<double>(teeth[i]), far_teeth, static_cast<double>(teeth[i]),
-         true, [i](SearchProblem& q, double v) { q.pinion_teeth[i] = static_cast<int>(v); },
+         Knob::Kind::teeth,
+         [i](SearchProblem& q, double v) { q.pinion_teeth[i] = static_cast<int>(v); },
          [teeth, i](double v) {
            std::array<double, 2> b{static_cast<double>(teeth[0]), static_cast<double>(teeth[1])};
            b[i] = v;
@@ -115,7 +250,7 @@ std::vector<Knob> knobs(const SearchProblem& p) {
     const std::array<double, 2> band{*p.limits.min_shift, *p.limits.max_shift};
     for (const int i : {0, 1}) {
       k.push_back({i == 0 ? "limits.min_shift" : "limits.max_shift", band[i],
-                   band[i] + (i == 0 ? -2.0 : 2.0), 1.0, false,
+                   band[i] + (i == 0 ? -2.0 : 2.0), 1.0, kLimit,
                    [i](SearchProblem& q, double v) {
                      (i == 0 ? q.limits.min_shift : q.limits.max_shift) = v;
                    },
@@ -127,48 +262,82 @@ std::vector<Knob> knobs(const SearchProblem& p) {
     }
   }
   if (p.limits.undercut_margin > 0.0) {
-    k.push_back({"limits.undercut_margin", p.limits.undercut_margin, 0.0, 1.0, false,
+    k.push_back({"limits.undercut_margin", p.limits.undercut_margin, 0.0, 1.0, kLimit,
                  [](SearchProblem& q, double v) { q.limits.undercut_margin = v; }, plain});
   }
   if (p.limits.overlap_ratio) {
-    k.push_back({"limits.overlap_ratio", *p.limits.overlap_ratio, 0.0, 1.0, false,
+    k.push_back({"limits.overlap_ratio", *p.limits.overlap_ratio, 0.0, 1.0, kLimit,
                  [](SearchProblem& q, double v) { q.limits.overlap_ratio = v; }, plain});
   }
   if (p.limits.sliding) {
-    k.push_back({"limits.sliding", *p.limits.sliding, *p.limits.sliding + 20.0, 2.0, false,
+    k.push_back({"limits.sliding", *p.limits.sliding, *p.limits.sliding + 20.0, 2.0, kLimit,
                  [](SearchProblem& q, double v) { q.limits.sliding = v; }, plain});
   }
   if (p.limits.tip_clearance) {
     k.push_back({"limits.tip_clearance", *p.limits.tip_clearance,
-                 std::min(0.0, *p.limits.tip_clearance), 1.0, false,
+                 std::min(0.0, *p.limits.tip_clearance), 1.0, kLimit,
                  [](SearchProblem& q, double v) { q.limits.tip_clearance = v; }, plain});
+  }
+  if (p.limits.avoid_interference && p.limits.form_clearance > 0.0) {
+    k.push_back({"limits.form_clearance", p.limits.form_clearance, 0.0, 1.0, kLimit,
+                 [](SearchProblem& q, double v) { q.limits.form_clearance = v; }, plain});
   }
   return k;
 }
 
 }  // namespace
 
-std::vector<NearestChange> nearest_changes(const SearchProblem& problem) {
+NearestChanges nearest_changes(const SearchProblem& problem, const SearchWatch& watch,
+                               std::int64_t most_questions) {
   GW_EXPECTS(Search(problem).space().size().value_or(kMaxForChange + 1) <= kMaxForChange);
-  std::vector<NearestChange> found;
+  NearestChanges found;
+  const auto count = [&](const Least& least, const std::string& field) {
+    found.asked += least.questions();
+    if (least.bounded()) found.bounded.push_back(field);
+    found.stopped = found.stopped || least.stopped();
+  };
   for (const Knob& knob : knobs(problem)) {
-    const auto to = min_move(problem, knob);
+    if (found.stopped) return found;
+    Least least(problem, knob, watch, most_questions);
+    const auto to = least.find();
+    count(least, knob.field);
     if (!to) continue;
-    found.push_back({knob.field, knob.show(knob.value), knob.show(*to),
-                     std::abs(*to - knob.value) / knob.scale});
+    found.changes.push_back({knob.field, knob.show(knob.value), knob.show(*to),
+                             std::abs(*to - knob.value) / knob.scale});
   }
-  const auto switched = [&](const char* field, const auto& set) {
+  const auto switched = [&](const char* field, double effort, const auto& set) {
+    if (found.stopped) return;
     SearchProblem p = problem;
     set(p);
-    if (feasible(p)) found.push_back({field, "true", "false", 0.5});
+    const Search search(p);
+    std::int64_t questions = 0;
+    bool helps = false;
+    search.candidates(
+        [&](const Trial& t) {
+          if (watch && !watch(1)) found.stopped = true;
+          if (found.stopped) return false;
+          if (questions++ == most_questions) {
+            found.bounded.push_back(field);
+            return false;
+          }
+          helps = search.feasible(t);
+          return !helps;
+        },
+        [&](std::int64_t) { return !found.stopped; });
+    found.asked += questions;
+    if (helps) found.changes.push_back({field, "true", "false", effort});
   };
-  if (problem.coprime) switched("coprime", [](SearchProblem& p) { p.coprime = false; });
+  if (problem.coprime) switched("coprime", 0.5, [](SearchProblem& p) { p.coprime = false; });
   if (problem.limits.avoid_interference)
-    switched("limits.avoid_interference",
-             [](SearchProblem& p) { p.limits.avoid_interference = false; });
-  std::stable_sort(found.begin(), found.end(), [](const NearestChange& a, const NearestChange& b) {
-    return a.effort < b.effort;
-  });
+    switched("limits.avoid_interference", kNotToRun, [](SearchProblem& p) {
+      p.limits.avoid_interference = p.limits.clear_fillets = false;
+      p.limits.form_clearance = 0.0;
+    });
+  std::stable_sort(
+      found.changes.begin(), found.changes.end(),
+      [](const NearestChange& a, const NearestChange& b) { return a.effort < b.effort; });
+  const auto twice = std::unique(found.bounded.begin(), found.bounded.end());
+  found.bounded.erase(twice, found.bounded.end());
   return found;
 }
 

@@ -1,7 +1,13 @@
 // When nothing is feasible: what change of one number would let something through.
 //
-// Each limit is loosened by itself, by bisection on the whole search, to the least change after
-// which a design exists; limits that do not help however far they go are not named.
+// Each limit is loosened by itself, to the least change after which a design exists; limits that do
+// not help however far they go are not named. Two kinds of numbers:
+//   limits          keep the trials and widen what each is left: the least change is the least that
+//                   any one trial needs. Trials come in a random order; one that is not feasible a
+//                   step nearer than the best so far costs that one question, and only a new best,
+//                   ln n of n trials, is bisected.
+//   ratio, teeth    bring new trials, whose limits are the same: the nearest feasible one
+// Both ask a trial once or a few times, not once in every step of a bisection of the whole search.
 #pragma once
 
 #include <string>
@@ -15,15 +21,29 @@ struct NearestChange {
   std::string field;  ///< the member of SearchProblem, "limits.contact_ratio"
   std::string from;   ///< as given, "1.2" or "[99, 101]"
   std::string to;     ///< with which a design exists: rounded to the side that lets it through
-  /// |to − from| in units of the value itself (distance, ratio, teeth), of 1, or of 2 (sliding); a
-  /// switch counts 0.5.
+  /// |to − from| in units of the value itself (distance, ratio, teeth), of 1, or of 2 (sliding);
+  /// `coprime` counts 0.5, and to allow interference, whose designs do not run, 100.
   double effort;  ///< they are ordered by it
+};
+
+struct NearestChanges {
+  std::vector<NearestChange> changes;  ///< smallest first
+  /// Members whose trials were not all asked: a change of them, if any is named, lets a design
+  /// through, but a smaller one may do so too.
+  std::vector<std::string> bounded;
+  std::int64_t asked = 0;  ///< trials whose graph was asked for, a few times each at most
+  bool stopped = false;    ///< by the watch: what was found until then
 };
 
 /// More trials than this are not asked again and again.
 inline constexpr std::int64_t kMaxForChange = 2'000'000;
+/// Questions to graphs for one limit. The slowest kind, shortened tips, answers some 2000 a second.
+inline constexpr std::int64_t kMaxChangeQuestions = 10'000;
 
-/// The changes, smallest first.   Domain: nothing is feasible; size() ≤ kMaxForChange (contract)
-std::vector<NearestChange> nearest_changes(const SearchProblem& problem);
+/// The changes, smallest first; the watch is told the questions.
+///
+/// Domain    nothing is feasible; size() ≤ kMaxForChange (contract)
+NearestChanges nearest_changes(const SearchProblem& problem, const SearchWatch& watch = {},
+                               std::int64_t most_questions = kMaxChangeQuestions);
 
 }  // namespace gearwright

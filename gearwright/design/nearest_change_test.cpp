@@ -62,6 +62,8 @@ void set(SearchProblem& p, const std::string& key, const std::array<double, 2>& 
     l.overlap_ratio = v[0];
   } else if (key == "limits.sliding") {
     l.sliding = v[0];
+  } else if (key == "limits.form_clearance") {
+    l.form_clearance = v[0];
   } else if (key == "limits.tip_clearance") {
     l.tip_clearance = v[0];
   } else {
@@ -192,7 +194,7 @@ TEST_P(NearestChangeOf, ItHelpsAndLessDoesNot) {
   ASSERT_EQ(searches.size(), 13u);
   const Empty& e = searches[GetParam()];
   ASSERT_FALSE(feasible(e.problem)) << e.name;
-  const auto changes = nearest_changes(e.problem);
+  const auto changes = nearest_changes(e.problem).changes;
   EXPECT_TRUE(std::is_sorted(changes.begin(), changes.end(), [](const auto& a, const auto& b) {
     return a.effort < b.effort;
   })) << e.name;
@@ -210,6 +212,7 @@ TEST_P(NearestChangeOf, ItHelpsAndLessDoesNot) {
     if (c.field == "coprime" || c.field == "limits.avoid_interference") {
       EXPECT_EQ(c.from + c.to, "truefalse") << what;
       (c.field == "coprime" ? p.coprime : p.limits.avoid_interference) = false;
+      EXPECT_EQ(c.effort, c.field == "coprime" ? 0.5 : 100.0) << what;
       EXPECT_TRUE(feasible(p)) << what;
       continue;
     }
@@ -233,6 +236,84 @@ TEST_P(NearestChangeOf, ItHelpsAndLessDoesNot) {
     set(p, member(c), less);
     EXPECT_FALSE(feasible(p)) << what;  // (2)
   }
+}
+
+// Tight centres with shortened tips, whose clearance is that of the racks at most: every knob has
+// all trials, 432 and more, to ask, and none but the clearance helps. Bisection of the whole search
+// asked some 30 times as often, and each question two thousand times what one of the sieve costs.
+SearchProblem slow() {
+  SearchProblem p;
+  p.ratio = {4.0, 5.0};
+  p.center_distance = {{100.0, 140.0}};
+  for (int i = 4; i <= 40; ++i) p.modules.push_back(i / 4.0);
+  p.pinion_teeth = {15, 15};
+  p.helix = {Angle(), Angle::degrees(5), Angle::degrees(10)};
+  p.mounting = Mounting::tight;
+  p.shorten_tips = true;
+  p.limits.tip_clearance = 0.2504944389591222;
+  return p;
+}
+
+TEST(NearestChange, EveryTrialIsAskedOnceOrTwice) {
+  const SearchProblem p = slow();
+  ASSERT_FALSE(feasible(p));
+  const NearestChanges found = nearest_changes(p);
+  ASSERT_EQ(found.changes.size(), 1u);
+  EXPECT_EQ(found.changes[0].field, "limits.tip_clearance");
+  EXPECT_NEAR(std::stod(found.changes[0].to), 0.25, 1e-6);
+  EXPECT_TRUE(found.bounded.empty());
+  EXPECT_FALSE(found.stopped);
+  // Questions, counted: what each knob's far end leaves after the sieve, and the bisections.
+  std::int64_t passed = 0;
+  for (SearchProblem far : {p, p, p, p, p}) {
+    far.pinion_teeth = {5, 40};
+    Search(far).candidates([&](const Trial&) {
+      ++passed;
+      return true;
+    });
+  }
+  EXPECT_LT(found.asked, passed + 500);
+}
+
+TEST(NearestChange, IsTheOneThatBisectionOfTheWholeSearchFinds) {
+  for (const double least : {1.85, 1.95, 2.05}) {
+    SearchProblem p = small();
+    p.modules = {1.0, 1.5, 2.0, 2.5};
+    p.pinion_teeth = {12, 30};
+    p.limits.contact_ratio = least;
+    if (feasible(p)) continue;
+    const auto changes = nearest_changes(p).changes;
+    const auto at = std::find_if(changes.begin(), changes.end(), [](const NearestChange& c) {
+      return c.field == "limits.contact_ratio";
+    });
+    ASSERT_NE(at, changes.end());
+    SearchProblem other = p;
+    double& limit = other.limits.contact_ratio;
+    double no = least;
+    double yes = 1.0;
+    while (std::abs(yes - no) > 1e-10) {
+      const double middle = (no + yes) / 2.0;
+      limit = middle;
+      (feasible(other) ? yes : no) = middle;
+    }
+    // `to` has four digits of the move, rounded outwards.
+    EXPECT_LE(std::stod(at->to), yes + 1e-9);
+    EXPECT_NEAR(std::stod(at->to), yes, 1e-3 * (least - yes) + 1e-9);
+  }
+}
+
+TEST(NearestChange, EndsWhenItIsToldToAndSaysWhatItDidNotAsk) {
+  const SearchProblem p = slow();
+  std::int64_t calls = 0;
+  const NearestChanges ended = nearest_changes(p, [&](std::int64_t) { return ++calls < 100; });
+  EXPECT_TRUE(ended.stopped);
+  EXPECT_LE(calls, 102);
+  const NearestChanges few = nearest_changes(p, {}, 10);
+  EXPECT_FALSE(few.stopped);
+  EXPECT_LE(few.asked, 10 * 14);
+  EXPECT_FALSE(few.bounded.empty());
+  EXPECT_TRUE(std::is_sorted(few.changes.begin(), few.changes.end(),
+                             [](const auto& a, const auto& b) { return a.effort < b.effort; }));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <set>
 #include <utility>
 
 #include "gearwright/design/candidate.hpp"
@@ -95,6 +96,7 @@ class Sieve {
     const double values[] = {g_1.r, g_1.x_min, hi_1, g_2.r, g_2.x_min, hi_2, a_lo, a_hi};
     for (std::size_t k = 0; k < SieveBatch::kIn; ++k) batch_.in[k][i] = values[k];
   }
+  std::size_t size() const { return trials_.size(); }
   /// decide(trial, verdict) says whether to go on.
   template <class F>
   bool flush(const F& decide) {
@@ -122,22 +124,25 @@ class Sieve {
 }  // namespace
 
 template <class F>
-void Search::sift(std::int64_t from, std::int64_t to, const F& decide) const {
+void Search::sift(std::int64_t from, std::int64_t to, const SearchWatch& watch,
+                  const F& decide) const {
   std::shared_ptr<const TrialGears> pinions;
   std::shared_ptr<const TrialGears> wheels;
   std::optional<Sieve> sieve;
   bool on = true;
   const auto flush = [&] {
     if (sieve && on) {
+      const auto trials = static_cast<std::int64_t>(sieve->size());
       on = sieve->flush([&](const Trial& t, double verdict) {
         return decide(t, verdict, (*pinions)[t.z1], (*wheels)[t.z2]);
       });
+      if (watch && !watch(trials)) on = false;
     }
   };
   space_.each(from, to, [&](const Trial& t) {
     if (!sieve || !sieve->takes(t)) {
       flush();
-      if (!on) return false;
+      if (!on || (watch && !watch(0))) return false;
       pinions = gears(0, t.rack, t.helix[0]);
       wheels = gears(1, t.rack, t.helix[1]);
       sieve.emplace(problem_, t, (*pinions)[t.z1]);
@@ -149,41 +154,67 @@ void Search::sift(std::int64_t from, std::int64_t to, const F& decide) const {
 }
 
 SearchCounts Search::range(std::int64_t from, std::int64_t to, std::vector<DesignRow>& rows,
-                           SieveCounts* counts, std::vector<ShiftPoint>* points) const {
+                           const RangeWish& wish) const {
+  const bool grid = problem_.shift_step && wish.points;
   SearchCounts result;
-  sift(from, to, [&](const Trial& t, double verdict, const TrialGear& g_1, const TrialGear& g_2) {
-    ++result.tested;
-    if (counts) ++(verdict == kSieveAsk ? counts->asked : counts->decided);
-    if (verdict <= kSieveContactRatio) {
-      ++result.rejected[static_cast<std::size_t>(verdict)];
-      return true;
-    }
-    const ShiftGraph graph(problem_, t, g_1, g_2);
-    if (const auto region = shift_region(graph)) {
-      ++result.feasible;
-      rows.push_back(design_row(graph, *region));
-      if (problem_.shift_step && points) {
-        const PointCounts n = feasible_points(graph, *region, *problem_.shift_step, *points);
-        result.points_tested += n.tested;
-        result.points_feasible += n.feasible;
-      }
-      return true;
-    }
-    const auto limit = graph.what_kills();
-    GW_ENSURES(limit.has_value());
-    ++result.rejected[static_cast<std::size_t>(*limit)];
-    return true;
-  });
+  sift(from, to, wish.watch,
+       [&](const Trial& t, double verdict, const TrialGear& g_1, const TrialGear& g_2) {
+         ++result.tested;
+         if (wish.sieve) ++(verdict == kSieveAsk ? wish.sieve->asked : wish.sieve->decided);
+         if (verdict <= kSieveContactRatio) {
+           ++result.rejected[static_cast<std::size_t>(verdict)];
+           return true;
+         }
+         // A graph may cost what a thousand verdicts do.
+         if (wish.watch && !wish.watch(0)) return false;
+         const ShiftGraph graph(problem_, t, g_1, g_2);
+         if (grid) {
+           const auto region = shift_region(graph);
+           if (const auto row = region ? design_row(graph) : std::nullopt) {
+             ++result.feasible;
+             rows.push_back(*row);
+             const PointCounts n =
+                 feasible_points(graph, *region, *problem_.shift_step, *wish.points);
+             result.points_tested += n.tested;
+             result.points_feasible += n.feasible;
+             return true;
+           }
+         } else if (const auto row = design_row(graph, wish.detail)) {
+           ++result.feasible;
+           rows.push_back(*row);
+           return true;
+         }
+         // Where a region is left, no point of it that could be taken keeps tips off the fillets.
+         const Limit limit = graph.what_kills().value_or(Limit::interference);
+         ++result.rejected[static_cast<std::size_t>(limit)];
+         return true;
+       });
   return result;
+}
+
+DesignRow Search::whole(const DesignRow& row) const {
+  if (row.whole) return row;
+  const auto found = design_row(graph(row.trial));
+  GW_ENSURES(found && found->shift == row.shift);
+  return *found;
 }
 
 bool Search::exists(std::int64_t from, std::int64_t to) const {
   bool found = false;
-  sift(from, to, [&](const Trial& t, double verdict, const TrialGear& g_1, const TrialGear& g_2) {
-    found = verdict > kSieveContactRatio && !ShiftGraph(problem_, t, g_1, g_2).what_kills();
-    return !found;
-  });
+  sift(from, to, {},
+       [&](const Trial& t, double verdict, const TrialGear& g_1, const TrialGear& g_2) {
+         found = verdict > kSieveContactRatio && has_design(ShiftGraph(problem_, t, g_1, g_2));
+         return !found;
+       });
   return found;
+}
+
+void Search::candidates(const std::function<bool(const Trial&)>& f,
+                        const SearchWatch& watch) const {
+  sift(0, *space_.size(), watch,
+       [&](const Trial& t, double verdict, const TrialGear&, const TrialGear&) {
+         return verdict <= kSieveContactRatio || f(t);
+       });
 }
 
 BestDesigns::BestDesigns(const SearchProblem& problem, std::size_t most)
@@ -192,39 +223,38 @@ BestDesigns::BestDesigns(const SearchProblem& problem, std::size_t most)
 void BestDesigns::add(const DesignRow& row) {
   ++added_;
   if (problem_->objectives.size() > 1) front_.add(row);
-  const auto before = [&](const DesignRow& a, const DesignRow& b) {
-    return ranks_before(*problem_, problem_->objectives.front(), a, b);
-  };
+  if (max_ == 0) return;
+  const RankKey key = rank_key(*problem_, problem_->objectives.front(), row);
   if (heap_.size() < max_) {
-    heap_.push_back(row);
-    std::push_heap(heap_.begin(), heap_.end(), before);
-  } else if (max_ > 0 && before(row, heap_.front())) {
-    std::pop_heap(heap_.begin(), heap_.end(), before);
-    heap_.back() = row;
-    std::push_heap(heap_.begin(), heap_.end(), before);
+    heap_.push_back({key, rows_.size()});
+    rows_.push_back(row);
+  } else {
+    if (!(key < heap_.front().key)) return;
+    std::pop_heap(heap_.begin(), heap_.end());
+    heap_.back().key = key;
+    rows_[heap_.back().row] = row;
   }
+  std::push_heap(heap_.begin(), heap_.end());
 }
 
 SearchAnswer BestDesigns::answer(const SearchCounts& counts) && {
-  const auto before = [&](const DesignRow& a, const DesignRow& b) {
-    return ranks_before(*problem_, problem_->objectives.front(), a, b);
-  };
   SearchAnswer answer;
   answer.counts = counts;
-  std::sort(heap_.begin(), heap_.end(), before);
+  std::sort_heap(heap_.begin(), heap_.end());
   std::vector<DesignRow> front = front_.rows();
-  std::sort(front.begin(), front.end(), before);
+  std::sort(front.begin(), front.end(), [&](const DesignRow& a, const DesignRow& b) {
+    return ranks_before(*problem_, problem_->objectives.front(), a, b);
+  });
+  std::set<std::int64_t> on_front;
   for (std::size_t i = 0; i < front.size() && i < max_; ++i) {
     answer.pareto.push_back(i);
+    on_front.insert(front[i].trial.index);
     answer.designs.push_back(front[i]);
   }
-  const auto on_front = [&](const DesignRow& row) {
-    return std::any_of(front.begin(), front.end(),
-                       [&](const DesignRow& f) { return f.trial.index == row.trial.index; });
-  };
-  for (const DesignRow& row : heap_) {
+  for (const Place& place : heap_) {
     if (answer.designs.size() >= max_) break;
-    if (front.empty() || !on_front(row)) answer.designs.push_back(row);
+    const DesignRow& row = rows_[place.row];
+    if (!on_front.contains(row.trial.index)) answer.designs.push_back(row);
   }
   answer.cut = static_cast<std::int64_t>(answer.designs.size()) < added_;
   return answer;

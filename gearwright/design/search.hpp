@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -36,6 +37,18 @@ struct SieveCounts {
   std::int64_t decided = 0, asked = 0;
 };
 
+/// Who waits for long work: told every now and then how many trials were done since, it says whether
+/// to go on. Called by whoever works, many times a second; empty: nobody waits.
+using SearchWatch = std::function<bool(std::int64_t trials)>;
+
+/// What a range is asked for beside its designs.
+struct RangeWish {
+  RegionDetail detail = RegionDetail::whole;  ///< of each row; rank by area needs the whole
+  SieveCounts* sieve = nullptr;
+  std::vector<ShiftPoint>* points = nullptr;  ///< of the grid of shifts
+  SearchWatch watch{};
+};
+
 class Search {
  public:
   explicit Search(SearchProblem problem);
@@ -43,21 +56,28 @@ class Search {
   const SearchProblem& problem() const { return problem_; }
   const SearchSpace& space() const { return space_; }
 
-  /// Searches [from, to) and appends its feasible designs in the order of the trials, and with a
-  /// grid of shifts its feasible points, if they are wanted. Safe from several threads.
+  /// Searches [from, to) and appends its feasible designs in the order of the trials. Safe from
+  /// several threads. What a watch has ended is a part of the range.
   SearchCounts range(std::int64_t from, std::int64_t to, std::vector<DesignRow>& rows,
-                     SieveCounts* sieve = nullptr, std::vector<ShiftPoint>* points = nullptr) const;
+                     const RangeWish& wish = {}) const;
+
+  /// The row with the numbers of its region.
+  DesignRow whole(const DesignRow& row) const;
 
   /// Some trial of [from, to) is feasible; stops at the first.
   bool exists(std::int64_t from, std::int64_t to) const;
 
+  /// Calls f for every trial that the sieve lets pass, until it returns false.
+  void candidates(const std::function<bool(const Trial&)>& f, const SearchWatch& watch = {}) const;
+
   ShiftGraph graph(const Trial& trial) const;
+  bool feasible(const Trial& trial) const { return has_design(graph(trial)); }
 
  private:
   // Runs [from, to) through the sieve: decide(trial, verdict, gear 1, gear 2) until it returns
   // false.
   template <class F>
-  void sift(std::int64_t from, std::int64_t to, const F& decide) const;
+  void sift(std::int64_t from, std::int64_t to, const SearchWatch& watch, const F& decide) const;
   std::shared_ptr<const TrialGears> gears(int which, int rack, Angle helix) const;
 
   SearchProblem problem_;
@@ -84,9 +104,15 @@ class BestDesigns {
   SearchAnswer answer(const SearchCounts& counts) &&;
 
  private:
+  struct Place {
+    RankKey key;
+    std::size_t row;
+    bool operator<(const Place& other) const { return key < other.key; }
+  };
   const SearchProblem* problem_;
   std::size_t max_;
-  std::vector<DesignRow> heap_;  ///< the worst on top
+  std::vector<Place> heap_;      ///< the worst on top: rows stay where they are
+  std::vector<DesignRow> rows_;  ///< of the heap
   ParetoFront front_;
   std::int64_t added_ = 0;
 };

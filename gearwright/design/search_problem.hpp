@@ -33,14 +33,23 @@ inline constexpr int kLimits = 7;
 /// "shift_limits", "center_distance", …
 std::string_view name(Limit limit);
 
-enum class Objective { contact_ratio, ratio, size, shift, area, sliding };
-inline constexpr std::array<std::string_view, 6> kObjectiveNames{
-    "contact_ratio", "ratio", "size", "shift", "area", "sliding"};
+enum class Objective {
+  contact_ratio,  ///< effective: of the path clipped to the usable flanks
+  ratio,
+  size,
+  shift,
+  area,
+  sliding,
+  formula_contact_ratio  ///< of Eq. 10, whatever the flanks are
+};
+inline constexpr std::array<std::string_view, 7> kObjectiveNames{
+    "contact_ratio", "ratio", "size", "shift", "area", "sliding", "formula_contact_ratio"};
 
 /// The racks of both gears, and how deep their straight edges reach below the datum line.
 struct SearchRacks {
   std::array<StraightRack, 2> rack;
   std::array<double, 2> undercut_depth{1.0, 1.0};  ///< modules, for the undercut limit
+  std::array<double, 2> flank_depth{1.0, 1.0};     ///< of the racks themselves: where flanks start
 };
 
 struct SearchLimits {
@@ -52,8 +61,15 @@ struct SearchLimits {
   std::optional<double> overlap_ratio;  ///< ε_β ≥ this
   std::optional<double> sliding;        ///< |ζ| ≤ this at both ends of the path; parallel axes
   std::optional<double> tip_clearance;  ///< c ≥ this, modules
-  bool avoid_interference = false;      ///< a tip may not pass the start of the mating gear's flank
+  bool avoid_interference = false;  ///< a tip may not pass the start of the mating gear's flank,
+  bool clear_fillets = false;       ///< nor cut into the root fillet, at the point of the design
+  double form_clearance = 0.0;      ///< and keeps this from it along the line of action, modules
 };
+
+/// What a search keeps unless it is told otherwise, so that what it finds runs: modules. The struct
+/// above has no limit that nobody set.
+inline constexpr double kRunningTipClearance = 0.02;
+inline constexpr double kRunningFormClearance = 0.02;
 
 struct SearchProblem {
   std::array<double, 2> ratio{};  ///< z2/z1, closed; both negative: internal pairs

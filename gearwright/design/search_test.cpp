@@ -125,7 +125,7 @@ TEST(Search, RegionsOfTheReference) {
 // Five best by each objective. Designs of equal worth stand in another order there, so worths are
 // compared, and each of its five is looked up with all its numbers.
 TEST(Search, BestFiveOfTheReference) {
-  const std::map<std::string, Objective> objectives{{"contact_ratio", Objective::contact_ratio},
+  const std::map<std::string, Objective> objectives{{"contact_ratio", Objective::formula_contact_ratio},
                                                     {"ratio", Objective::ratio},
                                                     {"size", Objective::size},
                                                     {"area", Objective::area},

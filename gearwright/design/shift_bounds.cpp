@@ -41,8 +41,9 @@ void ShiftGraph::bound_sliding(const SumPlace& at, double sum, double& lo, doubl
   }
 }
 
-// ρ_1A ≥ ρ_F1 and ρ_2E ≥ ρ_F2: the mating gear's tip stays on the flank. Each is w q(u) ≤ c + s u
-// in the mating gear's tip radius u, a quadratic; it fails between its roots. [T9.9]
+// ρ_1A ≥ ρ_F1 + c_F and ρ_2E ≥ ρ_F2 + c_F: the mating gear's tip stays on the flank, and off its
+// start. Each is w q(u) ≤ c + s u in the mating gear's tip radius u, a quadratic; it fails between
+// its roots. [T9.9]
 void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2,
                                     double& hi_1) const {
   const auto greater_root = [](double w, double c, double s, double b) {
@@ -52,8 +53,9 @@ void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2
   };
   const auto line = [&](std::size_t i, double A_mate) {
     const double s = weight_[i] / gears_[i].sin_transverse;
-    const double c = at.N - weight_[i] * gears_[i].r * gears_[i].sin_transverse +
-                     s * gears_[i].edge_depth - s * (sum + A_mate);
+    const double c = at.N - problem_->limits.form_clearance -
+                     weight_[i] * gears_[i].r * gears_[i].sin_transverse +
+                     s * gears_[i].flank_depth - s * (sum + A_mate);
     return std::array<double, 2>{c, s};
   };
   const double A_1 = gears_[0].r + gears_[0].addendum + at.k;
@@ -67,8 +69,9 @@ void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2
   }
   // The internal gear's tip v = |u|: √(v² − b²) ≥ s v + c, between the roots.
   const double s = 1.0 / gears_[0].sin_transverse;
-  const double c =
-      -at.N + gears_[0].r * gears_[0].sin_transverse - s * gears_[0].edge_depth + s * (A_2 + sum);
+  const double c = -at.N + problem_->limits.form_clearance +
+                   gears_[0].r * gears_[0].sin_transverse - s * gears_[0].flank_depth +
+                   s * (A_2 + sum);
   const double b = gears_[1].r_b;
   const double disc = c * c - (s * s - 1.0) * b * b;
   if (!(c < 0.0) || !(disc >= 0.0)) {

@@ -67,6 +67,7 @@ std::vector<IdenticalGears> identical_gears_chart(const SearchProblem& problem, 
   free.racks = {problem.racks[static_cast<std::size_t>(rack)]};
   free.racks[0].rack[1] = free.racks[0].rack[0];
   free.racks[0].undercut_depth[1] = free.racks[0].undercut_depth[0];
+  free.racks[0].flank_depth[1] = free.racks[0].flank_depth[0];
   free.limits.contact_ratio = 0.0;  // all that is left of that limit is the working angle
 
   std::vector<IdenticalGears> chart;

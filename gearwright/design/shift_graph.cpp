@@ -94,7 +94,8 @@ double ShiftGraph::sum_of_distance(double distance) const {
   return (involute(alpha_w) - inv_alpha_t_) * teeth_sum_ / (2.0 * tan_alpha_);
 }
 
-ShiftGraph::Sums ShiftGraph::sums(int limits) const {
+// The ends of Σ that have a closed form: all but the corners of the rectangle of shifts.
+ShiftGraph::Sums ShiftGraph::plain_sums(int limits, Band band_asked) const {
   Sums s{-kInfinity, kInfinity, ShiftEdge::mesh, ShiftEdge::mesh};
   const auto from_below = [&](double sum, ShiftEdge edge) {
     if (sum > s.lo) s.lo = sum, s.lo_edge = edge;
@@ -117,7 +118,8 @@ ShiftGraph::Sums ShiftGraph::sums(int limits) const {
       not_nearer(sum_of_distance(nearest_), ShiftEdge::mesh);
     }
   }
-  if (limits > static_cast<int>(Limit::center_distance) && problem_->center_distance) {
+  if (band_asked == Band::asked && limits > static_cast<int>(Limit::center_distance) &&
+      problem_->center_distance) {
     const auto& band = *problem_->center_distance;
     const double least = band[0] / trial_.module;
     const double most = band[1] / trial_.module;
@@ -132,6 +134,12 @@ ShiftGraph::Sums ShiftGraph::sums(int limits) const {
                                 : sum_of_distance(radius_of(min_path_, B_));
     from_below(sum, ShiftEdge::eps_true);
   }
+  return s;
+}
+
+ShiftGraph::Sums ShiftGraph::sums(int limits) const {
+  Sums s = plain_sums(limits, Band::asked);
+  if (s.lo_edge == ShiftEdge::Cmax && s.hi_edge == ShiftEdge::Cmax) return s;  // out of reach
   // The corners of the rectangle end the graph too, but in a point: no edge is named after them.
   raise(s.lo, gears_[0].x_min + gears_[1].x_min);
   double corner = gears_[0].x_max + gears_[1].x_max;
@@ -230,6 +238,7 @@ ShiftSlice ShiftGraph::slice(double sum, int limits) const {
 
 std::vector<Interval> ShiftGraph::feasible_sums(int limits) const {
   if (limits > static_cast<int>(Limit::overlap_ratio) && !overlap_ratio_is_enough()) return {};
+  if (limits > static_cast<int>(Limit::tip_clearance) && !tip_clearance_can_be_enough()) return {};
   Sums range = sums(limits);
   if (range.lo > range.hi && range.lo <= range.hi + kTouching)
     range.lo = range.hi = (range.lo + range.hi) / 2.0;
@@ -279,9 +288,22 @@ bool ShiftGraph::overlap_ratio_is_enough() const {
   return overlap >= *problem_->limits.overlap_ratio - kTouching;
 }
 
-double ShiftGraph::margin(double x1, double x2) const {
+// External pairs have the clearance of the racks at most: a − R − Σ ≤ 0 there. [T9.5]
+bool ShiftGraph::tip_clearance_can_be_enough() const {
+  if (internal_ || !problem_->limits.tip_clearance) return true;
+  const double most =
+      std::min(gears_[0].dedendum - gears_[1].addendum, gears_[1].dedendum - gears_[0].addendum);
+  return most >= *problem_->limits.tip_clearance - 2.0 * kTouching;
+}
+
+double ShiftGraph::margin(double x1, double x2) const { return margin_in(sums(), x1, x2); }
+
+double ShiftGraph::wall_distance(double x1, double x2) const {
+  return margin_in(plain_sums(kLimits, Band::left_out), x1, x2);
+}
+
+double ShiftGraph::margin_in(const Sums& range, double x1, double x2) const {
   const double sum = x1 + x2;
-  const Sums range = sums();
   double least = std::min(sum - range.lo, range.hi - sum);
   if (least < -kTouching) return least;
   const SumPlace at = place(sum);

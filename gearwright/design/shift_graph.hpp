@@ -130,12 +130,20 @@ class ShiftGraph {
   /// inside.   Domain: outside sums() that distance alone
   double margin(double x1, double x2) const;
 
+  /// The same without the band of centre distances, whose ends are a wish: how far a point stands
+  /// from where something stops working.   Domain: within sums()
+  double wall_distance(double x1, double x2) const;
+
  private:
+  enum class Band { asked, left_out };
+  Sums plain_sums(int limits, Band band) const;
+  double margin_in(const Sums& range, double x1, double x2) const;
   double sum_of_distance(double distance) const;
   void bound_sliding(const SumPlace& at, double sum, double& lo, double& hi) const;
   void bound_interference(const SumPlace& at, double sum, double& lo_2, double& hi_1) const;
   void bound_usable_path(const SumPlace& at, double sum, double& lo, double& hi) const;
   bool overlap_ratio_is_enough() const;
+  bool tip_clearance_can_be_enough() const;
 
   const SearchProblem* problem_;
   Trial trial_;

@@ -21,6 +21,7 @@ CandidateConstants constants_of(const ShiftGraph& graph) {
     c.addendum[i] = graph.gears()[i].addendum;
     c.dedendum[i] = graph.gears()[i].dedendum;
     c.edge_depth[i] = graph.gears()[i].edge_depth;
+    c.flank_depth[i] = graph.gears()[i].flank_depth;
   }
   c.tight = p.mounting == Mounting::tight;
   c.shorten = p.shorten_tips;
@@ -53,8 +54,8 @@ Verdict judge(const SearchLimits& limits, const CandidateBatch& b, std::size_t i
     at_least(CandidateBatch::clearance_2, *limits.tip_clearance);
   }
   if (limits.avoid_interference) {
-    at_least(CandidateBatch::interference_1, 0.0);
-    at_least(CandidateBatch::interference_2, 0.0);
+    at_least(CandidateBatch::interference_1, limits.form_clearance);
+    at_least(CandidateBatch::interference_2, limits.form_clearance);
   }
   if (limits.sliding) {
     const double doubt = kSieveDoubt * (1.0 + *limits.sliding);

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 
+#include "gearwright/design/fillet_gap.hpp"
 #include "gearwright/pair/shift.hpp"
 
 namespace gearwright {
@@ -63,6 +65,7 @@ constexpr double kBeside = 1e-9;
 constexpr double kMinBeside = 1e-10;
 // The very ends of a piece are corners; so much of its width inside them one edge has a name.
 constexpr double kInset = 1e-7;
+constexpr double kFarOff = 1e9;  // modules: nothing is so far outside
 // An end of a piece that is an end of the whole range, modules: both were solved for apart.
 constexpr double kSameEnd = 1e-9;
 
@@ -136,6 +139,9 @@ double sum_at(double from, double to, double theta) {
 // Near the tip of the path's curve x1 runs away as √Σ: seven digits more take three halvings there.
 constexpr unsigned kBisections = 10;
 constexpr double kAreaTolerance = 1e-12;  // of the area under the stretch, modules²
+// A bound of x1 is a difference of radii: its rounding, for each module of them, must not look like
+// a curve that wants to be halved again and again.
+constexpr double kAreaRounding = 1e-13;
 
 double area_under(const ShiftGraph& graph, Side side, const Stretch& s, bool straight) {
   const auto value = [&](double sum) { return value_of(graph.slice(sum), side); };
@@ -144,7 +150,9 @@ double area_under(const ShiftGraph& graph, Side side, const Stretch& s, bool str
     return value(sum_at(s.from, s.to, theta)) * (s.to - s.from) / 2.0 * std::sin(theta);
   };
   return boost::math::quadrature::gauss_kronrod<double, 15>::integrate(
-      integrand, 0.0, std::numbers::pi, kBisections, kAreaTolerance);
+      integrand, 0.0, std::numbers::pi, kBisections,
+      std::max(kAreaTolerance,
+               kAreaRounding * (std::abs(graph.gears()[0].r) + std::abs(graph.gears()[1].r))));
 }
 
 double area_of(const ShiftGraph& graph, const SearchProblem& problem, const Interval& piece) {
@@ -201,8 +209,127 @@ void append(std::vector<RegionEdge>& loop, RegionEdge next) {
 
 }  // namespace
 
-std::optional<ShiftRegion> shift_region(const ShiftGraph& graph) {
+namespace {
+
+// Of the sums in some intervals the one nearest 0.
+std::optional<double> nearest_zero(const std::vector<Interval>& intervals) {
+  std::optional<double> nearest;
+  for (const Interval& i : intervals) {
+    const double sum = std::clamp(0.0, i.lo, i.hi);
+    if (!nearest || std::abs(sum) < std::abs(*nearest)) nearest = sum;
+  }
+  return nearest;
+}
+
+// The greatest value of f over [a, b], by nodes and golden section beside the highest.
+template <class F>
+double greatest(const F& f, double a, double b) {
+  if (!(a < b)) return f(a);
+  int best = 0;
+  double top = f(a);
+  const auto node = [&](int i) {
+    return i == kIntervalNodes ? b : a + (b - a) * i / kIntervalNodes;
+  };
+  for (int i = 1; i <= kIntervalNodes; ++i) {
+    const double value = f(node(i));
+    if (value > top) top = value, best = i;
+  }
+  // climb() stops above 0: seen from one above the top it never does.
+  const double above = top + 1.0;
+  const double x =
+      detail::climb([&](double s) { return f(s) - above; }, node(std::max(best - 1, 0)),
+                    node(std::min(best + 1, kIntervalNodes)));
+  return std::max(top, f(x));
+}
+
+// Its point with Σ nearest 0 that stands off the walls; with fillets, off those too.
+enum class Fillets { asked, left_out };
+std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
+  const ShiftGraph::Sums range = graph.sums();
+  if (!(range.lo <= range.hi)) return std::nullopt;
+  const Trial& t = graph.trial();
+  const auto place = [&](double sum) {
+    return balanced_point(t.z1, t.z2, sum, graph.problem().lambda);
+  };
+  const auto off_walls = [&](double sum) {
+    const Vec2 p = place(sum);
+    const double wall = graph.wall_distance(p[0], p[1]);
+    // A fillet that is cut is a wall passed; how far from it a point stands is not measured.
+    return fillets == Fillets::asked && wall > 0.0 && fillet_is_cut(graph, p) ? -wall : wall;
+  };
+  const double nearest = std::clamp(0.0, range.lo, range.hi);
+  const double at_nearest = off_walls(nearest);
+  if (at_nearest >= kWallDistance) return place(nearest);
+  // The distance has one hump but for rare regions in pieces: uphill from there in growing steps,
+  // and back to the first place that is far enough.
+  constexpr double kStep = 0.05;  // modules: a tenth of what is usual
+  const double right = std::min(nearest + kStep, range.hi);
+  const double left = std::max(nearest - kStep, range.lo);
+  const double at_right = right > nearest ? off_walls(right) : -kFarOff;
+  const double at_left = left < nearest ? off_walls(left) : -kFarOff;
+  const double side = at_right >= at_left ? 1.0 : -1.0;
+  double before = nearest;
+  double here = side > 0.0 ? right : left;
+  double value = std::max(at_right, at_left);
+  double beyond = here;
+  for (double step = kStep; value < kWallDistance; step *= 2.0) {
+    beyond = std::clamp(here + side * step, range.lo, range.hi);
+    const double next = beyond == here ? value : off_walls(beyond);
+    if (!(next > value)) break;
+    before = std::exchange(here, beyond);
+    value = next;
+  }
+  if (value < kWallDistance) {
+    // The top lies between, or on both sides of the start.
+    if (before == nearest) before = side > 0.0 ? left : right;
+    here = detail::climb([&](double sum) { return off_walls(sum) - kWallDistance; },
+                         std::min(before, beyond), std::max(before, beyond));
+    value = off_walls(here);
+  }
+  if (value > kSameEnd) {
+    const double distance = std::min(kWallDistance, value / 2.0);
+    if (at_nearest >= distance) return place(nearest);
+    const Root root = find_root([&](double sum) { return off_walls(sum) - distance; },
+                                std::min(nearest, here), std::max(nearest, here));
+    if (root.found()) return place(root.x);
+  }
+  // At extended centres of external gears there is one hump, and no more to find.
+  const SearchProblem& problem = graph.problem();
+  const bool one_hump = problem.mounting == Mounting::extended && !problem.internal() &&
+                        !problem.crossed() && fillets == Fillets::left_out;
+  if (one_hump) return std::nullopt;
+  const auto first_beyond = [&](double distance) {
+    return nearest_zero(where_not_negative([&](double sum) { return off_walls(sum) - distance; },
+                                           range.lo, range.hi));
+  };
+  if (const auto sum = first_beyond(kWallDistance)) return place(*sum);
+  const double most = greatest(off_walls, range.lo, range.hi);
+  if (!(most > kSameEnd)) return std::nullopt;
+  const auto sum = first_beyond(most / 2.0);
+  return sum ? std::optional(place(*sum)) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Vec2> point_off_walls(const ShiftGraph& graph) {
+  if (!graph.problem().limits.avoid_interference) {
+    // Designs need not run: the bare theory, whose point may stand at a wall. Inside them it is known
+    // without the region.
+    const ShiftGraph::Sums range = graph.sums();
+    if (!(range.lo <= range.hi)) return std::nullopt;
+    const Trial& t = graph.trial();
+    const Vec2 p =
+        balanced_point(t.z1, t.z2, std::clamp(0.0, range.lo, range.hi), graph.problem().lambda);
+    return graph.wall_distance(p[0], p[1]) > kSameEnd ? std::optional(p) : std::nullopt;
+  }
+  // Fillets cost more than all walls together and are cut at few places.
+  const auto place = place_off_walls(graph, Fillets::left_out);
+  return place && fillet_is_cut(graph, *place) ? place_off_walls(graph, Fillets::asked) : place;
+}
+
+std::optional<ShiftRegion> shift_region(const ShiftGraph& graph, RegionDetail detail) {
   ShiftRegion region;
+  region.detail = detail;
   region.sums = graph.feasible_sums();
   if (region.sums.empty()) return std::nullopt;
   const auto ends = [&](double sum) {
@@ -221,29 +348,34 @@ std::optional<ShiftRegion> shift_region(const ShiftGraph& graph) {
   };
   const auto touching = [&](double sum) { return margin(sum) + kTouching; };
   for (const Interval& piece : region.sums) {
-    region.area += area_of(graph, problem, piece);
+    if (detail == RegionDetail::whole) region.area += area_of(graph, problem, piece);
     auto on_line = where_not_negative(margin, piece.lo, piece.hi);
     if (on_line.empty()) on_line = where_not_negative(touching, piece.lo, piece.hi);
     region.balanced_sums.insert(region.balanced_sums.end(), on_line.begin(), on_line.end());
   }
-  std::optional<double> nearest;
-  for (const Interval& i : region.balanced_sums) {
-    const double sum = std::clamp(0.0, i.lo, i.hi);
-    if (!nearest || std::abs(sum) < std::abs(*nearest)) nearest = sum;
-  }
-  if (nearest) region.balanced = balanced_point(t.z1, t.z2, *nearest, problem.lambda);
+  if (const auto sum = nearest_zero(region.balanced_sums))
+    region.balanced = balanced_point(t.z1, t.z2, *sum, problem.lambda);
+  region.off_walls = point_off_walls(graph);
   return region;
 }
 
 Vec2 chosen_point(const ShiftGraph& graph, const ShiftRegion& region) {
-  if (region.balanced) return *region.balanced;
-  const Vec2 middle = (region.lo + region.hi) / 2.0;
-  if (region.sums.size() == 1 && graph.margin(middle[0], middle[1]) >= -kTouching) return middle;
+  if (region.off_walls) return *region.off_walls;
+  return region.balanced ? *region.balanced : middle_point(graph, region);
+}
+
+Vec2 middle_point(const ShiftGraph& graph, const ShiftRegion& region) {
   const auto longest = std::max_element(
       region.sums.begin(), region.sums.end(),
       [](const Interval& a, const Interval& b) { return a.hi - a.lo < b.hi - b.lo; });
   const double sum = (longest->lo + longest->hi) / 2.0;
-  return point(sum, graph.slice(sum).middle());
+  const Vec2 inside = point(sum, graph.slice(sum).middle());
+  const Vec2 middle = (region.lo + region.hi) / 2.0;
+  const bool runs = graph.problem().limits.avoid_interference;
+  const double enough =
+      runs ? std::max(-kTouching, graph.wall_distance(inside[0], inside[1]) / 2.0) : -kTouching;
+  const bool one = region.sums.size() == 1;
+  return one && graph.wall_distance(middle[0], middle[1]) >= enough ? middle : inside;
 }
 
 std::vector<std::vector<RegionEdge>> region_boundary(const ShiftGraph& graph,

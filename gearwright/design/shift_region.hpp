@@ -24,26 +24,45 @@ struct RegionEdge {
   std::vector<Vec2> points;  ///< ends of a straight one; of a curve points on it, ends included
 };
 
+/// How much of a region is wanted: whether there is one and a point in it, or its area too.
+enum class RegionDetail { point, whole };
+
 struct ShiftRegion {
+  RegionDetail detail = RegionDetail::whole;
   std::vector<Interval> sums;            ///< Σ from … to; more than one: the region is in pieces
   std::array<Vec2, 2> lo_edge, hi_edge;  ///< the whole slices at the ends
   Vec2 lo, hi;
-  double area = 0.0;
+  double area = 0.0;                    ///< with `whole` only
   std::vector<Interval> balanced_sums;  ///< Σ of the feasible points of the line of Eq. 11
   std::optional<Vec2> balanced;         ///< of them the one with Σ nearest 0
+  std::optional<Vec2> off_walls;        ///< the same of those off the walls: point_off_walls()
 };
 
 /// Its numbers; none: nothing is feasible.   Accuracy  ends and corners to rounding, area to 1e-12
-std::optional<ShiftRegion> shift_region(const ShiftGraph& graph);
+std::optional<ShiftRegion> shift_region(const ShiftGraph& graph,
+                                        RegionDetail detail = RegionDetail::whole);
+
+/// A design stands so far from every wall of its region, modules, or as far as half of what the line
+/// of Eq. 11 allows: at a wall something just stops working. The band of centre distances is no
+/// wall.
+inline constexpr double kWallDistance = 0.05;
+
+/// The point of the line of Eq. 11 with Σ nearest 0 that stands off the walls; none: the line has no
+/// point inside them. Where designs that interfere are not excluded it may stand at a wall, and is
+/// none then: the region knows it (`balanced`).   Cost  one evaluation of all limits where Σ = 0 will do
+std::optional<Vec2> point_off_walls(const ShiftGraph& graph);
 
 /// The boundary of each piece, counterclockwise; of a band that is one distance the segment there
 /// and back.
 std::vector<std::vector<RegionEdge>> region_boundary(const ShiftGraph& graph,
                                                      const ShiftRegion& region);
 
-/// A point for a design: the balanced one, else the middle of lo and hi, of a region in pieces or
-/// not convex the middle of its longest piece.
+/// A point for a design: the one off the walls, else the balanced one, else the middle of lo and hi, of a region in pieces or
+/// where that middle stands nearer to a wall than half as far as it could, the middle of the longest
+/// piece.
 Vec2 chosen_point(const ShiftGraph& graph, const ShiftRegion& region);
+/// The last of these.
+Vec2 middle_point(const ShiftGraph& graph, const ShiftRegion& region);
 
 /// The point of the line of Eq. 11 with the sum Σ.
 Vec2 balanced_point(int z1, int z2, double sum, double lambda);

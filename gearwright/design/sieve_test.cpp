@@ -251,7 +251,7 @@ TEST(Sieve, ItAsksForFewGraphs) {
   const Search search(testing::search::problem_of_search(first.at("input")));
   std::vector<DesignRow> rows;
   SieveCounts counts;
-  search.range(0, *search.space().size(), rows, &counts);
+  search.range(0, *search.space().size(), rows, {.sieve = &counts});
   EXPECT_EQ(counts.asked + counts.decided, 2754);
   EXPECT_LT(counts.asked, 27);
 }

@@ -8,8 +8,10 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/design/intervals.hpp"
+#include "gearwright/gear/leaf_formulas.hpp"
 #include "gearwright/gear/reference.hpp"
 #include "gearwright/math/involute.hpp"
+#include "gearwright/math/newton.hpp"
 
 namespace gearwright {
 
@@ -35,6 +37,7 @@ double shift_of_base_circle(const TrialGear& g, double k) {
 
 struct Shifts {
   double min, max;
+  bool as_a_rule = false;  // thinner and thinner from x = 0 on
 };
 
 // Where the tip is thick enough: the interval that reaches highest.
@@ -51,11 +54,38 @@ Shifts thick_enough(const TrialGear& g, double k) {
     // thinner.
     const double start = std::max(edge, 0.0);
     if (margin(edge) >= 0.0 && margin(start) >= 0.0 && margin(hi) < 0.0)
-      return {edge, find_root(margin, start, hi).x};
+      return {edge, find_root(margin, start, hi).x, true};
   }
   const auto pieces = where_not_negative(margin, lo, hi, 64);
   if (pieces.empty()) return {lo, -std::numeric_limits<double>::infinity()};
   return {pieces.back().lo, pieces.back().hi};
+}
+
+// s_an and its slope over x, at a tip outside the base circle of an external gear. [T9.3]
+Slope<double> tip_thickness_and_slope(const TrialGear& g, double x, double k) {
+  const double u = leaf::tip_radius(g.r, g.addendum, x, k);
+  const double roll = leaf::curvature_at(u, g.r_b) / g.r_b;  // tan α_a
+  const double half = g.reference_half_angle + x * g.half_angle_per_shift;
+  const double t = g.tan_base_helix / g.r_b;
+  const double secant = std::sqrt(1.0 + t * t * u * u);
+  const double angle = half - involute_of_roll(roll);
+  const double thickness = 2.0 * u * angle / secant;
+  const double slope = (2.0 * angle + 2.0 * u * g.half_angle_per_shift - 2.0 * roll) / secant -
+                       thickness * t * t * u / (secant * secant);
+  return {thickness, slope};
+}
+
+// The same root as that of thick_enough() for k < 0. With x = thick_until − k the tip has the radius
+// that it has at thick_until, on a thicker tooth: the root lies beyond, and not far.
+double thick_until_with(const TrialGear& g, double k) {
+  const auto margin = [&](double x) {
+    Slope<double> s = tip_thickness_and_slope(g, x, k);
+    s.value -= g.min_tip_thickness;
+    return s;
+  };
+  const double lo = *g.thick_until - k;
+  const double hi = lo + std::abs(static_cast<double>(g.teeth)) + 5.0;
+  return newton_in_bracket<double>(margin, lo, hi, lo, false).x;
 }
 
 }  // namespace
@@ -63,7 +93,8 @@ Shifts thick_enough(const TrialGear& g, double k) {
 double max_shift(const SearchProblem& problem, const TrialGear& gear, double k) {
   if (k == 0.0) return gear.x_max;
   const double ceiling = problem.limits.max_shift.value_or(std::numeric_limits<double>::infinity());
-  return std::min(ceiling, thick_enough(gear, k).max);
+  return std::min(
+      ceiling, k < 0.0 && gear.thick_until ? thick_until_with(gear, k) : thick_enough(gear, k).max);
 }
 
 TrialGear trial_gear(const SearchProblem& problem, int teeth, Angle helix, int rack, int which) {
@@ -79,6 +110,7 @@ TrialGear trial_gear(const SearchProblem& problem, int teeth, Angle helix, int r
   g.addendum = racks.rack[i].addendum;
   g.dedendum = racks.rack[i].dedendum;
   g.edge_depth = racks.undercut_depth[i];
+  g.flank_depth = racks.flank_depth[i];
   g.sin_transverse = std::sin(reference.transverse_pressure_angle);
   g.cos_base_helix = std::cos(reference.base_helix_angle);
   g.tan_base_helix = std::tan(reference.base_helix_angle);
@@ -90,6 +122,7 @@ TrialGear trial_gear(const SearchProblem& problem, int teeth, Angle helix, int r
   const Shifts thick = thick_enough(g, 0.0);
   g.x_min = thick.min;
   g.x_max = thick.max;
+  if (thick.as_a_rule) g.thick_until = thick.max;
   if (teeth > 0) {
     const double undercut =
         leaf::undercut_limit<double>(g.edge_depth, teeth, g.sin_transverse, std::cos(helix.rad())) +

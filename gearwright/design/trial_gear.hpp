@@ -22,6 +22,7 @@ struct TrialGear {
   double addendum = 0.0;              ///< h_a
   double dedendum = 0.0;              ///< h_f
   double edge_depth = 0.0;            ///< h_F
+  double flank_depth = 0.0;           ///< the same of the rack itself, where h_F is given
   double sin_transverse = 0.0;        ///< sin α_t
   double cos_base_helix = 1.0;        ///< cos β_b
   double tan_base_helix = 0.0;        ///< tan β_b, unsigned
@@ -30,6 +31,9 @@ struct TrialGear {
   double half_angle_per_shift = 0.0;  ///< 2 tan α_n/|z|
   double x_min = 0.0,
          x_max = 0.0;  ///< the limits, at k = 0; none possible: x_min > x_max
+  /// The greatest x with a tip that is thick enough, at k = 0, where tips thin from x = 0 on: the
+  /// rule. Absent: an exception, or an internal gear.
+  std::optional<double> thick_until{};
 };
 
 /// The gear and its limits: undercut (none of an internal gear), tip thickness, floor and ceiling,

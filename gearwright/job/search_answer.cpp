@@ -17,8 +17,6 @@ namespace {
 // Regions of more designs than this are given without their boundary, whose curves have 25 points.
 constexpr std::size_t kMaxBoundaries = 10'000;
 
-std::string key_of(const NearestChange& c) { return spelled_member("search." + c.field); }
-
 Value edges_of(const Search& search, const DesignRow& row) {
   const ShiftGraph graph = search.graph(row.trial);
   const auto region = shift_region(graph);
@@ -113,10 +111,23 @@ std::vector<std::string> rejected_lines(const SearchCounts& counts) {
   return lines;
 }
 
+std::string margin_line(const SearchLimits& limits) {
+  std::string text =
+      limits.avoid_interference
+          ? fmt::format("every design runs without interference, form clearance >= {:g} modules",
+                        limits.form_clearance)
+          : "designs that interfere are listed too";
+  if (limits.tip_clearance)
+    text += fmt::format(", tip clearance >= {:g} modules", *limits.tip_clearance);
+  return text;
+}
+
 std::vector<std::string> change_lines(const SearchRun& run) {
   std::vector<std::string> lines;
-  for (const NearestChange& c : run.changes)
-    lines.push_back(fmt::format("{} = {} instead of {}", key_of(c), c.to, c.from));
+  for (const NearestChange& c : run.changes) {
+    const SpelledChange said = spelled_change(c);
+    lines.push_back(fmt::format("{} = {} instead of {}", said.key, said.to, said.from));
+  }
   return lines;
 }
 
@@ -126,6 +137,7 @@ std::string search_listing(const Search& search, const SearchRun& run, std::size
   std::string text = fmt::format("{} candidates (module, z1, z2{}), {} feasible\n", a.counts.tested,
                                  p.helix.size() > 1 ? ", helix" : "", a.counts.feasible);
   for (const std::string& line : rejected_lines(a.counts)) text += "  killed by " + line + "\n";
+  text += margin_line(p.limits) + "\n";
   if (p.shift_step) {
     text += fmt::format("{} of {} points of the grid of shifts are feasible (step {})\n",
                         a.counts.points_feasible, a.counts.points_tested, *p.shift_step);
@@ -134,6 +146,7 @@ std::string search_listing(const Search& search, const SearchRun& run, std::size
     if (!run.changes.empty()) {
       text += "\nNothing is feasible. One of these alone would let something through:\n";
       for (const std::string& line : change_lines(run)) text += "  " + line + "\n";
+      if (!run.changes_left_out.empty()) text += "Note: " + run.changes_left_out + ".\n";
     } else {
       text += run.changes_left_out.empty()
                   ? "\nNothing is feasible, and no change of one number alone would help.\n"

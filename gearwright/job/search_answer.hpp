@@ -9,6 +9,9 @@
 
 namespace gearwright {
 
+/// Designs in the table for people.
+inline constexpr std::size_t kListedDesigns = 20;
+
 /// One design: the interface's keys of search.designs[i].
 Json design_row_json(const Search& search, const DesignRow& row, bool with_edges = true);
 
@@ -19,7 +22,11 @@ std::string search_json_text(const Search& search, const SearchRun& run);
 Json unfinished_json(const SearchRun& run);
 
 /// Counts, the best designs, and what would help when there are none.
-std::string search_listing(const Search& search, const SearchRun& run, std::size_t most = 20);
+std::string search_listing(const Search& search, const SearchRun& run,
+                           std::size_t most = kListedDesigns);
+
+/// What all designs keep: "every design runs without interference, form clearance >= 0.02 modules, …"
+std::string margin_line(const SearchLimits& limits);
 
 /// "through contact_ratio_min = 1.17 instead of 1.2", one line for each change.
 std::vector<std::string> change_lines(const SearchRun& run);

@@ -105,9 +105,10 @@ std::vector<std::string> reasons_of(const SearchRun& run) {
   if (run.answer.counts.feasible > 0) return lines;
   for (const std::string& line : change_lines(run))
     lines.push_back("One change that would let something through: " + line + ".");
-  if (lines.empty()) {
-    lines.push_back(run.changes_left_out.empty() ? "No change of one number alone would help."
-                                                 : run.changes_left_out + ".");
+  if (!run.changes_left_out.empty()) {
+    lines.push_back(run.changes_left_out + ".");
+  } else if (lines.empty()) {
+    lines.emplace_back("No change of one number alone would help.");
   }
   return lines;
 }

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <chrono>
+#include <atomic>
 #include <cmath>
 #include <map>
 #include <mutex>
@@ -14,8 +13,10 @@
 #include <numeric>
 
 #include "gearwright/base/version.hpp"
+#include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/job/search_files.hpp"
 #include "gearwright/job/search_record.hpp"
+#include "gearwright/job/search_refusal.hpp"
 #include "gearwright/spec/table_reader.hpp"
 #include "gearwright/store/chunk_store.hpp"
 
@@ -57,87 +58,6 @@ std::vector<std::string> count_names() {
   return names;
 }
 
-// Trials per second of one thread, measured on whole stretches of the search for half a second: a
-// stretch pays once for the tables of its helix, as the search will.
-double measured_rate(const Search& search, std::int64_t trials) {
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
-  const std::int64_t step = std::min<std::int64_t>(1 << 19, trials);
-  std::int64_t done = 0;
-  double seconds = 0.0;
-  for (int i = 0; seconds < 0.5 && i < 1000; ++i) {
-    // Places spread by the golden ratio.
-    const double share = std::fmod(i * 0.6180339887498949, 1.0);
-    const auto from = static_cast<std::int64_t>(share * static_cast<double>(trials - step));
-    std::vector<DesignRow> rows;
-    search.range(from, from + step, rows);
-    done += step;
-    seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  }
-  return static_cast<double>(done) / seconds;
-}
-
-std::string duration_text(double seconds) {
-  if (seconds < 120) return fmt::format("{:.0f} seconds", seconds);
-  if (seconds < 7200) return fmt::format("{:.0f} minutes", seconds / 60);
-  if (seconds < 172800) return fmt::format("{:.0f} hours", seconds / 3600);
-  if (seconds < 63072000) return fmt::format("{:.0f} days", seconds / 86400);
-  return fmt::format("{:.0f} years", seconds / 31557600);
-}
-
-int thread_count(const SearchOptions& options) {
-  return options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
-}
-
-// A grid of shifts: how many points the regions hold is the sum of their areas, which costs the
-// search without them.
-std::optional<Error> refuse_many_points(const Search& search, const SearchOptions& options) {
-  if (!search.problem().shift_step || options.yes_large) return std::nullopt;
-  const double step = *search.problem().shift_step;
-  constexpr double kMaxTrials = 1e7;
-  constexpr double kPointBytes = 66;  // measured: 16 in the table, 50 in the chunks
-  if (search.space().approximate_size() > kMaxTrials) {
-    return Error{"search.shift_step", fmt::format("{}", step),
-                 fmt::format("with more than {:g} candidates its points are "
-                             "not counted beforehand; leave it out, narrow the search, or say "
-                             "--yes-large",
-                             kMaxTrials)};
-  }
-  std::vector<DesignRow> rows;
-  search.range(0, *search.space().size(), rows);
-  double area = 0.0;
-  for (const DesignRow& row : rows) area += row.area;
-  const double points = area / (step * step);
-  if (points <= kManyPoints) return std::nullopt;
-  const double enough = std::sqrt(area / kManyPoints);
-  return Error{"search.shift_step", fmt::format("{}", step),
-               fmt::format("the regions of {} designs hold about {:.2g} "
-                           "points of that grid, some {:.0f} GB; take a step of {:.2g} or more, "
-                           "narrow the search, or say --yes-large",
-                           rows.size(), points, points * kPointBytes * 1e-9, enough * 1.01)};
-}
-
-std::optional<Error> refuse_large(const Search& search, const SearchOptions& options) {
-  const double size = search.space().approximate_size();
-  if (auto error = refuse_many_points(search, options)) return error;
-  if (!search.space().size()) {
-    return Error{
-        "search", fmt::format("{:.3g}", size),
-        "so many candidates are more than can be counted here; narrow the bands of teeth and "
-        "ratio, or the lists of modules and helix angles"};
-  }
-  if (size <= kLargeSearch || options.yes_large) return std::nullopt;
-  const int threads = thread_count(options);
-  const double rate = measured_rate(search, *search.space().size()) * threads;
-  return Error{
-      "--yes-large", fmt::format("{:.3g}", size),
-      fmt::format("{:.3g} candidates would take about {} here, at {:.3g} a second "
-                  "on {} thread{}. Narrow the bands, or say --yes-large (and --out DIR, so "
-                  "that it can be stopped and resumed; --shard i/N shares it among "
-                  "machines)",
-                  size, duration_text(size / rate), rate, threads, threads == 1 ? "" : "s")};
-}
-
 // Chunks done by all threads of this process; each is handed on as soon as it is done.
 class Workers {
  public:
@@ -155,24 +75,43 @@ class Workers {
     tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                               static_cast<std::size_t>(threads));
     tbb::parallel_for(0, threads, [&](int) {
+      unsigned asked = 0;
+      const SearchWatch watch = [&](std::int64_t trials) {
+        trials_done_ += trials;
+        if (stopped()) return false;
+        constexpr unsigned kSeldom = 16;  // graphs: a look at the clock is no part of their cost
+        if (trials > 0 || asked++ % kSeldom == 0) tell();
+        return true;
+      };
       while (const auto c = next()) {
         ChunkFinds finds;
         const std::int64_t from = *c * chunk_;
         // Points are wanted for the files alone; their counts are in the answer of every search.
         const SearchCounts counts =
-            search_.range(from, from + trials_of(*c), finds.designs, nullptr, &finds.points);
+            search_.range(from, from + trials_of(*c), finds.designs,
+                          {.detail = detail_of(search_.problem(), !options_.out.empty()),
+                           .points = &finds.points,
+                           .watch = watch});
+        if (stopped()) return;  // a chunk is whole or not there
         done(*c, std::move(finds), counts);
-        const std::lock_guard lock(mutex_);
-        ++progress_.chunks;
-        progress_.trials += trials_of(*c);
-        progress_.left -= trials_of(*c);
-        if (options_.progress) options_.progress(progress_);
+        ++chunks_done_;
+        tell();
       }
     });
   }
   bool stopped() const { return options_.stop && *options_.stop; }
 
  private:
+  void tell() {
+    if (!options_.progress) return;
+    const std::unique_lock lock(mutex_, std::try_to_lock);
+    if (!lock) return;
+    SearchProgress now = progress_;
+    now.chunks += chunks_done_;
+    now.trials = trials_done_;
+    now.left -= std::min(now.left, now.trials);
+    options_.progress(now);
+  }
   std::int64_t trials_of(std::int64_t c) const {
     return std::min(chunk_, *search_.space().size() - c * chunk_);
   }
@@ -196,17 +135,65 @@ class Workers {
   const SearchOptions& options_;
   std::size_t place_ = 0;
   std::mutex queue_mutex_, mutex_;
-  SearchProgress progress_;
+  SearchProgress progress_;  // as it was at the start
+  std::atomic<std::int64_t> trials_done_{0}, chunks_done_{0};
 };
 
-void look_for_changes(const Search& search, SearchRun& run) {
-  if (run.answer.counts.feasible > 0) return;
+// The program's names of some members, `a`, `b`.
+std::string spelled_list(const std::vector<std::string>& fields) {
+  std::string text;
+  for (const std::string& field : fields)
+    text += (text.empty() ? "`" : ", `") + spelled_member("search." + field) + "`";
+  return text;
+}
+
+// Nothing is feasible: what would help. Whether to go on.
+bool look_for_changes(const Search& search, const SearchOptions& options, SearchRun& run) {
+  if (run.answer.counts.feasible > 0) return true;
   if (*search.space().size() > kMaxForChange) {
     run.changes_left_out = fmt::format(
         "with more than {} candidates the nearest change is not looked for", kMaxForChange);
-    return;
+    return true;
   }
-  run.changes = nearest_changes(search.problem());
+  SearchProgress progress{.stage = SearchProgress::Stage::changes};
+  auto found = nearest_changes(search.problem(), [&](std::int64_t questions) {
+    progress.done += questions;
+    if (options.progress) options.progress(progress);
+    return !(options.stop && *options.stop);
+  });
+  run.stopped = found.stopped;
+  run.changes = std::move(found.changes);
+  if (!found.bounded.empty()) {
+    run.changes_left_out = fmt::format(
+        "the smallest change of {} was looked for with {} questions to candidates "
+        "each; with more of them it may be smaller, or there may be one",
+        spelled_list(found.bounded), kMaxChangeQuestions);
+  }
+  return !run.stopped;
+}
+
+// The regions of the designs that are listed. Whether to go on.
+bool complete_regions(const Search& search, const SearchOptions& options, SearchRun& run) {
+  auto& designs = run.answer.designs;
+  const std::size_t most = std::min(designs.size(), options.regions.value_or(designs.size()));
+  std::mutex mutex;
+  std::atomic<std::int64_t> done{0};
+  const auto stopped = [&] { return options.stop && *options.stop; };
+  tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                            static_cast<std::size_t>(thread_count(options)));
+  tbb::parallel_for(std::size_t{0}, most, [&](std::size_t i) {
+    if (stopped()) return;
+    if (!designs[i].whole) designs[i] = search.whole(designs[i]);
+    ++done;
+    if (!options.progress) return;
+    if (const std::unique_lock lock(mutex, std::try_to_lock); lock) {
+      options.progress({.stage = SearchProgress::Stage::regions,
+                        .done = done,
+                        .of = static_cast<std::int64_t>(most)});
+    }
+  });
+  run.stopped = run.stopped || stopped();
+  return !run.stopped;
 }
 
 // All in memory: small searches, and those that leave no files.
@@ -232,7 +219,8 @@ SearchRun run_in_memory(const JobSpec& spec, const Search& search, std::int64_t 
   run.stopped = workers.stopped();
   if (run.stopped) return run;
   run.answer = std::move(best).answer(counts);
-  look_for_changes(search, run);
+  if (!complete_regions(search, options, run)) return run;
+  if (!look_for_changes(search, options, run)) return run;
   run.finished = true;
   if (!options.out.empty()) {
     auto at = all.begin();
@@ -284,7 +272,7 @@ Result<SearchRun> run_campaign(const JobSpec& spec, const Search& search, std::i
   for (std::int64_t c = 0; c < run.chunks; ++c)
     for (const DesignRow& row : finds_of(c).designs) best.add(row);
   run.answer = std::move(best).answer(as_search(store.totals()));
-  look_for_changes(search, run);
+  if (!look_for_changes(search, options, run)) return run;
   run.finished = true;
   std::int64_t at = 0;
   run.files =

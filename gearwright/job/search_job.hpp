@@ -20,6 +20,13 @@
 namespace gearwright {
 
 struct SearchProgress {
+  enum class Stage {
+    trials,   ///< the search itself
+    changes,  ///< nothing is feasible: what would help; `done` questions to trials
+    regions   ///< of the designs that are listed; `done` of `of`
+  };
+  Stage stage = Stage::trials;
+  std::int64_t done = 0, of = 0;
   std::int64_t trials = 0;  ///< done by this process
   std::int64_t chunks = 0;  ///< done by all, as far as this process knows
   std::int64_t of_chunks = 0;
@@ -33,9 +40,10 @@ struct SearchOptions {
   bool many = false;          ///< others may have opened the folder before: shards, ranks
   bool together = false;      ///< ranks: a campaign however small, opened by the first
   bool yes_large = false;
-  std::optional<std::size_t> top;     ///< designs to keep; absent: kDefaultDesigns
-  std::optional<std::int64_t> chunk;  ///< trials of a chunk; absent: by the size of the search
-  int threads = 0;                    ///< 0: as many as the machine has
+  std::optional<std::size_t> top;      ///< designs to keep; absent: kDefaultDesigns
+  std::optional<std::int64_t> chunk;   ///< trials of a chunk; absent: by the size of the search
+  std::optional<std::size_t> regions;  ///< listed designs whose regions are wanted; absent: all
+  int threads = 0;                     ///< 0: as many as the machine has
   std::string writer = "search";      ///< who, in the journal
   /// Draws the number of a chunk from a queue that others draw from too; empty: a queue of this
   /// process's own. Called by one thread at a time.
@@ -45,8 +53,9 @@ struct SearchOptions {
   std::function<bool(bool opened)> folder_is_open;
   /// Waits until all processes are done, and says whether this one makes the files.
   std::function<bool()> finish_together;
+  /// Told many times a second, by one thread at a time; it chooses what it says.
   std::function<void(const SearchProgress&)> progress;
-  const std::atomic<bool>* stop = nullptr;  ///< set: end after the chunks in work
+  const std::atomic<bool>* stop = nullptr;  ///< set: end at once, without the chunks in work
 };
 
 /// Designs that an answer holds if nothing else is said: every one of all but huge searches.
@@ -62,7 +71,7 @@ struct SearchRun {
   bool stopped = false;   ///< by SearchOptions::stop
   std::int64_t chunks_done = 0, chunks = 0;
   std::vector<NearestChange> changes;  ///< when nothing is feasible
-  std::string changes_left_out;        ///< why they were not looked for
+  std::string changes_left_out;        ///< why they, or the smallest of them, were not looked for
   std::vector<std::string> notes;      ///< what was mended in the folder
   bool pair_not_read = false;          ///< the spec has a [pair], which says nothing to a search
   std::vector<std::filesystem::path> files;

@@ -38,6 +38,7 @@ void each_number(Row& row, const F& f) {
     f(row.tip_clearance[i]);
     f(row.sliding[i][0]);
     f(row.sliding[i][1]);
+    f(row.form_clearance[i]);
     f(row.sums[i]);
     f(row.lo[i]);
     f(row.hi[i]);
@@ -64,7 +65,7 @@ void each_number_of_point(Point& p, const F& f) {
   f(p.interference);
 }
 
-constexpr std::size_t kNumbers = 18 + 2 * 7 + 2;
+constexpr std::size_t kNumbers = 18 + 2 * 8 + 2;
 constexpr std::size_t kPointNumbers = 14;
 
 // Numbers on their way through the compressor: the plain bytes of a million points never stand in
@@ -162,7 +163,10 @@ std::string pack(const ChunkFinds& finds) {
   const Writer write{&packer};
   write(static_cast<std::int64_t>(finds.designs.size()));
   write(static_cast<std::int64_t>(finds.points.size()));
-  for (const DesignRow& row : finds.designs) each_number(row, write);
+  for (const DesignRow& row : finds.designs) {
+    GW_EXPECTS(row.whole);  // the files of a search have every number
+    each_number(row, write);
+  }
   for (const ShiftPoint& point : finds.points) each_number_of_point(point, write);
   return packer.take();  // which would not end had `size` been another
 }
@@ -189,7 +193,10 @@ ChunkFinds unpack(std::string_view bytes, const std::string& where) {
   ChunkFinds finds;
   finds.designs.resize(static_cast<std::size_t>(designs));
   finds.points.resize(static_cast<std::size_t>(points));
-  for (DesignRow& row : finds.designs) each_number(row, read);
+  for (DesignRow& row : finds.designs) {
+    each_number(row, read);
+    row.whole = true;
+  }
   for (ShiftPoint& point : finds.points) each_number_of_point(point, read);
   return finds;
 }

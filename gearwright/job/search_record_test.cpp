@@ -21,7 +21,7 @@ ChunkFinds some_finds() {
   p.shift_step = 0.02;
   const Search search(p);
   ChunkFinds finds;
-  search.range(0, *search.space().size(), finds.designs, nullptr, &finds.points);
+  search.range(0, *search.space().size(), finds.designs, {.points = &finds.points});
   return finds;
 }
 

@@ -52,6 +52,7 @@ std::string_view words_of(Limit limit) { return kLimitWords[static_cast<std::siz
 ObjectiveWords words_of(Objective objective) {
   switch (objective) {
     case Objective::contact_ratio: return {"contact ratio", "ε_α", "", true};
+    case Objective::formula_contact_ratio: return {"contact ratio by formula", "ε_α", "", true};
     case Objective::ratio: return {"error of the ratio", "", "", false};
     case Objective::size: return {"size m²(z₁² + z₂²)", "", "mm²", false};
     case Objective::shift: return {"sum of shifts", "Σx", "modules", false};

@@ -41,6 +41,7 @@ TEST(SearchWords, ValuesAreCostsWithTheirNaturalSign) {
   row.trial = {0, 2.5, 20, 41, {}, 0};
   row.ratio = 2.05;
   row.contact_ratio = 1.5;
+  row.contact_ratio_true = row.contact_ratio;
   row.area = 0.25;
   row.shift = {0.2, -0.5};
   EXPECT_FALSE(cost(problem, row, Objective::contact_ratio));

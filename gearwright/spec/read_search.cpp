@@ -136,6 +136,19 @@ void read_limits(TableReader& t, SearchProblem& p) {
     l.min_shift = (*shifts)[0];
     l.max_shift = (*shifts)[1];
   }
+  // A search finds pairs that run, unless it is asked for the others too.
+  const auto word = t.word("interference");
+  const auto avoid = t.boolean("avoid_interference");
+  if (word && avoid && (*word == "exclude") != *avoid)
+    t.fail("avoid_interference", "contradicts interference; leave one out");
+  l.avoid_interference = word ? *word == "exclude" : avoid.value_or(true);
+  l.clear_fillets = l.avoid_interference;
+  if (l.avoid_interference) {
+    if (!t.has("tip_clearance_min")) l.tip_clearance = kRunningTipClearance;
+    if (!t.has("form_clearance_min")) l.form_clearance = kRunningFormClearance;
+  } else if (l.form_clearance > 0.0) {
+    t.fail("form_clearance_min", "needs interference = \"exclude\"");
+  }
   if (l.sliding && p.crossed())
     t.fail("sliding_max", "is not known on crossed axes, where teeth slide along each other too");
 }
@@ -242,6 +255,8 @@ void read_racks(TableReader& t, SearchProblem& p, const std::array<Blank, 2>& bl
   for (const auto& pair : wanted) {
     SearchRacks racks;
     for (std::size_t i : {0, 1}) {
+      racks.flank_depth[i] =
+          straight_depth(pair[i].value_or(StraightRack{}), p.normal_pressure_angle.rad());
       if (pair[i]) {
         const auto edge = make_edge(*pair[i], 1.0, p.normal_pressure_angle);
         if (!edge)

@@ -42,15 +42,7 @@ void judge(std::vector<Finding>& findings, const Margin& margin, int gear,
 }
 
 // The kink of a linear relief (a ridge) is no edge of the tooth.
-bool is_edge_of_tooth(TouchKind kind) {
-  switch (kind) {
-    case TouchKind::none:
-    case TouchKind::interior:
-    case TouchKind::line:
-    case TouchKind::ridge: return false;
-    default: return true;
-  }
-}
+bool is_edge_of_tooth(TouchKind kind) { return is_edge(kind) && kind != TouchKind::ridge; }
 
 }  // namespace
 

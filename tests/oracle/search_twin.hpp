@@ -45,6 +45,7 @@ inline SearchProblem engine_problem(const Twin& twin) {
     rack.dedendum = static_cast<double>(plain.hf);
   }
   racks.undercut_depth.fill(static_cast<double>(plain.undercut_depth));
+  racks.flank_depth = racks.undercut_depth;  // the twin knows one depth
   p.coprime = twin.coprime;
   p.mounting = plain.tight ? Mounting::tight : Mounting::extended;
   SearchLimits& limits = p.limits;

@@ -13,8 +13,9 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "cli"))
 from cli import BIN, SOURCE, Asked, Run, raw  # noqa: E402,F401
 
 FILES = ["best.csv", "report.html", "search.json", "search.parquet"]
+# With the bare regions of the theory; what is left of them by default has tests of its own.
 SMALL = {"ratio": [1.9, 2.1], "center_distance_mm": [99, 101], "modules_mm": [2, 2.5, 3], "pinion_teeth": [12, 40],
-         "profile_shift": [-0.6, 1.0]}
+         "profile_shift": [-0.6, 1.0], "interference": "flag"}
 # 4.2 million candidates, 3633 of them feasible: a second or two.
 WIDE = SMALL | {"modules_mm": "ISO54-I+II", "pinion_teeth": [12, 300], "helix_angle_deg": [8, 20], "helix_step_deg": 1}
 
@@ -40,6 +41,22 @@ def folder(text=None):
     if text is not None:
         (path / "case.toml").write_text(text)
     return path
+
+
+def search(text, *args):
+    """The search key of the JSON."""
+    r = Run("search", text, "--json", *args, folder=folder())
+    assert r.status == 0, f"{text}\n{r.err}"
+    return r.json["search"]
+
+
+def taken(text, rank):
+    """What the verb pair says of the design of this rank."""
+    r = Run("search", text, "--take", rank, folder=folder())
+    assert r.status == 0, r.err
+    pair = Run("pair", r.out, "--json", folder=r.folder, name="pair.toml")
+    assert pair.status == 0, f"{r.out}\n{pair.err}"
+    return pair.json
 
 
 def contents(out):

@@ -15,7 +15,7 @@ import subprocess
 import tomllib
 import unittest
 
-from searching import BIN, FILES, SMALL, SOURCE, WIDE, Asked, Run, contents, duckdb, end, folder, spec, start
+from searching import BIN, FILES, SMALL, SOURCE, WIDE, Asked, Run, contents, duckdb, end, folder, search, spec, start, taken
 
 SLIDING = ("sliding1_A", "sliding1_E", "sliding2_A", "sliding2_E")
 RACK = '[gear1]\nrack = "ISO53-A"\n'
@@ -42,22 +42,6 @@ KINDS = {
 }
 
 
-def search(text, *args):
-    """The search key of the JSON."""
-    r = Run("search", text, "--json", *args, folder=folder())
-    assert r.status == 0, f"{text}\n{r.err}"
-    return r.json["search"]
-
-
-def taken(text, rank):
-    """What the verb pair says of the design of this rank."""
-    r = Run("search", text, "--take", rank, folder=folder())
-    assert r.status == 0, r.err
-    pair = Run("pair", r.out, "--json", folder=r.folder, name="pair.toml")
-    assert pair.status == 0, f"{r.out}\n{pair.err}"
-    return pair.json
-
-
 class Sets(unittest.TestCase):
     def test_the_searches_of_the_source(self):
         for case in json.loads((SOURCE / "tests/oracle/spur_searches.json").read_text())["searches"]:
@@ -66,7 +50,7 @@ class Sets(unittest.TestCase):
             found = search(spec(ratio=given["ratio"], center_distance_mm=given["C"], contact_ratio_min=given["eps_min"],
                                 modules_mm="ISO54-I", pinion_teeth=given["z1"], coprime=given["coprime"], profile_shift=shifts,
                                 tip_thickness_min=limits["sa_min"], target_ratio=given["target_ratio"],
-                                undercut_depth=given["hF"]))
+                                undercut_depth=given["hF"], tip_clearance_min=0, form_clearance_min=0))
             self.assertEqual(found["tested"], case["tested"])
             self.assertEqual(found["feasible_count"], case["feasible_count"])
             names = {key.replace("_", " ").replace("center", "centre"): n for key, n in found["rejected"].items() if n}
@@ -170,7 +154,7 @@ class Answer(Asked):
     def costs(self, row, target):
         """What each objective makes of a row, smaller is better."""
         sliding = [abs(z) for gear in row["specific_sliding"].values() for z in gear if z is not None]
-        return {"contact_ratio": -row["contact_ratio"], "ratio": abs(row["ratio"] - target),
+        return {"contact_ratio": -row["contact_ratio_true"], "formula_contact_ratio": -row["contact_ratio"], "ratio": abs(row["ratio"] - target),
                 "size": row["module_mm"] ** 2 * sum(z * z for z in row["teeth"]), "shift": abs(sum(row["profile_shift"])),
                 "area": -row["region"]["area"], "sliding": max(sliding) if len(sliding) == 4 else None}
 
@@ -204,7 +188,7 @@ class Answer(Asked):
     def test_objectives_rank(self):
         texts = [spec(), spec(center_distance_mm=[100.4, 100.6])]  # in the second many have no point of Eq. 11
         for text in texts:
-            for name in ("contact_ratio", "ratio", "size", "shift", "area", "sliding"):
+            for name in ("contact_ratio", "ratio", "size", "shift", "area", "sliding", "formula_contact_ratio"):
                 found = search(text + f'objective = "{name}"\ntarget_ratio = 2.03\n')
                 keys = []
                 for row in found["designs"]:
@@ -251,12 +235,12 @@ class Answer(Asked):
         free = search(spec())["feasible_count"]
         for key, value, holds in (("sliding_max", 1.2, lambda r: self.costs(r, 2)["sliding"] <= 1.2 + 1e-9),
                                   ("contact_ratio_min", 1.6, lambda r: min(r["contact_ratio"], r["contact_ratio_true"]) >= 1.6 - 1e-9),
-                                  ("avoid_interference", True, lambda r: not r["interference"]),
+                                  ("interference", "exclude", lambda r: not r["interference"]),
                                   ("tip_thickness_min", 0.7, lambda r: min(r["tip_thickness_mm"]) >= 0.7 * r["module_mm"] - 1e-9)):
             rows = search(spec(**{key: value}))["designs"]
             self.assertTrue(all(map(holds, rows)), key)
             self.assertLess(0, len(rows), key)
-            self.assertLess(len(rows), free + (key in ("avoid_interference", "tip_thickness_min")), key)
+            self.assertLess(len(rows), free + (key == "tip_thickness_min"), key)
         loose = KINDS["helical"]
         rows = search(loose + "")["designs"]
         tied = search(loose.replace("[search]\n", "[search]\noverlap_ratio_min = 1.0\n"))["designs"]
@@ -300,6 +284,7 @@ class Files(unittest.TestCase):
             n = i + 1
             want |= {f"z{n}": row["teeth"][i], f"helix{n}_deg": row["helix_angle_deg"][i], f"x{n}": row["profile_shift"][i],
                      f"tip_thickness{n}_mm": row["tip_thickness_mm"][i], f"tip_clearance{n}_mm": row["tip_clearance_mm"][i],
+                     f"form_clearance_path{n}_mm": row["form_clearance_path_mm"][i],
                      f"lo_x{n}": row["region"]["lo"][i], f"hi_x{n}": row["region"]["hi"][i]}
             want |= {f"sliding{n}_{'AE'[e]}": row["specific_sliding"][f"gear{n}"][e] for e in (0, 1)}
         zetas = [want[key] for key in SLIDING]

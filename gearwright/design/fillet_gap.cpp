@@ -1,0 +1,158 @@
+#include "gearwright/design/fillet_gap.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+// The mating gear as one gear sees it.
+struct Corner {
+  double a;      // centre distance
+  double u;      // tip radius
+  double angle;  // of the corner from the middle of its tooth, half the backlash included
+  double ratio;  // z of the mating gear over z
+};
+
+// The rounding of the rack's tip, transverse; X from the middle of the rack's tooth, Y outwards from
+// the pitch line.
+class Fillet {
+ public:
+  Fillet(const TrialGear& g, double alpha_n, double x) : r_(g.r) {
+    cos_beta_ = g.teeth / (2.0 * g.r);
+    const double sin_n = std::sin(alpha_n);
+    radius_ = (g.dedendum - g.flank_depth) / (1.0 - sin_n);
+    const double depth = g.dedendum - radius_;  // of its centre
+    across_ = std::numbers::pi / 4.0 - depth * std::tan(alpha_n) - radius_ / std::cos(alpha_n);
+    down_ = depth - x;
+    end_ = std::numbers::pi / 2.0 - alpha_n;
+  }
+  double end() const { return end_; }
+
+  // The gap at the place whose normal stands tau from the rack's own; ∞ where the corner does not
+  // come.
+  double gap(double tau, const Corner& c) const {
+    const double sine = std::sin(tau);
+    const double cosine = std::cos(tau);
+    const double X = (across_ + radius_ * sine) / cos_beta_;
+    const double Y = -down_ - radius_ * cosine;
+    // It is cut when its normal passes the pitch point.
+    const double roll = X + Y * sine / cosine * cos_beta_;
+    const double to = r_ + Y;
+    const double side = X - roll;
+    const double square = side * side + to * to;
+    const double deepest = c.a - c.u;
+    if (square < deepest * deepest) return kInfinite;
+    const double at = std::sqrt(square);
+    const double fillet = roll / r_ + std::atan2(side, to);
+    const double cos_mate = (c.a * c.a + c.u * c.u - square) / (2.0 * c.a * c.u);
+    const double mate = std::acos(std::clamp(cos_mate, -1.0, 1.0));
+    const double seen = std::atan2(c.u * std::sin(mate), c.a - c.u * cos_mate);
+    const double corner = std::abs(seen - mate * c.ratio) + c.angle * c.ratio;
+    return at * (fillet - corner);
+  }
+
+ private:
+  double r_, cos_beta_, radius_, across_, down_, end_;
+};
+
+double least_gap(const Fillet& fillet, const Corner& corner) {
+  constexpr int kNodes = 12;
+  const auto node = [&](int i) { return fillet.end() * i / kNodes; };
+  // From the flank downwards, as deep as the corner comes.
+  std::array<double, kNodes + 1> at;
+  at.fill(kInfinite);
+  int best = kNodes;
+  double least = kInfinite;
+  for (int i = kNodes; i >= 0; --i) {
+    at[static_cast<std::size_t>(i)] = fillet.gap(node(i), corner);
+    const double gap = at[static_cast<std::size_t>(i)];
+    if (gap == kInfinite) break;
+    if (gap < least) least = gap, best = i;
+  }
+  if (least == kInfinite) return least;
+  // A hollow between nodes is no deeper below the least one than its neighbours stand above it, and
+  // half as deep beside the flank, where the gap leaves the contact.
+  const auto rise = [&](int i) {
+    const double gap = at[static_cast<std::size_t>(std::clamp(i, 0, kNodes))];
+    return gap == kInfinite ? least : gap - least;
+  };
+  if (best == kNodes || least > std::max(rise(best - 1), rise(best + 1))) return least;
+  // One hollow between neighbours of the least node: golden section to a thousandth of a step, where
+  // the gap is flat to a millionth of it.
+  constexpr double kGolden = 0.6180339887498949;
+  double lo = node(std::max(best - 1, 0));
+  double hi = node(std::min(best + 1, kNodes));
+  double l = hi - kGolden * (hi - lo);
+  double r = lo + kGolden * (hi - lo);
+  double at_l = fillet.gap(l, corner);
+  double at_r = fillet.gap(r, corner);
+  for (int i = 0; i < 14; ++i) {
+    least = std::min({least, at_l, at_r});
+    if (at_l < at_r) {
+      hi = r;
+      r = l;
+      at_r = at_l;
+      l = hi - kGolden * (hi - lo);
+      at_l = fillet.gap(l, corner);
+    } else {
+      lo = l;
+      l = r;
+      at_l = at_r;
+      r = lo + kGolden * (hi - lo);
+      at_r = fillet.gap(r, corner);
+    }
+  }
+  return std::min({least, at_l, at_r});
+}
+
+}  // namespace
+
+std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts) {
+  const std::array<TrialGear, 2>& g = graph.gears();
+  if (graph.problem().crossed() || g[1].teeth < 0) return std::nullopt;
+  const double sum = shifts[0] + shifts[1];
+  // Both gears mesh with one rack, whose corner does not reach the fillet its rounding cuts.
+  if (sum == 0.0 &&
+      std::max(g[0].addendum, g[1].addendum) <= std::min(g[0].flank_depth, g[1].flank_depth) + 1e-3)
+    return std::nullopt;
+  const SumPlace at = graph.place(sum);
+  const double alpha_n = graph.problem().normal_pressure_angle.rad();
+  const double B = g[0].r_b + g[1].r_b;
+  const double alpha_w = std::atan2(at.N, B);
+  const double inv_t = std::tan(std::asin(g[0].sin_transverse)) - std::asin(g[0].sin_transverse);
+  const double inv_w = at.N / B - alpha_w;
+  // Backlash along the path of contact: what the distance opens beyond the tight one.
+  const double opened = inv_w - inv_t - 2.0 * std::tan(alpha_n) * sum / (g[0].teeth + g[1].teeth);
+  const double backlash = std::max(0.0, 2.0 * B * opened);
+  double least = kInfinite;
+  for (std::size_t i : {0, 1}) {
+    const TrialGear& mate = g[1 - i];
+    const double x = shifts[static_cast<int>(1 - i)];
+    const double u = mate.r + mate.addendum + x + at.k;
+    // Half the transverse tip thickness as an angle, from s_an. [T9.3]
+    const double cos_at_tip =
+        1.0 / std::sqrt(1.0 + std::pow(mate.tan_base_helix * u / mate.r_b, 2));
+    const double half = tip_thickness(mate, x, at.k) / cos_at_tip / (2.0 * u);
+    const Fillet fillet(g[i], alpha_n, shifts[static_cast<int>(i)]);
+    const Corner corner{at.a, u, half + backlash / (2.0 * mate.r_b),
+                        static_cast<double>(mate.teeth) / g[i].teeth};
+    least = std::min(least, least_gap(fillet, corner));
+  }
+  return least < kInfinite ? std::optional(least) : std::nullopt;
+}
+
+bool fillet_is_cut(const ShiftGraph& graph, const Vec2& shifts) {
+  if (!graph.problem().limits.clear_fillets) return false;
+  constexpr double kClear = 1e-6;  // modules: what the rounding of a printed spec may take
+  const auto gap = fillet_gap(graph, shifts);
+  return gap && *gap < kClear;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,30 @@
+// Whether the corners of the tips keep clear of the root fillets: the one thing that can stop a pair
+// whose tips stay on the flanks and off the root circles, at tight centres above all.
+//
+//   fillet   the trochoid that the tip rounding of the rack cuts, point by point in closed form
+//   corner   of the mating tip, on its circle about the other axis; where it passes a radius, its
+//            angle in the gear is a triangle and the ratio of the teeth
+//   gap      the least of (angle of the fillet − angle of the corner)·radius over the fillet: along
+//            the circle, so its sign is that of the distance and it is no less. Beside the start of
+//            the flank it is small of itself, for there the corner has just left the flank: that it
+//            is not negative is all that is asked, and the form clearance is the margin.
+//                                              theory: docs/theory/09-design-search.md, 9.3
+#pragma once
+
+#include <optional>
+
+#include "gearwright/base/vector.hpp"
+#include "gearwright/design/shift_graph.hpp"
+
+namespace gearwright {
+
+/// The lesser gap of both gears at a point, modules; negative: a corner cuts into a fillet. None:
+/// internal and crossed pairs, and corners that do not come so deep.
+///
+/// Domain    a working angle exists, no gear is undercut
+std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts);
+
+/// It is asked (SearchLimits::clear_fillets), and at this point a corner cuts into a fillet.
+bool fillet_is_cut(const ShiftGraph& graph, const Vec2& shifts);
+
+}  // namespace gearwright

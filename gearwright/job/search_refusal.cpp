@@ -1,0 +1,132 @@
+#include "gearwright/job/search_refusal.hpp"
+
+#include <fmt/format.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace gearwright {
+
+RegionDetail detail_of(const SearchProblem& problem, bool files) {
+  const auto& wanted = problem.objectives;
+  const bool by_area = std::find(wanted.begin(), wanted.end(), Objective::area) != wanted.end();
+  return files || by_area ? RegionDetail::whole : RegionDetail::point;
+}
+
+int thread_count(const SearchOptions& options) {
+  return options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
+}
+
+namespace {
+
+// Trials per second of one thread, measured for half a second at places spread over the search.
+// Tables of a helix are made before the clock runs: the search pays for them once, not at every
+// place. However slow the trials are, the watch ends the measurement.
+double measured_rate(const Search& search, std::int64_t trials, const std::atomic<bool>* stop) {
+  using Clock = std::chrono::steady_clock;
+  constexpr double kSeconds = 0.5;
+  constexpr int kPlaces = 10;
+  const std::int64_t step = std::min<std::int64_t>(1 << 19, trials);
+  std::int64_t done = 0;
+  double seconds = 0.0;
+  for (int i = 0; i < kPlaces && !(stop && *stop); ++i) {
+    // Places spread by the golden ratio.
+    const double share = std::fmod(i * 0.6180339887498949, 1.0);
+    const auto from = static_cast<std::int64_t>(share * static_cast<double>(trials - step));
+    std::vector<DesignRow> rows;
+    search.range(from, from + 1, rows);
+    const auto start = Clock::now();
+    const auto so_far = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+    const auto counts = search.range(
+        from, from + step, rows,
+        {.detail = detail_of(search.problem(), false),
+         .watch = [&](std::int64_t) { return so_far() < kSeconds / kPlaces && !(stop && *stop); }});
+    done += std::max<std::int64_t>(counts.tested, 1);
+    seconds += so_far();
+  }
+  return static_cast<double>(done) / seconds;
+}
+
+std::string duration_text(double seconds) {
+  if (seconds < 120) return fmt::format("{:.0f} seconds", seconds);
+  if (seconds < 7200) return fmt::format("{:.0f} minutes", seconds / 60);
+  if (seconds < 172800) return fmt::format("{:.0f} hours", seconds / 3600);
+  if (seconds < 63072000) return fmt::format("{:.0f} days", seconds / 86400);
+  return fmt::format("{:.0f} years", seconds / 31557600);
+}
+
+// A grid of shifts: how many points the regions hold is the sum of their areas. It is estimated
+// from a thousand of the trials that the sieve lets pass, all of them where there are no more: to a
+// few percent, which the limit, a size of files, is not exact to either.
+std::optional<Error> refuse_many_points(const Search& search, const SearchOptions& options) {
+  if (!search.problem().shift_step || options.yes_large) return std::nullopt;
+  const double step = *search.problem().shift_step;
+  constexpr double kMaxTrials = 1e7;
+  constexpr double kPointBytes = 66;  // measured: 16 in the table, 50 in the chunks
+  constexpr std::size_t kSample = 1000;
+  if (search.space().approximate_size() > kMaxTrials) {
+    return Error{"search.shift_step", fmt::format("{}", step),
+                 fmt::format("with more than {:g} candidates its points are "
+                             "not counted beforehand; leave it out, narrow the search, or say "
+                             "--yes-large",
+                             kMaxTrials)};
+  }
+  const auto stopped = [&] { return options.stop && *options.stop; };
+  std::vector<std::int64_t> trials;
+  search.candidates(
+      [&](const Trial& t) {
+        trials.push_back(t.index);
+        return true;
+      },
+      [&](std::int64_t) { return !stopped(); });
+  const std::size_t asked = std::min(trials.size(), kSample);
+  double area = 0.0;
+  std::size_t designs = 0;
+  for (std::size_t i = 0; i < asked && !stopped(); ++i) {
+    const std::size_t place = i * trials.size() / asked;
+    const auto region = shift_region(search.graph(search.space().trial(trials[place])));
+    if (!region) continue;
+    area += region->area;
+    ++designs;
+  }
+  if (stopped() || designs == 0) return std::nullopt;
+  const double share = static_cast<double>(trials.size()) / static_cast<double>(asked);
+  area *= share;
+  const double points = area / (step * step);
+  if (points <= kManyPoints) return std::nullopt;
+  const double enough = std::sqrt(area / kManyPoints);
+  return Error{
+      "search.shift_step", fmt::format("{}", step),
+      fmt::format("the regions of {}{:.0f} designs hold about {:.2g} "
+                  "points of that grid, some {:.0f} GB; take a step of {:.2g} or more, "
+                  "narrow the search, or say --yes-large",
+                  asked < trials.size() ? "about " : "", static_cast<double>(designs) * share,
+                  points, points * kPointBytes * 1e-9, enough * 1.01)};
+}
+
+}  // namespace
+
+std::optional<Error> refuse_large(const Search& search, const SearchOptions& options) {
+  const double size = search.space().approximate_size();
+  if (!search.space().size()) {
+    return Error{
+        "search", fmt::format("{:.3g}", size),
+        "so many candidates are more than can be counted here; narrow the bands of teeth and "
+        "ratio, or the lists of modules and helix angles"};
+  }
+  if (options.yes_large) return std::nullopt;
+  if (size <= kLargeSearch) return refuse_many_points(search, options);
+  const int threads = thread_count(options);
+  const double rate = measured_rate(search, *search.space().size(), options.stop) * threads;
+  return Error{
+      "--yes-large", fmt::format("{:.3g}", size),
+      fmt::format("{:.3g} candidates would take about {} here, at {:.3g} a second "
+                  "on {} thread{}. Narrow the bands, or say --yes-large (and --out DIR, so "
+                  "that it can be stopped and resumed; --shard i/N shares it among "
+                  "machines)",
+                  size, duration_text(size / rate), rate, threads, threads == 1 ? "" : "s")};
+}
+
+}  // namespace gearwright
