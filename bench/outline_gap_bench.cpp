@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "gearwright/pair/outline_gap.hpp"
 #include "gearwright/pair/involute_pair.hpp"
+#include "gearwright/pair/outline_gap.hpp"
 
 namespace {
 

@@ -125,11 +125,12 @@ TEST(Search, RegionsOfTheReference) {
 // Five best by each objective. Designs of equal worth stand in another order there, so worths are
 // compared, and each of its five is looked up with all its numbers.
 TEST(Search, BestFiveOfTheReference) {
-  const std::map<std::string, Objective> objectives{{"contact_ratio", Objective::formula_contact_ratio},
-                                                    {"ratio", Objective::ratio},
-                                                    {"size", Objective::size},
-                                                    {"area", Objective::area},
-                                                    {"shift", Objective::shift}};
+  const std::map<std::string, Objective> objectives{
+      {"contact_ratio", Objective::formula_contact_ratio},
+      {"ratio", Objective::ratio},
+      {"size", Objective::size},
+      {"area", Objective::area},
+      {"shift", Objective::shift}};
   int compared = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     SearchProblem p = problem_of_search(reference().at("searches")[i].at("input"));

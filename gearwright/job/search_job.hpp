@@ -44,7 +44,7 @@ struct SearchOptions {
   std::optional<std::int64_t> chunk;   ///< trials of a chunk; absent: by the size of the search
   std::optional<std::size_t> regions;  ///< listed designs whose regions are wanted; absent: all
   int threads = 0;                     ///< 0: as many as the machine has
-  std::string writer = "search";      ///< who, in the journal
+  std::string writer = "search";       ///< who, in the journal
   /// Draws the number of a chunk from a queue that others draw from too; empty: a queue of this
   /// process's own. Called by one thread at a time.
   std::function<std::int64_t()> next_chunk;

@@ -16,8 +16,8 @@
 #include <utility>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/base/output_file.hpp"
 #include "gearwright/base/little_endian.hpp"
+#include "gearwright/base/output_file.hpp"
 
 namespace gearwright {
 

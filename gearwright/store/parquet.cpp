@@ -6,8 +6,8 @@
 // Thrift structs; the numbers that name fields, types and encodings are those of parquet.thrift.
 #include "gearwright/store/parquet.hpp"
 
-#include <fmt/format.h>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 #include <zstd.h>
 
@@ -19,9 +19,9 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/output_file.hpp"
+#include "gearwright/base/version.hpp"
 #include "gearwright/store/parquet_column.hpp"
 #include "gearwright/store/thrift.hpp"
-#include "gearwright/base/version.hpp"
 
 namespace gearwright {
 

@@ -76,7 +76,8 @@ struct Run {
   int pairs = 0, overlap = 0, within_play = 0, rough = 0;
 };
 
-void expect_tight(const InvolutePair& pair, const OutlineGap& gap, const std::string& text, Run& run) {
+void expect_tight(const InvolutePair& pair, const OutlineGap& gap, const std::string& text,
+                  Run& run) {
   const Outline& one = pair.gears[0].tooth->outline;
   const Outline& two = pair.gears[1].tooth->outline;
   try {
