@@ -311,7 +311,7 @@ void say_search(Quantities<SearchView>& q) {
   count("tested", "trials: modules, z1, z2, helices and racks tried", &SearchCounts::tested);
   count("feasible_count", "those with a region", &SearchCounts::feasible);
   q.add(Type::map, Unit::none, "", "rejected", "rejected", "",
-        "how many each limit killed, the first that leaves nothing in the order `shift_limits`, "
+        "how many each limit ruled out, the first that leaves nothing in the order `shift_limits`, "
         "`center_distance`, `contact_ratio`, `overlap_ratio`, `sliding`, `tip_clearance`, "
         "`interference`; no working angle counts as `contact_ratio`",
         [](const S& s) {

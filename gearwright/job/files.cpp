@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <system_error>
@@ -179,6 +180,34 @@ void write_files(const std::vector<JobFile>& files) {
   for (const JobFile& f : files) write_file(f.path, f.bytes);
 }
 
+namespace {
+
+// The bodies for the page's own viewer, coarser than the files; none where there is no outline or
+// where they would make the page heavy.
+void add_solid(ReportInput& report, const SolvedJob& job, const std::vector<ToothedBody>& mounted,
+               const FileOptions& options) {
+  constexpr double kOfDiameter = 1.0 / 2000;  // half a pixel of a picture as wide as the gear
+  constexpr std::size_t kMost = 3'000'000;    // bytes
+  FileOptions coarse = options;
+  coarse.progress = nullptr;
+  for (const Gear& gear : job.gears)
+    coarse.mesh_tolerance_mm =
+        std::max(coarse.mesh_tolerance_mm, kOfDiameter * std::abs(gear.tip_diameter));
+  std::vector<ToothedBody> bodies = mounted;
+  if (!job.pair) {
+    const auto body = make_body(job, 1, false);
+    if (!body || job.gears.size() > 1) return;
+    bodies = {*body};
+  }
+  if (bodies.size() != job.gears.size()) return;
+  auto file = make_file(FileKind::glb, bodies, "pair.glb", coarse);
+  if (!file || file->bytes.size() > kMost) return;
+  report.solid = std::move(file->bytes);
+  report.solid_tolerance = coarse.mesh_tolerance_mm;
+}
+
+}  // namespace
+
 Result<RunFiles> write_everything(SolvedJob& job, const fs::path& folder,
                                   const FileOptions& options) {
   std::vector<JobFile> files;
@@ -234,6 +263,7 @@ Result<RunFiles> write_everything(SolvedJob& job, const fs::path& folder,
   if (*contact) report.contact = &contact.value()->report;
   report.verdict = judge(job, *contact ? &contact.value()->answer.driving : nullptr);
   if (*compensation) report.compensate = &**compensation;
+  if (wanted("report")) add_solid(report, job, mounted, options);
   report.files = report_files(files);
   report.spec_text = job.spec.text;
   report.version = kVersion;

@@ -136,7 +136,7 @@ std::string search_listing(const Search& search, const SearchRun& run, std::size
   const SearchProblem& p = search.problem();
   std::string text = fmt::format("{} candidates (module, z1, z2{}), {} feasible\n", a.counts.tested,
                                  p.helix.size() > 1 ? ", helix" : "", a.counts.feasible);
-  for (const std::string& line : rejected_lines(a.counts)) text += "  killed by " + line + "\n";
+  for (const std::string& line : rejected_lines(a.counts)) text += "  ruled out by " + line + "\n";
   text += margin_line(p.limits) + "\n";
   if (p.shift_step) {
     text += fmt::format("{} of {} points of the grid of shifts are feasible (step {})\n",
@@ -158,8 +158,8 @@ std::string search_listing(const Search& search, const SearchRun& run, std::size
       std::any_of(p.helix.begin(), p.helix.end(), [](Angle b) { return b != Angle(); });
   text += fmt::format(
       "\n{:>4} {:>7} {:>4} {:>5}{} {:>8} {:>10} {:>8} {:>8} {:>7} {:>7} {:>7} {:>7}  {}\n", "rank",
-      "module", "z1", "z2", helical ? "   helix" : "", "ratio", "a mm", "x1", "x2", "ε_α", "ε true",
-      "ζ max", "area", "point");
+      "module", "z1", "z2", helical ? "   helix" : "", "ratio", "a mm", "x1", "x2", "ε_α", "ε eff",
+      "ζ max", "area", "shifts");
   for (std::size_t i = 0; i < a.designs.size() && i < most; ++i) {
     const DesignRow& r = a.designs[i];
     const auto zeta = r.max_sliding();
@@ -169,7 +169,7 @@ std::string search_listing(const Search& search, const SearchRun& run, std::size
         i + 1, r.trial.module, r.trial.z1, r.trial.z2,
         helical ? fmt::format(" {:>7.3f}", tidy_degrees(r.trial.helix[0])) : "", r.ratio,
         r.center_distance, r.shift[0], r.shift[1], r.contact_ratio, r.contact_ratio_true,
-        zeta ? fmt::format("{:.3f}", *zeta) : "-", r.area, r.balanced ? "Eq. 11" : "middle",
+        zeta ? fmt::format("{:.3f}", *zeta) : "-", r.area, r.balanced ? "balanced" : "middle",
         std::find(a.pareto.begin(), a.pareto.end(), i) != a.pareto.end() ? ", front" : "",
         r.interference ? ", interference" : "");
   }

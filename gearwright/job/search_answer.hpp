@@ -31,7 +31,7 @@ std::string margin_line(const SearchLimits& limits);
 /// "through contact_ratio_min = 1.17 instead of 1.2", one line for each change.
 std::vector<std::string> change_lines(const SearchRun& run);
 
-/// "killed by the limit …: 2698", in the order of the limits; without those that killed none.
+/// "the limit …: 2698", in the order of the limits; without those that ruled none out.
 std::vector<std::string> rejected_lines(const SearchCounts& counts);
 
 /// A design as a spec that the other verbs take.

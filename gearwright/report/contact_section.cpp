@@ -138,7 +138,7 @@ std::string pattern_part(const ContactReport& report) {
 std::string gap_part(const ContactReport& report) {
   const std::string figure = gap_figure(report);
   if (figure.empty()) return {};
-  return "<h3>How closely the flanks hug</h3>\n<div class=\"columns\"><div>" + figure +
+  return "<h3>Gap between the flanks</h3>\n<div class=\"columns\"><div>" + figure +
          "</div><div>\n<p>A map of the air between two teeth at "
          "one position, like the height lines of a hill turned over: at the contact point there "
          "is none. Lines far apart mean flanks that lie close over a wide area, so that load "

@@ -226,7 +226,9 @@ std::string pareto_figure(const SearchProblem& problem, const SearchAnswer& answ
     words += "Ringed: the best. ";
   }
   if (unranked)
-    words += "Hollow: designs whose shifts cannot be balanced by Eq. 11; they come last. ";
+    words +=
+        "Hollow: designs whose teeth cannot be made about equally strong within the limits; they "
+        "come last. ";
   if (dots.size() < static_cast<std::size_t>(answer.counts.feasible))
     words += fmt::format("Shown are {} of {} feasible designs. ",
                          counted(std::int64_t(dots.size())), counted(answer.counts.feasible));

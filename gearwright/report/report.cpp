@@ -28,6 +28,7 @@
 #include "gearwright/report/root_picture.hpp"
 #include "gearwright/report/section_picture.hpp"
 #include "gearwright/report/shift_picture.hpp"
+#include "gearwright/report/solid.hpp"
 #include "gearwright/report/speed_picture.hpp"
 #include "gearwright/report/tooth_picture.hpp"
 #include "gearwright/report/turning.hpp"
@@ -208,8 +209,10 @@ std::string report_html(const ReportInput& input) {
   }
   if (input.contact) page += contact_section(*input.contact);
   if (input.compensate) page += compensate_section(*input.compensate);
-  page += file_section(input.files) + spec_section(input.spec_text) + "</main>\n" + foot(input);
-  page += fmt::format("<script>{}{}</script>\n</body>\n</html>\n", page_script(), turn_script());
+  page += solid_section(input) + file_section(input.files) + spec_section(input.spec_text) +
+          "</main>\n" + foot(input);
+  page += fmt::format("<script>{}{}{}</script>\n</body>\n</html>\n", page_script(), turn_script(),
+                      input.solid.empty() ? std::string_view() : solid_script());
   return page;
 }
 

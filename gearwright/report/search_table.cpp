@@ -62,7 +62,7 @@ Cell cell_of(const Column& column, const ValueRecord& record) {
   if (const auto* flag = std::get_if<bool>(&v.variant())) return mark(*flag, "yes");
   if (const auto* word = std::get_if<std::string>(&v.variant())) {
     const bool balanced = *word == "eq11";
-    return {balanced ? "Eq. 11" : "middle", balanced ? 1.0 : 0.0};
+    return {balanced ? "balanced" : "middle", balanced ? 1.0 : 0.0};
   }
   if (column.said->key == "module_mm") return {fmt::format("{:.10g}", *v.number()), v.number()};
   return {text_of(*column.said, v), v.number()};

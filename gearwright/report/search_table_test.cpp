@@ -54,7 +54,7 @@ TEST(SearchTable, ARowIsItsDesign) {
     EXPECT_EQ(c[6].text, fixed(row.center_distance, 4));
     EXPECT_EQ(c[7].text, fixed(row.shift[0], 4));
     EXPECT_EQ(c[8].text, fixed(row.shift[1], 4));
-    EXPECT_EQ(c[9].text, row.balanced ? "Eq. 11" : "middle");
+    EXPECT_EQ(c[9].text, row.balanced ? "balanced" : "middle");
     EXPECT_EQ(c[10].text, fixed(row.contact_ratio, 3));
     EXPECT_EQ(c[11].text, fixed(row.contact_ratio_true, 3));
     EXPECT_EQ(c[12].text, fixed(row.working_angle.deg(), 3));
