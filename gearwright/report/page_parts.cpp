@@ -32,4 +32,24 @@ std::string spec_section(const std::string& spec) {
       escaped(spec));
 }
 
+std::string with_contents(const std::string& sections) {
+  constexpr std::string_view kOpen = "<h2>", kClose = "</h2>";
+  constexpr int kWorthIt = 4;
+  std::string text, links;
+  std::size_t from = 0;
+  int count = 0;
+  for (std::size_t at = sections.find(kOpen); at != std::string::npos;
+       at = sections.find(kOpen, from)) {
+    const std::size_t begin = at + kOpen.size(), end = sections.find(kClose, begin);
+    ++count;
+    links += fmt::format("<a href=\"#part-{}\">{}</a>\n", count,
+                         std::string_view(sections).substr(begin, end - begin));
+    text += sections.substr(from, at - from) + fmt::format("<h2 id=\"part-{}\">", count);
+    from = begin;
+  }
+  text += sections.substr(from);
+  if (count < kWorthIt) return text;
+  return "<nav class=\"contents\" aria-label=\"Contents\">\n" + links + "</nav>\n" + text;
+}
+
 }  // namespace gearwright

@@ -17,4 +17,8 @@ std::string picture_hint();
 /// The spec, verbatim, folded; empty without one.
 std::string spec_section(const std::string& spec);
 
+/// The sections of a page with a list of their headings before them, each a link; short pages have
+/// none.
+std::string with_contents(const std::string& sections);
+
 }  // namespace gearwright

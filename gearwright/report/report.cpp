@@ -201,16 +201,16 @@ std::string report_html(const ReportInput& input) {
       "{}</p>\n{}</header>\n",
       kind_of(input), escaped(title), to_string(input.verdict.level),
       to_string(input.verdict.level), escaped(input.verdict.headline), finding_list(input));
-  page += "<main>\n" + gear_section(input) + few_teeth_section(input);
+  std::string sections = gear_section(input) + few_teeth_section(input);
   if (input.pair) {
-    page += input.pair->visit(
+    sections += input.pair->visit(
         Overloaded{[](const InvolutePair& pair) { return pair_section(pair); },
                    [](const ArcPair& pair) { return arc_pair_section(pair, kShapes); }});
   }
-  if (input.contact) page += contact_section(*input.contact);
-  if (input.compensate) page += compensate_section(*input.compensate);
-  page += solid_section(input) + file_section(input.files) + spec_section(input.spec_text) +
-          "</main>\n" + foot(input);
+  if (input.contact) sections += contact_section(*input.contact);
+  if (input.compensate) sections += compensate_section(*input.compensate);
+  sections += solid_section(input) + file_section(input.files) + spec_section(input.spec_text);
+  page += "<main>\n" + with_contents(sections) + "</main>\n" + foot(input);
   page += fmt::format("<script>{}{}{}</script>\n</body>\n</html>\n", page_script(), turn_script(),
                       input.solid.empty() ? std::string_view() : solid_script());
   return page;

@@ -61,7 +61,8 @@ std::string search_report(const SearchReport& report) {
       "<body>\n<header>\n<p class=\"kind\">{}</p>\n<h1>{}</h1>\n<p "
       "class=\"verdict\">{}</p>\n</header>\n<main>\n",
       escaped(kind_of(problem)), escaped(title), search_verdict(report));
-  page += search_sections(report) + spec_section(report.spec_text) + "</main>\n" + foot(report);
+  page += with_contents(search_sections(report) + spec_section(report.spec_text)) + "</main>\n" +
+          foot(report);
   page += fmt::format("<script>{}{}</script>\n</body>\n</html>\n", page_script(), sort_script());
   return page;
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "gearwright/report/page_parts.hpp"
 #include "gearwright/report/testing/sample_reports.hpp"
 #include "gearwright/report/testing/strict_html.hpp"
 
@@ -38,6 +39,15 @@ TEST(Solid, stands_on_the_page_where_there_is_one) {
   EXPECT_NE(page.find("webgl"), std::string::npos);
   // Gear 2 of an external pair turns the other way, by the ratio.
   EXPECT_NE(page.find(fmt::format("data-turns=\"-1 {:.17g}\"", 17.0 / 43.0)), std::string::npos);
+}
+
+TEST(Contents, links_every_heading_of_a_long_page) {
+  const std::string four = "<h2>A</h2>1<h2>B &amp; C</h2>2<h2>D</h2>3<h2>E</h2>4";
+  EXPECT_EQ(with_contents(four).find("<nav"), 0U);
+  EXPECT_NE(with_contents(four).find("<a href=\"#part-2\">B &amp; C</a>"), std::string::npos);
+  EXPECT_NE(with_contents(four).find("3<h2 id=\"part-4\">E</h2>4"), std::string::npos);
+  EXPECT_EQ(with_contents("<h2>A</h2>1").find("<nav"), std::string::npos);
+  EXPECT_EQ(with_contents("no heading"), "no heading");
 }
 
 }  // namespace
