@@ -1,8 +1,6 @@
 // Mounted circular-arc pairs: contacts that lie on both gears, roles and hands exchanged,
 // clearances, and what keeps two gears apart.
 #include "gearwright/pair/arc_pair.hpp"
-#include "gearwright/base/testing/taken.hpp"
-#include "gearwright/gear/testing/warns.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +9,10 @@
 #include <complex>
 #include <numbers>
 #include <string>
+
+#include "gearwright/base/testing/taken.hpp"
+#include "gearwright/gear/testing/warns.hpp"
+#include "gearwright/pair/outline_gap.hpp"
 
 namespace gearwright {
 namespace {
@@ -215,6 +217,25 @@ TEST(ArcPair, the_range_of_centre_distances_named_is_the_range) {
   EXPECT_FALSE(mount_arcs(made(F), made(P), a_d - to_end - 1e-3));
   EXPECT_TRUE(mount_arcs(made(F), made(P), a_d + to_end - 1e-3));
   EXPECT_FALSE(mount_arcs(made(F), made(P), a_d + to_end + 1e-3));
+}
+
+// Gears of one lead: the least gap of their sections is that of the point of contact, which closed
+// forms give.
+TEST(ArcPair, gap_of_the_outlines_is_half_the_backlash) {
+  for (const double more : {-0.02, 0.0, 0.01, 0.03}) {
+    CylindricalSpec one = spec_of(rack_of(Cutter::F), 12, 15.0);
+    CylindricalSpec two = spec_of(rack_of(Cutter::P), 40, -15.0);
+    two.thickness_allowance = -0.1;
+    const double a = mounted(one, two).center_distance;
+    const ArcPair pair = mounted(one, two, a + more);
+    const OutlineGap gap = outline_gap(pair.gears[0].tooth->outline, pair.gears[1].tooth->outline,
+                                       pair.center_distance);
+    const auto& flanks = gap.of(ArcName::flank, ArcName::flank);
+    ASSERT_TRUE(flanks) << more;
+    EXPECT_NEAR(flanks->gap, pair.backlash_rotation->at(1).rad() / 2, 1e-11) << more;
+    ASSERT_TRUE(pair.overlap && pair.free_play) << more;
+    EXPECT_EQ(pair.overlap->empty(), pair.free_play->rad() >= 0.0) << more;
+  }
 }
 
 }  // namespace
