@@ -42,7 +42,7 @@ const std::array<std::string, 2> kShapes{"gear1", "gear2"};
 std::string default_title(const ReportInput& input) {
   const int z1 = input.gears[0]->spec.teeth;
   if (input.gears.size() == 1) {
-    return fmt::format("{} with {} teeth", z1 < 0 ? "Internal gear gear" : "Gear", std::abs(z1));
+    return fmt::format("{} with {} teeth", z1 < 0 ? "Internal gear" : "Gear", std::abs(z1));
   }
   return fmt::format("{} {} / {}", input.pair ? "Gear pair" : "Gears", z1,
                      input.gears[1]->spec.teeth);
@@ -62,7 +62,7 @@ std::string kind_of(const ReportInput& input) {
   if (input.gears.size() == 2) return "Two cylindrical gears, not mounted";
   return fmt::format("{} {}{}", helical ? "Helical" : "Spur",
                      input.gears[0]->involute() ? "" : "circular-arc ",
-                     input.gears[0]->internal() ? "internal gear gear" : "gear");
+                     input.gears[0]->internal() ? "internal gear" : "gear");
 }
 
 // Worst first, as the verdict has them.
