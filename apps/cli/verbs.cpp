@@ -270,6 +270,7 @@ int compensate_verb(const Options& o) {
   SolvedJob job = std::move(solved).take();
   const auto answer = watched("compensate", [&](Headway* h) { return answer_compensate(job, h); });
   if (!answer) return door.fail(answer.error());
+  const Verdict verdict = judge(job);
   if (o.spec_only) {
     if (o.json) {
       print_json(parse_json(answer->corrected));
@@ -280,9 +281,9 @@ int compensate_verb(const Options& o) {
     print_json(compensate_json(job, *answer));
   } else {
     print(compensate_listing(job, *answer) + warning_listing(job.warnings) +
-          verdict_listing(judge(job)));
+          verdict_listing(verdict));
   }
-  return status(o, judge(job));
+  return status(o, verdict);
 }
 
 int outline_verb(const Options& o) {

@@ -365,7 +365,7 @@ std::vector<InterferenceView> interference_of(const Pair& v) {
       list.push_back({i.code, i.gear, amount(i), i.message});
   } else {
     for (const Warning& w : v.arcs()->warnings) {
-      if (w.code != "root" && w.code != "interference") continue;
+      if (w.code != "root" && w.code != "interference" && w.code != "overlap") continue;
       list.push_back({w.code, w.gear, std::nullopt, w.message});
     }
   }

@@ -238,5 +238,22 @@ TEST(ArcPair, gap_of_the_outlines_is_half_the_backlash) {
   }
 }
 
+// A tip that reaches into the mating fillet above its root circle has no name of its own.
+TEST(ArcPair, an_overlap_is_said) {
+  int overlaps = 0;
+  for (double longer = 0.0; longer < 4.0; longer += 0.05) {
+    CylindricalSpec one = spec_of(rack_of(Cutter::F), 12, 15.0);
+    one.tip_diameter = made(one).tip_diameter + longer;
+    const ArcPair pair = mounted(one, spec_of(rack_of(Cutter::P), 40, -15.0));
+    ASSERT_TRUE(pair.overlap);
+    if (pair.overlap->empty()) continue;
+    const std::string& cause = pair.overlap->front().cause;
+    if (cause == "root" || cause == "negative_backlash") continue;
+    ++overlaps;
+    EXPECT_TRUE(warns(pair, "overlap")) << cause;
+  }
+  EXPECT_GT(overlaps, 0);
+}
+
 }  // namespace
 }  // namespace gearwright

@@ -24,6 +24,14 @@ std::optional<double> face_width_for_total(const InvolutePair& pair, double tota
   return missing / gain;
 }
 
+std::optional<double> face_width_needed(const InvolutePair& pair) {
+  if (pair.crossed() || pair.mesh.true_ratio >= 1.0) return std::nullopt;
+  const auto face = face_width_for_total(pair, 1.0);
+  if (!face) return std::nullopt;
+  constexpr double kWhole = 1e-9;  // of 0.01 mm: whole hundredths are not one more
+  return std::ceil(*face * 100 - kWhole) / 100;
+}
+
 std::optional<double> face_width_for_overlap(const InvolutePair& pair) {
   GW_EXPECTS(!pair.crossed());
   const double gain = overlap_per_mm(pair);

@@ -19,6 +19,11 @@ namespace gearwright {
 /// Domain    parallel axes (contract)
 std::optional<double> face_width_for_total(const InvolutePair& pair, double total);
 
+/// The face width from which a helical pair's contact is continuous, although in one section it is
+/// not; mm, rounded up to 0.01. Nothing when the transverse contact is continuous, or there is
+/// none, no face width makes it so, or the axes cross.
+std::optional<double> face_width_needed(const InvolutePair& pair);
+
 /// The face width of ε_β = 1, mm; nothing for a spur pair.   Domain: parallel axes (contract)
 std::optional<double> face_width_for_overlap(const InvolutePair& pair);
 

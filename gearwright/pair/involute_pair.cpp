@@ -18,12 +18,6 @@ void warn(InvolutePair& p, const std::string& code, std::string message, int gea
   p.warnings.push_back({code, std::move(message), gear});
 }
 
-// What is needed at least is rounded up where it is printed to 0.01.
-double up(double mm) {
-  constexpr double kWhole = 1e-9;  // of 0.01 mm: whole hundredths are not one more
-  return std::ceil(mm * 100 - kWhole) / 100;
-}
-
 // Axes this close were most likely meant to be parallel.
 constexpr double kNearlyParallel = 1.0;  // degrees
 
@@ -52,8 +46,8 @@ void warn_about_axes(InvolutePair& p) {
 }
 
 std::string helped_by_face(const InvolutePair& p) {
-  const auto face = p.crossed() ? std::nullopt : face_width_for_total(p, 1.0);
-  return face ? fmt::format(" A face width of {:.2f} mm would help.", up(*face)) : "";
+  const auto face = face_width_needed(p);
+  return face ? fmt::format(" A face width of {:.2f} mm would help.", *face) : "";
 }
 
 void warn_about_contact(InvolutePair& p) {
@@ -76,7 +70,7 @@ void warn_about_contact(InvolutePair& p) {
          fmt::format(
              "Transverse contact ratio {:.3f}: these run only as helical gears; a face width of at "
              "least {:.2f} mm is needed.",
-             p.mesh.true_ratio, up(*face_width_for_total(p, 1.0))));
+             p.mesh.true_ratio, *face_width_needed(p)));
   }
 }
 

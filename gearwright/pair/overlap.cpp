@@ -24,21 +24,17 @@ namespace {
 constexpr double kTouching = 6e-10;  // of the module
 double touching(const MountedGears& p) { return kTouching * p.gears[0].spec.normal_module; }
 
-const char* words(ArcName name) {
-  switch (name) {
-    case ArcName::root_land: return "root land";
-    case ArcName::root_fillet: return "root fillet";
-    case ArcName::flank: return "flank";
-    case ArcName::tip_fillet: return "tip fillet";
-    case ArcName::tip_land: return "tip land";
-  }
-  return "";
+std::string words(ArcName name) {
+  std::string text(to_string(name));
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
 }
 
 std::string part(const OutlineTouch& touch, int gear) {
   const OutlinePlace& place = touch.places[static_cast<std::size_t>(gear - 1)];
   const bool tip_corner = place.corner && place.arc == ArcName::flank;
-  return fmt::format("{} of gear {}", tip_corner ? "tip corner" : words(place.arc), gear);
+  return fmt::format("{} of gear {}", tip_corner ? std::string("tip corner") : words(place.arc),
+                     gear);
 }
 
 // The gear that has that arc there; 0: neither.
@@ -108,7 +104,6 @@ Strike in_root(const MountedGears& p, int tip) {
   const auto i = static_cast<std::size_t>(tip - 1);
   const double depth = -p.tip_clearance[i];
   OutlineTouch touch;
-  touch.arm = 0.0;
   touch.gap = 0.0;
   const double r = p.gears[i].actual_tip_radius();
   const double side = p.kind == PairKind::parallel_internal ? -1.0 : 1.0;
@@ -121,7 +116,7 @@ Strike in_root(const MountedGears& p, int tip) {
                       3 - tip)};
 }
 
-Strike too_thick(double normal_play, const OutlineTouch& touch) {
+Strike too_thick(double normal_play, const std::optional<OutlineTouch>& touch) {
   const double depth = -normal_play / 2;
   return {"negative_backlash", 0, depth, touch,
           fmt::format("The flanks overlap by {:.4g} mm on either side: the teeth are too thick for "
@@ -180,19 +175,10 @@ void explain(InvolutePair& p) {
   deepest_first(strikes);
 }
 
-// What lies nearer than the flanks, and the flanks.
+// What lies nearer than the flanks, and on parallel axes the flanks.
 std::vector<OutlineTouch> touches_of(const MountedGears& p, double half_play) {
+  if (p.crossed()) return crossed_gaps(p);
   std::vector<OutlineTouch> touches;
-  if (p.crossed()) {
-    touches = crossed_gaps(p);
-    if (half_play < 0.0) {
-      OutlineTouch flanks;
-      flanks.gap = half_play;
-      flanks.places = {OutlinePlace{ArcName::flank, false}, OutlinePlace{ArcName::flank, false}};
-      touches.push_back(flanks);
-    }
-    return touches;
-  }
   const OutlineGap gap = outline_gap(p.gears[0].tooth->outline, p.gears[1].tooth->outline,
                                      p.center_distance, half_play);
   for (const auto& row : gap.touches) {
@@ -214,10 +200,12 @@ void find_strikes(MountedGears& p, double half_play, double normal_play) {
   }
   if (!p.overlap->empty()) return;
   double least = half_play;
+  const bool too_thick_teeth = -normal_play / 2 > close;
+  if (too_thick_teeth && p.crossed()) p.overlap->push_back(too_thick(normal_play, std::nullopt));
   for (const OutlineTouch& touch : touches_of(p, half_play)) {
     const double early = (half_play - touch.gap) * touch.arm;
     if (early <= close) {
-      if (flank_on_flank(touch) && -normal_play / 2 > close)
+      if (flank_on_flank(touch) && too_thick_teeth)
         p.overlap->push_back(too_thick(normal_play, touch));
       continue;
     }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/pair/drive.hpp"
 #include "gearwright/verdict/margins.hpp"
 
 namespace gearwright {
@@ -143,15 +144,6 @@ const char* to_string(Level level) {
     case Level::red: return "red";
   }
   return "";
-}
-
-std::optional<double> face_width_needed(const InvolutePair& pair) {
-  const Mesh<double>& m = pair.mesh;
-  const double tan_beta = std::abs(m.tan_base_helix[0]);
-  if (pair.crossed() || !pair.flanks_meet() || tan_beta == 0.0) return std::nullopt;
-  if (!(m.true_ratio > 0.0 && m.true_ratio < 1.0)) return std::nullopt;
-  // Rounding of the ratio itself must not ask for a hundredth more.
-  return std::ceil((1.0 - m.true_ratio) * m.step / tan_beta * 100 - 1e-9) / 100;
 }
 
 Verdict verdict_of(const Judged& judged) {

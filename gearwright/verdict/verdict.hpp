@@ -66,12 +66,4 @@ struct Judged {
 /// Domain    one or two gears, warnings (contract)
 Verdict verdict_of(const Judged& judged);
 
-/// The face width from which a helical pair's contact is continuous, although in one section it is
-/// not; mm, rounded up to 0.01. Nothing when the transverse contact is continuous, or there is
-/// none, or no face width makes it so.
-///
-/// Formula   (1 − ε_α) p_bt/|tan β_b|, ε_α of the usable flanks
-/// Domain    parallel axes, else nothing
-std::optional<double> face_width_needed(const InvolutePair& pair);
-
 }  // namespace gearwright

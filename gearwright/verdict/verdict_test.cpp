@@ -7,6 +7,7 @@
 
 #include "gearwright/base/testing/taken.hpp"
 
+#include "gearwright/pair/drive.hpp"
 #include "gearwright/report/testing/sample_reports.hpp"
 
 namespace gearwright {
