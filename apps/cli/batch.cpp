@@ -14,7 +14,6 @@
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/job/answers.hpp"
-#include "gearwright/spec/spec_text.hpp"
 
 namespace gearwright::cli {
 
@@ -58,10 +57,7 @@ int batch_verb(const Options& o) {
   long long failed = 0;
   long long lines = 0;
   in_order([&](std::string& line) { return static_cast<bool>(std::getline(in, line)); },
-           [&](const std::string& line) {
-             if (line.size() <= kMaxSpec) return batch_line(verb, line);
-             return batch_line(verb, fmt::format("\"a line of {} bytes\"", line.size()));
-           },
+           [&](const std::string& line) { return batch_line(verb, line); },
            [&](const std::string& answer) {
              ++lines;
              if (answer.starts_with("{\"error\":")) ++failed;

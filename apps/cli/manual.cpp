@@ -113,6 +113,7 @@ std::string manual_page(const CLI::App& app) {
       ".TP\n.B 1\nThe input is wrong or the gears are impossible; the message names the key.\n"
       ".TP\n.B 2\nThe command line is wrong.\n"
       ".TP\n.B 3\nThe outside world failed: no such file, disk full, memory.\n"
+      ".TP\n.B 4\nWith \\-\\-strict: the verdict is not green.\n"
       ".SH FILES\n"
       ".TP\n.I .gearwright_files\n"
       "In the folder of a run: what it wrote there. The next run into it removes what it does not\n"

@@ -41,7 +41,7 @@ struct CompensationTask {
                                      ///< default_centering, and the error never gets worse
   bool along_face = true;  ///< false: a contact point runs along the face anyhow, h does not count
   ProfileTarget profile{};
-  std::vector<std::vector<double>> starts{};  ///< guesses beside the two of its own
+  std::vector<std::vector<double>> starts{};  ///< guesses beside its own
   Headway* headway = nullptr;                 ///< told how far it is
   /// The pair under a scenario with the corrections made. Null where there is none.
   std::function<std::shared_ptr<const ContactPair>(const std::vector<double>&, int)> pair_at;

@@ -18,7 +18,8 @@ namespace gearwright {
 struct FlankRaster {
   std::vector<double> diameter;  ///< mm, growing: rows
   std::vector<double> height;    ///< mm, growing, z of the gear's own frame: columns
-  std::vector<double> gap;       ///< mm, [row · columns + column]; infinite where gear 2 never is
+  std::vector<double>
+      gap;  ///< mm, [row · columns + column]; infinite where the mating gear never is
 
   double at(std::size_t row, std::size_t column) const { return gap[row * height.size() + column]; }
 };

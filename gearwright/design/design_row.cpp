@@ -108,10 +108,16 @@ DesignRow row_of_region(const ShiftGraph& graph, const ShiftRegion& region, cons
 
 }  // namespace
 
-DesignRow design_row(const ShiftGraph& graph, const ShiftRegion& region) {
-  DesignRow row = row_of_region(graph, region, chosen_point(graph, region));
-  row.balanced = region.off_walls || region.balanced;
-  return row;
+std::optional<DesignRow> design_row(const ShiftGraph& graph, const ShiftRegion& region) {
+  const Vec2 chosen = chosen_point(graph, region);
+  if (!fillet_is_cut(graph, chosen)) {
+    DesignRow row = row_of_region(graph, region, chosen);
+    row.balanced = region.off_walls || region.balanced;
+    return row;
+  }
+  const Vec2 middle = middle_point(graph, region);
+  if (fillet_is_cut(graph, middle)) return std::nullopt;
+  return row_of_region(graph, region, middle);
 }
 
 std::optional<DesignRow> design_row(const ShiftGraph& graph, RegionDetail detail) {
@@ -123,11 +129,7 @@ std::optional<DesignRow> design_row(const ShiftGraph& graph, RegionDetail detail
     }
   }
   const auto region = shift_region(graph, detail);
-  if (!region) return std::nullopt;
-  if (!fillet_is_cut(graph, chosen_point(graph, *region))) return design_row(graph, *region);
-  const Vec2 middle = middle_point(graph, *region);
-  if (fillet_is_cut(graph, middle)) return std::nullopt;
-  return row_of_region(graph, *region, middle);
+  return region ? design_row(graph, *region) : std::nullopt;
 }
 
 bool has_design(const ShiftGraph& graph) {

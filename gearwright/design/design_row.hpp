@@ -50,7 +50,8 @@ struct DesignRow {
 /// `point` leaves the region's numbers out, which cost a hundred times as much as the rest.
 std::optional<DesignRow> design_row(const ShiftGraph& graph,
                                     RegionDetail detail = RegionDetail::whole);
-DesignRow design_row(const ShiftGraph& graph, const ShiftRegion& region);
+/// The same of a region that is known.
+std::optional<DesignRow> design_row(const ShiftGraph& graph, const ShiftRegion& region);
 
 /// There is one: a region, and where designs that interfere are excluded a point of it for a design
 /// whose tips keep clear of the fillets.

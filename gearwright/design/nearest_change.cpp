@@ -336,8 +336,12 @@ NearestChanges nearest_changes(const SearchProblem& problem, const SearchWatch& 
   std::stable_sort(
       found.changes.begin(), found.changes.end(),
       [](const NearestChange& a, const NearestChange& b) { return a.effort < b.effort; });
-  const auto twice = std::unique(found.bounded.begin(), found.bounded.end());
-  found.bounded.erase(twice, found.bounded.end());
+  // A band has two ends under one name, and the names of two bands may alternate.
+  std::vector<std::string> once;
+  for (std::string& field : found.bounded) {
+    if (std::find(once.begin(), once.end(), field) == once.end()) once.push_back(std::move(field));
+  }
+  found.bounded = std::move(once);
   return found;
 }
 

@@ -170,7 +170,7 @@ SearchCounts Search::range(std::int64_t from, std::int64_t to, std::vector<Desig
          const ShiftGraph graph(problem_, t, g_1, g_2);
          if (grid) {
            const auto region = shift_region(graph);
-           if (const auto row = region ? design_row(graph) : std::nullopt) {
+           if (const auto row = region ? design_row(graph, *region) : std::nullopt) {
              ++result.feasible;
              rows.push_back(*row);
              const PointCounts n =

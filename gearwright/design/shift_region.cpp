@@ -207,10 +207,6 @@ void append(std::vector<RegionEdge>& loop, RegionEdge next) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 // Of the sums in some intervals the one nearest 0.
 std::optional<double> nearest_zero(const std::vector<Interval>& intervals) {
   std::optional<double> nearest;

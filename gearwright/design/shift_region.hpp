@@ -3,8 +3,8 @@
 //
 //   lo, hi   middles of the slices at the least and the greatest Σ
 //   Eq. 11   x1 = (λ z2 + (Σ − λ) z1)/(z1 + z2): strengths in balance; an internal gear's pinion
-//                                              takes all theory: docs/theory/09-design-search.md,
-//                                              9.4
+//            takes all
+//                                              theory: docs/theory/09-design-search.md, 9.4
 //
 // Points are (x1, x2). Area, corners and roots are solved, not sampled; only the points that draw a
 // curved edge are chosen.

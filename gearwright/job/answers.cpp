@@ -66,6 +66,12 @@ Result<Json> answer_json(std::string_view verb, const JobSpec& spec) {
 
 std::string batch_line(std::string_view verb, const std::string& text) {
   const auto failed = [](const Error& error) { return json_text(error_json(error)); };
+  if (text.size() > kMaxSpec) {
+    return failed({"", "",
+                   fmt::format("this line has {} bytes; a spec has at most {}, more than any gear "
+                               "needs",
+                               text.size(), kMaxSpec)});
+  }
   try {
     const auto spec = read_spec(text, SpecFormat::json);
     if (!spec) return failed(spec.error());

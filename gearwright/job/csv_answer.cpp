@@ -36,47 +36,63 @@ std::string row(const std::vector<std::string>& cells) {
 
 bool plain(const Value& v) { return !v.list() && !v.record() && !v.map(); }
 
-// A quantity whose value is one or two plain ones, or a record of such.
-void add_rows(const Said& said, const std::string& path, const std::vector<const Value*>& values,
-              std::string& out) {
-  std::vector<std::string> cells;
-  for (const Value* v : values) {
-    if (plain(*v)) {
-      cells.push_back(cell(*v));
-    } else if (const ValueList* list = v->list(); list && list->size() <= 2) {
-      for (const Value& item : *list) {
-        if (!plain(item)) return;
-        cells.push_back(cell(item));
-      }
-    } else {
-      return;
-    }
-  }
-  if (cells.size() > 2) return;
-  cells.resize(2);
+bool all_plain(const ValueList& list) { return std::all_of(list.begin(), list.end(), plain); }
+
+void add_row(const Said& said, const std::string& path, const std::string& first,
+             const std::string& second, std::string& out) {
   out += row({path, cell(std::string_view(said.words)), cell(std::string_view(said.symbol)),
-              std::string(unit_text(said.unit)), cells[0], cells[1]});
+              std::string(unit_text(said.unit)), first, second});
 }
 
-// Records side by side: those of the gears, or one of the pair.
+// A quantity of one or two records: plain values side by side, two of one record too; a longer list
+// of one record takes a row for each. Lists of records are for --json.
+void add_rows(const Said& said, const std::string& path, const std::vector<const Value*>& values,
+              std::string& out) {
+  const ValueList* list = values.front()->list();
+  if (values.size() == 1 && list) {
+    if (!all_plain(*list)) return;
+    if (list->size() == 2) {
+      add_row(said, path, cell((*list)[0]), cell((*list)[1]), out);
+    } else {
+      for (std::size_t i = 0; i < list->size(); ++i)
+        add_row(said, fmt::format("{}.{}", path, i + 1), cell((*list)[i]), "", out);
+    }
+    return;
+  }
+  if (!std::all_of(values.begin(), values.end(), [](const Value* v) { return plain(*v); })) return;
+  add_row(said, path, cell(*values[0]), values.size() > 1 ? cell(*values[1]) : "", out);
+}
+
+// Records side by side, those of the gears, or one of the pair; null: the gear has none.
 void add_records(const std::string& path, const std::vector<const ValueRecord*>& records,
                  std::string& out) {
-  for (const Member& m : *records.front()) {
-    if (!(m.said->doors & kJson)) continue;
+  std::vector<const Said*> all;
+  for (const ValueRecord* record : records) {
+    if (!record) continue;
+    for (const Member& m : *record) {
+      if ((m.said->doors & kJson) && std::find(all.begin(), all.end(), m.said) == all.end())
+        all.push_back(m.said);
+    }
+  }
+  static const Value kNothing;
+  for (const Said* said : all) {
     std::vector<const Value*> values;
     std::vector<const ValueRecord*> inner;
     for (const ValueRecord* record : records) {
-      const auto same = std::find_if(record->begin(), record->end(),
-                                     [&](const Member& o) { return o.said == m.said; });
-      if (same == record->end()) continue;
-      values.push_back(&same->value);
-      if (same->value.record()) inner.push_back(same->value.record());
+      const Value* value = &kNothing;
+      if (record) {
+        const auto same = std::find_if(record->begin(), record->end(),
+                                       [&](const Member& o) { return o.said == said; });
+        if (same != record->end()) value = &same->value;
+      }
+      values.push_back(value);
+      inner.push_back(value->record());
     }
-    const std::string here = path + "." + m.said->key;
-    if (!inner.empty()) {
+    const std::string here = path + "." + said->key;
+    if (std::any_of(inner.begin(), inner.end(), [](const auto* r) { return r != nullptr; })) {
       add_records(here, inner, out);
     } else {
-      add_rows(*m.said, here, values, out);
+      add_rows(*said, here, values, out);
     }
   }
 }

@@ -9,7 +9,8 @@ namespace gearwright {
 
 /// A row for each quantity of the gears and, where they are mounted, of the pair:
 /// key, quantity, symbol, unit, first, second. The last two are gear 1 and gear 2, or the two ends
-/// of a range; what both have in common stands in `first`.
+/// of a range; what both have in common stands in `first`, a longer list in rows of its own
+/// (key.1, key.2, …). Lists of records (contacts, overlaps) are left to JSON.
 std::string quantities_csv(const SolvedJob& job);
 /// A row for each position of the working flanks, a column for each number of it.
 std::string contact_csv(const SolvedJob& job, const ContactAnswer& answer);

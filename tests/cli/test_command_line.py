@@ -119,6 +119,18 @@ class Tables(unittest.TestCase):
         self.assertEqual(said["pair.center_distance_mm"][2], "mm")
         self.assertEqual(raw("pair", "x.toml", "--csv", "--json").returncode, 2)
 
+    def test_csv_has_what_only_gear_2_has_and_longer_lists(self):
+        keys = [row[0] for row in table(Run("pair", PAIR, "--csv").out)]
+        for end in ("1", "2", "3"):
+            self.assertIn(f"pair.sliding_velocity_mm_per_rad.total.{end}", keys)
+        bulge = {"gear1": {"teeth": 20, "normal_module_mm": 2.5, "face_width_mm": 25},
+                 "gear2": {"teeth": 60, "normal_module_mm": 2.5, "face_width_mm": 25, "profile_shift": 0,
+                           "tip_diameter_mm": 153.5,
+                           "cut_by": {"teeth": 10, "profile_shift": 0, "rack": {"addendum": 1.25}}}}
+        rows = {row[0]: row for row in table(Run("pair", json.dumps(bulge), "--csv", name="pair.json").out)}
+        self.assertEqual(rows["gears.tip_bulge_mm"][4], "")
+        self.assertAlmostEqual(float(rows["gears.tip_bulge_mm"][5]), 8.0247e-3, places=6)
+
     def test_contact_as_csv(self):
         spec = PAIR + "[errors]\ncrossing_deg = 0.1\n[contact]\npositions = 16\n"
         rows = table(Run("contact", spec, "--csv").out)
