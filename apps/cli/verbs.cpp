@@ -270,7 +270,7 @@ int compensate_verb(const Options& o) {
   SolvedJob job = std::move(solved).take();
   const auto answer = watched("compensate", [&](Headway* h) { return answer_compensate(job, h); });
   if (!answer) return door.fail(answer.error());
-  const Verdict verdict = judge(job);
+  const Verdict& verdict = answer->verdict;
   if (o.spec_only) {
     if (o.json) {
       print_json(parse_json(answer->corrected));

@@ -47,7 +47,7 @@ std::optional<Error> check_limits(const CylindricalSpec& spec) {
     return v >= lo && v <= hi;
   };  // false for NaN
   if (spec.teeth == 0)
-    return refused("teeth", 0, "must not be 0; negative for an internal gear (internal gear)");
+    return refused("teeth", 0, "must not be 0; negative for an internal gear");
   if (std::abs(spec.teeth) > kMaxTeeth) {
     return refused(
         "teeth", spec.teeth,

@@ -9,6 +9,7 @@
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/job/compensate_forms.hpp"
+#include "gearwright/job/judgement.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {
@@ -136,6 +137,25 @@ Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
   return ordered;
 }
 
+// What somebody meets who runs the corrected spec.
+Result<Verdict> judge_corrected(const std::string& corrected, const SolvedJob& job) {
+  auto read = read_spec(corrected, SpecFormat::json);
+  if (!read) return read.error();
+  JobSpec spec = std::move(read).take();
+  spec.contact.pattern = false;
+  spec.contact.map.reset();
+  auto solved = solve(spec, Scope::pair);
+  if (!solved) return solved.error();
+  SolvedJob with = std::move(solved).take();
+  const auto contact = answer_contact(with);
+  if (!contact) return contact.error();
+  // Of the range of errors, which the spec's own are but one of.
+  for (const Warning& w : job.warnings) {
+    if (w.code == "contact_lost" && w.gear == 0) with.warnings.push_back(w);
+  }
+  return judge(with, &contact->driving);
+}
+
 }  // namespace
 
 Result<CompensateAnswer> answer_compensate(SolvedJob& job, Headway* headway, int curves) {
@@ -211,6 +231,9 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Headway* headway, int
                             0});
   }
   answer.corrected = json_text(corrected_spec(job, setup, answer.corrections, answer.result.value));
+  auto verdict = judge_corrected(answer.corrected, job);
+  if (!verdict) return verdict.error();
+  answer.verdict = std::move(verdict).take();
   return answer;
 }
 

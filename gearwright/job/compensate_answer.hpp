@@ -11,6 +11,7 @@
 
 #include "gearwright/contact/compensation.hpp"
 #include "gearwright/job/contact_answer.hpp"
+#include "gearwright/verdict/verdict.hpp"
 
 namespace gearwright {
 
@@ -21,6 +22,7 @@ struct CompensateAnswer {
   std::optional<SettingAnswer> setting;
   std::optional<LeadAnswer> lead;
   std::string corrected;  ///< the spec with the corrections in it, JSON
+  Verdict verdict;        ///< of the pair with the corrections, under the spec's errors
 };
 
 /// Errors    as answer_contact, `errors` when nothing touches as the pair stands;

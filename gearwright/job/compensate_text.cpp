@@ -40,7 +40,7 @@ Json compensate_json(const SolvedJob& job, const CompensateAnswer& a) {
   if (!job.spec.title.empty()) j["title"] = job.spec.title;
   j["compensate"] = to_json(compensate_quantities().of(compensate_view(a)));
   j["warnings"] = warnings_json(job.warnings);
-  j["verdict"] = verdict_json(judge(job));
+  j["verdict"] = verdict_json(a.verdict);
   return j;
 }
 

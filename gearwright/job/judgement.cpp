@@ -12,6 +12,8 @@ Verdict judge(const SolvedJob& job, const ContactResult* contact) {
   judged.pair = job.pair ? &*job.pair : nullptr;
   judged.warnings = &job.warnings;
   judged.contact = contact;
+  const auto& errors = job.spec.errors.value;
+  judged.errors = std::any_of(errors.begin(), errors.end(), [](double e) { return e != 0.0; });
   return verdict_of(judged);
 }
 

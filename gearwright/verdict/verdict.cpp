@@ -95,7 +95,9 @@ std::string gears_alone(const Judged& judged) {
 // How it stands, when nothing speaks against it.
 std::string standing(const Judged& judged) {
   if (!judged.pair) return gears_alone(judged);
-  return judged.pair->visit([](const auto& pair) { return running(pair); });
+  const std::string nominal = judged.pair->visit([](const auto& pair) { return running(pair); });
+  if (!judged.contact || !judged.errors) return nominal;
+  return "Under its errors a tooth pair touches in every position. Without them: " + nominal;
 }
 
 std::string not_running(const Judged& judged, const std::vector<std::string>& against) {

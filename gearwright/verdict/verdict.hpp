@@ -60,7 +60,8 @@ struct Judged {
   std::vector<const Gear*> gears;                  ///< one or two, with a pair its gears
   const Pair* pair = nullptr;                      ///< null: not mounted
   const std::vector<Warning>* warnings = nullptr;  ///< of all that was asked
-  const ContactResult* contact = nullptr;          ///< under the spec's errors; null: not asked
+  const ContactResult* contact = nullptr;          ///< of the working flanks; null: not asked
+  bool errors = false;                             ///< it is under errors
 };
 
 /// Domain    one or two gears, warnings (contract)

@@ -59,6 +59,26 @@ class VerdictTest(unittest.TestCase):
         # The mounted pair without its errors is as good as before.
         self.assertEqual(Run("pair", ASKEW, "--json").json["verdict"]["level"], "green")
 
+    def test_compensate_judges_the_corrected_pair_under_its_errors(self):
+        wrong = ASKEW.replace("crossing_deg = 0.05", "crossing_deg = 5") + "[compensate]\ncorrections = [\"gear1.lead_slope_um\"]\n"
+        self.assertEqual(Run("contact", wrong, "--json").json["verdict"]["level"], "red")
+        left = Run("compensate", wrong, "--json")
+        self.assertEqual(left.status, 0, left.err)
+        taken = Run("contact", json.dumps(left.json["compensate"]["spec"]), "--json", name="better.json").json
+        self.assertEqual(left.json["verdict"]["level"], taken["verdict"]["level"])
+        self.assertEqual(left.json["verdict"]["level"], "red")
+        self.assertEqual(Run("compensate", wrong, "--strict").status, 4)
+
+    def test_numbers_without_the_errors_are_called_so(self):
+        wide = GREEN + "[errors]\ncenter_distance_mm = 0.5\n"
+        self.assertIn("Without them: The pair runs", Run("contact", wide, "--json").json["verdict"]["headline"])
+        self.assertNotIn("Without them", Run("pair", wide, "--json").json["verdict"]["headline"])
+
+    def test_axes_that_cross_unasked_are_no_green(self):
+        slip = GREEN.replace("teeth = 41", "helix_angle_deg = -14\nteeth = 41").replace(
+            "teeth = 20", "helix_angle_deg = 12\nteeth = 20")
+        self.assertEqual(Run("pair", slip, "--json").json["verdict"]["level"], "amber")
+
     def test_the_page_says_the_same(self):
         ran = Run("run", ASKEW)
         result = json.loads((ran.folder / "case_out/result.json").read_text())
