@@ -12,7 +12,7 @@ namespace gearwright::figures {
 
 namespace {
 
-constexpr double kScale = 11;  // px/mm
+constexpr double kScale = 9.2;  // px/mm
 
 // The involute of the flank on the side `hand` of the tooth turned by `turned`, moved outward along
 // its normal by `off`, from roll angle a to b.
@@ -92,8 +92,8 @@ Figure inspection_figure() {
   spec.face_width = 20;
   const Gear gear = gear_of(spec);
   const double middle = gear.base_radius() + 2;
-  const Viewport left{900, 470, {middle, -18}, kScale, true};
-  const Viewport right{900, 470, {gear.reference_diameter / 2, 11}, 2.4 * kScale, true};
+  const Viewport left{900, 470, {middle - 2, -22.8}, kScale, true};
+  const Viewport right{900, 470, {gear.reference_diameter / 2 + 1.8, 8.7}, 2.9 * kScale, true};
   f.svg().begin_clip(0, 0, 480, 470);
   draw_span(f, gear, left);
   f.svg().end_group();

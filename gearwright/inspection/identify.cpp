@@ -170,19 +170,23 @@ double most_misfit(const std::vector<Observation>& readings, const RackFit& fit)
   return freedom > 0.0 ? 12.0 + 3.2 * freedom : 1.0;
 }
 
-bool same_within(const Found& a, const Found& b) {
-  const double wide = std::max({a.fit.sigma_helix, b.fit.sigma_helix, 1e-9});
-  return a.rack.module == b.rack.module && a.rack.alpha == b.rack.alpha &&
-         std::abs(a.fit.gear.beta - b.fit.gear.beta) < 3 * wide;
+// Whether b says nothing that a does not: the same gear, its module or its helix angle fitted where
+// those of a are a standard's.
+bool is_double(const Found& a, const Found& b) {
+  const bool looser = (b.fit.sigma_helix > 0.0) != (a.fit.sigma_helix > 0.0) ||
+                      (b.fit.sigma_module > 0.0) != (a.fit.sigma_module > 0.0);
+  const double module = 3 * (a.fit.sigma_module + b.fit.sigma_module);
+  const double helix = 3 * (a.fit.sigma_helix + b.fit.sigma_helix) + 1e-9;
+  return looser && a.rack.alpha == b.rack.alpha &&
+         std::abs(a.fit.gear.module - b.fit.gear.module) <= module &&
+         std::abs(a.fit.gear.beta - b.fit.gear.beta) <= helix;
 }
 
-// A gear with any helix angle beside the same one with a whole number of degrees says nothing new.
 std::vector<Found> without_doubles(const std::vector<Found>& all) {
   std::vector<Found> kept;
   for (const Found& f : all) {
-    const auto same = std::find_if(kept.begin(), kept.end(), [&](const Found& k) {
-      return (f.fit.sigma_helix > 0.0) != (k.fit.sigma_helix > 0.0) && same_within(f, k);
-    });
+    const auto same = std::find_if(kept.begin(), kept.end(),
+                                   [&](const Found& k) { return is_double(k, f); });
     if (same == kept.end()) kept.push_back(f);
   }
   return kept;

@@ -175,6 +175,7 @@ Gear made(const Drawing& d) {
   s.profile_shift = static_cast<double>(d.x);
   s.thickness_allowance = static_cast<double>(d.allowance);
   s.face_width = 40 * s.normal_module;
+  s.straight_rack().root_fillet_radius = 0.2;  // fits at any of these pressure angles
   return testing::taken(make_gear(s));
 }
 
@@ -312,7 +313,7 @@ TEST(Balls, laws) {
     EXPECT_DOUBLE_EQ(over_two_balls(doubled, *twice), 2 * M);  // (4)
     ++seated;
   }
-  EXPECT_GE(seated, 200);
+  EXPECT_GE(seated, 150);  // others do not stand out beyond the tip
 }
 
 TEST(Balls, that_cannot_be_measured_are_refused_with_those_that_can) {
@@ -324,7 +325,7 @@ TEST(Balls, that_cannot_be_measured_are_refused_with_those_that_can) {
     EXPECT_NE(seat.error().message().find(word), std::string::npos) << seat.error().message();
   };
   refused_for(gear, 1.0, "falls between the teeth");
-  refused_for(gear, 2.6, "falls between the teeth");
+  refused_for(gear, 2.6, "stand out");
   refused_for(gear, 9.0, "rests on the tips");
   EXPECT_TRUE(ball_in_space(gear, 3.5));
   auto tall = gear.spec;
@@ -343,13 +344,13 @@ TEST(Span, that_no_anvils_reach_is_refused_with_those_that_they_do) {
   const auto far = span_over(gear, 7);
   ASSERT_FALSE(far);
   EXPECT_EQ(far.error().field, "span_teeth");
-  EXPECT_NE(far.error().message().find("2 to 4 teeth can be measured"), std::string::npos)
+  EXPECT_NE(far.error().message().find("1 to 4 teeth can be measured"), std::string::npos)
       << far.error().message();
   EXPECT_FALSE(span_over(gear, 0));
   EXPECT_FALSE(span_over(gear, 21));
   EXPECT_FALSE(span_over(made({-60, 2, 20 * kPi / 180, 0.2L, 0, 0}), 6));
   EXPECT_EQ(usual_span(gear)->teeth, 3);
-  EXPECT_EQ(usable_spans(gear, 31).size(), 3u);
+  EXPECT_EQ(usable_spans(gear, 31).size(), 4u);
   // On a face narrower than W sin β_b one anvil has nothing to touch.
   auto narrow = made({40, 2, 20 * kPi / 180, 30 * kPi / 180, 0, 0}).spec;
   narrow.face_width = 5;
