@@ -78,7 +78,6 @@ constexpr std::array<Entry, 42> kMeanings{{
     {"default_cutter", {kNote, "", ""}},
     {"tip_fillet_cut_off", {kNote, "", ""}},
     {"no_chord", {kNote, "", ""}},
-    {"no_step", {kNote, "", ""}},
     {"interference",
      {kProblem, "the flanks cut into each other",
       "A greater difference of the arcs’ radii would help.", true}},
