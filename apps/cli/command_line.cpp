@@ -124,6 +124,7 @@ void CommandLine::add_answering() {
                              "gearwright gear examples/helical_pair.toml --json");
   spec_argument(gear, o);
   csv_flag(gear, o);
+  strict_flag(gear, o);
   gear->add_option("--as-rack", o.as_rack,
                    "MODULE,ANGLE: the same teeth as that rack describes them; one may be empty");
 

@@ -171,6 +171,7 @@ int gear_verb(const Options& o) {
     }
     racks.push_back(*rack);
   }
+  const Verdict verdict = judge(*job);
   if (o.csv) {
     print(quantities_csv(*job));
   } else if (o.json) {
@@ -179,9 +180,9 @@ int gear_verb(const Options& o) {
     print_json(j);
   } else {
     print(gear_listing(*job) + (racks.empty() ? std::string() : rack_listing(racks)) +
-          warning_listing(job->warnings));
+          warning_listing(job->warnings) + verdict_listing(verdict));
   }
-  return 0;
+  return status(o, verdict);
 }
 
 int measure_verb(const Options& o) {

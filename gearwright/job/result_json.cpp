@@ -21,7 +21,7 @@ Json job_json(const SolvedJob& job) {
   for (const Gear& g : job.gears) j["gears"].push_back(to_json(gear_quantities().of(g)));
   if (job.pair) j["pair"] = to_json(pair_quantities().of(*job.pair));
   j["warnings"] = warnings_json(job.warnings);
-  if (job.pair) j["verdict"] = verdict_json(judge(job));
+  j["verdict"] = verdict_json(judge(job));
   return j;
 }
 

@@ -154,6 +154,19 @@ std::optional<Error> needs_one_rack(const JobSpec& spec, bool shift_wanted) {
   return std::nullopt;
 }
 
+// A sum of two shifts is refused by the key that a user wrote; of two, by the larger one.
+Error told_of_a_gear(const Error& error, const JobSpec& spec) {
+  if (error.field != "profile_shift") return error;
+  const auto size = [&](std::size_t i) {
+    const auto& x = spec.gears[i]->profile_shift;
+    return x ? std::abs(*x) : -1.0;
+  };
+  const std::size_t i = size(1) > size(0) ? 1 : 0;
+  if (size(i) < 0.0) return error;
+  return {gear_field(static_cast<int>(i) + 1, "profile_shift"),
+          spoken(*spec.gears[i]->profile_shift), error.rule};
+}
+
 // Two helices of one hand and angle cross at twice that angle; who gives no shaft angle has
 // forgotten a sign more often than meant it.
 std::optional<Error> check_hands(const JobSpec& spec) {
@@ -215,7 +228,7 @@ Result<PairPlace> complete_pair(JobSpec& spec, bool shift_wanted) {
   std::optional<double> a = spec.pair.center_distance;
   if (by_shifts) {
     auto shifts = complete_shifts(shift_problem(spec));
-    if (!shifts) return shifts.error();
+    if (!shifts) return told_of_a_gear(shifts.error(), spec);
     spec.gears[0]->cylindrical.profile_shift = shifts->x1;
     spec.gears[1]->cylindrical.profile_shift = shifts->x2;
     a = shifts->center_distance;

@@ -15,7 +15,7 @@ constexpr Severity kProblem = Severity::problem;
 constexpr Severity kCaution = Severity::caution;
 constexpr Severity kNote = Severity::note;
 
-constexpr std::array<Entry, 42> kMeanings{{
+constexpr std::array<Entry, 43> kMeanings{{
     {"through_axis",
      {kProblem, "the cutter passes the axis",
       "More teeth, more profile shift or a smaller dedendum would help.", true}},
@@ -58,6 +58,7 @@ constexpr std::array<Entry, 42> kMeanings{{
     {"contact_below_form",
      {kCaution, "", "Shorten the mating gear’s tip or give it a tip relief.", true}},
     {"contact_search_unfinished", {kCaution, "", "Ask for other positions."}},
+    {"correction_at_bound", {kCaution, "", "Align the housing better.", false}},
     {"not_read", {kNote, "", "Leave it out."}},
     {"rack_not_used", {kCaution, "", "Leave these numbers of the rack out."}},
     {"tip_below_base", {kCaution, "", "A greater tip diameter would help."}},

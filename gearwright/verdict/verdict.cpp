@@ -9,6 +9,7 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/pair/drive.hpp"
 #include "gearwright/verdict/margins.hpp"
+#include "gearwright/verdict/remedy.hpp"
 
 namespace gearwright {
 
@@ -153,8 +154,13 @@ Verdict verdict_of(const Judged& judged) {
   Verdict verdict;
   for (const Warning& w : *judged.warnings) {
     const Meaning meaning = meaning_of(w);
-    verdict.findings.push_back(
-        {w.code, level_of(meaning.severity), w.gear, w.message, meaning.remedy, {}, meaning.told});
+    verdict.findings.push_back({w.code,
+                                level_of(meaning.severity),
+                                w.gear,
+                                w.message,
+                                detail::remedy_for(w, judged),
+                                {},
+                                meaning.told});
   }
   const auto add = [&](std::vector<Finding> more) {
     for (Finding& f : more) verdict.findings.push_back(std::move(f));

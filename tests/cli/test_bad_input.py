@@ -60,7 +60,7 @@ class BadInput(unittest.TestCase):
         self.refused(ring.replace("helix_angle_deg = 10", "helix_angle_deg = 15", 1), "gear2.helix_angle_deg", "same hand")
         self.refused(two("", "").replace("normal_module_mm = 2\nface_width_mm = 10\n\n[pair]", "normal_module_mm = 3\n[pair]"),
                      "gear2.normal_module_mm", "base pitch")
-        self.refused(two("profile_shift = -0.5", "profile_shift = -0.5"), "profile_shift", "greater than")
+        self.refused(two("profile_shift = -0.5", "profile_shift = -0.5"), "gear1.profile_shift", "greater than")
         self.refused(two("", "").replace("teeth = 20", "teeth = -20", 1), "gear1.teeth", "internal gear")
         self.refused(GEAR, "gear2", "gear2")
         self.refused(two("teeth_ = 1"), "gear1.teeth_", "teeth")
