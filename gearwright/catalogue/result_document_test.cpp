@@ -8,6 +8,7 @@
 
 #include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
+#include "gearwright/catalogue/drawing_quantities.hpp"
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
@@ -50,6 +51,7 @@ const std::map<std::string, const SaidTable*>& blocks() {
       {"search.designs", &design_quantities().table()},
       {"file", &file_quantities().table()},
       {"warning", &warning_quantities().table()},
+      {"drawing", &drawing_quantities().table()},
       {"verdict", &verdict_quantities().table()}};
   return kBlocks;
 }

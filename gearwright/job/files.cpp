@@ -257,6 +257,7 @@ Result<RunFiles> write_everything(SolvedJob& job, const fs::path& folder,
 
   ReportInput report;
   report.title = job.spec.title.empty() ? "Gear data" : job.spec.title;
+  report.drawing = job.spec.drawing;
   for (const Gear& g : job.gears) report.gears.push_back(&g);
   report.pair = job.pair;
   if (*contact) report.contact = &contact.value()->report;

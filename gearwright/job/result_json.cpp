@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "gearwright/catalogue/drawing_quantities.hpp"
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
@@ -17,6 +18,7 @@ Json warnings_json(const std::vector<Warning>& warnings) {
 Json job_json(const SolvedJob& job) {
   Json j;
   if (!job.spec.title.empty()) j["title"] = job.spec.title;
+  if (job.spec.drawing.given()) j["drawing"] = to_json(drawing_quantities().of(job.spec.drawing));
   j["gears"] = Json::array();
   for (const Gear& g : job.gears) j["gears"].push_back(to_json(gear_quantities().of(g)));
   if (job.pair) j["pair"] = to_json(pair_quantities().of(*job.pair));

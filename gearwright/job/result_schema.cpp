@@ -6,6 +6,7 @@
 
 #include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
+#include "gearwright/catalogue/drawing_quantities.hpp"
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
@@ -146,6 +147,7 @@ Json result_schema() {
   properties["arcs"] = schema.list_of(outline_quantities().table());
   properties["files"] = schema.list_of(file_quantities().table());
   properties["warnings"] = schema.list_of(warning_quantities().table());
+  properties["drawing"] = schema.reference(drawing_quantities().table());
   properties["verdict"] = schema.reference(verdict_quantities().table());
   properties["error"] = error_schema();
   return {{"$schema", "https://json-schema.org/draft/2020-12/schema"},

@@ -356,6 +356,7 @@ Result<SolvedJob> solve_as_given(const JobSpec& given, Scope scope) {
     auto cut = bare_ring ? cut_by_default(*gear) : std::nullopt;
     job.gears.push_back(cut ? *std::move(cut) : std::move(gear).take());
   }
+  for (std::size_t i = 0; i < job.gears.size(); ++i) job.gears[i].bore = spec.gears[i]->bore;
   if (want_pair) {
     const PairSpec asked{place ? place->center_distance : spec.pair.center_distance,
                          place ? place->shaft_angle : std::nullopt, spec.pair.friction_coefficient,

@@ -25,6 +25,14 @@ PairInput read_pair(const Json& node) {
   return p;
 }
 
+DrawingInput read_drawing(const Json& node) {
+  TableReader t(drawing_keys(), node, "drawing");
+  DrawingInput d;
+  t.read(d);
+  t.finish();
+  return d;
+}
+
 FitInput read_fit(const Json& node) {
   TableReader t(fit_keys(), node, "fit");
   FitInput f;
@@ -83,6 +91,7 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder) {
   if (is_gear(gear_2)) spec.gears[1] = read_gear(gear_keys(), *gear_2, "gear2", gear_1, folder);
   if (spec.gears[1] && helix_inherited) spec.gears[1]->helix_given = false;
   if (search) spec.search = read_search(*search, gear_1, gear_2);
+  if (const Json* node = t.table("drawing")) spec.drawing = read_drawing(*node);
   if (const Json* node = t.table("pair")) spec.pair = read_pair(*node);
   if (const Json* node = t.table("fit")) spec.fit = read_fit(*node);
   if (const Json* node = t.table("errors")) spec.errors = read_errors(*node);

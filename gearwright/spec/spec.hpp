@@ -14,6 +14,7 @@
 #include "gearwright/base/result.hpp"
 #include "gearwright/catalogue/compensate_keys.hpp"
 #include "gearwright/catalogue/contact_keys.hpp"
+#include "gearwright/catalogue/drawing_keys.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/catalogue/fit_keys.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
@@ -29,6 +30,7 @@ struct JobSpec {
   std::string tree;  ///< the same as a tree of tables, in JSON, with what gear 2 has from gear 1
   GivenKeys given;   ///< the paths of the keys in the text
   std::string title;
+  DrawingInput drawing;
   std::array<std::optional<GearInput>, 2> gears;  ///< without the first only beside a search
   PairInput pair;
   FitInput fit;

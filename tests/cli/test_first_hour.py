@@ -124,6 +124,24 @@ class Slips(Asked):
         self.assertNotIn("default", own)
 
 
+class TitleBlock(Asked):
+    def test_the_words_of_a_drawing_and_its_bore_are_at_every_door(self):
+        spec = ('[drawing]\nnumber = "GW-7"\nmaterial = "C45 <b>"\n' + GEAR +
+                "[gear1.bore]\ndiameter_mm = 12\nkeyway_width_mm = 4\nkeyway_depth_mm = 1.8\n")
+        job = self.ok("gear", spec)
+        self.assertEqual([job["drawing"][k] for k in ("number", "material", "date")], ["GW-7", "C45 <b>", None])
+        keys = ("bore_diameter_mm", "keyway_width_mm", "keyway_depth_mm")
+        self.assertEqual([job["gears"][0][k] for k in keys], [12, 4, 1.8])
+        self.assertIn("bore diameter", Run("gear", spec).out)
+        with tempfile.TemporaryDirectory() as folder:
+            self.ok("run", spec, "--out", folder, "--only", "report")
+            page = (pathlib.Path(folder) / "report.html").read_text()
+        self.assertIn("<dt>Number</dt><dd>GW-7</dd>", page)
+        self.assertIn("C45 &lt;b&gt;", page)
+        self.assertNotIn("<dt>Date</dt>", page)
+        self.refused(spec.replace('"GW-7"', "7"), "drawing.number", "a text in quotes", verb="gear")
+
+
 class Hands(Asked):
     def test_the_same_hand_is_asked_about(self):
         same = PAIR.replace("helix_angle_deg = -15", "helix_angle_deg = 15")
