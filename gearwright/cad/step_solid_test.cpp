@@ -202,7 +202,7 @@ TEST(StepSolid, WorkGrowsWithTheTeethAlone) {
 TEST(StepSolid, BoreTooLargeIsAnAnswer) {
   const auto made = step_document({with_bore(sample_body({}), {80.0})}, "c");
   ASSERT_FALSE(made);
-  EXPECT_EQ(made.error().field, "z20.bore.diameter");
+  EXPECT_EQ(made.error().field, "gear.bore.diameter");
   EXPECT_EQ(made.error().value, "80");
 }
 
