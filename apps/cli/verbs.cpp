@@ -20,6 +20,7 @@
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/files.hpp"
 #include "gearwright/job/fit_answer.hpp"
+#include "gearwright/job/identify_answer.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/measures.hpp"
@@ -81,7 +82,7 @@ std::string read_text(const std::string& path) {
 }
 
 std::string pair_listing_of(const SolvedJob& job) {
-  return job.pair ? pair_listing(*job.pair) : std::string();
+  return job.pair ? pair_listing(*job.pair) + pair_interval_listing(job) : std::string();
 }
 
 // For scripts: 4 where the verdict is not green and they want it to be.
@@ -190,12 +191,12 @@ int measure_verb(const Options& o) {
   auto solved = door.solve(Scope::gears);
   if (!solved) return door.fail(solved.error());
   SolvedJob job = std::move(solved).take();
-  const auto measures = chord_measures(job);
+  const auto measures = measure_gears(job);
   if (!measures) return door.fail(measures.error());
   if (o.json) {
     print_json(measures_json(job, *measures));
   } else {
-    print(measure_listing(*measures) + warning_listing(job.warnings));
+    print(measure_listing(job, *measures) + warning_listing(job.warnings));
   }
   return 0;
 }
@@ -225,6 +226,31 @@ int fit_verb(const Options& o) {
     print_json(fit_json(*answer));
   } else {
     print(fit_listing(*answer));
+  }
+  return 0;
+}
+
+int identify_verb(const Options& o) {
+  Door door(o);
+  const auto spec = door.read();
+  if (!spec) return door.fail(spec.error());
+  const auto answer = answer_identify(*spec);
+  if (!answer) return door.fail(answer.error());
+  const int count = static_cast<int>(answer->specs.size());
+  if (o.take && *o.take > count)
+    return door.fail({"--take", std::to_string(*o.take),
+                      fmt::format("there are {} candidates", count)});
+  if (o.take) {
+    const Json& taken = answer->specs[static_cast<std::size_t>(*o.take - 1)];
+    if (o.json) {
+      print_json(taken);
+    } else {
+      print(toml_text(taken));
+    }
+  } else if (o.json) {
+    print_json(identify_json(*answer));
+  } else {
+    print(identify_listing(*answer));
   }
   return 0;
 }

@@ -12,6 +12,7 @@
 #include "gearwright/job/backlash_thinning.hpp"
 #include "gearwright/job/cut_gears.hpp"
 #include "gearwright/job/solve_arcs.hpp"
+#include "gearwright/job/tolerance_ends.hpp"
 
 namespace gearwright {
 
@@ -294,6 +295,11 @@ bool asks_for_a_fit(const JobSpec& spec, const Error& error) {
 }
 
 Result<SolvedJob> solve_as_given(const JobSpec& given, Scope scope) {
+  if (!given.gears[0] && given.measured[0]) {
+    return Error{"gear1.normal_module", "",
+                 "is missing; the spec has the readings of an unknown gear. gearwright identify "
+                 "finds it, and its --take 1 writes the spec that this verb takes"};
+  }
   if (!given.gears[0]) {
     return Error{"gear1.teeth", "",
                  "is missing; the spec describes a search. gearwright search finds the "
@@ -375,8 +381,17 @@ Result<SolvedJob> solve_as_given(const JobSpec& given, Scope scope) {
 }  // namespace
 
 Result<SolvedJob> solve(const JobSpec& given, Scope scope) {
-  auto job = solve_as_given(given, scope);
-  if (job || !asks_for_a_fit(given, job.error())) return job;
+  const auto spec = with_allowances(given, solve_as_given);
+  if (!spec) return spec.error();
+  auto job = solve_as_given(*spec, scope);
+  if (job) {
+    auto ends = solve_ends(*job, scope, solve_as_given);
+    if (!ends) return ends.error();
+    SolvedJob solved = std::move(job).take();
+    solved.ends = std::move(ends).take();
+    return solved;
+  }
+  if (!asks_for_a_fit(given, job.error())) return job;
   Error error = job.error();
   error.rule +=
       ". The spec leaves numbers to be found: gearwright fit finds them, and its --take 1 writes "
