@@ -185,12 +185,16 @@ void CommandLine::add_files() {
   spec_argument(files, o);
   files->add_option("--gear", o.gear, "Only this gear, in its own frame; absent: both in place")
       ->check(CLI::Range(1, 2));
-  files->add_option("--step", o.step, "STEP AP242 solid");
+  files->add_option("--step", o.step, "STEP solid");
   files->add_option("--stl", o.stl, "STL mesh, binary");
   files->add_option("--glb", o.glb, "GLB (glTF 2.0) mesh");
   files->add_option("--3mf", o.threemf, "3MF mesh");
   files->add_option("--dxf", o.dxf, "DXF outline");
   files->add_option("--svg", o.svg, "SVG outline");
+  files
+      ->add_option("--step-schema", o.step_schema,
+                   "ap242 (default), or ap214 for systems that read nothing newer")
+      ->check(CLI::IsMember({"ap242", "ap214"}));
   files
       ->add_option("--mesh-tolerance", o.mesh_tolerance,
                    "mm between mesh and exact surface (default 0.005)")

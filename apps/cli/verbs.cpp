@@ -12,7 +12,6 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/cli/door.hpp"
-#include "apps/cli/step_module.hpp"
 #include "apps/common/speaking.hpp"
 #include "apps/common/watch.hpp"
 #include "gearwright/base/output_file.hpp"
@@ -77,7 +76,7 @@ class SlowProgress {
 
 FileOptions file_options(const Options& o) {
   FileOptions options;
-  options.step = step_maker();
+  options.step_schema = o.step_schema == "ap214" ? StepSchema::ap214 : StepSchema::ap242;
   options.progress = SlowProgress();
   options.mesh_tolerance_mm = o.mesh_tolerance;
   options.drawing_tolerance_mm = o.drawing_tolerance;

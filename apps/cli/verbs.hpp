@@ -17,6 +17,7 @@ struct Options {
   std::optional<int> gear;
   int points = 50;
   std::string step, stl, glb, threemf, dxf, svg;
+  std::string step_schema = "ap242";
   double mesh_tolerance = 0.005;     // mm
   double drawing_tolerance = 0.001;  // mm
   bool drawing_splines = false;

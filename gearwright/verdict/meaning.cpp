@@ -79,7 +79,6 @@ constexpr std::array<Entry, 43> kMeanings{{
     {"default_cutter", {kNote, "", ""}},
     {"tip_fillet_cut_off", {kNote, "", ""}},
     {"no_chord", {kNote, "", ""}},
-    {"no_step", {kNote, "", ""}},
     {"interference",
      {kProblem, "the flanks cut into each other",
       "A greater difference of the arcs’ radii would help.", true}},
