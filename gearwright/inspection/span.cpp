@@ -42,21 +42,25 @@ struct Teeth {
   int least, most;
 };
 
-// The k that can be measured; most < least: none.
-Teeth usable_teeth(const Gear& gear, const UsableFlank& flank) {
+// The k whose contacts lie on the usable flank, and within the face too; most < least: none.
+Teeth touching_teeth(const Gear& gear, const UsableFlank& flank, bool within_face) {
   const ReferenceGeometry<double>& g = gear.reference();
   const double lo = teeth_of(gear, length_to(g, flank.least()));
   const double hi = teeth_of(gear, length_to(g, flank.greatest()));
   const int z = std::abs(gear.spec.teeth);
   Teeth range{static_cast<int>(std::clamp(std::floor(lo), 1.0, double(z))),
               static_cast<int>(std::clamp(std::ceil(hi), 1.0, double(z)))};
-  while (range.least <= range.most && !span_of(gear, flank, range.least).usable()) ++range.least;
-  while (range.most >= range.least && !span_of(gear, flank, range.most).usable()) --range.most;
+  const auto good = [&](int k) {
+    const Span span = span_of(gear, flank, k);
+    return within_face ? span.usable() : span.place == ContactPlace::usable;
+  };
+  while (range.least <= range.most && !good(range.least)) ++range.least;
+  while (range.most >= range.least && !good(range.most)) --range.most;
   return range;
 }
 
 std::string range_text(const Gear& gear, const UsableFlank& flank) {
-  const Teeth k = usable_teeth(gear, flank);
+  const Teeth k = touching_teeth(gear, flank, true);
   const char* what = gear.internal() ? "spaces" : "teeth";
   if (k.most < k.least)
     return fmt::format("no number of {} can be measured on this flank and face", what);
@@ -91,7 +95,10 @@ Result<Span> span_over(const Gear& gear, int k) {
   const Span span = span_of(gear, *flank, k);
   if (!(span.length > 0.0))
     return no("the flanks lie the other way round there; " + range_text(gear, *flank));
-  if (span.place == ContactPlace::beyond_tip) {
+  // One more than touch the flank, or one less, still has a length to compare with: a warning's.
+  const Teeth on_flank = touching_teeth(gear, *flank, false);
+  const bool near = k >= on_flank.least - 1 && k <= on_flank.most + 1;
+  if (span.place == ContactPlace::beyond_tip && !near) {
     return no(fmt::format("the anvils would touch at a diameter of {} mm, beyond the tip at {} mm; "
                           "{}",
                           spoken(span.contact_diameter, flank->tip),
@@ -110,7 +117,7 @@ std::vector<Span> usable_spans(const Gear& gear, int most) {
   if (!measurable(gear)) return {};
   const auto flank = usable_flank(gear);
   if (!flank) return {};
-  const Teeth k = usable_teeth(gear, *flank);
+  const Teeth k = touching_teeth(gear, *flank, true);
   if (k.most < k.least) return {};
   // d_M grows with k: the nearest is one of the two around the k of the V circle.
   const ReferenceGeometry<double>& g = gear.reference();
