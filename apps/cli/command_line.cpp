@@ -155,9 +155,9 @@ void CommandLine::add_answering() {
   strict_flag(compensate, o);
   compensate->add_flag("--take", o.spec_only, "Print the corrected spec and nothing else");
 
-  CLI::App* measure =
-      json_verb("measure", "Spans, dimensions over balls and pins, chords, tolerances of the flanks",
-                "gearwright measure examples/helical_pair.toml");
+  CLI::App* measure = json_verb(
+      "measure", "Spans, dimensions over balls and pins, chords, tolerances of the flanks",
+      "gearwright measure examples/helical_pair.toml");
   spec_argument(measure, o);
 
   CLI::App* identify =

@@ -180,8 +180,7 @@ const KeyTable& gear_keys() {
         .symbol = "A",
         .kind = KeyKind::whole,
         .range = KeyRange::between(0, 12, ", the flank tolerance classes of ISO 1328-1"),
-        .place =
-            KeyPlace::within<GearInput>([](auto& g) -> auto& { return g.tolerance.quality; }),
+        .place = KeyPlace::within<GearInput>([](auto& g) -> auto& { return g.tolerance.quality; }),
         .fallback = "no tolerances",
         .meaning = "flank tolerance class (grade) of ISO 1328-1; also `quality` of `tolerance`",
         .also = {"grade", "accuracy_grade"}},

@@ -60,26 +60,27 @@ void say_candidate(Quantities<G>& q) {
          "that of the teeth as they are, thickness allowance included",
          [](const G& g) { return Value(g.generating_shift); })
       .always();
-  q.pure("", "generating_profile_shift", "generating profile shift coefficient", "x_E",
-         "the same", [](const G& g) { return Value(g.generating_shift); })
+  q.pure("", "generating_profile_shift", "generating profile shift coefficient", "x_E", "the same",
+         [](const G& g) { return Value(g.generating_shift); })
       .always()
       .doors(kJson);
   q.mm("", "tip_diameter_mm", "tip diameter", "d_a",
        "as read where it is longer than the shift alone makes it: a worn one is not",
        [](const G& g) { return Value(g.tip_diameter); })
       .always();
-  q.pure("", "profile_shift_of_tip", "shift that the tip shows", "x",
-         "null: no tip was read. Greater than x_E, it is the drawing's, or a part of it that wear has "
-         "left; what x_E lacks is the thickness allowance",
-         [](const G& g) { return Value(g.shift_of_tip); });
+  q.pure(
+      "", "profile_shift_of_tip", "shift that the tip shows", "x",
+      "null: no tip was read. Greater than x_E, it is the drawing's, or a part of it that wear has "
+      "left; what x_E lacks is the thickness allowance",
+      [](const G& g) { return Value(g.shift_of_tip); });
   q.add(Type::number, Unit::percent, "", "likelihood", "likelihood", "", "of all candidates 1",
         [](const G& g) { return Value(g.likelihood); })
       .always()
       .digits(2)
       .greater_first();
-  q.record("", "uncertainty", "± of 95 %", uncertainty_table,
-           [](const G& g) { return Value(uncertainty_quantities().of(g)); })
-      .always();
+  q.record("", "uncertainty", "± of 95 %", uncertainty_table, [](const G& g) {
+     return Value(uncertainty_quantities().of(g));
+   }).always();
 }
 
 const Quantities<Contradiction>& contradiction_quantities() {
@@ -105,8 +106,7 @@ const SaidTable& contradiction_table() { return contradiction_quantities().table
 const Quantities<NextMeasurement>& next_quantities() {
   using N = NextMeasurement;
   static const Quantities<N> kAll("identify.next_measurement", [](Quantities<N>& q) {
-    q.word("", "reading", "what to measure next", "",
-           [](const N& n) { return Value(n.reading); })
+    q.word("", "reading", "what to measure next", "", [](const N& n) { return Value(n.reading); })
         .always()
         .one_of({"span", "over_balls", "helix_angle"});
     q.pure("", "tool", "its teeth or balls", "k, D_M", "null: it has none",
@@ -133,8 +133,8 @@ const Quantities<IdentifiedGear>& identified_gear_quantities() {
 const Quantities<Identification>& identify_quantities() {
   using I = Identification;
   static const Quantities<I> kAll("identify", [](Quantities<I>& q) {
-    q.record("Candidate", "candidates", "the gears that it could be, likeliest first, each as in a spec",
-             candidate_table,
+    q.record("Candidate", "candidates",
+             "the gears that it could be, likeliest first, each as in a spec", candidate_table,
              [](const I& i) { return Value(identified_gear_quantities().each(i.candidates)); })
         .list({0})
         .always();

@@ -60,8 +60,9 @@ const KeyTable& tolerance_keys() {
        {.key = "thickness_series",
         .kind = KeyKind::text,
         .place = &ToleranceInput::series,
-        .meaning = "allowance and tolerance of DIN 3967, `\"cd25\"`: series a, ab, b, bc, c, cd, d, "
-                   "e, f, g or h, and 21 to 30; instead of `thickness_allowance_mm`",
+        .meaning =
+            "allowance and tolerance of DIN 3967, `\"cd25\"`: series a, ab, b, bc, c, cd, d, "
+            "e, f, g or h, and 21 to 30; instead of `thickness_allowance_mm`",
         .fields = {"series"},
         .also = {"din3967", "series"}},
        {.key = "span_mm",

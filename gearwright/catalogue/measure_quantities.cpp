@@ -21,6 +21,7 @@ constexpr const char* kSizes = "Sizes of balls and pins";
 constexpr const char* kChord =
     "Chordal tooth thickness (shortest over all inclinations of the calliper)";
 constexpr const char* kConstant = "Constant chord";
+constexpr const char* kRanges = "Profile and helix on a measuring machine";
 constexpr const char* kTolerances = "Tolerances of the flanks by ISO 1328";
 constexpr const char* kThickness = "Tooth thickness on that cylinder, and base pitch";
 
@@ -71,9 +72,9 @@ void say_seat(Quantities<V>& q, const Seat& seat) {
   q.mm("", "center_diameter_mm", "diameter of their centres", "d_K", "[T10.6]", [seat](const V& v) {
      return Value(seat(v).center_diameter);
    }).always();
-  q.mm("", "contact_diameter_mm", "diameter of the contacts", "d_M", "[T10.7]",
-       [seat](const V& v) { return Value(seat(v).contact_diameter); })
-      .always();
+  q.mm("", "contact_diameter_mm", "diameter of the contacts", "d_M", "[T10.7]", [seat](const V& v) {
+     return Value(seat(v).contact_diameter);
+   }).always();
   q.mm("", "contact_offset_mm", "contacts before and behind the centre", "",
        "along the axis, one each way: D_M sin |β_b|/2",
        [seat](const V& v) { return Value(seat(v).contact_offset); })
@@ -94,8 +95,8 @@ const Quantities<BallView>& ball_quantities() {
          "both in one transverse plane, in opposite spaces or those nearest to it [T10.8]",
          [](const B& b) { return Value(b.dimension); })
         .always();
-    q.mm("", "radial_mm", "from the axis over one ball", "M_rK",
-         "of an internal gear inside it", [](const B& b) { return Value(b.seat.radial); })
+    q.mm("", "radial_mm", "from the axis over one ball", "M_rK", "of an internal gear inside it",
+         [](const B& b) { return Value(b.seat.radial); })
         .always();
     say_seat<B>(q, [](const B& b) -> const BallSeat& { return b.seat; });
   });
@@ -140,7 +141,8 @@ const Quantities<BallSizes>& size_quantities() {
     q.mm("", "metric_mm", "nearest metric size", "", "of measuring pins by DIN 3977",
          [](const S& s) { return Value(s.metric); })
         .always();
-    q.word("", "inch", "nearest inch size", "balls by 1/64 in, from 1/2 in by 1/32 in, from 1 in "
+    q.word("", "inch", "nearest inch size",
+           "balls by 1/64 in, from 1/2 in by 1/32 in, from 1 in "
            "by 1/16 in",
            [](const S& s) { return Value(inch_text(s.inch)); })
         .always();
@@ -225,8 +227,8 @@ const SaidTable& thickness_table() { return thickness_quantities().table(); }
 const Quantities<FlankToleranceValues>& tolerance_quantities() {
   using T = FlankToleranceValues;
   static const Quantities<T> kAll("measure.tolerances", [](Quantities<T>& q) {
-    const auto um = [&](const char* key, const char* words, const char* symbol,
-                        const char* meaning, double T::*member) {
+    const auto um = [&](const char* key, const char* words, const char* symbol, const char* meaning,
+                        double T::*member) {
       q.add(Type::number, Unit::um, "", key, words, symbol, meaning,
             [member](const T& t) { return Value(t.*member); })
           .always()
@@ -255,6 +257,39 @@ const Quantities<FlankToleranceValues>& tolerance_quantities() {
 }
 const SaidTable& tolerance_table() { return tolerance_quantities().table(); }
 
+const Quantities<EvaluationRanges>& range_quantities() {
+  using R = EvaluationRanges;
+  static const Quantities<R> kAll("measure.flank", [](Quantities<R>& q) {
+    const auto place = [&](const char* length, const char* angle, const char* words,
+                           const char* roll, const char* symbol, RollPlace R::*at) {
+      q.mm("", length, words, symbol, "[T10.22]", [at](const R& r) {
+         return Value((r.*at).length);
+       }).always();
+      q.deg("", angle, roll, "", "[T10.22]", [at](const R& r) {
+         return Value(deg((r.*at).angle));
+       }).always();
+    };
+    place("root_form_roll_length_mm", "root_form_roll_angle_deg", "roll length at d_Ff",
+          "roll angle at d_Ff", "L_Ff", &R::root_form);
+    place("reference_roll_length_mm", "reference_roll_angle_deg", "roll length at d",
+          "roll angle at d", "L", &R::reference);
+    place("tip_form_roll_length_mm", "tip_form_roll_angle_deg", "roll length at d_Fa",
+          "roll angle at d_Fa", "L_Fa", &R::tip_form);
+    q.mm("", "profile_evaluation_mm", "profile evaluation, roll lengths", "L_α",
+         "ISO 1328-1: the usable profile but for a twentieth at its tip [T10.23]",
+         [](const R& r) { return Value(r.profile); })
+        .ends()
+        .always();
+    q.mm("", "helix_evaluation_mm", "helix evaluation, heights", "L_β",
+         "from the middle of the face: but for a twentieth, or a module, at each end [T10.23]",
+         [](const R& r) { return Value(r.helix); })
+        .ends()
+        .always();
+  });
+  return kAll;
+}
+const SaidTable& range_table() { return range_quantities().table(); }
+
 template <class T>
 Value record_of(const Quantities<T>& quantities, const std::optional<T>& subject) {
   return subject ? Value(quantities.of(*subject)) : Value();
@@ -282,15 +317,16 @@ void say_measure(Quantities<MeasureView>& q) {
   q.record(kThickness, "tooth_thickness", "null: the flank does not reach there", thickness_table,
            [](const M& m) { return record_of(thickness_quantities(), m.thickness); });
   q.mm(kThickness, "normal_base_pitch_mm", "normal base pitch", "p_bn",
-       "between two flanks of one hand, along their common normal", [](const M& m) {
-         return m.reference ? Value(m.reference->base_pitch_normal) : Value();
-       });
-  q.mm(kThickness, "transverse_base_pitch_mm", "transverse base pitch", "p_bt", "π d_b/z",
-       [](const M& m) {
-         return m.reference ? Value(m.reference->base_pitch_transverse) : Value();
-       });
+       "between two flanks of one hand, along their common normal",
+       [](const M& m) { return m.reference ? Value(m.reference->base_pitch_normal) : Value(); });
+  q.mm(
+      kThickness, "transverse_base_pitch_mm", "transverse base pitch", "p_bt", "π d_b/z",
+      [](const M& m) { return m.reference ? Value(m.reference->base_pitch_transverse) : Value(); });
+  q.record(kRanges, "flank", "null: there is no usable flank", range_table,
+           [](const M& m) { return record_of(range_quantities(), m.ranges); });
   q.record(kTolerances, "tolerances", "with `quality`; ISO 1328-1, the edition of the spec",
-           tolerance_table, [](const M& m) { return record_of(tolerance_quantities(), m.tolerances); })
+           tolerance_table,
+           [](const M& m) { return record_of(tolerance_quantities(), m.tolerances); })
       .when([](const M& m) { return m.tolerances.has_value(); });
 }
 

@@ -10,6 +10,7 @@
 #include "gearwright/inspection/balls.hpp"
 #include "gearwright/inspection/chordal_thickness.hpp"
 #include "gearwright/inspection/constant_chord.hpp"
+#include "gearwright/inspection/evaluation_ranges.hpp"
 #include "gearwright/inspection/flank_tolerances.hpp"
 #include "gearwright/inspection/span.hpp"
 
@@ -49,7 +50,8 @@ struct MeasureView {
   std::optional<ConstantChord> constant;
   std::optional<ThicknessView> thickness;
   std::optional<ReferenceGeometry<double>> reference;  ///< of an involute gear
-  std::optional<FlankToleranceValues> tolerances;      ///< with a grade
+  std::optional<EvaluationRanges> ranges;
+  std::optional<FlankToleranceValues> tolerances;  ///< with a grade
 };
 
 /// Of one gear.

@@ -67,8 +67,8 @@ const KeyTable& measured_keys() {
         .place = reading([](auto& p) -> auto& { return p.lead.value; }),
         .meaning = "lead, > 0 right hand"},
        uncertainty("lead_uncertainty_mm",
-                   reading([](auto& p) -> auto& { return p.lead.uncertainty; }),
-                   "2 % of the lead", "of the lead"),
+                   reading([](auto& p) -> auto& { return p.lead.uncertainty; }), "2 % of the lead",
+                   "of the lead"),
        {.key = "helix_angle_deg",
         .symbol = "β",
         .range = KeyRange::between(-89, 89),
@@ -117,8 +117,8 @@ const KeyTable& measured_ball_keys() {
 const KeyTable& unknown_gear_keys() {
   static const KeyTable table = [] {
     KeyTable t{"unknown_gear", "What may be known of a gear beside its readings", {}};
-    for (const char* key : {"teeth", "normal_pressure_angle_deg", "helix_angle_deg",
-                            "face_width_mm", "measured"})
+    for (const char* key :
+         {"teeth", "normal_pressure_angle_deg", "helix_angle_deg", "face_width_mm", "measured"})
       t.keys.push_back(*gear_keys().find(key));
     return t;
   }();

@@ -18,9 +18,9 @@ using std::numbers::pi;
 
 // Diameters of measuring pins and balls for gears, mm: those of DIN 3977 that shops have.
 constexpr std::array kMetric{
-    0.3, 0.35, 0.4, 0.45, 0.5,  0.55, 0.6, 0.65, 0.7, 0.75, 0.8, 0.85, 0.9, 0.95, 1.0, 1.1,
-    1.2, 1.3,  1.4, 1.5,  1.6,  1.7,  1.8, 1.9,  2.0, 2.25, 2.5, 2.75, 3.0, 3.25, 3.5, 3.75,
-    4.0, 4.25, 4.5, 5.0,  5.25, 5.5,  6.0, 6.5,  7.0, 7.5,  8.0, 9.0,  10.0, 10.5, 11.0, 12.0,
+    0.3,  0.35, 0.4,  0.45, 0.5,  0.55, 0.6,  0.65, 0.7,  0.75, 0.8,  0.85, 0.9,  0.95, 1.0,  1.1,
+    1.2,  1.3,  1.4,  1.5,  1.6,  1.7,  1.8,  1.9,  2.0,  2.25, 2.5,  2.75, 3.0,  3.25, 3.5,  3.75,
+    4.0,  4.25, 4.5,  5.0,  5.25, 5.5,  6.0,  6.5,  7.0,  7.5,  8.0,  9.0,  10.0, 10.5, 11.0, 12.0,
     14.0, 15.0, 16.0, 18.0, 20.0, 22.0, 25.0, 28.0, 30.0, 35.0, 40.0, 45.0, 50.0};
 
 struct Base {
@@ -50,8 +50,8 @@ std::string sizes_text(const Gear& gear, const UsableFlank& flank) {
   const auto lo = ball_touching_at(gear, flank.root_end);
   const auto hi = ball_touching_at(gear, flank.tip_end);
   if (!lo || !hi) return "no ball rests on these flanks";
-  return fmt::format("balls of {} to {} mm touch on the usable flank",
-                     spoken(std::min(*lo, *hi)), spoken(std::max(*lo, *hi)));
+  return fmt::format("balls of {} to {} mm touch on the usable flank", spoken(std::min(*lo, *hi)),
+                     spoken(std::max(*lo, *hi)));
 }
 
 // A ball where the two helicoids say, whatever else is in its way; none: they do not meet.
@@ -76,7 +76,8 @@ std::optional<BallSeat> seat_of(const Gear& gear, const UsableFlank& flank, doub
 
 // The diameter of the root as it is cut: no ball's lowest point gets past it.
 bool hits_root(const Gear& gear, const BallSeat& seat) {
-  const double lowest = seat.center_diameter / 2 - (gear.internal() ? -1 : 1) * seat.ball_diameter / 2;
+  const double lowest =
+      seat.center_diameter / 2 - (gear.internal() ? -1 : 1) * seat.ball_diameter / 2;
   return gear.internal() ? 2 * lowest > gear.root_diameter : 2 * lowest < gear.root_diameter;
 }
 
@@ -101,10 +102,11 @@ Result<BallSeat> ball_in_space(const Gear& gear, double ball) {
                              sizes);
   }
   if (seat->place == ContactPlace::beyond_tip)
-    return no_ball(ball, fmt::format("rests on the tips: it would touch the flanks at {} mm, beyond "
-                                     "the tip at {} mm; {}",
-                                     spoken(seat->contact_diameter, flank->tip),
-                                     spoken(flank->tip, seat->contact_diameter), sizes));
+    return no_ball(ball,
+                   fmt::format("rests on the tips: it would touch the flanks at {} mm, beyond "
+                               "the tip at {} mm; {}",
+                               spoken(seat->contact_diameter, flank->tip),
+                               spoken(flank->tip, seat->contact_diameter), sizes));
   if (hits_root(gear, *seat))
     return no_ball(ball, fmt::format("falls between the teeth onto the root at {} mm before it "
                                      "touches both flanks; {}",
@@ -151,8 +153,8 @@ double least_across(double delta, double T) {
 PinReading over_pins(const Gear& gear, const BallSeat& seat) {
   const int z = std::abs(gear.spec.teeth);
   GW_EXPECTS(z >= 2);
-  const double tan_K =
-      seat.center_diameter / gear.reference().base_diameter * std::tan(gear.reference().base_helix_angle);
+  const double tan_K = seat.center_diameter / gear.reference().base_diameter *
+                       std::tan(gear.reference().base_helix_angle);
   if (gear.spec.helix_angle.rad() == 0.0) {
     const double both = over_two_balls(gear, seat);
     return {both, both};
@@ -207,9 +209,8 @@ double nearest_inch(double mm) {
 }
 
 double nearest_metric(double mm) {
-  return *std::min_element(kMetric.begin(), kMetric.end(), [&](double a, double b) {
-    return std::abs(a - mm) < std::abs(b - mm);
-  });
+  return *std::min_element(kMetric.begin(), kMetric.end(),
+                           [&](double a, double b) { return std::abs(a - mm) < std::abs(b - mm); });
 }
 
 }  // namespace

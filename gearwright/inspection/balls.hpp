@@ -25,8 +25,8 @@ struct BallSeat {
   double center_pressure_angle;  ///< α_Kt  rad
   double center_diameter;        ///< d_K   mm
   double contact_diameter;       ///< d_M   mm
-  double contact_offset;         ///< mm: the contacts lie so far before and behind the ball's centre
-  double radial;                 ///< M_r   mm, from the axis over the ball, of a ring inside it
+  double contact_offset;  ///< mm: the contacts lie so far before and behind the ball's centre
+  double radial;          ///< M_r   mm, from the axis over the ball, of a ring inside it
   ContactPlace place;
 
   bool usable() const { return place == ContactPlace::usable; }

@@ -24,15 +24,15 @@ struct ToleranceSubject {
 
 /// All µm, rounded as the standard says.
 struct FlankToleranceValues {
-  double single_pitch;               ///< f_ptT
-  double cumulative_pitch;           ///< F_pT, total
-  double profile_total;              ///< F_αT
-  double profile_form;               ///< f_fαT
-  double profile_slope;              ///< f_HαT
-  double helix_total;                ///< F_βT
-  double helix_form;                 ///< f_fβT
-  double helix_slope;                ///< f_HβT
-  double runout;                     ///< F_rT
+  double single_pitch;                           ///< f_ptT
+  double cumulative_pitch;                       ///< F_pT, total
+  double profile_total;                          ///< F_αT
+  double profile_form;                           ///< f_fαT
+  double profile_slope;                          ///< f_HαT
+  double helix_total;                            ///< F_βT
+  double helix_form;                             ///< f_fβT
+  double helix_slope;                            ///< f_HβT
+  double runout;                                 ///< F_rT
   std::optional<double> radial_composite;        ///< F_i″, total, ISO 1328-2:1997
   std::optional<double> tooth_radial_composite;  ///< f_i″, tooth to tooth
 };

@@ -51,8 +51,7 @@ class Searching {
     }
     if (const auto module = module_of_pitch()) {
       // No standard's: the pressure angle then is the usual one, or the known.
-      const double alpha =
-          problem_.normal_pressure_angle.value_or(Angle::degrees(20)).rad();
+      const double alpha = problem_.normal_pressure_angle.value_or(Angle::degrees(20)).rad();
       add({*module / std::cos(alpha), alpha, ModuleSeries::none, {}, kLogOwnModule}, found);
     }
     std::sort(found.begin(), found.end(),
@@ -185,8 +184,8 @@ bool is_double(const Found& a, const Found& b) {
 std::vector<Found> without_doubles(const std::vector<Found>& all) {
   std::vector<Found> kept;
   for (const Found& f : all) {
-    const auto same = std::find_if(kept.begin(), kept.end(),
-                                   [&](const Found& k) { return is_double(k, f); });
+    const auto same =
+        std::find_if(kept.begin(), kept.end(), [&](const Found& k) { return is_double(k, f); });
     if (same == kept.end()) kept.push_back(f);
   }
   return kept;
@@ -199,7 +198,8 @@ double signed_helix(const IdentifyProblem& p, double beta) {
   return left ? -beta : beta;
 }
 
-std::vector<IdentifiedGear> candidates_of(const IdentifyProblem& p, const std::vector<Found>& found) {
+std::vector<IdentifiedGear> candidates_of(const IdentifyProblem& p,
+                                          const std::vector<Found>& found) {
   std::vector<IdentifiedGear> list;
   if (found.empty()) return list;
   double sum = 0.0;

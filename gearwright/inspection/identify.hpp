@@ -58,7 +58,7 @@ enum class ModuleSeries { iso54_1, iso54_2, diametral_pitch, none };
 
 struct IdentifiedGear {
   int teeth;
-  double normal_module;                   ///< m_n  mm
+  double normal_module;  ///< m_n  mm
   ModuleSeries series;
   std::optional<double> diametral_pitch;  ///< 1/in, of that series
   Angle normal_pressure_angle;            ///< α_n
@@ -90,10 +90,10 @@ struct NextMeasurement {
 };
 
 struct Identification {
-  std::vector<IdentifiedGear> candidates;        ///< likeliest first
-  std::optional<Contradiction> contradiction;    ///< the candidates are those of the other readings
-  std::optional<NextMeasurement> next;           ///< none: one candidate is left, or none decides
-  std::string reason;                            ///< why there is no candidate
+  std::vector<IdentifiedGear> candidates;      ///< likeliest first
+  std::optional<Contradiction> contradiction;  ///< the candidates are those of the other readings
+  std::optional<NextMeasurement> next;         ///< none: one candidate is left, or none decides
+  std::string reason;                          ///< why there is no candidate
 };
 
 /// Candidates that one should know of, at most so many.

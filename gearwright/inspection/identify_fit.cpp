@@ -24,9 +24,7 @@ double& unknown(GearNumbers& g, int which) {
 }
 
 // Steps of the differences, and of an end: small beside what readings tell apart.
-double step_of(const GearNumbers& g, int which) {
-  return which == 2 ? 1e-6 * g.module : 1e-6;
-}
+double step_of(const GearNumbers& g, int which) { return which == 2 ? 1e-6 * g.module : 1e-6; }
 
 // Residuals, and the shift's own scatter as the last of them.
 bool residuals(const GearNumbers& g, const std::vector<Observation>& readings,

@@ -23,7 +23,7 @@ struct RackFit {
   double log_evidence;
 };
 
-/// Gauss-Newton from `start`; the evidence is [T10.23]. None: a tool finds no flank there, or the readings do not say the unknowns.
+/// Gauss-Newton from `start`; the evidence is [T10.25]. None: a tool finds no flank there, or the readings do not say the unknowns.
 std::optional<RackFit> fit_rack(const GearNumbers& start, const Unknowns& unknowns,
                                 const std::vector<Observation>& readings);
 

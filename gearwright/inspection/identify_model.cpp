@@ -14,14 +14,14 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kSigmas = 1.96;            // of 95 %
-constexpr double kLeadUncertainty = 0.02;   // of the lead: what rolling a gear over paper gives
-constexpr double kHelixUncertainty = 0.5;   // degrees
-constexpr double kLength = 0.02;            // mm
+constexpr double kSigmas = 1.96;           // of 95 %
+constexpr double kLeadUncertainty = 0.02;  // of the lead: what rolling a gear over paper gives
+constexpr double kHelixUncertainty = 0.5;  // degrees
+constexpr double kLength = 0.02;           // mm
 // What a drawing may say and a reading cannot know, standard deviations in modules.
-constexpr double kTipScatter = 0.15;        // wear, shortening, x − x_E
+constexpr double kTipScatter = 0.15;  // wear, shortening, x − x_E
 constexpr double kRootScatter = 0.04;
-constexpr double kDistanceScatter = 0.5;    // the mating gear's shift
+constexpr double kDistanceScatter = 0.5;  // the mating gear's shift
 constexpr std::array kAddenda{1.0, 0.8};
 constexpr std::array kDedenda{1.25, 1.4, 1.0, 1.157, 1.2, 1.35};
 
@@ -93,8 +93,7 @@ std::optional<double> reading_of(const GearNumbers& g, const Observation& o) {
       if (b.sigma < 0) return b.cos_b * (o.tool * b.p_bt - b.s_bt);
       return b.cos_b * ((o.tool - 1) * b.p_bt + b.s_bt);
     case Kind::balls: {
-      const double inv =
-          b.sigma * (o.tool / (b.d_b * b.cos_b) - pi / z + b.s_bt / b.d_b);
+      const double inv = b.sigma * (o.tool / (b.d_b * b.cos_b) - pi / z + b.s_bt / b.d_b);
       if (!(inv > 0.0) || inv > 10.0) return std::nullopt;
       const double d_K = b.d_b / std::cos(inverse_involute(inv));
       const double across = g.teeth % 2 == 0 ? 1.0 : std::cos(pi / (2 * z));
@@ -103,7 +102,8 @@ std::optional<double> reading_of(const GearNumbers& g, const Observation& o) {
     case Kind::tip: return b.d + b.sigma * 2 * g.module * (kAddenda.front() + g.shift);
     case Kind::root: return b.d - b.sigma * 2 * g.module * (kDedenda.front() - g.shift);
     case Kind::distance: {
-      const double sum = o.tool * g.teeth > 0 ? z + std::abs(o.tool) : std::abs(z - std::abs(o.tool));
+      const double sum =
+          o.tool * g.teeth > 0 ? z + std::abs(o.tool) : std::abs(z - std::abs(o.tool));
       return sum * g.module / std::cos(g.beta) / 2;
     }
     default: return std::nullopt;

@@ -90,7 +90,8 @@ struct Random {
     return lo + static_cast<int>(bits() % static_cast<unsigned>(hi - lo + 1));
   }
   double normal() {  // Box-Muller: the same on every machine
-    return std::sqrt(-2 * std::log(uniform(1e-300, 1))) * std::cos(2 * 3.141592653589793 * uniform(0, 1));
+    return std::sqrt(-2 * std::log(uniform(1e-300, 1))) *
+           std::cos(2 * 3.141592653589793 * uniform(0, 1));
   }
   template <std::size_t n>
   double of(const std::array<double, n>& list) {
@@ -178,9 +179,8 @@ Counted identified(int wanted, unsigned seed) {
     }
     const auto start = std::chrono::steady_clock::now();
     const auto found = testing::taken(identify(read));
-    const double ms = std::chrono::duration<double, std::milli>(
-                          std::chrono::steady_clock::now() - start)
-                          .count();
+    const double ms =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     n.slowest_ms = std::max(n.slowest_ms, ms);
     n.total_ms += ms;
     ++n.gears;
@@ -203,10 +203,11 @@ Counted identified(int wanted, unsigned seed) {
     n.covered += std::abs(first.generating_shift - gear.reference().generating_profile_shift) <=
                  first.shift_uncertainty;
   }
-  std::printf("identify: %d of %d decidable gears first (%.2f %%), %d undecidable; ± covers %.2f %% "
-              "of %d; %.2f ms each, %.1f ms the slowest\n",
-              n.first, n.decidable, 100.0 * n.first / n.decidable, n.gears - n.decidable,
-              100.0 * n.covered / n.known, n.known, n.total_ms / n.gears, n.slowest_ms);
+  std::printf(
+      "identify: %d of %d decidable gears first (%.2f %%), %d undecidable; ± covers %.2f %% "
+      "of %d; %.2f ms each, %.1f ms the slowest\n",
+      n.first, n.decidable, 100.0 * n.first / n.decidable, n.gears - n.decidable,
+      100.0 * n.covered / n.known, n.known, n.total_ms / n.gears, n.slowest_ms);
   return n;
 }
 

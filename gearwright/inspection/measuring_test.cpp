@@ -12,9 +12,10 @@
 
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/inspection/balls.hpp"
-#include "gearwright/inspection/constant_chord.hpp"
 #include "gearwright/inspection/chord_series.hpp"
 #include "gearwright/inspection/chordal_thickness.hpp"
+#include "gearwright/inspection/constant_chord.hpp"
+#include "gearwright/inspection/evaluation_ranges.hpp"
 #include "gearwright/inspection/span.hpp"
 
 namespace gearwright {
@@ -88,8 +89,8 @@ Touch nearest(const Flank& flank, const Point& center, Real reach) {
   const auto best_z = [&](Real u) {
     return golden([&](Real z) { return norm(flank.at(u, z) - center); }, -reach, reach);
   };
-  const Real u = golden([&](Real v) { return norm(flank.at(v, best_z(v)) - center); }, Real(0),
-                        Real(3));
+  const Real u =
+      golden([&](Real v) { return norm(flank.at(v, best_z(v)) - center); }, Real(0), Real(3));
   const Real z = best_z(u);
   return {norm(flank.at(u, z) - center), u, z};
 }
@@ -131,8 +132,9 @@ SpanByDistance stationary(const Drawing& d, int k, Real u, Real z) {
     const Real fz = (f(u, z + hz) - f(u, z - hz)) / (2 * hz);
     const Real uu = (f(u + hu, z) - 2 * f(u, z) + f(u - hu, z)) / (hu * hu);
     const Real zz = (f(u, z + hz) - 2 * f(u, z) + f(u, z - hz)) / (hz * hz);
-    const Real uz = (f(u + hu, z + hz) - f(u + hu, z - hz) - f(u - hu, z + hz) + f(u - hu, z - hz)) /
-                    (4 * hu * hz);
+    const Real uz =
+        (f(u + hu, z + hz) - f(u + hu, z - hz) - f(u - hu, z + hz) + f(u - hu, z - hz)) /
+        (4 * hu * hz);
     const Real det = uu * zz - uz * uz;
     const Real du = (zz * fu - uz * fz) / det, dz = (uu * fz - uz * fu) / det;
     u -= du;
@@ -140,7 +142,8 @@ SpanByDistance stationary(const Drawing& d, int k, Real u, Real z) {
     if (std::abs(du) + std::abs(dz) / d.m < 1e-15L) break;
   }
   const Point line = a.at(u, z) - b.at(u, -z);
-  const Point along_u = a.at(u + hu, z) - a.at(u - hu, z), along_z = a.at(u, z + hz) - a.at(u, z - hz);
+  const Point along_u = a.at(u + hu, z) - a.at(u - hu, z),
+              along_z = a.at(u, z + hz) - a.at(u, z - hz);
   const Point normal = cross(along_u, along_z);
   return {norm(line), d.r_b() * std::sqrt(1 + u * u),
           norm(cross(line, normal)) / norm(line) / norm(normal)};
@@ -151,7 +154,9 @@ struct Random {
   double uniform(double lo, double hi) {
     return lo + (hi - lo) * (static_cast<double>(bits() >> 11) * 0x1p-53);
   }
-  int whole(int lo, int hi) { return lo + static_cast<int>(bits() % static_cast<unsigned>(hi - lo + 1)); }
+  int whole(int lo, int hi) {
+    return lo + static_cast<int>(bits() % static_cast<unsigned>(hi - lo + 1));
+  }
 };
 
 Drawing drawn(Random& random, bool internal) {
@@ -193,7 +198,8 @@ TEST(Balls, rest_where_a_ball_pushed_into_the_space_does) {
     if (!seat) continue;
     const BallByPushing found = pushed(d, ball, seat->center_diameter / 2);
     const double scale = static_cast<double>(d.r());
-    worst = std::max(worst, std::abs(seat->center_diameter / 2 - double(found.center_radius)) / scale);
+    worst =
+        std::max(worst, std::abs(seat->center_diameter / 2 - double(found.center_radius)) / scale);
     EXPECT_NEAR(seat->center_diameter / 2, double(found.center_radius), 1e-13 * scale) << i;
     // The nearest point of a smooth surface is found to the root of the rounding.
     EXPECT_NEAR(seat->contact_diameter / 2, double(found.contact_radius), 1e-7 * scale) << i;
@@ -257,8 +263,7 @@ TEST(Pins, that_tilt_freely_find_the_least_distance_of_two_helices) {
     for (int n = -4000; n <= 4000; ++n)
       if (distance(reach * n / 4000) < distance(best)) best = reach * n / 4000;
     best = golden(distance, best - reach / 2000, best + reach / 2000);
-    EXPECT_NEAR(*pins.two_free, double(distance(best)) + seat->ball_diameter,
-                1e-12 * double(r_K))
+    EXPECT_NEAR(*pins.two_free, double(distance(best)) + seat->ball_diameter, 1e-12 * double(r_K))
         << i;
     EXPECT_GE(*pins.three, over_two_balls(gear, *seat));
     EXPECT_LE(*pins.two_free, over_two_balls(gear, *seat) * (1 + 1e-15));
@@ -299,7 +304,8 @@ TEST(Balls, laws) {
     const double M = over_two_balls(gear, *seat);
     const auto s_bt = base_thickness_from_balls(gear, *ball, M);
     ASSERT_TRUE(s_bt);
-    EXPECT_NEAR(*s_bt, gear.reference().base_tooth_thickness, 1e-13 * gear.reference_diameter);  // (2)
+    EXPECT_NEAR(*s_bt, gear.reference().base_tooth_thickness,
+                1e-13 * gear.reference_diameter);  // (2)
     Drawing other = d;
     other.beta = -d.beta;
     const Gear mirrored = made(other);
@@ -366,9 +372,11 @@ TEST(Chord, of_the_virtual_gear_is_that_of_the_case_file) {
     int z;
     double m, beta, x, chord, height;
   };
-  for (const Case& c : {Case{24, 3, 15, 0.3, 5.363498268103879433824, 3.990120857144599608938},
-                        Case{33, 1.5, 30, -0.1, 2.246677872337183887103, 1.366561615953651527592}}) {
-    const Gear gear = made({c.z, Real(c.m), 20 * kPi / 180, Real(c.beta) * kPi / 180, Real(c.x), 0});
+  for (const Case& c :
+       {Case{24, 3, 15, 0.3, 5.363498268103879433824, 3.990120857144599608938},
+        Case{33, 1.5, 30, -0.1, 2.246677872337183887103, 1.366561615953651527592}}) {
+    const Gear gear =
+        made({c.z, Real(c.m), 20 * kPi / 180, Real(c.beta) * kPi / 180, Real(c.x), 0});
     const auto arc = tooth_arc(gear, gear.reference_diameter);
     const auto virtual_chord = virtual_spur(arc.half_angle, arc.helix_angle, arc.radius).chord();
     EXPECT_NEAR(virtual_chord.chord, c.chord, 1e-12 * c.chord);
@@ -393,6 +401,19 @@ TEST(ConstantChord, ends_on_both_flanks) {
     const double turned = std::asin(across / (c->contact_diameter / 2)) + z * gear.twist();
     EXPECT_NEAR(turned, arc.half_angle, 1e-13) << i << " " << double(d.beta);
   }
+}
+
+// d_b 37.588: L at 40 is 40 sin 20°/2 = 6.8404, and the roll angle tan 20°.
+TEST(EvaluationRanges, of_a_spur_gear_by_hand) {
+  const Gear gear = made({20, 2, 20 * kPi / 180, 0, 0, 0});
+  const auto ranges = evaluation_ranges(gear);
+  ASSERT_TRUE(ranges);
+  EXPECT_NEAR(ranges->reference.length, 6.840402866513375, 1e-14);
+  EXPECT_NEAR(ranges->reference.angle, std::tan(0.3490658503988659), 1e-15);
+  EXPECT_EQ(ranges->profile[0], ranges->root_form.length);
+  EXPECT_NEAR(ranges->profile[1] - ranges->profile[0],
+              0.95 * (ranges->tip_form.length - ranges->root_form.length), 1e-14);
+  EXPECT_EQ(ranges->helix[1], 38.0);  // a face of 80: two modules less at each end, not 4 mm
 }
 
 }  // namespace

@@ -83,11 +83,11 @@ double thickness_per_span(const Gear& gear) {
 
 Result<Span> span_over(const Gear& gear, int k) {
   const auto no = [&](const std::string& why) { return refused("span_teeth", k, why); };
-  if (!gear.involute())
-    return no("spans are measured on involute flanks; these are circular arcs");
+  if (!gear.involute()) return no("spans are measured on involute flanks; these are circular arcs");
   if (!measurable(gear))
-    return no("plane anvils do not reach into the spaces of an internal helical gear; measure "
-              "between balls");
+    return no(
+        "plane anvils do not reach into the spaces of an internal helical gear; measure "
+        "between balls");
   const auto flank = usable_flank(gear);
   if (!flank) return no("there is no usable flank to measure; see the gear's warnings");
   const int z = std::abs(gear.spec.teeth);
@@ -99,10 +99,11 @@ Result<Span> span_over(const Gear& gear, int k) {
   const Teeth on_flank = touching_teeth(gear, *flank, false);
   const bool near = k >= on_flank.least - 1 && k <= on_flank.most + 1;
   if (span.place == ContactPlace::beyond_tip && !near) {
-    return no(fmt::format("the anvils would touch at a diameter of {} mm, beyond the tip at {} mm; "
-                          "{}",
-                          spoken(span.contact_diameter, flank->tip),
-                          spoken(flank->tip, span.contact_diameter), range_text(gear, *flank)));
+    return no(
+        fmt::format("the anvils would touch at a diameter of {} mm, beyond the tip at {} mm; "
+                    "{}",
+                    spoken(span.contact_diameter, flank->tip),
+                    spoken(flank->tip, span.contact_diameter), range_text(gear, *flank)));
   }
   return span;
 }
@@ -123,9 +124,7 @@ std::vector<Span> usable_spans(const Gear& gear, int most) {
   const ReferenceGeometry<double>& g = gear.reference();
   const double d_v = std::max(v_circle_diameter(gear), g.base_diameter);
   const double real = teeth_of(gear, length_to(g, d_v));
-  const auto off = [&](int n) {
-    return std::abs(span_of(gear, *flank, n).contact_diameter - d_v);
-  };
+  const auto off = [&](int n) { return std::abs(span_of(gear, *flank, n).contact_diameter - d_v); };
   const int below = static_cast<int>(std::clamp(std::floor(real), double(k.least), double(k.most)));
   const int above = std::min(below + 1, k.most);
   const int usual = off(above) < off(below) ? above : below;

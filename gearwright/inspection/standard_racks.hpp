@@ -11,8 +11,8 @@
 namespace gearwright::detail {
 
 struct StandardRack {
-  double module;                          ///< m_n  mm
-  double alpha;                           ///< α_n  rad
+  double module;  ///< m_n  mm
+  double alpha;   ///< α_n  rad
   ModuleSeries series;
   std::optional<double> diametral_pitch;  ///< 1/in
   double log_prior;                       ///< logarithm of how usual it is

@@ -14,7 +14,7 @@ namespace gearwright {
 namespace {
 
 // DIN 3967, table 1: reference diameters up to, mm, and −E_sns, µm, of the series.
-constexpr std::array<std::string_view, 11> kSeries{"a",  "ab", "b", "bc", "c", "cd",
+constexpr std::array<std::string_view, 11> kSeries{"a", "ab", "b", "bc", "c", "cd",
                                                    "d", "e",  "f", "g",  "h"};
 constexpr std::array kDiameters{10.,   50.,   125.,  280.,  560.,  1000.,
                                 1600., 2500., 4000., 6300., 10000.};
@@ -93,8 +93,7 @@ std::optional<int> whole(std::string_view text) {
 Result<std::array<double, 2>> thickness_allowances(std::string_view series,
                                                    double reference_diameter) {
   const std::size_t digits = std::min(series.find_first_of("0123456789"), series.size());
-  const auto* const name =
-      std::find(kSeries.begin(), kSeries.end(), series.substr(0, digits));
+  const auto* const name = std::find(kSeries.begin(), kSeries.end(), series.substr(0, digits));
   const auto number = whole(series.substr(digits));
   const int column = number.value_or(0) - kFirstTolerance;
   if (name == kSeries.end() || column < 0 || column >= 10) {

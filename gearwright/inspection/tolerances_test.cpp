@@ -53,8 +53,8 @@ TEST(FlankTolerances, of_1995_are_those_of_its_tables) {
   EXPECT_EQ(*t.tooth_radial_composite, 10.0);
   const ToleranceSubject small{20, 2, 10, 10, 0.0};  // borders belong to the lower range
   EXPECT_DOUBLE_EQ(flank_tolerances(FlankTolerances::iso_1995, 5, small).single_pitch, 4.7);
-  EXPECT_FALSE(flank_tolerances(FlankTolerances::iso_1995, 5, {1200, 3, 30, 400, 0.0})
-                   .radial_composite);
+  EXPECT_FALSE(
+      flank_tolerances(FlankTolerances::iso_1995, 5, {1200, 3, 30, 400, 0.0}).radial_composite);
 }
 
 TEST(FlankTolerances, know_their_classes_and_sizes) {

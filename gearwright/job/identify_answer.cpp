@@ -37,9 +37,7 @@ std::string tool_text(const std::string& reading, double tool) {
   return reading == "lead" ? "lead" : "helix angle";
 }
 
-std::string unit_of(const std::string& reading) {
-  return reading == "helix_angle" ? "°" : " mm";
-}
+std::string unit_of(const std::string& reading) { return reading == "helix_angle" ? "°" : " mm"; }
 
 std::string plus_minus(double value, double uncertainty, int digits) {
   return uncertainty > 0.0 ? fmt::format("{:.{}f} ± {:.{}f}", value, digits, uncertainty, digits)
@@ -58,9 +56,10 @@ Result<IdentifyAnswer> answer_identify(const JobSpec& spec) {
   const int which = spec.measured[0] || !spec.measured[1] ? 1 : 2;
   const auto& problem = spec.measured[static_cast<std::size_t>(which - 1)];
   if (!problem)
-    return Error{"gear1.measured", "",
-                 "is missing; identify takes the readings of an unknown gear: its teeth in [gear1], "
-                 "spans, balls and diameters in [gear1.measured]"};
+    return Error{
+        "gear1.measured", "",
+        "is missing; identify takes the readings of an unknown gear: its teeth in [gear1], "
+        "spans, balls and diameters in [gear1.measured]"};
   auto found = identify(*problem);
   if (!found) return of_gear(which, found.error());
   IdentifyAnswer answer{which, std::move(found).take(), {}};
@@ -78,10 +77,11 @@ std::string identify_listing(const IdentifyAnswer& answer) {
   std::string text;
   if (const auto& c = found.contradiction) {
     const std::string unit = unit_of(c->reading);
-    text += fmt::format("\nThe {} disagrees with the other readings: it is {}{}, and they want "
-                        "{}{}. The gears below are those of the others.\n",
-                        tool_text(c->reading, c->tool), spoken(c->value), unit,
-                        spoken(c->expected, c->value), unit);
+    text += fmt::format(
+        "\nThe {} disagrees with the other readings: it is {}{}, and they want "
+        "{}{}. The gears below are those of the others.\n",
+        tool_text(c->reading, c->tool), spoken(c->value), unit, spoken(c->expected, c->value),
+        unit);
   }
   if (!found.reason.empty()) text += "\n" + capitalised(found.reason) + ".\n";
   if (found.candidates.empty()) return text;
@@ -90,8 +90,7 @@ std::string identify_listing(const IdentifyAnswer& answer) {
   int number = 0;
   for (const IdentifiedGear& g : found.candidates) {
     text += fmt::format("  {:>9}  {:>8.2f} %  {:>12}  {:>4g}°  {:>18}°  {:>17}  {:>7.3f} mm\n",
-                        ++number, 100 * g.likelihood, module_text(g),
-                        g.normal_pressure_angle.deg(),
+                        ++number, 100 * g.likelihood, module_text(g), g.normal_pressure_angle.deg(),
                         plus_minus(g.helix_angle.deg(), g.helix_uncertainty.deg(), 3),
                         plus_minus(g.generating_shift, g.shift_uncertainty, 4), g.tip_diameter);
   }

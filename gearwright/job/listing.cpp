@@ -72,8 +72,7 @@ std::vector<std::string> gear_columns(std::size_t count) {
 
 std::string interval_listing(const SaidTable& table, const std::string& subject,
                              const ValueRecord& lower, const ValueRecord& upper) {
-  return quantity_listing(table, differing(lower, upper),
-                          {subject + " lower", subject + " upper"});
+  return quantity_listing(table, differing(lower, upper), {subject + " lower", subject + " upper"});
 }
 
 std::string gear_listing(const SolvedJob& job) {

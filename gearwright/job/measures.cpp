@@ -61,6 +61,7 @@ class Measuring {
     if (auto error = pins(m)) return *error;
     if (auto error = chord(m)) return *error;
     m.constant = constant_chord(gear_);
+    m.ranges = evaluation_ranges(gear_);
     if (auto error = tolerances(m)) return *error;
     return m;
   }
@@ -82,7 +83,7 @@ class Measuring {
     m.spans = usable_spans(gear_, kMostSpans);
     m.span = usual_span(gear_);
     if (!input_.span_teeth) {
-      if (!m.span)
+      if (!m.span && m.reference)
         warn("no_span", "No span: the contacts of none lie on the usable flank, within the face.");
       return std::nullopt;
     }
@@ -94,9 +95,10 @@ class Measuring {
     const std::string instead =
         usual ? fmt::format("; over {} teeth they do", usual->teeth) : std::string();
     if (asked->place != ContactPlace::usable) {
-      warn("span_off_flank",
-           fmt::format("Span over {} teeth: the contacts at {} mm do not lie on the usable flank{}.",
-                       asked->teeth, spoken(asked->contact_diameter), instead));
+      warn(
+          "span_off_flank",
+          fmt::format("Span over {} teeth: the contacts at {} mm do not lie on the usable flank{}.",
+                      asked->teeth, spoken(asked->contact_diameter), instead));
     } else {
       warn("span_off_face",
            fmt::format("Span over {} teeth: the contacts lie {} mm apart along the axis, and the "
@@ -126,7 +128,8 @@ class Measuring {
     m.sizes = ball_sizes(gear_);
     const auto found = seat(input_.ball_diameter, m);
     if (!found) {
-      warn("no_balls", "No dimension over balls: none rests on the usable flanks.");
+      if (m.reference)
+        warn("no_balls", "No dimension over balls: none rests on the usable flanks.");
       return std::nullopt;
     }
     if (!*found)
@@ -144,8 +147,7 @@ class Measuring {
       return refused(gear_field(which_, "measure.pin_diameter"), *input_.pin_diameter,
                      "a straight pin does not go into the spaces of an internal helical gear; "
                      "measure between balls");
-    auto found = asked ? std::optional(ball_in_space(gear_, *input_.pin_diameter))
-                       : std::nullopt;
+    auto found = asked ? std::optional(ball_in_space(gear_, *input_.pin_diameter)) : std::nullopt;
     if (found && !*found) {
       Error error = found->error();
       error.field = "pin_diameter";
@@ -209,6 +211,16 @@ Result<std::vector<MeasureView>> measure_gears(SolvedJob& job) {
     measures.push_back(std::move(measured).take());
   }
   return measures;
+}
+
+std::vector<ValueRecord> measure_records(const SolvedJob& job) {
+  std::vector<ValueRecord> records;
+  SolvedJob copy = job;  // its warnings are those of the verb
+  for (int which = 1; which <= static_cast<int>(job.gears.size()); ++which) {
+    const auto measured = Measuring(copy, which).all();
+    records.push_back(measured ? measure_quantities().of(*measured) : ValueRecord());
+  }
+  return records;
 }
 
 namespace {

@@ -19,6 +19,9 @@ namespace gearwright {
 /// Errors    `gearN.measure.…`: what was asked for and cannot be measured
 Result<std::vector<MeasureView>> measure_gears(SolvedJob& job);
 
+/// The same as records for the page; what was asked for and cannot be measured is left out.
+std::vector<ValueRecord> measure_records(const SolvedJob& job);
+
 /// job_json with `measure` in each of `gears`, and the interval that tolerances give it.
 Json measures_json(const SolvedJob& job, const std::vector<MeasureView>& measures);
 

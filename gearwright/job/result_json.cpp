@@ -26,11 +26,11 @@ Json job_json(const SolvedJob& job) {
   if (job.ends) {
     const auto& [lower, upper] = *job.ends;
     for (std::size_t i = 0; i < job.gears.size(); ++i)
-      j["gears"][i]["interval"] = interval_json(gear_quantities().of(lower.gears[i]),
-                                                gear_quantities().of(upper.gears[i]));
+      j["gears"][i]["interval"] =
+          interval_json(gear_quantities().of(lower.gears[i]), gear_quantities().of(upper.gears[i]));
     if (job.pair)
-      j["pair"]["interval"] = interval_json(pair_quantities().of(*lower.pair),
-                                            pair_quantities().of(*upper.pair));
+      j["pair"]["interval"] =
+          interval_json(pair_quantities().of(*lower.pair), pair_quantities().of(*upper.pair));
   }
   j["warnings"] = warnings_json(job.warnings);
   j["verdict"] = verdict_json(judge(job));

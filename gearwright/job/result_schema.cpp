@@ -143,8 +143,9 @@ Json result_schema() {
   properties["pair"] = schema.reference(pair_quantities().table());
   // What tolerances add: the same keys, with two numbers each.
   const Json interval{{"type", "object"},
-                      {"description", "of tolerances: the numbers that differ, at the lower and at "
-                                      "the upper end"}};
+                      {"description",
+                       "of tolerances: the numbers that differ, at the lower and at "
+                       "the upper end"}};
   for (const SaidTable* table :
        {&gear_quantities().table(), &measure_quantities().table(), &pair_quantities().table()})
     schema.definitions()[definition_name(*table)]["properties"]["interval"] = interval;

@@ -27,7 +27,8 @@ Result<Ends> of_span(const Gear& gear, const GearInput& input) {
   const auto k = input.measure.span_teeth;
   const auto usual = usual_span(gear);
   if (!k && !usual)
-    return Error{"tolerance.span", "", "no span of this gear can be measured; say `measure.span_teeth`"};
+    return Error{"tolerance.span", "",
+                 "no span of this gear can be measured; say `measure.span_teeth`"};
   const int teeth = k ? *k : usual->teeth;
   const auto span = span_over(gear, teeth);
   if (!span) return within("measure", span.error());
@@ -124,8 +125,7 @@ Result<JobSpec> with_allowances(const JobSpec& given, const SolveAsGiven& solve)
     const Gear& made = nominal->gears[static_cast<std::size_t>(which - 1)];
     if (!made.involute() && !tolerance.series)
       return no(said, "is measured on involute flanks; these are circular arcs");
-    auto ends = tolerance.series
-                    ? thickness_allowances(*tolerance.series, made.reference_diameter)
+    auto ends = tolerance.series ? thickness_allowances(*tolerance.series, made.reference_diameter)
                 : tolerance.span ? of_span(made, *gear)
                                  : of_balls(made, *gear);
     if (!ends) {

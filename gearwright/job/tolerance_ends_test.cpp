@@ -24,7 +24,8 @@ Error refused_spec(std::string_view verb, const Json& spec) {
 }
 
 Json gear(int teeth, const Json& allowance) {
-  Json g{{"teeth", teeth}, {"normal_module_mm", 2.5}, {"face_width_mm", 20}, {"profile_shift", 0.1}};
+  Json g{
+      {"teeth", teeth}, {"normal_module_mm", 2.5}, {"face_width_mm", 20}, {"profile_shift", 0.1}};
   if (!allowance.is_null()) g["thickness_allowance_mm"] = allowance;
   return g;
 }
@@ -42,8 +43,8 @@ TEST(ToleranceEnds, are_the_answers_at_both_numbers) {
   };
   const Json both = answer("pair", two), thin = at(-0.10, -0.12), thick = at(-0.06, -0.08),
              mean = at(-0.08, -0.10);
-  for (const char* key : {"generating_profile_shift", "reference_tooth_thickness_normal_mm",
-                          "root_diameter_mm"}) {
+  for (const char* key :
+       {"generating_profile_shift", "reference_tooth_thickness_normal_mm", "root_diameter_mm"}) {
     EXPECT_EQ(both["gears"][0]["interval"][key][0], thin["gears"][0][key]) << key;  // (1)
     EXPECT_EQ(both["gears"][0]["interval"][key][1], thick["gears"][0][key]) << key;
     EXPECT_DOUBLE_EQ(both["gears"][0][key].get<double>(), mean["gears"][0][key]);  // (2)

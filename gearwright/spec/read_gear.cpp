@@ -105,8 +105,7 @@ void read_tolerance(TableReader& gear, GearInput& g) {
   if (beside && g.tolerance.quality != beside)
     t.fail("quality", fmt::format("contradicts {} = {}; leave one of them out",
                                   gear.name("quality"), *beside));
-  if (const auto values = t.numbers("span_mm"))
-    g.tolerance.span = ends_of(t, "span_mm", *values);
+  if (const auto values = t.numbers("span_mm")) g.tolerance.span = ends_of(t, "span_mm", *values);
   if (const auto values = t.numbers("over_balls_mm"))
     g.tolerance.over_balls = ends_of(t, "over_balls_mm", *values);
   t.finish();

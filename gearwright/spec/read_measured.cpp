@@ -38,8 +38,9 @@ void read_balls(TableReader& t, IdentifyProblem& p) {
   const Json* node = t.any("over_balls_mm");
   if (!node) return;
   if (!node->is_array() || node->size() > kMostBalls)
-    t.fail("over_balls_mm", "must be a list of tables: [{ ball_diameter_mm = 5, dimension_mm = "
-                            "69.426 }], at most 20");
+    t.fail("over_balls_mm",
+           "must be a list of tables: [{ ball_diameter_mm = 5, dimension_mm = "
+           "69.426 }], at most 20");
   for (const Json& item : *node) {
     if (!item.is_object()) t.fail("over_balls_mm", shown(item) + " is no table");
     TableReader one(measured_ball_keys(), item, t.name("over_balls_mm"));

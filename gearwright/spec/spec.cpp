@@ -23,8 +23,7 @@ PairInput read_pair(const Json& node) {
   PairInput p;
   t.read(p);
   const auto growing = [&](const char* key, const std::vector<double>& values) {
-    if (!(values.front() <= values.back()))
-      t.fail(key, "must be two numbers, the lower one first");
+    if (!(values.front() <= values.back())) t.fail(key, "must be two numbers, the lower one first");
     return Ends{values.front(), values.back()};
   };
   if (const auto values = t.numbers("backlash_mm")) {
