@@ -39,8 +39,9 @@ const KeyTable& measured_keys() {
        uncertainty("span_uncertainty_mm", &P::span_uncertainty, "0.02", "of each span"),
        {.key = "over_balls_mm",
         .symbol = "M_dK",
-        .kind = KeyKind::any,
-        .form = "a list of tables { ball_diameter_mm, dimension_mm }",
+        .kind = KeyKind::table,
+        .list = KeyList{1, kMostBallReadings},
+        .tables = {measured_ball_keys},
         .meaning = "over two balls (internal: between them), "
                    "`[{ ball_diameter_mm = 5, dimension_mm = 69.426 }]`"},
        uncertainty("over_balls_uncertainty_mm", &P::balls_uncertainty, "0.02",

@@ -5,8 +5,10 @@
 
 namespace gearwright {
 
+inline constexpr std::size_t kMostBallReadings = 20;
+
 const KeyTable& measured_keys();
-/// Of one of over_balls_mm, over_pins_mm.
+/// Of one of over_balls_mm.
 const KeyTable& measured_ball_keys();
 /// Of a [gearN] that has readings and no module: what may be known of it.
 const KeyTable& unknown_gear_keys();

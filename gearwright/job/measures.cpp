@@ -182,8 +182,11 @@ class Measuring {
     const ToleranceInput& asked = job_.spec.gears[static_cast<std::size_t>(which_ - 1)]->tolerance;
     if (!asked.quality) return std::nullopt;
     if (!has_class(asked.edition, *asked.quality))
-      return refused(gear_field(which_, "tolerance.quality"), *asked.quality,
-                     "ISO 1328-1:2013 has the classes 1 to 11; the edition of 1995 has 0 to 12");
+      return refused(gear_field(which_, job_.spec.given.contains(gear_field(which_, "quality"))
+                                            ? "quality"
+                                            : "tolerance.quality"),
+                     *asked.quality,
+                     "ISO 1328-1:2013 has the classes 1 to 11; the edition of 1995 has 0 to 12"); the edition of 1995 has 0 to 12");
     const CylindricalSpec& s = gear_.spec;
     const ToleranceSubject subject{gear_.reference_diameter, s.normal_module, s.face_width,
                                    std::abs(s.teeth), s.helix_angle.rad()};

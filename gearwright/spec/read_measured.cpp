@@ -34,13 +34,12 @@ void read_spans(TableReader& t, IdentifyProblem& p) {
 }
 
 void read_balls(TableReader& t, IdentifyProblem& p) {
-  constexpr std::size_t kMostBalls = 20;
   const Json* node = t.any("over_balls_mm");
   if (!node) return;
-  if (!node->is_array() || node->size() > kMostBalls)
+  if (!node->is_array() || node->empty() || node->size() > kMostBallReadings)
     t.fail("over_balls_mm",
            "must be a list of tables: [{ ball_diameter_mm = 5, dimension_mm = "
-           "69.426 }], at most 20");
+           "69.426 }], 1 to 20 of them");
   for (const Json& item : *node) {
     if (!item.is_object()) t.fail("over_balls_mm", shown(item) + " is no table");
     TableReader one(measured_ball_keys(), item, t.name("over_balls_mm"));
