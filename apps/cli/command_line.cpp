@@ -159,6 +159,10 @@ void CommandLine::add_answering() {
       "measure", "Spans, dimensions over balls and pins, chords, tolerances of the flanks",
       "gearwright measure examples/helical_pair.toml");
   spec_argument(measure, o);
+  measure->add_option(
+      "--points", o.grid,
+      "Print nominal points and normals of the flanks for a measuring machine, CSV: "
+      "9x5 along profile and face");
 
   CLI::App* identify =
       json_verb("identify", "The gears that the readings of an unknown one allow, likeliest first",

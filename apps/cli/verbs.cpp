@@ -25,6 +25,7 @@
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/measures.hpp"
+#include "gearwright/job/nominal_csv.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/result_schema.hpp"
 #include "gearwright/job/verify.hpp"
@@ -171,10 +172,19 @@ int gear_verb(const Options& o) {
 }
 
 int measure_verb(const Options& o) {
+  const auto grid = parse_grid(o.grid.value_or("2x2"));
+  if (!grid)
+    return usage("--points takes two numbers from 2 to 1000, along the profile and the face: 9x5");
   Door door(o);
   auto solved = door.solve(Scope::gears);
   if (!solved) return door.fail(solved.error());
   SolvedJob job = std::move(solved).take();
+  if (o.grid) {
+    const auto points = nominal_csv(job, *grid);
+    if (!points) return door.fail(points.error());
+    print(*points);
+    return 0;
+  }
   const auto measures = measure_gears(job);
   if (!measures) return door.fail(measures.error());
   if (o.json) {

@@ -24,6 +24,7 @@ struct Options {
   std::vector<std::string> cases;
   std::optional<std::string> as_rack;  // of gear: "module,angle"
   std::optional<int> take;             // of fit, identify: the answer whose spec is printed
+  std::optional<std::string> grid;     // of measure: the nominal points of the flanks, "9x5"
   bool spec_only = false;              // of compensate: print the corrected spec
   std::string schema;                  // of schema: of what
   std::string shell;                   // of completion
