@@ -378,20 +378,31 @@ Result<SolvedJob> solve_as_given(const JobSpec& given, Scope scope) {
   return job;
 }
 
+// The spec with allowances as numbers, solved at their mean and at both ends.
+Result<SolvedJob> solve_with_ends(const JobSpec& spec, Scope scope) {
+  auto solved = solve_as_given(spec, scope);
+  if (!solved) return solved;
+  SolvedJob job = std::move(solved).take();
+  auto ends = solve_ends(job, scope, solve_as_given);
+  if (!ends) return ends.error();
+  job.ends = std::move(ends).take();
+  return job;
+}
+
+Result<SolvedJob> solve_with_tolerances(const JobSpec& given, Scope scope) {
+  const bool named = std::any_of(given.gears.begin(), given.gears.end(), [](const auto& gear) {
+    return gear && gear->tolerance.says_thickness();
+  });
+  if (!named) return solve_with_ends(given, scope);
+  const auto spec = with_allowances(given, solve_as_given);
+  return spec ? solve_with_ends(*spec, scope) : spec.error();
+}
+
 }  // namespace
 
 Result<SolvedJob> solve(const JobSpec& given, Scope scope) {
-  const auto spec = with_allowances(given, solve_as_given);
-  if (!spec) return spec.error();
-  auto job = solve_as_given(*spec, scope);
-  if (job) {
-    auto ends = solve_ends(*job, scope, solve_as_given);
-    if (!ends) return ends.error();
-    SolvedJob solved = std::move(job).take();
-    solved.ends = std::move(ends).take();
-    return solved;
-  }
-  if (!asks_for_a_fit(given, job.error())) return job;
+  auto job = solve_with_tolerances(given, scope);
+  if (job || !asks_for_a_fit(given, job.error())) return job;
   Error error = job.error();
   error.rule +=
       ". The spec leaves numbers to be found: gearwright fit finds them, and its --take 1 writes "
