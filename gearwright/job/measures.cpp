@@ -187,8 +187,7 @@ class Measuring {
                                             : "tolerance.quality"),
                      *asked.quality,
                      "ISO 1328-1:2013 has the classes 1 to 11; the edition of 1995 has 0 to 12");
-    the edition of 1995 has 0 to 12 ");
-        const CylindricalSpec& s = gear_.spec;
+    const CylindricalSpec& s = gear_.spec;
     const ToleranceSubject subject{gear_.reference_diameter, s.normal_module, s.face_width,
                                    std::abs(s.teeth), s.helix_angle.rad()};
     m.tolerances = flank_tolerances(asked.edition, *asked.quality, subject);
