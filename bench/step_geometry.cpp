@@ -54,7 +54,7 @@ gp_Dir direction(Complex d) { return {d.real(), d.imag(), 0.0}; }
 
 }  // namespace
 
-std::vector<StepLevel> levels_of(const WallLoop& loop, double face_width) {
+std::vector<StepLevel> step_levels_of(const WallLoop& loop, double face_width) {
   std::vector<StepLevel> levels;
   for (int i = 0; i <= loop.slices; ++i) {
     const double z = face_width * (2 * i - loop.slices) / (2.0 * loop.slices);
@@ -78,7 +78,7 @@ StepSlice slice_between(const StepLevel& low, const StepLevel& high, const Helix
   return slice;
 }
 
-gp_Pnt point_at(Complex section_point, const StepLevel& level) {
+gp_Pnt step_point_at(Complex section_point, const StepLevel& level) {
   const Complex w = section_point * level.turn;
   return {w.real(), w.imag(), level.z};
 }
@@ -100,7 +100,7 @@ Handle(Geom_Curve) level_curve(const Wall& wall, const StepLevel& level) {
     case WallShape::spline: {
       TColgp_Array1OfPnt poles(1, count(wall.poles));
       std::transform(wall.poles.begin(), wall.poles.end(), poles.begin(),
-                     [&](Complex c) { return point_at(c, level); });
+                     [&](Complex c) { return step_point_at(c, level); });
       return spline_curve(poles, *wall.knots);
     }
     case WallShape::circle:
@@ -108,7 +108,7 @@ Handle(Geom_Curve) level_curve(const Wall& wall, const StepLevel& level) {
           gp_Ax2(gp_Pnt(0.0, 0.0, level.z), axis(), away_from_middle(wall, level.angle)),
           wall.radius);
     case WallShape::line:
-      return new Geom_Line(point_at(wall.begin, level),
+      return new Geom_Line(step_point_at(wall.begin, level),
                            direction((wall.end - wall.begin) * level.turn));
   }
   contract_failed("postcondition", "known wall shape", __FILE__, __LINE__);

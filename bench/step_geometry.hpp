@@ -40,7 +40,7 @@ struct StepSlice {
   bool straight() const { return low.angle == high.angle; }
 };
 
-std::vector<StepLevel> levels_of(const WallLoop& loop, double face_width);
+std::vector<StepLevel> step_levels_of(const WallLoop& loop, double face_width);
 StepSlice slice_between(const StepLevel& low, const StepLevel& high, const HelixSpline& helix);
 
 struct StepRange {
@@ -48,7 +48,7 @@ struct StepRange {
   double last;
 };
 
-gp_Pnt point_at(Complex section_point, const StepLevel& level);
+gp_Pnt step_point_at(Complex section_point, const StepLevel& level);
 
 /// u of a wall's begin and end.
 StepRange u_range(const Wall& wall);

@@ -32,7 +32,7 @@ class ShellBuilder {
   /// One face per wall and slice; `side` is FORWARD where the metal is inside the loop.
   Rims add_walls(const WallLoop& loop, const HelixSpline& helix, double face_width,
                  TopAbs_Orientation side) {
-    const std::vector<StepLevel> levels = levels_of(loop, face_width);
+    const std::vector<StepLevel> levels = step_levels_of(loop, face_width);
     Vertices below = vertices(loop, levels.front());
     Edges floor = level_edges(loop, levels.front(), below);
     Rims rims{floor, {}};
@@ -85,7 +85,7 @@ class ShellBuilder {
   Vertices vertices(const WallLoop& loop, const StepLevel& level) {
     Vertices result(loop.walls.size());
     for (std::size_t i = 0; i < result.size(); ++i) {
-      build_.MakeVertex(result[i], point_at(loop.walls[i].begin, level), kStepTolerance_mm);
+      build_.MakeVertex(result[i], step_point_at(loop.walls[i].begin, level), kStepTolerance_mm);
     }
     return result;
   }
