@@ -4,7 +4,7 @@ include_guard()
 
 find_package(OpenCASCADE CONFIG QUIET)  # without a version: it refuses all but its own patch level
 set(gw_occt_libraries
-  TKernel TKMath TKG2d TKG3d TKGeomBase TKBRep TKGeomAlgo TKTopAlgo TKShHealing TKXSBase TKSTEPBase TKSTEPAttr TKSTEP TKXCAF
+  TKernel TKMath TKG2d TKG3d TKGeomBase TKBRep TKGeomAlgo TKTopAlgo TKShHealing TKXSBase TKSTEP TKXCAF
   TKLCAF TKCDF TKXDESTEP)
 
 # Shared libraries are linked by file: as targets they would drag in the viewer's own needs (X11, OpenGL,
