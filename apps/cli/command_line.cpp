@@ -40,7 +40,6 @@ constexpr const char* kIntroduction =
     "  teeth = 17\n"
     "  normal_module_mm = 2.5\n";
 
-constexpr const char* kNotHere[] = {"identify"};
 constexpr std::size_t kLettersOff = 3;  // of a verb, one of so many may be wrong
 
 std::string version_text() { return std::string("gearwright ") + kVersion; }
@@ -84,10 +83,6 @@ CommandLine::CommandLine() : app_(kIntroduction, "gearwright") {
   add_answering();
   add_files();
   add_others();
-  for (const char* name : kNotHere) {
-    CLI::App* sub = app_.add_subcommand(name, "Not in this version")->group("");
-    sub->allow_extras();
-  }
   for (CLI::App* sub : app_.get_subcommands({}))
     sub->set_version_flag("-V,--version", version_text());
 }
@@ -160,9 +155,21 @@ void CommandLine::add_answering() {
   strict_flag(compensate, o);
   compensate->add_flag("--take", o.spec_only, "Print the corrected spec and nothing else");
 
-  CLI::App* measure = json_verb("measure", "Chordal tooth thickness, the calliper's settings",
-                                "gearwright measure examples/helical_pair.toml");
+  CLI::App* measure = json_verb(
+      "measure", "Spans, dimensions over balls and pins, chords, tolerances of the flanks",
+      "gearwright measure examples/helical_pair.toml");
   spec_argument(measure, o);
+  measure->add_option(
+      "--points", o.grid,
+      "Print nominal points and normals of the flanks for a measuring machine, CSV: "
+      "9x5 along profile and face");
+
+  CLI::App* identify =
+      json_verb("identify", "The gears that the readings of an unknown one allow, likeliest first",
+                "gearwright identify examples/broken_gear.toml");
+  spec_argument(identify, o);
+  identify->add_option("--take", o.take, "Print the spec of this candidate and nothing else")
+      ->check(CLI::Range(1, 1000));
 
   CLI::App* fit =
       json_verb("fit", "Gears for a place, or places for gears: what the spec leaves out is found",
@@ -287,6 +294,7 @@ int CommandLine::answer(const std::string& verb) const {
   if (verb == "compensate") return compensate_verb(o);
   if (verb == "measure") return measure_verb(o);
   if (verb == "fit") return fit_verb(o);
+  if (verb == "identify") return identify_verb(o);
   if (verb == "search") return run_search_verb(search_);
   if (verb == "export") return export_verb(o);
   if (verb == "batch") return batch_verb(o);

@@ -12,6 +12,7 @@
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
+#include "gearwright/catalogue/identify_quantities.hpp"
 #include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
@@ -47,6 +48,7 @@ const std::map<std::string, const SaidTable*>& blocks() {
       {"contact.positions", &position_quantities().table()},
       {"compensate", &compensate_quantities().table()},
       {"fit", &fit_quantities().table()},
+      {"identify", &identify_quantities().table()},
       {"search", &search_quantities().table()},
       {"search.designs", &design_quantities().table()},
       {"file", &file_quantities().table()},

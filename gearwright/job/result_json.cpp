@@ -7,6 +7,7 @@
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/verdict_quantities.hpp"
+#include "gearwright/job/interval.hpp"
 #include "gearwright/job/value_json.hpp"
 
 namespace gearwright {
@@ -22,6 +23,15 @@ Json job_json(const SolvedJob& job) {
   j["gears"] = Json::array();
   for (const Gear& g : job.gears) j["gears"].push_back(to_json(gear_quantities().of(g)));
   if (job.pair) j["pair"] = to_json(pair_quantities().of(*job.pair));
+  if (job.ends) {
+    const auto& [lower, upper] = *job.ends;
+    for (std::size_t i = 0; i < job.gears.size(); ++i)
+      j["gears"][i]["interval"] =
+          interval_json(gear_quantities().of(lower.gears[i]), gear_quantities().of(upper.gears[i]));
+    if (job.pair)
+      j["pair"]["interval"] =
+          interval_json(pair_quantities().of(*lower.pair), pair_quantities().of(*upper.pair));
+  }
   j["warnings"] = warnings_json(job.warnings);
   j["verdict"] = verdict_json(judge(job));
   return j;

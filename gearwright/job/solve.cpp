@@ -12,6 +12,7 @@
 #include "gearwright/job/backlash_thinning.hpp"
 #include "gearwright/job/cut_gears.hpp"
 #include "gearwright/job/solve_arcs.hpp"
+#include "gearwright/job/tolerance_ends.hpp"
 
 namespace gearwright {
 
@@ -294,6 +295,11 @@ bool asks_for_a_fit(const JobSpec& spec, const Error& error) {
 }
 
 Result<SolvedJob> solve_as_given(const JobSpec& given, Scope scope) {
+  if (!given.gears[0] && given.measured[0]) {
+    return Error{"gear1.normal_module", "",
+                 "is missing; the spec has the readings of an unknown gear. gearwright identify "
+                 "finds it, and its --take 1 writes the spec that this verb takes"};
+  }
   if (!given.gears[0]) {
     return Error{"gear1.teeth", "",
                  "is missing; the spec describes a search. gearwright search finds the "
@@ -372,10 +378,30 @@ Result<SolvedJob> solve_as_given(const JobSpec& given, Scope scope) {
   return job;
 }
 
+// The spec with allowances as numbers, solved at their mean and at both ends.
+Result<SolvedJob> solve_with_ends(const JobSpec& spec, Scope scope) {
+  auto solved = solve_as_given(spec, scope);
+  if (!solved) return solved;
+  SolvedJob job = std::move(solved).take();
+  auto ends = solve_ends(job, scope, solve_as_given);
+  if (!ends) return ends.error();
+  job.ends = std::move(ends).take();
+  return job;
+}
+
+Result<SolvedJob> solve_with_tolerances(const JobSpec& given, Scope scope) {
+  const bool named = std::any_of(given.gears.begin(), given.gears.end(), [](const auto& gear) {
+    return gear && gear->tolerance.says_thickness();
+  });
+  if (!named) return solve_with_ends(given, scope);
+  const auto spec = with_allowances(given, solve_as_given);
+  return spec ? solve_with_ends(*spec, scope) : spec.error();
+}
+
 }  // namespace
 
 Result<SolvedJob> solve(const JobSpec& given, Scope scope) {
-  auto job = solve_as_given(given, scope);
+  auto job = solve_with_tolerances(given, scope);
   if (job || !asks_for_a_fit(given, job.error())) return job;
   Error error = job.error();
   error.rule +=

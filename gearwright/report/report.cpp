@@ -18,6 +18,7 @@
 #include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/gear_table.hpp"
 #include "gearwright/report/html_text.hpp"
+#include "gearwright/report/measure_section.hpp"
 #include "gearwright/report/mesh_picture.hpp"
 #include "gearwright/report/min_distance_picture.hpp"
 #include "gearwright/report/page_parts.hpp"
@@ -219,7 +220,8 @@ std::string report_html(const ReportInput& input) {
       kind_of(input), escaped(title), to_string(input.verdict.level),
       to_string(input.verdict.level), escaped(input.verdict.headline), title_block(input.drawing),
       finding_list(input));
-  std::string sections = gear_section(input) + few_teeth_section(input);
+  std::string sections =
+      gear_section(input) + few_teeth_section(input) + measure_section(input.measures);
   if (input.pair) {
     sections += input.pair->visit(
         Overloaded{[](const InvolutePair& pair) { return pair_section(pair); },

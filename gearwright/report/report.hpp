@@ -30,6 +30,7 @@ struct ReportInput {
   DrawingInput drawing;                        ///< the title block; may be empty
   std::vector<const Gear*> gears;              ///< one or two, with a pair its gears
   std::optional<Pair> pair;                    ///< none: the gears are not mounted
+  std::vector<ValueRecord> measures;           ///< of the gears; may be empty
   const ContactReport* contact = nullptr;      ///< null: the spec asks nothing about contact
   const CompensateView* compensate = nullptr;  ///< null: the spec asks for no corrections
   Verdict verdict;                             ///< over gears, pair and contact

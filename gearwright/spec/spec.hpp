@@ -6,6 +6,7 @@
 
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,6 +26,8 @@
 
 namespace gearwright {
 
+struct IdentifyProblem;  // inspection/identify.hpp
+
 struct JobSpec {
   std::string text;  ///< the spec as read, for the report
   std::string tree;  ///< the same as a tree of tables, in JSON, with what gear 2 has from gear 1
@@ -38,6 +41,8 @@ struct JobSpec {
   ContactInput contact;
   CompensateInput compensate;
   std::optional<SearchProblem> search;
+  /// [gearN.measured]: of a gear, or of one that is not known and has no place in `gears`.
+  std::array<std::shared_ptr<const IdentifyProblem>, 2> measured;
   bool shaft_angle_found = false;     ///< not given: it followed from the centre distance
   std::vector<std::string> not_read;  ///< tables and keys of verbs that are not in this version
 };

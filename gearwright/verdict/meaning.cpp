@@ -15,7 +15,7 @@ constexpr Severity kProblem = Severity::problem;
 constexpr Severity kCaution = Severity::caution;
 constexpr Severity kNote = Severity::note;
 
-constexpr std::array<Entry, 43> kMeanings{{
+constexpr auto kMeanings = std::to_array<Entry>({
     {"through_axis",
      {kProblem, "the cutter passes the axis",
       "More teeth, more profile shift or a smaller dedendum would help.", true}},
@@ -87,7 +87,14 @@ constexpr std::array<Entry, 43> kMeanings{{
       "A centre distance nearer to the reference one would help.", true}},
     {"pressure_angle", {kCaution, "", "Leave it out, or write the angle at which they touch."}},
     {"unequal_lead", {kCaution, "", "The verb contact says where they touch."}},
-}};
+    {"no_span", {kNote, "", ""}},
+    {"no_balls", {kNote, "", ""}},
+    {"span_off_flank", {kNote, "", ""}},
+    {"span_off_face", {kNote, "", ""}},
+    {"ball_off_flank", {kNote, "", ""}},
+    {"pin_off_flank", {kNote, "", ""}},
+    {"tolerances_out_of_range", {kNote, "", ""}},
+});
 
 }  // namespace
 

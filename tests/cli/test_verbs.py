@@ -192,7 +192,7 @@ class Verbs(unittest.TestCase):
             self.assertIn(word, r.out)
 
     def test_every_example_runs(self):
-        # The commands of its opening comment, and `run` unless the example is a question for `fit` or `search`.
+        # The commands of its opening comment, and `run` unless the example is a question for `fit`, `search` or `identify`.
         examples = sorted((SOURCE / "examples").glob("*.toml"))
         self.assertTrue(examples)
         for example in examples:
@@ -200,7 +200,7 @@ class Verbs(unittest.TestCase):
             commands = [c.split() for c in re.findall(r"^#   gearwright (.+)$", text, re.M)]
             self.assertTrue(commands, example.name)
             asked = {verb for verb, *_ in commands}
-            if not asked & {"run", "fit", "search"}:
+            if not asked & {"run", "fit", "search", "identify"}:
                 commands.append(["run", "examples/" + example.name])
             for verb, path, *options in commands:
                 with self.subTest(example=example.name, verb=verb):
