@@ -181,16 +181,12 @@ class Measuring {
   Fault tolerances(MeasureView& m) {
     const ToleranceInput& asked = job_.spec.gears[static_cast<std::size_t>(which_ - 1)]->tolerance;
     if (!asked.quality) return std::nullopt;
-    if (!has_class(asked.edition, *asked.quality))
-      return refused(gear_field(which_, job_.spec.given.contains(gear_field(which_, "quality"))
-                                            ? "quality"
-                                            : "tolerance.quality"),
-                     *asked.quality,
+    if (!has_class(asked.edition, *asked.quality)) {
+      const bool in_gear = job_.spec.given.contains(gear_field(which_, "quality"));
+      return refused(gear_field(which_, in_gear ? "quality" : "tolerance.quality"), *asked.quality,
                      "ISO 1328-1:2013 has the classes 1 to 11; the edition of 1995 has 0 to 12");
-    the edition of 1995 has 0 to 12 ");
-        const CylindricalSpec& s = gear_.spec;
-    const ToleranceSubject subject{gear_.reference_diameter, s.normal_module, s.face_width,
-                                   std::abs(s.teeth), s.helix_angle.rad()};
+    }
+    const ToleranceSubject subject = tolerance_subject(gear_);
     m.tolerances = flank_tolerances(asked.edition, *asked.quality, subject);
     if (!in_range(asked.edition, subject))
       warn("tolerances_out_of_range",
@@ -215,6 +211,12 @@ Result<std::vector<MeasureView>> measure_gears(SolvedJob& job) {
     measures.push_back(std::move(measured).take());
   }
   return measures;
+}
+
+ToleranceSubject tolerance_subject(const Gear& gear) {
+  const CylindricalSpec& s = gear.spec;
+  return {gear.reference_diameter, s.normal_module, s.face_width, std::abs(s.teeth),
+          s.helix_angle.rad()};
 }
 
 std::vector<ValueRecord> measure_records(const SolvedJob& job) {
