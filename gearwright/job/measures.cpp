@@ -240,8 +240,11 @@ ValueRecord measured_at(const SolvedJob& end, std::size_t i, const MeasureView& 
   if (nominal.pins) input.pin_diameter = nominal.pins->seat.ball_diameter;
   if (nominal.chord) input.chord_diameter = nominal.chord->diameter;
   if (!nominal.pins || !nominal.pins->reading.two_free) input.pin_diameter.reset();
-  const auto view = Measuring(job, static_cast<int>(i) + 1).all();
-  return view ? measure_quantities().of(*view) : ValueRecord();
+  const auto measured = Measuring(job, static_cast<int>(i) + 1).all();
+  if (!measured) return {};
+  MeasureView view = *measured;
+  view.sizes = nominal.sizes;  // balls are bought once
+  return measure_quantities().of(view);
 }
 
 }  // namespace
