@@ -265,10 +265,9 @@ std::string measure_listing(const SolvedJob& job, const std::vector<MeasureView>
   std::vector<ValueRecord> records;
   for (const MeasureView& m : measures) records.push_back(measure_quantities().of(m));
   const SaidTable& table = measure_quantities().table();
-  const std::vector<std::string> columns = gear_columns(records.size());
-  std::string text = quantity_listing(table, records, columns);
+  std::string text = quantity_listing(table, records, gear_columns(records.size()));
   for (std::size_t i = 0; job.ends && i < measures.size(); ++i)
-    text += interval_listing(table, columns[i], measured_at(job.ends->lower, i, measures[i]),
+    text += interval_listing(job, i, table, measured_at(job.ends->lower, i, measures[i]),
                              measured_at(job.ends->upper, i, measures[i]));
   return text;
 }
