@@ -3,6 +3,8 @@
 #
 #   make demo       build the program, run a helical pair through it, say where the files are
 #   make test       configure, build and test: cmake --workflow --preset check
+#   make npm        the npm package, the program and the engine in WebAssembly: build/web/*.tgz
+#   make test-wasm  the unit tests of the core in WebAssembly, and every example against the program
 #   make test-long  the tests whose names start with Long
 #   make test-cluster  searches under a Slurm of two nodes, started for the test; skipped where its
 #                      daemons cannot run
@@ -13,7 +15,7 @@
 #   make package    .deb and .tgz in build/package
 #   make clean      remove build/
 
-.PHONY: demo test test-long test-cluster bench lint docs figures package clean
+.PHONY: demo test npm test-wasm test-long test-cluster bench lint docs figures package clean
 JOBS ?= $(shell nproc)
 export CMAKE_BUILD_PARALLEL_LEVEL ?= $(JOBS)
 DEMO = examples/helical_pair.toml
@@ -33,6 +35,20 @@ test:
 	@tools/install_packages.sh core mpi test docs
 	@tools/install_npm_tools.sh
 	@cmake --workflow --preset check
+
+npm:
+	@tools/install_packages.sh core wasm
+	@cmake --preset wasm -DGEARWRIGHT_TESTS=OFF > /dev/null
+	@cmake --build --preset wasm --target web_npm
+	@cd build/web && npm pack --silent ./npm
+
+test-wasm:
+	@tools/install_packages.sh core test wasm
+	@cmake --preset release -DGEARWRIGHT_BENCH=OFF > /dev/null
+	@cmake --build --preset release --target gearwright_cli
+	@cmake --preset wasm -DGEARWRIGHT_TESTS=ON > /dev/null
+	@cmake --build --preset wasm
+	@ctest --preset wasm
 
 test-long:
 	@tools/install_packages.sh core mpi test cluster

@@ -108,6 +108,10 @@ Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Headway*
   auto answer = answer_compensate(job, headway);
   if (answer) return std::optional(compensate_view(*answer));
   const std::string& field = answer.error().field;
+  if (field == "compensate") {  // of the whole table: of this build
+    job.warnings.push_back({"no_corrections", "No corrections: " + answer.error().rule + ".", 0});
+    return std::optional<CompensateView>();
+  }
   if (field != "errors" && field != "gear1" && field != "gear2") return answer.error();
   const auto is_said = [](const Warning& w) { return w.code == "no_contact"; };
   if (std::none_of(job.warnings.begin(), job.warnings.end(), is_said)) {
@@ -216,8 +220,8 @@ void add_solid(ReportInput& report, const SolvedJob& job, const std::vector<Toot
 
 }  // namespace
 
-Result<RunFiles> write_everything(SolvedJob& job, const fs::path& folder,
-                                  const FileOptions& options) {
+Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
+                                 const FileOptions& options) {
   std::vector<JobFile> files;
   std::vector<ToothedBody> mounted;
   const auto contact = contact_part(job, options.headway);
@@ -287,13 +291,19 @@ Result<RunFiles> write_everything(SolvedJob& job, const fs::path& folder,
     all.insert(all.begin(),
                {folder / "result.json", "result", std::nullopt, "every number, as JSON", text});
   }
+  return RunFiles{std::move(all), text, std::move(report.verdict)};
+}
 
+Result<RunFiles> write_everything(SolvedJob& job, const fs::path& folder,
+                                  const FileOptions& options) {
+  auto made = make_everything(job, folder, options);
+  if (!made) return made;
   if (options.headway) options.headway->begin_writing();
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw IoError("cannot make the folder " + folder.string() + ": " + error.message());
-  write_run(folder, all);
-  return RunFiles{std::move(all), text, std::move(report.verdict)};
+  write_run(folder, made->files);
+  return made;
 }
 
 }  // namespace gearwright
