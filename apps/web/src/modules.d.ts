@@ -1,0 +1,6 @@
+// Modules that vite.config.ts makes.
+declare module "gearwright:parts" {
+  export function makeWorker(): Worker;
+  export function wasmBytes(): Promise<ArrayBuffer>;
+}
+declare module "gearwright:palette.css";
