@@ -1,7 +1,8 @@
 // The engine works beside the page, in workers, so that nothing it does can hold up a keystroke.
 //
 //   front   solves the design on screen: milliseconds, always free
-//   back    whatever takes long: solids, patterns, maps, reports, files, searches
+//   back    whatever takes long: solids, patterns, maps, reports, files
+//   seek    searches and fits, which keep what they have found
 //
 // Where a newer question makes an older one pointless, `latest` lets the older ones go: at most one
 // question of a kind is under way and one waits.

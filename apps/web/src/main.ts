@@ -8,17 +8,23 @@ import "./style/views.css";
 import { makeWorker, wasmBytes } from "gearwright:parts";
 import { setCatalogue } from "./catalogue";
 import { h } from "./elements";
+import { ContactView } from "./contact/contact_view";
 import { EngineLink } from "./engine_link";
 import { textOf } from "./link";
 import { MeshView } from "./mesh/mesh_view";
 import { Page } from "./page";
+import { SearchView } from "./search/search_view";
+import { SheetView } from "./sheet";
+import { ShiftsView } from "./shifts/shifts_view";
+import { SolidView } from "./solid/solid_view";
 import { bench } from "./workbench";
 
 async function begin(): Promise<void> {
   bench.front = new EngineLink(makeWorker, wasmBytes);
   bench.back = new EngineLink(makeWorker, wasmBytes);
+  bench.seek = new EngineLink(makeWorker, wasmBytes);
   setCatalogue(await bench.front.ask("catalogue", undefined as never));
-  const page = new Page([new MeshView()]);
+  const page = new Page([new MeshView(), new SolidView(), new ContactView(), new ShiftsView(), new SearchView(), new SheetView()]);
   const fromAddress = async () => {
     try {
       const text = await textOf(location.hash);

@@ -22,6 +22,7 @@ class Workbench {
   lastMs = 0;
   front!: EngineLink;
   back!: EngineLink;
+  seek!: EngineLink;
 
   private readonly past: string[] = [];
   private readonly future: string[] = [];
