@@ -59,10 +59,10 @@ export function button(words: string, click: () => void, properties: Properties 
 /** A symbol of the catalogue, "d_a", "F_z/F_t", "α_wn": letters slanted, indices below. */
 export function symbol(text: string): HTMLElement {
   const whole = h("span", { class: "symbol" });
-  for (const part of text.split(/(_[\p{L}\p{N},]+|\*)/u)) {
+  for (const part of text.split(/(_[\p{L}\p{N},]+|(?<=\p{L})\d|\*)/u)) {
     if (!part) continue;
     if (part === "*") whole.append(h("sup", {}, "*"));
-    else if (part.startsWith("_") && part.length > 1) whole.append(h("sub", {}, part.slice(1)));
+    else if (/^\d$/.test(part) || (part.startsWith("_") && part.length > 1)) whole.append(h("sub", {}, part.replace("_", "")));
     else for (const piece of part.split(/([\p{L}]+)/u)) if (piece) whole.append(/\p{L}/u.test(piece) ? h("var", {}, piece) : piece);
   }
   return whole;

@@ -38,14 +38,20 @@ export class EngineLink {
   private readonly pending = new Map<number, Pending>();
   private readonly channels = new Map<string, Waiting | null>();
   private next = 1;
+  private starting = 0;
 
   constructor(
     private readonly make: () => Worker,
     private readonly wasm: () => Promise<ArrayBuffer>,
   ) {}
 
+  get idle(): boolean {
+    return this.pending.size === 0 && this.starting === 0;
+  }
+
   private async start(): Promise<Worker> {
-    const bytes = await this.wasm();
+    ++this.starting;
+    const bytes = await this.wasm().finally(() => --this.starting);
     if (this.worker) return this.worker;
     const worker = this.make();
     this.worker = worker;

@@ -9,6 +9,7 @@ import { makeWorker, wasmBytes } from "gearwright:parts";
 import { setCatalogue } from "./catalogue";
 import { h } from "./elements";
 import { ContactView } from "./contact/contact_view";
+import { doorOf } from "./door";
 import { EngineLink } from "./engine_link";
 import { textOf } from "./link";
 import { MeshView } from "./mesh/mesh_view";
@@ -25,6 +26,7 @@ async function begin(): Promise<void> {
   bench.seek = new EngineLink(makeWorker, wasmBytes);
   setCatalogue(await bench.front.ask("catalogue", undefined as never));
   const page = new Page([new MeshView(), new SolidView(), new ContactView(), new ShiftsView(), new SearchView(), new SheetView()]);
+  window.gearwright = doorOf(page);
   const fromAddress = async () => {
     try {
       const text = await textOf(location.hash);

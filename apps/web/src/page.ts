@@ -25,6 +25,9 @@ export class Page {
   private readonly said = h("div", { class: "said", role: "status" });
   private readonly main: HTMLElement;
   private readonly verdict = new VerdictLine();
+  private readonly numbers = new QuantityPane();
+  /** Share of the height that the numbers have, per tab: a report or a list needs more than a picture. */
+  private readonly shares: Record<string, number> = { contact: 0.2, search: 0.2, sheet: 0.055 };
   private part: Part = "view";
 
   constructor(tabs: Tab[]) {
@@ -43,10 +46,13 @@ export class Page {
     this.main = h(
       "main",
       { class: "bench", "data-part": this.part },
-      h("section", { class: "spec", "aria-label": "spec" }, h("div", { class: "spec-head" }, choice), ...sides),
+      h("section", { class: "spec", "aria-label": "spec" }, h("div", { class: "spec-head" }, choice, form.units), ...sides),
       h("section", { class: "view", "aria-label": "pictures" }, this.tabs.list, this.tabs.room),
-      new QuantityPane().element,
+      this.numbers.element,
     );
+    this.numbers.element.prepend(this.divider());
+    this.tabs.opened = (id) => this.share(id);
+    this.share(this.tabs.current.id);
     fill(
       document.body,
       h(
@@ -80,6 +86,41 @@ export class Page {
     });
     this.keys();
     this.drops();
+  }
+
+  private share(tab: string, set?: number): void {
+    if (set !== undefined) this.shares[tab] = Math.min(0.85, Math.max(0.05, set));
+    this.main.style.setProperty("--numbers", `${(100 * (this.shares[tab] ?? 0.34)).toFixed(1)}%`);
+  }
+  /** The line between picture and numbers, to be dragged or moved with the arrow keys. */
+  private divider(): HTMLElement {
+    const now = () => this.shares[this.tabs.current.id] ?? 0.34;
+    const set = (share: number) => {
+      this.share(this.tabs.current.id, share);
+      line.setAttribute("aria-valuenow", String(Math.round(100 * now())));
+    };
+    const line: HTMLElement = h("div", {
+      class: "divider",
+      role: "separator",
+      tabindex: "0",
+      "aria-label": "height of the numbers",
+      "aria-orientation": "horizontal",
+      "aria-valuemin": 5,
+      "aria-valuemax": 85,
+      "aria-valuenow": 34,
+      pointerdown: (event: PointerEvent) => line.setPointerCapture(event.pointerId),
+      pointermove: (event: PointerEvent) => {
+        const box = this.main.getBoundingClientRect();
+        if (event.buttons) set((box.bottom - event.clientY) / box.height);
+      },
+      keydown: (event: KeyboardEvent) => {
+        if (event.key === "ArrowUp") set(now() + 0.05);
+        else if (event.key === "ArrowDown") set(now() - 0.05);
+        else return;
+        event.preventDefault();
+      },
+    });
+    return line;
   }
 
   /** The three parts of a narrow screen. */

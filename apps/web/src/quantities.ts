@@ -60,6 +60,7 @@ export class QuantityPane {
   update(): void {
     const result = bench.solved?.result;
     this.element.classList.toggle("stale", !result && bench.good !== null);
+    this.element.classList.toggle("asking", bench.asks);
     if (!result) return;
     const gearTable = quantities("gear");
     const pairTable = quantities("pair");
@@ -98,7 +99,7 @@ export class QuantityPane {
         body.append(h("tr", { class: "group" }, h("th", { scope: "rowgroup", colspan: 3 + columns }, row.group)));
       }
       const cells = row.values.map((value, i) =>
-        h("td", { class: "value", "data-quantity": row.id, "data-column": i, colspan: row.values.length === 1 ? columns : 1 }, textOf(row.said, value)),
+        h("td", { class: "value", "data-quantity": row.id, "data-column": i, colspan: row.values.length === 1 && columns > 1 ? columns : null }, textOf(row.said, value)),
       );
       this.cells.set(row.id, cells);
       body.append(

@@ -19,6 +19,9 @@ export class Tabs {
   private readonly buttons = new Map<string, HTMLButtonElement>();
   private readonly fault = h("p", { class: "view-fault", role: "status" });
   current: Tab;
+  /** Called with the tab that is opened. */
+  opened: (id: string) => void = () => undefined;
+  private asking = 0;
 
   constructor(readonly tabs: Tab[]) {
     this.current = tabs[0]!;
@@ -42,6 +45,7 @@ export class Tabs {
     if (tab !== this.current) this.current.leave?.();
     this.current = tab;
     this.mark();
+    this.opened(id);
     void this.refresh();
   }
 
@@ -57,12 +61,18 @@ export class Tabs {
 
   async refresh(): Promise<void> {
     const tab = this.current;
+    ++this.asking;
     try {
       await tab.refresh();
       if (tab === this.current) this.fault.textContent = "";
     } catch (reason) {
       if (tab === this.current) this.fault.textContent = reason instanceof Error ? reason.message : String(reason);
+    } finally {
+      --this.asking;
     }
+  }
+  get busy(): boolean {
+    return this.asking > 0;
   }
 
   private key(event: KeyboardEvent): void {

@@ -63,8 +63,8 @@ export class VerdictLine {
     const warnings = (solved.result?.["warnings"] ?? []) as unknown as { message: string; gear: number | null }[];
     let findings: Finding[] = verdict?.findings ?? [];
     if (solved.fault) {
-      if (solved.spec?.["search"] !== undefined) this.say("none", "search", "This spec asks for gears: the search finds them.");
-      else if (solved.spec?.["fit"] !== undefined || /gearwright fit finds them/.test(solved.fault.message))
+      if (bench.asks && solved.spec?.["search"] !== undefined) this.say("none", "search", "This spec asks for gears: the search finds them.");
+      else if (bench.asks)
         this.say("none", "fit", "This spec leaves numbers to be found: the fit finds them.");
       else {
         this.say("fault", "not yet", solved.fault.message);
@@ -76,8 +76,8 @@ export class VerdictLine {
       const count = findings.length;
       this.say(count ? "amber" : "none", "gear", count ? findings[0]!.message : "One gear; a second one makes a pair.");
     }
-    fill(this.list, ...findings.map((one) => this.finding(one)));
-    if (!findings.length) fill(this.list, h("li", {}, "No further findings."));
+    const whole = h("li", { class: "whole" }, this.headline.textContent);
+    fill(this.list, whole, ...findings.map((one) => this.finding(one)), !findings.length && h("li", {}, "No further findings."));
   }
 
   private finding(one: Finding): HTMLElement {

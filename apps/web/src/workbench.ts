@@ -110,6 +110,13 @@ class Workbench {
     this.tell("solved");
   }
 
+  /** The spec asks for gears, by a search or a fit: that it is no pair yet is no fault. */
+  get asks(): boolean {
+    const { solved } = this;
+    if (!solved?.fault || !solved.spec) return false;
+    return solved.spec["search"] !== undefined || solved.spec["fit"] !== undefined || /gearwright fit finds them/.test(solved.fault.message);
+  }
+
   get canUndo(): boolean {
     return this.past.length > 0;
   }

@@ -29,6 +29,7 @@ function implied(key: InputKey, place: string): string {
 
 export class Form {
   readonly element = h("div", { class: "form" });
+  readonly units = h("div", { class: "choice", role: "group", "aria-label": "unit of length" });
   private signature = "";
   private fields: { key: InputKey; field: Field; note: Note }[] = [];
   private readonly opened = new Set<string>(["gear", "pair", "search", "fit"]);
@@ -47,10 +48,10 @@ export class Form {
   constructor() {
     const unit = (words: string, yes: boolean) =>
       button(words, () => setInches(yes), { class: "unit-choice", "aria-pressed": String(inInches() === yes), "data-unit": words });
-    const units = h("div", { class: "choice", role: "group", "aria-label": "unit of length" }, unit("mm", false), unit("inch", true));
-    fill(this.element, h("div", { class: "form-head" }, this.title, units), this.general, this.body);
+    fill(this.units, unit("mm", false), unit("inch", true));
+    fill(this.element, this.title, this.general, this.body);
     onUnitChange(() => {
-      for (const one of units.querySelectorAll("button")) one.setAttribute("aria-pressed", String((one.dataset["unit"] === "inch") === inInches()));
+      for (const one of this.units.querySelectorAll("button")) one.setAttribute("aria-pressed", String((one.dataset["unit"] === "inch") === inInches()));
       this.signature = "";
       this.update();
     });
@@ -76,18 +77,17 @@ export class Form {
 
   private showFault(): void {
     const fault = bench.solved?.fault ?? null;
+    const asks = bench.asks;
     let found = false;
     for (const { field } of this.fields) field.fault(null);
     for (const note of new Set(this.fields.map((one) => one.note))) note.fault(null);
     for (const { field, note } of this.fields) {
-      if (!fault || field.place !== fault.key) continue;
+      if (!fault || asks || field.place !== fault.key) continue;
       found = true;
       field.fault(fault.message);
       note.fault(fault.message);
       field.element.closest("details")?.setAttribute("open", "");
     }
-    // A refusal of a spec that only asks for gears is no fault: the search answers it.
-    const asks = bench.solved?.spec?.["search"] !== undefined || bench.solved?.spec?.["fit"] !== undefined;
     this.general.textContent = fault && !found && !asks ? fault.message : "";
   }
 
@@ -153,7 +153,7 @@ export class Form {
   /** What the text does not have yet: a second gear. */
   private offers(plan: Section[]): HTMLElement | null {
     const gears = plan.find((one) => one.id === "gear")?.places.length;
-    if (gears !== 1) return null;
+    if (gears !== 1 || bench.asks) return null;
     return button("add a second gear", () => {
       bench.setKey("gear2.teeth", 40);
       for (const name of ["normal_module_mm", "normal_pressure_angle_deg"]) {

@@ -46,7 +46,7 @@ const kTitles: Record<string, string> = {
   fit: "Fit",
   search: "Search",
   bore: "Bore",
-  modifications: "Flank modifications",
+  modifications: "Modifications",
   root_fillet: "Root fillet",
   tip_fillet: "Tip fillet",
   basic: "Gear as itself",
@@ -99,13 +99,17 @@ export function planOf(spec: Json): Section[] {
   const sections: (Section | null)[] = [];
   const add = (one: Section | null) => sections.push(one);
   if (searching) add(section("search", "search", "search", ["search"], spec));
-  add(section("gear", "gear", "gear", gears, spec));
+  // A search asks for gears: what it is told of them stands in the text, the rest is not offered.
+  const told = searching ? gears.filter((gear) => at(spec, gear) !== undefined) : gears;
+  const gear = section("gear", "gear", "gear", told, spec);
+  if (gear && searching) gear.rows = gear.rows.filter((key) => told.some((where) => at(spec, `${where}.${key.key}`) !== undefined));
+  if (told.length) add(gear);
   if (gears.length > 1 && !searching) add(section("pair", "pair", "pair", ["pair"], spec));
   for (const key of inputs("gear")?.keys ?? []) {
     if (key.kind !== "table" || !key.documented) continue;
-    const holders = gears.map((gear) => `${gear}.${key.key}`);
+    const holders = told.map((gear) => `${gear}.${key.key}`);
     const tables = holders.filter((where) => isTable(at(spec, where)));
-    const offered = key.key === "bore" || key.key === "modifications";
+    const offered = !searching && (key.key === "bore" || key.key === "modifications");
     if (!tables.length && !offered) continue;
     const name = tableAt(key, tables.length ? at(spec, tables[0]!) : undefined);
     add(section("gear." + key.key, key.key, name, offered ? holders : tables, spec));

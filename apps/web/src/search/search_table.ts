@@ -10,13 +10,14 @@ import { shownUnit, textOf } from "../numbers";
 export type Design = { [key: string]: Json };
 export interface Column {
   said: Quantity;
-  place: number; // of a list: which of them; −1: the value itself
+  place: number | string; // of a list: which of them; −1: the value itself; of a record: its key
   words: string;
 }
 const kShown = 200;
 
 export function valueIn(design: Design, column: Column): Json | undefined {
   const value = design[column.said.key];
+  if (typeof column.place === "string") return (value as Design | null)?.[column.place];
   return column.place < 0 || !Array.isArray(value) ? value : value[column.place];
 }
 
@@ -25,7 +26,13 @@ export function columnsOf(designs: Design[]): Column[] {
   const columns: Column[] = [];
   for (const said of quantities("search.designs")?.quantities ?? []) {
     const values = designs.map((one) => one[said.key]).filter((one) => one !== null && one !== undefined);
-    if (!values.length || said.type === "record" || said.type === "map" || (typeof values[0] === "object" && !Array.isArray(values[0]))) continue;
+    if (!values.length) continue;
+    // Objectives by their names: numbers that a search with several has compared.
+    if (said.key === "objective" && typeof values[0] === "object") {
+      for (const name of Object.keys(values[0] as Design)) columns.push({ said: { ...said, symbol: "", unit: "", digits: 4, type: "number" }, place: name, words: name.replaceAll("_", " ") });
+      continue;
+    }
+    if (said.type === "record" || said.type === "map" || (typeof values[0] === "object" && !Array.isArray(values[0]))) continue;
     if (Array.isArray(values[0])) values[0].forEach((_, place) => columns.push({ said, place, words: `${said.words}, gear ${place + 1}` }));
     else columns.push({ said, place: -1, words: said.words });
   }
@@ -75,7 +82,7 @@ export class SearchTable {
 
   private head(column: Column, index: number): HTMLElement {
     const { said, place, words } = column;
-    const name = said.symbol ? symbol(said.symbol + (place >= 0 ? (said.symbol.includes("_") ? "" : "_") + (place + 1) : "")) : words;
+    const name = said.symbol ? symbol(said.symbol + (typeof place === "number" && place >= 0 ? (said.symbol.includes("_") ? "" : "_") + (place + 1) : "")) : words;
     const sortBy = button("", () => {
       this.down = this.by === index ? !this.down : said.greaterFirst;
       this.by = index;

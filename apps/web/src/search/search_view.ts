@@ -135,9 +135,10 @@ export class SearchView implements Tab {
     const before = [this.across.value, this.up.value];
     fill(this.across, ...options());
     fill(this.up, ...options());
+    const objectives = columns.flatMap((column, i) => (typeof column.place === "string" ? [i] : []));
     const find = (key: string, other: number) => Math.max(0, columns.findIndex((column) => column.said.key === key)) || other;
-    this.across.value = before[0] || String(find("center_distance_mm", 0));
-    this.up.value = before[1] || String(find("contact_ratio", 1));
+    this.across.value = before[0] || String(objectives[0] ?? find("center_distance_mm", 0));
+    this.up.value = before[1] || String(objectives[1] ?? find("contact_ratio", 1));
     this.chooser.hidden = designs.length < 2;
     this.picture();
   }

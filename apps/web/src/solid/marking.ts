@@ -13,6 +13,11 @@ export interface Marking {
 
 const kFar = 1e3; // mm: where the mating gear never is
 
+/** The gear's colour, paler than on paper, so that light and shade have room. */
+export function metal(gear: number): THREE.Color {
+  return new THREE.Color(colour(`g${gear + 1}`)).lerp(new THREE.Color(colour(`g${gear + 1}-fill`)), 0.32);
+}
+
 /** Metal of a gear's colour with a marking on its working flanks. `side` is +1 where these look
  *  counter-clockwise about the gear's axis, −1 where they look clockwise. */
 export function markedMaterial(gear: number, side: number, cut: THREE.Plane): { material: THREE.Material; marking: Marking } {
@@ -26,7 +31,7 @@ export function markedMaterial(gear: number, side: number, cut: THREE.Plane): { 
     side: { value: side },
     shine: { value: new THREE.Color(colour("action")) },
   };
-  const material = new THREE.MeshStandardMaterial({ color: colour(`g${gear + 1}`), metalness: 0.15, roughness: 0.52, clippingPlanes: [cut] });
+  const material = new THREE.MeshStandardMaterial({ color: metal(gear), metalness: 0.25, roughness: 0.48, clippingPlanes: [cut] });
   material.onBeforeCompile = (shader) => {
     Object.assign(shader.uniforms, uniforms);
     shader.vertexShader = shader.vertexShader

@@ -8,7 +8,7 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import type { Mesh } from "../../engine/engine";
 import { colour } from "../elements";
 import { ContactMarks } from "./contact_marks";
-import { markedMaterial, type Marking } from "./marking";
+import { markedMaterial, metal, type Marking } from "./marking";
 
 export class SolidScene {
   readonly marks = new ContactMarks();
@@ -29,12 +29,12 @@ export class SolidScene {
     this.orbit.enableDamping = false;
     this.orbit.zoomToCursor = true;
     this.orbit.addEventListener("change", () => this.ask());
-    const key = new THREE.DirectionalLight(0xffffff, 2.1);
-    key.position.set(0.6, 1.0, 1.2);
+    const key = new THREE.DirectionalLight(0xffffff, 2.6);
+    key.position.set(-0.5, 1.3, 0.9);
     const fill = new THREE.DirectionalLight(0xffffff, 0.55);
-    fill.position.set(-1, -0.4, 0.5);
+    fill.position.set(1, -0.5, 0.8);
     this.camera.add(key, fill);
-    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x8a8f96, 1.15), this.camera, this.marks.group);
+    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x6a7078, 1.0), this.camera, this.marks.group);
     canvas.addEventListener("keydown", (event) => this.key(event));
     canvas.addEventListener("dblclick", () => this.look());
   }
@@ -74,7 +74,7 @@ export class SolidScene {
   recolour(): void {
     this.gears.forEach((gear, i) => {
       const [outer, inner] = gear.children as THREE.Mesh[];
-      (outer!.material as THREE.MeshStandardMaterial).color.set(colour(`g${i + 1}`));
+      (outer!.material as THREE.MeshStandardMaterial).color.copy(metal(i));
       (inner!.material as THREE.MeshBasicMaterial).color.set(colour(`g${i + 1}-fill`));
     });
     this.marks.recolour();
@@ -125,7 +125,7 @@ export class SolidScene {
     if (!(sphere.radius > 0)) return;
     const aspect = Math.max(0.2, this.canvas.clientWidth / Math.max(1, this.canvas.clientHeight));
     const half = (this.camera.fov * Math.PI) / 360;
-    const distance = (0.92 * sphere.radius) / Math.sin(Math.min(half, Math.atan(Math.tan(half) * aspect)));
+    const distance = (0.8 * sphere.radius) / Math.sin(Math.min(half, Math.atan(Math.tan(half) * aspect)));
     this.orbit.target.copy(sphere.center);
     this.camera.position.copy(sphere.center).add(new THREE.Vector3(-0.42, 0.38, 0.82).normalize().multiplyScalar(distance));
     this.camera.near = distance / 500;

@@ -99,7 +99,7 @@ export class TextPane {
 
   private showFault(): void {
     const fault = bench.solved?.fault ?? null;
-    const asks = bench.solved?.spec?.["search"] !== undefined || bench.solved?.spec?.["fit"] !== undefined;
+    const asks = bench.asks;
     const line = fault?.line ?? lineIn(fault?.message ?? "");
     this.sentence.textContent = fault && !asks ? (fault.line ? `Line ${fault.line}: ` : "") + fault.message : "";
     this.mark.hidden = !fault || !line || asks;
