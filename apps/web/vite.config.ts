@@ -8,8 +8,8 @@ import { defineConfig, type Plugin } from "vite";
 
 const here = import.meta.dirname;
 const root = resolve(here, "../..");
-/** Where the compiled engine lies: engine.js and engine.wasm. */
-const engine = resolve(process.env["GEARWRIGHT_ENGINE"] ?? resolve(root, "build/wasm/apps/web/engine"));
+/** Where the compiled engine lies: engine.js, gearwright.mjs, gearwright.wasm. */
+const engine = resolve(process.env["GEARWRIGHT_ENGINE"] ?? resolve(root, "build/wasm/engine"));
 
 /** The house's colours, light and dark: the first rules of the report's style sheet. */
 function palette(): Plugin {
@@ -39,7 +39,7 @@ function single(): Plugin {
       for (const [name, part] of Object.entries(bundle)) {
         if (part.type === "chunk" && part.isEntry) {
           const code = part.code.replaceAll("</script", "<\\/script");
-          const wasm = gzipSync(readFileSync(resolve(engine, "engine.wasm")), { level: 9 }).toString("base64");
+          const wasm = gzipSync(readFileSync(resolve(engine, "gearwright.wasm")), { level: 9 }).toString("base64");
           html = html.replace(/<script[^>]*src="[^"]*"[^>]*><\/script>/, "");
           html = html.replace("</body>", () => `<script id="engine-wasm" type="text/plain">${wasm}</script>\n<script type="module">${code}</script>\n</body>`);
         } else if (name.endsWith(".css") && part.type === "asset") {

@@ -1,11 +1,11 @@
 // The engine of a page on a host: files beside it.
-import address from "gearwright-engine/engine.wasm?url";
+import address from "gearwright-engine/gearwright.wasm?url";
 
 export const makeWorker = () => new Worker(new URL("./engine_worker.ts", import.meta.url), { type: "module" });
 let bytes: Promise<ArrayBuffer> | null = null;
 export function wasmBytes(): Promise<ArrayBuffer> {
   bytes ??= fetch(address).then((answer) => {
-    if (!answer.ok) throw new Error(`engine.wasm: ${answer.status} ${answer.statusText}`);
+    if (!answer.ok) throw new Error(`gearwright.wasm: ${answer.status} ${answer.statusText}`);
     return answer.arrayBuffer();
   });
   return bytes;

@@ -88,14 +88,11 @@ export class SolidScene {
     return this.markings[gear];
   }
 
-  /** Where a gear stands: 16 numbers, column by column, moved apart by `away`. */
-  place(gear: number, pose: number[], away: THREE.Vector3): void {
+  /** Where a gear stands: 16 numbers, column by column. */
+  place(gear: number, pose: number[]): void {
     const group = this.gears[gear];
     if (!group) return;
     group.matrix.fromArray(pose);
-    group.matrix.elements[12]! += away.x;
-    group.matrix.elements[13]! += away.y;
-    group.matrix.elements[14]! += away.z;
     group.matrixWorldNeedsUpdate = true;
     this.ask();
   }
@@ -106,7 +103,12 @@ export class SolidScene {
     this.ask();
   }
 
-  bounds(): THREE.Box3 {
+  /** Least and greatest z, and the diagonal, mm. */
+  extent(): { low: number; high: number; size: number } {
+    const box = this.bounds();
+    return { low: box.min.z, high: box.max.z, size: box.max.distanceTo(box.min) };
+  }
+  private bounds(): THREE.Box3 {
     const box = new THREE.Box3();
     this.scene.updateMatrixWorld(true);
     for (const gear of this.gears) box.expandByObject(gear);

@@ -40,7 +40,6 @@ export class SolidView implements Tab {
   private scene: SolidScene | null = null;
   private motion: Motion | null = null;
   private shown = "";
-  private three: typeof import("three") | null = null;
   private low = 0;
   private high = 0;
   private size = 1;
@@ -58,13 +57,12 @@ export class SolidView implements Tab {
     const solved = bench.good;
     if (!solved) return;
     if (!this.scene) {
-      const [{ SolidScene }, three] = await Promise.all([import("./scene"), import("three")]);
+      const { SolidScene } = await import("./scene");
       try {
         this.scene = new SolidScene(this.canvas);
       } catch {
         throw new Error("This browser shows no WebGL: the solids cannot be drawn here. The files can still be taken home.");
       }
-      this.three = three;
     }
     if (solved.text === this.shown) return this.scene.ask();
     const answer = await bench.back.latest("meshes", "meshes", { text: solved.text, tolerance: this.tolerance() });
@@ -79,10 +77,7 @@ export class SolidView implements Tab {
     this.motion = motion;
     this.shown = solved.text;
     this.arrange();
-    const box = this.scene.bounds();
-    this.low = box.min.z;
-    this.high = box.max.z;
-    this.size = box.max.distanceTo(box.min);
+    ({ low: this.low, high: this.high, size: this.size } = this.scene.extent());
     this.scene.frame(fresh);
     this.arrange();
     this.state.textContent = `${(answer.reduce((sum, mesh) => sum + mesh.indices.length / 3, 0) / 1000).toFixed(0)} thousand triangles`;
@@ -115,17 +110,18 @@ export class SolidView implements Tab {
   }
 
   private arrange(): void {
-    const { scene, motion, three } = this;
+    const { scene, motion } = this;
     this.run.textContent = this.turning.runs ? "Stop" : "Turn";
     this.slider.value = String(this.turning.t);
-    if (!scene || !motion || !three) return;
+    if (!scene || !motion) return;
     this.angle.textContent = (this.turning.t * motion.pitchDeg).toFixed(2) + "°";
     const apart = Number(this.apart.value);
     // A pinion leaves its ring along the axis; other gears move away from each other.
-    const away = this.internal ? new three.Vector3(0, 0, 1) : new three.Vector3(1, 0, 0);
-    motion.places.forEach((_, gear) =>
-      scene.place(gear, poseAt(motion, gear, this.turning.t), away.clone().multiplyScalar(gear === 1 ? apart * this.size * 0.5 : 0)),
-    );
+    motion.places.forEach((_, gear) => {
+      const pose = poseAt(motion, gear, this.turning.t);
+      if (gear === 1) pose[this.internal ? 14 : 12]! += apart * this.size * 0.5;
+      scene.place(gear, pose);
+    });
     const share = Number(this.cut.value);
     scene.section(share >= 1 ? Infinity : this.low + share * (this.high - this.low));
     const i = (((Math.round((this.turning.t + 0.5) * kPositions) % kPositions) + kPositions) % kPositions);
