@@ -63,7 +63,8 @@ export default defineConfig(({ mode }) => ({
     },
   },
   plugins: [palette(), ...(mode === "single" ? [single()] : [])],
-  worker: { format: "es" },
+  // A page from disk may not start a worker that is a module.
+  worker: { format: mode === "single" ? "iife" : "es" },
   server: { fs: { allow: [root, engine] } },
   build: {
     outDir: process.env["GEARWRIGHT_WEB_OUT"] ?? resolve(root, "build/web"),

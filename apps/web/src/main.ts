@@ -40,6 +40,7 @@ async function begin(): Promise<void> {
   };
   addEventListener("hashchange", () => void fromAddress());
   if (!(await fromAddress())) page.showStarts();
+  performance.mark("ready");
   document.documentElement.dataset["ready"] = "true";
 }
 

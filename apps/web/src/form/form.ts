@@ -112,7 +112,7 @@ export class Form {
             else this.more.add(section.id);
             this.signature = "";
             this.update();
-          }, { class: "quiet more", "aria-expanded": String(showMore), "aria-label": `${showMore ? "fewer" : "more"} keys: ${section.title}` })
+          }, { class: "quiet more", "aria-expanded": String(showMore), "aria-label": `${showMore ? "fewer" : section.more.length + " more"} keys: ${section.title}` })
         : null;
     const heads = section.places.map((place) => (place.startsWith("gear") ? h("span", { class: "g" + place[4] }, "gear " + place[4]) : null));
     const open = this.opened.has(section.id) || section.present;

@@ -1,6 +1,7 @@
 // The tab "solid": the pair in space, at any shaft angle. It turns, opens along a section, comes
 // apart; the contact point and its ellipse move over the flanks, and the marking stays on them.
 
+import { loadScene } from "gearwright:parts";
 import { button, h, onThemeChange } from "../elements";
 import { kOvertaken } from "../engine_link";
 import { poseAt, Turning, type Motion } from "../motion";
@@ -57,7 +58,7 @@ export class SolidView implements Tab {
     const solved = bench.good;
     if (!solved) return;
     if (!this.scene) {
-      const { SolidScene } = await import("./scene");
+      const { SolidScene } = await loadScene();
       try {
         this.scene = new SolidScene(this.canvas);
       } catch {
