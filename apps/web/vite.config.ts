@@ -27,6 +27,19 @@ function palette(): Plugin {
   };
 }
 
+/** The module as emscripten writes it names its file by import.meta.url, which a worker in one file
+ *  does not have; the bytes come from the page in any case. */
+function engineModule(): Plugin {
+  return {
+    name: "gearwright-engine",
+    enforce: "pre",
+    transform(code, id) {
+      if (!id.endsWith("gearwright.mjs")) return null;
+      return code.replaceAll("import.meta.url", "self.location.href").replace(/require\(['"](fs|path)['"]\)/g, "null"); // node's
+    },
+  };
+}
+
 /** Everything into one HTML file: style, script, and the engine as gzip in base64. */
 function single(): Plugin {
   return {
@@ -62,9 +75,9 @@ export default defineConfig(({ mode }) => ({
       "gearwright:parts": resolve(here, mode === "single" ? "src/parts_single.ts" : "src/parts_static.ts"),
     },
   },
-  plugins: [palette(), ...(mode === "single" ? [single()] : [])],
+  plugins: [palette(), engineModule(), ...(mode === "single" ? [single()] : [])],
   // A page from disk may not start a worker that is a module.
-  worker: { format: mode === "single" ? "iife" : "es" },
+  worker: { format: mode === "single" ? "iife" : "es", plugins: () => [engineModule()] },
   server: { fs: { allow: [root, engine] } },
   build: {
     outDir: process.env["GEARWRIGHT_WEB_OUT"] ?? resolve(root, "build/web"),

@@ -207,7 +207,7 @@ async function answer(q: Question): Promise<void> {
 onmessage = (event: MessageEvent) => {
   const message = event.data;
   if (message.wasm) {
-    ready = createEngine({ wasmBinary: message.wasm }).then((made) => {
+    ready = createEngine({ wasmBinary: message.wasm, locateFile: (name) => name }).then((made) => {
       engine = made;
     });
     ready.catch((reason) => postMessage({ broken: String(reason) }));
