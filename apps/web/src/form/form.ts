@@ -15,7 +15,7 @@ import { planOf, signatureOf, type Section } from "./plan";
 /** What holds for a key that is absent: the result's value, else what the catalogue says. */
 function implied(key: InputKey, place: string): string {
   const [head, ...rest] = place.split(".");
-  const result = bench.solved?.result ?? null;
+  const result = bench.solved?.result ?? bench.good?.result ?? null;
   if (rest.length === 1 && result) {
     const gear = head === "gear1" ? 0 : head === "gear2" ? 1 : -1;
     const owner = gear >= 0 ? (result["gears"] as Json[] | undefined)?.[gear] : head === "pair" ? result["pair"] : undefined;
