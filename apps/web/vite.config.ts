@@ -35,7 +35,9 @@ function engineModule(): Plugin {
     enforce: "pre",
     transform(code, id) {
       if (!id.endsWith("gearwright.mjs")) return null;
-      return code.replaceAll("import.meta.url", "self.location.href").replace(/require\(['"](fs|path)['"]\)/g, "null"); // node's
+      return code
+        .replaceAll("import.meta.url", "self.location.href")
+        .replace(/require\(['"](fs|path)['"]\)/g, "null"); // node's
     },
   };
 }
@@ -52,9 +54,15 @@ function single(): Plugin {
       for (const [name, part] of Object.entries(bundle)) {
         if (part.type === "chunk" && part.isEntry) {
           const code = part.code.replaceAll("</script", "<\\/script");
-          const wasm = gzipSync(readFileSync(resolve(engine, "gearwright.wasm")), { level: 9 }).toString("base64");
+          const wasm = gzipSync(readFileSync(resolve(engine, "gearwright.wasm")), { level: 9 }).toString(
+            "base64",
+          );
           html = html.replace(/<script[^>]*src="[^"]*"[^>]*><\/script>/, "");
-          html = html.replace("</body>", () => `<script id="engine-wasm" type="text/plain">${wasm}</script>\n<script type="module">${code}</script>\n</body>`);
+          html = html.replace(
+            "</body>",
+            () =>
+              `<script id="engine-wasm" type="text/plain">${wasm}</script>\n<script type="module">${code}</script>\n</body>`,
+          );
         } else if (name.endsWith(".css") && part.type === "asset") {
           html = html.replace(/<link rel="stylesheet"[^>]*>/, () => `<style>${String(part.source)}</style>`);
         }

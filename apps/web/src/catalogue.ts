@@ -27,7 +27,10 @@ export function inputKey(table: string, key: string): InputKey | undefined {
 export function wordsOf(key: InputKey): string {
   let words = key.key;
   if (key.suffix && words.endsWith("_" + key.suffix)) words = words.slice(0, -key.suffix.length - 1);
-  return words.replace(/([12])$/, " $1").replaceAll("_", " ").replace("center", "centre");
+  return words
+    .replace(/([12])$/, " $1")
+    .replaceAll("_", " ")
+    .replace("center", "centre");
 }
 
 /** The range of a key as a sentence: "between 1 and 60, usually 14.5 to 30". */
@@ -38,6 +41,9 @@ export function rangeOf(key: InputKey): string {
   const beyond = (end: number | null) => end === null || Math.abs(end) >= 1e9;
   const from = beyond(lo) ? "" : (range.loOpen ? "more than " : "at least ") + lo;
   const to = beyond(hi) ? "" : (range.hiOpen ? "less than " : "at most ") + hi;
-  const both = from && to && !range.loOpen && !range.hiOpen ? `from ${lo} to ${hi}` : [from, to].filter(Boolean).join(", ");
+  const both =
+    from && to && !range.loOpen && !range.hiOpen
+      ? `from ${lo} to ${hi}`
+      : [from, to].filter(Boolean).join(", ");
   return both + (range.reason ?? "");
 }

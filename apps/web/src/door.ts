@@ -22,7 +22,10 @@ export function doorOf(page: Page) {
     /** The answer on screen is that of the text on screen. */
     settled: (): boolean => bench.solved?.text === bench.text,
     /** Nothing is asked of the engine any more. */
-    idle: (): boolean => bench.solved?.text === bench.text && !page.tabs.busy && [bench.front, bench.back, bench.seek].every((one) => one.idle),
+    idle: (): boolean =>
+      bench.solved?.text === bench.text &&
+      !page.tabs.busy &&
+      [bench.front, bench.back, bench.seek].every((one) => one.idle),
     lastMs: (): number => bench.lastMs,
   };
 }

@@ -62,15 +62,20 @@ export function symbol(text: string): HTMLElement {
   for (const part of text.split(/(_[\p{L}\p{N},]+|(?<=\p{L})\d|\*)/u)) {
     if (!part) continue;
     if (part === "*") whole.append(h("sup", {}, "*"));
-    else if (/^\d$/.test(part) || (part.startsWith("_") && part.length > 1)) whole.append(h("sub", {}, part.replace("_", "")));
-    else for (const piece of part.split(/([\p{L}]+)/u)) if (piece) whole.append(/\p{L}/u.test(piece) ? h("var", {}, piece) : piece);
+    else if (/^\d$/.test(part) || (part.startsWith("_") && part.length > 1))
+      whole.append(h("sub", {}, part.replace("_", "")));
+    else
+      for (const piece of part.split(/([\p{L}]+)/u))
+        if (piece) whole.append(/\p{L}/u.test(piece) ? h("var", {}, piece) : piece);
   }
   return whole;
 }
 
 /** What a colour of the house is now, light or dark: colour("g1-fill"). */
 export function colour(name: string): string {
-  return getComputedStyle(document.documentElement).getPropertyValue("--" + name).trim();
+  return getComputedStyle(document.documentElement)
+    .getPropertyValue("--" + name)
+    .trim();
 }
 
 /** Calls `then` when light becomes dark or the other way round. */

@@ -80,7 +80,11 @@ export class EngineLink {
   }
 
   /** Asks; the answer comes in its time. */
-  async ask<N extends Name>(name: N, question: Parameters<Questions[N]>[0], progress?: Progress): Promise<Answer<N>> {
+  async ask<N extends Name>(
+    name: N,
+    question: Parameters<Questions[N]>[0],
+    progress?: Progress,
+  ): Promise<Answer<N>> {
     return (await this.send(name, question, progress)) as Answer<N>;
   }
 

@@ -94,7 +94,9 @@ const questions = {
   },
   sections(q: { text: string; tolerance: number }) {
     const s = session(q.text);
-    const gears = ([1, 2] as const).filter((gear) => gear <= s.gears).map((gear) => good(s.section(gear, q.tolerance)));
+    const gears = ([1, 2] as const)
+      .filter((gear) => gear <= s.gears)
+      .map((gear) => good(s.section(gear, q.tolerance)));
     return { gears, lines: s.hasPair ? good(s.lines()) : null };
   },
   /** Where the gears stand, and where they touch, over a pitch of gear 1 from −½ to ½. */
@@ -102,11 +104,13 @@ const questions = {
     const s = session(q.text);
     const pitchDeg = 360 / good(s.section(1, 1)).teeth;
     const curve = s.hasPair ? s.contactCurve(q.n - 1) : null;
-    const places = ([1, 2] as const).filter((gear) => gear <= s.gears).map((gear) => {
-      const all = new Float64Array(16 * q.n);
-      for (let i = 0; i < q.n; ++i) all.set(good(s.pose(gear, pitchDeg * (i / (q.n - 1) - 0.5))), 16 * i);
-      return all;
-    });
+    const places = ([1, 2] as const)
+      .filter((gear) => gear <= s.gears)
+      .map((gear) => {
+        const all = new Float64Array(16 * q.n);
+        for (let i = 0; i < q.n; ++i) all.set(good(s.pose(gear, pitchDeg * (i / (q.n - 1) - 0.5))), 16 * i);
+        return all;
+      });
     return { pitchDeg, n: q.n, places, curve: failed(curve) ? null : curve };
   },
   meshes(q: { text: string; tolerance: number }) {
@@ -138,7 +142,8 @@ const questions = {
   },
   shifts: (q: { text: string }) => good(session(q.text).shiftRegion()),
   /** Any verb, its JSON read. */
-  run: (q: { text: string; verb: E.Verb }) => JSON.parse(engine.run(q.verb, q.text)) as { [key: string]: Json },
+  run: (q: { text: string; verb: E.Verb }) =>
+    JSON.parse(engine.run(q.verb, q.text)) as { [key: string]: Json },
   /** The very text that the program prints, for comparing. */
   print: (q: { text: string; verb: E.Verb }) => engine.run(q.verb, q.text),
   trials(q: { text: string }) {
@@ -162,7 +167,8 @@ const questions = {
     if (!search) throw new Refused("run the search first");
     return good(search.report());
   },
-  file: (q: { text: string; kind: E.FileKind; gear: 0 | 1 | 2 }) => good(session(q.text).file(q.kind, q.gear)),
+  file: (q: { text: string; kind: E.FileKind; gear: 0 | 1 | 2 }) =>
+    good(session(q.text).file(q.kind, q.gear)),
   tomlOf: (q: { json: string }) => good(engine.toToml(q.json)),
 };
 export type Questions = typeof questions;

@@ -9,7 +9,10 @@ const kFormat = "#1.";
 /** A link that unpacks to more than this is no spec. */
 const kMostCharacters = 1_000_000;
 
-async function through(bytes: Uint8Array<ArrayBuffer>, stream: CompressionStream | DecompressionStream): Promise<Uint8Array<ArrayBuffer>> {
+async function through(
+  bytes: Uint8Array<ArrayBuffer>,
+  stream: CompressionStream | DecompressionStream,
+): Promise<Uint8Array<ArrayBuffer>> {
   const source = new Blob([bytes]).stream().pipeThrough(stream);
   const parts: Uint8Array<ArrayBuffer>[] = [];
   let length = 0;

@@ -25,7 +25,14 @@ async function begin(): Promise<void> {
   bench.back = new EngineLink(makeWorker, wasmBytes);
   bench.seek = new EngineLink(makeWorker, wasmBytes);
   setCatalogue(await bench.front.ask("catalogue", undefined as never));
-  const page = new Page([new MeshView(), new SolidView(), new ContactView(), new ShiftsView(), new SearchView(), new SheetView()]);
+  const page = new Page([
+    new MeshView(),
+    new SolidView(),
+    new ContactView(),
+    new ShiftsView(),
+    new SearchView(),
+    new SheetView(),
+  ]);
   window.gearwright = doorOf(page);
   const fromAddress = async () => {
     try {
@@ -46,6 +53,20 @@ async function begin(): Promise<void> {
 
 begin().catch((reason) => {
   document.body.replaceChildren(
-    h("main", { class: "broken" }, h("h1", {}, "Gearwright"), h("p", { role: "alert" }, `The engine did not start: ${reason instanceof Error ? reason.message : String(reason)}.`), h("p", {}, "A browser with WebAssembly exceptions is needed: Chromium 95, Firefox 100, Safari 15.2 or newer.")),
+    h(
+      "main",
+      { class: "broken" },
+      h("h1", {}, "Gearwright"),
+      h(
+        "p",
+        { role: "alert" },
+        `The engine did not start: ${reason instanceof Error ? reason.message : String(reason)}.`,
+      ),
+      h(
+        "p",
+        {},
+        "A browser with WebAssembly exceptions is needed: Chromium 95, Firefox 100, Safari 15.2 or newer.",
+      ),
+    ),
   );
 });

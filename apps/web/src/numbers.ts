@@ -59,7 +59,9 @@ export function textOf(quantity: Quantity, value: Json | undefined): string {
   if (typeof value === "boolean") return value ? "yes" : "no";
   if (typeof value === "string") return value.replaceAll("_", " ");
   if (Array.isArray(value))
-    return value.length ? value.map((one) => textOf(quantity, one)).join(quantity.two === "ends" ? " … " : ", ") : "none";
+    return value.length
+      ? value.map((one) => textOf(quantity, one)).join(quantity.two === "ends" ? " … " : ", ")
+      : "none";
   if (typeof value === "object") return "";
   if (quantity.type === "whole" || quantity.type === "index") return String(value);
   if (quantity.percent) return fixed(100 * value, quantity.digits);

@@ -18,10 +18,26 @@ export class Page {
   readonly tabs: Tabs;
   readonly starts: Starts;
   private readonly title = h("h1", {}, "Gearwright");
-  private readonly undo = button("↶", () => bench.undo(), { "aria-label": "undo", title: "undo, Ctrl+Z", disabled: true });
-  private readonly redo = button("↷", () => bench.redo(), { "aria-label": "redo", title: "redo, Ctrl+Shift+Z", disabled: true });
-  private readonly link = button("Link", () => void this.copyLink(), { title: "copies the address that holds this design" });
-  private readonly picker = h("input", { type: "file", accept: ".toml,.json,text/plain", hidden: true, "aria-label": "open a spec", change: () => void this.pick() });
+  private readonly undo = button("↶", () => bench.undo(), {
+    "aria-label": "undo",
+    title: "undo, Ctrl+Z",
+    disabled: true,
+  });
+  private readonly redo = button("↷", () => bench.redo(), {
+    "aria-label": "redo",
+    title: "redo, Ctrl+Shift+Z",
+    disabled: true,
+  });
+  private readonly link = button("Link", () => void this.copyLink(), {
+    title: "copies the address that holds this design",
+  });
+  private readonly picker = h("input", {
+    type: "file",
+    accept: ".toml,.json,text/plain",
+    hidden: true,
+    "aria-label": "open a spec",
+    change: () => void this.pick(),
+  });
   private readonly said = h("div", { class: "said", role: "status" });
   private readonly main: HTMLElement;
   private readonly verdict = new VerdictLine();
@@ -37,16 +53,31 @@ export class Page {
     const text = new TextPane();
     const sides = [form.element, text.element];
     const side = (words: string, index: number) =>
-      button(words, () => {
-        sides.forEach((one, i) => (one.hidden = i !== index));
-        for (const [i, one] of [...choice.children].entries()) one.setAttribute("aria-pressed", String(i === index));
-      }, { "aria-pressed": String(index === 0) });
-    const choice = h("div", { class: "choice", role: "group", "aria-label": "the spec as" }, side("form", 0), side("text", 1));
+      button(
+        words,
+        () => {
+          sides.forEach((one, i) => (one.hidden = i !== index));
+          for (const [i, one] of [...choice.children].entries())
+            one.setAttribute("aria-pressed", String(i === index));
+        },
+        { "aria-pressed": String(index === 0) },
+      );
+    const choice = h(
+      "div",
+      { class: "choice", role: "group", "aria-label": "the spec as" },
+      side("form", 0),
+      side("text", 1),
+    );
     text.element.hidden = true;
     this.main = h(
       "main",
       { class: "bench", "data-part": this.part },
-      h("section", { class: "spec", "aria-label": "spec" }, h("div", { class: "spec-head" }, choice, form.units), ...sides),
+      h(
+        "section",
+        { class: "spec", "aria-label": "spec" },
+        h("div", { class: "spec-head" }, choice, form.units),
+        ...sides,
+      ),
       h("section", { class: "view", "aria-label": "pictures" }, this.tabs.list, this.tabs.room),
       this.numbers.element,
     );
@@ -66,7 +97,9 @@ export class Page {
           this.undo,
           this.redo,
           startButton(() => this.showStarts()),
-          button("Open", () => this.picker.click(), { title: "a spec: TOML or JSON; files may also be dropped" }),
+          button("Open", () => this.picker.click(), {
+            title: "a spec: TOML or JSON; files may also be dropped",
+          }),
           button("Save", () => this.save(), { title: "the spec as a TOML file, Ctrl+S" }),
           this.link,
           new TakeHome(() => this.save()).element,
@@ -126,13 +159,24 @@ export class Page {
   /** The three parts of a narrow screen. */
   private parts(): HTMLElement {
     const one = (part: Part, words: string) =>
-      button(words, () => {
-        this.part = part;
-        this.main.dataset["part"] = part;
-        for (const other of nav.querySelectorAll("button")) other.setAttribute("aria-pressed", String(other.dataset["part"] === part));
-        void this.tabs.refresh();
-      }, { "data-part": part, "aria-pressed": String(part === this.part) });
-    const nav: HTMLElement = h("nav", { class: "parts", "aria-label": "parts of the page" }, one("spec", "Spec"), one("view", "Pictures"), one("numbers", "Numbers"));
+      button(
+        words,
+        () => {
+          this.part = part;
+          this.main.dataset["part"] = part;
+          for (const other of nav.querySelectorAll("button"))
+            other.setAttribute("aria-pressed", String(other.dataset["part"] === part));
+          void this.tabs.refresh();
+        },
+        { "data-part": part, "aria-pressed": String(part === this.part) },
+      );
+    const nav: HTMLElement = h(
+      "nav",
+      { class: "parts", "aria-label": "parts of the page" },
+      one("spec", "Spec"),
+      one("view", "Pictures"),
+      one("numbers", "Numbers"),
+    );
     return nav;
   }
 

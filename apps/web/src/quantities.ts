@@ -29,7 +29,13 @@ function rowsOf(table: QuantityTable, records: Json[], prefix: string, within = 
     }
     if (!said.page && !said.listing) continue;
     const perGear = records.length === 1 && said.two === "gears" && Array.isArray(values[0]);
-    rows.push({ id, group: said.group || within, said, words: said.words, values: perGear ? (values[0] as Json[]) : values });
+    rows.push({
+      id,
+      group: said.group || within,
+      said,
+      words: said.words,
+      values: perGear ? (values[0] as Json[]) : values,
+    });
   }
   const order = [...table.groups, ...rows.map((row) => row.group)];
   return rows.sort((a, b) => order.indexOf(a.group) - order.indexOf(b.group));
@@ -43,8 +49,18 @@ export class QuantityPane {
     input: () => this.filter(),
   });
   private readonly count = h("span", { class: "soft", "aria-live": "polite" });
-  private readonly sheet = h("div", { class: "sheet", tabindex: "0", role: "region", "aria-label": "quantities" });
-  readonly element = h("section", { class: "numbers", "aria-label": "numbers" }, h("div", { class: "numbers-head" }, this.search, this.count), this.sheet);
+  private readonly sheet = h("div", {
+    class: "sheet",
+    tabindex: "0",
+    role: "region",
+    "aria-label": "quantities",
+  });
+  readonly element = h(
+    "section",
+    { class: "numbers", "aria-label": "numbers" },
+    h("div", { class: "numbers-head" }, this.search, this.count),
+    this.sheet,
+  );
   private signature = "";
   private cells = new Map<string, HTMLElement[]>();
   private rows: Row[] = [];
@@ -96,16 +112,30 @@ export class QuantityPane {
       const heading = (index < pairRows ? "Pair: " : "Gears: ") + row.group;
       if (heading !== group) {
         group = heading;
-        body.append(h("tr", { class: "group" }, h("th", { scope: "rowgroup", colspan: 3 + columns }, row.group)));
+        body.append(
+          h("tr", { class: "group" }, h("th", { scope: "rowgroup", colspan: 3 + columns }, row.group)),
+        );
       }
       const cells = row.values.map((value, i) =>
-        h("td", { class: "value", "data-quantity": row.id, "data-column": i, colspan: row.values.length === 1 && columns > 1 ? columns : null }, textOf(row.said, value)),
+        h(
+          "td",
+          {
+            class: "value",
+            "data-quantity": row.id,
+            "data-column": i,
+            colspan: row.values.length === 1 && columns > 1 ? columns : null,
+          },
+          textOf(row.said, value),
+        ),
       );
       this.cells.set(row.id, cells);
       body.append(
         h(
           "tr",
-          { "data-words": `${row.words} ${row.said.symbol} ${row.said.key}`.toLowerCase(), title: row.said.meaning },
+          {
+            "data-words": `${row.words} ${row.said.symbol} ${row.said.key}`.toLowerCase(),
+            title: row.said.meaning,
+          },
           h("th", { scope: "row" }, row.words),
           h("td", {}, row.said.symbol ? symbol(row.said.symbol) : ""),
           h("td", { class: "unit" }, shownUnit(row.said.percent ? "%" : row.said.unit)),
@@ -113,13 +143,26 @@ export class QuantityPane {
         ),
       );
     });
-    const heads = Array.from({ length: columns }, (_, i) => h("th", { scope: "col", class: `value g${i + 1}` }, `gear ${i + 1}`));
+    const heads = Array.from({ length: columns }, (_, i) =>
+      h("th", { scope: "col", class: `value g${i + 1}` }, `gear ${i + 1}`),
+    );
     fill(
       this.sheet,
       h(
         "table",
         { class: "quantities" },
-        h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "quantity"), h("th", { scope: "col" }, "symbol"), h("th", { scope: "col" }, "unit"), ...heads)),
+        h(
+          "thead",
+          {},
+          h(
+            "tr",
+            {},
+            h("th", { scope: "col" }, "quantity"),
+            h("th", { scope: "col" }, "symbol"),
+            h("th", { scope: "col" }, "unit"),
+            ...heads,
+          ),
+        ),
         body,
       ),
     );
@@ -141,6 +184,8 @@ export class QuantityPane {
       ++shown;
       if (heading) heading.hidden = false;
     }
-    this.count.textContent = words.length ? `${shown} of ${this.rows.length}` : `${this.rows.length} quantities`;
+    this.count.textContent = words.length
+      ? `${shown} of ${this.rows.length}`
+      : `${this.rows.length} quantities`;
   }
 }

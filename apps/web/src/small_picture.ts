@@ -15,7 +15,11 @@ export function paintSmall(canvas: HTMLCanvasElement, what: Turnable): void {
   const c = canvas.getContext("2d")!;
   const shapes = what.sections.map(shapeOf);
   const crossed = what.lines?.kind === "crossed";
-  const x2 = shapes[1] ? (crossed ? shapes[0]!.reach + 1.1 * shapes[1].reach : what.lines?.centerDistance ?? 0) : 0;
+  const x2 = shapes[1]
+    ? crossed
+      ? shapes[0]!.reach + 1.1 * shapes[1].reach
+      : (what.lines?.centerDistance ?? 0)
+    : 0;
   const left = Math.min(-shapes[0]!.reach, x2 - (shapes[1]?.reach ?? 0));
   const right = Math.max(shapes[0]!.reach, x2 + (shapes[1]?.reach ?? 0));
   const tall = Math.max(...shapes.map((one) => one.reach));
@@ -23,7 +27,11 @@ export function paintSmall(canvas: HTMLCanvasElement, what: Turnable): void {
   c.clearRect(0, 0, canvas.width, canvas.height);
   const each = (paint: (i: number) => void) =>
     shapes.forEach((_, i) => {
-      const angle = !what.motion ? 0 : crossed ? turnAt(what.motion, i, 0) : angleOf(poseAt(what.motion, i, 0));
+      const angle = !what.motion
+        ? 0
+        : crossed
+          ? turnAt(what.motion, i, 0)
+          : angleOf(poseAt(what.motion, i, 0));
       c.save();
       c.translate(canvas.width / 2 + ((i ? x2 : 0) - (left + right) / 2) * scale, canvas.height / 2);
       c.scale(scale, -scale);

@@ -9,7 +9,11 @@ import type { Turnable } from "./small_picture";
 import { paintSmall } from "./small_picture";
 import { bench } from "./workbench";
 
-const examples = import.meta.glob("../../../examples/*.toml", { query: "?raw", import: "default", eager: true }) as Record<string, string>;
+const examples = import.meta.glob("../../../examples/*.toml", {
+  query: "?raw",
+  import: "default",
+  eager: true,
+}) as Record<string, string>;
 
 export interface Example {
   name: string;
@@ -33,7 +37,16 @@ function exampleOf([path, text]: [string, string]): Example {
   return { name, text, title, sentence: /^.*?[.:](?=\s|$)/.exec(whole)?.[0].replace(/:$/, ".") ?? whole };
 }
 export const kExamples: Example[] = Object.entries(examples).map(exampleOf);
-const kFirst = ["helical_pair", "spur_pair", "planetary_ring", "crossed_pair", "two_tooth_drive", "circular_arc_drive", "misaligned_pair", "gearbox_search"];
+const kFirst = [
+  "helical_pair",
+  "spur_pair",
+  "planetary_ring",
+  "crossed_pair",
+  "two_tooth_drive",
+  "circular_arc_drive",
+  "misaligned_pair",
+  "gearbox_search",
+];
 kExamples.sort((a, b) => rank(a.name) - rank(b.name));
 function rank(name: string): number {
   const index = kFirst.indexOf(name);
@@ -175,13 +188,33 @@ export class Starts {
       h("div", { class: "haves" }, ...kHave.map((one) => this.have(one))),
       h("h2", {}, "Or begin with an example"),
       h("div", { class: "cards" }, ...cards),
-      h("p", { class: "soft" }, "A spec or a link can also be dropped here. Everything is computed on this machine; nothing is sent anywhere."),
+      h(
+        "p",
+        { class: "soft" },
+        "A spec or a link can also be dropped here. Everything is computed on this machine; nothing is sent anywhere.",
+      ),
     );
   }
 
   private have(have: Have): HTMLElement {
     const inputs = have.blanks.map((blank) =>
-      h("label", {}, h("span", {}, blank.words), h("span", { class: "with-unit" }, h("input", { name: blank.name, value: blank.value, inputmode: "decimal", required: true, autocomplete: "off" }), blank.unit ?? "")),
+      h(
+        "label",
+        {},
+        h("span", {}, blank.words),
+        h(
+          "span",
+          { class: "with-unit" },
+          h("input", {
+            name: blank.name,
+            value: blank.value,
+            inputmode: "decimal",
+            required: true,
+            autocomplete: "off",
+          }),
+          blank.unit ?? "",
+        ),
+      ),
     );
     const wrong = h("p", { class: "fault", role: "alert" });
     const form = h(
@@ -214,10 +247,20 @@ export class Starts {
   private card(example: Example): HTMLElement {
     const canvas = h("canvas", { width: 320, height: 200, "aria-hidden": "true" });
     this.canvases.set(example.name, canvas);
-    const tab = /^\[(search|fit)\]/m.test(example.text) || example.name.endsWith("_fit") ? "search" : example.text.includes("[errors]") ? "contact" : "mesh";
+    const tab =
+      /^\[(search|fit)\]/m.test(example.text) || example.name.endsWith("_fit")
+        ? "search"
+        : example.text.includes("[errors]")
+          ? "contact"
+          : "mesh";
     return h(
       "button",
-      { type: "button", class: "card", "data-example": example.name, click: () => this.begin(example.text, tab) },
+      {
+        type: "button",
+        class: "card",
+        "data-example": example.name,
+        click: () => this.begin(example.text, tab),
+      },
       canvas,
       h("span", { class: "card-title" }, example.title),
       h("span", { class: "card-sentence" }, example.sentence),
@@ -237,7 +280,10 @@ export class Starts {
       const searching = /^\[search\]/m.test(example.text);
       try {
         if (searching) throw new Error("a search has no picture yet");
-        const answer: { gears: Section[]; lines: MeshLines | null } = await bench.back.ask("sections", { text: example.text, tolerance: 0.02 });
+        const answer: { gears: Section[]; lines: MeshLines | null } = await bench.back.ask("sections", {
+          text: example.text,
+          tolerance: 0.02,
+        });
         const motion = answer.lines ? await bench.back.ask("motion", { text: example.text, n: 2 }) : null;
         const turn: Turnable = { sections: answer.gears, lines: answer.lines, motion };
         paintSmall(canvas, turn);

@@ -14,7 +14,12 @@ export interface Tab {
 }
 
 export class Tabs {
-  readonly list = h("div", { class: "tab-list", role: "tablist", "aria-label": "views", keydown: (event: KeyboardEvent) => this.key(event) });
+  readonly list = h("div", {
+    class: "tab-list",
+    role: "tablist",
+    "aria-label": "views",
+    keydown: (event: KeyboardEvent) => this.key(event),
+  });
   readonly room = h("div", { class: "tab-room" });
   private readonly buttons = new Map<string, HTMLButtonElement>();
   private readonly fault = h("p", { class: "view-fault", role: "status" });
@@ -26,7 +31,17 @@ export class Tabs {
   constructor(readonly tabs: Tab[]) {
     this.current = tabs[0]!;
     for (const tab of tabs) {
-      const one = h("button", { type: "button", role: "tab", id: "tab-" + tab.id, "aria-controls": "room-" + tab.id, click: () => this.open(tab.id) }, tab.words);
+      const one = h(
+        "button",
+        {
+          type: "button",
+          role: "tab",
+          id: "tab-" + tab.id,
+          "aria-controls": "room-" + tab.id,
+          click: () => this.open(tab.id),
+        },
+        tab.words,
+      );
       this.buttons.set(tab.id, one);
       this.list.append(one);
       tab.element.id = "room-" + tab.id;
@@ -66,7 +81,8 @@ export class Tabs {
       await tab.refresh();
       if (tab === this.current) this.fault.textContent = "";
     } catch (reason) {
-      if (tab === this.current) this.fault.textContent = reason instanceof Error ? reason.message : String(reason);
+      if (tab === this.current)
+        this.fault.textContent = reason instanceof Error ? reason.message : String(reason);
     } finally {
       --this.asking;
     }

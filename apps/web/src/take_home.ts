@@ -25,12 +25,22 @@ const kEndings: Partial<Record<FileKind, string>> = { report: "html" };
 /** A file name of the title: letters and digits of any script, the rest become _. */
 export function fileName(): string {
   const title = bench.good?.spec?.["title"];
-  const name = typeof title === "string" ? title.replace(/[^\p{L}\p{N}]+/gu, "_").replace(/^_+|_+$/g, "").slice(0, 60) : "";
+  const name =
+    typeof title === "string"
+      ? title
+          .replace(/[^\p{L}\p{N}]+/gu, "_")
+          .replace(/^_+|_+$/g, "")
+          .slice(0, 60)
+      : "";
   return name || "gears";
 }
 
 export class TakeHome {
-  private readonly opener = button("Take home", () => this.toggle(), { "aria-haspopup": "true", "aria-expanded": "false", class: "main" });
+  private readonly opener = button("Take home", () => this.toggle(), {
+    "aria-haspopup": "true",
+    "aria-expanded": "false",
+    class: "main",
+  });
   private readonly sheet = h("div", { class: "menu", role: "dialog", "aria-label": "files to take home" });
   private readonly state = h("p", { class: "soft", role: "status" });
   readonly element = h("div", { class: "menu-holder" }, this.opener, this.sheet);

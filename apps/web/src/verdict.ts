@@ -24,7 +24,13 @@ export class VerdictLine {
   private readonly list = h("ul", { class: "findings", id: "findings" });
   private readonly opener = h(
     "button",
-    { type: "button", class: "verdict", "aria-expanded": "false", "aria-controls": "findings", click: () => this.toggle() },
+    {
+      type: "button",
+      class: "verdict",
+      "aria-expanded": "false",
+      "aria-controls": "findings",
+      click: () => this.toggle(),
+    },
     this.level,
     this.headline,
   );
@@ -60,10 +66,14 @@ export class VerdictLine {
     const solved = bench.solved;
     if (!solved) return;
     const verdict = solved.result?.["verdict"] as unknown as Verdict | undefined;
-    const warnings = (solved.result?.["warnings"] ?? []) as unknown as { message: string; gear: number | null }[];
+    const warnings = (solved.result?.["warnings"] ?? []) as unknown as {
+      message: string;
+      gear: number | null;
+    }[];
     let findings: Finding[] = verdict?.findings ?? [];
     if (solved.fault) {
-      if (bench.asks && solved.spec?.["search"] !== undefined) this.say("none", "search", "This spec asks for gears: the search finds them.");
+      if (bench.asks && solved.spec?.["search"] !== undefined)
+        this.say("none", "search", "This spec asks for gears: the search finds them.");
       else if (bench.asks)
         this.say("none", "fit", "This spec leaves numbers to be found: the fit finds them.");
       else {
@@ -72,12 +82,27 @@ export class VerdictLine {
       }
     } else if (verdict) this.say(verdict.level, verdict.level, verdict.headline);
     else {
-      findings = warnings.map((one) => ({ code: "", level: "amber", gear: one.gear, message: one.message, remedy: null }));
+      findings = warnings.map((one) => ({
+        code: "",
+        level: "amber",
+        gear: one.gear,
+        message: one.message,
+        remedy: null,
+      }));
       const count = findings.length;
-      this.say(count ? "amber" : "none", "gear", count ? findings[0]!.message : "One gear; a second one makes a pair.");
+      this.say(
+        count ? "amber" : "none",
+        "gear",
+        count ? findings[0]!.message : "One gear; a second one makes a pair.",
+      );
     }
     const whole = h("li", { class: "whole" }, this.headline.textContent);
-    fill(this.list, whole, ...findings.map((one) => this.finding(one)), !findings.length && h("li", {}, "No further findings."));
+    fill(
+      this.list,
+      whole,
+      ...findings.map((one) => this.finding(one)),
+      !findings.length && h("li", {}, "No further findings."),
+    );
   }
 
   private finding(one: Finding): HTMLElement {

@@ -79,7 +79,10 @@ class Workbench {
       const answer = await this.front.ask("edit", { text: from, edits });
       if (this.text !== from) return; // typed meanwhile: the text is right
       if ("refused" in answer) {
-        this.takeSolved({ ...this.solved!, fault: { key: edits[0]![0], value: edits[0]![1], message: answer.refused } }, begin);
+        this.takeSolved(
+          { ...this.solved!, fault: { key: edits[0]![0], value: edits[0]![1], message: answer.refused } },
+          begin,
+        );
         return;
       }
       this.remember(edits.map(([key]) => key).join(" "));
@@ -96,7 +99,10 @@ class Workbench {
     const begin = performance.now();
     if (this.text.length > kMostCharacters) {
       const millions = (this.text.length / 1e6).toFixed(1);
-      this.takeSolved(faulty(this.text, `This text has ${millions} million characters; a spec has at most one million.`), begin);
+      this.takeSolved(
+        faulty(this.text, `This text has ${millions} million characters; a spec has at most one million.`),
+        begin,
+      );
       return;
     }
     const answer = await this.front.latest("solve", "solve", { text: this.text });
@@ -114,7 +120,11 @@ class Workbench {
   get asks(): boolean {
     const { solved } = this;
     if (!solved?.fault || !solved.spec) return false;
-    return solved.spec["search"] !== undefined || solved.spec["fit"] !== undefined || /gearwright fit finds them/.test(solved.fault.message);
+    return (
+      solved.spec["search"] !== undefined ||
+      solved.spec["fit"] !== undefined ||
+      /gearwright fit finds them/.test(solved.fault.message)
+    );
   }
 
   get canUndo(): boolean {

@@ -7,15 +7,32 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { difference, example, examples, kPatience, launch, native, open, openTab, put, root, serve, settled, web } from "./stage.mjs";
+import {
+  difference,
+  example,
+  examples,
+  kPatience,
+  launch,
+  native,
+  open,
+  openTab,
+  put,
+  root,
+  serve,
+  settled,
+  web,
+} from "./stage.mjs";
 
 let server, browser, page, address;
-before(async () => {
-  server = await serve();
-  address = `http://127.0.0.1:${server.address().port}/`;
-  browser = await launch();
-  page = await open(browser, address);
-}, { timeout: kPatience });
+before(
+  async () => {
+    server = await serve();
+    address = `http://127.0.0.1:${server.address().port}/`;
+    browser = await launch();
+    page = await open(browser, address);
+  },
+  { timeout: kPatience },
+);
 after(async () => {
   await browser?.close();
   server?.close();
@@ -51,12 +68,18 @@ describe("numbers", () => {
   it("are those of the native program within 1e-12", async () => {
     for (const one of examples)
       for (const verb of ["gear", "pair", "contact"]) {
-        const mine = JSON.parse(await page.evaluate(([verb, text]) => window.gearwright.run(verb, text), [verb, one.text]));
+        const mine = JSON.parse(
+          await page.evaluate(([verb, text]) => window.gearwright.run(verb, text), [verb, one.text]),
+        );
         const theirs = native(verb, one.text);
         delete theirs.error?.file;
         delete mine.error?.file;
         // An angle of a few arc seconds is a small difference of large ones.
-        assert.equal(difference(mine, theirs, verb === "contact" ? 1e-6 : 1e-12), null, `${verb} ${one.name}`);
+        assert.equal(
+          difference(mine, theirs, verb === "contact" ? 1e-6 : 1e-12),
+          null,
+          `${verb} ${one.name}`,
+        );
       }
   });
 
@@ -66,7 +89,8 @@ describe("numbers", () => {
     const cell = (id, column = 0) => page.textContent(`[data-quantity="${id}"][data-column="${column}"]`);
     assert.equal(await cell("pair.contact_ratio"), result.pair.contact_ratio.toFixed(5));
     assert.equal(await cell("pair.center_distance_mm"), result.pair.center_distance_mm.toFixed(4));
-    for (const gear of [0, 1]) assert.equal(await cell("gears.tip_diameter_mm", gear), result.gears[gear].tip_diameter_mm.toFixed(4));
+    for (const gear of [0, 1])
+      assert.equal(await cell("gears.tip_diameter_mm", gear), result.gears[gear].tip_diameter_mm.toFixed(4));
     await page.click('[data-unit="inch"]');
     assert.equal(await cell("pair.center_distance_mm"), (result.pair.center_distance_mm / 25.4).toFixed(5));
     await page.click('[data-unit="mm"]');
@@ -97,7 +121,9 @@ describe("form and text", () => {
     await page.focus('[data-key="gear1.teeth"]');
     await page.keyboard.press("ArrowUp");
     await page.waitForFunction(() => window.gearwright.text().includes("teeth = 18"));
-    await page.waitForSelector('input[aria-label^="teeth, gear 1, slider"], input[aria-label^="teeth, gear 1"][type=range]');
+    await page.waitForSelector(
+      'input[aria-label^="teeth, gear 1, slider"], input[aria-label^="teeth, gear 1"][type=range]',
+    );
   });
 
   it("a fault stands at its field, in the engine's words, and the page goes on", async () => {
@@ -149,13 +175,21 @@ describe("pictures", () => {
     }, selector);
   const changed = (a, b) => a.filter((one, i) => Math.abs(one - b[i]) > 24).length;
 
-  for (const [tab, name] of [["mesh", "helical_pair"], ["solid", "helical_pair"], ["solid", "crossed_pair"], ["solid", "planetary_ring"]])
+  for (const [tab, name] of [
+    ["mesh", "helical_pair"],
+    ["solid", "helical_pair"],
+    ["solid", "crossed_pair"],
+    ["solid", "planetary_ring"],
+  ])
     it(`${tab} of ${name} is not blank and changes when turned`, async () => {
       await put(page, example(name), tab);
       await page.waitForFunction(() => window.gearwright.idle(), undefined, { timeout: kPatience });
       const canvas = `#room-${tab} canvas`;
       const still = await inked(canvas);
-      assert.ok(still.some((one, i) => i % 4 === 3 && one > 200), "blank");
+      assert.ok(
+        still.some((one, i) => i % 4 === 3 && one > 200),
+        "blank",
+      );
       await page.fill(`#room-${tab} input[aria-label="rotation of gear 1"]`, "0.25");
       await page.waitForTimeout(500);
       assert.ok(changed(still, await inked(canvas)) > 50, "the same after a turn");
@@ -174,7 +208,10 @@ describe("pictures", () => {
     await page.waitForSelector(".uplot canvas");
     const before = await page.textContent(".contact-sentence");
     await page.fill('[data-slide="errors.crossing_deg"]', "0.06");
-    await page.waitForFunction((before) => document.querySelector(".contact-sentence").textContent !== before, before);
+    await page.waitForFunction(
+      (before) => document.querySelector(".contact-sentence").textContent !== before,
+      before,
+    );
     assert.match(await page.evaluate(() => window.gearwright.text()), /crossing_deg = 0\.06/);
   });
 
@@ -193,7 +230,10 @@ describe("pictures", () => {
   it("a fit is answered branch by branch", async () => {
     await put(page, example("crossed_fit"), "search");
     await page.waitForSelector(".branch");
-    assert.equal(await page.locator(".branch").count(), native("fit", example("crossed_fit")).fit.branches.length);
+    assert.equal(
+      await page.locator(".branch").count(),
+      native("fit", example("crossed_fit")).fit.branches.length,
+    );
     await page.click(".branch button");
     await page.waitForFunction(() => document.querySelector(".level").textContent !== "fit");
     await settled(page);
@@ -219,8 +259,19 @@ describe("in and out", () => {
     await put(page, example("spur_pair"));
     const folder = mkdtempSync(join(tmpdir(), "gearwright_web_"));
     await page.click("text=Take home");
-    for (const [label, first] of [["Report, save", /^<!DOCTYPE html|^<!doctype html/], ["JSON, save", /^\{/], ["STL, gear 1", /./s], ["3MF, gear 1", /^PK/], ["GLB, pair", /^glTF/], ["DXF, gear 1", /./s], ["SVG, gear 1", /<svg/]]) {
-      const [file] = await Promise.all([page.waitForEvent("download"), page.click(`button[aria-label="${label}"]`)]);
+    for (const [label, first] of [
+      ["Report, save", /^<!DOCTYPE html|^<!doctype html/],
+      ["JSON, save", /^\{/],
+      ["STL, gear 1", /./s],
+      ["3MF, gear 1", /^PK/],
+      ["GLB, pair", /^glTF/],
+      ["DXF, gear 1", /./s],
+      ["SVG, gear 1", /<svg/],
+    ]) {
+      const [file] = await Promise.all([
+        page.waitForEvent("download"),
+        page.click(`button[aria-label="${label}"]`),
+      ]);
       const path = join(folder, file.suggestedFilename());
       await file.saveAs(path);
       assert.ok(statSync(path).size > 300, label);
@@ -231,7 +282,10 @@ describe("in and out", () => {
 
   it("a dropped file opens", async () => {
     const folder = mkdtempSync(join(tmpdir(), "gearwright_web_"));
-    writeFileSync(join(folder, "one.json"), JSON.stringify({ title: "from JSON", gear1: { teeth: 19, normal_module_mm: 2 } }));
+    writeFileSync(
+      join(folder, "one.json"),
+      JSON.stringify({ title: "from JSON", gear1: { teeth: 19, normal_module_mm: 2 } }),
+    );
     await page.setInputFiles("input[type=file]", join(folder, "one.json"));
     await page.waitForFunction(() => window.gearwright.text().includes("from JSON"));
     await settled(page);
@@ -248,7 +302,10 @@ describe("in and out", () => {
     await alone.goto(pathToFileURL(path).href);
     await alone.waitForSelector("html[data-ready]", { timeout: kPatience });
     await put(alone, example("helical_pair"));
-    assert.equal(await alone.textContent(".headline"), native("pair", example("helical_pair")).verdict.headline);
+    assert.equal(
+      await alone.textContent(".headline"),
+      native("pair", example("helical_pair")).verdict.headline,
+    );
     assert.deepEqual(asked, []);
     await context.close();
   });
@@ -259,9 +316,15 @@ describe("for everybody", () => {
   const findings = async (page) => {
     await page.evaluate(axe);
     const result = await page.evaluate(() => window.axe.run(document, { iframes: false }));
-    return result.violations.filter((one) => one.impact === "serious" || one.impact === "critical").map((one) => `${one.id}: ${one.nodes.map((node) => node.html.slice(0, 120)).join(" | ")}`);
+    return result.violations
+      .filter((one) => one.impact === "serious" || one.impact === "critical")
+      .map((one) => `${one.id}: ${one.nodes.map((node) => node.html.slice(0, 120)).join(" | ")}`);
   };
-  for (const [name, width, scheme] of [["wide and light", 1280, "light"], ["wide and dark", 1280, "dark"], ["narrow", 400, "light"]])
+  for (const [name, width, scheme] of [
+    ["wide and light", 1280, "light"],
+    ["wide and dark", 1280, "dark"],
+    ["narrow", 400, "light"],
+  ])
     it(`axe finds nothing serious: ${name}`, async () => {
       const one = await open(browser, address, { viewport: { width, height: 800 }, colorScheme: scheme });
       assert.deepEqual(await findings(one), []);

@@ -12,13 +12,20 @@ const program = resolve(process.env.GEARWRIGHT ?? join(root, "build/release/gear
 /** Two loaded cores and a browser without a graphics card are slow; nothing here measures time. */
 export const kPatience = 120_000;
 
-const kTypes = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm" };
+const kTypes = {
+  ".html": "text/html",
+  ".js": "text/javascript",
+  ".css": "text/css",
+  ".wasm": "application/wasm",
+};
 
 /** Serves build/web on some port of this machine. */
 export function serve() {
   const server = createServer((request, response) => {
     const name = basename(new URL(request.url, "http://x").pathname) || "index.html";
-    const path = [join(web, name), join(web, "assets", name)].find((one) => existsSync(one) && statSync(one).isFile());
+    const path = [join(web, name), join(web, "assets", name)].find(
+      (one) => existsSync(one) && statSync(one).isFile(),
+    );
     if (!path) return response.writeHead(404).end();
     response.writeHead(200, { "content-type": kTypes[extname(path)] ?? "application/octet-stream" });
     createReadStream(path).pipe(response);
@@ -29,18 +36,34 @@ export function serve() {
 export function launch() {
   return chromium.launch({
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-    args: ["--no-sandbox", "--disable-background-networking", "--no-first-run", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+    args: [
+      "--no-sandbox",
+      "--disable-background-networking",
+      "--no-first-run",
+      "--use-angle=swiftshader",
+      "--enable-unsafe-swiftshader",
+    ],
   });
 }
 
 /** Opens an address and waits for the engine; complaints of the page end up in `page.complaints`. */
 export async function open(browser, address, options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, acceptDownloads: true, ...options });
+  const context = await browser.newContext({
+    viewport: { width: 1280, height: 800 },
+    acceptDownloads: true,
+    ...options,
+  });
   const page = await context.newPage();
   page.setDefaultTimeout(kPatience);
   page.complaints = [];
   page.on("pageerror", (error) => page.complaints.push(String(error)));
-  page.on("console", (message) => message.type() === "error" && !/favicon/.test(message.text() + message.location().url) && page.complaints.push(message.text()));
+  page.on(
+    "console",
+    (message) =>
+      message.type() === "error" &&
+      !/favicon/.test(message.text() + message.location().url) &&
+      page.complaints.push(message.text()),
+  );
   await page.goto(address);
   await page.waitForSelector("html[data-ready]", { timeout: kPatience });
   return page;
@@ -62,7 +85,11 @@ export async function openTab(page, id) {
 
 export const examples = readdirSync(join(root, "examples"))
   .filter((name) => name.endsWith(".toml"))
-  .map((name) => ({ name: name.replace(".toml", ""), path: join(root, "examples", name), text: readFileSync(join(root, "examples", name), "utf8") }));
+  .map((name) => ({
+    name: name.replace(".toml", ""),
+    path: join(root, "examples", name),
+    text: readFileSync(join(root, "examples", name), "utf8"),
+  }));
 export function example(name) {
   return examples.find((one) => one.name === name).text;
 }
@@ -70,7 +97,14 @@ export function example(name) {
 /** What the native program prints with --json; a refusal is an answer too. */
 export function native(verb, text) {
   try {
-    return JSON.parse(execFileSync(program, [verb, "-", "--json"], { input: text, encoding: "utf8", stdio: ["pipe", "pipe", "ignore"], maxBuffer: 1 << 28 }));
+    return JSON.parse(
+      execFileSync(program, [verb, "-", "--json"], {
+        input: text,
+        encoding: "utf8",
+        stdio: ["pipe", "pipe", "ignore"],
+        maxBuffer: 1 << 28,
+      }),
+    );
   } catch (failure) {
     if (failure.stdout) return JSON.parse(failure.stdout);
     throw failure;
@@ -83,9 +117,12 @@ export function native(verb, text) {
 export function difference(mine, theirs, relative, path = "", scale = 1) {
   if (typeof mine === "number" && typeof theirs === "number") {
     const apart = Math.abs(mine - theirs);
-    return apart <= relative * Math.max(Math.abs(mine), Math.abs(theirs), scale) ? null : `${path}: ${mine} and ${theirs}`;
+    return apart <= relative * Math.max(Math.abs(mine), Math.abs(theirs), scale)
+      ? null
+      : `${path}: ${mine} and ${theirs}`;
   }
-  if (mine === null || theirs === null || typeof mine !== "object" || typeof theirs !== "object") return mine === theirs ? null : `${path}: ${mine} and ${theirs}`;
+  if (mine === null || theirs === null || typeof mine !== "object" || typeof theirs !== "object")
+    return mine === theirs ? null : `${path}: ${mine} and ${theirs}`;
   const keys = new Set([...Object.keys(mine), ...Object.keys(theirs)]);
   for (const key of keys) {
     if (!(key in mine) || !(key in theirs)) return `${path}.${key} is on one side only`;

@@ -51,11 +51,14 @@ for (const tab of ["mesh", "solid"]) {
       new Promise((done) => {
         let n = 0;
         const begin = performance.now();
-        const count = () => (performance.now() - begin < 2000 ? (++n, requestAnimationFrame(count)) : done(n / 2));
+        const count = () =>
+          performance.now() - begin < 2000 ? (++n, requestAnimationFrame(count)) : done(n / 2);
         requestAnimationFrame(count);
       }),
   );
-  console.log(`${tab.padEnd(18)} frames a second while it turns, without a graphics card: ${frames.toFixed(0)}`);
+  console.log(
+    `${tab.padEnd(18)} frames a second while it turns, without a graphics card: ${frames.toFixed(0)}`,
+  );
   await page.click(`#room-${tab} .controls button`);
 }
 await browser.close();

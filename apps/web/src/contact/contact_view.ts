@@ -23,7 +23,15 @@ export class ContactView implements Tab {
   private readonly spectrum = new SpectrumPlot();
   private readonly maps = [new FlankMap(0), new FlankMap(1)];
   private readonly errorMap = new ErrorMapView();
-  private readonly instant = h("input", { type: "range", min: 0, max: kPositions - 1, step: 1, value: kPositions / 2, "aria-label": "position over the pitch", input: () => this.choose(Number(this.instant.value)) });
+  private readonly instant = h("input", {
+    type: "range",
+    min: 0,
+    max: kPositions - 1,
+    step: 1,
+    value: kPositions / 2,
+    "aria-label": "position over the pitch",
+    input: () => this.choose(Number(this.instant.value)),
+  });
   private readonly where = h("output", { class: "soft" });
   private readonly time = h("span", { class: "soft time" });
   readonly element = h(
@@ -37,15 +45,45 @@ export class ContactView implements Tab {
       h(
         "div",
         { class: "plots" },
-        h("figure", {}, this.te.element, h("figcaption", {}, h("b", {}, "Transmission error"), ", from its middle; ", h("span", { class: "edge-ink" }, "an edge touches"), ". ", this.time)),
-        h("figure", {}, this.spectrum.element, h("figcaption", {}, h("b", {}, "Its spectrum"), ": the first bar is the tooth frequency.")),
+        h(
+          "figure",
+          {},
+          this.te.element,
+          h(
+            "figcaption",
+            {},
+            h("b", {}, "Transmission error"),
+            ", from its middle; ",
+            h("span", { class: "edge-ink" }, "an edge touches"),
+            ". ",
+            this.time,
+          ),
+        ),
+        h(
+          "figure",
+          {},
+          this.spectrum.element,
+          h("figcaption", {}, h("b", {}, "Its spectrum"), ": the first bar is the tooth frequency."),
+        ),
       ),
       h("label", { class: "slide" }, h("span", {}, "position"), this.instant, this.where),
       h(
         "div",
         { class: "plots" },
         ...this.maps.map((map, i) =>
-          h("figure", {}, map.canvas, h("figcaption", {}, h("b", { class: `g${i + 1}` }, `Flank of gear ${i + 1}`), i ? ", marking after a mesh." : ", marking; darker: the gap now, in steps of 1, 2, 5, 10, 20, 50 µm.")),
+          h(
+            "figure",
+            {},
+            map.canvas,
+            h(
+              "figcaption",
+              {},
+              h("b", { class: `g${i + 1}` }, `Flank of gear ${i + 1}`),
+              i
+                ? ", marking after a mesh."
+                : ", marking; darker: the gap now, in steps of 1, 2, 5, 10, 20, 50 µm.",
+            ),
+          ),
         ),
       ),
       this.errorMap.element,
@@ -104,14 +142,18 @@ export class ContactView implements Tab {
     const rotation = (curve?.columns["rotation1_deg"] as Float64Array | undefined)?.[index];
     const tooth = (curve?.columns["tooth"] as Float64Array | undefined)?.[index];
     if (!curve || rotation === undefined || tooth === undefined || !Number.isFinite(tooth)) return;
-    const gap = await bench.front.latest("gap", "gapMap", { text: this.shown, rotation, tooth, rows: 25, columns: 49 }).catch(() => null);
+    const gap = await bench.front
+      .latest("gap", "gapMap", { text: this.shown, rotation, tooth, rows: 25, columns: 49 })
+      .catch(() => null);
     if (gap === kOvertaken || this.curve !== curve) return;
     this.maps[0]!.gap = gap;
     this.drawFlanks();
   }
 
   private async pattern(text: string): Promise<void> {
-    const pattern = await bench.back.latest("pattern-flat", "pattern", { text, positions: 32, rows: 25, columns: 49 }).catch(() => null);
+    const pattern = await bench.back
+      .latest("pattern-flat", "pattern", { text, positions: 32, rows: 25, columns: 49 })
+      .catch(() => null);
     if (pattern === kOvertaken || this.shown !== text) return;
     this.maps.forEach((map, i) => (map.pattern = pattern?.[i] ?? null));
     this.drawFlanks();
@@ -130,7 +172,9 @@ export class ContactView implements Tab {
       curve.contactLost
         ? "At some positions no tooth touches."
         : `While a tooth passes, gear 2 runs up to ${curve.peakToPeakArcsec.toFixed(3)}″ unevenly. ` +
-            (share ? `During ${share} % of the rotation an edge touches where a flank should.` : "No edge touches."),
+            (share
+              ? `During ${share} % of the rotation an edge touches where a flank should.`
+              : "No edge touches."),
     );
     const rotation = (curve.columns["rotation1_deg"] as Float64Array)[this.index]!;
     this.where.textContent = `${rotation.toFixed(2)}°  ${kinds[this.index] || "no contact"}`;

@@ -7,7 +7,17 @@ import { colour, h } from "../elements";
 
 const font = () => `12px ${getComputedStyle(document.body).fontFamily}`;
 function axis(label: string, size: number): uPlot.Axis {
-  return { stroke: colour("soft"), grid: { stroke: colour("faint"), width: 1 }, ticks: { stroke: colour("faint"), width: 1 }, font: font(), labelFont: font(), label, labelSize: 16, size, gap: 2 };
+  return {
+    stroke: colour("soft"),
+    grid: { stroke: colour("faint"), width: 1 },
+    ticks: { stroke: colour("faint"), width: 1 },
+    font: font(),
+    labelFont: font(),
+    label,
+    labelSize: 16,
+    size,
+    gap: 2,
+  };
 }
 
 /** A curve in a room of its own that follows the room's width. */
@@ -26,7 +36,8 @@ abstract class Plot {
     } else this.plot.setData(data);
   }
   private resize(): void {
-    if (this.element.clientWidth) this.plot?.setSize({ width: this.element.clientWidth, height: this.height });
+    if (this.element.clientWidth)
+      this.plot?.setSize({ width: this.element.clientWidth, height: this.height });
   }
   /** Light has become dark. */
   forget(): void {
@@ -55,7 +66,11 @@ export class TransmissionPlot extends Plot {
       cursor: { y: false, drag: { x: false, y: false }, points: { show: false } },
       scales: { x: { time: false } },
       axes: [axis("rotation of gear 1, °", 34), axis("transmission error, ″", 44)],
-      series: [{}, inside, { stroke: colour("root-fillet"), width: 2.5, points: { show: false }, spanGaps: false }],
+      series: [
+        {},
+        inside,
+        { stroke: colour("root-fillet"), width: 2.5, points: { show: false }, spanGaps: false },
+      ],
       hooks: {
         draw: [
           (u) => {
@@ -84,9 +99,14 @@ export class TransmissionPlot extends Plot {
     const edge = (i: number) => kinds[i] !== undefined && !["interior", "line", ""].includes(kinds[i]!);
     const all = Array.from(y, (value) => (Number.isFinite(value) ? value - middle : null));
     // An edge's stretch joins the points on either side of it.
-    const edges = all.map((value, i) => (edge(i) || (i > 0 && edge(i - 1)) || (i + 1 < all.length && edge(i + 1)) ? value : null));
+    const edges = all.map((value, i) =>
+      edge(i) || (i > 0 && edge(i - 1)) || (i + 1 < all.length && edge(i + 1)) ? value : null,
+    );
     this.marked = x[at] ?? NaN;
-    this.element.setAttribute("aria-label", `transmission error over one pitch, peak to peak ${curve.peakToPeakArcsec.toFixed(3)} arc seconds`);
+    this.element.setAttribute(
+      "aria-label",
+      `transmission error over one pitch, peak to peak ${curve.peakToPeakArcsec.toFixed(3)} arc seconds`,
+    );
     this.draw([Array.from(x), all, edges]);
   }
 }
@@ -100,13 +120,34 @@ export class SpectrumPlot extends Plot {
     return {
       legend: { show: false },
       cursor: { show: false },
-      scales: { x: { time: false, range: (_, __, max) => [0.3, max + 0.7] }, y: { range: (_, __, max) => [0, max > 0 ? max * 1.08 : 1] } },
-      axes: [{ ...axis("waves per pitch", 34), splits: (_, __, ___, max) => [1, 2, 5, 10, 15, 20].filter((n) => n <= max) }, axis("amplitude, ″", 44)],
-      series: [{}, { stroke: colour("alpha"), fill: colour("alpha"), width: 0, paths: uPlot.paths.bars!({ size: [0.62, 40] }), points: { show: false } }],
+      scales: {
+        x: { time: false, range: (_, __, max) => [0.3, max + 0.7] },
+        y: { range: (_, __, max) => [0, max > 0 ? max * 1.08 : 1] },
+      },
+      axes: [
+        {
+          ...axis("waves per pitch", 34),
+          splits: (_, __, ___, max) => [1, 2, 5, 10, 15, 20].filter((n) => n <= max),
+        },
+        axis("amplitude, ″", 44),
+      ],
+      series: [
+        {},
+        {
+          stroke: colour("alpha"),
+          fill: colour("alpha"),
+          width: 0,
+          paths: uPlot.paths.bars!({ size: [0.62, 40] }),
+          points: { show: false },
+        },
+      ],
     };
   }
   show(harmonics: Float64Array): void {
-    this.element.setAttribute("aria-label", `spectrum of the transmission error; the first wave has ${(harmonics[0] ?? 0).toFixed(3)} arc seconds`);
+    this.element.setAttribute(
+      "aria-label",
+      `spectrum of the transmission error; the first wave has ${(harmonics[0] ?? 0).toFixed(3)} arc seconds`,
+    );
     this.draw([Array.from(harmonics, (_, i) => i + 1), Array.from(harmonics)]);
   }
 }

@@ -8,14 +8,30 @@ import { kOvertaken } from "../engine_link";
 import { fixed } from "../numbers";
 import { at, bench } from "../workbench";
 
-const kReach: Record<string, number> = { "°": 0.05, "µm": 20, mm: 0.1 };
+const kReach: Record<string, number> = { "°": 0.05, µm: 20, mm: 0.1 };
 const kPoints = 33;
-const kShades = ["#00204d", "#0b3370", "#37476b", "#555b6d", "#6f7073", "#8a8779", "#a69d75", "#c4b56c", "#e4cf5b", "#ffea46"]; // the report's
+const kShades = [
+  "#00204d",
+  "#0b3370",
+  "#37476b",
+  "#555b6d",
+  "#6f7073",
+  "#8a8779",
+  "#a69d75",
+  "#c4b56c",
+  "#e4cf5b",
+  "#ffea46",
+]; // the report's
 
 export class ErrorMapView {
   private readonly x = this.chooser("across", "crossing_deg");
   private readonly y = this.chooser("up", "intersecting_deg");
-  private readonly canvas = h("canvas", { role: "img", "aria-label": "peak to peak of the transmission error over two errors", click: (event: MouseEvent) => this.take(event), pointermove: (event: PointerEvent) => this.hover(event) });
+  private readonly canvas = h("canvas", {
+    role: "img",
+    "aria-label": "peak to peak of the transmission error over two errors",
+    click: (event: MouseEvent) => this.take(event),
+    pointermove: (event: PointerEvent) => this.hover(event),
+  });
   private readonly go = button("Map", () => void this.make());
   private readonly stop = button("Cancel", () => this.cancel());
   private readonly bar = h("progress", { max: 1, value: 0, "aria-label": "progress of the map" });
@@ -23,7 +39,17 @@ export class ErrorMapView {
   readonly element = h(
     "figure",
     { class: "error-map" },
-    h("div", { class: "map-head" }, h("b", {}, "Peak to peak over two errors"), this.x, this.y, this.go, this.stop, this.bar, this.said),
+    h(
+      "div",
+      { class: "map-head" },
+      h("b", {}, "Peak to peak over two errors"),
+      this.x,
+      this.y,
+      this.go,
+      this.stop,
+      this.bar,
+      this.said,
+    ),
     this.canvas,
   );
   private map: ErrorMap | null = null;
@@ -37,7 +63,12 @@ export class ErrorMapView {
   build(): void {
     if (this.x.options.length) return;
     for (const select of [this.x, this.y]) {
-      fill(select, ...(inputs("errors")?.keys ?? []).filter((key) => key.documented).map((key) => h("option", { value: key.key }, wordsOf(key))));
+      fill(
+        select,
+        ...(inputs("errors")?.keys ?? [])
+          .filter((key) => key.documented)
+          .map((key) => h("option", { value: key.key }, wordsOf(key))),
+      );
       select.value = select.dataset["first"]!;
     }
   }
@@ -88,14 +119,17 @@ export class ErrorMapView {
     for (let j = 0; j < ny; ++j)
       for (let i = 0; i < nx; ++i) {
         const value = map.peakToPeakArcsec[j * nx + i]!;
-        c.fillStyle = Number.isFinite(value) ? kShades[Math.min(9, Math.floor((10 * value) / (most || 1)))]! : colour("panel");
+        c.fillStyle = Number.isFinite(value)
+          ? kShades[Math.min(9, Math.floor((10 * value) / (most || 1)))]!
+          : colour("panel");
         c.fillRect(i, ny - 1 - j, 1, 1);
       }
   }
   private cell(event: MouseEvent): [number, number] | null {
     if (!this.map) return null;
     const i = Math.floor((event.offsetX / this.canvas.clientWidth) * this.map.x.length);
-    const j = this.map.y.length - 1 - Math.floor((event.offsetY / this.canvas.clientHeight) * this.map.y.length);
+    const j =
+      this.map.y.length - 1 - Math.floor((event.offsetY / this.canvas.clientHeight) * this.map.y.length);
     return this.map.x[i] === undefined || this.map.y[j] === undefined ? null : [i, j];
   }
   private hover(event: PointerEvent): void {

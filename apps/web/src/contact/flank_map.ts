@@ -34,7 +34,12 @@ export class FlankMap {
     const d = raster.diameter;
     const z = raster.height;
     this.span = [z[0]!, z[z.length - 1]!, d[0]!, d[d.length - 1]!];
-    const box = { x: kRoom.left, y: kRoom.top, w: width - kRoom.left - kRoom.right, h: height - kRoom.top - kRoom.bottom };
+    const box = {
+      x: kRoom.left,
+      y: kRoom.top,
+      w: width - kRoom.left - kRoom.right,
+      h: height - kRoom.top - kRoom.bottom,
+    };
     c.fillStyle = colour("paper");
     c.fillRect(box.x, box.y, box.w, box.h);
     this.shade(c, box, ratio, markingMm);
@@ -86,7 +91,8 @@ export class FlankMap {
     c.font = `11.5px ${getComputedStyle(document.body).fontFamily}`;
     c.textAlign = "right";
     c.textBaseline = "middle";
-    for (const d of [d0, (d0 + d1) / 2, d1]) c.fillText(fixed(toShown(d, "mm"), 2), box.x - 5, this.px(box, z0, d)[1]);
+    for (const d of [d0, (d0 + d1) / 2, d1])
+      c.fillText(fixed(toShown(d, "mm"), 2), box.x - 5, this.px(box, z0, d)[1]);
     c.textBaseline = "top";
     for (const z of [z0, 0, z1]) {
       c.textAlign = z === z0 ? "left" : z === z1 ? "right" : "center";

@@ -7,10 +7,22 @@ import { h, symbol } from "../elements";
 import { fixed, niceStep, onStep } from "../numbers";
 import { at, bench } from "../workbench";
 
-const kReach: Record<string, number> = { "°": 0.1, "µm": 30, mm: 0.1 };
-const kModifications = ["lead_crowning_um", "lead_slope_um", "profile_crowning_um", "profile_slope_um", "tip_relief_um", "root_relief_um", "end_relief_um"];
+const kReach: Record<string, number> = { "°": 0.1, µm: 30, mm: 0.1 };
+const kModifications = [
+  "lead_crowning_um",
+  "lead_slope_um",
+  "profile_crowning_um",
+  "profile_slope_um",
+  "tip_relief_um",
+  "root_relief_um",
+  "end_relief_um",
+];
 /** What a modification needs beside it. */
-const kNeeds: Record<string, string> = { tip_relief_um: "tip_relief_start_mm", root_relief_um: "root_relief_start_mm", end_relief_um: "end_relief_length_mm" };
+const kNeeds: Record<string, string> = {
+  tip_relief_um: "tip_relief_start_mm",
+  root_relief_um: "root_relief_start_mm",
+  end_relief_um: "end_relief_length_mm",
+};
 
 interface Slide {
   place: string;
@@ -27,15 +39,28 @@ export class ContactSliders {
   build(): void {
     if (this.slides.length) return;
     const errors = (inputs("errors")?.keys ?? []).filter((key) => key.documented && key.kind === "number");
-    this.group("Errors", "", errors.map((key) => ["errors." + key.key, key]));
+    this.group(
+      "Errors",
+      "",
+      errors.map((key) => ["errors." + key.key, key]),
+    );
     for (const gear of ["gear1", "gear2"]) {
-      const keys = kModifications.map((name) => inputKey("modifications", name)).filter((key) => key !== undefined);
-      this.group("Modifications, gear " + gear[4], "g" + gear[4], keys.map((key) => [`${gear}.modifications.${key.key}`, key]));
+      const keys = kModifications
+        .map((name) => inputKey("modifications", name))
+        .filter((key) => key !== undefined);
+      this.group(
+        "Modifications, gear " + gear[4],
+        "g" + gear[4],
+        keys.map((key) => [`${gear}.modifications.${key.key}`, key]),
+      );
     }
   }
 
   private group(title: string, style: string, entries: [string, InputKey][]): void {
-    this.element.append(h("h3", { class: style }, title), ...entries.map(([place, key]) => this.slide(place, key)));
+    this.element.append(
+      h("h3", { class: style }, title),
+      ...entries.map(([place, key]) => this.slide(place, key)),
+    );
   }
 
   private slide(place: string, key: InputKey): HTMLElement {
@@ -62,7 +87,13 @@ export class ContactSliders {
         set(0);
       },
     });
-    const row = h("label", { class: "slider", title: key.meaning }, h("span", { class: "slider-words" }, wordsOf(key), " ", symbol(key.symbol)), output, input);
+    const row = h(
+      "label",
+      { class: "slider", title: key.meaning },
+      h("span", { class: "slider-words" }, wordsOf(key), " ", symbol(key.symbol)),
+      output,
+      input,
+    );
     this.slides.push({ place, input, output, key, row });
     return row;
   }

@@ -50,7 +50,10 @@ export function makeNote(): Note {
 }
 
 function parseNumber(text: string): number {
-  const plain = text.trim().replace("−", "-").replace(/^([^.]*),([^,]*)$/, "$1.$2");
+  const plain = text
+    .trim()
+    .replace("−", "-")
+    .replace(/^([^.]*),([^,]*)$/, "$1.$2");
   return plain === "" ? NaN : Number(plain);
 }
 
@@ -61,7 +64,10 @@ function valueOf(key: InputKey, text: string): { value: Json | undefined } | nul
   if (key.kind === "text") return { value: text };
   if (key.words.includes(plain)) return { value: plain };
   if (key.list) {
-    const parts = plain.replace(/^\[|\]$/g, "").split(/[,;…\s]+/).filter(Boolean);
+    const parts = plain
+      .replace(/^\[|\]$/g, "")
+      .split(/[,;…\s]+/)
+      .filter(Boolean);
     const numbers = parts.map(parseNumber);
     if (numbers.some(Number.isNaN)) return key.kind === "word" ? { value: parts } : null;
     const shown = numbers.map((one) => fromShown(one, key.unit));
@@ -87,7 +93,8 @@ function chooser(key: InputKey, place: string, label: string): Field {
     {
       "aria-label": label,
       "data-key": place,
-      change: () => bench.setKey(place, select.value === "" ? undefined : yesNo ? select.value === "true" : select.value),
+      change: () =>
+        bench.setKey(place, select.value === "" ? undefined : yesNo ? select.value === "true" : select.value),
     },
     none,
     ...words.map((word) => h("option", { value: word }, yesNo ? (word === "true" ? "yes" : "no") : word)),
@@ -125,7 +132,9 @@ export function makeField(key: InputKey, place: string, who: string, note: Note)
     spellcheck: "false",
     class: numeric ? "number" : null,
   });
-  const slider = numeric ? h("input", { type: "range", "aria-label": label + ", slider", tabindex: "-1" }) : null;
+  const slider = numeric
+    ? h("input", { type: "range", "aria-label": label + ", slider", tabindex: "-1" })
+    : null;
 
   const send = (text: string) => {
     const said = valueOf(key, text);
@@ -133,9 +142,12 @@ export function makeField(key: InputKey, place: string, who: string, note: Note)
     note.fault(null);
     bench.setKey(place, said.value);
   };
-  const base = () => (typeof current === "number" ? toShown(current, key.unit) : parseNumber(input.placeholder) || 0);
+  const base = () =>
+    typeof current === "number" ? toShown(current, key.unit) : parseNumber(input.placeholder) || 0;
   const stepOf = (value: number) =>
-    key.kind === "whole" ? 1 : niceStep(Math.max(Math.abs(value), key.unit === "°" || key.unit === "µm" ? 10 : 1), 50);
+    key.kind === "whole"
+      ? 1
+      : niceStep(Math.max(Math.abs(value), key.unit === "°" || key.unit === "µm" ? 10 : 1), 50);
 
   function aim(): void {
     if (!slider) return;
@@ -143,7 +155,9 @@ export function makeField(key: InputKey, place: string, who: string, note: Note)
     const step = stepOf(value);
     const reach = key.kind === "whole" ? Math.max(10, Math.round(Math.abs(value))) : 50 * step;
     const end = (limit: number | null | undefined, open: boolean | undefined, sign: number) =>
-      limit === null || limit === undefined ? -sign * Infinity : toShown(limit, key.unit) + (open ? sign * step : 0);
+      limit === null || limit === undefined
+        ? -sign * Infinity
+        : toShown(limit, key.unit) + (open ? sign * step : 0);
     slider.min = String(Math.max(onStep(value - reach, step), end(key.range?.lo, key.range?.loOpen, 1)));
     slider.max = String(Math.min(onStep(value + reach, step), end(key.range?.hi, key.range?.hiOpen, -1)));
     slider.step = String(step);
@@ -166,7 +180,10 @@ export function makeField(key: InputKey, place: string, who: string, note: Note)
     if (!numeric || (event.key !== "ArrowUp" && event.key !== "ArrowDown")) return;
     event.preventDefault();
     const step = stepOf(base()) * (event.shiftKey ? 10 : 1);
-    let value = onStep(base() + (event.key === "ArrowUp" ? step : -step), key.kind === "whole" ? 1 : step / 100);
+    let value = onStep(
+      base() + (event.key === "ArrowUp" ? step : -step),
+      key.kind === "whole" ? 1 : step / 100,
+    );
     if (key.range && !key.range.zero && value === 0) value += event.key === "ArrowUp" ? 1 : -1;
     mine = null;
     input.value = short(value);

@@ -18,13 +18,23 @@ function implied(key: InputKey, place: string): string {
   const result = bench.solved?.result ?? bench.good?.result ?? null;
   if (rest.length === 1 && result) {
     const gear = head === "gear1" ? 0 : head === "gear2" ? 1 : -1;
-    const owner = gear >= 0 ? (result["gears"] as Json[] | undefined)?.[gear] : head === "pair" ? result["pair"] : undefined;
+    const owner =
+      gear >= 0
+        ? (result["gears"] as Json[] | undefined)?.[gear]
+        : head === "pair"
+          ? result["pair"]
+          : undefined;
     const value = at(owner, rest[0]!);
     const said = quantity(gear >= 0 ? "gear" : "pair", rest[0]!);
-    if (typeof value === "number" && said) return fixed(toShown(value, said.unit), said.digits).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "");
+    if (typeof value === "number" && said)
+      return fixed(toShown(value, said.unit), said.digits)
+        .replace(/(\.\d*?)0+$/, "$1")
+        .replace(/\.$/, "");
   }
   const said = key.fallback.replace(/^"|"$/g, "");
-  return /^-?[\d.]+$/.test(said) || key.words.includes(said) || said === "true" || said === "false" ? said : "";
+  return /^-?[\d.]+$/.test(said) || key.words.includes(said) || said === "true" || said === "false"
+    ? said
+    : "";
 }
 
 export class Form {
@@ -47,11 +57,16 @@ export class Form {
 
   constructor() {
     const unit = (words: string, yes: boolean) =>
-      button(words, () => setInches(yes), { class: "unit-choice", "aria-pressed": String(inInches() === yes), "data-unit": words });
+      button(words, () => setInches(yes), {
+        class: "unit-choice",
+        "aria-pressed": String(inInches() === yes),
+        "data-unit": words,
+      });
     fill(this.units, unit("mm", false), unit("inch", true));
     fill(this.element, this.title, this.general, this.body);
     onUnitChange(() => {
-      for (const one of this.units.querySelectorAll("button")) one.setAttribute("aria-pressed", String((one.dataset["unit"] === "inch") === inInches()));
+      for (const one of this.units.querySelectorAll("button"))
+        one.setAttribute("aria-pressed", String((one.dataset["unit"] === "inch") === inInches()));
       this.signature = "";
       this.update();
     });
@@ -70,7 +85,8 @@ export class Form {
         this.build(plan);
       }
       for (const { key, field } of this.fields) field.show(at(spec, field.place), implied(key, field.place));
-      if (document.activeElement !== this.title) this.title.value = typeof spec["title"] === "string" ? spec["title"] : "";
+      if (document.activeElement !== this.title)
+        this.title.value = typeof spec["title"] === "string" ? spec["title"] : "";
     }
     this.showFault();
   }
@@ -107,19 +123,34 @@ export class Form {
     if (showMore) for (const key of section.more) addRow(key);
     const toggle =
       section.more.length > 0
-        ? button(showMore ? "fewer" : `${section.more.length} more`, () => {
-            if (showMore) this.more.delete(section.id);
-            else this.more.add(section.id);
-            this.signature = "";
-            this.update();
-          }, { class: "quiet more", "aria-expanded": String(showMore), "aria-label": `${showMore ? "fewer" : section.more.length + " more"} keys: ${section.title}` })
+        ? button(
+            showMore ? "fewer" : `${section.more.length} more`,
+            () => {
+              if (showMore) this.more.delete(section.id);
+              else this.more.add(section.id);
+              this.signature = "";
+              this.update();
+            },
+            {
+              class: "quiet more",
+              "aria-expanded": String(showMore),
+              "aria-label": `${showMore ? "fewer" : section.more.length + " more"} keys: ${section.title}`,
+            },
+          )
         : null;
-    const heads = section.places.map((place) => (place.startsWith("gear") ? h("span", { class: "g" + place[4] }, "gear " + place[4]) : null));
+    const heads = section.places.map((place) =>
+      place.startsWith("gear") ? h("span", { class: "g" + place[4] }, "gear " + place[4]) : null,
+    );
     const open = this.opened.has(section.id) || section.present;
     const details = h(
       "details",
       { class: "section", open, style: `--columns:${columns}` },
-      h("summary", { title: section.meaning }, h("span", { class: "section-title" }, section.title), ...heads),
+      h(
+        "summary",
+        { title: section.meaning },
+        h("span", { class: "section-title" }, section.title),
+        ...heads,
+      ),
       rows,
       toggle,
     );
@@ -154,12 +185,16 @@ export class Form {
   private offers(plan: Section[]): HTMLElement | null {
     const gears = plan.find((one) => one.id === "gear")?.places.length;
     if (gears !== 1 || bench.asks) return null;
-    return button("add a second gear", () => {
-      bench.setKey("gear2.teeth", 40);
-      for (const name of ["normal_module_mm", "normal_pressure_angle_deg"]) {
-        const value = at(bench.solved?.spec ?? null, "gear1." + name);
-        if (value !== undefined && inputKey("gear", name)) bench.setKey("gear2." + name, value);
-      }
-    }, { class: "quiet" });
+    return button(
+      "add a second gear",
+      () => {
+        bench.setKey("gear2.teeth", 40);
+        for (const name of ["normal_module_mm", "normal_pressure_angle_deg"]) {
+          const value = at(bench.solved?.spec ?? null, "gear1." + name);
+          if (value !== undefined && inputKey("gear", name)) bench.setKey("gear2." + name, value);
+        }
+      },
+      { class: "quiet" },
+    );
   }
 }

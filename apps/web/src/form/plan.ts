@@ -59,7 +59,9 @@ const kTitles: Record<string, string> = {
 function tableAt(key: InputKey, value: Json | undefined): string {
   if (key.tables.length < 2) return key.tables[0] ?? "";
   const kind = at(value ?? null, "kind");
-  const named = key.tables.find((name) => typeof kind === "string" && kind !== "" && name.endsWith("_" + kind));
+  const named = key.tables.find(
+    (name) => typeof kind === "string" && kind !== "" && name.endsWith("_" + kind),
+  );
   return named ?? key.tables[0]!;
 }
 
@@ -72,13 +74,28 @@ function section(id: string, name: string, table: string, places: string[], spec
   if (!list) return null;
   const always = kAlways[table.split("_")[0] === "rack" ? "rack" : table] ?? [];
   const stands = (key: InputKey) => places.some((place) => at(spec, place + "." + key.key) !== undefined);
-  const plain = list.keys.filter((key) => key.documented && key.kind !== "any" && !isTable(firstOf(spec, places, key)));
+  const plain = list.keys.filter(
+    (key) => key.documented && key.kind !== "any" && !isTable(firstOf(spec, places, key)),
+  );
   // A key that is a table and nothing else is a section of its own.
-  const rows = plain.filter((key) => (key.kind !== "table" || key.words.length > 0) && (always.includes(key.key) || stands(key)));
-  const more = plain.filter((key) => key.kind !== "table" && !rows.includes(key) && !/^(left|right)_/.test(key.key));
+  const rows = plain.filter(
+    (key) => (key.kind !== "table" || key.words.length > 0) && (always.includes(key.key) || stands(key)),
+  );
+  const more = plain.filter(
+    (key) => key.kind !== "table" && !rows.includes(key) && !/^(left|right)_/.test(key.key),
+  );
   rows.sort((a, b) => place(always, a) - place(always, b));
   const present = places.some((where) => at(spec, where) !== undefined);
-  return { id, title: kTitles[name] ?? name.replaceAll("_", " "), meaning: list.meaning, table, places, rows, more, present };
+  return {
+    id,
+    title: kTitles[name] ?? name.replaceAll("_", " "),
+    meaning: list.meaning,
+    table,
+    places,
+    rows,
+    more,
+    present,
+  };
 }
 function place(always: string[], key: InputKey): number {
   const index = always.indexOf(key.key);
@@ -102,7 +119,10 @@ export function planOf(spec: Json): Section[] {
   // A search asks for gears: what it is told of them stands in the text, the rest is not offered.
   const told = searching ? gears.filter((gear) => at(spec, gear) !== undefined) : gears;
   const gear = section("gear", "gear", "gear", told, spec);
-  if (gear && searching) gear.rows = gear.rows.filter((key) => told.some((where) => at(spec, `${where}.${key.key}`) !== undefined));
+  if (gear && searching)
+    gear.rows = gear.rows.filter((key) =>
+      told.some((where) => at(spec, `${where}.${key.key}`) !== undefined),
+    );
   if (told.length) add(gear);
   if (gears.length > 1 && !searching) add(section("pair", "pair", "pair", ["pair"], spec));
   for (const key of inputs("gear")?.keys ?? []) {
@@ -115,16 +135,32 @@ export function planOf(spec: Json): Section[] {
     add(section("gear." + key.key, key.key, name, offered ? holders : tables, spec));
     for (const inner of inputs(name)?.keys ?? []) {
       if (inner.kind !== "table") continue;
-      const deeper = tables.map((where) => `${where}.${inner.key}`).filter((where) => isTable(at(spec, where)));
-      if (deeper.length) add(section(`gear.${key.key}.${inner.key}`, inner.key, tableAt(inner, at(spec, deeper[0]!)), deeper, spec));
+      const deeper = tables
+        .map((where) => `${where}.${inner.key}`)
+        .filter((where) => isTable(at(spec, where)));
+      if (deeper.length)
+        add(
+          section(
+            `gear.${key.key}.${inner.key}`,
+            inner.key,
+            tableAt(inner, at(spec, deeper[0]!)),
+            deeper,
+            spec,
+          ),
+        );
     }
   }
   for (const name of ["errors", "contact", "fit", "compensate"])
-    if (at(spec, name) !== undefined || (name === "errors" && gears.length > 1)) add(section(name, name, name, [name], spec));
-  return sections.filter((one): one is Section => one !== null && (one.rows.length > 0 || one.more.length > 0));
+    if (at(spec, name) !== undefined || (name === "errors" && gears.length > 1))
+      add(section(name, name, name, [name], spec));
+  return sections.filter(
+    (one): one is Section => one !== null && (one.rows.length > 0 || one.more.length > 0),
+  );
 }
 
 /** A form with the same signature needs no new rows, only new values. */
 export function signatureOf(plan: Section[]): string {
-  return plan.map((one) => [one.id, one.table, one.places, one.rows.map((row) => row.key)].join(":")).join("|");
+  return plan
+    .map((one) => [one.id, one.table, one.places, one.rows.map((row) => row.key)].join(":"))
+    .join("|");
 }

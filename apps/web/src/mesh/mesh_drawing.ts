@@ -25,12 +25,14 @@ export function shapeOf(section: Section): Shape {
   const body = new Path2D();
   ring(body, section.outline);
   let reach = 0;
-  for (let i = 0; i < section.outline.length; i += 2) reach = Math.max(reach, Math.hypot(section.outline[i]!, section.outline[i + 1]!));
+  for (let i = 0; i < section.outline.length; i += 2)
+    reach = Math.max(reach, Math.hypot(section.outline[i]!, section.outline[i + 1]!));
   if (section.bore.length) ring(body, section.bore);
   if (section.internal) {
     // A ring without a rim of its own is shown with one: a tenth of its radius of material.
     let rim = 0;
-    for (let i = 0; i < section.bore.length; i += 2) rim = Math.max(rim, Math.hypot(section.bore[i]!, section.bore[i + 1]!));
+    for (let i = 0; i < section.bore.length; i += 2)
+      rim = Math.max(rim, Math.hypot(section.bore[i]!, section.bore[i + 1]!));
     if (!section.bore.length) {
       rim = reach * 1.08;
       body.moveTo(rim, 0);

@@ -24,7 +24,14 @@ export class MeshView implements Tab {
     pointerleave: () => (this.readout.textContent = ""),
   });
   private readonly readout = h("output", { class: "readout" });
-  private readonly slider = h("input", { type: "range", min: -0.5, max: 0.5, step: 0.002, "aria-label": "rotation of gear 1", input: () => this.turning.set(Number(this.slider.value)) });
+  private readonly slider = h("input", {
+    type: "range",
+    min: -0.5,
+    max: 0.5,
+    step: 0.002,
+    "aria-label": "rotation of gear 1",
+    input: () => this.turning.set(Number(this.slider.value)),
+  });
   private readonly angle = h("output", { class: "angle" });
   private readonly run = button("Turn", () => this.turning.toggle());
   private readonly frames = (["whole", "mesh", "flank"] as const).map((frame) =>
@@ -72,7 +79,10 @@ export class MeshView implements Tab {
     this.shown = solved.text;
     this.shapes = answer.gears.map((section: Section) => shapeOf(section));
     this.lines = answer.lines;
-    const size = this.shapes.map((one) => one.reach.toPrecision(3)).join() + (answer.lines?.kind ?? "") + (answer.lines?.centerDistance.toPrecision(3) ?? "");
+    const size =
+      this.shapes.map((one) => one.reach.toPrecision(3)).join() +
+      (answer.lines?.kind ?? "") +
+      (answer.lines?.centerDistance.toPrecision(3) ?? "");
     if (!this.motion || size !== this.sizeOf) this.fit(size !== this.sizeOf && !this.sizeOf);
     this.sizeOf = size;
     this.ask();
@@ -94,7 +104,8 @@ export class MeshView implements Tab {
   private places(): Placed[] {
     return this.shapes.map((_, i) => {
       if (!this.motion) return { x: i ? this.middle2() : 0, y: 0, angle: 0 };
-      if (this.crossed) return { x: i ? this.middle2() : 0, y: 0, angle: turnAt(this.motion, i, this.turning.t) };
+      if (this.crossed)
+        return { x: i ? this.middle2() : 0, y: 0, angle: turnAt(this.motion, i, this.turning.t) };
       const pose = poseAt(this.motion, i, this.turning.t);
       return { x: pose[12]!, y: pose[13]!, angle: Math.atan2(pose[1]!, pose[0]!) };
     });
@@ -136,7 +147,9 @@ export class MeshView implements Tab {
       const circle = this.shapes[i]!.section.circles.find((one) => Math.abs(one.radius - radius) < near);
       return `gear ${i + 1}: ⌀ ${length(2 * (circle?.radius ?? radius))}${circle ? " " + circle.words : ""}`;
     });
-    const named = this.crossed ? undefined : this.lines?.points.find((one) => Math.hypot(one.x - x, one.y - y) < 2 * near);
+    const named = this.crossed
+      ? undefined
+      : this.lines?.points.find((one) => Math.hypot(one.x - x, one.y - y) < 2 * near);
     this.readout.textContent = (named ? named.name + "   " : "") + words.join("   ");
   }
 
@@ -155,7 +168,13 @@ export class MeshView implements Tab {
     if (this.motion) this.angle.textContent = (this.turning.t * this.motion.pitchDeg).toFixed(2) + "°";
     if (!this.shapes.length || !this.canvas.clientWidth) return;
     const touch = this.motion && !this.crossed ? touchAt(this.motion, this.turning.t) : null;
-    const scene: Scene = { shapes: this.shapes, places: this.places(), lines: this.crossed ? null : this.lines, touch, circles: this.circlesBox.checked };
+    const scene: Scene = {
+      shapes: this.shapes,
+      places: this.places(),
+      lines: this.crossed ? null : this.lines,
+      touch,
+      circles: this.circlesBox.checked,
+    };
     draw(this.canvas, this.view, scene);
   }
 }

@@ -18,10 +18,14 @@ export class ViewWindow {
     private readonly canvas: HTMLCanvasElement,
     private readonly changed: () => void,
   ) {
-    canvas.addEventListener("wheel", (event) => {
-      event.preventDefault();
-      this.zoom(Math.exp(-event.deltaY * (event.deltaMode ? 0.05 : 0.0016)), event.offsetX, event.offsetY);
-    }, { passive: false });
+    canvas.addEventListener(
+      "wheel",
+      (event) => {
+        event.preventDefault();
+        this.zoom(Math.exp(-event.deltaY * (event.deltaMode ? 0.05 : 0.0016)), event.offsetX, event.offsetY);
+      },
+      { passive: false },
+    );
     canvas.addEventListener("pointerdown", (event) => {
       canvas.setPointerCapture(event.pointerId);
       this.held.set(event.pointerId, { x: event.offsetX, y: event.offsetY });
@@ -49,10 +53,16 @@ export class ViewWindow {
   }
 
   px(x: number, y: number): [number, number] {
-    return [this.canvas.clientWidth / 2 + (x - this.now.x) * this.now.scale, this.canvas.clientHeight / 2 - (y - this.now.y) * this.now.scale];
+    return [
+      this.canvas.clientWidth / 2 + (x - this.now.x) * this.now.scale,
+      this.canvas.clientHeight / 2 - (y - this.now.y) * this.now.scale,
+    ];
   }
   mm(px: number, py: number): [number, number] {
-    return [this.now.x + (px - this.canvas.clientWidth / 2) / this.now.scale, this.now.y - (py - this.canvas.clientHeight / 2) / this.now.scale];
+    return [
+      this.now.x + (px - this.canvas.clientWidth / 2) / this.now.scale,
+      this.now.y - (py - this.canvas.clientHeight / 2) / this.now.scale,
+    ];
   }
 
   private zoom(factor: number, px: number, py: number): void {

@@ -29,18 +29,36 @@ export function columnsOf(designs: Design[]): Column[] {
     if (!values.length) continue;
     // Objectives by their names: numbers that a search with several has compared.
     if (said.key === "objective" && typeof values[0] === "object") {
-      for (const name of Object.keys(values[0] as Design)) columns.push({ said: { ...said, symbol: "", unit: "", digits: 4, type: "number" }, place: name, words: name.replaceAll("_", " ") });
+      for (const name of Object.keys(values[0] as Design))
+        columns.push({
+          said: { ...said, symbol: "", unit: "", digits: 4, type: "number" },
+          place: name,
+          words: name.replaceAll("_", " "),
+        });
       continue;
     }
-    if (said.type === "record" || said.type === "map" || (typeof values[0] === "object" && !Array.isArray(values[0]))) continue;
-    if (Array.isArray(values[0])) values[0].forEach((_, place) => columns.push({ said, place, words: `${said.words}, gear ${place + 1}` }));
+    if (
+      said.type === "record" ||
+      said.type === "map" ||
+      (typeof values[0] === "object" && !Array.isArray(values[0]))
+    )
+      continue;
+    if (Array.isArray(values[0]))
+      values[0].forEach((_, place) =>
+        columns.push({ said, place, words: `${said.words}, gear ${place + 1}` }),
+      );
     else columns.push({ said, place: -1, words: said.words });
   }
   return columns;
 }
 
 export class SearchTable {
-  readonly element = h("div", { class: "designs-room", tabindex: "0", role: "region", "aria-label": "designs found" });
+  readonly element = h("div", {
+    class: "designs-room",
+    tabindex: "0",
+    role: "region",
+    "aria-label": "designs found",
+  });
   private designs: Design[] = [];
   private columns: Column[] = [];
   private order: number[] = [];
@@ -63,7 +81,8 @@ export class SearchTable {
   }
   mark(row: number): void {
     this.taken = row;
-    for (const line of this.element.querySelectorAll<HTMLElement>("tbody tr")) line.classList.toggle("taken", Number(line.dataset["row"]) === row);
+    for (const line of this.element.querySelectorAll<HTMLElement>("tbody tr"))
+      line.classList.toggle("taken", Number(line.dataset["row"]) === row);
   }
 
   private sort(): void {
@@ -73,7 +92,8 @@ export class SearchTable {
       const of = (row: number) => valueIn(this.designs[row]!, column);
       this.order.sort((a, b) => {
         const [x, y] = [of(a), of(b)];
-        const less = typeof x === "number" && typeof y === "number" ? x - y : String(x).localeCompare(String(y));
+        const less =
+          typeof x === "number" && typeof y === "number" ? x - y : String(x).localeCompare(String(y));
         return this.down ? -less : less;
       });
     }
@@ -82,14 +102,33 @@ export class SearchTable {
 
   private head(column: Column, index: number): HTMLElement {
     const { said, place, words } = column;
-    const name = said.symbol ? symbol(said.symbol + (typeof place === "number" && place >= 0 ? (said.symbol.includes("_") ? "" : "_") + (place + 1) : "")) : words;
-    const sortBy = button("", () => {
-      this.down = this.by === index ? !this.down : said.greaterFirst;
-      this.by = index;
-      this.sort();
-    }, { title: words, "aria-label": words });
-    fill(sortBy, name, shownUnit(said.unit) ? h("span", { class: "unit" }, " " + shownUnit(said.unit)) : null);
-    return h("th", { scope: "col", "aria-sort": this.by === index ? (this.down ? "descending" : "ascending") : null }, sortBy);
+    const name = said.symbol
+      ? symbol(
+          said.symbol +
+            (typeof place === "number" && place >= 0
+              ? (said.symbol.includes("_") ? "" : "_") + (place + 1)
+              : ""),
+        )
+      : words;
+    const sortBy = button(
+      "",
+      () => {
+        this.down = this.by === index ? !this.down : said.greaterFirst;
+        this.by = index;
+        this.sort();
+      },
+      { title: words, "aria-label": words },
+    );
+    fill(
+      sortBy,
+      name,
+      shownUnit(said.unit) ? h("span", { class: "unit" }, " " + shownUnit(said.unit)) : null,
+    );
+    return h(
+      "th",
+      { scope: "col", "aria-sort": this.by === index ? (this.down ? "descending" : "ascending") : null },
+      sortBy,
+    );
   }
 
   private draw(): void {
@@ -98,19 +137,48 @@ export class SearchTable {
       const take = () => this.take(row);
       return h(
         "tr",
-        { "data-row": row, class: [row === this.taken ? "taken" : "", this.front.has(row) ? "front" : ""].join(" ").trim() || null, click: take },
-        h("th", { scope: "row" }, button(String(row + 1), () => undefined, { "aria-label": `take design ${row + 1}` })),
+        {
+          "data-row": row,
+          class:
+            [row === this.taken ? "taken" : "", this.front.has(row) ? "front" : ""].join(" ").trim() || null,
+          click: take,
+        },
+        h(
+          "th",
+          { scope: "row" },
+          button(String(row + 1), () => undefined, { "aria-label": `take design ${row + 1}` }),
+        ),
         ...this.columns.map((column) => h("td", {}, textOf(column.said, valueIn(design, column)))),
       );
     });
     const rest = this.designs.length - rows.length;
     fill(
       this.element,
-      h("table", { class: "designs" }, h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "No."), ...this.columns.map((column, i) => this.head(column, i)))), h("tbody", {}, ...rows)),
-      rest > 0 ? button(`${rest} more`, () => {
-        this.most += 1000;
-        this.draw();
-      }, { class: "quiet" }) : null,
+      h(
+        "table",
+        { class: "designs" },
+        h(
+          "thead",
+          {},
+          h(
+            "tr",
+            {},
+            h("th", { scope: "col" }, "No."),
+            ...this.columns.map((column, i) => this.head(column, i)),
+          ),
+        ),
+        h("tbody", {}, ...rows),
+      ),
+      rest > 0
+        ? button(
+            `${rest} more`,
+            () => {
+              this.most += 1000;
+              this.draw();
+            },
+            { class: "quiet" },
+          )
+        : null,
     );
   }
 }

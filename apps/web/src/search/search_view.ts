@@ -22,21 +22,42 @@ export class SearchView implements Tab {
   private readonly said = h("p", { class: "search-said", role: "status" });
   private readonly go = button("Search", () => void this.search(), { class: "main" });
   private readonly stop = button("Cancel", () => this.cancel());
-  private readonly back = button("Back to what was asked", () => this.asked && bench.setText(this.asked, "back"));
+  private readonly back = button(
+    "Back to what was asked",
+    () => this.asked && bench.setText(this.asked, "back"),
+  );
   private readonly save = button("Report of the search", () => void this.report());
   private readonly bar = h("progress", { max: 1, value: 0, "aria-label": "progress of the search" });
-  private readonly across = h("select", { "aria-label": "Pareto picture, across", change: () => this.picture() });
+  private readonly across = h("select", {
+    "aria-label": "Pareto picture, across",
+    change: () => this.picture(),
+  });
   private readonly up = h("select", { "aria-label": "Pareto picture, up", change: () => this.picture() });
-  private readonly chooser = h("p", { class: "soft pareto-axes" }, h("label", {}, "across ", this.across), h("label", {}, "up ", this.up));
+  private readonly chooser = h(
+    "p",
+    { class: "soft pareto-axes" },
+    h("label", {}, "across ", this.across),
+    h("label", {}, "up ", this.up),
+  );
   private readonly table = new SearchTable((row) => void this.take(row));
   private readonly pareto = new ParetoPicture((row) => void this.take(row));
   private readonly branches = h("div", { class: "branches" });
   readonly element = h(
     "div",
     { class: "search-view" },
-    h("div", { class: "search-head" }, this.said, h("div", { class: "search-buttons" }, this.go, this.stop, this.back, this.save, this.bar)),
+    h(
+      "div",
+      { class: "search-head" },
+      this.said,
+      h("div", { class: "search-buttons" }, this.go, this.stop, this.back, this.save, this.bar),
+    ),
     this.branches,
-    h("div", { class: "found" }, this.table.element, h("div", { class: "pareto-room" }, this.chooser, this.pareto.element)),
+    h(
+      "div",
+      { class: "found" },
+      this.table.element,
+      h("div", { class: "pareto-room" }, this.chooser, this.pareto.element),
+    ),
   );
   private asked = ""; // the text whose designs are listed
   private designs: Design[] = [];
@@ -105,12 +126,17 @@ export class SearchView implements Tab {
         if (best.length) this.list(best, []);
       });
       if (!found) return;
-      const answer = JSON.parse(found.json) as { search?: { designs: Design[]; pareto?: number[]; rejected: Record<string, number> }; error?: { message: string } };
+      const answer = JSON.parse(found.json) as {
+        search?: { designs: Design[]; pareto?: number[]; rejected: Record<string, number> };
+        error?: { message: string };
+      };
       if (!answer.search) throw new Error(answer.error?.message ?? "no answer");
       this.asked = text;
       this.save.hidden = false;
       const time = ((performance.now() - begin) / 1000).toFixed(2);
-      this.said.textContent = `${count(found.feasible)} of ${count(found.tested)} candidates satisfy every limit; ${time} s.` + why(found.feasible, answer.search.rejected);
+      this.said.textContent =
+        `${count(found.feasible)} of ${count(found.tested)} candidates satisfy every limit; ${time} s.` +
+        why(found.feasible, answer.search.rejected);
       this.list(answer.search.designs, answer.search.pareto ?? []);
     } catch (reason) {
       this.said.textContent = words(reason) === "cancelled" ? "Cancelled." : words(reason);
@@ -130,13 +156,20 @@ export class SearchView implements Tab {
     this.front = front;
     this.taken = -1;
     this.table.show(designs, front);
-    const columns = (this.columns = columnsOf(designs).filter((column) => !kNoisy.test(column.said.key) && designs.some((one) => typeof valueIn(one, column) === "number")));
+    const columns = (this.columns = columnsOf(designs).filter(
+      (column) =>
+        !kNoisy.test(column.said.key) && designs.some((one) => typeof valueIn(one, column) === "number"),
+    ));
     const options = () => columns.map((column, i) => h("option", { value: i }, column.words));
     const before = [this.across.value, this.up.value];
     fill(this.across, ...options());
     fill(this.up, ...options());
     const objectives = columns.flatMap((column, i) => (typeof column.place === "string" ? [i] : []));
-    const find = (key: string, other: number) => Math.max(0, columns.findIndex((column) => column.said.key === key)) || other;
+    const find = (key: string, other: number) =>
+      Math.max(
+        0,
+        columns.findIndex((column) => column.said.key === key),
+      ) || other;
     this.across.value = before[0] || String(objectives[0] ?? find("center_distance_mm", 0));
     this.up.value = before[1] || String(objectives[1] ?? find("contact_ratio", 1));
     this.chooser.hidden = designs.length < 2;
@@ -147,7 +180,12 @@ export class SearchView implements Tab {
     const [x, y] = [this.columns[Number(this.across.value)], this.columns[Number(this.up.value)]];
     if (!x || !y) return;
     const front = new Set(this.front);
-    const points: Point[] = this.designs.map((design, row) => ({ row, x: Number(valueIn(design, x)), y: Number(valueIn(design, y)), front: front.has(row) }));
+    const points: Point[] = this.designs.map((design, row) => ({
+      row,
+      x: Number(valueIn(design, x)),
+      y: Number(valueIn(design, y)),
+      front: front.has(row),
+    }));
     this.pareto.show(points, { ...x.said, words: x.words }, { ...y.said, words: y.words }, this.taken);
   }
 
@@ -167,7 +205,11 @@ export class SearchView implements Tab {
 
   private async report(): Promise<void> {
     try {
-      download("search.html", (await bench.seek.ask("searchReport", undefined as never)) as Uint8Array<ArrayBuffer>, "text/html");
+      download(
+        "search.html",
+        (await bench.seek.ask("searchReport", undefined as never)) as Uint8Array<ArrayBuffer>,
+        "text/html",
+      );
     } catch (reason) {
       this.said.textContent = words(reason);
     }
@@ -176,7 +218,10 @@ export class SearchView implements Tab {
   /** A search about the pair on screen. */
   private around(): string {
     const pair = bench.good?.result?.["pair"];
-    const gears = (bench.good?.result?.["gears"] ?? []) as unknown as { teeth: number; helix_angle_deg: number }[];
+    const gears = (bench.good?.result?.["gears"] ?? []) as unknown as {
+      teeth: number;
+      helix_angle_deg: number;
+    }[];
     const u = Math.abs(Number(at(pair, "gear_ratio")));
     const a = Number(at(pair, "center_distance_mm"));
     const z1 = Math.abs(gears[0]?.teeth ?? 20);
@@ -203,7 +248,9 @@ objective = ["contact_ratio", "sliding"]
       if (this.looked !== text) return;
       const branches = (at(answer, "fit.branches") ?? []) as Design[];
       const reason = at(answer, "fit.reason") ?? at(answer, "error.message");
-      this.said.textContent = branches.length ? `${branches.length === 1 ? "One answer fits" : branches.length + " answers fit"}. A click makes it the design.` : String(reason ?? "Nothing fits.");
+      this.said.textContent = branches.length
+        ? `${branches.length === 1 ? "One answer fits" : branches.length + " answers fit"}. A click makes it the design.`
+        : String(reason ?? "Nothing fits.");
       fill(this.branches, ...branches.map((branch, i) => this.branch(branch, i)));
     } catch (reason) {
       this.said.textContent = words(reason);
@@ -213,7 +260,9 @@ objective = ["contact_ratio", "sliding"]
     const facts = Object.entries(branch).flatMap(([key, value]) => {
       const said = quantity("fit.branches", key);
       if (key === "spec" || value === null || !said) return [];
-      const text = (Array.isArray(value) ? value : [value]).map((one) => (typeof one === "number" ? fixed(one, said.digits) : String(one))).join(" / ");
+      const text = (Array.isArray(value) ? value : [value])
+        .map((one) => (typeof one === "number" ? fixed(one, said.digits) : String(one)))
+        .join(" / ");
       return [h("dt", {}, said.words), h("dd", {}, `${text} ${said.unit}`)];
     });
     const use = async () => {
@@ -222,7 +271,13 @@ objective = ["contact_ratio", "sliding"]
       this.back.hidden = false;
       bench.setText(text, "branch " + i);
     };
-    return h("article", { class: "branch" }, h("h3", {}, `Answer ${i + 1}`), h("dl", {}, ...facts), button("Make it the design", () => void use(), { class: "main" }));
+    return h(
+      "article",
+      { class: "branch" },
+      h("h3", {}, `Answer ${i + 1}`),
+      h("dl", {}, ...facts),
+      button("Make it the design", () => void use(), { class: "main" }),
+    );
   }
 }
 

@@ -10,7 +10,17 @@ import { bench } from "../workbench";
 import type { Tab } from "../tabs";
 
 const kRoom = { left: 52, right: 18, top: 16, bottom: 44 };
-const kColours = ["var(--g1)", "var(--g2)", "var(--action)", "var(--trailing)", "var(--tip-fillet)", "var(--caution)", "var(--root-land)", "var(--problem)", "var(--ink)"];
+const kColours = [
+  "var(--g1)",
+  "var(--g2)",
+  "var(--action)",
+  "var(--trailing)",
+  "var(--tip-fillet)",
+  "var(--caution)",
+  "var(--root-land)",
+  "var(--problem)",
+  "var(--ink)",
+];
 
 export class ShiftsView implements Tab {
   readonly id = "shifts";
@@ -28,7 +38,12 @@ export class ShiftsView implements Tab {
   });
   private readonly sentence = h("p", { class: "shift-sentence", "aria-live": "polite" });
   private readonly legend = h("ul", { class: "shift-legend" });
-  readonly element = h("div", { class: "shifts-view" }, h("div", { class: "shift-room" }, this.picture), h("div", { class: "shift-words" }, this.sentence, this.legend));
+  readonly element = h(
+    "div",
+    { class: "shifts-view" },
+    h("div", { class: "shift-room" }, this.picture),
+    h("div", { class: "shift-words" }, this.sentence, this.legend),
+  );
   private region: ShiftRegion | null = null;
   private frame: [number, number, number, number] = [-1, 1, -1, 1];
   private held = false;
@@ -79,7 +94,10 @@ export class ShiftsView implements Tab {
     return Math.min(w / (x1 - x0), hh / (y1 - y0));
   }
   private px(x: number, y: number): [number, number] {
-    return [kRoom.left + (x - this.frame[0]) * this.scale, this.picture.clientHeight - kRoom.bottom - (y - this.frame[2]) * this.scale];
+    return [
+      kRoom.left + (x - this.frame[0]) * this.scale,
+      this.picture.clientHeight - kRoom.bottom - (y - this.frame[2]) * this.scale,
+    ];
   }
   private at(event: PointerEvent): [number, number] {
     const box = this.picture.getBoundingClientRect();
@@ -108,7 +126,9 @@ export class ShiftsView implements Tab {
   }
   private key(event: KeyboardEvent): void {
     const step = event.shiftKey ? 0.1 : 0.01;
-    const way = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] }[event.key];
+    const way = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] }[
+      event.key
+    ];
     if (!way || !this.region) return;
     event.preventDefault();
     this.move(this.region.point[0] + way[0]!, this.region.point[1] + way[1]!);
@@ -117,13 +137,30 @@ export class ShiftsView implements Tab {
   private draw(): void {
     const region = this.region;
     if (!region || !this.picture.clientWidth) return;
-    const path = (points: Float64Array) => Array.from({ length: points.length / 2 }, (_, i) => this.px(points[2 * i]!, points[2 * i + 1]!).map((one) => one.toFixed(1)).join(",")).join(" ");
+    const path = (points: Float64Array) =>
+      Array.from({ length: points.length / 2 }, (_, i) =>
+        this.px(points[2 * i]!, points[2 * i + 1]!)
+          .map((one) => one.toFixed(1))
+          .join(","),
+      ).join(" ");
     const names = Object.keys(region.borders);
     const inkOf = (name: string) => kColours[names.indexOf(name) % kColours.length]!;
-    const areas = region.pieces.map((piece) => svg("polygon", { class: "region", points: piece.map((border) => path(border.points)).join(" ") }));
-    const borders = region.pieces.flat().map((border) =>
-      svg("polyline", { class: "border" + (border.border === region.stoppedBy ? " stops" : ""), points: path(border.points), stroke: inkOf(border.border) }, svg("title", {}, region.borders[border.border] ?? border.border)),
+    const areas = region.pieces.map((piece) =>
+      svg("polygon", { class: "region", points: piece.map((border) => path(border.points)).join(" ") }),
     );
+    const borders = region.pieces
+      .flat()
+      .map((border) =>
+        svg(
+          "polyline",
+          {
+            class: "border" + (border.border === region.stoppedBy ? " stops" : ""),
+            points: path(border.points),
+            stroke: inkOf(border.border),
+          },
+          svg("title", {}, region.borders[border.border] ?? border.border),
+        ),
+      );
     const [px, py] = this.px(...region.point);
     const chosen = region.chosen ? this.px(...region.chosen) : null;
     fill(
@@ -131,7 +168,12 @@ export class ShiftsView implements Tab {
       ...this.grid(),
       ...areas,
       ...borders,
-      chosen && svg("circle", { class: "chosen", cx: chosen[0], cy: chosen[1], r: 5 }, svg("title", {}, "what a search would take")),
+      chosen &&
+        svg(
+          "circle",
+          { class: "chosen", cx: chosen[0], cy: chosen[1], r: 5 },
+          svg("title", {}, "what a search would take"),
+        ),
       svg("circle", { class: "halo", cx: px, cy: py, r: 13 }),
       svg("circle", { class: "design" + (region.inside ? "" : " outside"), cx: px, cy: py, r: 6.5 }),
     );
@@ -155,7 +197,17 @@ export class ShiftsView implements Tab {
             ? `Outside: stopped by ${stop}.`
             : "Outside the region.",
     );
-    fill(this.legend, ...names.map((name) => h("li", { class: name === region.stoppedBy ? "stops" : null }, h("i", { style: `background:${inkOf(name)}` }), region.borders[name]!)));
+    fill(
+      this.legend,
+      ...names.map((name) =>
+        h(
+          "li",
+          { class: name === region.stoppedBy ? "stops" : null },
+          h("i", { style: `background:${inkOf(name)}` }),
+          region.borders[name]!,
+        ),
+      ),
+    );
   }
 
   private grid(): SVGElement[] {
@@ -163,20 +215,37 @@ export class ShiftsView implements Tab {
     const right = Math.max(x1, x0 + (this.picture.clientWidth - kRoom.left - kRoom.right) / this.scale);
     const step = niceStep(Math.max(right - x0, y1 - y0), 6);
     const lines: SVGElement[] = [];
-    const word = (x: number, y: number, text: string, style: string) => lines.push(svg("text", { x, y, class: style }, text));
+    const word = (x: number, y: number, text: string, style: string) =>
+      lines.push(svg("text", { x, y, class: style }, text));
     for (let x = Math.ceil(x0 / step) * step; x <= right + 1e-9; x += step) {
       const [a, b] = this.px(x, y0);
-      lines.push(svg("line", { class: Math.abs(x) < 1e-9 ? "zero" : "grid", x1: a, x2: a, y1: b, y2: kRoom.top }));
+      lines.push(
+        svg("line", { class: Math.abs(x) < 1e-9 ? "zero" : "grid", x1: a, x2: a, y1: b, y2: kRoom.top }),
+      );
       word(a, b + 16, fixed(x, 2), "m");
     }
     for (let y = Math.ceil(y0 / step) * step; y <= y1 + 1e-9; y += step) {
       const [a, b] = this.px(x0, y);
-      lines.push(svg("line", { class: Math.abs(y) < 1e-9 ? "zero" : "grid", x1: a, x2: this.picture.clientWidth - kRoom.right, y1: b, y2: b }));
+      lines.push(
+        svg("line", {
+          class: Math.abs(y) < 1e-9 ? "zero" : "grid",
+          x1: a,
+          x2: this.picture.clientWidth - kRoom.right,
+          y1: b,
+          y2: b,
+        }),
+      );
       word(a - 8, b + 4, fixed(y, 2), "e");
     }
     word(this.picture.clientWidth / 2, this.picture.clientHeight - 8, "profile shift of gear 1", "m g1");
     const middle = this.picture.clientHeight / 2;
-    lines.push(svg("text", { class: "m g2", transform: `translate(13 ${middle}) rotate(-90)` }, "profile shift of gear 2"));
+    lines.push(
+      svg(
+        "text",
+        { class: "m g2", transform: `translate(13 ${middle}) rotate(-90)` },
+        "profile shift of gear 2",
+      ),
+    );
     return lines;
   }
 }

@@ -48,19 +48,41 @@ export class ContactMarks {
     const major = number("ellipse.semi_major_mm");
     const minor = number("ellipse.semi_minor_mm");
     this.ellipse.visible = Number.isFinite(major) && Number.isFinite(minor);
-    if (this.ellipse.visible) this.drawEllipse(point, new THREE.Vector3().fromArray(normals, 3 * i), number("ellipse.angle_deg"), major, minor);
+    if (this.ellipse.visible)
+      this.drawEllipse(
+        point,
+        new THREE.Vector3().fromArray(normals, 3 * i),
+        number("ellipse.angle_deg"),
+        major,
+        minor,
+      );
     const ends = curve!.columns["line_mm"];
     this.line.visible = ends instanceof Float64Array && Number.isFinite(ends[6 * i]);
-    if (this.line.visible) this.line.geometry.setFromPoints([0, 3].map((k) => new THREE.Vector3().fromArray(ends as Float64Array, 6 * i + k)));
+    if (this.line.visible)
+      this.line.geometry.setFromPoints(
+        [0, 3].map((k) => new THREE.Vector3().fromArray(ends as Float64Array, 6 * i + k)),
+      );
   }
 
-  private drawEllipse(middle: THREE.Vector3, normal: THREE.Vector3, angleDeg: number, major: number, minor: number): void {
+  private drawEllipse(
+    middle: THREE.Vector3,
+    normal: THREE.Vector3,
+    angleDeg: number,
+    major: number,
+    minor: number,
+  ): void {
     const axis = new THREE.Vector3(0, 0, 1);
-    const along = axis.addScaledVector(normal, -normal.z).normalize().applyAxisAngle(normal, (angleDeg * Math.PI) / 180);
+    const along = axis
+      .addScaledVector(normal, -normal.z)
+      .normalize()
+      .applyAxisAngle(normal, (angleDeg * Math.PI) / 180);
     const across = new THREE.Vector3().crossVectors(normal, along);
     const points = Array.from({ length: kCorners }, (_, k) => {
       const angle = (2 * Math.PI * k) / kCorners;
-      return middle.clone().addScaledVector(along, major * Math.cos(angle)).addScaledVector(across, minor * Math.sin(angle));
+      return middle
+        .clone()
+        .addScaledVector(along, major * Math.cos(angle))
+        .addScaledVector(across, minor * Math.sin(angle));
     });
     this.ellipse.geometry.setFromPoints(points);
   }

@@ -20,7 +20,11 @@ export function metal(gear: number): THREE.Color {
 
 /** Metal of a gear's colour with a marking on its working flanks. `side` is +1 where these look
  *  counter-clockwise about the gear's axis, −1 where they look clockwise. */
-export function markedMaterial(gear: number, side: number, cut: THREE.Plane): { material: THREE.Material; marking: Marking } {
+export function markedMaterial(
+  gear: number,
+  side: number,
+  cut: THREE.Plane,
+): { material: THREE.Material; marking: Marking } {
   const texture = new THREE.DataTexture(new Float32Array([kFar]), 1, 1, THREE.RedFormat, THREE.FloatType);
   texture.needsUpdate = true;
   const uniforms = {
@@ -31,22 +35,35 @@ export function markedMaterial(gear: number, side: number, cut: THREE.Plane): { 
     side: { value: side },
     shine: { value: new THREE.Color(colour("action")) },
   };
-  const material = new THREE.MeshStandardMaterial({ color: metal(gear), metalness: 0.25, roughness: 0.48, clippingPlanes: [cut] });
+  const material = new THREE.MeshStandardMaterial({
+    color: metal(gear),
+    metalness: 0.25,
+    roughness: 0.48,
+    clippingPlanes: [cut],
+  });
   material.onBeforeCompile = (shader) => {
     Object.assign(shader.uniforms, uniforms);
     shader.vertexShader = shader.vertexShader
       .replace("#include <common>", "#include <common>\nvarying vec3 ownPlace; varying vec3 ownNormal;")
-      .replace("#include <begin_vertex>", "#include <begin_vertex>\nownPlace = position; ownNormal = normal;");
+      .replace(
+        "#include <begin_vertex>",
+        "#include <begin_vertex>\nownPlace = position; ownNormal = normal;",
+      );
     shader.fragmentShader = shader.fragmentShader
-      .replace("#include <common>", `#include <common>
+      .replace(
+        "#include <common>",
+        `#include <common>
         varying vec3 ownPlace; varying vec3 ownNormal;
         uniform sampler2D gaps; uniform vec4 span; uniform vec2 size; uniform float thickness, side; uniform vec3 shine;
         float cell(vec2 at) { return texelFetch(gaps, ivec2(clamp(at, vec2(0.0), size - 1.0)), 0).r; }
         float gapAt(vec2 place) { // bilinear
           vec2 at = place * (size - 1.0), low = floor(at), share = at - low;
           return mix(mix(cell(low), cell(low + vec2(1, 0)), share.x), mix(cell(low + vec2(0, 1)), cell(low + vec2(1, 1)), share.x), share.y);
-        }`)
-      .replace("#include <color_fragment>", `#include <color_fragment>
+        }`,
+      )
+      .replace(
+        "#include <color_fragment>",
+        `#include <color_fragment>
         float around = -ownNormal.x * ownPlace.y + ownNormal.y * ownPlace.x;
         float diameter = 2.0 * length(ownPlace.xy);
         vec2 place = vec2((ownPlace.z - span.z) / (span.w - span.z), (diameter - span.x) / (span.y - span.x));
@@ -54,7 +71,8 @@ export function markedMaterial(gear: number, side: number, cut: THREE.Plane): { 
           float gap = gapAt(place);
           float soft = max(fwidth(gap), 1e-6);
           diffuseColor.rgb = mix(diffuseColor.rgb, shine, 0.72 * (1.0 - smoothstep(thickness - soft, thickness + soft, gap)));
-        }`);
+        }`,
+      );
   };
   const marking: Marking = {
     texture,
@@ -69,7 +87,12 @@ export function markedMaterial(gear: number, side: number, cut: THREE.Plane): { 
       this.texture.needsUpdate = true;
       uniforms.gaps.value = this.texture;
       uniforms.size.value.set(columns, rows);
-      uniforms.span.value.set(raster.diameter[0]!, raster.diameter[rows - 1]!, raster.height[0]!, raster.height[columns - 1]!);
+      uniforms.span.value.set(
+        raster.diameter[0]!,
+        raster.diameter[rows - 1]!,
+        raster.height[0]!,
+        raster.height[columns - 1]!,
+      );
     },
   };
   return { material, marking };

@@ -23,7 +23,12 @@ export class SolidScene {
   private radius = 0;
 
   constructor(private readonly canvas: HTMLCanvasElement) {
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
+    this.renderer = new THREE.WebGLRenderer({
+      canvas,
+      antialias: true,
+      alpha: true,
+      preserveDrawingBuffer: true,
+    });
     this.renderer.localClippingEnabled = true;
     this.orbit = new OrbitControls(this.camera, canvas);
     this.orbit.enableDamping = false;
@@ -59,7 +64,11 @@ export class SolidScene {
       const side = (internal[i] ? 1 : -1) * (driver === 2 ? -1 : 1);
       const { material, marking } = markedMaterial(i, side, this.cut);
       // Where the plane has cut, one looks at the inside: flat, as a section on a drawing.
-      const inside = new THREE.MeshBasicMaterial({ color: colour(`g${i + 1}-fill`), side: THREE.BackSide, clippingPlanes: [this.cut] });
+      const inside = new THREE.MeshBasicMaterial({
+        color: colour(`g${i + 1}-fill`),
+        side: THREE.BackSide,
+        clippingPlanes: [this.cut],
+      });
       const group = new THREE.Group();
       group.add(new THREE.Mesh(geometry, material), new THREE.Mesh(geometry, inside));
       group.matrixAutoUpdate = false;
@@ -129,7 +138,9 @@ export class SolidScene {
     const half = (this.camera.fov * Math.PI) / 360;
     const distance = (0.8 * sphere.radius) / Math.sin(Math.min(half, Math.atan(Math.tan(half) * aspect)));
     this.orbit.target.copy(sphere.center);
-    this.camera.position.copy(sphere.center).add(new THREE.Vector3(-0.42, 0.38, 0.82).normalize().multiplyScalar(distance));
+    this.camera.position
+      .copy(sphere.center)
+      .add(new THREE.Vector3(-0.42, 0.38, 0.82).normalize().multiplyScalar(distance));
     this.camera.near = distance / 500;
     this.camera.far = distance * 20;
     this.camera.updateProjectionMatrix();
@@ -165,7 +176,8 @@ export class SolidScene {
       this.camera.position.sub(this.orbit.target).applyAxisAngle(axis, angle).add(this.orbit.target);
     };
     const across = new THREE.Vector3(1, 0, 0).applyQuaternion(this.camera.quaternion);
-    const come = (factor: number) => this.camera.position.sub(this.orbit.target).multiplyScalar(factor).add(this.orbit.target);
+    const come = (factor: number) =>
+      this.camera.position.sub(this.orbit.target).multiplyScalar(factor).add(this.orbit.target);
     if (event.key === "ArrowLeft") about(this.camera.up, 0.12);
     else if (event.key === "ArrowRight") about(this.camera.up, -0.12);
     else if (event.key === "ArrowUp") about(across, 0.12);

@@ -14,14 +14,45 @@ const kPositions = 64;
 export class SolidView implements Tab {
   readonly id = "solid";
   readonly words = "solid";
-  private readonly canvas = h("canvas", { tabindex: "0", role: "img", "aria-label": "the gears in space; arrows turn the view, + and − come closer, 0 restores" });
+  private readonly canvas = h("canvas", {
+    tabindex: "0",
+    role: "img",
+    "aria-label": "the gears in space; arrows turn the view, + and − come closer, 0 restores",
+  });
   private readonly state = h("output", { class: "readout" });
-  private readonly slider = h("input", { type: "range", min: -0.5, max: 0.5, step: 0.002, "aria-label": "rotation of gear 1", input: () => this.turning.set(Number(this.slider.value)) });
+  private readonly slider = h("input", {
+    type: "range",
+    min: -0.5,
+    max: 0.5,
+    step: 0.002,
+    "aria-label": "rotation of gear 1",
+    input: () => this.turning.set(Number(this.slider.value)),
+  });
   private readonly angle = h("output", { class: "angle" });
   private readonly run = button("Turn", () => this.turning.toggle());
-  private readonly cut = h("input", { type: "range", min: 0, max: 1, step: 0.005, value: 1, "aria-label": "section along the axis", input: () => this.arrange() });
-  private readonly apart = h("input", { type: "range", min: 0, max: 1, step: 0.01, value: 0, "aria-label": "gears apart", input: () => this.arrange() });
-  private readonly markBox = h("input", { type: "checkbox", checked: true, change: () => void this.paintPattern() });
+  private readonly cut = h("input", {
+    type: "range",
+    min: 0,
+    max: 1,
+    step: 0.005,
+    value: 1,
+    "aria-label": "section along the axis",
+    input: () => this.arrange(),
+  });
+  private readonly apart = h("input", {
+    type: "range",
+    min: 0,
+    max: 1,
+    step: 0.01,
+    value: 0,
+    "aria-label": "gears apart",
+    input: () => this.arrange(),
+  });
+  private readonly markBox = h("input", {
+    type: "checkbox",
+    checked: true,
+    change: () => void this.paintPattern(),
+  });
   readonly element = h(
     "div",
     { class: "picture solid-view" },
@@ -62,19 +93,31 @@ export class SolidView implements Tab {
       try {
         this.scene = new SolidScene(this.canvas);
       } catch {
-        throw new Error("This browser shows no WebGL: the solids cannot be drawn here. The files can still be taken home.");
+        throw new Error(
+          "This browser shows no WebGL: the solids cannot be drawn here. The files can still be taken home.",
+        );
       }
     }
     if (solved.text === this.shown) return this.scene.ask();
-    const answer = await bench.back.latest("meshes", "meshes", { text: solved.text, tolerance: this.tolerance() });
+    const answer = await bench.back.latest("meshes", "meshes", {
+      text: solved.text,
+      tolerance: this.tolerance(),
+    });
     if (answer === kOvertaken) return;
-    const motion = await bench.front.latest("motion-solid", "motion", { text: solved.text, n: kPositions + 1 });
+    const motion = await bench.front.latest("motion-solid", "motion", {
+      text: solved.text,
+      n: kPositions + 1,
+    });
     if (motion === kOvertaken) return;
     const fresh = this.scene.count !== answer.length;
     const gears = (solved.result?.["gears"] ?? []) as unknown as { teeth: number }[];
     this.internal = gears.some((gear) => gear.teeth < 0);
     const driver = at(solved.spec, "contact.driver") === 2 ? 2 : 1;
-    this.scene.setMeshes(answer, gears.map((gear) => gear.teeth < 0), driver);
+    this.scene.setMeshes(
+      answer,
+      gears.map((gear) => gear.teeth < 0),
+      driver,
+    );
     this.motion = motion;
     this.shown = solved.text;
     this.arrange();
@@ -89,7 +132,10 @@ export class SolidView implements Tab {
   private tolerance(): number {
     const pair = bench.good?.result?.["pair"];
     const gears = (bench.good?.result?.["gears"] ?? []) as unknown as { tip_diameter_mm: number }[];
-    const size = Math.max(...gears.map((gear) => gear.tip_diameter_mm || 0), (at(pair, "center_distance_mm") as number) || 0);
+    const size = Math.max(
+      ...gears.map((gear) => gear.tip_diameter_mm || 0),
+      (at(pair, "center_distance_mm") as number) || 0,
+    );
     return Math.min(0.05, Math.max(0.002, size * 1e-4));
   }
 
@@ -103,7 +149,9 @@ export class SolidView implements Tab {
       clear();
       return scene.ask();
     }
-    const pattern = await bench.back.latest("pattern", "pattern", { text: solved.text, positions: 24, rows: 25, columns: 49 }).catch(() => null);
+    const pattern = await bench.back
+      .latest("pattern", "pattern", { text: solved.text, positions: 24, rows: 25, columns: 49 })
+      .catch(() => null);
     if (pattern === kOvertaken || this.shown !== solved.text) return;
     if (!pattern) clear();
     else pattern.forEach((raster, gear) => scene.marking(gear)?.set(raster, thickness));
@@ -125,7 +173,7 @@ export class SolidView implements Tab {
     });
     const share = Number(this.cut.value);
     scene.section(share >= 1 ? Infinity : this.low + share * (this.high - this.low));
-    const i = (((Math.round((this.turning.t + 0.5) * kPositions) % kPositions) + kPositions) % kPositions);
+    const i = ((Math.round((this.turning.t + 0.5) * kPositions) % kPositions) + kPositions) % kPositions;
     scene.marks.show(apart < 0.02 ? motion.curve : null, i, this.size);
     scene.ask();
   }

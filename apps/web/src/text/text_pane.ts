@@ -16,7 +16,12 @@ function coloured(line: string): Node[] {
   if (/^\s*\[/.test(code) && !code.includes("=")) return [h("span", { class: "t-table" }, code), ...tail];
   const equals = code.indexOf("=");
   if (equals < 0) return [document.createTextNode(code), ...tail];
-  return [h("span", { class: "t-key" }, code.slice(0, equals)), document.createTextNode("="), h("span", { class: "t-value" }, code.slice(equals + 1)), ...tail];
+  return [
+    h("span", { class: "t-key" }, code.slice(0, equals)),
+    document.createTextNode("="),
+    h("span", { class: "t-value" }, code.slice(equals + 1)),
+    ...tail,
+  ];
 }
 /** Where the comment of a line begins: the first # outside of quotes. */
 function commentAt(line: string): number {
@@ -58,7 +63,12 @@ export class TextPane {
     "div",
     { class: "text-pane" },
     this.sentence,
-    h("div", { class: "editor" }, this.gutter, h("div", { class: "paper" }, this.mark, this.behind, this.area)),
+    h(
+      "div",
+      { class: "editor" },
+      this.gutter,
+      h("div", { class: "paper" }, this.mark, this.behind, this.area),
+    ),
   );
 
   constructor() {
@@ -101,7 +111,8 @@ export class TextPane {
     const fault = bench.solved?.fault ?? null;
     const asks = bench.asks;
     const line = fault?.line ?? lineIn(fault?.message ?? "");
-    this.sentence.textContent = fault && !asks ? (fault.line ? `Line ${fault.line}: ` : "") + fault.message : "";
+    this.sentence.textContent =
+      fault && !asks ? (fault.line ? `Line ${fault.line}: ` : "") + fault.message : "";
     this.mark.hidden = !fault || !line || asks;
     if (line) this.mark.style.top = `${(line - 1) * kLine}px`;
     this.area.setAttribute("aria-invalid", String(fault !== null && !asks));
