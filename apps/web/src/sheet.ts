@@ -16,7 +16,12 @@ export class SheetView implements Tab {
   private timer = 0;
 
   refresh(): void {
-    if (!bench.good || bench.good.text === this.shown) return;
+    if (!bench.good) {
+      this.frame.srcdoc = this.shown = "";
+      this.state.textContent = "There is no pair yet.";
+      return;
+    }
+    if (bench.good.text === this.shown) return;
     clearTimeout(this.timer);
     this.timer = window.setTimeout(() => void this.load(), this.shown ? 350 : 0); // a report is read, not played with
   }

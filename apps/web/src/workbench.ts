@@ -32,7 +32,7 @@ class Workbench {
   private busy = false;
   private readonly listeners = new Map<string, Set<Listener>>();
 
-  on(what: "text" | "solved" | "history", listener: Listener): void {
+  on(what: "text" | "solved" | "history" | "opened", listener: Listener): void {
     if (!this.listeners.has(what)) this.listeners.set(what, new Set());
     this.listeners.get(what)!.add(listener);
   }
@@ -46,6 +46,10 @@ class Workbench {
     this.remember(what);
     this.text = text;
     this.edits.clear();
+    if (what === "opened") {
+      this.good = null; // another design: nothing of the last one may stand beside it
+      this.tell("opened");
+    }
     this.tell("text");
     void this.solve();
   }
@@ -112,6 +116,7 @@ class Workbench {
   private takeSolved(solved: Solved, begin: number): void {
     this.solved = solved;
     if (solved.result) this.good = solved;
+    else if (this.asks) this.good = null;
     this.lastMs = performance.now() - begin;
     this.tell("solved");
   }

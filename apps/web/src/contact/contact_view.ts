@@ -107,11 +107,8 @@ export class ContactView implements Tab {
     this.errorMap.build();
     this.sliders.show();
     const solved = bench.good;
-    if (!solved) return;
-    if (!solved.hasPair) {
-      this.curve = null;
-      this.shown = "";
-      fill(this.sentence, "One gear touches nothing: a second one makes a pair.");
+    if (!solved?.hasPair) {
+      this.clear(solved ? "One gear touches nothing: a second one makes a pair." : "There is no pair yet.");
       return;
     }
     if (solved.text === this.shown) return this.draw();
@@ -119,7 +116,7 @@ export class ContactView implements Tab {
     try {
       answer = await bench.front.latest("curve", "curve", { text: solved.text, positions: kPositions });
     } catch (reason) {
-      fill(this.sentence, reason instanceof Error ? reason.message : String(reason));
+      this.clear(reason instanceof Error ? reason.message : String(reason));
       return;
     }
     if (answer === kOvertaken) return;
@@ -128,6 +125,17 @@ export class ContactView implements Tab {
     for (const map of this.maps) map.gap = null;
     this.draw();
     await Promise.all([this.gapNow(), this.pattern(solved.text)]);
+  }
+
+  private clear(sentence: string): void {
+    this.curve = null;
+    this.shown = "";
+    this.te.forget();
+    this.spectrum.forget();
+    for (const map of this.maps) map.gap = map.pattern = null;
+    this.where.textContent = this.time.textContent = "";
+    fill(this.sentence, sentence);
+    this.drawFlanks();
   }
 
   private choose(index: number): void {
@@ -171,7 +179,9 @@ export class ContactView implements Tab {
       this.sentence,
       curve.contactLost
         ? "At some positions no tooth touches."
-        : `While a tooth passes, gear 2 runs up to ${curve.peakToPeakArcsec.toFixed(3)}″ unevenly. ` +
+        : curve.peakToPeakArcsec < 5e-4
+          ? "These teeth turn evenly: without errors and modifications there is no transmission error. Pull a slider."
+          : `While a tooth passes, gear 2 runs up to ${curve.peakToPeakArcsec.toFixed(3)}″ unevenly. ` +
             (share
               ? `During ${share} % of the rotation an edge touches where a flank should.`
               : "No edge touches."),

@@ -5,6 +5,8 @@ import "uplot/dist/uPlot.min.css";
 import type { ContactCurve } from "../../engine/engine";
 import { colour, h } from "../elements";
 
+/** A curve flatter than this is drawn flat. */
+const kLeastArcsec = 0.02;
 const font = () => `12px ${getComputedStyle(document.body).fontFamily}`;
 function axis(label: string, size: number): uPlot.Axis {
   return {
@@ -64,7 +66,7 @@ export class TransmissionPlot extends Plot {
     return {
       legend: { show: false },
       cursor: { y: false, drag: { x: false, y: false }, points: { show: false } },
-      scales: { x: { time: false } },
+      scales: { x: { time: false }, y: { range: (_, lo, hi) => [Math.min(lo, -kLeastArcsec) * 1.1, Math.max(hi, kLeastArcsec) * 1.1] } },
       axes: [axis("rotation of gear 1, °", 34), axis("transmission error, ″", 44)],
       series: [
         {},
@@ -122,7 +124,7 @@ export class SpectrumPlot extends Plot {
       cursor: { show: false },
       scales: {
         x: { time: false, range: (_, __, max) => [0.3, max + 0.7] },
-        y: { range: (_, __, max) => [0, max > 0 ? max * 1.08 : 1] },
+        y: { range: (_, __, max) => [0, Math.max(max * 1.08, kLeastArcsec)] },
       },
       axes: [
         {

@@ -73,12 +73,18 @@ export class MeshView implements Tab {
 
   async refresh(): Promise<void> {
     const solved = bench.good;
-    if (!solved || solved.text === this.shown) return;
+    if (!solved) {
+      this.shapes = [];
+      this.shown = "";
+      return this.ask();
+    }
+    if (solved.text === this.shown) return;
     const answer = await bench.front.latest("sections", "sections", { text: solved.text, tolerance: 0.002 });
     if (answer === kOvertaken) return;
     this.shown = solved.text;
     this.shapes = answer.gears.map((section: Section) => shapeOf(section));
     this.lines = answer.lines;
+    if (this.motion?.places.length !== this.shapes.length) this.motion = null;
     const size =
       this.shapes.map((one) => one.reach.toPrecision(3)).join() +
       (answer.lines?.kind ?? "") +
@@ -166,7 +172,8 @@ export class MeshView implements Tab {
     this.run.textContent = this.turning.runs ? "Stop" : "Turn";
     this.slider.value = String(this.turning.t);
     if (this.motion) this.angle.textContent = (this.turning.t * this.motion.pitchDeg).toFixed(2) + "°";
-    if (!this.shapes.length || !this.canvas.clientWidth) return;
+    if (!this.shapes.length) return void this.canvas.getContext("2d")!.clearRect(0, 0, this.canvas.width, this.canvas.height);
+    if (!this.canvas.clientWidth) return;
     const touch = this.motion && !this.crossed ? touchAt(this.motion, this.turning.t) : null;
     const scene: Scene = {
       shapes: this.shapes,

@@ -70,6 +70,7 @@ export class SearchView implements Tab {
   constructor() {
     this.stop.hidden = this.bar.hidden = this.back.hidden = this.save.hidden = this.chooser.hidden = true;
     this.pareto.element.hidden = true;
+    bench.on("opened", () => this.forget());
   }
 
   async refresh(): Promise<void> {
@@ -82,11 +83,20 @@ export class SearchView implements Tab {
     this.go.textContent = searching || !solved.hasPair ? "Search" : "Search around this pair";
     this.go.hidden = !searching && !solved.hasPair;
     if (searching) return this.offer(solved.text);
-    if (solved.fault) return this.fit(solved.text);
+    if (solved.fault || solved.spec?.["fit"] !== undefined) return this.fit(solved.text);
     if (!this.designs.length)
       this.said.textContent = solved.hasPair
         ? "What other pairs would do: the same ratio within 3 %, the same centre distance within 2 %."
         : "A search needs a pair, or a [search] table in the spec.";
+  }
+
+  /** Another design was opened: what was found for the last one goes. */
+  private forget(): void {
+    if (this.running) this.cancel();
+    this.asked = this.looked = "";
+    this.list([], []);
+    this.said.textContent = "";
+    this.back.hidden = this.save.hidden = true;
   }
 
   /** A spec with a [search]: how many candidates, and off it goes where they are few. */

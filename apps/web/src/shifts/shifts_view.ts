@@ -55,7 +55,8 @@ export class ShiftsView implements Tab {
 
   async refresh(): Promise<void> {
     const solved = bench.good;
-    if (!solved || solved.text === this.shown) return;
+    if (!solved) return this.clear("There is no pair yet.");
+    if (solved.text === this.shown) return;
     try {
       const region = await bench.front.latest("shifts", "shifts", { text: solved.text });
       if (region === kOvertaken) return;
@@ -63,13 +64,17 @@ export class ShiftsView implements Tab {
       this.shown = solved.text;
       if (!this.held) this.reframe();
     } catch (reason) {
-      this.region = null;
-      fill(this.legend);
-      fill(this.picture);
-      this.sentence.textContent = reason instanceof Error ? reason.message : String(reason);
-      return;
+      return this.clear(reason instanceof Error ? reason.message : String(reason));
     }
     this.draw();
+  }
+
+  private clear(sentence: string): void {
+    this.region = null;
+    this.shown = "";
+    fill(this.legend);
+    fill(this.picture);
+    this.sentence.textContent = sentence;
   }
 
   /** The window: the region and the design, with room about them; the same scale both ways. */

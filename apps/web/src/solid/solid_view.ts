@@ -87,7 +87,13 @@ export class SolidView implements Tab {
 
   async refresh(): Promise<void> {
     const solved = bench.good;
-    if (!solved) return;
+    if (!solved) {
+      this.scene?.setMeshes([], [], 1);
+      this.scene?.marks.show(null, 0, 1);
+      this.shown = this.state.textContent = "";
+      this.motion = null;
+      return;
+    }
     if (!this.scene) {
       const { SolidScene } = await loadScene();
       try {
