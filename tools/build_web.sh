@@ -13,7 +13,7 @@ if [ -z "${GEARWRIGHT_ENGINE:-}" ]; then
   # Debian's emscripten asks node for modules that lie in Debian's folder for them.
   modules=$(dpkg -L node-acorn 2>/dev/null | sed -n 's#/acorn/package.json$##p' | head -1)
   export NODE_PATH=${modules:-${NODE_PATH:-}}
-  cmake --preset wasm >/dev/null
+  cmake --preset wasm -DGEARWRIGHT_TESTS=OFF >/dev/null
   cmake --build --preset wasm --target gearwright_engine -j "$jobs"
 fi
 

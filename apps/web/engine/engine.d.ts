@@ -11,6 +11,8 @@
 //   * Calls are synchronous and single-threaded: run the engine in a Web Worker. Long work is a
 //     `Work`: step it for some milliseconds, look at messages, step again; drop it to cancel.
 //   * Everything with `delete()` lives in the module's memory until it is deleted.
+//   * A contract of the core that is broken, a mistake of ours, stops the module: that call and all
+//     later ones answer a Failed that says so; load the engine again.
 //
 // Housing frame, rotations, signs: docs/theory/01-frames.md. Gear 1 turns clockwise seen from +z
 // for growing `rotation1`, gear 2 as it is driven.
@@ -112,8 +114,9 @@ export interface Section {
   pieces: { name: string; tooth: number; land: boolean; from: number; to: number }[];
   /** Bore, or rim of an internal gear, closed, x, y, …; empty without one. */
   bore: Float64Array;
-  /** Named circles about the axis: tip, reference, base, root, form circles, working pitch. */
-  circles: { symbol: string; words: string; radius: number }[];
+  /** Circles about the axis that the catalogue names: tip, reference, base, root, form circles,
+   *  working pitch. `key` is the quantity's, "base_diameter_mm". */
+  circles: { key: string; symbol: string; words: string; radius: number }[];
   toleranceMm: number; // no chord is farther from the exact curve
 }
 
@@ -146,7 +149,6 @@ export interface ContactCurve {
   meanSlope: number;
   harmonicsArcsec: Float64Array;
   contactLost: boolean;
-  json: string; // what `contact --json` has under `contact` for these positions, without map, pattern
 }
 
 /** A flank as a raster: rows are diameters, columns heights z in the gear's own frame. */
@@ -216,7 +218,7 @@ export interface Session {
   contactCurve(positions: number): ContactCurve | Failed;
   /** One position, keys of contact.positions as an object; `kind` "none" without contact. */
   contactPoint(rotation1Deg: number): Record<string, unknown> | Failed;
-  /** Gap on the flank of gear 1 of tooth pair k at one position. */
+  /** Gap on the flank of gear 1 of tooth pair k (`tooth` of a position) at one position. */
   gapMap(rotation1Deg: number, k: number, rows?: number, columns?: number): FlankRaster | Failed;
   /** Least gap over a mesh on both flanks: what marking compound would show. */
   pattern(positions: number, rows?: number, columns?: number): Work<[FlankRaster, FlankRaster]> | Failed;
