@@ -66,7 +66,10 @@ export class TransmissionPlot extends Plot {
     return {
       legend: { show: false },
       cursor: { y: false, drag: { x: false, y: false }, points: { show: false } },
-      scales: { x: { time: false }, y: { range: (_, lo, hi) => [Math.min(lo, -kLeastArcsec) * 1.1, Math.max(hi, kLeastArcsec) * 1.1] } },
+      scales: {
+        x: { time: false },
+        y: { range: (_, lo, hi) => [Math.min(lo, -kLeastArcsec) * 1.1, Math.max(hi, kLeastArcsec) * 1.1] },
+      },
       axes: [axis("rotation of gear 1, °", 34), axis("transmission error, ″", 44)],
       series: [
         {},

@@ -154,9 +154,9 @@ export class Form {
       rows,
       toggle,
     );
-    details.addEventListener("toggle", () => {
-      if (details.open) this.opened.add(section.id);
-      else this.opened.delete(section.id);
+    details.querySelector("summary")!.addEventListener("click", () => {
+      if (details.open) this.opened.delete(section.id); // it is about to close
+      else this.opened.add(section.id);
     });
     return details;
   }

@@ -126,7 +126,7 @@ export function planOf(spec: Json): Section[] {
   if (told.length) add(gear);
   if (gears.length > 1 && !searching) add(section("pair", "pair", "pair", ["pair"], spec));
   for (const key of inputs("gear")?.keys ?? []) {
-    if (key.kind !== "table" || !key.documented) continue;
+    if (key.kind !== "table") continue;
     const holders = told.map((gear) => `${gear}.${key.key}`);
     const tables = holders.filter((where) => isTable(at(spec, where)));
     const offered = !searching && (key.key === "bore" || key.key === "modifications");

@@ -128,13 +128,18 @@ export class MeshView implements Tab {
     const [one, two] = this.shapes as [Shape, Shape | undefined];
     const x2 = this.middle2();
     const path = this.lines?.pathOfContact;
-    if (this.frame === "whole" || !two || this.crossed || !path?.length) {
+    if (this.frame === "whole" || !two || this.crossed || !path) {
       const x0 = Math.min(-one.reach, two ? x2 - two.reach : 0);
       const x1 = Math.max(one.reach, two ? x2 + two.reach : 0);
       const tall = Math.max(one.reach, two?.reach ?? 0);
       return this.view.frame(x0, x1, -tall, tall, take);
     }
     let [x0, x1, y0, y1] = [Infinity, -Infinity, Infinity, -Infinity];
+    if (!path.length) {
+      // No path in this section: where the gears overlap.
+      [x0, x1] = [Math.min(x2 - two.reach, one.reach), Math.max(x2 - two.reach, one.reach)];
+      [y0, y1] = [x0 - x1, x1 - x0];
+    }
     for (let i = 0; i < path.length; i += 3) {
       x0 = Math.min(x0, path[i]!);
       x1 = Math.max(x1, path[i]!);
@@ -172,7 +177,8 @@ export class MeshView implements Tab {
     this.run.textContent = this.turning.runs ? "Stop" : "Turn";
     this.slider.value = String(this.turning.t);
     if (this.motion) this.angle.textContent = (this.turning.t * this.motion.pitchDeg).toFixed(2) + "°";
-    if (!this.shapes.length) return void this.canvas.getContext("2d")!.clearRect(0, 0, this.canvas.width, this.canvas.height);
+    if (!this.shapes.length)
+      return void this.canvas.getContext("2d")!.clearRect(0, 0, this.canvas.width, this.canvas.height);
     if (!this.canvas.clientWidth) return;
     const touch = this.motion && !this.crossed ? touchAt(this.motion, this.turning.t) : null;
     const scene: Scene = {

@@ -151,6 +151,7 @@ export class SearchTable {
         ...this.columns.map((column) => h("td", {}, textOf(column.said, valueIn(design, column)))),
       );
     });
+    this.element.hidden = !rows.length;
     const rest = this.designs.length - rows.length;
     fill(
       this.element,

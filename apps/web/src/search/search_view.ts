@@ -192,8 +192,8 @@ export class SearchView implements Tab {
     const front = new Set(this.front);
     const points: Point[] = this.designs.map((design, row) => ({
       row,
-      x: Number(valueIn(design, x)),
-      y: Number(valueIn(design, y)),
+      x: real(valueIn(design, x)),
+      y: real(valueIn(design, y)),
       front: front.has(row),
     }));
     this.pareto.show(points, { ...x.said, words: x.words }, { ...y.said, words: y.words }, this.taken);
@@ -291,6 +291,9 @@ objective = ["contact_ratio", "sliding"]
   }
 }
 
+function real(value: Json | undefined): number {
+  return typeof value === "number" ? value : NaN;
+}
 function count(n: number): string {
   return n.toLocaleString("en").replaceAll(",", "\u202f");
 }

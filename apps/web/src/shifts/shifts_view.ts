@@ -92,23 +92,26 @@ export class ShiftsView implements Tab {
     this.frame = [Math.min(...x) - room, Math.max(...x) + room, Math.min(...y) - room, Math.max(...y) + room];
   }
 
-  private get scale(): number {
+  /** px per module, across and up: the room is filled, but no direction is drawn twice as large. */
+  private get scale(): [number, number] {
     const [x0, x1, y0, y1] = this.frame;
-    const w = this.picture.clientWidth - kRoom.left - kRoom.right;
-    const hh = this.picture.clientHeight - kRoom.top - kRoom.bottom;
-    return Math.min(w / (x1 - x0), hh / (y1 - y0));
+    const across = (this.picture.clientWidth - kRoom.left - kRoom.right) / (x1 - x0);
+    const up = (this.picture.clientHeight - kRoom.top - kRoom.bottom) / (y1 - y0);
+    return [Math.min(across, 2 * up), Math.min(up, 2 * across)];
   }
   private px(x: number, y: number): [number, number] {
+    const [across, up] = this.scale;
     return [
-      kRoom.left + (x - this.frame[0]) * this.scale,
-      this.picture.clientHeight - kRoom.bottom - (y - this.frame[2]) * this.scale,
+      kRoom.left + (x - this.frame[0]) * across,
+      this.picture.clientHeight - kRoom.bottom - (y - this.frame[2]) * up,
     ];
   }
   private at(event: PointerEvent): [number, number] {
     const box = this.picture.getBoundingClientRect();
+    const [across, up] = this.scale;
     return [
-      this.frame[0] + (event.clientX - box.left - kRoom.left) / this.scale,
-      this.frame[2] + (box.bottom - kRoom.bottom - event.clientY) / this.scale,
+      this.frame[0] + (event.clientX - box.left - kRoom.left) / across,
+      this.frame[2] + (box.bottom - kRoom.bottom - event.clientY) / up,
     ];
   }
 
@@ -153,19 +156,17 @@ export class ShiftsView implements Tab {
     const areas = region.pieces.map((piece) =>
       svg("polygon", { class: "region", points: piece.map((border) => path(border.points)).join(" ") }),
     );
-    const borders = region.pieces
-      .flat()
-      .map((border) =>
-        svg(
-          "polyline",
-          {
-            class: "border" + (border.border === region.stoppedBy ? " stops" : ""),
-            points: path(border.points),
-            stroke: inkOf(border.border),
-          },
-          svg("title", {}, region.borders[border.border] ?? border.border),
-        ),
-      );
+    const borders = region.pieces.flat().map((border) =>
+      svg(
+        "polyline",
+        {
+          class: "border" + (border.border === region.stoppedBy ? " stops" : ""),
+          points: path(border.points),
+          stroke: inkOf(border.border),
+        },
+        svg("title", {}, region.borders[border.border] ?? border.border),
+      ),
+    );
     const [px, py] = this.px(...region.point);
     const chosen = region.chosen ? this.px(...region.chosen) : null;
     fill(
@@ -217,7 +218,7 @@ export class ShiftsView implements Tab {
 
   private grid(): SVGElement[] {
     const [x0, x1, y0, y1] = this.frame;
-    const right = Math.max(x1, x0 + (this.picture.clientWidth - kRoom.left - kRoom.right) / this.scale);
+    const right = Math.max(x1, x0 + (this.picture.clientWidth - kRoom.left - kRoom.right) / this.scale[0]);
     const step = niceStep(Math.max(right - x0, y1 - y0), 6);
     const lines: SVGElement[] = [];
     const word = (x: number, y: number, text: string, style: string) =>
