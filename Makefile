@@ -8,6 +8,8 @@
 #   make test-long  the tests whose names start with Long
 #   make test-cluster  searches under a Slurm of two nodes, started for the test; skipped where its
 #                      daemons cannot run
+#   make web        the page in the browser: build/web for a host, and build/web/gearwright.html
+#   make test-web   the page in a browser without a screen, against the native program
 #   make bench      benchmarks
 #   make lint       formatting (must be clean) and clang-tidy (advice)
 #   make docs       the API reference and all pages as HTML, build/docs/html
@@ -15,7 +17,7 @@
 #   make package    .deb and .tgz in build/package
 #   make clean      remove build/
 
-.PHONY: demo test npm test-wasm test-long test-cluster bench lint docs figures package clean
+.PHONY: demo test web test-web npm test-wasm test-long test-cluster bench lint docs figures package clean
 JOBS ?= $(shell nproc)
 export CMAKE_BUILD_PARALLEL_LEVEL ?= $(JOBS)
 DEMO = examples/helical_pair.toml
@@ -62,6 +64,15 @@ test-cluster:
 	@cmake --preset release
 	@cmake --build --preset release --target gearwright_cli --target gearwright_mpi
 	@ctest --preset cluster
+
+web:
+	@tools/install_packages.sh core wasm web
+	@tools/build_web.sh $(JOBS)
+
+test-web: web
+	@cmake --preset release > /dev/null
+	@cmake --build --preset release --target gearwright_cli
+	node --test --test-concurrency=1 apps/web/test/*_test.mjs
 
 bench:
 	@tools/install_packages.sh core mpi test
