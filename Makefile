@@ -20,8 +20,8 @@ DEMO = examples/helical_pair.toml
 DEMO_OUT = build/demo/helical_pair_out
 
 demo:
-	@tools/install_packages.sh core step
-	@cmake --preset release -DGEARWRIGHT_STEP=ON
+	@tools/install_packages.sh core
+	@cmake --preset release
 	@cmake --build --preset release --target gearwright_cli
 	build/release/gearwright run $(DEMO) --out $(DEMO_OUT)
 	@echo
@@ -30,31 +30,31 @@ demo:
 	@cd $(DEMO_OUT) && ls -1 *.step *.stl *.3mf *.dxf *.svg *.glb | sed 's#^#  $(CURDIR)/$(DEMO_OUT)/#'
 
 test:
-	@tools/install_packages.sh core step mpi test docs
+	@tools/install_packages.sh core mpi test docs
 	@tools/install_npm_tools.sh
 	@cmake --workflow --preset check
 
 test-long:
-	@tools/install_packages.sh core step mpi test cluster
+	@tools/install_packages.sh core mpi test cluster
 	@tools/install_npm_tools.sh
 	@cmake --preset release
 	@cmake --build --preset release
 	@ctest --preset long
 
 test-cluster:
-	@tools/install_packages.sh core step mpi test cluster
+	@tools/install_packages.sh core mpi test cluster
 	@cmake --preset release
 	@cmake --build --preset release --target gearwright_cli --target gearwright_mpi
 	@ctest --preset cluster
 
 bench:
-	@tools/install_packages.sh core step mpi test
+	@tools/install_packages.sh core mpi test
 	@cmake --preset release
 	@cmake --build --preset release --target bench
 	build/release/bench/bench
 
 lint:
-	@tools/install_packages.sh core step mpi test lint
+	@tools/install_packages.sh core mpi test lint
 	@cmake --preset release -B build/lint -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON > /dev/null
 	@tools/lint.sh
 
@@ -63,13 +63,13 @@ docs:
 	@tools/make_docs.sh
 
 figures:
-	@tools/install_packages.sh core step mpi test
+	@tools/install_packages.sh core mpi test
 	@cmake --preset release > /dev/null
 	@cmake --build --preset release --target docs_figures
 	build/release/docs/figures/docs_figures docs/theory/images
 
 package:
-	@tools/install_packages.sh core step mpi package
+	@tools/install_packages.sh core mpi package
 	@cmake --preset package
 	@cmake --build --preset package
 	@cd build/package && cpack

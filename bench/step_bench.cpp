@@ -4,10 +4,9 @@
 //
 // Counters: faces of the solid, megabytes of the file.
 
-#ifdef GEARWRIGHT_HAS_STEP
-
 #include <benchmark/benchmark.h>
 
+#include "bench/step_occt.hpp"
 #include "gearwright/cad/step.hpp"
 #include "gearwright/cad/testing/sample_outlines.hpp"
 #include "gearwright/cad/walls.hpp"
@@ -41,7 +40,15 @@ void step_file(benchmark::State& state) {
 }
 BENCHMARK(step_file)->Arg(20)->Arg(60)->Arg(200)->Unit(benchmark::kMillisecond);
 
+void step_file_by_occt(benchmark::State& state) {
+  const ToothedBody body = helical(static_cast<int>(state.range(0)));
+  for (auto _ : state) {
+    const auto document = occt_step_document({body}, "gear.step");
+    state.counters["MB"] = 1e-6 * static_cast<double>(document->text.size());
+    state.counters["faces"] = static_cast<double>(document->report.face_count);
+  }
+}
+BENCHMARK(step_file_by_occt)->Arg(20)->Arg(60)->Arg(200)->Unit(benchmark::kMillisecond);
+
 }  // namespace
 }  // namespace gearwright
-
-#endif  // GEARWRIGHT_HAS_STEP

@@ -19,7 +19,7 @@ if(GEARWRIGHT_CLI)
   find_package(CLI11 2.1 QUIET)
 endif()
 
-# MPI for searches on many ranks: where the package is, as OCCT below.
+# MPI for searches on many ranks: where the package is.
 set(why_no_mpi "switched off (GEARWRIGHT_MPI=OFF)")
 if(NOT DEFINED GEARWRIGHT_MPI OR GEARWRIGHT_MPI)
   find_package(MPI QUIET COMPONENTS CXX)
@@ -33,44 +33,6 @@ endif()
 if(GEARWRIGHT_MPI AND NOT MPI_CXX_FOUND)
   message(FATAL_ERROR "GEARWRIGHT_MPI=ON, but MPI was not found. "
                       "On Debian: apt-get install libopenmpi-dev openmpi-bin")
-endif()
-
-# OCCT without a version: its version file refuses everything but the exact patch level.
-if(NOT DEFINED GEARWRIGHT_STEP OR GEARWRIGHT_STEP)
-  find_package(OpenCASCADE CONFIG QUIET)
-endif()
-set(gw_occt_default OFF)
-set(why_no_occt "switched off (GEARWRIGHT_STEP=OFF)")
-if(OpenCASCADE_FOUND)
-  set(gw_occt_default ON)
-elseif(NOT DEFINED GEARWRIGHT_STEP)
-  set(why_no_occt "OCCT not found (Debian: libocct-data-exchange-dev)")
-endif()
-if(NOT DEFINED GEARWRIGHT_STEP AND NOT OpenCASCADE_FOUND)
-  # Not cached: the package may be there at the next configure.
-  set(GEARWRIGHT_STEP OFF)
-else()
-  option(GEARWRIGHT_STEP "Write STEP files (needs OCCT)" ${gw_occt_default})
-endif()
-if(GEARWRIGHT_STEP AND NOT OpenCASCADE_FOUND)
-  message(FATAL_ERROR "GEARWRIGHT_STEP=ON, but OCCT was not found. "
-                      "On Debian: apt-get install libocct-data-exchange-dev")
-endif()
-set(gw_occt_libraries
-  TKernel TKMath TKG2d TKG3d TKGeomBase TKBRep TKGeomAlgo TKTopAlgo TKPrim TKShHealing TKMesh
-  TKXSBase TKSTEPBase TKSTEPAttr TKSTEP TKXCAF TKLCAF TKCDF TKXDESTEP)
-# Shared OCCT libraries are linked by file: as targets they would drag in the viewer's own needs
-# (X11, OpenGL, TBB, fonts), whose development packages nobody needs who writes STEP files.
-set(gw_occt_files "")
-if(OpenCASCADE_FOUND)
-  foreach(library IN LISTS gw_occt_libraries)
-    get_target_property(type ${library} TYPE)
-    if(type STREQUAL "SHARED_LIBRARY")
-      list(APPEND gw_occt_files $<TARGET_LINKER_FILE:${library}>)
-    else()
-      list(APPEND gw_occt_files ${library})
-    endif()
-  endforeach()
 endif()
 
 # Scripts run on the system's Python, where Debian's modules are, not on the first of the PATH.

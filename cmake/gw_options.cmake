@@ -26,7 +26,7 @@ function(gw_target target)
     target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-restrict)
   endif()
   if(UNIX AND NOT APPLE)
-    # A program loads only the libraries that it calls: OCCT alone is twenty.
+    # A program loads only the libraries that it calls.
     target_link_options(${target} PRIVATE LINKER:--as-needed)
   endif()
   # Programs too, where CMake would say -fPIE: one precompiled header serves all (gw_precompiled.cmake).

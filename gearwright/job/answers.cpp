@@ -13,6 +13,7 @@
 #include "gearwright/job/compensate_text.hpp"
 #include "gearwright/job/contact_text.hpp"
 #include "gearwright/job/fit_answer.hpp"
+#include "gearwright/job/identify_answer.hpp"
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/result_json.hpp"
 
@@ -35,7 +36,7 @@ Result<Json> compensation_of(SolvedJob& job) {
 }
 
 Result<Json> measures_of(SolvedJob& job) {
-  const auto found = chord_measures(job);
+  const auto found = measure_gears(job);
   if (!found) return found.error();
   return measures_json(job, *found);
 }
@@ -54,6 +55,11 @@ Result<Json> answer_json(std::string_view verb, const JobSpec& spec) {
     const auto found = answer_fit(spec);
     if (!found) return found.error();
     return fit_json(*found);
+  }
+  if (verb == "identify") {
+    const auto found = answer_identify(spec);
+    if (!found) return found.error();
+    return identify_json(*found);
   }
   auto solved = solve(spec, scope_of(verb));
   if (!solved) return solved.error();

@@ -13,6 +13,7 @@
 #include "gearwright/base/version.hpp"
 #include "gearwright/cad/dxf.hpp"
 #include "gearwright/cad/glb.hpp"
+#include "gearwright/cad/step.hpp"
 #include "gearwright/cad/stl.hpp"
 #include "gearwright/cad/svg_outline.hpp"
 #include "gearwright/cad/threemf.hpp"
@@ -22,6 +23,7 @@
 #include "gearwright/job/contact_report.hpp"
 #include "gearwright/job/contact_text.hpp"
 #include "gearwright/job/judgement.hpp"
+#include "gearwright/job/measures.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/run_folder.hpp"
 #include "gearwright/job/value_json.hpp"
@@ -59,6 +61,21 @@ Result<JobFile> make_mesh(FileKind kind, const std::vector<ToothedBody>& bodies,
                                               : threemf_bytes(parts);
   return JobFile{path, what, options.mesh_tolerance_mm, fmt::format("{} triangles", triangles),
                  std::move(bytes)};
+}
+
+Result<JobFile> make_solid(const std::vector<ToothedBody>& bodies, const fs::path& path,
+                           const FileOptions& options) {
+  auto made = step_document(bodies, path.filename().string(), {options.step_schema});
+  if (!made) {
+    for (const ToothedBody& body : bodies) {
+      if (const auto walls = make_walls(body); !walls) return of_body(walls.error(), body.name);
+    }
+    return made.error();
+  }
+  StepDocument document = std::move(made).take();
+  return JobFile{path, fmt::format("STEP, {}", to_string(options.step_schema)),
+                 document.report.max_deviation_mm,
+                 fmt::format("{} faces", document.report.face_count), std::move(document.text)};
 }
 
 Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodies,
@@ -163,17 +180,7 @@ Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
   if (kind == FileKind::dxf || kind == FileKind::svg)
     return make_drawing(kind, bodies, path, options);
   if (kind != FileKind::step) return make_mesh(kind, bodies, path, options);
-  if (!options.step) {
-    return Error{"", "", "this gearwright has no STEP: it was built, or installed, without OCCT"};
-  }
-  for (const ToothedBody& body : bodies) {
-    if (const auto walls = make_walls(body); !walls) return of_body(walls.error(), body.name);
-  }
-  auto made = options.step(bodies, path.filename().string());
-  if (!made) return made.error();
-  StepDocument document = std::move(made).take();
-  return JobFile{path, "STEP, AP242", document.report.max_deviation_mm,
-                 fmt::format("{} faces", document.report.face_count), std::move(document.text)};
+  return make_solid(bodies, path, options);
 }
 
 void write_files(const std::vector<JobFile>& files) {
@@ -220,9 +227,7 @@ Result<RunFiles> write_everything(SolvedJob& job, const fs::path& folder,
     return options.only.empty() ||
            std::find(options.only.begin(), options.only.end(), part) != options.only.end();
   };
-  const auto skipped = [&](FileKind kind) {
-    return !wanted(ending(kind).substr(1)) || (kind == FileKind::step && !options.step);
-  };
+  const auto skipped = [&](FileKind kind) { return !wanted(ending(kind).substr(1)); };
   const auto make = [&](FileKind kind, const std::vector<ToothedBody>& bodies,
                         const std::string& name) {
     auto file = make_file(kind, bodies, folder / (name + std::string(ending(kind))), options);
@@ -250,16 +255,13 @@ Result<RunFiles> write_everything(SolvedJob& job, const fs::path& folder,
       if (const auto error = make(kind, mounted, "pair")) return *error;
     }
   }
-  if (!options.step && wanted("step")) {
-    job.warnings.push_back(
-        {"no_step",
-         "There are no STEP files: this gearwright was built, or installed, without OCCT.", 0});
-  }
 
   ReportInput report;
   report.title = job.spec.title.empty() ? "Gear data" : job.spec.title;
+  report.drawing = job.spec.drawing;
   for (const Gear& g : job.gears) report.gears.push_back(&g);
   report.pair = job.pair;
+  report.measures = measure_records(job);
   if (*contact) report.contact = &contact.value()->report;
   report.verdict = judge(job, *contact ? &contact.value()->answer.driving : nullptr);
   if (*compensation) report.compensate = &**compensation;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "gearwright/catalogue/compensate_quantities.hpp"
+#include "gearwright/catalogue/drawing_keys.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/pair/pair.hpp"
 #include "gearwright/report/contact_report.hpp"
@@ -26,8 +27,10 @@ struct ReportFile {
 
 struct ReportInput {
   std::string title;                           ///< empty: one is made from the tooth numbers
+  DrawingInput drawing;                        ///< the title block; may be empty
   std::vector<const Gear*> gears;              ///< one or two, with a pair its gears
   std::optional<Pair> pair;                    ///< none: the gears are not mounted
+  std::vector<ValueRecord> measures;           ///< of the gears; may be empty
   const ContactReport* contact = nullptr;      ///< null: the spec asks nothing about contact
   const CompensateView* compensate = nullptr;  ///< null: the spec asks for no corrections
   Verdict verdict;                             ///< over gears, pair and contact

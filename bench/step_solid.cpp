@@ -1,4 +1,4 @@
-#include "gearwright/cad/step_solid.hpp"
+#include "bench/step_solid.hpp"
 
 #include <BRep_Builder.hxx>
 #include <Geom_Plane.hxx>
@@ -11,8 +11,8 @@
 #include <optional>
 #include <utility>
 
+#include "bench/step_geometry.hpp"
 #include "gearwright/base/contract.hpp"
-#include "gearwright/cad/step_geometry.hpp"
 
 namespace gearwright {
 namespace {

@@ -1,4 +1,4 @@
-#include "gearwright/cad/step_geometry.hpp"
+#include "bench/step_geometry.hpp"
 
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom2d_Line.hxx>
