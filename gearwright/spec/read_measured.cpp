@@ -80,7 +80,8 @@ std::shared_ptr<const IdentifyProblem> read_measured(const Json* gear, const std
   if (const auto alpha = outside.number("normal_pressure_angle_deg"))
     p.normal_pressure_angle = Angle::degrees(*alpha);
   if (const auto beta = outside.number("helix_angle_deg")) p.helix_angle = Angle::degrees(*beta);
-  outside.number("face_width_mm");
+  for (const char* key : {"face_width_mm", "normal_module_mm", "normal_diametral_pitch_per_in"})
+    outside.number(key);
   outside.table("measured");
   outside.finish();
   TableReader t(measured_keys(), node, path + ".measured");
