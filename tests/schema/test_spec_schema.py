@@ -119,6 +119,7 @@ TABLES = {
     "rack_arc": (of_gear(rack={"kind": "arcs", "addendum": 1, "dedendum": 1, "arcs": [ARC]}), ("gear1", "rack", "arcs", 0)),
     "pair": (of_gear() | {"pair": {}}, ("pair",)),
     "fit": (of_gear() | {"fit": {"few_teeth": True}}, ("fit",)),
+    "drawing": (of_gear() | {"drawing": {}}, ("drawing",)),
     "errors": (of_gear() | {"errors": {}}, ("errors",)),
     "contact": (of_gear() | {"contact": {}}, ("contact",)),
     "contact_map": (of_gear() | {"contact": {"map": MAP}}, ("contact", "map")),
