@@ -11,8 +11,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "apps/cli/door.hpp"
 #include "apps/cli/step_module.hpp"
-#include "apps/common/speaking.hpp"
 #include "apps/common/watch.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/catalogue/spec_schema.hpp"
@@ -24,6 +24,7 @@
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/measures.hpp"
+#include "gearwright/job/rating_text.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/result_schema.hpp"
 #include "gearwright/job/verify.hpp"
@@ -34,36 +35,6 @@ namespace gearwright::cli {
 namespace fs = std::filesystem;
 
 namespace {
-
-// The spec of a verb: read once, from a file or a pipe, and what is wrong with it said by its lines.
-class Door {
- public:
-  explicit Door(const Options& o) : options_(o) {}
-
-  Result<JobSpec> read() {
-    auto text = read_spec_text(options_.spec);
-    if (!text) return text.error();
-    text_ = std::move(text).take();
-    auto spec = read_spec(*text_);
-    if (spec) given_ = spec->given;
-    return spec;
-  }
-  Result<SolvedJob> solve(Scope scope) {
-    const auto spec = read();
-    if (!spec) return spec.error();
-    return gearwright::solve(*spec, scope);
-  }
-  /// Says what is wrong, in the keys that the spec has; the exit status.
-  int fail(const Error& error) const {
-    return cli::fail(given_ ? spelled(error, *given_) : error, options_.json,
-                     text_ ? &*text_ : nullptr);
-  }
-
- private:
-  const Options& options_;
-  std::optional<SpecText> text_;
-  std::optional<GivenKeys> given_;
-};
 
 std::string read_text(const std::string& path) {
   if (fs::is_directory(path)) throw IoError("cannot read " + path + ": it is a folder");
@@ -83,11 +54,6 @@ std::string read_text(const std::string& path) {
 
 std::string pair_listing_of(const SolvedJob& job) {
   return job.pair ? pair_listing(*job.pair) : std::string();
-}
-
-// For scripts: 4 where the verdict is not green and they want it to be.
-int status(const Options& o, const Verdict& verdict) {
-  return o.strict && verdict.level != Level::green ? 4 : 0;
 }
 
 // Says on stderr what is being made, but only when it takes more than a second.
@@ -282,6 +248,24 @@ int compensate_verb(const Options& o) {
   } else {
     print(compensate_listing(job, *answer) + warning_listing(job.warnings) +
           verdict_listing(verdict));
+  }
+  return status(o, verdict);
+}
+
+int rate_verb(const Options& o) {
+  Door door(o);
+  auto solved = door.solve(Scope::pair);
+  if (!solved) return door.fail(solved.error());
+  SolvedJob job = std::move(solved).take();
+  const auto answer = answer_rating(job);
+  if (!answer) return door.fail(answer.error());
+  const Verdict verdict = judge(job, nullptr, &*answer);
+  if (o.csv) {
+    print(rating_csv(*answer));
+  } else if (o.json) {
+    print_json(rating_json(job, *answer, verdict));
+  } else {
+    print(rating_listing(job, *answer) + warning_listing(job.warnings) + verdict_listing(verdict));
   }
   return status(o, verdict);
 }

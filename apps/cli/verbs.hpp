@@ -39,6 +39,7 @@ int measure_verb(const Options& o);
 int fit_verb(const Options& o);
 int contact_verb(const Options& o);
 int compensate_verb(const Options& o);
+int rate_verb(const Options& o);
 int export_verb(const Options& o);
 int verify_verb(const Options& o);
 int schema_verb(const Options& o);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "gearwright/catalogue/key.hpp"
+#include "gearwright/catalogue/material_keys.hpp"
 #include "gearwright/gear/basic.hpp"
 #include "gearwright/gear/bore.hpp"
 #include "gearwright/gear/gear.hpp"
@@ -44,6 +45,7 @@ struct GearInput {
   std::optional<double> chord_diameter;   ///< [gearN.measure] chord_diameter_mm
   std::vector<std::string> not_read;      ///< sub-tables of verbs that are not in this version
   std::optional<Bore> bore;
+  MaterialInput material;
   std::array<FlankModifications, 2> modifications;  ///< right flank, left flank
 };
 

@@ -13,6 +13,7 @@
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/testing/document_blocks.hpp"
 #include "gearwright/catalogue/verdict_quantities.hpp"
@@ -45,6 +46,7 @@ const std::map<std::string, const SaidTable*>& blocks() {
       {"contact", &contact_quantities().table()},
       {"contact.positions", &position_quantities().table()},
       {"compensate", &compensate_quantities().table()},
+      {"rating", &rating_quantities().table()},
       {"fit", &fit_quantities().table()},
       {"search", &search_quantities().table()},
       {"search.designs", &design_quantities().table()},

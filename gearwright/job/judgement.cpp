@@ -6,7 +6,7 @@
 
 namespace gearwright {
 
-Verdict judge(const SolvedJob& job, const ContactResult* contact) {
+Verdict judge(const SolvedJob& job, const ContactResult* contact, const RatingAnswer* rating) {
   Judged judged;
   for (const Gear& gear : job.gears) judged.gears.push_back(&gear);
   judged.pair = job.pair ? &*job.pair : nullptr;
@@ -14,6 +14,8 @@ Verdict judge(const SolvedJob& job, const ContactResult* contact) {
   judged.contact = contact;
   const auto& errors = job.spec.errors.value;
   judged.errors = std::any_of(errors.begin(), errors.end(), [](double e) { return e != 0.0; });
+  if (rating)
+    judged.rating = JudgedRating{&rating->pair, &rating->input, &rating->rating, rating->wanted};
   return verdict_of(judged);
 }
 

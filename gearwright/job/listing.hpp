@@ -1,6 +1,7 @@
 // The result as listings for people: what a terminal shows without --json.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "gearwright/catalogue/quantity.hpp"
@@ -11,9 +12,10 @@ namespace gearwright {
 std::string gear_listing(const SolvedJob& job);
 std::string pair_listing(const Pair& pair);
 /// Records side by side under their headings; without `columns` one record, whose values may be
-/// two.
+/// two. `note` says what stands at the end of a quantity's line.
 std::string quantity_listing(const SaidTable& table, const std::vector<ValueRecord>& records,
-                             const std::vector<std::string>& columns);
+                             const std::vector<std::string>& columns,
+                             const std::function<std::string(const Said&)>& note = nullptr);
 /// "gear 1", "gear 2"
 std::vector<std::string> gear_columns(std::size_t count);
 std::string warning_listing(const std::vector<Warning>& warnings);

@@ -11,6 +11,7 @@
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/verdict_quantities.hpp"
 
@@ -141,6 +142,7 @@ Json result_schema() {
   properties["pair"] = schema.reference(pair_quantities().table());
   properties["contact"] = schema.reference(contact_quantities().table());
   properties["compensate"] = schema.reference(compensate_quantities().table());
+  properties["rating"] = schema.reference(rating_quantities().table());
   properties["fit"] = schema.reference(fit_quantities().table());
   properties["search"] = search_schema(schema);
   properties["arcs"] = schema.list_of(outline_quantities().table());

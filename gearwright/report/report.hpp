@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "gearwright/catalogue/compensate_quantities.hpp"
+#include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/pair/pair.hpp"
 #include "gearwright/report/contact_report.hpp"
@@ -30,6 +31,7 @@ struct ReportInput {
   std::optional<Pair> pair;                    ///< none: the gears are not mounted
   const ContactReport* contact = nullptr;      ///< null: the spec asks nothing about contact
   const CompensateView* compensate = nullptr;  ///< null: the spec asks for no corrections
+  const RatingView* rating = nullptr;          ///< null: the spec asks for no rating
   Verdict verdict;                             ///< over gears, pair and contact
   std::string solid;                           ///< bytes of a GLB file of all gears; may be empty
   double solid_tolerance = 0.0;                ///< mm, of its mesh

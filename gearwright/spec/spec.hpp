@@ -18,6 +18,7 @@
 #include "gearwright/catalogue/fit_keys.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/pair_keys.hpp"
+#include "gearwright/catalogue/rating_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/design/search_problem.hpp"
 #include "gearwright/spec/spec_text.hpp"
@@ -35,6 +36,7 @@ struct JobSpec {
   ErrorsInput errors;
   ContactInput contact;
   CompensateInput compensate;
+  RatingTable rating;
   std::optional<SearchProblem> search;
   bool shaft_angle_found = false;     ///< not given: it followed from the centre distance
   std::vector<std::string> not_read;  ///< tables and keys of verbs that are not in this version

@@ -1,0 +1,49 @@
+// How a verb takes its spec, says what is wrong with it, and ends.
+#pragma once
+
+#include <optional>
+
+#include "apps/cli/verbs.hpp"
+#include "apps/common/speaking.hpp"
+#include "gearwright/catalogue/spelling.hpp"
+#include "gearwright/job/solved_job.hpp"
+#include "gearwright/verdict/verdict.hpp"
+
+namespace gearwright::cli {
+
+// The spec of a verb: read once, from a file or a pipe, and what is wrong with it said by its lines.
+class Door {
+ public:
+  explicit Door(const Options& o) : options_(o) {}
+
+  Result<JobSpec> read() {
+    auto text = read_spec_text(options_.spec);
+    if (!text) return text.error();
+    text_ = std::move(text).take();
+    auto spec = read_spec(*text_);
+    if (spec) given_ = spec->given;
+    return spec;
+  }
+  Result<SolvedJob> solve(Scope scope) {
+    const auto spec = read();
+    if (!spec) return spec.error();
+    return gearwright::solve(*spec, scope);
+  }
+  /// Says what is wrong, in the keys that the spec has; the exit status.
+  int fail(const Error& error) const {
+    return cli::fail(given_ ? spelled(error, *given_) : error, options_.json,
+                     text_ ? &*text_ : nullptr);
+  }
+
+ private:
+  const Options& options_;
+  std::optional<SpecText> text_;
+  std::optional<GivenKeys> given_;
+};
+
+// For scripts: 4 where the verdict is not green and they want it to be.
+inline int status(const Options& o, const Verdict& verdict) {
+  return o.strict && verdict.level != Level::green ? 4 : 0;
+}
+
+}  // namespace gearwright::cli
