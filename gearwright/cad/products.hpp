@@ -15,21 +15,21 @@
 namespace gearwright {
 
 /// The application protocol that a file follows.
-struct Protocol {
+struct StepProtocol {
   const char* schema;   ///< for the header
   const char* name;     ///< of the protocol's definition
   int year;             ///< of its publication
   const char* context;  ///< what it is about
 };
 
-struct Part {
+struct StepPart {
   std::string name;
   Eigen::Isometry3d pose;  ///< mm
   Part21Id solid;
 };
 
 /// Domain    at least one part (contract)
-void add_products(Part21& out, const Protocol& protocol, const std::vector<Part>& parts,
+void add_products(Part21& out, const StepProtocol& protocol, const std::vector<StepPart>& parts,
                   const std::string& assembly);
 
 }  // namespace gearwright

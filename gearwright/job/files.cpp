@@ -23,6 +23,7 @@
 #include "gearwright/job/contact_report.hpp"
 #include "gearwright/job/contact_text.hpp"
 #include "gearwright/job/judgement.hpp"
+#include "gearwright/job/k_diagrams.hpp"
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/run_folder.hpp"
@@ -266,6 +267,7 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   for (const Gear& g : job.gears) report.gears.push_back(&g);
   report.pair = job.pair;
   report.measures = measure_records(job);
+  report.k_diagrams = k_diagrams(job);
   if (*contact) report.contact = &contact.value()->report;
   report.verdict = judge(job, *contact ? &contact.value()->answer.driving : nullptr);
   if (*compensation) report.compensate = &**compensation;

@@ -67,7 +67,7 @@ Json interval_json(const ValueRecord& lower, const ValueRecord& upper) {
   Json j = Json::object();
   for (const Member& m : lower) {
     const Member* other = same_quantity(upper, m.said);
-    if (!other || !(m.said->doors & kJson)) continue;
+    if (!other) continue;
     Json value = interval_of(m.value, other->value);
     if (!value.is_null()) j[m.said->key] = std::move(value);
   }

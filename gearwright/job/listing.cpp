@@ -70,9 +70,15 @@ std::vector<std::string> gear_columns(std::size_t count) {
   return columns;
 }
 
-std::string interval_listing(const SaidTable& table, const std::string& subject,
+std::string interval_listing(const SolvedJob& job, std::size_t gear, const SaidTable& table,
                              const ValueRecord& lower, const ValueRecord& upper) {
-  return quantity_listing(table, differing(lower, upper), {subject + " lower", subject + " upper"});
+  const std::string subject = gear_columns(job.gears.size())[gear];
+  const auto allowance = [&](const SolvedJob& end) {
+    return fixed_text(end.gears[gear].spec.thickness_allowance, 4);
+  };
+  return fmt::format("\nBetween the thickness allowances {} and {} mm of {}\n",
+                     allowance(job.ends->lower), allowance(job.ends->upper), subject) +
+         quantity_listing(table, differing(lower, upper), {subject + " lower", subject + " upper"});
 }
 
 std::string gear_listing(const SolvedJob& job) {
@@ -83,7 +89,7 @@ std::string gear_listing(const SolvedJob& job) {
       (title.empty() ? "" : "\n" + printable(title) + "\n") +
       quantity_listing(gear_quantities().table(), records, gear_columns(records.size()));
   for (std::size_t i = 0; job.ends && i < job.gears.size(); ++i)
-    text += interval_listing(gear_quantities().table(), gear_columns(job.gears.size())[i],
+    text += interval_listing(job, i, gear_quantities().table(),
                              gear_quantities().of(job.ends->lower.gears[i]),
                              gear_quantities().of(job.ends->upper.gears[i]));
   return text;

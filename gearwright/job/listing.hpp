@@ -16,8 +16,8 @@ std::string pair_interval_listing(const SolvedJob& job);
 /// two.
 std::string quantity_listing(const SaidTable& table, const std::vector<ValueRecord>& records,
                              const std::vector<std::string>& columns);
-/// The rows of a record that differ at the two ends of its tolerances.
-std::string interval_listing(const SaidTable& table, const std::string& subject,
+/// The rows of a gear's record that differ at the two ends of its tolerances.   Domain  it has ends
+std::string interval_listing(const SolvedJob& job, std::size_t gear, const SaidTable& table,
                              const ValueRecord& lower, const ValueRecord& upper);
 /// "gear 1", "gear 2"
 std::vector<std::string> gear_columns(std::size_t count);

@@ -220,8 +220,8 @@ std::string report_html(const ReportInput& input) {
       kind_of(input), escaped(title), to_string(input.verdict.level),
       to_string(input.verdict.level), escaped(input.verdict.headline), title_block(input.drawing),
       finding_list(input));
-  std::string sections =
-      gear_section(input) + few_teeth_section(input) + measure_section(input.measures);
+  std::string sections = gear_section(input) + few_teeth_section(input) +
+                         measure_section(input.measures, input.k_diagrams);
   if (input.pair) {
     sections += input.pair->visit(
         Overloaded{[](const InvolutePair& pair) { return pair_section(pair); },

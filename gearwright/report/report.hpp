@@ -14,6 +14,7 @@
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/pair/pair.hpp"
 #include "gearwright/report/contact_report.hpp"
+#include "gearwright/report/k_diagram.hpp"
 #include "gearwright/verdict/verdict.hpp"
 
 namespace gearwright {
@@ -31,6 +32,7 @@ struct ReportInput {
   std::vector<const Gear*> gears;              ///< one or two, with a pair its gears
   std::optional<Pair> pair;                    ///< none: the gears are not mounted
   std::vector<ValueRecord> measures;           ///< of the gears; may be empty
+  std::vector<KDiagram> k_diagrams;            ///< of modified or graded flanks; may be empty
   const ContactReport* contact = nullptr;      ///< null: the spec asks nothing about contact
   const CompensateView* compensate = nullptr;  ///< null: the spec asks for no corrections
   Verdict verdict;                             ///< over gears, pair and contact
