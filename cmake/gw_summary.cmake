@@ -19,7 +19,6 @@ message(STATUS "Gearwright ${PROJECT_VERSION}, ${CMAKE_CXX_COMPILER_ID} ${CMAKE_
                "${CMAKE_BUILD_TYPE}")
 gw_count(n core_sources)
 gw_say("core library    " ON "${n}")
-gw_say("STEP writer     " ${has_step} "${why_step}")
 if(has_cli)
   set(why "${PROJECT_BINARY_DIR}/gearwright")
 elseif(NOT GEARWRIGHT_CLI)

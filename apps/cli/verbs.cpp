@@ -11,7 +11,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "apps/cli/step_module.hpp"
+#include "apps/cli/door.hpp"
 #include "apps/common/speaking.hpp"
 #include "apps/common/watch.hpp"
 #include "gearwright/base/output_file.hpp"
@@ -21,9 +21,11 @@
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/files.hpp"
 #include "gearwright/job/fit_answer.hpp"
+#include "gearwright/job/identify_answer.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/measures.hpp"
+#include "gearwright/job/nominal_csv.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/result_schema.hpp"
 #include "gearwright/job/verify.hpp"
@@ -34,36 +36,6 @@ namespace gearwright::cli {
 namespace fs = std::filesystem;
 
 namespace {
-
-// The spec of a verb: read once, from a file or a pipe, and what is wrong with it said by its lines.
-class Door {
- public:
-  explicit Door(const Options& o) : options_(o) {}
-
-  Result<JobSpec> read() {
-    auto text = read_spec_text(options_.spec);
-    if (!text) return text.error();
-    text_ = std::move(text).take();
-    auto spec = read_spec(*text_);
-    if (spec) given_ = spec->given;
-    return spec;
-  }
-  Result<SolvedJob> solve(Scope scope) {
-    const auto spec = read();
-    if (!spec) return spec.error();
-    return gearwright::solve(*spec, scope);
-  }
-  /// Says what is wrong, in the keys that the spec has; the exit status.
-  int fail(const Error& error) const {
-    return cli::fail(given_ ? spelled(error, *given_) : error, options_.json,
-                     text_ ? &*text_ : nullptr);
-  }
-
- private:
-  const Options& options_;
-  std::optional<SpecText> text_;
-  std::optional<GivenKeys> given_;
-};
 
 std::string read_text(const std::string& path) {
   if (fs::is_directory(path)) throw IoError("cannot read " + path + ": it is a folder");
@@ -82,7 +54,7 @@ std::string read_text(const std::string& path) {
 }
 
 std::string pair_listing_of(const SolvedJob& job) {
-  return job.pair ? pair_listing(*job.pair) : std::string();
+  return job.pair ? pair_listing(*job.pair) + pair_interval_listing(job) : std::string();
 }
 
 // For scripts: 4 where the verdict is not green and they want it to be.
@@ -105,7 +77,7 @@ class SlowProgress {
 
 FileOptions file_options(const Options& o) {
   FileOptions options;
-  options.step = step_maker();
+  options.step_schema = o.step_schema == "ap214" ? StepSchema::ap214 : StepSchema::ap242;
   options.progress = SlowProgress();
   options.mesh_tolerance_mm = o.mesh_tolerance;
   options.drawing_tolerance_mm = o.drawing_tolerance;
@@ -147,6 +119,19 @@ auto watched(const char* verb, const Work& work) {
   return work(watch.headway());
 }
 
+// The spec of answer --take and nothing else.
+int take_spec(const Options& o, const Door& door, const std::vector<Json>& specs,
+              const std::string& too_many) {
+  const auto number = static_cast<std::size_t>(*o.take);
+  if (number > specs.size()) return door.fail({"--take", std::to_string(number), too_many});
+  if (o.json) {
+    print_json(specs[number - 1]);
+  } else {
+    print(toml_text(specs[number - 1]));
+  }
+  return 0;
+}
+
 }  // namespace
 
 int gear_verb(const Options& o) {
@@ -172,6 +157,7 @@ int gear_verb(const Options& o) {
     }
     racks.push_back(*rack);
   }
+  const Verdict verdict = judge(*job);
   if (o.csv) {
     print(quantities_csv(*job));
   } else if (o.json) {
@@ -180,22 +166,31 @@ int gear_verb(const Options& o) {
     print_json(j);
   } else {
     print(gear_listing(*job) + (racks.empty() ? std::string() : rack_listing(racks)) +
-          warning_listing(job->warnings));
+          warning_listing(job->warnings) + verdict_listing(verdict));
   }
-  return 0;
+  return status(o, verdict);
 }
 
 int measure_verb(const Options& o) {
+  const auto grid = parse_grid(o.grid.value_or("2x2"));
+  if (!grid)
+    return usage("--points takes two numbers from 2 to 1000, along the profile and the face: 9x5");
   Door door(o);
   auto solved = door.solve(Scope::gears);
   if (!solved) return door.fail(solved.error());
   SolvedJob job = std::move(solved).take();
-  const auto measures = chord_measures(job);
+  if (o.grid) {
+    const auto points = nominal_csv(job, *grid);
+    if (!points) return door.fail(points.error());
+    print(*points);
+    return 0;
+  }
+  const auto measures = measure_gears(job);
   if (!measures) return door.fail(measures.error());
   if (o.json) {
     print_json(measures_json(job, *measures));
   } else {
-    print(measure_listing(*measures) + warning_listing(job.warnings));
+    print(measure_listing(job, *measures) + warning_listing(job.warnings));
   }
   return 0;
 }
@@ -206,25 +201,34 @@ int fit_verb(const Options& o) {
   if (!spec) return door.fail(spec.error());
   const auto answer = watched("fit", [&](Headway* h) { return answer_fit(*spec, h); });
   if (!answer) return door.fail(answer.error());
-  const int count = static_cast<int>(answer->specs.size());
   if (o.take) {
-    if (*o.take > count) {
-      return door.fail({"--take", std::to_string(*o.take),
-                        count == 0 ? "there is no branch: " + answer->fit.reason
-                                   : fmt::format("there are {} branches", count)});
-    }
-    const Json& taken = answer->specs[static_cast<std::size_t>(*o.take - 1)];
-    if (o.json) {
-      print_json(taken);
-    } else {
-      print(toml_text(taken));
-    }
-    return 0;
+    return take_spec(o, door, answer->specs,
+                     answer->specs.empty()
+                         ? "there is no branch: " + answer->fit.reason
+                         : fmt::format("there are {} branches", answer->specs.size()));
   }
   if (o.json) {
     print_json(fit_json(*answer));
   } else {
     print(fit_listing(*answer));
+  }
+  return 0;
+}
+
+int identify_verb(const Options& o) {
+  Door door(o);
+  const auto spec = door.read();
+  if (!spec) return door.fail(spec.error());
+  const auto answer = answer_identify(*spec);
+  if (!answer) return door.fail(answer.error());
+  if (o.take) {
+    return take_spec(o, door, answer->specs,
+                     fmt::format("there are {} candidates", answer->specs.size()));
+  }
+  if (o.json) {
+    print_json(identify_json(*answer));
+  } else {
+    print(identify_listing(*answer));
   }
   return 0;
 }

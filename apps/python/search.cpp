@@ -13,7 +13,6 @@
 #include "gearwright/job/search_answer.hpp"
 #include "gearwright/job/search_job.hpp"
 #include "gearwright/job/search_tables.hpp"
-#include "gearwright/report/search_report.hpp"
 
 namespace gearwright::python {
 
@@ -155,13 +154,7 @@ py::dict counts_of(const Found& found) {
 }
 
 std::string report_of(const Found& found) {
-  std::vector<std::string> reasons = change_lines(found.run);
-  return search_report({.title = found.spec.title,
-                        .spec_text = found.spec.text,
-                        .search = *found.search,
-                        .answer = found.run.answer,
-                        .reasons = std::move(reasons),
-                        .version = kVersion});
+  return search_page(found.spec, *found.search, found.run);
 }
 
 }  // namespace

@@ -87,5 +87,6 @@ Figure few_teeth_figure();
 Figure arcs_figure();
 Figure contact_figure();
 Figure search_figure();
+Figure inspection_figure();
 
 }  // namespace gearwright::figures

@@ -12,6 +12,7 @@
 
 #include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
+#include "gearwright/catalogue/drawing_quantities.hpp"
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
@@ -39,7 +40,7 @@ std::set<const SaidTable*> all_tables() {
         &compensate_quantities().table(), &fit_quantities().table(), &measure_quantities().table(),
         &as_rack_quantities().table(), &search_quantities().table(), &design_quantities().table(),
         &file_quantities().table(), &outline_quantities().table(), &warning_quantities().table(),
-        &verdict_quantities().table()})
+        &verdict_quantities().table(), &drawing_quantities().table()})
     collect(*t, all);
   return all;
 }

@@ -8,9 +8,11 @@
 
 #include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
+#include "gearwright/catalogue/drawing_quantities.hpp"
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
+#include "gearwright/catalogue/identify_quantities.hpp"
 #include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
@@ -46,10 +48,12 @@ const std::map<std::string, const SaidTable*>& blocks() {
       {"contact.positions", &position_quantities().table()},
       {"compensate", &compensate_quantities().table()},
       {"fit", &fit_quantities().table()},
+      {"identify", &identify_quantities().table()},
       {"search", &search_quantities().table()},
       {"search.designs", &design_quantities().table()},
       {"file", &file_quantities().table()},
       {"warning", &warning_quantities().table()},
+      {"drawing", &drawing_quantities().table()},
       {"verdict", &verdict_quantities().table()}};
   return kBlocks;
 }

@@ -4,6 +4,7 @@
 
 #include "gearwright/catalogue/compensate_keys.hpp"
 #include "gearwright/catalogue/contact_keys.hpp"
+#include "gearwright/catalogue/drawing_keys.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/catalogue/fit_keys.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
@@ -26,6 +27,7 @@ const KeyTable& spec_keys() {
       "One gear, a pair of gears, or a search for them; lengths in mm and angles in degrees, said "
       "in the key",
       {{.key = "title", .kind = KeyKind::text, .meaning = "heading of listings and of the report"},
+       table_key("drawing", drawing_keys, "the title block of the report and of drawings"),
        table_key("gear1", gear_keys, "the first gear, the pinion of an internal pair"),
        table_key("gear2", gear_keys, "the second gear"),
        table_key("pair", pair_keys, "how the two gears are mounted"),

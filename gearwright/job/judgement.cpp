@@ -14,6 +14,9 @@ Verdict judge(const SolvedJob& job, const ContactResult* contact) {
   judged.contact = contact;
   const auto& errors = job.spec.errors.value;
   judged.errors = std::any_of(errors.begin(), errors.end(), [](double e) { return e != 0.0; });
+  const auto& gears = job.spec.gears;
+  judged.shifts_follow = job.pair && job.spec.pair.center_distance && gears[0] && gears[1] &&
+                         !(gears[0]->profile_shift && gears[1]->profile_shift);
   return verdict_of(judged);
 }
 

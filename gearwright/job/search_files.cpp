@@ -6,7 +6,6 @@
 #include "gearwright/base/version.hpp"
 #include "gearwright/job/search_answer.hpp"
 #include "gearwright/job/search_tables.hpp"
-#include "gearwright/report/search_report.hpp"
 
 namespace gearwright {
 
@@ -73,20 +72,6 @@ std::string csv_text(const SearchProblem& problem, const SearchAnswer& answer, s
   return text;
 }
 
-// What the page says beside the counts.
-std::vector<std::string> reasons_of(const SearchRun& run) {
-  std::vector<std::string> lines;
-  if (run.answer.counts.feasible > 0) return lines;
-  for (const std::string& line : change_lines(run))
-    lines.push_back("One change that would let something through: " + line + ".");
-  if (!run.changes_left_out.empty()) {
-    lines.push_back(run.changes_left_out + ".");
-  } else if (lines.empty()) {
-    lines.emplace_back("No change of one number alone would help.");
-  }
-  return lines;
-}
-
 }  // namespace
 
 std::vector<std::filesystem::path> write_search_files(const JobSpec& spec, const Search& search,
@@ -106,12 +91,7 @@ std::vector<std::filesystem::path> write_search_files(const JobSpec& spec, const
   };
   write("best.csv", csv_text(search.problem(), run.answer, top.value_or(kCsvDesigns)));
   write("search.json", search_json_text(search, run));
-  write("report.html", search_report({.title = spec.title,
-                                      .spec_text = spec.text,
-                                      .search = search,
-                                      .answer = run.answer,
-                                      .reasons = reasons_of(run),
-                                      .version = kVersion}));
+  write("report.html", search_page(spec, search, run));
   return files;
 }
 

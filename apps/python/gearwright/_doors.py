@@ -61,6 +61,12 @@ def search(
         line.end()
 
 
+def identify(spec: Mapping[str, Any]) -> dict[str, Any]:
+    """Which standard gear the readings of a gear in hand belong to: the program's answer to a spec with [gear1.measured]
+    readings, as a dict."""
+    return _core.solve(spec, "identify")
+
+
 def measure(value: Gear | Pair) -> Any:
     """What a workshop measures on a gear, by key; of a Pair a list of two."""
     gears = [gear["measure"] for gear in _core.solve(value, "measure")["gears"]]

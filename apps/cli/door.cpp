@@ -1,0 +1,27 @@
+#include "apps/cli/door.hpp"
+
+#include "apps/common/speaking.hpp"
+
+namespace gearwright::cli {
+
+Result<JobSpec> Door::read() {
+  auto text = read_spec_text(options_.spec);
+  if (!text) return text.error();
+  text_ = std::move(text).take();
+  auto spec = read_spec(*text_);
+  if (spec) given_ = spec->given;
+  return spec;
+}
+
+Result<SolvedJob> Door::solve(Scope scope) {
+  const auto spec = read();
+  if (!spec) return spec.error();
+  return gearwright::solve(*spec, scope);
+}
+
+int Door::fail(const Error& error) const {
+  return cli::fail(given_ ? spelled(error, *given_) : error, options_.json,
+                   text_ ? &*text_ : nullptr);
+}
+
+}  // namespace gearwright::cli
