@@ -27,6 +27,7 @@ constexpr const char* kIntroduction =
     "  gearwright contact pair.toml          transmission error and contact under [errors]\n"
     "  gearwright compensate pair.toml       corrections that cancel those errors\n"
     "  gearwright rate pair.toml             strength by ISO 6336: factors, stresses, safeties\n"
+    "  gearwright load pair.toml             teeth under torque: sharing, stiffness, stresses\n"
     "  gearwright measure pair.toml          the calliper's settings\n"
     "  gearwright fit wish.toml              gears for a centre distance and a shaft angle\n"
     "  gearwright search wish.toml --out found  all designs within limits, ranked\n"
@@ -163,6 +164,13 @@ void CommandLine::add_answering() {
   spec_argument(rate, o);
   strict_flag(rate, o);
   csv_flag(rate, o);
+  CLI::App* load = json_verb("load",
+                             "Teeth under torque: load sharing, loaded transmission error, "
+                             "stiffness, pressure, root stress",
+                             "gearwright load examples/loaded_pair.toml");
+  spec_argument(load, o);
+  strict_flag(load, o);
+  csv_flag(load, o);
 
   CLI::App* measure = json_verb(
       "measure", "Spans, dimensions over balls and pins, chords, tolerances of the flanks",
@@ -302,6 +310,7 @@ int CommandLine::answer(const std::string& verb) const {
   if (verb == "contact") return contact_verb(o);
   if (verb == "compensate") return compensate_verb(o);
   if (verb == "rate") return rate_verb(o);
+  if (verb == "load") return load_verb(o);
   if (verb == "measure") return measure_verb(o);
   if (verb == "fit") return fit_verb(o);
   if (verb == "identify") return identify_verb(o);

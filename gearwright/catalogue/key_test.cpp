@@ -15,6 +15,7 @@
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/catalogue/fit_keys.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
+#include "gearwright/catalogue/load_keys.hpp"
 #include "gearwright/catalogue/modification_keys.hpp"
 #include "gearwright/catalogue/pair_keys.hpp"
 #include "gearwright/catalogue/rack_keys.hpp"
@@ -99,6 +100,8 @@ TEST(Keys, defaults_are_those_of_the_structs) {
   expect_defaults<PairInput>(pair_keys(), 2);
   expect_defaults<ErrorsInput>(error_keys(), 8);
   expect_defaults<ContactInput>(contact_keys(), 5);
+  expect_defaults<LoadInput>(load_keys(), 6);
+  expect_defaults<LoadProbeInput>(load_probe_keys(), 1);
   expect_defaults<SearchProblem>(search_keys(), 6);
   expect_defaults<RatingTable>(rating_keys(), 5);
   expect_defaults<PinionMounting>(rating_mounting_keys(), 3);

@@ -13,6 +13,7 @@
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/identify_quantities.hpp"
+#include "gearwright/catalogue/load_quantities.hpp"
 #include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
@@ -49,6 +50,9 @@ const std::map<std::string, const SaidTable*>& blocks() {
       {"contact.positions", &position_quantities().table()},
       {"compensate", &compensate_quantities().table()},
       {"rating", &rating_quantities().table()},
+      {"load", &load_quantities().table()},
+      {"load.torques", &load_torque_quantities().table()},
+      {"load.positions", &load_position_quantities().table()},
       {"fit", &fit_quantities().table()},
       {"identify", &identify_quantities().table()},
       {"search", &search_quantities().table()},

@@ -8,6 +8,7 @@
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/catalogue/fit_keys.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
+#include "gearwright/catalogue/load_keys.hpp"
 #include "gearwright/catalogue/pair_keys.hpp"
 #include "gearwright/catalogue/rating_keys.hpp"
 #include "gearwright/catalogue/search_keys.hpp"
@@ -37,6 +38,7 @@ const KeyTable& spec_keys() {
        table_key("compensate", compensate_keys, "which corrections the verb compensate may make"),
        table_key("rating", rating_keys,
                  "what the verb rate is asked: load, life, making, mounting"),
+       table_key("load", load_keys, "what the verb load is asked: torque on the teeth"),
        table_key("fit", fit_keys, "what the verb fit is asked"),
        table_key("search", search_keys, "what a design search is asked")}};
   return table;

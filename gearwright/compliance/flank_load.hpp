@@ -3,7 +3,7 @@
 //
 //   s    arc length along the outline from the middle of the space, m_n
 //   c    half width of the bump b(s) = 15/(16c) (1 − s²/c²)²
-//                                                theory: docs/theory/12-loaded-contact.md, [T12.8]
+//                                                theory: docs/theory/12-loaded-contact.md, [T12.17]
 #pragma once
 
 #include <Eigen/Core>

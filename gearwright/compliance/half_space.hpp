@@ -2,7 +2,7 @@
 //
 //   H(R) = (1 − ν²)/(π E R)   displacement at a distance R of a unit force      E = 1
 //   R² = Δs² + 2g Δs Δz + G Δz²   metric of the flank; spur: g = 0, G = 1
-//   λ  = 2(1 − ν²)/π                                theory: docs/theory/12-loaded-contact.md, [T12.9]
+//   λ  = 2(1 − ν²)/π                                theory: docs/theory/12-loaded-contact.md, [T12.10]
 //
 // Forces and readings are means over slices of the face: F(x, z) = z asinh(z/|x|) − √(x² + z²) is
 // the second integral of 1/R by z.

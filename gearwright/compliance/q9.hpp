@@ -1,6 +1,6 @@
 // Square elements with nine nodes and nine Gauss points: what a section mesh is made of.
 //
-//   x, y   place in an element, −1 … 1      N   its nine functions       theory: [T12.3]
+//   x, y   place in an element, −1 … 1      N   its nine functions
 //
 // Order of the nodes: the corners (−1,−1), (1,−1), (1,1), (−1,1), the sides' middles after them in
 // the same turn, the centre.

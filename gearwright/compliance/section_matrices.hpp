@@ -1,7 +1,7 @@
 // The elasticity of a section, in waves or free along the face: sparse matrices over its nodes.
 //
 //   U = (u, v, w)   displacement in coordinates that turn with the helix; dof 3·node + component
-//   A, B            strains of U that is constant along the face, and of its slope by z   [T12.4]
+//   A, B            strains of U that is constant along the face, and of its slope by z   [T12.5]
 //   τ               turn of the section per length, 1/m_n; 0: spur gear
 //   E = 1, lengths in normal modules                theory: docs/theory/12-loaded-contact.md
 #pragma once
@@ -21,7 +21,7 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 /// Hooke's law, strains xx, yy, zz, xy, yz, zx.   Domain: 0 ≤ ν < ½ (contract)
 Matrix6 hooke(double youngs_modulus, double poisson_ratio);
 
-/// A and B of the 27 dof of an element at a point `at` of the section. [T12.4]
+/// A and B of the 27 dof of an element at a point `at` of the section. [T12.4], [T12.5]
 struct StrainPair {
   Eigen::Matrix<double, 6, 27> a, b;
 };
@@ -32,7 +32,7 @@ struct SectionMatrices {
   Sparse aa, ab, bb;  ///< ∫AᵀDA, ∫AᵀDB, ∫BᵀDB over the section; ab is not symmetric
 };
 
-/// `wave`: B is that of U = (u cos kz, v cos kz, w sin kz), divided by k [T12.5]; else that of
+/// `wave`: B is that of U = (u cos kz, v cos kz, w sin kz), divided by k [T12.6]; else that of
 /// free functions of z.
 SectionMatrices section_matrices(const SectionMesh& mesh, const Matrix6& law, double tau,
                                  bool wave);
@@ -41,7 +41,7 @@ SectionMatrices section_matrices(const SectionMesh& mesh, const Matrix6& law, do
 Eigen::MatrixXd trace_fields(const SectionMesh& mesh, const Eigen::MatrixXd& fields);
 
 /// K(k) = aa + k (ab + abᵀ) + k² bb on the nodes that are not held, factorised for one k after the
-/// other. [T12.5]
+/// other. [T12.6]
 class StripSolver {
  public:
   StripSolver(const SectionMesh& mesh, const SectionMatrices& wave);

@@ -4,7 +4,7 @@
 //   t    place along half an outline: element by element, from the middle of the space (0) to the
 //        end of the side at the tip land (n)
 //   c    across: 0 on the outline, 1 on the tooth's centre line
-//   Lengths in normal modules.                        theory: docs/theory/12-loaded-contact.md, [T12.2]
+//   Lengths in normal modules.                        theory: docs/theory/12-loaded-contact.md
 //
 // The tooth's centre line is the x axis, tooth k stands k pitches counter-clockwise of it. The mesh
 // is its own mirror image. Loads act on the side y > 0 of tooth 0.

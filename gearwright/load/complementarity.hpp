@@ -1,10 +1,10 @@
 // Contact of elastic bodies at places that may carry or not: pressure where the gap closes, a gap
 // where nothing presses.
 //
-//   w_i(p) + g_i − Θ arm_i = s_i,   p_i ≥ 0,  s_i ≥ 0,  p_i s_i = 0,   Σ p_i Δ arm_i = M2     [T12.13]
+//   w_i(p) + g_i − Θ arm_i = s_i,   p_i ≥ 0,  s_i ≥ 0,  p_i s_i = 0,   Σ p_i Δ arm_i = M2  [T12.2], [T12.3]
 //   w_i = Σ_j A_ij p_j + λ ln(a0/a_i) p_i,    a_i = √(4 p_i R_i/(π E*))                       [T12.12]
 //
-// An active set with Newton steps: drop what pulls, add what overlaps. A is symmetric and positive
+// An active set with Newton steps [T12.14]: drop what pulls, add what overlaps. A is symmetric and positive
 // definite and the local term monotone, so that there is one solution.
 #pragma once
 

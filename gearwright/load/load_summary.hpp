@@ -1,5 +1,5 @@
 // What a course of positions under one torque comes to: peak to peak, waves, stiffness, extremes.
-//                                    theory: docs/theory/12-loaded-contact.md, [T12.14]
+//                                    theory: docs/theory/12-loaded-contact.md
 #pragma once
 
 #include "gearwright/load/loaded_contact.hpp"

@@ -1,6 +1,7 @@
 #include "gearwright/load/loaded_contact.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -249,6 +250,35 @@ void Solver::root_stress(const Position& at, const std::vector<VectorXd>& load,
 
 }  // namespace
 
+namespace {
+
+void in_ranges(const LoadRequest& request, std::size_t n,
+               const std::function<void(std::size_t, std::size_t)>& work) {
+  if (request.spread) {
+    request.spread(n, work);
+  } else {
+    work(0, n);
+  }
+}
+
+// One tooth and one face to the last bit: the second gear needs no tables of its own.
+bool same_tooth(const Gear& a, const Gear& b) {
+  constexpr int kPoints = 9;
+  const auto& x = a.tooth->outline.arcs;
+  const auto& y = b.tooth->outline.arcs;
+  if (a.spec.teeth != b.spec.teeth || a.twist() != b.twist() || x.size() != y.size() ||
+      a.spec.normal_module != b.spec.normal_module || a.spec.face_width != b.spec.face_width)
+    return false;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (x[i].name != y[i].name) return false;
+    for (int k = 0; k < kPoints; ++k)
+      if (x[i].point(k / (kPoints - 1.0)) != y[i].point(k / (kPoints - 1.0))) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 Result<PairCompliance> pair_compliance(const Gear& gear_1, const Gear& gear_2,
                                        const LoadRequest& request) {
   const std::array<const Gear*, 2> gears{&gear_1, &gear_2};
@@ -261,11 +291,15 @@ Result<PairCompliance> pair_compliance(const Gear& gear_1, const Gear& gear_2,
   c.slices = {request.slices, -face / 2, face / 2};
   c.half_width = kHertzWidth * m;
   begin_stage(request.headway, "compliance of the teeth", 2);
-  for (int g = 0; g < 2; ++g) {
+  std::array<std::optional<Error>, 2> errors;
+  const auto make = [&](std::size_t g) {
     // Both gears lie in N with the right flank loaded; the section has it on the left.
-    auto section =
+    const auto section =
         make_tooth_section(*gears[g], -gears[g]->twist(), request.bodies[g], request.accuracy);
-    if (!section) return of_gear(g + 1, section.error());
+    if (!section) {
+      errors[g] = of_gear(static_cast<int>(g) + 1, section.error());
+      return;
+    }
     ToothTableRequest t;
     t.face_width = gears[g]->spec.face_width / m;
     t.slices = {request.slices, -face / 2 / m, face / 2 / m};
@@ -273,7 +307,16 @@ Result<PairCompliance> pair_compliance(const Gear& gear_1, const Gear& gear_2,
     t.line_per_height = 1 / std::sqrt(1 - sin_b * sin_b);
     c.table[g] = std::make_shared<const ToothTable>(*section, t);
     count_step(request.headway);
-  }
+  };
+  const bool alike = same_tooth(gear_1, gear_2) &&
+                     request.bodies[0].bore_diameter == request.bodies[1].bore_diameter &&
+                     request.bodies[0].poisson_ratio == request.bodies[1].poisson_ratio;
+  in_ranges(request, alike ? 1 : 2, [&](std::size_t from, std::size_t to) {
+    for (std::size_t g = from; g < to; ++g) make(g);
+  });
+  for (const auto& error : errors)
+    if (error) return *error;
+  if (alike) c.table[1] = c.table[0];
   return c;
 }
 
@@ -295,18 +338,30 @@ LoadedContact loaded_contact(const ContactPair& pair, const Gear& gear_1, const 
       rotations.push_back(
           Angle::radians(pair.pitch() * (static_cast<double>(i) / request.positions - 0.5)));
   begin_stage(request.headway, "positions under load", static_cast<std::int64_t>(rotations.size()));
-  Solver solver(pair, gear_1, gear_2, compliance, request);
   for (const double torque : request.torques) {
     result.torques.emplace_back();
     result.torques.back().torque = torque;
+    result.torques.back().positions.resize(rotations.size());
   }
-  for (const Angle rotation : rotations) {
-    Position at = solver.prepare(pair.to_world(rotation.rad()));
-    for (LoadedTorque& t : result.torques)
-      t.positions.push_back(
-          solver.solve(at, t.torque, rotation, result.slices_too_fine, result.unfinished));
-    count_step(request.headway);
-  }
+  // Every position by itself, so that it does not matter who does which.
+  std::atomic<bool> too_fine{false};
+  std::atomic<long> unfinished{0};
+  in_ranges(request, rotations.size(), [&](std::size_t from, std::size_t to) {
+    Solver solver(pair, gear_1, gear_2, compliance, request);
+    for (std::size_t i = from; i < to; ++i) {
+      Position at = solver.prepare(pair.to_world(rotations[i].rad()));
+      for (LoadedTorque& t : result.torques) {
+        bool fine = false;
+        long open = 0;
+        t.positions[i] = solver.solve(at, t.torque, rotations[i], fine, open);
+        if (fine) too_fine = true;
+        unfinished += open;
+      }
+      count_step(request.headway);
+    }
+  });
+  result.slices_too_fine = too_fine;
+  result.unfinished = unfinished;
   const double face = compliance.slices.hi - compliance.slices.lo;
   for (LoadedTorque& t : result.torques)
     summarise(t, {face, gear_1.base_radius(), result.body_twist[0] + result.body_twist[1],

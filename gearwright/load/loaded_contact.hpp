@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -29,6 +30,10 @@ struct LoadRequest {
   double deflection_slope = 0.0;  ///< mm, further approach of the flanks over the common face
   double deflection_bow = 0.0;    ///< mm, height of its parabola in the middle
   Headway* headway = nullptr;
+  /// Does the work of items [0, n) by calling it for ranges that together are all of them, from
+  /// several threads if it likes; none: one after the other. The answer is the same to the last bit.
+  std::function<void(std::size_t n, const std::function<void(std::size_t, std::size_t)>& work)>
+      spread{};
 };
 
 /// One tooth pair in contact at one position.
@@ -36,7 +41,7 @@ struct LoadedPair {
   int pair = 0;                ///< k in N
   double share = 0.0;          ///< of the whole load
   Eigen::VectorXd line_load;   ///< N/mm, per length of the contact line, slice by slice
-  Eigen::VectorXd pressure;    ///< MPa, Hertz; 0 where nothing presses
+  Eigen::VectorXd pressure;    ///< MPa, Hertz [T12.13]; 0 where nothing presses
   Eigen::VectorXd half_width;  ///< mm
   std::vector<std::array<double, 2>> radius;  ///< mm of each place on both gears
 };

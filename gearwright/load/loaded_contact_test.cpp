@@ -180,7 +180,7 @@ TEST(LoadedContact, TheOtherDriverLoadsTheOtherFlanks) {
 }
 
 // FE2D-ROOT: converged triangles, the load at the outer point of single contact: σ_F b m_n/F_t of
-// 25 equal teeth 2.797, [T12.17]. The face of a real gear is free at its ends: the middle is plane.
+// 25 equal teeth 2.797. The face of a real gear is free at its ends: the middle is plane.
 TEST(LoadedContact, RootStressAgreesWithTriangles) {
   const double face = 180.0;
   const Mesh m = mesh_of(0, face);
