@@ -2,9 +2,12 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "apps/cli/verbs.hpp"
 #include "gearwright/job/solved_job.hpp"
+#include "gearwright/spec/json.hpp"
 #include "gearwright/verdict/verdict.hpp"
 
 namespace gearwright::cli {
@@ -29,5 +32,10 @@ class Door {
 inline int status(const Options& o, const Verdict& verdict) {
   return o.strict && verdict.level != Level::green ? 4 : 0;
 }
+
+/// Prints the spec of answer --take and nothing else; the exit status. `too_many`: why there is no
+/// such one.   Domain  o.take is given
+int take_spec(const Options& o, const Door& door, const std::vector<Json>& specs,
+              const std::string& too_many);
 
 }  // namespace gearwright::cli

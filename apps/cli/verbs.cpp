@@ -21,11 +21,9 @@
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/files.hpp"
 #include "gearwright/job/fit_answer.hpp"
-#include "gearwright/job/identify_answer.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/measures.hpp"
-#include "gearwright/job/nominal_csv.hpp"
 #include "gearwright/job/rating_text.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/result_schema.hpp"
@@ -115,19 +113,6 @@ auto watched(const char* verb, const Work& work) {
   return work(watch.headway());
 }
 
-// The spec of answer --take and nothing else.
-int take_spec(const Options& o, const Door& door, const std::vector<Json>& specs,
-              const std::string& too_many) {
-  const auto number = static_cast<std::size_t>(*o.take);
-  if (number > specs.size()) return door.fail({"--take", std::to_string(number), too_many});
-  if (o.json) {
-    print_json(specs[number - 1]);
-  } else {
-    print(toml_text(specs[number - 1]));
-  }
-  return 0;
-}
-
 }  // namespace
 
 int gear_verb(const Options& o) {
@@ -167,30 +152,6 @@ int gear_verb(const Options& o) {
   return status(o, verdict);
 }
 
-int measure_verb(const Options& o) {
-  const auto grid = parse_grid(o.grid.value_or("2x2"));
-  if (!grid)
-    return usage("--points takes two numbers from 2 to 1000, along the profile and the face: 9x5");
-  Door door(o);
-  auto solved = door.solve(Scope::gears);
-  if (!solved) return door.fail(solved.error());
-  SolvedJob job = std::move(solved).take();
-  if (o.grid) {
-    const auto points = nominal_csv(job, *grid);
-    if (!points) return door.fail(points.error());
-    print(*points);
-    return 0;
-  }
-  const auto measures = measure_gears(job);
-  if (!measures) return door.fail(measures.error());
-  if (o.json) {
-    print_json(measures_json(job, *measures));
-  } else {
-    print(measure_listing(job, *measures) + warning_listing(job.warnings));
-  }
-  return 0;
-}
-
 int fit_verb(const Options& o) {
   Door door(o);
   const auto spec = door.read();
@@ -207,24 +168,6 @@ int fit_verb(const Options& o) {
     print_json(fit_json(*answer));
   } else {
     print(fit_listing(*answer));
-  }
-  return 0;
-}
-
-int identify_verb(const Options& o) {
-  Door door(o);
-  const auto spec = door.read();
-  if (!spec) return door.fail(spec.error());
-  const auto answer = answer_identify(*spec);
-  if (!answer) return door.fail(answer.error());
-  if (o.take) {
-    return take_spec(o, door, answer->specs,
-                     fmt::format("there are {} candidates", answer->specs.size()));
-  }
-  if (o.json) {
-    print_json(identify_json(*answer));
-  } else {
-    print(identify_listing(*answer));
   }
   return 0;
 }

@@ -279,6 +279,7 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   for (const Gear& g : job.gears) report.gears.push_back(&g);
   report.pair = job.pair;
   report.measures = measure_records(job);
+  report.measure_ends = measure_end_records(job);
   report.k_diagrams = k_diagrams(job);
   if (*contact) report.contact = &contact.value()->report;
   report.verdict = judge(job, *contact ? &contact.value()->answer.driving : nullptr, rated);

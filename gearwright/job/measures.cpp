@@ -249,6 +249,18 @@ ValueRecord measured_at(const SolvedJob& end, std::size_t i, const MeasureView& 
 
 }  // namespace
 
+std::vector<std::vector<ValueRecord>> measure_end_records(const SolvedJob& job) {
+  std::vector<std::vector<ValueRecord>> records;
+  SolvedJob copy = job;
+  for (std::size_t i = 0; job.ends && i < job.gears.size(); ++i) {
+    const auto nominal = Measuring(copy, static_cast<int>(i) + 1).all();
+    records.push_back(nominal ? differing(measured_at(job.ends->lower, i, *nominal),
+                                          measured_at(job.ends->upper, i, *nominal))
+                              : std::vector<ValueRecord>());
+  }
+  return records;
+}
+
 Json measures_json(const SolvedJob& job, const std::vector<MeasureView>& measures) {
   Json j = job_json(job);
   for (std::size_t i = 0; i < measures.size(); ++i) {

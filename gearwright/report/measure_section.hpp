@@ -9,9 +9,10 @@
 
 namespace gearwright {
 
-/// A column per gear, records of catalogue/measure_quantities.hpp, and the designs of flanks that have
-/// one; empty without any.
+/// A column per gear, records of catalogue/measure_quantities.hpp; of gears with tolerances their two
+/// ends; the designs of flanks that have one. Empty without any.
 std::string measure_section(const std::vector<ValueRecord>& measures,
+                            const std::vector<std::vector<ValueRecord>>& ends,
                             const std::vector<KDiagram>& diagrams);
 
 }  // namespace gearwright

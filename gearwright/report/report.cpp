@@ -222,7 +222,7 @@ std::string report_html(const ReportInput& input) {
       to_string(input.verdict.level), escaped(input.verdict.headline), title_block(input.drawing),
       finding_list(input));
   std::string sections = gear_section(input) + few_teeth_section(input) +
-                         measure_section(input.measures, input.k_diagrams);
+                         measure_section(input.measures, input.measure_ends, input.k_diagrams);
   if (input.pair) {
     sections += input.pair->visit(
         Overloaded{[](const InvolutePair& pair) { return pair_section(pair); },

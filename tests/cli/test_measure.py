@@ -93,10 +93,10 @@ class Measuring(Asked):
             self.assertEqual(Run("measure", GEAR, "--points", grid).status, 2, grid)
 
     def test_the_page_has_what_is_measured(self):
-        r = Run("run", GEAR + "quality = 6\n", "--only", "report", "--out", "out")
+        r = Run("run", GEAR + "quality = 6\nthickness_allowance_mm = [-0.1, -0.06]\n", "--only", "report", "--out", "out")
         self.assertEqual(r.status, 0, r.err)
         page = (r.folder / "out/report.html").read_text()
-        for word in ("Measuring", "Span measurement", "Gear 1, profile", "band of 11"):
+        for word in ("Measuring", "Span measurement", "Gear 1, profile", "band of 11", "Gear 1 between its thickness"):
             self.assertTrue(word in page, word)
 
     def test_a_gear_from_its_readings(self):
