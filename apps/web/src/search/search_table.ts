@@ -117,11 +117,14 @@ export class SearchTable {
         this.by = index;
         this.sort();
       },
-      { title: words, "aria-label": words },
+      { title: words },
     );
+    // A symbol alone is not read out well: the words stand beside it, unseen.
+    if (said.symbol) (name as HTMLElement).setAttribute("aria-hidden", "true");
     fill(
       sortBy,
       name,
+      said.symbol ? h("span", { class: "unseen" }, words) : null,
       shownUnit(said.unit) ? h("span", { class: "unit" }, " " + shownUnit(said.unit)) : null,
     );
     return h(
