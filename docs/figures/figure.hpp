@@ -88,5 +88,6 @@ Figure arcs_figure();
 Figure contact_figure();
 Figure search_figure();
 Figure inspection_figure();
+Figure rating_figure();
 
 }  // namespace gearwright::figures

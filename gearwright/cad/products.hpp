@@ -1,4 +1,5 @@
 // Products of a STEP file: what a CAD system's tree shows, and where each solid stands.
+// Internal to cad/.
 //
 // A single solid in its own frame is one product, a part. Otherwise there is an assembly, whose
 // components are the parts, each placed by its pose: product structure and geometry say it twice, as

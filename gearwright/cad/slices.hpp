@@ -1,5 +1,5 @@
 // The layers of a body between its end faces: where its walls are cut across, and how a point of the
-// section climbs through one of them.
+// section climbs through one of them. Internal to cad/.
 //
 //   level    a plane z = const; the section in it is turned by e^{iτz}
 //   slice    the layer between two levels; its helix is that of the body, turned to the slice's middle

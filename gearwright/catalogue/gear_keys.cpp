@@ -166,6 +166,11 @@ const KeyTable& gear_keys() {
         .tables = {modification_keys},
         .in_documents = false,
         .meaning = "what is removed from the flanks"},
+       {.key = "material",
+        .kind = KeyKind::table,
+        .tables = {material_keys},
+        .in_documents = false,
+        .meaning = "what the teeth are made of"},
        {.key = "bore",
         .kind = KeyKind::table,
         .tables = {bore_keys},
@@ -198,7 +203,8 @@ const KeyTable& gear_keys() {
 
 const KeyTable& cutter_keys() {
   static const KeyTable table = [] {
-    KeyTable t = without(gear_keys(), {"cut_by", "profile_shift_pair", "modifications"});
+    KeyTable t =
+        without(gear_keys(), {"cut_by", "profile_shift_pair", "modifications", "material"});
     t.name = "cutter";
     t.meaning =
         "A pinion cutter; module and angles where they are not those of the gear or its "

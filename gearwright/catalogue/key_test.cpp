@@ -18,6 +18,7 @@
 #include "gearwright/catalogue/modification_keys.hpp"
 #include "gearwright/catalogue/pair_keys.hpp"
 #include "gearwright/catalogue/rack_keys.hpp"
+#include "gearwright/catalogue/rating_keys.hpp"
 #include "gearwright/catalogue/search_keys.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
 #include "gearwright/tool/rack.hpp"
@@ -99,6 +100,8 @@ TEST(Keys, defaults_are_those_of_the_structs) {
   expect_defaults<ErrorsInput>(error_keys(), 8);
   expect_defaults<ContactInput>(contact_keys(), 5);
   expect_defaults<SearchProblem>(search_keys(), 6);
+  expect_defaults<RatingTable>(rating_keys(), 5);
+  expect_defaults<PinionMounting>(rating_mounting_keys(), 3);
 }
 
 TEST(Keys, the_limits_of_a_gear_are_its_own) {

@@ -15,6 +15,7 @@
 #include "gearwright/catalogue/identify_quantities.hpp"
 #include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/testing/document_blocks.hpp"
 #include "gearwright/catalogue/verdict_quantities.hpp"
@@ -47,6 +48,7 @@ const std::map<std::string, const SaidTable*>& blocks() {
       {"contact", &contact_quantities().table()},
       {"contact.positions", &position_quantities().table()},
       {"compensate", &compensate_quantities().table()},
+      {"rating", &rating_quantities().table()},
       {"fit", &fit_quantities().table()},
       {"identify", &identify_quantities().table()},
       {"search", &search_quantities().table()},

@@ -9,7 +9,9 @@
 #include "gearwright/job/contact_text.hpp"
 #include "gearwright/job/fit_answer.hpp"
 #include "gearwright/job/identify_answer.hpp"
+#include "gearwright/job/judgement.hpp"
 #include "gearwright/job/measures.hpp"
+#include "gearwright/job/rating_text.hpp"
 #include "gearwright/job/result_json.hpp"
 
 namespace gearwright {
@@ -32,6 +34,12 @@ Result<Json> measures_of(SolvedJob& job) {
   const auto found = measure_gears(job);
   if (!found) return found.error();
   return measures_json(job, *found);
+}
+
+Result<Json> rating_of(SolvedJob& job) {
+  const auto found = answer_rating(job);
+  if (!found) return found.error();
+  return rating_json(job, *found, judge(job, nullptr, &*found));
 }
 
 Scope scope_of(std::string_view verb) {
@@ -60,6 +68,7 @@ Result<Json> answer_json(std::string_view verb, const JobSpec& spec) {
   if (verb == "contact") return contact_of(job);
   if (verb == "compensate") return compensation_of(job);
   if (verb == "measure") return measures_of(job);
+  if (verb == "rate") return rating_of(job);
   return job_json(job);
 }
 

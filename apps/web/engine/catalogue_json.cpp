@@ -8,9 +8,11 @@
 #include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
+#include "gearwright/catalogue/drawing_quantities.hpp"
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
+#include "gearwright/catalogue/identify_quantities.hpp"
 #include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
@@ -127,8 +129,9 @@ std::string catalogue_json() {
        {&gear_quantities().table(), &measure_quantities().table(), &as_rack_quantities().table(),
         &outline_quantities().table(), &pair_quantities().table(), &contact_quantities().table(),
         &position_quantities().table(), &compensate_quantities().table(), &fit_quantities().table(),
-        &search_quantities().table(), &design_quantities().table(), &file_quantities().table(),
-        &warning_quantities().table(), &verdict_quantities().table()})
+        &identify_quantities().table(), &drawing_quantities().table(), &search_quantities().table(),
+        &design_quantities().table(), &file_quantities().table(), &warning_quantities().table(),
+        &verdict_quantities().table()})
     collect(*table, all);
   Json quantities = Json::array();
   for (const SaidTable* table : all) {

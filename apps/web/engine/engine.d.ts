@@ -30,9 +30,9 @@ export interface Failed {
 }
 
 /** Every verb that answers a spec with JSON. */
-export type Verb = "gear" | "pair" | "measure" | "contact" | "compensate" | "fit" | "search";
+export type Verb = "gear" | "pair" | "measure" | "contact" | "compensate" | "fit" | "identify" | "search";
 
-/** File kinds; `step` answers a sentence while this build has no writer for it. */
+/** Files that the engine makes; `report` and `json` of all that the spec describes. */
 export type FileKind = "stl" | "glb" | "3mf" | "dxf" | "svg" | "step" | "report" | "json";
 
 // ---------------------------------------------------------------------------------- catalogue

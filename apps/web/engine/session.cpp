@@ -84,11 +84,6 @@ Result<std::shared_ptr<Session>> Session::open(std::string text) {
   std::shared_ptr<Session> session(new Session(spec_text(std::move(text))));
   const auto spec = read(session->text_);
   if (!spec) return spec.error();
-  if (!spec->gears[0]) {
-    return Error{"gear1.teeth", "",
-                 "is missing: the spec is one of a search; without its [search] it would be a "
-                 "gear's"};
-  }
   session->job_.spec = *spec;
   auto solved = solve(*spec, Scope::everything);
   if (!solved) return spelled(solved.error(), spec->given);

@@ -25,7 +25,7 @@ struct ErrorAxis {
 
 class Session {
  public:
-  /// Errors    as read_spec and solve; without a gear
+  /// Errors    as read_spec and solve
   static Result<std::shared_ptr<Session>> open(std::string text);
 
   const SolvedJob& job() const { return job_; }

@@ -58,6 +58,7 @@ interface Blank {
   words: string;
   value: string;
   unit?: string;
+  optional?: boolean; // may be left empty
 }
 interface Have {
   words: string;
@@ -109,19 +110,21 @@ objective = ["contact_ratio", "sliding"]
   {
     words: "A broken gear",
     blanks: [
-      { name: "z", words: "teeth", value: "24" },
-      { name: "da", words: "tip diameter", value: "52.0", unit: "mm" },
-      { name: "m", words: "module, if you know it", value: "2", unit: "mm" },
+      { name: "z", words: "teeth", value: "23" },
+      { name: "da", words: "tip diameter", value: "66.71", unit: "mm" },
+      { name: "k", words: "span over teeth", value: "3", optional: true },
+      { name: "w", words: "its length", value: "19.751", unit: "mm", optional: true },
     ],
-    tab: "mesh",
-    spec: (v) => `title = "after a broken gear of ${v["z"]} teeth"
+    tab: "search",
+    spec: (v) => `title = "a broken gear of ${v["z"]} teeth"
 
-# What the broken gear says. Lay it on the picture, change module, shift and helix until it fits.
+# Readings of the gear: it is identified from them. More readings make it surer.
 [gear1]
 teeth = ${v["z"]}
-normal_module_mm = ${v["m"]}
+
+[gear1.measured]
 tip_diameter_mm = ${v["da"]}
-`,
+${Number.isFinite(v["k"]) && Number.isFinite(v["w"]) ? `span_mm = { ${v["k"]} = ${v["w"]} }\n` : ""}`,
   },
   {
     words: "A pinion with three teeth",
@@ -209,7 +212,7 @@ export class Starts {
             name: blank.name,
             value: blank.value,
             inputmode: "decimal",
-            required: true,
+            required: !blank.optional,
             autocomplete: "off",
           }),
           blank.unit ?? "",
@@ -225,8 +228,9 @@ export class Starts {
           event.preventDefault();
           const values: Record<string, number> = {};
           for (const input of form.querySelectorAll("input")) {
-            const value = Number(input.value.replace(",", "."));
-            if (!Number.isFinite(value) || input.value.trim() === "") {
+            const empty = input.value.trim() === "";
+            const value = empty ? NaN : Number(input.value.replace(",", "."));
+            if (!Number.isFinite(value) && !(empty && !input.required)) {
               wrong.textContent = `“${input.value.slice(0, 40)}” is not a number.`;
               return input.focus();
             }

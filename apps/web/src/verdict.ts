@@ -75,7 +75,13 @@ export class VerdictLine {
       if (bench.asks && solved.spec?.["search"] !== undefined)
         this.say("none", "search", "This spec asks for gears: the search finds them.");
       else if (bench.asks)
-        this.say("none", "fit", "This spec leaves numbers to be found: the fit finds them.");
+        this.say(
+          "none",
+          /identify finds/.test(solved.fault.message) ? "identify" : "fit",
+          /identify finds/.test(solved.fault.message)
+            ? "This spec has the readings of an unknown gear: the search says which gears have them."
+            : "This spec leaves numbers to be found: the fit finds them.",
+        );
       else {
         this.say("fault", "not yet", solved.fault.message);
         findings = [];

@@ -128,7 +128,7 @@ class Workbench {
     return (
       solved.spec["search"] !== undefined ||
       solved.spec["fit"] !== undefined ||
-      /gearwright fit finds them/.test(solved.fault.message)
+      /gearwright (fit finds them|identify finds it)/.test(solved.fault.message)
     );
   }
 

@@ -155,7 +155,8 @@ export class Form {
       toggle,
     );
     details.querySelector("summary")!.addEventListener("click", () => {
-      if (details.open) this.opened.delete(section.id); // it is about to close
+      if (details.open)
+        this.opened.delete(section.id); // it is about to close
       else this.opened.add(section.id);
     });
     return details;

@@ -5,7 +5,7 @@
 import { quantity } from "../catalogue";
 import { button, download, fill, h } from "../elements";
 import type { Json } from "../engine_worker";
-import { fixed } from "../numbers";
+import { shownUnit, textOf } from "../numbers";
 import { at, bench } from "../workbench";
 import type { Tab } from "../tabs";
 import { ParetoPicture, type Point } from "./pareto";
@@ -250,33 +250,38 @@ objective = ["contact_ratio", "sliding"]
 `;
   }
 
-  /** A spec whose gears are not complete: every branch of the fit. */
+  /** A spec whose gears are not complete: every branch of the fit, or every gear that the readings
+   *  of an unknown one allow. */
   private async fit(text: string): Promise<void> {
-    this.said.textContent = "Looking for gears that fit …";
+    const verb = measured(bench.solved?.spec ?? null) ? "identify" : "fit";
+    const list = verb === "fit" ? "branches" : "candidates";
+    this.said.textContent =
+      verb === "fit" ? "Looking for gears that fit …" : "Looking for gears with these readings …";
     try {
-      const answer = await bench.seek.ask("run", { text, verb: "fit" });
+      const answer = await bench.seek.ask("run", { text, verb });
       if (this.looked !== text) return;
-      const branches = (at(answer, "fit.branches") ?? []) as Design[];
-      const reason = at(answer, "fit.reason") ?? at(answer, "error.message");
-      this.said.textContent = branches.length
-        ? `${branches.length === 1 ? "One answer fits" : branches.length + " answers fit"}. A click makes it the design.`
+      const found = (at(answer, `${verb}.${list}`) ?? []) as Design[];
+      const hint = at(answer, verb + ".contradiction") ?? at(answer, verb + ".next_measurement");
+      const reason = at(answer, verb + ".reason") ?? at(answer, "error.message");
+      this.said.textContent = found.length
+        ? `${found.length === 1 ? "One answer fits" : found.length + " answers fit"}. A click makes it the design.` +
+          (typeof hint === "string" ? " " + hint : "")
         : String(reason ?? "Nothing fits.");
-      fill(this.branches, ...branches.map((branch, i) => this.branch(branch, i)));
+      fill(this.branches, ...found.slice(0, 12).map((one, i) => this.branch(one, i, `${verb}.${list}`)));
     } catch (reason) {
       this.said.textContent = words(reason);
     }
   }
-  private branch(branch: Design, i: number): HTMLElement {
+  private branch(branch: Design, i: number, table: string): HTMLElement {
     const facts = Object.entries(branch).flatMap(([key, value]) => {
-      const said = quantity("fit.branches", key);
-      if (key === "spec" || value === null || !said) return [];
-      const text = (Array.isArray(value) ? value : [value])
-        .map((one) => (typeof one === "number" ? fixed(one, said.digits) : String(one)))
-        .join(" / ");
-      return [h("dt", {}, said.words), h("dd", {}, `${text} ${said.unit}`)];
+      const said = quantity(table, key);
+      if (value === null || !said || said.type === "record") return [];
+      const texts = (Array.isArray(value) ? value : [value]).map((one) => textOf(said, one)).join(" / ");
+      return [h("dt", {}, said.words), h("dd", {}, `${texts} ${said.percent ? "%" : shownUnit(said.unit)}`)];
     });
     const use = async () => {
-      const text = await bench.front.ask("tomlOf", { json: JSON.stringify(branch["spec"]) });
+      const spec = branch["spec"] ?? gearOf(branch);
+      const text = await bench.front.ask("tomlOf", { json: JSON.stringify(spec) });
       this.asked = bench.text;
       this.back.hidden = false;
       bench.setText(text, "branch " + i);
@@ -293,6 +298,26 @@ objective = ["contact_ratio", "sliding"]
 
 function real(value: Json | undefined): number {
   return typeof value === "number" ? value : NaN;
+}
+/** Whether a gear is known by its readings. */
+function measured(spec: Json): boolean {
+  return at(spec, "gear1.measured") !== undefined || at(spec, "gear2.measured") !== undefined;
+}
+/** The spec of an identified gear: what of it a spec can say, and the rest of the old gear 1. */
+function gearOf(candidate: Design): Json {
+  const old = (at(bench.solved?.spec ?? null, "gear1") ?? {}) as Design;
+  const gear: Design = { ...old };
+  delete gear["measured"];
+  for (const key of [
+    "teeth",
+    "normal_module_mm",
+    "normal_pressure_angle_deg",
+    "helix_angle_deg",
+    "profile_shift",
+    "tip_diameter_mm",
+  ])
+    if (typeof candidate[key] === "number") gear[key] = candidate[key];
+  return { title: at(bench.solved?.spec ?? null, "title") ?? "identified gear", gear1: gear };
 }
 function count(n: number): string {
   return n.toLocaleString("en").replaceAll(",", "\u202f");
