@@ -118,7 +118,7 @@ void bind_answers(py::module_& m) {
   m.def("solve", &solve_spec, py::arg("spec"), py::arg("verb") = "",
         "The program's JSON answer as a dict. `spec`: a dict with the tables of a spec file, a "
         "Pair or a Gear; "
-        "`verb`: gear, pair, measure, contact, compensate or fit; by default pair where there are "
+        "`verb`: gear, pair, measure, contact, compensate, fit or identify; by default pair where there are "
         "two gears");
   m.def("fit", &fit, py::arg("spec"),
         "What is absent in the spec's gears and [pair] is found: a Record with branches, reason, "

@@ -135,6 +135,8 @@ def test_mesh_is_closed_and_not_copied():
 def test_files(tmp_path):
     assert pinion().stl()[80:84] != b"\0\0\0\0" and pair().glb()[:4] == b"glTF"
     assert pinion().threemf()[:2] == b"PK" and b"SECTION" in pinion().dxf() and pinion().svg().startswith(b"<")
+    for value in (pinion(), pair()):
+        assert value.step().startswith(b"ISO-10303-21;")
     path = pinion().stl(tmp_path / "gear.stl", tolerance=0.05)
     assert path.read_bytes() == pinion().stl(tolerance=0.05)
     with pytest.raises(OSError):

@@ -38,7 +38,8 @@ def test_published_values_hold():
     assert any(c["differences"] for c in gw.verify(wrong))
 
 
-PAIRS = [p for p in sorted((SOURCE / "examples").glob("*.toml")) if "search" not in p.name and "fit" not in p.name]
+NO_PAIR = ("search", "fit", "broken")  # their verbs are others
+PAIRS = [p for p in sorted((SOURCE / "examples").glob("*.toml")) if not any(word in p.name for word in NO_PAIR)]
 
 
 @pytest.mark.parametrize("path", PAIRS, ids=lambda p: p.stem)
