@@ -12,6 +12,7 @@
 
 #include "apps/common/speaking.hpp"
 #include "gearwright/base/output_file.hpp"
+#include "gearwright/base/parallel.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/job/answers.hpp"
 

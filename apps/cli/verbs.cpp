@@ -26,6 +26,7 @@
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/nominal_csv.hpp"
+#include "gearwright/job/rating_text.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/result_schema.hpp"
 #include "gearwright/job/verify.hpp"
@@ -55,11 +56,6 @@ std::string read_text(const std::string& path) {
 
 std::string pair_listing_of(const SolvedJob& job) {
   return job.pair ? pair_listing(*job.pair) + pair_interval_listing(job) : std::string();
-}
-
-// For scripts: 4 where the verdict is not green and they want it to be.
-int status(const Options& o, const Verdict& verdict) {
-  return o.strict && verdict.level != Level::green ? 4 : 0;
 }
 
 // Says on stderr what is being made, but only when it takes more than a second.
@@ -286,6 +282,24 @@ int compensate_verb(const Options& o) {
   } else {
     print(compensate_listing(job, *answer) + warning_listing(job.warnings) +
           verdict_listing(verdict));
+  }
+  return status(o, verdict);
+}
+
+int rate_verb(const Options& o) {
+  Door door(o);
+  auto solved = door.solve(Scope::pair);
+  if (!solved) return door.fail(solved.error());
+  SolvedJob job = std::move(solved).take();
+  const auto answer = answer_rating(job);
+  if (!answer) return door.fail(answer.error());
+  const Verdict verdict = judge(job, nullptr, &*answer);
+  if (o.csv) {
+    print(rating_csv(*answer));
+  } else if (o.json) {
+    print_json(rating_json(job, *answer, verdict));
+  } else {
+    print(rating_listing(job, *answer) + warning_listing(job.warnings) + verdict_listing(verdict));
   }
   return status(o, verdict);
 }

@@ -89,5 +89,6 @@ Figure contact_figure();
 Figure search_figure();
 Figure inspection_figure();
 Figure load_figure();
+Figure rating_figure();
 
 }  // namespace gearwright::figures

@@ -182,7 +182,6 @@ const KeyTable& gear_keys() {
         .in_documents = false,
         .meaning = "where and how the gear is measured"},
        {.key = "quality",
-        .symbol = "A",
         .kind = KeyKind::whole,
         .range = KeyRange::between(0, 12, ", the flank tolerance classes of ISO 1328-1"),
         .place = KeyPlace::within<GearInput>([](auto& g) -> auto& { return g.tolerance.quality; }),

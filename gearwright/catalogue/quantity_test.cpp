@@ -19,6 +19,7 @@
 #include "gearwright/catalogue/load_quantities.hpp"
 #include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/verdict_quantities.hpp"
 #include "gearwright/job/solved_job.hpp"
@@ -41,8 +42,8 @@ std::set<const SaidTable*> all_tables() {
         &compensate_quantities().table(), &load_quantities().table(), &fit_quantities().table(),
         &measure_quantities().table(), &as_rack_quantities().table(), &search_quantities().table(),
         &design_quantities().table(), &file_quantities().table(), &outline_quantities().table(),
-        &warning_quantities().table(), &verdict_quantities().table(),
-        &drawing_quantities().table()})
+        &warning_quantities().table(), &verdict_quantities().table(), &drawing_quantities().table(),
+        &rating_quantities().table()})
     collect(*t, all);
   return all;
 }

@@ -16,6 +16,7 @@
 #include "gearwright/catalogue/load_quantities.hpp"
 #include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/testing/document_blocks.hpp"
 #include "gearwright/catalogue/verdict_quantities.hpp"
@@ -51,6 +52,7 @@ const std::map<std::string, const SaidTable*>& blocks() {
       {"load", &load_quantities().table()},
       {"load.torques", &load_torque_quantities().table()},
       {"load.positions", &load_position_quantities().table()},
+      {"rating", &rating_quantities().table()},
       {"fit", &fit_quantities().table()},
       {"identify", &identify_quantities().table()},
       {"search", &search_quantities().table()},

@@ -10,6 +10,7 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/job/compensate_forms.hpp"
 #include "gearwright/job/judgement.hpp"
+#include "gearwright/math/minimise.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {
@@ -198,6 +199,11 @@ Result<Verdict> judge_corrected(const std::string& corrected, const SolvedJob& j
 }  // namespace
 
 Result<CompensateAnswer> answer_compensate(SolvedJob& job, Headway* headway, int curves) {
+  if (!can_minimise()) {
+    return Error{"compensate", "",
+                 "this build cannot look for corrections, it has no minimiser (NLopt); the program "
+                 "that is installed has one"};
+  }
   auto made = ContactSetup::of(job);
   if (!made) return made.error();
   const ContactSetup setup = std::move(made).take();

@@ -23,6 +23,7 @@
 #include "gearwright/job/contact_report.hpp"
 #include "gearwright/job/contact_text.hpp"
 #include "gearwright/job/judgement.hpp"
+#include "gearwright/job/k_diagrams.hpp"
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/run_folder.hpp"
@@ -107,6 +108,10 @@ Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Headway*
   auto answer = answer_compensate(job, headway);
   if (answer) return std::optional(compensate_view(*answer));
   const std::string& field = answer.error().field;
+  if (field == "compensate") {  // of the whole table: of this build
+    job.warnings.push_back({"no_corrections", "No corrections: " + answer.error().rule + ".", 0});
+    return std::optional<CompensateView>();
+  }
   if (field != "errors" && field != "gear1" && field != "gear2") return answer.error();
   const auto is_said = [](const Warning& w) { return w.code == "no_contact"; };
   if (std::none_of(job.warnings.begin(), job.warnings.end(), is_said)) {
@@ -114,6 +119,14 @@ Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Headway*
     job.warnings.push_back({"no_contact", "No corrections: " + why.message() + ".", 0});
   }
   return std::optional<CompensateView>();
+}
+
+// None where the spec has no [rating].
+Result<std::optional<RatingAnswer>> rating_part(SolvedJob& job) {
+  if (!job.pair || !job.spec.rating.given) return std::optional<RatingAnswer>();
+  auto answer = answer_rating(job);
+  if (!answer) return answer.error();
+  return std::optional(std::move(answer).take());
 }
 
 std::vector<ReportFile> report_files(const std::vector<JobFile>& files) {
@@ -215,14 +228,18 @@ void add_solid(ReportInput& report, const SolvedJob& job, const std::vector<Toot
 
 }  // namespace
 
-Result<RunFiles> write_everything(SolvedJob& job, const fs::path& folder,
-                                  const FileOptions& options) {
+Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
+                                 const FileOptions& options) {
   std::vector<JobFile> files;
   std::vector<ToothedBody> mounted;
   const auto contact = contact_part(job, options.headway);
   if (!contact) return contact.error();
   const auto compensation = compensation_part(job, options.headway);
   if (!compensation) return compensation.error();
+  const auto rating = rating_part(job);
+  if (!rating) return rating.error();
+  const RatingAnswer* const rated = *rating ? &**rating : nullptr;
+  const std::optional<RatingView> rating_view = rated ? std::optional(rated->view()) : std::nullopt;
   const auto wanted = [&](std::string_view part) {
     return options.only.empty() ||
            std::find(options.only.begin(), options.only.end(), part) != options.only.end();
@@ -262,9 +279,11 @@ Result<RunFiles> write_everything(SolvedJob& job, const fs::path& folder,
   for (const Gear& g : job.gears) report.gears.push_back(&g);
   report.pair = job.pair;
   report.measures = measure_records(job);
+  report.k_diagrams = k_diagrams(job);
   if (*contact) report.contact = &contact.value()->report;
-  report.verdict = judge(job, *contact ? &contact.value()->answer.driving : nullptr);
+  report.verdict = judge(job, *contact ? &contact.value()->answer.driving : nullptr, rated);
   if (*compensation) report.compensate = &**compensation;
+  if (rating_view) report.rating = &*rating_view;
   if (wanted("report")) add_solid(report, job, mounted, options);
   report.files = report_files(files);
   report.spec_text = job.spec.text;
@@ -278,6 +297,7 @@ Result<RunFiles> write_everything(SolvedJob& job, const fs::path& folder,
   Json result = job_json(job);
   if (*contact) result["contact"] = contact_json(job, contact.value()->answer)["contact"];
   if (*compensation) result["compensate"] = to_json(compensate_quantities().of(**compensation));
+  if (rating_view) result["rating"] = to_json(rating_quantities().of(*rating_view));
   result["verdict"] = verdict_json(report.verdict);
   result["files"] = files_json(all);
   const std::string text = json_text(result, 2) + "\n";
@@ -285,13 +305,19 @@ Result<RunFiles> write_everything(SolvedJob& job, const fs::path& folder,
     all.insert(all.begin(),
                {folder / "result.json", "result", std::nullopt, "every number, as JSON", text});
   }
+  return RunFiles{std::move(all), text, std::move(report.verdict)};
+}
 
+Result<RunFiles> write_everything(SolvedJob& job, const fs::path& folder,
+                                  const FileOptions& options) {
+  auto made = make_everything(job, folder, options);
+  if (!made) return made;
   if (options.headway) options.headway->begin_writing();
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw IoError("cannot make the folder " + folder.string() + ": " + error.message());
-  write_run(folder, all);
-  return RunFiles{std::move(all), text, std::move(report.verdict)};
+  write_run(folder, made->files);
+  return made;
 }
 
 }  // namespace gearwright

@@ -69,6 +69,10 @@ struct RunFiles {
   Verdict verdict;
 };
 
+/// What `run` makes, in memory: nothing is written, the paths lie in `folder`.
+Result<RunFiles> make_everything(SolvedJob& job, const std::filesystem::path& folder,
+                                 const FileOptions& options);
+
 /// `run`: everything that applies, or what `only` names, into `folder`: result.json, report.html,
 /// gear1.*, gear2.*, pair.* Gears without an outline get a warning in the job instead of files.
 /// What a former run left there and this one does not write is removed (run_folder.hpp).

@@ -14,6 +14,7 @@
 #include "gearwright/catalogue/load_quantities.hpp"
 #include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/verdict_quantities.hpp"
 
@@ -153,6 +154,7 @@ Json result_schema() {
   properties["contact"] = schema.reference(contact_quantities().table());
   properties["compensate"] = schema.reference(compensate_quantities().table());
   properties["load"] = schema.reference(load_quantities().table());
+  properties["rating"] = schema.reference(rating_quantities().table());
   properties["fit"] = schema.reference(fit_quantities().table());
   properties["identify"] = schema.reference(identify_quantities().table());
   properties["search"] = search_schema(schema);

@@ -5,10 +5,13 @@
 #include <vector>
 
 #include "gearwright/catalogue/value.hpp"
+#include "gearwright/report/k_diagram.hpp"
 
 namespace gearwright {
 
-/// A column per gear, records of catalogue/measure_quantities.hpp; empty without any.
-std::string measure_section(const std::vector<ValueRecord>& measures);
+/// A column per gear, records of catalogue/measure_quantities.hpp, and the designs of flanks that have
+/// one; empty without any.
+std::string measure_section(const std::vector<ValueRecord>& measures,
+                            const std::vector<KDiagram>& diagrams);
 
 }  // namespace gearwright

@@ -13,8 +13,8 @@
 #include "gearwright/spec/once.hpp"
 #include "gearwright/spec/read_arc_rack.hpp"
 #include "gearwright/spec/read_cutting.hpp"
-#include "gearwright/spec/read_load.hpp"
 #include "gearwright/spec/read_modifications.hpp"
+#include "gearwright/spec/read_rating.hpp"
 
 namespace gearwright {
 

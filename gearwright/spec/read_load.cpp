@@ -54,12 +54,4 @@ LoadInput read_load(const Json& node) {
   return l;
 }
 
-MaterialInput read_material(const Json& node, const std::string& path) {
-  TableReader t(material_keys(), node, path);
-  MaterialInput m;
-  t.read(m);
-  t.finish();
-  return m;
-}
-
 }  // namespace gearwright

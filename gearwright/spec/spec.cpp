@@ -12,6 +12,7 @@
 #include "gearwright/spec/read_gear.hpp"
 #include "gearwright/spec/read_load.hpp"
 #include "gearwright/spec/read_measured.hpp"
+#include "gearwright/spec/read_rating.hpp"
 #include "gearwright/spec/read_search.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
@@ -119,6 +120,7 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder) {
   if (const Json* node = t.table("contact")) spec.contact = read_contact(*node);
   if (const Json* node = t.table("compensate")) spec.compensate = read_compensate(*node);
   if (const Json* node = t.table("load")) spec.load = read_load(*node);
+  if (const Json* node = t.table("rating")) spec.rating = read_rating(*node);
   t.finish();
   check_backlash(tree, spec);
   const bool unknown = spec.measured[0] || spec.measured[1];
