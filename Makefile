@@ -3,25 +3,30 @@
 #
 #   make demo       build the program, run a helical pair through it, say where the files are
 #   make test       configure, build and test: cmake --workflow --preset check
+#   make npm        the npm package, the program and the engine in WebAssembly: build/web/*.tgz
+#   make test-wasm  the unit tests of the core in WebAssembly, and every example against the program
 #   make test-long  the tests whose names start with Long
 #   make test-cluster  searches under a Slurm of two nodes, started for the test; skipped where its
 #                      daemons cannot run
+#   make web        the page in the browser: build/web for a host, and build/web/gearwright.html
+#   make test-web   the page in a browser without a screen, against the native program
 #   make bench      benchmarks
 #   make lint       formatting (must be clean) and clang-tidy (advice)
 #   make docs       the API reference and all pages as HTML, build/docs/html
 #   make figures    draws the figures of the theory pages anew
+#   make python     the Python package as a wheel, build/python/*.whl
 #   make package    .deb and .tgz in build/package
 #   make clean      remove build/
 
-.PHONY: demo test test-long test-cluster bench lint docs figures package clean
+.PHONY: demo test web test-web npm test-wasm test-long test-cluster bench lint docs figures python package clean
 JOBS ?= $(shell nproc)
 export CMAKE_BUILD_PARALLEL_LEVEL ?= $(JOBS)
 DEMO = examples/helical_pair.toml
 DEMO_OUT = build/demo/helical_pair_out
 
 demo:
-	@tools/install_packages.sh core step
-	@cmake --preset release -DGEARWRIGHT_STEP=ON
+	@tools/install_packages.sh core
+	@cmake --preset release
 	@cmake --build --preset release --target gearwright_cli
 	build/release/gearwright run $(DEMO) --out $(DEMO_OUT)
 	@echo
@@ -30,31 +35,56 @@ demo:
 	@cd $(DEMO_OUT) && ls -1 *.step *.stl *.3mf *.dxf *.svg *.glb | sed 's#^#  $(CURDIR)/$(DEMO_OUT)/#'
 
 test:
-	@tools/install_packages.sh core step mpi test docs
+	@tools/install_packages.sh core mpi python test docs
 	@tools/install_npm_tools.sh
 	@cmake --workflow --preset check
 
+npm:
+	@tools/install_packages.sh core wasm
+	@cmake --preset wasm -DGEARWRIGHT_TESTS=OFF > /dev/null
+	@cmake --build --preset wasm --target web_npm
+	@cd build/web && npm pack --silent ./npm
+
+test-wasm:
+	@tools/install_packages.sh core test wasm
+	@cmake --preset release -DGEARWRIGHT_BENCH=OFF > /dev/null
+	@cmake --build --preset release --target gearwright_cli
+	@cmake --preset wasm -DGEARWRIGHT_TESTS=ON > /dev/null
+	@cmake --build --preset wasm
+	@ctest --preset wasm
+
 test-long:
-	@tools/install_packages.sh core step mpi test cluster
+	@tools/install_packages.sh core mpi python test cluster
 	@tools/install_npm_tools.sh
 	@cmake --preset release
 	@cmake --build --preset release
 	@ctest --preset long
 
 test-cluster:
-	@tools/install_packages.sh core step mpi test cluster
+	@tools/install_packages.sh core mpi python test cluster
 	@cmake --preset release
 	@cmake --build --preset release --target gearwright_cli --target gearwright_mpi
 	@ctest --preset cluster
 
+web:
+	@tools/install_packages.sh core wasm web
+	@tools/build_web.sh $(JOBS)
+
+test-web: web
+	@cmake --preset release > /dev/null
+	@cmake --build --preset release --target gearwright_cli
+	node --test --test-concurrency=1 apps/web/test/*_test.mjs
+
 bench:
-	@tools/install_packages.sh core step mpi test
+	@tools/install_packages.sh core mpi python test
 	@cmake --preset release
 	@cmake --build --preset release --target bench
 	build/release/bench/bench
+	@cmake --build --preset release --target python_module
+	python3 bench/python_overhead.py build/release
 
 lint:
-	@tools/install_packages.sh core step mpi test lint
+	@tools/install_packages.sh core mpi python test lint
 	@cmake --preset release -B build/lint -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON > /dev/null
 	@tools/lint.sh
 
@@ -63,13 +93,20 @@ docs:
 	@tools/make_docs.sh
 
 figures:
-	@tools/install_packages.sh core step mpi test
+	@tools/install_packages.sh core mpi python test
 	@cmake --preset release > /dev/null
 	@cmake --build --preset release --target docs_figures
 	build/release/docs/figures/docs_figures docs/theory/images
 
+python:
+	@tools/install_packages.sh core python
+	@cmake --preset release -DGEARWRIGHT_PYTHON=ON
+	@cmake --build --preset release --target python_wheel
+	@mkdir -p build/python && rm -f build/python/*.whl && cp build/release/python/*.whl build/python
+	@echo && echo "Wheel  $$(ls $(CURDIR)/build/python/*.whl)"
+
 package:
-	@tools/install_packages.sh core step mpi package
+	@tools/install_packages.sh core mpi package
 	@cmake --preset package
 	@cmake --build --preset package
 	@cd build/package && cpack

@@ -34,10 +34,7 @@ BENCHMARK(spec_to_pair)->Unit(benchmark::kMicrosecond);
 
 void run_everything(benchmark::State& state) {
   const auto folder = std::filesystem::temp_directory_path() / "gearwright_run_bench";
-  FileOptions options;
-#ifdef GEARWRIGHT_HAS_STEP
-  options.step = step_document;
-#endif
+  const FileOptions options;
   for (auto _ : state) {
     SolvedJob job = solve(read_spec(kSpec, SpecFormat::toml).value(), Scope::everything).value();
     benchmark::DoNotOptimize(write_everything(job, folder, options)->files.size());

@@ -1,25 +1,35 @@
 # What the build needs from outside. tools/packages.txt names the Debian packages of each.
 include_guard()
 
+if(EMSCRIPTEN)
+  include(gw_wasm)
+  return()
+endif()
+
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(Boost 1.74 REQUIRED)  # headers only
 find_package(fmt 9 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(tomlplusplus REQUIRED)
-find_package(ZLIB REQUIRED)
-find_package(TBB 2021 REQUIRED)
-find_package(NLopt 2.7 REQUIRED)
-find_package(hwy 1.0.3 REQUIRED)
-find_package(SQLite3 3.34 REQUIRED)
-find_package(PkgConfig REQUIRED)
-pkg_check_modules(zstd REQUIRED IMPORTED_TARGET libzstd>=1.4)
-set(THREADS_PREFER_PTHREAD_FLAG ON)
-find_package(Threads REQUIRED)
+set(gw_libraries "")
+if(NOT GEARWRIGHT_LEAN)
+  find_package(ZLIB REQUIRED)
+  find_package(TBB 2021 REQUIRED)
+  find_package(NLopt 2.7 REQUIRED)
+  find_package(hwy 1.0.3 REQUIRED)
+  find_package(SQLite3 3.34 REQUIRED)
+  find_package(PkgConfig REQUIRED)
+  pkg_check_modules(zstd REQUIRED IMPORTED_TARGET libzstd>=1.4)
+  set(THREADS_PREFER_PTHREAD_FLAG ON)
+  find_package(Threads REQUIRED)
+  set(gw_libraries ZLIB::ZLIB TBB::tbb NLopt::nlopt Threads::Threads hwy::hwy PkgConfig::zstd
+                   SQLite::SQLite3)
+endif()
 if(GEARWRIGHT_CLI)
   find_package(CLI11 2.1 QUIET)
 endif()
 
-# MPI for searches on many ranks: where the package is, as OCCT below.
+# MPI for searches on many ranks: where the package is.
 set(why_no_mpi "switched off (GEARWRIGHT_MPI=OFF)")
 if(NOT DEFINED GEARWRIGHT_MPI OR GEARWRIGHT_MPI)
   find_package(MPI QUIET COMPONENTS CXX)
@@ -35,44 +45,28 @@ if(GEARWRIGHT_MPI AND NOT MPI_CXX_FOUND)
                       "On Debian: apt-get install libopenmpi-dev openmpi-bin")
 endif()
 
-# OCCT without a version: its version file refuses everything but the exact patch level.
-if(NOT DEFINED GEARWRIGHT_STEP OR GEARWRIGHT_STEP)
-  find_package(OpenCASCADE CONFIG QUIET)
-endif()
-set(gw_occt_default OFF)
-set(why_no_occt "switched off (GEARWRIGHT_STEP=OFF)")
-if(OpenCASCADE_FOUND)
-  set(gw_occt_default ON)
-elseif(NOT DEFINED GEARWRIGHT_STEP)
-  set(why_no_occt "OCCT not found (Debian: libocct-data-exchange-dev)")
-endif()
-if(NOT DEFINED GEARWRIGHT_STEP AND NOT OpenCASCADE_FOUND)
-  # Not cached: the package may be there at the next configure.
-  set(GEARWRIGHT_STEP OFF)
-else()
-  option(GEARWRIGHT_STEP "Write STEP files (needs OCCT)" ${gw_occt_default})
-endif()
-if(GEARWRIGHT_STEP AND NOT OpenCASCADE_FOUND)
-  message(FATAL_ERROR "GEARWRIGHT_STEP=ON, but OCCT was not found. "
-                      "On Debian: apt-get install libocct-data-exchange-dev")
-endif()
-set(gw_occt_libraries
-  TKernel TKMath TKG2d TKG3d TKGeomBase TKBRep TKGeomAlgo TKTopAlgo TKPrim TKShHealing TKMesh
-  TKXSBase TKSTEPBase TKSTEPAttr TKSTEP TKXCAF TKLCAF TKCDF TKXDESTEP)
-# Shared OCCT libraries are linked by file: as targets they would drag in the viewer's own needs
-# (X11, OpenGL, TBB, fonts), whose development packages nobody needs who writes STEP files.
-set(gw_occt_files "")
-if(OpenCASCADE_FOUND)
-  foreach(library IN LISTS gw_occt_libraries)
-    get_target_property(type ${library} TYPE)
-    if(type STREQUAL "SHARED_LIBRARY")
-      list(APPEND gw_occt_files $<TARGET_LINKER_FILE:${library}>)
-    else()
-      list(APPEND gw_occt_files ${library})
-    endif()
-  endforeach()
-endif()
-
 # Scripts run on the system's Python, where Debian's modules are, not on the first of the PATH.
-find_program(GEARWRIGHT_PYTHON python3 HINTS /usr/bin NO_CMAKE_ENVIRONMENT_PATH
-             DOC "Python that runs the script tests")
+find_program(GEARWRIGHT_PYTHON_EXECUTABLE python3 HINTS /usr/bin NO_CMAKE_ENVIRONMENT_PATH
+             DOC "Python that runs the script tests, and that the package is for")
+
+# The Python package: where pybind11 and NumPy are, as MPI above.
+set(why_no_python "switched off (GEARWRIGHT_PYTHON=OFF)")
+if(GEARWRIGHT_LEAN OR CMAKE_CROSSCOMPILING)
+  set(GEARWRIGHT_PYTHON OFF)
+  set(why_no_python "not of a lean or a cross build")
+endif()
+if(NOT DEFINED GEARWRIGHT_PYTHON OR GEARWRIGHT_PYTHON)
+  set(Python_EXECUTABLE ${GEARWRIGHT_PYTHON_EXECUTABLE})
+  find_package(Python 3.11 QUIET COMPONENTS Interpreter Development.Module NumPy)
+  set(PYBIND11_FINDPYTHON ON)
+  find_package(pybind11 2.10 CONFIG QUIET)
+endif()
+if(Python_Development.Module_FOUND AND Python_NumPy_FOUND AND pybind11_FOUND)
+  option(GEARWRIGHT_PYTHON "Build the Python package" ${PROJECT_IS_TOP_LEVEL})
+elseif(NOT DEFINED GEARWRIGHT_PYTHON)
+  set(GEARWRIGHT_PYTHON OFF)
+  set(why_no_python "pybind11 not found (Debian: pybind11-dev python3-dev python3-numpy)")
+elseif(GEARWRIGHT_PYTHON)
+  message(FATAL_ERROR "GEARWRIGHT_PYTHON=ON, but pybind11, NumPy or Python's headers were not found. "
+                      "On Debian: apt-get install pybind11-dev python3-dev python3-numpy")
+endif()

@@ -1,4 +1,4 @@
-# Installing and packaging: find_package(gearwright COMPONENTS core cad), pkg-config, DEB and TGZ.
+# Installing and packaging: find_package(gearwright), pkg-config, DEB and TGZ.
 #
 # Component `runtime` holds the program and shared libraries, `dev` what a compiler needs.
 include_guard()
@@ -15,9 +15,6 @@ function(gw_install_library target export)
 endfunction()
 
 gw_install_library(gearwright gearwrightTargets)
-if(has_step)
-  gw_install_library(gearwright_cad gearwrightCadTargets)
-endif()
 install(CODE "set(gw_source ${PROJECT_SOURCE_DIR})
 set(gw_headers_to ${CMAKE_INSTALL_INCLUDEDIR})" COMPONENT dev)
 install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/gw_install_headers.cmake COMPONENT dev)
@@ -30,11 +27,6 @@ if(has_cli)
     install(TARGETS gearwright_mpi RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT mpi OPTIONAL)
   endif()
   install(TARGETS gearwright_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
-  if(has_step)
-    # No name to be linked by: it is no library of the system, and no ldconfig is to know it.
-    set_target_properties(gearwright_step PROPERTIES INSTALL_RPATH "$ORIGIN/.." NO_SONAME ON)
-    install(TARGETS gearwright_step LIBRARY DESTINATION ${gw_module_dir} COMPONENT runtime)
-  endif()
 endif()
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/gearwrightConfig.cmake.in
@@ -94,9 +86,6 @@ if(PROJECT_IS_TOP_LEVEL)
   set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
       "libeigen3-dev, libfmt-dev, libtomlplusplus-dev, zlib1g-dev, libtbb-dev, libnlopt-cxx-dev, \
 libhwy-dev, libzstd-dev, libsqlite3-dev")
-  if(has_step)
-    set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS "libocct-data-exchange-dev")
-  endif()
   if(BUILD_SHARED_LIBS)
     string(APPEND CPACK_DEBIAN_DEV_PACKAGE_DEPENDS ", gearwright (= ${PROJECT_VERSION})")
     # The libraries of this very build, for dpkg-shlibdeps.

@@ -25,9 +25,13 @@ function(gw_target target)
     # the length of a literal; the presets of clang keep the warning.
     target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-restrict)
   endif()
-  if(UNIX AND NOT APPLE)
-    # A program loads only the libraries that it calls: OCCT alone is twenty.
+  if(UNIX AND NOT APPLE AND NOT EMSCRIPTEN)
+    # A program loads only the libraries that it calls.
     target_link_options(${target} PRIVATE LINKER:--as-needed)
+  endif()
+  # In WebAssembly code that may lie anywhere asks a table for every address.
+  if(EMSCRIPTEN)
+    return()
   endif()
   # Programs too, where CMake would say -fPIE: one precompiled header serves all (gw_precompiled.cmake).
   get_target_property(type ${target} TYPE)

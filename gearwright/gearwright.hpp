@@ -51,7 +51,7 @@
 #include "gearwright/design/fit.hpp"
 #include "gearwright/design/search.hpp"
 
-// Files: gear_body, then STL, 3MF, GLB, DXF, SVG; STEP is of the component cad, gearwright::cad
+// Files: gear_body, then STEP, STL, 3MF, GLB, DXF, SVG
 #include "gearwright/cad/dxf.hpp"
 #include "gearwright/cad/gear_body.hpp"
 #include "gearwright/cad/glb.hpp"
@@ -59,3 +59,4 @@
 #include "gearwright/cad/stl.hpp"
 #include "gearwright/cad/svg_outline.hpp"
 #include "gearwright/cad/threemf.hpp"
+#include "gearwright/cad/write_step.hpp"

@@ -12,6 +12,7 @@
 
 #include "apps/common/speaking.hpp"
 #include "gearwright/base/output_file.hpp"
+#include "gearwright/base/parallel.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/job/answers.hpp"
 
@@ -55,19 +56,23 @@ int batch_verb(const Options& o) {
   std::ios::sync_with_stdio(false);
   std::istream& in = path == "-" ? std::cin : file;
   long long failed = 0;
+  long long first_failed = 0;
   long long lines = 0;
   in_order([&](std::string& line) { return static_cast<bool>(std::getline(in, line)); },
            [&](const std::string& line) { return batch_line(verb, line); },
            [&](const std::string& answer) {
              ++lines;
-             if (answer.starts_with("{\"error\":")) ++failed;
+             if (answer.starts_with("{\"error\":") && failed++ == 0) first_failed = lines;
              write_line(answer);
            },
            o.threads);
   if (in.bad()) throw IoError("cannot read " + path + ": " + std::strerror(errno));
   print("");
   if (failed > 0)
-    std::fprintf(stderr, "gearwright: %lld of %lld specs have no answer\n", failed, lines);
+    std::fprintf(stderr, "gearwright: %lld of %lld specs have no answer, the first in line %lld\n",
+                 failed, lines, first_failed);
+  if (lines == 0)
+    std::fprintf(stderr, "gearwright: no spec came in; batch reads one per line, as JSON\n");
   return failed > 0 ? 1 : 0;
 }
 

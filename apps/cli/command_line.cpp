@@ -27,6 +27,7 @@ constexpr const char* kIntroduction =
     "  gearwright contact pair.toml          transmission error and contact under [errors]\n"
     "  gearwright compensate pair.toml       corrections that cancel those errors\n"
     "  gearwright rate pair.toml             strength by ISO 6336: factors, stresses, safeties\n"
+    "  gearwright load pair.toml             teeth under torque: sharing, stiffness, stresses\n"
     "  gearwright measure pair.toml          the calliper's settings\n"
     "  gearwright fit wish.toml              gears for a centre distance and a shaft angle\n"
     "  gearwright search wish.toml --out found  all designs within limits, ranked\n"
@@ -41,7 +42,6 @@ constexpr const char* kIntroduction =
     "  teeth = 17\n"
     "  normal_module_mm = 2.5\n";
 
-constexpr const char* kNotHere[] = {"identify"};
 constexpr std::size_t kLettersOff = 3;  // of a verb, one of so many may be wrong
 
 std::string version_text() { return std::string("gearwright ") + kVersion; }
@@ -85,10 +85,6 @@ CommandLine::CommandLine() : app_(kIntroduction, "gearwright") {
   add_answering();
   add_files();
   add_others();
-  for (const char* name : kNotHere) {
-    CLI::App* sub = app_.add_subcommand(name, "Not in this version")->group("");
-    sub->allow_extras();
-  }
   for (CLI::App* sub : app_.get_subcommands({}))
     sub->set_version_flag("-V,--version", version_text());
 }
@@ -125,6 +121,7 @@ void CommandLine::add_answering() {
                              "gearwright gear examples/helical_pair.toml --json");
   spec_argument(gear, o);
   csv_flag(gear, o);
+  strict_flag(gear, o);
   gear->add_option("--as-rack", o.as_rack,
                    "MODULE,ANGLE: the same teeth as that rack describes them; one may be empty");
 
@@ -167,10 +164,29 @@ void CommandLine::add_answering() {
   spec_argument(rate, o);
   strict_flag(rate, o);
   csv_flag(rate, o);
+  CLI::App* load = json_verb("load",
+                             "Teeth under torque: load sharing, loaded transmission error, "
+                             "stiffness, pressure, root stress",
+                             "gearwright load examples/loaded_pair.toml");
+  spec_argument(load, o);
+  strict_flag(load, o);
+  csv_flag(load, o);
 
-  CLI::App* measure = json_verb("measure", "Chordal tooth thickness, the calliper's settings",
-                                "gearwright measure examples/helical_pair.toml");
+  CLI::App* measure = json_verb(
+      "measure", "Spans, dimensions over balls and pins, chords, tolerances of the flanks",
+      "gearwright measure examples/helical_pair.toml");
   spec_argument(measure, o);
+  measure->add_option(
+      "--points", o.grid,
+      "Print nominal points and normals of the flanks for a measuring machine, CSV: "
+      "9x5 along profile and face");
+
+  CLI::App* identify =
+      json_verb("identify", "The gears that the readings of an unknown one allow, likeliest first",
+                "gearwright identify examples/broken_gear.toml");
+  spec_argument(identify, o);
+  identify->add_option("--take", o.take, "Print the spec of this candidate and nothing else")
+      ->check(CLI::Range(1, 1000));
 
   CLI::App* fit =
       json_verb("fit", "Gears for a place, or places for gears: what the spec leaves out is found",
@@ -190,12 +206,16 @@ void CommandLine::add_files() {
   spec_argument(files, o);
   files->add_option("--gear", o.gear, "Only this gear, in its own frame; absent: both in place")
       ->check(CLI::Range(1, 2));
-  files->add_option("--step", o.step, "STEP AP242 solid");
+  files->add_option("--step", o.step, "STEP solid");
   files->add_option("--stl", o.stl, "STL mesh, binary");
   files->add_option("--glb", o.glb, "GLB (glTF 2.0) mesh");
   files->add_option("--3mf", o.threemf, "3MF mesh");
   files->add_option("--dxf", o.dxf, "DXF outline");
   files->add_option("--svg", o.svg, "SVG outline");
+  files
+      ->add_option("--step-schema", o.step_schema,
+                   "ap242 (default), or ap214 for systems that read nothing newer")
+      ->check(CLI::IsMember({"ap242", "ap214"}));
   files
       ->add_option("--mesh-tolerance", o.mesh_tolerance,
                    "mm between mesh and exact surface (default 0.005)")
@@ -290,8 +310,10 @@ int CommandLine::answer(const std::string& verb) const {
   if (verb == "contact") return contact_verb(o);
   if (verb == "compensate") return compensate_verb(o);
   if (verb == "rate") return rate_verb(o);
+  if (verb == "load") return load_verb(o);
   if (verb == "measure") return measure_verb(o);
   if (verb == "fit") return fit_verb(o);
+  if (verb == "identify") return identify_verb(o);
   if (verb == "search") return run_search_verb(search_);
   if (verb == "export") return export_verb(o);
   if (verb == "batch") return batch_verb(o);

@@ -2,38 +2,25 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "apps/cli/verbs.hpp"
-#include "apps/common/speaking.hpp"
-#include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/job/solved_job.hpp"
+#include "gearwright/spec/json.hpp"
 #include "gearwright/verdict/verdict.hpp"
 
 namespace gearwright::cli {
 
-// The spec of a verb: read once, from a file or a pipe, and what is wrong with it said by its lines.
+/// The spec of a verb: read once, from a file or a pipe, and what is wrong with it said by its lines.
 class Door {
  public:
   explicit Door(const Options& o) : options_(o) {}
 
-  Result<JobSpec> read() {
-    auto text = read_spec_text(options_.spec);
-    if (!text) return text.error();
-    text_ = std::move(text).take();
-    auto spec = read_spec(*text_);
-    if (spec) given_ = spec->given;
-    return spec;
-  }
-  Result<SolvedJob> solve(Scope scope) {
-    const auto spec = read();
-    if (!spec) return spec.error();
-    return gearwright::solve(*spec, scope);
-  }
+  Result<JobSpec> read();
+  Result<SolvedJob> solve(Scope scope);
   /// Says what is wrong, in the keys that the spec has; the exit status.
-  int fail(const Error& error) const {
-    return cli::fail(given_ ? spelled(error, *given_) : error, options_.json,
-                     text_ ? &*text_ : nullptr);
-  }
+  int fail(const Error& error) const;
 
  private:
   const Options& options_;
@@ -45,5 +32,10 @@ class Door {
 inline int status(const Options& o, const Verdict& verdict) {
   return o.strict && verdict.level != Level::green ? 4 : 0;
 }
+
+/// Prints the spec of answer --take and nothing else; the exit status. `too_many`: why there is no
+/// such one.   Domain  o.take is given
+int take_spec(const Options& o, const Door& door, const std::vector<Json>& specs,
+              const std::string& too_many);
 
 }  // namespace gearwright::cli

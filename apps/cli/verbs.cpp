@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/cli/door.hpp"
-#include "apps/cli/step_module.hpp"
+#include "apps/common/speaking.hpp"
 #include "apps/common/watch.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/catalogue/spec_schema.hpp"
@@ -53,7 +53,7 @@ std::string read_text(const std::string& path) {
 }
 
 std::string pair_listing_of(const SolvedJob& job) {
-  return job.pair ? pair_listing(*job.pair) : std::string();
+  return job.pair ? pair_listing(*job.pair) + pair_interval_listing(job) : std::string();
 }
 
 // Says on stderr what is being made, but only when it takes more than a second.
@@ -71,7 +71,7 @@ class SlowProgress {
 
 FileOptions file_options(const Options& o) {
   FileOptions options;
-  options.step = step_maker();
+  options.step_schema = o.step_schema == "ap214" ? StepSchema::ap214 : StepSchema::ap242;
   options.progress = SlowProgress();
   options.mesh_tolerance_mm = o.mesh_tolerance;
   options.drawing_tolerance_mm = o.drawing_tolerance;
@@ -138,6 +138,7 @@ int gear_verb(const Options& o) {
     }
     racks.push_back(*rack);
   }
+  const Verdict verdict = judge(*job);
   if (o.csv) {
     print(quantities_csv(*job));
   } else if (o.json) {
@@ -146,24 +147,9 @@ int gear_verb(const Options& o) {
     print_json(j);
   } else {
     print(gear_listing(*job) + (racks.empty() ? std::string() : rack_listing(racks)) +
-          warning_listing(job->warnings));
+          warning_listing(job->warnings) + verdict_listing(verdict));
   }
-  return 0;
-}
-
-int measure_verb(const Options& o) {
-  Door door(o);
-  auto solved = door.solve(Scope::gears);
-  if (!solved) return door.fail(solved.error());
-  SolvedJob job = std::move(solved).take();
-  const auto measures = chord_measures(job);
-  if (!measures) return door.fail(measures.error());
-  if (o.json) {
-    print_json(measures_json(job, *measures));
-  } else {
-    print(measure_listing(*measures) + warning_listing(job.warnings));
-  }
-  return 0;
+  return status(o, verdict);
 }
 
 int fit_verb(const Options& o) {
@@ -172,20 +158,11 @@ int fit_verb(const Options& o) {
   if (!spec) return door.fail(spec.error());
   const auto answer = watched("fit", [&](Headway* h) { return answer_fit(*spec, h); });
   if (!answer) return door.fail(answer.error());
-  const int count = static_cast<int>(answer->specs.size());
   if (o.take) {
-    if (*o.take > count) {
-      return door.fail({"--take", std::to_string(*o.take),
-                        count == 0 ? "there is no branch: " + answer->fit.reason
-                                   : fmt::format("there are {} branches", count)});
-    }
-    const Json& taken = answer->specs[static_cast<std::size_t>(*o.take - 1)];
-    if (o.json) {
-      print_json(taken);
-    } else {
-      print(toml_text(taken));
-    }
-    return 0;
+    return take_spec(o, door, answer->specs,
+                     answer->specs.empty()
+                         ? "there is no branch: " + answer->fit.reason
+                         : fmt::format("there are {} branches", answer->specs.size()));
   }
   if (o.json) {
     print_json(fit_json(*answer));

@@ -17,12 +17,14 @@ struct Options {
   std::optional<int> gear;
   int points = 50;
   std::string step, stl, glb, threemf, dxf, svg;
+  std::string step_schema = "ap242";
   double mesh_tolerance = 0.005;     // mm
   double drawing_tolerance = 0.001;  // mm
   bool drawing_splines = false;
   std::vector<std::string> cases;
   std::optional<std::string> as_rack;  // of gear: "module,angle"
-  std::optional<int> take;             // of fit: the branch whose spec is printed
+  std::optional<int> take;             // of fit, identify: the answer whose spec is printed
+  std::optional<std::string> grid;     // of measure: the nominal points of the flanks, "9x5"
   bool spec_only = false;              // of compensate: print the corrected spec
   std::string schema;                  // of schema: of what
   std::string shell;                   // of completion
@@ -37,9 +39,11 @@ int outline_verb(const Options& o);
 int pair_verb(const Options& o);
 int measure_verb(const Options& o);
 int fit_verb(const Options& o);
+int identify_verb(const Options& o);
 int contact_verb(const Options& o);
 int compensate_verb(const Options& o);
 int rate_verb(const Options& o);
+int load_verb(const Options& o);
 int export_verb(const Options& o);
 int verify_verb(const Options& o);
 int schema_verb(const Options& o);

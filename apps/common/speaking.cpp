@@ -21,25 +21,33 @@ void print(const std::string& text) {
 
 void print_json(const Json& j) { print(json_text(j, 2) + "\n"); }
 
-int fail(const Error& error, bool json, const SpecText* text) {
-  // Of an option no line of a file can tell.
-  const bool of_text = text && !error.field.starts_with("--");
-  const TextPlace nowhere{0, 0};
-  const TextPlace place = of_text ? place_of_key(*text, error.field).value_or(nowhere) : nowhere;
-  std::string where;
-  if (of_text) where = printable(text->name) + ":";
-  if (place.line > 0) where += fmt::format("{}:{}:", place.line, place.column);
-  if (!where.empty()) where += " ";
-  std::fprintf(stderr, "gearwright: %s%s\n", where.c_str(), error.message().c_str());
-  if (json) {
-    Json said = error_json(error);
-    if (of_text) said["error"]["file"] = text->name;
-    if (place.line > 0) {
-      said["error"]["line"] = place.line;
-      said["error"]["column"] = place.column;
-    }
-    print_json(said);
+std::optional<TextPlace> place_of(const Error& error, const SpecText& text) {
+  if (error.field.starts_with("--")) return std::nullopt;
+  return place_of_key(text, error.field);
+}
+
+Json refusal_json(const Error& error, const SpecText* text) {
+  Json said = error_json(error);
+  if (!text || error.field.starts_with("--")) return said;
+  if (!text->name.empty()) said["error"]["file"] = text->name;
+  if (const auto place = place_of(error, *text)) {
+    said["error"]["line"] = place->line;
+    said["error"]["column"] = place->column;
   }
+  return said;
+}
+
+int fail(const Error& error, bool json, const SpecText* text) {
+  std::string where;
+  // Of an option no line of a file can tell.
+  if (text && !error.field.starts_with("--")) {
+    where = printable(text->name) + ":";
+    if (const auto place = place_of(error, *text))
+      where += fmt::format("{}:{}:", place->line, place->column);
+    where += " ";
+  }
+  std::fprintf(stderr, "gearwright: %s%s\n", where.c_str(), error.message().c_str());
+  if (json) print_json(refusal_json(error, text));
   return 1;
 }
 

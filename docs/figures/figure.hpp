@@ -87,6 +87,8 @@ Figure few_teeth_figure();
 Figure arcs_figure();
 Figure contact_figure();
 Figure search_figure();
+Figure inspection_figure();
 Figure rating_figure();
+Figure load_figure();
 
 }  // namespace gearwright::figures

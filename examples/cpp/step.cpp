@@ -1,4 +1,4 @@
-// STEP: a mounted pair as an assembly of exact solids, for CAD. Links gearwright::cad.
+// STEP: a mounted pair as an assembly of exact solids, for CAD.
 #include <cstdio>
 
 #include <gearwright/gearwright.hpp>

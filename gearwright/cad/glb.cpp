@@ -9,6 +9,7 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/little_endian.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/cad/part_colours.hpp"
 
 namespace gearwright {
 
@@ -19,10 +20,6 @@ constexpr int kUnsignedInt = 5125;
 constexpr int kFloat = 5126;
 constexpr int kArrayBuffer = 34962;
 constexpr int kElementArrayBuffer = 34963;
-
-// Base colours, linear RGB, far apart in lightness as well as hue: steel, bronze, blue, green.
-constexpr std::array<std::array<double, 3>, 4> kColours{
-    {{0.45, 0.49, 0.53}, {0.55, 0.34, 0.14}, {0.12, 0.26, 0.48}, {0.2, 0.42, 0.24}}};
 
 std::string json_string(const std::string& text) {
   std::string out = "\"";
@@ -115,7 +112,7 @@ void add_part(const MeshPart& part, std::size_t index, Lists& lists, std::string
                          normals, kFloat, shaded));
 
   const std::string name = json_string(part.name);
-  const std::array<double, 3>& colour = kColours[index % kColours.size()];
+  const std::array<double, 3>& colour = part_colour(index);
   Lists::add(lists.roots, fmt::format("{}", index));
   Lists::add(lists.nodes,
              fmt::format(R"({{"name":{},"mesh":{}{}}})", name, index, json_matrix(part.pose)));

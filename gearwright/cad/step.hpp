@@ -1,17 +1,16 @@
 // STEP (ISO 10303-242): toothed bodies as exact solids, for CAD systems.
 //
-// One named solid per body. Tip land, root land and bore are true cylinders, everything else is a
-// B-spline within kSectionTarget_mm of the screw surface (cad/screw_spline.hpp), and neighbouring
-// faces share their edges. One body in its own frame is written as a part; several bodies, or one
-// with a pose, as an assembly of parts placed by their poses. This header shows no type of the CAD
-// kernel; the library that implements it is built only where the kernel is installed.
+// One named, coloured solid per body. Tip land, root land and bore are true cylinders, everything else
+// is a B-spline within kSectionTarget_mm of the screw surface (cad/screw_spline.hpp), and neighbouring
+// faces share their edges. One body in its own frame is written as a part; several bodies, or one with
+// a pose, as an assembly of parts placed by their poses. No CAD kernel is needed: a gear's surfaces
+// are our own, and so is the text (cad/part21.hpp).
 //
 //   Laws  (1) same bodies, same file name, same bytes: the header's time is fixed
 //         (2) hand and pose change neither the number of faces nor the volume
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -19,6 +18,17 @@
 #include "gearwright/cad/toothed_body.hpp"
 
 namespace gearwright {
+
+/// The application protocol of the file. Solids, names, colours and assemblies are the same in both;
+/// ap214, which ap242 has replaced, is for systems that read nothing newer.
+enum class StepSchema { ap242, ap214 };
+
+/// "AP242"
+const char* to_string(StepSchema schema);
+
+struct StepOptions {
+  StepSchema schema = StepSchema::ap242;
+};
 
 /// One arc of the half tooth and the face that it became.
 struct StepFace {
@@ -38,34 +48,23 @@ struct StepReport {
   double volume_mm3 = 0.0;        ///< exact: section area times face width, all bodies
   std::size_t face_count = 0;     ///< of all solids
   std::size_t edge_count = 0;     ///< each shared edge once
-  bool checked = false;  ///< the CAD kernel's own check has passed every solid; false: not asked,
-                         ///< beyond kStepCheckedFaces its time grows with their square
 };
 
-inline constexpr std::size_t kStepCheckedFaces = 1000;  ///< of one solid
-inline constexpr std::size_t kMaxStepFaces =
-    10'000;  ///< of one solid: 30 MB of text, 0.8 GB on the way
+inline constexpr std::size_t kMaxStepFaces = 10'000;  ///< of one solid: 30 MB of text
 
 struct StepDocument {
   std::string text;
   StepReport report;
 };
 
-/// The text of a STEP file; `file_name` is what its header calls it.
+/// The text of a STEP file; `file_name` is what its header calls it (UTF-8, without folders).
 ///
-/// Throws    IoError where the CAD kernel gives up (memory)
 /// Units     mm
 /// Domain    at least one body, face widths > 0 (contract)
-/// Facts     those of make_walls (cad/walls.hpp); more than kMaxStepFaces faces; a solid that
-///           fails the CAD kernel's check
-/// Accuracy  max_deviation_mm ≤ 1e-4 (kSectionMax_mm), 2e-5 aimed at; edges and vertices 1e-7 mm
+/// Facts     those of make_walls (cad/walls.hpp); more than kMaxStepFaces faces
+/// Accuracy  max_deviation_mm ≤ 1e-4 (kSectionMax_mm), 2e-5 aimed at; points, edges and faces agree
+///           within 1e-7 mm (kBrepUncertainty_mm), which the file states; reals read back to the bit
 Result<StepDocument> step_document(const std::vector<ToothedBody>& bodies,
-                                   const std::string& file_name);
-
-/// Writes that text to `path`, whole or not at all.
-///
-/// Throws    IoError naming the path, where the file cannot be written
-Result<StepReport> write_step(const std::vector<ToothedBody>& bodies,
-                              const std::filesystem::path& path);
+                                   const std::string& file_name, const StepOptions& options = {});
 
 }  // namespace gearwright

@@ -1,11 +1,10 @@
 #include "gearwright/cad/zip.hpp"
 
-#include <zlib.h>
-
 #include <utility>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/little_endian.hpp"
+#include "gearwright/base/packing.hpp"
 
 namespace gearwright {
 
@@ -16,26 +15,6 @@ constexpr std::uint16_t kDeflate = 8;
 constexpr std::uint16_t kMidnight = 0;
 constexpr std::uint16_t kNewYear1980 = (1U << 5U) | 1U;  // year 0 since 1980, month 1, day 1
 constexpr std::size_t kSizeMax = 0xfffffffeU;            // 0xffffffff announces ZIP64
-constexpr int kLevel = 6;
-constexpr int kRawDeflate = -15;  // a 32 kB window, no zlib header
-constexpr int kMemory = 8;
-
-std::string deflated(std::string_view content) {
-  z_stream stream{};
-  int status = deflateInit2(&stream, kLevel, Z_DEFLATED, kRawDeflate, kMemory, Z_DEFAULT_STRATEGY);
-  GW_ENSURES(status == Z_OK);
-  std::string out(deflateBound(&stream, static_cast<uLong>(content.size())), '\0');
-  // zlib's interface predates const; it does not write to its input.
-  stream.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(content.data()));
-  stream.avail_in = static_cast<uInt>(content.size());
-  stream.next_out = reinterpret_cast<Bytef*>(out.data());
-  stream.avail_out = static_cast<uInt>(out.size());
-  status = deflate(&stream, Z_FINISH);
-  GW_ENSURES(status == Z_STREAM_END);
-  out.resize(stream.total_out);
-  deflateEnd(&stream);
-  return out;
-}
 
 }  // namespace
 
@@ -57,11 +36,9 @@ void ZipWriter::add(std::string_view name, std::string_view content) {
   GW_EXPECTS(content.size() <= kSizeMax && name.size() <= 0xffffU && entries_.size() < 0xfffeU);
   const std::string packed = deflated(content);
   GW_EXPECTS(bytes_.size() + packed.size() <= kSizeMax);
-  const auto crc =
-      crc32(0, reinterpret_cast<const Bytef*>(content.data()), static_cast<uInt>(content.size()));
-  const Entry entry{
-      std::string(name), static_cast<std::uint32_t>(crc), static_cast<std::uint32_t>(packed.size()),
-      static_cast<std::uint32_t>(content.size()), static_cast<std::uint32_t>(bytes_.size())};
+  const Entry entry{std::string(name), crc32_of(content), static_cast<std::uint32_t>(packed.size()),
+                    static_cast<std::uint32_t>(content.size()),
+                    static_cast<std::uint32_t>(bytes_.size())};
   append_u32(bytes_, 0x04034b50U);
   append_common(entry);
   bytes_ += entry.name;

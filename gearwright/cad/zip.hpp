@@ -1,6 +1,6 @@
 // A ZIP archive in memory, the container of 3MF.
 //
-// Deflate by zlib, every entry dated 1 January 1980, the oldest date ZIP knows: same input, same
+// Deflated (base/packing.hpp), every entry dated 1 January 1980, the oldest date ZIP knows: same input, same
 // bytes (of one zlib release).     Format: PKWARE APPNOTE 6.3.3, without ZIP64.
 #pragma once
 

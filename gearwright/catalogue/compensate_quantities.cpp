@@ -25,6 +25,12 @@ const Quantities<FoundCorrection>& correction_quantities() {
        return Value(c.value);
      }).always();
     q.text("unit", "as keys end", [](const C& c) { return Value(c.unit); }).always();
+    q.text("spec_key", "that holds it in the corrected spec", [](const C& c) {
+       return Value(c.spec_key);
+     }).always();
+    q.flag("", "at_bound", "at the end of what is looked for", "more might be better still",
+           [](const C& c) { return Value(c.at_bound); })
+        .always();
   });
   return kAll;
 }

@@ -14,6 +14,8 @@ struct FoundCorrection {
   std::string key, unit;
   std::string words, shown_unit;  ///< for people: "helix crowning of gear 1", "µm"
   double value;
+  std::string spec_key;  ///< that holds it in the corrected spec
+  bool at_bound;         ///< at the end of what is looked for
 };
 
 /// A set of errors in words, and what they do before and after.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <initializer_list>
 
+#include "gearwright/catalogue/measured_keys.hpp"
 #include "gearwright/catalogue/modification_keys.hpp"
 #include "gearwright/catalogue/rack_keys.hpp"
 
@@ -106,11 +107,11 @@ const KeyTable& gear_keys() {
                  "addendum_modification_coefficient", "correction"}},
        {.key = "thickness_allowance_mm",
         .symbol = "E_sn",
-        .place = KeyPlace::within<GearInput>(
-            [](auto& g) -> auto& { return g.cylindrical.thickness_allowance; }),
+        .list = KeyList{1, 2, true},
         .fallback = "0",
         .meaning = "allowance on the normal tooth thickness at the reference cylinder; < 0 thins "
-                   "it; at most 10 modules",
+                   "it; at most 10 modules. Two: E_sni and E_sns, the teeth are made at their mean "
+                   "and every number that depends on it has an interval",
         .also = {"allowance", "thinning", "tooth_thinning"}},
        {.key = "face_width_mm",
         .symbol = "b",
@@ -180,10 +181,23 @@ const KeyTable& gear_keys() {
         .tables = {measure_keys},
         .in_documents = false,
         .meaning = "where and how the gear is measured"},
-       {.key = "measured",
-        .kind = KeyKind::any,
+       {.key = "quality",
+        .kind = KeyKind::whole,
+        .range = KeyRange::between(0, 12, ", the flank tolerance classes of ISO 1328-1"),
+        .place = KeyPlace::within<GearInput>([](auto& g) -> auto& { return g.tolerance.quality; }),
+        .fallback = "no tolerances",
+        .meaning = "flank tolerance class (grade) of ISO 1328-1; also `quality` of `tolerance`",
+        .also = {"grade", "accuracy_grade"}},
+       {.key = "tolerance",
+        .kind = KeyKind::table,
+        .tables = {tolerance_keys},
         .in_documents = false,
-        .meaning = "readings of an unknown gear; not read in this version"}}};
+        .meaning = "the grade of the flanks, and how thick the teeth may be"},
+       {.key = "measured",
+        .kind = KeyKind::table,
+        .tables = {measured_keys},
+        .in_documents = false,
+        .meaning = "readings of an unknown gear, for the verb identify"}}};
   return table;
 }
 
@@ -297,31 +311,6 @@ const KeyTable& tip_fillet_keys() {
         .excludes = {"radius_mm", "l_mm"},
         .fallback = "0.2 m_n + 0.05",
         .meaning = "what the tip leaves to the mating gear's root, on parallel axes [T6.7]"}}};
-  return table;
-}
-
-const KeyTable& measure_keys() {
-  static const KeyTable table{
-      "measure",
-      "Where and how the gear is measured; only the verb measure reads it",
-      {{.key = "chord_diameter_mm",
-        .range = Range::positive(),
-        .place = &GearInput::chord_diameter,
-        .fallback = "the reference diameter, or the middle of the usable flank where that lies "
-                    "off it",
-        .meaning = "where the calliper's jaws touch, on the usable flank"},
-       {.key = "span_teeth",
-        .kind = KeyKind::any,
-        .in_documents = false,
-        .meaning = "teeth of a span measurement; not read in this version"},
-       {.key = "ball_diameter_mm",
-        .kind = KeyKind::any,
-        .in_documents = false,
-        .meaning = "balls of a dimension over balls; not read in this version"},
-       {.key = "pin_diameter_mm",
-        .kind = KeyKind::any,
-        .in_documents = false,
-        .meaning = "pins of a dimension over pins; not read in this version"}}};
   return table;
 }
 

@@ -1,8 +1,8 @@
 // The keys of [gear1] and [gear2], and what they say of a gear.
 //
 // A table of a gear has tables of its own: what the finished tooth is given by (basic), circular
-// fillets, a cutter (cut_by), measuring, a bore; racks: rack_keys.hpp, flank modifications:
-// modification_keys.hpp.
+// fillets, a cutter (cut_by), a bore; racks: rack_keys.hpp, flank modifications:
+// modification_keys.hpp, measuring: inspection_keys.hpp.
 #pragma once
 
 #include <array>
@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/catalogue/inspection_keys.hpp"
 #include "gearwright/catalogue/key.hpp"
 #include "gearwright/catalogue/material_keys.hpp"
 #include "gearwright/gear/basic.hpp"
@@ -42,7 +43,9 @@ struct GearInput {
   std::optional<CutByInput> cut_by;       ///< none: cut by its rack
   std::optional<double> tip_clearance;    ///< [gearN.tip_fillet] clearance_mm, to the mating root
   bool tip_clearance_by_rule = false;     ///< [gearN.tip_fillet] without a number: 0.2 m_n + 0.05
-  std::optional<double> chord_diameter;   ///< [gearN.measure] chord_diameter_mm
+  std::optional<Ends> allowance_ends;     ///< E_sni, E_sns  mm; the gear is made at their mean
+  MeasureInput measure;                   ///< [gearN.measure]
+  ToleranceInput tolerance;               ///< [gearN.tolerance]
   std::vector<std::string> not_read;      ///< sub-tables of verbs that are not in this version
   std::optional<Bore> bore;
   MaterialInput material;
@@ -71,7 +74,6 @@ const KeyTable& blank_keys();
 const KeyTable& basic_keys();
 const KeyTable& root_fillet_keys();
 const KeyTable& tip_fillet_keys();
-const KeyTable& measure_keys();
 const KeyTable& bore_keys();
 
 }  // namespace gearwright

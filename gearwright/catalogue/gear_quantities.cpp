@@ -35,6 +35,8 @@ Value reference_thickness(const Gear& g) {
   return of_involute(g, &Reference::reference_tooth_thickness_normal);
 }
 
+bool has_keyway(const Gear& g) { return g.bore && g.bore->keyway_width > 0.0; }
+
 Value neck_thickness(const Gear& g) {
   if (!g.tooth || !g.tooth->neck_half_angle || !g.tooth->neck_radius) return {};
   return 2 * *g.tooth->neck_radius * std::sin(g.tooth->neck_half_angle->rad());
@@ -245,6 +247,12 @@ void say(Quantities<Gear>& q) {
        "chord at the smallest half angle of the root fillet below the tip; ≤ 0 when `severed`",
        neck_thickness)
       .expected(is_involute);
+  q.mm(kBody, "bore_diameter_mm", "bore diameter", "", "of the CAD files; null without a bore",
+       [](const G& g) { return g.bore ? Value(g.bore->diameter) : Value(); });
+  q.mm(kBody, "keyway_width_mm", "keyway width", "", "null without a keyway",
+       [](const G& g) { return has_keyway(g) ? Value(g.bore->keyway_width) : Value(); });
+  q.mm(kBody, "keyway_depth_mm", "keyway depth", "", "into the hub, from the bore",
+       [](const G& g) { return has_keyway(g) ? Value(g.bore->keyway_depth) : Value(); });
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gearwright/catalogue/gear_keys.hpp"
+#include "gearwright/catalogue/measured_keys.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
 
 namespace gearwright {
@@ -106,14 +107,26 @@ std::vector<Place> tables_below(const KeyTable& top, std::string_view path) {
   return list;
 }
 
+// Micrometres are no diametral pitch: of two units both are lengths, or both angles.
+bool of_one_kind(std::string_view a, std::string_view b) {
+  const auto kind = [](std::string_view unit) {
+    if (unit == "mm" || unit == "um" || unit == "in") return std::string_view("length");
+    if (unit == "deg" || unit == "rad" || unit == "arcsec") return std::string_view("angle");
+    return unit;
+  };
+  return a.empty() || b.empty() || kind(a) == kind(b);
+}
+
 // In other tables: below this one, then anywhere; "diameter_mm in [gear1.bore]".
 std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_view path,
-                                            const Word& word) {
+                                            const Word& word, std::string_view unit) {
   const auto told = [](const Key& key, const std::string& where) {
     return fmt::format("{} in [{}]", key.key, where);
   };
-  for (const Place& p : tables_below(table, path))
+  for (const Place& p : tables_below(table, path)) {
+    if (p.table == &measured_keys()) continue;  // readings are called as what they are readings of
     if (const Key* found = called(*p.table, word, by_word, false)) return told(*found, p.path);
+  }
   if (path.empty()) return std::nullopt;
   // A table of gear 2 looks in gear 2 first.
   const std::string_view own = path.substr(0, path.find('.'));
@@ -123,8 +136,8 @@ std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_v
     if (p.path == path) continue;  // a table of another kind in the same place
     const bool outside = p.path.find('.') == std::string::npos;
     if (p.table == &gear_keys() && own == "gear2") p.path = own;
-    if (const Key* found = called(*p.table, word, outside ? by_symbol : by_word, false))
-      return told(*found, p.path);
+    const Key* found = called(*p.table, word, outside ? by_symbol : by_word, false);
+    if (found && of_one_kind(unit, key_unit(found->key))) return told(*found, p.path);
   }
   return std::nullopt;
 }
@@ -238,8 +251,12 @@ std::string key_hint(const KeyTable& table, std::string_view path, std::string_v
     }
     return nearest(here->key);
   }
+  // A table that stands one level up in the file.
+  for (const Key& table_key : spec_keys().keys)
+    if (!path.empty() && is_table(table_key) && table_key.key == key)
+      return fmt::format("[{}] is a table of its own, not a part of [{}]", key, path);
   if (const Key* slip = nearly_called(table, word, kSlipOff)) return nearest(slip->key);
-  if (const auto other = called_elsewhere(table, path, word)) return nearest(*other);
+  if (const auto other = called_elsewhere(table, path, word, key_unit(key))) return nearest(*other);
   if (const Key* like = of_like_words(table, key.substr(0, kLongest))) return nearest(like->key);
   if (const Key* part = with_part(table, word)) return nearest(part->key);
   if (const Key* near = nearly_called(table, word, kLettersOff)) return nearest(near->key);

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/pair_keys.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
@@ -40,11 +41,20 @@ TEST(KeyHint, one_letter_of_a_long_key_may_be_anything) {
 }
 
 TEST(KeyHint, where_nothing_is_near_the_table_says_what_it_has) {
-  for (const char* key : {"", "_", "quality", "xylophone"})
+  for (const char* key : {"", "_", "smoothness", "xylophone"})
     EXPECT_TRUE(key_hint(pair_keys(), "pair", key).starts_with("known keys here: center_distance"))
         << key;
   EXPECT_EQ(key_hint(pair_keys(), "pair", std::string(100'000, 'x')).find("nearest"),
             std::string::npos);
+}
+
+TEST(KeyHint, a_table_of_the_spec_is_no_key_of_a_gear) {
+  EXPECT_EQ(key_hint(gear_keys(), "gear2", "pair"),
+            "[pair] is a table of its own, not a part of [gear2]");
+}
+
+TEST(KeyHint, micrometres_are_no_diametral_pitch) {
+  EXPECT_TRUE(key_hint(error_keys(), "errors", "pitch_um").starts_with("known keys here: center"));
 }
 
 TEST(KeyHint, greek_letters_are_written_out) {

@@ -1,15 +1,158 @@
 #include "gearwright/catalogue/measure_quantities.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstdlib>
 
 #include "gearwright/base/angle.hpp"
+#include "gearwright/base/units.hpp"
 
 namespace gearwright {
 
 namespace {
 
 double deg(double rad) { return Angle::radians(rad).deg(); }
+
+constexpr const char* kSpan = "Span measurement";
+constexpr const char* kBalls = "Balls in opposite spaces";
+constexpr const char* kPins = "Pins in opposite spaces";
+constexpr const char* kSizes = "Sizes of balls and pins";
+constexpr const char* kChord =
+    "Chordal tooth thickness (shortest over all inclinations of the calliper)";
+constexpr const char* kConstant = "Constant chord";
+constexpr const char* kRanges = "Profile and helix on a measuring machine";
+constexpr const char* kTolerances = "Tolerances of the flanks by ISO 1328";
+constexpr const char* kThickness = "Tooth thickness on that cylinder, and base pitch";
+
+Value place_word(ContactPlace place) {
+  switch (place) {
+    case ContactPlace::usable: return "usable";
+    case ContactPlace::below_flank: return "below_flank";
+    case ContactPlace::on_tip_rounding: return "on_tip_rounding";
+    case ContactPlace::beyond_tip: return "beyond_tip";
+  }
+  return {};
+}
+const std::vector<std::string> kPlaces{"usable", "below_flank", "on_tip_rounding", "beyond_tip"};
+
+void say_span(Quantities<Span>& q) {
+  using S = Span;
+  q.whole("", "teeth", "teeth between the anvils", "k", "of an internal gear its spaces",
+          [](const S& s) { return Value(s.teeth); })
+      .always();
+  q.mm("", "length_mm", "span", "W_k", "exact at any helix angle [T10.2]", [](const S& s) {
+     return Value(s.length);
+   }).always();
+  q.mm("", "contact_diameter_mm", "diameter of the contacts", "d_M",
+       "with the anvils laid symmetrically [T10.3]",
+       [](const S& s) { return Value(s.contact_diameter); })
+      .always();
+  q.word("", "contact", "place of the contacts", "on the usable flank from d_Ff to d_Fa, or not",
+         [](const S& s) { return place_word(s.place); })
+      .always()
+      .one_of(kPlaces);
+  q.mm("", "min_face_width_mm", "face width needed", "",
+       "W_k sin |β_b|: on a narrower gear one anvil has nothing to touch [T10.4]",
+       [](const S& s) { return Value(s.min_face_width); })
+      .always();
+  q.flag("", "face_wide_enough", "face wide enough for both anvils", "b is greater than that",
+         [](const S& s) { return Value(s.face_is_wide_enough); });
+}
+
+const Quantities<Span>& span_quantities() {
+  static const Quantities<Span> kAll("measure.span", say_span);
+  return kAll;
+}
+const SaidTable& span_table() { return span_quantities().table(); }
+
+// Where a ball or pin lies, after what is read over it.
+template <class V, class Seat>
+void say_seat(Quantities<V>& q, const Seat& seat) {
+  q.mm("", "center_diameter_mm", "diameter of their centres", "d_K", "[T10.6]", [seat](const V& v) {
+     return Value(seat(v).center_diameter);
+   }).always();
+  q.mm("", "contact_diameter_mm", "diameter of the contacts", "d_M", "[T10.7]", [seat](const V& v) {
+     return Value(seat(v).contact_diameter);
+   }).always();
+  q.mm("", "contact_offset_mm", "contacts before and behind the centre", "",
+       "along the axis, one each way: D_M sin |β_b|/2",
+       [seat](const V& v) { return Value(seat(v).contact_offset); })
+      .always();
+  q.word("", "contact", "place of the contacts", "on the usable flank from d_Ff to d_Fa, or not",
+         [seat](const V& v) { return place_word(seat(v).place); })
+      .always()
+      .one_of(kPlaces);
+}
+
+const Quantities<BallView>& ball_quantities() {
+  using B = BallView;
+  static const Quantities<B> kAll("measure.over_balls", [](Quantities<B>& q) {
+    q.mm("", "ball_diameter_mm", "diameter of the balls", "D_M", "given, or the standard size",
+         [](const B& b) { return Value(b.seat.ball_diameter); })
+        .always();
+    q.mm("", "dimension_mm", "over two balls, between them in an internal gear", "M_dK",
+         "both in one transverse plane, in opposite spaces or those nearest to it [T10.8]",
+         [](const B& b) { return Value(b.dimension); })
+        .always();
+    q.mm("", "radial_mm", "from the axis over one ball", "M_rK", "of an internal gear inside it",
+         [](const B& b) { return Value(b.seat.radial); })
+        .always();
+    say_seat<B>(q, [](const B& b) -> const BallSeat& { return b.seat; });
+  });
+  return kAll;
+}
+const SaidTable& ball_table() { return ball_quantities().table(); }
+
+const Quantities<PinView>& pin_quantities() {
+  using P = PinView;
+  static const Quantities<P> kAll("measure.over_pins", [](Quantities<P>& q) {
+    q.mm("", "pin_diameter_mm", "diameter of the pins", "D_M", "given, or that of the balls",
+         [](const P& p) { return Value(p.seat.ball_diameter); })
+        .always();
+    q.mm("", "two_free_mm", "over two pins that may tilt", "M_dR",
+         "the least, as a micrometer finds it [T10.9]; null: an internal helical gear",
+         [](const P& p) { return Value(p.reading.two_free); });
+    q.mm("", "three_mm", "over three pins, or two between parallel anvils", "M_dR",
+         "[T10.10]; of spur gears as over two; null: an internal helical gear",
+         [](const P& p) { return Value(p.reading.three); });
+    say_seat<P>(q, [](const P& p) -> const BallSeat& { return p.seat; });
+  });
+  return kAll;
+}
+const SaidTable& pin_table() { return pin_quantities().table(); }
+
+std::string inch_text(double inch) {
+  int over = static_cast<int>(std::lround(inch * 64)), under = 64;
+  for (; under > 1 && over % 2 == 0; under /= 2) over /= 2;
+  const int whole = over / under;
+  if (over % under == 0) return fmt::format("{} in", whole);
+  return whole > 0 ? fmt::format("{} {}/{} in", whole, over % under, under)
+                   : fmt::format("{}/{} in", over, under);
+}
+
+const Quantities<BallSizes>& size_quantities() {
+  using S = BallSizes;
+  static const Quantities<S> kAll("measure.ball_sizes", [](Quantities<S>& q) {
+    q.mm("", "ideal_mm", "touching at the V circle", "D_M",
+         "or at the middle of the usable flank where that circle lies off it [T10.11]",
+         [](const S& s) { return Value(s.ideal); })
+        .always();
+    q.mm("", "metric_mm", "nearest metric size", "", "of measuring pins by DIN 3977",
+         [](const S& s) { return Value(s.metric); })
+        .always();
+    q.word("", "inch", "nearest inch size",
+           "balls by 1/64 in, from 1/2 in by 1/32 in, from 1 in "
+           "by 1/16 in",
+           [](const S& s) { return Value(inch_text(s.inch)); })
+        .always();
+    q.mm("", "inch_mm", "the same in mm", "", "", [](const S& s) {
+       return Value(s.inch * kMmPerInch);
+     }).always();
+  });
+  return kAll;
+}
+const SaidTable& size_table() { return size_quantities().table(); }
 
 const Quantities<ChordView>& chord_quantities() {
   using C = ChordView;
@@ -37,16 +180,160 @@ const Quantities<ChordView>& chord_quantities() {
 }
 const SaidTable& chord_table() { return chord_quantities().table(); }
 
+const Quantities<ConstantChord>& constant_quantities() {
+  using C = ConstantChord;
+  static const Quantities<C> kAll("measure.constant_chord", [](Quantities<C>& q) {
+    q.mm("", "chord_mm", "constant chord", "s_c", "s_n cos² α_n [T10.13]", [](const C& c) {
+       return Value(c.chord);
+     }).always();
+    q.mm("", "tip_to_chord_mm", "calliper setting from the tip", "h_c", "from d_a [T10.13]",
+         [](const C& c) { return Value(c.tip_to_chord); })
+        .always();
+    q.mm("", "contact_diameter_mm", "diameter of the contacts", "", "[T10.14]", [](const C& c) {
+       return Value(c.contact_diameter);
+     }).always();
+    q.word("", "contact", "place of the contacts", "on the usable flank from d_Ff to d_Fa, or not",
+           [](const C& c) { return place_word(c.place); })
+        .always()
+        .one_of(kPlaces);
+  });
+  return kAll;
+}
+const SaidTable& constant_table() { return constant_quantities().table(); }
+
+const Quantities<ThicknessView>& thickness_quantities() {
+  using T = ThicknessView;
+  static const Quantities<T> kAll("measure.tooth_thickness", [](Quantities<T>& q) {
+    q.mm("", "diameter_mm", "diameter", "d_y", "that of the chord", [](const T& t) {
+       return Value(t.diameter);
+     }).always();
+    q.mm("", "transverse_mm", "transverse tooth thickness", "s_yt", "arc [T2.11]", [](const T& t) {
+       return Value(t.transverse);
+     }).always();
+    q.mm("", "normal_mm", "normal tooth thickness", "s_yn", "s_yt cos β_y", [](const T& t) {
+       return Value(t.normal);
+     }).always();
+    q.deg("", "half_angle_deg", "half angle of the tooth", "ψ_y", "s_yt/d_y", [](const T& t) {
+       return Value(deg(t.half_angle));
+     }).always();
+    q.deg("", "helix_angle_deg", "helix angle", "β_y", "> 0 right hand [T2.12]", [](const T& t) {
+       return Value(deg(t.helix));
+     }).always();
+  });
+  return kAll;
+}
+const SaidTable& thickness_table() { return thickness_quantities().table(); }
+
+const Quantities<FlankToleranceValues>& tolerance_quantities() {
+  using T = FlankToleranceValues;
+  static const Quantities<T> kAll("measure.tolerances", [](Quantities<T>& q) {
+    const auto um = [&](const char* key, const char* words, const char* symbol, const char* meaning,
+                        double T::*member) {
+      q.add(Type::number, Unit::um, "", key, words, symbol, meaning,
+            [member](const T& t) { return Value(t.*member); })
+          .always()
+          .digits(1);
+    };
+    um("single_pitch_um", "single pitch", "f_ptT", "rounded as the standard says",
+       &T::single_pitch);
+    um("cumulative_pitch_um", "cumulative pitch, total", "F_pT", "", &T::cumulative_pitch);
+    um("profile_total_um", "profile, total", "F_αT", "", &T::profile_total);
+    um("profile_form_um", "profile form", "f_fαT", "", &T::profile_form);
+    um("profile_slope_um", "profile slope", "f_HαT", "±", &T::profile_slope);
+    um("helix_total_um", "helix, total", "F_βT", "", &T::helix_total);
+    um("helix_form_um", "helix form", "f_fβT", "", &T::helix_form);
+    um("helix_slope_um", "helix slope", "f_HβT", "±", &T::helix_slope);
+    um("runout_um", "runout", "F_rT", "", &T::runout);
+    q.add(Type::number, Unit::um, "", "radial_composite_um", "radial composite, total", "F_i″",
+          "ISO 1328-2:1997; null beyond d = 1000 mm or m_n = 10 mm",
+          [](const T& t) { return Value(t.radial_composite); })
+        .digits(1);
+    q.add(Type::number, Unit::um, "", "tooth_radial_composite_um",
+          "radial composite, tooth to tooth", "f_i″", "as the total",
+          [](const T& t) { return Value(t.tooth_radial_composite); })
+        .digits(1);
+  });
+  return kAll;
+}
+const SaidTable& tolerance_table() { return tolerance_quantities().table(); }
+
+const Quantities<EvaluationRanges>& range_quantities() {
+  using R = EvaluationRanges;
+  static const Quantities<R> kAll("measure.flank", [](Quantities<R>& q) {
+    const auto place = [&](const char* length, const char* angle, const char* words,
+                           const char* roll, const char* symbol, RollPlace R::*at) {
+      q.mm("", length, words, symbol, "[T10.22]", [at](const R& r) {
+         return Value((r.*at).length);
+       }).always();
+      q.deg("", angle, roll, "", "[T10.22]", [at](const R& r) {
+         return Value(deg((r.*at).angle));
+       }).always();
+    };
+    place("root_form_roll_length_mm", "root_form_roll_angle_deg", "roll length at d_Ff",
+          "roll angle at d_Ff", "L_Ff", &R::root_form);
+    place("reference_roll_length_mm", "reference_roll_angle_deg", "roll length at d",
+          "roll angle at d", "L", &R::reference);
+    place("tip_form_roll_length_mm", "tip_form_roll_angle_deg", "roll length at d_Fa",
+          "roll angle at d_Fa", "L_Fa", &R::tip_form);
+    q.mm("", "profile_evaluation_mm", "profile evaluation, roll lengths", "L_α",
+         "ISO 1328-1: the usable profile but for a twentieth at its tip [T10.23]",
+         [](const R& r) { return Value(r.profile); })
+        .ends()
+        .always();
+    q.mm("", "helix_evaluation_mm", "helix evaluation, heights", "L_β",
+         "from the middle of the face: but for a twentieth, or a module, at each end [T10.23]",
+         [](const R& r) { return Value(r.helix); })
+        .ends()
+        .always();
+  });
+  return kAll;
+}
+const SaidTable& range_table() { return range_quantities().table(); }
+
+template <class T>
+Value record_of(const Quantities<T>& quantities, const std::optional<T>& subject) {
+  return subject ? Value(quantities.of(*subject)) : Value();
+}
+
+void say_measure(Quantities<MeasureView>& q) {
+  using M = MeasureView;
+  q.record(kSpan, "span", "null: none can be measured", span_table,
+           [](const M& m) { return record_of(span_quantities(), m.span); });
+  q.record("Other spans", "spans", "all that can be measured, at most 31 about the usual one",
+           span_table, [](const M& m) { return Value(span_quantities().each(m.spans)); })
+      .list({0})
+      .always()
+      .doors(kJson);
+  q.record(kBalls, "over_balls", "null: no ball can be measured", ball_table,
+           [](const M& m) { return record_of(ball_quantities(), m.balls); });
+  q.record(kPins, "over_pins", "null: no pin can be measured", pin_table,
+           [](const M& m) { return record_of(pin_quantities(), m.pins); });
+  q.record(kSizes, "ball_sizes", "null: no ball can be measured", size_table,
+           [](const M& m) { return record_of(size_quantities(), m.sizes); });
+  q.record(kChord, "chordal_thickness", "thickness allowance included; null: there is no chord",
+           chord_table, [](const M& m) { return record_of(chord_quantities(), m.chord); });
+  q.record(kConstant, "constant_chord", "null: there is no usable flank", constant_table,
+           [](const M& m) { return record_of(constant_quantities(), m.constant); });
+  q.record(kThickness, "tooth_thickness", "null: the flank does not reach there", thickness_table,
+           [](const M& m) { return record_of(thickness_quantities(), m.thickness); });
+  q.mm(kThickness, "normal_base_pitch_mm", "normal base pitch", "p_bn",
+       "between two flanks of one hand, along their common normal",
+       [](const M& m) { return m.reference ? Value(m.reference->base_pitch_normal) : Value(); });
+  q.mm(
+      kThickness, "transverse_base_pitch_mm", "transverse base pitch", "p_bt", "π d_b/z",
+      [](const M& m) { return m.reference ? Value(m.reference->base_pitch_transverse) : Value(); });
+  q.record(kRanges, "flank", "null: there is no usable flank", range_table,
+           [](const M& m) { return record_of(range_quantities(), m.ranges); });
+  q.record(kTolerances, "tolerances", "with `quality`; ISO 1328-1, the edition of the spec",
+           tolerance_table,
+           [](const M& m) { return record_of(tolerance_quantities(), m.tolerances); })
+      .when([](const M& m) { return m.tolerances.has_value(); });
+}
+
 }  // namespace
 
-const Quantities<std::optional<ChordView>>& measure_quantities() {
-  using M = std::optional<ChordView>;
-  static const Quantities<M> kAll("measure", [](Quantities<M>& q) {
-    q.record("Chordal tooth thickness (shortest over all inclinations of the calliper)",
-             "chordal_thickness", "thickness allowance included; null: there is no chord",
-             chord_table,
-             [](const M& m) { return m ? Value(chord_quantities().of(*m)) : Value(); });
-  });
+const Quantities<MeasureView>& measure_quantities() {
+  static const Quantities<MeasureView> kAll("measure", say_measure);
   return kAll;
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "gearwright/base/angle.hpp"
+#include "gearwright/catalogue/inspection_keys.hpp"
 #include "gearwright/catalogue/key.hpp"
 #include "gearwright/pair/shift.hpp"
 
@@ -21,7 +23,10 @@ struct PairInput {
   std::optional<double> backlash;                  ///< j_n  mm, normal
   std::optional<double> backlash_circumferential;  ///< j_t  mm, at gear 1's working pitch circle
   std::optional<Angle> backlash_angle;             ///< of gear 1, gear 2 held
+  std::optional<Ends> backlash_ends;               ///< j_n  mm, least and greatest
   double backlash_split = 0.5;                     ///< gear 1's share of it
+  std::optional<Ends> distance_deviations;         ///< lower, upper  mm, of the centre distance
+  std::optional<std::string> distance_tolerance;   ///< of ISO 286, "JS7"
 };
 
 /// Whether the teeth are to be thinned for a backlash.

@@ -97,10 +97,10 @@ const Quantities<CrossedPlaces>& places_quantities() {
                 std::array{p.lo.normal_pressure_angle.deg(), p.hi.normal_pressure_angle.deg()});
           })
         .ends();
-    q.mm("", "center_distance_mm", "centre distance", "a", ends, [](const P& p) {
+    q.mm("", "center_distance_mm", "centre distance at these two", "a", ends, [](const P& p) {
        return Value(std::array{p.lo.center_distance, p.hi.center_distance});
      }).ends();
-    q.deg("", "shaft_angle_deg", "shaft angle", "Σ", ends, [](const P& p) {
+    q.deg("", "shaft_angle_deg", "shaft angle at these two", "Σ", ends, [](const P& p) {
        return Value(std::array{p.lo.shaft_angle.deg(), p.hi.shaft_angle.deg()});
      }).ends();
     q.flag("", "ends_at_90_deg_helix", "ends at a helix angle of 90°",

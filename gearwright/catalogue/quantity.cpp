@@ -29,6 +29,7 @@ std::string_view unit_text(Unit unit) {
     case Unit::kilowatt: return "kW";
     case Unit::megapascal: return "N/mm²";
     case Unit::per_minute: return "1/min";
+    case Unit::newton_per_mm: return "N/mm";
     case Unit::newton_per_mm_um: return "N/(mm µm)";
     case Unit::kg_per_mm: return "kg/mm";
     case Unit::percent: return "%";
@@ -53,6 +54,7 @@ std::string_view unit_suffix(Unit unit) {
     case Unit::kilowatt: return "_kW";
     case Unit::megapascal: return "_MPa";
     case Unit::per_minute: return "_rpm";
+    case Unit::newton_per_mm: return "_N_per_mm";
     case Unit::newton_per_mm_um:
     case Unit::kg_per_mm:
     case Unit::none:
@@ -74,6 +76,7 @@ int digits_of(const Said& said) {
     case Unit::newton_metre:
     case Unit::per_minute: return 1;
     case Unit::kilowatt:
+    case Unit::newton_per_mm:
     case Unit::megapascal: return 2;
     case Unit::newton_per_mm_um:
     case Unit::um:

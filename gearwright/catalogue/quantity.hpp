@@ -34,6 +34,7 @@ enum class Unit {
   kilowatt,
   megapascal,
   per_minute,
+  newton_per_mm,
   newton_per_mm_um,  ///< stiffness of a mesh per face width
   kg_per_mm,
   modules,          ///< normal modules; no unit for people

@@ -8,9 +8,12 @@
 
 #include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
+#include "gearwright/catalogue/drawing_quantities.hpp"
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
+#include "gearwright/catalogue/identify_quantities.hpp"
+#include "gearwright/catalogue/load_quantities.hpp"
 #include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
@@ -47,11 +50,16 @@ const std::map<std::string, const SaidTable*>& blocks() {
       {"contact.positions", &position_quantities().table()},
       {"compensate", &compensate_quantities().table()},
       {"rating", &rating_quantities().table()},
+      {"load", &load_quantities().table()},
+      {"load.torques", &load_torque_quantities().table()},
+      {"load.positions", &load_position_quantities().table()},
       {"fit", &fit_quantities().table()},
+      {"identify", &identify_quantities().table()},
       {"search", &search_quantities().table()},
       {"search.designs", &design_quantities().table()},
       {"file", &file_quantities().table()},
       {"warning", &warning_quantities().table()},
+      {"drawing", &drawing_quantities().table()},
       {"verdict", &verdict_quantities().table()}};
   return kBlocks;
 }

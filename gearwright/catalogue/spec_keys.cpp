@@ -4,9 +4,11 @@
 
 #include "gearwright/catalogue/compensate_keys.hpp"
 #include "gearwright/catalogue/contact_keys.hpp"
+#include "gearwright/catalogue/drawing_keys.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/catalogue/fit_keys.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
+#include "gearwright/catalogue/load_keys.hpp"
 #include "gearwright/catalogue/pair_keys.hpp"
 #include "gearwright/catalogue/rating_keys.hpp"
 #include "gearwright/catalogue/search_keys.hpp"
@@ -27,6 +29,7 @@ const KeyTable& spec_keys() {
       "One gear, a pair of gears, or a search for them; lengths in mm and angles in degrees, said "
       "in the key",
       {{.key = "title", .kind = KeyKind::text, .meaning = "heading of listings and of the report"},
+       table_key("drawing", drawing_keys, "the title block of the report and of drawings"),
        table_key("gear1", gear_keys, "the first gear, the pinion of an internal pair"),
        table_key("gear2", gear_keys, "the second gear"),
        table_key("pair", pair_keys, "how the two gears are mounted"),
@@ -35,6 +38,7 @@ const KeyTable& spec_keys() {
        table_key("compensate", compensate_keys, "which corrections the verb compensate may make"),
        table_key("rating", rating_keys,
                  "what the verb rate is asked: load, life, making, mounting"),
+       table_key("load", load_keys, "what the verb load is asked: torque on the teeth"),
        table_key("fit", fit_keys, "what the verb fit is asked"),
        table_key("search", search_keys, "what a design search is asked")}};
   return table;

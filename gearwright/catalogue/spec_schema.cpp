@@ -138,7 +138,8 @@ Json gears_or_search() {
 Json whole_gear() {
   Json s = required({"teeth"});
   s["anyOf"] = {required({"normal_module_mm"}), required({"normal_diametral_pitch_per_in"}),
-                required({"transverse_module_mm"}), required({"basic"}), required({"cut_by"})};
+                required({"transverse_module_mm"}), required({"basic"}), required({"cut_by"}),
+                required({"measured"})};  // the last: a gear that identify is to find
   return s;
 }
 

@@ -122,6 +122,10 @@ Error spelled(const Error& error, const GivenKeys& given) {
   if (!s) return told;
   told.field = s->path;
   told.value = spelled_value(told.value, *s->key);
+  // A rack that nobody wrote down in a file is not what somebody did wrong.
+  const bool of_rack = !given.empty() && s->path.find(".rack.") != std::string::npos;
+  if (of_rack && !told.value.empty() && !given.contains(s->path))
+    told.rule = "not given, and this default does not suit the other values: " + told.rule;
   const auto own = own_spelling(error.field, *s);
   if (!own) return told;
   Error made = told;

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nlopt.hpp>
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/math/decompositions.hpp"
+#include "gearwright/math/minimise.hpp"
 
 namespace gearwright {
 
@@ -118,34 +118,21 @@ std::vector<double> linearised(const CompensationTask& task, Judge& judge) {
   return v;
 }
 
-std::vector<double> optimise(const CompensationTask& task, Judge& judge, nlopt::algorithm algorithm,
+std::vector<double> optimise(const CompensationTask& task, Judge& judge, Minimiser how,
                              int evaluations, double step_factor, std::vector<double> v) {
-  nlopt::opt opt(algorithm, static_cast<unsigned>(v.size()));
-  std::vector<double> lo, hi, step;
+  MinimiserTask search{.evaluations = evaluations,
+                       .relative_gain = kLastGain,
+                       .gain = kLastGain_rad,
+                       .f = [&](const std::vector<double>& x) {
+                         const double f = judge.value(x);
+                         return std::isfinite(f) ? f : kLost;
+                       }};
   for (const Correction& c : task.corrections) {
-    lo.push_back(c.lo);
-    hi.push_back(c.hi);
-    step.push_back(c.step * step_factor);
+    search.lo.push_back(c.lo);
+    search.hi.push_back(c.hi);
+    search.step.push_back(c.step * step_factor);
   }
-  opt.set_lower_bounds(lo);
-  opt.set_upper_bounds(hi);
-  opt.set_initial_step(step);
-  opt.set_maxeval(evaluations);
-  opt.set_ftol_rel(kLastGain);
-  opt.set_ftol_abs(kLastGain_rad);
-  const auto objective = [](const std::vector<double>& x, std::vector<double>&,
-                            void* data) -> double {
-    const double f = static_cast<Judge*>(data)->value(x);
-    return std::isfinite(f) ? f : kLost;
-  };
-  opt.set_min_objective(objective, &judge);
-  double least = 0.0;
-  try {
-    opt.optimize(v, least);
-  } catch (const nlopt::roundoff_limited&) {
-    // v is the best that rounding lets it be
-  }
-  return v;
+  return minimise(how, search, std::move(v));
 }
 
 // Values as a workshop would write them: whole numbers of a part of a step, each the nearest double
@@ -190,16 +177,16 @@ std::vector<double> searched(const CompensationTask& task, Judge& judge) {
   std::vector<std::vector<double>> starts = task.starts;
   starts.push_back(zero);
   starts.push_back(linearised(task, judge));
-  starts.push_back(optimise(task, judge, nlopt::GN_DIRECT_L, budget, 1.0, zero));
+  starts.push_back(optimise(task, judge, Minimiser::whole_box, budget, 1.0, zero));
   for (std::vector<double>& start : starts) {
     for (std::size_t k = 0; k < start.size(); ++k)
       start[k] = std::clamp(start[k], task.corrections[k].lo, task.corrections[k].hi);
     best.take(start);
-    best.take(optimise(task, judge, nlopt::LN_SBPLX, budget, 1.0, start));
+    best.take(optimise(task, judge, Minimiser::downhill, budget, 1.0, start));
   }
   // A crease may have stopped it: again, with smaller steps.
   for (const double step : {1.0, 0.1, 0.01})
-    best.take(optimise(task, judge, nlopt::LN_SBPLX, budget, step, best.v));
+    best.take(optimise(task, judge, Minimiser::downhill, budget, step, best.v));
   return best.v;
 }
 
@@ -214,7 +201,7 @@ std::vector<double> settled(const CompensationTask& task, Judge& fine,
     const int most = 60 * static_cast<int>(found.size());
     const int budget = std::clamp(task.curves / (6 * task.scenarios), 1, most);
     for (const double step : {0.3, 0.03})
-      best.take(optimise(task, fine, nlopt::LN_SBPLX, budget, step, best.v));
+      best.take(optimise(task, fine, Minimiser::downhill, budget, step, best.v));
   }
   if (!(best.least < none - kSameError.rad())) return zero;
   constexpr double kPartLost = 0.01;  // of what is gained, for values that can be written down

@@ -14,8 +14,6 @@ namespace {
 
 double sign_if(bool negative) { return negative ? -1.0 : 1.0; }
 
-Vec3 space(const Complex& w, double z) { return {w.real(), w.imag(), z}; }
-
 using End = FlankPatch::End;
 using Cell = RemovalField::Cell;
 

@@ -48,8 +48,6 @@ TouchKind kind_of(const GapField& field, const detail::ActiveSet& set) {
   return second == TouchKind::none ? first : TouchKind::corner;
 }
 
-Vec3 space(const Complex& w, double z) { return {w.real(), w.imag(), z}; }
-
 constexpr double kOnBound = 1e-12;  // scaled: rounding of a place on a bound
 
 struct Place {

@@ -1,9 +1,6 @@
 #include "gearwright/contact/error_map.hpp"
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-
+#include "gearwright/base/parallel.hpp"
 #include "gearwright/contact/contact.hpp"
 
 namespace gearwright {
@@ -14,17 +11,13 @@ ErrorMap map_of_errors(const std::vector<double>& x, const std::vector<double>& 
   GW_EXPECTS(!x.empty() && !y.empty() && positions >= 2 && threads >= 0);
   ErrorMap map{x, y, std::vector<std::vector<double>>(y.size(), std::vector<double>(x.size()))};
   begin_stage(headway, "map of two errors", static_cast<std::int64_t>(x.size() * y.size()));
-  const auto rows = [&](const oneapi::tbb::blocked_range<std::size_t>& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i)
-      for (std::size_t k = 0; k < x.size(); ++k) {
-        map.value[i][k] = peak_to_peak(transmission_error(pair_at(x[k], y[i]), positions));
-        count_step(headway);
-      }
+  const auto row = [&](std::size_t i) {
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      map.value[i][k] = peak_to_peak(transmission_error(pair_at(x[k], y[i]), positions));
+      count_step(headway);
+    }
   };
-  oneapi::tbb::task_arena arena(threads == 0 ? oneapi::tbb::task_arena::automatic : threads);
-  arena.execute([&] {
-    oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, y.size(), 1), rows);
-  });
+  parallel_for(y.size(), row, threads);
   return map;
 }
 

@@ -26,6 +26,9 @@ inline Complex times(const Complex& a, const Complex& b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
 
+/// A point of the transverse plane, at the height z.
+inline Vec3 space(const Complex& w, double z) { return {w.real(), w.imag(), z}; }
+
 /// The outline at a parameter: W = modulus-and-phase factor times e^{i phase}, kept apart so that
 /// the phases of a flank, its lead and its rotation need one sine and cosine together.
 struct ProfileJet {

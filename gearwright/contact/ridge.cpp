@@ -15,8 +15,6 @@ using End = FlankPatch::End;
 using Vec2d = Eigen::Vector2d;
 using Mat2d = Eigen::Matrix2d;
 
-Vec3 space(const Complex& w, double z) { return {w.real(), w.imag(), z}; }
-
 Mat2d hessian(const Jet2& j) {
   Mat2d h;
   h << j.ss, j.sz, j.sz, j.zz;

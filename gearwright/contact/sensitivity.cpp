@@ -15,8 +15,6 @@ struct Change {
   Vec3 dr = Vec3::Zero();  // of the point, in N
 };
 
-Vec3 space(const Complex& w, double z) { return {w.real(), w.imag(), z}; }
-
 // A point that moves by d, and so along s and z, as seen from gear 2.
 void add_motion(Change& c, const GapJet& j, const Vec3& d, const Vec3& d_s, const Vec3& d_z) {
   const Complex over = 1.0 / j.w;

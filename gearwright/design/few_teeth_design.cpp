@@ -1,7 +1,6 @@
 #include "gearwright/design/few_teeth_design.hpp"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "gearwright/base/parallel.hpp"
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/generation/pinion_envelope.hpp"
 #include "gearwright/math/root.hpp"
@@ -116,7 +116,7 @@ class Search {
     tried += static_cast<int>(all.size());
     begin_stage(p_.headway, "pairs of profile shifts", static_cast<std::int64_t>(all.size()));
     // Each by itself: the answer does not depend on the number of threads.
-    oneapi::tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) {
+    parallel_for(all.size(), [&](std::size_t i) {
       Candidate& c = all[i];
       const auto cut = cut_gears(c.x1, c.x2, c.verdict);
       if (cut) c.rank = rank_of(*cut);
@@ -143,8 +143,8 @@ class Search {
     std::size_t together = 1;
     for (std::size_t from = 0; from < order.size(); from += together, together *= 2) {
       together = std::min({together, std::size_t{64}, order.size() - from});
-      oneapi::tbb::parallel_for(from, from + together, [&](std::size_t i) {
-        Candidate& c = *order[i];
+      parallel_for(together, [&](std::size_t i) {
+        Candidate& c = *order[from + i];
         auto cut = cut_gears(c.x1, c.x2, c.verdict);
         c.verdict = mounted(std::move(*cut));
         count_step(p_.headway);

@@ -10,6 +10,7 @@
 
 #include "gearwright/base/angle.hpp"
 #include "gearwright/base/result.hpp"
+#include "gearwright/gear/bore.hpp"
 #include "gearwright/gear/reference.hpp"
 #include "gearwright/generation/generate.hpp"
 #include "gearwright/tool/rack.hpp"
@@ -84,6 +85,7 @@ struct Gear {
   std::optional<double> pointed_diameter;            ///< where the two flanks meet, mm
   std::optional<double> tip_tooth_thickness_normal;  ///< s_an  mm, of the finished tooth
   std::optional<TipBulge> tip_bulge;                 ///< none: nothing stands out
+  std::optional<Bore> bore;  ///< of the body; of an internal gear its rim. Teeth do not know it.
   std::optional<GeneratedTooth> tooth;  ///< none for an internal gear that no pinion cutter has cut
   std::vector<Warning> warnings;
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <string>
 #include <string_view>
 
@@ -13,8 +12,8 @@
 namespace gearwright {
 
 /// Verbs that answer a spec with one JSON object and write no file.
-inline constexpr std::array<std::string_view, 7> kAnswering{
-    "gear", "pair", "measure", "contact", "compensate", "fit", "rate"};
+inline constexpr std::array<std::string_view, 9> kAnswering{
+    "gear", "pair", "measure", "contact", "compensate", "load", "fit", "identify", "rate"};
 
 /// The answer of one of kAnswering; of an empty verb that of `pair` where there are two gears, else
 /// of `gear`.
@@ -25,13 +24,5 @@ Result<Json> answer_json(std::string_view verb, const JobSpec& spec);
 
 /// One line of a batch: the answer to a spec in JSON, or {"error": …}, on one line.
 std::string batch_line(std::string_view verb, const std::string& spec);
-
-/// Work on many items at once, on `threads` threads (0: all of the machine), each handed on in the
-/// order in which it came. At most a few items a thread are held.
-///
-///   next   gives the next item, false at the end     work   is called from many threads at once
-void in_order(const std::function<bool(std::string&)>& next,
-              const std::function<std::string(const std::string&)>& work,
-              const std::function<void(const std::string&)>& take, int threads = 0);
 
 }  // namespace gearwright

@@ -10,6 +10,7 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/job/compensate_forms.hpp"
 #include "gearwright/job/judgement.hpp"
+#include "gearwright/math/minimise.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {
@@ -90,6 +91,45 @@ std::vector<Scenario> scenarios_of(const ContactSetup& setup, const CompensateIn
   return list;
 }
 
+// Where the corrected spec holds a correction: the slope of the flank that works, a crowning of both.
+std::string spec_key(const SolvedJob& job, const ContactSetup& setup, std::size_t i) {
+  if (i == setting) return fmt::format("gear{}.rack.center_b", *setup.convex_gear());
+  if (i == lead1 || i == lead2) return fmt::format("errors.{}", kCorrections[i].key);
+  const int gear = i < first_flank + 4 ? 1 : 2;
+  const std::string_view name = kCorrections[i].key.substr(6);
+  const bool slope = name.find("slope") != std::string_view::npos;
+  const bool left = (job.spec.contact.driver == 2) != (gear == 2 && setup.gear(2).internal());
+  return fmt::format("gear{}.modifications.{}{}", gear,
+                     !slope ? ""
+                     : left ? "left_"
+                            : "right_",
+                     name);
+}
+
+// A correction that stands at the end of what is looked for may want to go further; a crowning of 0
+// does not.
+bool at_bound(const Correction& range, double value) {
+  const double reach = 0.02 * range.step;
+  return value != 0.0 && (value - range.lo < reach || range.hi - value < reach);
+}
+
+// The sentence about those that do; none: nothing to say.
+std::optional<Warning> bound_warning(const CompensateAnswer& answer) {
+  std::string list;
+  for (std::size_t k = 0; k < answer.corrections.size(); ++k) {
+    if (!answer.at_bound[k]) continue;
+    const CorrectionEntry& c = kCorrections[answer.corrections[k]];
+    list += fmt::format("{}{}, {:g} {}", list.empty() ? "" : "; ", c.words, answer.result.value[k],
+                        c.shown_unit());
+  }
+  if (list.empty()) return std::nullopt;
+  return Warning{"correction_at_bound",
+                 fmt::format("At the end of what is looked for: {}. More might be better still; "
+                             "the errors are large for what a flank modification mends.",
+                             list),
+                 0};
+}
+
 // Corrections written into the spec, where its own keys hold them.
 Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
                     const std::vector<std::size_t>& which, const std::vector<double>& v) {
@@ -116,9 +156,9 @@ Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
       const int gear = i < first_flank + 4 ? 1 : 2;
       const std::string name(kCorrections[i].key.substr(6));
       const bool slope = name.find("slope") != std::string::npos;
-      const bool left = (job.spec.contact.driver == 2) != (gear == 2 && setup.gear(2).internal());
       Json& table = tree[fmt::format("gear{}", gear)]["modifications"];
-      const std::string own = slope ? (left ? "left_" : "right_") + name : name;
+      const std::string path = spec_key(job, setup, i);
+      const std::string own = path.substr(path.rfind('.') + 1);
       // What holds for both flanks so far is the amount to add to.
       if (slope && !table.contains(own) && table.contains(name)) table[own] = table[name];
       add(table, own, v[k]);
@@ -159,6 +199,11 @@ Result<Verdict> judge_corrected(const std::string& corrected, const SolvedJob& j
 }  // namespace
 
 Result<CompensateAnswer> answer_compensate(SolvedJob& job, Headway* headway, int curves) {
+  if (!can_minimise()) {
+    return Error{"compensate", "",
+                 "this build cannot look for corrections, it has no minimiser (NLopt); the program "
+                 "that is installed has one"};
+  }
   auto made = ContactSetup::of(job);
   if (!made) return made.error();
   const ContactSetup setup = std::move(made).take();
@@ -230,6 +275,11 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Headway* headway, int
                             "brings it back: the error is told of the others.",
                             0});
   }
+  for (std::size_t k = 0; k < answer.corrections.size(); ++k) {
+    answer.spec_keys.push_back(spec_key(job, setup, answer.corrections[k]));
+    answer.at_bound.push_back(at_bound(task.corrections[k], answer.result.value[k]));
+  }
+  if (auto warning = bound_warning(answer)) job.warnings.push_back(std::move(*warning));
   answer.corrected = json_text(corrected_spec(job, setup, answer.corrections, answer.result.value));
   auto verdict = judge_corrected(answer.corrected, job);
   if (!verdict) return verdict.error();

@@ -17,6 +17,8 @@ namespace gearwright {
 
 struct CompensateAnswer {
   std::vector<std::size_t> corrections;  ///< in kCorrections
+  std::vector<std::string> spec_keys;    ///< of each: the key that holds it in `corrected`
+  std::vector<bool> at_bound;            ///< of each: at the end of what is looked for
   Compensation result;
   std::vector<std::string> scenarios;
   std::optional<SettingAnswer> setting;

@@ -27,7 +27,8 @@ CompensateView compensate_view(const CompensateAnswer& a) {
   for (std::size_t i = 0; i < a.corrections.size(); ++i) {
     const CorrectionEntry& c = kCorrections[a.corrections[i]];
     view.corrections.push_back({std::string(c.key), std::string(c.unit()), std::string(c.words),
-                                std::string(c.shown_unit()), a.result.value[i]});
+                                std::string(c.shown_unit()), a.result.value[i], a.spec_keys[i],
+                                a.at_bound[i]});
   }
   for (std::size_t i = 0; i < a.scenarios.size(); ++i)
     view.scenarios.push_back({a.scenarios[i], a.result.each_before[i], a.result.each_after[i]});
@@ -56,7 +57,9 @@ std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) 
   head("Corrections together, for the worst of the errors");
   for (std::size_t i = 0; i < a.corrections.size(); ++i) {
     const CorrectionEntry& c = kCorrections[a.corrections[i]];
-    row(std::string(c.key), fixed_text(a.result.value[i], 4) + " " + std::string(c.shown_unit()));
+    row(std::string(c.words), fmt::format("{:>11} {}{}", fixed_text(a.result.value[i], 4),
+                                          c.shown_unit(), a.at_bound[i] ? "  (the bound)" : ""));
+    if (a.result.value[i] != 0.0) row("  in the spec: " + a.spec_keys[i], "");
   }
   if (a.result.nothing_to_correct())
     out += "  nothing to correct: none within reach is better by 0.001 ″\n";

@@ -1,12 +1,12 @@
 #include "gearwright/job/contact_report.hpp"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "gearwright/base/parallel.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/modification_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
@@ -139,7 +139,7 @@ void make_patterns(ContactReport& r, const SolvedJob& job, const ContactSetup& s
                       Angle::radians(peak_to_peak(transmission_error(pair, positions))),
                       u.as_specified};
   };
-  oneapi::tbb::parallel_for(std::size_t{0}, list.size() + 1, make);
+  parallel_for(list.size() + 1, make);
 }
 
 ContactReport report_of(const SolvedJob& job, const ContactAnswer& answer) {

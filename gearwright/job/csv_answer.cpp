@@ -187,6 +187,15 @@ std::string rating_csv(const RatingAnswer& answer) {
   return out;
 }
 
+std::string load_csv(const LoadAnswer& answer) {
+  ValueList rows;
+  if (!answer.contact) return {};
+  for (const LoadedTorque& t : answer.contact->torques)
+    for (const LoadedPosition& p : t.positions)
+      rows.push_back(load_position_quantities().of({&t, &p}));
+  return records_csv(rows);
+}
+
 std::string outline_csv(const Outline& outline, int points) {
   std::string out = row({"arc", "x_mm", "y_mm"});
   for (const Arc& arc : outline.arcs) {

@@ -5,6 +5,7 @@
 
 #include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/rating_answer.hpp"
+#include "gearwright/job/load_answer.hpp"
 
 namespace gearwright {
 
@@ -18,6 +19,8 @@ std::string contact_csv(const SolvedJob& job, const ContactAnswer& answer);
 /// A row for each quantity: key, quantity, symbol, unit, first, second, formula, branch; `second`
 /// where it is gear 2's.
 std::string rating_csv(const RatingAnswer& answer);
+/// A row for each torque and position.
+std::string load_csv(const LoadAnswer& answer);
 /// A row for each point: arc, x_mm, y_mm.
 std::string outline_csv(const Outline& outline, int points);
 

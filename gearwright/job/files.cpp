@@ -13,6 +13,7 @@
 #include "gearwright/base/version.hpp"
 #include "gearwright/cad/dxf.hpp"
 #include "gearwright/cad/glb.hpp"
+#include "gearwright/cad/step.hpp"
 #include "gearwright/cad/stl.hpp"
 #include "gearwright/cad/svg_outline.hpp"
 #include "gearwright/cad/threemf.hpp"
@@ -22,6 +23,8 @@
 #include "gearwright/job/contact_report.hpp"
 #include "gearwright/job/contact_text.hpp"
 #include "gearwright/job/judgement.hpp"
+#include "gearwright/job/k_diagrams.hpp"
+#include "gearwright/job/measures.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/run_folder.hpp"
 #include "gearwright/job/value_json.hpp"
@@ -61,6 +64,21 @@ Result<JobFile> make_mesh(FileKind kind, const std::vector<ToothedBody>& bodies,
                  std::move(bytes)};
 }
 
+Result<JobFile> make_solid(const std::vector<ToothedBody>& bodies, const fs::path& path,
+                           const FileOptions& options) {
+  auto made = step_document(bodies, path.filename().string(), {options.step_schema});
+  if (!made) {
+    for (const ToothedBody& body : bodies) {
+      if (const auto walls = make_walls(body); !walls) return of_body(walls.error(), body.name);
+    }
+    return made.error();
+  }
+  StepDocument document = std::move(made).take();
+  return JobFile{path, fmt::format("STEP, {}", to_string(options.step_schema)),
+                 document.report.max_deviation_mm,
+                 fmt::format("{} faces", document.report.face_count), std::move(document.text)};
+}
+
 Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodies,
                              const fs::path& path, const FileOptions& options) {
   for (const ToothedBody& body : bodies) {
@@ -90,6 +108,10 @@ Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Headway*
   auto answer = answer_compensate(job, headway);
   if (answer) return std::optional(compensate_view(*answer));
   const std::string& field = answer.error().field;
+  if (field == "compensate") {  // of the whole table: of this build
+    job.warnings.push_back({"no_corrections", "No corrections: " + answer.error().rule + ".", 0});
+    return std::optional<CompensateView>();
+  }
   if (field != "errors" && field != "gear1" && field != "gear2") return answer.error();
   const auto is_said = [](const Warning& w) { return w.code == "no_contact"; };
   if (std::none_of(job.warnings.begin(), job.warnings.end(), is_said)) {
@@ -171,17 +193,7 @@ Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
   if (kind == FileKind::dxf || kind == FileKind::svg)
     return make_drawing(kind, bodies, path, options);
   if (kind != FileKind::step) return make_mesh(kind, bodies, path, options);
-  if (!options.step) {
-    return Error{"", "", "this gearwright has no STEP: it was built, or installed, without OCCT"};
-  }
-  for (const ToothedBody& body : bodies) {
-    if (const auto walls = make_walls(body); !walls) return of_body(walls.error(), body.name);
-  }
-  auto made = options.step(bodies, path.filename().string());
-  if (!made) return made.error();
-  StepDocument document = std::move(made).take();
-  return JobFile{path, "STEP, AP242", document.report.max_deviation_mm,
-                 fmt::format("{} faces", document.report.face_count), std::move(document.text)};
+  return make_solid(bodies, path, options);
 }
 
 void write_files(const std::vector<JobFile>& files) {
@@ -216,8 +228,8 @@ void add_solid(ReportInput& report, const SolvedJob& job, const std::vector<Toot
 
 }  // namespace
 
-Result<RunFiles> write_everything(SolvedJob& job, const fs::path& folder,
-                                  const FileOptions& options) {
+Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
+                                 const FileOptions& options) {
   std::vector<JobFile> files;
   std::vector<ToothedBody> mounted;
   const auto contact = contact_part(job, options.headway);
@@ -232,9 +244,7 @@ Result<RunFiles> write_everything(SolvedJob& job, const fs::path& folder,
     return options.only.empty() ||
            std::find(options.only.begin(), options.only.end(), part) != options.only.end();
   };
-  const auto skipped = [&](FileKind kind) {
-    return !wanted(ending(kind).substr(1)) || (kind == FileKind::step && !options.step);
-  };
+  const auto skipped = [&](FileKind kind) { return !wanted(ending(kind).substr(1)); };
   const auto make = [&](FileKind kind, const std::vector<ToothedBody>& bodies,
                         const std::string& name) {
     auto file = make_file(kind, bodies, folder / (name + std::string(ending(kind))), options);
@@ -262,16 +272,15 @@ Result<RunFiles> write_everything(SolvedJob& job, const fs::path& folder,
       if (const auto error = make(kind, mounted, "pair")) return *error;
     }
   }
-  if (!options.step && wanted("step")) {
-    job.warnings.push_back(
-        {"no_step",
-         "There are no STEP files: this gearwright was built, or installed, without OCCT.", 0});
-  }
 
   ReportInput report;
   report.title = job.spec.title.empty() ? "Gear data" : job.spec.title;
+  report.drawing = job.spec.drawing;
   for (const Gear& g : job.gears) report.gears.push_back(&g);
   report.pair = job.pair;
+  report.measures = measure_records(job);
+  report.measure_ends = measure_end_records(job);
+  report.k_diagrams = k_diagrams(job);
   if (*contact) report.contact = &contact.value()->report;
   report.verdict = judge(job, *contact ? &contact.value()->answer.driving : nullptr, rated);
   if (*compensation) report.compensate = &**compensation;
@@ -297,13 +306,19 @@ Result<RunFiles> write_everything(SolvedJob& job, const fs::path& folder,
     all.insert(all.begin(),
                {folder / "result.json", "result", std::nullopt, "every number, as JSON", text});
   }
+  return RunFiles{std::move(all), text, std::move(report.verdict)};
+}
 
+Result<RunFiles> write_everything(SolvedJob& job, const fs::path& folder,
+                                  const FileOptions& options) {
+  auto made = make_everything(job, folder, options);
+  if (!made) return made;
   if (options.headway) options.headway->begin_writing();
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw IoError("cannot make the folder " + folder.string() + ": " + error.message());
-  write_run(folder, all);
-  return RunFiles{std::move(all), text, std::move(report.verdict)};
+  write_run(folder, made->files);
+  return made;
 }
 
 }  // namespace gearwright

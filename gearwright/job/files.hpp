@@ -1,7 +1,4 @@
 // The files of a job: solids, meshes and drawings of the gears, each whole or not there at all.
-//
-// STEP needs a CAD kernel that the core does not link: an application that has it hands its writer
-// in.
 #pragma once
 
 #include <array>
@@ -21,15 +18,12 @@
 
 namespace gearwright {
 
-/// Makes the text of a STEP file from bodies and the name that its header calls it.
-using StepMaker =
-    std::function<Result<StepDocument>(const std::vector<ToothedBody>&, const std::string&)>;
 using Progress = std::function<void(std::string_view what)>;
 
 struct FileOptions {
-  StepMaker step;                       ///< empty: this build has no STEP
-  Progress progress;                    ///< told before each file; may be empty
-  Headway* headway = nullptr;           ///< told how far contact and corrections are
+  Progress progress;           ///< told before each file; may be empty
+  Headway* headway = nullptr;  ///< told how far contact and corrections are
+  StepSchema step_schema = StepSchema::ap242;
   double mesh_tolerance_mm = 0.005;     ///< of STL, GLB, 3MF
   double drawing_tolerance_mm = 0.001;  ///< of DXF as arcs
   bool drawing_splines = false;         ///< DXF as splines instead of arcs
@@ -62,7 +56,7 @@ Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place);
 /// Makes one file with these bodies, in memory: what can be refused is refused before anything is
 /// on disk.
 ///
-/// Errors    a bore that does not fit; a file too large to be of use; STEP in a build without it
+/// Errors    a bore that does not fit; a file too large to be of use
 Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
                           const std::filesystem::path& path, const FileOptions& options);
 
@@ -74,6 +68,10 @@ struct RunFiles {
   std::string result;  ///< result.json, written or not
   Verdict verdict;
 };
+
+/// What `run` makes, in memory: nothing is written, the paths lie in `folder`.
+Result<RunFiles> make_everything(SolvedJob& job, const std::filesystem::path& folder,
+                                 const FileOptions& options);
 
 /// `run`: everything that applies, or what `only` names, into `folder`: result.json, report.html,
 /// gear1.*, gear2.*, pair.* Gears without an outline get a warning in the job instead of files.

@@ -8,6 +8,7 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/job/interval.hpp"
 
 namespace gearwright {
 
@@ -75,12 +76,29 @@ std::vector<std::string> gear_columns(std::size_t count) {
   return columns;
 }
 
+std::string interval_listing(const SolvedJob& job, std::size_t gear, const SaidTable& table,
+                             const ValueRecord& lower, const ValueRecord& upper) {
+  const std::string subject = gear_columns(job.gears.size())[gear];
+  const auto allowance = [&](const SolvedJob& end) {
+    return fixed_text(end.gears[gear].spec.thickness_allowance, 4);
+  };
+  return fmt::format("\nBetween the thickness allowances {} and {} mm of {}\n",
+                     allowance(job.ends->lower), allowance(job.ends->upper), subject) +
+         quantity_listing(table, differing(lower, upper), {subject + " lower", subject + " upper"});
+}
+
 std::string gear_listing(const SolvedJob& job) {
   std::vector<ValueRecord> records;
   for (const Gear& g : job.gears) records.push_back(gear_quantities().of(g));
   const std::string& title = job.spec.title;
-  return (title.empty() ? "" : "\n" + printable(title) + "\n") +
-         quantity_listing(gear_quantities().table(), records, gear_columns(records.size()));
+  std::string text =
+      (title.empty() ? "" : "\n" + printable(title) + "\n") +
+      quantity_listing(gear_quantities().table(), records, gear_columns(records.size()));
+  for (std::size_t i = 0; job.ends && i < job.gears.size(); ++i)
+    text += interval_listing(job, i, gear_quantities().table(),
+                             gear_quantities().of(job.ends->lower.gears[i]),
+                             gear_quantities().of(job.ends->upper.gears[i]));
+  return text;
 }
 
 std::string pair_listing(const Pair& pair) {
@@ -90,6 +108,17 @@ std::string pair_listing(const Pair& pair) {
                                                                   : "Internal pair, parallel axes";
   return fmt::format("\n{}\n", kind) +
          quantity_listing(pair_quantities().table(), {pair_quantities().of(pair)}, {});
+}
+
+std::string pair_interval_listing(const SolvedJob& job) {
+  if (!job.ends || !job.pair) return {};
+  // Two gears' values need two columns each: an end after the other.
+  const auto both = differing(pair_quantities().of(*job.ends->lower.pair),
+                              pair_quantities().of(*job.ends->upper.pair));
+  return "\nWith the thinnest teeth and the most backlash\n" +
+         quantity_listing(pair_quantities().table(), {both[0]}, {}) +
+         "\nWith the thickest teeth and the least backlash\n" +
+         quantity_listing(pair_quantities().table(), {both[1]}, {});
 }
 
 std::string warning_listing(const std::vector<Warning>& warnings) {

@@ -12,27 +12,27 @@
 
 namespace gearwright {
 
-/// The chord at [gearN.measure] chord_diameter_mm; without it at the reference diameter, or in the
-/// middle of the usable flank where that does not reach there.
+/// What is measured of each gear: with the tools of [gearN.measure], else with the usual ones. What a
+/// gear does not have, where nobody asked for it, is none and a warning in the job: `no_chord`,
+/// `no_span`, `no_balls`, `no_pins`; a contact that is off the usable flank is one too.
 ///
-/// Errors    `gearN.measure.chord_diameter_mm`
-Result<ChordView> chord_measure(const SolvedJob& job, int which);
+/// Errors    `gearN.measure.…`: what was asked for and cannot be measured
+Result<std::vector<MeasureView>> measure_gears(SolvedJob& job);
 
-/// One gear's chord, or nothing.
-using MaybeChord = std::optional<ChordView>;
+/// What tolerances of flanks depend on.
+ToleranceSubject tolerance_subject(const Gear& gear);
 
-/// chord_measure of every gear; a gear that has no chord where nobody asked for one gets a warning
-/// `no_chord` in the job.
-///
-/// Errors    `gearN.measure.chord_diameter_mm`, when that was given
-Result<std::vector<MaybeChord>> chord_measures(SolvedJob& job);
+/// The same as records for the page; what was asked for and cannot be measured is left out.
+std::vector<ValueRecord> measure_records(const SolvedJob& job);
 
-/// job_json with `measure` in each of `gears`.
-Json measures_json(const SolvedJob& job, const std::vector<MaybeChord>& measures);
+/// Of each gear the numbers that differ at the lower and at the upper end of its tolerances, or
+/// nothing; empty without tolerances.
+std::vector<std::vector<ValueRecord>> measure_end_records(const SolvedJob& job);
 
-/// {"chordal_thickness": {diameter_mm, chord_mm, height_mm, tip_to_chord_mm, caliper_angle_deg}}
-Json measure_json(const MaybeChord& measure);
-std::string measure_listing(const std::vector<MaybeChord>& measures);
+/// job_json with `measure` in each of `gears`, and the interval that tolerances give it.
+Json measures_json(const SolvedJob& job, const std::vector<MeasureView>& measures);
+
+std::string measure_listing(const SolvedJob& job, const std::vector<MeasureView>& measures);
 
 /// The rack that --as-rack names: "module,angle", either of them empty.
 struct RackQuestion {

@@ -105,7 +105,7 @@ Result<RatingAnswer> answer_rating(SolvedJob& job) {
   if (!rated) return rated.error();
   answer.pair = *rated;
   if (table.web_thickness) {
-    answer.input.body = GearBody{*table.web_thickness / rated->face_width,
+    answer.input.body = RatedBody{*table.web_thickness / rated->face_width,
                                  *table.rim_thickness / rated->normal_module};
   }
   auto made = rate(answer.pair, answer.input);

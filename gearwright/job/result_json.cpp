@@ -2,10 +2,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "gearwright/catalogue/drawing_quantities.hpp"
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/verdict_quantities.hpp"
+#include "gearwright/job/interval.hpp"
 #include "gearwright/job/value_json.hpp"
 
 namespace gearwright {
@@ -17,11 +19,21 @@ Json warnings_json(const std::vector<Warning>& warnings) {
 Json job_json(const SolvedJob& job) {
   Json j;
   if (!job.spec.title.empty()) j["title"] = job.spec.title;
+  if (job.spec.drawing.given()) j["drawing"] = to_json(drawing_quantities().of(job.spec.drawing));
   j["gears"] = Json::array();
   for (const Gear& g : job.gears) j["gears"].push_back(to_json(gear_quantities().of(g)));
   if (job.pair) j["pair"] = to_json(pair_quantities().of(*job.pair));
+  if (job.ends) {
+    const auto& [lower, upper] = *job.ends;
+    for (std::size_t i = 0; i < job.gears.size(); ++i)
+      j["gears"][i]["interval"] =
+          interval_json(gear_quantities().of(lower.gears[i]), gear_quantities().of(upper.gears[i]));
+    if (job.pair)
+      j["pair"]["interval"] =
+          interval_json(pair_quantities().of(*lower.pair), pair_quantities().of(*upper.pair));
+  }
   j["warnings"] = warnings_json(job.warnings);
-  if (job.pair) j["verdict"] = verdict_json(judge(job));
+  j["verdict"] = verdict_json(judge(job));
   return j;
 }
 

@@ -9,7 +9,7 @@
 namespace gearwright {
 
 Json warnings_json(const std::vector<Warning>& warnings);
-/// `gears`, `pair` and `verdict` (when there is one), `warnings`.
+/// `drawing` (when given), `gears`, `pair` (when there is one), `warnings`, `verdict`.
 Json job_json(const SolvedJob& job);
 /// `arcs`: [{name, points}], n points per arc.   Domain: the outline is not empty (contract)
 Json outline_json(const Outline& outline, int n);

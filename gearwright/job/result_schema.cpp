@@ -6,9 +6,12 @@
 
 #include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
+#include "gearwright/catalogue/drawing_quantities.hpp"
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
+#include "gearwright/catalogue/identify_quantities.hpp"
+#include "gearwright/catalogue/load_quantities.hpp"
 #include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
@@ -140,14 +143,25 @@ Json result_schema() {
   gear["as_rack"] = rack;
   gear["measure"] = measure;
   properties["pair"] = schema.reference(pair_quantities().table());
+  // What tolerances add: the same keys, with two numbers each.
+  const Json interval{{"type", "object"},
+                      {"description",
+                       "of tolerances: the numbers that differ, at the lower and at "
+                       "the upper end"}};
+  for (const SaidTable* table :
+       {&gear_quantities().table(), &measure_quantities().table(), &pair_quantities().table()})
+    schema.definitions()[definition_name(*table)]["properties"]["interval"] = interval;
   properties["contact"] = schema.reference(contact_quantities().table());
   properties["compensate"] = schema.reference(compensate_quantities().table());
   properties["rating"] = schema.reference(rating_quantities().table());
+  properties["load"] = schema.reference(load_quantities().table());
   properties["fit"] = schema.reference(fit_quantities().table());
+  properties["identify"] = schema.reference(identify_quantities().table());
   properties["search"] = search_schema(schema);
   properties["arcs"] = schema.list_of(outline_quantities().table());
   properties["files"] = schema.list_of(file_quantities().table());
   properties["warnings"] = schema.list_of(warning_quantities().table());
+  properties["drawing"] = schema.reference(drawing_quantities().table());
   properties["verdict"] = schema.reference(verdict_quantities().table());
   properties["error"] = error_schema();
   return {{"$schema", "https://json-schema.org/draft/2020-12/schema"},

@@ -1,7 +1,6 @@
 #include "gearwright/job/run_folder.hpp"
 
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <fstream>
@@ -9,6 +8,7 @@
 #include <string>
 
 #include "gearwright/base/output_file.hpp"
+#include "gearwright/base/packing.hpp"
 
 namespace gearwright {
 
@@ -26,11 +26,6 @@ struct Listed {
   std::size_t bytes = 0;
   std::string name;
 };
-
-unsigned long checksum_of(const std::string& bytes) {
-  return crc32_z(crc32_z(0, nullptr, 0), reinterpret_cast<const Bytef*>(bytes.data()),
-                 bytes.size());
-}
 
 std::vector<Listed> read_list(const fs::path& folder) {
   std::vector<Listed> list;
@@ -54,7 +49,7 @@ bool as_written(const fs::path& path, const Listed& was) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream bytes;
   bytes << file.rdbuf();
-  return file && checksum_of(bytes.str()) == was.checksum;
+  return file && crc32_of(bytes.str()) == was.checksum;
 }
 
 }  // namespace
@@ -63,7 +58,7 @@ void write_run(const fs::path& folder, const std::vector<JobFile>& files) {
   const std::vector<Listed> former = read_list(folder);
   std::string list = kHeading;
   for (const JobFile& f : files) {
-    list += fmt::format("{:08x} {} {}\n", checksum_of(f.bytes), f.bytes.size(),
+    list += fmt::format("{:08x} {} {}\n", crc32_of(f.bytes), f.bytes.size(),
                         f.path.filename().string());
   }
   write_files(files);

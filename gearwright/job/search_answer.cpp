@@ -6,9 +6,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/job/value_json.hpp"
+#include "gearwright/report/search_report.hpp"
 
 namespace gearwright {
 
@@ -38,6 +40,20 @@ Json rack_of(const JobSpec& spec, int rack, int which) {
   for (const char* table : {which == 0 ? "gear1" : "gear2", "gear1"})
     if (tree.contains(table) && tree[table].contains("rack")) return tree[table]["rack"];
   return nullptr;
+}
+
+// What the page says beside the counts.
+std::vector<std::string> reasons_of(const SearchRun& run) {
+  std::vector<std::string> lines;
+  if (run.answer.counts.feasible > 0) return lines;
+  for (const std::string& line : change_lines(run))
+    lines.push_back("One change that would let something through: " + line + ".");
+  if (!run.changes_left_out.empty()) {
+    lines.push_back(run.changes_left_out + ".");
+  } else if (lines.empty()) {
+    lines.emplace_back("No change of one number alone would help.");
+  }
+  return lines;
 }
 
 }  // namespace
@@ -205,6 +221,15 @@ Json pair_spec(const JobSpec& spec, const Search& search, const DesignRow& row) 
   if (p.shorten_tips) pair["shorten_tips"] = true;
   j["pair"] = std::move(pair);
   return j;
+}
+
+std::string search_page(const JobSpec& spec, const Search& search, const SearchRun& run) {
+  return search_report({.title = spec.title,
+                        .spec_text = spec.text,
+                        .search = search,
+                        .answer = run.answer,
+                        .reasons = reasons_of(run),
+                        .version = kVersion});
 }
 
 }  // namespace gearwright

@@ -34,6 +34,9 @@ std::vector<std::string> change_lines(const SearchRun& run);
 /// "the limit …: 2698", in the order of the limits; without those that ruled none out.
 std::vector<std::string> rejected_lines(const SearchCounts& counts);
 
+/// The page about it.
+std::string search_page(const JobSpec& spec, const Search& search, const SearchRun& run);
+
 /// A design as a spec that the other verbs take.
 Json pair_spec(const JobSpec& spec, const Search& search, const DesignRow& row);
 

@@ -1,22 +1,24 @@
 #include "gearwright/job/search_refusal.hpp"
 
 #include <fmt/format.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
+#include "gearwright/base/parallel.hpp"
+
 namespace gearwright {
+
+Error no_tooth_numbers() {
+  return {"search.ratio", "",
+          "no tooth numbers within `pinion_teeth` have such a ratio; widen one of the two bands"};
+}
 
 RegionDetail detail_of(const SearchProblem& problem, bool files) {
   const auto& wanted = problem.objectives;
   const bool by_area = std::find(wanted.begin(), wanted.end(), Objective::area) != wanted.end();
   return files || by_area ? RegionDetail::whole : RegionDetail::point;
-}
-
-int thread_count(const SearchOptions& options) {
-  return options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
 }
 
 namespace {
@@ -118,7 +120,7 @@ std::optional<Error> refuse_large(const Search& search, const SearchOptions& opt
   }
   if (options.yes_large) return std::nullopt;
   if (size <= kLargeSearch) return refuse_many_points(search, options);
-  const int threads = thread_count(options);
+  const int threads = thread_count(options.threads);
   const double rate = measured_rate(search, *search.space().size(), options.stop) * threads;
   return Error{
       "--yes-large", fmt::format("{:.3g}", size),

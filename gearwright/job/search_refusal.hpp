@@ -13,8 +13,8 @@ namespace gearwright {
 /// Why the search is not begun; none: it is.
 std::optional<Error> refuse_large(const Search& search, const SearchOptions& options);
 
-/// Threads that a search works on.
-int thread_count(const SearchOptions& options);
+/// Why a search of no candidates is not begun.
+Error no_tooth_numbers();
 
 /// Regions are computed for what is ranked by them or goes into a table of all designs; else for
 /// what is listed, at the end.

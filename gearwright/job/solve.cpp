@@ -12,6 +12,7 @@
 #include "gearwright/job/backlash_thinning.hpp"
 #include "gearwright/job/cut_gears.hpp"
 #include "gearwright/job/solve_arcs.hpp"
+#include "gearwright/job/tolerance_ends.hpp"
 
 namespace gearwright {
 
@@ -154,6 +155,19 @@ std::optional<Error> needs_one_rack(const JobSpec& spec, bool shift_wanted) {
   return std::nullopt;
 }
 
+// A sum of two shifts is refused by the key that a user wrote; of two, by the larger one.
+Error told_of_a_gear(const Error& error, const JobSpec& spec) {
+  if (error.field != "profile_shift") return error;
+  const auto size = [&](std::size_t i) {
+    const auto& x = spec.gears[i]->profile_shift;
+    return x ? std::abs(*x) : -1.0;
+  };
+  const std::size_t i = size(1) > size(0) ? 1 : 0;
+  if (size(i) < 0.0) return error;
+  return {gear_field(static_cast<int>(i) + 1, "profile_shift"),
+          spoken(*spec.gears[i]->profile_shift), error.rule};
+}
+
 // Two helices of one hand and angle cross at twice that angle; who gives no shaft angle has
 // forgotten a sign more often than meant it.
 std::optional<Error> check_hands(const JobSpec& spec) {
@@ -215,7 +229,7 @@ Result<PairPlace> complete_pair(JobSpec& spec, bool shift_wanted) {
   std::optional<double> a = spec.pair.center_distance;
   if (by_shifts) {
     auto shifts = complete_shifts(shift_problem(spec));
-    if (!shifts) return shifts.error();
+    if (!shifts) return told_of_a_gear(shifts.error(), spec);
     spec.gears[0]->cylindrical.profile_shift = shifts->x1;
     spec.gears[1]->cylindrical.profile_shift = shifts->x2;
     a = shifts->center_distance;
@@ -281,6 +295,11 @@ bool asks_for_a_fit(const JobSpec& spec, const Error& error) {
 }
 
 Result<SolvedJob> solve_as_given(const JobSpec& given, Scope scope) {
+  if (!given.gears[0] && given.measured[0]) {
+    return Error{"gear1.normal_module", "",
+                 "is missing; the spec has the readings of an unknown gear. gearwright identify "
+                 "finds it, and its --take 1 writes the spec that this verb takes"};
+  }
   if (!given.gears[0]) {
     return Error{"gear1.teeth", "",
                  "is missing; the spec describes a search. gearwright search finds the "
@@ -343,6 +362,7 @@ Result<SolvedJob> solve_as_given(const JobSpec& given, Scope scope) {
     auto cut = bare_ring ? cut_by_default(*gear) : std::nullopt;
     job.gears.push_back(cut ? *std::move(cut) : std::move(gear).take());
   }
+  for (std::size_t i = 0; i < job.gears.size(); ++i) job.gears[i].bore = spec.gears[i]->bore;
   if (want_pair) {
     const PairSpec asked{place ? place->center_distance : spec.pair.center_distance,
                          place ? place->shaft_angle : std::nullopt, spec.pair.friction_coefficient,
@@ -358,10 +378,30 @@ Result<SolvedJob> solve_as_given(const JobSpec& given, Scope scope) {
   return job;
 }
 
+// The spec with allowances as numbers, solved at their mean and at both ends.
+Result<SolvedJob> solve_with_ends(const JobSpec& spec, Scope scope) {
+  auto solved = solve_as_given(spec, scope);
+  if (!solved) return solved;
+  SolvedJob job = std::move(solved).take();
+  auto ends = solve_ends(job, scope, solve_as_given);
+  if (!ends) return ends.error();
+  job.ends = std::move(ends).take();
+  return job;
+}
+
+Result<SolvedJob> solve_with_tolerances(const JobSpec& given, Scope scope) {
+  const bool named = std::any_of(given.gears.begin(), given.gears.end(), [](const auto& gear) {
+    return gear && gear->tolerance.says_thickness();
+  });
+  if (!named) return solve_with_ends(given, scope);
+  const auto spec = with_allowances(given, solve_as_given);
+  return spec ? solve_with_ends(*spec, scope) : spec.error();
+}
+
 }  // namespace
 
 Result<SolvedJob> solve(const JobSpec& given, Scope scope) {
-  auto job = solve_as_given(given, scope);
+  auto job = solve_with_tolerances(given, scope);
   if (job || !asks_for_a_fit(given, job.error())) return job;
   Error error = job.error();
   error.rule +=

@@ -4,6 +4,7 @@
 // other, absent face widths become 10 m_n with a warning.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -12,16 +13,26 @@
 
 namespace gearwright {
 
+struct JobEnds;
+
 /// What a spec describes. With a pair its gears are the pair's.
 struct SolvedJob {
   JobSpec spec;
   std::vector<Gear> gears;        ///< one or two
   std::optional<Pair> pair;       ///< when the spec has two gears and the caller wanted the pair
   std::vector<Warning> warnings;  ///< of gears and pair, with the gear's number
+  std::shared_ptr<const JobEnds> ends{};  ///< of its tolerances; none: it has none
 
   std::optional<Bore> bore(int which) const {
     return spec.gears[static_cast<std::size_t>(which - 1)]->bore;
   }
+};
+
+/// The same job at both ends of its tolerances. `lower`: the thinnest teeth, and with them the centre
+/// distance with the most backlash; `upper`: the thickest, and the least. What is made and looked at
+/// elsewhere, files and contact, is the job itself, at the mean of the allowances.
+struct JobEnds {
+  SolvedJob lower, upper;
 };
 
 enum class Scope {

@@ -81,8 +81,8 @@ Result<CaseOutcome> run_case(const Json& c) {
   if (!c.contains("source") || !c["source"].is_string())
     return malformed(id, "needs \"source\": where the numbers are printed");
   const std::string verb = c.value("verb", std::string("pair"));
-  if (verb != "gear" && verb != "pair" && verb != "measure" && verb != "fit")
-    return malformed(id, fmt::format("verb \"{}\": gear, pair, measure or fit", verb));
+  if (verb != "gear" && verb != "pair" && verb != "measure" && verb != "fit" && verb != "identify")
+    return malformed(id, fmt::format("verb \"{}\": gear, pair, measure, fit or identify", verb));
 
   const auto spec = read_spec(json_text(c["spec"]), SpecFormat::json);
   const auto answered = spec ? answer_json(verb, *spec) : Result<Json>(spec.error());

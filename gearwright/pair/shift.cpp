@@ -100,18 +100,18 @@ Result<ShiftSolution> complete_shifts(const ShiftProblem& p) {
     if (s.center_distance > least) return s;
     return Error{
         "profile_shift", spoken(sum),
-        fmt::format("is the sum of both gears; at the extended centre distance {} mm there is no "
-                    "working pressure angle; that must exceed {} mm",
-                    spoken(s.center_distance, least), spoken(least, s.center_distance))};
+        fmt::format("the sum of both gears, {}, gives the extended centre distance {} mm, at which "
+                    "there is no working pressure angle; that must exceed {} mm",
+                    spoken(sum), spoken(s.center_distance, least),
+                    spoken(least, s.center_distance))};
   }
   if (!(nominal_working_involute(p.z1, p.z2, alpha_n, alpha_t, sum) >= 0.0)) {
     const double limit = -involute(alpha_t) * (p.z1 + p.z2) / (2 * std::tan(alpha_n));
     return refused("profile_shift", sum, {limit},
-                   external
-                       ? "is the sum of both gears: the teeth are too thin for any backlash-free "
-                         "centre distance; it must be greater than {}"
-                       : "is the sum of both gears: the teeth are too thick for any "
-                         "backlash-free centre distance; it must be less than {}");
+                   fmt::format("the sum of both gears, {}, leaves the teeth too {} for any "
+                               "backlash-free centre distance; it must be {} than {{}}",
+                               spoken(sum, limit), external ? "thin" : "thick",
+                               external ? "greater" : "less"));
   }
   s.center_distance =
       tight_center_distance(p.z1, p.z2, p.normal_module, alpha_n, alpha_t, cos_beta, sum);

@@ -41,7 +41,7 @@ struct RatingInput {
   std::optional<double> transverse_load_factor;       ///< K_Hα
   std::optional<double> transverse_load_factor_root;  ///< K_Fα
   std::optional<PinionMounting> mounting;
-  std::optional<GearBody> body;
+  std::optional<RatedBody> body;
   std::array<std::optional<double>, 2> rim{};  ///< s_R  mm
   LifeChoice life;
   std::array<Material, 2> materials;

@@ -93,7 +93,7 @@ TEST(Rating, SpurReport) {
   in.quality = {6, 6};
   in.viscosity = 220;
   in.flank_roughness = {4.8, 4.8};
-  in.body = GearBody{0.25, 3.5};
+  in.body = RatedBody{0.25, 3.5};
   in.materials = {case_hardened(), case_hardened()};
   const Rating r = rate(pair, in).value();
   EXPECT_NEAR(r.stiffness.c_prime.value, 12.240, 6e-4);
@@ -140,7 +140,7 @@ TEST(Rating, InternalReport) {
   in.viscosity = 220;
   in.flank_roughness = {4.8, 8.0};
   in.root_roughness = {20, 20};
-  in.body = GearBody{0.25, 3.5};
+  in.body = RatedBody{0.25, 3.5};
   Material ring;
   ring.kind = MaterialKind::through_hardened;
   ring.sigma_Hlim = 700;

@@ -29,7 +29,7 @@ double rack_factor(const RatedGear& gear, double alpha_n) {
   return (1.0 + 0.5 * (1.2 - gear.tool.dedendum)) * (1.0 - 0.02 * (20.0 - degrees));
 }
 
-double body_factor(const std::optional<GearBody>& body) {
+double body_factor(const std::optional<RatedBody>& body) {
   if (!body) return 1.0;
   const double web = std::clamp(body->web_share, 0.2, 1.2);
   return 1.0 + std::log(web) / (5.0 * std::exp(std::max(1.0, body->rim_modules) / 5.0));
@@ -38,7 +38,7 @@ double body_factor(const std::optional<GearBody>& body) {
 }  // namespace
 
 Stiffness mesh_stiffness(const RatedPair& pair, double specific_load, double elasticity,
-                         const std::optional<GearBody>& body) {
+                         const std::optional<RatedBody>& body) {
   const RatedGear& g1 = pair.gears[0];
   const RatedGear& g2 = pair.gears[1];
   Stiffness s{};

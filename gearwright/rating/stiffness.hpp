@@ -14,7 +14,7 @@
 namespace gearwright {
 
 /// A rim on a web instead of a solid disc.
-struct GearBody {
+struct RatedBody {
   double web_share = 1.0;    ///< b_s/b, 0.2 … 1.2
   double rim_modules = 5.0;  ///< s_R/m_n, ≥ 1
 };
@@ -32,6 +32,6 @@ struct Stiffness {
 ///
 /// Formula   [T11.2], [T11.3]; ISO 6336-1, clause 9; q' with z_n = z/(cos² β_b cos β), of a ring 1/z_n2 = 0
 Stiffness mesh_stiffness(const RatedPair& pair, double specific_load, double elasticity,
-                         const std::optional<GearBody>& body);
+                         const std::optional<RatedBody>& body);
 
 }  // namespace gearwright

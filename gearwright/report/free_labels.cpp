@@ -30,10 +30,6 @@ PixelBox box_of(const LabelPlace& place, double width) {
   return {left, y - kHeight / 2, left + width, y + kHeight / 2};
 }
 
-bool meet(const PixelBox& a, const PixelBox& b) {
-  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
-}
-
 // Does the segment touch the box: clipped by its four sides (Liang, Barsky).
 bool meets(const PixelBox& box, const Vec2& a, const Vec2& b) {
   double from = 0.0;
@@ -51,6 +47,14 @@ bool meets(const PixelBox& box, const Vec2& a, const Vec2& b) {
 }
 
 }  // namespace
+
+PixelBox label_box(const LabelPlace& place, std::string_view plain) {
+  return box_of(place, width_of(plain));
+}
+
+bool meet(const PixelBox& a, const PixelBox& b) {
+  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+}
 
 void FreeLabels::keep_off(const std::vector<Vec2>& polyline) { lines_.push_back(polyline); }
 

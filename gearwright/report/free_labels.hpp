@@ -25,6 +25,10 @@ struct LabelPlace {
   Anchor anchor;
 };
 
+/// What the words cover, on a narrow screen. `plain` is their text without markup.
+PixelBox label_box(const LabelPlace& place, std::string_view plain);
+bool meet(const PixelBox& a, const PixelBox& b);
+
 class FreeLabels {
  public:
   /// `within`: no label leaves it.

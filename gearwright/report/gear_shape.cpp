@@ -117,6 +117,21 @@ void draw(Pen& pen, const Gear& gear, const Arc& arc, int side, bool to_tip) {
   for (std::size_t i = 1; i < points.size(); ++i) pen.line(on_side(points[i], side));
 }
 
+std::string circle_path(long r) {
+  return fmt::format("M{0} 0A{0} {0} 0 1 1 -{0} 0A{0} {0} 0 1 1 {0} 0", r);
+}
+
+// The bore and its keyway, which points along +y of the gear frame.
+std::string bore_path(const Bore& bore, double unit_mm) {
+  const auto units = [&](double mm) { return std::lround(mm / unit_mm); };
+  const double r = bore.diameter / 2;
+  const double half = bore.keyway_width / 2;
+  if (!(half > 0.0)) return circle_path(units(r));
+  const long w = units(half), shoulder = units(std::sqrt((r - half) * (r + half)));
+  return fmt::format("M{0} -{1}V-{2}H-{0}V-{1}A{3} {3} 0 1 0 {0} -{1}Z", w, shoulder,
+                     units(r + bore.keyway_depth), units(r));
+}
+
 }  // namespace
 
 bool has_outline(const Gear& gear) {
@@ -155,6 +170,7 @@ std::string tooth_path(const Gear& gear) {
 double drawn_radius(const Gear& gear) {
   if (!gear.internal()) return gear.actual_tip_radius();
   const double r_f = gear.root_diameter / 2;
+  if (gear.bore && gear.bore->diameter / 2 > r_f) return gear.bore->diameter / 2;
   return has_outline(gear) ? r_f + kRim * gear.spec.normal_module : r_f;
 }
 
@@ -169,9 +185,17 @@ std::string gear_definition(const Gear& gear, const std::string& name) {
   std::string text;
   if (!gear.internal()) {
     text = fmt::format(
-        "<path id=\"{0}-tooth\" vector-effect=\"non-scaling-stroke\" d=\"{1}\"/>\n<g "
-        "id=\"{0}\"><circle stroke=\"none\" r=\"{2}\"/>",
-        name, tooth, r_f);
+        "<path id=\"{0}-tooth\" vector-effect=\"non-scaling-stroke\" d=\"{1}\"/>\n<g id=\"{0}\">",
+        name, tooth);
+    if (gear.bore) {
+      const std::string hole = bore_path(*gear.bore, outline_unit_mm(gear));
+      text += fmt::format(
+          "<path stroke=\"none\" fill-rule=\"evenodd\" d=\"{}{}\"/><path style=\"fill:none\" "
+          "vector-effect=\"non-scaling-stroke\" d=\"{}\"/>",
+          circle_path(r_f), hole, hole);
+    } else {
+      text += fmt::format("<circle stroke=\"none\" r=\"{}\"/>", r_f);
+    }
   } else {
     // An internal gear's tooth hangs on its rim: the fill is closed within that, the stroke stays
     // open.
@@ -179,16 +203,13 @@ std::string gear_definition(const Gear& gear, const std::string& name) {
     const double inside = 0.5 * (gear.tooth->root_radius + drawn_radius(gear));
     const Vec2 end =
         gear.tooth->outline.arcs.front().begin_point * (inside / gear.tooth->root_radius);
-    const auto ring = [](long r) {
-      return fmt::format("M{0} 0A{0} {0} 0 1 1 -{0} 0A{0} {0} 0 1 1 {0} 0", r);
-    };
     text = fmt::format(
         "<g id=\"{0}-tooth\"><path stroke=\"none\" d=\"{1}L{3} {5}A{2} {2} 0 0 0 {3} {4}Z\"/><path "
         "style=\"fill:none\" vector-effect=\"non-scaling-stroke\" d=\"{1}\"/></g>\n<g "
         "id=\"{0}\"><path stroke=\"none\" fill-rule=\"evenodd\" d=\"{6}{7}\"/><circle "
         "style=\"fill:none\" vector-effect=\"non-scaling-stroke\" r=\"{8}\"/>",
-        name, tooth, units(inside), units(end.x()), units(-end.y()), units(end.y()), ring(rim),
-        ring(r_f), rim);
+        name, tooth, units(inside), units(end.x()), units(-end.y()), units(end.y()),
+        circle_path(rim), circle_path(r_f), rim);
   }
   const int z = std::abs(gear.spec.teeth);
   for (int k = 0; k < z; ++k) {

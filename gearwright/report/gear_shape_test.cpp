@@ -111,6 +111,22 @@ TEST(GearShape, FollowsTeethCutByGears) {
   }
 }
 
+TEST(GearShape, ABoreIsAHoleWithItsKeyway) {
+  Gear gear = testing::sample_gear(30, 2, 0, 0);
+  const std::string plain = gear_definition(gear, "g");
+  gear.bore = Bore{20.0, 6.0, 2.8};
+  const std::string text = gear_definition(gear, "g");
+  const auto units = [&](double mm) {
+    return std::to_string(std::lround(mm / outline_unit_mm(gear)));
+  };
+  EXPECT_EQ(plain.find("evenodd"), std::string::npos);
+  EXPECT_NE(text.find("evenodd"), std::string::npos);
+  // The keyway's floor lies 2.8 mm above the bore circle, which is y upwards, down in a picture.
+  EXPECT_NE(text.find("V-" + units(12.8) + "H-" + units(3.0)), std::string::npos);
+  gear.bore->keyway_width = 0.0;
+  EXPECT_NE(gear_definition(gear, "g").find("M" + units(10.0) + " 0A"), std::string::npos);
+}
+
 TEST(GearShape, ARingIsMetalAroundItsTeeth) {
   const Gear ring = testing::pinion_in_cut_ring().gears[1];
   ASSERT_TRUE(has_outline(ring));

@@ -79,15 +79,18 @@ std::vector<NamedCircle> circles_of(const InvolutePair& pair, std::size_t i) {
   return circles;
 }
 
-void draw_circles(Svg& svg, const Viewport& view, const InvolutePair& pair, std::size_t i) {
+std::vector<PixelBox> draw_circles(Svg& svg, const Viewport& view, const InvolutePair& pair,
+                                   std::size_t i) {
   // The side of the axis on which the mesh is.
   const double side =
       flat(pair.on_line_of_action(pair.mesh.rho1_C)).x() > axis_of(pair, i).x() ? 1.0 : -1.0;
-  draw_named_circles(svg, view, axis_of(pair, i), side, i, circles_of(pair, i));
+  return draw_named_circles(svg, view, axis_of(pair, i), side, i, circles_of(pair, i));
 }
 
-// The line of action with A … E; letters change sides where they would touch.
-void draw_path(Svg& svg, const Viewport& view, const InvolutePair& pair) {
+// The line of action with A … E; letters change sides where they would touch each other or a name
+// that stands there.
+void draw_path(Svg& svg, const Viewport& view, const InvolutePair& pair,
+               const std::vector<PixelBox>& taken) {
   const Mesh<double>& mesh = pair.mesh;
   const auto at = [&](double rho1) { return view.px(flat(pair.on_line_of_action(rho1))); };
   // Base tangent points: ρ_1 = 0 and ρ_2 = 0 (an internal gear's lies on the same side as gear
@@ -119,10 +122,18 @@ void draw_path(Svg& svg, const Viewport& view, const InvolutePair& pair) {
     const Vec2 p = at(mark.rho1);
     svg.dot(p, 3.2, mark.style);
     const double s = p.dot(along);
-    const std::size_t side = s - last[0] >= kLetterRoom || s - last[0] >= s - last[1] ? 0 : 1;
+    std::size_t side = s - last[0] >= kLetterRoom || s - last[0] >= s - last[1] ? 0 : 1;
+    const auto offset = [&](std::size_t which) { return (which == 0 ? 14.0 : -14.0) * across; };
+    const auto free = [&](std::size_t which) {
+      const PixelBox box = label_box({p, offset(which), Anchor::middle}, mark.letter);
+      return s - last[which] >= kLetterRoom &&
+             std::none_of(taken.begin(), taken.end(),
+                          [&](const PixelBox& b) { return meet(b, box); });
+    };
+    if (!free(side) && free(1 - side)) side = 1 - side;
     last[side] = s;
     svg.text(p, symbol_svg(mark.letter), Anchor::middle, "letter halo",
-             (side == 0 ? 14.0 : -14.0) * across + Vec2(0.0, 5.0));
+             offset(side) + Vec2(0.0, 5.0));
   }
 }
 
@@ -147,8 +158,9 @@ std::string mesh_svg(const InvolutePair& pair, const std::array<std::string, 2>&
   // The centre line reaches over both gears, for readers who zoom out.
   const Extent across = extent_of(pair);
   svg.line(view.px({across.left, 0}), view.px({across.right, 0}), "thin dashdot");
-  for (const std::size_t i : {0, 1}) draw_circles(svg, view, pair, i);
-  draw_path(svg, view, pair);
+  std::vector<PixelBox> taken = draw_circles(svg, view, pair, 0);
+  for (const PixelBox& box : draw_circles(svg, view, pair, 1)) taken.push_back(box);
+  draw_path(svg, view, pair, taken);
   draw_touches(svg, view, pair);
   return svg.str();
 }

@@ -1,5 +1,6 @@
 #include "gearwright/report/named_circles.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -18,8 +19,13 @@ struct Named {
   Vec2 from;  // px
 };
 
-void name_in_row(Svg& svg, const Viewport& view, std::size_t gear,
-                 const std::vector<Named>& named) {
+// A symbol's letters: "d_w1" shows "dw1".
+std::size_t letters(const std::string& symbol) {
+  return symbol.size() - static_cast<std::size_t>(std::count(symbol.begin(), symbol.end(), '_'));
+}
+
+void name_in_row(Svg& svg, const Viewport& view, std::size_t gear, const std::vector<Named>& named,
+                 std::vector<PixelBox>& taken) {
   std::vector<double> wanted;
   for (const Named& n : named) wanted.push_back(n.from.x());
   const std::vector<double> placed = spread(wanted, 36.0, 20.0, view.width - 20.0);
@@ -28,26 +34,32 @@ void name_in_row(Svg& svg, const Viewport& view, std::size_t gear,
     svg.line(named[k].from, {placed[k], gear == 0 ? y + 4 : y - 12}, "leader");
     svg.text({placed[k], y}, symbol_svg(named[k].symbol), Anchor::middle,
              std::string("halo ") + kInk[gear]);
+    taken.push_back(label_box({{placed[k], y}, {0.0, -5.0}, Anchor::middle},
+                              std::string(letters(named[k].symbol), 'd')));
   }
 }
 
 void name_in_column(Svg& svg, const Viewport& view, double side, std::size_t gear,
-                    const std::vector<Named>& named) {
+                    const std::vector<Named>& named, std::vector<PixelBox>& taken) {
   std::vector<double> wanted;
   for (const Named& n : named) wanted.push_back(n.from.y());
   const std::vector<double> placed = spread(wanted, 20.0, 14.0, view.height - 14.0);
   for (std::size_t k = 0; k < named.size(); ++k) {
     const double x = side > 0.0 ? 34.0 : view.width - 34.0;
     svg.line(named[k].from, {x + side * 4.0, placed[k]}, "leader");
-    svg.text({x, placed[k]}, symbol_svg(named[k].symbol), side > 0.0 ? Anchor::end : Anchor::start,
-             std::string("halo ") + kInk[gear], {0.0, 4.0});
+    const Anchor anchor = side > 0.0 ? Anchor::end : Anchor::start;
+    svg.text({x, placed[k]}, symbol_svg(named[k].symbol), anchor, std::string("halo ") + kInk[gear],
+             {0.0, 4.0});
+    taken.push_back(label_box({{x, placed[k]}, Vec2::Zero(), anchor},
+                              std::string(letters(named[k].symbol), 'd')));
   }
 }
 
 }  // namespace
 
-void draw_named_circles(Svg& svg, const Viewport& view, const Vec2& axis_mm, double side,
-                        std::size_t gear, const std::vector<NamedCircle>& circles) {
+std::vector<PixelBox> draw_named_circles(Svg& svg, const Viewport& view, const Vec2& axis_mm,
+                                         double side, std::size_t gear,
+                                         const std::vector<NamedCircle>& circles) {
   const Vec2 axis = view.px(axis_mm);
   const double edge = gear == 0 ? kEdge : view.height - kEdge;
   std::vector<Named> row;
@@ -66,8 +78,10 @@ void draw_named_circles(Svg& svg, const Viewport& view, const Vec2& axis_mm, dou
     if (x < 0.0 || x > view.width) continue;  // leaves the window elsewhere
     row.push_back({c.symbol, {x, edge}});
   }
-  name_in_row(svg, view, gear, row);
-  name_in_column(svg, view, side, gear, column);
+  std::vector<PixelBox> taken;
+  name_in_row(svg, view, gear, row, taken);
+  name_in_column(svg, view, side, gear, column, taken);
+  return taken;
 }
 
 }  // namespace gearwright

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/report/free_labels.hpp"
 #include "gearwright/report/svg.hpp"
 
 namespace gearwright {
@@ -17,7 +18,10 @@ struct NamedCircle {
 
 /// Draws circles about `axis` (mm). `side` is where the mesh lies: +1 to the right of the axis;
 /// `gear` is 0 or 1. A circle that the window holds entirely is named beside it, on the other side.
-void draw_named_circles(Svg& svg, const Viewport& view, const Vec2& axis, double side,
-                        std::size_t gear, const std::vector<NamedCircle>& circles);
+///
+/// Returns  what the names cover.
+std::vector<PixelBox> draw_named_circles(Svg& svg, const Viewport& view, const Vec2& axis,
+                                         double side, std::size_t gear,
+                                         const std::vector<NamedCircle>& circles);
 
 }  // namespace gearwright

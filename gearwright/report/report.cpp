@@ -18,6 +18,7 @@
 #include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/gear_table.hpp"
 #include "gearwright/report/html_text.hpp"
+#include "gearwright/report/measure_section.hpp"
 #include "gearwright/report/mesh_picture.hpp"
 #include "gearwright/report/min_distance_picture.hpp"
 #include "gearwright/report/page_parts.hpp"
@@ -168,6 +169,23 @@ std::string file_section(const std::vector<ReportFile>& files) {
   return text + "</tbody></table></div>\n</section>\n";
 }
 
+// What a drawing's corner says, in the words of the spec.
+std::string title_block(const DrawingInput& drawing) {
+  if (!drawing.given()) return {};
+  std::string rows;
+  const auto row = [&](const char* what, const std::string& words) {
+    if (!words.empty())
+      rows += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", what, escaped(words));
+  };
+  row("Title", drawing.title);
+  row("Number", drawing.number);
+  row("Author", drawing.author);
+  row("Date", drawing.date);
+  row("Material", drawing.material);
+  row("Note", drawing.note);
+  return "<dl class=\"titleblock\">" + rows + "</dl>\n";
+}
+
 std::string foot(const ReportInput& input) {
   const std::string version = input.version.empty() ? std::string() : " " + escaped(input.version);
   const bool crossed = input.pair && input.pair->crossed();
@@ -199,10 +217,12 @@ std::string report_html(const ReportInput& input) {
   page += "<body>\n" + definitions(input);
   page += fmt::format(
       "<header>\n<p class=\"kind\">{}</p>\n<h1>{}</h1>\n<p class=\"verdict {}\"><b>{}</b> "
-      "{}</p>\n{}</header>\n",
+      "{}</p>\n{}{}</header>\n",
       kind_of(input), escaped(title), to_string(input.verdict.level),
-      to_string(input.verdict.level), escaped(input.verdict.headline), finding_list(input));
-  std::string sections = gear_section(input) + few_teeth_section(input);
+      to_string(input.verdict.level), escaped(input.verdict.headline), title_block(input.drawing),
+      finding_list(input));
+  std::string sections = gear_section(input) + few_teeth_section(input) +
+                         measure_section(input.measures, input.measure_ends, input.k_diagrams);
   if (input.pair) {
     sections += input.pair->visit(
         Overloaded{[](const InvolutePair& pair) { return pair_section(pair); },

@@ -76,12 +76,48 @@ void read_measure(TableReader& gear, GearInput& g) {
   const Json* node = gear.table("measure");
   if (!node) return;
   TableReader t(measure_keys(), *node, gear.name("measure"));
-  t.read(g);
-  for (const Key& key : t.keys().keys) {
-    const std::string name(key.key);
-    if (key.kind == KeyKind::any && t.has(name)) g.not_read.push_back(t.name(name));
-  }
+  t.read(g.measure);
   t.finish();
+}
+
+// Two numbers in order, lower first.
+Ends ends_of(const TableReader& t, const std::string& key, const std::vector<double>& values) {
+  for (const double v : values)
+    if (std::abs(v) > kMaxInput)
+      t.fail(key, fmt::format("must lie between -{0} and {0}", kMaxInput));
+  if (!(values[0] <= values[1])) t.fail(key, "must be two numbers, the lower one first");
+  return {values[0], values[1]};
+}
+
+void read_allowance(TableReader& t, GearInput& g) {
+  const auto values = t.numbers("thickness_allowance_mm");
+  if (!values) return;
+  const Ends ends = ends_of(t, "thickness_allowance_mm", {values->front(), values->back()});
+  g.cylindrical.thickness_allowance = values->size() == 1 ? ends[0] : (ends[0] + ends[1]) / 2;
+  if (values->size() == 2) g.allowance_ends = ends;
+}
+
+void read_tolerance(TableReader& gear, GearInput& g) {
+  const Json* node = gear.table("tolerance");
+  if (!node) return;
+  TableReader t(tolerance_keys(), *node, gear.name("tolerance"));
+  const auto beside = g.tolerance.quality;
+  t.read(g.tolerance);
+  if (beside && g.tolerance.quality != beside)
+    t.fail("quality", fmt::format("contradicts {} = {}; leave one of them out",
+                                  gear.name("quality"), *beside));
+  if (const auto values = t.numbers("span_mm")) g.tolerance.span = ends_of(t, "span_mm", *values);
+  if (const auto values = t.numbers("over_balls_mm"))
+    g.tolerance.over_balls = ends_of(t, "over_balls_mm", *values);
+  t.finish();
+  const char* const said = g.tolerance.series       ? "thickness_series"
+                           : g.tolerance.span       ? "span_mm"
+                           : g.tolerance.over_balls ? "over_balls_mm"
+                                                    : nullptr;
+  if (said && gear.has("thickness_allowance_mm"))
+    t.fail(said, fmt::format("has no place beside {}: both say how thick the teeth are; leave one "
+                             "out",
+                             gear.name("thickness_allowance_mm")));
 }
 
 // α_n of the transverse angle α_t, both in degrees:  tan α_n = tan α_t cos β.
@@ -197,7 +233,9 @@ GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& p
   }
   g.bore = read_bore(t);
   read_measure(t, g);
-  if (t.has("measured")) g.not_read.push_back("[" + t.name("measured") + "]");
+  read_allowance(t, g);
+  read_tolerance(t, g);
+  t.table("measured");  // spec/read_measured.cpp
   if (t.has("teeth")) {
     read_basic(t, g, module, alpha);
   } else {

@@ -10,6 +10,8 @@
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_contact.hpp"
 #include "gearwright/spec/read_gear.hpp"
+#include "gearwright/spec/read_load.hpp"
+#include "gearwright/spec/read_measured.hpp"
 #include "gearwright/spec/read_rating.hpp"
 #include "gearwright/spec/read_search.hpp"
 #include "gearwright/spec/table_reader.hpp"
@@ -22,8 +24,28 @@ PairInput read_pair(const Json& node) {
   TableReader t(pair_keys(), node, "pair");
   PairInput p;
   t.read(p);
+  const auto growing = [&](const char* key, const std::vector<double>& values) {
+    if (!(values.front() <= values.back())) t.fail(key, "must be two numbers, the lower one first");
+    return Ends{values.front(), values.back()};
+  };
+  if (const auto values = t.numbers("backlash_mm")) {
+    for (const double v : *values) t.check("backlash_mm", v);
+    const Ends ends = growing("backlash_mm", *values);
+    p.backlash = values->size() == 1 ? ends[0] : (ends[0] + ends[1]) / 2;
+    if (values->size() == 2) p.backlash_ends = ends;
+  }
+  if (const auto values = t.numbers("center_distance_deviations_mm"))
+    p.distance_deviations = growing("center_distance_deviations_mm", *values);
   t.finish();
   return p;
+}
+
+DrawingInput read_drawing(const Json& node) {
+  TableReader t(drawing_keys(), node, "drawing");
+  DrawingInput d;
+  t.read(d);
+  t.finish();
+  return d;
 }
 
 FitInput read_fit(const Json& node) {
@@ -47,6 +69,11 @@ void note_keys(const Json& table, const std::string& path, GivenKeys& keys) {
   }
 }
 
+bool says_thickness(const Json& tolerance) {
+  return tolerance.contains("thickness_series") || tolerance.contains("span_mm") ||
+         tolerance.contains("over_balls_mm");
+}
+
 // A backlash and the allowances that would make one say the same thing.
 void check_backlash(const Json& tree, const JobSpec& spec) {
   if (!wants_backlash(spec.pair)) return;
@@ -57,8 +84,9 @@ void check_backlash(const Json& tree, const JobSpec& spec) {
   const TableReader t(pair_keys(), tree["pair"], "pair");
   for (const std::string gear : {"gear1", "gear2"}) {
     if (!tree.contains(gear)) t.fail(key, "needs two gears; there is no [" + gear + "]");
-    for (const char* other : {"thickness_allowance_mm", "cut_by", "basic"}) {
+    for (const char* other : {"thickness_allowance_mm", "cut_by", "basic", "tolerance"}) {
       if (!tree[gear].contains(other)) continue;
+      if (other == std::string("tolerance") && !says_thickness(tree[gear][other])) continue;
       t.fail(key, fmt::format("has no place beside {}.{}: both say how thick the teeth are; leave "
                               "one out",
                               gear, other));
@@ -78,21 +106,25 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder) {
   const Json* search = t.table("search");
   // Beside [search] a gear's table without teeth says only what the search does not choose.
   const auto is_gear = [&](const Json* gear) {
-    return gear && (!search || gear->contains("teeth"));
+    return gear && (!search || gear->contains("teeth")) && !is_unknown_gear(*gear);
   };
+  spec.measured = {read_measured(gear_1, "gear1"), read_measured(gear_2, "gear2")};
   if (is_gear(gear_1)) spec.gears[0] = read_gear(gear_keys(), *gear_1, "gear1", gear_2, folder);
   if (is_gear(gear_2)) spec.gears[1] = read_gear(gear_keys(), *gear_2, "gear2", gear_1, folder);
   if (spec.gears[1] && helix_inherited) spec.gears[1]->helix_given = false;
   if (search) spec.search = read_search(*search, gear_1, gear_2);
+  if (const Json* node = t.table("drawing")) spec.drawing = read_drawing(*node);
   if (const Json* node = t.table("pair")) spec.pair = read_pair(*node);
   if (const Json* node = t.table("fit")) spec.fit = read_fit(*node);
   if (const Json* node = t.table("errors")) spec.errors = read_errors(*node);
   if (const Json* node = t.table("contact")) spec.contact = read_contact(*node);
   if (const Json* node = t.table("compensate")) spec.compensate = read_compensate(*node);
   if (const Json* node = t.table("rating")) spec.rating = read_rating(*node);
+  if (const Json* node = t.table("load")) spec.load = read_load(*node);
   t.finish();
   check_backlash(tree, spec);
-  if (!spec.gears[0] && !spec.search) {
+  const bool unknown = spec.measured[0] || spec.measured[1];
+  if (!spec.gears[0] && !spec.search && !unknown) {
     throw SpecError{{"gear1", "",
                      "is missing; a spec describes a gear in a table [gear1] with at least "
                      "teeth and normal_module_mm"}};

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,9 +15,11 @@
 #include "gearwright/base/result.hpp"
 #include "gearwright/catalogue/compensate_keys.hpp"
 #include "gearwright/catalogue/contact_keys.hpp"
+#include "gearwright/catalogue/drawing_keys.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/catalogue/fit_keys.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
+#include "gearwright/catalogue/load_keys.hpp"
 #include "gearwright/catalogue/pair_keys.hpp"
 #include "gearwright/catalogue/rating_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
@@ -25,11 +28,14 @@
 
 namespace gearwright {
 
+struct IdentifyProblem;  // inspection/identify.hpp
+
 struct JobSpec {
   std::string text;  ///< the spec as read, for the report
   std::string tree;  ///< the same as a tree of tables, in JSON, with what gear 2 has from gear 1
   GivenKeys given;   ///< the paths of the keys in the text
   std::string title;
+  DrawingInput drawing;
   std::array<std::optional<GearInput>, 2> gears;  ///< without the first only beside a search
   PairInput pair;
   FitInput fit;
@@ -37,7 +43,10 @@ struct JobSpec {
   ContactInput contact;
   CompensateInput compensate;
   RatingTable rating;
+  LoadInput load;
   std::optional<SearchProblem> search;
+  /// [gearN.measured]: of a gear, or of one that is not known and has no place in `gears`.
+  std::array<std::shared_ptr<const IdentifyProblem>, 2> measured;
   bool shaft_angle_found = false;     ///< not given: it followed from the centre distance
   std::vector<std::string> not_read;  ///< tables and keys of verbs that are not in this version
 };

@@ -148,6 +148,22 @@ std::optional<int> deep_line(std::string_view text) {
   return std::nullopt;
 }
 
+// "2,5", as half of the world writes numbers, found round the place that the parser stumbled at.
+std::string comma_hint(std::string_view text, const toml::source_position& at) {
+  for (unsigned line = 1; line < at.line; ++line) text.remove_prefix(text.find('\n') + 1);
+  text = text.substr(0, text.find('\n'));
+  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+  for (std::size_t i = 1; i + 1 < text.size(); ++i) {
+    if (text[i] != ',' || !digit(text[i - 1]) || !digit(text[i + 1])) continue;
+    std::size_t begin = i, end = i + 1;
+    while (begin > 0 && digit(text[begin - 1])) --begin;
+    while (end < text.size() && digit(text[end])) ++end;
+    return fmt::format("; a decimal point is a point: {}.{}", text.substr(begin, i - begin),
+                       text.substr(i + 1, end - i - 1));
+  }
+  return "";
+}
+
 TextPlace place_of(const toml::source_region& source) {
   return {static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
 }
@@ -209,7 +225,9 @@ Result<Json> parse_spec(std::string_view text, SpecFormat format) {
     return e.error;
   } catch (const toml::parse_error& e) {
     const auto& at = e.source().begin;
-    return syntax_error(fmt::format("line {}, column {}: {}", at.line, at.column, e.description()));
+    return syntax_error(fmt::format(
+        "line {}, column {}: {}{}", at.line, at.column, e.description(),
+        e.description().find("','") == std::string_view::npos ? "" : comma_hint(text, at)));
   }
 }
 

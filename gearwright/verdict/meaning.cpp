@@ -15,7 +15,7 @@ constexpr Severity kProblem = Severity::problem;
 constexpr Severity kCaution = Severity::caution;
 constexpr Severity kNote = Severity::note;
 
-constexpr std::array<Entry, 42> kMeanings{{
+constexpr auto kMeanings = std::to_array<Entry>({
     {"through_axis",
      {kProblem, "the cutter passes the axis",
       "More teeth, more profile shift or a smaller dedendum would help.", true}},
@@ -58,6 +58,7 @@ constexpr std::array<Entry, 42> kMeanings{{
     {"contact_below_form",
      {kCaution, "", "Shorten the mating gear’s tip or give it a tip relief.", true}},
     {"contact_search_unfinished", {kCaution, "", "Ask for other positions."}},
+    {"correction_at_bound", {kCaution, "", "Align the housing better.", false}},
     {"not_read", {kNote, "", "Leave it out."}},
     {"rack_not_used", {kCaution, "", "Leave these numbers of the rack out."}},
     {"tip_below_base", {kCaution, "", "A greater tip diameter would help."}},
@@ -78,7 +79,6 @@ constexpr std::array<Entry, 42> kMeanings{{
     {"default_cutter", {kNote, "", ""}},
     {"tip_fillet_cut_off", {kNote, "", ""}},
     {"no_chord", {kNote, "", ""}},
-    {"no_step", {kNote, "", ""}},
     {"interference",
      {kProblem, "the flanks cut into each other",
       "A greater difference of the arcs’ radii would help.", true}},
@@ -87,7 +87,18 @@ constexpr std::array<Entry, 42> kMeanings{{
       "A centre distance nearer to the reference one would help.", true}},
     {"pressure_angle", {kCaution, "", "Leave it out, or write the angle at which they touch."}},
     {"unequal_lead", {kCaution, "", "The verb contact says where they touch."}},
-}};
+    {"no_span", {kNote, "", ""}},
+    {"no_balls", {kNote, "", ""}},
+    {"span_off_flank", {kNote, "", ""}},
+    {"span_off_face", {kNote, "", ""}},
+    {"ball_off_flank", {kNote, "", ""}},
+    {"pin_off_flank", {kNote, "", ""}},
+    {"tolerances_out_of_range", {kNote, "", ""}},
+    {"edge_carries", {kCaution, "", "Tip relief takes the load off the edge.", true}},
+    {"beyond_hertz", {kCaution, "", "Less torque or a wider face would help."}},
+    {"held_at_half_the_root", {kNote, "", ""}},
+    {"load_unfinished", {kCaution, "", "Ask for other positions."}},
+});
 
 }  // namespace
 

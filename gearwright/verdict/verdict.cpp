@@ -10,6 +10,7 @@
 #include "gearwright/pair/drive.hpp"
 #include "gearwright/verdict/margins.hpp"
 #include "gearwright/verdict/rating_findings.hpp"
+#include "gearwright/verdict/remedy.hpp"
 
 namespace gearwright {
 
@@ -44,10 +45,18 @@ std::string joined(const std::vector<std::string>& list) {
   return text;
 }
 
-// A backlash that is shown as 0.0000 mm is none.
-std::string backlash_words(double j) {
-  return std::abs(j) < 0.5e-4 ? std::string("no backlash")
-                              : fmt::format("a normal backlash of {:.4f} mm", j);
+// The least normal backlash of gears and housing of iron or steel below 15 m/s, mm.
+// Source  ISO/TR 10064-2:1996, annex A: 2/3 (0.06 + 0.0005 a + 0.03 m_n)
+double recommended_backlash(double center_distance, double normal_module) {
+  return 2.0 / 3.0 * (0.06 + 0.0005 * center_distance + 0.03 * normal_module);
+}
+
+// A backlash that is shown as 0.0000 mm is none: right for a table of nominal teeth, not for gears
+// that are to turn.
+std::string backlash_words(double j, double center_distance, double normal_module) {
+  if (std::abs(j) >= 0.5e-4) return fmt::format("a normal backlash of {:.4f} mm", j);
+  return fmt::format("no backlash (ISO/TR 10064-2 recommends at least {:.2f} mm)",
+                     recommended_backlash(center_distance, normal_module));
 }
 
 std::string running(const ArcPair& pair) {
@@ -58,7 +67,7 @@ std::string running(const ArcPair& pair) {
       pair.overlap_ratio,
       pair.contacts.size() == 1 ? "one point of contact"
                                 : fmt::format("{} points of contact", pair.contacts.size()),
-      backlash_words(pair.backlash_normal));
+      backlash_words(pair.backlash_normal, pair.center_distance, pair.gears[0].spec.normal_module));
 }
 
 bool uncut_ring(const Gear* gear) { return gear->internal() && !gear->tooth; }
@@ -77,9 +86,10 @@ std::string running(const InvolutePair& p) {
           : fmt::format("The pair runs: contact is continuous ({}contact ratio {:.3f}), there is",
                         p.crossed() ? "" : "total ", p.contact_ratio_true());
   const bool nothing_strikes = p.interference.empty() && p.beyond_flank.empty();
-  return fmt::format("{} {}{}.{}", contact, backlash_words(p.mesh.backlash.normal),
-                     nothing_strikes ? " and no interference" : "",
-                     uncut_ring(&p.gears[1]) ? kNoCutter : "");
+  return fmt::format(
+      "{} {}{}.{}", contact,
+      backlash_words(p.mesh.backlash.normal, p.center_distance, p.gears[0].spec.normal_module),
+      nothing_strikes ? " and no interference" : "", uncut_ring(&p.gears[1]) ? kNoCutter : "");
 }
 
 std::string gears_alone(const Judged& judged) {
@@ -156,8 +166,13 @@ Verdict verdict_of(const Judged& judged) {
   Verdict verdict;
   for (const Warning& w : *judged.warnings) {
     const Meaning meaning = meaning_of(w);
-    verdict.findings.push_back(
-        {w.code, level_of(meaning.severity), w.gear, w.message, meaning.remedy, {}, meaning.told});
+    verdict.findings.push_back({w.code,
+                                level_of(meaning.severity),
+                                w.gear,
+                                w.message,
+                                detail::remedy_for(w, judged),
+                                {},
+                                meaning.told});
   }
   const auto add = [&](std::vector<Finding> more) {
     for (Finding& f : more) verdict.findings.push_back(std::move(f));

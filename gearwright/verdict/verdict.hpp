@@ -71,6 +71,7 @@ struct Judged {
   const std::vector<Warning>* warnings = nullptr;  ///< of all that was asked
   const ContactResult* contact = nullptr;          ///< of the working flanks; null: not asked
   bool errors = false;                             ///< it is under errors
+  bool shifts_follow = false;  ///< a given centre distance asked for the profile shifts
   std::optional<JudgedRating> rating{};            ///< none: not asked
 };
 

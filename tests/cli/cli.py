@@ -8,7 +8,6 @@ import unittest
 
 BIN = os.environ["GW_BIN"]
 SOURCE = pathlib.Path(os.environ["GW_SOURCE"])
-HAS_STEP = os.environ.get("GW_HAS_STEP", "OFF") == "ON"
 # Every spec that a test runs, with how it ended: tests/schema asks a validator what it says to it.
 SPECS = pathlib.Path(os.environ["GW_SPECS"]) if "GW_SPECS" in os.environ else None
 if SPECS:

@@ -60,7 +60,7 @@ class BadInput(unittest.TestCase):
         self.refused(ring.replace("helix_angle_deg = 10", "helix_angle_deg = 15", 1), "gear2.helix_angle_deg", "same hand")
         self.refused(two("", "").replace("normal_module_mm = 2\nface_width_mm = 10\n\n[pair]", "normal_module_mm = 3\n[pair]"),
                      "gear2.normal_module_mm", "base pitch")
-        self.refused(two("profile_shift = -0.5", "profile_shift = -0.5"), "profile_shift", "greater than")
+        self.refused(two("profile_shift = -0.5", "profile_shift = -0.5"), "gear1.profile_shift", "greater than")
         self.refused(two("", "").replace("teeth = 20", "teeth = -20", 1), "gear1.teeth", "internal gear")
         self.refused(GEAR, "gear2", "gear2")
         self.refused(two("teeth_ = 1"), "gear1.teeth_", "teeth")
@@ -99,9 +99,6 @@ class BadInput(unittest.TestCase):
     def test_what_is_not_in_this_version_says_so(self):
         self.refused(GEAR + "[gear1.modifications]\ntip_relief_um = 20", "gear1.modifications.tip_relief_start_mm", "missing", verb="gear")
         self.refused(two(pair="shaft_angle_deg = 90"), "pair.shaft_angle_deg", "parallel")
-        p = raw("identify", "x.toml")
-        self.assertEqual(p.returncode, 2)
-        self.assertIn("not in this version", p.stderr)
 
     def test_files_that_are_no_spec(self):
         for text in ("", "   \n", "[", "teeth", "[gear1]\nteeth = ", "[gear1", b"\xef\xb3\xbf", b"\x00\x01\xff", "x = 1979-05-27"):
@@ -161,7 +158,7 @@ class BadInput(unittest.TestCase):
 
     def test_what_is_not_read_is_said(self):
         r = Run("pair", two(pair="friction_coefficient = 0.05") + "[gear1.measured]\ntip_diameter_mm = 44", "--json")
-        self.assertEqual(sum(w["code"] == "not_read" for w in r.json["warnings"]), 1)
+        self.assertEqual(sum(w["code"] == "not_read" for w in r.json["warnings"]), 0)
         self.assertGreater(r.json["pair"]["efficiency"]["gear1_drives"], 0.98)
 
     def test_teeth_that_do_not_meet_have_no_contact_ratio(self):

@@ -3,7 +3,7 @@ import json
 import math
 import unittest
 
-from cli import HAS_STEP, SOURCE, Asked, Run
+from cli import SOURCE, Asked, Run
 
 F_RACK = """kind = "circular_arc"
 cutter = "F"
@@ -229,8 +229,8 @@ class Files(Asked):
             spec = (SOURCE / "examples" / (name + ".toml")).read_text().replace("face_width_mm = 180", "face_width_mm = 160")
             r = Run("run", spec, "--json", "--out", "made")
             self.assertEqual(r.status, 0, r.err)
-            self.assertEqual(r.json["warnings"], [] if HAS_STEP else r.json["warnings"])
-            kinds = ["stl", "3mf", "dxf", "svg"] + (["step"] if HAS_STEP else [])
+            self.assertEqual(r.json["warnings"], [])
+            kinds = ["stl", "3mf", "dxf", "svg", "step"]
             for file in [f"gear{i}.{k}" for i in (1, 2) for k in kinds] + ["pair.glb", "report.html", "result.json"]:
                 self.assertIn(f"made/{file}", r.files())
             saved = json.loads((r.folder / "made/result.json").read_text())

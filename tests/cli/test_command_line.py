@@ -13,7 +13,7 @@ import time
 import tomllib
 import unittest
 
-from cli import BIN, HAS_STEP, PAIR, SOURCE, Asked, Run, raw
+from cli import BIN, PAIR, SOURCE, Asked, Run, raw
 
 GEAR = "[gear1]\nteeth = 20\nnormal_module_mm = 2\nface_width_mm = 10\n"
 
@@ -183,20 +183,6 @@ class Folders(unittest.TestCase):
         # a run that fails removes nothing
         Run("run", GEAR.replace("20", "-20") + "tip_diameter_mm = -1\n", "--out", folder + "/o", folder=folder)
         self.assertTrue((out / "gear1.svg").exists())
-
-    @unittest.skipUnless(HAS_STEP, "built without OCCT")
-    def test_without_its_module_the_program_says_that_there_is_no_step(self):
-        folder = pathlib.Path(tempfile.mkdtemp())
-        shutil.copy(BIN, folder / "gearwright")
-        (folder / "a.toml").write_text(GEAR)
-        p = subprocess.run([folder / "gearwright", "run", "a.toml", "--only", "step", "--json"], cwd=folder, capture_output=True, text=True)
-        self.assertEqual(p.returncode, 0, p.stderr)
-        self.assertIn("no_step", [w["code"] for w in json.loads(p.stdout)["warnings"]])
-        (folder / "gearwright-step.so").write_text("no library")
-        p = subprocess.run([folder / "gearwright", "export", "a.toml", "--step", "a.step"], cwd=folder, capture_output=True, text=True)
-        self.assertEqual(p.returncode, 3)
-        self.assertIn("gearwright-step.so", p.stderr)
-        self.assertFalse((folder / "a.step").exists())
 
 
 class Batches(unittest.TestCase):

@@ -42,7 +42,7 @@ class Keys(Asked):
             self.assertEqual(hint(key, "pair"), near + want, key)
 
     def test_what_is_like_nothing_is_told_what_there_is(self):
-        for key in ("quality", "zzz", "colour", "x" * 5000):
+        for key in ("smoothness", "zzz", "colour", "x" * 5000):
             said = hint(key)
             self.assertTrue(said.startswith("known keys here: teeth, normal_module_mm"), said)
 
@@ -100,6 +100,46 @@ class Places(unittest.TestCase):
         self.assertEqual(self.place(arcs, "a.json")[0], 1)
         r = Run("gear", "[gear1]\nteeth = = 3\n")
         self.assertIn("case.toml: the spec cannot be read: line 2, column", r.err)
+
+
+class Slips(Asked):
+    """What a first spec gets wrong, and the sentence that leads on."""
+
+    def test_a_decimal_comma(self):
+        self.assertIn("a decimal point is a point: 2.5", Run("gear", "[gear1]\nteeth = 17\nnormal_module_mm = 2,5\n").err)
+
+    def test_a_table_is_no_key_of_a_gear(self):
+        self.assertEqual(hint("pair", "gear2"), "[pair] is a table of its own, not a part of [gear2]")
+        self.assertTrue(hint("pitch_um", "errors").startswith("known keys here: center_distance_mm"))
+
+    def test_a_sum_of_shifts_is_told_of_the_key_that_was_written(self):
+        two = GEAR + "profile_shift = {}\n[gear2]\nteeth = 40\nprofile_shift = {}\n"
+        for x1, x2, key in ((-2, 0.1, "gear1.profile_shift"), (0.1, -2, "gear2.profile_shift")):
+            self.refused(two.format(x1, x2), key, "the sum of both gears, -1.9", "greater than")
+
+    def test_a_rack_that_nobody_wrote_is_called_a_default(self):
+        steep = GEAR + "normal_pressure_angle_deg = 60\n"
+        self.refused(steep, "gear1.rack.dedendum", "not given, and this default does not suit", "0.453449", verb="gear")
+        own = self.refused(steep + "[gear1.rack]\ndedendum = 1.25\n", "gear1.rack.dedendum", "0.453449", verb="gear")
+        self.assertNotIn("default", own)
+
+
+class TitleBlock(Asked):
+    def test_the_words_of_a_drawing_and_its_bore_are_at_every_door(self):
+        spec = ('[drawing]\nnumber = "GW-7"\nmaterial = "C45 <b>"\n' + GEAR +
+                "[gear1.bore]\ndiameter_mm = 12\nkeyway_width_mm = 4\nkeyway_depth_mm = 1.8\n")
+        job = self.ok("gear", spec)
+        self.assertEqual([job["drawing"][k] for k in ("number", "material", "date")], ["GW-7", "C45 <b>", None])
+        keys = ("bore_diameter_mm", "keyway_width_mm", "keyway_depth_mm")
+        self.assertEqual([job["gears"][0][k] for k in keys], [12, 4, 1.8])
+        self.assertIn("bore diameter", Run("gear", spec).out)
+        with tempfile.TemporaryDirectory() as folder:
+            self.ok("run", spec, "--out", folder, "--only", "report")
+            page = (pathlib.Path(folder) / "report.html").read_text()
+        self.assertIn("<dt>Number</dt><dd>GW-7</dd>", page)
+        self.assertIn("C45 &lt;b&gt;", page)
+        self.assertNotIn("<dt>Date</dt>", page)
+        self.refused(spec.replace('"GW-7"', "7"), "drawing.number", "a text in quotes", verb="gear")
 
 
 class Hands(Asked):

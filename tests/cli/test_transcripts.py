@@ -13,7 +13,7 @@ import subprocess
 import tempfile
 import unittest
 
-from cli import BIN, HAS_STEP, SOURCE
+from cli import BIN, SOURCE
 
 BLOCK = re.compile(r"```text\n(\$ (?:build/release/)?gearwright [^\n]*\n.*?)```", re.S)
 GAP = re.compile(r"^\s*…$")
@@ -144,7 +144,6 @@ class Transcripts(unittest.TestCase):
     def test_readme(self):
         self.page("README.md")
 
-    @unittest.skipUnless(HAS_STEP, "the pages show STEP files")
     def test_quickstart(self):
         self.page("docs/quickstart.md")
 

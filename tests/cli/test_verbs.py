@@ -7,7 +7,7 @@ import struct
 import tempfile
 import unittest
 
-from cli import HAS_STEP, PAIR, SOURCE, Run, raw
+from cli import PAIR, SOURCE, Run, raw
 
 
 class Verbs(unittest.TestCase):
@@ -73,11 +73,9 @@ class Verbs(unittest.TestCase):
     def test_run_writes_everything_and_nothing_else(self):
         r = Run("run", PAIR, "--json")
         self.assertEqual(r.status, 0, r.err)
-        want = ["result.json", "report.html", "pair.glb"]
+        want = ["result.json", "report.html", "pair.glb", "pair.step"]
         for g in ("gear1", "gear2"):
-            want += [g + e for e in (".stl", ".3mf", ".dxf", ".svg")]
-        if HAS_STEP:
-            want += ["gear1.step", "gear2.step", "pair.step"]
+            want += [g + e for e in (".stl", ".3mf", ".dxf", ".svg", ".step")]
         self.assertEqual(r.files(), sorted(["case.toml"] + ["case_out/" + w for w in want]))
         on_disk = json.loads((r.folder / "case_out/result.json").read_text())
         self.assertEqual(on_disk["pair"], r.json["pair"])
@@ -97,6 +95,18 @@ class Verbs(unittest.TestCase):
         for got, value in zip(by_name["gear2"], want):
             self.assertAlmostEqual(got, value, places=14)
         self.assertEqual(by_name["gear1"][12:15], [0, 0, 0])
+
+    def test_export_writes_the_protocol_that_is_asked_for(self):
+        for words, name, schema in ((), "AP242", "AP242_MANAGED_MODEL"), (("--step-schema", "ap214"), "AP214", "AUTOMOTIVE_DESIGN"):
+            r = Run("export", PAIR, "--step", "zwei Räder.step", *words, "--json")
+            self.assertEqual(r.status, 0, r.err)
+            self.assertEqual(r.json["files"][0]["what"], "STEP, " + name)
+            text = (r.folder / "zwei Räder.step").read_text(encoding="ascii")
+            self.assertIn("FILE_SCHEMA(('" + schema, text)
+            self.assertIn(r"'zwei R\X2\00E4\X0\der'", text)
+        r = Run("export", PAIR, "--step", "a.step", "--step-schema", "ap203")
+        self.assertEqual(r.status, 2)
+        self.assertNotIn("a.step", r.files())
 
     def test_run_of_a_single_gear(self):
         r = Run("run", "[gear1]\nteeth = 21\nnormal_module_mm = 2\nface_width_mm = 9\n")
@@ -182,7 +192,7 @@ class Verbs(unittest.TestCase):
             self.assertIn(word, r.out)
 
     def test_every_example_runs(self):
-        # The commands of its opening comment, and `run` unless the example is a question for `fit` or `search`.
+        # The commands of its opening comment, and `run` unless the example is a question for `fit`, `search` or `identify`.
         examples = sorted((SOURCE / "examples").glob("*.toml"))
         self.assertTrue(examples)
         for example in examples:
@@ -190,7 +200,7 @@ class Verbs(unittest.TestCase):
             commands = [c.split() for c in re.findall(r"^#   gearwright (.+)$", text, re.M)]
             self.assertTrue(commands, example.name)
             asked = {verb for verb, *_ in commands}
-            if not asked & {"run", "fit", "search"}:
+            if not asked & {"run", "fit", "search", "identify"}:
                 commands.append(["run", "examples/" + example.name])
             for verb, path, *options in commands:
                 with self.subTest(example=example.name, verb=verb):

@@ -1,9 +1,10 @@
 """The verdict: last line of every listing, `verdict` of every JSON, exit status 4 with --strict."""
 
 import json
+import re
 import unittest
 
-from cli import Run
+from cli import SOURCE, Run
 
 GREEN = """
 [gear1]
@@ -37,6 +38,37 @@ class VerdictTest(unittest.TestCase):
                         worst = said["findings"][0]
                         self.assertEqual(worst["level"], level)
                         self.assertTrue(worst["remedy"])
+
+    def test_a_gear_alone_has_one_too(self):
+        cut_through = "[gear1]\nteeth = 4\nnormal_module_mm = 2\nprofile_shift = -0.6\nface_width_mm = 10\n"
+        said = Run("gear", cut_through, "--json").json["verdict"]
+        self.assertEqual(said["level"], "red")
+        self.assertIn("Gear 1 cannot be made as specified", said["headline"])
+        self.assertEqual([Run("gear", cut_through).status, Run("gear", cut_through, "--strict").status], [0, 4])
+        self.assertIn("Verdict: green. The gear can be cut as specified.",
+                      Run("gear", GREEN.split("[gear2]")[0]).out)
+
+    def test_a_remedy_has_the_numbers_of_the_pair(self):
+        near = "[gear1]\nteeth = 12\nnormal_module_mm = 2\n[gear2]\nteeth = 40\n[pair]\ncenter_distance_mm = 50.5\n"
+        said = Run("pair", near, "--json").json["verdict"]
+        self.assertIn("asks for a sum of profile shifts of -0.65", said["headline"])
+        self.assertIn("reference centre distance, 52 mm", said["headline"])
+        # The tip diameter that is named is the one at which contact ends where the flank begins.
+        long = GREEN.replace("teeth = 41", "teeth = 41\ntip_diameter_mm = 88")
+        found = next(f for f in Run("pair", long, "--json").json["verdict"]["findings"] if f["code"] == "form_circle")
+        tip = float(re.search(r"at most ([0-9.]+) mm would do", found["remedy"])[1])
+        for d, clear in ((tip - 0.001, True), (tip + 0.001, False)):
+            job = Run("pair", long.replace("= 88", f"= {d}"), "--json").json
+            self.assertEqual(job["pair"]["form_clearance_mm"][0] >= 0, clear, d)
+
+    def test_a_correction_at_its_bound_is_said(self):
+        example = (SOURCE / "examples" / "misaligned_pair.toml").read_text().split("[compensate.range]")[0]
+        askew = example + "[compensate.range]\ncrossing_deg = [0.1, 0.2]\n"
+        j = Run("compensate", askew, "--json").json
+        self.assertTrue(j["compensate"]["corrections"][0]["at_bound"])
+        self.assertEqual(j["compensate"]["corrections"][0]["spec_key"].split(".")[:2], ["gear1", "modifications"])
+        self.assertIn("correction_at_bound", [w["code"] for w in j["warnings"]])
+        self.assertIn("(the bound)", Run("compensate", askew).out)
 
     def test_strict_ends_in_4_unless_it_is_green(self):
         for verb in ("pair", "contact", "run"):
@@ -86,10 +118,6 @@ class VerdictTest(unittest.TestCase):
         level = result["verdict"]["level"]
         self.assertIn(f'<p class="verdict {level}"><b>{level}</b>', page)
         self.assertIn("An edge touches during", page)
-
-    def test_a_gear_alone_has_none(self):
-        one = GREEN.split("[gear2]")[0]
-        self.assertNotIn("verdict", Run("gear", one, "--json").json)
 
 
 if __name__ == "__main__":

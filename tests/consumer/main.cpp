@@ -1,4 +1,4 @@
-// What a user of the installed library writes first: two gears, their pair, a point of a tooth.
+// What a user of the installed library writes first: two gears, their pair, a solid.
 #include <cmath>
 #include <cstdio>
 
@@ -25,11 +25,13 @@ int main() {
               pair->center_distance(), pair->contact_ratio(),
               2 * gear_1->root_form_radius().value());
 
-  const auto mesh = tessellate({"pinion", gear_1->tooth->outline, gear_1->twist(), 25.0,
-                                std::nullopt, Eigen::Isometry3d::Identity()});
+  const ToothedBody body{"pinion", gear_1->tooth->outline, gear_1->twist(),
+                         25.0,     std::nullopt,           Eigen::Isometry3d::Identity()};
+  const auto mesh = tessellate(body);
+  const auto solid = step_document({body}, "pinion.step");
   const auto touching = contact(*pair, {.crossing = Angle::radians(1e-4)});
   const auto bad = make_gear({.teeth = 17, .normal_module = -1.0, .face_width = 5});
   const bool good = std::abs(pair->involute()->mesh.backlash.normal_base) < 1e-12 && mesh &&
-                    touching && !bad && bad.error().field == "normal_module";
+                    solid && touching && !bad && bad.error().field == "normal_module";
   return good ? 0 : 1;
 }

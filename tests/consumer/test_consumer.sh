@@ -2,7 +2,7 @@
 # The library as installed: find_package and pkg-config both build a program that runs, from a prefix
 # that was moved after the installation.
 #
-# Environment: GW_BUILD, GW_SOURCE, GW_CXX, GW_CMAKE, GW_HAS_STEP as set by ctest.
+# Environment: GW_BUILD, GW_SOURCE, GW_CXX, GW_CMAKE as set by ctest.
 set -euo pipefail
 
 work=$(mktemp -d)
@@ -20,7 +20,7 @@ flags=$(sed -n 's/^CMAKE_CXX_FLAGS:[A-Z]*=//p' "$GW_BUILD/CMakeCache.txt")
 
 echo "== find_package"
 "$GW_CMAKE" -G Ninja -S "$GW_SOURCE/tests/consumer" -B "$work/build" \
-  -DWITH_CAD="${GW_HAS_STEP:-OFF}" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_CXX_COMPILER="$GW_CXX" -DCMAKE_CXX_FLAGS="$flags"
+  -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_CXX_COMPILER="$GW_CXX" -DCMAKE_CXX_FLAGS="$flags"
 "$GW_CMAKE" --build "$work/build"
 found=$(sed -n 's/^gearwright_DIR:[A-Z]*=//p' "$work/build/CMakeCache.txt")
 case $found in

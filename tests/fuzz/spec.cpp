@@ -25,7 +25,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     require(!job_json(*job).dump().empty());
     SolvedJob measured = *job;
-    const auto measures = chord_measures(measured);
+    const auto measures = measure_gears(measured);
     require(measures ? !measures_json(measured, *measures).dump().empty()
                      : !measures.error().message().empty());
     for (const Gear& gear : job->gears) {

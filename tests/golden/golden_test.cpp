@@ -37,9 +37,9 @@ TEST_P(Golden, CasesHold) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, Golden,
-                         ::testing::Values(std::pair{"external.json", 12},
+                         ::testing::Values(std::pair{"external.json", 19},
                                            std::pair{"spur_design.json", 18},
-                                           std::pair{"inspection.json", 38},
+                                           std::pair{"inspection.json", 66},
                                            std::pair{"conjugate_action.json", 217},
                                            std::pair{"small_tooth_numbers.json", 102}));
 

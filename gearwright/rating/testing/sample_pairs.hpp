@@ -54,7 +54,7 @@ inline RatingInput helical_24_95_load() {
   in.quality = {6, 6};
   in.flank_roughness = {4.8, 4.8};
   in.root_roughness = {20, 20};
-  in.body = GearBody{0.25, 5};
+  in.body = RatedBody{0.25, 5};
   in.materials = {case_hardened(), case_hardened()};
   return in;
 }

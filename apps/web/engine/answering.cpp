@@ -1,0 +1,108 @@
+#include "apps/web/engine/answering.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "apps/common/speaking.hpp"
+#include "gearwright/catalogue/spelling.hpp"
+#include "gearwright/job/answers.hpp"
+#include "gearwright/job/search_answer.hpp"
+#include "gearwright/job/search_job.hpp"
+#include "gearwright/spec/parse_spec.hpp"
+#include "gearwright/spec/toml_text.hpp"
+
+namespace gearwright::web {
+
+namespace {
+
+Error too_long(std::size_t bytes) {
+  return {"", "",
+          fmt::format("the spec has {} bytes; one has at most {}, more than any gear needs", bytes,
+                      kMaxSpec)};
+}
+
+// The whole search at once, as the program does it.
+Result<std::string> search_answer(const JobSpec& spec) {
+  if (!spec.search) {
+    return Error{"search", "",
+                 "is missing; a search needs a table [search] with at least ratio, modules_mm and "
+                 "pinion_teeth"};
+  }
+  const Search search(*spec.search);
+  const auto run = run_search(spec, search, {});
+  if (!run) return run.error();
+  return search_json_text(search, *run);
+}
+
+Result<std::string> answered(std::string_view verb, const JobSpec& spec) {
+  if (verb == "search") return search_answer(spec);
+  const auto json = answer_json(verb, spec);
+  if (!json) return json.error();
+  return json_text(*json, 2) + "\n";
+}
+
+Result<Json> parsed(const std::string& text, SpecFormat format) {
+  if (text.size() > kMaxSpec) return too_long(text.size());
+  return parse_spec(text, format);
+}
+
+// The path of a null in a tree: TOML has none.
+std::optional<std::string> null_in(const Json& tree, const std::string& path) {
+  if (tree.is_null()) return path;
+  if (!tree.is_structured()) return std::nullopt;
+  for (const auto& [key, value] : tree.items()) {
+    std::string here = key;
+    if (tree.is_array()) here = fmt::format("{}[{}]", path, std::stoul(key) + 1);
+    if (tree.is_object() && !path.empty()) here = path + "." + key;
+    if (auto found = null_in(value, here)) return found;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+SpecText spec_text(std::string text) {
+  SpecText read{"", std::move(text)};
+  const std::size_t first = read.text.find_first_not_of(" \t\r\n");
+  if (first != std::string::npos && read.text[first] == '{') read.format = SpecFormat::json;
+  return read;
+}
+
+Result<JobSpec> read(const SpecText& text) {
+  if (text.text.size() > kMaxSpec) return too_long(text.text.size());
+  return read_spec(text);
+}
+
+std::string refusal(const Error& error, const SpecText* text, const GivenKeys& given) {
+  return json_text(cli::refusal_json(spelled(error, given), text), 2) + "\n";
+}
+
+std::string answer(std::string_view verb, const std::string& given) {
+  const SpecText text = spec_text(given);
+  const bool known =
+      verb == "search" || std::find(kAnswering.begin(), kAnswering.end(), verb) != kAnswering.end();
+  if (!known)
+    return refusal({"", std::string(verb), "is no verb that answers a spec with JSON"}, nullptr);
+  const auto spec = read(text);
+  if (!spec) return refusal(spec.error(), &text);
+  const auto said = answered(verb, *spec);
+  return said ? *said : refusal(said.error(), &text, spec->given);
+}
+
+Result<std::string> to_toml(const std::string& json) {
+  const auto tree = parsed(json, SpecFormat::json);
+  if (!tree) return tree.error();
+  if (const auto path = null_in(*tree, ""))
+    return Error{*path, "null", "is no value of a spec; leave the key out"};
+  return toml_text(*tree);
+}
+
+Result<std::string> to_json_text(const std::string& toml) {
+  const auto tree = parsed(toml, SpecFormat::toml);
+  if (!tree) return tree.error();
+  return json_text(*tree, 2) + "\n";
+}
+
+}  // namespace gearwright::web

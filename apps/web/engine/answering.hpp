@@ -1,0 +1,30 @@
+// From the text of a spec to the text that the program prints with --json: the same bytes, a refusal
+// too. What a page has no use for, files and folders, stays out.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "gearwright/spec/spec.hpp"
+
+namespace gearwright::web {
+
+/// A text that was read; JSON where it begins with a brace, else TOML.
+SpecText spec_text(std::string text);
+
+/// Reads it.   Errors  with more than kMaxSpec bytes, else as read_spec
+Result<JobSpec> read(const SpecText& text);
+
+/// {"error": …} with the keys that the spec has and the line, as the program prints it.
+std::string refusal(const Error& error, const SpecText* text = nullptr,
+                    const GivenKeys& given = {});
+
+/// What `gearwright VERB SPEC --json` prints.
+std::string answer(std::string_view verb, const std::string& text);
+
+/// The same tree in the other language; none where it cannot be read.
+Result<std::string> to_toml(const std::string& json);
+Result<std::string> to_json_text(const std::string& toml);
+
+}  // namespace gearwright::web

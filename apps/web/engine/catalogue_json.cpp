@@ -1,0 +1,149 @@
+#include "apps/web/engine/catalogue_json.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "gearwright/base/version.hpp"
+#include "gearwright/catalogue/compensate_quantities.hpp"
+#include "gearwright/catalogue/contact_quantities.hpp"
+#include "gearwright/catalogue/drawing_quantities.hpp"
+#include "gearwright/catalogue/file_quantities.hpp"
+#include "gearwright/catalogue/fit_quantities.hpp"
+#include "gearwright/catalogue/gear_quantities.hpp"
+#include "gearwright/catalogue/identify_quantities.hpp"
+#include "gearwright/catalogue/measure_quantities.hpp"
+#include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/search_quantities.hpp"
+#include "gearwright/catalogue/spec_keys.hpp"
+#include "gearwright/catalogue/verdict_quantities.hpp"
+#include "gearwright/spec/json.hpp"
+
+namespace gearwright::web {
+
+namespace {
+
+constexpr std::array<const char*, 7> kKinds{"number", "whole", "boolean", "text",
+                                            "word",   "table", "any"};
+constexpr std::array<const char*, 8> kTypes{"number", "whole", "index",  "flag",
+                                            "word",   "text",  "record", "map"};
+constexpr std::array<const char*, 3> kTwos{"values", "gears", "ends"};
+
+template <class Names, class E>
+const char* name_of(const Names& names, E value) {
+  return names[static_cast<std::size_t>(value)];
+}
+
+// What people read for the end of a key.
+std::string unit_of_suffix(std::string_view suffix) {
+  if (suffix == "deg") return "°";
+  if (suffix == "um") return "µm";
+  if (suffix == "arcsec") return "″";
+  if (suffix == "per_in") return "1/in";
+  if (suffix == "rpm") return "1/min";
+  return std::string(suffix);
+}
+
+Json texts(const std::vector<std::string_view>& list) {
+  return Json(std::vector<std::string>(list.begin(), list.end()));
+}
+
+Json number_or_null(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+
+Json key_json(const Key& k) {
+  const std::string_view suffix = key_unit(k.key);
+  Json tables = Json::array();
+  for (const auto& table : k.tables) tables.push_back(table().name);
+  Json j{{"key", k.key},
+         {"symbol", k.symbol},
+         {"kind", name_of(kKinds, k.kind)},
+         {"unit", unit_of_suffix(suffix)},
+         {"suffix", suffix},
+         {"words", texts(k.words)},
+         {"range", nullptr},
+         {"list", nullptr},
+         {"form", form_of(k)},
+         {"required", k.required},
+         {"needs", texts(k.needs)},
+         {"excludes", texts(k.excludes)},
+         {"tables", std::move(tables)},
+         {"fallback", k.fallback},
+         {"meaning", plain_words(k.meaning)},
+         {"also", texts(k.also)},
+         {"documented", k.in_documents}};
+  if (k.range.limited()) {
+    j["range"] = {{"lo", number_or_null(k.range.lo)},
+                  {"hi", number_or_null(k.range.hi)},
+                  {"loOpen", k.range.lo_open},
+                  {"hiOpen", k.range.hi_open},
+                  {"zero", k.range.zero},
+                  {"reason", k.range.reason}};
+  }
+  if (k.list)
+    j["list"] = {{"least", k.list->least}, {"most", k.list->most}, {"single", k.list->single}};
+  return j;
+}
+
+Json said_json(const Said& s) {
+  return {{"key", s.key},
+          {"words", s.words},
+          {"symbol", s.symbol},
+          {"unit", unit_text(s.unit)},
+          {"digits", digits_of(s)},
+          {"group", s.group},
+          {"meaning", plain_words(s.meaning)},
+          {"type", name_of(kTypes, s.type)},
+          {"list", s.list},
+          {"two", name_of(kTwos, s.two)},
+          {"oneOf", s.one_of},
+          {"of", s.type == Type::record && s.of ? s.of().name : std::string()},
+          {"page", (s.doors & kPage) != 0},
+          {"listing", (s.doors & kListing) != 0},
+          {"percent", s.unit == Unit::percent},
+          {"nothing", s.nothing},
+          {"greaterFirst", s.greater_first}};
+}
+
+// A table and those of the records in it, each once.
+void collect(const SaidTable& table, std::vector<const SaidTable*>& all) {
+  if (std::find(all.begin(), all.end(), &table) != all.end()) return;
+  all.push_back(&table);
+  for (const Said* s : table.list)
+    if (s->type == Type::record && s->of) collect(s->of(), all);
+}
+
+}  // namespace
+
+std::string catalogue_json() {
+  Json inputs = Json::array();
+  for (const KeyTable* table : all_key_tables()) {
+    Json keys = Json::array();
+    for (const Key& k : table->keys) keys.push_back(key_json(k));
+    inputs.push_back({{"name", table->name},
+                      {"meaning", plain_words(table->meaning)},
+                      {"keys", std::move(keys)}});
+  }
+  std::vector<const SaidTable*> all;
+  for (const SaidTable* table :
+       {&gear_quantities().table(), &measure_quantities().table(), &as_rack_quantities().table(),
+        &outline_quantities().table(), &pair_quantities().table(), &contact_quantities().table(),
+        &position_quantities().table(), &compensate_quantities().table(), &fit_quantities().table(),
+        &identify_quantities().table(), &drawing_quantities().table(), &search_quantities().table(),
+        &design_quantities().table(), &file_quantities().table(), &warning_quantities().table(),
+        &verdict_quantities().table()})
+    collect(*table, all);
+  Json quantities = Json::array();
+  for (const SaidTable* table : all) {
+    Json list = Json::array();
+    for (const Said* s : table->list)
+      if ((s->doors & kJson) != 0) list.push_back(said_json(*s));
+    quantities.push_back(
+        {{"name", table->name}, {"groups", table->groups}, {"quantities", std::move(list)}});
+  }
+  return json_text({{"version", kVersion},
+                    {"inputs", std::move(inputs)},
+                    {"quantities", std::move(quantities)}});
+}
+
+}  // namespace gearwright::web

@@ -1,0 +1,279 @@
+// The engine in WebAssembly, as a page or a node program sees it.
+//
+// No formula lives here: every call hands a spec to the same C++ that `gearwright` is made of and
+// hands back what came out. Rules:
+//
+//   * No call throws. What went wrong is `Failed`, in the words and with the line that the program
+//     prints; ask `failed(x)` (or look for `error`).
+//   * Lengths mm, angles at this interface degrees, said in the name. Keys of results are those of
+//     `gearwright … --json` (docs/spec.md); the catalogue tells words, symbol, unit and digits.
+//   * Arrays are copies that belong to the caller: transfer them, keep them.
+//   * Calls are synchronous and single-threaded: run the engine in a Web Worker. Long work is a
+//     `Work`: step it for some milliseconds, look at messages, step again; drop it to cancel.
+//   * Everything with `delete()` lives in the module's memory until it is deleted.
+//   * A contract of the core that is broken, a mistake of ours, stops the module: that call and all
+//     later ones answer a Failed that says so; load the engine again.
+//
+// Housing frame, rotations, signs: docs/theory/01-frames.md. Gear 1 turns clockwise seen from +z
+// for growing `rotation1`, gear 2 as it is driven.
+
+/** What a refusal looks like: the key of the spec, its value, one sentence. */
+export interface Failed {
+  error: {
+    key: string; // "gear1.normal_module_mm", or "" when no key is to blame
+    value: string;
+    message: string; // the whole sentence, with key and value
+    file?: string;
+    line?: number; // counted from 1, where the key (or its table) stands in the text
+    column?: number; // in characters, from 1
+  };
+}
+
+/** Every verb that answers a spec with JSON. */
+export type Verb = "gear" | "pair" | "measure" | "contact" | "compensate" | "fit" | "identify" | "search";
+
+/** Files that the engine makes; `report` and `json` of all that the spec describes. */
+export type FileKind = "stl" | "glb" | "3mf" | "dxf" | "svg" | "step" | "report" | "json";
+
+// ---------------------------------------------------------------------------------- catalogue
+
+/** One key of a spec. */
+export interface InputKey {
+  key: string; // "helix_angle_deg"
+  symbol: string; // "β", may be empty
+  kind: "number" | "whole" | "boolean" | "text" | "word" | "table" | "any";
+  unit: string; // "mm", "°", "µm", "″", "1/min", … of the key's ending; "" of pure numbers
+  suffix: string; // how the key ends: "mm", "deg", "um", ""
+  words: string[]; // of a word: what is allowed; of other kinds: words that will do, too
+  range: {
+    lo: number | null; // null: no end
+    hi: number | null;
+    loOpen: boolean; // the end itself is not allowed
+    hiOpen: boolean;
+    zero: boolean; // false: 0 is not allowed
+    reason: string; // goes on after the range: ", usually 14.5 to 30"
+  } | null;
+  list: { least: number; most: number; single: boolean } | null; // a list instead of one value
+  form: string; // what may stand there, as a sentence says it: "a number", "true or false"
+  required: boolean;
+  needs: string[]; // keys that must stand beside it
+  excludes: string[]; // keys that may not
+  tables: string[]; // of a table: names of the InputTables that it may be
+  fallback: string; // what holds when it is absent: a value as in the file, or words
+  meaning: string; // one sentence, lower case, without the full stop
+  also: string[]; // what people write for it: "module", "dp"
+  documented: boolean; // false: leave it out of forms
+}
+export interface InputTable {
+  name: string; // "gear", "pair", "errors", "rack_circular_arc", …; the file itself is "spec"
+  meaning: string;
+  keys: InputKey[];
+}
+
+/** One quantity of a result. */
+export interface Quantity {
+  key: string; // in JSON: "tip_diameter_mm"
+  words: string; // "tip diameter"
+  symbol: string; // "d_a", indices after the underscore; may be empty
+  unit: string; // "mm", "°", "µm"; "" of pure numbers
+  digits: number; // decimals for people
+  group: string; // heading; may be empty
+  meaning: string;
+  type: "number" | "whole" | "index" | "flag" | "word" | "text" | "record" | "map";
+  list: number[]; // lengths of nested lists, 0: any; []: one value
+  two: "values" | "gears" | "ends"; // what two values of a list are
+  oneOf: string[]; // of a word
+  of: string; // of a record: name of the QuantityTable that it holds; else ""
+  page: boolean; // the report's tables show it
+  listing: boolean; // the terminal's
+  percent: boolean; // a share of 1; people read 100 times it
+  nothing: string; // what people read where there is no value; "" means "–"
+  greaterFirst: boolean; // the better are the greater
+}
+export interface QuantityTable {
+  name: string; // "gear", "pair", "contact", "contact.positions", "search.designs", "verdict", …
+  groups: string[]; // headings in their order
+  quantities: Quantity[];
+}
+export interface Catalogue {
+  version: string;
+  inputs: InputTable[]; // the file itself first
+  quantities: QuantityTable[];
+}
+
+// ---------------------------------------------------------------------------------- geometry
+
+/** The transverse outline of the whole gear in the section z = 0, in the gear's own frame. */
+export interface Section {
+  teeth: number; // |z|
+  internal: boolean;
+  /** x, y, x, y, … counter-clockwise, mm; closed: the last point joins the first. */
+  outline: Float64Array;
+  /** Pieces of the outline in its order: points from[i] … to[i] inclusive (point indices; the last
+   *  `to` is the number of points, that is: point 0). */
+  pieces: { name: string; tooth: number; land: boolean; from: number; to: number }[];
+  /** Bore, or rim of an internal gear, closed, x, y, …; empty without one. */
+  bore: Float64Array;
+  /** Circles about the axis that the catalogue names: tip, reference, base, root, form circles,
+   *  working pitch. `key` is the quantity's, "base_diameter_mm". */
+  circles: { key: string; symbol: string; words: string; radius: number }[];
+  toleranceMm: number; // no chord is farther from the exact curve
+}
+
+/** A closed mesh in the gear's own frame, for three.js buffers. Normals are the exact surface's. */
+export interface Mesh {
+  positions: Float32Array; // x, y, z, …, mm
+  normals: Float32Array;
+  indices: Uint32Array;
+  toleranceMm: number;
+}
+
+/** What stands between the gears, in the housing frame, mm. Empty arrays: no such thing. */
+export interface MeshLines {
+  kind: "parallel_external" | "parallel_internal" | "crossed";
+  centerDistance: number;
+  shaftAngleDeg: number;
+  lineOfAction: Float64Array; // x, y, z of both ends (base tangent points)
+  trailingLine: Float64Array; // of the non-working flanks
+  pathOfContact: Float64Array; // x, y, z of A and E, or of the points of a curved path
+  points: { name: "A" | "B" | "C" | "D" | "E"; x: number; y: number; z: number }[];
+}
+
+/** Columns by the keys of contact.positions; NaN or "" where there is no value. A list of n numbers
+ *  lies interleaved, `width[key]` = n; of a record the keys are "ellipse.semi_major_mm". */
+export interface ContactCurve {
+  n: number;
+  columns: Record<string, Float64Array | string[]>;
+  width: Record<string, number>;
+  peakToPeakArcsec: number; // NaN when nothing touches
+  meanSlope: number;
+  harmonicsArcsec: Float64Array;
+  contactLost: boolean;
+}
+
+/** A flank as a raster: rows are diameters, columns heights z in the gear's own frame. */
+export interface FlankRaster {
+  diameter: Float64Array; // mm, growing
+  height: Float64Array; // mm, growing
+  gap: Float64Array; // mm, [row * columns + column]; Infinity where the mating gear never is
+}
+
+/** The x1–x2 chart of this pair of tooth numbers: exact borders of the search's limits. */
+export interface ShiftRegion {
+  point: [number, number]; // the spec's own shifts
+  inside: boolean;
+  /** Distance of the point to the nearest border, modules; < 0 outside. */
+  margin: number;
+  /** The border that stops the point, when it is outside or at a wall; "" else. */
+  stoppedBy: string;
+  area: number; // modules²
+  pieces: { border: string; points: Float64Array }[][]; // per piece its borders, x1, x2, …
+  borders: Record<string, string>; // words of every border that occurs: "contact ratio 1.2"
+  window: [number, number, number, number]; // x1 lo, x1 hi, x2 lo, x2 hi: floors and ceilings
+  chosen: [number, number] | null; // what the search would take
+  whatKills: string; // the first limit that leaves nothing; "" when there is a region
+}
+
+// ---------------------------------------------------------------------------------- long work
+
+/** Work that is done in steps, so that messages get through meanwhile. */
+export interface Work<T> {
+  /** Works for about so many milliseconds. `done` of `of` steps; not linear in time. */
+  step(milliseconds: number): { done: number; of: number; finished: boolean } | Failed;
+  /** What came out; before the end what is there so far, or null. */
+  result(): T | Failed | null;
+  delete(): void;
+}
+
+export interface SearchResult {
+  json: string; // exactly what `gearwright search SPEC --json` prints; "" before the end
+  tested: number;
+  feasible: number;
+}
+export interface ErrorMap {
+  x: Float64Array; // in the unit of the key
+  y: Float64Array;
+  peakToPeakArcsec: Float64Array; // [iy * nx + ix]; NaN where nothing touches, or not yet done
+}
+
+// ---------------------------------------------------------------------------------- a session
+
+/** A spec that was read and solved; everything live is asked of it. */
+export interface Session {
+  readonly gears: number; // 1 or 2
+  readonly hasPair: boolean;
+  /** What `gearwright VERB SPEC --json` prints, with its line feed; or a Failed as JSON. */
+  json(verb: Verb): string;
+  /** Outline of gear 1 or 2 within the tolerance (default 0.001 mm). */
+  section(gear: 1 | 2, toleranceMm?: number): Section | Failed;
+  /** Solid of gear 1 or 2 (default 0.02 mm). */
+  mesh(gear: 1 | 2, toleranceMm?: number): Mesh | Failed;
+  lines(): MeshLines | Failed;
+  /** Gear frame → housing, column-major 4×4 as three.js takes it, at a rotation of gear 1, with the
+   *  errors of the spec. Gear 2 stands where its working flanks touch; without contact (or when
+   *  `nominal`) where the ratio puts it, in the middle of the play at rest. */
+  pose(gear: 1 | 2, rotation1Deg: number, nominal?: boolean): Float64Array | Failed;
+  /** Contact at `positions` per pitch, from minus half a pitch on; the spec's errors and
+   *  modifications. */
+  contactCurve(positions: number): ContactCurve | Failed;
+  /** One position, keys of contact.positions as an object; `kind` "none" without contact. */
+  contactPoint(rotation1Deg: number): Record<string, unknown> | Failed;
+  /** Gap on the flank of gear 1 of tooth pair k (`tooth` of a position) at one position. */
+  gapMap(rotation1Deg: number, k: number, rows?: number, columns?: number): FlankRaster | Failed;
+  /** Least gap over a mesh on both flanks: what marking compound would show. */
+  pattern(positions: number, rows?: number, columns?: number): Work<[FlankRaster, FlankRaster]> | Failed;
+  /** Peak to peak of the transmission error over two errors (keys of [errors]). */
+  errorMap(x: ErrorAxis, y: ErrorAxis, positions?: number): Work<ErrorMap> | Failed;
+  shiftRegion(): ShiftRegion | Failed;
+  /** A file's bytes: of gear 1 or 2, or (0) of the pair as it is mounted. report, json: gear 0. */
+  file(kind: FileKind, gear: 0 | 1 | 2, toleranceMm?: number): Uint8Array | Failed;
+  delete(): void;
+}
+export interface ErrorAxis {
+  key: string; // "crossing_deg"
+  from: number;
+  to: number;
+  n: number;
+}
+
+export interface SearchSession extends Work<SearchResult> {
+  readonly trials: number;
+  /** Rows of search.designs so far, best first, as JSON text. */
+  best(most: number): string;
+  /** A design (counted from 1) of the finished search as TOML: the design on screen. */
+  take(design: number): string | Failed;
+  /** The same page as the program's search report. */
+  report(): Uint8Array | Failed;
+}
+
+// ---------------------------------------------------------------------------------- the engine
+
+export interface Engine {
+  version(): string;
+  /** What `gearwright VERB --json` prints, byte for byte; a refusal is the JSON of a `Failed`. The
+   *  text is JSON when it begins with a brace, else TOML. `search` here runs to its end. */
+  run(verb: Verb, spec: string): string;
+  /** JSON Schema of specs or results, as `gearwright schema` prints it. */
+  schema(of: "spec" | "result"): string;
+  /** JSON text of a `Catalogue`. */
+  catalogue(): string;
+  /** A spec from JSON text to TOML, and from TOML text to JSON: the same tree. Comments stay behind. */
+  toToml(json: string): string | Failed;
+  toJson(toml: string): string | Failed;
+  /** The TOML text with one key set ("gear1.profile_shift", value as JSON text: "0.25", "\"left\"")
+   *  or, with "null", taken out. Comments and order stay as they are. */
+  edit(toml: string, key: string, valueJson: string): string | Failed;
+  open(spec: string): Session | Failed;
+  openSearch(spec: string, most?: number): SearchSession | Failed;
+}
+
+export function failed(x: unknown): x is Failed;
+
+export interface EngineOptions {
+  /** Where engine.wasm lies; default: beside the script. */
+  locateFile?(name: string): string;
+  /** The module's bytes, for one self-contained file. */
+  wasmBinary?: ArrayBuffer | Uint8Array;
+}
+/** `import createEngine from "./engine.js"` (ES6: page, worker) */
+export default function createEngine(options?: EngineOptions): Promise<Engine>;

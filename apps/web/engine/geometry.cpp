@@ -1,0 +1,227 @@
+// Outlines, solids, lines and places of a session's gears.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "apps/web/engine/session.hpp"
+#include "gearwright/cad/contour.hpp"
+#include "gearwright/cad/drawing.hpp"
+#include "gearwright/cad/mesh.hpp"
+#include "gearwright/catalogue/gear_quantities.hpp"
+#include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/curve/arc_name.hpp"
+#include "gearwright/report/gear_shape.hpp"
+
+namespace gearwright::web {
+
+namespace {
+
+constexpr double kMinTolerance = 1e-6, kMaxTolerance = 10.0;  // mm
+
+std::optional<Error> check_tolerance(double tolerance) {
+  if (tolerance >= kMinTolerance && tolerance <= kMaxTolerance) return std::nullopt;
+  return refused("tolerance", tolerance,
+                 fmt::format("must lie between {} and {} mm", kMinTolerance, kMaxTolerance));
+}
+
+template <int n>
+void append(Numbers& out, const Eigen::Matrix<double, n, 1>& p) {
+  out.insert(out.end(), p.data(), p.data() + n);
+}
+
+// Points of an arc of a circle after its first, so that chords stay within the tolerance; the last
+// is `end` itself.
+void append_circle(Numbers& out, const Vec2& center, const Vec2& begin, const Vec2& end,
+                   double sweep, double tolerance) {
+  const Vec2 arm = begin - center;
+  const double r = arm.norm();
+  const double step = 2 * std::acos(std::max(0.0, 1.0 - tolerance / std::max(r, tolerance)));
+  const int n = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / std::max(step, 1e-6))));
+  for (int i = 1; i < n; ++i) {
+    const double a = sweep * i / n;
+    const double c = std::cos(a), s = std::sin(a);
+    append(out, Vec2(center + Vec2(c * arm.x() - s * arm.y(), s * arm.x() + c * arm.y())));
+  }
+  append(out, end);
+}
+
+Result<Numbers> bore_outline(const ToothedBody& body, const Contour& contour, double tolerance) {
+  const auto bore = bore_contour(body, contour.inner_radius, contour.outer_radius);
+  if (!bore) return bore.error();
+  Numbers out;
+  if (!*bore) return out;
+  const BoreContour& b = **bore;
+  append(out, b.points.front());
+  for (std::size_t i = 0; i < b.points.size(); ++i) {
+    const Vec2& from = b.points[i];
+    const Vec2& to = b.points[(i + 1) % b.points.size()];
+    if (b.bulges[i] == 0.0) {
+      append(out, to);
+    } else {  // every curved piece of a bore is one about the axis
+      append_circle(out, Vec2::Zero(), from, to, 4 * std::atan(b.bulges[i]), tolerance);
+    }
+  }
+  out.resize(out.size() - 2);  // the first point again
+  return out;
+}
+
+// The diameters that the catalogue knows of a gear, as circles.
+std::vector<Section::Circle> circles_of(const ValueRecord& record, const SaidTable& table) {
+  std::vector<Section::Circle> circles;
+  for (const Said* said : table.list) {
+    if (!said->key.ends_with("_diameter_mm") || !said->list.empty()) continue;
+    for (const Member& m : record) {
+      const auto d = m.said == said ? m.value.number() : std::nullopt;
+      if (d) circles.push_back({said->key, said->symbol, said->words, std::abs(*d) / 2});
+    }
+  }
+  return circles;
+}
+
+std::string kind_name(PairKind kind) {
+  switch (kind) {
+    case PairKind::parallel_external: return "parallel_external";
+    case PairKind::parallel_internal: return "parallel_internal";
+    case PairKind::crossed: return "crossed";
+  }
+  return "";
+}
+
+}  // namespace
+
+Result<ToothedBody> Session::body(int gear, bool in_place) const {
+  if (gear < 1 || gear > gears()) return Error{"gear2", "", "is missing from the spec"};
+  auto made = make_body(job_, gear, in_place);
+  if (!made) return spelled(made.error(), job_.spec.given);
+  return made;
+}
+
+Result<Section> Session::section(int gear, double tolerance) const {
+  if (auto error = check_tolerance(tolerance)) return *error;
+  const auto made = body(gear, false);
+  if (!made) return made.error();
+  const auto contour = closed_contour(made->outline);
+  if (!contour) return contour.error();
+  auto bore = bore_outline(*made, *contour, tolerance);
+  if (!bore) return spelled(within(made->name, bore.error()), job_.spec.given);
+  const Gear& g = job_.gears[static_cast<std::size_t>(gear - 1)];
+  Section section{contour->teeth, g.internal(), {}, {}, std::move(bore).take(), {}, tolerance};
+  // Each arc of the half tooth once, then in all its places.
+  std::vector<std::vector<Vec2>> arcs;
+  for (const Arc& arc : made->outline.arcs) arcs.push_back(chords(arc, tolerance));
+  Numbers& out = section.outline;
+  append(out, contour->pieces.front().begin);
+  for (const ContourPiece& piece : contour->pieces) {
+    const int from = static_cast<int>(out.size() / 2) - 1;
+    if (piece.land) {
+      append_circle(out, Vec2::Zero(), piece.begin, piece.end, piece.sweep, tolerance);
+    } else {
+      const auto points = placed(*contour, piece, arcs[piece.arc]);
+      for (std::size_t i = 1; i < points.size(); ++i) append(out, points[i]);
+    }
+    section.pieces.push_back({std::string(to_string(made->outline.arcs[piece.arc].name)),
+                              piece.tooth, piece.land, from, static_cast<int>(out.size() / 2) - 1});
+  }
+  out.resize(out.size() - 2);  // closed: the last point is the first
+  section.circles = circles_of(gear_quantities().of(g), gear_quantities().table());
+  if (job_.pair) {
+    const ValueRecord pair = pair_quantities().of(*job_.pair);
+    for (const Member& m : pair) {
+      if (!m.said->key.ends_with("_diameter_mm") || m.said->two != Two::gears) continue;
+      const ValueList* each = m.value.list();
+      const auto d = each ? (*each)[static_cast<std::size_t>(gear - 1)].number() : std::nullopt;
+      if (d) section.circles.push_back({m.said->key, m.said->symbol, m.said->words, *d / 2});
+    }
+  }
+  return section;
+}
+
+Result<Mesh> Session::mesh(int gear, double tolerance) const {
+  if (auto error = check_tolerance(tolerance)) return *error;
+  const auto made = body(gear, false);
+  if (!made) return made.error();
+  const auto mesh = tessellate(*made, {.chord_tolerance_mm = tolerance});
+  if (!mesh) return spelled(within(made->name, mesh.error()), job_.spec.given);
+  Mesh out{{}, {}, {}, tolerance};
+  out.positions.reserve(3 * mesh->shaded_vertices.size());
+  out.normals.reserve(3 * mesh->normals.size());
+  out.indices.reserve(3 * mesh->shaded_triangles.size());
+  const auto put = [](std::vector<float>& to, const Vec3& v) {
+    for (const double x : {v.x(), v.y(), v.z()}) to.push_back(static_cast<float>(x));
+  };
+  for (const std::uint32_t v : mesh->shaded_vertices) put(out.positions, mesh->vertices[v]);
+  for (const Vec3& n : mesh->normals) put(out.normals, n);
+  for (const Triangle& t : mesh->shaded_triangles)
+    out.indices.insert(out.indices.end(), t.begin(), t.end());
+  return out;
+}
+
+Result<MeshLines> Session::lines() const {
+  if (!job_.pair) return Error{"gear2", "", "is missing: there is no pair"};
+  const Pair& pair = *job_.pair;
+  MeshLines lines{
+      kind_name(pair.kind()), pair.center_distance(), pair.shaft_angle().deg(), {}, {}, {}, {}};
+  const InvolutePair* p = pair.involute();
+  if (!p) return lines;  // circular arcs touch in points that run along the teeth
+  const gearwright::Mesh<double>& m = p->mesh;
+  const double tangent_2 = m.sigma * m.base_tangent_distance;
+  for (const double rho : {0.0, tangent_2}) {
+    append(lines.line_of_action, p->on_line_of_action(rho).r);
+    append(lines.trailing_line, p->on_trailing_line(rho).r);
+  }
+  if (!p->flanks_meet()) return lines;
+  for (const double rho : {m.rho1_A, m.rho1_E})
+    append(lines.path_of_contact, p->on_line_of_action(rho).r);
+  for (const auto& [name, rho] :
+       {std::pair("A", m.rho1_A), std::pair("B", m.rho1_B), std::pair("C", m.rho1_C),
+        std::pair("D", m.rho1_D), std::pair("E", m.rho1_E)}) {
+    const Vec3 r = p->on_line_of_action(rho).r;
+    if (r.allFinite()) lines.points.push_back({name, {r.x(), r.y(), r.z()}});
+  }
+  return lines;
+}
+
+// Gear 1 turns clockwise seen from +z, gear 2 as it is driven; errors tilt and shift axis 1, ΔC moves
+// axis 2. [T1.5], [T8.12]
+Result<Numbers> Session::pose(int gear, double rotation1_deg, bool nominal) {
+  if (!job_.pair) {
+    if (gear != 1) return Error{"gear2", "", "is missing: there is no pair"};
+    const Eigen::Isometry3d x(
+        Eigen::AngleAxisd(-Angle::degrees(rotation1_deg).rad(), Vec3::UnitZ()));
+    return Numbers(x.data(), x.data() + 16);
+  }
+  const Pair& pair = *job_.pair;
+  const bool internal = pair.kind() == PairKind::parallel_internal;
+  const Angle rotation1 = Angle::degrees(rotation1_deg);
+  // Gears that cannot touch stand without errors.
+  const auto touching = nominal ? Result<const ContactPair*>(nullptr) : contact_pair();
+  const ContactPair* contact = touching ? *touching : nullptr;
+  Eigen::Isometry3d x = gear == 1 ? pair.pose_1().isometry() : pair.pose_2().isometry();
+  if (gear == 1) {
+    x = Eigen::AngleAxisd(-rotation1.rad(), Vec3::UnitZ()) * x;
+    if (contact) {
+      Eigen::Isometry3d errors = Eigen::Isometry3d::Identity();
+      errors.translation() = contact->in_housing(0.0, 0.0);
+      for (const int i : {0, 1, 2}) {
+        // Turns are the same whichever way round the mirror into N is taken: D M D of each axis.
+        const Vec3 axis = contact->direction_in_housing(
+            contact->tilt() * contact->direction_in_housing(Vec3::Unit(i)));
+        errors.linear().col(i) = axis;
+      }
+      x = errors * x;
+    }
+    return Numbers(x.data(), x.data() + 16);
+  }
+  Angle rotation2 = std::abs(1.0 / pair.gear_ratio()) * rotation1;
+  if (contact) {
+    const auto p = touch(rotation1_deg);
+    if (!p) return p.error();
+    if (p->kind != TouchKind::none) rotation2 = p->rotation2;
+    x.translation().x() += contact->place().errors.center_distance;
+  }
+  x = x * Eigen::AngleAxisd((internal ? -1.0 : 1.0) * rotation2.rad(), Vec3::UnitZ());
+  return Numbers(x.data(), x.data() + 16);
+}
+
+}  // namespace gearwright::web

@@ -1,0 +1,186 @@
+#include "apps/web/engine/search_session.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "apps/web/engine/answering.hpp"
+#include "gearwright/catalogue/error_keys.hpp"
+#include "gearwright/contact/contact.hpp"
+#include "gearwright/job/search_answer.hpp"
+#include "gearwright/job/search_closing.hpp"
+#include "gearwright/job/search_refusal.hpp"
+#include "gearwright/spec/toml_text.hpp"
+
+namespace gearwright::web {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::int64_t kFirstPart = 1 << 12;  // trials; later ones last as long as they should
+constexpr std::int64_t kLeastPart = 1 << 8, kMostPart = 1 << 20;
+constexpr double kPartMs = 8.0;
+
+double ms_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+SearchSession::SearchSession(SpecText text, JobSpec spec, std::size_t most)
+    : text_(std::move(text)),
+      spec_(std::move(spec)),
+      search_(*spec_.search),
+      trials_(search_.space().size().value_or(0)),
+      size_(kFirstPart),
+      best_(search_.problem(), most) {}
+
+Result<std::shared_ptr<SearchSession>> SearchSession::open(std::string given, int most) {
+  SpecText text = spec_text(std::move(given));
+  auto spec = read(text);
+  if (!spec) return spec.error();
+  if (!spec->search) {
+    return Error{"search", "",
+                 "is missing; a search needs a table [search] with at least ratio, modules_mm and "
+                 "pinion_teeth"};
+  }
+  const std::size_t designs = most > 0 ? static_cast<std::size_t>(most) : kDefaultDesigns;
+  std::shared_ptr<SearchSession> session(
+      new SearchSession(std::move(text), std::move(spec).take(), designs));
+  if (auto error = refuse_large(session->search_, {})) return spelled(*error, session->spec_.given);
+  if (session->trials_ == 0) return no_tooth_numbers();
+  session->run_.pair_not_read = parse_json(session->spec_.tree).contains("pair");
+  return session;
+}
+
+void SearchSession::search_some() {
+  const std::int64_t to = std::min(trials_, from_ + size_);
+  std::vector<DesignRow> rows;
+  const auto start = Clock::now();
+  counts_ += search_.range(from_, to, rows, {.detail = detail_of(search_.problem(), false)});
+  for (const DesignRow& row : rows) best_.add(row);
+  const double ms = std::max(0.01, ms_since(start));
+  size_ = std::clamp(static_cast<std::int64_t>(static_cast<double>(to - from_) * kPartMs / ms),
+                     kLeastPart, kMostPart);
+  from_ = to;
+  if (from_ < trials_) return;
+  run_.answer = std::move(best_).answer(counts_);
+  stage_ = Stage::regions;
+}
+
+void SearchSession::close_some() {
+  auto& designs = run_.answer.designs;
+  if (stage_ == Stage::regions && region_ < designs.size()) {
+    if (!designs[region_].whole) designs[region_] = search_.whole(designs[region_]);
+    ++region_;
+    return;
+  }
+  if (stage_ == Stage::regions) {
+    stage_ = Stage::changes;
+    return;
+  }
+  look_for_changes(search_, {}, run_);
+  run_.finished = true;
+  stage_ = Stage::done;
+}
+
+Steps SearchSession::step(double milliseconds) {
+  const auto start = Clock::now();
+  while (stage_ != Stage::done && ms_since(start) < milliseconds) {
+    if (stage_ == Stage::trials) {
+      search_some();
+    } else {
+      close_some();
+    }
+  }
+  const auto regions = static_cast<std::int64_t>(run_.answer.designs.size());
+  return {from_ + static_cast<std::int64_t>(region_), trials_ + regions, finished()};
+}
+
+std::string SearchSession::json() const {
+  return finished() ? search_json_text(search_, run_) : std::string();
+}
+
+std::string SearchSession::best(int most) const {
+  Json rows = Json::array();
+  // Before the end the best are a heap in work: a copy of it is put in order.
+  const SearchAnswer so_far =
+      stage_ == Stage::trials ? BestDesigns(best_).answer(counts_) : SearchAnswer{};
+  const auto& designs = stage_ == Stage::trials ? so_far.designs : run_.answer.designs;
+  for (const DesignRow& row : designs) {
+    if (static_cast<int>(rows.size()) >= most) break;
+    rows.push_back(design_row_json(search_, row, false));
+  }
+  return json_text(rows);
+}
+
+Result<std::string> SearchSession::take(int design) const {
+  if (!finished()) return Error{"search", "", "is not finished"};
+  const auto count = static_cast<int>(run_.answer.designs.size());
+  if (design < 1 || design > count)
+    return refused("design", design, "there are " + std::to_string(count) + " designs");
+  return toml_text(
+      pair_spec(spec_, search_, run_.answer.designs[static_cast<std::size_t>(design - 1)]));
+}
+
+Result<std::string> SearchSession::report() const {
+  if (!finished()) return Error{"search", "", "is not finished"};
+  return search_page(spec_, search_, run_);
+}
+
+PatternWork::PatternWork(std::shared_ptr<Session> session, int positions, const RasterSize& size)
+    : session_(std::move(session)), positions_(positions), size_(size) {}
+
+// A sixteenth, a quarter of the nodes, then all of them: together a third more than these alone.
+Result<Steps> PatternWork::step() {
+  constexpr int kSteps = 3;
+  if (next_ == kSteps) return Steps{kSteps, kSteps, true};
+  const auto pair = session_->contact_pair();
+  if (!pair) return pair.error();
+  const int part = 1 << (kSteps - 1 - next_);
+  const RasterSize size{std::max(2, size_.rows / part), std::max(2, size_.columns / part)};
+  result_ = contact_pattern(**pair, std::max(2, positions_ / part), size);
+  ++next_;
+  return Steps{next_, kSteps, next_ == kSteps};
+}
+
+Result<std::shared_ptr<ErrorMapWork>> ErrorMapWork::begin(std::shared_ptr<Session> session,
+                                                          const ErrorAxis& x, const ErrorAxis& y,
+                                                          int positions) {
+  constexpr int kMost = 1000;
+  auto work = std::make_shared<ErrorMapWork>();
+  if (const auto pair = session->contact_pair(); !pair) return pair.error();
+  if (positions < 2 || positions > kMost)
+    return refused("positions", positions, "must lie between 2 and 1000");
+  work->session_ = std::move(session);
+  work->positions_ = positions;
+  for (const std::size_t i : {0, 1}) {
+    const ErrorAxis& axis = i == 0 ? x : y;
+    const auto place = error_index(axis.key);
+    if (!place) return Error{"errors", axis.key, "is no key of [errors]"};
+    if (axis.n < 2 || axis.n > kMost) return refused("n", axis.n, "must lie between 2 and 1000");
+    work->keys_[i] = *place;
+    Numbers& values = i == 0 ? work->grid_.x : work->grid_.y;
+    for (int k = 0; k < axis.n; ++k)
+      values.push_back(axis.from + (axis.to - axis.from) * (static_cast<double>(k) / (axis.n - 1)));
+  }
+  work->grid_.peak_to_peak_arcsec.assign(work->grid_.x.size() * work->grid_.y.size(),
+                                         std::numeric_limits<double>::quiet_NaN());
+  return work;
+}
+
+Result<Steps> ErrorMapWork::step(double milliseconds) {
+  const auto start = Clock::now();
+  Numbers& value = grid_.peak_to_peak_arcsec;
+  while (next_ < value.size() && ms_since(start) < milliseconds) {
+    const auto pair = session_->pair_under(
+        keys_, {grid_.x[next_ % grid_.x.size()], grid_.y[next_ / grid_.x.size()]});
+    if (!pair) return pair.error();
+    value[next_++] = Angle::radians(peak_to_peak(transmission_error(*pair, positions_))).arcsec();
+  }
+  return Steps{static_cast<std::int64_t>(next_), static_cast<std::int64_t>(value.size()),
+               next_ == value.size()};
+}
+
+}  // namespace gearwright::web

@@ -1,0 +1,163 @@
+#include "apps/web/engine/session.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "apps/web/engine/answering.hpp"
+#include "gearwright/base/units.hpp"
+#include "gearwright/catalogue/contact_quantities.hpp"
+#include "gearwright/catalogue/error_keys.hpp"
+#include "gearwright/contact/contact.hpp"
+#include "gearwright/job/result_json.hpp"
+#include "gearwright/job/value_json.hpp"
+
+namespace gearwright::web {
+
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+bool is_number(const Said& said) {
+  return said.type == Type::number || said.type == Type::whole || said.type == Type::index;
+}
+
+// How many numbers a value of this quantity has; 0: no fixed number of them.
+int width_of(const Said& said) {
+  int width = 1;
+  for (const int n : said.list) width *= n;
+  return width;
+}
+
+void append_numbers(const Value& value, Numbers& out) {
+  if (const ValueList* list = value.list()) {
+    for (const Value& v : *list) append_numbers(v, out);
+  } else {
+    out.push_back(value.number().value_or(kNaN));
+  }
+}
+
+// The value of a row's member, itself a record's of one key; null where there is none.
+const Value* member(const ValueRecord& row, const Said* said) {
+  for (const Member& m : row)
+    if (m.said == said) return &m.value;
+  return nullptr;
+}
+
+// One column for each quantity of the table that has a fixed width; records open into their own.
+void add_columns(const SaidTable& table, const std::vector<const ValueRecord*>& rows,
+                 const std::string& before, ContactCurve& curve) {
+  for (const Said* said : table.list) {
+    const std::string key = before + said->key;
+    const int width = width_of(*said);
+    if (said->type == Type::record && said->list.empty()) {
+      std::vector<const ValueRecord*> inner;
+      for (const ValueRecord* row : rows) {
+        const Value* v = row ? member(*row, said) : nullptr;
+        inner.push_back(v ? v->record() : nullptr);
+      }
+      add_columns(said->of(), inner, key + ".", curve);
+    } else if (said->type == Type::word) {
+      std::vector<std::string> words;
+      for (const ValueRecord* row : rows) {
+        const Value* v = row ? member(*row, said) : nullptr;
+        const auto* word = v ? std::get_if<std::string>(&v->variant()) : nullptr;
+        words.push_back(word ? *word : std::string());
+      }
+      curve.columns[key] = {1, std::move(words)};
+    } else if (is_number(*said) && width > 0) {
+      Numbers numbers;
+      for (const ValueRecord* row : rows) {
+        const std::size_t until = numbers.size() + static_cast<std::size_t>(width);
+        const Value* v = row ? member(*row, said) : nullptr;
+        if (v) append_numbers(*v, numbers);
+        numbers.resize(until, kNaN);
+      }
+      curve.columns[key] = {width, std::move(numbers)};
+    }
+  }
+}
+
+}  // namespace
+
+Result<std::shared_ptr<Session>> Session::open(std::string text) {
+  std::shared_ptr<Session> session(new Session(spec_text(std::move(text))));
+  const auto spec = read(session->text_);
+  if (!spec) return spec.error();
+  session->job_.spec = *spec;
+  auto solved = solve(*spec, Scope::everything);
+  if (!solved) return spelled(solved.error(), spec->given);
+  session->job_ = std::move(solved).take();
+  return session;
+}
+
+std::string Session::json(std::string_view verb) const {
+  if (verb == "pair" && job_.pair) return json_text(job_json(job_), 2) + "\n";
+  return answer(verb, text_.text);
+}
+
+Result<ContactSetup*> Session::setup() {
+  if (!job_.pair) return Error{"gear2", "", "is missing: contact is of a pair"};
+  if (!setup_) setup_ = ContactSetup::of(job_);
+  if (!*setup_) return setup_->error();
+  return const_cast<ContactSetup*>(&setup_->value());
+}
+
+Result<const ContactPair*> Session::contact_pair() {
+  const auto made = setup();
+  if (!made) return made.error();
+  if (!pair_) pair_ = (*made)->pair(job_.spec.contact.driver == 2);
+  return &*pair_;
+}
+
+Result<ContactPair> Session::pair_under(const std::array<std::size_t, 2>& keys,
+                                        const std::array<double, 2>& values) {
+  const auto made = setup();
+  if (!made) return made.error();
+  ContactErrors errors = (*made)->place().errors;
+  for (const std::size_t i : {0, 1}) errors = (*made)->with_error(errors, keys[i], values[i]);
+  return (*made)->pair(errors, job_.spec.contact.driver == 2);
+}
+
+Result<ContactCurve> Session::contact_curve(int positions) {
+  const auto pair = contact_pair();
+  if (!pair) return pair.error();
+  if (positions < 2 || positions > 4096)
+    return refused("positions", positions, "must lie between 2 and 4096");
+  const ContactResult found = analyse_contact(**pair, {positions, 1, marking()});
+  ContactCurve curve{positions, {}, 0.0, found.mean_slope, {}, found.contact_lost};
+  bool touches = false;
+  for (const ContactPoint& p : found.positions) touches = touches || p.kind != TouchKind::none;
+  curve.peak_to_peak_arcsec = touches ? found.peak_to_peak.arcsec() : kNaN;
+  for (const Angle& a : found.harmonics) curve.harmonics_arcsec.push_back(a.arcsec());
+  std::vector<ValueRecord> records;
+  for (const ContactPoint& p : found.positions) records.push_back(position_quantities().of(p));
+  std::vector<const ValueRecord*> rows;
+  for (const ValueRecord& r : records) rows.push_back(&r);
+  add_columns(position_quantities().table(), rows, "", curve);
+  return curve;
+}
+
+Result<ContactPoint> Session::touch(double rotation1_deg) {
+  const auto pair = contact_pair();
+  if (!pair) return pair.error();
+  ContactRequest request{2, 1, marking()};
+  request.rotations = {Angle::degrees(rotation1_deg)};
+  return analyse_contact(**pair, request).positions.front();
+}
+
+Result<std::string> Session::contact_point(double rotation1_deg) {
+  const auto p = touch(rotation1_deg);
+  if (!p) return p.error();
+  Json said = to_json(position_quantities().of(*p));
+  if (p->kind == TouchKind::none) said["kind"] = "none";
+  return json_text(said);
+}
+
+Result<FlankRaster> Session::gap_map(double rotation1_deg, int k, const RasterSize& size) {
+  const auto pair = contact_pair();
+  if (!pair) return pair.error();
+  return gearwright::gap_map(**pair, Angle::degrees(rotation1_deg), k, size);
+}
+
+}  // namespace gearwright::web

@@ -1,0 +1,69 @@
+// A spec that was read and solved: what a page asks of it while a person moves something.
+//
+// Everything is computed by the rooms of the core when it is asked for; what several questions share,
+// the solved pair and its contact, is kept.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "apps/web/engine/shapes.hpp"
+#include "gearwright/job/contact_answer.hpp"
+#include "gearwright/job/files.hpp"
+#include "gearwright/job/solved_job.hpp"
+
+namespace gearwright::web {
+
+/// A rotation or an error axis is in the unit of the page: degrees, or the key's.
+struct ErrorAxis {
+  std::string key;  ///< of [errors]
+  double from = 0.0, to = 0.0;
+  int n = 2;
+};
+
+class Session {
+ public:
+  /// Errors    as read_spec and solve
+  static Result<std::shared_ptr<Session>> open(std::string text);
+
+  const SolvedJob& job() const { return job_; }
+  const SpecText& text() const { return text_; }
+  int gears() const { return static_cast<int>(job_.gears.size()); }
+  bool has_pair() const { return job_.pair.has_value(); }
+
+  std::string json(std::string_view verb) const;
+  Result<Section> section(int gear, double tolerance) const;
+  Result<Mesh> mesh(int gear, double tolerance) const;
+  Result<MeshLines> lines() const;
+  /// Column-major, as three.js takes it.
+  Result<Numbers> pose(int gear, double rotation1_deg, bool nominal);
+
+  Result<ContactCurve> contact_curve(int positions);
+  /// An object of contact.positions, JSON.
+  Result<std::string> contact_point(double rotation1_deg);
+  Result<FlankRaster> gap_map(double rotation1_deg, int k, const RasterSize& size);
+  /// The pair as contact takes it; it lives as long as the session.
+  Result<const ContactPair*> contact_pair();
+  /// The same with two errors of other values, by their places in error_entries().
+  Result<ContactPair> pair_under(const std::array<std::size_t, 2>& keys,
+                                 const std::array<double, 2>& values);
+  double marking() const { return job_.spec.contact.marking; }
+
+  Result<ShiftChart> shift_region() const;
+  Result<std::string> file(std::string_view kind, int gear, double tolerance);
+
+ private:
+  explicit Session(SpecText text) : text_(std::move(text)) {}
+  Result<ContactSetup*> setup();
+  Result<ContactPoint> touch(double rotation1_deg);
+  Result<ToothedBody> body(int gear, bool in_place) const;
+
+  SpecText text_;
+  SolvedJob job_;
+  std::optional<Result<ContactSetup>> setup_;
+  std::optional<ContactPair> pair_;
+};
+
+}  // namespace gearwright::web

@@ -1,0 +1,147 @@
+// The x1–x2 chart of a session's pair: the search asked about this one pair of tooth numbers.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "apps/web/engine/session.hpp"
+#include "gearwright/catalogue/search_keys.hpp"
+#include "gearwright/catalogue/spelling.hpp"
+#include "gearwright/design/search.hpp"
+#include "gearwright/design/shift_region.hpp"
+#include "gearwright/report/search_words.hpp"
+#include "gearwright/spec/read_search.hpp"
+#include "gearwright/spec/table_reader.hpp"
+
+namespace gearwright::web {
+
+namespace {
+
+// A search of one trial: its limits are those of the spec's [search], else those that a search has
+// by itself. `swapped`: gear 2 has fewer teeth, and is the search's gear 1.
+Result<SearchProblem> problem_of(const SolvedJob& job, bool swapped) {
+  const Json tree = parse_json(job.spec.tree);
+  const std::array<const Gear*, 2> g{&job.gears[swapped ? 1 : 0], &job.gears[swapped ? 0 : 1]};
+  Json search = tree.contains("search") ? tree["search"] : Json::object();
+  for (const char* key :
+       {"iso54_series", "helix_angles_deg", "helix_step_deg", "racks", "objective",
+        "center_distance_mm", "shift_step", "target_ratio", "coprime"})
+    search.erase(key);
+  const double ratio = static_cast<double>(g[1]->spec.teeth) / g[0]->spec.teeth;
+  search["ratio"] = {ratio, ratio};
+  search["modules_mm"] = {g[0]->spec.normal_module};
+  search["pinion_teeth"] = {std::abs(g[0]->spec.teeth), std::abs(g[0]->spec.teeth)};
+  search["helix_angle_deg"] = g[0]->spec.helix_angle.deg();
+  if (job.pair->crossed()) search["shaft_angle_deg"] = job.pair->shaft_angle().deg();
+  std::array<Json, 2> blanks{Json::object(), Json::object()};
+  for (const std::size_t i : {0, 1}) {
+    const char* table = (i == 0) != swapped ? "gear1" : "gear2";
+    if (!tree.contains(table)) continue;
+    for (const Key& key : blank_keys().keys) {
+      const std::string name(key.key);
+      if (tree[table].contains(name)) blanks[i][name] = tree[table][name];
+    }
+    blanks[i].erase("helix_angle_deg");
+    blanks[i]["normal_pressure_angle_deg"] = g[i]->spec.normal_pressure_angle.deg();
+  }
+  try {
+    return read_search(search, &blanks[0], &blanks[1]);
+  } catch (const SpecError& e) {
+    return e.error;
+  }
+}
+
+ShiftEdge swapped_edge(ShiftEdge edge) {
+  switch (edge) {
+    case ShiftEdge::s1min: return ShiftEdge::s2min;
+    case ShiftEdge::s1max: return ShiftEdge::s2max;
+    case ShiftEdge::s2min: return ShiftEdge::s1min;
+    case ShiftEdge::s2max: return ShiftEdge::s1max;
+    case ShiftEdge::interference1: return ShiftEdge::interference2;
+    case ShiftEdge::interference2: return ShiftEdge::interference1;
+    default: return edge;
+  }
+}
+
+// The border that stands nearest to the point, of those in a chart.
+std::string nearest_border(const ShiftChart& chart) {
+  std::string nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& loop : chart.pieces) {
+    for (const auto& border : loop) {
+      for (std::size_t i = 2; i + 1 < border.points.size(); i += 2) {
+        const Vec2 a(border.points[i - 2], border.points[i - 1]);
+        const Vec2 b(border.points[i], border.points[i + 1]);
+        const Vec2 p(chart.point[0], chart.point[1]);
+        const double square = (b - a).squaredNorm();
+        const double t = square > 0.0 ? std::clamp((p - a).dot(b - a) / square, 0.0, 1.0) : 0.0;
+        const double distance = (p - a - t * (b - a)).norm();
+        if (distance < least) {
+          least = distance;
+          nearest = border.name;
+        }
+      }
+    }
+  }
+  return nearest;
+}
+
+}  // namespace
+
+Result<ShiftChart> Session::shift_region() const {
+  if (!job_.pair) return Error{"gear2", "", "is missing: the chart is of two profile shifts"};
+  if (!job_.pair->involute())
+    return Error{"gear1.rack.kind", "",
+                 "is of circular arcs: they have no profile shifts to choose"};
+  const bool swapped =
+      !job_.gears[1].internal() && job_.gears[1].spec.teeth < job_.gears[0].spec.teeth;
+  const auto problem = problem_of(job_, swapped);
+  if (!problem) return problem.error();
+  const Search search(*problem);
+  if (search.space().size().value_or(0) < 1) {
+    return Error{"gear1.teeth", "",
+                 "with these tooth numbers no search begins: gear 2 must be the one with more"};
+  }
+  const ShiftGraph graph = search.graph(search.space().trial(0));
+  const auto turned = [&](const Vec2& p) { return swapped ? Vec2(p.y(), p.x()) : p; };
+  const Vec2 point(job_.gears[0].spec.profile_shift, job_.gears[1].spec.profile_shift);
+  const Vec2 asked = turned(point);
+  ShiftChart chart{};
+  chart.point = {point.x(), point.y()};
+  const auto range = graph.sums();
+  const double sum = asked.x() + asked.y();
+  chart.margin = range.lo <= range.hi ? graph.margin(asked.x(), asked.y())
+                                      : -std::numeric_limits<double>::infinity();
+  chart.inside = chart.margin >= 0.0 && std::isfinite(sum);
+  if (const auto killed = graph.what_kills()) chart.what_kills = words_of(*killed);
+  const auto& gears = graph.gears();
+  chart.window = {gears[0].x_min, gears[0].x_max, gears[1].x_min, gears[1].x_max};
+  if (swapped) {
+    std::swap(chart.window[0], chart.window[2]);
+    std::swap(chart.window[1], chart.window[3]);
+  }
+  const auto region = gearwright::shift_region(graph);
+  if (!region) return chart;
+  chart.area = region->area;
+  for (const auto& loop : region_boundary(graph, *region)) {
+    auto& piece = chart.pieces.emplace_back();
+    for (const RegionEdge& edge : loop) {
+      const ShiftEdge which = swapped ? swapped_edge(edge.edge) : edge.edge;
+      ShiftChart::Border border{std::string(name(which)), {}};
+      for (const Vec2& p : edge.points) {
+        const Vec2 q = turned(p);
+        border.points.insert(border.points.end(), {q.x(), q.y()});
+      }
+      chart.borders[border.name] = words_of(which);
+      piece.push_back(std::move(border));
+    }
+  }
+  const Vec2 chosen = turned(chosen_point(graph, *region));
+  chart.chosen = {chosen.x(), chosen.y()};
+  constexpr double kAtWall = 1e-6;  // modules: nearer than any shift is made
+  if (chart.margin < kAtWall) chart.stopped_by = nearest_border(chart);
+  return chart;
+}
+
+}  // namespace gearwright::web

@@ -1,0 +1,59 @@
+// Without zlib: a table of 256 remainders, and the compressor of stb_image_write.h (libstb-dev),
+// fixed Huffman codes over matches in 32 kB.
+#include <array>
+#include <climits>
+#include <cstdlib>
+#include <new>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/base/packing.hpp"
+
+#define STB_IMAGE_WRITE_STATIC
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STBI_WRITE_NO_STDIO
+#include <stb/stb_image_write.h>
+
+namespace gearwright {
+
+namespace {
+
+constexpr int kQuality = 8;              // candidates for a match; 5 is the least, more is slower
+constexpr std::size_t kZlibHeader = 2;   // before the deflate stream
+constexpr std::size_t kZlibTrailer = 4;  // Adler-32, after it
+
+constexpr std::array<std::uint32_t, 256> remainders() {
+  std::array<std::uint32_t, 256> table{};
+  for (std::uint32_t byte = 0; byte < 256; ++byte) {
+    std::uint32_t r = byte;
+    for (int bit = 0; bit < 8; ++bit) r = (r & 1U) != 0 ? 0xedb88320U ^ (r >> 1U) : r >> 1U;
+    table[byte] = r;
+  }
+  return table;
+}
+
+}  // namespace
+
+std::uint32_t crc32_of(std::string_view bytes) {
+  static constexpr std::array<std::uint32_t, 256> kTable = remainders();
+  std::uint32_t crc = 0xffffffffU;
+  for (const char c : bytes)
+    crc = kTable[(crc ^ static_cast<unsigned char>(c)) & 0xffU] ^ (crc >> 8U);
+  return crc ^ 0xffffffffU;
+}
+
+std::string deflated(std::string_view content) {
+  GW_EXPECTS(content.size() <= INT_MAX);
+  int length = 0;
+  // It does not write to its input.
+  auto* data = reinterpret_cast<unsigned char*>(const_cast<char*>(content.data()));
+  unsigned char* packed =
+      stbi_zlib_compress(data, static_cast<int>(content.size()), &length, kQuality);
+  if (!packed) throw std::bad_alloc();
+  GW_ENSURES(length >= static_cast<int>(kZlibHeader + kZlibTrailer));
+  const std::string out(reinterpret_cast<const char*>(packed) + kZlibHeader,
+                        static_cast<std::size_t>(length) - kZlibHeader - kZlibTrailer);
+  std::free(packed);
+  return out;
+}
+
+}  // namespace gearwright

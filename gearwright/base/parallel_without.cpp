@@ -1,0 +1,18 @@
+// Without oneTBB: one item after the other.
+#include "gearwright/base/parallel.hpp"
+
+namespace gearwright {
+
+int thread_count(int) { return 1; }
+
+void parallel_for(std::size_t n, const std::function<void(std::size_t)>& f, int) {
+  for (std::size_t i = 0; i < n; ++i) f(i);
+}
+
+void in_order(const std::function<bool(std::string&)>& next,
+              const std::function<std::string(const std::string&)>& work,
+              const std::function<void(const std::string&)>& take, int) {
+  for (std::string item; next(item); item.clear()) take(work(item));
+}
+
+}  // namespace gearwright

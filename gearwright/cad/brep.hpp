@@ -1,0 +1,43 @@
+// A toothed body as an advanced B-rep, in the terms of a STEP file. Internal to cad/.
+//
+//   u, v   of a wall's face: u counter-clockwise about the axis, v upwards
+//
+//   shape     surface                            edges in a level
+//   spline    B-spline, poles h_j c_i            B-spline
+//   circle    cylinder about the axis            circle
+//   line      plane                              line
+//
+// Upright edges are lines, or B-splines that climb with the helix. Every vertex, edge and pole is
+// written once: the boundary poles of a face are the very points of its edges, and those of its
+// neighbours. What deviates at all is the spline of the helix from a true cylinder, by less than
+// kHelixTarget_mm. A circle's x direction points away from the middle of its wall, so that the seam at
+// u = 0 is where no wall less than a turn wide can meet it.
+//
+//   Law   every edge is used twice, once each way
+#pragma once
+
+#include <cstddef>
+
+#include "gearwright/cad/part21.hpp"
+#include "gearwright/cad/walls.hpp"
+
+namespace gearwright {
+
+/// To which points, edges and faces of a solid agree, mm: the uncertainty that a file states.
+inline constexpr double kBrepUncertainty_mm = 1e-7;
+static_assert(kHelixTarget_mm <= kBrepUncertainty_mm / 2);
+
+struct Brep {
+  Part21Id solid;  ///< a MANIFOLD_SOLID_BREP, outside out
+  std::size_t face_count;
+  std::size_t edge_count;  ///< each shared edge once
+};
+
+/// Writes the solid of a body in its own frame (the pose is not applied).
+///
+/// Units     mm
+/// Domain    walls = make_walls(body) (contract: a ring has its rim)
+/// Cost      linear in the walls
+Brep add_brep(Part21& out, const ToothedBody& body, const BodyWalls& walls);
+
+}  // namespace gearwright

@@ -1,0 +1,67 @@
+// Part 21 (ISO 10303-21), the text of a STEP file: numbered instances of entities.
+//
+//   #12=CARTESIAN_POINT('',(18.504065825396,-6.327244292546,-12.5));
+//
+// An instance refers to others by their numbers. Here every instance is written after those that it
+// names, so a file is one pass over the gears and its only memory is its text. Internal to cad/.
+//
+//   Laws  (1) a real reads back to the same double: it has the fewest digits that do
+//         (2) text reads back: what is not printable ASCII is escaped as the standard says
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gearwright/base/vector.hpp"
+
+namespace gearwright {
+
+/// Number of an instance; 0 is none.
+using Part21Id = std::uint32_t;
+
+/// A real as the standard wants it: a point always, the exponent after a capital E. −0 is 0.
+/// Domain    finite (contract)
+void append_real(std::string& text, double value);
+
+/// A string in its apostrophes: ' and \ doubled, everything else outside ASCII 32 to 126 as
+/// \X2\03B1\X0\ (code points of 16 bits) or \X4\0001F600\X0\ (the others).
+///
+/// Domain    any bytes: what is no UTF-8 becomes U+FFFD, byte by byte
+std::string part21_string(std::string_view utf8);
+
+/// A file: its header, then the instances of its data section, one a line.
+class Part21 {
+ public:
+  explicit Part21(std::string_view header);
+
+  /// Writes `#n=` … `;` round an entity and its arguments.
+  Part21Id add(std::string_view entity);
+
+  Part21Id point(const Vec3& p);
+  Part21Id direction(const Vec3& d);
+  /// AXIS2_PLACEMENT_3D: origin, z axis, x axis.
+  Part21Id placement(Part21Id origin, Part21Id z, Part21Id x);
+
+  /// The text of the whole file.
+  std::string finish() &&;
+
+ private:
+  Part21Id triple(std::string_view keyword, const Vec3& v);
+  void begin();
+
+  std::string text_;
+  Part21Id last_ = 0;
+};
+
+/// "#4"
+void append_id(std::string& text, Part21Id id);
+/// "(#4,#5)", broken into lines of twelve.
+void append_ids(std::string& text, const std::vector<Part21Id>& ids);
+/// "(0.,0.25,1.)"
+void append_reals(std::string& text, const std::vector<double>& values);
+/// "(6,1,6)"
+void append_integers(std::string& text, const std::vector<int>& values);
+
+}  // namespace gearwright

@@ -1,0 +1,60 @@
+// Balls in the spaces of our own STEP solids, measured by a foreign kernel: each rests on both flanks
+// where inspection/balls.hpp says, so its centre is the ball's radius away from the solid.
+#include <gtest/gtest.h>
+#include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepExtrema_DistShapeShape.hxx>
+
+#include <cmath>
+
+#include "gearwright/base/testing/taken.hpp"
+#include "gearwright/cad/step.hpp"
+#include "gearwright/cad/testing/generated_bodies.hpp"
+#include "gearwright/cad/testing/step_reader.hpp"
+#include "gearwright/gear/ring_cutter.hpp"
+#include "gearwright/inspection/balls.hpp"
+
+namespace gearwright {
+namespace {
+
+// What the faces may be off the screw surface, and the kernel's own tolerance.
+constexpr double kSolid = 5e-5;  // mm
+
+CylindricalSpec spec_of(int teeth, double module, double beta_deg, double x) {
+  CylindricalSpec s;
+  s.teeth = teeth;
+  s.normal_module = module;
+  s.helix_angle = Angle::degrees(beta_deg);
+  s.profile_shift = x;
+  s.face_width = 12 * module;
+  return s;
+}
+
+TEST(StepMeasured, balls_rest_where_they_are_said_to) {
+  for (const CylindricalSpec& spec : {spec_of(20, 2, 0, 0), spec_of(17, 3, 20, 0.3),
+                                      spec_of(33, 1.5, -30, -0.1), spec_of(-60, 2, 0, 0)}) {
+    Gear gear = testing::taken(make_gear(spec));
+    if (gear.internal()) gear = *cut_by_default(gear);
+    const auto rim = gear.internal() ? std::optional(Bore{1.1 * gear.root_diameter}) : std::nullopt;
+    const auto document =
+        step_document({testing::body_of("gear", Result<Gear>(gear), rim)}, "gear.step");
+    ASSERT_TRUE(document) << document.error().message();
+    const testing::ReadStep read = testing::read_step(document->text);
+    ASSERT_EQ(read.solids.size(), 1u);
+    const auto sizes = ball_sizes(gear);
+    ASSERT_TRUE(sizes);
+    const BallSeat seat = testing::taken(ball_in_space(gear, sizes->metric));
+    const int z = std::abs(spec.teeth);
+    for (const int space : {0, z / 2}) {  // the opposite one, or one of the two nearest to it
+      const double angle = (2 * space + 1) * std::acos(-1.0) / z;
+      const double r = seat.center_diameter / 2;
+      const gp_Pnt center(r * std::cos(angle), r * std::sin(angle), 0.0);
+      const BRepExtrema_DistShapeShape gap(BRepBuilderAPI_MakeVertex(center).Vertex(),
+                                           read.solids.front());
+      ASSERT_TRUE(gap.IsDone());
+      EXPECT_NEAR(gap.Value(), seat.ball_diameter / 2, kSolid) << spec.teeth << " " << space;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,13 @@
+// Without Google Highway the lanes are plain doubles, the oracle that the kernels are tested against.
+#include "gearwright/design/candidate.hpp"
+
+namespace gearwright {
+
+void evaluate(const CandidateConstants& constants, CandidateBatch& batch) {
+  evaluate_scalar(constants, batch);
+}
+void sieve(const SieveConstants& constants, SieveBatch& batch) { sieve_scalar(constants, batch); }
+std::string lanes_name() { return "scalar"; }
+std::size_t lanes() { return 1; }
+
+}  // namespace gearwright

@@ -1,0 +1,226 @@
+#include "gearwright/inspection/balls.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "gearwright/base/units.hpp"
+#include "gearwright/math/newton.hpp"
+
+namespace gearwright {
+
+namespace {
+
+using std::numbers::pi;
+
+// Diameters of measuring pins and balls for gears, mm: those of DIN 3977 that shops have.
+constexpr std::array kMetric{
+    0.3,  0.35, 0.4,  0.45, 0.5,  0.55, 0.6,  0.65, 0.7,  0.75, 0.8,  0.85, 0.9,  0.95, 1.0,  1.1,
+    1.2,  1.3,  1.4,  1.5,  1.6,  1.7,  1.8,  1.9,  2.0,  2.25, 2.5,  2.75, 3.0,  3.25, 3.5,  3.75,
+    4.0,  4.25, 4.5,  5.0,  5.25, 5.5,  6.0,  6.5,  7.0,  7.5,  8.0,  9.0,  10.0, 10.5, 11.0, 12.0,
+    14.0, 15.0, 16.0, 18.0, 20.0, 22.0, 25.0, 28.0, 30.0, 35.0, 40.0, 45.0, 50.0};
+
+struct Base {
+  double d_b, cos_b, tan_b;
+  double sigma;  // +1, internal −1
+  double eta;    // half angle of the space on the base cylinder; negative: it begins further out
+};
+
+// [T10.5]
+Base base_of(const Gear& gear, double base_thickness) {
+  const ReferenceGeometry<double>& g = gear.reference();
+  const double sigma = gear.internal() ? -1.0 : 1.0;
+  return {g.base_diameter, std::cos(g.base_helix_angle), std::tan(g.base_helix_angle), sigma,
+          pi / std::abs(gear.spec.teeth) - base_thickness / g.base_diameter};
+}
+Base base_of(const Gear& gear) { return base_of(gear, gear.reference().base_tooth_thickness); }
+
+// inv α_Kt. [T10.6]
+double center_involute(const Base& b, double ball) {
+  return b.sigma * (ball / (b.d_b * b.cos_b) - b.eta);
+}
+
+Error no_ball(double ball, const std::string& why) { return refused("ball_diameter", ball, why); }
+
+// Balls from the one that touches at the root end of the usable flank to the one at its tip end.
+std::string sizes_text(const Gear& gear, const UsableFlank& flank) {
+  const auto lo = ball_touching_at(gear, flank.root_end);
+  const auto hi = ball_touching_at(gear, flank.tip_end);
+  if (!lo || !hi) return "no ball rests on these flanks";
+  return fmt::format("balls of {} to {} mm touch on the usable flank", spoken(std::min(*lo, *hi)),
+                     spoken(std::max(*lo, *hi)));
+}
+
+// A ball where the two helicoids say, whatever else is in its way; none: they do not meet.
+std::optional<BallSeat> seat_of(const Gear& gear, const UsableFlank& flank, double ball) {
+  const Base b = base_of(gear);
+  const double inv = center_involute(b, ball);
+  if (!(inv >= 0.0)) return std::nullopt;
+  const double alpha = inverse_involute(inv);
+  const double d_K = b.d_b / std::cos(alpha);
+  // Roll length of the contacts, twice. [T10.7]
+  const double roll = b.d_b * std::tan(alpha) - b.sigma * ball * b.cos_b;
+  if (!(roll >= 0.0)) return std::nullopt;
+  const double d_M = std::hypot(b.d_b, roll);
+  return BallSeat{ball,
+                  alpha,
+                  d_K,
+                  d_M,
+                  std::abs(ball / 2 * b.cos_b * b.tan_b),
+                  (d_K + b.sigma * ball) / 2,
+                  flank.place(d_M)};
+}
+
+// The diameter of the root as it is cut: no ball's lowest point gets past it.
+bool hits_root(const Gear& gear, const BallSeat& seat) {
+  const double lowest =
+      seat.center_diameter / 2 - (gear.internal() ? -1 : 1) * seat.ball_diameter / 2;
+  return gear.internal() ? 2 * lowest > gear.root_diameter : 2 * lowest < gear.root_diameter;
+}
+
+}  // namespace
+
+Result<BallSeat> ball_in_space(const Gear& gear, double ball) {
+  GW_EXPECTS(ball > 0.0);
+  if (!gear.involute())
+    return no_ball(ball, "balls are measured on involute flanks; these are circular arcs");
+  const auto flank = usable_flank(gear);
+  if (!flank) return no_ball(ball, "there is no usable flank to measure; see the gear's warnings");
+  if (std::abs(gear.spec.teeth) < 2)
+    return no_ball(ball, "one space has no opposite one to put the second ball in");
+  const std::string sizes = sizes_text(gear, *flank);
+  const auto seat = seat_of(gear, *flank, ball);
+  const bool internal = gear.internal();
+  // A ring's spaces widen towards its tip: there too great a ball is the one that finds no flank.
+  if (!seat) {
+    const bool small = !internal || ball < ball_touching_at(gear, flank->middle()).value_or(0.0);
+    return no_ball(ball, (small ? "falls between the teeth before it touches both flanks; "
+                                : "is too great for the space; ") +
+                             sizes);
+  }
+  if (seat->place == ContactPlace::beyond_tip)
+    return no_ball(ball,
+                   fmt::format("rests on the tips: it would touch the flanks at {} mm, beyond "
+                               "the tip at {} mm; {}",
+                               spoken(seat->contact_diameter, flank->tip),
+                               spoken(flank->tip, seat->contact_diameter), sizes));
+  if (hits_root(gear, *seat))
+    return no_ball(ball, fmt::format("falls between the teeth onto the root at {} mm before it "
+                                     "touches both flanks; {}",
+                                     spoken(gear.root_diameter), sizes));
+  const double proud = seat->radial - flank->tip / 2;
+  if (internal ? proud >= 0.0 : proud <= 0.0)
+    return no_ball(ball, fmt::format("does not stand out beyond the tip, it ends at {} mm and the "
+                                     "tip at {} mm from the axis; {}",
+                                     spoken(seat->radial, flank->tip / 2),
+                                     spoken(flank->tip / 2, seat->radial), sizes));
+  return *seat;
+}
+
+double over_two_balls(const Gear& gear, const BallSeat& seat) {
+  const int z = std::abs(gear.spec.teeth);
+  GW_EXPECTS(z >= 2);
+  const double across = z % 2 == 0 ? 1.0 : std::cos(pi / (2 * z));
+  return seat.center_diameter * across + (gear.internal() ? -1 : 1) * seat.ball_diameter;
+}
+
+namespace {
+
+// The least distance of two helices on one cylinder, in its diameters, whose points in one
+// transverse plane stand δ off opposite: √(cos² (ε/2) + T sin² ε/4), ε − T sin ε = δ. [T10.9]
+double least_across(double delta, double T) {
+  double epsilon = delta;
+  if (T > 0.0 && (delta > 0.0 || T > 1.0)) {
+    const auto f = [&](double e) {
+      return Slope<double>{e - T * std::sin(e) - delta, 1.0 - T * std::cos(e)};
+    };
+    // Beyond the turning point of e − T sin e the function rises and has its root.
+    const double lo = T > 1.0 ? std::acos(1.0 / T) : 0.0;
+    const double start = std::clamp(delta + T * std::sin(delta), lo, pi);
+    const auto root = newton_in_bracket<double>(f, lo, pi, start, true);
+    GW_ENSURES(root.found());
+    epsilon = root.x;
+  }
+  const double c = std::cos(epsilon / 2), s = std::sin(epsilon) / 2;
+  return std::sqrt(c * c + T * s * s);
+}
+
+}  // namespace
+
+PinReading over_pins(const Gear& gear, const BallSeat& seat) {
+  const int z = std::abs(gear.spec.teeth);
+  GW_EXPECTS(z >= 2);
+  const double tan_K = seat.center_diameter / gear.reference().base_diameter *
+                       std::tan(gear.reference().base_helix_angle);
+  if (gear.spec.helix_angle.rad() == 0.0) {
+    const double both = over_two_balls(gear, seat);
+    return {both, both};
+  }
+  if (gear.internal()) return {};
+  const double delta = z % 2 == 0 ? 0.0 : pi / z;
+  return {seat.center_diameter * least_across(delta, tan_K * tan_K) + seat.ball_diameter,
+          seat.center_diameter + seat.ball_diameter};
+}
+
+std::optional<double> ball_touching_at(const Gear& gear, double contact_diameter) {
+  const Base b = base_of(gear);
+  GW_EXPECTS(contact_diameter >= b.d_b);
+  const double T = b.tan_b * b.tan_b;
+  const double xi = leaf::curvature_at(contact_diameter, b.d_b) / b.d_b;
+  const double sum = (1.0 + T) * xi + b.sigma * b.eta;
+  if (!(sum > 0.0)) return std::nullopt;
+  double alpha = sum;
+  if (T > 0.0 || alpha >= pi / 2) {
+    const auto f = [&](double a) {
+      const double t = std::tan(a);
+      return Slope<double>{a + T * t - sum, 1.0 + T * (1.0 + t * t)};
+    };
+    if (T == 0.0) return std::nullopt;
+    const auto root = newton_in_bracket<double>(f, 0.0, std::min(sum, pi / 2),
+                                                std::min(sum / (1.0 + T), 1.5), true);
+    GW_ENSURES(root.found());
+    alpha = root.x;
+  }
+  const double ball = b.sigma * b.d_b * (std::tan(alpha) - xi) / b.cos_b;
+  if (!(ball > 0.0)) return std::nullopt;
+  return ball;
+}
+
+std::optional<double> base_thickness_from_balls(const Gear& gear, double ball, double dimension) {
+  const Base b = base_of(gear, 0.0);
+  const int z = std::abs(gear.spec.teeth);
+  const double across = z % 2 == 0 ? 1.0 : std::cos(pi / (2 * z));
+  const double d_K = (dimension - b.sigma * ball) / across;
+  if (!(d_K >= b.d_b)) return std::nullopt;
+  const double inv = involute_of_roll(leaf::curvature(d_K, b.d_b) / b.d_b);
+  // η_b = D_M/(d_b cos β_b) − σ inv α_Kt; b.eta is π/|z| here.
+  return b.d_b * (b.eta - ball / (b.d_b * b.cos_b) + b.sigma * inv);
+}
+
+namespace {
+
+double nearest_inch(double mm) {
+  const double in = mm / kMmPerInch;
+  const double step = in < 0.5 ? 1.0 / 64 : in < 1.0 ? 1.0 / 32 : 1.0 / 16;
+  return std::max(step, std::round(in / step) * step);
+}
+
+double nearest_metric(double mm) {
+  return *std::min_element(kMetric.begin(), kMetric.end(),
+                           [&](double a, double b) { return std::abs(a - mm) < std::abs(b - mm); });
+}
+
+}  // namespace
+
+std::optional<BallSizes> ball_sizes(const Gear& gear) {
+  const auto flank = usable_flank(gear);
+  if (!flank || std::abs(gear.spec.teeth) < 2) return std::nullopt;
+  const auto ideal = ball_touching_at(gear, usual_contact_diameter(gear, *flank));
+  if (!ideal) return std::nullopt;
+  return BallSizes{*ideal, nearest_metric(*ideal), nearest_inch(*ideal)};
+}
+
+}  // namespace gearwright

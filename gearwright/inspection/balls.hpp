@@ -1,0 +1,81 @@
+// Balls and pins in the spaces of a gear: where they touch, and what is read over or between them.
+//
+//   D_M    diameter of ball or pin, mm         α_Kt  transverse pressure angle at its centre, rad
+//   d_K    diameter of its centre, mm          d_M   diameter of the contacts, mm
+//   η_b    half angle of the space on the base cylinder, rad: π/|z| ∓ … [T10.5]
+//   M_d, M_r   over two balls, over one from the axis, mm
+//                                              theory: docs/theory/10-inspection.md
+//
+// A ball is followed by the same involute helicoid as the flank, moved along its normal by the
+// ball's radius: the centre lies where that helicoid meets the middle of the space.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "gearwright/base/result.hpp"
+#include "gearwright/gear/gear.hpp"
+#include "gearwright/inspection/usable_flank.hpp"
+
+namespace gearwright {
+
+/// A ball that touches both flanks of a space.
+struct BallSeat {
+  double ball_diameter;          ///< D_M   mm
+  double center_pressure_angle;  ///< α_Kt  rad
+  double center_diameter;        ///< d_K   mm
+  double contact_diameter;       ///< d_M   mm
+  double contact_offset;  ///< mm: the contacts lie so far before and behind the ball's centre
+  double radial;          ///< M_r   mm, from the axis over the ball, of a ring inside it
+  ContactPlace place;
+
+  bool usable() const { return place == ContactPlace::usable; }
+};
+
+/// What is read over, or in an internal gear between, two pins.
+struct PinReading {
+  std::optional<double> two_free;  ///< mm, two pins that may tilt: the least
+  std::optional<double> three;     ///< mm, three pins, or two between parallel anvils
+};
+
+/// The ball or pin in a space of the gear, if it rests on both flanks and can be measured.
+///
+/// Formula   inv α_Kt = D_M/(d_b cos β_b) − η_b, [T10.6]; d_K = d_b/cos α_Kt, contacts [T10.7]
+/// Errors    `ball_diameter`: falls between the teeth, rests on the tips, does not stand out beyond
+///           them; with the diameters that do
+Result<BallSeat> ball_in_space(const Gear& gear, double ball_diameter);
+
+/// Over two opposite balls in one transverse plane; between them in an internal gear. [T10.8]
+///
+/// Domain    |z| ≥ 2 (contract): one space has no opposite one
+double over_two_balls(const Gear& gear, const BallSeat& seat);
+
+/// The same over pins. None: an internal helical gear, into which no straight pin goes.
+///
+/// Formula   two free pins: ε − tan² β_K sin ε = δ, [T10.9]; three: d_K ± D_M [T10.10]
+/// Domain    |z| ≥ 2 (contract)
+PinReading over_pins(const Gear& gear, const BallSeat& seat);
+
+/// The ball that touches at that diameter.
+///
+/// Formula   α_Kt + tan² β_b tan α_Kt = ξ_M/cos² β_b + σ η_b; [T10.11]
+/// Domain    contact_diameter ≥ d_b (contract)
+/// None      the flanks of a space meet before
+std::optional<double> ball_touching_at(const Gear& gear, double contact_diameter);
+
+/// The transverse base tooth thickness of the gear over whose balls M_d is read. [T10.12]
+/// None      balls that deep lie inside the base cylinder
+std::optional<double> base_thickness_from_balls(const Gear& gear, double ball_diameter,
+                                                double dimension);
+
+/// The nearest balls and pins that one can buy.
+struct BallSizes {
+  double ideal;   ///< mm, touches at the usual diameter
+  double metric;  ///< mm, sizes of gear measuring pins (DIN 3977)
+  double inch;    ///< in, balls by 1/64, 1/32 and 1/16 in
+};
+
+/// None: no ball can be measured.
+std::optional<BallSizes> ball_sizes(const Gear& gear);
+
+}  // namespace gearwright

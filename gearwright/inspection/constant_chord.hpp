@@ -1,0 +1,30 @@
+// The constant chord: where a rack's tooth space touches a tooth on both sides at once.
+//
+//   s_n   normal tooth thickness at the reference cylinder, mm     s_c   constant chord, mm
+//   h_c   height of the tip over it, mm                            α_n   of the rack
+//                                              theory: docs/theory/10-inspection.md
+//
+// It depends on the rack and s_n alone, not on the number of teeth or the helix: the common normals
+// of rack and tooth meet on the reference cylinder, in the middle of the tooth.
+#pragma once
+
+#include <optional>
+
+#include "gearwright/gear/gear.hpp"
+#include "gearwright/inspection/usable_flank.hpp"
+
+namespace gearwright {
+
+struct ConstantChord {
+  double chord;             ///< s_c  mm
+  double tip_to_chord;      ///< h_c  mm, from d_a
+  double contact_diameter;  ///< mm
+  ContactPlace place;
+};
+
+/// Formula   s_c = s_n cos² α_n, h_c = ±(d_a − d)/2 − s_n sin α_n cos α_n/2; [T10.13], [T10.14]
+/// Units     mm
+/// None      no usable flank
+std::optional<ConstantChord> constant_chord(const Gear& gear);
+
+}  // namespace gearwright

@@ -1,0 +1,129 @@
+#include "gearwright/inspection/flank_tolerances.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include "gearwright/base/contract.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr int kOwnClass = 5;  // whose tolerances the formulas are
+
+double step_factor(int quality) {
+  return std::pow(2.0, 0.5 * (quality - kOwnClass));  // √2 each
+}
+
+// Ranges of ISO 1328:1995, mm; a value on a border belongs to the lower range.
+constexpr std::array kDiameters{5.,    20.,   50.,   125.,  280.,  560.,  1000.,
+                                1600., 2500., 4000., 6000., 8000., 10000.};
+constexpr std::array kModules{0.5, 2., 3.5, 6., 10., 16., 25., 40., 70.};
+constexpr std::array kFaces{4., 10., 20., 40., 80., 160., 250., 400., 650., 1000.};
+// Of its part 2, 1997.
+constexpr std::array kRadialDiameters{5., 20., 50., 125., 280., 560., 1000.};
+constexpr std::array kRadialModules{0.2, 0.5, 0.8, 1.0, 1.5, 2.5, 4.0, 6.0, 10.0};
+
+// Geometric mean of the range; the outermost one beyond the ends.
+double mean_of_range(std::span<const double> borders, double value) {
+  std::size_t i = 1;
+  while (i + 1 < borders.size() && value > borders[i]) ++i;
+  return std::sqrt(borders[i - 1] * borders[i]);
+}
+
+void add_radial(FlankToleranceValues& t, int quality, const ToleranceSubject& gear) {
+  const double d_own = gear.reference_diameter, m_own = gear.normal_module;
+  const bool held = d_own >= kRadialDiameters.front() && d_own <= kRadialDiameters.back() &&
+                    m_own >= kRadialModules.front() && m_own <= kRadialModules.back();
+  if (!held) return;
+  const double d = mean_of_range(kRadialDiameters, d_own);
+  const double m = mean_of_range(kRadialModules, m_own);
+  const double f = step_factor(quality);
+  t.radial_composite = rounded_tolerance(f * (3.2 * m + 1.01 * std::sqrt(d) + 6.4));
+  t.tooth_radial_composite = rounded_tolerance(f * (2.96 * m + 0.01 * std::sqrt(d) + 0.8));
+}
+
+// [T10.15]…[T10.17]
+FlankToleranceValues of_2013(int quality, const ToleranceSubject& gear) {
+  const double d = gear.reference_diameter, m = gear.normal_module, b = gear.face_width;
+  const double f = step_factor(quality);
+  const auto rounded = rounded_tolerance;
+  const double f_pt = f * (0.001 * d + 0.4 * m + 5);
+  const double F_p = f * (0.002 * d + 0.55 * std::sqrt(d) + 0.7 * m + 12);
+  const double f_Halpha = f * (0.4 * m + 0.001 * d + 4);
+  const double f_falpha = f * (0.55 * m + 5);
+  const double f_Hbeta = f * (0.05 * std::sqrt(d) + 0.35 * std::sqrt(b) + 4);
+  const double f_fbeta = f * (0.07 * std::sqrt(d) + 0.45 * std::sqrt(b) + 4);
+  // The totals are made of the unrounded parts.
+  return {rounded(f_pt),
+          rounded(F_p),
+          rounded(std::hypot(f_Halpha, f_falpha)),
+          rounded(f_falpha),
+          rounded(f_Halpha),
+          rounded(std::hypot(f_Hbeta, f_fbeta)),
+          rounded(f_fbeta),
+          rounded(f_Hbeta),
+          rounded(0.9 * F_p),
+          {},
+          {}};
+}
+
+// [T10.18]
+FlankToleranceValues of_1995(int quality, const ToleranceSubject& gear) {
+  const double d = mean_of_range(kDiameters, gear.reference_diameter);
+  const double m = mean_of_range(kModules, gear.normal_module);
+  const double b = mean_of_range(kFaces, gear.face_width);
+  const double f = step_factor(quality), root_d = std::sqrt(d), root_m = std::sqrt(m);
+  const auto rounded = [f](double um) { return rounded_tolerance(f * um); };
+  const double F_p = 0.3 * m + 1.25 * root_d + 7;
+  const double half_helix = 0.07 * root_d + 0.45 * std::sqrt(b) + 3;
+  return {rounded(0.3 * (m + 0.4 * root_d) + 4),
+          rounded(F_p),
+          rounded(3.2 * root_m + 0.22 * root_d + 0.7),
+          rounded(2.5 * root_m + 0.17 * root_d + 0.5),
+          rounded(2.0 * root_m + 0.14 * root_d + 0.5),
+          rounded(0.1 * root_d + 0.63 * std::sqrt(b) + 4.2),
+          rounded(half_helix),
+          rounded(half_helix),
+          rounded(0.8 * F_p),
+          {},
+          {}};
+}
+
+}  // namespace
+
+double rounded_tolerance(double um) {
+  const double step = um > 10.0 ? 1.0 : um >= 5.0 ? 2.0 : 10.0;  // per µm
+  return std::round(um * step) / step;
+}
+
+bool has_class(FlankTolerances edition, int quality) {
+  return edition == FlankTolerances::iso_2013 ? quality >= 1 && quality <= 11
+                                              : quality >= 0 && quality <= 12;
+}
+
+bool in_range(FlankTolerances edition, const ToleranceSubject& g) {
+  constexpr double kMostHelix = std::numbers::pi / 4;
+  const auto within = [](double x, double lo, double hi) { return x >= lo && x <= hi; };
+  if (edition == FlankTolerances::iso_2013) {
+    return within(g.teeth, 5, 1000) && within(g.reference_diameter, 5, 15000) &&
+           within(g.normal_module, 0.5, 70) && within(g.face_width, 4, 1200) &&
+           std::abs(g.helix_angle) <= kMostHelix;
+  }
+  return within(g.reference_diameter, 5, 10000) && within(g.normal_module, 0.5, 70) &&
+         within(g.face_width, 4, 1000);
+}
+
+FlankToleranceValues flank_tolerances(FlankTolerances edition, int quality,
+                                      const ToleranceSubject& gear) {
+  GW_EXPECTS(has_class(edition, quality));
+  FlankToleranceValues t =
+      edition == FlankTolerances::iso_2013 ? of_2013(quality, gear) : of_1995(quality, gear);
+  add_radial(t, quality, gear);
+  return t;
+}
+
+}  // namespace gearwright

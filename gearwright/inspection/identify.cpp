@@ -1,0 +1,296 @@
+#include "gearwright/inspection/identify.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "gearwright/base/units.hpp"
+#include "gearwright/inspection/identify_fit.hpp"
+#include "gearwright/inspection/identify_model.hpp"
+#include "gearwright/inspection/standard_racks.hpp"
+
+namespace gearwright {
+
+namespace {
+
+using namespace detail;  // NOLINT(google-build-using-namespace): the room's own parts
+using std::numbers::pi;
+
+constexpr double kNothing = 1e-4;  // of the likelihood: not worth a line
+constexpr double kSigmas = 1.96;   // of 95 %
+constexpr double kMostHelix = 45;  // degrees of a gear; steeper ones are worms
+
+// A gear found for a rack, with what it is worth.
+struct Found {
+  StandardRack rack;
+  RackFit fit;
+  double log_worth;
+};
+
+// How usual a helix angle is: 0, whole degrees, any.
+struct HelixPrior {
+  double spur = std::log(0.45), any = std::log(0.10), whole = std::log(0.45 / 63);
+  double of_degrees(int n) const { return whole + (n % 5 == 0 ? std::log(3.0) : 0.0); }
+};
+
+class Searching {
+ public:
+  Searching(const IdentifyProblem& problem, std::vector<Observation> readings)
+      : problem_(problem), readings_(std::move(readings)) {}
+
+  std::vector<Found> all() {
+    std::vector<Found> found;
+    for (const StandardRack& rack : standard_racks()) {
+      if (problem_.normal_pressure_angle &&
+          std::abs(problem_.normal_pressure_angle->rad() - rack.alpha) > kSameAngle)
+        continue;
+      if (possible(rack.module, rack.alpha)) add(rack, found);
+    }
+    if (const auto module = module_of_pitch()) {
+      // No standard's: the pressure angle then is the usual one, or the known.
+      const double alpha = problem_.normal_pressure_angle.value_or(Angle::degrees(20)).rad();
+      add({*module / std::cos(alpha), alpha, ModuleSeries::none, {}, kLogOwnModule}, found);
+    }
+    std::sort(found.begin(), found.end(),
+              [](const Found& a, const Found& b) { return a.log_worth > b.log_worth; });
+    return found;
+  }
+
+ private:
+  static constexpr double kSameAngle = 1e-6;
+  static constexpr double kLogOwnModule = -3.5;
+
+  // Base pitch from the spans furthest apart, and its standard deviation; none: one span.
+  std::optional<std::array<double, 2>> base_pitch() const {
+    const Observation *least = nullptr, *most = nullptr;
+    for (const Observation& o : readings_) {
+      if (o.kind != Observation::Kind::span) continue;
+      if (!least || o.tool < least->tool) least = &o;
+      if (!most || o.tool > most->tool) most = &o;
+    }
+    if (!least || most->tool == least->tool) return std::nullopt;
+    const double apart = most->tool - least->tool;
+    return std::array{(most->value - least->value) / apart,
+                      std::hypot(most->sigma, least->sigma) / apart};
+  }
+  std::optional<double> module_of_pitch() const {
+    const auto pitch = base_pitch();
+    return pitch && (*pitch)[0] > 0.0 ? std::optional((*pitch)[0] / pi) : std::nullopt;
+  }
+
+  // Whether a gear of this rack can have the rough size and the base pitch of the readings.
+  bool possible(double m, double alpha) const {
+    if (const auto pitch = base_pitch())
+      return std::abs(pi * m * std::cos(alpha) - (*pitch)[0]) < 6 * (*pitch)[1];
+    const double z = std::abs(problem_.teeth);
+    const double most = 1 / std::cos(kMostHelix * kRadPerDeg);
+    for (const Observation& o : readings_) {
+      const double size = o.value / m;
+      switch (o.kind) {
+        case Observation::Kind::tip:
+        case Observation::Kind::balls:
+        case Observation::Kind::root:
+          if (size < z - 5 || size > z * most + 5) return false;
+          break;
+        case Observation::Kind::distance:
+          if (2 * size < std::abs(problem_.teeth + o.tool) - 3 ||
+              2 * size > std::abs(problem_.teeth + o.tool) * most + 3)
+            return false;
+          break;
+        case Observation::Kind::span:
+          if (size < (o.tool - 2) * pi * std::cos(alpha) || size > (o.tool + 2) * pi + z / 20)
+            return false;
+          break;
+        default: break;
+      }
+    }
+    return true;
+  }
+
+  void take(const StandardRack& rack, const std::optional<RackFit>& fit, double log_prior,
+            std::vector<Found>& found) const {
+    if (!fit) return;
+    found.push_back({rack, *fit, rack.log_prior + log_prior + fit->log_evidence});
+  }
+
+  void add(const StandardRack& rack, std::vector<Found>& found) const {
+    const bool own = rack.series == ModuleSeries::none;
+    const Unknowns of_shift{.shift = true, .helix = false, .module = own};
+    const Unknowns of_both{.shift = true, .helix = true, .module = own};
+    const auto at = [&](double beta) {
+      return GearNumbers{problem_.teeth, rack.module, rack.alpha, beta, 0.0};
+    };
+    if (problem_.helix_angle)
+      return take(rack, fit_rack(at(std::abs(problem_.helix_angle->rad())), of_shift, readings_),
+                  0.0, found);
+    const HelixPrior prior;
+    take(rack, fit_rack(at(0.0), of_shift, readings_), prior.spur, found);
+    std::optional<RackFit> best;
+    for (int degrees = 1; degrees <= kMostHelix; ++degrees) {
+      const GearNumbers gear = at(degrees * kRadPerDeg);
+      if (!own && off_the_lead(gear)) continue;
+      const auto fit = fit_rack(gear, of_shift, readings_);
+      take(rack, fit, prior.of_degrees(degrees), found);
+      if (fit && (!best || fit->log_evidence > best->log_evidence)) best = fit;
+    }
+    const GearNumbers start = best ? best->gear : at(lead_angle(rack.module).value_or(0.2));
+    take(rack, fit_rack(start, of_both, readings_), prior.any, found);
+  }
+
+  // Lead and helix say the angle by themselves: whether this one is out of the question.
+  bool off_the_lead(const GearNumbers& gear) const {
+    return std::any_of(readings_.begin(), readings_.end(), [&](const Observation& o) {
+      if (o.kind != Observation::Kind::lead && o.kind != Observation::Kind::helix) return false;
+      return std::abs(*residual(gear, o)) > 8.0;
+    });
+  }
+  std::optional<double> lead_angle(double module) const {
+    for (const Observation& o : readings_) {
+      if (o.kind == Observation::Kind::helix) return o.value;
+      if (o.kind != Observation::Kind::lead) continue;
+      const double sine = o.value * pi * std::abs(problem_.teeth) * module;
+      if (sine < 0.99) return std::asin(sine);
+    }
+    return std::nullopt;
+  }
+
+  const IdentifyProblem& problem_;
+  std::vector<Observation> readings_;
+};
+
+// The χ² of exact readings that one gear in ten thousand exceeds, about.
+double most_misfit(const std::vector<Observation>& readings, const RackFit& fit) {
+  const auto exact = std::count_if(readings.begin(), readings.end(),
+                                   [](const Observation& o) { return o.exact(); });
+  const double freedom = std::max(0.0, double(exact) - fit.free);
+  return freedom > 0.0 ? 12.0 + 3.2 * freedom : 1.0;
+}
+
+// Whether b says nothing that a does not: the same gear, its module or its helix angle fitted where
+// those of a are a standard's.
+bool is_double(const Found& a, const Found& b) {
+  const bool looser = (b.fit.sigma_helix > 0.0) != (a.fit.sigma_helix > 0.0) ||
+                      (b.fit.sigma_module > 0.0) != (a.fit.sigma_module > 0.0);
+  const double module = 3 * (a.fit.sigma_module + b.fit.sigma_module);
+  const double helix = 3 * (a.fit.sigma_helix + b.fit.sigma_helix) + 1e-9;
+  return looser && a.rack.alpha == b.rack.alpha &&
+         std::abs(a.fit.gear.module - b.fit.gear.module) <= module &&
+         std::abs(a.fit.gear.beta - b.fit.gear.beta) <= helix;
+}
+
+std::vector<Found> without_doubles(const std::vector<Found>& all) {
+  std::vector<Found> kept;
+  for (const Found& f : all) {
+    const auto same =
+        std::find_if(kept.begin(), kept.end(), [&](const Found& k) { return is_double(k, f); });
+    if (same == kept.end()) kept.push_back(f);
+  }
+  return kept;
+}
+
+double signed_helix(const IdentifyProblem& p, double beta) {
+  const bool left = (p.lead.value && *p.lead.value < 0.0) ||
+                    (p.helix.value && p.helix.value->rad() < 0.0) ||
+                    (p.helix_angle && p.helix_angle->rad() < 0.0);
+  return left ? -beta : beta;
+}
+
+std::vector<IdentifiedGear> candidates_of(const IdentifyProblem& p,
+                                          const std::vector<Found>& found) {
+  std::vector<IdentifiedGear> list;
+  if (found.empty()) return list;
+  double sum = 0.0;
+  const double top = found.front().log_worth;
+  for (const Found& f : found) sum += std::exp(f.log_worth - top);
+  for (const Found& f : found) {
+    const double likelihood = std::exp(f.log_worth - top) / sum;
+    if (likelihood < kNothing || static_cast<int>(list.size()) == kMostCandidates) break;
+    const GearNumbers& g = f.fit.gear;
+    const double side = p.teeth > 0 ? 1.0 : -1.0;
+    const double d = std::abs(g.teeth) * g.module / std::cos(g.beta);
+    const double nominal = d + side * 2 * g.module * (1 + g.shift);
+    std::optional<double> of_tip;
+    if (p.tip.value) of_tip = side * (*p.tip.value - d) / (2 * g.module) - 1;
+    const bool longer = p.tip.value && side * (*p.tip.value - nominal) > 0.0;
+    list.push_back({p.teeth, g.module, f.rack.series, f.rack.diametral_pitch,
+                    Angle::radians(g.alpha), Angle::radians(signed_helix(p, g.beta)), g.shift,
+                    longer ? *p.tip.value : nominal, of_tip, likelihood, f.fit.misfit,
+                    kSigmas * f.fit.sigma_module, kSigmas * f.fit.sigma_shift,
+                    Angle::radians(kSigmas * f.fit.sigma_helix)});
+  }
+  return list;
+}
+
+const char* name_of(Observation::Kind kind) {
+  switch (kind) {
+    case Observation::Kind::span: return "span";
+    case Observation::Kind::balls: return "over_balls";
+    case Observation::Kind::lead: return "lead";
+    default: return "helix_angle";
+  }
+}
+
+// Readings of which one is wrong: the others agree on a standard gear.
+std::optional<Contradiction> contradiction(const IdentifyProblem& p,
+                                           const std::vector<Observation>& readings,
+                                           std::vector<Found>& found) {
+  std::optional<Contradiction> worst;
+  double best = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    if (!readings[i].exact()) continue;
+    std::vector<Observation> others = readings;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+    auto without = Searching(p, others).all();
+    if (without.empty() || without.front().rack.series == ModuleSeries::none ||
+        without.front().fit.misfit > most_misfit(others, without.front().fit) ||
+        without.front().log_worth <= best)
+      continue;
+    const auto expected = reading_of(without.front().fit.gear, readings[i]);
+    if (!expected) continue;
+    best = without.front().log_worth;
+    const auto said = [&](double value) {
+      if (readings[i].kind == Observation::Kind::lead) return value > 0.0 ? 1 / value : 0.0;
+      return readings[i].kind == Observation::Kind::helix ? value * kDegPerRad : value;
+    };
+    worst = Contradiction{name_of(readings[i].kind), readings[i].tool, said(readings[i].value),
+                          said(*expected)};
+    found = std::move(without);
+  }
+  return worst;
+}
+
+}  // namespace
+
+Result<Identification> identify(const IdentifyProblem& problem) {
+  if (problem.teeth == 0 || std::abs(problem.teeth) < 3)
+    return refused("teeth", problem.teeth,
+                   "count the teeth: three or more, negative for an internal gear");
+  const std::vector<Observation> readings = observations(problem);
+  const bool sized = std::any_of(readings.begin(), readings.end(), [](const Observation& o) {
+    return o.kind != Observation::Kind::lead && o.kind != Observation::Kind::helix;
+  });
+  if (!sized)
+    return Error{"measured", "",
+                 "no reading says how large the gear is: measure spans over two numbers of teeth "
+                 "and a dimension over balls"};
+  std::vector<Found> found = Searching(problem, readings).all();
+  Identification answer;
+  const bool fits =
+      !found.empty() && found.front().fit.misfit <= most_misfit(readings, found.front().fit);
+  if (!fits) answer.contradiction = contradiction(problem, readings, found);
+  found = without_doubles(found);
+  if (found.empty() || (!fits && !answer.contradiction)) {
+    answer.reason = found.empty()
+                        ? "no standard gear of so many teeth is of this size"
+                        : "no standard gear has these readings, and leaving one of them out does "
+                          "not help";
+  }
+  answer.candidates = candidates_of(problem, found);
+  answer.next = next_measurement(problem, answer.candidates);
+  return answer;
+}
+
+}  // namespace gearwright

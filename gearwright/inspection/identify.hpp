@@ -1,0 +1,105 @@
+// Which gear is this? The standard gears that readings of an unknown one allow, the likeliest first.
+//
+//   u      uncertainty of a reading, 95 %; σ = u/1.96        χ²   sum of squares of (reading − gear)/σ
+//   x_E    generating profile shift, allowance included       p_bn  normal base pitch
+//                                              theory: docs/theory/10-inspection.md
+//
+// A gear of z teeth is module, pressure angle, helix and x_E. The first two come from the standards,
+// the helix angle is 0, a whole number of degrees, or any; x_E is fitted, and the helix where it is any.
+// A hypothesis is judged by its evidence: how well it fits, how much of what it could have said the
+// readings leave, how usual it is. Tips may be worn, and roots are of several racks: both readings
+// say roughly where the gear is, no more.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gearwright/base/angle.hpp"
+#include "gearwright/base/result.hpp"
+
+namespace gearwright {
+
+struct SpanReading {
+  int teeth = 0;       ///< k
+  double value = 0.0;  ///< W_k  mm
+};
+
+/// Over two balls.
+struct DiameterReading {
+  double tool = 0.0;   ///< D_M   mm
+  double value = 0.0;  ///< M_dK  mm
+};
+
+/// One reading that may be there, with its own uncertainty or the usual one.
+template <class T>
+struct MaybeReading {
+  std::optional<T> value, uncertainty;
+};
+
+struct IdentifyProblem {
+  int teeth = 0;                               ///< z, negative if internal
+  std::optional<Angle> normal_pressure_angle;  ///< α_n, where it is known
+  std::optional<Angle> helix_angle;            ///< β, where it is known; 0: a spur gear
+  std::vector<SpanReading> spans;
+  std::vector<DiameterReading> balls;
+  double span_uncertainty = 0.02;     ///< mm
+  double balls_uncertainty = 0.02;    ///< mm
+  MaybeReading<double> tip, root;     ///< mm
+  MaybeReading<double> lead;          ///< mm, > 0 right hand
+  MaybeReading<Angle> helix;          ///< of a measurement
+  MaybeReading<double> distance;      ///< mm, to the mating gear
+  std::optional<int> mating_teeth{};  ///< of that one
+};
+
+/// What kind of standard a candidate is of.
+enum class ModuleSeries { iso54_1, iso54_2, diametral_pitch, none };
+
+struct IdentifiedGear {
+  int teeth;
+  double normal_module;  ///< m_n  mm
+  ModuleSeries series;
+  std::optional<double> diametral_pitch;  ///< 1/in, of that series
+  Angle normal_pressure_angle;            ///< α_n
+  Angle helix_angle;                      ///< β, > 0 right hand; of an unknown hand > 0
+  double generating_shift;                ///< x_E
+  double tip_diameter;                    ///< mm: the one read, or what the shift makes of it
+  std::optional<double> shift_of_tip;     ///< x that the tip shows, unworn at least
+  double likelihood;                      ///< of all candidates: 1
+  double misfit;                          ///< χ² of the exact readings
+  // ± of 95 %; 0: a standard's own number.
+  double module_uncertainty;  ///< mm
+  double shift_uncertainty;
+  Angle helix_uncertainty;
+};
+
+/// A reading that disagrees with all others, and what they say it should be.
+struct Contradiction {
+  std::string reading;  ///< "span", "over_balls", "lead", "helix_angle"
+  double tool;          ///< k, D_M; 0: it has none
+  double value;         ///< as read, mm or degrees
+  double expected;      ///< by the others
+};
+
+struct NextMeasurement {
+  std::string reading;           ///< "span", "over_balls", "lead"
+  double tool;                   ///< k, D_M
+  std::array<double, 2> expect;  ///< of the first candidate and of the one it decides against
+  int rival;                     ///< which candidate that is, from 0
+};
+
+struct Identification {
+  std::vector<IdentifiedGear> candidates;      ///< likeliest first
+  std::optional<Contradiction> contradiction;  ///< the candidates are those of the other readings
+  std::optional<NextMeasurement> next;         ///< none: one candidate is left, or none decides
+  std::string reason;                          ///< why there is no candidate
+};
+
+/// Candidates that one should know of, at most so many.
+inline constexpr int kMostCandidates = 8;
+
+/// Errors    `teeth`: missing; `measured`: too few readings; a reading that no gear of so many teeth has
+Result<Identification> identify(const IdentifyProblem& problem);
+
+}  // namespace gearwright

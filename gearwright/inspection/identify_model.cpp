@@ -1,0 +1,132 @@
+#include "gearwright/inspection/identify_model.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include "gearwright/math/involute.hpp"
+
+namespace gearwright::detail {
+
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kSigmas = 1.96;           // of 95 %
+constexpr double kLeadUncertainty = 0.02;  // of the lead: what rolling a gear over paper gives
+constexpr double kHelixUncertainty = 0.5;  // degrees
+constexpr double kLength = 0.02;           // mm
+// What a drawing may say and a reading cannot know, standard deviations in modules.
+constexpr double kTipScatter = 0.15;  // wear, shortening, x − x_E
+constexpr double kRootScatter = 0.04;
+constexpr double kDistanceScatter = 0.5;  // the mating gear's shift
+constexpr std::array kAddenda{1.0, 0.8};
+constexpr std::array kDedenda{1.25, 1.4, 1.0, 1.157, 1.2, 1.35};
+
+double nearest_miss(std::span<const double> choices, double value) {
+  double least = value - choices.front();
+  for (const double c : choices)
+    if (std::abs(value - c) < std::abs(least)) least = value - c;
+  return least;
+}
+
+struct Base {
+  double d, d_b, cos_b, s_bt, p_bt, sigma;
+};
+
+Base base_of(const GearNumbers& g) {
+  const double z = std::abs(g.teeth), sigma = g.teeth > 0 ? 1.0 : -1.0;
+  const double cos_beta = std::cos(g.beta), tan_alpha = std::tan(g.alpha);
+  const double alpha_t = std::atan(tan_alpha / cos_beta);
+  Base b{};
+  b.sigma = sigma;
+  b.d = z * g.module / cos_beta;
+  b.d_b = b.d * std::cos(alpha_t);
+  const double sin_b = std::sin(g.beta) * std::cos(g.alpha);
+  b.cos_b = std::sqrt(1 - sin_b * sin_b);
+  const double s_n = g.module * (pi / 2 + 2 * g.shift * tan_alpha);
+  b.s_bt = b.d_b * (s_n / cos_beta / b.d + sigma * involute(alpha_t));
+  b.p_bt = pi * b.d_b / z;
+  return b;
+}
+
+}  // namespace
+
+std::vector<Observation> observations(const IdentifyProblem& p) {
+  using Kind = Observation::Kind;
+  std::vector<Observation> list;
+  for (const SpanReading& s : p.spans)
+    list.push_back({Kind::span, double(s.teeth), s.value, p.span_uncertainty / kSigmas});
+  for (const DiameterReading& b : p.balls)
+    list.push_back({Kind::balls, b.tool, b.value, p.balls_uncertainty / kSigmas});
+  if (p.lead.value) {
+    const double lead = std::abs(*p.lead.value);
+    const double u = p.lead.uncertainty.value_or(kLeadUncertainty * lead);
+    list.push_back({Kind::lead, 0, 1 / lead, u / kSigmas / (lead * lead)});
+  }
+  if (p.helix.value) {
+    const double u = p.helix.uncertainty.value_or(Angle::degrees(kHelixUncertainty)).rad();
+    list.push_back({Kind::helix, 0, std::abs(p.helix.value->rad()), u / kSigmas});
+  }
+  const auto rough = [&](Kind kind, double tool, const MaybeReading<double>& r) {
+    if (r.value) list.push_back({kind, tool, *r.value, r.uncertainty.value_or(kLength) / kSigmas});
+  };
+  rough(Kind::tip, 0, p.tip);
+  rough(Kind::root, 0, p.root);
+  if (p.mating_teeth) rough(Kind::distance, *p.mating_teeth, p.distance);
+  return list;
+}
+
+std::optional<double> reading_of(const GearNumbers& g, const Observation& o) {
+  using Kind = Observation::Kind;
+  const double z = std::abs(g.teeth);
+  switch (o.kind) {
+    case Kind::lead: return std::sin(g.beta) / (pi * z * g.module);
+    case Kind::helix: return g.beta;
+    default: break;
+  }
+  const Base b = base_of(g);
+  switch (o.kind) {
+    case Kind::span:
+      if (b.sigma < 0) return b.cos_b * (o.tool * b.p_bt - b.s_bt);
+      return b.cos_b * ((o.tool - 1) * b.p_bt + b.s_bt);
+    case Kind::balls: {
+      const double inv = b.sigma * (o.tool / (b.d_b * b.cos_b) - pi / z + b.s_bt / b.d_b);
+      if (!(inv > 0.0) || inv > 10.0) return std::nullopt;
+      const double d_K = b.d_b / std::cos(inverse_involute(inv));
+      const double across = g.teeth % 2 == 0 ? 1.0 : std::cos(pi / (2 * z));
+      return d_K * across + b.sigma * o.tool;
+    }
+    case Kind::tip: return b.d + b.sigma * 2 * g.module * (kAddenda.front() + g.shift);
+    case Kind::root: return b.d - b.sigma * 2 * g.module * (kDedenda.front() - g.shift);
+    case Kind::distance: {
+      const double sum =
+          o.tool * g.teeth > 0 ? z + std::abs(o.tool) : std::abs(z - std::abs(o.tool));
+      return sum * g.module / std::cos(g.beta) / 2;
+    }
+    default: return std::nullopt;
+  }
+}
+
+std::optional<double> residual(const GearNumbers& g, const Observation& o) {
+  using Kind = Observation::Kind;
+  const auto read = reading_of(g, o);
+  if (!read) return std::nullopt;
+  const double side = g.teeth > 0 ? 1.0 : -1.0;
+  const double off = (o.value - *read) / g.module;  // modules
+  const double sigma = o.sigma / g.module;
+  switch (o.kind) {
+    case Kind::tip:
+      return nearest_miss(kAddenda, kAddenda.front() + side * off / 2) /
+             std::hypot(kTipScatter, sigma / 2);
+    case Kind::root:
+      return nearest_miss(kDedenda, kDedenda.front() - side * off / 2) /
+             std::hypot(kRootScatter, sigma / 2);
+    case Kind::distance: return off / std::hypot(kDistanceScatter, sigma);
+    default: return (o.value - *read) / o.sigma;
+  }
+}
+
+}  // namespace gearwright::detail

@@ -1,0 +1,229 @@
+// Unknown gears: the worked story, and synthetic ones whose readings scatter as a workshop's do.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <random>
+
+#include "gearwright/base/testing/taken.hpp"
+#include "gearwright/base/units.hpp"
+#include "gearwright/inspection/balls.hpp"
+#include "gearwright/inspection/identify.hpp"
+#include "gearwright/inspection/span.hpp"
+
+namespace gearwright {
+namespace {
+
+IdentifyProblem broken_gear() {
+  IdentifyProblem p;
+  p.teeth = 23;
+  p.spans = {{3, 19.751}, {4, 27.131}};
+  p.balls = {{5, 69.426}};
+  p.tip.value = 66.71;
+  p.lead.value = 585;
+  return p;
+}
+
+TEST(Identify, tells_the_broken_gear) {
+  const auto found = testing::taken(identify(broken_gear()));
+  ASSERT_FALSE(found.candidates.empty());
+  const IdentifiedGear& gear = found.candidates.front();
+  EXPECT_EQ(gear.normal_module, 2.5);
+  EXPECT_EQ(gear.series, ModuleSeries::iso54_1);
+  EXPECT_DOUBLE_EQ(gear.normal_pressure_angle.deg(), 20.0);
+  EXPECT_NEAR(gear.helix_angle.deg(), 18.0, 1e-9);
+  EXPECT_NEAR(gear.generating_shift, 0.2170, gear.shift_uncertainty);
+  EXPECT_NEAR(gear.generating_shift, 0.2170, 0.0005);
+  EXPECT_GT(gear.shift_uncertainty, 0.0);
+  EXPECT_DOUBLE_EQ(gear.tip_diameter, 66.71);
+  EXPECT_GT(gear.likelihood, 0.5);
+  EXPECT_FALSE(found.contradiction);
+  auto left = broken_gear();
+  left.lead.value = -585;
+  EXPECT_LT(testing::taken(identify(left)).candidates.front().helix_angle.deg(), 0.0);
+}
+
+TEST(Identify, names_the_reading_that_disagrees) {
+  auto p = broken_gear();
+  p.spans.push_back({5, 34.511});
+  p.spans[1].value += 0.3;
+  const auto found = testing::taken(identify(p));
+  ASSERT_TRUE(found.contradiction);
+  EXPECT_EQ(found.contradiction->reading, "span");
+  EXPECT_EQ(found.contradiction->tool, 4);
+  EXPECT_NEAR(found.contradiction->expected, 27.131, 0.01);
+  EXPECT_EQ(found.candidates.front().normal_module, 2.5);
+}
+
+TEST(Identify, says_what_would_decide) {
+  auto p = broken_gear();
+  p.lead.value.reset();
+  p.balls.clear();
+  const auto found = testing::taken(identify(p));
+  ASSERT_GE(found.candidates.size(), 2u);
+  ASSERT_TRUE(found.next);
+  EXPECT_GE(found.next->rival, 1);
+}
+
+TEST(Identify, refuses_what_says_nothing) {
+  IdentifyProblem p;
+  p.teeth = 23;
+  EXPECT_FALSE(identify(p));
+  p.lead.value = 585;
+  EXPECT_FALSE(identify(p));
+  p = broken_gear();
+  p.teeth = 0;
+  EXPECT_EQ(identify(p).error().field, "teeth");
+}
+
+// ---- synthetic gears ----
+
+struct Random {
+  explicit Random(unsigned seed) : bits(seed) {}
+  std::mt19937_64 bits;
+  double uniform(double lo, double hi) {
+    return lo + (hi - lo) * (static_cast<double>(bits() >> 11) * 0x1p-53);
+  }
+  int whole(int lo, int hi) {
+    return lo + static_cast<int>(bits() % static_cast<unsigned>(hi - lo + 1));
+  }
+  double normal() {  // Box-Muller: the same on every machine
+    return std::sqrt(-2 * std::log(uniform(1e-300, 1))) *
+           std::cos(2 * 3.141592653589793 * uniform(0, 1));
+  }
+  template <std::size_t n>
+  double of(const std::array<double, n>& list) {
+    return list[static_cast<std::size_t>(whole(0, static_cast<int>(n) - 1))];
+  }
+};
+
+CylindricalSpec random_standard(Random& random) {
+  constexpr std::array kMain{0.5, 0.8, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0};
+  constexpr std::array kSecond{0.7, 1.125, 1.75, 2.25, 2.75, 3.5, 4.5, 7.0};
+  constexpr std::array kPitches{3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0, 24.0};
+  CylindricalSpec s;
+  const double kind = random.uniform(0, 1);
+  s.normal_module = kind < 0.7    ? random.of(kMain)
+                    : kind < 0.85 ? random.of(kSecond)
+                                  : kMmPerInch / random.of(kPitches);
+  const double angle = random.uniform(0, 1);
+  s.normal_pressure_angle = Angle::degrees(angle < 0.92 ? 20 : angle < 0.96 ? 14.5 : 25);
+  s.helix_angle = Angle::degrees(random.uniform(0, 1) < 0.5 ? 0 : random.whole(5, 35));
+  s.teeth = random.whole(14, 120);
+  s.profile_shift = random.uniform(-0.1, 0.6);
+  s.thickness_allowance = -random.uniform(0, 0.03) * s.normal_module;
+  s.face_width = 40 * s.normal_module;
+  s.straight_rack().root_fillet_radius = 0.2;  // fits at any of these pressure angles
+  return s;
+}
+
+struct Counted {
+  int gears = 0, decidable = 0, first = 0, covered = 0, known = 0;
+  double slowest_ms = 0.0, total_ms = 0.0;
+};
+
+// A gear whose exact readings the candidate has too, within the uncertainty of each, cannot be told
+// from it.
+bool has_the_readings(const IdentifiedGear& c, const IdentifyProblem& exact, double lead) {
+  CylindricalSpec s;
+  s.teeth = c.teeth;
+  s.normal_module = c.normal_module;
+  s.normal_pressure_angle = c.normal_pressure_angle;
+  s.helix_angle = c.helix_angle;
+  s.profile_shift = c.generating_shift;
+  s.face_width = 40 * c.normal_module;
+  s.straight_rack().root_fillet_radius = 0.2;
+  const auto gear = make_gear(s);
+  if (!gear) return false;
+  for (const SpanReading& w : exact.spans)
+    if (std::abs(span_length(*gear, w.teeth) - w.value) > exact.span_uncertainty) return false;
+  for (const DiameterReading& b : exact.balls) {
+    const auto seat = ball_in_space(*gear, b.tool);
+    if (!seat || std::abs(over_two_balls(*gear, *seat) - b.value) > exact.balls_uncertainty)
+      return false;
+  }
+  return lead == 0.0 ? std::abs(c.helix_angle.deg()) < 0.5
+                     : std::abs(gear->lead - lead) < 0.02 * std::abs(lead);
+}
+
+Counted identified(int wanted, unsigned seed) {
+  constexpr double kU = 0.02, kSigmas = 1.96;
+  Random random(seed);
+  Counted n;
+  while (n.gears < wanted) {
+    const CylindricalSpec truth = random_standard(random);
+    const auto made = make_gear(truth);
+    if (!made) continue;
+    const Gear& gear = *made;
+    const auto spans = usable_spans(gear, 2);
+    const auto sizes = ball_sizes(gear);
+    if (spans.size() < 2 || !sizes) continue;
+    const auto seat = ball_in_space(gear, sizes->metric);
+    if (!seat || !seat->usable()) continue;
+    IdentifyProblem exact;
+    exact.teeth = truth.teeth;
+    for (const Span& s : spans) exact.spans.push_back({s.teeth, s.length});
+    exact.balls.push_back({sizes->metric, over_two_balls(gear, *seat)});
+    IdentifyProblem read = exact;
+    const auto noise = [&] { return kU / kSigmas * random.normal(); };
+    for (SpanReading& s : read.spans) s.value += noise();
+    for (DiameterReading& b : read.balls) b.value += noise();
+    const double wear = random.uniform(0, 0.05) * truth.normal_module;
+    read.tip.value = gear.tip_diameter - 2 * wear + noise();
+    if (gear.lead != 0.0) {
+      read.lead.value = gear.lead * (1 + 0.02 / kSigmas * random.normal());
+    } else {
+      read.helix.value = Angle::degrees(0.5 / kSigmas * random.normal());
+    }
+    const auto start = std::chrono::steady_clock::now();
+    const auto found = testing::taken(identify(read));
+    const double ms =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    n.slowest_ms = std::max(n.slowest_ms, ms);
+    n.total_ms += ms;
+    ++n.gears;
+    if (found.candidates.empty()) {
+      ++n.decidable;
+      continue;
+    }
+    const IdentifiedGear& first = found.candidates.front();
+    const bool right =
+        std::abs(first.normal_module - truth.normal_module) < 1e-9 &&
+        std::abs(first.normal_pressure_angle.deg() - truth.normal_pressure_angle.deg()) < 1e-9 &&
+        std::abs(std::abs(first.helix_angle.deg()) - truth.helix_angle.deg()) <
+            std::max(1e-9, first.helix_uncertainty.deg());
+    if (right || !has_the_readings(first, exact, gear.lead)) {
+      ++n.decidable;
+      n.first += right;
+    }
+    if (!right || first.helix_uncertainty.rad() > 0.0) continue;
+    ++n.known;
+    n.covered += std::abs(first.generating_shift - gear.reference().generating_profile_shift) <=
+                 first.shift_uncertainty;
+  }
+  std::printf(
+      "identify: %d of %d decidable gears first (%.2f %%), %d undecidable; ± covers %.2f %% "
+      "of %d; %.2f ms each, %.1f ms the slowest\n",
+      n.first, n.decidable, 100.0 * n.first / n.decidable, n.gears - n.decidable,
+      100.0 * n.covered / n.known, n.known, n.total_ms / n.gears, n.slowest_ms);
+  return n;
+}
+
+TEST(Identify, synthetic_gears) {
+  const Counted n = identified(300, 1);
+  EXPECT_GE(n.first, 0.985 * n.decidable);
+  EXPECT_NEAR(n.covered, 0.95 * n.known, 0.035 * n.known);  // 2.8 standard deviations of 300
+}
+
+// make test-long; the rate is printed.
+TEST(LongIdentify, ten_thousand_synthetic_gears) {
+  const Counted n = identified(10000, 2);
+  EXPECT_GE(n.first, 0.99 * n.decidable);
+  EXPECT_NEAR(n.covered, 0.95 * n.known, 0.01 * n.known);
+  EXPECT_LT(n.total_ms / n.gears, 50.0);
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,122 @@
+#include "gearwright/inspection/standard_racks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "gearwright/base/units.hpp"
+#include "gearwright/inspection/identify_model.hpp"
+
+namespace gearwright::detail {
+
+namespace {
+
+// ISO 54, and below it the small modules of the same series.
+constexpr std::array kSeries1{0.3, 0.4, 0.5, 0.6, 0.8, 1.0,  1.25, 1.5,  2.0,  2.5,  3.0, 4.0,
+                              5.0, 6.0, 8.0, 10., 12., 16.0, 20.0, 25.0, 32.0, 40.0, 50.0};
+constexpr std::array kSeries2{0.35, 0.45, 0.55, 0.7,  0.75, 0.9,  1.125, 1.375,
+                              1.75, 2.25, 2.75, 3.5,  4.5,  5.5,  6.5,   7.0,
+                              9.0,  11.,  14.0, 18.0, 22.0, 28.0, 36.0,  45.0};
+constexpr std::array kPitches{1.0,  1.25, 1.5,  1.75, 2.0,  2.25, 2.5,  3.0,  3.5,  4.0,  5.0,
+                              6.0,  7.0,  8.0,  9.0,  10.0, 11.0, 12.0, 13.0, 14.0, 16.0, 18.0,
+                              20.0, 22.0, 24.0, 26.0, 28.0, 30.0, 32.0, 36.0, 40.0, 48.0, 64.0};
+// Pressure angles in degrees, and the share of gears that have them.
+using Share = std::pair<double, double>;
+constexpr std::array kMetricAngles{Share{20, 0.86},   Share{14.5, 0.02}, Share{15, 0.04},
+                                   Share{17.5, 0.02}, Share{22.5, 0.02}, Share{25, 0.03},
+                                   Share{30, 0.01}};
+constexpr std::array kInchAngles{Share{20, 0.66}, Share{14.5, 0.24}, Share{25, 0.08},
+                                 Share{22.5, 0.02}};
+constexpr double kShare1 = 0.64, kShare2 = 0.21, kShareInch = 0.15;
+
+void add(std::vector<StandardRack>& racks, std::span<const double> sizes, ModuleSeries series,
+         double share, std::span<const Share> angles) {
+  const bool inch = series == ModuleSeries::diametral_pitch;
+  for (const double size : sizes) {
+    for (const auto& [degrees, of_angle] : angles)
+      racks.push_back({inch ? kMmPerInch / size : size, degrees * kRadPerDeg, series,
+                       inch ? std::optional(size) : std::nullopt,
+                       std::log(share * of_angle / static_cast<double>(sizes.size()))});
+  }
+}
+
+}  // namespace
+
+const std::vector<StandardRack>& standard_racks() {
+  static const std::vector<StandardRack> kRacks = [] {
+    std::vector<StandardRack> racks;
+    add(racks, kSeries1, ModuleSeries::iso54_1, kShare1, kMetricAngles);
+    add(racks, kSeries2, ModuleSeries::iso54_2, kShare2, kMetricAngles);
+    add(racks, kPitches, ModuleSeries::diametral_pitch, kShareInch, kInchAngles);
+    return racks;
+  }();
+  return kRacks;
+}
+
+namespace {
+
+GearNumbers numbers_of(const IdentifiedGear& g) {
+  return {g.teeth, g.normal_module, g.normal_pressure_angle.rad(), std::abs(g.helix_angle.rad()),
+          g.generating_shift};
+}
+
+// What could be measured next: helix angle, spans and balls that fit the likeliest gear.
+std::vector<Observation> menu(const IdentifyProblem& p, const IdentifiedGear& first) {
+  using Kind = Observation::Kind;
+  const double m = first.normal_module;
+  std::vector<Observation> list;
+  if (!p.lead.value && !p.helix.value && !p.helix_angle)
+    list.push_back({Kind::helix, 0, 0, 0.5 * kRadPerDeg});
+  const GearNumbers g = numbers_of(first);
+  const double middle = std::abs(g.teeth) * std::cos(g.alpha) * std::tan(g.alpha);
+  const bool plane = p.teeth > 0 || g.beta == 0.0;
+  for (int k = 1; plane && k <= std::abs(p.teeth) / 2; ++k) {
+    const Observation span{Kind::span, double(k), 0, p.span_uncertainty};
+    // Anvils that touch within a module of the reference cylinder.
+    const double off = *reading_of(g, span) / m - middle;
+    const bool read = std::any_of(p.spans.begin(), p.spans.end(),
+                                  [&](const SpanReading& s) { return s.teeth == k; });
+    if (std::abs(off) < 4.0 && !read) list.push_back(span);
+  }
+  for (const double size : {1.5, 1.75, 2.0}) {
+    const Observation balls{Kind::balls, std::round(4 * size * m) / 4, 0, p.balls_uncertainty};
+    const bool read = std::any_of(p.balls.begin(), p.balls.end(), [&](const DiameterReading& b) {
+      return std::abs(b.tool - balls.tool) < 0.1 * m;
+    });
+    if (!read && balls.tool > 0.0) list.push_back(balls);
+  }
+  return list;
+}
+
+}  // namespace
+
+std::optional<NextMeasurement> next_measurement(const IdentifyProblem& problem,
+                                                const std::vector<IdentifiedGear>& candidates) {
+  constexpr double kWorthDeciding = 0.01;
+  if (candidates.empty()) return std::nullopt;
+  const std::vector<Observation> choices = menu(problem, candidates.front());
+  for (std::size_t i = 1; i < candidates.size(); ++i) {
+    if (candidates[i].likelihood < kWorthDeciding) continue;
+    double best = 1.0;  // they differ by more than the uncertainty
+    std::optional<NextMeasurement> next;
+    for (const Observation& o : choices) {
+      const auto a = reading_of(numbers_of(candidates.front()), o);
+      const auto b = reading_of(numbers_of(candidates[i]), o);
+      if (!a || !b || std::abs(*a - *b) / o.sigma <= best) continue;
+      best = std::abs(*a - *b) / o.sigma;
+      const double unit = o.kind == Observation::Kind::helix ? kDegPerRad : 1.0;
+      next = NextMeasurement{o.kind == Observation::Kind::span    ? "span"
+                             : o.kind == Observation::Kind::balls ? "over_balls"
+                                                                  : "helix_angle",
+                             o.tool,
+                             {*a * unit, *b * unit},
+                             static_cast<int>(i)};
+    }
+    if (next) return next;
+  }
+  return std::nullopt;
+}
+
+}  // namespace gearwright::detail

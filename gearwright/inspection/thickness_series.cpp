@@ -1,0 +1,126 @@
+#include "gearwright/inspection/thickness_series.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <string>
+
+#include "gearwright/base/units.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// DIN 3967, table 1: reference diameters up to, mm, and −E_sns, µm, of the series.
+constexpr std::array<std::string_view, 11> kSeries{"a", "ab", "b", "bc", "c", "cd",
+                                                   "d", "e",  "f", "g",  "h"};
+constexpr std::array kDiameters{10.,   50.,   125.,  280.,  560.,  1000.,
+                                1600., 2500., 4000., 6300., 10000.};
+constexpr std::array<std::array<int, 11>, 11> kAllowance{{
+    {100, 85, 70, 58, 48, 40, 33, 22, 10, 5, 0},
+    {135, 110, 95, 75, 65, 54, 44, 30, 14, 7, 0},
+    {180, 150, 125, 105, 85, 70, 60, 40, 19, 9, 0},
+    {250, 200, 170, 140, 115, 95, 80, 56, 26, 12, 0},
+    {330, 280, 230, 190, 155, 130, 110, 75, 35, 17, 0},
+    {450, 370, 310, 260, 210, 175, 145, 100, 48, 22, 0},
+    {600, 500, 420, 340, 290, 240, 200, 135, 64, 30, 0},
+    {820, 680, 560, 460, 390, 320, 270, 180, 85, 41, 0},
+    {1100, 920, 760, 620, 520, 430, 360, 250, 115, 56, 0},
+    {1500, 1250, 1020, 840, 700, 580, 480, 330, 155, 75, 0},
+    {2000, 1650, 1350, 1150, 940, 780, 640, 450, 210, 100, 0},
+}};
+// Table 2: T_sn, µm, of the series 21 to 30.
+constexpr int kFirstTolerance = 21;
+constexpr std::array<std::array<int, 10>, 11> kTolerance{{
+    {3, 5, 8, 12, 20, 30, 50, 80, 130, 200},
+    {5, 8, 12, 20, 30, 50, 80, 130, 200, 300},
+    {6, 10, 16, 25, 40, 60, 100, 160, 250, 400},
+    {8, 12, 20, 30, 50, 80, 130, 200, 300, 500},
+    {10, 16, 25, 40, 60, 100, 160, 250, 400, 600},
+    {12, 20, 30, 50, 80, 130, 200, 300, 500, 800},
+    {16, 25, 40, 60, 100, 160, 250, 400, 600, 1000},
+    {20, 30, 50, 80, 130, 200, 300, 500, 800, 1300},
+    {25, 40, 60, 100, 160, 250, 400, 600, 1000, 1600},
+    {30, 50, 80, 130, 200, 300, 500, 800, 1300, 2000},
+    {40, 60, 100, 160, 250, 400, 600, 1000, 1600, 2400},
+}};
+
+// ISO 286-1, table 1: nominal sizes up to, mm, and IT1 to IT12, µm.
+constexpr std::array kSizes{3.,   6.,   10.,  18.,  30.,   50.,   80.,   120.,  180.,  250., 315.,
+                            400., 500., 630., 800., 1000., 1250., 1600., 2000., 2500., 3150.};
+constexpr std::array<std::array<double, 12>, 21> kGrades{{
+    {0.8, 1.2, 2, 3, 4, 6, 10, 14, 25, 40, 60, 100},
+    {1, 1.5, 2.5, 4, 5, 8, 12, 18, 30, 48, 75, 120},
+    {1, 1.5, 2.5, 4, 6, 9, 15, 22, 36, 58, 90, 150},
+    {1.2, 2, 3, 5, 8, 11, 18, 27, 43, 70, 110, 180},
+    {1.5, 2.5, 4, 6, 9, 13, 21, 33, 52, 84, 130, 210},
+    {1.5, 2.5, 4, 7, 11, 16, 25, 39, 62, 100, 160, 250},
+    {2, 3, 5, 8, 13, 19, 30, 46, 74, 120, 190, 300},
+    {2.5, 4, 6, 10, 15, 22, 35, 54, 87, 140, 220, 350},
+    {3.5, 5, 8, 12, 18, 25, 40, 63, 100, 160, 250, 400},
+    {4.5, 7, 10, 14, 20, 29, 46, 72, 115, 185, 290, 460},
+    {6, 8, 12, 16, 23, 32, 52, 81, 130, 210, 320, 520},
+    {7, 9, 13, 18, 25, 36, 57, 89, 140, 230, 360, 570},
+    {8, 10, 15, 20, 27, 40, 63, 97, 155, 250, 400, 630},
+    {9, 11, 16, 22, 32, 44, 70, 110, 175, 280, 440, 700},
+    {10, 13, 18, 25, 36, 50, 80, 125, 200, 320, 500, 800},
+    {11, 15, 21, 28, 40, 56, 90, 140, 230, 360, 560, 900},
+    {13, 18, 24, 33, 47, 66, 105, 165, 260, 420, 660, 1050},
+    {15, 21, 29, 39, 55, 78, 125, 195, 310, 500, 780, 1250},
+    {18, 25, 35, 46, 65, 92, 150, 230, 370, 600, 920, 1500},
+    {22, 30, 41, 55, 78, 110, 175, 280, 440, 700, 1100, 1750},
+    {26, 36, 50, 68, 96, 135, 210, 330, 540, 860, 1350, 2100},
+}};
+
+// The row of the first border that the value does not pass; the size where it passes all.
+template <std::size_t n>
+std::size_t row_of(const std::array<double, n>& borders, double value) {
+  return static_cast<std::size_t>(std::lower_bound(borders.begin(), borders.end(), value) -
+                                  borders.begin());
+}
+
+std::optional<int> whole(std::string_view text) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || text.empty()) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+Result<std::array<double, 2>> thickness_allowances(std::string_view series,
+                                                   double reference_diameter) {
+  const std::size_t digits = std::min(series.find_first_of("0123456789"), series.size());
+  const auto* const name = std::find(kSeries.begin(), kSeries.end(), series.substr(0, digits));
+  const auto number = whole(series.substr(digits));
+  const int column = number.value_or(0) - kFirstTolerance;
+  if (name == kSeries.end() || column < 0 || column >= 10) {
+    return Error{"series", std::string(series),
+                 "must be a series of DIN 3967, a, ab, b, bc, c, cd, d, e, f, g or h, and a "
+                 "tolerance series from 21 to 30: cd25"};
+  }
+  const std::size_t row = row_of(kDiameters, reference_diameter);
+  if (row == kDiameters.size())
+    return Error{"series", std::string(series),
+                 fmt::format("DIN 3967 ends at a reference diameter of 10000 mm; this gear's is {} "
+                             "mm",
+                             spoken(reference_diameter))};
+  const double upper = -kAllowance[row][static_cast<std::size_t>(name - kSeries.begin())];
+  const double tolerance = kTolerance[row][static_cast<std::size_t>(column)];
+  return std::array{(upper - tolerance) / kUmPerMm, upper / kUmPerMm};
+}
+
+Result<double> js_deviation(std::string_view tolerance, double center_distance) {
+  const bool js = tolerance.starts_with("JS") || tolerance.starts_with("js");
+  const int grade = js ? whole(tolerance.substr(2)).value_or(0) : 0;
+  if (grade < 1 || grade > 12)
+    return Error{"tolerance", std::string(tolerance), "must be JS1 to JS12 of ISO 286"};
+  const std::size_t row = row_of(kSizes, center_distance);
+  if (row == kSizes.size())
+    return refused("center_distance", center_distance, "ISO 286 ends at 3150 mm");
+  return kGrades[row][static_cast<std::size_t>(grade - 1)] / 2 / kUmPerMm;
+}
+
+}  // namespace gearwright

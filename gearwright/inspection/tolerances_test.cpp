@@ -1,0 +1,88 @@
+// Tolerances of flanks, thicknesses and distances against the tables of their standards.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "gearwright/base/testing/taken.hpp"
+#include "gearwright/inspection/flank_tolerances.hpp"
+#include "gearwright/inspection/thickness_series.hpp"
+
+namespace gearwright {
+namespace {
+
+TEST(FlankTolerances, are_rounded_as_the_standard_says) {
+  EXPECT_EQ(rounded_tolerance(10.4), 10.0);
+  EXPECT_EQ(rounded_tolerance(10.6), 11.0);
+  EXPECT_EQ(rounded_tolerance(10.0), 10.0);
+  EXPECT_EQ(rounded_tolerance(7.3), 7.5);
+  EXPECT_EQ(rounded_tolerance(5.2), 5.0);
+  EXPECT_EQ(rounded_tolerance(4.96), 5.0);
+  EXPECT_DOUBLE_EQ(rounded_tolerance(3.14), 3.1);
+}
+
+// d 100, m 6, b 36: all roots are whole, and the sums are done by hand.
+TEST(FlankTolerances, of_the_formulas_by_hand) {
+  const ToleranceSubject gear{100, 6, 36, 17, 0.0};
+  const auto t = flank_tolerances(FlankTolerances::iso_2013, 5, gear);
+  EXPECT_EQ(t.single_pitch, 7.5);       // 0.1 + 2.4 + 5 = 7.5
+  EXPECT_EQ(t.cumulative_pitch, 22.0);  // 0.2 + 5.5 + 4.2 + 12 = 21.9
+  EXPECT_EQ(t.profile_slope, 6.5);      // 2.4 + 0.1 + 4 = 6.5
+  EXPECT_EQ(t.profile_form, 8.5);       // 3.3 + 5 = 8.3
+  EXPECT_EQ(t.profile_total, 11.0);     // √(6.5² + 8.3²) = 10.54
+  EXPECT_EQ(t.helix_slope, 6.5);        // 0.5 + 2.1 + 4 = 6.6
+  EXPECT_EQ(t.helix_form, 7.5);         // 0.7 + 2.7 + 4 = 7.4
+  EXPECT_EQ(t.helix_total, 10.0);       // √(6.6² + 7.4²) = 9.92
+  EXPECT_EQ(t.runout, 20.0);            // 0.9 · 21.9 = 19.71
+  // Two classes are a factor of two, one is a factor of √2.
+  const auto coarse = flank_tolerances(FlankTolerances::iso_2013, 7, gear);
+  EXPECT_EQ(coarse.single_pitch, 15.0);
+  EXPECT_EQ(coarse.cumulative_pitch, 44.0);
+  EXPECT_EQ(flank_tolerances(FlankTolerances::iso_2013, 6, gear).single_pitch, 11.0);  // 10.6
+}
+
+// Rows of the tables of ISO 1328-1:1995 and ISO 1328-2:1997.
+TEST(FlankTolerances, of_1995_are_those_of_its_tables) {
+  const ToleranceSubject gear{100, 3, 30, 33, 0.0};  // 50 to 125, 2 to 3.5, 20 to 40
+  const auto t = flank_tolerances(FlankTolerances::iso_1995, 5, gear);
+  EXPECT_EQ(t.single_pitch, 6.0);
+  EXPECT_EQ(t.cumulative_pitch, 19.0);
+  EXPECT_EQ(t.profile_total, 8.0);
+  EXPECT_EQ(t.helix_total, 8.5);
+  EXPECT_EQ(t.runout, 15.0);
+  EXPECT_EQ(*t.radial_composite, 25.0);
+  EXPECT_EQ(*t.tooth_radial_composite, 10.0);
+  const ToleranceSubject small{20, 2, 10, 10, 0.0};  // borders belong to the lower range
+  EXPECT_DOUBLE_EQ(flank_tolerances(FlankTolerances::iso_1995, 5, small).single_pitch, 4.7);
+  EXPECT_FALSE(
+      flank_tolerances(FlankTolerances::iso_1995, 5, {1200, 3, 30, 400, 0.0}).radial_composite);
+}
+
+TEST(FlankTolerances, know_their_classes_and_sizes) {
+  EXPECT_TRUE(has_class(FlankTolerances::iso_2013, 1));
+  EXPECT_FALSE(has_class(FlankTolerances::iso_2013, 0));
+  EXPECT_FALSE(has_class(FlankTolerances::iso_2013, 12));
+  EXPECT_TRUE(has_class(FlankTolerances::iso_1995, 0));
+  EXPECT_FALSE(in_range(FlankTolerances::iso_2013, {100, 3, 30, 4, 0.0}));
+  EXPECT_TRUE(in_range(FlankTolerances::iso_2013, {100, 3, 30, 33, 0.3}));
+}
+
+TEST(ThicknessSeries, are_those_of_the_tables) {
+  const auto cd25 = testing::taken(thickness_allowances("cd25", 100));
+  EXPECT_DOUBLE_EQ(cd25[1], -0.070);
+  EXPECT_DOUBLE_EQ(cd25[0], -0.110);
+  const auto h21 = testing::taken(thickness_allowances("h21", 10));
+  EXPECT_EQ(h21[1], 0.0);
+  EXPECT_DOUBLE_EQ(h21[0], -0.003);
+  for (const char* name : {"", "cd", "25", "cd20", "cd31", "x25", "cd25x", "cd2.5"})
+    EXPECT_FALSE(thickness_allowances(name, 100)) << name;
+  EXPECT_FALSE(thickness_allowances("cd25", 10001));
+  EXPECT_DOUBLE_EQ(testing::taken(js_deviation("JS7", 100)), 0.0175);
+  EXPECT_DOUBLE_EQ(testing::taken(js_deviation("js6", 120.0)), 0.011);
+  EXPECT_DOUBLE_EQ(testing::taken(js_deviation("JS8", 120.1)), 0.0315);
+  for (const char* name : {"JS", "JS0", "JS13", "H7", "JS7 ", ""})
+    EXPECT_FALSE(js_deviation(name, 100)) << name;
+  EXPECT_FALSE(js_deviation("JS7", 4000));
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,47 @@
+// Where a measuring tool may touch: the usable flank between d_Ff and d_Fa.
+//
+//   d_Ff, d_Fa   form diameters, mm       d_y   diameter of a contact, mm
+//   d_V          the V circle, |d ± 2 x m_n|, mm: where a tool of the right size touches
+//                                              theory: docs/theory/10-inspection.md
+//
+// An internal gear's tip lies inside: its flank runs from d_Fa outward.
+#pragma once
+
+#include <optional>
+
+#include "gearwright/gear/gear.hpp"
+
+namespace gearwright {
+
+/// Where a contact lies.
+enum class ContactPlace {
+  usable,           ///< on the involute between d_Ff and d_Fa
+  below_flank,      ///< at the root fillet: what is there is no involute, the reading means nothing
+  on_tip_rounding,  ///< between d_Fa and the tip: chamfered or rounded away
+  beyond_tip        ///< no tooth is there
+};
+
+struct UsableFlank {
+  double root_end;  ///< mm, diameter: d_Ff; an internal gear's root end of the flank
+  double tip_end;   ///< d_Fa  mm
+  double tip;       ///< mm, where the tooth ends
+  bool internal;
+
+  double least() const { return internal ? tip_end : root_end; }
+  double greatest() const { return internal ? root_end : tip_end; }
+  double middle() const { return (root_end + tip_end) / 2; }
+  bool contains(double diameter) const { return diameter >= least() && diameter <= greatest(); }
+  ContactPlace place(double diameter) const;
+};
+
+/// None: no flank is left, or the teeth are no involutes.
+std::optional<UsableFlank> usable_flank(const Gear& gear);
+
+/// The diameter at which tools of the usual size touch: d_V, or the middle of the usable flank where
+/// that lies off it.
+///
+/// Formula   d_V = |d| ± 2 x m_n, minus internal; [T10.1]
+double v_circle_diameter(const Gear& gear);
+double usual_contact_diameter(const Gear& gear, const UsableFlank& flank);
+
+}  // namespace gearwright

@@ -1,0 +1,106 @@
+#include "gearwright/job/identify_answer.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "gearwright/base/units.hpp"
+#include "gearwright/catalogue/identify_quantities.hpp"
+#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/job/value_json.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// The spec with what was found in the place of the readings.
+Json spec_of(const JobSpec& spec, int which, const IdentifiedGear& found) {
+  Json tree = parse_json(spec.tree);
+  Json& gear = tree[gear_field(which)];
+  gear.erase("measured");
+  if (found.diametral_pitch) {
+    gear["normal_diametral_pitch_per_in"] = *found.diametral_pitch;
+  } else {
+    gear["normal_module_mm"] = found.normal_module;
+  }
+  gear["normal_pressure_angle_deg"] = found.normal_pressure_angle.deg();
+  gear["helix_angle_deg"] = found.helix_angle.deg();
+  gear["profile_shift"] = found.generating_shift;
+  gear["tip_diameter_mm"] = found.tip_diameter;
+  return tree;
+}
+
+// "over 3 teeth", "over balls of 5 mm"
+std::string tool_text(const std::string& reading, double tool) {
+  if (reading == "span") return fmt::format("span over {:.0f} teeth", tool);
+  if (reading == "over_balls") return fmt::format("dimension over balls of {} mm", spoken(tool));
+  return reading == "lead" ? "lead" : "helix angle";
+}
+
+std::string unit_of(const std::string& reading) { return reading == "helix_angle" ? "°" : " mm"; }
+
+std::string plus_minus(double value, double uncertainty, int digits) {
+  return uncertainty > 0.0 ? fmt::format("{:.{}f} ± {:.{}f}", value, digits, uncertainty, digits)
+                           : fmt::format("{:.{}f}", value, digits);
+}
+
+std::string module_text(const IdentifiedGear& g) {
+  if (g.diametral_pitch) return fmt::format("DP {:g}", *g.diametral_pitch);
+  return g.series == ModuleSeries::none ? plus_minus(g.normal_module, g.module_uncertainty, 4)
+                                        : fmt::format("{:g}", g.normal_module);
+}
+
+}  // namespace
+
+Result<IdentifyAnswer> answer_identify(const JobSpec& spec) {
+  const int which = spec.measured[0] || !spec.measured[1] ? 1 : 2;
+  const auto& problem = spec.measured[static_cast<std::size_t>(which - 1)];
+  if (!problem)
+    return Error{
+        "gear1.measured", "",
+        "is missing; identify takes the readings of an unknown gear: its teeth in [gear1], "
+        "spans, balls and diameters in [gear1.measured]"};
+  auto found = identify(*problem);
+  if (!found) return of_gear(which, found.error());
+  IdentifyAnswer answer{which, std::move(found).take(), {}};
+  for (const IdentifiedGear& g : answer.found.candidates)
+    answer.specs.push_back(spec_of(spec, which, g));
+  return answer;
+}
+
+Json identify_json(const IdentifyAnswer& answer) {
+  return {{"identify", to_json(identify_quantities().of(answer.found))}};
+}
+
+std::string identify_listing(const IdentifyAnswer& answer) {
+  const Identification& found = answer.found;
+  std::string text;
+  if (const auto& c = found.contradiction) {
+    const std::string unit = unit_of(c->reading);
+    text += fmt::format(
+        "\nThe {} disagrees with the other readings: it is {}{}, and they want "
+        "{}{}. The gears below are those of the others.\n",
+        tool_text(c->reading, c->tool), spoken(c->value), unit, spoken(c->expected, c->value),
+        unit);
+  }
+  if (!found.reason.empty()) text += "\n" + capitalised(found.reason) + ".\n";
+  if (found.candidates.empty()) return text;
+  text += fmt::format("\n  {:>9}  {:>10}  {:>12}  {:>5}  {:>19}  {:>17}  {:>10}\n", "candidate",
+                      "likelihood", "module", "α_n", "helix angle", "x_E", "tip");
+  int number = 0;
+  for (const IdentifiedGear& g : found.candidates) {
+    text += fmt::format("  {:>9}  {:>8.2f} %  {:>12}  {:>4g}°  {:>18}°  {:>17}  {:>7.3f} mm\n",
+                        ++number, 100 * g.likelihood, module_text(g), g.normal_pressure_angle.deg(),
+                        plus_minus(g.helix_angle.deg(), g.helix_uncertainty.deg(), 3),
+                        plus_minus(g.generating_shift, g.shift_uncertainty, 4), g.tip_diameter);
+  }
+  if (const auto& n = found.next) {
+    const std::string unit = unit_of(n->reading);
+    text += fmt::format("\nTo decide between 1 and {}, measure the {}: {:.3f}{} or {:.3f}{}.\n",
+                        n->rival + 1, tool_text(n->reading, n->tool), n->expect[0], unit,
+                        n->expect[1], unit);
+  }
+  return text + "\nThe spec of a candidate: --take NUMBER > gear.toml\n";
+}
+
+}  // namespace gearwright

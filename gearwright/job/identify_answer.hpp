@@ -1,0 +1,29 @@
+// The verb identify: readings of an unknown gear in, the gears that have them out.
+// Internal to job/ and the program.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gearwright/inspection/identify.hpp"
+#include "gearwright/spec/json.hpp"
+#include "gearwright/spec/spec.hpp"
+
+namespace gearwright {
+
+struct IdentifyAnswer {
+  int gear;  ///< 1 or 2: whose readings
+  Identification found;
+  std::vector<Json> specs;  ///< of the candidates: the spec as read, with that gear in it
+};
+
+/// Errors    `gear1.measured` missing; as identify, with keys of the spec
+Result<IdentifyAnswer> answer_identify(const JobSpec& spec);
+
+/// {"identify": {"candidates", "contradiction", "next_measurement", "reason"}}
+Json identify_json(const IdentifyAnswer& answer);
+
+/// A table for people.
+std::string identify_listing(const IdentifyAnswer& answer);
+
+}  // namespace gearwright

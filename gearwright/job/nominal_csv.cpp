@@ -1,0 +1,50 @@
+#include "gearwright/job/nominal_csv.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "gearwright/gear/gear_field.hpp"
+
+namespace gearwright {
+
+std::optional<PointGrid> parse_grid(const std::string& text) {
+  constexpr int kMost = 1000;
+  PointGrid grid;
+  const char* const end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, grid.profile);
+  if (first.ec != std::errc() || first.ptr == end || *first.ptr != 'x') return std::nullopt;
+  const auto second = std::from_chars(first.ptr + 1, end, grid.helix);
+  if (second.ec != std::errc() || second.ptr != end) return std::nullopt;
+  const auto sane = [](int n) { return n >= 2 && n <= kMost; };
+  return sane(grid.profile) && sane(grid.helix) ? std::optional(grid) : std::nullopt;
+}
+
+FlankExtent extent_of(const Gear& gear, const EvaluationRanges& ranges) {
+  return {gear.base_radius(), ranges.root_form.diameter / 2, ranges.tip_form.diameter / 2,
+          gear.spec.face_width};
+}
+
+Result<std::string> nominal_csv(const SolvedJob& job, const PointGrid& grid) {
+  std::string text = "gear,flank,diameter_mm,height_mm,x_mm,y_mm,z_mm,nx,ny,nz\n";
+  for (std::size_t i = 0; i < job.gears.size(); ++i) {
+    const int which = static_cast<int>(i) + 1;
+    const Gear& gear = job.gears[i];
+    const auto ranges = evaluation_ranges(gear);
+    if (!ranges)
+      return Error{gear_field(which), "", "has no usable involute flank to take points of"};
+    for (const FlankSide side : {FlankSide::right, FlankSide::left}) {
+      const bool right = side == FlankSide::right;
+      const auto field = make_removal_field(job.spec.gears[i]->modifications[right ? 0 : 1],
+                                            extent_of(gear, *ranges));
+      if (!field) return within(gear_field(which, "modifications"), field.error());
+      for (const NominalPoint& p : nominal_points(gear, *field, side, *ranges, grid))
+        text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", which, right ? "right" : "left",
+                            p.diameter, p.height, p.point.x(), p.point.y(), p.point.z(),
+                            p.normal.x(), p.normal.y(), p.normal.z());
+    }
+  }
+  return text;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,24 @@
+// The nominal points of all flanks for a measuring machine, as a table.
+// Internal to job/ and the program.
+#pragma once
+
+#include <string>
+
+#include "gearwright/inspection/nominal_points.hpp"
+#include "gearwright/job/solved_job.hpp"
+
+namespace gearwright {
+
+/// The flank that modifications lie on, of an internal gear too.
+FlankExtent extent_of(const Gear& gear, const EvaluationRanges& ranges);
+
+/// Reads "9x5": points along the profile, along the face; none when it is nothing of the kind.
+std::optional<PointGrid> parse_grid(const std::string& text);
+
+/// A row for each point of tooth 0 over the evaluation ranges, flank modifications included: gear,
+/// flank, diameter_mm, height_mm, x_mm, y_mm, z_mm, nx, ny, nz, in the gear's frame.
+///
+/// Errors    `gearN.modifications.…`; a gear without involute flanks
+Result<std::string> nominal_csv(const SolvedJob& job, const PointGrid& grid);
+
+}  // namespace gearwright

@@ -1,0 +1,94 @@
+#include "gearwright/job/search_campaign.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "gearwright/job/search_closing.hpp"
+#include "gearwright/job/search_files.hpp"
+#include "gearwright/job/search_record.hpp"
+#include "gearwright/job/search_workers.hpp"
+#include "gearwright/spec/json.hpp"
+#include "gearwright/store/chunk_store.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// The store's counts by name: the limits, then the points of the grid.
+ChunkCounts as_chunk(const SearchCounts& c) {
+  ChunkCounts chunk{c.tested, c.feasible, {c.rejected.begin(), c.rejected.end()}};
+  chunk.rejected.push_back(c.points_tested);
+  chunk.rejected.push_back(c.points_feasible);
+  return chunk;
+}
+
+SearchCounts as_search(const ChunkCounts& c) {
+  SearchCounts counts{c.tested, c.feasible, {}, c.rejected[kLimits], c.rejected[kLimits + 1]};
+  std::copy_n(c.rejected.begin(), kLimits, counts.rejected.begin());
+  return counts;
+}
+
+std::vector<std::string> count_names() {
+  std::vector<std::string> names;
+  for (int i = 0; i < kLimits; ++i) names.emplace_back(name(static_cast<Limit>(i)));
+  names.insert(names.end(), {"points_tested", "points_feasible"});
+  return names;
+}
+
+}  // namespace
+
+std::optional<Error> refuse_folder() { return std::nullopt; }
+
+Result<SearchRun> run_campaign(const JobSpec& spec, const Search& search, std::int64_t chunk,
+                               const SearchOptions& options) {
+  SearchRun run;
+  run.pair_not_read = parse_json(spec.tree).contains("pair");
+  run.chunks = (*search.space().size() + chunk - 1) / chunk;
+  // Ranks restarted by a scheduler say --resume always: they go on with whatever is there.
+  const bool first = !options.many;
+  if (options.folder_is_open && !first && !options.folder_is_open(true)) return run;
+  const OpenAs as = options.many || (options.together && options.resume) ? OpenAs::join
+                    : options.resume                                     ? OpenAs::resume
+                                                                         : OpenAs::fresh;
+  auto opened = ChunkStore::open(options.out, {search_fingerprint(spec, chunk), run.chunks},
+                                 count_names(), as, options.writer);
+  if (options.folder_is_open && first) options.folder_is_open(static_cast<bool>(opened));
+  if (!opened) return opened.error();
+  ChunkStore store = std::move(opened).take();
+  run.notes = store.notes();
+  std::vector<std::int64_t> todo = store.missing();
+  if (!options.next_chunk) {
+    std::erase_if(todo, [&](std::int64_t c) { return c % options.shards != options.shard - 1; });
+  }
+  SearchWorkers workers(search, chunk, std::move(todo), options);
+  workers.run([&](std::int64_t c, const ChunkFinds& finds, const SearchCounts& n) {
+    store.put(c, pack(finds), as_chunk(n));
+  });
+  run.stopped = workers.stopped();
+  const bool ours = options.finish_together ? options.finish_together() : true;
+  const auto missing = store.missing();
+  run.chunks_done = run.chunks - static_cast<std::int64_t>(missing.size());
+  if (!ours || !missing.empty()) return run;
+
+  BestDesigns best(search.problem(), options.top.value_or(kDefaultDesigns));
+  const auto finds_of = [&](std::int64_t c) {
+    return unpack(store.get(c), fmt::format("chunk {} in {}", c, options.out.string()));
+  };
+  for (std::int64_t c = 0; c < run.chunks; ++c)
+    for (const DesignRow& row : finds_of(c).designs) best.add(row);
+  run.answer = std::move(best).answer(as_search(store.totals()));
+  if (!look_for_changes(search, options, run)) return run;
+  run.finished = true;
+  std::int64_t at = 0;
+  run.files =
+      write_search_files(spec, search, run, options.out, options.top, [&](ChunkFinds& finds) {
+        if (at == run.chunks) return false;
+        finds = finds_of(at++);
+        return true;
+      });
+  return run;
+}
+
+}  // namespace gearwright

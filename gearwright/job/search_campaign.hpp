@@ -1,0 +1,22 @@
+// A search whose finished chunks stay in a folder: it can be stopped, resumed and shared.
+//
+// Internal to job/. What it needs, the store, is not in every build: search_campaign_without.cpp.
+#pragma once
+
+#include <optional>
+
+#include "gearwright/job/search_job.hpp"
+
+namespace gearwright {
+
+/// Why this build keeps no folder of a search; none: it does.
+std::optional<Error> refuse_folder();
+
+/// Runs what is missing of the search in options.out, and makes its files when nothing is.
+///
+/// Throws    IoError
+/// Errors    a campaign that is there already; --resume of none or of another spec
+Result<SearchRun> run_campaign(const JobSpec& spec, const Search& search, std::int64_t chunk,
+                               const SearchOptions& options);
+
+}  // namespace gearwright

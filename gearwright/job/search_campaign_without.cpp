@@ -1,0 +1,25 @@
+// Without the store a search leaves no folder.
+#include "gearwright/job/search_campaign.hpp"
+#include "gearwright/job/search_files.hpp"
+
+namespace gearwright {
+
+std::optional<Error> refuse_folder() {
+  return Error{"--out", "",
+               "this build keeps no folder of a search, it has neither SQLite nor Parquet; leave "
+               "--out away and take the designs from --json, or run the program itself"};
+}
+
+Result<SearchRun> run_campaign(const JobSpec&, const Search&, std::int64_t, const SearchOptions&) {
+  return *refuse_folder();
+}
+
+std::vector<std::filesystem::path> write_search_files(const JobSpec&, const Search&,
+                                                      const SearchRun&,
+                                                      const std::filesystem::path&,
+                                                      std::optional<std::size_t>,
+                                                      const FindSource&) {
+  return {};
+}
+
+}  // namespace gearwright

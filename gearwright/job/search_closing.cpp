@@ -1,0 +1,72 @@
+#include "gearwright/job/search_closing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+
+#include "gearwright/base/parallel.hpp"
+#include "gearwright/catalogue/spelling.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// The program's names of some members, `a`, `b`.
+std::string spelled_list(const std::vector<std::string>& fields) {
+  std::string text;
+  for (const std::string& field : fields)
+    text += (text.empty() ? "`" : ", `") + spelled_member("search." + field) + "`";
+  return text;
+}
+
+}  // namespace
+
+bool look_for_changes(const Search& search, const SearchOptions& options, SearchRun& run) {
+  if (run.answer.counts.feasible > 0) return true;
+  if (*search.space().size() > kMaxForChange) {
+    run.changes_left_out = fmt::format(
+        "with more than {} candidates the nearest change is not looked for", kMaxForChange);
+    return true;
+  }
+  SearchProgress progress{.stage = SearchProgress::Stage::changes};
+  auto found = nearest_changes(search.problem(), [&](std::int64_t questions) {
+    progress.done += questions;
+    if (options.progress) options.progress(progress);
+    return !(options.stop && *options.stop);
+  });
+  run.stopped = found.stopped;
+  run.changes = std::move(found.changes);
+  if (!found.bounded.empty()) {
+    run.changes_left_out = fmt::format(
+        "the smallest change of {} was looked for with {} questions to candidates "
+        "each; with more of them it may be smaller, or there may be one",
+        spelled_list(found.bounded), kMaxChangeQuestions);
+  }
+  return !run.stopped;
+}
+
+bool complete_regions(const Search& search, const SearchOptions& options, SearchRun& run) {
+  auto& designs = run.answer.designs;
+  const std::size_t most = std::min(designs.size(), options.regions.value_or(designs.size()));
+  std::mutex mutex;
+  std::atomic<std::int64_t> done{0};
+  const auto stopped = [&] { return options.stop && *options.stop; };
+  const auto complete = [&](std::size_t i) {
+    if (stopped()) return;
+    if (!designs[i].whole) designs[i] = search.whole(designs[i]);
+    ++done;
+    if (!options.progress) return;
+    if (const std::unique_lock lock(mutex, std::try_to_lock); lock) {
+      options.progress({.stage = SearchProgress::Stage::regions,
+                        .done = done,
+                        .of = static_cast<std::int64_t>(most)});
+    }
+  };
+  parallel_for(most, complete, options.threads);
+  run.stopped = run.stopped || stopped();
+  return !run.stopped;
+}
+
+}  // namespace gearwright

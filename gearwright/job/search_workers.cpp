@@ -1,0 +1,79 @@
+#include "gearwright/job/search_workers.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "gearwright/base/parallel.hpp"
+#include "gearwright/job/search_refusal.hpp"
+
+namespace gearwright {
+
+SearchWorkers::SearchWorkers(const Search& search, std::int64_t chunk,
+                             std::vector<std::int64_t> todo, const SearchOptions& options)
+    : search_(search), chunk_(chunk), todo_(std::move(todo)), options_(options) {
+  progress_.of_chunks = (*search.space().size() + chunk - 1) / chunk;
+  progress_.chunks = progress_.of_chunks - static_cast<std::int64_t>(todo_.size());
+  for (const std::int64_t c : todo_) progress_.left += trials_of(c);
+}
+
+void SearchWorkers::run(const Done& done) {
+  const int threads = thread_count(options_.threads);
+  parallel_for(
+      static_cast<std::size_t>(threads), [&](std::size_t) { work(done); }, threads);
+}
+
+void SearchWorkers::work(const Done& done) {
+  unsigned asked = 0;
+  const SearchWatch watch = [&](std::int64_t trials) {
+    trials_done_ += trials;
+    if (stopped()) return false;
+    constexpr unsigned kSeldom = 16;  // graphs: a look at the clock is no part of their cost
+    if (trials > 0 || asked++ % kSeldom == 0) tell();
+    return true;
+  };
+  while (const auto c = next()) {
+    ChunkFinds finds;
+    const std::int64_t from = *c * chunk_;
+    // Points are wanted for the files alone; their counts are in the answer of every search.
+    const SearchCounts counts =
+        search_.range(from, from + trials_of(*c), finds.designs,
+                      {.detail = detail_of(search_.problem(), !options_.out.empty()),
+                       .points = &finds.points,
+                       .watch = watch});
+    if (stopped()) return;  // a chunk is whole or not there
+    done(*c, std::move(finds), counts);
+    ++chunks_done_;
+    tell();
+  }
+}
+
+void SearchWorkers::tell() {
+  if (!options_.progress) return;
+  const std::unique_lock lock(mutex_, std::try_to_lock);
+  if (!lock) return;
+  SearchProgress now = progress_;
+  now.chunks += chunks_done_;
+  now.trials = trials_done_;
+  now.left -= std::min(now.left, now.trials);
+  options_.progress(now);
+}
+
+std::int64_t SearchWorkers::trials_of(std::int64_t c) const {
+  return std::min(chunk_, *search_.space().size() - c * chunk_);
+}
+
+std::optional<std::int64_t> SearchWorkers::next() {
+  if (stopped()) return std::nullopt;
+  const std::lock_guard lock(queue_mutex_);
+  if (options_.next_chunk) {
+    // What was missing when the folder was opened, whoever opened it when.
+    std::int64_t c = options_.next_chunk();
+    while (c < progress_.of_chunks && !std::binary_search(todo_.begin(), todo_.end(), c))
+      c = options_.next_chunk();
+    return c < progress_.of_chunks ? std::optional(c) : std::nullopt;
+  }
+  if (place_ == todo_.size()) return std::nullopt;
+  return todo_[place_++];
+}
+
+}  // namespace gearwright

@@ -1,0 +1,46 @@
+// Chunks of a search done by all threads of this process; each is handed on as soon as it is done.
+//
+// Internal to job/.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "gearwright/job/search_job.hpp"
+#include "gearwright/job/search_record.hpp"
+
+namespace gearwright {
+
+class SearchWorkers {
+ public:
+  /// Takes a chunk's number, what was found in it and how many trials each limit killed; called
+  /// from several threads at once.
+  using Done = std::function<void(std::int64_t, ChunkFinds, const SearchCounts&)>;
+
+  /// `todo`: numbers of chunks of so many trials, growing. Search and options outlive it.
+  SearchWorkers(const Search& search, std::int64_t chunk, std::vector<std::int64_t> todo,
+                const SearchOptions& options);
+
+  void run(const Done& done);
+  bool stopped() const { return options_.stop && *options_.stop; }
+
+ private:
+  void work(const Done& done);
+  void tell();
+  std::int64_t trials_of(std::int64_t c) const;
+  std::optional<std::int64_t> next();
+
+  const Search& search_;
+  std::int64_t chunk_;
+  std::vector<std::int64_t> todo_;
+  const SearchOptions& options_;
+  std::size_t place_ = 0;
+  std::mutex queue_mutex_, mutex_;
+  SearchProgress progress_;  // as it was at the start
+  std::atomic<std::int64_t> trials_done_{0}, chunks_done_{0};
+};
+
+}  // namespace gearwright

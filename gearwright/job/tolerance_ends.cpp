@@ -1,0 +1,165 @@
+#include "gearwright/job/tolerance_ends.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/inspection/balls.hpp"
+#include "gearwright/inspection/span.hpp"
+#include "gearwright/inspection/thickness_series.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// E_sn of a tooth that is thicker by so much on the base cylinder, in its transverse section.
+// [T10.19]
+double allowance_of(const Gear& gear, double base_thickness) {
+  const ReferenceGeometry<double>& g = gear.reference();
+  return gear.spec.thickness_allowance + (base_thickness - g.base_tooth_thickness) *
+                                             g.reference_diameter / g.base_diameter *
+                                             std::cos(gear.spec.helix_angle.rad());
+}
+
+Result<Ends> of_span(const Gear& gear, const GearInput& input) {
+  const auto k = input.measure.span_teeth;
+  const auto usual = usual_span(gear);
+  if (!k && !usual)
+    return Error{"tolerance.span", "",
+                 "no span of this gear can be measured; say `measure.span_teeth`"};
+  const int teeth = k ? *k : usual->teeth;
+  const auto span = span_over(gear, teeth);
+  if (!span) return within("measure", span.error());
+  const Ends& read = *input.tolerance.span;
+  const double per = thickness_per_span(gear);
+  const auto allowance = [&](double length) {
+    return gear.spec.thickness_allowance + (length - span->length) * per;
+  };
+  Ends ends{allowance(read[0]), allowance(read[1])};
+  std::sort(ends.begin(), ends.end());  // of an internal gear the greater span is the thinner tooth
+  return ends;
+}
+
+Result<Ends> of_balls(const Gear& gear, const GearInput& input) {
+  const auto ball = input.measure.ball_diameter;
+  if (!ball)
+    return Error{"tolerance.over_balls", "",
+                 "needs the diameter of the balls, `measure.ball_diameter`"};
+  Ends ends{};
+  for (const std::size_t i : {0u, 1u}) {
+    const double read = (*input.tolerance.over_balls)[i];
+    const auto thickness = base_thickness_from_balls(gear, *ball, read);
+    if (!thickness)
+      return refused("tolerance.over_balls", read,
+                     "such balls would lie inside the base cylinder of this gear");
+    ends[i] = allowance_of(gear, *thickness);
+  }
+  std::sort(ends.begin(), ends.end());
+  return ends;
+}
+
+// The deviations of the centre distance, mm: lower, upper.
+Result<std::optional<Ends>> distance_deviations(const SolvedJob& job) {
+  const PairInput& pair = job.spec.pair;
+  if (!job.pair || (!pair.distance_deviations && !pair.distance_tolerance))
+    return std::optional<Ends>();
+  for (const int which : {1, 2}) {
+    if (!job.spec.gears[static_cast<std::size_t>(which - 1)]->cut_by) continue;
+    return Error{pair.distance_tolerance ? "pair.distance_tolerance" : "pair.distance_deviations",
+                 "",
+                 fmt::format("has no place beside `{}`: the cutter's distance would go with it",
+                             gear_field(which, "cut_by"))};
+  }
+  if (pair.distance_deviations) return pair.distance_deviations;
+  auto half = js_deviation(*pair.distance_tolerance, job.pair->center_distance());
+  if (!half) {
+    Error error = half.error();
+    if (error.field == "tolerance") error.field = "distance_tolerance";
+    return within("pair", error);
+  }
+  return std::optional<Ends>({-*half, *half});
+}
+
+// The spec at one end: 0 the thinnest teeth and the most backlash, 1 the thickest and the least.
+JobSpec at_end(const SolvedJob& job, std::size_t end, const std::optional<Ends>& deviations) {
+  JobSpec spec = job.spec;
+  for (std::size_t i = 0; i < job.gears.size(); ++i) {
+    GearInput& gear = *spec.gears[i];
+    if (gear.allowance_ends) gear.cylindrical.thickness_allowance = (*gear.allowance_ends)[end];
+    // What follows from the centre distance is that of the drawing.
+    if (job.gears[i].involute() && !gear.cut_by)
+      gear.profile_shift = job.gears[i].spec.profile_shift;
+  }
+  if (spec.pair.backlash_ends) spec.pair.backlash = (*spec.pair.backlash_ends)[1 - end];
+  if (deviations) {
+    const bool wider_is_looser = job.pair->kind() != PairKind::parallel_internal;
+    spec.pair.center_distance =
+        job.pair->center_distance() + (*deviations)[(end == 0) == wider_is_looser ? 1 : 0];
+    spec.pair.shaft_angle = job.pair->shaft_angle();
+  }
+  return spec;
+}
+
+}  // namespace
+
+Result<JobSpec> with_allowances(const JobSpec& given, const SolveAsGiven& solve) {
+  JobSpec spec = given;
+  std::optional<SolvedJob> nominal;
+  for (const int which : {1, 2}) {
+    auto& gear = spec.gears[static_cast<std::size_t>(which - 1)];
+    if (!gear || !gear->tolerance.says_thickness()) continue;
+    const auto no = [&](const char* key, const char* why) {
+      return Error{gear_field(which, std::string("tolerance.") + key), "", why};
+    };
+    const ToleranceInput& tolerance = gear->tolerance;
+    const char* const said = tolerance.series ? "series" : tolerance.span ? "span" : "over_balls";
+    if (gear->cut_by) return no(said, "is the cutter's, which sets the thickness; leave it out");
+    if (gear->basic) return no(said, "has no place beside `basic`, whose thickness is given");
+    if (!nominal) {
+      auto solved = solve(spec, Scope::gears);
+      if (!solved) return solved.error();
+      nominal = std::move(solved).take();
+    }
+    const Gear& made = nominal->gears[static_cast<std::size_t>(which - 1)];
+    if (!made.involute() && !tolerance.series)
+      return no(said, "is measured on involute flanks; these are circular arcs");
+    auto ends = tolerance.series ? thickness_allowances(*tolerance.series, made.reference_diameter)
+                : tolerance.span ? of_span(made, *gear)
+                                 : of_balls(made, *gear);
+    if (!ends) {
+      Error error = ends.error();
+      if (tolerance.series) error = within("tolerance", error);
+      return of_gear(which, error);
+    }
+    gear->allowance_ends = *ends;
+    gear->cylindrical.thickness_allowance = ((*ends)[0] + (*ends)[1]) / 2;
+  }
+  return spec;
+}
+
+Result<std::shared_ptr<const JobEnds>> solve_ends(const SolvedJob& job, Scope scope,
+                                                  const SolveAsGiven& solve) {
+  const auto deviations = distance_deviations(job);
+  if (!deviations) return deviations.error();
+  bool tolerated = deviations->has_value() || (job.pair && job.spec.pair.backlash_ends);
+  for (const auto& gear : job.spec.gears) tolerated = tolerated || (gear && gear->allowance_ends);
+  if (!tolerated) return std::shared_ptr<const JobEnds>();
+  auto lower = solve(at_end(job, 0, *deviations), scope);
+  if (!lower) return lower.error();
+  auto upper = solve(at_end(job, 1, *deviations), scope);
+  if (!upper) return upper.error();
+  JobEnds ends{std::move(lower).take(), std::move(upper).take()};
+  for (std::size_t i = 0; i < job.gears.size() && job.spec.pair.backlash_ends; ++i) {
+    if (ends.lower.gears[i].spec.thickness_allowance <=
+        ends.upper.gears[i].spec.thickness_allowance)
+      continue;
+    return Error{"pair.backlash", "",
+                 "the tolerance of the centre distance alone changes the backlash by more than "
+                 "this range"};
+  }
+  return std::shared_ptr<const JobEnds>(std::make_shared<JobEnds>(std::move(ends)));
+}
+
+}  // namespace gearwright

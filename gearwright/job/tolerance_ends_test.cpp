@@ -1,0 +1,125 @@
+// Tolerances through the door: a spec, solved at both ends.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "gearwright/base/testing/taken.hpp"
+#include "gearwright/job/answers.hpp"
+
+namespace gearwright {
+namespace {
+
+Json answer(std::string_view verb, const Json& spec) {
+  const JobSpec read = testing::taken(read_spec(json_text(spec), SpecFormat::json));
+  return testing::taken(answer_json(verb, read));
+}
+
+Error refused_spec(std::string_view verb, const Json& spec) {
+  const auto read = read_spec(json_text(spec), SpecFormat::json);
+  if (!read) return read.error();
+  const auto got = answer_json(verb, *read);
+  EXPECT_FALSE(got) << json_text(spec);
+  return got ? Error{} : got.error();
+}
+
+Json gear(int teeth, const Json& allowance) {
+  Json g{
+      {"teeth", teeth}, {"normal_module_mm", 2.5}, {"face_width_mm", 20}, {"profile_shift", 0.1}};
+  if (!allowance.is_null()) g["thickness_allowance_mm"] = allowance;
+  return g;
+}
+
+// (1) each end is what the spec with that number says   (2) the gear is made at the mean
+TEST(ToleranceEnds, are_the_answers_at_both_numbers) {
+  const Json two{{"gear1", gear(17, {-0.10, -0.06})},
+                 {"gear2", gear(40, {-0.12, -0.08})},
+                 {"pair", {{"center_distance_mm", 72}}}};
+  const auto at = [&](double first, double second) {
+    Json spec = two;
+    spec["gear1"]["thickness_allowance_mm"] = first;
+    spec["gear2"]["thickness_allowance_mm"] = second;
+    return answer("pair", spec);
+  };
+  const Json both = answer("pair", two), thin = at(-0.10, -0.12), thick = at(-0.06, -0.08),
+             mean = at(-0.08, -0.10);
+  for (const char* key :
+       {"generating_profile_shift", "reference_tooth_thickness_normal_mm", "root_diameter_mm"}) {
+    EXPECT_EQ(both["gears"][0]["interval"][key][0], thin["gears"][0][key]) << key;  // (1)
+    EXPECT_EQ(both["gears"][0]["interval"][key][1], thick["gears"][0][key]) << key;
+    EXPECT_DOUBLE_EQ(both["gears"][0][key].get<double>(), mean["gears"][0][key]);  // (2)
+  }
+  const Json& range = both["pair"]["interval"]["backlash"]["normal_mm"];
+  EXPECT_EQ(range[0], thin["pair"]["backlash"]["normal_mm"]);
+  EXPECT_EQ(range[1], thick["pair"]["backlash"]["normal_mm"]);
+  EXPECT_GT(range[0], range[1]);
+  EXPECT_FALSE(both["pair"]["interval"].contains("center_distance_mm"));
+  EXPECT_FALSE(mean["pair"].contains("interval"));
+}
+
+TEST(ToleranceEnds, of_the_centre_distance_go_with_the_backlash) {
+  Json spec{{"gear1", gear(17, {-0.10, -0.06})},
+            {"gear2", gear(40, -0.1)},
+            {"pair", {{"center_distance_mm", 72}, {"center_distance_tolerance", "JS7"}}}};
+  const Json a = answer("pair", spec)["pair"]["interval"]["center_distance_mm"];
+  EXPECT_DOUBLE_EQ(a[0].get<double>(), 72.015);  // thin teeth, far apart: the most backlash
+  EXPECT_DOUBLE_EQ(a[1].get<double>(), 71.985);
+  // Shifts that followed from the distance stay those of the drawing.
+  spec["gear2"].erase("profile_shift");
+  const Json free = answer("pair", spec);
+  EXPECT_FALSE(free["gears"][1]["interval"].contains("profile_shift"));
+  spec["pair"]["center_distance_tolerance"] = "K7";
+  EXPECT_EQ(refused_spec("pair", spec).field, "pair.distance_tolerance");
+}
+
+TEST(ToleranceEnds, a_backlash_range_says_the_allowances) {
+  Json spec{{"gear1", gear(17, nullptr)},
+            {"gear2", gear(40, nullptr)},
+            {"pair",
+             {{"center_distance_mm", 72},
+              {"backlash_mm", {0.10, 0.20}},
+              {"center_distance_deviations_mm", {-0.01, 0.01}}}}};
+  const Json pair = answer("pair", spec)["pair"];
+  EXPECT_NEAR(pair["interval"]["backlash"]["normal_mm"][0].get<double>(), 0.20, 1e-9);
+  EXPECT_NEAR(pair["interval"]["backlash"]["normal_mm"][1].get<double>(), 0.10, 1e-9);
+  spec["pair"]["center_distance_deviations_mm"] = {-0.2, 0.2};
+  EXPECT_EQ(refused_spec("pair", spec).field, "pair.backlash");
+}
+
+TEST(ToleranceEnds, a_span_or_balls_say_the_allowance) {
+  for (const int teeth : {23, 24, -60}) {
+    Json plain{{"gear1", gear(teeth, {-0.11, -0.05})}};
+    const Json measured = answer("measure", plain)["gears"][0]["measure"];
+    const Json &W = measured["interval"]["span"]["length_mm"],
+               &M = measured["interval"]["over_balls"]["dimension_mm"];
+    const auto growing = [](Json ends) {
+      if (ends[0] > ends[1]) std::swap(ends[0], ends[1]);
+      return ends;
+    };
+    Json by_span{{"gear1", gear(teeth, nullptr)}}, by_balls = by_span;
+    by_span["gear1"]["measure"] = {{"span_teeth", measured["span"]["teeth"]}};
+    by_span["gear1"]["tolerance"] = {{"span_mm", growing(W)}};
+    by_balls["gear1"]["measure"] = {
+        {"ball_diameter_mm", measured["over_balls"]["ball_diameter_mm"]}};
+    by_balls["gear1"]["tolerance"] = {{"over_balls_mm", growing(M)}};
+    const Json wanted = answer("gear", plain)["gears"][0]["interval"];
+    for (const Json& spec : {by_span, by_balls}) {
+      const Json got = answer("gear", spec)["gears"][0]["interval"];
+      for (const int end : {0, 1})
+        EXPECT_NEAR(got["reference_tooth_thickness_normal_mm"][end].get<double>(),
+                    wanted["reference_tooth_thickness_normal_mm"][end].get<double>(), 1e-12)
+            << teeth;
+    }
+  }
+  Json series{{"gear1", gear(40, nullptr)}};
+  series["gear1"]["tolerance"] = {{"thickness_series", "cd25"}};
+  const Json s = answer("gear", series)["gears"][0]["interval"];
+  const Json full = answer("gear", Json{{"gear1", gear(40, 0.0)}})["gears"][0];
+  EXPECT_NEAR(s["reference_tooth_thickness_normal_mm"][0].get<double>(),
+              full["reference_tooth_thickness_normal_mm"].get<double>() - 0.11, 1e-14);
+  series["gear1"]["tolerance"]["thickness_series"] = "zz99";
+  EXPECT_EQ(refused_spec("gear", series).field, "gear1.tolerance.series");
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,37 @@
+#include "gearwright/math/minimise.hpp"
+
+#include <nlopt.hpp>
+
+#include "gearwright/base/contract.hpp"
+
+namespace gearwright {
+
+bool can_minimise() { return true; }
+
+std::vector<double> minimise(Minimiser how, const MinimiserTask& task, std::vector<double> start) {
+  GW_EXPECTS(task.lo.size() == start.size() && task.hi.size() == start.size() &&
+             task.step.size() == start.size());
+  nlopt::opt opt(how == Minimiser::whole_box ? nlopt::GN_DIRECT_L : nlopt::LN_SBPLX,
+                 static_cast<unsigned>(start.size()));
+  opt.set_lower_bounds(task.lo);
+  opt.set_upper_bounds(task.hi);
+  opt.set_initial_step(task.step);
+  opt.set_maxeval(task.evaluations);
+  opt.set_ftol_rel(task.relative_gain);
+  opt.set_ftol_abs(task.gain);
+  const auto objective = [](const std::vector<double>& x, std::vector<double>&,
+                            void* data) -> double {
+    return static_cast<const MinimiserTask*>(data)->f(x);
+  };
+  // NLopt hands data on as it is; f is only called.
+  opt.set_min_objective(objective, const_cast<MinimiserTask*>(&task));
+  double least = 0.0;
+  try {
+    opt.optimize(start, least);
+  } catch (const nlopt::roundoff_limited&) {
+    // start is the best that rounding lets it be
+  }
+  return start;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,262 @@
+// As in spec_text.cpp: toml++'s asserts are not for broken input.
+#ifndef NDEBUG
+#define NDEBUG
+#endif
+#include "gearwright/spec/edit_text.hpp"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <vector>
+
+#include "gearwright/spec/parse_spec.hpp"
+#include "gearwright/spec/toml_text.hpp"
+
+namespace gearwright {
+
+namespace {
+
+std::vector<std::string> parts_of(std::string_view path) {
+  std::vector<std::string> parts;
+  for (std::size_t at = 0; at <= path.size();) {
+    const std::size_t end = std::min(path.find('.', at), path.size());
+    parts.emplace_back(path.substr(at, end - at));
+    at = end + 1;
+  }
+  return parts;
+}
+
+// The tree with the value at the path; null takes it out, and tables on the way are made. False: a
+// part of the path is no table.
+bool set_in(Json& tree, const std::vector<std::string>& parts, const Json& value) {
+  Json* node = &tree;
+  for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
+    if (!node->contains(parts[i])) {
+      if (value.is_null()) return true;
+      (*node)[parts[i]] = Json::object();
+    }
+    node = &(*node)[parts[i]];
+    if (!node->is_object()) return false;
+  }
+  if (value.is_null()) {
+    node->erase(parts.back());
+  } else {
+    (*node)[parts.back()] = value;
+  }
+  return true;
+}
+
+bool same(const Json& a, const Json& b) {  // members in any order
+  return nlohmann::json(a) == nlohmann::json(b);
+}
+
+bool has_null(const Json& value) {
+  if (!value.is_structured()) return value.is_null();
+  return std::any_of(value.begin(), value.end(), has_null);
+}
+
+// A value as it stands behind "key = ".
+std::string value_text(const Json& value) {
+  // As the one element of a list an object stands inline, too.
+  const std::string line = toml_text({{"k", Json::array({value})}});
+  return line.substr(5, line.size() - 7);  // k = [ … ]\n
+}
+
+class Editor {
+ public:
+  explicit Editor(std::string_view text) : text_(text), root_(toml::parse(text)) {
+    for (std::size_t i = 0; i <= text.size(); ++i)
+      if (i == 0 || text[i - 1] == '\n') lines_.push_back(i);
+  }
+
+  std::string text() && { return std::move(text_); }
+
+  void set(const std::vector<std::string>& parts, const std::string& value) {
+    const auto [table, depth] = deepest(parts);
+    if (depth + 1 == parts.size()) {
+      if (const toml::node* node = table->get(parts.back())) {
+        const auto [from, to] = range(node->source());
+        text_.replace(from, to - from, value);
+      } else {
+        insert(*table, parts.back() + " = " + value, depth == 0);
+      }
+      return;
+    }
+    if (table->is_inline() && depth > 0) {
+      std::string nested = parts.back() + " = " + value;
+      for (std::size_t i = parts.size() - 1; i-- > depth;) {
+        std::string outer = parts[i];
+        outer += " = { " + nested + " }";
+        nested = std::move(outer);
+      }
+      insert(*table, nested, false);
+      return;
+    }
+    std::string name;
+    for (std::size_t i = 0; i + 1 < parts.size(); ++i) name += (i == 0 ? "" : ".") + parts[i];
+    if (!text_.empty() && text_.back() != '\n') text_ += '\n';
+    text_ += (text_.empty() ? "[" : "\n[") + name + "]\n" + parts.back() + " = " + value + "\n";
+  }
+
+  void take_out(const std::vector<std::string>& parts) {
+    const auto [table, depth] = deepest(parts);
+    if (depth + 1 != parts.size()) return;
+    const toml::node* node = table->get(parts.back());
+    if (!node) return;
+    const toml::table* inner = node->as_table();
+    if (inner && !inner->is_inline()) {
+      take_out_table(*inner);
+      return;
+    }
+    const toml::key* key = nullptr;
+    for (const auto& [k, v] : *table)
+      if (&v == node) key = &k;
+    std::size_t from = offset(key->source().begin);
+    std::size_t to = range(node->source()).second;
+    if (table->is_inline() && depth > 0) {
+      // With one comma: the next, or the one before of the last.
+      const std::size_t next = text_.find_first_not_of(" \t", to);
+      if (next != std::string::npos && text_[next] == ',') {
+        to = text_.find_first_not_of(" \t", next + 1);
+      } else if (const std::size_t before = text_.find_last_not_of(" \t", from - 1);
+                 text_[before] == ',') {
+        from = before;
+      }
+    } else {
+      from = lines_[line_of(from)];
+      to = text_.find('\n', to);
+      to = to == std::string::npos ? text_.size() : to + 1;
+    }
+    text_.erase(from, to - from);
+  }
+
+ private:
+  struct Found {
+    const toml::table* table;
+    std::size_t depth;  // parts that lead to it
+  };
+
+  Found deepest(const std::vector<std::string>& parts) const {
+    Found found{&root_, 0};
+    while (found.depth + 1 < parts.size()) {
+      const toml::node* node = found.table->get(parts[found.depth]);
+      if (!node) break;
+      found = {node->as_table(), found.depth + 1};
+    }
+    return found;
+  }
+
+  // Columns count characters, not bytes.
+  std::size_t offset(const toml::source_position& at) const {
+    std::size_t i = lines_[std::min<std::size_t>(at.line, lines_.size()) - 1];
+    for (toml::source_index column = 1; column < at.column && i < text_.size(); ++column) {
+      ++i;
+      while (i < text_.size() && (static_cast<unsigned char>(text_[i]) & 0xC0U) == 0x80U) ++i;
+    }
+    return i;
+  }
+  std::pair<std::size_t, std::size_t> range(const toml::source_region& region) const {
+    return {offset(region.begin), offset(region.end)};
+  }
+  std::size_t line_of(std::size_t at) const {
+    return static_cast<std::size_t>(std::upper_bound(lines_.begin(), lines_.end(), at) -
+                                    lines_.begin()) -
+           1;
+  }
+
+  // "key = value" at the end of a table.
+  void insert(const toml::table& table, const std::string& line, bool root) {
+    if (table.is_inline() && !root) {
+      const std::size_t brace = range(table.source()).second - 1;
+      std::size_t last = text_.find_last_not_of(" \t", brace - 1);
+      const bool empty = text_[last] == '{';
+      text_.replace(last + 1, brace - last - 1, (empty ? " " : ", ") + line + " ");
+      return;
+    }
+    std::size_t at = 0;
+    bool after = !root;
+    if (!root) at = offset(table.source().begin);
+    for (const auto& [key, node] : table) {
+      const toml::table* inner = node.as_table();
+      if (inner && !inner->is_inline()) continue;
+      at = std::max(at, range(node.source()).second);
+      after = true;
+    }
+    if (after) {
+      at = text_.find('\n', at);
+      if (at == std::string::npos) {
+        text_ += '\n';
+        at = text_.size();
+      } else {
+        ++at;
+      }
+    }
+    text_.insert(at, line + "\n");
+  }
+
+  // Lines of the headers of a table and of those in it, or of all.
+  void headers(const toml::table& table, std::vector<std::size_t>& lines) const {
+    for (const auto& [key, node] : table) {
+      const toml::table* inner = node.as_table();
+      if (!inner || inner->is_inline()) continue;
+      lines.push_back(line_of(offset(inner->source().begin)));
+      headers(*inner, lines);
+    }
+  }
+
+  void take_out_table(const toml::table& table) {
+    std::vector<std::size_t> all, ours{line_of(offset(table.source().begin))};
+    headers(root_, all);
+    headers(table, ours);
+    std::sort(all.begin(), all.end());
+    std::sort(ours.rbegin(), ours.rend());
+    for (const std::size_t line : ours) {
+      const auto next = std::upper_bound(all.begin(), all.end(), line);
+      const std::size_t from = lines_[line];
+      const std::size_t to = next == all.end() ? text_.size() : lines_[*next];
+      text_.erase(from, to - from);
+    }
+  }
+
+  std::string text_;
+  toml::table root_;
+  std::vector<std::size_t> lines_;  // where each begins
+};
+
+}  // namespace
+
+Result<std::string> with_key(std::string_view toml, std::string_view path, std::string_view value) {
+  const std::vector<std::string> parts = parts_of(path);
+  const bool blank = toml.find_first_not_of(" \t\r\n") == std::string_view::npos;
+  const auto before = blank ? Result<Json>(Json::object()) : parse_spec(toml, SpecFormat::toml);
+  if (!before) return before.error();
+  Json said;
+  try {
+    if (json_depth(value) > 32) return Error{std::string(path), "", "nests too deep"};
+    said = parse_json(value);
+  } catch (const nlohmann::json::exception&) {
+    return Error{std::string(path), std::string(value), "is no value of JSON"};
+  }
+  if (said.is_structured() && has_null(said))
+    return Error{std::string(path), "null", "is no value of a spec; leave the key out"};
+  Json wanted = *before;
+  if (!set_in(wanted, parts, said))
+    return Error{std::string(path), "", "leads through something that is no table"};
+  if (same(wanted, *before)) return std::string(toml);
+  Editor editor(toml);
+  if (said.is_null()) {
+    editor.take_out(parts);
+  } else {
+    editor.set(parts, value_text(said));
+  }
+  std::string text = std::move(editor).text();
+  // Rare forms, a table in dotted pieces: written anew, without the comments.
+  const bool none = text.find_first_not_of(" \t\r\n") == std::string::npos;
+  const auto after = none ? Result<Json>(Json::object()) : parse_spec(text, SpecFormat::toml);
+  if (!after || !same(*after, wanted)) return toml_text(wanted);
+  return text;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,95 @@
+#include "gearwright/spec/read_measured.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "gearwright/catalogue/gear_keys.hpp"
+#include "gearwright/catalogue/measured_keys.hpp"
+#include "gearwright/spec/table_reader.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr const char* kWhatIsKnown[] = {"normal_module_mm", "normal_diametral_pitch_per_in",
+                                        "transverse_module_mm", "basic", "cut_by"};
+
+void read_spans(TableReader& t, IdentifyProblem& p) {
+  const Json* node = t.any("span_mm");
+  if (!node) return;
+  if (!node->is_object())
+    t.fail("span_mm", "must be a table of readings by the number of teeth: { 3 = 19.751 }");
+  for (const auto& [key, value] : node->items()) {
+    int k = 0;
+    const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), k);
+    if (error != std::errc() || end != key.data() + key.size() || k < 1 || k > 100000)
+      t.fail("span_mm", "\"" + printable(key, 20) +
+                            "\" counts no teeth; the readings stand by the number of teeth: "
+                            "{ 3 = 19.751 }");
+    if (!value.is_number() || !(value.get<double>() > 0.0) || value.get<double>() > kMaxInput)
+      t.fail("span_mm", "the span over " + key + " teeth must be a length in mm");
+    p.spans.push_back({k, value.get<double>()});
+  }
+  std::sort(p.spans.begin(), p.spans.end(),
+            [](const SpanReading& a, const SpanReading& b) { return a.teeth < b.teeth; });
+}
+
+void read_balls(TableReader& t, IdentifyProblem& p) {
+  const Json* node = t.any("over_balls_mm");
+  if (!node) return;
+  if (!node->is_array() || node->empty() || node->size() > kMostBallReadings)
+    t.fail("over_balls_mm",
+           "must be a list of tables: [{ ball_diameter_mm = 5, dimension_mm = "
+           "69.426 }], 1 to 20 of them");
+  for (const Json& item : *node) {
+    if (!item.is_object()) t.fail("over_balls_mm", shown(item) + " is no table");
+    TableReader one(measured_ball_keys(), item, t.name("over_balls_mm"));
+    DiameterReading reading;
+    one.read(reading);
+    one.finish();
+    p.balls.push_back(reading);
+  }
+}
+
+}  // namespace
+
+bool is_unknown_gear(const Json& gear) {
+  if (!gear.is_object() || !gear.contains("measured")) return false;
+  return std::none_of(std::begin(kWhatIsKnown), std::end(kWhatIsKnown),
+                      [&](const char* key) { return gear.contains(key); });
+}
+
+std::shared_ptr<const IdentifyProblem> read_measured(const Json* gear, const std::string& path) {
+  if (!gear || !gear->is_object() || !gear->contains("measured")) return nullptr;
+  const Json& node = (*gear)["measured"];
+  if (!node.is_object())
+    throw SpecError{{path + ".measured", shown(node), "must be a table, [" + path + ".measured]"}};
+  IdentifyProblem p;
+  // Of a known gear the rest is read where gears are.
+  const bool unknown = is_unknown_gear(*gear);
+  Json known = Json::object();
+  for (const Key& key : unknown_gear_keys().keys) {
+    const std::string name(key.key);
+    if (gear->contains(name)) known[name] = (*gear)[name];
+  }
+  TableReader outside(unknown_gear_keys(), unknown ? *gear : known, path);
+  GearInput like;
+  outside.read(like);
+  p.teeth = like.cylindrical.teeth;
+  if (const auto alpha = outside.number("normal_pressure_angle_deg"))
+    p.normal_pressure_angle = Angle::degrees(*alpha);
+  if (const auto beta = outside.number("helix_angle_deg")) p.helix_angle = Angle::degrees(*beta);
+  for (const char* key : {"face_width_mm", "normal_module_mm", "normal_diametral_pitch_per_in"})
+    outside.number(key);
+  outside.table("measured");
+  outside.finish();
+  TableReader t(measured_keys(), node, path + ".measured");
+  t.read(p);
+  read_spans(t, p);
+  read_balls(t, p);
+  t.finish();
+  return std::make_shared<const IdentifyProblem>(std::move(p));
+}
+
+}  // namespace gearwright

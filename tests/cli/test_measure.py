@@ -1,0 +1,132 @@
+"""Measuring a gear as a workshop asks for it: tools, tolerances, and the way back to the gear."""
+import json
+import tomllib
+import unittest
+
+from cli import SOURCE, Asked, Run
+
+GEAR = """
+[gear1]
+teeth = 20
+normal_module_mm = 2
+face_width_mm = 20
+"""
+BROKEN = (SOURCE / "examples/broken_gear.toml").read_text()
+
+
+def with_tools(lines, gear=GEAR):
+    return gear + "[gear1.measure]\n" + lines + "\n"
+
+
+class Measuring(Asked):
+    def measure(self, spec):
+        return self.ok("measure", spec)["gears"][0]["measure"]
+
+    def test_tools_are_chosen_or_asked_for(self):
+        usual = self.measure(GEAR)
+        self.assertEqual(usual["span"]["teeth"], 3)
+        self.assertEqual(usual["span"]["contact"], "usable")
+        self.assertAlmostEqual(usual["span"]["length_mm"], 15.32087875196761, 11)
+        self.assertEqual([s["teeth"] for s in usual["spans"]], [1, 2, 3, 4])
+        self.assertEqual(usual["over_balls"]["ball_diameter_mm"], usual["ball_sizes"]["metric_mm"])
+        asked = self.measure(with_tools("span_teeth = 2\nball_diameter_mm = 3.5\npin_diameter_mm = 4\nchord_diameter_mm = 41"))
+        self.assertEqual(asked["span"]["teeth"], 2)
+        self.assertAlmostEqual(asked["over_balls"]["dimension_mm"], 44.92929001744306, 11)
+        self.assertAlmostEqual(asked["over_pins"]["three_mm"], 46.55188732875178, 11)
+        self.assertEqual(asked["tooth_thickness"]["diameter_mm"], 41)
+        self.assertIn("Span measurement", Run("measure", GEAR).out)
+
+    def test_what_cannot_be_measured_is_named(self):
+        for line, key, word in (("span_teeth = 9", "span_teeth", "1 to 4 teeth"), ("span_teeth = 21", "span_teeth", "1 to 20"),
+                                ("ball_diameter_mm = 1", "ball_diameter_mm", "falls between the teeth"),
+                                ("ball_diameter_mm = 9", "ball_diameter_mm", "rests on the tips"),
+                                ("ball_diameter_mm = 2.6", "ball_diameter_mm", "stand out"),
+                                ("pin_diameter_mm = 1", "pin_diameter_mm", "falls between"), ("span_teeth = 2.5", "span_teeth", "whole"),
+                                ("ball_diameter_mm = -1", "ball_diameter_mm", "greater than 0")):
+            self.refused(with_tools(line), "gear1.measure." + key, word, verb="measure")
+        ring = GEAR.replace("20\nnormal", "-60\nhelix_angle_deg = 12\nnormal")
+        self.refused(with_tools("span_teeth = 6", ring), "gear1.measure.span_teeth", "balls", verb="measure")
+        self.refused(with_tools("pin_diameter_mm = 3.5", ring), "gear1.measure.pin_diameter_mm", "balls", verb="measure")
+        m = self.measure(ring)
+        self.assertIsNone(m["span"])
+        self.assertIsNone(m["over_pins"]["three_mm"])
+
+    def test_a_contact_off_the_flank_is_a_warning(self):
+        j = self.ok("measure", with_tools("span_teeth = 5"))
+        self.assertEqual(j["gears"][0]["measure"]["span"]["contact"], "beyond_tip")
+        self.assertIn("span_off_flank", [w["code"] for w in j["warnings"]])
+
+    def test_tolerances_of_the_flanks(self):
+        t = self.measure(GEAR + "quality = 6")["tolerances"]
+        self.assertEqual(t["single_pitch_um"], 8.5)  # (0.04 + 0.8 + 5) √2 = 8.26
+        self.assertNotIn("tolerances", self.measure(GEAR))
+        old = self.measure(GEAR + '[gear1.tolerance]\nquality = 6\nedition = "ISO 1328:1995"')["tolerances"]
+        self.assertNotEqual(old["profile_total_um"], t["profile_total_um"])
+        self.refused(GEAR + "quality = 12", "gear1.quality", "1 to 11", verb="measure")
+        self.refused(GEAR + "quality = 6\n[gear1.tolerance]\nquality = 7", "gear1.tolerance.quality", "contradicts", verb="measure")
+
+    def test_intervals_in_json_and_for_people(self):
+        spec = GEAR + "thickness_allowance_mm = [-0.10, -0.06]"
+        m = self.measure(spec)
+        lower, upper = m["interval"]["span"]["length_mm"]
+        self.assertLess(lower, m["span"]["length_mm"])
+        self.assertGreater(upper, m["span"]["length_mm"])
+        self.assertLess(*m["interval"]["over_balls"]["dimension_mm"])
+        out = Run("measure", spec).out
+        self.assertIn("gear 1 lower", out)
+        self.assertIn("gear 1 upper", out)
+        self.refused(GEAR + "thickness_allowance_mm = [-0.06, -0.10]", "gear1.thickness_allowance_mm", "lower one first", verb="gear")
+        self.refused(GEAR + "thickness_allowance_mm = [-0.06, 0, 1]", "gear1.thickness_allowance_mm", verb="gear")
+        self.refused(GEAR + 'thickness_allowance_mm = 0\n[gear1.tolerance]\nthickness_series = "cd25"',
+                     "gear1.tolerance.thickness_series", "thick", verb="gear")
+        self.refused(GEAR + '[gear1.tolerance]\nthickness_series = "zz25"', "gear1.tolerance.thickness_series", "DIN 3967", verb="gear")
+
+    def test_nominal_points_for_a_measuring_machine(self):
+        r = Run("measure", GEAR + "[gear1.modifications]\nlead_crowning_um = 10\n", "--points", "9x5")
+        self.assertEqual(r.status, 0, r.err)
+        head, *rows = r.out.splitlines()
+        self.assertEqual(head, "gear,flank,diameter_mm,height_mm,x_mm,y_mm,z_mm,nx,ny,nz")
+        self.assertEqual(len(rows), 2 * 9 * 5)
+        *_, nx, ny, nz = map(float, rows[0].split(",")[2:])
+        self.assertAlmostEqual(nx * nx + ny * ny + nz * nz, 1, 12)
+        for grid in ("9", "1x5", "9x", "9x5x2", "9y5", "9x1001"):
+            self.assertEqual(Run("measure", GEAR, "--points", grid).status, 2, grid)
+
+    def test_the_page_has_what_is_measured(self):
+        r = Run("run", GEAR + "quality = 6\nthickness_allowance_mm = [-0.1, -0.06]\n", "--only", "report", "--out", "out")
+        self.assertEqual(r.status, 0, r.err)
+        page = (r.folder / "out/report.html").read_text()
+        for word in ("Measuring", "Span measurement", "Gear 1, profile", "band of 11", "Gear 1 between its thickness"):
+            self.assertTrue(word in page, word)
+
+    def test_a_gear_from_its_readings(self):
+        found = self.ok("identify", BROKEN)["identify"]
+        first = found["candidates"][0]
+        self.assertEqual((first["normal_module_mm"], first["normal_pressure_angle_deg"]), (2.5, 20))
+        self.assertAlmostEqual(first["helix_angle_deg"], 18, 9)
+        self.assertAlmostEqual(first["profile_shift"], 0.2170, 3)
+        self.assertGreater(first["uncertainty"]["profile_shift"], 0)
+        self.assertIn("18.000°", Run("identify", BROKEN).out)
+        taken = Run("identify", BROKEN, "--take", 1)
+        spec = tomllib.loads(taken.out)
+        self.assertEqual(spec["gear1"]["normal_module_mm"], 2.5)
+        again = self.measure(taken.out + "[gear1.measure]\nspan_teeth = 3\nball_diameter_mm = 5\n")
+        self.assertAlmostEqual(again["span"]["length_mm"], 19.751, 2)
+        self.assertAlmostEqual(again["over_balls"]["dimension_mm"], 69.426, 2)
+        self.assertEqual(json.loads(Run("identify", BROKEN, "--take", 1, "--json").out)["gear1"], spec["gear1"])
+        self.assertEqual(Run("identify", BROKEN, "--take", 99).status, 1)
+        self.refused(BROKEN, "gear1.normal_module_mm", "identify", verb="gear")
+        self.refused(GEAR, "gear1.measured", "missing", verb="identify")
+        self.refused(BROKEN.replace("3 = 19.751", "x = 19.751"), "gear1.measured.span_mm", "number of teeth", verb="identify")
+        self.refused(BROKEN.replace("teeth = 23", ""), "gear1.teeth", verb="identify")
+
+    def test_contradictory_readings_are_named(self):
+        wrong = BROKEN.replace("4 = 27.131", "4 = 27.431, 5 = 34.511")
+        said = self.ok("identify", wrong)["identify"]["contradiction"]
+        self.assertEqual((said["reading"], said["tool"]), ("span", 4))
+        self.assertAlmostEqual(said["expected"], 27.131, 2)
+        self.assertIn("disagrees", Run("identify", wrong).out)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,217 @@
+// What engine.d.ts promises: shapes, refusals, poses, work in steps.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import path from "node:path";
+import { inflateRawSync } from "node:zlib";
+import { loadEngine, source } from "./engine.mjs";
+
+const { engine, failed } = await loadEngine();
+const example = (name) => readFileSync(path.join(source, "examples", `${name}.toml`), "utf8");
+const near = (a, b, tolerance) => assert.ok(Math.abs(a - b) <= tolerance, `${a} is not ${b}`);
+
+const tests = {
+  a_refusal_is_an_object_with_its_line() {
+    const session = engine.open("[gear1]\nteeth = 17\nnormal_module_mm = -2\n");
+    assert.ok(failed(session));
+    assert.equal(session.error.key, "gear1.normal_module_mm");
+    assert.equal(session.error.line, 3);
+    const said = JSON.parse(engine.run("pair", "[gear1\n"));
+    assert.ok(failed(said));
+    assert.match(said.error.message, /line 1/);
+    assert.ok(failed(JSON.parse(engine.run("bake", "[gear1]\nteeth = 17"))));
+    assert.ok(failed(JSON.parse(engine.run("compensate", example("misaligned_pair")))));
+    assert.ok(failed(engine.toToml('{"gear1": null}')));
+    assert.ok(failed(JSON.parse(engine.run("pair", "x".repeat(5 << 20)))));
+  },
+
+  text_and_tree_are_one() {
+    for (const name of ["helical_pair", "circular_arc_drive", "gearbox_search"]) {
+      const tree = JSON.parse(engine.toJson(example(name)));
+      assert.deepEqual(JSON.parse(engine.toJson(engine.toToml(JSON.stringify(tree)))), tree);
+    }
+    const text = example("helical_pair");
+    const edited = engine.edit(text, "gear1.teeth", "19");
+    assert.equal(JSON.parse(engine.toJson(edited)).gear1.teeth, 19);
+    assert.equal(edited.split("#").length, text.split("#").length);
+  },
+
+  the_catalogue_knows_every_key_of_a_result() {
+    const { inputs, quantities } = JSON.parse(engine.catalogue());
+    const table = (name) => quantities.find((t) => t.name === name).quantities;
+    const said = JSON.parse(engine.run("pair", example("helical_pair")));
+    for (const [name, record] of [["gear", said.gears[0]], ["pair", said.pair], ["verdict", said.verdict]])
+      for (const key of Object.keys(record)) assert.ok(table(name).some((q) => q.key === key), `${name}.${key}`);
+    assert.equal(inputs[0].name, "spec");
+    const gear = inputs.find((t) => t.name === "gear");
+    assert.ok(gear.keys.find((k) => k.key === "teeth").required);
+    const names = new Set(inputs.map((t) => t.name));
+    for (const t of inputs) for (const k of t.keys) for (const n of k.tables) assert.ok(names.has(n), n);
+    assert.ok(JSON.parse(engine.schema("spec")).$schema && JSON.parse(engine.schema("result")).$schema);
+  },
+
+  an_outline_is_closed_and_its_area_is_the_solids() {
+    for (const [name, gear] of [["helical_pair", 1], ["ring_pair", 2], ["two_tooth_drive", 1]]) {
+      const session = engine.open(example(name));
+      const s = session.section(gear, 0.0005);
+      assert.ok(!failed(s), JSON.stringify(s));
+      const n = s.outline.length / 2;
+      assert.equal(s.pieces[0].from, 0);
+      assert.equal(s.pieces.at(-1).to, n);
+      s.pieces.slice(1).forEach((p, i) => assert.equal(p.from, s.pieces[i].to));
+      const area = (xy) => {
+        let sum = 0;
+        for (let i = 0; i < xy.length; i += 2) {
+          const j = (i + 2) % xy.length;
+          sum += xy[i] * xy[j + 1] - xy[j] * xy[i + 1];
+        }
+        return sum / 2;
+      };
+      const m = session.mesh(gear, 0.005);
+      let volume = 0;
+      const p = (i) => m.positions.subarray(3 * m.indices[i], 3 * m.indices[i] + 3);
+      for (let i = 0; i < m.indices.length; i += 3) {
+        const [a, b, c] = [p(i), p(i + 1), p(i + 2)];
+        volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+          a[2] * (b[0] * c[1] - b[1] * c[0])) / 6;
+      }
+      const { gears } = JSON.parse(session.json("gear"));
+      const metal = Math.abs(area(s.outline) - area(s.bore)) * gears[gear - 1].face_width_mm;
+      near(volume / metal, 1, 2e-3);
+      assert.equal(m.normals.length, m.positions.length);
+      assert.ok(s.circles.some((c) => c.key === "base_diameter_mm"));
+      session.delete();
+    }
+  },
+
+  a_pose_puts_the_flanks_together() {
+    for (const name of ["helical_pair", "misaligned_pair", "ring_pair", "crossed_pair"]) {
+      const session = engine.open(example(name));
+      for (const rotation of [-3, 0, 5.5]) {
+        const at = session.contactPoint(rotation);
+        if (at.kind === "none") continue;
+        // The point lies on both gears at the diameters and heights that contact tells.
+        for (const gear of [1, 2]) {
+          const x = session.pose(gear, rotation);
+          const axis = [x[8], x[9], x[10]];
+          const d = at.point_mm.map((c, i) => c - x[12 + i]);
+          const z = d[0] * axis[0] + d[1] * axis[1] + d[2] * axis[2];
+          const r = Math.hypot(...d.map((c, i) => c - z * axis[i]));
+          near(z, at.height_mm[gear - 1], 1e-9);
+          near(2 * r, at.diameter_mm[gear - 1], 1e-9);
+          near(Math.hypot(...axis), 1, 1e-12);
+        }
+        if (name === "misaligned_pair") assert.notEqual(session.pose(1, rotation)[8], 0);
+        // And there on the outline of each: of sections a chord away at most.
+        for (const gear of [1, 2]) {
+          const s = session.section(gear, 0.0002);
+          const x = session.pose(gear, rotation);
+          const p = [0, 1, 2].map((c) => [0, 1, 2].reduce((sum, i) => sum + x[4 * c + i] * (at.point_mm[i] - x[12 + i]), 0));
+          const { gears } = JSON.parse(session.json("gear"));
+          const lead = gears[gear - 1].lead_mm;
+          const turn = lead ? (-2 * Math.PI * p[2]) / lead : 0;
+          const q = [p[0] * Math.cos(turn) - p[1] * Math.sin(turn), p[0] * Math.sin(turn) + p[1] * Math.cos(turn)];
+          let least = Infinity;
+          for (let i = 0; i < s.outline.length; i += 2) {
+            const j = (i + 2) % s.outline.length;
+            const [ax, ay, bx, by] = [s.outline[i], s.outline[i + 1], s.outline[j], s.outline[j + 1]];
+            const t = Math.max(0, Math.min(1, ((q[0] - ax) * (bx - ax) + (q[1] - ay) * (by - ay)) /
+              ((bx - ax) ** 2 + (by - ay) ** 2)));
+            least = Math.min(least, Math.hypot(q[0] - ax - t * (bx - ax), q[1] - ay - t * (by - ay)));
+          }
+          // Modifications and tilted errors take a few µm off the drawing's flank.
+          assert.ok(least < 0.03, `${name} gear ${gear}: the point lies ${least} mm off the outline`);
+        }
+      }
+      session.delete();
+    }
+  },
+
+  contact_in_columns_is_contact_in_json() {
+    const session = engine.open(example("misaligned_pair"));
+    const { contact } = JSON.parse(session.json("contact"));
+    const curve = session.contactCurve(contact.positions.length);
+    assert.equal(curve.peakToPeakArcsec, contact.peak_to_peak_arcsec);
+    contact.positions.forEach((p, i) => {
+      assert.equal(curve.columns.transmission_error_arcsec[i], p.transmission_error_arcsec);
+      assert.equal(curve.columns.kind[i], p.kind);
+      assert.equal(curve.columns.point_mm[3 * i + 1], p.point_mm[1]);
+      if (p.ellipse) assert.equal(curve.columns["ellipse.semi_minor_mm"][i], p.ellipse.semi_minor_mm);
+    });
+    const gap = session.gapMap(0, 0, 9, 17);
+    assert.equal(gap.gap.length, 9 * 17);
+    const work = session.pattern(32, 17, 17);
+    while (!work.step(5).finished);
+    assert.equal(work.result()[1].gap.length, 17 * 17);
+    const map = session.errorMap({ key: "crossing_deg", from: -0.05, to: 0.05, n: 3 },
+      { key: "center_distance_mm", from: 0, to: 0.1, n: 2 }, 16);
+    let step;
+    do step = map.step(1); while (!step.finished);
+    assert.ok(map.result().peakToPeakArcsec.every((v) => v >= 0));
+    assert.ok(failed(session.errorMap({ key: "crossing", from: 0, to: 1, n: 2 }, { key: "axial_mm", from: 0, to: 1, n: 2 })));
+  },
+
+  the_chart_of_shifts_has_the_point_where_it_is() {
+    const session = engine.open(example("helical_pair"));
+    const chart = session.shiftRegion();
+    assert.ok(!failed(chart), JSON.stringify(chart));
+    assert.ok(chart.pieces.length > 0 && chart.area > 0);
+    for (const loop of chart.pieces) for (const b of loop) assert.ok(chart.borders[b.border]);
+    assert.equal(chart.inside, chart.margin >= 0);
+  },
+
+  a_search_in_steps_is_the_search() {
+    const text = example("gearbox_search");
+    const search = engine.openSearch(text);
+    assert.ok(!failed(search), JSON.stringify(search));
+    let steps = 0;
+    while (!search.step(20).finished) steps += 1;
+    assert.equal(search.result().json, engine.run("search", text));
+    assert.match(search.take(1), /\[gear1\]/);
+    assert.ok(failed(search.take(100000000)));
+    assert.match(new TextDecoder().decode(search.report().subarray(0, 40)), /<!doctype html>/i);
+    search.delete();
+    assert.ok(steps > 0);
+  },
+
+  files_are_files() {
+    const session = engine.open(example("helical_pair"));
+    const start = (kind, gear = 0) => {
+      const bytes = session.file(kind, gear, 0.05);
+      assert.ok(!failed(bytes), JSON.stringify(bytes));
+      return Buffer.from(bytes);
+    };
+    assert.equal(start("glb").toString("latin1", 0, 4), "glTF");
+    const stl = start("stl", 1);
+    assert.equal(stl.length, 84 + 50 * stl.readUInt32LE(80));
+    assert.match(start("dxf", 1).toString("utf8", 0, 200), /SECTION/);
+    assert.match(start("svg", 2).toString("utf8", 0, 200), /<svg/);
+    assert.match(start("report").toString("utf8", 0, 60), /<!doctype html>/i);
+    // 3MF is a ZIP: its parts unpack, though not zlib packed them.
+    const zip = start("3mf", 1);
+    let at = 0;
+    let model = "";
+    while (zip.readUInt32LE(at) === 0x04034b50) {
+      const [packed, size, name, extra] = [zip.readUInt32LE(at + 18), zip.readUInt32LE(at + 22),
+        zip.readUInt16LE(at + 26), zip.readUInt16LE(at + 28)];
+      const from = at + 30 + name + extra;
+      const content = inflateRawSync(zip.subarray(from, from + packed));
+      assert.equal(content.length, size);
+      if (zip.toString("utf8", at + 30, at + 30 + name).endsWith(".model")) model = content.toString();
+      at = from + packed;
+    }
+    assert.match(model, /<\/model>/);
+    assert.ok(zip.length < model.length / 2);
+  },
+};
+
+let bad = 0;
+for (const [name, test] of Object.entries(tests)) {
+  try {
+    test();
+    console.log(`ok    ${name}`);
+  } catch (e) {
+    bad += 1;
+    console.log(`FAIL  ${name}\n${e.stack}`);
+  }
+}
+process.exit(bad ? 1 : 0);

@@ -1,0 +1,56 @@
+// Every example, every verb: what the program prints and what WebAssembly prints.
+//
+//   same      words, flags, lists, keys: letter for letter
+//   bits      numbers that are the same double
+//   near      the others: within kNear of each other, relative; a number that is a small difference of
+//             larger ones (a deviation in µm, a gap, a margin) within kNear of its table's greatest
+//
+// Two ways through WebAssembly are asked, the engine of the page and the program under node: their
+// texts are the same bytes.
+import { execFileSync, spawnSync } from "node:child_process";
+import { readdirSync, readFileSync } from "node:fs";
+import path from "node:path";
+import { compare } from "./near.mjs";
+import { build, loadEngine, source } from "./engine.mjs";
+
+const kNear = 1e-12;
+const verbs = ["gear", "pair", "contact", "measure", "fit"];
+const native = process.env.GW_BIN ?? path.join(source, "build/release/gearwright");
+const program = path.join(build, "cli/gearwright.js");
+
+const run = (command, args) => {
+  const { stdout, status } = spawnSync(command, args, { encoding: "utf8", maxBuffer: 1 << 28 });
+  return { stdout, status };
+};
+
+const { engine } = await loadEngine();
+const faults = [];
+let numbers = 0;
+let bits = 0;
+const far = [];
+for (const name of readdirSync(path.join(source, "examples")).filter((n) => n.endsWith(".toml")).sort()) {
+  const file = path.join(source, "examples", name);
+  const text = readFileSync(file, "utf8");
+  for (const verb of [...verbs, ...(name.includes("search") ? ["search"] : [])]) {
+    const here = `${name} ${verb}`;
+    const by = run(native, [verb, file, "--json"]);
+    const wasm = run(process.execPath, [program, verb, file, "--json"]);
+    if (by.status !== wasm.status) faults.push(`${here}: status ${by.status} and ${wasm.status}`);
+    const a = JSON.parse(by.stdout);
+    const b = JSON.parse(wasm.stdout);
+    const page = JSON.parse(engine.run(verb, text));
+    if (page.error) page.error.file = file; // the page's text has no name
+    const order = (j) => JSON.stringify(j.error ? Object.entries(j.error).sort() : j);
+    if (order(page) !== order(b)) faults.push(`${here}: the engine and the program under node differ`);
+    const found = compare(a, b, here);
+    faults.push(...found.faults);
+    numbers += found.numbers;
+    bits += found.bits;
+    far.push(...(found.differing ?? []).filter((d) => d.error > kNear));
+  }
+}
+far.sort((x, y) => y.error - x.error);
+for (const d of far.slice(0, 40)) console.log(`${d.error.toExponential(1)}  ${d.path}  ${d.a}  ${d.b}`);
+for (const fault of faults) console.log(fault);
+console.log(`${numbers} numbers, ${bits} the same bits, ${numbers - bits - far.length} within ${kNear}, ${far.length} not`);
+process.exit(faults.length || far.length ? 1 : 0);
