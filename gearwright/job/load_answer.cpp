@@ -1,12 +1,11 @@
 #include "gearwright/job/load_answer.hpp"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/base/parallel.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/job/contact_answer.hpp"
@@ -81,8 +80,7 @@ Result<LoadedContact> turn_under_load(SolvedJob& job, const std::array<ElasticBo
   request.deflection_bow = input.deflection_bow * kMmPerUm;
   request.headway = headway;
   request.spread = [](std::size_t n, const std::function<void(std::size_t, std::size_t)>& work) {
-    oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, n),
-                              [&](const auto& r) { work(r.begin(), r.end()); });
+    parallel_for(n, [&](std::size_t i) { work(i, i + 1); });
   };
   const Gear& one = setup->gear(1);
   const Gear& two = setup->gear(2);
