@@ -8,14 +8,17 @@
 #   make test-long  the tests whose names start with Long
 #   make test-cluster  searches under a Slurm of two nodes, started for the test; skipped where its
 #                      daemons cannot run
+#   make web        the page in the browser: build/web for a host, and build/web/gearwright.html
+#   make test-web   the page in a browser without a screen, against the native program
 #   make bench      benchmarks
 #   make lint       formatting (must be clean) and clang-tidy (advice)
 #   make docs       the API reference and all pages as HTML, build/docs/html
 #   make figures    draws the figures of the theory pages anew
+#   make python     the Python package as a wheel, build/python/*.whl
 #   make package    .deb and .tgz in build/package
 #   make clean      remove build/
 
-.PHONY: demo test npm test-wasm test-long test-cluster bench lint docs figures package clean
+.PHONY: demo test web test-web npm test-wasm test-long test-cluster bench lint docs figures python package clean
 JOBS ?= $(shell nproc)
 export CMAKE_BUILD_PARALLEL_LEVEL ?= $(JOBS)
 DEMO = examples/helical_pair.toml
@@ -32,7 +35,7 @@ demo:
 	@cd $(DEMO_OUT) && ls -1 *.step *.stl *.3mf *.dxf *.svg *.glb | sed 's#^#  $(CURDIR)/$(DEMO_OUT)/#'
 
 test:
-	@tools/install_packages.sh core mpi test docs
+	@tools/install_packages.sh core mpi python test docs
 	@tools/install_npm_tools.sh
 	@cmake --workflow --preset check
 
@@ -51,26 +54,37 @@ test-wasm:
 	@ctest --preset wasm
 
 test-long:
-	@tools/install_packages.sh core mpi test cluster
+	@tools/install_packages.sh core mpi python test cluster
 	@tools/install_npm_tools.sh
 	@cmake --preset release
 	@cmake --build --preset release
 	@ctest --preset long
 
 test-cluster:
-	@tools/install_packages.sh core mpi test cluster
+	@tools/install_packages.sh core mpi python test cluster
 	@cmake --preset release
 	@cmake --build --preset release --target gearwright_cli --target gearwright_mpi
 	@ctest --preset cluster
 
+web:
+	@tools/install_packages.sh core wasm web
+	@tools/build_web.sh $(JOBS)
+
+test-web: web
+	@cmake --preset release > /dev/null
+	@cmake --build --preset release --target gearwright_cli
+	node --test --test-concurrency=1 apps/web/test/*_test.mjs
+
 bench:
-	@tools/install_packages.sh core mpi test
+	@tools/install_packages.sh core mpi python test
 	@cmake --preset release
 	@cmake --build --preset release --target bench
 	build/release/bench/bench
+	@cmake --build --preset release --target python_module
+	python3 bench/python_overhead.py build/release
 
 lint:
-	@tools/install_packages.sh core mpi test lint
+	@tools/install_packages.sh core mpi python test lint
 	@cmake --preset release -B build/lint -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON > /dev/null
 	@tools/lint.sh
 
@@ -79,10 +93,17 @@ docs:
 	@tools/make_docs.sh
 
 figures:
-	@tools/install_packages.sh core mpi test
+	@tools/install_packages.sh core mpi python test
 	@cmake --preset release > /dev/null
 	@cmake --build --preset release --target docs_figures
 	build/release/docs/figures/docs_figures docs/theory/images
+
+python:
+	@tools/install_packages.sh core python
+	@cmake --preset release -DGEARWRIGHT_PYTHON=ON
+	@cmake --build --preset release --target python_wheel
+	@mkdir -p build/python && rm -f build/python/*.whl && cp build/release/python/*.whl build/python
+	@echo && echo "Wheel  $$(ls $(CURDIR)/build/python/*.whl)"
 
 package:
 	@tools/install_packages.sh core mpi package

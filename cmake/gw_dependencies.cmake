@@ -46,5 +46,27 @@ if(GEARWRIGHT_MPI AND NOT MPI_CXX_FOUND)
 endif()
 
 # Scripts run on the system's Python, where Debian's modules are, not on the first of the PATH.
-find_program(GEARWRIGHT_PYTHON python3 HINTS /usr/bin NO_CMAKE_ENVIRONMENT_PATH
-             DOC "Python that runs the script tests")
+find_program(GEARWRIGHT_PYTHON_EXECUTABLE python3 HINTS /usr/bin NO_CMAKE_ENVIRONMENT_PATH
+             DOC "Python that runs the script tests, and that the package is for")
+
+# The Python package: where pybind11 and NumPy are, as MPI above.
+set(why_no_python "switched off (GEARWRIGHT_PYTHON=OFF)")
+if(GEARWRIGHT_LEAN OR CMAKE_CROSSCOMPILING)
+  set(GEARWRIGHT_PYTHON OFF)
+  set(why_no_python "not of a lean or a cross build")
+endif()
+if(NOT DEFINED GEARWRIGHT_PYTHON OR GEARWRIGHT_PYTHON)
+  set(Python_EXECUTABLE ${GEARWRIGHT_PYTHON_EXECUTABLE})
+  find_package(Python 3.11 QUIET COMPONENTS Interpreter Development.Module NumPy)
+  set(PYBIND11_FINDPYTHON ON)
+  find_package(pybind11 2.10 CONFIG QUIET)
+endif()
+if(Python_Development.Module_FOUND AND Python_NumPy_FOUND AND pybind11_FOUND)
+  option(GEARWRIGHT_PYTHON "Build the Python package" ${PROJECT_IS_TOP_LEVEL})
+elseif(NOT DEFINED GEARWRIGHT_PYTHON)
+  set(GEARWRIGHT_PYTHON OFF)
+  set(why_no_python "pybind11 not found (Debian: pybind11-dev python3-dev python3-numpy)")
+elseif(GEARWRIGHT_PYTHON)
+  message(FATAL_ERROR "GEARWRIGHT_PYTHON=ON, but pybind11, NumPy or Python's headers were not found. "
+                      "On Debian: apt-get install pybind11-dev python3-dev python3-numpy")
+endif()

@@ -39,6 +39,10 @@
 #include "gearwright/contact/pair_contact.hpp"
 #include "gearwright/contact/pattern.hpp"
 
+// What they bear: rated_pair, rate, rate_spectrum, torque_of_safety, the table of steels
+#include "gearwright/rating/sizing.hpp"
+#include "gearwright/rating/spectrum.hpp"
+
 // What a calliper reads: chordal_thickness
 #include "gearwright/inspection/chordal_thickness.hpp"
 

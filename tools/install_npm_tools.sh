@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
-# Installs the readers and validators that tests use from npm: the package.json and
-# package-lock.json of tests/cad (meshes), tests/search (result tables) and tests/schema (JSON
-# Schema), each into the node_modules beside it.
+# Installs what tests and the page use from npm: the package.json and package-lock.json of
+# tests/cad (mesh validators), tests/search (result tables), tests/schema (JSON Schema) and, when
+# asked for, apps/web (the page), each into the node_modules beside it.
+#
+#   tools/install_npm_tools.sh [FOLDER ...]     default: those of the tests
 #
 # Exactly the locked versions, without running their install scripts; a second call does nothing.
 set -euo pipefail
-cd "$(dirname "$0")/../tests"
+cd "$(dirname "$0")/.."
 
 say() { printf 'install_npm_tools: %s\n' "$*" >&2; }
 
@@ -18,15 +20,26 @@ install_folder() { # FOLDER WHAT [npm option ...]
     say "npm is missing (Debian: apt-get install nodejs npm)"
     exit 3
   fi
-  say "installing the $what of tests/$folder"
+  say "installing the $what of $folder"
   if ! (cd "$folder" &&
     npm ci --ignore-scripts --no-audit --no-fund --loglevel=error "$@"); then
-    say "could not install the packages of tests/$folder/package.json; is there a network?"
+    say "could not install the packages of $folder/package.json; is there a network?"
     exit 3
   fi
   cp "$folder/package-lock.json" "$stamp"
 }
 
-install_folder cad "mesh validators" --omit=optional
-install_folder search "reader of result tables" # its library for this machine counts as optional
-install_folder schema "validator of JSON Schema"
+[ $# -gt 0 ] || set -- tests/cad tests/search tests/schema
+for folder in "$@"; do
+  case $folder in
+    tests/cad) install_folder "$folder" "mesh validators" --omit=optional ;;
+    # Their libraries for this machine count as optional.
+    tests/search) install_folder "$folder" "reader of result tables" ;;
+    tests/schema) install_folder "$folder" "validator of JSON Schema" ;;
+    apps/web) install_folder "$folder" "page's libraries and builder" ;;
+    *)
+      say "unknown folder $folder"
+      exit 2
+      ;;
+  esac
+done

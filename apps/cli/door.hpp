@@ -1,13 +1,18 @@
-// The spec of a verb: read once, from a file or a pipe, and what is wrong with it said by its lines.
+// How a verb takes its spec, says what is wrong with it, and ends.
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "apps/cli/verbs.hpp"
 #include "gearwright/job/solved_job.hpp"
+#include "gearwright/spec/json.hpp"
+#include "gearwright/verdict/verdict.hpp"
 
 namespace gearwright::cli {
 
+/// The spec of a verb: read once, from a file or a pipe, and what is wrong with it said by its lines.
 class Door {
  public:
   explicit Door(const Options& o) : options_(o) {}
@@ -22,5 +27,15 @@ class Door {
   std::optional<SpecText> text_;
   std::optional<GivenKeys> given_;
 };
+
+// For scripts: 4 where the verdict is not green and they want it to be.
+inline int status(const Options& o, const Verdict& verdict) {
+  return o.strict && verdict.level != Level::green ? 4 : 0;
+}
+
+/// Prints the spec of answer --take and nothing else; the exit status. `too_many`: why there is no
+/// such one.   Domain  o.take is given
+int take_spec(const Options& o, const Door& door, const std::vector<Json>& specs,
+              const std::string& too_many);
 
 }  // namespace gearwright::cli

@@ -21,11 +21,10 @@
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/files.hpp"
 #include "gearwright/job/fit_answer.hpp"
-#include "gearwright/job/identify_answer.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/measures.hpp"
-#include "gearwright/job/nominal_csv.hpp"
+#include "gearwright/job/rating_text.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/result_schema.hpp"
 #include "gearwright/job/verify.hpp"
@@ -55,11 +54,6 @@ std::string read_text(const std::string& path) {
 
 std::string pair_listing_of(const SolvedJob& job) {
   return job.pair ? pair_listing(*job.pair) + pair_interval_listing(job) : std::string();
-}
-
-// For scripts: 4 where the verdict is not green and they want it to be.
-int status(const Options& o, const Verdict& verdict) {
-  return o.strict && verdict.level != Level::green ? 4 : 0;
 }
 
 // Says on stderr what is being made, but only when it takes more than a second.
@@ -119,19 +113,6 @@ auto watched(const char* verb, const Work& work) {
   return work(watch.headway());
 }
 
-// The spec of answer --take and nothing else.
-int take_spec(const Options& o, const Door& door, const std::vector<Json>& specs,
-              const std::string& too_many) {
-  const auto number = static_cast<std::size_t>(*o.take);
-  if (number > specs.size()) return door.fail({"--take", std::to_string(number), too_many});
-  if (o.json) {
-    print_json(specs[number - 1]);
-  } else {
-    print(toml_text(specs[number - 1]));
-  }
-  return 0;
-}
-
 }  // namespace
 
 int gear_verb(const Options& o) {
@@ -171,30 +152,6 @@ int gear_verb(const Options& o) {
   return status(o, verdict);
 }
 
-int measure_verb(const Options& o) {
-  const auto grid = parse_grid(o.grid.value_or("2x2"));
-  if (!grid)
-    return usage("--points takes two numbers from 2 to 1000, along the profile and the face: 9x5");
-  Door door(o);
-  auto solved = door.solve(Scope::gears);
-  if (!solved) return door.fail(solved.error());
-  SolvedJob job = std::move(solved).take();
-  if (o.grid) {
-    const auto points = nominal_csv(job, *grid);
-    if (!points) return door.fail(points.error());
-    print(*points);
-    return 0;
-  }
-  const auto measures = measure_gears(job);
-  if (!measures) return door.fail(measures.error());
-  if (o.json) {
-    print_json(measures_json(job, *measures));
-  } else {
-    print(measure_listing(job, *measures) + warning_listing(job.warnings));
-  }
-  return 0;
-}
-
 int fit_verb(const Options& o) {
   Door door(o);
   const auto spec = door.read();
@@ -211,24 +168,6 @@ int fit_verb(const Options& o) {
     print_json(fit_json(*answer));
   } else {
     print(fit_listing(*answer));
-  }
-  return 0;
-}
-
-int identify_verb(const Options& o) {
-  Door door(o);
-  const auto spec = door.read();
-  if (!spec) return door.fail(spec.error());
-  const auto answer = answer_identify(*spec);
-  if (!answer) return door.fail(answer.error());
-  if (o.take) {
-    return take_spec(o, door, answer->specs,
-                     fmt::format("there are {} candidates", answer->specs.size()));
-  }
-  if (o.json) {
-    print_json(identify_json(*answer));
-  } else {
-    print(identify_listing(*answer));
   }
   return 0;
 }
@@ -286,6 +225,24 @@ int compensate_verb(const Options& o) {
   } else {
     print(compensate_listing(job, *answer) + warning_listing(job.warnings) +
           verdict_listing(verdict));
+  }
+  return status(o, verdict);
+}
+
+int rate_verb(const Options& o) {
+  Door door(o);
+  auto solved = door.solve(Scope::pair);
+  if (!solved) return door.fail(solved.error());
+  SolvedJob job = std::move(solved).take();
+  const auto answer = answer_rating(job);
+  if (!answer) return door.fail(answer.error());
+  const Verdict verdict = judge(job, nullptr, &*answer);
+  if (o.csv) {
+    print(rating_csv(*answer));
+  } else if (o.json) {
+    print_json(rating_json(job, *answer, verdict));
+  } else {
+    print(rating_listing(job, *answer) + warning_listing(job.warnings) + verdict_listing(verdict));
   }
   return status(o, verdict);
 }

@@ -42,6 +42,8 @@ int fit_verb(const Options& o);
 int identify_verb(const Options& o);
 int contact_verb(const Options& o);
 int compensate_verb(const Options& o);
+int load_verb(const Options& o);
+int rate_verb(const Options& o);
 int export_verb(const Options& o);
 int verify_verb(const Options& o);
 int schema_verb(const Options& o);

@@ -19,7 +19,7 @@ class IoError : public std::runtime_error {
 /// Throws    IoError naming the path and the system's reason; nothing is left behind then
 void write_file(const std::filesystem::path& path, std::string_view content);
 
-/// For writers that want a path of their own (OCCT): calls `write` with a temporary path in the
+/// For writers that want a path of their own (Parquet): calls `write` with a temporary path in the
 /// same folder, then renames. Whatever `write` throws passes through after the temporary is
 /// removed.
 void write_file_by(const std::filesystem::path& path,

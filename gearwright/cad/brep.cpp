@@ -74,12 +74,12 @@ class ShellWriter {
 
   /// One face per wall and slice; `side` is along where the metal is inside the loop.
   Rims add_walls(const WallLoop& loop, const HelixSpline& helix, double face_width, Side side) {
-    const std::vector<Level> levels = levels_of(loop, face_width);
+    const std::vector<WallLevel> levels = levels_of(loop, face_width);
     Corners below = corners(loop, levels.front());
     Edges floor = level_edges(loop, levels.front(), below);
     Rims rims{floor, {}};
     for (std::size_t s = 0; s + 1 < levels.size(); ++s) {
-      const Slice slice = slice_between(levels[s], levels[s + 1], helix);
+      const WallSlice slice = slice_between(levels[s], levels[s + 1], helix);
       Corners above = corners(loop, slice.high);
       Edges ceiling = level_edges(loop, slice.high, above);
       const Edges uprights = upright_edges(loop, slice, below, above);
@@ -100,8 +100,7 @@ class ShellWriter {
   void add_cap(double z, const Edges& outer, const Edges* inner, Side side) {
     Ids loops{loop(outer)};
     if (inner != nullptr) loops.push_back(loop(*inner));
-    const Id frame = out_.placement(centre(z), direction(Vec3::UnitZ()), direction(Vec3::UnitX()));
-    add_face(loops, out_.add(fmt::format("PLANE('',#{})", frame)), side);
+    add_face(loops, out_.add(fmt::format("PLANE('',#{})", frame(z, Vec3::UnitX()))), side);
   }
 
   Brep finish(const std::string& name) {
@@ -139,11 +138,18 @@ class ShellWriter {
     return id;
   }
 
+  // Axes on the gear's axis. One instance a statement: compilers order arguments as they like, and
+  // the numbers are to be the same everywhere.
+  Id frame(double z, const Vec3& x) {
+    const Id origin = centre(z);
+    const Id up = direction(Vec3::UnitZ());
+    return out_.placement(origin, up, direction(x));
+  }
+
   // Axes of a circle or cylinder, its x direction away from the middle of the wall.
   Id round_frame(const Wall& wall, double turn, double z) {
     const Complex middle = std::polar(1.0, 0.5 * (wall.begin_angle + wall.end_angle) + turn);
-    const Id away = direction({-middle.real(), -middle.imag(), 0.0});
-    return out_.placement(centre(z), direction(Vec3::UnitZ()), away);
+    return frame(z, {-middle.real(), -middle.imag(), 0.0});
   }
 
   static Vec3 along(const Wall& wall, Complex turn) {
@@ -151,7 +157,7 @@ class ShellWriter {
     return Vec3(way.real(), way.imag(), 0.0).normalized();
   }
 
-  Corners corners(const WallLoop& loop, const Level& level) {
+  Corners corners(const WallLoop& loop, const WallLevel& level) {
     Corners result;
     for (const Wall& wall : loop.walls) {
       const Id point = out_.point(point_at(wall.begin, level));
@@ -166,7 +172,7 @@ class ShellWriter {
             std::move(poles)};
   }
 
-  Edges level_edges(const WallLoop& loop, const Level& level, const Corners& at) {
+  Edges level_edges(const WallLoop& loop, const WallLevel& level, const Corners& at) {
     const std::size_t n = loop.walls.size();
     Edges result;
     for (std::size_t i = 0; i < n; ++i) {
@@ -201,7 +207,7 @@ class ShellWriter {
     return out_.add(fmt::format("LINE('',#{},#{})", from, vector(way)));
   }
 
-  Edges upright_edges(const WallLoop& loop, const Slice& slice, const Corners& below,
+  Edges upright_edges(const WallLoop& loop, const WallSlice& slice, const Corners& below,
                       const Corners& above) {
     Edges result;
     for (std::size_t i = 0; i < loop.walls.size(); ++i) {
@@ -216,7 +222,8 @@ class ShellWriter {
     return result;
   }
 
-  Id wall_surface(const Wall& wall, const Slice& slice, const Sides& sides, const Corner& begin) {
+  Id wall_surface(const Wall& wall, const WallSlice& slice, const Sides& sides,
+                  const Corner& begin) {
     switch (wall.shape) {
       case WallShape::spline: {
         std::vector<Ids> rows{sides.left.poles};
@@ -241,8 +248,8 @@ class ShellWriter {
         const Vec3 way = along(wall, slice.low.turn);
         // Normal = along × axis points out of the loop; u runs along, v upwards.
         const Id normal = direction({way.y(), -way.x(), 0.0});
-        const Id frame = out_.placement(begin.point, normal, direction(way));
-        return out_.add(fmt::format("PLANE('',#{})", frame));
+        const Id axes = out_.placement(begin.point, normal, direction(way));
+        return out_.add(fmt::format("PLANE('',#{})", axes));
       }
     }
     contract_failed("postcondition", "known wall shape", __FILE__, __LINE__);

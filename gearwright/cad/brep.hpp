@@ -1,4 +1,4 @@
-// A toothed body as an advanced B-rep, in the terms of a STEP file.
+// A toothed body as an advanced B-rep, in the terms of a STEP file. Internal to cad/.
 //
 //   u, v   of a wall's face: u counter-clockwise about the axis, v upwards
 //

@@ -3,7 +3,7 @@
 //   #12=CARTESIAN_POINT('',(18.504065825396,-6.327244292546,-12.5));
 //
 // An instance refers to others by their numbers. Here every instance is written after those that it
-// names, so a file is one pass over the gears and its only memory is its text.
+// names, so a file is one pass over the gears and its only memory is its text. Internal to cad/.
 //
 //   Laws  (1) a real reads back to the same double: it has the fewest digits that do
 //         (2) text reads back: what is not printable ASCII is escaped as the standard says

@@ -24,7 +24,7 @@ double srgb(double linear) {
 
 class ProductWriter {
  public:
-  ProductWriter(Part21& out, const Protocol& protocol) : out_(out) {
+  ProductWriter(Part21& out, const StepProtocol& protocol) : out_(out) {
     const Id application = add("APPLICATION_CONTEXT('{}')", protocol.context);
     add("APPLICATION_PROTOCOL_DEFINITION('international standard','{}',{},#{})", protocol.name,
         protocol.year, application);
@@ -47,7 +47,7 @@ class ProductWriter {
     Id shape;  // its representation
   };
 
-  Product part(const Part& part, const std::array<double, 3>& colour) {
+  Product part(const StepPart& part, const std::array<double, 3>& colour) {
     const Id context = representation_context(part.name);
     const Id shape = add("ADVANCED_BREP_SHAPE_REPRESENTATION({},(#{},#{}),#{})",
                          part21_string(part.name), origin_, part.solid, context);
@@ -55,10 +55,10 @@ class ProductWriter {
     return product(part.name, shape);
   }
 
-  void assembly(const std::string& name, const std::vector<Part>& parts,
+  void assembly(const std::string& name, const std::vector<StepPart>& parts,
                 const std::vector<Product>& products) {
     std::vector<Id> items{origin_};
-    for (const Part& part : parts) items.push_back(placement(part.pose));
+    for (const StepPart& part : parts) items.push_back(placement(part.pose));
     std::string text = fmt::format("SHAPE_REPRESENTATION({},", part21_string(name));
     append_ids(text, items);
     const Id context = representation_context(name);
@@ -142,7 +142,7 @@ class ProductWriter {
 
 }  // namespace
 
-void add_products(Part21& out, const Protocol& protocol, const std::vector<Part>& parts,
+void add_products(Part21& out, const StepProtocol& protocol, const std::vector<StepPart>& parts,
                   const std::string& assembly) {
   GW_EXPECTS(!parts.empty());
   ProductWriter writer(out, protocol);

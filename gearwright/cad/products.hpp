@@ -1,4 +1,5 @@
 // Products of a STEP file: what a CAD system's tree shows, and where each solid stands.
+// Internal to cad/.
 //
 // A single solid in its own frame is one product, a part. Otherwise there is an assembly, whose
 // components are the parts, each placed by its pose: product structure and geometry say it twice, as
@@ -15,21 +16,21 @@
 namespace gearwright {
 
 /// The application protocol that a file follows.
-struct Protocol {
+struct StepProtocol {
   const char* schema;   ///< for the header
   const char* name;     ///< of the protocol's definition
   int year;             ///< of its publication
   const char* context;  ///< what it is about
 };
 
-struct Part {
+struct StepPart {
   std::string name;
   Eigen::Isometry3d pose;  ///< mm
   Part21Id solid;
 };
 
 /// Domain    at least one part (contract)
-void add_products(Part21& out, const Protocol& protocol, const std::vector<Part>& parts,
+void add_products(Part21& out, const StepProtocol& protocol, const std::vector<StepPart>& parts,
                   const std::string& assembly);
 
 }  // namespace gearwright

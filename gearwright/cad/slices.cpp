@@ -4,8 +4,8 @@
 
 namespace gearwright {
 
-std::vector<Level> levels_of(const WallLoop& loop, double face_width) {
-  std::vector<Level> levels;
+std::vector<WallLevel> levels_of(const WallLoop& loop, double face_width) {
+  std::vector<WallLevel> levels;
   for (int i = 0; i <= loop.slices; ++i) {
     const double z = face_width * (2 * i - loop.slices) / (2.0 * loop.slices);
     levels.push_back({z, loop.twist * z, std::polar(1.0, loop.twist * z)});
@@ -13,8 +13,8 @@ std::vector<Level> levels_of(const WallLoop& loop, double face_width) {
   return levels;
 }
 
-Slice slice_between(const Level& low, const Level& high, const HelixSpline& helix) {
-  Slice slice{low, high, 0.5 * (low.angle + high.angle), {}, {}, {}};
+WallSlice slice_between(const WallLevel& low, const WallLevel& high, const HelixSpline& helix) {
+  WallSlice slice{low, high, 0.5 * (low.angle + high.angle), {}, {}, {}};
   const Complex middle = std::polar(1.0, slice.middle_angle);
   const auto z_at = [&](double v) { return low.z + (high.z - low.z) * v; };
   for (const Complex& h : helix.poles) slice.helix.push_back(middle * h);
@@ -28,12 +28,12 @@ Slice slice_between(const Level& low, const Level& high, const HelixSpline& heli
   return slice;
 }
 
-Vec3 point_at(Complex section_point, const Level& level) {
+Vec3 point_at(Complex section_point, const WallLevel& level) {
   const Complex w = section_point * level.turn;
   return {w.real(), w.imag(), level.z};
 }
 
-Vec3 climbing_pole(Complex section_point, const Slice& slice, std::size_t j) {
+Vec3 climbing_pole(Complex section_point, const WallSlice& slice, std::size_t j) {
   const Complex w = section_point * slice.helix[j];
   return {w.real(), w.imag(), slice.height[j]};
 }

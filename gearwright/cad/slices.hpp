@@ -1,5 +1,5 @@
 // The layers of a body between its end faces: where its walls are cut across, and how a point of the
-// section climbs through one of them.
+// section climbs through one of them. Internal to cad/.
 //
 //   level    a plane z = const; the section in it is turned by e^{iτz}
 //   slice    the layer between two levels; its helix is that of the body, turned to the slice's middle
@@ -13,15 +13,15 @@
 
 namespace gearwright {
 
-struct Level {
+struct WallLevel {
   double z;      ///< mm
   double angle;  ///< τz  rad
   Complex turn;  ///< e^{iτz}
 };
 
-struct Slice {
-  Level low;
-  Level high;
+struct WallSlice {
+  WallLevel low;
+  WallLevel high;
   double middle_angle;         ///< rad, halfway between the two levels'
   std::vector<Complex> helix;  ///< h_j, the ends equal to the levels' turns to the last bit
   std::vector<double> height;  ///< z_j  mm
@@ -31,13 +31,13 @@ struct Slice {
 };
 
 /// From the bottom, z = −b/2, to the top, z = b/2.
-std::vector<Level> levels_of(const WallLoop& loop, double face_width);
+std::vector<WallLevel> levels_of(const WallLoop& loop, double face_width);
 
-Slice slice_between(const Level& low, const Level& high, const HelixSpline& helix);
+WallSlice slice_between(const WallLevel& low, const WallLevel& high, const HelixSpline& helix);
 
-Vec3 point_at(Complex section_point, const Level& level);
+Vec3 point_at(Complex section_point, const WallLevel& level);
 
 /// The path of a section point: its pole j, 0 ≤ j < helix.size().
-Vec3 climbing_pole(Complex section_point, const Slice& slice, std::size_t j);
+Vec3 climbing_pole(Complex section_point, const WallSlice& slice, std::size_t j);
 
 }  // namespace gearwright

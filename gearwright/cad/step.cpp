@@ -20,13 +20,13 @@ namespace {
 constexpr const char* kTime = "1970-01-01T00:00:00";
 
 // First edition of ISO 10303-242, third of ISO 10303-214.
-constexpr Protocol kAp242{"AP242_MANAGED_MODEL_BASED_3D_ENGINEERING_MIM_LF { 1 0 10303 442 1 1 4 }",
-                          "ap242_managed_model_based_3d_engineering", 2014,
-                          "managed model based 3d engineering"};
-constexpr Protocol kAp214{"AUTOMOTIVE_DESIGN { 1 0 10303 214 3 1 1 }", "automotive_design", 2010,
-                          "core data for automotive mechanical design processes"};
+constexpr StepProtocol kAp242{
+    "AP242_MANAGED_MODEL_BASED_3D_ENGINEERING_MIM_LF { 1 0 10303 442 1 1 4 }",
+    "ap242_managed_model_based_3d_engineering", 2014, "managed model based 3d engineering"};
+constexpr StepProtocol kAp214{"AUTOMOTIVE_DESIGN { 1 0 10303 214 3 1 1 }", "automotive_design",
+                              2010, "core data for automotive mechanical design processes"};
 
-std::string header(const Protocol& protocol, const std::string& file_name) {
+std::string header(const StepProtocol& protocol, const std::string& file_name) {
   return fmt::format(
       "FILE_DESCRIPTION(('toothed bodies, mm'),'2;1');\n"
       "FILE_NAME({},'{}',('Gearwright'),('Gearwright'),'Gearwright {}','Gearwright','');\n"
@@ -65,10 +65,10 @@ const char* to_string(StepSchema schema) { return schema == StepSchema::ap242 ? 
 Result<StepDocument> step_document(const std::vector<ToothedBody>& bodies,
                                    const std::string& file_name, const StepOptions& options) {
   GW_EXPECTS(!bodies.empty());
-  const Protocol& protocol = options.schema == StepSchema::ap242 ? kAp242 : kAp214;
+  const StepProtocol& protocol = options.schema == StepSchema::ap242 ? kAp242 : kAp214;
   StepReport report;
   Part21 file(header(protocol, file_name));
-  std::vector<Part> parts;
+  std::vector<StepPart> parts;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const ToothedBody& body = bodies[i];
     const auto walls = make_walls(body);

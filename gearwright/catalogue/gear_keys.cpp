@@ -166,6 +166,11 @@ const KeyTable& gear_keys() {
         .tables = {modification_keys},
         .in_documents = false,
         .meaning = "what is removed from the flanks"},
+       {.key = "material",
+        .kind = KeyKind::table,
+        .tables = {material_keys},
+        .in_documents = false,
+        .meaning = "what the teeth are made of"},
        {.key = "bore",
         .kind = KeyKind::table,
         .tables = {bore_keys},
@@ -177,7 +182,6 @@ const KeyTable& gear_keys() {
         .in_documents = false,
         .meaning = "where and how the gear is measured"},
        {.key = "quality",
-        .symbol = "A",
         .kind = KeyKind::whole,
         .range = KeyRange::between(0, 12, ", the flank tolerance classes of ISO 1328-1"),
         .place = KeyPlace::within<GearInput>([](auto& g) -> auto& { return g.tolerance.quality; }),
@@ -199,7 +203,8 @@ const KeyTable& gear_keys() {
 
 const KeyTable& cutter_keys() {
   static const KeyTable table = [] {
-    KeyTable t = without(gear_keys(), {"cut_by", "profile_shift_pair", "modifications"});
+    KeyTable t =
+        without(gear_keys(), {"cut_by", "profile_shift_pair", "modifications", "material"});
     t.name = "cutter";
     t.meaning =
         "A pinion cutter; module and angles where they are not those of the gear or its "

@@ -13,6 +13,7 @@
 
 #include "gearwright/catalogue/inspection_keys.hpp"
 #include "gearwright/catalogue/key.hpp"
+#include "gearwright/catalogue/material_keys.hpp"
 #include "gearwright/gear/basic.hpp"
 #include "gearwright/gear/bore.hpp"
 #include "gearwright/gear/gear.hpp"
@@ -47,6 +48,7 @@ struct GearInput {
   ToleranceInput tolerance;               ///< [gearN.tolerance]
   std::vector<std::string> not_read;      ///< sub-tables of verbs that are not in this version
   std::optional<Bore> bore;
+  MaterialInput material;
   std::array<FlankModifications, 2> modifications;  ///< right flank, left flank
 };
 

@@ -43,7 +43,6 @@ const KeyTable& tolerance_keys() {
       "tolerance",
       "The grade of the flanks, and how thick the teeth may be",
       {{.key = "quality",
-        .symbol = "A",
         .kind = KeyKind::whole,
         .range = KeyRange::between(0, 12, ", the flank tolerance classes of ISO 1328-1"),
         .place = &ToleranceInput::quality,

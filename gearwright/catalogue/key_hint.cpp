@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gearwright/catalogue/gear_keys.hpp"
+#include "gearwright/catalogue/measured_keys.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
 
 namespace gearwright {
@@ -122,8 +123,10 @@ std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_v
   const auto told = [](const Key& key, const std::string& where) {
     return fmt::format("{} in [{}]", key.key, where);
   };
-  for (const Place& p : tables_below(table, path))
+  for (const Place& p : tables_below(table, path)) {
+    if (p.table == &measured_keys()) continue;  // readings are called as what they are readings of
     if (const Key* found = called(*p.table, word, by_word, false)) return told(*found, p.path);
+  }
   if (path.empty()) return std::nullopt;
   // A table of gear 2 looks in gear 2 first.
   const std::string_view own = path.substr(0, path.find('.'));

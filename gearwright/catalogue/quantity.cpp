@@ -24,6 +24,14 @@ std::string_view unit_text(Unit unit) {
     case Unit::per_mm: return "1/mm";
     case Unit::mm_per_rad: return "mm/rad";
     case Unit::m_per_s: return "m/s";
+    case Unit::newton: return "N";
+    case Unit::newton_metre: return "N m";
+    case Unit::kilowatt: return "kW";
+    case Unit::megapascal: return "N/mm²";
+    case Unit::per_minute: return "1/min";
+    case Unit::newton_per_mm: return "N/mm";
+    case Unit::newton_per_mm_um: return "N/(mm µm)";
+    case Unit::kg_per_mm: return "kg/mm";
     case Unit::percent: return "%";
     case Unit::none:
     case Unit::modules:
@@ -41,6 +49,14 @@ std::string_view unit_suffix(Unit unit) {
     case Unit::per_mm: return "_per_mm";
     case Unit::mm_per_rad: return "_mm_per_rad";
     case Unit::m_per_s: return "_m_per_s";
+    case Unit::newton: return "_N";
+    case Unit::newton_metre: return "_Nm";
+    case Unit::kilowatt: return "_kW";
+    case Unit::megapascal: return "_MPa";
+    case Unit::per_minute: return "_rpm";
+    case Unit::newton_per_mm: return "_N_per_mm";
+    case Unit::newton_per_mm_um:
+    case Unit::kg_per_mm:
     case Unit::none:
     case Unit::percent:
     case Unit::modules:
@@ -56,8 +72,16 @@ int digits_of(const Said& said) {
     case Unit::arcsec:
     case Unit::mm_per_rad:
     case Unit::m_per_s: return 4;
+    case Unit::newton:
+    case Unit::newton_metre:
+    case Unit::per_minute: return 1;
+    case Unit::kilowatt:
+    case Unit::newton_per_mm:
+    case Unit::megapascal: return 2;
+    case Unit::newton_per_mm_um:
     case Unit::um:
     case Unit::percent: return 3;
+    case Unit::kg_per_mm:
     case Unit::per_mm: return 6;
     case Unit::none:
     case Unit::deg:

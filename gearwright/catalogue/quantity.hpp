@@ -29,6 +29,14 @@ enum class Unit {
   per_mm,
   mm_per_rad,
   m_per_s,
+  newton,
+  newton_metre,
+  kilowatt,
+  megapascal,
+  per_minute,
+  newton_per_mm,
+  newton_per_mm_um,  ///< stiffness of a mesh per face width
+  kg_per_mm,
   modules,          ///< normal modules; no unit for people
   modules_squared,  ///< of a region of two shifts
   percent           ///< a share of 1; people read 100 times it

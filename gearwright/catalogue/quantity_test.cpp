@@ -16,8 +16,10 @@
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
+#include "gearwright/catalogue/load_quantities.hpp"
 #include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/verdict_quantities.hpp"
 #include "gearwright/job/solved_job.hpp"
@@ -37,10 +39,11 @@ std::set<const SaidTable*> all_tables() {
   std::set<const SaidTable*> all;
   for (const SaidTable* t :
        {&gear_quantities().table(), &pair_quantities().table(), &contact_quantities().table(),
-        &compensate_quantities().table(), &fit_quantities().table(), &measure_quantities().table(),
-        &as_rack_quantities().table(), &search_quantities().table(), &design_quantities().table(),
-        &file_quantities().table(), &outline_quantities().table(), &warning_quantities().table(),
-        &verdict_quantities().table(), &drawing_quantities().table()})
+        &compensate_quantities().table(), &load_quantities().table(), &fit_quantities().table(),
+        &measure_quantities().table(), &as_rack_quantities().table(), &search_quantities().table(),
+        &design_quantities().table(), &file_quantities().table(), &outline_quantities().table(),
+        &warning_quantities().table(), &verdict_quantities().table(), &drawing_quantities().table(),
+        &rating_quantities().table()})
     collect(*t, all);
   return all;
 }

@@ -13,8 +13,10 @@
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/identify_quantities.hpp"
+#include "gearwright/catalogue/load_quantities.hpp"
 #include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/testing/document_blocks.hpp"
 #include "gearwright/catalogue/verdict_quantities.hpp"
@@ -47,6 +49,10 @@ const std::map<std::string, const SaidTable*>& blocks() {
       {"contact", &contact_quantities().table()},
       {"contact.positions", &position_quantities().table()},
       {"compensate", &compensate_quantities().table()},
+      {"load", &load_quantities().table()},
+      {"load.torques", &load_torque_quantities().table()},
+      {"load.positions", &load_position_quantities().table()},
+      {"rating", &rating_quantities().table()},
       {"fit", &fit_quantities().table()},
       {"identify", &identify_quantities().table()},
       {"search", &search_quantities().table()},

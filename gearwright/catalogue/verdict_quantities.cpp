@@ -16,7 +16,7 @@ const Quantities<Finding>& finding_quantities() {
   static const Quantities<F> kAll("verdict.finding", [](Quantities<F>& q) {
     q.text("code",
            "of a warning, or `form_margin`, `fillet_margin`, `tip_margin`, `edge_contact`, "
-           "`contact_place`",
+           "`contact_place`, `root_safety`, `flank_safety`",
            [](const F& f) { return Value(f.code); })
         .always();
     q.word("", "level", "level", "green: good to know",

@@ -39,7 +39,6 @@ struct PointGrid {
 /// Formula   φ = ±(ψ_b − σ ξ) + z 2π/p_z, point r_b (u ± σ ξ e), n = ±(cos β_b e − sin β_b k);
 ///           [T10.26], modified [T10.27]
 /// Units     rad, mm
-/// Accuracy  1e-14 of the radius, and normals as exact, derivatives included
 NominalPoint nominal_point(const Gear& gear, const RemovalField& removal, FlankSide side,
                            double roll, double height);
 

@@ -14,7 +14,7 @@ namespace gearwright {
 
 /// E_sni and E_sns, mm, of "cd25" on a gear of that reference diameter. [T10.20]
 ///
-/// Errors    `series`: no such name; `reference_diameter`: the table ends at 10 000 mm
+/// Errors    `series`: no such name; the table ends at a reference diameter of 10 000 mm
 Result<std::array<double, 2>> thickness_allowances(std::string_view series,
                                                    double reference_diameter);
 

@@ -9,7 +9,10 @@
 #include "gearwright/job/contact_text.hpp"
 #include "gearwright/job/fit_answer.hpp"
 #include "gearwright/job/identify_answer.hpp"
+#include "gearwright/job/judgement.hpp"
+#include "gearwright/job/load_text.hpp"
 #include "gearwright/job/measures.hpp"
+#include "gearwright/job/rating_text.hpp"
 #include "gearwright/job/result_json.hpp"
 
 namespace gearwright {
@@ -28,14 +31,26 @@ Result<Json> compensation_of(SolvedJob& job) {
   return compensate_json(job, *found);
 }
 
+Result<Json> load_of(SolvedJob& job) {
+  const auto found = answer_load(job);
+  if (!found) return found.error();
+  return load_json(job, *found);
+}
+
 Result<Json> measures_of(SolvedJob& job) {
   const auto found = measure_gears(job);
   if (!found) return found.error();
   return measures_json(job, *found);
 }
 
+Result<Json> rating_of(SolvedJob& job) {
+  const auto found = answer_rating(job);
+  if (!found) return found.error();
+  return rating_json(job, *found, judge(job, nullptr, &*found));
+}
+
 Scope scope_of(std::string_view verb) {
-  if (verb.empty()) return Scope::everything;
+  if (verb.empty() || verb == "load") return Scope::everything;
   return verb == "gear" || verb == "measure" ? Scope::gears : Scope::pair;
 }
 
@@ -59,7 +74,9 @@ Result<Json> answer_json(std::string_view verb, const JobSpec& spec) {
   SolvedJob job = std::move(solved).take();
   if (verb == "contact") return contact_of(job);
   if (verb == "compensate") return compensation_of(job);
+  if (verb == "load") return load_of(job);
   if (verb == "measure") return measures_of(job);
+  if (verb == "rate") return rating_of(job);
   return job_json(job);
 }
 

@@ -12,8 +12,8 @@
 namespace gearwright {
 
 /// Verbs that answer a spec with one JSON object and write no file.
-inline constexpr std::array<std::string_view, 7> kAnswering{
-    "gear", "pair", "measure", "contact", "compensate", "fit", "identify"};
+inline constexpr std::array<std::string_view, 9> kAnswering{
+    "gear", "pair", "measure", "contact", "compensate", "load", "fit", "identify", "rate"};
 
 /// The answer of one of kAnswering; of an empty verb that of `pair` where there are two gears, else
 /// of `gear`.

@@ -166,6 +166,36 @@ std::string contact_csv(const SolvedJob& job, const ContactAnswer& answer) {
   return {};
 }
 
+std::string load_csv(const LoadAnswer& answer) {
+  ValueList rows;
+  if (!answer.contact) return {};
+  for (const LoadedTorque& t : answer.contact->torques)
+    for (const LoadedPosition& p : t.positions)
+      rows.push_back(load_position_quantities().of({&t, &p}));
+  return records_csv(rows);
+}
+
+std::string rating_csv(const RatingAnswer& answer) {
+  std::string out =
+      row({"key", "quantity", "symbol", "unit", "first", "second", "formula", "branch"});
+  const std::vector<FactorSource> sources = factor_sources(answer.rating);
+  for (const Member& m : rating_quantities().of(answer.view())) {
+    const Said& said = *m.said;
+    if (said.type == Type::map) continue;
+    const ValueList* two = m.value.list();
+    const auto source = std::find_if(sources.begin(), sources.end(),
+                                     [&](const FactorSource& s) { return s.key == said.key; });
+    const bool known = source != sources.end();
+    const std::string branches = known ? fmt::format("{}", fmt::join(source->branches, "; ")) : "";
+    out += row({"rating." + said.key, cell(std::string_view(said.words)),
+                cell(std::string_view(said.symbol)), std::string(unit_text(said.unit)),
+                cell(two ? two->front() : m.value), two ? cell(two->back()) : "",
+                known ? cell(std::string_view(source->formula)) : "",
+                cell(std::string_view(branches))});
+  }
+  return out;
+}
+
 std::string outline_csv(const Outline& outline, int points) {
   std::string out = row({"arc", "x_mm", "y_mm"});
   for (const Arc& arc : outline.arcs) {

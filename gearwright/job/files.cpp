@@ -23,6 +23,7 @@
 #include "gearwright/job/contact_report.hpp"
 #include "gearwright/job/contact_text.hpp"
 #include "gearwright/job/judgement.hpp"
+#include "gearwright/job/k_diagrams.hpp"
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/run_folder.hpp"
@@ -118,6 +119,14 @@ Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Headway*
     job.warnings.push_back({"no_contact", "No corrections: " + why.message() + ".", 0});
   }
   return std::optional<CompensateView>();
+}
+
+// None where the spec has no [rating].
+Result<std::optional<RatingAnswer>> rating_part(SolvedJob& job) {
+  if (!job.pair || !job.spec.rating.given) return std::optional<RatingAnswer>();
+  auto answer = answer_rating(job);
+  if (!answer) return answer.error();
+  return std::optional(std::move(answer).take());
 }
 
 std::vector<ReportFile> report_files(const std::vector<JobFile>& files) {
@@ -227,6 +236,10 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   if (!contact) return contact.error();
   const auto compensation = compensation_part(job, options.headway);
   if (!compensation) return compensation.error();
+  const auto rating = rating_part(job);
+  if (!rating) return rating.error();
+  const RatingAnswer* const rated = *rating ? &**rating : nullptr;
+  const std::optional<RatingView> rating_view = rated ? std::optional(rated->view()) : std::nullopt;
   const auto wanted = [&](std::string_view part) {
     return options.only.empty() ||
            std::find(options.only.begin(), options.only.end(), part) != options.only.end();
@@ -266,9 +279,12 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   for (const Gear& g : job.gears) report.gears.push_back(&g);
   report.pair = job.pair;
   report.measures = measure_records(job);
+  report.measure_ends = measure_end_records(job);
+  report.k_diagrams = k_diagrams(job);
   if (*contact) report.contact = &contact.value()->report;
-  report.verdict = judge(job, *contact ? &contact.value()->answer.driving : nullptr);
+  report.verdict = judge(job, *contact ? &contact.value()->answer.driving : nullptr, rated);
   if (*compensation) report.compensate = &**compensation;
+  if (rating_view) report.rating = &*rating_view;
   if (wanted("report")) add_solid(report, job, mounted, options);
   report.files = report_files(files);
   report.spec_text = job.spec.text;
@@ -282,6 +298,7 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   Json result = job_json(job);
   if (*contact) result["contact"] = contact_json(job, contact.value()->answer)["contact"];
   if (*compensation) result["compensate"] = to_json(compensate_quantities().of(**compensation));
+  if (rating_view) result["rating"] = to_json(rating_quantities().of(*rating_view));
   result["verdict"] = verdict_json(report.verdict);
   result["files"] = files_json(all);
   const std::string text = json_text(result, 2) + "\n";

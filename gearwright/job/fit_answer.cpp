@@ -148,14 +148,18 @@ Result<FitAnswer> answer_fit(const JobSpec& spec, Headway* headway) {
   return answer;
 }
 
-Json fit_json(const FitAnswer& answer) {
+FitView fit_view(const FitAnswer& answer) {
   FitView view{&answer.fit, {}};
   for (std::size_t i = 0; i < answer.fit.branches.size(); ++i) {
     view.branches.push_back(
         {answer.fit.branches[i], to_value(answer.specs[i]), answer.transverse_contact_ratio, {}});
     if (const auto& error = answer.refused[i]) view.branches.back().refused = error->message();
   }
-  return {{"fit", to_json(fit_quantities().of(view))}};
+  return view;
+}
+
+Json fit_json(const FitAnswer& answer) {
+  return {{"fit", to_json(fit_quantities().of(fit_view(answer)))}};
 }
 
 std::string fit_listing(const FitAnswer& answer) {

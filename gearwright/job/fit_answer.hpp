@@ -8,6 +8,7 @@
 #include <string>
 
 #include "gearwright/base/headway.hpp"
+#include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/design/fit.hpp"
 #include "gearwright/spec/json.hpp"
 #include "gearwright/spec/spec.hpp"
@@ -24,6 +25,9 @@ struct FitAnswer {
 
 /// Errors    as fit, with keys of the spec; `gear2` missing
 Result<FitAnswer> answer_fit(const JobSpec& spec, Headway* headway = nullptr);
+
+/// What the catalogue says of an answer; it points into the answer.
+FitView fit_view(const FitAnswer& answer);
 
 /// {"fit": {"branches", "reason", "nearest"}}
 Json fit_json(const FitAnswer& answer);

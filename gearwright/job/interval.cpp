@@ -33,7 +33,8 @@ Json interval_of(const Value& lower, const Value& upper) {
   return any ? values : Json();
 }
 
-const Member* same_quantity(const ValueRecord& record, const Said* said) {
+template <class Record>
+auto same_quantity(Record& record, const Said* said) -> decltype(&record.front()) {
   const auto it =
       std::find_if(record.begin(), record.end(), [&](const Member& m) { return m.said == said; });
   return it == record.end() ? nullptr : &*it;
@@ -43,7 +44,7 @@ const Member* same_quantity(const ValueRecord& record, const Said* said) {
 bool keep_differing(ValueRecord& lower, ValueRecord& upper) {
   bool any = false;
   for (Member& m : lower) {
-    Member* other = const_cast<Member*>(same_quantity(upper, m.said));  // NOLINT: ours
+    Member* const other = same_quantity(upper, m.said);
     bool kept = false;
     if (other && m.value.record() && other->value.record()) {
       ValueRecord a = *m.value.record(), b = *other->value.record();
@@ -67,7 +68,7 @@ Json interval_json(const ValueRecord& lower, const ValueRecord& upper) {
   Json j = Json::object();
   for (const Member& m : lower) {
     const Member* other = same_quantity(upper, m.said);
-    if (!other || !(m.said->doors & kJson)) continue;
+    if (!other) continue;
     Json value = interval_of(m.value, other->value);
     if (!value.is_null()) j[m.said->key] = std::move(value);
   }

@@ -9,8 +9,9 @@
 
 namespace gearwright {
 
-/// {key: [at lower, at upper]} of the numbers that differ, records inside as records, numbers of
-/// lists in their places (null: does not differ); lists of records are left out.
+/// {key: [at lower, at upper]} of the numbers that differ, of every door (the allowance is the
+/// page's), records inside as records, numbers of lists in their places (null: does not differ);
+/// lists of records are left out.
 Json interval_json(const ValueRecord& lower, const ValueRecord& upper);
 
 /// Both ends as records for a listing, which shows the rows that differ alone.

@@ -6,7 +6,7 @@
 
 namespace gearwright {
 
-Verdict judge(const SolvedJob& job, const ContactResult* contact) {
+Verdict judge(const SolvedJob& job, const ContactResult* contact, const RatingAnswer* rating) {
   Judged judged;
   for (const Gear& gear : job.gears) judged.gears.push_back(&gear);
   judged.pair = job.pair ? &*job.pair : nullptr;
@@ -17,6 +17,8 @@ Verdict judge(const SolvedJob& job, const ContactResult* contact) {
   const auto& gears = job.spec.gears;
   judged.shifts_follow = job.pair && job.spec.pair.center_distance && gears[0] && gears[1] &&
                          !(gears[0]->profile_shift && gears[1]->profile_shift);
+  if (rating)
+    judged.rating = JudgedRating{&rating->pair, &rating->input, &rating->rating, rating->wanted};
   return verdict_of(judged);
 }
 

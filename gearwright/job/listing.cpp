@@ -32,13 +32,17 @@ std::string pad_left(const std::string& s, std::size_t n) {
 constexpr std::size_t kWordsWidth = 38;  // a table of shorter words is no narrower
 constexpr std::size_t kSymbolWidth = 9;  // "F_z/F_t" and two blanks
 constexpr std::size_t kValueWidth = 14;  // "-1234567.1234"
+constexpr std::size_t kUnitWidth = 11;   // "N/(mm µm)" and two blanks, before a note
 
 std::string line(const std::string& words, std::size_t words_width, const std::string& symbol,
-                 const std::vector<std::string>& values, std::string_view unit) {
+                 const std::vector<std::string>& values, std::string_view unit,
+                 std::size_t columns = 0, const std::string& note = {}) {
   std::string text = "  " + pad(words, words_width) + pad(symbol, kSymbolWidth);
   for (const std::string& v : values)
     text += width(v) < kValueWidth ? pad_left(v, kValueWidth) : "  " + v;
-  text += "  " + std::string(unit);
+  if (!note.empty() && values.size() < columns)
+    text += std::string(kValueWidth * (columns - values.size()), ' ');
+  text += "  " + (note.empty() ? std::string(unit) : pad(std::string(unit), kUnitWidth) + note);
   text.erase(text.find_last_not_of(' ') + 1);
   return text + "\n";
 }
@@ -46,7 +50,8 @@ std::string line(const std::string& words, std::size_t words_width, const std::s
 }  // namespace
 
 std::string quantity_listing(const SaidTable& table, const std::vector<ValueRecord>& records,
-                             const std::vector<std::string>& columns) {
+                             const std::vector<std::string>& columns,
+                             const std::function<std::string(const Said&)>& note) {
   const std::vector<TextGroup> groups = text_groups(table, records, kListing, "-");
   std::size_t words_width = kWordsWidth;
   for (const TextGroup& g : groups) {
@@ -58,8 +63,9 @@ std::string quantity_listing(const SaidTable& table, const std::vector<ValueReco
   for (const TextGroup& g : groups) {
     if (!g.title.empty()) text += (columns.empty() ? "\n" : "") + g.title + "\n";
     for (const TextRow& row : g.rows)
-      text += line(row.said->words, words_width, row.said->symbol, row.texts,
-                   unit_text(row.said->unit));
+      text +=
+          line(row.said->words, words_width, row.said->symbol, row.texts, unit_text(row.said->unit),
+               columns.size(), note ? note(*row.said) : std::string());
   }
   return text;
 }
@@ -70,9 +76,15 @@ std::vector<std::string> gear_columns(std::size_t count) {
   return columns;
 }
 
-std::string interval_listing(const SaidTable& table, const std::string& subject,
+std::string interval_listing(const SolvedJob& job, std::size_t gear, const SaidTable& table,
                              const ValueRecord& lower, const ValueRecord& upper) {
-  return quantity_listing(table, differing(lower, upper), {subject + " lower", subject + " upper"});
+  const std::string subject = gear_columns(job.gears.size())[gear];
+  const auto allowance = [&](const SolvedJob& end) {
+    return fixed_text(end.gears[gear].spec.thickness_allowance, 4);
+  };
+  return fmt::format("\nBetween the thickness allowances {} and {} mm of {}\n",
+                     allowance(job.ends->lower), allowance(job.ends->upper), subject) +
+         quantity_listing(table, differing(lower, upper), {subject + " lower", subject + " upper"});
 }
 
 std::string gear_listing(const SolvedJob& job) {
@@ -83,7 +95,7 @@ std::string gear_listing(const SolvedJob& job) {
       (title.empty() ? "" : "\n" + printable(title) + "\n") +
       quantity_listing(gear_quantities().table(), records, gear_columns(records.size()));
   for (std::size_t i = 0; job.ends && i < job.gears.size(); ++i)
-    text += interval_listing(gear_quantities().table(), gear_columns(job.gears.size())[i],
+    text += interval_listing(job, i, gear_quantities().table(),
                              gear_quantities().of(job.ends->lower.gears[i]),
                              gear_quantities().of(job.ends->upper.gears[i]));
   return text;

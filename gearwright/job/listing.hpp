@@ -1,6 +1,7 @@
 // The result as listings for people: what a terminal shows without --json.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "gearwright/catalogue/quantity.hpp"
@@ -13,11 +14,12 @@ std::string pair_listing(const Pair& pair);
 /// What its tolerances leave open; empty: nothing.
 std::string pair_interval_listing(const SolvedJob& job);
 /// Records side by side under their headings; without `columns` one record, whose values may be
-/// two.
+/// two. `note` says what stands at the end of a quantity's line.
 std::string quantity_listing(const SaidTable& table, const std::vector<ValueRecord>& records,
-                             const std::vector<std::string>& columns);
-/// The rows of a record that differ at the two ends of its tolerances.
-std::string interval_listing(const SaidTable& table, const std::string& subject,
+                             const std::vector<std::string>& columns,
+                             const std::function<std::string(const Said&)>& note = nullptr);
+/// The rows of a gear's record that differ at the two ends of its tolerances.   Domain  it has ends
+std::string interval_listing(const SolvedJob& job, std::size_t gear, const SaidTable& table,
                              const ValueRecord& lower, const ValueRecord& upper);
 /// "gear 1", "gear 2"
 std::vector<std::string> gear_columns(std::size_t count);

@@ -181,15 +181,12 @@ class Measuring {
   Fault tolerances(MeasureView& m) {
     const ToleranceInput& asked = job_.spec.gears[static_cast<std::size_t>(which_ - 1)]->tolerance;
     if (!asked.quality) return std::nullopt;
-    if (!has_class(asked.edition, *asked.quality))
-      return refused(gear_field(which_, job_.spec.given.contains(gear_field(which_, "quality"))
-                                            ? "quality"
-                                            : "tolerance.quality"),
-                     *asked.quality,
+    if (!has_class(asked.edition, *asked.quality)) {
+      const bool in_gear = job_.spec.given.contains(gear_field(which_, "quality"));
+      return refused(gear_field(which_, in_gear ? "quality" : "tolerance.quality"), *asked.quality,
                      "ISO 1328-1:2013 has the classes 1 to 11; the edition of 1995 has 0 to 12");
-    const CylindricalSpec& s = gear_.spec;
-    const ToleranceSubject subject{gear_.reference_diameter, s.normal_module, s.face_width,
-                                   std::abs(s.teeth), s.helix_angle.rad()};
+    }
+    const ToleranceSubject subject = tolerance_subject(gear_);
     m.tolerances = flank_tolerances(asked.edition, *asked.quality, subject);
     if (!in_range(asked.edition, subject))
       warn("tolerances_out_of_range",
@@ -216,6 +213,12 @@ Result<std::vector<MeasureView>> measure_gears(SolvedJob& job) {
   return measures;
 }
 
+ToleranceSubject tolerance_subject(const Gear& gear) {
+  const CylindricalSpec& s = gear.spec;
+  return {gear.reference_diameter, s.normal_module, s.face_width, std::abs(s.teeth),
+          s.helix_angle.rad()};
+}
+
 std::vector<ValueRecord> measure_records(const SolvedJob& job) {
   std::vector<ValueRecord> records;
   SolvedJob copy = job;  // its warnings are those of the verb
@@ -237,11 +240,26 @@ ValueRecord measured_at(const SolvedJob& end, std::size_t i, const MeasureView& 
   if (nominal.pins) input.pin_diameter = nominal.pins->seat.ball_diameter;
   if (nominal.chord) input.chord_diameter = nominal.chord->diameter;
   if (!nominal.pins || !nominal.pins->reading.two_free) input.pin_diameter.reset();
-  const auto view = Measuring(job, static_cast<int>(i) + 1).all();
-  return view ? measure_quantities().of(*view) : ValueRecord();
+  const auto measured = Measuring(job, static_cast<int>(i) + 1).all();
+  if (!measured) return {};
+  MeasureView view = *measured;
+  view.sizes = nominal.sizes;  // balls are bought once
+  return measure_quantities().of(view);
 }
 
 }  // namespace
+
+std::vector<std::vector<ValueRecord>> measure_end_records(const SolvedJob& job) {
+  std::vector<std::vector<ValueRecord>> records;
+  SolvedJob copy = job;
+  for (std::size_t i = 0; job.ends && i < job.gears.size(); ++i) {
+    const auto nominal = Measuring(copy, static_cast<int>(i) + 1).all();
+    records.push_back(nominal ? differing(measured_at(job.ends->lower, i, *nominal),
+                                          measured_at(job.ends->upper, i, *nominal))
+                              : std::vector<ValueRecord>());
+  }
+  return records;
+}
 
 Json measures_json(const SolvedJob& job, const std::vector<MeasureView>& measures) {
   Json j = job_json(job);
@@ -259,10 +277,9 @@ std::string measure_listing(const SolvedJob& job, const std::vector<MeasureView>
   std::vector<ValueRecord> records;
   for (const MeasureView& m : measures) records.push_back(measure_quantities().of(m));
   const SaidTable& table = measure_quantities().table();
-  const std::vector<std::string> columns = gear_columns(records.size());
-  std::string text = quantity_listing(table, records, columns);
+  std::string text = quantity_listing(table, records, gear_columns(records.size()));
   for (std::size_t i = 0; job.ends && i < measures.size(); ++i)
-    text += interval_listing(table, columns[i], measured_at(job.ends->lower, i, measures[i]),
+    text += interval_listing(job, i, table, measured_at(job.ends->lower, i, measures[i]),
                              measured_at(job.ends->upper, i, measures[i]));
   return text;
 }

@@ -19,8 +19,15 @@ namespace gearwright {
 /// Errors    `gearN.measure.…`: what was asked for and cannot be measured
 Result<std::vector<MeasureView>> measure_gears(SolvedJob& job);
 
+/// What tolerances of flanks depend on.
+ToleranceSubject tolerance_subject(const Gear& gear);
+
 /// The same as records for the page; what was asked for and cannot be measured is left out.
 std::vector<ValueRecord> measure_records(const SolvedJob& job);
+
+/// Of each gear the numbers that differ at the lower and at the upper end of its tolerances, or
+/// nothing; empty without tolerances.
+std::vector<std::vector<ValueRecord>> measure_end_records(const SolvedJob& job);
 
 /// job_json with `measure` in each of `gears`, and the interval that tolerances give it.
 Json measures_json(const SolvedJob& job, const std::vector<MeasureView>& measures);

@@ -4,7 +4,6 @@
 
 #include <charconv>
 
-#include "gearwright/contact/pair_contact.hpp"
 #include "gearwright/gear/gear_field.hpp"
 
 namespace gearwright {
@@ -21,6 +20,11 @@ std::optional<PointGrid> parse_grid(const std::string& text) {
   return sane(grid.profile) && sane(grid.helix) ? std::optional(grid) : std::nullopt;
 }
 
+FlankExtent extent_of(const Gear& gear, const EvaluationRanges& ranges) {
+  return {gear.base_radius(), ranges.root_form.diameter / 2, ranges.tip_form.diameter / 2,
+          gear.spec.face_width};
+}
+
 Result<std::string> nominal_csv(const SolvedJob& job, const PointGrid& grid) {
   std::string text = "gear,flank,diameter_mm,height_mm,x_mm,y_mm,z_mm,nx,ny,nz\n";
   for (std::size_t i = 0; i < job.gears.size(); ++i) {
@@ -31,8 +35,8 @@ Result<std::string> nominal_csv(const SolvedJob& job, const PointGrid& grid) {
       return Error{gear_field(which), "", "has no usable involute flank to take points of"};
     for (const FlankSide side : {FlankSide::right, FlankSide::left}) {
       const bool right = side == FlankSide::right;
-      const auto field =
-          make_removal_field(job.spec.gears[i]->modifications[right ? 0 : 1], flank_extent(gear));
+      const auto field = make_removal_field(job.spec.gears[i]->modifications[right ? 0 : 1],
+                                            extent_of(gear, *ranges));
       if (!field) return within(gear_field(which, "modifications"), field.error());
       for (const NominalPoint& p : nominal_points(gear, *field, side, *ranges, grid))
         text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", which, right ? "right" : "left",

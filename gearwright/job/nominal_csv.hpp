@@ -9,6 +9,9 @@
 
 namespace gearwright {
 
+/// The flank that modifications lie on, of an internal gear too.
+FlankExtent extent_of(const Gear& gear, const EvaluationRanges& ranges);
+
 /// Reads "9x5": points along the profile, along the face; none when it is nothing of the kind.
 std::optional<PointGrid> parse_grid(const std::string& text);
 

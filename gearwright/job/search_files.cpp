@@ -6,38 +6,12 @@
 #include "gearwright/base/version.hpp"
 #include "gearwright/job/search_answer.hpp"
 #include "gearwright/job/search_tables.hpp"
-#include "gearwright/store/parquet.hpp"
 
 namespace gearwright {
 
 namespace {
 
 constexpr std::size_t kCsvDesigns = 1000;  // unless --top asks for more: people read this one
-
-// One table on its way to disk.
-template <class S>
-class Table {
- public:
-  Table(const std::filesystem::path& part, const TableColumns<S>& columns,
-        const std::vector<std::pair<std::string, std::string>>& notes)
-      : columns_(columns), writer_(part, columns.heads(), notes) {}
-
-  void add(const S& row) {
-    columns_.row(row, [&](std::size_t i, const Value& v) {
-      if (const auto* n = std::get_if<long long>(&v.variant())) writer_.set(i, std::int64_t{*n});
-      if (const auto* flag = std::get_if<bool>(&v.variant())) writer_.set(i, std::int64_t{*flag});
-      if (const auto* x = std::get_if<double>(&v.variant())) writer_.set(i, *x);
-      if (const auto* s = std::get_if<std::string>(&v.variant()))
-        writer_.set(i, std::string_view(*s));
-    });
-    writer_.end_row();
-  }
-  void close() { writer_.close(); }
-
- private:
-  const TableColumns<S>& columns_;
-  ParquetWriter writer_;
-};
 
 // Both tables in one pass over the finds; without a grid of shifts there is no second one.
 void write_tables(const std::filesystem::path& designs, const std::filesystem::path& points,
@@ -51,7 +25,7 @@ void write_tables(const std::filesystem::path& designs, const std::filesystem::p
       {"limits", limits},
       {"trials", std::to_string(*search.space().size())}};
   write_file_by(designs, [&](const std::filesystem::path& part) {
-    Table<DesignView> table(part, design_columns(), notes);
+    ParquetTable<DesignView> table(part, design_columns(), notes);
     const auto each = [&](const auto& also) {
       ChunkFinds finds;
       while (source(finds)) {
@@ -63,7 +37,7 @@ void write_tables(const std::filesystem::path& designs, const std::filesystem::p
       each([](const ChunkFinds&) {});
     } else {
       write_file_by(points, [&](const std::filesystem::path& points_part) {
-        Table<ShiftPoint> cloud(points_part, point_columns(), notes);
+        ParquetTable<ShiftPoint> cloud(points_part, point_columns(), notes);
         each([&](const ChunkFinds& finds) {
           for (const ShiftPoint& p : finds.points) cloud.add(p);
         });

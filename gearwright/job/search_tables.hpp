@@ -3,7 +3,10 @@
 // Internal to job/.
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "gearwright/catalogue/search_quantities.hpp"
@@ -72,6 +75,31 @@ class TableColumns {
 
   std::vector<const Quantity<S>*> quantities_;
   std::vector<ParquetColumn> heads_;
+};
+
+/// One table on its way to disk.
+template <class S>
+class ParquetTable {
+ public:
+  ParquetTable(const std::filesystem::path& part, const TableColumns<S>& columns,
+               const std::vector<std::pair<std::string, std::string>>& notes)
+      : columns_(columns), writer_(part, columns.heads(), notes) {}
+
+  void add(const S& row) {
+    columns_.row(row, [&](std::size_t i, const Value& v) {
+      if (const auto* n = std::get_if<long long>(&v.variant())) writer_.set(i, std::int64_t{*n});
+      if (const auto* flag = std::get_if<bool>(&v.variant())) writer_.set(i, std::int64_t{*flag});
+      if (const auto* x = std::get_if<double>(&v.variant())) writer_.set(i, *x);
+      if (const auto* s = std::get_if<std::string>(&v.variant()))
+        writer_.set(i, std::string_view(*s));
+    });
+    writer_.end_row();
+  }
+  void close() { writer_.close(); }
+
+ private:
+  const TableColumns<S>& columns_;
+  ParquetWriter writer_;
 };
 
 const TableColumns<DesignView>& design_columns();

@@ -5,10 +5,14 @@
 #include <vector>
 
 #include "gearwright/catalogue/value.hpp"
+#include "gearwright/report/k_diagram.hpp"
 
 namespace gearwright {
 
-/// A column per gear, records of catalogue/measure_quantities.hpp; empty without any.
-std::string measure_section(const std::vector<ValueRecord>& measures);
+/// A column per gear, records of catalogue/measure_quantities.hpp; of gears with tolerances their two
+/// ends; the designs of flanks that have one. Empty without any.
+std::string measure_section(const std::vector<ValueRecord>& measures,
+                            const std::vector<std::vector<ValueRecord>>& ends,
+                            const std::vector<KDiagram>& diagrams);
 
 }  // namespace gearwright

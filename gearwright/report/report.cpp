@@ -25,6 +25,7 @@
 #include "gearwright/report/page_style.hpp"
 #include "gearwright/report/path_picture.hpp"
 #include "gearwright/report/range_picture.hpp"
+#include "gearwright/report/rating_section.hpp"
 #include "gearwright/report/report_tables.hpp"
 #include "gearwright/report/root_picture.hpp"
 #include "gearwright/report/section_picture.hpp"
@@ -196,13 +197,13 @@ std::string foot(const ReportInput& input) {
       "value.{}</p>\n<p>Accuracy: numbers come from closed formulas or are solved to rounding, in "
       "double precision, and are shown rounded to {} decimals of a millimetre and {} of a degree; "
       "outlines of teeth follow the exact curves within {:g} normal modules. Manufacturing "
-      "deviations, load, deflection and temperature are not considered, nor is "
-      "strength.</p>\n</footer>\n",
+      "deviations, load, deflection and temperature are not considered{}.</p>\n</footer>\n",
       version, by_pinion ? "racks and pinion cutters" : "racks", kNoValue,
       crossed ? " On crossed axes teeth touch in points; the contact ratio counts them along the "
                 "line of action."
               : "",
-      kLengthDigits, kAngleDigits, kOutlineTolerance);
+      kLengthDigits, kAngleDigits, kOutlineTolerance,
+      input.rating ? " but for what the rating says" : ", nor is strength");
 }
 
 }  // namespace
@@ -220,8 +221,8 @@ std::string report_html(const ReportInput& input) {
       kind_of(input), escaped(title), to_string(input.verdict.level),
       to_string(input.verdict.level), escaped(input.verdict.headline), title_block(input.drawing),
       finding_list(input));
-  std::string sections =
-      gear_section(input) + few_teeth_section(input) + measure_section(input.measures);
+  std::string sections = gear_section(input) + few_teeth_section(input) +
+                         measure_section(input.measures, input.measure_ends, input.k_diagrams);
   if (input.pair) {
     sections += input.pair->visit(
         Overloaded{[](const InvolutePair& pair) { return pair_section(pair); },
@@ -229,6 +230,7 @@ std::string report_html(const ReportInput& input) {
   }
   if (input.contact) sections += contact_section(*input.contact);
   if (input.compensate) sections += compensate_section(*input.compensate);
+  if (input.rating) sections += rating_section(*input.rating);
   sections += solid_section(input) + file_section(input.files) + spec_section(input.spec_text);
   page += "<main>\n" + with_contents(sections) + "</main>\n" + foot(input);
   page += fmt::format("<script>{}{}{}</script>\n</body>\n</html>\n", page_script(), turn_script(),

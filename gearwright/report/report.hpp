@@ -11,9 +11,11 @@
 
 #include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/catalogue/drawing_keys.hpp"
+#include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/pair/pair.hpp"
 #include "gearwright/report/contact_report.hpp"
+#include "gearwright/report/k_diagram.hpp"
 #include "gearwright/verdict/verdict.hpp"
 
 namespace gearwright {
@@ -26,13 +28,16 @@ struct ReportFile {
 };
 
 struct ReportInput {
-  std::string title;                           ///< empty: one is made from the tooth numbers
-  DrawingInput drawing;                        ///< the title block; may be empty
-  std::vector<const Gear*> gears;              ///< one or two, with a pair its gears
-  std::optional<Pair> pair;                    ///< none: the gears are not mounted
-  std::vector<ValueRecord> measures;           ///< of the gears; may be empty
+  std::string title;                  ///< empty: one is made from the tooth numbers
+  DrawingInput drawing;               ///< the title block; may be empty
+  std::vector<const Gear*> gears;     ///< one or two, with a pair its gears
+  std::optional<Pair> pair;           ///< none: the gears are not mounted
+  std::vector<ValueRecord> measures;  ///< of the gears; may be empty
+  std::vector<std::vector<ValueRecord>> measure_ends;  ///< of tolerances; may be empty
+  std::vector<KDiagram> k_diagrams;            ///< of modified or graded flanks; may be empty
   const ContactReport* contact = nullptr;      ///< null: the spec asks nothing about contact
   const CompensateView* compensate = nullptr;  ///< null: the spec asks for no corrections
+  const RatingView* rating = nullptr;          ///< null: the spec asks for no rating
   Verdict verdict;                             ///< over gears, pair and contact
   std::string solid;                           ///< bytes of a GLB file of all gears; may be empty
   double solid_tolerance = 0.0;                ///< mm, of its mesh

@@ -1,6 +1,7 @@
 // A key set in a text, the rest as it was.
 #include "gearwright/spec/edit_text.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace gearwright {
@@ -45,11 +46,11 @@ TEST(EditText, an_absent_key_stands_at_the_end_of_its_table) {
   EXPECT_EQ(edited("gear2.face_width_mm", "20"),
             replaced(kText, "teeth = 40\n", "teeth = 40\nface_width_mm = 20\n"));
   EXPECT_EQ(edited("pair.center_distance_mm", "71.5"),
-            std::string(kText) + "center_distance_mm = 71.5\n");
+            fmt::format("{}center_distance_mm = 71.5\n", kText));
   EXPECT_EQ(edited("gear1.rack.addendum", "1.0"),
             replaced(kText, "0.38 }", "0.38, addendum = 1.0 }"));
   EXPECT_EQ(edited("errors.crossing_deg", "0.02"),
-            std::string(kText) + "\n[errors]\ncrossing_deg = 0.02\n");
+            fmt::format("{}\n[errors]\ncrossing_deg = 0.02\n", kText));
   EXPECT_EQ(edited("gear1.teeth", "20", ""), "[gear1]\nteeth = 20\n");
 }
 

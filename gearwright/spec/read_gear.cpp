@@ -14,6 +14,7 @@
 #include "gearwright/spec/read_arc_rack.hpp"
 #include "gearwright/spec/read_cutting.hpp"
 #include "gearwright/spec/read_modifications.hpp"
+#include "gearwright/spec/read_rating.hpp"
 
 namespace gearwright {
 
@@ -227,6 +228,8 @@ GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& p
   if (keys.find("cut_by")) {
     read_cut_by(t, node, mate, g);
     g.modifications = read_modifications(t, folder);
+    if (const Json* node = t.table("material"))
+      g.material = read_material(*node, t.name("material"));
   }
   g.bore = read_bore(t);
   read_measure(t, g);

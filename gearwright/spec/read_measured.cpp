@@ -24,7 +24,9 @@ void read_spans(TableReader& t, IdentifyProblem& p) {
     int k = 0;
     const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), k);
     if (error != std::errc() || end != key.data() + key.size() || k < 1 || k > 100000)
-      t.fail("span_mm", "\"" + printable(key, 20) + "\" is no number of teeth: { 3 = 19.751 }");
+      t.fail("span_mm", "\"" + printable(key, 20) +
+                            "\" counts no teeth; the readings stand by the number of teeth: "
+                            "{ 3 = 19.751 }");
     if (!value.is_number() || !(value.get<double>() > 0.0) || value.get<double>() > kMaxInput)
       t.fail("span_mm", "the span over " + key + " teeth must be a length in mm");
     p.spans.push_back({k, value.get<double>()});
@@ -78,7 +80,8 @@ std::shared_ptr<const IdentifyProblem> read_measured(const Json* gear, const std
   if (const auto alpha = outside.number("normal_pressure_angle_deg"))
     p.normal_pressure_angle = Angle::degrees(*alpha);
   if (const auto beta = outside.number("helix_angle_deg")) p.helix_angle = Angle::degrees(*beta);
-  outside.number("face_width_mm");
+  for (const char* key : {"face_width_mm", "normal_module_mm", "normal_diametral_pitch_per_in"})
+    outside.number(key);
   outside.table("measured");
   outside.finish();
   TableReader t(measured_keys(), node, path + ".measured");

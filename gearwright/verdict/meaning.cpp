@@ -94,6 +94,10 @@ constexpr auto kMeanings = std::to_array<Entry>({
     {"ball_off_flank", {kNote, "", ""}},
     {"pin_off_flank", {kNote, "", ""}},
     {"tolerances_out_of_range", {kNote, "", ""}},
+    {"edge_carries", {kCaution, "", "Tip relief takes the load off the edge.", true}},
+    {"beyond_hertz", {kCaution, "", "Less torque or a wider face would help."}},
+    {"held_at_half_the_root", {kNote, "", ""}},
+    {"load_unfinished", {kCaution, "", "Ask for other positions."}},
 });
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/pair/drive.hpp"
 #include "gearwright/verdict/margins.hpp"
+#include "gearwright/verdict/rating_findings.hpp"
 #include "gearwright/verdict/remedy.hpp"
 
 namespace gearwright {
@@ -138,7 +139,9 @@ std::string headline(const Judged& judged, const Verdict& verdict) {
   if (verdict.level == Level::green) return standing(judged);
   const Finding& worst = verdict.findings.front();
   if (verdict.level == Level::red) {
-    const std::string text = not_running(judged, reasons(*judged.warnings));
+    const std::vector<std::string> against = reasons(*judged.warnings);
+    if (against.empty()) return "The pair does not hold its load. " + worst.whole();
+    const std::string text = not_running(judged, against);
     return worst.remedy.empty() ? text : text + " " + worst.remedy;
   }
   const std::string where = worst.gear > 0 && worst.message.find("gear ") == std::string::npos
@@ -175,6 +178,7 @@ Verdict verdict_of(const Judged& judged) {
     for (Finding& f : more) verdict.findings.push_back(std::move(f));
   };
   if (judged.pair) add(detail::margin_findings(*judged.pair));
+  if (judged.rating) add(detail::rating_findings(*judged.rating));
   if (judged.contact && judged.pair) add(detail::contact_findings(*judged.contact, *judged.pair));
   std::stable_sort(verdict.findings.begin(), verdict.findings.end(),
                    [](const Finding& a, const Finding& b) { return a.level > b.level; });

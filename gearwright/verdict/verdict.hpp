@@ -12,6 +12,7 @@
 
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/pair/pair.hpp"
+#include "gearwright/rating/sizing.hpp"
 #include "gearwright/verdict/meaning.hpp"
 
 namespace gearwright {
@@ -31,7 +32,7 @@ struct FindingValue {
 
 struct Finding {
   std::string code;  ///< of a warning, or of a margin: form_margin, fillet_margin, tip_margin,
-                     ///< edge_contact, contact_place
+                     ///< edge_contact, contact_place, root_safety, flank_safety
   Level level;       ///< green: good to know
   int gear;          ///< 1, 2, or 0 for the pair
   std::string message, remedy;  ///< a sentence each; the remedy may be empty
@@ -55,6 +56,14 @@ constexpr double kMarginForm = 0.01, kMarginFillet = 0.0001, kMarginTip = 0.1;
 /// Shares of half the common face: further out than that the pattern is not in its middle.
 constexpr double kCentralPlace = 0.7;
 
+/// A rating, and what made it: remedies are rated, too.
+struct JudgedRating {
+  const RatedPair* pair = nullptr;
+  const RatingInput* input = nullptr;
+  const Rating* rating = nullptr;
+  WantedSafety wanted{};
+};
+
 /// What is to be judged; all outlive the call.
 struct Judged {
   std::vector<const Gear*> gears;                  ///< one or two, with a pair its gears
@@ -63,6 +72,7 @@ struct Judged {
   const ContactResult* contact = nullptr;          ///< of the working flanks; null: not asked
   bool errors = false;                             ///< it is under errors
   bool shifts_follow = false;  ///< a given centre distance asked for the profile shifts
+  std::optional<JudgedRating> rating{};            ///< none: not asked
 };
 
 /// Domain    one or two gears, warnings (contract)

@@ -58,7 +58,7 @@ class Measuring(Asked):
 
     def test_tolerances_of_the_flanks(self):
         t = self.measure(GEAR + "quality = 6")["tolerances"]
-        self.assertEqual(t["single_pitch_um"], 8.0)  # (0.04 + 0.8 + 5) √2 = 8.26
+        self.assertEqual(t["single_pitch_um"], 8.5)  # (0.04 + 0.8 + 5) √2 = 8.26
         self.assertNotIn("tolerances", self.measure(GEAR))
         old = self.measure(GEAR + '[gear1.tolerance]\nquality = 6\nedition = "ISO 1328:1995"')["tolerances"]
         self.assertNotEqual(old["profile_total_um"], t["profile_total_um"])
@@ -80,6 +80,24 @@ class Measuring(Asked):
         self.refused(GEAR + 'thickness_allowance_mm = 0\n[gear1.tolerance]\nthickness_series = "cd25"',
                      "gear1.tolerance.thickness_series", "thick", verb="gear")
         self.refused(GEAR + '[gear1.tolerance]\nthickness_series = "zz25"', "gear1.tolerance.thickness_series", "DIN 3967", verb="gear")
+
+    def test_nominal_points_for_a_measuring_machine(self):
+        r = Run("measure", GEAR + "[gear1.modifications]\nlead_crowning_um = 10\n", "--points", "9x5")
+        self.assertEqual(r.status, 0, r.err)
+        head, *rows = r.out.splitlines()
+        self.assertEqual(head, "gear,flank,diameter_mm,height_mm,x_mm,y_mm,z_mm,nx,ny,nz")
+        self.assertEqual(len(rows), 2 * 9 * 5)
+        *_, nx, ny, nz = map(float, rows[0].split(",")[2:])
+        self.assertAlmostEqual(nx * nx + ny * ny + nz * nz, 1, 12)
+        for grid in ("9", "1x5", "9x", "9x5x2", "9y5", "9x1001"):
+            self.assertEqual(Run("measure", GEAR, "--points", grid).status, 2, grid)
+
+    def test_the_page_has_what_is_measured(self):
+        r = Run("run", GEAR + "quality = 6\nthickness_allowance_mm = [-0.1, -0.06]\n", "--only", "report", "--out", "out")
+        self.assertEqual(r.status, 0, r.err)
+        page = (r.folder / "out/report.html").read_text()
+        for word in ("Measuring", "Span measurement", "Gear 1, profile", "band of 11", "Gear 1 between its thickness"):
+            self.assertTrue(word in page, word)
 
     def test_a_gear_from_its_readings(self):
         found = self.ok("identify", BROKEN)["identify"]

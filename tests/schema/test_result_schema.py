@@ -10,7 +10,7 @@ import unittest
 
 BIN, NODE = os.environ["GW_BIN"], os.environ["GW_NODE"]
 SOURCE = pathlib.Path(os.environ["GW_SOURCE"])
-VERBS = ("gear", "pair", "measure", "fit", "contact", "outline", "search")
+VERBS = ("gear", "pair", "measure", "identify", "fit", "contact", "outline", "search")
 
 
 def answers():

@@ -99,6 +99,7 @@ def of_gear(**more):
 
 
 # A spec that has the table, and the way to it.
+BIN = {"torque_Nm": 100, "speed_rpm": 1000, "duration_h": 10}
 TABLES = {
     "gear": (of_gear(), ("gear1",)),
     "cutter": (of_gear(cut_by={"teeth": 10}), ("gear1", "cut_by")),
@@ -119,11 +120,17 @@ TABLES = {
     "rack_arc": (of_gear(rack={"kind": "arcs", "addendum": 1, "dedendum": 1, "arcs": [ARC]}), ("gear1", "rack", "arcs", 0)),
     "pair": (of_gear() | {"pair": {}}, ("pair",)),
     "fit": (of_gear() | {"fit": {"few_teeth": True}}, ("fit",)),
+    "drawing": (of_gear() | {"drawing": {}}, ("drawing",)),
     "errors": (of_gear() | {"errors": {}}, ("errors",)),
     "contact": (of_gear() | {"contact": {}}, ("contact",)),
     "contact_map": (of_gear() | {"contact": {"map": MAP}}, ("contact", "map")),
     "compensate": (of_gear() | {"compensate": {}}, ("compensate",)),
     "compensate_range": (of_gear() | {"compensate": {"range": {}}}, ("compensate", "range")),
+    "material": (of_gear(material={}), ("gear1", "material")),
+    "rating": (of_gear() | {"rating": {"torque_Nm": 100, "speed_rpm": 1000}}, ("rating",)),
+    "rating_mounting": (of_gear() | {"rating": {"torque_Nm": 100, "mounting": {"bearing_span_mm": 100, "shaft_diameter_mm": 30}}},
+                        ("rating", "mounting")),
+    "rating_spectrum": (of_gear() | {"rating": {"spectrum": [BIN]}}, ("rating", "spectrum", 0)),
     "search": ({"search": SEARCH}, ("search",)),
     "blank": ({"search": SEARCH, "gear1": {}}, ("gear1",)),
 }

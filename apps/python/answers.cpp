@@ -1,0 +1,134 @@
+// What a verb of the program answers: solve, verify.
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+
+#include "apps/python/model.hpp"
+#include "apps/python/watched.hpp"
+#include "gearwright/catalogue/compensate_keys.hpp"
+#include "gearwright/catalogue/compensate_quantities.hpp"
+#include "gearwright/catalogue/fit_quantities.hpp"
+#include "gearwright/catalogue/spelling.hpp"
+#include "gearwright/job/answers.hpp"
+#include "gearwright/job/compensate_text.hpp"
+#include "gearwright/job/contact_text.hpp"
+#include "gearwright/job/fit_answer.hpp"
+#include "gearwright/job/verify.hpp"
+
+namespace gearwright::python {
+
+namespace {
+
+// The spec of a dict, or of what has one: a Pair, a Gear.
+std::pair<Json, std::filesystem::path> spec_and_folder(const py::object& spec) {
+  if (py::isinstance<PairValue>(spec)) {
+    const auto& pair = spec.cast<const PairValue&>();
+    return {pair.model->spec, pair.model->folder};
+  }
+  if (py::isinstance<GearValue>(spec)) {
+    const auto& gear = spec.cast<const GearValue&>();
+    if (!gear.model->job.pair) return {gear.model->spec, gear.model->folder};
+    Json tree = Json::object();
+    tree["gear1"] = gear.spec();
+    return {tree, gear.model->folder};
+  }
+  return {spec_with_keys(tree_of(spec, "")), {}};
+}
+
+// As answer_json, and told to stop by Ctrl-C.
+Result<Json> answer(const std::string& verb, const JobSpec& spec, Headway* headway) {
+  if (verb == "fit") {
+    const auto found = answer_fit(spec, headway);
+    if (!found) return found.error();
+    return fit_json(*found);
+  }
+  if (verb != "contact" && verb != "compensate") return answer_json(verb, spec);
+  auto solved = solve(spec, Scope::pair);
+  if (!solved) return solved.error();
+  SolvedJob job = std::move(solved).take();
+  if (verb == "contact") {
+    const auto found = answer_contact(job, headway);
+    if (!found) return found.error();
+    return contact_json(job, *found);
+  }
+  const auto found = answer_compensate(job, headway);
+  if (!found) return found.error();
+  return compensate_json(job, *found);
+}
+
+py::object solve_spec(const py::object& given, const std::string& verb) {
+  const bool known =
+      verb.empty() || std::find(kAnswering.begin(), kAnswering.end(), verb) != kAnswering.end();
+  if (!known) raise({"verb", verb, fmt::format("must be one of {}", fmt::join(kAnswering, ", "))});
+  const auto [tree, folder] = spec_and_folder(given);
+  const JobSpec spec = read_tree_of(tree, folder);
+  std::optional<Result<Json>> told;
+  Watched watched;
+  watch(watched, [&] { told = answer(verb, spec, &watched.headway); });
+  if (!*told) raise(spelled(told->error(), spec.given));
+  return to_python(told->value());
+}
+
+py::object fit(const py::object& given) {
+  const auto [tree, folder] = spec_and_folder(given);
+  const JobSpec spec = read_tree_of(tree, folder);
+  std::optional<Result<FitAnswer>> found;
+  Watched watched;
+  watch(watched, [&] { found = answer_fit(spec, &watched.headway); });
+  if (!*found) raise(spelled(found->error(), spec.given));
+  return by_name(Value(fit_quantities().of(fit_view(found->value()))));
+}
+
+py::object compensate(const py::object& given, const py::kwargs& kwargs) {
+  auto [tree, folder] = spec_and_folder(given);
+  const Json changes = with_keys(tree_of(kwargs, "compensate"), {&compensate_keys()}, "compensate");
+  for (const auto& [key, value] : changes.items()) tree["compensate"][key] = value;
+  const ModelPtr model = make_model(std::move(tree), folder, Scope::pair);
+  SolvedJob job = model->job;
+  std::optional<Result<CompensateAnswer>> found;
+  Watched watched;
+  watch(watched, [&] { found = answer_compensate(job, &watched.headway); });
+  if (!*found) raise(found->error(), *model);
+  return by_name(Value(compensate_quantities().of(compensate_view(found->value()))));
+}
+
+py::object verify(const py::object& cases) {
+  const Json tree = tree_of(cases, "");
+  const std::string text = json_text(tree);
+  const auto outcomes = [&] {
+    const py::gil_scoped_release free;
+    return verify_cases(text);
+  }();
+  if (!outcomes) raise(outcomes.error());
+  py::list all;
+  for (const CaseOutcome& c : *outcomes) {
+    py::dict one;
+    one["id"] = c.id;
+    one["values"] = c.values;
+    one["differences"] = c.differences;
+    all.append(one);
+  }
+  return all;
+}
+
+}  // namespace
+
+void bind_answers(py::module_& m) {
+  m.def("solve", &solve_spec, py::arg("spec"), py::arg("verb") = "",
+        "The program's JSON answer as a dict. `spec`: a dict with the tables of a spec file, a "
+        "Pair or a Gear; "
+        "`verb`: gear, pair, measure, contact, compensate, fit or identify; by default pair where there are "
+        "two gears");
+  m.def("fit", &fit, py::arg("spec"),
+        "What is absent in the spec's gears and [pair] is found: a Record with branches, reason, "
+        "nearest; load(branch.spec) "
+        "is an answer as a Pair");
+  m.def("compensate", &compensate, py::arg("pair"),
+        "Corrections against errors, with the keys of [compensate] (corrections=, range=, "
+        "centering=): a Record with "
+        "corrections, before, after; load(record.spec) is the corrected pair");
+  m.def("_verify", &verify, py::arg("cases"));
+}
+
+}  // namespace gearwright::python

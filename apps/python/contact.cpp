@@ -1,0 +1,233 @@
+// The contact of a pair: its quantities as attributes, its positions as arrays, many mountings at once.
+#include "apps/python/contact.hpp"
+
+#include <fmt/format.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <cmath>
+
+#include "apps/python/arrays.hpp"
+#include "apps/python/watched.hpp"
+#include "gearwright/catalogue/contact_quantities.hpp"
+#include "gearwright/catalogue/modification_keys.hpp"
+#include "gearwright/catalogue/verdict_quantities.hpp"
+#include "gearwright/contact/pair_contact.hpp"
+#include "gearwright/job/contact_text.hpp"
+#include "gearwright/job/judgement.hpp"
+
+namespace gearwright::python {
+
+namespace {
+
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+// A row of numbers in mm and rad, in the order of gearwright.ERRORS, as [errors].
+Json errors_of_row(py::handle row) {
+  const auto numbers = Numbers::ensure(row);
+  const py::ssize_t n = numbers ? numbers.size() : 0;
+  if (!numbers || numbers.ndim() != 1 || (n != 6 && n != 8))
+    raise(Error{"errors", std::string(py::repr(row)),
+                "must be a dict with keys of [errors], or 6 or 8 numbers in the order of "
+                "gearwright.ERRORS"});
+  Json errors = Json::object();
+  for (py::ssize_t i = 0; i < n; ++i) {
+    const ErrorEntry& e = error_entries()[static_cast<std::size_t>(i)];
+    const std::string key = fmt::format("errors[{}]", i);
+    errors[std::string(e.key)] = tree_of(py::float_(numbers.at(i) / e.si()), key);
+  }
+  return errors;
+}
+
+Json errors_tree(const py::object& errors) {
+  if (PyMapping_Check(errors.ptr()) && py::hasattr(errors, "keys"))
+    return with_keys(tree_of(errors, "errors"), {&error_keys()}, "errors");
+  return errors_of_row(errors);
+}
+
+// The pair's spec with other errors, modifications and ways to look at it.
+ModelPtr asked_model(const PairValue& pair, const py::object& errors,
+                     const py::object& modifications, const py::kwargs& kwargs) {
+  if (errors.is_none() && modifications.is_none() && kwargs.empty()) return pair.model;
+  Json spec = pair.model->spec;
+  if (!errors.is_none()) spec["errors"] = errors_tree(errors);
+  if (!modifications.is_none()) {
+    const Json tree = tree_of(modifications, "modifications");
+    for (const auto& [gear, table] : tree.items()) {
+      if (gear != "gear1" && gear != "gear2")
+        raise(Error{"modifications." + gear, "",
+                    "must be gear1 or gear2, with a dict of their modifications"});
+      spec[gear]["modifications"] =
+          with_keys(table, {&modification_keys()}, gear + ".modifications");
+    }
+  }
+  const Json look = with_keys(tree_of(kwargs, "contact"), {&contact_keys()}, "contact");
+  for (const auto& [key, value] : look.items()) spec["contact"][key] = value;
+  return make_model(std::move(spec), pair.model->folder, Scope::pair);
+}
+
+ContactValue contact_of(const PairValue& pair, const py::object& errors,
+                        const py::object& modifications, const py::kwargs& kwargs) {
+  const ModelPtr asked = asked_model(pair, errors, modifications, kwargs);
+  const auto model = std::make_shared<Model>(*asked);
+  std::optional<Result<ContactAnswer>> answer;
+  std::shared_ptr<const ValueRecord> record;
+  Watched watched;
+  watch(watched, [&] {
+    answer = answer_contact(model->job, &watched.headway);
+    if (*answer)
+      record = std::make_shared<const ValueRecord>(contact_record(model->job, answer->value()));
+  });
+  if (!*answer) raise(answer->error(), *model);
+  return {model, std::make_shared<const ContactAnswer>(std::move(*answer).take()), record};
+}
+
+py::array positions_of(const ContactValue& c) {
+  const auto& points = c.answer->driving.positions;
+  StructuredArray array;
+  array.add_columns(position_quantities().table());
+  array.allocate(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) array.fill(i, position_quantities(), points[i]);
+  return array.take();
+}
+
+// What a pair's errors may be, checked row by row: finite, and within the ranges of their keys.
+void check_rows(const Numbers& rows, const ContactSetup& setup) {
+  const auto numbers = rows.unchecked<2>();
+  for (py::ssize_t r = 0; r < rows.shape(0); ++r) {
+    for (py::ssize_t i = 0; i < rows.shape(1); ++i) {
+      const ErrorEntry& e = error_entries()[static_cast<std::size_t>(i)];
+      const std::string where = fmt::format("errors[{}].{}", r, e.key);
+      const double x = numbers(r, i) / e.si();
+      if (!std::isfinite(x)) raise(Error{where, fmt::format("{}", x), "must be a finite number"});
+      const KeyRange& range = error_keys().find(e.key)->range;
+      if (!range.contains(x)) raise(refused(where, x, range.sentence(x)));
+      if (!e.of_cutter()) continue;
+      if (auto error = check_cutter_lead(setup.gear(e.gear), e.gear, Angle::degrees(x)))
+        raise(Error{where, error->value, error->rule});
+    }
+  }
+}
+
+py::array_t<double> transmission_errors(const PairValue& pair, const py::object& errors,
+                                        int positions, const py::object& modifications,
+                                        int threads) {
+  const auto rows = Numbers::ensure(errors);
+  PyErr_Clear();
+  if (!rows || rows.ndim() != 2 || (rows.shape(1) != 6 && rows.shape(1) != 8)) {
+    std::string shape = "no array of numbers";
+    if (rows) shape = std::string(py::str(rows.attr("shape")));
+    raise(Error{
+        "errors", shape,
+        "must be an array of shape (n, 6) or (n, 8), mm and rad, columns as gearwright.ERRORS"});
+  }
+  const KeyRange& range = contact_keys().find("positions")->range;
+  if (!range.contains(positions)) raise(refused("positions", positions, range.sentence(positions)));
+  const ModelPtr model = asked_model(pair, py::none(), modifications, {});
+  const ContactSetup setup = [&] {
+    auto made = ContactSetup::of(model->job);
+    if (!made) raise(made.error(), *model);
+    return std::move(made).take();
+  }();
+  check_rows(rows, setup);
+  const auto n = static_cast<std::size_t>(rows.shape(0));
+  const auto columns = static_cast<std::size_t>(rows.shape(1));
+  std::vector<double> te(n * static_cast<std::size_t>(positions));
+  const double* const given = rows.data();
+  const bool gear2_drives = model->job.spec.contact.driver == 2;
+  const auto row = [&](std::size_t r) {
+    ContactErrors e = setup.place().errors;
+    for (std::size_t i = 0; i < columns; ++i)
+      e = setup.with_error(e, i, given[r * columns + i] / error_entries()[i].si());
+    const auto curve = transmission_error(setup.pair(e, gear2_drives), positions);
+    std::copy(curve.begin(), curve.end(),
+              te.begin() + static_cast<std::ptrdiff_t>(r * curve.size()));
+  };
+  Watched watched;
+  watch(watched, [&] {
+    oneapi::tbb::task_arena arena(threads > 0 ? threads : oneapi::tbb::task_arena::automatic);
+    arena.execute([&] {
+      oneapi::tbb::parallel_for(std::size_t{0}, n, [&](std::size_t r) {
+        if (!watched.stop) row(r);
+      });
+    });
+  });
+  return array_of(std::move(te), {static_cast<py::ssize_t>(n), positions});
+}
+
+// A column of the positions in mm and rad.
+py::object column(const ContactValue& c, const Said& said) {
+  const py::array all = positions_of(c);
+  const py::object one = all.attr("__getitem__")(said.key);
+  const double unit = house_unit(said.unit);
+  return unit == 1.0 ? one : one.attr("__mul__")(unit);
+}
+
+}  // namespace
+
+py::class_<ContactValue> bind_contact(py::module_& m, py::class_<PairValue>& pair) {
+  py::class_<ContactValue> contact(m, "Contact",
+                                   "How a pair touches under its errors, turned through a pitch");
+  contact
+      .def_property_readonly(
+          "positions", &positions_of,
+          "A structured array, a row for each position, a column for each quantity by key")
+      .def(
+          "as_dict", [](const ContactValue& c) { return by_key(*c.record); },
+          "Every quantity by key: what JSON has")
+      .def_property_readonly(
+          "spec", [](const ContactValue& c) { return to_python(c.model->spec); },
+          "What it was made from, by key")
+      .def_property_readonly("pair", [](const ContactValue& c) { return PairValue{c.model}; })
+      .def_property_readonly(
+          "verdict",
+          [](const ContactValue& c) {
+            return by_name(Value(verdict_quantities().of(judge(c.model->job, &c.answer->driving))));
+          },
+          "Whether the pair runs under these errors, the worst finding first")
+      .def_property_readonly(
+          "warnings", [](const ContactValue& c) { return warnings_of(c.model->job.warnings); },
+          "What a person should know: Records with code, message, gear")
+      .def("__repr__", [](const ContactValue& c) {
+        return fmt::format("Contact({} positions, peak_to_peak_arcsec={:.4g})",
+                           c.answer->driving.positions.size(),
+                           c.answer->driving.peak_to_peak.arcsec());
+      });
+  for (const Quantity<ContactView>& q : contact_quantities().list()) {
+    if (q.said.key == "positions") continue;
+    contact.def_property_readonly(
+        name_of(q.said).c_str(),
+        [&said = q.said](const ContactValue& c) -> py::object {
+          for (const Member& member : *c.record)
+            if (member.said == &said) return by_name(said, member.value);
+          return py::none();
+        },
+        docstring(q.said).c_str());
+  }
+  for (const Quantity<ContactPoint>& q : position_quantities().list()) {
+    if (q.said.of) continue;
+    contact.def_property_readonly(
+        name_of(q.said).c_str(),
+        [&said = q.said](const ContactValue& c) { return column(c, said); },
+        (docstring(q.said) + " At each position.").c_str());
+  }
+  pair.def("contact", &contact_of, py::arg("errors") = py::none(),
+           py::arg("modifications") = py::none(),
+           "Turns the pair under errors and says where it touches. errors: keys of [errors], or a "
+           "row of "
+           "transmission_error; modifications: {\"gear1\": {…}, \"gear2\": {…}}; and keys of "
+           "[contact]: "
+           "positions=64, driver, pattern, … What is not given is as in the pair's spec")
+      .def("transmission_error", &transmission_errors, py::arg("errors"), py::arg("positions") = 64,
+           py::arg("modifications") = py::none(), py::arg("threads") = 0,
+           "Transmission error in rad, (n, positions), over one pitch from half a pitch before the "
+           "centre line "
+           "on, of n mountings: errors has the columns of gearwright.ERRORS, mm and rad, the first "
+           "6 or all 8. "
+           "NaN where contact is lost. All cores, without the GIL");
+  py::list names;
+  for (const ErrorEntry& e : error_entries()) names.append(std::string(e.name()));
+  m.attr("ERRORS") = py::tuple(names);
+  return contact;
+}
+
+}  // namespace gearwright::python

@@ -1,0 +1,200 @@
+// The tooth as points, triangles and files for machines.
+#include "apps/python/files.hpp"
+
+#include <fmt/format.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <cmath>
+
+#include "apps/python/arrays.hpp"
+#include "apps/python/watched.hpp"
+#include "gearwright/base/output_file.hpp"
+#include "gearwright/cad/contour.hpp"
+#include "gearwright/cad/mesh.hpp"
+#include "gearwright/job/files.hpp"
+
+namespace gearwright::python {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostPoints = 100'000;  // of an arc
+
+int points_in_range(int points) {
+  if (points < 2 || points > kMostPoints)
+    raise(refused("points", points, fmt::format("must lie between 2 and {}", kMostPoints)));
+  return points;
+}
+
+ToothedBody body_of(const GearValue& gear, bool in_place = false) {
+  auto body = make_body(gear.model->job, gear.which, in_place);
+  if (!body && !gear.model->job.pair) raise_of_gear(spelled(body.error(), gear.model->given()));
+  if (!body) raise(body.error(), *gear.model);
+  return std::move(body).take();
+}
+
+std::vector<double> flat(const std::vector<Vec2>& points) {
+  std::vector<double> numbers;
+  numbers.reserve(2 * points.size());
+  for (const Vec2& p : points) numbers.insert(numbers.end(), {p.x(), p.y()});
+  return numbers;
+}
+
+py::array_t<double> rows_of(const std::vector<Vec2>& points) {
+  return array_of(flat(points), {static_cast<py::ssize_t>(points.size()), 2});
+}
+
+py::dict outline(const GearValue& gear, int points) {
+  points_in_range(points);
+  const ToothedBody body = body_of(gear);
+  std::vector<std::pair<ArcName, std::vector<Vec2>>> arcs;
+  for (const Arc& arc : body.outline.arcs) {
+    auto more = sample(arc, points);
+    if (arcs.empty() || arcs.back().first != arc.name) {
+      arcs.emplace_back(arc.name, std::move(more));
+    } else {  // several arcs of one name follow each other: the shared point stands there once
+      arcs.back().second.insert(arcs.back().second.end(), more.begin() + 1, more.end());
+    }
+  }
+  py::dict all;
+  for (const auto& [name, list] : arcs) all[py::str(std::string(to_string(name)))] = rows_of(list);
+  return all;
+}
+
+// A land by its middle circle, from `begin` on.
+std::vector<Vec2> land_points(const ContourPiece& piece, int points) {
+  std::vector<Vec2> all;
+  const Vec2 across(-piece.begin.y(), piece.begin.x());
+  for (int i = 0; i + 1 < points; ++i) {
+    const double turn = piece.sweep * i / (points - 1);
+    all.emplace_back(std::cos(turn) * piece.begin + std::sin(turn) * across);
+  }
+  all.push_back(piece.end);
+  return all;
+}
+
+py::array_t<double> section(const GearValue& gear, int points) {
+  points_in_range(points);
+  const ToothedBody body = body_of(gear);
+  auto made = closed_contour(body.outline);
+  if (!made) raise(made.error(), *gear.model);
+  const Contour contour = std::move(made).take();
+  std::vector<std::vector<Vec2>> sampled;
+  for (const Arc& arc : body.outline.arcs) sampled.push_back(sample(arc, points));
+  std::vector<Vec2> all;
+  for (const ContourPiece& piece : contour.pieces) {
+    const auto part =
+        piece.land ? land_points(piece, points) : placed(contour, piece, sampled[piece.arc]);
+    all.insert(all.end(), part.begin(),
+               part.end() - 1);  // the next piece begins where this one ends
+  }
+  if (!all.empty()) all.push_back(all.front());
+  return rows_of(all);
+}
+
+py::tuple mesh(const GearValue& gear, double tolerance) {
+  if (!(tolerance > 0.0) || !std::isfinite(tolerance))
+    raise(refused("tolerance", tolerance, "must be greater than 0 mm"));
+  const ToothedBody body = body_of(gear);
+  std::optional<Result<TriangleMesh>> made;
+  {
+    const py::gil_scoped_release free;
+    made = tessellate(body, {.chord_tolerance_mm = tolerance});
+  }
+  if (!*made) raise(made->error(), *gear.model);
+  const auto owner = std::make_shared<TriangleMesh>(std::move(*made).take());
+  static_assert(sizeof(Vec3) == 3 * sizeof(double) &&
+                sizeof(Triangle) == 3 * sizeof(std::uint32_t));
+  const auto n = static_cast<py::ssize_t>(owner->vertices.size());
+  const auto m = static_cast<py::ssize_t>(owner->triangles.size());
+  return py::make_tuple(array_of<double>(owner, owner->vertices.data()->data(), {n, 3}),
+                        array_of<std::uint32_t>(owner, owner->triangles.data()->data(), {m, 3}));
+}
+
+// One file of the bodies: its bytes, or where it was written.
+py::object exported(FileKind kind, const std::vector<ToothedBody>& bodies, const Model& model,
+                    const std::optional<fs::path>& path, double tolerance, bool splines) {
+  if (!(tolerance > 0.0) || !std::isfinite(tolerance))
+    raise(refused("tolerance", tolerance, "must be greater than 0 mm"));
+  FileOptions options;
+  options.mesh_tolerance_mm = options.drawing_tolerance_mm = tolerance;
+  options.drawing_splines = splines;
+  const fs::path name = path.value_or(model.spec.contains("gear2") ? "pair" : "gear");
+  std::optional<Result<JobFile>> file;
+  Watched watched;
+  watch(watched, [&] { file = make_file(kind, bodies, name, options); });
+  if (!*file) raise(file->error(), model);
+  const std::string& bytes = file->value().bytes;
+  if (!path) return py::bytes(bytes);
+  write_file(*path, bytes);
+  return py::cast(*path);
+}
+
+std::vector<ToothedBody> bodies_of(const GearValue& gear) { return {body_of(gear)}; }
+std::vector<ToothedBody> bodies_of(const PairValue& pair) {
+  return {body_of({pair.model, 1}, true), body_of({pair.model, 2}, true)};
+}
+
+struct Export {
+  const char* name;
+  FileKind kind;
+  double tolerance;  // mm
+  const char* doc;
+};
+constexpr Export kExports[] = {
+    {"step", FileKind::step, 0.001, "STEP AP242"},
+    {"stl", FileKind::stl, 0.005, "STL, binary, within tolerance"},
+    {"threemf", FileKind::threemf, 0.005, "3MF, within tolerance"},
+    {"glb", FileKind::glb, 0.005, "GLB, within tolerance"},
+    {"dxf", FileKind::dxf, 0.001, "DXF of the section: arcs within tolerance, or splines=True"},
+    {"svg", FileKind::svg, 0.001, "SVG of the section"}};
+
+template <class Class>
+void bind_exports(Class& type) {
+  using Self = typename Class::type;
+  for (const Export& e : kExports) {
+    type.def(
+        e.name,
+        [kind = e.kind](const Self& self, const std::optional<fs::path>& path, double tolerance,
+                        bool splines) {
+          return exported(kind, bodies_of(self), *self.model, path, tolerance, splines);
+        },
+        py::arg("path") = py::none(), py::arg("tolerance") = e.tolerance,
+        py::arg("splines") = false,
+        fmt::format("{}: the file's bytes, or written to path, whole or not at all. mm", e.doc)
+            .c_str());
+  }
+}
+
+py::array_t<double> pose(const PairValue& pair, int which) {
+  if (which != 1 && which != 2)
+    raise(refused("which", which, "must be 1 or 2, the number of the gear"));
+  const Eigen::Matrix4d m =
+      (which == 1 ? pair.pair().pose_1().isometry() : pair.pair().pose_2().isometry()).matrix();
+  std::vector<double> rows;
+  for (int i = 0; i < 4; ++i)
+    for (int k = 0; k < 4; ++k) rows.push_back(m(i, k));
+  return array_of(std::move(rows), {4, 4});
+}
+
+}  // namespace
+
+void bind_files(py::class_<GearValue>& gear, py::class_<PairValue>& pair) {
+  gear.def("outline", &outline, py::arg("points") = 200,
+           "Half a tooth in the section z = 0, root to tip: a dict of arrays (points, 2) in mm by "
+           "the name of the "
+           "arc. The tooth's centre line is the x axis, y > 0")
+      .def("section", &section, py::arg("points") = 20,
+           "The closed outline of all teeth in the section z = 0, (n, 2) in mm, counter-clockwise; "
+           "points per arc")
+      .def("mesh", &mesh, py::arg("tolerance") = 0.005,
+           "(vertices (n, 3) in mm, triangles (m, 3)) of the closed body, within tolerance of the "
+           "exact surface");
+  bind_exports(gear);
+  bind_exports(pair);
+  pair.def("pose", &pose, py::arg("which"),
+           "4×4: from the frame of gear 1 or 2, as its files have it, to the housing, at rest");
+}
+
+}  // namespace gearwright::python

@@ -1,0 +1,27 @@
+"""An exact engine for cylindrical gears.
+
+    import gearwright as gw
+    pinion = gw.Gear(teeth=17, normal_module=2.5, helix_angle_deg=15, profile_shift=0.3)
+    wheel = gw.Gear(teeth=43, normal_module=2.5, helix_angle_deg=-15)
+    pair = gw.Pair(pinion, wheel, center_distance=78.6)
+    pair.contact_ratio, pair.replace(center_distance=79).backlash.normal
+
+Names without a unit are in mm and rad, keys with a unit in that unit; as_dict() has the keys of the program's
+JSON. A number that no gear can have raises SpecError, which names its key and says what is allowed.
+"""
+
+from __future__ import annotations
+
+from . import _plots
+from ._core import ERRORS, Contact, FileError, Gear, Pair, Record, Search, __version__, compensate, fit, load, solve
+from ._doors import identify, measure, search, verify
+from ._errors import SpecError
+from .closed_forms import (backlash, center_distance, contact_ratio, inverse_involute, involute, pair_table,
+                           shift_limits, working_pressure_angle)
+
+__all__ = [
+    "ERRORS", "Contact", "FileError", "Gear", "Pair", "Record", "Search", "SpecError", "__version__", "backlash",
+    "center_distance", "compensate", "contact_ratio", "fit", "identify", "inverse_involute", "involute", "load", "measure",
+    "pair_table", "search", "shift_limits", "solve", "verify", "working_pressure_angle"]
+
+_plots.add()

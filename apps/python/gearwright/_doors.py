@@ -1,0 +1,117 @@
+"""Verbs whose answers are for Python: search, measure, verify."""
+
+from __future__ import annotations
+
+import json
+import os
+import pathlib
+import sys
+import time
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+from . import _core
+from ._core import Gear, Pair, Search
+
+Progress = Callable[[str, int, int], object]
+
+
+class _Line:
+    """How far a search is, on stderr, from its second second on."""
+
+    def __init__(self) -> None:
+        self.start = self.said = time.monotonic()
+        self.shown = False
+
+    def __call__(self, stage: str, done: int, of: int) -> None:
+        now = time.monotonic()
+        if now - self.start < 1.5 or now - self.said < 0.5:
+            return
+        share = f" {100 * done / of:.0f} %" if of else ""
+        sys.stderr.write(f"\rgearwright: {stage} {done}{share}   ")
+        sys.stderr.flush()
+        self.said, self.shown = now, True
+
+    def end(self) -> None:
+        if self.shown:
+            sys.stderr.write("\n")
+
+
+def search(
+    spec: str | os.PathLike[str] | Mapping[str, Any],
+    *,
+    top: int | None = None,
+    progress: bool | Progress = True,
+    threads: int = 0,
+    out: str | os.PathLike[str] | None = None,
+    resume: bool = False,
+    yes_large: bool = False,
+) -> Search:
+    """All designs that satisfy the table [search] of a spec, best first: iterate over them, .pair(place), .to_pandas().
+
+    top       so many designs at most          progress  True: a line on stderr; or f(stage, done, of)
+    out       folder of the program's files; with resume=True a search that was stopped goes on
+    Ctrl-C ends it within a tenth of a second.
+    """
+    line = _Line()
+    told: Progress | None = progress if callable(progress) else line if progress else None
+    try:
+        return _core._search(spec, top, threads, told, out, resume, yes_large)
+    finally:
+        line.end()
+
+
+def identify(spec: Mapping[str, Any]) -> dict[str, Any]:
+    """Which standard gear the readings of a gear in hand belong to: the program's answer to a spec with [gear1.measured]
+    readings, as a dict."""
+    return _core.solve(spec, "identify")
+
+
+def measure(value: Gear | Pair) -> Any:
+    """What a workshop measures on a gear, by key; of a Pair a list of two."""
+    gears = [gear["measure"] for gear in _core.solve(value, "measure")["gears"]]
+    return gears if isinstance(value, Pair) else gears[0]
+
+
+def verify(cases: str | os.PathLike[str] | Mapping[str, Any]) -> list[dict[str, Any]]:
+    """Runs published numbers (a case file of `gearwright verify`) through the engine: for each case its id, how many
+    values it compares and a line for each difference. `cases`: the file's path, or what stands in it."""
+    if not isinstance(cases, Mapping):
+        with open(cases, encoding="utf-8") as file:
+            cases = json.load(file)
+    return _core._verify(cases)
+
+
+def remade_gear(spec: dict[str, Any], folder: pathlib.Path) -> Gear:
+    """Out of a pickle."""
+    return _core._gear(spec, folder)
+
+
+def remade_pair(spec: dict[str, Any], folder: pathlib.Path) -> Pair:
+    """Out of a pickle."""
+    return _core._pair(spec, folder)
+
+
+def _designs(found: Search) -> Iterator[Any]:
+    return (found[i] for i in range(len(found)))
+
+
+def _to_pandas(found: Search) -> Any:
+    """The designs as a DataFrame, a row each, with the columns of search.parquet."""
+    import pandas as pd
+
+    return pd.DataFrame(found.to_numpy())
+
+
+def _repr_html(found: Search) -> str:
+    """The first designs as a table."""
+    columns = ("module_mm", "z1", "z2", "ratio", "center_distance_mm", "x1", "x2")
+    table = found.to_numpy()[:20]
+    shown = [c for c in columns if c in (table.dtype.names or ())]
+    head = "".join(f"<th>{c}</th>" for c in shown)
+    rows = "".join("<tr>" + "".join(f"<td>{row[c]:.6g}</td>" for c in shown) + "</tr>" for row in table)
+    return f"<p>{found!r}</p><table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"
+
+
+for _name, _method in (("__iter__", _designs), ("to_pandas", _to_pandas), ("_repr_html_", _repr_html)):
+    setattr(Search, _name, _method)

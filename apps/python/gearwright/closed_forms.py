@@ -1,0 +1,123 @@
+"""Closed forms over arrays, with NumPy's broadcasting: gears on parallel axes by their numbers alone.
+
+Angles in rad, lengths in mm (in modules while normal_module is 1), ISO 21771 signs: an internal gear has negative
+teeth, helix_angle is gear 1's. What is not there (no working angle, a tip inside its base circle) is NaN.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+
+Array = NDArray[np.float64]
+_ALPHA = math.radians(20)
+
+
+def _columns(*values: ArrayLike) -> tuple[list[Array], tuple[int, ...]]:
+    arrays = np.broadcast_arrays(*(np.asarray(v, dtype=np.float64) for v in values))
+    return [np.ascontiguousarray(a).reshape(-1) for a in arrays], arrays[0].shape
+
+
+def _shaped(column: Array, shape: tuple[int, ...]) -> Any:
+    return column.reshape(shape) if shape else float(column[0])
+
+
+def involute(alpha: ArrayLike) -> Any:
+    """inv α = tan α − α, |α| < π/2."""
+    (columns, shape) = _columns(alpha)
+    return _shaped(_core._involute(*columns), shape)
+
+
+def inverse_involute(inv: ArrayLike) -> Any:
+    """The α with inv α = inv."""
+    (columns, shape) = _columns(inv)
+    return _shaped(_core._inverse_involute(*columns), shape)
+
+
+def pair_table(
+    z1: ArrayLike,
+    z2: ArrayLike,
+    x1: ArrayLike = 0.0,
+    x2: ArrayLike = 0.0,
+    helix_angle: ArrayLike = 0.0,
+    *,
+    normal_module: ArrayLike = 1.0,
+    normal_pressure_angle: float = _ALPHA,
+    addendum: float = 1.0,
+    dedendum: float = 1.25,
+    flank_depth: float = 1.0,
+    mounting: str = "tight",
+    shorten_tips: bool = False,
+    columns: tuple[str, ...] | None = None,
+) -> dict[str, Any]:
+    """Pairs by their numbers, a column for each quantity, by name:
+
+    center_distance         a, of the mounting: "tight" is free of backlash, "extended" a_d + m_n (x1 + x2)
+    working_pressure_angle  α_wt
+    contact_ratio           ε_α of the tips; contact_ratio_true: of the path clipped to the usable flanks
+    sliding                 the greatest |ζ| of both flanks at the ends of the path; inf at a base tangent point
+    tip_thickness1, 2       s_an    tip_clearance1, 2   c
+
+    addendum, dedendum and flank_depth (of the rack's straight edge) are in modules. Rows that touch a limit of
+    these formulas are NaN. They are the search's own lanes: 1e-12 from a Pair's numbers, which have the last word.
+    """
+    if mounting not in ("tight", "extended"):
+        raise ValueError(f'mounting = {mounting!r}: must be "tight" or "extended"')
+    names = columns or ("center_distance", "working_pressure_angle", "contact_ratio", "contact_ratio_true", "sliding",
+                        "tip_thickness1", "tip_thickness2", "tip_clearance1", "tip_clearance2")
+    places = _core._CANDIDATE_COLUMNS
+    wanted = [places["tan_working" if name == "working_pressure_angle" else name] for name in names]
+    given, shape = _columns(z1, z2, x1, x2, helix_angle, normal_module)
+    lanes = [given[0], given[1], np.sin(given[4]), given[2], given[3]]
+    found = _core._candidates(lanes, math.tan(normal_pressure_angle), (addendum, addendum), (dedendum, dedendum),
+                              flank_depth, mounting == "tight", shorten_tips, wanted)
+    table = {}
+    for name, column in zip(names, found, strict=True):
+        if name == "working_pressure_angle":
+            column = np.arctan(column)
+        elif name == "center_distance" or name.startswith("tip_"):
+            column = column * given[5]
+        table[name] = _shaped(column, shape)
+    return table
+
+
+def center_distance(z1: ArrayLike, z2: ArrayLike, x1: ArrayLike = 0.0, x2: ArrayLike = 0.0,
+                    helix_angle: ArrayLike = 0.0, **more: Any) -> Any:
+    """The centre distance free of backlash (mounting="tight"), or a_d + m_n (x1 + x2); keywords as pair_table."""
+    return pair_table(z1, z2, x1, x2, helix_angle, columns=("center_distance",), **more)["center_distance"]
+
+
+def working_pressure_angle(z1: ArrayLike, z2: ArrayLike, x1: ArrayLike = 0.0, x2: ArrayLike = 0.0,
+                           helix_angle: ArrayLike = 0.0, **more: Any) -> Any:
+    """The transverse working pressure angle α_wt; keywords as pair_table."""
+    return pair_table(z1, z2, x1, x2, helix_angle, columns=("working_pressure_angle",), **more)["working_pressure_angle"]
+
+
+def contact_ratio(z1: ArrayLike, z2: ArrayLike, x1: ArrayLike = 0.0, x2: ArrayLike = 0.0,
+                  helix_angle: ArrayLike = 0.0, **more: Any) -> Any:
+    """The transverse contact ratio ε_α; keywords as pair_table."""
+    return pair_table(z1, z2, x1, x2, helix_angle, columns=("contact_ratio",), **more)["contact_ratio"]
+
+
+def backlash(z1: ArrayLike, z2: ArrayLike, x1: ArrayLike, x2: ArrayLike, center_distance: ArrayLike,
+             helix_angle: ArrayLike = 0.0, *, thickness_allowance1: ArrayLike = 0.0,
+             thickness_allowance2: ArrayLike = 0.0, normal_module: float = 1.0,
+             normal_pressure_angle: float = _ALPHA) -> Any:
+    """The normal backlash j_n at a centre distance; < 0: the teeth overlap."""
+    columns, shape = _columns(z1, z2, x1, x2, helix_angle, thickness_allowance1, thickness_allowance2, center_distance)
+    return _shaped(_core._backlash(*columns, normal_module, normal_pressure_angle), shape)
+
+
+def shift_limits(z: ArrayLike, helix_angle: ArrayLike = 0.0, *, tip_thickness: float = 0.2,
+                 normal_pressure_angle: float = _ALPHA, addendum: float = 1.0,
+                 flank_depth: float = 1.0) -> tuple[Any, Any]:
+    """(least, greatest) profile shift: without undercut, and with a tip of at least tip_thickness modules. An
+    internal gear knows no undercut: its least shift is -inf. NaN where there is none."""
+    columns, shape = _columns(z, helix_angle)
+    least, greatest = _core._shift_limits(*columns, normal_pressure_angle, addendum, flank_depth, tip_thickness)
+    return _shaped(least, shape), _shaped(greatest, shape)

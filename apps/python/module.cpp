@@ -1,0 +1,26 @@
+// The extension module gearwright._core: a list of what Python is given.
+#include <pybind11/pybind11.h>
+
+#include "apps/python/contact.hpp"
+#include "apps/python/files.hpp"
+#include "gearwright/base/output_file.hpp"
+#include "gearwright/base/version.hpp"
+
+namespace py = pybind11;
+using namespace gearwright::python;
+
+PYBIND11_MODULE(_core, m) {
+  m.doc() = "The engine behind the package gearwright; import gearwright instead";
+  m.attr("__version__") = gearwright::kVersion;
+  py::register_exception<gearwright::IoError>(m, "FileError", PyExc_OSError);
+  bind_records(m);
+  auto [gear, pair] = bind_gears(m);
+  auto contact = bind_contact(m, pair);
+  bind_sweep(pair);
+  bind_files(gear, pair);
+  bind_pictures(gear, pair, contact);
+  bind_search(m);
+  bind_closed_forms(m);
+  bind_answers(m);
+  bind_said(m);
+}

@@ -1,0 +1,64 @@
+"""Packs a staged package into a wheel, with the shared libraries that it needs.
+
+    pack_wheel.py STAGE SOURCE VERSION INTO BUILT     BUILT: the package in the build folder
+
+The tag is that of this system: glibc's version is what manylinux tags are about, and the module needs nothing
+else that a wheel may not ask for once fmt, TBB and the others lie in gearwright.libs beside it.
+"""
+
+import platform
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+# What every Linux has that pip takes manylinux wheels on (PEP 600).
+OF_THE_SYSTEM = {"linux-vdso.so.1", "libc.so.6", "libm.so.6", "libstdc++.so.6", "libgcc_s.so.1", "libz.so.1",
+                 "libpthread.so.0", "libdl.so.2", "librt.so.1", "ld-linux-x86-64.so.2", "ld-linux-aarch64.so.1"}
+
+
+def needed(library):
+    listing = subprocess.run(["ldd", str(library)], capture_output=True, text=True, check=True).stdout
+    return {name: path for name, path in re.findall(r"^\s*(\S+) => (\S+)", listing, re.M)}
+
+
+def bundle(stage, built):
+    """The libraries of `built` that are not the system's, copied to where the staged module looks for them."""
+    into = stage / "gearwright.libs"
+    into.mkdir()
+    for name, path in sorted(needed(built).items()):
+        if name not in OF_THE_SYSTEM:
+            shutil.copyfile(path, into / name)
+
+
+def metadata(source, version):
+    description = (source / "docs" / "python.md").read_text(encoding="utf-8")
+    return ("Metadata-Version: 2.1\nName: gearwright\n"
+            f"Version: {version}\n"
+            "Summary: An exact engine for cylindrical gears\n"
+            "Requires-Python: >=3.11\nRequires-Dist: numpy\n"
+            "License-File: LICENSE\nDescription-Content-Type: text/markdown\n\n" + description)
+
+
+def main():
+    stage, source, into, built = (Path(sys.argv[i]) for i in (1, 2, 4, 5))
+    version = sys.argv[3]
+    python = f"cp{sys.version_info.major}{sys.version_info.minor}"
+    libc, libc_version = platform.libc_ver()
+    assert libc == "glibc", f"a wheel for {libc} has no tag here"
+    tag = f"{python}-{python}-manylinux_{libc_version.replace('.', '_')}_{platform.machine()}"
+    bundle(stage, next(built.glob("_core.*.so")))
+    info = stage / f"gearwright-{version}.dist-info"
+    info.mkdir()
+    (info / "METADATA").write_text(metadata(source, version), encoding="utf-8")
+    (info / "WHEEL").write_text("Wheel-Version: 1.0\nGenerator: gearwright\nRoot-Is-Purelib: false\n"
+                                f"Tag: {tag}\n", encoding="utf-8")
+    shutil.copyfile(source / "LICENSE", info / "LICENSE")
+    for old in into.glob("*.whl"):
+        old.unlink()
+    subprocess.run([sys.executable, "-m", "wheel", "pack", "--dest-dir", str(into), str(stage)], check=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,133 @@
+// How values show themselves in a notebook: the report's own pictures and tables, and whole pages.
+//
+// A picture stands in a frame of its own, so that its style and the notebook's do not meet; the page's colours follow
+// the reader's preference, dark or light.
+#include <fmt/format.h>
+
+#include "apps/python/contact.hpp"
+#include "apps/python/watched.hpp"
+#include "gearwright/base/version.hpp"
+#include "gearwright/job/contact_report.hpp"
+#include "gearwright/job/judgement.hpp"
+#include "gearwright/report/contact_flank_picture.hpp"
+#include "gearwright/report/contact_te_picture.hpp"
+#include "gearwright/report/gear_shape.hpp"
+#include "gearwright/report/gear_table.hpp"
+#include "gearwright/report/html_text.hpp"
+#include "gearwright/report/mesh_picture.hpp"
+#include "gearwright/report/page_parts.hpp"
+#include "gearwright/report/report.hpp"
+#include "gearwright/report/report_tables.hpp"
+#include "gearwright/report/tooth_picture.hpp"
+
+namespace gearwright::python {
+
+namespace {
+
+const std::array<std::string, 2> kShapes{"gear1", "gear2"};
+
+// Ends as high as its content, where the notebook lets scripts of its own run; else it scrolls.
+std::string framed(const std::string& title, const std::string& body) {
+  const std::string page = page_head(title, kVersion, "body{padding:.5em 0}") + "<body>\n<main>\n" +
+                           body + "</main>\n</body>\n</html>\n";
+  return fmt::format(
+      "<iframe title=\"{}\" style=\"width:100%;height:30em;border:0\" onload=\"this.style.height="
+      "this.contentDocument.documentElement.scrollHeight+'px'\" srcdoc=\"{}\"></iframe>",
+      escaped(title), escaped(page));
+}
+
+std::string definitions(const std::vector<const Gear*>& gears) {
+  std::string shapes;
+  for (std::size_t i = 0; i < gears.size(); ++i) shapes += gear_definition(*gears[i], kShapes[i]);
+  return shapes.empty() ? shapes
+                        : "<svg class=\"definitions\" aria-hidden=\"true\"><defs>\n" + shapes +
+                              "</defs></svg>\n";
+}
+
+std::string columns(const std::string& left, const std::string& right) {
+  return "<div class=\"columns\"><div>" + left + "</div><div>" + right + "</div></div>\n";
+}
+
+std::string verdict_line(const Verdict& v) {
+  return fmt::format("<p class=\"verdict {}\"><b>{}</b> {}</p>\n", to_string(v.level),
+                     to_string(v.level), escaped(v.headline));
+}
+
+std::string gear_html(const GearValue& g) {
+  const Gear& gear = g.gear();
+  return framed(
+      fmt::format("Gear with {} teeth", gear.spec.teeth),
+      definitions({&gear}) + columns(gear_table({&gear}), tooth_figure(gear, kShapes[0], "Gear")));
+}
+
+std::string pair_html(const PairValue& p) {
+  const Pair& pair = p.pair();
+  const InvolutePair* involute = pair.involute();
+  const bool picture =
+      involute && !pair.crossed() && has_outline(pair.gear(1)) && has_outline(pair.gear(2));
+  return framed(fmt::format("Gear pair {} / {}", pair.gear(1).spec.teeth, pair.gear(2).spec.teeth),
+                definitions({&pair.gear(1), &pair.gear(2)}) + verdict_line(judge(p.model->job)) +
+                    (picture ? mesh_figures(*involute, kShapes) : std::string()) +
+                    pair_table(pair));
+}
+
+// The job of a contact, with the part of the report about it.
+std::optional<ContactPart> part_of(SolvedJob& job) {
+  std::optional<Result<std::optional<ContactPart>>> part;
+  Watched watched;
+  watch(watched, [&] { part = contact_part(job, &watched.headway); });
+  if (!*part) raise(spelled(part->error(), job.spec.given));
+  return std::move(*part).take();
+}
+
+std::string contact_html(const ContactValue& c) {
+  SolvedJob job = c.model->job;
+  job.spec.contact.given = true;  // that it is asked for
+  const auto part = part_of(job);
+  if (!part) return "<p>Nothing touches.</p>";
+  return framed("Tooth contact", "<div class=\"figures\">\n" + te_figure(part->report, false) +
+                                     te_figure(part->report, true) + "</div>\n" +
+                                     pattern_figures(part->report));
+}
+
+std::string page_of(const Model& source, const std::vector<const Gear*>& gears, bool contact) {
+  SolvedJob job = source.job;
+  std::optional<ContactPart> part;
+  if (contact || wants_contact(job)) {
+    job.spec.contact.given = true;
+    if (job.pair) part = part_of(job);
+  }
+  ReportInput input;
+  input.title = job.spec.title;
+  input.gears = gears;
+  if (gears.size() == 2) input.pair = job.pair;
+  if (part) input.contact = &part->report;
+  input.verdict = judge(job, part ? &part->answer.driving : nullptr);
+  input.spec_text = json_text(source.spec, 2);
+  input.version = kVersion;
+  return report_html(input);
+}
+
+}  // namespace
+
+void bind_pictures(py::class_<GearValue>& gear, py::class_<PairValue>& pair,
+                   py::class_<ContactValue>& contact) {
+  gear.def("_repr_html_", &gear_html)
+      .def(
+          "report", [](const GearValue& g) { return page_of(*g.model, {&g.gear()}, false); },
+          "The program's report as one HTML page");
+  const auto both = [](const Model& m) {
+    return std::vector<const Gear*>{&m.job.pair->gear(1), &m.job.pair->gear(2)};
+  };
+  pair.def("_repr_html_", &pair_html)
+      .def(
+          "report", [both](const PairValue& p) { return page_of(*p.model, both(*p.model), false); },
+          "The program's report as one HTML page");
+  contact.def("_repr_html_", &contact_html)
+      .def(
+          "report",
+          [both](const ContactValue& c) { return page_of(*c.model, both(*c.model), true); },
+          "The program's report with this contact, as one HTML page");
+}
+
+}  // namespace gearwright::python

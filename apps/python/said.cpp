@@ -1,0 +1,107 @@
+// What the catalogue says, for the stubs and for whoever asks at run time.
+#include "apps/python/model.hpp"
+#include "gearwright/catalogue/compensate_keys.hpp"
+#include "gearwright/catalogue/compensate_quantities.hpp"
+#include "gearwright/catalogue/contact_keys.hpp"
+#include "gearwright/catalogue/contact_quantities.hpp"
+#include "gearwright/catalogue/fit_quantities.hpp"
+#include "gearwright/catalogue/gear_keys.hpp"
+#include "gearwright/catalogue/gear_quantities.hpp"
+#include "gearwright/catalogue/pair_keys.hpp"
+#include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/search_quantities.hpp"
+#include "gearwright/catalogue/verdict_quantities.hpp"
+
+namespace gearwright::python {
+
+namespace {
+
+const char* word_of(Type type) {
+  switch (type) {
+    case Type::number: return "number";
+    case Type::whole: return "whole";
+    case Type::index: return "index";
+    case Type::flag: return "flag";
+    case Type::word: return "word";
+    case Type::text: return "text";
+    case Type::record: return "record";
+    case Type::map: return "map";
+  }
+  return "";
+}
+
+const char* word_of(KeyKind kind) {
+  switch (kind) {
+    case KeyKind::number: return "number";
+    case KeyKind::whole: return "whole";
+    case KeyKind::boolean: return "boolean";
+    case KeyKind::text: return "text";
+    case KeyKind::word: return "word";
+    case KeyKind::table: return "table";
+    case KeyKind::any: return "any";
+  }
+  return "";
+}
+
+// Adds a table and those of the records in it.
+void add(py::dict& all, const SaidTable& table) {
+  if (all.contains(table.name)) return;
+  py::list list;
+  all[py::str(table.name)] = list;
+  for (const Said* said : table.list) {
+    py::dict one;
+    one["name"] = name_of(*said);
+    one["key"] = said->key;
+    one["symbol"] = said->symbol;
+    one["unit"] = unit_text(said->unit);
+    one["words"] = said->words;
+    one["meaning"] = said->meaning;
+    one["type"] = word_of(said->type);
+    one["list"] = said->list;
+    one["always"] = said->always && !said->optional_key;
+    one["of"] = said->of ? said->of().name : "";
+    one["doc"] = docstring(*said);
+    list.append(one);
+    if (said->of) add(all, said->of());
+  }
+}
+
+py::list keys_of(const KeyTable& table) {
+  py::list list;
+  for (const Key& key : table.keys) {
+    py::dict one;
+    one["key"] = key.key;
+    one["name"] = house_key(key);
+    one["symbol"] = key.symbol;
+    one["kind"] = word_of(key.kind);
+    one["list"] = key.list.has_value();
+    one["meaning"] = plain_words(key.meaning);
+    list.append(one);
+  }
+  return list;
+}
+
+}  // namespace
+
+void bind_said(py::module_& m) {
+  m.def("_catalogue", [] {
+    py::dict all;
+    for (const SaidTable* table :
+         {&gear_quantities().table(), &pair_quantities().table(), &contact_quantities().table(),
+          &compensate_quantities().table(), &fit_quantities().table(), &search_quantities().table(),
+          &design_quantities().table(), &verdict_quantities().table(),
+          &warning_quantities().table()})
+      add(all, *table);
+    return all;
+  });
+  m.def("_keys", [] {
+    py::dict all;
+    all["gear"] = keys_of(gear_keys());
+    all["pair"] = keys_of(pair_keys());
+    all["compensate"] = keys_of(compensate_keys());
+    all["contact"] = keys_of(contact_keys());
+    return all;
+  });
+}
+
+}  // namespace gearwright::python

@@ -1,0 +1,192 @@
+// The design search and the inverse questions: fit, compensate.
+#include <fmt/format.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <mutex>
+
+#include "apps/python/arrays.hpp"
+#include "apps/python/model.hpp"
+#include "apps/python/watched.hpp"
+#include "gearwright/base/output_file.hpp"
+#include "gearwright/base/version.hpp"
+#include "gearwright/catalogue/search_quantities.hpp"
+#include "gearwright/job/search_answer.hpp"
+#include "gearwright/job/search_job.hpp"
+#include "gearwright/job/search_tables.hpp"
+
+namespace gearwright::python {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A finished search; designs best first.
+struct Found {
+  JobSpec spec;
+  std::shared_ptr<const Search> search;
+  SearchRun run;
+
+  const DesignRow& row(py::ssize_t i) const {
+    const auto n = static_cast<py::ssize_t>(run.answer.designs.size());
+    if (i < 0) i += n;
+    if (i < 0 || i >= n) throw py::index_error(fmt::format("there are {} designs", n));
+    return run.answer.designs[static_cast<std::size_t>(i)];
+  }
+};
+using FoundPtr = std::shared_ptr<const Found>;
+
+const char* word_of(SearchProgress::Stage stage) {
+  switch (stage) {
+    case SearchProgress::Stage::trials: return "candidates";
+    case SearchProgress::Stage::changes: return "what would help";
+    case SearchProgress::Stage::regions: return "regions";
+  }
+  return "";
+}
+
+FoundPtr search(const py::object& given, const std::optional<std::size_t>& top, int threads,
+                const py::object& progress, const std::optional<fs::path>& out, bool resume,
+                bool yes_large) {
+  JobSpec spec;
+  if (py::isinstance<py::str>(given) || py::hasattr(given, "__fspath__")) {
+    spec = value_or_raise(read_spec_file(given.cast<fs::path>()));
+  } else {
+    spec = read_tree_of(spec_with_keys(tree_of(given, "")), {});
+  }
+  if (!spec.search)
+    raise(Error{"search", "",
+                "is missing; a search needs a table search with at least ratio, modules_mm and "
+                "pinion_teeth"});
+  auto found = std::make_shared<Found>();
+  found->search = std::make_shared<const Search>(*spec.search);
+  found->spec = std::move(spec);
+  Watched watched;
+  SearchOptions options;
+  options.out = out.value_or("");
+  options.resume = resume;
+  options.yes_large = yes_large;
+  options.top = top;
+  options.threads = threads;
+  options.stop = &watched.stop;
+  std::mutex mutex;
+  SearchProgress latest;
+  options.progress = [&](const SearchProgress& now) {
+    const std::lock_guard lock(mutex);
+    latest = now;
+  };
+  const auto total = found->search->space().size();
+  const auto tell = [&] {
+    if (progress.is_none()) return;
+    SearchProgress now;
+    {
+      const std::lock_guard lock(mutex);
+      now = latest;
+    }
+    const bool trials = now.stage == SearchProgress::Stage::trials;
+    progress(word_of(now.stage), trials ? now.trials : now.done,
+             trials ? total.value_or(0) : now.of);
+  };
+  std::optional<Result<SearchRun>> run;
+  watch(
+      watched, [&] { run = run_search(found->spec, *found->search, options); }, tell);
+  if (!*run) raise(spelled(run->error(), found->spec.given));
+  found->run = std::move(*run).take();
+  return found;
+}
+
+py::object design(const Found& found, py::ssize_t i) {
+  const DesignView view{&found.search->problem(), &found.row(i)};
+  return by_name(Value(design_quantities().of(view)));
+}
+
+// The columns of search.parquet and best.csv, as a structured array.
+py::array to_numpy(const Found& found) {
+  const auto& heads = design_columns().heads();
+  const auto& rows = found.run.answer.designs;
+  const auto each_cell = [&](const auto& cell) {
+    for (std::size_t r = 0; r < rows.size(); ++r)
+      design_columns().row({&found.search->problem(), &rows[r]},
+                           [&](std::size_t c, const Value& v) { cell(r, c, v); });
+  };
+  std::vector<std::size_t> longest(heads.size(), 1);
+  each_cell([&](std::size_t, std::size_t c, const Value& v) {
+    if (const auto* s = std::get_if<std::string>(&v.variant()))
+      longest[c] = std::max(longest[c], s->size());
+  });
+  StructuredArray array;
+  for (std::size_t c = 0; c < heads.size(); ++c) {
+    const bool text = heads[c].type == ParquetType::text;
+    const bool number = heads[c].type == ParquetType::float64 || heads[c].optional;
+    array.add_column(heads[c].name, text ? fmt::format("U{}", longest[c]) : number ? "f8" : "i8");
+  }
+  array.allocate(rows.size());
+  each_cell([&](std::size_t r, std::size_t c, const Value& v) { array.set(r, c, v); });
+  return array.take();
+}
+
+void to_parquet(const Found& found, const fs::path& path) {
+  const py::gil_scoped_release free;
+  write_file_by(path, [&](const fs::path& part) {
+    ParquetTable<DesignView> table(
+        part, design_columns(),
+        {{"program", fmt::format("gearwright {}", kVersion)}, {"spec", found.spec.tree}});
+    for (const DesignRow& row : found.run.answer.designs)
+      table.add({&found.search->problem(), &row});
+    table.close();
+  });
+}
+
+PairValue pair_of(const Found& found, py::ssize_t i) {
+  return {make_model(pair_spec(found.spec, *found.search, found.row(i)), {}, Scope::pair)};
+}
+
+py::dict counts_of(const Found& found) {
+  const SearchCounts& counts = found.run.answer.counts;
+  py::dict rejected;
+  for (int i = 0; i < kLimits; ++i)
+    rejected[py::str(std::string(name(static_cast<Limit>(i))))] =
+        counts.rejected[static_cast<std::size_t>(i)];
+  py::dict all;
+  all["tested"] = counts.tested;
+  all["feasible"] = counts.feasible;
+  all["rejected"] = rejected;
+  return all;
+}
+
+std::string report_of(const Found& found) {
+  return search_page(found.spec, *found.search, found.run);
+}
+
+}  // namespace
+
+void bind_search(py::module_& m) {
+  py::class_<Found, std::shared_ptr<Found>>(m, "Search",
+                                            "A finished design search: its designs, best first")
+      .def("__len__", [](const Found& f) { return f.run.answer.designs.size(); })
+      .def("__getitem__", &design, "The design of this place as a Record")
+      .def("pair", &pair_of, py::arg("place") = 0, "The Pair of a design")
+      .def("to_numpy", &to_numpy,
+           "A structured array with the columns of search.parquet, a row a design")
+      .def("to_parquet", &to_parquet, py::arg("path"), "The same as a Parquet file")
+      .def_property_readonly("counts", &counts_of,
+                             "How many were tested, feasible, and ruled out by which limit")
+      .def_property_readonly(
+          "front", [](const Found& f) { return py::tuple(py::cast(f.run.answer.pareto)); },
+          "Places of the designs that no other betters in every objective")
+      .def_property_readonly(
+          "changes", [](const Found& f) { return py::tuple(py::cast(change_lines(f.run))); },
+          "Where nothing is feasible: changes of one number that would let something through")
+      .def(
+          "as_dict",
+          [](const Found& f) { return to_python(parse_json(search_json_text(*f.search, f.run))); },
+          "What the program prints with --json")
+      .def("report", &report_of, "The page of the search, HTML")
+      .def("__repr__", [](const Found& f) {
+        return fmt::format("Search({} designs of {} candidates)", f.run.answer.designs.size(),
+                           f.run.answer.counts.tested);
+      });
+  m.def("_search", &search, py::arg("spec"), py::arg("top"), py::arg("threads"),
+        py::arg("progress"), py::arg("out"), py::arg("resume"), py::arg("yes_large"));
+}
+
+}  // namespace gearwright::python

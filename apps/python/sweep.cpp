@@ -1,0 +1,140 @@
+// One pair with columns of numbers in place of some of its own: a row of quantities for each.
+#include <fmt/format.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <cmath>
+
+#include "apps/python/arrays.hpp"
+#include "apps/python/contact.hpp"
+#include "apps/python/watched.hpp"
+#include "gearwright/catalogue/gear_keys.hpp"
+#include "gearwright/catalogue/pair_keys.hpp"
+#include "gearwright/catalogue/pair_quantities.hpp"
+
+namespace gearwright::python {
+
+namespace {
+
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+// A key whose numbers change from row to row.
+struct Swept {
+  const Key* key;
+  int gear;  ///< 1 or 2; 0 of the pair
+  std::string path;
+  Numbers numbers;
+  double unit;  ///< what one of the numbers is in the key's unit
+
+  double at(std::size_t row) const { return numbers.data()[row] * unit; }
+};
+
+const Key& key_of(const KeyTable& table, const std::string& name, const std::string& path) {
+  for (const Key& key : table.keys)
+    if ((key.key == name || house_key(key) == name) && key.place && key.kind != KeyKind::word &&
+        key.kind != KeyKind::boolean && key.kind != KeyKind::text)
+      return key;
+  std::vector<std::string> may;
+  for (const Key& key : table.keys)
+    if (key.place && (key.kind == KeyKind::number || key.kind == KeyKind::whole))
+      may.push_back(house_key(key));
+  raise(Error{path, "", fmt::format("cannot be swept over; these can: {}", fmt::join(may, ", "))});
+}
+
+Swept swept(const KeyTable& table, int gear, const std::string& name, py::handle column) {
+  const std::string path = (gear == 0 ? "pair." : fmt::format("gear{}.", gear)) + name;
+  const Key& key = key_of(table, name, path);
+  auto numbers = Numbers::ensure(column);
+  PyErr_Clear();
+  if (!numbers || numbers.ndim() != 1)
+    raise(Error{path, "", "must be an array of one dimension, or a list of numbers"});
+  const bool in_unit = key.key == name;
+  return {&key, gear, path, numbers, in_unit ? 1.0 : units_per_house(key)};
+}
+
+std::vector<Swept> swept_keys(const py::kwargs& kwargs) {
+  std::vector<Swept> all;
+  for (const auto& [name_of_key, column] : kwargs) {
+    const std::string name = py::str(name_of_key);
+    if (name != "gear1" && name != "gear2") {
+      all.push_back(swept(pair_keys(), 0, name, column));
+      continue;
+    }
+    for (const auto& [inner, numbers] : py::reinterpret_borrow<py::dict>(column))
+      all.push_back(
+          swept(gear_keys(), name == "gear1" ? 1 : 2, std::string(py::str(inner)), numbers));
+  }
+  if (all.empty())
+    raise(Error{"sweep", "", "needs at least one key with an array: center_distance=distances"});
+  for (const Swept& s : all)
+    if (s.numbers.size() != all.front().numbers.size())
+      raise(Error{s.path, fmt::format("{} numbers", s.numbers.size()),
+                  fmt::format("must have as many as {}: {}", all.front().path,
+                              all.front().numbers.size())});
+  return all;
+}
+
+// A number of the row that its key does not allow, as reading a file would say it.
+std::optional<Error> put(JobSpec& spec, const Swept& s, std::size_t row) {
+  const double x = s.at(row);
+  if (!std::isfinite(x)) return Error{s.path, fmt::format("{}", x), "must be a finite number"};
+  if (s.key->range.limited() && !s.key->range.contains(x))
+    return refused(s.path, x, s.key->range.sentence(x));
+  KeyValue value = x;
+  if (s.key->place.kind() == KeyKind::whole) {
+    if (x != std::round(x)) return refused(s.path, x, "must be a whole number");
+    value = static_cast<int>(x);
+  }
+  if (s.gear == 0) {
+    s.key->place.put(spec.pair, value);
+  } else {
+    s.key->place.put(*spec.gears[static_cast<std::size_t>(s.gear - 1)], value);
+  }
+  return std::nullopt;
+}
+
+py::array sweep(const PairValue& pair, int threads, const py::kwargs& kwargs) {
+  const std::vector<Swept> keys = swept_keys(kwargs);
+  const auto rows = static_cast<std::size_t>(keys.front().numbers.size());
+  StructuredArray array;
+  array.add_columns(pair_quantities().table());
+  array.add_column("error", "U80");
+  array.allocate(rows);
+  const JobSpec& given = pair.model->read;
+  const auto row = [&](std::size_t r) {
+    JobSpec spec = given;
+    std::optional<Error> error;
+    for (const Swept& s : keys)
+      if (!error) error = put(spec, s, r);
+    if (!error) {
+      const auto job = solve(spec, Scope::pair);
+      if (job) return array.fill(r, pair_quantities(), *job->pair);
+      error = spelled(job.error(), spec.given);
+    }
+    array.nothing(r, error->message());
+  };
+  Watched watched;
+  watch(watched, [&] {
+    oneapi::tbb::task_arena arena(threads > 0 ? threads : oneapi::tbb::task_arena::automatic);
+    arena.execute([&] {
+      oneapi::tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t r) {
+        if (!watched.stop) row(r);
+      });
+    });
+  });
+  return array.take();
+}
+
+}  // namespace
+
+void bind_sweep(py::class_<PairValue>& pair) {
+  pair.def(
+      "sweep", &sweep, py::arg("threads") = 0,
+      "The pair with arrays in place of some of its numbers: sweep(center_distance=distances), "
+      "sweep(gear1={\"profile_shift\": shifts}). A structured array, a row for each, a column for "
+      "each quantity "
+      "by key; where there is no such pair, NaN and the sentence in `error`. All cores, without "
+      "the GIL");
+}
+
+}  // namespace gearwright::python

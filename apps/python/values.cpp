@@ -1,0 +1,251 @@
+#include "apps/python/values.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "apps/python/arrays.hpp"
+#include "apps/python/model.hpp"
+#include "gearwright/base/units.hpp"
+
+namespace gearwright::python {
+
+namespace {
+
+// A record of the catalogue: attributes by name, items by key.
+struct Record {
+  ValueRecord members;
+
+  const Member* by_name(std::string_view name) const {
+    for (const Member& m : members)
+      if (name_of(*m.said) == name) return &m;
+    return nullptr;
+  }
+  const Member* by_key(std::string_view key) const {
+    for (const Member& m : members)
+      if (m.said->key == key) return &m;
+    return nullptr;
+  }
+};
+
+struct ByKey {
+  py::object operator()(std::monostate) const { return py::none(); }
+  py::object operator()(bool flag) const { return py::bool_(flag); }
+  py::object operator()(long long whole) const { return py::int_(whole); }
+  py::object operator()(double x) const {
+    return std::isfinite(x) ? py::object(py::float_(x)) : py::object(py::none());
+  }
+  py::object operator()(const std::string& word) const { return py::str(word); }
+  py::object operator()(const ValueList& list) const {
+    py::list all;
+    for (const Value& v : list) all.append(by_key(v));
+    return all;
+  }
+  py::object operator()(const ValueRecord& record) const {
+    py::dict all;
+    for (const Member& m : record)
+      if (m.said->doors & kJson) all[py::str(m.said->key)] = by_key(m.value);
+    return all;
+  }
+  py::object operator()(const ValueMap& map) const {
+    py::dict all;
+    for (const auto& [name, value] : map) all[py::str(name)] = by_key(value);
+    return all;
+  }
+};
+
+struct ByName {
+  double unit;
+
+  py::object operator()(double x) const {
+    return std::isfinite(x) ? py::object(py::float_(x * unit)) : py::object(py::none());
+  }
+  py::object operator()(const ValueList& list) const {
+    py::tuple all(list.size());
+    for (std::size_t i = 0; i < list.size(); ++i) all[i] = std::visit(*this, list[i].variant());
+    return all;
+  }
+  py::object operator()(const ValueRecord& record) const { return py::cast(Record{record}); }
+  template <class T>
+  py::object operator()(const T& other) const {
+    return ByKey()(other);
+  }
+};
+
+Json number_of(double x, const std::string& path) {
+  if (!std::isfinite(x))
+    raise({path, std::isnan(x) ? "nan" : x > 0 ? "inf" : "-inf", "must be a finite number"});
+  return x;
+}
+
+Json whole_of(py::handle value, const std::string& path) {
+  int overflow = 0;
+  const long long whole = PyLong_AsLongLongAndOverflow(value.ptr(), &overflow);
+  if (overflow != 0)
+    raise({path, std::string(py::str(value)), "is more than any number of a gear"});
+  return whole;
+}
+
+Json mapping_of(py::handle value, const std::string& path) {
+  Json tree = Json::object();
+  for (const auto& item : py::reinterpret_steal<py::object>(PyMapping_Items(value.ptr()))) {
+    const auto pair = py::reinterpret_borrow<py::tuple>(item);
+    const std::string key = py::str(pair[0]);
+    const py::object member = pair[1];
+    if (member.is_none()) continue;  // not given
+    tree[key] = tree_of(member, path.empty() ? key : path + "." + key);
+  }
+  return tree;
+}
+
+}  // namespace
+
+std::string name_of(const Said& said) {
+  if (said.key == "from") return "from_";  // a word of Python's own
+  if (said.unit == Unit::m_per_s) return said.key;
+  const std::string_view suffix = unit_suffix(said.unit);
+  const std::string_view key = said.key;
+  return std::string(key.ends_with(suffix) ? key.substr(0, key.size() - suffix.size()) : key);
+}
+
+double house_unit(Unit unit) {
+  switch (unit) {
+    case Unit::um: return kMmPerUm;
+    case Unit::deg: return kRadPerDeg;
+    case Unit::arcsec: return kRadPerArcsec;
+    default: return 1.0;
+  }
+}
+
+std::string docstring(const Said& said) {
+  const bool angle = said.unit == Unit::deg || said.unit == Unit::arcsec;
+  const std::string unit(angle                        ? "rad"
+                         : said.unit == Unit::um      ? "mm"
+                         : said.unit == Unit::percent ? "share of 1"
+                                                      : unit_text(said.unit));
+  std::string text = said.symbol;
+  if (!unit.empty()) text += (text.empty() ? "" : ", ") + unit;
+  if (!text.empty()) text += ": ";
+  text += said.words;
+  if (!said.meaning.empty()) text += (said.words.empty() ? "" : ", ") + said.meaning;
+  return text + ".";
+}
+
+py::object to_python(const Json& tree) {
+  switch (tree.type()) {
+    case Json::value_t::boolean: return py::bool_(tree.get<bool>());
+    case Json::value_t::number_integer:
+    case Json::value_t::number_unsigned: return py::int_(tree.get<long long>());
+    case Json::value_t::number_float: return ByKey()(tree.get<double>());
+    case Json::value_t::string: return py::str(tree.get_ref<const std::string&>());
+    case Json::value_t::array: {
+      py::list all;
+      for (const Json& j : tree) all.append(to_python(j));
+      return all;
+    }
+    case Json::value_t::object: {
+      py::dict all;
+      for (const auto& [key, j] : tree.items()) all[py::str(key)] = to_python(j);
+      return all;
+    }
+    case Json::value_t::null:
+    case Json::value_t::binary:
+    case Json::value_t::discarded: break;
+  }
+  return py::none();
+}
+
+py::object by_key(const Value& value) { return std::visit(ByKey(), value.variant()); }
+
+py::object by_name(const Said& said, const Value& value) {
+  const bool any_length = !said.list.empty() && said.list[0] == 0;
+  if (said.type == Type::number && any_length && value.list())
+    return number_array(value, house_unit(said.unit));
+  return std::visit(ByName{house_unit(said.unit)}, value.variant());
+}
+
+py::object by_name(const Value& without_unit) {
+  return std::visit(ByName{1.0}, without_unit.variant());
+}
+
+Json tree_of(py::handle value, const std::string& path) {
+  PyObject* const o = value.ptr();
+  if (value.is_none()) return nullptr;
+  if (PyBool_Check(o)) return o == Py_True;
+  if (PyLong_Check(o)) return whole_of(value, path);
+  if (PyFloat_Check(o)) return number_of(PyFloat_AS_DOUBLE(o), path);
+  if (PyUnicode_Check(o)) return std::string(py::str(value));
+  if (py::isinstance<GearValue>(value)) return value.cast<const GearValue&>().spec();
+  if (py::hasattr(value, "tolist")) return tree_of(value.attr("tolist")(), path);  // numpy
+  if (PyDict_Check(o) || py::hasattr(value, "keys")) return mapping_of(value, path);
+  if (py::hasattr(value, "__fspath__")) return std::string(py::str(value.attr("__fspath__")()));
+  if (PyIndex_Check(o)) return whole_of(py::reinterpret_steal<py::object>(PyNumber_Index(o)), path);
+  if (PySequence_Check(o)) {
+    Json list = Json::array();
+    for (const auto& item : value)
+      list.push_back(tree_of(item, path + "[" + std::to_string(list.size()) + "]"));
+    return list;
+  }
+  if (py::hasattr(value, "__float__"))
+    return number_of(value.attr("__float__")().cast<double>(), path);
+  throw py::type_error(path + ": a spec has no place for " + std::string(py::repr(value)));
+}
+
+void raise(const Error& error) {
+  const py::object type = py::module_::import("gearwright._errors").attr("SpecError");
+  PyErr_SetObject(type.ptr(), type(error.field, error.value, error.rule, error.message()).ptr());
+  throw py::error_already_set();
+}
+
+void raise_of_gear(Error error) {
+  const std::string_view gear = "gear1.";
+  for (std::string* text : {&error.field, &error.rule})
+    for (std::size_t at = text->find(gear); at != std::string::npos; at = text->find(gear, at))
+      text->erase(at, gear.size());
+  const std::string_view table = "in [gear1]";
+  if (const std::size_t at = error.rule.find(table); at != std::string::npos)
+    error.rule.replace(at, table.size(), "of a gear");
+  raise(error);
+}
+
+void bind_records(py::module_& m) {
+  py::class_<Record>(m, "Record",
+                     "Quantities of the catalogue: attributes in mm and rad, items by key")
+      .def("__getattr__",
+           [](const Record& r, const std::string& name) {
+             const Member* member = r.by_name(name);
+             if (!member) throw py::attribute_error("there is no quantity " + name);
+             return by_name(*member->said, member->value);
+           })
+      .def("__getitem__",
+           [](const Record& r, const std::string& key) {
+             const Member* member = r.by_key(key);
+             if (!member) throw py::key_error(key);
+             return by_key(member->value);
+           })
+      .def("__contains__",
+           [](const Record& r, const std::string& key) { return r.by_key(key) != nullptr; })
+      .def("__dir__",
+           [](const Record& r) {
+             py::list names;
+             for (const char* own : {"as_dict", "keys"}) names.append(own);
+             for (const Member& member : r.members) names.append(name_of(*member.said));
+             return names;
+           })
+      .def("keys",
+           [](const Record& r) {
+             py::list keys;
+             for (const Member& member : r.members)
+               if (member.said->doors & kJson) keys.append(member.said->key);
+             return keys;
+           })
+      .def(
+          "as_dict", [](const Record& r) { return by_key(r.members); },
+          "By key, each in the unit that its key names: what JSON has")
+      .def("__eq__", [](const Record& a,
+                        const Record& b) { return by_key(a.members).equal(by_key(b.members)); })
+      .def("__repr__", [](const Record& r) {
+        return "Record(" + std::string(py::repr(by_key(r.members))) + ")";
+      });
+}
+
+}  // namespace gearwright::python

@@ -1,0 +1,53 @@
+// Values between Python and the house: trees of specs, values of the catalogue, errors.
+//
+//   by key    "tip_diameter_mm", the unit that the key names: what JSON has
+//   by name   "tip_diameter", mm and rad: an attribute
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <string>
+#include <string_view>
+
+#include "gearwright/base/error.hpp"
+#include "gearwright/base/result.hpp"
+#include "gearwright/catalogue/quantity.hpp"
+#include "gearwright/spec/json.hpp"
+
+namespace gearwright::python {
+
+namespace py = pybind11;
+
+/// The key without a unit that has a place in mm and rad: "tip_diameter" of tip_diameter_mm,
+/// "transmission_error" of transmission_error_arcsec; others stay.
+std::string name_of(const Said& said);
+/// What one unit of the key is in mm or rad.
+double house_unit(Unit unit);
+/// "m_n, mm: normal module, as in the spec": what help() says of an attribute.
+std::string docstring(const Said& said);
+
+/// As JSON has it: null is None, lists are lists, records are dicts by key.
+py::object to_python(const Json& tree);
+py::object by_key(const Value& value);
+/// As an attribute: numbers in mm and rad, lists are tuples, records are Records.
+py::object by_name(const Said& said, const Value& value);
+py::object by_name(const Value& without_unit);
+
+/// A tree of dicts, lists, numbers and texts; numpy's numbers and arrays, paths and Gears too. `path` names
+/// it in errors.   Throws  SpecError for what is not finite, TypeError for what has no place in a spec
+Json tree_of(py::handle value, const std::string& path);
+
+/// Raises gearwright.SpecError.
+[[noreturn]] void raise(const Error& error);
+/// The same of a gear by itself: "teeth", not "gear1.teeth".
+[[noreturn]] void raise_of_gear(Error error);
+
+template <class T>
+T value_or_raise(Result<T> result) {
+  if (!result) raise(result.error());
+  return std::move(result).take();
+}
+
+void bind_records(py::module_& m);
+
+}  // namespace gearwright::python

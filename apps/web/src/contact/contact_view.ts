@@ -1,0 +1,198 @@
+// The tab "contact": errors and modifications as sliders; transmission error, spectrum and flanks
+// follow while they move. The pattern is made in the background and comes a moment later.
+
+import type { ContactCurve } from "../../engine/engine";
+import { fill, h, onThemeChange } from "../elements";
+import { kOvertaken } from "../engine_link";
+import { at, bench } from "../workbench";
+import type { Tab } from "../tabs";
+import { SpectrumPlot, TransmissionPlot } from "./curves";
+import { ErrorMapView } from "./error_map_view";
+import { FlankMap } from "./flank_map";
+import { ContactSliders } from "./sliders";
+
+const kPositions = 64;
+type Timed = ContactCurve & { milliseconds: number };
+
+export class ContactView implements Tab {
+  readonly id = "contact";
+  readonly words = "contact";
+  private readonly sliders = new ContactSliders();
+  private readonly sentence = h("p", { class: "contact-sentence", "aria-live": "polite" });
+  private readonly te = new TransmissionPlot((index) => this.choose(index));
+  private readonly spectrum = new SpectrumPlot();
+  private readonly maps = [new FlankMap(0), new FlankMap(1)];
+  private readonly errorMap = new ErrorMapView();
+  private readonly instant = h("input", {
+    type: "range",
+    min: 0,
+    max: kPositions - 1,
+    step: 1,
+    value: kPositions / 2,
+    "aria-label": "position over the pitch",
+    input: () => this.choose(Number(this.instant.value)),
+  });
+  private readonly where = h("output", { class: "soft" });
+  private readonly time = h("span", { class: "soft time" });
+  readonly element = h(
+    "div",
+    { class: "contact-view" },
+    this.sliders.element,
+    h(
+      "div",
+      { class: "contact-room", tabindex: "0", role: "region", "aria-label": "curves and flanks" },
+      this.sentence,
+      h(
+        "div",
+        { class: "plots" },
+        h(
+          "figure",
+          {},
+          this.te.element,
+          h(
+            "figcaption",
+            {},
+            h("b", {}, "Transmission error"),
+            ", from its middle; ",
+            h("span", { class: "edge-ink" }, "an edge touches"),
+            ". ",
+            this.time,
+          ),
+        ),
+        h(
+          "figure",
+          {},
+          this.spectrum.element,
+          h("figcaption", {}, h("b", {}, "Its spectrum"), ": the first bar is the tooth frequency."),
+        ),
+      ),
+      h("label", { class: "slide" }, h("span", {}, "position"), this.instant, this.where),
+      h(
+        "div",
+        { class: "plots" },
+        ...this.maps.map((map, i) =>
+          h(
+            "figure",
+            {},
+            map.canvas,
+            h(
+              "figcaption",
+              {},
+              h("b", { class: `g${i + 1}` }, `Flank of gear ${i + 1}`),
+              i
+                ? ", marking after a mesh."
+                : ", marking; darker: the gap now, in steps of 1, 2, 5, 10, 20, 50 µm.",
+            ),
+          ),
+        ),
+      ),
+      this.errorMap.element,
+    ),
+  );
+  private curve: Timed | null = null;
+  private index = kPositions / 2;
+  private shown = "";
+
+  constructor() {
+    new ResizeObserver(() => this.drawFlanks()).observe(this.maps[0]!.canvas);
+    onThemeChange(() => {
+      this.te.forget();
+      this.spectrum.forget();
+      this.draw();
+    });
+  }
+
+  async refresh(): Promise<void> {
+    this.sliders.build();
+    this.errorMap.build();
+    this.sliders.show();
+    const solved = bench.good;
+    if (!solved?.hasPair) {
+      this.clear(solved ? "One gear touches nothing: a second one makes a pair." : "There is no pair yet.");
+      return;
+    }
+    if (solved.text === this.shown) return this.draw();
+    let answer;
+    try {
+      answer = await bench.front.latest("curve", "curve", { text: solved.text, positions: kPositions });
+    } catch (reason) {
+      this.clear(reason instanceof Error ? reason.message : String(reason));
+      return;
+    }
+    if (answer === kOvertaken) return;
+    this.curve = answer;
+    this.shown = solved.text;
+    for (const map of this.maps) map.gap = null;
+    this.draw();
+    await Promise.all([this.gapNow(), this.pattern(solved.text)]);
+  }
+
+  private clear(sentence: string): void {
+    this.curve = null;
+    this.shown = "";
+    this.te.forget();
+    this.spectrum.forget();
+    for (const map of this.maps) map.gap = map.pattern = null;
+    this.where.textContent = this.time.textContent = "";
+    fill(this.sentence, sentence);
+    this.drawFlanks();
+  }
+
+  private choose(index: number): void {
+    this.index = Math.min(kPositions - 1, Math.max(0, index));
+    this.instant.value = String(this.index);
+    this.draw();
+    void this.gapNow();
+  }
+
+  private async gapNow(): Promise<void> {
+    const { curve, index } = this;
+    const rotation = (curve?.columns["rotation1_deg"] as Float64Array | undefined)?.[index];
+    const tooth = (curve?.columns["tooth"] as Float64Array | undefined)?.[index];
+    if (!curve || rotation === undefined || tooth === undefined || !Number.isFinite(tooth)) return;
+    const gap = await bench.front
+      .latest("gap", "gapMap", { text: this.shown, rotation, tooth, rows: 25, columns: 49 })
+      .catch(() => null);
+    if (gap === kOvertaken || this.curve !== curve) return;
+    this.maps[0]!.gap = gap;
+    this.drawFlanks();
+  }
+
+  private async pattern(text: string): Promise<void> {
+    const pattern = await bench.back
+      .latest("pattern-flat", "pattern", { text, positions: 32, rows: 25, columns: 49 })
+      .catch(() => null);
+    if (pattern === kOvertaken || this.shown !== text) return;
+    this.maps.forEach((map, i) => (map.pattern = pattern?.[i] ?? null));
+    this.drawFlanks();
+  }
+
+  private draw(): void {
+    const curve = this.curve;
+    if (!curve) return;
+    this.te.show(curve, this.index);
+    this.spectrum.show(curve.harmonicsArcsec);
+    const kinds = curve.columns["kind"] as string[];
+    const edges = kinds.filter((kind) => !["interior", "line", "", "none"].includes(kind)).length;
+    const share = Math.round((100 * edges) / curve.n);
+    fill(
+      this.sentence,
+      curve.contactLost
+        ? "At some positions no tooth touches."
+        : curve.peakToPeakArcsec < 5e-4
+          ? "These teeth turn evenly: without errors and modifications there is no transmission error. Pull a slider."
+          : `While a tooth passes, gear 2 runs up to ${curve.peakToPeakArcsec.toFixed(3)}″ unevenly. ` +
+            (share
+              ? `During ${share} % of the rotation an edge touches where a flank should.`
+              : "No edge touches."),
+    );
+    const rotation = (curve.columns["rotation1_deg"] as Float64Array)[this.index]!;
+    this.where.textContent = `${rotation.toFixed(2)}°  ${kinds[this.index] || "no contact"}`;
+    this.time.textContent = `${curve.n} positions in ${curve.milliseconds.toFixed(1)} ms.`;
+    this.drawFlanks();
+  }
+  private drawFlanks(): void {
+    const marking = (at(bench.good?.spec ?? null, "contact.marking_mm") as number | undefined) ?? 0.00635;
+    for (const map of this.maps) map.draw(this.curve, this.index, marking);
+  }
+}

@@ -1,0 +1,148 @@
+// Peak to peak of the transmission error over two errors at once: computed in the background, row by
+// row, with progress and a way out. A click mounts the pair with those errors.
+
+import type { ErrorMap } from "../../engine/engine";
+import { inputs, wordsOf } from "../catalogue";
+import { button, colour, fill, h } from "../elements";
+import { kOvertaken } from "../engine_link";
+import { fixed } from "../numbers";
+import { at, bench } from "../workbench";
+
+const kReach: Record<string, number> = { "°": 0.05, µm: 20, mm: 0.1 };
+const kPoints = 33;
+const kShades = [
+  "#00204d",
+  "#0b3370",
+  "#37476b",
+  "#555b6d",
+  "#6f7073",
+  "#8a8779",
+  "#a69d75",
+  "#c4b56c",
+  "#e4cf5b",
+  "#ffea46",
+]; // the report's
+
+export class ErrorMapView {
+  private readonly x = this.chooser("across", "crossing_deg");
+  private readonly y = this.chooser("up", "intersecting_deg");
+  private readonly canvas = h("canvas", {
+    role: "img",
+    "aria-label": "peak to peak of the transmission error over two errors",
+    click: (event: MouseEvent) => this.take(event),
+    pointermove: (event: PointerEvent) => this.hover(event),
+  });
+  private readonly go = button("Map", () => void this.make());
+  private readonly stop = button("Cancel", () => this.cancel());
+  private readonly bar = h("progress", { max: 1, value: 0, "aria-label": "progress of the map" });
+  private readonly said = h("span", { class: "soft", role: "status" });
+  readonly element = h(
+    "figure",
+    { class: "error-map" },
+    h(
+      "div",
+      { class: "map-head" },
+      h("b", {}, "Peak to peak over two errors"),
+      this.x,
+      this.y,
+      this.go,
+      this.stop,
+      this.bar,
+      this.said,
+    ),
+    this.canvas,
+  );
+  private map: ErrorMap | null = null;
+
+  constructor() {
+    this.stop.hidden = this.bar.hidden = this.canvas.hidden = true;
+  }
+  private chooser(where: string, first: string): HTMLSelectElement {
+    return h("select", { "aria-label": "error " + where, "data-first": first });
+  }
+  build(): void {
+    if (this.x.options.length) return;
+    for (const select of [this.x, this.y]) {
+      fill(
+        select,
+        ...(inputs("errors")?.keys ?? [])
+          .filter((key) => key.documented)
+          .map((key) => h("option", { value: key.key }, wordsOf(key))),
+      );
+      select.value = select.dataset["first"]!;
+    }
+  }
+
+  private axis(select: HTMLSelectElement): { key: string; from: number; to: number; n: number } {
+    const key = inputs("errors")!.keys.find((one) => one.key === select.value)!;
+    const now = at(bench.good?.spec ?? null, "errors." + key.key);
+    const reach = Math.max(kReach[key.unit] ?? 1, typeof now === "number" ? 1.5 * Math.abs(now) : 0);
+    return { key: key.key, from: -reach, to: reach, n: kPoints };
+  }
+
+  private async make(): Promise<void> {
+    if (this.x.value === this.y.value) {
+      this.said.textContent = "Choose two different errors.";
+      return;
+    }
+    this.canvas.hidden = this.stop.hidden = this.bar.hidden = false;
+    this.go.hidden = true;
+    this.said.textContent = "";
+    const question = { text: bench.good!.text, x: this.axis(this.x), y: this.axis(this.y), positions: 32 };
+    try {
+      const map = await bench.back.latest("map", "errorMap", question, (done, of, sofar) => {
+        this.bar.value = of ? done / of : 0;
+        if (sofar) this.show(sofar as ErrorMap);
+      });
+      if (map && map !== kOvertaken) this.show(map);
+      this.said.textContent = "A click mounts the pair so.";
+    } catch (reason) {
+      this.said.textContent = reason instanceof Error ? reason.message : String(reason);
+    } finally {
+      this.stop.hidden = this.bar.hidden = true;
+      this.go.hidden = false;
+    }
+  }
+  cancel(): void {
+    bench.back.cancel();
+  }
+
+  private show(map: ErrorMap): void {
+    this.map = map;
+    const nx = map.x.length;
+    const ny = map.y.length;
+    this.canvas.width = nx;
+    this.canvas.height = ny;
+    const c = this.canvas.getContext("2d")!;
+    const real = map.peakToPeakArcsec.filter(Number.isFinite);
+    const most = real.length ? Math.max(...real) : 1;
+    for (let j = 0; j < ny; ++j)
+      for (let i = 0; i < nx; ++i) {
+        const value = map.peakToPeakArcsec[j * nx + i]!;
+        c.fillStyle = Number.isFinite(value)
+          ? kShades[Math.min(9, Math.floor((10 * value) / (most || 1)))]!
+          : colour("panel");
+        c.fillRect(i, ny - 1 - j, 1, 1);
+      }
+  }
+  private cell(event: MouseEvent): [number, number] | null {
+    if (!this.map) return null;
+    const i = Math.floor((event.offsetX / this.canvas.clientWidth) * this.map.x.length);
+    const j =
+      this.map.y.length - 1 - Math.floor((event.offsetY / this.canvas.clientHeight) * this.map.y.length);
+    return this.map.x[i] === undefined || this.map.y[j] === undefined ? null : [i, j];
+  }
+  private hover(event: PointerEvent): void {
+    const cell = this.cell(event);
+    if (!cell || !this.map) return;
+    const [i, j] = cell;
+    const value = this.map.peakToPeakArcsec[j * this.map.x.length + i]!;
+    this.said.textContent = `${this.x.value.replace(/_.*$/, "")} ${fixed(this.map.x[i]!, 4)}, ${this.y.value.replace(/_.*$/, "")} ${fixed(this.map.y[j]!, 4)}: ${Number.isFinite(value) ? value.toFixed(3) + "″" : "no contact"}`;
+  }
+  private take(event: MouseEvent): void {
+    const cell = this.cell(event);
+    if (!cell || !this.map) return;
+    bench.setKey("errors." + this.x.value, Number(this.map.x[cell[0]]!.toPrecision(6)));
+    bench.setKey("errors." + this.y.value, Number(this.map.y[cell[1]]!.toPrecision(6)));
+  }
+}

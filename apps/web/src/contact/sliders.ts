@@ -1,0 +1,123 @@
+// Every error of mounting and every modification as a slider about nothing: pulled, the picture
+// follows; a double click or the key 0 takes it back.
+
+import type { InputKey } from "../../engine/engine";
+import { inputKey, inputs, wordsOf } from "../catalogue";
+import { h, symbol } from "../elements";
+import { fixed, niceStep, onStep } from "../numbers";
+import { at, bench } from "../workbench";
+
+const kReach: Record<string, number> = { "°": 0.1, µm: 30, mm: 0.1 };
+const kModifications = [
+  "lead_crowning_um",
+  "lead_slope_um",
+  "profile_crowning_um",
+  "profile_slope_um",
+  "tip_relief_um",
+  "root_relief_um",
+  "end_relief_um",
+];
+/** What a modification needs beside it. */
+const kNeeds: Record<string, string> = {
+  tip_relief_um: "tip_relief_start_mm",
+  root_relief_um: "root_relief_start_mm",
+  end_relief_um: "end_relief_length_mm",
+};
+
+interface Slide {
+  place: string;
+  input: HTMLInputElement;
+  output: HTMLOutputElement;
+  key: InputKey;
+  row: HTMLElement;
+}
+
+export class ContactSliders {
+  readonly element = h("div", { class: "sliders", role: "group", "aria-label": "errors and modifications" });
+  private slides: Slide[] = [];
+
+  build(): void {
+    if (this.slides.length) return;
+    const errors = (inputs("errors")?.keys ?? []).filter((key) => key.documented && key.kind === "number");
+    this.group(
+      "Errors",
+      "",
+      errors.map((key) => ["errors." + key.key, key]),
+    );
+    for (const gear of ["gear1", "gear2"]) {
+      const keys = kModifications
+        .map((name) => inputKey("modifications", name))
+        .filter((key) => key !== undefined);
+      this.group(
+        "Modifications, gear " + gear[4],
+        "g" + gear[4],
+        keys.map((key) => [`${gear}.modifications.${key.key}`, key]),
+      );
+    }
+  }
+
+  private group(title: string, style: string, entries: [string, InputKey][]): void {
+    this.element.append(
+      h("h3", { class: style }, title),
+      ...entries.map(([place, key]) => this.slide(place, key)),
+    );
+  }
+
+  private slide(place: string, key: InputKey): HTMLElement {
+    const reach = kReach[key.unit] ?? 1;
+    const output = h("output", {});
+    const set = (value: number) => bench.setKey(place, value === 0 ? undefined : value);
+    const input = h("input", {
+      type: "range",
+      "aria-label": `${wordsOf(key)}, ${key.unit}${place.startsWith("gear") ? ", gear " + place[4] : ""}`,
+      "data-slide": place,
+      min: key.range?.lo === 0 ? 0 : -reach,
+      max: reach,
+      step: reach / 100,
+      value: 0,
+      input: () => {
+        const value = onStep(Number(input.value), niceStep(Number(input.max), 100));
+        output.textContent = text(value, key);
+        set(value);
+      },
+      dblclick: () => set(0),
+      keydown: (event: KeyboardEvent) => {
+        if (event.key !== "0") return;
+        event.preventDefault();
+        set(0);
+      },
+    });
+    const row = h(
+      "label",
+      { class: "slider", title: key.meaning },
+      h("span", { class: "slider-words" }, wordsOf(key), " ", symbol(key.symbol)),
+      output,
+      input,
+    );
+    this.slides.push({ place, input, output, key, row });
+    return row;
+  }
+
+  /** Shows what the spec says. */
+  show(): void {
+    const spec = bench.solved?.spec;
+    if (!spec) return;
+    for (const { place, input, output, key, row } of this.slides) {
+      const value = at(spec, place);
+      const need = kNeeds[key.key];
+      row.hidden = need !== undefined && at(spec, place.replace(/[^.]*$/, need)) === undefined;
+      const number = typeof value === "number" ? value : 0;
+      if (Math.abs(number) > Number(input.max)) {
+        input.max = String(2 * Math.abs(number));
+        if (Number(input.min) < 0) input.min = "-" + input.max;
+      }
+      if (document.activeElement !== input || Number(input.value) !== number) input.value = String(number);
+      output.textContent = text(number, key);
+      row.classList.toggle("moved", number !== 0);
+    }
+  }
+}
+
+function text(value: number, key: InputKey): string {
+  return `${fixed(value, key.unit === "µm" ? 1 : 3)} ${key.unit}`;
+}

@@ -1,0 +1,31 @@
+// The door for scripts: what tests, and people at the browser's console, may ask of the page.
+//
+//   await gearwright.run("pair", text)   the JSON that `gearwright pair --json` prints
+//   gearwright.open(text)                puts a design on screen
+
+import type { Verb } from "../engine/engine";
+import type { Page } from "./page";
+import { bench } from "./workbench";
+
+declare global {
+  interface Window {
+    gearwright: ReturnType<typeof doorOf>;
+  }
+}
+
+export function doorOf(page: Page) {
+  return {
+    run: (verb: Verb, text: string): Promise<string> => bench.front.ask("print", { text, verb }),
+    open: (text: string, tab?: string): void => page.begin(text, tab),
+    start: (): void => page.showStarts(),
+    text: (): string => bench.text,
+    /** The answer on screen is that of the text on screen. */
+    settled: (): boolean => bench.solved?.text === bench.text,
+    /** Nothing is asked of the engine any more. */
+    idle: (): boolean =>
+      bench.solved?.text === bench.text &&
+      !page.tabs.busy &&
+      [bench.front, bench.back, bench.seek].every((one) => one.idle),
+    lastMs: (): number => bench.lastMs,
+  };
+}

@@ -1,0 +1,134 @@
+// The engine works beside the page, in workers, so that nothing it does can hold up a keystroke.
+//
+//   front   solves the design on screen: milliseconds, always free
+//   back    whatever takes long: solids, patterns, maps, reports, files
+//   seek    searches and fits, which keep what they have found
+//
+// Where a newer question makes an older one pointless, `latest` lets the older ones go: at most one
+// question of a kind is under way and one waits.
+
+import type { Questions } from "./engine_worker";
+
+/** What a question is answered when a newer one has taken its place. */
+export const kOvertaken = Symbol("overtaken");
+type Name = keyof Questions;
+type Answer<N extends Name> = Awaited<ReturnType<Questions[N]>>;
+export type Progress = (done: number, of: number, sofar?: unknown) => void;
+
+interface Pending {
+  resolve(answer: unknown): void;
+  reject(reason: unknown): void;
+  progress?: Progress;
+}
+interface Heard {
+  id: number;
+  answer?: unknown;
+  overtaken?: boolean;
+  failed?: string;
+  broken?: string;
+  progress?: [number, number, unknown];
+}
+interface Waiting {
+  go(): void;
+  drop(): void;
+}
+
+export class EngineLink {
+  private worker: Worker | null = null;
+  private readonly pending = new Map<number, Pending>();
+  private readonly channels = new Map<string, Waiting | null>();
+  private next = 1;
+  private starting = 0;
+
+  constructor(
+    private readonly make: () => Worker,
+    private readonly wasm: () => Promise<ArrayBuffer>,
+  ) {}
+
+  get idle(): boolean {
+    return this.pending.size === 0 && this.starting === 0;
+  }
+
+  private async start(): Promise<Worker> {
+    ++this.starting;
+    const bytes = await this.wasm().finally(() => --this.starting);
+    if (this.worker) return this.worker;
+    const worker = this.make();
+    this.worker = worker;
+    worker.onmessage = (event: MessageEvent) => this.hear(event.data);
+    worker.onerror = (event) => this.fail(new Error(event.message || "the engine has stopped"));
+    worker.postMessage({ wasm: bytes });
+    return worker;
+  }
+
+  private hear(message: Heard): void {
+    if (message.broken !== undefined) return this.fail(new Error(message.broken));
+    const pending = this.pending.get(message.id);
+    if (!pending) return;
+    if (message.progress) return pending.progress?.(...message.progress);
+    this.pending.delete(message.id);
+    if (message.failed !== undefined) pending.reject(new Error(message.failed));
+    else if (message.overtaken) pending.resolve(kOvertaken);
+    else pending.resolve(message.answer);
+  }
+
+  private fail(reason: unknown): void {
+    for (const pending of this.pending.values()) pending.reject(reason);
+    this.pending.clear();
+    this.worker?.terminate();
+    this.worker = null;
+  }
+
+  /** Asks; the answer comes in its time. */
+  async ask<N extends Name>(
+    name: N,
+    question: Parameters<Questions[N]>[0],
+    progress?: Progress,
+  ): Promise<Answer<N>> {
+    return (await this.send(name, question, progress)) as Answer<N>;
+  }
+
+  private async send(name: Name, question: unknown, progress?: Progress, channel?: string): Promise<unknown> {
+    const worker = this.worker ?? (await this.start());
+    const id = this.next++;
+    return new Promise((resolve, reject) => {
+      this.pending.set(id, { resolve, reject, progress });
+      worker.postMessage({ id, name, question, channel });
+    });
+  }
+
+  /** Asks, or lets go when a newer question on this channel comes before it was its turn. */
+  latest<N extends Name>(
+    channel: string,
+    name: N,
+    question: Parameters<Questions[N]>[0],
+    progress?: Progress,
+  ): Promise<Answer<N> | typeof kOvertaken> {
+    return new Promise((resolve, reject) => {
+      const waiting: Waiting = {
+        drop: () => resolve(kOvertaken),
+        go: () => {
+          this.channels.set(channel, null);
+          this.send(name, question, progress, channel)
+            .then(resolve as (answer: unknown) => void, reject)
+            .finally(() => {
+              const after = this.channels.get(channel);
+              if (after) after.go();
+              else this.channels.delete(channel);
+            });
+        },
+      };
+      if (!this.channels.has(channel)) return waiting.go();
+      this.channels.get(channel)?.drop();
+      this.channels.set(channel, waiting);
+      this.worker?.postMessage({ overtake: channel });
+    });
+  }
+
+  /** Ends whatever is under way; the next question starts anew. */
+  cancel(): void {
+    this.fail(new Error("cancelled"));
+    for (const waiting of this.channels.values()) waiting?.drop();
+    this.channels.clear();
+  }
+}

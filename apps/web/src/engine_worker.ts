@@ -1,0 +1,226 @@
+// The worker: the engine, and the questions that the page asks of it.
+//
+// A question names the spec's text. The last spec stays open, so that the second question about the
+// same text costs nothing. Long questions are worked in steps of some milliseconds; between two
+// steps messages get through, and an overtaken question ends.
+
+import createEngine, { failed } from "gearwright-engine/engine.js";
+import type * as E from "../engine/engine";
+import type { Motion } from "./motion";
+
+export type Json = null | boolean | number | string | Json[] | { [key: string]: Json };
+export type Fault = E.Failed["error"];
+/** What came of a spec: what the program prints with --json, or why there is nothing. */
+export interface Solved {
+  text: string;
+  spec: { [key: string]: Json } | null; // the same tree as the text; null: it cannot be read
+  result: { [key: string]: Json } | null;
+  fault: Fault | null;
+  gears: number;
+  hasPair: boolean;
+  milliseconds: number;
+}
+type Edit = [key: string, valueJson: string];
+interface Step {
+  (done: number, of: number, sofar?: unknown): Promise<boolean>; // true: go on
+}
+
+let engine: E.Engine;
+let open: { text: string; session: E.Session } | null = null;
+let search: E.SearchSession | null = null;
+
+class Refused extends Error {}
+/** The answer, or the sentence that says why there is none. */
+function good<T>(answer: T | E.Failed): T {
+  if (failed(answer)) throw new Refused(answer.error.message);
+  return answer as T;
+}
+function session(text: string): E.Session {
+  if (open?.text === text) return open.session;
+  const next = good(engine.open(text));
+  open?.session.delete();
+  open = { text, session: next };
+  return next;
+}
+
+function solve(text: string): Solved {
+  const begin = performance.now();
+  const tree = engine.toJson(text);
+  const solved: Solved = {
+    text,
+    spec: failed(tree) ? null : JSON.parse(tree),
+    result: null,
+    fault: null,
+    gears: 0,
+    hasPair: false,
+    milliseconds: 0,
+  };
+  const opened = open?.text === text ? open.session : engine.open(text);
+  if (failed(opened)) solved.fault = opened.error;
+  else {
+    if (open && open.session !== opened) open.session.delete();
+    open = { text, session: opened };
+    solved.gears = opened.gears;
+    solved.hasPair = opened.hasPair;
+    const answer = JSON.parse(opened.json(opened.hasPair ? "pair" : "gear"));
+    if (failed(answer)) solved.fault = answer.error;
+    else solved.result = answer as Solved["result"];
+  }
+  solved.milliseconds = performance.now() - begin;
+  return solved;
+}
+
+/** Steps some work to its end; null when it was overtaken. */
+async function work<T>(task: E.Work<T>, step: Step, sofar?: () => unknown): Promise<T | null> {
+  for (;;) {
+    const state = good(task.step(30));
+    if (state.finished) return good(task.result() as T | E.Failed);
+    if (!(await step(state.done, state.of, sofar?.()))) return null;
+  }
+}
+
+const questions = {
+  catalogue: () => JSON.parse(engine.catalogue()) as E.Catalogue,
+  solve: (q: { text: string }) => solve(q.text),
+  /** Sets keys of the text, then solves what has become of it. */
+  edit(q: { text: string; edits: Edit[] }): Solved | { refused: string } {
+    let text = q.text;
+    for (const [key, value] of q.edits) {
+      const next = engine.edit(text, key, value);
+      if (failed(next)) return { refused: next.error.message };
+      text = next;
+    }
+    return solve(text);
+  },
+  sections(q: { text: string; tolerance: number }) {
+    const s = session(q.text);
+    const gears = ([1, 2] as const)
+      .filter((gear) => gear <= s.gears)
+      .map((gear) => good(s.section(gear, q.tolerance)));
+    return { gears, lines: s.hasPair ? good(s.lines()) : null };
+  },
+  /** Where the gears stand, and where they touch, over a pitch of gear 1 from −½ to ½. */
+  motion(q: { text: string; n: number }): Motion {
+    const s = session(q.text);
+    const pitchDeg = 360 / good(s.section(1, 1)).teeth;
+    const curve = s.hasPair ? s.contactCurve(q.n - 1) : null;
+    const places = ([1, 2] as const)
+      .filter((gear) => gear <= s.gears)
+      .map((gear) => {
+        const all = new Float64Array(16 * q.n);
+        for (let i = 0; i < q.n; ++i) all.set(good(s.pose(gear, pitchDeg * (i / (q.n - 1) - 0.5))), 16 * i);
+        return all;
+      });
+    return { pitchDeg, n: q.n, places, curve: failed(curve) ? null : curve };
+  },
+  meshes(q: { text: string; tolerance: number }) {
+    const s = session(q.text);
+    return ([1, 2] as const).filter((gear) => gear <= s.gears).map((gear) => good(s.mesh(gear, q.tolerance)));
+  },
+  curve: (q: { text: string; positions: number }) => {
+    const begin = performance.now();
+    const curve = good(session(q.text).contactCurve(q.positions));
+    return { ...curve, milliseconds: performance.now() - begin };
+  },
+  gapMap: (q: { text: string; rotation: number; tooth: number; rows: number; columns: number }) =>
+    good(session(q.text).gapMap(q.rotation, q.tooth, q.rows, q.columns)),
+  async pattern(q: { text: string; positions: number; rows: number; columns: number }, step: Step) {
+    const task = good(session(q.text).pattern(q.positions, q.rows, q.columns));
+    try {
+      return await work(task, step);
+    } finally {
+      task.delete();
+    }
+  },
+  async errorMap(q: { text: string; x: E.ErrorAxis; y: E.ErrorAxis; positions: number }, step: Step) {
+    const task = good(session(q.text).errorMap(q.x, q.y, q.positions));
+    try {
+      return await work(task, step, () => task.result());
+    } finally {
+      task.delete();
+    }
+  },
+  shifts: (q: { text: string }) => good(session(q.text).shiftRegion()),
+  /** Any verb, its JSON read. */
+  run: (q: { text: string; verb: E.Verb }) =>
+    JSON.parse(engine.run(q.verb, q.text)) as { [key: string]: Json },
+  /** The very text that the program prints, for comparing. */
+  print: (q: { text: string; verb: E.Verb }) => engine.run(q.verb, q.text),
+  trials(q: { text: string }) {
+    const s = good(engine.openSearch(q.text, 1));
+    const trials = s.trials;
+    s.delete();
+    return trials;
+  },
+  async search(q: { text: string; most: number }, step: Step) {
+    search?.delete();
+    search = null;
+    const s = (search = good(engine.openSearch(q.text, q.most)));
+    const result = await work(s, step, () => s.best(20));
+    return result && { ...result, trials: s.trials };
+  },
+  take(q: { design: number }): string {
+    if (!search) throw new Refused("the search has gone; run it again");
+    return good(search.take(q.design));
+  },
+  searchReport(): Uint8Array {
+    if (!search) throw new Refused("run the search first");
+    return good(search.report());
+  },
+  file: (q: { text: string; kind: E.FileKind; gear: 0 | 1 | 2 }) =>
+    good(session(q.text).file(q.kind, q.gear)),
+  tomlOf: (q: { json: string }) => good(engine.toToml(q.json)),
+};
+export type Questions = typeof questions;
+
+// ------------------------------------------------------------------------------- messages
+
+const overtaken = new Set<number>();
+const running = new Map<string, number>();
+const letThrough = new MessageChannel();
+/** A moment in which waiting messages are heard. */
+const moment = () =>
+  new Promise<void>((go) => {
+    letThrough.port1.onmessage = () => go();
+    letThrough.port2.postMessage(0);
+  });
+
+interface Question {
+  id: number;
+  name: keyof Questions;
+  question: never;
+  channel?: string;
+}
+let queue: Promise<void> = Promise.resolve();
+let ready: Promise<void> | null = null;
+
+async function answer(q: Question): Promise<void> {
+  await ready;
+  if (q.channel) running.set(q.channel, q.id);
+  const step: Step = async (done, of, sofar) => {
+    postMessage({ id: q.id, progress: [done, of, sofar] });
+    await moment();
+    return !overtaken.has(q.id);
+  };
+  try {
+    const result = await (questions[q.name] as (question: unknown, step: Step) => unknown)(q.question, step);
+    postMessage({ id: q.id, answer: result, overtaken: overtaken.delete(q.id) });
+  } catch (reason) {
+    postMessage({ id: q.id, failed: reason instanceof Error ? reason.message : String(reason) });
+  }
+}
+
+onmessage = (event: MessageEvent) => {
+  const message = event.data;
+  if (message.wasm) {
+    ready = createEngine({ wasmBinary: message.wasm, locateFile: (name) => name }).then((made) => {
+      engine = made;
+    });
+    ready.catch((reason) => postMessage({ broken: String(reason) }));
+  } else if (message.overtake) {
+    const id = running.get(message.overtake);
+    if (id !== undefined) overtaken.add(id);
+  } else {
+    queue = queue.then(() => answer(message)); // one after the other, in order
+  }
+};

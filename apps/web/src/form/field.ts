@@ -1,0 +1,212 @@
+// One field of the form: a key of the catalogue at a place of the spec.
+//
+// A number may be typed, stepped with the arrow keys, or slid: while a field has the focus its note
+// stands below the row, with one sentence, the range and a slider about the value. What the engine
+// has to say against a value stands in the same place.
+
+import type { InputKey } from "../../engine/engine";
+import { rangeOf, wordsOf } from "../catalogue";
+import { h } from "../elements";
+import type { Json } from "../engine_worker";
+import { fromShown, niceStep, onStep, short, shownUnit, toShown } from "../numbers";
+import { bench } from "../workbench";
+
+export interface Field {
+  place: string; // "gear1.profile_shift"
+  element: HTMLElement;
+  /** Shows the spec's value, or what holds without one. */
+  show(value: Json | undefined, implied: string): void;
+  fault(sentence: string | null): void;
+}
+
+/** Where the note of the field with the focus stands. */
+export interface Note {
+  element: HTMLElement;
+  open(key: InputKey, slider: HTMLElement | null): void;
+  fault(sentence: string | null): void;
+}
+
+export function makeNote(): Note {
+  const meaning = h("p", { class: "meaning" });
+  const fault = h("p", { class: "fault", role: "alert" });
+  const slot = h("div", { class: "slot" });
+  const element = h("div", { class: "note" }, fault, slot, meaning);
+  element.hidden = true;
+  const show = () => (element.hidden = !fault.textContent && !element.classList.contains("open"));
+  return {
+    element,
+    open(key, slider) {
+      const range = rangeOf(key);
+      meaning.textContent = `${key.meaning}${range ? "; " + range : ""}${key.fallback ? ". Absent: " + key.fallback : ""}.`;
+      slot.replaceChildren(...(slider ? [slider] : []));
+      element.classList.add("open");
+      show();
+    },
+    fault(sentence) {
+      fault.textContent = sentence ?? "";
+      show();
+    },
+  };
+}
+
+function parseNumber(text: string): number {
+  const plain = text
+    .trim()
+    .replace("−", "-")
+    .replace(/^([^.]*),([^,]*)$/, "$1.$2");
+  return plain === "" ? NaN : Number(plain);
+}
+
+/** What a text says for this key; undefined where it says nothing that the engine could judge. */
+function valueOf(key: InputKey, text: string): { value: Json | undefined } | null {
+  const plain = text.trim();
+  if (plain === "") return { value: undefined };
+  if (key.kind === "text") return { value: text };
+  if (key.words.includes(plain)) return { value: plain };
+  if (key.list) {
+    const parts = plain
+      .replace(/^\[|\]$/g, "")
+      .split(/[,;…\s]+/)
+      .filter(Boolean);
+    const numbers = parts.map(parseNumber);
+    if (numbers.some(Number.isNaN)) return key.kind === "word" ? { value: parts } : null;
+    const shown = numbers.map((one) => fromShown(one, key.unit));
+    return { value: shown.length === 1 && key.list.single ? shown[0]! : shown };
+  }
+  const number = parseNumber(plain);
+  return Number.isNaN(number) ? null : { value: fromShown(number, key.unit) };
+}
+
+function shown(key: InputKey, value: Json | undefined): string {
+  if (value === undefined || value === null) return "";
+  if (Array.isArray(value)) return value.map((one) => shown(key, one)).join(", ");
+  if (typeof value === "number") return short(toShown(value, key.unit));
+  return typeof value === "object" ? "(in the text)" : String(value);
+}
+
+function chooser(key: InputKey, place: string, label: string): Field {
+  const yesNo = key.kind === "boolean";
+  const words = yesNo ? ["true", "false"] : key.words;
+  const none = h("option", { value: "" }, "–");
+  const select = h(
+    "select",
+    {
+      "aria-label": label,
+      "data-key": place,
+      change: () =>
+        bench.setKey(place, select.value === "" ? undefined : yesNo ? select.value === "true" : select.value),
+    },
+    none,
+    ...words.map((word) => h("option", { value: word }, yesNo ? (word === "true" ? "yes" : "no") : word)),
+  );
+  return {
+    place,
+    element: select,
+    show(value, implied) {
+      none.textContent = implied ? implied : "–";
+      select.value = value === undefined || typeof value === "object" ? "" : String(value);
+      select.classList.toggle("implied", value === undefined);
+    },
+    fault: (sentence) => void select.setAttribute("aria-invalid", String(sentence !== null)),
+  };
+}
+
+export function makeField(key: InputKey, place: string, who: string, note: Note): Field {
+  const label = [wordsOf(key), who, shownUnit(key.unit)].filter(Boolean).join(", ");
+  const words = key.words.length > 0 && !key.list && key.kind !== "number";
+  if (key.kind === "boolean" || words) {
+    const field = chooser(key, place, label);
+    field.element.addEventListener("focus", () => note.open(key, null));
+    return field;
+  }
+  const numeric = (key.kind === "number" || key.kind === "whole") && !key.list;
+  let current: Json | undefined;
+  let mine: string | null = null; // what is being typed here
+
+  const input = h("input", {
+    type: "text",
+    inputmode: numeric ? "text" : null,
+    "aria-label": label,
+    "data-key": place,
+    autocomplete: "off",
+    spellcheck: "false",
+    class: numeric ? "number" : null,
+  });
+  const slider = numeric
+    ? h("input", { type: "range", "aria-label": label + ", slider", tabindex: "-1" })
+    : null;
+
+  const send = (text: string) => {
+    const said = valueOf(key, text);
+    if (!said) return note.fault(`“${text.slice(0, 60)}” is not ${key.form || "a number"}.`);
+    note.fault(null);
+    bench.setKey(place, said.value);
+  };
+  const base = () =>
+    typeof current === "number" ? toShown(current, key.unit) : parseNumber(input.placeholder) || 0;
+  const stepOf = (value: number) =>
+    key.kind === "whole"
+      ? 1
+      : niceStep(Math.max(Math.abs(value), key.unit === "°" || key.unit === "µm" ? 10 : 1), 50);
+
+  function aim(): void {
+    if (!slider) return;
+    const value = base();
+    const step = stepOf(value);
+    const reach = key.kind === "whole" ? Math.max(10, Math.round(Math.abs(value))) : 50 * step;
+    const end = (limit: number | null | undefined, open: boolean | undefined, sign: number) =>
+      limit === null || limit === undefined
+        ? -sign * Infinity
+        : toShown(limit, key.unit) + (open ? sign * step : 0);
+    slider.min = String(Math.max(onStep(value - reach, step), end(key.range?.lo, key.range?.loOpen, 1)));
+    slider.max = String(Math.min(onStep(value + reach, step), end(key.range?.hi, key.range?.hiOpen, -1)));
+    slider.step = String(step);
+    slider.value = String(value);
+  }
+
+  input.addEventListener("input", () => {
+    mine = input.value;
+    send(input.value);
+  });
+  input.addEventListener("focus", () => {
+    aim();
+    note.open(key, slider);
+  });
+  input.addEventListener("blur", () => {
+    mine = null;
+    field.show(current, input.placeholder);
+  });
+  input.addEventListener("keydown", (event: KeyboardEvent) => {
+    if (!numeric || (event.key !== "ArrowUp" && event.key !== "ArrowDown")) return;
+    event.preventDefault();
+    const step = stepOf(base()) * (event.shiftKey ? 10 : 1);
+    let value = onStep(
+      base() + (event.key === "ArrowUp" ? step : -step),
+      key.kind === "whole" ? 1 : step / 100,
+    );
+    if (key.range && !key.range.zero && value === 0) value += event.key === "ArrowUp" ? 1 : -1;
+    mine = null;
+    input.value = short(value);
+    send(input.value);
+  });
+  slider?.addEventListener("input", () => {
+    mine = null;
+    if (key.range && !key.range.zero && Number(slider.value) === 0) return;
+    input.value = short(Number(slider.value));
+    send(input.value);
+  });
+
+  const field: Field = {
+    place,
+    element: input,
+    show(value, implied) {
+      current = value;
+      input.placeholder = implied;
+      if (mine === null || document.activeElement !== input) input.value = shown(key, value);
+      input.readOnly = value !== null && typeof value === "object" && !Array.isArray(value);
+      if (slider && document.activeElement !== slider) slider.value = String(base());
+    },
+    fault: (sentence) => void input.setAttribute("aria-invalid", String(sentence !== null)),
+  };
+  return field;
+}

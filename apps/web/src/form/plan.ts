@@ -1,0 +1,166 @@
+// Which rows the form shows: of every table of the spec the keys that one always wants to see, the
+// keys that stand in the text, and behind "more" the rest, all from the engine's catalogue.
+
+import type { InputKey } from "../../engine/engine";
+import { inputs } from "../catalogue";
+import { at } from "../workbench";
+import type { Json } from "../engine_worker";
+
+/** A table of the form: its rows have one field, or one for each gear. */
+export interface Section {
+  id: string; // "gear", "gear.bore", "pair"
+  title: string;
+  meaning: string;
+  table: string; // name of the catalogue's table
+  places: string[]; // where its keys stand: ["gear1.bore", "gear2.bore"], ["pair"]
+  rows: InputKey[];
+  more: InputKey[]; // shown on request
+  present: boolean; // the text has it
+}
+
+const kAlways: Record<string, string[]> = {
+  gear: [
+    "teeth",
+    "normal_module_mm",
+    "normal_pressure_angle_deg",
+    "helix_angle_deg",
+    "profile_shift",
+    "thickness_allowance_mm",
+    "face_width_mm",
+    "tip_diameter_mm",
+    "rack",
+  ],
+  pair: ["center_distance_mm", "shaft_angle_deg", "backlash_mm"],
+  errors: ["center_distance_mm", "crossing_deg", "intersecting_deg", "axial_mm"],
+  modifications: ["tip_relief_um", "tip_relief_start_mm", "lead_crowning_um", "profile_crowning_um"],
+  bore: ["diameter_mm", "keyway_width_mm", "keyway_depth_mm"],
+  search: ["ratio", "pinion_teeth", "modules_mm", "center_distance_mm", "helix_angle_deg", "objective"],
+  contact: ["positions", "marking_mm"],
+};
+const kTitles: Record<string, string> = {
+  gear: "Gears",
+  pair: "Pair",
+  errors: "Errors of mounting and teeth",
+  contact: "Contact",
+  compensate: "Corrections",
+  fit: "Fit",
+  search: "Search",
+  bore: "Bore",
+  modifications: "Modifications",
+  root_fillet: "Root fillet",
+  tip_fillet: "Tip fillet",
+  basic: "Gear as itself",
+  measure: "Measuring",
+  cut_by: "Pinion cutter",
+  rack: "Rack",
+};
+
+/** The name of the table that stands at a place: a rack's depends on its kind. */
+function tableAt(key: InputKey, value: Json | undefined): string {
+  if (key.tables.length < 2) return key.tables[0] ?? "";
+  const kind = at(value ?? null, "kind");
+  const named = key.tables.find(
+    (name) => typeof kind === "string" && kind !== "" && name.endsWith("_" + kind),
+  );
+  return named ?? key.tables[0]!;
+}
+
+function isTable(value: Json | undefined): boolean {
+  return value !== null && typeof value === "object" && !Array.isArray(value);
+}
+
+function section(id: string, name: string, table: string, places: string[], spec: Json): Section | null {
+  const list = inputs(table);
+  if (!list) return null;
+  const always = kAlways[table.split("_")[0] === "rack" ? "rack" : table] ?? [];
+  const stands = (key: InputKey) => places.some((place) => at(spec, place + "." + key.key) !== undefined);
+  const plain = list.keys.filter(
+    (key) => key.documented && key.kind !== "any" && !isTable(firstOf(spec, places, key)),
+  );
+  // A key that is a table and nothing else is a section of its own.
+  const rows = plain.filter(
+    (key) => (key.kind !== "table" || key.words.length > 0) && (always.includes(key.key) || stands(key)),
+  );
+  const more = plain.filter(
+    (key) => key.kind !== "table" && !rows.includes(key) && !/^(left|right)_/.test(key.key),
+  );
+  rows.sort((a, b) => place(always, a) - place(always, b));
+  const present = places.some((where) => at(spec, where) !== undefined);
+  return {
+    id,
+    title: kTitles[name] ?? name.replaceAll("_", " "),
+    meaning: list.meaning,
+    table,
+    places,
+    rows,
+    more,
+    present,
+  };
+}
+function place(always: string[], key: InputKey): number {
+  const index = always.indexOf(key.key);
+  return index < 0 ? 99 : index;
+}
+function firstOf(spec: Json, places: string[], key: InputKey): Json | undefined {
+  for (const where of places) {
+    const value = at(spec, where + "." + key.key);
+    if (value !== undefined) return value;
+  }
+  return undefined;
+}
+
+/** The whole form for a spec. */
+export function planOf(spec: Json): Section[] {
+  const searching = at(spec, "search") !== undefined;
+  const gears = at(spec, "gear2") !== undefined || searching ? ["gear1", "gear2"] : ["gear1"];
+  const sections: (Section | null)[] = [];
+  const add = (one: Section | null) => sections.push(one);
+  if (searching) add(section("search", "search", "search", ["search"], spec));
+  // A search asks for gears: what it is told of them stands in the text, the rest is not offered.
+  const told = searching ? gears.filter((gear) => at(spec, gear) !== undefined) : gears;
+  const gear = section("gear", "gear", "gear", told, spec);
+  if (gear && searching)
+    gear.rows = gear.rows.filter((key) =>
+      told.some((where) => at(spec, `${where}.${key.key}`) !== undefined),
+    );
+  if (told.length) add(gear);
+  if (gears.length > 1 && !searching) add(section("pair", "pair", "pair", ["pair"], spec));
+  for (const key of inputs("gear")?.keys ?? []) {
+    if (key.kind !== "table") continue;
+    const holders = told.map((gear) => `${gear}.${key.key}`);
+    const tables = holders.filter((where) => isTable(at(spec, where)));
+    const offered = !searching && (key.key === "bore" || key.key === "modifications");
+    if (!tables.length && !offered) continue;
+    const name = tableAt(key, tables.length ? at(spec, tables[0]!) : undefined);
+    add(section("gear." + key.key, key.key, name, offered ? holders : tables, spec));
+    for (const inner of inputs(name)?.keys ?? []) {
+      if (inner.kind !== "table") continue;
+      const deeper = tables
+        .map((where) => `${where}.${inner.key}`)
+        .filter((where) => isTable(at(spec, where)));
+      if (deeper.length)
+        add(
+          section(
+            `gear.${key.key}.${inner.key}`,
+            inner.key,
+            tableAt(inner, at(spec, deeper[0]!)),
+            deeper,
+            spec,
+          ),
+        );
+    }
+  }
+  for (const name of ["errors", "contact", "fit", "compensate"])
+    if (at(spec, name) !== undefined || (name === "errors" && gears.length > 1))
+      add(section(name, name, name, [name], spec));
+  return sections.filter(
+    (one): one is Section => one !== null && (one.rows.length > 0 || one.more.length > 0),
+  );
+}
+
+/** A form with the same signature needs no new rows, only new values. */
+export function signatureOf(plan: Section[]): string {
+  return plan
+    .map((one) => [one.id, one.table, one.places, one.rows.map((row) => row.key)].join(":"))
+    .join("|");
+}

@@ -1,0 +1,72 @@
+// The page begins: the engine is fetched, the catalogue read, and the design in the address (or the
+// choice of a beginning) comes up.
+
+import "gearwright:palette.css";
+import "./style/page.css";
+import "./style/spec.css";
+import "./style/views.css";
+import { makeWorker, wasmBytes } from "gearwright:parts";
+import { setCatalogue } from "./catalogue";
+import { h } from "./elements";
+import { ContactView } from "./contact/contact_view";
+import { doorOf } from "./door";
+import { EngineLink } from "./engine_link";
+import { textOf } from "./link";
+import { MeshView } from "./mesh/mesh_view";
+import { Page } from "./page";
+import { SearchView } from "./search/search_view";
+import { SheetView } from "./sheet";
+import { ShiftsView } from "./shifts/shifts_view";
+import { SolidView } from "./solid/solid_view";
+import { bench } from "./workbench";
+
+async function begin(): Promise<void> {
+  bench.front = new EngineLink(makeWorker, wasmBytes);
+  bench.back = new EngineLink(makeWorker, wasmBytes);
+  bench.seek = new EngineLink(makeWorker, wasmBytes);
+  setCatalogue(await bench.front.ask("catalogue", undefined as never));
+  const page = new Page([
+    new MeshView(),
+    new SolidView(),
+    new ContactView(),
+    new ShiftsView(),
+    new SearchView(),
+    new SheetView(),
+  ]);
+  window.gearwright = doorOf(page);
+  const fromAddress = async () => {
+    try {
+      const text = await textOf(location.hash);
+      if (text !== null && text !== bench.text) page.begin(text);
+      return text !== null;
+    } catch (reason) {
+      page.showStarts();
+      page.say(`This link is damaged: ${reason instanceof Error ? reason.message : String(reason)}`);
+      return true;
+    }
+  };
+  addEventListener("hashchange", () => void fromAddress());
+  if (!(await fromAddress())) page.showStarts();
+  performance.mark("ready");
+  document.documentElement.dataset["ready"] = "true";
+}
+
+begin().catch((reason) => {
+  document.body.replaceChildren(
+    h(
+      "main",
+      { class: "broken" },
+      h("h1", {}, "Gearwright"),
+      h(
+        "p",
+        { role: "alert" },
+        `The engine did not start: ${reason instanceof Error ? reason.message : String(reason)}.`,
+      ),
+      h(
+        "p",
+        {},
+        "A browser with WebAssembly exceptions is needed: Chromium 95, Firefox 100, Safari 15.2 or newer.",
+      ),
+    ),
+  );
+});

@@ -1,0 +1,177 @@
+// The mesh in section, drawn on a canvas: both gears from +z, axis 1 left, the path of contact with
+// its letters, and where the flanks touch now.
+//
+// Every point comes from the engine; here they only find their place and colour.
+
+import type { MeshLines, Section } from "../../engine/engine";
+import { colour } from "../elements";
+import type { ViewWindow } from "./view_window";
+
+export interface Shape {
+  section: Section;
+  body: Path2D; // outline and bore in the gear's own frame, mm
+  reach: number; // radius of all of it
+}
+
+function ring(path: Path2D, points: Float64Array): void {
+  for (let i = 0; i < points.length; i += 2) {
+    if (i === 0) path.moveTo(points[i]!, points[i + 1]!);
+    else path.lineTo(points[i]!, points[i + 1]!);
+  }
+  path.closePath();
+}
+
+export function shapeOf(section: Section): Shape {
+  const body = new Path2D();
+  ring(body, section.outline);
+  let reach = 0;
+  for (let i = 0; i < section.outline.length; i += 2)
+    reach = Math.max(reach, Math.hypot(section.outline[i]!, section.outline[i + 1]!));
+  if (section.bore.length) ring(body, section.bore);
+  if (section.internal) {
+    // A ring without a rim of its own is shown with one: a tenth of its radius of material.
+    let rim = 0;
+    for (let i = 0; i < section.bore.length; i += 2)
+      rim = Math.max(rim, Math.hypot(section.bore[i]!, section.bore[i + 1]!));
+    if (!section.bore.length) {
+      rim = reach * 1.08;
+      body.moveTo(rim, 0);
+      body.arc(0, 0, rim, 0, 2 * Math.PI);
+      body.closePath();
+    }
+    reach = rim;
+  }
+  return { section, body, reach };
+}
+
+/** Where a gear is drawn: the middle of its circle and the direction of its tooth 0. */
+export interface Placed {
+  x: number;
+  y: number;
+  angle: number;
+}
+
+export interface Scene {
+  shapes: Shape[];
+  places: Placed[];
+  lines: MeshLines | null; // of parallel axes
+  touch: { x: number; y: number } | null;
+  circles: boolean;
+}
+
+const kCircleDash: Record<string, number[]> = { d: [12, 4, 2, 4], d_w: [12, 4, 2, 4], d_b: [7, 4] };
+
+export function draw(canvas: HTMLCanvasElement, view: ViewWindow, scene: Scene): void {
+  const ratio = Math.min(3, devicePixelRatio || 1);
+  const width = canvas.clientWidth;
+  const height = canvas.clientHeight;
+  if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
+    canvas.width = Math.round(width * ratio);
+    canvas.height = Math.round(height * ratio);
+  }
+  const c = canvas.getContext("2d")!;
+  c.setTransform(ratio, 0, 0, ratio, 0, 0);
+  c.clearRect(0, 0, width, height);
+  const scale = view.now.scale;
+
+  const within = (place: Placed, paint: () => void) => {
+    const [x, y] = view.px(place.x, place.y);
+    c.save();
+    c.translate(x, y);
+    c.scale(scale, -scale);
+    c.rotate(place.angle);
+    paint();
+    c.restore();
+  };
+  scene.shapes.forEach((shape, i) => {
+    c.fillStyle = colour(`g${i + 1}-fill`);
+    within(scene.places[i]!, () => c.fill(shape.body, "evenodd"));
+  });
+  scene.shapes.forEach((shape, i) => {
+    c.strokeStyle = colour(`g${i + 1}`);
+    c.lineWidth = 1.3 / scale;
+    c.lineJoin = "round";
+    within(scene.places[i]!, () => c.stroke(shape.body));
+  });
+  if (scene.circles) {
+    scene.shapes.forEach((shape, i) => {
+      const [x, y] = view.px(scene.places[i]!.x, scene.places[i]!.y);
+      c.strokeStyle = colour(`g${i + 1}`);
+      c.globalAlpha = 0.65;
+      c.lineWidth = 0.9;
+      for (const circle of shape.section.circles) {
+        c.setLineDash(kCircleDash[circle.symbol.replace(/\d$/, "")] ?? [1.5, 3]);
+        c.beginPath();
+        c.arc(x, y, circle.radius * scale, 0, 2 * Math.PI);
+        c.stroke();
+      }
+      c.setLineDash([]);
+      c.globalAlpha = 1;
+    });
+  }
+  for (const place of scene.places) cross(c, view.px(place.x, place.y));
+  if (scene.lines) contactLines(c, view, scene.lines);
+  if (scene.touch) {
+    const [x, y] = view.px(scene.touch.x, scene.touch.y);
+    c.beginPath();
+    c.arc(x, y, 6, 0, 2 * Math.PI);
+    c.fillStyle = colour("paper");
+    c.globalAlpha = 0.75;
+    c.fill();
+    c.globalAlpha = 1;
+    c.strokeStyle = colour("action");
+    c.lineWidth = 2.2;
+    c.stroke();
+  }
+}
+
+function cross(c: CanvasRenderingContext2D, [x, y]: [number, number]): void {
+  c.strokeStyle = colour("ink");
+  c.lineWidth = 1;
+  c.beginPath();
+  c.moveTo(x - 6, y);
+  c.lineTo(x + 6, y);
+  c.moveTo(x, y - 6);
+  c.lineTo(x, y + 6);
+  c.stroke();
+}
+
+function polyline(c: CanvasRenderingContext2D, view: ViewWindow, points: Float64Array): void {
+  c.beginPath();
+  for (let i = 0; i + 2 < points.length; i += 3) {
+    const [x, y] = view.px(points[i]!, points[i + 1]!);
+    if (i === 0) c.moveTo(x, y);
+    else c.lineTo(x, y);
+  }
+  c.stroke();
+}
+
+function contactLines(c: CanvasRenderingContext2D, view: ViewWindow, lines: MeshLines): void {
+  c.strokeStyle = colour("trailing");
+  c.lineWidth = 1;
+  c.setLineDash([3, 3]);
+  polyline(c, view, lines.trailingLine);
+  c.strokeStyle = colour("action");
+  polyline(c, view, lines.lineOfAction);
+  c.setLineDash([]);
+  c.lineWidth = 3;
+  polyline(c, view, lines.pathOfContact);
+  c.font = `italic 600 14px ${getComputedStyle(document.body).fontFamily}`;
+  c.textAlign = "center";
+  c.textBaseline = "middle";
+  const placed: [number, number][] = [];
+  for (const point of lines.points) {
+    const [x, y] = view.px(point.x, point.y);
+    c.beginPath();
+    c.arc(x, y, 3, 0, 2 * Math.PI);
+    c.fillStyle = colour(point.name === "C" ? "ink" : "action");
+    c.fill();
+    if (placed.some(([px, py]) => Math.hypot(px - x, py - y) < 15)) continue;
+    placed.push([x, y]);
+    c.lineWidth = 4;
+    c.strokeStyle = colour("panel");
+    c.fillStyle = colour("ink");
+    c.strokeText(point.name, x - 13, y - 2);
+    c.fillText(point.name, x - 13, y - 2);
+  }
+}

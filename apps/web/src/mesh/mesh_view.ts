@@ -1,0 +1,193 @@
+// The tab "mesh": the section at z = 0 that turns with its slider, the path of contact, circles by
+// name, and under the pointer the diameters there.
+
+import type { MeshLines, Section } from "../../engine/engine";
+import { button, h, onThemeChange } from "../elements";
+import { kOvertaken } from "../engine_link";
+import { poseAt, touchAt, turnAt, Turning, type Motion } from "../motion";
+import { length } from "../numbers";
+import { bench } from "../workbench";
+import type { Tab } from "../tabs";
+import { draw, shapeOf, type Placed, type Scene, type Shape } from "./mesh_drawing";
+import { ViewWindow } from "./view_window";
+
+type Frame = "whole" | "mesh" | "flank";
+
+export class MeshView implements Tab {
+  readonly id = "mesh";
+  readonly words = "mesh";
+  private readonly canvas = h("canvas", {
+    tabindex: "0",
+    role: "img",
+    "aria-label": "the gears in section; + and − zoom, arrows move, 0 restores",
+    pointermove: (event: PointerEvent) => this.hover(event),
+    pointerleave: () => (this.readout.textContent = ""),
+  });
+  private readonly readout = h("output", { class: "readout" });
+  private readonly slider = h("input", {
+    type: "range",
+    min: -0.5,
+    max: 0.5,
+    step: 0.002,
+    "aria-label": "rotation of gear 1",
+    input: () => this.turning.set(Number(this.slider.value)),
+  });
+  private readonly angle = h("output", { class: "angle" });
+  private readonly run = button("Turn", () => this.turning.toggle());
+  private readonly frames = (["whole", "mesh", "flank"] as const).map((frame) =>
+    button(frame, () => this.show(frame), { "aria-pressed": String(frame === "mesh"), "data-frame": frame }),
+  );
+  private readonly circlesBox = h("input", { type: "checkbox", checked: true, change: () => this.ask() });
+  readonly element = h(
+    "div",
+    { class: "picture mesh-view" },
+    h("div", { class: "canvas-room" }, this.canvas, this.readout),
+    h(
+      "div",
+      { class: "controls" },
+      this.run,
+      h("label", { class: "slide" }, h("span", {}, "rotation"), this.slider),
+      this.angle,
+      h("div", { class: "choice", role: "group", "aria-label": "what the picture shows" }, ...this.frames),
+      h("label", { class: "check" }, this.circlesBox, "circles"),
+    ),
+  );
+  private readonly view = new ViewWindow(this.canvas, () => this.ask());
+  private readonly turning = new Turning(() => this.ask());
+  private frame: Frame = "mesh";
+  private shapes: Shape[] = [];
+  private lines: MeshLines | null = null;
+  private motion: Motion | null = null;
+  private asked = false;
+  private shown = "";
+  private sizeOf = "";
+
+  constructor() {
+    new ResizeObserver(() => this.fit(false)).observe(this.canvas);
+    onThemeChange(() => this.ask());
+  }
+
+  leave(): void {
+    this.turning.stop();
+  }
+
+  async refresh(): Promise<void> {
+    const solved = bench.good;
+    if (!solved) {
+      this.shapes = [];
+      this.shown = "";
+      return this.ask();
+    }
+    if (solved.text === this.shown) return;
+    const answer = await bench.front.latest("sections", "sections", { text: solved.text, tolerance: 0.002 });
+    if (answer === kOvertaken) return;
+    this.shown = solved.text;
+    this.shapes = answer.gears.map((section: Section) => shapeOf(section));
+    this.lines = answer.lines;
+    if (this.motion?.places.length !== this.shapes.length) this.motion = null;
+    const size =
+      this.shapes.map((one) => one.reach.toPrecision(3)).join() +
+      (answer.lines?.kind ?? "") +
+      (answer.lines?.centerDistance.toPrecision(3) ?? "");
+    if (!this.motion || size !== this.sizeOf) this.fit(size !== this.sizeOf && !this.sizeOf);
+    this.sizeOf = size;
+    this.ask();
+    const motion = await bench.front.latest("motion", "motion", { text: solved.text, n: 33 });
+    if (motion === kOvertaken || this.shown !== solved.text) return;
+    this.motion = motion;
+    this.ask();
+  }
+
+  private get crossed(): boolean {
+    return this.lines?.kind === "crossed";
+  }
+  /** Where gear 2 is drawn: in the housing, or beside gear 1 when the axes cross. */
+  private middle2(): number {
+    if (!this.lines || this.shapes.length < 2) return 0;
+    return this.crossed ? this.shapes[0]!.reach + this.shapes[1]!.reach * 1.12 : this.lines.centerDistance;
+  }
+
+  private places(): Placed[] {
+    return this.shapes.map((_, i) => {
+      if (!this.motion) return { x: i ? this.middle2() : 0, y: 0, angle: 0 };
+      if (this.crossed)
+        return { x: i ? this.middle2() : 0, y: 0, angle: turnAt(this.motion, i, this.turning.t) };
+      const pose = poseAt(this.motion, i, this.turning.t);
+      return { x: pose[12]!, y: pose[13]!, angle: Math.atan2(pose[1]!, pose[0]!) };
+    });
+  }
+
+  private show(frame: Frame): void {
+    this.frame = frame;
+    for (const one of this.frames) one.setAttribute("aria-pressed", String(one.dataset["frame"] === frame));
+    this.fit(true);
+  }
+
+  private fit(take: boolean): void {
+    if (!this.shapes.length || !this.canvas.clientWidth) return;
+    const [one, two] = this.shapes as [Shape, Shape | undefined];
+    const x2 = this.middle2();
+    const path = this.lines?.pathOfContact;
+    if (this.frame === "whole" || !two || this.crossed || !path) {
+      const x0 = Math.min(-one.reach, two ? x2 - two.reach : 0);
+      const x1 = Math.max(one.reach, two ? x2 + two.reach : 0);
+      const tall = Math.max(one.reach, two?.reach ?? 0);
+      return this.view.frame(x0, x1, -tall, tall, take);
+    }
+    let [x0, x1, y0, y1] = [Infinity, -Infinity, Infinity, -Infinity];
+    if (!path.length) {
+      // No path in this section: where the gears overlap.
+      [x0, x1] = [Math.min(x2 - two.reach, one.reach), Math.max(x2 - two.reach, one.reach)];
+      [y0, y1] = [x0 - x1, x1 - x0];
+    }
+    for (let i = 0; i < path.length; i += 3) {
+      x0 = Math.min(x0, path[i]!);
+      x1 = Math.max(x1, path[i]!);
+      y0 = Math.min(y0, path[i + 1]!);
+      y1 = Math.max(y1, path[i + 1]!);
+    }
+    const room = Math.max(x1 - x0, y1 - y0) * (this.frame === "mesh" ? 0.62 : 0.06);
+    this.view.frame(x0 - room, x1 + room, y0 - room, y1 + room, take);
+  }
+
+  private hover(event: PointerEvent): void {
+    const [x, y] = this.view.mm(event.offsetX, event.offsetY);
+    const near = 5 / this.view.now.scale;
+    const words = this.places().map((place, i) => {
+      const radius = Math.hypot(x - place.x, y - place.y);
+      const circle = this.shapes[i]!.section.circles.find((one) => Math.abs(one.radius - radius) < near);
+      return `gear ${i + 1}: ⌀ ${length(2 * (circle?.radius ?? radius))}${circle ? " " + circle.words : ""}`;
+    });
+    const named = this.crossed
+      ? undefined
+      : this.lines?.points.find((one) => Math.hypot(one.x - x, one.y - y) < 2 * near);
+    this.readout.textContent = (named ? named.name + "   " : "") + words.join("   ");
+  }
+
+  private ask(): void {
+    if (this.asked) return;
+    this.asked = true;
+    requestAnimationFrame(() => {
+      this.asked = false;
+      this.paint();
+    });
+  }
+
+  private paint(): void {
+    this.run.textContent = this.turning.runs ? "Stop" : "Turn";
+    this.slider.value = String(this.turning.t);
+    if (this.motion) this.angle.textContent = (this.turning.t * this.motion.pitchDeg).toFixed(2) + "°";
+    if (!this.shapes.length)
+      return void this.canvas.getContext("2d")!.clearRect(0, 0, this.canvas.width, this.canvas.height);
+    if (!this.canvas.clientWidth) return;
+    const touch = this.motion && !this.crossed ? touchAt(this.motion, this.turning.t) : null;
+    const scene: Scene = {
+      shapes: this.shapes,
+      places: this.places(),
+      lines: this.crossed ? null : this.lines,
+      touch,
+      circles: this.circlesBox.checked,
+    };
+    draw(this.canvas, this.view, scene);
+  }
+}

@@ -1,0 +1,188 @@
+// The designs that a search has found, as a table: sorted by a click on a heading, taken by a click on
+// a row (or Enter). Columns and digits are the catalogue's.
+
+import type { Quantity } from "../../engine/engine";
+import { quantities } from "../catalogue";
+import { button, fill, h, symbol } from "../elements";
+import type { Json } from "../engine_worker";
+import { shownUnit, textOf } from "../numbers";
+
+export type Design = { [key: string]: Json };
+export interface Column {
+  said: Quantity;
+  place: number | string; // of a list: which of them; −1: the value itself; of a record: its key
+  words: string;
+}
+const kShown = 200;
+
+export function valueIn(design: Design, column: Column): Json | undefined {
+  const value = design[column.said.key];
+  if (typeof column.place === "string") return (value as Design | null)?.[column.place];
+  return column.place < 0 || !Array.isArray(value) ? value : value[column.place];
+}
+
+/** The columns that have a value in some design. */
+export function columnsOf(designs: Design[]): Column[] {
+  const columns: Column[] = [];
+  for (const said of quantities("search.designs")?.quantities ?? []) {
+    const values = designs.map((one) => one[said.key]).filter((one) => one !== null && one !== undefined);
+    if (!values.length) continue;
+    // Objectives by their names: numbers that a search with several has compared.
+    if (said.key === "objective" && typeof values[0] === "object") {
+      for (const name of Object.keys(values[0] as Design))
+        columns.push({
+          said: { ...said, symbol: "", unit: "", digits: 4, type: "number" },
+          place: name,
+          words: name.replaceAll("_", " "),
+        });
+      continue;
+    }
+    if (
+      said.type === "record" ||
+      said.type === "map" ||
+      (typeof values[0] === "object" && !Array.isArray(values[0]))
+    )
+      continue;
+    if (Array.isArray(values[0]))
+      values[0].forEach((_, place) =>
+        columns.push({ said, place, words: `${said.words}, gear ${place + 1}` }),
+      );
+    else columns.push({ said, place: -1, words: said.words });
+  }
+  return columns;
+}
+
+export class SearchTable {
+  readonly element = h("div", {
+    class: "designs-room",
+    tabindex: "0",
+    role: "region",
+    "aria-label": "designs found",
+  });
+  private designs: Design[] = [];
+  private columns: Column[] = [];
+  private order: number[] = [];
+  private by = -1;
+  private down = false;
+  private taken = -1;
+  private most = kShown;
+  private front = new Set<number>();
+
+  constructor(private readonly take: (row: number) => void) {}
+
+  show(designs: Design[], front: number[]): void {
+    this.designs = designs;
+    this.front = new Set(front);
+    this.columns = columnsOf(designs);
+    this.by = -1;
+    this.taken = -1;
+    this.most = kShown;
+    this.sort();
+  }
+  mark(row: number): void {
+    this.taken = row;
+    for (const line of this.element.querySelectorAll<HTMLElement>("tbody tr"))
+      line.classList.toggle("taken", Number(line.dataset["row"]) === row);
+  }
+
+  private sort(): void {
+    this.order = this.designs.map((_, row) => row);
+    const column = this.columns[this.by];
+    if (column) {
+      const of = (row: number) => valueIn(this.designs[row]!, column);
+      this.order.sort((a, b) => {
+        const [x, y] = [of(a), of(b)];
+        const less =
+          typeof x === "number" && typeof y === "number" ? x - y : String(x).localeCompare(String(y));
+        return this.down ? -less : less;
+      });
+    }
+    this.draw();
+  }
+
+  private head(column: Column, index: number): HTMLElement {
+    const { said, place, words } = column;
+    const name = said.symbol
+      ? symbol(
+          said.symbol +
+            (typeof place === "number" && place >= 0
+              ? (said.symbol.includes("_") ? "" : "_") + (place + 1)
+              : ""),
+        )
+      : words;
+    const sortBy = button(
+      "",
+      () => {
+        this.down = this.by === index ? !this.down : said.greaterFirst;
+        this.by = index;
+        this.sort();
+      },
+      { title: words },
+    );
+    // A symbol alone is not read out well: the words stand beside it, unseen.
+    if (said.symbol) (name as HTMLElement).setAttribute("aria-hidden", "true");
+    fill(
+      sortBy,
+      name,
+      said.symbol ? h("span", { class: "unseen" }, words) : null,
+      shownUnit(said.unit) ? h("span", { class: "unit" }, " " + shownUnit(said.unit)) : null,
+    );
+    return h(
+      "th",
+      { scope: "col", "aria-sort": this.by === index ? (this.down ? "descending" : "ascending") : null },
+      sortBy,
+    );
+  }
+
+  private draw(): void {
+    const rows = this.order.slice(0, this.most).map((row) => {
+      const design = this.designs[row]!;
+      const take = () => this.take(row);
+      return h(
+        "tr",
+        {
+          "data-row": row,
+          class:
+            [row === this.taken ? "taken" : "", this.front.has(row) ? "front" : ""].join(" ").trim() || null,
+          click: take,
+        },
+        h(
+          "th",
+          { scope: "row" },
+          button(String(row + 1), () => undefined, { "aria-label": `take design ${row + 1}` }),
+        ),
+        ...this.columns.map((column) => h("td", {}, textOf(column.said, valueIn(design, column)))),
+      );
+    });
+    this.element.hidden = !rows.length;
+    const rest = this.designs.length - rows.length;
+    fill(
+      this.element,
+      h(
+        "table",
+        { class: "designs" },
+        h(
+          "thead",
+          {},
+          h(
+            "tr",
+            {},
+            h("th", { scope: "col" }, "No."),
+            ...this.columns.map((column, i) => this.head(column, i)),
+          ),
+        ),
+        h("tbody", {}, ...rows),
+      ),
+      rest > 0
+        ? button(
+            `${rest} more`,
+            () => {
+              this.most += 1000;
+              this.draw();
+            },
+            { class: "quiet" },
+          )
+        : null,
+    );
+  }
+}

@@ -1,0 +1,333 @@
+// The tab "search": what a spec leaves to be found. A [search] runs through all candidates, with
+// progress and a way out; a spec whose gears are not complete is answered by the fit, branch by
+// branch. A click makes a design the one on screen; the list stays.
+
+import { quantity } from "../catalogue";
+import { button, download, fill, h } from "../elements";
+import type { Json } from "../engine_worker";
+import { shownUnit, textOf } from "../numbers";
+import { at, bench } from "../workbench";
+import type { Tab } from "../tabs";
+import { ParetoPicture, type Point } from "./pareto";
+import { columnsOf, SearchTable, valueIn, type Design } from "./search_table";
+
+const kMostTrials = 1e7; // beyond it the program is the place
+const kAtOnce = 30_000; // so few need no button
+const kMostDesigns = 2000;
+const kNoisy = /^(point|rack)$/;
+
+export class SearchView implements Tab {
+  readonly id = "search";
+  readonly words = "search";
+  private readonly said = h("p", { class: "search-said", role: "status" });
+  private readonly go = button("Search", () => void this.search(), { class: "main" });
+  private readonly stop = button("Cancel", () => this.cancel());
+  private readonly back = button(
+    "Back to what was asked",
+    () => this.asked && bench.setText(this.asked, "back"),
+  );
+  private readonly save = button("Report of the search", () => void this.report());
+  private readonly bar = h("progress", { max: 1, value: 0, "aria-label": "progress of the search" });
+  private readonly across = h("select", {
+    "aria-label": "Pareto picture, across",
+    change: () => this.picture(),
+  });
+  private readonly up = h("select", { "aria-label": "Pareto picture, up", change: () => this.picture() });
+  private readonly chooser = h(
+    "p",
+    { class: "soft pareto-axes" },
+    h("label", {}, "across ", this.across),
+    h("label", {}, "up ", this.up),
+  );
+  private readonly table = new SearchTable((row) => void this.take(row));
+  private readonly pareto = new ParetoPicture((row) => void this.take(row));
+  private readonly branches = h("div", { class: "branches" });
+  readonly element = h(
+    "div",
+    { class: "search-view" },
+    h(
+      "div",
+      { class: "search-head" },
+      this.said,
+      h("div", { class: "search-buttons" }, this.go, this.stop, this.back, this.save, this.bar),
+    ),
+    this.branches,
+    h(
+      "div",
+      { class: "found" },
+      this.table.element,
+      h("div", { class: "pareto-room" }, this.chooser, this.pareto.element),
+    ),
+  );
+  private asked = ""; // the text whose designs are listed
+  private designs: Design[] = [];
+  private front: number[] = [];
+  private taken = -1;
+  private looked = "";
+  private running = false;
+  private columns: ReturnType<typeof columnsOf> = [];
+
+  constructor() {
+    this.stop.hidden = this.bar.hidden = this.back.hidden = this.save.hidden = this.chooser.hidden = true;
+    this.pareto.element.hidden = true;
+    bench.on("opened", () => this.forget());
+  }
+
+  async refresh(): Promise<void> {
+    const solved = bench.solved;
+    if (!solved || solved.text === this.looked || this.running) return;
+    this.looked = solved.text;
+    fill(this.branches);
+    const searching = solved.spec?.["search"] !== undefined;
+    this.back.hidden = !this.asked || solved.text === this.asked;
+    this.go.textContent = searching || !solved.hasPair ? "Search" : "Search around this pair";
+    this.go.hidden = !searching && !solved.hasPair;
+    if (searching) return this.offer(solved.text);
+    if (solved.fault || solved.spec?.["fit"] !== undefined) return this.fit(solved.text);
+    if (!this.designs.length)
+      this.said.textContent = solved.hasPair
+        ? "What other pairs would do: the same ratio within 3 %, the same centre distance within 2 %."
+        : "A search needs a pair, or a [search] table in the spec.";
+  }
+
+  /** Another design was opened: what was found for the last one goes. */
+  private forget(): void {
+    if (this.running) this.cancel();
+    this.asked = this.looked = "";
+    this.list([], []);
+    this.said.textContent = "";
+    this.back.hidden = this.save.hidden = true;
+  }
+
+  /** A spec with a [search]: how many candidates, and off it goes where they are few. */
+  private async offer(text: string): Promise<void> {
+    try {
+      const trials = await bench.seek.ask("trials", { text });
+      if (bench.text !== text || text === this.asked) return;
+      if (trials > kMostTrials) {
+        this.go.hidden = true;
+        this.said.textContent = `${count(trials)} candidates are too many for a page. The program does them on all cores, on many machines too:  gearwright search spec.toml --out found`;
+        return;
+      }
+      this.said.textContent = `${count(trials)} candidates.`;
+      if (trials <= kAtOnce) await this.search();
+    } catch (reason) {
+      this.said.textContent = words(reason);
+    }
+  }
+
+  private async search(): Promise<void> {
+    let text = bench.text;
+    if (bench.solved?.spec?.["search"] === undefined) {
+      text = this.around();
+      bench.setText(text, "search around");
+    }
+    this.running = true;
+    this.looked = text;
+    this.go.hidden = this.back.hidden = this.save.hidden = true;
+    this.stop.hidden = this.bar.hidden = false;
+    this.bar.value = 0;
+    const begin = performance.now();
+    try {
+      const found = await bench.seek.ask("search", { text, most: kMostDesigns }, (done, of, sofar) => {
+        this.bar.value = of ? done / of : 0;
+        const best = typeof sofar === "string" && sofar ? (JSON.parse(sofar) as Design[]) : [];
+        this.said.textContent = `${Math.floor((100 * done) / Math.max(1, of))} % of the candidates tried.`;
+        if (best.length) this.list(best, []);
+      });
+      if (!found) return;
+      const answer = JSON.parse(found.json) as {
+        search?: { designs: Design[]; pareto?: number[]; rejected: Record<string, number> };
+        error?: { message: string };
+      };
+      if (!answer.search) throw new Error(answer.error?.message ?? "no answer");
+      this.asked = text;
+      this.save.hidden = false;
+      const time = ((performance.now() - begin) / 1000).toFixed(2);
+      this.said.textContent =
+        `${count(found.feasible)} of ${count(found.tested)} candidates satisfy every limit; ${time} s.` +
+        why(found.feasible, answer.search.rejected);
+      this.list(answer.search.designs, answer.search.pareto ?? []);
+    } catch (reason) {
+      this.said.textContent = words(reason) === "cancelled" ? "Cancelled." : words(reason);
+    } finally {
+      this.running = false;
+      this.stop.hidden = this.bar.hidden = true;
+      this.go.hidden = false;
+      this.go.textContent = "Search";
+    }
+  }
+  private cancel(): void {
+    bench.seek.cancel();
+  }
+
+  private list(designs: Design[], front: number[]): void {
+    this.designs = designs;
+    this.front = front;
+    this.taken = -1;
+    this.table.show(designs, front);
+    const columns = (this.columns = columnsOf(designs).filter(
+      (column) =>
+        !kNoisy.test(column.said.key) && designs.some((one) => typeof valueIn(one, column) === "number"),
+    ));
+    const options = () => columns.map((column, i) => h("option", { value: i }, column.words));
+    const before = [this.across.value, this.up.value];
+    fill(this.across, ...options());
+    fill(this.up, ...options());
+    const objectives = columns.flatMap((column, i) => (typeof column.place === "string" ? [i] : []));
+    const find = (key: string, other: number) =>
+      Math.max(
+        0,
+        columns.findIndex((column) => column.said.key === key),
+      ) || other;
+    this.across.value = before[0] || String(objectives[0] ?? find("center_distance_mm", 0));
+    this.up.value = before[1] || String(objectives[1] ?? find("contact_ratio", 1));
+    this.chooser.hidden = designs.length < 2;
+    this.picture();
+  }
+
+  private picture(): void {
+    const [x, y] = [this.columns[Number(this.across.value)], this.columns[Number(this.up.value)]];
+    if (!x || !y) return;
+    const front = new Set(this.front);
+    const points: Point[] = this.designs.map((design, row) => ({
+      row,
+      x: real(valueIn(design, x)),
+      y: real(valueIn(design, y)),
+      front: front.has(row),
+    }));
+    this.pareto.show(points, { ...x.said, words: x.words }, { ...y.said, words: y.words }, this.taken);
+  }
+
+  private async take(row: number): Promise<void> {
+    try {
+      const text = await bench.seek.ask("take", { design: row + 1 });
+      this.taken = row;
+      this.looked = text;
+      this.table.mark(row);
+      this.picture();
+      bench.setText(text, "design " + row);
+      this.back.hidden = false;
+    } catch (reason) {
+      this.said.textContent = words(reason);
+    }
+  }
+
+  private async report(): Promise<void> {
+    try {
+      download(
+        "search.html",
+        (await bench.seek.ask("searchReport", undefined as never)) as Uint8Array<ArrayBuffer>,
+        "text/html",
+      );
+    } catch (reason) {
+      this.said.textContent = words(reason);
+    }
+  }
+
+  /** A search about the pair on screen. */
+  private around(): string {
+    const pair = bench.good?.result?.["pair"];
+    const gears = (bench.good?.result?.["gears"] ?? []) as unknown as {
+      teeth: number;
+      helix_angle_deg: number;
+    }[];
+    const u = Math.abs(Number(at(pair, "gear_ratio")));
+    const a = Number(at(pair, "center_distance_mm"));
+    const z1 = Math.abs(gears[0]?.teeth ?? 20);
+    const sign = (gears[1]?.teeth ?? 1) < 0 ? -1 : 1;
+    const band = [0.97 * u * sign, 1.03 * u * sign].sort((x, y) => x - y).map((x) => x.toFixed(4));
+    return `title = "around ${z1} : ${gears[1]?.teeth ?? ""}"
+
+[search]
+ratio = [${band.join(", ")}]
+center_distance_mm = [${(0.98 * a).toFixed(3)}, ${(1.02 * a).toFixed(3)}]
+modules_mm = "ISO54-I"
+pinion_teeth = [${Math.max(5, z1 - 12)}, ${z1 + 12}]
+helix_angle_deg = ${gears[0]?.helix_angle_deg ?? 0}
+contact_ratio_min = 1.2
+objective = ["contact_ratio", "sliding"]
+`;
+  }
+
+  /** A spec whose gears are not complete: every branch of the fit, or every gear that the readings
+   *  of an unknown one allow. */
+  private async fit(text: string): Promise<void> {
+    const verb = measured(bench.solved?.spec ?? null) ? "identify" : "fit";
+    const list = verb === "fit" ? "branches" : "candidates";
+    this.said.textContent =
+      verb === "fit" ? "Looking for gears that fit …" : "Looking for gears with these readings …";
+    try {
+      const answer = await bench.seek.ask("run", { text, verb });
+      if (this.looked !== text) return;
+      const found = (at(answer, `${verb}.${list}`) ?? []) as Design[];
+      const hint = at(answer, verb + ".contradiction") ?? at(answer, verb + ".next_measurement");
+      const reason = at(answer, verb + ".reason") ?? at(answer, "error.message");
+      this.said.textContent = found.length
+        ? `${found.length === 1 ? "One answer fits" : found.length + " answers fit"}. A click makes it the design.` +
+          (typeof hint === "string" ? " " + hint : "")
+        : String(reason ?? "Nothing fits.");
+      fill(this.branches, ...found.slice(0, 12).map((one, i) => this.branch(one, i, `${verb}.${list}`)));
+    } catch (reason) {
+      this.said.textContent = words(reason);
+    }
+  }
+  private branch(branch: Design, i: number, table: string): HTMLElement {
+    const facts = Object.entries(branch).flatMap(([key, value]) => {
+      const said = quantity(table, key);
+      if (value === null || !said || said.type === "record") return [];
+      const texts = (Array.isArray(value) ? value : [value]).map((one) => textOf(said, one)).join(" / ");
+      return [h("dt", {}, said.words), h("dd", {}, `${texts} ${said.percent ? "%" : shownUnit(said.unit)}`)];
+    });
+    const use = async () => {
+      const spec = branch["spec"] ?? gearOf(branch);
+      const text = await bench.front.ask("tomlOf", { json: JSON.stringify(spec) });
+      this.asked = bench.text;
+      this.back.hidden = false;
+      bench.setText(text, "branch " + i);
+    };
+    return h(
+      "article",
+      { class: "branch" },
+      h("h3", {}, `Answer ${i + 1}`),
+      h("dl", {}, ...facts),
+      button("Make it the design", () => void use(), { class: "main" }),
+    );
+  }
+}
+
+function real(value: Json | undefined): number {
+  return typeof value === "number" ? value : NaN;
+}
+/** Whether a gear is known by its readings. */
+function measured(spec: Json): boolean {
+  return at(spec, "gear1.measured") !== undefined || at(spec, "gear2.measured") !== undefined;
+}
+/** The spec of an identified gear: what of it a spec can say, and the rest of the old gear 1. */
+function gearOf(candidate: Design): Json {
+  const old = (at(bench.solved?.spec ?? null, "gear1") ?? {}) as Design;
+  const gear: Design = { ...old };
+  delete gear["measured"];
+  for (const key of [
+    "teeth",
+    "normal_module_mm",
+    "normal_pressure_angle_deg",
+    "helix_angle_deg",
+    "profile_shift",
+    "tip_diameter_mm",
+  ])
+    if (typeof candidate[key] === "number") gear[key] = candidate[key];
+  return { title: at(bench.solved?.spec ?? null, "title") ?? "identified gear", gear1: gear };
+}
+function count(n: number): string {
+  return n.toLocaleString("en").replaceAll(",", "\u202f");
+}
+function words(reason: unknown): string {
+  return reason instanceof Error ? reason.message : String(reason);
+}
+/** What rejected most, when nothing is left. */
+function why(feasible: number, rejected: { [key: string]: Json | number }): string {
+  if (feasible > 0) return "";
+  const worst = Object.entries(rejected).sort((a, b) => Number(b[1]) - Number(a[1]))[0];
+  return worst ? ` Most fell by the limit of ${worst[0].replaceAll("_", " ")}.` : "";
+}

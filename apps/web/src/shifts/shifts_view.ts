@@ -1,0 +1,257 @@
+// The tab "shifts": all profile shifts that the limits leave to this pair of tooth numbers, with
+// their exact borders. The point is the design; it is dragged, or moved with the arrow keys, and
+// everything follows. Where it stops, the border's name is said.
+
+import type { ShiftRegion } from "../../engine/engine";
+import { fill, h, svg } from "../elements";
+import { kOvertaken } from "../engine_link";
+import { fixed, niceStep } from "../numbers";
+import { bench } from "../workbench";
+import type { Tab } from "../tabs";
+
+const kRoom = { left: 52, right: 18, top: 16, bottom: 44 };
+const kColours = [
+  "var(--g1)",
+  "var(--g2)",
+  "var(--action)",
+  "var(--trailing)",
+  "var(--tip-fillet)",
+  "var(--caution)",
+  "var(--root-land)",
+  "var(--problem)",
+  "var(--ink)",
+];
+
+export class ShiftsView implements Tab {
+  readonly id = "shifts";
+  readonly words = "shifts";
+  private readonly picture = svg("svg", {
+    class: "shift-chart",
+    tabindex: "0",
+    role: "application",
+    "aria-label": "chart of both profile shifts; arrows move the design by 0.01, with shift by 0.1",
+    pointerdown: (event: PointerEvent) => this.grab(event),
+    pointermove: (event: PointerEvent) => this.drag(event),
+    pointerup: () => (this.held = false),
+    pointercancel: () => (this.held = false),
+    keydown: (event: KeyboardEvent) => this.key(event),
+  });
+  private readonly sentence = h("p", { class: "shift-sentence", "aria-live": "polite" });
+  private readonly legend = h("ul", { class: "shift-legend" });
+  readonly element = h(
+    "div",
+    { class: "shifts-view" },
+    h("div", { class: "shift-room" }, this.picture),
+    h("div", { class: "shift-words" }, this.sentence, this.legend),
+  );
+  private region: ShiftRegion | null = null;
+  private frame: [number, number, number, number] = [-1, 1, -1, 1];
+  private held = false;
+  private shown = "";
+
+  constructor() {
+    new ResizeObserver(() => this.draw()).observe(this.picture);
+  }
+
+  async refresh(): Promise<void> {
+    const solved = bench.good;
+    if (!solved) return this.clear("There is no pair yet.");
+    if (solved.text === this.shown) return;
+    try {
+      const region = await bench.front.latest("shifts", "shifts", { text: solved.text });
+      if (region === kOvertaken) return;
+      this.region = region;
+      this.shown = solved.text;
+      if (!this.held) this.reframe();
+    } catch (reason) {
+      return this.clear(reason instanceof Error ? reason.message : String(reason));
+    }
+    this.draw();
+  }
+
+  private clear(sentence: string): void {
+    this.region = null;
+    this.shown = "";
+    fill(this.legend);
+    fill(this.picture);
+    this.sentence.textContent = sentence;
+  }
+
+  /** The window: the region and the design, with room about them; the same scale both ways. */
+  private reframe(): void {
+    const region = this.region!;
+    const x = [region.point[0]];
+    const y = [region.point[1]];
+    for (const piece of region.pieces)
+      for (const border of piece)
+        for (let i = 0; i < border.points.length; i += 2) {
+          x.push(border.points[i]!);
+          y.push(border.points[i + 1]!);
+        }
+    const room = 0.12 * Math.max(Math.max(...x) - Math.min(...x), Math.max(...y) - Math.min(...y), 0.4);
+    this.frame = [Math.min(...x) - room, Math.max(...x) + room, Math.min(...y) - room, Math.max(...y) + room];
+  }
+
+  /** px per module, across and up: the room is filled, but no direction is drawn twice as large. */
+  private get scale(): [number, number] {
+    const [x0, x1, y0, y1] = this.frame;
+    const across = (this.picture.clientWidth - kRoom.left - kRoom.right) / (x1 - x0);
+    const up = (this.picture.clientHeight - kRoom.top - kRoom.bottom) / (y1 - y0);
+    return [Math.min(across, 2 * up), Math.min(up, 2 * across)];
+  }
+  private px(x: number, y: number): [number, number] {
+    const [across, up] = this.scale;
+    return [
+      kRoom.left + (x - this.frame[0]) * across,
+      this.picture.clientHeight - kRoom.bottom - (y - this.frame[2]) * up,
+    ];
+  }
+  private at(event: PointerEvent): [number, number] {
+    const box = this.picture.getBoundingClientRect();
+    const [across, up] = this.scale;
+    return [
+      this.frame[0] + (event.clientX - box.left - kRoom.left) / across,
+      this.frame[2] + (box.bottom - kRoom.bottom - event.clientY) / up,
+    ];
+  }
+
+  private move(x1: number, x2: number): void {
+    if (!this.region) return;
+    const round = (x: number) => Math.round(x * 1e4) / 1e4;
+    this.region.point = [round(x1), round(x2)];
+    bench.setKey("gear1.profile_shift", round(x1));
+    bench.setKey("gear2.profile_shift", round(x2));
+    this.draw();
+  }
+  private grab(event: PointerEvent): void {
+    if (!this.region) return;
+    this.picture.setPointerCapture(event.pointerId);
+    this.held = true;
+    this.drag(event);
+  }
+  private drag(event: PointerEvent): void {
+    if (this.held) this.move(...this.at(event));
+  }
+  private key(event: KeyboardEvent): void {
+    const step = event.shiftKey ? 0.1 : 0.01;
+    const way = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] }[
+      event.key
+    ];
+    if (!way || !this.region) return;
+    event.preventDefault();
+    this.move(this.region.point[0] + way[0]!, this.region.point[1] + way[1]!);
+  }
+
+  private draw(): void {
+    const region = this.region;
+    if (!region || !this.picture.clientWidth) return;
+    const path = (points: Float64Array) =>
+      Array.from({ length: points.length / 2 }, (_, i) =>
+        this.px(points[2 * i]!, points[2 * i + 1]!)
+          .map((one) => one.toFixed(1))
+          .join(","),
+      ).join(" ");
+    const names = Object.keys(region.borders);
+    const inkOf = (name: string) => kColours[names.indexOf(name) % kColours.length]!;
+    const areas = region.pieces.map((piece) =>
+      svg("polygon", { class: "region", points: piece.map((border) => path(border.points)).join(" ") }),
+    );
+    const borders = region.pieces.flat().map((border) =>
+      svg(
+        "polyline",
+        {
+          class: "border" + (border.border === region.stoppedBy ? " stops" : ""),
+          points: path(border.points),
+          stroke: inkOf(border.border),
+        },
+        svg("title", {}, region.borders[border.border] ?? border.border),
+      ),
+    );
+    const [px, py] = this.px(...region.point);
+    const chosen = region.chosen ? this.px(...region.chosen) : null;
+    fill(
+      this.picture,
+      ...this.grid(),
+      ...areas,
+      ...borders,
+      chosen &&
+        svg(
+          "circle",
+          { class: "chosen", cx: chosen[0], cy: chosen[1], r: 5 },
+          svg("title", {}, "what a search would take"),
+        ),
+      svg("circle", { class: "halo", cx: px, cy: py, r: 13 }),
+      svg("circle", { class: "design" + (region.inside ? "" : " outside"), cx: px, cy: py, r: 6.5 }),
+    );
+    this.speak(region, names, inkOf);
+  }
+
+  private speak(region: ShiftRegion, names: string[], inkOf: (name: string) => string): void {
+    const where = `x1 = ${fixed(region.point[0], 4)}, x2 = ${fixed(region.point[1], 4)}`;
+    const stop = region.stoppedBy ? (region.borders[region.stoppedBy] ?? region.stoppedBy) : "";
+    fill(
+      this.sentence,
+      h("b", {}, where),
+      ". ",
+      !region.pieces.length
+        ? `No shifts satisfy the limits${region.whatKills ? ": " + (region.borders[region.whatKills] ?? region.whatKills) : ""}.`
+        : region.inside
+          ? stop
+            ? `At a border: ${stop}.`
+            : `Inside, ${fixed(region.margin, 3)} modules from the nearest border.`
+          : stop
+            ? `Outside: stopped by ${stop}.`
+            : "Outside the region.",
+    );
+    fill(
+      this.legend,
+      ...names.map((name) =>
+        h(
+          "li",
+          { class: name === region.stoppedBy ? "stops" : null },
+          h("i", { style: `background:${inkOf(name)}` }),
+          region.borders[name]!,
+        ),
+      ),
+    );
+  }
+
+  private grid(): SVGElement[] {
+    const [x0, x1, y0, y1] = this.frame;
+    const right = Math.max(x1, x0 + (this.picture.clientWidth - kRoom.left - kRoom.right) / this.scale[0]);
+    const step = niceStep(Math.max(right - x0, y1 - y0), 6);
+    const lines: SVGElement[] = [];
+    const word = (x: number, y: number, text: string, style: string) =>
+      lines.push(svg("text", { x, y, class: style }, text));
+    for (let x = Math.ceil(x0 / step) * step; x <= right + 1e-9; x += step) {
+      const [a, b] = this.px(x, y0);
+      lines.push(
+        svg("line", { class: Math.abs(x) < 1e-9 ? "zero" : "grid", x1: a, x2: a, y1: b, y2: kRoom.top }),
+      );
+      word(a, b + 16, fixed(x, 2), "m");
+    }
+    for (let y = Math.ceil(y0 / step) * step; y <= y1 + 1e-9; y += step) {
+      const [a, b] = this.px(x0, y);
+      lines.push(
+        svg("line", {
+          class: Math.abs(y) < 1e-9 ? "zero" : "grid",
+          x1: a,
+          x2: this.picture.clientWidth - kRoom.right,
+          y1: b,
+          y2: b,
+        }),
+      );
+      word(a - 8, b + 4, fixed(y, 2), "e");
+    }
+    word(this.picture.clientWidth / 2, this.picture.clientHeight - 8, "profile shift of gear 1", "m g1");
+    const middle = this.picture.clientHeight / 2;
+    lines.push(
+      svg(
+        "text",
+        { class: "m g2", transform: `translate(13 ${middle}) rotate(-90)` },
+        "profile shift of gear 2",
+      ),
+    );
+    return lines;
+  }
+}

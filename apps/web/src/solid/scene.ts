@@ -1,0 +1,193 @@
+// The scene of the tab "solid": both gears as the engine's meshes, light that comes with the eye,
+// a plane that cuts them, and the contact on their flanks.
+//
+// Drawn only when something has changed.
+
+import * as THREE from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import type { Mesh } from "../../engine/engine";
+import { colour } from "../elements";
+import { ContactMarks } from "./contact_marks";
+import { markedMaterial, metal, type Marking } from "./marking";
+
+export class SolidScene {
+  readonly marks = new ContactMarks();
+  private readonly renderer: THREE.WebGLRenderer;
+  private readonly scene = new THREE.Scene();
+  private readonly camera = new THREE.PerspectiveCamera(28, 1, 0.1, 1e5);
+  private readonly orbit: OrbitControls;
+  private readonly gears: THREE.Group[] = [];
+  private readonly markings: Marking[] = [];
+  private readonly cut = new THREE.Plane(new THREE.Vector3(0, 0, -1), 1e9);
+  private asked = false;
+  private radius = 0;
+
+  constructor(private readonly canvas: HTMLCanvasElement) {
+    this.renderer = new THREE.WebGLRenderer({
+      canvas,
+      antialias: true,
+      alpha: true,
+      preserveDrawingBuffer: true,
+    });
+    this.renderer.localClippingEnabled = true;
+    this.orbit = new OrbitControls(this.camera, canvas);
+    this.orbit.enableDamping = false;
+    this.orbit.zoomToCursor = true;
+    this.orbit.addEventListener("change", () => this.ask());
+    const key = new THREE.DirectionalLight(0xffffff, 2.6);
+    key.position.set(-0.5, 1.3, 0.9);
+    const fill = new THREE.DirectionalLight(0xffffff, 0.55);
+    fill.position.set(1, -0.5, 0.8);
+    this.camera.add(key, fill);
+    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x6a7078, 1.0), this.camera, this.marks.group);
+    canvas.addEventListener("keydown", (event) => this.key(event));
+    canvas.addEventListener("dblclick", () => this.look());
+  }
+
+  /** New solids; the eye stays unless the size has changed much. */
+  setMeshes(meshes: Mesh[], internal: boolean[], driver: number): void {
+    for (const gear of this.gears) {
+      this.scene.remove(gear);
+      gear.traverse((part) => {
+        if (!(part instanceof THREE.Mesh)) return;
+        part.geometry.dispose();
+        (part.material as THREE.Material).dispose();
+      });
+    }
+    for (const marking of this.markings) marking.texture.dispose();
+    this.gears.length = this.markings.length = 0;
+    meshes.forEach((mesh, i) => {
+      const geometry = new THREE.BufferGeometry();
+      geometry.setAttribute("position", new THREE.BufferAttribute(mesh.positions, 3));
+      geometry.setAttribute("normal", new THREE.BufferAttribute(mesh.normals, 3));
+      geometry.setIndex(new THREE.BufferAttribute(mesh.indices, 1));
+      const side = (internal[i] ? 1 : -1) * (driver === 2 ? -1 : 1);
+      const { material, marking } = markedMaterial(i, side, this.cut);
+      // Where the plane has cut, one looks at the inside: flat, as a section on a drawing.
+      const inside = new THREE.MeshBasicMaterial({
+        color: colour(`g${i + 1}-fill`),
+        side: THREE.BackSide,
+        clippingPlanes: [this.cut],
+      });
+      const group = new THREE.Group();
+      group.add(new THREE.Mesh(geometry, material), new THREE.Mesh(geometry, inside));
+      group.matrixAutoUpdate = false;
+      this.gears.push(group);
+      this.markings.push(marking);
+      this.scene.add(group);
+    });
+    this.ask();
+  }
+
+  /** The colours of light or dark. */
+  recolour(): void {
+    this.gears.forEach((gear, i) => {
+      const [outer, inner] = gear.children as THREE.Mesh[];
+      (outer!.material as THREE.MeshStandardMaterial).color.copy(metal(i));
+      (inner!.material as THREE.MeshBasicMaterial).color.set(colour(`g${i + 1}-fill`));
+    });
+    this.marks.recolour();
+    this.ask();
+  }
+
+  get count(): number {
+    return this.gears.length;
+  }
+  marking(gear: number): Marking | undefined {
+    return this.markings[gear];
+  }
+
+  /** Where a gear stands: 16 numbers, column by column. */
+  place(gear: number, pose: number[]): void {
+    const group = this.gears[gear];
+    if (!group) return;
+    group.matrix.fromArray(pose);
+    group.matrixWorldNeedsUpdate = true;
+    this.ask();
+  }
+
+  /** Cuts everything above z, mm; Infinity: nothing. */
+  section(z: number): void {
+    this.cut.constant = Number.isFinite(z) ? z : 1e9;
+    this.ask();
+  }
+
+  /** Least and greatest z, and the diagonal, mm. */
+  extent(): { low: number; high: number; size: number } {
+    const box = this.bounds();
+    return { low: box.min.z, high: box.max.z, size: box.max.distanceTo(box.min) };
+  }
+  private bounds(): THREE.Box3 {
+    const box = new THREE.Box3();
+    this.scene.updateMatrixWorld(true);
+    for (const gear of this.gears) box.expandByObject(gear);
+    return box;
+  }
+
+  /** Puts the eye where it sees everything, unless it does already. */
+  frame(take: boolean): void {
+    const sphere = this.bounds().getBoundingSphere(new THREE.Sphere());
+    if (!take && Math.abs(sphere.radius - this.radius) < 0.25 * this.radius) return;
+    this.radius = sphere.radius;
+    this.look();
+  }
+  look(): void {
+    const sphere = this.bounds().getBoundingSphere(new THREE.Sphere());
+    if (!(sphere.radius > 0)) return;
+    const aspect = Math.max(0.2, this.canvas.clientWidth / Math.max(1, this.canvas.clientHeight));
+    const half = (this.camera.fov * Math.PI) / 360;
+    const distance = (0.8 * sphere.radius) / Math.sin(Math.min(half, Math.atan(Math.tan(half) * aspect)));
+    this.orbit.target.copy(sphere.center);
+    this.camera.position
+      .copy(sphere.center)
+      .add(new THREE.Vector3(-0.42, 0.38, 0.82).normalize().multiplyScalar(distance));
+    this.camera.near = distance / 500;
+    this.camera.far = distance * 20;
+    this.camera.updateProjectionMatrix();
+    this.orbit.update();
+    this.ask();
+  }
+
+  ask(): void {
+    if (this.asked) return;
+    this.asked = true;
+    requestAnimationFrame(() => {
+      this.asked = false;
+      this.draw();
+    });
+  }
+
+  private draw(): void {
+    const width = this.canvas.clientWidth;
+    const height = this.canvas.clientHeight;
+    if (!width || !height) return;
+    const size = this.renderer.getSize(new THREE.Vector2());
+    if (size.x !== width || size.y !== height) {
+      this.renderer.setPixelRatio(Math.min(2, devicePixelRatio || 1));
+      this.renderer.setSize(width, height, false);
+      this.camera.aspect = width / height;
+      this.camera.updateProjectionMatrix();
+    }
+    this.renderer.render(this.scene, this.camera);
+  }
+
+  private key(event: KeyboardEvent): void {
+    const about = (axis: THREE.Vector3, angle: number) => {
+      this.camera.position.sub(this.orbit.target).applyAxisAngle(axis, angle).add(this.orbit.target);
+    };
+    const across = new THREE.Vector3(1, 0, 0).applyQuaternion(this.camera.quaternion);
+    const come = (factor: number) =>
+      this.camera.position.sub(this.orbit.target).multiplyScalar(factor).add(this.orbit.target);
+    if (event.key === "ArrowLeft") about(this.camera.up, 0.12);
+    else if (event.key === "ArrowRight") about(this.camera.up, -0.12);
+    else if (event.key === "ArrowUp") about(across, 0.12);
+    else if (event.key === "ArrowDown") about(across, -0.12);
+    else if (event.key === "+" || event.key === "=") come(0.85);
+    else if (event.key === "-") come(1 / 0.85);
+    else if (event.key === "0") return this.look();
+    else return;
+    event.preventDefault();
+    this.orbit.update();
+    this.ask();
+  }
+}

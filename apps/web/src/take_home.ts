@@ -1,0 +1,107 @@
+// What one takes home: the same files that the program writes, made here by the same code.
+
+import type { FileKind } from "../engine/engine";
+import { button, download, fill, h } from "./elements";
+import { bench } from "./workbench";
+
+interface Offer {
+  kind: FileKind;
+  words: string;
+  what: string;
+  gears: (0 | 1 | 2)[];
+}
+const kOffers: Offer[] = [
+  { kind: "report", words: "Report", what: "one page with every number and picture", gears: [0] },
+  { kind: "json", words: "JSON", what: "every number, as the program prints it", gears: [0] },
+  { kind: "step", words: "STEP", what: "exact solids for CAD, AP242", gears: [1, 2, 0] },
+  { kind: "3mf", words: "3MF", what: "for printing", gears: [1, 2] },
+  { kind: "stl", words: "STL", what: "triangles", gears: [1, 2] },
+  { kind: "glb", words: "GLB", what: "the pair for viewers", gears: [0] },
+  { kind: "dxf", words: "DXF", what: "the section, arcs", gears: [1, 2] },
+  { kind: "svg", words: "SVG", what: "the section, drawn", gears: [1, 2] },
+];
+const kEndings: Partial<Record<FileKind, string>> = { report: "html" };
+
+/** A file name of the title: letters and digits of any script, the rest become _. */
+export function fileName(): string {
+  const title = bench.good?.spec?.["title"];
+  const name =
+    typeof title === "string"
+      ? title
+          .replace(/[^\p{L}\p{N}]+/gu, "_")
+          .replace(/^_+|_+$/g, "")
+          .slice(0, 60)
+      : "";
+  return name || "gears";
+}
+
+export class TakeHome {
+  private readonly opener = button("Take home", () => this.toggle(), {
+    "aria-haspopup": "true",
+    "aria-expanded": "false",
+    class: "main",
+  });
+  private readonly sheet = h("div", { class: "menu", role: "dialog", "aria-label": "files to take home" });
+  private readonly state = h("p", { class: "soft", role: "status" });
+  readonly element = h("div", { class: "menu-holder" }, this.opener, this.sheet);
+
+  constructor(private readonly save: () => void) {
+    this.sheet.hidden = true;
+    document.addEventListener("pointerdown", (event) => {
+      if (!this.sheet.hidden && !this.element.contains(event.target as Node)) this.toggle();
+    });
+    this.element.addEventListener("keydown", (event) => {
+      if (event.key !== "Escape" || this.sheet.hidden) return;
+      this.toggle();
+      this.opener.focus();
+    });
+  }
+
+  private toggle(): void {
+    this.sheet.hidden = !this.sheet.hidden;
+    this.opener.setAttribute("aria-expanded", String(!this.sheet.hidden));
+    if (this.sheet.hidden) return;
+    this.state.textContent = "";
+    const gears = bench.good?.gears ?? 0;
+    const pair = bench.good?.hasPair ?? false;
+    const rows = kOffers.map((offer) => {
+      const alone = offer.kind === "report" || offer.kind === "json";
+      const places = offer.gears.filter((gear) => (gear === 0 ? alone || pair : gear <= gears));
+      return places.length
+        ? h(
+            "div",
+            { class: "offer" },
+            h("span", {}, h("b", {}, offer.words), h("span", { class: "soft" }, " " + offer.what)),
+            h("span", { class: "offer-buttons" }, ...places.map((gear) => this.getter(offer, gear, alone))),
+          )
+        : null;
+    });
+    const spec = h(
+      "div",
+      { class: "offer" },
+      h("span", {}, h("b", {}, "Spec"), h("span", { class: "soft" }, " the design as text, TOML")),
+      h("span", { class: "offer-buttons" }, button("save", this.save)),
+    );
+    fill(this.sheet, spec, ...(bench.good ? rows : []), this.state);
+    this.sheet.querySelector("button")?.focus();
+  }
+
+  private getter(offer: Offer, gear: 0 | 1 | 2, alone: boolean): HTMLButtonElement {
+    const words = alone ? "save" : gear === 0 ? "pair" : `gear ${gear}`;
+    return button(words, () => void this.get(offer, gear), { "aria-label": `${offer.words}, ${words}` });
+  }
+
+  private async get(offer: Offer, gear: 0 | 1 | 2): Promise<void> {
+    const text = bench.good!.text;
+    const ending = kEndings[offer.kind] ?? offer.kind;
+    const who = offer.gears.length > 1 ? (gear === 0 ? "_pair" : `_gear${gear}`) : "";
+    this.state.textContent = `Making ${offer.words} …`;
+    try {
+      const bytes = await bench.back.ask("file", { text, kind: offer.kind, gear });
+      download(`${fileName()}${who}.${ending}`, bytes as Uint8Array<ArrayBuffer>);
+      this.state.textContent = `${offer.words}: ${(bytes.length / 1e6).toFixed(2)} MB`;
+    } catch (reason) {
+      this.state.textContent = reason instanceof Error ? reason.message : String(reason);
+    }
+  }
+}

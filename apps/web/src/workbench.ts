@@ -1,0 +1,175 @@
+// The design on screen: its text, what came of it, and how it came to be.
+//
+// The text is the design; form, pictures and tables are views of it. A change goes to the engine,
+// which answers with the new text (comments kept) and what it solves to; then all views look anew.
+
+import { EngineLink, kOvertaken } from "./engine_link";
+import type { Fault, Json, Solved } from "./engine_worker";
+
+type Listener = () => void;
+/** Texts beyond this are no specs: the longest of ours has 2000 characters. */
+export const kMostCharacters = 1_000_000;
+/** Changes of one field within this time are one step back. */
+const kOneStepMs = 900;
+
+class Workbench {
+  text = "";
+  /** What the last text came to; its fault, if any, is shown where it belongs. */
+  solved: Solved | null = null;
+  /** The last that could be solved: pictures keep it while a fault is being typed. */
+  good: Solved | null = null;
+  /** How long the engine and the way to it took for the last change, ms. */
+  lastMs = 0;
+  front!: EngineLink;
+  back!: EngineLink;
+  seek!: EngineLink;
+
+  private readonly past: string[] = [];
+  private readonly future: string[] = [];
+  private lastWhat = "";
+  private lastWhen = 0;
+  private readonly edits = new Map<string, string>();
+  private busy = false;
+  private readonly listeners = new Map<string, Set<Listener>>();
+
+  on(what: "text" | "solved" | "history" | "opened", listener: Listener): void {
+    if (!this.listeners.has(what)) this.listeners.set(what, new Set());
+    this.listeners.get(what)!.add(listener);
+  }
+  private tell(what: string): void {
+    for (const listener of this.listeners.get(what) ?? []) listener();
+  }
+
+  /** A new text, as a whole: typed, opened, taken from a list. `what` names the hand that did it. */
+  setText(text: string, what: string): void {
+    if (text === this.text) return;
+    this.remember(what);
+    this.text = text;
+    this.edits.clear();
+    if (what === "opened") {
+      this.good = null; // another design: nothing of the last one may stand beside it
+      this.tell("opened");
+    }
+    this.tell("text");
+    void this.solve();
+  }
+
+  private remember(what: string): void {
+    const now = performance.now();
+    const goesOn = what === this.lastWhat && now - this.lastWhen < kOneStepMs;
+    this.lastWhat = what;
+    this.lastWhen = now;
+    if (goesOn) return;
+    if (this.text) this.past.push(this.text);
+    if (this.past.length > 500) this.past.shift();
+    this.future.length = 0;
+    this.tell("history");
+  }
+
+  /** Sets one key, "gear1.profile_shift"; undefined takes it out. Many in one moment are one. */
+  setKey(key: string, value: Json | undefined): void {
+    this.edits.set(key, value === undefined ? "null" : JSON.stringify(value));
+    void this.applyEdits();
+  }
+
+  private async applyEdits(): Promise<void> {
+    if (this.busy || !this.edits.size) return;
+    this.busy = true;
+    const begin = performance.now();
+    const from = this.text;
+    const edits = [...this.edits];
+    this.edits.clear();
+    try {
+      const answer = await this.front.ask("edit", { text: from, edits });
+      if (this.text !== from) return; // typed meanwhile: the text is right
+      if ("refused" in answer) {
+        this.takeSolved(
+          { ...this.solved!, fault: { key: edits[0]![0], value: edits[0]![1], message: answer.refused } },
+          begin,
+        );
+        return;
+      }
+      this.remember(edits.map(([key]) => key).join(" "));
+      this.text = answer.text;
+      this.tell("text");
+      this.takeSolved(answer, begin);
+    } finally {
+      this.busy = false;
+      void this.applyEdits();
+    }
+  }
+
+  private async solve(): Promise<void> {
+    const begin = performance.now();
+    if (this.text.length > kMostCharacters) {
+      const millions = (this.text.length / 1e6).toFixed(1);
+      this.takeSolved(
+        faulty(this.text, `This text has ${millions} million characters; a spec has at most one million.`),
+        begin,
+      );
+      return;
+    }
+    const answer = await this.front.latest("solve", "solve", { text: this.text });
+    if (answer !== kOvertaken && answer.text === this.text) this.takeSolved(answer, begin);
+  }
+
+  private takeSolved(solved: Solved, begin: number): void {
+    this.solved = solved;
+    if (solved.result) this.good = solved;
+    else if (this.asks) this.good = null;
+    this.lastMs = performance.now() - begin;
+    this.tell("solved");
+  }
+
+  /** The spec asks for gears, by a search or a fit: that it is no pair yet is no fault. */
+  get asks(): boolean {
+    const { solved } = this;
+    if (!solved?.fault || !solved.spec) return false;
+    return (
+      solved.spec["search"] !== undefined ||
+      solved.spec["fit"] !== undefined ||
+      /gearwright (fit finds them|identify finds it)/.test(solved.fault.message)
+    );
+  }
+
+  get canUndo(): boolean {
+    return this.past.length > 0;
+  }
+  get canRedo(): boolean {
+    return this.future.length > 0;
+  }
+  undo(): void {
+    this.step(this.past, this.future);
+  }
+  redo(): void {
+    this.step(this.future, this.past);
+  }
+  private step(from: string[], to: string[]): void {
+    const text = from.pop();
+    if (text === undefined) return;
+    to.push(this.text);
+    this.text = text;
+    this.lastWhat = "";
+    this.edits.clear();
+    this.tell("text");
+    this.tell("history");
+    void this.solve();
+  }
+}
+
+function faulty(text: string, message: string): Solved {
+  const fault: Fault = { key: "", value: "", message };
+  return { text, spec: null, result: null, fault, gears: 0, hasPair: false, milliseconds: 0 };
+}
+
+export const bench = new Workbench();
+
+/** A value inside nested records: at(result, "pair.backlash.normal_mm"). */
+export function at(tree: Json | undefined, path: string): Json | undefined {
+  let here: Json | undefined = tree;
+  for (const name of path.split(".")) {
+    if (here === null || typeof here !== "object") return undefined;
+    here = (here as { [key: string]: Json })[name];
+  }
+  return here;
+}

@@ -1,0 +1,342 @@
+// The page in a browser: every example and every tab, numbers against the native program, links,
+// faults at their field, and the one file without a server or a network.
+
+import assert from "node:assert/strict";
+import { readFileSync, statSync, writeFileSync, mkdtempSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, describe, test } from "node:test";
+import { pathToFileURL } from "node:url";
+import {
+  difference,
+  example,
+  examples,
+  kPatience,
+  launch,
+  native,
+  open,
+  openTab,
+  put,
+  root,
+  serve,
+  settled,
+  web,
+} from "./stage.mjs";
+
+let server, browser, page, address;
+before(
+  async () => {
+    server = await serve();
+    address = `http://127.0.0.1:${server.address().port}/`;
+    browser = await launch();
+    page = await open(browser, address);
+  },
+  { timeout: kPatience },
+);
+after(async () => {
+  await browser?.close();
+  server?.close();
+});
+const it = (name, body) => test(name, { timeout: 4 * kPatience }, body);
+
+describe("every example", () => {
+  it("is a card, opens and says its verdict in the program's words", async () => {
+    for (const one of examples) {
+      await page.evaluate(() => window.gearwright.start());
+      await page.click(`[data-example=${one.name}]`);
+      await settled(page);
+      const expected = native("pair", one.text);
+      const headline = await page.textContent(".headline");
+      if (expected.verdict) assert.equal(headline, expected.verdict.headline, one.name);
+      else assert.ok(headline.length > 10, one.name);
+    }
+    assert.deepEqual(page.complaints, []);
+  });
+
+  it("has a picture or an answer in every tab", async () => {
+    for (const one of examples) {
+      for (const tab of ["mesh", "solid", "contact", "shifts", "search", "sheet"]) {
+        await put(page, one.text, tab);
+        await page.waitForFunction(() => window.gearwright.idle(), undefined, { timeout: kPatience });
+      }
+    }
+    assert.deepEqual(page.complaints, []);
+  });
+});
+
+describe("numbers", () => {
+  it("are those of the native program within 1e-12", async () => {
+    for (const one of examples)
+      for (const verb of ["gear", "pair", "contact"]) {
+        const run = ([verb, text]) => window.gearwright.run(verb, text);
+        const mine = JSON.parse(await page.evaluate(run, [verb, one.text]));
+        const theirs = native(verb, one.text);
+        for (const side of [mine, theirs]) {
+          delete side.error?.file;
+          delete side.contact?.sensitivity; // derivatives at a change of contact have two sides
+        }
+        // An angle of a few arc seconds is a small difference of large ones.
+        const tolerance = verb === "contact" ? 1e-6 : 1e-12;
+        assert.equal(difference(mine, theirs, tolerance), null, `${verb} ${one.name}`);
+      }
+  });
+
+  it("stand in the table as the JSON has them", async () => {
+    await put(page, example("helical_pair"));
+    const result = native("pair", example("helical_pair"));
+    const cell = (id, column = 0) => page.textContent(`[data-quantity="${id}"][data-column="${column}"]`);
+    assert.equal(await cell("pair.contact_ratio"), result.pair.contact_ratio.toFixed(5));
+    assert.equal(await cell("pair.center_distance_mm"), result.pair.center_distance_mm.toFixed(4));
+    for (const gear of [0, 1])
+      assert.equal(await cell("gears.tip_diameter_mm", gear), result.gears[gear].tip_diameter_mm.toFixed(4));
+    await page.click('[data-unit="inch"]');
+    assert.equal(await cell("pair.center_distance_mm"), (result.pair.center_distance_mm / 25.4).toFixed(5));
+    await page.click('[data-unit="mm"]');
+  });
+});
+
+describe("form and text", () => {
+  it("are one: either edits the other, comments stay, undo and redo step", async () => {
+    await put(page, example("helical_pair"));
+    await page.fill('[data-key="gear1.profile_shift"]', "0.41");
+    await page.waitForFunction(() => window.gearwright.text().includes("profile_shift = 0.41"));
+    await settled(page);
+    assert.match(await page.evaluate(() => window.gearwright.text()), /# right hand/);
+    await page.click("button[aria-label=undo]");
+    await page.waitForFunction(() => window.gearwright.text().includes("profile_shift = 0.3"));
+    await page.click("button[aria-label=redo]");
+    await page.waitForFunction(() => window.gearwright.text().includes("profile_shift = 0.41"));
+    await page.click("text=text >> nth=0");
+    const area = page.locator("textarea");
+    await area.fill((await area.inputValue()).replace("teeth = 43", "teeth = 44"));
+    await settled(page);
+    await page.click(".spec-head >> text=form");
+    assert.equal(await page.inputValue('[data-key="gear2.teeth"]'), "44");
+  });
+
+  it("an arrow key steps a number, the slider moves it", async () => {
+    await put(page, example("helical_pair"));
+    await page.focus('[data-key="gear1.teeth"]');
+    await page.keyboard.press("ArrowUp");
+    await page.waitForFunction(() => window.gearwright.text().includes("teeth = 18"));
+    await page.waitForSelector(
+      'input[aria-label^="teeth, gear 1, slider"], input[aria-label^="teeth, gear 1"][type=range]',
+    );
+  });
+
+  it("a fault stands at its field, in the engine's words, and the page goes on", async () => {
+    await put(page, example("helical_pair"));
+    await page.fill('[data-key="gear1.normal_module_mm"]', "1e300");
+    await page.waitForSelector('[data-key="gear1.normal_module_mm"][aria-invalid=true]');
+    assert.match(await page.textContent(".note .fault:not(:empty)"), /must lie between/);
+    await page.fill('[data-key="gear1.normal_module_mm"]', "2.5");
+    await page.waitForSelector('[data-key="gear1.normal_module_mm"][aria-invalid=false]');
+    for (const [text, words] of [
+      ["[gear1]\nteeth = = 3\n", /line 2/i],
+      ["[gear1]\nteth = 17\n", /nearest known one is teeth/],
+      ["\u0000\u0001[[[[", /./],
+      ["[gear1]\nteeth = 99999999999999999999\nnormal_module_mm = 1\n", /./],
+      ["x".repeat(10_000_000), /10\.0 million characters/],
+    ]) {
+      await put(page, text);
+      assert.match(await page.textContent(".headline"), words);
+    }
+    await put(page, example("spur_pair"));
+    assert.equal(await page.textContent(".level"), native("pair", example("spur_pair")).verdict.level);
+    assert.deepEqual(page.complaints, []);
+  });
+
+  it("a title stays text everywhere", async () => {
+    const evil = '</script><img src=x onerror="window.stolen=1"><b>';
+    const text = example("helical_pair").replace('title = "helical pair"', `title = ${JSON.stringify(evil)}`);
+    for (const tab of ["mesh", "solid", "contact", "shifts", "search", "sheet"]) {
+      await put(page, text, tab);
+      await page.waitForFunction(() => window.gearwright.idle(), undefined, { timeout: kPatience });
+    }
+    assert.equal(await page.textContent("h1"), evil);
+    assert.equal(await page.evaluate(() => window.stolen), undefined);
+    for (const frame of page.frames()) assert.equal(await frame.evaluate(() => window.stolen), undefined);
+    assert.equal(await page.locator("img").count(), 0);
+  });
+});
+
+describe("pictures", () => {
+  const inked = (selector) =>
+    page.evaluate((selector) => {
+      const canvas = document.querySelector(selector);
+      const copy = document.createElement("canvas");
+      copy.width = 160;
+      copy.height = 100;
+      const c = copy.getContext("2d");
+      c.drawImage(canvas, 0, 0, 160, 100);
+      return Array.from(c.getImageData(0, 0, 160, 100).data);
+    }, selector);
+  const changed = (a, b) => a.filter((one, i) => Math.abs(one - b[i]) > 24).length;
+
+  for (const [tab, name] of [
+    ["mesh", "helical_pair"],
+    ["solid", "helical_pair"],
+    ["solid", "crossed_pair"],
+    ["solid", "planetary_ring"],
+  ])
+    it(`${tab} of ${name} is not blank and changes when turned`, async () => {
+      await put(page, example(name), tab);
+      await page.waitForFunction(() => window.gearwright.idle(), undefined, { timeout: kPatience });
+      const canvas = `#room-${tab} canvas`;
+      const turn = (t) => page.fill(`#room-${tab} input[aria-label="rotation of gear 1"]`, t);
+      await turn("-0.1");
+      await page.waitForTimeout(1500);
+      const still = await inked(canvas);
+      assert.ok(
+        still.some((one, i) => i % 4 === 3 && one > 200),
+        "blank",
+      );
+      await turn("0.15");
+      for (let tries = 0; tries < 100 && changed(still, await inked(canvas)) <= 50; ++tries)
+        await page.waitForTimeout(200);
+      assert.ok(changed(still, await inked(canvas)) > 50, "the same after a turn");
+    });
+
+  it("the shift chart's point moves the design", async () => {
+    await put(page, example("helical_pair"), "shifts");
+    await page.waitForSelector(".shift-chart .design");
+    await page.focus(".shift-chart");
+    await page.keyboard.press("ArrowRight");
+    await page.waitForFunction(() => /profile_shift = 0\.31\b/.test(window.gearwright.text()));
+  });
+
+  it("an error slider moves transmission error and text", async () => {
+    await put(page, example("misaligned_pair"), "contact");
+    await page.waitForSelector(".uplot canvas");
+    const before = await page.textContent(".contact-sentence");
+    await page.fill('[data-slide="errors.crossing_deg"]', "0.06");
+    await page.waitForFunction(
+      (before) => document.querySelector(".contact-sentence").textContent !== before,
+      before,
+    );
+    assert.match(await page.evaluate(() => window.gearwright.text()), /crossing_deg = 0\.06/);
+  });
+
+  it("a search lists what the program finds; a row becomes the design", async () => {
+    await put(page, example("gearbox_search"), "search");
+    await page.waitForSelector(".designs tbody tr");
+    await page.waitForFunction(() => window.gearwright.idle(), undefined, { timeout: kPatience });
+    const expected = native("search", example("gearbox_search")).search;
+    assert.match(await page.textContent(".search-said"), new RegExp(`^${expected.feasible_count} of`));
+    await page.click(".designs tbody tr:nth-child(2)");
+    await page.waitForFunction(() => /teeth = /.test(window.gearwright.text()));
+    await settled(page);
+    assert.equal(await page.inputValue('[data-key="gear1.teeth"]'), String(expected.designs[1].teeth[0]));
+  });
+
+  it("a fit is answered branch by branch", async () => {
+    await put(page, example("crossed_fit"), "search");
+    await page.waitForSelector(".branch");
+    assert.equal(
+      await page.locator(".branch").count(),
+      native("fit", example("crossed_fit")).fit.branches.length,
+    );
+    await page.click(".branch button");
+    await page.waitForFunction(() => document.querySelector(".level").textContent !== "fit");
+    await settled(page);
+    assert.match(await page.textContent(".level"), /green|amber|red/);
+  });
+});
+
+describe("in and out", () => {
+  it("a link is a design", async () => {
+    await put(page, example("ring_pair"));
+    await page.waitForFunction(() => location.hash.startsWith("#1."));
+    await page.waitForTimeout(600);
+    const other = await open(browser, page.url());
+    await settled(other);
+    assert.equal(await other.evaluate(() => window.gearwright.text()), example("ring_pair"));
+    await other.context().close();
+    const broken = await open(browser, address + "#1.not-a-design");
+    assert.match(await broken.textContent(".said"), /damaged/);
+    await broken.context().close();
+  });
+
+  it("files come home: each kind, with bytes in it", async () => {
+    await put(page, example("spur_pair"));
+    const folder = mkdtempSync(join(tmpdir(), "gearwright_web_"));
+    await page.click("text=Take home");
+    for (const [label, first] of [
+      ["Report, save", /^<!DOCTYPE html|^<!doctype html/],
+      ["JSON, save", /^\{/],
+      ["STL, gear 1", /./s],
+      ["3MF, gear 1", /^PK/],
+      ["GLB, pair", /^glTF/],
+      ["DXF, gear 1", /./s],
+      ["SVG, gear 1", /<svg/],
+    ]) {
+      const [file] = await Promise.all([
+        page.waitForEvent("download"),
+        page.click(`button[aria-label="${label}"]`),
+      ]);
+      const path = join(folder, file.suggestedFilename());
+      await file.saveAs(path);
+      assert.ok(statSync(path).size > 300, label);
+      assert.match(readFileSync(path, "latin1"), first, label);
+    }
+    await page.keyboard.press("Escape");
+  });
+
+  it("a dropped file opens", async () => {
+    const folder = mkdtempSync(join(tmpdir(), "gearwright_web_"));
+    writeFileSync(
+      join(folder, "one.json"),
+      JSON.stringify({ title: "from JSON", gear1: { teeth: 19, normal_module_mm: 2 } }),
+    );
+    await page.setInputFiles("input[type=file]", join(folder, "one.json"));
+    await page.waitForFunction(() => window.gearwright.text().includes("from JSON"));
+    await settled(page);
+    assert.equal(await page.textContent("h1"), "from JSON");
+  });
+
+  it("the one file opens from disk, offline, and is under 4 MB", async () => {
+    const path = join(web, "gearwright.html");
+    assert.ok(statSync(path).size < 4e6);
+    const context = await browser.newContext({ offline: true });
+    const alone = await context.newPage();
+    const asked = [];
+    alone.on("request", (request) => !/^(file|blob|data):/.test(request.url()) && asked.push(request.url()));
+    await alone.goto(pathToFileURL(path).href);
+    await alone.waitForSelector("html[data-ready]", { timeout: kPatience });
+    await put(alone, example("helical_pair"));
+    assert.equal(
+      await alone.textContent(".headline"),
+      native("pair", example("helical_pair")).verdict.headline,
+    );
+    assert.deepEqual(asked, []);
+    await context.close();
+  });
+});
+
+describe("for everybody", () => {
+  const axe = readFileSync(join(root, "apps/web/node_modules/axe-core/axe.min.js"), "utf8");
+  const findings = async (page) => {
+    await page.evaluate(axe);
+    const result = await page.evaluate(() => window.axe.run(document, { iframes: false }));
+    return result.violations
+      .filter((one) => one.impact === "serious" || one.impact === "critical")
+      .map((one) => `${one.id}: ${one.nodes.map((node) => node.html.slice(0, 120)).join(" | ")}`);
+  };
+  for (const [name, width, scheme] of [
+    ["wide and light", 1280, "light"],
+    ["wide and dark", 1280, "dark"],
+    ["narrow", 400, "light"],
+  ])
+    it(`axe finds nothing serious: ${name}`, async () => {
+      const one = await open(browser, address, { viewport: { width, height: 800 }, colorScheme: scheme });
+      assert.deepEqual(await findings(one), []);
+      for (const tab of ["mesh", "contact", "shifts", "search"]) {
+        await put(one, example(tab === "search" ? "gearbox_search" : "misaligned_pair"), tab);
+        await one.waitForFunction(() => window.gearwright.idle(), undefined, { timeout: kPatience });
+        assert.deepEqual(await findings(one), [], tab);
+      }
+      const wide = await one.evaluate(() => document.documentElement.scrollWidth);
+      assert.ok(wide <= width, `the page is ${wide} px wide`);
+      await one.context().close();
+    });
+});

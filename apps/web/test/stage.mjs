@@ -1,0 +1,135 @@
+// What the tests stand on: a server of static files, a browser without a screen, the native program.
+
+import { execFileSync } from "node:child_process";
+import { createReadStream, existsSync, readdirSync, readFileSync, statSync } from "node:fs";
+import { createServer } from "node:http";
+import { basename, extname, join, resolve } from "node:path";
+import { chromium } from "playwright-core";
+
+export const root = resolve(import.meta.dirname, "../../..");
+export const web = resolve(process.env.GEARWRIGHT_WEB_OUT ?? join(root, "build/web"));
+const program = resolve(process.env.GEARWRIGHT ?? join(root, "build/release/gearwright"));
+/** Two loaded cores and a browser without a graphics card are slow; nothing here measures time. */
+export const kPatience = 120_000;
+
+const kTypes = {
+  ".html": "text/html",
+  ".js": "text/javascript",
+  ".css": "text/css",
+  ".wasm": "application/wasm",
+};
+
+/** Serves build/web on some port of this machine. */
+export function serve() {
+  const server = createServer((request, response) => {
+    const name = basename(new URL(request.url, "http://x").pathname) || "index.html";
+    const path = [join(web, name), join(web, "assets", name)].find(
+      (one) => existsSync(one) && statSync(one).isFile(),
+    );
+    if (!path) return response.writeHead(404).end();
+    response.writeHead(200, { "content-type": kTypes[extname(path)] ?? "application/octet-stream" });
+    createReadStream(path).pipe(response);
+  });
+  return new Promise((ready) => server.listen(0, "127.0.0.1", () => ready(server)));
+}
+
+export function launch() {
+  return chromium.launch({
+    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    // Without the compositor on a graphics card that is not there pages are painted 25 times faster;
+    // WebGL still has its own.
+    args: [
+      "--disable-gpu",
+      "--no-sandbox",
+      "--disable-background-networking",
+      "--no-first-run",
+      "--enable-unsafe-swiftshader",
+    ],
+  });
+}
+
+/** Opens an address and waits for the engine; complaints of the page end up in `page.complaints`. */
+export async function open(browser, address, options = {}) {
+  const context = await browser.newContext({
+    viewport: { width: 1280, height: 800 },
+    acceptDownloads: true,
+    ...options,
+  });
+  const page = await context.newPage();
+  page.setDefaultTimeout(kPatience);
+  page.complaints = [];
+  page.on("pageerror", (error) => page.complaints.push(String(error)));
+  page.on(
+    "console",
+    (message) =>
+      message.type() === "error" &&
+      !/favicon/.test(message.text() + message.location().url) &&
+      page.complaints.push(message.text()),
+  );
+  await page.goto(address);
+  await page.waitForSelector("html[data-ready]", { timeout: kPatience });
+  return page;
+}
+
+/** Puts a text on the page, as if it were opened, and waits for what came of it. */
+export async function put(page, text, tab = "mesh") {
+  await page.evaluate(([text, tab]) => window.gearwright.open(text, tab), [text, tab]);
+  await settled(page);
+}
+/** The answer on screen is that of the text on screen. */
+export async function settled(page) {
+  await page.waitForFunction(() => window.gearwright.settled(), undefined, { timeout: kPatience });
+}
+export async function openTab(page, id) {
+  await page.click(`#tab-${id}`);
+  await page.waitForSelector(`#room-${id}:not([hidden])`);
+}
+
+export const examples = readdirSync(join(root, "examples"))
+  .filter((name) => name.endsWith(".toml"))
+  .map((name) => ({
+    name: name.replace(".toml", ""),
+    path: join(root, "examples", name),
+    text: readFileSync(join(root, "examples", name), "utf8"),
+  }));
+export function example(name) {
+  return examples.find((one) => one.name === name).text;
+}
+
+/** What the native program prints with --json; a refusal is an answer too. */
+export function native(verb, text) {
+  try {
+    return JSON.parse(
+      execFileSync(program, [verb, "-", "--json"], {
+        input: text,
+        encoding: "utf8",
+        stdio: ["pipe", "pipe", "ignore"],
+        maxBuffer: 1 << 28,
+      }),
+    );
+  } catch (failure) {
+    if (failure.stdout) return JSON.parse(failure.stdout);
+    throw failure;
+  }
+}
+
+/** The first place where two answers differ by more than the tolerance; null: they agree. Where the
+ *  C libraries round differently the last bits do: relative to the number, or to the largest beside
+ *  it for what is nearly nothing. */
+export function difference(mine, theirs, relative, path = "", scale = 1) {
+  if (typeof mine === "number" && typeof theirs === "number") {
+    const apart = Math.abs(mine - theirs);
+    return apart <= relative * Math.max(Math.abs(mine), Math.abs(theirs), scale)
+      ? null
+      : `${path}: ${mine} and ${theirs}`;
+  }
+  if (mine === null || theirs === null || typeof mine !== "object" || typeof theirs !== "object")
+    return mine === theirs ? null : `${path}: ${mine} and ${theirs}`;
+  const keys = new Set([...Object.keys(mine), ...Object.keys(theirs)]);
+  for (const key of keys) {
+    if (!(key in mine) || !(key in theirs)) return `${path}.${key} is on one side only`;
+    const found = difference(mine[key], theirs[key], relative, `${path}.${key}`, scale);
+    if (found) return found;
+  }
+  return null;
+}

@@ -1,0 +1,64 @@
+// How quick the page is: opening to first answer, keystroke to picture, the contact curve, frames
+// while turning. Times only; the tests are beside it.
+//
+//   node apps/web/test/times.mjs
+
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+import { example, kPatience, launch, open, openTab, put, settled, web } from "./stage.mjs";
+
+const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1];
+const browser = await launch();
+const starts = [];
+for (let i = 0; i < 5; ++i) {
+  const context = await browser.newContext();
+  const page = await context.newPage();
+  await page.goto(pathToFileURL(join(web, "gearwright.html")).href);
+  await page.waitForSelector("html[data-ready]", { timeout: kPatience });
+  starts.push(await page.evaluate(() => performance.getEntriesByName("ready")[0].startTime));
+  await context.close();
+}
+console.log(`opening to the first answer of the engine   ${median(starts).toFixed(0)} ms`);
+
+const page = await open(browser, pathToFileURL(join(web, "gearwright.html")).href);
+for (const name of ["spur_pair", "helical_pair", "planetary_ring", "crossed_pair", "misaligned_pair"]) {
+  await put(page, example(name));
+  const times = await page.evaluate(async () => {
+    const all = [];
+    const field = document.querySelector('[data-key="gear1.face_width_mm"]');
+    for (let i = 0; i < 25; ++i) {
+      const before = window.gearwright.text();
+      field.value = String(20 + i / 8);
+      field.dispatchEvent(new Event("input"));
+      while (window.gearwright.text() === before) await new Promise((go) => setTimeout(go));
+      all.push(window.gearwright.lastMs());
+    }
+    return all;
+  });
+  console.log(`${name.padEnd(18)} a key changed to its answer          ${median(times).toFixed(1)} ms`);
+}
+await put(page, example("misaligned_pair"), "contact");
+await page.waitForFunction(() => window.gearwright.idle(), undefined, { timeout: kPatience });
+console.log("contact            " + (await page.textContent(".time")));
+await put(page, example("helical_pair"), "mesh");
+await settled(page);
+for (const tab of ["mesh", "solid"]) {
+  await openTab(page, tab);
+  await page.waitForFunction(() => window.gearwright.idle(), undefined, { timeout: kPatience });
+  await page.click(`#room-${tab} .controls button`);
+  const frames = await page.evaluate(
+    () =>
+      new Promise((done) => {
+        let n = 0;
+        const begin = performance.now();
+        const count = () =>
+          performance.now() - begin < 2000 ? (++n, requestAnimationFrame(count)) : done(n / 2);
+        requestAnimationFrame(count);
+      }),
+  );
+  console.log(
+    `${tab.padEnd(18)} frames a second while it turns, without a graphics card: ${frames.toFixed(0)}`,
+  );
+  await page.click(`#room-${tab} .controls button`);
+}
+await browser.close();

@@ -1,0 +1,100 @@
+// Two builds of one page: `vite build` makes static files for any host, `vite build --mode single`
+// one self-contained gearwright.html.
+
+import { readFileSync } from "node:fs";
+import { gzipSync } from "node:zlib";
+import { resolve } from "node:path";
+import { defineConfig, type Plugin } from "vite";
+
+const here = import.meta.dirname;
+const root = resolve(here, "../..");
+/** Where the compiled engine lies: engine.js, gearwright.mjs, gearwright.wasm. */
+const engine = resolve(process.env["GEARWRIGHT_ENGINE"] ?? resolve(root, "build/wasm/engine"));
+
+/** The house's colours, light and dark: the first rules of the report's style sheet. */
+function palette(): Plugin {
+  const sheet = resolve(root, "gearwright/report/page/page_style.css");
+  return {
+    name: "gearwright-palette",
+    resolveId: (id) => (id === "gearwright:palette.css" ? "\0gearwright-palette.css" : null),
+    load(id) {
+      if (id !== "\0gearwright-palette.css") return null;
+      const text = readFileSync(sheet, "utf8");
+      const end = text.indexOf("*{box-sizing");
+      if (end < 0) throw new Error("page_style.css no longer begins with the palette");
+      return text.slice(0, end);
+    },
+  };
+}
+
+/** The module as emscripten writes it names its file by import.meta.url, which a worker in one file
+ *  does not have; the bytes come from the page in any case. */
+function engineModule(): Plugin {
+  return {
+    name: "gearwright-engine",
+    enforce: "pre",
+    transform(code, id) {
+      if (!id.endsWith("gearwright.mjs")) return null;
+      return code
+        .replaceAll("import.meta.url", "self.location.href")
+        .replace(/require\(['"](fs|path)['"]\)/g, "null"); // node's
+    },
+  };
+}
+
+/** Everything into one HTML file: style, script, and the engine as gzip in base64. */
+function single(): Plugin {
+  return {
+    name: "gearwright-single",
+    enforce: "post",
+    generateBundle(_, bundle) {
+      const page = bundle["index.html"];
+      if (page?.type !== "asset") throw new Error("no index.html");
+      let html = String(page.source);
+      for (const [name, part] of Object.entries(bundle)) {
+        if (part.type === "chunk" && part.isEntry) {
+          const code = part.code.replaceAll("</script", "<\\/script");
+          const wasm = gzipSync(readFileSync(resolve(engine, "gearwright.wasm")), { level: 9 }).toString(
+            "base64",
+          );
+          html = html.replace(/<script[^>]*src="[^"]*"[^>]*><\/script>/, "");
+          html = html.replace(
+            "</body>",
+            () =>
+              `<script id="engine-wasm" type="text/plain">${wasm}</script>\n<script type="module">${code}</script>\n</body>`,
+          );
+        } else if (name.endsWith(".css") && part.type === "asset") {
+          html = html.replace(/<link rel="stylesheet"[^>]*>/, () => `<style>${String(part.source)}</style>`);
+        }
+        if (name !== "index.html") delete bundle[name];
+      }
+      page.fileName = "gearwright.html";
+      page.source = html;
+    },
+  };
+}
+
+export default defineConfig(({ mode }) => ({
+  root: here,
+  base: "./",
+  resolve: {
+    alias: {
+      "gearwright-engine": engine,
+      "gearwright:parts": resolve(here, mode === "single" ? "src/parts_single.ts" : "src/parts_static.ts"),
+    },
+  },
+  plugins: [palette(), engineModule(), ...(mode === "single" ? [single()] : [])],
+  // A page from disk may not start a worker that is a module.
+  worker: { format: mode === "single" ? "iife" : "es", plugins: () => [engineModule()] },
+  server: { fs: { allow: [root, engine] } },
+  build: {
+    outDir: process.env["GEARWRIGHT_WEB_OUT"] ?? resolve(root, "build/web"),
+    emptyOutDir: false,
+    target: "es2022",
+    modulePreload: false,
+    cssCodeSplit: false,
+    assetsInlineLimit: 0,
+    chunkSizeWarningLimit: 2000,
+    ...(mode === "single" ? { rolldownOptions: { output: { codeSplitting: false } } } : {}),
+  },
+}));

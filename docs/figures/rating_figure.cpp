@@ -1,0 +1,111 @@
+// Page 11: what a strength rating looks at. Left the critical section of a tooth and its load, from
+// the very numbers of the rating; right the life lines of flank and root.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "docs/figures/figure.hpp"
+#include "gearwright/pair/pair.hpp"
+#include "gearwright/rating/life.hpp"
+#include "gearwright/rating/root.hpp"
+
+namespace gearwright::figures {
+
+namespace {
+
+void draw_section(Figure& f) {
+  CylindricalSpec spec;
+  spec.teeth = 20;
+  spec.normal_module = 10;
+  spec.profile_shift = 0.2;
+  spec.face_width = 100;
+  const Gear gear = gear_of(spec);
+  const auto mounted = mount(gear, gear);
+  if (!mounted) throw std::logic_error(mounted.error().message());
+  const auto pair = rated_pair(*mounted->involute());
+  if (!pair) throw std::logic_error(pair.error().message());
+  const auto section = critical_section(*pair, pair->gears[0]);
+  if (!section) throw std::logic_error("the figure's tooth has no critical section");
+  const CriticalSection& s = *section;
+  const Viewport view{430, 470, {102, 0}, 9.5, true};
+  f.shape(view, teeth(gear, 0, 0, 0, 0.01), "body1 g1");
+  // The load meets the tooth's centre line at α_Fen, h_F above the section.
+  const double r_b = gear.base_radius();
+  const double apex = r_b / std::cos(s.alpha_Fen);
+  const double chord = apex - s.h_F;
+  const double half = s.s_Fn / 2;
+  const double r_e = s.d_en / 2;
+  const double psi =
+      tooth_thickness_transverse(20, 2 * r_b, gear.reference().base_tooth_thickness, s.d_en) /
+      s.d_en;
+  const Vec2 e = polar(r_e, psi);
+  const Vec2 meets(apex, 0);
+  const Vec2 along = (meets - e).normalized();
+  f.line(view, {Vec2(84, 0), Vec2(124, 0)}, "soft dashdot thin");
+  f.line(view, {Vec2(chord, -half), Vec2(chord, half)}, "g2 thick");
+  for (const double side : {1.0, -1.0}) {
+    const Vec2 touch(chord, side * half);
+    const Vec2 up(std::cos(std::numbers::pi / 6), -side * std::sin(std::numbers::pi / 6));
+    f.line(view, {touch - 6 * up, touch + 14 * up}, "g2 dash");
+    f.dot(view, touch, "fill-g2");
+  }
+  f.arrow(view.px(e - 12 * along), view.px(e), "action thick");
+  f.line(view, {e, meets}, "action dash");
+  f.dot(view, e, "fill-action");
+  f.arrow(view.px({chord, -13}), view.px({apex, -13}), "soft", true);
+  f.line(view, {meets, Vec2(apex, -14.5)}, "soft thin");
+  f.line(view, {Vec2(chord, -half), Vec2(chord, -14.5)}, "soft thin");
+  f.label(view.px({(chord + apex) / 2, -13}), "{h_F}", Anchor::start, {8, 4}, "halo");
+  f.label(view.px({chord, 0}), "{s_Fn}", Anchor::middle, {14, 18}, "g2 halo");
+  f.label(view.px({chord + 12 * std::cos(std::numbers::pi / 6), half - 6}), "30°", Anchor::end,
+          {-10, 0}, "g2 small halo");
+  f.label(view.px(e), "outer point of single contact, {d_en}", Anchor::middle, {-30, -56},
+          "action small halo");
+}
+
+void draw_lives(Figure& f) {
+  const Plot plot{{2, 10.5, 480, 826}, {std::log10(0.8), std::log10(2.7), 420, 50}};
+  for (const double v : {0.85, 1.0, 1.3, 1.6, 2.0, 2.5}) {
+    const double y = plot.y(std::log10(v));
+    f.svg().line({plot.x.from, y}, {plot.x.to, y}, "rule grid");
+    f.label({plot.x.from - 8, y + 4}, fmt::format("{:g}", v), Anchor::end, Vec2::Zero(),
+            "soft tick");
+  }
+  for (int p = 2; p <= 10; p += 2) {
+    f.svg().line({plot.x(p), plot.y.from}, {plot.x(p), plot.y.to}, "rule grid");
+    f.label({plot.x(p), plot.y.from + 17}, fmt::format("1e{}", p), Anchor::middle, Vec2::Zero(),
+            "soft tick");
+  }
+  f.label({(plot.x.from + plot.x.to) / 2, plot.y.from + 38}, "load cycles {N_L}", Anchor::middle);
+  f.label({plot.x.from, plot.y.to - 12}, "life factors {Z_NT}, {Y_NT} [T11.41]");
+  const auto curve = [&](const auto& life, const char* style) {
+    std::vector<Vec2> points;
+    for (double lg = 2; lg <= 10.5; lg += 0.05)
+      points.push_back(plot.px(lg, std::log10(life(std::pow(10.0, lg)))));
+    f.svg().polyline(points, style);
+  };
+  using K = MaterialKind;
+  curve([](double n) { return flank_life(K::case_hardened, n).factor.value; }, "g1 thick");
+  curve([](double n) { return root_life(K::case_hardened, n).factor.value; }, "g2 thick");
+  curve([](double n) { return root_life(K::through_hardened, n).factor.value; }, "g2 dash thick");
+  curve([](double n) { return flank_life(K::nitrided, n).factor.value; }, "g1 dash thick");
+  f.label(plot.px(3.6, std::log10(2.3)), "root: case-hardened; tempered, broken", Anchor::start,
+          {60, -10}, "g2 small halo");
+  f.label(plot.px(6.2, std::log10(1.45)), "flank: hardened; nitrided, broken", Anchor::start,
+          {10, -10}, "g1 small halo");
+}
+
+}  // namespace
+
+Figure rating_figure() {
+  Figure f("11-rating", 860, 480, "What a strength rating looks at",
+           "Left a tooth with the tangents at 30 degrees that find its critical section, and the "
+           "load on it; right the life factors of flank and root over the load cycles.");
+  draw_section(f);
+  draw_lives(f);
+  return f;
+}
+
+}  // namespace gearwright::figures

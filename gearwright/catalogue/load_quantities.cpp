@@ -1,0 +1,204 @@
+#include "gearwright/catalogue/load_quantities.hpp"
+
+#include "gearwright/base/units.hpp"
+
+namespace gearwright {
+
+namespace {
+
+using T = LoadTorqueView;
+using P = LoadPositionView;
+using S = LoadedTorque::Stiffness;
+
+constexpr const char* kLoad = "Teeth under load";
+constexpr double kNmmPerNm = 1000.0;
+
+const Quantities<S>& stiffness_quantities() {
+  static const Quantities<S> kAll("load.torques stiffness", [](Quantities<S>& q) {
+    const auto add = [&](const char* key, const char* words, const char* meaning, auto get) {
+      q.add(Type::number, Unit::newton_per_mm_um, "", key, words, "", meaning,
+            [get](const S& s) { return Value(get(s)); });
+    };
+    add("mean", "mesh stiffness", "at the mean approach of the positions",
+        [](const S& s) { return s.mean; });
+    add("min", "least mesh stiffness", "", [](const S& s) { return s.min; });
+    add("max", "greatest mesh stiffness", "", [](const S& s) { return s.max; });
+  });
+  return kAll;
+}
+const SaidTable& stiffness_table() { return stiffness_quantities().table(); }
+
+ValueList shares(const LoadedPosition& p) {
+  ValueList list;
+  for (const LoadedPair& pair : p.pairs) list.push_back(Value(pair.share));
+  return list;
+}
+
+ValueList angles(const std::vector<Angle>& all) {
+  ValueList list;
+  for (const Angle a : all) list.push_back(Value(a.arcsec()));
+  return list;
+}
+
+ValueList numbers(const Eigen::VectorXd& all) {
+  ValueList list;
+  for (const double v : all) list.push_back(Value(v));
+  return list;
+}
+
+void say_position(Quantities<P>& q) {
+  q.add(Type::number, Unit::newton_metre, "", "torque_Nm", "torque", "T_1", "on gear 1",
+        [](const P& p) { return Value(p.torque->torque / kNmmPerNm); })
+      .always();
+  q.deg("", "rotation1_deg", "rotation of gear 1", "φ_1", "clockwise seen from +z", [](const P& p) {
+     return Value(p.position->rotation1.deg());
+   }).always();
+  q.add(Type::number, Unit::arcsec, "", "transmission_error_arcsec", "loaded transmission error",
+        "TE", "that of `contact` less what gear 2 yields",
+        [](const P& p) { return Value(p.position->te.arcsec()); })
+      .always();
+  q.add(Type::number, Unit::um, "", "approach_um", "approach under load", "Θ r_b2",
+        "along the line of action in the transverse section, from the first touch of the unloaded "
+        "flanks, deflections included; the bodies' twist is in it",
+        [](const P& p) { return Value(p.position->approach * kUmPerMm); })
+      .always();
+  q.pure("", "share", "load shares", "",
+         "of each tooth pair that carries, the one nearest to its exit last",
+         [](const P& p) { return Value(shares(*p.position)); })
+      .list({0})
+      .always();
+  q.add(Type::number, Unit::megapascal, "", "max_pressure_MPa", "greatest pressure", "p_max",
+        "of Hertz; a lower bound where `kind` is an edge",
+        [](const P& p) { return Value(p.position->max_pressure); })
+      .always();
+  q.add(Type::number, Unit::megapascal, "", "root_stress_MPa", "greatest root stress", "",
+        "greatest principal stress along the fillets, per gear",
+        [](const P& p) { return Value(p.position->root_stress); })
+      .per_gear();
+  q.word("", "kind", "where the pressure is greatest", "along a line, or at an edge that carries",
+         [](const P& p) {
+           return p.position->kind == TouchKind::none ? Value()
+                                                      : Value(to_string(p.position->kind));
+         })
+      .one_of({"line", "tip1", "tip2", "form1", "form2"});
+}
+const SaidTable& position_table() { return load_position_quantities().table(); }
+
+void say_torque(Quantities<T>& q) {
+  q.add(Type::number, Unit::newton_metre, kLoad, "torque_Nm", "torque", "T_1", "on gear 1",
+        [](const T& t) { return Value(t.torque->torque / kNmmPerNm); })
+      .always();
+  q.record("", "positions", "in the order of the rotations", position_table,
+           [](const T& t) {
+             std::vector<P> all;
+             for (const LoadedPosition& p : t.torque->positions) all.push_back({t.torque, &p});
+             return Value(load_position_quantities().each(all));
+           })
+      .list({0})
+      .always()
+      .doors(kJson);
+  q.add(Type::number, Unit::arcsec, kLoad, "peak_to_peak_arcsec",
+        "loaded transmission error, peak to peak", "", "over the positions",
+        [](const T& t) { return Value(t.torque->peak_to_peak.arcsec()); })
+      .always();
+  q.add(Type::number, Unit::arcsec, kLoad, "harmonics_arcsec", "harmonics", "",
+        "amplitudes of 1, 2, … waves per pitch, 20 at most; empty with `rotation1_deg`",
+        [](const T& t) { return Value(angles(t.torque->harmonics)); })
+      .list({0})
+      .always()
+      .doors(kJson);
+  q.record(kLoad, "mesh_stiffness_N_per_mm_um",
+           "mesh stiffness, secant: line load over approach, twist of the bodies included",
+           stiffness_table,
+           [](const T& t) { return Value(stiffness_quantities().of(t.torque->stiffness)); })
+      .always();
+  q.record(kLoad, "mesh_stiffness_without_twist_N_per_mm_um",
+           "the same without the twist of the bodies from bore to root [T12.16]", stiffness_table,
+           [](const T& t) { return Value(stiffness_quantities().of(t.torque->without_twist)); })
+      .always()
+      .doors(kJson);
+  q.record(kLoad, "tangent_stiffness_N_per_mm_um", "mesh stiffness for small changes of the torque",
+           stiffness_table,
+           [](const T& t) { return Value(stiffness_quantities().of(t.torque->tangent)); })
+      .always()
+      .doors(kJson);
+  q.add(Type::number, Unit::megapascal, kLoad, "max_pressure_MPa", "greatest pressure", "p_max",
+        "of Hertz, over all positions; a lower bound where an edge carries",
+        [](const T& t) { return Value(t.torque->max_pressure); })
+      .always();
+  q.add(Type::number, Unit::megapascal, kLoad, "max_root_stress_MPa", "greatest root stress", "",
+        "greatest principal stress along the fillets over all positions, per gear",
+        [](const T& t) { return Value(t.torque->max_root_stress); })
+      .per_gear();
+  q.pure(kLoad, "face_load_factor", "face load factor", "K_Hβ",
+         "greatest over mean of the load along the face, mean of the positions",
+         [](const T& t) { return Value(t.torque->face_load_factor); })
+      .always();
+  q.flag(kLoad, "edge_carries", "an edge carries", "the pressure there is a lower bound",
+         [](const T& t) { return Value(t.torque->edge_carries); });
+  q.add(Type::number, Unit::newton_per_mm, kLoad, "face_load_N_per_mm", "load along the face", "",
+        "per length of the contact lines, slice by slice from −z on, mean of the positions",
+        [](const T& t) { return Value(numbers(t.torque->face_load)); })
+      .list({0})
+      .doors(kJson);
+}
+const SaidTable& torque_table() { return load_torque_quantities().table(); }
+
+const Quantities<ProbeView>& probe_quantities() {
+  static const Quantities<ProbeView> kAll("load.probes", [](Quantities<ProbeView>& q) {
+    q.pure("", "own_um_per_N_mm", "displacement under the load", "",
+           "per line load, of a wide gear in plane strain, twist of the body included",
+           [](const ProbeView& p) { return Value(p.answer->own * kUmPerMm); })
+        .when([](const ProbeView& p) { return p.wide; });
+    q.pure("", "own_um_per_N", "displacement under the load", "",
+           "per force spread over `z_mm`, its mean there",
+           [](const ProbeView& p) { return Value(p.answer->own * kUmPerMm); })
+        .when([](const ProbeView& p) { return !p.wide; });
+    q.pure("", "profile_um_per_N", "displacements along the face", "",
+           "at `read_z_mm`, per force spread over `z_mm`",
+           [](const ProbeView& p) {
+             ValueList list;
+             for (const double u : p.answer->profile) list.push_back(Value(u * kUmPerMm));
+             return Value(std::move(list));
+           })
+        .list({0})
+        .when([](const ProbeView& p) { return !p.wide; });
+  });
+  return kAll;
+}
+const SaidTable& probe_table() { return probe_quantities().table(); }
+
+}  // namespace
+
+const Quantities<LoadPositionView>& load_position_quantities() {
+  static const Quantities<P> kAll("load.positions", say_position);
+  return kAll;
+}
+
+const Quantities<LoadTorqueView>& load_torque_quantities() {
+  static const Quantities<T> kAll("load.torques", say_torque);
+  return kAll;
+}
+
+const Quantities<LoadView>& load_quantities() {
+  static const Quantities<LoadView> kAll("load", [](Quantities<LoadView>& q) {
+    q.record("", "torques", "one for each torque, in their order", torque_table,
+             [](const LoadView& v) {
+               std::vector<T> all;
+               if (v.contact)
+                 for (const LoadedTorque& t : v.contact->torques) all.push_back({&t, v.contact});
+               return Value(load_torque_quantities().each(all));
+             })
+        .list({0})
+        .always()
+        .doors(kJson);
+    q.record("", "probes", "one for each [[load.probe]], in their order", probe_table,
+             [](const LoadView& v) { return Value(probe_quantities().each(v.probes)); })
+        .list({0})
+        .always()
+        .doors(kJson);
+  });
+  return kAll;
+}
+
+}  // namespace gearwright

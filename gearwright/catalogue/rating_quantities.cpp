@@ -1,0 +1,322 @@
+#include "gearwright/catalogue/rating_quantities.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/base/units.hpp"
+
+namespace gearwright {
+
+namespace {
+
+using V = RatingView;
+using R = Rating;
+
+constexpr const char* kLoad = "Load";
+constexpr const char* kMaterial = "Material";
+constexpr const char* kGeneral = "General influence, ISO 6336-1";
+constexpr const char* kFlank = "Flank, ISO 6336-2";
+constexpr const char* kRoot = "Root, ISO 6336-3";
+
+// A factor of the rating: of the pair (`of`), or of each gear (`each`).
+struct FactorEntry {
+  const char *group, *key, *words, *symbol;
+  Unit unit;
+  int digits;
+  const Factor* (*of)(const R&) = nullptr;
+  const Factor* (*each)(const R&, std::size_t) = nullptr;
+};
+
+template <auto member>
+const Factor* one(const R& r) {
+  return &(r.*member);
+}
+template <auto member>
+const Factor* maybe(const R& r) {
+  const auto& f = r.*member;
+  return f ? &*f : nullptr;
+}
+template <auto member>
+const Factor* per(const R& r, std::size_t i) {
+  return &(r.*member)[i];
+}
+template <auto member>
+const Factor* first(const R& r) {
+  return &(r.*member)[0];
+}
+template <auto member>
+const Factor* of_face(const R& r) {
+  const auto& f = r.face.*member;
+  return f ? &*f : nullptr;
+}
+template <auto member>
+const Factor* of_stiffness(const R& r) {
+  return &(r.stiffness.*member);
+}
+
+const Factor* cycles(const R& r, std::size_t i) { return r.N_L[i] ? &*r.N_L[i] : nullptr; }
+
+constexpr const char* kWhole = "Spectrum, ISO 6336-6";
+constexpr const char* kSizing = "With the wanted safeties";
+
+constexpr Unit kNone = Unit::none;
+constexpr Unit kStress = Unit::megapascal;
+constexpr Unit kStiff = Unit::newton_per_mm_um;
+
+const std::vector<FactorEntry>& entries() {
+  static const std::vector<FactorEntry> kAll{
+      {kLoad, "F_t_N", "tangential load", "F_t", Unit::newton, 1, one<&R::F_t>},
+      {kLoad, "v_m_per_s", "pitch line velocity", "v", Unit::m_per_s, 3, maybe<&R::v>},
+      {kLoad, "N_L", "load cycles", "N_L", kNone, 0, nullptr, cycles},
+      {kLoad, "K_A", "application factor", "K_A", kNone, 3, one<&R::K_A>},
+      {kLoad, "K_gamma", "mesh load factor", "K_γ", kNone, 3, one<&R::K_gamma>},
+      {kGeneral, "c_th_prime", "theoretical single stiffness", "c'_th", kStiff, 5,
+       of_stiffness<&Stiffness::c_th>},
+      {kGeneral, "c_prime", "single stiffness", "c'", kStiff, 5, of_stiffness<&Stiffness::c_prime>},
+      {kGeneral, "c_gamma_alpha", "mesh stiffness", "c_γα", kStiff, 5,
+       of_stiffness<&Stiffness::c_gamma_alpha>},
+      {kGeneral, "c_gamma_beta", "mesh stiffness, for the face load", "c_γβ", kStiff, 5,
+       of_stiffness<&Stiffness::c_gamma_beta>},
+      {kGeneral, "m_red", "reduced mass", "m_red", Unit::kg_per_mm, 5, maybe<&R::m_red>},
+      {kGeneral, "n_E1_rpm", "resonance speed of the pinion", "n_E1", Unit::per_minute, 1,
+       maybe<&R::n_E1>},
+      {kGeneral, "N", "resonance ratio", "N", kNone, 4, maybe<&R::N>},
+      {kGeneral, "K_v", "dynamic factor", "K_v", kNone, 4, one<&R::K_v>},
+      {kGeneral, "f_sh_um", "misalignment by deflection", "f_sh", Unit::um, 2,
+       of_face<&FaceLoad::f_sh>},
+      {kGeneral, "F_betax_um", "misalignment before running-in", "F_βx", Unit::um, 2,
+       of_face<&FaceLoad::F_betax>},
+      {kGeneral, "F_betay_um", "misalignment after running-in", "F_βy", Unit::um, 2,
+       of_face<&FaceLoad::F_betay>},
+      {kGeneral, "K_Hbeta", "face load factor, flank", "K_Hβ", kNone, 4,
+       [](const R& r) { return &r.face.K_Hbeta; }},
+      {kGeneral, "K_Fbeta", "face load factor, root", "K_Fβ", kNone, 4, one<&R::K_Fbeta>},
+      {kGeneral, "K_Halpha", "transverse load factor, flank", "K_Hα", kNone, 4, one<&R::K_Halpha>},
+      {kGeneral, "K_Falpha", "transverse load factor, root", "K_Fα", kNone, 4, one<&R::K_Falpha>},
+      {kFlank, "Z_H", "zone factor", "Z_H", kNone, 5, one<&R::Z_H>},
+      {kFlank, "Z_B", "single pair contact factor, pinion", "Z_B", kNone, 4, first<&R::Z_B>},
+      {kFlank, "Z_D", "single pair contact factor, wheel", "Z_D", kNone, 4,
+       [](const R& r) { return &r.Z_B[1]; }},
+      {kFlank, "Z_E", "elasticity factor", "Z_E", kNone, 3, one<&R::Z_E>},
+      {kFlank, "Z_epsilon", "contact ratio factor", "Z_ε", kNone, 5, one<&R::Z_epsilon>},
+      {kFlank, "Z_beta", "helix angle factor", "Z_β", kNone, 5, one<&R::Z_beta>},
+      {kFlank, "sigma_H0_MPa", "nominal contact stress", "σ_H0", kStress, 2, one<&R::sigma_H0>},
+      {kFlank, "sigma_H_MPa", "contact stress", "σ_H", kStress, 2, nullptr, per<&R::sigma_H>},
+      {kFlank, "Z_NT", "life factor", "Z_NT", kNone, 4, nullptr, per<&R::Z_NT>},
+      {kFlank, "Z_L", "lubricant factor", "Z_L", kNone, 5, nullptr, per<&R::Z_L_at_N>},
+      {kFlank, "Z_v", "velocity factor", "Z_v", kNone, 5, nullptr, per<&R::Z_v_at_N>},
+      {kFlank, "Z_R", "roughness factor", "Z_R", kNone, 5, nullptr, per<&R::Z_R_at_N>},
+      {kFlank, "Z_W", "work hardening factor", "Z_W", kNone, 4, nullptr, per<&R::Z_W>},
+      {kFlank, "Z_X", "size factor", "Z_X", kNone, 4, nullptr, per<&R::Z_X>},
+      {kFlank, "sigma_HG_MPa", "pitting stress limit", "σ_HG", kStress, 2, nullptr,
+       per<&R::sigma_HG>},
+      {kFlank, "S_H", "safety against pitting", "S_H", kNone, 3, nullptr, per<&R::S_H>},
+      {kRoot, "Y_F", "form factor", "Y_F", kNone, 4, nullptr, per<&R::Y_F>},
+      {kRoot, "Y_S", "stress correction factor", "Y_S", kNone, 4, nullptr, per<&R::Y_S>},
+      {kRoot, "Y_beta", "helix angle factor", "Y_β", kNone, 4, nullptr, per<&R::Y_beta>},
+      {kRoot, "Y_B", "rim thickness factor", "Y_B", kNone, 4, nullptr, per<&R::Y_B>},
+      {kRoot, "Y_DT", "deep tooth factor", "Y_DT", kNone, 4, nullptr, per<&R::Y_DT>},
+      {kRoot, "sigma_F0_MPa", "nominal root stress", "σ_F0", kStress, 2, nullptr,
+       per<&R::sigma_F0>},
+      {kRoot, "sigma_F_MPa", "root stress", "σ_F", kStress, 2, nullptr, per<&R::sigma_F>},
+      {kRoot, "Y_ST", "stress correction of the test gears", "Y_ST", kNone, 2, nullptr,
+       per<&R::Y_ST>},
+      {kRoot, "Y_M", "mean stress factor", "Y_M", kNone, 2, nullptr, per<&R::Y_M>},
+      {kRoot, "Y_NT", "life factor", "Y_NT", kNone, 4, nullptr, per<&R::Y_NT>},
+      {kRoot, "Y_delta_relT", "relative notch sensitivity factor", "Y_δrelT", kNone, 4, nullptr,
+       per<&R::Y_delta_relT>},
+      {kRoot, "Y_R_relT", "relative surface factor", "Y_RrelT", kNone, 4, nullptr,
+       per<&R::Y_R_relT>},
+      {kRoot, "Y_X", "size factor", "Y_X", kNone, 4, nullptr, per<&R::Y_X>},
+      {kRoot, "sigma_FG_MPa", "root stress limit", "σ_FG", kStress, 2, nullptr, per<&R::sigma_FG>},
+      {kRoot, "S_F", "safety against root breakage", "S_F", kNone, 3, nullptr, per<&R::S_F>}};
+  return kAll;
+}
+
+Value number(const Factor* f) { return f ? Value(f->value) : Value(); }
+
+Value section(const V& v, double CriticalSection::*member, double scale = 1.0) {
+  return std::array{std::abs(v.rating.section[0].*member) * scale,
+                    std::abs(v.rating.section[1].*member) * scale};
+}
+
+template <class T>
+Value materials(const V& v, T Material::*member) {
+  return std::array{v.input.materials[0].*member, v.input.materials[1].*member};
+}
+
+Value tolerance(const V& v, double Tolerances::*member) {
+  if (!v.rating.tolerance) return {};
+  return std::array{(*v.rating.tolerance)[0].*member, (*v.rating.tolerance)[1].*member};
+}
+
+void say_inputs(Quantities<V>& q) {
+  q.word("", "standard", "standard", "and its edition", [](const V& v) {
+     return Value(v.rating.edition == RatingEdition::iso_2006 ? "ISO 6336:2006" : "ISO 6336:2019");
+   }).always();
+  q.add(Type::number, Unit::kilowatt, kLoad, "power_kW", "power", "P", "null without a speed",
+        [](const V& v) { return v.power_kW > 0 ? Value(v.power_kW) : Value(); });
+  q.add(Type::number, Unit::newton_metre, kLoad, "torque_Nm", "torque", "T", "of the nominal load",
+        [](const V& v) { return Value(v.torque); })
+      .per_gear();
+  q.add(Type::number, Unit::per_minute, kLoad, "speed_rpm", "speed", "n",
+        "null where none is given",
+        [](const V& v) { return v.speed[0] > 0 ? Value(v.speed) : Value(); })
+      .per_gear();
+  q.add(Type::text, kNone, kMaterial, "material", "material", "", "by name or kind",
+        [](const V& v) {
+          ValueList names;
+          for (const Material& m : v.input.materials)
+            names.emplace_back(m.name.empty() ? std::string(material_letters(m.kind)) : m.name);
+          return Value(names);
+        })
+      .per_gear();
+  q.add(Type::number, kStress, kMaterial, "sigma_Hlim_MPa", "allowable contact stress number",
+        "σ_Hlim", "of the reference test gears",
+        [](const V& v) { return materials(v, &Material::sigma_Hlim); })
+      .per_gear()
+      .digits(0);
+  q.add(Type::number, kStress, kMaterial, "sigma_Flim_MPa", "allowable bending stress number",
+        "σ_Flim", "of the reference test gears",
+        [](const V& v) { return materials(v, &Material::sigma_Flim); })
+      .per_gear()
+      .digits(0);
+  q.add(Type::number, Unit::um, kGeneral, "f_pb_um", "base pitch deviation", "f_pb",
+        "of the accuracy grade", [](const V& v) { return tolerance(v, &Tolerances::f_pb); })
+      .per_gear()
+      .digits(1);
+  q.add(Type::number, Unit::um, kGeneral, "f_falpha_um", "profile form deviation", "f_fα",
+        "of the accuracy grade", [](const V& v) { return tolerance(v, &Tolerances::f_falpha); })
+      .per_gear()
+      .digits(1);
+}
+
+void say_section(Quantities<V>& q) {
+  using C = CriticalSection;
+  q.mm(kRoot, "h_F_mm", "bending moment arm", "h_F", "above the critical section",
+       [](const V& v) { return section(v, &C::h_F); })
+      .per_gear()
+      .digits(3);
+  q.mm(kRoot, "s_Fn_mm", "chord of the critical section", "s_Fn", "in the normal section",
+       [](const V& v) { return section(v, &C::s_Fn); })
+      .per_gear()
+      .digits(3);
+  q.mm(kRoot, "rho_F_mm", "fillet radius there", "ρ_F", "",
+       [](const V& v) { return section(v, &C::rho_F); })
+      .per_gear()
+      .digits(3);
+  q.deg(kRoot, "alpha_Fen_deg", "direction of the load", "α_Fen",
+        "at the outer point of single pair contact",
+        [](const V& v) { return section(v, &C::alpha_Fen, kDegPerRad); })
+      .per_gear()
+      .digits(3);
+  q.mm(kRoot, "d_en_mm", "diameter of that point", "d_en", "of the virtual spur gear",
+       [](const V& v) { return section(v, &C::d_en); })
+      .per_gear()
+      .digits(3);
+}
+
+Value of_spectrum(const V& v, std::array<double, 2> SpectrumRating::*member) {
+  return v.spectrum ? Value((*v.spectrum).*member) : Value();
+}
+
+void say_spectrum(Quantities<V>& q) {
+  using S = SpectrumRating;
+  q.pure(kWhole, "damage_flank", "damage of the flanks", "U_H",
+         "by Miner's rule, 1 at failure; null without a spectrum, or where it breaks at once",
+         [](const V& v) { return of_spectrum(v, &S::damage_flank); })
+      .per_gear()
+      .digits(4);
+  q.pure(kWhole, "damage_root", "damage of the roots", "U_F", "the same",
+         [](const V& v) { return of_spectrum(v, &S::damage_root); })
+      .per_gear()
+      .digits(4);
+  q.pure(kWhole, "S_H_spectrum", "safety against pitting", "S_H", "of the whole spectrum",
+         [](const V& v) { return of_spectrum(v, &S::S_H); })
+      .per_gear()
+      .digits(3);
+  q.pure(kWhole, "S_F_spectrum", "safety against root breakage", "S_F", "of the whole spectrum",
+         [](const V& v) { return of_spectrum(v, &S::S_F); })
+      .per_gear()
+      .digits(3);
+  q.add(Type::number, Unit::newton_metre, kSizing, "torque_holding_Nm", "greatest torque", "T_1",
+        "on gear 1, with `safety_flank_min` and `safety_root_min`, else 1; null: none has them",
+        [](const V& v) { return Value(v.torque_holding); });
+  q.mm(kSizing, "face_width_holding_mm", "least common face width", "b",
+       "with the same safeties, up to 40 modules; null: none has them",
+       [](const V& v) { return Value(v.face_holding); })
+      .digits(2);
+}
+
+void say_factor(Quantities<V>& q, const FactorEntry& e) {
+  auto& said = q.add(Type::number, e.unit, e.group, e.key, e.words, e.symbol, "", [&e](const V& v) {
+    if (e.of) return number(e.of(v.rating));
+    return Value(ValueList{number(e.each(v.rating, 0)), number(e.each(v.rating, 1))});
+  });
+  said.digits(e.digits);
+  if (e.each) said.per_gear();
+}
+
+void say(Quantities<V>& q) {
+  q.groups({"", kLoad, kMaterial, kGeneral, kFlank, kRoot, kWhole, kSizing});
+  say_inputs(q);
+  for (const FactorEntry& e : entries()) {
+    // The section stands before what is made of it.
+    if (std::string_view(e.key) == "Y_F") say_section(q);
+    say_factor(q, e);
+  }
+  say_spectrum(q);
+  q.add(Type::map, kNone, "", "formulas", "formulas", "",
+        "of each factor its place in the standard and the branch taken: {key: {formula, branch}}",
+        [](const V& v) {
+          ValueMap all;
+          for (const FactorSource& s : factor_sources(v.rating)) {
+            ValueList branches(s.branches.begin(), s.branches.end());
+            all.emplace_back(s.key, ValueMap{{"formula", Value(s.formula)},
+                                             {"branch", branches.size() == 1 ? branches.front()
+                                                                             : Value(branches)}});
+          }
+          return Value(all);
+        })
+      .always()
+      .doors(kJson);
+}
+
+}  // namespace
+
+const Quantities<RatingView>& rating_quantities() {
+  static const Quantities<V> kAll("rating", say);
+  return kAll;
+}
+
+std::vector<FactorSource> factor_sources(const Rating& rating) {
+  std::vector<FactorSource> all;
+  for (const FactorEntry& e : entries()) {
+    const Factor* f = e.of ? e.of(rating) : e.each(rating, 0);
+    if (!f) continue;
+    FactorSource s{e.key, f->formula, {f->branch}};
+    if (e.each) {
+      const Factor* g = e.each(rating, 1);
+      if (std::string_view(g->branch) != f->branch) s.branches.emplace_back(g->branch);
+      if (s.formula.empty()) s.formula = g->formula;
+    }
+    all.push_back(std::move(s));
+  }
+  return all;
+}
+
+std::string source_text(const Rating& rating, std::string_view key) {
+  for (const FactorSource& s : factor_sources(rating)) {
+    if (s.key != key) continue;
+    std::string branches;
+    for (const std::string& b : s.branches)
+      if (!b.empty()) branches += (branches.empty() ? "" : "; ") + b;
+    if (s.formula.empty() || branches.empty()) return s.formula + branches;
+    return s.formula + ": " + branches;
+  }
+  return {};
+}
+
+}  // namespace gearwright

@@ -1,0 +1,183 @@
+#include "gearwright/compliance/face.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/compliance/q9.hpp"
+
+namespace gearwright::detail {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int kOrder = 3;
+constexpr int kMinElements = 4;
+
+// Nodes of Gauss and Lobatto.
+const std::array<double, 4>& lobatto() {
+  static const std::array<double, 4> x{-1.0, -1 / std::sqrt(5.0), 1 / std::sqrt(5.0), 1.0};
+  return x;
+}
+
+double lagrange(int i, double x) {
+  const auto& p = lobatto();
+  double v = 1.0;
+  for (int j = 0; j < 4; ++j)
+    if (j != i) v *= (x - p[j]) / (p[i] - p[j]);
+  return v;
+}
+
+double lagrange_slope(int i, double x) {
+  const auto& p = lobatto();
+  double sum = 0.0;
+  for (int m = 0; m < 4; ++m) {
+    if (m == i) continue;
+    double v = 1 / (p[i] - p[m]);
+    for (int j = 0; j < 4; ++j)
+      if (j != i && j != m) v *= (x - p[j]) / (p[i] - p[j]);
+    sum += v;
+  }
+  return sum;
+}
+
+}  // namespace
+
+// What elements of one length share: the inner nodes eliminated.
+struct Face::Kind {
+  double length;
+  Eigen::LLT<MatrixXd> inner;  // 2r × 2r
+  MatrixXd inner_to_ends;      // K_ie
+  MatrixXd recovered;          // K_ii⁻¹ K_ie
+  MatrixXd ends;               // K_ee − K_ei K_ii⁻¹ K_ie
+};
+
+Face::Face(const ModeMatrices& modes, double width, double element)
+    : modes_(static_cast<int>(modes.aa.rows())) {
+  GW_EXPECTS(width > 0.0 && element > 0.0);
+  const int n = std::max(kMinElements, static_cast<int>(std::ceil(width / element)));
+  for (int i = 0; i <= n; ++i) ends_.push_back(width * (double(i) / n - 0.5));
+  for (int e = 0; e < n; ++e)
+    for (int i = 0; i < kOrder; ++i)
+      nodes_.push_back(ends_[e] + 0.5 * (ends_[e + 1] - ends_[e]) * (lobatto()[i] + 1));
+  nodes_.push_back(ends_.back());
+
+  const GaussRule rule = gauss_rule(kOrder + 1);
+  const Index r = modes_;
+  kind_of_.assign(n, 0);
+  auto kind = std::make_unique<Kind>();
+  kind->length = width / n;
+  const double half = 0.5 * kind->length;
+  MatrixXd all(4 * r, 4 * r);
+  const std::array<int, 4> place{2, 0, 1, 3};  // inner nodes first
+  for (int a = 0; a < 4; ++a) {
+    for (int b = 0; b < 4; ++b) {
+      double m00 = 0.0;
+      double m01 = 0.0;
+      double m10 = 0.0;
+      double m11 = 0.0;
+      for (std::size_t g = 0; g < rule.x.size(); ++g) {
+        const double w = rule.weight[g];
+        const double x = rule.x[g];
+        m00 += w * lagrange(a, x) * lagrange(b, x) * half;
+        m01 += w * lagrange(a, x) * lagrange_slope(b, x);
+        m10 += w * lagrange_slope(a, x) * lagrange(b, x);
+        m11 += w * lagrange_slope(a, x) * lagrange_slope(b, x) / half;
+      }
+      all.block(place[a] * r, place[b] * r, r, r) =
+          m00 * modes.aa + m01 * modes.ab + m10 * modes.ab.transpose() + m11 * modes.bb;
+    }
+  }
+  kind->inner.compute(all.topLeftCorner(2 * r, 2 * r));
+  GW_ENSURES(kind->inner.info() == Eigen::Success);
+  kind->inner_to_ends = all.topRightCorner(2 * r, 2 * r);
+  kind->recovered = kind->inner.solve(kind->inner_to_ends);
+  kind->ends = all.bottomRightCorner(2 * r, 2 * r);
+  kind->ends.noalias() -= kind->inner_to_ends.transpose() * kind->recovered;
+  kinds_.push_back(std::move(kind));
+
+  MatrixXd carried = MatrixXd::Zero(r, r);
+  for (int i = 0; i <= n; ++i) {
+    MatrixXd block = carried;
+    if (i < n) block += kinds_[kind_of_[i]]->ends.topLeftCorner(r, r);
+    if (i > 0) block += kinds_[kind_of_[i - 1]]->ends.bottomRightCorner(r, r);
+    const Eigen::LLT<MatrixXd> llt(block);
+    GW_ENSURES(llt.info() == Eigen::Success);
+    factor_.push_back(llt.matrixL());
+    if (i == n) break;
+    // M = O L⁻ᵀ, O the block below.
+    const MatrixXd transposed = factor_.back().triangularView<Eigen::Lower>().solve(
+        kinds_[kind_of_[i]]->ends.topRightCorner(r, r));
+    below_.push_back(transposed.transpose());
+    carried.noalias() = -below_.back() * transposed;
+  }
+}
+
+Face::~Face() = default;
+Face::Face(Face&&) noexcept = default;
+
+VectorXd Face::shape(double z, bool slope) const {
+  const auto it = std::upper_bound(ends_.begin() + 1, ends_.end() - 1, z);
+  const auto e = static_cast<Index>(it - ends_.begin()) - 1;
+  const double half = 0.5 * (ends_[e + 1] - ends_[e]);
+  const double x = (z - ends_[e]) / half - 1;
+  VectorXd v = VectorXd::Zero(node_count());
+  for (int i = 0; i < 4; ++i)
+    v[e * kOrder + i] = slope ? lagrange_slope(i, x) / half : lagrange(i, x);
+  return v;
+}
+
+VectorXd Face::at(double z) const { return shape(z, false); }
+VectorXd Face::slope_at(double z) const { return shape(z, true); }
+
+VectorXd Face::mean(double lo, double hi) const {
+  static const GaussRule rule = gauss_rule(4);
+  VectorXd v = VectorXd::Zero(node_count());
+  for (std::size_t e = 0; e + 1 < ends_.size(); ++e) {
+    const double a = std::max(lo, ends_[e]);
+    const double b = std::min(hi, ends_[e + 1]);
+    if (!(b > a)) continue;
+    for (std::size_t g = 0; g < rule.x.size(); ++g)
+      v += 0.5 * (b - a) / (hi - lo) * rule.weight[g] *
+           at(0.5 * (a + b) + 0.5 * (b - a) * rule.x[g]);
+  }
+  return v;
+}
+
+void Face::solve(MatrixXd& x) const {
+  const Index r = modes_;
+  const auto node = [&](Index i) { return x.middleRows(i * r, r); };
+  const auto n = static_cast<Index>(kind_of_.size());
+  GW_EXPECTS(x.rows() == (n * kOrder + 1) * r);
+  // Inner nodes: their own answer stands in their place, its reaction goes to the ends.
+  for (Index e = 0; e < n; ++e) {
+    const Kind& k = *kinds_[kind_of_[e]];
+    auto inner = x.middleRows((e * kOrder + 1) * r, 2 * r);
+    if (inner.isZero(0.0)) continue;
+    const MatrixXd reaction = k.recovered.transpose() * inner;
+    node(e * kOrder) -= reaction.topRows(r);
+    node((e + 1) * kOrder) -= reaction.bottomRows(r);
+    k.inner.solveInPlace(inner);
+  }
+  for (Index i = 0; i <= n; ++i) {
+    if (i > 0) node(i * kOrder).noalias() -= below_[i - 1] * node((i - 1) * kOrder);
+    auto here = node(i * kOrder);
+    factor_[i].triangularView<Eigen::Lower>().solveInPlace(here);
+  }
+  for (Index i = n; i >= 0; --i) {
+    if (i < n) node(i * kOrder).noalias() -= below_[i].transpose() * node((i + 1) * kOrder);
+    auto here = node(i * kOrder);
+    factor_[i].triangularView<Eigen::Lower>().transpose().solveInPlace(here);
+  }
+  MatrixXd ends(2 * r, x.cols());
+  for (Index e = 0; e < n; ++e) {
+    ends << node(e * kOrder), node((e + 1) * kOrder);
+    x.middleRows((e * kOrder + 1) * r, 2 * r).noalias() -= kinds_[kind_of_[e]]->recovered * ends;
+  }
+}
+
+}  // namespace gearwright::detail

@@ -1,0 +1,42 @@
+// A tooth's own compliance at one place: unit line force, normal to the flank.
+//
+// What comparisons with finite elements and with measurements ask for, and the smallest user of the
+// section, its modes and the kernel at the contact.  theory: docs/theory/12-loaded-contact.md, [T12.9]
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "gearwright/compliance/tooth_section.hpp"
+
+namespace gearwright {
+
+/// On the flank at y > 0 of tooth 0, which `outline` gives.
+struct ComplianceProbe {
+  double diameter = 0.0;                          ///< mm
+  std::optional<std::array<double, 2>> loaded{};  ///< z from, to, mm; none: a wide gear
+  std::optional<double> half_width{};             ///< a  mm, of the Hertz strip; else 0.05 m_n
+  std::vector<double> read{};                     ///< z  mm
+};
+
+struct ProbeAnswer {
+  /// Along the normal under the load. A wide gear: mm per N/mm; else the mean over the loaded part,
+  /// mm per N.
+  double own = 0.0;
+  std::vector<double> profile;  ///< mm per N, at `read`
+};
+
+/// Errors    as make_section_mesh; `diameter` off the flank; `z` and `read_z` off the face
+Result<ProbeAnswer> probe_compliance(const Gear& gear, const ElasticBody& body,
+                                     const ComplianceProbe& probe, ComplianceAccuracy accuracy);
+
+/// The same for the gear's transverse section with another turn per mm than its own helix gives.
+Result<ProbeAnswer> probe_compliance(const Gear& gear, double twist, const ElasticBody& body,
+                                     const ComplianceProbe& probe, ComplianceAccuracy accuracy);
+
+/// The turn of a full disc from bore to root under a line force F′ at the base radius, as a
+/// displacement along the line of action: E·u/F′. [T12.16]
+double body_twist(double base_radius, double bore_radius, double root_radius, double poisson_ratio);
+
+}  // namespace gearwright

@@ -1,0 +1,139 @@
+// A tooth's compliance against converged finite elements of others, and its laws.
+//
+// FE2D-25, FE3D-25, FE3D-25-HEL: own reference computations apart from this program (gmsh triangles
+// with up to 68 000 unknowns; CalculiX C3D20 with 105 840), E = 1, m = 1, ν = 0.3; 25 teeth, x = 0,
+// rack 1.25/0.38, bore radius 6 m.
+#include "gearwright/compliance/probe.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "gearwright/compliance/tooth_table.hpp"
+
+namespace gearwright {
+namespace {
+
+constexpr double kModule = 3.0;
+
+Gear gear_of(double module, int teeth = 25, double shift = 0.0) {
+  CylindricalSpec s;
+  s.teeth = teeth;
+  s.normal_module = module;
+  s.face_width = 10 * module;
+  s.profile_shift = shift;
+  s.rack = *iso53_rack("ISO53-A");
+  return std::move(make_gear(s)).take();
+}
+ElasticBody body_of(double module) { return {12 * module, 0.3, 1.0}; }
+
+TEST(ToothCompliance, InTheSectionAgreesWithTriangles) {
+  const Gear gear = gear_of(kModule);
+  const double reference[3][2] = {{13.4, 13.324}, {12.5, 7.247}, {11.9, 5.5155}};
+  for (const auto& [radius, want] : reference) {
+    const auto a = probe_compliance(gear, body_of(kModule), {.diameter = 2 * radius * kModule},
+                                    ComplianceAccuracy::full);
+    ASSERT_TRUE(a) << a.error().message();
+    EXPECT_NEAR(a->own, want, 0.007 * want) << radius;
+  }
+}
+
+// The twist of the body is in it: closed form against the printed part of the reference.
+TEST(ToothCompliance, TwistOfTheBodyInClosedForm) {
+  EXPECT_NEAR(body_twist(12.5 * std::cos(20 * M_PI / 180), 6.0, 11.25, 0.3), 0.567, 5e-4);
+}
+
+void expect_profile(double twist, double radius, double from, const std::vector<double>& at,
+                    const std::vector<double>& want, double share) {
+  ComplianceProbe probe{.diameter = 2 * radius * kModule};
+  probe.loaded = {kModule * (from - 5), kModule * (from - 4.5)};
+  for (const double z : at) probe.read.push_back(kModule * (z - 5));
+  const auto a = probe_compliance(gear_of(kModule), twist / kModule, body_of(kModule), probe,
+                                  ComplianceAccuracy::full);
+  ASSERT_TRUE(a) << a.error().message();
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    // Under the load the reference has no Hertz strip.
+    if (std::abs(at[i] - from - 0.25) < 0.9) continue;
+    EXPECT_NEAR(a->profile[i] * kModule, want[i], share * a->own * kModule) << from << ' ' << at[i];
+  }
+}
+
+TEST(ToothCompliance, AlongTheFaceAgreesWithBricks) {
+  const std::vector<double> z{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+  expect_profile(0, 13.2, 0.0, z,
+                 {8.554, 3.449, 1.752, 0.872, 0.427, 0.215, 0.117, 0.073, 0.05, 0.034, 0.017},
+                 0.03);
+  expect_profile(0, 13.2, 4.5, z,
+                 {0.213, 0.406, 0.685, 1.174, 1.995, 3.535, 1.537, 0.875, 0.501, 0.295, 0.152},
+                 0.03);
+}
+
+// Obtuse and acute ends of a helical tooth. Of the greatest displacement, that under the load.
+TEST(ToothCompliance, AlongAHelicalFaceAgreesWithBricks) {
+  const double twist = std::tan(20 * M_PI / 180) / 12.5;
+  const std::vector<double> z{0, 2, 4, 6, 8, 10};
+  expect_profile(twist, 13.2, 0.0, z, {7.053, 1.733, 0.381, 0.1, 0.047, 0.023}, 0.04);
+  expect_profile(twist, 13.2, 4.5, z, {0.168, 0.639, 2.172, 1.719, 0.506, 0.133}, 0.04);
+  expect_profile(twist, 13.2, 9.5, z, {0.02, 0.049, 0.099, 0.409, 2.094, 13.52}, 0.04);
+  expect_profile(twist, 12.5, 4.5, z, {0.114, 0.362, 1.097, 0.883, 0.309, 0.094}, 0.04);
+}
+
+TEST(ToothCompliance, ScalesWithLength) {
+  const auto small =
+      probe_compliance(gear_of(3.0), body_of(3.0), {.diameter = 75.0}, ComplianceAccuracy::draft);
+  const auto large =
+      probe_compliance(gear_of(6.0), body_of(6.0), {.diameter = 150.0}, ComplianceAccuracy::draft);
+  ASSERT_TRUE(small && large);
+  EXPECT_NEAR(small->own, large->own, 1e-9 * small->own);
+}
+
+TEST(ToothCompliance, AMirroredHelixIsMirrored) {
+  const Gear gear = gear_of(kModule);
+  ComplianceProbe probe{.diameter = 76.0, .loaded = {{-12.0, -9.0}}, .read = {-6.0, 0.0, 6.0}};
+  ComplianceProbe mirrored{.diameter = 76.0, .loaded = {{9.0, 12.0}}, .read = {6.0, 0.0, -6.0}};
+  const auto draft = ComplianceAccuracy::draft;
+  const auto a = probe_compliance(gear, 0.01, body_of(kModule), probe, draft);
+  const auto b = probe_compliance(gear, -0.01, body_of(kModule), mirrored, draft);
+  ASSERT_TRUE(a && b);
+  EXPECT_NEAR(a->own, b->own, 1e-8 * a->own);
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(a->profile[i], b->profile[i], 1e-8 * a->own);
+}
+
+TEST(ToothCompliance, OfOneToothIsSymmetricAndPositive) {
+  for (const double twist : {0.0, 0.012}) {
+    auto section =
+        make_tooth_section(gear_of(kModule), twist, body_of(kModule), ComplianceAccuracy::draft);
+    ASSERT_TRUE(section) << section.error().message();
+    ToothTableRequest request{.face_width = 10.0, .slices = {12, -5.0, 5.0}, .root_stress = false};
+    const ToothTable table(*section, request);
+    LinePlaces line;
+    for (int j = 0; j < 12; ++j) line.push_back((*section)->s[1] + (twist == 0.0 ? 0.0 : 0.09 * j));
+    const Eigen::MatrixXd c = table.same_tooth(line);
+    EXPECT_EQ((c - c.transpose()).cwiseAbs().maxCoeff(), 0.0);
+    EXPECT_GT(c.eigenvalues().real().minCoeff(), 0.0);
+    EXPECT_GT(c.minCoeff(), 0.0);
+    // Neighbours read each other alike.
+    const Eigen::MatrixXd to = table.other_tooth(1, line, line);
+    const Eigen::MatrixXd from = table.other_tooth(-1, line, line);
+    EXPECT_LT((to - from.transpose()).cwiseAbs().maxCoeff(), 1e-12 * c.maxCoeff());
+  }
+}
+
+TEST(ToothCompliance, SaysWhatIsWrong) {
+  const Gear gear = gear_of(kModule);
+  const auto full = ComplianceAccuracy::draft;
+  const auto above = probe_compliance(gear, {80.0, 0.3, 1.0}, {.diameter = 75.0}, full);
+  ASSERT_FALSE(above);
+  EXPECT_EQ(above.error().field, "bore.diameter");
+  const auto off = probe_compliance(gear, body_of(kModule), {.diameter = 90.0}, full);
+  ASSERT_FALSE(off);
+  EXPECT_EQ(off.error().field, "diameter");
+  const auto face =
+      probe_compliance(gear, body_of(kModule), {.diameter = 75.0, .loaded = {{-20.0, 0.0}}}, full);
+  ASSERT_FALSE(face);
+  EXPECT_EQ(face.error().field, "z");
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,26 @@
+// Stress at the root of the teeth, as readings of the modes and of their slopes along the face.
+//
+//   σ = D (A f + B f′)   xx, yy, zz, xy, yz, zx in coordinates that turn with the helix
+//                                                theory: docs/theory/12-loaded-contact.md, [T12.15]
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "gearwright/compliance/tooth_section.hpp"
+
+namespace gearwright::detail {
+
+struct RootPoints {
+  std::vector<double> t;                    ///< along the outline
+  std::vector<std::complex<double>> place;  ///< on tooth 0, normal modules
+  /// For tooth −1, 0, 1: six rows for each point.
+  std::vector<Eigen::MatrixXd> of_mode, of_slope;
+};
+
+RootPoints root_points(const ToothSection& section);
+
+/// The greatest principal stress.
+double greatest_principal(const Eigen::Matrix<double, 6, 1>& stress);
+
+}  // namespace gearwright::detail

@@ -1,0 +1,58 @@
+// The elasticity of a section, in waves or free along the face: sparse matrices over its nodes.
+//
+//   U = (u, v, w)   displacement in coordinates that turn with the helix; dof 3·node + component
+//   A, B            strains of U that is constant along the face, and of its slope by z   [T12.5]
+//   τ               turn of the section per length, 1/m_n; 0: spur gear
+//   E = 1, lengths in normal modules                theory: docs/theory/12-loaded-contact.md
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <memory>
+#include <vector>
+
+#include "gearwright/compliance/q9.hpp"
+#include "gearwright/compliance/section_mesh.hpp"
+
+namespace gearwright::detail {
+
+using Sparse = Eigen::SparseMatrix<double>;
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+/// Hooke's law, strains xx, yy, zz, xy, yz, zx.   Domain: 0 ≤ ν < ½ (contract)
+Matrix6 hooke(double youngs_modulus, double poisson_ratio);
+
+/// A and B of the 27 dof of an element at a point `at` of the section. [T12.4], [T12.5]
+struct StrainPair {
+  Eigen::Matrix<double, 6, 27> a, b;
+};
+StrainPair element_strains(const Node9& value, const Slope9& slope, const Eigen::RowVector2d& at,
+                           double tau, double shear_sign);
+
+struct SectionMatrices {
+  Sparse aa, ab, bb;  ///< ∫AᵀDA, ∫AᵀDB, ∫BᵀDB over the section; ab is not symmetric
+};
+
+/// `wave`: B is that of U = (u cos kz, v cos kz, w sin kz), divided by k [T12.6]; else that of
+/// free functions of z.
+SectionMatrices section_matrices(const SectionMesh& mesh, const Matrix6& law, double tau,
+                                 bool wave);
+
+/// The trace ε_x + ε_y of each column, averaged to nodes, as a w-field; 0 at the bore.
+Eigen::MatrixXd trace_fields(const SectionMesh& mesh, const Eigen::MatrixXd& fields);
+
+/// K(k) = aa + k (ab + abᵀ) + k² bb on the nodes that are not held, factorised for one k after the
+/// other. [T12.6]
+class StripSolver {
+ public:
+  StripSolver(const SectionMesh& mesh, const SectionMatrices& wave);
+  ~StripSolver();
+  StripSolver(StripSolver&&) noexcept;
+  /// Displacements of all dof under the columns of `loads`. k = 0: without axial loads.
+  Eigen::MatrixXd solve(double k, const Eigen::MatrixXd& loads);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace gearwright::detail

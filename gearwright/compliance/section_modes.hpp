@@ -1,0 +1,38 @@
+// Shapes that a loaded section takes, from waves along the face and from its free ends, and the
+// same tooth along its face as a beam of these shapes.
+//
+//   Φ   modes: u,v-fields first, w-fields after them      f(z)  their amplitudes along the face
+//                                    theory: docs/theory/12-loaded-contact.md, [T12.6], [T12.7]
+#pragma once
+
+#include <vector>
+
+#include "gearwright/compliance/flank_load.hpp"
+#include "gearwright/compliance/section_matrices.hpp"
+
+namespace gearwright::detail {
+
+struct SectionModes {
+  Eigen::MatrixXd fields;  ///< Φ, 3·nodes rows
+  Eigen::MatrixXd plane;   ///< displacements in plane strain, a column for each load
+  int in_plane = 0;        ///< how many u,v-fields stand first
+};
+
+/// Modes for loads at these places; `axial`: the like along the axis, of a helical gear. Singular
+/// values below `tolerance` of the greatest are dropped.
+SectionModes section_modes(const SectionMesh& mesh, double poisson_ratio,
+                           const std::vector<Functional>& loads,
+                           const std::vector<Functional>& axial, double tolerance);
+
+/// Displacements of the section under each load, uniform along the face (k = 0), without modes.
+Eigen::MatrixXd plane_strain(const SectionMesh& mesh, double poisson_ratio,
+                             const std::vector<Functional>& loads);
+
+/// [T12.7] projected on modes, for a helix.
+struct ModeMatrices {
+  Eigen::MatrixXd aa, ab, bb;
+};
+ModeMatrices mode_matrices(const SectionMesh& mesh, const SectionModes& modes, double poisson_ratio,
+                           double tau);
+
+}  // namespace gearwright::detail

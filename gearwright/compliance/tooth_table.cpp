@@ -1,0 +1,285 @@
+#include "gearwright/compliance/tooth_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "gearwright/compliance/face.hpp"
+
+namespace gearwright {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kElement = 0.5;     // modules along the face
+constexpr double kImageReach = 2.0;  // modules: beyond it the image of a bump is that of a strip
+
+// Reads slices, mirrored where the load was: of a spur gear, slice n−1−j loads as j does.
+int mirrored(int j, int n) { return n - 1 - j; }
+
+}  // namespace
+
+double& ToothTable::entry(std::vector<double>& t, int i, int j, int k, int l) const {
+  return t[((static_cast<std::size_t>(j) * n_ + l) * places_ + i) * places_ + k];
+}
+
+ToothTable::ToothTable(std::shared_ptr<const detail::ToothSection> section,
+                       const ToothTableRequest& request)
+    : section_(std::move(section)),
+      slices_(request.slices),
+      half_face_(request.face_width / 2),
+      n_(request.slices.count),
+      places_(static_cast<int>(section_->s.size())) {
+  make(request);
+  make_local(request);
+}
+
+// The answers of the modes to a unit force on each slice at each place.
+void ToothTable::make(const ToothTableRequest& request) {
+  using namespace detail;
+  const ToothSection& s = *section_;
+  const int side = s.mesh.side_teeth;
+  const Face face(mode_matrices(s.mesh, s.modes, s.poisson_ratio, s.tau), request.face_width,
+                  kElement);
+  const Index r = face.mode_count();
+  const Index nodes = face.node_count();
+  const Index n3 = s.modes.fields.rows();
+  // Readings by modes: the places of tooth −side … side.
+  MatrixXd load(r, places_);
+  MatrixXd read(r, places_ * (2 * side + 1));
+  for (int i = 0; i < places_; ++i) {
+    load.col(i) = s.modes.fields.transpose() * s.bumps[i].vector(n3);
+    for (int k = -side; k <= side; ++k) {
+      const Functional f = k == 0 ? s.bumps[i] : on_tooth(s.mesh, s.bumps[i], k);
+      read.col((k + side) * places_ + i) = s.modes.fields.transpose() * f.vector(n3);
+    }
+  }
+  MatrixXd mean(nodes, n_);
+  MatrixXd value(nodes, n_);
+  MatrixXd slope(nodes, n_);
+  const double h = slices_.width();
+  for (int j = 0; j < n_; ++j) {
+    mean.col(j) = face.mean(slices_.lo + j * h, slices_.lo + (j + 1) * h);
+    value.col(j) = face.at(slices_.middle(j));
+    slope.col(j) = face.slope_at(slices_.middle(j));
+  }
+  if (request.root_stress) root_ = root_points(s);
+  const auto points = static_cast<Index>(root_.t.size());
+  same_.assign(static_cast<std::size_t>(n_) * n_ * places_ * places_, 0.0);
+  other_.assign(2 * side + 1, same_);
+  stress_.assign(3, std::vector<MatrixXd>(places_));
+  // A spur gear is its own mirror image by the middle of the face.
+  const bool symmetric = s.tau == 0.0;
+  const int solved = symmetric ? (n_ + 1) / 2 : n_;
+  for (int i = 0; i < places_; ++i) {
+    MatrixXd x(nodes * r, solved);
+    for (int j = 0; j < solved; ++j)
+      for (Index a = 0; a < nodes; ++a) x.col(j).segment(a * r, r) = mean(a, j) * load.col(i);
+    face.solve(x);
+    // Displacements: by place first, then by slice.
+    MatrixXd by_node(nodes * read.cols(), solved);
+    for (Index a = 0; a < nodes; ++a)
+      by_node.middleRows(a * read.cols(), read.cols()).noalias() =
+          read.transpose() * x.middleRows(a * r, r);
+    for (int l = 0; l < n_; ++l) {
+      MatrixXd u = MatrixXd::Zero(read.cols(), solved);
+      for (Index a = 0; a < nodes; ++a)
+        if (mean(a, l) != 0.0) u += mean(a, l) * by_node.middleRows(a * read.cols(), read.cols());
+      for (int k = -side; k <= side; ++k) {
+        std::vector<double>& to = k == 0 ? same_ : other_[k + side];
+        for (int p = 0; p < places_; ++p) {
+          for (int j = 0; j < solved; ++j) {
+            const double v = u((k + side) * places_ + p, j);
+            entry(to, i, j, p, l) = v;
+            if (symmetric) entry(to, i, mirrored(j, n_), p, mirrored(l, n_)) = v;
+          }
+        }
+      }
+    }
+    if (!request.root_stress) continue;
+    for (int k = 0; k < 3; ++k) {
+      MatrixXd& to = stress_[k][i];
+      to.resize(6 * points * n_, n_);
+      for (int l = 0; l < n_; ++l) {
+        MatrixXd f = MatrixXd::Zero(r, solved);
+        MatrixXd g = f;
+        for (Index a = 0; a < nodes; ++a) {
+          if (value(a, l) != 0.0) f += value(a, l) * x.middleRows(a * r, r);
+          if (slope(a, l) != 0.0) g += slope(a, l) * x.middleRows(a * r, r);
+        }
+        const MatrixXd sigma = root_.of_mode[k] * f + root_.of_slope[k] * g;
+        to.block(6 * points * l, 0, 6 * points, solved) = sigma;
+        if (!symmetric) continue;
+        for (int j = 0; j < solved; ++j) {
+          auto image = to.block(6 * points * mirrored(l, n_), mirrored(j, n_), 6 * points, 1);
+          image = sigma.col(j);
+          for (Index p = 0; p < points; ++p) image.middleRows(6 * p + 4, 2) *= -1.0;
+        }
+      }
+    }
+  }
+  // Betti: of one tooth exactly; of neighbours the mean of both ways, for beyond the real teeth the
+  // rim is smooth.
+  for (int j = 0; j < n_; ++j) {
+    for (int l = 0; l < n_; ++l) {
+      for (int i = 0; i < places_; ++i) {
+        for (int p = 0; p < places_; ++p) {
+          double& a = entry(same_, i, j, p, l);
+          double& b = entry(same_, p, l, i, j);
+          a = b = 0.5 * (a + b);
+          for (int k = 1; k <= side; ++k) {
+            double& c = entry(other_[side + k], i, j, p, l);
+            double& d = entry(other_[side - k], p, l, i, j);
+            c = d = 0.5 * (c + d);
+          }
+        }
+      }
+    }
+  }
+}
+
+// Takes the half space under the bumps away, and makes that under the strip along the line.
+void ToothTable::make_local(const ToothTableRequest& request) {
+  using namespace detail;
+  const ToothSection& s = *section_;
+  const double h = slices_.width();
+  const double scale = (1 - s.poisson_ratio * s.poisson_ratio) / std::numbers::pi;
+  const auto ends = [&](int j, int l, auto f) {
+    const double sum = slices_.middle(j) + slices_.middle(l);
+    return f(2 * half_face_ - sum) + f(2 * half_face_ + sum);
+  };
+  for (int i = 0; i < places_; ++i) {
+    for (int p = 0; p < places_; ++p) {
+      const FlankMetric metric = s.metric(0.5 * (s.s[i] + s.s[p]));
+      const Offsets o = bump_offsets(s.s[p] - s.s[i], s.c[i], s.c[p]);
+      const auto mean = [&](const FlankMetric& m, double shift, double d) {
+        double sum = 0.0;
+        for (std::size_t q = 0; q < o.x.size(); ++q)
+          sum += o.weight[q] * slices_inverse(m, o.x[q] + shift, d, h);
+        return scale * sum;
+      };
+      std::vector<double> direct(2 * n_ - 1);
+      for (int d = 1 - n_; d < n_; ++d) {
+        if (s.tau == 0.0 && d < 0) continue;
+        direct[d + n_ - 1] = mean(metric, 0.0, d * h);
+      }
+      if (s.tau == 0.0)
+        for (int d = 1; d < n_; ++d) direct[n_ - 1 - d] = direct[n_ - 1 + d];
+      // Across the end of the face.
+      const FlankMetric across{0.0, metric.zz - metric.sz * metric.sz};
+      std::vector<double> image(2 * n_, -1.0);
+      for (int j = 0; j < n_; ++j) {
+        for (int l = 0; l < n_; ++l) {
+          entry(same_, i, j, p, l) -= direct[l - j + n_ - 1];
+          entry(same_, i, j, p, l) -= ends(j, l, [&](double d) {
+            if (d > 2 * kImageReach) return 0.0;
+            return mean(across, metric.sz * h * (l - j), d);
+          });
+        }
+      }
+    }
+  }
+  // Along the line, a wider place of the grid's middle standing for all in how it meets the end.
+  const Offsets o = hertz_offsets(request.half_width);
+  const double per = request.line_per_height;
+  const FlankMetric along{0.0, per * per};
+  const FlankMetric metric = s.metric(0.5 * (s.s.front() + s.s.back()));
+  const double upright = std::sqrt(metric.zz - metric.sz * metric.sz);
+  const double sideways = std::sqrt(std::max(0.0, per * per - upright * upright));
+  hertz_.resize(n_, n_);
+  const auto mean = [&](const FlankMetric& m, double shift, double d) {
+    double sum = 0.0;
+    for (std::size_t q = 0; q < o.x.size(); ++q)
+      sum += o.weight[q] * slices_inverse(m, std::hypot(o.x[q], shift), d, h);
+    return scale * sum;
+  };
+  for (int j = 0; j < n_; ++j) {
+    for (int l = 0; l < n_; ++l) {
+      hertz_(j, l) = mean(along, 0.0, (l - j) * h) + ends(j, l, [&](double d) {
+                       if (d > 2 * kImageReach) return 0.0;
+                       return mean({0.0, upright * upright}, sideways * h * (l - j), d);
+                     });
+    }
+  }
+}
+
+ToothTable::Weights ToothTable::weights(double s) const {
+  const auto& g = section_->s;
+  const double step = g[1] - g[0];
+  Weights w{};
+  w.first = std::clamp(static_cast<int>(std::floor((s - g[0]) / step)) - 1, 0,
+                       static_cast<int>(g.size()) - 4);
+  for (int a = 0; a < 4; ++a) {
+    double v = 1.0;
+    for (int b = 0; b < 4; ++b)
+      if (b != a) v *= (s - g[w.first + b]) / (g[w.first + a] - g[w.first + b]);
+    w.w[a] = v;
+  }
+  return w;
+}
+
+MatrixXd ToothTable::same_tooth(const LinePlaces& line) const {
+  MatrixXd c = hertz_;
+  std::vector<Weights> w;
+  for (const double s : line) w.push_back(weights(s));
+  for (int j = 0; j < n_; ++j) {
+    for (int l = 0; l <= j; ++l) {
+      const double* t = &same_[(static_cast<std::size_t>(j) * n_ + l) * places_ * places_];
+      double sum = 0.0;
+      for (int a = 0; a < 4; ++a) {
+        double row = 0.0;
+        for (int b = 0; b < 4; ++b)
+          row += w[l].w[b] * t[(w[j].first + a) * places_ + w[l].first + b];
+        sum += w[j].w[a] * row;
+      }
+      c(l, j) += sum;
+      if (l != j) c(j, l) = c(l, j);
+    }
+  }
+  return c;
+}
+
+MatrixXd ToothTable::other_tooth(int k, const LinePlaces& read, const LinePlaces& loaded) const {
+  MatrixXd c = MatrixXd::Zero(n_, n_);
+  if (std::abs(k) > side_teeth()) return c;
+  const std::vector<double>& table = other_[k + side_teeth()];
+  std::vector<Weights> from;
+  std::vector<Weights> to;
+  for (const double s : loaded) from.push_back(weights(s));
+  for (const double s : read) to.push_back(weights(s));
+  for (int j = 0; j < n_; ++j) {
+    for (int l = 0; l < n_; ++l) {
+      const double* t = &table[(static_cast<std::size_t>(j) * n_ + l) * places_ * places_];
+      double sum = 0.0;
+      for (int a = 0; a < 4; ++a) {
+        double row = 0.0;
+        for (int b = 0; b < 4; ++b)
+          row += to[l].w[b] * t[(from[j].first + a) * places_ + to[l].first + b];
+        sum += from[j].w[a] * row;
+      }
+      c(l, j) = sum;
+    }
+  }
+  return c;
+}
+
+void ToothTable::add_root_stress(int k, const LinePlaces& line, const VectorXd& force,
+                                 MatrixXd& stress) const {
+  GW_EXPECTS(std::abs(k) <= 1);
+  const auto rows = 6 * static_cast<Index>(root_.t.size());
+  for (int j = 0; j < n_; ++j) {
+    if (force[j] == 0.0) continue;
+    const Weights w = weights(line[j]);
+    for (int a = 0; a < 4; ++a) {
+      const auto column = stress_[k + 1][w.first + a].col(j);
+      const double f = force[j] * w.w[a];
+      for (int l = 0; l < n_; ++l) stress.col(l) += f * column.segment(rows * l, rows);
+    }
+  }
+}
+
+}  // namespace gearwright

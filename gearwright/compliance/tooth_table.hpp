@@ -1,0 +1,78 @@
+// How the places of a tooth's flank yield to each other: tables over slices of the face and places
+// along the flank, which all positions, torques and errors read.
+//
+//   C(s, z; s′, z′) = C_FE[b, b] − H[b, b] + H[a, a]                                       [T12.9]
+//   The first two terms are the table, by cubic interpolation in s and s′; the third lives along
+//   the contact line. E = 1, lengths in normal modules: C is E·u·m_n/F, forces and displacements
+//   are those of a whole slice.                  theory: docs/theory/12-loaded-contact.md
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "gearwright/compliance/root_points.hpp"
+#include "gearwright/compliance/tooth_section.hpp"
+
+namespace gearwright {
+
+/// The slices of the face on which places lie, in normal modules from the middle of the face.
+struct FaceSlices {
+  int count = 32;
+  double lo = 0.0, hi = 0.0;
+  double width() const { return (hi - lo) / count; }
+  double middle(int j) const { return lo + (j + 0.5) * width(); }
+};
+
+/// Where the contact line of a tooth crosses each slice: arc length along the flank. A slice that
+/// it does not cross has any number there.
+using LinePlaces = std::vector<double>;
+
+struct ToothTableRequest {
+  double face_width = 0.0;  ///< of this gear, normal modules
+  FaceSlices slices;
+  double half_width = 0.05;      ///< a0 of H[a, a], normal modules
+  double line_per_height = 1.0;  ///< length of a contact line per height, 1/cos β_b
+  bool root_stress = true;
+};
+
+class ToothTable {
+ public:
+  ToothTable(std::shared_ptr<const detail::ToothSection> section, const ToothTableRequest& request);
+
+  const detail::ToothSection& section() const { return *section_; }
+  /// Of the places of one line among themselves; symmetric.
+  Eigen::MatrixXd same_tooth(const LinePlaces& line) const;
+  /// Displacements on the line of tooth `k` under forces on a line of tooth 0; k up to
+  /// side_teeth() either way, 0 beyond.
+  Eigen::MatrixXd other_tooth(int k, const LinePlaces& read, const LinePlaces& loaded) const;
+  int side_teeth() const { return section_->mesh.side_teeth; }
+
+  /// Stress at the root points of tooth k, −1 … 1, under forces on a line of tooth 0: adds to
+  /// `stress`, six rows per point, a column per slice. E and lengths as above: σ·m_n²/F.
+  void add_root_stress(int k, const LinePlaces& line, const Eigen::VectorXd& force,
+                       Eigen::MatrixXd& stress) const;
+  const detail::RootPoints& root() const { return root_; }
+
+ private:
+  struct Weights {
+    int first;
+    std::array<double, 4> w;
+  };
+  Weights weights(double s) const;
+  void make(const ToothTableRequest& request);
+  void make_local(const ToothTableRequest& request);
+  double& entry(std::vector<double>& t, int i, int j, int k, int l) const;
+
+  std::shared_ptr<const detail::ToothSection> section_;
+  FaceSlices slices_;
+  double half_face_ = 0.0;
+  int n_ = 0, places_ = 0;
+  std::vector<double> same_;                // [load slice][read slice][load place][read place]
+  std::vector<std::vector<double>> other_;  // of tooth −side … side
+  Eigen::MatrixXd hertz_;                   // H[a, a] of slices
+  detail::RootPoints root_;
+  // Of tooth −1, 0, 1: [load place](6·points·slices × load slices)
+  std::vector<std::vector<Eigen::MatrixXd>> stress_;
+};
+
+}  // namespace gearwright

@@ -1,0 +1,178 @@
+#include "gearwright/job/load_answer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/base/parallel.hpp"
+#include "gearwright/base/units.hpp"
+#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/job/contact_answer.hpp"
+#include "gearwright/rating/material.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kMostPoisson = 0.49;  // 0.5 is a liquid: plane strain has no stiffness matrix
+constexpr double kShaft = 0.5;         // of the root diameter, where no bore is given
+constexpr double kHertzRatio = 0.1;    // half width over radius: beyond it Hertz errs by a percent
+
+Result<ElasticBody> body_of(SolvedJob& job, int which) {
+  const GearInput& input = *job.spec.gears[which - 1];
+  const Gear& gear = job.gears[which - 1];
+  ElasticBody body;
+  const MaterialInput& given = input.material;
+  const Material row = given.name ? material_named(*given.name).value_or(Material()) : Material();
+  body.youngs_modulus = given.youngs_modulus.value_or(row.youngs_modulus);
+  body.poisson_ratio = given.poisson_ratio.value_or(row.poisson_ratio);
+  if (!(body.poisson_ratio <= kMostPoisson)) {
+    return refused(gear_field(which, "material.poisson_ratio"), body.poisson_ratio,
+                   {0.0, kMostPoisson}, "must lie between {} and {} for teeth under load");
+  }
+  if (const auto bore = job.bore(which)) {
+    body.bore_diameter = bore->diameter;
+  } else {
+    body.bore_diameter = kShaft * gear.root_diameter;
+    job.warnings.push_back(
+        {"held_at_half_the_root",
+         fmt::format("Gear {} has no bore: its body is held at half the root diameter, {} mm.",
+                     which, spoken(body.bore_diameter)),
+         which});
+  }
+  return body;
+}
+
+// Why teeth of this kind are not looked at under load, if so.
+std::optional<Error> not_made_for(const Gear& gear, int which) {
+  if (gear.internal())
+    return refused(gear_field(which, "teeth"), gear.spec.teeth,
+                   "is an internal gear; teeth under load are looked at in external pairs so far");
+  if (!gear.involute() || !gear.tooth)
+    return Error{gear_field(which, "rack"), "",
+                 "makes no involute teeth; teeth under load are looked at for involutes so far"};
+  return std::nullopt;
+}
+
+std::optional<Error> not_made_for(const SolvedJob& job) {
+  for (int i = 1; i <= 2; ++i)
+    if (auto error = not_made_for(job.gears[i - 1], i)) return error;
+  if (job.pair->crossed())
+    return refused("pair.shaft_angle", job.pair->shaft_angle().deg(),
+                   "crosses the axes; teeth under load are looked at on parallel axes so far");
+  return std::nullopt;
+}
+
+Result<LoadedContact> turn_under_load(SolvedJob& job, const std::array<ElasticBody, 2>& bodies,
+                                      Headway* headway) {
+  const LoadInput& input = job.spec.load;
+  auto setup = ContactSetup::of(job);
+  if (!setup) return setup.error();
+  LoadRequest request;
+  for (const double m : input.torques) request.torques.push_back(m * kMmPerM);
+  request.positions = input.positions;
+  request.rotations = input.rotations;
+  request.slices = input.slices;
+  request.accuracy = input.accuracy;
+  request.bodies = bodies;
+  request.deflection_slope = input.deflection_slope * kMmPerUm;
+  request.deflection_bow = input.deflection_bow * kMmPerUm;
+  request.headway = headway;
+  request.spread = [](std::size_t n, const std::function<void(std::size_t, std::size_t)>& work) {
+    parallel_for(n, [&](std::size_t i) { work(i, i + 1); });
+  };
+  const Gear& one = setup->gear(1);
+  const Gear& two = setup->gear(2);
+  const auto compliance = pair_compliance(one, two, request);
+  if (!compliance) return compliance.error();
+  LoadedContact answer =
+      loaded_contact(setup->pair(input.driver == 2), one, two, *compliance, request);
+  const auto& positions = answer.torques.front().positions;
+  if (std::all_of(positions.begin(), positions.end(),
+                  [](const LoadedPosition& p) { return p.kind == TouchKind::none; }))
+    return nothing_touches(*setup);
+  if (answer.slices_too_fine) {
+    return refused(
+        "load.slices", input.slices,
+        fmt::format("are narrower than the contact is wide: {} mm each; fewer slices, or "
+                    "less torque, would do",
+                    spoken(answer.slices.width())));
+  }
+  return answer;
+}
+
+void warn_about(const LoadedContact& contact, std::vector<Warning>& warnings) {
+  for (const LoadedTorque& t : contact.torques) {
+    const std::string torque = spoken(t.torque / kMmPerM);
+    if (t.edge_carries)
+      warnings.push_back({"edge_carries",
+                          fmt::format("At {} N m an edge of a tooth carries: the pressure there is "
+                                      "a lower bound. Tip relief helps.",
+                                      torque),
+                          0});
+    if (t.max_width_ratio > kHertzRatio)
+      warnings.push_back(
+          {"beyond_hertz",
+           fmt::format("At {} N m the contact is {:.2f} of its radius of curvature wide: more than "
+                       "Hertz' theory is made for.",
+                       torque, t.max_width_ratio),
+           0});
+  }
+  if (contact.unfinished > 0)
+    warnings.push_back({"load_unfinished",
+                        fmt::format("{} positions did not come to an end.", contact.unfinished),
+                        0});
+}
+
+}  // namespace
+
+Result<LoadAnswer> answer_load(SolvedJob& job, Headway* headway) {
+  const LoadInput& input = job.spec.load;
+  if (input.torques.empty() && input.probes.empty()) {
+    return Error{"load.torques", "",
+                 "is missing: teeth under load want a torque on gear 1, in N m"};
+  }
+  if (!input.torques.empty() && !job.pair)
+    return Error{"gear2", "", "is missing from the spec; a torque wants two gears"};
+  std::array<ElasticBody, 2> bodies;
+  for (std::size_t i = 0; i < job.gears.size(); ++i) {
+    auto body = body_of(job, static_cast<int>(i) + 1);
+    if (!body) return body.error();
+    bodies[i] = *body;
+  }
+  LoadAnswer answer;
+  for (std::size_t i = 0; i < input.probes.size(); ++i) {
+    const LoadProbeInput& p = input.probes[i];
+    const std::string field = fmt::format("load.probe[{}]", i);
+    if (p.gear > static_cast<int>(job.gears.size()))
+      return refused(field + ".gear", p.gear, "is not in the spec");
+    const Gear& gear = job.gears[p.gear - 1];
+    if (auto error = not_made_for(gear, p.gear)) return *error;
+    auto found = probe_compliance(gear, bodies[p.gear - 1],
+                                  {p.diameter, p.z, p.half_width, p.read_z}, input.accuracy);
+    if (!found) {
+      const std::string& of = found.error().field;
+      const bool of_body = of == "teeth" || of == "bore.diameter";
+      return of_body ? of_gear(p.gear, found.error()) : within(field, found.error());
+    }
+    answer.probes.push_back(std::move(found).take());
+  }
+  if (input.torques.empty()) return answer;
+  if (auto error = not_made_for(job)) return *error;
+  auto contact = turn_under_load(job, bodies, headway);
+  if (!contact) return contact.error();
+  warn_about(*contact, job.warnings);
+  answer.contact = std::move(contact).take();
+  return answer;
+}
+
+LoadView load_view(const SolvedJob& job, const LoadAnswer& answer) {
+  LoadView view;
+  if (answer.contact) view.contact = &*answer.contact;
+  for (std::size_t i = 0; i < answer.probes.size(); ++i)
+    view.probes.push_back({&answer.probes[i], !job.spec.load.probes[i].z});
+  return view;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,65 @@
+#include "gearwright/job/load_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "gearwright/base/printable.hpp"
+#include "gearwright/base/units.hpp"
+#include "gearwright/job/judgement.hpp"
+#include "gearwright/job/listing.hpp"
+#include "gearwright/job/value_json.hpp"
+
+namespace gearwright {
+
+Json load_json(const SolvedJob& job, const LoadAnswer& answer) {
+  Json j;
+  if (!job.spec.title.empty()) j["title"] = job.spec.title;
+  j["load"] = to_json(load_quantities().of(load_view(job, answer)));
+  j["warnings"] = warnings_json(job.warnings);
+  if (job.pair) j["verdict"] = verdict_json(judge(job));
+  return j;
+}
+
+std::string load_listing(const SolvedJob& job, const LoadAnswer& answer) {
+  std::string out;
+  if (!job.spec.title.empty()) out += printable(job.spec.title) + "\n";
+  for (std::size_t i = 0; i < answer.probes.size(); ++i) {
+    const LoadProbeInput& input = job.spec.load.probes[i];
+    const ProbeAnswer& p = answer.probes[i];
+    out += fmt::format("  Probe {}: gear {}, diameter {} mm: {:.6g} µm per {}\n", i + 1, input.gear,
+                       spoken(input.diameter), p.own * kUmPerMm, input.z ? "N" : "N/mm");
+    for (std::size_t k = 0; k < p.profile.size(); ++k)
+      out += fmt::format("    z = {:>9} mm{:>16.6g} µm per N\n", spoken(input.read_z[k]),
+                         p.profile[k] * kUmPerMm);
+  }
+  if (!answer.contact) return out;
+  for (const LoadedTorque& t : answer.contact->torques) {
+    out += quantity_listing(load_torque_quantities().table(),
+                            {load_torque_quantities().of({&t, &*answer.contact})}, {});
+    out += fmt::format("\n  {:>11}{:>14}{:>12}{:>12}{:>11}{:>11}  {}\n", "rotation1", "TE",
+                       "approach", "pressure", "root 1", "root 2", "shares");
+    out += fmt::format("  {:>11}{:>14}{:>12}{:>12}{:>11}{:>11}\n", "°", "arcsec", "µm", "N/mm²",
+                       "N/mm²", "N/mm²");
+    // A page of them; --json has all.
+    const std::size_t step = std::max<std::size_t>(1, t.positions.size() / 32);
+    for (std::size_t i = 0; i < t.positions.size(); i += step) {
+      const LoadedPosition& p = t.positions[i];
+      if (p.kind == TouchKind::none) {
+        out += fmt::format("  {:>11.4f}{:>14}\n", p.rotation1.deg(), "no contact");
+        continue;
+      }
+      std::string shares;
+      for (const LoadedPair& k : p.pairs) shares += fmt::format(" {:.3f}", k.share);
+      out += fmt::format("  {:>11}{:>14}{:>12}{:>12}{:>11}{:>11} {}\n",
+                         fixed_text(p.rotation1.deg(), 4), fixed_text(p.te.arcsec(), 4),
+                         fixed_text(p.approach * kUmPerMm, 4), fixed_text(p.max_pressure, 1),
+                         fixed_text(p.root_stress[0], 1), fixed_text(p.root_stress[1], 1), shares);
+    }
+    out += "\n";
+  }
+  return out;
+}
+
+}  // namespace gearwright

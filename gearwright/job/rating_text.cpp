@@ -1,0 +1,29 @@
+#include "gearwright/job/rating_text.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "gearwright/base/printable.hpp"
+#include "gearwright/job/listing.hpp"
+#include "gearwright/job/result_json.hpp"
+#include "gearwright/job/value_json.hpp"
+
+namespace gearwright {
+
+Json rating_json(const SolvedJob& job, const RatingAnswer& answer, const Verdict& verdict) {
+  Json j;
+  if (!job.spec.title.empty()) j["title"] = job.spec.title;
+  j["rating"] = to_json(rating_quantities().of(answer.view()));
+  j["warnings"] = warnings_json(job.warnings);
+  j["verdict"] = verdict_json(verdict);
+  return j;
+}
+
+std::string rating_listing(const SolvedJob& job, const RatingAnswer& answer) {
+  const auto& said = rating_quantities();
+  const std::string& title = job.spec.title;
+  return (title.empty() ? "" : "\n" + printable(title) + "\n") +
+         quantity_listing(said.table(), {said.of(answer.view())}, gear_columns(2),
+                          [&](const Said& s) { return source_text(answer.rating, s.key); });
+}
+
+}  // namespace gearwright

@@ -1,0 +1,16 @@
+// A rating for people and as JSON; as CSV: job/csv_answer.hpp.
+#pragma once
+
+#include <string>
+
+#include "gearwright/job/rating_answer.hpp"
+#include "gearwright/spec/json.hpp"
+#include "gearwright/verdict/verdict.hpp"
+
+namespace gearwright {
+
+Json rating_json(const SolvedJob& job, const RatingAnswer& answer, const Verdict& verdict);
+/// Inputs, factors, safeties: symbol, value, unit, place in the standard, branch.
+std::string rating_listing(const SolvedJob& job, const RatingAnswer& answer);
+
+}  // namespace gearwright

@@ -1,0 +1,110 @@
+#include "gearwright/load/complementarity.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "gearwright/base/contract.hpp"
+
+namespace gearwright {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int kMost = 200;
+constexpr int kOneByOne = 30;        // after as many steps one place at a time: no cycles
+constexpr double kStill = 1e-11;     // of the greatest load: the last step
+constexpr double kOverlap = 1e-12;   // of the greatest displacement: an idle place overlaps
+constexpr double kLeastLoad = 1e-9;  // of the mean: what the logarithm is given at least
+
+}  // namespace
+
+double hertz_half_width(double line_load, double radius, double reduced_modulus) {
+  return std::sqrt(4 * line_load * radius / (std::numbers::pi * reduced_modulus));
+}
+
+ContactSolution solve_contact(const ContactProblem& q, const std::vector<char>& start) {
+  const Index n = q.gap.size();
+  GW_EXPECTS(n > 0 && q.moment > 0.0);
+  std::vector<char> active = start;
+  if (std::none_of(active.begin(), active.end(), [](char c) { return c != 0; }))
+    active.assign(static_cast<std::size_t>(n), 1);
+  const double mean = q.moment / (q.length * q.arm.sum());
+  ContactSolution x;
+  x.line_load = VectorXd::Constant(n, mean);
+  for (int turn = 1; turn <= kMost; ++turn) {
+    x.iterations = turn;
+    std::vector<Index> at;
+    for (Index i = 0; i < n; ++i)
+      if (active[i]) at.push_back(i);
+    const auto m = static_cast<Index>(at.size());
+    MatrixXd a(m, m);
+    VectorXd right(m);
+    VectorXd arm(m);
+    for (Index i = 0; i < m; ++i) {
+      const Index k = at[i];
+      for (Index j = 0; j < m; ++j) a(i, j) = q.yield(k, at[j]);
+      const double p = std::max(x.line_load[k], kLeastLoad * mean);
+      // λ ln(a0/a) p and its slope: linear about p, the constant is λ p/2.
+      if (q.local > 0.0) {
+        const double wide = hertz_half_width(p, q.radius[k], q.reduced_modulus);
+        a(i, i) += q.local * (std::log(q.half_width / wide) - 0.5);
+        right[i] = -q.gap[k] - 0.5 * q.local * p;
+      } else {
+        right[i] = -q.gap[k];
+      }
+      arm[i] = q.arm[k];
+    }
+    const Eigen::LLT<MatrixXd> llt(a);
+    if (llt.info() != Eigen::Success) {
+      x.stop = ContactSolution::Stop::indefinite;
+      return x;
+    }
+    // a p − arm Θ = right,  Δ armᵀ p = M2
+    const VectorXd free = llt.solve(right);
+    const VectorXd turned = llt.solve(arm);
+    const double stiffness = q.length * arm.dot(turned);
+    x.yield_per_moment = 1.0 / stiffness;
+    x.approach = (q.moment - q.length * arm.dot(free)) / stiffness;
+    VectorXd p = free + x.approach * turned;
+    VectorXd next = VectorXd::Zero(n);
+    bool changed = false;
+    const std::vector<char> before = active;
+    const bool careful = turn > kOneByOne;
+    for (Index i = 0; i < m && !(careful && changed); ++i) {
+      if (p[i] >= 0.0) continue;
+      active[at[i]] = 0;
+      changed = true;
+    }
+    for (Index i = 0; i < m; ++i) next[at[i]] = std::max(p[i], 0.0);
+    if (std::none_of(active.begin(), active.end(), [](char c) { return c != 0; })) {
+      // Everything let go at once: begin with the nearest place.
+      Index nearest = 0;
+      (q.gap.array() / q.arm.array()).minCoeff(&nearest);
+      active[nearest] = 1;
+      changed = true;
+    }
+    const VectorXd displaced = q.yield * next;
+    const double scale = displaced.cwiseAbs().maxCoeff() + std::abs(x.approach) * q.arm.maxCoeff();
+    for (Index i = 0; i < n && !(careful && changed); ++i) {
+      if (before[i]) continue;
+      if (displaced[i] + q.gap[i] - x.approach * q.arm[i] >= -kOverlap * scale) continue;
+      active[i] = 1;
+      changed = true;
+    }
+    const double step = (next - x.line_load).cwiseAbs().maxCoeff();
+    const double greatest = next.maxCoeff();
+    x.line_load = next;
+    if (!changed && (q.local == 0.0 || step <= kStill * greatest)) {
+      x.stop = ContactSolution::Stop::converged;
+      return x;
+    }
+  }
+  return x;
+}
+
+}  // namespace gearwright

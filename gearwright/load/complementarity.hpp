@@ -1,0 +1,51 @@
+// Contact of elastic bodies at places that may carry or not: pressure where the gap closes, a gap
+// where nothing presses.
+//
+//   w_i(p) + g_i − Θ arm_i = s_i,   p_i ≥ 0,  s_i ≥ 0,  p_i s_i = 0,   Σ p_i Δ arm_i = M2  [T12.2], [T12.3]
+//   w_i = Σ_j A_ij p_j + λ ln(a0/a_i) p_i,    a_i = √(4 p_i R_i/(π E*))                       [T12.12]
+//
+// An active set with Newton steps [T12.14]: drop what pulls, add what overlaps. A is symmetric and positive
+// definite and the local term monotone, so that there is one solution.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace gearwright {
+
+/// Lengths in mm, forces in N; p is a force per length of the contact line, N/mm.
+struct ContactProblem {
+  Eigen::MatrixXd yield;         ///< A  mm per N/mm, symmetric
+  Eigen::VectorXd gap;           ///< g  mm
+  Eigen::VectorXd arm;           ///< mm
+  Eigen::VectorXd radius;        ///< R  mm
+  double length = 1.0;           ///< Δ  mm, of the contact line in a slice
+  double moment = 0.0;           ///< M2  N mm
+  double local = 0.0;            ///< λ1/E1 + λ2/E2  mm²/N; 0: no local term
+  double half_width = 1.0;       ///< a0  mm
+  double reduced_modulus = 1.0;  ///< E*  N/mm²
+};
+
+struct ContactSolution {
+  enum class Stop {
+    converged,   ///< no place changed, and the last step was below 1e-11 of the greatest load
+    indefinite,  ///< slices too fine for the widths of contact: the local term makes A indefinite
+    too_long
+  };
+  Stop stop = Stop::too_long;
+  Eigen::VectorXd line_load;      ///< p  N/mm
+  double approach = 0.0;          ///< Θ  rad
+  double yield_per_moment = 0.0;  ///< dΘ/dM2  rad/(N mm): the tangent
+  int iterations = 0;
+  bool found() const { return stop == Stop::converged; }
+};
+
+/// `start`: places to begin with, such as those of the last position; empty: all.
+///
+/// Domain    at least one place; moment > 0 (contract)
+ContactSolution solve_contact(const ContactProblem& problem, const std::vector<char>& start = {});
+
+/// Half width of a Hertz strip. [T12.12]
+double hertz_half_width(double line_load, double radius, double reduced_modulus);
+
+}  // namespace gearwright

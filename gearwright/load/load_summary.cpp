@@ -1,0 +1,81 @@
+#include "gearwright/load/load_summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+
+#include "gearwright/base/units.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kMostWaves = 20;
+
+// Line load per approach, N/(mm µm), over the positions; the mean is that of the mean approach.
+template <class Yield>
+LoadedTorque::Stiffness stiffness(const std::vector<LoadedPosition>& positions, double line_load,
+                                  Yield yield) {
+  double sum = 0.0;
+  double least = kInfinity;
+  double greatest = 0.0;
+  for (const LoadedPosition& p : positions) {
+    const double u = yield(p) / kMmPerUm;
+    sum += u;
+    least = std::min(least, u);
+    greatest = std::max(greatest, u);
+  }
+  const auto n = static_cast<double>(positions.size());
+  return {line_load / (sum / n), line_load / greatest, line_load / least};
+}
+
+std::vector<Angle> waves(const std::vector<LoadedPosition>& positions) {
+  const auto n = static_cast<int>(positions.size());
+  std::vector<Angle> amplitude;
+  const double mean = positions[0].te.rad();  // of no consequence but for rounding
+  for (int h = 1; h <= std::min(kMostWaves, (n - 1) / 2); ++h) {
+    std::complex<double> sum = 0.0;
+    for (int i = 0; i < n; ++i) {
+      const double turn = 2 * std::numbers::pi * ((static_cast<long long>(h) * i) % n) / n;
+      sum += (positions[i].te.rad() - mean) * std::polar(1.0, -turn);
+    }
+    amplitude.push_back(Angle::radians(2.0 * std::abs(sum) / n));
+  }
+  return amplitude;
+}
+
+}  // namespace
+
+void summarise(LoadedTorque& t, const SummaryBasis& basis) {
+  if (t.positions.empty()) return;
+  double least = kInfinity;
+  double greatest = -kInfinity;
+  for (const LoadedPosition& p : t.positions) {
+    least = std::min(least, p.te.rad());
+    greatest = std::max(greatest, p.te.rad());
+    t.max_pressure = std::max(t.max_pressure, p.max_pressure);
+    t.max_width_ratio = std::max(t.max_width_ratio, p.max_width_ratio);
+    t.edge_carries = t.edge_carries || p.edge_carries;
+    for (int g = 0; g < 2; ++g)
+      t.max_root_stress[g] = std::max(t.max_root_stress[g], p.root_stress[g]);
+    for (const LoadedPair& pair : p.pairs) {
+      if (t.face_load.size() == 0) t.face_load = Eigen::VectorXd::Zero(pair.line_load.size());
+      t.face_load += pair.line_load / static_cast<double>(t.positions.size());
+    }
+  }
+  t.peak_to_peak = Angle::radians(greatest - least);
+  if (basis.whole_pitch) t.harmonics = waves(t.positions);
+  const double force = t.torque / basis.base_radius;
+  const double line_load = force / basis.face;
+  t.stiffness = stiffness(t.positions, line_load, [](const auto& p) { return p.approach; });
+  t.without_twist = stiffness(t.positions, line_load, [&](const auto& p) {
+    return p.approach - line_load * basis.body_twist;
+  });
+  t.tangent = stiffness(t.positions, line_load, [&](const auto& p) { return p.tangent * force; });
+  if (t.face_load.size() > 0) t.face_load_factor = t.face_load.maxCoeff() / t.face_load.mean();
+}
+
+}  // namespace gearwright

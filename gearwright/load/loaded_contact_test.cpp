@@ -1,0 +1,216 @@
+// Loaded contact against a contact computation of two finite-element gears, and its laws.
+#include "gearwright/load/loaded_contact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "gearwright/contact/contact.hpp"
+
+namespace gearwright {
+namespace {
+
+constexpr double kE = 206000.0;
+
+struct Mesh {
+  Gear one, two;
+  ContactMount mount;
+  ContactPair pair() const { return ContactPair({&one, {}}, {&two, {}}, mount); }
+};
+
+Mesh mesh_of(double helix_deg, double face, double module = 3.0) {
+  const auto gear = [&](double hand) {
+    CylindricalSpec s;
+    s.teeth = 25;
+    s.normal_module = module;
+    s.face_width = face;
+    s.helix_angle = Angle::degrees(hand * helix_deg);
+    s.rack = *iso53_rack("ISO53-A");
+    return std::move(make_gear(s)).take();
+  };
+  Mesh m{gear(1), gear(-1), {}};
+  m.mount.center_distance = m.one.reference_diameter;
+  return m;
+}
+
+LoadRequest request_of(double module = 3.0, double e = kE) {
+  LoadRequest r;
+  r.bodies = {ElasticBody{12 * module, 0.3, e}, ElasticBody{12 * module, 0.3, e}};
+  r.accuracy = ComplianceAccuracy::draft;
+  r.slices = 12;
+  r.positions = 8;
+  return r;
+}
+
+LoadedContact run(const Mesh& m, const LoadRequest& r) {
+  auto c = pair_compliance(m.one, m.two, r);
+  EXPECT_TRUE(c) << c.error().message();
+  return loaded_contact(m.pair(), m.one, m.two, *c, r);
+}
+
+double moment_of(const LoadedPosition& p, double length, double arm) {
+  double sum = 0.0;
+  for (const LoadedPair& k : p.pairs) sum += k.line_load.sum() * length * arm;
+  return sum;
+}
+
+// PAIR2D-25: two fine finite-element gears in plane strain, nodewise contact without a formula of
+// Hertz; E = 206 000, m = 3, 100 N/mm. A face of 120 modules is nearly plane strain in the middle:
+// its ends make it softer by 0.12 %.
+TEST(LoadedContact, AgreesWithTwoGearsOfFiniteElements) {
+  const double face = 360.0;
+  const Mesh m = mesh_of(0, face);
+  LoadRequest r = request_of();
+  r.accuracy = ComplianceAccuracy::full;
+  r.slices = 24;
+  const double rb = m.one.base_radius();
+  r.torques = {100 * face * rb};
+  const double u0 = 1.8963 * 3;
+  const double pb = 2 * M_PI * rb / 25;
+  r.rotations = {Angle()};
+  auto c = pair_compliance(m.one, m.two, r);
+  ASSERT_TRUE(c);
+  const LoadedContact start = loaded_contact(m.pair(), m.one, m.two, *c, r);
+  const LoadedPair& at = start.torques[0].positions[0].pairs.back();
+  const double u = std::sqrt(at.radius[12][0] * at.radius[12][0] - rb * rb);
+  const double phase[7] = {0.05, 0.15, 0.3, 0.5, 0.75, 0.8, 0.95};
+  const double approach[7] = {5.0349, 4.9662, 4.9286, 4.9852, 7.365, 7.3547, 7.4242};
+  const double share[7] = {0.4248, 0.455, 0.499, 0.5577, 1, 1, 1};
+  r.rotations.clear();
+  for (const double q : phase)
+    r.rotations.push_back(Angle::radians((u0 + q * pb - u - at.pair * pb) / rb));
+  const LoadedContact answer = loaded_contact(m.pair(), m.one, m.two, *c, r);
+  for (int i = 0; i < 7; ++i) {
+    const LoadedPosition& p = answer.torques[0].positions[i];
+    EXPECT_NEAR(p.approach * 1e3, approach[i], 0.007 * approach[i]) << phase[i];
+    EXPECT_NEAR(p.pairs.front().share, share[i], 0.003) << phase[i];
+  }
+}
+
+TEST(LoadedContact, CarriesTheTorque) {
+  for (const double helix : {0.0, 18.0}) {
+    const Mesh m = mesh_of(helix, 30);
+    LoadRequest r = request_of();
+    r.torques = {5e4, 3e5};
+    const LoadedContact answer = run(m, r);
+    const double sin_b = std::sin(helix * M_PI / 180) * std::cos(20 * M_PI / 180);
+    const double cos_b = std::sqrt(1 - sin_b * sin_b);
+    for (const LoadedTorque& t : answer.torques) {
+      for (const LoadedPosition& p : t.positions) {
+        EXPECT_NEAR(moment_of(p, 30.0 / 12 / cos_b, m.two.base_radius() * cos_b), t.torque,
+                    1e-11 * t.torque);
+        double sum = 0.0;
+        for (const LoadedPair& k : p.pairs) sum += k.share;
+        EXPECT_NEAR(sum, 1.0, 1e-14);
+      }
+    }
+  }
+}
+
+// Rigid teeth, and hardly loaded ones, do what contact says.
+TEST(LoadedContact, StiffOrIdleTeethAreThoseOfContact) {
+  const Mesh m = mesh_of(12, 30);
+  const auto rigid = analyse_contact(m.pair(), {.positions = 8});
+  for (const auto& [e, torque] : {std::pair(1e13, 1e5), std::pair(kE, 1e-3)}) {
+    LoadRequest r = request_of(3.0, e);
+    r.torques = {torque};
+    const LoadedContact answer = run(m, r);
+    for (int i = 0; i < 8; ++i)
+      EXPECT_NEAR(answer.torques[0].positions[i].te.rad(), rigid.positions[i].te.rad(), 1e-10);
+  }
+}
+
+TEST(LoadedContact, TorqueAndModulusTogetherChangeNothing) {
+  const Mesh m = mesh_of(0, 30);
+  LoadRequest soft = request_of(3.0, kE);
+  LoadRequest hard = request_of(3.0, 4 * kE);
+  soft.torques = {1e5};
+  hard.torques = {4e5};
+  const LoadedContact a = run(m, soft);
+  const LoadedContact b = run(m, hard);
+  for (int i = 0; i < 8; ++i)
+    EXPECT_NEAR(a.torques[0].positions[i].approach, b.torques[0].positions[i].approach, 1e-15);
+}
+
+TEST(LoadedContact, ScalesWithLength) {
+  const Mesh small = mesh_of(0, 30, 3);
+  const Mesh large = mesh_of(0, 60, 6);
+  LoadRequest a = request_of(3.0);
+  LoadRequest b = request_of(6.0);
+  a.torques = {1e5};
+  b.torques = {8e5};
+  const LoadedContact x = run(small, a);
+  const LoadedContact y = run(large, b);
+  for (int i = 0; i < 8; ++i) {
+    EXPECT_NEAR(2 * x.torques[0].positions[i].approach, y.torques[0].positions[i].approach, 1e-10);
+    EXPECT_NEAR(x.torques[0].positions[i].max_pressure, y.torques[0].positions[i].max_pressure,
+                1e-5);
+  }
+}
+
+// The other hand is the mirror image by the plane of the axes turned end for end.
+TEST(LoadedContact, TheOtherHandIsMirrored) {
+  const Mesh right = mesh_of(15, 30);
+  Mesh left = mesh_of(-15, 30);
+  LoadRequest r = request_of();
+  r.torques = {2e5};
+  r.deflection_slope = 0.004;
+  const LoadedContact a = run(right, r);
+  r.deflection_slope = -0.004;
+  const LoadedContact b = run(left, r);
+  for (int i = 0; i < 8; ++i) {
+    const LoadedPosition& p = a.torques[0].positions[i];
+    const LoadedPosition& q = b.torques[0].positions[i];
+    EXPECT_NEAR(p.approach, q.approach, 1e-7 * p.approach) << i;
+    EXPECT_NEAR(p.max_pressure, q.max_pressure, 1e-5 * p.max_pressure) << i;
+  }
+}
+
+TEST(LoadedContact, TheOtherDriverLoadsTheOtherFlanks) {
+  Mesh m = mesh_of(15, 30);
+  LoadRequest r = request_of();
+  r.torques = {2e5};
+  const LoadedContact a = run(m, r);
+  m.mount.gear2_drives = true;
+  const LoadedContact b = run(m, r);
+  EXPECT_NEAR(a.torques[0].stiffness.mean, b.torques[0].stiffness.mean,
+              1e-3 * a.torques[0].stiffness.mean);
+  EXPECT_GT(b.torques[0].positions[0].te.rad(), 0.0);  // gear 2 pushes ahead
+  EXPECT_LT(a.torques[0].positions[0].te.rad(), 0.0);
+}
+
+// FE2D-ROOT: converged triangles, the load at the outer point of single contact: σ_F b m_n/F_t of
+// 25 equal teeth 2.797. The face of a real gear is free at its ends: the middle is plane.
+TEST(LoadedContact, RootStressAgreesWithTriangles) {
+  const double face = 180.0;
+  const Mesh m = mesh_of(0, face);
+  LoadRequest r = request_of();
+  r.accuracy = ComplianceAccuracy::full;
+  r.slices = 12;
+  r.positions = 96;
+  const double rb = m.one.base_radius();
+  r.torques = {100 * face * rb};
+  const LoadedContact answer = run(m, r);
+  const double tangential = 100 * std::cos(20 * M_PI / 180);  // N/mm at the reference circle
+  for (const double stress : answer.torques[0].max_root_stress)
+    EXPECT_NEAR(stress * 3.0 / tangential, 2.797, 0.04 * 2.797);
+}
+
+TEST(LoadedContact, ACornerCarriesWhenTheTorqueIsSmall) {
+  const Mesh m = mesh_of(0, 30);
+  LoadRequest r = request_of();
+  r.torques = {10.0, 1e5};
+  r.deflection_slope = 0.03;
+  const LoadedContact answer = run(m, r);
+  const auto carrying = [](const LoadedPosition& p) {
+    long n = 0;
+    for (const LoadedPair& k : p.pairs) n += (k.line_load.array() > 0.0).count();
+    return n;
+  };
+  EXPECT_LE(carrying(answer.torques[0].positions[0]), 2);
+  EXPECT_GT(carrying(answer.torques[1].positions[0]), 2);
+  EXPECT_GT(answer.torques[1].face_load_factor, 1.3);
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,102 @@
+#include "gearwright/rating/distribution.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Share χ of a misalignment that running-in takes, and its most at 5…10 and above 10 m/s.
+double running_in_of(const Material& m, double f, double v) {
+  using K = MaterialKind;
+  if (m.surface_hardened()) return std::min(0.15 * f, 6.0);
+  double share = 320.0 / m.sigma_Hlim;
+  double medium = 25600.0 / m.sigma_Hlim;
+  double fast = 12800.0 / m.sigma_Hlim;
+  if (m.kind == K::cast || m.kind == K::nodular_ferritic) {
+    share = 0.55;
+    medium = 45.0;
+    fast = 22.0;
+  }
+  return std::min({share * f, v > 10.0 ? fast : v > 5.0 ? medium : kInfinity, f});
+}
+
+// K' of the five arrangements of a pinion and its bearings, with and without stiffening, and the
+// s/l up to which the figure holds.
+struct Arrangement {
+  double stiff, loose, most;
+};
+constexpr std::array<Arrangement, 5> kArrangements{{{0.48, 0.80, 0.3},
+                                                    {-0.48, -0.80, 0.3},
+                                                    {1.33, 1.33, 0.5},
+                                                    {-0.36, -0.60, 0.3},
+                                                    {-0.60, -1.00, 0.3}}};
+
+}  // namespace
+
+double running_in_misalignment(const std::array<Material, 2>& materials, double f,
+                               double velocity) {
+  return (running_in_of(materials[0], f, velocity) + running_in_of(materials[1], f, velocity)) / 2;
+}
+
+FaceLoad face_load(const RatedPair& pair, const PinionMounting& mounting,
+                   const std::array<Material, 2>& materials, double mean_load, double c_gamma_beta,
+                   const std::array<double, 2>& f_Hbeta, double velocity) {
+  FaceLoad out;
+  const Arrangement& a = kArrangements[static_cast<std::size_t>(mounting.arrangement)];
+  out.offset_in_range = mounting.offset <= a.most * mounting.bearing_span;
+  const double d1 = pair.gears[0].reference_diameter;
+  const double b = pair.face_width;
+  const double k = mounting.stiffening ? a.stiff : a.loose;
+  const double lever = k * mounting.bearing_span * mounting.offset / (d1 * d1) *
+                       std::pow(d1 / mounting.shaft_diameter, 4);
+  const double f_sh = mean_load * 0.023 * (std::abs(1.0 + lever - 0.3) + 0.3) * (b / d1) * (b / d1);
+  const double f_ma = mounting.manufacture.value_or(std::hypot(f_Hbeta[0], f_Hbeta[1]));
+  const double least = std::max(0.005 * mean_load, 0.5 * std::max(f_Hbeta[0], f_Hbeta[1]));
+  const double f_x = 1.33 * f_sh + f_ma;
+  const double f_betax = std::max(f_x, least);
+  const double f_betay = f_betax - running_in_misalignment(materials, f_betax, velocity);
+  out.f_sh = Factor{f_sh, "ISO 6336-1, 7.5.3", mounting.stiffening ? "with stiffening" : "without"};
+  out.F_betax = Factor{f_betax, "ISO 6336-1, 7.5.2, (52)",
+                       f_x >= least ? "1.33 f_sh + f_ma" : "the least, F_βx min"};
+  out.F_betay = Factor{f_betay, "ISO 6336-1, 7.5.2", ""};
+  const double r = f_betay * c_gamma_beta / (2 * mean_load);
+  out.K_Hbeta = r >= 1.0 ? Factor{2 * std::sqrt(r), "ISO 6336-1, 7.5.1, (41)",
+                                  "part of the face bears: F_βy c_γβ/(2 F_m/b) ≥ 1"}
+                         : Factor{1.0 + r, "ISO 6336-1, 7.5.1, (43)",
+                                  "the whole face bears: F_βy c_γβ/(2 F_m/b) < 1"};
+  return out;
+}
+
+Factor face_load_root(const RatedPair& pair, double K_Hbeta) {
+  double slender = kInfinity;
+  for (const RatedGear& g : pair.gears) slender = std::min(slender, g.face_width / g.tooth_height);
+  const bool low = slender < 3.0;
+  if (low) slender = 3.0;
+  const double q = 1 / slender;
+  return {std::pow(K_Hbeta, 1 / (1 + q + q * q)), "ISO 6336-1, 7.6",
+          low ? "b/h < 3: taken as 3" : "b/h ≥ 3"};
+}
+
+TransverseLoad transverse_load(const RatedPair& pair, double c_gamma_alpha, double deviation,
+                               double load, double Z_epsilon) {
+  const double e = pair.epsilon_gamma();
+  const double q = c_gamma_alpha * deviation / load;
+  const bool low = e <= 2.0;
+  const double k = low ? e / 2 * (0.9 + 0.4 * q) : 0.9 + 0.4 * std::sqrt(2 * (e - 1) / e) * q;
+  const auto limited = [&](double most) {
+    if (k < 1.0) return Factor{1.0, "ISO 6336-1, 8.3", "below 1: taken as 1"};
+    if (k > most)
+      return Factor{std::max(1.0, most), "ISO 6336-1, 8.3", "all of the load on one pair of teeth"};
+    return Factor{k, "ISO 6336-1, 8.3", low ? "ε_γ ≤ 2" : "ε_γ > 2"};
+  };
+  return {limited(e / (pair.epsilon_alpha * Z_epsilon * Z_epsilon)),
+          limited(e / (0.25 * pair.epsilon_alpha + 0.75))};
+}
+
+}  // namespace gearwright

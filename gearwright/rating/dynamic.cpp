@@ -1,0 +1,133 @@
+#include "gearwright/rating/dynamic.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <numbers>
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kSlow = 5.0, kFast = 10.0;  // m/s, where a limit begins and where it tightens
+
+// Share of a deviation and the most that running-in takes, by speed.
+struct RunningIn {
+  double share, most_medium, most_fast;
+};
+
+RunningIn running_in_of(const Material& m) {
+  using K = MaterialKind;
+  switch (m.kind) {
+    case K::case_hardened:
+    case K::induction_hardened:
+    case K::nitrided:
+    case K::nitrocarburized: return {0.075, 3.0, 3.0};
+    case K::cast:
+    case K::nodular_ferritic: return {0.275, 22.0, 11.0};
+    case K::through_hardened:
+    case K::normalized:
+    case K::nodular:
+    case K::malleable:
+    case K::plastic: break;
+  }
+  return {160.0 / m.sigma_Hlim, 12800.0 / m.sigma_Hlim, 6400.0 / m.sigma_Hlim};
+}
+
+double running_in_of(const Material& m, double f, double v) {
+  const RunningIn r = running_in_of(m);
+  // Hardened flanks wear by 3 µm at any speed.
+  const double most = v > kFast              ? r.most_fast
+                      : v > kSlow            ? r.most_medium
+                      : m.surface_hardened() ? r.most_medium
+                                             : kInfinity;
+  return std::min({r.share * f, most, f});
+}
+
+// Constants of the four ranges. [ISO 6336-1, table 4]
+struct Constants {
+  double v1 = 0.32, v2, v3, v4, v5 = 0.47, v6, v7;
+};
+
+Constants constants(double e) {
+  Constants c{};
+  c.v1 = 0.32;
+  c.v5 = 0.47;
+  if (e <= 2.0) {
+    c.v2 = 0.34;
+    c.v3 = 0.23;
+    c.v4 = 0.90;
+    c.v6 = 0.47;
+  } else {
+    c.v2 = 0.57 / (e - 0.3);
+    c.v3 = 0.096 / (e - 1.56);
+    c.v4 = (0.57 - 0.05 * e) / (e - 1.44);
+    c.v6 = 0.12 / (e - 1.74);
+  }
+  c.v7 = e <= 1.5 ? 0.75 : e <= 2.5 ? 0.125 * std::sin(std::numbers::pi * (e - 2.0)) + 0.875 : 1.0;
+  return c;
+}
+
+}  // namespace
+
+double running_in(const std::array<Material, 2>& materials, double deviation, double velocity) {
+  return (running_in_of(materials[0], deviation, velocity) +
+          running_in_of(materials[1], deviation, velocity)) /
+         2;
+}
+
+double running_in_relief(const std::array<Material, 2>& materials) {
+  double sum = 0.0;
+  for (const Material& m : materials) {
+    const double s = m.sigma_Hlim / 97.0 - 18.45;
+    sum += s * s / 18.0 + 1.5;
+  }
+  return sum / 2;
+}
+
+double reduced_mass(const RatedPair& pair, const std::array<Material, 2>& materials) {
+  std::array<double, 2> m{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const RatedGear& g = pair.gears[i];
+    const double d_m = (g.tip_diameter + g.root_diameter) / 2;
+    const double outside = g.bore > 0.0 ? g.bore : g.root_diameter + 5 * pair.normal_module;
+    const double hole = g.internal() ? outside : g.bore;
+    const double rim = std::abs(std::pow(d_m, 4) - std::pow(hole, 4));
+    m[i] = std::numbers::pi / 8 * materials[i].density * rim / (g.base_diameter * g.base_diameter);
+  }
+  return m[0] * m[1] / (m[0] + m[1]);
+}
+
+Dynamic dynamic_factor(const DynamicInput& in) {
+  Dynamic d;
+  d.n_E1 = {30000.0 / (std::numbers::pi * in.teeth) * std::sqrt(in.c_gamma_alpha / in.reduced_mass),
+            "ISO 6336-1, 6.5.3, (6)", ""};
+  const double N = in.speed / d.n_E1.value;
+  d.N = {N, "ISO 6336-1, 6.5.3, (9)", ""};
+  const Constants c = constants(in.epsilon_gamma);
+  const double b_p = in.c_prime * in.pitch_error / in.specific_load;
+  const double b_f = in.c_prime * in.profile_error / in.specific_load;
+  const double b_k =
+      in.tip_relief ? std::abs(1.0 - in.c_prime * *in.tip_relief / in.specific_load) : 1.0;
+  const double n_s =
+      in.specific_load < 100.0 ? 0.5 + 0.35 * std::sqrt(in.specific_load / 100.0) : 0.85;
+  const auto at_resonance = [&] { return c.v1 * b_p + c.v2 * b_f + c.v4 * b_k + 1.0; };
+  const auto above = [&] { return c.v5 * b_p + c.v6 * b_f + c.v7; };
+  if (N <= n_s) {
+    d.K_v = {N * (c.v1 * b_p + c.v2 * b_f + c.v3 * b_k) + 1.0, "ISO 6336-1, 6.5.4, (13), (14)",
+             in.specific_load < 100.0 ? "subcritical, N ≤ N_S < 0.85" : "subcritical, N ≤ 0.85"};
+  } else if (N <= 1.15) {
+    d.K_v = {at_resonance(), "ISO 6336-1, 6.5.5, (20)", "main resonance, N_S < N ≤ 1.15"};
+  } else if (N < 1.5) {
+    const double end = above();
+    d.K_v = {end + (at_resonance() - end) * (1.5 - N) / 0.35, "ISO 6336-1, 6.5.7, (22)",
+             "intermediate, 1.15 < N < 1.5"};
+  } else {
+    d.K_v = {above(), "ISO 6336-1, 6.5.6, (21)", "supercritical, N ≥ 1.5"};
+  }
+  return d;
+}
+
+}  // namespace gearwright

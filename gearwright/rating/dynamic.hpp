@@ -1,0 +1,58 @@
+// Loads that the mesh makes itself: running-in, resonance and the dynamic factor, method B.
+//
+//   m_red    reduced mass of the pair per face width, kg/mm
+//   n_E1     resonance speed of the pinion, 1/min           N = n_1/n_E1
+//   f_pb, f_fα   base pitch and profile form deviation, y_p, y_f   what running-in takes, µm
+//   B_p, B_f, B_k   deviations and tip relief, in deflections of the loaded tooth
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "gearwright/rating/factor.hpp"
+#include "gearwright/rating/material.hpp"
+#include "gearwright/rating/rated_pair.hpp"
+
+namespace gearwright {
+
+/// What running-in takes of a deviation f, µm; with two materials the mean of theirs.
+///
+/// Formula   ISO 6336-1, 8.3.5, (75) and what follows it: by kind and pitch line velocity v
+double running_in(const std::array<Material, 2>& materials, double deviation, double velocity);
+
+/// Tip relief that running-in makes, C_ay, µm: mean of both materials.
+///
+/// Formula   ISO 6336-1, 6.5.4, (18)
+double running_in_relief(const std::array<Material, 2>& materials);
+
+/// Reduced mass of the mesh per millimetre of face, kg/mm.
+///
+/// Formula   [T11.4]; ISO 6336-1, 6.5.9, (30): rims between d_m = (d_a + d_f)/2 and their bore; an internal
+///           gear lies outside d_m, its rim is 2.5 modules where none is given
+double reduced_mass(const RatedPair& pair, const std::array<Material, 2>& materials);
+
+struct DynamicInput {
+  double speed = 0.0;                ///< n_1   1/min, of the pinion
+  double specific_load = 0.0;        ///< F_t K_A K_γ/b  N/mm
+  double c_prime = 0.0;              ///< c'    N/(mm µm)
+  double c_gamma_alpha = 0.0;        ///< c_γα  N/(mm µm)
+  double reduced_mass = 0.0;         ///< m_red kg/mm
+  double pitch_error = 0.0;          ///< f_pb − y_p  µm
+  double profile_error = 0.0;        ///< f_fα − y_f  µm
+  std::optional<double> tip_relief;  ///< C_a   µm; none: grade 6 and coarser, B_k = 1
+  double epsilon_gamma = 0.0;
+  int teeth = 0;  ///< z_1
+};
+
+struct Dynamic {
+  Factor n_E1;  ///< 1/min
+  Factor N;
+  Factor K_v;
+};
+
+/// Formula   [T11.5]…[T11.10]; ISO 6336-1, 6.5: (6), N_S, (13)…(17), (20)…(22)
+/// Laws      (1) K_v → 1 as the speed falls to 0   (2) continuous at N = 1.15 and 1.5
+/// Domain    ε_γ > 1 (beyond: the constants of ε_γ = 1)
+Dynamic dynamic_factor(const DynamicInput& in);
+
+}  // namespace gearwright

@@ -1,0 +1,27 @@
+// A number of a strength rating with what a reader needs to lay it beside another report: where in
+// the standard it stands, and which branch of the formula was taken.
+//
+// Text is never built here: both are words of the program, so that a factor costs no more than its
+// number and the search can take the same functions.
+#pragma once
+
+#include <array>
+
+namespace gearwright {
+
+/// Editions of ISO 6336-1, -2, -3. What the later one changed: docs/theory/11-rating.md.
+enum class RatingEdition { iso_2006, iso_2019 };
+
+struct Factor {
+  double value = 1.0;
+  const char* formula = "";  ///< "ISO 6336-3, clause 8"
+  const char* branch = "";   ///< "helical, ε_β ≥ 1"; empty: the formula has one form
+};
+
+/// Pinion and wheel, or gear 1 and gear 2.
+using FactorPair = std::array<Factor, 2>;
+
+inline constexpr const char* kGivenFactor = "given by the user";
+inline constexpr const char* kNotAsked = "not given: 1";
+
+}  // namespace gearwright

@@ -1,0 +1,244 @@
+// Branches of single factors, tried at both sides of where they change, and their printed values.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "gearwright/base/units.hpp"
+#include "gearwright/rating/testing/sample_pairs.hpp"
+
+namespace gearwright {
+namespace {
+
+constexpr double kStep = 1e-9;
+
+// ISO 1328-1:1995, grade 6, as the reports print them.
+TEST(Accuracy, PrintedTolerances) {
+  const RatedPair pair = testing::helical_24_95();
+  const auto of = [&](std::size_t i) {
+    return tolerances(RatingEdition::iso_2006, 6, pair.gears[i], 14, pair.alpha_t);
+  };
+  EXPECT_EQ(of(0).f_pt, 14);
+  EXPECT_EQ(of(1).f_pt, 17);
+  EXPECT_NEAR(of(0).f_pb, 13.10, 0.05);
+  EXPECT_NEAR(of(1).f_pb, 15.90, 0.05);
+  EXPECT_EQ(of(0).f_falpha, 18);
+  EXPECT_EQ(of(1).f_falpha, 22);
+  EXPECT_EQ(of(0).f_Hbeta, 18);
+  EXPECT_EQ(of(1).f_Hbeta, 19);
+}
+
+TEST(Accuracy, GradesGrowBySqrtTwo) {
+  const RatedPair pair = testing::helical_24_95();
+  for (const auto edition : {RatingEdition::iso_2006, RatingEdition::iso_2019}) {
+    double before = 0.0;
+    for (int grade = kBestGrade; grade <= kWorstGrade; ++grade) {
+      const double f = tolerances(edition, grade, pair.gears[0], 14, pair.alpha_t).f_pt;
+      EXPECT_GT(f, before);
+      before = f;
+    }
+  }
+}
+
+DynamicInput sample_speed(double N) {
+  DynamicInput d;
+  d.specific_load = 500;
+  d.c_prime = 14;
+  d.c_gamma_alpha = 20;
+  d.reduced_mass = 0.05;
+  d.pitch_error = 12;
+  d.profile_error = 15;
+  d.tip_relief = 20;
+  d.epsilon_gamma = 1.6;
+  d.teeth = 20;
+  d.speed = 1000;
+  d.speed = N / dynamic_factor(d).N.value * 1000;
+  return d;
+}
+
+TEST(DynamicFactor, RangesMeet) {
+  for (const double N : {1.15, 1.5}) {
+    const double below = dynamic_factor(sample_speed(N - kStep)).K_v.value;
+    const double above = dynamic_factor(sample_speed(N + kStep)).K_v.value;
+    EXPECT_NEAR(below, above, 1e-6) << N;
+  }
+  EXPECT_NEAR(dynamic_factor(sample_speed(1e-9)).K_v.value, 1.0, 1e-8);
+  // At 0.85 the standard jumps into its resonance.
+  EXPECT_GT(dynamic_factor(sample_speed(0.85 + 1e-6)).K_v.value,
+            dynamic_factor(sample_speed(0.85 - 1e-6)).K_v.value);
+}
+
+TEST(DynamicFactor, NamesItsRange) {
+  EXPECT_STREQ(dynamic_factor(sample_speed(0.5)).K_v.branch, "subcritical, N ≤ 0.85");
+  EXPECT_STREQ(dynamic_factor(sample_speed(1.0)).K_v.branch, "main resonance, N_S < N ≤ 1.15");
+  EXPECT_STREQ(dynamic_factor(sample_speed(1.3)).K_v.branch, "intermediate, 1.15 < N < 1.5");
+  EXPECT_STREQ(dynamic_factor(sample_speed(2.0)).K_v.branch, "supercritical, N ≥ 1.5");
+}
+
+// A light load meets its resonance earlier, N_S = 0.5 + 0.35 √(F_t K_A/(100 b)).
+TEST(DynamicFactor, LightLoadsResonateEarlier) {
+  DynamicInput d = sample_speed(0.8);
+  EXPECT_STREQ(dynamic_factor(d).K_v.branch, "subcritical, N ≤ 0.85");
+  d.specific_load = 36;
+  EXPECT_STREQ(dynamic_factor(d).K_v.branch, "main resonance, N_S < N ≤ 1.15");
+}
+
+TEST(RunningIn, ByKindAndSpeed) {
+  const Material eh = testing::case_hardened();
+  Material v = eh;
+  v.kind = MaterialKind::through_hardened;
+  v.sigma_Hlim = 700;
+  EXPECT_NEAR(running_in({eh, eh}, 15.9, 20), 1.1925, 1e-12);
+  EXPECT_NEAR(running_in({eh, v}, 20.7, 4.88), 3.142, 5e-4);  // printed
+  EXPECT_NEAR(running_in({eh, v}, 27.0, 4.88), 4.098, 5e-4);  // printed
+  EXPECT_EQ(running_in({eh, eh}, 100, 1), 3.0);
+  EXPECT_NEAR(running_in({v, v}, 100, 7), 12800.0 / 700, 1e-12);
+  EXPECT_NEAR(running_in({v, v}, 100, 12), 6400.0 / 700, 1e-12);
+}
+
+TEST(TransverseLoad, BranchesMeetAtTwo) {
+  RatedPair pair = testing::helical_24_95();
+  const auto at = [&](double e) {
+    pair.epsilon_beta = e - pair.epsilon_alpha;
+    return transverse_load(pair, 20, 30, 500, 0.8).K_Halpha.value;
+  };
+  EXPECT_NEAR(at(2 - kStep), at(2 + kStep), 1e-8);
+}
+
+TEST(TransverseLoad, StaysBetweenOneAndAllOnOnePair) {
+  const RatedPair pair = testing::helical_24_95();
+  const auto t = transverse_load(pair, 20, 500, 100, 0.827);
+  EXPECT_NEAR(t.K_Halpha.value, pair.epsilon_gamma() / (pair.epsilon_alpha * 0.827 * 0.827), 1e-12);
+  EXPECT_NEAR(t.K_Falpha.value, pair.epsilon_gamma() / (0.25 * pair.epsilon_alpha + 0.75), 1e-12);
+  EXPECT_EQ(transverse_load(pair, 20, 0, 1000, 0.827).K_Halpha.value, 1.0);
+}
+
+TEST(FaceLoad, BranchesMeetWhereTheWholeFaceBears) {
+  const RatedPair pair = testing::helical_24_95();
+  PinionMounting m;
+  m.bearing_span = 800;
+  m.offset = 100;
+  m.shaft_diameter = 250;
+  m.manufacture = 0.0;
+  const std::array materials{testing::case_hardened(), testing::case_hardened()};
+  const auto at = [&](double f_ma, double load) {
+    m.manufacture = f_ma;
+    return face_load(pair, m, materials, load, 16, {18, 19}, 20).K_Hbeta.value;
+  };
+  double before = 0.0;
+  for (double f = 0; f < 400; f += 0.5) {
+    const double k = at(f, 300);
+    EXPECT_GE(k, before);
+    if (before > 0.0) {
+      EXPECT_LT(k - before, 0.05);
+    }
+    before = k;
+  }
+  EXPECT_GT(before, 2.0);
+}
+
+TEST(ContactRatioFactor, BranchesMeetAtOneOverlap) {
+  RatedPair pair = testing::helical_24_95();
+  pair.epsilon_beta = 1 - kStep;
+  const double z = contact_ratio_factor(pair).value;
+  const double m = single_contact_factors(pair)[0].value;
+  pair.epsilon_beta = 1 + kStep;
+  EXPECT_NEAR(z, contact_ratio_factor(pair).value, 1e-8);
+  EXPECT_NEAR(m, single_contact_factors(pair)[0].value, 1e-8);
+}
+
+TEST(FormFactor, LoadShareOfTheLaterEditionMeetsAtOneOverlap) {
+  RatedPair pair = testing::helical_24_95();
+  const auto at = [&](double overlap) {
+    pair.epsilon_beta = overlap;
+    const auto s = critical_section(pair, pair.gears[0]);
+    return form_factor(RatingEdition::iso_2019, pair, *s).value;
+  };
+  EXPECT_NEAR(at(1 - kStep), at(1 + kStep), 1e-8);
+}
+
+TEST(Life, LinesAreContinuousAndFall) {
+  for (int k = 0; k <= static_cast<int>(MaterialKind::plastic); ++k) {
+    const auto kind = static_cast<MaterialKind>(k);
+    for (const bool some : {false, true}) {
+      double flank = 10, root = 10;
+      for (double lg = 2; lg < 11; lg += 1e-3) {
+        const double n = std::pow(10.0, lg);
+        const double z = flank_life(kind, n, {.limited_pitting = some}).factor.value;
+        const double y = root_life(kind, n, {.limited_pitting = some}).factor.value;
+        EXPECT_LE(z, flank + 1e-12);
+        EXPECT_LE(y, root + 1e-12);
+        if (flank < 10) {
+          EXPECT_LT(flank - z, 2e-3);
+          EXPECT_LT(root - y, 2e-3);
+        }
+        flank = z;
+        root = y;
+      }
+    }
+  }
+}
+
+TEST(Life, PrintedValues) {
+  using K = MaterialKind;
+  EXPECT_NEAR(flank_life(K::case_hardened, 1.08e9).factor.value, 0.910, 5e-4);
+  EXPECT_NEAR(flank_life(K::case_hardened, 1.783e8).factor.value, 0.962, 5e-4);
+  EXPECT_NEAR(flank_life(K::case_hardened, 7782.3e6).factor.value, 0.857, 5e-4);
+  EXPECT_NEAR(flank_life(K::through_hardened, 1506.3e6).factor.value, 0.901, 5e-4);
+  EXPECT_NEAR(root_life(K::case_hardened, 7782.3e6).factor.value, 0.854, 5e-4);
+  EXPECT_NEAR(root_life(K::case_hardened, 1297.1e6).factor.value, 0.886, 5e-4);
+  EXPECT_NEAR(root_life(K::through_hardened, 1506.3e6).factor.value, 0.883, 5e-4);
+}
+
+// σ_HG of a limited life lies on the straight line between static and reference stress.
+TEST(Life, OtherFactorsCountByTheSameLine) {
+  const Life a = flank_life(MaterialKind::case_hardened, 1e5);
+  const Life b = flank_life(MaterialKind::case_hardened, 5e7);
+  EXPECT_EQ(a.reference, 0.0);
+  EXPECT_EQ(b.reference, 1.0);
+  const double middle = std::sqrt(1e5 * 5e7);
+  const Life m = flank_life(MaterialKind::case_hardened, middle);
+  EXPECT_NEAR(m.reference, 0.5, 1e-12);
+  EXPECT_NEAR(m.factor.value, std::sqrt(1.6), 1e-12);
+}
+
+TEST(RimFactor, ThinRims) {
+  const RatedPair pair = testing::helical_24_95();
+  const RatedGear& g = pair.gears[0];
+  const double h = g.tooth_height;
+  EXPECT_EQ(rim_factor(g, 14, std::nullopt).value, 1.0);
+  EXPECT_EQ(rim_factor(g, 14, 1.2 * h).value, 1.0);
+  EXPECT_NEAR(rim_factor(g, 14, (1.2 - kStep) * h).value, 1.0, 1e-3);
+  EXPECT_GT(rim_factor(g, 14, 0.6 * h).value, 2.0);
+  RatedGear ring = g;
+  ring.teeth = -95;
+  EXPECT_NEAR(rim_factor(ring, 14, (3.5 - kStep) * 14).value, 1.0, 4e-3);
+}
+
+TEST(DeepToothFactor, Branches) {
+  RatedPair pair = testing::helical_24_95();
+  const double c = std::cos(pair.beta_b);
+  const auto at = [&](double e_n, int grade) {
+    pair.epsilon_alpha = e_n * c * c;
+    return deep_tooth_factor(pair, grade).value;
+  };
+  EXPECT_EQ(at(2.4, 5), 1.0);
+  EXPECT_EQ(at(2.0, 4), 1.0);
+  EXPECT_NEAR(at(2.05 + kStep, 4), 1.0, 1e-3);  // 1.0007: the standard's digits
+  EXPECT_NEAR(at(2.5 - kStep, 4), 0.7, 2e-3);   // 0.701
+  EXPECT_EQ(at(2.6, 4), 0.7);
+}
+
+TEST(Materials, TableHasItsReports) {
+  const Material eh = testing::case_hardened();
+  EXPECT_EQ(eh.sigma_Hlim, 1500);
+  EXPECT_EQ(eh.sigma_Flim, 430);
+  const Material v = *material_named("34CrNiMo6", 240 / 0.95);
+  EXPECT_NEAR(v.sigma_Hlim, 700, 7);  // printed 700
+  EXPECT_NEAR(v.sigma_Flim, 290, 5);  // printed 290
+  EXPECT_FALSE(material_named("42CrMo4", 1000).has_value());
+  for (const NamedMaterial& row : named_materials())
+    EXPECT_TRUE(material_named(row.name).has_value()) << row.name;
+}
+
+}  // namespace
+}  // namespace gearwright

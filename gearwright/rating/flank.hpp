@@ -1,0 +1,47 @@
+// The flank's factors: ISO 6336-2, surface durability.
+//
+//   σ_H0 = Z_H Z_E Z_ε Z_β √(F_t (u + 1)/(d_1 b u))      σ_H = Z_B,D σ_H0 √(K_A K_γ K_v K_Hβ K_Hα)
+//   σ_HG = σ_Hlim Z_NT Z_L Z_v Z_R Z_W Z_X               S_H = σ_HG/σ_H
+//
+// Each factor is a function of its own inputs alone. theory: docs/theory/11-rating.md
+#pragma once
+
+#include <optional>
+
+#include "gearwright/rating/factor.hpp"
+#include "gearwright/rating/life.hpp"
+#include "gearwright/rating/material.hpp"
+#include "gearwright/rating/rated_pair.hpp"
+
+namespace gearwright {
+
+Factor zone_factor(const RatedPair& pair);  ///< Z_H [T11.17]
+/// Z_B of the pinion, Z_D of the wheel (1 of an internal gear). [T11.18]
+FactorPair single_contact_factors(const RatedPair& pair);
+Factor elasticity_factor(const std::array<Material, 2>& materials);  ///< Z_E  √(N/mm²) [T11.19]
+Factor contact_ratio_factor(const RatedPair& pair);                  ///< Z_ε [T11.20]
+Factor flank_helix_factor(const RatedPair& pair);                    ///< Z_β [T11.21]
+
+/// Radius of relative curvature at the pitch point, ρ_red, mm.
+double pitch_curvature(const RatedPair& pair);
+
+/// What the film of oil depends on; the lower σ_Hlim of the two materials sets its constants.
+struct Film {
+  double sigma_Hlim = 0.0;                  ///< N/mm²
+  std::optional<double> viscosity;          ///< ν_40  mm²/s
+  std::optional<double> velocity;           ///< v     m/s
+  std::optional<std::array<double, 2>> Rz;  ///< of the flanks, µm, pinion and wheel
+};
+
+// At the reference number of cycles; at a limited life they count with Life::reference as exponent.
+Factor lubricant_factor(const Film& film);                         ///< Z_L [T11.23]
+Factor velocity_factor(const Film& film);                          ///< Z_v [T11.24]
+Factor roughness_factor(const RatedPair& pair, const Film& film);  ///< Z_R [T11.25]
+/// Z_W of each gear: above 1 only of a softer one. [T11.26]
+FactorPair work_hardening_factors(const RatedPair& pair, const std::array<Material, 2>& materials,
+                                  const Film& film);
+
+/// Nominal contact stress σ_H0, N/mm² [T11.16], of the tangential force F_t in N.
+double nominal_contact_stress(const RatedPair& pair, double tangential_force, double Z);
+
+}  // namespace gearwright

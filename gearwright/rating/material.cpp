@@ -1,0 +1,124 @@
+#include "gearwright/rating/material.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace gearwright {
+
+namespace {
+
+constexpr std::array<std::string_view, 11> kWords{
+    "case_hardened",    "through_hardened", "normalized", "induction_hardened",
+    "nitrided",         "nitrocarburized",  "cast",       "nodular",
+    "nodular_ferritic", "malleable",        "plastic"};
+
+constexpr std::array<std::string_view, 11> kLetters{"Eh",
+                                                    "V",
+                                                    "St",
+                                                    "IF",
+                                                    "NT, NV (nitr.)",
+                                                    "NV (nitrocar.)",
+                                                    "GG",
+                                                    "GGG (perl., bai.)",
+                                                    "GGG (ferr.)",
+                                                    "GTS (perl.)",
+                                                    "plastic"};
+
+// σ = A x + B of quality MQ, x the hardness in HV, or in HB where `brinell`.
+struct Line {
+  MaterialKind kind;
+  double flank_a, flank_b, root_a, root_b;
+  double lo, hi;  // of x
+  bool brinell;
+};
+
+using K = MaterialKind;
+
+constexpr std::array<Line, 7> kLines{{
+    {K::case_hardened, 0.0, 1500.0, 0.0, 430.0, 600, 800, false},
+    {K::through_hardened, 1.313, 373.0, 0.425, 187.0, 200, 390, false},  // alloyed, wrought
+    {K::normalized, 1.0, 190.0, 0.455, 69.0, 110, 210, true},
+    {K::induction_hardened, 0.541, 882.0, 0.138, 290.0, 500, 615, false},
+    {K::nitrided, 0.0, 1250.0, 0.0, 420.0, 650, 900, false},  // nitriding steel
+    {K::cast, 1.033, 132.0, 0.256, 8.0, 150, 240, true},
+    {K::nodular, 1.434, 211.0, 0.350, 119.0, 175, 300, true},
+}};
+
+constexpr std::string_view kCase = "case-hardened, core at least 25 HRC";
+constexpr std::string_view kTempered = "quenched and tempered";
+
+constexpr std::array<NamedMaterial, 21> kTable{{
+    {"18CrNiMo7-6", K::case_hardened, 720, 850.0, kCase},
+    {"17CrNiMo6", K::case_hardened, 720, 850.0, "the older name of 18CrNiMo7-6"},
+    {"16MnCr5", K::case_hardened, 720, std::nullopt, kCase},
+    {"20MnCr5", K::case_hardened, 720, std::nullopt, kCase},
+    {"20MnCrS5", K::case_hardened, 720, std::nullopt, kCase},
+    {"20CrMo5", K::case_hardened, 720, std::nullopt, kCase},
+    {"15CrNi6", K::case_hardened, 720, std::nullopt, kCase},
+    {"20NiCrMo2-2", K::case_hardened, 720, std::nullopt, kCase},
+    {"14NiCrMo13-4", K::case_hardened, 720, std::nullopt, kCase},
+    {"34CrNiMo6", K::through_hardened, 310, std::nullopt, kTempered},
+    {"42CrMo4", K::through_hardened, 290, std::nullopt, kTempered},
+    {"34CrMo4", K::through_hardened, 270, std::nullopt, kTempered},
+    {"30CrNiMo8", K::through_hardened, 320, std::nullopt, kTempered},
+    {"C45N", K::normalized, 200, std::nullopt, "normalized"},
+    {"S355", K::normalized, 170, std::nullopt, "structural steel"},
+    {"42CrMo4 induction", K::induction_hardened, 560, std::nullopt, "flank and root hardened"},
+    {"31CrMoV9", K::nitrided, 750, std::nullopt, "gas nitrided"},
+    {"34CrAlNi7-10", K::nitrided, 850, std::nullopt, "gas nitrided"},
+    {"EN-GJL-250", K::cast, 220, std::nullopt, "grey cast iron"},
+    {"EN-GJS-600-3", K::nodular, 240, std::nullopt, "nodular cast iron, pearlitic"},
+    {"EN-GJS-700-2", K::nodular, 270, std::nullopt, "nodular cast iron, pearlitic"},
+}};
+
+constexpr double kBrinellOfVickers = 0.95;
+
+// Of the kinds whose stiffness is not that of steel.
+void set_elastic(Material& m) {
+  if (m.kind == K::cast) {
+    m.youngs_modulus = 126000.0;
+    m.density = 7.3e-6;
+  } else if (m.kind == K::nodular || m.kind == K::nodular_ferritic) {
+    m.youngs_modulus = 173000.0;
+    m.density = 7.3e-6;
+  }
+}
+
+}  // namespace
+
+std::span<const std::string_view> material_kind_words() { return kWords; }
+
+std::string_view material_letters(MaterialKind kind) {
+  return kLetters[static_cast<std::size_t>(kind)];
+}
+
+std::span<const NamedMaterial> named_materials() { return kTable; }
+
+std::optional<Limits> limits_of(MaterialKind kind, double hardness_HV) {
+  const auto line =
+      std::find_if(kLines.begin(), kLines.end(), [&](const Line& l) { return l.kind == kind; });
+  if (line == kLines.end()) return std::nullopt;
+  const double x = line->brinell ? kBrinellOfVickers * hardness_HV : hardness_HV;
+  if (x < line->lo || x > line->hi) return std::nullopt;
+  return Limits{line->flank_a * x + line->flank_b, line->root_a * x + line->root_b};
+}
+
+std::optional<Material> material_named(std::string_view name, std::optional<double> hardness_HV) {
+  const auto row = std::find_if(kTable.begin(), kTable.end(),
+                                [&](const NamedMaterial& m) { return m.name == name; });
+  if (row == kTable.end()) return std::nullopt;
+  Material m;
+  m.name = std::string(name);
+  m.kind = row->kind;
+  m.hardness_HV = hardness_HV.value_or(row->hardness_HV);
+  m.yield_strength = row->yield_strength;
+  m.from_table = true;
+  const auto limits = limits_of(m.kind, *m.hardness_HV);
+  if (!limits) return std::nullopt;
+  m.sigma_Hlim = limits->sigma_Hlim;
+  m.sigma_Flim = limits->sigma_Flim;
+  set_elastic(m);
+  return m;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,104 @@
+#include "gearwright/rating/rated_pair.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+namespace gearwright {
+
+namespace {
+
+// Of an internal gear whose drawing names no cutter gear/ring_cutter.hpp has chosen one without
+// shift; a cutter of the drawing has the shift that its own reference data say.
+RootTool root_tool(const Gear& gear) {
+  const StraightRack& rack = gear.spec.straight_rack();
+  RootTool tool;
+  tool.addendum = rack.addendum;
+  tool.dedendum = rack.dedendum;
+  tool.fillet =
+      std::min(rack.root_fillet_radius, full_radius(rack, gear.spec.normal_pressure_angle));
+  tool.protuberance = rack.protuberance;
+  if (!gear.cut_by) return tool;
+  // What a pinion cutter reached stands in the root diameter, what shift it had in its distance:
+  // inv α_0 = inv α_t + 2 (x + x_0) tan α_n/(z + z_0).
+  const ReferenceGeometry<double>& r = gear.reference();
+  const double m = gear.spec.normal_module;
+  const double side = gear.internal() ? -1.0 : 1.0;
+  tool.dedendum =
+      side * (r.reference_diameter - gear.root_diameter) / (2 * m) + r.generating_profile_shift;
+  tool.cutter_teeth = gear.cut_by->cutter_teeth;
+  if (gear.cut_by->by_default) return tool;
+  const double sum = gear.spec.teeth + tool.cutter_teeth;
+  const double alpha_t = r.transverse_pressure_angle;
+  const double alpha_0 = std::acos(std::min(
+      1.0, r.transverse_module * std::abs(sum) / 2 * std::cos(alpha_t) / gear.cut_by->distance));
+  tool.cutter_shift = (involute(alpha_0) - involute(alpha_t)) * sum /
+                          (2 * std::tan(gear.spec.normal_pressure_angle.rad())) -
+                      r.generating_profile_shift;
+  return tool;
+}
+
+RatedGear rated_gear(const Gear& gear, double bore, double beta, double beta_b) {
+  const ReferenceGeometry<double>& reference = gear.reference();
+  RatedGear g;
+  g.teeth = gear.spec.teeth;
+  g.reference_diameter = reference.reference_diameter;
+  g.base_diameter = reference.base_diameter;
+  g.tip_diameter = 2 * gear.tip_form_radius();
+  g.root_diameter = gear.root_diameter;
+  g.tooth_height = std::abs(gear.tip_diameter - gear.root_diameter) / 2;
+  g.profile_shift = gear.spec.profile_shift;
+  g.generating_shift = reference.generating_profile_shift;
+  g.virtual_teeth = virtual_teeth(g.teeth, beta, beta_b);
+  g.face_width = gear.spec.face_width;
+  g.bore = bore;
+  g.tool = root_tool(gear);
+  return g;
+}
+
+}  // namespace
+
+double virtual_teeth(int teeth, double beta, double beta_b) {
+  const double c = std::cos(beta_b);
+  return teeth / (c * c * std::cos(beta));
+}
+
+double RatedPair::epsilon_alpha_n() const {
+  const double c = std::cos(beta_b);
+  return epsilon_alpha / (c * c);
+}
+
+Result<RatedPair> rated_pair(const InvolutePair& pair, std::array<double, 2> bore) {
+  if (pair.crossed())
+    return Error{"pair.shaft_angle", "", "ISO 6336 rates gears on parallel axes, these cross"};
+  if (!pair.flanks_meet()) {
+    return Error{"pair.center_distance", "",
+                 "the flanks do not meet: there is no load to rate; a smaller distance or longer "
+                 "tips would help"};
+  }
+  RatedPair r;
+  const Gear& first = pair.gears[0];
+  const Gear& second = pair.gears[1];
+  r.exchanged = !second.internal() && second.spec.teeth < first.spec.teeth;
+  r.normal_module = first.spec.normal_module;
+  r.alpha_n = first.spec.normal_pressure_angle.rad();
+  r.beta = std::abs(first.spec.helix_angle.rad());
+  r.alpha_t = first.reference().transverse_pressure_angle;
+  r.beta_b = std::abs(first.reference().base_helix_angle);
+  r.center_distance = pair.center_distance;
+  const double sum = second.internal() ? second.base_radius() - first.base_radius()
+                                       : first.base_radius() + second.base_radius();
+  r.alpha_wt = std::acos(std::min(1.0, sum / pair.center_distance));
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::size_t from = r.exchanged ? 1 - i : i;
+    r.gears[i] = rated_gear(pair.gears[from], bore[from], r.beta, r.beta_b);
+  }
+  r.u = static_cast<double>(r.gears[1].teeth) / r.gears[0].teeth;
+  r.face_width = std::min(first.spec.face_width, second.spec.face_width);
+  r.epsilon_alpha = pair.mesh.true_ratio;
+  r.epsilon_beta = r.face_width * std::sin(r.beta) / (std::numbers::pi * r.normal_module);
+  return r;
+}
+
+}  // namespace gearwright

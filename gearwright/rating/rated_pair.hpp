@@ -1,0 +1,79 @@
+// What ISO 6336 takes of a pair of involute gears on parallel axes: numbers, the pinion first.
+//
+//   z, m_n, α_n, β     as on the drawing; z < 0 internal, β without its hand
+//   α_t, α_wt, β_b     transverse, working and base angles, rad
+//   d, d_b, d_a, d_f   diameters, positive, mm          x, x_E   shift, and as it was cut
+//   ε_α, ε_β           transverse contact ratio and overlap ratio       u = z2/z1, |u| ≥ 1
+//   ε_αn, z_n          of the virtual spur gear in the normal section   theory: docs/theory/11-rating.md
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "gearwright/base/result.hpp"
+#include "gearwright/pair/involute_pair.hpp"
+
+namespace gearwright {
+
+/// The tool's numbers that the root depends on, in normal modules.
+struct RootTool {
+  double addendum = 1.0;      ///< h_aP*   of the gear
+  double dedendum = 1.25;     ///< h_fP*
+  double fillet = 0.38;       ///< ρ_fP*
+  double protuberance = 0.0;  ///< s_pr*   what it leaves of undercut at the root
+  int cutter_teeth = 0;       ///< z_0     of a pinion cutter; 0: a rack
+  double cutter_shift = 0.0;  ///< x_0
+};
+
+struct RatedGear {
+  int teeth = 0;                    ///< z, negative if internal
+  double reference_diameter = 0.0;  ///< d    mm
+  double base_diameter = 0.0;       ///< d_b  mm
+  double tip_diameter = 0.0;        ///< d_Na mm, where the flank ends
+  double root_diameter = 0.0;       ///< d_f  mm
+  double tooth_height = 0.0;        ///< h    mm, root to tip
+  double profile_shift = 0.0;       ///< x
+  double generating_shift = 0.0;    ///< x_E
+  double virtual_teeth = 0.0;       ///< z_n, signed
+  double face_width = 0.0;          ///< b    mm
+  double bore = 0.0;                ///< d_i  mm, of a ring its outside; 0: none
+  RootTool tool;
+
+  bool internal() const { return teeth < 0; }
+};
+
+struct RatedPair {
+  std::array<RatedGear, 2> gears;  ///< pinion, wheel
+  bool exchanged = false;          ///< the pinion is gear 2 of the spec
+  double normal_module = 0.0;      ///< m_n   mm
+  double alpha_n = 0.0;            ///< rad, as all angles here
+  double beta = 0.0;               ///< ≥ 0
+  double alpha_t = 0.0;
+  double alpha_wt = 0.0;
+  double beta_b = 0.0;
+  double center_distance = 0.0;  ///< a     mm
+  double u = 0.0;                ///< z2/z1, negative for an internal pair
+  double face_width = 0.0;       ///< b     mm, the lesser
+  double epsilon_alpha = 0.0;
+  double epsilon_beta = 0.0;
+
+  bool internal() const { return gears[1].internal(); }
+  bool spur() const { return beta == 0.0; }
+  double epsilon_gamma() const { return epsilon_alpha + epsilon_beta; }
+  double epsilon_alpha_n() const;
+  /// The place in `gears` of gear 1 or 2 of the spec.
+  std::size_t place(int which) const { return static_cast<std::size_t>((which == 1) == exchanged); }
+};
+
+/// z_n = z/(cos² β_b cos β), of either edition.
+///
+/// Formula   ISO 6336-3, 6.2; confirmed to six digits by ISO/TR 6336-30, example 1
+double virtual_teeth(int teeth, double beta, double beta_b);
+
+/// The numbers of a mounted pair, `bore` of gear 1 and gear 2 in mm (0: none).
+///
+/// Errors    `pair.shaft_angle` on crossed axes, `pair.center_distance` where the flanks do not meet,
+///           `gear1.rack` of gears whose root no straight rack describes
+Result<RatedPair> rated_pair(const InvolutePair& pair, std::array<double, 2> bore = {});
+
+}  // namespace gearwright

@@ -1,0 +1,294 @@
+#include "gearwright/rating/rating.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/base/units.hpp"
+#include "gearwright/gear/gear_field.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kMinutesPerHour = 60.0;
+constexpr double kReversed = 0.7;  // of the root's strength that bends both ways
+
+Factor given(double value) { return {value, "", kGivenFactor}; }
+
+// The pinion's numbers and the wheel's, of a list by gears of the spec; the same call turns back.
+template <class T>
+std::array<T, 2> turned(const RatedPair& pair, const std::array<T, 2>& list) {
+  return pair.exchanged ? std::array<T, 2>{list[1], list[0]} : list;
+}
+
+// Everything by pinion and wheel.
+struct Rater {
+  const RatedPair& pair;
+  const RatingInput& in;
+  std::array<Material, 2> materials;
+  Rating r{};
+  double pinion_speed = 0.0, velocity = 0.0;
+  std::array<std::optional<double>, 2> cycles{};
+  std::array<Tolerances, 2> tolerance{};  // where the quality is given
+
+  Rater(const RatedPair& p, const RatingInput& i)
+      : pair(p), in(i), materials(turned(p, i.materials)) {}
+
+  void load();
+  std::optional<Error> dynamics();
+  std::optional<Error> distribution();
+  void flank();
+  std::optional<Error> root();
+  void check_limits();
+};
+
+void Rater::load() {
+  const RatedGear& driven_by = pair.gears[pair.place(1)];
+  r.edition = in.edition;
+  r.F_t = {2000 * in.torque / driven_by.reference_diameter, "ISO 6336-1, 4.2, (1)", ""};
+  r.K_A = {in.application_factor, "ISO 6336-1, clause 5", kGivenFactor};
+  r.K_gamma = {in.mesh_load_factor, "ISO 6336-1, 4.2",
+               in.mesh_load_factor == 1.0 ? "one mesh" : kGivenFactor};
+  if (!in.speed) return;
+  pinion_speed = *in.speed * std::abs(driven_by.teeth / static_cast<double>(pair.gears[0].teeth));
+  velocity = std::numbers::pi * driven_by.reference_diameter * *in.speed / 60.0 / kMmPerM;
+  r.v = Factor{velocity, "ISO 6336-1, 4.2", ""};
+  if (!in.life_h) return;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double turns = std::abs(pair.gears[0].teeth / static_cast<double>(pair.gears[i].teeth));
+    cycles[i] = kMinutesPerHour * *in.life_h * pinion_speed * turns;
+    r.N_L[i] = Factor{*cycles[i], "ISO 6336-2, clause 10", ""};
+  }
+}
+
+std::optional<Error> Rater::dynamics() {
+  const double line = r.F_t.value * in.application_factor * in.mesh_load_factor / pair.face_width;
+  const double e1 = materials[0].youngs_modulus;
+  const double e2 = materials[1].youngs_modulus;
+  constexpr double kSteel = 206000.0;
+  r.stiffness = mesh_stiffness(pair, line, 2 * e1 * e2 / (e1 + e2) / kSteel, in.body);
+  if (in.quality) {
+    const auto grade = turned(pair, *in.quality);
+    for (std::size_t i = 0; i < 2; ++i)
+      tolerance[i] =
+          tolerances(in.edition, grade[i], pair.gears[i], pair.normal_module, pair.alpha_t);
+    r.tolerance = tolerance;
+  }
+  if (in.dynamic_factor) r.K_v = given(*in.dynamic_factor);
+  if (!in.quality && (!in.dynamic_factor || !in.transverse_load_factor)) {
+    return Error{"rating.quality", "",
+                 "is missing; the accuracy grades of ISO 1328, 0 to 12, say how far the teeth are "
+                 "off, for K_v and K_Hα: give them, or both factors"};
+  }
+  if (!in.speed && !in.dynamic_factor) {
+    return Error{"rating.speed", "",
+                 "is missing; the dynamic factor needs it: give the speed, or the factor itself"};
+  }
+  DynamicInput d;
+  d.reduced_mass = reduced_mass(pair, materials);
+  d.c_gamma_alpha = r.stiffness.c_gamma_alpha.value;
+  d.teeth = pair.gears[0].teeth;
+  d.speed = pinion_speed;
+  d.specific_load = line;
+  d.c_prime = r.stiffness.c_prime.value;
+  d.epsilon_gamma = pair.epsilon_gamma();
+  if (in.quality) {
+    const double f_pb = std::max(tolerance[0].f_pb, tolerance[1].f_pb);
+    const double f_fa = std::max(tolerance[0].f_falpha, tolerance[1].f_falpha);
+    d.pitch_error = f_pb - running_in(materials, f_pb, velocity);
+    d.profile_error = f_fa - running_in(materials, f_fa, velocity);
+    const int worst = std::max((*in.quality)[0], (*in.quality)[1]);
+    if (worst <= 5) d.tip_relief = in.tip_relief.value_or(running_in_relief(materials));
+  }
+  const Dynamic made = dynamic_factor(d);
+  r.m_red = Factor{d.reduced_mass, "ISO 6336-1, 6.5.9, (30)", ""};
+  r.n_E1 = made.n_E1;
+  if (in.speed) r.N = made.N;
+  if (!in.dynamic_factor) r.K_v = made.K_v;
+  return std::nullopt;
+}
+
+std::optional<Error> Rater::distribution() {
+  const double mean =
+      r.F_t.value * in.application_factor * in.mesh_load_factor * r.K_v.value / pair.face_width;
+  if (in.face_load_factor) {
+    r.face.K_Hbeta = given(*in.face_load_factor);
+  } else if (in.mounting) {
+    if (!in.quality && !in.mounting->manufacture) {
+      return Error{"rating.quality", "",
+                   "is missing; the face load factor takes the helix slopes from it: give the "
+                   "accuracy grades of ISO 1328, or the misalignment"};
+    }
+    r.face = face_load(pair, *in.mounting, materials, mean, r.stiffness.c_gamma_beta.value,
+                       {tolerance[0].f_Hbeta, tolerance[1].f_Hbeta}, velocity);
+  } else {
+    return Error{"rating.face_load_factor", "",
+                 "is missing; give it, or how the pinion is mounted, `mounting`"};
+  }
+  const double K_Hbeta = r.face.K_Hbeta.value;
+  r.K_Fbeta =
+      in.face_load_factor_root ? given(*in.face_load_factor_root) : face_load_root(pair, K_Hbeta);
+  r.Z_epsilon = contact_ratio_factor(pair);
+  if (in.quality) {
+    const double f_pb = std::max(tolerance[0].f_pb, tolerance[1].f_pb);
+    const double f_fa = std::max(tolerance[0].f_falpha, tolerance[1].f_falpha);
+    const double rest = std::max(f_pb, f_fa) - running_in(materials, f_pb, velocity);
+    const TransverseLoad t = transverse_load(pair, r.stiffness.c_gamma_alpha.value, rest,
+                                             mean * K_Hbeta, r.Z_epsilon.value);
+    r.K_Halpha = t.K_Halpha;
+    r.K_Falpha = t.K_Falpha;
+  }
+  if (in.transverse_load_factor) {
+    r.K_Halpha = given(*in.transverse_load_factor);
+    if (!in.quality) r.K_Falpha = r.K_Halpha;
+  }
+  if (in.transverse_load_factor_root) r.K_Falpha = given(*in.transverse_load_factor_root);
+  return std::nullopt;
+}
+
+void Rater::flank() {
+  Film film;
+  film.sigma_Hlim = std::min(materials[0].sigma_Hlim, materials[1].sigma_Hlim);
+  film.viscosity = in.viscosity;
+  if (in.speed) film.velocity = velocity;
+  if (in.flank_roughness) film.Rz = turned(pair, *in.flank_roughness);
+  r.Z_H = zone_factor(pair);
+  r.Z_B = single_contact_factors(pair);
+  r.Z_E = elasticity_factor(materials);
+  r.Z_beta = flank_helix_factor(pair);
+  r.Z_L = lubricant_factor(film);
+  r.Z_v = velocity_factor(film);
+  r.Z_R = roughness_factor(pair, film);
+  r.Z_W = work_hardening_factors(pair, materials, film);
+  const double z = r.Z_H.value * r.Z_E.value * r.Z_epsilon.value * r.Z_beta.value;
+  r.sigma_H0 = {nominal_contact_stress(pair, r.F_t.value, z), "ISO 6336-2, 5.2", ""};
+  const double k =
+      r.K_A.value * r.K_gamma.value * r.K_v.value * r.face.K_Hbeta.value * r.K_Halpha.value;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Life life = flank_life(materials[i].kind, cycles[i], in.life);
+    const auto at_N = [&](Factor f) {
+      f.value = std::pow(f.value, life.reference);
+      return f;
+    };
+    r.Z_NT[i] = life.factor;
+    r.Z_L_at_N[i] = at_N(r.Z_L);
+    r.Z_v_at_N[i] = at_N(r.Z_v);
+    r.Z_R_at_N[i] = at_N(r.Z_R);
+    r.Z_W[i] = at_N(r.Z_W[i]);
+    r.Z_X[i] = {1.0, "ISO 6336-2, clause 14", "1"};
+    r.sigma_H[i] = {r.Z_B[i].value * r.sigma_H0.value * std::sqrt(k), "ISO 6336-2, 5.2", ""};
+    r.sigma_HG[i] = {materials[i].sigma_Hlim * r.Z_NT[i].value * r.Z_L_at_N[i].value *
+                         r.Z_v_at_N[i].value * r.Z_R_at_N[i].value * r.Z_W[i].value *
+                         r.Z_X[i].value,
+                     "ISO 6336-2, 5.4", ""};
+    r.S_H[i] = {r.sigma_HG[i].value / r.sigma_H[i].value, "ISO 6336-2, 5.1", ""};
+  }
+}
+
+std::optional<Error> Rater::root() {
+  const double k = r.K_A.value * r.K_gamma.value * r.K_v.value * r.K_Fbeta.value * r.K_Falpha.value;
+  const auto rim = turned(pair, in.rim);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const RatedGear& g = pair.gears[i];
+    const Material& m = materials[i];
+    const auto section = critical_section(pair, g);
+    if (!section) {
+      return Error{gear_field(pair.place(1) == i ? 1 : 2, "rack"), "",
+                   "leaves a root that no tangent at 30° (internal: 60°) touches: the standard has "
+                   "no form factor for it"};
+    }
+    r.section[i] = *section;
+    const Life life = root_life(m.kind, cycles[i], in.life);
+    const auto at_N = [&](Factor f) {
+      f.value = std::pow(f.value, life.reference);
+      return f;
+    };
+    std::optional<double> Rz;
+    if (in.root_roughness) Rz = turned(pair, *in.root_roughness)[i];
+    std::optional<int> grade;
+    if (in.quality) grade = std::max((*in.quality)[0], (*in.quality)[1]);
+    r.Y_F[i] = form_factor(in.edition, pair, *section);
+    r.Y_S[i] = stress_correction_factor(*section);
+    r.Y_beta[i] = root_helix_factor(in.edition, pair);
+    r.Y_B[i] = rim_factor(g, pair.normal_module, rim[i]);
+    r.Y_DT[i] = deep_tooth_factor(pair, grade);
+    r.Y_ST[i] = {2.0, "ISO 6336-3, clause 5", "of the reference test gears"};
+    r.Y_M[i] = {in.reversed ? kReversed : 1.0, "ISO 6336-3, annex B",
+                in.reversed ? "bending both ways" : "bending one way"};
+    r.Y_NT[i] = life.factor;
+    r.Y_delta_relT[i] = at_N(notch_sensitivity_factor(m, *section));
+    r.Y_R_relT[i] = at_N(surface_factor(m, Rz));
+    r.Y_X[i] = at_N(root_size_factor(m, pair.normal_module));
+    // A wider gear bears with one module more at each end than the common face has.
+    const double b = std::min(g.face_width, pair.face_width + 2 * pair.normal_module);
+    r.sigma_F0[i] = {r.F_t.value / (b * pair.normal_module) * r.Y_F[i].value * r.Y_S[i].value *
+                         r.Y_beta[i].value * r.Y_B[i].value * r.Y_DT[i].value,
+                     "ISO 6336-3, 5.2", ""};
+    r.sigma_F[i] = {r.sigma_F0[i].value * k, "ISO 6336-3, 5.2", ""};
+    r.sigma_FG[i] = {m.sigma_Flim * r.Y_ST[i].value * r.Y_M[i].value * r.Y_NT[i].value *
+                         r.Y_delta_relT[i].value * r.Y_R_relT[i].value * r.Y_X[i].value,
+                     "ISO 6336-3, 5.3", ""};
+    r.S_F[i] = {r.sigma_FG[i].value / r.sigma_F[i].value, "ISO 6336-3, 5.1", ""};
+  }
+  return std::nullopt;
+}
+
+void Rater::check_limits() {
+  const auto say = [&](bool bad, const char* code, const char* text, int gear = 0) {
+    if (bad) r.limits.push_back({code, text, gear});
+  };
+  say(!(pair.epsilon_alpha > 1.0 && pair.epsilon_alpha < 2.5), "rating_contact_ratio",
+      "ISO 6336 is stated for a transverse contact ratio between 1 and 2.5; this one is outside.");
+  say(pair.beta > 30 * kRadPerDeg, "rating_helix_angle",
+      "ISO 6336 is confirmed up to a helix angle of 30°; this one is steeper.");
+  say(pair.alpha_n < 15 * kRadPerDeg || pair.alpha_n > 25 * kRadPerDeg, "rating_pressure_angle",
+      "ISO 6336 is confirmed for normal pressure angles of 15° to 25°; this one is outside.");
+  say(!r.stiffness.in_range, "rating_stiffness",
+      "The formula of the tooth stiffness c' is stated for x1 ≥ x2 and −0.5 ≤ x1 + x2 ≤ 2; these "
+      "shifts are outside.");
+  say(r.N && r.N->value > 0.85 && r.N->value <= 1.15 && !in.dynamic_factor, "rating_resonance",
+      "The pinion runs in the main resonance of the mesh, 0.85 < N ≤ 1.15; ISO 6336-1 asks for a "
+      "closer analysis there.");
+  say(!r.face.offset_in_range, "rating_mounting",
+      "The offset s of the pinion is greater than the mounting's figure allows.");
+  for (const int which : {1, 2}) {
+    const std::size_t i = pair.place(which);
+    const double q = r.section[i].q_s;
+    say(!(q >= 1.0 && q < 8.0), "rating_notch",
+        "The stress correction Y_S is stated for 1 ≤ q_s < 8; this fillet is outside.", which);
+    const auto rim = in.rim[static_cast<std::size_t>(which - 1)];
+    const RatedGear& g = pair.gears[i];
+    const bool thin =
+        rim && (g.internal() ? *rim <= 1.75 * pair.normal_module : *rim <= 0.5 * g.tooth_height);
+    say(thin, "rating_rim", "The rim is thinner than the rim factor Y_B is stated for.", which);
+  }
+}
+
+}  // namespace
+
+Result<Rating> rate(const RatedPair& pair, const RatingInput& input) {
+  GW_EXPECTS(input.torque > 0.0);
+  Rater rater(pair, input);
+  rater.load();
+  if (auto error = rater.dynamics()) return *error;
+  if (auto error = rater.distribution()) return *error;
+  rater.flank();
+  if (auto error = rater.root()) return *error;
+  rater.check_limits();
+  Rating r = std::move(rater.r);
+  if (!pair.exchanged) return r;
+  for (FactorPair* list :
+       {&r.Z_B,      &r.Z_NT,     &r.Z_L_at_N, &r.Z_v_at_N, &r.Z_R_at_N,     &r.Z_W,      &r.Z_X,
+        &r.sigma_H,  &r.sigma_HG, &r.S_H,      &r.Y_F,      &r.Y_S,          &r.Y_beta,   &r.Y_B,
+        &r.Y_DT,     &r.Y_ST,     &r.Y_M,      &r.Y_NT,     &r.Y_delta_relT, &r.Y_R_relT, &r.Y_X,
+        &r.sigma_F0, &r.sigma_F,  &r.sigma_FG, &r.S_F})
+    std::swap((*list)[0], (*list)[1]);
+  std::swap(r.section[0], r.section[1]);
+  std::swap(r.N_L[0], r.N_L[1]);
+  if (r.tolerance) std::swap((*r.tolerance)[0], (*r.tolerance)[1]);
+  return r;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,86 @@
+// Strength of a pair by ISO 6336, method B: every factor, stresses, safeties.
+//
+//   const auto pair = rated_pair(mounted);
+//   const auto r = rate(*pair, {.torque = 40953, .speed = 1165.9, .materials = {steel, steel}});
+//   if (r) use(r->S_F[0].value, r->S_F[0].formula);
+//
+// Lists of two are gear 1 and gear 2 of the spec, whichever of them is the pinion. What the standard
+// asks and nobody gives counts as 1, and its branch says so. Scuffing and micropitting
+// (ISO/TS 6336-20, -21, -22) are not here.                   theory: docs/theory/11-rating.md
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "gearwright/rating/accuracy.hpp"
+#include "gearwright/rating/distribution.hpp"
+#include "gearwright/rating/dynamic.hpp"
+#include "gearwright/rating/flank.hpp"
+#include "gearwright/rating/root.hpp"
+#include "gearwright/rating/stiffness.hpp"
+
+namespace gearwright {
+
+struct RatingInput {
+  RatingEdition edition = RatingEdition::iso_2006;
+  double torque = 0.0;                        ///< T_1  N m, on gear 1
+  std::optional<double> speed;                ///< n_1  1/min, of gear 1
+  double application_factor = 1.0;            ///< K_A
+  double mesh_load_factor = 1.0;              ///< K_γ  of power that is shared between meshes
+  std::optional<double> life_h;               ///< L_h  h
+  bool reversed = false;                      ///< the teeth bend both ways, as an idler's
+  std::optional<double> viscosity;            ///< ν_40 mm²/s
+  std::optional<std::array<int, 2>> quality;  ///< Q of ISO 1328-1
+  std::optional<std::array<double, 2>> flank_roughness, root_roughness;  ///< Rz  µm
+  std::optional<double> tip_relief;                                      ///< C_a  µm
+  // Factors that the engineer gives himself.
+  std::optional<double> dynamic_factor;               ///< K_v
+  std::optional<double> face_load_factor;             ///< K_Hβ
+  std::optional<double> face_load_factor_root;        ///< K_Fβ
+  std::optional<double> transverse_load_factor;       ///< K_Hα
+  std::optional<double> transverse_load_factor_root;  ///< K_Fα
+  std::optional<PinionMounting> mounting;
+  std::optional<RatedBody> body;
+  std::array<std::optional<double>, 2> rim{};  ///< s_R  mm
+  LifeChoice life;
+  std::array<Material, 2> materials;
+};
+
+/// A limit of the standard that this pair passes.
+struct RatingLimit {
+  const char* code;  ///< of a warning
+  const char* text;  ///< "the transverse contact ratio is not between 1 and 2.5"
+  int gear = 0;
+};
+
+struct Rating {
+  RatingEdition edition = RatingEdition::iso_2006;
+  Factor F_t;               ///< N
+  std::optional<Factor> v;  ///< m/s
+  std::array<std::optional<Factor>, 2> N_L;
+  std::optional<std::array<Tolerances, 2>> tolerance;  ///< µm, where the quality is given
+  Factor K_A, K_gamma, K_v;
+  std::optional<Factor> m_red, n_E1, N;
+  FaceLoad face;
+  Factor K_Fbeta, K_Halpha, K_Falpha;
+  Stiffness stiffness;
+  Factor Z_H, Z_E, Z_epsilon, Z_beta, Z_L, Z_v, Z_R;
+  FactorPair Z_B, Z_NT, Z_L_at_N, Z_v_at_N, Z_R_at_N, Z_W, Z_X;  ///< Z_B of one, Z_D of the other
+  Factor sigma_H0;
+  FactorPair sigma_H, sigma_HG, S_H;
+  std::array<CriticalSection, 2> section;
+  FactorPair Y_F, Y_S, Y_beta, Y_B, Y_DT, Y_ST, Y_M, Y_NT, Y_delta_relT, Y_R_relT, Y_X;
+  FactorPair sigma_F0, sigma_F, sigma_FG, S_F;
+  std::vector<RatingLimit> limits;
+};
+
+/// Formula   [T11.1], [T11.22], [T11.40]
+/// Errors    `rating.speed` where K_v or the lives need it, `rating.quality`, `rating.face_load_factor`
+///           where neither it nor a mounting is given, `gearN.rack` where no tangent touches the root
+/// Laws      (1) σ_F0 ∝ T, σ_H0 ∝ √T    (2) lengths times k and torque times k³: the same stresses
+///           (3) gear 1 and gear 2 exchanged, with torque and speed of the other: the same numbers
+/// Domain    torque > 0 (contract)
+Result<Rating> rate(const RatedPair& pair, const RatingInput& input);
+
+}  // namespace gearwright

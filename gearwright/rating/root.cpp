@@ -1,0 +1,234 @@
+#include "gearwright/rating/root.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "gearwright/base/units.hpp"
+#include "gearwright/math/involute.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+// ρ_fPv*: the rack's rounding that leaves what a pinion cutter does. [ISO 6336-3, 6.2]
+double virtual_fillet(const RootTool& tool) {
+  if (tool.cutter_teeth == 0) return tool.fillet;
+  const double reach = tool.cutter_shift + tool.dedendum - tool.fillet;
+  return tool.fillet +
+         std::pow(std::max(0.0, reach), 1.95) / (3.156 * std::pow(1.036, tool.cutter_teeth));
+}
+
+// θ = 2 G tan θ/z_n − H, by Newton's method.
+std::optional<double> tangent_angle(double G, double z_n, double H, double start) {
+  constexpr int kMost = 60;
+  constexpr double kSame = 1e-14;
+  double theta = start;
+  for (int i = 0; i < kMost; ++i) {
+    const double c = std::cos(theta);
+    const double f = theta - 2 * G / z_n * std::tan(theta) + H;
+    const double slope = 1 - 2 * G / (z_n * c * c);
+    const double step = f / slope;
+    theta -= step;
+    if (!std::isfinite(theta) || std::abs(theta) >= kPi / 2) return std::nullopt;
+    if (std::abs(step) <= kSame) return theta;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<CriticalSection> critical_section(const RatedPair& pair, const RatedGear& gear) {
+  const bool internal = gear.internal();
+  const double m = pair.normal_module;
+  const double z_n = gear.virtual_teeth;
+  const double x = gear.generating_shift;
+  const double sin_a = std::sin(pair.alpha_n);
+  const double cos_a = std::cos(pair.alpha_n);
+  const double tan_a = std::tan(pair.alpha_n);
+  const double fillet = internal ? virtual_fillet(gear.tool) : gear.tool.fillet;
+  const double E = kPi / 4 - gear.tool.dedendum * tan_a + gear.tool.protuberance / cos_a -
+                   (1 - sin_a) * fillet / cos_a;
+  const double G = fillet - gear.tool.dedendum + x;
+  const double T = internal ? kPi / 6 : kPi / 3;
+  const double H = 2 / z_n * (kPi / 2 - E) - T;
+  const auto theta = tangent_angle(G, z_n, H, internal ? kPi / 3 : kPi / 6);
+  if (!theta) return std::nullopt;
+  const double c = std::cos(*theta);
+  const double arm = G / c - fillet;
+  CriticalSection s{};
+  s.theta = *theta;
+  s.s_Fn = m * (z_n * std::sin(T - *theta) + (internal ? 1.0 : std::numbers::sqrt3) * arm);
+  s.rho_F = m * (fillet + 2 * G * G / (c * (std::abs(z_n) * c * c - 2 * G)));
+  // The outer point of single pair contact, one pitch from where contact begins.
+  const double side = internal ? -1.0 : 1.0;
+  const double d_n = m * z_n;
+  const double d_bn = d_n * cos_a;
+  const double d_an = d_n + side * (gear.tip_diameter - gear.reference_diameter);
+  const double back = side * kPi * m * cos_a * std::max(0.0, pair.epsilon_alpha_n() - 1);
+  const double roll = std::sqrt(std::max(0.0, d_an * d_an - d_bn * d_bn)) / 2 - back;
+  s.d_en = side * 2 * std::hypot(roll, d_bn / 2);
+  const double alpha_en = std::acos(std::clamp(d_bn / s.d_en, -1.0, 1.0));
+  const double gamma =
+      (kPi / 2 + 2 * x * tan_a) / z_n + involute(pair.alpha_n) - involute(alpha_en);
+  s.alpha_Fen = alpha_en - gamma;
+  s.h_F = m / 2 *
+          ((std::cos(gamma) - std::sin(gamma) * std::tan(s.alpha_Fen)) * s.d_en / m -
+           z_n * std::cos(T - *theta) - (internal ? std::numbers::sqrt3 : 1.0) * arm);
+  s.q_s = s.s_Fn / (2 * s.rho_F);
+  if (!(s.s_Fn > 0.0) || !(s.rho_F > 0.0) || !(s.h_F > 0.0)) return std::nullopt;
+  return s;
+}
+
+Factor form_factor(RatingEdition edition, const RatedPair& pair, const CriticalSection& s) {
+  const double m = pair.normal_module;
+  const double chord = s.s_Fn / m;
+  const double y = 6 * s.h_F / m * std::cos(s.alpha_Fen) / (chord * chord * std::cos(pair.alpha_n));
+  constexpr const char* formula = "ISO 6336-3, clause 6";
+  if (edition == RatingEdition::iso_2006) return {y, formula, ""};
+  const double b = pair.epsilon_beta;
+  const double e = pair.epsilon_alpha_n();
+  if (pair.spur())
+    return {e >= 2.0 ? 0.7 * y : y, formula, e >= 2.0 ? "f_ε = 0.7: ε_αn ≥ 2" : "f_ε = 1: spur"};
+  if (b >= 1.0) return {y / std::sqrt(e), formula, "f_ε = ε_αn^−0.5: ε_β ≥ 1"};
+  if (e < 2.0)
+    return {y * std::sqrt(1 - b + b / e), formula, "f_ε = √(1 − ε_β + ε_β/ε_αn): ε_β < 1"};
+  return {y * std::sqrt((1 - b) / 2 + b / e), formula,
+          "f_ε = √((1 − ε_β)/2 + ε_β/ε_αn): ε_β < 1, ε_αn ≥ 2"};
+}
+
+Factor stress_correction_factor(const CriticalSection& s) {
+  const double L = s.s_Fn / s.h_F;
+  return {(1.2 + 0.13 * L) * std::pow(s.q_s, 1 / (1.21 + 2.3 / L)), "ISO 6336-3, clause 7",
+          s.q_s >= 1.0 && s.q_s < 8.0 ? "1 ≤ q_s < 8" : "q_s outside 1 … 8"};
+}
+
+Factor root_helix_factor(RatingEdition edition, const RatedPair& pair) {
+  const double overlap = std::min(1.0, pair.epsilon_beta);
+  const double beta = std::min(30.0, pair.beta / kRadPerDeg);
+  double y = 1 - overlap * beta / 120;
+  if (edition == RatingEdition::iso_2019) {
+    const double c = std::cos(beta * kRadPerDeg);
+    y /= c * c * c;
+  }
+  return {y, "ISO 6336-3, clause 8",
+          pair.spur()               ? "spur"
+          : pair.epsilon_beta > 1.0 ? "ε_β > 1: taken as 1"
+                                    : "ε_β ≤ 1"};
+}
+
+Factor rim_factor(const RatedGear& gear, double normal_module, std::optional<double> rim) {
+  constexpr const char* formula = "ISO 6336-3, clause 9";
+  if (!rim) return {1.0, formula, "no rim given: thick"};
+  if (gear.internal()) {
+    const double s = *rim / normal_module;
+    if (s >= 3.5) return {1.0, formula, "internal, s_R/m_n ≥ 3.5"};
+    return {1.15 * std::log(8.324 / s), formula, "internal, s_R/m_n < 3.5"};
+  }
+  const double s = *rim / gear.tooth_height;
+  if (s >= 1.2) return {1.0, formula, "external, s_R/h ≥ 1.2"};
+  return {1.6 * std::log(2.242 / s), formula, "external, s_R/h < 1.2"};
+}
+
+Factor deep_tooth_factor(const RatedPair& pair, std::optional<int> grade) {
+  constexpr const char* formula = "ISO 6336-3, clause 10";
+  const double e = pair.epsilon_alpha_n();
+  if (!grade || *grade > 4 || e <= 2.05)
+    return {1.0, formula, e <= 2.05 ? "ε_αn ≤ 2.05" : "coarser than grade 4"};
+  if (e > 2.5) return {0.7, formula, "grade 4 or better, ε_αn > 2.5"};
+  return {2.366 - 0.666 * e, formula, "grade 4 or better, 2.05 < ε_αn ≤ 2.5"};
+}
+
+Factor notch_sensitivity_factor(const Material& material, const CriticalSection& s) {
+  constexpr const char* formula = "ISO 6336-3, 13.3";
+  struct Layer {
+    double strength, thickness;  // N/mm², mm
+  };
+  using K = MaterialKind;
+  double rho = 0.0030;
+  const char* branch = "hardened: ρ' = 0.0030 mm";
+  const auto on_line = [&](const auto& line) {
+    const double re =
+        std::clamp(*material.yield_strength, line.front().strength, line.back().strength);
+    std::size_t i = 1;
+    while (i + 1 < line.size() && re > line[i].strength) ++i;
+    const double share = (re - line[i - 1].strength) / (line[i].strength - line[i - 1].strength);
+    // The layer thins by powers of ten: between two lines its logarithm is straight.
+    return line[i - 1].thickness * std::pow(line[i].thickness / line[i - 1].thickness, share);
+  };
+  constexpr std::array kTempered{Layer{500, 0.0281}, Layer{600, 0.0194}, Layer{800, 0.0064},
+                                 Layer{1000, 0.0014}};
+  constexpr std::array kSoft{Layer{300, 0.0833}, Layer{400, 0.0445}};
+  switch (material.kind) {
+    case K::case_hardened:
+    case K::induction_hardened: break;
+    case K::nitrided:
+    case K::nitrocarburized:
+      rho = 0.1005;
+      branch = "nitrided: ρ' = 0.1005 mm";
+      break;
+    case K::cast:
+      rho = 0.3124;
+      branch = "grey cast iron: ρ' = 0.3124 mm";
+      break;
+    case K::nodular_ferritic:
+      rho = 0.3095;
+      branch = "ferritic nodular iron: ρ' = 0.3095 mm";
+      break;
+    case K::normalized:
+      if (!material.yield_strength) return {1.0, formula, "no yield strength given: 1"};
+      rho = on_line(kSoft);
+      branch = "ρ' by yield strength, 300 … 400 N/mm²";
+      break;
+    default:
+      if (!material.yield_strength) return {1.0, formula, "no yield strength given: 1"};
+      rho = on_line(kTempered);
+      branch = "ρ' by yield strength, 500 … 1000 N/mm²";
+  }
+  const double x = (1 + 2 * s.q_s) / 5;
+  constexpr double kTest = 1.2;  // q_sT = 2.5
+  return {(1 + std::sqrt(rho * x)) / (1 + std::sqrt(rho * kTest)), formula, branch};
+}
+
+Factor surface_factor(const Material& material, std::optional<double> Rz) {
+  constexpr const char* formula = "ISO 6336-3, 14.3";
+  if (!Rz) return {1.0, formula, kNotAsked};
+  using K = MaterialKind;
+  const bool fine = *Rz < 1.0;
+  const double r = std::min(*Rz, 40.0) + 1;
+  switch (material.kind) {
+    case K::normalized:
+      return fine ? Factor{1.07, formula, "normalized, Rz < 1 µm"}
+                  : Factor{5.306 - 4.203 * std::pow(r, 0.01), formula, "normalized"};
+    case K::cast:
+    case K::nodular_ferritic:
+    case K::nitrided:
+    case K::nitrocarburized:
+      return fine ? Factor{1.025, formula, "cast or nitrided, Rz < 1 µm"}
+                  : Factor{4.299 - 3.259 * std::pow(r, 0.0058), formula, "cast or nitrided"};
+    default:
+      return fine ? Factor{1.12, formula, "hardened or tempered, Rz < 1 µm"}
+                  : Factor{1.674 - 0.529 * std::pow(r, 0.1), formula, "hardened or tempered"};
+  }
+}
+
+Factor root_size_factor(const Material& material, double normal_module) {
+  constexpr const char* formula = "ISO 6336-3, clause 15";
+  using K = MaterialKind;
+  const double m = normal_module;
+  if (m <= 5.0) return {1.0, formula, "m_n ≤ 5 mm"};
+  switch (material.kind) {
+    case K::cast:
+    case K::nodular_ferritic: return {1.075 - 0.015 * std::min(m, 25.0), formula, "cast iron"};
+    case K::case_hardened:
+    case K::induction_hardened:
+    case K::nitrided:
+    case K::nitrocarburized: return {1.05 - 0.01 * std::min(m, 25.0), formula, "surface-hardened"};
+    default: return {1.03 - 0.006 * std::min(m, 30.0), formula, "tempered or normalized"};
+  }
+}
+
+}  // namespace gearwright

@@ -1,0 +1,36 @@
+// A load spectrum: how much of its life each step of the load takes, and the safety of the whole.
+//
+//   n_i   cycles of step i        N_i(σ)  cycles that the material bears at the stress σ
+//   U     damage Σ n_i/N_i, 1 at failure (Miner)
+//
+// ISO 6336-6: every step is rated with its own load factors, K_A = 1, for the spectrum says what
+// K_A guesses. The safety is the factor on all stresses at which the damage is 1. A stress below the
+// material's line at 10¹⁰ cycles does no damage, one above its static strength breaks at once.
+#pragma once
+
+#include <vector>
+
+#include "gearwright/rating/rating.hpp"
+
+namespace gearwright {
+
+struct LoadBin {
+  double torque = 0.0;  ///< N m, on gear 1
+  double speed = 0.0;   ///< 1/min, of gear 1
+  double hours = 0.0;   ///< h
+};
+
+struct SpectrumRating {
+  std::array<double, 2> damage_flank, damage_root;  ///< U of gear 1 and gear 2, infinity: breaks
+  std::array<double, 2> S_H, S_F;
+};
+
+/// Formula   [T11.42]; ISO 6336-6, Miner's rule
+/// Errors    as rate
+/// Domain    at least one step, torques, speeds and hours > 0 (contract)
+/// Laws      (1) one step of the whole life: the safety of the plain rating with K_A = 1
+///           (2) steps cut in two change nothing   (3) U ≤ 1 where S ≥ 1
+Result<SpectrumRating> rate_spectrum(const RatedPair& pair, const RatingInput& input,
+                                     const std::vector<LoadBin>& spectrum);
+
+}  // namespace gearwright

@@ -1,0 +1,37 @@
+// How stiff the mesh is: ISO 6336-1, clause 9, method B.
+//
+//   q'       flexibility of a pair of teeth per face width, (mm µm)/N        c'_th = 1/q'
+//   c'       the same with gear bodies and rack      c_γα, c_γβ   of the mesh, N/(mm µm)
+//   C_M      correction of theory by measurement: 0.8
+//   C_R      gear body      C_B   basic rack          E/E_St   material
+#pragma once
+
+#include <optional>
+
+#include "gearwright/rating/factor.hpp"
+#include "gearwright/rating/rated_pair.hpp"
+
+namespace gearwright {
+
+/// A rim on a web instead of a solid disc.
+struct RatedBody {
+  double web_share = 1.0;    ///< b_s/b, 0.2 … 1.2
+  double rim_modules = 5.0;  ///< s_R/m_n, ≥ 1
+};
+
+struct Stiffness {
+  Factor c_th;           ///< c'_th  N/(mm µm)
+  Factor c_prime;        ///< c'
+  Factor c_gamma_alpha;  ///< c_γα
+  Factor c_gamma_beta;   ///< c_γβ
+  double C_R, C_B;
+  bool in_range;  ///< x_1 ≥ x_2 and −0.5 ≤ x_1 + x_2 ≤ 2, for which the standard's q' is stated
+};
+
+/// `specific_load` is F_t K_A/b in N/mm: below 100 the teeth are softer; `elasticity` is E/E_St.
+///
+/// Formula   [T11.2], [T11.3]; ISO 6336-1, clause 9; q' with z_n = z/(cos² β_b cos β), of a ring 1/z_n2 = 0
+Stiffness mesh_stiffness(const RatedPair& pair, double specific_load, double elasticity,
+                         const std::optional<RatedBody>& body);
+
+}  // namespace gearwright

@@ -1,0 +1,51 @@
+#include "gearwright/report/rating_section.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "gearwright/report/html_text.hpp"
+#include "gearwright/report/table_builder.hpp"
+
+namespace gearwright {
+
+namespace {
+
+std::string finding(const Rating& r) {
+  const auto least = [](const FactorPair& f) {
+    return fmt::format("{} (gear {})", fixed(std::min(f[0].value, f[1].value), 2),
+                       f[0].value <= f[1].value ? 1 : 2);
+  };
+  return fmt::format(
+      "Least safety against root breakage {}, against pitting {}. A table’s values are those of "
+      "the "
+      "standard’s reference: allowable stress numbers are to be checked against the material’s "
+      "papers.",
+      least(r.S_F), least(r.S_H));
+}
+
+std::string table(const RatingView& view) {
+  TableBuilder t("Strength, as rated", {"Gear 1", "Gear 2", "Place in the standard, branch"});
+  const auto& said = rating_quantities();
+  for (const TextGroup& group : text_groups(said.table(), {said.of(view)}, kPage)) {
+    t.group(group.title.empty() ? "Standard" : group.title);
+    for (const TextRow& row : group.rows) {
+      t.row(capitalised(row.said->words), row.said->symbol, unit_text(row.said->unit),
+            {row.texts.front(), row.texts.size() > 1 ? row.texts.back() : std::string(),
+             source_text(view.rating, row.said->key)});
+    }
+  }
+  return t.str();
+}
+
+}  // namespace
+
+std::string rating_section(const RatingView& view) {
+  return fmt::format(
+      "<section class=\"rating\">\n<h2>Strength</h2>\n<p>Rated by {}, method B. Scuffing and "
+      "micropitting are not rated.</p>\n<p><strong>{}</strong></p>\n{}</section>\n",
+      view.rating.edition == RatingEdition::iso_2006 ? "ISO 6336:2006" : "ISO 6336:2019",
+      finding(view.rating), table(view));
+}
+
+}  // namespace gearwright

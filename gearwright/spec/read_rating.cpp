@@ -1,0 +1,130 @@
+#include "gearwright/spec/read_rating.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+namespace gearwright {
+
+namespace {
+
+// One number stands for both gears.
+std::optional<std::array<double, 2>> both(TableReader& t, const std::string& key) {
+  const auto list = t.numbers(key);
+  if (!list) return std::nullopt;
+  for (const double v : *list) t.check(key, v);
+  return std::array{list->front(), list->back()};
+}
+
+PinionMounting read_mounting(const Json& node) {
+  TableReader t(rating_mounting_keys(), node, "rating.mounting");
+  PinionMounting m;
+  t.read(m);
+  t.finish();
+  if (2 * m.offset >= m.bearing_span && m.arrangement != PinionArrangement::c)
+    t.fail("pinion_offset_mm",
+           fmt::format("must be less than half of the bearing span {} mm; an overhung pinion is "
+                       "arrangement = \"c\"",
+                       spoken(m.bearing_span)));
+  return m;
+}
+
+std::vector<LoadBin> read_spectrum(TableReader& rating) {
+  std::vector<LoadBin> spectrum;
+  const Json* list = rating.any("spectrum");
+  if (!list) return spectrum;
+  if (!list->is_array() || list->empty() || list->size() > kMaxLoadBins) {
+    rating.fail("spectrum", fmt::format("must be a list of 1 to {} tables, one for each step, "
+                                        "[[rating.spectrum]]",
+                                        kMaxLoadBins));
+  }
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const std::string name = fmt::format("{}[{}]", rating.name("spectrum"), i + 1);
+    if (!(*list)[i].is_object()) rating.fail("spectrum", "must be a list of tables");
+    TableReader t(load_bin_keys(), (*list)[i], name);
+    LoadBin bin;
+    t.read(bin);
+    t.finish();
+    spectrum.push_back(bin);
+  }
+  return spectrum;
+}
+
+}  // namespace
+
+RatingTable read_rating(const Json& node) {
+  TableReader t(rating_keys(), node, "rating");
+  RatingTable r;
+  r.given = true;
+  t.read(r);
+  RatingInput& in = r.input;
+  if (const auto q = both(t, "quality")) {
+    for (const double grade : *q)
+      if (grade != std::floor(grade))
+        t.fail("quality", "must be whole numbers, grades of ISO 1328-1");
+    in.quality = {static_cast<int>((*q)[0]), static_cast<int>((*q)[1])};
+  }
+  in.flank_roughness = both(t, "flank_roughness_um");
+  in.root_roughness = both(t, "root_roughness_um");
+  if (const auto rim = both(t, "rim_thickness_mm")) {
+    in.rim = {(*rim)[0], (*rim)[1]};
+    r.rim_thickness = std::min((*rim)[0], (*rim)[1]);
+  }
+  if (const Json* mounting = t.table("mounting")) {
+    in.mounting = read_mounting(*mounting);
+    if (in.face_load_factor)
+      t.fail("face_load_factor",
+             "has no place beside [rating.mounting], which makes it; leave one out");
+  }
+  r.spectrum = read_spectrum(t);
+  t.finish();
+  if (!r.spectrum.empty()) {
+    if (in.life_h) t.fail("life_h", "has no place beside a spectrum, whose steps have their hours");
+    // Without a load of its own the rating shows the heaviest step.
+    const LoadBin& worst =
+        *std::max_element(r.spectrum.begin(), r.spectrum.end(),
+                          [](const LoadBin& a, const LoadBin& b) { return a.torque < b.torque; });
+    if (!r.torque && !r.power) r.torque = worst.torque;
+    if (!in.speed) in.speed = worst.speed;
+  }
+  // Given twice is accepted where it agrees.
+  constexpr double kWattPerKilowatt = 1000.0;
+  if (r.power) {
+    const double omega = *in.speed * 2 * std::numbers::pi / 60.0;
+    const double torque = *r.power * kWattPerKilowatt / omega;
+    if (r.torque && std::abs(torque - *r.torque) > 1e-9 * torque) {
+      t.fail("torque_Nm", fmt::format("contradicts power_kW = {}, which is {} N m at this speed; "
+                                      "leave one of them out",
+                                      spoken(*r.power), spoken(torque, *r.torque)));
+    }
+    r.torque = torque;
+  }
+  if (!r.torque) {
+    throw SpecError{{"rating.torque_Nm", "",
+                     "is missing; a rating needs a load: power_kW with speed_rpm, or torque_Nm on "
+                     "gear 1"}};
+  }
+  in.torque = *r.torque;
+  return r;
+}
+
+MaterialInput read_material(const Json& node, const std::string& path) {
+  TableReader t(material_keys(), node, path);
+  MaterialInput m;
+  t.read(m);
+  t.finish();
+  if (!m.name || m.sigma_Hlim || m.sigma_Flim || m.youngs_modulus) return m;
+  std::vector<std::string> known;
+  for (const NamedMaterial& row : named_materials()) known.emplace_back(row.name);
+  if (std::find(known.begin(), known.end(), *m.name) == known.end()) {
+    t.fail("name", fmt::format("is not in the shipped table; did you mean {}? Or give the values: "
+                               "kind, sigma_Hlim_MPa, sigma_Flim_MPa",
+                               nearest_word(*m.name, known)));
+  }
+  return m;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,66 @@
+#include "gearwright/verdict/rating_findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gearwright::detail {
+
+namespace {
+
+// "6 mm more face width, or 17CrNiMo6": what has been rated to be enough.
+std::string remedy(const JudgedRating& rating) {
+  const RatedPair& pair = *rating.pair;
+  const auto face = face_width_of_safety(pair, *rating.input, rating.wanted,
+                                         kMostFaceModules * pair.normal_module);
+  const auto steel = steel_of_safety(pair, *rating.input, rating.wanted);
+  std::string text;
+  if (face && *face > pair.face_width) {
+    const double more = *face - pair.face_width;
+    const int digits = more < 1.0 ? 1 : 0;
+    const double step = digits == 1 ? 10.0 : 1.0;
+    text = fmt::format("{:.{}f} mm more face width", std::ceil(more * step) / step, digits);
+  }
+  if (steel) text += (text.empty() ? "" : ", or ") + *steel;
+  if (!text.empty()) return text + " would hold.";
+  return fmt::format(
+      "No face width up to {:g} modules and no steel of the list alone holds: a "
+      "greater module or less load would help.",
+      kMostFaceModules);
+}
+
+}  // namespace
+
+std::vector<Finding> rating_findings(const JudgedRating& rating) {
+  std::vector<Finding> findings;
+  const Rating& r = *rating.rating;
+  std::string help;
+  const auto judge = [&](const char* code, const char* what, int gear, double safety,
+                         double wanted) {
+    if (safety >= wanted) return;
+    if (help.empty()) help = remedy(rating);
+    const std::string less =
+        safety < 1.0 ? "less than 1" : fmt::format("less than the wanted {:g}", wanted);
+    findings.push_back(
+        {code,
+         safety < 1.0 ? Level::red : Level::amber,
+         gear,
+         fmt::format("The safety of gear {} against {} is {:.2f}, {}.", gear, what, safety, less),
+         help,
+         {{"safety", safety, false}, {"wanted", wanted, false}}});
+  };
+  for (const int which : {1, 2}) {
+    const auto i = static_cast<std::size_t>(which - 1);
+    judge("root_safety", "root breakage", which, r.S_F[i].value, rating.wanted.root);
+    judge("flank_safety", "pitting", which, r.S_H[i].value, rating.wanted.flank);
+  }
+  // The least of each level first.
+  std::stable_sort(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) {
+    return a.values.front().value / a.values.back().value <
+           b.values.front().value / b.values.back().value;
+  });
+  return findings;
+}
+
+}  // namespace gearwright::detail

@@ -1,0 +1,168 @@
+"""The verb rate as a user meets it: the keys of the interface, the published report, refusals by key,
+verdict and remedies, JSON, CSV and listing that say the same."""
+
+import csv
+import io
+import unittest
+
+from cli import SOURCE, Run
+
+HEAD = """[gear1]
+teeth = 24
+normal_module_mm = 14
+helix_angle_deg = 10
+profile_shift = 0.48
+face_width_mm = 360
+tip_diameter_mm = 380.747
+{material1}
+[gear2]
+teeth = 95
+profile_shift = 0.6691
+face_width_mm = 360
+tip_diameter_mm = 1395.376
+{material2}
+[pair]
+center_distance_mm = 861
+"""
+STEEL = """[gear{n}.material]
+kind = "case_hardened"
+sigma_Hlim_MPa = 1500
+sigma_Flim_MPa = 430
+"""
+RATING = """[rating]
+power_kW = 5000
+speed_rpm = 1165.9
+application_factor = 1.25
+face_load_factor = 1.15
+life_h = 175200
+lubricant_viscosity_40C_mm2_s = 220
+quality = [6, 6]
+flank_roughness_um = [4.8, 4.8]
+root_roughness_um = [20, 20]
+"""
+
+
+def spec(rating=RATING, material1=STEEL.format(n=1), material2=STEEL.format(n=2)):
+    return HEAD.format(material1=material1, material2=material2) + rating
+
+
+class Rate(unittest.TestCase):
+    def rated(self, text):
+        run = Run("rate", text, "--json")
+        self.assertEqual(run.status, 0, run.err)
+        return run.json["rating"]
+
+    def refused(self, text, key, word):
+        run = Run("rate", text, "--json")
+        self.assertEqual(run.status, 1, run.out[:200])
+        self.assertEqual(run.json["error"]["key"], key)
+        self.assertIn(word, run.json["error"]["message"])
+
+    def test_report(self):
+        r = self.rated(spec())
+        # The report prints 1165.9 of its speed: half a unit of that is 10.3 N.
+        self.assertAlmostEqual(r["F_t_N"], 240064.4, delta=10.3)
+        self.assertAlmostEqual(r["sigma_H0_MPa"], 570.79, delta=0.02)
+        for got, want in zip(r["S_H"], (1.81, 1.88)):
+            self.assertAlmostEqual(got, want, delta=0.03)  # without the web of the report's wheels
+        self.assertEqual(r["formulas"]["Z_epsilon"]["branch"], "helical, ε_β ≥ 1")
+
+    def test_every_key_of_the_interface(self):
+        r = self.rated(spec())
+        keys = """F_t_N v_m_per_s K_A K_v K_Hbeta K_Fbeta K_Halpha K_Falpha c_th_prime c_prime c_gamma_alpha c_gamma_beta
+            n_E1_rpm N Z_H Z_B Z_D Z_E Z_epsilon Z_beta Z_NT Z_L Z_v Z_R Z_W Z_X sigma_H0_MPa sigma_H_MPa sigma_HG_MPa S_H Y_F
+            Y_S Y_beta Y_B Y_DT Y_NT Y_delta_relT Y_R_relT Y_X h_F_mm s_Fn_mm rho_F_mm alpha_Fen_deg d_en_mm sigma_F0_MPa
+            sigma_F_MPa sigma_FG_MPa S_F formulas""".split()
+        for key in keys:
+            self.assertIn(key, r)
+        for key in keys[:-1]:
+            if not key.endswith("_mm") and key != "alpha_Fen_deg":
+                self.assertIn(key, r["formulas"], key)
+                self.assertIn("formula", r["formulas"][key])
+
+    def test_power_and_torque_are_one_load(self):
+        by_power = self.rated(spec())
+        torque = by_power["torque_Nm"][0]
+        by_torque = self.rated(spec(RATING.replace("power_kW = 5000", f"torque_Nm = {torque!r}")))
+        self.assertEqual(by_power, by_torque)
+        both = RATING.replace("power_kW = 5000", f"power_kW = 5000\ntorque_Nm = {torque!r}")
+        self.assertEqual(self.rated(spec(both)), by_power)
+
+    def test_named_material(self):
+        named = '[gear{}.material]\nname = "18CrNiMo7-6"\n'
+        a = self.rated(spec(material1=named.format(1), material2=named.format(2)))
+        b = self.rated(spec())
+        self.assertEqual(a["S_F"], b["S_F"])
+
+    def test_bad_input_by_key(self):
+        without = lambda line: "\n".join(x for x in RATING.splitlines() if not x.startswith(line)) + "\n"
+        self.refused(spec(without("power_kW")), "rating.torque_Nm", "is missing")
+        self.refused(spec(RATING.replace("power_kW = 5000", "power_kW = 5000\ntorque_Nm = 40000")), "rating.torque_Nm", "contradicts power_kW")
+        self.refused(spec(without("speed_rpm")), "rating.power_kW", "speed_rpm")
+        self.refused(spec(RATING.replace("speed_rpm = 1165.9", "speed_rpm = 0")), "rating.speed_rpm", "greater than 0")
+        by_torque = without("speed_rpm").replace("power_kW = 5000", "torque_Nm = 40953").replace("life_h = 175200\n", "")
+        self.refused(spec(by_torque), "rating.speed_rpm", "dynamic factor")
+        self.assertIsNone(self.rated(spec(by_torque + "dynamic_factor = 1.1\n"))["N"])
+        self.refused(spec(RATING.replace("[6, 6]", "[6, 13]")), "rating.quality", "between 0 and 12")
+        self.refused(spec(RATING.replace("[6, 6]", "[6, 6.5]")), "rating.quality", "whole")
+        self.refused(spec(without("quality")), "rating.quality", "is missing")
+        self.refused(spec(without("face_load_factor")), "rating.face_load_factor", "mounting")
+        self.refused(spec(RATING.replace("life_h", "live_h")), "rating.live_h", "life_h")
+        self.refused(spec(material1='[gear1.material]\nname = "18CrNiMo7-5"\n'), "gear1.material.name", "18CrNiMo7-6")
+        self.refused(spec(material2=""), "gear2.material", "is missing")
+        self.refused(spec(material1='[gear1.material]\nname = "42CrMo4"\nsurface_hardness_HV = 900\n'),
+                     "gear1.material.surface_hardness_HV", "off the line")
+        self.refused(spec(""), "rating", "is missing")
+        plastic = '[gear1.material]\nkind = "plastic"\nsigma_Hlim_MPa = 50\nsigma_Flim_MPa = 30\n'
+        self.refused(spec(material1=plastic), "gear1.material.kind", "VDI 2736")
+
+    def test_verdict_has_remedies_that_hold(self):
+        heavy = RATING.replace("power_kW = 5000", "power_kW = 12000")
+        run = Run("rate", spec(heavy + "safety_flank_min = 1.25\n"), "--json", "--strict")
+        self.assertEqual(run.status, 4)
+        finding = next(f for f in run.json["verdict"]["findings"] if f["code"] == "flank_safety")
+        self.assertRegex(finding["remedy"], r"^\d+ mm more face width")
+        more = int(finding["remedy"].split()[0])
+        wider = spec(heavy).replace("face_width_mm = 360", f"face_width_mm = {360 + more}")
+        self.assertGreaterEqual(min(self.rated(wider)["S_H"]), 1.25)
+
+    def test_listing_and_csv_say_the_same(self):
+        r = self.rated(spec())
+        listing = Run("rate", spec()).out
+        for word in ("S_F", "ISO 6336-1, 6.5.4, (13), (14): subcritical, N ≤ 0.85", f"{r['S_F'][0]:.3f}", f"{r['sigma_H0_MPa']:.2f}"):
+            self.assertIn(word, listing)
+        rows = {row["key"]: row for row in csv.DictReader(io.StringIO(Run("rate", spec(), "--csv").out))}
+        self.assertEqual(float(rows["rating.S_H"]["second"]), r["S_H"][1])
+        self.assertEqual(rows["rating.K_v"]["formula"], "ISO 6336-1, 6.5.4, (13), (14)")
+
+    def test_spectrum(self):
+        step = "[[rating.spectrum]]\ntorque_Nm = {}\nspeed_rpm = 1165.9\nduration_h = {}\n"
+        life = RATING.replace("life_h = 175200\n", "").replace("application_factor = 1.25\n", "")
+        one = self.rated(spec(life + step.format(40952.7, 175200)))
+        plain = self.rated(spec(life + "life_h = 175200\n"))
+        for a, b in zip(one["S_H_spectrum"] + one["S_F_spectrum"], plain["S_H"] + plain["S_F"]):
+            self.assertAlmostEqual(a, b, delta=1e-4)
+        self.refused(spec(RATING + step.format(1, 1)), "rating.life_h", "spectrum")
+        self.refused(spec(life + step.format(0, 1)), "rating.spectrum[1].torque_Nm", "greater than 0")
+
+    def test_sizing(self):
+        wanted = "safety_flank_min = 1.3\nsafety_root_min = 1.6\n"
+        r = self.rated(spec(RATING + wanted))
+        at = RATING.replace("power_kW = 5000", f"torque_Nm = {r['torque_holding_Nm']!r}")
+        self.assertGreaterEqual(min(self.rated(spec(at))["S_H"]), 1.3 * (1 - 1e-9))
+        wide = spec().replace("face_width_mm = 360", f"face_width_mm = {r['face_width_holding_mm']!r}")
+        self.assertGreaterEqual(min(self.rated(wide)["S_H"]), 1.3)
+
+    def test_example_holds(self):
+        run = Run("rate", (SOURCE / "examples/rated_pair.toml").read_text(), "--json")
+        self.assertEqual(run.status, 0, run.err)
+        self.assertEqual([f["code"] for f in run.json["verdict"]["findings"] if f["code"].endswith("_safety")], [])
+
+    def test_later_edition(self):
+        a, b = (self.rated(spec(RATING + f'standard = "ISO 6336:{year}"\n')) for year in (2006, 2019))
+        self.assertNotEqual(a["Y_F"], b["Y_F"])
+        self.assertEqual(b["standard"], "ISO 6336:2019")
+
+
+if __name__ == "__main__":
+    unittest.main()

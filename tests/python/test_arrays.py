@@ -1,0 +1,197 @@
+"""Arrays: the numbers of the JSON in columns, not copied where that can be, from any number of threads."""
+
+import json
+import math
+import subprocess
+
+import numpy as np
+import pytest
+
+import gearwright as gw
+from common import BIN, pair, pinion, wheel
+
+ARCSEC = math.radians(1 / 3600)
+ERRORS = {"crossing_deg": 0.03, "center_distance": 0.02, "helix_slope1_um": 4}
+MODIFICATIONS = {"gear1": {"tip_relief_um": 15, "lead_crowning_um": 8, "tip_relief_start_mm": 48.0},
+                 "gear2": {"lead_crowning": 0.004}}
+
+
+def told(p, **tables):
+    """The program's answer of `contact`."""
+    spec = json.dumps({**p.spec, **tables})
+    run = subprocess.run([BIN, "batch", "contact"], input=spec, capture_output=True, text=True, check=True)
+    return json.loads(run.stdout)["contact"]
+
+
+def test_contact_has_the_numbers_of_the_program():
+    c = pair().contact(errors=ERRORS, positions=32)
+    json_of = told(pair(), errors={"crossing_deg": 0.03, "center_distance_mm": 0.02, "helix_slope1_um": 4},
+                   contact={"positions": 32})
+    assert json.dumps(c.as_dict()) == json.dumps(json_of)
+    table = c.positions
+    assert len(table) == 32
+    for row, entry in zip(table, json_of["positions"], strict=True):
+        for key in ("rotation1_deg", "transmission_error_arcsec", "kind"):
+            assert row[key] == entry[key]
+        assert row["point_mm"].tolist() == entry["point_mm"] and row["diameter_mm"].tolist() == entry["diameter_mm"]
+        ellipse = entry["ellipse"]
+        assert ellipse is None or row["ellipse_semi_minor_mm"] == ellipse["semi_minor_mm"]
+    assert c.transmission_error == pytest.approx(table["transmission_error_arcsec"] * ARCSEC, rel=1e-15)
+    assert c.peak_to_peak == pytest.approx(json_of["peak_to_peak_arcsec"] * ARCSEC)
+    assert c.harmonics.shape == (len(json_of["harmonics_arcsec"]),)
+    every = {said["key"] for said in gw._core._catalogue()["contact.positions"] if not said["of"]}
+    assert every <= set(table.dtype.names)
+
+
+def test_modifications():
+    c = pair().contact(modifications=MODIFICATIONS, positions=16, pattern=True)
+    assert c.spec["gear2"]["modifications"] == {"lead_crowning_um": 4.0}
+    assert c.peak_to_peak > 0 and c.pattern.gear1.gap.ndim == 2
+    with pytest.raises(gw.SpecError) as e:
+        pair().contact(modifications={"gear1": {"tip_relif_um": 3}})
+    assert "tip_relief_um" in str(e.value)
+    with pytest.raises(gw.SpecError) as e:
+        pair().contact(modifications={"gear3": {}})
+    assert e.value.key == "modifications.gear3"
+
+
+def test_a_row_of_errors_is_a_contact_of_its_own():
+    p, rng = pair(), np.random.default_rng(1)
+    errors = rng.normal(0, [0.01, 2e-4, 2e-4, 0.1, 0.004, 0.004], (12, 6))
+    te = p.transmission_error(errors, positions=16)
+    assert te.shape == (12, 16)
+    for row, curve in zip(errors, te, strict=True):
+        c = p.contact(errors=row, positions=16)
+        assert np.allclose(np.ptp(curve), c.peak_to_peak, rtol=1e-9, atol=1e-15)
+    assert gw.ERRORS[:2] == ("center_distance", "crossing") and len(gw.ERRORS) == 8
+    wider = np.hstack([errors, np.zeros((12, 2))])
+    assert np.array_equal(p.transmission_error(wider, positions=16), te)
+
+
+def test_bits_do_not_depend_on_threads():
+    p = pair()
+    errors = np.random.default_rng(2).normal(0, 1e-3, (40, 6))
+    one = p.transmission_error(errors, positions=8, threads=1)
+    assert np.array_equal(one, p.transmission_error(errors, positions=8, threads=2), equal_nan=True)
+    assert np.array_equal(one, p.transmission_error(np.asfortranarray(errors), positions=8), equal_nan=True)
+    assert np.array_equal(one[::2], p.transmission_error(errors[::2], positions=8), equal_nan=True)
+
+
+@pytest.mark.parametrize("errors, key", [
+    (np.zeros(6), "errors"),
+    (np.zeros((3, 5)), "errors"),
+    (np.zeros((2, 3, 6)), "errors"),
+    ("many", "errors"),
+    ([[0, math.nan, 0, 0, 0, 0]], "errors[0].crossing_deg"),
+    ([[0] * 6, [0, 0, 0, 0, math.inf, 0]], "errors[1].helix_slope1_um"),
+    ([[0, 1.0, 0, 0, 0, 0]], "errors[0].crossing_deg"),
+    ([[0] * 6 + [1.5, 0]], "errors[0].cutter_lead1_deg"),
+])
+def test_what_is_no_array_of_errors_is_named(errors, key):
+    with pytest.raises(gw.SpecError) as e:
+        pair().transmission_error(errors)
+    assert e.value.key == key and e.value.allowed
+
+
+def test_positions_in_range():
+    for positions in (-1, 0, 10 ** 8):
+        with pytest.raises(gw.SpecError) as e:
+            pair().transmission_error(np.zeros((1, 6)), positions=positions)
+        assert e.value.key == "positions"
+
+
+def test_outline():
+    arcs = pinion().outline(points=50)
+    assert list(arcs) == ["root_land", "root_fillet", "flank", "tip_land"]
+    assert all(a.dtype == float and a.shape[1] == 2 for a in arcs.values()) and arcs["flank"].shape == (50, 2)
+    assert np.array_equal(arcs["root_fillet"][-1], arcs["flank"][0])
+    assert np.hypot(*arcs["tip_land"].T) * 2 == pytest.approx(pinion().tip_diameter)
+    section = pinion().section(points=10)
+    assert np.array_equal(section[0], section[-1])
+    area = 0.5 * abs(np.sum(section[:-1, 0] * section[1:, 1] - section[1:, 0] * section[:-1, 1]))
+    assert math.pi * pinion().root_diameter ** 2 / 4 < area < math.pi * pinion().tip_diameter ** 2 / 4
+    with pytest.raises(gw.SpecError) as e:
+        pinion().outline(points=1)
+    assert e.value.key == "points"
+    severed = gw.Gear(teeth=5, normal_module=1, profile_shift=-3)
+    with pytest.raises(gw.SpecError) as e:
+        severed.outline()
+    assert e.value.key == "profile_shift"
+
+
+def test_mesh_is_closed_and_not_copied():
+    vertices, triangles = pinion(bore={"diameter": 12}).mesh(tolerance=0.02)
+    assert vertices.dtype == np.float64 and triangles.dtype == np.uint32
+    assert vertices.base is not None and not vertices.flags.owndata
+    edges = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
+    back = {(b, a) for a, b in edges.tolist()}
+    assert len(back) == len(edges) and all(tuple(e) in back for e in edges.tolist())
+    assert vertices[:, 2].min() == -12.5 and vertices[:, 2].max() == 12.5
+    with pytest.raises(gw.SpecError) as e:
+        pinion().mesh(tolerance=math.nan)
+    assert e.value.key == "tolerance"
+
+
+def test_files(tmp_path):
+    assert pinion().stl()[80:84] != b"\0\0\0\0" and pair().glb()[:4] == b"glTF"
+    assert pinion().threemf()[:2] == b"PK" and b"SECTION" in pinion().dxf() and pinion().svg().startswith(b"<")
+    for value in (pinion(), pair()):
+        assert value.step().startswith(b"ISO-10303-21;")
+    path = pinion().stl(tmp_path / "gear.stl", tolerance=0.05)
+    assert path.read_bytes() == pinion().stl(tolerance=0.05)
+    with pytest.raises(OSError):
+        pinion().stl(tmp_path / "none" / "gear.stl")
+
+
+def test_pose():
+    first, second = pair().pose(1), pair().pose(2)
+    assert first.shape == (4, 4) and np.allclose(first[:3, :3].T @ first[:3, :3], np.eye(3))
+    assert second[0, 3] == pair().center_distance and np.array_equal(first[3], [0, 0, 0, 1])
+    with pytest.raises(gw.SpecError):
+        pair().pose(3)
+
+
+def test_shows_itself():
+    for value in (pinion(), pair(), pair().contact(positions=16)):
+        html = value._repr_html_()
+        assert html.startswith("<iframe") and "prefers-color-scheme" in html and "&lt;svg" in html
+    assert pair().report().startswith("<!DOCTYPE html>") and "Tooth contact" in pair().contact(positions=16).report()
+    assert pinion().report().startswith("<!DOCTYPE html>")
+
+
+def test_closed_forms_are_those_of_pairs():
+    z1, z2 = np.array([12, 17, 23]), np.array([30, 43, 71])
+    x1, x2 = np.array([0.4, 0.3, 0.0]), np.array([0.1, 0.1, -0.2])
+    beta = math.radians(15)
+    table = gw.pair_table(z1, z2, x1, x2, beta, normal_module=2.5)
+    for i in range(3):
+        g1 = gw.Gear(teeth=z1[i], normal_module=2.5, helix_angle=beta, profile_shift=x1[i], face_width=20)
+        p = gw.Pair(g1, g1.replace(teeth=z2[i], helix_angle=-beta, profile_shift=x2[i]))
+        assert table["center_distance"][i] == pytest.approx(p.center_distance, rel=1e-12)
+        assert table["working_pressure_angle"][i] == pytest.approx(p.working_transverse_pressure_angle[0], rel=1e-12)
+        assert table["contact_ratio"][i] == pytest.approx(p.transverse_contact_ratio, rel=1e-11)
+        assert table["tip_thickness1"][i] == pytest.approx(p.gear1.tip_tooth_thickness_normal, rel=1e-11)
+        further = p.replace(center_distance=p.center_distance + 0.1)
+        j = gw.backlash(z1[i], z2[i], x1[i], x2[i], further.center_distance, beta, normal_module=2.5)
+        assert isinstance(j, float) and j == pytest.approx(further.backlash.normal, rel=1e-9)
+    assert gw.center_distance(z1[:, None], z2).shape == (3, 3)
+    assert gw.working_pressure_angle(17, 43) == pytest.approx(math.radians(20), rel=1e-14)
+
+
+def test_closed_forms_out_of_their_domain():
+    assert np.isnan(gw.involute([math.pi / 2, math.nan])).all() and gw.involute(0.0) == 0.0
+    y = np.linspace(-2, 2, 401)
+    assert gw.involute(gw.inverse_involute(y)) == pytest.approx(y, rel=1e-13, abs=1e-16)
+    assert math.isnan(gw.inverse_involute(math.inf)) and math.isnan(gw.contact_ratio(17, 43, -60, 0))
+    assert np.isnan(gw.backlash([17, 0, 17.5], 43, 0, 0, [1.0, 30, 30])).all()
+    least, greatest = gw.shift_limits([10, 17, 30, 0, 17.5])
+    assert least[:3] == pytest.approx([1 - z * math.sin(math.radians(20)) ** 2 / 2 for z in (10, 17, 30)])
+    assert (greatest[:3] > least[:3]).all() and np.isnan(least[3:]).all()
+    assert gw.Gear(teeth=10, normal_module=1, profile_shift=least[0] + 1e-9).undercut is False
+    assert gw.Gear(teeth=10, normal_module=1, profile_shift=least[0] - 1e-3).undercut is True
+    with pytest.raises(ValueError, match="could not be broadcast|shape mismatch"):
+        gw.center_distance([1, 2], [1, 2, 3])
+
+
+def test_wheel_of_the_pair_is_a_left_hand():
+    assert wheel().helix_angle < 0

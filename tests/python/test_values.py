@@ -1,0 +1,137 @@
+"""Gear and Pair are values: made by name, read by name, changed by replace; what is wrong is named."""
+
+import copy
+import math
+import pickle
+
+import numpy as np
+import pytest
+
+import gearwright as gw
+from common import pair, pinion, wheel
+
+
+def test_numbers_of_the_front_door():
+    # docs/programming.md prints the same pair from C++
+    p = pair()
+    assert f"{p.gear1.tip_diameter:.4f}" == "50.4992"
+    assert f"{p.contact_ratio:.4f}" == "2.2772"
+    assert f"{p.backlash.normal:.4f}" == "0.1214"
+    assert p.gear1.base_diameter == p.gear1.as_dict()["base_diameter_mm"]
+    assert p.gear1.helix_angle == pytest.approx(math.radians(15), rel=1e-15)
+    assert p["center_distance_mm"] == p.center_distance == 78.6056
+
+
+def test_names_and_keys_say_the_same():
+    by_name = gw.Gear(teeth=17, normal_module=2.5, helix_angle=math.radians(15))
+    by_key = gw.Gear(teeth=np.int64(17), normal_module_mm=np.float32(2.5), helix_angle_deg=15)
+    assert by_name.helix_angle == pytest.approx(by_key.helix_angle, rel=1e-15)
+    table = {"tip_relief": 0.02, "tip_relief_start": 48.0}
+    relieved = pinion(modifications=table)
+    assert relieved.spec["modifications"]["tip_relief_um"] == 20.0
+    with pytest.raises(gw.SpecError) as e:
+        gw.Gear(teeth=17, normal_module=2.5, normal_module_mm=2.5)
+    assert e.value.key == "normal_module_mm"
+
+
+def test_replace():
+    p = pair()
+    further = p.replace(center_distance=79)
+    assert further.center_distance == 79 and p.center_distance == 78.6056
+    assert further.backlash.normal > p.backlash.normal
+    assert p.replace(gear1={"profile_shift": 0.2}).gear1.profile_shift == 0.2
+    assert p.replace(gear2=wheel(teeth=44)).gear2.teeth == 44
+    assert pinion().replace(teeth=19).teeth == 19
+    assert "thickness_allowance_mm" not in pinion().replace(thickness_allowance=None).spec
+    # an absent distance follows from the teeth
+    assert p.replace(center_distance=None).center_distance == pytest.approx(78.6056, abs=1e-4)
+
+
+def test_a_gear_of_a_pair_stands_by_itself():
+    shifts_wanted = gw.Pair(gw.Gear(teeth=17, normal_module=2), gw.Gear(teeth=30, normal_module=2),
+                            center_distance=48)
+    again = gw.Gear(**shifts_wanted.gear1.spec)
+    assert again.profile_shift == shifts_wanted.gear1.profile_shift != 0
+    assert again.tip_diameter == shifts_wanted.gear1.tip_diameter
+
+
+def test_values_compare_copy_and_travel():
+    assert pair() == pair() and hash(pair()) == hash(pair()) and pair() != pair(center_distance=79)
+    assert pinion() == pinion() and pinion() != wheel() and pinion() != "pinion"
+    for value in (pinion(), pair()):
+        assert pickle.loads(pickle.dumps(value)) == value == copy.deepcopy(value)
+    assert "Gear(teeth=17" in repr(pinion()) and "Pair(17 / 43" in repr(pair())
+
+
+def test_every_quantity_is_an_attribute():
+    for value, table in ((pinion(), "gear"), (pair(), "pair")):
+        keyed = value.as_dict()
+        for said in gw._core._catalogue()[table]:
+            attribute = getattr(value, said["name"])
+            assert getattr(type(value), said["name"]).__doc__ == said["doc"]
+            if isinstance(attribute, float) and said["unit"] in ("mm", "") and said["key"] in keyed:
+                assert attribute == keyed[said["key"]]
+
+
+def test_records():
+    backlash = pair().backlash
+    assert "normal" in dir(backlash) and backlash["normal_mm"] == backlash.normal
+    assert backlash.as_dict() == pair().as_dict()["backlash"]
+    with pytest.raises(AttributeError, match="nothing"):
+        backlash.nothing
+    assert pair().verdict.level in ("green", "amber", "red")
+
+
+@pytest.mark.parametrize("change, key, allowed", [
+    ({"teeth": 0}, "teeth", "internal gear"),
+    ({"teeth": 17.5}, "teeth", "whole"),
+    ({"normal_module": -1}, "normal_module_mm", "0.001"),
+    ({"normal_module": math.nan}, "normal_module", "finite"),
+    ({"profile_shift": math.inf}, "profile_shift", "finite"),
+    ({"helix_angle_deg": 95}, "helix_angle_deg", "89"),
+    ({"helix_angle_deg": [0.1, 0.2]}, "helix_angle_deg", "number"),
+    ({"tip_diameter": 10}, "tip_diameter_mm", "root diameter"),
+    ({"modul": 2}, "modul", "module"),
+    ({"rack": {"addendum": -3}}, "rack.addendum", ""),
+    ({"teeth": 10 ** 30}, "teeth", "more than"),
+])
+def test_what_is_wrong_is_named(change, key, allowed):
+    with pytest.raises(gw.SpecError) as e:
+        pinion(**change)
+    assert e.value.key == key and allowed in e.value.allowed
+    assert str(e.value) == e.value.message and key in e.value.message and "gear1" not in str(e.value)
+    assert isinstance(e.value, ValueError) and pickle.loads(pickle.dumps(e.value)).key == key
+
+
+def test_negative_teeth_outside_and_inside():
+    ring = gw.Gear(teeth=-66, normal_module=1.5)  # an internal gear
+    assert ring.teeth == -66
+    with pytest.raises(gw.SpecError) as e:
+        gw.Pair(ring, gw.Gear(teeth=21, normal_module=1.5))
+    assert e.value.key.startswith("gear1")
+
+
+def test_errors_of_a_pair():
+    with pytest.raises(gw.SpecError) as e:
+        pair(center_distance=10)
+    assert e.value.key == "pair.center_distance_mm" and e.value.value == "10"
+    with pytest.raises(gw.SpecError) as e:
+        pair(center_distanc=10)
+    assert "center_distance_mm" in str(e.value)
+    with pytest.raises(gw.SpecError) as e:
+        gw.Pair(pinion(), wheel(helix_angle_deg=15))
+    assert e.value.key == "gear2.helix_angle_deg"
+    with pytest.raises(TypeError):
+        pinion(teeth=object())
+
+
+def test_load(tmp_path):
+    path = tmp_path / "gear.toml"
+    path.write_text("[gear1]\nteeth = 21\nnormal_module_mm = 2\n")
+    assert gw.load(path).teeth == 21 and isinstance(gw.load(str(path)), gw.Gear)
+    with pytest.raises(OSError):
+        gw.load(tmp_path / "none.toml")
+    path.write_text("[gear1]\nteeth = 21\nnormal_module_mm = -2\n")
+    with pytest.raises(gw.SpecError) as e:
+        gw.load(path)
+    assert e.value.key == "gear1.normal_module_mm"
