@@ -62,5 +62,7 @@ endif()
 set(GEARWRIGHT_MPI OFF)
 set(why_no_mpi "not in a browser")
 set(GEARWRIGHT_BENCH OFF)
-find_program(GEARWRIGHT_PYTHON python3 HINTS /usr/bin NO_CMAKE_ENVIRONMENT_PATH
+set(GEARWRIGHT_PYTHON OFF)
+set(why_no_python "not in a browser")
+find_program(GEARWRIGHT_PYTHON_EXECUTABLE python3 HINTS /usr/bin NO_CMAKE_ENVIRONMENT_PATH
              NO_CMAKE_FIND_ROOT_PATH DOC "Python that runs the script tests")
