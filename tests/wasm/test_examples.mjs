@@ -13,7 +13,7 @@ import { compare } from "./near.mjs";
 import { build, loadEngine, source } from "./engine.mjs";
 
 const kNear = 1e-12;
-const verbs = ["gear", "pair", "contact", "measure", "fit", "identify"];
+const verbs = ["gear", "pair", "contact", "load", "rate", "measure", "fit", "identify"];
 const native = process.env.GW_BIN ?? path.join(source, "build/release/gearwright");
 const program = path.join(build, "cli/gearwright.js");
 
