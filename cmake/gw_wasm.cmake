@@ -47,6 +47,10 @@ set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
 # One memory that grows: meshes of large gears take hundreds of MB. The stack is for specs that nest.
 set(gw_memory -sALLOW_MEMORY_GROWTH -sMAXIMUM_MEMORY=2GB -sINITIAL_MEMORY=32MB -sTOTAL_STACK=4MB)
 
+# A program under node, with the machine's files.
+set(gw_under_node -sNODERAWFS -sENVIRONMENT=node -sEXIT_RUNTIME
+    "SHELL:--pre-js ${CMAKE_CURRENT_LIST_DIR}/wasm_node.js")
+
 # emcc's optimiser needs acorn, which is not where a node that is not Debian's looks.
 execute_process(COMMAND dpkg -L node-acorn OUTPUT_VARIABLE files ERROR_QUIET)
 if(files MATCHES "([^\n]*)/acorn/package\\.json")

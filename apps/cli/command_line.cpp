@@ -26,8 +26,8 @@ constexpr const char* kIntroduction =
     "  gearwright pair pair.toml --json      the mounted pair, as JSON\n"
     "  gearwright contact pair.toml          transmission error and contact under [errors]\n"
     "  gearwright compensate pair.toml       corrections that cancel those errors\n"
-    "  gearwright rate pair.toml             strength by ISO 6336: factors, stresses, safeties\n"
     "  gearwright load pair.toml             teeth under torque: sharing, stiffness, stresses\n"
+    "  gearwright rate pair.toml             strength by ISO 6336: factors, stresses, safeties\n"
     "  gearwright measure pair.toml          the calliper's settings\n"
     "  gearwright fit wish.toml              gears for a centre distance and a shaft angle\n"
     "  gearwright search wish.toml --out found  all designs within limits, ranked\n"
@@ -157,13 +157,6 @@ void CommandLine::add_answering() {
   strict_flag(compensate, o);
   compensate->add_flag("--take", o.spec_only, "Print the corrected spec and nothing else");
 
-  CLI::App* rate = json_verb("rate",
-                             "Strength by ISO 6336: every factor with its place in the standard, "
-                             "stresses, safeties",
-                             "gearwright rate examples/rated_pair.toml");
-  spec_argument(rate, o);
-  strict_flag(rate, o);
-  csv_flag(rate, o);
   CLI::App* load = json_verb("load",
                              "Teeth under torque: load sharing, loaded transmission error, "
                              "stiffness, pressure, root stress",
@@ -171,6 +164,14 @@ void CommandLine::add_answering() {
   spec_argument(load, o);
   strict_flag(load, o);
   csv_flag(load, o);
+
+  CLI::App* rate = json_verb("rate",
+                             "Strength by ISO 6336: every factor with its place in the standard, "
+                             "stresses, safeties",
+                             "gearwright rate examples/rated_pair.toml");
+  spec_argument(rate, o);
+  strict_flag(rate, o);
+  csv_flag(rate, o);
 
   CLI::App* measure = json_verb(
       "measure", "Spans, dimensions over balls and pins, chords, tolerances of the flanks",
@@ -309,8 +310,8 @@ int CommandLine::answer(const std::string& verb) const {
   if (verb == "pair") return pair_verb(o);
   if (verb == "contact") return contact_verb(o);
   if (verb == "compensate") return compensate_verb(o);
-  if (verb == "rate") return rate_verb(o);
   if (verb == "load") return load_verb(o);
+  if (verb == "rate") return rate_verb(o);
   if (verb == "measure") return measure_verb(o);
   if (verb == "fit") return fit_verb(o);
   if (verb == "identify") return identify_verb(o);

@@ -88,7 +88,7 @@ Figure arcs_figure();
 Figure contact_figure();
 Figure search_figure();
 Figure inspection_figure();
-Figure rating_figure();
 Figure load_figure();
+Figure rating_figure();
 
 }  // namespace gearwright::figures

@@ -9,7 +9,7 @@ const KeyTable& load_keys() {
       "Teeth under torque: the verb `load`",
       {{.key = "torque_Nm",
         .symbol = "T_1",
-        .range = Range::positive(),
+        .range = Range::above(0, kMaxInput),
         .list = KeyList{1, kMostTorques, true},
         .meaning = "torque on gear 1; a list makes the Harris map",
         .fields = {"torques"},

@@ -36,9 +36,9 @@ const KeyTable& spec_keys() {
        table_key("errors", error_keys, "what is wrong with the mounting and the teeth"),
        table_key("contact", contact_keys, "how the contact of the pair is looked at"),
        table_key("compensate", compensate_keys, "which corrections the verb compensate may make"),
+       table_key("load", load_keys, "what the verb load is asked: torque on the teeth"),
        table_key("rating", rating_keys,
                  "what the verb rate is asked: load, life, making, mounting"),
-       table_key("load", load_keys, "what the verb load is asked: torque on the teeth"),
        table_key("fit", fit_keys, "what the verb fit is asked"),
        table_key("search", search_keys, "what a design search is asked")}};
   return table;

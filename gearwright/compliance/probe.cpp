@@ -62,12 +62,12 @@ double body_twist(double base_radius, double bore_radius, double root_radius,
          (4 * std::numbers::pi);
 }
 
-Result<ProbeAnswer> probe_compliance(const Gear& gear, const GearBody& body,
+Result<ProbeAnswer> probe_compliance(const Gear& gear, const ElasticBody& body,
                                      const ComplianceProbe& probe, ComplianceAccuracy accuracy) {
   return probe_compliance(gear, gear.twist(), body, probe, accuracy);
 }
 
-Result<ProbeAnswer> probe_compliance(const Gear& gear, double twist, const GearBody& body,
+Result<ProbeAnswer> probe_compliance(const Gear& gear, double twist, const ElasticBody& body,
                                      const ComplianceProbe& probe, ComplianceAccuracy accuracy) {
   using namespace detail;
   const double m = gear.spec.normal_module;

@@ -28,11 +28,11 @@ struct ProbeAnswer {
 };
 
 /// Errors    as make_section_mesh; `diameter` off the flank; `z` and `read_z` off the face
-Result<ProbeAnswer> probe_compliance(const Gear& gear, const GearBody& body,
+Result<ProbeAnswer> probe_compliance(const Gear& gear, const ElasticBody& body,
                                      const ComplianceProbe& probe, ComplianceAccuracy accuracy);
 
 /// The same for the gear's transverse section with another turn per mm than its own helix gives.
-Result<ProbeAnswer> probe_compliance(const Gear& gear, double twist, const GearBody& body,
+Result<ProbeAnswer> probe_compliance(const Gear& gear, double twist, const ElasticBody& body,
                                      const ComplianceProbe& probe, ComplianceAccuracy accuracy);
 
 /// The turn of a full disc from bore to root under a line force F′ at the base radius, as a

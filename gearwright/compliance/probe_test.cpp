@@ -26,7 +26,7 @@ Gear gear_of(double module, int teeth = 25, double shift = 0.0) {
   s.rack = *iso53_rack("ISO53-A");
   return std::move(make_gear(s)).take();
 }
-GearBody body_of(double module) { return {12 * module, 0.3, 1.0}; }
+ElasticBody body_of(double module) { return {12 * module, 0.3, 1.0}; }
 
 TEST(ToothCompliance, InTheSectionAgreesWithTriangles) {
   const Gear gear = gear_of(kModule);

@@ -63,7 +63,7 @@ double bump_width(double s, double flank_hi) {
 
 Result<std::shared_ptr<const detail::ToothSection>> make_tooth_section(const Gear& gear,
                                                                        double twist,
-                                                                       const GearBody& body,
+                                                                       const ElasticBody& body,
                                                                        ComplianceAccuracy accuracy,
                                                                        std::optional<double> also) {
   using namespace detail;

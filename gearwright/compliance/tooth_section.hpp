@@ -18,7 +18,7 @@ namespace gearwright {
 enum class ComplianceAccuracy { full, draft };
 
 /// The body of a gear, for its compliance.
-struct GearBody {
+struct ElasticBody {
   double bore_diameter = 0.0;  ///< mm, held there
   double poisson_ratio = 0.3;
   double youngs_modulus = 206000.0;  ///< MPa
@@ -60,7 +60,7 @@ double bump_width(double s, double flank_hi);
 /// Domain    an external gear with teeth (contract)
 /// Errors    as make_section_mesh
 Result<std::shared_ptr<const detail::ToothSection>> make_tooth_section(
-    const Gear& gear, double twist, const GearBody& body, ComplianceAccuracy accuracy,
+    const Gear& gear, double twist, const ElasticBody& body, ComplianceAccuracy accuracy,
     std::optional<double> also = std::nullopt);
 
 }  // namespace gearwright

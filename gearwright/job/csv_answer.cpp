@@ -166,6 +166,15 @@ std::string contact_csv(const SolvedJob& job, const ContactAnswer& answer) {
   return {};
 }
 
+std::string load_csv(const LoadAnswer& answer) {
+  ValueList rows;
+  if (!answer.contact) return {};
+  for (const LoadedTorque& t : answer.contact->torques)
+    for (const LoadedPosition& p : t.positions)
+      rows.push_back(load_position_quantities().of({&t, &p}));
+  return records_csv(rows);
+}
+
 std::string rating_csv(const RatingAnswer& answer) {
   std::string out =
       row({"key", "quantity", "symbol", "unit", "first", "second", "formula", "branch"});
@@ -185,15 +194,6 @@ std::string rating_csv(const RatingAnswer& answer) {
                 cell(std::string_view(branches))});
   }
   return out;
-}
-
-std::string load_csv(const LoadAnswer& answer) {
-  ValueList rows;
-  if (!answer.contact) return {};
-  for (const LoadedTorque& t : answer.contact->torques)
-    for (const LoadedPosition& p : t.positions)
-      rows.push_back(load_position_quantities().of({&t, &p}));
-  return records_csv(rows);
 }
 
 std::string outline_csv(const Outline& outline, int points) {

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "gearwright/job/contact_answer.hpp"
-#include "gearwright/job/rating_answer.hpp"
 #include "gearwright/job/load_answer.hpp"
+#include "gearwright/job/rating_answer.hpp"
 
 namespace gearwright {
 
@@ -16,11 +16,11 @@ namespace gearwright {
 std::string quantities_csv(const SolvedJob& job);
 /// A row for each position of the working flanks, a column for each number of it.
 std::string contact_csv(const SolvedJob& job, const ContactAnswer& answer);
+/// A row for each torque and position.
+std::string load_csv(const LoadAnswer& answer);
 /// A row for each quantity: key, quantity, symbol, unit, first, second, formula, branch; `second`
 /// where it is gear 2's.
 std::string rating_csv(const RatingAnswer& answer);
-/// A row for each torque and position.
-std::string load_csv(const LoadAnswer& answer);
 /// A row for each point: arc, x_mm, y_mm.
 std::string outline_csv(const Outline& outline, int points);
 

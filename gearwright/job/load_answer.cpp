@@ -1,12 +1,11 @@
 #include "gearwright/job/load_answer.hpp"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/base/parallel.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/job/contact_answer.hpp"
@@ -16,21 +15,18 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kSteel = 206000.0;  // MPa
-constexpr double kSteelPoisson = 0.3;
 constexpr double kMostPoisson = 0.49;  // 0.5 is a liquid: plane strain has no stiffness matrix
 constexpr double kShaft = 0.5;         // of the root diameter, where no bore is given
 constexpr double kHertzRatio = 0.1;    // half width over radius: beyond it Hertz errs by a percent
 
-Result<GearBody> body_of(SolvedJob& job, int which) {
+Result<ElasticBody> body_of(SolvedJob& job, int which) {
   const GearInput& input = *job.spec.gears[which - 1];
   const Gear& gear = job.gears[which - 1];
-  GearBody body;
-  // A named row of the shipped table that is not steel has a modulus of its own.
-  const auto row = input.material.name ? material_named(*input.material.name) : std::nullopt;
-  body.youngs_modulus = input.material.youngs_modulus.value_or(row ? row->youngs_modulus : kSteel);
-  body.poisson_ratio =
-      input.material.poisson_ratio.value_or(row ? row->poisson_ratio : kSteelPoisson);
+  ElasticBody body;
+  const MaterialInput& given = input.material;
+  const Material row = given.name ? material_named(*given.name).value_or(Material()) : Material();
+  body.youngs_modulus = given.youngs_modulus.value_or(row.youngs_modulus);
+  body.poisson_ratio = given.poisson_ratio.value_or(row.poisson_ratio);
   if (!(body.poisson_ratio <= kMostPoisson)) {
     return refused(gear_field(which, "material.poisson_ratio"), body.poisson_ratio,
                    {0.0, kMostPoisson}, "must lie between {} and {} for teeth under load");
@@ -68,7 +64,7 @@ std::optional<Error> not_made_for(const SolvedJob& job) {
   return std::nullopt;
 }
 
-Result<LoadedContact> turn_under_load(SolvedJob& job, const std::array<GearBody, 2>& bodies,
+Result<LoadedContact> turn_under_load(SolvedJob& job, const std::array<ElasticBody, 2>& bodies,
                                       Headway* headway) {
   const LoadInput& input = job.spec.load;
   auto setup = ContactSetup::of(job);
@@ -84,8 +80,7 @@ Result<LoadedContact> turn_under_load(SolvedJob& job, const std::array<GearBody,
   request.deflection_bow = input.deflection_bow * kMmPerUm;
   request.headway = headway;
   request.spread = [](std::size_t n, const std::function<void(std::size_t, std::size_t)>& work) {
-    oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, n),
-                              [&](const auto& r) { work(r.begin(), r.end()); });
+    parallel_for(n, [&](std::size_t i) { work(i, i + 1); });
   };
   const Gear& one = setup->gear(1);
   const Gear& two = setup->gear(2);
@@ -140,7 +135,7 @@ Result<LoadAnswer> answer_load(SolvedJob& job, Headway* headway) {
   }
   if (!input.torques.empty() && !job.pair)
     return Error{"gear2", "", "is missing from the spec; a torque wants two gears"};
-  std::array<GearBody, 2> bodies;
+  std::array<ElasticBody, 2> bodies;
   for (std::size_t i = 0; i < job.gears.size(); ++i) {
     auto body = body_of(job, static_cast<int>(i) + 1);
     if (!body) return body.error();

@@ -153,8 +153,8 @@ Json result_schema() {
     schema.definitions()[definition_name(*table)]["properties"]["interval"] = interval;
   properties["contact"] = schema.reference(contact_quantities().table());
   properties["compensate"] = schema.reference(compensate_quantities().table());
-  properties["rating"] = schema.reference(rating_quantities().table());
   properties["load"] = schema.reference(load_quantities().table());
+  properties["rating"] = schema.reference(rating_quantities().table());
   properties["fit"] = schema.reference(fit_quantities().table());
   properties["identify"] = schema.reference(identify_quantities().table());
   properties["search"] = search_schema(schema);

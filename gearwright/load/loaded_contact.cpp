@@ -128,7 +128,7 @@ Position Solver::prepare(double rotation) {
   q.length = compliance_.slices.width() / std::sqrt(1 - sin_b_ * sin_b_);
   q.half_width = compliance_.half_width;
   double soft = 0.0;
-  for (const GearBody& b : compliance_.bodies) {
+  for (const ElasticBody& b : compliance_.bodies) {
     const double plane = (1 - b.poisson_ratio * b.poisson_ratio) / b.youngs_modulus;
     soft += plane;
     q.local += 2 * plane / std::numbers::pi;
@@ -327,7 +327,7 @@ LoadedContact loaded_contact(const ContactPair& pair, const Gear& gear_1, const 
   const std::array<const Gear*, 2> gears{&gear_1, &gear_2};
   for (int g = 0; g < 2; ++g) {
     const auto& mesh = compliance.table[g]->section().mesh;
-    const GearBody& body = compliance.bodies[g];
+    const ElasticBody& body = compliance.bodies[g];
     result.body_twist[g] = body_twist(gears[g]->base_radius() / gear_1.spec.normal_module,
                                       mesh.bore_radius, mesh.root_radius, body.poisson_ratio) /
                            body.youngs_modulus;

@@ -26,7 +26,7 @@ struct LoadRequest {
   std::vector<Angle> rotations{};  ///< of gear 1: these instead of positions
   int slices = 32;                 ///< over the common face
   ComplianceAccuracy accuracy = ComplianceAccuracy::full;
-  std::array<GearBody, 2> bodies{};
+  std::array<ElasticBody, 2> bodies{};
   double deflection_slope = 0.0;  ///< mm, further approach of the flanks over the common face
   double deflection_bow = 0.0;    ///< mm, height of its parabola in the middle
   Headway* headway = nullptr;
@@ -90,7 +90,7 @@ struct LoadedContact {
 /// modifications do not change them.
 struct PairCompliance {
   std::array<std::shared_ptr<const ToothTable>, 2> table;
-  std::array<GearBody, 2> bodies;
+  std::array<ElasticBody, 2> bodies;
   FaceSlices slices;        ///< mm
   double half_width = 0.0;  ///< a0  mm
 };

@@ -35,7 +35,7 @@ Mesh mesh_of(double helix_deg, double face, double module = 3.0) {
 
 LoadRequest request_of(double module = 3.0, double e = kE) {
   LoadRequest r;
-  r.bodies = {GearBody{12 * module, 0.3, e}, GearBody{12 * module, 0.3, e}};
+  r.bodies = {ElasticBody{12 * module, 0.3, e}, ElasticBody{12 * module, 0.3, e}};
   r.accuracy = ComplianceAccuracy::draft;
   r.slices = 12;
   r.positions = 8;

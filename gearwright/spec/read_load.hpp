@@ -1,8 +1,6 @@
 // Reads [load]. Internal to spec/: throws SpecError.
 #pragma once
 
-#include <string>
-
 #include "gearwright/catalogue/load_keys.hpp"
 #include "gearwright/spec/table_reader.hpp"
 

@@ -119,8 +119,8 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder) {
   if (const Json* node = t.table("errors")) spec.errors = read_errors(*node);
   if (const Json* node = t.table("contact")) spec.contact = read_contact(*node);
   if (const Json* node = t.table("compensate")) spec.compensate = read_compensate(*node);
-  if (const Json* node = t.table("rating")) spec.rating = read_rating(*node);
   if (const Json* node = t.table("load")) spec.load = read_load(*node);
+  if (const Json* node = t.table("rating")) spec.rating = read_rating(*node);
   t.finish();
   check_backlash(tree, spec);
   const bool unknown = spec.measured[0] || spec.measured[1];

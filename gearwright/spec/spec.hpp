@@ -42,8 +42,8 @@ struct JobSpec {
   ErrorsInput errors;
   ContactInput contact;
   CompensateInput compensate;
-  RatingTable rating;
   LoadInput load;
+  RatingTable rating;
   std::optional<SearchProblem> search;
   /// [gearN.measured]: of a gear, or of one that is not known and has no place in `gears`.
   std::array<std::shared_ptr<const IdentifyProblem>, 2> measured;

@@ -97,7 +97,7 @@ def test_measure():
 # What can be stopped.
 LONG = {
     "search": 'gw.search({"search": {"ratio": [1, 8], "modules_mm": [1 + 1e-3 * i for i in range(4000)], '
-              '"pinion_teeth": [8, 200], "helix_angle_deg": [0, 10, 20, 30]}}, progress=False, yes_large=True)',
+              '"pinion_teeth": [8, 200], "helix_angle_deg": [0, 30], "helix_step_deg": 1}}, progress=False, yes_large=True)',
     "transmission_error": "pair.transmission_error(np.random.default_rng(1).normal(0, 1e-3, (300000, 6)))",
 }
 

@@ -1,0 +1,98 @@
+"""The verb load as a user meets it: keys, refusals by key, the form of the answer, laws that show in it."""
+
+import unittest
+
+from cli import Run
+
+PAIR = """
+[gear1]
+teeth = 25
+normal_module_mm = 3.0
+face_width_mm = 30.0
+bore = {{ diameter_mm = 36.0 }}
+{gear1}
+[gear2]
+teeth = 43
+face_width_mm = 28.0
+bore = {{ diameter_mm = 60.0 }}
+{gear2}
+{rest}
+"""
+DRAFT = '[load]\npositions = 4\nslices = 8\naccuracy = "draft"\n'
+
+
+def load(gear1="", gear2="", rest=DRAFT + "torque_Nm = 100\n", options=("--json",)):
+    return Run("load", PAIR.format(gear1=gear1, gear2=gear2, rest=rest), *options)
+
+
+class Load(unittest.TestCase):
+    def answer(self, **words):
+        run = load(**words)
+        self.assertEqual(run.status, 0, run.err)
+        return run.json["load"]
+
+    def test_form_of_the_answer(self):
+        answer = self.answer(rest=DRAFT + "torque_Nm = [50, 100]\n")
+        self.assertEqual([t["torque_Nm"] for t in answer["torques"]], [50, 100])
+        for t in answer["torques"]:
+            self.assertEqual(len(t["positions"]), 4)
+            self.assertLess(t["mesh_stiffness_N_per_mm_um"]["min"], t["mesh_stiffness_N_per_mm_um"]["max"])
+            self.assertLess(t["mesh_stiffness_N_per_mm_um"]["mean"],
+                            t["mesh_stiffness_without_twist_N_per_mm_um"]["mean"])
+            self.assertEqual(len(t["max_root_stress_MPa"]), 2)
+            for p in t["positions"]:
+                self.assertAlmostEqual(sum(p["share"]), 1.0, places=12)
+        self.assertEqual(answer["probes"], [])
+
+    def test_more_torque_is_more_of_everything(self):
+        low, high = self.answer(rest=DRAFT + "torque_Nm = [50, 200]\n")["torques"]
+        for key in ("max_pressure_MPa", "peak_to_peak_arcsec"):
+            self.assertGreater(high[key], low[key], key)
+        for a, b in zip(low["positions"], high["positions"]):
+            self.assertGreater(b["approach_um"], a["approach_um"])
+
+    def test_probe(self):
+        probe = "[[load.probe]]\ndiameter_mm = 75\n"
+        wide = self.answer(rest=probe)
+        self.assertEqual(wide["torques"], [])
+        self.assertGreater(wide["probes"][0]["own_um_per_N_mm"], 0)
+        part = self.answer(rest=probe + "z_mm = [-5, 5]\nread_z_mm = [-10, 10]\n")["probes"][0]
+        left, right = part["profile_um_per_N"]
+        self.assertAlmostEqual(left / right, 1.0, places=6)
+        self.assertGreater(part["own_um_per_N"], left)
+
+    def test_refusals_name_the_key(self):
+        for words, key in (
+            ({"rest": DRAFT}, "load.torque_Nm"),
+            ({"rest": DRAFT + "torque_Nm = 0\n"}, "load.torque_Nm"),
+            ({"rest": DRAFT + "torque_Nm = [10, -1]\n"}, "load.torque_Nm"),
+            ({"rest": DRAFT + 'torque_Nm = "ten"\n'}, "load.torque_Nm"),
+            ({"gear1": "material = { youngs_modulus_MPa = 0 }"}, "gear1.material.youngs_modulus_MPa"),
+            ({"gear1": "material = { poisson_ratio = 0.5 }"}, "gear1.material.poisson_ratio"),
+            ({"rest": "[load]\ntorque_Nm = 30000\npositions = 4\nslices = 128\naccuracy = \"draft\"\n"},
+             "load.slices"),
+            ({"rest": "[[load.probe]]\ndiameter_mm = 200\n"}, "load.probe[0].diameter_mm"),
+            ({"rest": "[[load.probe]]\ndiameter_mm = 75\nz_mm = [-40, 2]\n"}, "load.probe[0].z_mm"),
+        ):
+            run = load(**words)
+            self.assertEqual(run.status, 1, words)
+            self.assertEqual(run.json["error"]["key"], key)
+
+    def test_bore_above_the_root(self):
+        text = PAIR.format(gear1="", gear2="", rest=DRAFT + "torque_Nm = 10\n")
+        run = Run("load", text.replace("36.0", "70.0"), "--json")
+        self.assertEqual(run.status, 1)
+        self.assertEqual(run.json["error"]["key"], "gear1.bore.diameter_mm")
+
+    def test_a_single_point_that_touches_is_an_answer(self):
+        answer = self.answer(rest=DRAFT + "torque_Nm = 1e-9\ndeflection_slope_um = 30\n")
+        self.assertGreaterEqual(answer["torques"][0]["positions"][0]["approach_um"], 0)
+
+    def test_csv_has_a_row_for_each_position(self):
+        run = load(rest=DRAFT + "torque_Nm = [50, 100]\n", options=("--csv",))
+        self.assertEqual(run.status, 0, run.err)
+        self.assertEqual(len(run.out.strip().splitlines()), 1 + 2 * 4)
+
+
+if __name__ == "__main__":
+    unittest.main()
