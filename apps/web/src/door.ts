@@ -26,6 +26,8 @@ export function doorOf(page: Page) {
       bench.solved?.text === bench.text &&
       !page.tabs.busy &&
       [bench.front, bench.back, bench.seek].every((one) => one.idle),
+    /** Of the last change: until the answer was here, and what of it was the engine's work. */
     lastMs: (): number => bench.lastMs,
+    engineMs: (): number => bench.solved?.milliseconds ?? NaN,
   };
 }

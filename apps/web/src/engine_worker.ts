@@ -204,7 +204,9 @@ async function answer(q: Question): Promise<void> {
   };
   try {
     const result = await (questions[q.name] as (question: unknown, step: Step) => unknown)(q.question, step);
-    postMessage({ id: q.id, answer: result, overtaken: overtaken.delete(q.id) });
+    // What was done is handed on, though something newer waits: a slider that is pulled shows its way.
+    const ended = overtaken.delete(q.id) && result === null;
+    postMessage({ id: q.id, answer: result, overtaken: ended });
   } catch (reason) {
     postMessage({ id: q.id, failed: reason instanceof Error ? reason.message : String(reason) });
   }

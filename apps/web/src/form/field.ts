@@ -119,7 +119,7 @@ export function makeField(key: InputKey, place: string, who: string, note: Note)
     field.element.addEventListener("focus", () => note.open(key, null));
     return field;
   }
-  const numeric = (key.kind === "number" || key.kind === "whole") && !key.list;
+  const numeric = (key.kind === "number" || key.kind === "whole") && (!key.list || key.list.single);
   let current: Json | undefined;
   let mine: string | null = null; // what is being typed here
 
@@ -204,6 +204,7 @@ export function makeField(key: InputKey, place: string, who: string, note: Note)
       input.placeholder = implied;
       if (mine === null || document.activeElement !== input) input.value = shown(key, value);
       input.readOnly = value !== null && typeof value === "object" && !Array.isArray(value);
+      if (slider) slider.hidden = Array.isArray(value);
       if (slider && document.activeElement !== slider) slider.value = String(base());
     },
     fault: (sentence) => void input.setAttribute("aria-invalid", String(sentence !== null)),

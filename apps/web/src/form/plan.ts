@@ -53,6 +53,8 @@ const kTitles: Record<string, string> = {
   measure: "Measuring",
   cut_by: "Pinion cutter",
   rack: "Rack",
+  measured: "Readings",
+  drawing: "Title block",
 };
 
 /** The name of the table that stands at a place: a rack's depends on its kind. */

@@ -92,8 +92,8 @@ export class MeshView implements Tab {
     if (!this.motion || size !== this.sizeOf) this.fit(size !== this.sizeOf && !this.sizeOf);
     this.sizeOf = size;
     this.ask();
-    const motion = await bench.front.latest("motion", "motion", { text: solved.text, n: 33 });
-    if (motion === kOvertaken || this.shown !== solved.text) return;
+    const motion = await bench.back.latest("motion", "motion", { text: solved.text, n: 25 });
+    if (motion === kOvertaken || motion.places.length !== this.shapes.length) return;
     this.motion = motion;
     this.ask();
   }

@@ -261,13 +261,24 @@ objective = ["contact_ratio", "sliding"]
       const answer = await bench.seek.ask("run", { text, verb });
       if (this.looked !== text) return;
       const found = (at(answer, `${verb}.${list}`) ?? []) as Design[];
-      const hint = at(answer, verb + ".contradiction") ?? at(answer, verb + ".next_measurement");
+      const next = at(answer, "identify.next_measurement.reading");
+      const wrong = at(answer, "identify.contradiction.reading");
+      const hint =
+        (typeof wrong === "string"
+          ? ` The reading ${wrong.replaceAll("_", " ")} contradicts the others.`
+          : "") +
+        (typeof next === "string" ? ` What would decide: measure ${next.replaceAll("_", " ")}.` : "");
       const reason = at(answer, verb + ".reason") ?? at(answer, "error.message");
       this.said.textContent = found.length
         ? `${found.length === 1 ? "One answer fits" : found.length + " answers fit"}. A click makes it the design.` +
-          (typeof hint === "string" ? " " + hint : "")
+          hint
         : String(reason ?? "Nothing fits.");
-      fill(this.branches, ...found.slice(0, 12).map((one, i) => this.branch(one, i, `${verb}.${list}`)));
+      fill(
+        this.branches,
+        ...found
+          .slice(0, 12)
+          .map((one, i) => this.branch(one, i, verb === "fit" ? "fit.branches" : "identify.candidate")),
+      );
     } catch (reason) {
       this.said.textContent = words(reason);
     }

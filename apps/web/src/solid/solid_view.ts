@@ -110,7 +110,7 @@ export class SolidView implements Tab {
       tolerance: this.tolerance(),
     });
     if (answer === kOvertaken) return;
-    const motion = await bench.front.latest("motion-solid", "motion", {
+    const motion = await bench.back.latest("motion-solid", "motion", {
       text: solved.text,
       n: kPositions + 1,
     });
