@@ -99,7 +99,7 @@ def of_gear(**more):
 
 
 # A spec that has the table, and the way to it.
-BIN = {"torque_Nm": 100, "speed_rpm": 1000, "duration_h": 10}
+STAGE = {"torque_Nm": 100, "speed_rpm": 1000, "duration_h": 10}
 TABLES = {
     "gear": (of_gear(), ("gear1",)),
     "cutter": (of_gear(cut_by={"teeth": 10}), ("gear1", "cut_by")),
@@ -130,7 +130,9 @@ TABLES = {
     "rating": (of_gear() | {"rating": {"torque_Nm": 100, "speed_rpm": 1000}}, ("rating",)),
     "rating_mounting": (of_gear() | {"rating": {"torque_Nm": 100, "mounting": {"bearing_span_mm": 100, "shaft_diameter_mm": 30}}},
                         ("rating", "mounting")),
-    "rating_spectrum": (of_gear() | {"rating": {"spectrum": [BIN]}}, ("rating", "spectrum", 0)),
+    "rating_spectrum": (of_gear() | {"rating": {"spectrum": [STAGE]}}, ("rating", "spectrum", 0)),
+    "load": (of_gear() | {"load": {"torque_Nm": 100}}, ("load",)),
+    "load_probe": (of_gear() | {"load": {"torque_Nm": 100, "probe": [{"gear": 1, "diameter_mm": 40}]}}, ("load", "probe", 0)),
     "search": ({"search": SEARCH}, ("search",)),
     "blank": ({"search": SEARCH, "gear1": {}}, ("gear1",)),
 }
