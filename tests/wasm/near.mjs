@@ -1,28 +1,43 @@
 // Two JSON texts compared: the same bits, or the same but for the last digits of numbers.
 //
-//   relative error   |a − b| / max(|a|, |b|); a number that is small beside its like, an error in µm of
-//                    lengths in mm, is measured against `scale`
+//   error   |a − b| / max(|a|, |b|, scale), where scale is 1 of what the number is made of in the core,
+//           in the unit that its key ends with: a transmission error of a conjugate pair is the difference
+//           of two angles of about 1 rad, a gap that of two radii, and 0 but for their rounding
 
-/** What two trees have in common: {bits, worst, where, faults}. */
-export function compare(a, b, path = "", found = { numbers: 0, bits: 0, worst: 0, where: "", faults: [] }) {
+const kLengths = 100; // mm: a large length of the examples
+const units = [
+  [/_arcsec$/, (180 * 3600) / Math.PI],
+  [/_deg$/, 180 / Math.PI],
+  [/_mm$/, kLengths],
+  [/_um$/, 1000 * kLengths],
+];
+
+/** The scale of a key, "contact.positions[3].point_mm[1]". */
+export function scaleOf(path) {
+  const key = path.slice(path.lastIndexOf(".") + 1).replace(/\[\d+\]/g, "");
+  const unit = /_per_/.test(key) ? undefined : units.find(([ending]) => ending.test(key));
+  return unit ? unit[1] : 1;
+}
+
+/** What two trees have in common. */
+export function compare(a, b, path = "", found = { numbers: 0, bits: 0, differing: [], faults: [] }) {
+  const into = (x, y, step) => compare(x, y, path + step, found);
   if (typeof a === "number" && typeof b === "number") {
     found.numbers += 1;
     if (Object.is(a, b)) {
       found.bits += 1;
     } else {
-      const error = Math.abs(a - b) / Math.max(Math.abs(a), Math.abs(b));
-      if (error > found.worst) Object.assign(found, { worst: error, where: `${path} ${a} ${b}` });
-      found.differing ??= [];
-      found.differing.push({ path, a, b, error });
+      const size = Math.max(Math.abs(a), Math.abs(b));
+      const error = Math.abs(a - b) / Math.max(size, scaleOf(path));
+      found.differing.push({ path, a, b, error, relative: Math.abs(a - b) / size });
     }
   } else if (Array.isArray(a) && Array.isArray(b)) {
     if (a.length !== b.length) found.faults.push(`${path}: ${a.length} and ${b.length} elements`);
-    a.slice(0, b.length).forEach((x, i) => compare(x, b[i], `${path}[${i}]`, found));
+    a.slice(0, b.length).forEach((x, i) => into(x, b[i], `[${i}]`));
   } else if (a && b && typeof a === "object" && typeof b === "object") {
-    const keys = new Set([...Object.keys(a), ...Object.keys(b)]);
-    for (const key of keys) {
+    for (const key of new Set([...Object.keys(a), ...Object.keys(b)])) {
       if (!(key in a) || !(key in b)) found.faults.push(`${path}.${key} is only on one side`);
-      else compare(a[key], b[key], `${path}.${key}`, found);
+      else into(a[key], b[key], `.${key}`);
     }
   } else if (a !== b) {
     found.faults.push(`${path}: ${JSON.stringify(a)} and ${JSON.stringify(b)}`);

@@ -41,6 +41,9 @@ const tests = {
     const said = JSON.parse(engine.run("pair", example("helical_pair")));
     for (const [name, record] of [["gear", said.gears[0]], ["pair", said.pair], ["verdict", said.verdict]])
       for (const key of Object.keys(record)) assert.ok(table(name).some((q) => q.key === key), `${name}.${key}`);
+    // Each verb's own table, by the schema of results.
+    for (const name of Object.keys(JSON.parse(engine.schema("result")).$defs))
+      assert.ok(quantities.some((t) => t.name.replaceAll(" ", "_") === name), `no table ${name}`);
     assert.equal(inputs[0].name, "spec");
     const gear = inputs.find((t) => t.name === "gear");
     assert.ok(gear.keys.find((k) => k.key === "teeth").required);

@@ -2,8 +2,7 @@
 //
 //   same      words, flags, lists, keys: letter for letter
 //   bits      numbers that are the same double
-//   near      the others: within kNear of each other, relative; a number that is a small difference of
-//             larger ones (a deviation in µm, a gap, a margin) within kNear of its table's greatest
+//   near      the others, which the C library's last bits tell apart: within kNear as near.mjs measures
 //
 // Two ways through WebAssembly are asked, the engine of the page and the program under node: their
 // texts are the same bytes.
@@ -14,7 +13,7 @@ import { compare } from "./near.mjs";
 import { build, loadEngine, source } from "./engine.mjs";
 
 const kNear = 1e-12;
-const verbs = ["gear", "pair", "contact", "measure", "fit"];
+const verbs = ["gear", "pair", "contact", "load", "rate", "measure", "fit", "identify"];
 const native = process.env.GW_BIN ?? path.join(source, "build/release/gearwright");
 const program = path.join(build, "cli/gearwright.js");
 
@@ -46,7 +45,7 @@ for (const name of readdirSync(path.join(source, "examples")).filter((n) => n.en
     faults.push(...found.faults);
     numbers += found.numbers;
     bits += found.bits;
-    far.push(...(found.differing ?? []).filter((d) => d.error > kNear));
+    far.push(...found.differing.filter((d) => d.error > kNear));
   }
 }
 far.sort((x, y) => y.error - x.error);

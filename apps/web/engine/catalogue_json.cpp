@@ -13,8 +13,10 @@
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/identify_quantities.hpp"
+#include "gearwright/catalogue/load_quantities.hpp"
 #include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
 #include "gearwright/catalogue/verdict_quantities.hpp"
@@ -128,7 +130,8 @@ std::string catalogue_json() {
   for (const SaidTable* table :
        {&gear_quantities().table(), &measure_quantities().table(), &as_rack_quantities().table(),
         &outline_quantities().table(), &pair_quantities().table(), &contact_quantities().table(),
-        &position_quantities().table(), &compensate_quantities().table(), &fit_quantities().table(),
+        &position_quantities().table(), &compensate_quantities().table(),
+        &load_quantities().table(), &rating_quantities().table(), &fit_quantities().table(),
         &identify_quantities().table(), &drawing_quantities().table(), &search_quantities().table(),
         &design_quantities().table(), &file_quantities().table(), &warning_quantities().table(),
         &verdict_quantities().table()})

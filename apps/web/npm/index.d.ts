@@ -23,7 +23,10 @@ export interface Result {
   pair?: Values;
   contact?: Values;
   compensate?: Values;
+  load?: Values;
+  rating?: Values;
   fit?: Values;
+  identify?: Values;
   search?: Values;
   warnings?: { code: string; message: string; gear: number | null }[];
   verdict?: { level: "green" | "amber" | "red"; headline: string } & Values;
