@@ -58,7 +58,9 @@ TEST(Catalogue, EveryKeyStandsOnceAndEndsWithItsUnit) {
       for (const Unit u :
            {Unit::mm, Unit::um, Unit::deg, Unit::arcsec, Unit::per_mm, Unit::mm_per_rad}) {
         const bool ends = s->key.ends_with(unit_suffix(u));
-        const bool longer = u == Unit::mm && s->key.ends_with("_per_mm");
+        // "_per_mm" is no length, "_N_per_mm" no curvature.
+        const bool longer = (u == Unit::mm && s->key.ends_with("_per_mm")) ||
+                            s->key.ends_with("_N_per_mm") || s->key.ends_with("_per_N_mm");
         if (ends && !longer && s->type != Type::record) {
           EXPECT_EQ(s->unit, u) << t->name << ": " << s->key;
         }

@@ -1,4 +1,4 @@
-// A rating for people and as JSON; as CSV: job/csv_answer.hpp.
+// A rating for people and as JSON; as CSV: job/csv_answer.hpp. Internal to job/ and the program.
 #pragma once
 
 #include <string>
