@@ -243,6 +243,31 @@ describe("pictures", () => {
   });
 });
 
+describe("what a spec leaves out", () => {
+  it("a broken gear is identified, and the answer is a gear", async () => {
+    await put(page, example("broken_gear"), "search");
+    await page.waitForSelector(".branch");
+    const expected = native("identify", example("broken_gear")).identify.candidates;
+    assert.equal(await page.locator(".branch").count(), expected.length);
+    await page.click(".branch button");
+    await page.waitForFunction(() => document.querySelector(".level").textContent !== "identify");
+    await settled(page);
+    const module = await page.inputValue('[data-key="gear1.normal_module_mm"]');
+    assert.equal(Number(module), expected[0].normal_module_mm);
+  });
+
+  it("every beginning under “I have” comes to an answer", async () => {
+    const count = await page.locator("form.have").count();
+    assert.equal(count, 5);
+    for (let i = 0; i < count; ++i) {
+      await page.evaluate(() => window.gearwright.start());
+      await page.click(`form.have >> nth=${i} >> button`);
+      await page.waitForSelector(".designs tbody tr, .branch");
+    }
+    assert.deepEqual(page.complaints, []);
+  });
+});
+
 describe("in and out", () => {
   it("a link is a design", async () => {
     await put(page, example("ring_pair"));
@@ -267,6 +292,7 @@ describe("in and out", () => {
       ["STL, gear 1", /./s],
       ["3MF, gear 1", /^PK/],
       ["GLB, pair", /^glTF/],
+      ["STEP, pair", /^ISO-10303-21;/],
       ["DXF, gear 1", /./s],
       ["SVG, gear 1", /<svg/],
     ]) {

@@ -43,6 +43,8 @@ const kTitles: Record<string, string> = {
   errors: "Errors of mounting and teeth",
   contact: "Contact",
   compensate: "Corrections",
+  load: "Load",
+  rating: "Rating",
   fit: "Fit",
   search: "Search",
   bore: "Bore",
@@ -152,9 +154,11 @@ export function planOf(spec: Json): Section[] {
         );
     }
   }
-  for (const name of ["errors", "contact", "fit", "compensate"])
-    if (at(spec, name) !== undefined || (name === "errors" && gears.length > 1))
-      add(section(name, name, name, [name], spec));
+  for (const { key: name, tables } of inputs("spec")?.keys ?? []) {
+    if (!tables.length || ["gear1", "gear2", "pair", "search"].includes(name)) continue;
+    const shown = at(spec, name) !== undefined || (name === "errors" && gears.length > 1 && !searching);
+    if (shown) add(section(name, name, tables[0]!, [name], spec));
+  }
   return sections.filter(
     (one): one is Section => one !== null && (one.rows.length > 0 || one.more.length > 0),
   );
