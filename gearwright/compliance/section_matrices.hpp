@@ -16,6 +16,7 @@
 namespace gearwright::detail {
 
 using Sparse = Eigen::SparseMatrix<double>;
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 /// Hooke's law, strains xx, yy, zz, xy, yz, zx.   Domain: 0 ≤ ν < ½ (contract)
@@ -40,15 +41,15 @@ SectionMatrices section_matrices(const SectionMesh& mesh, const Matrix6& law, do
 /// The trace ε_x + ε_y of each column, averaged to nodes, as a w-field; 0 at the bore.
 Eigen::MatrixXd trace_fields(const SectionMesh& mesh, const Eigen::MatrixXd& fields);
 
-/// K(k) = aa + k (ab + abᵀ) + k² bb on the nodes that are not held, factorised for one k after the
-/// other. [T12.6]
+/// K(k) = aa + k (ab + abᵀ) + k² bb on the nodes that are not held. [T12.6]
 class StripSolver {
  public:
   StripSolver(const SectionMesh& mesh, const SectionMatrices& wave);
   ~StripSolver();
   StripSolver(StripSolver&&) noexcept;
   /// Displacements of all dof under the columns of `loads`. k = 0: without axial loads.
-  Eigen::MatrixXd solve(double k, const Eigen::MatrixXd& loads);
+  /// Factorises K(k) each time; from any thread.
+  Eigen::MatrixXd solve(double k, const Eigen::MatrixXd& loads) const;
 
  private:
   struct Parts;
