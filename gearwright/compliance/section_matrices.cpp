@@ -86,6 +86,10 @@ std::vector<int> elimination_order(const SectionMesh& mesh) {
   return out;
 }
 
+// The term by k of [T12.6], from the elements of ab and abᵀ.
+double between(double ab, double ba, double) { return ab + ba; }
+std::complex<double> between(double ab, double ba, std::complex<double>) { return {0.0, ab - ba}; }
+
 }  // namespace
 
 Matrix6 hooke(double youngs_modulus, double poisson_ratio) {
@@ -160,8 +164,7 @@ SectionMatrices section_matrices(const SectionMesh& mesh, const Matrix6& law, do
         for (int c = 0; c < 3; ++c) {
           const Eigen::Index at = pattern.place(e[i], e[j], c);
           for (int m = 0; m < 3; ++m)
-            for (int r = 0; r < 3; ++r)
-              all[m]->valuePtr()[at + r] += k[m](3 * i + r, 3 * j + c);
+            for (int r = 0; r < 3; ++r) all[m]->valuePtr()[at + r] += k[m](3 * i + r, 3 * j + c);
         }
   }
   return out;
@@ -189,14 +192,17 @@ Eigen::MatrixXd trace_fields(const SectionMesh& mesh, const Eigen::MatrixXd& fie
   return out;
 }
 
-struct StripSolver::Parts {
+template <class Scalar>
+struct StripSolver<Scalar>::Parts {
   std::vector<Eigen::Index> free;  // dof that are not held, in the order of elimination
-  std::array<Sparse, 3> k;         // of those, the upper triangles of [T12.6]'s terms, one pattern
+  // Of those, the upper triangles of [T12.6]'s terms by 1, k, k²; one pattern.
+  std::array<Eigen::SparseMatrix<Scalar>, 3> k;
 };
 
-StripSolver::StripSolver(const SectionMesh& mesh, const SectionMatrices& wave)
+template <class Scalar>
+StripSolver<Scalar>::StripSolver(const SectionMesh& mesh, const SectionMatrices& matrices)
     : parts_(std::make_unique<Parts>()) {
-  const Eigen::Index n = wave.aa.rows();
+  const Eigen::Index n = matrices.aa.rows();
   const std::vector<int> order = elimination_order(mesh);
   std::vector<int> place(static_cast<std::size_t>(n), -1);
   for (const int i : order)
@@ -205,44 +211,54 @@ StripSolver::StripSolver(const SectionMesh& mesh, const SectionMatrices& wave)
       parts_->free.push_back(3 * i + c);
     }
   // All three matrices have an entry wherever two dof share an element.
-  const Sparse back = wave.ab.transpose();
-  const std::array<const Sparse*, 3> from{&wave.aa, &wave.ab, &wave.bb};
-  std::array<std::vector<Eigen::Triplet<double>>, 3> entries;
-  for (auto& list : entries) list.reserve(static_cast<std::size_t>(wave.aa.nonZeros()) * 5 / 8);
-  for (const Eigen::Index j : parts_->free) {
-    for (int m = 0; m < 3; ++m) {
-      Sparse::InnerIterator other(back, j);
-      for (Sparse::InnerIterator it(*from[m], j); it; ++it, ++other)
-        if (const int row = place[it.row()]; row >= 0 && row <= place[j])
-          entries[m].emplace_back(row, place[j],
-                                  m == 1 ? it.value() + other.value() : it.value());
-    }
-  }
+  const Sparse back = matrices.ab.transpose();
+  const std::array<const Sparse*, 3> from{&matrices.aa, &matrices.ab, &matrices.bb};
   const auto size = static_cast<Eigen::Index>(parts_->free.size());
+  std::vector<Eigen::Triplet<Scalar>> entries;
+  entries.reserve(static_cast<std::size_t>(matrices.aa.nonZeros()) * 5 / 8);
   for (int m = 0; m < 3; ++m) {
+    entries.clear();
+    for (const Eigen::Index j : parts_->free) {
+      Sparse::InnerIterator other(back, j);
+      for (Sparse::InnerIterator it(*from[m], j); it; ++it, ++other) {
+        const int row = place[it.row()];
+        if (row < 0 || row > place[j]) continue;
+        entries.emplace_back(row, place[j],
+                             m == 1 ? between(it.value(), other.value(), Scalar()) : it.value());
+      }
+    }
     parts_->k[m].resize(size, size);
-    parts_->k[m].setFromTriplets(entries[m].begin(), entries[m].end());
+    parts_->k[m].setFromTriplets(entries.begin(), entries.end());
   }
 }
 
-StripSolver::~StripSolver() = default;
-StripSolver::StripSolver(StripSolver&&) noexcept = default;
+template <class Scalar>
+StripSolver<Scalar>::~StripSolver() = default;
+template <class Scalar>
+StripSolver<Scalar>::StripSolver(StripSolver&&) noexcept = default;
 
-Eigen::MatrixXd StripSolver::solve(double k, const Eigen::MatrixXd& loads) const {
+template <class Scalar>
+typename StripSolver<Scalar>::Fields StripSolver<Scalar>::solve(
+    double k, const Eigen::MatrixXd& loads) const {
   const Parts& p = *parts_;
-  Sparse matrix = p.k[0];
+  using Matrix = Eigen::SparseMatrix<Scalar>;
+  Matrix matrix = p.k[0];
   const Eigen::Index count = matrix.nonZeros();
-  using Values = Eigen::Map<const Eigen::ArrayXd>;
-  Eigen::Map<Eigen::ArrayXd>(matrix.valuePtr(), count) +=
+  using Values = Eigen::Map<const Eigen::Array<Scalar, Eigen::Dynamic, 1>>;
+  Eigen::Map<Eigen::Array<Scalar, Eigen::Dynamic, 1>>(matrix.valuePtr(), count) +=
       k * Values(p.k[1].valuePtr(), count) + k * k * Values(p.k[2].valuePtr(), count);
-  const Eigen::SimplicialLDLT<Sparse, Eigen::Upper, Eigen::NaturalOrdering<int>> factor(matrix);
+  const Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> factor(matrix);
   GW_ENSURES(factor.info() == Eigen::Success);
-  Eigen::MatrixXd right(static_cast<Eigen::Index>(p.free.size()), loads.cols());
-  for (std::size_t i = 0; i < p.free.size(); ++i) right.row(i) = loads.row(p.free[i]);
-  const Eigen::MatrixXd x = factor.solve(right);
-  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(loads.rows(), loads.cols());
+  Fields right(static_cast<Eigen::Index>(p.free.size()), loads.cols());
+  for (std::size_t i = 0; i < p.free.size(); ++i)
+    right.row(i) = loads.row(p.free[i]).template cast<Scalar>();
+  const Fields x = factor.solve(right);
+  Fields out = Fields::Zero(loads.rows(), loads.cols());
   for (std::size_t i = 0; i < p.free.size(); ++i) out.row(p.free[i]) = x.row(i);
   return out;
 }
+
+template class StripSolver<double>;
+template class StripSolver<std::complex<double>>;
 
 }  // namespace gearwright::detail

@@ -254,8 +254,8 @@ MatrixXd ToothTable::same_tooth(const LinePlaces& line) const {
 
 MatrixXd ToothTable::other_tooth(int k, const LinePlaces& read, const LinePlaces& loaded) const {
   MatrixXd c = MatrixXd::Zero(n_, n_);
-  if (std::abs(k) > side_teeth()) return c;
-  const std::vector<double>& table = other_[k + side_teeth()];
+  const int nearest = std::clamp(k, -side_teeth(), side_teeth());
+  const std::vector<double>& table = other_[nearest + side_teeth()];
   std::vector<Weights> from;
   std::vector<Weights> to;
   for (const double s : loaded) from.push_back(weights(s));
