@@ -213,6 +213,11 @@ void CommandLine::add_files() {
   files->add_option("--3mf", o.threemf, "3MF mesh");
   files->add_option("--dxf", o.dxf, "DXF outline");
   files->add_option("--svg", o.svg, "SVG outline");
+  files->add_option("--drawing", o.drawing,
+                    "Workshop drawing with the gear data, a sheet for each gear: .pdf, .svg or "
+                    ".dxf");
+  files->add_option("--sheet", o.sheet, "A4 (default) or A3, of the workshop drawing")
+      ->check(CLI::IsMember({"A4", "A3"}));
   files
       ->add_option("--step-schema", o.step_schema,
                    "ap242 (default), or ap214 for systems that read nothing newer")
@@ -223,7 +228,7 @@ void CommandLine::add_files() {
       ->check(between(1e-5, 10.0));
   files
       ->add_option("--dxf-tolerance", o.drawing_tolerance,
-                   "mm between DXF arcs and exact outline (default 0.001)")
+                   "mm between the arcs of DXF or drawing and the exact outline (default 0.001)")
       ->check(between(1e-7, 1.0));
   files->add_flag("--dxf-splines", o.drawing_splines,
                   "DXF as splines (within 1 nm) instead of arcs");

@@ -28,6 +28,7 @@
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/result_schema.hpp"
 #include "gearwright/job/verify.hpp"
+#include "gearwright/job/workshop_drawing.hpp"
 #include "gearwright/spec/toml_text.hpp"
 
 namespace gearwright::cli {
@@ -95,7 +96,8 @@ std::optional<std::vector<std::string>> run_parts(const std::string& text) {
 // The first output that would overwrite another one, or the spec; empty when there is none.
 std::string collision(const Options& o) {
   std::vector<fs::path> taken{fs::weakly_canonical(fs::absolute(o.spec))};
-  for (const std::string* name : {&o.step, &o.stl, &o.glb, &o.threemf, &o.dxf, &o.svg}) {
+  for (const std::string* name :
+       {&o.step, &o.stl, &o.glb, &o.threemf, &o.dxf, &o.svg, &o.drawing}) {
     if (name->empty()) continue;
     std::error_code error;
     const fs::path path = fs::weakly_canonical(fs::absolute(*name), error);
@@ -316,24 +318,32 @@ int export_verb(const Options& o) {
   const std::vector<std::pair<FileKind, const std::string*>> wanted{
       {FileKind::step, &o.step},       {FileKind::stl, &o.stl}, {FileKind::glb, &o.glb},
       {FileKind::threemf, &o.threemf}, {FileKind::dxf, &o.dxf}, {FileKind::svg, &o.svg}};
-  bool any = false;
+  bool any = !o.drawing.empty();
   for (const auto& [kind, path] : wanted) any = any || !path->empty();
   if (!any)
     return usage(
-        "export needs at least one of --step, --stl, --glb, --3mf, --dxf, --svg with a file name");
+        "export needs at least one of --step, --stl, --glb, --3mf, --dxf, --svg, --drawing with a "
+        "file name");
+  const auto format = sheet_format(o.drawing);
+  if (!o.drawing.empty() && !format)
+    return usage("--drawing takes a name that ends in .pdf, .svg or .dxf, and not " + o.drawing);
   if (const std::string name = collision(o); !name.empty()) {
     return usage(name + " is named twice, or is the spec itself");
   }
   Door door(o);
-  const auto job = door.solve(o.gear ? Scope::gears : Scope::everything);
+  // A drawing names the mating gear.
+  const bool alone = o.gear && o.drawing.empty();
+  const auto job = door.solve(alone ? Scope::gears : Scope::everything);
   if (!job) return door.fail(job.error());
   const int count = static_cast<int>(job->gears.size());
   if (o.gear && *o.gear > count) {
     return door.fail({"gear2", "", "is missing from the spec, --gear 2 asks for its files"});
   }
   std::vector<ToothedBody> bodies;
+  std::vector<int> drawn;
   for (int which = 1; which <= count; ++which) {
     if (o.gear && *o.gear != which) continue;
+    drawn.push_back(which);
     auto body = make_body(*job, which, !o.gear);
     if (!body) return door.fail(body.error());
     bodies.push_back(std::move(body).take());
@@ -343,6 +353,12 @@ int export_verb(const Options& o) {
   for (const auto& [kind, path] : wanted) {
     if (path->empty()) continue;
     auto file = make_file(kind, bodies, *path, options);
+    if (!file) return door.fail(file.error());
+    files.push_back(std::move(file).take());
+  }
+  if (format) {
+    const SheetSize size = o.sheet == "A3" ? SheetSize::a3 : SheetSize::a4;
+    auto file = make_workshop_drawing(*job, drawn, *format, size, o.drawing, options);
     if (!file) return door.fail(file.error());
     files.push_back(std::move(file).take());
   }

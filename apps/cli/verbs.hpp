@@ -16,7 +16,8 @@ struct Options {
   std::optional<std::string> only;  // of run: words of kRunParts
   std::optional<int> gear;
   int points = 50;
-  std::string step, stl, glb, threemf, dxf, svg;
+  std::string step, stl, glb, threemf, dxf, svg, drawing;
+  std::string sheet = "A4";
   std::string step_schema = "ap242";
   double mesh_tolerance = 0.005;     // mm
   double drawing_tolerance = 0.001;  // mm

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/cad/biarc.hpp"
+#include "gearwright/cad/biarc_contour.hpp"
 #include "gearwright/cad/contour.hpp"
 #include "gearwright/cad/dxf_document.hpp"
 #include "gearwright/cad/screw_spline.hpp"
@@ -16,52 +16,17 @@ namespace {
 constexpr const char* kProfile = "PROFILE";
 constexpr const char* kBore = "BORE";
 
-// Arcs of the outline that make pieces of other kind than lands.
-std::vector<bool> arcs_to_fit(const Outline& outline, const Contour& contour) {
-  std::vector<bool> wanted(outline.arcs.size(), false);
-  for (const ContourPiece& piece : contour.pieces) {
-    if (!piece.land) wanted[piece.arc] = true;
-  }
-  return wanted;
-}
-
 struct Facts {
   int segments = 0;
   double deviation_mm = 0.0;
 };
 
-// Mirroring turns a bulge over, and so does running it backwards: pieces do one or the other.
 Result<Facts> draw_biarcs(const Outline& outline, const Contour& contour, double tolerance,
                           DxfEntities& entities) {
-  Facts facts;
-  std::vector<std::optional<BiarcChain>> chains(outline.arcs.size());
-  const std::vector<bool> wanted = arcs_to_fit(outline, contour);
-  for (std::size_t i = 0; i < chains.size(); ++i) {
-    if (!wanted[i]) continue;
-    chains[i] = fit_biarcs(outline.arcs[i], tolerance);
-    const double deviation = chains[i]->deviation_mm;
-    if (!(deviation <= tolerance)) return beyond_tolerance(outline.arcs[i], deviation, tolerance);
-    facts.deviation_mm = std::max(facts.deviation_mm, deviation);
-  }
-  std::vector<Vec2> points;
-  std::vector<double> bulges;
-  for (const ContourPiece& piece : contour.pieces) {
-    if (piece.land) {
-      points.push_back(piece.begin);
-      bulges.push_back(std::tan(piece.sweep / 4.0));
-      continue;
-    }
-    const BiarcChain& chain = *chains[piece.arc];
-    const std::vector<Vec2> here = placed(contour, piece, chain.points);
-    points.insert(points.end(), here.begin(), here.end() - 1);
-    const std::size_t n = chain.bulges.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      bulges.push_back(-chain.bulges[piece.mirrored ? i : n - 1 - i]);
-    }
-  }
-  facts.segments = static_cast<int>(points.size());
-  entities.closed_polyline(kProfile, points, bulges);
-  return facts;
+  const auto polygon = biarc_contour(outline, contour, tolerance);
+  if (!polygon) return polygon.error();
+  entities.closed_polyline(kProfile, polygon->points, polygon->bulges);
+  return Facts{static_cast<int>(polygon->points.size()), polygon->deviation_mm};
 }
 
 Result<Facts> draw_splines(const Outline& outline, const Contour& contour, double tolerance,

@@ -22,7 +22,16 @@ class DxfEntities {
   /// Closed LWPOLYLINE; bulges[i] leads from points[i] to the next, the last one to the first.
   void closed_polyline(const std::string& layer, const std::vector<Vec2>& points,
                        const std::vector<double>& bulges);
-  void circle(const std::string& layer, double radius);
+  void circle(const std::string& layer, double radius, const Vec2& center = Vec2::Zero());
+  /// LWPOLYLINE from the first point to the last; one bulge fewer than points.
+  void polyline(const std::string& layer, const std::vector<Vec2>& points,
+                const std::vector<double>& bulges);
+  void line(const std::string& layer, const Vec2& a, const Vec2& b);
+  /// SOLID, a filled triangle.
+  void triangle(const std::string& layer, const Vec2& a, const Vec2& b, const Vec2& c);
+  /// TEXT, left end of its base line at `at`; `height` of capitals, `degrees` counter-clockwise.
+  void text(const std::string& layer, const Vec2& at, const std::string& utf8, double height,
+            double degrees);
   /// An arc about the origin from `begin` to `end`, `sweep` rad, as a rational quadratic SPLINE:
   /// exact, and its ends are the given points, which an ARC entity knows only as angles in degrees.
   void circular_spline(const std::string& layer, const Vec2& begin, const Vec2& end, double sweep);
@@ -32,24 +41,39 @@ class DxfEntities {
 
   const std::string& text() const { return text_; }
   int next_handle() const { return handle_; }
+  bool has_words() const { return has_words_; }
 
  private:
   Vec2 at(const Vec2& p) const { return moved_ ? Vec2(pose_ * p) : p; }
   void begin(const char* type, const std::string& layer, const char* subclass);
+  void polyline(const std::string& layer, const std::vector<Vec2>& points,
+                const std::vector<double>& bulges, bool closed);
 
   std::string text_;
   bool moved_ = false;  // false: points are written as they are, to the bit
   Eigen::Isometry2d pose_ = Eigen::Isometry2d::Identity();
   int handle_ = 0x100;  // below lies the frame
+  bool has_words_ = false;
 };
 
 struct DxfLayer {
   std::string name;
-  int color;  ///< AutoCAD colour index
+  int color;            ///< AutoCAD colour index
+  int line_width = -3;  ///< hundredths of a mm; -3: the reader's own
+  bool chain = false;   ///< of long dashes and dots, the line type CENTER
 };
 
-/// The whole file. `reach`: half the side of the square about the origin that holds everything, mm.
+struct DxfExtent {
+  Vec2 lo, hi;  ///< mm, hold everything
+};
+
+/// The whole file. Words are in the style SHEET, of Arial, whose letters are as wide as Helvetica's.
 std::string dxf_document(const DxfEntities& entities, const std::vector<DxfLayer>& layers,
-                         double reach);
+                         const DxfExtent& extent);
+/// `reach`: half the side of the square about the origin that holds everything, mm.
+inline std::string dxf_document(const DxfEntities& entities, const std::vector<DxfLayer>& layers,
+                                double reach) {
+  return dxf_document(entities, layers, {{-reach, -reach}, {reach, reach}});
+}
 
 }  // namespace gearwright

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/utf8.hpp"
 
 namespace gearwright {
 namespace {
@@ -17,30 +18,6 @@ constexpr std::size_t kIdsPerLine = 12;
 void append_integer(std::string& text, std::uint64_t value) {
   const fmt::format_int digits(value);
   text.append(digits.data(), digits.size());
-}
-
-// One code point and how many bytes it took; U+FFFD for a byte that begins none.
-struct Decoded {
-  char32_t code;
-  std::size_t bytes;
-};
-
-Decoded decode(std::string_view text) {
-  constexpr Decoded kWrong{0xFFFD, 1};
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char first = byte(0);
-  if (first < 0x80) return {first, 1};
-  const std::size_t bytes = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  if (first < 0xC2 || first > 0xF4 || text.size() < bytes) return kWrong;
-  char32_t code = first & (0x7Fu >> bytes);
-  for (std::size_t i = 1; i < bytes; ++i) {
-    if ((byte(i) & 0xC0) != 0x80) return kWrong;
-    code = (code << 6) | (byte(i) & 0x3Fu);
-  }
-  constexpr std::array<char32_t, 5> kSmallest{0, 0, 0x80, 0x800, 0x10000};  // of so many bytes
-  const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
-  if (code < kSmallest[bytes] || code > 0x10FFFF || surrogate) return kWrong;
-  return {code, bytes};
 }
 
 enum class Alphabet { plain, two_bytes, four_bytes };
@@ -72,9 +49,7 @@ void append_real(std::string& text, double value) {
 std::string part21_string(std::string_view utf8) {
   std::string text = "'";
   Alphabet open = Alphabet::plain;
-  while (!utf8.empty()) {
-    const auto [code, bytes] = decode(utf8);
-    utf8.remove_prefix(bytes);
+  for (const char32_t code : code_points(utf8)) {
     const Alphabet wanted = alphabet_of(code);
     if (wanted != open) {
       if (open != Alphabet::plain) text += "\\X0\\";

@@ -7,29 +7,16 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <string_view>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/cad/bezier.hpp"
 #include "gearwright/cad/contour.hpp"
+#include "gearwright/cad/file_text.hpp"
 
 namespace gearwright {
 namespace {
 
 constexpr double kMargin = 0.05;  // of the radius, so that the stroke is not cut off
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      default: result += c;
-    }
-  }
-  return result;
-}
 
 // The d attribute; y is turned over here and nowhere else.
 class Path {
@@ -62,13 +49,8 @@ class Path {
   const std::string& text() const { return text_; }
 
  private:
-  // Ten decimals without the zeros at the end: 1e-10 mm.
-  static std::string shorter(double value) {
-    std::string text = fmt::format("{:.10f}", value);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-    return text == "-0" ? "0" : text;
-  }
+  // 1e-10 mm.
+  static std::string shorter(double value) { return short_decimal(value, 10); }
   static int shorter(int value) { return value; }
   template <class... T>
   void add(const char* form, T... values) {
@@ -172,7 +154,7 @@ Result<Drawing> svg_drawing(const std::vector<ToothedBody>& bodies, const SvgOpt
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.6f}mm\" height=\"{1:.6f}mm\" "
       "viewBox=\"{2:.6f} {3:.6f} {0:.6f} {1:.6f}\">\n"
       "<title>{4}</title>\n{5}</svg>\n",
-      size.x(), size.y(), corner.x(), corner.y(), escaped(title), paths);
+      size.x(), size.y(), corner.x(), corner.y(), xml_text(title), paths);
   return drawing;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/cad/file_text.hpp"
 #include "gearwright/cad/zip.hpp"
 
 namespace gearwright {
@@ -35,25 +36,9 @@ constexpr const char* kModelHead =
 <resources>
 )";
 
-std::string xml_attribute(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      default:
-        // XML 1.0 has no way to write the other control characters.
-        out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return out;
-}
-
 void append_object(std::string& xml, const MeshPart& part, std::size_t id) {
   xml += fmt::format("<object id=\"{}\" type=\"model\" name=\"{}\"><mesh><vertices>\n", id,
-                     xml_attribute(part.name));
+                     xml_text(part.name));
   const auto out = std::back_inserter(xml);
   for (const Vec3& v : part.mesh.vertices) {
     fmt::format_to(out, FMT_COMPILE("<vertex x=\"{:.9g}\" y=\"{:.9g}\" z=\"{:.9g}\"/>\n"), v.x(),

@@ -38,14 +38,6 @@ namespace {
 
 std::string gear_name(int which) { return "gear" + std::to_string(which); }
 
-// CAD errors name a member of a body, which is the gear's. Of a tolerance or of the number of faces
-// a spec says nothing: their sentence is about the gear.
-Error of_body(Error error, const std::string& name) {
-  const bool of_spec = error.field == "teeth" || error.field.starts_with("bore.");
-  if (of_spec) return within(name, std::move(error));
-  return {name, "", error.rule};
-}
-
 Result<JobFile> make_mesh(FileKind kind, const std::vector<ToothedBody>& bodies,
                           const fs::path& path, const FileOptions& options) {
   std::vector<MeshPart> parts;
@@ -152,6 +144,12 @@ std::string_view ending(FileKind kind) {
     case FileKind::svg: return ".svg";
   }
   contract_failed("postcondition", "known file kind", __FILE__, __LINE__);
+}
+
+Error of_body(Error error, const std::string& name) {
+  const bool of_spec = error.field == "teeth" || error.field.starts_with("bore.");
+  if (of_spec) return within(name, std::move(error));
+  return {name, "", error.rule};
 }
 
 // An internal gear without a given rim gets one of 2.5 modules around its roots.

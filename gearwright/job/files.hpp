@@ -53,6 +53,10 @@ std::string_view ending(FileKind kind);
 ///           through the axis
 Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place);
 
+/// CAD errors name a member of a body, which is the gear's. Of a tolerance or of the number of faces
+/// a spec says nothing: their sentence is about the gear.
+Error of_body(Error error, const std::string& name);
+
 /// Makes one file with these bodies, in memory: what can be refused is refused before anything is
 /// on disk.
 ///

@@ -3,47 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <vector>
+
+#include "gearwright/catalogue/symbol_pieces.hpp"
 
 namespace gearwright {
-
-namespace {
-
-bool is_letter_or_digit(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-}
-
-enum class Place { base, below, above };
-
-struct Piece {
-  std::string text;
-  Place place;
-};
-
-// A subscript runs from '_' over letters, digits and UTF-8 bytes; '*' stands above.
-std::vector<Piece> pieces_of(std::string_view symbol) {
-  std::vector<Piece> pieces;
-  Place place = Place::base;
-  for (const char c : symbol) {
-    if (c == '_') {
-      place = Place::below;
-      pieces.push_back({"", place});
-      continue;
-    }
-    const bool word = is_letter_or_digit(c) || static_cast<unsigned char>(c) >= 0x80;
-    if (c == '*') {
-      pieces.push_back({"*", Place::above});
-      place = Place::base;
-      continue;
-    }
-    if (place == Place::below && !word) place = Place::base;
-    if (pieces.empty() || pieces.back().place != place) pieces.push_back({"", place});
-    pieces.back().text += c;
-  }
-  return pieces;
-}
-
-}  // namespace
 
 std::string escaped(std::string_view text) {
   std::string result;
@@ -93,8 +56,9 @@ std::string fixed(const std::optional<double>& value, int decimals) {
 }
 
 std::string symbol_html(std::string_view symbol) {
+  using Place = SymbolPiece::Place;
   std::string result;
-  for (const Piece& piece : pieces_of(symbol)) {
+  for (const SymbolPiece& piece : symbol_pieces(symbol)) {
     switch (piece.place) {
       case Place::base: result += "<var>" + piece.text + "</var>"; break;
       case Place::below: result += "<sub>" + piece.text + "</sub>"; break;
@@ -105,9 +69,10 @@ std::string symbol_html(std::string_view symbol) {
 }
 
 std::string symbol_svg(std::string_view symbol) {
+  using Place = SymbolPiece::Place;
   std::string result;
   int shift = 0;  // of the baseline, px down
-  for (const Piece& piece : pieces_of(symbol)) {
+  for (const SymbolPiece& piece : symbol_pieces(symbol)) {
     const int wanted = piece.place == Place::base ? 0 : piece.place == Place::below ? 3 : -4;
     const char* style = wanted == 0 ? "v" : "s";
     result += fmt::format("<tspan class=\"{}\"", style);

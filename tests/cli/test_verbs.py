@@ -145,6 +145,29 @@ class Verbs(unittest.TestCase):
         self.assertEqual(r.status, 0, r.err)
         self.assertEqual(r.files(), ["a.dxf", "a.stl", "case.toml"])
 
+    def test_workshop_drawings(self):
+        r = Run("export", PAIR, "--drawing", "pair.pdf", "--json")
+        self.assertEqual(r.status, 0, r.err)
+        self.assertEqual([f["what"] for f in r.json["files"]], ["PDF drawing"])
+        self.assertEqual(r.json["files"][0]["note"], "A4, scale 1:1, 1:2")
+        self.assertEqual((r.folder / "pair.pdf").read_bytes().count(b"/Type /Page "), 2)
+        r = Run("export", PAIR, "--drawing", "one.SVG", "--gear", 2, "--sheet", "A3", "--step", "one.step")
+        self.assertEqual(r.files(), ["case.toml", "one.SVG", "one.step"])
+        svg = (r.folder / "one.SVG").read_text()
+        self.assertIn(">1/1<", svg)
+        self.assertIn(">Centre distance<", svg)  # of one gear too
+        for name, words in (("a.png", "ends in .pdf, .svg or .dxf"), ("case.toml", "ends in"), ("pdf", "ends in")):
+            r = Run("export", PAIR, "--drawing", name)
+            self.assertEqual(r.status, 2, name)
+            self.assertIn(words, r.err)
+        self.assertEqual(Run("export", PAIR, "--drawing", "a.pdf", "--sheet", "A5").status, 2)
+        title = 'title = "pair of 歯車"\n' + PAIR.replace('title = "helical pair"', "")
+        note = Run("export", title, "--drawing", "a.pdf", "--json").json["files"][0]["note"]
+        self.assertIn("4 letters are in no font of a PDF", note)
+        bore = PAIR + "[gear2.bore]\ndiameter_mm = 200\n"
+        r = Run("export", bore, "--drawing", "a.pdf", "--json")
+        self.assertEqual((r.status, r.json["error"]["key"], r.files()), (1, "gear2.bore.diameter_mm", ["case.toml"]))
+
     def test_drawings_of_both_gears_stand_in_place(self):
         r = Run("export", PAIR, "--dxf", "both.dxf", "--svg", "both.svg", "--dxf-splines")
         self.assertEqual(r.status, 0, r.err)

@@ -1,0 +1,248 @@
+#include "gearwright/cad/gear_sheet.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "gearwright/cad/biarc_contour.hpp"
+#include "gearwright/cad/drawing.hpp"
+#include "gearwright/cad/file_text.hpp"
+#include "gearwright/cad/sheet_font.hpp"
+#include "gearwright/cad/sheet_parts.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr auto kOutline = SheetLayer::outline;
+// mm on paper: axes stand out of what they are of; dimension lines from the view and each other;
+// between the views; within the frame; the leader's shelf beyond the gear.
+constexpr double kAxis = 3, kFirst = 10, kNext = 8, kGap = 8, kInner = 6, kShelf = 5;
+constexpr double kCaption = 9;  // below the transverse view: the base line of its words
+constexpr const char* kWhere = "Section in the middle of the face";
+
+struct Scale {
+  double paper, gear;
+  double factor() const { return paper / gear; }
+};
+constexpr std::array<Scale, 18> kScales{{{50, 1},
+                                         {20, 1},
+                                         {10, 1},
+                                         {5, 1},
+                                         {2, 1},
+                                         {1, 1},
+                                         {1, 2},
+                                         {1, 5},
+                                         {1, 10},
+                                         {1, 20},
+                                         {1, 50},
+                                         {1, 100},
+                                         {1, 200},
+                                         {1, 500},
+                                         {1, 1000},
+                                         {1, 2000},
+                                         {1, 5000},
+                                         {1, 10000}}};
+
+std::string millimetres(double value) { return short_decimal(value, 4); }
+std::string diameter(double radius) { return "Ø" + millimetres(2 * radius); }
+
+// Both views at one scale: the transverse one about the origin, the axial one to its right.
+class Views {
+ public:
+  Views(const GearSheetInput& input, const BiarcContour& outline,
+        const std::optional<BoreContour>& bore, double inner, double outer, double scale)
+      : input_(input), outline_(outline), bore_(bore), k_(scale) {
+    const bool ring = input.body.outline.teeth < 0;
+    tip_ = ring ? inner : outer;
+    root_ = ring ? outer : inner;
+    body_ = ring ? bore_->radius : outer;
+    const double half = text_width(kWhere, kUsual) / 2;
+    left_ = std::max(k_ * body_ + kAxis, half);
+    if (keyed()) left_ = std::max(left_, elbow() + text_width(keyway_words(), kUsual));
+    axial_ = std::max(k_ * body_ + kAxis, half) + kGap;
+    if (!ring && bore_) axial_ += kFirst + (keyed() ? kNext : 0.0);
+    right_ = kFirst + kNext * (static_cast<double>(radii_to_the_right().size()) - 0.5);
+    width_ = k_ * input.body.face_width;
+  }
+
+  /// What the views need about the origin.
+  SheetBox box() const {
+    const double up = std::max(k_ * body_ + kAxis, keyed() ? shelf() + kUsual + 2 : 0.0);
+    return {{-left_, -k_ * body_ - kFirst - 4}, {axial_ + width_ + right_, up}};
+  }
+
+  void draw(Sheet& sheet, const Vec2& origin) {
+    sheet_ = &sheet;
+    origin_ = origin;
+    transverse();
+    axial();
+  }
+
+ private:
+  bool ring() const { return input_.body.outline.teeth < 0; }
+  bool keyed() const { return !ring() && bore_ && bore_->keyway; }
+  const Bore& bore() const { return *input_.body.bore; }
+  std::string keyway_words() const {
+    return "Keyway " + millimetres(bore().keyway_width) + " wide";
+  }
+  double shelf() const { return k_ * body_ + kShelf; }
+  double elbow() const { return shelf() / std::sqrt(3.0); }  // the leader rises by 60°
+
+  std::vector<double> radii_to_the_right() const {
+    std::vector<double> radii{input_.reference_diameter / 2, tip_};
+    if (ring() && input_.bore_given) radii.push_back(body_);
+    std::sort(radii.begin(), radii.end());
+    return radii;
+  }
+
+  void line(SheetLayer layer, const Vec2& a, const Vec2& b) {
+    sheet_->line(layer, origin_ + a, origin_ + b);
+  }
+  void path(const std::vector<Vec2>& points, const std::vector<double>& bulges) {
+    SheetPath path{kOutline, {}, bulges, true};
+    for (const Vec2& p : points) path.points.emplace_back(origin_ + k_ * p);
+    sheet_->paths.push_back(std::move(path));
+  }
+
+  void transverse() {
+    path(outline_.points, outline_.bulges);
+    if (bore_ && bore_->keyway)
+      path(bore_->points, bore_->bulges);
+    else if (bore_)
+      sheet_->circle(kOutline, origin_, k_ * bore_->radius);
+    sheet_->circle(SheetLayer::axis, origin_, k_ * input_.reference_diameter / 2);
+    const double r = k_ * body_ + kAxis;
+    line(SheetLayer::axis, {-r, 0}, {r, 0});
+    line(SheetLayer::axis, {0, -r}, {0, r});
+    sheet_->text(SheetLayer::dimension, origin_ + Vec2(0, -k_ * body_ - kCaption), kWhere, kUsual,
+                 Along::middle);
+    if (!keyed()) return;
+    // Touches the keyway's left wall from the side of the material.
+    const double half = bore().keyway_width / 2;
+    const double low = std::sqrt(bore_->radius * bore_->radius - half * half);
+    const double high = bore_->radius + bore().keyway_depth;
+    const Vec2 wall = k_ * Vec2(-half, (low + high) / 2), at(-elbow(), shelf());
+    const double far = at.x() - text_width(keyway_words(), kUsual);
+    sheet_->arrow(SheetLayer::dimension, origin_ + wall, wall - at);
+    line(SheetLayer::dimension, wall, at);
+    line(SheetLayer::dimension, at, {far, at.y()});
+    sheet_->text(SheetLayer::dimension, origin_ + Vec2(far, at.y() + 1), keyway_words(), kUsual);
+  }
+
+  void axial() {
+    const double x0 = axial_, x1 = axial_ + width_;
+    const auto across = [&](SheetLayer layer, double y, double past = 0.0) {
+      line(layer, {x0 - past, y}, {x1 + past, y});
+    };
+    const auto metal = [&](double lo, double hi) {
+      hatch(*sheet_, {origin_ + Vec2(x0, lo), origin_ + Vec2(x1, hi)});
+    };
+    sheet_->rectangle(kOutline, {origin_ + Vec2(x0, -k_ * body_), origin_ + Vec2(x1, k_ * body_)});
+    for (const double side : {-1.0, 1.0}) {
+      across(kOutline, side * k_ * root_);
+      if (ring()) across(kOutline, side * k_ * tip_);
+      across(SheetLayer::axis, side * k_ * input_.reference_diameter / 2, kAxis);
+    }
+    across(SheetLayer::axis, 0.0, kAxis);
+    if (ring()) {
+      metal(k_ * root_, k_ * body_);
+      metal(-k_ * body_, -k_ * root_);
+    } else if (!bore_) {
+      metal(-k_ * root_, k_ * root_);
+    } else {
+      const double r = bore_->radius, half = bore().keyway_width / 2;
+      const double top = keyed() ? r + bore().keyway_depth : r;
+      across(kOutline, -k_ * r);
+      across(kOutline, k_ * top);
+      if (keyed()) across(kOutline, k_ * std::sqrt(r * r - half * half));
+      metal(-k_ * root_, -k_ * r);
+      metal(k_ * top, k_ * root_);
+      vertical(-r, r, x0, x0 - kFirst, diameter(r));
+      if (keyed()) vertical(-r, top, x0, x0 - kFirst - kNext, millimetres(r + top));
+    }
+    double place = x1 + kFirst;
+    for (const double r : radii_to_the_right()) {
+      const bool reference = r == input_.reference_diameter / 2;
+      vertical(-r, r, reference ? x1 + kAxis : x1, place, diameter(r));
+      place += kNext;
+    }
+    const double y = -k_ * body_;
+    draw_dimension(
+        *sheet_, {Direction::across, origin_.x() + x0, origin_.x() + x1, origin_.y() + y,
+                  origin_.y() + y, origin_.y() + y - kFirst, millimetres(input_.body.face_width)});
+  }
+
+  void vertical(double lo, double hi, double edge, double place, const std::string& words) {
+    draw_dimension(*sheet_, {Direction::up, origin_.y() + k_ * lo, origin_.y() + k_ * hi,
+                             origin_.x() + edge, origin_.x() + edge, origin_.x() + place, words});
+  }
+
+  const GearSheetInput& input_;
+  const BiarcContour& outline_;
+  const std::optional<BoreContour>& bore_;
+  double k_;                              // mm on paper per mm
+  double tip_ = 0, root_ = 0, body_ = 0;  // radii, mm; body_: of the outermost circle
+  double left_ = 0, axial_ = 0, width_ = 0, right_ = 0;  // mm on paper
+  Sheet* sheet_ = nullptr;
+  Vec2 origin_ = Vec2::Zero();
+};
+
+struct Place {
+  SheetBox views;
+  Vec2 data;
+  int columns;
+};
+
+// A4 stands: views above, data in two columns below. A3 lies: data to the right of the views.
+Place place_of(SheetSize size, const SheetBox& frame, const SheetBox& block,
+               const std::vector<DataGroup>& data) {
+  if (size == SheetSize::a4) {
+    const double top = block.hi.y() + kInner / 2 + data_size(data, 2).y();
+    return {{{frame.lo.x(), top}, frame.hi}, {frame.lo.x(), top}, 2};
+  }
+  const double room = frame.hi.y() - block.hi.y() - kInner / 2;
+  const int columns = data_size(data, 1).y() <= room ? 1 : 2;
+  const double left = frame.hi.x() - data_size(data, columns).x();
+  return {{{frame.lo.x(), block.hi.y()}, {left, frame.hi.y()}}, {left, frame.hi.y()}, columns};
+}
+
+}  // namespace
+
+Result<GearSheet> gear_sheet(const GearSheetInput& input, SheetSize size, double tolerance_mm) {
+  const ToothedBody& body = input.body;
+  const auto contour = closed_contour(body.outline);
+  if (!contour) return contour.error();
+  const auto bore = bore_contour(body, contour->inner_radius, contour->outer_radius);
+  if (!bore) return bore.error();
+  const auto outline = biarc_contour(body.outline, *contour, tolerance_mm);
+  if (!outline) return outline.error();
+
+  const bool a4 = size == SheetSize::a4;
+  Sheet sheet{a4 ? Vec2(210, 297) : Vec2(420, 297), {}, {}, {}};
+  const SheetBox frame = draw_frame(sheet);
+  Sheet draft = sheet;
+  const SheetBox block =
+      draw_title_block(draft, frame, {input.words, "", a4 ? "A4" : "A3", input.number});
+  const Place place = place_of(size, frame, block, input.data);
+  const Vec2 room = place.views.hi - place.views.lo - Vec2(2 * kInner, 2 * kInner);
+  for (const Scale& scale : kScales) {
+    Views views(input, *outline, *bore, contour->inner_radius, contour->outer_radius,
+                scale.factor());
+    const SheetBox box = views.box();
+    const Vec2 needed = box.hi - box.lo;
+    const bool last = &scale == &kScales.back();
+    if (!last && (needed.x() > room.x() || needed.y() > room.y())) continue;
+    const std::string words = fmt::format("{:g}:{:g}", scale.paper, scale.gear);
+    views.draw(sheet, place.views.lo + Vec2(kInner, kInner) + (room - needed) / 2 - box.lo);
+    draw_data(sheet, place.data, input.data, place.columns);
+    draw_title_block(sheet, frame, {input.words, words, a4 ? "A4" : "A3", input.number});
+    return GearSheet{std::move(sheet), words, outline->deviation_mm};
+  }
+  contract_failed("postcondition", "a scale", __FILE__, __LINE__);
+}
+
+}  // namespace gearwright

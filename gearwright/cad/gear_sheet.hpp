@@ -1,0 +1,50 @@
+// The workshop drawing of a gear: the table of its data, the exact transverse section with bore and
+// keyway, and an axial section, in a frame with a title block.
+//
+// Symbols and terms of the table are those of ISO 21771, its order that of DIN 3966-1; teeth are not
+// hatched in the axial section and the reference circle is a chain line (ISO 2203). The scale is the
+// greatest of ISO 5455 at which the views have room.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gearwright/base/result.hpp"
+#include "gearwright/cad/sheet.hpp"
+#include "gearwright/cad/toothed_body.hpp"
+#include "gearwright/catalogue/drawing_keys.hpp"
+
+namespace gearwright {
+
+enum class SheetSize { a4, a3 };
+
+struct DataRow {
+  std::string words, symbol, value;
+};
+struct DataGroup {
+  std::string title;
+  std::vector<DataRow> rows;
+};
+
+struct GearSheetInput {
+  ToothedBody body;
+  double reference_diameter;    ///< d    mm
+  bool bore_given;              ///< else the rim of an internal gear is not of the drawing
+  std::vector<DataGroup> data;  ///< in their order
+  DrawingInput words;           ///< of the title block
+  std::string number;           ///< of the sheet, "1/2"
+};
+
+struct GearSheet {
+  Sheet sheet;
+  std::string scale;    ///< "1:2"
+  double deviation_mm;  ///< of the outline from the exact one, in the gear's mm
+};
+
+/// `tolerance_mm`: of the outline, in the gear's mm.
+///
+/// Facts     refused as dxf_drawing refuses: a severed tooth, a bore that leaves the root, an arc
+///           that does not meet the tolerance
+Result<GearSheet> gear_sheet(const GearSheetInput& input, SheetSize size, double tolerance_mm);
+
+}  // namespace gearwright

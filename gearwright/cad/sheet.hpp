@@ -1,0 +1,87 @@
+// A drawing on paper: lines, arcs, circles and words on named layers, in mm, the corner of the sheet
+// at (0, 0), x to the right, y up. PDF, SVG and DXF are written from it (sheet_files.hpp).
+//
+//   h    height of capitals, mm (ISO 3098); the letters are Helvetica's, whose widths are known
+//        (sheet_font.hpp), so that a layout can keep words and lines apart
+//   b    bulge of a piece of a path: tan(sweep/4), > 0 counter-clockwise, 0 a line
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gearwright/base/vector.hpp"
+
+namespace gearwright {
+
+/// What a line or a word is for.
+enum class SheetLayer { outline, hatch, axis, dimension, data, frame };
+inline constexpr int kSheetLayers = 6;
+
+struct LayerStyle {
+  const char* name;   ///< in a DXF file
+  double line_width;  ///< mm, ISO 128
+  bool chain;         ///< long dashes and dots, of axes and reference circles
+  int dxf_color;      ///< AutoCAD colour index
+};
+const LayerStyle& style_of(SheetLayer layer);
+/// Lengths of dash, gap, dot, gap, mm (ISO 128-2, line 04 of 0.25 mm).
+inline constexpr double kChain_mm[] = {6.0, 1.0, 0.5, 1.0};
+
+struct SheetPath {
+  SheetLayer layer;
+  std::vector<Vec2> points;    ///< mm
+  std::vector<double> bulges;  ///< bulges[i] leads to points[i + 1]; of a closed path the last to
+                               ///< the first
+  bool closed = false;
+  bool filled = false;  ///< a triangle, black: an arrow
+};
+
+struct SheetCircle {
+  SheetLayer layer;
+  Vec2 center;    ///< mm
+  double radius;  ///< mm
+};
+
+struct SheetText {
+  SheetLayer layer;
+  Vec2 at;  ///< mm, left end of the base line
+  std::string text;
+  double height;         ///< h  mm
+  bool upright = false;  ///< turned by a quarter counter-clockwise: read from the right
+};
+
+struct SheetBox {
+  Vec2 lo, hi;  ///< mm
+};
+
+/// How words stand about a point.
+enum class Along { start, middle, end };
+
+struct Sheet {
+  Vec2 size;  ///< mm
+  std::vector<SheetPath> paths;
+  std::vector<SheetCircle> circles;
+  std::vector<SheetText> texts;
+
+  void line(SheetLayer layer, const Vec2& a, const Vec2& b);
+  void rectangle(SheetLayer layer, const SheetBox& box);
+  void circle(SheetLayer layer, const Vec2& center, double radius);
+  /// A filled arrow head: its point, and the direction that it points in.
+  void arrow(SheetLayer layer, const Vec2& tip, const Vec2& direction);
+  void text(SheetLayer layer, const Vec2& at, std::string_view words, double height,
+            Along along = Along::start);
+  /// Read from the right; `along` is meant upwards.
+  void upright_text(SheetLayer layer, const Vec2& at, std::string_view words, double height,
+                    Along along = Along::start);
+  /// "α_n" with its index.
+  void symbol(SheetLayer layer, const Vec2& at, std::string_view symbol, double height);
+};
+
+/// Units  mm
+double symbol_width(std::string_view symbol, double height);
+
+/// What the words cover: capitals and what hangs below the base line.
+SheetBox box_of(const SheetText& text);
+
+}  // namespace gearwright

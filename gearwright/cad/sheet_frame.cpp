@@ -1,0 +1,77 @@
+#include <array>
+
+#include "gearwright/cad/sheet_font.hpp"
+#include "gearwright/cad/sheet_parts.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// mm, ISO 5457: the left margin is for filing.
+constexpr double kFiling = 20, kMargin = 10, kMark = 5;
+constexpr double kWidth = 180;  // of a title block, ISO 7200
+constexpr double kRow = 9, kTitle = 16, kNote = 12;
+constexpr double kInset = 1.5;
+
+struct Cell {
+  double width;
+  const char* label;
+  std::string words;
+};
+
+// One row of cells from `lo` up; the label stands above the words.
+void draw_row(Sheet& sheet, const Vec2& lo, double height, const std::vector<Cell>& cells,
+              double largest) {
+  double x = lo.x();
+  for (const Cell& cell : cells) {
+    const Vec2 hi(x + cell.width, lo.y() + height);
+    sheet.rectangle(SheetLayer::data, {{x, lo.y()}, hi});
+    const double label = hi.y() - kInset / 2 - kSmall;
+    sheet.text(SheetLayer::data, {x + kInset, label}, cell.label, kSmall);
+    if (!cell.words.empty())
+      draw_words(sheet, SheetLayer::data,
+                 {{x + kInset, lo.y() + kInset / 2}, {hi.x() - kInset, label - kInset}}, cell.words,
+                 largest);
+    x = hi.x();
+  }
+}
+
+}  // namespace
+
+SheetBox draw_frame(Sheet& sheet) {
+  const Vec2 lo(kFiling, kMargin), hi = sheet.size - Vec2(kMargin, kMargin);
+  sheet.rectangle(SheetLayer::frame, {lo, hi});
+  const Vec2 middle = sheet.size / 2;
+  const auto mark = [&](const Vec2& edge, const Vec2& inward) {
+    sheet.line(SheetLayer::frame, edge, edge + inward);
+  };
+  mark({middle.x(), sheet.size.y() - kMargin + kMark}, {0, -kMark});
+  mark({middle.x(), kMargin - kMark}, {0, kMark});
+  mark({kFiling - kMark, middle.y()}, {kMark, 0});
+  mark({sheet.size.x() - kMargin + kMark, middle.y()}, {-kMark, 0});
+  return {lo, hi};
+}
+
+SheetBox draw_title_block(Sheet& sheet, const SheetBox& within, const TitleBlock& block) {
+  const DrawingInput& w = block.words;
+  const double x = within.hi.x() - kWidth;
+  double y = within.lo.y();
+  const auto row = [&](double height, const std::vector<Cell>& cells, double largest) {
+    draw_row(sheet, {x, y}, height, cells, largest);
+    y += height;
+  };
+  row(kRow,
+      {{40, "Scale", block.scale},
+       {60, "Dimensions in", "mm, angles in degrees"},
+       {40, "Format", block.format},
+       {40, "Sheet", block.number}},
+      kUsual);
+  row(kTitle, {{125, "Title", w.title}, {55, "Drawing number", w.number}}, kLarge);
+  row(kRow, {{90, "Material", w.material}, {50, "Author", w.author}, {40, "Date", w.date}}, kUsual);
+  if (!w.note.empty()) row(kNote, {{kWidth, "Note", w.note}}, kUsual);
+  const SheetBox all{{x, within.lo.y()}, {within.hi.x(), y}};
+  sheet.rectangle(SheetLayer::frame, all);
+  return all;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,59 @@
+// What a workshop drawing is put together from: frame, title block, table of data, dimensions.
+// Internal to cad/.
+//
+// Frame and margins follow ISO 5457, the fields of the title block ISO 7200, dimensions ISO 129-1:
+// words stand above their line and are read from below or from the right.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gearwright/cad/gear_sheet.hpp"
+#include "gearwright/cad/sheet.hpp"
+
+namespace gearwright {
+
+/// Heights of capitals, mm (ISO 3098-1).
+inline constexpr double kSmall = 1.8, kUsual = 2.5, kLarge = 3.5;
+
+/// Frame and centring marks of a sheet; returns what lies within the frame.
+SheetBox draw_frame(Sheet& sheet);
+
+struct TitleBlock {
+  const DrawingInput& words;
+  std::string scale, format, number;  ///< "1:2", "A4", "1/2"
+};
+
+/// At the lower right corner of `within`, 180 mm wide; returns what it covers.
+SheetBox draw_title_block(Sheet& sheet, const SheetBox& within, const TitleBlock& block);
+
+/// Size of the table of data in so many columns, mm.
+Vec2 data_size(const std::vector<DataGroup>& groups, int columns);
+/// With its upper left corner at `corner`.
+void draw_data(Sheet& sheet, const Vec2& corner, const std::vector<DataGroup>& groups, int columns);
+
+enum class Direction { across, up };
+
+/// A length or a diameter between two edges, on a line of its own beside them.
+struct Dimension {
+  Direction direction;
+  double begin, end;            ///< mm, along the direction; begin < end
+  double edge_begin, edge_end;  ///< mm, where the edges are, across it
+  double line;                  ///< mm, where the dimension line lies, across it
+  std::string words;
+};
+
+/// The words stand on the line, or, where they have no room between the edges, beyond it: after the
+/// end of a line that runs across, below one that runs up.
+void draw_dimension(Sheet& sheet, const Dimension& dimension);
+
+/// Words within a box, from the top: as large as they fit, in several lines if need be; what does not
+/// fit at all ends in an ellipsis.
+void draw_words(Sheet& sheet, SheetLayer layer, const SheetBox& box, std::string_view words,
+                double largest);
+
+/// Lines of 45° through a box, as the section of a body.
+void hatch(Sheet& sheet, const SheetBox& box);
+
+}  // namespace gearwright

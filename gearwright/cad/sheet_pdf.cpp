@@ -1,0 +1,175 @@
+// PDF 1.4 (Adobe, PDF Reference, third edition): the few operators that a drawing needs.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/base/utf8.hpp"
+#include "gearwright/cad/file_text.hpp"
+#include "gearwright/cad/sheet_files.hpp"
+#include "gearwright/cad/sheet_font.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kPointsPerMm = 72.0 / 25.4;
+constexpr int kDecimals = 4;  // of a mm
+// An arc of at most an eighth of π is a cubic within 4e-8 of its radius.
+const double kMostBulge = std::tan(std::acos(-1.0) / 32);
+
+std::string number(double value) { return short_decimal(value, kDecimals); }
+std::string point(const Vec2& p) { return number(p.x()) + " " + number(p.y()); }
+
+// From a to b, where the pen stands at a.
+void append_arc(std::string& out, const Vec2& a, const Vec2& b, double bulge) {
+  const Vec2 chord = b - a, left(-chord.y(), chord.x());
+  if (bulge == 0.0) {
+    out += point(b) + " l\n";
+  } else if (std::abs(bulge) > kMostBulge) {
+    const Vec2 middle = (a + b - bulge * left) / 2;
+    const double half = bulge / (1 + std::hypot(1.0, bulge));  // tan(sweep/8)
+    append_arc(out, a, middle, half);
+    append_arc(out, middle, b, half);
+  } else {
+    // A third of the way along the tangents, c (1 + b²)/3 long.
+    const Vec2 along = (1 - bulge * bulge) * chord / 3, across = 2 * bulge * left / 3;
+    out +=
+        fmt::format("{} {} {} c\n", point(a + along - across), point(b - along - across), point(b));
+  }
+}
+
+// Only what changes is said.
+class Content {
+ public:
+  explicit Content(const Sheet& sheet) {
+    out_ = fmt::format("{0:.10f} 0 0 {0:.10f} 0 0 cm\n1 j\n", kPointsPerMm);
+    for (const SheetPath& path : sheet.paths) add(path);
+    for (const SheetCircle& c : sheet.circles) {
+      const Vec2 right(c.radius, 0);
+      add(SheetPath{c.layer, {c.center - right, c.center + right}, {1.0, 1.0}, true});
+    }
+    out_ += "BT\n";
+    for (const SheetText& text : sheet.texts) add(text);
+    out_ += "ET\n";
+  }
+  const std::string& text() const { return out_; }
+
+ private:
+  void style(const LayerStyle& style) {
+    if (style.line_width != width_) out_ += number(style.line_width) + " w\n";
+    if (style.chain != chain_)
+      out_ += style.chain ? fmt::format("[{:g}] 0 d\n", fmt::join(kChain_mm, " ")) : "[] 0 d\n";
+    width_ = style.line_width;
+    chain_ = style.chain;
+  }
+
+  void add(const SheetPath& path) {
+    style(style_of(path.layer));
+    out_ += point(path.points.front()) + " m\n";
+    const std::size_t n = path.points.size();
+    for (std::size_t i = 0; i < path.bulges.size(); ++i)
+      append_arc(out_, path.points[i], path.points[(i + 1) % n], path.bulges[i]);
+    out_ += path.filled ? "f\n" : path.closed ? "s\n" : "S\n";
+  }
+
+  void add(const SheetText& text) {
+    const double size = text.height / kCapital;
+    out_ += fmt::format("{} {} Tm\n", text.upright ? "0 1 -1 0" : "1 0 0 1", point(text.at));
+    std::string run;
+    SheetFont font = SheetFont::helvetica;
+    const auto show = [&] {
+      if (run.empty()) return;
+      out_ += fmt::format("/{} {} Tf ({}) Tj\n", font == SheetFont::symbol ? "S" : "H",
+                          number(size), run);
+      run.clear();
+    };
+    for (const char32_t code : code_points(text.text)) {
+      const SheetLetter letter = letter_of(code);
+      if (letter.font != font) show();
+      font = letter.font;
+      const char c = static_cast<char>(letter.code);
+      if (c == '(' || c == ')' || c == '\\') run += '\\';
+      run += letter.code < 0x7F ? std::string(1, c) : fmt::format("\\{:03o}", letter.code);
+    }
+    show();
+  }
+
+  std::string out_;
+  double width_ = 1.0;
+  bool chain_ = false;
+};
+
+// Of the document's information: UTF-16 with its mark, in hexadecimal.
+std::string information(const std::string& utf8) {
+  std::string text = "<FEFF";
+  for (const char32_t code : code_points(utf8)) {
+    const auto c = static_cast<std::uint32_t>(code);
+    text += c < 0x10000 ? fmt::format("{:04X}", c)
+                        : fmt::format("{:04X}{:04X}", 0xD800 + ((c - 0x10000) >> 10),
+                                      0xDC00 + ((c - 0x10000) & 0x3FF));
+  }
+  return text + ">";
+}
+
+class Objects {
+ public:
+  int next() const { return static_cast<int>(places_.size()) + 1; }
+  void add(const std::string& object) {
+    places_.push_back(text_.size());
+    text_ += fmt::format("{} 0 obj\n{}\nendobj\n", places_.size(), object);
+  }
+  std::string file(int catalog, int info) const {
+    std::string text = text_ + fmt::format("xref\n0 {}\n0000000000 65535 f \n", next());
+    for (const std::size_t place : places_) text += fmt::format("{:010} 00000 n \n", place);
+    return text +
+           fmt::format("trailer\n<< /Size {} /Root {} 0 R /Info {} 0 R >>\nstartxref\n{}\n%%EOF\n",
+                       next(), catalog, info, text_.size());
+  }
+
+ private:
+  std::string text_ = "%PDF-1.4\n%\xE2\xE3\xCF\xD3\n";  // four bytes that say: not plain text
+  std::vector<std::size_t> places_;
+};
+
+}  // namespace
+
+std::string sheets_pdf(const std::vector<Sheet>& sheets, const SheetWords& words) {
+  GW_EXPECTS(!sheets.empty());
+  enum { kCatalog = 1, kPages, kHelvetica, kSymbol, kInfo, kFirstPage };
+  Objects objects;
+  std::string kids;
+  for (std::size_t i = 0; i < sheets.size(); ++i)
+    kids += fmt::format("{}{} 0 R", i > 0 ? " " : "", kFirstPage + 2 * i);
+  objects.add(fmt::format("<< /Type /Catalog /Pages {} 0 R >>", int{kPages}));
+  objects.add(fmt::format("<< /Type /Pages /Kids [{}] /Count {} >>", kids, sheets.size()));
+  objects.add("<< /Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding >>");
+  objects.add("<< /Type /Font /Subtype /Type1 /BaseFont /Symbol >>");
+  std::string info = "<< /Producer (Gearwright)";
+  if (!words.title.empty()) info += " /Title " + information(words.title);
+  if (!words.author.empty()) info += " /Author " + information(words.author);
+  objects.add(info + " >>");
+  for (const Sheet& sheet : sheets) {
+    objects.add(fmt::format(
+        "<< /Type /Page /Parent {} 0 R /MediaBox [0 0 {} {}] /Contents {} 0 R\n"
+        "/Resources << /Font << /H {} 0 R /S {} 0 R >> >> >>",
+        int{kPages}, number(kPointsPerMm * sheet.size.x()), number(kPointsPerMm * sheet.size.y()),
+        objects.next() + 1, int{kHelvetica}, int{kSymbol}));
+    const Content content(sheet);
+    objects.add(fmt::format("<< /Length {} >>\nstream\n{}endstream", content.text().size(),
+                            content.text()));
+  }
+  return objects.file(kCatalog, kInfo);
+}
+
+int letters_not_in_pdf(const std::vector<Sheet>& sheets) {
+  int count = 0;
+  for (const Sheet& sheet : sheets) {
+    for (const SheetText& text : sheet.texts) {
+      for (const char32_t code : code_points(text.text)) count += letter_of(code).known ? 0 : 1;
+    }
+  }
+  return count;
+}
+
+}  // namespace gearwright

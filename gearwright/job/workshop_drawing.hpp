@@ -1,0 +1,40 @@
+// The workshop drawings of a job: a sheet for each gear, as PDF, SVG or DXF.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gearwright/cad/gear_sheet.hpp"
+#include "gearwright/job/files.hpp"
+
+namespace gearwright {
+
+enum class SheetFormat { pdf, svg, dxf };
+
+/// By the ending of a file's name, whatever the case of its letters; none: another one.
+std::optional<SheetFormat> sheet_format(const std::filesystem::path& path);
+
+struct WorkshopSheets {
+  std::vector<Sheet> sheets;
+  std::string scales;   ///< "1:1, 1:2"
+  double deviation_mm;  ///< greatest, of the outlines
+};
+
+/// A sheet for each of these gears, 1 or 2. `tolerance_mm`: of the outlines, in the gears' mm.
+///
+/// Errors    as make_body and make_file refuse a gear
+Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<int>& gears,
+                                       SheetSize size, double tolerance_mm);
+
+/// The same as one file.
+///
+/// Domain    at least one gear (contract)
+Result<JobFile> make_workshop_drawing(const SolvedJob& job, const std::vector<int>& gears,
+                                      SheetFormat format, SheetSize size,
+                                      const std::filesystem::path& path,
+                                      const FileOptions& options);
+
+}  // namespace gearwright

@@ -1,0 +1,173 @@
+// Workshop drawings: words keep off lines and each other, on either sheet, whatever the gear.
+#include "gearwright/job/workshop_drawing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "gearwright/base/testing/source_file.hpp"
+#include "gearwright/base/testing/taken.hpp"
+#include "gearwright/cad/sheet_files.hpp"
+
+namespace gearwright {
+namespace {
+
+using testing::taken;
+
+SolvedJob solved(const std::string& toml) {
+  return taken(solve(taken(read_spec(toml, SpecFormat::toml)), Scope::everything));
+}
+
+std::vector<int> all_gears(const SolvedJob& job) {
+  return job.gears.size() == 1 ? std::vector<int>{1} : std::vector<int>{1, 2};
+}
+
+bool meet(const SheetBox& a, const SheetBox& b) {
+  constexpr double kTouch = 0.01;  // mm: an index stands against its letter
+  return a.lo.x() < b.hi.x() - kTouch && b.lo.x() < a.hi.x() - kTouch &&
+         a.lo.y() < b.hi.y() - kTouch && b.lo.y() < a.hi.y() - kTouch;
+}
+
+// Whether a piece of a line lies in the box: halved until it is inside, or its own box is apart.
+bool crosses(const Vec2& a, const Vec2& b, const SheetBox& box) {
+  const Vec2 lo = a.cwiseMin(b), hi = a.cwiseMax(b);
+  if ((lo.array() >= box.hi.array()).any() || (hi.array() <= box.lo.array()).any()) return false;
+  if ((b - a).norm() < 0.02) return true;
+  const Vec2 middle = (a + b) / 2;
+  return crosses(a, middle, box) || crosses(middle, b, box);
+}
+
+// Arcs by chords of 0.05 rad.
+std::vector<Vec2> chords(const SheetPath& path) {
+  std::vector<Vec2> points{path.points.front()};
+  for (std::size_t i = 0; i < path.bulges.size(); ++i) {
+    const Vec2 a = path.points[i], b = path.points[(i + 1) % path.points.size()];
+    const double bulge = path.bulges[i], sweep = 4 * std::atan(bulge);
+    const int n = 1 + static_cast<int>(std::abs(sweep) / 0.05);
+    const Vec2 chord = b - a, left(-chord.y(), chord.x());
+    const Vec2 center =
+        bulge == 0 ? a : Vec2((a + b) / 2 + left * (1 - bulge * bulge) / (4 * bulge));
+    for (int k = 1; k < n; ++k) {
+      const double t = sweep * k / n;
+      const Vec2 r = a - center;
+      points.push_back(center + Vec2(std::cos(t) * r.x() - std::sin(t) * r.y(),
+                                     std::sin(t) * r.x() + std::cos(t) * r.y()));
+    }
+    points.push_back(b);
+  }
+  return points;
+}
+
+void expect_clear(const Sheet& sheet, const std::string& what) {
+  ASSERT_GT(sheet.texts.size(), 10u) << what;
+  std::vector<SheetBox> boxes;
+  for (const SheetText& t : sheet.texts) boxes.push_back(box_of(t));
+  std::vector<std::vector<Vec2>> lines;
+  for (const SheetPath& p : sheet.paths) lines.push_back(chords(p));
+  for (const SheetCircle& c : sheet.circles) {
+    const Vec2 r(c.radius, 0);
+    lines.push_back(chords({c.layer, {c.center - r, c.center + r}, {1, 1}, true}));
+  }
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const std::string& words = sheet.texts[i].text;
+    EXPECT_GE(boxes[i].lo.minCoeff(), 10.0) << what << ": " << words;
+    EXPECT_LE(boxes[i].hi.x(), sheet.size.x() - 10) << what << ": " << words;
+    EXPECT_LE(boxes[i].hi.y(), sheet.size.y() - 10) << what << ": " << words;
+    for (std::size_t k = 0; k < i; ++k)
+      EXPECT_FALSE(meet(boxes[i], boxes[k]))
+          << what << ": " << words << " on " << sheet.texts[k].text;
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      bool hit = false;
+      for (std::size_t j = 0; !hit && j + 1 < lines[k].size(); ++j)
+        hit = crosses(lines[k][j], lines[k][j + 1], boxes[i]);
+      EXPECT_FALSE(hit) << what << ": a line through " << words << " at "
+                        << boxes[i].lo.transpose();
+    }
+  }
+}
+
+void expect_clear(const std::string& toml, const std::string& what) {
+  const SolvedJob job = solved(toml);
+  for (const SheetSize size : {SheetSize::a4, SheetSize::a3}) {
+    const WorkshopSheets made = taken(workshop_sheets(job, all_gears(job), size, 0.001));
+    EXPECT_LE(made.deviation_mm, 0.001);
+    for (const Sheet& sheet : made.sheets)
+      expect_clear(sheet, what + (size == SheetSize::a4 ? ", A4" : ", A3"));
+  }
+}
+
+std::string gear(const std::string& lines) { return "[gear1]\n" + lines + "\n"; }
+
+constexpr const char* kFull = R"(
+title = "helical pinion"
+[drawing]
+number = "GW-0017-01"
+author = "A. Example"
+material = "18CrNiMo7-6, case hardened 60 HRC, case depth 0.6 to 0.8 mm after grinding, core 1000 MPa"
+date = "2026-11-22"
+note = "Break sharp edges 0.3. Teeth ground after hardening, no grinding steps in the root fillet."
+[gear1]
+teeth = 17
+normal_module_mm = 2.5
+helix_angle_deg = 15
+profile_shift = 0.3
+thickness_allowance_mm = [-0.10, -0.06]
+face_width_mm = 25
+quality = 6
+[gear1.modifications]
+tip_relief_um = 20
+tip_relief_start_mm = 48.0
+left_lead_crowning_um = 8
+right_lead_crowning_um = 10
+end_relief_um = 10
+end_relief_length_mm = 2
+[gear1.bore]
+diameter_mm = 20
+keyway_width_mm = 6
+keyway_depth_mm = 2.8
+[gear2]
+teeth = 43
+profile_shift = 0.1
+face_width_mm = 25
+[pair]
+center_distance_tolerance = "JS7"
+)";
+
+TEST(WorkshopDrawing, words_keep_off_lines_and_each_other) {
+  expect_clear(kFull, "full");
+  expect_clear(gear("teeth = 17\nnormal_module_mm = 2.5\nface_width_mm = 20"), "solid");
+  expect_clear(gear("teeth = 60\nnormal_module_mm = 0.2\nface_width_mm = 1"), "small");
+  expect_clear(gear("teeth = 200\nnormal_module_mm = 20\nface_width_mm = 400\n[gear1.bore]\n"
+                    "diameter_mm = 60\nkeyway_width_mm = 18\nkeyway_depth_mm = 4.4"),
+               "great, with a small bore");
+  expect_clear(gear("teeth = 12\nnormal_module_mm = 1\nface_width_mm = 180\n[gear1.bore]\n"
+                    "diameter_mm = 4\nkeyway_width_mm = 1\nkeyway_depth_mm = 0.5"),
+               "long");
+  expect_clear(gear("teeth = 100\nnormal_module_mm = 1\nface_width_mm = 1\nhelix_angle_deg = 30\n"
+                    "[gear1.bore]\ndiameter_mm = 80"),
+               "thin");
+  expect_clear(gear("teeth = -60\nnormal_module_mm = 2\nface_width_mm = 20\n[gear1.bore]\n"
+                    "diameter_mm = 150"),
+               "ring");
+  expect_clear(gear("teeth = -200\nnormal_module_mm = 0.5\nface_width_mm = 300"), "long ring");
+}
+
+TEST(WorkshopDrawing, of_every_example) {
+  int drawn = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(testing::source_file("examples"))) {
+    if (entry.path().extension() != ".toml") continue;
+    const auto spec = read_spec_file(entry.path());
+    if (!spec || !spec->gears[0] || spec->search) continue;
+    const auto job = solve(*spec, Scope::everything);
+    if (!job) continue;
+    const auto made = workshop_sheets(*job, all_gears(*job), SheetSize::a4, 0.001);
+    if (!made) continue;
+    for (const Sheet& sheet : made->sheets) expect_clear(sheet, entry.path().filename().string());
+    ++drawn;
+  }
+  EXPECT_GE(drawn, 10);
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,140 @@
+"""Workshop drawings as other readers see them.
+
+    PDF   pdftotext finds the words, the Greek letters and a page for each gear
+    SVG   well-formed, in mm; the paths of the gear lie on the sheet
+    DXF   ezdxf finds nothing to correct; layers, line types and words are there, and the gear's
+          outline at the scale that the title block says
+    all   the same bytes at every run
+
+Exits 77 without ezdxf or pdftotext.
+"""
+
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+try:
+    import ezdxf
+    from ezdxf import recover
+    from ezdxf.lldxf.encoding import decode_dxf_unicode
+except ImportError:
+    print("skipped: no ezdxf (Debian: python3-ezdxf)")
+    sys.exit(77)
+if not shutil.which("pdftotext"):
+    print("skipped: no pdftotext (Debian: poppler-utils)")
+    sys.exit(77)
+
+BIN = os.environ["GW_BIN"]
+SPEC = """
+title = "Ritzel <β> & Rad, Größe 3"
+[drawing]
+number = "GW-0017"
+author = "A. Example"
+material = "18CrNiMo7-6"
+[gear1]
+teeth = 17
+normal_module_mm = 2.5
+helix_angle_deg = 15
+profile_shift = 0.3
+thickness_allowance_mm = [-0.10, -0.06]
+face_width_mm = 25
+quality = 6
+[gear1.bore]
+diameter_mm = 20
+keyway_width_mm = 6
+keyway_depth_mm = 2.8
+[gear2]
+teeth = 43
+face_width_mm = 25
+"""
+
+
+def check(held, what):
+    if not held:
+        raise SystemExit(f"FAILED: {what}")
+
+
+def export(folder, name, *args):
+    spec = folder / "spec.toml"
+    spec.write_text(SPEC)
+    path = folder / name
+    subprocess.run([BIN, "export", str(spec), "--drawing", str(path), *args], check=True, stdout=subprocess.PIPE)
+    return path
+
+
+def words_of_pdf(path):
+    return subprocess.run(["pdftotext", "-layout", str(path), "-"], check=True, stdout=subprocess.PIPE).stdout.decode()
+
+
+def check_pdf(folder):
+    path = export(folder, "both.pdf")
+    text = words_of_pdf(path)
+    check(text.count("\f") == 2, "a page for each gear")
+    first, second, _ = text.split("\f")
+    for words in ("Normal module", "αn", "β", "Span over 3 teeth", "19.527 … 19.5646", "class 6", "Mating gear", "Ø20", "22.8",
+                  "Keyway 6 wide", "GW-0017", "18CrNiMo7-6", "Ritzel <β> & Rad, Größe 3, gear 1", "1:1", "1/2", "Fα"):
+        check(words in first, f"the PDF says {words}\n{first}")
+    check("gear 2" in second and "1:2" in second and "left" in second, "gear 2 on its own page")
+    info = subprocess.run(["pdfinfo", str(path)], check=True, stdout=subprocess.PIPE).stdout.decode()
+    check(re.search(r"Title:\s+Ritzel <β> & Rad, Größe 3$", info, re.M), info)
+    check("PDF version:     1.4" in info and "(A4)" in info, info)
+    check("Date" not in info, "no date that nobody gave")
+    a3 = subprocess.run(["pdfinfo", str(export(folder, "a3.pdf", "--sheet", "A3", "--gear", "1"))], check=True,
+                        stdout=subprocess.PIPE).stdout.decode()
+    check("Pages:           1" in a3 and "(A3)" in a3, a3)
+
+
+def check_svg(folder):
+    root = ET.parse(export(folder, "one.svg", "--gear", "1")).getroot()
+    check(root.get("width") == "210mm" and root.get("viewBox") == "0 0 210 297", "an A4 sheet in mm")
+    texts = [e.text for e in root.iter("{http://www.w3.org/2000/svg}text")]
+    for words in ("Normal module", "α", "Ø50.4992", "19.527 … 19.5646", "Ritzel <β> & Rad, Größe 3, gear 1"):
+        check(words in texts, f"the SVG says {words}")
+    for path in root.iter("{http://www.w3.org/2000/svg}path"):
+        for x, y in re.findall(r"[ML](-?[\d.]+) (-?[\d.]+)", path.get("d")):
+            check(0 <= float(x) <= 210 and 0 <= float(y) <= 297, "all paths lie on the sheet")
+
+
+def check_dxf(folder):
+    path = export(folder, "both.dxf")
+    document, auditor = recover.readfile(path)
+    check(not auditor.errors and not auditor.fixes, f"audit: {auditor.errors} {auditor.fixes}")
+    document = ezdxf.readfile(path)
+    audit = document.audit()
+    check(not audit.errors and not audit.fixes, f"audit: {audit.errors} {audit.fixes}")
+    check(document.header["$INSUNITS"] == 4, "millimetres")
+    model = document.modelspace()
+    check({e.dxf.layer for e in model} == {"OUTLINE", "HATCH", "AXIS", "DIMENSION", "DATA", "FRAME"}, "the layers")
+    check(document.layers.get("AXIS").dxf.linetype == "CENTER", "axes are chain lines")
+    check(document.layers.get("OUTLINE").dxf.lineweight == 50, "outlines are 0.5 mm wide")
+    texts = [decode_dxf_unicode(e.dxf.text) for e in model.query("TEXT")]
+    for words in ("Normal module", "α", "Ø50.4992", "19.527 … 19.5646", "Ritzel <β> & Rad, Größe 3, gear 1", "Scale"):
+        check(words in texts, f"the DXF says {words}: {texts}")
+    check({e.dxf.style for e in model.query("TEXT")} == {"SHEET"}, "words have a style of their own")
+    # Of each sheet the outline about the reference circle is the gear at its scale.
+    for low, high, scale, tip in ((0, 210, 1.0, 50.4992), (230, 440, 0.5, 116.2922)):
+        outlines = [e for e in model.query('LWPOLYLINE[layer=="OUTLINE"]') if e.closed and low < e[0][0] < high]
+        middle = [e.dxf.center for e in model.query('CIRCLE[layer=="AXIS"]') if low < e.dxf.center.x < high][0]
+        reach = max(math.hypot(x - middle.x, y - middle.y) for x, y in max(outlines, key=len).get_points("xy"))
+        check(abs(2 * reach - tip * scale) < 1e-3, f"tip diameter {2 * reach} on paper")
+
+
+def main():
+    with tempfile.TemporaryDirectory(prefix="gearwright_drawings_") as name:
+        folder = Path(name)
+        check_pdf(folder)
+        check_svg(folder)
+        check_dxf(folder)
+        for ending in ("pdf", "svg", "dxf"):
+            first = export(folder, f"a.{ending}").read_bytes()
+            check(first == export(folder, f"b.{ending}").read_bytes(), f"the same bytes: {ending}")
+    print("drawings: PDF, SVG and DXF hold")
+
+
+main()
