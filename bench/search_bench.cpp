@@ -164,7 +164,10 @@ void rated_designs_over_unrated(benchmark::State& state) {
   rating.input.quality = {6, 6};
   rating.input.flank_roughness = {4, 4};
   rating.input.root_roughness = {16, 16};
-  rating.input.mounting = PinionMounting{.bearing_span = 180, .shaft_diameter = 30};
+  PinionMounting mounting;
+  mounting.bearing_span = 180;
+  mounting.shaft_diameter = 30;
+  rating.input.mounting = mounting;
   const Material steel = *material_named("18CrNiMo7-6");
   rating.input.materials = {steel, steel};
   rated.rating = rating;

@@ -254,12 +254,21 @@ void say_strength(Quantities<V>& q) {
       .when(rated)
       .greater_first()
       .digits(kFewDigits);
+  const auto weighed = [](const V& v) { return v.problem->weighs(); };
+  q.mm("", "face_width_mm", "face width", "b", "of both gears; where safeties or masses are asked",
+       [](const V& v) {
+         return v.problem->weighs() ? Value(v.problem->face_width_of(v.row->trial.module))
+                                    : Value();
+       })
+      .column("face_width_mm")
+      .when(weighed)
+      .digits(kFewDigits);
   q.add(Type::number, Unit::kg, "", "mass_kg", "mass of both gears", "m",
         "full cylinders of the mean diameter (d_a + d_f)/2, an internal gear from there to 2.5 "
         "m_n outside its root; of a rated search, or by `objective`",
         [](const V& v) { return v.problem->weighs() ? Value(v.row->mass) : Value(); })
       .column("mass_kg")
-      .when([](const V& v) { return v.problem->weighs(); })
+      .when(weighed)
       .digits(kFewDigits);
 }
 

@@ -130,13 +130,36 @@ class Listed(unittest.TestCase):
         found = json.loads((run.folder / "found/search.json").read_text())["search"]
         rows = list(csv.DictReader(io.StringIO((run.folder / "found/best.csv").read_text())))
         self.assertEqual(len(rows), len(found["designs"]))
+        columns = set(rows[0])
+        self.assertEqual(columns - set(self.plain_columns()), {"face_width_mm", "S_H1", "S_H2", "S_F1", "S_F2", "mass_kg"})
+        table = duckdb(run.folder / "found/search.parquet", "select S_H1, S_F2, mass_kg, face_width_mm from data order by mass_kg")
+        masses = sorted(d["mass_kg"] for d in found["designs"])
+        self.assertEqual([row["mass_kg"] for row in table], masses)
         for row, design in zip(rows, found["designs"]):
+            self.assertEqual(float(row["face_width_mm"]), design["face_width_mm"])
+            self.assertEqual(design["face_width_mm"], 10 * design["module_mm"])
             self.assertEqual([float(row["S_H1"]), float(row["S_H2"])], design["S_H"])
             self.assertEqual([float(row["S_F1"]), float(row["S_F2"])], design["S_F"])
             self.assertEqual(float(row["mass_kg"]), design["mass_kg"])
         page = (run.folder / "found/report.html").read_text()
         self.assertIn("safety against pitting of gear 1", page)
         self.assertIn("mass of both gears", page)
+
+    @staticmethod
+    def plain_columns():
+        run = Run("search", spec(BANDS), "--out", "found", folder=folder())
+        return (run.folder / "found/best.csv").read_text().splitlines()[0].split(",")
+
+    def test_a_campaign_is_the_search(self):
+        run = Run("search", rated(), "--out", "parts", "--chunk", 7, folder=folder())
+        self.assertEqual(run.status, 0, run.err)
+        whole = Run("search", rated(), "--out", "whole", folder=folder())
+        for name in ("search.json", "best.csv", "search.parquet"):
+            self.assertEqual((run.folder / "parts" / name).read_bytes(), (whole.folder / "whole" / name).read_bytes(), name)
+        changed = Run("search", rated(STEEL + LOAD.replace("power_kW = 20", "power_kW = 21")), "--out", "parts", "--chunk", 7,
+                      "--resume", folder=run.folder)
+        self.assertEqual(changed.status, 1)
+        self.assertIn("power_kW", changed.err)
 
     def test_not_read(self):
         run = Run("search", spec(BANDS, STEEL + LOAD), "--json", folder=folder())
