@@ -157,6 +157,10 @@ Result<Material> material_of(const MaterialInput& given, int which, RatingEditio
                  "or `kind`, `sigma_Hlim` and `sigma_Flim`"};
   }
   const bool plastic = m.kind == MaterialKind::plastic;
+  const bool by_temperature =
+      !m.sigma_Hlim_by.empty() || !m.sigma_Flim_by.empty() || !m.youngs_modulus_by.empty();
+  if (by_temperature && !plastic)
+    return Error{table + ".temperatures", "", "belongs to a `kind` of \"plastic\""};
   if (plastic && edition != RatingEdition::vdi_2736) {
     return Error{table + ".kind", "plastic",
                  "is not a material of ISO 6336; plastics are rated by VDI 2736: give "

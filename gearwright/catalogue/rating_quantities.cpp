@@ -144,9 +144,12 @@ Value section(const V& v, double CriticalSection::*member, double scale = 1.0) {
                     std::abs(v.rating.section[1].*member) * scale};
 }
 
-template <class T>
-Value materials(const V& v, T Material::*member) {
-  return std::array{v.input.materials[0].*member, v.input.materials[1].*member};
+// Null of a plastic whose strength stands by temperature.
+Value strengths(const V& v, double Material::*member) {
+  ValueList values;
+  for (const Material& m : v.input.materials)
+    values.push_back(m.*member > 0.0 ? Value(m.*member) : Value());
+  return values;
 }
 
 Value tolerance(const V& v, double Tolerances::*member) {
@@ -177,12 +180,12 @@ void say_inputs(Quantities<V>& q) {
       .per_gear();
   q.add(Type::number, kStress, kMaterial, "sigma_Hlim_MPa", "allowable contact stress number",
         "σ_Hlim", "of the reference test gears",
-        [](const V& v) { return materials(v, &Material::sigma_Hlim); })
+        [](const V& v) { return strengths(v, &Material::sigma_Hlim); })
       .per_gear()
       .digits(0);
   q.add(Type::number, kStress, kMaterial, "sigma_Flim_MPa", "allowable bending stress number",
         "σ_Flim", "of the reference test gears",
-        [](const V& v) { return materials(v, &Material::sigma_Flim); })
+        [](const V& v) { return strengths(v, &Material::sigma_Flim); })
       .per_gear()
       .digits(0);
   q.add(Type::number, Unit::um, kGeneral, "f_pb_um", "base pitch deviation", "f_pb",
@@ -299,11 +302,11 @@ void say_temperatures(Quantities<V>& q) {
   const auto of = [](FactorPair ToothTemperatures::*member) {
     return [member](const V& v) {
       const FactorPair& t = (*v.rating.temperature).*member;
-      return Value(std::array{t[0].value, t[1].value});
+      return Value(ValueList{number(&t[0]), number(&t[1])});
     };
   };
   q.add(Type::number, Unit::celsius, kMaterial, "flank_temperature_C", "temperature of the flanks",
-        "ϑ_Fla", "by VDI 2736, or as given", of(&ToothTemperatures::flank))
+        "ϑ_Fla", "by VDI 2736, or as given; of plastic gears", of(&ToothTemperatures::flank))
       .per_gear()
       .when(by_vdi);
   q.add(Type::number, Unit::celsius, kMaterial, "root_temperature_C", "temperature of the roots",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "gearwright/gear/reference.hpp"
@@ -129,9 +130,13 @@ DesignRow rated(const ShiftGraph& graph, DesignRow row) {
   }
   const auto rating = rate(*pair, on_web ? *on_web : asked->input);
   if (!rating) return row;
+  // Far outside the standard's limits a factor may have no value.
+  const auto number = [](const Factor& f) {
+    return std::isfinite(f.value) ? std::optional(f.value) : std::nullopt;
+  };
   for (const std::size_t i : {0, 1}) {
-    row.flank_safety[i] = rating->S_H[i].value;
-    row.root_safety[i] = rating->S_F[i].value;
+    row.flank_safety[i] = number(rating->S_H[i]);
+    row.root_safety[i] = number(rating->S_F[i]);
   }
   return row;
 }
@@ -149,11 +154,13 @@ std::optional<Limit> short_of(const SearchProblem& problem, const DesignRow& row
 }
 
 std::optional<double> least_safety(const SearchProblem& problem, const DesignRow& row) {
-  if (!row.flank_safety[0]) return std::nullopt;
-  return std::min(std::min(*row.flank_safety[0], *row.flank_safety[1]) /
-                      problem.limits.safety_flank.value_or(1.0),
-                  std::min(*row.root_safety[0], *row.root_safety[1]) /
-                      problem.limits.safety_root.value_or(1.0));
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::size_t i : {0, 1}) {
+    if (!row.flank_safety[i] || !row.root_safety[i]) return std::nullopt;
+    least = std::min({least, *row.flank_safety[i] / problem.limits.safety_flank.value_or(1.0),
+                      *row.root_safety[i] / problem.limits.safety_root.value_or(1.0)});
+  }
+  return least;
 }
 
 double mass_of(const ShiftGraph& graph, const DesignRow& row) {

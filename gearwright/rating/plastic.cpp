@@ -94,8 +94,9 @@ ToothTemperatures tooth_temperatures(const RatedPair& pair, const PlasticInput& 
       const auto t = turned(pair, *given);
       return FactorPair{Factor{t[0], "", kGivenFactor}, Factor{t[1], "", kGivenFactor}};
     }
-    FactorPair t;
+    FactorPair t{kNoFactor, kNoFactor};
     for (std::size_t i = 0; i < 2; ++i) {
+      if (!plastic(materials[i])) continue;
       const double teeth =
           k_theta / (width * pair.gears[i].teeth * std::pow(velocity * pair.normal_module, 0.75));
       t[i] = {*input.ambient_temperature + power * *input.friction * tooth_loss(pair) *

@@ -30,7 +30,7 @@ struct PlasticInput {
   std::optional<double> root_heat_transfer;   ///< k_ϑ of the root
 };
 
-/// Temperatures of both gears' flanks and roots, °C.
+/// Temperatures of both gears' flanks and roots, °C; none computed of a metal gear.
 struct ToothTemperatures {
   FactorPair flank, root;
 };

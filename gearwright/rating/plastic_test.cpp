@@ -78,20 +78,22 @@ TEST(Plastic, TemperaturesByHand) {
   const Rating r = rate(pair, in).value();
   const double power = 0.2 * 1500 * 2 * kPi / 60;
   const double v = kPi * 17 * 1500 / 60000;
+  RatingInput two = in;
+  two.materials[0] = pom();
+  const Rating both = rate(pair, two).value();
   for (const std::size_t i : {0, 1}) {
     const double z = i == 0 ? 17 : 39;
     const auto warm = [&](double k) {
       return 23 + power * 0.2 * loss * (k / (6 * z * std::pow(v * 1.0, 0.75)) + 0.06 / 0.03) *
                       std::pow(0.5, 0.64);
     };
+    EXPECT_NEAR(both.temperature->flank[i].value, warm(9000), 1e-10);
+    EXPECT_NEAR(both.temperature->root[i].value, warm(2148), 1e-10);
+    if (i == 0) continue;  // of steel
     EXPECT_NEAR(r.temperature->flank[i].value, warm(6300), 1e-10);
     EXPECT_NEAR(r.temperature->root[i].value, warm(895), 1e-10);
   }
-  in.materials[0] = pom();
-  const Rating both = rate(pair, in).value();
-  EXPECT_NEAR((both.temperature->flank[0].value - 23) / (r.temperature->flank[0].value - 23),
-              (9000 / (6 * 17 * std::pow(v, 0.75)) + 2) / (6300 / (6 * 17 * std::pow(v, 0.75)) + 2),
-              1e-12);
+  EXPECT_FALSE(is_there(r.temperature->flank[0]));
 }
 
 TEST(Plastic, StressesByHand) {
@@ -143,9 +145,9 @@ TEST(Plastic, DoubledTorque) {  // (1)
   const Rating two = rate(pair, load(0.2)).value();
   for (const std::size_t i : {0, 1}) {
     EXPECT_NEAR(two.sigma_F[i].value, 2 * one.sigma_F[i].value, 1e-12);
-    EXPECT_NEAR(two.temperature->root[i].value - 23, 2 * (one.temperature->root[i].value - 23),
-                1e-11);
   }
+  EXPECT_NEAR(two.temperature->root[1].value - 23, 2 * (one.temperature->root[1].value - 23),
+              1e-11);
 }
 
 TEST(Plastic, GearsExchanged) {  // (2)
@@ -160,8 +162,8 @@ TEST(Plastic, GearsExchanged) {  // (2)
   for (const std::size_t i : {0, 1}) {
     EXPECT_NEAR(a.S_F[i].value, b.S_F[1 - i].value, 1e-12 * a.S_F[i].value);
     EXPECT_NEAR(a.S_H[i].value, b.S_H[1 - i].value, 1e-12 * a.S_H[i].value);
-    EXPECT_NEAR(a.temperature->flank[i].value, b.temperature->flank[1 - i].value, 1e-12);
   }
+  EXPECT_NEAR(a.temperature->flank[1].value, b.temperature->flank[0].value, 1e-12);
 }
 
 TEST(Plastic, WarmTeethBearLess) {  // (3)

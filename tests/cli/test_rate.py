@@ -277,6 +277,7 @@ class Plastic(unittest.TestCase):
         r = run.json["rating"]
         self.assertEqual(r["standard"], "VDI 2736:2014")
         self.assertTrue(23 < r["root_temperature_C"][1] < r["flank_temperature_C"][1] < 100, r["flank_temperature_C"])
+        self.assertEqual([r["flank_temperature_C"][0], r["sigma_Flim_MPa"]], [None, [430, None]])
         warm = r["root_temperature_C"][1]
         self.assertAlmostEqual(r["sigma_FG_MPa"][1], 2 * (40 - 12 * (warm - 20) / 40), delta=1e-9)
         self.assertAlmostEqual(r["S_F"][1], r["sigma_FG_MPa"][1] / r["sigma_F_MPa"][1], delta=1e-12)
@@ -312,7 +313,9 @@ class Plastic(unittest.TestCase):
                      "temperatures_C")
         self.refused(PLASTIC.replace("youngs_modulus_by_temperature_MPa = [2800, 1800, 1000]\n", ""),
                      "gear2.material.youngs_modulus_MPa", "is missing")
-        self.refused(PLASTIC.replace('kind = "plastic"', 'kind = "cast"'), "rating.standard", "plastic")
+        self.refused(PLASTIC.replace('kind = "plastic"', 'kind = "cast"'), "gear2.material.temperatures_C", "plastic")
+        steel = PLASTIC[:PLASTIC.index("kind =")].replace("a POM", "42CrMo4") + PLASTIC[PLASTIC.index("[rating]"):]
+        self.refused(steel, "rating.standard", "plastic")
 
     def test_search_of_plastics(self):
         text = PLASTIC[PLASTIC.index("[gear2.material]"):] + """[gear1.material]
