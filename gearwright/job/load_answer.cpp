@@ -167,6 +167,16 @@ Result<LoadAnswer> answer_load(SolvedJob& job, Headway* headway) {
   return answer;
 }
 
+Result<LoadedContact> contact_under(SolvedJob& job, double torque) {
+  const LoadInput asked = job.spec.load;
+  job.spec.load.torques = {torque};
+  job.spec.load.probes.clear();
+  auto answer = answer_load(job);
+  job.spec.load = asked;
+  if (!answer) return answer.error();
+  return *std::move(answer->contact);
+}
+
 LoadView load_view(const SolvedJob& job, const LoadAnswer& answer) {
   LoadView view;
   if (answer.contact) view.contact = &*answer.contact;

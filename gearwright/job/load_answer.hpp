@@ -19,6 +19,9 @@ struct LoadAnswer {
 ///           `load.slices` too many, `load.probe[i].…`; as ContactSetup
 Result<LoadAnswer> answer_load(SolvedJob& job, Headway* headway = nullptr);
 
+/// The same under this one torque on gear 1, N m, with the other numbers of [load].
+Result<LoadedContact> contact_under(SolvedJob& job, double torque);
+
 LoadView load_view(const SolvedJob& job, const LoadAnswer& answer);
 
 }  // namespace gearwright
