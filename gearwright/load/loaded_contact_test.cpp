@@ -108,6 +108,58 @@ TEST(LoadedContact, CarriesTheTorque) {
   }
 }
 
+// What a page does: tables that are kept, positions one by one in any order.
+TEST(LoadedContact, InPiecesIsTheSameToTheLastBit) {
+  const Mesh m = mesh_of(12, 30);
+  LoadRequest r = request_of();
+  r.torques = {2e5};
+  r.deflection_slope = 0.004;
+  const LoadedContact whole = run(m, r);
+  const auto one = tooth_compliance(m.one, m.two, 1, r);
+  const auto two = tooth_compliance(m.one, m.two, 2, r);
+  ASSERT_TRUE(one && two);
+  const auto c = pair_compliance(m.one, m.two, r, {*one, *two});
+  ASSERT_TRUE(c);
+  EXPECT_EQ(c->table[0], *one);
+  const ContactPair pair = m.pair();
+  LoadedTurn turn(pair, m.one, m.two, *c, r);
+  for (std::size_t i = turn.positions(); i-- > 0;) turn.solve(i, i + 1);
+  const LoadedContact pieces = turn.result();
+  const LoadedTorque& a = whole.torques[0];
+  const LoadedTorque& b = pieces.torques[0];
+  ASSERT_EQ(a.positions.size(), b.positions.size());
+  for (std::size_t i = 0; i < a.positions.size(); ++i) {
+    EXPECT_EQ(a.positions[i].te, b.positions[i].te) << i;
+    EXPECT_EQ(a.positions[i].max_pressure, b.positions[i].max_pressure) << i;
+    EXPECT_EQ(a.positions[i].root_stress, b.positions[i].root_stress) << i;
+  }
+  EXPECT_EQ(a.face_load_factor, b.face_load_factor);
+  EXPECT_EQ(a.stiffness.mean, b.stiffness.mean);
+  double stiffest = 0.0;
+  for (const LoadedPosition& p : b.positions) stiffest = std::max(stiffest, p.stiffness);
+  EXPECT_EQ(stiffest, b.stiffness.max);
+}
+
+TEST(LoadedContact, TablesAreThoseOfTheTeethAlone) {
+  const Mesh m = mesh_of(12, 30);
+  const LoadRequest r = request_of();
+  const std::array<const Gear*, 2> gears{&m.one, &m.two};
+  LoadRequest other = r;
+  other.torques = {1e6};
+  other.deflection_bow = 0.01;
+  other.bodies[0].youngs_modulus = 1e5;
+  EXPECT_TRUE(same_compliance(gears, r, gears, other, 1));
+  other.bodies[0].bore_diameter = 20;
+  EXPECT_FALSE(same_compliance(gears, r, gears, other, 1));
+  EXPECT_TRUE(same_compliance(gears, r, gears, other, 2));
+  other.slices = 14;
+  EXPECT_FALSE(same_compliance(gears, r, gears, other, 2));
+  const Mesh wider = mesh_of(12, 31);
+  EXPECT_FALSE(same_compliance(gears, r, {&wider.one, &wider.two}, r, 1));
+  const Mesh steeper = mesh_of(13, 30);
+  EXPECT_FALSE(same_compliance(gears, r, {&steeper.one, &steeper.two}, r, 2));
+}
+
 // Rigid teeth, and hardly loaded ones, do what contact says.
 TEST(LoadedContact, StiffOrIdleTeethAreThoseOfContact) {
   const Mesh m = mesh_of(12, 30);
