@@ -26,7 +26,7 @@ struct LoadInput {
   int driver = 1;
   int positions = 64;            ///< per pitch
   std::vector<Angle> rotations;  ///< of gear 1: these instead of positions
-  int slices = 32;
+  std::optional<int> slices;     ///< absent: fair_slices
   ComplianceAccuracy accuracy = ComplianceAccuracy::full;
   double deflection_slope = 0.0;  ///< µm
   double deflection_bow = 0.0;    ///< µm

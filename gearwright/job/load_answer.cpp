@@ -106,7 +106,7 @@ Result<LoadTask> task_of(const SolvedJob& job, const std::array<ElasticBody, 2>&
   for (const double m : input.torques) request.torques.push_back(m * kMmPerM);
   request.positions = input.positions;
   request.rotations = input.rotations;
-  request.slices = input.slices;
+  request.slices = input.slices.value_or(fair_slices(task.setup.gear(1), task.setup.gear(2)));
   request.accuracy = input.accuracy;
   request.bodies = bodies;
   request.deflection_slope = input.deflection_slope * kMmPerUm;
@@ -142,11 +142,14 @@ std::optional<Error> judge_load(SolvedJob& job, const LoadTask& task, const Load
                   [](const LoadedPosition& p) { return p.kind == TouchKind::none; }))
     return nothing_touches(task.setup);
   if (found.slices_too_fine) {
-    return refused(
-        "load.slices", job.spec.load.slices,
-        fmt::format("are narrower than the contact is wide: {} mm each; fewer slices, or "
-                    "less torque, would do",
-                    spoken(found.slices.width())));
+    const int fair = fair_slices(task.setup.gear(1), task.setup.gear(2));
+    return refused("load.slices", task.request.slices,
+                   task.request.slices > fair
+                       ? fmt::format("are too fine for these teeth: {} mm each; {} would do",
+                                     spoken(found.slices.width()), fair)
+                       : fmt::format("are narrower than the contact is wide: {} mm each; less "
+                                     "torque or fewer slices would do",
+                                     spoken(found.slices.width())));
   }
   warn_about(found, job.warnings);
   return std::nullopt;

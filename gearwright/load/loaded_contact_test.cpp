@@ -293,5 +293,20 @@ TEST(LoadedContact, OfHelicalTeethIsConverged) {
   EXPECT_NEAR(t.max_pressure, 2290.06, 0.003 * 2290.06);
 }
 
+// Too fine slices leave the matrix indefinite, which is said; the fair number never does.
+TEST(LoadedContact, NarrowFacesHaveFewerSlices) {
+  const auto found = [](const Mesh& m, int slices) {
+    LoadRequest r = request_of();
+    r.torques = {2e4};
+    r.slices = slices;
+    return run(m, r);
+  };
+  for (const double helix : {0.0, 15.0, 35.0}) {
+    const Mesh m = mesh_of(helix, 15.0);
+    EXPECT_FALSE(found(m, fair_slices(m.one, m.two)).slices_too_fine) << helix;
+    EXPECT_TRUE(found(m, 32).slices_too_fine) << helix;
+  }
+}
+
 }  // namespace
 }  // namespace gearwright

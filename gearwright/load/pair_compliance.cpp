@@ -19,6 +19,8 @@ void in_ranges(const LoadRequest& request, std::size_t n,
 namespace {
 
 constexpr double kHertzWidth = 0.05;  // modules: a0, of no consequence but for rounding
+constexpr double kFairSpur = 0.25, kFairHelical = 0.4;  // modules, width of a slice
+constexpr int kSlices = 32, kLeastSlices = 4;
 
 // One tooth and one face to the last bit: the second gear needs no tables of its own.
 bool same_tooth(const Gear& a, const Gear& b) {
@@ -66,6 +68,12 @@ Result<std::shared_ptr<const ToothTable>> tooth_compliance(const Gear& gear_1, c
   auto table = std::make_shared<const ToothTable>(*section, t);
   count_step(request.headway);
   return table;
+}
+
+int fair_slices(const Gear& gear_1, const Gear& gear_2) {
+  const double fair = gear_1.spec.helix_angle.rad() == 0.0 ? kFairSpur : kFairHelical;
+  const double count = common_face(gear_1, gear_2) / (fair * gear_1.spec.normal_module);
+  return static_cast<int>(std::clamp<double>(count, kLeastSlices, kSlices));
 }
 
 Result<PairCompliance> pair_compliance(
