@@ -144,6 +144,58 @@ BENCHMARK(feasible_designs_over_sieve)
     ->Unit(benchmark::kMillisecond)
     ->Iterations(7);
 
+// The same designs rated by ISO 6336 and not: `us_per_rating` is what a rating adds to a design,
+// `ratio` time with over time without.
+void rated_designs_over_unrated(benchmark::State& state) {
+  SearchProblem p;
+  p.ratio = {1.0, 6.0};
+  p.modules = {2.0};
+  p.pinion_teeth = {20, 200};
+  p.helix = {Angle::degrees(state.range(0) == 1 ? 12 : 0)};
+  p.limits.avoid_interference = p.limits.clear_fillets = true;
+  p.limits.tip_clearance = kRunningTipClearance;
+  p.limits.form_clearance = kRunningFormClearance;
+  SearchProblem rated = p;
+  SearchRating rating;
+  rating.input.torque = 300;
+  rating.input.speed = 1480;
+  rating.input.life_h = 20000;
+  rating.input.viscosity = 220;
+  rating.input.quality = {6, 6};
+  rating.input.flank_roughness = {4, 4};
+  rating.input.root_roughness = {16, 16};
+  PinionMounting mounting;
+  mounting.bearing_span = 180;
+  mounting.shaft_diameter = 30;
+  rating.input.mounting = mounting;
+  const Material steel = *material_named("18CrNiMo7-6");
+  rating.input.materials = {steel, steel};
+  rated.rating = rating;
+  const Search plain(p);
+  const Search holding(rated);
+  const std::int64_t size = *plain.space().size();
+  std::vector<DesignRow> rows;
+  std::int64_t feasible = 0;
+  double with = 1e300;
+  const auto run = [&](const Search& search) {
+    rows.clear();
+    feasible = search.range(0, size, rows, {.detail = RegionDetail::point}).feasible;
+  };
+  std::vector<double> ratios, added;
+  for (auto _ : state) {
+    const double a = seconds_of([&] { run(holding); });
+    const double b = seconds_of([&] { run(plain); });
+    ratios.push_back(a / b);
+    added.push_back((a - b) / static_cast<double>(feasible) * 1e6);
+    with = std::min(with, a);
+  }
+  state.counters["ratio"] = median(ratios);
+  state.counters["us_per_rating"] = median(added);
+  state.counters["designs_per_s"] = static_cast<double>(feasible) / with;
+  state.SetLabel(state.range(0) == 1 ? "helical" : "spur");
+}
+BENCHMARK(rated_designs_over_unrated)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->Iterations(7);
+
 // One region: ends, corners, area, the line of Eq. 11.
 void region_of_one_trial(benchmark::State& state) {
   const Search search(gearboxes());

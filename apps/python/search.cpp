@@ -101,12 +101,13 @@ py::object design(const Found& found, py::ssize_t i) {
 
 // The columns of search.parquet and best.csv, as a structured array.
 py::array to_numpy(const Found& found) {
-  const auto& heads = design_columns().heads();
+  const auto& columns = design_columns(found.search->problem());
+  const auto& heads = columns.heads();
   const auto& rows = found.run.answer.designs;
   const auto each_cell = [&](const auto& cell) {
     for (std::size_t r = 0; r < rows.size(); ++r)
-      design_columns().row({&found.search->problem(), &rows[r]},
-                           [&](std::size_t c, const Value& v) { cell(r, c, v); });
+      columns.row({&found.search->problem(), &rows[r]},
+                  [&](std::size_t c, const Value& v) { cell(r, c, v); });
   };
   std::vector<std::size_t> longest(heads.size(), 1);
   each_cell([&](std::size_t, std::size_t c, const Value& v) {
@@ -128,7 +129,7 @@ void to_parquet(const Found& found, const fs::path& path) {
   const py::gil_scoped_release free;
   write_file_by(path, [&](const fs::path& part) {
     ParquetTable<DesignView> table(
-        part, design_columns(),
+        part, design_columns(found.search->problem()),
         {{"program", fmt::format("gearwright {}", kVersion)}, {"spec", found.spec.tree}});
     for (const DesignRow& row : found.run.answer.designs)
       table.add({&found.search->problem(), &row});
@@ -143,7 +144,7 @@ PairValue pair_of(const Found& found, py::ssize_t i) {
 py::dict counts_of(const Found& found) {
   const SearchCounts& counts = found.run.answer.counts;
   py::dict rejected;
-  for (int i = 0; i < kLimits; ++i)
+  for (int i = 0; i < found.search->problem().limit_count(); ++i)
     rejected[py::str(std::string(name(static_cast<Limit>(i))))] =
         counts.rejected[static_cast<std::size_t>(i)];
   py::dict all;

@@ -216,8 +216,8 @@ const KeyTable& cutter_keys() {
 
 const KeyTable& blank_keys() {
   static const KeyTable table = [] {
-    KeyTable t = only(gear_keys(),
-                      {"normal_pressure_angle_deg", "helix_angle_deg", "face_width_mm", "rack"});
+    KeyTable t = only(gear_keys(), {"normal_pressure_angle_deg", "helix_angle_deg", "face_width_mm",
+                                    "rack", "material"});
     t.name = "blank";
     t.meaning = "What a search does not choose of a gear";
     return t;

@@ -1,6 +1,28 @@
 #include "gearwright/catalogue/material_keys.hpp"
 
+#include "gearwright/base/error.hpp"
+#include "gearwright/gear/gear_field.hpp"
+
 namespace gearwright {
+
+namespace {
+
+constexpr KeyList kSteps{2, 100};
+
+Key by_temperature(std::string_view key, std::string_view symbol, std::string_view member,
+                   std::string_view meaning) {
+  return {.key = key,
+          .symbol = symbol,
+          .range = KeyRange::positive(),
+          .list = kSteps,
+          .form = "a list of as many values as `temperatures_C`",
+          .needs = {"temperatures_C"},
+          .fallback = "the one value above",
+          .meaning = meaning,
+          .fields = {std::string(member)}};
+}
+
+}  // namespace
 
 const KeyTable& material_keys() {
   using Range = KeyRange;
@@ -76,9 +98,79 @@ const KeyTable& material_keys() {
           .fallback = "Y_δrelT = 1 of a tempered or normalized steel",
           .meaning = "yield strength or 0.2 % proof stress",
           .fields = {"yield_strength"},
-          .also = {"yield", "re", "rp02"}}}};
+          .also = {"yield", "re", "rp02"}},
+         {.key = "temperatures_C",
+          .symbol = "ϑ",
+          .range = Range::between(-100, 400),
+          .list = kSteps,
+          .form = "a list of rising temperatures",
+          .fallback = "the values above, at any temperature",
+          .meaning = "of a plastic: where its values below are stated; between two the straight "
+                     "line, outside nothing",
+          .fields = {"temperatures"}},
+         by_temperature("sigma_Hlim_by_temperature_MPa", "σ_HlimN", "sigma_Hlim_by",
+                        "flank strength at each temperature, for the wanted life"),
+         by_temperature("sigma_Flim_by_temperature_MPa", "σ_FlimN", "sigma_Flim_by",
+                        "root strength at each temperature, for the wanted life, nominal: without "
+                        "Y_ST = 2"),
+         by_temperature("youngs_modulus_by_temperature_MPa", "E", "youngs_modulus_by",
+                        "Young's modulus at each temperature")}};
   }();
   return table;
+}
+
+Result<Material> material_of(const MaterialInput& given, int which, RatingEdition edition) {
+  const std::string table = gear_field(which, "material");
+  Material m;
+  if (given.name) {
+    const auto row = material_named(*given.name, given.surface_hardness);
+    const bool in_table = material_named(*given.name).has_value();
+    if (!row && in_table && !(given.sigma_Hlim && given.sigma_Flim)) {
+      return refused(table + ".surface_hardness", *given.surface_hardness,
+                     "is off the line of ISO 6336-5 for this material; give its "
+                     "`sigma_Hlim` and `sigma_Flim`");
+    }
+    if (row) m = *row;
+    m.name = *given.name;
+  }
+  if (given.kind) m.kind = *given.kind;
+  if (given.sigma_Hlim || given.sigma_Flim) m.from_table = false;
+  if (given.sigma_Hlim) m.sigma_Hlim = *given.sigma_Hlim;
+  if (given.sigma_Flim) m.sigma_Flim = *given.sigma_Flim;
+  if (given.youngs_modulus) m.youngs_modulus = *given.youngs_modulus;
+  if (given.poisson_ratio) m.poisson_ratio = *given.poisson_ratio;
+  constexpr double kPerCubicMillimetre = 1e-9;
+  if (given.density) m.density = *given.density * kPerCubicMillimetre;
+  if (given.surface_hardness) m.hardness_HV = given.surface_hardness;
+  if (given.yield_strength) m.yield_strength = given.yield_strength;
+  m.sigma_Hlim_by = given.sigma_Hlim_by;
+  m.sigma_Flim_by = given.sigma_Flim_by;
+  m.youngs_modulus_by = given.youngs_modulus_by;
+  const bool flank = m.sigma_Hlim > 0.0 || !m.sigma_Hlim_by.empty();
+  const bool root = m.sigma_Flim > 0.0 || !m.sigma_Flim_by.empty();
+  if (!flank || !root) {
+    return Error{flank        ? table + ".sigma_Flim"
+                 : given.name ? table + ".sigma_Hlim"
+                              : table,
+                 "",
+                 "is missing; a rating needs the material's strength: `name` of the shipped table, "
+                 "or `kind`, `sigma_Hlim` and `sigma_Flim`"};
+  }
+  const bool plastic = m.kind == MaterialKind::plastic;
+  const bool by_temperature =
+      !m.sigma_Hlim_by.empty() || !m.sigma_Flim_by.empty() || !m.youngs_modulus_by.empty();
+  if (by_temperature && !plastic)
+    return Error{table + ".temperatures", "", "belongs to a `kind` of \"plastic\""};
+  if (plastic && edition != RatingEdition::vdi_2736) {
+    return Error{table + ".kind", "plastic",
+                 "is not a material of ISO 6336; plastics are rated by VDI 2736: give "
+                 "`rating.edition` = \"VDI 2736:2014\""};
+  }
+  if (plastic && !given.youngs_modulus && m.youngs_modulus_by.empty()) {
+    return Error{table + ".youngs_modulus", "",
+                 "is missing; that of steel, which it would be otherwise, is not a plastic's"};
+  }
+  return m;
 }
 
 }  // namespace gearwright

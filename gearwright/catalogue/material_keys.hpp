@@ -4,7 +4,9 @@
 #include <optional>
 #include <string>
 
+#include "gearwright/base/result.hpp"
 #include "gearwright/catalogue/key.hpp"
+#include "gearwright/rating/factor.hpp"
 #include "gearwright/rating/material.hpp"
 
 namespace gearwright {
@@ -20,8 +22,15 @@ struct MaterialInput {
   std::optional<double> sigma_Flim;        ///< σ_Flim   N/mm²
   std::optional<double> surface_hardness;  ///< HV
   std::optional<double> yield_strength;    ///< R_e      N/mm²
+  ByTemperature sigma_Hlim_by, sigma_Flim_by, youngs_modulus_by;
 };
 
 const KeyTable& material_keys();
+
+/// The material of gear `which`: the named row of the table first, then whatever stands beside the
+/// name.
+///
+/// Errors    `gearN.material…` where a strength is not known, or the standard has no such material
+Result<Material> material_of(const MaterialInput& given, int which, RatingEdition edition);
 
 }  // namespace gearwright

@@ -31,6 +31,8 @@ std::string_view unit_text(Unit unit) {
     case Unit::per_minute: return "1/min";
     case Unit::newton_per_mm: return "N/mm";
     case Unit::newton_per_mm_um: return "N/(mm µm)";
+    case Unit::celsius: return "°C";
+    case Unit::kg: return "kg";
     case Unit::kg_per_mm: return "kg/mm";
     case Unit::percent: return "%";
     case Unit::none:
@@ -55,6 +57,8 @@ std::string_view unit_suffix(Unit unit) {
     case Unit::megapascal: return "_MPa";
     case Unit::per_minute: return "_rpm";
     case Unit::newton_per_mm: return "_N_per_mm";
+    case Unit::celsius: return "_C";
+    case Unit::kg: return "_kg";
     case Unit::newton_per_mm_um:
     case Unit::kg_per_mm:
     case Unit::none:
@@ -72,6 +76,7 @@ int digits_of(const Said& said) {
     case Unit::arcsec:
     case Unit::mm_per_rad:
     case Unit::m_per_s: return 4;
+    case Unit::celsius:
     case Unit::newton:
     case Unit::newton_metre:
     case Unit::per_minute: return 1;
@@ -81,6 +86,7 @@ int digits_of(const Said& said) {
     case Unit::newton_per_mm_um:
     case Unit::um:
     case Unit::percent: return 3;
+    case Unit::kg:
     case Unit::kg_per_mm:
     case Unit::per_mm: return 6;
     case Unit::none:

@@ -36,6 +36,8 @@ enum class Unit {
   per_minute,
   newton_per_mm,
   newton_per_mm_um,  ///< stiffness of a mesh per face width
+  celsius,
+  kg,
   kg_per_mm,
   modules,          ///< normal modules; no unit for people
   modules_squared,  ///< of a region of two shifts

@@ -21,10 +21,13 @@ struct RatingTable {
   std::optional<double> rim_thickness;  ///< s_R  mm, of both gears
   std::vector<LoadBin> spectrum;        ///< [[rating.spectrum]], in place of one load and life
   std::optional<double> safety_flank_min, safety_root_min;  ///< wanted
+  bool tooth_contact = false;  ///< the teeth under this load beside the standard
 };
 
 const KeyTable& rating_keys();
 const KeyTable& rating_mounting_keys();
+/// Of [rating.plastic], for VDI 2736.
+const KeyTable& rating_plastic_keys();
 /// Of one step of [[rating.spectrum]].
 const KeyTable& load_bin_keys();
 

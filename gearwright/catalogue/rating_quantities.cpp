@@ -60,6 +60,7 @@ const Factor* cycles(const R& r, std::size_t i) { return r.N_L[i] ? &*r.N_L[i] :
 
 constexpr const char* kWhole = "Spectrum, ISO 6336-6";
 constexpr const char* kSizing = "With the wanted safeties";
+constexpr const char* kBeside = "Beside it, the teeth under load";
 
 constexpr Unit kNone = Unit::none;
 constexpr Unit kStress = Unit::megapascal;
@@ -115,6 +116,7 @@ const std::vector<FactorEntry>& entries() {
       {kFlank, "S_H", "safety against pitting", "S_H", kNone, 3, nullptr, per<&R::S_H>},
       {kRoot, "Y_F", "form factor", "Y_F", kNone, 4, nullptr, per<&R::Y_F>},
       {kRoot, "Y_S", "stress correction factor", "Y_S", kNone, 4, nullptr, per<&R::Y_S>},
+      {kRoot, "Y_epsilon", "contact ratio factor", "Y_ε", kNone, 4, maybe<&R::Y_epsilon>},
       {kRoot, "Y_beta", "helix angle factor", "Y_β", kNone, 4, nullptr, per<&R::Y_beta>},
       {kRoot, "Y_B", "rim thickness factor", "Y_B", kNone, 4, nullptr, per<&R::Y_B>},
       {kRoot, "Y_DT", "deep tooth factor", "Y_DT", kNone, 4, nullptr, per<&R::Y_DT>},
@@ -135,16 +137,19 @@ const std::vector<FactorEntry>& entries() {
   return kAll;
 }
 
-Value number(const Factor* f) { return f ? Value(f->value) : Value(); }
+Value number(const Factor* f) { return f && is_there(*f) ? Value(f->value) : Value(); }
 
 Value section(const V& v, double CriticalSection::*member, double scale = 1.0) {
   return std::array{std::abs(v.rating.section[0].*member) * scale,
                     std::abs(v.rating.section[1].*member) * scale};
 }
 
-template <class T>
-Value materials(const V& v, T Material::*member) {
-  return std::array{v.input.materials[0].*member, v.input.materials[1].*member};
+// Null of a plastic whose strength stands by temperature.
+Value strengths(const V& v, double Material::*member) {
+  ValueList values;
+  for (const Material& m : v.input.materials)
+    values.push_back(m.*member > 0.0 ? Value(m.*member) : Value());
+  return values;
 }
 
 Value tolerance(const V& v, double Tolerances::*member) {
@@ -154,7 +159,7 @@ Value tolerance(const V& v, double Tolerances::*member) {
 
 void say_inputs(Quantities<V>& q) {
   q.word("", "standard", "standard", "and its edition", [](const V& v) {
-     return Value(v.rating.edition == RatingEdition::iso_2006 ? "ISO 6336:2006" : "ISO 6336:2019");
+     return Value(name(v.rating.edition));
    }).always();
   q.add(Type::number, Unit::kilowatt, kLoad, "power_kW", "power", "P", "null without a speed",
         [](const V& v) { return v.power_kW > 0 ? Value(v.power_kW) : Value(); });
@@ -175,12 +180,12 @@ void say_inputs(Quantities<V>& q) {
       .per_gear();
   q.add(Type::number, kStress, kMaterial, "sigma_Hlim_MPa", "allowable contact stress number",
         "σ_Hlim", "of the reference test gears",
-        [](const V& v) { return materials(v, &Material::sigma_Hlim); })
+        [](const V& v) { return strengths(v, &Material::sigma_Hlim); })
       .per_gear()
       .digits(0);
   q.add(Type::number, kStress, kMaterial, "sigma_Flim_MPa", "allowable bending stress number",
         "σ_Flim", "of the reference test gears",
-        [](const V& v) { return materials(v, &Material::sigma_Flim); })
+        [](const V& v) { return strengths(v, &Material::sigma_Flim); })
       .per_gear()
       .digits(0);
   q.add(Type::number, Unit::um, kGeneral, "f_pb_um", "base pitch deviation", "f_pb",
@@ -250,6 +255,66 @@ void say_spectrum(Quantities<V>& q) {
       .digits(2);
 }
 
+// A number of the loaded teeth over the standard's.
+Value over(const std::array<double, 2>& contact, const FactorPair& standard) {
+  return std::array{contact[0] / standard[0].value, contact[1] / standard[1].value};
+}
+
+void say_contact(Quantities<V>& q) {
+  const auto asked = [](const V& v) { return v.contact.has_value(); };
+  q.add(Type::number, Unit::newton_metre, kBeside, "contact_torque_Nm", "torque on the teeth",
+        "T_1", "T_1 K_A K_γ K_v; how it is shared the contact finds by itself",
+        [](const V& v) { return Value(v.contact->torque); })
+      .when(asked);
+  q.add(Type::number, kStress, kBeside, "contact_pressure_MPa", "greatest Hertz pressure", "p_H",
+        "over all positions and the whole face, as `load` has it",
+        [](const V& v) { return Value(v.contact->pressure); })
+      .when(asked);
+  q.pure(kBeside, "contact_pressure_over_sigma_H", "over the standard's contact stress", "p_H/σ_H",
+         "",
+         [](const V& v) {
+           return over({v.contact->pressure, v.contact->pressure}, v.rating.sigma_H);
+         })
+      .per_gear()
+      .digits(3)
+      .when(asked);
+  q.add(Type::number, kStress, kBeside, "contact_root_stress_MPa", "greatest root stress", "σ_1",
+        "the greatest principal stress at the surface of the root",
+        [](const V& v) { return Value(v.contact->root_stress); })
+      .per_gear()
+      .when(asked);
+  q.pure(kBeside, "contact_root_stress_over_sigma_F", "over the standard's root stress", "σ_1/σ_F",
+         "", [](const V& v) { return over(v.contact->root_stress, v.rating.sigma_F); })
+      .per_gear()
+      .digits(3)
+      .when(asked);
+  q.pure(kBeside, "contact_face_load_factor", "face load factor of the contact", "K_Hβ",
+         "the greatest load of a slice over the mean, mean of the positions",
+         [](const V& v) { return Value(v.contact->face_load_factor); })
+      .digits(3)
+      .when(asked);
+}
+
+// Of plastics only: no such rows, and no keys, of a rating by ISO 6336.
+bool by_vdi(const V& v) { return v.rating.edition == RatingEdition::vdi_2736; }
+
+void say_temperatures(Quantities<V>& q) {
+  const auto of = [](FactorPair ToothTemperatures::*member) {
+    return [member](const V& v) {
+      const FactorPair& t = (*v.rating.temperature).*member;
+      return Value(ValueList{number(&t[0]), number(&t[1])});
+    };
+  };
+  q.add(Type::number, Unit::celsius, kMaterial, "flank_temperature_C", "temperature of the flanks",
+        "ϑ_Fla", "by VDI 2736, or as given; of plastic gears", of(&ToothTemperatures::flank))
+      .per_gear()
+      .when(by_vdi);
+  q.add(Type::number, Unit::celsius, kMaterial, "root_temperature_C", "temperature of the roots",
+        "ϑ_Fu", "the same", of(&ToothTemperatures::root))
+      .per_gear()
+      .when(by_vdi);
+}
+
 void say_factor(Quantities<V>& q, const FactorEntry& e) {
   auto& said = q.add(Type::number, e.unit, e.group, e.key, e.words, e.symbol, "", [&e](const V& v) {
     if (e.of) return number(e.of(v.rating));
@@ -257,17 +322,20 @@ void say_factor(Quantities<V>& q, const FactorEntry& e) {
   });
   said.digits(e.digits);
   if (e.each) said.per_gear();
+  if (std::string_view(e.key) == "Y_epsilon") said.when(by_vdi);
 }
 
 void say(Quantities<V>& q) {
-  q.groups({"", kLoad, kMaterial, kGeneral, kFlank, kRoot, kWhole, kSizing});
+  q.groups({"", kLoad, kMaterial, kGeneral, kFlank, kRoot, kWhole, kSizing, kBeside});
   say_inputs(q);
+  say_temperatures(q);
   for (const FactorEntry& e : entries()) {
     // The section stands before what is made of it.
     if (std::string_view(e.key) == "Y_F") say_section(q);
     say_factor(q, e);
   }
   say_spectrum(q);
+  say_contact(q);
   q.add(Type::map, kNone, "", "formulas", "formulas", "",
         "of each factor its place in the standard and the branch taken: {key: {formula, branch}}",
         [](const V& v) {
@@ -295,7 +363,7 @@ std::vector<FactorSource> factor_sources(const Rating& rating) {
   std::vector<FactorSource> all;
   for (const FactorEntry& e : entries()) {
     const Factor* f = e.of ? e.of(rating) : e.each(rating, 0);
-    if (!f) continue;
+    if (!f || !is_there(*f)) continue;
     FactorSource s{e.key, f->formula, {f->branch}};
     if (e.each) {
       const Factor* g = e.each(rating, 1);

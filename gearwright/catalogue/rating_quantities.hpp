@@ -13,6 +13,14 @@
 
 namespace gearwright {
 
+/// What the teeth themselves bear beside the standard: loaded tooth contact, over all positions.
+struct ToothContact {
+  double torque;                      ///< T_1 K_A K_γ K_v  N m, which lies on gear 1
+  double pressure;                    ///< p_H  N/mm², the greatest
+  std::array<double, 2> root_stress;  ///< N/mm², the greatest principal stress
+  double face_load_factor;            ///< K_Hβ of the line load
+};
+
 struct RatingView {
   const RatingInput& input;
   const Rating& rating;
@@ -22,6 +30,7 @@ struct RatingView {
   std::optional<SpectrumRating> spectrum;
   std::optional<double> torque_holding;  ///< N m
   std::optional<double> face_holding;    ///< mm
+  std::optional<ToothContact> contact;
 };
 
 const Quantities<RatingView>& rating_quantities();

@@ -1,269 +1,21 @@
 #include "gearwright/catalogue/search_quantities.hpp"
 
-#include <algorithm>
-#include <cmath>
-
-#include "gearwright/base/angle.hpp"
-#include "gearwright/catalogue/pair_parts.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 
 namespace gearwright {
 
-double tidy_degrees(Angle angle) {
-  constexpr double kPlaces = 1e9;      // decimals of a degree that people write, 1/kPlaces
-  constexpr double kRounding = 1e-13;  // relative: what conversion to radians and back loses
-  const double value = angle.deg();
-  const double tidy = std::round(value * kPlaces) / kPlaces;
-  return std::abs(value - tidy) < kRounding * (1.0 + std::abs(value)) ? tidy : value;
-}
-
 SpelledChange spelled_change(const NearestChange& change) {
-  SpelledChange said{spelled_member("search." + change.field), change.from, change.to};
+  const bool of_search = !change.field.starts_with("rating.") && !change.field.starts_with("gear");
+  SpelledChange said{spelled_member((of_search ? "search." : "") + change.field), change.from,
+                     change.to};
   if (change.field == "limits.avoid_interference")
     said = {"search.interference", "\"exclude\"", "\"flag\""};
+  if (change.field.ends_with("material.name"))
+    said = {said.key, "\"" + change.from + "\"", "\"" + change.to + "\""};
   return said;
 }
 
 namespace {
-
-using V = DesignView;
-
-constexpr unsigned kColumns = 0;  // of CSV and Parquet alone
-constexpr int kFewDigits = 3;     // of ratios and thicknesses in the page's table
-
-bool is_crossed(const V& v) { return v.problem->crossed(); }
-bool is_parallel(const V& v) { return !is_crossed(v); }
-
-// The value of an objective as people count it.
-Value objective_value(const V& v, Objective o) {
-  const auto c = cost(*v.problem, *v.row, o);
-  const bool greater_is_better = o == Objective::contact_ratio || o == Objective::area ||
-                                 o == Objective::formula_contact_ratio;
-  return c ? Value(greater_is_better ? -*c : *c) : Value();
-}
-
-Value objective(const V& v) {
-  const auto& objectives = v.problem->objectives;
-  if (objectives.size() == 1) return objective_value(v, objectives.front());
-  ValueMap all;
-  for (const Objective o : objectives)
-    all.emplace_back(kObjectiveNames[static_cast<std::size_t>(o)], objective_value(v, o));
-  return all;
-}
-
-const Quantities<V>& region_quantities() {
-  static const Quantities<V> kAll("search.designs region", [](Quantities<V>& q) {
-    q.add(Type::map, Unit::none, "", "edges", "edges of the region", "",
-          "counterclockwise, {constraint, points}: points (x1, x2), two of a straight edge, 25 or "
-          "more of a curved one",
-          [](const V& v) { return v.edges(); })
-        .when([](const V& v) { return static_cast<bool>(v.edges); })
-        .list({0});
-    q.pure("", "lo", "middle of the slice of the least Σx", "", "[x1, x2]",
-           [](const V& v) { return Value(v.row->lo); })
-        .list({2})
-        .always()
-        .column("lo_x#");
-    q.pure("", "hi", "middle of the slice of the greatest Σx", "", "[x1, x2]",
-           [](const V& v) { return Value(v.row->hi); })
-        .list({2})
-        .always()
-        .column("hi_x#");
-    q.pure("", "area", "area of the feasible region", "", "modules²",
-           [](const V& v) { return Value(v.row->area); })
-        .always()
-        .column("area");
-    q.pure("", "shift_sum", "sums of the profile shifts", "Σx", "[least, greatest]",
-           [](const V& v) { return Value(v.row->sums); })
-        .ends()
-        .always()
-        .column("shift_sum_#");
-  });
-  return kAll;
-}
-const SaidTable& region_table() { return region_quantities().table(); }
-const SaidTable& gears_table() { return two_gears().table(); }
-
-void say_numbers(Quantities<V>& q) {
-  q.add(Type::index, Unit::none, "", "trial", "number of the trial", "",
-        "in the order of the loops", [](const V& v) { return Value(v.row->trial.index); })
-      .always()
-      .column("trial")
-      .doors(kColumns);
-  q.mm("", "module_mm", "normal module", "m_n", "",
-       [](const V& v) { return Value(v.row->trial.module); })
-      .always()
-      .column("module_mm")
-      .digits(0);
-  q.whole("", "teeth", "number of teeth", "z", "[z1, z2]; negative: an internal gear",
-          [](const V& v) {
-            return Value(std::array{v.row->trial.z1, v.row->trial.z2});
-          })
-      .per_gear()
-      .always()
-      .column("z#");
-  q.deg("", "helix_angle_deg", "helix angle", "β", "right hand positive",
-        [](const V& v) {
-          const auto& helix = v.row->trial.helix;
-          return Value(std::array{tidy_degrees(helix[0]), tidy_degrees(helix[1])});
-        })
-      .per_gear()
-      .always()
-      .column("helix#_deg")
-      .digits(kFewDigits)
-      .shown([](const V& v) { return is_crossed(v) || v.row->trial.helix[0] != Angle(); });
-  q.whole("", "rack", "rack", "", "which of the racks given, from 1; only with several",
-          [](const V& v) { return Value(v.row->trial.rack + 1); })
-      .always()
-      .column("rack")
-      .when([](const V& v) { return v.problem->racks.size() > 1; });
-}
-
-void say_place(Quantities<V>& q) {
-  q.pure("", "profile_shift", "profile shift coefficient", "x", "[x1, x2]",
-         [](const V& v) { return Value(v.row->shift); })
-      .per_gear()
-      .always()
-      .column("x#")
-      .digits(4);
-  q.word(
-       "", "point", "place of the shifts",
-       "where in the region the shifts stand: `eq11` on the line of Eq. 11, off the walls, `lo_hi` "
-       "in the middle where that line misses the region",
-       [](const V& v) { return Value(v.row->balanced ? "eq11" : "lo_hi"); })
-      .one_of({"eq11", "lo_hi"})
-      .always()
-      .column("point")
-      .greater_first();
-  q.mm("", "center_distance_mm", "centre distance", "a", "of the design",
-       [](const V& v) { return Value(v.row->center_distance); })
-      .always()
-      .column("center_distance_mm");
-  q.pure("", "ratio", "gear ratio", "u", "z2/z1", [](const V& v) { return Value(v.row->ratio); })
-      .always()
-      .column("ratio")
-      .digits(4);
-  q.pure("", "ratio_error", "gear ratio less its target", "Δu", "the target is `target_ratio`",
-         [](const V& v) { return Value(v.row->ratio - v.problem->target_ratio); })
-      .always()
-      .digits(4);
-}
-
-void say_contact(Quantities<V>& q) {
-  q.pure("", "contact_ratio", "transverse contact ratio", "ε_α", "of Eq. 10; crossed AE/p_bn",
-         [](const V& v) { return Value(v.row->contact_ratio); })
-      .always()
-      .column("contact_ratio")
-      .greater_first()
-      .digits(kFewDigits);
-  q.pure("", "contact_ratio_true", "effective transverse contact ratio", "ε_α,eff",
-         "the path clipped to the usable flanks, which begin at ρ_F of [T9.1]; not to the faces of "
-         "crossed gears",
-         [](const V& v) { return Value(v.row->contact_ratio_true); })
-      .always()
-      .column("contact_ratio_true")
-      .greater_first()
-      .digits(kFewDigits);
-  q.pure("", "overlap_ratio", "overlap ratio", "ε_β", "0 on crossed axes",
-         [](const V& v) { return Value(v.row->overlap_ratio); })
-      .always()
-      .column("overlap_ratio")
-      .greater_first()
-      .digits(kFewDigits)
-      .shown([](const V& v) { return is_parallel(v) && v.row->overlap_ratio != 0.0; });
-  const auto angle = [](const V& v) { return Value(tidy_degrees(v.row->working_angle)); };
-  q.deg("", "working_normal_pressure_angle_deg", "working normal pressure angle", "α_wn",
-        "crossed axes only", angle)
-      .when(is_crossed)
-      .digits(kFewDigits);
-  q.deg("", "working_transverse_pressure_angle_deg", "working transverse pressure angle", "α_wt",
-        "parallel axes only", angle)
-      .when(is_parallel)
-      .digits(kFewDigits);
-  q.deg("", "working_angle_deg", "working pressure angle", "", "transverse, crossed normal", angle)
-      .always()
-      .column("working_angle_deg")
-      .doors(kColumns);
-}
-
-void say_limits(Quantities<V>& q) {
-  q.mm("", "backlash_normal_mm", "normal backlash along the line of action", "j_bn",
-       "the pair's `backlash.normal_base_mm`",
-       [](const V& v) { return Value(v.row->backlash_normal); })
-      .always()
-      .column("backlash_normal_mm");
-  q.mm("", "tip_thickness_mm", "normal tip tooth thickness", "s_an", "per gear",
-       [](const V& v) { return Value(v.row->tip_thickness); })
-      .per_gear()
-      .always()
-      .column("tip_thickness#_mm")
-      .greater_first()
-      .digits(kFewDigits);
-  q.mm("", "tip_clearance_mm", "tip clearance", "c",
-       "tip of gear 1 to root of gear 2, then the other",
-       [](const V& v) { return Value(v.row->tip_clearance); })
-      .per_gear()
-      .always()
-      .column("tip_clearance#_mm")
-      .greater_first()
-      .digits(kFewDigits);
-  q.mm("", "form_clearance_path_mm", "form clearance along the line of action", "",
-       "how far the mating tip stays from the start of the flank of gear 1, of gear 2; negative: "
-       "interference; none of an internal gear, whose flank ends where its cutter says",
-       [](const V& v) { return Value(v.row->form_clearance); })
-      .per_gear()
-      .column("form_clearance_path#_mm")
-      .doors(kJson);
-  q.mm("", "tip_alteration_mm", "tip alteration", "k m_n", "as applied, 0 without `shorten_tips`",
-       [](const V& v) { return Value(v.row->tip_alteration); })
-      .always()
-      .column("tip_alteration_mm")
-      .shown([](const V& v) { return v.row->tip_alteration != 0.0; });
-  q.record("", "specific_sliding", "[at A, at E] as of a pair", gears_table,
-           [](const V& v) {
-             return Value(two_gears().of({v.row->sliding[0], v.row->sliding[1]}));
-           })
-      .always()
-      .doors(kJson);
-  for (const std::size_t gear : {0, 1}) {
-    for (const std::size_t end : {0, 1}) {
-      const std::string name = "sliding" + std::to_string(gear + 1) + (end == 0 ? "_A" : "_E");
-      q.pure("", name.c_str(), "specific sliding", "ζ", "",
-             [gear, end](const V& v) { return Value(v.row->sliding[gear][end]); })
-          .column(name)
-          .doors(kColumns);
-    }
-  }
-  q.pure("", "sliding_max", "maximum specific sliding", "ζ_max",
-         "at the ends of the path of contact; none: a flank reaches its base tangent point",
-         [](const V& v) { return Value(v.row->max_sliding()); })
-      .column("sliding_max")
-      .doors(kPage)
-      .expected([](const V&) { return true; })
-      .digits(kFewDigits);
-  q.flag("", "interference", "interference", "a tip passes the start of the mating flank",
-         [](const V& v) { return Value(v.row->interference); })
-      .column("interference");
-}
-
-void say(Quantities<V>& q) {
-  say_numbers(q);
-  say_place(q);
-  say_contact(q);
-  say_limits(q);
-  q.pure("", "area", "area of the feasible region", "", "modules²",
-         [](const V& v) { return Value(v.row->area); })
-      .doors(kPage)
-      .greater_first()
-      .digits(4);
-  q.record("", "region", "of the profile shifts that satisfy every limit", region_table,
-           [](const V& v) { return Value(region_quantities().of(v)); })
-      .always()
-      .doors(kJson);
-  q.add(Type::map, Unit::none, "", "objective", "objective", "", "its value, or one for each name",
-        objective)
-      .doors(kJson);
-}
 
 const Quantities<NearestChange>& change_quantities() {
   using C = NearestChange;
@@ -291,6 +43,12 @@ const Quantities<SearchLimits>& margin_quantities() {
     q.pure("", "form_clearance_min", "form clearance", "c_F", "along the line of action",
            [](const L& l) { return Value(l.form_clearance); })
         .always();
+    q.pure("", "safety_flank_min", "safety against pitting", "S_Hmin", "where one is asked",
+           [](const L& l) { return Value(l.safety_flank); })
+        .when([](const L& l) { return l.safety_flank.has_value(); });
+    q.pure("", "safety_root_min", "safety against root breakage", "S_Fmin", "where one is asked",
+           [](const L& l) { return Value(l.safety_root); })
+        .when([](const L& l) { return l.safety_root.has_value(); });
   });
   return kAll;
 }
@@ -313,17 +71,19 @@ void say_search(Quantities<SearchView>& q) {
   q.add(Type::map, Unit::none, "", "rejected", "rejected", "",
         "how many each limit ruled out, the first that leaves nothing in the order `shift_limits`, "
         "`center_distance`, `contact_ratio`, `overlap_ratio`, `sliding`, `tip_clearance`, "
-        "`interference`; no working angle counts as `contact_ratio`",
+        "`interference`, of a rated search `safety_flank`, `safety_root`; no working angle counts "
+        "as "
+        "`contact_ratio`",
         [](const S& s) {
           ValueMap map;
-          for (std::size_t i = 0; i < s.answer->counts.rejected.size(); ++i)
+          for (std::size_t i = 0; i < static_cast<std::size_t>(s.problem->limit_count()); ++i)
             map.emplace_back(name(static_cast<Limit>(i)), s.answer->counts.rejected[i]);
           return Value(std::move(map));
         })
       .always();
-  q.record("", "margins", "what every design keeps, in modules", margin_table, [](const S& s) {
-     return Value(margin_quantities().of(s.problem->limits));
-   }).always();
+  q.record("", "margins", "what every design keeps; clearances in modules", margin_table,
+           [](const S& s) { return Value(margin_quantities().of(s.problem->limits)); })
+      .always();
   count("points_tested", "of the grid of `shift_step`", &SearchCounts::points_tested).when(grid);
   count("points_feasible", "of the grid of `shift_step`", &SearchCounts::points_feasible)
       .when(grid);
@@ -334,6 +94,15 @@ void say_search(Quantities<SearchView>& q) {
       .always()
       .list({0})
       .when([](const S& s) { return s.answer->counts.feasible == 0; });
+  q.record(
+       "", "safest",
+       "when nothing is feasible: of the rated designs, of 10 000 of them at most, the one that "
+       "comes nearest to the safeties that are wanted",
+       design_table,
+       [](const S& s) {
+         return s.safest ? Value(design_quantities().of({s.problem, s.safest})) : Value();
+       })
+      .when([](const S& s) { return s.safest != nullptr; });
   q.add(Type::index, Unit::none, "", "pareto", "Pareto front", "",
         "places in `designs` of those that no other dominates, when there are several objectives",
         [](const S& s) {
@@ -349,49 +118,10 @@ void say_search(Quantities<SearchView>& q) {
       .always();
 }
 
-void say_point(Quantities<ShiftPoint>& q) {
-  using P = ShiftPoint;
-  const auto column = [&q](const char* name, Type type, auto get) -> Quantity<P>& {
-    return q
-        .add(type, Unit::none, "", name, name, "", "", [get](const P& p) { return Value(get(p)); })
-        .column(name)
-        .doors(kColumns);
-  };
-  column("trial", Type::index, [](const P& p) { return p.trial; }).always();
-  column("x#", Type::number, [](const P& p) { return p.shift; }).per_gear().always();
-  column("center_distance_mm", Type::number, [](const P& p) { return p.center_distance; }).always();
-  column("working_angle_deg", Type::number, [](const P& p) {
-    return tidy_degrees(p.working_angle);
-  }).always();
-  column("contact_ratio", Type::number, [](const P& p) { return p.contact_ratio; }).always();
-  column("contact_ratio_true", Type::number, [](const P& p) {
-    return p.contact_ratio_true;
-  }).always();
-  column("sliding_max", Type::number, [](const P& p) { return p.sliding; });
-  column("tip_thickness#_mm", Type::number, [](const P& p) { return p.tip_thickness; })
-      .per_gear()
-      .always();
-  column("tip_clearance#_mm", Type::number, [](const P& p) { return p.tip_clearance; })
-      .per_gear()
-      .always();
-  column("backlash_normal_mm", Type::number, [](const P& p) { return p.backlash_normal; }).always();
-  column("interference", Type::flag, [](const P& p) { return p.interference; }).always();
-}
-
 }  // namespace
-
-const Quantities<DesignView>& design_quantities() {
-  static const Quantities<DesignView> kAll("search.designs", say);
-  return kAll;
-}
 
 const Quantities<SearchView>& search_quantities() {
   static const Quantities<SearchView> kAll("search", say_search);
-  return kAll;
-}
-
-const Quantities<ShiftPoint>& point_quantities() {
-  static const Quantities<ShiftPoint> kAll("search.points", say_point);
   return kAll;
 }
 

@@ -26,6 +26,7 @@ struct SearchView {
   const SearchProblem* problem;
   const SearchAnswer* answer;
   const std::vector<NearestChange>* changes;
+  const DesignRow* safest = nullptr;  ///< NearestChanges::safest
 };
 const Quantities<SearchView>& search_quantities();
 

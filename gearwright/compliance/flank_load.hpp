@@ -29,6 +29,11 @@ FlankPlace flank_place(const SectionMesh& mesh, double s);
 /// The arc length at which the outline of tooth 0 has a radius, in modules.
 double length_at_radius(const SectionMesh& mesh, double radius);
 
+/// Where a bump is and how wide.
+struct BumpPlace {
+  double s, c;
+};
+
 /// The bump at s, along the flank's inward normal; with τ ≠ 0 along that of the screw surface.
 Functional bump(const SectionMesh& mesh, double s, double c, double tau);
 /// The same along the axis.

@@ -72,8 +72,8 @@ Result<ProbeAnswer> probe_compliance(const Gear& gear, double twist, const Elast
   using namespace detail;
   const double m = gear.spec.normal_module;
   const double nu = body.poisson_ratio;
-  auto made =
-      make_section_mesh(gear.tooth->outline, m, body.bore_diameter / 2, mesh_options(accuracy));
+  auto made = make_section_mesh(gear.tooth->outline, m, body.bore_diameter / 2,
+                                mesh_options(accuracy, twist != 0.0));
   if (!made) return made.error();
   const SectionMesh& mesh = *made;
   const double hi = mesh.length_at(mesh.flank_end);

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "gearwright/compliance/tooth_table.hpp"
+#include "gearwright/math/involute.hpp"
 
 namespace gearwright {
 namespace {
@@ -42,6 +43,46 @@ TEST(ToothCompliance, InTheSectionAgreesWithTriangles) {
 // The twist of the body is in it: closed form against the printed part of the reference.
 TEST(ToothCompliance, TwistOfTheBodyInClosedForm) {
   EXPECT_NEAR(body_twist(12.5 * std::cos(20 * M_PI / 180), 6.0, 11.25, 0.3), 0.567, 5e-4);
+}
+
+// Stiffness of two teeth at the pitch point, 300 N/mm, m = 5, rims 4 modules deep, the twist of the
+// bodies taken off; against the same by finite elements of its own, and against c'_th of
+// ISO 6336-1, a fit to Weber and Banaschek's formulas.
+TEST(ToothCompliance, StiffnessOfAPairIsThatOfTheStandard) {
+  struct Row {
+    int z1, z2;
+    double x1, x2, elements, standard;
+  };
+  constexpr double kE = 206000.0;
+  constexpr double kLoad = 300.0;
+  constexpr double kPitchModule = 5.0;
+  for (const Row& row : {Row{18, 18, 0.3, 0.3, 16.49, 16.03}, Row{25, 25, 0, 0, 15.71, 15.68},
+                         Row{40, 40, 0, 0, 17.39, 17.37}, Row{60, 60, 0, 0, 18.51, 18.48},
+                         Row{100, 100, 0, 0, 19.67, 19.47}, Row{25, 100, 0, 0, 17.28, 17.85},
+                         Row{20, 60, 0.4, 0.2, 17.57, 18.46}}) {
+    const double tan_20 = std::tan(20 * M_PI / 180);
+    const double alpha = inverse_involute(tan_20 - 20 * M_PI / 180 +
+                                          2 * (row.x1 + row.x2) * tan_20 / (row.z1 + row.z2));
+    const double grow = std::cos(20 * M_PI / 180) / std::cos(alpha);
+    const double r1 = row.z1 * kPitchModule / 2 * grow;
+    const double r2 = row.z2 * kPitchModule / 2 * grow;
+    const double curvature = (1 / r1 + 1 / r2) / std::sin(alpha);
+    const double half = std::sqrt(4 * kLoad * 2 * (1 - 0.09) / (M_PI * kE * curvature));
+    double softness = 0.0;
+    for (const auto& [z, x, r] : {std::tuple(row.z1, row.x1, r1), std::tuple(row.z2, row.x2, r2)}) {
+      const Gear gear = gear_of(kPitchModule, z, x);
+      const double bore = gear.root_diameter - 8 * kPitchModule;
+      const auto a =
+          probe_compliance(gear, ElasticBody{bore, 0.3, kE},
+                           {.diameter = 2 * r, .half_width = half}, ComplianceAccuracy::full);
+      ASSERT_TRUE(a) << a.error().message();
+      softness +=
+          a->own - body_twist(gear.base_radius(), bore / 2, gear.root_diameter / 2, 0.3) / kE;
+    }
+    const double stiffness = 1e-3 / softness;  // N/(mm µm)
+    EXPECT_NEAR(stiffness, row.elements, 0.01 * row.elements) << row.z1 << ':' << row.z2;
+    EXPECT_NEAR(stiffness, row.standard, 0.06 * row.standard) << row.z1 << ':' << row.z2;
+  }
 }
 
 void expect_profile(double twist, double radius, double from, const std::vector<double>& at,

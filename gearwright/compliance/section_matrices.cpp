@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <Eigen/SparseCholesky>
+#include <algorithm>
 
 #include "gearwright/base/contract.hpp"
 
@@ -19,6 +20,75 @@ Place9 places(const SectionMesh& mesh, const std::array<int, 9>& e) {
   }
   return x;
 }
+
+// Where the 3 × 3 block of two nodes stands: all nodes that share an element with a column's node,
+// in order.
+class BlockPattern {
+ public:
+  explicit BlockPattern(const SectionMesh& mesh) : beside_(mesh.nodes.size()) {
+    for (const auto& e : mesh.elements)
+      for (const int j : e) beside_[j].insert(beside_[j].end(), e.begin(), e.end());
+    first_.push_back(0);
+    for (auto& list : beside_) {
+      std::sort(list.begin(), list.end());
+      list.erase(std::unique(list.begin(), list.end()), list.end());
+      for (int c = 0; c < 3; ++c)
+        first_.push_back(first_.back() + 3 * static_cast<int>(list.size()));
+    }
+  }
+  // The place of the first of the three rows of node i in column c of node j.
+  Eigen::Index place(int i, int j, int c) const {
+    const auto& list = beside_[j];
+    const auto rank = std::lower_bound(list.begin(), list.end(), i) - list.begin();
+    return first_[3 * static_cast<std::size_t>(j) + c] + 3 * rank;
+  }
+  Sparse zeros() const {
+    const auto n = static_cast<Eigen::Index>(first_.size()) - 1;
+    Sparse m(n, n);
+    m.resizeNonZeros(first_.back());
+    std::copy(first_.begin(), first_.end(), m.outerIndexPtr());
+    int* row = m.innerIndexPtr();
+    for (const auto& list : beside_)
+      for (int c = 0; c < 3; ++c)
+        for (const int i : list)
+          for (int r = 0; r < 3; ++r) *row++ = 3 * i + r;
+    std::fill_n(m.valuePtr(), first_.back(), 0.0);
+    return m;
+  }
+
+ private:
+  std::vector<std::vector<int>> beside_;
+  std::vector<int> first_;  // of each column
+};
+
+// Nodes that are not held, in an order that fills the factors little (approximate minimum degree).
+std::vector<int> elimination_order(const SectionMesh& mesh) {
+  std::vector<int> place(mesh.nodes.size(), 0);
+  for (const int i : mesh.bore) place[i] = -1;
+  std::vector<int> free;
+  for (std::size_t i = 0; i < place.size(); ++i)
+    if (place[i] == 0) {
+      place[i] = static_cast<int>(free.size());
+      free.push_back(static_cast<int>(i));
+    }
+  std::vector<Eigen::Triplet<double>> beside;
+  for (const auto& e : mesh.elements)
+    for (const int j : e)
+      for (const int i : e)
+        if (place[i] >= 0 && place[j] >= 0) beside.emplace_back(place[i], place[j], 1.0);
+  const auto n = static_cast<Eigen::Index>(free.size());
+  Sparse graph(n, n);
+  graph.setFromTriplets(beside.begin(), beside.end());
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
+  Eigen::AMDOrdering<int>()(graph, order);
+  std::vector<int> out;
+  for (Eigen::Index i = 0; i < n; ++i) out.push_back(free[order.indices()[i]]);
+  return out;
+}
+
+// The term by k of [T12.6], from the elements of ab and abᵀ.
+double between(double ab, double ba, double) { return ab + ba; }
+std::complex<double> between(double ab, double ba, std::complex<double>) { return {0.0, ab - ba}; }
 
 }  // namespace
 
@@ -69,9 +139,10 @@ StrainPair element_strains(const Node9& value, const Slope9& slope, const Eigen:
 
 SectionMatrices section_matrices(const SectionMesh& mesh, const Matrix6& law, double tau,
                                  bool wave) {
-  const auto n = static_cast<Eigen::Index>(3 * mesh.nodes.size());
-  std::array<std::vector<Eigen::Triplet<double>>, 3> entries;
-  for (auto& list : entries) list.reserve(mesh.elements.size() * 729);
+  const BlockPattern pattern(mesh);
+  SectionMatrices out;
+  const std::array<Sparse*, 3> all{&out.aa, &out.ab, &out.bb};
+  for (Sparse* m : all) *m = pattern.zeros();
   for (const auto& e : mesh.elements) {
     const Place9 x = places(mesh, e);
     std::array<Matrix27, 3> k{Matrix27::Zero(), Matrix27::Zero(), Matrix27::Zero()};
@@ -88,16 +159,13 @@ SectionMatrices section_matrices(const SectionMesh& mesh, const Matrix6& law, do
       k[1].noalias() += a.transpose() * db;
       k[2].noalias() += b.transpose() * db;
     }
-    for (int i = 0; i < 27; ++i)
-      for (int j = 0; j < 27; ++j)
-        for (int m = 0; m < 3; ++m)
-          entries[m].emplace_back(3 * e[i / 3] + i % 3, 3 * e[j / 3] + j % 3, k[m](i, j));
-  }
-  SectionMatrices out;
-  Sparse* const all[3] = {&out.aa, &out.ab, &out.bb};
-  for (int m = 0; m < 3; ++m) {
-    all[m]->resize(n, n);
-    all[m]->setFromTriplets(entries[m].begin(), entries[m].end());
+    for (int j = 0; j < 9; ++j)
+      for (int i = 0; i < 9; ++i)
+        for (int c = 0; c < 3; ++c) {
+          const Eigen::Index at = pattern.place(e[i], e[j], c);
+          for (int m = 0; m < 3; ++m)
+            for (int r = 0; r < 3; ++r) all[m]->valuePtr()[at + r] += k[m](3 * i + r, 3 * j + c);
+        }
   }
   return out;
 }
@@ -124,68 +192,73 @@ Eigen::MatrixXd trace_fields(const SectionMesh& mesh, const Eigen::MatrixXd& fie
   return out;
 }
 
-struct StripSolver::Parts {
-  std::vector<Eigen::Index> free;  // dof that are not held
-  Sparse k0, k1, k2;               // of those, one pattern
-  Eigen::SimplicialLDLT<Sparse, Eigen::Lower, Eigen::AMDOrdering<int>> factor;
-  bool analysed = false;
+template <class Scalar>
+struct StripSolver<Scalar>::Parts {
+  std::vector<Eigen::Index> free;  // dof that are not held, in the order of elimination
+  // Of those, the upper triangles of [T12.6]'s terms by 1, k, k²; one pattern.
+  std::array<Eigen::SparseMatrix<Scalar>, 3> k;
 };
 
-StripSolver::StripSolver(const SectionMesh& mesh, const SectionMatrices& wave)
+template <class Scalar>
+StripSolver<Scalar>::StripSolver(const SectionMesh& mesh, const SectionMatrices& matrices)
     : parts_(std::make_unique<Parts>()) {
-  const Eigen::Index n = wave.aa.rows();
-  std::vector<Eigen::Index> place(static_cast<std::size_t>(n), 0);
-  for (const int i : mesh.bore)
-    for (int c = 0; c < 3; ++c) place[3 * static_cast<std::size_t>(i) + c] = -1;
-  for (Eigen::Index i = 0; i < n; ++i)
-    if (place[i] == 0) {
-      place[i] = static_cast<Eigen::Index>(parts_->free.size());
-      parts_->free.push_back(i);
+  const Eigen::Index n = matrices.aa.rows();
+  const std::vector<int> order = elimination_order(mesh);
+  std::vector<int> place(static_cast<std::size_t>(n), -1);
+  for (const int i : order)
+    for (int c = 0; c < 3; ++c) {
+      place[3 * static_cast<std::size_t>(i) + c] = static_cast<int>(parts_->free.size());
+      parts_->free.push_back(3 * i + c);
     }
-  // The lower triangle. All three matrices have an entry wherever two dof share an element.
-  std::vector<Eigen::Triplet<double>> entries[3];
-  const Sparse back = wave.ab.transpose();
-  const Sparse* const from[3] = {&wave.aa, &wave.ab, &wave.bb};
+  // All three matrices have an entry wherever two dof share an element.
+  const Sparse back = matrices.ab.transpose();
+  const std::array<const Sparse*, 3> from{&matrices.aa, &matrices.ab, &matrices.bb};
+  const auto size = static_cast<Eigen::Index>(parts_->free.size());
+  std::vector<Eigen::Triplet<Scalar>> entries;
+  entries.reserve(static_cast<std::size_t>(matrices.aa.nonZeros()) * 5 / 8);
   for (int m = 0; m < 3; ++m) {
-    for (Eigen::Index j = 0; j < n; ++j) {
-      if (place[j] < 0) continue;
+    entries.clear();
+    for (const Eigen::Index j : parts_->free) {
       Sparse::InnerIterator other(back, j);
-      for (Sparse::InnerIterator it(*from[m], j); it; ++it) {
-        const double v = m == 1 ? it.value() + other.value() : it.value();
-        ++other;
-        if (place[it.row()] >= place[j])
-          entries[m].emplace_back(static_cast<int>(place[it.row()]), static_cast<int>(place[j]), v);
+      for (Sparse::InnerIterator it(*from[m], j); it; ++it, ++other) {
+        const int row = place[it.row()];
+        if (row < 0 || row > place[j]) continue;
+        entries.emplace_back(row, place[j],
+                             m == 1 ? between(it.value(), other.value(), Scalar()) : it.value());
       }
     }
-  }
-  const auto size = static_cast<Eigen::Index>(parts_->free.size());
-  Sparse* const to[3] = {&parts_->k0, &parts_->k1, &parts_->k2};
-  for (int m = 0; m < 3; ++m) {
-    to[m]->resize(size, size);
-    to[m]->setFromTriplets(entries[m].begin(), entries[m].end());
+    parts_->k[m].resize(size, size);
+    parts_->k[m].setFromTriplets(entries.begin(), entries.end());
   }
 }
 
-StripSolver::~StripSolver() = default;
-StripSolver::StripSolver(StripSolver&&) noexcept = default;
+template <class Scalar>
+StripSolver<Scalar>::~StripSolver() = default;
+template <class Scalar>
+StripSolver<Scalar>::StripSolver(StripSolver&&) noexcept = default;
 
-Eigen::MatrixXd StripSolver::solve(double k, const Eigen::MatrixXd& loads) {
-  Parts& p = *parts_;
-  Sparse matrix = p.k0;
+template <class Scalar>
+typename StripSolver<Scalar>::Fields StripSolver<Scalar>::solve(
+    double k, const Eigen::MatrixXd& loads) const {
+  const Parts& p = *parts_;
+  using Matrix = Eigen::SparseMatrix<Scalar>;
+  Matrix matrix = p.k[0];
   const Eigen::Index count = matrix.nonZeros();
-  using Values = Eigen::Map<Eigen::ArrayXd>;
-  Values(matrix.valuePtr(), count) +=
-      k * Values(p.k1.valuePtr(), count) + k * k * Values(p.k2.valuePtr(), count);
-  if (!p.analysed) p.factor.analyzePattern(matrix);
-  p.analysed = true;
-  p.factor.factorize(matrix);
-  GW_ENSURES(p.factor.info() == Eigen::Success);
-  Eigen::MatrixXd right(static_cast<Eigen::Index>(p.free.size()), loads.cols());
-  for (std::size_t i = 0; i < p.free.size(); ++i) right.row(i) = loads.row(p.free[i]);
-  const Eigen::MatrixXd x = p.factor.solve(right);
-  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(loads.rows(), loads.cols());
+  using Values = Eigen::Map<const Eigen::Array<Scalar, Eigen::Dynamic, 1>>;
+  Eigen::Map<Eigen::Array<Scalar, Eigen::Dynamic, 1>>(matrix.valuePtr(), count) +=
+      k * Values(p.k[1].valuePtr(), count) + k * k * Values(p.k[2].valuePtr(), count);
+  const Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> factor(matrix);
+  GW_ENSURES(factor.info() == Eigen::Success);
+  Fields right(static_cast<Eigen::Index>(p.free.size()), loads.cols());
+  for (std::size_t i = 0; i < p.free.size(); ++i)
+    right.row(i) = loads.row(p.free[i]).template cast<Scalar>();
+  const Fields x = factor.solve(right);
+  Fields out = Fields::Zero(loads.rows(), loads.cols());
   for (std::size_t i = 0; i < p.free.size(); ++i) out.row(p.free[i]) = x.row(i);
   return out;
 }
+
+template class StripSolver<double>;
+template class StripSolver<std::complex<double>>;
 
 }  // namespace gearwright::detail

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <complex>
 #include <memory>
 #include <vector>
 
@@ -16,6 +17,7 @@
 namespace gearwright::detail {
 
 using Sparse = Eigen::SparseMatrix<double>;
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 /// Hooke's law, strains xx, yy, zz, xy, yz, zx.   Domain: 0 ≤ ν < ½ (contract)
@@ -40,15 +42,22 @@ SectionMatrices section_matrices(const SectionMesh& mesh, const Matrix6& law, do
 /// The trace ε_x + ε_y of each column, averaged to nodes, as a w-field; 0 at the bore.
 Eigen::MatrixXd trace_fields(const SectionMesh& mesh, const Eigen::MatrixXd& fields);
 
-/// K(k) = aa + k (ab + abᵀ) + k² bb on the nodes that are not held, factorised for one k after the
-/// other. [T12.6]
+/// Waves along the face on the nodes that are not held, of one wave number k at a time. [T12.6], [T12.18]
+///
+///   double                 K(k) = aa + k (ab + abᵀ) + k² bb     u, v as cos kz, w as sin kz, τ = 0
+///   std::complex<double>   K(k) = aa + ik (ab − abᵀ) + k² bb    all as exp(ikz), of a helix too
+template <class Scalar>
 class StripSolver {
  public:
-  StripSolver(const SectionMesh& mesh, const SectionMatrices& wave);
+  using Fields = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+
+  /// `matrices`: of waves for double, of free functions of z for complex numbers.
+  StripSolver(const SectionMesh& mesh, const SectionMatrices& matrices);
   ~StripSolver();
   StripSolver(StripSolver&&) noexcept;
-  /// Displacements of all dof under the columns of `loads`. k = 0: without axial loads.
-  Eigen::MatrixXd solve(double k, const Eigen::MatrixXd& loads);
+  /// Displacements of all dof under the columns of `loads`. k = 0: without axial loads where τ = 0.
+  /// Factorises K(k) each time; from any thread.
+  Fields solve(double k, const Eigen::MatrixXd& loads) const;
 
  private:
   struct Parts;

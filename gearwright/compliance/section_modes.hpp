@@ -18,11 +18,10 @@ struct SectionModes {
   int in_plane = 0;        ///< how many u,v-fields stand first
 };
 
-/// Modes for loads at these places; `axial`: the like along the axis, of a helical gear. Singular
-/// values below `tolerance` of the greatest are dropped.
+/// Modes for loads at these places of the flank, of a helical gear (τ ≠ 0) for waves along its helix
+/// too. Singular values below `tolerance` of the greatest are dropped.
 SectionModes section_modes(const SectionMesh& mesh, double poisson_ratio,
-                           const std::vector<Functional>& loads,
-                           const std::vector<Functional>& axial, double tolerance);
+                           const std::vector<BumpPlace>& places, double tau, double tolerance);
 
 /// Displacements of the section under each load, uniform along the face (k = 0), without modes.
 Eigen::MatrixXd plane_strain(const SectionMesh& mesh, double poisson_ratio,

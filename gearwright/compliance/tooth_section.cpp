@@ -32,7 +32,7 @@ double ToothSection::length_at_radius(double radius) const {
   return radius_lengths[i] + (at - double(i)) * (radius_lengths[i + 1] - radius_lengths[i]);
 }
 
-SectionMeshOptions mesh_options(ComplianceAccuracy accuracy) {
+SectionMeshOptions mesh_options(ComplianceAccuracy accuracy, bool helical) {
   SectionMeshOptions o;
   if (accuracy == ComplianceAccuracy::draft) {
     o.fillet = 6;
@@ -45,14 +45,16 @@ SectionMeshOptions mesh_options(ComplianceAccuracy accuracy) {
     o.fillet = 8;
     o.flank = 12;
     o.across = 4;
+    o.side_teeth = helical ? 2 : 1;
     o.to_tip = 1.75;
     o.to_outline = 1.6;
   }
   return o;
 }
 
-double mode_tolerance(ComplianceAccuracy accuracy) {
-  return accuracy == ComplianceAccuracy::draft ? 1e-3 : 1e-4;
+double mode_tolerance(ComplianceAccuracy accuracy, bool helical) {
+  if (accuracy == ComplianceAccuracy::draft) return 1e-3;
+  return helical ? 3e-5 : 1e-4;
 }
 
 double bump_width(double s, double flank_hi) {
@@ -69,8 +71,8 @@ Result<std::shared_ptr<const detail::ToothSection>> make_tooth_section(const Gea
   using namespace detail;
   GW_EXPECTS(!gear.internal() && gear.tooth);
   const double m = gear.spec.normal_module;
-  auto mesh =
-      make_section_mesh(gear.tooth->outline, m, body.bore_diameter / 2, mesh_options(accuracy));
+  auto mesh = make_section_mesh(gear.tooth->outline, m, body.bore_diameter / 2,
+                                mesh_options(accuracy, twist != 0.0));
   if (!mesh) return mesh.error();
   auto section = std::make_shared<ToothSection>();
   section->mesh = std::move(mesh).take();
@@ -86,24 +88,17 @@ Result<std::shared_ptr<const detail::ToothSection>> make_tooth_section(const Gea
         section->radius_lo + (section->radius_hi - section->radius_lo) * i / kRadii));
   const double lo = section->flank_lo + kFromRoot;
   const double hi = section->flank_hi - kFromTip;
-  std::vector<Functional> axial;
-  std::vector<Functional> loads;
+  std::vector<BumpPlace> places;
   for (int i = 0; i < kPlaces; ++i) {
     const double s = lo + (hi - lo) * i / (kPlaces - 1);
-    const double c = bump_width(s, section->flank_hi);
+    places.push_back({s, bump_width(s, section->flank_hi)});
     section->s.push_back(s);
-    section->c.push_back(c);
-    section->bumps.push_back(bump(section->mesh, s, c, section->tau));
-    loads.push_back(bump(section->mesh, s, c, 0.0));
-    if (twist != 0.0) axial.push_back(axial_bump(section->mesh, s, c));
+    section->c.push_back(places.back().c);
+    section->bumps.push_back(bump(section->mesh, s, places.back().c, section->tau));
   }
-  if (also) {
-    const double c = bump_width(*also, section->flank_hi);
-    loads.push_back(bump(section->mesh, *also, c, 0.0));
-    if (twist != 0.0) axial.push_back(axial_bump(section->mesh, *also, c));
-  }
-  section->modes =
-      section_modes(section->mesh, body.poisson_ratio, loads, axial, mode_tolerance(accuracy));
+  if (also) places.push_back({*also, bump_width(*also, section->flank_hi)});
+  section->modes = section_modes(section->mesh, body.poisson_ratio, places, section->tau,
+                                 mode_tolerance(accuracy, section->tau != 0.0));
   return std::shared_ptr<const ToothSection>(std::move(section));
 }
 

@@ -45,8 +45,8 @@ struct ToothSection {
   FlankMetric metric(double s) const;
 };
 
-SectionMeshOptions mesh_options(ComplianceAccuracy accuracy);
-double mode_tolerance(ComplianceAccuracy accuracy);
+SectionMeshOptions mesh_options(ComplianceAccuracy accuracy, bool helical);
+double mode_tolerance(ComplianceAccuracy accuracy, bool helical);
 
 /// The half width of a bump at s: 0.3 modules, less near the tip.
 double bump_width(double s, double flank_hi);

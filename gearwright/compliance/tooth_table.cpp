@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "gearwright/base/parallel.hpp"
 #include "gearwright/compliance/face.hpp"
 
 namespace gearwright {
@@ -75,7 +76,9 @@ void ToothTable::make(const ToothTableRequest& request) {
   // A spur gear is its own mirror image by the middle of the face.
   const bool symmetric = s.tau == 0.0;
   const int solved = symmetric ? (n_ + 1) / 2 : n_;
-  for (int i = 0; i < places_; ++i) {
+  // Every place by itself.
+  parallel_for(static_cast<std::size_t>(places_), [&](std::size_t at) {
+    const int i = static_cast<int>(at);
     MatrixXd x(nodes * r, solved);
     for (int j = 0; j < solved; ++j)
       for (Index a = 0; a < nodes; ++a) x.col(j).segment(a * r, r) = mean(a, j) * load.col(i);
@@ -100,28 +103,34 @@ void ToothTable::make(const ToothTableRequest& request) {
         }
       }
     }
-    if (!request.root_stress) continue;
+    if (!request.root_stress) return;
+    // Amplitudes and their slopes at the middles of all slices, those of one slice side by side.
+    MatrixXd f = MatrixXd::Zero(r, solved * n_);
+    MatrixXd g = f;
+    for (int l = 0; l < n_; ++l) {
+      for (Index a = 0; a < nodes; ++a) {
+        if (value(a, l) != 0.0)
+          f.middleCols(l * solved, solved) += value(a, l) * x.middleRows(a * r, r);
+        if (slope(a, l) != 0.0)
+          g.middleCols(l * solved, solved) += slope(a, l) * x.middleRows(a * r, r);
+      }
+    }
     for (int k = 0; k < 3; ++k) {
+      MatrixXd sigma = root_.of_mode[k] * f;
+      sigma.noalias() += root_.of_slope[k] * g;
       MatrixXd& to = stress_[k][i];
       to.resize(6 * points * n_, n_);
       for (int l = 0; l < n_; ++l) {
-        MatrixXd f = MatrixXd::Zero(r, solved);
-        MatrixXd g = f;
-        for (Index a = 0; a < nodes; ++a) {
-          if (value(a, l) != 0.0) f += value(a, l) * x.middleRows(a * r, r);
-          if (slope(a, l) != 0.0) g += slope(a, l) * x.middleRows(a * r, r);
-        }
-        const MatrixXd sigma = root_.of_mode[k] * f + root_.of_slope[k] * g;
-        to.block(6 * points * l, 0, 6 * points, solved) = sigma;
+        to.block(6 * points * l, 0, 6 * points, solved) = sigma.middleCols(l * solved, solved);
         if (!symmetric) continue;
         for (int j = 0; j < solved; ++j) {
           auto image = to.block(6 * points * mirrored(l, n_), mirrored(j, n_), 6 * points, 1);
-          image = sigma.col(j);
+          image = sigma.col(l * solved + j);
           for (Index p = 0; p < points; ++p) image.middleRows(6 * p + 4, 2) *= -1.0;
         }
       }
     }
-  }
+  });
   // Betti: of one tooth exactly; of neighbours the mean of both ways, for beyond the real teeth the
   // rim is smooth.
   for (int j = 0; j < n_; ++j) {
@@ -152,7 +161,8 @@ void ToothTable::make_local(const ToothTableRequest& request) {
     const double sum = slices_.middle(j) + slices_.middle(l);
     return f(2 * half_face_ - sum) + f(2 * half_face_ + sum);
   };
-  for (int i = 0; i < places_; ++i) {
+  parallel_for(static_cast<std::size_t>(places_), [&](std::size_t at) {
+    const int i = static_cast<int>(at);
     for (int p = 0; p < places_; ++p) {
       const FlankMetric metric = s.metric(0.5 * (s.s[i] + s.s[p]));
       const Offsets o = bump_offsets(s.s[p] - s.s[i], s.c[i], s.c[p]);
@@ -171,7 +181,6 @@ void ToothTable::make_local(const ToothTableRequest& request) {
         for (int d = 1; d < n_; ++d) direct[n_ - 1 - d] = direct[n_ - 1 + d];
       // Across the end of the face.
       const FlankMetric across{0.0, metric.zz - metric.sz * metric.sz};
-      std::vector<double> image(2 * n_, -1.0);
       for (int j = 0; j < n_; ++j) {
         for (int l = 0; l < n_; ++l) {
           entry(same_, i, j, p, l) -= direct[l - j + n_ - 1];
@@ -182,7 +191,7 @@ void ToothTable::make_local(const ToothTableRequest& request) {
         }
       }
     }
-  }
+  });
   // Along the line, a wider place of the grid's middle standing for all in how it meets the end.
   const Offsets o = hertz_offsets(request.half_width);
   const double per = request.line_per_height;
@@ -245,8 +254,8 @@ MatrixXd ToothTable::same_tooth(const LinePlaces& line) const {
 
 MatrixXd ToothTable::other_tooth(int k, const LinePlaces& read, const LinePlaces& loaded) const {
   MatrixXd c = MatrixXd::Zero(n_, n_);
-  if (std::abs(k) > side_teeth()) return c;
-  const std::vector<double>& table = other_[k + side_teeth()];
+  const int nearest = std::clamp(k, -side_teeth(), side_teeth());
+  const std::vector<double>& table = other_[nearest + side_teeth()];
   std::vector<Weights> from;
   std::vector<Weights> to;
   for (const double s : loaded) from.push_back(weights(s));
@@ -270,16 +279,16 @@ MatrixXd ToothTable::other_tooth(int k, const LinePlaces& read, const LinePlaces
 void ToothTable::add_root_stress(int k, const LinePlaces& line, const VectorXd& force,
                                  MatrixXd& stress) const {
   GW_EXPECTS(std::abs(k) <= 1);
-  const auto rows = 6 * static_cast<Index>(root_.t.size());
+  // The forces of each place of the grid, by the weights of the places of the line.
+  MatrixXd at_place = MatrixXd::Zero(n_, places_);
   for (int j = 0; j < n_; ++j) {
     if (force[j] == 0.0) continue;
     const Weights w = weights(line[j]);
-    for (int a = 0; a < 4; ++a) {
-      const auto column = stress_[k + 1][w.first + a].col(j);
-      const double f = force[j] * w.w[a];
-      for (int l = 0; l < n_; ++l) stress.col(l) += f * column.segment(rows * l, rows);
-    }
+    for (int a = 0; a < 4; ++a) at_place(j, w.first + a) += force[j] * w.w[a];
   }
+  Eigen::Map<VectorXd> all(stress.data(), stress.size());
+  for (int p = 0; p < places_; ++p)
+    if (!at_place.col(p).isZero(0.0)) all.noalias() += stress_[k + 1][p] * at_place.col(p);
 }
 
 }  // namespace gearwright

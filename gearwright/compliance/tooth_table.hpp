@@ -42,8 +42,8 @@ class ToothTable {
   const detail::ToothSection& section() const { return *section_; }
   /// Of the places of one line among themselves; symmetric.
   Eigen::MatrixXd same_tooth(const LinePlaces& line) const;
-  /// Displacements on the line of tooth `k` under forces on a line of tooth 0; k up to
-  /// side_teeth() either way, 0 beyond.
+  /// Displacements on the line of tooth `k` under forces on a line of tooth 0, k not 0. Beyond
+  /// side_teeth() those of the last real tooth: what reaches so far is the turn of the body.
   Eigen::MatrixXd other_tooth(int k, const LinePlaces& read, const LinePlaces& loaded) const;
   int side_teeth() const { return section_->mesh.side_teeth; }
 

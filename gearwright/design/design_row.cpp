@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "gearwright/design/design_strength.hpp"
 #include "gearwright/design/fillet_gap.hpp"
 #include "gearwright/gear/basic.hpp"
 #include "gearwright/pair/mesh.hpp"
@@ -40,7 +41,7 @@ DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts) {
     const TrialGear& g = graph.gears()[i];
     in.tip_form_radius[i] =
         m * std::abs(leaf::tip_radius(g.r, g.addendum, shifts[static_cast<int>(i)], at.k));
-    in.face_width[i] = problem.face_width.value_or(10.0 * m);
+    in.face_width[i] = problem.face_width_of(m);
   }
   in.center_distance = m * std::abs(at.a);
   if (problem.shaft_angle) in.shaft_angle = problem.shaft_angle->rad();
@@ -90,13 +91,14 @@ DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts) {
     row.form_clearance[i] = weight * (ends[i] - start);
     row.interference = row.interference || ends[i] < start - slack;
   }
+  row.mass = mass_of(graph, row);
   return row;
 }
 
 namespace {
 
 DesignRow row_of_region(const ShiftGraph& graph, const ShiftRegion& region, const Vec2& shifts) {
-  DesignRow row = row_at(graph, shifts);
+  DesignRow row = rated(graph, row_at(graph, shifts));
   if (region.detail != RegionDetail::whole) return row;
   row.whole = true;
   row.area = region.area;
@@ -123,7 +125,7 @@ std::optional<DesignRow> design_row(const ShiftGraph& graph, const ShiftRegion& 
 std::optional<DesignRow> design_row(const ShiftGraph& graph, RegionDetail detail) {
   if (detail == RegionDetail::point) {
     if (const auto place = point_off_walls(graph)) {
-      DesignRow row = row_at(graph, *place);
+      DesignRow row = rated(graph, row_at(graph, *place));
       row.balanced = true;
       return row;
     }
@@ -135,8 +137,10 @@ std::optional<DesignRow> design_row(const ShiftGraph& graph, RegionDetail detail
 bool has_design(const ShiftGraph& graph) {
   // Most of those that are asked have no region, and that is known sooner than that no point runs.
   if (graph.feasible_sums().empty()) return false;
-  return !graph.problem().limits.clear_fillets ||
-         design_row(graph, RegionDetail::point).has_value();
+  const SearchProblem& problem = graph.problem();
+  if (!problem.limits.clear_fillets && !problem.rating) return true;
+  const auto row = design_row(graph, RegionDetail::point);
+  return row && !short_of(problem, *row);
 }
 
 std::optional<double> cost(const SearchProblem& problem, const DesignRow& row,
@@ -154,6 +158,11 @@ std::optional<double> cost(const SearchProblem& problem, const DesignRow& row,
     case Objective::shift: return std::abs(row.shift[0] + row.shift[1]);
     case Objective::sliding: return row.max_sliding();
     case Objective::area: return -row.area;
+    case Objective::mass: return row.mass;
+    case Objective::safety: {
+      const auto least = least_safety(problem, row);
+      return least ? std::optional(-*least) : std::nullopt;
+    }
   }
   return std::nullopt;
 }

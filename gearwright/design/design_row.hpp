@@ -36,6 +36,9 @@ struct DesignRow {
   /// How far the mating gear's tip stays from it along the line of action, on the flank of gear 1,
   /// of gear 2; none: an internal gear, whose flank ends where its cutter says.
   std::array<std::optional<double>, 2> form_clearance{};
+  double mass = 0.0;  ///< kg, of both gears: design/design_strength.hpp
+  /// S_H, S_F of each gear; none: not asked for, or the standard has no form factor for its root.
+  std::array<std::optional<double>, 2> flank_safety{}, root_safety{};
   /// What follows are the region's numbers; else they are yet to be computed.
   bool whole = false;
   double area = 0.0;

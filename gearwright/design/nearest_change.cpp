@@ -8,26 +8,19 @@
 #include <random>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/design/strength_change.hpp"
+#include "gearwright/gear/gear_field.hpp"
 
 namespace gearwright {
 
 namespace {
 
-std::string shown(double v) { return fmt::format("{:.10g}", v); }
+using detail::Knob;
+using detail::shown;
+
 std::string shown(const std::array<double, 2>& b) {
   return b[0] == b[1] ? shown(b[0]) : fmt::format("[{:.10g}, {:.10g}]", b[0], b[1]);
 }
-
-// A number that may move from its value towards a far end.
-struct Knob {
-  enum class Kind { limit, ratio, teeth };
-  std::string field;  // of SearchProblem
-  double value, far;
-  double scale;  // one unit of effort
-  Kind kind;
-  std::function<void(SearchProblem&, double)> set;
-  std::function<std::string(double)> show;
-};
 
 // More trials than this are not sifted for one knob.
 constexpr std::int64_t kMaxSifted = 20 * kMaxForChange;
@@ -282,6 +275,7 @@ std::vector<Knob> knobs(const SearchProblem& p) {
     k.push_back({"limits.form_clearance", p.limits.form_clearance, 0.0, 1.0, kLimit,
                  [](SearchProblem& q, double v) { q.limits.form_clearance = v; }, plain});
   }
+  if (p.rating) detail::add_strength_knobs(p, k);
   return k;
 }
 
@@ -305,8 +299,9 @@ NearestChanges nearest_changes(const SearchProblem& problem, const SearchWatch& 
     found.changes.push_back({knob.field, knob.show(knob.value), knob.show(*to),
                              std::abs(*to - knob.value) / knob.scale});
   }
-  const auto switched = [&](const char* field, double effort, const auto& set) {
-    if (found.stopped) return;
+  const auto switched = [&](const std::string& field, const std::string& from,
+                            const std::string& to, double effort, const auto& set) {
+    if (found.stopped) return false;
     SearchProblem p = problem;
     set(p);
     const Search search(p);
@@ -325,14 +320,29 @@ NearestChanges nearest_changes(const SearchProblem& problem, const SearchWatch& 
         },
         [&](std::int64_t) { return !found.stopped; });
     found.asked += questions;
-    if (helps) found.changes.push_back({field, "true", "false", effort});
+    if (helps) found.changes.push_back({field, from, to, effort});
+    return helps;
   };
-  if (problem.coprime) switched("coprime", 0.5, [](SearchProblem& p) { p.coprime = false; });
-  if (problem.limits.avoid_interference)
-    switched("limits.avoid_interference", kNotToRun, [](SearchProblem& p) {
+  if (problem.coprime)
+    switched("coprime", "true", "false", 0.5, [](SearchProblem& p) { p.coprime = false; });
+  if (problem.limits.avoid_interference) {
+    switched("limits.avoid_interference", "true", "false", kNotToRun, [](SearchProblem& p) {
       p.limits.avoid_interference = p.limits.clear_fillets = false;
       p.limits.form_clearance = 0.0;
     });
+  }
+  if (problem.rating) {
+    const std::string& now = problem.rating->input.materials[0].name;
+    for (const Material& steel : detail::stronger_steels(*problem.rating)) {
+      constexpr double kAnotherSteel = 0.5;
+      if (switched(gear_field(1, "material.name"), now.empty() ? "the given one" : now, steel.name,
+                   kAnotherSteel, [&](SearchProblem& p) {
+                     p.rating->input.materials = {steel, steel};
+                   }))
+        break;
+    }
+    if (!found.stopped) found.safest = detail::safest_design(problem, watch, most_questions);
+  }
   std::stable_sort(
       found.changes.begin(), found.changes.end(),
       [](const NearestChange& a, const NearestChange& b) { return a.effort < b.effort; });

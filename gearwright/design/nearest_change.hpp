@@ -7,9 +7,11 @@
 //                   step nearer than the best so far costs that one question, and only a new best,
 //                   ln n of n trials, is bisected.
 //   ratio, teeth    bring new trials, whose limits are the same: the nearest feasible one
+// Of rated designs load, face width and steel are such numbers too.
 // Both ask a trial once or a few times, not once in every step of a bisection of the whole search.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,9 +20,10 @@
 namespace gearwright {
 
 struct NearestChange {
-  std::string field;  ///< the member of SearchProblem, "limits.contact_ratio"
-  std::string from;   ///< as given, "1.2" or "[99, 101]"
-  std::string to;     ///< with which a design exists: rounded to the side that lets it through
+  std::string field;  ///< the member of SearchProblem, "limits.contact_ratio"; beside it
+      ///< "rating.torque", "rating.power", and of both gears `gear1`'s `material.name`
+  std::string from;  ///< as given, "1.2" or "[99, 101]"
+  std::string to;    ///< with which a design exists: rounded to the side that lets it through
   /// |to − from| in units of the value itself (distance, ratio, teeth), of 1, or of 2 (sliding);
   /// `coprime` counts 0.5, and to allow interference, whose designs do not run, 100.
   double effort;  ///< they are ordered by it
@@ -33,6 +36,8 @@ struct NearestChanges {
   std::vector<std::string> bounded;
   std::int64_t asked = 0;  ///< trials whose graph was asked for, a few times each at most
   bool stopped = false;    ///< by the watch: what was found until then
+  /// Of rated designs the one that comes nearest to the safeties that are wanted.
+  std::optional<DesignRow> safest;
 };
 
 /// More trials than this are not asked again and again.

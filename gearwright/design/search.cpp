@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "gearwright/design/candidate.hpp"
+#include "gearwright/design/design_strength.hpp"
 #include "gearwright/math/involute.hpp"
 
 namespace gearwright {
@@ -168,20 +169,30 @@ SearchCounts Search::range(std::int64_t from, std::int64_t to, std::vector<Desig
          // A graph may cost what a thousand verdicts do.
          if (wish.watch && !wish.watch(0)) return false;
          const ShiftGraph graph(problem_, t, g_1, g_2);
+         const auto keep = [&](const DesignRow& row) {
+           if (const auto limit = short_of(problem_, row)) {
+             ++result.rejected[static_cast<std::size_t>(*limit)];
+             return false;
+           }
+           ++result.feasible;
+           rows.push_back(row);
+           return true;
+         };
          if (grid) {
            const auto region = shift_region(graph);
            if (const auto row = region ? design_row(graph, *region) : std::nullopt) {
-             ++result.feasible;
-             rows.push_back(*row);
+             if (!keep(*row)) return true;
              const PointCounts n =
                  feasible_points(graph, *region, *problem_.shift_step, *wish.points);
              result.points_tested += n.tested;
              result.points_feasible += n.feasible;
              return true;
            }
-         } else if (const auto row = design_row(graph, wish.detail)) {
-           ++result.feasible;
-           rows.push_back(*row);
+         } else if (const auto row =
+                        design_row(graph, problem_.rating ? RegionDetail::point : wish.detail)) {
+           // The region's numbers cost more than the rest: only of designs that hold.
+           if (keep(*row) && !row->whole && wish.detail == RegionDetail::whole)
+             rows.back() = *design_row(graph, wish.detail);
            return true;
          }
          // Where a region is left, no point of it that could be taken keeps tips off the fillets.

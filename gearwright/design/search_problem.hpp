@@ -8,6 +8,7 @@
 // Lengths mm; what limits a tooth is in normal modules.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include "gearwright/pair/shift.hpp"
+#include "gearwright/rating/rating.hpp"
 #include "gearwright/tool/straight_rack.hpp"
 
 namespace gearwright {
@@ -27,9 +29,12 @@ enum class Limit {
   overlap_ratio,
   sliding,
   tip_clearance,
-  interference
+  interference,
+  safety_flank,  ///< of the design's own shifts, and so the next
+  safety_root
 };
-inline constexpr int kLimits = 7;
+inline constexpr int kRegionLimits = 7;  ///< those of a region of shifts come first
+inline constexpr int kLimits = 9;
 /// "shift_limits", "center_distance", …
 std::string_view name(Limit limit);
 
@@ -40,10 +45,13 @@ enum class Objective {
   shift,
   area,
   sliding,
-  formula_contact_ratio  ///< of Eq. 10, whatever the flanks are
+  formula_contact_ratio,  ///< of Eq. 10, whatever the flanks are
+  mass,
+  safety  ///< the least of S_H/S_Hmin, S_F/S_Fmin
 };
-inline constexpr std::array<std::string_view, 7> kObjectiveNames{
-    "contact_ratio", "ratio", "size", "shift", "area", "sliding", "formula_contact_ratio"};
+inline constexpr std::array<std::string_view, 9> kObjectiveNames{
+    "contact_ratio",         "ratio", "size",  "shift", "area", "sliding",
+    "formula_contact_ratio", "mass",  "safety"};
 
 /// The racks of both gears, and how deep their straight edges reach below the datum line.
 struct SearchRacks {
@@ -64,7 +72,18 @@ struct SearchLimits {
   bool avoid_interference = false;  ///< a tip may not pass the start of the mating gear's flank,
   bool clear_fillets = false;       ///< nor cut into the root fillet, at the point of the design
   double form_clearance = 0.0;      ///< and keeps this from it along the line of action, modules
+  std::optional<double> safety_flank, safety_root;  ///< S_Hmin, S_Fmin of rated designs
 };
+
+/// What a rating of every design asks beside the design: as the verb `rate` asks it.
+struct SearchRating {
+  RatingInput input;
+  std::optional<double> web, rim;  ///< b_s, s_R  mm: a rim on a web
+  std::optional<double> power_kW;  ///< P, where it was given in place of the torque
+};
+
+inline constexpr double kFaceModules = 10.0;      ///< b/m_n, unless it is given
+inline constexpr double kSteelDensity = 7.83e-6;  ///< kg/mm³
 
 /// What a search keeps unless it is told otherwise, so that what it finds runs: modules. The struct
 /// above has no limit that nobody set.
@@ -80,8 +99,9 @@ struct SearchProblem {
   std::optional<Angle> shaft_angle;                      ///< Σ of crossed axes; β2 = Σ − β1
   Angle normal_pressure_angle = Angle::degrees(20);      ///< α_n
   std::vector<SearchRacks> racks{SearchRacks{}};
-  bool coprime = false;              ///< only z1, z2 without a common factor
-  std::optional<double> face_width;  ///< mm, of both; absent: 10 m_n
+  bool coprime = false;                ///< only z1, z2 without a common factor
+  std::optional<double> face_width;    ///< b  mm, of both
+  double face_modules = kFaceModules;  ///< b/m_n, where `face_width` is not given
   Mounting mounting = Mounting::extended;
   bool shorten_tips = false;  ///< tips cut back by what the tight centres take from the clearance
   SearchLimits limits;
@@ -89,9 +109,19 @@ struct SearchProblem {
   double target_ratio = 0.0;  ///< of the objective `ratio`
   std::vector<Objective> objectives{Objective::contact_ratio};
   std::optional<double> shift_step;  ///< of a grid whose feasible points are all wanted too
+  std::array<double, 2> density{kSteelDensity, kSteelDensity};  ///< ρ  kg/mm³
+  std::optional<SearchRating> rating;                           ///< none: designs are not rated
 
   bool internal() const { return ratio[0] < 0.0; }
   bool crossed() const { return shaft_angle.has_value(); }
+  double face_width_of(double module) const { return face_width.value_or(face_modules * module); }
+  /// How many of the limits may kill a design.
+  int limit_count() const { return rating ? kLimits : kRegionLimits; }
+  /// Masses are asked for.
+  bool weighs() const { return rating || ranks_by(Objective::mass); }
+  bool ranks_by(Objective objective) const {
+    return std::find(objectives.begin(), objectives.end(), objective) != objectives.end();
+  }
 };
 
 /// One choice of everything but the shifts.

@@ -35,8 +35,8 @@ std::string_view name(ShiftEdge edge) {
 
 std::string_view name(Limit limit) {
   constexpr std::array<std::string_view, kLimits> kNames{
-      "shift_limits", "center_distance", "contact_ratio", "overlap_ratio",
-      "sliding",      "tip_clearance",   "interference"};
+      "shift_limits",  "center_distance", "contact_ratio", "overlap_ratio", "sliding",
+      "tip_clearance", "interference",    "safety_flank",  "safety_root"};
   return kNames[static_cast<std::size_t>(limit)];
 }
 
@@ -269,7 +269,7 @@ std::vector<Interval> ShiftGraph::feasible_sums(int limits) const {
 }
 
 std::optional<Limit> ShiftGraph::what_kills() const {
-  for (int n = 1; n <= kLimits; ++n) {
+  for (int n = 1; n <= kRegionLimits; ++n) {
     const auto limit = static_cast<Limit>(n - 1);
     if (limit == Limit::shift_limits && !problem_->shorten_tips) {
       for (const TrialGear& g : gears_)
@@ -283,7 +283,7 @@ std::optional<Limit> ShiftGraph::what_kills() const {
 
 bool ShiftGraph::overlap_ratio_is_enough() const {
   if (!problem_->limits.overlap_ratio) return true;
-  const double face = problem_->face_width.value_or(10.0 * trial_.module) / trial_.module;
+  const double face = problem_->face_width_of(trial_.module) / trial_.module;
   const double overlap = crossed_ ? 0.0 : leaf::overlap_of(face, gears_[0].tan_base_helix, pitch_);
   return overlap >= *problem_->limits.overlap_ratio - kTouching;
 }
@@ -299,7 +299,7 @@ bool ShiftGraph::tip_clearance_can_be_enough() const {
 double ShiftGraph::margin(double x1, double x2) const { return margin_in(sums(), x1, x2); }
 
 double ShiftGraph::wall_distance(double x1, double x2) const {
-  return margin_in(plain_sums(kLimits, Band::left_out), x1, x2);
+  return margin_in(plain_sums(kRegionLimits, Band::left_out), x1, x2);
 }
 
 double ShiftGraph::margin_in(const Sums& range, double x1, double x2) const {

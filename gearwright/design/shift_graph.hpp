@@ -99,18 +99,18 @@ class ShiftGraph {
     double lo, hi;
     ShiftEdge lo_edge, hi_edge;
   };
-  Sums sums(int limits = kLimits) const;
+  Sums sums(int limits = kRegionLimits) const;
 
   /// What remains of the limits on Σ alone that are no plain range of it, in units of Σ; ≥ 0: kept.
   struct SumMargin {
     double value;
     ShiftEdge edge;
   };
-  SumMargin sum_margin(const SumPlace& at, double sum, int limits = kLimits) const;
+  SumMargin sum_margin(const SumPlace& at, double sum, int limits = kRegionLimits) const;
 
   /// All bounds on a line but that of the path's length; and the slice with that one too.
-  ShiftBounds bounds_before_path(double sum, int limits = kLimits) const;
-  ShiftSlice slice(double sum, int limits = kLimits) const;
+  ShiftBounds bounds_before_path(double sum, int limits = kRegionLimits) const;
+  ShiftSlice slice(double sum, int limits = kRegionLimits) const;
 
   /// E: the path's length at a point, and the greatest on a slice with the place of it.
   double path_length(const SumPlace& at, double sum, double x1) const;
@@ -121,7 +121,7 @@ class ShiftGraph {
 
   /// The sums Σ at which a slice is left by the first `limits` limits; several intervals only when
   /// the region is in pieces.
-  std::vector<Interval> feasible_sums(int limits = kLimits) const;
+  std::vector<Interval> feasible_sums(int limits = kRegionLimits) const;
 
   /// The first limit that leaves nothing; none: the region exists.
   std::optional<Limit> what_kills() const;

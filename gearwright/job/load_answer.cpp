@@ -8,7 +8,6 @@
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/gear/gear_field.hpp"
-#include "gearwright/job/contact_answer.hpp"
 #include "gearwright/rating/material.hpp"
 
 namespace gearwright {
@@ -64,44 +63,6 @@ std::optional<Error> not_made_for(const SolvedJob& job) {
   return std::nullopt;
 }
 
-Result<LoadedContact> turn_under_load(SolvedJob& job, const std::array<ElasticBody, 2>& bodies,
-                                      Headway* headway) {
-  const LoadInput& input = job.spec.load;
-  auto setup = ContactSetup::of(job);
-  if (!setup) return setup.error();
-  LoadRequest request;
-  for (const double m : input.torques) request.torques.push_back(m * kMmPerM);
-  request.positions = input.positions;
-  request.rotations = input.rotations;
-  request.slices = input.slices;
-  request.accuracy = input.accuracy;
-  request.bodies = bodies;
-  request.deflection_slope = input.deflection_slope * kMmPerUm;
-  request.deflection_bow = input.deflection_bow * kMmPerUm;
-  request.headway = headway;
-  request.spread = [](std::size_t n, const std::function<void(std::size_t, std::size_t)>& work) {
-    parallel_for(n, [&](std::size_t i) { work(i, i + 1); });
-  };
-  const Gear& one = setup->gear(1);
-  const Gear& two = setup->gear(2);
-  const auto compliance = pair_compliance(one, two, request);
-  if (!compliance) return compliance.error();
-  LoadedContact answer =
-      loaded_contact(setup->pair(input.driver == 2), one, two, *compliance, request);
-  const auto& positions = answer.torques.front().positions;
-  if (std::all_of(positions.begin(), positions.end(),
-                  [](const LoadedPosition& p) { return p.kind == TouchKind::none; }))
-    return nothing_touches(*setup);
-  if (answer.slices_too_fine) {
-    return refused(
-        "load.slices", input.slices,
-        fmt::format("are narrower than the contact is wide: {} mm each; fewer slices, or "
-                    "less torque, would do",
-                    spoken(answer.slices.width())));
-  }
-  return answer;
-}
-
 void warn_about(const LoadedContact& contact, std::vector<Warning>& warnings) {
   for (const LoadedTorque& t : contact.torques) {
     const std::string torque = spoken(t.torque / kMmPerM);
@@ -125,9 +86,35 @@ void warn_about(const LoadedContact& contact, std::vector<Warning>& warnings) {
                         0});
 }
 
-}  // namespace
+Result<std::array<ElasticBody, 2>> bodies_of(SolvedJob& job) {
+  std::array<ElasticBody, 2> bodies;
+  for (std::size_t i = 0; i < job.gears.size(); ++i) {
+    auto body = body_of(job, static_cast<int>(i) + 1);
+    if (!body) return body.error();
+    bodies[i] = *body;
+  }
+  return bodies;
+}
 
-Result<LoadAnswer> answer_load(SolvedJob& job, Headway* headway) {
+Result<LoadTask> task_of(const SolvedJob& job, const std::array<ElasticBody, 2>& bodies) {
+  if (auto error = not_made_for(job)) return *error;
+  const LoadInput& input = job.spec.load;
+  auto setup = ContactSetup::of(job);
+  if (!setup) return setup.error();
+  LoadTask task{std::move(setup).take(), {}, input.driver == 2};
+  LoadRequest& request = task.request;
+  for (const double m : input.torques) request.torques.push_back(m * kMmPerM);
+  request.positions = input.positions;
+  request.rotations = input.rotations;
+  request.slices = input.slices;
+  request.accuracy = input.accuracy;
+  request.bodies = bodies;
+  request.deflection_slope = input.deflection_slope * kMmPerUm;
+  request.deflection_bow = input.deflection_bow * kMmPerUm;
+  return task;
+}
+
+std::optional<Error> nothing_to_do(const SolvedJob& job) {
   const LoadInput& input = job.spec.load;
   if (input.torques.empty() && input.probes.empty()) {
     return Error{"load.torques", "",
@@ -135,12 +122,41 @@ Result<LoadAnswer> answer_load(SolvedJob& job, Headway* headway) {
   }
   if (!input.torques.empty() && !job.pair)
     return Error{"gear2", "", "is missing from the spec; a torque wants two gears"};
-  std::array<ElasticBody, 2> bodies;
-  for (std::size_t i = 0; i < job.gears.size(); ++i) {
-    auto body = body_of(job, static_cast<int>(i) + 1);
-    if (!body) return body.error();
-    bodies[i] = *body;
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<LoadTask> load_task(SolvedJob& job) {
+  if (auto error = nothing_to_do(job)) return *error;
+  if (job.spec.load.torques.empty())
+    return Error{"load.torques", "", "is missing: probes alone make no pair under load"};
+  const auto bodies = bodies_of(job);
+  if (!bodies) return bodies.error();
+  return task_of(job, *bodies);
+}
+
+std::optional<Error> judge_load(SolvedJob& job, const LoadTask& task, const LoadedContact& found) {
+  const auto& positions = found.torques.front().positions;
+  if (std::all_of(positions.begin(), positions.end(),
+                  [](const LoadedPosition& p) { return p.kind == TouchKind::none; }))
+    return nothing_touches(task.setup);
+  if (found.slices_too_fine) {
+    return refused(
+        "load.slices", job.spec.load.slices,
+        fmt::format("are narrower than the contact is wide: {} mm each; fewer slices, or "
+                    "less torque, would do",
+                    spoken(found.slices.width())));
   }
+  warn_about(found, job.warnings);
+  return std::nullopt;
+}
+
+Result<LoadAnswer> answer_load(SolvedJob& job, Headway* headway) {
+  if (auto error = nothing_to_do(job)) return *error;
+  const LoadInput& input = job.spec.load;
+  const auto bodies = bodies_of(job);
+  if (!bodies) return bodies.error();
   LoadAnswer answer;
   for (std::size_t i = 0; i < input.probes.size(); ++i) {
     const LoadProbeInput& p = input.probes[i];
@@ -149,7 +165,7 @@ Result<LoadAnswer> answer_load(SolvedJob& job, Headway* headway) {
       return refused(field + ".gear", p.gear, "is not in the spec");
     const Gear& gear = job.gears[p.gear - 1];
     if (auto error = not_made_for(gear, p.gear)) return *error;
-    auto found = probe_compliance(gear, bodies[p.gear - 1],
+    auto found = probe_compliance(gear, (*bodies)[p.gear - 1],
                                   {p.diameter, p.z, p.half_width, p.read_z}, input.accuracy);
     if (!found) {
       const std::string& of = found.error().field;
@@ -159,12 +175,32 @@ Result<LoadAnswer> answer_load(SolvedJob& job, Headway* headway) {
     answer.probes.push_back(std::move(found).take());
   }
   if (input.torques.empty()) return answer;
-  if (auto error = not_made_for(job)) return *error;
-  auto contact = turn_under_load(job, bodies, headway);
-  if (!contact) return contact.error();
-  warn_about(*contact, job.warnings);
-  answer.contact = std::move(contact).take();
+  auto made = task_of(job, *bodies);
+  if (!made) return made.error();
+  LoadTask task = std::move(made).take();
+  task.request.headway = headway;
+  task.request.spread = [](std::size_t n,
+                           const std::function<void(std::size_t, std::size_t)>& work) {
+    parallel_for(n, [&](std::size_t i) { work(i, i + 1); });
+  };
+  const Gear& one = task.setup.gear(1);
+  const Gear& two = task.setup.gear(2);
+  const auto compliance = pair_compliance(one, two, task.request);
+  if (!compliance) return compliance.error();
+  auto contact = loaded_contact(task.pair(), one, two, *compliance, task.request);
+  if (auto error = judge_load(job, task, contact)) return *error;
+  answer.contact = std::move(contact);
   return answer;
+}
+
+Result<LoadedContact> contact_under(SolvedJob& job, double torque) {
+  const LoadInput asked = job.spec.load;
+  job.spec.load.torques = {torque};
+  job.spec.load.probes.clear();
+  auto answer = answer_load(job);
+  job.spec.load = asked;
+  if (!answer) return answer.error();
+  return *std::move(answer->contact);
 }
 
 LoadView load_view(const SolvedJob& job, const LoadAnswer& answer) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gearwright/catalogue/load_quantities.hpp"
+#include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/solved_job.hpp"
 
 namespace gearwright {
@@ -18,6 +19,25 @@ struct LoadAnswer {
 ///           contact is not made for such gears; `gearN.material.poisson_ratio`, `gearN.bore.…`,
 ///           `load.slices` too many, `load.probe[i].…`; as ContactSetup
 Result<LoadAnswer> answer_load(SolvedJob& job, Headway* headway = nullptr);
+
+/// The same under this one torque on gear 1, N m, with the other numbers of [load].
+Result<LoadedContact> contact_under(SolvedJob& job, double torque);
+
+/// The part of answer_load with a torque, made ready for one who takes it in steps: tables of the
+/// teeth, positions, and at last judge_load.
+struct LoadTask {
+  ContactSetup setup;
+  LoadRequest request;  ///< without headway, spread
+  bool gear2_drives = false;
+
+  ContactPair pair() const { return setup.pair(gear2_drives); }
+};
+
+/// Errors    as answer_load, and `load` without torque
+Result<LoadTask> load_task(SolvedJob& job);
+
+/// What there is to say against an answer; what it has to be read with becomes warnings of the job.
+std::optional<Error> judge_load(SolvedJob& job, const LoadTask& task, const LoadedContact& found);
 
 LoadView load_view(const SolvedJob& job, const LoadAnswer& answer);
 

@@ -5,52 +5,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/job/load_answer.hpp"
 
 namespace gearwright {
 
 namespace {
-
-// The named row of the table first, then whatever stands beside the name.
-Result<Material> material_of(const MaterialInput& given, int which) {
-  const std::string table = gear_field(which, "material");
-  Material m;
-  if (given.name) {
-    const auto row = material_named(*given.name, given.surface_hardness);
-    const bool in_table = material_named(*given.name).has_value();
-    if (!row && in_table && !(given.sigma_Hlim && given.sigma_Flim)) {
-      return refused(table + ".surface_hardness", *given.surface_hardness,
-                     "is off the line of ISO 6336-5 for this material; give its "
-                     "`sigma_Hlim` and `sigma_Flim`");
-    }
-    if (row) m = *row;
-    m.name = *given.name;
-  }
-  if (given.kind) m.kind = *given.kind;
-  if (given.sigma_Hlim || given.sigma_Flim) m.from_table = false;
-  if (given.sigma_Hlim) m.sigma_Hlim = *given.sigma_Hlim;
-  if (given.sigma_Flim) m.sigma_Flim = *given.sigma_Flim;
-  if (given.youngs_modulus) m.youngs_modulus = *given.youngs_modulus;
-  if (given.poisson_ratio) m.poisson_ratio = *given.poisson_ratio;
-  constexpr double kPerCubicMillimetre = 1e-9;
-  if (given.density) m.density = *given.density * kPerCubicMillimetre;
-  if (given.surface_hardness) m.hardness_HV = given.surface_hardness;
-  if (given.yield_strength) m.yield_strength = given.yield_strength;
-  if (!(m.sigma_Hlim > 0.0) || !(m.sigma_Flim > 0.0)) {
-    return Error{m.sigma_Hlim > 0.0 ? table + ".sigma_Flim"
-                 : given.name       ? table + ".sigma_Hlim"
-                                    : table,
-                 "",
-                 "is missing; a rating needs the material's strength: `name` of the shipped table, "
-                 "or `kind`, `sigma_Hlim` and `sigma_Flim`"};
-  }
-  if (m.kind == MaterialKind::plastic) {
-    return Error{table + ".kind", "plastic",
-                 "is not a material of ISO 6336; plastics are rated by VDI 2736, which is not in "
-                 "this version"};
-  }
-  return m;
-}
 
 void warn_of_limits(SolvedJob& job, const Rating& rating) {
   for (const int which : {1, 2}) {
@@ -62,6 +21,15 @@ void warn_of_limits(SolvedJob& job, const Rating& rating) {
   }
   for (const RatingLimit& limit : rating.limits)
     job.warnings.push_back({limit.code, limit.text, limit.gear});
+}
+
+Result<ToothContact> tooth_contact(SolvedJob& job, const RatingAnswer& answer) {
+  const Rating& r = answer.rating;
+  const double torque = answer.input.torque * r.K_A.value * r.K_gamma.value * r.K_v.value;
+  const auto made = contact_under(job, torque);
+  if (!made) return made.error();
+  const LoadedTorque& t = made->torques.front();
+  return ToothContact{torque, t.max_pressure, t.max_root_stress, t.face_load_factor};
 }
 
 }  // namespace
@@ -77,7 +45,8 @@ RatingView RatingAnswer::view() const {
           {n, n / ratio},
           spectrum,
           torque_holding,
-          face_holding};
+          face_holding,
+          contact};
 }
 
 Result<RatingAnswer> answer_rating(SolvedJob& job) {
@@ -96,7 +65,7 @@ Result<RatingAnswer> answer_rating(SolvedJob& job) {
   std::array<double, 2> bore{};
   for (const int which : {1, 2}) {
     const auto i = static_cast<std::size_t>(which - 1);
-    auto material = material_of(job.spec.gears[i]->material, which);
+    auto material = material_of(job.spec.gears[i]->material, which, table.input.edition);
     if (!material) return material.error();
     answer.input.materials[i] = std::move(material).take();
     if (const auto given = job.bore(which)) bore[i] = given->diameter;
@@ -105,8 +74,7 @@ Result<RatingAnswer> answer_rating(SolvedJob& job) {
   if (!rated) return rated.error();
   answer.pair = *rated;
   if (table.web_thickness) {
-    answer.input.body = RatedBody{*table.web_thickness / rated->face_width,
-                                 *table.rim_thickness / rated->normal_module};
+    answer.input.body = rated_body(*rated, *table.web_thickness, *table.rim_thickness);
   }
   auto made = rate(answer.pair, answer.input);
   if (!made) return made.error();
@@ -121,6 +89,11 @@ Result<RatingAnswer> answer_rating(SolvedJob& job) {
   answer.face_holding = face_width_of_safety(answer.pair, answer.input, answer.wanted,
                                              kMostFaceModules * answer.pair.normal_module);
   warn_of_limits(job, answer.rating);
+  if (table.tooth_contact) {
+    auto contact = tooth_contact(job, answer);
+    if (!contact) return contact.error();
+    answer.contact = *contact;
+  }
   return answer;
 }
 

@@ -19,6 +19,7 @@ struct RatingAnswer {
   std::optional<SpectrumRating> spectrum;
   std::optional<double> torque_holding;  ///< N m, the greatest with the wanted safeties
   std::optional<double> face_holding;    ///< mm, the least common face width with them
+  std::optional<ToothContact> contact;   ///< where the spec asks for it
 
   RatingView view() const;
 };
@@ -26,7 +27,7 @@ struct RatingAnswer {
 /// Rates the pair; limits of the standard that it passes become warnings of the job.
 ///
 /// Errors    `rating` where the spec has none, `gearN.material…` where a limit is not known; as
-///           rated_pair and rate
+///           rated_pair and rate, and where `rating.tooth_contact` is asked as answer_load
 Result<RatingAnswer> answer_rating(SolvedJob& job);
 
 }  // namespace gearwright

@@ -33,8 +33,7 @@ Value edges_of(const Search& search, const DesignRow& row) {
   return edges;
 }
 
-Json rack_of(const JobSpec& spec, int rack, int which) {
-  const Json tree = parse_json(spec.tree);
+Json rack_of(const Json& tree, int rack, int which) {
   if (tree["search"].contains("racks"))
     return tree["search"]["racks"][static_cast<std::size_t>(rack)];
   for (const char* table : {which == 0 ? "gear1" : "gear2", "gear1"})
@@ -42,10 +41,19 @@ Json rack_of(const JobSpec& spec, int rack, int which) {
   return nullptr;
 }
 
+// "The safest of them has S_H = 0.93 and S_F = 1.21: module 2, 20:60".
+std::string safest_line(const DesignRow& row) {
+  return fmt::format("The safest of them has S_H = {:.3f} and S_F = {:.3f}: module {:g}, {}:{}",
+                     std::min(*row.flank_safety[0], *row.flank_safety[1]),
+                     std::min(*row.root_safety[0], *row.root_safety[1]), row.trial.module,
+                     row.trial.z1, row.trial.z2);
+}
+
 // What the page says beside the counts.
 std::vector<std::string> reasons_of(const SearchRun& run) {
   std::vector<std::string> lines;
   if (run.answer.counts.feasible > 0) return lines;
+  if (run.safest) lines.push_back(safest_line(*run.safest) + ".");
   for (const std::string& line : change_lines(run))
     lines.push_back("One change that would let something through: " + line + ".");
   if (!run.changes_left_out.empty()) {
@@ -54,6 +62,30 @@ std::vector<std::string> reasons_of(const SearchRun& run) {
     lines.emplace_back("No change of one number alone would help.");
   }
   return lines;
+}
+
+// The lesser safety of both gears, and the mass, where a search knows them.
+std::string strength_cells(const SearchProblem& problem, const DesignRow& row) {
+  const auto lesser = [](const std::array<std::optional<double>, 2>& s) {
+    return s[0] && s[1] ? fmt::format(" {:>6.3f}", std::min(*s[0], *s[1])) : "      -";
+  };
+  return (problem.rating ? lesser(row.flank_safety) + lesser(row.root_safety) : "") +
+         (problem.weighs() ? fmt::format(" {:>9.3f}", row.mass) : "");
+}
+
+// The material of a gear as the search took it: gear 2 without one is of what gear 1 is of.
+Json material_of(const Json& tree, int which) {
+  for (const char* table : {which == 0 ? "gear1" : "gear2", "gear1"})
+    if (tree.contains(table) && tree[table].contains("material")) return tree[table]["material"];
+  return nullptr;
+}
+
+// [rating] with the safeties that the search asked for.
+Json rating_of(const Json& tree, const SearchLimits& limits) {
+  Json rating = tree["rating"];
+  if (limits.safety_flank) rating["safety_flank_min"] = *limits.safety_flank;
+  if (limits.safety_root) rating["safety_root_min"] = *limits.safety_root;
+  return rating;
 }
 
 }  // namespace
@@ -66,7 +98,8 @@ Json design_row_json(const Search& search, const DesignRow& row, bool with_edges
 
 std::string search_json_text(const Search& search, const SearchRun& run) {
   const SearchAnswer& a = run.answer;
-  Json head = to_json(search_quantities().of({&search.problem(), &a, &run.changes}));
+  Json head = to_json(search_quantities().of(
+      {&search.problem(), &a, &run.changes, run.safest ? &*run.safest : nullptr}));
   head.erase("designs");  // they come one by one
 
   std::string text = "{\n  \"search\": " + json_text(head);
@@ -91,6 +124,11 @@ std::string search_json_text(const Search& search, const SearchRun& run) {
   if (run.pair_not_read) {
     warn("not_read",
          "[pair] is of one pair: a search has center_distance_mm and mounting of its own.");
+  }
+  if (run.rating_not_read) {
+    warn("not_read",
+         "[rating] says nothing to this search: safety_flank_min, safety_root_min or "
+         "objective = \"safety\" in [search] asks for it.");
   }
   if (!edges) {
     warn("edges_left_out",
@@ -119,7 +157,9 @@ std::vector<std::string> rejected_lines(const SearchCounts& counts) {
       "overlap ratio",
       "specific sliding",
       "tip clearance",
-      "interference"};
+      "interference",
+      "safety against pitting, at the shifts of the design",
+      "safety against root breakage, at the shifts of the design"};
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < counts.rejected.size(); ++i)
     if (counts.rejected[i] > 0)
@@ -135,6 +175,19 @@ std::string margin_line(const SearchLimits& limits) {
           : "designs that interfere are listed too";
   if (limits.tip_clearance)
     text += fmt::format(", tip clearance >= {:g} modules", *limits.tip_clearance);
+  return text;
+}
+
+std::string rating_line(const SearchProblem& problem) {
+  if (!problem.rating) return {};
+  const RatingInput& in = problem.rating->input;
+  const SearchLimits& limits = problem.limits;
+  std::string text =
+      fmt::format("rated by {}, {:g} N m on gear 1, face width {}", name(in.edition), in.torque,
+                  problem.face_width ? fmt::format("{:g} mm", *problem.face_width)
+                                     : fmt::format("{:g} modules", problem.face_modules));
+  if (limits.safety_flank) text += fmt::format(", S_H >= {:g}", *limits.safety_flank);
+  if (limits.safety_root) text += fmt::format(", S_F >= {:g}", *limits.safety_root);
   return text;
 }
 
@@ -154,11 +207,13 @@ std::string search_listing(const Search& search, const SearchRun& run, std::size
                                  p.helix.size() > 1 ? ", helix" : "", a.counts.feasible);
   for (const std::string& line : rejected_lines(a.counts)) text += "  ruled out by " + line + "\n";
   text += margin_line(p.limits) + "\n";
+  if (p.rating) text += rating_line(p) + "\n";
   if (p.shift_step) {
     text += fmt::format("{} of {} points of the grid of shifts are feasible (step {})\n",
                         a.counts.points_feasible, a.counts.points_tested, *p.shift_step);
   }
   if (a.counts.feasible == 0) {
+    if (run.safest) text += safest_line(*run.safest) + "\n";
     if (!run.changes.empty()) {
       text += "\nNothing is feasible. One of these alone would let something through:\n";
       for (const std::string& line : change_lines(run)) text += "  " + line + "\n";
@@ -172,20 +227,23 @@ std::string search_listing(const Search& search, const SearchRun& run, std::size
   }
   const bool helical =
       std::any_of(p.helix.begin(), p.helix.end(), [](Angle b) { return b != Angle(); });
+  const std::string strength = (p.rating ? fmt::format(" {:>6} {:>6}", "S_H", "S_F") : "") +
+                               (p.weighs() ? fmt::format(" {:>9}", "mass kg") : "");
   text += fmt::format(
-      "\n{:>4} {:>7} {:>4} {:>5}{} {:>8} {:>10} {:>8} {:>8} {:>7} {:>7} {:>7} {:>7}  {}\n", "rank",
-      "module", "z1", "z2", helical ? "   helix" : "", "ratio", "a mm", "x1", "x2", "ε_α", "ε eff",
-      "ζ max", "area", "shifts");
+      "\n{:>4} {:>7} {:>4} {:>5}{} {:>8} {:>10} {:>8} {:>8} {:>7} {:>7} {:>7}{} {:>7}  {}\n",
+      "rank", "module", "z1", "z2", helical ? "   helix" : "", "ratio", "a mm", "x1", "x2", "ε_α",
+      "ε eff", "ζ max", strength, "area", "shifts");
   for (std::size_t i = 0; i < a.designs.size() && i < most; ++i) {
     const DesignRow& r = a.designs[i];
     const auto zeta = r.max_sliding();
     text += fmt::format(
-        "{:>4} {:>7g} {:>4} {:>5}{} {:>8.4f} {:>10.4f} {:>8.4f} {:>8.4f} {:>7.4f} {:>7.4f} {:>7} "
+        "{:>4} {:>7g} {:>4} {:>5}{} {:>8.4f} {:>10.4f} {:>8.4f} {:>8.4f} {:>7.4f} {:>7.4f} {:>7}{} "
         "{:>7.4f}  {}{}{}\n",
         i + 1, r.trial.module, r.trial.z1, r.trial.z2,
         helical ? fmt::format(" {:>7.3f}", tidy_degrees(r.trial.helix[0])) : "", r.ratio,
         r.center_distance, r.shift[0], r.shift[1], r.contact_ratio, r.contact_ratio_true,
-        zeta ? fmt::format("{:.3f}", *zeta) : "-", r.area, r.balanced ? "balanced" : "middle",
+        zeta ? fmt::format("{:.3f}", *zeta) : "-", strength_cells(p, r), r.area,
+        r.balanced ? "balanced" : "middle",
         std::find(a.pareto.begin(), a.pareto.end(), i) != a.pareto.end() ? ", front" : "",
         r.interference ? ", interference" : "");
   }
@@ -199,6 +257,7 @@ std::string search_listing(const Search& search, const SearchRun& run, std::size
 
 Json pair_spec(const JobSpec& spec, const Search& search, const DesignRow& row) {
   const SearchProblem& p = search.problem();
+  const Json tree = parse_json(spec.tree);
   Json j;
   j["title"] = fmt::format("{}{}:{}, module {}", spec.title.empty() ? "" : spec.title + ", ",
                            row.trial.z1, row.trial.z2, row.trial.module);
@@ -210,8 +269,10 @@ Json pair_spec(const JobSpec& spec, const Search& search, const DesignRow& row) 
     g["normal_pressure_angle_deg"] = tidy_degrees(p.normal_pressure_angle);
     g["helix_angle_deg"] = tidy_degrees(row.trial.helix[i]);
     g["profile_shift"] = row.shift[i];
-    g["face_width_mm"] = p.face_width.value_or(10.0 * row.trial.module);
-    if (const Json rack = rack_of(spec, row.trial.rack, i); !rack.is_null()) g["rack"] = rack;
+    g["face_width_mm"] = p.face_width_of(row.trial.module);
+    if (const Json rack = rack_of(tree, row.trial.rack, i); !rack.is_null()) g["rack"] = rack;
+    if (const Json material = material_of(tree, i); p.rating && !material.is_null())
+      g["material"] = material;
     j[i == 0 ? "gear1" : "gear2"] = std::move(g);
   }
   Json pair;
@@ -220,6 +281,7 @@ Json pair_spec(const JobSpec& spec, const Search& search, const DesignRow& row) 
   pair["mounting"] = p.mounting == Mounting::tight ? "tight" : "extended";
   if (p.shorten_tips) pair["shorten_tips"] = true;
   j["pair"] = std::move(pair);
+  if (p.rating) j["rating"] = rating_of(tree, p.limits);
   return j;
 }
 

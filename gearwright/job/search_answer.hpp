@@ -28,6 +28,9 @@ std::string search_listing(const Search& search, const SearchRun& run,
 /// What all designs keep: "every design runs without interference, form clearance >= 0.02 modules, …"
 std::string margin_line(const SearchLimits& limits);
 
+/// "rated by ISO 6336:2006, 300 N m on gear 1, face width 10 modules, S_H >= 1.1"; empty: not rated.
+std::string rating_line(const SearchProblem& problem);
+
 /// "through contact_ratio_min = 1.17 instead of 1.2", one line for each change.
 std::vector<std::string> change_lines(const SearchRun& run);
 

@@ -45,6 +45,7 @@ Result<SearchRun> run_campaign(const JobSpec& spec, const Search& search, std::i
                                const SearchOptions& options) {
   SearchRun run;
   run.pair_not_read = parse_json(spec.tree).contains("pair");
+  run.rating_not_read = spec.rating.given && !search.problem().rating;
   run.chunks = (*search.space().size() + chunk - 1) / chunk;
   // Ranks restarted by a scheduler say --resume always: they go on with whatever is there.
   const bool first = !options.many;

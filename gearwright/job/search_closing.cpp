@@ -38,6 +38,7 @@ bool look_for_changes(const Search& search, const SearchOptions& options, Search
   });
   run.stopped = found.stopped;
   run.changes = std::move(found.changes);
+  if (found.safest) run.safest = search.whole(*found.safest);
   if (!found.bounded.empty()) {
     run.changes_left_out = fmt::format(
         "the smallest change of {} was looked for with {} questions to candidates "

@@ -17,7 +17,7 @@ constexpr std::size_t kCsvDesigns = 1000;  // unless --top asks for more: people
 void write_tables(const std::filesystem::path& designs, const std::filesystem::path& points,
                   const JobSpec& spec, const Search& search, const FindSource& source) {
   std::string limits;
-  for (int i = 0; i < kLimits; ++i)
+  for (int i = 0; i < search.problem().limit_count(); ++i)
     limits += fmt::format("{}{}", i == 0 ? "" : ", ", name(static_cast<Limit>(i)));
   const std::vector<std::pair<std::string, std::string>> notes{
       {"program", fmt::format("gearwright {}", kVersion)},
@@ -25,7 +25,7 @@ void write_tables(const std::filesystem::path& designs, const std::filesystem::p
       {"limits", limits},
       {"trials", std::to_string(*search.space().size())}};
   write_file_by(designs, [&](const std::filesystem::path& part) {
-    ParquetTable<DesignView> table(part, design_columns(), notes);
+    ParquetTable<DesignView> table(part, design_columns(search.problem()), notes);
     const auto each = [&](const auto& also) {
       ChunkFinds finds;
       while (source(finds)) {
@@ -58,13 +58,14 @@ std::string csv_cell(const Value& v) {
 
 std::string csv_text(const SearchProblem& problem, const SearchAnswer& answer, std::size_t most) {
   std::string text = "rank";
-  for (const ParquetColumn& c : design_columns().heads()) text += "," + c.name;
+  const TableColumns<DesignView>& columns = design_columns(problem);
+  for (const ParquetColumn& c : columns.heads()) text += "," + c.name;
   text += ",front\n";
   std::size_t on_front = 0;
   for (std::size_t i = 0; i < answer.designs.size() && i < most; ++i) {
     text += std::to_string(i + 1);
-    design_columns().row({&problem, &answer.designs[i]},
-                         [&](std::size_t, const Value& v) { text += "," + csv_cell(v); });
+    columns.row({&problem, &answer.designs[i]},
+                [&](std::size_t, const Value& v) { text += "," + csv_cell(v); });
     const bool front = on_front < answer.pareto.size() && answer.pareto[on_front] == i;
     if (front) ++on_front;
     text += front ? ",1\n" : ",0\n";

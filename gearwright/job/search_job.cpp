@@ -39,6 +39,7 @@ SearchRun run_in_memory(const JobSpec& spec, const Search& search, std::int64_t 
                         const SearchOptions& options) {
   SearchRun run;
   run.pair_not_read = parse_json(spec.tree).contains("pair");
+  run.rating_not_read = spec.rating.given && !search.problem().rating;
   run.chunks = (*search.space().size() + chunk - 1) / chunk;
   std::vector<std::int64_t> todo(static_cast<std::size_t>(run.chunks));
   std::iota(todo.begin(), todo.end(), 0);
@@ -87,7 +88,9 @@ std::int64_t chunk_size(const SearchProblem& problem, std::int64_t trials) {
 std::string search_fingerprint(const JobSpec& spec, std::int64_t chunk) {
   const Json tree = parse_json(spec.tree);
   std::string lines;
-  for (const char* table : {"search", "gear1", "gear2"})
+  std::vector<std::string> tables{"search", "gear1", "gear2"};
+  if (spec.search && spec.search->rating) tables.emplace_back("rating");
+  for (const std::string& table : tables)
     if (tree.contains(table)) flatten(tree[table], table, lines);
   lines += fmt::format("trials of a chunk = {}\nversion = {}\n", chunk, kVersion);
   return lines;

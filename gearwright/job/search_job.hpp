@@ -71,9 +71,11 @@ struct SearchRun {
   bool stopped = false;   ///< by SearchOptions::stop
   std::int64_t chunks_done = 0, chunks = 0;
   std::vector<NearestChange> changes;  ///< when nothing is feasible
+  std::optional<DesignRow> safest;     ///< the same, of rated designs
   std::string changes_left_out;        ///< why they, or the smallest of them, were not looked for
   std::vector<std::string> notes;      ///< what was mended in the folder
   bool pair_not_read = false;          ///< the spec has a [pair], which says nothing to a search
+  bool rating_not_read = false;        ///< it has a [rating] that this search does not ask for
   std::vector<std::filesystem::path> files;
 };
 

@@ -39,12 +39,15 @@ void each_number(Row& row, const F& f) {
     f(row.sliding[i][0]);
     f(row.sliding[i][1]);
     f(row.form_clearance[i]);
+    f(row.flank_safety[i]);
+    f(row.root_safety[i]);
     f(row.sums[i]);
     f(row.lo[i]);
     f(row.hi[i]);
   }
   f(row.interference);
   f(row.area);
+  f(row.mass);
 }
 
 template <class Point, class F>
@@ -65,7 +68,7 @@ void each_number_of_point(Point& p, const F& f) {
   f(p.interference);
 }
 
-constexpr std::size_t kNumbers = 18 + 2 * 8 + 2;
+constexpr std::size_t kNumbers = 18 + 2 * 10 + 3;
 constexpr std::size_t kPointNumbers = 14;
 
 // Numbers on their way through the compressor: the plain bytes of a million points never stand in

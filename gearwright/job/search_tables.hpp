@@ -3,7 +3,9 @@
 // Internal to job/.
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -17,8 +19,11 @@ namespace gearwright {
 template <class S>
 class TableColumns {
  public:
-  explicit TableColumns(const Quantities<S>& quantities) {
+  /// Without the quantities of these keys.
+  explicit TableColumns(const Quantities<S>& quantities,
+                        std::initializer_list<std::string_view> without = {}) {
     for (const Quantity<S>& q : quantities.list()) {
+      if (std::find(without.begin(), without.end(), q.said.key) != without.end()) continue;
       const std::size_t before = heads_.size();
       if (q.said.type == Type::record) {
         for (const Said* inner : q.said.of().list) add(*inner);
@@ -102,7 +107,8 @@ class ParquetTable {
   ParquetWriter writer_;
 };
 
-const TableColumns<DesignView>& design_columns();
+/// Safeties, masses and face widths have columns where the search asks for them.
+const TableColumns<DesignView>& design_columns(const SearchProblem& problem);
 const TableColumns<ShiftPoint>& point_columns();
 
 }  // namespace gearwright

@@ -70,6 +70,8 @@ void summarise(LoadedTorque& t, const SummaryBasis& basis) {
   if (basis.whole_pitch) t.harmonics = waves(t.positions);
   const double force = t.torque / basis.base_radius;
   const double line_load = force / basis.face;
+  for (LoadedPosition& p : t.positions)
+    if (p.approach > 0.0) p.stiffness = line_load / (p.approach / kMmPerUm);
   t.stiffness = stiffness(t.positions, line_load, [](const auto& p) { return p.approach; });
   t.without_twist = stiffness(t.positions, line_load, [&](const auto& p) {
     return p.approach - line_load * basis.body_twist;

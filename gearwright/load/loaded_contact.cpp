@@ -1,7 +1,6 @@
 #include "gearwright/load/loaded_contact.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -9,7 +8,6 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/compliance/probe.hpp"
 #include "gearwright/contact/transmission.hpp"
-#include "gearwright/gear/gear_field.hpp"
 #include "gearwright/load/complementarity.hpp"
 #include "gearwright/load/load_summary.hpp"
 
@@ -21,9 +19,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kHertzWidth = 0.05;  // modules: a0, of no consequence but for rounding
-constexpr double kFarGap = 0.03;      // modules: pairs farther apart do not touch under load
-constexpr double kFlattest = 1e-6;    // 1/mm: less curvature than that is none
+constexpr double kFarGap = 0.03;    // modules: pairs farther apart do not touch under load
+constexpr double kFlattest = 1e-6;  // 1/mm: less curvature than that is none
 
 // The places of all pairs at one position, in one row.
 struct Row {
@@ -250,123 +247,68 @@ void Solver::root_stress(const Position& at, const std::vector<VectorXd>& load,
 
 }  // namespace
 
-namespace {
-
-void in_ranges(const LoadRequest& request, std::size_t n,
-               const std::function<void(std::size_t, std::size_t)>& work) {
-  if (request.spread) {
-    request.spread(n, work);
-  } else {
-    work(0, n);
-  }
-}
-
-// One tooth and one face to the last bit: the second gear needs no tables of its own.
-bool same_tooth(const Gear& a, const Gear& b) {
-  constexpr int kPoints = 9;
-  const auto& x = a.tooth->outline.arcs;
-  const auto& y = b.tooth->outline.arcs;
-  if (a.spec.teeth != b.spec.teeth || a.twist() != b.twist() || x.size() != y.size() ||
-      a.spec.normal_module != b.spec.normal_module || a.spec.face_width != b.spec.face_width)
-    return false;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    if (x[i].name != y[i].name) return false;
-    for (int k = 0; k < kPoints; ++k)
-      if (x[i].point(k / (kPoints - 1.0)) != y[i].point(k / (kPoints - 1.0))) return false;
-  }
-  return true;
-}
-
-}  // namespace
-
-Result<PairCompliance> pair_compliance(const Gear& gear_1, const Gear& gear_2,
-                                       const LoadRequest& request) {
-  const std::array<const Gear*, 2> gears{&gear_1, &gear_2};
-  const double m = gear_1.spec.normal_module;
-  const double face = std::min(gear_1.spec.face_width, gear_2.spec.face_width);
-  const double sin_b =
-      std::sin(gear_1.spec.helix_angle.rad()) * std::cos(gear_1.spec.normal_pressure_angle.rad());
-  PairCompliance c;
-  c.bodies = request.bodies;
-  c.slices = {request.slices, -face / 2, face / 2};
-  c.half_width = kHertzWidth * m;
-  begin_stage(request.headway, "compliance of the teeth", 2);
-  std::array<std::optional<Error>, 2> errors;
-  const auto make = [&](std::size_t g) {
-    // Both gears lie in N with the right flank loaded; the section has it on the left.
-    const auto section =
-        make_tooth_section(*gears[g], -gears[g]->twist(), request.bodies[g], request.accuracy);
-    if (!section) {
-      errors[g] = of_gear(static_cast<int>(g) + 1, section.error());
-      return;
-    }
-    ToothTableRequest t;
-    t.face_width = gears[g]->spec.face_width / m;
-    t.slices = {request.slices, -face / 2 / m, face / 2 / m};
-    t.half_width = kHertzWidth;
-    t.line_per_height = 1 / std::sqrt(1 - sin_b * sin_b);
-    c.table[g] = std::make_shared<const ToothTable>(*section, t);
-    count_step(request.headway);
-  };
-  const bool alike = same_tooth(gear_1, gear_2) &&
-                     request.bodies[0].bore_diameter == request.bodies[1].bore_diameter &&
-                     request.bodies[0].poisson_ratio == request.bodies[1].poisson_ratio;
-  in_ranges(request, alike ? 1 : 2, [&](std::size_t from, std::size_t to) {
-    for (std::size_t g = from; g < to; ++g) make(g);
-  });
-  for (const auto& error : errors)
-    if (error) return *error;
-  if (alike) c.table[1] = c.table[0];
-  return c;
-}
-
-LoadedContact loaded_contact(const ContactPair& pair, const Gear& gear_1, const Gear& gear_2,
-                             const PairCompliance& compliance, const LoadRequest& request) {
-  LoadedContact result;
-  result.slices = compliance.slices;
+LoadedTurn::LoadedTurn(const ContactPair& pair, const Gear& gear_1, const Gear& gear_2,
+                       const PairCompliance& compliance, const LoadRequest& request)
+    : pair_(pair),
+      one_(gear_1),
+      two_(gear_2),
+      compliance_(compliance),
+      request_(request),
+      rotations_(request.rotations) {
+  found_.slices = compliance.slices;
   const std::array<const Gear*, 2> gears{&gear_1, &gear_2};
   for (int g = 0; g < 2; ++g) {
     const auto& mesh = compliance.table[g]->section().mesh;
     const ElasticBody& body = compliance.bodies[g];
-    result.body_twist[g] = body_twist(gears[g]->base_radius() / gear_1.spec.normal_module,
+    found_.body_twist[g] = body_twist(gears[g]->base_radius() / gear_1.spec.normal_module,
                                       mesh.bore_radius, mesh.root_radius, body.poisson_ratio) /
                            body.youngs_modulus;
   }
-  std::vector<Angle> rotations = request.rotations;
-  if (rotations.empty())
+  if (rotations_.empty())
     for (int i = 0; i < request.positions; ++i)
-      rotations.push_back(
+      rotations_.push_back(
           Angle::radians(pair.pitch() * (static_cast<double>(i) / request.positions - 0.5)));
-  begin_stage(request.headway, "positions under load", static_cast<std::int64_t>(rotations.size()));
   for (const double torque : request.torques) {
-    result.torques.emplace_back();
-    result.torques.back().torque = torque;
-    result.torques.back().positions.resize(rotations.size());
+    found_.torques.emplace_back();
+    found_.torques.back().torque = torque;
+    found_.torques.back().positions.resize(rotations_.size());
   }
-  // Every position by itself, so that it does not matter who does which.
-  std::atomic<bool> too_fine{false};
-  std::atomic<long> unfinished{0};
-  in_ranges(request, rotations.size(), [&](std::size_t from, std::size_t to) {
-    Solver solver(pair, gear_1, gear_2, compliance, request);
-    for (std::size_t i = from; i < to; ++i) {
-      Position at = solver.prepare(pair.to_world(rotations[i].rad()));
-      for (LoadedTorque& t : result.torques) {
-        bool fine = false;
-        long open = 0;
-        t.positions[i] = solver.solve(at, t.torque, rotations[i], fine, open);
-        if (fine) too_fine = true;
-        unfinished += open;
-      }
-      count_step(request.headway);
+}
+
+// Every position by itself, so that it does not matter who does which.
+void LoadedTurn::solve(std::size_t from, std::size_t to) {
+  Solver solver(pair_, one_, two_, compliance_, request_);
+  for (std::size_t i = from; i < to; ++i) {
+    Position at = solver.prepare(pair_.to_world(rotations_[i].rad()));
+    for (LoadedTorque& t : found_.torques) {
+      bool fine = false;
+      long open = 0;
+      t.positions[i] = solver.solve(at, t.torque, rotations_[i], fine, open);
+      if (fine) too_fine_ = true;
+      unfinished_ += open;
     }
-  });
-  result.slices_too_fine = too_fine;
-  result.unfinished = unfinished;
-  const double face = compliance.slices.hi - compliance.slices.lo;
+    count_step(request_.headway);
+  }
+}
+
+LoadedContact LoadedTurn::result() const {
+  LoadedContact result = found_;
+  result.slices_too_fine = too_fine_;
+  result.unfinished = unfinished_;
+  const double face = result.slices.hi - result.slices.lo;
   for (LoadedTorque& t : result.torques)
-    summarise(t, {face, gear_1.base_radius(), result.body_twist[0] + result.body_twist[1],
-                  request.rotations.empty()});
+    summarise(t, {face, one_.base_radius(), result.body_twist[0] + result.body_twist[1],
+                  request_.rotations.empty()});
   return result;
+}
+
+LoadedContact loaded_contact(const ContactPair& pair, const Gear& gear_1, const Gear& gear_2,
+                             const PairCompliance& compliance, const LoadRequest& request) {
+  LoadedTurn turn(pair, gear_1, gear_2, compliance, request);
+  begin_stage(request.headway, "positions under load", static_cast<std::int64_t>(turn.positions()));
+  in_ranges(request, turn.positions(),
+            [&](std::size_t from, std::size_t to) { turn.solve(from, to); });
+  return turn.result();
 }
 
 }  // namespace gearwright

@@ -9,32 +9,13 @@
 #pragma once
 
 #include <array>
-#include <functional>
-#include <memory>
-#include <optional>
+#include <atomic>
 #include <vector>
 
-#include "gearwright/base/headway.hpp"
-#include "gearwright/compliance/tooth_table.hpp"
 #include "gearwright/load/gap_places.hpp"
+#include "gearwright/load/pair_compliance.hpp"
 
 namespace gearwright {
-
-struct LoadRequest {
-  std::vector<double> torques;     ///< M1  N mm, on gear 1, > 0
-  int positions = 64;              ///< over one pitch of gear 1
-  std::vector<Angle> rotations{};  ///< of gear 1: these instead of positions
-  int slices = 32;                 ///< over the common face
-  ComplianceAccuracy accuracy = ComplianceAccuracy::full;
-  std::array<ElasticBody, 2> bodies{};
-  double deflection_slope = 0.0;  ///< mm, further approach of the flanks over the common face
-  double deflection_bow = 0.0;    ///< mm, height of its parabola in the middle
-  Headway* headway = nullptr;
-  /// Does the work of items [0, n) by calling it for ranges that together are all of them, from
-  /// several threads if it likes; none: one after the other. The answer is the same to the last bit.
-  std::function<void(std::size_t n, const std::function<void(std::size_t, std::size_t)>& work)>
-      spread{};
-};
 
 /// One tooth pair in contact at one position.
 struct LoadedPair {
@@ -52,6 +33,7 @@ struct LoadedPosition {
   Angle unloaded_te;                 ///< of the first touch, deflections included
   double approach = 0.0;             ///< Θ r_b2  mm
   double tangent = 0.0;              ///< d(Θ r_b2)/dF_bt  mm/N
+  double stiffness = 0.0;            ///< line load over approach  N/(mm µm); 0: nothing touches
   std::vector<LoadedPair> pairs;     ///< that carry; the one nearest to its exit last
   double max_pressure = 0.0;         ///< MPa
   double max_width_ratio = 0.0;      ///< greatest half width of contact over its radius
@@ -86,22 +68,29 @@ struct LoadedContact {
   bool slices_too_fine = false;
 };
 
-/// The tables of both gears: what the outlines, faces and materials give. Torques, errors and
-/// modifications do not change them.
-struct PairCompliance {
-  std::array<std::shared_ptr<const ToothTable>, 2> table;
-  std::array<ElasticBody, 2> bodies;
-  FaceSlices slices;        ///< mm
-  double half_width = 0.0;  ///< a0  mm
-};
-
-/// Domain    parallel external involute gears (contract)
-/// Errors    `gearN.…` as make_section_mesh
-Result<PairCompliance> pair_compliance(const Gear& gear_1, const Gear& gear_2,
-                                       const LoadRequest& request);
-
 /// Domain    the pair of these gears; torques > 0 (contract)
 LoadedContact loaded_contact(const ContactPair& pair, const Gear& gear_1, const Gear& gear_2,
                              const PairCompliance& compliance, const LoadRequest& request);
+
+/// The same in pieces: positions by the numbers of any range, in any order, of several threads if
+/// each has its own; then the answer. What it is made of has to live as long.
+class LoadedTurn {
+ public:
+  LoadedTurn(const ContactPair& pair, const Gear& gear_1, const Gear& gear_2,
+             const PairCompliance& compliance, const LoadRequest& request);
+  std::size_t positions() const { return rotations_.size(); }
+  void solve(std::size_t from, std::size_t to);
+  LoadedContact result() const;
+
+ private:
+  const ContactPair& pair_;
+  const Gear &one_, &two_;
+  const PairCompliance& compliance_;
+  const LoadRequest& request_;
+  std::vector<Angle> rotations_;
+  LoadedContact found_;
+  std::atomic<bool> too_fine_{false};
+  std::atomic<long> unfinished_{0};
+};
 
 }  // namespace gearwright

@@ -6,17 +6,32 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <limits>
+#include <string_view>
 
 namespace gearwright {
 
-/// Editions of ISO 6336-1, -2, -3. What the later one changed: docs/theory/11-rating.md.
-enum class RatingEdition { iso_2006, iso_2019 };
+/// Editions of ISO 6336-1, -2, -3, and the guideline for plastics. What the later edition changed:
+/// docs/theory/11-rating.md.
+enum class RatingEdition { iso_2006, iso_2019, vdi_2736 };
+
+/// "ISO 6336:2006"
+inline std::string_view name(RatingEdition edition) {
+  constexpr std::array<std::string_view, 3> kNames{"ISO 6336:2006", "ISO 6336:2019",
+                                                   "VDI 2736:2014"};
+  return kNames[static_cast<std::size_t>(edition)];
+}
 
 struct Factor {
   double value = 1.0;
   const char* formula = "";  ///< "ISO 6336-3, clause 8"
   const char* branch = "";   ///< "helical, ε_β ≥ 1"; empty: the formula has one form
 };
+
+/// A factor that the standard asked for has not.
+inline constexpr Factor kNoFactor{std::numeric_limits<double>::quiet_NaN(), "", ""};
+inline bool is_there(const Factor& f) { return !std::isnan(f.value); }
 
 /// Pinion and wheel, or gear 1 and gear 2.
 using FactorPair = std::array<Factor, 2>;

@@ -94,6 +94,16 @@ std::string_view material_letters(MaterialKind kind) {
 
 std::span<const NamedMaterial> named_materials() { return kTable; }
 
+std::optional<double> at_temperature(const ByTemperature& list, double celsius) {
+  if (list.empty() || celsius < list.front()[0] || celsius > list.back()[0]) return std::nullopt;
+  std::size_t i = 1;
+  while (i < list.size() && celsius > list[i][0]) ++i;
+  if (i == list.size()) return list.back()[1];
+  const auto& [t_0, v_0] = list[i - 1];
+  const auto& [t_1, v_1] = list[i];
+  return v_0 + (v_1 - v_0) * (celsius - t_0) / (t_1 - t_0);
+}
+
 std::optional<Limits> limits_of(MaterialKind kind, double hardness_HV) {
   const auto line =
       std::find_if(kLines.begin(), kLines.end(), [&](const Line& l) { return l.kind == kind; });

@@ -8,10 +8,12 @@
 // whoever signs a drawing checks them against the standard and the supplier's papers.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace gearwright {
 
@@ -34,6 +36,12 @@ enum class MaterialKind {
 std::span<const std::string_view> material_kind_words();
 std::string_view material_letters(MaterialKind kind);
 
+/// Values by temperature: °C, N/mm²; rising temperatures.
+using ByTemperature = std::vector<std::array<double, 2>>;
+
+/// On the straight line between two temperatures; none outside the list.
+std::optional<double> at_temperature(const ByTemperature& list, double celsius);
+
 struct Material {
   std::string name;
   MaterialKind kind = MaterialKind::case_hardened;
@@ -45,6 +53,8 @@ struct Material {
   std::optional<double> hardness_HV{};     ///< of the surface
   std::optional<double> yield_strength{};  ///< R_e  N/mm²
   bool from_table = false;                 ///< limits of the shipped table
+  /// Of a plastic, in place of the numbers above where they are not empty.
+  ByTemperature sigma_Hlim_by{}, sigma_Flim_by{}, youngs_modulus_by{};
 
   bool surface_hardened() const {
     return kind == MaterialKind::case_hardened || kind == MaterialKind::induction_hardened ||

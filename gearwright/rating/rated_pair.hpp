@@ -65,6 +65,12 @@ struct RatedPair {
   std::size_t place(int which) const { return static_cast<std::size_t>((which == 1) == exchanged); }
 };
 
+/// The pinion's numbers and the wheel's, of a list by gears of the spec; the same call turns back.
+template <class T>
+std::array<T, 2> turned(const RatedPair& pair, const std::array<T, 2>& list) {
+  return pair.exchanged ? std::array<T, 2>{list[1], list[0]} : list;
+}
+
 /// z_n = z/(cos² β_b cos β), of either edition.
 ///
 /// Formula   ISO 6336-3, 6.2; confirmed to six digits by ISO/TR 6336-30, example 1

@@ -17,28 +17,34 @@ constexpr double kReversed = 0.7;  // of the root's strength that bends both way
 
 Factor given(double value) { return {value, "", kGivenFactor}; }
 
-// The pinion's numbers and the wheel's, of a list by gears of the spec; the same call turns back.
-template <class T>
-std::array<T, 2> turned(const RatedPair& pair, const std::array<T, 2>& list) {
-  return pair.exchanged ? std::array<T, 2>{list[1], list[0]} : list;
+// A factor of the reference number of cycles at this life.
+Factor at_life(Factor f, const Life& life) {
+  if (life.reference != 1.0) f.value = std::pow(f.value, life.reference);
+  return f;
 }
 
 // Everything by pinion and wheel.
 struct Rater {
   const RatedPair& pair;
   const RatingInput& in;
-  std::array<Material, 2> materials;
+  std::optional<std::array<Material, 2>> exchanged;
+  const std::array<Material, 2>& materials;
   Rating r{};
   double pinion_speed = 0.0, velocity = 0.0;
   std::array<std::optional<double>, 2> cycles{};
   std::array<Tolerances, 2> tolerance{};  // where the quality is given
 
   Rater(const RatedPair& p, const RatingInput& i)
-      : pair(p), in(i), materials(turned(p, i.materials)) {}
+      : pair(p),
+        in(i),
+        exchanged(p.exchanged ? std::optional(turned(p, i.materials)) : std::nullopt),
+        materials(exchanged ? *exchanged : i.materials) {}
+  Rater(const Rater&) = delete;
+  Rater& operator=(const Rater&) = delete;
 
   void load();
-  std::optional<Error> dynamics();
-  std::optional<Error> distribution();
+  void dynamics();
+  void distribution();
   void flank();
   std::optional<Error> root();
   void check_limits();
@@ -63,7 +69,7 @@ void Rater::load() {
   }
 }
 
-std::optional<Error> Rater::dynamics() {
+void Rater::dynamics() {
   const double line = r.F_t.value * in.application_factor * in.mesh_load_factor / pair.face_width;
   const double e1 = materials[0].youngs_modulus;
   const double e2 = materials[1].youngs_modulus;
@@ -77,15 +83,6 @@ std::optional<Error> Rater::dynamics() {
     r.tolerance = tolerance;
   }
   if (in.dynamic_factor) r.K_v = given(*in.dynamic_factor);
-  if (!in.quality && (!in.dynamic_factor || !in.transverse_load_factor)) {
-    return Error{"rating.quality", "",
-                 "is missing; the accuracy grades of ISO 1328, 0 to 12, say how far the teeth are "
-                 "off, for K_v and K_Hα: give them, or both factors"};
-  }
-  if (!in.speed && !in.dynamic_factor) {
-    return Error{"rating.speed", "",
-                 "is missing; the dynamic factor needs it: give the speed, or the factor itself"};
-  }
   DynamicInput d;
   d.reduced_mass = reduced_mass(pair, materials);
   d.c_gamma_alpha = r.stiffness.c_gamma_alpha.value;
@@ -107,25 +104,16 @@ std::optional<Error> Rater::dynamics() {
   r.n_E1 = made.n_E1;
   if (in.speed) r.N = made.N;
   if (!in.dynamic_factor) r.K_v = made.K_v;
-  return std::nullopt;
 }
 
-std::optional<Error> Rater::distribution() {
+void Rater::distribution() {
   const double mean =
       r.F_t.value * in.application_factor * in.mesh_load_factor * r.K_v.value / pair.face_width;
   if (in.face_load_factor) {
     r.face.K_Hbeta = given(*in.face_load_factor);
-  } else if (in.mounting) {
-    if (!in.quality && !in.mounting->manufacture) {
-      return Error{"rating.quality", "",
-                   "is missing; the face load factor takes the helix slopes from it: give the "
-                   "accuracy grades of ISO 1328, or the misalignment"};
-    }
+  } else {
     r.face = face_load(pair, *in.mounting, materials, mean, r.stiffness.c_gamma_beta.value,
                        {tolerance[0].f_Hbeta, tolerance[1].f_Hbeta}, velocity);
-  } else {
-    return Error{"rating.face_load_factor", "",
-                 "is missing; give it, or how the pinion is mounted, `mounting`"};
   }
   const double K_Hbeta = r.face.K_Hbeta.value;
   r.K_Fbeta =
@@ -145,7 +133,6 @@ std::optional<Error> Rater::distribution() {
     if (!in.quality) r.K_Falpha = r.K_Halpha;
   }
   if (in.transverse_load_factor_root) r.K_Falpha = given(*in.transverse_load_factor_root);
-  return std::nullopt;
 }
 
 void Rater::flank() {
@@ -168,15 +155,11 @@ void Rater::flank() {
       r.K_A.value * r.K_gamma.value * r.K_v.value * r.face.K_Hbeta.value * r.K_Halpha.value;
   for (std::size_t i = 0; i < 2; ++i) {
     const Life life = flank_life(materials[i].kind, cycles[i], in.life);
-    const auto at_N = [&](Factor f) {
-      f.value = std::pow(f.value, life.reference);
-      return f;
-    };
     r.Z_NT[i] = life.factor;
-    r.Z_L_at_N[i] = at_N(r.Z_L);
-    r.Z_v_at_N[i] = at_N(r.Z_v);
-    r.Z_R_at_N[i] = at_N(r.Z_R);
-    r.Z_W[i] = at_N(r.Z_W[i]);
+    r.Z_L_at_N[i] = at_life(r.Z_L, life);
+    r.Z_v_at_N[i] = at_life(r.Z_v, life);
+    r.Z_R_at_N[i] = at_life(r.Z_R, life);
+    r.Z_W[i] = at_life(r.Z_W[i], life);
     r.Z_X[i] = {1.0, "ISO 6336-2, clause 14", "1"};
     r.sigma_H[i] = {r.Z_B[i].value * r.sigma_H0.value * std::sqrt(k), "ISO 6336-2, 5.2", ""};
     r.sigma_HG[i] = {materials[i].sigma_Hlim * r.Z_NT[i].value * r.Z_L_at_N[i].value *
@@ -201,10 +184,6 @@ std::optional<Error> Rater::root() {
     }
     r.section[i] = *section;
     const Life life = root_life(m.kind, cycles[i], in.life);
-    const auto at_N = [&](Factor f) {
-      f.value = std::pow(f.value, life.reference);
-      return f;
-    };
     std::optional<double> Rz;
     if (in.root_roughness) Rz = turned(pair, *in.root_roughness)[i];
     std::optional<int> grade;
@@ -218,9 +197,9 @@ std::optional<Error> Rater::root() {
     r.Y_M[i] = {in.reversed ? kReversed : 1.0, "ISO 6336-3, annex B",
                 in.reversed ? "bending both ways" : "bending one way"};
     r.Y_NT[i] = life.factor;
-    r.Y_delta_relT[i] = at_N(notch_sensitivity_factor(m, *section));
-    r.Y_R_relT[i] = at_N(surface_factor(m, Rz));
-    r.Y_X[i] = at_N(root_size_factor(m, pair.normal_module));
+    r.Y_delta_relT[i] = at_life(notch_sensitivity_factor(m, *section), life);
+    r.Y_R_relT[i] = at_life(surface_factor(m, Rz), life);
+    r.Y_X[i] = at_life(root_size_factor(m, pair.normal_module), life);
     // A wider gear bears with one module more at each end than the common face has.
     const double b = std::min(g.face_width, pair.face_width + 2 * pair.normal_module);
     r.sigma_F0[i] = {r.F_t.value / (b * pair.normal_module) * r.Y_F[i].value * r.Y_S[i].value *
@@ -268,17 +247,52 @@ void Rater::check_limits() {
 
 }  // namespace
 
-Result<Rating> rate(const RatedPair& pair, const RatingInput& input) {
-  GW_EXPECTS(input.torque > 0.0);
+std::optional<Error> missing_input(const RatingInput& in) {
+  if (in.edition == RatingEdition::vdi_2736) return missing_plastic_input(in);
+  if (!in.quality && (!in.dynamic_factor || !in.transverse_load_factor)) {
+    return Error{"rating.quality", "",
+                 "is missing; the accuracy grades of ISO 1328, 0 to 12, say how far the teeth are "
+                 "off, for K_v and K_Hα: give them, or both factors"};
+  }
+  if (!in.speed && !in.dynamic_factor) {
+    return Error{"rating.speed", "",
+                 "is missing; the dynamic factor needs it: give the speed, or the factor itself"};
+  }
+  if (in.face_load_factor) return std::nullopt;
+  if (!in.mounting) {
+    return Error{"rating.face_load_factor", "",
+                 "is missing; give it, or how the pinion is mounted, `mounting`"};
+  }
+  if (!in.quality && !in.mounting->manufacture) {
+    return Error{"rating.quality", "",
+                 "is missing; the face load factor takes the helix slopes from it: give the "
+                 "accuracy grades of ISO 1328, or the misalignment"};
+  }
+  return std::nullopt;
+}
+
+namespace {
+
+Result<Rating> rate_by_iso(const RatedPair& pair, const RatingInput& input) {
   Rater rater(pair, input);
   rater.load();
-  if (auto error = rater.dynamics()) return *error;
-  if (auto error = rater.distribution()) return *error;
+  rater.dynamics();
+  rater.distribution();
   rater.flank();
   if (auto error = rater.root()) return *error;
   rater.check_limits();
-  Rating r = std::move(rater.r);
-  if (!pair.exchanged) return r;
+  return std::move(rater.r);
+}
+
+}  // namespace
+
+Result<Rating> rate(const RatedPair& pair, const RatingInput& input) {
+  GW_EXPECTS(input.torque > 0.0);
+  if (auto error = missing_input(input)) return *error;
+  auto made = input.edition == RatingEdition::vdi_2736 ? rate_plastic(pair, input)
+                                                       : rate_by_iso(pair, input);
+  if (!made || !pair.exchanged) return made;
+  Rating r = std::move(made).take();
   for (FactorPair* list :
        {&r.Z_B,      &r.Z_NT,     &r.Z_L_at_N, &r.Z_v_at_N, &r.Z_R_at_N,     &r.Z_W,      &r.Z_X,
         &r.sigma_H,  &r.sigma_HG, &r.S_H,      &r.Y_F,      &r.Y_S,          &r.Y_beta,   &r.Y_B,
@@ -288,6 +302,10 @@ Result<Rating> rate(const RatedPair& pair, const RatingInput& input) {
   std::swap(r.section[0], r.section[1]);
   std::swap(r.N_L[0], r.N_L[1]);
   if (r.tolerance) std::swap((*r.tolerance)[0], (*r.tolerance)[1]);
+  if (r.temperature) {
+    std::swap(r.temperature->flank[0], r.temperature->flank[1]);
+    std::swap(r.temperature->root[0], r.temperature->root[1]);
+  }
   return r;
 }
 

@@ -6,7 +6,9 @@
 //
 // Lists of two are gear 1 and gear 2 of the spec, whichever of them is the pinion. What the standard
 // asks and nobody gives counts as 1, and its branch says so. Scuffing and micropitting
-// (ISO/TS 6336-20, -21, -22) are not here.                   theory: docs/theory/11-rating.md
+// (ISO/TS 6336-20, -21, -22) are not here. By VDI 2736 the same numbers are made of plastics at their
+// temperatures (rating/plastic.hpp); factors that it has not are not there.
+//                                                           theory: docs/theory/11-rating.md
 #pragma once
 
 #include <array>
@@ -17,6 +19,7 @@
 #include "gearwright/rating/distribution.hpp"
 #include "gearwright/rating/dynamic.hpp"
 #include "gearwright/rating/flank.hpp"
+#include "gearwright/rating/plastic.hpp"
 #include "gearwright/rating/root.hpp"
 #include "gearwright/rating/stiffness.hpp"
 
@@ -44,6 +47,7 @@ struct RatingInput {
   std::optional<RatedBody> body;
   std::array<std::optional<double>, 2> rim{};  ///< s_R  mm
   LifeChoice life;
+  PlasticInput plastic;  ///< of VDI 2736
   std::array<Material, 2> materials;
 };
 
@@ -72,14 +76,20 @@ struct Rating {
   std::array<CriticalSection, 2> section;
   FactorPair Y_F, Y_S, Y_beta, Y_B, Y_DT, Y_ST, Y_M, Y_NT, Y_delta_relT, Y_R_relT, Y_X;
   FactorPair sigma_F0, sigma_F, sigma_FG, S_F;
+  std::optional<Factor> Y_epsilon;               ///< of VDI 2736
+  std::optional<ToothTemperatures> temperature;  ///< °C, the same
   std::vector<RatingLimit> limits;
 };
+
+/// What the standard asks for and the input lacks, whatever the pair; as the errors of rate().
+std::optional<Error> missing_input(const RatingInput& input);
 
 /// Formula   [T11.1], [T11.22], [T11.40]
 /// Errors    `rating.speed` where K_v or the lives need it, `rating.quality`, `rating.face_load_factor`
 ///           where neither it nor a mounting is given, `gearN.rack` where no tangent touches the root
 /// Laws      (1) σ_F0 ∝ T, σ_H0 ∝ √T    (2) lengths times k and torque times k³: the same stresses
 ///           (3) gear 1 and gear 2 exchanged, with torque and speed of the other: the same numbers
+///           by VDI 2736 `rating.plastic…`, `gearN.material…` where it has no value at the temperature
 /// Domain    torque > 0 (contract)
 Result<Rating> rate(const RatedPair& pair, const RatingInput& input);
 

@@ -41,7 +41,8 @@ std::optional<double> tangent_angle(double G, double z_n, double H, double start
 
 }  // namespace
 
-std::optional<CriticalSection> critical_section(const RatedPair& pair, const RatedGear& gear) {
+std::optional<CriticalSection> critical_section(const RatedPair& pair, const RatedGear& gear,
+                                                LoadPoint at) {
   const bool internal = gear.internal();
   const double m = pair.normal_module;
   const double z_n = gear.virtual_teeth;
@@ -63,12 +64,13 @@ std::optional<CriticalSection> critical_section(const RatedPair& pair, const Rat
   s.theta = *theta;
   s.s_Fn = m * (z_n * std::sin(T - *theta) + (internal ? 1.0 : std::numbers::sqrt3) * arm);
   s.rho_F = m * (fillet + 2 * G * G / (c * (std::abs(z_n) * c * c - 2 * G)));
-  // The outer point of single pair contact, one pitch from where contact begins.
+  // The outer point of single pair contact, one pitch from where contact begins; or the tip.
   const double side = internal ? -1.0 : 1.0;
   const double d_n = m * z_n;
   const double d_bn = d_n * cos_a;
   const double d_an = d_n + side * (gear.tip_diameter - gear.reference_diameter);
-  const double back = side * kPi * m * cos_a * std::max(0.0, pair.epsilon_alpha_n() - 1);
+  const double shared = at == LoadPoint::tip ? 0.0 : std::max(0.0, pair.epsilon_alpha_n() - 1);
+  const double back = side * kPi * m * cos_a * shared;
   const double roll = std::sqrt(std::max(0.0, d_an * d_an - d_bn * d_bn)) / 2 - back;
   s.d_en = side * 2 * std::hypot(roll, d_bn / 2);
   const double alpha_en = std::acos(std::clamp(d_bn / s.d_en, -1.0, 1.0));

@@ -16,6 +16,9 @@
 
 namespace gearwright {
 
+/// Where the load acts on the tooth: method B, method C.
+enum class LoadPoint { single_contact, tip };
+
 struct CriticalSection {
   double theta;      ///< ϑ      rad, solved from θ = 2 G tan θ/z_n − H
   double s_Fn;       ///< mm
@@ -31,7 +34,8 @@ struct CriticalSection {
 ///
 /// Formula   [T11.27]…[T11.31]; ISO 6336-3, 6.2
 /// Domain    nothing where no tangent at 30° (60°) touches the fillet
-std::optional<CriticalSection> critical_section(const RatedPair& pair, const RatedGear& gear);
+std::optional<CriticalSection> critical_section(const RatedPair& pair, const RatedGear& gear,
+                                                LoadPoint at = LoadPoint::single_contact);
 
 /// Y_F [T11.32]; the edition of 2019 takes the share of the load in it, f_ε.
 Factor form_factor(RatingEdition edition, const RatedPair& pair, const CriticalSection& section);

@@ -81,11 +81,10 @@ std::optional<double> face_width_of_safety(const RatedPair& pair, const RatingIn
 
 std::optional<std::string> steel_of_safety(const RatedPair& pair, const RatingInput& input,
                                            const WantedSafety& wanted) {
+  if (input.edition == RatingEdition::vdi_2736) return std::nullopt;  // steel for a plastic
   const auto rated = rate(pair, input);
   if (!rated) return std::nullopt;
-  constexpr std::array<std::string_view, 4> kByStrength{"42CrMo4", "34CrNiMo6", "31CrMoV9",
-                                                        "17CrNiMo6"};
-  for (const std::string_view name : kByStrength) {
+  for (const std::string_view name : kSteelsByStrength) {
     RatingInput in = input;
     for (std::size_t i = 0; i < 2; ++i) {
       const bool short_of = rated->S_H[i].value < wanted.flank || rated->S_F[i].value < wanted.root;

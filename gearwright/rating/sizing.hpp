@@ -4,8 +4,10 @@
 // itself is asked, in a bracket, and what is answered has been rated.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "gearwright/rating/rating.hpp"
 
@@ -36,6 +38,10 @@ constexpr double kMostFaceModules = 40.0;
 /// to `most` has them.
 std::optional<double> face_width_of_safety(const RatedPair& pair, const RatingInput& input,
                                            const WantedSafety& wanted, double most);
+
+/// Steels of the shipped table that a gear may be made of instead, the least strong first.
+inline constexpr std::array<std::string_view, 4> kSteelsByStrength{"42CrMo4", "34CrNiMo6",
+                                                                   "31CrMoV9", "17CrNiMo6"};
 
 /// A steel of the shipped table for the gears that fall short, the least strong that is enough.
 std::optional<std::string> steel_of_safety(const RatedPair& pair, const RatingInput& input,

@@ -28,6 +28,11 @@ struct Stiffness {
   bool in_range;  ///< x_1 ≥ x_2 and −0.5 ≤ x_1 + x_2 ≤ 2, for which the standard's q' is stated
 };
 
+/// Of a web and a rim as a drawing has them, mm.
+inline RatedBody rated_body(const RatedPair& pair, double web, double rim) {
+  return {web / pair.face_width, rim / pair.normal_module};
+}
+
 /// `specific_load` is F_t K_A/b in N/mm: below 100 the teeth are softer; `elasticity` is E/E_St.
 ///
 /// Formula   [T11.2], [T11.3]; ISO 6336-1, clause 9; q' with z_n = z/(cos² β_b cos β), of a ring 1/z_n2 = 0

@@ -41,11 +41,13 @@ std::string table(const RatingView& view) {
 }  // namespace
 
 std::string rating_section(const RatingView& view) {
+  const bool plastic = view.rating.edition == RatingEdition::vdi_2736;
+  const std::string method =
+      fmt::format("{}{}", name(view.rating.edition), plastic ? "" : ", method B");
   return fmt::format(
-      "<section class=\"rating\">\n<h2>Strength</h2>\n<p>Rated by {}, method B. Scuffing and "
-      "micropitting are not rated.</p>\n<p><strong>{}</strong></p>\n{}</section>\n",
-      view.rating.edition == RatingEdition::iso_2006 ? "ISO 6336:2006" : "ISO 6336:2019",
-      finding(view.rating), table(view));
+      "<section class=\"rating\">\n<h2>Strength</h2>\n<p>Rated by {}. Scuffing and "
+      "micropitting are not rated{}.</p>\n<p><strong>{}</strong></p>\n{}</section>\n",
+      method, plastic ? ", nor are wear and deformation" : "", finding(view.rating), table(view));
 }
 
 }  // namespace gearwright

@@ -34,6 +34,10 @@ constexpr const char* kOrder[] = {"module_mm",
                                   "tip_thickness_mm",
                                   "tip_clearance_mm",
                                   "sliding_max",
+                                  "face_width_mm",
+                                  "S_H",
+                                  "S_F",
+                                  "mass_kg",
                                   "area",
                                   "interference"};
 

@@ -39,7 +39,9 @@ constexpr std::array<std::string_view, kLimits> kLimitWords{
     "overlap ratio too small",
     "sliding too fast",
     "tip clearance too small",
-    "interference"};
+    "interference",
+    "safety against pitting too small",
+    "safety against root breakage too small"};
 
 }  // namespace
 
@@ -58,6 +60,8 @@ ObjectiveWords words_of(Objective objective) {
     case Objective::shift: return {"sum of shifts", "Σx", "modules", false};
     case Objective::area: return {"area of the region", "", "modules²", true};
     case Objective::sliding: return {"greatest sliding", "ζ", "", false};
+    case Objective::mass: return {"mass", "m", "kg", false};
+    case Objective::safety: return {"least safety over that wanted", "", "", true};
   }
   contract_failed("postcondition", "known objective", __FILE__, __LINE__);
 }

@@ -32,6 +32,16 @@ PinionMounting read_mounting(const Json& node) {
   return m;
 }
 
+PlasticInput read_plastic(const Json& node) {
+  TableReader t(rating_plastic_keys(), node, "rating.plastic");
+  PlasticInput p;
+  t.read(p);
+  p.flank_temperature = both(t, "flank_temperature_C");
+  p.root_temperature = both(t, "root_temperature_C");
+  t.finish();
+  return p;
+}
+
 std::vector<LoadBin> read_spectrum(TableReader& rating) {
   std::vector<LoadBin> spectrum;
   const Json* list = rating.any("spectrum");
@@ -51,6 +61,30 @@ std::vector<LoadBin> read_spectrum(TableReader& rating) {
     spectrum.push_back(bin);
   }
   return spectrum;
+}
+
+// Columns of one table: temperatures, and what a plastic has there.
+void read_by_temperature(TableReader& t, MaterialInput& m) {
+  const auto celsius = t.numbers("temperatures_C");
+  for (std::size_t i = 0; celsius && i < celsius->size(); ++i) {
+    t.check("temperatures_C", (*celsius)[i]);
+    if (i > 0 && !((*celsius)[i - 1] < (*celsius)[i]))
+      t.fail("temperatures_C", "must rise from one to the next");
+  }
+  const auto column = [&](const char* key, ByTemperature& list) {
+    const auto values = t.numbers(key);
+    if (!values || !celsius) return;
+    if (values->size() != celsius->size())
+      t.fail(key,
+             fmt::format("has {} values for {} temperatures_C", values->size(), celsius->size()));
+    for (std::size_t i = 0; i < values->size(); ++i) {
+      t.check(key, (*values)[i]);
+      list.push_back({(*celsius)[i], (*values)[i]});
+    }
+  };
+  column("sigma_Hlim_by_temperature_MPa", m.sigma_Hlim_by);
+  column("sigma_Flim_by_temperature_MPa", m.sigma_Flim_by);
+  column("youngs_modulus_by_temperature_MPa", m.youngs_modulus_by);
 }
 
 }  // namespace
@@ -79,7 +113,14 @@ RatingTable read_rating(const Json& node) {
       t.fail("face_load_factor",
              "has no place beside [rating.mounting], which makes it; leave one out");
   }
+  if (const Json* plastic = t.table("plastic")) {
+    if (in.edition != RatingEdition::vdi_2736)
+      t.fail("plastic", "belongs to standard = \"VDI 2736:2014\"");
+    in.plastic = read_plastic(*plastic);
+  }
   r.spectrum = read_spectrum(t);
+  if (!r.spectrum.empty() && in.edition == RatingEdition::vdi_2736)
+    t.fail("spectrum", "has no place in VDI 2736, whose strengths are given for one life");
   t.finish();
   if (!r.spectrum.empty()) {
     if (in.life_h) t.fail("life_h", "has no place beside a spectrum, whose steps have their hours");
@@ -115,8 +156,10 @@ MaterialInput read_material(const Json& node, const std::string& path) {
   TableReader t(material_keys(), node, path);
   MaterialInput m;
   t.read(m);
+  read_by_temperature(t, m);
   t.finish();
-  if (!m.name || m.sigma_Hlim || m.sigma_Flim || m.youngs_modulus) return m;
+  const bool by_temperature = !m.sigma_Hlim_by.empty() || !m.sigma_Flim_by.empty();
+  if (!m.name || m.sigma_Hlim || m.sigma_Flim || m.youngs_modulus || by_temperature) return m;
   std::vector<std::string> known;
   for (const NamedMaterial& row : named_materials()) known.emplace_back(row.name);
   if (std::find(known.begin(), known.end(), *m.name) == known.end()) {

@@ -178,6 +178,8 @@ void read_objectives(TableReader& t, SearchProblem& p) {
       t.fail("objective", fmt::format("names {} twice", word));
     if (objective == Objective::sliding && p.crossed())
       t.fail("objective", "sliding is not known on crossed axes");
+    if (objective == Objective::safety && p.crossed())
+      t.fail("objective", "safety is not known on crossed axes: ISO 6336 rates parallel ones");
     p.objectives.push_back(objective);
   }
 }
@@ -206,6 +208,7 @@ Blank read_blank(const Json* node, const std::string& path) {
   b.alpha_deg = t.number("normal_pressure_angle_deg");
   b.helix_deg = t.number("helix_angle_deg");
   b.face_mm = t.number("face_width_mm");
+  t.table("material");  // of a rated search: read_search_rating
   if (const Json* rack = t.any("rack");
       rack && rack->is_object() && rack->contains("kind") && (*rack)["kind"] != "straight") {
     t.fail("rack.kind", "must be \"straight\" (or absent): a search is about involute gears");
@@ -306,7 +309,7 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
   const double half = p.shaft_angle ? p.shaft_angle->deg() / 2.0 : 0.0;
   read_helix(t, p, blanks[0].helix_deg.value_or(half));
   read_racks(t, p, blanks);
-  if (!p.face_width) p.face_width = blanks[0].face_mm;
+  if (!p.face_width && !t.has("face_width_modules")) p.face_width = blanks[0].face_mm;
   const auto mounting = t.word("mounting");
   p.mounting = mounting && *mounting == "tight" ? Mounting::tight : Mounting::extended;
   if (p.shorten_tips && (p.mounting != Mounting::tight || p.crossed())) {

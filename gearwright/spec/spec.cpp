@@ -14,6 +14,7 @@
 #include "gearwright/spec/read_measured.hpp"
 #include "gearwright/spec/read_rating.hpp"
 #include "gearwright/spec/read_search.hpp"
+#include "gearwright/spec/read_search_rating.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {
@@ -121,6 +122,7 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder) {
   if (const Json* node = t.table("compensate")) spec.compensate = read_compensate(*node);
   if (const Json* node = t.table("load")) spec.load = read_load(*node);
   if (const Json* node = t.table("rating")) spec.rating = read_rating(*node);
+  if (spec.search) read_search_rating(tree, spec.rating, *spec.search);
   t.finish();
   check_backlash(tree, spec);
   const bool unknown = spec.measured[0] || spec.measured[1];

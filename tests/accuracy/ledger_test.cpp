@@ -21,8 +21,10 @@ std::string markdown(const std::vector<Row>& rows) {
       "base tangent\n"
       "point); shifts are in modules themselves. *of a*: |error|/a, for such differences of "
       "crossed "
-      "axes. *of D*, *of r_g*: over a fillet's centre distance, a gear's centrode. Inputs are "
-      "seeded and the same everywhere; the "
+      "axes. *of D*, *of r_g*: over a fillet's centre distance, a gear's centrode. *%*: teeth "
+      "under "
+      "load, which are no closed form, against what the row names. Inputs are seeded and the same "
+      "everywhere; the "
       "worst one is named.\n\n"
       "| quantity | unit | claimed | measured | where | worst input |\n|---|---|---|---|---|---|\n";
   for (const Row& r : rows) {
@@ -43,6 +45,7 @@ std::vector<Row> all_rows() {
   for (Row& r : few_teeth_rows()) rows.push_back(std::move(r));
   for (Row& r : pinion_envelope_rows()) rows.push_back(std::move(r));
   for (Row& r : contact_rows()) rows.push_back(std::move(r));
+  for (Row& r : load_rows()) rows.push_back(std::move(r));
   return rows;
 }
 

@@ -164,5 +164,178 @@ class Rate(unittest.TestCase):
         self.assertEqual(b["standard"], "ISO 6336:2019")
 
 
+CONTACT = """[gear1]
+teeth = 25
+normal_module_mm = 3
+face_width_mm = 24
+bore = { diameter_mm = 36 }
+[gear1.material]
+name = "18CrNiMo7-6"
+[gear1.modifications]
+tip_relief_um = 12
+tip_relief_start_mm = 79.0
+[gear2]
+teeth = 43
+face_width_mm = 24
+bore = { diameter_mm = 60 }
+[gear2.material]
+name = "18CrNiMo7-6"
+[gear2.modifications]
+tip_relief_um = 12
+tip_relief_start_mm = 133.0
+[load]
+torque_Nm = 1
+positions = 8
+slices = 8
+accuracy = "draft"
+[rating]
+torque_Nm = 200
+speed_rpm = 1000
+application_factor = 1.25
+quality = 6
+face_load_factor = 1.0
+"""
+
+
+class Contact(unittest.TestCase):
+    """The teeth under load beside the standard."""
+
+    def test_beside_the_standard(self):
+        r = Run("rate", CONTACT.replace("face_load_factor", "tooth_contact = true\nface_load_factor"), "--json").json["rating"]
+        torque = 200 * 1.25 * r["K_v"]
+        self.assertAlmostEqual(r["contact_torque_Nm"], torque, delta=1e-12 * torque)
+        load = Run("load", CONTACT.replace("torque_Nm = 1\n", f"torque_Nm = {r['contact_torque_Nm']!r}\n", 1), "--json").json
+        load = load["load"]["torques"][0]
+        self.assertEqual(r["contact_pressure_MPa"], load["max_pressure_MPa"])
+        self.assertEqual(r["contact_root_stress_MPa"], load["max_root_stress_MPa"])
+        self.assertEqual(r["contact_face_load_factor"], load["face_load_factor"])
+        for i in (0, 1):
+            self.assertAlmostEqual(r["contact_pressure_over_sigma_H"][i], r["contact_pressure_MPa"] / r["sigma_H_MPa"][i], delta=1e-14)
+            self.assertAlmostEqual(r["contact_root_stress_over_sigma_F"][i], r["contact_root_stress_MPa"][i] / r["sigma_F_MPa"][i], delta=1e-14)
+            # Two ways of a century between them, one tooth: they are of one size.
+            self.assertTrue(0.7 < r["contact_pressure_over_sigma_H"][i] < 1.5, r["contact_pressure_over_sigma_H"])
+            self.assertTrue(0.5 < r["contact_root_stress_over_sigma_F"][i] < 1.5, r["contact_root_stress_over_sigma_F"])
+
+    def test_only_where_asked(self):
+        r = Run("rate", CONTACT, "--json").json["rating"]
+        self.assertFalse([key for key in r if key.startswith("contact_")])
+        text = Run("rate", CONTACT.replace("face_load_factor", "tooth_contact = true\nface_load_factor")).out
+        self.assertIn("Beside it, the teeth under load", text)
+        self.assertIn("p_H/σ_H", text)
+
+    def test_refused_where_teeth_do_not_yield(self):
+        ring = CONTACT.replace("teeth = 43", "teeth = -67").replace("bore = { diameter_mm = 60 }\n", "")
+        ring = ring[:ring.index("[gear2.modifications]")] + ring[ring.index("[load]"):]
+        run = Run("rate", ring.replace("face_load_factor", "tooth_contact = true\nface_load_factor"), "--json")
+        self.assertEqual(run.status, 1, run.out[:200])
+        self.assertEqual(run.json["error"]["key"], "gear2.teeth")
+        self.assertEqual(Run("rate", ring, "--json").status, 0)
+
+
+PLASTIC = """[gear1]
+teeth = 17
+normal_module_mm = 1
+profile_shift = 0.2
+face_width_mm = 8
+[gear1.material]
+name = "18CrNiMo7-6"
+[gear2]
+teeth = 39
+profile_shift = 0.1
+face_width_mm = 6
+[gear2.material]
+name = "a POM"
+kind = "plastic"
+poisson_ratio = 0.35
+density_kg_per_m3 = 1410
+temperatures_C = [20, 60, 100]
+youngs_modulus_by_temperature_MPa = [2800, 1800, 1000]
+sigma_Hlim_by_temperature_MPa = [60, 45, 30]
+sigma_Flim_by_temperature_MPa = [40, 28, 16]
+[rating]
+standard = "VDI 2736:2014"
+torque_Nm = 0.4
+speed_rpm = 1500
+application_factor = 1.25
+[rating.plastic]
+ambient_temperature_C = 23
+friction_coefficient = 0.2
+"""
+
+
+class Plastic(unittest.TestCase):
+    def refused(self, text, key, *words):
+        run = Run("rate", text, "--json")
+        self.assertEqual(run.status, 1, run.out[:200])
+        self.assertEqual(run.json["error"]["key"], key, run.err)
+        for word in words:
+            self.assertIn(word, run.json["error"]["message"])
+
+    def test_warm_teeth(self):
+        run = Run("rate", PLASTIC, "--json")
+        self.assertEqual(run.status, 0, run.err)
+        r = run.json["rating"]
+        self.assertEqual(r["standard"], "VDI 2736:2014")
+        self.assertTrue(23 < r["root_temperature_C"][1] < r["flank_temperature_C"][1] < 100, r["flank_temperature_C"])
+        self.assertEqual([r["flank_temperature_C"][0], r["sigma_Flim_MPa"]], [None, [430, None]])
+        warm = r["root_temperature_C"][1]
+        self.assertAlmostEqual(r["sigma_FG_MPa"][1], 2 * (40 - 12 * (warm - 20) / 40), delta=1e-9)
+        self.assertAlmostEqual(r["S_F"][1], r["sigma_FG_MPa"][1] / r["sigma_F_MPa"][1], delta=1e-12)
+        self.assertIsNone(r["c_prime"])
+        self.assertEqual(r["Z_L"], [None, None])
+        self.assertNotIn("Z_L", r["formulas"])
+        self.assertIn("VDI 2736", r["formulas"]["S_F"]["formula"])
+        self.assertIn("tip", str(r["formulas"]["Y_F"]["branch"]))
+        self.assertIn("rating_plastic", [w["code"] for w in run.json["warnings"]])
+        self.assertGreater(r["torque_holding_Nm"], 0)
+
+    def test_given_temperatures(self):
+        given = PLASTIC.replace("ambient_temperature_C = 23\nfriction_coefficient = 0.2",
+                                "flank_temperature_C = [30, 40]\nroot_temperature_C = 40")
+        r = Run("rate", given, "--json").json["rating"]
+        self.assertEqual(r["flank_temperature_C"], [30, 40])
+        self.assertEqual(r["sigma_FG_MPa"][1], 68)
+        text = Run("rate", given).out
+        self.assertIn("temperature of the roots", text)
+        self.assertIn("Y_ε", text)
+
+    def test_by_key(self):
+        self.refused(PLASTIC.replace("torque_Nm = 0.4", "torque_Nm = 40"), "gear2.material.temperatures_C", "100 °C")
+        self.refused(PLASTIC.replace("VDI 2736:2014", "ISO 6336:2006"), "rating.plastic", "VDI 2736")
+        iso = PLASTIC.replace("VDI 2736:2014", "ISO 6336:2006")
+        self.refused(iso[:iso.index("[rating.plastic]")], "gear2.material.kind", "VDI 2736:2014")
+        self.refused(PLASTIC.replace("friction_coefficient = 0.2\n", ""), "rating.plastic.friction_coefficient", "is missing")
+        self.refused(PLASTIC.replace("ambient_temperature_C = 23\n", ""), "rating.plastic.ambient_temperature_C", "is missing")
+        self.refused(PLASTIC.replace("speed_rpm = 1500\n", ""), "rating.speed_rpm", "is missing")
+        self.refused(PLASTIC.replace("[20, 60, 100]", "[20, 100, 60]"), "gear2.material.temperatures_C", "rise")
+        self.refused(PLASTIC.replace("[40, 28, 16]", "[40, 28]"), "gear2.material.sigma_Flim_by_temperature_MPa", "2 values for 3")
+        self.refused(PLASTIC.replace("temperatures_C = [20, 60, 100]\n", ""), "gear2.material.sigma_Hlim_by_temperature_MPa",
+                     "temperatures_C")
+        self.refused(PLASTIC.replace("youngs_modulus_by_temperature_MPa = [2800, 1800, 1000]\n", ""),
+                     "gear2.material.youngs_modulus_MPa", "is missing")
+        self.refused(PLASTIC.replace('kind = "plastic"', 'kind = "cast"'), "gear2.material.temperatures_C", "plastic")
+        steel = PLASTIC[:PLASTIC.index("kind =")].replace("a POM", "42CrMo4") + PLASTIC[PLASTIC.index("[rating]"):]
+        self.refused(steel, "rating.standard", "plastic")
+
+    def test_search_of_plastics(self):
+        text = PLASTIC[PLASTIC.index("[gear2.material]"):] + """[gear1.material]
+name = "18CrNiMo7-6"
+[search]
+ratio = [2.2, 2.4]
+modules_mm = [0.8, 1]
+pinion_teeth = [15, 20]
+safety_root_min = 1.5
+objective = "mass"
+"""
+        run = Run("search", text, "--json")
+        self.assertEqual(run.status, 0, run.err)
+        design = run.json["search"]["designs"][0]
+        take = Run("search", text, "--take", 1)
+        rate = Run("rate", take.out, "--json").json["rating"]
+        for key in ("S_H", "S_F"):
+            for got, want in zip(design[key], rate[key]):
+                self.assertAlmostEqual(got, want, delta=1e-12 * want)
+
+
 if __name__ == "__main__":
     unittest.main()

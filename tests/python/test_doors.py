@@ -49,6 +49,24 @@ def test_a_search_as_a_table(tmp_path):
     assert "<table>" in found._repr_html_() and found.report().startswith("<!DOCTYPE html>")
 
 
+def test_a_search_of_pairs_that_hold():
+    steel = {"material": {"name": "18CrNiMo7-6"}}
+    load = {"power_kW": 10, "speed_rpm": 1480, "quality": 6, "face_load_factor": 1.2}
+    wish = {"search": {**SEARCH["search"], "safety_flank_min": 1.0, "safety_root_min": 1.4, "objective": "mass"},
+            "gear1": steel, "gear2": steel, "rating": load}
+    found = gw.search(wish, progress=False)
+    every = gw.search(SEARCH, progress=False)
+    assert 0 < len(found) < len(every)
+    table = found.to_numpy()
+    assert all(min(row["S_H1"], row["S_H2"]) >= 1.0 and min(row["S_F1"], row["S_F2"]) >= 1.4 for row in table)
+    assert found.counts["rejected"]["safety_flank"] + found.counts["rejected"]["safety_root"] == len(every) - len(found)
+    assert "safety_flank" not in every.counts["rejected"]
+    assert found.as_dict()["search"]["designs"][0]["mass_kg"] == table["mass_kg"][0]
+    with pytest.raises(gw.SpecError) as e:
+        gw.search({**wish, "rating": {"speed_rpm": 1480}}, progress=False)
+    assert e.value.key == "rating.torque_Nm"
+
+
 def test_search_tells_how_far_it_is():
     told = []
     gw.search({"search": {"ratio": [1, 6], "modules_mm": [1 + 0.01 * i for i in range(60)],

@@ -130,6 +130,8 @@ TABLES = {
     "rating": (of_gear() | {"rating": {"torque_Nm": 100, "speed_rpm": 1000}}, ("rating",)),
     "rating_mounting": (of_gear() | {"rating": {"torque_Nm": 100, "mounting": {"bearing_span_mm": 100, "shaft_diameter_mm": 30}}},
                         ("rating", "mounting")),
+    "rating_plastic": (of_gear() | {"rating": {"torque_Nm": 100, "standard": "VDI 2736:2014", "plastic": {}}},
+                       ("rating", "plastic")),
     "rating_spectrum": (of_gear() | {"rating": {"spectrum": [STAGE]}}, ("rating", "spectrum", 0)),
     "load": (of_gear() | {"load": {"torque_Nm": 100}}, ("load",)),
     "load_probe": (of_gear() | {"load": {"torque_Nm": 100, "probe": [{"gear": 1, "diameter_mm": 40}]}}, ("load", "probe", 0)),

@@ -1,0 +1,180 @@
+#include "gearwright/design/design_strength.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "gearwright/gear/reference.hpp"
+#include "gearwright/gear/ring_cutter.hpp"
+#include "gearwright/rating/rating.hpp"
+
+namespace gearwright {
+
+namespace {
+
+const StraightRack& rack_of(const ShiftGraph& graph, std::size_t i) {
+  return graph.problem().racks[static_cast<std::size_t>(graph.trial().rack)].rack[i];
+}
+
+double tip_diameter(const ShiftGraph& graph, const DesignRow& row, std::size_t i) {
+  const TrialGear& g = graph.gears()[i];
+  const double m = row.trial.module;
+  return 2 * m * std::abs(leaf::tip_radius(g.r, g.addendum, row.shift[i], row.tip_alteration / m));
+}
+
+double root_diameter(const ShiftGraph& graph, const DesignRow& row, std::size_t i) {
+  const TrialGear& g = graph.gears()[i];
+  return 2 * row.trial.module * std::abs(g.r - g.dedendum + row.shift[i]);
+}
+
+// The whole path of contact lies on flanks that the rack cut straight.
+bool on_straight_flanks(const ShiftGraph& graph, const DesignRow& row) {
+  for (const std::size_t i : {0, 1}) {
+    const TrialGear& g = graph.gears()[i];
+    const auto& clearance = row.form_clearance[i];
+    if (g.teeth < 0 || !clearance || *clearance < 0.0) return false;
+    const double undercut = leaf::undercut_limit<double>(g.flank_depth, g.teeth, g.sin_transverse,
+                                                         std::cos(graph.trial().helix[i].rad()));
+    if (row.shift[i] < undercut || row.tip_thickness[i] < 0.0) return false;
+  }
+  return true;
+}
+
+RatedPair pair_on_straight_flanks(const ShiftGraph& graph, const DesignRow& row) {
+  const SearchProblem& problem = graph.problem();
+  const Trial& t = row.trial;
+  const double m = t.module;
+  RatedPair r;
+  r.normal_module = m;
+  r.alpha_n = problem.normal_pressure_angle.rad();
+  r.beta = std::abs(t.helix[0].rad());
+  r.center_distance = row.center_distance;
+  r.face_width = problem.face_width_of(m);
+  const std::array<int, 2> teeth{t.z1, t.z2};
+  double sum = 0.0;
+  for (const std::size_t i : {0, 1}) {
+    const auto reference = reference_geometry(
+        ReferenceInput<double>{teeth[i], m, r.alpha_n, t.helix[i].rad(), row.shift[i], 0.0});
+    if (i == 0) {
+      r.alpha_t = reference.transverse_pressure_angle;
+      r.beta_b = std::abs(reference.base_helix_angle);
+    }
+    sum += reference.base_diameter / 2;
+    const StraightRack& rack = rack_of(graph, i);
+    RatedGear& g = r.gears[i];
+    g.teeth = teeth[i];
+    g.reference_diameter = reference.reference_diameter;
+    g.base_diameter = reference.base_diameter;
+    g.tip_diameter = tip_diameter(graph, row, i);
+    g.root_diameter = root_diameter(graph, row, i);
+    g.tooth_height = (g.tip_diameter - g.root_diameter) / 2;
+    g.profile_shift = row.shift[i];
+    g.generating_shift = reference.generating_profile_shift;
+    g.virtual_teeth = virtual_teeth(g.teeth, r.beta, r.beta_b);
+    g.face_width = r.face_width;
+    g.tool.addendum = rack.addendum;
+    g.tool.dedendum = rack.dedendum;
+    g.tool.fillet =
+        std::min(rack.root_fillet_radius, full_radius(rack, problem.normal_pressure_angle));
+  }
+  r.alpha_wt = std::acos(std::min(1.0, sum / r.center_distance));
+  r.u = static_cast<double>(t.z2) / t.z1;
+  r.epsilon_alpha = row.contact_ratio;
+  r.epsilon_beta = r.face_width * std::sin(r.beta) / (std::numbers::pi * m);
+  return r;
+}
+
+}  // namespace
+
+Result<RatedPair> mounted_design(const ShiftGraph& graph, const DesignRow& row) {
+  const SearchProblem& problem = graph.problem();
+  const Trial& t = row.trial;
+  std::array<std::optional<Gear>, 2> gears;
+  for (const std::size_t i : {0, 1}) {
+    CylindricalSpec spec;
+    spec.teeth = i == 0 ? t.z1 : t.z2;
+    spec.normal_module = t.module;
+    spec.normal_pressure_angle = problem.normal_pressure_angle;
+    spec.helix_angle = t.helix[i];
+    spec.profile_shift = row.shift[i];
+    spec.face_width = problem.face_width_of(t.module);
+    if (row.tip_alteration != 0.0) spec.tip_diameter = tip_diameter(graph, row, i);
+    spec.rack = rack_of(graph, i);
+    auto gear = make_gear(spec);
+    if (!gear) return gear.error();
+    gears[i] = std::move(gear).take();
+    if (!gears[i]->internal()) continue;
+    if (auto cut = cut_by_default(*gears[i])) gears[i] = std::move(cut);
+  }
+  const auto pair = mount_involutes(*std::move(gears[0]), *std::move(gears[1]),
+                                    PairSpec{.center_distance = row.center_distance});
+  if (!pair) return pair.error();
+  return rated_pair(*pair);
+}
+
+Result<RatedPair> pair_of_design(const ShiftGraph& graph, const DesignRow& row) {
+  return on_straight_flanks(graph, row) ? pair_on_straight_flanks(graph, row)
+                                        : mounted_design(graph, row);
+}
+
+DesignRow rated(const ShiftGraph& graph, DesignRow row) {
+  const auto& asked = graph.problem().rating;
+  if (!asked) return row;
+  const auto pair = pair_of_design(graph, row);
+  if (!pair) return row;
+  std::optional<RatingInput> on_web;
+  if (asked->web) {
+    on_web = asked->input;
+    on_web->body = rated_body(*pair, *asked->web, *asked->rim);
+  }
+  const auto rating = rate(*pair, on_web ? *on_web : asked->input);
+  if (!rating) return row;
+  // Far outside the standard's limits a factor may have no value.
+  const auto number = [](const Factor& f) {
+    return std::isfinite(f.value) ? std::optional(f.value) : std::nullopt;
+  };
+  for (const std::size_t i : {0, 1}) {
+    row.flank_safety[i] = number(rating->S_H[i]);
+    row.root_safety[i] = number(rating->S_F[i]);
+  }
+  return row;
+}
+
+std::optional<Limit> short_of(const SearchProblem& problem, const DesignRow& row) {
+  if (!problem.rating) return std::nullopt;
+  // No number is no proof: not less rather than enough.
+  const auto holds = [](const auto& safeties, const std::optional<double>& least) {
+    return !least || std::all_of(safeties.begin(), safeties.end(),
+                                 [&](const auto& s) { return s && *s >= *least; });
+  };
+  if (!holds(row.flank_safety, problem.limits.safety_flank)) return Limit::safety_flank;
+  if (!holds(row.root_safety, problem.limits.safety_root)) return Limit::safety_root;
+  return std::nullopt;
+}
+
+std::optional<double> least_safety(const SearchProblem& problem, const DesignRow& row) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::size_t i : {0, 1}) {
+    if (!row.flank_safety[i] || !row.root_safety[i]) return std::nullopt;
+    least = std::min({least, *row.flank_safety[i] / problem.limits.safety_flank.value_or(1.0),
+                      *row.root_safety[i] / problem.limits.safety_root.value_or(1.0)});
+  }
+  return least;
+}
+
+double mass_of(const ShiftGraph& graph, const DesignRow& row) {
+  const double m = row.trial.module;
+  const double face = graph.problem().face_width_of(m);
+  double mass = 0.0;
+  for (const std::size_t i : {0, 1}) {
+    const double d_f = root_diameter(graph, row, i);
+    const double d_m = (tip_diameter(graph, row, i) + d_f) / 2;
+    const double outside = d_f + 5 * m;
+    const double area = graph.gears()[i].teeth > 0 ? d_m * d_m : outside * outside - d_m * d_m;
+    mass += graph.problem().density[i] * face * std::numbers::pi / 4 * area;
+  }
+  return mass;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,186 @@
+// What a design bears. Laws: (1) the pair in closed form is the pair that is cut and mounted, and its
+// safeties are the mounted pair's; (2) a search with safeties is the search without, less the designs
+// that fall short; (3) by mass and by safety the list is in order; (4) a greater load takes designs
+// away and adds none.
+#include "gearwright/design/design_strength.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/design/search.hpp"
+#include "gearwright/rating/testing/sample_pairs.hpp"
+
+namespace gearwright {
+namespace {
+
+SearchRating load(double torque) {
+  SearchRating rating;
+  rating.input.torque = torque;
+  rating.input.speed = 1480;
+  rating.input.life_h = 20000;
+  rating.input.viscosity = 220;
+  rating.input.quality = {6, 7};
+  rating.input.flank_roughness = {4, 5};
+  rating.input.face_load_factor = 1.2;
+  rating.input.materials = {testing::case_hardened(), testing::case_hardened()};
+  return rating;
+}
+
+SearchProblem wish(double torque = 300.0) {
+  SearchProblem p;
+  p.ratio = {1.5, 4.0};
+  p.modules = {1.5, 2.0, 3.0};
+  p.pinion_teeth = {14, 40};
+  p.center_distance = {{90.0, 110.0}};
+  p.helix = {Angle(), Angle::degrees(12)};
+  p.limits.avoid_interference = p.limits.clear_fillets = true;
+  p.limits.tip_clearance = kRunningTipClearance;
+  p.limits.form_clearance = kRunningFormClearance;
+  p.rating = load(torque);
+  return p;
+}
+
+std::vector<DesignRow> found(const SearchProblem& problem) {
+  const Search search(problem);
+  std::vector<DesignRow> rows;
+  search.range(0, *search.space().size(), rows, {.detail = RegionDetail::point});
+  return rows;
+}
+
+void expect_same(double got, double want, const DesignRow& row) {
+  EXPECT_LE(std::abs(got - want), 1e-12 * std::max(1.0, std::abs(want))) << row.trial.index;
+}
+
+void expect_mounted(const SearchProblem& problem, std::size_t least) {
+  const Search search(problem);
+  const auto rows = found(problem);
+  ASSERT_GE(rows.size(), least);
+  for (const DesignRow& row : rows) {
+    const ShiftGraph graph = search.graph(row.trial);
+    const auto fast = pair_of_design(graph, row);
+    const auto mounted = mounted_design(graph, row);
+    ASSERT_TRUE(fast && mounted) << row.trial.index;
+    for (const auto member :
+         {&RatedPair::normal_module, &RatedPair::alpha_n, &RatedPair::beta, &RatedPair::alpha_t,
+          &RatedPair::alpha_wt, &RatedPair::beta_b, &RatedPair::center_distance, &RatedPair::u,
+          &RatedPair::face_width, &RatedPair::epsilon_alpha, &RatedPair::epsilon_beta})
+      expect_same((*fast).*member, (*mounted).*member, row);
+    for (const std::size_t i : {0, 1}) {
+      for (const auto member :
+           {&RatedGear::reference_diameter, &RatedGear::base_diameter, &RatedGear::tip_diameter,
+            &RatedGear::root_diameter, &RatedGear::tooth_height, &RatedGear::profile_shift,
+            &RatedGear::generating_shift, &RatedGear::virtual_teeth, &RatedGear::face_width})
+        expect_same(fast->gears[i].*member, mounted->gears[i].*member, row);
+      for (const auto member : {&RootTool::addendum, &RootTool::dedendum, &RootTool::fillet})
+        expect_same(fast->gears[i].tool.*member, mounted->gears[i].tool.*member, row);
+      EXPECT_EQ(fast->gears[i].teeth, mounted->gears[i].teeth);
+    }
+    const Rating r = rate(*mounted, problem.rating->input).value();
+    for (const std::size_t i : {0, 1}) {
+      expect_same(*row.flank_safety[i], r.S_H[i].value, row);
+      expect_same(*row.root_safety[i], r.S_F[i].value, row);
+    }
+  }
+}
+
+TEST(DesignStrength, IsThatOfTheMountedPair) {  // (1)
+  expect_mounted(wish(), 100);
+  SearchProblem tight = wish();
+  tight.mounting = Mounting::tight;
+  tight.shorten_tips = true;
+  expect_mounted(tight, 100);
+  SearchProblem interfering = wish();
+  interfering.limits = {};
+  interfering.limits.undercut_margin = -0.3;
+  interfering.pinion_teeth = {9, 18};
+  expect_mounted(interfering, 100);
+  SearchProblem rings = wish();
+  rings.ratio = {-5.0, -3.0};
+  rings.modules = {2.0};
+  rings.pinion_teeth = {16, 22};
+  rings.center_distance.reset();
+  expect_mounted(rings, 10);
+}
+
+TEST(DesignStrength, SafetiesTakeAwayWhatFallsShort) {  // (2)
+  const SearchProblem all = wish();
+  SearchProblem some = all;
+  some.limits.safety_flank = 1.1;
+  some.limits.safety_root = 1.4;
+  std::vector<DesignRow> rest = found(all);
+  const auto count = rest.size();
+  std::erase_if(rest, [&](const DesignRow& row) { return short_of(some, row).has_value(); });
+  const auto kept = found(some);
+  ASSERT_EQ(kept.size(), rest.size());
+  ASSERT_GT(kept.size(), 0u);
+  ASSERT_LT(kept.size(), count);
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    EXPECT_EQ(kept[i].trial.index, rest[i].trial.index);
+    EXPECT_EQ(kept[i].shift, rest[i].shift);
+    EXPECT_GE(*least_safety(some, kept[i]), 1.0);
+  }
+  const Search search(some);
+  std::vector<DesignRow> rows;
+  const SearchCounts counts = search.range(0, *search.space().size(), rows);
+  EXPECT_EQ(counts.feasible, static_cast<std::int64_t>(kept.size()));
+  EXPECT_EQ(counts.rejected[static_cast<std::size_t>(Limit::safety_flank)] +
+                counts.rejected[static_cast<std::size_t>(Limit::safety_root)],
+            static_cast<std::int64_t>(count - kept.size()));
+  // A design that holds is there for whoever asks for one alone.
+  for (const DesignRow& row : kept) EXPECT_TRUE(search.feasible(row.trial));
+  for (const DesignRow& row : rows) EXPECT_TRUE(row.whole);
+}
+
+TEST(DesignStrength, RanksByMassAndSafety) {  // (3)
+  for (const Objective objective : {Objective::mass, Objective::safety}) {
+    SearchProblem p = wish();
+    p.objectives = {objective};
+    BestDesigns best(p, 1000);
+    for (const DesignRow& row : found(p)) best.add(row);
+    const SearchAnswer answer = std::move(best).answer({});
+    double last = -1e300;
+    for (const DesignRow& row : answer.designs) {
+      if (!row.balanced) break;
+      const double c = *cost(p, row, objective);
+      EXPECT_GE(c, last - 1e-9);
+      last = c;
+    }
+    EXPECT_GT(last, -1e300);
+  }
+}
+
+TEST(DesignStrength, MoreLoadLeavesFewer) {  // (4)
+  std::size_t before = 1'000'000;
+  for (const double torque : {100.0, 300.0, 600.0, 1200.0}) {
+    SearchProblem p = wish(torque);
+    p.limits.safety_flank = 1.0;
+    p.limits.safety_root = 1.4;
+    const std::size_t now = found(p).size();
+    EXPECT_LE(now, before) << torque;
+    before = now;
+  }
+  EXPECT_EQ(before, 0u);
+}
+
+TEST(DesignStrength, MassOfFullCylinders) {
+  SearchProblem p = wish();
+  p.pinion_teeth = {20, 20};
+  p.ratio = {2.0, 2.0};
+  p.modules = {3.0};
+  p.helix = {Angle()};
+  p.face_width = 30.0;
+  const auto rows = found(p);
+  ASSERT_EQ(rows.size(), 1u);
+  // h_a 1, h_f 1.25: the mean diameter is d − 0.25 m + 2 m x.
+  double mass = 0.0;
+  for (const std::size_t i : {0, 1}) {
+    const double d = 3.0 * (i == 0 ? 20 : 40) - 0.75 + 6.0 * rows[0].shift[i];
+    mass += 7.83e-6 * 30.0 * 3.14159265358979 / 4 * d * d;
+  }
+  EXPECT_NEAR(rows[0].mass, mass, 1e-12 * mass);
+}
+
+}  // namespace
+}  // namespace gearwright

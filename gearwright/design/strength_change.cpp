@@ -1,0 +1,80 @@
+#include "gearwright/design/strength_change.hpp"
+
+#include <algorithm>
+#include <random>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/design/design_strength.hpp"
+#include "gearwright/rating/sizing.hpp"
+
+namespace gearwright::detail {
+
+void add_strength_knobs(const SearchProblem& p, std::vector<Knob>& k) {
+  GW_EXPECTS(p.rating.has_value());
+  constexpr auto kLimit = Knob::Kind::limit;
+  constexpr double kLightest = 1e-3;  // of the load: less is another machine
+  const auto plain = [](double v) { return shown(v); };
+  for (const auto member : {&SearchLimits::safety_flank, &SearchLimits::safety_root}) {
+    const auto& wanted = p.limits.*member;
+    if (!wanted) continue;
+    k.push_back(
+        {member == &SearchLimits::safety_flank ? "limits.safety_flank" : "limits.safety_root",
+         *wanted, 0.0, 1.0, kLimit, [member](SearchProblem& q, double v) { q.limits.*member = v; },
+         plain});
+  }
+  const double torque = p.rating->input.torque;
+  const auto power = p.rating->power_kW;
+  const double load = power.value_or(torque);
+  k.push_back({power ? "rating.power" : "rating.torque", load, kLightest * load, load, kLimit,
+               [=](SearchProblem& q, double v) { q.rating->input.torque = torque * (v / load); },
+               plain});
+  if (p.face_width) {
+    constexpr double kWidest = 4.0;
+    const double b = *p.face_width;
+    k.push_back({"face_width", b, kWidest * b, b, kLimit,
+                 [](SearchProblem& q, double v) { q.face_width = v; }, plain});
+  } else {
+    const double b = p.face_modules;
+    k.push_back({"face_modules", b, std::max(b, kMostFaceModules), b, kLimit,
+                 [](SearchProblem& q, double v) { q.face_modules = v; }, plain});
+  }
+}
+
+std::vector<Material> stronger_steels(const SearchRating& rating) {
+  std::vector<Material> steels;
+  if (rating.input.edition == RatingEdition::vdi_2736) return steels;
+  const Material& now = rating.input.materials[0];
+  for (const std::string_view name : kSteelsByStrength) {
+    const Material steel = *material_named(name);
+    if (steel.sigma_Hlim > now.sigma_Hlim || steel.sigma_Flim > now.sigma_Flim)
+      steels.push_back(steel);
+  }
+  return steels;
+}
+
+std::optional<DesignRow> safest_design(const SearchProblem& problem, const SearchWatch& watch,
+                                       std::int64_t most_questions) {
+  SearchProblem p = problem;
+  p.limits.safety_flank = p.limits.safety_root = std::nullopt;
+  const Search search(p);
+  std::vector<std::int64_t> order;
+  search.candidates([&](const Trial& t) {
+    order.push_back(t.index);
+    return true;
+  });
+  std::mt19937_64 random(1);
+  std::optional<DesignRow> best;
+  double most = 0.0;
+  for (std::size_t i = 0; i < order.size() && static_cast<std::int64_t>(i) < most_questions; ++i) {
+    if (watch && !watch(1)) break;
+    std::swap(order[i], order[i + random() % (order.size() - i)]);
+    const auto row = design_row(search.graph(search.space().trial(order[i])), RegionDetail::point);
+    const auto least = row ? least_safety(problem, *row) : std::nullopt;
+    if (!least || *least <= most) continue;
+    most = *least;
+    best = row;
+  }
+  return best;
+}
+
+}  // namespace gearwright::detail

@@ -1,0 +1,40 @@
+// Of rated designs, what may be more or less so that one holds: the safeties themselves, the load, the
+// face width, the steel. Internal to design/.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gearwright/design/search.hpp"
+
+namespace gearwright::detail {
+
+inline std::string shown(double v) { return fmt::format("{:.10g}", v); }
+
+/// A number that may move from its value towards a far end.
+struct Knob {
+  enum class Kind { limit, ratio, teeth };
+  std::string field;  ///< of SearchProblem, or as NearestChange::field
+  double value, far;
+  double scale;  ///< one unit of effort
+  Kind kind;
+  std::function<void(SearchProblem&, double)> set;
+  std::function<std::string(double)> show;
+};
+
+/// Domain    the problem rates its designs (contract), as of all here
+void add_strength_knobs(const SearchProblem& problem, std::vector<Knob>& knobs);
+
+/// Steels of the shipped table that are stronger than gear 1's, the least strong first; none in place
+/// of a plastic.
+std::vector<Material> stronger_steels(const SearchRating& rating);
+
+/// The design that comes nearest to the safeties that are wanted, of so many trials in a random order.
+std::optional<DesignRow> safest_design(const SearchProblem& problem, const SearchWatch& watch,
+                                       std::int64_t most_questions);
+
+}  // namespace gearwright::detail

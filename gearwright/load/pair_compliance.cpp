@@ -1,0 +1,108 @@
+#include "gearwright/load/pair_compliance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/gear/gear_field.hpp"
+
+namespace gearwright {
+
+void in_ranges(const LoadRequest& request, std::size_t n,
+               const std::function<void(std::size_t, std::size_t)>& work) {
+  if (request.spread) {
+    request.spread(n, work);
+  } else {
+    work(0, n);
+  }
+}
+
+namespace {
+
+constexpr double kHertzWidth = 0.05;  // modules: a0, of no consequence but for rounding
+
+// One tooth and one face to the last bit: the second gear needs no tables of its own.
+bool same_tooth(const Gear& a, const Gear& b) {
+  constexpr int kPoints = 9;
+  const auto& x = a.tooth->outline.arcs;
+  const auto& y = b.tooth->outline.arcs;
+  if (a.spec.teeth != b.spec.teeth || a.twist() != b.twist() || x.size() != y.size() ||
+      a.spec.normal_module != b.spec.normal_module || a.spec.face_width != b.spec.face_width)
+    return false;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (x[i].name != y[i].name) return false;
+    for (int k = 0; k < kPoints; ++k)
+      if (x[i].point(k / (kPoints - 1.0)) != y[i].point(k / (kPoints - 1.0))) return false;
+  }
+  return true;
+}
+
+double common_face(const Gear& one, const Gear& two) {
+  return std::min(one.spec.face_width, two.spec.face_width);
+}
+
+// Young's modulus is no part of a table.
+bool same_body(const ElasticBody& a, const ElasticBody& b) {
+  return a.bore_diameter == b.bore_diameter && a.poisson_ratio == b.poisson_ratio;
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const ToothTable>> tooth_compliance(const Gear& gear_1, const Gear& gear_2,
+                                                           int which, const LoadRequest& request) {
+  const Gear& gear = which == 1 ? gear_1 : gear_2;
+  const double m = gear_1.spec.normal_module;
+  const double face = common_face(gear_1, gear_2);
+  const double sin_b =
+      std::sin(gear_1.spec.helix_angle.rad()) * std::cos(gear_1.spec.normal_pressure_angle.rad());
+  // Both gears lie in N with the right flank loaded; the section has it on the left.
+  const auto section =
+      make_tooth_section(gear, -gear.twist(), request.bodies[which - 1], request.accuracy);
+  if (!section) return of_gear(which, section.error());
+  ToothTableRequest t;
+  t.face_width = gear.spec.face_width / m;
+  t.slices = {request.slices, -face / 2 / m, face / 2 / m};
+  t.half_width = kHertzWidth;
+  t.line_per_height = 1 / std::sqrt(1 - sin_b * sin_b);
+  auto table = std::make_shared<const ToothTable>(*section, t);
+  count_step(request.headway);
+  return table;
+}
+
+Result<PairCompliance> pair_compliance(
+    const Gear& gear_1, const Gear& gear_2, const LoadRequest& request,
+    const std::array<std::shared_ptr<const ToothTable>, 2>& ready) {
+  const double face = common_face(gear_1, gear_2);
+  PairCompliance c;
+  c.table = ready;
+  c.bodies = request.bodies;
+  c.slices = {request.slices, -face / 2, face / 2};
+  c.half_width = kHertzWidth * gear_1.spec.normal_module;
+  begin_stage(request.headway, "compliance of the teeth", 2);
+  std::array<std::optional<Error>, 2> errors;
+  const auto make = [&](std::size_t g) {
+    if (c.table[g]) return;
+    auto table = tooth_compliance(gear_1, gear_2, static_cast<int>(g) + 1, request);
+    if (table)
+      c.table[g] = *table;
+    else
+      errors[g] = table.error();
+  };
+  const bool alike = same_tooth(gear_1, gear_2) && same_body(request.bodies[0], request.bodies[1]);
+  in_ranges(request, alike ? 1 : 2, [&](std::size_t from, std::size_t to) {
+    for (std::size_t g = from; g < to; ++g) make(g);
+  });
+  for (const auto& error : errors)
+    if (error) return *error;
+  if (alike) c.table[1] = c.table[0];
+  return c;
+}
+
+bool same_compliance(const std::array<const Gear*, 2>& a, const LoadRequest& of_a,
+                     const std::array<const Gear*, 2>& b, const LoadRequest& of_b, int which) {
+  const auto g = static_cast<std::size_t>(which - 1);
+  return of_a.accuracy == of_b.accuracy && of_a.slices == of_b.slices &&
+         common_face(*a[0], *a[1]) == common_face(*b[0], *b[1]) &&
+         same_body(of_a.bodies[g], of_b.bodies[g]) && same_tooth(*a[g], *b[g]);
+}
+
+}  // namespace gearwright

@@ -1,0 +1,60 @@
+// Plastics by VDI 2736, part 2: root and flank at the temperatures of the teeth.
+//
+//   ϑ_Fla, ϑ_Fu   temperatures of flank and root, °C       ϑ_0   of the air around
+//   H_V           degree of tooth loss                     μ     coefficient of friction
+//   k_ϑ           heat transfer of the teeth, K (m/s)^0.75 mm^1.75/W
+//   R_λG, A_G     heat resistance of the housing, K m²/W, and its surface, m²
+//   ED            relative duty
+//
+// What is not here: wear, deformation of the teeth, static peaks. theory: docs/theory/11-rating.md
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "gearwright/rating/factor.hpp"
+#include "gearwright/rating/material.hpp"
+#include "gearwright/rating/rated_pair.hpp"
+
+namespace gearwright {
+
+/// How warm the teeth run: given, or by the air around and the friction.
+struct PlasticInput {
+  std::optional<std::array<double, 2>> flank_temperature, root_temperature;  ///< °C
+  std::optional<double> ambient_temperature;                                 ///< ϑ_0  °C
+  std::optional<double> friction;                                            ///< μ
+  double housing_resistance = 0.0;            ///< R_λG  K m²/W; 0: open
+  std::optional<double> housing_area;         ///< A_G   m²
+  double duty = 1.0;                          ///< ED
+  std::optional<double> flank_heat_transfer;  ///< k_ϑ of the flank
+  std::optional<double> root_heat_transfer;   ///< k_ϑ of the root
+};
+
+/// Temperatures of both gears' flanks and roots, °C; none computed of a metal gear.
+struct ToothTemperatures {
+  FactorPair flank, root;
+};
+
+/// Formula   [T11.43]; power in W, pitch line velocity in m/s
+/// Domain    temperatures given, or ambient temperature and friction (contract)
+ToothTemperatures tooth_temperatures(const RatedPair& pair, const PlasticInput& input,
+                                     const std::array<Material, 2>& materials, double power,
+                                     double velocity);
+
+/// H_V of a pair, from its partial contact ratios.
+///
+/// Formula   [T11.44]
+double tooth_loss(const RatedPair& pair);
+
+struct RatingInput;
+struct Rating;
+
+/// What VDI 2736 asks for and the input lacks.
+std::optional<Error> missing_plastic_input(const RatingInput& input);
+
+/// By pinion and wheel; rate() is the door.
+///
+/// Formula   [T11.45]…[T11.47]
+Result<Rating> rate_plastic(const RatedPair& pair, const RatingInput& input);
+
+}  // namespace gearwright
