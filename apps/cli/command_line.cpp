@@ -7,6 +7,7 @@
 
 #include "apps/cli/batch.hpp"
 #include "apps/cli/completion.hpp"
+#include "apps/cli/introduction.hpp"
 #include "apps/cli/manual.hpp"
 #include "apps/common/speaking.hpp"
 #include "gearwright/base/printable.hpp"
@@ -17,30 +18,6 @@
 namespace gearwright::cli {
 
 namespace {
-
-constexpr const char* kIntroduction =
-    "Gearwright: exact geometry, mesh and CAD files of cylindrical gears.\n\n"
-    "  gearwright run pair.toml              everything: report.html, STEP, STL, 3MF, GLB, DXF, "
-    "SVG\n"
-    "  gearwright gear pair.toml             diameters, thicknesses, limits of each gear\n"
-    "  gearwright pair pair.toml --json      the mounted pair, as JSON\n"
-    "  gearwright contact pair.toml          transmission error and contact under [errors]\n"
-    "  gearwright compensate pair.toml       corrections that cancel those errors\n"
-    "  gearwright load pair.toml             teeth under torque: sharing, stiffness, stresses\n"
-    "  gearwright rate pair.toml             strength by ISO 6336: factors, stresses, safeties\n"
-    "  gearwright measure pair.toml          the calliper's settings\n"
-    "  gearwright fit wish.toml              gears for a centre distance and a shaft angle\n"
-    "  gearwright search wish.toml --out found  all designs within limits, ranked\n"
-    "  gearwright outline pair.toml --gear 1 --points 200 --json\n"
-    "  gearwright export pair.toml --step both.step --dxf pinion.dxf --gear 1\n"
-    "  gearwright batch pair specs.jsonl     a spec per line in, an answer per line out\n"
-    "  gearwright verify cases.json          published numbers against ours\n"
-    "  gearwright schema spec                the JSON Schema of specs, for editors; or of results\n"
-    "  gearwright completion bash            completion for bash, zsh or fish\n\n"
-    "A spec is a TOML file, the least one:\n\n"
-    "  [gear1]\n"
-    "  teeth = 17\n"
-    "  normal_module_mm = 2.5\n";
 
 constexpr std::size_t kLettersOff = 3;  // of a verb, one of so many may be wrong
 
@@ -177,10 +154,15 @@ void CommandLine::add_answering() {
       "measure", "Spans, dimensions over balls and pins, chords, tolerances of the flanks",
       "gearwright measure examples/helical_pair.toml");
   spec_argument(measure, o);
-  measure->add_option(
+  CLI::Option* points = measure->add_option(
       "--points", o.grid,
       "Print nominal points and normals of the flanks for a measuring machine, CSV: "
       "9x5 along profile and face");
+  measure
+      ->add_option("--fillet-points", o.fillet_points,
+                   "With --points: so many along each root fillet too, at the same heights")
+      ->needs(points)
+      ->check(CLI::Range(2, 1000));
 
   CLI::App* identify =
       json_verb("identify", "The gears that the readings of an unknown one allow, likeliest first",

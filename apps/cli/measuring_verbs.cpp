@@ -21,7 +21,7 @@ int measure_verb(const Options& o) {
   if (!solved) return door.fail(solved.error());
   SolvedJob job = std::move(solved).take();
   if (o.grid) {
-    const auto points = nominal_csv(job, *grid);
+    const auto points = nominal_csv(job, *grid, o.fillet_points);
     if (!points) return door.fail(points.error());
     print(*points);
     return 0;

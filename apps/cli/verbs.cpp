@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
@@ -28,7 +26,6 @@
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/result_schema.hpp"
 #include "gearwright/job/verify.hpp"
-#include "gearwright/job/workshop_drawing.hpp"
 #include "gearwright/spec/toml_text.hpp"
 
 namespace gearwright::cli {
@@ -51,68 +48,6 @@ std::string read_text(const std::string& path) {
   }
   if (file.bad()) throw IoError("cannot read " + path + ": " + std::strerror(errno));
   return text;
-}
-
-std::string pair_listing_of(const SolvedJob& job) {
-  return job.pair ? pair_listing(*job.pair) + pair_interval_listing(job) : std::string();
-}
-
-// Says on stderr what is being made, but only when it takes more than a second.
-class SlowProgress {
- public:
-  void operator()(std::string_view what) {
-    if (std::chrono::steady_clock::now() - start_ > std::chrono::seconds(1)) {
-      std::fprintf(stderr, "gearwright: making %.*s\n", static_cast<int>(what.size()), what.data());
-    }
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-FileOptions file_options(const Options& o) {
-  FileOptions options;
-  options.step_schema = o.step_schema == "ap214" ? StepSchema::ap214 : StepSchema::ap242;
-  options.progress = SlowProgress();
-  options.mesh_tolerance_mm = o.mesh_tolerance;
-  options.drawing_tolerance_mm = o.drawing_tolerance;
-  options.drawing_splines = o.drawing_splines;
-  return options;
-}
-
-// The words between commas; none where one of them is no part of a run.
-std::optional<std::vector<std::string>> run_parts(const std::string& text) {
-  std::vector<std::string> parts;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t end = std::min(text.find(',', at), text.size());
-    parts.push_back(text.substr(at, end - at));
-    if (std::find(kRunParts.begin(), kRunParts.end(), parts.back()) == kRunParts.end())
-      return std::nullopt;
-    at = end + 1;
-  }
-  return parts;
-}
-
-// The first output that would overwrite another one, or the spec; empty when there is none.
-std::string collision(const Options& o) {
-  std::vector<fs::path> taken{fs::weakly_canonical(fs::absolute(o.spec))};
-  for (const std::string* name :
-       {&o.step, &o.stl, &o.glb, &o.threemf, &o.dxf, &o.svg, &o.drawing}) {
-    if (name->empty()) continue;
-    std::error_code error;
-    const fs::path path = fs::weakly_canonical(fs::absolute(*name), error);
-    const bool device = fs::exists(path, error) && !fs::is_regular_file(path, error);
-    if (!device && std::find(taken.begin(), taken.end(), path) != taken.end()) return *name;
-    taken.push_back(path);
-  }
-  return {};
-}
-
-// A work that may take long, with a line of how far it is.
-template <class Work>
-auto watched(const char* verb, const Work& work) {
-  Watch watch(verb);
-  return work(watch.headway());
 }
 
 }  // namespace
@@ -184,7 +119,7 @@ int pair_verb(const Options& o) {
   } else if (o.json) {
     print_json(job_json(*job));
   } else {
-    print(gear_listing(*job) + pair_listing_of(*job) + warning_listing(job->warnings) +
+    print(gear_listing(*job) + pair_listing(*job) + warning_listing(job->warnings) +
           verdict_listing(verdict));
   }
   return status(o, verdict);
@@ -267,106 +202,6 @@ int outline_verb(const Options& o) {
     print_json(j);
   } else {
     print(outline_listing(body->outline, o.points));
-  }
-  return 0;
-}
-
-int run_verb(const Options& o) {
-  if (o.out && o.out->empty()) return usage("--out needs the name of a folder");
-  const bool nameless = o.spec == "-" || (fs::exists(o.spec) && !fs::is_regular_file(o.spec) &&
-                                          !fs::is_directory(o.spec));
-  if (!o.out && nameless) {
-    return usage("the spec has no name to call the folder after: choose it with --out DIR");
-  }
-  FileOptions options = file_options(o);
-  if (o.only) {
-    const auto parts = run_parts(*o.only);
-    if (!parts) {
-      return usage(fmt::format("--only takes some of {}, with commas between: --only step,report",
-                               fmt::join(kRunParts, ", ")));
-    }
-    options.only = *parts;
-  }
-  Door door(o);
-  auto solved = door.solve(Scope::everything);
-  if (!solved) return door.fail(solved.error());
-  SolvedJob job = std::move(solved).take();
-  fs::path out = o.out.value_or("");
-  if (out.empty()) {
-    out = fs::path(o.spec);
-    if (out.extension() == ".toml" || out.extension() == ".json") out.replace_extension();
-    out += "_out";
-  }
-  const auto made = watched("run", [&](Headway* h) {
-    options.headway = h;
-    return write_everything(job, out, options);
-  });
-  if (!made) return door.fail(made.error());
-  if (o.json) {
-    // As in result.json, with all the files.
-    Json j = parse_json(made->result);
-    j["files"] = files_json(made->files);
-    print_json(j);
-  } else {
-    print(gear_listing(job) + pair_listing_of(job) + warning_listing(job.warnings) +
-          file_listing(made->files) + verdict_listing(made->verdict));
-  }
-  return status(o, made->verdict);
-}
-
-int export_verb(const Options& o) {
-  const std::vector<std::pair<FileKind, const std::string*>> wanted{
-      {FileKind::step, &o.step},       {FileKind::stl, &o.stl}, {FileKind::glb, &o.glb},
-      {FileKind::threemf, &o.threemf}, {FileKind::dxf, &o.dxf}, {FileKind::svg, &o.svg}};
-  bool any = !o.drawing.empty();
-  for (const auto& [kind, path] : wanted) any = any || !path->empty();
-  if (!any)
-    return usage(
-        "export needs at least one of --step, --stl, --glb, --3mf, --dxf, --svg, --drawing with a "
-        "file name");
-  const auto format = sheet_format(o.drawing);
-  if (!o.drawing.empty() && !format)
-    return usage("--drawing takes a name that ends in .pdf, .svg or .dxf, and not " + o.drawing);
-  if (const std::string name = collision(o); !name.empty()) {
-    return usage(name + " is named twice, or is the spec itself");
-  }
-  Door door(o);
-  // A drawing names the mating gear.
-  const bool alone = o.gear && o.drawing.empty();
-  const auto job = door.solve(alone ? Scope::gears : Scope::everything);
-  if (!job) return door.fail(job.error());
-  const int count = static_cast<int>(job->gears.size());
-  if (o.gear && *o.gear > count) {
-    return door.fail({"gear2", "", "is missing from the spec, --gear 2 asks for its files"});
-  }
-  std::vector<ToothedBody> bodies;
-  std::vector<int> drawn;
-  for (int which = 1; which <= count; ++which) {
-    if (o.gear && *o.gear != which) continue;
-    drawn.push_back(which);
-    auto body = make_body(*job, which, !o.gear);
-    if (!body) return door.fail(body.error());
-    bodies.push_back(std::move(body).take());
-  }
-  std::vector<JobFile> files;
-  const FileOptions options = file_options(o);
-  for (const auto& [kind, path] : wanted) {
-    if (path->empty()) continue;
-    auto file = make_file(kind, bodies, *path, options);
-    if (!file) return door.fail(file.error());
-    files.push_back(std::move(file).take());
-  }
-  if (format) {
-    const SheetSize size = o.sheet == "A3" ? SheetSize::a3 : SheetSize::a4;
-    auto file = make_workshop_drawing(*job, drawn, *format, size, o.drawing, options);
-    if (!file) return door.fail(file.error());
-    files.push_back(std::move(file).take());
-  }
-  write_files(files);
-  if (o.json) {
-    print_json({{"files", files_json(files)}, {"warnings", warnings_json(job->warnings)}});
-  } else {
-    print(warning_listing(job->warnings) + file_listing(files));
   }
   return 0;
 }

@@ -26,6 +26,7 @@ struct Options {
   std::optional<std::string> as_rack;  // of gear: "module,angle"
   std::optional<int> take;             // of fit, identify: the answer whose spec is printed
   std::optional<std::string> grid;     // of measure: the nominal points of the flanks, "9x5"
+  std::optional<int> fillet_points;    // of measure: as many along each root fillet
   bool spec_only = false;              // of compensate: print the corrected spec
   std::string schema;                  // of schema: of what
   std::string shell;                   // of completion

@@ -36,4 +36,11 @@ class Watch {
   std::thread thread_;
 };
 
+/// A work that may take long, with a line of how far it is.
+template <class Work>
+auto watched(const char* verb, const Work& work) {
+  Watch watch(verb);
+  return work(watch.headway());
+}
+
 }  // namespace gearwright::cli

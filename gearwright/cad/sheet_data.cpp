@@ -10,7 +10,7 @@ namespace gearwright {
 namespace {
 
 // mm: a row, and its columns of words, symbol and value; between two columns of the table.
-constexpr double kRow = 4.8, kWords = 43, kSymbol = 12, kValue = 33, kBetween = 4;
+constexpr double kRow = 4.8, kWords = 41, kSymbol = 11, kValue = 36, kBetween = 4;
 constexpr double kColumn = kWords + kSymbol + kValue;
 constexpr double kInset = 1.2, kBase = 1.4;  // of words from the left, of the base line from below
 

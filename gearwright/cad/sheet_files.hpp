@@ -22,7 +22,7 @@ struct SheetWords {
 };
 
 /// Domain    at least one sheet (contract), here and below
-/// Accuracy  0.1 µm on paper
+/// Accuracy  0.15 µm on paper
 std::string sheets_pdf(const std::vector<Sheet>& sheets, const SheetWords& words);
 /// Letters that no font of a PDF has and that are question marks there.
 int letters_not_in_pdf(const std::vector<Sheet>& sheets);

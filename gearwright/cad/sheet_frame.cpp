@@ -1,4 +1,4 @@
-#include <array>
+#include <algorithm>
 
 #include "gearwright/cad/sheet_font.hpp"
 #include "gearwright/cad/sheet_parts.hpp"
@@ -10,7 +10,7 @@ namespace {
 // mm, ISO 5457: the left margin is for filing.
 constexpr double kFiling = 20, kMargin = 10, kMark = 5;
 constexpr double kWidth = 180;  // of a title block, ISO 7200
-constexpr double kRow = 9, kTitle = 16, kNote = 12;
+constexpr double kRow = 9, kTitle = 16;
 constexpr double kInset = 1.5;
 
 struct Cell {
@@ -19,20 +19,33 @@ struct Cell {
   std::string words;
 };
 
+// The room for words in a cell: below its label.
+SheetBox room(const SheetBox& cell) {
+  return {cell.lo + Vec2(kInset, kInset / 2), cell.hi - Vec2(kInset, kInset / 2 + kSmall + kInset)};
+}
+
+// A row's height: taller where words would not fit, within limits.
+double height_for(const std::vector<Cell>& cells, double height, double largest) {
+  constexpr double kStep = 1, kMost = 24;
+  const auto fits = [&](const Cell& cell) {
+    const SheetBox box = room({{0, 0}, {cell.width, height}});
+    return words_fit(box.hi - box.lo, cell.words, largest);
+  };
+  while (height < kMost && !std::all_of(cells.begin(), cells.end(), fits)) height += kStep;
+  return height;
+}
+
 // One row of cells from `lo` up; the label stands above the words.
 void draw_row(Sheet& sheet, const Vec2& lo, double height, const std::vector<Cell>& cells,
               double largest) {
   double x = lo.x();
   for (const Cell& cell : cells) {
-    const Vec2 hi(x + cell.width, lo.y() + height);
-    sheet.rectangle(SheetLayer::data, {{x, lo.y()}, hi});
-    const double label = hi.y() - kInset / 2 - kSmall;
-    sheet.text(SheetLayer::data, {x + kInset, label}, cell.label, kSmall);
-    if (!cell.words.empty())
-      draw_words(sheet, SheetLayer::data,
-                 {{x + kInset, lo.y() + kInset / 2}, {hi.x() - kInset, label - kInset}}, cell.words,
-                 largest);
-    x = hi.x();
+    const SheetBox box{{x, lo.y()}, {x + cell.width, lo.y() + height}};
+    sheet.rectangle(SheetLayer::data, box);
+    const Vec2 label(x + kInset, box.hi.y() - kInset / 2 - kSmall);
+    sheet.text(SheetLayer::data, label, cell.label, kSmall);
+    draw_words(sheet, SheetLayer::data, room(box), cell.words, largest);
+    x = box.hi.x();
   }
 }
 
@@ -56,7 +69,8 @@ SheetBox draw_title_block(Sheet& sheet, const SheetBox& within, const TitleBlock
   const DrawingInput& w = block.words;
   const double x = within.hi.x() - kWidth;
   double y = within.lo.y();
-  const auto row = [&](double height, const std::vector<Cell>& cells, double largest) {
+  const auto row = [&](double least, const std::vector<Cell>& cells, double largest) {
+    const double height = height_for(cells, least, largest);
     draw_row(sheet, {x, y}, height, cells, largest);
     y += height;
   };
@@ -68,7 +82,7 @@ SheetBox draw_title_block(Sheet& sheet, const SheetBox& within, const TitleBlock
       kUsual);
   row(kTitle, {{125, "Title", w.title}, {55, "Drawing number", w.number}}, kLarge);
   row(kRow, {{90, "Material", w.material}, {50, "Author", w.author}, {40, "Date", w.date}}, kUsual);
-  if (!w.note.empty()) row(kNote, {{kWidth, "Note", w.note}}, kUsual);
+  if (!w.note.empty()) row(kRow, {{kWidth, "Note", w.note}}, kUsual);
   const SheetBox all{{x, within.lo.y()}, {within.hi.x(), y}};
   sheet.rectangle(SheetLayer::frame, all);
   return all;

@@ -53,6 +53,9 @@ void draw_dimension(Sheet& sheet, const Dimension& dimension);
 void draw_words(Sheet& sheet, SheetLayer layer, const SheetBox& box, std::string_view words,
                 double largest);
 
+/// Whether they fit a box of that size whole.
+bool words_fit(const Vec2& size, std::string_view words, double largest);
+
 /// Lines of 45° through a box, as the section of a body.
 void hatch(Sheet& sheet, const SheetBox& box);
 

@@ -1,8 +1,6 @@
 // Words that have to stay within a box.
 #include <algorithm>
-#include <array>
 
-#include "gearwright/base/utf8.hpp"
 #include "gearwright/cad/sheet_font.hpp"
 #include "gearwright/cad/sheet_parts.hpp"
 
@@ -39,21 +37,36 @@ std::string cut(std::string text, double height, double width) {
   return text + std::string(kMore);
 }
 
+struct Lines {
+  std::vector<std::string> lines;
+  double height;  // h  mm
+  bool whole;     // they fit
+};
+
+Lines laid_out(const Vec2& size, std::string_view words, double largest) {
+  Lines all{{}, kSmall, false};
+  for (const double h : {kLarge, kUsual, kSmall}) {
+    if (h > largest) continue;
+    all = {broken(words, h, size.x()), h, false};
+    const double more = static_cast<double>(all.lines.size()) - 1;
+    const auto fits = [&](const std::string& line) { return text_width(line, h) <= size.x(); };
+    all.whole = (kLine * more + 1 + kDescent) * h <= size.y() &&
+                std::all_of(all.lines.begin(), all.lines.end(), fits);
+    if (all.whole) break;
+  }
+  return all;
+}
+
 }  // namespace
+
+bool words_fit(const Vec2& size, std::string_view words, double largest) {
+  return laid_out(size, words, largest).whole;
+}
 
 void draw_words(Sheet& sheet, SheetLayer layer, const SheetBox& box, std::string_view words,
                 double largest) {
   const Vec2 size = box.hi - box.lo;
-  std::vector<std::string> lines;
-  double height = kSmall;
-  for (const double h : {kLarge, kUsual, kSmall}) {
-    if (h > largest) continue;
-    height = h;
-    lines = broken(words, h, size.x());
-    const double needed = (kLine * (static_cast<double>(lines.size()) - 1) + 1 + kDescent) * h;
-    const auto fits = [&](const std::string& line) { return text_width(line, h) <= size.x(); };
-    if (needed <= size.y() && std::all_of(lines.begin(), lines.end(), fits)) break;
-  }
+  const auto [lines, height, whole] = laid_out(size, words, largest);
   double y = box.hi.y() - height;
   for (std::size_t i = 0; i < lines.size(); ++i, y -= kLine * height) {
     const bool more = i + 1 < lines.size();

@@ -1,6 +1,9 @@
 #include "gearwright/inspection/evaluation_ranges.hpp"
 
 #include <algorithm>
+#include <cmath>
+
+#include "gearwright/pair/involute_pair.hpp"
 
 namespace gearwright {
 
@@ -32,6 +35,17 @@ std::optional<EvaluationRanges> evaluation_ranges(const Gear& gear) {
   const double half = b / 2 - std::min(kLeftOut * b, gear.spec.normal_module);
   r.helix = {-half, half};
   return r;
+}
+
+std::optional<ActiveFlank> active_flank(const InvolutePair& pair, int which) {
+  const Mesh<double>& m = pair.mesh;
+  if (!pair.flanks_meet() || !(m.rho1_true_begin < m.rho1_true_end)) return std::nullopt;
+  const double r_b = pair.gears[static_cast<std::size_t>(which - 1)].base_radius();
+  const auto place = [r_b](double rho) {
+    return RollPlace{2 * std::hypot(r_b, rho), rho, rho / r_b};
+  };
+  if (which == 1) return ActiveFlank{place(m.rho1_true_begin), place(m.rho1_true_end)};
+  return ActiveFlank{place(m.rho2(m.rho1_true_end)), place(m.rho2(m.rho1_true_begin))};
 }
 
 }  // namespace gearwright

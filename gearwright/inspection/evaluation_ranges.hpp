@@ -2,6 +2,7 @@
 //
 //   L_y, ξ_y   roll length, mm, and roll angle, rad, of the involute at d_y
 //   L_α, L_β   evaluation ranges of profile and helix, mm
+//   d_Nf, d_Na active root and tip diameter, mm: where contact with the mating gear ends
 //                                              theory: docs/theory/10-inspection.md
 #pragma once
 
@@ -13,16 +14,24 @@
 
 namespace gearwright {
 
+struct InvolutePair;  // pair/involute_pair.hpp
+
 struct RollPlace {
   double diameter;  ///< d_y  mm
   double length;    ///< L_y  mm
   double angle;     ///< ξ_y  rad
 };
 
+/// What of the flank the mating gear touches.
+struct ActiveFlank {
+  RollPlace root, tip;  ///< at d_Nf, d_Na
+};
+
 struct EvaluationRanges {
   RollPlace root_form, reference, tip_form;  ///< at d_Ff, d, d_Fa
   std::array<double, 2> profile;             ///< mm, roll lengths from … to
   std::array<double, 2> helix;               ///< mm, heights from the middle of the face
+  std::optional<ActiveFlank> active{};       ///< of a mounted gear that touches the other
 };
 
 /// Formula   [T10.22]
@@ -34,5 +43,12 @@ RollPlace roll_place(const Gear& gear, double diameter);
 ///
 /// None      no usable flank
 std::optional<EvaluationRanges> evaluation_ranges(const Gear& gear);
+
+/// The ends of the path of contact as clipped: to both usable flanks, and on crossed axes to the
+/// faces. `which`: 1 or 2.
+///
+/// Formula   L_N1 = ρ_1, L_N2 = ρ_2 at the two ends; [T10.28]
+/// None      the gears do not touch
+std::optional<ActiveFlank> active_flank(const InvolutePair& pair, int which);
 
 }  // namespace gearwright

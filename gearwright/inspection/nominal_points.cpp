@@ -1,9 +1,19 @@
 #include "gearwright/inspection/nominal_points.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 namespace gearwright {
+
+namespace {
+
+double height_of(const EvaluationRanges& ranges, const PointGrid& grid, int row) {
+  const double t = static_cast<double>(row) / (grid.helix - 1);
+  return ranges.helix[0] + t * (ranges.helix[1] - ranges.helix[0]);
+}
+
+}  // namespace
 
 NominalPoint nominal_point(const Gear& gear, const RemovalField& removal, FlankSide side,
                            double roll, double height) {
@@ -41,12 +51,79 @@ std::vector<NominalPoint> nominal_points(const Gear& gear, const RemovalField& r
   const double r_b = gear.base_radius();
   std::vector<NominalPoint> points;
   for (int j = 0; j < grid.helix; ++j) {
-    const double t = static_cast<double>(j) / (grid.helix - 1);
-    const double z = ranges.helix[0] + t * (ranges.helix[1] - ranges.helix[0]);
+    const double z = height_of(ranges, grid, j);
     for (int i = 0; i < grid.profile; ++i) {
       const double s = static_cast<double>(i) / (grid.profile - 1);
       const double length = ranges.profile[0] + s * (ranges.profile[1] - ranges.profile[0]);
       points.push_back(nominal_point(gear, removal, side, length / r_b, z));
+    }
+  }
+  return points;
+}
+
+namespace {
+
+// A place on the fillet in the section z = 0, and its normal out of the material there.
+struct FilletPlace {
+  Vec2 point, normal;
+};
+
+// n places at equal distances along the arcs of that name, by chords of a fine subdivision.
+std::vector<FilletPlace> along_fillet(const Outline& outline, int n) {
+  constexpr int kFine = 400;
+  struct Station {
+    const Arc* arc;
+    double u, length;
+  };
+  std::vector<Station> stations;
+  double length = 0.0;
+  for (const Arc& arc : outline.arcs) {
+    if (arc.name != ArcName::root_fillet) continue;
+    Vec2 last = arc.begin_point;
+    for (int i = 0; i <= kFine; ++i) {
+      const double u = static_cast<double>(i) / kFine;
+      const Vec2 here = arc.point(u);
+      length += (here - last).norm();
+      stations.push_back({&arc, u, length});
+      last = here;
+    }
+  }
+  std::vector<FilletPlace> places;
+  if (length == 0.0) return places;
+  // From root to tip the material lies to the right on an external tooth's upper side.
+  const double out = outline.teeth > 0 ? 1.0 : -1.0;
+  std::size_t at = 0;
+  for (int i = 0; i < n; ++i) {
+    const double wanted = length * i / (n - 1);
+    while (at + 2 < stations.size() && stations[at + 1].length < wanted) ++at;
+    const Station &a = stations[at], &b = stations[at + 1];
+    const double step = b.length - a.length;
+    const double t = step > 0.0 ? std::clamp((wanted - a.length) / step, 0.0, 1.0) : 1.0;
+    const double u = i + 1 == n ? 1.0 : b.arc == a.arc ? a.u + t * (b.u - a.u) : b.u;
+    const double tangent = b.arc->at(u).tangent_angle;
+    places.push_back({b.arc->point(u), out * Vec2(-std::sin(tangent), std::cos(tangent))});
+  }
+  return places;
+}
+
+}  // namespace
+
+std::vector<NominalPoint> fillet_points(const Gear& gear, FlankSide side,
+                                        const EvaluationRanges& ranges, const PointGrid& grid) {
+  GW_EXPECTS(grid.profile >= 2 && grid.helix >= 2);
+  std::vector<NominalPoint> points;
+  if (!gear.tooth) return points;
+  const double hand = side == FlankSide::left ? 1.0 : -1.0, twist = gear.twist();
+  const std::vector<FilletPlace> places = along_fillet(gear.tooth->outline, grid.profile);
+  for (int j = 0; j < grid.helix; ++j) {
+    const double z = height_of(ranges, grid, j);
+    const Eigen::AngleAxisd turn(twist * z, Vec3::UnitZ());
+    for (const FilletPlace& place : places) {
+      const Vec3 p(place.point.x(), hand * place.point.y(), 0.0);
+      const Vec3 e(place.normal.x(), hand * place.normal.y(), 0.0);
+      const double around = e.dot(Vec3::UnitZ().cross(p));
+      const Vec3 normal = (e - twist * around * Vec3::UnitZ()).normalized();
+      points.push_back({turn * p + z * Vec3::UnitZ(), turn * normal, 2 * p.norm(), z});
     }
   }
   return points;

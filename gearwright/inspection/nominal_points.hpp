@@ -49,4 +49,16 @@ std::vector<NominalPoint> nominal_points(const Gear& gear, const RemovalField& r
                                          FlankSide side, const EvaluationRanges& ranges,
                                          const PointGrid& grid);
 
+/// The root fillet beside a flank of tooth 0, as cut (modifications lie on the flank alone), from the
+/// root land to d_Ff, tooth by rows of growing height over the same part of the face.
+///
+/// Formula   P = R(2π z/p_z) p + z k with p on the outline's fillet and e its normal there,
+///           n ∝ e − (2π/p_z)(e · k × p) k; [T10.29]
+/// Accuracy  points lie on the outline of the tooth as generated, equally spaced along the fillet to
+///           1e-3 of their distance
+/// None      the outline has no fillet, or the gear no outline
+/// Domain    both numbers of the grid ≥ 2 (contract)
+std::vector<NominalPoint> fillet_points(const Gear& gear, FlankSide side,
+                                        const EvaluationRanges& ranges, const PointGrid& grid);
+
 }  // namespace gearwright

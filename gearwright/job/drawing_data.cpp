@@ -97,9 +97,9 @@ void add_rack(Group& group, const Gear& gear) {
                       rack.root_fillet_radius == iso.root_fillet_radius;
     if (same) return group.row("Basic rack", "", fmt::format("ISO 53-{}", name[6]));
   }
-  group.row("Addendum of the basic rack", "h_aP*", fmt::format("{:.10g}", rack.addendum));
-  group.row("Dedendum of the basic rack", "h_fP*", fmt::format("{:.10g}", rack.dedendum));
-  group.row("Root fillet radius of it", "ρ_fP*", fmt::format("{:.10g}", rack.root_fillet_radius));
+  group.row("Addendum, basic rack", "h_aP*", fmt::format("{:.10g}", rack.addendum));
+  group.row("Dedendum, basic rack", "h_fP*", fmt::format("{:.10g}", rack.dedendum));
+  group.row("Root fillet, basic rack", "ρ_fP*", fmt::format("{:.10g}", rack.root_fillet_radius));
 }
 
 Group teeth(const Gear& gear, const Records& r) {
@@ -152,7 +152,8 @@ Group modifications(const std::array<FlankModifications, 2>& flanks) {
       if (entry.amount_of(flanks[i]) == 0.0) continue;
       const bool both = texts[0] == texts[1];
       const char* side = both ? "" : i == 0 ? ", right" : ", left";
-      group.row(words + side, std::string(entry.symbol), texts[i]);
+      group.row(words + side, std::string(entry.symbol.substr(0, entry.symbol.find(" ="))),
+                texts[i]);
       if (both) break;
     }
   }

@@ -76,6 +76,10 @@ std::vector<std::string> gear_columns(std::size_t count) {
   return columns;
 }
 
+std::string pair_listing(const SolvedJob& job) {
+  return job.pair ? pair_listing(*job.pair) + pair_interval_listing(job) : std::string();
+}
+
 std::string interval_listing(const SolvedJob& job, std::size_t gear, const SaidTable& table,
                              const ValueRecord& lower, const ValueRecord& upper) {
   const std::string subject = gear_columns(job.gears.size())[gear];

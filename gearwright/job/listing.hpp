@@ -13,6 +13,8 @@ std::string gear_listing(const SolvedJob& job);
 std::string pair_listing(const Pair& pair);
 /// What its tolerances leave open; empty: nothing.
 std::string pair_interval_listing(const SolvedJob& job);
+/// Both; empty without a pair.
+std::string pair_listing(const SolvedJob& job);
 /// Records side by side under their headings; without `columns` one record, whose values may be
 /// two. `note` says what stands at the end of a quantity's line.
 std::string quantity_listing(const SaidTable& table, const std::vector<ValueRecord>& records,

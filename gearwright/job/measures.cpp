@@ -5,11 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
-#include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/gear/basic.hpp"
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/job/interval.hpp"
 #include "gearwright/job/listing.hpp"
@@ -19,8 +16,6 @@
 namespace gearwright {
 
 namespace {
-
-double deg(double rad) { return Angle::radians(rad).deg(); }
 
 // Where nobody said: the reference diameter if there is usable flank, else the flank's middle.
 double default_chord_diameter(const Gear& g) {
@@ -35,20 +30,13 @@ double default_chord_diameter(const Gear& g) {
 }
 
 constexpr int kMostSpans = 31;  // more are of gears with hundreds of teeth
-// Two names of one rack may differ by what people write down: a part in a million.
-constexpr double kSameRack = 1e-6;
-// Normal pressure angles of the racks that can be asked for, deg: as a gear's own.
-constexpr double kMinRackAngle = 1.0, kMaxRackAngle = 60.0;
-
-}  // namespace
-
-namespace {
 
 // Measures one gear: asked for, a thing that cannot be measured is an error, else a warning.
 class Measuring {
  public:
-  Measuring(SolvedJob& job, int which)
+  Measuring(SolvedJob& job, int which, const std::optional<Pair>& pair)
       : job_(job),
+        pair_(pair),
         which_(which),
         gear_(job.gears[static_cast<std::size_t>(which - 1)]),
         input_(job.spec.gears[static_cast<std::size_t>(which - 1)]->measure) {}
@@ -62,6 +50,8 @@ class Measuring {
     if (auto error = chord(m)) return *error;
     m.constant = constant_chord(gear_);
     m.ranges = evaluation_ranges(gear_);
+    const InvolutePair* const mounted = pair_ ? pair_->involute() : nullptr;
+    if (m.ranges && mounted) m.ranges->active = active_flank(*mounted, which_);
     if (auto error = tolerances(m)) return *error;
     return m;
   }
@@ -196,17 +186,26 @@ class Measuring {
   }
 
   SolvedJob& job_;
+  const std::optional<Pair>& pair_;
   int which_;
   const Gear& gear_;
   const MeasureInput& input_;
 };
 
+// The gears as mounted, where they can be; measuring asks for no pair.
+std::optional<Pair> mounted(const SolvedJob& job) {
+  if (job.pair || job.gears.size() < 2) return job.pair;
+  const auto solved = solve(job.spec, Scope::pair);
+  return solved ? solved->pair : std::nullopt;
+}
+
 }  // namespace
 
 Result<std::vector<MeasureView>> measure_gears(SolvedJob& job) {
   std::vector<MeasureView> measures;
+  const std::optional<Pair> pair = mounted(job);
   for (int which = 1; which <= static_cast<int>(job.gears.size()); ++which) {
-    auto measured = Measuring(job, which).all();
+    auto measured = Measuring(job, which, pair).all();
     if (!measured) return measured.error();
     measures.push_back(std::move(measured).take());
   }
@@ -223,7 +222,7 @@ std::vector<ValueRecord> measure_records(const SolvedJob& job) {
   std::vector<ValueRecord> records;
   SolvedJob copy = job;  // its warnings are those of the verb
   for (int which = 1; which <= static_cast<int>(job.gears.size()); ++which) {
-    const auto measured = Measuring(copy, which).all();
+    const auto measured = Measuring(copy, which, job.pair).all();
     records.push_back(measured ? measure_quantities().of(*measured) : ValueRecord());
   }
   return records;
@@ -240,7 +239,7 @@ ValueRecord measured_at(const SolvedJob& end, std::size_t i, const MeasureView& 
   if (nominal.pins) input.pin_diameter = nominal.pins->seat.ball_diameter;
   if (nominal.chord) input.chord_diameter = nominal.chord->diameter;
   if (!nominal.pins || !nominal.pins->reading.two_free) input.pin_diameter.reset();
-  const auto measured = Measuring(job, static_cast<int>(i) + 1).all();
+  const auto measured = Measuring(job, static_cast<int>(i) + 1, end.pair).all();
   if (!measured) return {};
   MeasureView view = *measured;
   view.sizes = nominal.sizes;  // balls are bought once
@@ -253,7 +252,7 @@ std::vector<std::vector<ValueRecord>> measure_end_records(const SolvedJob& job) 
   std::vector<std::vector<ValueRecord>> records;
   SolvedJob copy = job;
   for (std::size_t i = 0; job.ends && i < job.gears.size(); ++i) {
-    const auto nominal = Measuring(copy, static_cast<int>(i) + 1).all();
+    const auto nominal = Measuring(copy, static_cast<int>(i) + 1, job.pair).all();
     records.push_back(nominal ? differing(measured_at(job.ends->lower, i, *nominal),
                                           measured_at(job.ends->upper, i, *nominal))
                               : std::vector<ValueRecord>());
@@ -282,85 +281,6 @@ std::string measure_listing(const SolvedJob& job, const std::vector<MeasureView>
     text += interval_listing(job, i, table, measured_at(job.ends->lower, i, measures[i]),
                              measured_at(job.ends->upper, i, measures[i]));
   return text;
-}
-
-std::optional<RackQuestion> parse_rack_question(const std::string& text) {
-  const std::size_t comma = text.find(',');
-  if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos)
-    return std::nullopt;
-  const auto number = [](const std::string& part, bool& good) -> std::optional<double> {
-    if (part.empty()) return std::nullopt;
-    char* end = nullptr;
-    const double v = std::strtod(part.c_str(), &end);
-    good = good && part.find_first_not_of("0123456789.eE+-") == std::string::npos;  // no hex
-    good = good && end == part.c_str() + part.size() && std::isfinite(v) && v > 0.0;
-    return v;
-  };
-  bool good = true;
-  RackQuestion q;
-  q.normal_module = number(text.substr(0, comma), good);
-  if (const auto angle = number(text.substr(comma + 1), good)) {
-    q.normal_pressure_angle = Angle::degrees(*angle);
-    good = good && *angle >= kMinRackAngle && *angle <= kMaxRackAngle;
-  }
-  if (!good || (!q.normal_module && !q.normal_pressure_angle)) return std::nullopt;
-  return q;
-}
-
-Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion& question) {
-  if (!gear.involute())
-    return Error{"--as-rack", "", "only involute teeth have racks of other angles"};
-  const BaseGear<double> base = base_gear(gear.spec.teeth, gear.reference());
-  const double m_cos = normal_base_pitch(base) / std::numbers::pi;
-  const auto bad = [](const std::string& value, const std::string& why) {
-    return Error{"--as-rack", value, why};
-  };
-  double alpha = question.normal_pressure_angle.value_or(Angle()).rad();
-  if (question.normal_module) {
-    const double m = *question.normal_module;
-    if (!(m > m_cos)) {
-      return bad(spoken(m, m_cos) + ",",
-                 fmt::format("no rack of this module has the gear: m_n cos α_n is {} mm, and the "
-                             "module must be greater",
-                             spoken(m_cos, m)));
-    }
-    const double of_module = std::acos(m_cos / m);
-    const double m_max = m_cos / std::cos(kMaxRackAngle * kRadPerDeg);
-    if (m > m_max) {
-      return bad(
-          spoken(m, m_max) + ",",
-          fmt::format("at this base pitch the angle would be {}°; it is at most {}°, of a "
-                      "module of {} mm",
-                      spoken(deg(of_module), kMaxRackAngle), kMaxRackAngle, spoken(m_max, m)));
-    }
-    if (!question.normal_pressure_angle) {
-      alpha = of_module;
-    } else if (std::abs(m * std::cos(alpha) - m_cos) > kSameRack * m_cos) {
-      return bad(
-          fmt::format("{:.9g},{:.9g}", m, deg(alpha)),
-          fmt::format("this rack has another base pitch: at {:.9g}° the module is {:.9g} mm, "
-                      "and at {:.9g} mm the angle is {:.9g}°",
-                      deg(alpha), m_cos / std::cos(alpha), m, deg(of_module)));
-    }
-  }
-  if (!has_rack(base, alpha)) {
-    const double limit = 90 - std::abs(deg(base.helix_angle));
-    return bad("," + spoken(deg(alpha), limit),
-               fmt::format("no rack of this angle has the gear; it must be less than {}°, 90° less "
-                           "the base helix angle",
-                           spoken(limit, deg(alpha))));
-  }
-  return as_rack(base, alpha);
-}
-
-Json rack_json(const ReferenceInput<double>& rack) {
-  return to_json(as_rack_quantities().of(rack));
-}
-
-std::string rack_listing(const std::vector<ReferenceInput<double>>& racks) {
-  std::vector<ValueRecord> records;
-  for (const auto& rack : racks) records.push_back(as_rack_quantities().of(rack));
-  return quantity_listing(as_rack_quantities().table(), records, gear_columns(records.size()));
 }
 
 }  // namespace gearwright

@@ -25,7 +25,20 @@ FlankExtent extent_of(const Gear& gear, const EvaluationRanges& ranges) {
           gear.spec.face_width};
 }
 
-Result<std::string> nominal_csv(const SolvedJob& job, const PointGrid& grid) {
+namespace {
+
+void append(std::string& text, int which, const std::string& flank,
+            const std::vector<NominalPoint>& points) {
+  for (const NominalPoint& p : points)
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", which, flank, p.diameter, p.height,
+                        p.point.x(), p.point.y(), p.point.z(), p.normal.x(), p.normal.y(),
+                        p.normal.z());
+}
+
+}  // namespace
+
+Result<std::string> nominal_csv(const SolvedJob& job, const PointGrid& grid,
+                                const std::optional<int>& fillet) {
   std::string text = "gear,flank,diameter_mm,height_mm,x_mm,y_mm,z_mm,nx,ny,nz\n";
   for (std::size_t i = 0; i < job.gears.size(); ++i) {
     const int which = static_cast<int>(i) + 1;
@@ -35,13 +48,16 @@ Result<std::string> nominal_csv(const SolvedJob& job, const PointGrid& grid) {
       return Error{gear_field(which), "", "has no usable involute flank to take points of"};
     for (const FlankSide side : {FlankSide::right, FlankSide::left}) {
       const bool right = side == FlankSide::right;
+      const char* const flank = right ? "right" : "left";
       const auto field = make_removal_field(job.spec.gears[i]->modifications[right ? 0 : 1],
                                             extent_of(gear, *ranges));
       if (!field) return within(gear_field(which, "modifications"), field.error());
-      for (const NominalPoint& p : nominal_points(gear, *field, side, *ranges, grid))
-        text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", which, right ? "right" : "left",
-                            p.diameter, p.height, p.point.x(), p.point.y(), p.point.z(),
-                            p.normal.x(), p.normal.y(), p.normal.z());
+      append(text, which, flank, nominal_points(gear, *field, side, *ranges, grid));
+      if (!fillet) continue;
+      const auto points = fillet_points(gear, side, *ranges, {*fillet, grid.helix});
+      if (points.empty())
+        return Error{gear_field(which), "", "has no root fillet to take points of"};
+      append(text, which, std::string(flank) + "_fillet", points);
     }
   }
   return text;

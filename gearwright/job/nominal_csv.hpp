@@ -2,6 +2,7 @@
 // Internal to job/ and the program.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "gearwright/inspection/nominal_points.hpp"
@@ -16,9 +17,12 @@ FlankExtent extent_of(const Gear& gear, const EvaluationRanges& ranges);
 std::optional<PointGrid> parse_grid(const std::string& text);
 
 /// A row for each point of tooth 0 over the evaluation ranges, flank modifications included: gear,
-/// flank, diameter_mm, height_mm, x_mm, y_mm, z_mm, nx, ny, nz, in the gear's frame.
+/// flank, diameter_mm, height_mm, x_mm, y_mm, z_mm, nx, ny, nz, in the gear's frame. With
+/// `fillet_points` ≥ 2 so many along the root fillet beside each flank, at the same heights; their
+/// flank is `right_fillet` or `left_fillet`.
 ///
-/// Errors    `gearN.modifications.…`; a gear without involute flanks
-Result<std::string> nominal_csv(const SolvedJob& job, const PointGrid& grid);
+/// Errors    `gearN.modifications.…`; a gear without involute flanks, or without the fillet
+Result<std::string> nominal_csv(const SolvedJob& job, const PointGrid& grid,
+                                const std::optional<int>& fillet_points = {});
 
 }  // namespace gearwright

@@ -153,6 +153,18 @@ TEST(WorkshopDrawing, words_keep_off_lines_and_each_other) {
   expect_clear(gear("teeth = -200\nnormal_module_mm = 0.5\nface_width_mm = 300"), "long ring");
 }
 
+TEST(WorkshopDrawing, takes_the_greatest_scale_that_has_room) {
+  const auto scale = [](const std::string& toml, SheetSize size) {
+    return taken(workshop_sheets(solved(toml), {1}, size, 0.001)).scales;
+  };
+  const std::string small = gear("teeth = 60\nnormal_module_mm = 0.2\nface_width_mm = 1");
+  const std::string great = gear("teeth = 200\nnormal_module_mm = 20\nface_width_mm = 400");
+  EXPECT_EQ(scale(small, SheetSize::a4), "5:1");
+  EXPECT_EQ(scale(small, SheetSize::a3), "10:1");
+  EXPECT_EQ(scale(great, SheetSize::a4), "1:50");
+  EXPECT_EQ(scale(great, SheetSize::a3), "1:20");
+}
+
 TEST(WorkshopDrawing, of_every_example) {
   int drawn = 0;
   for (const auto& entry : std::filesystem::directory_iterator(testing::source_file("examples"))) {

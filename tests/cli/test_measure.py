@@ -92,6 +92,34 @@ class Measuring(Asked):
         for grid in ("9", "1x5", "9x", "9x5x2", "9y5", "9x1001"):
             self.assertEqual(Run("measure", GEAR, "--points", grid).status, 2, grid)
 
+    def test_nominal_points_of_the_root_fillet(self):
+        r = Run("measure", GEAR, "--points", "9x5", "--fillet-points", "6")
+        self.assertEqual(r.status, 0, r.err)
+        rows = [row.split(",") for row in r.out.splitlines()[1:]]
+        self.assertEqual([sum(row[1] == flank for row in rows) for flank in ("right", "right_fillet", "left", "left_fillet")],
+                         [45, 30, 45, 30])
+        fillet = [row for row in rows if row[1] == "left_fillet"]
+        gear = self.ok("gear", GEAR)["gears"][0]
+        self.assertAlmostEqual(float(fillet[0][2]), gear["root_diameter_mm"], 9)
+        self.assertAlmostEqual(float(fillet[5][2]), gear["root_form_diameter_mm"], 9)
+        self.assertEqual({row[3] for row in fillet}, {row[3] for row in rows if row[1] == "left"})
+        self.assertEqual(Run("measure", GEAR, "--fillet-points", "6").status, 2)
+        self.assertEqual(Run("measure", GEAR, "--points", "9x5", "--fillet-points", "1").status, 2)
+
+    def test_active_diameters_of_a_mounted_gear(self):
+        alone = self.measure(GEAR)["flank"]
+        self.assertNotIn("active_root_diameter_mm", alone)
+        pair = GEAR + "[gear2]\nteeth = 31\nface_width_mm = 20\n"
+        flanks = [g["measure"]["flank"] for g in self.ok("measure", pair)["gears"]]
+        mounted = self.ok("pair", pair)["pair"]
+        for flank, root in zip(flanks, mounted["contact_root_diameter_mm"]):
+            self.assertAlmostEqual(flank["active_root_diameter_mm"], root, 9)
+            self.assertAlmostEqual(flank["active_tip_roll_length_mm"], flank["tip_form_roll_length_mm"], 9)
+        self.assertIn("active root diameter", Run("measure", pair).out)
+        # Gears that cannot be mounted are measured all the same.
+        apart = self.ok("measure", pair + "normal_module_mm = 3\n")["gears"][0]["measure"]
+        self.assertNotIn("active_root_diameter_mm", apart["flank"])
+
     def test_the_page_has_what_is_measured(self):
         r = Run("run", GEAR + "quality = 6\nthickness_allowance_mm = [-0.1, -0.06]\n", "--only", "report", "--out", "out")
         self.assertEqual(r.status, 0, r.err)

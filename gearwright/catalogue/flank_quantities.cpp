@@ -1,0 +1,103 @@
+#include "gearwright/catalogue/flank_quantities.hpp"
+
+#include <string>
+
+#include "gearwright/base/angle.hpp"
+
+namespace gearwright {
+
+namespace {
+
+double deg(double rad) { return Angle::radians(rad).deg(); }
+
+// Where contact with the mating gear ends, at the root or at the tip.
+void say_active(Quantities<EvaluationRanges>& q, const std::string& end, const char* diameter,
+                const char* length, RollPlace ActiveFlank::*at) {
+  using R = EvaluationRanges;
+  const auto mounted = [](const R& r) { return r.active.has_value(); };
+  const auto key = [&](const char* what) { return "active_" + end + what; };
+  const auto at_it = [&](const char* what) { return std::string(what) + " at " + diameter; };
+  q.mm("", key("_diameter_mm").c_str(), ("active " + end + " diameter").c_str(), diameter,
+       "where contact with the mating gear ends, on both usable flanks [T10.28]; absent without "
+       "one",
+       [at](const R& r) { return Value((*r.active.*at).diameter); })
+      .always()
+      .when(mounted);
+  q.mm("", key("_roll_length_mm").c_str(), at_it("roll length").c_str(), length, "[T10.22]",
+       [at](const R& r) { return Value((*r.active.*at).length); })
+      .always()
+      .when(mounted);
+  q.deg("", key("_roll_angle_deg").c_str(), at_it("roll angle").c_str(), "", "[T10.22]",
+        [at](const R& r) { return Value(deg((*r.active.*at).angle)); })
+      .always()
+      .when(mounted);
+}
+
+}  // namespace
+
+const Quantities<FlankToleranceValues>& tolerance_quantities() {
+  using T = FlankToleranceValues;
+  static const Quantities<T> kAll("measure.tolerances", [](Quantities<T>& q) {
+    const auto um = [&](const char* key, const char* words, const char* symbol, const char* meaning,
+                        double T::*member) {
+      q.add(Type::number, Unit::um, "", key, words, symbol, meaning,
+            [member](const T& t) { return Value(t.*member); })
+          .always()
+          .digits(1);
+    };
+    um("single_pitch_um", "single pitch", "f_ptT", "rounded as the standard says",
+       &T::single_pitch);
+    um("cumulative_pitch_um", "cumulative pitch, total", "F_pT", "", &T::cumulative_pitch);
+    um("profile_total_um", "profile, total", "F_αT", "", &T::profile_total);
+    um("profile_form_um", "profile form", "f_fαT", "", &T::profile_form);
+    um("profile_slope_um", "profile slope", "f_HαT", "±", &T::profile_slope);
+    um("helix_total_um", "helix, total", "F_βT", "", &T::helix_total);
+    um("helix_form_um", "helix form", "f_fβT", "", &T::helix_form);
+    um("helix_slope_um", "helix slope", "f_HβT", "±", &T::helix_slope);
+    um("runout_um", "runout", "F_rT", "", &T::runout);
+    q.add(Type::number, Unit::um, "", "radial_composite_um", "radial composite, total", "F_i″",
+          "ISO 1328-2:1997; null beyond d = 1000 mm or m_n = 10 mm",
+          [](const T& t) { return Value(t.radial_composite); })
+        .digits(1);
+    q.add(Type::number, Unit::um, "", "tooth_radial_composite_um",
+          "radial composite, tooth to tooth", "f_i″", "as the total",
+          [](const T& t) { return Value(t.tooth_radial_composite); })
+        .digits(1);
+  });
+  return kAll;
+}
+const Quantities<EvaluationRanges>& range_quantities() {
+  using R = EvaluationRanges;
+  static const Quantities<R> kAll("measure.flank", [](Quantities<R>& q) {
+    const auto place = [&](const char* length, const char* angle, const char* words,
+                           const char* roll, const char* symbol, RollPlace R::*at) {
+      q.mm("", length, words, symbol, "[T10.22]", [at](const R& r) {
+         return Value((r.*at).length);
+       }).always();
+      q.deg("", angle, roll, "", "[T10.22]", [at](const R& r) {
+         return Value(deg((r.*at).angle));
+       }).always();
+    };
+    place("root_form_roll_length_mm", "root_form_roll_angle_deg", "roll length at d_Ff",
+          "roll angle at d_Ff", "L_Ff", &R::root_form);
+    place("reference_roll_length_mm", "reference_roll_angle_deg", "roll length at d",
+          "roll angle at d", "L", &R::reference);
+    place("tip_form_roll_length_mm", "tip_form_roll_angle_deg", "roll length at d_Fa",
+          "roll angle at d_Fa", "L_Fa", &R::tip_form);
+    say_active(q, "root", "d_Nf", "L_Nf", &ActiveFlank::root);
+    say_active(q, "tip", "d_Na", "L_Na", &ActiveFlank::tip);
+    q.mm("", "profile_evaluation_mm", "profile evaluation, roll lengths", "L_α",
+         "ISO 1328-1: the usable profile but for a twentieth at its tip [T10.23]",
+         [](const R& r) { return Value(r.profile); })
+        .ends()
+        .always();
+    q.mm("", "helix_evaluation_mm", "helix evaluation, heights", "L_β",
+         "from the middle of the face: but for a twentieth, or a module, at each end [T10.23]",
+         [](const R& r) { return Value(r.helix); })
+        .ends()
+        .always();
+  });
+  return kAll;
+}
+
+}  // namespace gearwright

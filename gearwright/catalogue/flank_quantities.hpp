@@ -1,0 +1,14 @@
+// What a measuring machine asks of a flank: roll lengths, evaluation ranges, tolerances; `flank` and
+// `tolerances` of `measure`.
+#pragma once
+
+#include "gearwright/catalogue/quantity.hpp"
+#include "gearwright/inspection/evaluation_ranges.hpp"
+#include "gearwright/inspection/flank_tolerances.hpp"
+
+namespace gearwright {
+
+const Quantities<EvaluationRanges>& range_quantities();
+const Quantities<FlankToleranceValues>& tolerance_quantities();
+
+}  // namespace gearwright

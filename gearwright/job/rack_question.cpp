@@ -1,0 +1,107 @@
+// gear --as-rack: the same teeth under another rack's name.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "gearwright/base/units.hpp"
+#include "gearwright/gear/basic.hpp"
+#include "gearwright/job/listing.hpp"
+#include "gearwright/job/measures.hpp"
+#include "gearwright/job/value_json.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// Two names of one rack may differ by what people write down: a part in a million.
+constexpr double kSameRack = 1e-6;
+// Normal pressure angles of the racks that can be asked for, deg: as a gear's own.
+constexpr double kMinRackAngle = 1.0, kMaxRackAngle = 60.0;
+
+double deg(double rad) { return Angle::radians(rad).deg(); }
+
+}  // namespace
+
+std::optional<RackQuestion> parse_rack_question(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos)
+    return std::nullopt;
+  const auto number = [](const std::string& part, bool& good) -> std::optional<double> {
+    if (part.empty()) return std::nullopt;
+    char* end = nullptr;
+    const double v = std::strtod(part.c_str(), &end);
+    good = good && part.find_first_not_of("0123456789.eE+-") == std::string::npos;  // no hex
+    good = good && end == part.c_str() + part.size() && std::isfinite(v) && v > 0.0;
+    return v;
+  };
+  bool good = true;
+  RackQuestion q;
+  q.normal_module = number(text.substr(0, comma), good);
+  if (const auto angle = number(text.substr(comma + 1), good)) {
+    q.normal_pressure_angle = Angle::degrees(*angle);
+    good = good && *angle >= kMinRackAngle && *angle <= kMaxRackAngle;
+  }
+  if (!good || (!q.normal_module && !q.normal_pressure_angle)) return std::nullopt;
+  return q;
+}
+
+Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion& question) {
+  if (!gear.involute())
+    return Error{"--as-rack", "", "only involute teeth have racks of other angles"};
+  const BaseGear<double> base = base_gear(gear.spec.teeth, gear.reference());
+  const double m_cos = normal_base_pitch(base) / std::numbers::pi;
+  const auto bad = [](const std::string& value, const std::string& why) {
+    return Error{"--as-rack", value, why};
+  };
+  double alpha = question.normal_pressure_angle.value_or(Angle()).rad();
+  if (question.normal_module) {
+    const double m = *question.normal_module;
+    if (!(m > m_cos)) {
+      return bad(spoken(m, m_cos) + ",",
+                 fmt::format("no rack of this module has the gear: m_n cos α_n is {} mm, and the "
+                             "module must be greater",
+                             spoken(m_cos, m)));
+    }
+    const double of_module = std::acos(m_cos / m);
+    const double m_max = m_cos / std::cos(kMaxRackAngle * kRadPerDeg);
+    if (m > m_max) {
+      return bad(
+          spoken(m, m_max) + ",",
+          fmt::format("at this base pitch the angle would be {}°; it is at most {}°, of a "
+                      "module of {} mm",
+                      spoken(deg(of_module), kMaxRackAngle), kMaxRackAngle, spoken(m_max, m)));
+    }
+    if (!question.normal_pressure_angle) {
+      alpha = of_module;
+    } else if (std::abs(m * std::cos(alpha) - m_cos) > kSameRack * m_cos) {
+      return bad(
+          fmt::format("{:.9g},{:.9g}", m, deg(alpha)),
+          fmt::format("this rack has another base pitch: at {:.9g}° the module is {:.9g} mm, "
+                      "and at {:.9g} mm the angle is {:.9g}°",
+                      deg(alpha), m_cos / std::cos(alpha), m, deg(of_module)));
+    }
+  }
+  if (!has_rack(base, alpha)) {
+    const double limit = 90 - std::abs(deg(base.helix_angle));
+    return bad("," + spoken(deg(alpha), limit),
+               fmt::format("no rack of this angle has the gear; it must be less than {}°, 90° less "
+                           "the base helix angle",
+                           spoken(limit, deg(alpha))));
+  }
+  return as_rack(base, alpha);
+}
+
+Json rack_json(const ReferenceInput<double>& rack) {
+  return to_json(as_rack_quantities().of(rack));
+}
+
+std::string rack_listing(const std::vector<ReferenceInput<double>>& racks) {
+  std::vector<ValueRecord> records;
+  for (const auto& rack : racks) records.push_back(as_rack_quantities().of(rack));
+  return quantity_listing(as_rack_quantities().table(), records, gear_columns(records.size()));
+}
+
+}  // namespace gearwright
