@@ -50,15 +50,16 @@ std::string safest_line(const DesignRow& row) {
 }
 
 // What the page says beside the counts.
-std::vector<std::string> reasons_of(const SearchRun& run) {
+std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRun& run) {
   std::vector<std::string> lines;
+  if (problem.rating) lines.push_back("Designs are " + rating_line(problem) + ".");
   if (run.answer.counts.feasible > 0) return lines;
   if (run.safest) lines.push_back(safest_line(*run.safest) + ".");
   for (const std::string& line : change_lines(run))
     lines.push_back("One change that would let something through: " + line + ".");
   if (!run.changes_left_out.empty()) {
     lines.push_back(run.changes_left_out + ".");
-  } else if (lines.empty()) {
+  } else if (run.changes.empty()) {
     lines.emplace_back("No change of one number alone would help.");
   }
   return lines;
@@ -290,7 +291,7 @@ std::string search_page(const JobSpec& spec, const Search& search, const SearchR
                         .spec_text = spec.text,
                         .search = search,
                         .answer = run.answer,
-                        .reasons = reasons_of(run),
+                        .reasons = reasons_of(search.problem(), run),
                         .version = kVersion});
 }
 

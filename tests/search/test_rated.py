@@ -144,6 +144,7 @@ class Listed(unittest.TestCase):
         page = (run.folder / "found/report.html").read_text()
         self.assertIn("safety against pitting of gear 1", page)
         self.assertIn("mass of both gears", page)
+        self.assertIn("Designs are rated by ISO 6336:2006, ", page)
 
     @staticmethod
     def plain_columns():
