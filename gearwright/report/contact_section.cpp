@@ -11,6 +11,7 @@
 #include "gearwright/report/contact_flank_picture.hpp"
 #include "gearwright/report/contact_map_picture.hpp"
 #include "gearwright/report/contact_te_picture.hpp"
+#include "gearwright/report/contact_words.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/shown_values.hpp"
 #include "gearwright/report/table_builder.hpp"
@@ -18,8 +19,6 @@
 namespace gearwright {
 
 namespace {
-
-constexpr double kConjugate = 1e-6;  // arcsec: a peak to peak below it is rounding
 
 double share(const ContactResult& result, bool (*is)(TouchKind)) {
   const auto n = std::count_if(result.positions.begin(), result.positions.end(),
@@ -65,25 +64,6 @@ std::string facts(const ContactReport& report) {
   }
   t.common("Thickness of the marking compound", "δ", "mm", fmt::format("{:g}", report.marking));
   return t.str();
-}
-
-// What the whole comes to, in one or two sentences.
-std::string finding(const ContactReport& report) {
-  const ContactResult& r = report.driving;
-  if (r.contact_lost) {
-    return "At some positions no tooth pair touches: the teeth would part and strike. This "
-           "pair needs a wider face, more teeth in mesh or smaller errors.";
-  }
-  const double edges = share(r, is_edge);
-  if (r.peak_to_peak.arcsec() < kConjugate && edges == 0.0)
-    return "Rotation is passed on exactly, without any error, and the flanks touch as they should.";
-  std::string text = fmt::format("While a tooth passes, gear 2 runs up to {}″ unevenly. ",
-                                 shown_arcsec(r.peak_to_peak.arcsec()));
-  if (edges == 0.0) return text + "The flanks always touch inside their limits: no edge carries.";
-  return text + fmt::format(
-                    "During {} % of the rotation an edge touches where a flank should; "
-                    "crowning or reliefs would bring the contact inside, or smaller errors.",
-                    percent(edges));
 }
 
 std::string te_part(const ContactReport& report) {
@@ -196,8 +176,9 @@ std::string contact_section(const ContactReport& report) {
       "of the specification, and at each position the place is found where the flanks touch "
       "first.</p>\n<p><strong>{}</strong></p>\n{}</div><div>\n{}</div></div>\n{}{}{}{}{}{}</"
       "section>\n",
-      finding(report), assumed(report), facts(report), te_part(report), pattern_part(report),
-      gap_part(report), multiples_part(report), map_part(report), arc_part(report));
+      contact_words(report.driving), assumed(report), facts(report), te_part(report),
+      pattern_part(report), gap_part(report), multiples_part(report), map_part(report),
+      arc_part(report));
 }
 
 }  // namespace gearwright

@@ -4,6 +4,10 @@
 //           in the unit that its key ends with: a transmission error of a conjugate pair is the difference
 //           of two angles of about 1 rad, a gap that of two radii, and 0 but for their rounding
 
+export const kNear = 1e-12;
+/** Of what follows from a solved system: a section's stiffness, the normal equations of readings. */
+export const kSolved = 1e-10;
+
 const kLengths = 100; // mm: a large length of the examples
 const units = [
   [/_arcsec$/, (180 * 3600) / Math.PI],

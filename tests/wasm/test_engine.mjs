@@ -52,6 +52,38 @@ const tests = {
     assert.ok(JSON.parse(engine.schema("spec")).$schema && JSON.parse(engine.schema("result")).$schema);
   },
 
+  load_in_steps_is_load_at_once_and_its_picture_is_the_answers() {
+    const text = example("loaded_pair").replace("positions = 32", "positions = 6\naccuracy = \"draft\"");
+    const session = engine.open(text);
+    const once = engine.run("load", text);
+    for (let again = 0; again < 2; ++again) {
+      // the second time with tables that were kept
+      const work = session.load();
+      let steps = 0;
+      for (let state = work.step(1); !state.finished; state = work.step(1)) {
+        assert.ok(!failed(state), JSON.stringify(state));
+        assert.ok(state.done < state.of && ++steps < 100);
+      }
+      const { json, height, torques } = work.result();
+      assert.equal(json, once);
+      const said = JSON.parse(json).load.torques;
+      torques.forEach((torque, t) =>
+        said[t].positions.forEach((position, i) => {
+          const shares = torque.teeth.map((tooth) => tooth.share[i]).filter(Number.isFinite);
+          assert.deepEqual([...shares].sort(), [...position.share].sort());
+          const row = (a) => a.subarray(i * height.length, (i + 1) * height.length);
+          const pressures = torque.teeth.flatMap((tooth) => [...row(tooth.pressure)]).filter(Number.isFinite);
+          assert.equal(Math.max(...pressures), position.max_pressure_MPa);
+        }),
+      );
+      for (const [t, torque] of torques.entries())
+        assert.equal(Math.max(...torque.stiffness), said[t].mesh_stiffness_N_per_mm_um.max);
+      work.delete();
+    }
+    assert.equal(engine.open(example("helical_pair")).load().error.key, "load.torque_Nm");
+    session.delete();
+  },
+
   an_outline_is_closed_and_its_area_is_the_solids() {
     for (const [name, gear] of [["helical_pair", 1], ["ring_pair", 2], ["two_tooth_drive", 1]]) {
       const session = engine.open(example(name));

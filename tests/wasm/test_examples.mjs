@@ -10,12 +10,9 @@
 import { spawnSync } from "node:child_process";
 import { readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
-import { compare } from "./near.mjs";
+import { compare, kNear, kSolved } from "./near.mjs";
 import { build, loadEngine, source } from "./engine.mjs";
 
-const kNear = 1e-12;
-// What follows from a solved system: a section's stiffness, the normal equations of readings. It takes some digits.
-const kSolved = 1e-10;
 const verbs = ["gear", "pair", "contact", "load", "rate", "measure", "fit", "identify"];
 const native = process.env.GW_BIN ?? path.join(source, "build/release/gearwright");
 const program = path.join(build, "cli/gearwright.js");

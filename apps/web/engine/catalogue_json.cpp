@@ -20,6 +20,7 @@
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
 #include "gearwright/catalogue/verdict_quantities.hpp"
+#include "gearwright/rating/material.hpp"
 #include "gearwright/spec/json.hpp"
 
 namespace gearwright::web {
@@ -37,14 +38,31 @@ const char* name_of(const Names& names, E value) {
   return names[static_cast<std::size_t>(value)];
 }
 
-// What people read for the end of a key.
-std::string unit_of_suffix(std::string_view suffix) {
-  if (suffix == "deg") return "°";
-  if (suffix == "um") return "µm";
-  if (suffix == "arcsec") return "″";
-  if (suffix == "per_in") return "1/in";
-  if (suffix == "rpm") return "1/min";
-  return std::string(suffix);
+// How a key ends, and what people read for it: the units of the catalogue, and those that need no
+// conversion there.
+struct Ending {
+  std::string_view suffix, unit;
+};
+constexpr std::array<Ending, 12> kEndings{{{"deg", "°"},
+                                           {"um", "µm"},
+                                           {"arcsec", "″"},
+                                           {"per_in", "1/in"},
+                                           {"rpm", "1/min"},
+                                           {"Nm", "N m"},
+                                           {"kW", "kW"},
+                                           {"MPa", "N/mm²"},
+                                           {"HV", "HV"},
+                                           {"kg_per_m3", "kg/m³"},
+                                           {"mm2_s", "mm²/s"},
+                                           {"h", "h"}}};
+
+Ending ending_of(std::string_view key) {
+  for (const Ending& e : kEndings) {
+    const std::size_t n = e.suffix.size();
+    if (key.size() > n && key.ends_with(e.suffix) && key[key.size() - n - 1] == '_') return e;
+  }
+  const std::string_view unit = key_unit(key);
+  return {unit, unit};
 }
 
 Json texts(const std::vector<std::string_view>& list) {
@@ -54,13 +72,13 @@ Json texts(const std::vector<std::string_view>& list) {
 Json number_or_null(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
 Json key_json(const Key& k) {
-  const std::string_view suffix = key_unit(k.key);
+  const auto [suffix, unit] = ending_of(k.key);
   Json tables = Json::array();
   for (const auto& table : k.tables) tables.push_back(table().name);
   Json j{{"key", k.key},
          {"symbol", k.symbol},
          {"kind", name_of(kKinds, k.kind)},
-         {"unit", unit_of_suffix(suffix)},
+         {"unit", unit},
          {"suffix", suffix},
          {"words", texts(k.words)},
          {"range", nullptr},
@@ -144,7 +162,14 @@ std::string catalogue_json() {
     quantities.push_back(
         {{"name", table->name}, {"groups", table->groups}, {"quantities", std::move(list)}});
   }
+  Json materials = Json::array();
+  for (const NamedMaterial& m : named_materials())
+    materials.push_back({{"name", m.name},
+                         {"kind", material_letters(m.kind)},
+                         {"hardness_HV", m.hardness_HV},
+                         {"note", m.note}});
   return json_text({{"version", kVersion},
+                    {"materials", std::move(materials)},
                     {"inputs", std::move(inputs)},
                     {"quantities", std::move(quantities)}});
 }

@@ -95,8 +95,16 @@ export interface QuantityTable {
   groups: string[]; // headings in their order
   quantities: Quantity[];
 }
+/** A row of the shipped table of materials, for the key `name` of [gearN.material]. */
+export interface NamedMaterial {
+  name: string;
+  kind: string; // letters of ISO 6336-5
+  hardness_HV: number;
+  note: string;
+}
 export interface Catalogue {
   version: string;
+  materials: NamedMaterial[];
   inputs: InputTable[]; // the file itself first
   quantities: QuantityTable[];
 }
@@ -149,6 +157,7 @@ export interface ContactCurve {
   meanSlope: number;
   harmonicsArcsec: Float64Array;
   contactLost: boolean;
+  words: string; // what it comes to, as the report says it
 }
 
 /** A flank as a raster: rows are diameters, columns heights z in the gear's own frame. */
@@ -196,6 +205,25 @@ export interface ErrorMap {
   peakToPeakArcsec: Float64Array; // [iy * nx + ix]; NaN where nothing touches, or not yet done
 }
 
+/** Teeth under load: the JSON, and what only pictures need. */
+export interface LoadResult {
+  json: string; // what `gearwright load SPEC --json` prints, probes left out
+  height: Float64Array; // middles of the slices of the face, z of gear 1, mm
+  torques: LoadedTorque[];
+}
+export interface LoadedTorque {
+  stiffness: Float64Array; // mesh stiffness, secant, by position, N/(mm µm)
+  teeth: LoadedTooth[]; // every tooth pair that carries at some position
+}
+/** NaN where it does not carry; of slices [position * slices + slice]. */
+export interface LoadedTooth {
+  pair: number; // as many pitches behind tooth pair 0
+  share: Float64Array; // of the whole load, by position
+  pressure: Float64Array; // MPa, of Hertz
+  diameter1: Float64Array; // mm, where the slice touches on gear 1
+  diameter2: Float64Array;
+}
+
 // ---------------------------------------------------------------------------------- a session
 
 /** A spec that was read and solved; everything live is asked of it. */
@@ -224,6 +252,9 @@ export interface Session {
   pattern(positions: number, rows?: number, columns?: number): Work<[FlankRaster, FlankRaster]> | Failed;
   /** Peak to peak of the transmission error over two errors (keys of [errors]). */
   errorMap(x: ErrorAxis, y: ErrorAxis, positions?: number): Work<ErrorMap> | Failed;
+  /** Teeth under the torques of [load]; `accuracy` in place of the spec's. The teeth's compliance is
+   *  kept: the next torque, error or modification takes a fraction of the time. */
+  load(accuracy?: "draft" | "full"): Work<LoadResult> | Failed;
   shiftRegion(): ShiftRegion | Failed;
   /** A file's bytes: of gear 1 or 2, or (0) of the pair as it is mounted. report, json: gear 0. */
   file(kind: FileKind, gear: 0 | 1 | 2, toleranceMm?: number): Uint8Array | Failed;

@@ -51,6 +51,7 @@ function session(s) {
     pattern: (positions = 64, rows = 33, columns = 65) => work(s.pattern(positions, rows, columns)),
     errorMap: (x, y, positions = 64) =>
       work(s.errorMap(x.key, x.from, x.to, x.n, y.key, y.from, y.to, y.n, positions)),
+    load: (accuracy = "") => work(s.load(accuracy)),
     shiftRegion: () => s.shiftRegion(),
     file: (kind, gear = 0, tolerance = 0) => s.file(kind, gear, tolerance),
   });

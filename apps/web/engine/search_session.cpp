@@ -1,10 +1,10 @@
 #include "apps/web/engine/search_session.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "apps/web/engine/answering.hpp"
+#include "apps/web/engine/stopwatch.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/job/search_answer.hpp"
@@ -16,15 +16,9 @@ namespace gearwright::web {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr std::int64_t kFirstPart = 1 << 12;  // trials; later ones last as long as they should
 constexpr std::int64_t kLeastPart = 1 << 8, kMostPart = 1 << 20;
 constexpr double kPartMs = 8.0;
-
-double ms_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 }  // namespace
 
@@ -57,10 +51,10 @@ Result<std::shared_ptr<SearchSession>> SearchSession::open(std::string given, in
 void SearchSession::search_some() {
   const std::int64_t to = std::min(trials_, from_ + size_);
   std::vector<DesignRow> rows;
-  const auto start = Clock::now();
+  const Stopwatch watch;
   counts_ += search_.range(from_, to, rows, {.detail = detail_of(search_.problem(), false)});
   for (const DesignRow& row : rows) best_.add(row);
-  const double ms = std::max(0.01, ms_since(start));
+  const double ms = std::max(0.01, watch.ms());
   size_ = std::clamp(static_cast<std::int64_t>(static_cast<double>(to - from_) * kPartMs / ms),
                      kLeastPart, kMostPart);
   from_ = to;
@@ -86,8 +80,8 @@ void SearchSession::close_some() {
 }
 
 Steps SearchSession::step(double milliseconds) {
-  const auto start = Clock::now();
-  while (stage_ != Stage::done && ms_since(start) < milliseconds) {
+  const Stopwatch watch;
+  while (stage_ != Stage::done && watch.ms() < milliseconds) {
     if (stage_ == Stage::trials) {
       search_some();
     } else {
@@ -171,9 +165,9 @@ Result<std::shared_ptr<ErrorMapWork>> ErrorMapWork::begin(std::shared_ptr<Sessio
 }
 
 Result<Steps> ErrorMapWork::step(double milliseconds) {
-  const auto start = Clock::now();
+  const Stopwatch watch;
   Numbers& value = grid_.peak_to_peak_arcsec;
-  while (next_ < value.size() && ms_since(start) < milliseconds) {
+  while (next_ < value.size() && watch.ms() < milliseconds) {
     const auto pair = session_->pair_under(
         keys_, {grid_.x[next_ % grid_.x.size()], grid_.y[next_ / grid_.x.size()]});
     if (!pair) return pair.error();

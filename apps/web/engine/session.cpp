@@ -11,6 +11,7 @@
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/value_json.hpp"
+#include "gearwright/report/contact_words.hpp"
 
 namespace gearwright::web {
 
@@ -125,7 +126,8 @@ Result<ContactCurve> Session::contact_curve(int positions) {
   if (positions < 2 || positions > 4096)
     return refused("positions", positions, "must lie between 2 and 4096");
   const ContactResult found = analyse_contact(**pair, {positions, 1, marking()});
-  ContactCurve curve{positions, {}, 0.0, found.mean_slope, {}, found.contact_lost};
+  ContactCurve curve{positions,           {}, 0.0, found.mean_slope, {}, found.contact_lost,
+                     contact_words(found)};
   bool touches = false;
   for (const ContactPoint& p : found.positions) touches = touches || p.kind != TouchKind::none;
   curve.peak_to_peak_arcsec = touches ? found.peak_to_peak.arcsec() : kNaN;

@@ -65,6 +65,7 @@ struct ContactCurve {
   double peak_to_peak_arcsec, mean_slope;
   Numbers harmonics_arcsec;
   bool contact_lost;
+  std::string words;  // what it comes to
 };
 
 struct ErrorMapGrid {

@@ -1,6 +1,6 @@
 // The catalogue of the engine: every key of a spec and every quantity of a result, said once there.
 
-import type { Catalogue, InputKey, InputTable, Quantity, QuantityTable } from "../engine/engine";
+import type { Catalogue, InputKey, InputTable, NamedMaterial, Quantity, QuantityTable } from "../engine/engine";
 
 let whole: Catalogue;
 
@@ -21,6 +21,11 @@ export function quantity(table: string, key: string): Quantity | undefined {
 }
 export function inputKey(table: string, key: string): InputKey | undefined {
   return inputs(table)?.keys.find((one) => one.key === key);
+}
+
+/** Rows of the shipped table of materials. */
+export function materials(): NamedMaterial[] {
+  return whole.materials;
 }
 
 /** What a key is called on the page: "normal module" of normal_module_mm. */

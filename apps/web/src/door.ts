@@ -25,7 +25,7 @@ export function doorOf(page: Page) {
     idle: (): boolean =>
       bench.solved?.text === bench.text &&
       !page.tabs.busy &&
-      [bench.front, bench.back, bench.seek].every((one) => one.idle),
+      [bench.front, bench.back, bench.press, bench.seek].every((one) => one.idle),
     /** Of the last change: until the answer was here, and what of it was the engine's work. */
     lastMs: (): number => bench.lastMs,
     engineMs: (): number => bench.solved?.milliseconds ?? NaN,

@@ -2,6 +2,7 @@
 //
 //   front   solves the design on screen: milliseconds, always free
 //   back    whatever takes long: solids, patterns, maps, reports, files
+//   press   teeth under load, which keep their compliance from one torque to the next
 //   seek    searches and fits, which keep what they have found
 //
 // Where a newer question makes an older one pointless, `latest` lets the older ones go: at most one

@@ -20,6 +20,30 @@ export interface Solved {
   hasPair: boolean;
   milliseconds: number;
 }
+/** Teeth under load: the result's tables, and what pictures need. */
+export type Loaded =
+  | { fault: Fault }
+  | {
+      picture: E.LoadResult;
+      load: { [key: string]: Json };
+      warnings: Notice[];
+      verdict: Verdict;
+      milliseconds: number;
+    };
+export interface Notice {
+  code: string;
+  message: string;
+  gear: number | null;
+}
+export interface Finding extends Notice {
+  level: string;
+  remedy: string | null;
+}
+export interface Verdict {
+  level: string;
+  headline: string;
+  findings: Finding[];
+}
 type Edit = [key: string, valueJson: string];
 interface Step {
   (done: number, of: number, sofar?: unknown): Promise<boolean>; // true: go on
@@ -29,10 +53,15 @@ let engine: E.Engine;
 let open: { text: string; session: E.Session } | null = null;
 let search: E.SearchSession | null = null;
 
-class Refused extends Error {}
+/** Why there is no answer: a sentence, and the key to blame if there is one. */
+class Refused extends Error {
+  constructor(readonly fault: Fault | string) {
+    super(typeof fault === "string" ? fault : fault.message);
+  }
+}
 /** The answer, or the sentence that says why there is none. */
 function good<T>(answer: T | E.Failed): T {
-  if (failed(answer)) throw new Refused(answer.error.message);
+  if (failed(answer)) throw new Refused(answer.error);
   return answer as T;
 }
 function session(text: string): E.Session {
@@ -136,6 +165,23 @@ const questions = {
     const task = good(session(q.text).errorMap(q.x, q.y, q.positions));
     try {
       return await work(task, step, () => task.result());
+    } finally {
+      task.delete();
+    }
+  },
+  /** Teeth under load; a refusal with its key, so that it can stand at its field. */
+  async load(q: { text: string; accuracy?: "draft" | "full" }, step: Step): Promise<Loaded | null> {
+    const begin = performance.now();
+    const task = session(q.text).load(q.accuracy);
+    if (failed(task)) return { fault: task.error };
+    try {
+      const picture = await work(task, step);
+      if (!picture) return null;
+      const { load, warnings, verdict } = JSON.parse(picture.json);
+      return { picture, load, warnings, verdict, milliseconds: performance.now() - begin };
+    } catch (reason) {
+      if (reason instanceof Refused && typeof reason.fault !== "string") return { fault: reason.fault };
+      throw reason;
     } finally {
       task.delete();
     }

@@ -12,8 +12,10 @@ import { ContactView } from "./contact/contact_view";
 import { doorOf } from "./door";
 import { EngineLink } from "./engine_link";
 import { textOf } from "./link";
+import { LoadView } from "./load/load_view";
 import { MeshView } from "./mesh/mesh_view";
 import { Page } from "./page";
+import { RatingView } from "./rating/rating_view";
 import { SearchView } from "./search/search_view";
 import { SheetView } from "./sheet";
 import { ShiftsView } from "./shifts/shifts_view";
@@ -23,12 +25,15 @@ import { bench } from "./workbench";
 async function begin(): Promise<void> {
   bench.front = new EngineLink(makeWorker, wasmBytes);
   bench.back = new EngineLink(makeWorker, wasmBytes);
+  bench.press = new EngineLink(makeWorker, wasmBytes);
   bench.seek = new EngineLink(makeWorker, wasmBytes);
   setCatalogue(await bench.front.ask("catalogue", undefined as never));
   const page = new Page([
     new MeshView(),
     new SolidView(),
     new ContactView(),
+    new LoadView(),
+    new RatingView(),
     new ShiftsView(),
     new SearchView(),
     new SheetView(),

@@ -43,7 +43,13 @@ export class Page {
   private readonly verdict = new VerdictLine();
   private readonly numbers = new QuantityPane();
   /** Share of the height that the numbers have, per tab: a report or a list needs more than a picture. */
-  private readonly shares: Record<string, number> = { contact: 0.2, search: 0.2, sheet: 0.055 };
+  private readonly shares: Record<string, number> = {
+    contact: 0.2,
+    load: 0.055,
+    rating: 0.055,
+    search: 0.2,
+    sheet: 0.055,
+  };
   private part: Part = "view";
 
   constructor(tabs: Tab[]) {

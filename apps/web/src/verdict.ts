@@ -2,21 +2,8 @@
 // finding with what would help. The words are the engine's, the same as on the report.
 
 import { fill, h } from "./elements";
-import type { Json } from "./engine_worker";
+import type { Finding, Json, Notice, Verdict } from "./engine_worker";
 import { bench } from "./workbench";
-
-interface Finding {
-  code: string;
-  level: string;
-  gear: number | null;
-  message: string;
-  remedy: string | null;
-}
-interface Verdict {
-  level: string;
-  headline: string;
-  findings: Finding[];
-}
 
 export class VerdictLine {
   private readonly level = h("b", { class: "level" }, "…");
@@ -106,20 +93,30 @@ export class VerdictLine {
     fill(
       this.list,
       whole,
-      ...findings.map((one) => this.finding(one)),
+      ...findings.map(findingItem),
       !findings.length && h("li", {}, "No further findings."),
     );
   }
+}
 
-  private finding(one: Finding): HTMLElement {
-    return h(
-      "li",
-      { "data-level": one.level },
-      one.gear ? h("span", { class: "where g" + one.gear }, `gear ${one.gear}`) : null,
-      h("span", {}, one.message),
-      one.remedy ? h("span", { class: "remedy" }, " " + one.remedy) : null,
-    );
-  }
+function findingItem(one: Finding): HTMLElement {
+  return h(
+    "li",
+    { "data-level": one.level },
+    one.gear ? h("span", { class: "where g" + one.gear }, `gear ${one.gear}`) : null,
+    h("span", {}, one.message),
+    one.remedy ? h("span", { class: "remedy" }, " " + one.remedy) : null,
+  );
+}
+
+/** What an answer has to be read with: findings, and the warnings that are none of them. */
+export function noticesOf(warnings: Notice[], findings: Finding[] = []): HTMLElement[] {
+  const grave = findings.filter((one) => one.level !== "green");
+  const told = new Set(grave.map((one) => one.message));
+  const more = warnings
+    .filter((one) => !told.has(one.message))
+    .map((one) => ({ ...one, level: "note", remedy: null }));
+  return [...grave, ...more].map(findingItem);
 }
 
 /** Whether the engine has an answer that is a pair of gears. */

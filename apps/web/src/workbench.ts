@@ -22,6 +22,7 @@ class Workbench {
   lastMs = 0;
   front!: EngineLink;
   back!: EngineLink;
+  press!: EngineLink;
   seek!: EngineLink;
 
   private readonly past: string[] = [];

@@ -11,6 +11,7 @@ export const web = resolve(process.env.GEARWRIGHT_WEB_OUT ?? join(root, "build/w
 const program = resolve(process.env.GEARWRIGHT ?? join(root, "build/release/gearwright"));
 /** Two loaded cores and a browser without a graphics card are slow; nothing here measures time. */
 export const kPatience = 120_000;
+export const kTabs = ["mesh", "solid", "contact", "load", "rating", "shifts", "search", "sheet"];
 
 const kTypes = {
   ".html": "text/html",
@@ -111,25 +112,4 @@ export function native(verb, text) {
     if (failure.stdout) return JSON.parse(failure.stdout);
     throw failure;
   }
-}
-
-/** The first place where two answers differ by more than the tolerance; null: they agree. Where the
- *  C libraries round differently the last bits do: relative to the number, or to the largest beside
- *  it for what is nearly nothing. */
-export function difference(mine, theirs, relative, path = "", scale = 1) {
-  if (typeof mine === "number" && typeof theirs === "number") {
-    const apart = Math.abs(mine - theirs);
-    return apart <= relative * Math.max(Math.abs(mine), Math.abs(theirs), scale)
-      ? null
-      : `${path}: ${mine} and ${theirs}`;
-  }
-  if (mine === null || theirs === null || typeof mine !== "object" || typeof theirs !== "object")
-    return mine === theirs ? null : `${path}: ${mine} and ${theirs}`;
-  const keys = new Set([...Object.keys(mine), ...Object.keys(theirs)]);
-  for (const key of keys) {
-    if (!(key in mine) || !(key in theirs)) return `${path}.${key} is on one side only`;
-    const found = difference(mine[key], theirs[key], relative, `${path}.${key}`, scale);
-    if (found) return found;
-  }
-  return null;
 }

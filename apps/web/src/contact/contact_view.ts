@@ -6,7 +6,7 @@ import { fill, h, onThemeChange } from "../elements";
 import { kOvertaken } from "../engine_link";
 import { at, bench } from "../workbench";
 import type { Tab } from "../tabs";
-import { SpectrumPlot, TransmissionPlot } from "./curves";
+import { isEdge, SpectrumPlot, TransmissionPlot } from "./curves";
 import { ErrorMapView } from "./error_map_view";
 import { FlankMap } from "./flank_map";
 import { ContactSliders } from "./sliders";
@@ -19,6 +19,12 @@ export class ContactView implements Tab {
   readonly words = "contact";
   private readonly sliders = new ContactSliders();
   private readonly sentence = h("p", { class: "contact-sentence", "aria-live": "polite" });
+  private readonly edges = h(
+    "span",
+    { hidden: true },
+    h("span", { class: "edge-ink" }, "Here an edge touches"),
+    ". ",
+  );
   private readonly te = new TransmissionPlot((index) => this.choose(index));
   private readonly spectrum = new SpectrumPlot();
   private readonly maps = [new FlankMap(0), new FlankMap(1)];
@@ -53,9 +59,8 @@ export class ContactView implements Tab {
             "figcaption",
             {},
             h("b", {}, "Transmission error"),
-            ", from its middle; ",
-            h("span", { class: "edge-ink" }, "an edge touches"),
-            ". ",
+            ", from its middle. ",
+            this.edges,
             this.time,
           ),
         ),
@@ -173,19 +178,8 @@ export class ContactView implements Tab {
     this.te.show(curve, this.index);
     this.spectrum.show(curve.harmonicsArcsec);
     const kinds = curve.columns["kind"] as string[];
-    const edges = kinds.filter((kind) => !["interior", "line", "", "none"].includes(kind)).length;
-    const share = Math.round((100 * edges) / curve.n);
-    fill(
-      this.sentence,
-      curve.contactLost
-        ? "At some positions no tooth touches."
-        : curve.peakToPeakArcsec < 5e-4
-          ? "These teeth turn evenly: without errors and modifications there is no transmission error. Pull a slider."
-          : `While a tooth passes, gear 2 runs up to ${curve.peakToPeakArcsec.toFixed(3)}″ unevenly. ` +
-            (share
-              ? `During ${share} % of the rotation an edge touches where a flank should.`
-              : "No edge touches."),
-    );
+    this.edges.hidden = !kinds.some(isEdge);
+    fill(this.sentence, curve.words);
     const rotation = (curve.columns["rotation1_deg"] as Float64Array)[this.index]!;
     this.where.textContent = `${rotation.toFixed(2)}°  ${kinds[this.index] || "no contact"}`;
     this.time.textContent = `${curve.n} positions in ${curve.milliseconds.toFixed(1)} ms.`;

@@ -3,50 +3,29 @@
 // contact point runs through it, dashed where an edge touches.
 
 import type { ContactCurve, FlankRaster } from "../../engine/engine";
-import { colour, h } from "../elements";
-import { fixed, shownUnit, toShown } from "../numbers";
+import { colour } from "../elements";
+import { isEdge } from "./curves";
+import { type Box, FlankFrame, mix, rgb } from "./flank_frame";
 
 const kLevelsUm = [1, 2, 5, 10, 20, 50];
-const kRoom = { left: 46, right: 12, top: 10, bottom: 34 };
 
-export class FlankMap {
-  readonly canvas = h("canvas", { role: "img" });
+export class FlankMap extends FlankFrame {
   pattern: FlankRaster | null = null;
   gap: FlankRaster | null = null;
-  private span: [number, number, number, number] = [0, 1, 0, 1];
 
   constructor(private readonly gear: 0 | 1) {
-    this.canvas.setAttribute("aria-label", `flank of gear ${gear + 1}`);
+    super(`flank of gear ${gear + 1}`);
   }
 
   draw(curve: ContactCurve | null, index: number, markingMm: number): void {
-    const width = this.canvas.clientWidth;
-    const height = this.canvas.clientHeight;
     const raster = this.pattern ?? this.gap;
-    if (!width || !height) return;
-    const ratio = Math.min(2, devicePixelRatio || 1);
-    this.canvas.width = Math.round(width * ratio);
-    this.canvas.height = Math.round(height * ratio);
-    const c = this.canvas.getContext("2d")!;
-    c.setTransform(ratio, 0, 0, ratio, 0, 0);
-    c.clearRect(0, 0, width, height);
-    if (!raster) return;
-    const d = raster.diameter;
-    const z = raster.height;
-    this.span = [z[0]!, z[z.length - 1]!, d[0]!, d[d.length - 1]!];
-    const box = {
-      x: kRoom.left,
-      y: kRoom.top,
-      w: width - kRoom.left - kRoom.right,
-      h: height - kRoom.top - kRoom.bottom,
-    };
-    c.fillStyle = colour("paper");
-    c.fillRect(box.x, box.y, box.w, box.h);
+    const d = raster?.diameter;
+    const z = raster?.height;
+    const room = this.begin(d && z ? [z[0]!, z[z.length - 1]!, d[0]!, d[d.length - 1]!] : null);
+    if (!room) return;
+    const { c, box, ratio } = room;
     this.shade(c, box, ratio, markingMm);
-    c.strokeStyle = colour("ink");
-    c.lineWidth = 1.2;
-    c.strokeRect(box.x, box.y, box.w, box.h);
-    this.axes(c, box);
+    this.frame(c, box);
     if (curve) this.way(c, box, curve, index);
   }
 
@@ -80,28 +59,6 @@ export class FlankMap {
     c.putImageData(image, Math.round(box.x * ratio), Math.round(box.y * ratio));
   }
 
-  private px(box: Box, height: number, diameter: number): [number, number] {
-    const [z0, z1, d0, d1] = this.span;
-    return [box.x + ((height - z0) / (z1 - z0)) * box.w, box.y + (1 - (diameter - d0) / (d1 - d0)) * box.h];
-  }
-
-  private axes(c: CanvasRenderingContext2D, box: Box): void {
-    const [z0, z1, d0, d1] = this.span;
-    c.fillStyle = colour("soft");
-    c.font = `11.5px ${getComputedStyle(document.body).fontFamily}`;
-    c.textAlign = "right";
-    c.textBaseline = "middle";
-    for (const d of [d0, (d0 + d1) / 2, d1])
-      c.fillText(fixed(toShown(d, "mm"), 2), box.x - 5, this.px(box, z0, d)[1]);
-    c.textBaseline = "top";
-    for (const z of [z0, 0, z1]) {
-      c.textAlign = z === z0 ? "left" : z === z1 ? "right" : "center";
-      c.fillText(fixed(toShown(z, "mm"), 1), this.px(box, z, d0)[0], box.y + box.h + 4);
-    }
-    c.textAlign = "center";
-    c.fillText(`along the face, ${shownUnit("mm")}`, box.x + box.w / 2, box.y + box.h + 19);
-  }
-
   private way(c: CanvasRenderingContext2D, box: Box, curve: ContactCurve, index: number): void {
     const d = curve.columns["diameter_mm"];
     const z = curve.columns["height_mm"];
@@ -113,7 +70,7 @@ export class FlankMap {
       if (!Number.isFinite(d[2 * i]) || !Number.isFinite(d[2 * i + 2])) continue;
       if (tooth instanceof Float64Array && tooth[i] !== tooth[i + 1]) continue;
       const kind = Array.isArray(kinds) ? kinds[i]! : "interior";
-      const edge = kind !== "interior" && kind !== "line";
+      const edge = isEdge(kind);
       c.strokeStyle = colour(edge ? "root-fillet" : "action");
       c.lineWidth = edge ? 3.5 : 2;
       c.beginPath();
@@ -132,13 +89,6 @@ export class FlankMap {
   }
 }
 
-interface Box {
-  x: number;
-  y: number;
-  w: number;
-  h: number;
-}
-
 /** u along the face, v up the profile, both 0 … 1. */
 function gapAt(raster: FlankRaster, u: number, v: number): number {
   const columns = raster.height.length;
@@ -152,11 +102,4 @@ function gapAt(raster: FlankRaster, u: number, v: number): number {
   const high = at(j + 1, i) + (x - i) * (at(j + 1, i + 1) - at(j + 1, i));
   const gap = low + (y - j) * (high - low);
   return Number.isNaN(gap) ? Infinity : gap;
-}
-function rgb(text: string): number[] {
-  const hex = text.length === 4 ? text.replace(/[0-9a-f]/gi, "$&$&") : text;
-  return [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
-}
-function mix(a: number[], b: number[], share: number): number[] {
-  return a.map((one, i) => Math.round(one + share * (b[i]! - one)));
 }

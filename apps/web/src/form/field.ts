@@ -5,7 +5,7 @@
 // has to say against a value stands in the same place.
 
 import type { InputKey } from "../../engine/engine";
-import { rangeOf, wordsOf } from "../catalogue";
+import { materials, rangeOf, wordsOf } from "../catalogue";
 import { h } from "../elements";
 import type { Json } from "../engine_worker";
 import { fromShown, niceStep, onStep, short, shownUnit, toShown } from "../numbers";
@@ -84,9 +84,19 @@ function shown(key: InputKey, value: Json | undefined): string {
   return typeof value === "object" ? "(in the text)" : String(value);
 }
 
+/** The name of a material: rows of the shipped table are offered. */
+function isMaterial(key: InputKey, place: string): boolean {
+  return key.key === "name" && place.endsWith(".material.name");
+}
+
 function chooser(key: InputKey, place: string, label: string): Field {
   const yesNo = key.kind === "boolean";
-  const words = yesNo ? ["true", "false"] : key.words;
+  const option = (word: string, words = word) => h("option", { value: word }, words);
+  const options = yesNo
+    ? [option("true", "yes"), option("false", "no")]
+    : isMaterial(key, place)
+      ? materials().map((one) => option(one.name, `${one.name}, ${one.note}`))
+      : key.words.map((word) => option(word));
   const none = h("option", { value: "" }, "–");
   const select = h(
     "select",
@@ -97,14 +107,17 @@ function chooser(key: InputKey, place: string, label: string): Field {
         bench.setKey(place, select.value === "" ? undefined : yesNo ? select.value === "true" : select.value),
     },
     none,
-    ...words.map((word) => h("option", { value: word }, yesNo ? (word === "true" ? "yes" : "no") : word)),
+    ...options,
   );
   return {
     place,
     element: select,
     show(value, implied) {
       none.textContent = implied ? implied : "–";
-      select.value = value === undefined || typeof value === "object" ? "" : String(value);
+      const said = value === undefined || typeof value === "object" ? "" : String(value);
+      if (key.kind === "text" && ![...select.options].some((one) => one.value === said))
+        select.append(option(said)); // a name of one's own
+      select.value = said;
       select.classList.toggle("implied", value === undefined);
     },
     fault: (sentence) => void select.setAttribute("aria-invalid", String(sentence !== null)),
@@ -114,7 +127,7 @@ function chooser(key: InputKey, place: string, label: string): Field {
 export function makeField(key: InputKey, place: string, who: string, note: Note): Field {
   const label = [wordsOf(key), who, shownUnit(key.unit)].filter(Boolean).join(", ");
   const words = key.words.length > 0 && !key.list && key.kind !== "number";
-  if (key.kind === "boolean" || words) {
+  if (key.kind === "boolean" || words || isMaterial(key, place)) {
     const field = chooser(key, place, label);
     field.element.addEventListener("focus", () => note.open(key, null));
     return field;

@@ -4,44 +4,18 @@
 // focus and slider stay where they are.
 
 import type { InputKey } from "../../engine/engine";
-import { inputKey, quantity, wordsOf } from "../catalogue";
-import { button, fill, h, symbol } from "../elements";
-import type { Json } from "../engine_worker";
-import { fixed, inInches, onUnitChange, setInches, shownUnit, toShown } from "../numbers";
+import { inputKey } from "../catalogue";
+import { button, fill, h } from "../elements";
+import { inInches, onUnitChange, setInches } from "../numbers";
 import { at, bench } from "../workbench";
-import { makeField, makeNote, type Field, type Note } from "./field";
+import { implied, makeRow, type RowField } from "./row";
 import { planOf, signatureOf, type Section } from "./plan";
-
-/** What holds for a key that is absent: the result's value, else what the catalogue says. */
-function implied(key: InputKey, place: string): string {
-  const [head, ...rest] = place.split(".");
-  const result = bench.solved?.result ?? bench.good?.result ?? null;
-  if (rest.length === 1 && result) {
-    const gear = head === "gear1" ? 0 : head === "gear2" ? 1 : -1;
-    const owner =
-      gear >= 0
-        ? (result["gears"] as Json[] | undefined)?.[gear]
-        : head === "pair"
-          ? result["pair"]
-          : undefined;
-    const value = at(owner, rest[0]!);
-    const said = quantity(gear >= 0 ? "gear" : "pair", rest[0]!);
-    if (typeof value === "number" && said)
-      return fixed(toShown(value, said.unit), said.digits)
-        .replace(/(\.\d*?)0+$/, "$1")
-        .replace(/\.$/, "");
-  }
-  const said = key.fallback.replace(/^"|"$/g, "");
-  return /^-?[\d.]+$/.test(said) || key.words.includes(said) || said === "true" || said === "false"
-    ? said
-    : "";
-}
 
 export class Form {
   readonly element = h("div", { class: "form" });
   readonly units = h("div", { class: "choice", role: "group", "aria-label": "unit of length" });
   private signature = "";
-  private fields: { key: InputKey; field: Field; note: Note }[] = [];
+  private fields: RowField[] = [];
   private readonly opened = new Set<string>(["gear", "pair", "search", "fit"]);
   private readonly more = new Set<string>();
   private readonly general = h("p", { class: "fault", role: "alert" });
@@ -117,7 +91,11 @@ export class Form {
   private section(section: Section): HTMLElement {
     const columns = section.places.length;
     const rows = h("div", { class: "rows" });
-    const addRow = (key: InputKey) => rows.append(...this.row(section, key));
+    const addRow = (key: InputKey) => {
+      const row = makeRow(key, section.places);
+      this.fields.push(...row.fields);
+      rows.append(...row.elements);
+    };
     for (const key of section.rows) addRow(key);
     const showMore = this.more.has(section.id);
     if (showMore) for (const key of section.more) addRow(key);
@@ -160,26 +138,6 @@ export class Form {
       else this.opened.add(section.id);
     });
     return details;
-  }
-
-  private row(section: Section, key: InputKey): HTMLElement[] {
-    const note = makeNote();
-    const fields = section.places.map((place) => {
-      const who = /^gear[12]/.test(place) ? "gear " + place[4] : "";
-      const field = makeField(key, `${place}.${key.key}`, who, note);
-      this.fields.push({ key, field, note });
-      return field.element;
-    });
-    const unit = shownUnit(key.unit);
-    const label = h(
-      "span",
-      { class: "label", title: key.meaning },
-      h("span", {}, wordsOf(key)),
-      " ",
-      key.symbol ? symbol(key.symbol) : null,
-      unit ? h("span", { class: "unit" }, " " + unit) : null,
-    );
-    return [h("div", { class: "row" }, label, ...fields), note.element];
   }
 
   /** What the text does not have yet: a second gear. */

@@ -1,0 +1,167 @@
+// The tab "rating": strength by ISO 6336. The safeties in the verdict's colours, and every factor
+// with its clause and the branch that was taken, as the report prints them.
+
+import type { Quantity } from "../../engine/engine";
+import { quantities, quantity } from "../catalogue";
+import { fill, h, symbol } from "../elements";
+import { kOvertaken } from "../engine_link";
+import type { Fault, Json, Notice, Verdict } from "../engine_worker";
+import { KeyPanel } from "../form/panel";
+import { onUnitChange, textOf } from "../numbers";
+import { quantityTable, rowsOf, type Row } from "../quantity_table";
+import type { Tab } from "../tabs";
+import { noticesOf } from "../verdict";
+import { bench } from "../workbench";
+
+const kRating = ["rating"];
+/** Safeties, and the finding that the verdict has where one falls short. */
+const kSafeties: [key: string, code: string][] = [
+  ["S_F", "root_safety"],
+  ["S_H", "flank_safety"],
+];
+interface Rated {
+  rating: { [key: string]: Json };
+  warnings: Notice[];
+  verdict: Verdict;
+}
+interface Source {
+  formula: string;
+  branch: string | string[];
+}
+
+export class RatingView implements Tab {
+  readonly id = "rating";
+  readonly words = "rating";
+  private readonly panel = new KeyPanel("load and materials of the rating", [
+    {
+      title: "Load",
+      table: "rating",
+      places: kRating,
+      keys: ["power_kW", "torque_Nm", "speed_rpm", "application_factor", "life_h", "mesh_load_factor", "reversed"],
+    },
+    {
+      title: "Material",
+      table: "material",
+      places: ["gear1.material", "gear2.material"],
+      keys: ["name", "surface_hardness_HV", "sigma_Hlim_MPa", "sigma_Flim_MPa"],
+    },
+    {
+      title: "Making",
+      table: "rating",
+      places: kRating,
+      keys: ["quality", "flank_roughness_um", "root_roughness_um", "lubricant_viscosity_40C_mm2_s"],
+    },
+    {
+      title: "Mounting",
+      table: "rating_mounting",
+      places: ["rating.mounting"],
+      keys: ["bearing_span_mm", "pinion_offset_mm", "shaft_diameter_mm", "arrangement"],
+    },
+    {
+      title: "Instead of formulas",
+      table: "rating",
+      places: kRating,
+      keys: ["dynamic_factor", "face_load_factor", "transverse_load_factor", "transverse_load_factor_root"],
+    },
+    {
+      title: "Wanted",
+      table: "rating",
+      places: kRating,
+      keys: ["safety_root_min", "safety_flank_min", "standard"],
+    },
+  ]);
+  private readonly sentence = h("p", { class: "view-sentence", "aria-live": "polite" });
+  private readonly safeties = h("div", { class: "safeties" });
+  private readonly notices = h("ul", { class: "notices" });
+  private readonly table = h("div", {
+    class: "table-room",
+    tabindex: "0",
+    role: "region",
+    "aria-label": "factors",
+  });
+  readonly element = h(
+    "div",
+    { class: "side-view" },
+    this.panel.element,
+    h(
+      "div",
+      { class: "side-room", tabindex: "0", role: "region", "aria-label": "strength" },
+      this.sentence,
+      this.safeties,
+      this.notices,
+      this.table,
+    ),
+  );
+  private shown = "";
+
+  constructor() {
+    onUnitChange(() => (this.shown = ""));
+  }
+
+  async refresh(): Promise<void> {
+    const solved = bench.good;
+    this.panel.show();
+    if (!solved?.hasPair) {
+      return this.clear(
+        solved ? "A rating is of a pair: a second gear makes one." : "There is no pair yet.",
+      );
+    }
+    if (solved.text === this.shown) return;
+    const answer = await bench.front.latest("rate", "run", { text: solved.text, verb: "rate" });
+    if (answer === kOvertaken || bench.good?.text !== solved.text) return;
+    this.shown = solved.text;
+    const fault = answer["error"] as unknown as Fault | undefined;
+    this.panel.show(fault ?? null);
+    if (fault) return this.clear(fault.message, solved.text);
+    this.show(answer as unknown as Rated);
+  }
+
+  private clear(sentence: string, text = ""): void {
+    this.shown = text;
+    fill(this.sentence, sentence);
+    for (const one of [this.safeties, this.notices, this.table]) fill(one);
+  }
+
+  private show({ rating, warnings, verdict }: Rated): void {
+    fill(this.sentence, verdict.headline);
+    fill(
+      this.safeties,
+      ...kSafeties.flatMap(([key, code]) => {
+        const said = quantity("rating", key);
+        return said ? [1, 2].map((gear) => this.safety(said, rating, verdict, code, gear)) : [];
+      }),
+    );
+    fill(this.notices, ...noticesOf(warnings, verdict.findings));
+    const sources = rating["formulas"] as unknown as { [key: string]: Source };
+    fill(
+      this.table,
+      quantityTable(rowsOf(quantities("rating")!, [rating], "rating"), ["gear 1", "gear 2"], {
+        last: { head: "place in the standard, branch", of: (row: Row) => placeOf(sources[row.said.key]) },
+      }).element,
+    );
+  }
+
+  private safety(
+    said: Quantity,
+    rating: { [key: string]: Json },
+    verdict: Verdict,
+    code: string,
+    gear: number,
+  ): HTMLElement {
+    const short = verdict.findings.find((one) => one.code === code && one.gear === gear);
+    return h(
+      "div",
+      { class: "safety", "data-level": short?.level ?? "green", "data-safety": `${said.key}.${gear}` },
+      h("b", { class: "level" }, textOf(said, (rating[said.key] as Json[])[gear - 1])),
+      h("span", {}, symbol(said.symbol), " ", h("span", { class: `g${gear}` }, `gear ${gear}`)),
+      h("span", { class: "soft" }, said.words),
+    );
+  }
+}
+
+/** "ISO 6336-1, 6.5.4, (13): subcritical", as the report has it. */
+function placeOf(source: Source | undefined): string {
+  if (!source) return "";
+  const branch = [source.branch].flat().filter(Boolean).join("; ");
+  return [source.formula, branch].filter(Boolean).join(": ");
+}

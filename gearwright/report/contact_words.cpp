@@ -1,0 +1,38 @@
+#include "gearwright/report/contact_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "gearwright/report/contact_te_picture.hpp"
+
+namespace gearwright {
+
+std::string contact_words(const ContactResult& contact) {
+  if (contact.contact_lost) {
+    return "At some positions no tooth pair touches: the teeth would part and strike. This "
+           "pair needs a wider face, more teeth in mesh or smaller errors.";
+  }
+  const auto all = static_cast<double>(contact.positions.size());
+  const auto count = [&](auto is) {
+    return static_cast<double>(std::count_if(contact.positions.begin(), contact.positions.end(),
+                                             [&](const ContactPoint& p) { return is(p.kind); }));
+  };
+  const double edges = count(is_edge) / all;
+  const bool lines = count([](TouchKind k) { return k == TouchKind::line; }) == all;
+  if (contact.peak_to_peak.arcsec() < kConjugate && edges == 0.0)
+    return lines ? "Rotation is passed on exactly, without any error, and the flanks touch as they "
+                   "should, along lines across the face."
+                 : "Rotation is passed on exactly, without any error, and the flanks touch as they "
+                   "should.";
+  std::string text = fmt::format("While a tooth passes, gear 2 runs up to {}″ unevenly. ",
+                                 shown_arcsec(contact.peak_to_peak.arcsec()));
+  if (lines) return text + "The flanks touch along lines across the face: no edge carries.";
+  if (edges == 0.0) return text + "The flanks always touch inside their limits: no edge carries.";
+  return text + fmt::format(
+                    "During {:.0f} % of the rotation an edge touches where a flank should; "
+                    "crowning or reliefs would bring the contact inside, or smaller errors.",
+                    100 * edges);
+}
+
+}  // namespace gearwright
