@@ -5,40 +5,27 @@ import assert from "node:assert/strict";
 import { readFileSync, statSync, writeFileSync, mkdtempSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { after, before, describe, test } from "node:test";
+import { describe } from "node:test";
 import { pathToFileURL } from "node:url";
 import { compare, kNear, kSolved } from "../../../tests/wasm/near.mjs";
 import {
   example,
   examples,
+  it,
   kPatience,
   kTabs,
-  launch,
   native,
   open,
   openTab,
   put,
   root,
-  serve,
   settled,
   web,
+  withPage,
 } from "./stage.mjs";
 
-let server, browser, page, address;
-before(
-  async () => {
-    server = await serve();
-    address = `http://127.0.0.1:${server.address().port}/`;
-    browser = await launch();
-    page = await open(browser, address);
-  },
-  { timeout: kPatience },
-);
-after(async () => {
-  await browser?.close();
-  server?.close();
-});
-const it = (name, body) => test(name, { timeout: 4 * kPatience }, body);
+let browser, page, address;
+withPage((stage) => ({ browser, page, address } = stage));
 
 describe("every example", () => {
   it("is a card, opens and says its verdict in the program's words", async () => {

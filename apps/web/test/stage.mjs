@@ -4,6 +4,7 @@ import { execFileSync } from "node:child_process";
 import { createReadStream, existsSync, readdirSync, readFileSync, statSync } from "node:fs";
 import { createServer } from "node:http";
 import { basename, extname, join, resolve } from "node:path";
+import { after, before, test } from "node:test";
 import { chromium } from "playwright-core";
 
 export const root = resolve(import.meta.dirname, "../../..");
@@ -48,6 +49,25 @@ export function launch() {
     ],
   });
 }
+
+/** The page that all tests of a file share: `take` gets it before the first of them. */
+export function withPage(take) {
+  let server, browser;
+  before(
+    async () => {
+      server = await serve();
+      const address = `http://127.0.0.1:${server.address().port}/`;
+      browser = await launch();
+      take({ browser, address, page: await open(browser, address) });
+    },
+    { timeout: kPatience },
+  );
+  after(async () => {
+    await browser?.close();
+    server?.close();
+  });
+}
+export const it = (name, body) => test(name, { timeout: 4 * kPatience }, body);
 
 /** Opens an address and waits for the engine; complaints of the page end up in `page.complaints`. */
 export async function open(browser, address, options = {}) {

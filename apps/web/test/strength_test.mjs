@@ -2,24 +2,11 @@
 // what is missing, colours of the verdict.
 
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { example, kPatience, launch, native, open, put, serve, settled } from "./stage.mjs";
+import { describe } from "node:test";
+import { example, it, kPatience, native, put, settled, withPage } from "./stage.mjs";
 
-let server, browser, page, address;
-before(
-  async () => {
-    server = await serve();
-    address = `http://127.0.0.1:${server.address().port}/`;
-    browser = await launch();
-    page = await open(browser, address);
-  },
-  { timeout: kPatience },
-);
-after(async () => {
-  await browser?.close();
-  server?.close();
-});
-const it = (name, body) => test(name, { timeout: 4 * kPatience }, body);
+let page;
+withPage((stage) => ({ page } = stage));
 
 describe("load", () => {
   const finished = () =>

@@ -2,7 +2,7 @@
 // follow while they move. The pattern is made in the background and comes a moment later.
 
 import type { ContactCurve } from "../../engine/engine";
-import { fill, h, onThemeChange } from "../elements";
+import { fill, flankFigure, h, onThemeChange } from "../elements";
 import { kOvertaken } from "../engine_link";
 import { at, bench } from "../workbench";
 import type { Tab } from "../tabs";
@@ -75,21 +75,12 @@ export class ContactView implements Tab {
       h(
         "div",
         { class: "plots" },
-        ...this.maps.map((map, i) =>
-          h(
-            "figure",
-            {},
-            map.canvas,
-            h(
-              "figcaption",
-              {},
-              h("b", { class: `g${i + 1}` }, `Flank of gear ${i + 1}`),
-              i
-                ? ", marking after a mesh."
-                : ", marking; darker: the gap now, in steps of 1, 2, 5, 10, 20, 50 µm.",
-            ),
-          ),
+        flankFigure(
+          1,
+          this.maps[0]!.canvas,
+          ", marking; darker: the gap now, in steps of 1, 2, 5, 10, 20, 50 µm.",
         ),
+        flankFigure(2, this.maps[1]!.canvas, ", marking after a mesh."),
       ),
       this.errorMap.element,
     ),

@@ -3,7 +3,7 @@
 
 import type { LoadedTorque } from "../../engine/engine";
 import { quantities } from "../catalogue";
-import { fill, h, onThemeChange } from "../elements";
+import { figure, fill, flankFigure, h, onThemeChange } from "../elements";
 import { kOvertaken } from "../engine_link";
 import type { Fault, Json, Loaded } from "../engine_worker";
 import { KeyPanel } from "../form/panel";
@@ -72,12 +72,12 @@ export class LoadView implements Tab {
     h(
       "div",
       { class: "plots" },
-      this.figure(this.plots.te.element, "Loaded transmission error"),
-      this.figure(this.plots.stiffness.element, "Mesh stiffness", ", secant."),
-      this.figure(this.plots.share.element, "Load shares", ", a colour for each tooth pair."),
-      this.figure(
+      figure(this.plots.te.element, h("b", {}, "Loaded transmission error")),
+      figure(this.plots.stiffness.element, h("b", {}, "Mesh stiffness"), ", secant."),
+      figure(this.plots.share.element, h("b", {}, "Load shares"), ", a colour for each tooth pair."),
+      figure(
         this.plots.root.element,
-        "Greatest root stress",
+        h("b", {}, "Greatest root stress"),
         ": ",
         h("span", { class: "g1" }, "gear 1"),
         ", ",
@@ -89,19 +89,12 @@ export class LoadView implements Tab {
     h(
       "div",
       { class: "plots" },
-      ...this.maps.map((map, i) =>
-        h(
-          "figure",
-          {},
-          map.canvas,
-          h(
-            "figcaption",
-            {},
-            h("b", { class: `g${i + 1}` }, `Flank of gear ${i + 1}`),
-            i ? ", the same." : ", pressure over the mesh; lines: where teeth bear now.",
-          ),
-        ),
+      flankFigure(
+        1,
+        this.maps[0]!.canvas,
+        ", pressure over the mesh; lines: where teeth bear now.",
       ),
+      flankFigure(2, this.maps[1]!.canvas, ", the same."),
     ),
     this.table,
   );
@@ -130,9 +123,6 @@ export class LoadView implements Tab {
       for (const plot of Object.values(this.plots)) plot.forget();
       this.draw();
     });
-  }
-  private figure(plot: HTMLElement, title: string, ...rest: (string | HTMLElement)[]): HTMLElement {
-    return h("figure", {}, plot, h("figcaption", {}, h("b", {}, title), ...rest));
   }
 
   async refresh(): Promise<void> {

@@ -4,10 +4,11 @@
 import type { MeshLines, Section } from "../../engine/engine";
 import { button, h, onThemeChange } from "../elements";
 import { kOvertaken } from "../engine_link";
-import { poseAt, touchAt, turnAt, Turning, type Motion } from "../motion";
+import { poseAt, touchAt, turnAt, type Motion } from "../motion";
 import { length } from "../numbers";
 import { bench } from "../workbench";
 import type { Tab } from "../tabs";
+import { TurnControl } from "../turn_control";
 import { draw, shapeOf, type Placed, type Scene, type Shape } from "./mesh_drawing";
 import { ViewWindow } from "./view_window";
 
@@ -24,16 +25,7 @@ export class MeshView implements Tab {
     pointerleave: () => (this.readout.textContent = ""),
   });
   private readonly readout = h("output", { class: "readout" });
-  private readonly slider = h("input", {
-    type: "range",
-    min: -0.5,
-    max: 0.5,
-    step: 0.002,
-    "aria-label": "rotation of gear 1",
-    input: () => this.turning.set(Number(this.slider.value)),
-  });
-  private readonly angle = h("output", { class: "angle" });
-  private readonly run = button("Turn", () => this.turning.toggle());
+  private readonly turning = new TurnControl(() => this.ask());
   private readonly frames = (["whole", "mesh", "flank"] as const).map((frame) =>
     button(frame, () => this.show(frame), { "aria-pressed": String(frame === "mesh"), "data-frame": frame }),
   );
@@ -45,15 +37,12 @@ export class MeshView implements Tab {
     h(
       "div",
       { class: "controls" },
-      this.run,
-      h("label", { class: "slide" }, h("span", {}, "rotation"), this.slider),
-      this.angle,
+      ...this.turning.elements,
       h("div", { class: "choice", role: "group", "aria-label": "what the picture shows" }, ...this.frames),
       h("label", { class: "check" }, this.circlesBox, "circles"),
     ),
   );
   private readonly view = new ViewWindow(this.canvas, () => this.ask());
-  private readonly turning = new Turning(() => this.ask());
   private frame: Frame = "mesh";
   private shapes: Shape[] = [];
   private lines: MeshLines | null = null;
@@ -174,9 +163,7 @@ export class MeshView implements Tab {
   }
 
   private paint(): void {
-    this.run.textContent = this.turning.runs ? "Stop" : "Turn";
-    this.slider.value = String(this.turning.t);
-    if (this.motion) this.angle.textContent = (this.turning.t * this.motion.pitchDeg).toFixed(2) + "°";
+    this.turning.show(this.motion);
     if (!this.shapes.length)
       return void this.canvas.getContext("2d")!.clearRect(0, 0, this.canvas.width, this.canvas.height);
     if (!this.canvas.clientWidth) return;

@@ -2,11 +2,12 @@
 // apart; the contact point and its ellipse move over the flanks, and the marking stays on them.
 
 import { loadScene } from "gearwright:parts";
-import { button, h, onThemeChange } from "../elements";
+import { h, onThemeChange } from "../elements";
 import { kOvertaken } from "../engine_link";
-import { poseAt, Turning, type Motion } from "../motion";
+import { poseAt, type Motion } from "../motion";
 import { at, bench } from "../workbench";
 import type { Tab } from "../tabs";
+import { TurnControl } from "../turn_control";
 import type { SolidScene } from "./scene";
 
 const kPositions = 64;
@@ -20,16 +21,7 @@ export class SolidView implements Tab {
     "aria-label": "the gears in space; arrows turn the view, + and − come closer, 0 restores",
   });
   private readonly state = h("output", { class: "readout" });
-  private readonly slider = h("input", {
-    type: "range",
-    min: -0.5,
-    max: 0.5,
-    step: 0.002,
-    "aria-label": "rotation of gear 1",
-    input: () => this.turning.set(Number(this.slider.value)),
-  });
-  private readonly angle = h("output", { class: "angle" });
-  private readonly run = button("Turn", () => this.turning.toggle());
+  private readonly turning = new TurnControl(() => this.arrange());
   private readonly cut = h("input", {
     type: "range",
     min: 0,
@@ -60,15 +52,12 @@ export class SolidView implements Tab {
     h(
       "div",
       { class: "controls" },
-      this.run,
-      h("label", { class: "slide" }, h("span", {}, "rotation"), this.slider),
-      this.angle,
+      ...this.turning.elements,
       h("label", { class: "slide short" }, h("span", {}, "section"), this.cut),
       h("label", { class: "slide short" }, h("span", {}, "apart"), this.apart),
       h("label", { class: "check" }, this.markBox, "marking"),
     ),
   );
-  private readonly turning = new Turning(() => this.arrange());
   private scene: SolidScene | null = null;
   private motion: Motion | null = null;
   private shown = "";
@@ -166,10 +155,8 @@ export class SolidView implements Tab {
 
   private arrange(): void {
     const { scene, motion } = this;
-    this.run.textContent = this.turning.runs ? "Stop" : "Turn";
-    this.slider.value = String(this.turning.t);
+    this.turning.show(motion);
     if (!scene || !motion) return;
-    this.angle.textContent = (this.turning.t * motion.pitchDeg).toFixed(2) + "°";
     const apart = Number(this.apart.value);
     // A pinion leaves its ring along the axis; other gears move away from each other.
     motion.places.forEach((_, gear) => {
