@@ -73,7 +73,7 @@ web:
 test-web: web
 	@cmake --preset release > /dev/null
 	@cmake --build --preset release --target gearwright_cli
-	node --test --test-concurrency=1 apps/web/test/*_test.mjs
+	node --experimental-websocket --test --test-concurrency=1 apps/web/test/*_test.mjs
 
 bench:
 	@tools/install_packages.sh core mpi python test

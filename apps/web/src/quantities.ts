@@ -4,8 +4,8 @@
 import { quantities } from "./catalogue";
 import { fill, h } from "./elements";
 import type { Json } from "./engine_worker";
-import { onUnitChange, textOf } from "./numbers";
-import { quantityTable, rowsOf, type Row } from "./quantity_table";
+import { onUnitChange } from "./numbers";
+import { cellText, fillCell, quantityTable, rowsOf, type Row } from "./quantity_table";
 import { bench } from "./workbench";
 
 export class QuantityPane {
@@ -59,11 +59,10 @@ export class QuantityPane {
     }
     for (const row of this.rows) {
       const cells = this.cells.get(row.id)!;
-      row.values.forEach((value, i) => {
-        const text = textOf(row.said, value);
+      row.values.forEach((_, i) => {
         const cell = cells[i]!;
-        if (cell.textContent === text) return;
-        cell.textContent = text;
+        if (cell.textContent === cellText(row, i).join("")) return;
+        fillCell(cell, row, i);
         cell.classList.remove("glow");
         void cell.offsetWidth; // starts the glow anew
         cell.classList.add("glow");

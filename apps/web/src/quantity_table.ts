@@ -2,7 +2,7 @@
 
 import type { Quantity, QuantityTable } from "../engine/engine";
 import { quantities } from "./catalogue";
-import { h, symbol } from "./elements";
+import { fill, h, symbol } from "./elements";
 import type { Json } from "./engine_worker";
 import { shownUnit, textOf } from "./numbers";
 
@@ -12,6 +12,7 @@ export interface Row {
   said: Quantity;
   words: string;
   values: (Json | undefined)[]; // one, or one per gear
+  ends: (Json | undefined)[]; // of a value that a tolerance moves: at its lower and its upper end
 }
 
 /** `printed`: of records only those that the program prints, too. */
@@ -21,15 +22,18 @@ export function rowsOf(
   prefix: string,
   within = "",
   printed = false,
+  intervals: (Json | undefined)[] = records.map((record) => member(record, "interval")),
 ): Row[] {
   const rows: Row[] = [];
   for (const said of table.quantities) {
-    const values = records.map((record) => (record as { [key: string]: Json } | null)?.[said.key]);
+    const values = records.map((record) => member(record, said.key));
+    const ends = intervals.map((interval) => member(interval, said.key));
     if (values.every((value) => value === undefined || value === null)) continue;
     const id = `${prefix}.${said.key}`;
     if (said.type === "record" || said.type === "map") {
       const inner = quantities(said.of);
-      if (inner && !said.list.length && (said.page || said.listing || !printed)) rows.push(...rowsOf(inner, values as Json[], id, said.group || within));
+      if (inner && !said.list.length && (said.page || said.listing || !printed))
+        rows.push(...rowsOf(inner, values as Json[], id, said.group || within, printed, ends));
       continue;
     }
     if (!said.page && !said.listing) continue;
@@ -40,10 +44,28 @@ export function rowsOf(
       said,
       words: said.words,
       values: perGear ? (values[0] as Json[]) : values,
+      ends: perGear && Array.isArray(ends[0]) ? ends[0] : perGear ? [] : ends,
     });
   }
   const order = [...table.groups, ...rows.map((row) => row.group)];
   return rows.sort((a, b) => order.indexOf(a.group) - order.indexOf(b.group));
+}
+
+function member(record: Json | undefined, key: string): Json | undefined {
+  return record && typeof record === "object" ? (record as { [key: string]: Json })[key] : undefined;
+}
+
+/** A value as people read it, and below it what a tolerance makes of it. */
+export function cellText(row: Row, i: number): [value: string, ends: string] {
+  const ends = row.ends[i];
+  const both = Array.isArray(ends) && ends.length === 2 && ends.every((one) => typeof one === "number");
+  const value = textOf(row.said, row.values[i]);
+  return [value, both ? ends.map((one) => textOf(row.said, one)).join(" … ") : ""];
+}
+export function fillCell(cell: Element, row: Row, i: number): void {
+  const [value, ends] = cellText(row, i);
+  const title = "at the lower and at the upper end of the tolerances";
+  fill(cell, value, ends && h("small", { class: "ends", title }, ends));
 }
 
 interface Extra {
@@ -72,18 +94,16 @@ export function quantityTable(
         h("tr", { class: "group" }, h("th", { scope: "rowgroup", colspan: width }, heading[heading.length - 1])),
       );
     }
-    const cells = row.values.map((value, i) =>
-      h(
-        "td",
-        {
-          class: "value",
-          "data-quantity": row.id,
-          "data-column": i,
-          colspan: row.values.length === 1 && columns > 1 ? columns : null,
-        },
-        textOf(row.said, value),
-      ),
-    );
+    const cells = row.values.map((_, i) => {
+      const cell = h("td", {
+        class: "value",
+        "data-quantity": row.id,
+        "data-column": i,
+        colspan: row.values.length === 1 && columns > 1 ? columns : null,
+      });
+      fillCell(cell, row, i);
+      return cell;
+    });
     all.set(row.id, cells);
     body.append(
       h(

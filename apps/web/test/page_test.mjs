@@ -82,6 +82,22 @@ describe("numbers", () => {
   });
 });
 
+describe("tolerances", () => {
+  it("a value that they move has both ends below it", async () => {
+    const text = example("spur_pair").replace("[gear2]", "thickness_allowance_mm = [-0.12, -0.06]\n\n[gear2]");
+    await put(page, text);
+    const { gears, pair } = native("pair", text);
+    const ends = (id, column = 0) =>
+      page.textContent(`[data-quantity="${id}"][data-column="${column}"] .ends`);
+    const shown = (both, digits) => both.map((one) => one.toFixed(digits)).join(" … ");
+    const { normal_mm, circumferential_mm } = pair.interval.backlash;
+    assert.equal(await ends("gears.root_diameter_mm"), shown(gears[0].interval.root_diameter_mm, 4));
+    assert.equal(await ends("pair.backlash.normal_mm"), shown(normal_mm, 4));
+    assert.equal(await ends("pair.backlash.circumferential_mm", 1), shown(circumferential_mm[1], 4));
+    assert.equal(await page.locator('[data-quantity="gears.base_diameter_mm"] .ends').count(), 0);
+  });
+});
+
 describe("form and text", () => {
   it("are one: either edits the other, comments stay, undo and redo step", async () => {
     await put(page, example("helical_pair"));
