@@ -22,12 +22,15 @@ namespace py = pybind11;
 
 constexpr std::chrono::milliseconds kLook{50};
 
-/// Told to stop, a work that looks at `stop` ends at its next step.
+/// Told to stop, a work that counts its steps, or looks at `stop`, ends at the next one.
 struct Watched {
   std::atomic<bool> stop{false};
   Headway headway;
 
-  void end() { stop = true; }
+  void end() {
+    stop = true;
+    headway.stop();
+  }
 };
 
 /// Runs it to its end and hands on what it throws. On Ctrl-C, and when `look` raises, it is told to stop, and the

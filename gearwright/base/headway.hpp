@@ -1,13 +1,17 @@
 // How far a long work is: counted by whoever does it, read by whoever waits, from any thread.
 //
 // Work that can be watched takes a `Headway*`; null means that nobody waits. Counting changes no
-// result and needs no lock.
+// result and needs no lock. Who waits may stop the work: its next step throws `WorkStopped`, which
+// passes through everything that works and reaches who called it.
 #pragma once
 
 #include <atomic>
 #include <cstdint>
 
 namespace gearwright {
+
+/// Out of a step after `Headway::stop`. No fault of the work and no answer to it.
+struct WorkStopped {};
 
 class Headway {
  public:
@@ -22,7 +26,13 @@ class Headway {
     of_ = steps;
     stage_ = stage;
   }
-  void step() { done_.fetch_add(1, std::memory_order_relaxed); }
+  /// Throws WorkStopped once it has been stopped.
+  void step() {
+    if (stopped_.load(std::memory_order_relaxed)) throw WorkStopped();
+    done_.fetch_add(1, std::memory_order_relaxed);
+  }
+  /// From any thread.
+  void stop() { stopped_ = true; }
   State state() const { return {stage_, done_, of_}; }
 
   /// From here on files are written: who wants to stop waits until they are whole.
@@ -32,7 +42,7 @@ class Headway {
  private:
   std::atomic<const char*> stage_{nullptr};
   std::atomic<std::int64_t> done_{0}, of_{0};
-  std::atomic<bool> writing_{false};
+  std::atomic<bool> writing_{false}, stopped_{false};
 };
 
 inline void begin_stage(Headway* headway, const char* stage, std::int64_t steps) {

@@ -1,6 +1,7 @@
 #include "gearwright/catalogue/load_quantities.hpp"
 
 #include "gearwright/base/units.hpp"
+#include "gearwright/load/load_summary.hpp"
 
 namespace gearwright {
 
@@ -192,6 +193,13 @@ const Quantities<LoadView>& load_quantities() {
         .list({0})
         .always()
         .doors(kJson);
+    q.add(Type::number, Unit::newton_metre, kLoad, "quietest_torque_Nm", "quietest torque", "",
+          "of the torques asked for that with the least loaded transmission error, peak to peak",
+          [](const LoadView& v) {
+            const LoadedTorque* t = v.contact ? quietest(*v.contact) : nullptr;
+            return t ? Value(t->torque / kNmmPerNm) : Value();
+          })
+        .when([](const LoadView& v) { return v.contact && quietest(*v.contact); });
     q.record("", "probes", "one for each [[load.probe]], in their order", probe_table,
              [](const LoadView& v) { return Value(probe_quantities().each(v.probes)); })
         .list({0})

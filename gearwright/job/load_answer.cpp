@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gearwright/base/parallel.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/rating/material.hpp"
@@ -182,10 +181,6 @@ Result<LoadAnswer> answer_load(SolvedJob& job, Headway* headway) {
   if (!made) return made.error();
   LoadTask task = std::move(made).take();
   task.request.headway = headway;
-  task.request.spread = [](std::size_t n,
-                           const std::function<void(std::size_t, std::size_t)>& work) {
-    parallel_for(n, [&](std::size_t i) { work(i, i + 1); });
-  };
   const Gear& one = task.setup.gear(1);
   const Gear& two = task.setup.gear(2);
   const auto compliance = pair_compliance(one, two, task.request);

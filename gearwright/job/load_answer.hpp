@@ -27,7 +27,7 @@ Result<LoadedContact> contact_under(SolvedJob& job, double torque);
 /// teeth, positions, and at last judge_load.
 struct LoadTask {
   ContactSetup setup;
-  LoadRequest request;  ///< without headway, spread
+  LoadRequest request;  ///< without headway
   bool gear2_drives = false;
 
   ContactPair pair() const { return setup.pair(gear2_drives); }

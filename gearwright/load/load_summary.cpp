@@ -80,4 +80,12 @@ void summarise(LoadedTorque& t, const SummaryBasis& basis) {
   if (t.face_load.size() > 0) t.face_load_factor = t.face_load.maxCoeff() / t.face_load.mean();
 }
 
+const LoadedTorque* quietest(const LoadedContact& contact) {
+  const auto& all = contact.torques;
+  if (all.size() < 2 || all.front().harmonics.empty()) return nullptr;
+  return &*std::min_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
+    return a.peak_to_peak.rad() < b.peak_to_peak.rad();
+  });
+}
+
 }  // namespace gearwright

@@ -16,4 +16,8 @@ struct SummaryBasis {
 /// Fills in what follows from `torque` and `positions`.
 void summarise(LoadedTorque& torque, const SummaryBasis& basis);
 
+/// The torque at which the loaded transmission error is least, peak to peak, of two or more;
+/// nullptr: one alone, or rotations instead of a pitch.
+const LoadedTorque* quietest(const LoadedContact& contact);
+
 }  // namespace gearwright

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "gearwright/base/parallel.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/compliance/probe.hpp"
 #include "gearwright/contact/transmission.hpp"
@@ -306,8 +307,7 @@ LoadedContact loaded_contact(const ContactPair& pair, const Gear& gear_1, const 
                              const PairCompliance& compliance, const LoadRequest& request) {
   LoadedTurn turn(pair, gear_1, gear_2, compliance, request);
   begin_stage(request.headway, "positions under load", static_cast<std::int64_t>(turn.positions()));
-  in_ranges(request, turn.positions(),
-            [&](std::size_t from, std::size_t to) { turn.solve(from, to); });
+  parallel_for(turn.positions(), [&](std::size_t i) { turn.solve(i, i + 1); });
   return turn.result();
 }
 

@@ -3,18 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/base/parallel.hpp"
 #include "gearwright/gear/gear_field.hpp"
 
 namespace gearwright {
-
-void in_ranges(const LoadRequest& request, std::size_t n,
-               const std::function<void(std::size_t, std::size_t)>& work) {
-  if (request.spread) {
-    request.spread(n, work);
-  } else {
-    work(0, n);
-  }
-}
 
 namespace {
 
@@ -96,9 +88,7 @@ Result<PairCompliance> pair_compliance(
       errors[g] = table.error();
   };
   const bool alike = same_tooth(gear_1, gear_2) && same_body(request.bodies[0], request.bodies[1]);
-  in_ranges(request, alike ? 1 : 2, [&](std::size_t from, std::size_t to) {
-    for (std::size_t g = from; g < to; ++g) make(g);
-  });
+  parallel_for(alike ? 1 : 2, make);
   for (const auto& error : errors)
     if (error) return *error;
   if (alike) c.table[1] = c.table[0];

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -24,10 +23,6 @@ struct LoadRequest {
   double deflection_slope = 0.0;  ///< mm, further approach of the flanks over the common face
   double deflection_bow = 0.0;    ///< mm, height of its parabola in the middle
   Headway* headway = nullptr;
-  /// Does the work of items [0, n) by calling it for ranges that together are all of them, from
-  /// several threads if it likes; none: one after the other. The answer is the same to the last bit.
-  std::function<void(std::size_t n, const std::function<void(std::size_t, std::size_t)>& work)>
-      spread{};
 };
 
 /// Slices of the common face that are fine enough and never too fine: 32, or as many as are a
@@ -63,9 +58,5 @@ Result<std::shared_ptr<const ToothTable>> tooth_compliance(const Gear& gear_1, c
 /// to the last bit.
 bool same_compliance(const std::array<const Gear*, 2>& a, const LoadRequest& of_a,
                      const std::array<const Gear*, 2>& b, const LoadRequest& of_b, int which);
-
-/// request.spread, or all at once.
-void in_ranges(const LoadRequest& request, std::size_t n,
-               const std::function<void(std::size_t, std::size_t)>& work);
 
 }  // namespace gearwright

@@ -1,5 +1,6 @@
 #include "gearwright/math/minimise.hpp"
 
+#include <exception>
 #include <nlopt.hpp>
 
 #include "gearwright/base/contract.hpp"
@@ -19,17 +20,29 @@ std::vector<double> minimise(Minimiser how, const MinimiserTask& task, std::vect
   opt.set_maxeval(task.evaluations);
   opt.set_ftol_rel(task.relative_gain);
   opt.set_ftol_abs(task.gain);
+  // What f throws must not pass through NLopt's C: it stops NLopt and is thrown again behind it.
+  struct Objective {
+    const MinimiserTask& task;
+    std::exception_ptr thrown;
+  } called{task, nullptr};
   const auto objective = [](const std::vector<double>& x, std::vector<double>&,
                             void* data) -> double {
-    return static_cast<const MinimiserTask*>(data)->f(x);
+    Objective& o = *static_cast<Objective*>(data);
+    try {
+      return o.task.f(x);
+    } catch (...) {
+      o.thrown = std::current_exception();
+      throw nlopt::forced_stop();
+    }
   };
-  // NLopt hands data on as it is; f is only called.
-  opt.set_min_objective(objective, const_cast<MinimiserTask*>(&task));
+  opt.set_min_objective(objective, &called);
   double least = 0.0;
   try {
     opt.optimize(start, least);
   } catch (const nlopt::roundoff_limited&) {
     // start is the best that rounding lets it be
+  } catch (const nlopt::forced_stop&) {
+    std::rethrow_exception(called.thrown);
   }
   return start;
 }

@@ -51,6 +51,26 @@ class Load(unittest.TestCase):
         for a, b in zip(low["positions"], high["positions"]):
             self.assertGreater(b["approach_um"], a["approach_um"])
 
+    def test_the_quietest_torque_is_marked(self):
+        relief = "modifications = { tip_relief_um = 20, tip_relief_start_mm = 78 }\n"
+        rest = DRAFT.replace("positions = 4", "positions = 16") + "torque_Nm = [20, 100, 400]\n"
+        answer = self.answer(gear1=relief, rest=rest)
+        quiet = min(answer["torques"], key=lambda t: t["peak_to_peak_arcsec"])["torque_Nm"]
+        self.assertEqual(answer["quietest_torque_Nm"], quiet)
+        text = load(gear1=relief, rest=rest, options=()).out
+        marked = [line for line in text.splitlines() if line.endswith("quietest")]
+        self.assertEqual([line.split()[0] for line in marked], [f"{quiet:g}"])
+        self.assertNotIn("quietest_torque_Nm", self.answer())
+
+    def test_a_narrow_face_has_fewer_slices(self):
+        answer = self.answer(gear1="helix_angle_deg = 20", gear2="helix_angle_deg = -20",
+                             rest='[load]\npositions = 4\naccuracy = "draft"\ntorque_Nm = 100\n')
+        self.assertEqual(len(answer["torques"][0]["face_load_N_per_mm"]), 23)  # 28 mm in 0.4 modules
+        run = load(gear1="helix_angle_deg = 20", gear2="helix_angle_deg = -20",
+                   rest='[load]\npositions = 4\naccuracy = "draft"\ntorque_Nm = 100\nslices = 128\n')
+        self.assertEqual(run.status, 1)
+        self.assertIn("23 would do", run.err)
+
     def test_probe(self):
         probe = "[[load.probe]]\ndiameter_mm = 75\n"
         wide = self.answer(rest=probe)
