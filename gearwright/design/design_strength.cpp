@@ -100,7 +100,10 @@ Result<RatedPair> mounted_design(const ShiftGraph& graph, const DesignRow& row) 
     spec.profile_shift = row.shift[i];
     spec.face_width = problem.face_width_of(t.module);
     if (row.tip_alteration != 0.0) spec.tip_diameter = tip_diameter(graph, row, i);
-    spec.rack = rack_of(graph, i);
+    // Of the racks of a search only one that nobody gave may not fit: its radius becomes the full one.
+    StraightRack rack = rack_of(graph, i);
+    rack.named = true;
+    spec.rack = rack;
     auto gear = make_gear(spec);
     if (!gear) return gear.error();
     gears[i] = std::move(gear).take();
