@@ -117,8 +117,6 @@ LONG = {
     "search": 'gw.search({"search": {"ratio": [1, 8], "modules_mm": [1 + 1e-3 * i for i in range(4000)], '
               '"pinion_teeth": [8, 200], "helix_angle_deg": [0, 30], "helix_step_deg": 1}}, progress=False, yes_large=True)',
     "contact": "pair.contact(errors={'crossing_deg': 0.02}, positions=100000)",
-    "compensate": "gw.compensate(pair.replace(errors={'crossing_deg': 0.02}, contact={'positions': 5000}), "
-                  "corrections=['gear1.lead_slope_um', 'gear1.lead_crowning_um'])",
     "transmission_error": "pair.transmission_error(np.random.default_rng(1).normal(0, 1e-3, (300000, 6)))",
 }
 

@@ -1,0 +1,33 @@
+// What a function that is minimised throws reaches who called, through the library's C.
+#include "gearwright/math/minimise.hpp"
+
+#include <gtest/gtest.h>
+
+#include "gearwright/base/headway.hpp"
+
+namespace gearwright {
+namespace {
+
+TEST(Minimise, WhatTheFunctionThrowsArrives) {
+  if (!can_minimise()) GTEST_SKIP() << "no minimisers in this build";
+  for (const Minimiser how : {Minimiser::whole_box, Minimiser::downhill}) {
+    Headway headway;
+    int calls = 0;
+    MinimiserTask task{};
+    task.lo = {-1.0, -1.0};
+    task.hi = {1.0, 1.0};
+    task.step = {0.1, 0.1};
+    task.evaluations = 200;
+    task.f = [&](const std::vector<double>& x) {
+      if (++calls == 5) headway.stop();
+      headway.step();
+      return x[0] * x[0] + x[1] * x[1];
+    };
+    EXPECT_THROW(minimise(how, task, {0.5, 0.5}), WorkStopped);
+    EXPECT_EQ(calls, 5);
+    EXPECT_EQ(headway.state().done, 4);
+  }
+}
+
+}  // namespace
+}  // namespace gearwright
