@@ -1,0 +1,62 @@
+// Times of teeth under load: the tables of a gear, a position of the pair. 17:43, m_n 2.5.
+//
+// One thread: the tables are made on as many as there are, so that `user` time counts.
+#include <benchmark/benchmark.h>
+
+#include <utility>
+
+#include "gearwright/contact/contact.hpp"
+#include "gearwright/load/loaded_contact.hpp"
+
+namespace {
+
+using namespace gearwright;
+
+struct Loaded {
+  Gear one, two;
+  ContactMount mount;
+  LoadRequest request;
+
+  Loaded(double helix_deg, ComplianceAccuracy accuracy)
+      : one(gear(17, helix_deg)), two(gear(43, -helix_deg)) {
+    mount.center_distance = 0.5 * (one.reference_diameter + two.reference_diameter);
+    request.bodies = {ElasticBody{0.5 * one.root_diameter}, ElasticBody{0.5 * two.root_diameter}};
+    request.torques = {100e3};
+    request.accuracy = accuracy;
+  }
+  static Gear gear(int teeth, double helix_deg) {
+    CylindricalSpec s;
+    s.teeth = teeth;
+    s.normal_module = 2.5;
+    s.face_width = 35.0;
+    s.helix_angle = Angle::degrees(helix_deg);
+    s.rack = *iso53_rack("ISO53-A");
+    return std::move(make_gear(s)).take();
+  }
+};
+
+void tables_of_a_pair(benchmark::State& state) {
+  const Loaded l(static_cast<double>(state.range(0)),
+                 state.range(1) ? ComplianceAccuracy::full : ComplianceAccuracy::draft);
+  for (auto _ : state) benchmark::DoNotOptimize(pair_compliance(l.one, l.two, l.request));
+}
+BENCHMARK(tables_of_a_pair)
+    ->ArgNames({"helix", "full"})
+    ->ArgsProduct({{0, 15}, {0, 1}})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+
+void a_position_under_load(benchmark::State& state) {
+  const Loaded l(static_cast<double>(state.range(0)), ComplianceAccuracy::full);
+  const auto compliance = pair_compliance(l.one, l.two, l.request);
+  const ContactPair pair({&l.one, {}}, {&l.two, {}}, l.mount);
+  LoadedTurn turn(pair, l.one, l.two, *compliance, l.request);
+  std::size_t i = 0;
+  for (auto _ : state) {
+    turn.solve(i, i + 1);
+    i = (i + 1) % turn.positions();
+  }
+}
+BENCHMARK(a_position_under_load)->ArgName("helix")->Arg(0)->Arg(15)->Unit(benchmark::kMillisecond);
+
+}  // namespace
