@@ -56,6 +56,8 @@ Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<i
                          words,
                          fmt::format("{}/{}", i + 1, gears.size())};
     if (job.gears.size() > 1) input.words.title += fmt::format(", gear {}", which);
+    const auto& material = job.spec.gears[static_cast<std::size_t>(which - 1)]->material.name;
+    if (words.material.empty() && material) input.words.material = *material;
     auto made = gear_sheet(input, size, tolerance_mm);
     if (!made) return of_body(made.error(), body->name);
     GearSheet sheet = std::move(made).take();

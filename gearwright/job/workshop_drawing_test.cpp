@@ -2,6 +2,7 @@
 #include "gearwright/job/workshop_drawing.hpp"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include <cmath>
 #include <filesystem>
@@ -163,6 +164,20 @@ TEST(WorkshopDrawing, takes_the_greatest_scale_that_has_room) {
   EXPECT_EQ(scale(small, SheetSize::a3), "10:1");
   EXPECT_EQ(scale(great, SheetSize::a4), "1:50");
   EXPECT_EQ(scale(great, SheetSize::a3), "1:20");
+}
+
+// The material that a gear is rated by is that of its drawing, unless the title block names another.
+TEST(WorkshopDrawing, has_the_material_of_the_gear) {
+  const auto named = [](const std::string& toml) {
+    const auto made = taken(workshop_sheets(solved(toml), {1}, SheetSize::a4, 0.001));
+    const auto& texts = made.sheets.front().texts;
+    return std::any_of(texts.begin(), texts.end(),
+                       [](const auto& t) { return t.text.find("16MnCr5") != std::string::npos; });
+  };
+  const std::string pinion = gear(
+      "teeth = 17\nnormal_module_mm = 2.5\nface_width_mm = 20\nmaterial = { name = \"16MnCr5\" }");
+  EXPECT_TRUE(named(pinion));
+  EXPECT_FALSE(named("[drawing]\nmaterial = \"C45\"\n" + pinion));
 }
 
 TEST(WorkshopDrawing, of_every_example) {
