@@ -140,10 +140,10 @@ const char* const kSpecs[] = {
     "[gear1]\nteeth = 9\nnormal_module_mm = 2\n[gear2]\nteeth = 30\nnormal_module_mm = 2\n",
     "[gear1]\nteeth = 20\nnormal_module_mm = 2\n[gear2]\nteeth = -60\nnormal_module_mm = 2\n",
     "[gear1]\nteeth = 16\nnormal_module_mm = 2\nhelix_angle_deg = 45\n"
-    "[gear2]\nteeth = 31\nnormal_module_mm = 2\nhelix_angle_deg = 45\n[pair]\nshaft_angle_deg = "
-    "90\n",
-    "[gear1]\nteeth = 2\nnormal_module_mm = 2\nhelix_angle_deg = 30\nface_width_mm = 30\n"
-    "root_fillet.kind = \"circular\"\nroot_fillet.offset_mm = 0.02\n"};
+    "[gear2]\nteeth = 31\nnormal_module_mm = 2\nhelix_angle_deg = 45\n"
+    "[pair]\nshaft_angle_deg = 90\n",
+    ("[gear1]\nteeth = 2\nnormal_module_mm = 2\nhelix_angle_deg = 30\nface_width_mm = 30\n"
+     "root_fillet.kind = \"circular\"\nroot_fillet.offset_mm = 0.02\n")};
 
 TEST(Catalogue, ValuesAreWhatIsSaidOfThem) {
   for (const char* text : kSpecs) {

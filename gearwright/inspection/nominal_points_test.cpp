@@ -13,7 +13,7 @@
 namespace gearwright {
 namespace {
 
-constexpr long double kPi = std::numbers::pi_v<long double>;
+constexpr long double kPi = 3.14159265358979323846264338327950288L;  // libc++ 14: a double's
 
 Gear gear_of(int teeth, double beta_deg, double x) {
   CylindricalSpec s;

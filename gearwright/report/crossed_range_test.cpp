@@ -10,8 +10,6 @@
 namespace gearwright {
 namespace {
 
-constexpr double kDegree = 180 / std::numbers::pi;
-
 TEST(CrossedRangePicture, SamplesAreThePairAtItsPlaces) {
   for (const InvolutePair& pair : testing::crossed_pairs()) {
     const auto samples = crossed_samples(pair);

@@ -1,5 +1,6 @@
 #include "gearwright/report/solid.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "gearwright/report/page_parts.hpp"
