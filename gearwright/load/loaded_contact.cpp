@@ -37,6 +37,14 @@ struct Position {
   std::array<std::vector<LinePlaces>, 2> lines;  // [gear][pair]
 };
 
+// N is the housing upside down where gear 2 drives: its slices, from −z on.
+void reverse(LoadedPair& pair) {
+  pair.line_load.reverseInPlace();
+  pair.pressure.reverseInPlace();
+  pair.half_width.reverseInPlace();
+  std::reverse(pair.radius.begin(), pair.radius.end());
+}
+
 class Solver {
  public:
   Solver(const ContactPair& pair, const Gear& one, const Gear& two, const PairCompliance& c,
@@ -215,7 +223,9 @@ LoadedPosition Solver::solve(Position& at, double torque, Angle rotation1, bool&
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     pairs[k].line_load = load[k];
     pairs[k].share = load[k].sum() / total;
-    if (pairs[k].share > 0.0) out.pairs.push_back(pairs[k]);
+    if (!(pairs[k].share > 0.0)) continue;
+    if (sign < 0.0) reverse(pairs[k]);
+    out.pairs.push_back(pairs[k]);
   }
   root_stress(at, load, out);
   return out;

@@ -21,7 +21,7 @@ namespace gearwright {
 struct LoadedPair {
   int pair = 0;                ///< k in N
   double share = 0.0;          ///< of the whole load
-  Eigen::VectorXd line_load;   ///< N/mm, per length of the contact line, slice by slice
+  Eigen::VectorXd line_load;   ///< N/mm, per length of the contact line, slices from −z on
   Eigen::VectorXd pressure;    ///< MPa, Hertz [T12.13]; 0 where nothing presses
   Eigen::VectorXd half_width;  ///< mm
   std::vector<std::array<double, 2>> radius;  ///< mm of each place on both gears
@@ -57,7 +57,7 @@ struct LoadedTorque {
   double face_load_factor = 1.0;  ///< K_Hβ: load over the face, mean of the positions
   double max_width_ratio = 0.0;
   bool edge_carries = false;
-  Eigen::VectorXd face_load;  ///< N/mm per slice, mean of the positions
+  Eigen::VectorXd face_load;  ///< N/mm per slice from −z on, mean of the positions
 };
 
 struct LoadedContact {

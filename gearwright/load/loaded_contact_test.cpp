@@ -293,6 +293,23 @@ TEST(LoadedContact, OfHelicalTeethIsConverged) {
   EXPECT_NEAR(t.max_pressure, 2290.06, 0.003 * 2290.06);
 }
 
+// A deflection that closes the gap at one end loads that end, whichever flanks are loaded.
+TEST(LoadedContact, SlicesCountFromOneEndForBothDrivers) {
+  Mesh m = mesh_of(0, 30);
+  LoadRequest r = request_of();
+  r.torques = {1e5};
+  r.deflection_slope = 0.02;
+  auto c = pair_compliance(m.one, m.two, r);
+  ASSERT_TRUE(c) << c.error().message();
+  Eigen::VectorXd along[2];
+  for (const bool second : {false, true}) {
+    m.mount.gear2_drives = second;
+    along[second] = loaded_contact(m.pair(), m.one, m.two, *c, r).torques[0].face_load;
+  }
+  EXPECT_GT(along[0][11], 2 * along[0][0]);
+  EXPECT_LT((along[0] - along[1]).cwiseAbs().maxCoeff(), 1e-9 * along[0].maxCoeff());
+}
+
 // Too fine slices leave the matrix indefinite, which is said; the fair number never does.
 TEST(LoadedContact, NarrowFacesHaveFewerSlices) {
   const auto found = [](const Mesh& m, int slices) {

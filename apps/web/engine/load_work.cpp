@@ -37,11 +37,10 @@ LoadPicture::Tooth& tooth_of(LoadPicture::Torque& torque, int pair, std::size_t 
   return torque.teeth.back();
 }
 
-LoadPicture picture_of(const LoadedContact& found, double turned) {
+LoadPicture picture_of(const LoadedContact& found) {
   LoadPicture picture;
   const auto slices = static_cast<std::size_t>(found.slices.count);
-  for (int j = 0; j < found.slices.count; ++j)
-    picture.height.push_back(turned * found.slices.middle(j));
+  for (int j = 0; j < found.slices.count; ++j) picture.height.push_back(found.slices.middle(j));
   for (const LoadedTorque& t : found.torques) {
     LoadPicture::Torque& torque = picture.torques.emplace_back();
     for (std::size_t i = 0; i < t.positions.size(); ++i) {
@@ -133,7 +132,7 @@ std::optional<Error> LoadWork::close() {
   answer.contact = turn_->result();
   if (auto error = judge_load(job_, task_, *answer.contact)) return error;
   json_ = json_text(load_json(job_, answer), 2) + "\n";
-  picture_ = picture_of(*answer.contact, pair_->turned());
+  picture_ = picture_of(*answer.contact);
   return std::nullopt;
 }
 
