@@ -100,7 +100,7 @@ TEST(Keys, defaults_are_those_of_the_structs) {
   expect_defaults<PairInput>(pair_keys(), 2);
   expect_defaults<ErrorsInput>(error_keys(), 8);
   expect_defaults<ContactInput>(contact_keys(), 5);
-  expect_defaults<LoadInput>(load_keys(), 6);
+  expect_defaults<LoadInput>(load_keys(), 5);  // that of `slices` follows the face
   expect_defaults<LoadProbeInput>(load_probe_keys(), 1);
   expect_defaults<SearchProblem>(search_keys(), 6);
   expect_defaults<RatingTable>(rating_keys(), 5);
