@@ -205,7 +205,7 @@ std::vector<Key> design_keys() {
   return {{.key = "mounting",
            .kind = KeyKind::word,
            .words = {"extended", "tight"},
-           .fallback = "\"extended\"",
+           .fallback = "\"extended\"; of internal pairs \"tight\"",
            .meaning = "`\"extended\"`, a = a_d + m_n Σx; or `\"tight\"`, free of backlash"},
           {.key = "shorten_tips",
            .kind = KeyKind::boolean,

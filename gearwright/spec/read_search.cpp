@@ -311,7 +311,9 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
   read_racks(t, p, blanks);
   if (!p.face_width && !t.has("face_width_modules")) p.face_width = blanks[0].face_mm;
   const auto mounting = t.word("mounting");
-  p.mounting = mounting && *mounting == "tight" ? Mounting::tight : Mounting::extended;
+  // An internal pair at the extended distance is tighter than one free of backlash.
+  const bool tight = mounting ? *mounting == "tight" : p.ratio[1] < 0.0;
+  p.mounting = tight ? Mounting::tight : Mounting::extended;
   if (p.shorten_tips && (p.mounting != Mounting::tight || p.crossed())) {
     t.fail("shorten_tips",
            "needs mounting = \"tight\" on parallel axes: at extended centres the "

@@ -30,8 +30,8 @@ KINDS = {
     "shortened tips": spec(SMALL | BANDS, RACK, mounting="tight", shorten_tips=True),
     "helical": spec(SMALL | HELICAL, RACK),
     "helical, shortened tips": spec(SMALL | HELICAL, RACK, mounting="tight", shorten_tips=True),
+    "internal, extended": spec(SMALL | RING, RACK, mounting="extended"),
     "internal": spec(SMALL | RING, RACK),
-    "internal, tight": spec(SMALL | RING, RACK, mounting="tight"),
     "crossed": spec(SMALL | CROSSED, RACK),
     "crossed, tight": spec(SMALL | CROSSED, RACK, mounting="tight"),
     "crossed, left hand": spec(SMALL | CROSSED, RACK, shaft_angle_deg=-70, helix_angle_deg=[-45, -30]),
@@ -77,6 +77,12 @@ class Sets(unittest.TestCase):
 
 
 class Taken(unittest.TestCase):
+    def test_an_internal_pair_that_nobody_mounts_has_no_negative_backlash(self):
+        # At the extended distance the first of these was too thick by 0.18 mm.
+        pair = taken(spec({"ratio": [-4, -3], "modules_mm": 2, "pinion_teeth": [20, 22]}), 1)
+        self.assertNotEqual(pair["verdict"]["level"], "red")
+        self.assertLess(abs(pair["pair"]["backlash"]["normal_base_mm"]), 1e-9)
+
     def agree(self, a, b, what):
         if a is None or b is None:
             self.assertEqual(a, b, what)
