@@ -111,7 +111,7 @@ Result<ProbeAnswer> probe_compliance(const Gear& gear, double twist, const Elast
   auto section = make_tooth_section(gear, twist, body, accuracy, s);
   if (!section) return section.error();
   const ToothSection& t = **section;
-  const Face face(mode_matrices(t.mesh, t.modes, nu, tau), 2 * half_face, kElement);
+  const Face face(t.modes.matrices, 2 * half_face, kElement);
   const Functional f = bump(mesh, s, c, tau);
   const Eigen::VectorXd q = t.modes.fields.transpose() * f.vector(n);
   const Eigen::VectorXd z = face.mean(from, to);

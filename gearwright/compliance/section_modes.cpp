@@ -3,7 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <array>
 #include <cmath>
-#include <optional>
+#include <iterator>
 
 #include "gearwright/base/parallel.hpp"
 
@@ -59,6 +59,79 @@ Eigen::MatrixXd principal(const RowMajor& snapshots, const RowMajor& loaded, dou
   return snapshots * v;
 }
 
+void append(std::vector<Eigen::MatrixXd>& all, std::vector<Eigen::MatrixXd> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(all));
+}
+
+RowMajor side_by_side(const std::vector<Eigen::MatrixXd>& fields) {
+  Eigen::Index count = 0;
+  for (const auto& f : fields) count += f.cols();
+  RowMajor all(fields.front().rows(), count);
+  Eigen::Index at = 0;
+  for (const auto& f : fields) {
+    all.middleCols(at, f.cols()) = f;
+    at += f.cols();
+  }
+  return all;
+}
+
+// Waves of a spur section, of a helical gear (τ ≠ 0) under axial loads too; plane strain; for the
+// free ends plane stress, and the warping by which a section in plane strain becomes one.
+std::vector<Eigen::MatrixXd> fields_of_a_spur(const SectionMesh& mesh, const SectionMatrices& wave,
+                                              double nu, const std::vector<BumpPlace>& places,
+                                              double tau) {
+  std::vector<Functional> loads;
+  for (const auto& [s, c] : places) loads.push_back(bump(mesh, s, c, 0.0));
+  const Eigen::Index n = wave.aa.rows();
+  const Eigen::MatrixXd in_plane = columns(loads, n);
+  if (tau != 0.0)
+    for (const auto& [s, c] : places) loads.push_back(axial_bump(mesh, s, c));
+  const Eigen::MatrixXd every = columns(loads, n);
+  const StripSolver<double> strip(mesh, wave);
+  constexpr std::size_t kPlaneStrain = kWaves.size();
+  constexpr std::size_t kPlaneStress = kPlaneStrain + 1;
+  std::vector<Eigen::MatrixXd> fields(kPlaneStress + 1);
+  parallel_for(fields.size(), [&](std::size_t i) {
+    if (i == kPlaneStress) {
+      const Matrix6 thin = hooke((1 + 2 * nu) / ((1 + nu) * (1 + nu)), nu / (1 + nu));
+      const StripSolver<double> of_thin(mesh, section_matrices(mesh, thin, 0.0, true));
+      fields[i] = of_thin.solve(0.0, in_plane);
+    } else {
+      fields[i] = i == kPlaneStrain ? strip.solve(0.0, in_plane) : strip.solve(kWaves[i], every);
+    }
+  });
+  fields.push_back(trace_fields(mesh, fields[kPlaneStrain]));
+  fields.push_back(trace_fields(mesh, fields[kPlaneStress]));
+  return fields;
+}
+
+// Waves that follow the helix under loads along the normal of the screw surface, real and imaginary
+// parts. [T12.18]
+std::vector<Eigen::MatrixXd> fields_along_helix(const SectionMesh& mesh, const SectionMatrices& own,
+                                                const std::vector<BumpPlace>& places, double tau) {
+  std::vector<Functional> screw;
+  for (const auto& [s, c] : places) screw.push_back(bump(mesh, s, c, tau));
+  const Eigen::MatrixXd loads = columns(screw, own.aa.rows());
+  const StripSolver<std::complex<double>> strip(mesh, own);
+  std::vector<Eigen::MatrixXd> fields(kHelixWaves.size());
+  parallel_for(fields.size(), [&](std::size_t i) {
+    const Eigen::MatrixXcd x = strip.solve(kHelixWaves[i], loads);
+    fields[i].resize(x.rows(), 2 * x.cols());
+    fields[i] << x.real(), x.imag();
+  });
+  return fields;
+}
+
+ModeMatrices projected(const SectionMatrices& own, const RowMajor& phi) {
+  const std::array<const Sparse*, 3> from{&own.aa, &own.ab, &own.bb};
+  std::array<Eigen::MatrixXd, 3> to;
+  parallel_for(from.size(), [&](std::size_t i) {
+    const RowMajor right = *from[i] * phi;
+    to[i] = phi.transpose() * right;
+  });
+  return {to[0], to[1], to[2]};
+}
+
 }  // namespace
 
 Eigen::MatrixXd plane_strain(const SectionMesh& mesh, double poisson_ratio,
@@ -70,62 +143,12 @@ Eigen::MatrixXd plane_strain(const SectionMesh& mesh, double poisson_ratio,
 
 SectionModes section_modes(const SectionMesh& mesh, double poisson_ratio,
                            const std::vector<BumpPlace>& places, double tau, double tolerance) {
-  const double nu = poisson_ratio;
-  const bool helical = tau != 0.0;
-  std::vector<Functional> plane;  // loads in the section
-  std::vector<Functional> every;  // and of a helical gear along the axis
-  std::vector<Functional> screw;  // along the normal of the screw surface
-  for (const auto& [s, c] : places) {
-    plane.push_back(bump(mesh, s, c, 0.0));
-    if (helical) screw.push_back(bump(mesh, s, c, tau));
-  }
-  every = plane;
-  if (helical)
-    for (const auto& [s, c] : places) every.push_back(axial_bump(mesh, s, c));
-
-  const Matrix6 law = hooke(1.0, nu);
+  const Matrix6 law = hooke(1.0, poisson_ratio);
   const SectionMatrices wave = section_matrices(mesh, law, 0.0, true);
-  const StripSolver<double> strip(mesh, wave);
-  const Eigen::Index n = wave.aa.rows();
-  const Eigen::MatrixXd right = columns(plane, n);
-  const Eigen::MatrixXd both = columns(every, n);
-  std::optional<StripSolver<std::complex<double>>> along_helix;
-  if (helical) along_helix.emplace(mesh, section_matrices(mesh, law, tau, false));
-
-  // Waves, plane strain, plane stress for the free ends, waves along the helix. Each by itself.
-  constexpr std::size_t kPlaneStrain = kWaves.size();
-  constexpr std::size_t kPlaneStress = kPlaneStrain + 1;
-  constexpr std::size_t kHelix = kPlaneStress + 1;
-  std::vector<Eigen::MatrixXd> solved(kHelix + (helical ? kHelixWaves.size() : 0));
-  parallel_for(solved.size(), [&](std::size_t i) {
-    if (i < kPlaneStrain) {
-      solved[i] = strip.solve(kWaves[i], both);
-    } else if (i == kPlaneStrain) {
-      solved[i] = strip.solve(0.0, right);
-    } else if (i == kPlaneStress) {
-      const Matrix6 thin = hooke((1 + 2 * nu) / ((1 + nu) * (1 + nu)), nu / (1 + nu));
-      solved[i] =
-          StripSolver<double>(mesh, section_matrices(mesh, thin, 0.0, true)).solve(0.0, right);
-    } else {
-      const Eigen::MatrixXcd x = along_helix->solve(kHelixWaves[i - kHelix], columns(screw, n));
-      solved[i].resize(n, 2 * x.cols());
-      solved[i] << x.real(), x.imag();
-    }
-  });
-  // The warping by which a section in plane strain becomes one in plane stress.
-  const std::array warped{trace_fields(mesh, solved[kPlaneStrain]),
-                          trace_fields(mesh, solved[kPlaneStress])};
-  Eigen::Index count = 0;
-  for (const auto& fields : solved) count += fields.cols();
-  for (const auto& fields : warped) count += fields.cols();
-  RowMajor snapshots(n, count);
-  Eigen::Index at = 0;
-  const auto append = [&](const Eigen::MatrixXd& fields) {
-    snapshots.middleCols(at, fields.cols()) = fields;
-    at += fields.cols();
-  };
-  for (const auto& fields : solved) append(fields);
-  for (const auto& fields : warped) append(fields);
+  const SectionMatrices own = section_matrices(mesh, law, tau, false);
+  std::vector<Eigen::MatrixXd> fields = fields_of_a_spur(mesh, wave, poisson_ratio, places, tau);
+  if (tau != 0.0) append(fields, fields_along_helix(mesh, own, places, tau));
+  const RowMajor snapshots = side_by_side(fields);
 
   const Sparse energy = wave.aa + wave.bb;
   const RowMajor loaded = energy * snapshots;
@@ -135,27 +158,13 @@ SectionModes section_modes(const SectionMesh& mesh, double poisson_ratio,
   });
   const auto& [across, along] = of_part;
   SectionModes modes;
-  modes.plane = solved[kPlaneStrain];
-  modes.in_plane = static_cast<int>(across.cols());
-  modes.fields = Eigen::MatrixXd::Zero(n, across.cols() + along.cols());
-  for (Eigen::Index i = 0; i < n / 3; ++i) {
+  modes.fields = Eigen::MatrixXd::Zero(snapshots.rows(), across.cols() + along.cols());
+  for (Eigen::Index i = 0; i < snapshots.rows() / 3; ++i) {
     modes.fields.block(3 * i, 0, 2, across.cols()) = across.middleRows(2 * i, 2);
     modes.fields.row(3 * i + 2).tail(along.cols()) = along.row(i);
   }
+  modes.matrices = projected(own, modes.fields);
   return modes;
-}
-
-ModeMatrices mode_matrices(const SectionMesh& mesh, const SectionModes& modes, double poisson_ratio,
-                           double tau) {
-  const SectionMatrices s = section_matrices(mesh, hooke(1.0, poisson_ratio), tau, false);
-  const RowMajor phi = modes.fields;
-  const std::array<const Sparse*, 3> from{&s.aa, &s.ab, &s.bb};
-  std::array<Eigen::MatrixXd, 3> projected;
-  parallel_for(from.size(), [&](std::size_t i) {
-    const RowMajor right = *from[i] * phi;
-    projected[i] = phi.transpose() * right;
-  });
-  return {projected[0], projected[1], projected[2]};
 }
 
 }  // namespace gearwright::detail

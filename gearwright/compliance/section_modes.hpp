@@ -12,10 +12,14 @@
 
 namespace gearwright::detail {
 
+/// [T12.7] projected on modes.
+struct ModeMatrices {
+  Eigen::MatrixXd aa, ab, bb;
+};
+
 struct SectionModes {
   Eigen::MatrixXd fields;  ///< Φ, 3·nodes rows
-  Eigen::MatrixXd plane;   ///< displacements in plane strain, a column for each load
-  int in_plane = 0;        ///< how many u,v-fields stand first
+  ModeMatrices matrices;   ///< of the section as it turns with its own helix
 };
 
 /// Modes for loads at these places of the flank, of a helical gear (τ ≠ 0) for waves along its helix
@@ -26,12 +30,5 @@ SectionModes section_modes(const SectionMesh& mesh, double poisson_ratio,
 /// Displacements of the section under each load, uniform along the face (k = 0), without modes.
 Eigen::MatrixXd plane_strain(const SectionMesh& mesh, double poisson_ratio,
                              const std::vector<Functional>& loads);
-
-/// [T12.7] projected on modes, for a helix.
-struct ModeMatrices {
-  Eigen::MatrixXd aa, ab, bb;
-};
-ModeMatrices mode_matrices(const SectionMesh& mesh, const SectionModes& modes, double poisson_ratio,
-                           double tau);
 
 }  // namespace gearwright::detail

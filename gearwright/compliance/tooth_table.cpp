@@ -44,8 +44,7 @@ void ToothTable::make(const ToothTableRequest& request) {
   using namespace detail;
   const ToothSection& s = *section_;
   const int side = s.mesh.side_teeth;
-  const Face face(mode_matrices(s.mesh, s.modes, s.poisson_ratio, s.tau), request.face_width,
-                  kElement);
+  const Face face(s.modes.matrices, request.face_width, kElement);
   const Index r = face.mode_count();
   const Index nodes = face.node_count();
   const Index n3 = s.modes.fields.rows();
