@@ -154,6 +154,20 @@ std::optional<Error> judge_load(SolvedJob& job, const LoadTask& task, const Load
   return std::nullopt;
 }
 
+namespace {
+
+Result<LoadedContact> contact_of(SolvedJob& job, const LoadTask& task) {
+  const Gear& one = task.setup.gear(1);
+  const Gear& two = task.setup.gear(2);
+  const auto compliance = pair_compliance(one, two, task.request);
+  if (!compliance) return compliance.error();
+  auto contact = loaded_contact(task.pair(), one, two, *compliance, task.request);
+  if (auto error = judge_load(job, task, contact)) return *error;
+  return contact;
+}
+
+}  // namespace
+
 Result<LoadAnswer> answer_load(SolvedJob& job, Headway* headway) {
   if (auto error = nothing_to_do(job)) return *error;
   const LoadInput& input = job.spec.load;
@@ -181,24 +195,20 @@ Result<LoadAnswer> answer_load(SolvedJob& job, Headway* headway) {
   if (!made) return made.error();
   LoadTask task = std::move(made).take();
   task.request.headway = headway;
-  const Gear& one = task.setup.gear(1);
-  const Gear& two = task.setup.gear(2);
-  const auto compliance = pair_compliance(one, two, task.request);
-  if (!compliance) return compliance.error();
-  auto contact = loaded_contact(task.pair(), one, two, *compliance, task.request);
-  if (auto error = judge_load(job, task, contact)) return *error;
-  answer.contact = std::move(contact);
+  auto contact = contact_of(job, task);
+  if (!contact) return contact.error();
+  answer.contact = std::move(contact).take();
   return answer;
 }
 
 Result<LoadedContact> contact_under(SolvedJob& job, double torque) {
-  const LoadInput asked = job.spec.load;
-  job.spec.load.torques = {torque};
-  job.spec.load.probes.clear();
-  auto answer = answer_load(job);
-  job.spec.load = asked;
-  if (!answer) return answer.error();
-  return *std::move(answer->contact);
+  const auto bodies = bodies_of(job);
+  if (!bodies) return bodies.error();
+  auto made = task_of(job, *bodies);
+  if (!made) return made.error();
+  LoadTask task = std::move(made).take();
+  task.request.torques = {torque * kMmPerM};
+  return contact_of(job, task);
 }
 
 LoadView load_view(const SolvedJob& job, const LoadAnswer& answer) {

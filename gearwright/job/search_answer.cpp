@@ -33,12 +33,17 @@ Value edges_of(const Search& search, const DesignRow& row) {
   return edges;
 }
 
+// What a gear's table says: gear 2 without it has what gear 1 has.
+Json of_gear(const Json& tree, int which, const char* key) {
+  for (const char* table : {which == 0 ? "gear1" : "gear2", "gear1"})
+    if (tree.contains(table) && tree[table].contains(key)) return tree[table][key];
+  return nullptr;
+}
+
 Json rack_of(const Json& tree, int rack, int which) {
   if (tree["search"].contains("racks"))
     return tree["search"]["racks"][static_cast<std::size_t>(rack)];
-  for (const char* table : {which == 0 ? "gear1" : "gear2", "gear1"})
-    if (tree.contains(table) && tree[table].contains("rack")) return tree[table]["rack"];
-  return nullptr;
+  return of_gear(tree, which, "rack");
 }
 
 // "The safest of them has S_H = 0.93 and S_F = 1.21: module 2, 20:60".
@@ -72,13 +77,6 @@ std::string strength_cells(const SearchProblem& problem, const DesignRow& row) {
   };
   return (problem.rating ? lesser(row.flank_safety) + lesser(row.root_safety) : "") +
          (problem.weighs() ? fmt::format(" {:>9.3f}", row.mass) : "");
-}
-
-// The material of a gear as the search took it: gear 2 without one is of what gear 1 is of.
-Json material_of(const Json& tree, int which) {
-  for (const char* table : {which == 0 ? "gear1" : "gear2", "gear1"})
-    if (tree.contains(table) && tree[table].contains("material")) return tree[table]["material"];
-  return nullptr;
 }
 
 // [rating] with the safeties that the search asked for.
@@ -272,7 +270,7 @@ Json pair_spec(const JobSpec& spec, const Search& search, const DesignRow& row) 
     g["profile_shift"] = row.shift[i];
     g["face_width_mm"] = p.face_width_of(row.trial.module);
     if (const Json rack = rack_of(tree, row.trial.rack, i); !rack.is_null()) g["rack"] = rack;
-    if (const Json material = material_of(tree, i); p.rating && !material.is_null())
+    if (const Json material = of_gear(tree, i, "material"); p.rating && !material.is_null())
       g["material"] = material;
     j[i == 0 ? "gear1" : "gear2"] = std::move(g);
   }

@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "gearwright/job/search_closing.hpp"
 #include "gearwright/job/search_files.hpp"
 #include "gearwright/job/search_record.hpp"
 #include "gearwright/job/search_workers.hpp"
-#include "gearwright/spec/json.hpp"
 #include "gearwright/store/chunk_store.hpp"
 
 namespace gearwright {
@@ -43,9 +41,7 @@ std::optional<Error> refuse_folder() { return std::nullopt; }
 
 Result<SearchRun> run_campaign(const JobSpec& spec, const Search& search, std::int64_t chunk,
                                const SearchOptions& options) {
-  SearchRun run;
-  run.pair_not_read = parse_json(spec.tree).contains("pair");
-  run.rating_not_read = spec.rating.given && !search.problem().rating;
+  SearchRun run = begun(spec, search);
   run.chunks = (*search.space().size() + chunk - 1) / chunk;
   // Ranks restarted by a scheduler say --resume always: they go on with whatever is there.
   const bool first = !options.many;

@@ -37,9 +37,7 @@ void flatten(const Json& node, const std::string& path, std::string& lines) {
 // All in memory: small searches, and those that leave no files.
 SearchRun run_in_memory(const JobSpec& spec, const Search& search, std::int64_t chunk,
                         const SearchOptions& options) {
-  SearchRun run;
-  run.pair_not_read = parse_json(spec.tree).contains("pair");
-  run.rating_not_read = spec.rating.given && !search.problem().rating;
+  SearchRun run = begun(spec, search);
   run.chunks = (*search.space().size() + chunk - 1) / chunk;
   std::vector<std::int64_t> todo(static_cast<std::size_t>(run.chunks));
   std::iota(todo.begin(), todo.end(), 0);
@@ -83,6 +81,13 @@ std::int64_t chunk_size(const SearchProblem& problem, std::int64_t trials) {
   constexpr double kPoints = 5e4;
   const double step = *problem.shift_step;
   return std::clamp<std::int64_t>(static_cast<std::int64_t>(kPoints * step * step), 1, size);
+}
+
+SearchRun begun(const JobSpec& spec, const Search& search) {
+  SearchRun run;
+  run.pair_not_read = parse_json(spec.tree).contains("pair");
+  run.rating_not_read = spec.rating.given && !search.problem().rating;
+  return run;
 }
 
 std::string search_fingerprint(const JobSpec& spec, std::int64_t chunk) {

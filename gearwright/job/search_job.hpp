@@ -79,6 +79,9 @@ struct SearchRun {
   std::vector<std::filesystem::path> files;
 };
 
+/// A run that has done nothing yet: it knows what of the spec this search does not read.
+SearchRun begun(const JobSpec& spec, const Search& search);
+
 /// Chunks that a folder, and the list of them, can hold: no search has more.
 inline constexpr std::int64_t kMaxChunks = 1'000'000;
 

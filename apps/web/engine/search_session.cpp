@@ -44,7 +44,7 @@ Result<std::shared_ptr<SearchSession>> SearchSession::open(std::string given, in
       new SearchSession(std::move(text), std::move(spec).take(), designs));
   if (auto error = refuse_large(session->search_, {})) return spelled(*error, session->spec_.given);
   if (session->trials_ == 0) return no_tooth_numbers();
-  session->run_.pair_not_read = parse_json(session->spec_.tree).contains("pair");
+  session->run_ = begun(session->spec_, session->search_);
   return session;
 }
 
