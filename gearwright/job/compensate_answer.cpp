@@ -263,8 +263,8 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Headway* headway, int
     if (!aimed) return aimed.error();
     load = std::move(aimed).take();
     task.aim = load->aim();
-    task.positions = kLoadPositions;
     task.fine_positions = load->positions();
+    task.positions = std::min(kLoadPositions, task.fine_positions);
     task.curves = std::min(curves, kLoadCurves);
   }
   if (input.centering_arcsec) task.centering = Angle::arcseconds(*input.centering_arcsec);

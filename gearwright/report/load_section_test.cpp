@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "gearwright/base/units.hpp"
+#include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/load_flank_picture.hpp"
 #include "gearwright/report/testing/sample_load.hpp"
 #include "gearwright/report/testing/strict_html.hpp"
@@ -22,7 +23,10 @@ const std::array<std::string, 2> kShapes{"gear1", "gear2"};
 
 std::string sound(const LoadSample& s) {
   std::string text = load_section(s.report, kShapes);
-  const auto facts = StrictHtml::read("<!DOCTYPE html>\n" + text);
+  std::string shapes;
+  for (std::size_t g = 0; g < 2; ++g) shapes += gear_definition(s.pair->gears[g], kShapes[g]);
+  const auto facts =
+      StrictHtml::read("<!DOCTYPE html>\n<svg><defs>" + shapes + "</defs></svg>\n" + text);
   for (const std::string& fault : facts.faults) ADD_FAILURE() << fault;
   for (const std::string_view word : {"\"nan", " nan", "inf ", ">nan<"})
     EXPECT_EQ(text.find(word), text.npos) << word;
