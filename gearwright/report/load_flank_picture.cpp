@@ -17,48 +17,43 @@ namespace {
 
 constexpr std::size_t kRows = 81;
 constexpr std::size_t kColumns = 65;
-constexpr int kMostLevels = 8;
-constexpr double kLow = 256.0;      // px of flank: the key stands between the names of tip and root
+constexpr int kMostLevels = 10;
+constexpr double kLow = 276.0;      // px of flank: the key stands between the names of tip and root
 constexpr double kPlot = 200.0;     // px, pressure along the face
 constexpr double kStraight = 0.15;  // px: points of a line so near to a chord are left out
 
-// Pressure at a radius, of one slice; grows with the radius.
+// A slice of a flank on its way through the mesh: where it is nearest, and how it presses there.
 struct Sample {
-  double radius, pressure;
+  double own;     // the turn of the tooth pair, pitches
+  double radius;  // mm
+  double pressure;
 };
 
-double between(const std::vector<Sample>& samples, double radius) {
-  if (samples.empty() || radius < samples.front().radius || radius > samples.back().radius)
-    return 0.0;
-  const auto above = std::upper_bound(samples.begin(), samples.end(), radius,
-                                      [](double r, const Sample& s) { return r < s.radius; });
-  if (above == samples.end()) return samples.back().pressure;
-  if (above == samples.begin()) return above->pressure;
-  const Sample& a = *(above - 1);
-  const double part = (radius - a.radius) / (above->radius - a.radius);
-  return a.pressure + part * (above->pressure - a.pressure);
-}
-
-// What a slice of the flank of gear `which` bears through a mesh. Where several positions press at
-// one radius, as an edge does, the greatest counts.
 std::vector<Sample> samples_of(const LoadReport& report, std::size_t which, std::size_t slice) {
-  const double close = 1e-6 * report.pair->gears[which].spec.normal_module;
   std::vector<Sample> all;
   for (const LoadedPosition& p : heaviest(report).positions)
     for (const LoadedPair& k : p.pairs)
       if (const double r = k.radius[slice][which]; r > 0.0)
-        all.push_back({r, k.pressure[static_cast<Eigen::Index>(slice)]});
-  std::sort(all.begin(), all.end(), [](const Sample& a, const Sample& b) {
-    return a.radius < b.radius || (a.radius == b.radius && a.pressure < b.pressure);
-  });
-  std::vector<Sample> kept;
-  for (const Sample& s : all) {
-    if (!kept.empty() && s.radius - kept.back().radius < close)
-      kept.back().pressure = std::max(kept.back().pressure, s.pressure);
-    else
-      kept.push_back(s);
+        all.push_back({own_pitches(report, p, k), r, k.pressure[static_cast<Eigen::Index>(slice)]});
+  std::sort(all.begin(), all.end(), [](const Sample& a, const Sample& b) { return a.own < b.own; });
+  return all;
+}
+
+// The greatest pressure at a radius. A mating edge passes a place twice, out and back: of all ways
+// past it the greatest counts.
+double greatest_at(const std::vector<Sample>& way, double step, double radius) {
+  double most = 0.0;
+  for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+    const Sample& a = way[i];
+    const Sample& b = way[i + 1];
+    const bool past = (radius - a.radius) * (radius - b.radius) <= 0.0;
+    if (!past || b.own - a.own > 1.5 * step) continue;
+    const double part = b.radius == a.radius ? 0.0 : (radius - a.radius) / (b.radius - a.radius);
+    const double here = b.radius == a.radius ? std::max(a.pressure, b.pressure)
+                                             : a.pressure + part * (b.pressure - a.pressure);
+    most = std::max(most, here);
   }
-  return kept;
+  return most;
 }
 
 // The places of a tooth pair that press, in one piece or several, px.
@@ -197,6 +192,7 @@ FlankRaster pressure_raster(const LoadReport& report, std::size_t which) {
     raster.diameter.push_back(2 * (lo + part(i, kRows) * (hi - lo)));
   for (std::size_t i = 0; i < kColumns; ++i)
     raster.height.push_back(s.lo + part(i, kColumns) * (s.hi - s.lo));
+  const double step = 1.0 / static_cast<double>(heaviest(report).positions.size());
   std::vector<std::vector<Sample>> slices;
   for (int j = 0; j < s.count; ++j)
     slices.push_back(samples_of(report, which, static_cast<std::size_t>(j)));
@@ -206,8 +202,8 @@ FlankRaster pressure_raster(const LoadReport& report, std::size_t which) {
       const double place = std::clamp((z - s.middle(0)) / s.width(), 0.0, s.count - 1.0);
       const auto j = std::min(static_cast<std::size_t>(place), slices.size() - 2);
       const double to_next = place - static_cast<double>(j);
-      raster.gap.push_back((1 - to_next) * between(slices[j], d / 2) +
-                           to_next * between(slices[j + 1], d / 2));
+      raster.gap.push_back((1 - to_next) * greatest_at(slices[j], step, d / 2) +
+                           to_next * greatest_at(slices[j + 1], step, d / 2));
     }
   }
   return raster;
