@@ -48,13 +48,13 @@ double aimed(const LoadedScore& s, const std::string& aim) {
   return aim == "pressure" ? s.max_pressure : s.peak_to_peak.arcsec();
 }
 
-// The least of a grid over helix slope and crowning of gear 1.
-double scanned(const std::string& text, const std::string& aim) {
+// What a grid over helix slope and crowning of gear 1 does.
+std::vector<LoadedScore> scanned(const std::string& text) {
   SolvedJob job = job_of(text);
   const auto load = LoadedAim::of(job, nullptr);
   EXPECT_TRUE(load) << load.error().message();
   const auto setup = ContactSetup::of(job);
-  double least = 1e300;
+  std::vector<LoadedScore> all;
   for (double slope = -40; slope <= 40; slope += 5) {
     for (double crowning = 0; crowning <= 24; crowning += 4) {
       SetupChange change;
@@ -62,14 +62,14 @@ double scanned(const std::string& text, const std::string& aim) {
       change.flank[0].lead_crowning = crowning * kMmPerUm;
       const auto changed = setup->changed(change);
       EXPECT_TRUE(changed);
-      for (const LoadedScore& s : load->scores(changed->pair(false), load->positions()))
-        least = std::min(least, aimed(s, aim));
+      all.push_back(load->scores(changed->pair(false), load->positions()).front());
     }
   }
-  return least;
+  return all;
 }
 
 TEST(CompensateLoad, FindsWhatADenseScanFinds) {
+  const std::vector<LoadedScore> scan = scanned(spec_of("aim = \"pressure\"\n"));
   for (const std::string aim : {"loaded_transmission_error", "pressure"}) {
     const std::string text = spec_of("aim = \"" + aim + "\"\n");
     SolvedJob job = job_of(text);
@@ -78,8 +78,9 @@ TEST(CompensateLoad, FindsWhatADenseScanFinds) {
     ASSERT_EQ(answer->loads.size(), 1u);
     const double before = aimed(answer->loads[0].before, aim);
     const double after = aimed(answer->loads[0].after, aim);
-    const double scan = scanned(text, aim);
-    EXPECT_LT(after, 1.02 * scan) << aim << " from " << before;
+    double least = before;
+    for (const LoadedScore& s : scan) least = std::min(least, aimed(s, aim));
+    EXPECT_LT(after, 1.02 * least) << aim << " from " << before;
     EXPECT_LT(after, 0.9 * before) << aim;
     // What is told is what the corrected spec does.
     const auto again = read_spec(answer->corrected, SpecFormat::json);

@@ -101,10 +101,14 @@ Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Headway*
   auto answer = answer_compensate(job, headway);
   if (answer) return std::optional(compensate_view(*answer));
   const std::string& field = answer.error().field;
-  if (field == "compensate") {  // of the whole table: of this build
-    job.warnings.push_back({"no_corrections", "No corrections: " + answer.error().rule + ".", 0});
+  const auto none = [&](const std::string& why) {
+    job.warnings.push_back({"no_corrections", "No corrections: " + why + ".", 0});
     return std::optional<CompensateView>();
-  }
+  };
+  if (field == "compensate") return none(answer.error().rule);  // of the whole table: of this build
+  const bool under_load = job.spec.compensate.aim != CompensateAim::transmission_error;
+  if (under_load && not_made_for_load(answer.error()))
+    return none(spelled(answer.error(), job.spec.given).message());
   if (field != "errors" && field != "gear1" && field != "gear2") return answer.error();
   const auto is_said = [](const Warning& w) { return w.code == "no_contact"; };
   if (std::none_of(job.warnings.begin(), job.warnings.end(), is_said)) {

@@ -221,6 +221,12 @@ Result<LoadAnswer> answer_load(SolvedJob& job, Headway* headway) {
   return answer;
 }
 
+bool not_made_for_load(const Error& error) {
+  constexpr std::array<std::string_view, 5> kOfTheKind{"gear1.teeth", "gear2.teeth", "gear1.rack",
+                                                       "gear2.rack", "pair.shaft_angle"};
+  return std::find(kOfTheKind.begin(), kOfTheKind.end(), error.field) != kOfTheKind.end();
+}
+
 Result<LoadedContact> contact_under(SolvedJob& job, double torque) {
   const auto bodies = bodies_of(job);
   if (!bodies) return bodies.error();

@@ -21,6 +21,9 @@ struct LoadAnswer {
 ///           `load.slices` too many, `load.probe[i].…`; as ContactSetup
 Result<LoadAnswer> answer_load(SolvedJob& job, Headway* headway = nullptr);
 
+/// Whether it refuses gears that loaded contact is not made for, and no number of the spec.
+bool not_made_for_load(const Error& error);
+
 /// The same under this one torque on gear 1, N m, with the other numbers of [load].
 Result<LoadedContact> contact_under(SolvedJob& job, double torque);
 

@@ -1,21 +1,12 @@
 #include "gearwright/job/load_report.hpp"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 
 #include "gearwright/catalogue/spelling.hpp"
 
 namespace gearwright {
 
 namespace {
-
-// Gears that loaded contact is not made for; of others a number is wrong.
-bool of_the_kind(const Error& error) {
-  constexpr std::array<std::string_view, 5> kOfTheKind{"gear1.teeth", "gear2.teeth", "gear1.rack",
-                                                       "gear2.rack", "pair.shaft_angle"};
-  return std::find(kOfTheKind.begin(), kOfTheKind.end(), error.field) != kOfTheKind.end();
-}
 
 // As contact_part has them.
 bool nothing_touched(const Error& error) {
@@ -46,7 +37,7 @@ Result<std::optional<LoadPart>> load_part(SolvedJob& job, Headway* headway) {
   if (!made) {
     const bool alone = !job.pair && made.error().field == "gear2";
     const bool apart = job.pair && nothing_touched(made.error());
-    if (!alone && !apart && !of_the_kind(made.error())) return made.error();
+    if (!alone && !apart && !not_made_for_load(made.error())) return made.error();
     const char* const code = apart ? "no_contact" : "no_load";
     const auto is_said = [&](const Warning& w) { return w.code == code; };
     if (std::any_of(job.warnings.begin(), job.warnings.end(), is_said))

@@ -117,8 +117,51 @@ class Load(unittest.TestCase):
             self.assertEqual(run.status, 0, run.err)
             warnings = {w["code"]: w["message"] for w in json.loads(run.out)["warnings"]}
             self.assertIn("external pairs", warnings["no_load"])
+            run = Run("run", PAIR.format(gear1="", gear2="", rest=DRAFT + 'torque_Nm = 50\n[compensate]\naim = "pressure"\n')
+                      .replace("teeth = 43", "teeth = -67").replace("bore = { diameter_mm = 60.0 }", ""),
+                      "--json", "--out", folder)
+            self.assertEqual(run.status, 0, run.err)
+            self.assertIn("no_corrections", [w["code"] for w in json.loads(run.out)["warnings"]])
             run = Run("run", PAIR.format(gear1="", gear2="", rest=DRAFT + "torque_Nm = -50\n"), "--json", "--out", folder)
             self.assertEqual((run.status, run.json["error"]["key"]), (1, "load.torque_Nm"))
+
+    def compensated(self, compensate, torque="torque_Nm = [40, 120]\n", verb="compensate", options=("--json",)):
+        rest = DRAFT + torque + "[errors]\ncrossing_deg = 0.03\n[pair]\nbacklash_mm = 0.1\n[compensate]\n" + compensate
+        return Run(verb, PAIR.format(gear1="", gear2="", rest=rest), *options)
+
+    def test_corrections_under_load(self):
+        only = 'corrections = ["gear1.lead_slope_um"]\n'
+        run = self.compensated('aim = "pressure"\n' + only)
+        self.assertEqual(run.status, 0, run.err)
+        answer = run.json["compensate"]
+        self.assertEqual(answer["aim"], "pressure")
+        self.assertEqual([l["torque_Nm"] for l in answer["under_load"]], [40, 120])
+        worst = [max(l[when]["max_pressure_MPa"] for l in answer["under_load"]) for when in ("before", "after")]
+        self.assertLess(worst[1], 0.8 * worst[0])
+        self.assertEqual(answer["corrections"][0]["spec_key"], "gear1.modifications.right_lead_slope_um")
+        # What is told before is what load has.
+        load = self.compensated("", verb="load").json["load"]["torques"]
+        for l, t in zip(answer["under_load"], load):
+            self.assertEqual(l["before"]["max_pressure_MPa"], t["max_pressure_MPa"])
+            self.assertEqual(l["before"]["peak_to_peak_arcsec"], t["peak_to_peak_arcsec"])
+        text = self.compensated('aim = "pressure"\n' + only, options=()).out
+        self.assertIn("Under 120 N m", text)
+        with tempfile.TemporaryDirectory() as folder:
+            run = self.compensated('aim = "pressure"\n' + only, verb="run", options=("--json", "--out", folder))
+            self.assertEqual(run.json["compensate"], answer)
+            self.assertIn("the flanks bear up to", (Path(folder) / "report.html").read_text())
+
+    def test_corrections_without_load_are_as_before(self):
+        answer = self.compensated("").json["compensate"]
+        self.assertEqual(answer, self.compensated('aim = "transmission_error"\n').json["compensate"])
+        self.assertNotIn("under_load", answer)
+        self.assertNotIn("aim", answer)
+
+    def test_corrections_under_load_want_a_torque(self):
+        run = self.compensated('aim = "loaded_transmission_error"\n', torque="")
+        self.assertEqual((run.status, run.json["error"]["key"]), (1, "load.torque_Nm"))
+        run = self.compensated('aim = "silence"\n')
+        self.assertEqual((run.status, run.json["error"]["key"]), (1, "compensate.aim"))
 
     def test_probe(self):
         probe = "[[load.probe]]\ndiameter_mm = 75\n"
