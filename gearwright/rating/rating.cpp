@@ -7,6 +7,7 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/gear/gear_field.hpp"
+#include "gearwright/rating/elasticity.hpp"
 
 namespace gearwright {
 
@@ -73,8 +74,7 @@ void Rater::dynamics() {
   const double line = r.F_t.value * in.application_factor * in.mesh_load_factor / pair.face_width;
   const double e1 = materials[0].youngs_modulus;
   const double e2 = materials[1].youngs_modulus;
-  constexpr double kSteel = 206000.0;
-  r.stiffness = mesh_stiffness(pair, line, 2 * e1 * e2 / (e1 + e2) / kSteel, in.body);
+  r.stiffness = mesh_stiffness(pair, line, relative_elasticity(e1, e2), in.body);
   if (in.quality) {
     const auto grade = turned(pair, *in.quality);
     for (std::size_t i = 0; i < 2; ++i)

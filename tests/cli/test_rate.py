@@ -209,6 +209,9 @@ class Contact(unittest.TestCase):
         self.assertEqual(r["contact_pressure_MPa"], load["max_pressure_MPa"])
         self.assertEqual(r["contact_root_stress_MPa"], load["max_root_stress_MPa"])
         self.assertEqual(r["contact_face_load_factor"], load["face_load_factor"])
+        self.assertAlmostEqual(load["c_gamma_alpha"], r["c_gamma_alpha"], delta=1e-12)
+        self.assertEqual(load["stiffness_over_c_gamma_alpha"],
+                         load["mesh_stiffness_without_twist_N_per_mm_um"]["mean"] / load["c_gamma_alpha"])
         for i in (0, 1):
             self.assertAlmostEqual(r["contact_pressure_over_sigma_H"][i], r["contact_pressure_MPa"] / r["sigma_H_MPa"][i], delta=1e-14)
             self.assertAlmostEqual(r["contact_root_stress_over_sigma_F"][i], r["contact_root_stress_MPa"][i] / r["sigma_F_MPa"][i], delta=1e-14)
