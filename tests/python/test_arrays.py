@@ -178,6 +178,20 @@ def test_closed_forms_are_those_of_pairs():
     assert gw.working_pressure_angle(17, 43) == pytest.approx(math.radians(20), rel=1e-14)
 
 
+def test_columns_and_single_numbers_broadcast_alike():
+    z1, x, beta = np.arange(12.0, 40.0)[:, None], np.linspace(-0.2, 0.5, 900), math.radians(12)
+    ones = np.ones((28, 900))
+    for form, given in ((gw.contact_ratio, (z1, 43, x, 0.1, beta)), (gw.backlash, (z1, 43, x, 0.1, 40.0, beta)),
+                        (gw.inverse_involute, (0.1 * x,)), (gw.involute, (x,))):
+        found = form(*given)
+        assert np.array_equal(found, form(*(g * ones[: found.shape[0]] if found.ndim == 2 else g for g in given)),
+                              equal_nan=True)
+        last = form(*(np.broadcast_to(g, found.shape).flat[-1] for g in given))
+        assert isinstance(last, float) and last == found.flat[-1]
+    assert gw.backlash([], 43, 0, 0, 30.0).shape == (0,) and gw.center_distance(z1, 43, []).shape == (28, 0)
+    assert gw.inverse_involute(np.float32(0)) == 0.0
+
+
 def test_closed_forms_out_of_their_domain():
     assert np.isnan(gw.involute([math.pi / 2, math.nan])).all() and gw.involute(0.0) == 0.0
     y = np.linspace(-2, 2, 401)
