@@ -143,6 +143,22 @@ def test_files(tmp_path):
         pinion().stl(tmp_path / "none" / "gear.stl")
 
 
+def test_drawing(tmp_path):
+    for form, start in (("pdf", b"%PDF"), ("svg", b"<"), ("dxf", b"0\nSECTION")):
+        assert pinion().drawing(format=form).startswith(start)
+    path = pair().drawing(tmp_path / "drawing.PDF", sheet="A3")
+    assert path.read_bytes() == pair().drawing(sheet="A3") != pair().drawing()
+    (tmp_path / "pair.json").write_text(json.dumps(pair().spec))
+    for more, value in (([], pair()), (["--gear", "2"], pair().gear2)):
+        subprocess.run([BIN, "export", tmp_path / "pair.json", "--drawing", tmp_path / "told.svg", *more], check=True)
+        assert value.drawing(format="svg") == (tmp_path / "told.svg").read_bytes()
+    for wrong, key in (({"path": "drawing.png"}, "path"), ({"format": "png"}, "format"), ({"sheet": "A5"}, "sheet"),
+                       ({"tolerance": 0}, "tolerance")):
+        with pytest.raises(gw.SpecError) as e:
+            pinion().drawing(**wrong)
+        assert e.value.key == key
+
+
 def test_pose():
     first, second = pair().pose(1), pair().pose(2)
     assert first.shape == (4, 4) and np.allclose(first[:3, :3].T @ first[:3, :3], np.eye(3))
