@@ -9,6 +9,7 @@
 #include "gearwright/base/version.hpp"
 #include "gearwright/job/contact_report.hpp"
 #include "gearwright/job/judgement.hpp"
+#include "gearwright/job/load_report.hpp"
 #include "gearwright/report/contact_flank_picture.hpp"
 #include "gearwright/report/contact_te_picture.hpp"
 #include "gearwright/report/gear_shape.hpp"
@@ -71,11 +72,13 @@ std::string pair_html(const PairValue& p) {
                     pair_table(pair));
 }
 
-// The job of a contact, with the part of the report about it.
-std::optional<ContactPart> part_of(SolvedJob& job) {
-  std::optional<Result<std::optional<ContactPart>>> part;
+// A part of the report, made while the interpreter may interrupt.
+template <class Part>
+std::optional<Part> part_of(SolvedJob& job,
+                            Result<std::optional<Part>> (*make)(SolvedJob&, Headway*)) {
+  std::optional<Result<std::optional<Part>>> part;
   Watched watched;
-  watch(watched, [&] { part = contact_part(job, &watched.headway); });
+  watch(watched, [&] { part = make(job, &watched.headway); });
   if (!*part) raise(spelled(part->error(), job.spec.given));
   return std::move(*part).take();
 }
@@ -83,7 +86,7 @@ std::optional<ContactPart> part_of(SolvedJob& job) {
 std::string contact_html(const ContactValue& c) {
   SolvedJob job = c.model->job;
   job.spec.contact.given = true;  // that it is asked for
-  const auto part = part_of(job);
+  const auto part = part_of(job, contact_part);
   if (!part) return "<p>Nothing touches.</p>";
   return framed("Tooth contact", "<div class=\"figures\">\n" + te_figure(part->report, false) +
                                      te_figure(part->report, true) + "</div>\n" +
@@ -95,13 +98,16 @@ std::string page_of(const Model& source, const std::vector<const Gear*>& gears, 
   std::optional<ContactPart> part;
   if (contact || wants_contact(job)) {
     job.spec.contact.given = true;
-    if (job.pair) part = part_of(job);
+    if (job.pair) part = part_of(job, contact_part);
   }
+  std::optional<LoadPart> load;
+  if (gears.size() == 2 && job.pair) load = part_of(job, load_part);
   ReportInput input;
   input.title = job.spec.title;
   input.gears = gears;
   if (gears.size() == 2) input.pair = job.pair;
   if (part) input.contact = &part->report;
+  if (load && load->report) input.load = &*load->report;
   input.verdict = judge(job, part ? &part->answer.driving : nullptr);
   input.spec_text = json_text(source.spec, 2);
   input.version = kVersion;

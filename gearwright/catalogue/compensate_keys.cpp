@@ -28,6 +28,15 @@ const KeyTable& compensate_keys() {
                    "`gear1.lead_slope_um` (±100), `gear1.lead_crowning_um` (0 to 50), "
                    "`gear1.profile_slope_um` (±50), `gear1.profile_crowning_um` (0 to 50); each is "
                    "added to what the spec has"},
+       {.key = "aim",
+        .kind = KeyKind::word,
+        .words = {"transmission_error", "loaded_transmission_error", "pressure"},
+        .place = &CompensateInput::aim,
+        .fallback = "\"transmission_error\"",
+        .meaning = "what is to be least: the transmission error of rigid teeth with the pattern in "
+                   "the middle, or under the torques of `[load]` that of loaded teeth, peak to "
+                   "peak, or the greatest pressure; of several torques the worst counts, and "
+                   "`centering_arcsec` does not"},
        {.key = "centering_arcsec",
         .symbol = "w",
         .range = KeyRange::not_negative(),

@@ -42,8 +42,12 @@ inline constexpr std::array<CorrectionEntry, kCorrectionCount> kCorrections{
      {"gear2.profile_slope_um", -50.0, 50.0, 1.0, "profile slope of gear 2"},
      {"gear2.profile_crowning_um", 0.0, 50.0, 1.0, "profile crowning of gear 2"}}};
 
+/// What corrections are to make least.
+enum class CompensateAim { transmission_error, loaded_transmission_error, pressure };
+
 struct CompensateInput {
-  bool given = false;                      ///< the spec has [compensate]
+  bool given = false;  ///< the spec has [compensate]
+  CompensateAim aim = CompensateAim::transmission_error;
   std::vector<std::size_t> corrections;    ///< places in kCorrections; empty: the pair's own
   std::optional<double> centering_arcsec;  ///< what a pattern at the end of the face may cost
   /// [compensate.range]: the least and the greatest value of an error, by its place in

@@ -115,6 +115,27 @@ const Quantities<LeadAnswer>& lead_quantities() {
 }
 const SaidTable& lead_table() { return lead_quantities().table(); }
 
+const SaidTable& loaded_score_table() { return loaded_score_quantities().table(); }
+
+const Quantities<AimedLoad>& load_quantities_of_aim() {
+  using L = AimedLoad;
+  static const Quantities<L> kAll("compensate.under_load", [](Quantities<L>& q) {
+    q.add(Type::number, Unit::newton_metre, "", "torque_Nm", "torque", "T_1", "on gear 1",
+          [](const L& l) { return Value(l.torque / kMmPerM); })
+        .always();
+    q.record("", "before", "without corrections", loaded_score_table, [](const L& l) {
+       return Value(loaded_score_quantities().of(l.before));
+     }).always();
+    q.record("", "after", "with them", loaded_score_table, [](const L& l) {
+       return Value(loaded_score_quantities().of(l.after));
+     }).always();
+  });
+  return kAll;
+}
+const SaidTable& aimed_load_table() { return load_quantities_of_aim().table(); }
+
+bool under_load(const V& v) { return v.aim != CompensateAim::transmission_error; }
+
 void say(Quantities<V>& q) {
   q.groups({kSetting, kLead});
   q.record("", "corrections", "what was found", correction_table,
@@ -129,6 +150,19 @@ void say(Quantities<V>& q) {
   q.record("", "after", "the worst over all scenarios, with them", score_table,
            [](const V& v) { return Value(score_quantities().of(v.after)); })
       .always()
+      .doors(kJson);
+  q.word(
+       "", "aim", "what is to be least", "the key of this name",
+       [](const V& v) {
+         return Value(v.aim == CompensateAim::pressure ? "pressure" : "loaded_transmission_error");
+       })
+      .one_of({"loaded_transmission_error", "pressure"})
+      .when(under_load)
+      .doors(kJson);
+  q.record("", "under_load", "one for each torque, the worst over all scenarios", aimed_load_table,
+           [](const V& v) { return Value(load_quantities_of_aim().each(v.loads)); })
+      .list({0})
+      .when(under_load)
       .doors(kJson);
   q.flag("", "nothing_to_correct", "nothing to correct",
          "no corrections within reach are better by 0.001 arcsec: each is 0",
@@ -160,8 +194,32 @@ void say(Quantities<V>& q) {
 
 }  // namespace
 
+const char* least_gain(CompensateAim aim) {
+  return aim == CompensateAim::pressure ? "0.1 N/mm²" : "0.001 ″";
+}
+
 const Quantities<CompensateView>& compensate_quantities() {
   static const Quantities<CompensateView> kAll("compensate", say);
+  return kAll;
+}
+
+const Quantities<LoadedScore>& loaded_score_quantities() {
+  using S = LoadedScore;
+  static const Quantities<S> kAll("compensate loaded score", [](Quantities<S>& q) {
+    q.add(Type::number, Unit::arcsec, "", "peak_to_peak_arcsec",
+          "loaded transmission error, peak to peak", "", "as `load` has it",
+          [](const S& s) { return Value(s.peak_to_peak.arcsec()); })
+        .always();
+    q.add(Type::number, Unit::megapascal, "", "max_pressure_MPa", "greatest pressure", "p_max",
+          "of Hertz; a lower bound where an edge carries",
+          [](const S& s) { return Value(s.max_pressure); })
+        .always();
+    q.pure("", "face_load_factor", "face load factor", "K_Hβ", "as `load` has it", [](const S& s) {
+       return Value(s.face_load_factor);
+     }).always();
+    q.flag("", "edge_carries", "an edge carries", "the pressure there is a lower bound",
+           [](const S& s) { return Value(s.edge_carries); });
+  });
   return kAll;
 }
 

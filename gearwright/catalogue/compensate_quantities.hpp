@@ -4,8 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/catalogue/compensate_keys.hpp"
 #include "gearwright/catalogue/quantity.hpp"
 #include "gearwright/contact/compensation.hpp"
+#include "gearwright/load/loaded_score.hpp"
 
 namespace gearwright {
 
@@ -33,9 +35,15 @@ struct CompensateView {
   std::optional<SettingAnswer> setting;
   std::optional<LeadAnswer> lead;
   Value spec;  ///< the whole spec with the corrections in it
+  CompensateAim aim = CompensateAim::transmission_error;
+  std::vector<AimedLoad> loads{};  ///< of an aim under load
 };
 
+/// What nobody cares for less of: "0.001 ″".
+const char* least_gain(CompensateAim aim);
+
 const Quantities<CompensateView>& compensate_quantities();
+const Quantities<LoadedScore>& loaded_score_quantities();
 /// Of one scenario, or of the worst of all.
 const Quantities<ContactScore>& score_quantities();
 

@@ -85,6 +85,8 @@ void say_position(Quantities<P>& q) {
 }
 const SaidTable& position_table() { return load_position_quantities().table(); }
 
+bool has_standard(const T& t) { return t.standard_stiffness.has_value(); }
+
 void say_torque(Quantities<T>& q) {
   q.add(Type::number, Unit::newton_metre, kLoad, "torque_Nm", "torque", "T_1", "on gear 1",
         [](const T& t) { return Value(t.torque->torque / kNmmPerNm); })
@@ -123,6 +125,17 @@ void say_torque(Quantities<T>& q) {
            [](const T& t) { return Value(stiffness_quantities().of(t.torque->tangent)); })
       .always()
       .doors(kJson);
+  q.add(Type::number, Unit::newton_per_mm_um, kLoad, "c_gamma_alpha",
+        "mesh stiffness by ISO 6336-1", "c_γα", "method B, of solid discs [T11.3]",
+        [](const T& t) { return Value(t.standard_stiffness); })
+      .when(has_standard);
+  q.pure(kLoad, "stiffness_over_c_gamma_alpha", "mesh stiffness over that", "",
+         "the mean without the twist of the bodies, which the standard does not know, over c_γα",
+         [](const T& t) {
+           return has_standard(t) ? Value(t.torque->without_twist.mean / *t.standard_stiffness)
+                                  : Value();
+         })
+      .when(has_standard);
   q.add(Type::number, Unit::megapascal, kLoad, "max_pressure_MPa", "greatest pressure", "p_max",
         "of Hertz, over all positions; a lower bound where an edge carries",
         [](const T& t) { return Value(t.torque->max_pressure); })
@@ -134,6 +147,10 @@ void say_torque(Quantities<T>& q) {
   q.pure(kLoad, "face_load_factor", "face load factor", "K_Hβ",
          "greatest over mean of the load along the face, mean of the positions",
          [](const T& t) { return Value(t.torque->face_load_factor); })
+      .always();
+  q.pure(kLoad, "transverse_load_factor", "transverse load factor", "K_Hα",
+         "greatest share of a tooth pair over that of the pair without errors and deflections",
+         [](const T& t) { return Value(t.torque->transverse_load_factor); })
       .always();
   q.flag(kLoad, "edge_carries", "an edge carries", "the pressure there is a lower bound",
          [](const T& t) { return Value(t.torque->edge_carries); });
@@ -171,6 +188,16 @@ const SaidTable& probe_table() { return probe_quantities().table(); }
 
 }  // namespace
 
+std::vector<LoadTorqueView> torque_views(const LoadedContact& contact,
+                                         const std::vector<double>& standard_stiffness) {
+  std::vector<T> all;
+  for (std::size_t i = 0; i < contact.torques.size(); ++i) {
+    all.push_back({&contact.torques[i], &contact, std::nullopt});
+    if (i < standard_stiffness.size()) all.back().standard_stiffness = standard_stiffness[i];
+  }
+  return all;
+}
+
 const Quantities<LoadPositionView>& load_position_quantities() {
   static const Quantities<P> kAll("load.positions", say_position);
   return kAll;
@@ -185,9 +212,8 @@ const Quantities<LoadView>& load_quantities() {
   static const Quantities<LoadView> kAll("load", [](Quantities<LoadView>& q) {
     q.record("", "torques", "one for each torque, in their order", torque_table,
              [](const LoadView& v) {
-               std::vector<T> all;
-               if (v.contact)
-                 for (const LoadedTorque& t : v.contact->torques) all.push_back({&t, v.contact});
+               const auto all =
+                   v.contact ? torque_views(*v.contact, v.standard_stiffness) : std::vector<T>();
                return Value(load_torque_quantities().each(all));
              })
         .list({0})

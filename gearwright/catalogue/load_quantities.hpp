@@ -1,6 +1,7 @@
 // The quantities of loaded contact: `load` of a result, its torques, positions and probes.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "gearwright/catalogue/quantity.hpp"
@@ -22,12 +23,17 @@ struct LoadPositionView {
 struct LoadTorqueView {
   const LoadedTorque* torque;
   const LoadedContact* all;
+  std::optional<double> standard_stiffness;  ///< c_γα of ISO 6336-1, N/(mm µm)
 };
 
 struct LoadView {
-  const LoadedContact* contact = nullptr;  ///< null: only probes
-  std::vector<ProbeView> probes;
+  const LoadedContact* contact = nullptr;    ///< null: only probes
+  std::vector<double> standard_stiffness{};  ///< c_γα at each torque; empty: the standard has none
+  std::vector<ProbeView> probes{};
 };
+
+std::vector<LoadTorqueView> torque_views(const LoadedContact& contact,
+                                         const std::vector<double>& standard_stiffness);
 
 const Quantities<LoadView>& load_quantities();
 const Quantities<LoadTorqueView>& load_torque_quantities();

@@ -20,6 +20,8 @@ constexpr double kLastGain = 1e-5;  // relative
 constexpr double kLastGain_rad = 1e-5 * kRadPerArcsec;
 // f of corrections at which contact is lost, rad: far above any other, and finite for the optimiser.
 constexpr double kLost = 1e3;
+// The same of an aim, in what nobody cares for less.
+constexpr double kAimLastGain = 0.01, kAimLost = 1e9;
 // What an arcsec of transmission error costs beyond the limit, on top of all that the pattern of no
 // corrections costs: so that nothing beyond the limit is better than nothing, and the way back from
 // there leads down.
@@ -51,6 +53,7 @@ class Judge {
   }
 
   double value(const std::vector<double>& v) {
+    if (task_.aim) return aimed(v);
     const auto all = curves(v);
     if (all.empty()) return kInfinity;
     const ContactScore s = worst(all);
@@ -61,10 +64,25 @@ class Judge {
   }
 
   int positions() const { return positions_; }
+  /// f that differs by less is the same; a search ends; contact is lost.
+  double same() const { return task_.aim ? task_.aim->same : kSameError.rad(); }
+  double last_gain() const { return task_.aim ? kAimLastGain * task_.aim->same : kLastGain_rad; }
+  double lost() const { return task_.aim ? kAimLost * task_.aim->same : kLost; }
   Angle centering() const { return Angle::radians(centering_); }
   int evaluations() const { return evaluations_; }
 
  private:
+  double aimed(const std::vector<double>& v) {
+    ++evaluations_;
+    count_step(task_.headway);
+    double worst = 0.0;
+    for (int s = 0; s < task_.scenarios; ++s) {
+      const auto pair = task_.pair_at(v, s);
+      worst = std::max(worst, pair ? task_.aim->of(*pair, positions_) : kInfinity);
+    }
+    return worst;
+  }
+
   double place_cost(const ContactScore& s) const {
     const double along = task_.along_face ? s.along_face * s.along_face : 0.0;
     return centering_ * (along + s.along_profile * s.along_profile);
@@ -122,10 +140,10 @@ std::vector<double> optimise(const CompensationTask& task, Judge& judge, Minimis
                              int evaluations, double step_factor, std::vector<double> v) {
   MinimiserTask search{.evaluations = evaluations,
                        .relative_gain = kLastGain,
-                       .gain = kLastGain_rad,
+                       .gain = judge.last_gain(),
                        .f = [&](const std::vector<double>& x) {
                          const double f = judge.value(x);
-                         return std::isfinite(f) ? f : kLost;
+                         return std::isfinite(f) ? f : judge.lost();
                        }};
   for (const Correction& c : task.corrections) {
     search.lo.push_back(c.lo);
@@ -170,7 +188,7 @@ struct Best {
 std::vector<double> searched(const CompensationTask& task, Judge& judge) {
   const std::vector<double> zero(task.corrections.size(), 0.0);
   Best best(judge, zero);
-  if (best.least < kSameError.rad()) return zero;
+  if (best.least < judge.same()) return zero;
   const int n = static_cast<int>(zero.size());
   // Curves are what costs: so many in all, whatever the number of scenarios.
   const int budget = std::clamp(task.curves / task.scenarios, 1, 400 * n);
@@ -203,10 +221,10 @@ std::vector<double> settled(const CompensationTask& task, Judge& fine,
     for (const double step : {0.3, 0.03})
       best.take(optimise(task, fine, Minimiser::downhill, budget, step, best.v));
   }
-  if (!(best.least < none - kSameError.rad())) return zero;
+  const double same = fine.same();
+  if (!(best.least < none - same)) return zero;
   constexpr double kPartLost = 0.01;  // of what is gained, for values that can be written down
-  const double loss = std::max(
-      kSameError.rad(), std::isfinite(none) ? kPartLost * (none - best.least) : kSameError.rad());
+  const double loss = std::max(same, std::isfinite(none) ? kPartLost * (none - best.least) : same);
   for (const double parts : {1e2, 1e4, 1e6}) {
     // The nearest values, or the next ones where those are on the wrong side of a crease.
     Best drawn(fine, rounded(task, best.v, parts));
@@ -217,7 +235,7 @@ std::vector<double> settled(const CompensationTask& task, Judge& fine,
         drawn.take(rounded(task, next, parts));
       }
     }
-    if (drawn.least <= best.least + loss && drawn.least < none - kSameError.rad()) return drawn.v;
+    if (drawn.least <= best.least + loss && drawn.least < none - same) return drawn.v;
   }
   return best.v;
 }

@@ -31,6 +31,14 @@ struct Correction {
   double step;    ///< what is a small change
 };
 
+/// Something else to be least than the transmission error of rigid teeth; the pattern's place then
+/// counts nothing.
+struct CompensationAim {
+  /// At so many positions per pitch, in any unit; infinite: worse than anything.
+  std::function<double(const ContactPair&, int)> of;
+  double same = 0.0;  ///< > 0: nobody cares for less
+};
+
 struct CompensationTask {
   std::vector<Correction> corrections;
   int scenarios = 1;
@@ -43,6 +51,7 @@ struct CompensationTask {
   ProfileTarget profile{};
   std::vector<std::vector<double>> starts{};  ///< guesses beside its own
   Headway* headway = nullptr;                 ///< told how far it is
+  std::optional<CompensationAim> aim{};       ///< absent: f
   /// The pair under a scenario with the corrections made. Null where there is none.
   std::function<std::shared_ptr<const ContactPair>(const std::vector<double>&, int)> pair_at;
 };
@@ -91,8 +100,8 @@ Angle default_centering(Angle peak_to_peak);
 /// Accuracy  a local least of f, the best that a deterministic search of the whole box (DIRECT) and
 ///           descents from several starts find; values are multiples of a hundredth of `step`, of
 ///           less where that loses more than 1 % of what is gained; all are 0 where less than kSameError is to be had
-/// Laws      (1) f(value) <= f(0) at fine_positions
-///           (2) without a given w, after.peak_to_peak is at most before.peak_to_peak + kSameError,
+/// Laws      (1) f(value) <= f(0) at fine_positions; of an aim its worst over the scenarios
+///           (2) without a given w or an aim, after.peak_to_peak is at most before.peak_to_peak + kSameError,
 ///               or kQuiet where that is more
 Compensation compensate(const CompensationTask& task);
 

@@ -9,6 +9,7 @@
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/job/compensate_forms.hpp"
+#include "gearwright/job/compensate_load.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/math/minimise.hpp"
 #include "gearwright/spec/table_reader.hpp"
@@ -18,6 +19,16 @@ namespace gearwright {
 namespace {
 
 constexpr int kPositions = 24;
+// Under load a curve costs a hundred times as much, and a pitch has fewer corners.
+constexpr int kLoadPositions = 16, kLoadCurves = 120;
+
+bool under_load(const JobSpec& spec) {
+  return spec.compensate.aim != CompensateAim::transmission_error;
+}
+
+bool gear2_drives(const JobSpec& spec) {
+  return (under_load(spec) ? spec.load.driver : spec.contact.driver) == 2;
+}
 
 enum CorrectionIndex { setting, lead1, lead2, first_flank };
 
@@ -98,7 +109,7 @@ std::string spec_key(const SolvedJob& job, const ContactSetup& setup, std::size_
   const int gear = i < first_flank + 4 ? 1 : 2;
   const std::string_view name = kCorrections[i].key.substr(6);
   const bool slope = name.find("slope") != std::string_view::npos;
-  const bool left = (job.spec.contact.driver == 2) != (gear == 2 && setup.gear(2).internal());
+  const bool left = gear2_drives(job.spec) != (gear == 2 && setup.gear(2).internal());
   return fmt::format("gear{}.modifications.{}{}", gear,
                      !slope ? ""
                      : left ? "left_"
@@ -177,6 +188,26 @@ Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
   return ordered;
 }
 
+// The worst over the scenarios, at the positions told of.
+std::vector<AimedLoad> aimed_loads(const LoadedAim& load, const CompensationTask& task,
+                                   const std::vector<double>& found) {
+  std::vector<AimedLoad> loads;
+  for (const double torque : load.torques()) loads.push_back({torque, {}, {}});
+  const std::vector<double> zero(found.size(), 0.0);
+  for (int s = 0; s < task.scenarios; ++s) {
+    for (const bool after : {false, true}) {
+      const auto pair = task.pair_at(after ? found : zero, s);
+      if (!pair) continue;
+      const auto scores = load.scores(*pair, task.fine_positions);
+      for (std::size_t i = 0; i < loads.size(); ++i) {
+        LoadedScore& worst = after ? loads[i].after : loads[i].before;
+        worst = worse_of(worst, i < scores.size() ? scores[i] : no_score());
+      }
+    }
+  }
+  return loads;
+}
+
 // What somebody meets who runs the corrected spec.
 Result<Verdict> judge_corrected(const std::string& corrected, const SolvedJob& job) {
   auto read = read_spec(corrected, SpecFormat::json);
@@ -211,7 +242,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Headway* headway, int
   if (auto error = check_corrections(setup, input)) return *error;
   CompensateAnswer answer;
   answer.corrections = input.corrections.empty() ? default_corrections(setup) : input.corrections;
-  const bool gear2_drives = job.spec.contact.driver == 2;
+  const bool gear2_drives = gearwright::gear2_drives(job.spec);
   // Before a search: nothing that a workshop corrects makes teeth longer.
   if (std::isnan(
           peak_to_peak(transmission_error(setup.pair(gear2_drives), job.spec.contact.positions))))
@@ -225,6 +256,17 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Headway* headway, int
   task.curves = curves;
   task.along_face = setup.gear(1).involute() != nullptr;
   task.fine_positions = job.spec.contact.positions;
+  answer.aim = input.aim;
+  std::optional<LoadedAim> load;
+  if (under_load(job.spec)) {
+    auto aimed = LoadedAim::of(job, headway);
+    if (!aimed) return aimed.error();
+    load = std::move(aimed).take();
+    task.aim = load->aim();
+    task.fine_positions = load->positions();
+    task.positions = std::min(kLoadPositions, task.fine_positions);
+    task.curves = std::min(curves, kLoadCurves);
+  }
   if (input.centering_arcsec) task.centering = Angle::arcseconds(*input.centering_arcsec);
   for (const std::size_t i : answer.corrections) {
     const CorrectionEntry& c = kCorrections[i];
@@ -275,6 +317,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Headway* headway, int
                             "brings it back: the error is told of the others.",
                             0});
   }
+  if (load) answer.loads = aimed_loads(*load, task, answer.result.value);
   for (std::size_t k = 0; k < answer.corrections.size(); ++k) {
     answer.spec_keys.push_back(spec_key(job, setup, answer.corrections[k]));
     answer.at_bound.push_back(at_bound(task.corrections[k], answer.result.value[k]));

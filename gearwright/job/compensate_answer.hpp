@@ -11,6 +11,7 @@
 
 #include "gearwright/contact/compensation.hpp"
 #include "gearwright/job/contact_answer.hpp"
+#include "gearwright/load/loaded_score.hpp"
 #include "gearwright/verdict/verdict.hpp"
 
 namespace gearwright {
@@ -21,6 +22,8 @@ struct CompensateAnswer {
   std::vector<bool> at_bound;            ///< of each: at the end of what is looked for
   Compensation result;
   std::vector<std::string> scenarios;
+  CompensateAim aim = CompensateAim::transmission_error;
+  std::vector<AimedLoad> loads;  ///< of an aim under load, by torque
   std::optional<SettingAnswer> setting;
   std::optional<LeadAnswer> lead;
   std::string corrected;  ///< the spec with the corrections in it, JSON

@@ -33,6 +33,8 @@ CompensateView compensate_view(const CompensateAnswer& a) {
   for (std::size_t i = 0; i < a.scenarios.size(); ++i)
     view.scenarios.push_back({a.scenarios[i], a.result.each_before[i], a.result.each_after[i]});
   view.spec = to_value(Json::parse(a.corrected));
+  view.aim = a.aim;
+  view.loads = a.loads;
   return view;
 }
 
@@ -62,7 +64,15 @@ std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) 
     if (a.result.value[i] != 0.0) row("  in the spec: " + a.spec_keys[i], "");
   }
   if (a.result.nothing_to_correct())
-    out += "  nothing to correct: none within reach is better by 0.001 ″\n";
+    out +=
+        fmt::format("  nothing to correct: none within reach is better by {}\n", least_gain(a.aim));
+  for (const AimedLoad& l : a.loads) {
+    const auto& said = loaded_score_quantities();
+    head(fmt::format("Under {} N m", spoken(l.torque / kMmPerM)).c_str());
+    out +=
+        quantity_listing(said.table(), {said.of(l.before), said.of(l.after)}, {"before", "after"});
+  }
+  if (!a.loads.empty()) head("Without load");
   const auto& scores = score_quantities();
   out += quantity_listing(scores.table(), {scores.of(a.result.before), scores.of(a.result.after)},
                           {"before", "after"});

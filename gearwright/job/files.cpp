@@ -24,6 +24,7 @@
 #include "gearwright/job/contact_text.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/k_diagrams.hpp"
+#include "gearwright/job/load_report.hpp"
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/run_folder.hpp"
@@ -232,6 +233,8 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   std::vector<ToothedBody> mounted;
   const auto contact = contact_part(job, options.headway);
   if (!contact) return contact.error();
+  const auto load = load_part(job, options.headway);
+  if (!load) return load.error();
   const auto compensation = compensation_part(job, options.headway);
   if (!compensation) return compensation.error();
   const auto rating = rating_part(job);
@@ -281,6 +284,7 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   report.k_diagrams = k_diagrams(job);
   if (*contact) report.contact = &contact.value()->report;
   report.verdict = judge(job, *contact ? &contact.value()->answer.driving : nullptr, rated);
+  if (*load && load.value()->report) report.load = &*load.value()->report;
   if (*compensation) report.compensate = &**compensation;
   if (rating_view) report.rating = &*rating_view;
   if (wanted("report")) add_solid(report, job, mounted, options);
@@ -295,6 +299,7 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   std::move(files.begin(), files.end(), std::back_inserter(all));
   Json result = job_json(job);
   if (*contact) result["contact"] = contact_json(job, contact.value()->answer)["contact"];
+  if (*load) result["load"] = to_json(load_quantities().of(load_view(job, load.value()->answer)));
   if (*compensation) result["compensate"] = to_json(compensate_quantities().of(**compensation));
   if (rating_view) result["rating"] = to_json(rating_quantities().of(*rating_view));
   result["verdict"] = verdict_json(report.verdict);

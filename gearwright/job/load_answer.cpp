@@ -7,7 +7,9 @@
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/gear/gear_field.hpp"
+#include "gearwright/rating/elasticity.hpp"
 #include "gearwright/rating/material.hpp"
+#include "gearwright/rating/stiffness.hpp"
 
 namespace gearwright {
 
@@ -101,6 +103,9 @@ Result<LoadTask> task_of(const SolvedJob& job, const std::array<ElasticBody, 2>&
   auto setup = ContactSetup::of(job);
   if (!setup) return setup.error();
   LoadTask task{std::move(setup).take(), {}, input.driver == 2};
+  const auto& errors = job.spec.errors.value;
+  task.with_errors = input.deflection_slope != 0.0 || input.deflection_bow != 0.0 ||
+                     std::any_of(errors.begin(), errors.end(), [](double e) { return e != 0.0; });
   LoadRequest& request = task.request;
   for (const double m : input.torques) request.torques.push_back(m * kMmPerM);
   request.positions = input.positions;
@@ -135,6 +140,17 @@ Result<LoadTask> load_task(SolvedJob& job) {
   return task_of(job, *bodies);
 }
 
+std::optional<ContactPair> LoadTask::perfect_pair() const {
+  if (!with_errors) return std::nullopt;
+  return setup.pair(ContactErrors(), gear2_drives);
+}
+
+LoadedContact LoadTask::contact(const PairCompliance& compliance) const {
+  const auto perfect = perfect_pair();
+  return loaded_contact(pair(), setup.gear(1), setup.gear(2), compliance, request,
+                        perfect ? &*perfect : nullptr);
+}
+
 std::optional<Error> judge_load(SolvedJob& job, const LoadTask& task, const LoadedContact& found) {
   const auto& positions = found.torques.front().positions;
   if (std::all_of(positions.begin(), positions.end(),
@@ -156,12 +172,13 @@ std::optional<Error> judge_load(SolvedJob& job, const LoadTask& task, const Load
 
 namespace {
 
-Result<LoadedContact> contact_of(SolvedJob& job, const LoadTask& task) {
-  const Gear& one = task.setup.gear(1);
-  const Gear& two = task.setup.gear(2);
-  const auto compliance = pair_compliance(one, two, task.request);
-  if (!compliance) return compliance.error();
-  auto contact = loaded_contact(task.pair(), one, two, *compliance, task.request);
+Result<PairCompliance> compliance_of(const LoadTask& task) {
+  return pair_compliance(task.setup.gear(1), task.setup.gear(2), task.request);
+}
+
+Result<LoadedContact> contact_of(SolvedJob& job, const LoadTask& task,
+                                 const PairCompliance& compliance) {
+  auto contact = task.contact(compliance);
   if (auto error = judge_load(job, task, contact)) return *error;
   return contact;
 }
@@ -195,7 +212,10 @@ Result<LoadAnswer> answer_load(SolvedJob& job, Headway* headway) {
   if (!made) return made.error();
   LoadTask task = std::move(made).take();
   task.request.headway = headway;
-  auto contact = contact_of(job, task);
+  auto compliance = compliance_of(task);
+  if (!compliance) return compliance.error();
+  answer.compliance = std::move(compliance).take();
+  auto contact = contact_of(job, task, *answer.compliance);
   if (!contact) return contact.error();
   answer.contact = std::move(contact).take();
   return answer;
@@ -209,12 +229,29 @@ Result<LoadedContact> contact_under(SolvedJob& job, double torque, Headway* head
   LoadTask task = std::move(made).take();
   task.request.headway = headway;
   task.request.torques = {torque * kMmPerM};
-  return contact_of(job, task);
+  const auto compliance = compliance_of(task);
+  if (!compliance) return compliance.error();
+  return contact_of(job, task, *compliance);
+}
+
+std::vector<double> standard_stiffness(const SolvedJob& job, const LoadAnswer& answer) {
+  const auto rated = rated_pair(*job.pair->involute());
+  if (!rated) return {};
+  const auto& [one, two] = answer.compliance->bodies;
+  const double elasticity = relative_elasticity(one.youngs_modulus, two.youngs_modulus);
+  const RatedGear& first = rated->gears[rated->place(1)];
+  std::vector<double> list;
+  for (const LoadedTorque& t : answer.contact->torques) {
+    const double line = 2 * t.torque / first.reference_diameter / rated->face_width;
+    list.push_back(mesh_stiffness(*rated, line, elasticity, std::nullopt).c_gamma_alpha.value);
+  }
+  return list;
 }
 
 LoadView load_view(const SolvedJob& job, const LoadAnswer& answer) {
   LoadView view;
   if (answer.contact) view.contact = &*answer.contact;
+  if (answer.contact) view.standard_stiffness = standard_stiffness(job, answer);
   for (std::size_t i = 0; i < answer.probes.size(); ++i)
     view.probes.push_back({&answer.probes[i], !job.spec.load.probes[i].z});
   return view;

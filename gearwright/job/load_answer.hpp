@@ -11,8 +11,9 @@
 namespace gearwright {
 
 struct LoadAnswer {
-  std::optional<LoadedContact> contact;  ///< none: only probes were asked
-  std::vector<ProbeAnswer> probes;       ///< of spec.load.probes
+  std::optional<LoadedContact> contact;      ///< none: only probes were asked
+  std::optional<PairCompliance> compliance;  ///< of its teeth
+  std::vector<ProbeAnswer> probes;           ///< of spec.load.probes
 };
 
 /// Errors    `load` without torque and probes; `gear2` missing; `pair.…` and `gearN.…` where loaded
@@ -29,8 +30,12 @@ struct LoadTask {
   ContactSetup setup;
   LoadRequest request;  ///< without headway
   bool gear2_drives = false;
+  bool with_errors = false;  ///< or deflections
 
   ContactPair pair() const { return setup.pair(gear2_drives); }
+  /// The same without errors, for K_Hα; none: there are none.
+  std::optional<ContactPair> perfect_pair() const;
+  LoadedContact contact(const PairCompliance& compliance) const;
 };
 
 /// Errors    as answer_load, and `load` without torque
@@ -38,6 +43,10 @@ Result<LoadTask> load_task(SolvedJob& job);
 
 /// What there is to say against an answer; what it has to be read with becomes warnings of the job.
 std::optional<Error> judge_load(SolvedJob& job, const LoadTask& task, const LoadedContact& found);
+
+/// c_γα of ISO 6336-1 at each torque of an answer with contact, N/(mm µm), of solid discs; none where
+/// the standard has none.
+std::vector<double> standard_stiffness(const SolvedJob& job, const LoadAnswer& answer);
 
 LoadView load_view(const SolvedJob& job, const LoadAnswer& answer);
 

@@ -55,9 +55,11 @@ std::string load_listing(const SolvedJob& job, const LoadAnswer& answer) {
                          p.profile[k] * kUmPerMm);
   }
   if (!answer.contact) return out;
-  for (const LoadedTorque& t : answer.contact->torques) {
-    out += quantity_listing(load_torque_quantities().table(),
-                            {load_torque_quantities().of({&t, &*answer.contact})}, {});
+  for (const LoadTorqueView& view :
+       torque_views(*answer.contact, load_view(job, answer).standard_stiffness)) {
+    const LoadedTorque& t = *view.torque;
+    out +=
+        quantity_listing(load_torque_quantities().table(), {load_torque_quantities().of(view)}, {});
     out += fmt::format("\n  {:>11}{:>14}{:>12}{:>12}{:>11}{:>11}  {}\n", "rotation1", "TE",
                        "approach", "pressure", "root 1", "root 2", "shares");
     out += fmt::format("  {:>11}{:>14}{:>12}{:>12}{:>11}{:>11}\n", "°", "arcsec", "µm", "N/mm²",

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "gearwright/job/load_answer.hpp"
+#include "gearwright/spec/missing_for_rating.hpp"
 
 namespace gearwright {
 
@@ -52,13 +53,19 @@ RatingView RatingAnswer::view() const {
 Result<RatingAnswer> answer_rating(SolvedJob& job, Headway* headway) {
   const RatingTable& table = job.spec.rating;
   if (!table.given) {
-    return Error{"rating", "",
-                 "is missing; a rating asks for the load and what the gears are made of: [rating] "
-                 "and [gear1.material], [gear2.material]"};
+    return Error{
+        "rating", "",
+        "is missing; a rating asks for the load and what the gears are made of: [rating] "
+        "with torque_Nm = 50, speed_rpm = 1500, quality = 6 and face_load_factor = 1.2 for "
+        "example, and [gear1.material], [gear2.material], both with name = \"16MnCr5\""};
   }
   const InvolutePair* pair = job.pair->involute();
   if (!pair) {
     return Error{"gear1.rack", "", "cuts circular arcs; ISO 6336 rates involute gears only"};
+  }
+  if (auto missing =
+          missing_for_rating(table, {job.spec.gears[0]->material, job.spec.gears[1]->material})) {
+    return *missing;
   }
   RatingAnswer answer;
   answer.input = table.input;

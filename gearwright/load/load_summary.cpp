@@ -62,6 +62,7 @@ void summarise(LoadedTorque& t, const SummaryBasis& basis) {
     for (int g = 0; g < 2; ++g)
       t.max_root_stress[g] = std::max(t.max_root_stress[g], p.root_stress[g]);
     for (const LoadedPair& pair : p.pairs) {
+      t.max_share = std::max(t.max_share, pair.share);
       if (t.face_load.size() == 0) t.face_load = Eigen::VectorXd::Zero(pair.line_load.size());
       t.face_load += pair.line_load / static_cast<double>(t.positions.size());
     }

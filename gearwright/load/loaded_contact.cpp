@@ -1,271 +1,45 @@
 #include "gearwright/load/loaded_contact.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
+#include <optional>
 
 #include "gearwright/base/parallel.hpp"
-#include "gearwright/base/units.hpp"
 #include "gearwright/compliance/probe.hpp"
-#include "gearwright/contact/transmission.hpp"
-#include "gearwright/load/complementarity.hpp"
 #include "gearwright/load/load_summary.hpp"
+#include "gearwright/load/loaded_position.hpp"
 
 namespace gearwright {
 
 namespace {
 
-using Eigen::Index;
+using detail::Position;
+using detail::PositionSolver;
+using detail::RootStress;
 using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
-constexpr double kFarGap = 0.03;    // modules: pairs farther apart do not touch under load
-constexpr double kFlattest = 1e-6;  // 1/mm: less curvature than that is none
-
-// The places of all pairs at one position, in one row.
-struct Row {
-  int pair;  // index into pairs
-  int slice;
-};
-
-struct Position {
-  std::vector<PairPlaces> pairs;  // of those that may touch, nearest to its exit last
-  std::vector<Row> rows;
-  ContactProblem problem;
-  double te = 0.0;                               // of the first touch, deflections included
-  std::array<std::vector<LinePlaces>, 2> lines;  // [gear][pair]
-};
-
-// N is the housing upside down where gear 2 drives: its slices, from −z on.
-void reverse(LoadedPair& pair) {
-  pair.line_load.reverseInPlace();
-  pair.pressure.reverseInPlace();
-  pair.half_width.reverseInPlace();
-  std::reverse(pair.radius.begin(), pair.radius.end());
+double greatest_of(const std::vector<double>& list) {
+  return list.empty() ? 0.0 : *std::max_element(list.begin(), list.end());
 }
 
-class Solver {
- public:
-  Solver(const ContactPair& pair, const Gear& one, const Gear& two, const PairCompliance& c,
-         const LoadRequest& request)
-      : pair_(pair), compliance_(c), request_(request), search_(pair), transmission_(pair) {
-    module_ = one.spec.normal_module;
-    base_radius_ = two.base_radius();
-    sin_b_ = std::sin(one.spec.helix_angle.rad()) * std::cos(one.spec.normal_pressure_angle.rad());
-    ratio_ = std::abs(double(two.spec.teeth) / one.spec.teeth);
-    const FaceSlices& s = c.slices;
-    for (int j = 0; j < s.count; ++j) heights_.push_back(s.middle(j));
-    for (int j = 0; j <= s.count; ++j) heights_.push_back(s.lo + j * s.width());
-  }
-
-  Position prepare(double rotation);
-  LoadedPosition solve(Position& at, double torque, Angle rotation1, bool& too_fine,
-                       long& unfinished) const;
-
- private:
-  // Further approach of the flanks at a height in N, mm.
-  double deflection(double z) const {
-    const FaceSlices& s = compliance_.slices;
-    const double x = pair_.turned() * z / (s.hi - s.lo);
-    return request_.deflection_slope * x + request_.deflection_bow * (1 - 4 * x * x);
-  }
-  MatrixXd yields(const Position& at) const;
-  void root_stress(const Position& at, const std::vector<VectorXd>& load,
-                   LoadedPosition& out) const;
-
-  const ContactPair& pair_;
-  const PairCompliance& compliance_;
-  const LoadRequest& request_;
-  GapSearch search_;
-  Transmission transmission_;
-  double module_, base_radius_, sin_b_, ratio_;
-  std::vector<double> heights_;
-};
-
-Position Solver::prepare(double rotation) {
-  Position at;
-  const int n = compliance_.slices.count;
-  auto all = search_.places(rotation, heights_);
-  double te = -std::numeric_limits<double>::infinity();
-  for (const PairPlaces& p : all)
-    for (std::size_t i = 0; i < heights_.size(); ++i)
-      if (p.at[i]) te = std::max(te, p.at[i]->te + deflection(heights_[i]) / p.at[i]->arm);
-  if (request_.deflection_slope == 0.0 && request_.deflection_bow == 0.0)
-    if (const PairTouch t = transmission_.at(rotation); t.found()) te = std::max(te, t.te());
-  at.te = te;
-  std::vector<double> gap;
-  std::vector<double> arm;
-  std::vector<double> radius;
-  std::sort(all.begin(), all.end(),
-            [](const PairPlaces& a, const PairPlaces& b) { return a.turn < b.turn; });
-  for (PairPlaces& p : all) {
-    double least = std::numeric_limits<double>::infinity();
-    const auto gap_at = [&](int j) {
-      return (te - p.at[j]->te) * p.at[j]->arm - deflection(heights_[j]);
-    };
-    for (int j = 0; j < n; ++j)
-      if (p.at[j]) least = std::min(least, gap_at(j));
-    if (!(least < kFarGap * module_)) continue;
-    const int index = static_cast<int>(at.pairs.size());
-    std::array<LinePlaces, 2> line;
-    for (int g = 0; g < 2; ++g) line[g].assign(n, compliance_.table[g]->section().s.front());
-    for (int j = 0; j < n; ++j) {
-      if (!p.at[j]) continue;
-      const GapPlace& place = *p.at[j];
-      for (int g = 0; g < 2; ++g)
-        line[g][j] = compliance_.table[g]->section().length_at_radius(place.radius[g] / module_);
-      if (gap_at(j) > kFarGap * module_) continue;
-      at.rows.push_back({index, j});
-      gap.push_back(gap_at(j));
-      arm.push_back(place.arm);
-      radius.push_back(1.0 / std::max(place.curvature, kFlattest));
-    }
-    for (int g = 0; g < 2; ++g) at.lines[g].push_back(line[g]);
-    at.pairs.push_back(std::move(p));
-  }
-  ContactProblem& q = at.problem;
-  const auto vector = [](const std::vector<double>& v) {
-    return VectorXd(Eigen::Map<const VectorXd>(v.data(), static_cast<Index>(v.size())));
-  };
-  q.gap = vector(gap);
-  q.arm = vector(arm);
-  q.radius = vector(radius);
-  q.length = compliance_.slices.width() / std::sqrt(1 - sin_b_ * sin_b_);
-  q.half_width = compliance_.half_width;
-  double soft = 0.0;
-  for (const ElasticBody& b : compliance_.bodies) {
-    const double plane = (1 - b.poisson_ratio * b.poisson_ratio) / b.youngs_modulus;
-    soft += plane;
-    q.local += 2 * plane / std::numbers::pi;
-  }
-  q.reduced_modulus = 1 / soft;
-  if (!at.rows.empty()) q.yield = yields(at);
-  return at;
-}
-
-MatrixXd Solver::yields(const Position& at) const {
-  const int n = compliance_.slices.count;
-  const auto pairs = static_cast<int>(at.pairs.size());
-  MatrixXd all = MatrixXd::Zero(pairs * n, pairs * n);
-  for (int g = 0; g < 2; ++g) {
-    const ToothTable& table = *compliance_.table[g];
-    const double unit = at.problem.length / (compliance_.bodies[g].youngs_modulus * module_);
-    for (int a = 0; a < pairs; ++a) {
-      all.block(a * n, a * n, n, n) += unit * table.same_tooth(at.lines[g][a]);
-      for (int b = 0; b < a; ++b) {
-        // In the section, which is N mirrored, gear 1's later tooth stands clockwise.
-        const int ahead = at.pairs[a].pair - at.pairs[b].pair;
-        const MatrixXd c =
-            unit * table.other_tooth(g == 0 ? -ahead : ahead, at.lines[g][a], at.lines[g][b]);
-        all.block(a * n, b * n, n, n) += c;
-        all.block(b * n, a * n, n, n) += c.transpose();
-      }
-    }
-  }
-  const auto m = static_cast<Index>(at.rows.size());
-  MatrixXd yield(m, m);
-  for (Index i = 0; i < m; ++i)
-    for (Index j = 0; j < m; ++j)
-      yield(i, j) =
-          all(at.rows[i].pair * n + at.rows[i].slice, at.rows[j].pair * n + at.rows[j].slice);
-  return yield;
-}
-
-LoadedPosition Solver::solve(Position& at, double torque, Angle rotation1, bool& too_fine,
-                             long& unfinished) const {
-  LoadedPosition out;
-  out.rotation1 = rotation1;
-  const double sign = pair_.turned();
-  out.unloaded_te = Angle::radians(sign * at.te);
-  out.te = out.unloaded_te;
-  if (at.rows.empty()) {
-    out.kind = TouchKind::none;
-    return out;
-  }
-  ContactProblem& q = at.problem;
-  q.moment = torque * ratio_;
-  const ContactSolution x = solve_contact(q);
-  out.iterations = x.iterations;
-  if (x.stop == ContactSolution::Stop::indefinite) too_fine = true;
-  if (!x.found()) ++unfinished;
-  out.te = Angle::radians(sign * (at.te - x.approach));
-  out.approach = x.approach * base_radius_;
-  out.tangent = x.yield_per_moment * base_radius_ * base_radius_;
-  const int n = compliance_.slices.count;
-  const double total = x.line_load.sum();
-  std::vector<VectorXd> load(at.pairs.size(), VectorXd::Zero(n));
-  std::vector<LoadedPair> pairs(at.pairs.size());
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    pairs[k].pair = at.pairs[k].pair;
-    pairs[k].pressure = pairs[k].half_width = VectorXd::Zero(n);
-    pairs[k].radius.resize(n);
-    for (int j = 0; j < n; ++j)
-      if (at.pairs[k].at[j]) pairs[k].radius[j] = at.pairs[k].at[j]->radius;
-  }
-  for (std::size_t i = 0; i < at.rows.size(); ++i) {
-    const auto [k, j] = at.rows[i];
-    const double p = x.line_load[static_cast<Index>(i)];
-    if (!(p > 0.0)) continue;
-    const double radius = q.radius[static_cast<Index>(i)];
-    const double a = hertz_half_width(p, radius, q.reduced_modulus);
-    load[k][j] = p;
-    pairs[k].half_width[j] = a;
-    pairs[k].pressure[j] = 2 * p / (std::numbers::pi * a);
-    out.max_width_ratio = std::max(out.max_width_ratio, a / radius);
-    const TouchKind kind = at.pairs[k].at[j]->kind;
-    if (is_edge(kind)) out.edge_carries = true;
-    if (pairs[k].pressure[j] > out.max_pressure) {
-      out.max_pressure = pairs[k].pressure[j];
-      out.kind = kind;
-    }
-  }
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    pairs[k].line_load = load[k];
-    pairs[k].share = load[k].sum() / total;
-    if (!(pairs[k].share > 0.0)) continue;
-    if (sign < 0.0) reverse(pairs[k]);
-    out.pairs.push_back(pairs[k]);
-  }
-  root_stress(at, load, out);
-  return out;
-}
-
-void Solver::root_stress(const Position& at, const std::vector<VectorXd>& load,
-                         LoadedPosition& out) const {
-  const int n = compliance_.slices.count;
-  for (int g = 0; g < 2; ++g) {
-    const ToothTable& table = *compliance_.table[g];
-    const auto points = static_cast<Index>(table.root().t.size());
-    if (points == 0) continue;
-    for (std::size_t a = 0; a < at.pairs.size(); ++a) {
-      if (load[a].isZero(0.0)) continue;
-      MatrixXd stress = MatrixXd::Zero(6 * points, n);
-      for (std::size_t b = 0; b < at.pairs.size(); ++b) {
-        const int ahead = at.pairs[a].pair - at.pairs[b].pair;
-        if (std::abs(ahead) > 1 || load[b].isZero(0.0)) continue;
-        table.add_root_stress(g == 0 ? -ahead : ahead, at.lines[g][b], load[b] * at.problem.length,
-                              stress);
-      }
-      for (int j = 0; j < n; ++j)
-        for (Index p = 0; p < points; ++p)
-          out.root_stress[g] = std::max(
-              out.root_stress[g],
-              detail::greatest_principal(stress.block<6, 1>(6 * p, j)) / (module_ * module_));
-    }
-  }
+void add_greatest(MatrixXd& to, const MatrixXd& more) {
+  if (more.size() == 0) return;
+  to = to.size() == 0 ? more : MatrixXd(to.cwiseMax(more));
 }
 
 }  // namespace
 
 LoadedTurn::LoadedTurn(const ContactPair& pair, const Gear& gear_1, const Gear& gear_2,
-                       const PairCompliance& compliance, const LoadRequest& request)
+                       const PairCompliance& compliance, const LoadRequest& request,
+                       const ContactPair* perfect)
     : pair_(pair),
       one_(gear_1),
       two_(gear_2),
       compliance_(compliance),
       request_(request),
+      perfect_(perfect),
+      undeflected_(request),
       rotations_(request.rotations) {
+  undeflected_.deflection_slope = undeflected_.deflection_bow = 0.0;
   found_.slices = compliance.slices;
   const std::array<const Gear*, 2> gears{&gear_1, &gear_2};
   for (int g = 0; g < 2; ++g) {
@@ -274,6 +48,8 @@ LoadedTurn::LoadedTurn(const ContactPair& pair, const Gear& gear_1, const Gear& 
     found_.body_twist[g] = body_twist(gears[g]->base_radius() / gear_1.spec.normal_module,
                                       mesh.bore_radius, mesh.root_radius, body.poisson_ratio) /
                            body.youngs_modulus;
+    for (const auto& place : compliance.table[g]->root().place)
+      found_.root_points[g].push_back(place * gear_1.spec.normal_module);
   }
   if (rotations_.empty())
     for (int i = 0; i < request.positions; ++i)
@@ -283,23 +59,36 @@ LoadedTurn::LoadedTurn(const ContactPair& pair, const Gear& gear_1, const Gear& 
     found_.torques.emplace_back();
     found_.torques.back().torque = torque;
     found_.torques.back().positions.resize(rotations_.size());
+    perfect_share_.emplace_back(perfect ? rotations_.size() : 0);
   }
 }
 
 // Every position by itself, so that it does not matter who does which.
 void LoadedTurn::solve(std::size_t from, std::size_t to) {
-  Solver solver(pair_, one_, two_, compliance_, request_);
+  PositionSolver solver(pair_, one_, two_, compliance_, request_);
+  std::optional<PositionSolver> perfect;
+  if (perfect_) perfect.emplace(*perfect_, one_, two_, compliance_, undeflected_);
+  std::vector<RootStress> most(found_.torques.size());
   for (std::size_t i = from; i < to; ++i) {
     Position at = solver.prepare(pair_.to_world(rotations_[i].rad()));
-    for (LoadedTorque& t : found_.torques) {
+    for (std::size_t k = 0; k < most.size(); ++k) {
+      LoadedTorque& t = found_.torques[k];
       bool fine = false;
       long open = 0;
-      t.positions[i] = solver.solve(at, t.torque, rotations_[i], fine, open);
+      t.positions[i] = solver.solve(at, t.torque, rotations_[i], fine, open, most[k]);
       if (fine) too_fine_ = true;
       unfinished_ += open;
     }
+    if (perfect_) {
+      Position free = perfect->prepare(perfect_->to_world(rotations_[i].rad()));
+      for (std::size_t k = 0; k < most.size(); ++k)
+        perfect_share_[k][i] = perfect->greatest_share(free, found_.torques[k].torque);
+    }
     count_step(request_.headway);
   }
+  const std::lock_guard lock(root_);
+  for (std::size_t k = 0; k < most.size(); ++k)
+    for (std::size_t g = 0; g < 2; ++g) add_greatest(found_.torques[k].root_stress[g], most[k][g]);
 }
 
 LoadedContact LoadedTurn::result() const {
@@ -307,15 +96,22 @@ LoadedContact LoadedTurn::result() const {
   result.slices_too_fine = too_fine_;
   result.unfinished = unfinished_;
   const double face = result.slices.hi - result.slices.lo;
-  for (LoadedTorque& t : result.torques)
+  for (std::size_t k = 0; k < result.torques.size(); ++k) {
+    LoadedTorque& t = result.torques[k];
+    if (pair_.turned() < 0.0)
+      for (MatrixXd& stress : t.root_stress) stress.rowwise().reverseInPlace();
     summarise(t, {face, one_.base_radius(), result.body_twist[0] + result.body_twist[1],
                   request_.rotations.empty()});
+    const double perfect = greatest_of(perfect_share_[k]);
+    if (perfect > 0.0) t.transverse_load_factor = t.max_share / perfect;
+  }
   return result;
 }
 
 LoadedContact loaded_contact(const ContactPair& pair, const Gear& gear_1, const Gear& gear_2,
-                             const PairCompliance& compliance, const LoadRequest& request) {
-  LoadedTurn turn(pair, gear_1, gear_2, compliance, request);
+                             const PairCompliance& compliance, const LoadRequest& request,
+                             const ContactPair* perfect) {
+  LoadedTurn turn(pair, gear_1, gear_2, compliance, request, perfect);
   begin_stage(request.headway, "positions under load", static_cast<std::int64_t>(turn.positions()));
   parallel_for(turn.positions(), [&](std::size_t i) { turn.solve(i, i + 1); });
   return turn.result();

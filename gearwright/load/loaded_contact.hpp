@@ -10,6 +10,8 @@
 
 #include <array>
 #include <atomic>
+#include <complex>
+#include <mutex>
 #include <vector>
 
 #include "gearwright/load/gap_places.hpp"
@@ -53,31 +55,45 @@ struct LoadedTorque {
   };
   Stiffness stiffness, without_twist, tangent;
   double max_pressure = 0.0;
+  double max_share = 0.0;  ///< of one tooth pair
+  /// K_Hα: the greatest share over that of the pair without errors, [T12.19]
+  double transverse_load_factor = 1.0;
   std::array<double, 2> max_root_stress{};
   double face_load_factor = 1.0;  ///< K_Hβ: load over the face, mean of the positions
   double max_width_ratio = 0.0;
   bool edge_carries = false;
   Eigen::VectorXd face_load;  ///< N/mm per slice from −z on, mean of the positions
+  /// The greatest principal stress over the positions, MPa, of each gear: a row per root point, a
+  /// column per slice from −z on; 0 where nothing pulls.
+  std::array<Eigen::MatrixXd, 2> root_stress;
 };
 
 struct LoadedContact {
   std::vector<LoadedTorque> torques;
   FaceSlices slices;                   ///< mm
   std::array<double, 2> body_twist{};  ///< mm per N/mm at the base radius
+  /// Of each gear along the fillet that is pulled, from the root on: mm in the section, with the
+  /// tooth's centre line as x axis and the loaded flank at y > 0.
+  std::array<std::vector<std::complex<double>>, 2> root_points;
   long unfinished = 0;
   bool slices_too_fine = false;
 };
 
+/// `perfect`: the same pair without errors of mounting, whose shares K_Hα compares with, deflections
+/// left out; null: `pair` has no errors and there are no deflections.
+///
 /// Domain    the pair of these gears; torques > 0 (contract)
 LoadedContact loaded_contact(const ContactPair& pair, const Gear& gear_1, const Gear& gear_2,
-                             const PairCompliance& compliance, const LoadRequest& request);
+                             const PairCompliance& compliance, const LoadRequest& request,
+                             const ContactPair* perfect = nullptr);
 
 /// The same in pieces: positions by the numbers of any range, in any order, of several threads if
 /// each has its own; then the answer. What it is made of has to live as long.
 class LoadedTurn {
  public:
   LoadedTurn(const ContactPair& pair, const Gear& gear_1, const Gear& gear_2,
-             const PairCompliance& compliance, const LoadRequest& request);
+             const PairCompliance& compliance, const LoadRequest& request,
+             const ContactPair* perfect = nullptr);
   std::size_t positions() const { return rotations_.size(); }
   void solve(std::size_t from, std::size_t to);
   LoadedContact result() const;
@@ -87,10 +103,14 @@ class LoadedTurn {
   const Gear &one_, &two_;
   const PairCompliance& compliance_;
   const LoadRequest& request_;
+  const ContactPair* perfect_;
+  LoadRequest undeflected_;  // of the perfect pair
   std::vector<Angle> rotations_;
+  std::vector<std::vector<double>> perfect_share_;  // the greatest, [torque][position]
   LoadedContact found_;
   std::atomic<bool> too_fine_{false};
   std::atomic<long> unfinished_{0};
+  std::mutex root_;  // of the greatest root stress, whatever the order of the positions
 };
 
 }  // namespace gearwright

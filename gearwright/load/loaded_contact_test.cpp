@@ -7,6 +7,7 @@
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/contact/contact.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 
 namespace gearwright {
 namespace {
@@ -21,11 +22,8 @@ struct Mesh {
 
 Mesh mesh_of(double helix_deg, double face, double module = 3.0) {
   const auto gear = [&](double hand) {
-    CylindricalSpec s;
-    s.teeth = 25;
-    s.normal_module = module;
-    s.face_width = face;
-    s.helix_angle = Angle::degrees(hand * helix_deg);
+    CylindricalSpec s = testing::plain_spec(
+        {.teeth = 25, .module = module, .beta_deg = hand * helix_deg, .face_width = face});
     s.rack = *iso53_rack("ISO53-A");
     return std::move(make_gear(s)).take();
   };
@@ -134,6 +132,7 @@ TEST(LoadedContact, InPiecesIsTheSameToTheLastBit) {
     EXPECT_EQ(a.positions[i].root_stress, b.positions[i].root_stress) << i;
   }
   EXPECT_EQ(a.face_load_factor, b.face_load_factor);
+  EXPECT_EQ(a.root_stress, b.root_stress);
   EXPECT_EQ(a.stiffness.mean, b.stiffness.mean);
   double stiffest = 0.0;
   for (const LoadedPosition& p : b.positions) stiffest = std::max(stiffest, p.stiffness);
@@ -270,11 +269,8 @@ TEST(LoadedContact, ACornerCarriesWhenTheTorqueIsSmall) {
 // gave a peak to peak of 2.85", and modes without waves along the helix a root stress of 257 MPa.
 TEST(LoadedContact, OfHelicalTeethIsConverged) {
   const auto gear = [](int teeth, double face, double helix) {
-    CylindricalSpec s;
-    s.teeth = teeth;
-    s.normal_module = 2.5;
-    s.face_width = face;
-    s.helix_angle = Angle::degrees(helix);
+    CylindricalSpec s =
+        testing::plain_spec({.teeth = teeth, .module = 2.5, .beta_deg = helix, .face_width = face});
     s.rack = *iso53_rack("ISO53-A");
     return std::move(make_gear(s)).take();
   };
@@ -311,6 +307,72 @@ TEST(LoadedContact, SlicesCountFromOneEndForBothDrivers) {
 }
 
 // Too fine slices leave the matrix indefinite, which is said; the fair number never does.
+// The greatest tooth load, added up place by place over both pairs' own answers.
+double greatest_share(const LoadedTorque& t) {
+  double greatest = 0.0;
+  for (const LoadedPosition& p : t.positions) {
+    double all = 0.0;
+    double most = 0.0;
+    for (const LoadedPair& k : p.pairs) {
+      double load = 0.0;
+      for (const double q : k.line_load) load += q;
+      all += load;
+      most = std::max(most, load);
+    }
+    greatest = std::max(greatest, most / all);
+  }
+  return greatest;
+}
+
+TEST(LoadedContact, TransverseLoadFactorComparesWithThePairWithoutErrors) {
+  Mesh m = mesh_of(15, 30);
+  LoadRequest r = request_of();
+  r.torques = {1e5, 3e5};
+  const auto c = pair_compliance(m.one, m.two, r);
+  ASSERT_TRUE(c);
+  const ContactPair perfect = m.pair();
+  const LoadedContact without = loaded_contact(perfect, m.one, m.two, *c, r);
+  const LoadedContact itself = loaded_contact(perfect, m.one, m.two, *c, r, &perfect);
+  m.mount.errors.crossing = Angle::degrees(0.03);
+  r.deflection_bow = 0.004;
+  const ContactPair crossed = m.pair();
+  const LoadedContact with = loaded_contact(crossed, m.one, m.two, *c, r, &perfect);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(without.torques[i].transverse_load_factor, 1.0);
+    EXPECT_DOUBLE_EQ(itself.torques[i].transverse_load_factor, 1.0);
+    const double slow = greatest_share(with.torques[i]) / greatest_share(without.torques[i]);
+    EXPECT_NEAR(with.torques[i].transverse_load_factor, slow, 1e-13);
+    EXPECT_GT(slow, 1.02);
+  }
+}
+
+// Where one pair bears alone somewhere, with errors and without, nothing is shared worse.
+TEST(LoadedContact, TransverseLoadFactorOfSingleContactIsOne) {
+  Mesh m = mesh_of(0, 30);
+  LoadRequest r = request_of();
+  r.torques = {1e5};
+  const auto c = pair_compliance(m.one, m.two, r);
+  ASSERT_TRUE(c);
+  const ContactPair perfect = m.pair();
+  m.mount.errors.crossing = Angle::degrees(0.01);
+  const ContactPair crossed = m.pair();
+  const LoadedContact with = loaded_contact(crossed, m.one, m.two, *c, r, &perfect);
+  EXPECT_DOUBLE_EQ(with.torques[0].transverse_load_factor, 1.0);
+}
+
+TEST(LoadedContact, GoesWithoutRootStressWhereNobodyWantsIt) {
+  const Mesh m = mesh_of(0, 30);
+  LoadRequest r = request_of();
+  r.torques = {1e5};
+  const LoadedContact with = run(m, r);
+  r.root_stress = false;
+  const LoadedContact without = run(m, r);
+  EXPECT_EQ(without.torques[0].peak_to_peak, with.torques[0].peak_to_peak);
+  EXPECT_EQ(without.torques[0].max_pressure, with.torques[0].max_pressure);
+  EXPECT_EQ(without.torques[0].root_stress[0].size(), 0);
+  EXPECT_GT(with.torques[0].root_stress[0].maxCoeff(), 0.0);
+}
+
 TEST(LoadedContact, NarrowFacesHaveFewerSlices) {
   const auto found = [](const Mesh& m, int slices) {
     LoadRequest r = request_of();

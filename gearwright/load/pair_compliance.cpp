@@ -57,6 +57,7 @@ Result<std::shared_ptr<const ToothTable>> tooth_compliance(const Gear& gear_1, c
   t.face_width = gear.spec.face_width / m;
   t.slices = {request.slices, -face / 2 / m, face / 2 / m};
   t.half_width = kHertzWidth;
+  t.root_stress = request.root_stress;
   t.line_per_height = 1 / std::sqrt(1 - sin_b * sin_b);
   t.headway = request.headway;
   return std::make_shared<const ToothTable>(*section, t);
@@ -99,6 +100,7 @@ bool same_compliance(const std::array<const Gear*, 2>& a, const LoadRequest& of_
                      const std::array<const Gear*, 2>& b, const LoadRequest& of_b, int which) {
   const auto g = static_cast<std::size_t>(which - 1);
   return of_a.accuracy == of_b.accuracy && of_a.slices == of_b.slices &&
+         of_a.root_stress == of_b.root_stress &&
          common_face(*a[0], *a[1]) == common_face(*b[0], *b[1]) &&
          same_body(of_a.bodies[g], of_b.bodies[g]) && same_tooth(*a[g], *b[g]);
 }

@@ -22,6 +22,7 @@ struct LoadRequest {
   std::array<ElasticBody, 2> bodies{};
   double deflection_slope = 0.0;  ///< mm, further approach of the flanks over the common face
   double deflection_bow = 0.0;    ///< mm, height of its parabola in the middle
+  bool root_stress = true;        ///< false: tables and positions go without
   Headway* headway = nullptr;
 };
 

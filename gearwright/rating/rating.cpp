@@ -7,6 +7,7 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/gear/gear_field.hpp"
+#include "gearwright/rating/elasticity.hpp"
 
 namespace gearwright {
 
@@ -73,8 +74,7 @@ void Rater::dynamics() {
   const double line = r.F_t.value * in.application_factor * in.mesh_load_factor / pair.face_width;
   const double e1 = materials[0].youngs_modulus;
   const double e2 = materials[1].youngs_modulus;
-  constexpr double kSteel = 206000.0;
-  r.stiffness = mesh_stiffness(pair, line, 2 * e1 * e2 / (e1 + e2) / kSteel, in.body);
+  r.stiffness = mesh_stiffness(pair, line, relative_elasticity(e1, e2), in.body);
   if (in.quality) {
     const auto grade = turned(pair, *in.quality);
     for (std::size_t i = 0; i < 2; ++i)
@@ -246,30 +246,6 @@ void Rater::check_limits() {
 }
 
 }  // namespace
-
-std::optional<Error> missing_input(const RatingInput& in) {
-  if (in.edition == RatingEdition::vdi_2736) return missing_plastic_input(in);
-  if (!in.quality && (!in.dynamic_factor || !in.transverse_load_factor)) {
-    return Error{"rating.quality", "",
-                 "is missing; the accuracy grades of ISO 1328, 0 to 12, say how far the teeth are "
-                 "off, for K_v and K_Hα: give them, or both factors"};
-  }
-  if (!in.speed && !in.dynamic_factor) {
-    return Error{"rating.speed", "",
-                 "is missing; the dynamic factor needs it: give the speed, or the factor itself"};
-  }
-  if (in.face_load_factor) return std::nullopt;
-  if (!in.mounting) {
-    return Error{"rating.face_load_factor", "",
-                 "is missing; give it, or how the pinion is mounted, `mounting`"};
-  }
-  if (!in.quality && !in.mounting->manufacture) {
-    return Error{"rating.quality", "",
-                 "is missing; the face load factor takes the helix slopes from it: give the "
-                 "accuracy grades of ISO 1328, or the misalignment"};
-  }
-  return std::nullopt;
-}
 
 namespace {
 

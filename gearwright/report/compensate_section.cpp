@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/units.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/quantity_table.hpp"
 #include "gearwright/report/table_builder.hpp"
@@ -19,9 +21,29 @@ std::string arcsec(const ContactScore& s) {
 
 std::string percent(double share) { return fixed(100 * std::abs(share), 0); }
 
+// Of an aim under load, at the torque that is worst before.
+std::string finding_under_load(const CompensateView& v) {
+  const bool pressure = v.aim == CompensateAim::pressure;
+  const auto aimed = [&](const LoadedScore& s) {
+    return pressure ? s.max_pressure : s.peak_to_peak.arcsec();
+  };
+  const auto worst = std::max_element(
+      v.loads.begin(), v.loads.end(),
+      [&](const auto& a, const auto& b) { return aimed(a.before) < aimed(b.before); });
+  const auto said = [&](const LoadedScore& s) {
+    return pressure ? fixed(s.max_pressure, 0) : fixed(s.peak_to_peak.arcsec(), 3);
+  };
+  return fmt::format("Under {:.6g} N m {} then {}{} instead of {}{}.", worst->torque / kMmPerM,
+                     pressure ? "the flanks bear up to" : "gear 2 runs up to", said(worst->after),
+                     pressure ? " N/mm²" : "″ unevenly", said(worst->before), pressure ? "" : "″");
+}
+
 std::string finding(const CompensateView& v) {
   if (v.nothing_to_correct)
-    return "Nothing to correct: none of these within reach makes the pair better by 0.001″.";
+    return fmt::format(
+        "Nothing to correct: none of these within reach makes the pair better by {}.",
+        least_gain(v.aim));
+  if (!v.loads.empty()) return finding_under_load(v);
   // The pattern's place is that along the face, else along the profile.
   const bool face = v.before.along_face != 0.0 || v.after.along_face != 0.0;
   const auto place = [&](const ContactScore& s) {
@@ -35,6 +57,20 @@ std::string finding(const CompensateView& v) {
       percent(v.after.edge_share), percent(v.before.edge_share));
 }
 
+const char* aim_words(CompensateAim aim) {
+  switch (aim) {
+    case CompensateAim::loaded_transmission_error:
+      return "What counts is the transmission error of the loaded teeth, at the worst of the "
+             "torques.";
+    case CompensateAim::pressure:
+      return "What counts is the greatest pressure on the flanks, at the worst of the torques.";
+    case CompensateAim::transmission_error: break;
+  }
+  return "The transmission error counts first; of what is equally quiet, that whose contact lies "
+         "in "
+         "the middle of the flank.";
+}
+
 std::string corrections(const CompensateView& v) {
   TableBuilder t("Corrections", {"On top of the drawing"});
   for (const FoundCorrection& c : v.corrections)
@@ -44,8 +80,21 @@ std::string corrections(const CompensateView& v) {
 
 std::string scores(const CompensateView& v) {
   const auto& said = score_quantities();
+  const auto& loaded = loaded_score_quantities();
   TableBuilder t("The aims, at the worst of the errors", {"Before", "After"});
-  add_groups(t, text_groups(said.table(), {said.of(v.before), said.of(v.after)}, kPage));
+  for (const AimedLoad& l : v.loads) {
+    t.group(fmt::format("Under {:.6g} N m", l.torque / kMmPerM));
+    for (const TextGroup& g :
+         text_groups(loaded.table(), {loaded.of(l.before), loaded.of(l.after)}, kPage))
+      add_rows(t, g);
+  }
+  const auto unloaded = text_groups(said.table(), {said.of(v.before), said.of(v.after)}, kPage);
+  if (v.loads.empty()) {
+    add_groups(t, unloaded);
+  } else {
+    t.group("Without load");
+    for (const TextGroup& g : unloaded) add_rows(t, g);
+  }
   if (v.scenarios.size() > 1) {
     t.group("Transmission error, peak to peak, one by one");
     for (const Scenario& s : v.scenarios)
@@ -70,11 +119,10 @@ std::string compensate_section(const CompensateView& view) {
   return fmt::format(
       "<section class=\"compensate\">\n<h2>Corrections</h2>\n<div "
       "class=\"columns\"><div>\n<p>What a workshop can change so that this pair bears its errors. "
-      "The transmission error counts first; of what is equally quiet, that whose contact lies in "
-      "the middle of the flank. <code>gearwright compensate --take</code> prints the specification "
+      "{} <code>gearwright compensate --take</code> prints the specification "
       "with the corrections in it.</p>\n<p><strong>{}</strong></p>\n{}</div><div>\n{}</div></div>\n"
       "{}</section>\n",
-      finding(view), corrections(view), scores(view), closed_forms(view));
+      aim_words(view.aim), finding(view), corrections(view), scores(view), closed_forms(view));
 }
 
 }  // namespace gearwright

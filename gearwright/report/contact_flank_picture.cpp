@@ -8,6 +8,7 @@
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/report/contact_te_picture.hpp"
+#include "gearwright/report/flank_frame.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/shown_values.hpp"
 #include "gearwright/report/svg.hpp"
@@ -16,77 +17,15 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kWidth = 640.0;
-constexpr double kLeft = 74.0;
-constexpr double kRight = 104.0;
-constexpr double kTop = 44.0;
-constexpr double kFoot = 54.0;
-constexpr double kLow = 170.0;    // px, a flank drawn no lower than this
-constexpr double kHigh = 330.0;   // nor higher
-constexpr double kBeyond = 16.0;  // px of tooth drawn beyond the usable flank
-constexpr int kEllipses = 7;      // drawn, or a few more
-
-// The usable flank in a plot: height along the face, radius upwards to the tip.
-struct FlankFrame {
-  Axis z, rho;
-  bool internal;
-  double taller;  // px per mm of radius over px per mm of face
-
-  Vec2 operator()(const FlankPlace& p) const { return {z(p.height), rho(p.radius)}; }
-  double top() const { return std::min(rho.from, rho.to); }
-  double bottom() const { return std::max(rho.from, rho.to); }
-};
-
-FlankFrame frame_of(const FlankRaster& raster, bool internal, double left, double right, double top,
-                    double low, double high) {
-  const double face = raster.height.back() - raster.height.front();
-  const double deep = (raster.diameter.back() - raster.diameter.front()) / 2;
-  const double scale = (right - left) / face;
-  const double tall = std::clamp(scale * deep, low, high);
-  const double foot = top + tall;
-  return {{raster.height.front(), raster.height.back(), left, right},
-          {raster.diameter.front() / 2, raster.diameter.back() / 2, internal ? top : foot,
-           internal ? foot : top},
-          internal,
-          tall / (scale * deep)};
-}
-
-// Node coordinates of a raster to px.
-std::function<Vec2(const Vec2&)> nodes_px(const FlankRaster& raster, const FlankFrame& f) {
-  const double columns = static_cast<double>(raster.height.size() - 1);
-  const double rows = static_cast<double>(raster.diameter.size() - 1);
-  return [=](const Vec2& node) -> Vec2 {
-    return {f.z.from + node.x() / columns * (f.z.to - f.z.from),
-            f.rho.from + node.y() / rows * (f.rho.to - f.rho.from)};
-  };
-}
-
-// Tooth beyond the flank, its limits with their names, both scales.
-void draw_flank(Svg& svg, const FlankFrame& f, std::size_t which) {
-  const std::string n = std::to_string(which + 1);
-  const double wide = f.z.to - f.z.from;
-  svg.rect(f.z.from, f.top() - kBeyond, wide, f.bottom() - f.top() + 2 * kBeyond, "slice");
-  svg.rect(f.z.from, f.top(), wide, f.bottom() - f.top(), "flank-ground");
-  svg.text({12, 20}, "diameter, mm", Anchor::start, "panel");
-  const Ticks ticks = round_ticks(2 * f.rho.lo, 2 * f.rho.hi, 5);
-  for (const double d : ticks.values) {
-    svg.line({f.z.from - 4, f.rho(d / 2)}, {f.z.to, f.rho(d / 2)}, "grid");
-    svg.text({f.z.from - 8, f.rho(d / 2) + 4}, fixed(d, ticks.decimals), Anchor::end, "tick");
-  }
-  draw_foot(svg, f.z, f.top(), f.bottom() + kBeyond, 8, "along the face from its middle, mm");
-  const double tip = f.rho(f.internal ? f.rho.lo : f.rho.hi);
-  const double root = f.rho(f.internal ? f.rho.hi : f.rho.lo);
-  for (const auto& [y, symbol, radius, word] :
-       {std::tuple(tip, "d_Fa" + n, f.internal ? f.rho.lo : f.rho.hi, "tip"),
-        std::tuple(root, "d_Ff" + n, f.internal ? f.rho.hi : f.rho.lo, "root")}) {
-    svg.line({f.z.from, y}, {f.z.to + 6, y}, "limit");
-    const bool up = y < (tip + root) / 2;
-    svg.text({f.z.to + 12, y + (up ? 4 : 0)}, symbol_svg(symbol));
-    svg.text({f.z.to + 12, y + (up ? 21 : -17)}, fixed(2 * radius, 2), Anchor::start, "tick");
-    svg.text({f.z.from + 6, y + (up ? -4 : 13)}, word, Anchor::start, "inzone");
-  }
-  for (const double z : {f.z.from, f.z.to}) svg.line({z, f.top()}, {z, f.bottom()}, "limit");
-}
+using flank::kBeyond;
+using flank::kFoot;
+using flank::kHigh;
+using flank::kLeft;
+using flank::kLow;
+using flank::kRight;
+using flank::kTop;
+using flank::kWidth;
+constexpr int kEllipses = 7;  // drawn, or a few more
 
 // A contact line is straight in space and a curve on a flank laid flat.
 std::vector<Vec2> line_px(const ContactReport& report, const ContactPoint& p, std::size_t which,
@@ -199,10 +138,7 @@ std::string pattern_figure(const ContactReport& report, const std::vector<PathPi
       "<figure>{}<figcaption><strong>{}, {}</strong>; the marking covers {} % of it. {}From the "
       "internal gear to the dot. {}</figcaption></figure>\n",
       svg.str(), name, side_words(report, which),
-      fixed(100 * pattern_share(raster, report.marking), 0), keys,
-      std::abs(f.taller - 1) < 0.02
-          ? "True proportions."
-          : fmt::format("Heights are drawn {} times larger than widths.", fixed(f.taller, 1)));
+      fixed(100 * pattern_share(raster, report.marking), 0), keys, proportions(f));
 }
 
 constexpr std::array<double, 6> kGapLevels{50, 20, 10, 5, 2, 1};  // µm

@@ -12,6 +12,7 @@
 #include "gearwright/report/contact_te_picture.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/plot_axis.hpp"
+#include "gearwright/report/shades.hpp"
 #include "gearwright/report/svg.hpp"
 
 namespace gearwright {
@@ -34,31 +35,14 @@ ContourField field_of(const ErrorMap& map) {
   return field;
 }
 
-std::string step_style(std::size_t i, std::size_t n) {
-  // Ten shades; the lowest values are the darkest.
-  const std::size_t shade = n <= 1 ? 0 : (9 * i + (n - 1) / 2) / (n - 1);
-  return fmt::format("shade s{}", std::min<std::size_t>(9, shade));
-}
-
 void draw_legend(Svg& svg, const std::vector<double>& levels, double most, bool gaps) {
-  constexpr double kBox = 20.0;
-  const std::size_t n = levels.size() + 1;
   const double left = kWidth - kRight + 22;
   svg.text({kWidth - 12, 20}, "peak to peak, ″", Anchor::end, "panel");
-  const double top = kTop + 4;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double y = top + kBox * static_cast<double>(n - 1 - i);
-    svg.rect(left, y, kBox, kBox, step_style(i, n));
-    if (i + 1 < n) {
-      svg.line({left, y}, {left + kBox + 5, y}, "axis");
-      svg.text({left + kBox + 9, y + 4}, fmt::format("{:g}", levels[i]), Anchor::start, "tick");
-    }
-  }
-  svg.text({left + kBox + 9, top + 8}, "≤ " + shown_arcsec(most), Anchor::start, "tick");
+  const double foot = draw_shades(svg, {left, kTop + 4}, levels, "≤ " + shown_arcsec(most));
   if (!gaps) return;
-  const double y = top + kBox * static_cast<double>(n) + 14;
-  svg.rect(left, y, kBox, kBox, "zone none");
-  svg.text({left + kBox + 9, y + 14}, "no contact", Anchor::start, "tick");
+  const double y = foot + 14;
+  svg.rect(left, y, kShadeBox, kShadeBox, "zone none");
+  svg.text({left + kShadeBox + 9, y + 14}, "no contact", Anchor::start, "tick");
 }
 
 }  // namespace
@@ -112,10 +96,10 @@ std::string map_figure(const ContactReport& report) {
   // From the whole down to the lowest step, one over the other.
   const std::size_t n = levels.size() + 1;
   svg.rect(x.from, kTop, x.to - x.from, kPlot, "zone none");
-  svg.path(loops_path(regions_below(field, 2 * most + 1), px), step_style(n - 1, n));
+  svg.path(loops_path(regions_below(field, 2 * most + 1), px), shade_style(n - 1, n));
   for (std::size_t i = levels.size(); i-- > 0;) {
     const auto loops = regions_below(field, levels[i]);
-    if (!loops.empty()) svg.path(loops_path(loops, px), step_style(i, n) + " step");
+    if (!loops.empty()) svg.path(loops_path(loops, px), shade_style(i, n) + " step");
   }
   svg.end_group();
   const Ticks rows = round_ticks(y.lo, y.hi, 6);

@@ -12,7 +12,8 @@
 #include <vector>
 
 #include "gearwright/report/free_labels.hpp"
-#include "gearwright/report/testing/sample_reports.hpp"
+#include "gearwright/report/load_section.hpp"
+#include "gearwright/report/testing/sample_load.hpp"
 
 namespace gearwright {
 namespace {
@@ -133,6 +134,17 @@ TEST(LabelOverlap, nowhere_in_the_awkward_ones) {
   expect_no_overlap(report_html(testing::report_input(testing::undercut_pair())), "undercut");
   expect_no_overlap(report_html(testing::report_input(testing::two_and_sixty())), "two teeth");
   expect_no_overlap(report_html(testing::report_input(testing::internal_pair())), "internal");
+}
+
+TEST(LabelOverlap, nowhere_under_load) {
+  const std::array<std::string, 2> shapes{"gear1", "gear2"};
+  for (const double torque : {3e3, 77e3, 400e3}) {
+    const auto spur =
+        testing::load_sample(testing::spur_pair(), {torque, 1.5 * torque, 2 * torque}, 0.01);
+    expect_no_overlap(load_section(spur.report, shapes), "spur under load");
+    const auto helical = testing::load_sample(testing::helical_pair(), {0.4 * torque}, 0.0);
+    expect_no_overlap(load_section(helical.report, shapes), "helical under load");
+  }
 }
 
 }  // namespace

@@ -2,18 +2,22 @@
 
 namespace gearwright {
 
+void add_rows(TableBuilder& table, const TextGroup& group) {
+  for (const TextRow& row : group.rows) {
+    const std::string words = capitalised(row.said->words);
+    const std::string_view unit = unit_text(row.said->unit);
+    if (row.texts.size() == table.columns()) {
+      table.row(words, row.said->symbol, unit, row.texts);
+    } else {
+      table.common(words, row.said->symbol, unit, row.texts.front());
+    }
+  }
+}
+
 void add_groups(TableBuilder& table, const std::vector<TextGroup>& groups) {
   for (const TextGroup& group : groups) {
     table.group(group.title);
-    for (const TextRow& row : group.rows) {
-      const std::string words = capitalised(row.said->words);
-      const std::string_view unit = unit_text(row.said->unit);
-      if (row.texts.size() == table.columns()) {
-        table.row(words, row.said->symbol, unit, row.texts);
-      } else {
-        table.common(words, row.said->symbol, unit, row.texts.front());
-      }
-    }
+    add_rows(table, group);
   }
 }
 

@@ -18,6 +18,7 @@
 #include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/gear_table.hpp"
 #include "gearwright/report/html_text.hpp"
+#include "gearwright/report/load_section.hpp"
 #include "gearwright/report/measure_section.hpp"
 #include "gearwright/report/mesh_picture.hpp"
 #include "gearwright/report/min_distance_picture.hpp"
@@ -197,12 +198,14 @@ std::string foot(const ReportInput& input) {
       "value.{}</p>\n<p>Accuracy: numbers come from closed formulas or are solved to rounding, in "
       "double precision, and are shown rounded to {} decimals of a millimetre and {} of a degree; "
       "outlines of teeth follow the exact curves within {:g} normal modules. Manufacturing "
-      "deviations, load, deflection and temperature are not considered{}.</p>\n</footer>\n",
+      "deviations{} temperature are not considered{}.</p>\n</footer>\n",
       version, by_pinion ? "racks and pinion cutters" : "racks", kNoValue,
       crossed ? " On crossed axes teeth touch in points; the contact ratio counts them along the "
                 "line of action."
               : "",
       kLengthDigits, kAngleDigits, kOutlineTolerance,
+      input.load ? " and, but for the part under load, load, deflection and"
+                 : ", load, deflection and",
       input.rating ? " but for what the rating says" : ", nor is strength");
 }
 
@@ -229,6 +232,7 @@ std::string report_html(const ReportInput& input) {
                    [](const ArcPair& pair) { return arc_pair_section(pair, kShapes); }});
   }
   if (input.contact) sections += contact_section(*input.contact);
+  if (input.load) sections += load_section(*input.load, kShapes);
   if (input.compensate) sections += compensate_section(*input.compensate);
   if (input.rating) sections += rating_section(*input.rating);
   sections += solid_section(input) + file_section(input.files) + spec_section(input.spec_text);

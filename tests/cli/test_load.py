@@ -1,6 +1,9 @@
 """The verb load as a user meets it: keys, refusals by key, the form of the answer, laws that show in it."""
 
+import json
+import tempfile
 import unittest
+from pathlib import Path
 
 from cli import Run
 
@@ -70,6 +73,52 @@ class Load(unittest.TestCase):
                    rest='[load]\npositions = 4\naccuracy = "draft"\ntorque_Nm = 100\nslices = 128\n')
         self.assertEqual(run.status, 1)
         self.assertIn("23 would do", run.err)
+
+    def test_shares_are_as_even_as_without_errors(self):
+        helices = {"gear1": "helix_angle_deg = 15", "gear2": "helix_angle_deg = -15"}
+        rest = DRAFT.replace("positions = 4", "positions = 16") + "torque_Nm = 200\n"
+        even = self.answer(**helices, rest=rest)["torques"][0]
+        crossed = self.answer(**helices, rest=rest + "[errors]\ncrossing_deg = 0.03\n")["torques"][0]
+        self.assertEqual(even["transverse_load_factor"], 1.0)
+        most = [max(max(p["share"]) for p in t["positions"]) for t in (crossed, even)]
+        self.assertAlmostEqual(crossed["transverse_load_factor"], most[0] / most[1], delta=1e-14)
+
+    def run_of(self, folder, rest, gear2=""):
+        run = Run("run", PAIR.format(gear1="", gear2=gear2, rest=rest), "--json", "--out", folder)
+        self.assertEqual(run.status, 0, run.err)
+        return json.loads(run.out), (Path(folder) / "report.html").read_text()
+
+    def test_run_has_it_in_its_result_and_on_its_page(self):
+        rest = DRAFT + "torque_Nm = [50, 100]\n"
+        with tempfile.TemporaryDirectory() as folder:
+            result, page = self.run_of(folder, rest)
+            self.assertEqual(result["load"], self.answer(rest=rest))
+            self.assertIn(">Under load</h2>", page)
+            self.assertIn("Harris map", page)
+            self.assertIn("Transverse load factor", page)
+            # Other rotations are the answer's; the page turns a pitch.
+            some = rest.replace("positions = 4", "rotation1_deg = [0.0, 1.0]")
+            result, page = self.run_of(folder, some)
+            self.assertEqual(result["load"], self.answer(rest=some))
+            self.assertIn("At each of 64 positions of a pitch", page)
+
+    def test_run_without_load_has_none(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for rest in ("", DRAFT):  # what [rating] may read, and no torque
+                result, page = self.run_of(folder, rest)
+                self.assertNotIn("load", result)
+                self.assertNotIn(">Under load</h2>", page)
+
+    def test_run_says_why_there_is_none(self):
+        with tempfile.TemporaryDirectory() as folder:
+            run = Run("run", PAIR.format(gear1="", gear2="", rest=DRAFT + "torque_Nm = 50\n")
+                      .replace("teeth = 43", "teeth = -67").replace("bore = { diameter_mm = 60.0 }", ""),
+                      "--json", "--out", folder)
+            self.assertEqual(run.status, 0, run.err)
+            warnings = {w["code"]: w["message"] for w in json.loads(run.out)["warnings"]}
+            self.assertIn("external pairs", warnings["no_load"])
+            run = Run("run", PAIR.format(gear1="", gear2="", rest=DRAFT + "torque_Nm = -50\n"), "--json", "--out", folder)
+            self.assertEqual((run.status, run.json["error"]["key"]), (1, "load.torque_Nm"))
 
     def test_probe(self):
         probe = "[[load.probe]]\ndiameter_mm = 75\n"

@@ -110,7 +110,9 @@ Result<Steps> LoadWork::step(double milliseconds) {
       auto made = pair_compliance(task_.setup.gear(1), task_.setup.gear(2), task_.request, tables_);
       if (!made) return made.error();
       compliance_ = std::move(made).take();
-      turn_.emplace(*pair_, task_.setup.gear(1), task_.setup.gear(2), *compliance_, task_.request);
+      perfect_ = task_.perfect_pair();
+      turn_.emplace(*pair_, task_.setup.gear(1), task_.setup.gear(2), *compliance_, task_.request,
+                    perfect_ ? &*perfect_ : nullptr);
     }
   } else {
     while (next_ < turn_->positions() && watch.ms() < milliseconds) {
@@ -130,6 +132,7 @@ Result<Steps> LoadWork::step(double milliseconds) {
 std::optional<Error> LoadWork::close() {
   LoadAnswer answer;
   answer.contact = turn_->result();
+  answer.compliance = *compliance_;
   if (auto error = judge_load(job_, task_, *answer.contact)) return error;
   json_ = json_text(load_json(job_, answer), 2) + "\n";
   picture_ = picture_of(*answer.contact);

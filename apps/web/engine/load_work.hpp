@@ -49,6 +49,7 @@ class LoadWork {
   LoadTask task_;
   std::array<std::shared_ptr<const ToothTable>, 2> tables_;
   std::optional<ContactPair> pair_;
+  std::optional<ContactPair> perfect_;
   std::optional<PairCompliance> compliance_;
   std::optional<LoadedTurn> turn_;
   std::size_t next_ = 0;

@@ -14,6 +14,10 @@
       return {node: node, tooth: number(node, 'data-tooth'), from: number(node, 'data-from'),
               to: number(node, 'data-to'), dx: number(node, 'data-dx'), dy: number(node, 'data-dy')};
     });
+    // Pictures of single positions: the nearest is seen.
+    var frames = list(scope.querySelectorAll('[data-frame]')).map(function (node) {
+      return {node: node, at: number(node, 'data-frame'), of: number(node, 'data-frames')};
+    });
     var button = control.querySelector('button'), slider = control.querySelector('input');
     var output = control.querySelector('output'), pitch = number(control, 'data-pitch');
     var t = 0, last = null, running = 0, moved = false;
@@ -26,6 +30,10 @@
         var s = t + c.tooth;
         c.node.setAttribute('visibility', moved && s >= c.from && s <= c.to ? 'visible' : 'hidden');
         c.node.setAttribute('transform', 'translate(' + c.dx * s + ' ' + c.dy * s + ')');
+      });
+      frames.forEach(function (f) {
+        var seen = Math.round(t * f.of) % f.of === f.at;
+        f.node.setAttribute('visibility', seen ? 'visible' : 'hidden');
       });
       var words = (t * pitch).toFixed(2) + '°';
       output.textContent = words;

@@ -1,0 +1,126 @@
+// Corrections under load against a dense scan of what they may be, and their laws.
+#include "gearwright/job/compensate_load.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "gearwright/base/units.hpp"
+#include "gearwright/job/compensate_answer.hpp"
+
+namespace gearwright {
+namespace {
+
+// A helical pair out of line, coarse tables.
+std::string spec_of(const std::string& compensate, const std::string& torque = "250") {
+  return R"(
+[gear1]
+teeth = 23
+normal_module_mm = 3
+helix_angle_deg = 12
+face_width_mm = 30
+[gear2]
+teeth = 41
+helix_angle_deg = -12
+face_width_mm = 30
+[pair]
+backlash_mm = 0.1
+[errors]
+crossing_deg = 0.035
+[load]
+positions = 12
+slices = 8
+accuracy = "draft"
+torque_Nm = )" +
+         torque + "\n[compensate]\n" + compensate;
+}
+
+SolvedJob job_of(const std::string& text) {
+  const auto spec = read_spec(text, SpecFormat::toml);
+  EXPECT_TRUE(spec) << spec.error().message();
+  auto solved = solve(*spec, Scope::pair);
+  EXPECT_TRUE(solved) << solved.error().message();
+  return std::move(solved).take();
+}
+
+double aimed(const LoadedScore& s, const std::string& aim) {
+  return aim == "pressure" ? s.max_pressure : s.peak_to_peak.arcsec();
+}
+
+// The least of a grid over helix slope and crowning of gear 1.
+double scanned(const std::string& text, const std::string& aim) {
+  SolvedJob job = job_of(text);
+  const auto load = LoadedAim::of(job, nullptr);
+  EXPECT_TRUE(load) << load.error().message();
+  const auto setup = ContactSetup::of(job);
+  double least = 1e300;
+  for (double slope = -40; slope <= 40; slope += 5) {
+    for (double crowning = 0; crowning <= 24; crowning += 4) {
+      SetupChange change;
+      change.flank[0].lead_slope = slope * kMmPerUm;
+      change.flank[0].lead_crowning = crowning * kMmPerUm;
+      const auto changed = setup->changed(change);
+      EXPECT_TRUE(changed);
+      for (const LoadedScore& s : load->scores(changed->pair(false), load->positions()))
+        least = std::min(least, aimed(s, aim));
+    }
+  }
+  return least;
+}
+
+TEST(CompensateLoad, FindsWhatADenseScanFinds) {
+  for (const std::string aim : {"loaded_transmission_error", "pressure"}) {
+    const std::string text = spec_of("aim = \"" + aim + "\"\n");
+    SolvedJob job = job_of(text);
+    const auto answer = answer_compensate(job);
+    ASSERT_TRUE(answer) << answer.error().message();
+    ASSERT_EQ(answer->loads.size(), 1u);
+    const double before = aimed(answer->loads[0].before, aim);
+    const double after = aimed(answer->loads[0].after, aim);
+    const double scan = scanned(text, aim);
+    EXPECT_LT(after, 1.02 * scan) << aim << " from " << before;
+    EXPECT_LT(after, 0.9 * before) << aim;
+    // What is told is what the corrected spec does.
+    const auto again = read_spec(answer->corrected, SpecFormat::json);
+    ASSERT_TRUE(again) << again.error().message();
+    auto solved = solve(*again, Scope::pair);
+    ASSERT_TRUE(solved);
+    SolvedJob with = std::move(solved).take();
+    const auto load = answer_load(with);
+    ASSERT_TRUE(load) << load.error().message();
+    const LoadedTorque& t = load->contact->torques[0];
+    EXPECT_NEAR(aimed({t.peak_to_peak, t.max_pressure}, aim), after, 1e-9 * after);
+  }
+}
+
+// However little is looked at, and at the worst of several torques.
+TEST(CompensateLoad, IsNeverWorseThanNothing) {
+  for (const int curves : {1, 20}) {
+    for (const std::string aim : {"loaded_transmission_error", "pressure"}) {
+      SolvedJob job = job_of(spec_of(
+          "aim = \"" + aim + "\"\ncorrections = [\"gear2.profile_crowning_um\"]\n", "[40, 250]"));
+      const auto answer = answer_compensate(job, nullptr, curves);
+      ASSERT_TRUE(answer) << answer.error().message();
+      double before = 0.0;
+      double after = 0.0;
+      for (const AimedLoad& l : answer->loads) {
+        before = std::max(before, aimed(l.before, aim));
+        after = std::max(after, aimed(l.after, aim));
+      }
+      EXPECT_LE(after, before) << aim << " " << curves;
+    }
+  }
+}
+
+TEST(CompensateLoad, WantsTheTorque) {
+  std::string text = spec_of("aim = \"pressure\"\n");
+  text.erase(text.find("torque_Nm"), std::string("torque_Nm = 250\n").size());
+  SolvedJob job = job_of(text);
+  const auto answer = answer_compensate(job);
+  ASSERT_FALSE(answer);
+  EXPECT_EQ(answer.error().field, "load.torques");
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,68 @@
+#include "gearwright/job/load_report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "gearwright/catalogue/spelling.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// Gears that loaded contact is not made for; of others a number is wrong.
+bool of_the_kind(const Error& error) {
+  constexpr std::array<std::string_view, 5> kOfTheKind{"gear1.teeth", "gear2.teeth", "gear1.rack",
+                                                       "gear2.rack", "pair.shaft_angle"};
+  return std::find(kOfTheKind.begin(), kOfTheKind.end(), error.field) != kOfTheKind.end();
+}
+
+// As contact_part has them.
+bool nothing_touched(const Error& error) {
+  return error.field == "errors" || error.field == "gear1" || error.field == "gear2";
+}
+
+// The answer's positions, or a pitch of its own where the spec has other rotations.
+Result<LoadedContact> over_a_pitch(const SolvedJob& job, const LoadAnswer& answer,
+                                   Headway* headway) {
+  if (job.spec.load.rotations.empty()) return *answer.contact;
+  SolvedJob again = job;  // its warnings have been said
+  auto made = load_task(again);
+  if (!made) return made.error();
+  LoadTask task = std::move(made).take();
+  task.request.rotations.clear();
+  task.request.headway = headway;
+  auto contact = task.contact(*answer.compliance);
+  if (auto error = judge_load(again, task, contact)) return *error;
+  return contact;
+}
+
+}  // namespace
+
+Result<std::optional<LoadPart>> load_part(SolvedJob& job, Headway* headway) {
+  const LoadInput& input = job.spec.load;
+  if (input.torques.empty() && input.probes.empty()) return std::optional<LoadPart>();
+  auto made = answer_load(job, headway);
+  if (!made) {
+    const bool alone = !job.pair && made.error().field == "gear2";
+    const bool apart = job.pair && nothing_touched(made.error());
+    if (!alone && !apart && !of_the_kind(made.error())) return made.error();
+    const char* const code = apart ? "no_contact" : "no_load";
+    const auto is_said = [&](const Warning& w) { return w.code == code; };
+    if (std::any_of(job.warnings.begin(), job.warnings.end(), is_said))
+      return std::optional<LoadPart>();
+    const Error why = spelled(made.error(), job.spec.given);
+    job.warnings.push_back({code, "No analysis under load: " + why.message() + ".", 0});
+    return std::optional<LoadPart>();
+  }
+  LoadPart part{std::move(made).take(), std::nullopt};
+  if (part.answer.contact) {
+    auto contact = over_a_pitch(job, part.answer, headway);
+    if (!contact) return contact.error();
+    part.report = LoadReport{job.pair->involute(), input.driver == 2, std::move(contact).take(),
+                             standard_stiffness(job, part.answer)};
+  }
+  return std::optional(std::move(part));
+}
+
+}  // namespace gearwright

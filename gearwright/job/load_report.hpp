@@ -1,0 +1,23 @@
+// What `run` has of teeth under load: the answer of `load`, and the report's part about it.
+#pragma once
+
+#include <optional>
+
+#include "gearwright/job/load_answer.hpp"
+#include "gearwright/report/load_report.hpp"
+
+namespace gearwright {
+
+/// The report points into the job; it has a pitch of positions, whatever rotations the answer has.
+struct LoadPart {
+  LoadAnswer answer;
+  std::optional<LoadReport> report;  ///< none: only probes were asked
+};
+
+/// None where [load] asks for neither torques nor probes, and for gears that loaded contact is not
+/// made for: then a warning in the job says why.
+///
+/// Errors    as answer_load, where a number of the spec is wrong
+Result<std::optional<LoadPart>> load_part(SolvedJob& job, Headway* headway = nullptr);
+
+}  // namespace gearwright

@@ -1,0 +1,66 @@
+// One position of a loaded pair: where its teeth may touch, how these places yield to each other, and
+// what a torque makes of them.
+//
+// Internal to load/.                   theory: docs/theory/12-loaded-contact.md, [T12.1] to [T12.15]
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "gearwright/contact/transmission.hpp"
+#include "gearwright/load/complementarity.hpp"
+#include "gearwright/load/loaded_contact.hpp"
+
+namespace gearwright::detail {
+
+// The places of all pairs at one position, in one row.
+struct Row {
+  int pair;  // index into pairs
+  int slice;
+};
+
+struct Position {
+  std::vector<PairPlaces> pairs;  // of those that may touch, nearest to its exit last
+  std::vector<Row> rows;
+  ContactProblem problem;
+  double te = 0.0;                               // of the first touch, deflections included
+  std::array<std::vector<LinePlaces>, 2> lines;  // [gear][pair]
+};
+
+// Of each gear at its root points and slices, in N.
+using RootStress = std::array<Eigen::MatrixXd, 2>;
+
+class PositionSolver {
+ public:
+  PositionSolver(const ContactPair& pair, const Gear& one, const Gear& two, const PairCompliance& c,
+                 const LoadRequest& request);
+
+  /// Gaps and compliance at a rotation in N.
+  Position prepare(double rotation);
+  /// Adds to `most` the greatest root stresses.
+  LoadedPosition solve(Position& at, double torque, Angle rotation1, bool& too_fine,
+                       long& unfinished, RootStress& most) const;
+  /// The greatest share of a tooth pair alone.
+  double greatest_share(Position& at, double torque) const;
+
+ private:
+  // Further approach of the flanks at a height in N, mm.
+  double deflection(double z) const {
+    const FaceSlices& s = compliance_.slices;
+    const double x = pair_.turned() * z / (s.hi - s.lo);
+    return request_.deflection_slope * x + request_.deflection_bow * (1 - 4 * x * x);
+  }
+  Eigen::MatrixXd yields(const Position& at) const;
+  void root_stress(const Position& at, const std::vector<Eigen::VectorXd>& load,
+                   LoadedPosition& out, RootStress& most) const;
+
+  const ContactPair& pair_;
+  const PairCompliance& compliance_;
+  const LoadRequest& request_;
+  GapSearch search_;
+  Transmission transmission_;
+  double module_, base_radius_, sin_b_, ratio_;
+  std::vector<double> heights_;
+};
+
+}  // namespace gearwright::detail

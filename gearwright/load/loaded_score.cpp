@@ -1,0 +1,33 @@
+#include "gearwright/load/loaded_score.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gearwright {
+
+std::vector<LoadedScore> loaded_scores(const LoadedContact& contact) {
+  if (contact.slices_too_fine || contact.unfinished > 0) return {};
+  std::vector<LoadedScore> scores;
+  for (const LoadedTorque& t : contact.torques) {
+    if (std::any_of(t.positions.begin(), t.positions.end(),
+                    [](const LoadedPosition& p) { return p.kind == TouchKind::none; }))
+      return {};
+    scores.push_back({t.peak_to_peak, t.max_pressure, t.face_load_factor, t.edge_carries});
+  }
+  return scores;
+}
+
+LoadedScore no_score() {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  return {Angle::radians(kNaN), kNaN, kNaN, false};
+}
+
+LoadedScore worse_of(const LoadedScore& a, const LoadedScore& b) {
+  const auto worse = [](double x, double y) { return std::isnan(x) || x > y ? x : y; };
+  return {Angle::radians(worse(a.peak_to_peak.rad(), b.peak_to_peak.rad())),
+          worse(a.max_pressure, b.max_pressure), worse(a.face_load_factor, b.face_load_factor),
+          a.edge_carries || b.edge_carries};
+}
+
+}  // namespace gearwright

@@ -1,0 +1,123 @@
+#include "gearwright/report/load_section.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/catalogue/load_quantities.hpp"
+#include "gearwright/load/load_summary.hpp"
+#include "gearwright/report/contact_te_picture.hpp"
+#include "gearwright/report/html_text.hpp"
+#include "gearwright/report/load_curve_picture.hpp"
+#include "gearwright/report/load_flank_picture.hpp"
+#include "gearwright/report/load_root_picture.hpp"
+#include "gearwright/report/table_builder.hpp"
+
+namespace gearwright {
+
+namespace {
+
+std::string finding(const LoadReport& report) {
+  const LoadedTorque& t = heaviest(report);
+  std::string text = fmt::format(
+      "At {} gear 2 runs up to {}″ unevenly; the flanks bear up to {} N/mm²{}, the roots {} and {} "
+      "N/mm².",
+      torque_words(t), shown_arcsec(t.peak_to_peak.arcsec()), fixed(t.max_pressure, 0),
+      t.edge_carries ? " and more, for an edge carries" : "", fixed(t.max_root_stress[0], 0),
+      fixed(t.max_root_stress[1], 0));
+  if (const LoadedTorque* quiet = quietest(report.contact); quiet && quiet != &t)
+    text += fmt::format(" It is quietest at {}: {}″.", torque_words(*quiet),
+                        shown_arcsec(quiet->peak_to_peak.arcsec()));
+  return text;
+}
+
+std::string facts(const LoadReport& report) {
+  std::vector<ValueRecord> records;
+  std::vector<std::string> columns;
+  const auto& said = load_torque_quantities();
+  const auto views = torque_views(report.contact, report.standard_stiffness);
+  for (const std::size_t i : shown_torques(report)) {
+    records.push_back(said.of(views[i]));
+    columns.push_back(torque_words(*views[i].torque));
+  }
+  TableBuilder table("Under load", columns);
+  for (const TextGroup& group : text_groups(said.table(), records, kPage)) {
+    for (const TextRow& row : group.rows) {
+      if (row.said->key == "torque_Nm") continue;  // heads the columns
+      // A torque's texts, both gears' where there are two.
+      const std::size_t each = row.texts.size() / columns.size();
+      std::vector<std::string> texts;
+      for (std::size_t i = 0; i < columns.size(); ++i)
+        texts.push_back(each == 2 ? row.texts[2 * i] + ", " + row.texts[2 * i + 1] : row.texts[i]);
+      table.row(capitalised(row.said->words), row.said->symbol, unit_text(row.said->unit), texts);
+    }
+  }
+  return table.str() + "<p>Of two values the first is gear 1’s.</p>\n";
+}
+
+std::string te_part(const LoadReport& report) {
+  const std::string harris = harris_figure(report);
+  return "<h3>Transmission error under load</h3>\n<p>Teeth yield, and gear 2 hangs back by what "
+         "they yield. Where two pairs share the load they yield less than where one bears it "
+         "alone, "
+         "so that gear 2 swings at the tooth frequency even when the flanks are perfect. Tip "
+         "relief "
+         "fills that swing at one torque: below it the relief itself is heard, above it the "
+         "teeth.</p>\n<div class=\"figures\">\n" +
+         loaded_te_figure(report) + harris + "</div>\n" +
+         (harris.empty()
+              ? "<p>With several torques a Harris map shows at which of them the pair is "
+                "quietest.</p>\n"
+              : "");
+}
+
+std::string share_part(const LoadReport& report) {
+  return "<h3>Load shares and stiffness</h3>\n<p>How the tooth pairs share the load. A share that "
+         "rises from nothing and falls to nothing without a jump takes no blow where teeth come "
+         "in. "
+         "The stiffness of the mesh is the line load over how far the gears approach each other; "
+         "that it changes while they turn shakes the shafts.</p>\n<div class=\"figures\">\n" +
+         share_figure(report) + stiffness_figure(report) + "</div>\n";
+}
+
+std::string pressure_part(const LoadReport& report) {
+  return fmt::format(
+             "<h3>Pressure on the flanks</h3>\n<p>The pressure of Hertz where the teeth bear. It "
+             "should be greatest in the middle of the face and fade towards tips and ends; a "
+             "bright "
+             "border is an edge that carries or a face that bears at one end{}.</p>\n",
+             heaviest(report).edge_carries
+                 ? "; here an edge carries, where the true pressure is higher than drawn"
+                 : "") +
+         pressure_figures(report);
+}
+
+std::string root_part(const LoadReport& report, const std::array<std::string, 2>& shapes) {
+  const std::string figures = root_stress_figures(report, shapes);
+  if (figures.empty()) return {};
+  return "<h3>Stress at the roots</h3>\n<p>Each tooth bends over its root; the fillet on the "
+         "loaded "
+         "side is pulled, and there a crack would begin. The stress is that of the exact fillet, "
+         "neighbouring teeth and the body down to the bore with it.</p>\n" +
+         figures;
+}
+
+}  // namespace
+
+std::string load_section(const LoadReport& report, const std::array<std::string, 2>& shapes) {
+  const auto& torques = report.contact.torques;
+  GW_EXPECTS(report.pair && !torques.empty() && !torques.front().harmonics.empty());
+  GW_EXPECTS(std::any_of(torques.front().positions.begin(), torques.front().positions.end(),
+                         [](const LoadedPosition& p) { return p.kind != TouchKind::none; }));
+  return fmt::format(
+      "<section class=\"loaded\">\n<h2>Under load</h2>\n<p>The same "
+      "pair with teeth that yield: every tooth bends, its root gives way in the body, and the "
+      "flanks flatten where they touch. At each of {} positions of a pitch the load is shared so "
+      "that nothing overlaps and nothing pulls.</p>\n<p><strong>{}</strong></p>\n{}{}{}{}{}"
+      "</section>\n",
+      torques.front().positions.size(), finding(report), facts(report), te_part(report),
+      share_part(report), pressure_part(report), root_part(report, shapes));
+}
+
+}  // namespace gearwright

@@ -1,0 +1,114 @@
+#include "gearwright/report/load_section.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "gearwright/base/units.hpp"
+#include "gearwright/report/gear_shape.hpp"
+#include "gearwright/report/load_flank_picture.hpp"
+#include "gearwright/report/testing/sample_load.hpp"
+#include "gearwright/report/testing/strict_html.hpp"
+
+namespace gearwright {
+namespace {
+
+using testing::load_sample;
+using testing::LoadSample;
+using testing::StrictHtml;
+
+const std::array<std::string, 2> kShapes{"gear1", "gear2"};
+
+std::string sound(const LoadSample& s) {
+  std::string text = load_section(s.report, kShapes);
+  std::string shapes;
+  for (std::size_t g = 0; g < 2; ++g) shapes += gear_definition(s.pair->gears[g], kShapes[g]);
+  const auto facts =
+      StrictHtml::read("<!DOCTYPE html>\n<svg><defs>" + shapes + "</defs></svg>\n" + text);
+  for (const std::string& fault : facts.faults) ADD_FAILURE() << fault;
+  for (const std::string_view word : {"\"nan", " nan", "inf ", ">nan<"})
+    EXPECT_EQ(text.find(word), text.npos) << word;
+  return text;
+}
+
+std::size_t count(std::string_view text, std::string_view word) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) ++n;
+  return n;
+}
+
+TEST(LoadSection, HasAParagraphAndAPictureOfEverything) {
+  const LoadSample s = load_sample(testing::spur_pair(), {50e3, 100e3, 200e3}, 0.01);
+  const std::string text = sound(s);
+  for (const std::string_view id :
+       {"loaded-te", "harris", "load-share", "mesh-stiffness", "pressure1", "pressure2",
+        "pressure-along", "root-stress1", "root-stress2", "root-stress-face"})
+    EXPECT_NE(text.find("id=\"" + std::string(id)), text.npos) << id;
+  EXPECT_EQ(count(text, "<h3>"), 4u);
+  EXPECT_NE(text.find("quietest at"), text.npos);
+  // A place of the slider for every position, in three pictures, one of them seen without it.
+  EXPECT_EQ(count(text, "data-frame=\""), 30u);
+  EXPECT_EQ(count(text, "data-frames=\"10\">"), 3u);
+}
+
+TEST(LoadSection, OneTorqueHasNoHarrisMapAndSaysSo) {
+  const std::string text = sound(load_sample(testing::spur_pair(), {100e3}, 0.0));
+  EXPECT_EQ(text.find("id=\"harris"), text.npos);
+  EXPECT_NE(text.find("With several torques"), text.npos);
+}
+
+TEST(LoadSection, OfHelicalGearsAndEitherDriver) {
+  for (const bool gear2_drives : {false, true})
+    sound(load_sample(testing::helical_pair(), {40e3, 80e3}, 0.02, gear2_drives));
+}
+
+TEST(LoadSection, ManyTorquesShowAFewCurvesAndTheHeaviestField) {
+  std::vector<double> torques;
+  for (int i = 12; i >= 1; --i) torques.push_back(10e3 * i);
+  const LoadSample s = load_sample(testing::spur_pair(), torques, 0.0);
+  EXPECT_EQ(shown_torques(s.report).size(), 5u);
+  EXPECT_EQ(shown_torques(s.report).front(), 0u);
+  EXPECT_EQ(shown_torques(s.report).back(), 11u);
+  EXPECT_EQ(heaviest(s.report).torque, 120e3);
+  sound(s);
+}
+
+// A tooth's shares over all its way add up with those of its neighbours: over one pitch they make
+// the whole, so that their sum over the positions is the number of positions.
+TEST(LoadSection, SharesAndFieldsAreThoseOfTheContact) {
+  const LoadSample s = load_sample(testing::spur_pair(), {150e3}, 0.01);
+  const LoadedTorque& t = heaviest(s.report);
+  double sum = 0.0;
+  for (const LoadedPosition& p : t.positions)
+    for (const LoadedPair& k : p.pairs) sum += k.share;
+  EXPECT_NEAR(sum, 10.0, 1e-9);
+  for (std::size_t g = 0; g < 2; ++g) {
+    const FlankRaster raster = pressure_raster(s.report, g);
+    const double most = *std::max_element(raster.gap.begin(), raster.gap.end());
+    EXPECT_LE(most, t.max_pressure * (1 + 1e-12));
+    EXPECT_GT(most, 0.8 * t.max_pressure);
+    EXPECT_DOUBLE_EQ(t.root_stress[g].maxCoeff(), t.max_root_stress[g]);
+    const auto& points = s.report.contact.root_points[g];
+    ASSERT_EQ(static_cast<Eigen::Index>(points.size()), t.root_stress[g].rows());
+    const Gear& gear = s.pair->gears[g];
+    EXPECT_LT(std::abs(points.front()), std::abs(points.back()));
+    EXPECT_NEAR(std::abs(points.back()), *gear.root_form_radius(), 0.02 * gear.spec.normal_module);
+    EXPECT_GT(points.front().imag(), 0.0);
+  }
+}
+
+TEST(LoadSection, StandsInThePage) {
+  const LoadSample s = load_sample(testing::spur_pair(), {100e3}, 0.0);
+  ReportInput input = testing::report_input(*s.pair);
+  EXPECT_EQ(report_html(input).find(">Under load</h2>"), std::string::npos);
+  input.load = &s.report;
+  const std::string page = report_html(input);
+  EXPECT_NE(page.find(">Under load</h2>"), page.npos);
+  const auto facts = StrictHtml::read(page);
+  for (const std::string& fault : facts.faults) ADD_FAILURE() << fault;
+}
+
+}  // namespace
+}  // namespace gearwright

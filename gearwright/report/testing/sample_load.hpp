@@ -1,0 +1,51 @@
+// Teeth under load, as a job would hand them over, for the tests of this room.
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "gearwright/report/load_report.hpp"
+#include "gearwright/report/testing/sample_contact.hpp"
+
+namespace gearwright::testing {
+
+/// A pair and the report about it; the report points into the pair.
+struct LoadSample {
+  std::shared_ptr<const InvolutePair> pair;
+  LoadReport report;
+};
+
+/// `crossing` in degrees; coarse tables and few positions.
+inline LoadSample load_sample(InvolutePair mounted, std::vector<double> torques, double crossing,
+                              bool gear2_drives = false) {
+  LoadSample sample;
+  sample.pair = std::make_shared<const InvolutePair>(std::move(mounted));
+  const Gear& one = sample.pair->gears[0];
+  const Gear& two = sample.pair->gears[1];
+  ContactErrors errors;
+  errors.crossing = Angle::degrees(crossing);
+  ContactMount mount = mount_of(*sample.pair, errors);
+  mount.gear2_drives = gear2_drives;
+  const ContactPair pair({&one, {}}, {&two, {}}, mount);
+  LoadRequest request;
+  request.torques = std::move(torques);
+  request.positions = 10;
+  request.slices = 8;
+  request.accuracy = ComplianceAccuracy::draft;
+  for (std::size_t i = 0; i < 2; ++i)
+    request.bodies[i] = {0.5 * sample.pair->gears[i].root_diameter, 0.3, 206000.0};
+  auto compliance = pair_compliance(one, two, request);
+  GW_EXPECTS(static_cast<bool>(compliance));
+  sample.report = {sample.pair.get(), gear2_drives,
+                   loaded_contact(pair, one, two, *compliance, request),
+                   std::vector<double>(request.torques.size(), 17.0)};
+  return sample;
+}
+
+/// 25/43, m_n 3, spur.
+inline InvolutePair spur_pair() {
+  return sample_pair(sample_gear(25, 3, 0, 0), sample_gear(43, 3, 0, 0, 0.0, -0.1), 102.0);
+}
+
+}  // namespace gearwright::testing
