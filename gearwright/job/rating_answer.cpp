@@ -24,10 +24,10 @@ void warn_of_limits(SolvedJob& job, const Rating& rating) {
     job.warnings.push_back({limit.code, limit.text, limit.gear});
 }
 
-Result<ToothContact> tooth_contact(SolvedJob& job, const RatingAnswer& answer) {
+Result<ToothContact> tooth_contact(SolvedJob& job, const RatingAnswer& answer, Headway* headway) {
   const Rating& r = answer.rating;
   const double torque = answer.input.torque * r.K_A.value * r.K_gamma.value * r.K_v.value;
-  const auto made = contact_under(job, torque);
+  const auto made = contact_under(job, torque, headway);
   if (!made) return made.error();
   const LoadedTorque& t = made->torques.front();
   return ToothContact{torque, t.max_pressure, t.max_root_stress, t.face_load_factor};
@@ -50,7 +50,7 @@ RatingView RatingAnswer::view() const {
           contact};
 }
 
-Result<RatingAnswer> answer_rating(SolvedJob& job) {
+Result<RatingAnswer> answer_rating(SolvedJob& job, Headway* headway) {
   const RatingTable& table = job.spec.rating;
   if (!table.given) {
     return Error{
@@ -97,7 +97,7 @@ Result<RatingAnswer> answer_rating(SolvedJob& job) {
                                              kMostFaceModules * answer.pair.normal_module);
   warn_of_limits(job, answer.rating);
   if (table.tooth_contact) {
-    auto contact = tooth_contact(job, answer);
+    auto contact = tooth_contact(job, answer, headway);
     if (!contact) return contact.error();
     answer.contact = *contact;
   }
