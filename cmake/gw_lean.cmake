@@ -7,6 +7,7 @@
 #   base/packing           its own CRC-32, stb_image_write's deflate   (zlib)
 #   math/minimise          none: the verb compensate refuses           (NLopt)
 #   design/candidate_simd  plain doubles, the kernels' oracle          (Highway)
+#   pair/closed_forms_simd plain doubles too                           (Highway)
 #   job/search_campaign    none: a search leaves no folder             (zstd, SQLite: the store)
 #   apps/common/watch      no line of progress                         (threads, signals)
 #

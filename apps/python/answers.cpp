@@ -12,7 +12,6 @@
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/job/answers.hpp"
 #include "gearwright/job/compensate_text.hpp"
-#include "gearwright/job/contact_text.hpp"
 #include "gearwright/job/fit_answer.hpp"
 #include "gearwright/job/verify.hpp"
 
@@ -36,27 +35,6 @@ std::pair<Json, std::filesystem::path> spec_and_folder(const py::object& spec) {
   return {spec_with_keys(tree_of(spec, "")), {}};
 }
 
-// As answer_json, and told to stop by Ctrl-C.
-Result<Json> answer(const std::string& verb, const JobSpec& spec, Headway* headway) {
-  if (verb == "fit") {
-    const auto found = answer_fit(spec, headway);
-    if (!found) return found.error();
-    return fit_json(*found);
-  }
-  if (verb != "contact" && verb != "compensate") return answer_json(verb, spec);
-  auto solved = solve(spec, Scope::pair);
-  if (!solved) return solved.error();
-  SolvedJob job = std::move(solved).take();
-  if (verb == "contact") {
-    const auto found = answer_contact(job, headway);
-    if (!found) return found.error();
-    return contact_json(job, *found);
-  }
-  const auto found = answer_compensate(job, headway);
-  if (!found) return found.error();
-  return compensate_json(job, *found);
-}
-
 py::object solve_spec(const py::object& given, const std::string& verb) {
   const bool known =
       verb.empty() || std::find(kAnswering.begin(), kAnswering.end(), verb) != kAnswering.end();
@@ -65,7 +43,7 @@ py::object solve_spec(const py::object& given, const std::string& verb) {
   const JobSpec spec = read_tree_of(tree, folder);
   std::optional<Result<Json>> told;
   Watched watched;
-  watch(watched, [&] { told = answer(verb, spec, &watched.headway); });
+  watch(watched, [&] { told = answer_json(verb, spec, &watched.headway); });
   if (!*told) raise(spelled(told->error(), spec.given));
   return to_python(told->value());
 }
@@ -118,8 +96,8 @@ void bind_answers(py::module_& m) {
   m.def("solve", &solve_spec, py::arg("spec"), py::arg("verb") = "",
         "The program's JSON answer as a dict. `spec`: a dict with the tables of a spec file, a "
         "Pair or a Gear; "
-        "`verb`: gear, pair, measure, contact, compensate, fit or identify; by default pair where there are "
-        "two gears");
+        "`verb`: gear, pair, measure, contact, compensate, load, fit, identify or rate; by default "
+        "pair where there are two gears");
   m.def("fit", &fit, py::arg("spec"),
         "What is absent in the spec's gears and [pair] is found: a Record with branches, reason, "
         "nearest; load(branch.spec) "

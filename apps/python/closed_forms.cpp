@@ -1,6 +1,7 @@
 // Closed forms over columns of numbers: lanes and leaf formulas of the engine, row by row, without the GIL.
 //
-// Rows outside a formula's domain are NaN. Broadcasting, defaults and names: gearwright/closed_forms.py.
+// A column has a number for each row, or one for all. Rows outside a formula's domain are NaN. Broadcasting, defaults
+// and names: gearwright/closed_forms.py.
 #include <cmath>
 #include <limits>
 #include <map>
@@ -10,116 +11,110 @@
 #include "apps/python/model.hpp"
 #include "gearwright/design/candidate.hpp"
 #include "gearwright/design/trial_gear.hpp"
-#include "gearwright/gear/basic.hpp"
 #include "gearwright/math/involute.hpp"
-#include "gearwright/pair/mesh.hpp"
+#include "gearwright/pair/closed_forms.hpp"
 
 namespace gearwright::python {
 
 namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kPart = 512;  // rows that stay near the processor
 using Column = py::array_t<double, py::array::c_style>;
+template <std::size_t N>
+using Columns = std::array<Column, N>;
 
-// A result of as many rows, made by f of each without the GIL.
-template <class F>
-py::array_t<double> each(std::size_t rows, const F& f) {
-  std::vector<double> out(rows);
-  {
-    const py::gil_scoped_release free;
-    for (std::size_t i = 0; i < rows; ++i) out[i] = f(i);
+// An empty result of as many rows.
+py::array_t<double> results(std::size_t rows) {
+  return py::array_t<double>(static_cast<py::ssize_t>(rows));
+}
+
+// f(in, from, n) of one part of the rows after the other, without the GIL; `in` points to the part's n numbers.
+template <std::size_t N, class F>
+void in_parts(const Columns<N>& columns, std::size_t rows, const F& f) {
+  std::array<const double*, N> all{};
+  std::array<bool, N> constant{};
+  for (std::size_t c = 0; c < N; ++c) {
+    all[c] = columns[c].data();
+    constant[c] = columns[c].size() == 1;
   }
-  return array_of(std::move(out), {static_cast<py::ssize_t>(rows)});
+  const py::gil_scoped_release free;
+  std::array<std::array<double, kPart>, N> repeated;
+  for (std::size_t c = 0; c < N; ++c)
+    if (constant[c]) repeated[c].fill(*all[c]);
+  for (std::size_t from = 0; from < rows; from += kPart) {
+    std::array<const double*, N> in{};
+    for (std::size_t c = 0; c < N; ++c) in[c] = constant[c] ? repeated[c].data() : all[c] + from;
+    f(in, from, std::min(kPart, rows - from));
+  }
 }
 
-std::size_t rows_of(const Column& column) { return static_cast<std::size_t>(column.size()); }
-
-py::array_t<double> involutes(const Column& alpha) {
-  const double* const a = alpha.data();
-  return each(rows_of(alpha), [a](std::size_t i) {
-    return std::abs(a[i]) < std::numbers::pi / 2 ? involute(a[i]) : kNothing;
+py::array_t<double> involutes(const Columns<1>& alpha, std::size_t rows) {
+  py::array_t<double> found = results(rows);
+  double* const out = found.mutable_data();
+  in_parts(alpha, rows, [out](const auto& in, std::size_t from, std::size_t n) {
+    for (std::size_t i = 0; i < n; ++i) {
+      const double a = in[0][i];
+      out[from + i] = std::abs(a) < std::numbers::pi / 2 ? involute(a) : kNothing;
+    }
   });
+  return found;
 }
 
-py::array_t<double> inverse_involutes(const Column& inv) {
-  constexpr double kMost = 1e12;  // the domain of inverse_involute
-  const double* const y = inv.data();
-  return each(rows_of(inv), [y](std::size_t i) {
-    return std::abs(y[i]) <= kMost ? inverse_involute(y[i]) : kNothing;
+py::array_t<double> inverses(const Columns<1>& inv, std::size_t rows) {
+  py::array_t<double> found = results(rows);
+  double* const out = found.mutable_data();
+  in_parts(inv, rows, [out](const auto& in, std::size_t from, std::size_t n) {
+    inverse_involutes(in[0], out + from, n);
   });
+  return found;
 }
 
-// Columns of CandidateBatch, in normal modules; rows are done in parts that stay near the processor.
-py::tuple candidates(const std::array<Column, CandidateBatch::kIn>& columns, double tan_alpha,
-                     const std::array<double, 2>& addendum, const std::array<double, 2>& dedendum,
-                     double edge_depth, bool tight, bool shorten, const std::vector<int>& wanted) {
-  constexpr std::size_t kPart = 2048;
-  CandidateConstants constants{
+// Columns of CandidateBatch, in normal modules.
+py::tuple candidates(const Columns<CandidateBatch::kIn>& columns, std::size_t rows,
+                     double tan_alpha, const std::array<double, 2>& addendum,
+                     const std::array<double, 2>& dedendum, double edge_depth, bool tight,
+                     bool shorten, const std::vector<std::size_t>& wanted) {
+  const CandidateConstants constants{
       tan_alpha, addendum, dedendum, {edge_depth, edge_depth}, {edge_depth, edge_depth},
       tight,     shorten};
-  const std::size_t rows = rows_of(columns[0]);
-  std::vector<std::vector<double>> out(wanted.size(), std::vector<double>(rows));
-  {
-    std::array<const double*, CandidateBatch::kIn> in{};
-    for (std::size_t c = 0; c < in.size(); ++c) in[c] = columns[c].data();
-    const py::gil_scoped_release free;
-    CandidateBatch batch;
-    for (std::size_t from = 0; from < rows; from += kPart) {
-      const std::size_t n = std::min(kPart, rows - from);
-      batch.resize(n);
-      for (std::size_t c = 0; c < in.size(); ++c) std::copy_n(in[c] + from, n, batch.in[c].begin());
-      evaluate(constants, batch);
-      // Lanes stand still together: the residual says where there is no working angle.
-      const auto& residual = batch.out[CandidateBatch::residual];
-      const auto& tan_w = batch.out[CandidateBatch::tan_working];
-      for (std::size_t i = 0; i < n; ++i) {
-        if (residual[i] <= kSieveDoubt * tan_w[i] * tan_w[i]) continue;
-        for (auto& column : batch.out) column[i] = kNothing;
-      }
-      for (std::size_t w = 0; w < wanted.size(); ++w)
-        std::copy_n(batch.out[static_cast<std::size_t>(wanted[w])].begin(), n,
-                    out[w].begin() + static_cast<std::ptrdiff_t>(from));
-    }
-  }
   py::tuple all(wanted.size());
-  for (std::size_t w = 0; w < wanted.size(); ++w)
-    all[w] = array_of(std::move(out[w]), {static_cast<py::ssize_t>(rows)});
+  std::vector<double*> out;
+  for (std::size_t w = 0; w < wanted.size(); ++w) {
+    py::array_t<double> column = results(rows);
+    out.push_back(column.mutable_data());
+    all[w] = std::move(column);
+  }
+  CandidateBatch batch;
+  in_parts(columns, rows, [&](const auto& in, std::size_t from, std::size_t n) {
+    batch.resize(n);
+    for (std::size_t c = 0; c < in.size(); ++c) std::copy_n(in[c], n, batch.in[c].begin());
+    evaluate(constants, batch);
+    // Lanes stand still together: the residual says where there is no working angle.
+    const auto& residual = batch.out[CandidateBatch::residual];
+    const auto& tan_w = batch.out[CandidateBatch::tan_working];
+    for (std::size_t i = 0; i < n; ++i) {
+      if (residual[i] <= kSieveDoubt * tan_w[i] * tan_w[i]) continue;
+      for (auto& column : batch.out) column[i] = kNothing;
+    }
+    for (std::size_t w = 0; w < wanted.size(); ++w)
+      std::copy_n(batch.out[wanted[w]].begin(), n, out[w] + from);
+  });
   return all;
 }
 
-// Normal backlash at a centre distance; NaN where there is no working angle.
-py::array_t<double> backlashes(const Column& z1, const Column& z2, const Column& x1,
-                               const Column& x2, const Column& helix, const Column& allowance1,
-                               const Column& allowance2, const Column& distance, double module,
-                               double alpha_n) {
-  const std::array<const double*, 2> z{z1.data(), z2.data()}, x{x1.data(), x2.data()},
-      e{allowance1.data(), allowance2.data()};
-  const double *const beta = helix.data(), *const a = distance.data();
-  return each(rows_of(z1), [&](std::size_t i) {
-    BasePair<double> gears;
-    for (const std::size_t g : {0u, 1u}) {
-      const double teeth = z[g][i];
-      const bool whole = teeth == std::round(teeth) && teeth != 0.0 && std::abs(teeth) < 1e6;
-      if (!whole || !(std::abs(beta[i]) < std::numbers::pi / 2)) return kNothing;
-      const double hand = g == 0 || z[1][i] < 0.0 ? 1.0 : -1.0;
-      gears[g] = base_gear(static_cast<int>(teeth),
-                           reference_geometry<double>({static_cast<int>(teeth), module, alpha_n,
-                                                       hand * beta[i], x[g][i], e[g][i]}));
-    }
-    const double sum = base_radius_sum(gears);
-    if (!(sum > 0.0) || !(a[i] > sum)) return kNothing;
-    const RackAngles<double> angles = angles_at_parallel_distance(gears, a[i]);
-    const CommonRack<double> rack = common_rack(gears, angles);
-    MeshInput<double> in{gears, {}, {}, {}, a[i], {}};
-    Mesh<double> mesh{};
-    mesh.sigma = side_of(gears);
-    mesh.rack = rack;
-    return detail::backlash_of(in, mesh).normal;
+py::array_t<double> backlashes(const Columns<BacklashColumns::kIn>& columns, std::size_t rows,
+                               double module, double tan_alpha) {
+  py::array_t<double> found = results(rows);
+  double* const out = found.mutable_data();
+  in_parts(columns, rows, [&](const auto& in, std::size_t from, std::size_t n) {
+    normal_backlashes({module, tan_alpha}, {in}, out + from, n);
   });
+  return found;
 }
 
 // Least and greatest profile shift of each gear, once for each tooth number and helix.
-py::tuple shift_limits(const Column& teeth, const Column& helix, double alpha_n, double addendum,
+py::tuple shift_limits(const Columns<2>& columns, std::size_t rows, double alpha_n, double addendum,
                        double edge_depth, double tip_thickness) {
   SearchProblem problem;
   problem.normal_pressure_angle = Angle::radians(alpha_n);
@@ -129,41 +124,39 @@ py::tuple shift_limits(const Column& teeth, const Column& helix, double alpha_n,
     racks.rack[g].addendum = addendum;
     racks.undercut_depth[g] = racks.flank_depth[g] = edge_depth;
   }
-  const double *const z = teeth.data(), *const beta = helix.data();
-  const std::size_t rows = rows_of(teeth);
-  std::vector<double> least(rows), greatest(rows);
-  {
-    const py::gil_scoped_release free;
-    std::map<std::pair<double, double>, std::pair<double, double>> known;
-    std::pair<double, double> last_key{kNothing, kNothing}, last;
-    for (std::size_t i = 0; i < rows; ++i) {
-      const std::pair key{z[i], beta[i]};
+  py::array_t<double> least = results(rows), greatest = results(rows);
+  double *const low = least.mutable_data(), *const high = greatest.mutable_data();
+  std::map<std::pair<double, double>, std::pair<double, double>> known;
+  std::pair<double, double> last_key{kNothing, kNothing}, last;
+  in_parts(columns, rows, [&](const auto& in, std::size_t from, std::size_t n) {
+    for (std::size_t i = 0; i < n; ++i) {
+      const double z = in[0][i], beta = in[1][i];
+      const std::pair key{z, beta};
       if (key != last_key) {
-        const bool valid = z[i] == std::round(z[i]) && z[i] != 0.0 && std::abs(z[i]) < 1e6 &&
-                           std::abs(beta[i]) < std::numbers::pi / 2;
+        const bool valid = z == std::round(z) && z != 0.0 && std::abs(z) < 1e6 &&
+                           std::abs(beta) < std::numbers::pi / 2;
         const auto [at, is_new] = valid ? known.try_emplace(key) : std::pair(known.end(), false);
         if (is_new) {
           const TrialGear gear =
-              trial_gear(problem, static_cast<int>(z[i]), Angle::radians(beta[i]), 0, 0);
+              trial_gear(problem, static_cast<int>(z), Angle::radians(beta), 0, 0);
           const bool none = gear.x_min > gear.x_max;
           at->second = none ? std::pair(kNothing, kNothing) : std::pair(gear.x_min, gear.x_max);
         }
         last = valid ? at->second : std::pair(kNothing, kNothing);
         last_key = key;
       }
-      least[i] = last.first;
-      greatest[i] = last.second;
+      low[from + i] = last.first;
+      high[from + i] = last.second;
     }
-  }
-  const auto n = static_cast<py::ssize_t>(rows);
-  return py::make_tuple(array_of(std::move(least), {n}), array_of(std::move(greatest), {n}));
+  });
+  return py::make_tuple(least, greatest);
 }
 
 }  // namespace
 
 void bind_closed_forms(py::module_& m) {
   m.def("_involute", &involutes);
-  m.def("_inverse_involute", &inverse_involutes);
+  m.def("_inverse_involute", &inverses);
   m.def("_candidates", &candidates);
   m.def("_backlash", &backlashes);
   m.def("_shift_limits", &shift_limits);

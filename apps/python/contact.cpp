@@ -7,13 +7,10 @@
 #include <cmath>
 
 #include "apps/python/arrays.hpp"
-#include "apps/python/watched.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
 #include "gearwright/catalogue/modification_keys.hpp"
-#include "gearwright/catalogue/verdict_quantities.hpp"
 #include "gearwright/contact/pair_contact.hpp"
 #include "gearwright/job/contact_text.hpp"
-#include "gearwright/job/judgement.hpp"
 
 namespace gearwright::python {
 
@@ -44,41 +41,12 @@ Json errors_tree(const py::object& errors) {
   return errors_of_row(errors);
 }
 
-// The pair's spec with other errors, modifications and ways to look at it.
-ModelPtr asked_model(const PairValue& pair, const py::object& errors,
-                     const py::object& modifications, const py::kwargs& kwargs) {
-  if (errors.is_none() && modifications.is_none() && kwargs.empty()) return pair.model;
-  Json spec = pair.model->spec;
-  if (!errors.is_none()) spec["errors"] = errors_tree(errors);
-  if (!modifications.is_none()) {
-    const Json tree = tree_of(modifications, "modifications");
-    for (const auto& [gear, table] : tree.items()) {
-      if (gear != "gear1" && gear != "gear2")
-        raise(Error{"modifications." + gear, "",
-                    "must be gear1 or gear2, with a dict of their modifications"});
-      spec[gear]["modifications"] =
-          with_keys(table, {&modification_keys()}, gear + ".modifications");
-    }
-  }
-  const Json look = with_keys(tree_of(kwargs, "contact"), {&contact_keys()}, "contact");
-  for (const auto& [key, value] : look.items()) spec["contact"][key] = value;
-  return make_model(std::move(spec), pair.model->folder, Scope::pair);
-}
-
 ContactValue contact_of(const PairValue& pair, const py::object& errors,
                         const py::object& modifications, const py::kwargs& kwargs) {
-  const ModelPtr asked = asked_model(pair, errors, modifications, kwargs);
-  const auto model = std::make_shared<Model>(*asked);
-  std::optional<Result<ContactAnswer>> answer;
-  std::shared_ptr<const ValueRecord> record;
-  Watched watched;
-  watch(watched, [&] {
-    answer = answer_contact(model->job, &watched.headway);
-    if (*answer)
-      record = std::make_shared<const ValueRecord>(contact_record(model->job, answer->value()));
-  });
-  if (!*answer) raise(answer->error(), *model);
-  return {model, std::make_shared<const ContactAnswer>(std::move(*answer).take()), record};
+  return answered<ContactValue>(
+      asked_model(pair, errors, modifications, contact_keys(), "contact", kwargs),
+      [](SolvedJob& job, Headway* headway) { return answer_contact(job, headway); },
+      contact_record);
 }
 
 py::array positions_of(const ContactValue& c) {
@@ -122,7 +90,8 @@ py::array_t<double> transmission_errors(const PairValue& pair, const py::object&
   }
   const KeyRange& range = contact_keys().find("positions")->range;
   if (!range.contains(positions)) raise(refused("positions", positions, range.sentence(positions)));
-  const ModelPtr model = asked_model(pair, py::none(), modifications, {});
+  const ModelPtr model =
+      asked_model(pair, py::none(), modifications, contact_keys(), "contact", {});
   const ContactSetup setup = [&] {
     auto made = ContactSetup::of(model->job);
     if (!made) raise(made.error(), *model);
@@ -164,6 +133,27 @@ py::object column(const ContactValue& c, const Said& said) {
 
 }  // namespace
 
+ModelPtr asked_model(const PairValue& pair, const py::object& errors,
+                     const py::object& modifications, const KeyTable& table,
+                     const std::string& name, const py::kwargs& keys) {
+  if (errors.is_none() && modifications.is_none() && keys.empty()) return pair.model;
+  Json spec = pair.model->spec;
+  if (!errors.is_none()) spec["errors"] = errors_tree(errors);
+  if (!modifications.is_none()) {
+    const Json tree = tree_of(modifications, "modifications");
+    for (const auto& [gear, given] : tree.items()) {
+      if (gear != "gear1" && gear != "gear2")
+        raise(Error{"modifications." + gear, "",
+                    "must be gear1 or gear2, with a dict of their modifications"});
+      spec[gear]["modifications"] =
+          with_keys(given, {&modification_keys()}, gear + ".modifications");
+    }
+  }
+  const Json look = with_keys(tree_of(keys, name), {&table}, name);
+  for (const auto& [key, value] : look.items()) spec[name][key] = value;
+  return make_model(std::move(spec), pair.model->folder, Scope::pair);
+}
+
 py::class_<ContactValue> bind_contact(py::module_& m, py::class_<PairValue>& pair) {
   py::class_<ContactValue> contact(m, "Contact",
                                    "How a pair touches under its errors, turned through a pitch");
@@ -171,38 +161,12 @@ py::class_<ContactValue> bind_contact(py::module_& m, py::class_<PairValue>& pai
       .def_property_readonly(
           "positions", &positions_of,
           "A structured array, a row for each position, a column for each quantity by key")
-      .def(
-          "as_dict", [](const ContactValue& c) { return by_key(*c.record); },
-          "Every quantity by key: what JSON has")
-      .def_property_readonly(
-          "spec", [](const ContactValue& c) { return to_python(c.model->spec); },
-          "What it was made from, by key")
-      .def_property_readonly("pair", [](const ContactValue& c) { return PairValue{c.model}; })
-      .def_property_readonly(
-          "verdict",
-          [](const ContactValue& c) {
-            return by_name(Value(verdict_quantities().of(judge(c.model->job, &c.answer->driving))));
-          },
-          "Whether the pair runs under these errors, the worst finding first")
-      .def_property_readonly(
-          "warnings", [](const ContactValue& c) { return warnings_of(c.model->job.warnings); },
-          "What a person should know: Records with code, message, gear")
       .def("__repr__", [](const ContactValue& c) {
         return fmt::format("Contact({} positions, peak_to_peak_arcsec={:.4g})",
                            c.answer->driving.positions.size(),
                            c.answer->driving.peak_to_peak.arcsec());
       });
-  for (const Quantity<ContactView>& q : contact_quantities().list()) {
-    if (q.said.key == "positions") continue;
-    contact.def_property_readonly(
-        name_of(q.said).c_str(),
-        [&said = q.said](const ContactValue& c) -> py::object {
-          for (const Member& member : *c.record)
-            if (member.said == &said) return by_name(said, member.value);
-          return py::none();
-        },
-        docstring(q.said).c_str());
-  }
+  bind_answer(contact, contact_quantities().table(), "positions");
   for (const Quantity<ContactPoint>& q : position_quantities().list()) {
     if (q.said.of) continue;
     contact.def_property_readonly(

@@ -12,6 +12,7 @@
 #include "gearwright/cad/contour.hpp"
 #include "gearwright/cad/mesh.hpp"
 #include "gearwright/job/files.hpp"
+#include "gearwright/job/workshop_drawing.hpp"
 
 namespace gearwright::python {
 
@@ -27,10 +28,21 @@ int points_in_range(int points) {
   return points;
 }
 
+double some_tolerance(double tolerance) {
+  if (!(tolerance > 0.0) || !std::isfinite(tolerance))
+    raise(refused("tolerance", tolerance, "must be greater than 0 mm"));
+  return tolerance;
+}
+
+// In the keys of a gear where there is one alone.
+[[noreturn]] void raise_of_body(const Error& error, const Model& model) {
+  if (!model.job.pair) raise_of_gear(spelled(error, model.given()));
+  raise(error, model);
+}
+
 ToothedBody body_of(const GearValue& gear, bool in_place = false) {
   auto body = make_body(gear.model->job, gear.which, in_place);
-  if (!body && !gear.model->job.pair) raise_of_gear(spelled(body.error(), gear.model->given()));
-  if (!body) raise(body.error(), *gear.model);
+  if (!body) raise_of_body(body.error(), *gear.model);
   return std::move(body).take();
 }
 
@@ -94,8 +106,7 @@ py::array_t<double> section(const GearValue& gear, int points) {
 }
 
 py::tuple mesh(const GearValue& gear, double tolerance) {
-  if (!(tolerance > 0.0) || !std::isfinite(tolerance))
-    raise(refused("tolerance", tolerance, "must be greater than 0 mm"));
+  some_tolerance(tolerance);
   const ToothedBody body = body_of(gear);
   std::optional<Result<TriangleMesh>> made;
   {
@@ -112,28 +123,54 @@ py::tuple mesh(const GearValue& gear, double tolerance) {
                         array_of<std::uint32_t>(owner, owner->triangles.data()->data(), {m, 3}));
 }
 
-// One file of the bodies: its bytes, or where it was written.
+// The file's bytes, or where it was written.
+py::object told(const JobFile& file, const std::optional<fs::path>& path) {
+  if (!path) return py::bytes(file.bytes);
+  write_file(*path, file.bytes);
+  return py::cast(*path);
+}
+
+// One file of the bodies.
 py::object exported(FileKind kind, const std::vector<ToothedBody>& bodies, const Model& model,
                     const std::optional<fs::path>& path, double tolerance, bool splines) {
-  if (!(tolerance > 0.0) || !std::isfinite(tolerance))
-    raise(refused("tolerance", tolerance, "must be greater than 0 mm"));
   FileOptions options;
-  options.mesh_tolerance_mm = options.drawing_tolerance_mm = tolerance;
+  options.mesh_tolerance_mm = options.drawing_tolerance_mm = some_tolerance(tolerance);
   options.drawing_splines = splines;
   const fs::path name = path.value_or(model.spec.contains("gear2") ? "pair" : "gear");
   std::optional<Result<JobFile>> file;
   Watched watched;
   watch(watched, [&] { file = make_file(kind, bodies, name, options); });
   if (!*file) raise(file->error(), model);
-  const std::string& bytes = file->value().bytes;
-  if (!path) return py::bytes(bytes);
-  write_file(*path, bytes);
-  return py::cast(*path);
+  return told(file->value(), path);
 }
 
 std::vector<ToothedBody> bodies_of(const GearValue& gear) { return {body_of(gear)}; }
 std::vector<ToothedBody> bodies_of(const PairValue& pair) {
   return {body_of({pair.model, 1}, true), body_of({pair.model, 2}, true)};
+}
+
+std::vector<int> sheets_of(const GearValue& gear) { return {gear.which}; }
+std::vector<int> sheets_of(const PairValue&) { return {1, 2}; }
+
+// The workshop drawing, a sheet for each gear; what the path ends in goes before `format`.
+py::object drawing(const std::vector<int>& gears, const Model& model,
+                   const std::optional<fs::path>& path, const std::string& format,
+                   const std::string& sheet, double tolerance) {
+  const auto kind = sheet_format(path.value_or("drawing." + format));
+  if (!kind && path) raise({"path", path->string(), "must end in .pdf, .svg or .dxf"});
+  if (!kind) raise({"format", format, "must be pdf, svg or dxf"});
+  if (sheet != "A4" && sheet != "A3") raise({"sheet", sheet, "must be A4 or A3"});
+  FileOptions options;
+  options.drawing_tolerance_mm = some_tolerance(tolerance);
+  const SheetSize size = sheet == "A3" ? SheetSize::a3 : SheetSize::a4;
+  const fs::path name = path.value_or("drawing");
+  std::optional<Result<JobFile>> file;
+  {
+    const py::gil_scoped_release free;
+    file = make_workshop_drawing(model.job, gears, *kind, size, name, options);
+  }
+  if (!*file) raise_of_body(file->error(), model);
+  return told(file->value(), path);
 }
 
 struct Export {
@@ -165,6 +202,17 @@ void bind_exports(Class& type) {
         fmt::format("{}: the file's bytes, or written to path, whole or not at all. mm", e.doc)
             .c_str());
   }
+  type.def(
+      "drawing",
+      [](const Self& self, const std::optional<fs::path>& path, const std::string& format,
+         const std::string& sheet, double tolerance) {
+        return drawing(sheets_of(self), *self.model, path, format, sheet, tolerance);
+      },
+      py::arg("path") = py::none(), py::arg("format") = "pdf", py::arg("sheet") = "A4",
+      py::arg("tolerance") = 0.001,
+      "Workshop drawing with the gear data, a sheet (A4 or A3) for each gear: the file's bytes in "
+      "this format, pdf, svg or dxf, or written to path, which ends in one of them. The outline "
+      "is within tolerance, mm");
 }
 
 py::array_t<double> pose(const PairValue& pair, int which) {

@@ -53,17 +53,21 @@ def main():
     tables = core._catalogue()
     keys = core._keys()
     records = [f"class {class_of(name)}(Record):\n" + "".join(map(attribute, said))
-               for name, said in tables.items() if name not in ("gear", "pair", "contact", "contact.positions")]
+               for name, said in tables.items() if name not in ("gear", "pair", "contact", "contact.positions", "rating", "load")]
     columns = [dict(said, type="column") for said in tables["contact.positions"] if not said["of"]]
     contact = [said for said in tables["contact"] if said["name"] != "positions"]
     text = Path(__file__).with_name("core.pyi.in").read_text(encoding="utf-8")
     for mark, made in (("    # gear attributes\n", "".join(map(attribute, tables["gear"]))),
                        ("    # pair attributes\n", "".join(map(attribute, tables["pair"]))),
                        ("    # contact attributes\n", "".join(map(attribute, contact + columns))),
+                       ("    # rating attributes\n", "".join(map(attribute, tables["rating"]))),
+                       ("    # loaded attributes\n", "".join(map(attribute, tables["load"]))),
                        ("        # gear keywords\n", keywords(keys["gear"])),
                        ("        # pair keywords\n", keywords(keys["pair"])),
                        ("        # sweep keywords\n", keywords(keys["pair"]).replace("float | None", "ArrayLike")),
                        ("        # compensate keywords\n", keywords(keys["compensate"])),
+                       ("        # rating keywords\n", keywords(keys["rating"])),
+                       ("        # load keywords\n", keywords(keys["load"])),
                        ("        # contact keywords\n", keywords(keys["contact"])),
                        ("# records\n", "\n".join(records))):
         assert mark in text, f"core.pyi.in has no {mark.strip()}"

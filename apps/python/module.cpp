@@ -16,6 +16,7 @@ PYBIND11_MODULE(_core, m) {
   bind_records(m);
   auto [gear, pair] = bind_gears(m);
   auto contact = bind_contact(m, pair);
+  bind_under_load(m, pair);
   bind_sweep(pair);
   bind_files(gear, pair);
   bind_pictures(gear, pair, contact);

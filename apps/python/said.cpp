@@ -7,8 +7,12 @@
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
+#include "gearwright/catalogue/load_keys.hpp"
+#include "gearwright/catalogue/load_quantities.hpp"
 #include "gearwright/catalogue/pair_keys.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/rating_keys.hpp"
+#include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/verdict_quantities.hpp"
 
@@ -89,8 +93,8 @@ void bind_said(py::module_& m) {
     for (const SaidTable* table :
          {&gear_quantities().table(), &pair_quantities().table(), &contact_quantities().table(),
           &compensate_quantities().table(), &fit_quantities().table(), &search_quantities().table(),
-          &design_quantities().table(), &verdict_quantities().table(),
-          &warning_quantities().table()})
+          &design_quantities().table(), &rating_quantities().table(), &load_quantities().table(),
+          &verdict_quantities().table(), &warning_quantities().table()})
       add(all, *table);
     return all;
   });
@@ -100,6 +104,8 @@ void bind_said(py::module_& m) {
     all["pair"] = keys_of(pair_keys());
     all["compensate"] = keys_of(compensate_keys());
     all["contact"] = keys_of(contact_keys());
+    all["load"] = keys_of(load_keys());
+    all["rating"] = keys_of(rating_keys());
     return all;
   });
 }

@@ -11,6 +11,7 @@
 #include "gearwright/cad/testing/generated_bodies.hpp"
 #include "gearwright/cad/testing/step_reader.hpp"
 #include "gearwright/gear/ring_cutter.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/inspection/balls.hpp"
 
 namespace gearwright {
@@ -20,13 +21,8 @@ namespace {
 constexpr double kSolid = 5e-5;  // mm
 
 CylindricalSpec spec_of(int teeth, double module, double beta_deg, double x) {
-  CylindricalSpec s;
-  s.teeth = teeth;
-  s.normal_module = module;
-  s.helix_angle = Angle::degrees(beta_deg);
-  s.profile_shift = x;
-  s.face_width = 12 * module;
-  return s;
+  return testing::plain_spec(
+      {.teeth = teeth, .module = module, .beta_deg = beta_deg, .x = x, .face_width = 12 * module});
 }
 
 TEST(StepMeasured, balls_rest_where_they_are_said_to) {

@@ -22,6 +22,7 @@
 #include "gearwright/catalogue/rating_keys.hpp"
 #include "gearwright/catalogue/search_keys.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/tool/rack.hpp"
 
 namespace gearwright {
@@ -109,10 +110,7 @@ TEST(Keys, defaults_are_those_of_the_structs) {
 
 TEST(Keys, the_limits_of_a_gear_are_its_own) {
   const auto refuses = [](const auto& set, double value) {
-    CylindricalSpec spec;
-    spec.teeth = 20;
-    spec.normal_module = 2.0;
-    spec.face_width = 2.0;
+    CylindricalSpec spec = testing::plain_spec({.teeth = 20, .module = 2.0, .face_width = 2.0});
     set(spec, value);
     return check_limits(spec).has_value();
   };

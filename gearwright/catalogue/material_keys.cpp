@@ -154,7 +154,7 @@ Result<Material> material_of(const MaterialInput& given, int which, RatingEditio
                               : table,
                  "",
                  "is missing; a rating needs the material's strength: `name` of the shipped table, "
-                 "or `kind`, `sigma_Hlim` and `sigma_Flim`"};
+                 "\"16MnCr5\" for example, or `kind`, `sigma_Hlim` and `sigma_Flim`"};
   }
   const bool plastic = m.kind == MaterialKind::plastic;
   const bool by_temperature =

@@ -6,6 +6,7 @@
 #include "gearwright/catalogue/modification_keys.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
 #include "gearwright/gear/gear.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 
 namespace gearwright {
 namespace {
@@ -95,10 +96,7 @@ TEST(Spelling, sentences_name_the_nearest_table) {
 
 // A sentence of the library, to a programmer and to a person with a file.
 TEST(Spelling, one_sentence_for_both) {
-  CylindricalSpec spec;
-  spec.teeth = 20;
-  spec.normal_module = 2.0;
-  spec.face_width = 10.0;
+  CylindricalSpec spec = testing::plain_spec({.teeth = 20, .module = 2.0, .face_width = 10.0});
   spec.straight_rack().semi_topping_angle = Angle::degrees(45);
   const auto gear = make_gear(spec);
   ASSERT_FALSE(gear);

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "gearwright/compliance/tooth_table.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/math/involute.hpp"
 
 namespace gearwright {
@@ -19,11 +20,8 @@ namespace {
 constexpr double kModule = 3.0;
 
 Gear gear_of(double module, int teeth = 25, double shift = 0.0) {
-  CylindricalSpec s;
-  s.teeth = teeth;
-  s.normal_module = module;
-  s.face_width = 10 * module;
-  s.profile_shift = shift;
+  CylindricalSpec s = testing::plain_spec(
+      {.teeth = teeth, .module = module, .x = shift, .face_width = 10 * module});
   s.rack = *iso53_rack("ISO53-A");
   return std::move(make_gear(s)).take();
 }

@@ -63,11 +63,9 @@ double bump_width(double s, double flank_hi) {
 
 }  // namespace detail
 
-Result<std::shared_ptr<const detail::ToothSection>> make_tooth_section(const Gear& gear,
-                                                                       double twist,
-                                                                       const ElasticBody& body,
-                                                                       ComplianceAccuracy accuracy,
-                                                                       std::optional<double> also) {
+Result<std::shared_ptr<const detail::ToothSection>> make_tooth_section(
+    const Gear& gear, double twist, const ElasticBody& body, ComplianceAccuracy accuracy,
+    std::optional<double> also, Headway* headway) {
   using namespace detail;
   GW_EXPECTS(!gear.internal() && gear.tooth);
   const double m = gear.spec.normal_module;
@@ -98,7 +96,7 @@ Result<std::shared_ptr<const detail::ToothSection>> make_tooth_section(const Gea
   }
   if (also) places.push_back({*also, bump_width(*also, section->flank_hi)});
   section->modes = section_modes(section->mesh, body.poisson_ratio, places, section->tau,
-                                 mode_tolerance(accuracy, section->tau != 0.0));
+                                 mode_tolerance(accuracy, section->tau != 0.0), headway);
   return std::shared_ptr<const ToothSection>(std::move(section));
 }
 

@@ -17,33 +17,9 @@ HWY_BEFORE_NAMESPACE();
 namespace gearwright {
 namespace HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using Tag = hn::ScalableTag<double>;
 constexpr double kLanePi = std::numbers::pi;
 
-// A vector with the words of the leaf formulas; Highway has no operators for its own everywhere.
-struct Lane {
-  hn::Vec<Tag> v;
-  HWY_INLINE Lane() = default;
-  HWY_INLINE Lane(hn::Vec<Tag> lanes) : v(lanes) {}
-  explicit HWY_INLINE Lane(double value) : v(hn::Set(Tag(), value)) {}
-};
-HWY_INLINE Lane operator+(const Lane& a, const Lane& b) { return hn::Add(a.v, b.v); }
-HWY_INLINE Lane operator-(const Lane& a, const Lane& b) { return hn::Sub(a.v, b.v); }
-HWY_INLINE Lane operator*(const Lane& a, const Lane& b) { return hn::Mul(a.v, b.v); }
-HWY_INLINE Lane operator/(const Lane& a, const Lane& b) { return hn::Div(a.v, b.v); }
-HWY_INLINE Lane sqrt(const Lane& a) { return hn::Sqrt(a.v); }
-HWY_INLINE Lane atan(const Lane& a) { return hn::Atan(Tag(), a.v); }
-HWY_INLINE Lane abs(const Lane& a) { return hn::Abs(a.v); }
-HWY_INLINE Lane min_of(const Lane& a, const Lane& b) { return hn::Min(a.v, b.v); }
-HWY_INLINE Lane max_of(const Lane& a, const Lane& b) { return hn::Max(a.v, b.v); }
-HWY_INLINE auto is_less(const Lane& a, const Lane& b) { return hn::Lt(a.v, b.v); }
-template <class Mask>
-HWY_INLINE Lane pick(const Mask& mask, const Lane& a, const Lane& b) {
-  return hn::IfThenElse(mask, a.v, b.v);
-}
-// No series for small angles, which would be a branch: it loses 1e-16 of ξ, law (1) allows 1e-12.
-HWY_INLINE Lane involute_of_roll(const Lane& roll) { return roll - atan(roll); }
+#include "gearwright/math/lanes.inc"
 
 #define GW_LEAF_INLINE HWY_INLINE
 #define GW_LEAF_LAMBDA HWY_ATTR
@@ -52,33 +28,6 @@ HWY_INLINE Lane involute_of_roll(const Lane& roll) { return roll - atan(roll); }
 #include "gearwright/pair/leaf_formulas.inc"
 #undef GW_LEAF_LAMBDA
 #undef GW_LEAF_INLINE
-
-// Whole vectors, then the rest through a padded copy of itself.
-template <std::size_t kIn, std::size_t kOut, class Kernel>
-HWY_INLINE void for_columns(const std::array<const double*, kIn>& in,
-                            const std::array<double*, kOut>& out, std::size_t n,
-                            const Kernel& kernel) {
-  const std::size_t width = hn::Lanes(Tag());
-  std::size_t i = 0;
-  for (; i + width <= n; i += width) {
-    std::array<Lane, kIn> x;
-    for (std::size_t k = 0; k < kIn; ++k) x[k] = hn::LoadU(Tag(), in[k] + i);
-    const std::array<Lane, kOut> y = kernel(x);
-    for (std::size_t k = 0; k < kOut; ++k) hn::StoreU(y[k].v, Tag(), out[k] + i);
-  }
-  if (i == n) return;
-  HWY_ALIGN double pad[hn::MaxLanes(Tag())];
-  std::array<Lane, kIn> x;
-  for (std::size_t k = 0; k < kIn; ++k) {
-    for (std::size_t j = 0; j < width; ++j) pad[j] = in[k][i + j < n ? i + j : n - 1];
-    x[k] = hn::Load(Tag(), pad);
-  }
-  const std::array<Lane, kOut> y = kernel(x);
-  for (std::size_t k = 0; k < kOut; ++k) {
-    hn::Store(y[k].v, Tag(), pad);
-    for (std::size_t j = 0; i + j < n; ++j) out[k][i + j] = pad[j];
-  }
-}
 
 void evaluate_here(const CandidateConstants& constants, CandidateBatch& b) {
   std::array<const double*, CandidateBatch::kIn> in{};

@@ -9,6 +9,7 @@
 #include "gearwright/design/design_row.hpp"
 #include "gearwright/design/fillet_gap.hpp"
 #include "gearwright/design/search.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/pair/pair.hpp"
 
 namespace gearwright {
@@ -82,12 +83,9 @@ TEST(DesignPoint, TheRegionChangesNothingOfTheRow) {  // (3)
 }
 
 Gear gear(const TrialGear& g, Angle helix, double x) {
-  CylindricalSpec s;
-  s.teeth = g.teeth;
-  s.normal_module = 1.0;
+  CylindricalSpec s =
+      testing::plain_spec({.teeth = g.teeth, .module = 1.0, .x = x, .face_width = 10.0});
   s.helix_angle = helix;
-  s.profile_shift = x;
-  s.face_width = 10.0;
   return testing::taken(make_gear(s));
 }
 

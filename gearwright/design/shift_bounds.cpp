@@ -74,14 +74,12 @@ void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2
                    s * (A_2 + sum);
   const double b = gears_[1].r_b;
   const double disc = c * c - (s * s - 1.0) * b * b;
-  if (!(c < 0.0) || !(disc >= 0.0)) {
-    // Nowhere: the line lies above the whole branch; say by how much.
-    hi_1 = A_2 + sum;
-    lo_2 = hi_1 + 1.0;
-    return;
-  }
-  lo_2 = (-s * c - std::sqrt(disc)) / (s * s - 1.0) + A_2 + sum;
-  hi_1 = (-s * c + std::sqrt(disc)) / (s * s - 1.0) + A_2 + sum;
+  // Where disc < 0 the line lies above the whole branch. The ends then stand in the wrong order, by
+  // a distance that is 0 with disc, so that a width over Σ is continuous.
+  const double middle = -s * c / (s * s - 1.0) + A_2 + sum;
+  const double half = std::copysign(std::sqrt(std::abs(disc)), disc) / (s * s - 1.0);
+  lo_2 = middle - half;
+  hi_1 = middle + half;
 }
 
 // The path clipped to the usable flanks, which begin at f_i = max(0, w_i ρ_Fi) [T9.1]: from f_1 to

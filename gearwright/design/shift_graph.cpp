@@ -250,11 +250,27 @@ std::vector<Interval> ShiftGraph::feasible_sums(int limits) const {
     const ShiftSlice s = bounds_before_path(sum, limits).slice();
     return longest_path(place(sum), sum, s).length - min_path_;
   };
+  // What the interference of an internal pair leaves may lie on both sides of Σ = 0 [T9.9]; the gap
+  // there may be narrower than a node's step.
+  const bool gap_at_zero = internal_ && problem_->limits.avoid_interference &&
+                           limits > static_cast<int>(Limit::interference);
+  const auto not_negative = [&](const auto& f, double a, double b) {
+    if (!(gap_at_zero && a < 0.0 && b > 0.0)) return where_not_negative(f, a, b);
+    auto pieces = where_not_negative(f, a, 0.0);
+    for (const Interval& right : where_not_negative(f, 0.0, b)) {
+      if (!pieces.empty() && pieces.back().hi == 0.0 && right.lo == 0.0) {
+        pieces.back().hi = right.hi;
+      } else {
+        pieces.push_back(right);
+      }
+    }
+    return pieces;
+  };
   // What only touches counts, but must not blur the ends of what does more.
-  const auto exactly_or_touching = [](const auto& f, double a, double b) {
-    auto pieces = where_not_negative(f, a, b);
+  const auto exactly_or_touching = [&](const auto& f, double a, double b) {
+    auto pieces = not_negative(f, a, b);
     if (!pieces.empty()) return pieces;
-    return where_not_negative([&](double sum) { return f(sum) + kTouching; }, a, b);
+    return not_negative([&](double sum) { return f(sum) + kTouching; }, a, b);
   };
   // First where the interval of x1 exists before the path's length is asked, then where its longest
   // path is long enough.

@@ -167,6 +167,10 @@ double area_of(const ShiftGraph& graph, const SearchProblem& problem, const Inte
   return area;
 }
 
+// Where both ends of a slice are roots that meet, as those of interference, x1 is good to the root of
+// Σ's rounding: modules.
+constexpr double kPinch = 2e-6;
+
 // A slice at an end of a piece. Between two roots of the path's length it is one point, and the
 // place of the longest path is that point to rounding; the roots themselves are good to √ of it.
 ShiftSlice end_slice(const ShiftGraph& graph, double sum) {
@@ -174,7 +178,7 @@ ShiftSlice end_slice(const ShiftGraph& graph, double sum) {
   if (s.lo_edge == ShiftEdge::eps && s.hi_edge == ShiftEdge::eps) {
     s.lo = s.hi =
         graph.longest_path(graph.place(sum), sum, graph.bounds_before_path(sum).slice()).x1;
-  } else if (s.lo > s.hi) {
+  } else if (s.lo > s.hi || (s.lo_edge == s.hi_edge && s.hi - s.lo < kPinch)) {
     s.lo = s.hi = s.middle();
   }
   return s;

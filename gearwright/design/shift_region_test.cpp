@@ -13,12 +13,14 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/design/testing/region_checks.hpp"
 #include "gearwright/design/testing/search_reference.hpp"
 
 namespace gearwright {
 namespace {
 
 using nlohmann::json;
+using testing::search::expect_area_of_a_grid;
 using testing::search::graph;
 using testing::search::Kind;
 using testing::search::kKinds;
@@ -26,6 +28,7 @@ using testing::search::margin_by_numbers;
 using testing::search::number;
 using testing::search::Random;
 using testing::search::random_trial;
+using testing::search::signed_area;
 using testing::search::trial;
 
 constexpr double kPrinted = 1e-12;  // modules, modules²; the reference prints 25 digits
@@ -211,15 +214,6 @@ INSTANTIATE_TEST_SUITE_P(Kinds, ShiftRegionOfKind, ::testing::ValuesIn(kKinds),
                            return name;
                          });
 
-double signed_area(const std::vector<RegionEdge>& loop) {
-  double twice = 0.0;
-  for (const RegionEdge& edge : loop)
-    for (std::size_t i = 1; i < edge.points.size(); ++i)
-      twice +=
-          edge.points[i - 1][0] * edge.points[i][1] - edge.points[i][0] * edge.points[i - 1][1];
-  return twice / 2.0;
-}
-
 TEST_P(ShiftRegionOfKind, BoundariesRunAroundOnTheirLimits) {  // (1)
   Random random(21);
   int regions = 0;
@@ -267,30 +261,7 @@ void expect_areas_of_a_grid(const Kind& kind, unsigned seed, int wanted, int gri
     const auto region = shift_region(g);
     if (!region || region->area < 0.01) continue;
     ++regions;
-    // Points (Σ, x1): dx1 dx2 = dΣ dx1.
-    const double from = region->sums.front().lo - 0.01;
-    const double to = region->sums.back().hi + 0.01;
-    const double x_from = g.gears()[0].x_min - 0.01;
-    const double x_to = std::max(g.gears()[0].x_max, g.slice((from + to) / 2.0).hi) + 0.01;
-    int hits = 0;
-    int rows = 0;
-    for (int i = 0; i < grid; ++i) {
-      const double sum = from + (to - from) * (i + 0.5) / grid;
-      const int before = hits;
-      const double start =
-          random.uniform(0.0, 1.0);  // else an edge x1 = const errs alike in all rows
-      for (int k = 0; k < grid; ++k) {
-        const double x1 = x_from + (x_to - x_from) * (k + start) / grid;
-        if (margin_by_numbers(g, x1, sum - x1) >= 0.0) ++hits;
-      }
-      if (hits > before) ++rows;
-    }
-    const double cell = (to - from) * (x_to - x_from) / grid / grid;
-    // A row's count varies by half a point at most: four deviations of all, and half a row at each
-    // end of Σ.
-    const double doubt = cell * (2.0 * std::sqrt(rows) + static_cast<double>(hits) / rows);
-    EXPECT_NEAR(hits * cell, region->area, doubt) << made.trial.z1 << ":" << made.trial.z2;
-    EXPECT_LT(doubt, within * region->area);
+    expect_area_of_a_grid(g, *region, random, grid, within);
   }
 }
 

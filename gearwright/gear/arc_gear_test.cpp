@@ -2,6 +2,7 @@
 // refusals.
 #include "gearwright/gear/arc_gear.hpp"
 #include "gearwright/base/testing/taken.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/gear/testing/warns.hpp"
 
 #include <gtest/gtest.h>
@@ -23,11 +24,8 @@ CylindricalSpec spec_of(Cutter cutter, int teeth) {
   rack.arc_radius = cutter == Cutter::F ? 1.4 : 1.55;
   rack.center_a = cutter == Cutter::F ? 0.422436 : 0.552339;
   rack.center_b = cutter == Cutter::F ? 0.243893 : 0.318893;
-  CylindricalSpec s;
-  s.teeth = teeth;
-  s.normal_module = 2.0;
-  s.helix_angle = Angle::degrees(20);
-  s.face_width = 20.0;
+  CylindricalSpec s =
+      testing::plain_spec({.teeth = teeth, .module = 2.0, .beta_deg = 20, .face_width = 20.0});
   s.rack = rack;
   return s;
 }

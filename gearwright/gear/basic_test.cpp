@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "gearwright/gear/basic_root.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 
 namespace gearwright {
 namespace {
@@ -50,12 +51,8 @@ TEST(BaseGear, steep_helices_have_flat_racks_only) {
 }
 
 CylindricalSpec spec(int teeth, double x) {
-  CylindricalSpec s;
-  s.teeth = teeth;
-  s.normal_module = 2.5;
-  s.helix_angle = Angle::degrees(20);
-  s.profile_shift = x;
-  s.face_width = 20.0;
+  CylindricalSpec s = testing::plain_spec(
+      {.teeth = teeth, .module = 2.5, .beta_deg = 20, .x = x, .face_width = 20.0});
   s.rack = *iso53_rack("ISO53-A");
   return s;
 }

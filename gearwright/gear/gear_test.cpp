@@ -1,6 +1,7 @@
 // A gear from its spec: defaults, flags with their warnings, and errors that name their key.
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/base/testing/taken.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/gear/testing/warns.hpp"
 
 #include <gtest/gtest.h>
@@ -22,10 +23,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 CylindricalSpec spec(int teeth) {
-  CylindricalSpec s;
-  s.teeth = teeth;
-  s.normal_module = 2.0;
-  s.face_width = 20.0;
+  CylindricalSpec s = testing::plain_spec({.teeth = teeth, .module = 2.0, .face_width = 20.0});
   s.rack = *iso53_rack("ISO53-A");
   return s;
 }

@@ -13,6 +13,7 @@
 #include "gearwright/base/testing/named_limit.hpp"
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/ring_cutter.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/math/involute.hpp"
 
 namespace gearwright {
@@ -21,24 +22,17 @@ namespace {
 using namespace literals;
 
 CylindricalSpec cutter_spec(int teeth, double x, Angle beta = 0_deg) {
-  CylindricalSpec s;
-  s.teeth = teeth;
-  s.normal_module = 2.0;
+  CylindricalSpec s =
+      testing::plain_spec({.teeth = teeth, .module = 2.0, .x = x, .face_width = 20.0});
   s.helix_angle = beta;
-  s.profile_shift = x;
-  s.face_width = 20.0;
   s.straight_rack().addendum = 1.25;
   return s;
 }
 
 // The paper's pinion of two teeth with both fillets.
 CylindricalSpec two_teeth() {
-  CylindricalSpec s;
-  s.teeth = 2;
-  s.normal_module = 1.75;
-  s.helix_angle = 30_deg;
-  s.profile_shift = 0.7;
-  s.face_width = 20.0;
+  CylindricalSpec s = testing::plain_spec(
+      {.teeth = 2, .module = 1.75, .beta_deg = 30, .x = 0.7, .face_width = 20.0});
   s.straight_rack().dedendum = 1.0;
   s.straight_rack().root_fillet_radius = 0.0;
   s.root_fillet = RootFilletSpec{0.01};

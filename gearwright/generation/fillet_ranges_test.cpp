@@ -11,6 +11,7 @@
 #include "gearwright/base/testing/named_limit.hpp"
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/gear.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 
 namespace gearwright {
 namespace {
@@ -21,24 +22,15 @@ using By = TipFilletSpec::By;
 
 // The paper's pinion: 2 teeth, m_n 1.75 mm, λ 60°, x 0.7, a sharp rack.
 CylindricalSpec two_teeth() {
-  CylindricalSpec s;
-  s.teeth = 2;
-  s.normal_module = 1.75;
-  s.helix_angle = 30_deg;
-  s.profile_shift = 0.7;
-  s.face_width = 20.0;
+  CylindricalSpec s = testing::plain_spec(
+      {.teeth = 2, .module = 1.75, .beta_deg = 30, .x = 0.7, .face_width = 20.0});
   s.straight_rack().dedendum = 1.0;
   s.straight_rack().root_fillet_radius = 0.0;
   return s;
 }
 
 CylindricalSpec spur(int teeth, double shift) {
-  CylindricalSpec s;
-  s.teeth = teeth;
-  s.normal_module = 2.0;
-  s.profile_shift = shift;
-  s.face_width = 20.0;
-  return s;
+  return testing::plain_spec({.teeth = teeth, .module = 2.0, .x = shift, .face_width = 20.0});
 }
 
 CylindricalSpec with_root(CylindricalSpec s, double offset) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gearwright/base/testing/taken.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/inspection/evaluation_ranges.hpp"
 #include "gearwright/pair/involute_pair.hpp"
 
@@ -11,12 +12,8 @@ namespace gearwright {
 namespace {
 
 Gear gear_of(int teeth, double beta_deg, double x, double tip = 0.0) {
-  CylindricalSpec s;
-  s.teeth = teeth;
-  s.normal_module = 2.5;
-  s.helix_angle = Angle::degrees(beta_deg);
-  s.profile_shift = x;
-  s.face_width = 25;
+  CylindricalSpec s = testing::plain_spec(
+      {.teeth = teeth, .module = 2.5, .beta_deg = beta_deg, .x = x, .face_width = 25});
   if (tip != 0.0) s.tip_diameter = tip;
   return testing::taken(make_gear(s));
 }

@@ -1,6 +1,7 @@
 // The shortest chord: golden values, a search that knows nothing of the equation, laws, gears.
 #include "gearwright/inspection/chordal_thickness.hpp"
 #include "gearwright/base/testing/taken.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 
 #include <gtest/gtest.h>
 
@@ -274,13 +275,8 @@ TEST(ShortestChord, height_does_not_cancel) {
 Gear made(const CylindricalSpec& spec) { return testing::taken(make_gear(spec)); }
 
 CylindricalSpec spec_of(int z, double m, double beta_deg, double x) {
-  CylindricalSpec s;
-  s.teeth = z;
-  s.normal_module = m;
-  s.helix_angle = Angle::degrees(beta_deg);
-  s.profile_shift = x;
-  s.face_width = 10 * m;
-  return s;
+  return testing::plain_spec(
+      {.teeth = z, .module = m, .beta_deg = beta_deg, .x = x, .face_width = 10 * m});
 }
 
 // KHK, Elements of metric gear technology: m 10, z 12, x 0.3, chord 17.8256, from the tip 13.9431

@@ -8,6 +8,7 @@
 
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/ring_cutter.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/inspection/nominal_points.hpp"
 
 namespace gearwright {
@@ -70,13 +71,9 @@ Real nearest(const CylindricalSpec& s, Real x, Real y) {
 }
 
 CylindricalSpec spec_of(int teeth, double beta_deg, double x, double allowance = 0.0) {
-  CylindricalSpec s;
-  s.teeth = teeth;
-  s.normal_module = 3;
-  s.helix_angle = Angle::degrees(beta_deg);
-  s.profile_shift = x;
+  CylindricalSpec s = testing::plain_spec(
+      {.teeth = teeth, .module = 3, .beta_deg = beta_deg, .x = x, .face_width = 30});
   s.thickness_allowance = allowance;
-  s.face_width = 30;
   return s;
 }
 

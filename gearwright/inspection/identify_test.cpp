@@ -9,6 +9,7 @@
 
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/inspection/balls.hpp"
 #include "gearwright/inspection/identify.hpp"
 #include "gearwright/inspection/span.hpp"
@@ -127,13 +128,12 @@ struct Counted {
 // A gear whose exact readings the candidate has too, within the uncertainty of each, cannot be told
 // from it.
 bool has_the_readings(const IdentifiedGear& c, const IdentifyProblem& exact, double lead) {
-  CylindricalSpec s;
-  s.teeth = c.teeth;
-  s.normal_module = c.normal_module;
+  CylindricalSpec s = testing::plain_spec({.teeth = c.teeth,
+                                           .module = c.normal_module,
+                                           .x = c.generating_shift,
+                                           .face_width = 40 * c.normal_module});
   s.normal_pressure_angle = c.normal_pressure_angle;
   s.helix_angle = c.helix_angle;
-  s.profile_shift = c.generating_shift;
-  s.face_width = 40 * c.normal_module;
   s.straight_rack().root_fillet_radius = 0.2;
   const auto gear = make_gear(s);
   if (!gear) return false;

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "gearwright/base/testing/taken.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 
 namespace gearwright {
 namespace {
@@ -16,13 +17,8 @@ namespace {
 constexpr long double kPi = 3.14159265358979323846264338327950288L;  // libc++ 14: a double's
 
 Gear gear_of(int teeth, double beta_deg, double x) {
-  CylindricalSpec s;
-  s.teeth = teeth;
-  s.normal_module = 3;
-  s.helix_angle = Angle::degrees(beta_deg);
-  s.profile_shift = x;
-  s.face_width = 30;
-  return testing::taken(make_gear(s));
+  return testing::taken(make_gear(testing::plain_spec(
+      {.teeth = teeth, .module = 3, .beta_deg = beta_deg, .x = x, .face_width = 30})));
 }
 
 RemovalField field_of(const Gear& gear, const FlankModifications& m) {

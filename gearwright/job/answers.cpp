@@ -19,20 +19,20 @@ namespace gearwright {
 
 namespace {
 
-Result<Json> contact_of(SolvedJob& job) {
-  const auto found = answer_contact(job);
+Result<Json> contact_of(SolvedJob& job, Headway* headway) {
+  const auto found = answer_contact(job, headway);
   if (!found) return found.error();
   return contact_json(job, *found);
 }
 
-Result<Json> compensation_of(SolvedJob& job) {
-  const auto found = answer_compensate(job);
+Result<Json> compensation_of(SolvedJob& job, Headway* headway) {
+  const auto found = answer_compensate(job, headway);
   if (!found) return found.error();
   return compensate_json(job, *found);
 }
 
-Result<Json> load_of(SolvedJob& job) {
-  const auto found = answer_load(job);
+Result<Json> load_of(SolvedJob& job, Headway* headway) {
+  const auto found = answer_load(job, headway);
   if (!found) return found.error();
   return load_json(job, *found);
 }
@@ -43,8 +43,8 @@ Result<Json> measures_of(SolvedJob& job) {
   return measures_json(job, *found);
 }
 
-Result<Json> rating_of(SolvedJob& job) {
-  const auto found = answer_rating(job);
+Result<Json> rating_of(SolvedJob& job, Headway* headway) {
+  const auto found = answer_rating(job, headway);
   if (!found) return found.error();
   return rating_json(job, *found, judge(job, nullptr, &*found));
 }
@@ -56,11 +56,11 @@ Scope scope_of(std::string_view verb) {
 
 }  // namespace
 
-Result<Json> answer_json(std::string_view verb, const JobSpec& spec) {
+Result<Json> answer_json(std::string_view verb, const JobSpec& spec, Headway* headway) {
   GW_EXPECTS(verb.empty() ||
              std::find(kAnswering.begin(), kAnswering.end(), verb) != kAnswering.end());
   if (verb == "fit") {
-    const auto found = answer_fit(spec);
+    const auto found = answer_fit(spec, headway);
     if (!found) return found.error();
     return fit_json(*found);
   }
@@ -72,11 +72,11 @@ Result<Json> answer_json(std::string_view verb, const JobSpec& spec) {
   auto solved = solve(spec, scope_of(verb));
   if (!solved) return solved.error();
   SolvedJob job = std::move(solved).take();
-  if (verb == "contact") return contact_of(job);
-  if (verb == "compensate") return compensation_of(job);
-  if (verb == "load") return load_of(job);
+  if (verb == "contact") return contact_of(job, headway);
+  if (verb == "compensate") return compensation_of(job, headway);
+  if (verb == "load") return load_of(job, headway);
   if (verb == "measure") return measures_of(job);
-  if (verb == "rate") return rating_of(job);
+  if (verb == "rate") return rating_of(job, headway);
   return job_json(job);
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "gearwright/base/headway.hpp"
 #include "gearwright/spec/json.hpp"
 #include "gearwright/spec/spec.hpp"
 
@@ -20,7 +21,7 @@ inline constexpr std::array<std::string_view, 9> kAnswering{
 ///
 /// Domain    such a verb (contract)
 /// Throws    IoError when a file that the spec names cannot be read
-Result<Json> answer_json(std::string_view verb, const JobSpec& spec);
+Result<Json> answer_json(std::string_view verb, const JobSpec& spec, Headway* headway = nullptr);
 
 /// One line of a batch: the answer to a spec in JSON, or {"error": …}, on one line.
 std::string batch_line(std::string_view verb, const std::string& spec);

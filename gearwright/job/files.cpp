@@ -29,6 +29,7 @@
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/run_folder.hpp"
 #include "gearwright/job/value_json.hpp"
+#include "gearwright/job/workshop_drawing.hpp"
 #include "gearwright/report/report.hpp"
 
 namespace gearwright {
@@ -229,12 +230,57 @@ void add_solid(ReportInput& report, const SolvedJob& job, const std::vector<Toot
   report.solid_tolerance = coarse.mesh_tolerance_mm;
 }
 
+bool wanted(const FileOptions& options, std::string_view part) {
+  return options.only.empty() ||
+         std::find(options.only.begin(), options.only.end(), part) != options.only.end();
+}
+
+struct ShapeFiles {
+  std::vector<JobFile> files;
+  std::vector<ToothedBody> mounted;  ///< gears of the pair that have an outline, in the housing
+};
+
+// Solids, meshes, outlines and the drawing. A gear without an outline gets a warning instead.
+Result<ShapeFiles> shape_files(SolvedJob& job, const fs::path& folder, const FileOptions& options) {
+  ShapeFiles made;
+  const auto make = [&](FileKind kind, const std::vector<ToothedBody>& bodies,
+                        const std::string& name) -> std::optional<Error> {
+    if (!wanted(options, ending(kind).substr(1))) return std::nullopt;
+    auto file = make_file(kind, bodies, folder / (name + std::string(ending(kind))), options);
+    if (!file) return file.error();
+    made.files.push_back(std::move(file).take());
+    return std::nullopt;
+  };
+  std::vector<int> drawn;
+  for (int which = 1; which <= static_cast<int>(job.gears.size()); ++which) {
+    const auto body = make_body(job, which, false);
+    if (!body) {
+      job.warnings.push_back(
+          {"no_outline", spelled(body.error(), job.spec.given).message(), which});
+      continue;
+    }
+    drawn.push_back(which);
+    for (FileKind kind :
+         {FileKind::stl, FileKind::threemf, FileKind::dxf, FileKind::svg, FileKind::step})
+      if (auto error = make(kind, {*body}, gear_name(which))) return *std::move(error);
+    if (job.pair) made.mounted.push_back(make_body(job, which, true).value());
+  }
+  if (made.mounted.size() == 2)
+    for (FileKind kind : {FileKind::step, FileKind::glb})
+      if (auto error = make(kind, made.mounted, "pair")) return *std::move(error);
+  if (!drawn.empty() && wanted(options, "drawing")) {
+    auto file = make_workshop_drawing(job, drawn, SheetFormat::pdf, SheetSize::a4,
+                                      folder / "drawing.pdf", options);
+    if (!file) return file.error();
+    made.files.push_back(std::move(file).take());
+  }
+  return made;
+}
+
 }  // namespace
 
 Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
                                  const FileOptions& options) {
-  std::vector<JobFile> files;
-  std::vector<ToothedBody> mounted;
   const auto contact = contact_part(job, options.headway);
   if (!contact) return contact.error();
   const auto load = load_part(job, options.headway);
@@ -245,38 +291,10 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   if (!rating) return rating.error();
   const RatingAnswer* const rated = *rating ? &**rating : nullptr;
   const std::optional<RatingView> rating_view = rated ? std::optional(rated->view()) : std::nullopt;
-  const auto wanted = [&](std::string_view part) {
-    return options.only.empty() ||
-           std::find(options.only.begin(), options.only.end(), part) != options.only.end();
-  };
-  const auto skipped = [&](FileKind kind) { return !wanted(ending(kind).substr(1)); };
-  const auto make = [&](FileKind kind, const std::vector<ToothedBody>& bodies,
-                        const std::string& name) {
-    auto file = make_file(kind, bodies, folder / (name + std::string(ending(kind))), options);
-    if (!file) return std::optional(file.error());
-    files.push_back(std::move(file).take());
-    return std::optional<Error>();
-  };
-  for (int which = 1; which <= static_cast<int>(job.gears.size()); ++which) {
-    const auto body = make_body(job, which, false);
-    if (!body) {
-      job.warnings.push_back(
-          {"no_outline", spelled(body.error(), job.spec.given).message(), which});
-      continue;
-    }
-    for (FileKind kind :
-         {FileKind::stl, FileKind::threemf, FileKind::dxf, FileKind::svg, FileKind::step}) {
-      if (skipped(kind)) continue;
-      if (const auto error = make(kind, {*body}, gear_name(which))) return *error;
-    }
-    if (job.pair) mounted.push_back(make_body(job, which, true).value());
-  }
-  if (mounted.size() == 2) {
-    for (FileKind kind : {FileKind::step, FileKind::glb}) {
-      if (skipped(kind)) continue;
-      if (const auto error = make(kind, mounted, "pair")) return *error;
-    }
-  }
+  auto shapes = shape_files(job, folder, options);
+  if (!shapes) return shapes.error();
+  std::vector<JobFile> files = std::move(shapes->files);
+  const std::vector<ToothedBody> mounted = std::move(shapes->mounted);
 
   ReportInput report;
   report.title = job.spec.title.empty() ? "Gear data" : job.spec.title;
@@ -291,12 +309,12 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   if (*load && load.value()->report) report.load = &*load.value()->report;
   if (*compensation) report.compensate = &**compensation;
   if (rating_view) report.rating = &*rating_view;
-  if (wanted("report")) add_solid(report, job, mounted, options);
+  if (wanted(options, "report")) add_solid(report, job, mounted, options);
   report.files = report_files(files);
   report.spec_text = job.spec.text;
   report.version = kVersion;
   std::vector<JobFile> all;
-  if (wanted("report")) {
+  if (wanted(options, "report")) {
     all.push_back({folder / "report.html", "report", std::nullopt, "one self-contained page",
                    report_html(report)});
   }
@@ -309,7 +327,7 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   result["verdict"] = verdict_json(report.verdict);
   result["files"] = files_json(all);
   const std::string text = json_text(result, 2) + "\n";
-  if (wanted("result")) {
+  if (wanted(options, "result")) {
     all.insert(all.begin(),
                {folder / "result.json", "result", std::nullopt, "every number, as JSON", text});
   }

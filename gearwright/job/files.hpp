@@ -30,9 +30,9 @@ struct FileOptions {
   std::vector<std::string> only{};      ///< of `run`: words of kRunParts; empty: everything
 };
 
-/// What `run` makes: kinds of files by their endings, the report, the result.
-inline constexpr std::array<std::string_view, 8> kRunParts{"result", "report", "step", "stl",
-                                                           "glb",    "3mf",    "dxf",  "svg"};
+/// What `run` makes: kinds of files by their endings, the drawing (PDF, A4), the report, the result.
+inline constexpr std::array<std::string_view, 9> kRunParts{
+    "result", "report", "drawing", "step", "stl", "glb", "3mf", "dxf", "svg"};
 
 struct JobFile {
   std::filesystem::path path;
@@ -78,7 +78,7 @@ Result<RunFiles> make_everything(SolvedJob& job, const std::filesystem::path& fo
                                  const FileOptions& options);
 
 /// `run`: everything that applies, or what `only` names, into `folder`: result.json, report.html,
-/// gear1.*, gear2.*, pair.* Gears without an outline get a warning in the job instead of files.
+/// drawing.pdf, gear1.*, gear2.*, pair.* Gears without an outline get a warning in the job instead of files.
 /// What a former run left there and this one does not write is removed (run_folder.hpp).
 Result<RunFiles> write_everything(SolvedJob& job, const std::filesystem::path& folder,
                                   const FileOptions& options);

@@ -227,12 +227,13 @@ bool not_made_for_load(const Error& error) {
   return std::find(kOfTheKind.begin(), kOfTheKind.end(), error.field) != kOfTheKind.end();
 }
 
-Result<LoadedContact> contact_under(SolvedJob& job, double torque) {
+Result<LoadedContact> contact_under(SolvedJob& job, double torque, Headway* headway) {
   const auto bodies = bodies_of(job);
   if (!bodies) return bodies.error();
   auto made = task_of(job, *bodies);
   if (!made) return made.error();
   LoadTask task = std::move(made).take();
+  task.request.headway = headway;
   task.request.torques = {torque * kMmPerM};
   const auto compliance = compliance_of(task);
   if (!compliance) return compliance.error();

@@ -25,7 +25,7 @@ Result<LoadAnswer> answer_load(SolvedJob& job, Headway* headway = nullptr);
 bool not_made_for_load(const Error& error);
 
 /// The same under this one torque on gear 1, N m, with the other numbers of [load].
-Result<LoadedContact> contact_under(SolvedJob& job, double torque);
+Result<LoadedContact> contact_under(SolvedJob& job, double torque, Headway* headway = nullptr);
 
 /// The part of answer_load with a torque, made ready for one who takes it in steps: tables of the
 /// teeth, positions, and at last judge_load.

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "gearwright/job/load_answer.hpp"
+#include "gearwright/spec/missing_for_rating.hpp"
 
 namespace gearwright {
 
@@ -23,10 +24,10 @@ void warn_of_limits(SolvedJob& job, const Rating& rating) {
     job.warnings.push_back({limit.code, limit.text, limit.gear});
 }
 
-Result<ToothContact> tooth_contact(SolvedJob& job, const RatingAnswer& answer) {
+Result<ToothContact> tooth_contact(SolvedJob& job, const RatingAnswer& answer, Headway* headway) {
   const Rating& r = answer.rating;
   const double torque = answer.input.torque * r.K_A.value * r.K_gamma.value * r.K_v.value;
-  const auto made = contact_under(job, torque);
+  const auto made = contact_under(job, torque, headway);
   if (!made) return made.error();
   const LoadedTorque& t = made->torques.front();
   return ToothContact{torque, t.max_pressure, t.max_root_stress, t.face_load_factor};
@@ -49,16 +50,22 @@ RatingView RatingAnswer::view() const {
           contact};
 }
 
-Result<RatingAnswer> answer_rating(SolvedJob& job) {
+Result<RatingAnswer> answer_rating(SolvedJob& job, Headway* headway) {
   const RatingTable& table = job.spec.rating;
   if (!table.given) {
-    return Error{"rating", "",
-                 "is missing; a rating asks for the load and what the gears are made of: [rating] "
-                 "and [gear1.material], [gear2.material]"};
+    return Error{
+        "rating", "",
+        "is missing; a rating asks for the load and what the gears are made of: [rating] "
+        "with torque_Nm = 50, speed_rpm = 1500, quality = 6 and face_load_factor = 1.2 for "
+        "example, and [gear1.material], [gear2.material], both with name = \"16MnCr5\""};
   }
   const InvolutePair* pair = job.pair->involute();
   if (!pair) {
     return Error{"gear1.rack", "", "cuts circular arcs; ISO 6336 rates involute gears only"};
+  }
+  if (auto missing =
+          missing_for_rating(table, {job.spec.gears[0]->material, job.spec.gears[1]->material})) {
+    return *missing;
   }
   RatingAnswer answer;
   answer.input = table.input;
@@ -90,7 +97,7 @@ Result<RatingAnswer> answer_rating(SolvedJob& job) {
                                              kMostFaceModules * answer.pair.normal_module);
   warn_of_limits(job, answer.rating);
   if (table.tooth_contact) {
-    auto contact = tooth_contact(job, answer);
+    auto contact = tooth_contact(job, answer, headway);
     if (!contact) return contact.error();
     answer.contact = *contact;
   }

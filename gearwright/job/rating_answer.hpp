@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "gearwright/base/headway.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/job/solved_job.hpp"
 #include "gearwright/rating/sizing.hpp"
@@ -28,6 +29,6 @@ struct RatingAnswer {
 ///
 /// Errors    `rating` where the spec has none, `gearN.material…` where a limit is not known; as
 ///           rated_pair and rate, and where `rating.tooth_contact` is asked as answer_load
-Result<RatingAnswer> answer_rating(SolvedJob& job);
+Result<RatingAnswer> answer_rating(SolvedJob& job, Headway* headway = nullptr);
 
 }  // namespace gearwright

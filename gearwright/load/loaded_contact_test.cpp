@@ -7,6 +7,7 @@
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/contact/contact.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 
 namespace gearwright {
 namespace {
@@ -21,11 +22,8 @@ struct Mesh {
 
 Mesh mesh_of(double helix_deg, double face, double module = 3.0) {
   const auto gear = [&](double hand) {
-    CylindricalSpec s;
-    s.teeth = 25;
-    s.normal_module = module;
-    s.face_width = face;
-    s.helix_angle = Angle::degrees(hand * helix_deg);
+    CylindricalSpec s = testing::plain_spec(
+        {.teeth = 25, .module = module, .beta_deg = hand * helix_deg, .face_width = face});
     s.rack = *iso53_rack("ISO53-A");
     return std::move(make_gear(s)).take();
   };
@@ -271,11 +269,8 @@ TEST(LoadedContact, ACornerCarriesWhenTheTorqueIsSmall) {
 // gave a peak to peak of 2.85", and modes without waves along the helix a root stress of 257 MPa.
 TEST(LoadedContact, OfHelicalTeethIsConverged) {
   const auto gear = [](int teeth, double face, double helix) {
-    CylindricalSpec s;
-    s.teeth = teeth;
-    s.normal_module = 2.5;
-    s.face_width = face;
-    s.helix_angle = Angle::degrees(helix);
+    CylindricalSpec s =
+        testing::plain_spec({.teeth = teeth, .module = 2.5, .beta_deg = helix, .face_width = face});
     s.rack = *iso53_rack("ISO53-A");
     return std::move(make_gear(s)).take();
   };

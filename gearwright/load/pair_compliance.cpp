@@ -13,6 +13,7 @@ namespace {
 constexpr double kHertzWidth = 0.05;  // modules: a0, of no consequence but for rounding
 constexpr double kFairSpur = 0.25, kFairHelical = 0.4;  // modules, width of a slice
 constexpr int kSlices = 32, kLeastSlices = 4;
+constexpr int kTableSteps = 80;  // about: waves and parts of the section, places of the table
 
 // One tooth and one face to the last bit: the second gear needs no tables of its own.
 bool same_tooth(const Gear& a, const Gear& b) {
@@ -49,8 +50,8 @@ Result<std::shared_ptr<const ToothTable>> tooth_compliance(const Gear& gear_1, c
   const double sin_b =
       std::sin(gear_1.spec.helix_angle.rad()) * std::cos(gear_1.spec.normal_pressure_angle.rad());
   // Both gears lie in N with the right flank loaded; the section has it on the left.
-  const auto section =
-      make_tooth_section(gear, -gear.twist(), request.bodies[which - 1], request.accuracy);
+  const auto section = make_tooth_section(gear, -gear.twist(), request.bodies[which - 1],
+                                          request.accuracy, std::nullopt, request.headway);
   if (!section) return of_gear(which, section.error());
   ToothTableRequest t;
   t.face_width = gear.spec.face_width / m;
@@ -58,9 +59,8 @@ Result<std::shared_ptr<const ToothTable>> tooth_compliance(const Gear& gear_1, c
   t.half_width = kHertzWidth;
   t.root_stress = request.root_stress;
   t.line_per_height = 1 / std::sqrt(1 - sin_b * sin_b);
-  auto table = std::make_shared<const ToothTable>(*section, t);
-  count_step(request.headway);
-  return table;
+  t.headway = request.headway;
+  return std::make_shared<const ToothTable>(*section, t);
 }
 
 int fair_slices(const Gear& gear_1, const Gear& gear_2) {
@@ -78,7 +78,7 @@ Result<PairCompliance> pair_compliance(
   c.bodies = request.bodies;
   c.slices = {request.slices, -face / 2, face / 2};
   c.half_width = kHertzWidth * gear_1.spec.normal_module;
-  begin_stage(request.headway, "compliance of the teeth", 2);
+  begin_stage(request.headway, "compliance of the teeth", 2 * kTableSteps);
   std::array<std::optional<Error>, 2> errors;
   const auto make = [&](std::size_t g) {
     if (c.table[g]) return;

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "gearwright/base/testing/taken.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/gear/testing/warns.hpp"
 #include "gearwright/pair/outline_gap.hpp"
 
@@ -25,11 +26,8 @@ using Cutter = ArcRack::Cutter;
 constexpr double kPi = std::numbers::pi;
 
 CylindricalSpec spec_of(Rack rack, int teeth, double beta_deg) {
-  CylindricalSpec s;
-  s.teeth = teeth;
-  s.normal_module = 4.0;
-  s.helix_angle = Angle::degrees(beta_deg);
-  s.face_width = 60.0;
+  CylindricalSpec s = testing::plain_spec(
+      {.teeth = teeth, .module = 4.0, .beta_deg = beta_deg, .face_width = 60.0});
   s.rack = std::move(rack);
   return s;
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "gearwright/base/testing/taken.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/pair/pair.hpp"
 
 namespace gearwright {
@@ -18,11 +19,8 @@ namespace {
 using namespace literals;
 
 Gear gear(int teeth, double x = 0.0, double fillet = 0.38, double tip = 0.0) {
-  CylindricalSpec s;
-  s.teeth = teeth;
-  s.normal_module = 2.0;
-  s.profile_shift = x;
-  s.face_width = 20.0;
+  CylindricalSpec s =
+      testing::plain_spec({.teeth = teeth, .module = 2.0, .x = x, .face_width = 20.0});
   s.straight_rack().root_fillet_radius = fillet;
   if (tip > 0.0) s.tip_diameter = tip;
   return testing::taken(make_gear(s));

@@ -5,18 +5,15 @@
 #include <cmath>
 
 #include "gearwright/base/testing/taken.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/pair/pair.hpp"
 
 namespace gearwright {
 namespace {
 
 InvolutePair mounted(int z1, int z2, double beta1_deg, double beta2_deg, double more) {
-  CylindricalSpec s;
-  s.normal_module = 2.0;
-  s.face_width = 200.0;
-  s.teeth = z1;
-  s.helix_angle = Angle::degrees(beta1_deg);
-  s.profile_shift = 0.3;
+  CylindricalSpec s = testing::plain_spec(
+      {.teeth = z1, .module = 2.0, .beta_deg = beta1_deg, .x = 0.3, .face_width = 200.0});
   auto one = make_gear(s);
   s.teeth = z2;
   s.helix_angle = Angle::degrees(beta2_deg);

@@ -1,6 +1,7 @@
 // Pairs as mounted: partners that cannot mesh, poses, lines of action, clearances and warnings.
 #include "gearwright/pair/involute_pair.hpp"
 #include "gearwright/base/testing/taken.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/gear/testing/warns.hpp"
 
 #include <gtest/gtest.h>
@@ -18,12 +19,9 @@ using testing::warns;
 using namespace literals;
 
 Gear gear(int teeth, double x = 0.0, Angle beta = 0_deg, double tip = 0.0) {
-  CylindricalSpec s;
-  s.teeth = teeth;
-  s.normal_module = 2.0;
+  CylindricalSpec s =
+      testing::plain_spec({.teeth = teeth, .module = 2.0, .x = x, .face_width = 20.0});
   s.helix_angle = beta;
-  s.profile_shift = x;
-  s.face_width = 20.0;
   s.rack = *iso53_rack("ISO53-A");
   if (tip > 0.0) s.tip_diameter = tip;
   return testing::taken(make_gear(s));

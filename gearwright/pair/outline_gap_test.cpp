@@ -11,6 +11,7 @@
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/gear/ring_cutter.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/pair/involute_pair.hpp"
 
 namespace gearwright {
@@ -19,13 +20,8 @@ namespace {
 Gear made(const CylindricalSpec& spec) { return testing::taken(make_gear(spec)); }
 
 CylindricalSpec spec(int teeth, double m, double x = 0.0, double beta_deg = 0.0) {
-  CylindricalSpec s;
-  s.teeth = teeth;
-  s.normal_module = m;
-  s.profile_shift = x;
-  s.helix_angle = Angle::degrees(beta_deg);
-  s.face_width = 20.0;
-  return s;
+  return testing::plain_spec(
+      {.teeth = teeth, .module = m, .beta_deg = beta_deg, .x = x, .face_width = 20.0});
 }
 
 Gear ring(int teeth, double m, double x = 0.0, double beta_deg = 0.0) {

@@ -6,6 +6,7 @@
 
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/gear/testing/warns.hpp"
 #include "gearwright/pair/pair.hpp"
 
@@ -15,12 +16,7 @@ namespace {
 using testing::warns;
 
 CylindricalSpec spec(int teeth, double m, double x = 0.0) {
-  CylindricalSpec s;
-  s.teeth = teeth;
-  s.normal_module = m;
-  s.profile_shift = x;
-  s.face_width = 20.0;
-  return s;
+  return testing::plain_spec({.teeth = teeth, .module = m, .x = x, .face_width = 20.0});
 }
 Gear made(const CylindricalSpec& s) { return testing::taken(make_gear(s)); }
 InvolutePair mounted(const Gear& one, const Gear& two, double a) {

@@ -13,6 +13,7 @@
 #include "gearwright/design/few_teeth_design.hpp"
 #include "gearwright/design/fit.hpp"
 #include "gearwright/design/search_problem.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/pair/drive.hpp"
 
 namespace gearwright {
@@ -58,11 +59,8 @@ static_assert(!takes_a_number(&SearchProblem::shaft_angle));
 static_assert(!takes_a_number(&SearchProblem::normal_pressure_angle));
 
 Gear gear(int teeth, const Rack& rack, Angle beta) {
-  CylindricalSpec s;
-  s.teeth = teeth;
-  s.normal_module = 4.0;
+  CylindricalSpec s = testing::plain_spec({.teeth = teeth, .module = 4.0, .face_width = 60.0});
   s.helix_angle = beta;
-  s.face_width = 60.0;
   s.rack = rack;
   return testing::taken(make_gear(s));
 }

@@ -1,5 +1,6 @@
 // Who meshes with whom, and what is said when they do not.
 #include "gearwright/pair/partners.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,11 +13,8 @@ namespace {
 using namespace literals;
 
 CylindricalSpec spec(int teeth, Angle beta, double module = 2.0) {
-  CylindricalSpec s;
-  s.teeth = teeth;
-  s.normal_module = module;
+  CylindricalSpec s = testing::plain_spec({.teeth = teeth, .module = module, .face_width = 20.0});
   s.helix_angle = beta;
-  s.face_width = 20.0;
   s.rack = *iso53_rack("ISO53-A");
   return s;
 }

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/missing.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/rating/rating.hpp"
@@ -117,17 +119,19 @@ std::optional<Error> missing_plastic_input(const RatingInput& in) {
   }
   const PlasticInput& p = in.plastic;
   if (p.flank_temperature && p.root_temperature) return std::nullopt;
+  std::vector<Error> missing;
   if (!p.ambient_temperature || !p.friction) {
-    return Error{
-        p.ambient_temperature ? "rating.plastic.friction" : "rating.plastic.ambient_temperature",
-        "",
-        "is missing; how warm the teeth run decides what a plastic bears: give "
-        "`flank_temperature` and `root_temperature`, or `ambient_temperature` and "
-        "`friction`"};
+    missing.push_back(
+        {p.ambient_temperature ? "rating.plastic.friction" : "rating.plastic.ambient_temperature",
+         "",
+         "is missing; how warm the teeth run decides what a plastic bears: give "
+         "`flank_temperature` and `root_temperature`, or `ambient_temperature` and "
+         "`friction`"});
   }
   if (!in.speed)
-    return Error{"rating.speed", "", "is missing; the warmth of the teeth comes of it"};
-  return std::nullopt;
+    missing.push_back({"rating.speed", "", "is missing; the warmth of the teeth comes of it"});
+  if (missing.empty()) return std::nullopt;
+  return all_missing(missing);
 }
 
 Result<Rating> rate_plastic(const RatedPair& pair, const RatingInput& in) {

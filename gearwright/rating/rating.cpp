@@ -247,30 +247,6 @@ void Rater::check_limits() {
 
 }  // namespace
 
-std::optional<Error> missing_input(const RatingInput& in) {
-  if (in.edition == RatingEdition::vdi_2736) return missing_plastic_input(in);
-  if (!in.quality && (!in.dynamic_factor || !in.transverse_load_factor)) {
-    return Error{"rating.quality", "",
-                 "is missing; the accuracy grades of ISO 1328, 0 to 12, say how far the teeth are "
-                 "off, for K_v and K_Hα: give them, or both factors"};
-  }
-  if (!in.speed && !in.dynamic_factor) {
-    return Error{"rating.speed", "",
-                 "is missing; the dynamic factor needs it: give the speed, or the factor itself"};
-  }
-  if (in.face_load_factor) return std::nullopt;
-  if (!in.mounting) {
-    return Error{"rating.face_load_factor", "",
-                 "is missing; give it, or how the pinion is mounted, `mounting`"};
-  }
-  if (!in.quality && !in.mounting->manufacture) {
-    return Error{"rating.quality", "",
-                 "is missing; the face load factor takes the helix slopes from it: give the "
-                 "accuracy grades of ISO 1328, or the misalignment"};
-  }
-  return std::nullopt;
-}
-
 namespace {
 
 Result<Rating> rate_by_iso(const RatedPair& pair, const RatingInput& input) {

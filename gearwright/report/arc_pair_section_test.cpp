@@ -1,6 +1,7 @@
 // The page of a pair of circular-arc gears: sound HTML, nothing of an involute, flanks that touch
 // in the pictures.
 #include "gearwright/report/arc_pair_section.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,11 +19,8 @@ namespace {
 using testing::StrictHtml;
 
 Gear double_gear(int teeth, double beta_deg, double face_width = 60.0) {
-  CylindricalSpec s;
-  s.teeth = teeth;
-  s.normal_module = 4.0;
-  s.helix_angle = Angle::degrees(beta_deg);
-  s.face_width = face_width;
+  CylindricalSpec s = testing::plain_spec(
+      {.teeth = teeth, .module = 4.0, .beta_deg = beta_deg, .face_width = face_width});
   s.rack = *gbt12759_rack(4.0);
   auto gear = make_gear(s);
   GW_EXPECTS(static_cast<bool>(gear));

@@ -1,4 +1,5 @@
 #include "gearwright/report/contact_arc_picture.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,11 +13,8 @@ namespace gearwright {
 namespace {
 
 Gear arc_gear(int teeth, double module, double helix_deg, const Rack& rack, double face) {
-  CylindricalSpec spec;
-  spec.teeth = teeth;
-  spec.normal_module = module;
-  spec.helix_angle = Angle::degrees(helix_deg);
-  spec.face_width = face;
+  CylindricalSpec spec = testing::plain_spec(
+      {.teeth = teeth, .module = module, .beta_deg = helix_deg, .face_width = face});
   spec.rack = rack;
   auto gear = make_gear(spec);
   GW_EXPECTS(static_cast<bool>(gear));

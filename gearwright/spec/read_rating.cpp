@@ -143,12 +143,7 @@ RatingTable read_rating(const Json& node) {
     }
     r.torque = torque;
   }
-  if (!r.torque) {
-    throw SpecError{{"rating.torque_Nm", "",
-                     "is missing; a rating needs a load: power_kW with speed_rpm, or torque_Nm on "
-                     "gear 1"}};
-  }
-  in.torque = *r.torque;
+  in.torque = r.torque.value_or(0.0);
   return r;
 }
 

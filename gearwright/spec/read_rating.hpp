@@ -9,6 +9,7 @@
 
 namespace gearwright {
 
+/// Without a torque where no load was given: missing_for_rating() says so, with what else is.
 RatingTable read_rating(const Json& node);
 MaterialInput read_material(const Json& node, const std::string& path);
 

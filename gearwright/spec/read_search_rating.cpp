@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/catalogue/search_keys.hpp"
+#include "gearwright/spec/missing_for_rating.hpp"
 #include "gearwright/spec/read_rating.hpp"
 
 namespace gearwright {
@@ -64,16 +65,16 @@ void read_search_rating(const Json& tree, const RatingTable& rating, SearchProbl
     wanted.web = rating.web_thickness;
     wanted.rim = rating.rim_thickness;
   }
-  for (const int which : {1, 2}) {
-    const auto i = static_cast<std::size_t>(which - 1);
-    // What gear 2 has from gear 1 is named where it stands.
-    const bool own = which == 1 || (tree.contains("gear2") && tree["gear2"].contains("material"));
-    auto material = material_of(given[i], own ? which : 1, rating.input.edition);
+  // What gear 2 has from gear 1 is named where it stands.
+  const bool own = tree.contains("gear2") && tree["gear2"].contains("material");
+  const std::array<int, 2> named{1, own ? 2 : 1};
+  if (const auto missing = missing_for_rating(rating, given, named)) throw SpecError{*missing};
+  for (const std::size_t i : {0, 1}) {
+    auto material = material_of(given[i], named[i], rating.input.edition);
     if (!material) throw SpecError{spelled(material.error())};
     problem.density[i] = material->density;
     wanted.input.materials[i] = std::move(material).take();
   }
-  if (const auto missing = missing_input(wanted.input)) throw SpecError{spelled(*missing)};
   SearchLimits& limits = problem.limits;
   if (!limits.safety_flank) limits.safety_flank = rating.safety_flank_min;
   if (!limits.safety_root) limits.safety_root = rating.safety_root_min;

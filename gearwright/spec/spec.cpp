@@ -7,6 +7,7 @@
 
 #include "gearwright/catalogue/spec_keys.hpp"
 #include "gearwright/spec/inherit.hpp"
+#include "gearwright/spec/missing_for_rating.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_contact.hpp"
 #include "gearwright/spec/read_gear.hpp"
@@ -123,6 +124,12 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder) {
   if (const Json* node = t.table("load")) spec.load = read_load(*node);
   if (const Json* node = t.table("rating")) spec.rating = read_rating(*node);
   if (spec.search) read_search_rating(tree, spec.rating, *spec.search);
+  if (spec.rating.given && !spec.rating.torque) {
+    std::array<MaterialInput, 2> materials;
+    for (const std::size_t i : {0, 1})
+      if (spec.gears[i]) materials[i] = spec.gears[i]->material;
+    throw SpecError{*missing_for_rating(spec.rating, materials)};
+  }
   t.finish();
   check_backlash(tree, spec);
   const bool unknown = spec.measured[0] || spec.measured[1];

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/base/missing.hpp"
 #include "gearwright/catalogue/key_hint.hpp"
 
 namespace gearwright {
@@ -177,10 +178,19 @@ void TableReader::refuse_unknown() const {
   }
 }
 
+void TableReader::fail_missing(const Key& key) const {
+  std::vector<Error> all{{name(std::string(key.key)), "", missing(key)}};
+  for (const Key& other : keys_.keys) {
+    const std::string also(other.key);
+    if (other.required && !given(also)) all.push_back({name(also), "", missing(other)});
+  }
+  throw SpecError{all_missing(all)};
+}
+
 void TableReader::require(const std::string& key) {
   if (find(key)) return;
   refuse_unknown();
-  fail(key, missing(entry(key)));
+  fail_missing(entry(key));
 }
 
 void TableReader::finish() const {
@@ -188,7 +198,7 @@ void TableReader::finish() const {
   for (const Key& key : keys_.keys) {
     const std::string name(key.key);
     if (!given(name)) {
-      if (key.required) fail(name, missing(key));
+      if (key.required) fail_missing(key);
       continue;
     }
     for (const std::string_view other : key.needs) {

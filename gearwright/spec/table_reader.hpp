@@ -69,6 +69,8 @@ class TableReader {
   std::optional<int> whole(const std::string& key);
   bool given(std::string_view key) const;
   void refuse_unknown() const;
+  /// This key is missing, and whatever else the table must have.
+  [[noreturn]] void fail_missing(const Key& key) const;
 
   const KeyTable& keys_;
   const Json& node_;

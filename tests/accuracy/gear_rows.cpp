@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
 
 #include "gearwright/gear/reference.hpp"
+#include "gearwright/pair/closed_forms.hpp"
 #include "gearwright/pair/mesh.hpp"
 #include "gearwright/pair/shift.hpp"
 #include "tests/accuracy/ledger.hpp"
@@ -103,6 +105,23 @@ MeshInput<T> mesh_input(const ReferenceGeometry<T>& g1, const ReferenceGeometry<
   return in;
 }
 
+double backlash_in_lanes(const ReferenceInput<double>& in1, const ReferenceInput<double>& in2,
+                         double a) {
+  const std::array<double, BacklashColumns::kIn> row{static_cast<double>(in1.teeth),
+                                                     static_cast<double>(in2.teeth),
+                                                     in1.profile_shift,
+                                                     in2.profile_shift,
+                                                     std::sin(in1.helix_angle),
+                                                     in1.thickness_allowance,
+                                                     in2.thickness_allowance,
+                                                     a};
+  BacklashColumns columns;
+  for (std::size_t k = 0; k < row.size(); ++k) columns.in[k] = &row[k];
+  double j = 0.0;
+  normal_backlashes({in1.normal_module, std::tan(in1.normal_pressure_angle)}, columns, &j, 1);
+  return j;
+}
+
 }  // namespace
 
 std::vector<Row> mesh_rows() {
@@ -132,6 +151,7 @@ std::vector<Row> mesh_rows() {
   Row j{"mesh.backlash_normal_base", where, "modules", 1e-12, 0.0, ""};
   Row j_rot{
       "mesh.backlash_rotation", where + ", as an arc at the tip circle", "modules", 1e-12, 0.0, ""};
+  Row j_lanes{"normal_backlashes", "in lanes; " + where, "modules", 1e-12, 0.0, ""};
   Row zeta{"specific_sliding", "at E; " + where, "relative", 1e-12, 0.0, ""};
   Draw draw;
   for (int i = 0; i < kInputs; ++i) {
@@ -200,6 +220,7 @@ std::vector<Row> mesh_rows() {
     length.see(error_in_modules(p.path_length, e.path_length, m), w);
     j_n.see(error_in_modules(p.backlash.normal, e.backlash.normal, m), w);
     j_n.see(error_in_modules(p.backlash.circumferential[0], e.backlash.circumferential[0], m), w);
+    j_lanes.see(error_in_modules(backlash_in_lanes(in1, in2, a), e.backlash.normal, m), w);
     j.see(error_in_modules(p.backlash.normal_base, e.backlash.normal_base, m), w);
     j_rot.see(
         error_in_modules(p.backlash.rotation[0] * tip_1, e.backlash.rotation[0] * Exact(tip_1), m),
@@ -208,8 +229,8 @@ std::vector<Row> mesh_rows() {
     const auto s_e = specific_sliding(in_e, e, e.rho1_E);
     if (s.zeta_1 && s_e.zeta_1) zeta.see(relative_error(1 - *s.zeta_1, 1 - *s_e.zeta_1), w);
   }
-  return {tight, sum,    alpha, alpha_n,  beta_w, r_w, r_w2, rho_a, rho_c,
-          rho_e, length, eps,   eps_true, eps_b,  j,   j_n,  j_rot, zeta};
+  return {tight,  sum, alpha,    alpha_n, beta_w, r_w, r_w2,  rho_a,   rho_c, rho_e,
+          length, eps, eps_true, eps_b,   j,      j_n, j_rot, j_lanes, zeta};
 }
 
 }  // namespace gearwright::ledger

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "gearwright/math/involute.hpp"
+#include "gearwright/pair/closed_forms.hpp"
 #include "tests/accuracy/ledger.hpp"
 
 namespace gearwright::ledger {
@@ -27,6 +28,7 @@ std::vector<Row> involute_rows() {
            0.0,
            ""};
   Row inverse{"inverse_involute", "1e-15 ≤ y ≤ 50", "relative", 2e-15, 0.0, ""};
+  Row inverses{"inverse_involutes", "in lanes; 1e-15 ≤ y ≤ 50", "relative", 1e-15, 0.0, ""};
   std::mt19937_64 random(20250101);
   const auto log_uniform = [&](double lo, double hi) {
     const double u = static_cast<double>(random() >> 11) * 0x1p-53;
@@ -40,13 +42,19 @@ std::vector<Row> involute_rows() {
              fmt::format("ξ = {}", xi));
     const double y = log_uniform(1e-15, 50.0);
     // The inverse is judged by its own value: Newton's step from it in 50 digits is the error.
-    const double a = inverse_involute(y);
-    const Exact t = tan(Exact(a));
-    const Exact step = (t - Exact(a) - Exact(y)) / (t * t);
-    inverse.see(std::abs(static_cast<double>(step / Exact(a))), fmt::format("y = {}", y));
+    const auto judge = [&](Row& row, double a) {
+      const Exact t = tan(Exact(a));
+      const Exact step = (t - Exact(a) - Exact(y)) / (t * t);
+      row.see(std::abs(static_cast<double>(step / Exact(a))), fmt::format("y = {}", y));
+    };
+    judge(inverse, inverse_involute(y));
+    double in_lanes = 0.0;
+    inverse_involutes(&y, &in_lanes, 1);
+    judge(inverses, in_lanes);
   }
-  for (Row* row : {&inv, &roll, &inverse}) row->where += fmt::format(", {} inputs", kInputs);
-  return {inv, roll, inverse};
+  for (Row* row : {&inv, &roll, &inverse, &inverses})
+    row->where += fmt::format(", {} inputs", kInputs);
+  return {inv, roll, inverse, inverses};
 }
 
 }  // namespace gearwright::ledger

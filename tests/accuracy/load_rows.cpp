@@ -8,6 +8,7 @@
 
 #include "gearwright/compliance/probe.hpp"
 #include "gearwright/contact/contact.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/load/loaded_contact.hpp"
 #include "tests/accuracy/ledger.hpp"
 
@@ -18,12 +19,8 @@ namespace {
 constexpr double kModule = 3.0;
 
 Gear gear_of(double beta_deg, double face) {
-  CylindricalSpec s;
-  s.teeth = 25;
-  s.normal_module = kModule;
-  s.helix_angle = Angle::degrees(beta_deg);
-  s.face_width = face;
-  s.profile_shift = 0.0;
+  CylindricalSpec s = testing::plain_spec(
+      {.teeth = 25, .module = kModule, .beta_deg = beta_deg, .x = 0.0, .face_width = face});
   s.rack = *iso53_rack("ISO53-A");
   return std::move(make_gear(s)).take();
 }

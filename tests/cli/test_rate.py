@@ -116,6 +116,29 @@ class Rate(unittest.TestCase):
         plastic = '[gear1.material]\nkind = "plastic"\nsigma_Hlim_MPa = 50\nsigma_Flim_MPa = 30\n'
         self.refused(spec(material1=plastic), "gear1.material.kind", "VDI 2736")
 
+    def test_all_that_is_missing_is_said_at_once(self):
+        gears = "[gear1]\nteeth = 20\nnormal_module_mm = 2\n[gear2]\nteeth = 40\n"
+        lines = {"rating.torque_Nm": "torque_Nm = 50", "rating.speed_rpm": "speed_rpm = 1500",
+                 "rating.quality": "quality = 6", "rating.face_load_factor": "face_load_factor = 1.2"}
+        materials = "".join(f'[gear{n}.material]\nname = "16MnCr5"\n' for n in (1, 2))
+        run = Run("rate", gears + "[rating]\n", "--json")
+        self.assertEqual((run.status, run.json["error"]["key"]), (1, "rating.torque_Nm"))
+        for word in (*lines.values(), *list(lines)[1:], "gear1.material", "gear2.material"):
+            self.assertIn(word, run.json["error"]["message"])
+        # Without the table its sentence has them all; and with them there is a rating.
+        for line in (*lines.values(), 'name = "16MnCr5"'):
+            self.refused(gears, "rating", line)
+        self.rated(gears + materials + "\n".join(["[rating]", *lines.values()]))
+        # Whatever is given is not asked for, and the first of what is not is the key.
+        for key, line in lines.items():
+            rest = [other for other in lines if other != key]
+            run = Run("rate", gears + f"[rating]\n{line}\n", "--json")
+            message = run.json["error"]["message"]
+            self.assertEqual(run.json["error"]["key"], "gear1.material" if key == "rating.torque_Nm" else "rating.torque_Nm")
+            for other in rest[1:] if key != "rating.torque_Nm" else rest:
+                self.assertIn(other, message)
+            self.assertNotIn(f"{key} (", message)
+
     def test_verdict_has_remedies_that_hold(self):
         heavy = RATING.replace("power_kW = 5000", "power_kW = 12000")
         run = Run("rate", spec(heavy + "safety_flank_min = 1.25\n"), "--json", "--strict")

@@ -15,6 +15,7 @@
 #include "gearwright/base/testing/source_file.hpp"
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/arc_gear.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/pair/arc_pair.hpp"
 
 namespace gearwright {
@@ -46,11 +47,11 @@ ArcRack rack_of(const Json& numbers, ArcRack::Cutter cutter, double m) {
 
 Gear gear_of(const Json& design, int which, double m) {
   const bool first = which == 1;
-  CylindricalSpec spec;
-  spec.teeth = design[first ? "N1" : "N2"];
-  spec.normal_module = m;
-  spec.helix_angle = Angle::degrees((first ? 1 : -1) * (90.0 - design["lamF_deg"].get<double>()));
-  spec.face_width = 40 * m;
+  CylindricalSpec spec =
+      testing::plain_spec({.teeth = design[first ? "N1" : "N2"],
+                           .module = m,
+                           .beta_deg = (first ? 1 : -1) * (90.0 - design["lamF_deg"].get<double>()),
+                           .face_width = 40 * m});
   spec.rack =
       rack_of(design[first ? "F" : "P"], first ? ArcRack::Cutter::F : ArcRack::Cutter::P, m);
   return testing::taken(make_gear(spec));
@@ -90,11 +91,8 @@ TEST(CircularArc, undercut_limits) {
   const Json& design = cases()["racks_Pn2_lam75"];
   const double m = 0.5;
   for (const Json& c : cases()["undercut_limit_gear1_Pn2_lam75"]) {
-    CylindricalSpec spec;
-    spec.teeth = c["N1"];
-    spec.normal_module = m;
-    spec.helix_angle = Angle::degrees(15);
-    spec.face_width = 10 * m;
+    CylindricalSpec spec =
+        testing::plain_spec({.teeth = c["N1"], .module = m, .beta_deg = 15, .face_width = 10 * m});
     ArcRack rack = rack_of(design["F"], ArcRack::Cutter::F, m);
     spec.rack = rack;
     const auto gear = make_gear(spec);

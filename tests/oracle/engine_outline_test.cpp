@@ -14,6 +14,7 @@
 
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/gear.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 #include "tests/oracle/engine_numbers.hpp"
 #include "tests/oracle/outline_against_sweep.hpp"
 #include "tests/oracle/swept_tooth.hpp"
@@ -75,14 +76,10 @@ std::vector<Cutter> cutters() {
 }
 
 CylindricalSpec spec_of(const Cutter& cutter, int teeth, double beta_deg, double x) {
-  CylindricalSpec spec;
-  spec.teeth = teeth;
-  spec.normal_module = 2.0;
+  CylindricalSpec spec = testing::plain_spec(
+      {.teeth = teeth, .module = 2.0, .beta_deg = beta_deg, .x = x, .face_width = 20.0});
   spec.normal_pressure_angle = cutter.alpha;
-  spec.helix_angle = Angle::degrees(beta_deg);
-  spec.profile_shift = x;
   spec.thickness_allowance = cutter.allowance * 2.0;
-  spec.face_width = 20.0;
   spec.rack = cutter.rack;
   return spec;
 }

@@ -14,6 +14,7 @@
 
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 #include "tests/oracle/few_tooth_cases.hpp"
 #include "tests/oracle/pinion_cutter_cases.hpp"
 
@@ -72,13 +73,10 @@ Match match(const Outline& outline, const Vec2& p, const Vec2& normal) {
 Gear made(const CylindricalSpec& spec) { return testing::taken(make_gear(spec)); }
 
 CylindricalSpec spec_of(const RackNumbers& n) {
-  CylindricalSpec s;
-  s.teeth = n.teeth;
-  s.normal_module = n.normal_module;
+  CylindricalSpec s = testing::plain_spec(
+      {.teeth = n.teeth, .module = n.normal_module, .x = n.profile_shift, .face_width = 20.0});
   s.normal_pressure_angle = Angle::radians(n.normal_pressure_angle);
   s.helix_angle = Angle::radians(n.helix_angle);
-  s.profile_shift = n.profile_shift;
-  s.face_width = 20.0;
   s.straight_rack().addendum =
       1.5;  // a blank so large that the rack ends every tooth that is not pointed
   s.straight_rack().dedendum = n.dedendum;
@@ -89,13 +87,12 @@ CylindricalSpec spec_of(const RackNumbers& n) {
 }
 
 CylindricalSpec spec_of(const FilletedPinion& n) {
-  CylindricalSpec s;
-  s.teeth = n.teeth;
-  s.normal_module = n.normal_module;
+  CylindricalSpec s = testing::plain_spec({.teeth = n.teeth,
+                                           .module = n.normal_module,
+                                           .beta_deg = n.helix_angle_deg,
+                                           .x = n.profile_shift,
+                                           .face_width = 20.0});
   s.normal_pressure_angle = Angle::degrees(n.normal_pressure_angle_deg);
-  s.helix_angle = Angle::degrees(n.helix_angle_deg);
-  s.profile_shift = n.profile_shift;
-  s.face_width = 20.0;
   s.straight_rack().dedendum = 1.0;
   s.straight_rack().root_fillet_radius = 0.0;
   const double l_F = *made(s).involute()->undercut_l;

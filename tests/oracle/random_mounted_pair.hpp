@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "gearwright/gear/ring_cutter.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/pair/involute_pair.hpp"
 #include "tests/oracle/random_pinion_cut.hpp"
 
@@ -61,13 +62,13 @@ struct Common {
 };
 
 inline CylindricalSpec spec(Random& random, const Common& common, int teeth, double beta_sign) {
-  CylindricalSpec s;
-  s.teeth = teeth;
-  s.normal_module = common.module;
+  CylindricalSpec s =
+      testing::plain_spec({.teeth = teeth,
+                           .module = common.module,
+                           .x = random.chance(0.3) ? 0.0 : random.uniform(-0.5, 0.9),
+                           .face_width = 10.0});
   s.normal_pressure_angle = common.alpha;
   s.helix_angle = Angle::radians(beta_sign * common.beta.rad());
-  s.face_width = 10.0;
-  s.profile_shift = random.chance(0.3) ? 0.0 : random.uniform(-0.5, 0.9);
   if (random.chance(0.3)) s.thickness_allowance = -common.module * random.uniform(0.0, 0.1);
   s.rack = rack(random, common.alpha);
   if (teeth < 0) return s;

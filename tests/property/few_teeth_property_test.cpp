@@ -25,6 +25,7 @@
 #include <string>
 
 #include "gearwright/gear/pinion_cut.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 #include "tests/oracle/engine_numbers.hpp"
 #include "tests/oracle/engine_pinion.hpp"
 #include "tests/oracle/random_pinion_cut.hpp"
@@ -261,26 +262,24 @@ TEST(FewTeeth, end_in_a_tooth_a_flag_or_an_error) {
 // The ramp at the cutter's bottom takes the flank from below C on, in part or entirely: no flank
 // for the fillet to touch.
 TEST(FewTeeth, root_fillet_beyond_the_ramp_is_refused) {
-  CylindricalSpec part;
-  part.teeth = 7;
-  part.normal_module = 1.0895445729075677;
-  part.helix_angle = Angle::degrees(16.456874707425868);
-  part.profile_shift = 1.9625377977206844;
+  CylindricalSpec part = testing::plain_spec({.teeth = 7,
+                                              .module = 1.0895445729075677,
+                                              .beta_deg = 16.456874707425868,
+                                              .x = 1.9625377977206844,
+                                              .face_width = 10.0});
   part.thickness_allowance = -0.07669646172892208;
-  part.face_width = 10.0;
   part.straight_rack().addendum = 0.2738539891673041;
   part.straight_rack().dedendum = 0.812527701416752;
   part.straight_rack().root_fillet_radius = 0.0;
   part.straight_rack().tool_addendum = -0.5954322473420045;
   part.straight_rack().semi_topping_angle = Angle::degrees(44.09902887457322);
   part.root_fillet = RootFilletSpec{0.0};
-  CylindricalSpec whole;
-  whole.teeth = 6;
-  whole.normal_module = 2.2429889133680336;
+  CylindricalSpec whole = testing::plain_spec({.teeth = 6,
+                                               .module = 2.2429889133680336,
+                                               .beta_deg = 32.11665084634389,
+                                               .x = 2.117156491969574,
+                                               .face_width = 10.0});
   whole.normal_pressure_angle = Angle::degrees(14.5);
-  whole.helix_angle = Angle::degrees(32.11665084634389);
-  whole.profile_shift = 2.117156491969574;
-  whole.face_width = 10.0;
   whole.straight_rack().addendum = 0.03634705912197838;
   whole.straight_rack().root_fillet_radius = 0.0;
   whole.straight_rack().tool_addendum = -1.1624976067763098;

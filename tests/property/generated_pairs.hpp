@@ -19,6 +19,7 @@
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/gear/ring_cutter.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/pair/pair.hpp"
 #include "tests/oracle/pinion_cutter_cases.hpp"
 
@@ -49,13 +50,8 @@ inline InvolutePair mounted_at(const Gear& one, const Gear& two, double a) {
 }
 
 inline CylindricalSpec spec_of(int teeth, double m, double beta_deg, double x) {
-  CylindricalSpec s;
-  s.teeth = teeth;
-  s.normal_module = m;
-  s.helix_angle = Angle::degrees(beta_deg);
-  s.profile_shift = x;
-  s.face_width = 10.0;
-  return s;
+  return testing::plain_spec(
+      {.teeth = teeth, .module = m, .beta_deg = beta_deg, .x = x, .face_width = 10.0});
 }
 
 inline CylindricalSpec filleted(CylindricalSpec s, double offset, TipFilletSpec tip) {

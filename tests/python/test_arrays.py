@@ -143,6 +143,22 @@ def test_files(tmp_path):
         pinion().stl(tmp_path / "none" / "gear.stl")
 
 
+def test_drawing(tmp_path):
+    for form, start in (("pdf", b"%PDF"), ("svg", b"<"), ("dxf", b"0\nSECTION")):
+        assert pinion().drawing(format=form).startswith(start)
+    path = pair().drawing(tmp_path / "drawing.PDF", sheet="A3")
+    assert path.read_bytes() == pair().drawing(sheet="A3") != pair().drawing()
+    (tmp_path / "pair.json").write_text(json.dumps(pair().spec))
+    for more, value in (([], pair()), (["--gear", "2"], pair().gear2)):
+        subprocess.run([BIN, "export", tmp_path / "pair.json", "--drawing", tmp_path / "told.svg", *more], check=True)
+        assert value.drawing(format="svg") == (tmp_path / "told.svg").read_bytes()
+    for wrong, key in (({"path": "drawing.png"}, "path"), ({"format": "png"}, "format"), ({"sheet": "A5"}, "sheet"),
+                       ({"tolerance": 0}, "tolerance")):
+        with pytest.raises(gw.SpecError) as e:
+            pinion().drawing(**wrong)
+        assert e.value.key == key
+
+
 def test_pose():
     first, second = pair().pose(1), pair().pose(2)
     assert first.shape == (4, 4) and np.allclose(first[:3, :3].T @ first[:3, :3], np.eye(3))
@@ -176,6 +192,20 @@ def test_closed_forms_are_those_of_pairs():
         assert isinstance(j, float) and j == pytest.approx(further.backlash.normal, rel=1e-9)
     assert gw.center_distance(z1[:, None], z2).shape == (3, 3)
     assert gw.working_pressure_angle(17, 43) == pytest.approx(math.radians(20), rel=1e-14)
+
+
+def test_columns_and_single_numbers_broadcast_alike():
+    z1, x, beta = np.arange(12.0, 40.0)[:, None], np.linspace(-0.2, 0.5, 900), math.radians(12)
+    ones = np.ones((28, 900))
+    for form, given in ((gw.contact_ratio, (z1, 43, x, 0.1, beta)), (gw.backlash, (z1, 43, x, 0.1, 40.0, beta)),
+                        (gw.inverse_involute, (0.1 * x,)), (gw.involute, (x,))):
+        found = form(*given)
+        assert np.array_equal(found, form(*(g * ones[: found.shape[0]] if found.ndim == 2 else g for g in given)),
+                              equal_nan=True)
+        last = form(*(np.broadcast_to(g, found.shape).flat[-1] for g in given))
+        assert isinstance(last, float) and last == found.flat[-1]
+    assert gw.backlash([], 43, 0, 0, 30.0).shape == (0,) and gw.center_distance(z1, 43, []).shape == (28, 0)
+    assert gw.inverse_involute(np.float32(0)) == 0.0
 
 
 def test_closed_forms_out_of_their_domain():

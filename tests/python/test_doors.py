@@ -117,6 +117,8 @@ LONG = {
     "search": 'gw.search({"search": {"ratio": [1, 8], "modules_mm": [1 + 1e-3 * i for i in range(4000)], '
               '"pinion_teeth": [8, 200], "helix_angle_deg": [0, 30], "helix_step_deg": 1}}, progress=False, yes_large=True)',
     "contact": "pair.contact(errors={'crossing_deg': 0.02}, positions=100000)",
+    "load": "pair.loaded(torque_Nm=[100], positions=1000)",
+    "solve": "gw.solve(pair.replace(load={'torque_Nm': [100], 'positions': 1000}), 'load')",
     "transmission_error": "pair.transmission_error(np.random.default_rng(1).normal(0, 1e-3, (300000, 6)))",
 }
 

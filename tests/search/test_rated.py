@@ -234,6 +234,8 @@ class Refused(Asked):
         for line, key in (("quality = 6\n", "rating.quality"), ("face_load_factor = 1.2\n", "rating.face_load_factor"),
                           ("power_kW = 20\n", "rating.torque_Nm")):
             self.no(rated(STEEL + LOAD.replace(line, "")), key, "is missing")
+        # All at once; of the materials, which are one here, gear 1's alone.
+        self.no(rated("[rating]\n"), "rating.torque_Nm", "gear1.material (", "rating.quality (", "rating.speed_rpm (", "rating.face_load_factor (")
         self.no(rated(STEEL + LOAD, safety_flank_min=0), "search.safety_flank_min", "0")
         self.no(rated(STEEL + LOAD, safety_flank_min="high"), "search.safety_flank_min")
         self.no(rated(STEEL + LOAD, shift_step=0.05), "search.safety_flank_min", "shift_step")

@@ -18,9 +18,17 @@ Array = NDArray[np.float64]
 _ALPHA = math.radians(20)
 
 
-def _columns(*values: ArrayLike) -> tuple[list[Array], tuple[int, ...]]:
-    arrays = np.broadcast_arrays(*(np.asarray(v, dtype=np.float64) for v in values))
-    return [np.ascontiguousarray(a).reshape(-1) for a in arrays], arrays[0].shape
+def _columns(*values: ArrayLike) -> tuple[list[Array], int, tuple[int, ...]]:
+    """Columns for the module, how many rows they broadcast to, and in which shape: what is one number stays one."""
+    arrays = [np.asarray(v, dtype=np.float64) for v in values]
+    shape = np.broadcast_shapes(*(a.shape for a in arrays))
+    columns = [a if a.size == 1 else np.ascontiguousarray(np.broadcast_to(a, shape)) for a in arrays]
+    return [c.reshape(-1) for c in columns], math.prod(shape), shape
+
+
+def _sine_of_helix(angle: ArrayLike) -> Array:
+    beta = np.asarray(angle, dtype=np.float64)
+    return np.sin(np.where(np.abs(beta) < math.pi / 2, beta, np.nan))
 
 
 def _shaped(column: Array, shape: tuple[int, ...]) -> Any:
@@ -29,14 +37,14 @@ def _shaped(column: Array, shape: tuple[int, ...]) -> Any:
 
 def involute(alpha: ArrayLike) -> Any:
     """inv α = tan α − α, |α| < π/2."""
-    (columns, shape) = _columns(alpha)
-    return _shaped(_core._involute(*columns), shape)
+    columns, rows, shape = _columns(alpha)
+    return _shaped(_core._involute(columns, rows), shape)
 
 
 def inverse_involute(inv: ArrayLike) -> Any:
     """The α with inv α = inv."""
-    (columns, shape) = _columns(inv)
-    return _shaped(_core._inverse_involute(*columns), shape)
+    columns, rows, shape = _columns(inv)
+    return _shaped(_core._inverse_involute(columns, rows), shape)
 
 
 def pair_table(
@@ -72,16 +80,16 @@ def pair_table(
                         "tip_thickness1", "tip_thickness2", "tip_clearance1", "tip_clearance2")
     places = _core._CANDIDATE_COLUMNS
     wanted = [places["tan_working" if name == "working_pressure_angle" else name] for name in names]
-    given, shape = _columns(z1, z2, x1, x2, helix_angle, normal_module)
-    lanes = [given[0], given[1], np.sin(given[4]), given[2], given[3]]
-    found = _core._candidates(lanes, math.tan(normal_pressure_angle), (addendum, addendum), (dedendum, dedendum),
-                              flank_depth, mounting == "tight", shorten_tips, wanted)
+    lanes, rows, shape = _columns(z1, z2, _sine_of_helix(helix_angle), x1, x2, normal_module)
+    module = lanes.pop()
+    found = _core._candidates(lanes, rows, math.tan(normal_pressure_angle), (addendum, addendum),
+                              (dedendum, dedendum), flank_depth, mounting == "tight", shorten_tips, wanted)
     table = {}
     for name, column in zip(names, found, strict=True):
         if name == "working_pressure_angle":
             column = np.arctan(column)
         elif name == "center_distance" or name.startswith("tip_"):
-            column = column * given[5]
+            column = column * module
         table[name] = _shaped(column, shape)
     return table
 
@@ -109,8 +117,9 @@ def backlash(z1: ArrayLike, z2: ArrayLike, x1: ArrayLike, x2: ArrayLike, center_
              thickness_allowance2: ArrayLike = 0.0, normal_module: float = 1.0,
              normal_pressure_angle: float = _ALPHA) -> Any:
     """The normal backlash j_n at a centre distance; < 0: the teeth overlap."""
-    columns, shape = _columns(z1, z2, x1, x2, helix_angle, thickness_allowance1, thickness_allowance2, center_distance)
-    return _shaped(_core._backlash(*columns, normal_module, normal_pressure_angle), shape)
+    columns, rows, shape = _columns(z1, z2, x1, x2, _sine_of_helix(helix_angle), thickness_allowance1,
+                                    thickness_allowance2, center_distance)
+    return _shaped(_core._backlash(columns, rows, normal_module, math.tan(normal_pressure_angle)), shape)
 
 
 def shift_limits(z: ArrayLike, helix_angle: ArrayLike = 0.0, *, tip_thickness: float = 0.2,
@@ -118,6 +127,6 @@ def shift_limits(z: ArrayLike, helix_angle: ArrayLike = 0.0, *, tip_thickness: f
                  flank_depth: float = 1.0) -> tuple[Any, Any]:
     """(least, greatest) profile shift: without undercut, and with a tip of at least tip_thickness modules. An
     internal gear knows no undercut: its least shift is -inf. NaN where there is none."""
-    columns, shape = _columns(z, helix_angle)
-    least, greatest = _core._shift_limits(*columns, normal_pressure_angle, addendum, flank_depth, tip_thickness)
+    columns, rows, shape = _columns(z, helix_angle)
+    least, greatest = _core._shift_limits(columns, rows, normal_pressure_angle, addendum, flank_depth, tip_thickness)
     return _shaped(least, shape), _shaped(greatest, shape)

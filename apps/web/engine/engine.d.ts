@@ -33,7 +33,7 @@ export interface Failed {
 export type Verb = "gear" | "pair" | "measure" | "contact" | "compensate" | "load" | "rate" | "fit" | "identify" | "search";
 
 /** Files that the engine makes; `report` and `json` of all that the spec describes. */
-export type FileKind = "stl" | "glb" | "3mf" | "dxf" | "svg" | "step" | "report" | "json";
+export type FileKind = "stl" | "glb" | "3mf" | "dxf" | "svg" | "step" | "drawing" | "report" | "json";
 
 // ---------------------------------------------------------------------------------- catalogue
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "apps/web/engine/session.hpp"
+#include "gearwright/job/workshop_drawing.hpp"
 
 namespace gearwright::web {
 
@@ -28,19 +29,27 @@ Result<std::string> Session::file(std::string_view kind, int gear, double tolera
     if (!made) return spelled(made.error(), job_.spec.given);
     return made->files.front().bytes;
   }
-  const auto wanted = kind_of(kind);
-  if (!wanted) return Error{"", std::string(kind), "is no kind of file that the engine makes"};
-  std::vector<ToothedBody> bodies;
-  for (int which = 1; which <= gears(); ++which) {
-    if (gear != 0 && gear != which) continue;
-    auto made = body(which, gear == 0);
-    if (!made) return made.error();
-    bodies.push_back(std::move(made).take());
-  }
-  if (bodies.empty()) return Error{"gear2", "", "is missing from the spec"};
   if (tolerance > 0.0) {
     options.mesh_tolerance_mm = tolerance;
     options.drawing_tolerance_mm = tolerance;
+  }
+  std::vector<int> chosen;
+  for (int which = 1; which <= gears(); ++which)
+    if (gear == 0 || gear == which) chosen.push_back(which);
+  if (chosen.empty()) return Error{"gear2", "", "is missing from the spec"};
+  if (kind == "drawing") {
+    auto made = make_workshop_drawing(job_, chosen, SheetFormat::pdf, SheetSize::a4, "drawing.pdf",
+                                      options);
+    if (!made) return spelled(made.error(), job_.spec.given);
+    return made->bytes;
+  }
+  const auto wanted = kind_of(kind);
+  if (!wanted) return Error{"", std::string(kind), "is no kind of file that the engine makes"};
+  std::vector<ToothedBody> bodies;
+  for (const int which : chosen) {
+    auto made = body(which, gear == 0);
+    if (!made) return made.error();
+    bodies.push_back(std::move(made).take());
   }
   const std::string name = gear == 0 ? "pair" : bodies.front().name;
   auto made = make_file(*wanted, bodies, name + std::string(ending(*wanted)), options);

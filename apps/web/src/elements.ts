@@ -56,6 +56,11 @@ export function button(words: string, click: () => void, properties: Properties 
   return h("button", { type: "button", click, ...properties }, words);
 }
 
+/** A room that scrolls by itself: the keyboard reaches it, and a screen reader knows its name. */
+export function scroller(style: string, name: string, ...children: Child[]): HTMLDivElement {
+  return h("div", { class: style, tabindex: "0", role: "region", "aria-label": name }, ...children);
+}
+
 /** A symbol of the catalogue, "d_a", "F_z/F_t", "α_wn": letters slanted, indices below. */
 export function symbol(text: string): HTMLElement {
   const whole = h("span", { class: "symbol" });

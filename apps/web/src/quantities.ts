@@ -2,7 +2,7 @@
 // gears side by side, and a glow on what the last change has moved.
 
 import { quantities } from "./catalogue";
-import { fill, h } from "./elements";
+import { fill, h, scroller } from "./elements";
 import type { Json } from "./engine_worker";
 import { onUnitChange } from "./numbers";
 import { cellText, fillCell, quantityTable, rowsOf, type Row } from "./quantity_table";
@@ -16,12 +16,7 @@ export class QuantityPane {
     input: () => this.filter(),
   });
   private readonly count = h("span", { class: "soft", "aria-live": "polite" });
-  private readonly sheet = h("div", {
-    class: "sheet",
-    tabindex: "0",
-    role: "region",
-    "aria-label": "quantities",
-  });
+  private readonly sheet = scroller("sheet", "quantities");
   readonly element = h(
     "section",
     { class: "numbers", "aria-label": "numbers" },

@@ -13,6 +13,7 @@ interface Offer {
 const kOffers: Offer[] = [
   { kind: "report", words: "Report", what: "one page with every number and picture", gears: [0] },
   { kind: "json", words: "JSON", what: "every number, as the program prints it", gears: [0] },
+  { kind: "drawing", words: "Drawing", what: "for the workshop: the table of data, the views; PDF", gears: [1, 2, 0] },
   { kind: "step", words: "STEP", what: "exact solids for CAD, AP242", gears: [1, 2, 0] },
   { kind: "3mf", words: "3MF", what: "for printing", gears: [1, 2] },
   { kind: "stl", words: "STL", what: "triangles", gears: [1, 2] },
@@ -20,7 +21,7 @@ const kOffers: Offer[] = [
   { kind: "dxf", words: "DXF", what: "the section, arcs", gears: [1, 2] },
   { kind: "svg", words: "SVG", what: "the section, drawn", gears: [1, 2] },
 ];
-const kEndings: Partial<Record<FileKind, string>> = { report: "html" };
+const kEndings: Partial<Record<FileKind, string>> = { report: "html", drawing: "pdf" };
 
 /** A file name of the title: letters and digits of any script, the rest become _. */
 export function fileName(): string {

@@ -295,6 +295,7 @@ describe("in and out", () => {
       ["STL, gear 1", /./s],
       ["3MF, gear 1", /^PK/],
       ["GLB, pair", /^glTF/],
+      ["Drawing, pair", /^%PDF/],
       ["STEP, pair", /^ISO-10303-21;/],
       ["DXF, gear 1", /./s],
       ["SVG, gear 1", /<svg/],

@@ -17,6 +17,7 @@
 
 #include "gearwright/cad/toothed_body.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 
 namespace gearwright::testing {
 
@@ -30,12 +31,8 @@ inline ToothedBody body_of(std::string name, const Result<Gear>& gear,
 
 inline CylindricalSpec filleted_pinion(int teeth, double m, double beta_deg, double x,
                                        double offset, double tip_radius, double face_width) {
-  CylindricalSpec s;
-  s.teeth = teeth;
-  s.normal_module = m;
-  s.helix_angle = Angle::degrees(beta_deg);
-  s.profile_shift = x;
-  s.face_width = face_width;
+  CylindricalSpec s = testing::plain_spec(
+      {.teeth = teeth, .module = m, .beta_deg = beta_deg, .x = x, .face_width = face_width});
   s.straight_rack().dedendum = 1.0;
   s.straight_rack().root_fillet_radius = 0.0;
   s.root_fillet = RootFilletSpec{offset};
@@ -62,12 +59,8 @@ inline ToothedBody cut_wheel() {
 
 /// E = 33.0 mm; rim 118 mm
 inline ToothedBody cut_ring() {
-  CylindricalSpec s;
-  s.teeth = 18;
-  s.normal_module = 2.0;
-  s.helix_angle = Angle::degrees(20);
-  s.profile_shift = 0.2;
-  s.face_width = 10.0;
+  CylindricalSpec s = testing::plain_spec(
+      {.teeth = 18, .module = 2.0, .beta_deg = 20, .x = 0.2, .face_width = 10.0});
   s.straight_rack().addendum = 1.25;
   const auto cutter = make_gear(s);
   GW_EXPECTS(cutter);
@@ -75,11 +68,8 @@ inline ToothedBody cut_ring() {
 }
 
 inline CylindricalSpec arc_spec(Rack rack, int teeth, double beta_deg) {
-  CylindricalSpec s;
-  s.teeth = teeth;
-  s.normal_module = 2.0;
-  s.helix_angle = Angle::degrees(beta_deg);
-  s.face_width = 12.0;
+  CylindricalSpec s = testing::plain_spec(
+      {.teeth = teeth, .module = 2.0, .beta_deg = beta_deg, .face_width = 12.0});
   s.rack = std::move(rack);
   return s;
 }

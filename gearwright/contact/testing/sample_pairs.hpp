@@ -10,6 +10,7 @@
 
 #include "gearwright/contact/contact_pair.hpp"
 #include "gearwright/gear/ring_cutter.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/pair/pair.hpp"
 
 namespace gearwright::testing {
@@ -33,11 +34,8 @@ struct SamplePair {
 };
 
 inline Gear involute_gear(int teeth, double helix_deg, double face) {
-  CylindricalSpec s;
-  s.teeth = teeth;
-  s.normal_module = 2.0;
-  s.helix_angle = Angle::degrees(helix_deg);
-  s.face_width = face;
+  CylindricalSpec s = testing::plain_spec(
+      {.teeth = teeth, .module = 2.0, .beta_deg = helix_deg, .face_width = face});
   s.rack = *iso53_rack("ISO53-A");
   Gear g = std::move(make_gear(s)).take();
   return g.internal() ? *cut_by_default(g) : g;
@@ -58,11 +56,8 @@ inline SamplePair involutes(int z1, int z2, double helix_deg) {
 /// Racks F and P, 16 : 48 teeth, m_n = 4, β = 20°, faces of 1.3 axial pitches.
 inline SamplePair arcs() {
   const auto gear = [](int teeth, double helix_deg, ArcRack::Cutter cutter) {
-    CylindricalSpec s;
-    s.teeth = teeth;
-    s.normal_module = 4.0;
-    s.helix_angle = Angle::degrees(helix_deg);
-    s.face_width = 48.0;
+    CylindricalSpec s = testing::plain_spec(
+        {.teeth = teeth, .module = 4.0, .beta_deg = helix_deg, .face_width = 48.0});
     // ψ_c = 30°, as in the examples of the paper.
     const bool convex = cutter == ArcRack::Cutter::F;
     ArcRack rack = default_arc_rack(cutter);

@@ -146,6 +146,10 @@ inline double margin_by_numbers(const ShiftGraph& graph, double x1, double x2) {
     keep(*limits.sliding - *row.max_sliding());
   }
   if (limits.avoid_interference && row.interference) return -1.0;
+  if (limits.avoid_interference && limits.form_clearance > 0.0) {
+    for (const auto& clearance : row.form_clearance)
+      if (clearance) keep(*clearance / m - limits.form_clearance);
+  }
   return least;
 }
 

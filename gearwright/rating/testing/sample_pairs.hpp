@@ -1,6 +1,7 @@
 // Pairs of published ratings, as their reports print them.
 #pragma once
 
+#include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/pair/pair.hpp"
 #include "gearwright/rating/rating.hpp"
 
@@ -13,12 +14,8 @@ struct PrintedGear {
 
 inline CylindricalSpec printed_spec(const PrintedGear& g, double module, double beta_deg,
                                     double face, const StraightRack& rack) {
-  CylindricalSpec s;
-  s.teeth = g.teeth;
-  s.normal_module = module;
-  s.helix_angle = Angle::degrees(beta_deg);
-  s.profile_shift = g.shift;
-  s.face_width = face;
+  CylindricalSpec s = testing::plain_spec(
+      {.teeth = g.teeth, .module = module, .beta_deg = beta_deg, .x = g.shift, .face_width = face});
   if (g.tip_diameter > 0.0) s.tip_diameter = g.tip_diameter;
   s.rack = rack;
   return s;

@@ -9,6 +9,7 @@
 
 #include "gearwright/gear/basic.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/pair/partners.hpp"
 #include "gearwright/report/report.hpp"
 
@@ -16,13 +17,12 @@ namespace gearwright::testing {
 
 inline Gear sample_gear(int teeth, double module, double helix_deg, double shift,
                         double tip_fillet = 0.0, double allowance = 0.0) {
-  CylindricalSpec spec;
-  spec.teeth = teeth;
-  spec.normal_module = module;
-  spec.helix_angle = Angle::degrees(helix_deg);
-  spec.profile_shift = shift;
+  CylindricalSpec spec = testing::plain_spec({.teeth = teeth,
+                                              .module = module,
+                                              .beta_deg = helix_deg,
+                                              .x = shift,
+                                              .face_width = 10 * module});
   spec.thickness_allowance = allowance;
-  spec.face_width = 10 * module;
   spec.straight_rack().tip_fillet_radius = tip_fillet;
   auto gear = make_gear(spec);
   GW_EXPECTS(static_cast<bool>(gear));
@@ -51,12 +51,8 @@ inline InvolutePair internal_pair() {
 /// Two teeth with circular root and tip fillets: Table 1 of the paper in
 /// docs/theory/06-few-teeth.md.
 inline Gear two_teeth(double face_width = 17.5, double shift = 0.7) {
-  CylindricalSpec spec;
-  spec.teeth = 2;
-  spec.normal_module = 1.75;
-  spec.helix_angle = Angle::degrees(30);
-  spec.profile_shift = shift;
-  spec.face_width = face_width;
+  CylindricalSpec spec = testing::plain_spec(
+      {.teeth = 2, .module = 1.75, .beta_deg = 30, .x = shift, .face_width = face_width});
   spec.straight_rack().root_fillet_radius = 0.3;
   spec.straight_rack().dedendum = 1.0 + 0.3 * (1.0 - std::sin(spec.normal_pressure_angle.rad()));
   spec.root_fillet = RootFilletSpec{0.01};
@@ -83,11 +79,8 @@ inline InvolutePair two_and_sixty(double face_width = 17.5) {
 /// 18 in an internal gear of 60 that a cutter of 20 teeth has cut; without backlash but for 0.05
 /// mm.
 inline InvolutePair pinion_in_cut_ring() {
-  CylindricalSpec cutter;
-  cutter.teeth = 20;
-  cutter.normal_module = 2;
+  CylindricalSpec cutter = testing::plain_spec({.teeth = 20, .module = 2, .face_width = 20});
   cutter.straight_rack().addendum = 1.25;
-  cutter.face_width = 20;
   auto made = make_gear(cutter);
   GW_EXPECTS(static_cast<bool>(made));
   return sample_pair(sample_gear(18, 2, 0, 0.2), cut_gear(*made, -60, 0.2, 20), 41.0755);
@@ -99,14 +92,13 @@ inline Gear gear_as_itself(int teeth, double base_diameter, double base_thicknes
   const BaseGear<double> base{teeth, base_diameter / 2, base_thickness,
                               Angle::degrees(base_helix_deg).rad()};
   const auto rack = as_rack(base, Angle::degrees(rack_deg).rad());
-  CylindricalSpec spec;
-  spec.teeth = teeth;
-  spec.normal_module = rack.normal_module;
+  CylindricalSpec spec = testing::plain_spec({.teeth = teeth,
+                                              .module = rack.normal_module,
+                                              .x = rack.profile_shift,
+                                              .face_width = face_width});
   spec.normal_pressure_angle = Angle::degrees(rack_deg);
   spec.helix_angle = Angle::radians(rack.helix_angle);
-  spec.profile_shift = rack.profile_shift;
   spec.tip_diameter = tip_diameter;
-  spec.face_width = face_width;
   auto gear = make_gear(spec);
   GW_EXPECTS(static_cast<bool>(gear));
   return std::move(gear).take();

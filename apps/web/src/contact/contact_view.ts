@@ -2,7 +2,7 @@
 // follow while they move. The pattern is made in the background and comes a moment later.
 
 import type { ContactCurve } from "../../engine/engine";
-import { fill, flankFigure, h, onThemeChange } from "../elements";
+import { fill, flankFigure, h, onThemeChange, scroller } from "../elements";
 import { kOvertaken } from "../engine_link";
 import { at, bench } from "../workbench";
 import type { Tab } from "../tabs";
@@ -44,9 +44,9 @@ export class ContactView implements Tab {
     "div",
     { class: "contact-view" },
     this.sliders.element,
-    h(
-      "div",
-      { class: "contact-room", tabindex: "0", role: "region", "aria-label": "curves and flanks" },
+    scroller(
+      "contact-room",
+      "curves and flanks",
       this.sentence,
       h(
         "div",

@@ -3,7 +3,7 @@
 
 import type { LoadedTorque } from "../../engine/engine";
 import { quantities } from "../catalogue";
-import { figure, fill, flankFigure, h, onThemeChange } from "../elements";
+import { figure, fill, flankFigure, h, onThemeChange, scroller } from "../elements";
 import { kOvertaken } from "../engine_link";
 import type { Fault, Json, Loaded } from "../engine_worker";
 import { KeyPanel } from "../form/panel";
@@ -43,12 +43,7 @@ export class LoadView implements Tab {
   private readonly state = h("span", { class: "soft" });
   private readonly torques = h("div", { class: "choice", role: "group", "aria-label": "torque shown" });
   private readonly notices = h("ul", { class: "notices" });
-  private readonly table = h("div", {
-    class: "table-room",
-    tabindex: "0",
-    role: "region",
-    "aria-label": "numbers under load",
-  });
+  private readonly table = scroller("table-room", "numbers under load");
   private readonly plots = {
     te: new CurvePlot("loaded TE, ″", (i) => this.choose(i)),
     stiffness: new CurvePlot("N/(mm µm)", (i) => this.choose(i)),
@@ -102,9 +97,9 @@ export class LoadView implements Tab {
     "div",
     { class: "side-view" },
     this.panel.element,
-    h(
-      "div",
-      { class: "side-room", tabindex: "0", role: "region", "aria-label": "teeth under load" },
+    scroller(
+      "side-room",
+      "teeth under load",
       this.sentence,
       this.room,
     ),

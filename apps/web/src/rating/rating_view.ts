@@ -3,7 +3,7 @@
 
 import type { Quantity } from "../../engine/engine";
 import { quantities, quantity } from "../catalogue";
-import { fill, h, symbol } from "../elements";
+import { fill, h, scroller, symbol } from "../elements";
 import { kOvertaken } from "../engine_link";
 import type { Fault, Json, Notice, Verdict } from "../engine_worker";
 import { KeyPanel } from "../form/panel";
@@ -73,19 +73,14 @@ export class RatingView implements Tab {
   private readonly sentence = h("p", { class: "view-sentence", "aria-live": "polite" });
   private readonly safeties = h("div", { class: "safeties" });
   private readonly notices = h("ul", { class: "notices" });
-  private readonly table = h("div", {
-    class: "table-room",
-    tabindex: "0",
-    role: "region",
-    "aria-label": "factors",
-  });
+  private readonly table = scroller("table-room", "factors");
   readonly element = h(
     "div",
     { class: "side-view" },
     this.panel.element,
-    h(
-      "div",
-      { class: "side-room", tabindex: "0", role: "region", "aria-label": "strength" },
+    scroller(
+      "side-room",
+      "strength",
       this.sentence,
       this.safeties,
       this.notices,

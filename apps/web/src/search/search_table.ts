@@ -3,7 +3,7 @@
 
 import type { Quantity } from "../../engine/engine";
 import { quantities } from "../catalogue";
-import { button, fill, h, symbol } from "../elements";
+import { button, fill, h, scroller, symbol } from "../elements";
 import type { Json } from "../engine_worker";
 import { shownUnit, textOf } from "../numbers";
 
@@ -53,12 +53,7 @@ export function columnsOf(designs: Design[]): Column[] {
 }
 
 export class SearchTable {
-  readonly element = h("div", {
-    class: "designs-room",
-    tabindex: "0",
-    role: "region",
-    "aria-label": "designs found",
-  });
+  readonly element = scroller("designs-room", "designs found");
   private designs: Design[] = [];
   private columns: Column[] = [];
   private order: number[] = [];

@@ -1,0 +1,44 @@
+#include "gearwright/base/missing.hpp"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "gearwright/base/contract.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr std::string_view kMissing = "is missing";
+
+// What a rule says beside that the input is missing.
+std::string_view what_is_wanted(const Error& error) {
+  std::string_view rule = error.rule;
+  rule.remove_prefix(kMissing.size());
+  const std::size_t words = rule.find_first_not_of(";: ");
+  return words == std::string_view::npos ? std::string_view() : rule.substr(words);
+}
+
+}  // namespace
+
+bool is_missing(const Error& error) { return error.rule.starts_with(kMissing); }
+
+Error all_missing(const std::vector<Error>& errors) {
+  GW_EXPECTS(!errors.empty());
+  const auto other = std::find_if_not(errors.begin(), errors.end(), is_missing);
+  if (other != errors.end()) return *other;
+  Error all = errors.front();
+  std::set<std::string> named{all.field};
+  std::set<std::string_view> told{what_is_wanted(errors.front())};
+  for (const Error& error : errors) {
+    if (!named.insert(error.field).second) continue;
+    const std::string_view wanted = what_is_wanted(error);
+    all.rule += (named.size() == 2 ? "; also missing: " : ", ") + error.field;
+    if (told.insert(wanted).second && !wanted.empty()) all.rule += " (" + std::string(wanted) + ")";
+  }
+  return all;
+}
+
+}  // namespace gearwright

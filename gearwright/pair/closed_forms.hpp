@@ -1,0 +1,49 @@
+// Closed forms over columns of numbers, in as many lanes as the processor has: what arrays of Python ask for.
+//
+//   y    inv α of the α asked for     s_β  sin β of gear 1     e    thickness allowance, mm
+//                                              theory: docs/theory/02-involute-and-pair.md
+//
+// One text of formulas (pair/closed_forms.inc) is compiled for double and for every instruction set; at run time the
+// best that the processor has is taken, as in design/candidate.hpp. Rows outside a domain are NaN.
+//
+//   Laws  (1) inverse involutes in lanes are the scalar instance's to the bit, on any machine
+//         (2) backlashes in lanes agree with the scalar instance to 1e-12 modules
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace gearwright {
+
+/// The α with inv α = y, without a step of iteration.
+///
+/// Formula   α = c + c³ P(c²), c = ∛(3y), for y < 1.1; α = π/2 − s − s³ Q(s²), s = 1/(y + π/2), above; section 2.1
+/// Units     rad; odd in y
+/// Domain    |y| ≤ 1e12, as inverse_involute()
+/// Accuracy  ledger row `inverse_involutes`; at most 6 ulp from inverse_involute()
+void inverse_involutes(const double* y, double* alpha, std::size_t n);
+void inverse_involutes_scalar(const double* y, double* alpha, std::size_t n);
+
+/// What all rows share: parallel axes.
+struct BacklashConstants {
+  double normal_module = 1.0;  ///< m_n  mm, > 0
+  double tan_alpha = 0.0;      ///< tan α_n, > 0
+};
+
+/// Columns of a backlash; internal gear: z2 < 0.
+struct BacklashColumns {
+  enum In { z1, z2, x1, x2, sin_beta, allowance_1, allowance_2, center_distance, kIn };
+  std::array<const double*, kIn> in{};
+};
+
+/// Normal backlash j_n at a centre distance, mm; < 0: the teeth overlap.
+///
+/// Formula   j_n cos α_wn = m_n cos α_n (z1 + z2)(inv α_wt − inv α_0); [T2.24], [T2.16]
+/// Domain    whole z1 ≥ 1 and z2 below 1e6, a > |r_b1 + r_b2|
+/// Accuracy  ledger row `normal_backlashes`
+void normal_backlashes(const BacklashConstants& constants, const BacklashColumns& columns,
+                       double* backlash, std::size_t n);
+void normal_backlashes_scalar(const BacklashConstants& constants, const BacklashColumns& columns,
+                              double* backlash, std::size_t n);
+
+}  // namespace gearwright

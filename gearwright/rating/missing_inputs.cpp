@@ -1,0 +1,44 @@
+#include "gearwright/rating/missing_inputs.hpp"
+
+#include "gearwright/base/missing.hpp"
+
+namespace gearwright {
+
+std::vector<Error> missing_inputs(const RatingInput& in) {
+  if (in.edition == RatingEdition::vdi_2736) {
+    const auto missing = missing_plastic_input(in);
+    return missing ? std::vector<Error>{*missing} : std::vector<Error>{};
+  }
+  std::vector<Error> missing;
+  if (!in.quality && (!in.dynamic_factor || !in.transverse_load_factor)) {
+    missing.push_back(
+        {"rating.quality", "",
+         "is missing; the accuracy grades of ISO 1328, 0 to 12, say how far the teeth are off, for "
+         "K_v and K_Hα: give them, `quality` = 6 for example, or both factors"});
+  } else if (!in.quality && !in.face_load_factor && in.mounting && !in.mounting->manufacture) {
+    missing.push_back({"rating.quality", "",
+                       "is missing; the face load factor takes the helix slopes from it: give the "
+                       "accuracy grades of ISO 1328, `quality` = 6 for example, or the "
+                       "misalignment"});
+  }
+  if (!in.speed && !in.dynamic_factor) {
+    missing.push_back(
+        {"rating.speed", "",
+         "is missing; the dynamic factor needs it: give the speed, `speed` = 1500 for "
+         "example, or the factor itself"});
+  }
+  if (!in.face_load_factor && !in.mounting) {
+    missing.push_back({"rating.face_load_factor", "",
+                       "is missing; give it, `face_load_factor` = 1.2 for example, or how the "
+                       "pinion is mounted, `mounting`"});
+  }
+  return missing;
+}
+
+std::optional<Error> missing_input(const RatingInput& in) {
+  const std::vector<Error> missing = missing_inputs(in);
+  if (missing.empty()) return std::nullopt;
+  return all_missing(missing);
+}
+
+}  // namespace gearwright
