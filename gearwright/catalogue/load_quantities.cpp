@@ -129,8 +129,8 @@ void say_torque(Quantities<T>& q) {
         "mesh stiffness by ISO 6336-1", "c_γα", "method B, of solid discs [T11.3]",
         [](const T& t) { return Value(t.standard_stiffness); })
       .when(has_standard);
-  q.pure(kLoad, "stiffness_over_c_gamma_alpha", "mesh stiffness over that", "",
-         "the mean without the twist of the bodies, which the standard does not know, over c_γα",
+  q.pure(kLoad, "stiffness_over_c_gamma_alpha", "mean stiffness over that of ISO 6336-1", "",
+         "without the twist of the bodies, which the standard does not know",
          [](const T& t) {
            return has_standard(t) ? Value(t.torque->without_twist.mean / *t.standard_stiffness)
                                   : Value();
