@@ -85,16 +85,22 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
   const double half = g.spec.face_width / 2;
   const RemovalField* removal = gear.removal[right ? 0 : 1];
   const double turned = sign_if(place_.gear2_drives);
-  std::vector<Arc> flanks;
+  const auto touches = [&](ArcName name) {
+    if (name == ArcName::flank) return true;
+    if (!place_.fillets) return false;
+    return name == ArcName::root_fillet || (name == ArcName::tip_fillet && !removal);
+  };
+  std::vector<Arc> arcs;
   for (const Arc& arc : g.tooth->outline.arcs)
-    if (arc.name == ArcName::flank) flanks.push_back(arc);
-  GW_EXPECTS(!flanks.empty());
-  for (std::size_t i = 0; i < flanks.size(); ++i) {
-    const Arc arc = recut(flanks[i], g, place_.errors.cutter_lead[which].rad());
+    if (touches(arc.name)) arcs.push_back(arc);
+  GW_EXPECTS(!arcs.empty());
+  GW_EXPECTS(!place_.fillets || place_.errors.cutter_lead[which] == Angle());
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    const Arc arc = recut(arcs[i], g, place_.errors.cutter_lead[which].rad());
     const Profile profile(arc, side, twist[0]);
     FlankPatch p{profile, center, twist[0] + twist[1], -half, half};
     const End root = i == 0 ? End::form : End::seam;
-    const End tip = i + 1 == flanks.size() ? End::tip : End::seam;
+    const End tip = i + 1 == arcs.size() ? End::tip : End::seam;
     const bool root_first = profile.grows() != g.internal();
     p.s_lo_end = root_first ? root : tip;
     p.s_hi_end = root_first ? tip : root;
@@ -102,7 +108,7 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
     p.s_hi = profile.s_hi();
     p.u_lo = profile.u_lo();
     p.u_hi = profile.u_hi();
-    if (!removal) {
+    if (!removal || arc.name != ArcName::flank) {
       patches_[which].push_back(p);
       continue;
     }

@@ -42,6 +42,9 @@ struct ContactMount {
   Angle shaft_angle{};           ///< Σ
   bool gear2_drives = false;
   ContactErrors errors;
+  /// Root fillets and rounded tips touch too, not the flanks alone: what they do first. No tip of a
+  /// modified flank, whose removal does not go on there. Domain: no change of a cutter's lead
+  bool fillets = false;
 };
 
 class ContactPair {

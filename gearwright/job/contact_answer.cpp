@@ -8,6 +8,7 @@
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/modification_keys.hpp"
+#include "gearwright/contact/fillet_contact.hpp"
 #include "gearwright/contact/pair_contact.hpp"
 #include "gearwright/gear/gear_field.hpp"
 
@@ -65,10 +66,24 @@ ContactPair ContactSetup::pair(const ContactErrors& errors, bool gear2_drives) c
   ContactMount place = place_;
   place.errors = errors;
   place.gear2_drives = gear2_drives;
+  return at(place);
+}
+
+ContactPair ContactSetup::at(const ContactMount& place) const {
   const auto of = [&](int i) {
     return ContactGear{gears_[i].get(), {removal_[i][0].get(), removal_[i][1].get()}};
   };
   return ContactPair(of(0), of(1), place);
+}
+
+std::optional<ContactPair> ContactSetup::outlines(bool gear2_drives) const {
+  const bool involutes = gears_[0]->involute() && gears_[1]->involute();
+  const auto& lead = place_.errors.cutter_lead;
+  if (!involutes || lead[0] != Angle() || lead[1] != Angle()) return std::nullopt;
+  ContactMount place = place_;
+  place.gear2_drives = gear2_drives;
+  place.fillets = true;
+  return at(place);
 }
 
 std::optional<int> ContactSetup::convex_gear() const {
@@ -221,6 +236,35 @@ void warn_about(const ContactAnswer& answer, std::vector<Warning>& warnings) {
   }
 }
 
+// Without errors the two outlines say it, [T2.34] and [T4.33].
+void warn_about_fillets(const ContactAnswer& answer, bool gear2_drives,
+                        std::vector<Warning>& warnings) {
+  for (const bool other : {false, true}) {
+    const auto outlines = answer.setup.outlines(gear2_drives != other);
+    if (!outlines) return;
+    std::array<double, 2> form{};
+    for (const int i : {0, 1}) form[i] = 2 * answer.setup.gear(i + 1).root_form_radius().value();
+    const auto touch =
+        fillet_contact(*outlines, form, (other ? answer.other : answer.driving).positions);
+    if (!touch) continue;
+    warnings.push_back(
+        {"fillet_contact",
+         fmt::format(
+             "Under these errors the tip of gear {} meets the root fillet of gear {} {:.4g} "
+             "mm before the {}flanks do, at {:.3f}° of gear 1, on {:.4f} mm diameter: {}.",
+             3 - touch->gear, touch->gear, touch->early, other ? "non-working " : "",
+             touch->point.rotation1.deg(), touch->point.diameter[touch->gear - 1],
+             other ? "it takes that much of the play"
+                   : "the transmission error is not that of the flanks there"),
+         touch->gear});
+  }
+}
+
+bool any_error(const JobSpec& spec) {
+  const auto& value = spec.errors.value;
+  return std::any_of(value.begin(), value.end(), [](double e) { return e != 0.0; });
+}
+
 }  // namespace
 
 Result<ContactAnswer> answer_contact(SolvedJob& job, Headway* headway) {
@@ -253,6 +297,7 @@ Result<ContactAnswer> answer_contact(SolvedJob& job, Headway* headway) {
   if (input.pattern)
     answer.pattern = contact_pattern(answer.setup.pair(gear2_drives), input.positions, {}, headway);
   warn_about(answer, job.warnings);
+  if (any_error(job.spec)) warn_about_fillets(answer, gear2_drives, job.warnings);
   return answer;
 }
 

@@ -42,6 +42,9 @@ class ContactSetup {
 
   ContactPair pair(bool gear2_drives) const { return pair(place_.errors, gear2_drives); }
   ContactPair pair(const ContactErrors& errors, bool gear2_drives) const;
+  /// With root fillets and tips beside the flanks; none: teeth of arcs, or a cutter's lead that was
+  /// changed.
+  std::optional<ContactPair> outlines(bool gear2_drives) const;
   const ContactMount& place() const { return place_; }
   const Gear& gear(int which) const { return *gears_[which - 1]; }
   const RemovalField* removal(int gear, bool left) const;
@@ -55,6 +58,8 @@ class ContactSetup {
   ContactErrors with_error(ContactErrors errors, std::size_t index, double value) const;
 
  private:
+  ContactPair at(const ContactMount& place) const;
+
   std::array<std::shared_ptr<const Gear>, 2> gears_;
   std::array<std::array<FlankModifications, 2>, 2> modifications_;
   std::array<std::array<std::shared_ptr<const RemovalField>, 2>, 2> removal_;

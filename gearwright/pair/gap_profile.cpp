@@ -68,7 +68,7 @@ ProfileArc::Found ProfileArc::find(double rho) const {
   double lo = static_cast<double>(cell) / kGuesses;
   double hi = static_cast<double>(cell + 1) / kGuesses;
   // Near the root the squares of the radii grow with the square of the way: a first guess by both.
-  const double part = (rho - below.rho) / (above.rho - below.rho);
+  const double part = std::clamp((rho - below.rho) / (above.rho - below.rho), 0.0, 1.0);
   const double slow = std::abs(below.s) < 0.5 * std::abs(above.s) ? std::sqrt(part) : part;
   double u = lo + (hi - lo) * slow;
   const double chord =
@@ -81,7 +81,7 @@ ProfileArc::Found ProfileArc::find(double rho) const {
     const CurvePoint at_u = arc->at(u);
     const ProfilePlace p = place_of(at_u);
     const double way = way_to(p, at_u.curvature, rho);
-    if (i == kMost || (std::abs(way * at_u.curvature) < kShort && std::abs(way) < kShort * rho))
+    if (std::abs(way * at_u.curvature) < kShort && std::abs(way) < kShort * rho)
       return {std::clamp(u + way / pace, lo, hi), moved(p, at_u.curvature, way, rho)};
     if (side * (p.rho - rho) < 0.0) {
       lo = u;
@@ -90,7 +90,9 @@ ProfileArc::Found ProfileArc::find(double rho) const {
     }
     const double next = u + way / pace;
     const double kept = next > lo && next < hi ? next : 0.5 * (lo + hi);
-    if (kept == u) return {u, moved(p, at_u.curvature, way, rho)};
+    // Where the arc runs along the circle about the axis, no way leads from a radius to one beside
+    // it that is as good to rounding: not even a number, between the last two digits.
+    if (i == kMost || kept == u) return {u, moved(p, at_u.curvature, 0.0, rho)};
     const Vec2 there = arc->curve->point(arc->begin + kept * (arc->end - arc->begin));
     const double run = (there - at_u.point).norm() / std::abs(kept - u);
     if (run > 0.0) pace = run;

@@ -57,6 +57,8 @@ constexpr auto kMeanings = std::to_array<Entry>({
      {kProblem, "the gears jam", "Thinner teeth, a greater centre distance or smaller errors."}},
     {"contact_below_form",
      {kCaution, "", "Shorten the mating gear’s tip or give it a tip relief.", true}},
+    {"fillet_contact",
+     {kCaution, "", "Shorten that tip, a greater centre distance or smaller errors.", true}},
     {"contact_search_unfinished", {kCaution, "", "Ask for other positions."}},
     {"correction_at_bound", {kCaution, "", "Align the housing better.", false}},
     {"not_read", {kNote, "", "Leave it out."}},

@@ -330,6 +330,21 @@ class Contact(unittest.TestCase):
         self.assertIn("jam", [w["code"] for w in j["warnings"]])
         self.assertLess(j["contact"]["least_play_deg"], 0)
 
+    def test_a_tip_that_an_error_drives_into_a_fillet_is_told(self):
+        def told(tip, errors):
+            text = ("[gear1]\nteeth = 20\nnormal_module_mm = 2\nface_width_mm = 20\nthickness_allowance_mm = -0.1\n"
+                    f"[gear2]\nteeth = 40\nface_width_mm = 18\ntip_diameter_mm = {tip}\n[pair]\ncenter_distance_mm = 60.1\n")
+            warnings = self.ok("contact", text + errors)["warnings"]
+            return [w for w in warnings if w["code"] == "fillet_contact"]
+        errors = "[errors]\ncrossing_deg = 0.005\ncenter_distance_mm = "
+        near = told(84, errors + "-0.1")
+        self.assertEqual([w["gear"] for w in near], [1, 1])  # of the driven flanks, and of those behind
+        self.assertIn("the tip of gear 2 meets the root fillet of gear 1 0.01965 mm before the flanks do", near[0]["message"])
+        self.assertIn("non-working", near[1]["message"])
+        self.assertEqual(told(84, errors + "0.1"), [])
+        self.assertEqual(told(83, errors + "-0.1"), [])
+        self.assertEqual(told(84.3, ""), [])  # without errors the pair itself says it
+
     def test_modifications_that_do_not_fit(self):
         self.refused("contact", self.spec(gear1="[gear1.modifications]\ntip_relief_um = 20\ntip_relief_start_mm = 90"),
                      "gear1.modifications.tip_relief_start_mm")

@@ -153,12 +153,11 @@ inline std::optional<MountedPair> random_mounted_pair(Random& random) {
                                       : by_rack(random, common, z_2, ring ? sign : -sign);
   if (!two || !two->gear.tooth) return std::nullopt;
   const double m = common.module;
-  const double somewhere =
-      (two->gear.reference_diameter + (ring ? -1.0 : 1.0) * one->gear.reference_diameter) / 2 +
-      (ring ? 0.5 : 1.0) * m;
-  const auto anywhere = mount_involutes(one->gear, two->gear, {somewhere});
-  if (!anywhere || !anywhere->backlash_free_center_distance) return std::nullopt;
-  double a = *anywhere->backlash_free_center_distance;
+  // Free of backlash, as mounting would say it, without mounting twice.
+  const BasePair<double> bases = mesh_input(one->gear, two->gear, {}).gears;
+  const auto free = transverse_angle_at_min_distance(bases);
+  if (!free) return std::nullopt;
+  double a = base_radius_sum(bases) / std::cos(*free);
   const double apart =
       m * (random.chance(0.5) ? random.uniform(0.0, 0.05) : random.uniform(0.0, 0.4));
   if (random.chance(0.7)) a += ring ? -apart : apart;
