@@ -9,6 +9,7 @@ import gearwright as gw
 pair = gw.load("examples/helical_pair.toml")
 assembly = cq.Assembly()
 for which, gear in ((1, pair.gear1), (2, pair.gear2)):
+    gear = gear.replace(bore=None)  # the spec's own, with a keyway
     body = cq.importers.importStep(str(gear.step(f"gear{which}.step")))
     body = body.cut(cq.Workplane("XY").circle(8).extrude(gear.face_width, both=True))
     place = cq.Location(cq.Plane(origin=tuple(pair.pose(which)[:3, 3]), xDir=tuple(pair.pose(which)[:3, 0]),
