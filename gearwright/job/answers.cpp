@@ -1,5 +1,7 @@
 #include "gearwright/job/answers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
