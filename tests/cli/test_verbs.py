@@ -73,7 +73,7 @@ class Verbs(unittest.TestCase):
     def test_run_writes_everything_and_nothing_else(self):
         r = Run("run", PAIR, "--json")
         self.assertEqual(r.status, 0, r.err)
-        want = ["result.json", "report.html", "pair.glb", "pair.step"]
+        want = ["result.json", "report.html", "drawing.pdf", "pair.glb", "pair.step"]
         for g in ("gear1", "gear2"):
             want += [g + e for e in (".stl", ".3mf", ".dxf", ".svg", ".step")]
         self.assertEqual(r.files(), sorted(["case.toml"] + ["case_out/" + w for w in want]))
