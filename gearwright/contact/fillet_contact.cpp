@@ -9,6 +9,9 @@ namespace {
 // Fillets that were cut to meet the flank do so to rounding.
 constexpr double kTouching = 1e-8;  // mm
 
+// With fillets a position costs several times the flanks alone, and 10⁶ may be asked.
+constexpr std::size_t kMaxRotations = 64;
+
 // Of the touch's normal about axis 2.
 double arm_about_2(const ContactPair& pair, const ContactPoint& p) {
   const ContactMount& m = pair.place();
@@ -22,17 +25,22 @@ double arm_about_2(const ContactPair& pair, const ContactPoint& p) {
 
 std::optional<FilletContact> fillet_contact(const ContactPair& outlines,
                                             const std::array<double, 2>& form_diameter,
-                                            const std::vector<ContactPoint>& flanks) {
-  ContactRequest request;
+                                            const std::vector<ContactPoint>& flanks,
+                                            Headway* headway) {
+  std::vector<const ContactPoint*> touches;
   for (const ContactPoint& p : flanks)
-    if (p.kind != TouchKind::none) request.rotations.push_back(p.rotation1);
-  if (request.rotations.empty()) return std::nullopt;
+    if (p.kind != TouchKind::none) touches.push_back(&p);
+  if (touches.empty()) return std::nullopt;
+  const std::size_t every = (touches.size() + kMaxRotations - 1) / kMaxRotations;
+  ContactRequest request;
+  request.headway = headway;
+  for (std::size_t i = 0; i < touches.size(); i += every)
+    request.rotations.push_back(touches[i]->rotation1);
   const ContactResult whole = analyse_contact(outlines, request);
   std::optional<FilletContact> worst;
-  std::size_t at = 0;
-  for (const ContactPoint& flank : flanks) {
-    if (flank.kind == TouchKind::none) continue;
-    const ContactPoint& p = whole.positions[at++];
+  for (std::size_t i = 0; i < whole.positions.size(); ++i) {
+    const ContactPoint& flank = *touches[i * every];
+    const ContactPoint& p = whole.positions[i];
     if (p.kind == TouchKind::none) continue;
     const double early = std::abs((p.te - flank.te).rad()) * arm_about_2(outlines, p);
     if (early <= kTouching || (worst && early <= worst->early)) continue;

@@ -23,9 +23,11 @@ struct FilletContact {
 /// (positions of analyse_contact); none: flanks touch first everywhere.
 ///
 /// `outlines`  the same pair with ContactMount::fillets
-/// Accuracy    of a rotation that is looked at: rounding. Deeper ones between them may be missed
+/// Accuracy    of a rotation that is looked at: rounding. At most 64 are, evenly chosen; deeper
+///             touches between them may be missed
 std::optional<FilletContact> fillet_contact(const ContactPair& outlines,
                                             const std::array<double, 2>& form_diameter,
-                                            const std::vector<ContactPoint>& flanks);
+                                            const std::vector<ContactPoint>& flanks,
+                                            Headway* headway = nullptr);
 
 }  // namespace gearwright

@@ -238,14 +238,14 @@ void warn_about(const ContactAnswer& answer, std::vector<Warning>& warnings) {
 
 // Without errors the two outlines say it, [T2.34] and [T4.33].
 void warn_about_fillets(const ContactAnswer& answer, bool gear2_drives,
-                        std::vector<Warning>& warnings) {
+                        std::vector<Warning>& warnings, Headway* headway) {
   for (const bool other : {false, true}) {
     const auto outlines = answer.setup.outlines(gear2_drives != other);
     if (!outlines) return;
     std::array<double, 2> form{};
     for (const int i : {0, 1}) form[i] = 2 * answer.setup.gear(i + 1).root_form_radius().value();
     const auto touch =
-        fillet_contact(*outlines, form, (other ? answer.other : answer.driving).positions);
+        fillet_contact(*outlines, form, (other ? answer.other : answer.driving).positions, headway);
     if (!touch) continue;
     warnings.push_back(
         {"fillet_contact",
@@ -297,7 +297,7 @@ Result<ContactAnswer> answer_contact(SolvedJob& job, Headway* headway) {
   if (input.pattern)
     answer.pattern = contact_pattern(answer.setup.pair(gear2_drives), input.positions, {}, headway);
   warn_about(answer, job.warnings);
-  if (any_error(job.spec)) warn_about_fillets(answer, gear2_drives, job.warnings);
+  if (any_error(job.spec)) warn_about_fillets(answer, gear2_drives, job.warnings, headway);
   return answer;
 }
 
