@@ -25,7 +25,7 @@ double arm_about_2(const ContactPair& pair, const ContactPoint& p) {
 
 std::optional<FilletContact> fillet_contact(const ContactPair& outlines,
                                             const std::array<double, 2>& form_diameter,
-                                            const std::vector<ContactPoint>& flanks,
+                                            std::span<const ContactPoint> flanks,
                                             Headway* headway) {
   std::vector<const ContactPoint*> touches;
   for (const ContactPoint& p : flanks)

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "gearwright/contact/contact.hpp"
 
@@ -27,7 +28,7 @@ struct FilletContact {
 ///             touches between them may be missed
 std::optional<FilletContact> fillet_contact(const ContactPair& outlines,
                                             const std::array<double, 2>& form_diameter,
-                                            const std::vector<ContactPoint>& flanks,
+                                            std::span<const ContactPoint> flanks,
                                             Headway* headway = nullptr);
 
 }  // namespace gearwright

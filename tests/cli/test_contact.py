@@ -341,6 +341,12 @@ class Contact(unittest.TestCase):
         self.assertEqual([w["gear"] for w in near], [1, 1])  # of the driven flanks, and of those behind
         self.assertIn("the tip of gear 2 meets the root fillet of gear 1 0.01965 mm before the flanks do", near[0]["message"])
         self.assertIn("non-working", near[1]["message"])
+        # Of ten times as many positions every tenth is asked: the same 64, each against its own flanks.
+        self.assertEqual(told(84, errors + "-0.1\n[contact]\npositions = 640"), near)
+        # And of many pitches the first.
+        far = told(84, errors + "-0.1\n[contact]\npitches = 64")
+        self.assertEqual([w["gear"] for w in far], [1, 1])
+        self.assertIn("0.01965 mm before", far[0]["message"])
         self.assertEqual(told(84, errors + "0.1"), [])
         self.assertEqual(told(83, errors + "-0.1"), [])
         self.assertEqual(told(84.3, ""), [])  # without errors the pair itself says it
