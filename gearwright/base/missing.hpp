@@ -12,7 +12,8 @@ namespace gearwright {
 bool is_missing(const Error& error);
 
 /// The first, whose rule goes on with the others: "…; also missing: rating.quality (the accuracy
-/// grades …), …". A field counts once, and what is wanted is said once. Where one of them is another kind of error it is told alone.
+/// grades …), …". A field counts once, and what is wanted is said once. Where one of them is another
+/// kind of error it is told alone.
 ///
 /// Domain    at least one (contract)
 Error all_missing(const std::vector<Error>& errors);

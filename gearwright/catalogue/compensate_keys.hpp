@@ -44,6 +44,7 @@ inline constexpr std::array<CorrectionEntry, kCorrectionCount> kCorrections{
 
 /// What corrections are to make least.
 enum class CompensateAim { transmission_error, loaded_transmission_error, pressure };
+constexpr bool under_load(CompensateAim aim) { return aim != CompensateAim::transmission_error; }
 
 struct CompensateInput {
   bool given = false;  ///< the spec has [compensate]

@@ -134,7 +134,7 @@ const Quantities<AimedLoad>& load_quantities_of_aim() {
 }
 const SaidTable& aimed_load_table() { return load_quantities_of_aim().table(); }
 
-bool under_load(const V& v) { return v.aim != CompensateAim::transmission_error; }
+bool loaded(const V& v) { return under_load(v.aim); }
 
 void say(Quantities<V>& q) {
   q.groups({kSetting, kLead});
@@ -157,12 +157,12 @@ void say(Quantities<V>& q) {
          return Value(v.aim == CompensateAim::pressure ? "pressure" : "loaded_transmission_error");
        })
       .one_of({"loaded_transmission_error", "pressure"})
-      .when(under_load)
+      .when(loaded)
       .doors(kJson);
   q.record("", "under_load", "one for each torque, the worst over all scenarios", aimed_load_table,
            [](const V& v) { return Value(load_quantities_of_aim().each(v.loads)); })
       .list({0})
-      .when(under_load)
+      .when(loaded)
       .doors(kJson);
   q.flag("", "nothing_to_correct", "nothing to correct",
          "no corrections within reach are better by 0.001 arcsec: each is 0",

@@ -2,6 +2,7 @@
 // ContactErrors; and from them the keys of [errors].
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -43,6 +44,11 @@ std::optional<std::size_t> error_index(std::string_view key);
 struct ErrorsInput {
   std::array<double, kErrorCount> value{};
   bool given = false;
+
+  /// Whether one of them is not 0.
+  bool any() const {
+    return std::any_of(value.begin(), value.end(), [](double e) { return e != 0.0; });
+  }
 };
 
 const KeyTable& error_keys();

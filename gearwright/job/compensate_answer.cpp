@@ -22,12 +22,8 @@ constexpr int kPositions = 24;
 // Under load a curve costs a hundred times as much, and a pitch has fewer corners.
 constexpr int kLoadPositions = 16, kLoadCurves = 120;
 
-bool under_load(const JobSpec& spec) {
-  return spec.compensate.aim != CompensateAim::transmission_error;
-}
-
 bool gear2_drives(const JobSpec& spec) {
-  return (under_load(spec) ? spec.load.driver : spec.contact.driver) == 2;
+  return (under_load(spec.compensate.aim) ? spec.load.driver : spec.contact.driver) == 2;
 }
 
 enum CorrectionIndex { setting, lead1, lead2, first_flank };
@@ -258,7 +254,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Headway* headway, int
   task.fine_positions = job.spec.contact.positions;
   answer.aim = input.aim;
   std::optional<LoadedAim> load;
-  if (under_load(job.spec)) {
+  if (under_load(job.spec.compensate.aim)) {
     auto aimed = LoadedAim::of(job, headway);
     if (!aimed) return aimed.error();
     load = std::move(aimed).take();

@@ -20,8 +20,7 @@ Result<LoadedAim> LoadedAim::of(SolvedJob& job, Headway* headway) {
   request.rotations.clear();
   request.root_stress = false;
   request.headway = headway;
-  auto compliance =
-      pair_compliance(held.task.setup.gear(1), held.task.setup.gear(2), held.task.request);
+  auto compliance = held.task.compliance();
   if (!compliance) return compliance.error();
   held.compliance = std::move(compliance).take();
   request.headway = nullptr;     // trials are counted, not their positions

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/modification_keys.hpp"
@@ -237,15 +238,17 @@ void warn_about(const ContactAnswer& answer, std::vector<Warning>& warnings) {
 }
 
 // Without errors the two outlines say it, [T2.34] and [T4.33].
-void warn_about_fillets(const ContactAnswer& answer, bool gear2_drives,
+void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
                         std::vector<Warning>& warnings, Headway* headway) {
   for (const bool other : {false, true}) {
-    const auto outlines = answer.setup.outlines(gear2_drives != other);
+    const auto outlines = answer.setup.outlines((input.driver == 2) != other);
     if (!outlines) return;
+    std::span<const ContactPoint> flanks = (other ? answer.other : answer.driving).positions;
+    // A pitch is like the other; of several at once those that are looked at might be of one phase.
+    if (input.rotations.empty()) flanks = flanks.first(static_cast<std::size_t>(input.positions));
     std::array<double, 2> form{};
     for (const int i : {0, 1}) form[i] = 2 * answer.setup.gear(i + 1).root_form_radius().value();
-    const auto touch =
-        fillet_contact(*outlines, form, (other ? answer.other : answer.driving).positions, headway);
+    const auto touch = fillet_contact(*outlines, form, flanks, headway);
     if (!touch) continue;
     warnings.push_back(
         {"fillet_contact",
@@ -258,11 +261,6 @@ void warn_about_fillets(const ContactAnswer& answer, bool gear2_drives,
                    : "the transmission error is not that of the flanks there"),
          touch->gear});
   }
-}
-
-bool any_error(const JobSpec& spec) {
-  const auto& value = spec.errors.value;
-  return std::any_of(value.begin(), value.end(), [](double e) { return e != 0.0; });
 }
 
 }  // namespace
@@ -297,7 +295,7 @@ Result<ContactAnswer> answer_contact(SolvedJob& job, Headway* headway) {
   if (input.pattern)
     answer.pattern = contact_pattern(answer.setup.pair(gear2_drives), input.positions, {}, headway);
   warn_about(answer, job.warnings);
-  if (any_error(job.spec)) warn_about_fillets(answer, gear2_drives, job.warnings, headway);
+  if (job.spec.errors.any()) warn_about_fillets(answer, input, job.warnings, headway);
   return answer;
 }
 

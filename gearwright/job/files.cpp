@@ -107,8 +107,7 @@ Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Headway*
     return std::optional<CompensateView>();
   };
   if (field == "compensate") return none(answer.error().rule);  // of the whole table: of this build
-  const bool under_load = job.spec.compensate.aim != CompensateAim::transmission_error;
-  if (under_load && not_made_for_load(answer.error()))
+  if (under_load(job.spec.compensate.aim) && not_made_for_load(answer.error()))
     return none(spelled(answer.error(), job.spec.given).message());
   if (field != "errors" && field != "gear1" && field != "gear2") return answer.error();
   const auto is_said = [](const Warning& w) { return w.code == "no_contact"; };

@@ -30,7 +30,8 @@ struct FileOptions {
   std::vector<std::string> only{};      ///< of `run`: words of kRunParts; empty: everything
 };
 
-/// What `run` makes: kinds of files by their endings, the drawing (PDF, A4), the report, the result.
+/// What `run` makes: kinds of files by their endings, the drawing (PDF, A4), the report, the
+/// result.
 inline constexpr std::array<std::string_view, 9> kRunParts{
     "result", "report", "drawing", "step", "stl", "glb", "3mf", "dxf", "svg"};
 
@@ -78,7 +79,8 @@ Result<RunFiles> make_everything(SolvedJob& job, const std::filesystem::path& fo
                                  const FileOptions& options);
 
 /// `run`: everything that applies, or what `only` names, into `folder`: result.json, report.html,
-/// drawing.pdf, gear1.*, gear2.*, pair.* Gears without an outline get a warning in the job instead of files.
+/// drawing.pdf, gear1.*, gear2.*, pair.* Gears without an outline get a warning in the job instead
+/// of files.
 /// What a former run left there and this one does not write is removed (run_folder.hpp).
 Result<RunFiles> write_everything(SolvedJob& job, const std::filesystem::path& folder,
                                   const FileOptions& options);

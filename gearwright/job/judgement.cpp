@@ -12,8 +12,7 @@ Verdict judge(const SolvedJob& job, const ContactResult* contact, const RatingAn
   judged.pair = job.pair ? &*job.pair : nullptr;
   judged.warnings = &job.warnings;
   judged.contact = contact;
-  const auto& errors = job.spec.errors.value;
-  judged.errors = std::any_of(errors.begin(), errors.end(), [](double e) { return e != 0.0; });
+  judged.errors = job.spec.errors.any();
   const auto& gears = job.spec.gears;
   judged.shifts_follow = job.pair && job.spec.pair.center_distance && gears[0] && gears[1] &&
                          !(gears[0]->profile_shift && gears[1]->profile_shift);

@@ -103,9 +103,8 @@ Result<LoadTask> task_of(const SolvedJob& job, const std::array<ElasticBody, 2>&
   auto setup = ContactSetup::of(job);
   if (!setup) return setup.error();
   LoadTask task{std::move(setup).take(), {}, input.driver == 2};
-  const auto& errors = job.spec.errors.value;
-  task.with_errors = input.deflection_slope != 0.0 || input.deflection_bow != 0.0 ||
-                     std::any_of(errors.begin(), errors.end(), [](double e) { return e != 0.0; });
+  task.with_errors =
+      input.deflection_slope != 0.0 || input.deflection_bow != 0.0 || job.spec.errors.any();
   LoadRequest& request = task.request;
   for (const double m : input.torques) request.torques.push_back(m * kMmPerM);
   request.positions = input.positions;
@@ -145,6 +144,10 @@ std::optional<ContactPair> LoadTask::perfect_pair() const {
   return setup.pair(ContactErrors(), gear2_drives);
 }
 
+Result<PairCompliance> LoadTask::compliance() const {
+  return pair_compliance(setup.gear(1), setup.gear(2), request);
+}
+
 LoadedContact LoadTask::contact(const PairCompliance& compliance) const {
   const auto perfect = perfect_pair();
   return loaded_contact(pair(), setup.gear(1), setup.gear(2), compliance, request,
@@ -171,10 +174,6 @@ std::optional<Error> judge_load(SolvedJob& job, const LoadTask& task, const Load
 }
 
 namespace {
-
-Result<PairCompliance> compliance_of(const LoadTask& task) {
-  return pair_compliance(task.setup.gear(1), task.setup.gear(2), task.request);
-}
 
 Result<LoadedContact> contact_of(SolvedJob& job, const LoadTask& task,
                                  const PairCompliance& compliance) {
@@ -212,7 +211,7 @@ Result<LoadAnswer> answer_load(SolvedJob& job, Headway* headway) {
   if (!made) return made.error();
   LoadTask task = std::move(made).take();
   task.request.headway = headway;
-  auto compliance = compliance_of(task);
+  auto compliance = task.compliance();
   if (!compliance) return compliance.error();
   answer.compliance = std::move(compliance).take();
   auto contact = contact_of(job, task, *answer.compliance);
@@ -235,7 +234,7 @@ Result<LoadedContact> contact_under(SolvedJob& job, double torque, Headway* head
   LoadTask task = std::move(made).take();
   task.request.headway = headway;
   task.request.torques = {torque * kMmPerM};
-  const auto compliance = compliance_of(task);
+  const auto compliance = task.compliance();
   if (!compliance) return compliance.error();
   return contact_of(job, task, *compliance);
 }

@@ -38,6 +38,7 @@ struct LoadTask {
   ContactPair pair() const { return setup.pair(gear2_drives); }
   /// The same without errors, for K_Hα; none: there are none.
   std::optional<ContactPair> perfect_pair() const;
+  Result<PairCompliance> compliance() const;
   LoadedContact contact(const PairCompliance& compliance) const;
 };
 

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-#include "tests/oracle/toothed_outline.hpp"
+#include "tests/oracle/engine_curves.hpp"
 #include "tests/property/random_crossed.hpp"
 
 namespace gearwright::oracle {
@@ -26,7 +26,7 @@ class Screwed {
   Screwed(const InvolutePair& pair, int which)
       : gear_(pair.gears[static_cast<std::size_t>(which - 1)]),
         place_(which == 1 ? pair.pose_1().isometry() : pair.pose_2().isometry()),
-        section_(gear_.spec.teeth, curves(gear_.tooth->outline)) {}
+        section_(gear_.spec.teeth, curves_of(gear_.tooth->outline)) {}
 
   // Distance in the section of a point of the housing, the gear turned by `turn`; > 0 outside.
   double distance(const Vec3& housing, double turn) const {
@@ -47,12 +47,6 @@ class Screwed {
   int teeth() const { return gear_.spec.teeth; }
 
  private:
-  static std::vector<ToothedOutline::Curve> curves(const Outline& outline) {
-    std::vector<ToothedOutline::Curve> list;
-    for (const Arc& arc : outline.arcs)
-      list.push_back([&arc](double u) -> Eigen::Vector2d { return arc.point(u); });
-    return list;
-  }
   const Gear& gear_;
   Eigen::Isometry3d place_;
   ToothedOutline section_;

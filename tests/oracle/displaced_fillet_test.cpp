@@ -14,8 +14,8 @@
 
 #include "gearwright/contact/fillet_contact.hpp"
 #include "gearwright/pair/involute_pair.hpp"
+#include "tests/oracle/engine_curves.hpp"
 #include "tests/oracle/random_mounted_pair.hpp"
-#include "tests/oracle/toothed_outline.hpp"
 
 namespace gearwright::oracle {
 namespace {
@@ -48,7 +48,7 @@ class Solid {
       : gear_(pair.gears[static_cast<std::size_t>(which - 1)]),
         place_(place_of(pair, which, errors)),
         sign_(gear_.internal() ? -1.0 : 1.0),
-        section_(std::abs(gear_.spec.teeth), curves(gear_.tooth->outline)) {
+        section_(std::abs(gear_.spec.teeth), curves_of(gear_.tooth->outline)) {
     // At rest tooth 0 of gear 1 and space 0 of gear 2 stand at the mesh.
     const bool ring = pair.gears[1].internal();
     rest_ = which == 1 ? (ring ? kPi : 0.0) : kPi - kPi / std::abs(gear_.spec.teeth);
@@ -73,12 +73,6 @@ class Solid {
   double sense() const { return sign_; }
 
  private:
-  static std::vector<ToothedOutline::Curve> curves(const Outline& outline) {
-    std::vector<ToothedOutline::Curve> list;
-    for (const Arc& arc : outline.arcs)
-      list.push_back([&arc](double u) -> Eigen::Vector2d { return arc.point(u); });
-    return list;
-  }
   const Gear& gear_;
   Eigen::Isometry3d place_;
   double sign_, rest_ = 0.0;

@@ -17,6 +17,7 @@
 
 #include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/generation/pinion_envelope.hpp"
+#include "tests/oracle/engine_curves.hpp"
 #include "tests/oracle/engine_numbers.hpp"
 #include "tests/oracle/outline_against_sweep.hpp"
 #include "tests/oracle/swept_pinion.hpp"
@@ -27,11 +28,8 @@ namespace gearwright::oracle {
 ///
 /// Domain    `cutter` has an outline
 inline SweptPinion swept_by(const Gear& cutter, const PinionCutSpec& gear) {
-  std::vector<ToothedOutline::Curve> curves;
-  for (const Arc& arc : cutter.tooth->outline.arcs) {
-    curves.push_back([&arc](double u) { return arc.point(u); });
-  }
-  return SweptPinion({cutter.spec.teeth, gear.teeth, gear.distance}, curves);
+  return SweptPinion({cutter.spec.teeth, gear.teeth, gear.distance},
+                     curves_of(cutter.tooth->outline));
 }
 
 enum class Ending { error, through_axis, severed, tooth };

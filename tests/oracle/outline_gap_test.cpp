@@ -18,8 +18,8 @@
 
 #include "gearwright/pair/outline_gap.hpp"
 #include "tests/oracle/crossing_polygons.hpp"
+#include "tests/oracle/engine_curves.hpp"
 #include "tests/oracle/random_mounted_pair.hpp"
-#include "tests/oracle/toothed_outline.hpp"
 #include "tests/oracle/turned_polygons.hpp"
 
 namespace gearwright::oracle {
@@ -104,13 +104,6 @@ class Material {
   double distance(const Vec2& q) const { return sign_ * outline_.distance(q); }
 
  private:
-  static std::vector<ToothedOutline::Curve> curves_of(const Outline& outline) {
-    std::vector<ToothedOutline::Curve> curves;
-    for (const Arc& arc : outline.arcs)
-      curves.push_back([&arc](double u) -> Eigen::Vector2d { return arc.point(u); });
-    return curves;
-  }
-
   double sign_;
   ToothedOutline outline_;
 };

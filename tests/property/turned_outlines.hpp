@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "gearwright/pair/pair.hpp"
-#include "tests/oracle/toothed_outline.hpp"
+#include "tests/oracle/engine_curves.hpp"
 
 namespace gearwright::property {
 
@@ -44,7 +44,7 @@ class FinishedOutline {
 
   /// Samples stand no more than `step` apart.
   FinishedOutline(const Outline& outline, double step)
-      : ring_(outline.teeth < 0), material_(std::abs(outline.teeth), curves_of(outline)) {
+      : ring_(outline.teeth < 0), material_(std::abs(outline.teeth), oracle::curves_of(outline)) {
     for (const Arc& arc : outline.arcs) {
       constexpr int kRough = 64;
       double length = 0.0;
@@ -77,12 +77,6 @@ class FinishedOutline {
   }
 
  private:
-  static std::vector<oracle::ToothedOutline::Curve> curves_of(const Outline& outline) {
-    std::vector<oracle::ToothedOutline::Curve> curves;
-    for (const Arc& arc : outline.arcs) curves.push_back([&arc](double u) { return arc.point(u); });
-    return curves;
-  }
-
   bool ring_;
   oracle::ToothedOutline material_;
   std::vector<Place> places_;

@@ -1,0 +1,19 @@
+// The arcs of the engine's half tooth as plain curves, which the oracles measure distances to.
+#pragma once
+
+#include <vector>
+
+#include "gearwright/generation/outline.hpp"
+#include "tests/oracle/toothed_outline.hpp"
+
+namespace gearwright::oracle {
+
+/// Refers to the arcs of `outline`, which must live as long.
+inline std::vector<ToothedOutline::Curve> curves_of(const Outline& outline) {
+  std::vector<ToothedOutline::Curve> curves;
+  for (const Arc& arc : outline.arcs)
+    curves.push_back([&arc](double u) -> Eigen::Vector2d { return arc.point(u); });
+  return curves;
+}
+
+}  // namespace gearwright::oracle
