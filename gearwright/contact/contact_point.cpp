@@ -1,11 +1,10 @@
 #include "gearwright/contact/contact_point.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/contact/gap_form.hpp"
 #include "gearwright/contact/ridge.hpp"
-#include "gearwright/math/decompositions.hpp"
 
 namespace gearwright {
 
@@ -140,13 +139,7 @@ void curvatures(const ContactPair& pair, const GapJet& j, bool line, double mark
   const Vec3 axis(0, 0, 1);  // of the housing: where axis 1 should be
   const Vec3 e1 = (axis - p.normal * p.normal.dot(axis)).normalized();
   const Vec3 e2 = p.normal.cross(e1);
-  Eigen::Matrix2d jacobian;
-  jacobian << r_s.dot(e1), r_z.dot(e1), r_s.dot(e2), r_z.dot(e2);
-  const Eigen::Matrix2d inverse = jacobian.inverse();
-  Eigen::Matrix2d h;
-  h << j.t.ss, j.t.sz, j.t.sz, j.t.zz;
-  const Eigen::Matrix2d k = -GapField::arm(j) * inverse.transpose() * h * inverse;
-  const SymmetricEigen eigen = symmetric_eigen(0.5 * (k + k.transpose()));
+  const SymmetricEigen eigen = gap_form(j, r_s, r_z, e1, e2).principal;
   const double k1 = line ? 0.0 : eigen.values[0];
   const double k2 = eigen.values[1];
   p.gap_curvature = std::array{k1, k2};
