@@ -49,7 +49,8 @@ py::object positions_of(const LoadedValue& loaded) {
   std::size_t row = 0;
   for (const LoadedTorque& t : torques)
     for (const LoadedPosition& p : t.positions)
-      array.fill(row++, load_position_quantities(), LoadPositionView{&t, &p});
+      array.fill(row++, load_position_quantities(),
+                 LoadPositionView{&t, &p, loaded.answer->contact->regime});
   return array.take().attr("reshape")(torques.size(), each);
 }
 

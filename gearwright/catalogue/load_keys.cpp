@@ -38,7 +38,8 @@ const KeyTable& load_keys() {
         .range = Range::between(4, kMostSlices),
         .place = &LoadInput::slices,
         .fallback = "32; on a narrow face as many as are m_n/4 wide, 0.4 m_n of helical teeth",
-        .meaning = "slices over the common face; none narrower than four half widths of contact"},
+        .meaning = "slices over the common face; none narrower than four half widths of contact. Of "
+                   "teeth that touch at points over each gear's face"},
        {.key = "accuracy",
         .kind = KeyKind::word,
         .words = {"full", "draft"},
@@ -51,7 +52,7 @@ const KeyTable& load_keys() {
         .fallback = "0",
         .meaning =
             "further approach of the flanks along the face, from shafts: over the common face, "
-            "> 0 towards +z"},
+            "> 0 towards +z; of teeth that touch along lines"},
        {.key = "deflection_bow_um",
         .range = Range::between(-1e5, 1e5),
         .place = &LoadInput::deflection_bow,

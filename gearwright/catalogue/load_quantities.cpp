@@ -14,10 +14,10 @@ using S = LoadedTorque::Stiffness;
 constexpr const char* kLoad = "Teeth under load";
 constexpr double kNmmPerNm = 1000.0;
 
-const Quantities<S>& stiffness_quantities() {
-  static const Quantities<S> kAll("load.torques stiffness", [](Quantities<S>& q) {
+Quantities<S> stiffness_in(Unit unit, const char* name) {
+  return Quantities<S>(name, [unit](Quantities<S>& q) {
     const auto add = [&](const char* key, const char* words, const char* meaning, auto get) {
-      q.add(Type::number, Unit::newton_per_mm_um, "", key, words, "", meaning,
+      q.add(Type::number, unit, "", key, words, "", meaning,
             [get](const S& s) { return Value(get(s)); });
     };
     add("mean", "mesh stiffness", "at the mean approach of the positions",
@@ -25,9 +25,24 @@ const Quantities<S>& stiffness_quantities() {
     add("min", "least mesh stiffness", "", [](const S& s) { return s.min; });
     add("max", "greatest mesh stiffness", "", [](const S& s) { return s.max; });
   });
+}
+const Quantities<S>& stiffness_quantities() {
+  static const auto kAll = stiffness_in(Unit::newton_per_mm_um, "load.torques stiffness");
   return kAll;
 }
 const SaidTable& stiffness_table() { return stiffness_quantities().table(); }
+// Of teeth that touch at points.
+const Quantities<S>& point_stiffness_quantities() {
+  static const auto kAll = stiffness_in(Unit::newton_per_um, "load.torques point stiffness");
+  return kAll;
+}
+const SaidTable& point_stiffness_table() { return point_stiffness_quantities().table(); }
+
+const SaidTable& point_table() { return load_point_quantities().table(); }
+
+bool at_points(const P& p) { return p.regime == LoadRegime::point; }
+bool at_points(const T& t) { return t.all->regime == LoadRegime::point; }
+bool on_lines(const T& t) { return t.all->regime == LoadRegime::line; }
 
 ValueList shares(const LoadedPosition& p) {
   ValueList list;
@@ -59,8 +74,9 @@ void say_position(Quantities<P>& q) {
         [](const P& p) { return Value(p.position->te.arcsec()); })
       .always();
   q.add(Type::number, Unit::um, "", "approach_um", "approach under load", "Θ r_b2",
-        "along the line of action in the transverse section, from the first touch of the unloaded "
-        "flanks, deflections included; the bodies' twist is in it",
+        "along the line of action in the transverse section, of teeth that touch at points along "
+        "their normals, from the first touch of the unloaded flanks, deflections included; the "
+        "bodies' twist is in it",
         [](const P& p) { return Value(p.position->approach * kUmPerMm); })
       .always();
   q.pure("", "share", "load shares", "",
@@ -76,12 +92,19 @@ void say_position(Quantities<P>& q) {
         "greatest principal stress along the fillets, per gear",
         [](const P& p) { return Value(p.position->root_stress); })
       .per_gear();
-  q.word("", "kind", "where the pressure is greatest", "along a line, or at an edge that carries",
+  q.record("", "points", "of each tooth pair that carries, in the order of `share`", point_table,
+           [](const P& p) { return Value(load_point_quantities().each(p.position->pairs)); })
+      .list({0})
+      .when([](const P& p) { return at_points(p); })
+      .doors(kJson);
+  q.word("", "kind", "where the pressure is greatest",
+         "along a line, in the interior about a point, or at an edge that carries",
          [](const P& p) {
            return p.position->kind == TouchKind::none ? Value()
                                                       : Value(to_string(p.position->kind));
          })
-      .one_of({"line", "tip1", "tip2", "form1", "form2"});
+      .one_of({"line", "interior", "tip1", "tip2", "form1", "form2", "face1", "face2", "ridge",
+               "corner"});
 }
 const SaidTable& position_table() { return load_position_quantities().table(); }
 
@@ -94,7 +117,8 @@ void say_torque(Quantities<T>& q) {
   q.record("", "positions", "in the order of the rotations", position_table,
            [](const T& t) {
              std::vector<P> all;
-             for (const LoadedPosition& p : t.torque->positions) all.push_back({t.torque, &p});
+             for (const LoadedPosition& p : t.torque->positions)
+               all.push_back({t.torque, &p, t.all->regime});
              return Value(load_position_quantities().each(all));
            })
       .list({0})
@@ -114,16 +138,27 @@ void say_torque(Quantities<T>& q) {
            "mesh stiffness, secant: line load over approach, twist of the bodies included",
            stiffness_table,
            [](const T& t) { return Value(stiffness_quantities().of(t.torque->stiffness)); })
-      .always();
+      .when(on_lines);
   q.record(kLoad, "mesh_stiffness_without_twist_N_per_mm_um",
            "the same without the twist of the bodies from bore to root [T12.16]", stiffness_table,
            [](const T& t) { return Value(stiffness_quantities().of(t.torque->without_twist)); })
-      .always()
+      .when(on_lines)
       .doors(kJson);
   q.record(kLoad, "tangent_stiffness_N_per_mm_um", "mesh stiffness for small changes of the torque",
            stiffness_table,
            [](const T& t) { return Value(stiffness_quantities().of(t.torque->tangent)); })
-      .always()
+      .when(on_lines)
+      .doors(kJson);
+  q.record(kLoad, "contact_stiffness_N_per_um",
+           "of teeth that touch at points, secant: force over approach along the normals, twist of "
+           "the bodies included",
+           point_stiffness_table,
+           [](const T& t) { return Value(point_stiffness_quantities().of(t.torque->stiffness)); })
+      .when([](const T& t) { return at_points(t); });
+  q.record(kLoad, "tangent_contact_stiffness_N_per_um", "the same for small changes of the torque",
+           point_stiffness_table,
+           [](const T& t) { return Value(point_stiffness_quantities().of(t.torque->tangent)); })
+      .when([](const T& t) { return at_points(t); })
       .doors(kJson);
   q.add(Type::number, Unit::newton_per_mm_um, kLoad, "c_gamma_alpha",
         "mesh stiffness by ISO 6336-1", "c_γα", "method B, of solid discs [T11.3]",
@@ -147,17 +182,22 @@ void say_torque(Quantities<T>& q) {
   q.pure(kLoad, "face_load_factor", "face load factor", "K_Hβ",
          "greatest over mean of the load along the face, mean of the positions",
          [](const T& t) { return Value(t.torque->face_load_factor); })
-      .always();
+      .when(on_lines);
   q.pure(kLoad, "transverse_load_factor", "transverse load factor", "K_Hα",
          "greatest share of a tooth pair over that of the pair without errors and deflections",
          [](const T& t) { return Value(t.torque->transverse_load_factor); })
       .always();
   q.flag(kLoad, "edge_carries", "an edge carries", "the pressure there is a lower bound",
          [](const T& t) { return Value(t.torque->edge_carries); });
+  q.flag(kLoad, "ellipse_beyond_flank", "an ellipse of contact hangs over the flank",
+         "over an end of the flank or the face: the pressure there is higher than Hertz'",
+         [](const T& t) { return Value(t.torque->beyond_flank); })
+      .when([](const T& t) { return at_points(t); });
   q.add(Type::number, Unit::newton_per_mm, kLoad, "face_load_N_per_mm", "load along the face", "",
         "per length of the contact lines, slice by slice from −z on, mean of the positions",
         [](const T& t) { return Value(numbers(t.torque->face_load)); })
       .list({0})
+      .when(on_lines)
       .doors(kJson);
 }
 const SaidTable& torque_table() { return load_torque_quantities().table(); }
@@ -198,6 +238,35 @@ std::vector<LoadTorqueView> torque_views(const LoadedContact& contact,
   return all;
 }
 
+const Quantities<LoadedPair>& load_point_quantities() {
+  static const Quantities<LoadedPair> kAll("load.points", [](Quantities<LoadedPair>& q) {
+    q.add(Type::number, Unit::newton, "", "force_N", "force", "F_n", "along the common normal",
+          [](const LoadedPair& p) { return Value(p.point.force); })
+        .always();
+    q.add(Type::number, Unit::megapascal, "", "pressure_MPa", "greatest pressure", "p_0",
+          "of Hertz, in the middle of the ellipse",
+          [](const LoadedPair& p) { return Value(p.point.pressure); })
+        .always();
+    q.mm("", "semi_major_mm", "semi-major axis", "a", "of the ellipse of contact",
+         [](const LoadedPair& p) { return Value(p.point.semi_major); })
+        .always();
+    q.mm("", "semi_minor_mm", "semi-minor axis", "b", "", [](const LoadedPair& p) {
+       return Value(p.point.semi_minor);
+     }).always();
+    q.mm("", "diameter_mm", "diameter", "", "of its middle, on each gear", [](const LoadedPair& p) {
+       return Value(p.point.diameter);
+     }).per_gear();
+    q.mm("", "height_mm", "place along the face", "z",
+         "of its middle, from the middle of each gear's face",
+         [](const LoadedPair& p) { return Value(p.point.height); })
+        .per_gear();
+    q.flag("", "beyond_flank", "hangs over an end of the flank",
+           "the pressure is higher than Hertz' where it does",
+           [](const LoadedPair& p) { return Value(p.point.beyond); });
+  });
+  return kAll;
+}
+
 const Quantities<LoadPositionView>& load_position_quantities() {
   static const Quantities<P> kAll("load.positions", say_position);
   return kAll;
@@ -219,6 +288,14 @@ const Quantities<LoadView>& load_quantities() {
         .list({0})
         .always()
         .doors(kJson);
+    q.word(kLoad, "regime", "how the teeth touch",
+           "along lines, as parallel involute teeth; about points, as crossed and circular-arc "
+           "teeth, by the ellipse of Hertz",
+           [](const LoadView& v) {
+             return v.contact ? Value(to_string(v.contact->regime)) : Value();
+           })
+        .one_of({"line", "point"})
+        .when([](const LoadView& v) { return v.contact != nullptr; });
     q.add(Type::number, Unit::newton_metre, kLoad, "quietest_torque_Nm", "quietest torque", "",
           "of the torques asked for that with the least loaded transmission error, peak to peak",
           [](const LoadView& v) {

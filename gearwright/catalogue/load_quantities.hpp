@@ -18,6 +18,7 @@ struct ProbeView {
 struct LoadPositionView {
   const LoadedTorque* torque;
   const LoadedPosition* position;
+  LoadRegime regime;
 };
 
 struct LoadTorqueView {
@@ -38,5 +39,7 @@ std::vector<LoadTorqueView> torque_views(const LoadedContact& contact,
 const Quantities<LoadView>& load_quantities();
 const Quantities<LoadTorqueView>& load_torque_quantities();
 const Quantities<LoadPositionView>& load_position_quantities();
+/// Of a tooth pair that touches about a point.
+const Quantities<LoadedPair>& load_point_quantities();
 
 }  // namespace gearwright

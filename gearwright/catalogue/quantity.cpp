@@ -31,6 +31,7 @@ std::string_view unit_text(Unit unit) {
     case Unit::per_minute: return "1/min";
     case Unit::newton_per_mm: return "N/mm";
     case Unit::newton_per_mm_um: return "N/(mm µm)";
+    case Unit::newton_per_um: return "N/µm";
     case Unit::celsius: return "°C";
     case Unit::kg: return "kg";
     case Unit::kg_per_mm: return "kg/mm";
@@ -60,6 +61,7 @@ std::string_view unit_suffix(Unit unit) {
     case Unit::celsius: return "_C";
     case Unit::kg: return "_kg";
     case Unit::newton_per_mm_um:
+    case Unit::newton_per_um:
     case Unit::kg_per_mm:
     case Unit::none:
     case Unit::percent:
@@ -84,6 +86,7 @@ int digits_of(const Said& said) {
     case Unit::newton_per_mm:
     case Unit::megapascal: return 2;
     case Unit::newton_per_mm_um:
+    case Unit::newton_per_um:
     case Unit::um:
     case Unit::percent: return 3;
     case Unit::kg:

@@ -36,6 +36,7 @@ enum class Unit {
   per_minute,
   newton_per_mm,
   newton_per_mm_um,  ///< stiffness of a mesh per face width
+  newton_per_um,
   celsius,
   kg,
   kg_per_mm,

@@ -52,6 +52,7 @@ const std::map<std::string, const SaidTable*>& blocks() {
       {"load", &load_quantities().table()},
       {"load.torques", &load_torque_quantities().table()},
       {"load.positions", &load_position_quantities().table()},
+      {"load.points", &load_point_quantities().table()},
       {"rating", &rating_quantities().table()},
       {"fit", &fit_quantities().table()},
       {"identify", &identify_quantities().table()},

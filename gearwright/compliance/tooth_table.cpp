@@ -35,8 +35,24 @@ ToothTable::ToothTable(std::shared_ptr<const detail::ToothSection> section,
       half_face_(request.face_width / 2),
       n_(request.slices.count),
       places_(static_cast<int>(section_->s.size())) {
+  for (int j = 0; j < n_; ++j) middles_.push_back(slices_.middle(j));
   make(request);
   make_local(request);
+}
+
+// Lagrange's, of the four even places about x, at the ends of the first or the last four.
+ToothTable::Weights ToothTable::cubic(const std::vector<double>& places, double x) {
+  const double step = places[1] - places[0];
+  Weights w{};
+  w.first = std::clamp(static_cast<int>(std::floor((x - places[0]) / step)) - 1, 0,
+                       static_cast<int>(places.size()) - 4);
+  for (int a = 0; a < 4; ++a) {
+    double v = 1.0;
+    for (int b = 0; b < 4; ++b)
+      if (b != a) v *= (x - places[w.first + b]) / (places[w.first + a] - places[w.first + b]);
+    w.w[a] = v;
+  }
+  return w;
 }
 
 // The answers of the modes to a unit force on each slice at each place.
@@ -223,20 +239,7 @@ void ToothTable::make_local(const ToothTableRequest& request) {
   }
 }
 
-ToothTable::Weights ToothTable::weights(double s) const {
-  const auto& g = section_->s;
-  const double step = g[1] - g[0];
-  Weights w{};
-  w.first = std::clamp(static_cast<int>(std::floor((s - g[0]) / step)) - 1, 0,
-                       static_cast<int>(g.size()) - 4);
-  for (int a = 0; a < 4; ++a) {
-    double v = 1.0;
-    for (int b = 0; b < 4; ++b)
-      if (b != a) v *= (s - g[w.first + b]) / (g[w.first + a] - g[w.first + b]);
-    w.w[a] = v;
-  }
-  return w;
-}
+ToothTable::Weights ToothTable::weights(double s) const { return cubic(section_->s, s); }
 
 MatrixXd ToothTable::same_tooth(const LinePlaces& line) const {
   MatrixXd c = hertz_;
@@ -283,19 +286,49 @@ MatrixXd ToothTable::other_tooth(int k, const LinePlaces& read, const LinePlaces
   return c;
 }
 
-void ToothTable::add_root_stress(int k, const LinePlaces& line, const VectorXd& force,
-                                 MatrixXd& stress) const {
-  GW_EXPECTS(std::abs(k) <= 1);
-  // The forces of each place of the grid, by the weights of the places of the line.
-  MatrixXd at_place = MatrixXd::Zero(n_, places_);
+MatrixXd ToothTable::on_grid(const TablePlace& place) const {
+  MatrixXd grid = MatrixXd::Zero(n_, places_);
+  const Weights along = weights(place.s);
+  const Weights across = cubic(middles_, place.z);
+  for (int j = 0; j < 4; ++j)
+    for (int a = 0; a < 4; ++a) grid(across.first + j, along.first + a) = across.w[j] * along.w[a];
+  return grid;
+}
+
+double ToothTable::yield(int k, const MatrixXd& read, const MatrixXd& loaded) const {
+  const int nearest = std::clamp(k, -side_teeth(), side_teeth());
+  const std::vector<double>& table = k == 0 ? same_ : other_[nearest + side_teeth()];
+  double sum = 0.0;
+  for (int j = 0; j < n_; ++j) {
+    if (loaded.row(j).isZero(0.0)) continue;
+    for (int l = 0; l < n_; ++l) {
+      if (read.row(l).isZero(0.0)) continue;
+      const double* t = &table[(static_cast<std::size_t>(j) * n_ + l) * places_ * places_];
+      for (int i = 0; i < places_; ++i) {
+        double row = 0.0;
+        for (int p = 0; p < places_; ++p) row += read(l, p) * t[i * places_ + p];
+        sum += loaded(j, i) * row;
+      }
+    }
+  }
+  return sum;
+}
+
+MatrixXd ToothTable::on_grid(const LinePlaces& line, const VectorXd& force) const {
+  MatrixXd grid = MatrixXd::Zero(n_, places_);
   for (int j = 0; j < n_; ++j) {
     if (force[j] == 0.0) continue;
     const Weights w = weights(line[j]);
-    for (int a = 0; a < 4; ++a) at_place(j, w.first + a) += force[j] * w.w[a];
+    for (int a = 0; a < 4; ++a) grid(j, w.first + a) += force[j] * w.w[a];
   }
+  return grid;
+}
+
+void ToothTable::add_root_stress(int k, const MatrixXd& force, MatrixXd& stress) const {
+  GW_EXPECTS(std::abs(k) <= 1);
   Eigen::Map<VectorXd> all(stress.data(), stress.size());
   for (int p = 0; p < places_; ++p)
-    if (!at_place.col(p).isZero(0.0)) all.noalias() += stress_[k + 1][p] * at_place.col(p);
+    if (!force.col(p).isZero(0.0)) all.noalias() += stress_[k + 1][p] * force.col(p);
 }
 
 }  // namespace gearwright

@@ -27,6 +27,11 @@ struct FaceSlices {
 /// it does not cross has any number there.
 using LinePlaces = std::vector<double>;
 
+/// A place of the flank and the face, normal modules.
+struct TablePlace {
+  double s, z;
+};
+
 struct ToothTableRequest {
   double face_width = 0.0;  ///< of this gear, normal modules
   FaceSlices slices;
@@ -47,11 +52,19 @@ class ToothTable {
   /// side_teeth() those of the last real tooth: what reaches so far is the turn of the body.
   Eigen::MatrixXd other_tooth(int k, const LinePlaces& read, const LinePlaces& loaded) const;
   int side_teeth() const { return section_->mesh.side_teeth; }
+  int slices() const { return n_; }
 
-  /// Stress at the root points of tooth k, −1 … 1, under forces on a line of tooth 0: adds to
+  /// Forces on the table's grid, a row per slice, a column per place along the flank: those of the
+  /// slices of a line; a force of 1 at a place.
+  Eigen::MatrixXd on_grid(const LinePlaces& line, const Eigen::VectorXd& force) const;
+  Eigen::MatrixXd on_grid(const TablePlace& place) const;
+  /// Displacement on tooth `k`, as the mean that `read` weighs, under forces on tooth 0, without the
+  /// contact itself: the first two terms of [T12.9].
+  double yield(int k, const Eigen::MatrixXd& read, const Eigen::MatrixXd& loaded) const;
+
+  /// Stress at the root points of tooth k, −1 … 1, under forces on the grid of tooth 0: adds to
   /// `stress`, six rows per point, a column per slice. E and lengths as above: σ·m_n²/F.
-  void add_root_stress(int k, const LinePlaces& line, const Eigen::VectorXd& force,
-                       Eigen::MatrixXd& stress) const;
+  void add_root_stress(int k, const Eigen::MatrixXd& force, Eigen::MatrixXd& stress) const;
   const detail::RootPoints& root() const { return root_; }
 
  private:
@@ -59,6 +72,7 @@ class ToothTable {
     int first;
     std::array<double, 4> w;
   };
+  static Weights cubic(const std::vector<double>& places, double x);
   Weights weights(double s) const;
   void make(const ToothTableRequest& request);
   void make_local(const ToothTableRequest& request);
@@ -68,6 +82,7 @@ class ToothTable {
   FaceSlices slices_;
   double half_face_ = 0.0;
   int n_ = 0, places_ = 0;
+  std::vector<double> middles_;             // of the slices
   std::vector<double> same_;                // [load slice][read slice][load place][read place]
   std::vector<std::vector<double>> other_;  // of tooth −side … side
   Eigen::MatrixXd hertz_;                   // H[a, a] of slices

@@ -171,7 +171,7 @@ std::string load_csv(const LoadAnswer& answer) {
   if (!answer.contact) return {};
   for (const LoadedTorque& t : answer.contact->torques)
     for (const LoadedPosition& p : t.positions)
-      rows.push_back(load_position_quantities().of({&t, &p}));
+      rows.push_back(load_position_quantities().of({&t, &p, answer.contact->regime}));
   return records_csv(rows);
 }
 

@@ -49,18 +49,28 @@ std::optional<Error> not_made_for(const Gear& gear, int which) {
   if (gear.internal())
     return refused(gear_field(which, "teeth"), gear.spec.teeth,
                    "is an internal gear; teeth under load are looked at in external pairs so far");
-  if (!gear.involute() || !gear.tooth)
-    return Error{gear_field(which, "rack"), "",
-                 "makes no involute teeth; teeth under load are looked at for involutes so far"};
   return std::nullopt;
 }
 
 std::optional<Error> not_made_for(const SolvedJob& job) {
   for (int i = 1; i <= 2; ++i)
     if (auto error = not_made_for(job.gears[i - 1], i)) return error;
-  if (job.pair->crossed())
-    return refused("pair.shaft_angle", job.pair->shaft_angle().deg(),
-                   "crosses the axes; teeth under load are looked at on parallel axes so far");
+  return std::nullopt;
+}
+
+LoadRegime regime_of(const SolvedJob& job) {
+  const bool lines = job.pair->involute() && !job.pair->crossed();
+  return lines ? LoadRegime::line : LoadRegime::point;
+}
+
+// Deflections bend lines; where a point of contact goes is for the errors of mounting to say.
+std::optional<Error> not_for_points(const LoadInput& input) {
+  for (const auto& [field, value] : {std::pair("load.deflection_slope", input.deflection_slope),
+                                     std::pair("load.deflection_bow", input.deflection_bow)})
+    if (value != 0.0)
+      return refused(field, value,
+                     "is for teeth that touch along lines; these touch at points, which "
+                     "`[errors]` of mounting move");
   return std::nullopt;
 }
 
@@ -71,6 +81,13 @@ void warn_about(const LoadedContact& contact, std::vector<Warning>& warnings) {
       warnings.push_back({"edge_carries",
                           fmt::format("At {} N m an edge of a tooth carries: the pressure there is "
                                       "a lower bound. Tip relief helps.",
+                                      torque),
+                          0});
+    else if (t.beyond_flank)
+      warnings.push_back({"ellipse_beyond_flank",
+                          fmt::format("At {} N m the ellipse of contact hangs over an end of the "
+                                      "flank: the pressure there is a lower bound. Less torque or "
+                                      "flanks that hug each other less keep it inside.",
                                       torque),
                           0});
     if (t.max_width_ratio > kHertzRatio)
@@ -106,10 +123,14 @@ Result<LoadTask> task_of(const SolvedJob& job, const std::array<ElasticBody, 2>&
   task.with_errors =
       input.deflection_slope != 0.0 || input.deflection_bow != 0.0 || job.spec.errors.any();
   LoadRequest& request = task.request;
+  request.regime = regime_of(job);
+  if (request.regime == LoadRegime::point)
+    if (auto error = not_for_points(input)) return *error;
   for (const double m : input.torques) request.torques.push_back(m * kMmPerM);
   request.positions = input.positions;
   request.rotations = input.rotations;
-  request.slices = input.slices.value_or(fair_slices(task.setup.gear(1), task.setup.gear(2)));
+  request.slices =
+      input.slices.value_or(fair_slices(task.setup.gear(1), task.setup.gear(2), request.regime));
   request.accuracy = input.accuracy;
   request.bodies = bodies;
   request.deflection_slope = input.deflection_slope * kMmPerUm;
@@ -160,14 +181,14 @@ std::optional<Error> judge_load(SolvedJob& job, const LoadTask& task, const Load
                   [](const LoadedPosition& p) { return p.kind == TouchKind::none; }))
     return nothing_touches(task.setup);
   if (found.slices_too_fine) {
-    const int fair = fair_slices(task.setup.gear(1), task.setup.gear(2));
+    const int fair = fair_slices(task.setup.gear(1), task.setup.gear(2), task.request.regime);
     return refused("load.slices", task.request.slices,
                    task.request.slices > fair
                        ? fmt::format("are too fine for these teeth: {} mm each; {} would do",
-                                     spoken(found.slices.width()), fair)
+                                     spoken(found.slices[0].width()), fair)
                        : fmt::format("are narrower than the contact is wide: {} mm each; less "
                                      "torque or fewer slices would do",
-                                     spoken(found.slices.width())));
+                                     spoken(found.slices[0].width())));
   }
   warn_about(found, job.warnings);
   return std::nullopt;
@@ -221,8 +242,7 @@ Result<LoadAnswer> answer_load(SolvedJob& job, Headway* headway) {
 }
 
 bool not_made_for_load(const Error& error) {
-  constexpr std::array<std::string_view, 5> kOfTheKind{"gear1.teeth", "gear2.teeth", "gear1.rack",
-                                                       "gear2.rack", "pair.shaft_angle"};
+  constexpr std::array<std::string_view, 2> kOfTheKind{"gear1.teeth", "gear2.teeth"};
   return std::find(kOfTheKind.begin(), kOfTheKind.end(), error.field) != kOfTheKind.end();
 }
 
@@ -240,6 +260,7 @@ Result<LoadedContact> contact_under(SolvedJob& job, double torque, Headway* head
 }
 
 std::vector<double> standard_stiffness(const SolvedJob& job, const LoadAnswer& answer) {
+  if (answer.contact->regime == LoadRegime::point) return {};
   const auto rated = rated_pair(*job.pair->involute());
   if (!rated) return {};
   const auto& [one, two] = answer.compliance->bodies;

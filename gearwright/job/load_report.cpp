@@ -50,7 +50,11 @@ Result<std::optional<LoadPart>> load_part(SolvedJob& job, Headway* headway) {
   if (part.answer.contact) {
     auto contact = over_a_pitch(job, part.answer, headway);
     if (!contact) return contact.error();
-    part.report = LoadReport{job.pair->involute(), input.driver == 2, std::move(contact).take(),
+    const bool lines = contact->regime == LoadRegime::line;
+    part.report = LoadReport{{&job.gears[0], &job.gears[1]},
+                             lines ? job.pair->involute() : nullptr,
+                             input.driver == 2,
+                             std::move(contact).take(),
                              standard_stiffness(job, part.answer)};
   }
   return std::optional(std::move(part));

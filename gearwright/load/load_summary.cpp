@@ -15,9 +15,10 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kMostWaves = 20;
 
-// Line load per approach, N/(mm µm), over the positions; the mean is that of the mean approach.
+// Load per approach over the positions, N/(mm µm) of a line load, N/µm of a force; the mean is that
+// of the mean approach.
 template <class Yield>
-LoadedTorque::Stiffness stiffness(const std::vector<LoadedPosition>& positions, double line_load,
+LoadedTorque::Stiffness stiffness(const std::vector<LoadedPosition>& positions, double load,
                                   Yield yield) {
   double sum = 0.0;
   double least = kInfinity;
@@ -29,7 +30,7 @@ LoadedTorque::Stiffness stiffness(const std::vector<LoadedPosition>& positions, 
     greatest = std::max(greatest, u);
   }
   const auto n = static_cast<double>(positions.size());
-  return {line_load / (sum / n), line_load / greatest, line_load / least};
+  return {load / (sum / n), load / greatest, load / least};
 }
 
 std::vector<Angle> waves(const std::vector<LoadedPosition>& positions) {
@@ -45,6 +46,30 @@ std::vector<Angle> waves(const std::vector<LoadedPosition>& positions) {
     amplitude.push_back(Angle::radians(2.0 * std::abs(sum) / n));
   }
   return amplitude;
+}
+
+void summarise_lines(LoadedTorque& t, const SummaryBasis& basis) {
+  const double force = t.torque / basis.base_radius;
+  const double line_load = force / basis.face;
+  for (LoadedPosition& p : t.positions)
+    if (p.approach > 0.0) p.stiffness = line_load / (p.approach / kMmPerUm);
+  t.stiffness = stiffness(t.positions, line_load, [](const auto& p) { return p.approach; });
+  t.without_twist = stiffness(t.positions, line_load, [&](const auto& p) {
+    return p.approach - line_load * basis.body_twist;
+  });
+  t.tangent = stiffness(t.positions, line_load, [&](const auto& p) { return p.tangent * force; });
+  if (t.face_load.size() > 0) t.face_load_factor = t.face_load.maxCoeff() / t.face_load.mean();
+}
+
+void summarise_points(LoadedTorque& t) {
+  for (LoadedPosition& p : t.positions)
+    if (p.approach > 0.0) p.stiffness = p.force / (p.approach / kMmPerUm);
+  // By the force of each position: what 1 N approaches.
+  const auto per_newton = [](const LoadedPosition& p) {
+    return p.force > 0.0 ? p.approach / p.force : 0.0;
+  };
+  t.stiffness = stiffness(t.positions, 1.0, per_newton);
+  t.tangent = stiffness(t.positions, 1.0, [](const auto& p) { return p.tangent; });
 }
 
 }  // namespace
@@ -63,22 +88,15 @@ void summarise(LoadedTorque& t, const SummaryBasis& basis) {
       t.max_root_stress[g] = std::max(t.max_root_stress[g], p.root_stress[g]);
     for (const LoadedPair& pair : p.pairs) {
       t.max_share = std::max(t.max_share, pair.share);
+      t.beyond_flank = t.beyond_flank || pair.point.beyond;
+      if (basis.regime == LoadRegime::point) continue;
       if (t.face_load.size() == 0) t.face_load = Eigen::VectorXd::Zero(pair.line_load.size());
       t.face_load += pair.line_load / static_cast<double>(t.positions.size());
     }
   }
   t.peak_to_peak = Angle::radians(greatest - least);
   if (basis.whole_pitch) t.harmonics = waves(t.positions);
-  const double force = t.torque / basis.base_radius;
-  const double line_load = force / basis.face;
-  for (LoadedPosition& p : t.positions)
-    if (p.approach > 0.0) p.stiffness = line_load / (p.approach / kMmPerUm);
-  t.stiffness = stiffness(t.positions, line_load, [](const auto& p) { return p.approach; });
-  t.without_twist = stiffness(t.positions, line_load, [&](const auto& p) {
-    return p.approach - line_load * basis.body_twist;
-  });
-  t.tangent = stiffness(t.positions, line_load, [&](const auto& p) { return p.tangent * force; });
-  if (t.face_load.size() > 0) t.face_load_factor = t.face_load.maxCoeff() / t.face_load.mean();
+  basis.regime == LoadRegime::point ? summarise_points(t) : summarise_lines(t, basis);
 }
 
 const LoadedTorque* quietest(const LoadedContact& contact) {

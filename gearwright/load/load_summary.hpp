@@ -11,6 +11,7 @@ struct SummaryBasis {
   double base_radius;  ///< r_b1  mm
   double body_twist;   ///< of both bodies, mm per N/mm
   bool whole_pitch;    ///< the positions are even over one pitch
+  LoadRegime regime;   ///< of points only `whole_pitch` counts
 };
 
 /// Fills in what follows from `torque` and `positions`.

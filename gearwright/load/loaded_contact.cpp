@@ -7,12 +7,13 @@
 #include "gearwright/compliance/probe.hpp"
 #include "gearwright/load/load_summary.hpp"
 #include "gearwright/load/loaded_position.hpp"
+#include "gearwright/load/point_position.hpp"
 
 namespace gearwright {
 
 namespace {
 
-using detail::Position;
+using detail::PointSolver;
 using detail::PositionSolver;
 using detail::RootStress;
 using Eigen::MatrixXd;
@@ -41,15 +42,18 @@ LoadedTurn::LoadedTurn(const ContactPair& pair, const Gear& gear_1, const Gear& 
       rotations_(request.rotations) {
   undeflected_.deflection_slope = undeflected_.deflection_bow = 0.0;
   found_.slices = compliance.slices;
+  found_.regime = request.regime;
   const std::array<const Gear*, 2> gears{&gear_1, &gear_2};
   for (int g = 0; g < 2; ++g) {
+    const double m = gears[g]->spec.normal_module;
+    for (const auto& place : compliance.table[g]->root().place)
+      found_.root_points[g].push_back(place * m);
+    if (request.regime == LoadRegime::point) continue;
     const auto& mesh = compliance.table[g]->section().mesh;
     const ElasticBody& body = compliance.bodies[g];
-    found_.body_twist[g] = body_twist(gears[g]->base_radius() / gear_1.spec.normal_module,
-                                      mesh.bore_radius, mesh.root_radius, body.poisson_ratio) /
+    found_.body_twist[g] = body_twist(gears[g]->base_radius() / m, mesh.bore_radius,
+                                      mesh.root_radius, body.poisson_ratio) /
                            body.youngs_modulus;
-    for (const auto& place : compliance.table[g]->root().place)
-      found_.root_points[g].push_back(place * gear_1.spec.normal_module);
   }
   if (rotations_.empty())
     for (int i = 0; i < request.positions; ++i)
@@ -63,14 +67,20 @@ LoadedTurn::LoadedTurn(const ContactPair& pair, const Gear& gear_1, const Gear& 
   }
 }
 
-// Every position by itself, so that it does not matter who does which.
 void LoadedTurn::solve(std::size_t from, std::size_t to) {
-  PositionSolver solver(pair_, one_, two_, compliance_, request_);
-  std::optional<PositionSolver> perfect;
+  request_.regime == LoadRegime::point ? solve_with<PointSolver>(from, to)
+                                       : solve_with<PositionSolver>(from, to);
+}
+
+// Every position by itself, so that it does not matter who does which.
+template <class Solver>
+void LoadedTurn::solve_with(std::size_t from, std::size_t to) {
+  Solver solver(pair_, one_, two_, compliance_, request_);
+  std::optional<Solver> perfect;
   if (perfect_) perfect.emplace(*perfect_, one_, two_, compliance_, undeflected_);
   std::vector<RootStress> most(found_.torques.size());
   for (std::size_t i = from; i < to; ++i) {
-    Position at = solver.prepare(pair_.to_world(rotations_[i].rad()));
+    auto at = solver.prepare(pair_.to_world(rotations_[i].rad()));
     for (std::size_t k = 0; k < most.size(); ++k) {
       LoadedTorque& t = found_.torques[k];
       bool fine = false;
@@ -80,7 +90,7 @@ void LoadedTurn::solve(std::size_t from, std::size_t to) {
       unfinished_ += open;
     }
     if (perfect_) {
-      Position free = perfect->prepare(perfect_->to_world(rotations_[i].rad()));
+      auto free = perfect->prepare(perfect_->to_world(rotations_[i].rad()));
       for (std::size_t k = 0; k < most.size(); ++k)
         perfect_share_[k][i] = perfect->greatest_share(free, found_.torques[k].torque);
     }
@@ -95,13 +105,15 @@ LoadedContact LoadedTurn::result() const {
   LoadedContact result = found_;
   result.slices_too_fine = too_fine_;
   result.unfinished = unfinished_;
-  const double face = result.slices.hi - result.slices.lo;
+  const SummaryBasis basis{result.slices[0].hi - result.slices[0].lo,
+                           result.regime == LoadRegime::line ? one_.base_radius() : 0.0,
+                           result.body_twist[0] + result.body_twist[1], request_.rotations.empty(),
+                           result.regime};
   for (std::size_t k = 0; k < result.torques.size(); ++k) {
     LoadedTorque& t = result.torques[k];
     if (pair_.turned() < 0.0)
       for (MatrixXd& stress : t.root_stress) stress.rowwise().reverseInPlace();
-    summarise(t, {face, one_.base_radius(), result.body_twist[0] + result.body_twist[1],
-                  request_.rotations.empty()});
+    summarise(t, basis);
     const double perfect = greatest_of(perfect_share_[k]);
     if (perfect > 0.0) t.transverse_load_factor = t.max_share / perfect;
   }

@@ -19,10 +19,23 @@
 
 namespace gearwright {
 
+/// Hertz' ellipse of a tooth pair that touches about a point.
+struct LoadedPoint {
+  double force = 0.0;                          ///< N, normal
+  double pressure = 0.0;                       ///< MPa, greatest
+  double semi_major = 0.0, semi_minor = 0.0;   ///< mm
+  std::array<double, 2> diameter{}, height{};  ///< mm on each gear, of its middle
+  /// Both half axes on each gear's flank, as steps along the face and in radius, mm.
+  std::array<std::array<Eigen::Vector2d, 2>, 2> half_axis{};
+  TouchKind kind = TouchKind::interior;
+  bool beyond = false;  ///< the ellipse hangs over an end of the flank or the face
+};
+
 /// One tooth pair in contact at one position.
 struct LoadedPair {
   int pair = 0;                ///< k in N
   double share = 0.0;          ///< of the whole load
+  LoadedPoint point{};         ///< of points; the rest of lines
   Eigen::VectorXd line_load;   ///< N/mm, per length of the contact line, slices from −z on
   Eigen::VectorXd pressure;    ///< MPa, Hertz [T12.13]; 0 where nothing presses
   Eigen::VectorXd half_width;  ///< mm
@@ -31,11 +44,13 @@ struct LoadedPair {
 
 struct LoadedPosition {
   Angle rotation1;
-  Angle te;                          ///< loaded
-  Angle unloaded_te;                 ///< of the first touch, deflections included
-  double approach = 0.0;             ///< Θ r_b2  mm
-  double tangent = 0.0;              ///< d(Θ r_b2)/dF_bt  mm/N
-  double stiffness = 0.0;            ///< line load over approach  N/(mm µm); 0: nothing touches
+  Angle te;               ///< loaded
+  Angle unloaded_te;      ///< of the first touch, deflections included
+  double approach = 0.0;  ///< Θ r_b2  mm; of points Θ M2/ΣF
+  double force = 0.0;     ///< ΣF  N, normal; of points
+  double tangent = 0.0;   ///< d(Θ r_b2)/dF_bt  mm/N; of points by the same arm
+  /// Line load over approach, N/(mm µm); of points force over approach, N/µm; 0: nothing touches.
+  double stiffness = 0.0;
   std::vector<LoadedPair> pairs;     ///< that carry; the one nearest to its exit last
   double max_pressure = 0.0;         ///< MPa
   double max_width_ratio = 0.0;      ///< greatest half width of contact over its radius
@@ -51,7 +66,7 @@ struct LoadedTorque {
   Angle peak_to_peak;
   std::vector<Angle> harmonics;  ///< empty for rotations
   struct Stiffness {
-    double mean = 0.0, min = 0.0, max = 0.0;  ///< N/(mm µm); mean: at the mean approach
+    double mean = 0.0, min = 0.0, max = 0.0;  ///< N/(mm µm), N/µm; mean: at the mean approach
   };
   Stiffness stiffness, without_twist, tangent;
   double max_pressure = 0.0;
@@ -62,6 +77,7 @@ struct LoadedTorque {
   double face_load_factor = 1.0;  ///< K_Hβ: load over the face, mean of the positions
   double max_width_ratio = 0.0;
   bool edge_carries = false;
+  bool beyond_flank = false;  ///< an ellipse hangs over an end of the flank
   Eigen::VectorXd face_load;  ///< N/mm per slice from −z on, mean of the positions
   /// The greatest principal stress over the positions, MPa, of each gear: a row per root point, a
   /// column per slice from −z on; 0 where nothing pulls.
@@ -70,7 +86,8 @@ struct LoadedTorque {
 
 struct LoadedContact {
   std::vector<LoadedTorque> torques;
-  FaceSlices slices;                   ///< mm
+  LoadRegime regime = LoadRegime::line;
+  std::array<FaceSlices, 2> slices;    ///< mm, on each gear; of lines the same on both
   std::array<double, 2> body_twist{};  ///< mm per N/mm at the base radius
   /// Of each gear along the fillet that is pulled, from the root on: mm in the section, with the
   /// tooth's centre line as x axis and the loaded flank at y > 0.
@@ -105,6 +122,9 @@ class LoadedTurn {
   const LoadRequest& request_;
   const ContactPair* perfect_;
   LoadRequest undeflected_;  // of the perfect pair
+  template <class Solver>
+  void solve_with(std::size_t from, std::size_t to);
+
   std::vector<Angle> rotations_;
   std::vector<std::vector<double>> perfect_share_;  // the greatest, [torque][position]
   LoadedContact found_;

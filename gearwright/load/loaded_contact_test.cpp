@@ -382,7 +382,7 @@ TEST(LoadedContact, NarrowFacesHaveFewerSlices) {
   };
   for (const double helix : {0.0, 15.0, 35.0}) {
     const Mesh m = mesh_of(helix, 15.0);
-    EXPECT_FALSE(found(m, fair_slices(m.one, m.two)).slices_too_fine) << helix;
+    EXPECT_FALSE(found(m, fair_slices(m.one, m.two, LoadRegime::line)).slices_too_fine) << helix;
     EXPECT_TRUE(found(m, 32).slices_too_fine) << helix;
   }
 }

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "gearwright/load/root_forces.hpp"
+
 namespace gearwright::detail {
 
 namespace {
@@ -29,18 +31,18 @@ using Eigen::VectorXd;
 PositionSolver::PositionSolver(const ContactPair& pair, const Gear& one, const Gear& two,
                                const PairCompliance& c, const LoadRequest& request)
     : pair_(pair), compliance_(c), request_(request), search_(pair), transmission_(pair) {
-  module_ = one.spec.normal_module;
+  module_ = {one.spec.normal_module, two.spec.normal_module};
   base_radius_ = two.base_radius();
   sin_b_ = std::sin(one.spec.helix_angle.rad()) * std::cos(one.spec.normal_pressure_angle.rad());
   ratio_ = std::abs(double(two.spec.teeth) / one.spec.teeth);
-  const FaceSlices& s = c.slices;
+  const FaceSlices& s = c.slices[0];
   for (int j = 0; j < s.count; ++j) heights_.push_back(s.middle(j));
   for (int j = 0; j <= s.count; ++j) heights_.push_back(s.lo + j * s.width());
 }
 
 Position PositionSolver::prepare(double rotation) {
   Position at;
-  const int n = compliance_.slices.count;
+  const int n = compliance_.slices[0].count;
   auto all = search_.places(rotation, heights_);
   double te = -std::numeric_limits<double>::infinity();
   for (const PairPlaces& p : all)
@@ -61,7 +63,7 @@ Position PositionSolver::prepare(double rotation) {
     };
     for (int j = 0; j < n; ++j)
       if (p.at[j]) least = std::min(least, gap_at(j));
-    if (!(least < kFarGap * module_)) continue;
+    if (!(least < kFarGap * module_[0])) continue;
     const int index = static_cast<int>(at.pairs.size());
     std::array<LinePlaces, 2> line;
     for (int g = 0; g < 2; ++g) line[g].assign(n, compliance_.table[g]->section().s.front());
@@ -69,8 +71,8 @@ Position PositionSolver::prepare(double rotation) {
       if (!p.at[j]) continue;
       const GapPlace& place = *p.at[j];
       for (int g = 0; g < 2; ++g)
-        line[g][j] = compliance_.table[g]->section().length_at_radius(place.radius[g] / module_);
-      if (gap_at(j) > kFarGap * module_) continue;
+        line[g][j] = compliance_.table[g]->section().length_at_radius(place.radius[g] / module_[g]);
+      if (gap_at(j) > kFarGap * module_[0]) continue;
       at.rows.push_back({index, j});
       gap.push_back(gap_at(j));
       arm.push_back(place.arm);
@@ -86,7 +88,7 @@ Position PositionSolver::prepare(double rotation) {
   q.gap = vector(gap);
   q.arm = vector(arm);
   q.radius = vector(radius);
-  q.length = compliance_.slices.width() / std::sqrt(1 - sin_b_ * sin_b_);
+  q.length = compliance_.slices[0].width() / std::sqrt(1 - sin_b_ * sin_b_);
   q.half_width = compliance_.half_width;
   double soft = 0.0;
   for (const ElasticBody& b : compliance_.bodies) {
@@ -100,19 +102,17 @@ Position PositionSolver::prepare(double rotation) {
 }
 
 MatrixXd PositionSolver::yields(const Position& at) const {
-  const int n = compliance_.slices.count;
+  const int n = compliance_.slices[0].count;
   const auto pairs = static_cast<int>(at.pairs.size());
   MatrixXd all = MatrixXd::Zero(pairs * n, pairs * n);
   for (int g = 0; g < 2; ++g) {
     const ToothTable& table = *compliance_.table[g];
-    const double unit = at.problem.length / (compliance_.bodies[g].youngs_modulus * module_);
+    const double unit = at.problem.length / (compliance_.bodies[g].youngs_modulus * module_[g]);
     for (int a = 0; a < pairs; ++a) {
       all.block(a * n, a * n, n, n) += unit * table.same_tooth(at.lines[g][a]);
       for (int b = 0; b < a; ++b) {
-        // In the section, which is N mirrored, gear 1's later tooth stands clockwise.
-        const int ahead = at.pairs[a].pair - at.pairs[b].pair;
-        const MatrixXd c =
-            unit * table.other_tooth(g == 0 ? -ahead : ahead, at.lines[g][a], at.lines[g][b]);
+        const int k = teeth_between(g, at.pairs[a].pair, at.pairs[b].pair);
+        const MatrixXd c = unit * table.other_tooth(k, at.lines[g][a], at.lines[g][b]);
         all.block(a * n, b * n, n, n) += c;
         all.block(b * n, a * n, n, n) += c.transpose();
       }
@@ -147,7 +147,7 @@ LoadedPosition PositionSolver::solve(Position& at, double torque, Angle rotation
   out.te = Angle::radians(sign * (at.te - x.approach));
   out.approach = x.approach * base_radius_;
   out.tangent = x.yield_per_moment * base_radius_ * base_radius_;
-  const int n = compliance_.slices.count;
+  const int n = compliance_.slices[0].count;
   const double total = x.line_load.sum();
   std::vector<VectorXd> load(at.pairs.size(), VectorXd::Zero(n));
   std::vector<LoadedPair> pairs(at.pairs.size());
@@ -198,29 +198,14 @@ double PositionSolver::greatest_share(Position& at, double torque) const {
 
 void PositionSolver::root_stress(const Position& at, const std::vector<VectorXd>& load,
                                  LoadedPosition& out, RootStress& most) const {
-  const int n = compliance_.slices.count;
   for (int g = 0; g < 2; ++g) {
     const ToothTable& table = *compliance_.table[g];
-    const auto points = static_cast<Index>(table.root().t.size());
-    if (points == 0) continue;
-    if (most[g].size() == 0) most[g] = MatrixXd::Zero(points, n);
-    for (std::size_t a = 0; a < at.pairs.size(); ++a) {
-      if (load[a].isZero(0.0)) continue;
-      MatrixXd stress = MatrixXd::Zero(6 * points, n);
-      for (std::size_t b = 0; b < at.pairs.size(); ++b) {
-        const int ahead = at.pairs[a].pair - at.pairs[b].pair;
-        if (std::abs(ahead) > 1 || load[b].isZero(0.0)) continue;
-        table.add_root_stress(g == 0 ? -ahead : ahead, at.lines[g][b], load[b] * at.problem.length,
-                              stress);
-      }
-      for (int j = 0; j < n; ++j)
-        for (Index p = 0; p < points; ++p) {
-          const double principal =
-              greatest_principal(stress.block<6, 1>(6 * p, j)) / (module_ * module_);
-          out.root_stress[g] = std::max(out.root_stress[g], principal);
-          most[g](p, j) = std::max(most[g](p, j), principal);
-        }
-    }
+    std::vector<ToothForces> forces;
+    for (std::size_t a = 0; a < at.pairs.size(); ++a)
+      if (!load[a].isZero(0.0))
+        forces.push_back(
+            {at.pairs[a].pair, table.on_grid(at.lines[g][a], load[a] * at.problem.length)});
+    out.root_stress[g] = greatest_root_stress(table, g, module_[g], forces, most[g]);
   }
 }
 

@@ -46,7 +46,7 @@ class PositionSolver {
  private:
   // Further approach of the flanks at a height in N, mm.
   double deflection(double z) const {
-    const FaceSlices& s = compliance_.slices;
+    const FaceSlices& s = compliance_.slices[0];
     const double x = pair_.turned() * z / (s.hi - s.lo);
     return request_.deflection_slope * x + request_.deflection_bow * (1 - 4 * x * x);
   }
@@ -59,7 +59,8 @@ class PositionSolver {
   const LoadRequest& request_;
   GapSearch search_;
   Transmission transmission_;
-  double module_, base_radius_, sin_b_, ratio_;
+  std::array<double, 2> module_;  // mm
+  double base_radius_, sin_b_, ratio_;
   std::vector<double> heights_;
 };
 

@@ -31,8 +31,10 @@ bool same_tooth(const Gear& a, const Gear& b) {
   return true;
 }
 
-double common_face(const Gear& one, const Gear& two) {
-  return std::min(one.spec.face_width, two.spec.face_width);
+// The part of a gear's face on which places lie.
+double face_of(const std::array<const Gear*, 2>& gears, std::size_t which, LoadRegime regime) {
+  if (regime == LoadRegime::point) return gears[which]->spec.face_width;
+  return std::min(gears[0]->spec.face_width, gears[1]->spec.face_width);
 }
 
 // Young's modulus is no part of a table.
@@ -45,8 +47,9 @@ bool same_body(const ElasticBody& a, const ElasticBody& b) {
 Result<std::shared_ptr<const ToothTable>> tooth_compliance(const Gear& gear_1, const Gear& gear_2,
                                                            int which, const LoadRequest& request) {
   const Gear& gear = which == 1 ? gear_1 : gear_2;
-  const double m = gear_1.spec.normal_module;
-  const double face = common_face(gear_1, gear_2);
+  const double m = gear.spec.normal_module;
+  const double face =
+      face_of({&gear_1, &gear_2}, static_cast<std::size_t>(which - 1), request.regime);
   const double sin_b =
       std::sin(gear_1.spec.helix_angle.rad()) * std::cos(gear_1.spec.normal_pressure_angle.rad());
   // Both gears lie in N with the right flank loaded; the section has it on the left.
@@ -56,27 +59,35 @@ Result<std::shared_ptr<const ToothTable>> tooth_compliance(const Gear& gear_1, c
   ToothTableRequest t;
   t.face_width = gear.spec.face_width / m;
   t.slices = {request.slices, -face / 2 / m, face / 2 / m};
-  t.half_width = kHertzWidth;
+  t.half_width = kHertzWidth * gear_1.spec.normal_module / m;
   t.root_stress = request.root_stress;
   t.line_per_height = 1 / std::sqrt(1 - sin_b * sin_b);
   t.headway = request.headway;
   return std::make_shared<const ToothTable>(*section, t);
 }
 
-int fair_slices(const Gear& gear_1, const Gear& gear_2) {
+std::string_view to_string(LoadRegime regime) {
+  return regime == LoadRegime::line ? "line" : "point";
+}
+
+int fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegime regime) {
   const double fair = gear_1.spec.helix_angle.rad() == 0.0 ? kFairSpur : kFairHelical;
-  const double count = common_face(gear_1, gear_2) / (fair * gear_1.spec.normal_module);
+  const std::array<const Gear*, 2> gears{&gear_1, &gear_2};
+  const double face = std::max(face_of(gears, 0, regime), face_of(gears, 1, regime));
+  const double count = face / (fair * gear_1.spec.normal_module);
   return static_cast<int>(std::clamp<double>(count, kLeastSlices, kSlices));
 }
 
 Result<PairCompliance> pair_compliance(
     const Gear& gear_1, const Gear& gear_2, const LoadRequest& request,
     const std::array<std::shared_ptr<const ToothTable>, 2>& ready) {
-  const double face = common_face(gear_1, gear_2);
   PairCompliance c;
   c.table = ready;
   c.bodies = request.bodies;
-  c.slices = {request.slices, -face / 2, face / 2};
+  for (std::size_t g = 0; g < 2; ++g) {
+    const double face = face_of({&gear_1, &gear_2}, g, request.regime);
+    c.slices[g] = {request.slices, -face / 2, face / 2};
+  }
   c.half_width = kHertzWidth * gear_1.spec.normal_module;
   begin_stage(request.headway, "compliance of the teeth", 2 * kTableSteps);
   std::array<std::optional<Error>, 2> errors;
@@ -100,8 +111,8 @@ bool same_compliance(const std::array<const Gear*, 2>& a, const LoadRequest& of_
                      const std::array<const Gear*, 2>& b, const LoadRequest& of_b, int which) {
   const auto g = static_cast<std::size_t>(which - 1);
   return of_a.accuracy == of_b.accuracy && of_a.slices == of_b.slices &&
-         of_a.root_stress == of_b.root_stress &&
-         common_face(*a[0], *a[1]) == common_face(*b[0], *b[1]) &&
+         of_a.root_stress == of_b.root_stress && of_a.regime == of_b.regime &&
+         face_of(a, g, of_a.regime) == face_of(b, g, of_b.regime) &&
          same_body(of_a.bodies[g], of_b.bodies[g]) && same_tooth(*a[g], *b[g]);
 }
 

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "gearwright/base/headway.hpp"
@@ -13,13 +14,20 @@
 
 namespace gearwright {
 
+/// How teeth touch under load: along the lines of parallel involute flanks, or about points, as crossed
+/// and circular-arc teeth do.
+enum class LoadRegime { line, point };
+std::string_view to_string(LoadRegime regime);
+
 struct LoadRequest {
   std::vector<double> torques;     ///< M1  N mm, on gear 1, > 0
   int positions = 64;              ///< over one pitch of gear 1
   std::vector<Angle> rotations{};  ///< of gear 1: these instead of positions
-  int slices = 32;                 ///< over the common face; see fair_slices
+  int slices = 32;  ///< over the common face, of points over each gear's; fair_slices
+  LoadRegime regime = LoadRegime::line;
   ComplianceAccuracy accuracy = ComplianceAccuracy::full;
   std::array<ElasticBody, 2> bodies{};
+  // Of lines only:
   double deflection_slope = 0.0;  ///< mm, further approach of the flanks over the common face
   double deflection_bow = 0.0;    ///< mm, height of its parabola in the middle
   bool root_stress = true;        ///< false: tables and positions go without
@@ -29,21 +37,21 @@ struct LoadRequest {
 /// Slices of the common face that are fine enough and never too fine: 32, or as many as are a
 /// quarter of a module wide, of helical teeth 0.4 modules; 4 at least. Narrower ones may leave the
 /// matrix of [T12.14] indefinite: spur teeth from 0.17 modules on, of 24 random helical pairs none
-/// at 0.36 and a quarter at 0.32.
-int fair_slices(const Gear& gear_1, const Gear& gear_2);
+/// at 0.36 and a quarter at 0.32. Of teeth that touch at points over the wider face.
+int fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegime regime);
 
 /// The tables of both gears: what the outlines, faces and materials give. Torques, errors and
 /// modifications do not change them.
 struct PairCompliance {
   std::array<std::shared_ptr<const ToothTable>, 2> table;
   std::array<ElasticBody, 2> bodies;
-  FaceSlices slices;        ///< mm
-  double half_width = 0.0;  ///< a0  mm
+  std::array<FaceSlices, 2> slices;  ///< mm, on each gear; of lines the same on both
+  double half_width = 0.0;           ///< a0  mm
 };
 
 /// Of `ready` what is there is taken and not made anew: same_compliance says when it may be.
 ///
-/// Domain    parallel external involute gears (contract)
+/// Domain    external gears; LoadRegime::line: involute ones on parallel axes (contract)
 /// Errors    `gearN.…` as make_section_mesh
 Result<PairCompliance> pair_compliance(
     const Gear& gear_1, const Gear& gear_2, const LoadRequest& request,

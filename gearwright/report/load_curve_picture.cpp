@@ -131,13 +131,15 @@ std::string share_figure(const LoadReport& report) {
 }
 
 std::string stiffness_figure(const LoadReport& report) {
+  const bool points = report.contact.regime == LoadRegime::point;
   const auto curves = torque_curves(report, [&](const LoadedTorque& t) {
     return over_the_pitch(report, t, [](const LoadedPosition& p) { return p.stiffness; });
   });
   return figure_of(
       curves_svg({"mesh-stiffness", "Mesh stiffness",
-                  "Over the rotation of gear 1: line load over approach, for each torque.",
-                  "N/(mm µm)", kTurn},
+                  fmt::format("Over the rotation of gear 1: {} over approach, for each torque.",
+                              points ? "force" : "line load"),
+                  points ? "N/µm" : "N/(mm µm)", kTurn},
                  curves, true),
       "<strong>Mesh stiffness</strong>, secant, bodies’ twist included. " + torque_keys(report));
 }

@@ -59,7 +59,7 @@ double greatest_at(const std::vector<Sample>& way, double step, double radius) {
 // The places of a tooth pair that press, in one piece or several, px.
 std::vector<std::vector<Vec2>> bearing_lines(const LoadReport& report, const LoadedPair& pair,
                                              std::size_t which, const FlankFrame& f) {
-  const auto heights = heights_of(report);
+  const auto heights = heights_of(report, 0);
   std::vector<std::vector<Vec2>> lines;
   bool open = false;
   for (std::size_t j = 0; j < heights.size(); ++j) {
@@ -143,7 +143,7 @@ std::string flank_figure(const LoadReport& report, std::size_t which) {
 
 std::string along_figure(const LoadReport& report) {
   const LoadedTorque& t = heaviest(report);
-  const FaceSlices& s = report.contact.slices;
+  const FaceSlices& s = report.contact.slices[0];
   const Axis x{s.lo, s.hi, flank::kLeft, flank::kWidth - flank::kRight};
   const Axis y{0.0, 1.06 * t.max_pressure, flank::kTop + kPlot, flank::kTop};
   Svg svg(
@@ -154,7 +154,7 @@ std::string along_figure(const LoadReport& report) {
   svg.text({12, 20}, "pressure, N/mm²", Anchor::start, "panel");
   draw_foot(svg, x, flank::kTop, flank::kTop + kPlot, 8, "along the face from its middle, mm");
   draw_rows(svg, x, y, 5);
-  const auto heights = heights_of(report);
+  const auto heights = heights_of(report, 0);
   const auto curve = [&](auto of) {
     std::vector<Vec2> points;
     for (std::size_t j = 0; j < heights.size(); ++j) points.push_back({heights[j], of(j)});
@@ -180,8 +180,8 @@ std::string along_figure(const LoadReport& report) {
 }  // namespace
 
 FlankRaster pressure_raster(const LoadReport& report, std::size_t which) {
-  const Gear& gear = report.pair->gears[which];
-  const FaceSlices& s = report.contact.slices;
+  const Gear& gear = *report.gears[which];
+  const FaceSlices& s = report.contact.slices[0];
   const double lo = gear.root_form_radius().value_or(gear.base_radius());
   const double hi = gear.tip_form_radius();
   FlankRaster raster;

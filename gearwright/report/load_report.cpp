@@ -57,7 +57,7 @@ std::string torque_keys(const LoadReport& report) {
 }
 
 double pitch_of(const LoadReport& report) {
-  return 2 * std::numbers::pi / std::abs(report.pair->gears[0].spec.teeth);
+  return 2 * std::numbers::pi / std::abs(report.gears[0]->spec.teeth);
 }
 
 double own_pitches(const LoadReport& report, const LoadedPosition& at, const LoadedPair& pair) {
@@ -80,10 +80,10 @@ std::string frame_attributes(std::size_t k, std::size_t n) {
                      k == 0 ? "" : " visibility=\"hidden\"");
 }
 
-std::vector<double> heights_of(const LoadReport& report) {
+std::vector<double> heights_of(const LoadReport& report, std::size_t which) {
+  const FaceSlices& s = report.contact.slices[which];
   std::vector<double> heights;
-  for (int j = 0; j < report.contact.slices.count; ++j)
-    heights.push_back(report.contact.slices.middle(j));
+  for (int j = 0; j < s.count; ++j) heights.push_back(s.middle(j));
   return heights;
 }
 

@@ -4,6 +4,7 @@
 //   TE    loaded transmission error, rad
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,8 @@
 namespace gearwright {
 
 struct LoadReport {
-  const InvolutePair* pair = nullptr;
+  std::array<const Gear*, 2> gears{};
+  const InvolutePair* pair = nullptr;  ///< that turns under the slider; null: teeth touch at points
   bool gear2_drives = false;
   LoadedContact contact;  ///< positions evenly over one pitch, from −half a pitch on
   std::vector<double> standard_stiffness;  ///< c_γα at each torque, N/(mm µm); may be empty
@@ -43,7 +45,7 @@ std::vector<std::size_t> slider_positions(const LoadReport& report);
 /// The attributes of the group that is seen while the slider stands there: place k of n.
 std::string frame_attributes(std::size_t k, std::size_t n);
 
-/// Places of the slices along the face, mm.
-std::vector<double> heights_of(const LoadReport& report);
+/// Places of the slices along the face of gear `which` (0, 1), mm.
+std::vector<double> heights_of(const LoadReport& report, std::size_t which);
 
 }  // namespace gearwright

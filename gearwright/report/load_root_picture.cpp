@@ -46,7 +46,7 @@ Fillet fillet_of(const LoadReport& report, std::size_t which) {
 }
 
 std::string fillet_figure(const LoadReport& report, std::size_t which, const std::string& shape) {
-  const Gear& gear = report.pair->gears[which];
+  const Gear& gear = *report.gears[which];
   const Fillet f = fillet_of(report, which);
   const double module = gear.spec.normal_module;
   const double most = f.stress[f.worst];
@@ -81,13 +81,13 @@ std::string fillet_figure(const LoadReport& report, std::size_t which, const std
       "mm along the face from its middle. Bars: the greatest principal stress at each point of the "
       "fillet over a mesh.</figcaption></figure>\n",
       svg.str(), name, fixed(most, 1), fixed(2 * middle.norm(), 2),
-      fixed(report.contact.slices.middle(static_cast<int>(f.slice)), 2));
+      fixed(report.contact.slices[which].middle(static_cast<int>(f.slice)), 2));
 }
 
 std::string face_figure(const LoadReport& report) {
-  const auto heights = heights_of(report);
   std::vector<PlotCurve> curves;
   for (std::size_t g = 0; g < 2; ++g) {
+    const auto heights = heights_of(report, g);
     const Eigen::RowVectorXd most = heaviest(report).root_stress[g].colwise().maxCoeff();
     PlotCurve c{{}, fmt::format("curve g{}", g + 1)};
     for (std::size_t j = 0; j < heights.size(); ++j)

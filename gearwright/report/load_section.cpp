@@ -11,6 +11,7 @@
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/load_curve_picture.hpp"
 #include "gearwright/report/load_flank_picture.hpp"
+#include "gearwright/report/load_point_picture.hpp"
 #include "gearwright/report/load_root_picture.hpp"
 #include "gearwright/report/table_builder.hpp"
 
@@ -24,8 +25,10 @@ std::string finding(const LoadReport& report) {
       "At {} gear 2 runs up to {}″ unevenly; the flanks bear up to {} N/mm²{}, the roots {} and {} "
       "N/mm².",
       torque_words(t), shown_arcsec(t.peak_to_peak.arcsec()), fixed(t.max_pressure, 0),
-      t.edge_carries ? " and more, for an edge carries" : "", fixed(t.max_root_stress[0], 0),
-      fixed(t.max_root_stress[1], 0));
+      t.edge_carries   ? " and more, for an edge carries"
+      : t.beyond_flank ? " and more, for an ellipse hangs over the flank"
+                       : "",
+      fixed(t.max_root_stress[0], 0), fixed(t.max_root_stress[1], 0));
   if (const LoadedTorque* quiet = quietest(report.contact); quiet && quiet != &t)
     text += fmt::format(" It is quietest at {}: {}″.", torque_words(*quiet),
                         shown_arcsec(quiet->peak_to_peak.arcsec()));
@@ -72,13 +75,27 @@ std::string te_part(const LoadReport& report) {
               : "");
 }
 
+bool at_points(const LoadReport& report) { return report.contact.regime == LoadRegime::point; }
+
 std::string share_part(const LoadReport& report) {
   return "<h3>Load shares and stiffness</h3>\n<p>How the tooth pairs share the load. A share that "
          "rises from nothing and falls to nothing without a jump takes no blow where teeth come "
          "in. "
-         "The stiffness of the mesh is the line load over how far the gears approach each other; "
-         "that it changes while they turn shakes the shafts.</p>\n<div class=\"figures\">\n" +
+         "The stiffness of the mesh is the " +
+         std::string(at_points(report) ? "force" : "line load") +
+         " over how far the gears approach each other; that it changes while they turn shakes the "
+         "shafts.</p>\n<div class=\"figures\">\n" +
          share_figure(report) + stiffness_figure(report) + "</div>\n";
+}
+
+std::string ellipse_part(const LoadReport& report) {
+  return "<h3>Pressure on the flanks</h3>\n<p>These teeth touch at points. Under load a point "
+         "grows "
+         "into the ellipse of Hertz, longest where the flanks hug each other most closely; the "
+         "teeth that bend under it make it longer still. On the flank the pressure is highest in "
+         "the middle of the ellipse; one that hangs over an end of the flank, or an edge that "
+         "touches itself, presses harder than drawn.</p>\n" +
+         ellipse_figures(report);
 }
 
 std::string pressure_part(const LoadReport& report) {
@@ -107,7 +124,8 @@ std::string root_part(const LoadReport& report, const std::array<std::string, 2>
 
 std::string load_section(const LoadReport& report, const std::array<std::string, 2>& shapes) {
   const auto& torques = report.contact.torques;
-  GW_EXPECTS(report.pair && !torques.empty() && !torques.front().harmonics.empty());
+  GW_EXPECTS((report.pair || at_points(report)) && !torques.empty() &&
+             !torques.front().harmonics.empty());
   GW_EXPECTS(std::any_of(torques.front().positions.begin(), torques.front().positions.end(),
                          [](const LoadedPosition& p) { return p.kind != TouchKind::none; }));
   return fmt::format(
@@ -117,7 +135,8 @@ std::string load_section(const LoadReport& report, const std::array<std::string,
       "that nothing overlaps and nothing pulls.</p>\n<p><strong>{}</strong></p>\n{}{}{}{}{}"
       "</section>\n",
       torques.front().positions.size(), finding(report), facts(report), te_part(report),
-      share_part(report), pressure_part(report), root_part(report, shapes));
+      share_part(report), at_points(report) ? ellipse_part(report) : pressure_part(report),
+      root_part(report, shapes));
 }
 
 }  // namespace gearwright

@@ -206,5 +206,45 @@ class Load(unittest.TestCase):
         self.assertEqual(len(run.out.strip().splitlines()), 1 + 2 * 4)
 
 
+CROSSED = """
+gear1 = {{ teeth = 16, normal_module_mm = 2, helix_angle_deg = 45, face_width_mm = 20 }}
+gear2 = {{ teeth = 31, normal_module_mm = 2, helix_angle_deg = 45, face_width_mm = 20 }}
+pair = {{ shaft_angle_deg = 90 }}
+{rest}
+"""
+
+
+class Points(unittest.TestCase):
+    def test_crossed_teeth_touch_at_points(self):
+        run = Run("load", CROSSED.format(rest=DRAFT + "torque_Nm = [5, 20]\n"), "--json")
+        self.assertEqual(run.status, 0, run.err)
+        answer = run.json["load"]
+        self.assertEqual(answer["regime"], "point")
+        for t in answer["torques"]:
+            self.assertNotIn("mesh_stiffness_N_per_mm_um", {k for k, v in t.items() if v is not None})
+            self.assertGreater(t["contact_stiffness_N_per_um"]["mean"], 0)
+            for p in t["positions"]:
+                self.assertEqual(len(p["points"]), len(p["share"]))
+                whole = sum(k["force_N"] for k in p["points"])
+                for k, share in zip(p["points"], p["share"]):
+                    self.assertAlmostEqual(k["force_N"], share * whole, delta=1e-9 * whole)
+                    area = 3.141592653589793 * k["semi_major_mm"] * k["semi_minor_mm"]
+                    self.assertAlmostEqual(k["pressure_MPa"] * area, 1.5 * k["force_N"], delta=1e-4 * whole)
+        low, high = answer["torques"]
+        self.assertGreater(high["max_pressure_MPa"], low["max_pressure_MPa"])
+        # A Hertz point stiffens under load.
+        self.assertGreater(high["contact_stiffness_N_per_um"]["mean"], low["contact_stiffness_N_per_um"]["mean"])
+
+    def test_lines_are_named_too(self):
+        run = load()
+        self.assertEqual(run.json["load"]["regime"], "line")
+        self.assertNotIn("points", run.json["load"]["torques"][0]["positions"][0])
+
+    def test_deflections_are_for_lines(self):
+        run = Run("load", CROSSED.format(rest=DRAFT + "torque_Nm = 5\ndeflection_bow_um = 3\n"), "--json")
+        self.assertEqual(run.status, 1)
+        self.assertEqual(run.json["error"]["key"], "load.deflection_bow_um")
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -39,8 +39,10 @@ LoadPicture::Tooth& tooth_of(LoadPicture::Torque& torque, int pair, std::size_t 
 
 LoadPicture picture_of(const LoadedContact& found) {
   LoadPicture picture;
-  const auto slices = static_cast<std::size_t>(found.slices.count);
-  for (int j = 0; j < found.slices.count; ++j) picture.height.push_back(found.slices.middle(j));
+  // Teeth that touch at points have no slices that press.
+  const int count = found.regime == LoadRegime::line ? found.slices[0].count : 0;
+  const auto slices = static_cast<std::size_t>(count);
+  for (int j = 0; j < count; ++j) picture.height.push_back(found.slices[0].middle(j));
   for (const LoadedTorque& t : found.torques) {
     LoadPicture::Torque& torque = picture.torques.emplace_back();
     for (std::size_t i = 0; i < t.positions.size(); ++i) {

@@ -16,7 +16,7 @@ struct LoadSample {
   LoadReport report;
 };
 
-/// `crossing` in degrees; coarse tables and few positions.
+/// `crossing` in degrees; coarse tables and few positions. Crossed pairs touch at points.
 inline LoadSample load_sample(InvolutePair mounted, std::vector<double> torques, double crossing,
                               bool gear2_drives = false) {
   LoadSample sample;
@@ -30,6 +30,8 @@ inline LoadSample load_sample(InvolutePair mounted, std::vector<double> torques,
   const ContactPair pair({&one, {}}, {&two, {}}, mount);
   LoadRequest request;
   request.torques = std::move(torques);
+  const bool lines = sample.pair->shaft_angle.rad() == 0.0;
+  request.regime = lines ? LoadRegime::line : LoadRegime::point;
   request.positions = 10;
   request.slices = 8;
   request.accuracy = ComplianceAccuracy::draft;
@@ -37,7 +39,7 @@ inline LoadSample load_sample(InvolutePair mounted, std::vector<double> torques,
     request.bodies[i] = {0.5 * sample.pair->gears[i].root_diameter, 0.3, 206000.0};
   auto compliance = pair_compliance(one, two, request);
   GW_EXPECTS(static_cast<bool>(compliance));
-  sample.report = {sample.pair.get(), gear2_drives,
+  sample.report = {{&one, &two}, lines ? sample.pair.get() : nullptr, gear2_drives,
                    loaded_contact(pair, one, two, *compliance, request),
                    std::vector<double>(request.torques.size(), 17.0)};
   return sample;

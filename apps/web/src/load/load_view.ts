@@ -47,6 +47,7 @@ export class LoadView implements Tab {
   private readonly plots = {
     te: new CurvePlot("loaded TE, ″", (i) => this.choose(i)),
     stiffness: new CurvePlot("N/(mm µm)", (i) => this.choose(i)),
+    pointStiffness: new CurvePlot("N/µm", (i) => this.choose(i)),
     share: new CurvePlot("share", (i) => this.choose(i), true),
     root: new CurvePlot("root stress, MPa", (i) => this.choose(i), true),
   };
@@ -59,6 +60,25 @@ export class LoadView implements Tab {
     input: () => this.choose(Number(this.position.value)),
   });
   private readonly where = h("output", { class: "soft" });
+  /** What only teeth that touch along lines have; and only those that touch at points. */
+  private readonly ofLines = [
+    figure(this.plots.stiffness.element, h("b", {}, "Mesh stiffness"), ", secant."),
+    h(
+      "div",
+      { class: "plots" },
+      flankFigure(
+        1,
+        this.maps[0]!.canvas,
+        ", pressure over the mesh; lines: where teeth bear now.",
+      ),
+      flankFigure(2, this.maps[1]!.canvas, ", the same."),
+    ),
+  ];
+  private readonly ofPoints = figure(
+    this.plots.pointStiffness.element,
+    h("b", {}, "Stiffness"),
+    " of the points of contact, secant.",
+  );
   private readonly room = h(
     "div",
     {},
@@ -68,7 +88,8 @@ export class LoadView implements Tab {
       "div",
       { class: "plots" },
       figure(this.plots.te.element, h("b", {}, "Loaded transmission error")),
-      figure(this.plots.stiffness.element, h("b", {}, "Mesh stiffness"), ", secant."),
+      this.ofLines[0]!,
+      this.ofPoints,
       figure(this.plots.share.element, h("b", {}, "Load shares"), ", a colour for each tooth pair."),
       figure(
         this.plots.root.element,
@@ -81,16 +102,7 @@ export class LoadView implements Tab {
       ),
     ),
     h("label", { class: "slide" }, h("span", {}, "position"), this.position, this.where),
-    h(
-      "div",
-      { class: "plots" },
-      flankFigure(
-        1,
-        this.maps[0]!.canvas,
-        ", pressure over the mesh; lines: where teeth bear now.",
-      ),
-      flankFigure(2, this.maps[1]!.canvas, ", the same."),
-    ),
+    this.ofLines[1]!,
     this.table,
   );
   readonly element = h(
@@ -231,7 +243,11 @@ export class LoadView implements Tab {
     const gear = (i: number) =>
       positions.map((one) => (one["root_stress_MPa"] as number[] | null)?.[i] ?? null);
     const x = of("rotation1_deg") as number[];
-    const { te, stiffness, share, root } = this.plots;
+    const { te, share, root } = this.plots;
+    const points = this.records[this.torque]!["contact_stiffness_N_per_um"] !== undefined;
+    const stiffness = points ? this.plots.pointStiffness : this.plots.stiffness;
+    for (const one of this.ofLines) one.hidden = points;
+    this.ofPoints.hidden = !points;
     const record = this.records[this.torque]!;
     te.show(
       x,

@@ -1,0 +1,34 @@
+// Two elastic bodies that touch at a point: the ellipse of Hertz.
+//
+//   k1 ≤ k2   principal curvatures of the gap, 1/mm      E*   reduced modulus, N/mm²
+//   a ≥ b     semi-axes, mm: a along the direction of k1
+//   δ         approach of distant points, mm
+//                                                theory: docs/theory/12-loaded-contact.md, 12.6
+#pragma once
+
+#include <array>
+
+namespace gearwright {
+
+struct HertzEllipse {
+  double semi_major, semi_minor;  ///< a, b  mm
+  double pressure;                ///< p0, greatest, N/mm²
+  double approach;                ///< δ  mm
+};
+
+/// What the curvatures alone give: a, b ∝ F^(1/3) and δ ∝ F^(2/3).
+class HertzPoint {
+ public:
+  /// Domain    0 < k1 ≤ k2, E* > 0 (contract)
+  HertzPoint(const std::array<double, 2>& gap_curvature, double reduced_modulus);
+
+  /// Domain    force ≥ 0  N (contract)
+  HertzEllipse under(double force) const;
+  /// δ/F^(2/3)  mm/N^(2/3)
+  double softness() const { return softness_; }
+
+ private:
+  double semi_major_, axes_, softness_;  // a/F^(1/3), b/a, δ/F^(2/3)
+};
+
+}  // namespace gearwright

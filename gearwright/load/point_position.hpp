@@ -1,0 +1,90 @@
+// One position of a loaded pair whose teeth touch about points, as crossed and circular-arc teeth do:
+// where each tooth pair is nearest, how its place yields, and what a torque makes of them.
+//
+// Internal to load/.                       theory: docs/theory/12-loaded-contact.md, 12.6
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "gearwright/contact/transmission.hpp"
+#include "gearwright/load/loaded_contact.hpp"
+#include "gearwright/load/point_hertz.hpp"
+#include "gearwright/load/point_sharing.hpp"
+#include "gearwright/load/root_forces.hpp"
+
+namespace gearwright::detail {
+
+// Where a tooth pair is nearest, and how its gap opens there.
+struct PointPlace {
+  int pair;    // k in N
+  double te;   // T  rad
+  double arm;  // mm
+  TouchKind kind;
+  std::array<double, 2> curvature;  // k1 ≤ k2  1/mm
+  PairTouch touch;
+  Eigen::Vector2d along, across;  // (ds, dz) on flank 1 of a mm along the major and the minor axis
+  // Of a mm along them on each gear: along the face and in radius.
+  std::array<std::array<Eigen::Vector2d, 2>, 2> axis;
+};
+
+// The ellipse of a place at the forces of a turn: its bodies bend under it, so that the flanks hug each
+// other more closely than unloaded, about a place that is not quite the same. [T12.25]
+struct Ellipse {
+  double middle = 0.0;     // mm along the major axis from the touch
+  double curvature = 0.0;  // k1 less what the bodies bend  1/mm
+  double relief = 0.0;     // mm: what the bodies yield beyond the mean over the footprint
+};
+
+// A place on the major axis of an ellipse, on both gears.
+struct AxisPlace {
+  std::array<double, 2> radius, z;  // mm
+  bool inside;                      // on both flanks; else the end of the flank next to it
+};
+
+// An ellipse on both gears: nodes along its major axis, as far as it lies on the flanks.
+struct Laid {
+  LoadedPoint point;
+  std::vector<double> x, share;                      // mm from the touch, sum 1
+  std::array<std::vector<Eigen::MatrixXd>, 2> node;  // a force of 1 there, on the grids
+  std::array<Eigen::MatrixXd, 2> grid;               // of all of them by their shares
+};
+
+struct PointPosition {
+  std::vector<PointPlace> places;  // of those that may touch, nearest to its exit last
+  double te = 0.0;                 // of the first touch
+};
+
+class PointSolver {
+ public:
+  PointSolver(const ContactPair& pair, const Gear& one, const Gear& two, const PairCompliance& c,
+              const LoadRequest& request);
+
+  PointPosition prepare(double rotation);
+  LoadedPosition solve(PointPosition& at, double torque, Angle rotation1, bool& too_fine,
+                       long& unfinished, std::array<Eigen::MatrixXd, 2>& most);
+  double greatest_share(PointPosition& at, double torque);
+
+ private:
+  struct Shared {
+    PointSharing sharing;
+    std::vector<Laid> laid;
+  };
+  Shared share(const PointPosition& at, double torque);
+  Eigen::MatrixXd yields(const PointPosition& at, const std::vector<Laid>& laid) const;
+  AxisPlace on_axis(const PointPlace& place, double x);
+  // x, or as far towards it as the flanks reach.
+  double reach(const PointPlace& place, double x);
+  Laid lay(const PointPlace& place, double force, const Ellipse& ellipse);
+  // How the bodies bend along the major axis of place i.
+  Ellipse bent(const PointPosition& at, const std::vector<Laid>& laid, const Eigen::VectorXd& force,
+               std::size_t i);
+
+  const ContactPair& pair_;
+  const PairCompliance& compliance_;
+  Transmission transmission_;
+  std::array<double, 2> module_;  // mm
+  double ratio_, reduced_modulus_;
+};
+
+}  // namespace gearwright::detail

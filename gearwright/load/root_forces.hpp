@@ -1,0 +1,28 @@
+// What the forces on the teeth of a gear do to its fillets at one position.
+//
+// Internal to load/.                                 theory: docs/theory/12-loaded-contact.md, [T12.15]
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "gearwright/compliance/tooth_table.hpp"
+
+namespace gearwright::detail {
+
+/// The forces on one tooth of a gear, on the grid of its table, N.
+struct ToothForces {
+  int pair;  ///< k in N
+  Eigen::MatrixXd force;
+};
+
+/// Where the tooth of pair `a` stands in the section, counted from that of pair `b`: in the section,
+/// which is N mirrored, gear 1's later tooth stands clockwise.
+inline int teeth_between(int gear, int a, int b) { return gear == 0 ? b - a : a - b; }
+
+/// The greatest principal stress along the fillets of the loaded teeth, MPa; adds each point's and
+/// slice's to `most`. 0 where the table has no root points.
+double greatest_root_stress(const ToothTable& table, int gear, double module,
+                            const std::vector<ToothForces>& forces, Eigen::MatrixXd& most);
+
+}  // namespace gearwright::detail
