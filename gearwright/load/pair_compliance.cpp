@@ -59,7 +59,7 @@ Result<std::shared_ptr<const ToothTable>> tooth_compliance(const Gear& gear_1, c
   ToothTableRequest t;
   t.face_width = gear.spec.face_width / m;
   t.slices = {request.slices, -face / 2 / m, face / 2 / m};
-  t.half_width = kHertzWidth * gear_1.spec.normal_module / m;
+  t.half_width = kHertzWidth * (gear_1.spec.normal_module / m);
   t.root_stress = request.root_stress;
   t.line_per_height = 1 / std::sqrt(1 - sin_b * sin_b);
   t.headway = request.headway;
