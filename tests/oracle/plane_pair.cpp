@@ -11,7 +11,8 @@ PlaneShare plane_share(const PlanePair& pair, double rho, double load, double fi
   constexpr int kSteps = 30;
   const double pi = std::numbers::pi;
   const double pitch = 2 * pi * pair.base_1 / pair.one.teeth;
-  const double plane = 1 - pair.one.poisson * pair.one.poisson;
+  const double soft = 1 / pair.modulus[0] + 1 / pair.modulus[1];
+  const double plane = (1 - pair.one.poisson * pair.one.poisson) * soft;
   std::array<std::vector<PlaneLoad>, 2> loads;
   std::vector<double> radius;  // of relative curvature
   // Gear 1 pushes with its side y > 0 and turns counter-clockwise, so that a tooth that entered
@@ -27,8 +28,8 @@ PlaneShare plane_share(const PlanePair& pair, double rho, double load, double fi
   const PlaneAnswer two = plane_teeth(pair.two, loads[1], fineness);
   // Newton on w_i = u, Σ share = 1.
   const auto n = static_cast<Eigen::Index>(radius.size());
-  const Eigen::MatrixXd bulk = one.yield + two.yield;
-  const double local = 4 * plane / pi;  // of both gears
+  const Eigen::MatrixXd bulk = one.yield / pair.modulus[0] + two.yield / pair.modulus[1];
+  const double local = 2 * plane / pi;
   Eigen::VectorXd x(n + 1);
   x << Eigen::VectorXd::Constant(n, 1.0 / double(n)), bulk.mean();
   for (int step = 0; step < kSteps; ++step) {
@@ -38,7 +39,7 @@ PlaneShare plane_share(const PlanePair& pair, double rho, double load, double fi
     rest.head(n) = bulk * x.head(n) - Eigen::VectorXd::Constant(n, x[n]);
     rest[n] = x.head(n).sum() - 1;
     for (Eigen::Index i = 0; i < n; ++i) {
-      const double width = std::sqrt(8 * plane / pi * x[i] * load * radius[i]);
+      const double width = std::sqrt(4 * plane / pi * x[i] * load * radius[i]);
       rest[i] += local * std::log(kWidth / width) * x[i];
       slope(i, i) += local * (std::log(kWidth / width) - 0.5);
       slope(i, n) = -1;

@@ -4,8 +4,7 @@
 //   T   a sin α_w                                                    internal pair   ρ2 = T + ρ1
 //
 // The bulk of both gears comes from plane_teeth, the width of each contact from Hertz: a wider strip
-// yields less by 2(1 − ν²)/(πE) of the logarithm of its width. Lengths in modules, forces in N/mm per
-// mm of module, E = E of both gears.
+// yields less by 2(1 − ν²)/(πE) of the logarithm of its width. Lengths in modules.
 #pragma once
 
 #include <vector>
@@ -16,9 +15,10 @@ namespace gearwright::oracle {
 
 struct PlanePair {
   PlaneGear one, two;
-  double base_1 = 0.0, base_2 = 0.0;  ///< base radii
-  double line = 0.0;                  ///< T
-  double first = 0.0, last = 0.0;     ///< ρ1 where the path begins and ends
+  double base_1 = 0.0, base_2 = 0.0;        ///< base radii
+  double line = 0.0;                        ///< T
+  double first = 0.0, last = 0.0;           ///< ρ1 where the path begins and ends
+  std::array<double, 2> modulus{1.0, 1.0};  ///< Young's of both gears, of E
 };
 
 struct PlaneShare {
