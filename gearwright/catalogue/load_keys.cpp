@@ -37,9 +37,11 @@ const KeyTable& load_keys() {
         .kind = KeyKind::whole,
         .range = Range::between(4, kMostSlices),
         .place = &LoadInput::slices,
-        .fallback = "32; on a narrow face as many as are m_n/4 wide, 0.4 m_n of helical teeth",
-        .meaning = "slices over the common face; none narrower than four half widths of contact. Of "
-                   "teeth that touch at points over each gear's face"},
+        .fallback = "32; on a narrow face as many as are m_n/4 wide, 0.4 m_n of helical teeth, "
+                    "of internal pairs wider still",
+        .meaning =
+            "slices over the common face; none narrower than four half widths of contact. Of "
+            "teeth that touch at points over each gear's face"},
        {.key = "accuracy",
         .kind = KeyKind::word,
         .words = {"full", "draft"},

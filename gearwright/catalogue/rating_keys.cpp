@@ -183,7 +183,7 @@ const KeyTable& rating_keys() {
         .fallback = "false",
         .meaning = "beside the standard the Hertz pressure and root stress of the teeth under T_1 "
                    "K_A K_γ K_v, as `load` has them with the positions, slices and accuracy of "
-                   "`[load]`: some seconds; external pairs",
+                   "`[load]`: some seconds",
         .also = {"loaded_contact", "compare_load"}},
        {.key = "spectrum",
         .kind = KeyKind::table,

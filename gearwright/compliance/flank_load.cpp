@@ -59,8 +59,9 @@ FlankPlace flank_place(const SectionMesh& mesh, double s) {
   const auto [arc, u] = mesh.arc_at(t);
   Complex tangent = std::polar(1.0, arc->at(u).tangent_angle);
   if (arc->end < arc->begin) tangent = -tangent;
-  // The outline runs from space to tip on the side y > 0: matter lies on its right.
-  return {mesh.outline(t), tangent * Complex(0, -1), tangent};
+  // The outline runs from space to tip on the side y > 0: matter lies on its right where that is
+  // outwards, on its left in an internal gear.
+  return {mesh.outline(t), tangent * Complex(0, -mesh.outward), tangent};
 }
 
 double length_at_radius(const SectionMesh& mesh, double radius) {
@@ -68,7 +69,7 @@ double length_at_radius(const SectionMesh& mesh, double radius) {
   double hi = static_cast<double>(mesh.edges.size());
   for (int i = 0; i < 60; ++i) {
     const double mid = 0.5 * (lo + hi);
-    (std::abs(mesh.outline(mid)) < radius ? lo : hi) = mid;
+    (mesh.outward * (radius - std::abs(mesh.outline(mid))) > 0.0 ? lo : hi) = mid;
   }
   return mesh.length_at(0.5 * (lo + hi));
 }

@@ -58,7 +58,7 @@ class Local {
 double body_twist(double base_radius, double bore_radius, double root_radius,
                   double poisson_ratio) {
   return base_radius * base_radius * 2 * (1 + poisson_ratio) *
-         (1 / (bore_radius * bore_radius) - 1 / (root_radius * root_radius)) /
+         std::abs(1 / (bore_radius * bore_radius) - 1 / (root_radius * root_radius)) /
          (4 * std::numbers::pi);
 }
 
@@ -73,12 +73,14 @@ Result<ProbeAnswer> probe_compliance(const Gear& gear, double twist, const Elast
   const double m = gear.spec.normal_module;
   const double nu = body.poisson_ratio;
   auto made = make_section_mesh(gear.tooth->outline, m, body.bore_diameter / 2,
-                                mesh_options(accuracy, twist != 0.0));
+                                mesh_options(gear, twist, accuracy));
   if (!made) return made.error();
   const SectionMesh& mesh = *made;
   const double hi = mesh.length_at(mesh.flank_end);
-  const double d_lo = 2 * m * std::abs(mesh.outline(mesh.flank_begin));
-  const double d_hi = 2 * m * std::abs(mesh.outline(mesh.flank_end)) - 2 * m * kNearestToTip;
+  const double root = 2 * m * std::abs(mesh.outline(mesh.flank_begin));
+  const double tip =
+      2 * m * (std::abs(mesh.outline(mesh.flank_end)) - mesh.outward * kNearestToTip);
+  const auto [d_lo, d_hi] = std::minmax(root, tip);
   if (!(probe.diameter >= d_lo && probe.diameter <= d_hi)) {
     return refused("diameter", probe.diameter, {d_lo, d_hi},
                    "must lie on the flank, from {} to {}");

@@ -35,8 +35,9 @@ Result<ProbeAnswer> probe_compliance(const Gear& gear, const ElasticBody& body,
 Result<ProbeAnswer> probe_compliance(const Gear& gear, double twist, const ElasticBody& body,
                                      const ComplianceProbe& probe, ComplianceAccuracy accuracy);
 
-/// The turn of a full disc from bore to root under a line force F′ at the base radius, as a
-/// displacement along the line of action: E·u/F′. [T12.16]
+/// The turn of a full disc from bore to root, or of an internal gear's rim from its outside to the
+/// root, under a line force F′ at the base radius, as a displacement along the line of action:
+/// E·u/F′. [T12.16]
 double body_twist(double base_radius, double bore_radius, double root_radius, double poisson_ratio);
 
 }  // namespace gearwright

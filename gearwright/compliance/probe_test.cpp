@@ -41,6 +41,13 @@ TEST(ToothCompliance, InTheSectionAgreesWithTriangles) {
 // The twist of the body is in it: closed form against the printed part of the reference.
 TEST(ToothCompliance, TwistOfTheBodyInClosedForm) {
   EXPECT_NEAR(body_twist(12.5 * std::cos(20 * M_PI / 180), 6.0, 11.25, 0.3), 0.567, 5e-4);
+  // A ring held outside: its turn summed up from the root, dφ = M/(2πG) dr/r³.
+  constexpr int kSteps = 1000;
+  const double step = (33.75 - 31.25) / kSteps;
+  double sum = 0.0;
+  for (int i = 0; i < kSteps; ++i) sum += step * std::pow(31.25 + (i + 0.5) * step, -3);
+  const double want = 28.0 * 28.0 * 2 * (1 + 0.3) / (2 * M_PI) * sum;
+  EXPECT_NEAR(body_twist(28.0, 33.75, 31.25, 0.3), want, 1e-6 * want);
 }
 
 // Stiffness of two teeth at the pitch point, 300 N/mm, m = 5, rims 4 modules deep, the twist of the

@@ -16,7 +16,7 @@ using Complex = std::complex<double>;
 constexpr int kLengthSteps = 64;    // per element: chords are short by 1e-6 of the length
 constexpr double kSameNode = 1e-7;  // modules: one place, come from two sides
 constexpr double kNoArc = 1e-6;     // modules: an arc shorter than this is none
-constexpr double kMinRim = 0.3;     // modules of body under the teeth
+constexpr double kMinRim = 0.3;     // modules of body behind the teeth
 
 struct Part {
   Arc arc;
@@ -171,11 +171,12 @@ double SectionMesh::parameter_at(double length) const {
 
 Result<SectionMesh> make_section_mesh(const Outline& outline, double module, double bore_radius,
                                       const SectionMeshOptions& options) {
-  GW_EXPECTS(outline.teeth > 0 && module > 0.0 && bore_radius > 0.0);
+  GW_EXPECTS(outline.teeth != 0 && module > 0.0 && bore_radius > 0.0);
   SectionMesh mesh;
   mesh.module = module;
   mesh.to_tip = options.to_tip;
-  mesh.tooth_count = outline.teeth;
+  mesh.outward = outline.teeth > 0 ? 1.0 : -1.0;
+  mesh.tooth_count = std::abs(outline.teeth);
   mesh.bore_radius = bore_radius / module;
   std::vector<Part> parts;
   for (const Arc& arc : outline.arcs)
@@ -199,23 +200,28 @@ Result<SectionMesh> make_section_mesh(const Outline& outline, double module, dou
   if (mesh.fillet_begin < 0) mesh.fillet_begin = mesh.flank_begin;
   measure(mesh);
 
-  const double pit = std::numbers::pi / outline.teeth;
-  const double z = outline.teeth;
-  const int side = std::min(options.side_teeth, (outline.teeth - 1) / 2);
+  const int z = mesh.tooth_count;
+  const double pit = std::numbers::pi / z;
+  const int side = std::min(options.side_teeth, (z - 1) / 2);
   mesh.side_teeth = side;
   const Complex root = mesh.outline(0.0);
   const Complex tip = mesh.outline(n);
   mesh.root_radius = std::abs(root);
   const double ri = mesh.bore_radius;
-  const double rim = mesh.root_radius - ri;
+  const double out = mesh.outward;
+  const double rim = out * (mesh.root_radius - ri);
   if (!(rim > kMinRim)) {
-    return refused("bore.diameter", 2 * bore_radius, {2 * module * (mesh.root_radius - kMinRim)},
-                   "must leave a rim under the teeth: at most {}");
+    return refused(
+        "bore.diameter", 2 * bore_radius, {2 * module * (mesh.root_radius - out * kMinRim)},
+        out > 0.0 ? "must leave a rim under the teeth: at most {}"
+                  : "is the outside of an internal gear's rim, and must leave one around "
+                    "the teeth: at least {}");
   }
   // The foot of the tooth's centre line, and the circle on which the body begins.
-  const double foot = mesh.root_radius - std::min(1.125, 0.5 * rim);
+  const double foot = mesh.root_radius - out * std::min(1.125, 0.5 * rim);
   const double below = 0.45 * options.rim;
-  const double body = foot - below > ri + 0.3 ? foot - below : ri + 0.5 * (foot - ri);
+  const double left = out * (foot - ri);
+  const double body = left - below > 0.3 ? foot - out * below : ri + 0.5 * (foot - ri);
 
   std::vector<double> across(options.across + 1);
   for (int i = 0; i <= options.across; ++i)

@@ -1,5 +1,6 @@
 // The transverse section of a gear in elements: some teeth with their exact outline, the rest of
-// the rim smooth at the root circle, down to the bore, which is held.
+// the rim smooth at the root circle, down to the bore, which is held; of an internal gear, whose
+// teeth point inwards, out to the outside of its rim, which is held.
 //
 //   t    place along half an outline: element by element, from the middle of the space (0) to the
 //        end of the side at the tip land (n)
@@ -36,6 +37,7 @@ struct SectionMesh {
   std::vector<std::complex<double>> nodes;  ///< normal modules
   std::vector<std::array<int, 9>> elements;
   std::vector<int> bore;  ///< nodes that are held
+  double outward = 1.0;   ///< the teeth point outwards; −1: inwards, of an internal gear
   /// The outline of tooth 0 on its side y > 0: element e carries t from e to e + 1 on its side
   /// y = −1, with x growing with t or against it.
   struct Edge {
@@ -48,9 +50,9 @@ struct SectionMesh {
   /// Nodes of tooth k in one order for all teeth, k from −side_teeth on.
   std::vector<std::vector<int>> teeth;
   int side_teeth = 1;
-  int tooth_count = 0;       ///< z
+  int tooth_count = 0;       ///< |z|
   double root_radius = 0.0;  ///< normal modules
-  double bore_radius = 0.0;
+  double bore_radius = 0.0;  ///< where the body is held
 
   /// The exact outline of tooth 0: the arc there and the place on it, 0 … 1; the point.
   struct OnArc {
@@ -70,9 +72,9 @@ struct SectionMesh {
   std::vector<double> lengths;  ///< at kLengthSteps places per element
 };
 
-/// Domain    an external tooth (contract); 0 < bore radius
-/// Errors    `bore.diameter` above the root; `teeth` where elements fold: the outline is undercut or
-///           pointed beyond what this mesh can follow
+/// Domain    0 < bore radius (contract), of an internal gear the outside radius of its rim
+/// Errors    `bore.diameter` that leaves no rim; `teeth` where elements fold: the outline is undercut
+///           or pointed beyond what this mesh can follow
 Result<SectionMesh> make_section_mesh(const Outline& outline, double module, double bore_radius,
                                       const SectionMeshOptions& options);
 

@@ -32,7 +32,7 @@ double ToothSection::length_at_radius(double radius) const {
   return radius_lengths[i] + (at - double(i)) * (radius_lengths[i + 1] - radius_lengths[i]);
 }
 
-SectionMeshOptions mesh_options(ComplianceAccuracy accuracy, bool helical) {
+SectionMeshOptions mesh_options(const Gear& gear, double twist, ComplianceAccuracy accuracy) {
   SectionMeshOptions o;
   if (accuracy == ComplianceAccuracy::draft) {
     o.fillet = 6;
@@ -45,9 +45,17 @@ SectionMeshOptions mesh_options(ComplianceAccuracy accuracy, bool helical) {
     o.fillet = 8;
     o.flank = 12;
     o.across = 4;
-    o.side_teeth = helical ? 2 : 1;
+    o.side_teeth = twist != 0.0 ? 2 : 1;
     o.to_tip = 1.75;
     o.to_outline = 1.6;
+  }
+  // The flanks of an internal gear are longer, and what yields low on them is little: the mesh above
+  // errs there by 2.4 % of 40 teeth, this one by 1 %, a fifth of the flank higher by 0.4 %.
+  if (gear.internal()) {
+    o.flank += 2;
+    o.rim = 3;
+    o.to_tip = 1.4;
+    o.to_outline = 2.0;
   }
   return o;
 }
@@ -67,10 +75,10 @@ Result<std::shared_ptr<const detail::ToothSection>> make_tooth_section(
     const Gear& gear, double twist, const ElasticBody& body, ComplianceAccuracy accuracy,
     std::optional<double> also, Headway* headway) {
   using namespace detail;
-  GW_EXPECTS(!gear.internal() && gear.tooth);
+  GW_EXPECTS(gear.tooth);
   const double m = gear.spec.normal_module;
   auto mesh = make_section_mesh(gear.tooth->outline, m, body.bore_diameter / 2,
-                                mesh_options(accuracy, twist != 0.0));
+                                mesh_options(gear, twist, accuracy));
   if (!mesh) return mesh.error();
   auto section = std::make_shared<ToothSection>();
   section->mesh = std::move(mesh).take();

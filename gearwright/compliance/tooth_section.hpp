@@ -19,7 +19,7 @@ enum class ComplianceAccuracy { full, draft };
 
 /// The body of a gear, for its compliance.
 struct ElasticBody {
-  double bore_diameter = 0.0;  ///< mm, held there
+  double bore_diameter = 0.0;  ///< mm, held there; of an internal gear the outside of its rim
   double poisson_ratio = 0.3;
   double youngs_modulus = 206000.0;  ///< MPa
 };
@@ -45,7 +45,8 @@ struct ToothSection {
   FlankMetric metric(double s) const;
 };
 
-SectionMeshOptions mesh_options(ComplianceAccuracy accuracy, bool helical);
+/// For the section of a gear that turns by `twist` per mm: its own, or what a probe asks for.
+SectionMeshOptions mesh_options(const Gear& gear, double twist, ComplianceAccuracy accuracy);
 double mode_tolerance(ComplianceAccuracy accuracy, bool helical);
 
 /// The half width of a bump at s: 0.3 modules, less near the tip.
@@ -57,7 +58,7 @@ double bump_width(double s, double flank_hi);
 ///
 /// `also`: one more place along the flank for whose load there are modes. `headway`: as section_modes.
 ///
-/// Domain    an external gear with teeth (contract)
+/// Domain    a gear with teeth (contract)
 /// Errors    as make_section_mesh
 Result<std::shared_ptr<const detail::ToothSection>> make_tooth_section(
     const Gear& gear, double twist, const ElasticBody& body, ComplianceAccuracy accuracy,

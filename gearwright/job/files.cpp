@@ -157,7 +157,6 @@ Error of_body(Error error, const std::string& name) {
   return {name, "", error.rule};
 }
 
-// An internal gear without a given rim gets one of 2.5 modules around its roots.
 Bore rim(const Gear& ring, const std::optional<Bore>& given) {
   return given.value_or(Bore{ring.root_diameter + 5 * ring.spec.normal_module});
 }

@@ -7,6 +7,7 @@
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/gear/gear_field.hpp"
+#include "gearwright/job/files.hpp"
 #include "gearwright/rating/elasticity.hpp"
 #include "gearwright/rating/material.hpp"
 #include "gearwright/rating/stiffness.hpp"
@@ -33,6 +34,14 @@ Result<ElasticBody> body_of(SolvedJob& job, int which) {
   }
   if (const auto bore = job.bore(which)) {
     body.bore_diameter = bore->diameter;
+  } else if (gear.internal()) {
+    body.bore_diameter = rim(gear, bore).diameter;
+    job.warnings.push_back(
+        {"held_at_rim_as_drawn",
+         fmt::format("Gear {} has no bore, which is its rim: it is held at the outside of the rim "
+                     "that its files have, {} mm.",
+                     which, spoken(body.bore_diameter)),
+         which});
   } else {
     body.bore_diameter = kShaft * gear.root_diameter;
     job.warnings.push_back(
@@ -46,9 +55,14 @@ Result<ElasticBody> body_of(SolvedJob& job, int which) {
 
 // Why teeth of this kind are not looked at under load, if so.
 std::optional<Error> not_made_for(const Gear& gear, int which) {
-  if (gear.internal())
+  if (gear.involute() && !gear.tooth)
+    return Error{gear_field(which, "cut_by"), "",
+                 "is missing: no pinion cutter that the program would choose leaves this internal "
+                 "gear's whole flank"};
+  if (gear.internal() && !gear.involute())
     return refused(gear_field(which, "teeth"), gear.spec.teeth,
-                   "is an internal gear; teeth under load are looked at in external pairs so far");
+                   "is an internal gear of circular arcs; teeth under load are looked at in "
+                   "internal pairs of involutes");
   return std::nullopt;
 }
 
@@ -242,7 +256,8 @@ Result<LoadAnswer> answer_load(SolvedJob& job, Headway* headway) {
 }
 
 bool not_made_for_load(const Error& error) {
-  constexpr std::array<std::string_view, 2> kOfTheKind{"gear1.teeth", "gear2.teeth"};
+  constexpr std::array<std::string_view, 3> kOfTheKind{"gear1.teeth", "gear2.teeth",
+                                                       "gear2.cut_by"};
   return std::find(kOfTheKind.begin(), kOfTheKind.end(), error.field) != kOfTheKind.end();
 }
 

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kHertzWidth = 0.05;  // modules: a0, of no consequence but for rounding
 constexpr double kFairSpur = 0.25, kFairHelical = 0.4;  // modules, width of a slice
+constexpr double kFairWidth = 0.18;                     // modules, where R is one module
 constexpr int kSlices = 32, kLeastSlices = 4;
 constexpr int kTableSteps = 80;  // about: waves and parts of the section, places of the table
 
@@ -52,9 +53,12 @@ Result<std::shared_ptr<const ToothTable>> tooth_compliance(const Gear& gear_1, c
       face_of({&gear_1, &gear_2}, static_cast<std::size_t>(which - 1), request.regime);
   const double sin_b =
       std::sin(gear_1.spec.helix_angle.rad()) * std::cos(gear_1.spec.normal_pressure_angle.rad());
-  // Both gears lie in N with the right flank loaded; the section has it on the left.
-  const auto section = make_tooth_section(gear, -gear.twist(), request.bodies[which - 1],
-                                          request.accuracy, std::nullopt, request.headway);
+  // The loaded flank of the section lies at y > 0. In N it is the right one of both gears of an
+  // external pair: mirrored. Of an internal pair N is mirrored already; its pinion touches with the
+  // left flank, as the section has it, its ring with the right one, and is mirrored back.
+  const double twist = gear.internal() ? gear.twist() : -gear.twist();
+  const auto section = make_tooth_section(gear, twist, request.bodies[which - 1], request.accuracy,
+                                          std::nullopt, request.headway);
   if (!section) return of_gear(which, section.error());
   ToothTableRequest t;
   t.face_width = gear.spec.face_width / m;
@@ -71,10 +75,18 @@ std::string_view to_string(LoadRegime regime) {
 }
 
 int fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegime regime) {
-  const double fair = gear_1.spec.helix_angle.rad() == 0.0 ? kFairSpur : kFairHelical;
+  const double m = gear_1.spec.normal_module;
+  double fair = gear_1.spec.helix_angle.rad() == 0.0 ? kFairSpur : kFairHelical;
+  if (gear_2.internal()) {
+    // R at the pitch point, axes as close as the reference circles.
+    const double rho_1 =
+        gear_1.base_radius() * std::tan(gear_1.reference().transverse_pressure_angle);
+    const double ratio = gear_2.base_radius() / gear_1.base_radius();
+    if (ratio > 1.0) fair = std::max(fair, kFairWidth * std::sqrt(rho_1 * ratio / (ratio - 1) / m));
+  }
   const std::array<const Gear*, 2> gears{&gear_1, &gear_2};
   const double face = std::max(face_of(gears, 0, regime), face_of(gears, 1, regime));
-  const double count = face / (fair * gear_1.spec.normal_module);
+  const double count = face / (fair * m);
   return static_cast<int>(std::clamp<double>(count, kLeastSlices, kSlices));
 }
 

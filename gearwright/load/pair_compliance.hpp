@@ -37,7 +37,9 @@ struct LoadRequest {
 /// Slices of the common face that are fine enough and never too fine: 32, or as many as are a
 /// quarter of a module wide, of helical teeth 0.4 modules; 4 at least. Narrower ones may leave the
 /// matrix of [T12.14] indefinite: spur teeth from 0.17 modules on, of 24 random helical pairs none
-/// at 0.36 and a quarter at 0.32. Of teeth that touch at points over the wider face.
+/// at 0.36 and a quarter at 0.32. Teeth of an internal pair touch more widely: there a slice is four
+/// half widths of contact under 180 N/mm per mm of module, which is more than a root of steel bears.
+/// Of teeth that touch at points over the wider face.
 int fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegime regime);
 
 /// The tables of both gears: what the outlines, faces and materials give. Torques, errors and
@@ -51,7 +53,8 @@ struct PairCompliance {
 
 /// Of `ready` what is there is taken and not made anew: same_compliance says when it may be.
 ///
-/// Domain    external gears; LoadRegime::line: involute ones on parallel axes (contract)
+/// Domain    gear 1 external; LoadRegime::line: involute gears on parallel axes, ::point: gear 2
+///           external too (contract)
 /// Errors    `gearN.…` as make_section_mesh
 Result<PairCompliance> pair_compliance(
     const Gear& gear_1, const Gear& gear_2, const LoadRequest& request,

@@ -107,8 +107,9 @@ std::vector<double> levels_of(double most) {
 std::string flank_figure(const LoadReport& report, std::size_t which) {
   const LoadedTorque& t = heaviest(report);
   const FlankRaster raster = pressure_raster(report, which);
-  const FlankFrame f = frame_of(raster, false, flank::kLeft, flank::kWidth - flank::kRight,
-                                flank::kTop + flank::kBeyond, kLow, flank::kHigh);
+  const FlankFrame f =
+      frame_of(raster, report.gears[which]->internal(), flank::kLeft,
+               flank::kWidth - flank::kRight, flank::kTop + flank::kBeyond, kLow, flank::kHigh);
   const std::string name = fmt::format("Gear {}", which + 1);
   Svg svg(
       fmt::format("pressure{}", which + 1), flank::kWidth,
@@ -182,8 +183,9 @@ std::string along_figure(const LoadReport& report) {
 FlankRaster pressure_raster(const LoadReport& report, std::size_t which) {
   const Gear& gear = *report.gears[which];
   const FaceSlices& s = report.contact.slices[0];
-  const double lo = gear.root_form_radius().value_or(gear.base_radius());
-  const double hi = gear.tip_form_radius();
+  const double root = gear.root_form_radius().value_or(gear.base_radius());
+  const double tip = gear.tip_form_radius();
+  const auto [lo, hi] = std::minmax(root, tip);
   FlankRaster raster;
   const auto part = [](std::size_t i, std::size_t n) {
     return static_cast<double>(i) / static_cast<double>(n - 1);

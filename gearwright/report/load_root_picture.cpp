@@ -30,6 +30,8 @@ struct Fillet {
 };
 
 Fillet fillet_of(const LoadReport& report, std::size_t which) {
+  // The outline runs to the tip with the material on its right, of an internal gear on its left.
+  const double side = report.gears[which]->internal() ? -1.0 : 1.0;
   const Eigen::MatrixXd& stress = heaviest(report).root_stress[which];
   Fillet f;
   Index row = 0;
@@ -39,7 +41,7 @@ Fillet fillet_of(const LoadReport& report, std::size_t which) {
   const std::size_t n = f.at.size();
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2 along = (f.at[std::min(i + 1, n - 1)] - f.at[i == 0 ? 0 : i - 1]).normalized();
-    f.in.push_back({along.y(), -along.x()});
+    f.in.push_back({side * along.y(), -side * along.x()});
     f.stress.push_back(stress(static_cast<Index>(i), f.slice));
   }
   return f;
@@ -51,9 +53,11 @@ std::string fillet_figure(const LoadReport& report, std::size_t which, const std
   const double module = gear.spec.normal_module;
   const double most = f.stress[f.worst];
   const std::string name = fmt::format("Gear {}", which + 1);
-  // From a module below the root to almost one above the fillet, the pulled side in the middle.
-  const double lo = f.at.front().norm() - 1.0 * module;
-  const double hi = f.at.back().norm() + 0.9 * module;
+  // From a module behind the root to almost one beyond the fillet, the pulled side in the middle.
+  const double out = gear.internal() ? -1.0 : 1.0;
+  const double root = f.at.front().norm() - out * 1.0 * module;
+  const double flank = f.at.back().norm() + out * 0.9 * module;
+  const auto [lo, hi] = std::minmax(root, flank);
   const double scale = kHeight / (hi - lo);
   const Vec2 middle = f.at[f.worst];
   const Viewport view{kWidth, kHeight, right({0.5 * (lo + hi), middle.y()}), scale, true};

@@ -116,7 +116,7 @@ std::string root_part(const LoadReport& report, const std::array<std::string, 2>
   return "<h3>Stress at the roots</h3>\n<p>Each tooth bends over its root; the fillet on the "
          "loaded "
          "side is pulled, and there a crack would begin. The stress is that of the exact fillet, "
-         "neighbouring teeth and the body down to the bore with it.</p>\n" +
+         "with the neighbouring teeth and the body to where it is held.</p>\n" +
          figures;
 }
 

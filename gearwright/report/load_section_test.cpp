@@ -64,6 +64,21 @@ TEST(LoadSection, OfHelicalGearsAndEitherDriver) {
     sound(load_sample(testing::helical_pair(), {40e3, 80e3}, 0.02, gear2_drives));
 }
 
+// Of a ring the tip is up too, and the bars lie in the material.
+TEST(LoadSection, OfAnInternalPair) {
+  for (const bool gear2_drives : {false, true}) {
+    const LoadSample s = load_sample(testing::pinion_in_cut_ring(), {20e3}, 0.0, gear2_drives);
+    sound(s);
+    const FlankRaster raster = pressure_raster(s.report, 1);
+    EXPECT_LT(raster.diameter.front(), raster.diameter.back());
+    EXPECT_GT(*std::max_element(raster.gap.begin(), raster.gap.end()),
+              0.8 * heaviest(s.report).max_pressure);
+    const auto& points = s.report.contact.root_points[1];
+    EXPECT_GT(std::abs(points.front()), std::abs(points.back()));
+    EXPECT_GT(points.front().imag(), 0.0);
+  }
+}
+
 TEST(LoadSection, ManyTorquesShowAFewCurvesAndTheHeaviestField) {
   std::vector<double> torques;
   for (int i = 12; i >= 1; --i) torques.push_back(10e3 * i);

@@ -99,6 +99,7 @@ constexpr auto kMeanings = std::to_array<Entry>({
     {"edge_carries", {kCaution, "", "Tip relief takes the load off the edge.", true}},
     {"beyond_hertz", {kCaution, "", "Less torque or a wider face would help."}},
     {"held_at_half_the_root", {kNote, "", ""}},
+    {"held_at_rim_as_drawn", {kNote, "", ""}},
     {"no_load", {kNote, "", ""}},
     {"load_unfinished", {kCaution, "", "Ask for other positions."}},
 });

@@ -111,17 +111,17 @@ class Load(unittest.TestCase):
 
     def test_run_says_why_there_is_none(self):
         with tempfile.TemporaryDirectory() as folder:
-            run = Run("run", PAIR.format(gear1="", gear2="", rest=DRAFT + "torque_Nm = 50\n")
-                      .replace("teeth = 43", "teeth = -67").replace("bore = { diameter_mm = 60.0 }", ""),
-                      "--json", "--out", folder)
-            self.assertEqual(run.status, 0, run.err)
-            warnings = {w["code"]: w["message"] for w in json.loads(run.out)["warnings"]}
-            self.assertIn("external pairs", warnings["no_load"])
-            run = Run("run", PAIR.format(gear1="", gear2="", rest=DRAFT + 'torque_Nm = 50\n[compensate]\naim = "pressure"\n')
-                      .replace("teeth = 43", "teeth = -67").replace("bore = { diameter_mm = 60.0 }", ""),
-                      "--json", "--out", folder)
-            self.assertEqual(run.status, 0, run.err)
-            self.assertIn("no_corrections", [w["code"] for w in json.loads(run.out)["warnings"]])
+            # An internal gear for which the program knows no cutter has no outline.
+            def bare_ring(rest):
+                text = PAIR.format(gear1="profile_shift = 0.5", gear2="profile_shift = -1.2", rest=DRAFT + rest)
+                text = text.replace("teeth = 25", "teeth = 8").replace("teeth = 43", "teeth = -30")
+                text = text.replace("36.0", "3.0").replace("bore = { diameter_mm = 60.0 }", "")
+                run = Run("run", text, "--json", "--out", folder)
+                self.assertEqual(run.status, 0, run.err)
+                return {w["code"]: w["message"] for w in json.loads(run.out)["warnings"]}
+
+            self.assertIn("gear2.cut_by", bare_ring("torque_Nm = 5\n")["no_load"])
+            self.assertIn("No corrections", bare_ring('torque_Nm = 5\n[compensate]\naim = "pressure"\n')["no_contact"])
             run = Run("run", PAIR.format(gear1="", gear2="", rest=DRAFT + "torque_Nm = -50\n"), "--json", "--out", folder)
             self.assertEqual((run.status, run.json["error"]["key"]), (1, "load.torque_Nm"))
 
@@ -195,6 +195,32 @@ class Load(unittest.TestCase):
         run = Run("load", text.replace("36.0", "70.0"), "--json")
         self.assertEqual(run.status, 1)
         self.assertEqual(run.json["error"]["key"], "gear1.bore.diameter_mm")
+
+    def ring(self, bore="", rest=DRAFT + "torque_Nm = 100\n"):
+        text = PAIR.format(gear1="", gear2="tip_diameter_mm = 190.2", rest=rest)
+        text = text.replace("teeth = 43", "teeth = -65").replace("bore = { diameter_mm = 60.0 }", bore)
+        return Run("load", text, "--json")
+
+    def test_an_internal_pair_is_held_at_its_rim(self):
+        drawn = self.ring()
+        self.assertEqual(drawn.status, 0, drawn.err)
+        self.assertIn("held_at_rim_as_drawn", [w["code"] for w in drawn.json["warnings"]])
+        root = 3 * (65 + 2.5)
+        same = self.ring(f"bore = {{ diameter_mm = {root + 15} }}")
+        self.assertNotIn("held_at_rim_as_drawn", [w["code"] for w in same.json["warnings"]])
+        self.assertEqual(same.json["load"]["torques"], drawn.json["load"]["torques"])
+        deep = self.ring(f"bore = {{ diameter_mm = {root + 60} }}").json["load"]["torques"][0]
+        self.assertLess(deep["mesh_stiffness_N_per_mm_um"]["mean"],
+                        drawn.json["load"]["torques"][0]["mesh_stiffness_N_per_mm_um"]["mean"])
+
+    def test_a_rim_inside_the_roots(self):
+        run = self.ring("bore = { diameter_mm = 200 }")
+        self.assertEqual(run.status, 1)
+        self.assertEqual(run.json["error"]["key"], "gear2.bore.diameter_mm")
+
+    def test_a_probe_of_a_ring(self):
+        run = self.ring(rest=DRAFT + "[[load.probe]]\ngear = 2\ndiameter_mm = 195\n")
+        self.assertGreater(run.json["load"]["probes"][0]["own_um_per_N_mm"], 0)
 
     def test_a_single_point_that_touches_is_an_answer(self):
         answer = self.answer(rest=DRAFT + "torque_Nm = 1e-9\ndeflection_slope_um = 30\n")

@@ -35,8 +35,12 @@ inline LoadSample load_sample(InvolutePair mounted, std::vector<double> torques,
   request.positions = 10;
   request.slices = 8;
   request.accuracy = ComplianceAccuracy::draft;
-  for (std::size_t i = 0; i < 2; ++i)
-    request.bodies[i] = {0.5 * sample.pair->gears[i].root_diameter, 0.3, 206000.0};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Gear& gear = sample.pair->gears[i];
+    const double held = gear.internal() ? gear.root_diameter + 5 * gear.spec.normal_module
+                                        : 0.5 * gear.root_diameter;
+    request.bodies[i] = {held, 0.3, 206000.0};
+  }
   auto compliance = pair_compliance(one, two, request);
   GW_EXPECTS(static_cast<bool>(compliance));
   sample.report = {{&one, &two}, lines ? sample.pair.get() : nullptr, gear2_drives,

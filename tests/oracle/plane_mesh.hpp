@@ -1,0 +1,34 @@
+// The triangles of tests/oracle/plane_teeth.hpp.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <complex>
+#include <map>
+#include <vector>
+
+#include "tests/oracle/plane_teeth.hpp"
+
+namespace gearwright::oracle {
+
+struct PlaneTooth {
+  std::vector<double> place;    ///< along the outline: ends and middles of sides of triangles
+  std::vector<int> node;        ///< there, on the side y > 0
+  std::size_t root_nodes = 0;   ///< so many of them are no flank yet
+  double loaded = -1.0;         ///< place of the load; < 0: none
+  std::complex<double> normal;  ///< into the tooth there
+
+  int middle() const { return node[std::find(place.begin(), place.end(), loaded) - place.begin()]; }
+};
+
+struct PlaneMesh {
+  std::vector<std::complex<double>> nodes;
+  /// Corners counter-clockwise, the middles of the sides after them from the first side on.
+  std::vector<std::array<int, 6>> triangles;
+  std::vector<int> held;
+  std::map<int, PlaneTooth> teeth;  ///< the real ones
+};
+
+PlaneMesh plane_mesh(const PlaneGear& gear, const std::vector<PlaneLoad>& loads, double fineness);
+
+}  // namespace gearwright::oracle

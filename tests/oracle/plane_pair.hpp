@@ -1,0 +1,33 @@
+// Two gears of plane triangles under load: how tooth pairs on their line of action share it.
+//
+//   ρ   distance from the base circle along the line of action      external pair   ρ2 = T − ρ1
+//   T   a sin α_w                                                    internal pair   ρ2 = T + ρ1
+//
+// The bulk of both gears comes from plane_teeth, the width of each contact from Hertz: a wider strip
+// yields less by 2(1 − ν²)/(πE) of the logarithm of its width. Lengths in modules.
+#pragma once
+
+#include <vector>
+
+#include "tests/oracle/plane_teeth.hpp"
+
+namespace gearwright::oracle {
+
+struct PlanePair {
+  PlaneGear one, two;
+  double base_1 = 0.0, base_2 = 0.0;        ///< base radii
+  double line = 0.0;                        ///< T
+  double first = 0.0, last = 0.0;           ///< ρ1 where the path begins and ends
+  std::array<double, 2> modulus{1.0, 1.0};  ///< Young's of both gears, of E
+};
+
+struct PlaneShare {
+  double approach = 0.0;         ///< E·u/F′, along the line of action
+  std::vector<double> share;     ///< of the tooth pairs, the nearest to its exit last
+  std::array<double, 2> root{};  ///< greatest principal stress at the roots, σ·m/F′
+};
+
+/// `rho`: ρ1 of the pair that entered last; `load`: F′/(E m).
+PlaneShare plane_share(const PlanePair& pair, double rho, double load, double fineness);
+
+}  // namespace gearwright::oracle
