@@ -136,7 +136,7 @@ std::string pattern_figure(const ContactReport& report, const std::vector<PathPi
     keys += "<span class=\"key\"><i class=\"swatch instant-line\"></i>contact line</span> ";
   return fmt::format(
       "<figure>{}<figcaption><strong>{}, {}</strong>; the marking covers {} % of it. {}From the "
-      "internal gear to the dot. {}</figcaption></figure>\n",
+      "hollow dot to the full one. {}</figcaption></figure>\n",
       svg.str(), name, side_words(report, which),
       fixed(100 * pattern_share(raster, report.marking), 0), keys, proportions(f));
 }
