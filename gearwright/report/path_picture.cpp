@@ -169,15 +169,17 @@ std::string ratio_svg(const InvolutePair& pair) {
   const double e_alpha = mesh.path_ratio;
   const double e_true = mesh.true_ratio;
   const double e_beta = mesh.overlap_ratio;
-  constexpr double kBarLeft = 150.0;
+  constexpr double kBarWidth = 420.0;  // as the picture of the whole pair, above it
+  constexpr double kBarLeft = 136.0;
+  constexpr double kBarRight = 122.0;
   constexpr double kRow = 34.0;
   constexpr double kTop = 26.0;
   constexpr double kOneRoom = 3.0;  // px between a value and the line at 1
   const double most =
       std::max(2.0, std::ceil(std::max(pair.contact_ratio(), pair.contact_ratio_true()) + 0.15));
-  const Axis x{0.0, most, kBarLeft, kWidth - 110.0};
+  const Axis x{0.0, most, kBarLeft, kBarWidth - kBarRight};
   const double height = kTop + 3 * kRow + 10;
-  Svg svg("ratios", kWidth, height, "Contact ratios",
+  Svg svg("ratios", kBarWidth, height, "Contact ratios",
           "Bars of the transverse contact ratio, the overlap ratio and their sum; a line marks 1.");
   const double by = std::max(1.0, std::ceil(most / 12));
   for (double v = 0.0; v <= most; v += by) {
