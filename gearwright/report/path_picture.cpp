@@ -181,11 +181,12 @@ std::string ratio_svg(const InvolutePair& pair) {
   const double height = kTop + 3 * kRow + 10;
   Svg svg("ratios", kBarWidth, height, "Contact ratios",
           "Bars of the transverse contact ratio, the overlap ratio and their sum; a line marks 1.");
-  const double by = std::max(1.0, std::ceil(most / 12));
+  const double by = std::ceil(most / 6);  // numbers have room beside each other
   for (double v = 0.0; v <= most; v += by) {
-    svg.line({x(v), kTop - 6}, {x(v), height - 8}, v == 1.0 ? "one" : "grid");
+    svg.line({x(v), kTop - 6}, {x(v), height - 8}, "grid");
     svg.text({x(v), kTop - 11}, fixed(v, 0), Anchor::middle, "tick");
   }
+  svg.line({x(1.0), kTop - 6}, {x(1.0), height - 8}, "one");
   struct Bar {
     const char* words;
     const char* symbol;

@@ -23,11 +23,11 @@ TEST(PathFigures, ShowsTheWholeOfSteepCurves) {
   EXPECT_NE(figure.find("mark g2"), std::string::npos);
 }
 
-// The x of the last label that ends with `words`, px.
+// The x of the label `words`, px; -1 without it.
 double label_x(const std::string& figure, const std::string& words) {
   const std::size_t text = figure.find(">" + words + "<");
-  const std::size_t group = figure.rfind("translate(", text);
-  return group == std::string::npos ? -1.0 : std::atof(figure.c_str() + group + 10);
+  if (text == std::string::npos) return -1.0;
+  return std::atof(figure.c_str() + figure.rfind("translate(", text) + 10);
 }
 
 // ε_β 0.824 would lie across the line at 1, whose number stands above it.
@@ -35,6 +35,14 @@ TEST(RatioFigure, NoValueLiesAcrossTheLineAtOne) {
   const std::string figure = ratio_figure(testing::helical_pair());
   EXPECT_EQ(label_x(figure, "0.824"), label_x(figure, "1"));
   EXPECT_GT(label_x(figure, "1.453"), label_x(figure, "1"));
+}
+
+// A wide face: ticks three apart have room, the line at 1 is there all the same.
+TEST(RatioFigure, ManyPairsInContact) {
+  const std::string figure = ratio_figure(testing::two_and_sixty(150.0));  // ε_γ 14.3
+  EXPECT_NE(figure.find("class=\"one\""), std::string::npos);
+  EXPECT_EQ(label_x(figure, "1"), -1.0);
+  EXPECT_GT(label_x(figure, "6"), label_x(figure, "3") + 25.0);
 }
 
 }  // namespace
