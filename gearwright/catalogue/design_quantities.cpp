@@ -235,7 +235,8 @@ void say_limits(Quantities<V>& q) {
       .digits(kFewDigits);
   q.flag("", "interference", "interference", "a tip passes the start of the mating flank",
          [](const V& v) { return Value(v.row->interference); })
-      .column("interference");
+      .column("interference")
+      .shown([](const V& v) { return v.row->interference; });
 }
 
 void say_strength(Quantities<V>& q) {

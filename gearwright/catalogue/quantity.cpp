@@ -117,7 +117,12 @@ std::string text_of(const Said& said, const Value& value, std::string_view none)
   if (const auto* flag = std::get_if<bool>(&value.variant())) return *flag ? "yes" : "no";
   if (const auto* whole = std::get_if<long long>(&value.variant()))
     return fmt::format("{}", *whole);
-  if (const auto* word = std::get_if<std::string>(&value.variant())) return *word;
+  if (const auto* word = std::get_if<std::string>(&value.variant())) {
+    std::string text = *word;
+    // One of some identifiers: "beyond_tip" reads as two words.
+    if (!said.one_of.empty()) std::replace(text.begin(), text.end(), '_', ' ');
+    return text;
+  }
   if (const auto* x = std::get_if<double>(&value.variant())) {
     if (!std::isfinite(*x)) return absent;
     return fixed_text(said.unit == Unit::percent ? 100 * *x : *x, digits_of(said));

@@ -10,13 +10,16 @@ std::vector<SymbolPiece> symbol_pieces(std::string_view symbol) {
   using Place = SymbolPiece::Place;
   std::vector<SymbolPiece> pieces;
   Place place = Place::base;
-  for (const char c : symbol) {
+  for (std::size_t i = 0; i < symbol.size(); ++i) {
+    const char c = symbol[i];
     if (c == '_') {
       place = Place::below;
       pieces.push_back({"", place});
       continue;
     }
-    const bool word = is_letter_or_digit(c) || static_cast<unsigned char>(c) >= 0x80;
+    // A comma between letters belongs to them: "ε_α,eff", but not "k_1, k_2".
+    const bool comma = c == ',' && i + 1 < symbol.size() && symbol[i + 1] != ' ';
+    const bool word = is_letter_or_digit(c) || comma || static_cast<unsigned char>(c) >= 0x80;
     if (c == '*') {
       pieces.push_back({"*", Place::above});
       place = Place::base;

@@ -14,6 +14,7 @@
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/value_json.hpp"
+#include "gearwright/report/contact_report.hpp"
 
 namespace gearwright {
 
@@ -48,6 +49,18 @@ std::string kinds_of(const ContactResult& result) {
                         std::lround(100.0 * n / static_cast<double>(result.positions.size())));
   }
   return text;
+}
+
+// What the short words of the table mean: the kinds that are no contact inside, and its columns.
+std::string legend_of(const ContactResult& result) {
+  std::vector<TouchKind> said;
+  std::string text;
+  for (const ContactPoint& p : result.positions) {
+    if (!is_edge(p.kind) || std::find(said.begin(), said.end(), p.kind) != said.end()) continue;
+    said.push_back(p.kind);
+    text += fmt::format("{}: {}; ", to_string(p.kind), words_of(p.kind));
+  }
+  return text + "major, minor: semi-axes of the contact ellipse";
 }
 
 }  // namespace
@@ -108,7 +121,7 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
                     to_string(p.kind), fixed_text(p.diameter[0], 4), fixed_text(p.diameter[1], 4),
                     fixed_text(p.height[0], 4), fixed_text(p.height[1], 4), major, minor);
   }
-  return out;
+  return out + "\n  " + legend_of(r) + "\n";
 }
 
 }  // namespace gearwright

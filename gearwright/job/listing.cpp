@@ -31,7 +31,7 @@ std::string pad_left(const std::string& s, std::size_t n) {
 
 constexpr std::size_t kWordsWidth = 38;  // a table of shorter words is no narrower
 constexpr std::size_t kSymbolWidth = 9;  // "F_z/F_t" and two blanks
-constexpr std::size_t kValueWidth = 14;  // "-1234567.1234"
+constexpr std::size_t kValueWidth = 13;  // "-123456.1234"; two gears make a line of 80
 constexpr std::size_t kUnitWidth = 11;   // "N/(mm µm)" and two blanks, before a note
 
 std::string line(const std::string& words, std::size_t words_width, const std::string& symbol,

@@ -85,13 +85,9 @@ std::array<double, 2> angles_at_contact(const ArcPair& pair, const ArcPairContac
 std::string arc_pair_section(const ArcPair& pair, const std::array<std::string, 2>& shapes) {
   std::string figures;
   for (std::size_t i = 0; i < pair.contacts.size(); ++i) figures += contact_figure(pair, i, shapes);
-  const char* frame =
-      pair.contacts.size() == 1
-          ? "<section class=\"pair\">\n<h2>Pair</h2>\n<div class=\"columns\"><div>{}</div><div>{}"
-            "</div></div>\n</section>\n"
-          : "<section class=\"pair\">\n<h2>Pair</h2>\n<div class=\"figures\">{}</div>\n{}"
-            "</section>\n";
-  return fmt::format(fmt::runtime(frame), figures, pair_table(pair));
+  return fmt::format(
+      "<section class=\"pair\">\n<h2>Pair</h2>\n<div class=\"figures\">{}</div>\n{}</section>\n",
+      figures, pair_table(pair));
 }
 
 }  // namespace gearwright

@@ -59,7 +59,8 @@ void draw_dimension(Svg& svg, const Vec2& a, const Vec2& b, double below,
     const double back = (inside ? -s : s) * 8.0;
     svg.polygon({{tip, y}, {tip + back, y - 3.2}, {tip + back, y + 3.2}}, "mark");
   }
-  svg.text({(lo.x() + hi.x()) / 2, y}, markup, Anchor::middle, "halo", {0.0, 20.0});
+  // Beside it: between its ends run the pitch circles.
+  svg.text({hi.x() + out, y}, markup, Anchor::start, "halo", {8.0, 4.5});
 }
 
 void draw_axes(Svg& svg, const Viewport& view, double a) {

@@ -7,6 +7,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/quantity_table.hpp"
 #include "gearwright/report/table_builder.hpp"
@@ -71,6 +72,28 @@ const char* aim_words(CompensateAim aim) {
          "the middle of the flank.";
 }
 
+// "crossing_deg = -0.01, axial_1_mm = 2" in a reader's words; "as given" stays.
+std::string in_words(std::string_view errors) {
+  std::string text;
+  while (!errors.empty()) {
+    const std::string_view one = errors.substr(0, errors.find(", "));
+    errors.remove_prefix(std::min(errors.size(), one.size() + 2));
+    const std::size_t equals = std::min(one.size(), one.find(" = "));
+    const auto index = error_index(one.substr(0, equals));
+    text += text.empty() ? "" : ", ";
+    if (!index) {
+      text += one;
+      continue;
+    }
+    const ErrorEntry& e = error_entries()[*index];
+    text += fmt::format("{} {}{}", e.words, one.substr(equals + 3),
+                        e.unit() == "deg"  ? "°"
+                        : e.unit() == "um" ? " µm"
+                                           : " mm");
+  }
+  return text;
+}
+
 std::string corrections(const CompensateView& v) {
   TableBuilder t("Corrections", {"On top of the drawing"});
   for (const FoundCorrection& c : v.corrections)
@@ -98,7 +121,7 @@ std::string scores(const CompensateView& v) {
   if (v.scenarios.size() > 1) {
     t.group("Transmission error, peak to peak, one by one");
     for (const Scenario& s : v.scenarios)
-      t.row(capitalised(s.errors), "", "″", {arcsec(s.before), arcsec(s.after)});
+      t.row(capitalised(in_words(s.errors)), "", "″", {arcsec(s.before), arcsec(s.after)});
   }
   return t.str();
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/report/contact_te_picture.hpp"
@@ -136,7 +137,7 @@ std::string pattern_figure(const ContactReport& report, const std::vector<PathPi
     keys += "<span class=\"key\"><i class=\"swatch instant-line\"></i>contact line</span> ";
   return fmt::format(
       "<figure>{}<figcaption><strong>{}, {}</strong>; the marking covers {} % of it. {}From the "
-      "internal gear to the dot. {}</figcaption></figure>\n",
+      "hollow dot to the full one. {}</figcaption></figure>\n",
       svg.str(), name, side_words(report, which),
       fixed(100 * pattern_share(raster, report.marking), 0), keys, proportions(f));
 }
@@ -185,6 +186,28 @@ double pattern_share(const FlankRaster& raster, double marking) {
   return area_of(regions_below(field_of(raster), marking)) / all;
 }
 
+namespace {
+
+// How far the contact goes over the flank of gear 1 from one position to the next, mm.
+double way_between(const ContactPoint& a, const ContactPoint& b) {
+  return std::hypot(b.height[0] - a.height[0], (b.diameter[0] - a.diameter[0]) / 2);
+}
+
+// Beyond this it has jumped, as between the two arcs of a flank: many times the usual way between
+// positions, and a good part of the face.
+double jump_of(const std::vector<const ContactPoint*>& points, const FlankRaster& raster) {
+  constexpr double kTimes = 6.0, kPart = 0.1;
+  std::vector<double> ways;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    ways.push_back(way_between(*points[i - 1], *points[i]));
+  if (ways.empty() || raster.height.empty()) return std::numeric_limits<double>::infinity();
+  const auto middle = ways.begin() + static_cast<std::ptrdiff_t>(ways.size() / 2);
+  std::nth_element(ways.begin(), middle, ways.end());
+  return std::max(kTimes * *middle, kPart * (raster.height.back() - raster.height.front()));
+}
+
+}  // namespace
+
 std::vector<PathPiece> path_on_tooth(const ContactReport& report) {
   const double pitch = pitch_of(report);
   std::vector<const ContactPoint*> points;
@@ -195,10 +218,12 @@ std::vector<PathPiece> path_on_tooth(const ContactReport& report) {
   std::sort(points.begin(), points.end(),
             [&](const auto* a, const auto* b) { return own(a) < own(b); });
   const double step = 1.5 * pitch / std::max(1, report.positions);
+  const double jump = jump_of(points, report.patterns[0]);
   std::vector<PathPiece> pieces;
   for (const ContactPoint* p : points) {
     const bool edge = is_edge(p->kind);
-    const bool on = !pieces.empty() && own(p) - own(pieces.back().points.back()) < step;
+    const ContactPoint* last = pieces.empty() ? nullptr : pieces.back().points.back();
+    const bool on = last && own(p) - own(last) < step && way_between(*last, *p) < jump;
     if (!on || pieces.back().edge != edge) pieces.push_back({edge, {}});
     pieces.back().points.push_back(p);
   }

@@ -25,7 +25,7 @@ const char* words_of(TouchKind kind) {
     case TouchKind::face2: return "end of face 2";
     case TouchKind::form1: return "foot of flank 1";
     case TouchKind::form2: return "foot of flank 2";
-    case TouchKind::ridge: return "ridge where a relief begins";
+    case TouchKind::ridge: return "start of a relief";
     case TouchKind::corner: return "corner of a tooth";
   }
   contract_failed("postcondition", "known kind of contact", __FILE__, __LINE__);

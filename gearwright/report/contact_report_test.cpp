@@ -106,5 +106,17 @@ TEST(ContactReport, ThePathOnAToothIsAPitchOfPositions) {
   }
 }
 
+// On flanks of two arcs the contact leaves one and comes to the other: nothing touches between.
+TEST(ContactReport, ThePathOnAToothBreaksWhereTheContactJumps) {
+  const std::vector<ContactSample> all = samples();
+  ContactReport report = all.front().report;
+  const std::size_t pieces = path_on_tooth(report).size();
+  auto& positions = report.driving.positions;
+  const auto& raster = report.patterns[0].height;
+  for (std::size_t i = 0; i < positions.size() / 3; ++i)
+    positions[i].height[0] += raster.back() - raster.front();
+  EXPECT_GT(path_on_tooth(report).size(), pieces);
+}
+
 }  // namespace
 }  // namespace gearwright

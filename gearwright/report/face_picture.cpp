@@ -9,6 +9,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/report/crossed_range.hpp"
+#include "gearwright/report/free_labels.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/plot_axis.hpp"
 #include "gearwright/report/svg.hpp"
@@ -55,30 +56,38 @@ std::string widths_svg(const InvolutePair& pair) {
   draw_rows(svg, x, y, 5);
   svg.text({x.from, kTop - 36}, "face widths, mm", Anchor::start, "panel");
   const Vec2 here(x(deg(pair.mesh.rack.normal_pressure_angle)), 0.0);
+  FreeLabels labels({x.from, kTop, x.to, kTop + kPlot});
+  const auto curve = [&](const std::vector<Vec2>& values, const std::string& style) {
+    draw_curve(svg, x, y, values, style);
+    std::vector<Vec2> px;
+    for (const Vec2& v : values) px.push_back({x(v.x()), y(v.y())});
+    labels.keep_off(px);
+  };
   svg.begin_clip(x.from, kTop, x.to - x.from, kPlot);
   for (const std::size_t i : {0u, 1u}) {
     const auto one = [&](const CrossedSample& s) { return s.faces.one_flank[i]; };
     const auto both = [&](const CrossedSample& s) { return s.faces.both_flanks[i]; };
-    draw_curve(svg, x, y, over_angle(samples, one), std::string("curve ") + kInk[i]);
-    draw_curve(svg, x, y, over_angle(samples, both), std::string("curve dash ") + kInk[i]);
+    curve(over_angle(samples, one), std::string("curve ") + kInk[i]);
+    curve(over_angle(samples, both), std::string("curve dash ") + kInk[i]);
   }
   svg.end_group();
-  // The faces as they are; equal ones share a line.
+  labels.keep_off({{here.x(), kTop}, {here.x(), kTop + kPlot}});
+  // The faces as they are; equal ones share a line. Their names stand at its right end, else further
+  // left, beside the curves.
   const bool equal = pair.input.face_width[0] == pair.input.face_width[1];
-  std::vector<double> wanted;
-  for (const std::size_t i : {0u, 1u}) wanted.push_back(y(pair.input.face_width[i]) - 5.0);
-  const std::vector<double> placed = spread(wanted, equal ? 0.0 : 16.0, kTop + 10, kTop + kPlot);
   for (const std::size_t i : {0u, 1u}) {
     if (equal && i == 1) break;
     const double at = y(pair.input.face_width[i]);
     svg.line({x.from, at}, {x.to, at}, equal ? "face-line" : std::string("face-line ") + kInk[i]);
-    const std::string words = symbol_svg(equal    ? "b_1"
-                                         : i == 0 ? "b_1"
-                                                  : "b_2") +
-                              (equal ? " = " + symbol_svg("b_2") : "") + " = " +
-                              fixed(pair.input.face_width[i], 2);
-    svg.text({x.to - 6, placed[i]}, words, Anchor::end,
-             std::string("halo ") + (equal ? "" : kInk[i]));
+    const std::string value = " = " + fixed(pair.input.face_width[i], 2);
+    const std::string name = i == 0 ? "b_1" : "b_2";
+    std::vector<LabelPlace> places;
+    for (double right = x.to - 6; right > x.from + 120; right -= 20)
+      for (const double off : {-11.0, 13.0})
+        places.push_back({{right, at}, {0.0, off}, Anchor::end});
+    labels.draw(svg, equal ? "b1 = b2" + value : "b1" + value,
+                symbol_svg(equal ? "b_1" : name) + (equal ? " = " + symbol_svg("b_2") : "") + value,
+                std::string("halo ") + (equal ? "" : kInk[i]), places, FreeLabels::If::always);
   }
   for (const std::size_t i : {0u, 1u}) {
     if (!pair.flanks_meet()) break;

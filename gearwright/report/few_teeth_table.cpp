@@ -30,6 +30,7 @@ std::string few_teeth_table(const std::vector<const Gear*>& gears) {
                                        g.title != kTipFillet;
                               }),
                groups.end());
+  if (groups.empty()) return {};
   TableBuilder table("Points and fillets; l runs along the rack’s straight flank", columns);
   add_groups(table, groups);
   return table.str();

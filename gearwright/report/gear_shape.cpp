@@ -132,6 +132,14 @@ std::string bore_path(const Bore& bore, double unit_mm) {
                      units(r + bore.keyway_depth), units(r));
 }
 
+// Whether the straight line between the ends of a tooth's outline reaches into the bore or its
+// keyway.
+bool chord_crosses_bore(const Gear& gear) {
+  if (!gear.bore || gear.tooth->outline.arcs.empty()) return false;
+  const double reach = gear.bore->diameter / 2 + gear.bore->keyway_depth;
+  return gear.tooth->outline.arcs.front().begin_point.x() < reach;
+}
+
 }  // namespace
 
 bool has_outline(const Gear& gear) {
@@ -179,20 +187,30 @@ std::string gear_definition(const Gear& gear, const std::string& name) {
   const auto units = [&](double mm) { return std::lround(mm / outline_unit_mm(gear)); };
   const std::string tooth = tooth_path(gear);
   const long r_f = units(gear.tooth->root_radius);
-  // The chord that closes a tooth's fill lies inside the root circle, which the disc fills. Colours
-  // come from where the shape is used; the effect must stand here, style sheets do not reach
-  // inside.
+  // The chord that closes a tooth's fill lies inside the root circle, which the disc fills; where it
+  // would cross a bore, the circle itself closes the fill. Colours come from where the shape is
+  // used; the effect must stand here, style sheets do not reach inside.
   std::string text;
   if (!gear.internal()) {
-    text = fmt::format(
-        "<path id=\"{0}-tooth\" vector-effect=\"non-scaling-stroke\" d=\"{1}\"/>\n<g id=\"{0}\">",
-        name, tooth);
+    if (chord_crosses_bore(gear)) {
+      const Vec2 begin = gear.tooth->outline.arcs.front().begin_point;
+      text = fmt::format(
+          "<g id=\"{0}-tooth\"><path stroke=\"none\" d=\"{1}A{2} {2} 0 0 0 {3} {4}Z\"/><path "
+          "style=\"fill:none\" vector-effect=\"non-scaling-stroke\" d=\"{1}\"/></g>\n<g "
+          "id=\"{0}\">",
+          name, tooth, r_f, units(begin.x()), units(-begin.y()));
+    } else {
+      text = fmt::format(
+          "<path id=\"{0}-tooth\" vector-effect=\"non-scaling-stroke\" d=\"{1}\"/>\n<g "
+          "id=\"{0}\">",
+          name, tooth);
+    }
     if (gear.bore) {
       const std::string hole = bore_path(*gear.bore, outline_unit_mm(gear));
       text += fmt::format(
           "<path stroke=\"none\" fill-rule=\"evenodd\" d=\"{}{}\"/><path style=\"fill:none\" "
           "vector-effect=\"non-scaling-stroke\" d=\"{}\"/>",
-          circle_path(r_f), hole, hole);
+          circle_path(r_f), r_f > units(gear.bore->diameter / 2) ? hole : std::string(), hole);
     } else {
       text += fmt::format("<circle stroke=\"none\" r=\"{}\"/>", r_f);
     }

@@ -127,6 +127,18 @@ TEST(GearShape, ABoreIsAHoleWithItsKeyway) {
   EXPECT_NE(gear_definition(gear, "g").find("M" + units(10.0) + " 0A"), std::string::npos);
 }
 
+// The chord from root to root of three teeth would cross the bore and give it corners.
+TEST(GearShape, ABoreOfFewTeethStaysRound) {
+  Gear gear = testing::sample_gear(5, 2, 0, 0.7);
+  const double chord = gear.tooth->outline.arcs.front().begin_point.x();
+  gear.bore = Bore{2 * chord - 0.2, 0.0, 0.0};
+  const auto r_f = std::to_string(std::lround(gear.tooth->root_radius / outline_unit_mm(gear)));
+  const std::string closed = "A" + r_f + " " + r_f + " 0 0 0";
+  EXPECT_EQ(gear_definition(gear, "g").find(closed), std::string::npos);
+  gear.bore->diameter = 2 * chord + 0.2;
+  EXPECT_NE(gear_definition(gear, "g").find(closed), std::string::npos);
+}
+
 TEST(GearShape, ARingIsMetalAroundItsTeeth) {
   const Gear ring = testing::pinion_in_cut_ring().gears[1];
   ASSERT_TRUE(has_outline(ring));
@@ -136,7 +148,7 @@ TEST(GearShape, ARingIsMetalAroundItsTeeth) {
   for (std::size_t at = text.find("#g-tooth"); at != text.npos; at = text.find("#g-tooth", at + 1))
     ++uses;
   EXPECT_EQ(uses, 60u);
-  // The rim and the roots as one internal gear with a hole, and no disc.
+  // The rim and the roots as one ring with a hole, and no disc.
   const auto radius = [&](double mm) {
     return std::to_string(std::lround(mm / outline_unit_mm(ring)));
   };

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "gearwright/catalogue/symbol_pieces.hpp"
@@ -81,6 +82,31 @@ std::string symbol_svg(std::string_view symbol) {
     shift = wanted;
   }
   if (shift != 0) result += fmt::format("<tspan dy=\"{}\">\xE2\x80\x8B</tspan>", -shift);
+  return result;
+}
+
+std::string with_symbols(std::string_view text) {
+  const auto in_word = [](char c) {
+    return is_letter_or_digit(c) || c == '_' || static_cast<unsigned char>(c) >= 0x80;
+  };
+  // Letters of UTF-8: bytes that do not continue one.
+  const auto letters = [](std::string_view word) {
+    return std::count_if(word.begin(), word.end(),
+                         [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
+  };
+  std::string result;
+  while (!text.empty()) {
+    std::size_t n = 0;
+    while (n < text.size() && in_word(text[n])) ++n;
+    const std::string_view word = text.substr(0, n);
+    const std::size_t low = word.find('_');
+    const bool symbol = low != word.npos && low + 1 < n && letters(word.substr(0, low)) == 1 &&
+                        word.find('_', low + 1) == word.npos;
+    result += symbol ? symbol_html(word) : escaped(word);
+    text.remove_prefix(n);
+    result += escaped(text.substr(0, 1));
+    text.remove_prefix(std::min<std::size_t>(1, text.size()));
+  }
   return result;
 }
 

@@ -31,5 +31,8 @@ std::string fixed(const std::optional<double>& value, int decimals);
 std::string symbol_html(std::string_view symbol);
 /// The same as tspans for an SVG text.
 std::string symbol_svg(std::string_view symbol);
+/// Any text, escaped, with the symbols in it set: "roll angle at d_Ff". Keys as face_width_mm stay:
+/// a symbol has one letter before its "_".
+std::string with_symbols(std::string_view text);
 
 }  // namespace gearwright

@@ -18,6 +18,7 @@ constexpr double kRight = 18.0;
 constexpr double kTop = 34.0;
 constexpr double kPlot = 190.0;
 constexpr double kHeight = kTop + kPlot + 50.0;
+constexpr double kFlat = 1.0;  // µm: a trace that moves by less is drawn on this scale
 
 // The band: the design moved by half of the tolerance either way, over the evaluation range.
 std::vector<Vec2> band(const FlankTrace& trace) {
@@ -39,7 +40,8 @@ std::string trace_svg(const std::string& id, const std::string& title, const Fla
     lo = std::min(lo, p.y() - half);
     hi = std::max(hi, p.y() + half);
   }
-  const auto ends = widened(lo, hi, 0.15);
+  const double spare = std::max(0.0, kFlat - (hi - lo)) / 2;
+  const auto ends = widened(lo - spare, hi + spare, 0.15);
   const Axis x{trace.design.front().x(), trace.design.back().x(), kLeft, kWidth - kRight};
   const Axis y{ends[0], ends[1], kTop + kPlot, kTop};
   Svg svg(id, kWidth, kHeight, title,

@@ -244,7 +244,8 @@ std::array<double, 2> rotation_to_pitch_point(const InvolutePair& pair) {
   return {psi_1, -sigma * (std::numbers::pi / std::abs(pair.input.gears[1].teeth) - psi_2)};
 }
 
-std::string mesh_figures(const InvolutePair& pair, const std::array<std::string, 2>& shapes) {
+std::string mesh_figures(const InvolutePair& pair, const std::array<std::string, 2>& shapes,
+                         const std::string& below) {
   const Gear& gear_2 = pair.gears[1];
   const std::string ring =
       !gear_2.internal() ? ""
@@ -262,11 +263,11 @@ std::string mesh_figures(const InvolutePair& pair, const std::array<std::string,
       "turn-key\" hidden><i class=\"swatch touch\"></i>flanks touch, once turned</span> Tip "
       "circles full, "
       "pitch circles dash-dot, base circles dashed; T: base tangent "
-      "points.{}</figcaption></figure>\n<figure>{}<figcaption><strong>The whole pair</strong>, "
-      "centre distance {} mm; the frame is the picture of the "
-      "mesh.</figcaption></figure>\n</div>\n",
+      "points.{}</figcaption></figure>\n<div><figure>{}<figcaption><strong>The whole "
+      "pair</strong>, centre distance {} mm; the frame is the picture of the "
+      "mesh.</figcaption></figure>\n{}</div>\n</div>\n",
       mesh_svg(pair, shapes), turn_control(pair), ring, whole_svg(pair, shapes),
-      fixed(pair.center_distance, kLengthDigits));
+      fixed(pair.center_distance, kLengthDigits), below);
 }
 
 }  // namespace gearwright

@@ -21,7 +21,9 @@ namespace gearwright {
 /// Units     rad
 std::array<double, 2> rotation_to_pitch_point(const InvolutePair& pair);
 
-/// The two figures; `shapes` are the names of the gears' definitions (gear_shape.hpp).
-std::string mesh_figures(const InvolutePair& pair, const std::array<std::string, 2>& shapes);
+/// The two figures; `shapes` are the names of the gears' definitions (gear_shape.hpp). `below` are
+/// further figures under the whole pair, where the mesh leaves room beside it.
+std::string mesh_figures(const InvolutePair& pair, const std::array<std::string, 2>& shapes,
+                         const std::string& below = {});
 
 }  // namespace gearwright

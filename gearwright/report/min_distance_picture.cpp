@@ -69,7 +69,7 @@ std::string zoom_svg(const InvolutePair& pair, const std::vector<Approximation>&
     const Vec2 at(wanted[i], y(above_min(pair, angles[i])));
     svg.polyline({{placed[i], kTop - 4}, {wanted[i], kTop + 9}, at}, "leader");
     svg.text({placed[i], kTop - 9}, i == 0 ? "0" : all[i - 1].letter, Anchor::middle, "letter");
-    svg.dot(at, i == 0 ? 3.4 : 4.0, i == 0 ? "mark" : "mark internal gear");
+    svg.dot(at, i == 0 ? 3.4 : 4.0, i == 0 ? "mark" : "mark ring");
   }
   return svg.str();
 }
@@ -112,9 +112,8 @@ std::string min_distance_table(const InvolutePair& pair) {
     return abs(a.normal_pressure_angle - exact).rad() < kSameAngle;
   });
   if (one) {
-    return "<p>The profile shifts of the teeth as cut make nothing together: the least centre "
-           "distance is that on the rack which cut both gears, and every approximation says "
-           "so.</p>\n";
+    return "<p>The profile shifts of the teeth as cut add up to zero: the least centre distance is "
+           "that of the reference cylinders, and every approximation agrees.</p>\n";
   }
   std::string text = fmt::format(
       "<div class=\"scroll\"><table>\n<caption>Least centre distance, exact and by "
@@ -127,6 +126,16 @@ std::string min_distance_table(const InvolutePair& pair) {
   text += table_row(pair, "Exact", exact);
   for (const Approximation& a : all) text += table_row(pair, a.name, a.normal_pressure_angle);
   return text + "</tbody></table></div>\n";
+}
+
+std::string min_distance_part(const InvolutePair& pair) {
+  const std::string table = min_distance_table(pair);
+  const std::string figure = min_distance_figure(pair);
+  if (figure.empty()) return table;
+  return fmt::format(
+      "<details><summary>The least centre distance, by approximation</summary>\n<div "
+      "class=\"columns\"><div>{}</div><div>{}</div></div>\n</details>\n",
+      table, figure);
 }
 
 }  // namespace gearwright

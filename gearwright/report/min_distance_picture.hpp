@@ -20,4 +20,9 @@ std::string min_distance_figure(const InvolutePair& pair);
 /// Domain    crossed axes (contract)
 std::string min_distance_table(const InvolutePair& pair);
 
+/// Both, folded away: they are for whoever checks a calculation by hand.
+///
+/// Domain    crossed axes (contract)
+std::string min_distance_part(const InvolutePair& pair);
+
 }  // namespace gearwright

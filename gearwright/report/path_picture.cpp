@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "gearwright/pair/contact_zones.hpp"
+#include "gearwright/report/free_labels.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/plot_axis.hpp"
 #include "gearwright/report/svg.hpp"
@@ -25,8 +26,8 @@ constexpr double kStripHeight = 26.0;
 constexpr double kPlotTop = 112.0;
 constexpr double kPlotHeight = 230.0;
 constexpr double kHeight = kPlotTop + kPlotHeight + 58.0;
-constexpr double kDeepest =
-    -4.0;  // specific sliding shown; below it the oil film is no question any more
+constexpr double kDeepest = -8.0;  // specific sliding shown, where a curve ends there
+constexpr double kEndless = -4.0;  // and where it falls without end, towards a base tangent point
 
 std::string count_words(int pairs, double width) {
   if (pairs == 0) return width > 80 ? "no contact" : "0";
@@ -101,7 +102,7 @@ std::optional<double> zeta(const InvolutePair& pair, int gear, double rho1) {
 double lowest_shown(const InvolutePair& pair) {
   double low = -0.5;
   for (const SpecificSliding<double>& s : {pair.sliding_A, pair.sliding_E}) {
-    for (const auto& z : {s.zeta_1, s.zeta_2}) low = std::min(low, z ? *z : kDeepest);
+    for (const auto& z : {s.zeta_1, s.zeta_2}) low = std::min(low, z ? *z : kEndless);
   }
   return std::max(kDeepest, std::floor(2 * low - 0.3) / 2);
 }
@@ -125,7 +126,7 @@ void label_end(Svg& svg, const InvolutePair& pair, bool at_A, const Axis& x, con
   const std::array<std::optional<double>, 2> values{s.zeta_1, s.zeta_2};
   std::vector<double> wanted;
   for (const auto& v : values) {
-    const double shown = std::max(v.value_or(kDeepest), y.lo);
+    const double shown = std::max(v.value_or(y.lo), y.lo);
     // Below the end of a curve that rises from it, above one that falls.
     wanted.push_back(y(shown) + (shown > 0.0 ? -10.0 : 13.0));
     if (v && *v >= y.lo) svg.dot({x(rho1), y(*v)}, 3.0, wanted.size() == 1 ? "mark g1" : "mark g2");
@@ -168,20 +169,24 @@ std::string ratio_svg(const InvolutePair& pair) {
   const double e_alpha = mesh.path_ratio;
   const double e_true = mesh.true_ratio;
   const double e_beta = mesh.overlap_ratio;
-  constexpr double kBarLeft = 150.0;
+  constexpr double kBarWidth = 420.0;  // as the picture of the whole pair, above it
+  constexpr double kBarLeft = 136.0;
+  constexpr double kBarRight = 122.0;
   constexpr double kRow = 34.0;
   constexpr double kTop = 26.0;
+  constexpr double kOneRoom = 3.0;  // px between a value and the line at 1
   const double most =
       std::max(2.0, std::ceil(std::max(pair.contact_ratio(), pair.contact_ratio_true()) + 0.15));
-  const Axis x{0.0, most, kBarLeft, kWidth - 110.0};
+  const Axis x{0.0, most, kBarLeft, kBarWidth - kBarRight};
   const double height = kTop + 3 * kRow + 10;
-  Svg svg("ratios", kWidth, height, "Contact ratios",
+  Svg svg("ratios", kBarWidth, height, "Contact ratios",
           "Bars of the transverse contact ratio, the overlap ratio and their sum; a line marks 1.");
-  const double by = std::max(1.0, std::ceil(most / 12));
+  const double by = std::ceil(most / 6);  // numbers have room beside each other
   for (double v = 0.0; v <= most; v += by) {
-    svg.line({x(v), kTop - 6}, {x(v), height - 8}, v == 1.0 ? "one" : "grid");
+    svg.line({x(v), kTop - 6}, {x(v), height - 8}, "grid");
     svg.text({x(v), kTop - 11}, fixed(v, 0), Anchor::middle, "tick");
   }
+  svg.line({x(1.0), kTop - 6}, {x(1.0), height - 8}, "one");
   struct Bar {
     const char* words;
     const char* symbol;
@@ -204,25 +209,34 @@ std::string ratio_svg(const InvolutePair& pair) {
     if (bar.formula - sum > 1e-9) svg.rect(x(0), top, x(bar.formula) - x(0), tall, "bar formula");
     std::string value = fixed(sum, 3);
     if (bar.formula - sum > 1e-9) value += " of " + fixed(bar.formula, 3);
-    svg.text({x(std::max(sum, bar.formula)), top + 16}, value, Anchor::start, "halo", {7.0, 0.0});
+    // A value that the line at 1 would cross stands behind the line.
+    const LabelPlace beside{{x(std::max(sum, bar.formula)), top + 16}, {7.0, 0.0}, Anchor::start};
+    const PixelBox box = label_box(beside, value);
+    const bool crossed = box.left - kOneRoom < x(1.0) && x(1.0) < box.right + kOneRoom;
+    svg.text({crossed ? x(1.0) : beside.at.x(), beside.at.y()}, value, Anchor::start, "halo",
+             beside.offset);
   }
   return svg.str();
 }
 
 }  // namespace
 
-std::string path_figures(const InvolutePair& pair) {
-  const bool differs = std::abs(pair.mesh.path_ratio - pair.mesh.true_ratio) > 1e-9;
+std::string path_figure(const InvolutePair& pair) {
   return fmt::format(
       "<figure>{}<figcaption><strong>Path of contact</strong>, zones of tooth "
       "pairs in contact in one transverse section. Specific sliding: <span class=\"key\"><i "
       "class=\"swatch g1\"></i>gear 1</span> <span class=\"key\"><i class=\"swatch g2\"></i>gear 2 "
-      "(dashed)</span></figcaption></figure>\n<figure>{}<figcaption><strong>Contact "
-      "ratios</strong>; "
-      "from 1 on contact never stops.{} <span class=\"key\"><i class=\"swatch "
-      "alpha\"></i>transverse</span> <span class=\"key\"><i "
-      "class=\"swatch beta\"></i>overlap</span></figcaption></figure>\n",
-      path_svg(pair), ratio_svg(pair),
+      "(dashed)</span></figcaption></figure>\n",
+      path_svg(pair));
+}
+
+std::string ratio_figure(const InvolutePair& pair) {
+  const bool differs = std::abs(pair.mesh.path_ratio - pair.mesh.true_ratio) > 1e-9;
+  return fmt::format(
+      "<figure>{}<figcaption><strong>Contact ratios</strong>; from 1 on contact never stops.{} "
+      "<span class=\"key\"><i class=\"swatch alpha\"></i>transverse</span> <span "
+      "class=\"key\"><i class=\"swatch beta\"></i>overlap</span></figcaption></figure>\n",
+      ratio_svg(pair),
       differs ? " Filled: of the usable flanks; outlined: from tip to tip, as the formula has it."
               : "");
 }

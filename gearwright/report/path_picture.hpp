@@ -7,7 +7,10 @@
 
 namespace gearwright {
 
-/// The two figures.
-std::string path_figures(const InvolutePair& pair);
+/// The strip with the zones and the specific sliding.
+std::string path_figure(const InvolutePair& pair);
+
+/// Transverse, overlap and total contact ratio as bars.
+std::string ratio_figure(const InvolutePair& pair);
 
 }  // namespace gearwright

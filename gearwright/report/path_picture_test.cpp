@@ -2,14 +2,47 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <string>
+
 #include "gearwright/report/testing/sample_reports.hpp"
 
 namespace gearwright {
 namespace {
 
 TEST(PathFigures, SaysWhereTheInvoluteEnds) {
-  EXPECT_NE(path_figures(testing::undercut_pair()).find("no involute"), std::string::npos);
-  EXPECT_EQ(path_figures(testing::helical_pair()).find("no involute"), std::string::npos);
+  EXPECT_NE(path_figure(testing::undercut_pair()).find("no involute"), std::string::npos);
+  EXPECT_EQ(path_figure(testing::helical_pair()).find("no involute"), std::string::npos);
+}
+
+// Two teeth slide by −5.1 and −5.4 at the ends: the axis goes on to −6.
+TEST(PathFigures, ShowsTheWholeOfSteepCurves) {
+  const std::string figure = path_figure(testing::two_and_sixty());
+  EXPECT_NE(figure.find(">-6.0<"), std::string::npos);
+  EXPECT_NE(figure.find("mark g1"), std::string::npos);
+  EXPECT_NE(figure.find("mark g2"), std::string::npos);
+}
+
+// The x of the label `words`, px; -1 without it.
+double label_x(const std::string& figure, const std::string& words) {
+  const std::size_t text = figure.find(">" + words + "<");
+  if (text == std::string::npos) return -1.0;
+  return std::atof(figure.c_str() + figure.rfind("translate(", text) + 10);
+}
+
+// ε_β 0.824 would lie across the line at 1, whose number stands above it.
+TEST(RatioFigure, NoValueLiesAcrossTheLineAtOne) {
+  const std::string figure = ratio_figure(testing::helical_pair());
+  EXPECT_EQ(label_x(figure, "0.824"), label_x(figure, "1"));
+  EXPECT_GT(label_x(figure, "1.453"), label_x(figure, "1"));
+}
+
+// A wide face: ticks three apart have room, the line at 1 is there all the same.
+TEST(RatioFigure, ManyPairsInContact) {
+  const std::string figure = ratio_figure(testing::two_and_sixty(150.0));  // ε_γ 14.3
+  EXPECT_NE(figure.find("class=\"one\""), std::string::npos);
+  EXPECT_EQ(label_x(figure, "1"), -1.0);
+  EXPECT_GT(label_x(figure, "6"), label_x(figure, "3") + 25.0);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ void add_rows(TableBuilder& table, const TextGroup& group) {
 
 void add_groups(TableBuilder& table, const std::vector<TextGroup>& groups) {
   for (const TextGroup& group : groups) {
-    table.group(group.title);
+    if (!group.title.empty()) table.group(group.title);
     add_rows(table, group);
   }
 }

@@ -85,7 +85,7 @@ void draw_panel(Svg& svg, const InvolutePair& pair, const std::vector<CrossedSam
       svg.dot(at, radius, style);
   };
   for (const Approximation& a : approximations(pair))
-    mark(a.normal_pressure_angle, "mark internal gear", 4.0);
+    mark(a.normal_pressure_angle, "mark ring", 4.0);
   if (pair.min_distance) mark(pair.min_distance->normal_pressure_angle, "mark", 3.4);
   const Angle mounted = Angle::radians(pair.mesh.rack.normal_pressure_angle);
   const Vec2 here(x(mounted.deg()), y(q.mounted));
@@ -130,7 +130,7 @@ std::string range_figure(const InvolutePair& pair) {
       range_svg(pair),
       pair.contact_ratio_range ? "Shaded: the contact ratio is at least 1."
                                : "The contact ratio reaches 1 nowhere.",
-      by_hand ? " Internal gears: approximate solutions of the least centre distance." : "");
+      by_hand ? " Hollow dots: approximate solutions of the least centre distance." : "");
 }
 
 }  // namespace gearwright

@@ -19,7 +19,7 @@ TEST(RangePicture, ThreeCurvesAndTheirMarks) {
   EXPECT_EQ(count(text, "<polyline class=\"curve ink\""), 3u);
   EXPECT_EQ(count(text, "class=\"band\""), 1u);
   EXPECT_EQ(count(text, "mark action-dot"), 3u);
-  EXPECT_EQ(count(text, "mark internal gear"), 15u);  // five approximations in three panels
+  EXPECT_EQ(count(text, "mark ring"), 15u);  // five approximations in three panels
   EXPECT_NE(text.find(">50.0100<"), text.npos);
   EXPECT_NE(text.find(">90.0000<"), text.npos);
   EXPECT_NE(text.find(">1.731<"), text.npos);

@@ -17,10 +17,9 @@ std::string finding(const Rating& r) {
                        f[0].value <= f[1].value ? 1 : 2);
   };
   return fmt::format(
-      "Least safety against root breakage {}, against pitting {}. A table’s values are those of "
-      "the "
-      "standard’s reference: allowable stress numbers are to be checked against the material’s "
-      "papers.",
+      "Least safety against root breakage {}, against pitting {}. Allowable stress numbers "
+      "from the table of materials are the standard’s reference values: check them against the "
+      "material’s certificate.",
       least(r.S_F), least(r.S_H));
 }
 
@@ -30,9 +29,14 @@ std::string table(const RatingView& view) {
   for (const TextGroup& group : text_groups(said.table(), {said.of(view)}, kPage)) {
     t.group(group.title.empty() ? "Standard" : group.title);
     for (const TextRow& row : group.rows) {
-      t.row(capitalised(row.said->words), row.said->symbol, unit_text(row.said->unit),
-            {row.texts.front(), row.texts.size() > 1 ? row.texts.back() : std::string(),
-             source_text(view.rating, row.said->key)});
+      const std::string words = capitalised(row.said->words);
+      const std::string place = source_text(view.rating, row.said->key);
+      if (row.texts.size() > 1) {
+        t.row(words, row.said->symbol, unit_text(row.said->unit),
+              {row.texts.front(), row.texts.back(), place});
+      } else {
+        t.common(words, row.said->symbol, unit_text(row.said->unit), row.texts.front(), place);
+      }
     }
   }
   return t.str();

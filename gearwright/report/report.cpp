@@ -104,10 +104,11 @@ std::string few_teeth_section(const ReportInput& input) {
     shifts += shift_figures(*input.gears[i], kShapes[i], name);
   }
   const std::string table = few_teeth_table(input.gears);
-  if (table.empty()) return {};
+  if (table.empty() && pictures == 0) return {};
   // One picture has the table beside it, two stand side by side above it.
-  const char* frame = pictures == 1 ? "<div class=\"columns\"><div>{}</div><div>{}</div></div>\n"
-                                    : "<div class=\"figures\">{}</div>\n{}";
+  const char* frame = pictures == 1 && !table.empty()
+                          ? "<div class=\"columns\"><div>{}</div><div>{}</div></div>\n"
+                          : "<div class=\"figures\">{}</div>\n{}";
   const std::string first = pictures == 0 ? table : fmt::format(fmt::runtime(frame), roots, table);
   return fmt::format("<section>\n<h2>Roots and tips</h2>\n{}{}</section>\n", first, shifts);
 }
@@ -121,9 +122,9 @@ std::string gear_section(const ReportInput& input) {
   const std::string table = gear_table(input.gears);
   if (input.gears.size() == 1) {
     return fmt::format(
-        "<section>\n<h2>Gear</h2>\n{}<div class=\"columns\"><div>{}</div><div>{}</div></div>\n"
+        "<section>\n<h2>Gear</h2>\n{}<div class=\"columns\"><div>{}</div><div>{}{}</div></div>\n"
         "</section>\n",
-        hint, table, pictures);
+        hint, table, pictures, solid_figure(input));
   }
   return fmt::format(
       "<section>\n<h2>Gears</h2>\n{}<div class=\"figures\">\n{}</div>\n{}</section>\n", hint,
@@ -138,22 +139,21 @@ std::string crossed_section(const InvolutePair& pair) {
       "<section class=\"pair\">\n<h2>Pair</h2>\n{}<div "
       "class=\"columns\"><div>{}{}</div><div>{}{}{}{}</div></div>\n"
       "<h3>Other places for these gears</h3>\n<div "
-      "class=\"columns\"><div>{}{}</div><div>{}{}</div></div>\n</section>\n",
+      "class=\"columns\"><div>{}</div><div>{}</div></div>\n{}</section>\n",
       plan_figures(pair), pair_table(pair), interference_table(pair), section_figure(pair),
       if_they_meet(face_use_figure), if_they_meet(speed_figures), path_table(pair),
-      range_figure(pair), min_distance_table(pair), face_width_figure(pair),
-      min_distance_figure(pair));
+      range_figure(pair), face_width_figure(pair), min_distance_part(pair));
 }
 
 std::string pair_section(const InvolutePair& pair) {
   if (pair.crossed()) return crossed_section(pair);
-  return fmt::format(
-      "<section class=\"pair\">\n<h2>Pair</h2>\n{}<div "
-      "class=\"columns\"><div>{}{}</div><div>{}{}</div></div>\n{}"
-      "</section>\n",
-      mesh_figures(pair, kShapes), pair_table(pair), interference_table(pair),
-      pair.flanks_meet() ? path_figures(pair) : std::string(), path_table(pair),
-      centrode_figures(pair));
+  const bool meet = pair.flanks_meet();
+  const std::string path = meet ? fmt::format("<div class=\"figures\">\n{}<div>{}</div></div>\n",
+                                              path_figure(pair), path_table(pair))
+                                : path_table(pair);
+  return fmt::format("<section class=\"pair\">\n<h2>Pair</h2>\n{}{}{}{}{}</section>\n",
+                     mesh_figures(pair, kShapes, meet ? ratio_figure(pair) : std::string()),
+                     pair_table(pair), interference_table(pair), path, centrode_figures(pair));
 }
 
 std::string file_section(const std::vector<ReportFile>& files) {
@@ -235,7 +235,8 @@ std::string report_html(const ReportInput& input) {
   if (input.load) sections += load_section(*input.load, kShapes);
   if (input.compensate) sections += compensate_section(*input.compensate);
   if (input.rating) sections += rating_section(*input.rating);
-  sections += solid_section(input) + file_section(input.files) + spec_section(input.spec_text);
+  if (input.gears.size() > 1) sections += solid_section(input);
+  sections += file_section(input.files) + spec_section(input.spec_text);
   page += "<main>\n" + with_contents(sections) + "</main>\n" + foot(input);
   page += fmt::format("<script>{}{}{}</script>\n</body>\n</html>\n", page_script(), turn_script(),
                       input.solid.empty() ? std::string_view() : solid_script());

@@ -67,16 +67,19 @@ std::string table_section(const SearchReport& report) {
   const SearchProblem& problem = report.search.problem();
   const SearchAnswer& answer = report.answer;
   const std::size_t shown = std::min(report.rows, answer.designs.size());
+  const auto* const end = answer.designs.data() + shown;
+  const bool interferes = std::any_of(answer.designs.data(), end,
+                                      [](const DesignRow& row) { return row.interference; });
   const bool all = static_cast<std::int64_t>(shown) == answer.counts.feasible;
   return fmt::format(
-      "<section>\n<h2>Designs</h2>\n<p>{} {}; profile shifts in modules.<span id=\"sort-hint\" "
+      "<section>\n<h2>Designs</h2>\n<p>{} {}; profile shifts in modules.{}<span id=\"sort-hint\" "
       "hidden> A heading sorts by its column, once more the other way round.</span></p>\n{}{}"
       "</section>\n",
       all ? fmt::format("All {}", counted(answer.counts.feasible))
           : fmt::format("The best {} of {}", counted(static_cast<std::int64_t>(shown)),
                         counted(answer.counts.feasible)),
-      escaped(order_in_words(problem)), design_table(problem, answer, report.rows),
-      design_table_key(problem, answer, report.rows));
+      escaped(order_in_words(problem)), interferes ? "" : " None of these interferes.",
+      design_table(problem, answer, report.rows), design_table_key(problem, answer, report.rows));
 }
 
 std::string picture_section(const SearchReport& report) {

@@ -16,7 +16,8 @@ namespace gearwright {
 namespace {
 
 // The quantities in the order of the page: which design, where it stands, what it is worth.
-constexpr const char* kOrder[] = {"module_mm",
+constexpr const char* kOrder[] = {"interference",
+                                  "module_mm",
                                   "teeth",
                                   "helix_angle_deg",
                                   "rack",
@@ -38,8 +39,34 @@ constexpr const char* kOrder[] = {"module_mm",
                                   "S_H",
                                   "S_F",
                                   "mass_kg",
-                                  "area",
-                                  "interference"};
+                                  "area"};
+
+// What a column means, where the page has room for less than the documents, or knows more.
+struct Meaning {
+  std::string_view key, words;
+};
+constexpr Meaning kMeanings[] = {
+    {"teeth", ""},
+    {"ratio_error", ""},
+    {"center_distance_mm", ""},
+    {"profile_shift", "in modules"},
+    {"point",
+     "balanced: on the line where the teeth of both gears are about equally strong; middle: in the "
+     "middle of the region, which that line misses"},
+    {"contact_ratio", "from tip to tip, by the formula"},
+    {"contact_ratio_true", "over that part of the path where both flanks are usable"},
+    {"overlap_ratio", ""},
+    {"working_normal_pressure_angle_deg", ""},
+    {"working_transverse_pressure_angle_deg", ""},
+    {"backlash_normal_mm", ""},
+    {"tip_thickness_mm", ""},
+    {"tip_clearance_mm", "from its tip to the root of the mating gear"},
+    {"sliding_max",
+     "at the ends of the path of contact; –: a flank reaches its base tangent point"},
+    {"face_width_mm", "of both gears"},
+    {"S_H", ""},
+    {"S_F", ""},
+    {"area", "in modules²: how much room the limits leave the profile shifts"}};
 
 struct Cell {
   std::string text;
@@ -111,7 +138,11 @@ std::string symbol_of(const Column& c) {
 std::string words_of(const Column& c) {
   std::string words = c.said->words;
   if (c.gear) words += fmt::format(" of gear {}", *c.gear + 1);
-  return c.said->meaning.empty() ? words : words + ": " + c.said->meaning;
+  const auto* own = std::find_if(std::begin(kMeanings), std::end(kMeanings),
+                                 [&](const Meaning& m) { return m.key == c.said->key; });
+  const std::string_view meaning =
+      own == std::end(kMeanings) ? std::string_view(c.said->meaning) : own->words;
+  return meaning.empty() ? words : fmt::format("{}: {}", words, meaning);
 }
 
 std::string heading(const Column& c) {

@@ -48,26 +48,26 @@ TEST(SearchTable, ARowIsItsDesign) {
     const auto c = cells(table, n);
     ASSERT_EQ(c.size(), 21u);
     EXPECT_EQ(c[0].text, std::to_string(n));
-    EXPECT_EQ(c[2].text, std::to_string(row.trial.z1));
-    EXPECT_EQ(c[3].text, std::to_string(row.trial.z2));
-    EXPECT_EQ(c[5].text, fixed(row.ratio - 2.0, 4));
-    EXPECT_EQ(c[6].text, fixed(row.center_distance, 4));
-    EXPECT_EQ(c[7].text, fixed(row.shift[0], 4));
-    EXPECT_EQ(c[8].text, fixed(row.shift[1], 4));
-    EXPECT_EQ(c[9].text, row.balanced ? "balanced" : "middle");
-    EXPECT_EQ(c[10].text, fixed(row.contact_ratio, 3));
-    EXPECT_EQ(c[11].text, fixed(row.contact_ratio_true, 3));
-    EXPECT_EQ(c[12].text, fixed(row.working_angle.deg(), 3));
-    EXPECT_EQ(c[13].text, fixed(row.backlash_normal, 4));
-    EXPECT_EQ(c[14].text, fixed(row.tip_thickness[0], 3));
-    EXPECT_EQ(c[16].text, fixed(row.tip_clearance[0], 3));
-    EXPECT_EQ(c[17].text, fixed(row.tip_clearance[1], 3));
-    EXPECT_EQ(c[18].text, fixed(row.max_sliding(), 3));
-    EXPECT_EQ(c[19].text, fixed(row.area, 4));
-    EXPECT_EQ(c[20].text, row.interference ? "yes" : "");
+    EXPECT_EQ(c[1].text, row.interference ? "yes" : "");
+    EXPECT_EQ(c[3].text, std::to_string(row.trial.z1));
+    EXPECT_EQ(c[4].text, std::to_string(row.trial.z2));
+    EXPECT_EQ(c[6].text, fixed(row.ratio - 2.0, 4));
+    EXPECT_EQ(c[7].text, fixed(row.center_distance, 4));
+    EXPECT_EQ(c[8].text, fixed(row.shift[0], 4));
+    EXPECT_EQ(c[9].text, fixed(row.shift[1], 4));
+    EXPECT_EQ(c[10].text, row.balanced ? "balanced" : "middle");
+    EXPECT_EQ(c[11].text, fixed(row.contact_ratio, 3));
+    EXPECT_EQ(c[12].text, fixed(row.contact_ratio_true, 3));
+    EXPECT_EQ(c[13].text, fixed(row.working_angle.deg(), 3));
+    EXPECT_EQ(c[14].text, fixed(row.backlash_normal, 4));
+    EXPECT_EQ(c[15].text, fixed(row.tip_thickness[0], 3));
+    EXPECT_EQ(c[17].text, fixed(row.tip_clearance[0], 3));
+    EXPECT_EQ(c[18].text, fixed(row.tip_clearance[1], 3));
+    EXPECT_EQ(c[19].text, fixed(row.max_sliding(), 3));
+    EXPECT_EQ(c[20].text, fixed(row.area, 4));
     // Columns sort by more digits than they show.
-    EXPECT_NEAR(std::stod(c[10].key), row.contact_ratio, 1e-11);
-    EXPECT_EQ(c[18].key.empty(), !row.max_sliding());
+    EXPECT_NEAR(std::stod(c[11].key), row.contact_ratio, 1e-11);
+    EXPECT_EQ(c[19].key.empty(), !row.max_sliding());
   }
 }
 
@@ -82,6 +82,23 @@ TEST(SearchTable, ColumnsThatSayNothingAreLeftOut) {
   const std::string crossed = table_of(testing::crossed_search());
   EXPECT_NE(crossed.find("title=\"working normal pressure angle"), crossed.npos);
   EXPECT_EQ(crossed.find("overlap ratio"), crossed.npos);
+}
+
+TEST(SearchTable, InterferenceComesFirstAndOnlyWhereSomethingInterferes) {
+  const std::string flagged = design_table_key(testing::spur_search().search->problem(),
+                                               *testing::spur_search().answer, 200);
+  EXPECT_LT(flagged.find("<dt>interference</dt>"), flagged.find("normal module"));
+  const SearchSample clean = testing::pareto_search();
+  EXPECT_EQ(table_of(clean).find("interference"), std::string::npos);
+}
+
+// What a reader of the page is told has no key of a file and no number of an equation in it.
+TEST(SearchTable, TheKeySpeaksToReadersOfThePage) {
+  for (const SearchSample& sample : testing::all_searches()) {
+    const std::string key = design_table_key(sample.search->problem(), *sample.answer, 200);
+    for (const char* word : {"`", "[z1", "[x1", "Eq. ", "eq11", "lo_hi"})
+      EXPECT_EQ(key.find(word), key.npos) << word << " in " << key;
+  }
 }
 
 TEST(SearchTable, TheFrontIsMarked) {

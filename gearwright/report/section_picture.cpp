@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kWidth = 640.0;
 constexpr double kTallest = 460.0;
-constexpr double kMargin = 74.0;  // px for labels, left and right
+constexpr double kMargin = 82.0;  // px for labels, left and right
 constexpr double kLabelGap = 19.0;
 
 const std::array<const char*, 2> kInk{"g1", "g2"};

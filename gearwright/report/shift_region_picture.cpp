@@ -208,7 +208,8 @@ std::vector<Vec2> draw_balanced(Svg& svg, const Drawn& d, const GraphFrame& g) {
 std::string description(const Drawn& d) {
   return fmt::format(
       "Profile shift of gear 1 to the right, of gear 2 up, in modules. The feasible region has the "
-      "area {:.4g}, from lo at {}, {} to hi at {}, {}; the design stands at {}, {}.",
+      "area {:.4g}, from {}, {} at the least sum to {}, {} at the greatest; the design stands at "
+      "{}, {}.",
       d.region.area, shown_shift(d.region.lo.x()), shown_shift(d.region.lo.y()),
       shown_shift(d.region.hi.x()), shown_shift(d.region.hi.y()), shown_shift(d.row.shift[0]),
       shown_shift(d.row.shift[1]));
@@ -249,13 +250,14 @@ std::string big_svg(const Drawn& d) {
   svg.dot(own, 7.0, "design-ring");
   svg.dot(own, 2.5, "design-dot");
   const Vec2 up_right = Vec2(1, -1).normalized();
-  labels.draw(svg, "lo", "lo", "halo letter", places_around(lo, 9, -up_right),
-              FreeLabels::If::always);
-  labels.draw(svg, "hi", "hi", "halo letter", places_around(hi, 9, up_right),
-              FreeLabels::If::always);
   labels.draw(svg, "design", "design", "halo letter here", places_around(own, 12, {1, 0}),
               FreeLabels::If::always);
   name_edges(svg, labels, g, d.loops, exact);
+  const std::string sum = symbol_svg("Σx");
+  labels.draw(svg, "min Σx", "min " + sum, "halo tick", places_around(lo, 9, -up_right),
+              FreeLabels::If::over_a_line);
+  labels.draw(svg, "max Σx", "max " + sum, "halo tick", places_around(hi, 9, up_right),
+              FreeLabels::If::over_a_line);
   for (const DistanceLine& line : distances) {
     const std::string value = fmt::format(" = {:.10g}", line.distance);
     std::vector<LabelPlace> places;
@@ -273,8 +275,8 @@ std::string big_svg(const Drawn& d) {
     for (const LabelPlace& p : places_around(at, 9, up_right)) places.push_back(p);
   }
   const bool ring = d.graph.problem().internal();
-  labels.draw(svg, "Eq. 11", ring ? symbol_svg("x_2") + " = 0" : "Eq. 11", "halo tick", places,
-              FreeLabels::If::free);
+  const std::string line = ring ? symbol_svg("x_2") + " = 0" : "balanced";
+  labels.draw(svg, ring ? "x2 = 0" : line, line, "halo tick", places, FreeLabels::If::free);
   return svg.str();
 }
 
@@ -291,14 +293,12 @@ std::string shift_region_figure(const ShiftGraph& graph, const DesignRow& row) {
   const std::string line =
       graph.problem().internal()
           ? std::string("the pinion takes all of the shift")
-          : fmt::format(
-                "Eq. 11 with {} = {:g}, which makes the teeth of both gears about equally "
-                "strong",
-                symbol_html("λ"), graph.problem().lambda);
+          : fmt::format("balanced, the teeth of both gears are about equally strong ({} = {:g})",
+                        symbol_html("λ"), graph.problem().lambda);
   return fmt::format(
       "<figure>{}<figcaption><strong>Where {} is feasible</strong>: the filled region, in normal "
       "modules, {}; faint: the rectangle of the shift limits. {}{}{}Thin dashed: {}; thick "
-      "where it is feasible. lo, hi: middles at the least and the greatest {}. Ringed: the "
+      "where that is feasible. Dots: the middles at the least and the greatest {}. Ringed: the "
       "design.</figcaption></figure>\n",
       big_svg(d), design_name(row.trial), area, key.empty() ? "" : "Its edges: ", key,
       distance ? "Thin: the centre distances, mm. " : "", line, symbol_html("Σx"));

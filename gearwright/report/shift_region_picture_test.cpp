@@ -68,13 +68,14 @@ TEST(ShiftRegionPicture, NumbersAreThoseOfTheRegion) {
   const std::string figure = figure_of(sample, row);
   EXPECT_NE(figure.find("Where " + design_name(row.trial) + " is feasible"), figure.npos);
   EXPECT_NE(figure.find("area " + fixed(row.area, 4)), figure.npos);
-  EXPECT_NE(figure.find("from lo at " + fixed(row.lo.x(), 4) + ", " + fixed(row.lo.y(), 4) +
-                        " to hi at " + fixed(row.hi.x(), 4) + ", " + fixed(row.hi.y(), 4)),
+  EXPECT_NE(figure.find("from " + fixed(row.lo.x(), 4) + ", " + fixed(row.lo.y(), 4) +
+                        " at the least sum to " + fixed(row.hi.x(), 4) + ", " +
+                        fixed(row.hi.y(), 4) + " at the greatest"),
             figure.npos);
   EXPECT_NE(
       figure.find("the design stands at " + fixed(row.shift[0], 4) + ", " + fixed(row.shift[1], 4)),
       figure.npos);
-  for (const char* name : {">lo<", ">hi<", ">design<", ">Eq. 11<"})
+  for (const char* name : {">min ", ">max ", ">design<", ">balanced<"})
     EXPECT_EQ(count_of(figure, name), 1u) << name;
   EXPECT_NE(figure.find(" = 101<"), figure.npos);
   EXPECT_EQ(figure, figure_of(sample, row));
@@ -165,7 +166,7 @@ TEST(ShiftRegionPicture, ARingsPinionTakesAllOfTheShift) {
   const SearchSample sample = testing::ring_search();
   const std::string figure = figure_of(sample, sample.answer->designs.front());
   EXPECT_NE(figure.find("the pinion takes all of the shift"), figure.npos);
-  EXPECT_EQ(figure.find("Eq. 11"), figure.npos);
+  EXPECT_EQ(figure.find(">balanced<"), figure.npos);
 }
 
 }  // namespace

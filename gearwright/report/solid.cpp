@@ -32,14 +32,14 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-std::string solid_section(const ReportInput& input) {
+std::string solid_figure(const ReportInput& input) {
   if (input.solid.empty()) return {};
   const std::string data = base64(input.solid);
   const bool turns = input.pair.has_value();
   const double pitch = 360.0 / std::abs(input.gears[0]->spec.teeth);
   std::string text = fmt::format(
-      "<section id=\"solid\"><h2>In space</h2>\n<figure class=\"solid\" data-turns=\"-1 {:.17g}\" "
-      "data-pitch=\"{:.12g}\" data-glb=\"{}\">\n<canvas tabindex=\"0\" role=\"img\" "
+      "<figure class=\"solid\" id=\"solid\" data-turns=\"-1 {:.17g}\" data-pitch=\"{:.12g}\" "
+      "data-glb=\"{}\">\n<canvas tabindex=\"0\" role=\"img\" "
       "aria-label=\"The {} in space; arrow keys turn the view, plus and minus come closer and go "
       "back, 0 restores\"></canvas>\n<p class=\"no-solid\" hidden>This browser shows no solids "
       "(WebGL is missing or switched off); the GLB file beside this page opens in any "
@@ -52,10 +52,17 @@ std::string solid_section(const ReportInput& input) {
         "value=\"0\"></label> <output>0.00°</output></div>\n";
   }
   return text + fmt::format(
-                    "<figcaption>Drag turns the view; once clicked, the wheel comes closer; double "
-                    "click restores. The mesh is within {:.4g} mm of the exact surfaces and takes "
-                    "{:.0f} kB of this page.</figcaption>\n</figure></section>\n",
+                    "<figcaption><span class=\"on-screen\">Drag turns the "
+                    "view; once clicked, the wheel comes closer; double click restores. </span>The "
+                    "mesh is within {:.2g} mm of the exact surfaces<span class=\"on-screen\"> and "
+                    "takes {:.0f} kB of this page</span>.</figcaption>\n</figure>\n",
                     input.solid_tolerance, static_cast<double>(data.size()) / 1000.0);
+}
+
+std::string solid_section(const ReportInput& input) {
+  const std::string figure = solid_figure(input);
+  if (figure.empty()) return {};
+  return "<section><h2>In space</h2>\n" + figure + "</section>\n";
 }
 
 }  // namespace gearwright

@@ -8,8 +8,11 @@
 
 namespace gearwright {
 
-/// The section of the page; empty without a solid. With a pair the gears turn, gear 1 clockwise seen
+/// The figure alone; empty without a solid. With a pair the gears turn, gear 1 clockwise seen
 /// from +z. Without WebGL one sentence stands in its place.
+std::string solid_figure(const ReportInput& input);
+
+/// The same under its own heading.
 std::string solid_section(const ReportInput& input);
 
 /// RFC 4648, with padding.

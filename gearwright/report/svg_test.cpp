@@ -71,6 +71,10 @@ TEST(HtmlText, Symbols) {
   EXPECT_EQ(symbol_html("d_Ff"), "<var>d</var><sub>Ff</sub>");
   EXPECT_EQ(symbol_html("h_aP*"), "<var>h</var><sub>aP</sub><sup>*</sup>");
   EXPECT_EQ(symbol_html("ε_α"), "<var>ε</var><sub>α</sub>");
+  EXPECT_EQ(symbol_html("ε_α,eff"), "<var>ε</var><sub>α,eff</sub>");
+  EXPECT_EQ(symbol_html("k_1, k_2"), "<var>k</var><sub>1</sub><var>, k</var><sub>2</sub>");
+  EXPECT_EQ(with_symbols("F_βy < 1, a"), "<var>F</var><sub>βy</sub> &lt; 1, a");
+  EXPECT_EQ(with_symbols("no face_width_mm; cut_by, _x, d_"), "no face_width_mm; cut_by, _x, d_");
   EXPECT_EQ(symbol_html("k m_n"), "<var>k m</var><sub>n</sub>");
   EXPECT_NE(symbol_svg("d_b").find("dy=\"3\">b</tspan><tspan dy=\"-3\">"), std::string::npos);
 }

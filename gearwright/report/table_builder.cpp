@@ -35,24 +35,39 @@ void TableBuilder::open_row(std::string_view words, std::string_view symbol,
   in_group_ = true;
   text_ += fmt::format(
       "<tr><th scope=\"row\">{}</th><td class=\"symbol\">{}</td><td class=\"unit\">{}</td>",
-      escaped(words), symbol_html(symbol), escaped(unit));
+      with_symbols(words), symbol_html(symbol), escaped(unit));
+}
+
+// A number stays on its line; a range or a list may break between its numbers.
+void TableBuilder::cell(const std::string& value, std::size_t columns) {
+  const bool several = value.find(" … ") != value.npos || value.find(", ") != value.npos;
+  text_ +=
+      fmt::format("<td class=\"value{}\"{}>{}</td>", several ? " several" : "",
+                  columns > 1 ? fmt::format(" colspan=\"{}\"", columns) : "", with_symbols(value));
 }
 
 void TableBuilder::row(std::string_view words, std::string_view symbol, std::string_view unit,
                        const std::vector<std::string>& values) {
   GW_EXPECTS(values.size() == columns_);
   open_row(words, symbol, unit);
-  for (const std::string& value : values) {
-    text_ += fmt::format("<td class=\"value\">{}</td>", escaped(value));
-  }
+  for (const std::string& value : values) cell(value, 1);
   text_ += "</tr>\n";
 }
 
 void TableBuilder::common(std::string_view words, std::string_view symbol, std::string_view unit,
                           const std::string& value) {
   open_row(words, symbol, unit);
-  text_ +=
-      fmt::format("<td class=\"value\" colspan=\"{}\">{}</td></tr>\n", columns_, escaped(value));
+  cell(value, columns_);
+  text_ += "</tr>\n";
+}
+
+void TableBuilder::common(std::string_view words, std::string_view symbol, std::string_view unit,
+                          const std::string& value, const std::string& note) {
+  GW_EXPECTS(columns_ > 1);
+  open_row(words, symbol, unit);
+  cell(value, columns_ - 1);
+  cell(note, 1);
+  text_ += "</tr>\n";
 }
 
 std::string TableBuilder::str() const {

@@ -19,12 +19,16 @@ class TableBuilder {
   /// One value that belongs to all columns.
   void common(std::string_view words, std::string_view symbol, std::string_view unit,
               const std::string& value);
+  /// One value that belongs to all columns but the last, which holds a note.
+  void common(std::string_view words, std::string_view symbol, std::string_view unit,
+              const std::string& value, const std::string& note);
 
   std::size_t columns() const { return columns_; }  ///< of values
   std::string str() const;
 
  private:
   void open_row(std::string_view words, std::string_view symbol, std::string_view unit);
+  void cell(const std::string& value, std::size_t columns);
 
   std::size_t columns_;
   bool in_group_ = false;

@@ -58,6 +58,12 @@ Viewport window(const Gear& gear) {
   return {kWidth, kHeight, Vec2(middle, -shift), scale, true};
 }
 
+// As many digits as the room beside the plot holds on a narrow screen; the table has them all.
+std::string shown_diameter(double d) {
+  const int before = d < 1000.0 ? 3 : static_cast<int>(std::log10(d)) + 1;
+  return fixed(d, std::max(0, std::min(kLengthDigits, 7 - before)));
+}
+
 void draw_circles(Svg& svg, const Viewport& view, const Gear& gear) {
   const Vec2 axis = view.px(Vec2::Zero());
   const std::vector<LabelledCircle> circles = circles_of(gear);
@@ -67,7 +73,7 @@ void draw_circles(Svg& svg, const Viewport& view, const Gear& gear) {
     svg.circle(axis, c.radius * view.scale, c.style);
     const Vec2 end = leaves_right(axis, c.radius * view.scale, kPlotWidth);
     if (end.y() > kHeight || end.y() < 0.0) continue;  // outside the window; the table has it
-    leaders.push_back({end, symbol_svg(c.symbol) + " " + fixed(2 * c.radius, kLengthDigits)});
+    leaders.push_back({end, symbol_svg(c.symbol) + " " + shown_diameter(2 * c.radius)});
   }
   svg.end_group();
   draw_leaders(svg, leaders, kPlotWidth + 12, kHeight);

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+
+#include "gearwright/base/units.hpp"
 
 namespace gearwright::detail {
 
@@ -26,6 +29,11 @@ constexpr Margin kTip{
     "tip_margin", "The clearance of the tip of gear {} to the root of its mating gear",
     "A smaller tip diameter or more dedendum on the mating gear would help.", kMarginTip};
 
+// "0.1500 mm", below a micrometre "0.021 µm", which would be 0.0000 mm.
+std::string said(double mm) {
+  return mm < kMmPerUm ? fmt::format("{:.2g} µm", kUmPerMm * mm) : fmt::format("{:.4f} mm", mm);
+}
+
 void judge(std::vector<Finding>& findings, const Margin& margin, int gear,
            const std::optional<double>& clearance, double module) {
   if (!clearance || *clearance < 0.0) return;  // below 0 a warning says more
@@ -34,9 +42,9 @@ void judge(std::vector<Finding>& findings, const Margin& margin, int gear,
   findings.push_back({margin.code,
                       Level::amber,
                       gear,
-                      fmt::format("{} is {:.4f} mm, less than {:g} modules ({:.4f} mm).",
-                                  fmt::format(fmt::runtime(margin.what), gear), *clearance,
-                                  margin.modules, threshold),
+                      fmt::format("{} is {}, less than {:g} modules ({}).",
+                                  fmt::format(fmt::runtime(margin.what), gear), said(*clearance),
+                                  margin.modules, said(threshold)),
                       margin.remedy,
                       {{"clearance", *clearance, true}, {"threshold", threshold, true}}});
 }

@@ -136,6 +136,17 @@ TEST(Verdict, small_clearances_are_said_with_their_thresholds) {
   }
 }
 
+// A clearance of nanometres is no 0.0000 mm.
+TEST(Verdict, says_small_clearances_in_micrometres) {
+  InvolutePair pair = helical_pair();
+  pair.fillet_clearance[0] = 21e-6;
+  bool said = false;
+  for (const Finding& f : judged(pair).findings)
+    said = said ||
+           f.message.find("is 0.021 µm, less than 0.0001 modules (0.25 µm)") != std::string::npos;
+  EXPECT_TRUE(said);
+}
+
 TEST(Verdict, edges_and_places_under_errors) {
   const InvolutePair involutes = helical_pair();
   const Pair pair(involutes);

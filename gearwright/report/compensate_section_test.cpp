@@ -1,0 +1,38 @@
+#include "gearwright/report/compensate_section.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "gearwright/report/testing/strict_html.hpp"
+
+namespace gearwright {
+namespace {
+
+ContactScore score(double arcsec) {
+  ContactScore s;
+  s.peak_to_peak = Angle::arcseconds(arcsec);
+  return s;
+}
+
+// The errors of a range come with the keys of the spec; a reader gets words and units.
+TEST(CompensateSection, NamesTheErrorsOfARangeInWords) {
+  CompensateView view;
+  view.before = score(3.0);
+  view.after = score(2.0);
+  view.corrections = {{"", "um", "helix crowning of gear 1", "µm", 3.56, "", false}};
+  view.scenarios = {{"as given", score(1.5), score(1.6)},
+                    {"crossing_deg = -0.01, center_distance_mm = 0.02", score(3.0), score(2.0)}};
+  const std::string text = compensate_section(view);
+  EXPECT_NE(text.find(">As given<"), text.npos);
+  EXPECT_NE(text.find(">Out-of-plane shaft deviation -0.01°, centre distance 0.02 mm<"), text.npos)
+      << text;
+  EXPECT_EQ(text.find("_deg"), text.npos);
+  EXPECT_EQ(text.find("colspan=\"5\"></th>"), text.npos) << "a heading without words";
+  for (const std::string& fault :
+       testing::StrictHtml::read("<!DOCTYPE html>\n<div>" + text + "</div>").faults)
+    ADD_FAILURE() << fault;
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,60 @@
+// Every class on a page is known to its style sheet or its scripts: a name that nothing knows is a
+// slip, and the picture lacks what it should show.
+#include "gearwright/report/page_style.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "gearwright/report/load_section.hpp"
+#include "gearwright/report/search_table.hpp"
+#include "gearwright/report/solid.hpp"
+#include "gearwright/report/testing/sample_load.hpp"
+#include "gearwright/report/testing/sample_reports.hpp"
+#include "gearwright/report/testing/sample_search.hpp"
+#include "gearwright/report/turning.hpp"
+
+namespace gearwright {
+namespace {
+
+std::set<std::string> classes_of(const std::string& page) {
+  constexpr std::string_view kClass = " class=\"";
+  std::set<std::string> names;
+  for (std::size_t at = page.find(kClass); at != page.npos; at = page.find(kClass, at + 1)) {
+    const std::size_t from = at + kClass.size();
+    std::istringstream words(page.substr(from, page.find('"', from) - from));
+    for (std::string word; words >> word;) names.insert(word);
+  }
+  return names;
+}
+
+// Names without a look: of sections, and hooks for programs that read a page.
+const std::set<std::string> kPlain{"green", "pair", "compensate", "front", "words"};
+
+void expect_known(const std::string& page, const std::string& what) {
+  const std::string known = std::string(page_style()) + std::string(search_style()) +
+                            std::string(page_script()) + std::string(turn_script()) +
+                            std::string(solid_script()) + std::string(sort_script());
+  for (const std::string& name : classes_of(page)) {
+    if (kPlain.count(name) != 0) continue;
+    EXPECT_NE(known.find("." + name), known.npos) << "class " << name << " of " << what;
+  }
+}
+
+TEST(PageStyle, KnowsEveryClassOfEveryPage) {
+  expect_known(report_html(testing::report_input(testing::helical_pair())), "helical");
+  expect_known(report_html(testing::report_input(testing::undercut_pair())), "undercut");
+  expect_known(report_html(testing::report_input(testing::two_and_sixty())), "two teeth");
+  expect_known(report_html(testing::report_input(testing::internal_pair())), "internal");
+  for (const InvolutePair& pair : testing::crossed_pairs())
+    expect_known(report_html(testing::report_input(pair)), "crossed");
+  for (const testing::SearchSample& sample : testing::all_searches())
+    expect_known(search_report(sample.report()), "search");
+  const auto load = testing::load_sample(testing::helical_pair(), {77e3, 99e3}, 0.01);
+  expect_known(load_section(load.report, {"gear1", "gear2"}), "load");
+}
+
+}  // namespace
+}  // namespace gearwright
