@@ -144,6 +144,46 @@ BENCHMARK(feasible_designs_over_sieve)
     ->Unit(benchmark::kMillisecond)
     ->Iterations(7);
 
+// What a design costs whose shifts do not lie on the line of Eq. 11, which λ lifts off every region:
+// `ratio`, by time, over one that stands on it. Arg 1: free of backlash, tips shortened, on the line.
+void designs_off_the_line_over_those_on_it(benchmark::State& state) {
+  SearchProblem p;
+  p.ratio = {1.0, 6.0};
+  p.modules = {2.0};
+  p.pinion_teeth = {20, 120};
+  p.limits.avoid_interference = p.limits.clear_fillets = true;
+  p.limits.tip_clearance = kRunningTipClearance;
+  p.limits.form_clearance = kRunningFormClearance;
+  SearchProblem q = p;
+  if (state.range(0) == 0) q.lambda = 2.5;
+  q.shorten_tips = state.range(0) == 1;
+  if (q.shorten_tips) q.mounting = Mounting::tight;
+  const Search on(p);
+  const Search off(q);
+  std::vector<DesignRow> rows;
+  const auto run = [&](const Search& search) {
+    rows.clear();
+    return search.range(0, *search.space().size(), rows, {.detail = RegionDetail::point}).feasible;
+  };
+  const auto feasible = static_cast<double>(run(off));
+  double best = 1e300;
+  std::vector<double> ratios;
+  for (auto _ : state) {
+    const double a = seconds_of([&] { run(off); });
+    const double b = seconds_of([&] { run(on); });
+    ratios.push_back(a / b);
+    best = std::min(best, a);
+  }
+  state.counters["ratio"] = median(ratios);
+  state.counters["designs_per_s"] = feasible / best;
+  state.SetLabel(q.shorten_tips ? "tight, tips shortened" : "off the line of Eq. 11");
+}
+BENCHMARK(designs_off_the_line_over_those_on_it)
+    ->Arg(0)
+    ->Arg(1)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(7);
+
 // The same designs rated by ISO 6336 and not: `us_per_rating` is what a rating adds to a design,
 // `ratio` time with over time without.
 void rated_designs_over_unrated(benchmark::State& state) {

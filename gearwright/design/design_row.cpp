@@ -123,20 +123,21 @@ std::optional<DesignRow> design_row(const ShiftGraph& graph, const ShiftRegion& 
 }
 
 std::optional<DesignRow> design_row(const ShiftGraph& graph, RegionDetail detail) {
-  if (detail == RegionDetail::point) {
+  const bool point = detail == RegionDetail::point;
+  if (point) {
     if (const auto place = point_off_walls(graph)) {
       DesignRow row = rated(graph, row_at(graph, *place));
       row.balanced = true;
       return row;
     }
   }
-  const auto region = shift_region(graph, detail);
+  const auto region = shift_region(graph, detail, point ? OffWalls::none : OffWalls::sought);
   return region ? design_row(graph, *region) : std::nullopt;
 }
 
 bool has_design(const ShiftGraph& graph) {
   // Most of those that are asked have no region, and that is known sooner than that no point runs.
-  if (graph.feasible_sums().empty()) return false;
+  if (!graph.has_feasible_sums()) return false;
   const SearchProblem& problem = graph.problem();
   if (!problem.limits.clear_fillets && !problem.rating) return true;
   const auto row = design_row(graph, RegionDetail::point);

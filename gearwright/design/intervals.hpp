@@ -9,6 +9,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "gearwright/math/root.hpp"
@@ -21,27 +25,64 @@ struct Interval {
 
 inline constexpr int kIntervalNodes = 24;
 
+/// Of the numbers in some intervals the one nearest 0; none: no intervals.
+inline std::optional<double> nearest_zero(const std::vector<Interval>& intervals) {
+  std::optional<double> nearest;
+  for (const Interval& i : intervals) {
+    const double x = std::clamp(0.0, i.lo, i.hi);
+    if (!nearest || std::abs(x) < std::abs(*nearest)) nearest = x;
+  }
+  return nearest;
+}
+
+/// What a function is known to be, so that no more is asked of it than can matter.
+struct Hump {
+  /// f″ is nowhere greater, beside the edges that a least of several smooth functions has.
+  double bend = std::numeric_limits<double>::infinity();
+  double below = -1e-9;  ///< a top that is lower than this is not looked for
+};
+
 namespace detail {
 
-/// The higher place of f between a and b, by golden section; stops as soon as f > 0.
+/// The most that f can reach between a and b, by its values at a < x < y < b (those of a and b may
+/// be unknown, −∞): beyond two of them a function that bends downwards stays under their secant.
+inline double ceiling_of_hump(double a, double f_a, double x, double f_x, double y, double f_y,
+                              double b, double f_b, double bend) {
+  const auto rise = [](double lower, double upper) { return std::max(upper - lower, 0.0); };
+  const double slope = (f_x - f_y) / (y - x);
+  const double outside = std::max({slope * (x - a), -slope * (b - y), 0.0});
+  const double from_left = rise(f_a, f_x) / (x - a) * (y - x);
+  const double from_right = rise(f_b, f_y) / (b - y) * (y - x);
+  const double inside = std::min(from_left, from_right);
+  return std::max(f_x, f_y) + std::max(outside, inside) + bend * (b - a) * (b - a);
+}
+
+/// The higher place of f between a and b, by golden section; stops as soon as f > 0, or where it
+/// cannot come above `hump.below`.
 template <class F>
-double climb(const F& f, double a, double b) {
+double climb(const F& f, double a, double b, const Hump& hump = {}) {
   constexpr double kGolden = 0.6180339887498949;
   // Of a variable of size 1, as shifts and their sums are: golden section is at rounding long before.
   constexpr double kNarrow = 1e-13;
+  constexpr double kUnknown = -std::numeric_limits<double>::infinity();
   double x = b - kGolden * (b - a);
   double y = a + kGolden * (b - a);
   double f_x = f(x);
   double f_y = f(y);
+  double f_a = kUnknown;
+  double f_b = kUnknown;
   for (int i = 0; i < 80 && b - a > kNarrow && f_x <= 0.0 && f_y <= 0.0; ++i) {
+    if (ceiling_of_hump(a, f_a, x, f_x, y, f_y, b, f_b, hump.bend) < hump.below) break;
     if (f_x > f_y) {
       b = y;
+      f_b = f_y;
       y = x;
       f_y = f_x;
       x = b - kGolden * (b - a);
       f_x = f(x);
     } else {
       a = x;
+      f_a = f_x;
       x = y;
       f_x = f_y;
       y = a + kGolden * (b - a);
@@ -51,18 +92,31 @@ double climb(const F& f, double a, double b) {
   return f_x > f_y ? x : y;
 }
 
+/// A node is the root itself where the chord to the next one crosses zero within rounding, as at a
+/// corner of the limits of shift: a bracket would close no nearer.
+inline bool is_root(double x, double f_x, double next, double f_next) {
+  const double away = std::abs(next - x) * -f_x;
+  return away <=
+         4.0 * std::numeric_limits<double>::epsilon() * std::max(1.0, std::abs(x)) * (f_next - f_x);
+}
+
 }  // namespace detail
 
-/// The intervals of [a, b] where f ≥ 0, in growing order; a single point counts.
-///
-/// Domain    f continuous; a ≤ b, else none
+/// Where f ≥ 0, and the highest value of f that was met on the way.
+struct Superlevel {
+  std::vector<Interval> pieces;
+  double highest = -std::numeric_limits<double>::infinity();
+};
+
 template <class F>
-std::vector<Interval> where_not_negative(const F& f, double a, double b,
-                                         int nodes = kIntervalNodes) {
-  std::vector<Interval> found;
+Superlevel superlevel(const F& f, double a, double b, int nodes = kIntervalNodes,
+                      const Hump& hump = {}) {
+  Superlevel found;
   if (!(a <= b)) return found;
+  const auto meet = [&](double value) { found.highest = std::max(found.highest, value); };
   if (a == b) {
-    if (f(a) >= 0.0) found.push_back({a, a});
+    meet(f(a));
+    if (found.highest >= 0.0) found.pieces.push_back({a, a});
     return found;
   }
   struct Node {
@@ -73,6 +127,7 @@ std::vector<Interval> where_not_negative(const F& f, double a, double b,
   for (int i = 0; i <= nodes; ++i) {
     const double x = i == nodes ? b : a + (b - a) * i / nodes;
     at.push_back({x, f(x)});
+    meet(at.back().value);
   }
   for (std::size_t i = 0; i < at.size(); ++i) {
     if (at[i].value >= 0.0) continue;
@@ -81,8 +136,9 @@ std::vector<Interval> where_not_negative(const F& f, double a, double b,
         i + 1 == at.size() || (at[i + 1].value < 0.0 && at[i + 1].value <= at[i].value);
     if (!left || !right) continue;
     const double top =
-        detail::climb(f, at[i == 0 ? 0 : i - 1].x, at[i + 1 == at.size() ? i : i + 1].x);
+        detail::climb(f, at[i == 0 ? 0 : i - 1].x, at[i + 1 == at.size() ? i : i + 1].x, hump);
     const double value = f(top);
+    meet(value);
     if (value < 0.0) continue;
     at.insert(at.begin() + static_cast<std::ptrdiff_t>(top > at[i].x ? i + 1 : i), {top, value});
     ++i;
@@ -93,7 +149,7 @@ std::vector<Interval> where_not_negative(const F& f, double a, double b,
     const double l = at[i].value;
     const double r = at[i + 1].value;
     if (!((l == 0.0 && r < 0.0) || (l < 0.0 && r == 0.0))) continue;
-    const double place = detail::climb(f, at[i].x, at[i + 1].x);
+    const double place = detail::climb(f, at[i].x, at[i + 1].x, hump);
     const Node top{place, f(place)};
     if (!(top.value > 0.0)) continue;
     at.insert(at.begin() + static_cast<std::ptrdiff_t>(i + 1), top);
@@ -103,13 +159,40 @@ std::vector<Interval> where_not_negative(const F& f, double a, double b,
     if (at[i].value < 0.0) continue;
     Interval piece{at[i].x, at[i].x};
     // The root's own end may lie a rounding outside; the inner end of its bracket does not.
-    if (i > 0) piece.lo = std::min(find_root(f, at[i - 1].x, at[i].x).x, at[i].x);
+    const auto end = [&](const Node& outside, const Node& inside) {
+      if (detail::is_root(outside.x, outside.value, inside.x, inside.value)) return outside.x;
+      return find_root([&f](double x) { return f(x); }, std::min(outside.x, inside.x),
+                       std::max(outside.x, inside.x))
+          .x;
+    };
+    if (i > 0) piece.lo = std::min(end(at[i - 1], at[i]), at[i].x);
     while (i + 1 < at.size() && at[i + 1].value >= 0.0) ++i;
     piece.hi = at[i].x;
-    if (i + 1 < at.size()) piece.hi = std::max(find_root(f, at[i].x, at[i + 1].x).x, at[i].x);
-    found.push_back(piece);
+    if (i + 1 < at.size()) piece.hi = std::max(end(at[i + 1], at[i]), at[i].x);
+    found.pieces.push_back(piece);
   }
   return found;
+}
+
+/// The intervals of [a, b] where f ≥ 0, in growing order; a single point counts.
+///
+/// Domain    f continuous; a ≤ b, else none
+template <class F>
+std::vector<Interval> where_not_negative(const F& f, double a, double b, int nodes = kIntervalNodes,
+                                         const Hump& hump = {}) {
+  return superlevel(f, a, b, nodes, hump).pieces;
+}
+
+/// The same; where there are none, those where f ≥ −touch.
+///
+/// Domain    touch well below −hump.below
+template <class F>
+std::vector<Interval> where_not_negative_or_touching(const F& f, double a, double b, double touch,
+                                                     const Hump& hump = {}) {
+  Superlevel exactly = superlevel(f, a, b, kIntervalNodes, hump);
+  // What only touches counts, but must not blur the ends of what does more.
+  if (!exactly.pieces.empty() || exactly.highest < hump.below) return std::move(exactly.pieces);
+  return where_not_negative([&](double x) { return f(x) + touch; }, a, b, kIntervalNodes, hump);
 }
 
 }  // namespace gearwright

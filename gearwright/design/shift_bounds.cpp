@@ -16,6 +16,17 @@ using detail::lower;
 using detail::radius_of;
 using detail::raise;
 
+namespace {
+
+// All bounds of a line in one place, the tightest left.
+struct Tightest : LineEnds {
+  static constexpr bool kNamed = false;
+  double& lo_of(ShiftEdge) { return lo; }
+  double& hi_of(ShiftEdge) { return hi; }
+};
+
+}  // namespace
+
 void ShiftGraph::bound_sliding(const SumPlace& at, double sum, double& lo, double& hi) const {
   // With t = ρ2/(u ρ1) at A and ρ2/(u ρ1) at E, |ζ| ≤ Z is 1/(1 + Z) ≤ t ≤ 1 + Z. [T9.8]
   const double u = static_cast<double>(trial_.z2) / trial_.z1;
@@ -52,7 +63,7 @@ void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2
     return (-c * s + w * std::sqrt(disc)) / (s * s - w * w);
   };
   const auto line = [&](std::size_t i, double A_mate) {
-    const double s = weight_[i] / gears_[i].sin_transverse;
+    const double s = start_slope_[i];
     const double c = at.N - problem_->limits.form_clearance -
                      weight_[i] * gears_[i].r * gears_[i].sin_transverse +
                      s * gears_[i].flank_depth - s * (sum + A_mate);
@@ -63,8 +74,8 @@ void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2
   if (!internal_) {
     const auto [c_1, s_1] = line(0, A_2);
     const auto [c_2, s_2] = line(1, A_1);
-    hi_1 = sum + A_2 - greater_root(weight_[1], c_1, s_1, gears_[1].r_b);
-    lo_2 = greater_root(weight_[0], c_2, s_2, gears_[0].r_b) - A_1;
+    lower(hi_1, sum + A_2 - greater_root(weight_[1], c_1, s_1, gears_[1].r_b));
+    raise(lo_2, greater_root(weight_[0], c_2, s_2, gears_[0].r_b) - A_1);
     return;
   }
   // The internal gear's tip v = |u|: √(v² − b²) ≥ s v + c, between the roots.
@@ -78,36 +89,44 @@ void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2
   // a distance that is 0 with disc, so that a width over Σ is continuous.
   const double middle = -s * c / (s * s - 1.0) + A_2 + sum;
   const double half = std::copysign(std::sqrt(std::abs(disc)), disc) / (s * s - 1.0);
-  lo_2 = middle - half;
-  hi_1 = middle + half;
+  raise(lo_2, middle - half);
+  lower(hi_1, middle + half);
 }
 
 // The path clipped to the usable flanks, which begin at f_i = max(0, w_i ρ_Fi) [T9.1]: from f_1 to
 // the tip, w_1 q_1 − f_1 ≥ K, the same of gear 2, and N − f_1 − f_2 ≥ K. Of the last the case of
 // both starts is one of Σ alone (sum_margin). An internal gear's start is not known. [T9.7]
+
+// What the first two leave of the shift of gear i.
+std::array<double, 2> ShiftGraph::usable_shifts(std::size_t i, double k) const {
+  const TrialGear& g = gears_[i];
+  if (g.teeth < 0) return {-kInfinity, kInfinity};
+  const double A = g.r + g.addendum + k;
+  const double path = min_path_ / weight_[i];
+  double least = radius_of(path, g.r_b);
+  double most = kInfinity;
+  // q(u) ≥ s u + c: between the roots, or up to the greater one where the line starts below 0.
+  const double s = 1.0 / g.sin_transverse;
+  const double c = path + g.r * g.sin_transverse - s * (g.edge_depth + A);
+  const double disc = c * c - (s * s - 1.0) * g.r_b * g.r_b;
+  const bool starts_above = s * g.r_b + c > 0.0;
+  if (disc >= 0.0 && c < 0.0) {
+    most = (-s * c + std::sqrt(disc)) / (s * s - 1.0);
+    if (starts_above) raise(least, (-s * c - std::sqrt(disc)) / (s * s - 1.0));
+  } else if (starts_above) {
+    most = least - 1.0;
+  }
+  return {least - A, most - A};
+}
+
 void ShiftGraph::bound_usable_path(const SumPlace& at, double sum, double& lo, double& hi) const {
   for (std::size_t i : {0, 1}) {
     const TrialGear& g = gears_[i];
     if (g.teeth < 0) continue;
-    const double A = g.r + g.addendum + at.k;
-    const double path = min_path_ / weight_[i];
-    double least = radius_of(path, g.r_b);
-    double most = kInfinity;
-    // q(u) ≥ s u + c: between the roots, or up to the greater one where the line starts below 0.
-    const double s = 1.0 / g.sin_transverse;
-    const double c = path + g.r * g.sin_transverse - s * (g.edge_depth + A);
-    const double disc = c * c - (s * s - 1.0) * g.r_b * g.r_b;
-    const bool starts_above = s * g.r_b + c > 0.0;
-    if (disc >= 0.0 && c < 0.0) {
-      most = (-s * c + std::sqrt(disc)) / (s * s - 1.0);
-      if (starts_above) raise(least, (-s * c - std::sqrt(disc)) / (s * s - 1.0));
-    } else if (starts_above) {
-      most = least - 1.0;
-    }
-    least -= A;
-    most -= A;
+    auto [least, most] = at.k == 0.0 ? usable_whole_tips_[i] : usable_shifts(i, at.k);
     if (!internal_) {
-      const double of_place = (at.N - min_path_) / weight_[i] - g.r * g.sin_transverse;
+      const double path = at.N - min_path_;
+      const double of_place = (crossed_ ? path / weight_[i] : path) - g.r * g.sin_transverse;
       lower(most, g.edge_depth + of_place * g.sin_transverse);
     }
     if (i == 0) {
@@ -120,31 +139,45 @@ void ShiftGraph::bound_usable_path(const SumPlace& at, double sum, double& lo, d
   }
 }
 
-ShiftBounds ShiftGraph::bounds_before_path(double sum, int limits) const {
-  const SumPlace at = place(sum);
+template <class Line>
+void ShiftGraph::bound(const SumPlace& at, double sum, int limits, Line& line) const {
   const TrialGear& g_1 = gears_[0];
   const TrialGear& g_2 = gears_[1];
-  ShiftBounds bounds;
-  bounds.lo_of(ShiftEdge::s1min) = g_1.x_min;
-  bounds.hi_of(ShiftEdge::s1max) = max_shift(*problem_, g_1, at.k);
-  bounds.lo_of(ShiftEdge::s2max) = sum - max_shift(*problem_, g_2, at.k);
-  bounds.hi_of(ShiftEdge::s2min) = sum - g_2.x_min;
+  raise(line.lo_of(ShiftEdge::s1min), g_1.x_min);
+  lower(line.hi_of(ShiftEdge::s2min), sum - g_2.x_min);
   if (limits > static_cast<int>(Limit::contact_ratio)) {
-    bound_usable_path(at, sum, bounds.lo_of(ShiftEdge::eps_true),
-                      bounds.hi_of(ShiftEdge::eps_true));
+    bound_usable_path(at, sum, line.lo_of(ShiftEdge::eps_true), line.hi_of(ShiftEdge::eps_true));
   }
   if (limits > static_cast<int>(Limit::sliding) && problem_->limits.sliding && !crossed_) {
-    bound_sliding(at, sum, bounds.lo_of(ShiftEdge::sliding), bounds.hi_of(ShiftEdge::sliding));
+    bound_sliding(at, sum, line.lo_of(ShiftEdge::sliding), line.hi_of(ShiftEdge::sliding));
   }
   if (limits > static_cast<int>(Limit::interference) && problem_->limits.avoid_interference) {
     const ShiftEdge below = internal_ ? ShiftEdge::interference1 : ShiftEdge::interference2;
-    bound_interference(at, sum, bounds.lo_of(below), bounds.hi_of(ShiftEdge::interference1));
+    bound_interference(at, sum, line.lo_of(below), line.hi_of(ShiftEdge::interference1));
   }
+  // Where tips are shortened these are roots, that most lines need not know.
+  double& hi = line.hi_of(ShiftEdge::s1max);
+  if (Line::kNamed || least_max_shift(*problem_, g_1, at.k) < hi)
+    lower(hi, max_shift(*problem_, g_1, at.k));
+  double& lo = line.lo_of(ShiftEdge::s2max);
+  if (Line::kNamed || sum - least_max_shift(*problem_, g_2, at.k) > lo)
+    raise(lo, sum - max_shift(*problem_, g_2, at.k));
+}
+
+ShiftBounds ShiftGraph::bounds_before_path(const SumPlace& at, double sum, int limits) const {
+  ShiftBounds bounds;
+  bound(at, sum, limits, bounds);
   return bounds;
 }
 
+LineEnds ShiftGraph::ends_before_path(const SumPlace& at, double sum, int limits) const {
+  Tightest ends{{-kInfinity, kInfinity}};
+  bound(at, sum, limits, ends);
+  return ends;
+}
+
 ShiftSlice ShiftBounds::slice() const {
-  ShiftSlice s{-kInfinity, kInfinity, ShiftEdge::mesh, ShiftEdge::mesh};
+  ShiftSlice s{{-kInfinity, kInfinity}, ShiftEdge::mesh, ShiftEdge::mesh};
   s.lo = *std::max_element(lo.begin(), lo.end());
   s.hi = *std::min_element(hi.begin(), hi.end());
   // Bounds that run together, as clipped paths and interference may, have one name: the first.
@@ -163,13 +196,8 @@ ShiftGraph::SumMargin ShiftGraph::sum_margin(const SumPlace& at, double sum, int
   SumMargin margin{kInfinity, ShiftEdge::mesh};
   if (limits > static_cast<int>(Limit::contact_ratio) && !internal_) {
     // N − ρ_F1 − ρ_F2 ≥ K, in units of Σ. [T9.7]
-    double path = at.N - min_path_;
-    for (std::size_t i : {0, 1}) {
-      const TrialGear& g = gears_[i];
-      path -= weight_[i] * leaf::flank_start(g.r, g.sin_transverse, g.edge_depth, 0.0);
-    }
-    const double slope = weight_[0] / gears_[0].sin_transverse;  // alike for both
-    margin = {path / slope - sum, ShiftEdge::eps_true};
+    const double path = at.N - min_path_ - least_start_[0] - least_start_[1];
+    margin = {path / start_slope_[0] - sum, ShiftEdge::eps_true};  // one slope for both
   }
   if (limits > static_cast<int>(Limit::tip_clearance) && problem_->limits.tip_clearance) {
     const double lost = at.a - R_ - sum - at.k;  // [T9.5]

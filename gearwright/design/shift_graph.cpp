@@ -67,6 +67,19 @@ ShiftGraph::ShiftGraph(const SearchProblem& problem, const Trial& trial, const T
     crossed_line_1_ = 1.0 / std::sin(problem.normal_pressure_angle.rad());
   }
   min_path_ = problem.limits.contact_ratio * pitch_;
+  mesh_sum_ = crossed_ ? -crossed_line_0_ / crossed_line_1_ : sum_of_distance(nearest_);
+  if (!internal_) {
+    path_sum_ = crossed_ ? (min_path_ - crossed_line_0_) / crossed_line_1_
+                         : sum_of_distance(radius_of(min_path_, B_));
+  }
+  walls_ = plain_sums(kRegionLimits, Band::left_out);
+  region_sums_ = all_sums(kRegionLimits);
+  for (std::size_t i : {0, 1}) {
+    const TrialGear& g = gears_[i];
+    start_slope_[i] = weight_[i] / g.sin_transverse;
+    least_start_[i] = weight_[i] * leaf::flank_start(g.r, g.sin_transverse, g.edge_depth, 0.0);
+    usable_whole_tips_[i] = usable_shifts(i, 0.0);
+  }
 }
 
 // [T9.4]
@@ -112,11 +125,7 @@ ShiftGraph::Sums ShiftGraph::plain_sums(int limits, Band band_asked) const {
   };
   // Where there is no working angle there is no contact ratio: that limit, not an earlier one.
   if (limits > static_cast<int>(Limit::contact_ratio)) {
-    if (crossed_) {
-      from_below(-crossed_line_0_ / crossed_line_1_, ShiftEdge::mesh);
-    } else {
-      not_nearer(sum_of_distance(nearest_), ShiftEdge::mesh);
-    }
+    not_nearer(mesh_sum_, ShiftEdge::mesh);
   }
   if (band_asked == Band::asked && limits > static_cast<int>(Limit::center_distance) &&
       problem_->center_distance) {
@@ -130,14 +139,12 @@ ShiftGraph::Sums ShiftGraph::plain_sums(int limits, Band band_asked) const {
   }
   if (limits > static_cast<int>(Limit::contact_ratio) && !internal_) {
     // N ≥ K: the path between the base tangent points.
-    const double sum = crossed_ ? (min_path_ - crossed_line_0_) / crossed_line_1_
-                                : sum_of_distance(radius_of(min_path_, B_));
-    from_below(sum, ShiftEdge::eps_true);
+    from_below(path_sum_, ShiftEdge::eps_true);
   }
   return s;
 }
 
-ShiftGraph::Sums ShiftGraph::sums(int limits) const {
+ShiftGraph::Sums ShiftGraph::all_sums(int limits) const {
   Sums s = plain_sums(limits, Band::asked);
   if (s.lo_edge == ShiftEdge::Cmax && s.hi_edge == ShiftEdge::Cmax) return s;  // out of reach
   // The corners of the rectangle end the graph too, but in a point: no edge is named after them.
@@ -145,18 +152,37 @@ ShiftGraph::Sums ShiftGraph::sums(int limits) const {
   double corner = gears_[0].x_max + gears_[1].x_max;
   if (tight_ && problem_->shorten_tips) {
     corner = std::max(corner, gears_[0].x_min + gears_[1].x_min);
-    constexpr double kLastRise = 1e-13;  // modules: rounding of a shift
-    constexpr double kBeyond = 1e-9;     // modules: what the last rises may have left
-    for (int i = 0; i < 60; ++i) {  // rises to where the tips, thicker by k, are as thin as allowed
-      const double k = place(std::max(corner, s.lo)).k;
-      const double next = max_shift(*problem_, gears_[0], k) + max_shift(*problem_, gears_[1], k);
-      if (!(next > corner + kLastRise)) break;
-      corner = next;
-    }
-    corner += kBeyond;
+    corner = limits > static_cast<int>(Limit::contact_ratio) ? beyond_long_paths(corner)
+                                                             : beyond_thin_tips(corner, s.lo);
   }
   lower(s.hi, corner);
   return s;
+}
+
+// A sum at which the tips, cut back by k, leave no line a path of the length K; nor does any
+// greater one, for k falls. With equal tip angles E = √((a + h_a1 + h_a2 + k)² − B²) − N. [T9.6]
+double ShiftGraph::beyond_long_paths(double sum) const {
+  if (internal_) return sum;  // nothing is cut back
+  sum = std::max(sum, 0.0);
+  for (double step = 0.25;; step *= 2.0) {
+    const SumPlace at = place(sum);
+    const double tips = at.a + gears_[0].addendum + gears_[1].addendum + at.k;
+    if (curvature(tips, B_) - at.N < min_path_ - kTouching) return sum;
+    sum += step;
+  }
+}
+
+// From where on tips are too thin, though cut back by k; there may be no such sum, then a far one.
+double ShiftGraph::beyond_thin_tips(double sum, double least) const {
+  constexpr double kLastRise = 1e-13;  // modules: rounding of a shift
+  constexpr double kBeyond = 1e-9;     // modules: what the last rises may have left
+  for (int i = 0; i < 60; ++i) {
+    const double k = place(std::max(sum, least)).k;
+    const double next = max_shift(*problem_, gears_[0], k) + max_shift(*problem_, gears_[1], k);
+    if (!(next > sum + kLastRise)) break;
+    sum = next;
+  }
+  return sum + kBeyond;
 }
 
 double ShiftGraph::path_length(const SumPlace& at, double sum, double x1) const {
@@ -188,7 +214,7 @@ PathSlope path_slope(double u_1, double b_1, double w_1, double u_2, double b_2,
 }  // namespace
 
 ShiftGraph::Longest ShiftGraph::longest_path(const SumPlace& at, double sum,
-                                             const ShiftSlice& within) const {
+                                             const LineEnds& within) const {
   const double A_1 = gears_[0].r + gears_[0].addendum + at.k;
   const double A_2 = gears_[1].r + gears_[1].addendum + at.k;
   double x1 = (A_1 + A_2 + sum) * gears_[0].r_b / B_ - A_1;  // equal tip pressure angles [T9.6]
@@ -207,14 +233,14 @@ ShiftGraph::Longest ShiftGraph::longest_path(const SumPlace& at, double sum,
 }
 
 ShiftSlice ShiftGraph::slice(double sum, int limits) const {
-  ShiftSlice slice = bounds_before_path(sum, limits).slice();
-  if (limits <= static_cast<int>(Limit::contact_ratio) || slice.empty()) return slice;
   const SumPlace at = place(sum);
+  ShiftSlice slice = bounds_before_path(at, sum, limits).slice();
+  if (limits <= static_cast<int>(Limit::contact_ratio) || slice.empty()) return slice;
   const Longest top = longest_path(at, sum, slice);
   if (!(top.length >= min_path_)) {
     // Touching or nothing: the place of the longest path, as an interval of no or negative length.
     const bool touching = top.length >= min_path_ - kTouching;
-    return {top.x1 + (touching ? 0.0 : 1.0), top.x1, ShiftEdge::eps, ShiftEdge::eps};
+    return {{top.x1 + (touching ? 0.0 : 1.0), top.x1}, ShiftEdge::eps, ShiftEdge::eps};
   }
   const double A_1 = gears_[0].r + gears_[0].addendum + at.k;
   const double A_2 = gears_[1].r + gears_[1].addendum + at.k;
@@ -236,41 +262,45 @@ ShiftSlice ShiftGraph::slice(double sum, int limits) const {
   return slice;
 }
 
+double ShiftGraph::width_before_path(const SumPlace& at, double sum, int limits) const {
+  const LineEnds s = ends_before_path(at, sum, limits);
+  return std::min(s.hi - s.lo, sum_margin(at, sum, limits).value);
+}
+
+double ShiftGraph::excess_of_path(const SumPlace& at, double sum, int limits) const {
+  return longest_path(at, sum, ends_before_path(at, sum, limits)).length - min_path_;
+}
+
 std::vector<Interval> ShiftGraph::feasible_sums(int limits) const {
   if (limits > static_cast<int>(Limit::overlap_ratio) && !overlap_ratio_is_enough()) return {};
   if (limits > static_cast<int>(Limit::tip_clearance) && !tip_clearance_can_be_enough()) return {};
   Sums range = sums(limits);
   if (range.lo > range.hi && range.lo <= range.hi + kTouching)
     range.lo = range.hi = (range.lo + range.hi) / 2.0;
-  const auto width = [&](double sum) {
-    const ShiftSlice s = bounds_before_path(sum, limits).slice();
-    return std::min(s.hi - s.lo, sum_margin(place(sum), sum, limits).value);
-  };
-  const auto excess = [&](double sum) {
-    const ShiftSlice s = bounds_before_path(sum, limits).slice();
-    return longest_path(place(sum), sum, s).length - min_path_;
-  };
+  const auto width = [&](double sum) { return width_before_path(place(sum), sum, limits); };
+  const auto excess = [&](double sum) { return excess_of_path(place(sum), sum, limits); };
   // What the interference of an internal pair leaves may lie on both sides of Σ = 0 [T9.9]; the gap
   // there may be narrower than a node's step.
   const bool gap_at_zero = internal_ && problem_->limits.avoid_interference &&
                            limits > static_cast<int>(Limit::interference);
-  const auto not_negative = [&](const auto& f, double a, double b) {
-    if (!(gap_at_zero && a < 0.0 && b > 0.0)) return where_not_negative(f, a, b);
-    auto pieces = where_not_negative(f, a, 0.0);
-    for (const Interval& right : where_not_negative(f, 0.0, b)) {
-      if (!pieces.empty() && pieces.back().hi == 0.0 && right.lo == 0.0) {
-        pieces.back().hi = right.hi;
-      } else {
-        pieces.push_back(right);
-      }
-    }
-    return pieces;
-  };
-  // What only touches counts, but must not blur the ends of what does more.
+  const Hump hump{.bend = kMostBend};
   const auto exactly_or_touching = [&](const auto& f, double a, double b) {
-    auto pieces = not_negative(f, a, b);
+    if (!(gap_at_zero && a < 0.0 && b > 0.0))
+      return where_not_negative_or_touching(f, a, b, kTouching, hump);
+    const auto beside_zero = [&](const auto& g) {
+      auto pieces = where_not_negative(g, a, 0.0, kIntervalNodes, hump);
+      for (const Interval& right : where_not_negative(g, 0.0, b, kIntervalNodes, hump)) {
+        if (!pieces.empty() && pieces.back().hi == 0.0 && right.lo == 0.0) {
+          pieces.back().hi = right.hi;
+        } else {
+          pieces.push_back(right);
+        }
+      }
+      return pieces;
+    };
+    auto pieces = beside_zero(f);
     if (!pieces.empty()) return pieces;
-    return not_negative([&](double sum) { return f(sum) + kTouching; }, a, b);
+    return beside_zero([&](double sum) { return f(sum) + kTouching; });
   };
   // First where the interval of x1 exists before the path's length is asked, then where its longest
   // path is long enough.
@@ -284,17 +314,59 @@ std::vector<Interval> ShiftGraph::feasible_sums(int limits) const {
   return found;
 }
 
+bool ShiftGraph::has_feasible_sums(int limits) const {
+  if (limits > static_cast<int>(Limit::overlap_ratio) && !overlap_ratio_is_enough()) return false;
+  if (limits > static_cast<int>(Limit::tip_clearance) && !tip_clearance_can_be_enough())
+    return false;
+  const Sums range = sums(limits);
+  constexpr double kInside = 1e-9;  // so that no rounding is the whole of it
+  for (const double share : {0.5, 0.25, 0.75, 0.1}) {
+    const double sum = range.lo + share * (range.hi - range.lo);
+    if (!(range.lo < sum && sum < range.hi)) break;
+    const SumPlace at = place(sum);
+    if (width_before_path(at, sum, limits) > kInside &&
+        (limits <= static_cast<int>(Limit::contact_ratio) ||
+         excess_of_path(at, sum, limits) > kInside))
+      return true;
+  }
+  return !feasible_sums(limits).empty();
+}
+
+bool ShiftGraph::is_asked(Limit limit) const {
+  const SearchLimits& limits = problem_->limits;
+  switch (limit) {
+    case Limit::center_distance: return problem_->center_distance.has_value();
+    case Limit::overlap_ratio: return limits.overlap_ratio.has_value();
+    case Limit::sliding: return limits.sliding.has_value();
+    case Limit::tip_clearance: return limits.tip_clearance.has_value();
+    case Limit::interference: return limits.avoid_interference;
+    default: return true;
+  }
+}
+
 std::optional<Limit> ShiftGraph::what_kills() const {
   for (int n = 1; n <= kRegionLimits; ++n) {
     const auto limit = static_cast<Limit>(n - 1);
+    if (!is_asked(limit)) continue;
     if (limit == Limit::shift_limits && !problem_->shorten_tips) {
       for (const TrialGear& g : gears_)
         if (!(g.x_min <= g.x_max + kTouching)) return limit;
       continue;
     }
-    if (feasible_sums(n).empty()) return limit;
+    if (!has_feasible_sums(n)) return limit;
   }
   return std::nullopt;
+}
+
+std::array<Interval, 2> ShiftGraph::shift_limits() const {
+  std::array<Interval, 2> limits;
+  for (std::size_t i : {0, 1}) {
+    limits[i] = {gears_[i].x_min, kInfinity};
+    if (tight_ && problem_->shorten_tips) continue;
+    raise(limits[i].lo, usable_whole_tips_[i][0]);
+    limits[i].hi = std::min(gears_[i].x_max, usable_whole_tips_[i][1]);
+  }
+  return limits;
 }
 
 bool ShiftGraph::overlap_ratio_is_enough() const {
@@ -314,16 +386,14 @@ bool ShiftGraph::tip_clearance_can_be_enough() const {
 
 double ShiftGraph::margin(double x1, double x2) const { return margin_in(sums(), x1, x2); }
 
-double ShiftGraph::wall_distance(double x1, double x2) const {
-  return margin_in(plain_sums(kRegionLimits, Band::left_out), x1, x2);
-}
+double ShiftGraph::wall_distance(double x1, double x2) const { return margin_in(walls_, x1, x2); }
 
 double ShiftGraph::margin_in(const Sums& range, double x1, double x2) const {
   const double sum = x1 + x2;
   double least = std::min(sum - range.lo, range.hi - sum);
   if (least < -kTouching) return least;
   const SumPlace at = place(sum);
-  const ShiftSlice s = bounds_before_path(sum).slice();
+  const LineEnds s = ends_before_path(at, sum);
   lower(least, std::min(x1 - s.lo, s.hi - x1));
   lower(least, sum_margin(at, sum).value);
   if (!overlap_ratio_is_enough()) return -1.0;

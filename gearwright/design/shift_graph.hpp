@@ -26,6 +26,11 @@
 
 namespace gearwright {
 
+/// Margins over Σ bend upwards by less, 1/modules: the sharpest are the bounds of interference, a few
+/// where tips lie outside their own reference circles. With room to spare, for it only says when to
+/// stop looking.
+inline constexpr double kMostBend = 100.0;
+
 /// What bounds the region where it ends.
 enum class ShiftEdge {
   s1min,
@@ -53,11 +58,15 @@ inline constexpr double kTouching = 1e-11;
 inline constexpr double kOneBound = 1e-12;
 
 /// One line Σ = const: the interval of x1; empty when lo > hi + kTouching.
-struct ShiftSlice {
+struct LineEnds {
   double lo, hi;
-  ShiftEdge lo_edge, hi_edge;
   bool empty() const { return !(lo <= hi + kTouching); }
   double middle() const { return (lo + hi) / 2.0; }
+};
+
+/// The same with the names of what ends it.
+struct ShiftSlice : LineEnds {
+  ShiftEdge lo_edge, hi_edge;
 };
 
 /// The same edge by edge: where each would end the interval, ∓∞ where it does not.
@@ -67,6 +76,7 @@ struct ShiftBounds {
     lo.fill(-std::numeric_limits<double>::infinity());
     hi.fill(std::numeric_limits<double>::infinity());
   }
+  static constexpr bool kNamed = true;
   double& lo_of(ShiftEdge edge) { return lo[static_cast<std::size_t>(edge)]; }
   double& hi_of(ShiftEdge edge) { return hi[static_cast<std::size_t>(edge)]; }
   ShiftSlice slice() const;  ///< the tightest of them
@@ -99,7 +109,9 @@ class ShiftGraph {
     double lo, hi;
     ShiftEdge lo_edge, hi_edge;
   };
-  Sums sums(int limits = kRegionLimits) const;
+  Sums sums(int limits = kRegionLimits) const {
+    return limits == kRegionLimits ? region_sums_ : all_sums(limits);
+  }
 
   /// What remains of the limits on Σ alone that are no plain range of it, in units of Σ; ≥ 0: kept.
   struct SumMargin {
@@ -109,19 +121,26 @@ class ShiftGraph {
   SumMargin sum_margin(const SumPlace& at, double sum, int limits = kRegionLimits) const;
 
   /// All bounds on a line but that of the path's length; and the slice with that one too.
-  ShiftBounds bounds_before_path(double sum, int limits = kRegionLimits) const;
+  ShiftBounds bounds_before_path(double sum, int limits = kRegionLimits) const {
+    return bounds_before_path(place(sum), sum, limits);
+  }
   ShiftSlice slice(double sum, int limits = kRegionLimits) const;
+  /// What bounds_before_path() leaves, without names: most lines are asked for no more.
+  LineEnds ends_before_path(const SumPlace& at, double sum, int limits = kRegionLimits) const;
 
   /// E: the path's length at a point, and the greatest on a slice with the place of it.
   double path_length(const SumPlace& at, double sum, double x1) const;
   struct Longest {
     double x1, length;
   };
-  Longest longest_path(const SumPlace& at, double sum, const ShiftSlice& within) const;
+  Longest longest_path(const SumPlace& at, double sum, const LineEnds& within) const;
 
   /// The sums Σ at which a slice is left by the first `limits` limits; several intervals only when
   /// the region is in pieces.
   std::vector<Interval> feasible_sums(int limits = kRegionLimits) const;
+
+  /// feasible_sums() has any; sooner known where it has.
+  bool has_feasible_sums(int limits = kRegionLimits) const;
 
   /// The first limit that leaves nothing; none: the region exists.
   std::optional<Limit> what_kills() const;
@@ -130,15 +149,28 @@ class ShiftGraph {
   /// inside.   Domain: outside sums() that distance alone
   double margin(double x1, double x2) const;
 
-  /// The same without the band of centre distances, whose ends are a wish: how far a point stands
+  /// What each shift must keep whatever the other is; the limits of tips that are shortened left out.
+  std::array<Interval, 2> shift_limits() const;
+
+  /// The same as margin() without the band of centre distances, whose ends are a wish: how far a point stands
   /// from where something stops working.   Domain: within sums()
   double wall_distance(double x1, double x2) const;
 
  private:
   enum class Band { asked, left_out };
   Sums plain_sums(int limits, Band band) const;
+  Sums all_sums(int limits) const;
+  double beyond_long_paths(double sum) const;
+  double beyond_thin_tips(double sum, double least) const;
   double margin_in(const Sums& range, double x1, double x2) const;
   double sum_of_distance(double distance) const;
+  ShiftBounds bounds_before_path(const SumPlace& at, double sum, int limits) const;
+  bool is_asked(Limit limit) const;
+  double width_before_path(const SumPlace& at, double sum, int limits) const;
+  double excess_of_path(const SumPlace& at, double sum, int limits) const;
+  template <class Line>
+  void bound(const SumPlace& at, double sum, int limits, Line& line) const;
+  std::array<double, 2> usable_shifts(std::size_t i, double k) const;
   void bound_sliding(const SumPlace& at, double sum, double& lo, double& hi) const;
   void bound_interference(const SumPlace& at, double sum, double& lo_2, double& hi_1) const;
   void bound_usable_path(const SumPlace& at, double sum, double& lo, double& hi) const;
@@ -155,6 +187,13 @@ class ShiftGraph {
   double tan_alpha_, inv_alpha_t_, teeth_sum_;
   double nearest_;                                      ///< least centre distance
   double crossed_line_0_ = 0.0, crossed_line_1_ = 0.0;  ///< N = …_0 + …_1 Σ
+  // What every line asks again.
+  double mesh_sum_ = 0.0, path_sum_ = 0.0;  ///< Σ where a mesh begins, where N = K
+  Sums walls_{};                            ///< of plain_sums, without the band
+  Sums region_sums_{};                      ///< sums() of all limits
+  std::array<double, 2> start_slope_{};     ///< w_i/sin α_t
+  std::array<double, 2> least_start_{};     ///< w_i ρ_Fi at x = 0
+  std::array<std::array<double, 2>, 2> usable_whole_tips_{};  ///< usable_shifts at k = 0
 };
 
 }  // namespace gearwright

@@ -7,9 +7,6 @@
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 
-#include "gearwright/design/fillet_gap.hpp"
-#include "gearwright/pair/shift.hpp"
-
 namespace gearwright {
 
 namespace {
@@ -65,7 +62,6 @@ constexpr double kBeside = 1e-9;
 constexpr double kMinBeside = 1e-10;
 // The very ends of a piece are corners; so much of its width inside them one edge has a name.
 constexpr double kInset = 1e-7;
-constexpr double kFarOff = 1e9;  // modules: nothing is so far outside
 // An end of a piece that is an end of the whole range, modules: both were solved for apart.
 constexpr double kSameEnd = 1e-9;
 
@@ -176,8 +172,8 @@ constexpr double kPinch = 2e-6;
 ShiftSlice end_slice(const ShiftGraph& graph, double sum) {
   ShiftSlice s = graph.slice(sum);
   if (s.lo_edge == ShiftEdge::eps && s.hi_edge == ShiftEdge::eps) {
-    s.lo = s.hi =
-        graph.longest_path(graph.place(sum), sum, graph.bounds_before_path(sum).slice()).x1;
+    const SumPlace at = graph.place(sum);
+    s.lo = s.hi = graph.longest_path(at, sum, graph.ends_before_path(at, sum)).x1;
   } else if (s.lo > s.hi || (s.lo_edge == s.hi_edge && s.hi - s.lo < kPinch)) {
     s.lo = s.hi = s.middle();
   }
@@ -187,19 +183,11 @@ ShiftSlice end_slice(const ShiftGraph& graph, double sum) {
 // How far inside the limits a point of one piece lies; Σ is inside already.
 double margin_on_line(const ShiftGraph& graph, const Vec2& p) {
   const double sum = p[0] + p[1];
-  const ShiftSlice s = graph.bounds_before_path(sum).slice();
-  const double path = graph.path_length(graph.place(sum), sum, p[0]) - graph.min_path();
+  const SumPlace at = graph.place(sum);
+  const LineEnds s = graph.ends_before_path(at, sum);
+  const double path = graph.path_length(at, sum, p[0]) - graph.min_path();
   return std::min({p[0] - s.lo, s.hi - p[0], path});
 }
-
-}  // namespace
-
-Vec2 balanced_point(int z1, int z2, double sum, double lambda) {
-  const auto x = divided_shift_sum(z1, z2, sum, lambda);
-  return {x[0], x[1]};
-}
-
-namespace {
 
 // One edge on both sides of an end is one edge.
 void append(std::vector<RegionEdge>& loop, RegionEdge next) {
@@ -211,123 +199,10 @@ void append(std::vector<RegionEdge>& loop, RegionEdge next) {
   }
 }
 
-// Of the sums in some intervals the one nearest 0.
-std::optional<double> nearest_zero(const std::vector<Interval>& intervals) {
-  std::optional<double> nearest;
-  for (const Interval& i : intervals) {
-    const double sum = std::clamp(0.0, i.lo, i.hi);
-    if (!nearest || std::abs(sum) < std::abs(*nearest)) nearest = sum;
-  }
-  return nearest;
-}
-
-// The greatest value of f over [a, b], by nodes and golden section beside the highest.
-template <class F>
-double greatest(const F& f, double a, double b) {
-  if (!(a < b)) return f(a);
-  int best = 0;
-  double top = f(a);
-  const auto node = [&](int i) {
-    return i == kIntervalNodes ? b : a + (b - a) * i / kIntervalNodes;
-  };
-  for (int i = 1; i <= kIntervalNodes; ++i) {
-    const double value = f(node(i));
-    if (value > top) top = value, best = i;
-  }
-  // climb() stops above 0: seen from one above the top it never does.
-  const double above = top + 1.0;
-  const double x =
-      detail::climb([&](double s) { return f(s) - above; }, node(std::max(best - 1, 0)),
-                    node(std::min(best + 1, kIntervalNodes)));
-  return std::max(top, f(x));
-}
-
-// Its point with Σ nearest 0 that stands off the walls; with fillets, off those too.
-enum class Fillets { asked, left_out };
-std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
-  const ShiftGraph::Sums range = graph.sums();
-  if (!(range.lo <= range.hi)) return std::nullopt;
-  const Trial& t = graph.trial();
-  const auto place = [&](double sum) {
-    return balanced_point(t.z1, t.z2, sum, graph.problem().lambda);
-  };
-  const auto off_walls = [&](double sum) {
-    const Vec2 p = place(sum);
-    const double wall = graph.wall_distance(p[0], p[1]);
-    // A fillet that is cut is a wall passed; how far from it a point stands is not measured.
-    return fillets == Fillets::asked && wall > 0.0 && fillet_is_cut(graph, p) ? -wall : wall;
-  };
-  const double nearest = std::clamp(0.0, range.lo, range.hi);
-  const double at_nearest = off_walls(nearest);
-  if (at_nearest >= kWallDistance) return place(nearest);
-  // The distance has one hump but for rare regions in pieces: uphill from there in growing steps,
-  // and back to the first place that is far enough.
-  constexpr double kStep = 0.05;  // modules: a tenth of what is usual
-  const double right = std::min(nearest + kStep, range.hi);
-  const double left = std::max(nearest - kStep, range.lo);
-  const double at_right = right > nearest ? off_walls(right) : -kFarOff;
-  const double at_left = left < nearest ? off_walls(left) : -kFarOff;
-  const double side = at_right >= at_left ? 1.0 : -1.0;
-  double before = nearest;
-  double here = side > 0.0 ? right : left;
-  double value = std::max(at_right, at_left);
-  double beyond = here;
-  for (double step = kStep; value < kWallDistance; step *= 2.0) {
-    beyond = std::clamp(here + side * step, range.lo, range.hi);
-    const double next = beyond == here ? value : off_walls(beyond);
-    if (!(next > value)) break;
-    before = std::exchange(here, beyond);
-    value = next;
-  }
-  if (value < kWallDistance) {
-    // The top lies between, or on both sides of the start.
-    if (before == nearest) before = side > 0.0 ? left : right;
-    here = detail::climb([&](double sum) { return off_walls(sum) - kWallDistance; },
-                         std::min(before, beyond), std::max(before, beyond));
-    value = off_walls(here);
-  }
-  if (value > kSameEnd) {
-    const double distance = std::min(kWallDistance, value / 2.0);
-    if (at_nearest >= distance) return place(nearest);
-    const Root root = find_root([&](double sum) { return off_walls(sum) - distance; },
-                                std::min(nearest, here), std::max(nearest, here));
-    if (root.found()) return place(root.x);
-  }
-  // At extended centres of external gears there is one hump, and no more to find.
-  const SearchProblem& problem = graph.problem();
-  const bool one_hump = problem.mounting == Mounting::extended && !problem.internal() &&
-                        !problem.crossed() && fillets == Fillets::left_out;
-  if (one_hump) return std::nullopt;
-  const auto first_beyond = [&](double distance) {
-    return nearest_zero(where_not_negative([&](double sum) { return off_walls(sum) - distance; },
-                                           range.lo, range.hi));
-  };
-  if (const auto sum = first_beyond(kWallDistance)) return place(*sum);
-  const double most = greatest(off_walls, range.lo, range.hi);
-  if (!(most > kSameEnd)) return std::nullopt;
-  const auto sum = first_beyond(most / 2.0);
-  return sum ? std::optional(place(*sum)) : std::nullopt;
-}
-
 }  // namespace
 
-std::optional<Vec2> point_off_walls(const ShiftGraph& graph) {
-  if (!graph.problem().limits.avoid_interference) {
-    // Designs need not run: the bare theory, whose point may stand at a wall. Inside them it is known
-    // without the region.
-    const ShiftGraph::Sums range = graph.sums();
-    if (!(range.lo <= range.hi)) return std::nullopt;
-    const Trial& t = graph.trial();
-    const Vec2 p =
-        balanced_point(t.z1, t.z2, std::clamp(0.0, range.lo, range.hi), graph.problem().lambda);
-    return graph.wall_distance(p[0], p[1]) > kSameEnd ? std::optional(p) : std::nullopt;
-  }
-  // Fillets cost more than all walls together and are cut at few places.
-  const auto place = place_off_walls(graph, Fillets::left_out);
-  return place && fillet_is_cut(graph, *place) ? place_off_walls(graph, Fillets::asked) : place;
-}
-
-std::optional<ShiftRegion> shift_region(const ShiftGraph& graph, RegionDetail detail) {
+std::optional<ShiftRegion> shift_region(const ShiftGraph& graph, RegionDetail detail,
+                                        OffWalls off_walls) {
   ShiftRegion region;
   region.detail = detail;
   region.sums = graph.feasible_sums();
@@ -346,36 +221,17 @@ std::optional<ShiftRegion> shift_region(const ShiftGraph& graph, RegionDetail de
   const auto margin = [&](double sum) {
     return margin_on_line(graph, balanced_point(t.z1, t.z2, sum, problem.lambda));
   };
-  const auto touching = [&](double sum) { return margin(sum) + kTouching; };
   for (const Interval& piece : region.sums) {
     if (detail == RegionDetail::whole) region.area += area_of(graph, problem, piece);
-    auto on_line = where_not_negative(margin, piece.lo, piece.hi);
-    if (on_line.empty()) on_line = where_not_negative(touching, piece.lo, piece.hi);
+    if (line_is_outside(graph, piece.lo, piece.hi)) continue;
+    const auto on_line =
+        where_not_negative_or_touching(margin, piece.lo, piece.hi, kTouching, {.bend = kMostBend});
     region.balanced_sums.insert(region.balanced_sums.end(), on_line.begin(), on_line.end());
   }
   if (const auto sum = nearest_zero(region.balanced_sums))
     region.balanced = balanced_point(t.z1, t.z2, *sum, problem.lambda);
-  region.off_walls = point_off_walls(graph);
+  if (off_walls == OffWalls::sought) region.off_walls = point_off_walls(graph);
   return region;
-}
-
-Vec2 chosen_point(const ShiftGraph& graph, const ShiftRegion& region) {
-  if (region.off_walls) return *region.off_walls;
-  return region.balanced ? *region.balanced : middle_point(graph, region);
-}
-
-Vec2 middle_point(const ShiftGraph& graph, const ShiftRegion& region) {
-  const auto longest = std::max_element(
-      region.sums.begin(), region.sums.end(),
-      [](const Interval& a, const Interval& b) { return a.hi - a.lo < b.hi - b.lo; });
-  const double sum = (longest->lo + longest->hi) / 2.0;
-  const Vec2 inside = point(sum, graph.slice(sum).middle());
-  const Vec2 middle = (region.lo + region.hi) / 2.0;
-  const bool runs = graph.problem().limits.avoid_interference;
-  const double enough =
-      runs ? std::max(-kTouching, graph.wall_distance(inside[0], inside[1]) / 2.0) : -kTouching;
-  const bool one = region.sums.size() == 1;
-  return one && graph.wall_distance(middle[0], middle[1]) >= enough ? middle : inside;
 }
 
 std::vector<std::vector<RegionEdge>> region_boundary(const ShiftGraph& graph,

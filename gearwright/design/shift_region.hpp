@@ -26,6 +26,8 @@ struct RegionEdge {
 
 /// How much of a region is wanted: whether there is one and a point in it, or its area too.
 enum class RegionDetail { point, whole };
+/// Whether point_off_walls() is looked for, or known to be none.
+enum class OffWalls { sought, none };
 
 struct ShiftRegion {
   RegionDetail detail = RegionDetail::whole;
@@ -40,7 +42,8 @@ struct ShiftRegion {
 
 /// Its numbers; none: nothing is feasible.   Accuracy  ends and corners to rounding, area to 1e-12
 std::optional<ShiftRegion> shift_region(const ShiftGraph& graph,
-                                        RegionDetail detail = RegionDetail::whole);
+                                        RegionDetail detail = RegionDetail::whole,
+                                        OffWalls off_walls = OffWalls::sought);
 
 /// A design stands so far from every wall of its region, modules, or as far as half of what the line
 /// of Eq. 11 allows: at a wall something just stops working. The band of centre distances is no
@@ -51,6 +54,10 @@ inline constexpr double kWallDistance = 0.05;
 /// point inside them. Where designs that interfere are not excluded it may stand at a wall, and is
 /// none then: the region knows it (`balanced`).   Cost  one evaluation of all limits where Σ = 0 will do
 std::optional<Vec2> point_off_walls(const ShiftGraph& graph);
+
+/// Between the sums a and b the line of Eq. 11 stays outside a limit that is straight in the plane: no
+/// look at any of its points is needed.
+bool line_is_outside(const ShiftGraph& graph, double a, double b);
 
 /// The boundary of each piece, counterclockwise; of a band that is one distance the segment there
 /// and back.

@@ -37,7 +37,7 @@ double shift_of_base_circle(const TrialGear& g, double k) {
 
 struct Shifts {
   double min, max;
-  bool as_a_rule = false;  // thinner and thinner from x = 0 on
+  bool as_a_rule = false;  // thick enough at x = 0, and from there on thinner and thinner
 };
 
 // Where the tip is thick enough: the interval that reaches highest.
@@ -49,16 +49,16 @@ Shifts thick_enough(const TrialGear& g, double k) {
   const double lo = g.teeth > 0 ? edge : -far;
   const double hi = g.teeth > 0 ? edge + far : edge;
   const auto margin = [&](double x) { return tip_thickness(g, x, k) - g.min_tip_thickness; };
+  bool as_a_rule = false;
   if (g.teeth > 0) {
-    // As a rule: thick enough on the base circle and at x = 0, and from there on thinner and
-    // thinner.
     const double start = std::max(edge, 0.0);
-    if (margin(edge) >= 0.0 && margin(start) >= 0.0 && margin(hi) < 0.0)
-      return {edge, find_root(margin, start, hi).x, true};
+    as_a_rule = margin(start) >= 0.0 && margin(hi) < 0.0;
+    // Of some hundred teeth and more, those on the base circle are thin too.
+    if (as_a_rule && margin(edge) >= 0.0) return {edge, find_root(margin, start, hi).x, true};
   }
   const auto pieces = where_not_negative(margin, lo, hi, 64);
   if (pieces.empty()) return {lo, -std::numeric_limits<double>::infinity()};
-  return {pieces.back().lo, pieces.back().hi};
+  return {pieces.back().lo, pieces.back().hi, as_a_rule};
 }
 
 // s_an and its slope over x, at a tip outside the base circle of an external gear. [T9.3]
@@ -89,6 +89,13 @@ double thick_until_with(const TrialGear& g, double k) {
 }
 
 }  // namespace
+
+double least_max_shift(const SearchProblem& problem, const TrialGear& gear, double k) {
+  if (k == 0.0) return gear.x_max;
+  const double ceiling = problem.limits.max_shift.value_or(std::numeric_limits<double>::infinity());
+  return k < 0.0 && gear.thick_until ? std::min(ceiling, *gear.thick_until - k)
+                                     : -std::numeric_limits<double>::infinity();
+}
 
 double max_shift(const SearchProblem& problem, const TrialGear& gear, double k) {
   if (k == 0.0) return gear.x_max;

@@ -51,6 +51,8 @@ double tip_thickness(const TrialGear& gear, double x, double k = 0.0);
 /// The greatest x within the limits with tip alteration k: at k < 0 the tooth is thicker at its tip
 /// than the limits know. Below `x_min` when there is none.
 double max_shift(const SearchProblem& problem, const TrialGear& gear, double k);
+/// A number that it is not below, without solving for it.
+double least_max_shift(const SearchProblem& problem, const TrialGear& gear, double k);
 
 /// The limits of every tooth number at one helix and rack, made once: trials ask for them often.
 class TrialGears {

@@ -1,6 +1,7 @@
 #include "gearwright/math/root.hpp"
 
 #include <algorithm>
+#include <array>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
@@ -12,6 +13,9 @@ namespace gearwright {
 
 // Evaluations for TOMS 748, which needs some ten; what it leaves is halved.
 constexpr std::uintmax_t kBudget = 100;
+// It keeps two ulp away from the ends of its bracket and may circle there until its budget ends: it
+// is stopped where the bracket is so narrow, relative to its ends.
+constexpr double kCircles = 16 * std::numeric_limits<double>::epsilon();
 
 Root find_root(const std::function<double(double)>& f, double lo, double hi) {
   GW_EXPECTS(lo <= hi);
@@ -28,12 +32,32 @@ Root find_root(const std::function<double(double)>& f, double lo, double hi) {
     return std::abs(b - a) <=
            2 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
   };
+  // The ends of the last bracket are among the last places asked: their values need no second look.
+  struct Look {
+    double x = std::numeric_limits<double>::quiet_NaN();
+    double value = 0.0;
+  };
+  std::array<Look, 4> looks;
+  std::size_t next = 0;
+  const auto look = [&](double x) {
+    const double value = f(x);
+    looks[next] = {x, value};
+    next = (next + 1) % looks.size();
+    return value;
+  };
+  const auto known = [&](double x) {
+    for (const Look& l : looks)
+      if (l.x == x) return l.value;
+    return x == lo ? f_lo : x == hi ? f_hi : f(x);
+  };
   std::uintmax_t budget = kBudget;
-  auto [a, b] = boost::math::tools::toms748_solve(f, lo, hi, f_lo, f_hi, closed, budget);
-  double f_a = f(a);
-  double f_b = f(b);
-  // TOMS 748 keeps two ulp away from the ends of its bracket and may circle there: the last few
-  // are halved.
+  const auto nearly_closed = [&](double a, double b) {
+    return closed(a, b) || std::abs(b - a) <= kCircles * std::max(std::abs(a), std::abs(b));
+  };
+  auto [a, b] = boost::math::tools::toms748_solve(look, lo, hi, f_lo, f_hi, nearly_closed, budget);
+  double f_a = known(a);
+  double f_b = known(b);
+  // The last few are halved.
   while (!closed(a, b) && f_a != 0.0 && f_b != 0.0) {
     const double middle = a + (b - a) / 2;
     if (middle == a || middle == b) break;

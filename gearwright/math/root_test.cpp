@@ -65,7 +65,7 @@ TEST(Root, closes_the_last_ulps_by_halving) {
       if (std::signbit(h(lo)) == std::signbit(h(hi))) continue;
       const Root root = find_root(h, lo, hi);
       EXPECT_TRUE(root.found()) << t;
-      EXPECT_LE(root.evaluations, 180);
+      EXPECT_LE(root.evaluations, 30);
       ++found;
     }
   }
