@@ -18,7 +18,7 @@ Figure load_figure() {
   spec.face_width = 10;
   const Gear gear = gear_of(spec);
   const auto made = make_section_mesh(gear.tooth->outline, 1.0, 6.0,
-                                      detail::mesh_options(ComplianceAccuracy::draft, false));
+                                      detail::mesh_options(gear, 0.0, ComplianceAccuracy::draft));
   if (!made) throw std::logic_error(made.error().message());
   const SectionMesh& mesh = *made;
   // The tooth's centre line points up.

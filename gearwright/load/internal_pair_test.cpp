@@ -200,6 +200,19 @@ TEST(LoadedInternalPair, OfHelicalTeethIsConverged) {
   EXPECT_NEAR(t.max_pressure, 1214.51, 0.001 * 1214.51);
 }
 
+// The number of slices that nobody asks for is never too fine, where 32 are.
+TEST(LoadedInternalPair, FairSlicesAreWiderThanTheContact) {
+  for (const double helix : {0.0, 15.0, 30.0}) {
+    const Drive d = drive_of(helix, 24);
+    LoadRequest r = request_of(d);
+    r.torques = {300e3};
+    r.slices = fair_slices(d.one, d.two, LoadRegime::line);
+    EXPECT_FALSE(run(d, r).slices_too_fine) << helix;
+    r.slices = 32;
+    EXPECT_TRUE(run(d, r).slices_too_fine) << helix;
+  }
+}
+
 // Sections of both gears turn the way of their flanks: the line on which they touch is as long on
 // either as in the plane of action.
 TEST(LoadedInternalPair, ContactLinesLieOnBothFlanks) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kHertzWidth = 0.05;  // modules: a0, of no consequence but for rounding
 constexpr double kFairSpur = 0.25, kFairHelical = 0.4;  // modules, width of a slice
-constexpr double kFairWidth = 0.18;                     // modules, where R is one module
+constexpr double kFairWidth = 0.15;                     // modules, where R is one module
 constexpr int kSlices = 32, kLeastSlices = 4;
 constexpr int kTableSteps = 80;  // about: waves and parts of the section, places of the table
 
@@ -78,11 +78,13 @@ int fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegime regime) {
   const double m = gear_1.spec.normal_module;
   double fair = gear_1.spec.helix_angle.rad() == 0.0 ? kFairSpur : kFairHelical;
   if (gear_2.internal()) {
-    // R at the pitch point, axes as close as the reference circles.
-    const double rho_1 =
-        gear_1.base_radius() * std::tan(gear_1.reference().transverse_pressure_angle);
-    const double ratio = gear_2.base_radius() / gear_1.base_radius();
-    if (ratio > 1.0) fair = std::max(fair, kFairWidth * std::sqrt(rho_1 * ratio / (ratio - 1) / m));
+    // R where the pinion's tip touches, the flattest place, axes as close as the reference circles.
+    const double between = (gear_2.base_radius() - gear_1.base_radius()) *
+                           std::tan(gear_1.reference().transverse_pressure_angle);
+    const double base = gear_1.base_radius() / gear_1.tip_form_radius();
+    const double rho = gear_1.tip_form_radius() * std::sqrt(std::max(0.0, 1 - base * base));
+    if (between > 0.0)
+      fair = std::max(fair, kFairWidth * std::sqrt(rho * (rho + between) / between / m));
   }
   const std::array<const Gear*, 2> gears{&gear_1, &gear_2};
   const double face = std::max(face_of(gears, 0, regime), face_of(gears, 1, regime));

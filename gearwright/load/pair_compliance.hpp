@@ -38,7 +38,8 @@ struct LoadRequest {
 /// quarter of a module wide, of helical teeth 0.4 modules; 4 at least. Narrower ones may leave the
 /// matrix of [T12.14] indefinite: spur teeth from 0.17 modules on, of 24 random helical pairs none
 /// at 0.36 and a quarter at 0.32. Teeth of an internal pair touch more widely: there a slice is four
-/// half widths of contact under 180 N/mm per mm of module, which is more than a root of steel bears.
+/// half widths of contact under 125 N/mm per mm of module at the pinion's tip, which six pairs from
+/// 14:30 to 40:52 bore up to 400 MPa at the roots.
 /// Of teeth that touch at points over the wider face.
 int fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegime regime);
 

@@ -1,16 +1,19 @@
 // Teeth under load: percent, against other elements, and against finer divisions of its own.
 //
 // Other elements: gmsh triangles with up to 68 000 unknowns, CalculiX C3D20 with 105 840, two gears
-// of triangles in nodewise contact; 25 teeth, x = 0, rack 1.25/0.38, bore radius 6 m, ν = 0.3.
+// of triangles in nodewise contact; 25 teeth, x = 0, rack 1.25/0.38, bore radius 6 m, ν = 0.3. Rings
+// against the triangles of tests/oracle/plane_teeth.
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "gearwright/compliance/probe.hpp"
 #include "gearwright/contact/contact.hpp"
+#include "gearwright/gear/ring_cutter.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/load/loaded_contact.hpp"
 #include "tests/accuracy/ledger.hpp"
+#include "tests/oracle/plane_section.hpp"
 
 namespace gearwright::ledger {
 
@@ -36,6 +39,30 @@ Row section() {
     const auto a = probe_compliance(gear, body_of(1.0), {.diameter = 2 * r * kModule},
                                     ComplianceAccuracy::full);
     row.see(percent(a->own, want), fmt::format("r {} m", r));
+  }
+  return row;
+}
+
+Row ring_section() {
+  Row row{"load.ring_section",
+          "rings of 40, 60, 100 teeth, a rim of 2.5 m, at 0.2, 0.5, 0.9 of the flank; triangles",
+          "%",
+          0.5,
+          0.0,
+          ""};
+  for (const int teeth : {40, 60, 100}) {
+    CylindricalSpec s = testing::plain_spec({.teeth = -teeth, .module = 1.0, .face_width = 10});
+    s.rack = *iso53_rack("ISO53-A");
+    const Gear ring = *cut_by_default(std::move(make_gear(s)).take());
+    const double held = ring.root_diameter + 5;
+    const oracle::PlaneGear plane = oracle::plane_section(ring, held, 1);
+    for (const double up : {0.2, 0.5, 0.9}) {
+      const double radius = (1 - up) * *ring.root_form_radius() + up * ring.tip_form_radius();
+      const auto got = probe_compliance(ring, {held, 0.3, 1.0}, {.diameter = 2 * radius},
+                                        ComplianceAccuracy::full);
+      const double want = oracle::plane_teeth(plane, {{0, radius, 0.05}}, 1.5).yield(0, 0);
+      row.see(percent(got->own, want), fmt::format("{} teeth, {} of the flank", teeth, up));
+    }
   }
   return row;
 }
@@ -137,6 +164,8 @@ Row slices() {
 
 }  // namespace
 
-std::vector<Row> load_rows() { return {section(), along_face(), approach(), slices()}; }
+std::vector<Row> load_rows() {
+  return {section(), ring_section(), along_face(), approach(), slices()};
+}
 
 }  // namespace gearwright::ledger
