@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "gearwright/design/ring_cuts.hpp"
 #include "gearwright/gear/reference.hpp"
 #include "gearwright/gear/ring_cutter.hpp"
 #include "gearwright/rating/rating.hpp"
@@ -12,10 +13,6 @@
 namespace gearwright {
 
 namespace {
-
-const StraightRack& rack_of(const ShiftGraph& graph, std::size_t i) {
-  return graph.problem().racks[static_cast<std::size_t>(graph.trial().rack)].rack[i];
-}
 
 double tip_diameter(const ShiftGraph& graph, const DesignRow& row, std::size_t i) {
   const TrialGear& g = graph.gears()[i];
@@ -28,20 +25,32 @@ double root_diameter(const ShiftGraph& graph, const DesignRow& row, std::size_t 
   return 2 * row.trial.module * std::abs(g.r - g.dedendum + row.shift[i]);
 }
 
-// The whole path of contact lies on flanks that the rack cut straight.
-bool on_straight_flanks(const ShiftGraph& graph, const DesignRow& row) {
-  for (const std::size_t i : {0, 1}) {
-    const TrialGear& g = graph.gears()[i];
-    const auto& clearance = row.form_clearance[i];
-    if (g.teeth < 0 || !clearance || *clearance < 0.0) return false;
-    const double undercut = leaf::undercut_limit<double>(g.flank_depth, g.teeth, g.sin_transverse,
-                                                         std::cos(graph.trial().helix[i].rad()));
-    if (row.shift[i] < undercut || row.tip_thickness[i] < 0.0) return false;
-  }
-  return true;
+// The flanks of gear i, cut by its rack, are straight where the mating tip begins to touch them.
+bool is_on_straight_flank(const ShiftGraph& graph, const DesignRow& row, std::size_t i) {
+  const TrialGear& g = graph.gears()[i];
+  const auto& clearance = row.form_clearance[i];
+  if (!clearance || *clearance < 0.0) return false;
+  const double undercut = leaf::undercut_limit<double>(g.flank_depth, g.teeth, g.sin_transverse,
+                                                       std::cos(graph.trial().helix[i].rad()));
+  return row.shift[i] >= undercut && row.tip_thickness[i] >= 0.0;
 }
 
-RatedPair pair_on_straight_flanks(const ShiftGraph& graph, const DesignRow& row) {
+// The cutter of the wheel, an internal gear, where the tip of the pinion stays off the fillet it cuts.
+std::optional<RingCut> cut_off_fillet(const ShiftGraph& graph, const DesignRow& row) {
+  const auto& rating = graph.problem().rating;
+  if (!rating || !rating->ring_cuts || row.tip_alteration != 0.0) return std::nullopt;
+  const auto cut = rating->ring_cuts->of(graph.problem(), row.trial, row.shift[1]);
+  if (!cut) return std::nullopt;
+  const auto& [pinion, wheel] = graph.gears();
+  const double tip = leaf::curvature_at(
+      leaf::tip_radius(pinion.r, pinion.addendum, row.shift[0], 0.0), pinion.r_b);
+  const double N = std::abs(graph.place(row.shift[0] + row.shift[1]).N);
+  const double end = leaf::curvature_at(cut->form_radius, std::abs(wheel.r_b));
+  return N + tip <= end ? cut : std::nullopt;
+}
+
+RatedPair pair_on_straight_flanks(const ShiftGraph& graph, const DesignRow& row,
+                                  const std::optional<RingCut>& cut) {
   const SearchProblem& problem = graph.problem();
   const Trial& t = row.trial;
   const double m = t.module;
@@ -60,15 +69,16 @@ RatedPair pair_on_straight_flanks(const ShiftGraph& graph, const DesignRow& row)
       r.alpha_t = reference.transverse_pressure_angle;
       r.beta_b = std::abs(reference.base_helix_angle);
     }
-    sum += reference.base_diameter / 2;
-    const StraightRack& rack = rack_of(graph, i);
+    const double side = teeth[i] < 0 ? -1.0 : 1.0;
+    sum += side * reference.base_diameter / 2;
+    const StraightRack rack = rack_of(problem, t, i);
     RatedGear& g = r.gears[i];
     g.teeth = teeth[i];
     g.reference_diameter = reference.reference_diameter;
     g.base_diameter = reference.base_diameter;
     g.tip_diameter = tip_diameter(graph, row, i);
     g.root_diameter = root_diameter(graph, row, i);
-    g.tooth_height = (g.tip_diameter - g.root_diameter) / 2;
+    g.tooth_height = std::abs(g.tip_diameter - g.root_diameter) / 2;
     g.profile_shift = row.shift[i];
     g.generating_shift = reference.generating_profile_shift;
     g.virtual_teeth = virtual_teeth(g.teeth, r.beta, r.beta_b);
@@ -77,8 +87,9 @@ RatedPair pair_on_straight_flanks(const ShiftGraph& graph, const DesignRow& row)
     g.tool.dedendum = rack.dedendum;
     g.tool.fillet =
         std::min(rack.root_fillet_radius, full_radius(rack, problem.normal_pressure_angle));
+    if (g.internal()) g.tool.cutter_teeth = cut->cutter_teeth;
   }
-  r.alpha_wt = std::acos(std::min(1.0, sum / r.center_distance));
+  r.alpha_wt = std::acos(std::min(1.0, std::abs(sum) / r.center_distance));
   r.u = static_cast<double>(t.z2) / t.z1;
   r.epsilon_alpha = row.contact_ratio;
   r.epsilon_beta = r.face_width * std::sin(r.beta) / (std::numbers::pi * m);
@@ -100,10 +111,7 @@ Result<RatedPair> mounted_design(const ShiftGraph& graph, const DesignRow& row) 
     spec.profile_shift = row.shift[i];
     spec.face_width = problem.face_width_of(t.module);
     if (row.tip_alteration != 0.0) spec.tip_diameter = tip_diameter(graph, row, i);
-    // Of the racks of a search only one that nobody gave may not fit: its radius becomes the full one.
-    StraightRack rack = rack_of(graph, i);
-    rack.named = true;
-    spec.rack = rack;
+    spec.rack = rack_of(problem, t, i);
     auto gear = make_gear(spec);
     if (!gear) return gear.error();
     gears[i] = std::move(gear).take();
@@ -117,8 +125,15 @@ Result<RatedPair> mounted_design(const ShiftGraph& graph, const DesignRow& row) 
 }
 
 Result<RatedPair> pair_of_design(const ShiftGraph& graph, const DesignRow& row) {
-  return on_straight_flanks(graph, row) ? pair_on_straight_flanks(graph, row)
-                                        : mounted_design(graph, row);
+  std::optional<RingCut> cut;
+  bool straight = is_on_straight_flank(graph, row, 0);
+  if (straight && row.trial.z2 < 0) {
+    cut = cut_off_fillet(graph, row);
+    straight = cut.has_value();
+  } else if (straight) {
+    straight = is_on_straight_flank(graph, row, 1);
+  }
+  return straight ? pair_on_straight_flanks(graph, row, cut) : mounted_design(graph, row);
 }
 
 DesignRow rated(const ShiftGraph& graph, DesignRow row) {

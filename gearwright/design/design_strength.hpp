@@ -3,8 +3,9 @@
 //   S_H, S_F   safeties of flank and root of each gear, at the design's own shifts
 //
 // The rating room takes numbers of a mounted pair. A design whose path of contact lies on flanks
-// that the rack cut straight has them all in closed form; of others (internal gears, undercut ones,
-// tips that pass the start of a flank) the gears are cut and mounted, at a hundred times the cost.
+// that the rack cut straight has them all in closed form, with an internal gear those that its cutter
+// leaves (design/ring_cuts.hpp); of others (undercut ones, tips that pass the start of a flank) the
+// gears are cut and mounted, at a hundred times the cost.
 //                                              theory: docs/theory/09-design-search.md, 9.7
 #pragma once
 

@@ -8,7 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
+#include "gearwright/design/ring_cuts.hpp"
 #include "gearwright/design/search.hpp"
 #include "gearwright/rating/testing/sample_pairs.hpp"
 
@@ -106,6 +109,19 @@ TEST(DesignStrength, IsThatOfTheMountedPair) {  // (1)
   rings.pinion_teeth = {16, 22};
   rings.center_distance.reset();
   expect_mounted(rings, 10);
+  SearchProblem shifted = rings;  // both shifts, another module, helical, thin tips
+  shifted.modules = {1.5, 3.0};
+  shifted.helix = {Angle::degrees(14)};
+  shifted.center_distance = {{28.0, 60.0}};
+  shifted.limits.min_shift = 0.1;
+  shifted.limits.max_shift = 0.9;
+  expect_mounted(shifted, 20);
+  SearchProblem small = wish();  // wheels whose flanks no cutter leaves whole
+  small.ratio = {-2.2, -2.0};
+  small.helix = {Angle()};
+  small.pinion_teeth = {17, 18};
+  small.center_distance.reset();
+  expect_mounted(small, 10);
   // At 25° the fillet radius of the rack that nobody gave does not fit.
   rings.normal_pressure_angle = Angle::degrees(25);
   rings.ratio = {-3.5, -3.3};
@@ -116,6 +132,23 @@ TEST(DesignStrength, IsThatOfTheMountedPair) {  // (1)
   steep.limits = interfering.limits;
   steep.pinion_teeth = {9, 14};
   expect_mounted(steep, 50);
+}
+
+// Work counter: an internal gear is cut once for all modules and pinions; every design was.
+TEST(DesignStrength, RingsAreCutOnce) {
+  SearchProblem p = wish();
+  p.ratio = {-4.0, -2.5};
+  p.modules = {1.5, 2.0, 3.0};
+  p.helix = {Angle()};
+  p.pinion_teeth = {17, 25};
+  p.center_distance.reset();
+  const Search search(p);
+  std::vector<DesignRow> rows;
+  search.range(0, *search.space().size(), rows, {.detail = RegionDetail::point});
+  std::set<std::pair<int, double>> wheels;
+  for (const DesignRow& row : rows) wheels.emplace(row.trial.z2, row.shift[1]);
+  EXPECT_GT(rows.size(), 500u);
+  EXPECT_EQ(search.problem().rating->ring_cuts->size(), wheels.size());
 }
 
 TEST(DesignStrength, SafetiesTakeAwayWhatFallsShort) {  // (2)

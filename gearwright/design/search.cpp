@@ -9,6 +9,7 @@
 
 #include "gearwright/design/candidate.hpp"
 #include "gearwright/design/design_strength.hpp"
+#include "gearwright/design/ring_cuts.hpp"
 #include "gearwright/math/involute.hpp"
 
 namespace gearwright {
@@ -25,7 +26,10 @@ SearchCounts& SearchCounts::operator+=(const SearchCounts& other) {
 // A shift or a distance that is not limited, modules: beyond any, and its square is no infinity.
 constexpr double kNoLimit = 1e9;
 
-Search::Search(SearchProblem problem) : problem_(std::move(problem)), space_(problem_) {}
+Search::Search(SearchProblem problem) : problem_(std::move(problem)), space_(problem_) {
+  if (problem_.rating && problem_.internal() && !problem_.rating->ring_cuts)
+    problem_.rating->ring_cuts = std::make_shared<RingCuts>();
+}
 
 std::shared_ptr<const TrialGears> Search::gears(int which, int rack, Angle helix) const {
   const std::lock_guard lock(mutex_);

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -75,11 +76,14 @@ struct SearchLimits {
   std::optional<double> safety_flank, safety_root;  ///< S_Hmin, S_Fmin of rated designs
 };
 
+class RingCuts;
+
 /// What a rating of every design asks beside the design: as the verb `rate` asks it.
 struct SearchRating {
   RatingInput input;
-  std::optional<double> web, rim;  ///< b_s, s_R  mm: a rim on a web
-  std::optional<double> power_kW;  ///< P, where it was given in place of the torque
+  std::optional<double> web, rim;       ///< b_s, s_R  mm: a rim on a web
+  std::optional<double> power_kW;       ///< P, where it was given in place of the torque
+  std::shared_ptr<RingCuts> ring_cuts;  ///< made by the search; none: every internal gear is cut
 };
 
 inline constexpr double kFaceModules = 10.0;      ///< b/m_n, unless it is given
@@ -132,5 +136,13 @@ struct Trial {
   std::array<Angle, 2> helix{};  ///< β  signed
   int rack = 0;                  ///< of SearchProblem::racks
 };
+
+/// The rack of gear i. One that nobody gave may not fit at the pressure angle: its radius becomes the
+/// full one.
+inline StraightRack rack_of(const SearchProblem& problem, const Trial& trial, std::size_t i) {
+  StraightRack rack = problem.racks[static_cast<std::size_t>(trial.rack)].rack[i];
+  rack.named = true;
+  return rack;
+}
 
 }  // namespace gearwright

@@ -232,6 +232,25 @@ ShiftGraph::Longest ShiftGraph::longest_path(const SumPlace& at, double sum,
   return {x1, path_length(at, sum, x1)};
 }
 
+// Where the path ends the line between its longest place and a bound; none where it does not.
+std::optional<double> ShiftGraph::end_of_path(const SumPlace& at, double sum, const Longest& top,
+                                              LineSide side, double bound) const {
+  const bool below = side == LineSide::lo;
+  if (!(below ? bound < top.x1 : top.x1 < bound)) return std::nullopt;
+  if (!(path_length(at, sum, bound) - min_path_ < 0.0)) return std::nullopt;
+  const double A_1 = gears_[0].r + gears_[0].addendum + at.k;
+  const double A_2 = gears_[1].r + gears_[1].addendum + at.k;
+  const auto excess = [&](double x) {
+    const PathSlope s = path_slope(A_1 + x, gears_[0].r_b, weight_[0], A_2 + sum - x, gears_[1].r_b,
+                                   weight_[1], internal_);
+    return Slope<double>{path_length(at, sum, x) - min_path_, s.first};
+  };
+  // External E is concave: Newton's steps from outside fall short of the root. An internal gear's
+  // may bend upwards; the bracket holds them.
+  return below ? newton_in_bracket<double>(excess, bound, top.x1, bound, true).x
+               : newton_in_bracket<double>(excess, top.x1, bound, bound, false).x;
+}
+
 ShiftSlice ShiftGraph::slice(double sum, int limits) const {
   const SumPlace at = place(sum);
   ShiftSlice slice = bounds_before_path(at, sum, limits).slice();
@@ -242,120 +261,24 @@ ShiftSlice ShiftGraph::slice(double sum, int limits) const {
     const bool touching = top.length >= min_path_ - kTouching;
     return {{top.x1 + (touching ? 0.0 : 1.0), top.x1}, ShiftEdge::eps, ShiftEdge::eps};
   }
-  const double A_1 = gears_[0].r + gears_[0].addendum + at.k;
-  const double A_2 = gears_[1].r + gears_[1].addendum + at.k;
-  const auto excess = [&](double x) {
-    const PathSlope s = path_slope(A_1 + x, gears_[0].r_b, weight_[0], A_2 + sum - x, gears_[1].r_b,
-                                   weight_[1], internal_);
-    return Slope<double>{path_length(at, sum, x) - min_path_, s.first};
-  };
-  // External E is concave: Newton's steps from outside fall short of the root. An internal gear's
-  // may bend upwards; the bracket holds them.
-  if (slice.lo < top.x1 && excess(slice.lo).value < 0.0) {
-    slice.lo = newton_in_bracket<double>(excess, slice.lo, top.x1, slice.lo, true).x;
-    slice.lo_edge = ShiftEdge::eps;
-  }
-  if (top.x1 < slice.hi && excess(slice.hi).value < 0.0) {
-    slice.hi = newton_in_bracket<double>(excess, top.x1, slice.hi, slice.hi, false).x;
-    slice.hi_edge = ShiftEdge::eps;
-  }
+  const auto lo = end_of_path(at, sum, top, LineSide::lo, slice.lo);
+  const auto hi = end_of_path(at, sum, top, LineSide::hi, slice.hi);
+  if (lo) slice.lo = *lo, slice.lo_edge = ShiftEdge::eps;
+  if (hi) slice.hi = *hi, slice.hi_edge = ShiftEdge::eps;
   return slice;
 }
 
-double ShiftGraph::width_before_path(const SumPlace& at, double sum, int limits) const {
-  const LineEnds s = ends_before_path(at, sum, limits);
-  return std::min(s.hi - s.lo, sum_margin(at, sum, limits).value);
-}
-
-double ShiftGraph::excess_of_path(const SumPlace& at, double sum, int limits) const {
-  return longest_path(at, sum, ends_before_path(at, sum, limits)).length - min_path_;
-}
-
-std::vector<Interval> ShiftGraph::feasible_sums(int limits) const {
-  if (limits > static_cast<int>(Limit::overlap_ratio) && !overlap_ratio_is_enough()) return {};
-  if (limits > static_cast<int>(Limit::tip_clearance) && !tip_clearance_can_be_enough()) return {};
-  Sums range = sums(limits);
-  if (range.lo > range.hi && range.lo <= range.hi + kTouching)
-    range.lo = range.hi = (range.lo + range.hi) / 2.0;
-  const auto width = [&](double sum) { return width_before_path(place(sum), sum, limits); };
-  const auto excess = [&](double sum) { return excess_of_path(place(sum), sum, limits); };
-  // What the interference of an internal pair leaves may lie on both sides of Σ = 0 [T9.9]; the gap
-  // there may be narrower than a node's step.
-  const bool gap_at_zero = internal_ && problem_->limits.avoid_interference &&
-                           limits > static_cast<int>(Limit::interference);
-  const Hump hump{.bend = kMostBend};
-  const auto exactly_or_touching = [&](const auto& f, double a, double b) {
-    if (!(gap_at_zero && a < 0.0 && b > 0.0))
-      return where_not_negative_or_touching(f, a, b, kTouching, hump);
-    const auto beside_zero = [&](const auto& g) {
-      auto pieces = where_not_negative(g, a, 0.0, kIntervalNodes, hump);
-      for (const Interval& right : where_not_negative(g, 0.0, b, kIntervalNodes, hump)) {
-        if (!pieces.empty() && pieces.back().hi == 0.0 && right.lo == 0.0) {
-          pieces.back().hi = right.hi;
-        } else {
-          pieces.push_back(right);
-        }
-      }
-      return pieces;
-    };
-    auto pieces = beside_zero(f);
-    if (!pieces.empty()) return pieces;
-    return beside_zero([&](double sum) { return f(sum) + kTouching; });
-  };
-  // First where the interval of x1 exists before the path's length is asked, then where its longest
-  // path is long enough.
-  const auto wide = exactly_or_touching(width, range.lo, range.hi);
-  if (limits <= static_cast<int>(Limit::contact_ratio)) return wide;
-  std::vector<Interval> found;
-  for (const Interval& piece : wide) {
-    const auto long_enough = exactly_or_touching(excess, piece.lo, piece.hi);
-    found.insert(found.end(), long_enough.begin(), long_enough.end());
+double ShiftGraph::slice_end(double sum, LineSide side) const {
+  const SumPlace at = place(sum);
+  const LineEnds ends = ends_before_path(at, sum);
+  const double bound = side == LineSide::lo ? ends.lo : ends.hi;
+  if (ends.empty()) return bound;
+  const Longest top = longest_path(at, sum, ends);
+  if (!(top.length >= min_path_)) {
+    const ShiftSlice none = slice(sum);
+    return side == LineSide::lo ? none.lo : none.hi;
   }
-  return found;
-}
-
-bool ShiftGraph::has_feasible_sums(int limits) const {
-  if (limits > static_cast<int>(Limit::overlap_ratio) && !overlap_ratio_is_enough()) return false;
-  if (limits > static_cast<int>(Limit::tip_clearance) && !tip_clearance_can_be_enough())
-    return false;
-  const Sums range = sums(limits);
-  constexpr double kInside = 1e-9;  // so that no rounding is the whole of it
-  for (const double share : {0.5, 0.25, 0.75, 0.1}) {
-    const double sum = range.lo + share * (range.hi - range.lo);
-    if (!(range.lo < sum && sum < range.hi)) break;
-    const SumPlace at = place(sum);
-    if (width_before_path(at, sum, limits) > kInside &&
-        (limits <= static_cast<int>(Limit::contact_ratio) ||
-         excess_of_path(at, sum, limits) > kInside))
-      return true;
-  }
-  return !feasible_sums(limits).empty();
-}
-
-bool ShiftGraph::is_asked(Limit limit) const {
-  const SearchLimits& limits = problem_->limits;
-  switch (limit) {
-    case Limit::center_distance: return problem_->center_distance.has_value();
-    case Limit::overlap_ratio: return limits.overlap_ratio.has_value();
-    case Limit::sliding: return limits.sliding.has_value();
-    case Limit::tip_clearance: return limits.tip_clearance.has_value();
-    case Limit::interference: return limits.avoid_interference;
-    default: return true;
-  }
-}
-
-std::optional<Limit> ShiftGraph::what_kills() const {
-  for (int n = 1; n <= kRegionLimits; ++n) {
-    const auto limit = static_cast<Limit>(n - 1);
-    if (!is_asked(limit)) continue;
-    if (limit == Limit::shift_limits && !problem_->shorten_tips) {
-      for (const TrialGear& g : gears_)
-        if (!(g.x_min <= g.x_max + kTouching)) return limit;
-      continue;
-    }
-    if (!has_feasible_sums(n)) return limit;
-  }
-  return std::nullopt;
+  return end_of_path(at, sum, top, side, bound).value_or(bound);
 }
 
 std::array<Interval, 2> ShiftGraph::shift_limits() const {
@@ -367,21 +290,6 @@ std::array<Interval, 2> ShiftGraph::shift_limits() const {
     limits[i].hi = std::min(gears_[i].x_max, usable_whole_tips_[i][1]);
   }
   return limits;
-}
-
-bool ShiftGraph::overlap_ratio_is_enough() const {
-  if (!problem_->limits.overlap_ratio) return true;
-  const double face = problem_->face_width_of(trial_.module) / trial_.module;
-  const double overlap = crossed_ ? 0.0 : leaf::overlap_of(face, gears_[0].tan_base_helix, pitch_);
-  return overlap >= *problem_->limits.overlap_ratio - kTouching;
-}
-
-// External pairs have the clearance of the racks at most: a − R − Σ ≤ 0 there. [T9.5]
-bool ShiftGraph::tip_clearance_can_be_enough() const {
-  if (internal_ || !problem_->limits.tip_clearance) return true;
-  const double most =
-      std::min(gears_[0].dedendum - gears_[1].addendum, gears_[1].dedendum - gears_[0].addendum);
-  return most >= *problem_->limits.tip_clearance - 2.0 * kTouching;
 }
 
 double ShiftGraph::margin(double x1, double x2) const { return margin_in(sums(), x1, x2); }

@@ -64,6 +64,8 @@ struct LineEnds {
   double middle() const { return (lo + hi) / 2.0; }
 };
 
+enum class LineSide { lo, hi };
+
 /// The same with the names of what ends it.
 struct ShiftSlice : LineEnds {
   ShiftEdge lo_edge, hi_edge;
@@ -125,6 +127,8 @@ class ShiftGraph {
     return bounds_before_path(place(sum), sum, limits);
   }
   ShiftSlice slice(double sum, int limits = kRegionLimits) const;
+  /// One end of that slice, without its name: an area is an integral of such.
+  double slice_end(double sum, LineSide side) const;
   /// What bounds_before_path() leaves, without names: most lines are asked for no more.
   LineEnds ends_before_path(const SumPlace& at, double sum, int limits = kRegionLimits) const;
 
@@ -166,6 +170,8 @@ class ShiftGraph {
   double sum_of_distance(double distance) const;
   ShiftBounds bounds_before_path(const SumPlace& at, double sum, int limits) const;
   bool is_asked(Limit limit) const;
+  std::optional<double> end_of_path(const SumPlace& at, double sum, const Longest& top,
+                                    LineSide side, double bound) const;
   double width_before_path(const SumPlace& at, double sum, int limits) const;
   double excess_of_path(const SumPlace& at, double sum, int limits) const;
   template <class Line>

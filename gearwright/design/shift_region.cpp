@@ -28,7 +28,7 @@ bool is_straight(ShiftEdge edge, const SearchProblem& problem) {
 }
 
 // One side of the region over Σ.
-enum class Side { lo, hi };
+using Side = LineSide;
 ShiftEdge edge_of(const ShiftSlice& s, Side side) {
   return side == Side::lo ? s.lo_edge : s.hi_edge;
 }
@@ -140,7 +140,7 @@ constexpr double kAreaTolerance = 1e-12;  // of the area under the stretch, modu
 constexpr double kAreaRounding = 1e-13;
 
 double area_under(const ShiftGraph& graph, Side side, const Stretch& s, bool straight) {
-  const auto value = [&](double sum) { return value_of(graph.slice(sum), side); };
+  const auto value = [&](double sum) { return graph.slice_end(sum, side); };
   if (straight) return (s.to - s.from) * value((s.from + s.to) / 2.0);
   const auto integrand = [&](double theta) {
     return value(sum_at(s.from, s.to, theta)) * (s.to - s.from) / 2.0 * std::sin(theta);
