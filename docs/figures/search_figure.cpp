@@ -122,8 +122,7 @@ Figure search_figure() {
   f.svg().end_group();
   f.svg().line(right.px(-0.2, k), right.px(1.0, k), "ink dash");
   f.label(right.px(-0.2, k), "{K}, the least length asked", Anchor::start, {8, 18}, "small halo");
-  const auto longest =
-      graph.longest_path(at_sum, sum, {-0.2, 1.0, ShiftEdge::mesh, ShiftEdge::mesh});
+  const auto longest = graph.longest_path(at_sum, sum, LineEnds{-0.2, 1.0});
   f.svg().circle(right.px(longest.x1, longest.length), 4.5, "fill-green");
   f.label(right.px(longest.x1, longest.length), "equal tip angles", Anchor::start, {6, -9},
           "green small halo");
