@@ -30,3 +30,6 @@ gw_precompiled(gw_precompiled)
 gw_precompiled(gw_precompiled_answers
   HEADERS <filesystem> <map> <nlohmann/json.hpp> "${PROJECT_SOURCE_DIR}/gearwright/job/solved_job.hpp"
   LIBRARIES nlohmann_json::nlohmann_json)
+# Not from a cache of objects: `#pragma once` goes by a file's time, so that one made for another checkout
+# of the same text has its headers twice.
+set_target_properties(gw_precompiled_answers PROPERTIES CXX_COMPILER_LAUNCHER "")
