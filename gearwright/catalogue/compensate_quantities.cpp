@@ -216,7 +216,7 @@ const Quantities<LoadedScore>& loaded_score_quantities() {
         .always();
     q.pure("", "face_load_factor", "face load factor", "K_Hβ", "as `load` has it", [](const S& s) {
        return Value(s.face_load_factor);
-     }).always();
+     }).when([](const S& s) { return s.face_load_factor.has_value(); });
     q.flag("", "edge_carries", "an edge carries", "the pressure there is a lower bound",
            [](const S& s) { return Value(s.edge_carries); });
   });

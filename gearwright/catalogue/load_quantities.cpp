@@ -80,7 +80,8 @@ void say_position(Quantities<P>& q) {
         [](const P& p) { return Value(p.position->approach * kUmPerMm); })
       .always();
   q.pure("", "share", "load shares", "",
-         "of each tooth pair that carries, the one nearest to its exit last",
+         "of each tooth pair that carries, the one nearest to its exit last; of teeth that touch "
+         "at points of each point",
          [](const P& p) { return Value(shares(*p.position)); })
       .list({0})
       .always();
@@ -92,7 +93,8 @@ void say_position(Quantities<P>& q) {
         "greatest principal stress along the fillets, per gear",
         [](const P& p) { return Value(p.position->root_stress); })
       .per_gear();
-  q.record("", "points", "of each tooth pair that carries, in the order of `share`", point_table,
+  q.record("", "points", "that carry, in the order of `share`; teeth of double arcs touch at two",
+           point_table,
            [](const P& p) { return Value(load_point_quantities().each(p.position->pairs)); })
       .list({0})
       .when([](const P& p) { return at_points(p); })

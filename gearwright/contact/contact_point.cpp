@@ -177,6 +177,17 @@ bool is_edge(TouchKind kind) {
   return kind != TouchKind::none && kind != TouchKind::interior && kind != TouchKind::line;
 }
 
+bool at_seam(Transmission& transmission, const PairTouch& touch) {
+  const detail::ActiveSet& set = touch.touch.active;
+  const double arm = GapField::arm(transmission.jet_at(touch, touch.touch.s, touch.touch.z));
+  const auto holds = [&](int bound, double multiplier) {
+    return bound >= 0 && multiplier * arm > kLineGap &&
+           kind_of(transmission.field(touch.fields), bound) == TouchKind::none;
+  };
+  return holds(set.first, touch.touch.multiplier[0]) ||
+         holds(set.second, touch.touch.multiplier[1]);
+}
+
 ContactPoint describe(Transmission& transmission, const PairTouch& touch, Angle rotation1,
                       double marking) {
   ContactPoint p;

@@ -68,6 +68,9 @@ struct ContactPoint {
   std::optional<std::array<Vec3, 2>> line;  ///< ends of a contact line, housing
 };
 
+/// Whether a touch is held at a seam of patches, beyond which T rises: no place of its own.
+bool at_seam(Transmission& transmission, const PairTouch& touch);
+
 /// Everything about a touch of pair 0 at `touch.phi`.
 ///
 /// Units     mm; `rotation1` in the housing's sense

@@ -102,6 +102,16 @@ PairTouch Transmission::of_pair_0(double phi) {
   return best;
 }
 
+std::vector<PairTouch> Transmission::every_of_pair_0(double phi) {
+  std::vector<PairTouch> all;
+  for (std::size_t f = 0; f < fields_.size(); ++f) {
+    fields_[f]->set_rotation(phi);
+    for (const Touch& t : searches_[f]->every_maximum())
+      if (t.found()) all.push_back({t, static_cast<int>(f), phi, 0});
+  }
+  return all;
+}
+
 // What one pair of patches finds, position by position of tooth pair 0, folded into the pitch.
 class Transmission::Track {
  public:

@@ -18,16 +18,20 @@ namespace {
 
 // Every torque in a line: what changes with the load.
 std::string harris_map(const LoadedContact& contact, const LoadedTorque& quiet) {
-  std::string out = fmt::format("  {:>11}{:>14}{:>16}{:>12}{:>11}{:>11}{:>9}\n", "torque", "TE p-p",
-                                "stiffness", "pressure", "root 1", "root 2", "K_Hβ");
-  out += fmt::format("  {:>11}{:>14}{:>16}{:>12}{:>11}{:>11}\n", "N m", "arcsec", "N/(mm µm)",
-                     "N/mm²", "N/mm²", "N/mm²");
+  const bool lines = contact.regime == LoadRegime::line;
+  std::string out =
+      fmt::format("  {:>11}{:>14}{:>16}{:>12}{:>11}{:>11}{}\n", "torque", "TE p-p", "stiffness",
+                  "pressure", "root 1", "root 2", lines ? fmt::format("{:>9}", "K_Hβ") : "");
+  out += fmt::format("  {:>11}{:>14}{:>16}{:>12}{:>11}{:>11}\n", "N m", "arcsec",
+                     unit_text(lines ? Unit::newton_per_mm_um : Unit::newton_per_um), "N/mm²",
+                     "N/mm²", "N/mm²");
   for (const LoadedTorque& t : contact.torques)
-    out += fmt::format("  {:>11}{:>14}{:>16}{:>12}{:>11}{:>11}{:>9}{}\n",
-                       spoken(t.torque / kMmPerM), fixed_text(t.peak_to_peak.arcsec(), 4),
-                       fixed_text(t.stiffness.mean, 3), fixed_text(t.max_pressure, 1),
-                       fixed_text(t.max_root_stress[0], 1), fixed_text(t.max_root_stress[1], 1),
-                       fixed_text(t.face_load_factor, 3), &t == &quiet ? "  quietest" : "");
+    out += fmt::format("  {:>11}{:>14}{:>16}{:>12}{:>11}{:>11}{}{}\n", spoken(t.torque / kMmPerM),
+                       fixed_text(t.peak_to_peak.arcsec(), 4), fixed_text(t.stiffness.mean, 3),
+                       fixed_text(t.max_pressure, 1), fixed_text(t.max_root_stress[0], 1),
+                       fixed_text(t.max_root_stress[1], 1),
+                       lines ? fmt::format("{:>9}", fixed_text(t.face_load_factor, 3)) : "",
+                       &t == &quiet ? "  quietest" : "");
   return out;
 }
 

@@ -74,6 +74,13 @@ void summarise_points(LoadedTorque& t) {
 
 }  // namespace
 
+double share_of(const LoadedPosition& p, int pair) {
+  double sum = 0.0;
+  for (const LoadedPair& k : p.pairs)
+    if (k.pair == pair) sum += k.share;
+  return sum;
+}
+
 void summarise(LoadedTorque& t, const SummaryBasis& basis) {
   if (t.positions.empty()) return;
   double least = kInfinity;
@@ -87,7 +94,7 @@ void summarise(LoadedTorque& t, const SummaryBasis& basis) {
     for (int g = 0; g < 2; ++g)
       t.max_root_stress[g] = std::max(t.max_root_stress[g], p.root_stress[g]);
     for (const LoadedPair& pair : p.pairs) {
-      t.max_share = std::max(t.max_share, pair.share);
+      t.max_share = std::max(t.max_share, share_of(p, pair.pair));
       t.beyond_flank = t.beyond_flank || pair.point.beyond;
       if (basis.regime == LoadRegime::point) continue;
       if (t.face_load.size() == 0) t.face_load = Eigen::VectorXd::Zero(pair.line_load.size());

@@ -17,6 +17,9 @@ struct SummaryBasis {
 /// Fills in what follows from `torque` and `positions`.
 void summarise(LoadedTorque& torque, const SummaryBasis& basis);
 
+/// The share of a tooth pair, whatever number of places it touches at.
+double share_of(const LoadedPosition& position, int pair);
+
 /// The torque at which the loaded transmission error is least, peak to peak, of two or more;
 /// nullptr: one alone, or rotations instead of a pitch.
 const LoadedTorque* quietest(const LoadedContact& contact);

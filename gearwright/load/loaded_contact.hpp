@@ -28,10 +28,11 @@ struct LoadedPoint {
   /// Both half axes on each gear's flank, as steps along the face and in radius, mm.
   std::array<std::array<Eigen::Vector2d, 2>, 2> half_axis{};
   TouchKind kind = TouchKind::interior;
+  int track = 0;        ///< of the patches that touch: double arcs have two places on a tooth
   bool beyond = false;  ///< the ellipse hangs over an end of the flank or the face
 };
 
-/// One tooth pair in contact at one position.
+/// One tooth pair in contact at one position; of points one of its places.
 struct LoadedPair {
   int pair = 0;                ///< k in N
   double share = 0.0;          ///< of the whole load
@@ -51,7 +52,7 @@ struct LoadedPosition {
   double tangent = 0.0;   ///< d(Θ r_b2)/dF_bt  mm/N; of points by the same arm
   /// Line load over approach, N/(mm µm); of points force over approach, N/µm; 0: nothing touches.
   double stiffness = 0.0;
-  std::vector<LoadedPair> pairs;     ///< that carry; the one nearest to its exit last
+  std::vector<LoadedPair> pairs;     ///< that carry, of points places; the nearest to its exit last
   double max_pressure = 0.0;         ///< MPa
   double max_width_ratio = 0.0;      ///< greatest half width of contact over its radius
   TouchKind kind = TouchKind::line;  ///< or the edge that carries most

@@ -13,21 +13,25 @@ std::vector<LoadedScore> loaded_scores(const LoadedContact& contact) {
     if (std::any_of(t.positions.begin(), t.positions.end(),
                     [](const LoadedPosition& p) { return p.kind == TouchKind::none; }))
       return {};
-    scores.push_back({t.peak_to_peak, t.max_pressure, t.face_load_factor, t.edge_carries});
+    scores.push_back({t.peak_to_peak, t.max_pressure, std::nullopt, t.edge_carries});
+    if (contact.regime == LoadRegime::line) scores.back().face_load_factor = t.face_load_factor;
   }
   return scores;
 }
 
 LoadedScore no_score() {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  return {Angle::radians(kNaN), kNaN, kNaN, false};
+  return {Angle::radians(kNaN), kNaN, std::nullopt, false};
 }
 
 LoadedScore worse_of(const LoadedScore& a, const LoadedScore& b) {
   const auto worse = [](double x, double y) { return std::isnan(x) || x > y ? x : y; };
-  return {Angle::radians(worse(a.peak_to_peak.rad(), b.peak_to_peak.rad())),
-          worse(a.max_pressure, b.max_pressure), worse(a.face_load_factor, b.face_load_factor),
-          a.edge_carries || b.edge_carries};
+  LoadedScore s{Angle::radians(worse(a.peak_to_peak.rad(), b.peak_to_peak.rad())),
+                worse(a.max_pressure, b.max_pressure), std::nullopt,
+                a.edge_carries || b.edge_carries};
+  if (a.face_load_factor && b.face_load_factor)
+    s.face_load_factor = worse(*a.face_load_factor, *b.face_load_factor);
+  return s;
 }
 
 }  // namespace gearwright

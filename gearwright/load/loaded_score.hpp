@@ -1,6 +1,7 @@
 // Teeth under a torque in a few numbers, for those who compare one pair with another.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "gearwright/load/loaded_contact.hpp"
@@ -9,9 +10,9 @@ namespace gearwright {
 
 /// NaN where there is no answer to compare with.
 struct LoadedScore {
-  Angle peak_to_peak;             ///< of the loaded transmission error
-  double max_pressure = 0.0;      ///< MPa
-  double face_load_factor = 1.0;  ///< K_Hβ
+  Angle peak_to_peak;                        ///< of the loaded transmission error
+  double max_pressure = 0.0;                 ///< MPa
+  std::optional<double> face_load_factor{};  ///< K_Hβ, of lines
   bool edge_carries = false;
 };
 

@@ -61,10 +61,11 @@ PointPosition PointSolver::prepare(double rotation) {
   std::vector<PairTouch> found;
   const int farthest = transmission_.farthest_pair();
   for (int k = farthest; k >= -farthest; --k) {
-    PairTouch t = transmission_.of_pair_0(rotation - k * pair_.pitch());
-    if (!t.found()) continue;
-    t.pair = k;
-    found.push_back(t);
+    for (PairTouch& t : transmission_.every_of_pair_0(rotation - k * pair_.pitch())) {
+      if (at_seam(transmission_, t)) continue;
+      t.pair = k;
+      found.push_back(t);
+    }
   }
   at.te = -std::numeric_limits<double>::infinity();
   for (const PairTouch& t : found) at.te = std::max(at.te, t.te());
@@ -130,6 +131,7 @@ Laid PointSolver::lay(const PointPlace& place, double force, const Ellipse& bent
   point.semi_major = ellipse.semi_major;
   point.semi_minor = ellipse.semi_minor;
   point.kind = place.kind;
+  point.track = place.touch.fields;
   const double turned = pair_.turned();
   const AxisPlace middle = on_axis(place, bent.middle);
   for (int g = 0; g < 2; ++g) {
@@ -320,7 +322,14 @@ LoadedPosition PointSolver::solve(PointPosition& at, double torque, Angle rotati
 double PointSolver::greatest_share(PointPosition& at, double torque) {
   if (at.places.empty()) return 0.0;
   const Shared x = share(at, torque);
-  return x.sharing.force.maxCoeff() / x.sharing.force.sum();
+  double most = 0.0;
+  for (std::size_t i = 0; i < at.places.size(); ++i) {
+    double of_pair = 0.0;
+    for (std::size_t j = 0; j < at.places.size(); ++j)
+      if (at.places[j].pair == at.places[i].pair) of_pair += x.sharing.force[static_cast<Index>(j)];
+    most = std::max(most, of_pair);
+  }
+  return most / x.sharing.force.sum();
 }
 
 }  // namespace gearwright::detail

@@ -15,7 +15,7 @@
 
 namespace gearwright::detail {
 
-// Where a tooth pair is nearest, and how its gap opens there.
+// A place at which a tooth pair is nearest round about, and how its gap opens there.
 struct PointPlace {
   int pair;    // k in N
   double te;   // T  rad

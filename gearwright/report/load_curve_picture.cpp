@@ -112,7 +112,8 @@ std::string share_figure(const LoadReport& report) {
   const auto curves = torque_curves(report, [&](const LoadedTorque& t) {
     std::vector<Vec2> values;
     for (const LoadedPosition& p : t.positions)
-      for (const LoadedPair& k : p.pairs) values.push_back({own_pitches(report, p, k), k.share});
+      for (const LoadedPair& k : p.pairs)
+        values.push_back({own_pitches(report, p, k), share_of(p, k.pair)});
     std::sort(values.begin(), values.end(),
               [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
     // Before and after it bears nothing.

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <vector>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/report/flank_frame.hpp"
@@ -25,13 +27,19 @@ struct Passing {
   const LoadedPoint* point;
 };
 
-std::vector<Passing> way_of(const LoadReport& report, const LoadedTorque& t) {
-  std::vector<Passing> way;
+// A way for each track: the teeth of double arcs have two.
+std::vector<std::vector<Passing>> ways_of(const LoadReport& report, const LoadedTorque& t) {
+  std::map<int, std::vector<Passing>> by_track;
   for (const LoadedPosition& p : t.positions)
-    for (const LoadedPair& k : p.pairs) way.push_back({own_pitches(report, p, k), &k.point});
-  std::sort(way.begin(), way.end(),
-            [](const Passing& a, const Passing& b) { return a.own < b.own; });
-  return way;
+    for (const LoadedPair& k : p.pairs)
+      by_track[k.point.track].push_back({own_pitches(report, p, k), &k.point});
+  std::vector<std::vector<Passing>> ways;
+  for (auto& [track, way] : by_track) {
+    std::sort(way.begin(), way.end(),
+              [](const Passing& a, const Passing& b) { return a.own < b.own; });
+    ways.push_back(std::move(way));
+  }
+  return ways;
 }
 
 Vec2 middle_of(const LoadedPoint& p, std::size_t which) {
@@ -51,13 +59,14 @@ std::vector<Vec2> outline_of(const LoadedPoint& p, std::size_t which, const Flan
 
 std::string flank_figure(const LoadReport& report, std::size_t which) {
   const Gear& gear = *report.gears[which];
-  const auto way = way_of(report, heaviest(report));
+  const auto ways = ways_of(report, heaviest(report));
   double lo = gear.tip_form_radius();
   double hi = lo;
-  for (const Passing& p : way) {
-    lo = std::min(lo, middle_of(*p.point, which).y());
-    hi = std::max(hi, middle_of(*p.point, which).y());
-  }
+  for (const auto& way : ways)
+    for (const Passing& p : way) {
+      lo = std::min(lo, middle_of(*p.point, which).y());
+      hi = std::max(hi, middle_of(*p.point, which).y());
+    }
   if (const auto form = gear.root_form_radius()) lo = std::min(lo, *form);
   const double half = gear.spec.face_width / 2;
   const FlankRaster extent{{2 * lo, 2 * hi}, {-half, half}, {}};
@@ -70,27 +79,32 @@ std::string flank_figure(const LoadReport& report, std::size_t which) {
           "through the mesh; the line joins their middles.");
   draw_flank(svg, f, which);
   svg.begin_clip(f.z.from, f.top(), f.z.to - f.z.from, f.bottom() - f.top());
-  std::vector<Vec2> path;
-  for (const Passing& p : way) {
-    const Vec2 at = middle_of(*p.point, which);
-    path.push_back(f({at.x(), at.y()}));
+  for (const auto& way : ways) {
+    std::vector<Vec2> path;
+    for (const Passing& p : way) {
+      const Vec2 at = middle_of(*p.point, which);
+      path.push_back(f({at.x(), at.y()}));
+    }
+    if (path.size() > 1) svg.polyline(path, "thin dashdot");
+    const std::size_t step = (way.size() + kMostDrawn - 1) / kMostDrawn;
+    for (std::size_t i = step / 2; i < way.size(); i += step)
+      svg.polyline(outline_of(*way[i].point, which, f),
+                   way[i].point->beyond ? "before" : "curve action");
   }
-  if (path.size() > 1) svg.polyline(path, "thin dashdot");
-  const std::size_t step = (way.size() + kMostDrawn - 1) / kMostDrawn;
-  for (std::size_t i = step / 2; i < way.size(); i += step)
-    svg.polyline(outline_of(*way[i].point, which, f),
-                 way[i].point->beyond ? "before" : "curve action");
   svg.end_group();
   return svg.str();
 }
 
 std::string pressure_figure(const LoadReport& report) {
   std::vector<PlotCurve> curves;
+  std::size_t shown = 0;
   for (const std::size_t i : shown_torques(report)) {
-    PlotCurve c{{}, "curve " + curve_style(curves.size())};
-    for (const Passing& p : way_of(report, report.contact.torques[i]))
-      c.values.push_back({p.own, p.point->pressure});
-    curves.push_back(std::move(c));
+    const std::string style = "curve " + curve_style(shown++);
+    for (const auto& way : ways_of(report, report.contact.torques[i])) {
+      PlotCurve c{{}, style};
+      for (const Passing& p : way) c.values.push_back({p.own, p.point->pressure});
+      curves.push_back(std::move(c));
+    }
   }
   return fmt::format(
       "<figure>{}<figcaption><strong>Pressure</strong> in the middle of the ellipse, of one tooth "

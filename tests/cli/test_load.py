@@ -261,6 +261,20 @@ class Points(unittest.TestCase):
         # A Hertz point stiffens under load.
         self.assertGreater(high["contact_stiffness_N_per_um"]["mean"], low["contact_stiffness_N_per_um"]["mean"])
 
+    def test_double_arcs_touch_at_two_places(self):
+        pair = """
+gear1 = {{ teeth = 18, normal_module_mm = 4, helix_angle_deg = 22, face_width_mm = 60, rack = "GBT12759" }}
+gear2 = {{ teeth = 50, normal_module_mm = 4, helix_angle_deg = -22, face_width_mm = 60, rack = "GBT12759" }}
+{rest}
+"""
+        run = Run("load", pair.format(rest=DRAFT + "torque_Nm = 200\n"), "--json")
+        self.assertEqual(run.status, 0, run.err)
+        for p in run.json["load"]["torques"][0]["positions"]:
+            high = [k for k in p["points"] if k["diameter_mm"][0] > 78]
+            low = [k for k in p["points"] if k["diameter_mm"][0] < 78]
+            self.assertGreater(len(high), 0)
+            self.assertGreater(len(low), 0)
+
     def test_lines_are_named_too(self):
         run = load()
         self.assertEqual(run.json["load"]["regime"], "line")

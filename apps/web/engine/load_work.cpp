@@ -7,6 +7,7 @@
 #include "apps/web/engine/stopwatch.hpp"
 #include "gearwright/job/load_text.hpp"
 #include "gearwright/job/value_json.hpp"
+#include "gearwright/load/load_summary.hpp"
 
 namespace gearwright::web {
 
@@ -49,7 +50,7 @@ LoadPicture picture_of(const LoadedContact& found) {
       torque.stiffness.push_back(t.positions[i].stiffness);
       for (const LoadedPair& p : t.positions[i].pairs) {
         LoadPicture::Tooth& tooth = tooth_of(torque, p.pair, t.positions.size(), slices);
-        tooth.share[i] = p.share;
+        tooth.share[i] = share_of(t.positions[i], p.pair);
         for (std::size_t j = 0; j < slices; ++j) {
           const double pressure = p.pressure[static_cast<Eigen::Index>(j)];
           if (!(p.radius[j][0] > 0.0)) continue;
