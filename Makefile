@@ -54,7 +54,7 @@ test-wasm:
 	@ctest --preset wasm
 
 test-long:
-	@tools/install_packages.sh core mpi python test cluster
+	@tools/install_packages.sh core mpi python test cluster long
 	@tools/install_npm_tools.sh
 	@cmake --preset release
 	@cmake --build --preset release

@@ -2,14 +2,19 @@
 //
 // FE2D-25, FE3D-25, FE3D-25-HEL: own reference computations apart from this program (gmsh triangles
 // with up to 68 000 unknowns; CalculiX C3D20 with 105 840), E = 1, m = 1, ν = 0.3; 25 teeth, x = 0,
-// rack 1.25/0.38, bore radius 6 m.
+// rack 1.25/0.38, bore radius 6 m. Those of the helix of 45° are made by tests/oracle/bricks.
 #include "gearwright/compliance/probe.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
 
+#include "gearwright/base/testing/source_file.hpp"
 #include "gearwright/compliance/tooth_table.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/math/involute.hpp"
@@ -123,6 +128,36 @@ TEST(ToothCompliance, AlongAHelicalFaceAgreesWithBricks) {
   expect_profile(twist, 13.2, 4.5, z, {0.168, 0.639, 2.172, 1.719, 0.506, 0.133}, 0.04);
   expect_profile(twist, 13.2, 9.5, z, {0.02, 0.049, 0.099, 0.409, 2.094, 13.52}, 0.04);
   expect_profile(twist, 12.5, 4.5, z, {0.114, 0.362, 1.097, 0.883, 0.309, 0.094}, 0.04);
+}
+
+// A gear of 45°, both ends and the middle of its face, the place under the load too: 0.9 % of the
+// greatest displacement of a row, at the face of the acute end 1.8 %.
+TEST(ToothCompliance, AlongASteepHelixAgreesWithBricks) {
+  const auto data = nlohmann::json::parse(
+      std::ifstream(testing::source_file("tests/oracle/bricks/tooth_bricks.json")));
+  const auto& bricks = data.at("gears").back();
+  ASSERT_EQ(bricks.at("helix_angle_deg"), 45);
+  CylindricalSpec spec =
+      testing::plain_spec({.teeth = data.at("teeth"),
+                           .module = kModule,
+                           .beta_deg = bricks.at("helix_angle_deg"),
+                           .face_width = kModule * data.at("face_width").get<double>()});
+  spec.rack = *iso53_rack("ISO53-A");
+  const Gear gear = std::move(make_gear(spec)).take();
+  const ElasticBody body{kModule * bricks.at("bore_diameter").get<double>(), 0.3, 1.0};
+  const auto from_middle = [&](double z) { return kModule * z - spec.face_width / 2; };
+  for (const auto& load : bricks.at("loads")) {
+    const std::array<double, 2> part = load.at("z");
+    ComplianceProbe probe{.diameter = kModule * load.at("diameter").get<double>()};
+    probe.loaded = {from_middle(part[0]), from_middle(part[1])};
+    for (const double z : data.at("read_z")) probe.read.push_back(from_middle(z));
+    const auto a = probe_compliance(gear, body, probe, ComplianceAccuracy::full);
+    ASSERT_TRUE(a) << a.error().message();
+    const std::vector<double> want = load.at("strip");
+    const double peak = *std::max_element(want.begin(), want.end());
+    for (std::size_t k = 0; k < want.size(); ++k)
+      EXPECT_NEAR(a->profile[k] * kModule, want[k], 0.02 * peak) << part[0] << ' ' << probe.read[k];
+  }
 }
 
 TEST(ToothCompliance, ScalesWithLength) {
