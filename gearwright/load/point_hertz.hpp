@@ -11,12 +11,12 @@
 namespace gearwright {
 
 struct HertzEllipse {
-  double semi_major, semi_minor;  ///< a, b  mm
+  double semi_major, semi_minor;  ///< a, b  mm  [T12.21]
   double pressure;                ///< p0, greatest, N/mm²
-  double approach;                ///< δ  mm
+  double approach;                ///< δ  mm  [T12.23]
 };
 
-/// What the curvatures alone give: a, b ∝ F^(1/3) and δ ∝ F^(2/3).
+/// What the curvatures alone give [T12.22]: a, b ∝ F^(1/3) and δ ∝ F^(2/3).
 class HertzPoint {
  public:
   /// Domain    0 < k1 ≤ k2, E* > 0 (contract)
