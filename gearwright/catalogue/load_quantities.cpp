@@ -181,6 +181,13 @@ void say_torque(Quantities<T>& q) {
         "greatest principal stress along the fillets over all positions, per gear",
         [](const T& t) { return Value(t.torque->max_root_stress); })
       .per_gear();
+  q.add(Type::number, Unit::megapascal, kLoad, "least_root_stress_MPa", "least root stress there",
+        "",
+        "least principal stress over all positions at the place of the greatest, the end of its "
+        "range: "
+        "a tooth is pressed while its neighbours bear",
+        [](const T& t) { return Value(t.torque->least_at_max); })
+      .per_gear();
   q.pure(kLoad, "face_load_factor", "face load factor", "K_Hβ",
          "greatest over mean of the load along the face, mean of the positions",
          [](const T& t) { return Value(t.torque->face_load_factor); })

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "gearwright/cad/bore_loop.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/gear/ring_cutter.hpp"
@@ -241,10 +242,30 @@ Result<PairPlace> complete_pair(JobSpec& spec, bool shift_wanted) {
   return place;
 }
 
+// A body needs material between its bore and its roots, an internal gear between roots and rim.
+std::optional<Warning> warn_about_body(const Gear& gear, const std::optional<Bore>& bore,
+                                       int number) {
+  if (!bore || !gear.exists()) return std::nullopt;
+  const auto warning = [&](const std::string& why) {
+    return Warning{"no_body",
+                   fmt::format("Gear {} has no body with a bore of {} mm: {}.", number,
+                               spoken(bore->diameter), why),
+                   number};
+  };
+  if (!gear.internal()) {
+    const auto error = bore_error(*bore, gear.root_diameter / 2);
+    return error ? std::optional(warning(error->rule)) : std::nullopt;
+  }
+  if (bore->diameter > gear.root_diameter) return std::nullopt;
+  return warning(fmt::format("the rim of an internal gear must lie outside its roots, beyond {} mm",
+                             spoken(gear.root_diameter)));
+}
+
 void collect_warnings(SolvedJob& job) {
   for (std::size_t i = 0; i < job.gears.size(); ++i) {
     const GearInput& input = *job.spec.gears[i];
     const int number = static_cast<int>(i) + 1;
+    if (auto w = warn_about_body(job.gears[i], input.bore, number)) job.warnings.push_back(*w);
     if (!input.face_width_given) {
       job.warnings.push_back({"default_face_width",
                               fmt::format("No `face_width` given: {} mm (10 modules) is used.",

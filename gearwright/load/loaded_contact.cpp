@@ -22,9 +22,12 @@ double greatest_of(const std::vector<double>& list) {
   return list.empty() ? 0.0 : *std::max_element(list.begin(), list.end());
 }
 
-void add_greatest(MatrixXd& to, const MatrixXd& more) {
-  if (more.size() == 0) return;
-  to = to.size() == 0 ? more : MatrixXd(to.cwiseMax(more));
+void add_swing(LoadedTorque& to, std::size_t g, const detail::RootSwing& more) {
+  if (more.most.size() == 0) return;
+  MatrixXd& most = to.root_stress[g];
+  MatrixXd& least = to.least_root_stress[g];
+  most = most.size() == 0 ? more.most : MatrixXd(most.cwiseMax(more.most));
+  least = least.size() == 0 ? more.least : MatrixXd(least.cwiseMin(more.least));
 }
 
 }  // namespace
@@ -78,27 +81,27 @@ void LoadedTurn::solve_with(std::size_t from, std::size_t to) {
   Solver solver(pair_, one_, two_, compliance_, request_);
   std::optional<Solver> perfect;
   if (perfect_) perfect.emplace(*perfect_, one_, two_, compliance_, undeflected_);
-  std::vector<RootStress> most(found_.torques.size());
+  std::vector<RootStress> swing(found_.torques.size());
   for (std::size_t i = from; i < to; ++i) {
     auto at = solver.prepare(pair_.to_world(rotations_[i].rad()));
-    for (std::size_t k = 0; k < most.size(); ++k) {
+    for (std::size_t k = 0; k < swing.size(); ++k) {
       LoadedTorque& t = found_.torques[k];
       bool fine = false;
       long open = 0;
-      t.positions[i] = solver.solve(at, t.torque, rotations_[i], fine, open, most[k]);
+      t.positions[i] = solver.solve(at, t.torque, rotations_[i], fine, open, swing[k]);
       if (fine) too_fine_ = true;
       unfinished_ += open;
     }
     if (perfect_) {
       auto free = perfect->prepare(perfect_->to_world(rotations_[i].rad()));
-      for (std::size_t k = 0; k < most.size(); ++k)
+      for (std::size_t k = 0; k < swing.size(); ++k)
         perfect_share_[k][i] = perfect->greatest_share(free, found_.torques[k].torque);
     }
     count_step(request_.headway);
   }
   const std::lock_guard lock(root_);
-  for (std::size_t k = 0; k < most.size(); ++k)
-    for (std::size_t g = 0; g < 2; ++g) add_greatest(found_.torques[k].root_stress[g], most[k][g]);
+  for (std::size_t k = 0; k < swing.size(); ++k)
+    for (std::size_t g = 0; g < 2; ++g) add_swing(found_.torques[k], g, swing[k][g]);
 }
 
 LoadedContact LoadedTurn::result() const {
@@ -111,8 +114,17 @@ LoadedContact LoadedTurn::result() const {
                            result.regime};
   for (std::size_t k = 0; k < result.torques.size(); ++k) {
     LoadedTorque& t = result.torques[k];
-    if (pair_.turned() < 0.0)
-      for (MatrixXd& stress : t.root_stress) stress.rowwise().reverseInPlace();
+    for (std::size_t g = 0; g < 2; ++g) {
+      if (t.root_stress[g].size() == 0) continue;
+      if (pair_.turned() < 0.0) {
+        t.root_stress[g].rowwise().reverseInPlace();
+        t.least_root_stress[g].rowwise().reverseInPlace();
+      }
+      Eigen::Index point = 0;
+      Eigen::Index slice = 0;
+      t.root_stress[g].maxCoeff(&point, &slice);
+      t.least_at_max[g] = t.least_root_stress[g](point, slice);
+    }
     summarise(t, basis);
     const double perfect = greatest_of(perfect_share_[k]);
     if (perfect > 0.0) t.transverse_load_factor = t.max_share / perfect;

@@ -83,6 +83,10 @@ struct LoadedTorque {
   /// The greatest principal stress over the positions, MPa, of each gear: a row per root point, a
   /// column per slice from −z on; 0 where nothing pulls.
   std::array<Eigen::MatrixXd, 2> root_stress;
+  /// The least principal stress there, 0 where nothing presses: a tooth is pressed while its neighbours
+  /// bear.
+  std::array<Eigen::MatrixXd, 2> least_root_stress;
+  std::array<double, 2> least_at_max{};  ///< where root_stress is greatest
 };
 
 struct LoadedContact {

@@ -360,6 +360,25 @@ TEST(LoadedContact, TransverseLoadFactorOfSingleContactIsOne) {
   EXPECT_DOUBLE_EQ(with.torques[0].transverse_load_factor, 1.0);
 }
 
+// While its neighbours bear, a fillet is pressed: less than it is pulled when its own tooth does, and
+// nothing is pressed where no stress was asked for.
+TEST(LoadedContact, NeighboursThatBearPressTheFillet) {
+  for (const double helix : {0.0, 15.0}) {
+    const Mesh m = mesh_of(helix, 30);
+    LoadRequest r = request_of();
+    r.torques = {2e5, 4e5};
+    const LoadedContact answer = run(m, r);
+    for (const LoadedTorque& t : answer.torques) {
+      for (std::size_t g = 0; g < 2; ++g) {
+        EXPECT_LT(t.least_at_max[g], -0.02 * t.max_root_stress[g]);
+        EXPECT_GT(t.least_at_max[g], -0.6 * t.max_root_stress[g]);
+        EXPECT_LE(t.least_root_stress[g].maxCoeff(), 0.0);
+        EXPECT_DOUBLE_EQ(t.root_stress[g].maxCoeff(), t.max_root_stress[g]);
+      }
+    }
+  }
+}
+
 TEST(LoadedContact, GoesWithoutRootStressWhereNobodyWantsIt) {
   const Mesh m = mesh_of(0, 30);
   LoadRequest r = request_of();

@@ -5,8 +5,6 @@
 #include <limits>
 #include <numbers>
 
-#include "gearwright/load/root_forces.hpp"
-
 namespace gearwright::detail {
 
 namespace {
@@ -128,7 +126,7 @@ MatrixXd PositionSolver::yields(const Position& at) const {
 }
 
 LoadedPosition PositionSolver::solve(Position& at, double torque, Angle rotation1, bool& too_fine,
-                                     long& unfinished, RootStress& most) const {
+                                     long& unfinished, RootStress& swing) const {
   LoadedPosition out;
   out.rotation1 = rotation1;
   const double sign = pair_.turned();
@@ -182,7 +180,7 @@ LoadedPosition PositionSolver::solve(Position& at, double torque, Angle rotation
     if (sign < 0.0) reverse(pairs[k]);
     out.pairs.push_back(pairs[k]);
   }
-  root_stress(at, load, out, most);
+  root_stress(at, load, out, swing);
   return out;
 }
 
@@ -197,7 +195,7 @@ double PositionSolver::greatest_share(Position& at, double torque) const {
 }
 
 void PositionSolver::root_stress(const Position& at, const std::vector<VectorXd>& load,
-                                 LoadedPosition& out, RootStress& most) const {
+                                 LoadedPosition& out, RootStress& swing) const {
   for (int g = 0; g < 2; ++g) {
     const ToothTable& table = *compliance_.table[g];
     std::vector<ToothForces> forces;
@@ -205,7 +203,7 @@ void PositionSolver::root_stress(const Position& at, const std::vector<VectorXd>
       if (!load[a].isZero(0.0))
         forces.push_back(
             {at.pairs[a].pair, table.on_grid(at.lines[g][a], load[a] * at.problem.length)});
-    out.root_stress[g] = greatest_root_stress(table, g, module_[g], forces, most[g]);
+    out.root_stress[g] = greatest_root_stress(table, g, module_[g], forces, swing[g]);
   }
 }
 

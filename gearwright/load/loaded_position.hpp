@@ -10,6 +10,7 @@
 #include "gearwright/contact/transmission.hpp"
 #include "gearwright/load/complementarity.hpp"
 #include "gearwright/load/loaded_contact.hpp"
+#include "gearwright/load/root_forces.hpp"
 
 namespace gearwright::detail {
 
@@ -28,7 +29,7 @@ struct Position {
 };
 
 // Of each gear at its root points and slices, in N.
-using RootStress = std::array<Eigen::MatrixXd, 2>;
+using RootStress = std::array<RootSwing, 2>;
 
 class PositionSolver {
  public:
@@ -37,9 +38,9 @@ class PositionSolver {
 
   /// Gaps and compliance at a rotation in N.
   Position prepare(double rotation);
-  /// Adds to `most` the greatest root stresses.
+  /// Adds to `swing` the root stresses.
   LoadedPosition solve(Position& at, double torque, Angle rotation1, bool& too_fine,
-                       long& unfinished, RootStress& most) const;
+                       long& unfinished, RootStress& swing) const;
   /// The greatest share of a tooth pair alone.
   double greatest_share(Position& at, double torque) const;
 
@@ -52,7 +53,7 @@ class PositionSolver {
   }
   Eigen::MatrixXd yields(const Position& at) const;
   void root_stress(const Position& at, const std::vector<Eigen::VectorXd>& load,
-                   LoadedPosition& out, RootStress& most) const;
+                   LoadedPosition& out, RootStress& swing) const;
 
   const ContactPair& pair_;
   const PairCompliance& compliance_;

@@ -276,7 +276,7 @@ PointSolver::Shared PointSolver::share(const PointPosition& at, double torque) {
 }
 
 LoadedPosition PointSolver::solve(PointPosition& at, double torque, Angle rotation1, bool&,
-                                  long& unfinished, std::array<MatrixXd, 2>& most) {
+                                  long& unfinished, std::array<RootSwing, 2>& swing) {
   LoadedPosition out;
   out.rotation1 = rotation1;
   const double sign = pair_.turned();
@@ -315,7 +315,7 @@ LoadedPosition PointSolver::solve(PointPosition& at, double torque, Angle rotati
   }
   for (int g = 0; g < 2; ++g)
     out.root_stress[g] =
-        greatest_root_stress(*compliance_.table[g], g, module_[g], forces[g], most[g]);
+        greatest_root_stress(*compliance_.table[g], g, module_[g], forces[g], swing[g]);
   return out;
 }
 

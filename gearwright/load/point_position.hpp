@@ -62,7 +62,7 @@ class PointSolver {
 
   PointPosition prepare(double rotation);
   LoadedPosition solve(PointPosition& at, double torque, Angle rotation1, bool& too_fine,
-                       long& unfinished, std::array<Eigen::MatrixXd, 2>& most);
+                       long& unfinished, std::array<RootSwing, 2>& swing);
   double greatest_share(PointPosition& at, double torque);
 
  private:

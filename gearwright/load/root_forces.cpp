@@ -8,24 +8,45 @@ namespace gearwright::detail {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
+namespace {
+
+// The loaded teeth, then their neighbours that bear nothing, which theirs bend.
+std::vector<int> teeth_that_feel(const std::vector<ToothForces>& forces) {
+  std::vector<int> teeth;
+  const auto add = [&](int tooth) {
+    if (std::find(teeth.begin(), teeth.end(), tooth) == teeth.end()) teeth.push_back(tooth);
+  };
+  for (const ToothForces& f : forces) add(f.pair);
+  for (const ToothForces& f : forces)
+    for (const int beside : {-1, 1}) add(f.pair + beside);
+  return teeth;
+}
+
+double least_principal(const Eigen::Matrix<double, 6, 1>& stress) {
+  return -greatest_principal(-stress);
+}
+
+}  // namespace
+
 double greatest_root_stress(const ToothTable& table, int gear, double module,
-                            const std::vector<ToothForces>& forces, MatrixXd& most) {
+                            const std::vector<ToothForces>& forces, RootSwing& swing) {
   const auto points = static_cast<Index>(table.root().t.size());
   if (points == 0) return 0.0;
   const Index n = table.slices();
-  if (most.size() == 0) most = MatrixXd::Zero(points, n);
+  if (swing.most.size() == 0) swing = {MatrixXd::Zero(points, n), MatrixXd::Zero(points, n)};
   double greatest = 0.0;
-  for (const ToothForces& a : forces) {
+  for (const int tooth : teeth_that_feel(forces)) {
     MatrixXd stress = MatrixXd::Zero(6 * points, n);
-    for (const ToothForces& b : forces)
-      if (const int k = teeth_between(gear, a.pair, b.pair); std::abs(k) <= 1)
-        table.add_root_stress(k, b.force, stress);
+    for (const ToothForces& f : forces)
+      if (const int k = teeth_between(gear, tooth, f.pair); std::abs(k) <= 1)
+        table.add_root_stress(k, f.force, stress);
     for (Index j = 0; j < n; ++j)
       for (Index p = 0; p < points; ++p) {
-        const double principal =
-            greatest_principal(stress.block<6, 1>(6 * p, j)) / (module * module);
+        const Eigen::Matrix<double, 6, 1> here = stress.block<6, 1>(6 * p, j);
+        const double principal = greatest_principal(here) / (module * module);
         greatest = std::max(greatest, principal);
-        most(p, j) = std::max(most(p, j), principal);
+        swing.most(p, j) = std::max(swing.most(p, j), principal);
+        swing.least(p, j) = std::min(swing.least(p, j), least_principal(here) / (module * module));
       }
   }
   return greatest;

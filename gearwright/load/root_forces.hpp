@@ -20,9 +20,16 @@ struct ToothForces {
 /// which is N mirrored, gear 1's later tooth stands clockwise.
 inline int teeth_between(int gear, int a, int b) { return gear == 0 ? b - a : a - b; }
 
-/// The greatest principal stress along the fillets of the loaded teeth, MPa; adds each point's and
-/// slice's to `most`. 0 where the table has no root points.
+/// Stresses along the fillets over a course of positions, MPa: a row per root point, a column per
+/// slice. Empty where the table has no root points.
+struct RootSwing {
+  Eigen::MatrixXd most;   ///< greatest principal, 0 where nothing pulls
+  Eigen::MatrixXd least;  ///< least principal, 0 where nothing presses
+};
+
+/// The greatest principal stress along the fillets of the loaded teeth, MPa, 0 where the table has no
+/// root points; adds what these teeth and their neighbours bear to `swing`.
 double greatest_root_stress(const ToothTable& table, int gear, double module,
-                            const std::vector<ToothForces>& forces, Eigen::MatrixXd& most);
+                            const std::vector<ToothForces>& forces, RootSwing& swing);
 
 }  // namespace gearwright::detail

@@ -48,6 +48,20 @@ class VerdictTest(unittest.TestCase):
         self.assertIn("Verdict: green. The gear can be cut as specified.",
                       Run("gear", GREEN.split("[gear2]")[0]).out)
 
+    def test_a_bore_that_leaves_no_body_is_no_gear(self):
+        for gear, limit in (
+            ({"teeth": 20, "bore": {"diameter_mm": 19}}, "17.500"),
+            ({"teeth": 20, "bore": {"diameter_mm": 17, "keyway_width_mm": 5, "keyway_depth_mm": 2}}, "keyway"),
+            ({"teeth": -60, "bore": {"diameter_mm": 60}}, "62.5"),
+        ):
+            spec = {"gear1": {"normal_module_mm": 1, "face_width_mm": 10, **gear}}
+            run = Run("gear", json.dumps(spec), "--json", name="spec.json")
+            self.assertEqual(run.status, 0, run.err)
+            self.assertEqual(run.json["verdict"]["level"], "red", gear)
+            finding = run.json["verdict"]["findings"][0]
+            self.assertEqual(finding["code"], "no_body")
+            self.assertIn(limit, finding["message"])
+
     def test_a_remedy_has_the_numbers_of_the_pair(self):
         near = "[gear1]\nteeth = 12\nnormal_module_mm = 2\n[gear2]\nteeth = 40\n[pair]\ncenter_distance_mm = 50.5\n"
         said = Run("pair", near, "--json").json["verdict"]
