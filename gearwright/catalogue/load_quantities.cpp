@@ -1,7 +1,6 @@
 #include "gearwright/catalogue/load_quantities.hpp"
 
 #include "gearwright/base/units.hpp"
-#include "gearwright/load/load_summary.hpp"
 
 namespace gearwright {
 
@@ -110,7 +109,8 @@ void say_position(Quantities<P>& q) {
 }
 const SaidTable& position_table() { return load_position_quantities().table(); }
 
-bool has_standard(const T& t) { return t.standard_stiffness.has_value(); }
+bool has_standard(const T& t) { return t.standard.has_value(); }
+bool has_nominal(const T& t) { return has_standard(t) && t.standard->root_stress; }
 
 void say_torque(Quantities<T>& q) {
   q.add(Type::number, Unit::newton_metre, kLoad, "torque_Nm", "torque", "T_1", "on gear 1",
@@ -164,12 +164,12 @@ void say_torque(Quantities<T>& q) {
       .doors(kJson);
   q.add(Type::number, Unit::newton_per_mm_um, kLoad, "c_gamma_alpha",
         "mesh stiffness by ISO 6336-1", "c_γα", "method B, of solid discs [T11.3]",
-        [](const T& t) { return Value(t.standard_stiffness); })
+        [](const T& t) { return has_standard(t) ? Value(t.standard->stiffness) : Value(); })
       .when(has_standard);
   q.pure(kLoad, "stiffness_over_c_gamma_alpha", "mean stiffness over that of ISO 6336-1", "",
          "without the twist of the bodies, which the standard does not know",
          [](const T& t) {
-           return has_standard(t) ? Value(t.torque->without_twist.mean / *t.standard_stiffness)
+           return has_standard(t) ? Value(t.torque->without_twist.mean / t.standard->stiffness)
                                   : Value();
          })
       .when(has_standard);
@@ -188,6 +188,22 @@ void say_torque(Quantities<T>& q) {
         "a tooth is pressed while its neighbours bear",
         [](const T& t) { return Value(t.torque->least_at_max); })
       .per_gear();
+  q.add(Type::number, Unit::megapascal, kLoad, "nominal_root_stress_MPa",
+        "nominal root stress by ISO 6336-3", "σ_F0",
+        "F_t/(b m_n) Y_F Y_S Y_β of 2006, method B, of solid rims, per gear",
+        [](const T& t) { return has_nominal(t) ? Value(*t.standard->root_stress) : Value(); })
+      .per_gear()
+      .when(has_nominal);
+  q.pure(kLoad, "root_stress_over_nominal", "greatest root stress over the nominal", "",
+         "the standard's load acts on one tooth pair, at the outer point of single contact",
+         [](const T& t) {
+           if (!has_nominal(t)) return Value();
+           const auto& nominal = *t.standard->root_stress;
+           return Value(std::array{t.torque->max_root_stress[0] / nominal[0],
+                                   t.torque->max_root_stress[1] / nominal[1]});
+         })
+      .per_gear()
+      .when(has_nominal);
   q.pure(kLoad, "face_load_factor", "face load factor", "K_Hβ",
          "greatest over mean of the load along the face, mean of the positions",
          [](const T& t) { return Value(t.torque->face_load_factor); })
@@ -238,11 +254,11 @@ const SaidTable& probe_table() { return probe_quantities().table(); }
 }  // namespace
 
 std::vector<LoadTorqueView> torque_views(const LoadedContact& contact,
-                                         const std::vector<double>& standard_stiffness) {
+                                         const std::vector<LoadStandard>& standard) {
   std::vector<T> all;
   for (std::size_t i = 0; i < contact.torques.size(); ++i) {
     all.push_back({&contact.torques[i], &contact, std::nullopt});
-    if (i < standard_stiffness.size()) all.back().standard_stiffness = standard_stiffness[i];
+    if (i < standard.size()) all.back().standard = standard[i];
   }
   return all;
 }
@@ -290,8 +306,7 @@ const Quantities<LoadView>& load_quantities() {
   static const Quantities<LoadView> kAll("load", [](Quantities<LoadView>& q) {
     q.record("", "torques", "one for each torque, in their order", torque_table,
              [](const LoadView& v) {
-               const auto all =
-                   v.contact ? torque_views(*v.contact, v.standard_stiffness) : std::vector<T>();
+               const auto all = v.contact ? torque_views(*v.contact, v.standard) : std::vector<T>();
                return Value(load_torque_quantities().each(all));
              })
         .list({0})

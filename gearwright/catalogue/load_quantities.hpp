@@ -6,7 +6,7 @@
 
 #include "gearwright/catalogue/quantity.hpp"
 #include "gearwright/compliance/probe.hpp"
-#include "gearwright/load/loaded_contact.hpp"
+#include "gearwright/load/load_summary.hpp"
 
 namespace gearwright {
 
@@ -24,17 +24,17 @@ struct LoadPositionView {
 struct LoadTorqueView {
   const LoadedTorque* torque;
   const LoadedContact* all;
-  std::optional<double> standard_stiffness;  ///< c_γα of ISO 6336-1, N/(mm µm)
+  std::optional<LoadStandard> standard;
 };
 
 struct LoadView {
-  const LoadedContact* contact = nullptr;    ///< null: only probes
-  std::vector<double> standard_stiffness{};  ///< c_γα at each torque; empty: the standard has none
+  const LoadedContact* contact = nullptr;  ///< null: only probes
+  std::vector<LoadStandard> standard{};    ///< at each torque; empty: the standard has none
   std::vector<ProbeView> probes{};
 };
 
 std::vector<LoadTorqueView> torque_views(const LoadedContact& contact,
-                                         const std::vector<double>& standard_stiffness);
+                                         const std::vector<LoadStandard>& standard);
 
 const Quantities<LoadView>& load_quantities();
 const Quantities<LoadTorqueView>& load_torque_quantities();

@@ -10,6 +10,7 @@
 #include "gearwright/job/files.hpp"
 #include "gearwright/rating/elasticity.hpp"
 #include "gearwright/rating/material.hpp"
+#include "gearwright/rating/root.hpp"
 #include "gearwright/rating/stiffness.hpp"
 
 namespace gearwright {
@@ -274,17 +275,40 @@ Result<LoadedContact> contact_under(SolvedJob& job, double torque, Headway* head
   return contact_of(job, task, *compliance);
 }
 
-std::vector<double> standard_stiffness(const SolvedJob& job, const LoadAnswer& answer) {
+namespace {
+
+// σ_F0 under a tangential force of 1, of gears 1 and 2 of the spec.
+std::optional<std::array<double, 2>> nominal_per_newton(const RatedPair& pair) {
+  constexpr RatingEdition kEdition = RatingEdition::iso_2006;
+  std::array<double, 2> list{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto section = critical_section(pair, pair.gears[i]);
+    if (!section) return std::nullopt;
+    list[i] = form_factor(kEdition, pair, *section).value *
+              stress_correction_factor(*section).value * root_helix_factor(kEdition, pair).value /
+              (root_face_width(pair, pair.gears[i]) * pair.normal_module);
+  }
+  return turned(pair, list);
+}
+
+}  // namespace
+
+std::vector<LoadStandard> load_standard(const SolvedJob& job, const LoadAnswer& answer) {
   if (answer.contact->regime == LoadRegime::point) return {};
   const auto rated = rated_pair(*job.pair->involute());
   if (!rated) return {};
   const auto& [one, two] = answer.compliance->bodies;
   const double elasticity = relative_elasticity(one.youngs_modulus, two.youngs_modulus);
   const RatedGear& first = rated->gears[rated->place(1)];
-  std::vector<double> list;
+  const auto nominal = nominal_per_newton(*rated);
+  std::vector<LoadStandard> list;
   for (const LoadedTorque& t : answer.contact->torques) {
-    const double line = 2 * t.torque / first.reference_diameter / rated->face_width;
-    list.push_back(mesh_stiffness(*rated, line, elasticity, std::nullopt).c_gamma_alpha.value);
+    const double force = 2 * t.torque / first.reference_diameter;
+    LoadStandard s;
+    s.stiffness = mesh_stiffness(*rated, force / rated->face_width, elasticity, std::nullopt)
+                      .c_gamma_alpha.value;
+    if (nominal) s.root_stress = {force * (*nominal)[0], force * (*nominal)[1]};
+    list.push_back(s);
   }
   return list;
 }
@@ -292,7 +316,7 @@ std::vector<double> standard_stiffness(const SolvedJob& job, const LoadAnswer& a
 LoadView load_view(const SolvedJob& job, const LoadAnswer& answer) {
   LoadView view;
   if (answer.contact) view.contact = &*answer.contact;
-  if (answer.contact) view.standard_stiffness = standard_stiffness(job, answer);
+  if (answer.contact) view.standard = load_standard(job, answer);
   for (std::size_t i = 0; i < answer.probes.size(); ++i)
     view.probes.push_back({&answer.probes[i], !job.spec.load.probes[i].z});
   return view;

@@ -48,9 +48,9 @@ Result<LoadTask> load_task(SolvedJob& job);
 /// What there is to say against an answer; what it has to be read with becomes warnings of the job.
 std::optional<Error> judge_load(SolvedJob& job, const LoadTask& task, const LoadedContact& found);
 
-/// c_γα of ISO 6336-1 at each torque of an answer with contact, N/(mm µm), of solid discs; none where
-/// the standard has none.
-std::vector<double> standard_stiffness(const SolvedJob& job, const LoadAnswer& answer);
+/// What ISO 6336 says at each torque of an answer with contact, of solid discs; none where it says
+/// nothing of such pairs.
+std::vector<LoadStandard> load_standard(const SolvedJob& job, const LoadAnswer& answer);
 
 LoadView load_view(const SolvedJob& job, const LoadAnswer& answer);
 

@@ -55,7 +55,7 @@ Result<std::optional<LoadPart>> load_part(SolvedJob& job, Headway* headway) {
                              lines ? job.pair->involute() : nullptr,
                              input.driver == 2,
                              std::move(contact).take(),
-                             standard_stiffness(job, part.answer)};
+                             load_standard(job, part.answer)};
   }
   return std::optional(std::move(part));
 }

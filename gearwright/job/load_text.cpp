@@ -60,7 +60,7 @@ std::string load_listing(const SolvedJob& job, const LoadAnswer& answer) {
   }
   if (!answer.contact) return out;
   for (const LoadTorqueView& view :
-       torque_views(*answer.contact, load_view(job, answer).standard_stiffness)) {
+       torque_views(*answer.contact, load_view(job, answer).standard)) {
     const LoadedTorque& t = *view.torque;
     out +=
         quantity_listing(load_torque_quantities().table(), {load_torque_quantities().of(view)}, {});

@@ -2,9 +2,19 @@
 //                                    theory: docs/theory/12-loaded-contact.md
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "gearwright/load/loaded_contact.hpp"
 
 namespace gearwright {
+
+/// What ISO 6336 says of the same pair under a torque.
+struct LoadStandard {
+  double stiffness = 0.0;  ///< c_γα  N/(mm µm)
+  /// σ_F0 of each gear, MPa: F_t/(b m_n) Y_F Y_S Y_β; none: a gear has no critical section.
+  std::optional<std::array<double, 2>> root_stress{};
+};
 
 struct SummaryBasis {
   double face;         ///< b  mm, common

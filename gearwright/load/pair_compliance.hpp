@@ -54,7 +54,7 @@ struct PairCompliance {
 
 /// Of `ready` what is there is taken and not made anew: same_compliance says when it may be.
 ///
-/// Domain    gear 1 external; LoadRegime::line: involute gears on parallel axes, ::point: gear 2
+/// Domain    gear 1 external; LoadRegime::line: involute gears on parallel axes, LoadRegime::point: gear 2
 ///           external too (contract)
 /// Errors    `gearN.…` as make_section_mesh
 Result<PairCompliance> pair_compliance(

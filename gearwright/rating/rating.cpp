@@ -200,8 +200,7 @@ std::optional<Error> Rater::root() {
     r.Y_delta_relT[i] = at_life(notch_sensitivity_factor(m, *section), life);
     r.Y_R_relT[i] = at_life(surface_factor(m, Rz), life);
     r.Y_X[i] = at_life(root_size_factor(m, pair.normal_module), life);
-    // A wider gear bears with one module more at each end than the common face has.
-    const double b = std::min(g.face_width, pair.face_width + 2 * pair.normal_module);
+    const double b = root_face_width(pair, g);
     r.sigma_F0[i] = {r.F_t.value / (b * pair.normal_module) * r.Y_F[i].value * r.Y_S[i].value *
                          r.Y_beta[i].value * r.Y_B[i].value * r.Y_DT[i].value,
                      "ISO 6336-3, 5.2", ""};

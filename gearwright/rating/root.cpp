@@ -85,6 +85,10 @@ std::optional<CriticalSection> critical_section(const RatedPair& pair, const Rat
   return s;
 }
 
+double root_face_width(const RatedPair& pair, const RatedGear& gear) {
+  return std::min(gear.face_width, pair.face_width + 2 * pair.normal_module);
+}
+
 Factor form_factor(RatingEdition edition, const RatedPair& pair, const CriticalSection& s) {
   const double m = pair.normal_module;
   const double chord = s.s_Fn / m;

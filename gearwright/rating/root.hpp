@@ -37,6 +37,10 @@ struct CriticalSection {
 std::optional<CriticalSection> critical_section(const RatedPair& pair, const RatedGear& gear,
                                                 LoadPoint at = LoadPoint::single_contact);
 
+/// The face width that a root bears with, mm: a wider gear has one module more at each end than the
+/// common face.
+double root_face_width(const RatedPair& pair, const RatedGear& gear);
+
 /// Y_F [T11.32]; the edition of 2019 takes the share of the load in it, f_ε.
 Factor form_factor(RatingEdition edition, const RatedPair& pair, const CriticalSection& section);
 Factor stress_correction_factor(const CriticalSection& section);         ///< Y_S [T11.33]

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "gearwright/load/loaded_contact.hpp"
+#include "gearwright/load/load_summary.hpp"
 #include "gearwright/pair/pair.hpp"
 #include "gearwright/report/plot_axis.hpp"
 
@@ -18,8 +18,8 @@ struct LoadReport {
   std::array<const Gear*, 2> gears{};
   const InvolutePair* pair = nullptr;  ///< that turns under the slider; null: teeth touch at points
   bool gear2_drives = false;
-  LoadedContact contact;  ///< positions evenly over one pitch, from −half a pitch on
-  std::vector<double> standard_stiffness;  ///< c_γα at each torque, N/(mm µm); may be empty
+  LoadedContact contact;               ///< positions evenly over one pitch, from −half a pitch on
+  std::vector<LoadStandard> standard;  ///< at each torque; may be empty
 };
 
 /// The torques that pictures and tables show, by their place in the contact: all, or of many so many

@@ -39,7 +39,7 @@ std::string facts(const LoadReport& report) {
   std::vector<ValueRecord> records;
   std::vector<std::string> columns;
   const auto& said = load_torque_quantities();
-  const auto views = torque_views(report.contact, report.standard_stiffness);
+  const auto views = torque_views(report.contact, report.standard);
   for (const std::size_t i : shown_torques(report)) {
     records.push_back(said.of(views[i]));
     columns.push_back(torque_words(*views[i].torque));

@@ -43,9 +43,11 @@ inline LoadSample load_sample(InvolutePair mounted, std::vector<double> torques,
   }
   auto compliance = pair_compliance(one, two, request);
   GW_EXPECTS(static_cast<bool>(compliance));
-  sample.report = {{&one, &two}, lines ? sample.pair.get() : nullptr, gear2_drives,
+  sample.report = {{&one, &two},
+                   lines ? sample.pair.get() : nullptr,
+                   gear2_drives,
                    loaded_contact(pair, one, two, *compliance, request),
-                   std::vector<double>(request.torques.size(), 17.0)};
+                   std::vector<LoadStandard>(request.torques.size(), {17.0, std::nullopt})};
   return sample;
 }
 
