@@ -9,7 +9,9 @@ export const kNear = 1e-12;
 export const kSolved = 1e-10;
 
 const kLengths = 100; // mm: a large length of the examples
+const kStresses = 1000; // N/mm²: a large stress of the examples
 const units = [
+  [/least_root_stress_MPa$/, kStresses], // what is left where greater ones meet
   [/_arcsec$/, (180 * 3600) / Math.PI],
   [/_deg$/, 180 / Math.PI],
   [/_mm$/, kLengths],
