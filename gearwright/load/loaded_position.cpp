@@ -9,9 +9,6 @@ namespace gearwright::detail {
 
 namespace {
 
-constexpr double kFarGap = 0.03;    // modules: pairs farther apart do not touch under load
-constexpr double kFlattest = 1e-6;  // 1/mm: less curvature than that is none
-
 // N is the housing upside down where gear 2 drives: its slices, from −z on.
 void reverse(LoadedPair& pair) {
   pair.line_load.reverseInPlace();
@@ -90,7 +87,7 @@ Position PositionSolver::prepare(double rotation) {
   q.half_width = compliance_.half_width;
   double soft = 0.0;
   for (const ElasticBody& b : compliance_.bodies) {
-    const double plane = (1 - b.poisson_ratio * b.poisson_ratio) / b.youngs_modulus;
+    const double plane = plane_softness(b);
     soft += plane;
     q.local += 2 * plane / std::numbers::pi;
   }

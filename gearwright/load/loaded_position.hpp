@@ -14,6 +14,14 @@
 
 namespace gearwright::detail {
 
+inline constexpr double kFarGap = 0.03;    // modules: teeth farther apart do not touch under load
+inline constexpr double kFlattest = 1e-6;  // 1/mm: less curvature than that is none
+
+// (1 − ν²)/E  mm²/N
+inline double plane_softness(const ElasticBody& b) {
+  return (1 - b.poisson_ratio * b.poisson_ratio) / b.youngs_modulus;
+}
+
 // The places of all pairs at one position, in one row.
 struct Row {
   int pair;  // index into pairs

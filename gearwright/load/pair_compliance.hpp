@@ -54,8 +54,8 @@ struct PairCompliance {
 
 /// Of `ready` what is there is taken and not made anew: same_compliance says when it may be.
 ///
-/// Domain    gear 1 external; LoadRegime::line: involute gears on parallel axes, LoadRegime::point: gear 2
-///           external too (contract)
+/// Domain    gear 1 external; LoadRegime::line: involute gears on parallel axes; LoadRegime::point:
+///           gear 2 external too (contract)
 /// Errors    `gearN.…` as make_section_mesh
 Result<PairCompliance> pair_compliance(
     const Gear& gear_1, const Gear& gear_2, const LoadRequest& request,

@@ -7,6 +7,7 @@
 
 #include "gearwright/contact/contact_point.hpp"
 #include "gearwright/contact/gap_form.hpp"
+#include "gearwright/load/loaded_position.hpp"
 #include "gearwright/math/decompositions.hpp"
 
 namespace gearwright::detail {
@@ -17,11 +18,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kFarGap = 0.03;    // modules: pairs farther apart do not touch under load
-constexpr double kFlattest = 1e-6;  // 1/mm: less curvature than that is none
-constexpr int kMostTurns = 60;      // of footprints that follow the forces
-constexpr double kStill = 1e-11;    // of force and approach: footprints do not change any more
-constexpr int kWhole = 10;          // turns after which ellipses go half the way only
+constexpr int kMostTurns = 60;    // of footprints that follow the forces
+constexpr double kStill = 1e-11;  // of force and approach: footprints do not change any more
+constexpr int kWhole = 10;        // turns after which ellipses go half the way only
 constexpr int kHalvings = 40;
 constexpr std::size_t kNodesToBend = 5;  // of a parabola with room to be a fit
 constexpr double kIdle = 1e-6;           // of the whole force
@@ -39,10 +38,6 @@ void along_major_axis(Visit visit) {
     visit(x[i], share);
     if (x[i] > 0.0) visit(-x[i], share);
   }
-}
-
-double plane_softness(const ElasticBody& b) {
-  return (1 - b.poisson_ratio * b.poisson_ratio) / b.youngs_modulus;
 }
 
 }  // namespace
@@ -81,11 +76,10 @@ PointPosition PointSolver::prepare(double rotation) {
     const double k2 = std::max(form.principal.values[1], kFlattest);
     const double k1 = std::clamp(form.principal.values[0], kFlattest, k2);
     const TouchKind kind = describe(transmission_, t, Angle(), 1.0).kind;
-    PointPlace place{t.pair, t.te(), arm, kind, {k1, k2}, t, {}, {}, {}};
+    PointPlace place{t.pair, t.te(), arm, kind, {k1, k2}, t, {}, {}};
     place.along = form.of_distance * form.principal.vectors.col(0);
-    place.across = form.of_distance * form.principal.vectors.col(1);
-    for (std::size_t i = 0; i < 2; ++i) {
-      const Eigen::Vector2d& step = i == 0 ? place.along : place.across;
+    for (int i = 0; i < 2; ++i) {
+      const Eigen::Vector2d step = form.of_distance * form.principal.vectors.col(i);
       const Complex moved = j.w1_s * step[0] + j.w1_z * step[1];
       place.axis[0][i] = {step[1], (std::conj(j.w1) * moved).real() / std::abs(j.w1)};
       place.axis[1][i] = {j.Z.s * step[0] + j.Z.z * step[1],
@@ -122,9 +116,10 @@ double PointSolver::reach(const PointPlace& place, double x) {
 }
 
 Laid PointSolver::lay(const PointPlace& place, double force, const Ellipse& bent) {
-  const HertzEllipse ellipse =
-      HertzPoint({bent.curvature, place.curvature[1]}, reduced_modulus_).under(force);
+  const HertzPoint hertz({bent.curvature, place.curvature[1]}, reduced_modulus_);
+  const HertzEllipse ellipse = hertz.under(force);
   Laid laid;
+  laid.softness = hertz.softness();
   LoadedPoint& point = laid.point;
   point.force = force;
   point.pressure = ellipse.pressure;
@@ -179,11 +174,10 @@ MatrixXd PointSolver::yields(const PointPosition& at, const std::vector<Laid>& l
   MatrixXd yield = MatrixXd::Zero(n, n);
   for (int g = 0; g < 2; ++g) {
     const ToothTable& table = *compliance_.table[g];
-    const double unit = 1 / (compliance_.bodies[g].youngs_modulus * module_[g]);
     for (Index a = 0; a < n; ++a)
       for (Index b = 0; b <= a; ++b) {
         const int k = teeth_between(g, at.places[a].pair, at.places[b].pair);
-        yield(a, b) += unit * table.yield(k, laid[a].grid[g], laid[b].grid[g]);
+        yield(a, b) += unit(g) * table.yield(k, laid[a].grid[g], laid[b].grid[g]);
       }
   }
   return yield.selfadjointView<Eigen::Lower>();
@@ -204,12 +198,11 @@ Ellipse PointSolver::bent(const PointPosition& at, const std::vector<Laid>& laid
     double w = 0.0;
     for (int g = 0; g < 2; ++g) {
       const ToothTable& table = *compliance_.table[g];
-      const double unit = 1 / (compliance_.bodies[g].youngs_modulus * module_[g]);
       for (std::size_t j = 0; j < laid.size(); ++j) {
         const double f = force[static_cast<Index>(j)];
         if (f == 0.0) continue;
         const int k = teeth_between(g, at.places[i].pair, at.places[j].pair);
-        w += f * unit * table.yield(k, here.node[g][m], laid[j].grid[g]);
+        w += f * unit(g) * table.yield(k, here.node[g][m], laid[j].grid[g]);
       }
     }
     const double x = here.x[m] / length;
@@ -252,8 +245,7 @@ PointSolver::Shared PointSolver::share(const PointPosition& at, double torque) {
       const double least = kIdle * q.moment / q.arm[i];
       all.laid[i] = lay(p, std::max(force[i], least), ellipse[i]);
       q.gap[i] = (at.te - p.te) * p.arm + ellipse[i].relief;
-      q.softness[i] =
-          HertzPoint({ellipse[i].curvature, p.curvature[1]}, reduced_modulus_).softness();
+      q.softness[i] = all.laid[i].softness;
     }
     q.yield = yields(at, all.laid);
     all.sharing = share_points(q);

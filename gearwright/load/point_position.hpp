@@ -23,8 +23,8 @@ struct PointPlace {
   TouchKind kind;
   std::array<double, 2> curvature;  // k1 ≤ k2  1/mm
   PairTouch touch;
-  Eigen::Vector2d along, across;  // (ds, dz) on flank 1 of a mm along the major and the minor axis
-  // Of a mm along them on each gear: along the face and in radius.
+  Eigen::Vector2d along;  // (ds, dz) on flank 1 of a mm along the major axis
+  // Of a mm along the major and the minor axis, on each gear: along the face and in radius.
   std::array<std::array<Eigen::Vector2d, 2>, 2> axis;
 };
 
@@ -45,6 +45,7 @@ struct AxisPlace {
 // An ellipse on both gears: nodes along its major axis, as far as it lies on the flanks.
 struct Laid {
   LoadedPoint point;
+  double softness = 0.0;                             // c of [T12.24]  mm/N^(2/3)
   std::vector<double> x, share;                      // mm from the touch, sum 1
   std::array<std::vector<Eigen::MatrixXd>, 2> node;  // a force of 1 there, on the grids
   std::array<Eigen::MatrixXd, 2> grid;               // of all of them by their shares
@@ -71,6 +72,10 @@ class PointSolver {
     std::vector<Laid> laid;
   };
   Shared share(const PointPosition& at, double torque);
+  // mm/N of a table's 1
+  double unit(int gear) const {
+    return 1 / (compliance_.bodies[gear].youngs_modulus * module_[gear]);
+  }
   Eigen::MatrixXd yields(const PointPosition& at, const std::vector<Laid>& laid) const;
   AxisPlace on_axis(const PointPlace& place, double x);
   // x, or as far towards it as the flanks reach.
