@@ -248,8 +248,7 @@ std::optional<Warning> warn_about_body(const Gear& gear, const std::optional<Bor
   if (!bore || !gear.exists()) return std::nullopt;
   const auto warning = [&](const std::string& why) {
     return Warning{"no_body",
-                   fmt::format("Gear {} has no body with a bore of {} mm: {}.", number,
-                               spoken(bore->diameter), why),
+                   fmt::format("A bore of {} mm leaves no body: {}.", spoken(bore->diameter), why),
                    number};
   };
   if (!gear.internal()) {
