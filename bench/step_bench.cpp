@@ -5,6 +5,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/cad/step.hpp"
 #include "gearwright/cad/testing/sample_outlines.hpp"
 #include "gearwright/cad/walls.hpp"
@@ -13,8 +14,7 @@ namespace gearwright {
 namespace {
 
 ToothedBody helical(int teeth) {
-  auto body =
-      testing::sample_body({.teeth = teeth, .beta = 15 * testing::kPi / 180, .face_width = 25});
+  auto body = testing::sample_body({.teeth = teeth, .beta = 15 * kPi / 180, .face_width = 25});
   body.bore = Bore{20.0, 6.0, 2.8};
   return body;
 }

@@ -3,6 +3,7 @@
 # Same input, same bits: no contraction into fused multiply-adds, never -ffast-math. -DNDEBUG silences
 # the asserts of the libraries we include; our own contracts do not look at it and stay on.
 include_guard()
+include(gw_unity)
 
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
 
@@ -18,6 +19,7 @@ if(CMAKE_CXX_FLAGS MATCHES "-ffast-math|-Ofast|-funsafe-math")
 endif()
 
 function(gw_target target)
+  gw_unity(${target})
   target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic
                          $<$<BOOL:${GEARWRIGHT_WERROR}>:-Werror>)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)

@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <cstring>
-#include <limits>
 
 #include "gearwright/base/contract.hpp"
 
 namespace gearwright::python {
 
 namespace {
-
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 void collect(const Value& value, double unit, std::vector<double>& numbers) {
   if (const ValueList* list = value.list()) {

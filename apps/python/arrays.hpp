@@ -6,6 +6,7 @@
 
 #include <pybind11/numpy.h>
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,6 +14,9 @@
 #include "apps/python/values.hpp"
 
 namespace gearwright::python {
+
+inline constexpr double kNothing =
+    std::numeric_limits<double>::quiet_NaN();  ///< of what is not there
 
 /// An array that owns the vector: no number is copied.
 template <class T, class Owner>

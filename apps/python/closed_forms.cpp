@@ -3,7 +3,6 @@
 // A column has a number for each row, or one for all. Rows outside a formula's domain are NaN. Broadcasting, defaults
 // and names: gearwright/closed_forms.py.
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numbers>
 
@@ -18,7 +17,6 @@ namespace gearwright::python {
 
 namespace {
 
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kPart = 512;  // rows that stay near the processor
 using Column = py::array_t<double, py::array::c_style>;
 template <std::size_t N>

@@ -9,4 +9,7 @@ using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 
+/// In the axis of x.
+inline Vec2 mirrored(const Vec2& v) { return {v.x(), -v.y()}; }
+
 }  // namespace gearwright

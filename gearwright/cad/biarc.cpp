@@ -13,7 +13,7 @@ namespace {
 constexpr double kStraight = 1e-9;   // mm of sagitta, below which an arc is a line
 constexpr double kOneCircle = 1e-9;  // rad between the tangents that make two arcs one
 constexpr StepLimits kLimits{1.0 / 4096, 1.0 / 128};  // of the arc's parameter
-constexpr int kVerify = 256;  // points per biarc that vouch for the tolerance
+constexpr int kVouching = 256;  // points per biarc that vouch for the tolerance
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -114,7 +114,8 @@ class Fitter {
         result.bulges.push_back(biarc.bulges[i]);
         result.points.push_back(i + 1 < biarc.arcs ? biarc.joint : b.point);
       }
-      result.deviation_mm = std::max(result.deviation_mm, deviation(biarc, a, b, u0, u1, kVerify));
+      result.deviation_mm =
+          std::max(result.deviation_mm, deviation(biarc, a, b, u0, u1, kVouching));
       step = u1 - u0;
       u0 = u1;
       a = b;
@@ -135,7 +136,7 @@ BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm) {
   // 24 looks see the crest of an error of a hump or two to a hundredth; where a parameter runs
   // unevenly they do not, the verification says so, and four times as many look again.
   BiarcChain chain{};
-  for (const int looks : {24, 96, kVerify}) {
+  for (const int looks : {24, 96, kVouching}) {
     chain = Fitter(arc, looks).chain(0.98 * tolerance_mm);
     // Far off, the looks are not to blame: 4096 steps are too few, or rounding too coarse.
     if (chain.deviation_mm <= tolerance_mm || chain.deviation_mm > 2.0 * tolerance_mm) break;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/cad/testing/arc_distance.hpp"
 #include "gearwright/cad/testing/odd_outlines.hpp"
 #include "gearwright/cad/testing/sample_outlines.hpp"
@@ -13,7 +14,6 @@ namespace gearwright {
 namespace {
 
 using testing::C;
-using testing::kPi;
 
 class Ellipse final : public testing::ComplexCurve {
  public:

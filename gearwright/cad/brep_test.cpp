@@ -12,13 +12,13 @@
 #include <set>
 #include <sstream>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/cad/step.hpp"
 #include "gearwright/cad/testing/sample_outlines.hpp"
 
 namespace gearwright {
 namespace {
 
-using testing::kPi;
 using testing::sample_body;
 
 struct Instance {

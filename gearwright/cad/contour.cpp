@@ -15,21 +15,19 @@ namespace {
 constexpr double kShortestArc = 1e-6;   // mm, a hundredth of what any machine resolves
 constexpr double kOnItsRay = 1e-6;      // mm
 constexpr double kCircleRadius = 1e-8;  // mm, by which the radius of a land may vary
-constexpr int kLooks = 32;              // points per arc that are looked at
+constexpr int kArcLooks = 32;           // points per arc that are looked at
 
 // Adding zero turns −0 into 0, so that equal points are equal text.
-Vec2 turned(const Vec2& p, const SinCos& turn) {
+Vec2 tidy_turned(const Vec2& p, const SinCos& turn) {
   return {turn.cos * p.x() - turn.sin * p.y() + 0.0, turn.sin * p.x() + turn.cos * p.y() + 0.0};
 }
-
-Vec2 mirrored(const Vec2& p) { return {p.x(), -p.y()}; }
 
 // A land is a circle about the axis when its radius is one number.
 bool is_land(const Arc& arc) {
   if (arc.name != ArcName::root_land && arc.name != ArcName::tip_land) return false;
   const double radius = arc.begin_point.norm();
-  for (int i = 1; i <= kLooks; ++i) {
-    const double here = arc.point(static_cast<double>(i) / kLooks).norm();
+  for (int i = 1; i <= kArcLooks; ++i) {
+    const double here = arc.point(static_cast<double>(i) / kArcLooks).norm();
     if (std::abs(here - radius) > kCircleRadius) return false;
   }
   return true;
@@ -73,8 +71,8 @@ Result<Contour> closed_contour(const Outline& outline) {
 
   Contour contour{z, {}, outline.arcs.front().begin_point.norm(), 0.0};
   for (const Arc& arc : outline.arcs) {
-    for (int i = 0; i <= kLooks; ++i) {
-      const Vec2 p = arc.point(static_cast<double>(i) / kLooks);
+    for (int i = 0; i <= kArcLooks; ++i) {
+      const Vec2 p = arc.point(static_cast<double>(i) / kArcLooks);
       contour.inner_radius = std::min(contour.inner_radius, p.norm());
       contour.outer_radius = std::max(contour.outer_radius, p.norm());
       // One tooth has no neighbour: its space's middle is the x axis again, which y < 0 tells.
@@ -113,25 +111,25 @@ Result<Contour> closed_contour(const Outline& outline) {
     const SinCos next = sincos_turn(k + 1, z);
     if (tip_land) {
       const Vec2& p = links.back().begin;
-      contour.pieces.push_back({links.back().arc, k, false, true, turned(mirrored(p), here),
-                                turned(p, here), tip_sweep});
+      contour.pieces.push_back({links.back().arc, k, false, true, tidy_turned(mirrored(p), here),
+                                tidy_turned(p, here), tip_sweep});
     }
     for (std::size_t i = last; i-- > first;) {
-      contour.pieces.push_back({links[i].arc, k, false, false, turned(links[i].end, here),
-                                turned(links[i].begin, here), 0.0});
+      contour.pieces.push_back({links[i].arc, k, false, false, tidy_turned(links[i].end, here),
+                                tidy_turned(links[i].begin, here), 0.0});
     }
     if (root_land) {
       const Vec2& p = links.front().end;
-      contour.pieces.push_back({links.front().arc, k, false, true, turned(p, here),
-                                turned(mirrored(p), next), root_sweep});
+      contour.pieces.push_back({links.front().arc, k, false, true, tidy_turned(p, here),
+                                tidy_turned(mirrored(p), next), root_sweep});
     }
     for (std::size_t i = first; i < last; ++i) {
       const bool at_root = i == 0;                // only without a root land
       const bool at_tip = i + 1 == links.size();  // only without a tip land
       contour.pieces.push_back(
           {links[i].arc, (k + 1) % z, true, false,
-           at_root ? turned(root, here) : turned(mirrored(links[i].begin), next),
-           at_tip ? turned(tip, next) : turned(mirrored(links[i].end), next), 0.0});
+           at_root ? tidy_turned(root, here) : tidy_turned(mirrored(links[i].begin), next),
+           at_tip ? tidy_turned(tip, next) : tidy_turned(mirrored(links[i].end), next), 0.0});
     }
   }
   return contour;
@@ -145,7 +143,7 @@ std::vector<Vec2> placed(const Contour& contour, const ContourPiece& piece,
   std::vector<Vec2> points;
   points.reserve(root_to_tip.size());
   for (const Vec2& p : root_to_tip)
-    points.push_back(turned(piece.mirrored ? mirrored(p) : p, turn));
+    points.push_back(tidy_turned(piece.mirrored ? mirrored(p) : p, turn));
   if (!piece.mirrored) std::reverse(points.begin(), points.end());
   // Slivers and the middles of tooth and space move ends, at most by what is allowed them.
   GW_EXPECTS((points.front() - piece.begin).norm() < 3 * kShortestArc);

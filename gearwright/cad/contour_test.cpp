@@ -5,13 +5,12 @@
 #include <cmath>
 
 #include "gearwright/base/angle.hpp"
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/cad/testing/odd_outlines.hpp"
 #include "gearwright/cad/testing/sample_outlines.hpp"
 
 namespace gearwright {
 namespace {
-
-using testing::kPi;
 
 struct Case {
   const char* what;

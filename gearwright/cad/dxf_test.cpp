@@ -9,6 +9,7 @@
 #include <sstream>
 #include <utility>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/cad/biarc.hpp"
 #include "gearwright/cad/section.hpp"
 #include "gearwright/cad/testing/odd_outlines.hpp"
@@ -16,8 +17,6 @@
 
 namespace gearwright {
 namespace {
-
-using testing::kPi;
 
 using Pair = std::pair<int, std::string>;
 

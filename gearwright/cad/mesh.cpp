@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "gearwright/base/angle.hpp"
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/cad/bore_loop.hpp"
 #include "gearwright/cad/flat_cap.hpp"
 #include "gearwright/cad/mesh_builder.hpp"
@@ -20,8 +20,6 @@
 namespace gearwright {
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 // ρΔ² = 2ε on the largest radius. On the tip land, κ = 1/ρ, the three terms of (M1) are then 2ε, 4ε
 // and 2ε of 8ε at a = ρΔ, which makes the fewest triangles.
@@ -109,12 +107,6 @@ void add_tooth_caps(MeshBuilder& builder, const std::vector<Triangle>& half_cap,
       builder.add_cap_triangle(right(t[0]), right(t[2]), right(t[1]));
     }
   }
-}
-
-Error not_a_body(int teeth, const char* why) {
-  return {
-      "teeth", std::to_string(teeth),
-      fmt::format("the outline bounds no body, {}; more teeth or more profile shift help", why)};
 }
 
 // A ring's bore is its rim, the cylinder around its roots.

@@ -41,8 +41,6 @@ inline Vec2 turned(const Vec2& v, const SinCos& a) {
   return {a.cos * v.x() - a.sin * v.y(), a.sin * v.x() + a.cos * v.y()};
 }
 
-inline Vec2 mirrored(const Vec2& v) { return {v.x(), -v.y()}; }
-
 class MeshBuilder {
  public:
   /// A closed wall of `copies` equal parts; `inward`: the material lies outside of it.

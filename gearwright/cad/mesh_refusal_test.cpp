@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/cad/mesh.hpp"
 #include "gearwright/cad/testing/odd_outlines.hpp"
 #include "gearwright/cad/testing/sample_outlines.hpp"
@@ -13,7 +14,6 @@
 namespace gearwright {
 namespace {
 
-using testing::kPi;
 using testing::ring_body;
 using testing::sample_body;
 

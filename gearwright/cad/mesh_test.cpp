@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "gearwright/base/angle.hpp"
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/cad/section.hpp"
 #include "gearwright/cad/testing/generated_bodies.hpp"
 #include "gearwright/cad/testing/odd_outlines.hpp"
@@ -19,7 +20,6 @@ namespace gearwright {
 namespace {
 
 using testing::few_tooth_body;
-using testing::kPi;
 using testing::ring_body;
 using testing::sample_body;
 using testing::undercut_body;

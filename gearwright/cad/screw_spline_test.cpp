@@ -4,12 +4,11 @@
 
 #include <cmath>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/cad/testing/sample_outlines.hpp"
 
 namespace gearwright {
 namespace {
-
-using testing::kPi;
 
 Complex as_complex(const Vec2& v) { return {v.x(), v.y()}; }
 

@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/cad/testing/sample_outlines.hpp"
 
 namespace gearwright {
 namespace {
 
 using testing::append;
-using testing::kPi;
 
 // Polygon areas at n, 2n, 4n … points per arc, extrapolated: the error of an inscribed polygon has
 // an expansion in even powers of 1/n (Romberg). Shares nothing with the quadrature.

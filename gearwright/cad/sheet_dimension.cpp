@@ -10,7 +10,7 @@ namespace {
 
 // mm: extension lines start off the edge and pass the dimension line; words stand off their line;
 // arrows from outside have a tail.
-constexpr double kOff = 1, kPast = 1.5, kAbove = 1.3, kTail = 6;
+constexpr double kOff = 1, kPast = 1.5, kOverLine = 1.3, kTail = 6;
 constexpr double kInside = 10;  // between two arrows that point outward
 constexpr double kHatch = 2.5;
 
@@ -34,7 +34,7 @@ void draw_dimension(Sheet& sheet, const Dimension& d) {
   sheet.arrow(kLayer, at(d.begin, d.line), inside ? Vec2(-forward) : forward);
   sheet.arrow(kLayer, at(d.end, d.line), inside ? forward : Vec2(-forward));
   // Upright words stand to the left of their line, which is above it for who reads them.
-  const double base = up ? d.line - kAbove : d.line + kAbove;
+  const double base = up ? d.line - kOverLine : d.line + kOverLine;
   const auto words = [&](double along, Along where) {
     if (up)
       sheet.upright_text(kLayer, at(along, base), d.words, kUsual, where);

@@ -10,8 +10,8 @@ namespace {
 // mm, ISO 5457: the left margin is for filing.
 constexpr double kFiling = 20, kMargin = 10, kMark = 5;
 constexpr double kWidth = 180;  // of a title block, ISO 7200
-constexpr double kRow = 9, kTitle = 16;
-constexpr double kInset = 1.5;
+constexpr double kFieldRow = 9, kTitle = 16;
+constexpr double kFieldInset = 1.5;
 
 struct Cell {
   double width;
@@ -21,7 +21,8 @@ struct Cell {
 
 // The room for words in a cell: below its label.
 SheetBox room(const SheetBox& cell) {
-  return {cell.lo + Vec2(kInset, kInset / 2), cell.hi - Vec2(kInset, kInset / 2 + kSmall + kInset)};
+  return {cell.lo + Vec2(kFieldInset, kFieldInset / 2),
+          cell.hi - Vec2(kFieldInset, kFieldInset / 2 + kSmall + kFieldInset)};
 }
 
 // A row's height: taller where words would not fit, within limits.
@@ -42,7 +43,7 @@ void draw_row(Sheet& sheet, const Vec2& lo, double height, const std::vector<Cel
   for (const Cell& cell : cells) {
     const SheetBox box{{x, lo.y()}, {x + cell.width, lo.y() + height}};
     sheet.rectangle(SheetLayer::data, box);
-    const Vec2 label(x + kInset, box.hi.y() - kInset / 2 - kSmall);
+    const Vec2 label(x + kFieldInset, box.hi.y() - kFieldInset / 2 - kSmall);
     sheet.text(SheetLayer::data, label, cell.label, kSmall);
     draw_words(sheet, SheetLayer::data, room(box), cell.words, largest);
     x = box.hi.x();
@@ -74,15 +75,16 @@ SheetBox draw_title_block(Sheet& sheet, const SheetBox& within, const TitleBlock
     draw_row(sheet, {x, y}, height, cells, largest);
     y += height;
   };
-  row(kRow,
+  row(kFieldRow,
       {{40, "Scale", block.scale},
        {60, "Dimensions in", "mm, angles in degrees"},
        {40, "Format", block.format},
        {40, "Sheet", block.number}},
       kUsual);
   row(kTitle, {{125, "Title", w.title}, {55, "Drawing number", w.number}}, kLarge);
-  row(kRow, {{90, "Material", w.material}, {50, "Author", w.author}, {40, "Date", w.date}}, kUsual);
-  if (!w.note.empty()) row(kRow, {{kWidth, "Note", w.note}}, kUsual);
+  row(kFieldRow, {{90, "Material", w.material}, {50, "Author", w.author}, {40, "Date", w.date}},
+      kUsual);
+  if (!w.note.empty()) row(kFieldRow, {{kWidth, "Note", w.note}}, kUsual);
   const SheetBox all{{x, within.lo.y()}, {within.hi.x(), y}};
   sheet.rectangle(SheetLayer::frame, all);
   return all;

@@ -18,8 +18,8 @@ constexpr int kDecimals = 4;  // of a mm
 // An arc of at most an eighth of π is a cubic within 4e-8 of its radius.
 const double kMostBulge = std::tan(std::acos(-1.0) / 32);
 
-std::string number(double value) { return short_decimal(value, kDecimals); }
-std::string point(const Vec2& p) { return number(p.x()) + " " + number(p.y()); }
+std::string pdf_number(double value) { return short_decimal(value, kDecimals); }
+std::string point(const Vec2& p) { return pdf_number(p.x()) + " " + pdf_number(p.y()); }
 
 // From a to b, where the pen stands at a.
 void append_arc(std::string& out, const Vec2& a, const Vec2& b, double bulge) {
@@ -57,7 +57,7 @@ class Content {
 
  private:
   void style(const LayerStyle& style) {
-    if (style.line_width != width_) out_ += number(style.line_width) + " w\n";
+    if (style.line_width != width_) out_ += pdf_number(style.line_width) + " w\n";
     if (style.chain != chain_)
       out_ += style.chain ? fmt::format("[{:g}] 0 d\n", fmt::join(kChain_mm, " ")) : "[] 0 d\n";
     width_ = style.line_width;
@@ -81,7 +81,7 @@ class Content {
     const auto show = [&] {
       if (run.empty()) return;
       out_ += fmt::format("/{} {} Tf ({}) Tj\n", font == SheetFont::symbol ? "S" : "H",
-                          number(size), run);
+                          pdf_number(size), run);
       run.clear();
     };
     for (const char32_t code : code_points(text.text)) {
@@ -150,11 +150,12 @@ std::string sheets_pdf(const std::vector<Sheet>& sheets, const SheetWords& words
   if (!words.author.empty()) info += " /Author " + information(words.author);
   objects.add(info + " >>");
   for (const Sheet& sheet : sheets) {
-    objects.add(fmt::format(
-        "<< /Type /Page /Parent {} 0 R /MediaBox [0 0 {} {}] /Contents {} 0 R\n"
-        "/Resources << /Font << /H {} 0 R /S {} 0 R >> >> >>",
-        int{kPages}, number(kPointsPerMm * sheet.size.x()), number(kPointsPerMm * sheet.size.y()),
-        objects.next() + 1, int{kHelvetica}, int{kSymbol}));
+    objects.add(
+        fmt::format("<< /Type /Page /Parent {} 0 R /MediaBox [0 0 {} {}] /Contents {} 0 R\n"
+                    "/Resources << /Font << /H {} 0 R /S {} 0 R >> >> >>",
+                    int{kPages}, pdf_number(kPointsPerMm * sheet.size.x()),
+                    pdf_number(kPointsPerMm * sheet.size.y()), objects.next() + 1, int{kHelvetica},
+                    int{kSymbol}));
     const Content content(sheet);
     objects.add(fmt::format("<< /Length {} >>\nstream\n{}endstream", content.text().size(),
                             content.text()));

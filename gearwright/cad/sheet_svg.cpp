@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-std::string number(double value) { return short_decimal(value, 4); }
+std::string svg_number(double value) { return short_decimal(value, 4); }
 
 // One sheet in a group of its own; y is turned over here and nowhere else.
 class SheetSvg {
@@ -24,7 +24,7 @@ class SheetSvg {
 
  private:
   std::string place(const Vec2& p) const {
-    return number(p.x()) + " " + number(sheet_.size.y() - p.y());
+    return svg_number(p.x()) + " " + svg_number(sheet_.size.y() - p.y());
   }
 
   void layer(SheetLayer layer) {
@@ -37,8 +37,8 @@ class SheetSvg {
     }
     for (const SheetCircle& c : sheet_.circles) {
       if (c.layer != layer) continue;
-      out_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", number(c.center.x()),
-                          number(sheet_.size.y() - c.center.y()), number(c.radius));
+      out_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", svg_number(c.center.x()),
+                          svg_number(sheet_.size.y() - c.center.y()), svg_number(c.radius));
     }
     for (const SheetText& text : sheet_.texts) {
       if (text.layer == layer) add(text);
@@ -58,18 +58,18 @@ class SheetSvg {
         continue;
       }
       const double radius = (b - a).norm() * (1 + bulge * bulge) / (4 * std::abs(bulge));
-      out_ += fmt::format("\nA{0} {0} 0 {1} {2} {3}", number(radius), std::abs(bulge) > 1 ? 1 : 0,
-                          bulge > 0 ? 0 : 1, place(b));
+      out_ += fmt::format("\nA{0} {0} 0 {1} {2} {3}", svg_number(radius),
+                          std::abs(bulge) > 1 ? 1 : 0, bulge > 0 ? 0 : 1, place(b));
     }
     out_ += path.closed ? "Z\"/>\n" : "\"/>\n";
   }
 
   void add(const SheetText& text) {
-    const std::string x = number(text.at.x()), y = number(sheet_.size.y() - text.at.y());
+    const std::string x = svg_number(text.at.x()), y = svg_number(sheet_.size.y() - text.at.y());
     out_ += fmt::format(
         "<text x=\"{}\" y=\"{}\" font-size=\"{}\" textLength=\"{}\" "
         "lengthAdjust=\"spacingAndGlyphs\"",
-        x, y, number(text.height / kCapital), number(text_width(text.text, text.height)));
+        x, y, svg_number(text.height / kCapital), svg_number(text_width(text.text, text.height)));
     if (text.upright) out_ += fmt::format(" transform=\"rotate(-90 {} {})\"", x, y);
     out_ += fmt::format(">{}</text>\n", xml_text(text.text));
   }
@@ -86,7 +86,7 @@ std::string sheets_svg(const std::vector<Sheet>& sheets, const SheetWords& words
   double x = 0.0, height = 0.0;
   for (const Sheet& sheet : sheets) {
     if (x > 0.0) x += kBetweenSheets_mm;
-    groups += fmt::format("<g transform=\"translate({} 0)\">\n{}</g>\n", number(x),
+    groups += fmt::format("<g transform=\"translate({} 0)\">\n{}</g>\n", svg_number(x),
                           SheetSvg(sheet).text());
     x += sheet.size.x();
     height = std::max(height, sheet.size.y());
@@ -99,7 +99,7 @@ std::string sheets_svg(const std::vector<Sheet>& sheets, const SheetWords& words
       "stroke:none;white-space:pre}}</style>\n"
       "<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n"
       "<g fill=\"none\" stroke=\"#000\" stroke-linejoin=\"round\">\n{3}</g>\n</svg>\n",
-      number(x), number(height), xml_text(words.title), groups);
+      svg_number(x), svg_number(height), xml_text(words.title), groups);
 }
 
 }  // namespace gearwright

@@ -17,6 +17,7 @@
 #include <ostream>
 #include <string>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/cad/brep.hpp"
 #include "gearwright/cad/section.hpp"
 #include "gearwright/cad/step.hpp"
@@ -28,7 +29,6 @@ namespace gearwright {
 namespace {
 
 using testing::count;
-using testing::kPi;
 using testing::plain_body;
 using testing::read_step;
 using testing::ReadStep;

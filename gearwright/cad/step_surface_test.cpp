@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/cad/step.hpp"
 #include "gearwright/cad/testing/generated_bodies.hpp"
 #include "gearwright/cad/testing/sample_outlines.hpp"
@@ -21,7 +22,6 @@ namespace gearwright {
 namespace {
 
 using testing::C;
-using testing::kPi;
 
 // A point turned back by the twist, and by whole pitches to tooth 0.
 Vec2 in_section(const gp_Pnt& p, const ToothedBody& body) {

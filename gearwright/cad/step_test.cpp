@@ -10,6 +10,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/testing/scratch_folder.hpp"
 #include "gearwright/cad/part_colours.hpp"
@@ -23,7 +24,6 @@ namespace gearwright {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::kPi;
 using testing::read_step;
 using testing::ReadStep;
 using testing::sample_body;

@@ -6,6 +6,7 @@
 #include <complex>
 #include <sstream>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/cad/section.hpp"
 #include "gearwright/cad/testing/odd_outlines.hpp"
 #include "gearwright/cad/testing/sample_outlines.hpp"
@@ -14,7 +15,6 @@ namespace gearwright {
 namespace {
 
 using testing::C;
-using testing::kPi;
 
 struct Subpath {
   double area = 0.0;    // counter-clockwise positive with y up, mm²

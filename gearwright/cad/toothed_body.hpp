@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "gearwright/base/error.hpp"
 #include "gearwright/gear/bore.hpp"
 #include "gearwright/generation/outline.hpp"
 
@@ -23,5 +24,11 @@ struct ToothedBody {
   std::optional<Bore> bore;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< gear frame to housing frame
 };
+
+/// Of `teeth`, for the reason `why`.
+inline Error not_a_body(int teeth, const std::string& why) {
+  return {"teeth", std::to_string(teeth),
+          "the outline bounds no body, " + why + "; more teeth or more profile shift help"};
+}
 
 }  // namespace gearwright

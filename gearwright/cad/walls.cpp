@@ -19,7 +19,7 @@ using std::numbers::pi;
 
 constexpr double kRound_mm = 1e-8;  // a land is a circle about the axis
 constexpr double kLaw_mm = 1e-6;    // to which the outline keeps its own laws
-constexpr int kLooks = 64;          // points of an arc that are looked at for radius and side
+constexpr int kWallLooks = 64;      // points of an arc that are looked at for radius and side
 
 Complex as_complex(const Vec2& v) { return {v.x(), v.y()}; }
 
@@ -77,8 +77,8 @@ struct Extent {
 Extent look_at(const Outline& outline, Complex space) {
   Extent extent{std::abs(as_complex(outline.arcs.front().begin_point)), 0.0, false, false};
   for (const Arc& arc : outline.arcs) {
-    for (int i = 0; i <= kLooks; ++i) {
-      const Complex w = as_complex(arc.point(static_cast<double>(i) / kLooks));
+    for (int i = 0; i <= kWallLooks; ++i) {
+      const Complex w = as_complex(arc.point(static_cast<double>(i) / kWallLooks));
       extent.inner = std::min(extent.inner, std::abs(w));
       extent.outer = std::max(extent.outer, std::abs(w));
       // Distances from the two lines, which for z = 1 are both the x axis.
@@ -175,12 +175,6 @@ WallLoop loop_of(const std::vector<Wall>& tooth, int z, double twist, double fac
   const double most = std::min(pi, 1.5 * pi - widest);
   loop.slices = std::max(1, static_cast<int>(std::ceil(std::abs(twist) * face_width / most)));
   return loop;
-}
-
-Error not_a_body(int teeth, const char* why) {
-  return {
-      "teeth", fmt::format("{}", teeth),
-      fmt::format("the outline bounds no body, {}; more teeth or more profile shift help", why)};
 }
 
 Error unmet(const Arc& arc, double deviation) {

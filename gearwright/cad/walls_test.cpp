@@ -4,12 +4,12 @@
 
 #include <cmath>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/cad/testing/sample_outlines.hpp"
 
 namespace gearwright {
 namespace {
 
-using testing::kPi;
 using testing::plain_body;
 using testing::sample_body;
 

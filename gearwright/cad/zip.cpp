@@ -10,7 +10,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr std::uint16_t kVersion = 20;  // 2.0, the first with deflate
+constexpr std::uint16_t kZipVersion = 20;  // 2.0, the first with deflate
 constexpr std::uint16_t kDeflate = 8;
 constexpr std::uint16_t kMidnight = 0;
 constexpr std::uint16_t kNewYear1980 = (1U << 5U) | 1U;  // year 0 since 1980, month 1, day 1
@@ -20,7 +20,7 @@ constexpr std::size_t kSizeMax = 0xfffffffeU;            // 0xffffffff announces
 
 // What the local header and the directory share, from the version to the length of the extra field.
 void ZipWriter::append_common(const Entry& entry) {
-  append_u16(bytes_, kVersion);
+  append_u16(bytes_, kZipVersion);
   append_u16(bytes_, 0);  // flags
   append_u16(bytes_, kDeflate);
   append_u16(bytes_, kMidnight);
@@ -50,7 +50,7 @@ std::string ZipWriter::finish() && {
   const std::size_t directory = bytes_.size();
   for (const Entry& entry : entries_) {
     append_u32(bytes_, 0x02014b50U);
-    append_u16(bytes_, kVersion);  // made by
+    append_u16(bytes_, kZipVersion);  // made by
     append_common(entry);
     append_u16(bytes_, 0);  // comment
     append_u16(bytes_, 0);  // disk

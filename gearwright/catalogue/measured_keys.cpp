@@ -9,11 +9,9 @@ namespace gearwright {
 
 namespace {
 
-using P = IdentifyProblem;
-
 template <class F>
 KeyPlace reading(F reach) {
-  return KeyPlace::within<P>(reach);
+  return KeyPlace::within<IdentifyProblem>(reach);
 }
 
 Key uncertainty(std::string_view key, KeyPlace place, std::string_view fallback,
@@ -36,7 +34,8 @@ const KeyTable& measured_keys() {
         .kind = KeyKind::any,
         .form = "a table of readings by the number of teeth: { 3 = 19.751, 4 = 27.131 }",
         .meaning = "spans over k teeth (internal: spaces), `{ 3 = 19.751, 4 = 27.131 }`"},
-       uncertainty("span_uncertainty_mm", &P::span_uncertainty, "0.02", "of each span"),
+       uncertainty("span_uncertainty_mm", &IdentifyProblem::span_uncertainty, "0.02",
+                   "of each span"),
        {.key = "over_balls_mm",
         .symbol = "M_dK",
         .kind = KeyKind::table,
@@ -44,7 +43,7 @@ const KeyTable& measured_keys() {
         .tables = {measured_ball_keys},
         .meaning = "over two balls (internal: between them), "
                    "`[{ ball_diameter_mm = 5, dimension_mm = 69.426 }]`"},
-       uncertainty("over_balls_uncertainty_mm", &P::balls_uncertainty, "0.02",
+       uncertainty("over_balls_uncertainty_mm", &IdentifyProblem::balls_uncertainty, "0.02",
                    "of each dimension over balls"),
        {.key = "tip_diameter_mm",
         .symbol = "d_a",
@@ -92,7 +91,7 @@ const KeyTable& measured_keys() {
         .symbol = "z",
         .kind = KeyKind::whole,
         .range = {.lo = -1e5, .hi = 1e5, .zero = false},
-        .place = &P::mating_teeth,
+        .place = &IdentifyProblem::mating_teeth,
         .meaning = "number of teeth of the mating gear, negative if internal"}}};
   return table;
 }

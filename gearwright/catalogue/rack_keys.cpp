@@ -11,7 +11,6 @@ namespace {
 using Range = KeyRange;
 
 // As tool/ has it: no cutter is that large in modules. A test holds them together.
-constexpr double kMaxModules = 1e4;
 constexpr std::size_t kMaxArcs = 100;
 
 Range any_length() { return Range::between(-kMaxModules, kMaxModules); }

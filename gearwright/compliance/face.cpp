@@ -15,7 +15,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kOrder = 3;
+constexpr int kDegree = 3;
 constexpr int kMinElements = 4;
 
 // Nodes of Gauss and Lobatto.
@@ -62,11 +62,11 @@ Face::Face(const ModeMatrices& modes, double width, double element)
   const int n = std::max(kMinElements, static_cast<int>(std::ceil(width / element)));
   for (int i = 0; i <= n; ++i) ends_.push_back(width * (double(i) / n - 0.5));
   for (int e = 0; e < n; ++e)
-    for (int i = 0; i < kOrder; ++i)
+    for (int i = 0; i < kDegree; ++i)
       nodes_.push_back(ends_[e] + 0.5 * (ends_[e + 1] - ends_[e]) * (lobatto()[i] + 1));
   nodes_.push_back(ends_.back());
 
-  const GaussRule rule = gauss_rule(kOrder + 1);
+  const GaussRule rule = gauss_rule(kDegree + 1);
   const Index r = modes_;
   kind_of_.assign(n, 0);
   auto kind = std::make_unique<Kind>();
@@ -127,7 +127,7 @@ VectorXd Face::shape(double z, bool slope) const {
   const double x = (z - ends_[e]) / half - 1;
   VectorXd v = VectorXd::Zero(node_count());
   for (int i = 0; i < 4; ++i)
-    v[e * kOrder + i] = slope ? lagrange_slope(i, x) / half : lagrange(i, x);
+    v[e * kDegree + i] = slope ? lagrange_slope(i, x) / half : lagrange(i, x);
   return v;
 }
 
@@ -152,31 +152,31 @@ void Face::solve(MatrixXd& x) const {
   const Index r = modes_;
   const auto node = [&](Index i) { return x.middleRows(i * r, r); };
   const auto n = static_cast<Index>(kind_of_.size());
-  GW_EXPECTS(x.rows() == (n * kOrder + 1) * r);
+  GW_EXPECTS(x.rows() == (n * kDegree + 1) * r);
   // Inner nodes: their own answer stands in their place, its reaction goes to the ends.
   for (Index e = 0; e < n; ++e) {
     const Kind& k = *kinds_[kind_of_[e]];
-    auto inner = x.middleRows((e * kOrder + 1) * r, 2 * r);
+    auto inner = x.middleRows((e * kDegree + 1) * r, 2 * r);
     if (inner.isZero(0.0)) continue;
     const MatrixXd reaction = k.recovered.transpose() * inner;
-    node(e * kOrder) -= reaction.topRows(r);
-    node((e + 1) * kOrder) -= reaction.bottomRows(r);
+    node(e * kDegree) -= reaction.topRows(r);
+    node((e + 1) * kDegree) -= reaction.bottomRows(r);
     k.inner.solveInPlace(inner);
   }
   for (Index i = 0; i <= n; ++i) {
-    if (i > 0) node(i * kOrder).noalias() -= below_[i - 1] * node((i - 1) * kOrder);
-    auto here = node(i * kOrder);
+    if (i > 0) node(i * kDegree).noalias() -= below_[i - 1] * node((i - 1) * kDegree);
+    auto here = node(i * kDegree);
     factor_[i].triangularView<Eigen::Lower>().solveInPlace(here);
   }
   for (Index i = n; i >= 0; --i) {
-    if (i < n) node(i * kOrder).noalias() -= below_[i].transpose() * node((i + 1) * kOrder);
-    auto here = node(i * kOrder);
+    if (i < n) node(i * kDegree).noalias() -= below_[i].transpose() * node((i + 1) * kDegree);
+    auto here = node(i * kDegree);
     factor_[i].triangularView<Eigen::Lower>().transpose().solveInPlace(here);
   }
   MatrixXd ends(2 * r, x.cols());
   for (Index e = 0; e < n; ++e) {
-    ends << node(e * kOrder), node((e + 1) * kOrder);
-    x.middleRows((e * kOrder + 1) * r, 2 * r).noalias() -= kinds_[kind_of_[e]]->recovered * ends;
+    ends << node(e * kDegree), node((e + 1) * kDegree);
+    x.middleRows((e * kDegree + 1) * r, 2 * r).noalias() -= kinds_[kind_of_[e]]->recovered * ends;
   }
 }
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/math/decompositions.hpp"
@@ -12,8 +12,6 @@
 namespace gearwright {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // A search ends when f changes by less: this part of itself, or a hundredth of kSameError.
 constexpr double kLastGain = 1e-5;  // relative

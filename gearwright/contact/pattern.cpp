@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "gearwright/base/numbers.hpp"
 
 namespace gearwright {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::vector<double> spread(double lo, double hi, int n) {
   std::vector<double> v;

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
+
+#include "gearwright/base/numbers.hpp"
 
 namespace gearwright {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLastStep = 1e-7;    // of the patch: the error left is its square
 constexpr double kLongestStep = 0.6;  // of half the patch
 constexpr double kFlat = 1e-14;       // rad per scaled unit: a ridge to rounding

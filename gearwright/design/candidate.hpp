@@ -18,6 +18,9 @@
 
 namespace gearwright {
 
+/// Candidates of a batch: its columns stay in the nearest caches.
+inline constexpr std::size_t kBatch = 1024;
+
 /// What all candidates of a batch share; parallel axes, normal modules.
 struct CandidateConstants {
   double tan_alpha = 0.0;                                      ///< tan α_n

@@ -7,10 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <string>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/design/testing/search_reference.hpp"
 
 namespace gearwright {
@@ -22,7 +21,6 @@ using testing::search::trial;
 using Batch = CandidateBatch;
 
 constexpr double kLanes = 1e-12;  // law (1), of 1 + |value|
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Mode {
   const char* name;

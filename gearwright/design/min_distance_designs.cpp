@@ -11,6 +11,7 @@
 
 #include "gearwright/base/angle.hpp"
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/math/involute.hpp"
@@ -22,7 +23,6 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kHalfPi = std::numbers::pi / 2;
 constexpr double kMargin = 0.1 * kRadPerDeg;     // a working helix of 90° is no gear
 constexpr double kSteepest = 89.0 * kRadPerDeg;  // of a gear, as on its rack
 constexpr double kParallel = 1e-9;               // rad: as the pair room has it

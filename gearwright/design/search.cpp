@@ -57,8 +57,6 @@ ShiftGraph Search::graph(const Trial& trial) const {
 
 namespace {
 
-constexpr std::size_t kBatch = 1024;
-
 // The trials of one rack and helix on their way through the sieve.
 class Sieve {
  public:

@@ -6,12 +6,12 @@
 #include <array>
 #include <cmath>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/design/shift_graph.hpp"
 #include "gearwright/design/tip_curvature.hpp"
 
 namespace gearwright {
 
-using detail::kInfinity;
 using detail::lower;
 using detail::radius_of;
 using detail::raise;

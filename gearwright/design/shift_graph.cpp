@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/design/tip_curvature.hpp"
 #include "gearwright/math/newton.hpp"
 #include "gearwright/pair/leaf_formulas.hpp"
@@ -13,7 +14,6 @@
 namespace gearwright {
 
 using detail::curvature;
-using detail::kInfinity;
 using detail::lower;
 using detail::radius_of;
 using detail::raise;

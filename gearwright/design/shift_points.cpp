@@ -11,8 +11,6 @@ namespace gearwright {
 
 namespace {
 
-constexpr std::size_t kBatch = 1024;
-
 CandidateConstants constants_of(const ShiftGraph& graph) {
   const SearchProblem& p = graph.problem();
   CandidateConstants c;

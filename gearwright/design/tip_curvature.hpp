@@ -7,13 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/gear/leaf_formulas.hpp"
 
 namespace gearwright::detail {
-
-inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// q, 0 inside the base circle; signs of u and b do not matter.
 inline double curvature(double u, double b) { return leaf::curvature_at(std::abs(u), std::abs(b)); }

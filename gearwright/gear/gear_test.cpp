@@ -12,6 +12,8 @@
 #include <numbers>
 #include <string>
 
+#include "gearwright/base/numbers.hpp"
+
 namespace gearwright {
 namespace {
 
@@ -20,7 +22,6 @@ using testing::warns;
 using namespace literals;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 CylindricalSpec spec(int teeth) {
   CylindricalSpec s = testing::plain_spec({.teeth = teeth, .module = 2.0, .face_width = 20.0});

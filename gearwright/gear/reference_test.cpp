@@ -5,12 +5,12 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "gearwright/base/numbers.hpp"
 
 namespace gearwright {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kDegree = kPi / 180;
 constexpr double kEps = std::numeric_limits<double>::epsilon();
 

@@ -4,22 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/error.hpp"
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/math/involute.hpp"
 #include "gearwright/math/newton.hpp"
 
 namespace gearwright {
-
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kHalfPi = std::numbers::pi / 2;
-
-}  // namespace
 
 std::optional<FilletArc> root_fillet_at(const Involute& flank, int teeth, double xi) {
   GW_EXPECTS(teeth >= 1 && xi >= 0.0);

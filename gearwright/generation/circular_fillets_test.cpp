@@ -5,16 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <vector>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/math/involute.hpp"
 
 namespace gearwright {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-constexpr double kHalfPi = kPi / 2;
 
 struct Tooth {
   int teeth;

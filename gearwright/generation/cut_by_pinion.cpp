@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 #include "gearwright/base/error.hpp"
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/overloaded.hpp"
 #include "gearwright/generation/branch.hpp"
 #include "gearwright/math/root.hpp"
@@ -18,8 +17,6 @@ namespace {
 
 using detail::Branch;
 using detail::branch_of;
-
-constexpr double kPi = std::numbers::pi;
 
 // Two normals this close are one: the arcs join smoothly. A corner moves the cut by λ²/w a radian.
 constexpr double kSameNormal = 1e-12;

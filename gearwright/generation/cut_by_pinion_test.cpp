@@ -8,11 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
-#include <numbers>
 #include <vector>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/math/involute.hpp"
 #include "gearwright/tool/straight_rack.hpp"
@@ -23,8 +22,6 @@ namespace {
 using namespace literals;
 using enum ArcName;
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kAlpha = kPi / 9;
 
 // Spur, module 1. The cutter's blank is so large that the rack ends its teeth.

@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/generation/branch.hpp"
 #include "gearwright/math/polynomial.hpp"
 
 namespace gearwright {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 using detail::Branch;
 using detail::branch_of;

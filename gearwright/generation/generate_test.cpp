@@ -5,18 +5,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <vector>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/tool/straight_rack.hpp"
 
 namespace gearwright {
 namespace {
 
 using namespace literals;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Cut {
   int teeth = 20;

@@ -5,18 +5,16 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <random>
 #include <vector>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/generation/circular_fillets.hpp"
 #include "gearwright/generation/pinion_envelope.hpp"
 #include "gearwright/math/involute.hpp"
 
 namespace gearwright {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 // A piece of a cutter's outline between two parameters, from its root side to its tip side.
 struct Piece {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numbers>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/overloaded.hpp"
 #include "gearwright/math/involute.hpp"
 #include "gearwright/math/polynomial.hpp"
@@ -15,8 +15,6 @@
 namespace gearwright {
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 // Sign changes of f between a and b, on cells fine enough for the curves of a tooth.
 std::vector<double> sign_changes(const std::function<double(double)>& f, double a, double b) {

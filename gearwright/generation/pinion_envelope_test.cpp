@@ -9,23 +9,19 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <numbers>
 #include <vector>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/generation/circular_fillets.hpp"
 #include "gearwright/generation/rack_envelope.hpp"
 
 namespace gearwright {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 Vec2 turned(const Vec2& v, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
 }
-
-Vec2 mirrored(const Vec2& v) { return {v.x(), -v.y()}; }
 
 // A piece of a cutter's outline between two parameters, from its root side to its tip side.
 struct Piece {

@@ -5,15 +5,14 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/math/polynomial.hpp"
 
 namespace gearwright {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kEps = std::numeric_limits<double>::epsilon();
 
 constexpr Angle kRightAngle = Angle::radians(kPi / 2);

@@ -8,15 +8,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "gearwright/base/numbers.hpp"
+
 namespace gearwright {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kDegree = kPi / 180;
 
 // Computed with 40 digits from the equations of the theory page and confirmed there by a direct

@@ -74,20 +74,20 @@ SetupChange change_of(const std::vector<std::size_t>& which, const std::vector<d
   return c;
 }
 
-struct Scenario {
+struct NamedErrors {
   std::string name;
   ContactErrors errors;
 };
 
 // The errors as they are, and every corner of the range.
-std::vector<Scenario> scenarios_of(const ContactSetup& setup, const CompensateInput& input) {
-  std::vector<Scenario> list{{"as given", setup.place().errors}};
+std::vector<NamedErrors> scenarios_of(const ContactSetup& setup, const CompensateInput& input) {
+  std::vector<NamedErrors> list{{"as given", setup.place().errors}};
   std::vector<std::size_t> ranged;
   for (std::size_t i = 0; i < kErrorCount; ++i)
     if (input.range[i]) ranged.push_back(i);
   if (ranged.empty()) return list;
   for (std::size_t corner = 0; corner < (1u << ranged.size()); ++corner) {
-    Scenario s{"", setup.place().errors};
+    NamedErrors s{"", setup.place().errors};
     for (std::size_t k = 0; k < ranged.size(); ++k) {
       const double value = (*input.range[ranged[k]])[(corner >> k) & 1u];
       s.errors = setup.with_error(s.errors, ranged[k], value);
@@ -243,8 +243,8 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Headway* headway, int
   if (std::isnan(
           peak_to_peak(transmission_error(setup.pair(gear2_drives), job.spec.contact.positions))))
     return nothing_touches(setup);
-  const std::vector<Scenario> scenarios = scenarios_of(setup, input);
-  for (const Scenario& s : scenarios) answer.scenarios.push_back(s.name);
+  const std::vector<NamedErrors> scenarios = scenarios_of(setup, input);
+  for (const NamedErrors& s : scenarios) answer.scenarios.push_back(s.name);
   CompensationTask task;
   task.scenarios = static_cast<int>(scenarios.size());
   task.positions = kPositions;

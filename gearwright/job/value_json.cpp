@@ -8,7 +8,7 @@ namespace gearwright {
 
 namespace {
 
-struct Writer {
+struct JsonWriter {
   Json operator()(std::monostate) const { return nullptr; }
   Json operator()(const ValueList& list) const {
     Json j = Json::array();
@@ -35,7 +35,7 @@ struct Writer {
 
 }  // namespace
 
-Json to_json(const Value& value) { return std::visit(Writer(), value.variant()); }
+Json to_json(const Value& value) { return std::visit(JsonWriter(), value.variant()); }
 
 Value to_value(const Json& json) {
   switch (json.type()) {

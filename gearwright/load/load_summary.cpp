@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <numbers>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
 
 namespace gearwright {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kMostWaves = 20;
 
 // Load per approach over the positions, N/(mm µm) of a line load, N/µm of a force; the mean is that

@@ -1,17 +1,15 @@
 #include "gearwright/pair/arc_contact.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/math/decompositions.hpp"
 #include "gearwright/math/root.hpp"
 
 namespace gearwright {
 
 namespace {
-
-constexpr double kHalfPi = std::numbers::pi / 2;
 
 // w: what the two racks' points of one normal angle stand apart along the centre line. [T7.15]
 double height_gap(const ArcMeshInput& in, double theta) {

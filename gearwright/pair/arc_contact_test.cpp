@@ -4,12 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
+
+#include "gearwright/base/numbers.hpp"
 
 namespace gearwright {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kDegree = kPi / 180;
 
 ArcMeshInput mesh(double change = 0.0) {

@@ -4,16 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/pair/interference.hpp"
 
 namespace gearwright {
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 std::vector<WorkingArc> working(const Gear& gear, double side) {
   GW_EXPECTS(gear.arcs() != nullptr);

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <string>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/gear/testing/warns.hpp"
@@ -22,8 +22,6 @@ using testing::warns;
 
 using Complex = std::complex<double>;
 using Cutter = ArcRack::Cutter;
-
-constexpr double kPi = std::numbers::pi;
 
 CylindricalSpec spec_of(Rack rack, int teeth, double beta_deg) {
   CylindricalSpec s = testing::plain_spec(

@@ -11,6 +11,7 @@
 #include <random>
 #include <vector>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/gear/reference.hpp"
 #include "gearwright/math/involute.hpp"
 #include "gearwright/pair/mesh.hpp"
@@ -18,7 +19,6 @@
 namespace gearwright {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 std::int64_t bits(double x) {

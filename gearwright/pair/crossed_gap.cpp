@@ -4,17 +4,15 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/pair/gap_profile.hpp"
 
 namespace gearwright::detail {
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 struct Body {
   GapProfile profile;

@@ -4,14 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/pair/contact_zones.hpp"
 
 namespace gearwright {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kAlpha = kPi / 9;
 
 // m = 2, α = 20°, no shift, as in mesh_test.

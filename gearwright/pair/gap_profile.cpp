@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/numbers.hpp"
 
 namespace gearwright::detail {
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 bool is_land(const Arc& arc) {
   return arc.name == ArcName::root_land || arc.name == ArcName::tip_land;

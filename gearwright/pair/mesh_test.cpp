@@ -4,13 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
-#include <numbers>
+
+#include "gearwright/base/numbers.hpp"
 
 namespace gearwright {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kAlpha = kPi / 9;
 
 // m = 2, α = 20°, no shift: r_b = z cos α, s_bt = d_b (π/(2z) ± inv α).

@@ -11,9 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/pair/gap_profile.hpp"
 #include "gearwright/pair/least_gap.hpp"
 
@@ -27,8 +27,6 @@ using detail::LeastGap;
 using detail::ProfileArc;
 using detail::ProfileCorner;
 using detail::ProfilePlace;
-
-constexpr double kPi = std::numbers::pi;
 
 std::size_t index_of(ArcName name) { return static_cast<std::size_t>(name); }
 

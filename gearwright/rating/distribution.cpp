@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+
+#include "gearwright/base/numbers.hpp"
 
 namespace gearwright {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 // Share χ of a misalignment that running-in takes, and its most at 5…10 and above 10 m/s.
-double running_in_of(const Material& m, double f, double v) {
+double helix_running_in(const Material& m, double f, double v) {
   using K = MaterialKind;
   if (m.surface_hardened()) return std::min(0.15 * f, 6.0);
   double share = 320.0 / m.sigma_Hlim;
@@ -41,7 +40,9 @@ constexpr std::array<Arrangement, 5> kArrangements{{{0.48, 0.80, 0.3},
 
 double running_in_misalignment(const std::array<Material, 2>& materials, double f,
                                double velocity) {
-  return (running_in_of(materials[0], f, velocity) + running_in_of(materials[1], f, velocity)) / 2;
+  return (helix_running_in(materials[0], f, velocity) +
+          helix_running_in(materials[1], f, velocity)) /
+         2;
 }
 
 FaceLoad face_load(const RatedPair& pair, const PinionMounting& mounting,

@@ -6,15 +6,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/rating/rating.hpp"
 #include "gearwright/rating/testing/sample_pairs.hpp"
 
 namespace gearwright {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 Material pom() {
   Material m;

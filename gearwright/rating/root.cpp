@@ -5,14 +5,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/math/involute.hpp"
 
 namespace gearwright {
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 // ρ_fPv*: the rack's rounding that leaves what a pinion cutter does. [ISO 6336-3, 6.2]
 double virtual_fillet(const RootTool& tool) {

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/numbers.hpp"
 
 namespace gearwright {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLastCycles = 1e10;
 constexpr int kHalvings = 60;
 

@@ -20,8 +20,6 @@ std::string arcsec(const ContactScore& s) {
   return s.nothing_touches() ? "no contact" : fixed(s.peak_to_peak.arcsec(), 4);
 }
 
-std::string percent(double share) { return fixed(100 * std::abs(share), 0); }
-
 // Of an aim under load, at the torque that is worst before.
 std::string finding_under_load(const CompensateView& v) {
   const bool pressure = v.aim == CompensateAim::pressure;

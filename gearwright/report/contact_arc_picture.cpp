@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/report/arc_pair_section.hpp"
 #include "gearwright/report/gear_shape.hpp"
@@ -18,7 +18,6 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kWidth = 640.0;
 constexpr double kHeight = 460.0;
 

@@ -2,17 +2,15 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/report/svg.hpp"
 
 namespace gearwright {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // The raster with a frame of infinite nodes around it, so that every loop closes.
 class Framed {

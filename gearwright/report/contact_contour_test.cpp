@@ -3,13 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
+
+#include "gearwright/base/numbers.hpp"
 
 namespace gearwright {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 template <typename F>
 ContourField field_of(std::size_t columns, std::size_t rows, const F& f) {

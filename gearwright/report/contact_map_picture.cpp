@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/report/contact_contour.hpp"
 #include "gearwright/report/contact_te_picture.hpp"
@@ -25,7 +25,6 @@ constexpr double kRight = 138.0;
 constexpr double kTop = 44.0;
 constexpr double kPlot = 350.0;
 constexpr int kMaxLevels = 9;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Values of the map as a raster; what touches nothing lies above every level.
 ContourField field_of(const ErrorMap& map) {

@@ -29,8 +29,6 @@ double share(const ContactResult& result, bool (*is)(TouchKind)) {
 bool inside(TouchKind kind) { return kind == TouchKind::interior || kind == TouchKind::line; }
 bool nowhere(TouchKind kind) { return kind == TouchKind::none; }
 
-std::string percent(double part) { return fixed(100 * part, 0); }
-
 std::string assumed(const ContactReport& report) {
   std::string text;
   for (const NamedAmount& e : report.errors)

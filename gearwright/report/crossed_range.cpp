@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/pair/series.hpp"
 #include "gearwright/report/html_text.hpp"
@@ -15,7 +15,6 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kHalfPi = std::numbers::pi / 2;
 constexpr int kSteps = 240;
 constexpr double kMargin = 0.07;  // of the angles worth showing, on both sides
 // rad. Where a helix reaches 90° its pitch radius is without end; at this distance from there α_n

@@ -8,10 +8,10 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kLetter = 8.1;    // px, the mean width of a letter on a narrow screen
-constexpr double kHeight = 19.0;   // px of a line of words there
-constexpr double kBaseline = 5.0;  // px from the middle of the letters down to their foot
-constexpr int kBoxWeight = 8;      // words on words are worse than words on a line
+constexpr double kLetter = 8.1;       // px, the mean width of a letter on a narrow screen
+constexpr double kLineHeight = 19.0;  // px of a line of words there
+constexpr double kBaseline = 5.0;     // px from the middle of the letters down to their foot
+constexpr int kBoxWeight = 8;         // words on words are worse than words on a line
 constexpr int kOutside = 1000;
 
 double width_of(std::string_view plain) {
@@ -27,7 +27,7 @@ PixelBox box_of(const LabelPlace& place, double width) {
   const double left = place.anchor == Anchor::start ? x
                       : place.anchor == Anchor::end ? x - width
                                                     : x - width / 2;
-  return {left, y - kHeight / 2, left + width, y + kHeight / 2};
+  return {left, y - kLineHeight / 2, left + width, y + kLineHeight / 2};
 }
 
 // Does the segment touch the box: clipped by its four sides (Liang, Barsky).

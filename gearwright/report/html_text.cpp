@@ -56,6 +56,8 @@ std::string fixed(const std::optional<double>& value, int decimals) {
   return value ? fixed(*value, decimals) : std::string(kNoValue);
 }
 
+std::string percent(double share) { return fixed(100 * std::abs(share), 0); }
+
 std::string symbol_html(std::string_view symbol) {
   using Place = SymbolPiece::Place;
   std::string result;

@@ -26,6 +26,7 @@ std::string file_link(std::string_view name);
 /// Fixed decimals, never "-0.000"; kNoValue when it is not finite.
 std::string fixed(double value, int decimals);
 std::string fixed(const std::optional<double>& value, int decimals);
+std::string percent(double share);  ///< whole percent, without its sign
 
 /// "d_Ff" as <var>d</var><sub>Ff</sub>; the symbol is ours and is not escaped.
 std::string symbol_html(std::string_view symbol);

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view kMagic = "GWCHUNK1";
+constexpr std::string_view kChunkMagic = "GWCHUNK1";
 constexpr std::string_view kEnding = ".chunk";
 constexpr std::string_view kPart = ".part.";
 constexpr std::size_t kHeader = 56;  // without the counts by constraint
@@ -57,7 +57,7 @@ std::int64_t i64_at(std::string_view bytes, std::size_t at) {
 
 std::string header(std::uint32_t stamp, std::int64_t chunk, std::string_view payload,
                    const ChunkCounts& counts) {
-  std::string out(kMagic);
+  std::string out(kChunkMagic);
   append_u32(out, stamp);
   append_i64(out, chunk);
   append_i64(out, counts.tested);
@@ -216,7 +216,7 @@ std::optional<ChunkRead> ChunkFolder::read(std::int64_t chunk, Depth depth) cons
       read_some(file, depth == Depth::payload ? length : std::min(length, kMaxHeader), place);
 
   if (bytes.size() < kHeader) return broken(fmt::format("is only {} bytes long", length));
-  if (bytes.compare(0, kMagic.size(), kMagic) != 0) return broken("is not a chunk");
+  if (bytes.compare(0, kChunkMagic.size(), kChunkMagic) != 0) return broken("is not a chunk");
   const std::size_t constraints = u32_at(bytes, 36);
   if (constraints > kMaxConstraints) return broken("has a wrong checksum in its header");
   const std::size_t start = kHeader + 8 * constraints;

@@ -27,7 +27,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr std::string_view kMagic = "PAR1";
+constexpr std::string_view kParquetMagic = "PAR1";
 constexpr std::size_t kZstd = 6;
 constexpr std::size_t kUtf8 = 0;
 // 2 million rows of 5 doubles and 2 integers: level 1 0.25 s 20.6 MB, level 3 0.22 s 20.3 MB, level
@@ -256,7 +256,7 @@ ParquetWriter::ParquetWriter(const std::filesystem::path& part_file,
   s.key_values = std::move(key_values);
   s.file = ::open(part_file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (s.file < 0) s.fail(errno);
-  s.write(kMagic);
+  s.write(kParquetMagic);
 }
 
 ParquetWriter::~ParquetWriter() = default;
@@ -304,7 +304,7 @@ void ParquetWriter::close() {
   std::string end = s.footer();
   GW_ENSURES(end.size() <= std::numeric_limits<std::uint32_t>::max());
   append_bytes(end, static_cast<std::uint32_t>(end.size()));
-  end += kMagic;
+  end += kParquetMagic;
   s.write(end);
   if (::close(std::exchange(s.file, -1)) != 0) s.fail(errno);
 }

@@ -4,16 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "gearwright/base/error.hpp"
+#include "gearwright/base/numbers.hpp"
 
 namespace gearwright {
 
 namespace {
 
-constexpr double kHalfPi = std::numbers::pi / 2;
-constexpr double kMaxModules = 1e4;
 // P's arc rises to where it is upright, τ = 0; it ends a little before.
 constexpr Angle kLastOfP = Angle::degrees(1);
 

@@ -4,14 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
+
+#include "gearwright/base/numbers.hpp"
 
 namespace gearwright {
 namespace {
 
 using Cutter = ArcRack::Cutter;
-
-constexpr double kPi = std::numbers::pi;
 
 ArcRack rack_of(Cutter cutter) {
   ArcRack rack = default_arc_rack(cutter);

@@ -22,6 +22,8 @@
 
 namespace gearwright {
 
+inline constexpr double kMaxModules = 1e4;  ///< no length of a cutter is longer
+
 /// A straight piece; `end_height` may be infinite (a flank that reaches past every tip).
 struct EdgeLine {
   Angle tau;       ///< τ  constant

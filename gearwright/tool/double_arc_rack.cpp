@@ -3,17 +3,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "gearwright/base/error.hpp"
+#include "gearwright/base/numbers.hpp"
 
 namespace gearwright {
 
 namespace {
-
-constexpr double kHalfPi = std::numbers::pi / 2;
-constexpr double kMaxModules = 1e4;
 
 // What can be said of each number alone.
 std::optional<Error> check_numbers(const DoubleArcRack& r) {

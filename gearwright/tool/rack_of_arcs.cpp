@@ -4,19 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "gearwright/base/error.hpp"
+#include "gearwright/base/numbers.hpp"
 
 namespace gearwright {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kHalfPi = kPi / 2;
 // Normals this close are one: a tangent joint.
 constexpr double kSameNormal = 1e-6;  // rad
-constexpr double kMaxModules = 1e4;   // no cutter is that large
 constexpr double kAbove90 = 1e-15;    // of 90°: degrees that came out of radians
 constexpr double kOverlap = 1e-12;    // of half the pitch: a full radius, but for rounding
 

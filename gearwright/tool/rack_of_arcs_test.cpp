@@ -5,15 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <vector>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/tool/rack.hpp"
 
 namespace gearwright {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 const EdgeCircle& circle_of(const EdgeArc& arc) { return std::get<EdgeCircle>(arc.shape); }
 

@@ -6,15 +6,14 @@
 #include <numbers>
 
 #include "gearwright/base/error.hpp"
+#include "gearwright/base/numbers.hpp"
 
 namespace gearwright {
 
 namespace {
 
-constexpr double kHalfPi = std::numbers::pi / 2;
 constexpr Angle kRightAngle = Angle::radians(kHalfPi);
 // No cutter is that large in modules; within it nothing overflows.
-constexpr double kMaxModules = 1e4;
 
 EdgeArc line(ArcName cuts, const EdgeLine& piece, bool smooth) { return {cuts, piece, smooth}; }
 

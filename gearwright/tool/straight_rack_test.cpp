@@ -5,16 +5,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
+
+#include "gearwright/base/numbers.hpp"
 
 namespace gearwright {
 namespace {
 
 using namespace literals;
-
-constexpr double kPi = std::numbers::pi;
 
 struct EdgeEnd {
   double x, y, tau;

@@ -13,17 +13,16 @@
 #include <cmath>
 #include <complex>
 #include <memory>
-#include <numbers>
 #include <utility>
 #include <vector>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/cad/toothed_body.hpp"
 #include "gearwright/curve/curve.hpp"
 
 namespace gearwright::testing {
 
 using C = std::complex<double>;
-inline constexpr double kPi = std::numbers::pi;
 
 inline Vec2 vec(C w) { return {w.real(), w.imag()}; }
 
