@@ -1,7 +1,9 @@
 """Runs the built program in a folder of its own; shared by the tests of the command line."""
+import atexit
 import json
 import os
 import pathlib
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -31,11 +33,18 @@ face_width_mm = 25
 """
 
 
+def new_folder():
+    """Empty; gone when the tests end."""
+    folder = pathlib.Path(tempfile.mkdtemp(prefix="gearwright_"))
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    return folder
+
+
 class Run:
     """One run: exit status, stdout, stderr, parsed JSON or None, and the folder it ran in."""
 
     def __init__(self, verb, spec=PAIR, *args, name="case.toml", folder=None, stdout=subprocess.PIPE):
-        self.folder = pathlib.Path(folder or tempfile.mkdtemp(prefix="gearwright_cli_"))
+        self.folder = pathlib.Path(folder or new_folder())
         self.spec = self.folder / name
         if isinstance(spec, bytes):
             self.spec.write_bytes(spec)

@@ -13,7 +13,7 @@ import time
 import tomllib
 import unittest
 
-from cli import BIN, PAIR, SOURCE, Asked, Run, raw
+from cli import BIN, PAIR, SOURCE, Asked, Run, new_folder, raw
 
 GEAR = "[gear1]\nteeth = 20\nnormal_module_mm = 2\nface_width_mm = 10\n"
 
@@ -161,7 +161,7 @@ class Folders(unittest.TestCase):
             self.assertEqual(Run("run", PAIR, "--only", wrong).status, 2, wrong)
 
     def test_a_run_clears_up_after_its_former_run_and_nobody_else(self):
-        folder = tempfile.mkdtemp()
+        folder = str(new_folder())
         run = lambda spec, *args: self.assertEqual(Run("run", spec, "--out", folder + "/o", *args, folder=folder).status, 0)
         out = pathlib.Path(folder) / "o"
         run(PAIR)

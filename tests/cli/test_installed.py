@@ -7,6 +7,8 @@ import subprocess
 import tempfile
 import unittest
 
+from cli import new_folder
+
 BUILD = pathlib.Path(os.environ["GW_BUILD"])
 CMAKE = os.environ.get("GW_CMAKE", "cmake")
 
@@ -39,7 +41,7 @@ class Installed(unittest.TestCase):
         self.has("share/gearwright/spec.schema.json")
 
     def test_the_program_writes_a_solid_where_it_was_installed(self):
-        folder = pathlib.Path(tempfile.mkdtemp())
+        folder = new_folder()
         spec = self.has("share/doc/gearwright/examples/spur_pair.toml")
         p = subprocess.run([self.prefix / "bin/gearwright", "export", spec, "--gear", "1", "--step", folder / "a.step"],
                            capture_output=True, text=True)

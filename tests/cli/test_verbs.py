@@ -1,13 +1,11 @@
 """The verbs as a user types them: outputs, exit status, files."""
 import json
 import math
-import pathlib
 import re
 import struct
-import tempfile
 import unittest
 
-from cli import PAIR, SOURCE, Run, raw
+from cli import PAIR, SOURCE, Run, new_folder, raw
 
 
 class Verbs(unittest.TestCase):
@@ -181,7 +179,7 @@ class Verbs(unittest.TestCase):
 
     def test_verify_refuses_what_is_no_case_file(self):
         case = '{"cases": [{"id": "a", "source": "b", "expected": {"x": 1}, "spec": %s}]}'
-        where = pathlib.Path(tempfile.mkdtemp(prefix="gearwright_cli_"))
+        where = new_folder()
         for text, words in ((case % ('{"a": ' * 50_000 + "1" + "}" * 50_000), "nests more than 64 levels"),
                             (case % ("[" * 50_000 + "]" * 50_000), "nests more than 64 levels"),
                             ("{", "line 1")):

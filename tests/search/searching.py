@@ -1,16 +1,13 @@
 """Searches for the tests of this folder: specs, their runs as processes of their own, the files they leave."""
-import atexit
 import json
 import os
 import pathlib
-import shutil
 import subprocess
 import sys
-import tempfile
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "cli"))
-from cli import BIN, SOURCE, Asked, Run, raw  # noqa: E402,F401
+from cli import BIN, SOURCE, Asked, Run, new_folder, raw  # noqa: E402,F401
 
 FILES = ["best.csv", "report.html", "search.json", "search.parquet"]
 # With the bare regions of the theory; what is left of them by default has tests of its own.
@@ -36,8 +33,7 @@ def spec(keys=SMALL, after="", **changed):
 
 def folder(text=None):
     """A new folder, with text as case.toml in it; gone when the test ends."""
-    path = pathlib.Path(tempfile.mkdtemp(prefix="gearwright_search_"))
-    atexit.register(shutil.rmtree, path, ignore_errors=True)
+    path = new_folder()
     if text is not None:
         (path / "case.toml").write_text(text)
     return path
