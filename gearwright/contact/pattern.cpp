@@ -49,14 +49,23 @@ int patch_at(const std::vector<FlankPatch>& patches, double u, double z) {
 // A node of flank 1 in N, and what one position makes of it.
 struct Node {
   int patch;
-  double s, z;
+  double s, u, z;
   double azimuth;  // at rotation 0, not reduced to one turn
+};
+// Between which pieces of both profiles it is, by number.
+struct Gap {
+  double value = kInfinity;
+  int pieces = -1;
+  bool operator<(const Gap& other) const { return value < other.value; }
 };
 struct Seen {
   double u = 0.0, Z = 0.0;  // where it lies on gear 2, within its flank or beyond
-  double gap = kInfinity;   // finite within
+  Gap gap;                  // finite within
   bool near = false;
 };
+
+// Newton's steps: from a neighbour's cell two or three, from the next piece of a profile one more.
+constexpr int kMaxSteps = 8;
 
 class Rasterer {
  public:
@@ -70,9 +79,12 @@ class Rasterer {
       for (const FlankPatch& b : pair.patches(2))
         fields_.emplace_back(a, b, pair.mount(), pair.ratio(), pair.rotation_sign());
     seen_.resize(nodes_.size());
+    constexpr double kNear = 1e-3;  // of a cell
+    near_u_ = kNear * std::log(r.diameter.back() / r.diameter.front()) / size.rows;
+    near_z_ = kNear * (r.height.back() - r.height.front()) / size.columns;
     for (std::size_t which = 0; which < 2; ++which) {
       for (auto* gaps : {&now_, &last_, &before_})
-        (*gaps)[which].assign(rasters_[which].gap.size(), kInfinity);
+        (*gaps)[which].assign(rasters_[which].gap.size(), Gap{});
     }
   }
 
@@ -88,7 +100,7 @@ class Rasterer {
       now_[0][i] = seen_[i].gap;
       any = any || seen_[i].near;
     }
-    std::fill(now_[1].begin(), now_[1].end(), kInfinity);
+    std::fill(now_[1].begin(), now_[1].end(), Gap{});
     if (any) fill_second();
     for (std::size_t which = 0; which < 2; ++which) fold(which);
   }
@@ -96,7 +108,7 @@ class Rasterer {
   // No position follows, or one that does not go on from the last.
   void close() {
     for (std::size_t which = 0; which < 2; ++which) {
-      std::fill(now_[which].begin(), now_[which].end(), kInfinity);
+      std::fill(now_[which].begin(), now_[which].end(), Gap{});
       fold(which);
       fold(which);
     }
@@ -118,7 +130,7 @@ class Rasterer {
  private:
   Node node_at(double u, double z) const {
     const auto& ones = pair_.patches(1);
-    Node node{patch_at(ones, u, z), 0.0, z, 0.0};
+    Node node{patch_at(ones, u, z), 0.0, u, z, 0.0};
     if (node.patch < 0) return node;
     const FlankPatch& patch = ones[static_cast<std::size_t>(node.patch)];
     node.s = patch.profile.s_of(u);
@@ -127,15 +139,18 @@ class Rasterer {
     return node;
   }
 
-  const GapField& field(int one, int two) const {
-    const std::size_t n = pair_.patches(2).size();
-    return fields_[static_cast<std::size_t>(one) * n + static_cast<std::size_t>(two)];
+  int pieces(int one, int two) const {
+    return one * static_cast<int>(pair_.patches(2).size()) + two;
   }
 
   GapJet jet(int one, int two, double s, double z) const {
     const FlankPatch& b = pair_.patches(2)[static_cast<std::size_t>(two)];
     double s2 = 0.5 * (b.s_lo + b.s_hi);
-    return field(one, two).at(s, z, s2);
+    return fields_[static_cast<std::size_t>(pieces(one, two))].at(s, z, s2);
+  }
+
+  Gap gap_of(const GapJet& j, double t, int pieces) const {
+    return {std::max(0.0, (te_ - t) * GapField::arm(j)), pieces};
   }
 
   Seen look(const Node& node) const {
@@ -149,7 +164,7 @@ class Rasterer {
     const int two = patch_at(pair_.patches(2), j.u.v, j.Z.v);
     if (two < 0) return seen;
     if (two > 0) j = jet(node.patch, two, node.s, node.z);
-    seen.gap = std::max(0.0, (te_ - j.t.v) * GapField::arm(j));
+    seen.gap = gap_of(j, j.t.v, pieces(node.patch, two));
     return seen;
   }
 
@@ -208,45 +223,60 @@ class Rasterer {
         };
         const auto row = static_cast<std::size_t>(y);
         const auto column = static_cast<std::size_t>(x);
-        double& here = now_[1][row * r.height.size() + column];
-        here =
-            std::min(here, gap_on_2(nodes_[corner[0]].patch, between(&Node::s), between(&Node::z),
-                                    std::log(r.diameter[row] / 2), r.height[column]));
+        Gap& here = now_[1][row * r.height.size() + column];
+        here = std::min(here, gap_on_2(between(&Node::u), between(&Node::z),
+                                       std::log(r.diameter[row] / 2), r.height[column]));
       }
     }
   }
 
-  // The gap at a place of flank 2, from a guess of its point on flank 1: one Newton step there and
-  // the field's own second-order series.
-  double gap_on_2(int one, double s, double z, double u, double Z) const {
+  // The gap at the place (u, Z) of flank 2, from a guess of its point (u1, z) on flank 1: Newton's
+  // steps there, from piece to piece of it, and the field's own second-order series at their end.
+  // Infinite where they lead off flank 1, or nowhere: beside a fold of the one flank on the other.
+  Gap gap_on_2(double u1, double z, double u, double Z) const {
     const int two = patch_at(pair_.patches(2), u, Z);
-    if (two < 0) return kInfinity;
-    const GapJet j = jet(one, two, s, z);
-    const double det = j.u.s * j.Z.z - j.u.z * j.Z.s;
-    if (det == 0.0) return kInfinity;
-    const double du = u - j.u.v;
-    const double dZ = Z - j.Z.v;
-    const double ds = (du * j.Z.z - dZ * j.u.z) / det;
-    const double dz = (dZ * j.u.s - du * j.Z.s) / det;
-    const double t = j.t.v + j.t.s * ds + j.t.z * dz +
-                     0.5 * (j.t.ss * ds * ds + 2 * j.t.sz * ds * dz + j.t.zz * dz * dz);
-    return std::max(0.0, (te_ - t) * GapField::arm(j));
+    if (two < 0) return {};
+    for (int step = 0; step < kMaxSteps; ++step) {
+      const int one = patch_at(pair_.patches(1), u1, z);
+      if (one < 0) return {};
+      const Profile& profile = pair_.patches(1)[static_cast<std::size_t>(one)].profile;
+      const double s = profile.s_of(u1);
+      const GapJet j = jet(one, two, s, z);
+      const double det = j.u.s * j.Z.z - j.u.z * j.Z.s;
+      if (det == 0.0) return {};
+      const double du = u - j.u.v;
+      const double dZ = Z - j.Z.v;
+      const double ds = (du * j.Z.z - dZ * j.u.z) / det;
+      const double dz = (dZ * j.u.s - du * j.Z.s) / det;
+      const double du1 = profile.at(s).d1.real() * ds;
+      if (std::abs(du1) <= near_u_ && std::abs(dz) <= near_z_) {
+        const double t = j.t.v + j.t.s * ds + j.t.z * dz +
+                         0.5 * (j.t.ss * ds * ds + 2 * j.t.sz * ds * dz + j.t.zz * dz * dz);
+        return gap_of(j, t, pieces(one, two));
+      }
+      u1 += du1;
+      z += dz;
+    }
+    return {};
   }
 
-  // The least of three positions in a row lies between them: on the parabola through them.
+  // The least of three positions in a row lies between them, on the parabola through them, where it
+  // is the same pieces that come near: another piece's gap begins with a jump.
   void fold(std::size_t which) {
     std::vector<double>& least = rasters_[which].gap;
     for (std::size_t i = 0; i < least.size(); ++i) {
-      const double g0 = before_[which][i];
-      const double g1 = last_[which][i];
-      const double g2 = now_[which][i];
+      const Gap g0 = before_[which][i];
+      const Gap g1 = last_[which][i];
+      const Gap g2 = now_[which][i];
       before_[which][i] = g1;
       last_[which][i] = g2;
-      if (!std::isfinite(g1)) continue;
-      double lowest = g1;
-      const double bend = g0 - 2 * g1 + g2;
-      if (g1 <= g0 && g1 <= g2 && std::isfinite(bend) && bend > 0.0)
-        lowest = std::max(0.0, g1 - (g2 - g0) * (g2 - g0) / (8 * bend));
+      if (g1.pieces < 0) continue;
+      double lowest = g1.value;
+      if (g0.pieces == g1.pieces && g1.pieces == g2.pieces && !(g0 < g1) && !(g2 < g1)) {
+        const double bend = g0.value - 2 * g1.value + g2.value;
+        const double slope = g2.value - g0.value;
+        if (bend > 0.0) lowest = std::max(0.0, g1.value - slope * slope / (8 * bend));
+      }
       least[i] = std::min(least[i], lowest);
     }
   }
@@ -256,8 +286,9 @@ class Rasterer {
   std::vector<Node> nodes_;
   std::vector<GapField> fields_;
   std::vector<Seen> seen_;
-  std::array<std::vector<double>, 2> now_, last_, before_;  // gaps of three positions in a row
+  std::array<std::vector<Gap>, 2> now_, last_, before_;  // gaps of three positions in a row
   double te_ = 0.0;
+  double near_u_ = 0.0, near_z_ = 0.0;  // a step on flank 1 that the series takes
 };
 
 }  // namespace

@@ -32,7 +32,8 @@ struct RasterSize {
 /// Least gap over `positions` per pitch, on the flank of gear 1 and on that of gear 2.
 ///
 /// Accuracy  between positions the gap runs on the parabola through three of them: exact where
-///           contact passes by at an even pace; some nm at 64 positions
+///           contact passes by at an even pace; some nm at 64 positions. A gap that is least where
+///           the place comes into reach is that of the next position
 /// Domain    positions ≥ 2, a raster of 2 × 2 or more (contract)
 std::array<FlankRaster, 2> contact_pattern(const ContactPair& pair, int positions,
                                            const RasterSize& size = {}, Headway* headway = nullptr);

@@ -74,6 +74,35 @@ TEST(Pattern, heights_belong_to_their_gear) {
   }
 }
 
+// Without errors the marks of a double-arc pair are two bands along the face, on both gears: a way of
+// its points lies at one diameter. Its flank
+// lies twice on a circle about the mating gear's axis.
+TEST(Pattern, of_double_arcs_is_two_bands) {
+  const auto gear = [](int teeth, double helix_deg) {
+    CylindricalSpec s = testing::plain_spec(
+        {.teeth = teeth, .module = 4.0, .beta_deg = helix_deg, .face_width = 60.0});
+    s.rack = *gbt12759_rack(4.0);
+    return std::move(make_gear(s)).take();
+  };
+  testing::SamplePair p{{gear(18, 22), gear(50, -22)}, {}, {}};
+  p.place.center_distance = (p.gears[0].reference_diameter + p.gears[1].reference_diameter) / 2;
+  const auto rasters = contact_pattern(p.pair(), 64);
+  constexpr double kMarking = 0.006;  // mm
+  for (const FlankRaster& r : rasters) {
+    int bands = 0;
+    bool marked = false;
+    for (std::size_t row = 0; row < r.diameter.size(); ++row) {
+      const double middle = r.at(row, 32);
+      for (std::size_t k = 4; k < 61; ++k)
+        if (middle < kMarking)
+          EXPECT_NEAR(r.at(row, k), middle, 1e-4) << r.diameter[row] << " " << r.height[k];
+      bands += middle < kMarking && !marked;
+      marked = middle < kMarking;
+    }
+    EXPECT_EQ(bands, 2);
+  }
+}
+
 TEST(Pattern, gap_map_of_one_position) {
   auto p = testing::arcs();
   p.place.errors.crossing = Angle::radians(1e-4);
