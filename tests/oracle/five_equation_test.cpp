@@ -12,6 +12,7 @@
 
 #include "tests/oracle/circular_arc_cases.hpp"
 #include "tests/oracle/five_equation_fast.hpp"
+#include "tests/oracle/numbers.hpp"
 
 namespace gearwright::oracle::tca {
 namespace {
@@ -226,8 +227,7 @@ TEST(FlankSurface, NormalsPointFromGear1ToGear2) {
   const FlankPlace one = involute_surface({1, 23, 0.1L, 0, 0.013L, -1})(0.4L, 0);
   EXPECT_LT(one.r.y(), 0);  // the clockwise flank of a tooth at +x
   EXPECT_LT(one.n.y(), 0);
-  const FlankPlace two =
-      involute_surface({2, 41, 0.07L, std::numbers::pi_v<Real>, -0.008L, -1})(0.3L, 0);
+  const FlankPlace two = involute_surface({2, 41, 0.07L, kLongPi, -0.008L, -1})(0.3L, 0);
   EXPECT_GT(two.r.y(), 0);  // the clockwise flank of a tooth at −x
   EXPECT_LT(two.n.y(), 0);
 }
