@@ -10,10 +10,12 @@
 #include <limits>
 #include <random>
 
+#include "gearwright/base/testing/numbers.hpp"
+
 namespace gearwright {
 namespace {
 
-constexpr double kEps = std::numeric_limits<double>::epsilon();
+using testing::kEps;
 
 TEST(SincosTurn, QuarterTurnsAreExact) {
   for (const long long quarter : {1LL, 2LL, 3LL, 5LL, 25LL, 1'000'003LL, 1LL << 40}) {
@@ -64,9 +66,6 @@ TEST(SincosTurn, LiesOnTheUnitCircle) {
   }
 }
 
-// Not std::numbers::pi_v<long double>: that of libc++ 14 is a double's.
-constexpr long double kPi = 3.14159265358979323846264338327950288L;
-
 // Against the long double functions of 2πk/n unreduced. The reduced argument, at most π/4, carries
 // three roundings (quotient, constant, product), together below 1.5 ε relative, and the functions
 // 0.55 ε; x cot x <= 1 and x tan x <= 1 there: 2.05 ε relative. The reference's own argument, below
@@ -77,7 +76,8 @@ TEST(SincosTurn, AgreesWithTheUnreducedAngle) {
   for (int i = 0; i < 100'000; ++i) {
     const long long n = 1 + static_cast<long long>(random() % 100'000);
     const long long k = static_cast<long long>(random() % static_cast<unsigned long long>(n));
-    const long double turn = 2 * kPi * static_cast<long double>(k) / static_cast<long double>(n);
+    const long double turn =
+        2 * testing::kLongPi * static_cast<long double>(k) / static_cast<long double>(n);
     const auto [s, c] = sincos_turn(k, n);
     const double floor = std::ldexp(1.0, -61);
     const auto sin = static_cast<double>(std::sin(turn));

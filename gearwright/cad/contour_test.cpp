@@ -12,13 +12,13 @@
 namespace gearwright {
 namespace {
 
-struct Case {
+struct ContourCase {
   const char* what;
   ToothedBody body;
   std::size_t pieces_per_tooth;
 };
 
-std::vector<Case> cases() {
+std::vector<ContourCase> contour_cases() {
   return {{"spur", testing::sample_body({}), 6},
           {"chamfer", testing::sample_body({.chamfer = 0.3}), 8},
           {"pointed", testing::sample_body({.pointed = true}), 5},
@@ -39,7 +39,7 @@ Contour contour_of(const Outline& outline) {
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 TEST(Contour, PiecesAreChainedBitForBit) {  // law 1
-  for (const Case& c : cases()) {
+  for (const ContourCase& c : contour_cases()) {
     const Contour contour = contour_of(c.body.outline);
     const auto& pieces = contour.pieces;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -50,7 +50,7 @@ TEST(Contour, PiecesAreChainedBitForBit) {  // law 1
 }
 
 TEST(Contour, CountIsThatOfOneToothTimesTeeth) {  // laws 2, 3
-  for (const Case& c : cases()) {
+  for (const ContourCase& c : contour_cases()) {
     const Contour contour = contour_of(c.body.outline);
     const auto z = static_cast<std::size_t>(std::abs(c.body.outline.teeth));
     EXPECT_EQ(contour.pieces.size(), z * c.pieces_per_tooth) << c.what;
@@ -58,7 +58,7 @@ TEST(Contour, CountIsThatOfOneToothTimesTeeth) {  // laws 2, 3
 }
 
 TEST(Contour, GoesOnceRoundCounterClockwise) {
-  for (const Case& c : cases()) {
+  for (const ContourCase& c : contour_cases()) {
     double turn = 0.0;
     for (const ContourPiece& piece : contour_of(c.body.outline).pieces) {
       if (piece.land) {
@@ -73,7 +73,7 @@ TEST(Contour, GoesOnceRoundCounterClockwise) {
 }
 
 TEST(Contour, LandsAreCirclesAboutTheAxis) {
-  for (const Case& c : cases()) {
+  for (const ContourCase& c : contour_cases()) {
     for (const ContourPiece& piece : contour_of(c.body.outline).pieces) {
       if (!piece.land) continue;
       EXPECT_NEAR(piece.begin.norm(), piece.end.norm(), 1e-14 * piece.begin.norm()) << c.what;

@@ -105,7 +105,7 @@ struct Polyline {
   }
 };
 
-std::vector<ToothedBody> bodies() {
+std::vector<ToothedBody> dxf_bodies() {
   ToothedBody keyed = testing::sample_body({});
   keyed.bore = Bore{16.0, 5.0, 2.3};
   ToothedBody bored = testing::sample_body({.teeth = 31, .beta = 0.3, .chamfer = 0.2});
@@ -119,16 +119,16 @@ std::vector<ToothedBody> bodies() {
           testing::ring_body(40, 2.0, 0.0, 10.0, 100.0)};
 }
 
-Drawing drawing_of(const ToothedBody& body, const ContourOptions& options = {}) {
+Drawing dxf_drawing_of(const ToothedBody& body, const ContourOptions& options = {}) {
   const auto drawing = dxf_drawing(body, options);
   EXPECT_TRUE(static_cast<bool>(drawing)) << (drawing ? "" : drawing.error().message());
   return *drawing;
 }
 
 TEST(Dxf, AreaOfThePolylineIsThatOfTheGear) {
-  for (const ToothedBody& body : bodies()) {
+  for (const ToothedBody& body : dxf_bodies()) {
     for (const double tolerance : {1e-2, 1e-3, 1e-5}) {
-      const Drawing drawing = drawing_of(body, {.tolerance_mm = tolerance});
+      const Drawing drawing = dxf_drawing_of(body, {.tolerance_mm = tolerance});
       EXPECT_LE(drawing.deviation_mm, tolerance);
       const std::vector<Entity> entities = entities_of(drawing.text);
       ASSERT_FALSE(entities.empty());
@@ -146,7 +146,7 @@ TEST(Dxf, AreaOfThePolylineIsThatOfTheGear) {
 
 TEST(Dxf, NeighboursAreTangentWhereTheOutlineIs) {
   // A spur gear's only corners are at the tip circle: two per tooth.
-  const Polyline profile(entities_of(drawing_of(testing::sample_body({})).text)[0]);
+  const Polyline profile(entities_of(dxf_drawing_of(testing::sample_body({})).text)[0]);
   const std::size_t n = profile.points.size();
   int corners = 0;
   for (std::size_t i = 0; i < n; ++i) {
@@ -162,25 +162,26 @@ TEST(Dxf, NeighboursAreTangentWhereTheOutlineIs) {
 
 TEST(Dxf, SegmentsGrowWithTheTeeth) {  // law 2
   const auto segments = [](int teeth, ContourOptions::Style style) {
-    return drawing_of(testing::plain_body(teeth, 20.0, 0.6 * kPi / teeth, 24.0, 0.3 * kPi / teeth),
-                      {.style = style})
+    return dxf_drawing_of(
+               testing::plain_body(teeth, 20.0, 0.6 * kPi / teeth, 24.0, 0.3 * kPi / teeth),
+               {.style = style})
         .segments;
   };
   for (const auto style : {ContourOptions::Style::biarcs, ContourOptions::Style::splines}) {
     EXPECT_EQ(segments(30, style), 3 * segments(10, style));
     EXPECT_EQ(segments(1, style), 4);
   }
-  EXPECT_EQ(drawing_of(testing::sample_body({})).segments, 20 * (2 * (6 + 6) + 2));
+  EXPECT_EQ(dxf_drawing_of(testing::sample_body({})).segments, 20 * (2 * (6 + 6) + 2));
 }
 
 TEST(Dxf, SeveralBodiesStandAtTheirPoses) {
-  const ToothedBody first = bodies()[0];
+  const ToothedBody first = dxf_bodies()[0];
   ToothedBody second = first;
   second.pose.linear() = Eigen::AngleAxisd(kPi / 2, Vec3::UnitZ()).toRotationMatrix();
   second.pose.translation() = Vec3(100.0, 5.0, 0.0);
   const auto both = dxf_drawing(std::vector<ToothedBody>{first, second});
   ASSERT_TRUE(both);
-  EXPECT_EQ(both->segments, 2 * drawing_of(first).segments);
+  EXPECT_EQ(both->segments, 2 * dxf_drawing_of(first).segments);
   std::vector<Entity> profiles;
   for (Entity& e : entities_of(both->text)) {
     if (e.layer == "PROFILE") profiles.push_back(std::move(e));
@@ -199,14 +200,14 @@ TEST(Dxf, SeveralBodiesStandAtTheirPoses) {
 
 TEST(Dxf, SameBodySameBytes) {  // law 1
   for (const auto style : {ContourOptions::Style::biarcs, ContourOptions::Style::splines}) {
-    EXPECT_EQ(drawing_of(bodies()[1], {.style = style}).text,
-              drawing_of(bodies()[1], {.style = style}).text);
+    EXPECT_EQ(dxf_drawing_of(dxf_bodies()[1], {.style = style}).text,
+              dxf_drawing_of(dxf_bodies()[1], {.style = style}).text);
   }
 }
 
 TEST(Dxf, SplinesShareTheirEndsAsText) {
-  for (const ToothedBody& body : bodies()) {
-    const Drawing drawing = drawing_of(body, {.style = ContourOptions::Style::splines});
+  for (const ToothedBody& body : dxf_bodies()) {
+    const Drawing drawing = dxf_drawing_of(body, {.style = ContourOptions::Style::splines});
     EXPECT_LE(drawing.deviation_mm, 1e-6);
     std::vector<Entity> profile;
     for (Entity& e : entities_of(drawing.text)) {
@@ -251,8 +252,8 @@ TEST(Dxf, SplinesShareTheirEndsAsText) {
 }
 
 TEST(Dxf, BoreAndKeyway) {
-  for (const ToothedBody& body : bodies()) {
-    const std::vector<Entity> entities = entities_of(drawing_of(body).text);
+  for (const ToothedBody& body : dxf_bodies()) {
+    const std::vector<Entity> entities = entities_of(dxf_drawing_of(body).text);
     ASSERT_EQ(entities.size(), body.bore ? 2U : 1U);
     if (!body.bore) continue;
     EXPECT_EQ(entities[1].layer, "BORE");
@@ -272,7 +273,8 @@ TEST(Dxf, BoreAndKeyway) {
 
 TEST(Dxf, EveryHandleIsUsedOnceAndTheSeedIsAboveThem) {
   for (const auto style : {ContourOptions::Style::biarcs, ContourOptions::Style::splines}) {
-    const std::vector<Pair> pairs = pairs_of(drawing_of(bodies()[0], {.style = style}).text);
+    const std::vector<Pair> pairs =
+        pairs_of(dxf_drawing_of(dxf_bodies()[0], {.style = style}).text);
     std::set<unsigned long> handles;
     std::set<unsigned long> wanted;
     unsigned long seed = 0;

@@ -71,13 +71,13 @@ Topology topology(const TriangleMesh& mesh) {
   return result;
 }
 
-struct Case {
+struct MeshCase {
   std::string name;
   ToothedBody body;
 };
 
-std::vector<Case> cases() {
-  std::vector<Case> all;
+std::vector<MeshCase> mesh_cases() {
+  std::vector<MeshCase> all;
   all.push_back({"spur 20", sample_body({})});
   all.push_back({"helical right", sample_body({.teeth = 24, .beta = 0.3})});
   all.push_back({"helical left", sample_body({.teeth = 24, .beta = -0.5, .face_width = 60})});
@@ -102,7 +102,7 @@ std::vector<Case> cases() {
   const std::size_t solid = all.size();
   for (std::size_t i = 0; i < solid; ++i) {
     if (all[i].body.outline.teeth < 0) continue;
-    Case bored = all[i];
+    MeshCase bored = all[i];
     const double root = bored.body.outline.arcs.front().begin_point.norm();
     bored.name += " bore";
     bored.body.bore = Bore{1.3 * root};
@@ -134,7 +134,7 @@ double perimeter(const Outline& outline) {
 }
 
 TEST(Mesh, IsAClosedOrientedManifoldOfOnePart) {
-  for (const auto& [name, body] : cases()) {
+  for (const auto& [name, body] : mesh_cases()) {
     const TriangleMesh mesh = mesh_of(body);
     const Topology found = topology(mesh);
     EXPECT_TRUE(found.closed) << name;
@@ -145,7 +145,7 @@ TEST(Mesh, IsAClosedOrientedManifoldOfOnePart) {
 }
 
 TEST(Mesh, EnclosesSectionAreaTimesFaceWidth) {
-  for (const auto& [name, body] : cases()) {
+  for (const auto& [name, body] : mesh_cases()) {
     for (const double tolerance : {0.02, 0.005, 0.0005}) {
       const double exact = metal_area(body) * body.face_width;
       double walls = perimeter(body.outline);
@@ -221,7 +221,7 @@ double wall_deviation(const ToothedBody& body, const TriangleMesh& mesh) {
 }
 
 TEST(Mesh, StaysWithinTheChordToleranceAndUsesIt) {
-  for (const auto& [name, body] : cases()) {
+  for (const auto& [name, body] : mesh_cases()) {
     if (name.find("bore") != std::string::npos) continue;  // the same walls again
     const double tolerance = body.twist == 0.0 ? 0.005 : 0.02;
     const double deviation = wall_deviation(body, mesh_of(body, tolerance));
@@ -318,7 +318,7 @@ TEST(Mesh, MirroredHandMirrorsTheMesh) {
 }
 
 TEST(Mesh, ShadedTwinHasTheExactNormals) {
-  for (const auto& [name, body] : cases()) {
+  for (const auto& [name, body] : mesh_cases()) {
     const TriangleMesh mesh = mesh_of(body);
     ASSERT_EQ(mesh.triangles.size(), mesh.shaded_triangles.size()) << name;
     ASSERT_EQ(mesh.normals.size(), mesh.shaded_vertices.size()) << name;

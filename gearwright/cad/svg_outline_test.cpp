@@ -74,7 +74,7 @@ std::vector<Subpath> subpaths_of(const std::string& text) {
   return paths;
 }
 
-std::vector<ToothedBody> bodies() {
+std::vector<ToothedBody> svg_bodies() {
   ToothedBody keyed = testing::sample_body({});
   keyed.bore = Bore{16.0, 5.0, 2.3};
   ToothedBody bored = testing::sample_body({.teeth = 31, .beta = 0.3, .chamfer = 0.2});
@@ -88,16 +88,16 @@ std::vector<ToothedBody> bodies() {
           testing::ring_body(40, 2.0, 0.0, 10.0, 100.0)};
 }
 
-Drawing drawing_of(const ToothedBody& body, const SvgOptions& options = {}) {
+Drawing svg_drawing_of(const ToothedBody& body, const SvgOptions& options = {}) {
   const auto drawing = svg_drawing(body, options);
   EXPECT_TRUE(static_cast<bool>(drawing)) << (drawing ? "" : drawing.error().message());
   return *drawing;
 }
 
 TEST(Svg, AreaIsThatOfTheGear) {
-  for (const ToothedBody& body : bodies()) {
+  for (const ToothedBody& body : svg_bodies()) {
     for (const double tolerance : {1e-3, 1e-4, 1e-6}) {
-      const Drawing drawing = drawing_of(body, {.tolerance_mm = tolerance});
+      const Drawing drawing = svg_drawing_of(body, {.tolerance_mm = tolerance});
       EXPECT_LE(drawing.deviation_mm, tolerance);
       const std::vector<Subpath> paths = subpaths_of(drawing.text);
       ASSERT_EQ(paths.size(), body.bore ? 2U : 1U);
@@ -119,16 +119,16 @@ TEST(Svg, AreaIsThatOfTheGear) {
 }
 
 TEST(Svg, LandsAreArcs) {
-  const std::vector<Subpath> spur = subpaths_of(drawing_of(testing::sample_body({})).text);
+  const std::vector<Subpath> spur = subpaths_of(svg_drawing_of(testing::sample_body({})).text);
   EXPECT_EQ(spur[0].arcs, 2 * 20);
   EXPECT_EQ(spur[0].cubics, 2 * 20 * (5 + 5));
   const std::vector<Subpath> sharp = subpaths_of(
-      drawing_of(testing::sample_body({.pointed = true, .full_radius_root = true})).text);
+      svg_drawing_of(testing::sample_body({.pointed = true, .full_radius_root = true})).text);
   EXPECT_EQ(sharp[0].arcs, 0);
 }
 
 TEST(Svg, SizeIsInMillimetres) {
-  const Drawing drawing = drawing_of(testing::sample_body({}));  // d_a = 44
+  const Drawing drawing = svg_drawing_of(testing::sample_body({}));  // d_a = 44
   EXPECT_EQ(attribute(drawing.text, "width"), "46.200000mm");
   EXPECT_EQ(attribute(drawing.text, "height"), "46.200000mm");
   EXPECT_EQ(attribute(drawing.text, "viewBox"), "-23.100000 -23.100000 46.200000 46.200000");
@@ -138,7 +138,7 @@ TEST(Svg, SizeIsInMillimetres) {
 TEST(Svg, NameIsText) {
   ToothedBody body = testing::sample_body({});
   body.name = "a < b & c";
-  EXPECT_NE(drawing_of(body).text.find("<title>a &lt; b &amp; c</title>"), std::string::npos);
+  EXPECT_NE(svg_drawing_of(body).text.find("<title>a &lt; b &amp; c</title>"), std::string::npos);
 }
 
 TEST(Svg, RefusesWhatIsNoGear) {

@@ -5,13 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
-#include <numbers>
+
+#include "gearwright/base/testing/numbers.hpp"
 
 namespace gearwright {
 namespace {
 
-constexpr double kEps = std::numeric_limits<double>::epsilon();
+using testing::kEps;
 
 // Tangent angle and curvature from points alone: central differences of step h err by h² W‴/6 and
 // by 2 ε |W|/h²; both are below 1e-6 for the curves here.

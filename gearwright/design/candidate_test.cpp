@@ -10,26 +10,20 @@
 #include <string>
 
 #include "gearwright/base/numbers.hpp"
+#include "gearwright/design/testing/search_modes.hpp"
 #include "gearwright/design/testing/search_reference.hpp"
 
 namespace gearwright {
 namespace {
 
 using testing::search::graph;
+using testing::search::kModes;
+using testing::search::Mode;
 using testing::search::Random;
 using testing::search::trial;
 using Batch = CandidateBatch;
 
 constexpr double kLanes = 1e-12;  // law (1), of 1 + |value|
-
-struct Mode {
-  const char* name;
-  bool ring, tight;
-};
-constexpr std::array<Mode, 4> kModes{{{"external", false, false},
-                                      {"ring", true, false},
-                                      {"tight", false, true},
-                                      {"tight_ring", true, true}}};
 
 class CandidateOfMode : public ::testing::TestWithParam<Mode> {};
 INSTANTIATE_TEST_SUITE_P(Modes, CandidateOfMode, ::testing::ValuesIn(kModes),
@@ -43,7 +37,7 @@ SearchProblem problem_of(const Mode& mode) {
   return p;
 }
 
-CandidateConstants constants_of(const SearchProblem& p) {
+CandidateConstants candidate_constants_of(const SearchProblem& p) {
   const SearchRacks& r = p.racks[0];
   return {std::tan(p.normal_pressure_angle.rad()),
           {r.rack[0].addendum, r.rack[1].addendum},
@@ -74,7 +68,7 @@ double compared(int column, double v) {
 TEST_P(CandidateOfMode, LanesAgreeWithTheScalarInstance) {  // (1)
   const Mode mode = GetParam();
   Random random(31);
-  const CandidateConstants c = constants_of(problem_of(mode));
+  const CandidateConstants c = candidate_constants_of(problem_of(mode));
   Batch lanes;
   lanes.resize(250'000);
   fill(random, mode, 0, lanes.size(), lanes);
@@ -107,7 +101,7 @@ TEST_P(CandidateOfMode, LanesAgreeWithTheScalarInstance) {  // (1)
 TEST_P(CandidateOfMode, PartialVectorsAreWhole) {
   const Mode mode = GetParam();
   Random random(32);
-  const CandidateConstants c = constants_of(problem_of(mode));
+  const CandidateConstants c = candidate_constants_of(problem_of(mode));
   Batch all;
   all.resize(17);
   fill(random, mode, 0, 17, all);
@@ -138,7 +132,7 @@ TEST_P(CandidateOfMode, NumbersAreThoseOfTheRow) {
   constexpr double kRow = 1e-11;
   Random random(33);
   const SearchProblem given = problem_of(mode);
-  const CandidateConstants c = constants_of(given);
+  const CandidateConstants c = candidate_constants_of(given);
   Batch b;
   b.resize(10'000);
   fill(random, mode, 0, b.size(), b);
@@ -198,7 +192,7 @@ TEST(Candidate, WhatDoesNotExistIsNotANumber) {
                                {40, 40, 0.0, -1.3, -1.3}};  // below the sum of the base radii
   for (std::size_t k = 0; k < 5; ++k)
     for (std::size_t i = 0; i < 2; ++i) b.in[k][i] = values[i][k];
-  evaluate(constants_of(SearchProblem{}), b);
+  evaluate(candidate_constants_of(SearchProblem{}), b);
   EXPECT_TRUE(std::isnan(b.out[Batch::tip_1][0]));
   EXPECT_TRUE(std::isnan(b.out[Batch::contact_ratio][0]));
   EXPECT_TRUE(std::isnan(b.out[Batch::tan_working][1]));

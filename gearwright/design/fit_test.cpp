@@ -4,14 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
+
+#include "gearwright/base/testing/numbers.hpp"
 
 namespace gearwright {
 namespace {
 
 using namespace literals;
 
-constexpr double kDegree = std::numbers::pi / 180;
+using testing::kDegree;
 
 FitProblem problem(int z1, int z2) {
   FitProblem p;

@@ -11,28 +11,20 @@
 #include <vector>
 
 #include "gearwright/design/search.hpp"
+#include "gearwright/design/testing/found_designs.hpp"
 #include "gearwright/design/testing/search_reference.hpp"
 
 namespace gearwright {
 namespace {
 
+using testing::search::Design;
+using testing::search::design_of;
+using testing::search::Found;
 using testing::search::helical_search;
 using testing::search::problem_of_search;
 using testing::search::Random;
 using testing::search::reference;
-
-struct Found {
-  SearchCounts counts;
-  std::vector<DesignRow> rows;
-};
-Found whole(const Search& search) {
-  Found f;
-  f.counts = search.range(0, *search.space().size(), f.rows);
-  return f;
-}
-
-using Design = std::tuple<double, int, int>;
-Design design_of(const DesignRow& row) { return {row.trial.module, row.trial.z1, row.trial.z2}; }
+using testing::search::whole;
 
 TEST(SearchRank, TheFewBestAreTheHeadOfTheList) {  // (1)
   SearchProblem p = helical_search();

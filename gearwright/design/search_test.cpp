@@ -18,36 +18,28 @@
 #include <vector>
 
 #include "gearwright/base/testing/source_file.hpp"
+#include "gearwright/design/testing/found_designs.hpp"
 #include "gearwright/design/testing/search_reference.hpp"
 
 namespace gearwright {
 namespace {
 
 using nlohmann::json;
+using testing::search::Design;
+using testing::search::design_of;
+using testing::search::Found;
 using testing::search::number;
 using testing::search::problem_of_search;
 using testing::search::reference;
+using testing::search::whole;
 
-constexpr double kPrinted = 1e-11;  // the source's own doubles: areas of some 1 modules²
+constexpr double kPrintedDouble = 1e-11;  // the source's own doubles: areas of some 1 modules²
 
 const json& bests() {
   static const json file =
       json::parse(std::ifstream(testing::source_file("tests/oracle/spur_search_bests.json")));
   return file;
 }
-
-struct Found {
-  SearchCounts counts;
-  std::vector<DesignRow> rows;
-};
-Found whole(const Search& search) {
-  Found f;
-  f.counts = search.range(0, *search.space().size(), f.rows);
-  return f;
-}
-
-using Design = std::tuple<double, int, int>;
-Design design_of(const DesignRow& row) { return {row.trial.module, row.trial.z1, row.trial.z2}; }
 
 // All numbers of a row that a file may hold, to the bit.
 std::vector<double> bits_of(const DesignRow& r) {
@@ -113,9 +105,9 @@ TEST(Search, RegionsOfTheReference) {
       const auto row = std::find_if(f.rows.begin(), f.rows.end(),
                                     [&](const DesignRow& r) { return design_of(r) == design; });
       ASSERT_NE(row, f.rows.end()) << d.dump();
-      EXPECT_NEAR(row->area, number(d.at("area")), kPrinted) << d.dump();
-      EXPECT_NEAR(row->sums[0], number(d.at("S_lo")), kPrinted) << d.dump();
-      EXPECT_NEAR(row->sums[1], number(d.at("S_hi")), kPrinted) << d.dump();
+      EXPECT_NEAR(row->area, number(d.at("area")), kPrintedDouble) << d.dump();
+      EXPECT_NEAR(row->sums[0], number(d.at("S_lo")), kPrintedDouble) << d.dump();
+      EXPECT_NEAR(row->sums[1], number(d.at("S_hi")), kPrintedDouble) << d.dump();
       ++regions;
     }
   }
@@ -149,11 +141,11 @@ TEST(Search, BestFiveOfTheReference) {
           return design_of(r) == Design{number(e.at("m")), e.at("z1"), e.at("z2")};
         });
         ASSERT_NE(row, f.rows.end());
-        EXPECT_NEAR(row->shift[0], number(e.at("s1")), kPrinted) << e.dump();
-        EXPECT_NEAR(row->shift[1], number(e.at("s2")), kPrinted) << e.dump();
-        EXPECT_NEAR(row->contact_ratio, number(e.at("eps")), kPrinted) << e.dump();
-        EXPECT_NEAR(row->center_distance, number(e.at("C")), kPrinted) << e.dump();
-        EXPECT_NEAR(row->area, number(e.at("area")), kPrinted) << e.dump();
+        EXPECT_NEAR(row->shift[0], number(e.at("s1")), kPrintedDouble) << e.dump();
+        EXPECT_NEAR(row->shift[1], number(e.at("s2")), kPrintedDouble) << e.dump();
+        EXPECT_NEAR(row->contact_ratio, number(e.at("eps")), kPrintedDouble) << e.dump();
+        EXPECT_NEAR(row->center_distance, number(e.at("C")), kPrintedDouble) << e.dump();
+        EXPECT_NEAR(row->area, number(e.at("area")), kPrintedDouble) << e.dump();
         const auto worth = cost(p, *row, p.objectives[0]);
         const auto ours = cost(p, answer.designs[k], p.objectives[0]);
         ASSERT_TRUE(worth && ours);

@@ -9,20 +9,21 @@
 #include <string>
 
 #include "gearwright/base/testing/source_file.hpp"
+#include "gearwright/design/testing/search_reference.hpp"
 #include "gearwright/design/trial_gear.hpp"
 
 namespace gearwright {
 namespace {
 
+using testing::search::number;
+
 constexpr double kAccuracy = 1e-12;  // that of the header, modules
 
-const nlohmann::json& reference() {
+const nlohmann::json& charts() {
   static const nlohmann::json file =
       nlohmann::json::parse(std::ifstream(testing::source_file("tests/oracle/shift_charts.json")));
   return file;
 }
-
-double number(const nlohmann::json& text) { return std::stod(text.get<std::string>()); }
 
 SearchProblem spur(double edge_depth = 1.0) {
   SearchProblem problem;
@@ -35,8 +36,8 @@ TEST(ShiftCharts, LimitsAreThoseOfTheReference) {
   const auto chart = shift_limit_chart(spur(), 0, Angle(), 0, 7, 100);
   const auto sharp = shift_limit_chart(spur(1.25), 0, Angle(), 0, 7, 100);
   ASSERT_EQ(chart.size(), 94u);
-  EXPECT_EQ(reference()["limits"].size(), 33u);
-  for (const auto& row : reference()["limits"]) {
+  EXPECT_EQ(charts()["limits"].size(), 33u);
+  for (const auto& row : charts()["limits"]) {
     const auto i = row["z"].get<std::size_t>() - 7;
     EXPECT_EQ(chart[i].teeth, row["z"].get<int>());
     EXPECT_NEAR(chart[i].undercut, number(row["undercut_1"]), kAccuracy);
@@ -65,7 +66,7 @@ TEST(ShiftCharts, TheProblemsOwnLimitsAreThoseOfItsTrials) {
 TEST(ShiftCharts, LimitsMeetWhereTheReferenceHasThem) {
   const auto chart = shift_limit_chart(spur(), 0, Angle(), 0, 7, 40);
   for (std::size_t tip = 0; tip < kChartTips.size(); ++tip) {
-    const double exact = number(reference()["teeth_where_limits_meet"][tip]);
+    const double exact = number(charts()["teeth_where_limits_meet"][tip]);
     const auto meet = where_limits_meet(chart, tip);
     ASSERT_TRUE(meet);
     EXPECT_NEAR(meet->teeth, exact, 0.01);
@@ -80,7 +81,7 @@ TEST(ShiftCharts, LimitsMeetWhereTheReferenceHasThem) {
 TEST(ShiftCharts, ContactRatiosOfIdenticalGears) {
   int numbers = 0;
   int none = 0;
-  for (const auto& row : reference()["identical_gears"]) {
+  for (const auto& row : charts()["identical_gears"]) {
     SearchProblem problem = spur();
     if (!row["floor"].is_null()) problem.limits.min_shift = row["floor"].get<double>();
     problem.limits.tip_thickness = row["tip_thickness"].get<double>();

@@ -24,14 +24,13 @@ using testing::search::expect_area_of_a_grid;
 using testing::search::graph;
 using testing::search::Kind;
 using testing::search::kKinds;
+using testing::search::kPrinted;
 using testing::search::margin_by_numbers;
 using testing::search::number;
 using testing::search::Random;
 using testing::search::random_trial;
 using testing::search::signed_area;
 using testing::search::trial;
-
-constexpr double kPrinted = 1e-12;  // modules, modules²; the reference prints 25 digits
 
 Vec2 point(const json& p) { return {number(p[0]), number(p[1])}; }
 

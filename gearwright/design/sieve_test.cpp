@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "gearwright/design/candidate.hpp"
+#include "gearwright/design/testing/search_modes.hpp"
 #include "gearwright/design/testing/search_reference.hpp"
 #include "gearwright/math/involute.hpp"
 
@@ -17,17 +18,10 @@ namespace gearwright {
 namespace {
 
 using testing::search::graph;
+using testing::search::kModes;
+using testing::search::Mode;
 using testing::search::Random;
 using testing::search::trial;
-
-struct Mode {
-  const char* name;
-  bool ring, tight;
-};
-constexpr std::array<Mode, 4> kModes{{{"external", false, false},
-                                      {"ring", true, false},
-                                      {"tight", false, true},
-                                      {"tight_ring", true, true}}};
 
 class SieveOfMode : public ::testing::TestWithParam<Mode> {};
 INSTANTIATE_TEST_SUITE_P(Modes, SieveOfMode, ::testing::ValuesIn(kModes),
@@ -41,7 +35,7 @@ struct SieveCase {
   SieveBatch batch;
 };
 
-SieveConstants constants_of(const SearchProblem& p) {
+SieveConstants sieve_constants_of(const SearchProblem& p) {
   const double cos_beta = std::cos(p.helix[0].rad());
   const double alpha_t = std::atan(std::tan(p.normal_pressure_angle.rad()) / cos_beta);
   SieveConstants c;
@@ -85,7 +79,7 @@ SieveCase sieve_case(Random& random, const Mode& mode, std::size_t n) {
   const double least = R + random.uniform(-0.08 * R, 1.5);
   const bool exact = random.chance(0.2);
   p.center_distance = {{least, exact ? least : least + random.uniform(0.0, 0.6)}};
-  s.constants = constants_of(p);
+  s.constants = sieve_constants_of(p);
   s.batch.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     const int dz = random.whole(0, 6);
@@ -198,7 +192,7 @@ TEST(Sieve, VerdictsOfAnyRectangleAreThoseOfTheGraph) {
         gears[0].r,     gears[0].x_min, gears[0].x_max,          gears[1].r,
         gears[1].x_min, gears[1].x_max, (*p.center_distance)[0], (*p.center_distance)[1]};
     for (std::size_t k = 0; k < SieveBatch::kIn; ++k) batch.in[k][0] = values[k];
-    sieve(constants_of(p), batch);
+    sieve(sieve_constants_of(p), batch);
     const double verdict = batch.verdict[0];
     ++seen[static_cast<std::size_t>(verdict)];
     if (verdict == kSieveAsk) continue;
@@ -216,7 +210,7 @@ TEST(Sieve, NoWorkingAngleIsNoContact) {
   SieveCase s;
   s.problem.ratio = {1.0, 1.0};
   s.problem.center_distance = {{55.0, 55.5}};
-  s.constants = constants_of(s.problem);
+  s.constants = sieve_constants_of(s.problem);
   s.batch.resize(1);
   put(s, 0, trial(s.problem, 60, 60));
   sieve(s.constants, s.batch);
@@ -237,7 +231,7 @@ TEST(Sieve, BandsAboutTheBaseRadiiHaveOneVerdict) {
   const double last = involute(alpha) * 9.0 / (2.0 * std::tan(alpha));
   p.limits.min_shift = last / 2.0 + 0.001;
   p.limits.max_shift = 0.5;
-  s.constants = constants_of(p);
+  s.constants = sieve_constants_of(p);
   s.batch.resize(1);
   put(s, 0, trial(p, 61, -70));
   sieve(s.constants, s.batch);

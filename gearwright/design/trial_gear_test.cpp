@@ -18,11 +18,10 @@
 namespace gearwright {
 namespace {
 
+using testing::search::kPrinted;
 using testing::search::number;
 using testing::search::Random;
 using testing::search::reference;
-
-constexpr double kPrinted = 1e-12;  // modules; the reference prints 25 digits
 
 SearchProblem problem_with(double tip_thickness, double edge_depth = 1.0) {
   SearchProblem p;

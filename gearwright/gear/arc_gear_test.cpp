@@ -1,7 +1,7 @@
 // Gears with circular-arc teeth from their specs: what they have, what they do not, flags and
 // refusals.
 #include "gearwright/gear/arc_gear.hpp"
-#include "gearwright/base/testing/taken.hpp"
+#include "gearwright/gear/testing/made.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/gear/testing/warns.hpp"
 
@@ -15,6 +15,7 @@
 namespace gearwright {
 namespace {
 
+using testing::made;
 using testing::warns;
 
 using Cutter = ArcRack::Cutter;
@@ -35,8 +36,6 @@ CylindricalSpec double_spec(int teeth) {
   s.rack = DoubleArcRack{};
   return s;
 }
-
-Gear made(const CylindricalSpec& s) { return testing::taken(make_gear(s)); }
 
 std::vector<ArcName> names(const Gear& gear) {
   std::vector<ArcName> list;

@@ -4,15 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "gearwright/base/testing/numbers.hpp"
 #include "gearwright/gear/basic_root.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 
 namespace gearwright {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
+using testing::kDegree;
 
 ReferenceInput<double> gear(int teeth, double beta_deg, double x) {
   return {teeth, 2.5, 20 * kDegree, beta_deg * kDegree, x, 0.0};

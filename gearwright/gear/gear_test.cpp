@@ -1,6 +1,5 @@
 // A gear from its spec: defaults, flags with their warnings, and errors that name their key.
 #include "gearwright/gear/gear.hpp"
-#include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/gear/testing/warns.hpp"
 
@@ -13,10 +12,12 @@
 #include <string>
 
 #include "gearwright/base/numbers.hpp"
+#include "gearwright/gear/testing/made.hpp"
 
 namespace gearwright {
 namespace {
 
+using testing::made;
 using testing::warns;
 
 using namespace literals;
@@ -28,8 +29,6 @@ CylindricalSpec spec(int teeth) {
   s.rack = *iso53_rack("ISO53-A");
   return s;
 }
-
-Gear made(const CylindricalSpec& s) { return testing::taken(make_gear(s)); }
 
 TEST(MakeGear, defaults_from_the_rack) {
   CylindricalSpec s = spec(30);

@@ -5,15 +5,15 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "gearwright/base/testing/numbers.hpp"
 #include "gearwright/gear/reference.hpp"
 
 namespace gearwright {
 namespace {
 
-constexpr double kEps = std::numeric_limits<double>::epsilon();
-constexpr double kDegree = std::numbers::pi / 180;
+using testing::kDegree;
+using testing::kEps;
 
 // tan β_b from sin β, as lanes have it, and as the angle of the reference geometry.
 TEST(LeafFormulas, base_helix_without_an_angle) {

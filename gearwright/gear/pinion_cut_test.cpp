@@ -13,6 +13,7 @@
 #include "gearwright/base/testing/named_limit.hpp"
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/ring_cutter.hpp"
+#include "gearwright/gear/testing/made.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/math/involute.hpp"
 
@@ -20,6 +21,7 @@ namespace gearwright {
 namespace {
 
 using namespace literals;
+using testing::made;
 
 CylindricalSpec cutter_spec(int teeth, double x, Angle beta = 0_deg) {
   CylindricalSpec s =
@@ -39,8 +41,6 @@ CylindricalSpec two_teeth() {
   s.tip_fillet = TipFilletSpec{TipFilletSpec::By::radius, 0.332};
   return s;
 }
-
-Gear made(const CylindricalSpec& s) { return testing::taken(make_gear(s)); }
 
 Gear cut(const Gear& cutter, const PinionCutSpec& s) {
   return testing::taken(make_pinion_cut_gear(cutter, s));

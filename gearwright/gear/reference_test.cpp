@@ -4,15 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "gearwright/base/numbers.hpp"
+#include "gearwright/base/testing/numbers.hpp"
 
 namespace gearwright {
 namespace {
 
-constexpr double kDegree = kPi / 180;
-constexpr double kEps = std::numeric_limits<double>::epsilon();
+using testing::kDegree;
+using testing::kEps;
 
 ReferenceInput<double> helical() { return {17, 2.5, 20 * kDegree, 15 * kDegree, 0.3, 0.0}; }
 

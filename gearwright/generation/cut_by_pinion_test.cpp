@@ -13,6 +13,7 @@
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/testing/taken.hpp"
+#include "gearwright/generation/testing/joined_outline.hpp"
 #include "gearwright/math/involute.hpp"
 #include "gearwright/tool/straight_rack.hpp"
 
@@ -20,6 +21,8 @@ namespace gearwright {
 namespace {
 
 using namespace literals;
+using testing::expect_joined;
+using testing::names;
 using enum ArcName;
 
 constexpr double kAlpha = kPi / 9;
@@ -73,23 +76,6 @@ const Involute& flank_of(const GeneratedTooth& tooth) {
   return curve_as<Involute>(*arc->curve);
 }
 
-std::vector<ArcName> names(const GeneratedTooth& tooth) {
-  std::vector<ArcName> all;
-  for (const Arc& arc : tooth.outline.arcs) all.push_back(arc.name);
-  return all;
-}
-
-void expect_joined(const GeneratedTooth& tooth) {
-  const auto& arcs = tooth.outline.arcs;
-  ASSERT_FALSE(arcs.empty());
-  for (std::size_t i = 0; i + 1 < arcs.size(); ++i)
-    EXPECT_EQ(arcs[i].end_point, arcs[i + 1].begin_point);
-  for (const Arc& arc : arcs) {
-    EXPECT_LE((arc.curve->point(arc.begin) - arc.begin_point).norm(), 1e-12 * tooth.root_radius);
-    EXPECT_LE((arc.curve->point(arc.end) - arc.end_point).norm(), 1e-12 * tooth.root_radius);
-  }
-}
-
 struct Set {
   int z_0;
   double x_0;
@@ -106,7 +92,7 @@ TEST(CutByPinion, gear_and_cutter_mesh_without_backlash) {
   for (const auto& [z_0, x_0, z, x] : sets()) {
     const double e = tight_distance(z_0, x_0, z, x);
     const GeneratedTooth tooth = cut(cutter_of(z_0, x_0), {z_0, z, e});
-    expect_joined(tooth);
+    expect_joined(tooth, tooth.root_radius);
     EXPECT_NEAR(flank_of(tooth).base_radius(), std::abs(z) / 2.0 * std::cos(kAlpha), 1e-13);
     EXPECT_NEAR(flank_of(tooth).base_half_angle(), base_half_angle(z, x), 1e-14) << z_0 << ":" << z;
   }
@@ -258,7 +244,7 @@ TEST(CutByPinion, corner_of_an_undercut_cutter) {
   const Vec2 corner = cutter_flank->begin_point;
   const PinionMotion motion{8, 30, 19.0};
   const GeneratedTooth tooth = cut(cutter, motion);
-  expect_joined(tooth);
+  expect_joined(tooth, tooth.root_radius);
   int fans = 0;
   for (const Arc& arc : tooth.outline.arcs) {
     if (arc.name != tip_fillet) continue;
@@ -290,7 +276,7 @@ TEST(CutByPinion, pointed_cutter) {
   for (const int z : {30, -40}) {
     const double e = tight_distance(10, 0.9, z, 0.0);
     const GeneratedTooth tooth = cut(cutter, {10, z, e});
-    expect_joined(tooth);
+    expect_joined(tooth, tooth.root_radius);
     EXPECT_EQ(tooth.outline.arcs.front().name, root_fillet) << z;
     EXPECT_EQ(tooth.root_radius, e - (z > 0 ? 1 : -1) * cutter.tip_radius);
     EXPECT_NEAR(tooth.outline.arcs.front().begin_point.norm(), tooth.root_radius, 1e-12);

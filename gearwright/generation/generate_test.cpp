@@ -9,12 +9,15 @@
 #include <vector>
 
 #include "gearwright/base/numbers.hpp"
+#include "gearwright/generation/testing/joined_outline.hpp"
 #include "gearwright/tool/straight_rack.hpp"
 
 namespace gearwright {
 namespace {
 
 using namespace literals;
+using testing::expect_joined;
+using testing::names;
 
 struct Cut {
   int teeth = 20;
@@ -37,31 +40,12 @@ GeneratedTooth tooth_of(const Cut& cut) {
   return std::move(tooth).take();
 }
 
-std::vector<ArcName> names(const GeneratedTooth& tooth) {
-  std::vector<ArcName> all;
-  for (const Arc& arc : tooth.outline.arcs) all.push_back(arc.name);
-  return all;
-}
-
-// Arcs joined to the last bit, and at points of their own curves.
-void expect_joined(const GeneratedTooth& tooth) {
-  const auto& arcs = tooth.outline.arcs;
-  ASSERT_FALSE(arcs.empty());
-  for (std::size_t i = 0; i + 1 < arcs.size(); ++i) {
-    EXPECT_EQ(arcs[i].end_point, arcs[i + 1].begin_point);
-  }
-  for (const Arc& arc : arcs) {
-    EXPECT_LE((arc.curve->point(arc.begin) - arc.begin_point).norm(), 1e-12 * tooth.tip_radius);
-    EXPECT_LE((arc.curve->point(arc.end) - arc.end_point).norm(), 1e-12 * tooth.tip_radius);
-  }
-}
-
 using enum ArcName;
 
 TEST(CutByRack, plain_tooth) {
   const GeneratedTooth tooth = tooth_of({.teeth = 30});
   EXPECT_EQ(names(tooth), (std::vector{root_land, root_fillet, flank, tip_land}));
-  expect_joined(tooth);
+  expect_joined(tooth, tooth.tip_radius);
   EXPECT_EQ(tooth.root_radius, 15 - 1.25);
   EXPECT_EQ(tooth.tip_radius, 16.0);
   EXPECT_EQ(tooth.tip_form_radius, 16.0);
@@ -75,7 +59,7 @@ TEST(CutByRack, plain_tooth) {
 
 TEST(CutByRack, undercut_tooth_starts_above_its_base_circle) {
   const GeneratedTooth tooth = tooth_of({.teeth = 8});
-  expect_joined(tooth);
+  expect_joined(tooth, tooth.tip_radius);
   EXPECT_GT(*tooth.form_radius, 4 * std::cos(std::numbers::pi / 9) * (1 + 1e-3));
   EXPECT_LT(*tooth.neck_radius, *tooth.form_radius);
   EXPECT_GT(tooth.neck_half_angle->rad(), 0.0);
@@ -97,7 +81,7 @@ TEST(CutByRack, bottom_rounding_ends_on_the_land) {
   cut.blank = 12.0;
   const GeneratedTooth tooth = tooth_of(cut);
   EXPECT_EQ(names(tooth), (std::vector{root_land, root_fillet, flank, tip_fillet, tip_land}));
-  expect_joined(tooth);
+  expect_joined(tooth, tooth.tip_radius);
   EXPECT_TRUE(tooth.tip_cut_by_rack);
   EXPECT_NEAR(tooth.tip_radius, 11.0, 1e-14);
   EXPECT_LT(*tooth.tip_form_radius, 11.0);
@@ -114,7 +98,7 @@ TEST(CutByRack, semi_topping_cuts_a_chamfer) {
   cut.rack.semi_topping_angle = 45_deg;
   const GeneratedTooth tooth = tooth_of(cut);
   EXPECT_EQ(names(tooth), (std::vector{root_land, root_fillet, flank, tip_fillet, tip_land}));
-  expect_joined(tooth);
+  expect_joined(tooth, tooth.tip_radius);
   EXPECT_LT(*tooth.tip_form_radius, tooth.tip_radius);
   EXPECT_FALSE(tooth.tip_cut_by_rack);
 }
@@ -127,7 +111,7 @@ TEST(CutByRack, protuberance_gives_the_root_two_fillet_arcs) {
   cut.rack.protuberance = 0.05;
   const GeneratedTooth tooth = tooth_of(cut);
   EXPECT_EQ(names(tooth), (std::vector{root_land, root_fillet, root_fillet, flank, tip_land}));
-  expect_joined(tooth);
+  expect_joined(tooth, tooth.tip_radius);
 }
 
 TEST(CutByRack, pointed_tooth_ends_on_its_centre_line) {
@@ -174,7 +158,7 @@ TEST(CutByRack, undercut_begins_within_rounding) {
       for (int i = 0; i < 8; ++i) {
         cut.shift = shift;
         const GeneratedTooth tooth = tooth_of(cut);
-        expect_joined(tooth);
+        expect_joined(tooth, tooth.tip_radius);
         ASSERT_TRUE(tooth.form_radius);
         EXPECT_NEAR(*tooth.form_radius, teeth * std::cos(std::numbers::pi / 9) / 2, 1e-9);
         shift = std::nextafter(shift, kInfinity);
@@ -193,7 +177,7 @@ TEST(CutByRack, fillet_that_swallows_the_flank_meets_the_bottom_rounding) {
   cut.rack.root_fillet_radius = 0.2208798950586156;
   cut.rack.tip_fillet_radius = 0.19755959119300553;
   const GeneratedTooth tooth = tooth_of(cut);
-  expect_joined(tooth);
+  expect_joined(tooth, tooth.tip_radius);
   EXPECT_EQ(names(tooth), (std::vector{root_land, root_fillet, tip_fillet, tip_land}));
   EXPECT_FALSE(tooth.form_radius);
   // A true crossing: below it the fillet is the inner one, above it the rounding.
@@ -217,7 +201,7 @@ TEST(CutByRack, small_protuberance) {
   cut.rack.protuberance = 0.002605061802482456;
   cut.rack.protuberance_angle = 3.3_deg;
   const GeneratedTooth tooth = tooth_of(cut);
-  expect_joined(tooth);
+  expect_joined(tooth, tooth.tip_radius);
   EXPECT_EQ(names(tooth)[2], flank);
 }
 
@@ -233,7 +217,7 @@ TEST(CutByRack, what_happens_above_the_blank_does_not_matter) {
   cut.rack.protuberance_angle = Angle::degrees(1.3406326382672307);
   cut.blank = pitch_radius(cut) + 0.9064868547747107 + cut.shift;
   const GeneratedTooth tooth = tooth_of(cut);
-  expect_joined(tooth);
+  expect_joined(tooth, tooth.tip_radius);
   EXPECT_EQ(names(tooth), (std::vector{root_land, root_fillet, tip_land}));
 }
 

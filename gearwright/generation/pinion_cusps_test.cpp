@@ -11,28 +11,16 @@
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/generation/circular_fillets.hpp"
 #include "gearwright/generation/pinion_envelope.hpp"
+#include "gearwright/generation/testing/cutter_piece.hpp"
 #include "gearwright/math/involute.hpp"
 
 namespace gearwright {
 namespace {
 
-// A piece of a cutter's outline between two parameters, from its root side to its tip side.
-struct Piece {
-  PinionMotion motion;
-  CurvePtr curve;
-  double root, tip;
-  Meeting meeting = Meeting::ahead;
-
-  // A fan's tangent is that of the walk although its angle falls.
-  bool forward() const { return tip > root || curve_if<CornerFan>(*curve); }
-  PinionEnvelope envelope() const {
-    return {motion, curve, forward() ? Walk::forward : Walk::backward, meeting};
-  }
-  double at(double u) const { return root + u * (tip - root); }
-};
+using testing::CutterPiece;
 
 // Whether the normal meets the centrode: its distance from the axis is that of the tangent's foot.
-bool reaches(const Piece& piece, double t) {
+bool normal_meets_centrode(const CutterPiece& piece, double t) {
   const CurvePoint p = piece.curve->at(t);
   const double s =
       p.point.x() * std::cos(p.tangent_angle) + p.point.y() * std::sin(p.tangent_angle);
@@ -42,7 +30,9 @@ bool reaches(const Piece& piece, double t) {
 constexpr int kCells = 2000;
 
 // Samples a hair inside the ends, where the normal lies on the line of centres.
-double sample(const Piece& piece, int i) { return piece.at(1e-9 + (1.0 - 2e-9) * i / kCells); }
+double sample(const CutterPiece& piece, int i) {
+  return piece.at(1e-9 + (1.0 - 2e-9) * i / kCells);
+}
 
 // Places between the cells where the sign of `rise`, of cell i, changes; given as numbers of cells.
 template <class F>
@@ -55,12 +45,12 @@ std::vector<double> scanned(const F& rise) {
 }
 
 // Random fillets of random cutters, all of which the gear meets.
-std::vector<Piece> random_pieces(int count) {
+std::vector<CutterPiece> random_pieces(int count) {
   std::mt19937_64 random(7);
   const auto between = [&](double lo, double hi) {
     return std::uniform_real_distribution<double>(lo, hi)(random);
   };
-  std::vector<Piece> all;
+  std::vector<CutterPiece> all;
   while (static_cast<int>(all.size()) < count) {
     const int z_0 = std::uniform_int_distribution<int>(1, 30)(random);
     const double r_b = z_0 / 2.0 * std::cos(between(0.2, 0.6));
@@ -70,9 +60,9 @@ std::vector<Piece> random_pieces(int count) {
                        : std::uniform_int_distribution<int>(3, 40)(random);
     const PinionMotion motion{z_0, z, r_b * between(1.02, 1.25) * std::abs(1.0 + double(z) / z_0)};
     const double gamma = kPi / z_0;
-    const auto add = [&](const Piece& piece) {
+    const auto add = [&](const CutterPiece& piece) {
       for (int i = 0; i <= 50; ++i) {
-        if (!reaches(piece, piece.at(i / 50.0))) return;
+        if (!normal_meets_centrode(piece, piece.at(i / 50.0))) return;
       }
       all.push_back(piece);
     };
@@ -95,8 +85,8 @@ std::vector<Piece> random_pieces(int count) {
   return all;
 }
 
-void expect_same_places(std::vector<double> scan, std::vector<double> found, const Piece& piece,
-                        const char* what) {
+void expect_same_places(std::vector<double> scan, std::vector<double> found,
+                        const CutterPiece& piece, const char* what) {
   std::vector<double> cells;
   for (double t : found) cells.push_back((t - piece.root) / (piece.tip - piece.root) * kCells);
   std::sort(cells.begin(), cells.end());
@@ -115,7 +105,7 @@ void expect_same_places(std::vector<double> scan, std::vector<double> found, con
 // them `cuts` says on which side the cutter lies: toward its root the gear's tip.
 TEST(PinionCusps, cusps_are_all_and_only_the_turns_of_the_radius) {
   int cusps = 0;
-  for (const Piece& piece : random_pieces(1200)) {
+  for (const CutterPiece& piece : random_pieces(1200)) {
     const PinionEnvelope envelope = piece.envelope();
     std::vector<double> radius;
     for (int i = 0; i <= kCells; ++i) radius.push_back(envelope.point(sample(piece, i)).norm());
@@ -143,7 +133,7 @@ TEST(PinionCusps, cusps_are_all_and_only_the_turns_of_the_radius) {
 
 TEST(PinionCusps, turns_are_where_the_half_angle_stands_still) {
   int turns = 0;
-  for (const Piece& piece : random_pieces(1200)) {
+  for (const CutterPiece& piece : random_pieces(1200)) {
     const PinionEnvelope envelope = piece.envelope();
     std::vector<double> angle;
     for (int i = 0; i <= kCells; ++i) angle.push_back(envelope.polar_angle(sample(piece, i)));

@@ -14,6 +14,7 @@
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/generation/circular_fillets.hpp"
 #include "gearwright/generation/rack_envelope.hpp"
+#include "gearwright/generation/testing/cutter_piece.hpp"
 
 namespace gearwright {
 namespace {
@@ -23,25 +24,10 @@ Vec2 turned(const Vec2& v, double angle) {
   return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
 }
 
-// A piece of a cutter's outline between two parameters, from its root side to its tip side.
-struct Piece {
-  PinionMotion motion;
-  CurvePtr curve;
-  double root, tip;
-  Meeting meeting = Meeting::ahead;
+using testing::CutterPiece;
 
-  // A fan's tangent is that of the walk although its angle falls.
-  bool forward() const { return tip > root || curve_if<CornerFan>(*curve); }
-  Walk walk() const { return forward() ? Walk::forward : Walk::backward; }
-  PinionEnvelope envelope() const { return {motion, curve, walk(), meeting}; }
-  double at(double u) const { return root + u * (tip - root); }
-  // Unit tangent of the walk, and the normal out of the cutter's material, to its left.
-  Vec2 tangent(double t) const {
-    const double a = curve->at(t).tangent_angle + (forward() ? 0.0 : kPi);
-    return {std::cos(a), std::sin(a)};
-  }
-  Vec2 normal(double t) const { return turned(tangent(t), kPi / 2); }
-};
+// Out of the cutter's material, to the left of the walk.
+Vec2 normal_of(const CutterPiece& piece, double t) { return turned(piece.tangent(t), kPi / 2); }
 
 struct Cutter {
   int teeth;
@@ -50,7 +36,7 @@ struct Cutter {
 };
 
 // Cutters with circular fillets and their gears; in the last one the cutter is nearly as large.
-std::vector<Piece> pieces(Meeting meeting) {
+std::vector<CutterPiece> pieces(Meeting meeting) {
   const Cutter eight{8, Involute(11.276, 0.2376), 0.004866, 0.9928};
   const Cutter two{2, Involute(1.8629, 1.3), 0.013, 2.1677};
   const Cutter one{1, Involute(1.472, 2.43), 0.0602, 3.4452};
@@ -59,7 +45,7 @@ std::vector<Piece> pieces(Meeting meeting) {
       {eight, {8, 24, 48.0}},  {eight, {8, -30, 33.2}},  {two, {2, 60, 61.335}},
       {one, {1, 30, 54.05}},   {twenty, {20, 37, 57.5}}, {twenty, {20, -60, 40.1}},
       {twenty, {20, -26, 6.1}}};
-  std::vector<Piece> all;
+  std::vector<CutterPiece> all;
   for (const auto& [cutter, motion] : sets) {
     const auto root = root_fillet_at(cutter.flank, cutter.teeth, cutter.xi_c);
     const auto tip = tip_fillet_at(cutter.flank, cutter.xi_j);
@@ -86,15 +72,15 @@ std::vector<Piece> pieces(Meeting meeting) {
 
 constexpr double kParts[] = {0.03, 0.2, 0.37, 0.5, 0.71, 0.93};
 
-bool reaches(const Piece& piece, double t) {
+bool reaches(const CutterPiece& piece, double t) {
   const double s = piece.curve->point(t).dot(piece.tangent(t));
   return s < 0.999 * piece.motion.cutter_pitch_radius();
 }
 
 // ϑ: the polar angle at which the normal's line meets the centrode, ahead or behind, within half a
 // turn of the point.
-double polar_of_pitch_point(const Piece& piece, double t) {
-  const Vec2 p = piece.curve->point(t), n = piece.normal(t);
+double polar_of_pitch_point(const CutterPiece& piece, double t) {
+  const Vec2 p = piece.curve->point(t), n = normal_of(piece, t);
   const double r_p = piece.motion.cutter_pitch_radius(), q = p.dot(n);
   const double w = std::sqrt(q * q - p.squaredNorm() + r_p * r_p);
   const Vec2 pitch = p + n * ((piece.meeting == Meeting::ahead ? w : -w) - q);
@@ -103,7 +89,7 @@ double polar_of_pitch_point(const Piece& piece, double t) {
 }
 
 // Cutter and gear put where they stand when the point is cut, and the point carried over.
-Vec2 rolled(const Piece& piece, double t) {
+Vec2 rolled(const CutterPiece& piece, double t) {
   const PinionMotion& m = piece.motion;
   const double psi = -polar_of_pitch_point(piece, t);
   const double gear_turn = m.cutter_teeth * psi / std::abs(m.teeth);
@@ -127,7 +113,7 @@ TEST(PinionMotion, centrodes_touch) {
 TEST(PinionEnvelope, points_are_cut_when_the_normal_meets_the_pitch_point) {
   int points = 0;
   for (const Meeting meeting : {Meeting::ahead, Meeting::behind}) {
-    for (const Piece& piece : pieces(meeting)) {
+    for (const CutterPiece& piece : pieces(meeting)) {
       const PinionEnvelope envelope = piece.envelope();
       for (const double u : kParts) {
         const double t = piece.at(u);
@@ -147,7 +133,7 @@ TEST(PinionEnvelope, points_are_cut_when_the_normal_meets_the_pitch_point) {
 // The polar angle is continuous along a piece although ν exceeds π on a cutter of one tooth.
 TEST(PinionEnvelope, polar_angle_does_not_jump) {
   for (const Meeting meeting : {Meeting::ahead, Meeting::behind}) {
-    for (const Piece& piece : pieces(meeting)) {
+    for (const CutterPiece& piece : pieces(meeting)) {
       if (meeting == Meeting::behind && piece.motion.teeth > 0) continue;  // far outside, never cut
       const PinionEnvelope envelope = piece.envelope();
       const double pitch = 2 * kPi / std::abs(piece.motion.teeth);
@@ -165,7 +151,7 @@ TEST(PinionEnvelope, polar_angle_does_not_jump) {
 }
 
 // dW/dσ = i G e^{i(κ−mϑ)}: zero at a cusp, where neither tangent nor curvature says anything.
-bool near_cusp(const Piece& piece, double t) {
+bool near_cusp(const CutterPiece& piece, double t) {
   const PinionEnvelope envelope = piece.envelope();
   const double h = 1e-5;
   const double gear = (envelope.point(t + h) - envelope.point(t - h)).norm() / (2 * h);
@@ -177,7 +163,7 @@ bool near_cusp(const Piece& piece, double t) {
 TEST(PinionEnvelope, tangent_and_curvature) {
   int places = 0;
   for (const Meeting meeting : {Meeting::ahead, Meeting::behind}) {
-    for (const Piece& piece : pieces(meeting)) {
+    for (const CutterPiece& piece : pieces(meeting)) {
       const PinionEnvelope envelope = piece.envelope();
       for (const double u : kParts) {
         const double t = piece.at(u), h = 1e-4;
@@ -203,7 +189,7 @@ TEST(PinionEnvelope, tangent_and_curvature) {
 // Law (2), d|W|²/dσ = −2 (r_g/r_p) s G, on curves that have a length.
 TEST(PinionEnvelope, radius_law) {
   for (const Meeting meeting : {Meeting::ahead, Meeting::behind}) {
-    for (const Piece& piece : pieces(meeting)) {
+    for (const CutterPiece& piece : pieces(meeting)) {
       if (curve_if<CornerFan>(*piece.curve)) continue;
       const PinionEnvelope envelope = piece.envelope();
       const double direction = piece.tip > piece.root ? 1.0 : -1.0;
@@ -215,7 +201,7 @@ TEST(PinionEnvelope, radius_law) {
         const double sigma = (piece.curve->point(t + h) - piece.curve->point(t - h)).norm();
         const Vec2 p = piece.curve->point(t);
         const double r_p = piece.motion.cutter_pitch_radius();
-        const double s = p.dot(piece.tangent(t)), q = p.dot(piece.normal(t));
+        const double s = p.dot(piece.tangent(t)), q = p.dot(normal_of(piece, t));
         const double w = (meeting == Meeting::ahead ? 1 : -1) * std::sqrt(r_p * r_p - s * s);
         const double lambda = w - q, k = direction * piece.curve->at(t).curvature;
         const double g = 1 + (1 + piece.motion.ratio()) * lambda * (1 - k * lambda) / w;

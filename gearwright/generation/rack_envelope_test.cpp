@@ -4,16 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "gearwright/base/numbers.hpp"
+#include "gearwright/base/testing/numbers.hpp"
 #include "gearwright/math/polynomial.hpp"
 
 namespace gearwright {
 namespace {
 
-constexpr double kEps = std::numeric_limits<double>::epsilon();
+using testing::kEps;
 
 constexpr Angle kRightAngle = Angle::radians(kPi / 2);
 constexpr Angle k20Degrees = Angle::radians(kPi / 9);

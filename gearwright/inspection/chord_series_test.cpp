@@ -6,16 +6,16 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
-#include <numbers>
 #include <string>
 
+#include "gearwright/base/testing/numbers.hpp"
 #include "gearwright/inspection/chordal_thickness.hpp"
 
 namespace gearwright {
 namespace {
 
 using Exact = boost::multiprecision::cpp_bin_float_50;
-constexpr double kDegree = std::numbers::pi / 180;
+using testing::kDegree;
 
 struct Three {
   double theta, chord, height;
@@ -23,7 +23,7 @@ struct Three {
 struct Spur {
   double chord, height, chord_error, height_error;
 };
-struct Golden {
+struct GoldenSeries {
   const char* tooth;
   double psi_deg, diameter, theta_t, base_deg;
   Three series[3];
@@ -31,7 +31,7 @@ struct Golden {
   double base_chord, base_height;
 };
 // Computed with 40 digits.
-const Golden kGolden[] = {
+const GoldenSeries kGoldenSeries[] = {
     {"crossed 9, 51.6°",
      51.576509202864735,
      43.44544689997543,
@@ -90,7 +90,7 @@ const Golden kGolden[] = {
 };
 
 TEST(ChordSeries, golden_values) {
-  for (const Golden& g : kGolden) {
+  for (const GoldenSeries& g : kGoldenSeries) {
     const double psi = g.psi_deg * kDegree;
     const double r = g.diameter / 2;
     for (int n = 1; n <= 3; ++n) {

@@ -1,6 +1,5 @@
 // The shortest chord: golden values, a search that knows nothing of the equation, laws, gears.
 #include "gearwright/inspection/chordal_thickness.hpp"
-#include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 
 #include <gtest/gtest.h>
@@ -8,16 +7,19 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "gearwright/base/numbers.hpp"
+#include "gearwright/base/testing/draw.hpp"
+#include "gearwright/base/testing/numbers.hpp"
+#include "gearwright/gear/testing/made.hpp"
 
 namespace gearwright {
 namespace {
 
-constexpr double kDegree = kPi / 180;
+using testing::kDegree;
+using testing::made;
 
 // Computed with 40 digits from the equations of the theory page and confirmed there by a direct
 // search; worm threads, left hands, a spur gear, an internal gear.
@@ -113,13 +115,6 @@ std::vector<Found> dips(const TwoHelices& h, long double lo, long double hi) {
   return found;
 }
 
-struct Random {
-  std::mt19937_64 bits{20250201};
-  double uniform(double lo, double hi) {
-    return lo + (hi - lo) * (static_cast<double>(bits() >> 11) * 0x1p-53);
-  }
-};
-
 // The chord is flat at its minimum: golden section finds k to 1e-17 and the place to √1e-19 times
 // the width of the valley, hence 1e-8 for the height and 1e-7 for the angle.
 void expect_same(const ChordalThickness<double>& c, const TwoHelices& h, const Found& best,
@@ -131,7 +126,7 @@ void expect_same(const ChordalThickness<double>& c, const TwoHelices& h, const F
 }
 
 TEST(ShortestChord, is_what_a_search_over_inclinations_finds) {
-  Random random;
+  testing::Draw random(20250201);
   int steep = 0, thick = 0;
   for (int i = 0; i < 200; ++i) {
     // Every third one a worm: one thread takes nearly half of the circumference.
@@ -159,7 +154,7 @@ TEST(ShortestChord, is_what_a_search_over_inclinations_finds) {
 // More than half the circumference: a worm with a thread thicker than its space. The first dip
 // coming from the axial direction; and when none is left on the tooth's side, the answer says so.
 TEST(ShortestChord, of_a_thread_over_half_the_circumference) {
-  Random random;
+  testing::Draw random(20250201);
   int on_the_tooth = 0, behind = 0;
   for (int i = 0; i < 200; ++i) {
     const double psi = random.uniform(1, 85) * kDegree;
@@ -187,7 +182,7 @@ TEST(ShortestChord, of_a_thread_over_half_the_circumference) {
 
 // Up to half the circumference T sin 2θ + 2θ = 2θ_t has one root in (0, θ_t), however steep.
 TEST(ShortestChord, equation_has_one_root_on_the_tooth) {
-  Random random;
+  testing::Draw random(20250201);
   for (int i = 0; i < 200; ++i) {
     const double T = std::exp(random.uniform(-6, 9));
     const double theta_t = random.uniform(0.01, kPi / 2 - 0.01);
@@ -205,7 +200,7 @@ TEST(ShortestChord, equation_has_one_root_on_the_tooth) {
 // (2) doubling all lengths doubles the results, exactly
 // (3) shorter than the transverse chord and than the arc along the normal helix
 TEST(ShortestChord, laws) {
-  Random random;
+  testing::Draw random(20250201);
   for (int i = 0; i < 500; ++i) {
     const ToothArc<double> arc{random.uniform(0.001, 1.5), random.uniform(0, 89) * kDegree,
                                random.uniform(1, 100), random.uniform(1, 120)};
@@ -271,8 +266,6 @@ TEST(ShortestChord, height_does_not_cancel) {
 }
 
 // ---- gears ----
-
-Gear made(const CylindricalSpec& spec) { return testing::taken(make_gear(spec)); }
 
 CylindricalSpec spec_of(int z, double m, double beta_deg, double x) {
   return testing::plain_spec(

@@ -4,8 +4,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "gearwright/base/testing/numbers.hpp"
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/ring_cutter.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
@@ -15,7 +15,7 @@ namespace gearwright {
 namespace {
 
 using Real = long double;
-constexpr Real kPi = std::numbers::pi_v<Real>;
+using testing::kLongPi;
 
 struct Place {
   Real x, y;    // mm
@@ -31,7 +31,7 @@ Place rolled(const CylindricalSpec& s, Real theta) {
   const Real c = std::cos(beta), r = s.teeth * m / c / 2;
   const Real rho = rack.root_fillet_radius * m;
   const Real depth = rack.dedendum * m - rho;  // of the centre below the datum line
-  const Real off = kPi * m / 4 - depth * std::tan(alpha) - rho / std::cos(alpha);
+  const Real off = kLongPi * m / 4 - depth * std::tan(alpha) - rho / std::cos(alpha);
   // Below the pitch line, and beside the middle of the cutter's tooth: the side of this flank.
   const Real x_E = s.profile_shift + Real(s.thickness_allowance) / (2 * m * std::tan(alpha));
   const Real d = depth - x_E * m + rho * std::sin(theta);
@@ -42,7 +42,7 @@ Place rolled(const CylindricalSpec& s, Real theta) {
   nx /= length;
   ny /= length;
   const Real t = -d * ny / nx - y;  // the line through (r − d, y + t) along n meets (r, 0)
-  const Real turn = kPi / s.teeth - t / r;
+  const Real turn = kLongPi / s.teeth - t / r;
   const Real px = r - d, py = y + t;
   const Real co = std::cos(turn), si = std::sin(turn);
   // Out of the cutter is into the gear.
@@ -55,7 +55,7 @@ Real nearest(const CylindricalSpec& s, Real x, Real y) {
     const Place p = rolled(s, theta);
     return std::hypot(p.x - x, p.y - y);
   };
-  Real lo = s.normal_pressure_angle.rad(), hi = kPi / 2 - 1e-12L;
+  Real lo = s.normal_pressure_angle.rad(), hi = kLongPi / 2 - 1e-12L;
   constexpr int kSteps = 400;
   int best = 0;
   for (int i = 0; i <= kSteps; ++i)
@@ -70,7 +70,7 @@ Real nearest(const CylindricalSpec& s, Real x, Real y) {
   return (lo + hi) / 2;
 }
 
-CylindricalSpec spec_of(int teeth, double beta_deg, double x, double allowance = 0.0) {
+CylindricalSpec module_3_spec(int teeth, double beta_deg, double x, double allowance = 0.0) {
   CylindricalSpec s = testing::plain_spec(
       {.teeth = teeth, .module = 3, .beta_deg = beta_deg, .x = x, .face_width = 30});
   s.thickness_allowance = allowance;
@@ -78,8 +78,8 @@ CylindricalSpec spec_of(int teeth, double beta_deg, double x, double allowance =
 }
 
 TEST(FilletPoints, lie_where_the_cutters_rounding_leaves_them) {
-  for (const auto& s : {spec_of(17, 0, 0.1), spec_of(40, 22, -0.2, -0.1), spec_of(9, 0, 0.0),
-                        spec_of(23, -31, 0.5, -0.04)}) {
+  for (const auto& s : {module_3_spec(17, 0, 0.1), module_3_spec(40, 22, -0.2, -0.1),
+                        module_3_spec(9, 0, 0.0), module_3_spec(23, -31, 0.5, -0.04)}) {
     const Gear gear = testing::taken(make_gear(s));
     const auto ranges = evaluation_ranges(gear);
     ASSERT_TRUE(ranges);
@@ -114,9 +114,9 @@ TEST(FilletPoints, lie_where_the_cutters_rounding_leaves_them) {
 
 // No undercut: flank and fillet have one tangent plane where they meet.
 TEST(FilletPoints, go_on_where_the_flank_ends_of_a_ring_too) {
-  const auto ring = cut_by_default(testing::taken(make_gear(spec_of(-60, 12, 0.1))));
+  const auto ring = cut_by_default(testing::taken(make_gear(module_3_spec(-60, 12, 0.1))));
   ASSERT_TRUE(ring);
-  for (const Gear& gear : {*ring, testing::taken(make_gear(spec_of(31, -20, 0.2)))}) {
+  for (const Gear& gear : {*ring, testing::taken(make_gear(module_3_spec(31, -20, 0.2)))}) {
     const auto ranges = evaluation_ranges(gear);
     ASSERT_TRUE(ranges);
     const double r0 = gear.base_radius();
@@ -142,8 +142,9 @@ TEST(FilletPoints, go_on_where_the_flank_ends_of_a_ring_too) {
 }
 
 TEST(FilletPoints, are_evenly_spaced) {
-  const Gear bare = testing::taken(make_gear(spec_of(-60, 12, 0.1)));  // no cutter, no outline
-  const Gear gear = testing::taken(make_gear(spec_of(30, 0, 0.0)));
+  const Gear bare =
+      testing::taken(make_gear(module_3_spec(-60, 12, 0.1)));  // no cutter, no outline
+  const Gear gear = testing::taken(make_gear(module_3_spec(30, 0, 0.0)));
   const auto ranges = evaluation_ranges(gear);
   ASSERT_TRUE(ranges);
   EXPECT_TRUE(fillet_points(bare, FlankSide::left, *ranges, {9, 2}).empty());

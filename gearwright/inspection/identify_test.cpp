@@ -5,8 +5,8 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <random>
 
+#include "gearwright/base/testing/draw.hpp"
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
@@ -81,15 +81,8 @@ TEST(Identify, refuses_what_says_nothing) {
 
 // ---- synthetic gears ----
 
-struct Random {
-  explicit Random(unsigned seed) : bits(seed) {}
-  std::mt19937_64 bits;
-  double uniform(double lo, double hi) {
-    return lo + (hi - lo) * (static_cast<double>(bits() >> 11) * 0x1p-53);
-  }
-  int whole(int lo, int hi) {
-    return lo + static_cast<int>(bits() % static_cast<unsigned>(hi - lo + 1));
-  }
+struct Workshop : testing::Draw {
+  using Draw::Draw;
   double normal() {  // Box-Muller: the same on every machine
     return std::sqrt(-2 * std::log(uniform(1e-300, 1))) *
            std::cos(2 * 3.141592653589793 * uniform(0, 1));
@@ -100,7 +93,7 @@ struct Random {
   }
 };
 
-CylindricalSpec random_standard(Random& random) {
+CylindricalSpec random_standard(Workshop& random) {
   constexpr std::array kMain{0.5, 0.8, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0};
   constexpr std::array kSecond{0.7, 1.125, 1.75, 2.25, 2.75, 3.5, 4.5, 7.0};
   constexpr std::array kPitches{3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0, 24.0};
@@ -150,7 +143,7 @@ bool has_the_readings(const IdentifiedGear& c, const IdentifyProblem& exact, dou
 
 Counted identified(int wanted, unsigned seed) {
   constexpr double kU = 0.02, kSigmas = 1.96;
-  Random random(seed);
+  Workshop random(seed);
   Counted n;
   while (n.gears < wanted) {
     const CylindricalSpec truth = random_standard(random);

@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
-#include <random>
 
+#include "gearwright/base/testing/draw.hpp"
+#include "gearwright/base/testing/numbers.hpp"
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/inspection/balls.hpp"
 #include "gearwright/inspection/chord_series.hpp"
@@ -22,16 +22,18 @@ namespace gearwright {
 namespace {
 
 using Real = long double;
-constexpr Real kPi = std::numbers::pi_v<Real>;
+using testing::kLongPi;
 
-struct Point {
+struct LongPoint {
   Real x, y, z;
 };
-Point operator-(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Point cross(const Point& a, const Point& b) {
+LongPoint operator-(const LongPoint& a, const LongPoint& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+LongPoint cross(const LongPoint& a, const LongPoint& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-Real norm(const Point& a) { return std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z); }
+Real norm(const LongPoint& a) { return std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z); }
 
 // Numbers of the drawing, on their own.
 struct Drawing {
@@ -45,7 +47,7 @@ struct Drawing {
   Real side() const { return z > 0 ? 1 : -1; }
   // Half angle of the tooth where the flank meets the base circle.
   Real half() const {
-    const Real s_n = m * (kPi / 2 + 2 * x * std::tan(alpha)) + allowance;
+    const Real s_n = m * (kLongPi / 2 + 2 * x * std::tan(alpha)) + allowance;
     return s_n / std::cos(beta) / (2 * r()) + side() * (std::tan(alpha_t()) - alpha_t());
   }
 };
@@ -56,7 +58,7 @@ struct Flank {
   int hand;
   Real turned;  // of the tooth's centre line
 
-  Point at(Real u, Real z) const {
+  LongPoint at(Real u, Real z) const {
     const Real theta = hand * (d.half() - d.side() * (u - std::atan(u))) + turned + d.twist() * z;
     const Real rho = d.r_b() * std::sqrt(1 + u * u);
     return {rho * std::cos(theta), rho * std::sin(theta), z};
@@ -85,7 +87,7 @@ struct Touch {
 };
 
 // The point of the flank nearest to a ball's centre.
-Touch nearest(const Flank& flank, const Point& center, Real reach) {
+Touch nearest(const Flank& flank, const LongPoint& center, Real reach) {
   const auto best_z = [&](Real u) {
     return golden([&](Real z) { return norm(flank.at(u, z) - center); }, -reach, reach);
   };
@@ -101,7 +103,7 @@ struct BallByPushing {
 
 BallByPushing pushed(const Drawing& d, Real ball, Real near) {
   // The tooth beside the space about the x axis turned by half a pitch.
-  const Flank flank{d, 1, -kPi / std::abs(d.z)};
+  const Flank flank{d, 1, -kLongPi / std::abs(d.z)};
   const auto touch = [&](Real rho) { return nearest(flank, {rho, 0, 0}, ball); };
   // Secants from two places off the seat.
   Real before = near * 1.002L, now = near * 0.998L;
@@ -122,7 +124,7 @@ struct SpanByDistance {
 };
 
 SpanByDistance stationary(const Drawing& d, int k, Real u, Real z) {
-  const Real pitches = (d.z > 0 ? k - 1 : k) * kPi / std::abs(d.z);
+  const Real pitches = (d.z > 0 ? k - 1 : k) * kLongPi / std::abs(d.z);
   const int outer = d.z > 0 ? 1 : -1;  // an internal gear: the flanks that bound k spaces
   const Flank a{d, outer, pitches}, b{d, -outer, -pitches};
   const auto f = [&](Real v, Real w) { return norm(a.at(v, w) - b.at(v, -w)); };
@@ -141,26 +143,16 @@ SpanByDistance stationary(const Drawing& d, int k, Real u, Real z) {
     z -= dz;
     if (std::abs(du) + std::abs(dz) / d.m < 1e-15L) break;
   }
-  const Point line = a.at(u, z) - b.at(u, -z);
-  const Point along_u = a.at(u + hu, z) - a.at(u - hu, z),
-              along_z = a.at(u, z + hz) - a.at(u, z - hz);
-  const Point normal = cross(along_u, along_z);
+  const LongPoint line = a.at(u, z) - b.at(u, -z);
+  const LongPoint along_u = a.at(u + hu, z) - a.at(u - hu, z),
+                  along_z = a.at(u, z + hz) - a.at(u, z - hz);
+  const LongPoint normal = cross(along_u, along_z);
   return {norm(line), d.r_b() * std::sqrt(1 + u * u),
           norm(cross(line, normal)) / norm(line) / norm(normal)};
 }
 
-struct Random {
-  std::mt19937_64 bits{20260118};
-  double uniform(double lo, double hi) {
-    return lo + (hi - lo) * (static_cast<double>(bits() >> 11) * 0x1p-53);
-  }
-  int whole(int lo, int hi) {
-    return lo + static_cast<int>(bits() % static_cast<unsigned>(hi - lo + 1));
-  }
-};
-
-Drawing drawn(Random& random, bool internal) {
-  const Real deg = kPi / 180;
+Drawing drawn(testing::Draw& random, bool internal) {
+  const Real deg = kLongPi / 180;
   Drawing d{};
   d.z = internal ? -random.whole(30, 120) : random.whole(8, 120);
   d.m = random.uniform(0.5, 8);
@@ -185,7 +177,7 @@ Gear made(const Drawing& d) {
 }
 
 TEST(Balls, rest_where_a_ball_pushed_into_the_space_does) {
-  Random random;
+  testing::Draw random(20260118);
   int seated = 0, rings = 0;
   double worst = 0.0;
   for (int i = 0; i < 60; ++i) {
@@ -213,7 +205,7 @@ TEST(Balls, rest_where_a_ball_pushed_into_the_space_does) {
 }
 
 TEST(Span, is_the_stationary_distance_of_two_flanks) {
-  Random random;
+  testing::Draw random(20260118);
   int measured = 0, rings = 0;
   for (int i = 0; i < 90; ++i) {
     Drawing d = drawn(random, i % 3 == 2);
@@ -238,13 +230,13 @@ TEST(Span, is_the_stationary_distance_of_two_flanks) {
 }
 
 TEST(Pins, that_tilt_freely_find_the_least_distance_of_two_helices) {
-  Random random;
+  testing::Draw random(20260118);
   int odd = 0, steep = 0;
   for (int i = 0; i < 200; ++i) {
     Drawing d = drawn(random, false);
     d.z = random.whole(3, 60);
     const bool worm = i % 4 == 0;
-    d.beta = random.uniform(worm ? 50 : 5, worm ? 80 : 45) * kPi / 180;
+    d.beta = random.uniform(worm ? 50 : 5, worm ? 80 : 45) * kLongPi / 180;
     const Gear gear = made(d);
     const auto sizes = ball_sizes(gear);
     if (!sizes) continue;
@@ -252,10 +244,10 @@ TEST(Pins, that_tilt_freely_find_the_least_distance_of_two_helices) {
     if (!seat) continue;
     const PinReading pins = over_pins(gear, *seat);
     const Real r_K = seat->center_diameter / 2;
-    const Real offset = d.z % 2 ? kPi / d.z : 0;
+    const Real offset = d.z % 2 ? kLongPi / d.z : 0;
     // A dense search, then golden section about the best.
     const auto distance = [&](Real h) {
-      const Real half = (kPi - offset + d.twist() * h) / 2;
+      const Real half = (kLongPi - offset + d.twist() * h) / 2;
       return std::hypot(2 * r_K * std::sin(half), h);
     };
     const Real reach = 2 * r_K;
@@ -276,7 +268,7 @@ TEST(Pins, that_tilt_freely_find_the_least_distance_of_two_helices) {
 
 // The theory's example of three legitimate readings.
 TEST(Pins, have_three_readings_on_a_helical_gear_of_odd_teeth) {
-  const Gear gear = made({17, 3, 20 * kPi / 180, 20 * kPi / 180, 0.3L, 0});
+  const Gear gear = made({17, 3, 20 * kLongPi / 180, 20 * kLongPi / 180, 0.3L, 0});
   const auto seat = ball_in_space(gear, 5);
   ASSERT_TRUE(seat) << seat.error().message();
   const PinReading pins = over_pins(gear, *seat);
@@ -288,7 +280,7 @@ TEST(Pins, have_three_readings_on_a_helical_gear_of_odd_teeth) {
 // (1) the ball that touches at a diameter does so   (2) the thickness comes back from the reading
 // (3) the hand of the helix changes nothing         (4) doubled lengths double the readings
 TEST(Balls, laws) {
-  Random random;
+  testing::Draw random(20260118);
   int seated = 0;
   for (int i = 0; i < 300; ++i) {
     Drawing d = drawn(random, i % 3 == 2);
@@ -323,7 +315,7 @@ TEST(Balls, laws) {
 }
 
 TEST(Balls, that_cannot_be_measured_are_refused_with_those_that_can) {
-  const Gear gear = made({20, 2, 20 * kPi / 180, 0, 0, 0});
+  const Gear gear = made({20, 2, 20 * kLongPi / 180, 0, 0, 0});
   const auto refused_for = [&](const Gear& g, double ball, const std::string& word) {
     const auto seat = ball_in_space(g, ball);
     ASSERT_FALSE(seat) << ball;
@@ -336,17 +328,17 @@ TEST(Balls, that_cannot_be_measured_are_refused_with_those_that_can) {
   EXPECT_TRUE(ball_in_space(gear, 3.5));
   auto tall = gear.spec;
   tall.tip_diameter = 45.5;
-  const auto low = made({20, 2, 20 * kPi / 180, 0, 0.4L, 0});
+  const auto low = made({20, 2, 20 * kLongPi / 180, 0, 0.4L, 0});
   refused_for(low, 2.5, "");
   const Gear proud = testing::taken(make_gear(tall));
   refused_for(proud, 3.0, "stand out");
-  const Gear ring = made({-60, 2, 20 * kPi / 180, 0, 0, 0});
+  const Gear ring = made({-60, 2, 20 * kLongPi / 180, 0, 0, 0});
   refused_for(ring, 8.0, "");
   refused_for(ring, 1.0, "");
 }
 
 TEST(Span, that_no_anvils_reach_is_refused_with_those_that_they_do) {
-  const Gear gear = made({20, 2, 20 * kPi / 180, 0, 0, 0});
+  const Gear gear = made({20, 2, 20 * kLongPi / 180, 0, 0, 0});
   const auto far = span_over(gear, 7);
   ASSERT_FALSE(far);
   EXPECT_EQ(far.error().field, "span_teeth");
@@ -354,11 +346,11 @@ TEST(Span, that_no_anvils_reach_is_refused_with_those_that_they_do) {
       << far.error().message();
   EXPECT_FALSE(span_over(gear, 0));
   EXPECT_FALSE(span_over(gear, 21));
-  EXPECT_FALSE(span_over(made({-60, 2, 20 * kPi / 180, 0.2L, 0, 0}), 6));
+  EXPECT_FALSE(span_over(made({-60, 2, 20 * kLongPi / 180, 0.2L, 0, 0}), 6));
   EXPECT_EQ(usual_span(gear)->teeth, 3);
   EXPECT_EQ(usable_spans(gear, 31).size(), 4u);
   // On a face narrower than W sin β_b one anvil has nothing to touch.
-  auto narrow = made({40, 2, 20 * kPi / 180, 30 * kPi / 180, 0, 0}).spec;
+  auto narrow = made({40, 2, 20 * kLongPi / 180, 30 * kLongPi / 180, 0, 0}).spec;
   narrow.face_width = 5;
   const Gear thin = testing::taken(make_gear(narrow));
   EXPECT_FALSE(usual_span(thin));
@@ -376,7 +368,7 @@ TEST(Chord, of_the_virtual_gear_is_that_of_the_case_file) {
        {Case{24, 3, 15, 0.3, 5.363498268103879433824, 3.990120857144599608938},
         Case{33, 1.5, 30, -0.1, 2.246677872337183887103, 1.366561615953651527592}}) {
     const Gear gear =
-        made({c.z, Real(c.m), 20 * kPi / 180, Real(c.beta) * kPi / 180, Real(c.x), 0});
+        made({c.z, Real(c.m), 20 * kLongPi / 180, Real(c.beta) * kLongPi / 180, Real(c.x), 0});
     const auto arc = tooth_arc(gear, gear.reference_diameter);
     const auto virtual_chord = virtual_spur(arc.half_angle, arc.helix_angle, arc.radius).chord();
     EXPECT_NEAR(virtual_chord.chord, c.chord, 1e-12 * c.chord);
@@ -387,7 +379,7 @@ TEST(Chord, of_the_virtual_gear_is_that_of_the_case_file) {
 
 // The constant chord touches the flank: the tooth is as thick there as the chord is long.
 TEST(ConstantChord, ends_on_both_flanks) {
-  Random random;
+  testing::Draw random(20260118);
   for (int i = 0; i < 100; ++i) {
     const Drawing d = drawn(random, i % 3 == 2);
     const Gear gear = made(d);
@@ -405,7 +397,7 @@ TEST(ConstantChord, ends_on_both_flanks) {
 
 // d_b 37.588: L at 40 is 40 sin 20°/2 = 6.8404, and the roll angle tan 20°.
 TEST(EvaluationRanges, of_a_spur_gear_by_hand) {
-  const Gear gear = made({20, 2, 20 * kPi / 180, 0, 0, 0});
+  const Gear gear = made({20, 2, 20 * kLongPi / 180, 0, 0, 0});
   const auto ranges = evaluation_ranges(gear);
   ASSERT_TRUE(ranges);
   EXPECT_NEAR(ranges->reference.length, 6.840402866513375, 1e-14);

@@ -5,18 +5,15 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <numbers>
-#include <random>
 
+#include "gearwright/base/testing/numbers.hpp"
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 
 namespace gearwright {
 namespace {
 
-constexpr long double kPi = 3.14159265358979323846264338327950288L;  // libc++ 14: a double's
-
-Gear gear_of(int teeth, double beta_deg, double x) {
+Gear module_3_gear(int teeth, double beta_deg, double x) {
   return testing::taken(make_gear(testing::plain_spec(
       {.teeth = teeth, .module = 3, .beta_deg = beta_deg, .x = x, .face_width = 30})));
 }
@@ -34,8 +31,9 @@ Vec3 unwound(const Gear& gear, FlankSide side, double roll, double z) {
   const long double sign = s.teeth > 0 ? 1 : -1;
   const long double alpha_t = std::atan(std::tan(alpha) / std::cos(beta));
   const long double r = std::abs(s.teeth) * s.normal_module / std::cos(beta) / 2;
-  const long double s_t =
-      s.normal_module * (kPi / 2 + 2 * s.profile_shift * std::tan(alpha)) / std::cos(beta);
+  const long double s_t = s.normal_module *
+                          (testing::kLongPi / 2 + 2 * s.profile_shift * std::tan(alpha)) /
+                          std::cos(beta);
   const long double half = s_t / (2 * r) + sign * (std::tan(alpha_t) - alpha_t);
   const long double xi = roll, rho = r * std::cos(alpha_t) * std::sqrt(1 + xi * xi);
   const long double theta =
@@ -47,7 +45,7 @@ Vec3 unwound(const Gear& gear, FlankSide side, double roll, double z) {
 TEST(NominalPoints, lie_on_the_unwound_flank) {
   for (const int teeth : {17, 40, -60}) {
     for (const double beta : {0.0, 22.0, -14.0}) {
-      const Gear gear = gear_of(teeth, beta, 0.1);
+      const Gear gear = module_3_gear(teeth, beta, 0.1);
       const RemovalField none = field_of(gear, {});
       for (const FlankSide side : {FlankSide::right, FlankSide::left}) {
         const auto ranges = evaluation_ranges(gear);
@@ -83,7 +81,7 @@ TEST(NominalPoints, of_a_modified_flank_have_its_normals) {
   m.lead_crowning = 0.04;
   m.profile_slope = 0.03;
   for (const double beta : {0.0, 25.0}) {
-    const Gear gear = gear_of(25, beta, 0.2);
+    const Gear gear = module_3_gear(25, beta, 0.2);
     const RemovalField field = field_of(gear, m), none = field_of(gear, {});
     for (const FlankSide side : {FlankSide::right, FlankSide::left}) {
       for (const double roll : {0.35, 0.45}) {

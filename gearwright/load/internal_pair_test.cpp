@@ -9,22 +9,20 @@
 #include "gearwright/gear/ring_cutter.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/load/loaded_contact.hpp"
+#include "gearwright/load/testing/drive.hpp"
 
 namespace gearwright {
 namespace {
 
-constexpr double kE = 206000.0;
+using testing::Drive;
+using testing::kE;
+using testing::run;
+
 constexpr int kPositions = 8;
 constexpr int kSlices = 12;
 
-struct Drive {
-  Gear one, two;
-  ContactMount mount;
-  ContactPair pair() const { return ContactPair({&one, {}}, {&two, {}}, mount); }
-};
-
 // 25 teeth in 65, the ring's tip out of reach of the pinion's root.
-Drive drive_of(double helix_deg, double face = 30.0, double module = 3.0) {
+Drive internal_drive(double helix_deg, double face = 30.0, double module = 3.0) {
   const auto spec = [&](int teeth) {
     CylindricalSpec s = testing::plain_spec(
         {.teeth = teeth, .module = module, .beta_deg = helix_deg, .face_width = face});
@@ -50,15 +48,9 @@ LoadRequest request_of(const Drive& d, double e = kE) {
   return r;
 }
 
-LoadedContact run(const Drive& d, const LoadRequest& r) {
-  auto c = pair_compliance(d.one, d.two, r);
-  EXPECT_TRUE(c) << c.error().message();
-  return loaded_contact(d.pair(), d.one, d.two, *c, r);
-}
-
 TEST(LoadedInternalPair, CarriesTheTorque) {
   for (const double helix : {0.0, 15.0}) {
-    const Drive d = drive_of(helix);
+    const Drive d = internal_drive(helix);
     LoadRequest r = request_of(d);
     r.torques = {5e4, 2e5};
     const LoadedContact answer = run(d, r);
@@ -80,7 +72,7 @@ TEST(LoadedInternalPair, CarriesTheTorque) {
 
 TEST(LoadedInternalPair, StiffOrIdleTeethAreThoseOfContact) {
   for (const double helix : {0.0, 15.0}) {
-    const Drive d = drive_of(helix);
+    const Drive d = internal_drive(helix);
     const auto rigid = analyse_contact(d.pair(), {.positions = kPositions});
     for (const auto& [e, torque] : {std::pair(1e13, 1e5), std::pair(kE, 1e-3)}) {
       LoadRequest r = request_of(d, e);
@@ -93,7 +85,7 @@ TEST(LoadedInternalPair, StiffOrIdleTeethAreThoseOfContact) {
 }
 
 TEST(LoadedInternalPair, TorqueAndModulusTogetherChangeNothing) {
-  const Drive d = drive_of(0);
+  const Drive d = internal_drive(0);
   LoadRequest soft = request_of(d);
   LoadRequest hard = request_of(d, 4 * kE);
   soft.torques = {1e5};
@@ -105,8 +97,8 @@ TEST(LoadedInternalPair, TorqueAndModulusTogetherChangeNothing) {
 }
 
 TEST(LoadedInternalPair, ScalesWithLength) {
-  const Drive small = drive_of(0, 30, 3);
-  const Drive large = drive_of(0, 60, 6);
+  const Drive small = internal_drive(0, 30, 3);
+  const Drive large = internal_drive(0, 60, 6);
   LoadRequest a = request_of(small);
   LoadRequest b = request_of(large);
   a.torques = {1e5};
@@ -124,8 +116,8 @@ TEST(LoadedInternalPair, ScalesWithLength) {
 
 // The other hand is the mirror image by the plane of the axes turned end for end.
 TEST(LoadedInternalPair, TheOtherHandIsMirrored) {
-  const Drive right = drive_of(15);
-  const Drive left = drive_of(-15);
+  const Drive right = internal_drive(15);
+  const Drive left = internal_drive(-15);
   LoadRequest r = request_of(right);
   r.torques = {2e5};
   r.deflection_slope = 0.004;
@@ -143,7 +135,7 @@ TEST(LoadedInternalPair, TheOtherHandIsMirrored) {
 }
 
 TEST(LoadedInternalPair, TheOtherDriverLoadsTheOtherFlanks) {
-  Drive d = drive_of(15);
+  Drive d = internal_drive(15);
   LoadRequest r = request_of(d);
   r.torques = {2e5};
   const LoadedContact a = run(d, r);
@@ -157,7 +149,7 @@ TEST(LoadedInternalPair, TheOtherDriverLoadsTheOtherFlanks) {
 
 TEST(LoadedInternalPair, TeethOfARingYieldSymmetricallyAndPositively) {
   for (const double helix : {0.0, 15.0}) {
-    const Drive d = drive_of(helix);
+    const Drive d = internal_drive(helix);
     const auto table = tooth_compliance(d.one, d.two, 2, request_of(d));
     ASSERT_TRUE(table) << table.error().message();
     const auto& section = (*table)->section();
@@ -203,7 +195,7 @@ TEST(LoadedInternalPair, OfHelicalTeethIsConverged) {
 // The number of slices that nobody asks for is never too fine, where 32 are.
 TEST(LoadedInternalPair, FairSlicesAreWiderThanTheContact) {
   for (const double helix : {0.0, 15.0, 30.0}) {
-    const Drive d = drive_of(helix, 24);
+    const Drive d = internal_drive(helix, 24);
     LoadRequest r = request_of(d);
     r.torques = {300e3};
     r.slices = fair_slices(d.one, d.two, LoadRegime::line);
@@ -217,7 +209,7 @@ TEST(LoadedInternalPair, FairSlicesAreWiderThanTheContact) {
 // either as in the plane of action.
 TEST(LoadedInternalPair, ContactLinesLieOnBothFlanks) {
   for (const double helix : {15.0, -15.0}) {
-    const Drive d = drive_of(helix);
+    const Drive d = internal_drive(helix);
     const LoadRequest r = request_of(d);
     const auto c = pair_compliance(d.one, d.two, r);
     ASSERT_TRUE(c) << c.error().message();

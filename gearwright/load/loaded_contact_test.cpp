@@ -8,26 +8,23 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
+#include "gearwright/load/testing/drive.hpp"
 
 namespace gearwright {
 namespace {
 
-constexpr double kE = 206000.0;
+using testing::Drive;
+using testing::kE;
+using testing::run;
 
-struct Mesh {
-  Gear one, two;
-  ContactMount mount;
-  ContactPair pair() const { return ContactPair({&one, {}}, {&two, {}}, mount); }
-};
-
-Mesh mesh_of(double helix_deg, double face, double module = 3.0) {
+Drive external_drive(double helix_deg, double face, double module = 3.0) {
   const auto gear = [&](double hand) {
     CylindricalSpec s = testing::plain_spec(
         {.teeth = 25, .module = module, .beta_deg = hand * helix_deg, .face_width = face});
     s.rack = *iso53_rack("ISO53-A");
     return std::move(make_gear(s)).take();
   };
-  Mesh m{gear(1), gear(-1), {}};
+  Drive m{gear(1), gear(-1), {}};
   m.mount.center_distance = m.one.reference_diameter;
   return m;
 }
@@ -41,12 +38,6 @@ LoadRequest request_of(double module = 3.0, double e = kE) {
   return r;
 }
 
-LoadedContact run(const Mesh& m, const LoadRequest& r) {
-  auto c = pair_compliance(m.one, m.two, r);
-  EXPECT_TRUE(c) << c.error().message();
-  return loaded_contact(m.pair(), m.one, m.two, *c, r);
-}
-
 double moment_of(const LoadedPosition& p, double length, double arm) {
   double sum = 0.0;
   for (const LoadedPair& k : p.pairs) sum += k.line_load.sum() * length * arm;
@@ -58,7 +49,7 @@ double moment_of(const LoadedPosition& p, double length, double arm) {
 // its ends make it softer by 0.12 %.
 TEST(LoadedContact, AgreesWithTwoGearsOfFiniteElements) {
   const double face = 360.0;
-  const Mesh m = mesh_of(0, face);
+  const Drive m = external_drive(0, face);
   LoadRequest r = request_of();
   r.accuracy = ComplianceAccuracy::full;
   r.slices = 24;
@@ -88,7 +79,7 @@ TEST(LoadedContact, AgreesWithTwoGearsOfFiniteElements) {
 
 TEST(LoadedContact, CarriesTheTorque) {
   for (const double helix : {0.0, 18.0}) {
-    const Mesh m = mesh_of(helix, 30);
+    const Drive m = external_drive(helix, 30);
     LoadRequest r = request_of();
     r.torques = {5e4, 3e5};
     const LoadedContact answer = run(m, r);
@@ -108,7 +99,7 @@ TEST(LoadedContact, CarriesTheTorque) {
 
 // What a page does: tables that are kept, positions one by one in any order.
 TEST(LoadedContact, InPiecesIsTheSameToTheLastBit) {
-  const Mesh m = mesh_of(12, 30);
+  const Drive m = external_drive(12, 30);
   LoadRequest r = request_of();
   r.torques = {2e5};
   r.deflection_slope = 0.004;
@@ -140,7 +131,7 @@ TEST(LoadedContact, InPiecesIsTheSameToTheLastBit) {
 }
 
 TEST(LoadedContact, TablesAreThoseOfTheTeethAlone) {
-  const Mesh m = mesh_of(12, 30);
+  const Drive m = external_drive(12, 30);
   const LoadRequest r = request_of();
   const std::array<const Gear*, 2> gears{&m.one, &m.two};
   LoadRequest other = r;
@@ -153,15 +144,15 @@ TEST(LoadedContact, TablesAreThoseOfTheTeethAlone) {
   EXPECT_TRUE(same_compliance(gears, r, gears, other, 2));
   other.slices = 14;
   EXPECT_FALSE(same_compliance(gears, r, gears, other, 2));
-  const Mesh wider = mesh_of(12, 31);
+  const Drive wider = external_drive(12, 31);
   EXPECT_FALSE(same_compliance(gears, r, {&wider.one, &wider.two}, r, 1));
-  const Mesh steeper = mesh_of(13, 30);
+  const Drive steeper = external_drive(13, 30);
   EXPECT_FALSE(same_compliance(gears, r, {&steeper.one, &steeper.two}, r, 2));
 }
 
 // Rigid teeth, and hardly loaded ones, do what contact says.
 TEST(LoadedContact, StiffOrIdleTeethAreThoseOfContact) {
-  const Mesh m = mesh_of(12, 30);
+  const Drive m = external_drive(12, 30);
   const auto rigid = analyse_contact(m.pair(), {.positions = 8});
   for (const auto& [e, torque] : {std::pair(1e13, 1e5), std::pair(kE, 1e-3)}) {
     LoadRequest r = request_of(3.0, e);
@@ -173,7 +164,7 @@ TEST(LoadedContact, StiffOrIdleTeethAreThoseOfContact) {
 }
 
 TEST(LoadedContact, TorqueAndModulusTogetherChangeNothing) {
-  const Mesh m = mesh_of(0, 30);
+  const Drive m = external_drive(0, 30);
   LoadRequest soft = request_of(3.0, kE);
   LoadRequest hard = request_of(3.0, 4 * kE);
   soft.torques = {1e5};
@@ -185,8 +176,8 @@ TEST(LoadedContact, TorqueAndModulusTogetherChangeNothing) {
 }
 
 TEST(LoadedContact, ScalesWithLength) {
-  const Mesh small = mesh_of(0, 30, 3);
-  const Mesh large = mesh_of(0, 60, 6);
+  const Drive small = external_drive(0, 30, 3);
+  const Drive large = external_drive(0, 60, 6);
   LoadRequest a = request_of(3.0);
   LoadRequest b = request_of(6.0);
   a.torques = {1e5};
@@ -202,8 +193,8 @@ TEST(LoadedContact, ScalesWithLength) {
 
 // The other hand is the mirror image by the plane of the axes turned end for end.
 TEST(LoadedContact, TheOtherHandIsMirrored) {
-  const Mesh right = mesh_of(15, 30);
-  Mesh left = mesh_of(-15, 30);
+  const Drive right = external_drive(15, 30);
+  Drive left = external_drive(-15, 30);
   LoadRequest r = request_of();
   r.torques = {2e5};
   r.deflection_slope = 0.004;
@@ -219,7 +210,7 @@ TEST(LoadedContact, TheOtherHandIsMirrored) {
 }
 
 TEST(LoadedContact, TheOtherDriverLoadsTheOtherFlanks) {
-  Mesh m = mesh_of(15, 30);
+  Drive m = external_drive(15, 30);
   LoadRequest r = request_of();
   r.torques = {2e5};
   const LoadedContact a = run(m, r);
@@ -235,7 +226,7 @@ TEST(LoadedContact, TheOtherDriverLoadsTheOtherFlanks) {
 // 25 equal teeth 2.797. The face of a real gear is free at its ends: the middle is plane.
 TEST(LoadedContact, RootStressAgreesWithTriangles) {
   const double face = 180.0;
-  const Mesh m = mesh_of(0, face);
+  const Drive m = external_drive(0, face);
   LoadRequest r = request_of();
   r.accuracy = ComplianceAccuracy::full;
   r.slices = 12;
@@ -249,7 +240,7 @@ TEST(LoadedContact, RootStressAgreesWithTriangles) {
 }
 
 TEST(LoadedContact, ACornerCarriesWhenTheTorqueIsSmall) {
-  const Mesh m = mesh_of(0, 30);
+  const Drive m = external_drive(0, 30);
   LoadRequest r = request_of();
   r.torques = {10.0, 1e5};
   r.deflection_slope = 0.03;
@@ -274,7 +265,7 @@ TEST(LoadedContact, OfHelicalTeethIsConverged) {
     s.rack = *iso53_rack("ISO53-A");
     return std::move(make_gear(s)).take();
   };
-  Mesh m{gear(17, 30, 20), gear(43, 25, -20), {}};
+  Drive m{gear(17, 30, 20), gear(43, 25, -20), {}};
   m.mount.center_distance = 0.5 * (m.one.reference_diameter + m.two.reference_diameter);
   LoadRequest r;
   r.bodies = {ElasticBody{0.5 * m.one.root_diameter, 0.3, kE},
@@ -291,7 +282,7 @@ TEST(LoadedContact, OfHelicalTeethIsConverged) {
 
 // A deflection that closes the gap at one end loads that end, whichever flanks are loaded.
 TEST(LoadedContact, SlicesCountFromOneEndForBothDrivers) {
-  Mesh m = mesh_of(0, 30);
+  Drive m = external_drive(0, 30);
   LoadRequest r = request_of();
   r.torques = {1e5};
   r.deflection_slope = 0.02;
@@ -325,7 +316,7 @@ double greatest_share(const LoadedTorque& t) {
 }
 
 TEST(LoadedContact, TransverseLoadFactorComparesWithThePairWithoutErrors) {
-  Mesh m = mesh_of(15, 30);
+  Drive m = external_drive(15, 30);
   LoadRequest r = request_of();
   r.torques = {1e5, 3e5};
   const auto c = pair_compliance(m.one, m.two, r);
@@ -348,7 +339,7 @@ TEST(LoadedContact, TransverseLoadFactorComparesWithThePairWithoutErrors) {
 
 // Where one pair bears alone somewhere, with errors and without, nothing is shared worse.
 TEST(LoadedContact, TransverseLoadFactorOfSingleContactIsOne) {
-  Mesh m = mesh_of(0, 30);
+  Drive m = external_drive(0, 30);
   LoadRequest r = request_of();
   r.torques = {1e5};
   const auto c = pair_compliance(m.one, m.two, r);
@@ -364,7 +355,7 @@ TEST(LoadedContact, TransverseLoadFactorOfSingleContactIsOne) {
 // nothing is pressed where no stress was asked for.
 TEST(LoadedContact, NeighboursThatBearPressTheFillet) {
   for (const double helix : {0.0, 15.0}) {
-    const Mesh m = mesh_of(helix, 30);
+    const Drive m = external_drive(helix, 30);
     LoadRequest r = request_of();
     r.torques = {2e5, 4e5};
     const LoadedContact answer = run(m, r);
@@ -380,7 +371,7 @@ TEST(LoadedContact, NeighboursThatBearPressTheFillet) {
 }
 
 TEST(LoadedContact, GoesWithoutRootStressWhereNobodyWantsIt) {
-  const Mesh m = mesh_of(0, 30);
+  const Drive m = external_drive(0, 30);
   LoadRequest r = request_of();
   r.torques = {1e5};
   const LoadedContact with = run(m, r);
@@ -393,14 +384,14 @@ TEST(LoadedContact, GoesWithoutRootStressWhereNobodyWantsIt) {
 }
 
 TEST(LoadedContact, NarrowFacesHaveFewerSlices) {
-  const auto found = [](const Mesh& m, int slices) {
+  const auto found = [](const Drive& m, int slices) {
     LoadRequest r = request_of();
     r.torques = {2e4};
     r.slices = slices;
     return run(m, r);
   };
   for (const double helix : {0.0, 15.0, 35.0}) {
-    const Mesh m = mesh_of(helix, 15.0);
+    const Drive m = external_drive(helix, 15.0);
     EXPECT_FALSE(found(m, fair_slices(m.one, m.two, LoadRegime::line)).slices_too_fine) << helix;
     EXPECT_TRUE(found(m, 32).slices_too_fine) << helix;
   }

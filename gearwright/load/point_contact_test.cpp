@@ -13,6 +13,7 @@
 #include "gearwright/load/loaded_contact.hpp"
 #include "gearwright/load/point_hertz.hpp"
 #include "gearwright/load/point_sharing.hpp"
+#include "gearwright/load/testing/drive.hpp"
 
 namespace gearwright {
 namespace {
@@ -22,7 +23,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using testing::SamplePair;
 
-constexpr double kE = 206000.0;
+using testing::kE;
 
 TEST(HertzPoint, ABallOnAPlane) {
   const double radius = 12.5;

@@ -3,13 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <random>
+
+#include "gearwright/base/testing/numbers.hpp"
 
 namespace gearwright {
 namespace {
 
-constexpr double kEps = std::numeric_limits<double>::epsilon();
+using testing::kEps;
 
 Eigen::MatrixXd random_matrix(std::mt19937& engine, int rows, int columns) {
   std::uniform_real_distribution<double> entry(-1.0, 1.0);

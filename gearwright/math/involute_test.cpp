@@ -8,11 +8,13 @@
 #include <limits>
 #include <numbers>
 
+#include "gearwright/base/testing/numbers.hpp"
+
 namespace gearwright {
 namespace {
 
-constexpr double kEps = std::numeric_limits<double>::epsilon();
-constexpr double kDegree = std::numbers::pi / 180;
+using testing::kDegree;
+using testing::kEps;
 
 struct Known {
   double in, out;

@@ -5,12 +5,12 @@
 
 #include <cmath>
 
-#include "gearwright/base/numbers.hpp"
+#include "gearwright/base/testing/numbers.hpp"
 
 namespace gearwright {
 namespace {
 
-constexpr double kDegree = kPi / 180;
+using testing::kDegree;
 
 ArcMeshInput mesh(double change = 0.0) {
   const double psi = 30 * kDegree;

@@ -11,6 +11,7 @@
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/testing/taken.hpp"
+#include "gearwright/gear/testing/made.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/gear/testing/warns.hpp"
 #include "gearwright/pair/outline_gap.hpp"
@@ -18,6 +19,7 @@
 namespace gearwright {
 namespace {
 
+using testing::made;
 using testing::warns;
 
 using Complex = std::complex<double>;
@@ -38,8 +40,6 @@ ArcRack rack_of(Cutter cutter) {
   rack.center_b = l * std::sin(kPi / 6);
   return rack;
 }
-
-Gear made(const CylindricalSpec& s) { return testing::taken(make_gear(s)); }
 
 ArcPair mounted(const CylindricalSpec& s_1, const CylindricalSpec& s_2,
                 std::optional<double> a = std::nullopt) {

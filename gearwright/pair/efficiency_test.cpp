@@ -7,26 +7,13 @@
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/pair/contact_zones.hpp"
+#include "gearwright/pair/testing/spur_mesh.hpp"
 
 namespace gearwright {
 namespace {
 
-constexpr double kAlpha = kPi / 9;
-
-// m = 2, α = 20°, no shift, as in mesh_test.
-MeshInput<double> spur(int z1, int z2) {
-  MeshInput<double> in;
-  const double inv = involute(kAlpha);
-  for (int i : {0, 1}) {
-    const int z = i == 0 ? z1 : z2;
-    const double r_b = z * std::cos(kAlpha);
-    in.gears[i] = {z, r_b, 2 * r_b * (kPi / (2 * z) + inv), 0.0};
-    in.tip_form_radius[i] = z + 2;
-  }
-  in.face_width = {20.0, 20.0};
-  in.center_distance = z1 + z2;
-  return in;
-}
+using testing::kAlpha;
+using testing::spur;
 
 MeshInput<double> screws(double beta_1, double beta_2, int z1, int z2) {
   MeshInput<double> in;

@@ -3,6 +3,7 @@
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/gear/testing/warns.hpp"
+#include "gearwright/pair/testing/mounted.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +15,7 @@
 namespace gearwright {
 namespace {
 
+using testing::mounted;
 using testing::warns;
 
 using namespace literals;
@@ -25,10 +27,6 @@ Gear gear(int teeth, double x = 0.0, Angle beta = 0_deg, double tip = 0.0) {
   s.rack = *iso53_rack("ISO53-A");
   if (tip > 0.0) s.tip_diameter = tip;
   return testing::taken(make_gear(s));
-}
-
-InvolutePair mounted(const Gear& g1, const Gear& g2, double a) {
-  return testing::taken(mount_involutes(g1, g2, {a}));
 }
 
 TEST(MountParallel, standard_pair) {

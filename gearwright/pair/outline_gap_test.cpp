@@ -6,23 +6,20 @@
 
 #include <cmath>
 #include <limits>
-#include <optional>
 
-#include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/gear/ring_cutter.hpp"
-#include "gearwright/gear/testing/plain_spec.hpp"
+#include "gearwright/gear/testing/made.hpp"
 #include "gearwright/pair/involute_pair.hpp"
+#include "gearwright/pair/testing/mounted.hpp"
 
 namespace gearwright {
 namespace {
 
-Gear made(const CylindricalSpec& spec) { return testing::taken(make_gear(spec)); }
-
-CylindricalSpec spec(int teeth, double m, double x = 0.0, double beta_deg = 0.0) {
-  return testing::plain_spec(
-      {.teeth = teeth, .module = m, .beta_deg = beta_deg, .x = x, .face_width = 20.0});
-}
+using testing::cut;
+using testing::made;
+using testing::mounted;
+using testing::spec;
 
 Gear ring(int teeth, double m, double x = 0.0, double beta_deg = 0.0) {
   CylindricalSpec short_teeth = spec(teeth, m, x, beta_deg);  // clear of the pinion's fillet
@@ -30,16 +27,6 @@ Gear ring(int teeth, double m, double x = 0.0, double beta_deg = 0.0) {
   auto cut = cut_by_default(made(short_teeth));
   EXPECT_TRUE(cut);
   return std::move(cut).value();
-}
-
-Gear cut(const Gear& cutter, int teeth, double x, std::optional<double> tip_diameter = {}) {
-  const auto distance = generating_distance(cutter, teeth, x);
-  EXPECT_TRUE(distance);
-  return testing::taken(make_pinion_cut_gear(cutter, {teeth, *distance, 20.0, tip_diameter}));
-}
-
-InvolutePair mounted(const Gear& one, const Gear& two, double a) {
-  return testing::taken(mount_involutes(one, two, {a}));
 }
 
 double half_play(const InvolutePair& p) { return p.mesh.backlash.rotation[1] / 2; }

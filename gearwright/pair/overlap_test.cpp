@@ -6,26 +6,19 @@
 
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
-#include "gearwright/gear/testing/plain_spec.hpp"
+#include "gearwright/gear/testing/made.hpp"
 #include "gearwright/gear/testing/warns.hpp"
 #include "gearwright/pair/pair.hpp"
+#include "gearwright/pair/testing/mounted.hpp"
 
 namespace gearwright {
 namespace {
 
+using testing::cut;
+using testing::made;
+using testing::mounted;
+using testing::spec;
 using testing::warns;
-
-CylindricalSpec spec(int teeth, double m, double x = 0.0) {
-  return testing::plain_spec({.teeth = teeth, .module = m, .x = x, .face_width = 20.0});
-}
-Gear made(const CylindricalSpec& s) { return testing::taken(make_gear(s)); }
-InvolutePair mounted(const Gear& one, const Gear& two, double a) {
-  return testing::taken(mount_involutes(one, two, {a}));
-}
-Gear cut(const Gear& cutter, int teeth, double x, std::optional<double> tip_diameter = {}) {
-  return testing::taken(make_pinion_cut_gear(
-      cutter, {teeth, testing::taken(generating_distance(cutter, teeth, x)), 20.0, tip_diameter}));
-}
 
 Gear wheel_of_undercut_pinion() {
   CylindricalSpec cutter = spec(10, 2.5);

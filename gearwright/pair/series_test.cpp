@@ -6,17 +6,18 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 #include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "gearwright/base/testing/numbers.hpp"
+
 namespace gearwright {
 namespace {
 
 using Exact = boost::multiprecision::cpp_bin_float_50;
-constexpr double kDegree = std::numbers::pi / 180;
+using testing::kDegree;
 
 // Columns as computed with 40 digits from the equations of the theory page; angles in degrees,
 // α = 20°. The last three are the exact solution.
@@ -235,7 +236,7 @@ TEST(MinDistanceSeries, errors_fall_with_the_right_power) {
         spur[0][i] = *s.virtual_pressure_angle() - exact.alpha;
         spur[1][i] = *s.corrected_virtual_pressure_angle() - exact.alpha;
       }
-      const std::string what = testing::PrintToString(std::pair{shape.z1, shape.z2});
+      const std::string what = ::testing::PrintToString(std::pair{shape.z1, shape.z2});
       for (int n = 1; n <= 3; ++n)
         EXPECT_NEAR(order(alpha[n - 1][0], alpha[n - 1][1]), n + 1, 0.01) << what << n;
       for (int n = 1; n <= 2; ++n)

@@ -4,17 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
-#include <numbers>
-#include <optional>
+
+#include "gearwright/base/testing/numbers.hpp"
+#include "gearwright/pair/testing/spur_mesh.hpp"
 
 namespace gearwright {
 namespace {
 
-constexpr double kAlpha = std::numbers::pi / 9;
-constexpr double kEps = std::numeric_limits<double>::epsilon();
+using testing::kAlpha;
+using testing::kEps;
 
-ShiftProblem spur(int z1, int z2) {
+ShiftProblem spur_problem(int z1, int z2) {
   ShiftProblem p;
   p.z1 = z1;
   p.z2 = z2;
@@ -30,15 +30,15 @@ ShiftSolution solved(const ShiftProblem& p) {
 }
 
 TEST(Shift, nothing_given_is_the_reference_distance) {
-  const ShiftSolution s = solved(spur(17, 43));
+  const ShiftSolution s = solved(spur_problem(17, 43));
   EXPECT_EQ(s.x1, 0.0);
   EXPECT_EQ(s.x2, 0.0);
   EXPECT_EQ(s.center_distance, 60.0);
-  EXPECT_EQ(solved(spur(17, -43)).center_distance, 26.0);
+  EXPECT_EQ(solved(spur_problem(17, -43)).center_distance, 26.0);
 }
 
 TEST(Shift, opposite_shifts_leave_the_reference_distance) {
-  ShiftProblem p = spur(17, 43);
+  ShiftProblem p = spur_problem(17, 43);
   p.x1 = 0.375;
   p.x2 = -0.375;
   EXPECT_EQ(solved(p).center_distance, 60.0);
@@ -70,14 +70,14 @@ TEST(Shift, more_shift_moves_external_axes_apart_and_internal_ones_together) {
 }
 
 TEST(Shift, one_shift_follows_from_the_distance) {
-  ShiftProblem p = spur(17, 43);
+  ShiftProblem p = spur_problem(17, 43);
   p.center_distance = 61.0;
   p.x1 = 0.2;
   const ShiftSolution s = solved(p);
   EXPECT_EQ(s.x1, 0.2);
   EXPECT_EQ(s.center_distance, 61.0);
   EXPECT_NEAR(tight_center_distance(17, 43, 2.0, kAlpha, kAlpha, 1.0, s.x1 + s.x2), 61.0, 1e-12);
-  ShiftProblem other = spur(17, 43);
+  ShiftProblem other = spur_problem(17, 43);
   other.center_distance = 61.0;
   other.x2 = s.x2;
   EXPECT_NEAR(solved(other).x1, 0.2, 1e-15 * 10);
@@ -85,28 +85,28 @@ TEST(Shift, one_shift_follows_from_the_distance) {
 
 // Both wanted: Eq. 11 gives the pinion the more of it; it is symmetric in the two gears.
 TEST(Shift, both_follow_from_the_distance) {
-  ShiftProblem p = spur(17, 43);
+  ShiftProblem p = spur_problem(17, 43);
   p.center_distance = 61.0;
   const ShiftSolution s = solved(p);
   EXPECT_GT(s.x1, s.x2);
   EXPECT_NEAR(s.x1, (0.625 * 43 + (s.x1 + s.x2 - 0.625) * 17) / 60, 1e-14);
-  ShiftProblem swapped = spur(43, 17);
+  ShiftProblem swapped = spur_problem(43, 17);
   swapped.center_distance = 61.0;
   const ShiftSolution t = solved(swapped);
   EXPECT_NEAR(t.x1 + t.x2, s.x1 + s.x2, 1e-14);
-  ShiftProblem ring = spur(17, -43);
+  ShiftProblem ring = spur_problem(17, -43);
   ring.center_distance = 25.8;
   EXPECT_EQ(solved(ring).x2, 0.0);
   EXPECT_GT(solved(ring).x1, 0.0);
 }
 
 TEST(Shift, extended_mounting) {
-  ShiftProblem p = spur(17, 43);
+  ShiftProblem p = spur_problem(17, 43);
   p.mounting = Mounting::extended;
   p.x1 = 0.3;
   p.x2 = 0.2;
   EXPECT_EQ(solved(p).center_distance, 61.0);
-  ShiftProblem back = spur(17, 43);
+  ShiftProblem back = spur_problem(17, 43);
   back.mounting = Mounting::extended;
   back.center_distance = 61.0;
   back.x1 = 0.3;
@@ -114,18 +114,18 @@ TEST(Shift, extended_mounting) {
 }
 
 TEST(Shift, what_has_no_answer_is_named) {
-  ShiftProblem close = spur(17, 43);
+  ShiftProblem close = spur_problem(17, 43);
   close.center_distance = 60 * std::cos(kAlpha) - 0.1;
   const auto a = complete_shifts(close);
   ASSERT_FALSE(a);
   EXPECT_EQ(a.error().field, "pair.center_distance");
-  ShiftProblem thin = spur(17, 43);
+  ShiftProblem thin = spur_problem(17, 43);
   thin.x1 = -1.0;
   thin.x2 = -1.0;
   const auto b = complete_shifts(thin);
   ASSERT_FALSE(b);
   EXPECT_EQ(b.error().field, "profile_shift");
-  ShiftProblem thick_ring = spur(17, -43);
+  ShiftProblem thick_ring = spur_problem(17, -43);
   thick_ring.x1 = 1.0;
   ASSERT_FALSE(complete_shifts(thick_ring));
   EXPECT_EQ(complete_shifts(thick_ring).error().field, "profile_shift");

@@ -9,7 +9,7 @@
 namespace gearwright {
 namespace {
 
-RatingInput load() {
+RatingInput steady_load() {
   RatingInput in = testing::helical_24_95_load();
   in.application_factor = 1.0;
   return in;
@@ -19,7 +19,7 @@ RatingInput load() {
 TEST(Spectrum, OneStepIsThePlainRating) {
   const RatedPair pair = testing::helical_24_95();
   for (const double hours : {0.1, 10.0, 500.0, 20000.0}) {
-    RatingInput in = load();
+    RatingInput in = steady_load();
     in.life_h = hours;
     const Rating plain = rate(pair, in).value();
     const SpectrumRating s = rate_spectrum(pair, in, {{in.torque, *in.speed, hours}}).value();
@@ -33,7 +33,7 @@ TEST(Spectrum, OneStepIsThePlainRating) {
 // (2), and more load is more damage
 TEST(Spectrum, StepsAddUp) {
   const RatedPair pair = testing::helical_24_95();
-  const RatingInput in = load();
+  const RatingInput in = steady_load();
   const double n = *in.speed;
   const SpectrumRating whole = rate_spectrum(pair, in, {{130000, n, 200}}).value();
   const SpectrumRating cut =

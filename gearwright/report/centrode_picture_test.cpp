@@ -2,15 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include "gearwright/report/testing/page_text.hpp"
 #include "gearwright/report/testing/sample_reports.hpp"
 
 namespace gearwright {
 namespace {
 
+using testing::has;
 using testing::sample_gear;
 using testing::sample_pair;
-
-bool has(const std::string& page, const std::string& part) { return page.find(part) != page.npos; }
 
 TEST(CentrodePicture, OnlyWhereTheShiftIsSeen) {
   EXPECT_TRUE(centrodes_are_worth_a_picture(testing::two_and_sixty()));

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "gearwright/report/testing/chain_distance.hpp"
 #include "gearwright/tool/double_arc_rack.hpp"
 
 namespace gearwright {
@@ -38,27 +38,17 @@ ArcPair litvin_tsay_pair() {
   return std::move(pair).take();
 }
 
-double distance(const std::vector<Vec2>& chain, const Vec2& p) {
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
-    const Vec2 ab = chain[i + 1] - chain[i];
-    const double square = ab.squaredNorm();
-    const double t = square > 0.0 ? std::clamp((p - chain[i]).dot(ab) / square, 0.0, 1.0) : 0.0;
-    least = std::min(least, (p - chain[i] - t * ab).norm());
-  }
-  return least;
-}
-
 // M = (0.456106, 0.79) modules of the paper's racks lies on both of them.
 TEST(ArcPicture, BothRacksPassTheirContactPoint) {
   const ArcPair pair = litvin_tsay_pair();
   const double m = 12.7;
   const Vec2 M(0.45610671265980433 * m, 0.79 * m);
   // Chords of arcs of 1.4 modules over 1/32 of their angle stay within 3e-4 modules.
-  EXPECT_LT(distance(rack_half_tooth(pair.gears[0]), M), 3e-4 * m);
+  EXPECT_LT(testing::chain_distance(rack_half_tooth(pair.gears[0]), M), 3e-4 * m);
   // The mating gear's tooth is half a pitch away and upside down.
   const double half_pitch = 3.14159265358979323846 * m / 2;
-  EXPECT_LT(distance(rack_half_tooth(pair.gears[1]), {-M.x(), half_pitch - M.y()}), 3e-4 * m);
+  EXPECT_LT(testing::chain_distance(rack_half_tooth(pair.gears[1]), {-M.x(), half_pitch - M.y()}),
+            3e-4 * m);
 }
 
 TEST(ArcPicture, ARackReachesFromItsDedendumToItsAddendum) {
@@ -90,7 +80,9 @@ TEST(ArcPicture, BothTeethPassTheContactPointInTheNormalSection) {
       const NormalPlane plane = normal_plane(pair, contact);
       EXPECT_NEAR(plane.along.dot(contact.at.normal), 0.0, 1e-9);
       for (const std::size_t i : {0u, 1u})
-        EXPECT_LT(distance(normal_section(pair, contact, i, 1), Vec2::Zero()), 2e-4 * m) << i;
+        EXPECT_LT(testing::chain_distance(normal_section(pair, contact, i, 1), Vec2::Zero()),
+                  2e-4 * m)
+            << i;
     }
   }
 }

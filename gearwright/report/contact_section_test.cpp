@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "gearwright/report/contact_flank_picture.hpp"
+#include "gearwright/report/testing/page_text.hpp"
 #include "gearwright/report/testing/sample_contact.hpp"
 #include "gearwright/report/testing/strict_html.hpp"
 
@@ -17,8 +18,8 @@ namespace {
 using testing::ContactSample;
 using testing::StrictHtml;
 
-void expect_sound(const std::string& section) {
-  const auto facts = StrictHtml::read("<!DOCTYPE html>\n" + section);
+void expect_sound_section(const std::string& section) {
+  const auto facts = StrictHtml::read(testing::as_page(section));
   for (const std::string& fault : facts.faults) ADD_FAILURE() << fault;
   // "nan" and "inf" as words of their own.
   for (const std::string_view word : {"nan", "inf"}) {
@@ -37,7 +38,7 @@ TEST(ContactSection, IsWellFormedForEveryKindOfContact) {
   for (const ContactSample& s :
        {testing::helical_contact(), testing::crossed_contact(), testing::crossed_contact(true),
         testing::ring_contact(), testing::perfect_contact()})
-    expect_sound(contact_section(s.report));
+    expect_sound_section(contact_section(s.report));
 }
 
 TEST(ContactSection, StandsInThePage) {
@@ -57,7 +58,7 @@ TEST(ContactSection, WhatItIsToldIsText) {
   s.report.errors = {{"<b>&", 1.0, "\"mm\""}};
   s.report.modifications = {"gear 1: </ul>"};
   s.report.under[0].name = "<i>";
-  expect_sound(contact_section(s.report));
+  expect_sound_section(contact_section(s.report));
 }
 
 TEST(ContactSection, LostContactHasNoSpectrumAndSaysSo) {
@@ -66,7 +67,7 @@ TEST(ContactSection, LostContactHasNoSpectrumAndSaysSo) {
   s.report.driving.harmonics.clear();
   s.report.driving.positions[3].kind = TouchKind::none;
   const std::string text = contact_section(s.report);
-  expect_sound(text);
+  expect_sound_section(text);
   EXPECT_NE(text.find("no tooth pair touches"), text.npos);
   EXPECT_NE(text.find("There is no spectrum"), text.npos);
 }
@@ -76,7 +77,7 @@ TEST(ContactSection, APatternUnderWhichNothingTouches) {
   for (double& gap : s.report.under[0].pattern.gap) gap = std::numeric_limits<double>::infinity();
   s.report.under[0].peak_to_peak = Angle::radians(std::numeric_limits<double>::quiet_NaN());
   const std::string text = contact_section(s.report);
-  expect_sound(text);
+  expect_sound_section(text);
   EXPECT_NE(text.find("nothing touches"), text.npos);
 }
 

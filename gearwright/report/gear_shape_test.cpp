@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/report/testing/chain_distance.hpp"
 #include "gearwright/report/testing/sample_reports.hpp"
 
 namespace gearwright {
@@ -58,18 +59,6 @@ std::vector<Vec2> points_of(const std::string& path, double unit) {
   return points;
 }
 
-double distance(const Vec2& p, const std::vector<Vec2>& chain) {
-  double least = 1e300;
-  for (std::size_t i = 1; i < chain.size(); ++i) {
-    const Vec2 ab = chain[i] - chain[i - 1];
-    const double t = ab.squaredNorm() > 0
-                         ? std::clamp((p - chain[i - 1]).dot(ab) / ab.squaredNorm(), 0.0, 1.0)
-                         : 0.0;
-    least = std::min(least, (p - chain[i - 1] - t * ab).norm());
-  }
-  return least;
-}
-
 class GearShape : public ::testing::TestWithParam<int> {};
 
 TEST_P(GearShape, FollowsTheOutline) {
@@ -83,7 +72,7 @@ TEST_P(GearShape, FollowsTheOutline) {
     for (int k = 0; k <= 400; ++k) {
       const Vec2 p = arc.point(k / 400.0);
       for (const double side : {1.0, -1.0})
-        worst = std::max(worst, distance({p.x(), side * p.y()}, chain));
+        worst = std::max(worst, testing::chain_distance(chain, {p.x(), side * p.y()}));
     }
   }
   EXPECT_LT(worst, kOutlineTolerance * gear.spec.normal_module);
@@ -104,7 +93,7 @@ TEST(GearShape, FollowsTeethCutByGears) {
       for (int k = 0; k <= 400; ++k) {
         const Vec2 p = arc.point(k / 400.0);
         for (const double side : {1.0, -1.0})
-          worst = std::max(worst, distance({p.x(), side * p.y()}, chain));
+          worst = std::max(worst, testing::chain_distance(chain, {p.x(), side * p.y()}));
       }
     }
     EXPECT_LT(worst, kOutlineTolerance * gear->spec.normal_module) << gear->spec.teeth;

@@ -9,12 +9,14 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/load_flank_picture.hpp"
+#include "gearwright/report/testing/page_text.hpp"
 #include "gearwright/report/testing/sample_load.hpp"
 #include "gearwright/report/testing/strict_html.hpp"
 
 namespace gearwright {
 namespace {
 
+using testing::count_of;
 using testing::load_sample;
 using testing::LoadSample;
 using testing::StrictHtml;
@@ -33,12 +35,6 @@ std::string sound(const LoadSample& s) {
   return text;
 }
 
-std::size_t count(std::string_view text, std::string_view word) {
-  std::size_t n = 0;
-  for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) ++n;
-  return n;
-}
-
 TEST(LoadSection, HasAParagraphAndAPictureOfEverything) {
   const LoadSample s = load_sample(testing::spur_pair(), {50e3, 100e3, 200e3}, 0.01);
   const std::string text = sound(s);
@@ -46,11 +42,11 @@ TEST(LoadSection, HasAParagraphAndAPictureOfEverything) {
        {"loaded-te", "harris", "load-share", "mesh-stiffness", "pressure1", "pressure2",
         "pressure-along", "root-stress1", "root-stress2", "root-stress-face"})
     EXPECT_NE(text.find("id=\"" + std::string(id)), text.npos) << id;
-  EXPECT_EQ(count(text, "<h3>"), 4u);
+  EXPECT_EQ(count_of(text, "<h3>"), 4u);
   EXPECT_NE(text.find("quietest at"), text.npos);
   // A place of the slider for every position, in three pictures, one of them seen without it.
-  EXPECT_EQ(count(text, "data-frame=\""), 30u);
-  EXPECT_EQ(count(text, "data-frames=\"10\">"), 3u);
+  EXPECT_EQ(count_of(text, "data-frame=\""), 30u);
+  EXPECT_EQ(count_of(text, "data-frames=\"10\">"), 3u);
 }
 
 TEST(LoadSection, OneTorqueHasNoHarrisMapAndSaysSo) {

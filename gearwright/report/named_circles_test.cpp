@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "gearwright/report/testing/page_text.hpp"
+
 namespace gearwright {
 namespace {
+
+using testing::has;
 
 std::string drawn(double side, std::size_t gear, double radius) {
   Svg svg("s", 400, 400, "t", "d");
@@ -11,8 +15,6 @@ std::string drawn(double side, std::size_t gear, double radius) {
   draw_named_circles(svg, view, {0, 0}, side, gear, {{"d_w1", radius, " dashdot"}});
   return svg.str();
 }
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
 
 TEST(NamedCircles, AtTheTopOrTheBottomWhereTheyLeave) {
   // r = 190 px leaves the line y = 30, 170 px above the axis, √(190² − 170²) = 84.85 px from it.

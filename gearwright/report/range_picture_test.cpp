@@ -2,24 +2,21 @@
 
 #include <gtest/gtest.h>
 
+#include "gearwright/report/testing/page_text.hpp"
 #include "gearwright/report/testing/sample_reports.hpp"
 #include "gearwright/report/testing/strict_html.hpp"
 
 namespace gearwright {
 namespace {
 
-std::size_t count(const std::string& text, const std::string& what) {
-  std::size_t n = 0;
-  for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + 1)) ++n;
-  return n;
-}
+using testing::count_of;
 
 TEST(RangePicture, ThreeCurvesAndTheirMarks) {
   const std::string text = range_figure(testing::crossed_pair());
-  EXPECT_EQ(count(text, "<polyline class=\"curve ink\""), 3u);
-  EXPECT_EQ(count(text, "class=\"band\""), 1u);
-  EXPECT_EQ(count(text, "mark action-dot"), 3u);
-  EXPECT_EQ(count(text, "mark ring"), 15u);  // five approximations in three panels
+  EXPECT_EQ(count_of(text, "<polyline class=\"curve ink\""), 3u);
+  EXPECT_EQ(count_of(text, "class=\"band\""), 1u);
+  EXPECT_EQ(count_of(text, "mark action-dot"), 3u);
+  EXPECT_EQ(count_of(text, "mark ring"), 15u);  // five approximations in three panels
   EXPECT_NE(text.find(">50.0100<"), text.npos);
   EXPECT_NE(text.find(">90.0000<"), text.npos);
   EXPECT_NE(text.find(">1.731<"), text.npos);
@@ -42,8 +39,8 @@ TEST(RangePicture, WithoutAnIntervalOfContact) {
       testing::gear_as_itself(15, 52.6687933717901, 7.618, 36.595, 59.5, 24), 90);
   ASSERT_FALSE(pair.contact_ratio_range.has_value());
   const std::string text = range_figure(pair);
-  EXPECT_EQ(count(text, "class=\"band\""), 0u);
-  EXPECT_EQ(count(text, "<polyline class=\"curve ink\""), 3u);
+  EXPECT_EQ(count_of(text, "class=\"band\""), 0u);
+  EXPECT_EQ(count_of(text, "<polyline class=\"curve ink\""), 3u);
   EXPECT_NE(text.find("reaches 1 nowhere"), text.npos);
 }
 

@@ -46,7 +46,7 @@ std::vector<std::string> row(const std::string& page, const std::string& words) 
 
 using Values = std::vector<std::string>;
 
-void expect_sound(const std::string& page) {
+void expect_sound_page(const std::string& page) {
   const auto facts = StrictHtml::read(page);
   for (const std::string& fault : facts.faults) ADD_FAILURE() << fault;
   for (const std::string& link : facts.links) {
@@ -72,12 +72,12 @@ TEST(StrictHtml, SeesWhatIsBroken) {
 
 TEST(Report, IsWellFormedAndReachesForNothing) {
   for (const InvolutePair& pair : {helical_pair(), undercut_pair(), internal_pair()}) {
-    expect_sound(report_html(report_input(pair)));
+    expect_sound_page(report_html(report_input(pair)));
   }
   for (const Gear& gear :
        {sample_gear(8, 2, 0, 0), sample_gear(3, 2, 0, -0.6), sample_gear(5, 2, 0, -0.8),
         sample_gear(-60, 2, 10, 0), sample_gear(20, 2, 0, 0, 0.3)}) {
-    expect_sound(report_html(report_input(gear)));
+    expect_sound_page(report_html(report_input(gear)));
   }
 }
 
@@ -176,7 +176,7 @@ TEST(Report, CrossedPairNumbersAreThePairs) {
 TEST(Report, CrossedPairsSayWhatTheyAre) {
   for (const InvolutePair& pair : testing::crossed_pairs()) {
     const std::string page = report_html(report_input(pair));
-    expect_sound(page);
+    expect_sound_page(page);
     EXPECT_NE(page.find("Crossed helical gear pair, shaft angle "), page.npos);
     EXPECT_EQ(page.find("otal contact ratio"), page.npos);
     EXPECT_EQ(page.find("tips, roots, fillets and flanks keep clear"), page.npos);
@@ -220,7 +220,7 @@ TEST(Report, TextIsText) {
   input.verdict.findings.push_back({"unheard_of", Level::amber, 1, evil, evil});
   input.files.push_back({"javascript:alert(1)//\"<b>", evil, evil});
   const std::string page = report_html(input);
-  expect_sound(page);
+  expect_sound_page(page);
   const auto facts = StrictHtml::read(page);
   EXPECT_EQ(facts.elements.at("script"), 1);
   EXPECT_EQ(facts.elements.at("pre"), 1);
@@ -252,7 +252,7 @@ TEST(Report, PicturesThatApply) {
 TEST(Report, PicturesOfFewTeethAndGearsCutByGears) {
   const InvolutePair sixty = testing::two_and_sixty();
   const std::string page = report_html(report_input(sixty));
-  expect_sound(page);
+  expect_sound_page(page);
   const auto ids = StrictHtml::read(page).ids;
   for (const char* id : {"tooth-gear1", "tooth-gear2", "root-gear1", "shift1-gear1", "shift5-gear1",
                          "centrodes-before", "centrodes-after", "mesh", "whole"}) {
@@ -267,7 +267,7 @@ TEST(Report, PicturesOfFewTeethAndGearsCutByGears) {
 
   const InvolutePair ring = testing::pinion_in_cut_ring();
   const std::string in_ring = report_html(report_input(ring));
-  expect_sound(in_ring);
+  expect_sound_page(in_ring);
   EXPECT_EQ(StrictHtml::read(in_ring).ids.count("tooth-gear2"), 1u);
   EXPECT_EQ(in_ring.find("no outline"), in_ring.npos);
   EXPECT_EQ(in_ring.find("is not checked"), in_ring.npos);

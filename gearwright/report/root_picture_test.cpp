@@ -3,21 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "gearwright/report/few_teeth_table.hpp"
+#include "gearwright/report/testing/page_text.hpp"
 #include "gearwright/report/testing/sample_reports.hpp"
 
 namespace gearwright {
 namespace {
 
+using testing::count_of;
 using testing::sample_gear;
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t n = 0;
-  for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++n;
-  return n;
-}
 
 TEST(RootPicture, OnlyWhereItSaysSomething) {
   EXPECT_TRUE(root_is_worth_a_picture(testing::two_teeth()));
@@ -56,8 +51,8 @@ TEST(RootPicture, UndercutBeginsWhereTheFlankMeetsTheBaseCircle) {
 
 TEST(RootPicture, ShowsBothRootsAndThePoints) {
   const std::string page = root_figure(testing::two_teeth(), "gear1", "Gear 1");
-  EXPECT_GT(count(page, "class=\"before\""), 4u);             // the rack's tooth, both flanks
-  EXPECT_EQ(count(page, "class=\"arc c-root-fillet\""), 2u);  // the gear's
+  EXPECT_GT(count_of(page, "class=\"before\""), 4u);             // the rack's tooth, both flanks
+  EXPECT_EQ(count_of(page, "class=\"arc c-root-fillet\""), 2u);  // the gear's
   for (const char* letter : {">F<", ">C<", ">J<"})
     EXPECT_NE(page.find(letter), page.npos) << letter;
   // Table 1 of the paper: l 0.236 and 0.246, radii 1.045 and 0.332.
@@ -66,11 +61,11 @@ TEST(RootPicture, ShowsBothRootsAndThePoints) {
   EXPECT_NE(page.find("as the rack alone would cut it: undercut"), page.npos);
 
   const std::string undercut = root_figure(sample_gear(8, 2, 0, 0), "gear1", "Gear 1");
-  EXPECT_EQ(count(undercut, "class=\"before\""), 2u);  // the lost flank, both sides
+  EXPECT_EQ(count_of(undercut, "class=\"before\""), 2u);  // the lost flank, both sides
   EXPECT_NE(undercut.find("flank that the undercut took away"), undercut.npos);
   EXPECT_EQ(undercut.find(">C<"), undercut.npos);
   const std::string sound = root_figure(sample_gear(10, 2, 0, 0.6), "gear1", "Gear 1");
-  EXPECT_EQ(count(sound, "class=\"before\""), 0u);
+  EXPECT_EQ(count_of(sound, "class=\"before\""), 0u);
   EXPECT_NE(sound.find("there is no undercut"), sound.npos);
 }
 

@@ -6,6 +6,7 @@
 
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/search_section.hpp"
+#include "gearwright/report/testing/page_text.hpp"
 #include "gearwright/report/testing/sample_search.hpp"
 #include "gearwright/report/testing/strict_html.hpp"
 
@@ -13,11 +14,8 @@ namespace gearwright {
 namespace {
 
 using testing::count_of;
+using testing::has;
 using testing::SearchSample;
-
-bool has(const std::string& page, const std::string& words) {
-  return page.find(words) != page.npos;
-}
 
 TEST(SearchReport, PagesAreSoundAndReachNothingElse) {
   for (const SearchSample& sample : testing::all_searches()) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "gearwright/report/testing/page_text.hpp"
 #include "gearwright/report/testing/sample_search.hpp"
 #include "gearwright/report/testing/strict_html.hpp"
 
@@ -9,18 +10,12 @@ namespace gearwright {
 namespace {
 
 using testing::count_of;
-
-void expect_sound(const std::string& figure) {
-  for (const std::string& fault : testing::StrictHtml::read(testing::as_page(figure)).faults)
-    ADD_FAILURE() << fault;
-  EXPECT_EQ(figure.find("nan"), figure.npos);
-  EXPECT_EQ(figure.find("inf"), figure.npos);
-}
+using testing::expect_sound_figure;
 
 TEST(ShiftChartPictures, TheFewestTeethAreThoseOfTheText) {
   const SearchProblem problem = testing::spur_problem();
   const std::string figure = shift_limits_figure(problem, Trial{}, nullptr);
-  expect_sound(figure);
+  expect_sound_figure(figure);
   EXPECT_NE(figure.find("8 teeth with a pointed tip, 10 teeth for 0.2, 12 teeth for 0.4"),
             figure.npos);
   for (const char* name : {">undercut<", ">pointed<", ">tip 0.2<", ">tip 0.4<"})
@@ -34,7 +29,7 @@ TEST(ShiftChartPictures, TheDesignIsMarkedWhereItIsOnTheChart) {
   DesignRow row = sample.answer->designs.front();
   const auto rings = [&] {
     const std::string figure = shift_limits_figure(sample.search->problem(), row.trial, &row);
-    expect_sound(figure);
+    expect_sound_figure(figure);
     return count_of(figure, "class=\"design-ring\"");
   };
   EXPECT_EQ(rings(), 2u);
@@ -46,7 +41,7 @@ TEST(ShiftChartPictures, TheDesignIsMarkedWhereItIsOnTheChart) {
 
 TEST(ShiftChartPictures, TwelveTeethReachTheSoundContactRatio) {
   const std::string figure = identical_gears_figure(testing::spur_problem(), Trial{});
-  expect_sound(figure);
+  expect_sound_figure(figure);
   EXPECT_NE(figure.find("From 12 teeth on some shift reaches it."), figure.npos);
   EXPECT_EQ(count_of(figure, "class=\"curve share"), 5u);
   EXPECT_EQ(figure.find("asked here"), figure.npos);
@@ -63,7 +58,7 @@ TEST(ShiftChartPictures, IdenticalGearsSayNothingOfRingsAndCrossedAxes) {
   EXPECT_EQ(figure(testing::ring_search()), "");
   EXPECT_EQ(figure(testing::crossed_search()), "");
   const std::string helical = figure(testing::helical_search());
-  expect_sound(helical);
+  expect_sound_figure(helical);
   EXPECT_NE(helical.find("helix angle"), helical.npos);
 }
 
@@ -72,13 +67,13 @@ TEST(ShiftChartPictures, LimitsThatLeaveNothingDrawNothing) {
   SearchProblem problem = testing::spur_problem();
   problem.limits.min_shift = 1.0;
   problem.limits.max_shift = 0.5;
-  expect_sound(shift_limits_figure(problem, Trial{}, nullptr));
+  expect_sound_figure(shift_limits_figure(problem, Trial{}, nullptr));
   EXPECT_EQ(count_of(shift_limits_figure(problem, Trial{}, nullptr), "class=\"room\""), 0u);
   EXPECT_EQ(identical_gears_figure(problem, Trial{}), "");
   problem.limits.min_shift.reset();
   problem.limits.max_shift.reset();
-  expect_sound(shift_limits_figure(problem, Trial{}, nullptr));
-  expect_sound(identical_gears_figure(problem, Trial{}));
+  expect_sound_figure(shift_limits_figure(problem, Trial{}, nullptr));
+  expect_sound_figure(identical_gears_figure(problem, Trial{}));
 }
 
 }  // namespace

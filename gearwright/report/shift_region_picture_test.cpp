@@ -6,6 +6,7 @@
 
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/search_words.hpp"
+#include "gearwright/report/testing/page_text.hpp"
 #include "gearwright/report/testing/sample_search.hpp"
 #include "gearwright/report/testing/strict_html.hpp"
 
@@ -13,15 +14,8 @@ namespace gearwright {
 namespace {
 
 using testing::count_of;
+using testing::expect_sound_figure;
 using testing::SearchSample;
-
-void expect_sound(const std::string& figure) {
-  const auto facts = testing::StrictHtml::read(testing::as_page(figure));
-  for (const std::string& fault : facts.faults)
-    if (fault.rfind("no such id: design-", 0) != 0) ADD_FAILURE() << fault;
-  EXPECT_EQ(figure.find("nan"), figure.npos);
-  EXPECT_EQ(figure.find("inf"), figure.npos);
-}
 
 std::string figure_of(const SearchSample& sample, const DesignRow& row) {
   return shift_region_figure(sample.search->graph(row.trial), row);
@@ -44,7 +38,7 @@ TEST(ShiftRegionPicture, EveryEdgeOfTheRegionIsNamedInTheKey) {
     for (const DesignRow& row : sample.answer->designs) {
       const ShiftGraph graph = sample.search->graph(row.trial);
       const std::string figure = shift_region_figure(graph, row);
-      expect_sound(figure);
+      expect_sound_figure(figure, "design-");
       const bool exact = sample.search->problem().center_distance &&
                          (*sample.search->problem().center_distance)[0] ==
                              (*sample.search->problem().center_distance)[1];
@@ -111,19 +105,19 @@ TEST(ShiftRegionPicture, APointATinyCornerAndAWholeRectangle) {
   const SearchSample point = one_pair(40, 80, 58.0, 59.0);
   ASSERT_EQ(point.answer->designs.size(), 1u);
   const std::string dot = figure_of(point, point.answer->designs.front());
-  expect_sound(dot);
+  expect_sound_figure(dot, "design-");
   EXPECT_NE(dot.find("class=\"region-point\" r=\"3\""), dot.npos);
 
   const SearchSample tiny = one_pair(40, 80, 58.0, 59.0001);
   const DesignRow& corner = tiny.answer->designs.front();
   EXPECT_NEAR(corner.area, 0.5e-8, 1e-12);
   const std::string small = figure_of(tiny, corner);
-  expect_sound(small);
+  expect_sound_figure(small, "design-");
   EXPECT_NE(small.find("class=\"region-map\""), small.npos);
 
   const SearchSample whole = one_pair(40, 80, 50.0, 70.0);
   const std::string all = figure_of(whole, whole.answer->designs.front());
-  expect_sound(all);
+  expect_sound_figure(all, "design-");
   EXPECT_EQ(all.find("class=\"region-map\""), all.npos);
 }
 
@@ -143,7 +137,7 @@ TEST(ShiftRegionPicture, ARegionInTwoPieces) {
   const DesignRow& row = sample.answer->designs.front();
   ASSERT_EQ(shift_region(sample.search->graph(row.trial))->sums.size(), 2u);
   const std::string figure = figure_of(sample, row);
-  expect_sound(figure);
+  expect_sound_figure(figure, "design-");
   EXPECT_EQ(count_of(figure, "<polygon class=\"region\""), 2u);
 }
 
@@ -153,7 +147,7 @@ TEST(ShiftRegionPicture, ThumbnailsHaveNoLabelsAndLeadToTheirRow) {
       const DesignRow& row = sample.answer->designs[i];
       const std::string figure =
           shift_region_thumbnail(sample.search->graph(row.trial), row, "small", "#design-7");
-      expect_sound(figure);
+      expect_sound_figure(figure, "design-");
       EXPECT_EQ(figure.find("<text"), figure.npos);
       EXPECT_NE(figure.find("<a href=\"#design-7\">" + design_name(row.trial) + "</a>"),
                 figure.npos);

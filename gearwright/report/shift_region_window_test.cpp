@@ -10,7 +10,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kAspect = 1.25;
-const ShiftBox kLimits{{-0.6, -0.6}, {1.0, 1.0}};
+const ShiftBox kDrawnLimits{{-0.6, -0.6}, {1.0, 1.0}};
 
 void expect_holds(const RegionWindow& w, const ShiftBox& box) {
   EXPECT_LT(w.box.lo.x(), box.lo.x());
@@ -24,13 +24,13 @@ TEST(ShiftRegionWindow, HoldsTheRegionInItsShape) {
   for (const ShiftBox& region :
        {ShiftBox{{-0.6, -0.6}, {1.0, 1.0}}, ShiftBox{{0.0, 0.1}, {0.9, 0.2}},
         ShiftBox{{0.3, -0.4}, {0.35, 0.9}}}) {
-    const RegionWindow w = region_window(kLimits, region, kAspect, 0.5);
+    const RegionWindow w = region_window(kDrawnLimits, region, kAspect, 0.5);
     EXPECT_FALSE(w.zoomed);
     expect_holds(w, region);
-    expect_holds(w, kLimits);
+    expect_holds(w, kDrawnLimits);
   }
   const ShiftBox small{{0.30, 0.20}, {0.31, 0.205}};
-  const RegionWindow w = region_window(kLimits, small, kAspect, 0.5);
+  const RegionWindow w = region_window(kDrawnLimits, small, kAspect, 0.5);
   EXPECT_TRUE(w.zoomed);
   expect_holds(w, small);
   EXPECT_LT(w.box.size().y(), 0.03);
@@ -38,7 +38,7 @@ TEST(ShiftRegionWindow, HoldsTheRegionInItsShape) {
 
 TEST(ShiftRegionWindow, APointHasAWindowToo) {
   const ShiftBox point{{-0.5, -0.5}, {-0.5, -0.5}};
-  for (const ShiftBox& limits : {kLimits, point}) {
+  for (const ShiftBox& limits : {kDrawnLimits, point}) {
     const RegionWindow w = region_window(limits, point, kAspect, 0.5);
     expect_holds(w, point);
     EXPECT_GT(w.box.size().y(), 1e-5);

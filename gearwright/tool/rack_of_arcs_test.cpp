@@ -39,7 +39,7 @@ RackOfArcs made(const Result<RackOfArcs>& rack) {
   return *rack;
 }
 
-std::vector<RackOfArcs> racks() {
+std::vector<RackOfArcs> racks_of_arcs() {
   ArcRack sharp_F = rack_F(), sharp_P = rack_P(), flat = rack_F();
   sharp_F.root_fillet_radius = 0.0;
   sharp_F.dedendum = 0.2;
@@ -63,7 +63,7 @@ std::vector<RackOfArcs> racks() {
 TEST(RackOfArcs, edges_obey_the_laws_of_an_edge) {
   for (const double m : {0.5, 2.0, 7.0}) {
     for (const double allowance : {0.0, -0.02}) {
-      for (const RackOfArcs& rack : racks()) {
+      for (const RackOfArcs& rack : racks_of_arcs()) {
         const auto edge = make_edge(rack, m, allowance * m);
         ASSERT_TRUE(edge) << edge.error().message();
         EXPECT_EQ(edge->tip_depth, rack.dedendum * m);

@@ -39,7 +39,7 @@ EdgeEnd end_of(const EdgeArc& arc) {
   return {c.center.x() + c.q * std::sin(tau), c.center.y() + c.q * std::cos(tau), tau};
 }
 
-std::vector<StraightRack> racks() {
+std::vector<StraightRack> straight_racks() {
   StraightRack sharp, round, chamfer, proud, slightly_proud, land;
   sharp.root_fillet_radius = 0.0;
   round.tip_fillet_radius = 0.2;
@@ -66,7 +66,7 @@ std::vector<StraightRack> racks() {
 
 TEST(StraightRack, edges_obey_the_laws_of_an_edge) {
   for (const double m : {0.5, 2.0, 7.0}) {
-    for (const StraightRack& rack : racks()) {
+    for (const StraightRack& rack : straight_racks()) {
       const auto made = make_edge(rack, m, 20_deg);
       ASSERT_TRUE(made) << made.error().message();
       const CutterEdge& edge = made->edge;

@@ -2,8 +2,9 @@
 
 #include <cmath>
 #include <numbers>
-#include <random>
 
+#include "gearwright/base/testing/draw.hpp"
+#include "gearwright/base/testing/numbers.hpp"
 #include "gearwright/pair/mesh.hpp"
 #include "tests/accuracy/ledger.hpp"
 
@@ -11,17 +12,8 @@ namespace gearwright::ledger {
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
-
-struct Draw {
-  std::mt19937_64 random{20250302};
-  double uniform(double lo, double hi) {
-    return lo + (hi - lo) * (static_cast<double>(random() >> 11) * 0x1p-53);
-  }
-  int whole(int lo, int hi) {
-    return lo + static_cast<int>(random() % static_cast<unsigned>(hi - lo + 1));
-  }
-};
+using testing::Draw;
+using testing::kDegree;
 
 BasePair<Exact> exact(const BasePair<double>& g) {
   BasePair<Exact> e;
@@ -155,7 +147,7 @@ void see_min(CrossedRows& rows, const BasePair<double>& g, Draw& draw) {
 
 std::vector<Row> crossed_rows() {
   constexpr int kInputs = 600;
-  Draw draw;
+  Draw draw(20250302);
   std::vector<Row> all;
   struct Part {
     const char* prefix;

@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <numbers>
-#include <random>
 
+#include "gearwright/base/testing/draw.hpp"
 #include "gearwright/generation/circular_fillets.hpp"
 #include "gearwright/generation/pinion_envelope.hpp"
 #include "tests/accuracy/ledger.hpp"
@@ -12,17 +12,7 @@ namespace gearwright::ledger {
 
 namespace {
 
-class Draw {
- public:
-  explicit Draw(unsigned seed) : random_(seed) {}
-  double uniform(double lo, double hi) {
-    return lo + (hi - lo) * (static_cast<double>(random_() >> 11) * 0x1p-53);
-  }
-  int integer(int lo, int hi) { return lo + static_cast<int>(random_() % (hi - lo + 1)); }
-
- private:
-  std::mt19937_64 random_;
-};
+using testing::Draw;
 
 struct Circle {
   Exact radius, distance;
@@ -56,7 +46,7 @@ std::vector<Row> few_teeth_rows() {
   Draw draw(20260214);
   const Exact pi = boost::math::constants::pi<Exact>();
   for (int i = 0; i < kInputs; ++i) {
-    const int z = draw.integer(1, 12);
+    const int z = draw.whole(1, 12);
     const double r_b = draw.uniform(1.0, 50.0);
     const double psi_b = draw.uniform(0.1, 1.0) * std::numbers::pi / z;
     const Involute flank(r_b, psi_b);
@@ -89,9 +79,9 @@ std::vector<Row> pinion_envelope_rows() {
   Draw draw(20260215);
   const Exact pi = boost::math::constants::pi<Exact>();
   for (int i = 0; i < kInputs; ++i) {
-    const int z0 = draw.integer(1, 40);
+    const int z0 = draw.whole(1, 40);
     const bool ring = i % 3 == 0;
-    const int z = ring ? -draw.integer(z0 + 8, 240) : draw.integer(5, 200);
+    const int z = ring ? -draw.whole(z0 + 8, 240) : draw.whole(5, 200);
     const double e = draw.uniform(0.48, 0.52) * std::abs(z0 + z);
     const PinionMotion motion{z0, z, e};
     const double d = draw.uniform(0.3, 0.95) * motion.cutter_pitch_radius();

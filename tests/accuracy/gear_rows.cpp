@@ -2,9 +2,9 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
-#include <random>
 
+#include "gearwright/base/testing/draw.hpp"
+#include "gearwright/base/testing/numbers.hpp"
 #include "gearwright/gear/reference.hpp"
 #include "gearwright/pair/closed_forms.hpp"
 #include "gearwright/pair/mesh.hpp"
@@ -15,28 +15,19 @@ namespace gearwright::ledger {
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
+using testing::Draw;
+using testing::kDegree;
 
-struct Draw {
-  std::mt19937_64 random{20250102};
-  double uniform(double lo, double hi) {
-    return lo + (hi - lo) * (static_cast<double>(random() >> 11) * 0x1p-53);
-  }
-  int whole(int lo, int hi) {
-    return lo + static_cast<int>(random() % static_cast<unsigned>(hi - lo + 1));
-  }
-
-  ReferenceInput<double> gear(int teeth) {
-    ReferenceInput<double> in;
-    in.teeth = teeth;
-    in.normal_module = uniform(0.1, 50.0);
-    in.normal_pressure_angle = uniform(14.5, 30.0) * kDegree;
-    in.helix_angle = whole(0, 3) == 0 ? 0.0 : uniform(-60.0, 60.0) * kDegree;
-    in.profile_shift = uniform(-0.5, 1.0);
-    in.thickness_allowance = uniform(-0.1, 0.0) * in.normal_module;
-    return in;
-  }
-};
+ReferenceInput<double> drawn_gear(Draw& draw, int teeth) {
+  ReferenceInput<double> in;
+  in.teeth = teeth;
+  in.normal_module = draw.uniform(0.1, 50.0);
+  in.normal_pressure_angle = draw.uniform(14.5, 30.0) * kDegree;
+  in.helix_angle = draw.whole(0, 3) == 0 ? 0.0 : draw.uniform(-60.0, 60.0) * kDegree;
+  in.profile_shift = draw.uniform(-0.5, 1.0);
+  in.thickness_allowance = draw.uniform(-0.1, 0.0) * in.normal_module;
+  return in;
+}
 
 ReferenceInput<Exact> exact(const ReferenceInput<double>& in) {
   return {in.teeth,       in.normal_module, in.normal_pressure_angle,
@@ -63,11 +54,11 @@ std::vector<Row> gear_rows() {
   Row s_bt{"reference.base_tooth_thickness", where, "modules", 1e-13, 0.0, ""};
   Row s_y{
       "tooth_thickness_transverse", "d_y = d_b…d_b + 6 m_n; " + where, "modules", 2e-13, 0.0, ""};
-  Draw draw;
+  Draw draw(20250102);
   for (int i = 0; i < kInputs; ++i) {
     int z = draw.whole(1, 300);
     if (draw.whole(0, 4) == 0) z = -z;
-    const auto in = draw.gear(z);
+    const auto in = drawn_gear(draw, z);
     const auto g = reference_geometry(in);
     const auto e = reference_geometry(exact(in));
     const std::string w = words(in);
@@ -153,12 +144,12 @@ std::vector<Row> mesh_rows() {
       "mesh.backlash_rotation", where + ", as an arc at the tip circle", "modules", 1e-12, 0.0, ""};
   Row j_lanes{"normal_backlashes", "in lanes; " + where, "modules", 1e-12, 0.0, ""};
   Row zeta{"specific_sliding", "at E; " + where, "relative", 1e-12, 0.0, ""};
-  Draw draw;
+  Draw draw(20250102);
   for (int i = 0; i < kInputs; ++i) {
     const bool ring = draw.whole(0, 4) == 0;
     const int z1 = draw.whole(8, 150);
     const int z2 = ring ? -(z1 + draw.whole(8, 150)) : z1 + draw.whole(0, 150);
-    ReferenceInput<double> in1 = draw.gear(z1);
+    ReferenceInput<double> in1 = drawn_gear(draw, z1);
     ReferenceInput<double> in2 = in1;
     in2.teeth = z2;
     in2.helix_angle = ring ? in1.helix_angle : -in1.helix_angle;

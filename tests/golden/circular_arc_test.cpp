@@ -10,8 +10,9 @@
 #include <complex>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "gearwright/base/numbers.hpp"
+#include "gearwright/base/testing/numbers.hpp"
 #include "gearwright/base/testing/source_file.hpp"
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/arc_gear.hpp"
@@ -24,8 +25,7 @@ namespace {
 using Json = nlohmann::json;
 using Complex = std::complex<double>;
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kDegree = kPi / 180;
+using testing::kDegree;
 
 const Json& cases() {
   static const Json all = [] {

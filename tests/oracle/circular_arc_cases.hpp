@@ -5,17 +5,16 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <string>
 #include <vector>
 
 #include "gearwright/base/testing/source_file.hpp"
 #include "tests/oracle/five_equation.hpp"
+#include "tests/oracle/numbers.hpp"
 
 namespace gearwright::oracle::tca {
 
-inline constexpr Real kDegree = std::numbers::pi_v<Real> / 180;
-inline constexpr Real kArcsec = kDegree / 3600;
+inline constexpr Real kArcsec = kLongDegree / 3600;
 
 inline const nlohmann::json& circular_arc_file() {
   static const nlohmann::json file =
@@ -41,8 +40,8 @@ inline ArcPair arc_pair(const nlohmann::json& of) {
   ArcPair p;
   p.teeth_1 = d.at("N1"), p.teeth_2 = d.at("N2");
   p.f = arc("F"), p.p = arc("P");
-  p.lead_angle_f = number(d, "lamF_deg") * kDegree,
-  p.lead_angle_p = number(d, "lamP_deg") * kDegree;
+  p.lead_angle_f = number(d, "lamF_deg") * kLongDegree,
+  p.lead_angle_p = number(d, "lamP_deg") * kLongDegree;
   p.pitch_radius_1 = number(d, "r1"), p.pitch_radius_2 = number(d, "r2");
   p.mounting = {.center_distance = p.pitch_radius_1 + p.pitch_radius_2,
                 .shaft_angle = 0,
@@ -61,17 +60,17 @@ inline ArcPair composite_pair(const nlohmann::json& of) {
   const auto arc = [&racks](const char* key) {
     const nlohmann::json& a = racks.at(key);
     return RackArc{number(a, "rho"), number(a, "a"), number(a, "b"),
-                   number(a, "th_lo_deg") * kDegree, number(a, "th_hi_deg") * kDegree};
+                   number(a, "th_lo_deg") * kLongDegree, number(a, "th_hi_deg") * kLongDegree};
   };
   ArcPair p;
   p.teeth_1 = 12, p.teeth_2 = 94;
   p.f = arc("F"), p.p = arc("P");
-  p.lead_angle_f = number(of, "lamF_deg") * kDegree, p.lead_angle_p = 75 * kDegree;
+  p.lead_angle_f = number(of, "lamF_deg") * kLongDegree, p.lead_angle_p = 75 * kLongDegree;
   const Real normal_pitch = 2;  // P_n, 1/in
   p.pitch_radius_1 = p.teeth_1 / (2 * normal_pitch * std::sin(p.lead_angle_p));
   p.pitch_radius_2 = p.teeth_2 / (2 * normal_pitch * std::sin(p.lead_angle_p));
   p.mounting.center_distance = p.pitch_radius_1 + p.pitch_radius_2;
-  p.mounting.crossing = kDegree / 10;
+  p.mounting.crossing = kLongDegree / 10;
   p.half_face_1 = number(of, "face") / 2;
   return p;
 }

@@ -18,6 +18,7 @@
 #include <ostream>
 #include <vector>
 
+#include "tests/oracle/numbers.hpp"
 #include "tests/oracle/touching_screws.hpp"
 
 namespace gearwright::oracle {
@@ -249,7 +250,6 @@ inline ScrewPair mounted(const ConjugatePair& pair, const ConjugateMesh& mesh) {
 /// A pair whose gear 2 reaches below the base circle of gear 1: what would have to touch there is
 /// not on the involute.
 inline ScrewPair interfering_pair() {
-  constexpr double kDegree = std::numbers::pi / 180;
   return {{7, 13.562943458385615 / 2, 2.984587637124939, 14.076095421662489 * kDegree,
            17.693866525741164 / 2},
           {60, 127.74096866191572 / 2, 6.207374398347486, 28.024320673604695 * kDegree,

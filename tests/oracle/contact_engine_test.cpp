@@ -31,8 +31,8 @@ ContactResult at_rotations(const ContactPair& pair, const std::vector<double>& r
 }
 
 tca::ArcPair with_ends(tca::ArcPair pair, tca::Real low, tca::Real high, tca::Real half_face) {
-  pair.f.theta_low = pair.p.theta_low = low * tca::kDegree;
-  pair.f.theta_high = pair.p.theta_high = high * tca::kDegree;
+  pair.f.theta_low = pair.p.theta_low = low * kLongDegree;
+  pair.f.theta_high = pair.p.theta_high = high * kLongDegree;
   pair.half_face_1 = pair.half_face_2 = half_face;
   return pair;
 }
@@ -52,7 +52,8 @@ TEST(ContactEngine, case_file) {
     for (const json& t : c.at("tca")) {
       ++positions;
       field.set_rotation(number_of(t, "phi1p"));
-      const Touch touch = TouchSearch(field, contact.mesh_azimuth(), contact.reach()).cold();
+      const gearwright::Touch touch =
+          TouchSearch(field, contact.mesh_azimuth(), contact.reach()).cold();
       ASSERT_TRUE(touch.found());
       EXPECT_TRUE(touch.active.inside());
       EXPECT_NEAR(touch.te, number_of(t, "te_rad"), 1e-12);
@@ -158,12 +159,12 @@ TEST(ContactEngine, composite_curves_with_edges) {
 }
 
 // What was compared, and how it came out.
-struct Tally {
+struct ContactTally {
   int pairs = 0, inside = 0, edges = 0, clouds = 0;
   double worst_rotation = 0.0, worst_place = 0.0;
 };
 
-void report(const char* what, const Tally& t) {
+void report(const char* what, const ContactTally& t) {
   ::testing::Test::RecordProperty("positions_inside", t.inside);
   std::printf(
       "%s: %d pairs, %d positions inside (TE %.1e rad, place %.1e), %d at edges, %d clouds\n", what,
@@ -191,8 +192,8 @@ void against_cloud(const tca::CloudPair& cloud, const BrutePair& brute, const Co
 // Circular arcs with every error at once. Where the room says `interior` the five equations, from
 // their own closed form, must have the same contact; elsewhere no contact of theirs may be greater,
 // and the cloud has the same edge.
-Tally arcs(std::uint64_t seed, int pairs, int clouds) {
-  Tally tally;
+ContactTally arcs(std::uint64_t seed, int pairs, int clouds) {
+  ContactTally tally;
   Random random(seed);
   while (tally.pairs < pairs && !::testing::Test::HasFailure()) {
     const tca::ArcPair pair = random_arcs(random);
@@ -245,12 +246,12 @@ Tally arcs(std::uint64_t seed, int pairs, int clouds) {
 }
 
 TEST(ContactEngine, arcs_against_five_equations) {
-  const Tally t = arcs(1, 50, 4);
+  const ContactTally t = arcs(1, 50, 4);
   EXPECT_GT(t.inside, 60);
   EXPECT_EQ(t.clouds, 4);
 }
 TEST(LongContactEngine, arcs_against_five_equations) {
-  const Tally t = arcs(2, 400, 60);
+  const ContactTally t = arcs(2, 400, 60);
   EXPECT_GT(t.inside, 400);
 }
 
@@ -293,8 +294,8 @@ TEST(ContactEngine, modified_arcs_against_dense_places) {
 
 // Involute screws under every error: crossed, worms, crowned, and crowned on parallel axes. The
 // five equations start beside the room's place.
-Tally screws(std::uint64_t seed, ScrewKind kind, int pairs, int clouds) {
-  Tally tally;
+ContactTally screws(std::uint64_t seed, ScrewKind kind, int pairs, int clouds) {
+  ContactTally tally;
   Random random(seed);
   while (tally.pairs < pairs && !::testing::Test::HasFailure()) {
     const ScrewContact s = random_screws(random, kind);

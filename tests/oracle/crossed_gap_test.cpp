@@ -7,18 +7,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "tests/oracle/engine_curves.hpp"
+#include "tests/oracle/numbers.hpp"
 #include "tests/property/random_crossed.hpp"
 
 namespace gearwright::oracle {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kShared = 1e-6;  // mm, between the places that are asked
-constexpr double kTight = 1e-8;   // mm
+constexpr double kCrossedShared = 1e-6;  // mm, between the places that are asked
+constexpr double kCrossedTight = 1e-8;   // mm
 
 // The solid of a gear: its section, turned as it goes up.
 class Screwed {
@@ -101,8 +100,8 @@ TEST(CrossedGapOracle, edges_are_free_within_the_free_play_and_strikes_are_tight
     const double half = pair->free_play->rad() / 2;
     if (half > 0.0) {
       for (const double away : {half, -half}) {
-        EXPECT_GE(deepest(one, two, true, away), -kShared);
-        EXPECT_GE(deepest(two, one, false, away), -kShared);
+        EXPECT_GE(deepest(one, two, true, away), -kCrossedShared);
+        EXPECT_GE(deepest(two, one, false, away), -kCrossedShared);
       }
     }
     std::vector<Strike> all = *pair->overlap;
@@ -114,7 +113,7 @@ TEST(CrossedGapOracle, edges_are_free_within_the_free_play_and_strikes_are_tight
       const double turn_2 = -turn_1 * one.teeth() / two.teeth() + s.touch->turn_2;
       const Vec3 p(s.touch->point.x(), s.touch->point.y(), s.touch->height);
       const bool of_1 = s.touch->places[0].corner;
-      EXPECT_LE(std::abs((of_1 ? two : one).distance(p, of_1 ? turn_2 : turn_1)), kTight);
+      EXPECT_LE(std::abs((of_1 ? two : one).distance(p, of_1 ? turn_2 : turn_1)), kCrossedTight);
     }
     if (::testing::Test::HasFailure()) break;
   }

@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
+
+#include "tests/oracle/numbers.hpp"
 
 namespace gearwright::oracle {
 
 using Eigen::Vector2d;
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 double cross_product(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 

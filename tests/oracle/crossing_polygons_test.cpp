@@ -6,14 +6,13 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 #include <utility>
 #include <vector>
 
+#include "tests/oracle/numbers.hpp"
+
 namespace gearwright::oracle {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 // Teeth of module 1 with flanks bent by `bulge`, mm, thinned to `width` of half a pitch.
 ToothedPolygon made_up(int teeth, double width, double bulge) {

@@ -9,21 +9,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "gearwright/contact/fillet_contact.hpp"
 #include "gearwright/pair/involute_pair.hpp"
 #include "tests/oracle/engine_curves.hpp"
+#include "tests/oracle/numbers.hpp"
 #include "tests/oracle/random_mounted_pair.hpp"
 
 namespace gearwright::oracle {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kShared = 1e-6;  // mm, between the places that are asked
-constexpr double kTight = 1e-7;   // mm
-constexpr int kPositions = 16;
+constexpr double kFilletShared = 1e-6;  // mm, between the places that are asked
+constexpr double kFilletTight = 1e-7;   // mm
+constexpr int kFilletPositions = 16;
 
 // R_x(Δγ) R_y(Δδ) r + (0, 0, Δz) for gear 1, axis 2 at a + ΔC.
 Eigen::Isometry3d place_of(const InvolutePair& pair, int which, const ContactErrors& e) {
@@ -140,7 +139,7 @@ TEST(DisplacedFilletOracle, tips_are_free_of_fillets_where_the_whole_outlines_ho
       continue;
     const std::string text = fmt::format("seed {}, {}", seed, mounted->text);
     ContactRequest request;
-    request.positions = kPositions;
+    request.positions = kFilletPositions;
     const auto by_flanks = analyse_contact(seen(pair, errors, false, false), request);
     const ContactPair outlines = seen(pair, errors, false, true);
     const auto whole = analyse_contact(outlines, request);
@@ -153,19 +152,20 @@ TEST(DisplacedFilletOracle, tips_are_free_of_fillets_where_the_whole_outlines_ho
     double by_flanks_alone = 1.0;
     for (std::size_t i = 0; i < whole.positions.size(); ++i) {
       EXPECT_GE(whole.positions[i].te.rad(), by_flanks.positions[i].te.rad() - 1e-13) << text;
-      EXPECT_GE(deepest(first, second, whole.positions[i]), -kShared) << text;
+      EXPECT_GE(deepest(first, second, whole.positions[i]), -kFilletShared) << text;
       by_flanks_alone = std::min(by_flanks_alone, deepest(first, second, by_flanks.positions[i]));
     }
     // Tips without a rounding strike nothing but fillets first.
     if (!has_round_tip(pair.gears[0]) && !has_round_tip(pair.gears[1])) {
       ++said;
-      EXPECT_TRUE(touch || by_flanks_alone >= -2 * kShared) << text << " " << by_flanks_alone;
+      EXPECT_TRUE(touch || by_flanks_alone >= -2 * kFilletShared) << text << " " << by_flanks_alone;
     }
     if (touch) {
       ++met;
       const ContactPoint& p = touch->point;
-      EXPECT_LE(std::abs(first.distance(p.point, -p.rotation1.rad())), kTight) << text;
-      EXPECT_LE(std::abs(second.distance(p.point, second.sense() * p.rotation2.rad())), kTight)
+      EXPECT_LE(std::abs(first.distance(p.point, -p.rotation1.rad())), kFilletTight) << text;
+      EXPECT_LE(std::abs(second.distance(p.point, second.sense() * p.rotation2.rad())),
+                kFilletTight)
           << text;
     }
     if (::testing::Test::HasFailure()) break;

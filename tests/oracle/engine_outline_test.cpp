@@ -8,12 +8,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
-#include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/gear.hpp"
+#include "gearwright/gear/testing/made.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "tests/oracle/engine_numbers.hpp"
 #include "tests/oracle/outline_against_sweep.hpp"
@@ -23,6 +22,7 @@ namespace gearwright::oracle {
 namespace {
 
 using namespace literals;
+using testing::made;
 
 constexpr double kOnSurface = 1e-9;  // mm
 
@@ -84,8 +84,6 @@ CylindricalSpec spec_of(const Cutter& cutter, int teeth, double beta_deg, double
   return spec;
 }
 
-Gear made(const CylindricalSpec& spec) { return testing::taken(make_gear(spec)); }
-
 // From a little below the shift at which the cutter reaches the axis or severs the tooth to a
 // little above the one at which it is pointed. Three modules below the undercut limit every tooth
 // is lost.
@@ -119,13 +117,14 @@ std::string name_of(const Cutter& cutter, const CylindricalSpec& spec) {
          ", x = " + std::to_string(spec.profile_shift);
 }
 
-struct Tally {
+struct OutlineTally {
   int gears = 0, teeth = 0, severed = 0, through_axis = 0, pointed = 0, undercut = 0;
   double worst = 0.0;
 };
 
 // Points of one tooth on the surface, with material on the inside only.
-void check_outline(const Cutter& cutter, const CylindricalSpec& spec, int points, Tally& tally) {
+void check_outline(const Cutter& cutter, const CylindricalSpec& spec, int points,
+                   OutlineTally& tally) {
   const auto gear = make_gear(spec);
   ASSERT_TRUE(gear) << name_of(cutter, spec) << ": " << gear.error().message();
   const GeneratedTooth& tooth = *gear->tooth;
@@ -149,9 +148,9 @@ void check_outline(const Cutter& cutter, const CylindricalSpec& spec, int points
   tally.worst = std::max(tally.worst, result.worst);
 }
 
-Tally check_grid(const std::vector<int>& teeth, const std::vector<double>& betas, int n_shifts,
-                 int points) {
-  Tally tally;
+OutlineTally check_grid(const std::vector<int>& teeth, const std::vector<double>& betas,
+                        int n_shifts, int points) {
+  OutlineTally tally;
   for (const Cutter& cutter : cutters()) {
     for (const int z : teeth) {
       for (const double beta : betas) {
@@ -166,7 +165,7 @@ Tally check_grid(const std::vector<int>& teeth, const std::vector<double>& betas
 }
 
 TEST(EngineOutline, is_what_the_rack_leaves) {
-  const Tally tally =
+  const OutlineTally tally =
       check_grid({3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 17, 21, 25, 32, 40, 60, 80, 130, 200},
                  {0, 8, -15, 22, -30, 45}, 13, 8);
   // The grid reaches what it is meant to reach.
@@ -182,7 +181,7 @@ TEST(LongEngineOutline, is_what_the_rack_leaves) {
   std::vector<int> teeth;
   for (int z = 1; z <= 24; ++z) teeth.push_back(z);
   for (const int z : {27, 31, 36, 43, 53, 70, 97, 131, 167, 200}) teeth.push_back(z);
-  const Tally tally = check_grid(teeth, {0, 8, -15, 22, -30, 38, -45, 60}, 17, 12);
+  const OutlineTally tally = check_grid(teeth, {0, 8, -15, 22, -30, 38, -45, 60}, 17, 12);
   EXPECT_GT(tally.teeth, 40000);
   EXPECT_LE(tally.worst, 1e-11);
 }

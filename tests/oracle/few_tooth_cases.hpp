@@ -10,10 +10,10 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 #include <ostream>
 #include <vector>
 
+#include "tests/oracle/numbers.hpp"
 #include "tests/oracle/swept_rack.hpp"
 
 namespace gearwright::oracle {
@@ -33,7 +33,6 @@ struct FewToothCase {
 inline void PrintTo(const FewToothCase& c, std::ostream* os) { *os << c.name; }
 
 inline const std::vector<FewToothCase>& few_tooth_cases() {
-  constexpr double kDegree = std::numbers::pi / 180;
   const auto rack = [](int teeth, double m, double alpha_deg, double beta_deg, double x, double a_0,
                        double a_1, double rho_0, double rho_1) {
     const double alpha = alpha_deg * kDegree;

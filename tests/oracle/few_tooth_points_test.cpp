@@ -10,27 +10,24 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
-#include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
+#include "gearwright/gear/testing/made.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "tests/oracle/few_tooth_cases.hpp"
+#include "tests/oracle/numbers.hpp"
 #include "tests/oracle/pinion_cutter_cases.hpp"
+#include "tests/oracle/plane_turn.hpp"
 
 namespace gearwright::oracle {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using testing::made;
+
 constexpr double kOnOutline = 1e-10;  // mm
 constexpr double kSameNormal = 1e-9;  // rad
 
 Vec2 unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
-
-Vec2 turned(double x, double y, double angle) {
-  const Vec2 e = unit(angle);
-  return {e.x() * x - e.y() * y, e.y() * x + e.x() * y};
-}
 
 /// u of the foot of `p` on the arc, or the nearer end.
 double foot(const Arc& arc, const Vec2& p) {
@@ -69,8 +66,6 @@ Match match(const Outline& outline, const Vec2& p, const Vec2& normal) {
   }
   return best;
 }
-
-Gear made(const CylindricalSpec& spec) { return testing::taken(make_gear(spec)); }
 
 CylindricalSpec spec_of(const RackNumbers& n) {
   CylindricalSpec s = testing::plain_spec(
@@ -127,7 +122,7 @@ TEST(FewToothPoints, a_wrong_point_would_be_seen) {
         // Beside a corner the other arc may be nearer, but not by more than the corner is sharp.
         EXPECT_GT(match(gear.tooth->outline, beside, n).distance, 1e-7) << c.name;
       }
-      const Vec2 tilted = turned(n.x(), n.y(), 1e-6);
+      const Vec2 tilted = turned(n, 1e-6);
       EXPECT_GT(match(gear.tooth->outline, {p.x, p.y}, tilted).turn, 1e-7) << c.name;
     }
   }
@@ -164,7 +159,7 @@ TEST(FewToothPoints, of_gears_that_such_pinions_cut) {
     for (std::size_t i = 0; i < c.points.size(); ++i) {
       const CutGearPoint& p = c.points[i];
       const Match m =
-          match(gear->tooth->outline, turned(p.x, p.y, turn), turned(p.n_x, p.n_y, turn));
+          match(gear->tooth->outline, turned({p.x, p.y}, turn), turned({p.n_x, p.n_y}, turn));
       if (c.name[2] == '7' && i == 0) {  // the loop that the root arc of this set swallows
         EXPECT_NEAR(m.distance, 4.6e-3, 1e-4) << c.name;
         continue;

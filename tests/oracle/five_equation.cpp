@@ -3,15 +3,14 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "tests/oracle/numbers.hpp"
 
 namespace gearwright::oracle::tca {
 namespace {
 
 using Vector5 = Eigen::Matrix<Real, 5, 1>;
 using Matrix5 = Eigen::Matrix<Real, 5, 5>;
-
-constexpr Real kPi = std::numbers::pi_v<Real>;
 
 FlankPlace in_housing(const Frame& frame, const FlankPlace& p) {
   return {frame.turn * p.r + frame.shift,
@@ -158,8 +157,8 @@ ArcFlank flank_2(const ArcPair& p) {
 
 Real nominal_theta(const ArcPair& p) {
   const Real sine = (p.p.b - p.f.b) / (p.p.rho - p.f.rho);
-  const bool usable = within(sine, std::sin(kPi / 36), std::sin(kPi / 3));
-  return usable ? std::asin(sine) : kPi / 6;
+  const bool usable = within(sine, std::sin(kLongPi / 36), std::sin(kLongPi / 3));
+  return usable ? std::asin(sine) : kLongPi / 6;
 }
 
 FlankPair flank_pair(const ArcPair& p, Real theta, Real part) {
@@ -200,10 +199,10 @@ FiveEquationTouch arc_touch(const ArcPair& p, Real rotation_1) {
 std::optional<CarryingPair> carrying_arc_touch(const ArcPair& p, Real rotation_1, int reach) {
   std::optional<CarryingPair> best;
   for (int k = -reach; k <= reach; ++k) {
-    CarryingPair one{k, arc_touch(p, rotation_1 - 2 * kPi * k / p.teeth_1)};
+    CarryingPair one{k, arc_touch(p, rotation_1 - 2 * kLongPi * k / p.teeth_1)};
     if (!one.touch.holds()) continue;
     // The transmission error is that of the earlier position; φ_2 is k pitches on.
-    one.touch.at.rotation_2 += 2 * kPi * k / p.teeth_2;
+    one.touch.at.rotation_2 += 2 * kLongPi * k / p.teeth_2;
     if (!best || one.touch.at.rotation_2 > best->touch.at.rotation_2) best = one;
   }
   return best;

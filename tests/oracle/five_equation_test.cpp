@@ -12,6 +12,7 @@
 
 #include "tests/oracle/circular_arc_cases.hpp"
 #include "tests/oracle/five_equation_fast.hpp"
+#include "tests/oracle/numbers.hpp"
 
 namespace gearwright::oracle::tca {
 namespace {
@@ -50,8 +51,8 @@ TEST_P(ArcCases, TouchWhereTheFileSays) {
     EXPECT_TRUE(t.holds());
     EXPECT_CLOSE(t.at.rotation_2, number(row, "phi2p"), kRotation);
     EXPECT_CLOSE(t.transmission_error, number(row, "te_rad"), kRotation);
-    EXPECT_CLOSE(t.at.s_1, number(row, "thF_deg") * kDegree, 1e-14);
-    EXPECT_CLOSE(t.at.s_2, number(row, "thP_deg") * kDegree, 1e-14);
+    EXPECT_CLOSE(t.at.s_1, number(row, "thF_deg") * kLongDegree, 1e-14);
+    EXPECT_CLOSE(t.at.s_2, number(row, "thP_deg") * kLongDegree, 1e-14);
     EXPECT_CLOSE(rack_rotation(flank_1(pair), t.at.s_1, t.at.z_1), number(row, "phi1"), 1e-14);
     EXPECT_CLOSE(rack_rotation(flank_2(pair), t.at.s_2, t.at.z_2), number(row, "phi2"), 1e-14);
     EXPECT_CLOSE((t.point_f - vector(row, "point_f")).norm() / t.point_f.norm(), 0, 1e-14);
@@ -71,7 +72,7 @@ TEST_P(ArcCases, OpenAsTheFileSays) {
   const Real delta = number(c, "delta");
   EXPECT_CLOSE(std::sqrt(2 * delta / t.k_1) / number(c, "semi_major"), 1, 1e-13);
   EXPECT_CLOSE(std::sqrt(2 * delta / t.k_2) / number(c, "semi_minor"), 1, 1e-13);
-  EXPECT_CLOSE(t.major_angle, number(c, "major_angle_deg") * kDegree, 1e-14);
+  EXPECT_CLOSE(t.major_angle, number(c, "major_angle_deg") * kLongDegree, 1e-14);
 }
 
 // Slope dφ_2/dφ_1 at 0 against a central difference, which is good to its step squared.
@@ -146,7 +147,7 @@ TEST(FlankSurface, AgreesWithTheFile) {
                          number(s, "rho"),
                          number(s, "a"),
                          number(s, "b"),
-                         number(s, "lam_deg") * kDegree,
+                         number(s, "lam_deg") * kLongDegree,
                          number(s, "r"),
                          false};
     const Real theta = number(s, "theta"), phi = number(s, "phi");
@@ -175,10 +176,10 @@ struct NamedSurface {
 };
 
 std::vector<NamedSurface> surfaces() {
-  const ArcFlank one{1, 7, 2.11L, 1.2L, 70 * kDegree, 53, false};
-  const ArcFlank two{2, 7.75L, 2.76L, 1.6L, 70 * kDegree, 160, false};
+  const ArcFlank one{1, 7, 2.11L, 1.2L, 70 * kLongDegree, 53, false};
+  const ArcFlank two{2, 7.75L, 2.76L, 1.6L, 70 * kLongDegree, 160, false};
   ArcFlank left = one, spur = two;
-  left.mirrored = true, spur.lead_angle = 90 * kDegree;
+  left.mirrored = true, spur.lead_angle = 90 * kLongDegree;
   const InvoluteFlank screw{1, 23, 0.1L, 0.02L, 0.013L, -1};
   const InvoluteFlank mate{2, 41, 0.07L, 3.2L, -0.008L, -1};
   const InvoluteFlank trailing{1, 23, 0.1L, 0.02L, 0.0L, +1};
@@ -226,8 +227,7 @@ TEST(FlankSurface, NormalsPointFromGear1ToGear2) {
   const FlankPlace one = involute_surface({1, 23, 0.1L, 0, 0.013L, -1})(0.4L, 0);
   EXPECT_LT(one.r.y(), 0);  // the clockwise flank of a tooth at +x
   EXPECT_LT(one.n.y(), 0);
-  const FlankPlace two =
-      involute_surface({2, 41, 0.07L, std::numbers::pi_v<Real>, -0.008L, -1})(0.3L, 0);
+  const FlankPlace two = involute_surface({2, 41, 0.07L, kLongPi, -0.008L, -1})(0.3L, 0);
   EXPECT_GT(two.r.y(), 0);  // the clockwise flank of a tooth at −x
   EXPECT_LT(two.n.y(), 0);
 }
@@ -239,7 +239,7 @@ TEST(FiveEquations, CompositeInteriorOfTheFile) {
   for (const json& composite : circular_arc_file().at("composite_te")) {
     const ArcPair pair = composite_pair(composite);
     for (const json& row : composite.at("rows")) {
-      const auto best = carrying_arc_touch(pair, number(row, "phi1p_deg") * kDegree, 3);
+      const auto best = carrying_arc_touch(pair, number(row, "phi1p_deg") * kLongDegree, 3);
       ASSERT_TRUE(best.has_value());
       EXPECT_EQ(best->pair, row.at("pair_interior").get<int>());
       EXPECT_CLOSE(best->touch.transmission_error, number(row, "te_interior_arcsec") * kArcsec,
@@ -310,10 +310,10 @@ TEST(FiveEquations, MirrorImage) {
 TEST(FiveEquations, FalseContactIsSeen) {
   ArcPair pair = case_named("ex1_consistent_75");
   pair.mounting.d_center = 0.030L;
-  pair.f.theta_low = 7.08L * kDegree;
+  pair.f.theta_low = 7.08L * kLongDegree;
   const FiveEquationTouch t = arc_touch(pair, 0);
   EXPECT_TRUE(t.solved);
-  EXPECT_NEAR(static_cast<double>(t.at.s_1 / kDegree), 6.56, 0.005);
+  EXPECT_NEAR(static_cast<double>(t.at.s_1 / kLongDegree), 6.56, 0.005);
   EXPECT_FALSE(t.opens);
   EXPECT_LT(t.k_1, 0);
   EXPECT_FALSE(t.within_outlines);

@@ -3,15 +3,12 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 #include <utility>
+
+#include "tests/oracle/require.hpp"
 
 namespace gearwright::oracle::tca {
 namespace {
-
-void require(bool holds, const char* what) {
-  if (!holds) throw std::invalid_argument(what);
-}
 
 const Vector3 kAxis(0, 0, 1);
 

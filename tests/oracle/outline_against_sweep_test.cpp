@@ -6,15 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
+#include "tests/oracle/numbers.hpp"
 #include "tests/oracle/rolled_edge.hpp"
 
 namespace gearwright::oracle {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 RackNumbers gear() {
   return {.teeth = 40,

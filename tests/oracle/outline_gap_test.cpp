@@ -11,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <vector>
@@ -19,13 +18,14 @@
 #include "gearwright/pair/outline_gap.hpp"
 #include "tests/oracle/crossing_polygons.hpp"
 #include "tests/oracle/engine_curves.hpp"
+#include "tests/oracle/numbers.hpp"
+#include "tests/oracle/plane_turn.hpp"
 #include "tests/oracle/random_mounted_pair.hpp"
 #include "tests/oracle/turned_polygons.hpp"
 
 namespace gearwright::oracle {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kChord = 2e-7;   // mm, from the outline to the polygon
 constexpr double kShared = 1e-6;  // mm²: the chords of a tooth's height, with room
 constexpr double kTight = 1e-9;   // mm
@@ -107,11 +107,6 @@ class Material {
   double sign_;
   ToothedOutline outline_;
 };
-
-Vec2 turned(const Vec2& p, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * p.x() - s * p.y(), s * p.x() + c * p.y()};
-}
 
 struct Count {
   int pairs = 0, overlap = 0, within_play = 0, rough = 0;

@@ -36,7 +36,7 @@ struct PrintsCutOnAbort {
   void (*old)(int);
 };
 
-struct Tally {
+struct PinionCutTally {
   int gears = 0, external = 0, rings = 0, severed = 0, pointed = 0, undercut = 0;
   int rounded_tip = 0, land_cut = 0, caught_tip = 0, close = 0, few_teeth = 0, fillets = 0;
   std::map<std::string, int> errors;
@@ -44,7 +44,7 @@ struct Tally {
 };
 
 void count(const Gear& cutter, const PinionCutSpec& cut, const PinionCutOutcome& outcome,
-           Tally& tally) {
+           PinionCutTally& tally) {
   ++tally.gears;
   if (outcome.ending == Ending::error) ++tally.errors[outcome.key];
   tally.severed += outcome.ending == Ending::severed;
@@ -62,10 +62,10 @@ void count(const Gear& cutter, const PinionCutSpec& cut, const PinionCutOutcome&
   tally.worst = std::max(tally.worst, outcome.worst);
 }
 
-Tally check_gears(std::uint64_t seed, int n) {
+PinionCutTally check_gears(std::uint64_t seed, int n) {
   const PrintsCutOnAbort handler;
   Random random(seed);
-  Tally tally;
+  PinionCutTally tally;
   int failures = 0;
   while (tally.gears < n && failures < 10) {
     const CylindricalSpec spec = random_cutter(random);
@@ -85,7 +85,7 @@ Tally check_gears(std::uint64_t seed, int n) {
 }
 
 TEST(PinionCutEngine, is_what_the_pinion_leaves) {
-  const Tally tally = check_gears(20240613, 600);
+  const PinionCutTally tally = check_gears(20240613, 600);
   // The generator reaches what it is meant to reach.
   EXPECT_GT(tally.external, 200);
   EXPECT_GT(tally.rings, 150);
@@ -213,7 +213,7 @@ TEST(PinionCutEngine, another_gear_is_denied) {
 }
 
 TEST(LongPinionCutEngine, is_what_the_pinion_leaves) {
-  Tally tally = check_gears(1, 8000);
+  PinionCutTally tally = check_gears(1, 8000);
   EXPECT_GT(tally.external, 3500);
   EXPECT_GT(tally.rings, 2500);
   EXPECT_GT(tally.close, 400);

@@ -20,10 +20,10 @@
 
 #include <Eigen/Core>
 #include <cmath>
-#include <numbers>
 #include <ostream>
 #include <vector>
 
+#include "tests/oracle/numbers.hpp"
 #include "tests/oracle/toothed_outline.hpp"
 
 namespace gearwright::oracle {
@@ -59,7 +59,6 @@ struct FilletedHalfTooth {
 };
 
 inline FilletedHalfTooth filleted_half_tooth(const FilletedPinion& n) {
-  constexpr double kPi = std::numbers::pi, kDegree = kPi / 180;
   const double m = n.normal_module, tan_a = std::tan(n.normal_pressure_angle_deg * kDegree);
   const double cos_b = std::cos(n.helix_angle_deg * kDegree);
   const double alpha_t = std::atan(tan_a / cos_b), gamma = kPi / n.teeth;

@@ -10,7 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "tests/oracle/numbers.hpp"
+#include "tests/oracle/require.hpp"
 
 namespace gearwright::oracle {
 namespace plain {
@@ -18,7 +20,6 @@ namespace {
 
 using Real = long double;
 
-constexpr Real kPi = std::numbers::pi_v<Real>;
 constexpr Real kInfinity = PlainMargins::kFree;
 const Real kNan = std::nanl("");
 constexpr Real kRounding = 1e-15L;  // what may be lacking at a limit that was met exactly
@@ -29,7 +30,7 @@ Real involute(Real alpha) { return std::tan(alpha) - alpha; }
 /// α of inv α = y ≥ 0. From above, where tan α = y + α < y + π/2, Newton's steps only fall.
 Real angle_of_involute(Real y) {
   if (y == 0) return 0;
-  for (Real alpha = std::atan(y + kPi / 2);;) {
+  for (Real alpha = std::atan(y + kLongPi / 2);;) {
     const Real t = std::tan(alpha), next = alpha - (t - alpha - y) / (t * t);
     if (!(next < alpha)) return alpha;
     alpha = next;
@@ -44,15 +45,12 @@ Real leg(Real c, Real b) {
 
 }  // namespace
 
-void require(bool condition, const char* sentence) {
-  if (!condition) throw std::invalid_argument(sentence);
-}
-
 Pair::Pair(const PlainProblem& p, int teeth_1, int teeth_2)
     : problem(p), z1(teeth_1), z2(teeth_2), sigma(teeth_2 < 0 ? -1 : 1) {
   require(z1 >= 1 && (z2 >= 1 || z2 < -z1), "z1, z2: must be >= 1, or z2 < -z1 for a ring");
-  require(p.alpha_n > 0 && p.alpha_n < kPi / 2, "alpha_n: must lie between 0 and a right angle");
-  require(p.beta >= 0 && p.beta < kPi / 2, "beta: must lie between 0 and a right angle");
+  require(p.alpha_n > 0 && p.alpha_n < kLongPi / 2,
+          "alpha_n: must lie between 0 and a right angle");
+  require(p.beta >= 0 && p.beta < kLongPi / 2, "beta: must lie between 0 and a right angle");
   require(p.ha > 0 && p.tip_thickness_min >= 0, "ha, tip_thickness_min: must be > 0, >= 0");
   const Real cos_beta = std::cos(p.beta);
   alpha_t = std::atan(std::tan(p.alpha_n) / cos_beta);
@@ -61,7 +59,7 @@ Pair::Pair(const PlainProblem& p, int teeth_1, int teeth_2)
     r_b[i] = r[i] * std::cos(alpha_t);
   }
   u = r[1] / r[0];
-  base_pitch = kPi * std::cos(alpha_t) / cos_beta;
+  base_pitch = kLongPi * std::cos(alpha_t) / cos_beta;
   standard_centre = std::abs(z1 + z2) / (2 * cos_beta);
   base_centre = standard_centre * std::cos(alpha_t);
 }
@@ -85,7 +83,7 @@ Real Pair::tip_thickness(int gear, Real x) const {
   const Real rho = leg(radius, r_b[gear - 1]);
   if (std::isnan(rho)) return kNan;
   const Real at_tip = involute(std::atan2(rho, r_b[gear - 1])), at_r = involute(alpha_t);
-  const Real on_r = (kPi / 2 + 2 * x * std::tan(problem.alpha_n)) / teeth;
+  const Real on_r = (kLongPi / 2 + 2 * x * std::tan(problem.alpha_n)) / teeth;
   const Real half_angle = is_ring(gear) ? on_r - at_r + at_tip : on_r + at_r - at_tip;
   const Real tan_beta_a = radius / r[gear - 1] * std::tan(problem.beta);
   return 2 * radius * half_angle / std::sqrt(1 + tan_beta_a * tan_beta_a);

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/oracle/numbers.hpp"
 #include "tests/oracle/plain_cells.hpp"
 #include "tests/oracle/plain_search.hpp"
 
@@ -21,8 +22,6 @@ namespace {
 
 using Real = long double;
 using enum PlainVerdict;
-
-constexpr Real kPi = std::numbers::pi_v<Real>, kDegree = kPi / 180;
 
 TEST(PlainSearchLaws, coprime_pairs_are_the_others_without_common_factors) {
   const PlainBand ratio{1.9L, 2.1L}, centres{59, 61};
@@ -51,8 +50,8 @@ struct RandomTrial {
     z1 = int(uniform(8, 40));
     z2 = ring ? -int(uniform(z1 + 8, z1 + 80)) : int(uniform(z1, z1 + 60));
     PlainProblem& p = problem;
-    p.alpha_n = uniform(17, 25) * kDegree;
-    if (chance(0.4L)) p.beta = uniform(5, 30) * kDegree;
+    p.alpha_n = uniform(17, 25) * kLongDegree;
+    if (chance(0.4L)) p.beta = uniform(5, 30) * kLongDegree;
     if (ring || chance(0.6L)) p.floor = uniform(-0.7L, 0);
     if (ring || chance(0.6L)) p.ceil = uniform(0.3L, 1);
     p.undercut_margin = chance(0.3L) ? uniform(-0.1L, 0.2L) : 0;
@@ -281,7 +280,7 @@ TEST(PlainSearchLaws, what_makes_no_problem_is_refused) {
   EXPECT_THROW(look({}, 0, 18, 0, 0), std::invalid_argument);
   EXPECT_THROW(look({}, 18, -18, 0, 0), std::invalid_argument);
   EXPECT_THROW(look({.alpha_n = 0}, 18, 18, 0, 0), std::invalid_argument);
-  EXPECT_THROW(look({.beta = kPi}, 18, 18, 0, 0), std::invalid_argument);
+  EXPECT_THROW(look({.beta = kLongPi}, 18, 18, 0, 0), std::invalid_argument);
   EXPECT_THROW(look({.tip_thickness_min = -0.1L}, 18, 18, 0, 0), std::invalid_argument);
   EXPECT_THROW(region_not_empty({}, 1, 18, 18, 19, 18), std::invalid_argument);
   EXPECT_THROW(plain_search({}, {1}, {-1, 1}, {18, 18}, {18, 18}, false), std::invalid_argument);

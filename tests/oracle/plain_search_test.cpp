@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "gearwright/base/testing/source_file.hpp"
+#include "tests/oracle/numbers.hpp"
 #include "tests/oracle/plain_pair.hpp"
 
 namespace gearwright::oracle {
@@ -23,7 +24,6 @@ using Real = long double;
 using nlohmann::json;
 using enum PlainVerdict;
 
-constexpr Real kPi = std::numbers::pi_v<Real>, kDegree = kPi / 180;
 constexpr double kPrinted = 1e-12;  // modules, degrees or ratio: the source prints 22 to 25 digits
 
 const json& source() {
@@ -65,12 +65,12 @@ TEST(PlainSearch, pairs_of_the_source) {
     const int z1 = pair.at("z1"), z2 = pair.at("z2");
     const Real x1 = number(pair, "s1"), x2 = number(pair, "s2");
     PlainProblem p;
-    p.alpha_n = number(pair, "alpha_deg") * kDegree;
+    p.alpha_n = number(pair, "alpha_deg") * kLongDegree;
     p.clearance_min = 0;
     const PlainPoint o = look(p, z1, z2, x1, x2);
     const std::string name = std::to_string(z1) + ":" + std::to_string(z2) + " ";
     expect_near(o.centre_distance, number(pair, "C_extended"), name + "C");
-    expect_near(o.alpha_wt / kDegree, number(pair, "alpha_operating_deg"), name + "alpha_wt");
+    expect_near(o.alpha_wt / kLongDegree, number(pair, "alpha_operating_deg"), name + "alpha_wt");
     expect_near(o.eps, number(pair, "contact_ratio"), name + "eps");
     // The source clips at the flanks' beginnings; an undercut flank has none above the base circle.
     expect_near(o.eps_usable, number(pair, "contact_ratio_clipped"), name + "clipped");
@@ -91,7 +91,8 @@ TEST(PlainSearch, pairs_of_the_source) {
     p.tight = true;
     const PlainPoint tight = look(p, z1, z2, x1, x2);
     expect_near(tight.centre_distance, number(pair, "C_tight"), name + "tight C");
-    expect_near(tight.alpha_wt / kDegree, number(pair, "alpha_tight_deg"), name + "tight alpha");
+    expect_near(tight.alpha_wt / kLongDegree, number(pair, "alpha_tight_deg"),
+                name + "tight alpha");
     expect_near(tight.eps, number(pair, "contact_ratio_tight"), name + "tight eps");
     for (int i : {0, 1})
       expect_near(tight.tip_clearance[i], number(pair.at("clearance_tight")[i]), name + "tight c");
@@ -147,7 +148,7 @@ TEST(PlainSearch, mounted_pairs_of_the_source) {
     const int z1 = in.at("z1"), z2 = in.at("z2");
     const Real sigma = z2 < 0 ? -1 : 1;
     PlainProblem p;
-    p.beta = number(in, "beta_deg") * kDegree;
+    p.beta = number(in, "beta_deg") * kLongDegree;
     p.tight = true;
     p.sliding_max = 10;
     p.avoid_interference = true;
@@ -157,7 +158,7 @@ TEST(PlainSearch, mounted_pairs_of_the_source) {
     const PlainPoint o = look(p, z1, z2, x1, x2);
     const std::string name = in.dump() + " ";
     expect_near(o.centre_distance, sigma * number(pair, "a") / m, name + "a");
-    expect_near(o.alpha_wt / kDegree, number(pair, "alpha_wt_deg"), name + "alpha_wt");
+    expect_near(o.alpha_wt / kLongDegree, number(pair, "alpha_wt_deg"), name + "alpha_wt");
     expect_near(o.eps, number(pair, "eps_alpha"), name + "eps");
     expect_near(o.rho_1A, number(pair.at("rho1"), "A") / m, name + "rho_1A");
     expect_near(o.rho_1E, number(pair.at("rho1"), "E") / m, name + "rho_1E");

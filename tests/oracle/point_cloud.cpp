@@ -7,12 +7,12 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "tests/oracle/numbers.hpp"
 
 namespace gearwright::oracle::tca {
 namespace {
 
-constexpr Real kPi = std::numbers::pi_v<Real>;
 constexpr Real kNothing = -std::numeric_limits<Real>::infinity();
 constexpr Real kInverseGolden = 0.618033988749894848204586834365638118L;
 
@@ -143,7 +143,7 @@ class Cloud {
 
   Real to_half_turn(Real rho, Real z) const {
     const Real psi = pair_.flank_1.azimuth(rho) + pair_.flank_1.turn(z) - rotation_1_;
-    return (kPi - std::abs(psi)) * rho;
+    return (kLongPi - std::abs(psi)) * rho;
   }
 
   Look look(Real rho, Real azimuth, Real z) const {
@@ -157,7 +157,7 @@ class Cloud {
     p.x_2 = seen.x(), p.y_2 = seen.y(), p.z_2 = seen.z();
     p.rho_2 = std::hypot(p.x_2, p.y_2);
     p.slack = std::min({p.rho_2 - f.rho_low, f.rho_high - p.rho_2, p.z_2 - f.z_low,
-                        f.z_high - p.z_2, (kPi - std::abs(psi)) * rho});
+                        f.z_high - p.z_2, (kLongPi - std::abs(psi)) * rho});
     return p;
   }
 
@@ -261,12 +261,12 @@ class Cloud {
 
 std::optional<CloudTouch> cloud_touch_of_pair(const CloudPair& pair, Real rotation_1, int k,
                                               CloudSteps steps) {
-  const Cloud cloud(pair, rotation_1 - 2 * kPi * k / pair.teeth_1, steps);
+  const Cloud cloud(pair, rotation_1 - 2 * kLongPi * k / pair.teeth_1, steps);
   const auto found = cloud.in_all();
   if (!found) return std::nullopt;
   const Look place = cloud.look(found->second.at, found->first);
   CloudTouch touch;
-  touch.rotation_2 = found->second.value + 2 * kPi * k / pair.teeth_2;
+  touch.rotation_2 = found->second.value + 2 * kLongPi * k / pair.teeth_2;
   touch.pair = k;
   touch.kind = cloud.kind(place);
   touch.rho_1 = place.rho_1, touch.z_1 = place.z_1;
@@ -294,7 +294,7 @@ std::vector<CloudTouch> cloud_touches(const CloudPair& pair, Real rotation_1, Cl
     }
   }
   // psi + 2πk/N within ±opening for some point, and one pair more for what the grid leaves out.
-  const Real pitch = 2 * kPi / pair.teeth_1;
+  const Real pitch = 2 * kLongPi / pair.teeth_1;
   const int first = static_cast<int>(std::ceil((-opening - high) / pitch)) - 1;
   const int last = static_cast<int>(std::floor((opening - low) / pitch)) + 1;
   std::vector<CloudTouch> found;

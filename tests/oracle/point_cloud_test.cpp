@@ -11,14 +11,13 @@
 
 #include "tests/oracle/circular_arc_cases.hpp"
 #include "tests/oracle/five_equation.hpp"
+#include "tests/oracle/numbers.hpp"
 #include "tests/oracle/touching_screws.hpp"
 
 namespace gearwright::oracle::tca {
 namespace {
 
 using nlohmann::json;
-
-constexpr Real kPi = std::numbers::pi_v<Real>;
 
 #define EXPECT_CLOSE(value, wanted, tolerance) \
   EXPECT_NEAR(static_cast<double>((value) - (wanted)), 0.0, tolerance)
@@ -44,8 +43,8 @@ void composite_rows(int every) {
     const ArcOutline outline(flank_1(pair), pair.f.theta_low, pair.f.theta_high);
     for (std::size_t i = 0; i < composite.at("rows").size(); i += every) {
       const json& row = composite.at("rows").at(i);
-      const Real rotation_1 = number(row, "phi1p_deg") * kDegree;
-      SCOPED_TRACE(static_cast<double>(rotation_1 / kDegree));
+      const Real rotation_1 = number(row, "phi1p_deg") * kLongDegree;
+      SCOPED_TRACE(static_cast<double>(rotation_1 / kLongDegree));
       const auto t = cloud_touch(cloud, rotation_1);
       ASSERT_TRUE(t.has_value());
       ++rows;
@@ -87,8 +86,8 @@ TEST(PointCloud, ArcsUnderEveryError) {
     ArcPair pair = arc_pair(c);
     const Real module = 2 * pair.pitch_radius_1 * std::sin(pair.lead_angle_f) / pair.teeth_1;
     pair.lead_1.crowning = 2e-7L / module, pair.lead_2.crowning = -1e-8L / module;
-    pair.f.theta_low = 12 * kDegree, pair.f.theta_high = 50 * kDegree;
-    pair.p.theta_low = 13 * kDegree, pair.p.theta_high = 52 * kDegree;
+    pair.f.theta_low = 12 * kLongDegree, pair.f.theta_high = 50 * kLongDegree;
+    pair.p.theta_low = 13 * kLongDegree, pair.p.theta_high = 52 * kLongDegree;
     pair.half_face_1 = pair.half_face_2 = 12 * module;
     CloudPair cloud = composite_cloud(pair);
     cloud.flank_1 = cloud_flank(flank_1(pair), pair.f.theta_low, pair.f.theta_high, pair.lead_1,
@@ -116,7 +115,7 @@ struct Screws {
 /// 0 on the centre line.
 Screws screws(int z_1, int z_2, double beta_1, double beta_2, double half_face) {
   Screws out;
-  const double module = 3, alpha_n = static_cast<double>(20 * kDegree);
+  const double module = 3, alpha_n = static_cast<double>(20 * kLongDegree);
   const std::array<int, 2> teeth = {z_1, z_2};
   const std::array<double, 2> beta = {beta_1, beta_2};
   std::array<Screw*, 2> screw = {&out.pair.first, &out.pair.second};
@@ -130,7 +129,7 @@ Screws screws(int z_1, int z_2, double beta_1, double beta_2, double half_face) 
     const double beta_b = std::asin(std::sin(beta[i]) * std::cos(alpha_n));
     *screw[i] = {teeth[i], r_b, 2 * eta * r_b, beta_b, r + module};
     const Real tau = std::tan(static_cast<Real>(beta_b)) / r_b;
-    const Real center = i == 0 ? 0 : kPi + kPi / teeth[i];
+    const Real center = i == 0 ? 0 : kLongPi + kLongPi / teeth[i];
     out.flanks[i] = {i + 1, r_b, eta, center, tau, -1};
     *cloud[i] = cloud_flank(out.flanks[i], r_b * (1 + 1e-9L), r + module, {}, half_face);
     distance += r;
@@ -157,7 +156,7 @@ FiveEquationTouch five_equations(const Screws& s, std::array<LeadTurn, 2> lead, 
   p.mounting = m;
   p.ratio = static_cast<Real>(s.cloud.teeth_1) / s.cloud.teeth_2;
   p.scale = s.flanks[0].base_radius;
-  const Real back = 2 * kPi * near.pair;
+  const Real back = 2 * kLongPi * near.pair;
   const Unknowns start{roll(s.flanks[0], near.rho_1), near.z_1, roll(s.flanks[1], near.rho_2),
                        near.z_2, near.rotation_2 - back / s.cloud.teeth_2};
   return solve(p, rotation_1 - back / s.cloud.teeth_1, start);
@@ -173,7 +172,7 @@ TEST(PointCloud, CrossedInvolutesTransmitExactly) {
     Real constant = 0;
     int inside = 0;
     for (int i = -3; i <= 3; ++i) {
-      const Real rotation_1 = i * 2 * kPi / 14 / 7;
+      const Real rotation_1 = i * 2 * kLongPi / 14 / 7;
       const auto t = cloud_touch(cloud, rotation_1);
       ASSERT_TRUE(t.has_value());
       if (t->kind != CloudKind::interior) continue;
@@ -302,7 +301,7 @@ TEST(PointCloud, MisalignedSpurGearsTouchWithAFaceEnd) {
       const auto tilted_axes = cloud_touch(cloud, 0.01L);
       ASSERT_TRUE(tilted_axes.has_value());
       const Real tilt_error = tilted_axes->rotation_2 - 0.01L * 20 / 37;
-      EXPECT_CLOSE(tilt_error / (small * b / 2 / r_2 * std::tan(20 * kDegree)), 1, 2e-3);
+      EXPECT_CLOSE(tilt_error / (small * b / 2 / r_2 * std::tan(20 * kLongDegree)), 1, 2e-3);
     }
   }
 }
@@ -315,10 +314,10 @@ TEST(PointCloud, NothingWhereNoToothReaches) {
 
 TEST(ArcOutline, IsTheSurfacesSection) {
   for (const int gear : {1, 2}) {
-    const ArcFlank flank{gear, 7 + 0.75L * (gear - 1), 2.11L, 1.2L, 70 * kDegree, 53, false};
-    const ArcOutline outline(flank, 12 * kDegree, 50 * kDegree);
+    const ArcFlank flank{gear, 7 + 0.75L * (gear - 1), 2.11L, 1.2L, 70 * kLongDegree, 53, false};
+    const ArcOutline outline(flank, 12 * kLongDegree, 50 * kLongDegree);
     for (int i = 0; i <= 10; ++i) {
-      const Real theta = (12 + 3.8L * i) * kDegree;
+      const Real theta = (12 + 3.8L * i) * kLongDegree;
       const Vector3 r = arc_surface(flank)(theta, 0).r;
       const Real rho = std::hypot(r.x(), r.y());
       EXPECT_CLOSE(outline.theta(rho), theta, 1e-16);
@@ -329,9 +328,9 @@ TEST(ArcOutline, IsTheSurfacesSection) {
   }
   // Past its undercut limit, 7.08° here, the outline turns back.
   const ArcFlank undercut{
-      1,    0.7L, 0.21121778264910707L, 0.12194664367009782L, 75 * kDegree, 3.1058285412302493L,
+      1,    0.7L, 0.21121778264910707L, 0.12194664367009782L, 75 * kLongDegree, 3.1058285412302493L,
       false};
-  EXPECT_THROW(ArcOutline(undercut, 1 * kDegree, 50 * kDegree), std::invalid_argument);
+  EXPECT_THROW(ArcOutline(undercut, 1 * kLongDegree, 50 * kLongDegree), std::invalid_argument);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "gearwright/curve/basic_curves.hpp"
 #include "tests/oracle/contact_gears.hpp"
 #include "tests/oracle/five_equation.hpp"
+#include "tests/oracle/numbers.hpp"
 #include "tests/oracle/point_cloud.hpp"
 #include "tests/property/random_spec.hpp"
 
@@ -19,18 +20,17 @@ namespace gearwright::oracle {
 
 /// Arcs that touch near θ = 20° … 40° of flanks from 12° to 52°, errors from nothing to large.
 inline tca::ArcPair random_arcs(property::Random& random) {
-  constexpr tca::Real kDegree = std::numbers::pi_v<tca::Real> / 180;
   const auto sign = [&random] { return random.chance(0.5) ? 1.0 : -1.0; };
   const double m = random.pick({0.5, 2.0, 4.0, 10.0});
   tca::ArcPair p;
   p.teeth_1 = random.integer(8, 40);
   p.teeth_2 = random.integer(p.teeth_1, 150);
-  p.lead_angle_f = p.lead_angle_p = random.uniform(60.0, 82.0) * kDegree;
-  if (random.chance(0.3)) p.lead_angle_f += 0.05 * sign() * random.unit() * kDegree;
+  p.lead_angle_f = p.lead_angle_p = random.uniform(60.0, 82.0) * kLongDegree;
+  if (random.chance(0.3)) p.lead_angle_f += 0.05 * sign() * random.unit() * kLongDegree;
   const tca::Real sine = std::sin(p.lead_angle_p);
   p.pitch_radius_1 = p.teeth_1 * m / (2 * sine);
   p.pitch_radius_2 = p.teeth_2 * m / (2 * sine);
-  const tca::Real theta = random.uniform(22.0, 38.0) * kDegree;
+  const tca::Real theta = random.uniform(22.0, 38.0) * kLongDegree;
   const tca::Real more = m * random.logarithmic(0.05, 0.4);
   p.f.rho = m * random.uniform(1.2, 1.7);
   p.f.a = m * random.uniform(0.3, 0.5);
@@ -38,8 +38,8 @@ inline tca::ArcPair random_arcs(property::Random& random) {
   p.p.rho = p.f.rho + more;
   p.p.a = p.f.a + more * std::cos(theta);
   p.p.b = p.f.b + more * std::sin(theta);
-  p.f.theta_low = 12 * kDegree, p.f.theta_high = 52 * kDegree;
-  p.p.theta_low = 13 * kDegree, p.p.theta_high = 51 * kDegree;
+  p.f.theta_low = 12 * kLongDegree, p.f.theta_high = 52 * kLongDegree;
+  p.p.theta_low = 13 * kLongDegree, p.p.theta_high = 51 * kLongDegree;
   const double size = random.logarithmic(1e-3, 1.0);
   p.mounting.center_distance = p.pitch_radius_1 + p.pitch_radius_2;
   p.mounting.d_center = 0.2 * static_cast<double>(more) * size * sign() * random.unit();
@@ -102,7 +102,6 @@ struct ScrewContact {
 };
 
 inline ScrewContact random_screws(property::Random& random, ScrewKind kind) {
-  constexpr double kDegree = std::numbers::pi / 180;
   const auto sign = [&random] { return random.chance(0.5) ? 1.0 : -1.0; };
   const bool worm = kind == ScrewKind::worm, parallel = kind == ScrewKind::crowned_parallel;
   const double m = random.pick({1.0, 3.0}), alpha_n = random.pick({14.5, 20.0, 25.0}) * kDegree;

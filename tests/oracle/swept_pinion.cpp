@@ -20,25 +20,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
-#include <stdexcept>
+
+#include "tests/oracle/numbers.hpp"
+#include "tests/oracle/plane_turn.hpp"
+#include "tests/oracle/require.hpp"
 
 namespace gearwright::oracle {
 namespace {
 
 using Eigen::Vector2d;
-constexpr double kPi = std::numbers::pi;
 constexpr double kFinest = 2e-4;  // rad between cutter and gear, (2)
 constexpr int kCoarse = 32;       // intervals of the first scan
-
-void require(bool condition, const char* sentence) {
-  if (!condition) throw std::invalid_argument(sentence);
-}
-
-Vector2d turned(const Vector2d& v, double angle) {
-  const double s = std::sin(angle), c = std::cos(angle);
-  return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
-}
 
 }  // namespace
 

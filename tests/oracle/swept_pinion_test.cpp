@@ -7,27 +7,22 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 #include <random>
 #include <stdexcept>
 #include <vector>
 
+#include "tests/oracle/numbers.hpp"
 #include "tests/oracle/pinion_cutter_cases.hpp"
+#include "tests/oracle/plane_turn.hpp"
 
 namespace gearwright::oracle {
 namespace {
 
 using Eigen::Vector2d;
-constexpr double kPi = std::numbers::pi, kDegree = kPi / 180;
 constexpr double kRest = 1e-12;  // mm, what SweptPinion promises
 
 Vector2d polar(double radius, double angle) {
   return {radius * std::cos(angle), radius * std::sin(angle)};
-}
-
-Vector2d turned(const Vector2d& v, double angle) {
-  const double s = std::sin(angle), c = std::cos(angle);
-  return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
 }
 
 double involute_of_tan(double t) { return t - std::atan(t); }

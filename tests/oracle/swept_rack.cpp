@@ -17,22 +17,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <stdexcept>
+
+#include "tests/oracle/numbers.hpp"
+#include "tests/oracle/require.hpp"
 
 namespace gearwright::oracle {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 // A width that should be zero (full rounding) may come out negative by rounding: 1e-9 m is a
 // thousand times that, and a thousandth of what can be made.
 constexpr double kRoundingWidth = 1e-9;
-
-void require(bool condition, const char* sentence) {
-  if (!condition) throw std::invalid_argument(sentence);
-}
 
 }  // namespace
 

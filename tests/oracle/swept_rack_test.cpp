@@ -6,20 +6,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <stdexcept>
 #include <vector>
 
 #include "tests/oracle/few_tooth_cases.hpp"
+#include "tests/oracle/numbers.hpp"
 #include "tests/oracle/rolled_edge.hpp"
 #include "tests/oracle/swept_tooth.hpp"
 
 namespace gearwright::oracle {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-constexpr double kDegree = kPi / 180;
 
 RackNumbers helical_20() {
   return {.teeth = 20,
@@ -59,7 +56,7 @@ RackNumbers fully_rounded() {
   return n;
 }
 
-std::vector<RackNumbers> cutters() {
+std::vector<RackNumbers> cutter_numbers() {
   RackNumbers sharp = helical_20();
   sharp.root_fillet_radius = 0;
   sharp.teeth = 6;
@@ -218,7 +215,7 @@ TEST(SweptRack, agrees_with_a_plain_scan_of_all_positions) {
   const auto uniform = [&](double a, double b) {
     return a + (b - a) * (static_cast<double>(random() >> 11) * 0x1p-53);
   };
-  for (const RackNumbers& n : cutters()) {
+  for (const RackNumbers& n : cutter_numbers()) {
     const SweptRack rack(n);
     int standing = 0, cut = 0;
     for (int i = 0; i < 40; ++i) {

@@ -7,11 +7,10 @@
 #include <numbers>
 
 #include "tests/oracle/few_tooth_cases.hpp"
+#include "tests/oracle/numbers.hpp"
 
 namespace gearwright::oracle {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 TEST(SweptTooth, few_tooth_cases) {
   for (const FewToothCase& c : few_tooth_cases()) {

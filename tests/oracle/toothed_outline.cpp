@@ -10,14 +10,14 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
-#include <stdexcept>
+
+#include "tests/oracle/numbers.hpp"
+#include "tests/oracle/require.hpp"
 
 namespace gearwright::oracle {
 namespace {
 
 using Eigen::Vector2d;
-constexpr double kPi = std::numbers::pi;
 
 // Curves meet, and lie on the two rays, to this; a gap is seen in no distance by more.
 constexpr double kGap = 1e-9;  // mm
@@ -28,10 +28,6 @@ constexpr double kTurn = 0.3;    // rad
 constexpr std::size_t kMaxPieces = 4096;
 // Tangents at the ends are taken a little inside: at a base circle the pace itself may be zero.
 constexpr double kInside = 1 - 1e-5;
-
-void require(bool condition, const char* sentence) {
-  if (!condition) throw std::invalid_argument(sentence);
-}
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 

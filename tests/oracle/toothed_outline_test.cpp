@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <random>
 #include <stdexcept>
 #include <vector>
 
+#include "tests/oracle/numbers.hpp"
 #include "tests/oracle/pinion_cutter_cases.hpp"
 
 namespace gearwright::oracle {
@@ -19,7 +19,6 @@ namespace {
 
 using Eigen::Vector2d;
 using Curves = std::vector<ToothedOutline::Curve>;
-constexpr double kPi = std::numbers::pi;
 
 struct Drawn {
   const char* name;

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
-#include <stdexcept>
 #include <vector>
 
 #include "tests/oracle/flank_search.hpp"
+#include "tests/oracle/numbers.hpp"
+#include "tests/oracle/require.hpp"
 #include "tests/oracle/screw_tangency.hpp"
 
 namespace gearwright::oracle {
@@ -17,18 +17,12 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kPi = std::numbers::pi;
-
 // Rotations closer than this are one: a thousand times the rounding of a sum of angles of one turn.
 constexpr double kSameRotation = 1e-12;  // rad
 // The search and the solution agree: a thousand times what either is good for.
 constexpr double kTwoWays = 1e-10;  // rad
 // An edge: near a base circle the string is the square root of what is left of two radii.
 constexpr double kAtEnd = 1e-7;  // in centre distances
-
-void require(bool holds, const char* what) {
-  if (!holds) throw std::invalid_argument(what);
-}
 
 void check(const Screw& g) {
   require(g.teeth >= 1, "a screw has at least one tooth");

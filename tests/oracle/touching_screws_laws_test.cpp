@@ -7,21 +7,18 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <stdexcept>
 #include <vector>
 
 #include "tests/oracle/conjugate_pairs.hpp"
+#include "tests/oracle/numbers.hpp"
 #include "tests/oracle/touching_screws.hpp"
 
 namespace gearwright::oracle {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kPi = std::numbers::pi;
-constexpr double kDegree = kPi / 180;
 
 // The flank is the string: its foot on the base circle, tangent, as long as the arc it was unwound
 // from; the base tooth is s_bt thick, and turns like a screw. The normal is square to the surface.

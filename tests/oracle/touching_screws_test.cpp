@@ -12,18 +12,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "tests/oracle/conjugate_pairs.hpp"
+#include "tests/oracle/numbers.hpp"
 
 namespace gearwright::oracle {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kDegree = kPi / 180;
 constexpr std::array kSides = {Side::leading, Side::trailing};
 
 /// Rounding of 1e-14 mm in the two surfaces moves the contact point along the common tangent that

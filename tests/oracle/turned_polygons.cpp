@@ -4,15 +4,12 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <numbers>
+
+#include "tests/oracle/numbers.hpp"
 
 namespace gearwright::oracle {
 
 using Eigen::Vector2d;
-
-namespace {
-constexpr double kPi = std::numbers::pi;
-}
 
 TurnedPolygons::Gear TurnedPolygons::gear_of(const ToothedPolygon& polygon) {
   Gear gear{std::abs(polygon.teeth), polygon.teeth < 0, polygon.half_tooth.back().norm(), {}};

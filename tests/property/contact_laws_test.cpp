@@ -4,16 +4,14 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <numbers>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/contact/error_map.hpp"
 #include "tests/property/contact_pairs.hpp"
 #include "tests/property/random_crossed.hpp"
 
 namespace gearwright::property {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 

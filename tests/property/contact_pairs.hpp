@@ -3,16 +3,23 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <utility>
 #include <vector>
 
 #include "gearwright/contact/contact.hpp"
 #include "tests/oracle/modified_involutes.hpp"
+#include "tests/oracle/numbers.hpp"
 
 namespace gearwright::property {
 
-using namespace gearwright::oracle;
+namespace tca = oracle::tca;
+using oracle::BruteContact;
+using oracle::contact_set;
+using oracle::ContactSet;
+using oracle::extent_of;
+using oracle::ModifiedPair;
+using oracle::random_modified;
+using oracle::Wanted;
 
 inline ContactResult over_a_pitch(const ContactPair& pair, int positions, int pitches = 1) {
   ContactRequest request;
@@ -29,15 +36,15 @@ inline ContactResult at_rotations(const ContactPair& pair, std::vector<Angle> ro
 
 /// m = 4, 16 : 48 teeth, flanks that touch at 30° without errors.
 inline tca::ArcPair some_arcs(double crossing = 0.0, double d_center = 0.0) {
-  const tca::Real degree = std::numbers::pi_v<tca::Real> / 180;
   tca::ArcPair p;
   p.teeth_1 = 16, p.teeth_2 = 48;
-  p.lead_angle_f = p.lead_angle_p = 70 * degree;
+  p.lead_angle_f = p.lead_angle_p = 70 * oracle::kLongDegree;
   const tca::Real m = 4, sine = std::sin(p.lead_angle_f);
   p.pitch_radius_1 = p.teeth_1 * m / (2 * sine), p.pitch_radius_2 = p.teeth_2 * m / (2 * sine);
-  p.f = {1.4L * m, 0.42L * m, 0.24L * m, 12 * degree, 52 * degree};
-  p.p = {1.55L * m, p.f.a + 0.15L * m * std::cos(30 * degree),
-         p.f.b + 0.15L * m * std::sin(30 * degree), 13 * degree, 51 * degree};
+  p.f = {1.4L * m, 0.42L * m, 0.24L * m, 12 * oracle::kLongDegree, 52 * oracle::kLongDegree};
+  p.p = {1.55L * m, p.f.a + 0.15L * m * std::cos(30 * oracle::kLongDegree),
+         p.f.b + 0.15L * m * std::sin(30 * oracle::kLongDegree), 13 * oracle::kLongDegree,
+         51 * oracle::kLongDegree};
   p.mounting.center_distance = p.pitch_radius_1 + p.pitch_radius_2;
   p.mounting.crossing = crossing, p.mounting.d_center = d_center;
   p.half_face_1 = p.half_face_2 = 30;

@@ -4,23 +4,23 @@
 #include <algorithm>
 #include <boost/math/differentiation/autodiff.hpp>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "gearwright/base/testing/numbers.hpp"
 #include "tests/property/random_crossed.hpp"
 #include "tests/property/random_pair.hpp"
 
 namespace gearwright::property {
 namespace {
 
-constexpr double kEps = std::numeric_limits<double>::epsilon();
-constexpr int kPairs = 600;
+using testing::kEps;
+constexpr int kCrossedPairs = 600;
 
 template <class Law>
 void over_crossed(std::uint64_t seed, double least, Law law) {
   Random random(seed);
   int held = 0;
-  for (int i = 0; i < kPairs; ++i) {
+  for (int i = 0; i < kCrossedPairs; ++i) {
     const CrossedSpecs specs = random_crossed(random, least);
     const auto pair = mounted(specs, i % 2 ? 0.0 : 0.1 * random.unit());
     if (!pair) continue;
@@ -31,7 +31,7 @@ void over_crossed(std::uint64_t seed, double least, Law law) {
       break;
     }
   }
-  EXPECT_GT(held, kPairs / 3);
+  EXPECT_GT(held, kCrossedPairs / 3);
 }
 
 // Rounding of the angles, as lengths: near-parallel axes divide by sin Σ.

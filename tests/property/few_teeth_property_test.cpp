@@ -15,40 +15,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <csignal>
 #include <cstdint>
-#include <cstdio>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "tests/oracle/engine_numbers.hpp"
 #include "tests/oracle/engine_pinion.hpp"
 #include "tests/oracle/random_pinion_cut.hpp"
+#include "tests/property/at_hand.hpp"
 #include "tests/property/outline_laws.hpp"
 #include "tests/property/random_spec.hpp"
 
 namespace gearwright::property {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr int kEvery = 10;  // the sample that is confirmed
-
-std::string at_hand;  // what is being made; the handler below may read it
-
-extern "C" void print_few_teeth_at_hand(int) {
-  std::fprintf(stderr, "the gear at hand: %s\n", at_hand.c_str());
-}
-
-struct PrintsGearOnAbort {
-  PrintsGearOnAbort() : old(std::signal(SIGABRT, print_few_teeth_at_hand)) {}
-  ~PrintsGearOnAbort() { std::signal(SIGABRT, old); }
-  void (*old)(int);
-};
 
 CylindricalSpec random_few_teeth(Random& random) {
   CylindricalSpec spec;
@@ -83,7 +69,7 @@ CylindricalSpec random_few_teeth(Random& random) {
   return spec;
 }
 
-std::string broken_error(const Error& error) {
+std::string broken_message(const Error& error) {
   if (error.field.empty() || error.message().empty()) return "an error without field or message";
   if (error.message().find(error.field) == std::string::npos)
     return "the message does not name its field: " + error.message();
@@ -133,9 +119,6 @@ std::string broken_fillets(const Gear& gear) {
   return broken_circle(gear, *tip, flank->end_point, 0.0);
 }
 
-// Within 1e-9 mm at gears up to a metre across, as in specs_property_test.
-double tolerance(double scale) { return 1e-9 * std::max(1.0, scale / 500.0); }
-
 std::string denied_by_rack(const Gear& gear, double scale) {
   try {
     const oracle::SweptRack rack(oracle::numbers_of(gear));
@@ -177,7 +160,7 @@ std::string broken_gear(const CylindricalSpec& spec, std::optional<Gear>& cutter
   auto made = make_gear(spec);
   if (!made) {
     ++tally.errors;
-    return broken_error(made.error());
+    return broken_message(made.error());
   }
   const Gear gear = std::move(made).take();
   if (!gear.exists()) {
@@ -204,7 +187,7 @@ std::string broken_cut(const Gear& cutter, const PinionCutSpec& wanted, Tally& t
   const auto made = make_pinion_cut_gear(cutter, wanted);
   if (!made) {
     ++tally.cut_errors;
-    return broken_error(made.error());
+    return broken_message(made.error());
   }
   if (!made->exists()) {
     ++tally.cut_flags;
@@ -220,7 +203,7 @@ std::string broken_cut(const Gear& cutter, const PinionCutSpec& wanted, Tally& t
 }
 
 Tally check_few_teeth(std::uint64_t seed, int n) {
-  const PrintsGearOnAbort handler;
+  const PrintsAtHandOnAbort handler;
   Random random(seed);
   Tally tally;
   int failures = 0;
@@ -289,7 +272,7 @@ TEST(FewTeeth, root_fillet_beyond_the_ramp_is_refused) {
     const auto gear = make_gear(spec);
     ASSERT_FALSE(gear) << describe(spec);
     EXPECT_EQ(gear.error().field.rfind("root_fillet", 0), 0u) << gear.error().field;
-    EXPECT_EQ(broken_error(gear.error()), "");
+    EXPECT_EQ(broken_message(gear.error()), "");
   }
 }
 

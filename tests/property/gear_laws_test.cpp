@@ -4,21 +4,21 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <string>
 
+#include "gearwright/base/testing/numbers.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "tests/property/random_spec.hpp"
 
 namespace gearwright::property {
 namespace {
 
-constexpr double kEps = std::numeric_limits<double>::epsilon();
+using testing::kEps;
 constexpr int kGears = 4000;
 
-std::optional<Gear> gear_of(const CylindricalSpec& spec) {
+std::optional<Gear> gear_if_made(const CylindricalSpec& spec) {
   auto made = make_gear(spec);
   if (!made) return std::nullopt;
   return std::move(made).take();
@@ -46,12 +46,12 @@ TEST(GearLaws, scaling_by_two_is_exact) {
   int teeth = 0;
   for (int i = 0; i < kGears; ++i) {
     CylindricalSpec spec = random_spec(random);
-    const auto one = gear_of(spec);
+    const auto one = gear_if_made(spec);
     spec.normal_module *= 2;
     spec.thickness_allowance *= 2;
     spec.face_width *= 2;
     if (spec.tip_diameter) spec.tip_diameter = 2 * *spec.tip_diameter;
-    const auto two = gear_of(spec);
+    const auto two = gear_if_made(spec);
     ASSERT_EQ(one.has_value(), two.has_value()) << describe(spec);
     if (!one) continue;
     const auto &a = one->reference(), &b = two->reference();
@@ -78,9 +78,9 @@ TEST(GearLaws, hand_changes_the_sign_of_lead_and_base_helix_only) {
   Random random(102);
   for (int i = 0; i < kGears; ++i) {
     CylindricalSpec spec = random_spec(random);
-    const auto right = gear_of(spec);
+    const auto right = gear_if_made(spec);
     spec.helix_angle = -spec.helix_angle;
-    const auto left = gear_of(spec);
+    const auto left = gear_if_made(spec);
     ASSERT_EQ(right.has_value(), left.has_value()) << describe(spec);
     if (!right) continue;
     EXPECT_EQ(left->lead, -right->lead);
@@ -98,12 +98,12 @@ TEST(GearLaws, base_cylinder_is_the_rack_s_angle_and_nothing_else) {
   Random random(103);
   for (int i = 0; i < kGears; ++i) {
     CylindricalSpec spec = random_spec(random);
-    const auto one = gear_of(spec);
+    const auto one = gear_if_made(spec);
     spec.profile_shift += random.uniform(-0.5, 0.5);
     spec.thickness_allowance += 0.01 * spec.normal_module;
     spec.tip_diameter.reset();
     spec.rack = StraightRack{};
-    const auto two = gear_of(spec);
+    const auto two = gear_if_made(spec);
     if (!one || !two) continue;
     EXPECT_EQ(one->reference().base_diameter, two->reference().base_diameter);
     EXPECT_EQ(one->reference().base_helix_angle, two->reference().base_helix_angle);
@@ -117,10 +117,10 @@ TEST(GearLaws, defaults_written_out_change_nothing) {
   for (int i = 0; i < kGears; ++i) {
     CylindricalSpec spec = random_spec(random);
     spec.tip_diameter.reset();
-    const auto absent = gear_of(spec);
+    const auto absent = gear_if_made(spec);
     if (!absent || !(absent->tip_diameter > 0.0)) continue;
     spec.tip_diameter = absent->tip_diameter;
-    const auto given = gear_of(spec);
+    const auto given = gear_if_made(spec);
     ASSERT_TRUE(given) << describe(spec);
     EXPECT_TRUE(scaled(*absent, *given, 1.0)) << describe(spec);
     EXPECT_NEAR(absent->tip_diameter,
@@ -135,12 +135,12 @@ TEST(GearLaws, allowance_is_a_shift_of_the_cutter) {
   Random random(105);
   for (int i = 0; i < kGears; ++i) {
     CylindricalSpec spec = random_spec(random);
-    const auto allowed = gear_of(spec);
+    const auto allowed = gear_if_made(spec);
     if (!allowed || !allowed->exists()) continue;
     spec.tip_diameter = allowed->tip_diameter;
     spec.profile_shift = allowed->reference().generating_profile_shift;
     spec.thickness_allowance = 0.0;
-    const auto shifted = gear_of(spec);
+    const auto shifted = gear_if_made(spec);
     ASSERT_TRUE(shifted && shifted->exists()) << describe(spec);
     EXPECT_TRUE(scaled(*allowed, *shifted, 1.0)) << describe(spec);
     EXPECT_NEAR(allowed->reference().base_tooth_thickness,
@@ -160,9 +160,9 @@ TEST(GearLaws, spur_is_the_limit_of_helical) {
     spec.helix_angle = Angle();
     spec.rack = *iso53_rack("ISO53-A");
     spec.tip_diameter.reset();
-    const auto spur = gear_of(spec);
+    const auto spur = gear_if_made(spec);
     spec.helix_angle = Angle::radians(1e-9);
-    const auto helical = gear_of(spec);
+    const auto helical = gear_if_made(spec);
     // Within 1e-6 of its limit a gear may fall on either side of it.
     if (!spur || !helical || !spur->exists() || !helical->exists()) continue;
     if (spur->tooth->outline.arcs.size() != helical->tooth->outline.arcs.size()) continue;
@@ -189,7 +189,7 @@ TEST(GearLaws, flank_is_the_involute_of_the_base_thickness) {
   int compared = 0;
   for (int i = 0; i < kGears; ++i) {
     const CylindricalSpec spec = random_spec(random);
-    const auto gear = gear_of(spec);
+    const auto gear = gear_if_made(spec);
     if (!gear || !gear->exists()) continue;
     const Arc* flank = gear->tooth->outline.find(ArcName::flank);
     if (!flank) continue;
@@ -222,7 +222,7 @@ TEST(GearLaws, undercut_flag_tells_a_crossing_from_a_smooth_joint) {
     CylindricalSpec spec = random_spec(random);
     spec.rack = *iso53_rack(i % 2 ? "ISO53-A" : "ISO53-C");
     spec.tip_diameter.reset();
-    const auto gear = gear_of(spec);
+    const auto gear = gear_if_made(spec);
     if (!gear || !gear->exists()) continue;
     const double margin =
         gear->reference().generating_profile_shift - *gear->involute()->undercut_free_profile_shift;

@@ -13,10 +13,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <vector>
 
+#include "gearwright/base/numbers.hpp"
 #include "tests/oracle/random_pinion_cut.hpp"
 #include "tests/property/generated_pairs.hpp"
 #include "tests/property/turned_outlines.hpp"
@@ -24,7 +24,6 @@
 namespace gearwright::property {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kPhases = 64;        // of a pitch of gear 1
 constexpr double kOverlap = 1e-9;  // mm
 constexpr double kCloser = 0.01;   // mm closer than without backlash

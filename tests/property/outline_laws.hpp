@@ -7,6 +7,7 @@
 // the outline cannot cross itself.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -18,6 +19,9 @@
 #include "gearwright/generation/generate.hpp"
 
 namespace gearwright::property {
+
+/// mm: within 1e-9 at gears up to a metre across; beyond, the doubles' own rounding grows along.
+inline double tolerance(double scale) { return 1e-9 * std::max(1.0, scale / 500.0); }
 
 /// The first law that the tooth breaks, as a sentence; empty when all hold.
 ///

@@ -8,18 +8,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <vector>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/pair/pair.hpp"
 #include "tests/property/random_pair.hpp"
 
 namespace gearwright::property {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kOverlap = 1e-9;  // mm
+constexpr double kTouch = 1e-9;  // mm
 
 Vec2 turned(const Vec2& p, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
@@ -160,8 +159,8 @@ TEST(PairTouch, backlash_free_outlines_touch_on_both_sides_and_do_not_overlap) {
         for (int i = 0; i < kRotations; ++i) {
           const Contact c =
               contact_of(pair, 2 * std::numbers::pi / specs.first.teeth * i / kRotations);
-          EXPECT_NEAR(c.left, 0.0, kOverlap) << "rotation " << i;
-          EXPECT_NEAR(c.right, 0.0, kOverlap) << "rotation " << i;
+          EXPECT_NEAR(c.left, 0.0, kTouch) << "rotation " << i;
+          EXPECT_NEAR(c.right, 0.0, kTouch) << "rotation " << i;
         }
       });
   EXPECT_EQ(found, kPairs);
@@ -207,8 +206,8 @@ TEST(PairTouch, backlash_is_what_closes_the_gap) {
         ASSERT_TRUE(tight);
         if (!tight->interference.empty()) return;
         const Contact touch = contact_of(*tight, 0.0);
-        EXPECT_NEAR(touch.left, 0.0, kOverlap);
-        EXPECT_NEAR(touch.right, 0.0, kOverlap);
+        EXPECT_NEAR(touch.left, 0.0, kTouch);
+        EXPECT_NEAR(touch.right, 0.0, kTouch);
       });
   EXPECT_EQ(found, kPairs);
 }

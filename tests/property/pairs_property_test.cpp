@@ -4,23 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <csignal>
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "gearwright/pair/pair.hpp"
+#include "tests/property/at_hand.hpp"
 #include "tests/property/random_spec.hpp"
 
 namespace gearwright::property {
 namespace {
-
-std::string pair_at_hand;
-
-extern "C" void print_pair_at_hand(int) {
-  std::fprintf(stderr, "the pair at hand: %s\n", pair_at_hand.c_str());
-}
 
 // A mate of the same base pitch: other teeth, shift, rack and tip.
 CylindricalSpec random_mate(Random& random, const CylindricalSpec& spec, bool internal) {
@@ -85,7 +78,7 @@ std::string not_finite(const InvolutePair& p) {
 }
 
 void check_pairs(std::uint64_t seed, int n) {
-  const auto old = std::signal(SIGABRT, print_pair_at_hand);
+  const PrintsAtHandOnAbort handler;
   Random random(seed);
   int mounted = 0, refused = 0, failures = 0;
   for (int i = 0; i < n && failures < 10; ++i) {
@@ -104,14 +97,13 @@ void check_pairs(std::uint64_t seed, int n) {
       case 2: a = least * (1 + random.logarithmic(1e-15, 1.0)); break;  // α_wt from 0 on
       default: break;
     }
-    pair_at_hand =
-        fmt::format("\n  gear1: {}\n  gear2: {}\n  a = {}", describe(one), describe(two), a);
+    at_hand = fmt::format("\n  gear1: {}\n  gear2: {}\n  a = {}", describe(one), describe(two), a);
     const auto pair = mount_involutes(*g1, *g2, {a});
     if (!pair) {
       ++refused;
       if (pair.error().message().find(pair.error().field) == std::string::npos) {
         ++failures;
-        ADD_FAILURE() << pair.error().message() << pair_at_hand;
+        ADD_FAILURE() << pair.error().message() << at_hand;
       }
       continue;
     }
@@ -119,10 +111,9 @@ void check_pairs(std::uint64_t seed, int n) {
     const std::string broken = not_finite(*pair);
     if (!broken.empty()) {
       ++failures;
-      ADD_FAILURE() << broken << pair_at_hand;
+      ADD_FAILURE() << broken << at_hand;
     }
   }
-  std::signal(SIGABRT, old);
   EXPECT_GT(mounted, n / 6);
   EXPECT_GT(refused, n / 20);
 }

@@ -1,15 +1,11 @@
 // Every spec ends in a tooth that obeys its laws and that the swept rack agrees with, in flags, or
 // in an error that names its key. Never in a broken contract.
-//
-// When a contract does break, the spec at hand is printed before the program ends: the reproducer.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <csignal>
-#include <cstdio>
 #include <limits>
 #include <map>
 #include <optional>
@@ -19,6 +15,7 @@
 #include "gearwright/gear/gear.hpp"
 #include "tests/oracle/engine_numbers.hpp"
 #include "tests/oracle/swept_tooth.hpp"
+#include "tests/property/at_hand.hpp"
 #include "tests/property/outline_laws.hpp"
 #include "tests/property/random_spec.hpp"
 
@@ -26,18 +23,6 @@ namespace gearwright::property {
 namespace {
 
 using oracle::SweptRack;
-
-std::string at_hand;  // the spec being made; the handler below may read it
-
-extern "C" void print_spec_at_hand(int) {
-  std::fprintf(stderr, "the spec at hand: %s\n", at_hand.c_str());
-}
-
-struct PrintsSpecOnAbort {
-  PrintsSpecOnAbort() : old(std::signal(SIGABRT, print_spec_at_hand)) {}
-  ~PrintsSpecOnAbort() { std::signal(SIGABRT, old); }
-  void (*old)(int);
-};
 
 // The members that a gear's spec has; a message that names another helps nobody.
 bool known_field(const std::string& field) {
@@ -88,9 +73,6 @@ struct Outcome {
   std::string broken;  // what is wrong, empty when all is well
 };
 
-// Within 1e-9 mm at gears up to a metre across; beyond, the doubles' own rounding grows along.
-double tolerance(double scale) { return 1e-9 * std::max(1.0, scale / 500.0); }
-
 Outcome outcome_of(const CylindricalSpec& spec, bool walk_centre_line) {
   const auto made = make_gear(spec);
   if (!made) return {Ending::error, broken_error(made.error())};
@@ -140,7 +122,7 @@ Outcome outcome_of(const CylindricalSpec& spec, bool walk_centre_line) {
 }
 
 std::map<Ending, int> check_specs(std::uint64_t seed, int n) {
-  const PrintsSpecOnAbort handler;
+  const PrintsAtHandOnAbort handler;
   Random random(seed);
   std::map<Ending, int> count;
   int failures = 0;
@@ -177,7 +159,7 @@ TEST(LongSpecs, end_in_a_tooth_a_flag_or_an_error) {
 
 // Numbers that no drawing has: each in turn in a spec that was in order.
 TEST(Specs, wild_numbers_are_refused_or_survived) {
-  const PrintsSpecOnAbort handler;
+  const PrintsAtHandOnAbort handler;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const double wild[] = {std::numeric_limits<double>::quiet_NaN(),
                          kInfinity,
@@ -229,7 +211,7 @@ TEST(Specs, wild_numbers_are_refused_or_survived) {
 
 // Rings: no tooth from a rack, but never a broken contract either.
 TEST(Specs, rings) {
-  const PrintsSpecOnAbort handler;
+  const PrintsAtHandOnAbort handler;
   Random random(11);
   for (int i = 0; i < 20000; ++i) {
     CylindricalSpec spec = random_spec(random);

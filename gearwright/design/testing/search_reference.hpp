@@ -23,6 +23,9 @@ namespace gearwright::testing::search {
 inline const std::vector<double> kSeriesI{1, 1.25, 1.5, 2,  2.5, 3,  4,  5,  6,
                                           8, 10,   12,  16, 20,  25, 32, 40, 50};
 
+/// Modules and their squares; the reference prints 25 digits.
+inline constexpr double kPrinted = 1e-12;
+
 inline const nlohmann::json& reference() {
   static const nlohmann::json file =
       nlohmann::json::parse(std::ifstream(testing::source_file("tests/oracle/spur_searches.json")));

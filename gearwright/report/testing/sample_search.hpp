@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gearwright/report/search_report.hpp"
+#include "gearwright/report/testing/page_text.hpp"
 
 namespace gearwright::testing {
 
@@ -105,15 +106,6 @@ inline SearchSample empty_search() {
 inline std::vector<SearchSample> all_searches() {
   return {spur_search(), exact_search(),   pareto_search(), helical_search(),
           ring_search(), crossed_search(), empty_search()};
-}
-
-/// A piece of a page, as a page that the strict reader takes.
-inline std::string as_page(const std::string& piece) { return "<!DOCTYPE html>\n" + piece; }
-
-inline std::size_t count_of(const std::string& text, const std::string& what) {
-  std::size_t n = 0;
-  for (auto at = text.find(what); at != text.npos; at = text.find(what, at + what.size())) ++n;
-  return n;
 }
 
 }  // namespace gearwright::testing

@@ -1,0 +1,23 @@
+// Seeded numbers, the same with every compiler and library: distributions of the standard differ.
+#pragma once
+
+#include <cstdint>
+#include <random>
+
+namespace gearwright::testing {
+
+class Draw {
+ public:
+  explicit Draw(std::uint64_t seed) : bits_(seed) {}
+  double uniform(double lo, double hi) {
+    return lo + (hi - lo) * (static_cast<double>(bits_() >> 11) * 0x1p-53);
+  }
+  int whole(int lo, int hi) {
+    return lo + static_cast<int>(bits_() % static_cast<unsigned>(hi - lo + 1));
+  }
+
+ private:
+  std::mt19937_64 bits_;
+};
+
+}  // namespace gearwright::testing

@@ -1,0 +1,16 @@
+// Numbers that the tests of many rooms name.
+#pragma once
+
+#include <limits>
+
+#include "gearwright/base/numbers.hpp"
+
+namespace gearwright::testing {
+
+inline constexpr double kDegree = kPi / 180;  ///< rad
+inline constexpr double kEps = std::numeric_limits<double>::epsilon();
+
+/// In digits, since pi_v<long double> of libc++ 14 has a double's bits.
+inline constexpr long double kLongPi = 3.14159265358979323846264338327950288L;
+
+}  // namespace gearwright::testing

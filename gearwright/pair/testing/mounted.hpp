@@ -1,0 +1,29 @@
+// Gears of 20 mm face width, also such as a gear cuts, and involute pairs of them.
+#pragma once
+
+#include <optional>
+
+#include "gearwright/base/testing/taken.hpp"
+#include "gearwright/gear/pinion_cut.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
+#include "gearwright/pair/involute_pair.hpp"
+
+namespace gearwright::testing {
+
+inline CylindricalSpec spec(int teeth, double module, double x = 0.0, double beta_deg = 0.0) {
+  return plain_spec(
+      {.teeth = teeth, .module = module, .beta_deg = beta_deg, .x = x, .face_width = 20.0});
+}
+
+/// The gear that a cutter makes at the distance of the shift x; diameter in mm.
+inline Gear cut(const Gear& cutter, int teeth, double x, std::optional<double> tip_diameter = {}) {
+  const double distance = taken(generating_distance(cutter, teeth, x));
+  return taken(make_pinion_cut_gear(cutter, {teeth, distance, 20.0, tip_diameter}));
+}
+
+/// On parallel axes; a in mm.
+inline InvolutePair mounted(const Gear& one, const Gear& two, double a) {
+  return taken(mount_involutes(one, two, {a}));
+}
+
+}  // namespace gearwright::testing
