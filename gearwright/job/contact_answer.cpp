@@ -242,7 +242,13 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
                         std::vector<Warning>& warnings, Headway* headway) {
   for (const bool other : {false, true}) {
     const auto outlines = answer.setup.outlines((input.driver == 2) != other);
-    if (!outlines) return;
+    if (!outlines) {
+      warnings.push_back(
+          {"fillets_not_asked",
+           "Whether a tip meets a root fillet under these errors was not looked at: that is "
+           "done for involute gears whose cutter keeps its lead angle."});
+      return;
+    }
     std::span<const ContactPoint> flanks = (other ? answer.other : answer.driving).positions;
     // A pitch is like the other; of several at once those that are looked at might be of one phase.
     if (input.rotations.empty()) flanks = flanks.first(static_cast<std::size_t>(input.positions));

@@ -62,6 +62,7 @@ constexpr auto kMeanings = std::to_array<Entry>({
      {kCaution, "", "Shorten the mating gear’s tip or give it a tip relief.", true}},
     {"fillet_contact",
      {kCaution, "", "Shorten that tip, a greater centre distance or smaller errors.", true}},
+    {"fillets_not_asked", {kNote, "", ""}},
     {"contact_search_unfinished", {kCaution, "", "Ask for other positions."}},
     {"correction_at_bound", {kCaution, "", "Align the housing better.", false}},
     {"not_read", {kNote, "", "Leave it out."}},

@@ -351,6 +351,13 @@ class Contact(unittest.TestCase):
         self.assertEqual(told(83, errors + "-0.1"), [])
         self.assertEqual(told(84.3, ""), [])  # without errors the pair itself says it
 
+    def test_fillets_that_are_not_asked_are_told(self):
+        def told(errors):
+            return "fillets_not_asked" in [w["code"] for w in self.ok("contact", self.spec(HELICAL, errors))["warnings"]]
+        self.assertTrue(told("[errors]\ncutter_lead1_deg = 0.01"))
+        self.assertFalse(told("[errors]\ncrossing_deg = 0.01"))
+        self.assertFalse(told(""))
+
     def test_modifications_that_do_not_fit(self):
         self.refused("contact", self.spec(gear1="[gear1.modifications]\ntip_relief_um = 20\ntip_relief_start_mm = 90"),
                      "gear1.modifications.tip_relief_start_mm")
