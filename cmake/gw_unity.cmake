@@ -3,8 +3,7 @@
 # Most of a source's time is templates that its neighbours instantiate too. In return a name in an unnamed
 # namespace may meet its like in a neighbour; the compiler says so, and the new one gets a better name.
 #
-# The presets for people build so. Those of clang, of the sanitizers and for editing compile every source
-# alone, which shows that each includes what it uses.
+# The presets `edit` and `clang` compile every source alone, which shows that each includes what it uses.
 include_guard()
 
 set(gw_together 8)
