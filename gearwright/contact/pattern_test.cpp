@@ -93,11 +93,11 @@ TEST(Pattern, of_double_arcs_is_two_bands) {
     bool marked = false;
     for (std::size_t row = 0; row < r.diameter.size(); ++row) {
       const double middle = r.at(row, 32);
-      for (std::size_t k = 4; k < 61; ++k)
-        if (middle < kMarking)
-          EXPECT_NEAR(r.at(row, k), middle, 1e-4) << r.diameter[row] << " " << r.height[k];
-      bands += middle < kMarking && !marked;
-      marked = middle < kMarking;
+      const bool here = middle < kMarking;
+      for (std::size_t k = 4; here && k < 61; ++k)
+        EXPECT_NEAR(r.at(row, k), middle, 1e-4) << r.diameter[row] << " " << r.height[k];
+      bands += here && !marked;
+      marked = here;
     }
     EXPECT_EQ(bands, 2);
   }

@@ -18,8 +18,6 @@ struct Interval {
   long double at(long double t) const { return t == 1 ? high : low + t * (high - low); }
 };
 
-void require(bool condition, const char* sentence);
-
 /// A problem and two tooth numbers, and what follows from them without shifts. `gear` is 1 or 2.
 struct Pair {
   /// Throws    std::invalid_argument naming what makes no problem or no pair

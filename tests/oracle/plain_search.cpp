@@ -10,6 +10,7 @@
 #include <queue>
 
 #include "tests/oracle/plain_cells.hpp"
+#include "tests/oracle/require.hpp"
 
 namespace gearwright::oracle {
 namespace {
@@ -106,7 +107,7 @@ Boxes boxes_of(const Pair& pair, Real m, Real c_min, Real c_max) {
 
 PlainAnswer region_not_empty(const PlainProblem& problem, Real m, int z1, int z2, Real c_min,
                              Real c_max) {
-  plain::require(m > 0 && c_min <= c_max, "m, c_min, c_max: must be > 0 and in order");
+  require(m > 0 && c_min <= c_max, "m, c_min, c_max: must be > 0 and in order");
   const Pair pair(problem, z1, z2);
   const Boxes all = boxes_of(pair, m, c_min, c_max);
   Found best;
@@ -221,8 +222,8 @@ PlainSearch plain_search(const PlainProblem& problem, const std::vector<double>&
                          PlainBand ratio, std::array<int, 2> z1_band, PlainBand center_distance,
                          bool coprime) {
   constexpr Real kRatioSlack = 1e-12L;
-  plain::require(ratio.low <= ratio.high && (ratio.low > 0 || ratio.high < 0),
-                 "ratio: must be in order and without 0");
+  require(ratio.low <= ratio.high && (ratio.low > 0 || ratio.high < 0),
+          "ratio: must be in order and without 0");
   PlainSearch result;
   const bool rings = ratio.high < 0;
   const Real greatest = std::max(std::abs(ratio.low), std::abs(ratio.high));
