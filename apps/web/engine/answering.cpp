@@ -43,7 +43,7 @@ Result<std::string> answered(std::string_view verb, const JobSpec& spec) {
   return json_text(*json, 2) + "\n";
 }
 
-Result<Json> parsed(const std::string& text, SpecFormat format) {
+Result<Json> tree_of(const std::string& text, SpecFormat format) {
   if (text.size() > kMaxSpec) return too_long(text.size());
   return parse_spec(text, format);
 }
@@ -92,7 +92,7 @@ std::string answer(std::string_view verb, const std::string& given) {
 }
 
 Result<std::string> to_toml(const std::string& json) {
-  const auto tree = parsed(json, SpecFormat::json);
+  const auto tree = tree_of(json, SpecFormat::json);
   if (!tree) return tree.error();
   if (const auto path = null_in(*tree, ""))
     return Error{*path, "null", "is no value of a spec; leave the key out"};
@@ -100,7 +100,7 @@ Result<std::string> to_toml(const std::string& json) {
 }
 
 Result<std::string> to_json_text(const std::string& toml) {
-  const auto tree = parsed(toml, SpecFormat::toml);
+  const auto tree = tree_of(toml, SpecFormat::toml);
   if (!tree) return tree.error();
   return json_text(*tree, 2) + "\n";
 }

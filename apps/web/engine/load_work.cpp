@@ -1,7 +1,6 @@
 #include "apps/web/engine/load_work.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "apps/web/engine/stopwatch.hpp"
@@ -13,7 +12,6 @@ namespace gearwright::web {
 
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr int kTableSteps = 32;       // a table takes about as long as so many positions
 constexpr std::size_t kMostKept = 4;  // both gears, draft and full
 

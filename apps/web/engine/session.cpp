@@ -17,8 +17,6 @@ namespace gearwright::web {
 
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 bool is_number(const Said& said) {
   return said.type == Type::number || said.type == Type::whole || said.type == Type::index;
 }

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -17,6 +18,7 @@
 namespace gearwright::web {
 
 using Numbers = std::vector<double>;
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();  ///< nothing there
 
 struct Section {
   struct Piece {
