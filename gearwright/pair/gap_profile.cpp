@@ -18,8 +18,12 @@ bool is_land(const Arc& arc) {
 ProfilePlace place_of(const CurvePoint& p) {
   const double c = std::cos(p.tangent_angle);
   const double s = std::sin(p.tangent_angle);
-  return {p.point.norm(), std::atan2(p.point.y(), p.point.x()), p.point.x() * c + p.point.y() * s,
-          p.point.y() * c - p.point.x() * s, p.tangent_angle};
+  return {p.point.norm(),
+          std::atan2(p.point.y(), p.point.x()),
+          p.point.x() * c + p.point.y() * s,
+          p.point.y() * c - p.point.x() * s,
+          p.tangent_angle,
+          p.curvature};
 }
 
 // How far along the circle of curvature the radius ρ is; what it does not reach is taken straight
@@ -37,8 +41,12 @@ ProfilePlace moved(const ProfilePlace& p, double curvature, double way, double r
   const double across = p.q + 0.5 * turn * way;
   const double c = std::cos(turn);
   const double s = std::sin(turn);
-  return {rho, p.theta + std::atan2(across * p.s - along * p.q, along * p.s + across * p.q),
-          along * c + across * s, across * c - along * s, p.tau + turn};
+  return {rho,
+          p.theta + std::atan2(across * p.s - along * p.q, along * p.s + across * p.q),
+          along * c + across * s,
+          across * c - along * s,
+          p.tau + turn,
+          curvature};
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace gearwright::detail {
 struct ProfilePlace {
   double rho, theta;
   double s, q;
-  double tau;
+  double tau, curvature;
 };
 
 /// A point in which an arc ends, and the material with it: the mating gear's outline may strike it.

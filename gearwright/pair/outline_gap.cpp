@@ -14,6 +14,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/numbers.hpp"
+#include "gearwright/pair/envelope_nodes.hpp"
 #include "gearwright/pair/gap_profile.hpp"
 #include "gearwright/pair/least_gap.hpp"
 
@@ -21,12 +22,16 @@ namespace gearwright {
 
 namespace {
 
+using detail::EnvelopeNode;
+using detail::EnvelopeNodes;
+using detail::EnvelopePlace;
 using detail::GapProfile;
 using detail::GapSample;
 using detail::LeastGap;
 using detail::ProfileArc;
 using detail::ProfileCorner;
 using detail::ProfilePlace;
+using detail::zero_between;
 
 std::size_t index_of(ArcName name) { return static_cast<std::size_t>(name); }
 
@@ -135,11 +140,18 @@ class ArcFamily {
   }
   double known() const { return m_.known(entry_); }
 
-  /// |D|; 0 where no normal passes through the pitch point.
-  double radius(double u) const {
+  EnvelopePlace envelope(double u) const {
     const ProfilePlace p = arc_.at(u);
-    if (!(std::abs(p.s) <= m_.pitch_radius)) return 0.0;
-    return position(p).d.norm();
+    const Position at = position(p);
+    // By the way along the arc s′ = 1 + k q and τ′ = k; the envelope's e^{−i(τ + φ)} dw times |sin|
+    // of its angle, which is 0 where both branches meet.
+    const double pace = 1.0 + p.curvature * p.q;
+    const double turn = -branch_ * pace / m_.pitch_radius - p.curvature * std::abs(at.across);
+    const double x = std::abs(at.across) - turn * p.q;
+    const double y = turn * p.s;
+    const Vec2 run(x * at.along - y * at.across, x * at.across + y * at.along);
+    return {m_.pitch_radius - std::abs(p.s), std::copysign(pace, -p.s * pace), at.d.norm(),
+            m_.epsilon * at.d.dot(run)};
   }
 
   GapSample sample(double u) const {
@@ -249,66 +261,41 @@ void strike_with_corners(const Motion& motion) {
   }
 }
 
-// Where f, of one sign at lo and of the other at hi, has its zero, to `near`, and there a place at
-// which f is not `against`: by false position, halved now and then; f need not be smooth.
-template <class F>
-double zero_between(const F& f, double lo, double f_lo, double hi, double f_hi, double near,
-                    double against) {
-  const bool lo_is_against = f_lo * against > 0.0;
-  for (int i = 0; hi - lo > near; ++i) {
-    double t = lo - f_lo * (hi - lo) / (f_hi - f_lo);
-    t = i % 3 == 2 ? 0.5 * (lo + hi) : std::clamp(t, lo + 0.1 * near, hi - 0.1 * near);
-    const double value = f(t);
-    if (value == 0.0) return t;
-    if ((value < 0.0) == (f_lo < 0.0)) {
-      lo = t;
-      f_lo = value;
-      f_hi *= 0.5;
-    } else {
-      hi = t;
-      f_hi = value;
-      f_lo *= 0.5;
-    }
-  }
-  return lo_is_against ? hi : lo;
-}
-
 // The stretches of an arc of A that meet one arc of B each.
 void strike_with_arc(const Motion& motion, const ProfileArc& arc, double branch) {
-  constexpr int kSteps = 8;
   ArcFamily family(motion, arc, branch);
-  const auto& asked = motion.asked.arcs();
-  std::array<double, kSteps + 1> radius;
-  const auto u = [](int i) { return static_cast<double>(i) / kSteps; };
-  for (int i = 0; i <= kSteps; ++i) radius[static_cast<std::size_t>(i)] = family.radius(u(i));
-  for (const ProfileArc& b : asked) {
+  const EnvelopeNodes nodes([&](double u) { return family.envelope(u); });
+  for (const ProfileArc& b : motion.asked.arcs()) {
     const double lo = std::min(b.rho_root, b.rho_tip);
     const double hi = std::max(b.rho_root, b.rho_tip);
     const auto meets = [&](double rho) { return rho >= lo && rho <= hi; };
     // The mating gear's next arc goes on from there, so that a little more or less is all the same.
     constexpr double kNear = 1e-7;  // of the arc
-    const auto crossing = [&](int i, double limit) {
-      return zero_between([&](double at) { return family.radius(at) - limit; }, u(i),
-                          radius[static_cast<std::size_t>(i)] - limit, u(i + 1),
-                          radius[static_cast<std::size_t>(i) + 1] - limit, kNear,
+    const auto crossing = [&](const EnvelopeNode& one, const EnvelopeNode& two, double limit) {
+      return zero_between([&](double u) { return family.envelope(u).radius - limit; }, one.u,
+                          one.radius - limit, two.u, two.radius - limit, kNear,
                           limit == lo ? -1.0 : 1.0);
     };
     family.ask(b);
-    double begin = meets(radius[0]) ? 0.0 : -1.0;
-    for (int i = 0; i < kSteps; ++i) {
-      const double one = radius[static_cast<std::size_t>(i)];
-      const double two = radius[static_cast<std::size_t>(i) + 1];
-      if (meets(one) && meets(two)) continue;
-      // In at one end or past the whole arc.
-      if (!meets(one) && (meets(two) || (one < lo) == (two > hi)))
-        begin = crossing(i, one < lo ? lo : hi);
-      if (!meets(two) && begin >= 0.0) {
-        const double end = crossing(i, two < lo ? lo : hi);
-        if (begin < end) LeastGap(family, begin, end);
-        begin = -1.0;
+    std::optional<double> begin;
+    const auto end_at = [&](double u) {
+      if (begin && *begin < u) LeastGap(family, *begin, u);
+      begin.reset();
+    };
+    const EnvelopeNode* last = nullptr;
+    for (const EnvelopeNode& two : nodes) {
+      if (two.begins) {
+        if (last) end_at(last->u);
+        if (meets(two.radius)) begin = two.u;
+      } else if (const EnvelopeNode& one = *last; !meets(one.radius) || !meets(two.radius)) {
+        // In at one end or past the whole arc.
+        if (!meets(one.radius) && (meets(two.radius) || (one.radius < lo) == (two.radius > hi)))
+          begin = crossing(one, two, one.radius < lo ? lo : hi);
+        if (!meets(two.radius) && begin) end_at(crossing(one, two, two.radius < lo ? lo : hi));
       }
+      last = &two;
     }
-    if (begin >= 0.0) LeastGap(family, begin, 1.0);
+    if (last) end_at(last->u);
   }
 }
 

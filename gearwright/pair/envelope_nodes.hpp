@@ -1,0 +1,132 @@
+// Where a rolling arc's envelope goes, seen from the other gear's axis: the places between which its
+// radius runs one way. Internal to pair/: the families of outline_gap. [T2.31]
+//
+//   u      parameter of the arc, 0 … 1
+//   |D|    radius of the touching point about the axis of the gear that is asked
+//   r_w − |s|   the arm of the normal, within the pitch circle: below zero the normal passes no
+//          pitch point and there is no envelope. At zero both its branches meet, and |D| runs there
+//          with the root of the way.
+//
+//   Laws  (1) from a node to the next, unless that begins a piece, |D| grows or falls all the way
+//         (2) every piece ends where the arc does or where the envelope does
+//         as far as |s| and |D| turn once at most within an eighth of the arc
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "gearwright/base/contract.hpp"
+
+namespace gearwright::detail {
+
+/// Where f, of one sign at lo and of the other at hi, has its zero, to `near`, and there a place at
+/// which f is not `against`: by false position, halved now and then; f need not be smooth.
+template <class F>
+double zero_between(const F& f, double lo, double f_lo, double hi, double f_hi, double near,
+                    double against) {
+  const bool lo_is_against = f_lo * against > 0.0;
+  for (int i = 0; hi - lo > near; ++i) {
+    double t = lo - f_lo * (hi - lo) / (f_hi - f_lo);
+    t = i % 3 == 2 ? 0.5 * (lo + hi) : std::clamp(t, lo + 0.1 * near, hi - 0.1 * near);
+    const double value = f(t);
+    if (value == 0.0) return t;
+    if ((value < 0.0) == (f_lo < 0.0)) {
+      lo = t;
+      f_lo = value;
+      f_hi *= 0.5;
+    } else {
+      hi = t;
+      f_hi = value;
+      f_lo *= 0.5;
+    }
+  }
+  return lo_is_against ? hi : lo;
+}
+
+/// The envelope at a parameter; slopes along u need no scale.
+struct EnvelopePlace {
+  double inside, inside_slope;  ///< r_w − |s|, mm; < 0: none
+  double radius, radius_slope;  ///< |D|, mm; where there is none, of r_w = |s|
+};
+
+struct EnvelopeNode {
+  double u, radius;
+  bool begins;  ///< a piece: nothing joins it to the node before
+};
+
+class EnvelopeNodes {
+ public:
+  /// `at`: EnvelopePlace of a parameter
+  template <class At>
+  explicit EnvelopeNodes(const At& at) {
+    EnvelopePlace before = at(0.0);
+    for (int i = 0; i < kSteps; ++i) {
+      const double u_1 = static_cast<double>(i) / kSteps;
+      const double u_2 = static_cast<double>(i + 1) / kSteps;
+      const EnvelopePlace after = at(u_2);
+      if (turn(before.inside_slope, after.inside_slope)) {
+        const double u = zero_between([&](double t) { return at(t).inside_slope; }, u_1,
+                                      before.inside_slope, u_2, after.inside_slope, kTurning, 0.0);
+        const EnvelopePlace middle = at(u);
+        reach(at, u_1, before, u, middle);
+        reach(at, u, middle, u_2, after);
+      } else {
+        reach(at, u_1, before, u_2, after);
+      }
+      before = after;
+    }
+  }
+
+  const EnvelopeNode* begin() const { return nodes_.data(); }
+  const EnvelopeNode* end() const { return nodes_.data() + count_; }
+
+ private:
+  static constexpr int kSteps = 8;
+  static constexpr double kTurning = 1e-6;  // of the arc: |D| is stationary there
+  static constexpr double kEnding = 1e-14;  // |D| runs with the root of what is left
+
+  static bool turn(double one, double two) { return (one < 0.0) != (two < 0.0); }
+
+  // |s| runs one way.
+  template <class At>
+  void reach(const At& at, double u_1, const EnvelopePlace& one, double u_2,
+             const EnvelopePlace& two) {
+    const bool is_1 = one.inside >= 0.0;
+    const bool is_2 = two.inside >= 0.0;
+    if (!is_1 && !is_2) {
+      joined_ = false;
+      return;
+    }
+    if (is_1 && is_2) return run(at, u_1, one, u_2, two);
+    const double end = zero_between([&](double t) { return at(t).inside; }, u_1, one.inside, u_2,
+                                    two.inside, kEnding, -1.0);
+    is_1 ? run(at, u_1, one, end, at(end)) : run(at, end, at(end), u_2, two);
+    joined_ = is_2;
+  }
+
+  // There is an envelope all the way.
+  template <class At>
+  void run(const At& at, double u_1, const EnvelopePlace& one, double u_2,
+           const EnvelopePlace& two) {
+    if (!joined_) add({u_1, one.radius, true});
+    joined_ = true;
+    if (turn(one.radius_slope, two.radius_slope)) {
+      const double u = zero_between([&](double t) { return at(t).radius_slope; }, u_1,
+                                    one.radius_slope, u_2, two.radius_slope, kTurning, 0.0);
+      add({u, at(u).radius, false});
+    }
+    add({u_2, two.radius, false});
+  }
+
+  void add(const EnvelopeNode& node) {
+    GW_EXPECTS(count_ < nodes_.size());
+    nodes_[count_++] = node;
+  }
+
+  std::array<EnvelopeNode, 6 * kSteps> nodes_;  // a step has two parts of three nodes at most
+  std::size_t count_ = 0;
+  bool joined_ = false;
+};
+
+}  // namespace gearwright::detail
