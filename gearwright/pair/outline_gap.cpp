@@ -144,10 +144,16 @@ class ArcFamily {
     const ProfilePlace p = arc_.at(u);
     const Position at = position(p);
     // By the way along the arc s′ = 1 + k q and τ′ = k; the envelope's e^{−i(τ + φ)} dw times |sin|
-    // of its angle, which is 0 where both branches meet.
-    const double pace = 1.0 + p.curvature * p.q;
-    const double turn = -branch_ * pace / m_.pitch_radius - p.curvature * std::abs(at.across);
-    const double x = std::abs(at.across) - turn * p.q;
+    // of its angle, which is 0 where both branches meet, and times `scale`: k is infinite where an
+    // involute begins. Along an involute s′ is 0 but for rounding.
+    const double scale = 1.0 / (1.0 + std::abs(p.curvature) * m_.pitch_radius);
+    const double bend =
+        scale > 0.0 ? p.curvature * scale : std::copysign(1.0 / m_.pitch_radius, p.curvature);
+    constexpr double kRounding = 1e-13;
+    double pace = scale + bend * p.q;
+    if (std::abs(pace) < kRounding) pace = 0.0;
+    const double turn = -branch_ * pace / m_.pitch_radius - bend * std::abs(at.across);
+    const double x = scale * std::abs(at.across) - turn * p.q;
     const double y = turn * p.s;
     const Vec2 run(x * at.along - y * at.across, x * at.across + y * at.along);
     return {m_.pitch_radius - std::abs(p.s), std::copysign(pace, -p.s * pace), at.d.norm(),
