@@ -175,7 +175,9 @@ std::vector<Branch> lower_envelope(const std::vector<Branch>& branches, double t
   double from = own->height_lo;
   std::vector<Branch> lower;
   const std::size_t most = 8 * branches.size();  // no two curves of a tooth cross more often
-  while (lower.size() < most) {
+  // Two branches that pass below each other from one height on, each by its own steps, would be
+  // taken in turn for ever: such a tooth is given up.
+  for (std::size_t turns = 0; lower.size() < most && turns < 8 * most; ++turns) {
     const double end = std::min(own->height_hi, tip_height);
     double until = end;
     const Branch* next = nullptr;
