@@ -2,9 +2,8 @@
 //
 // A drawing of an internal gear says where the teeth end and how thick they are, seldom what cut
 // them. The root fillet still needs a cutter: here one without profile shift whose tip reaches the
-// root
-// circle and is rounded like the internal gear's basic rack.   theory: docs/theory/06-few-teeth.md,
-// 6.5
+// root circle and is rounded like the internal gear's basic rack.
+//                            theory: docs/theory/06-few-teeth.md, 6.5
 #pragma once
 
 #include "gearwright/gear/gear.hpp"

@@ -135,6 +135,15 @@ void append(std::vector<Branch>& chain, const std::vector<Branch>& from, double 
 
 constexpr double kRounding = 1e-13;  // rad: curves that coincide do not cross
 
+// How far a stands above b at the height h, taken where within what counts as one height it does
+// least: where a branch begins along a circle about the axis θ runs like a root of the height.
+double surely_above(const Branch& a, const Branch& b, double h) {
+  const double near = kSameHeight * std::abs(h);
+  const double below = a.theta_at(std::max(a.height_lo, h - near));
+  const double above = a.theta_at(std::min(a.height_hi, h + near));
+  return std::min(below, above) - b.theta_at(h);
+}
+
 // The first height in (from, to] at which b lies lower than a.
 std::optional<double> passes_below(const Branch& a, const Branch& b, double from, double to) {
   constexpr int kCells = 48;
@@ -142,11 +151,22 @@ std::optional<double> passes_below(const Branch& a, const Branch& b, double from
   const double hi = std::min(to, b.height_hi);
   if (!(lo < hi)) return std::nullopt;
   const auto gap = [&](double h) { return a.theta_at(h) - b.theta_at(h); };
+  const auto below = [&](double h) { return gap(h) > kRounding && surely_above(a, b, h) > 0.0; };
   double before = lo;
   for (int i = 1; i <= kCells; ++i) {
-    const double h = i == kCells ? hi : lo + (hi - lo) * i / kCells;
-    if (gap(h) > kRounding) return gap(before) < 0.0 ? find_root(gap, before, h).x : before;
-    before = h;
+    double h = i == kCells ? hi : lo + (hi - lo) * i / kCells;
+    if (!below(h)) {
+      before = h;
+      continue;
+    }
+    if (gap(before) < 0.0) return find_root(gap, before, h).x;
+    // They are one point here, as where a has just passed below b; it may have stayed there a while.
+    for (double near = h; near - before > kSameHeight * std::abs(before);) {
+      near = before + 0.5 * (near - before);
+      if (gap(near) < -kRounding) return find_root(gap, near, h).x;
+      if (below(near)) h = near;
+    }
+    return before;
   }
   return std::nullopt;
 }

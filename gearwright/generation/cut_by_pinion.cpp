@@ -63,7 +63,6 @@ class Cutting {
       const double nu_tip_side = normal_angle(arc, 1.0);
       if (nu_tip_side > nu + kSameNormal) {  // a corner that stands out
         add_fan(arc, nu, nu_tip_side, smooth);
-        smooth = smooth && true;
       } else if (nu_tip_side < nu - kSameNormal) {
         smooth = false;  // a hollow corner: what lies beside it is cut by its neighbours
       }

@@ -223,11 +223,6 @@ TEST(OutlineGapOracle, pairs_found_wrong_before) {
     EXPECT_EQ(check(seed, seed + 1).pairs, 1);
 }
 
-// Two branches of a ring's cutter passed below each other in turn for ever.
-TEST(OutlineGapOracle, a_ring_that_was_cut_for_ever_comes_to_an_end) {
-  EXPECT_LE(check(566452, 566453).pairs, 1);
-}
-
 TEST_P(LongOutlineGapOracle, pairs_are_free_within_their_true_play_and_tight_at_its_end) {
   const std::uint64_t from = 100000 + GetParam() * kLongSeeds;
   const Count run = check(from, from + kLongSeeds);

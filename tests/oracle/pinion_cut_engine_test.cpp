@@ -158,6 +158,11 @@ std::vector<Found> found_before() {
   ramped.semi_topping_angle = Angle::degrees(30.813248076238104);
   add("caught by two corners", 10, 2.824053383231917, 20, 18.73699906553354, -0.2786879158267314,
       ramped, {-13, 4.473753393811706, 10.0, 27.22915319496373});
+  StraightRack long_tip = rack(1.5, 0.0, 0.2);
+  long_tip.addendum = 1.3511368534051826;
+  add("a corner's cut of 14 picometres, for ever in turn with its neighbour's", 33, 2.5, 14.5, 0,
+      0.0, long_tip, {-42, 11.954246308468646, 10.0, 101.91417688396321})
+      ->tip_diameter = 89.255684267025913;
   CylindricalSpec* both =
       add("a way back that is the leaving one", 2, 2.661287044854216, 14.5, -35.4599761333882,
           0.1449560937408636, StraightRack{}, {-76, 120.74567157574249, 10.0, 241.43989192980422});
