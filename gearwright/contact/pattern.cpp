@@ -66,6 +66,7 @@ struct Seen {
 
 // Newton's steps: from a neighbour's cell two or three, from the next piece of a profile one more.
 constexpr int kMaxSteps = 8;
+constexpr double kNear = 1e-4;  // of a piece: a step that the series takes
 
 class Rasterer {
  public:
@@ -79,9 +80,6 @@ class Rasterer {
       for (const FlankPatch& b : pair.patches(2))
         fields_.emplace_back(a, b, pair.mount(), pair.ratio(), pair.rotation_sign());
     seen_.resize(nodes_.size());
-    constexpr double kNear = 1e-3;  // of a cell
-    near_u_ = kNear * std::log(r.diameter.back() / r.diameter.front()) / size.rows;
-    near_z_ = kNear * (r.height.back() - r.height.front()) / size.columns;
     for (std::size_t which = 0; which < 2; ++which) {
       for (auto* gaps : {&now_, &last_, &before_})
         (*gaps)[which].assign(rasters_[which].gap.size(), Gap{});
@@ -236,11 +234,11 @@ class Rasterer {
   Gap gap_on_2(double u1, double z, double u, double Z) const {
     const int two = patch_at(pair_.patches(2), u, Z);
     if (two < 0) return {};
+    int one = patch_at(pair_.patches(1), u1, z);
+    if (one < 0) return {};
+    const FlankPatch* patch = &pair_.patches(1)[static_cast<std::size_t>(one)];
+    double s = patch->profile.s_of(u1);
     for (int step = 0; step < kMaxSteps; ++step) {
-      const int one = patch_at(pair_.patches(1), u1, z);
-      if (one < 0) return {};
-      const Profile& profile = pair_.patches(1)[static_cast<std::size_t>(one)].profile;
-      const double s = profile.s_of(u1);
       const GapJet j = jet(one, two, s, z);
       const double det = j.u.s * j.Z.z - j.u.z * j.Z.s;
       if (det == 0.0) return {};
@@ -248,14 +246,20 @@ class Rasterer {
       const double dZ = Z - j.Z.v;
       const double ds = (du * j.Z.z - dZ * j.u.z) / det;
       const double dz = (dZ * j.u.s - du * j.Z.s) / det;
-      const double du1 = profile.at(s).d1.real() * ds;
-      if (std::abs(du1) <= near_u_ && std::abs(dz) <= near_z_) {
+      if (std::abs(ds) <= kNear * (patch->s_hi - patch->s_lo) &&
+          std::abs(dz) <= kNear * (patch->z_hi - patch->z_lo)) {
         const double t = j.t.v + j.t.s * ds + j.t.z * dz +
                          0.5 * (j.t.ss * ds * ds + 2 * j.t.sz * ds * dz + j.t.zz * dz * dz);
         return gap_of(j, t, pieces(one, two));
       }
-      u1 += du1;
+      s += ds;
       z += dz;
+      if (s >= patch->s_lo && s <= patch->s_hi && z >= patch->z_lo && z <= patch->z_hi) continue;
+      u1 = std::log(std::abs(patch->profile.at(s).factor));
+      one = patch_at(pair_.patches(1), u1, z);
+      if (one < 0) return {};
+      patch = &pair_.patches(1)[static_cast<std::size_t>(one)];
+      s = patch->profile.s_of(u1);
     }
     return {};
   }
@@ -288,7 +292,6 @@ class Rasterer {
   std::vector<Seen> seen_;
   std::array<std::vector<Gap>, 2> now_, last_, before_;  // gaps of three positions in a row
   double te_ = 0.0;
-  double near_u_ = 0.0, near_z_ = 0.0;  // a step on flank 1 that the series takes
 };
 
 }  // namespace
