@@ -10,8 +10,7 @@ namespace {
 
 using Range = KeyRange;
 
-// As tool/ has it: no cutter is that large in modules. A test holds them together.
-constexpr std::size_t kMaxArcs = 100;
+constexpr std::size_t kMaxArcs = 100;  // more than any rack has
 
 Range any_length() { return Range::between(-kMaxModules, kMaxModules); }
 Range some_length() { return Range::above(0, kMaxModules); }

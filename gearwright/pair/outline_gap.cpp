@@ -156,7 +156,7 @@ class ArcFamily {
     const double x = scale * std::abs(at.across) - turn * p.q;
     const double y = turn * p.s;
     const Vec2 run(x * at.along - y * at.across, x * at.across + y * at.along);
-    return {m_.pitch_radius - std::abs(p.s), std::copysign(pace, -p.s * pace), at.d.norm(),
+    return {m_.pitch_radius - std::abs(p.s), p.s < 0.0 ? pace : -pace, at.d.norm(),
             m_.epsilon * at.d.dot(run)};
   }
 
