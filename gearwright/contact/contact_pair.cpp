@@ -90,14 +90,18 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
     if (!place_.fillets) return false;
     return name == ArcName::root_fillet || (name == ArcName::tip_fillet && !removal);
   };
+  const double delta_lambda = place_.errors.cutter_lead[which].rad();
+  const auto changed = delta_lambda != 0.0 ? recut_outline(g, delta_lambda) : std::nullopt;
+  GW_EXPECTS(!place_.fillets || delta_lambda == 0.0 || changed);
   std::vector<Arc> arcs;
-  for (const Arc& arc : g.tooth->outline.arcs)
-    if (touches(arc.name)) arcs.push_back(arc);
+  for (const Arc& arc : changed ? changed->arcs : g.tooth->outline.arcs)
+    if (touches(arc.name)) arcs.push_back(changed ? arc : recut(arc, g, delta_lambda));
   GW_EXPECTS(!arcs.empty());
-  GW_EXPECTS(!place_.fillets || place_.errors.cutter_lead[which] == Angle());
   for (std::size_t i = 0; i < arcs.size(); ++i) {
-    const Arc arc = recut(arcs[i], g, place_.errors.cutter_lead[which].rad());
+    const Arc& arc = arcs[i];
     const Profile profile(arc, side, twist[0]);
+    if (arc.name == ArcName::root_fillet)
+      root_end_[which] = std::exp(g.internal() ? profile.u_lo() : profile.u_hi());
     FlankPatch p{profile, center, twist[0] + twist[1], -half, half};
     const End root = i == 0 ? End::form : End::seam;
     const End tip = i + 1 == arcs.size() ? End::tip : End::seam;

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "gearwright/contact/gap_field.hpp"
@@ -43,7 +44,8 @@ struct ContactMount {
   bool gear2_drives = false;
   ContactErrors errors;
   /// Root fillets and rounded tips touch too, not the flanks alone: what they do first. No tip of a
-  /// modified flank, whose removal does not go on there. Domain: no change of a cutter's lead
+  /// modified flank, whose removal does not go on there. Domain: a changed lead only where
+  /// recut_outline knows the root
   bool fillets = false;
 };
 
@@ -75,6 +77,9 @@ class ContactPair {
   double mirror() const { return internal_ ? -1.0 : 1.0; }            ///< of y, in N
   double turned() const { return place_.gear2_drives ? -1.0 : 1.0; }  ///< of z, in N
   const Vec3& lift() const { return lift_; }                          ///< Δz  mm, in N
+  /// Radius at which the root fillet ends, mm; none: ContactMount::fillets does not say so, or there
+  /// is none.
+  std::optional<double> root_end(int gear) const { return root_end_[gear - 1]; }
   /// κ in N per mm of f_Hβ at the reference cylinder over the face.
   double twist_per_slope(int gear) const { return slope_unit_[gear - 1]; }
 
@@ -93,6 +98,7 @@ class ContactPair {
   Mat3 tilt_ = Mat3::Identity();
   Vec3 lift_ = Vec3::Zero();            // Δz in N
   std::array<double, 2> slope_unit_{};  // κ in N per mm of f_Hβ
+  std::array<std::optional<double>, 2> root_end_;
 };
 
 }  // namespace gearwright

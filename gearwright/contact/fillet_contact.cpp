@@ -21,35 +21,44 @@ double arm_about_2(const ContactPair& pair, const ContactPoint& p) {
   return std::abs((p.point - on_axis).cross(p.normal).dot(axis));
 }
 
+// Whose root fillet is touched there; 0: no one's.
+int gear_of_fillet(const ContactPair& outlines, const ContactPoint& p) {
+  for (const int gear : {1, 2}) {
+    const auto end = outlines.root_end(gear);
+    if (!end) continue;
+    const double radius = p.diameter[static_cast<std::size_t>(gear - 1)] / 2;
+    if (gear == 2 && outlines.internal() ? radius > *end : radius < *end) return gear;
+  }
+  return 0;
+}
+
 }  // namespace
 
-std::optional<FilletContact> fillet_contact(const ContactPair& outlines,
-                                            const std::array<double, 2>& form_diameter,
-                                            std::span<const ContactPoint> flanks,
-                                            Headway* headway) {
-  std::vector<const ContactPoint*> touches;
-  for (const ContactPoint& p : flanks)
-    if (p.kind != TouchKind::none) touches.push_back(&p);
-  if (touches.empty()) return std::nullopt;
+FilletContacts fillet_contacts(const ContactPair& outlines, std::span<const ContactPoint> flanks,
+                               Headway* headway) {
+  std::vector<std::size_t> touches;
+  for (std::size_t i = 0; i < flanks.size(); ++i)
+    if (flanks[i].kind != TouchKind::none) touches.push_back(i);
+  FilletContacts found;
   const std::size_t every = (touches.size() + kMaxRotations - 1) / kMaxRotations;
   ContactRequest request;
   request.headway = headway;
-  for (std::size_t i = 0; i < touches.size(); i += every)
-    request.rotations.push_back(touches[i]->rotation1);
-  const ContactResult whole = analyse_contact(outlines, request);
-  std::optional<FilletContact> worst;
-  for (std::size_t i = 0; i < whole.positions.size(); ++i) {
-    const ContactPoint& flank = *touches[i * every];
-    const ContactPoint& p = whole.positions[i];
+  for (std::size_t i = 0; i < touches.size(); i += every) {
+    found.asked.push_back(touches[i]);
+    request.rotations.push_back(flanks[touches[i]].rotation1);
+  }
+  if (touches.empty()) return found;
+  found.whole = analyse_contact(outlines, request).positions;
+  for (std::size_t i = 0; i < found.asked.size(); ++i) {
+    const ContactPoint& flank = flanks[found.asked[i]];
+    const ContactPoint& p = found.whole[i];
     if (p.kind == TouchKind::none) continue;
     const double early = std::abs((p.te - flank.te).rad()) * arm_about_2(outlines, p);
-    if (early <= kTouching || (worst && early <= worst->early)) continue;
-    const bool ring = outlines.internal();
-    const bool in_1 = p.diameter[0] < form_diameter[0];
-    const bool in_2 = ring ? p.diameter[1] > form_diameter[1] : p.diameter[1] < form_diameter[1];
-    if (in_1 || in_2) worst = FilletContact{in_1 ? 1 : 2, early, p};
+    if (early <= kTouching || (found.earliest && early <= found.earliest->early)) continue;
+    const int gear = gear_of_fillet(outlines, p);
+    if (gear != 0) found.earliest = FilletContact{gear, early, p};
   }
-  return worst;
+  return found;
 }
 
 }  // namespace gearwright

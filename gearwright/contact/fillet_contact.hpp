@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "gearwright/contact/contact.hpp"
 
@@ -20,15 +21,18 @@ struct FilletContact {
   ContactPoint point;  ///< of the tip in the fillet, its TE that of the whole outlines
 };
 
-/// The touch of a fillet that comes earliest before the flanks, over the rotations of `flanks`
-/// (positions of analyse_contact); none: flanks touch first everywhere.
+struct FilletContacts {
+  std::vector<std::size_t> asked;         ///< of the flanks' positions
+  std::vector<ContactPoint> whole;        ///< there, of the whole outlines
+  std::optional<FilletContact> earliest;  ///< before the flanks; none: flanks touch first
+};
+
+/// The whole outlines at the rotations of `flanks` (positions of analyse_contact) that touch.
 ///
 /// `outlines`  the same pair with ContactMount::fillets
 /// Accuracy    of a rotation that is looked at: rounding. At most 64 are, evenly chosen; deeper
 ///             touches between them may be missed
-std::optional<FilletContact> fillet_contact(const ContactPair& outlines,
-                                            const std::array<double, 2>& form_diameter,
-                                            std::span<const ContactPoint> flanks,
-                                            Headway* headway = nullptr);
+FilletContacts fillet_contacts(const ContactPair& outlines, std::span<const ContactPoint> flanks,
+                               Headway* headway = nullptr);
 
 }  // namespace gearwright

@@ -3,7 +3,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "gearwright/base/overloaded.hpp"
+#include "gearwright/generation/generate.hpp"
 #include "gearwright/math/involute.hpp"
+#include "gearwright/tool/rack_of_arcs.hpp"
+#include "gearwright/tool/straight_rack.hpp"
 
 namespace gearwright {
 
@@ -33,6 +37,23 @@ double same_radius(const Curve& curve, double was, double rho, bool grows, doubl
   return last;
 }
 
+double changed_cos_beta(const Gear& gear, double delta_lambda) {
+  const double r = gear.reference_diameter / 2;
+  return std::sin(std::atan2(1.0, r * std::abs(gear.twist())) + delta_lambda);
+}
+
+// The gear has been cut with it: there is one.
+CutterEdge edge_of(const CylindricalSpec& spec) {
+  return std::visit(
+      Overloaded{[&](const StraightRack& rack) {
+                   return make_edge(rack, spec.normal_module, spec.normal_pressure_angle)->edge;
+                 },
+                 [&](const auto& rack) {
+                   return *make_edge(*arcs_of(rack), spec.normal_module, spec.thickness_allowance);
+                 }},
+      spec.rack);
+}
+
 }  // namespace
 
 double with_cutter_lead(double twist, double pitch_radius, double delta_lambda) {
@@ -47,7 +68,7 @@ double with_cutter_lead(double twist, double pitch_radius, double delta_lambda) 
 Arc recut(const Arc& arc, const Gear& gear, double delta_lambda) {
   if (delta_lambda == 0.0) return arc;
   const double r = gear.reference_diameter / 2;
-  const double cos_beta = std::sin(std::atan2(1.0, r * std::abs(gear.twist())) + delta_lambda);
+  const double cos_beta = changed_cos_beta(gear, delta_lambda);
   Arc changed = arc;
   if (const auto* cut = curve_if<RackTrochoid>(*arc.curve)) {
     RackMotion motion = cut->motion();
@@ -72,6 +93,18 @@ Arc recut(const Arc& arc, const Gear& gear, double delta_lambda) {
   changed.begin_point = changed.curve->point(changed.begin);
   changed.end_point = changed.curve->point(changed.end);
   return changed;
+}
+
+std::optional<Outline> recut_outline(const Gear& gear, double delta_lambda) {
+  const CylindricalSpec& spec = gear.spec;
+  if (gear.cut_by || gear.internal() || spec.root_fillet || spec.tip_fillet) return std::nullopt;
+  if (delta_lambda == 0.0) return gear.tooth->outline;
+  const double m = spec.normal_module;
+  const double shift = gear.involute() ? gear.reference().generating_profile_shift * m : 0.0;
+  const RackMotion motion{gear.reference_diameter / 2, changed_cos_beta(gear, delta_lambda), shift};
+  const auto tooth = cut_by_rack(edge_of(spec), motion, spec.teeth, gear.tip_diameter / 2);
+  if (!tooth || tooth->outline.arcs.empty() || !tooth->form_radius) return std::nullopt;
+  return tooth->outline;
 }
 
 }  // namespace gearwright

@@ -4,6 +4,8 @@
 //                                     theory: docs/theory/08-contact.md, [T8.14]
 #pragma once
 
+#include <optional>
+
 #include "gearwright/gear/gear.hpp"
 
 namespace gearwright {
@@ -15,5 +17,10 @@ double with_cutter_lead(double twist, double pitch_radius, double delta_lambda);
 /// A flank arc as the same rack cuts it with its lead angle changed; ends at the same radii.
 /// Domain  arcs that a rack cuts, unless Δλ = 0 (contract)
 Arc recut(const Arc& arc, const Gear& gear, double delta_lambda);
+
+/// All of the half tooth that the same rack leaves then, root fillet and tip included, its ends where
+/// they come to lie. None: the root is no rack's (a pinion cutter's, or a circular fillet in place
+/// of it), or no tooth is left.
+std::optional<Outline> recut_outline(const Gear& gear, double delta_lambda);
 
 }  // namespace gearwright

@@ -11,6 +11,7 @@
 #include "gearwright/catalogue/modification_keys.hpp"
 #include "gearwright/contact/fillet_contact.hpp"
 #include "gearwright/contact/pair_contact.hpp"
+#include "gearwright/contact/recut.hpp"
 #include "gearwright/gear/gear_field.hpp"
 
 namespace gearwright {
@@ -78,9 +79,10 @@ ContactPair ContactSetup::at(const ContactMount& place) const {
 }
 
 std::optional<ContactPair> ContactSetup::outlines(bool gear2_drives) const {
-  const bool involutes = gears_[0]->involute() && gears_[1]->involute();
-  const auto& lead = place_.errors.cutter_lead;
-  if (!involutes || lead[0] != Angle() || lead[1] != Angle()) return std::nullopt;
+  for (int i = 0; i < 2; ++i) {
+    const double delta_lambda = place_.errors.cutter_lead[i].rad();
+    if (delta_lambda != 0.0 && !recut_outline(*gears_[i], delta_lambda)) return std::nullopt;
+  }
   ContactMount place = place_;
   place.gear2_drives = gear2_drives;
   place.fillets = true;
@@ -200,6 +202,16 @@ ErrorMap make_map(const ContactSetup& setup, const ContactMapInput& m, int posit
                        positions, 0, headway);
 }
 
+void warn_of_jam(Angle least_play, const char* touched, std::vector<Warning>& warnings) {
+  constexpr Angle kTouching = Angle::radians(1e-12);  // teeth without backlash do not jam
+  if (!(least_play < -kTouching)) return;
+  warnings.push_back({"jam",
+                      fmt::format("The gears jam: {} touched at once, gear 2 would have to give "
+                                  "way by {:.6f} degrees.",
+                                  touched, -least_play.deg()),
+                      0});
+}
+
 // What the answer says that the numbers alone do not.
 void warn_about(const ContactAnswer& answer, std::vector<Warning>& warnings) {
   const auto warn = [&](const char* code, std::string text, int gear = 0) {
@@ -223,12 +235,7 @@ void warn_about(const ContactAnswer& answer, std::vector<Warning>& warnings) {
   }
   if (answer.driving.contact_lost)
     warn("contact_lost", "Contact is lost at some positions: no tooth pair touches there.");
-  constexpr Angle kTouching = Angle::radians(1e-12);  // teeth without backlash do not jam
-  if (answer.min_play && *answer.min_play < -kTouching) {
-    warn("jam", fmt::format("The gears jam: both flanks of a tooth space are touched at once, gear "
-                            "2 would have to give way by {:.6f} degrees.",
-                            -answer.min_play->deg()));
-  }
+  if (answer.min_play) warn_of_jam(*answer.min_play, "both flanks of a tooth space are", warnings);
   if (answer.driving.unfinished + answer.other.unfinished > 0) {
     warn("contact_search_unfinished",
          fmt::format("{} searches for a contact point did not end; their positions took the next "
@@ -237,36 +244,61 @@ void warn_about(const ContactAnswer& answer, std::vector<Warning>& warnings) {
   }
 }
 
+void warn_of_fillet(const FilletContact& touch, bool other, std::vector<Warning>& warnings) {
+  warnings.push_back(
+      {"fillet_contact",
+       fmt::format("Under these errors the tip of gear {} meets the root fillet of gear {} {:.4g} "
+                   "mm before the {}flanks do, at {:.3f}° of gear 1, on {:.4f} mm diameter: {}.",
+                   3 - touch.gear, touch.gear, touch.early, other ? "non-working " : "",
+                   touch.point.rotation1.deg(), touch.point.diameter[touch.gear - 1],
+                   other ? "it takes that much of the play"
+                         : "the transmission error is not that of the flanks there"),
+       touch.gear});
+}
+
+// Gear 1 keeps gear 2 ahead of one angle and behind the other: what lies between.
+std::optional<Angle> play_between(const ContactPoint& driving, const ContactPoint& behind,
+                                  bool gear2_drives) {
+  if (driving.kind == TouchKind::none || behind.kind == TouchKind::none) return std::nullopt;
+  return (gear2_drives ? -1.0 : 1.0) * (behind.te - driving.te);
+}
+
 // Without errors the two outlines say it, [T2.34] and [T4.33].
 void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
                         std::vector<Warning>& warnings, Headway* headway) {
-  for (const bool other : {false, true}) {
-    const auto outlines = answer.setup.outlines((input.driver == 2) != other);
-    if (!outlines) {
-      warnings.push_back(
-          {"fillets_not_asked",
-           "Whether a tip meets a root fillet under these errors was not looked at: that is "
-           "done for involute gears whose cutter keeps its lead angle."});
-      return;
-    }
-    std::span<const ContactPoint> flanks = (other ? answer.other : answer.driving).positions;
-    // A pitch is like the other; of several at once those that are looked at might be of one phase.
-    if (input.rotations.empty()) flanks = flanks.first(static_cast<std::size_t>(input.positions));
-    std::array<double, 2> form{};
-    for (const int i : {0, 1}) form[i] = 2 * answer.setup.gear(i + 1).root_form_radius().value();
-    const auto touch = fillet_contact(*outlines, form, flanks, headway);
-    if (!touch) continue;
+  const bool gear2_drives = input.driver == 2;
+  const auto driving_outlines = answer.setup.outlines(gear2_drives);
+  const auto other_outlines = answer.setup.outlines(!gear2_drives);
+  if (!driving_outlines || !other_outlines) {
     warnings.push_back(
-        {"fillet_contact",
-         fmt::format(
-             "Under these errors the tip of gear {} meets the root fillet of gear {} {:.4g} "
-             "mm before the {}flanks do, at {:.3f}° of gear 1, on {:.4f} mm diameter: {}.",
-             3 - touch->gear, touch->gear, touch->early, other ? "non-working " : "",
-             touch->point.rotation1.deg(), touch->point.diameter[touch->gear - 1],
-             other ? "it takes that much of the play"
-                   : "the transmission error is not that of the flanks there"),
-         touch->gear});
+        {"fillets_not_asked",
+         "Whether a tip meets a root fillet under these errors was not looked at: with a changed "
+         "lead of the cutter that is done for roots that a rack cuts, not for those of a pinion "
+         "cutter or circular fillets."});
+    return;
   }
+  // A pitch is like the other; of several at once those that are looked at might be of one phase.
+  const auto first_pitch = [&](std::span<const ContactPoint> positions) {
+    return input.rotations.empty() ? positions.first(static_cast<std::size_t>(input.positions))
+                                   : positions;
+  };
+  const auto driving =
+      fillet_contacts(*driving_outlines, first_pitch(answer.driving.positions), headway);
+  const auto other = fillet_contacts(*other_outlines, first_pitch(answer.other.positions), headway);
+  if (driving.earliest) warn_of_fillet(*driving.earliest, false, warnings);
+  if (other.earliest) warn_of_fillet(*other.earliest, true, warnings);
+  if (!driving.earliest && !other.earliest) return;
+  std::optional<Angle> least;
+  for (std::size_t i = 0, j = 0; i < driving.asked.size() && j < other.asked.size();) {
+    if (driving.asked[i] == other.asked[j]) {
+      const auto play = play_between(driving.whole[i], other.whole[j], gear2_drives);
+      if (play) least = std::min(least.value_or(*play), *play);
+    }
+    driving.asked[i] < other.asked[j] ? ++i : ++j;
+  }
+  // Where the flanks alone jam that has been said.
+  const bool flanks_jam = answer.min_play && *answer.min_play < Angle();
+  if (least && !flanks_jam) warn_of_jam(*least, "root fillets and flanks are", warnings);
 }
 
 }  // namespace
@@ -290,11 +322,8 @@ Result<ContactAnswer> answer_contact(SolvedJob& job, Headway* headway) {
   if (std::none_of(positions.begin(), positions.end(), touches))
     return nothing_touches(answer.setup);
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    const ContactPoint& behind = answer.other.positions[i];
-    if (!touches(positions[i]) || !touches(behind)) continue;
-    // The flanks of gear 1 keep gear 2 ahead of one angle and behind the other.
-    const Angle play = (gear2_drives ? -1.0 : 1.0) * (behind.te - positions[i].te);
-    answer.min_play = std::min(answer.min_play.value_or(play), play);
+    const auto play = play_between(positions[i], answer.other.positions[i], gear2_drives);
+    if (play) answer.min_play = std::min(answer.min_play.value_or(*play), *play);
   }
   if (input.map)
     answer.map = make_map(answer.setup, *input.map, input.positions, gear2_drives, headway);

@@ -42,8 +42,8 @@ class ContactSetup {
 
   ContactPair pair(bool gear2_drives) const { return pair(place_.errors, gear2_drives); }
   ContactPair pair(const ContactErrors& errors, bool gear2_drives) const;
-  /// With root fillets and tips beside the flanks; none: teeth of arcs, or a cutter's lead that was
-  /// changed.
+  /// With root fillets and tips beside the flanks; none: a cutter's lead was changed, and the root
+  /// is no rack's.
   std::optional<ContactPair> outlines(bool gear2_drives) const;
   const ContactMount& place() const { return place_; }
   const Gear& gear(int which) const { return *gears_[which - 1]; }

@@ -351,11 +351,28 @@ class Contact(unittest.TestCase):
         self.assertEqual(told(83, errors + "-0.1"), [])
         self.assertEqual(told(84.3, ""), [])  # without errors the pair itself says it
 
+    def test_fillets_that_jam_though_flanks_have_play_are_told(self):
+        def told(allowance):
+            text = (f"[gear1]\nteeth = 20\nnormal_module_mm = 2\nface_width_mm = 20\nthickness_allowance_mm = {allowance}\n"
+                    "[gear2]\nteeth = 40\nface_width_mm = 18\ntip_diameter_mm = 84\n[pair]\ncenter_distance_mm = 60.1\n"
+                    "[errors]\ncrossing_deg = 0.005\ncenter_distance_mm = -0.1\n")
+            j = self.ok("contact", text)
+            self.assertGreater(j["contact"]["least_play_deg"], 0)
+            return [w["message"] for w in j["warnings"] if w["code"] == "jam"]
+        self.assertEqual(told(-0.3), [])
+        self.assertIn("root fillets and flanks are touched at once", told(-0.1)[0])
+
+    def test_fillets_of_circular_arcs_are_asked(self):
+        self.assertEqual([w["gear"] for w in self.ok("contact", self.spec(ARCS, "[errors]\ncenter_distance_mm = -1.5"))["warnings"]
+                          if w["code"] == "fillet_contact"], [2, 2])
+
     def test_fillets_that_are_not_asked_are_told(self):
-        def told(errors):
-            return "fillets_not_asked" in [w["code"] for w in self.ok("contact", self.spec(HELICAL, errors))["warnings"]]
-        self.assertTrue(told("[errors]\ncutter_lead1_deg = 0.01"))
-        self.assertFalse(told("[errors]\ncrossing_deg = 0.01"))
+        def told(errors, gear1=""):
+            warnings = self.ok("contact", self.spec(HELICAL, errors, gear1))["warnings"]
+            return "fillets_not_asked" in [w["code"] for w in warnings]
+        self.assertTrue(told("[errors]\ncutter_lead1_deg = 0.01", "root_fillet = {}"))
+        self.assertFalse(told("[errors]\ncutter_lead1_deg = 0.01"))
+        self.assertFalse(told("[errors]\ncrossing_deg = 0.01", "root_fillet = {}"))
         self.assertFalse(told(""))
 
     def test_modifications_that_do_not_fit(self):
