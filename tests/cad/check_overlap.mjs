@@ -1,10 +1,13 @@
 // How much of two mounted gears is in the same place, by manifold-3d.
 //
-//   node check_overlap.mjs GEAR1.stl GEAR2.stl Z1 Z2 PHASES A [A …]     [--shaft DEG] [--modules FOLDER]
+//   node check_overlap.mjs GEAR1.stl GEAR2.stl Z1 Z2 PHASES A [A …]     [--shaft DEG] [--enough MM3]
+//                                                                       [--modules FOLDER]
 //
 // Each gear in its own frame; gear 2 is put at the distance A with space 0 to the mesh, its axis along
 // (0, sin Σ, cos Σ), and both are turned through one pitch in PHASES steps. A ring (Z2 < 0) turns as its
-// pinion does, and its mesh lies at −x, to where tooth 0 of the pinion is turned. Prints {"overlap_mm3": greatest volume} for every A, as one JSON list.
+// pinion does, and its mesh lies at −x, to where tooth 0 of the pinion is turned. Prints
+// {"overlap_mm3": greatest volume} for every A, as one JSON list; more than MM3 ends the search of an A.
+// Of external gears only what can reach the other one is intersected, the teeth near the mesh.
 // Exit status 77: manifold-3d is not installed.
 import {existsSync} from 'node:fs';
 import {dirname, join, resolve} from 'node:path';
@@ -18,6 +21,7 @@ const option = (name, absent) => {
   return at >= 0 ? args.splice(at, 2)[1] : absent;
 };
 const shaft = Number(option('--shaft', '0'));
+const enough = Number(option('--enough', 'Infinity'));
 const modules = option('--modules', '');
 const folder = modules ? resolve(modules) : dirname(fileURLToPath(import.meta.url));
 const file = join(folder, 'node_modules', 'manifold-3d', 'manifold.js');
@@ -30,19 +34,37 @@ manifold.setup();
 
 function body(path) {
   const {vertices, triangles} = readStl(path);
-  return new manifold.Manifold(new manifold.Mesh({
-    numProp: 3, vertProperties: Float32Array.from(vertices), triVerts: Uint32Array.from(triangles)}));
+  let radius = 0;
+  for (let i = 0; i < vertices.length; i += 3) radius = Math.max(radius, Math.hypot(vertices[i], vertices[i + 1]));
+  return {radius, solid: new manifold.Manifold(new manifold.Mesh({
+    numProp: 3, vertProperties: Float32Array.from(vertices), triVerts: Uint32Array.from(triangles)}))};
 }
 
-const gear1 = body(args[0]), gear2 = body(args[1]);
+const one = body(args[0]), two = body(args[1]);
 const [z1, z2, phases] = args.slice(2, 5).map(Number);
-const results = args.slice(5).map((text) => {
+const distances = args.slice(5).map(Number);
+const turned1 = (turn) => (z2 < 0 ? 180 : 0) - turn;
+const turned2 = (turn) => 180 - 180 / Math.abs(z2) + turn * z1 / z2;
+
+// What of a gear can come to x > least, in the frame of the housing, at any phase: its own x is least but for half a
+// pitch of turn from the middle one. Gear 2 looks the other way.
+function near({solid, radius}, least, teeth, turned, sense) {
+  if (z2 < 0) return solid;
+  const half = Math.PI / teeth, middle = turned(180 / z1);
+  const height = Math.sqrt(Math.max(0, radius ** 2 - least ** 2));
+  const plane = least * Math.cos(half) - height * Math.sin(half);
+  return solid.rotate([0, 0, middle]).trimByPlane([sense, 0, 0], plane).rotate([0, 0, -middle]);
+}
+
+const closest = Math.min(...distances);
+const gear1 = near(one, closest - two.radius, z1, turned1, 1);
+const gear2 = near(two, closest - one.radius, z2, turned2, -1);
+const results = distances.map((distance) => {
   let greatest = 0;
-  for (let i = 0; i < phases; ++i) {
+  for (let i = 0; i < phases && greatest <= enough; ++i) {
     const turn = 360 / z1 * i / phases;
-    const mounted1 = gear1.rotate([0, 0, (z2 < 0 ? 180 : 0) - turn]);
-    const mounted2 = gear2.rotate([0, 0, 180 - 180 / Math.abs(z2) + turn * z1 / z2])
-                         .rotate([-shaft, 0, 0]).translate([Number(text), 0, 0]);
+    const mounted1 = gear1.rotate([0, 0, turned1(turn)]);
+    const mounted2 = gear2.rotate([0, 0, turned2(turn)]).rotate([-shaft, 0, 0]).translate([distance, 0, 0]);
     greatest = Math.max(greatest, mounted1.intersect(mounted2).volume());
   }
   return {overlap_mm3: greatest};
