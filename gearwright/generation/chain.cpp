@@ -133,12 +133,13 @@ void append(std::vector<Branch>& chain, const std::vector<Branch>& from, double 
   }
 }
 
-constexpr double kRounding = 1e-13;  // rad: curves that coincide do not cross
+constexpr double kRounding = 1e-13;        // rad: curves that coincide do not cross
+constexpr double kHeightRounding = 1e-14;  // relative: what heights of one point may differ by
 
-// How far a stands above b at the height h, taken where within what counts as one height it does
+// How far a stands above b at the height h, taken where within the rounding of heights it does
 // least: where a branch begins along a circle about the axis θ runs like a root of the height.
 double surely_above(const Branch& a, const Branch& b, double h) {
-  const double near = kSameHeight * std::abs(h);
+  const double near = kHeightRounding * std::abs(h);
   const double below = a.theta_at(std::max(a.height_lo, h - near));
   const double above = a.theta_at(std::min(a.height_hi, h + near));
   return std::min(below, above) - b.theta_at(h);
