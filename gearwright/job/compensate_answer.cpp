@@ -10,6 +10,7 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/job/compensate_forms.hpp"
 #include "gearwright/job/compensate_load.hpp"
+#include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/math/minimise.hpp"
 #include "gearwright/spec/table_reader.hpp"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "gearwright/contact/compensation.hpp"
-#include "gearwright/job/contact_answer.hpp"
+#include "gearwright/job/contact_setup.hpp"
 #include "gearwright/load/loaded_score.hpp"
 #include "gearwright/verdict/verdict.hpp"
 

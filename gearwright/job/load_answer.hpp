@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "gearwright/catalogue/load_quantities.hpp"
-#include "gearwright/job/contact_answer.hpp"
+#include "gearwright/job/contact_setup.hpp"
 #include "gearwright/job/solved_job.hpp"
 
 namespace gearwright {

@@ -1,0 +1,182 @@
+#include "gearwright/job/contact_setup.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "gearwright/base/units.hpp"
+#include "gearwright/catalogue/modification_keys.hpp"
+#include "gearwright/contact/pair_contact.hpp"
+#include "gearwright/contact/recut.hpp"
+#include "gearwright/gear/gear_field.hpp"
+
+namespace gearwright {
+
+namespace {
+
+bool any_modification(const GearInput& gear) {
+  for (const FlankModifications& m : gear.modifications) {
+    if (m.topography) return true;
+    for (const ModificationEntry& e : modification_entries())
+      if (e.relief ? e.placed(m) : e.amount_of(m) != 0.0) return true;
+  }
+  return false;
+}
+
+// Tips that pass each other, or why else no tooth finds another.
+std::string why_nothing_touches(const ContactSetup& setup, const ContactErrors& errors) {
+  const double r1 = setup.gear(1).actual_tip_radius();
+  const double r2 = setup.gear(2).actual_tip_radius();
+  const double a = setup.place().center_distance + errors.center_distance;
+  if (!setup.gear(2).internal() && a >= r1 + r2) {
+    return fmt::format(
+        "the axes stand {:.6g} mm apart and the tip radii reach {:.6g} mm: the teeth pass each "
+        "other; reduce `errors.center_distance` or `pair.center_distance`",
+        a, r1 + r2);
+  }
+  return fmt::format(
+      "at no position does a flank of gear 1 lie inside one of gear 2 (centre distance {:.6g} mm, "
+      "tip radii {:.6g} and {:.6g} mm): smaller errors, or faces that overlap, would help",
+      a, r1, r2);
+}
+
+}  // namespace
+
+Error nothing_touches(const ContactSetup& setup) {
+  return {"errors", "", "nothing touches; " + why_nothing_touches(setup, setup.place().errors)};
+}
+
+Error nothing_touches_under(const ContactSetup& setup, const std::string& name,
+                            const ContactErrors& errors) {
+  return {"compensate.range", name, "nothing touches there; " + why_nothing_touches(setup, errors)};
+}
+
+ContactErrors ContactSetup::with_error(ContactErrors e, std::size_t index, double value) const {
+  error_entries()[index].set(e, {gears_[0].get(), gears_[1].get()}, value);
+  return e;
+}
+
+const RemovalField* ContactSetup::removal(int gear, bool left) const {
+  return removal_[gear - 1][left ? 1 : 0].get();
+}
+
+ContactPair ContactSetup::pair(const ContactErrors& errors, bool gear2_drives) const {
+  ContactMount place = place_;
+  place.errors = errors;
+  place.gear2_drives = gear2_drives;
+  return at(place);
+}
+
+ContactPair ContactSetup::at(const ContactMount& place) const {
+  const auto of = [&](int i) {
+    return ContactGear{gears_[i].get(), {removal_[i][0].get(), removal_[i][1].get()}};
+  };
+  return ContactPair(of(0), of(1), place);
+}
+
+std::optional<ContactPair> ContactSetup::outlines(bool gear2_drives) const {
+  for (int i = 0; i < 2; ++i) {
+    const double delta_lambda = place_.errors.cutter_lead[i].rad();
+    if (delta_lambda != 0.0 && !recut_outline(*gears_[i], delta_lambda)) return std::nullopt;
+  }
+  ContactMount place = place_;
+  place.gear2_drives = gear2_drives;
+  place.fillets = true;
+  return at(place);
+}
+
+std::optional<int> ContactSetup::convex_gear() const {
+  for (int i = 0; i < 2; ++i) {
+    const auto* arc = std::get_if<ArcRack>(&gears_[i]->spec.rack);
+    if (!arc) return std::nullopt;
+    if (arc->cutter == ArcRack::Cutter::F) return i + 1;
+  }
+  return std::nullopt;
+}
+
+Result<ContactSetup> ContactSetup::changed(const SetupChange& change) const {
+  ContactSetup setup = *this;
+  for (int i = 0; i < 2; ++i) {
+    setup.place_.errors.cutter_lead[i] += change.cutter_lead[i];
+    const SetupChange::Flank& f = change.flank[i];
+    if (f.lead_slope == 0.0 && f.lead_crowning == 0.0 && f.profile_slope == 0.0 &&
+        f.profile_crowning == 0.0)
+      continue;
+    // The flanks that touch: right ones of external gears when gear 1 drives.
+    const bool left = change.left != (i == 1 && gears_[1]->internal());
+    for (int side = 0; side < 2; ++side) {
+      FlankModifications& m = setup.modifications_[i][side];
+      m.lead_crowning += f.lead_crowning;
+      m.profile_crowning += f.profile_crowning;
+      if (left == (side == 1)) {
+        m.lead_slope += f.lead_slope;
+        m.profile_slope += f.profile_slope;
+      }
+      auto field = make_removal_field(m, flank_extent(*gears_[i]));
+      if (!field) return of_flank(i + 1, side, field.error());
+      setup.removal_[i][side] = std::make_shared<const RemovalField>(std::move(field).take());
+    }
+  }
+  if (change.tool_setting != 0.0) {
+    const auto which = convex_gear();
+    GW_EXPECTS(which.has_value());
+    CylindricalSpec spec = gears_[*which - 1]->spec;
+    auto* rack = std::get_if<ArcRack>(&spec.rack);
+    GW_EXPECTS(rack != nullptr);
+    rack->center_b += change.tool_setting / spec.normal_module;
+    rack->pressure_angle.reset();  // a check of the drawing's setting
+    auto gear = make_gear(spec);
+    if (!gear) return of_gear(*which, gear.error());
+    if (!gear->exists() || !gear->root_form_radius())
+      return Error{"compensate.corrections", "tool_setting_mm",
+                   "this tool setting leaves no tooth"};
+    setup.gears_[*which - 1] = std::make_shared<const Gear>(std::move(gear).take());
+  }
+  return setup;
+}
+
+Result<ContactSetup> ContactSetup::of(const SolvedJob& job) {
+  ContactSetup setup;
+  GW_EXPECTS(job.pair.has_value());
+  setup.place_.center_distance = job.pair->center_distance();
+  setup.place_.shaft_angle = job.pair->shaft_angle();
+  for (const int i : {0, 1}) setup.gears_[i] = std::make_shared<const Gear>(job.pair->gear(i + 1));
+  for (std::size_t i = 0; i < kErrorCount; ++i)
+    setup.place_.errors = setup.with_error(setup.place_.errors, i, job.spec.errors.value[i]);
+  for (int i = 0; i < 2; ++i) {
+    const Gear& gear = setup.gear(i + 1);
+    const auto form = gear.root_form_radius();
+    if (!form) {
+      return Error{gear_field(i + 1), "",
+                   "has no usable flank to touch with; see its warnings (gearwright gear)"};
+    }
+    if (auto error = check_cutter_lead(gear, i + 1, setup.place_.errors.cutter_lead[i]))
+      return *error;
+    const GearInput& input = *job.spec.gears[i];
+    setup.modifications_[i] = input.modifications;
+    if (!any_modification(input)) continue;
+    for (int side = 0; side < 2; ++side) {
+      auto field = make_removal_field(input.modifications[side], flank_extent(gear));
+      if (!field) return of_flank(i + 1, side, field.error());
+      setup.removal_[i][side] = std::make_shared<const RemovalField>(std::move(field).take());
+    }
+  }
+  for (const ErrorEntry& e : error_entries()) {
+    if (e.kind)
+      setup.influences_.push_back(
+          {fmt::format("{}_per_{}", e.name(), e.unit()), e.si(), {*e.kind}});
+  }
+  for (int i = 0; i < 2; ++i) {
+    const GearInput& input = *job.spec.gears[i];
+    if (!any_modification(input)) continue;
+    for (const ModificationEntry& m : modification_entries()) {
+      if (!m.placed(input.modifications[0]) && !m.placed(input.modifications[1])) continue;
+      setup.influences_.push_back({fmt::format("gear{}_{}_per_um", i + 1, m.name),
+                                   kMmPerUm,
+                                   {ErrorKind::center_distance, i + 1, m.parameter}});
+    }
+  }
+  return setup;
+}
+
+}  // namespace gearwright
