@@ -1,5 +1,6 @@
 #include "gearwright/contact/contact_point.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,6 @@
 #include "gearwright/contact/fillet_contact.hpp"
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 namespace gearwright {

@@ -1,5 +1,6 @@
 #include "gearwright/contact/ridge.hpp"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>

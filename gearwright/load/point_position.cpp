@@ -1,5 +1,6 @@
 #include "gearwright/load/point_position.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
