@@ -21,11 +21,11 @@ int load_verb(const Options& o) {
     return answer_load(job, watch.headway());
   }();
   if (!answer) return door.fail(answer.error());
-  const Verdict verdict = judge(job);
+  const Verdict verdict = judge(job, {.load = true});
   if (o.csv) {
     print(load_csv(*answer));
   } else if (o.json) {
-    print_json(load_json(job, *answer));
+    print_json(load_json(job, *answer, verdict));
   } else {
     print(load_listing(job, *answer) + warning_listing(job.warnings) + verdict_listing(verdict));
   }

@@ -79,7 +79,7 @@ int gear_verb(const Options& o) {
   if (o.csv) {
     print(quantities_csv(*job));
   } else if (o.json) {
-    Json j = job_json(*job);
+    Json j = job_json(*job, verdict);
     for (std::size_t i = 0; i < racks.size(); ++i) j["gears"][i]["as_rack"] = rack_json(racks[i]);
     print_json(j);
   } else {
@@ -117,7 +117,7 @@ int pair_verb(const Options& o) {
   if (o.csv) {
     print(quantities_csv(*job));
   } else if (o.json) {
-    print_json(job_json(*job));
+    print_json(job_json(*job, verdict));
   } else {
     print(gear_listing(*job) + pair_listing(*job) + warning_listing(job->warnings) +
           verdict_listing(verdict));
@@ -132,11 +132,11 @@ int contact_verb(const Options& o) {
   SolvedJob job = std::move(solved).take();
   const auto answer = watched("contact", [&](Headway* h) { return answer_contact(job, h); });
   if (!answer) return door.fail(answer.error());
-  const Verdict verdict = judge(job, &answer->driving);
+  const Verdict verdict = judge(job, {.contact = &answer->driving});
   if (o.csv) {
     print(contact_csv(job, *answer));
   } else if (o.json) {
-    print_json(contact_json(job, *answer));
+    print_json(contact_json(job, *answer, verdict));
   } else {
     print(contact_listing(job, *answer) + warning_listing(job.warnings) + verdict_listing(verdict));
   }
@@ -173,7 +173,7 @@ int rate_verb(const Options& o) {
   SolvedJob job = std::move(solved).take();
   const auto answer = answer_rating(job);
   if (!answer) return door.fail(answer.error());
-  const Verdict verdict = judge(job, nullptr, &*answer);
+  const Verdict verdict = judge(job, {.rating = &*answer});
   if (o.csv) {
     print(rating_csv(*answer));
   } else if (o.json) {

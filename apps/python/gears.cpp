@@ -223,7 +223,7 @@ std::pair<py::class_<GearValue>, py::class_<PairValue>> bind_gears(py::module_& 
           "verdict", [](const PairValue& p) { return verdict_of(*p.model); },
           "Whether the pair runs, the worst finding first")
       .def(
-          "result", [](const PairValue& p) { return to_python(job_json(p.model->job)); },
+          "result", [](const PairValue& p) { return to_python(job_json(p.model->job, judge(p.model->job))); },
           "gears, pair, warnings and verdict: the program's JSON")
       .def("__repr__",
            [](const PairValue& p) {

@@ -108,7 +108,7 @@ std::string page_of(const Model& source, const std::vector<const Gear*>& gears, 
   if (gears.size() == 2) input.pair = job.pair;
   if (part) input.contact = &part->report;
   if (load && load->report) input.load = &*load->report;
-  input.verdict = judge(job, part ? &part->answer.driving : nullptr);
+  input.verdict = judge(job, {.contact = part ? &part->answer.driving : nullptr});
   input.spec_text = json_text(source.spec, 2);
   input.version = kVersion;
   return report_html(input);

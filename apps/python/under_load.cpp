@@ -14,11 +14,11 @@ namespace gearwright::python {
 namespace {
 
 struct RatingValue : AnswerValue<RatingAnswer> {
-  Verdict verdict() const { return judge(model->job, nullptr, answer.get()); }
+  Verdict verdict() const { return judge(model->job, {.rating = answer.get()}); }
 };
 
 struct LoadedValue : AnswerValue<LoadAnswer> {
-  Verdict verdict() const { return judge(model->job); }
+  Verdict verdict() const { return judge(model->job, {.load = true}); }
 };
 
 RatingValue rating_of(const PairValue& pair, const py::kwargs& keys) {

@@ -1,5 +1,8 @@
 #include "gearwright/catalogue/verdict_quantities.hpp"
 
+#include "gearwright/catalogue/spelling.hpp"
+#include "gearwright/gear/gear_field.hpp"
+
 namespace gearwright {
 
 namespace {
@@ -9,6 +12,40 @@ Value values_of(const Finding& finding) {
   for (const FindingValue& v : finding.values)
     values.emplace_back(v.name + (v.length ? "_mm" : ""), Value(v.value));
   return values;
+}
+
+// The path of the member that a change sets, in its gear.
+const char* member_of(Adjustable what) {
+  switch (what) {
+    case Adjustable::profile_shift: return "profile_shift";
+    case Adjustable::tip_diameter: return "tip_diameter";
+    case Adjustable::thickness_allowance: return "thickness_allowance";
+    case Adjustable::teeth: return "teeth";
+    case Adjustable::helix_angle: return "helix_angle";
+    case Adjustable::face_width: return "face_width";
+    case Adjustable::bore: return "bore.diameter";
+    case Adjustable::lead_crowning: return "modifications.lead_crowning";
+    case Adjustable::lead_slope: return "modifications.lead_slope";
+    case Adjustable::center_distance: return "center_distance";
+  }
+  return "";
+}
+
+// The keys that the remedy sets, with their values.
+Value change_of(const Finding& finding) {
+  ValueMap keys;
+  if (!finding.change) return keys;
+  const auto [what, gear, value] = *finding.change;
+  const auto add = [&, what = what, value = value](const std::string& table) {
+    keys.emplace_back(spelled_member(table + "." + member_of(what)), Value(value));
+  };
+  if (what == Adjustable::center_distance) {
+    add("pair");
+  } else {
+    for (const int which : {1, 2})
+      if (gear == 0 || gear == which) add(gear_field(which));
+  }
+  return keys;
 }
 
 const Quantities<Finding>& finding_quantities() {
@@ -28,10 +65,16 @@ const Quantities<Finding>& finding_quantities() {
     q.text("message", "one sentence for people", [](const F& f) {
        return Value(f.message);
      }).always();
-    q.text("remedy", "what would help; null where nothing is to be done",
+    q.text("at", "the ends of tolerances where it is so; null where it is so as drawn",
+           [](const F& f) { return f.at.empty() ? Value() : Value(f.at); });
+    q.text("remedy",
+           "what would help, tried before it is stated; null where no single change was found",
            [](const F& f) { return f.remedy.empty() ? Value() : Value(f.remedy); });
+    q.add(Type::map, Unit::none, "", "change", "change", "",
+          "what the remedy sets: keys of the spec with their values", change_of)
+        .always();
     q.add(Type::map, Unit::none, "", "values", "values", "",
-          "the numbers of a margin, by keys with their units", values_of)
+          "the number that is too small, first, and its limit, by keys with their units", values_of)
         .always();
   });
   return kAll;
@@ -44,10 +87,11 @@ const SaidTable& finding_table() { return finding_quantities().table(); }
 const Quantities<Verdict>& verdict_quantities() {
   using V = Verdict;
   static const Quantities<V> kAll("verdict", [](Quantities<V>& q) {
-    q.word("", "level", "verdict",
-           "green: it runs and nothing asks for a look; amber: it runs, somebody should look; red: "
-           "as specified it cannot be made or does not run",
-           [](const V& v) { return Value(to_string(v.level)); })
+    q.word(
+         "", "level", "verdict",
+         "green: it runs and nothing needs a look; amber: it runs, and the user should look at the "
+         "findings; red: as specified it cannot be made or does not run",
+         [](const V& v) { return Value(to_string(v.level)); })
         .always()
         .one_of({"green", "amber", "red"});
     q.text("headline", "the verdict in words, with the worst finding and what would help",
@@ -55,6 +99,12 @@ const Quantities<Verdict>& verdict_quantities() {
         .always();
     q.record("", "findings", "worst first: all warnings, and margins that are too small",
              finding_table, [](const V& v) { return Value(finding_quantities().each(v.findings)); })
+        .always()
+        .list({0});
+    q.add(Type::text, Unit::none, "", "not_judged", "not judged", "",
+          "what the spec has data for and this verb did not compute: `pair`, `contact`, `load`, "
+          "`rating`",
+          [](const V& v) { return Value(ValueList(v.not_judged.begin(), v.not_judged.end())); })
         .always()
         .list({0});
   });

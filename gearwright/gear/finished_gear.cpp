@@ -50,13 +50,15 @@ double shift_for(const Gear& gear, double x_E) {
 std::string without_undercut(const Gear& gear) {
   if (const ArcTeeth* arcs = gear.arcs()) {
     return fmt::format(
-        "the cutter's flank begins at a normal angle of {:.4f}° and would have to at {:.4f}°; less "
-        "dedendum, another root fillet radius or more teeth would help.",
+        "the cutter's flank begins at a normal angle of {:.4f}°; without undercut it would begin "
+        "at "
+        "{:.4f}°.",
         arcs->flank_begin.deg(), arcs->undercut_limit->deg());
   }
   const auto free_shift = gear.involute()->undercut_free_profile_shift;
-  if (!free_shift) return "a greater centre distance or a cutter with a shorter tip avoids it.";
-  return fmt::format("a profile shift of at least {:.4f} avoids it.", shift_for(gear, *free_shift));
+  if (!free_shift) return "its pinion cutter reaches below the involute.";
+  const double shift = std::ceil(1e4 * shift_for(gear, *free_shift)) / 1e4;  // avoids it as printed
+  return fmt::format("a profile shift of at least {:.4f} avoids it.", shift);
 }
 
 void warn_about_tip(Gear& gear) {
@@ -99,16 +101,14 @@ void warn_about_tooth(Gear& gear) {
   if (tooth.through_axis) {
     warn(gear, "through_axis",
          fmt::format(
-             "The cutter passes the gear's axis (root diameter {:.4f} mm): there is no gear. More "
-             "teeth{} or a smaller dedendum would help.",
-             gear.root_diameter, gear.involute() ? ", more profile shift" : ""));
+             "The cutter passes the gear's axis (root diameter {:.4f} mm): there is no gear.",
+             gear.root_diameter));
     return;
   }
   if (tooth.severed) {
     warn(gear, "severed",
-         "The root fillets of both sides meet: the tooth is cut through. " +
-             (gear.undercut ? "There is undercut: " + without_undercut(gear)
-                            : "Less profile shift or a thicker tooth would help."));
+         "The root fillets of both sides meet: the tooth is cut through." +
+             (gear.undercut ? " There is undercut: " + without_undercut(gear) : std::string()));
     return;
   }
   if (gear.undercut) {

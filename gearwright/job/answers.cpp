@@ -24,7 +24,7 @@ namespace {
 Result<Json> contact_of(SolvedJob& job, Headway* headway) {
   const auto found = answer_contact(job, headway);
   if (!found) return found.error();
-  return contact_json(job, *found);
+  return contact_json(job, *found, judge(job, {.contact = &found->driving}));
 }
 
 Result<Json> compensation_of(SolvedJob& job, Headway* headway) {
@@ -36,7 +36,7 @@ Result<Json> compensation_of(SolvedJob& job, Headway* headway) {
 Result<Json> load_of(SolvedJob& job, Headway* headway) {
   const auto found = answer_load(job, headway);
   if (!found) return found.error();
-  return load_json(job, *found);
+  return load_json(job, *found, judge(job, {.load = true}));
 }
 
 Result<Json> measures_of(SolvedJob& job) {
@@ -48,7 +48,7 @@ Result<Json> measures_of(SolvedJob& job) {
 Result<Json> rating_of(SolvedJob& job, Headway* headway) {
   const auto found = answer_rating(job, headway);
   if (!found) return found.error();
-  return rating_json(job, *found, judge(job, nullptr, &*found));
+  return rating_json(job, *found, judge(job, {.rating = &*found}));
 }
 
 Scope scope_of(std::string_view verb) {
@@ -79,7 +79,7 @@ Result<Json> answer_json(std::string_view verb, const JobSpec& spec, Headway* he
   if (verb == "load") return load_of(job, headway);
   if (verb == "measure") return measures_of(job);
   if (verb == "rate") return rating_of(job, headway);
-  return job_json(job);
+  return job_json(job, judge(job));
 }
 
 std::string batch_line(std::string_view verb, const std::string& text) {

@@ -221,7 +221,7 @@ Result<Verdict> judge_corrected(const std::string& corrected, const SolvedJob& j
   for (const Warning& w : job.warnings) {
     if (w.code == "contact_lost" && w.gear == 0) with.warnings.push_back(w);
   }
-  return judge(with, &contact->driving);
+  return judge(with, {.contact = &contact->driving});
 }
 
 }  // namespace

@@ -303,7 +303,8 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   report.measure_ends = measure_end_records(job);
   report.k_diagrams = k_diagrams(job);
   if (*contact) report.contact = &contact.value()->report;
-  report.verdict = judge(job, *contact ? &contact.value()->answer.driving : nullptr, rated);
+  report.verdict = judge(job, {*contact ? &contact.value()->answer.driving : nullptr, rated,
+                               load.value().has_value()});
   if (*load && load.value()->report) report.load = &*load.value()->report;
   if (*compensation) report.compensate = &**compensation;
   if (rating_view) report.rating = &*rating_view;
@@ -317,12 +318,11 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
                    report_html(report)});
   }
   std::move(files.begin(), files.end(), std::back_inserter(all));
-  Json result = job_json(job);
-  if (*contact) result["contact"] = contact_json(job, contact.value()->answer)["contact"];
+  Json result = job_json(job, report.verdict);
+  if (*contact) result["contact"] = to_json(contact_record(job, contact.value()->answer));
   if (*load) result["load"] = to_json(load_quantities().of(load_view(job, load.value()->answer)));
   if (*compensation) result["compensate"] = to_json(compensate_quantities().of(**compensation));
   if (rating_view) result["rating"] = to_json(rating_quantities().of(*rating_view));
-  result["verdict"] = verdict_json(report.verdict);
   result["files"] = files_json(all);
   const std::string text = json_text(result, 2) + "\n";
   if (wanted(options, "result")) {

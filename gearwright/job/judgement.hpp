@@ -1,4 +1,8 @@
-// The verdict over a job: its gears, its pair, and the contact that was asked for.
+// The verdict over a job: its gears, its pair, and what else was computed of it.
+//
+// Every limit is judged as drawn and at every combination of the ends of the tolerances. A finding
+// that is worse there than as drawn names the combination. Contact and load are those of the job
+// itself, at the mean of its tolerances.
 #pragma once
 
 #include <string>
@@ -10,10 +14,15 @@
 
 namespace gearwright {
 
-/// `contact`: under the spec's errors; `rating`: against the safeties that the spec wants; null
-/// where nobody asked. Keys as a file has them.
-Verdict judge(const SolvedJob& job, const ContactResult* contact = nullptr,
-              const RatingAnswer* rating = nullptr);
+/// What was computed beside the pair; null and false: it was not.
+struct JudgedParts {
+  const ContactResult* contact = nullptr;  ///< under the spec's errors
+  const RatingAnswer* rating = nullptr;    ///< against the safeties that the spec wants
+  bool load = false;                       ///< its findings are warnings of the job
+};
+
+/// The verdict; keys as a file has them.
+Verdict judge(const SolvedJob& job, const JudgedParts& parts = {});
 
 /// The last lines of a listing, of at most 100 bytes.
 std::string verdict_listing(std::string_view level, std::string_view headline);

@@ -37,12 +37,12 @@ std::string harris_map(const LoadedContact& contact, const LoadedTorque& quiet) 
 
 }  // namespace
 
-Json load_json(const SolvedJob& job, const LoadAnswer& answer) {
+Json load_json(const SolvedJob& job, const LoadAnswer& answer, const Verdict& verdict) {
   Json j;
   if (!job.spec.title.empty()) j["title"] = job.spec.title;
   j["load"] = to_json(load_quantities().of(load_view(job, answer)));
   j["warnings"] = warnings_json(job.warnings);
-  if (job.pair) j["verdict"] = verdict_json(judge(job));
+  if (job.pair) j["verdict"] = verdict_json(verdict);
   return j;
 }
 

@@ -2,6 +2,8 @@
 // program.
 #pragma once
 
+#include "gearwright/verdict/verdict.hpp"
+
 #include <string>
 
 #include "gearwright/job/load_answer.hpp"
@@ -9,7 +11,7 @@
 
 namespace gearwright {
 
-Json load_json(const SolvedJob& job, const LoadAnswer& answer);
+Json load_json(const SolvedJob& job, const LoadAnswer& answer, const Verdict& verdict);
 std::string load_listing(const SolvedJob& job, const LoadAnswer& answer);
 
 }  // namespace gearwright

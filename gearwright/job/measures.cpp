@@ -10,6 +10,7 @@
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/job/interval.hpp"
 #include "gearwright/job/listing.hpp"
+#include "gearwright/job/judgement.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/value_json.hpp"
 
@@ -261,7 +262,7 @@ std::vector<std::vector<ValueRecord>> measure_end_records(const SolvedJob& job) 
 }
 
 Json measures_json(const SolvedJob& job, const std::vector<MeasureView>& measures) {
-  Json j = job_json(job);
+  Json j = job_json(job, judge(job));
   for (std::size_t i = 0; i < measures.size(); ++i) {
     Json& measure = j["gears"][i]["measure"];
     measure = to_json(measure_quantities().of(measures[i]));

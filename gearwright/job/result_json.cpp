@@ -16,7 +16,7 @@ Json warnings_json(const std::vector<Warning>& warnings) {
   return to_json(warning_quantities().each(warnings));
 }
 
-Json job_json(const SolvedJob& job) {
+Json job_json(const SolvedJob& job, const Verdict& verdict) {
   Json j;
   if (!job.spec.title.empty()) j["title"] = job.spec.title;
   if (job.spec.drawing.given()) j["drawing"] = to_json(drawing_quantities().of(job.spec.drawing));
@@ -33,7 +33,7 @@ Json job_json(const SolvedJob& job) {
           interval_json(pair_quantities().of(*lower.pair), pair_quantities().of(*upper.pair));
   }
   j["warnings"] = warnings_json(job.warnings);
-  j["verdict"] = verdict_json(judge(job));
+  j["verdict"] = verdict_json(verdict);
   return j;
 }
 

@@ -10,7 +10,7 @@ namespace gearwright {
 
 Json warnings_json(const std::vector<Warning>& warnings);
 /// `drawing` (when given), `gears`, `pair` (when there is one), `warnings`, `verdict`.
-Json job_json(const SolvedJob& job);
+Json job_json(const SolvedJob& job, const Verdict& verdict);
 /// `arcs`: [{name, points}], n points per arc.   Domain: the outline is not empty (contract)
 Json outline_json(const Outline& outline, int n);
 /// [{file, what, max_deviation_um, note}]

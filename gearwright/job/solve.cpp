@@ -422,7 +422,12 @@ Result<SolvedJob> solve_with_tolerances(const JobSpec& given, Scope scope) {
 
 Result<SolvedJob> solve(const JobSpec& given, Scope scope) {
   auto job = solve_with_tolerances(given, scope);
-  if (job || !asks_for_a_fit(given, job.error())) return job;
+  if (job) {
+    SolvedJob solved = std::move(job).take();
+    solved.given = std::make_shared<const JobSpec>(given);
+    return solved;
+  }
+  if (!asks_for_a_fit(given, job.error())) return job;
   Error error = job.error();
   error.rule +=
       ". The spec leaves numbers to be found: gearwright fit finds them, and its --take 1 writes "

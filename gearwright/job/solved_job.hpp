@@ -17,11 +17,12 @@ struct JobEnds;
 
 /// What a spec describes. With a pair its gears are the pair's.
 struct SolvedJob {
-  JobSpec spec;
+  JobSpec spec;  ///< with what follows: shifts, thickness, tips
   std::vector<Gear> gears;        ///< one or two
   std::optional<Pair> pair;       ///< when the spec has two gears and the caller wanted the pair
   std::vector<Warning> warnings;  ///< of gears and pair, with the gear's number
   std::shared_ptr<const JobEnds> ends{};  ///< of its tolerances; none: it has none
+  std::shared_ptr<const JobSpec> given{};  ///< the spec that solve was called with
 
   std::optional<Bore> bore(int which) const {
     return spec.gears[static_cast<std::size_t>(which - 1)]->bore;

@@ -92,7 +92,16 @@ JobSpec at_end(const SolvedJob& job, std::size_t end, const std::optional<Ends>&
     if (job.gears[i].involute() && !gear.cut_by)
       gear.profile_shift = job.gears[i].spec.profile_shift;
   }
-  if (spec.pair.backlash_ends) spec.pair.backlash = (*spec.pair.backlash_ends)[1 - end];
+  if (spec.pair.backlash_ends) {
+    spec.pair.backlash = (*spec.pair.backlash_ends)[1 - end];
+  } else if (wants_backlash(spec.pair)) {
+    // One backlash is that of the drawing: the teeth thinned for it stay as they are.
+    spec.pair.backlash.reset();
+    spec.pair.backlash_circumferential.reset();
+    spec.pair.backlash_angle.reset();
+    for (std::size_t i = 0; i < job.gears.size(); ++i)
+      spec.gears[i]->cylindrical.thickness_allowance = job.gears[i].spec.thickness_allowance;
+  }
   if (deviations) {
     const bool wider_is_looser = job.pair->kind() != PairKind::parallel_internal;
     spec.pair.center_distance =

@@ -194,7 +194,7 @@ void warn_about_contact(ArcPair& pair, const ArcPairContact& c) {
   if (!(c.at.gap[0] > 0.0)) {
     warn(pair, "interference",
          fmt::format("At the {} the surfaces cut into each other: relative curvatures {:.4g} and "
-                     "{:.4g} per mm; a greater difference of the arcs' radii would help.",
+                     "{:.4g} per mm. The arcs' radii differ by too little.",
                      where, c.at.gap[0], c.at.gap[1]));
   }
   const auto off = [&](const Gear& gear, double side, double radius) {
@@ -203,11 +203,12 @@ void warn_about_contact(ArcPair& pair, const ArcPairContact& c) {
            radius > gear.tip_form_radius();
   };
   if (off(convex, 1.0, c.at.radius_convex) || off(concave, -1.0, c.at.radius_concave)) {
-    warn(pair, "contact_off_flank",
-         fmt::format("The contact on the {}, at a normal angle of {:.4f}°, lies off the usable "
-                     "flanks: the teeth touch with an edge. A centre distance nearer {:.4f} mm, or "
-                     "another `rack.center_b`, would help.",
-                     where, c.at.theta.deg(), pair.reference_center_distance));
+    warn(
+        pair, "contact_off_flank",
+        fmt::format("The contact on the {}, at a normal angle of {:.4f}°, lies off the usable "
+                    "flanks: the teeth touch with an edge. The reference centre distance is {:.4f} "
+                    "mm.",
+                    where, c.at.theta.deg(), pair.reference_center_distance));
   }
   for (const int which : {1, 2}) {
     const Gear& gear = pair.gears[static_cast<std::size_t>(which - 1)];

@@ -35,9 +35,8 @@ void past_the_flank(InvolutePair& p, const char* code, int gear, double amount,
   p.interference.push_back(
       {code, gear, amount,
        fmt::format(
-           "The tip of gear {} reaches {:.4f} mm {} of gear {}, where there is no involute: "
-           "shorten the tip or shift gear {} outward.",
-           mate, -amount, where, gear, gear)});
+           "The tip of gear {} reaches {:.4f} mm {} of gear {}, where there is no involute.", mate,
+           -amount, where, gear)});
 }
 
 }  // namespace
@@ -83,9 +82,12 @@ void find_tip_clearance(InvolutePair& p) {
           {"no_tip_clearance",
            fmt::format(
                "The tip of gear {} runs on the root of gear {} without clearance; 0.2 m_n + "
-               "0.05 mm = {:.3f} mm is usual: shorten it by `tip_diameter`. If it is the tip that "
-               "has cut gear {}, name a longer cutter in `{}`.",
-               i + 1, 2 - i, 0.2 * m + 0.05, 2 - i, gear_field(2 - i, "cut_by")),
+               "0.05 mm = {:.3f} mm is usual.{}",
+               i + 1, 2 - i, 0.2 * m + 0.05,
+               p.gears[1 - i].cut_by
+                   ? fmt::format(" If this tip has cut gear {}, name a longer cutter in `{}`.",
+                                 2 - i, gear_field(2 - i, "cut_by"))
+                   : ""),
            i + 1});
     } else if (p.tip_clearance[i] < 0.0) {
       p.interference.push_back(
@@ -136,8 +138,8 @@ void find_internal_margins(InvolutePair& p) {
   if (p.trochoid_margin && p.trochoid_margin->rad() < 0.0) {
     p.interference.push_back(
         {"trochoid", 2, *p.trochoid_margin,
-         "Trochoid interference: the pinion's tip strikes the internal gear's tip on its way out; "
-         "shorten a tip or choose tooth numbers further apart."});
+         "Trochoid interference: the pinion's tip strikes the internal gear's tip on its way "
+         "out."});
   }
   if (p.trimming_margin && p.trimming_margin->rad() < 0.0) {
     // Of assembly only: once in place nothing strikes.

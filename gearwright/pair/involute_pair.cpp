@@ -45,11 +45,6 @@ void warn_about_axes(InvolutePair& p) {
   }
 }
 
-std::string helped_by_face(const InvolutePair& p) {
-  const auto face = face_width_needed(p);
-  return face ? fmt::format(" A face width of {:.2f} mm would help.", *face) : "";
-}
-
 void warn_about_contact(InvolutePair& p) {
   const double ratio = p.contact_ratio_true();
   if (ratio == 0.0) {
@@ -62,9 +57,8 @@ void warn_about_contact(InvolutePair& p) {
              : "No contact: at this centre distance the teeth do not reach each other's flanks.");
   } else if (ratio < 1.0) {
     warn(p, "contact_ratio",
-         fmt::format("{} {:.3f}: below 1, motion is not passed on continuously.{}",
-                     p.crossed() ? "Contact ratio" : "Total contact ratio", ratio,
-                     helped_by_face(p)));
+         fmt::format("{} {:.3f}: below 1, motion is not passed on continuously.",
+                     p.crossed() ? "Contact ratio" : "Total contact ratio", ratio));
   } else if (p.mesh.true_ratio < 1.0) {
     warn(p, "transverse_contact_ratio",
          fmt::format(

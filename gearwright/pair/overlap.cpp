@@ -62,21 +62,13 @@ Cause cause_of(const MountedGears& p, const OutlineTouch& touch) {
   return {"outline", 0};
 }
 
-// What would take it away, where that is known.
-std::string remedy(const MountedGears& p, const Cause& cause) {
-  const std::string code = cause.code;
-  if (code == "tip_bulge") {
-    const Gear& gear = p.gears[static_cast<std::size_t>(cause.gear - 1)];
-    return fmt::format(
-        " That tip stands out beyond its involute; a tip diameter of at {} {:.4f} mm takes it "
-        "away.",
-        gear.internal() ? "least" : "most", gear.tip_bulge->from_diameter);
-  }
-  if (code == "tip_to_fillet" || code == "tip_corner")
-    return fmt::format(" Shorten the tip of gear {} or shift gear {} outward.", 3 - cause.gear,
-                       cause.gear);
-  if (code == "trochoid") return " Shorten a tip or choose tooth numbers further apart.";
-  return "";
+// That a tip stands out of its involute is a fact that the outlines alone do not show.
+std::string bulge(const MountedGears& p, const Cause& cause) {
+  if (std::string_view(cause.code) != "tip_bulge") return "";
+  const Gear& gear = p.gears[static_cast<std::size_t>(cause.gear - 1)];
+  return fmt::format(
+      " The tip of gear {} stands out beyond its involute from {:.4f} mm diameter on.", cause.gear,
+      gear.tip_bulge->from_diameter);
 }
 
 std::string at(const OutlineTouch& touch) {
@@ -88,7 +80,7 @@ Strike overlapping(const MountedGears& p, const OutlineTouch& touch) {
   const double depth = -touch.gap * touch.arm;
   return {cause.code, cause.gear, depth, touch,
           fmt::format("The {} and the {} overlap by {:.4g} mm, {}.{}", part(touch, 1),
-                      part(touch, 2), depth, at(touch), remedy(p, cause))};
+                      part(touch, 2), depth, at(touch), bulge(p, cause))};
 }
 
 Strike beyond(const MountedGears& p, const OutlineTouch& touch, double early) {
@@ -96,7 +88,7 @@ Strike beyond(const MountedGears& p, const OutlineTouch& touch, double early) {
   return {cause.code, cause.gear, early, touch,
           fmt::format("The {} and the {} meet {:.4g} mm before the flanks do, {}: the ratio is not "
                       "constant there.{}",
-                      part(touch, 1), part(touch, 2), early, at(touch), remedy(p, cause))};
+                      part(touch, 1), part(touch, 2), early, at(touch), bulge(p, cause))};
 }
 
 // A tip below the mating gear's root circle, on the centre line.

@@ -15,19 +15,15 @@ namespace {
 struct Margin {
   const char* code;
   const char* what;  // "The form clearance at the root of gear {}"
-  const char* remedy;
   double modules;
 };
 
-constexpr Margin kForm{"form_margin", "The form clearance at the root of gear {}",
-                       "A little more profile shift there, or a shorter mating tip, would help.",
-                       kMarginForm};
-constexpr Margin kFillet{
-    "fillet_margin", "The clearance of the mating tip corner to the root fillet of gear {}",
-    "A little more profile shift there, or a shorter mating tip, would help.", kMarginFillet};
+constexpr Margin kForm{"form_margin", "The form clearance at the root of gear {}", kMarginForm};
+constexpr Margin kFillet{"fillet_margin",
+                         "The clearance of the mating tip corner to the root fillet of gear {}",
+                         kMarginFillet};
 constexpr Margin kTip{
-    "tip_margin", "The clearance of the tip of gear {} to the root of its mating gear",
-    "A smaller tip diameter or more dedendum on the mating gear would help.", kMarginTip};
+    "tip_margin", "The clearance of the tip of gear {} to the root of its mating gear", kMarginTip};
 
 // "0.1500 mm", below a micrometre "0.021 µm", which would be 0.0000 mm.
 std::string said(double mm) {
@@ -45,7 +41,7 @@ void judge(std::vector<Finding>& findings, const Margin& margin, int gear,
                       fmt::format("{} is {}, less than {:g} modules ({}).",
                                   fmt::format(fmt::runtime(margin.what), gear), said(*clearance),
                                   margin.modules, said(threshold)),
-                      margin.remedy,
+                      "",
                       {{"clearance", *clearance, true}, {"threshold", threshold, true}}});
 }
 
@@ -91,7 +87,7 @@ std::vector<Finding> contact_findings(const ContactResult& contact, const Pair& 
          fmt::format("An edge touches during {:.0f} % of the rotation: pressure there "
                      "is high and the teeth wear.",
                      std::max(1.0, 100 * share)),
-         "Crown the flanks, relieve the tips, or reduce the errors.",
+         "",
          {{"share", share, false}}});
   }
   if (points > 0) {
@@ -103,7 +99,7 @@ std::vector<Finding> contact_findings(const ContactResult& contact, const Pair& 
            0,
            fmt::format("The contact lies at {:.0f} % of half the face, near its end.",
                        100 * std::abs(place)),
-           "A helix slope modification brings it to the middle.",
+           "",
            {{"share_of_half_face", place, false}}});
     }
   }

@@ -6,119 +6,114 @@ namespace gearwright {
 
 namespace {
 
-struct Entry {
+struct Row {
   const char* code;
-  Meaning meaning;
+  Severity severity;
+  const char* reason = "";
+  const char* advice = "";
 };
 
 constexpr Severity kProblem = Severity::problem;
 constexpr Severity kCaution = Severity::caution;
 constexpr Severity kNote = Severity::note;
 
-constexpr auto kMeanings = std::to_array<Entry>({
-    {"through_axis",
-     {kProblem, "the cutter passes the axis",
-      "More teeth, more profile shift or a smaller dedendum would help.", true}},
-    {"severed",
-     {kProblem, "the teeth are cut off at their roots",
-      "More teeth or more profile shift would help.", true}},
-    {"no_body",
-     {kProblem, "a bore leaves its gear no body", "A smaller bore, or more teeth, would help.",
-      true}},
-    {"no_flank",
-     {kProblem, "a gear has no usable flank", "More profile shift or a longer tip would help."}},
-    {"negative_backlash",
-     {kProblem, "the teeth are too thick for this centre distance",
-      "Take the backlash-free centre distance or one beyond it, or thinner teeth.", true}},
-    {"contact_ratio",
-     {kProblem, "contact is not continuous",
-      "Longer tips, less profile shift, a smaller centre distance or a wider helical face would "
-      "help."}},
-    {"contact_lost",
-     {kCaution, "", "More profile shift on the undercut gear, or more teeth, would help."}},
-    {"no_contact",
-     {kProblem, "the teeth do not touch", "A smaller centre distance or longer tips would help."}},
-    {"base_tangent",
-     {kProblem, "a tip reaches where the mating gear has no involute",
-      "Shorten the tip, or shift the gear that it reaches outward.", true}},
-    {"form_circle",
-     {kProblem, "a tip reaches below the mating gear’s usable flank",
-      "Shorten the tip, or shift the gear that it reaches outward.", true}},
-    {"tip_to_fillet",
-     {kProblem, "a tip corner cuts into a root fillet",
-      "Shorten the tip, or shift the gear that it reaches outward."}},
-    {"root", {kProblem, "a tip cuts into the mating gear’s root", "Shorten that tip.", true}},
-    {"trochoid",
-     {kProblem, "the tips strike each other", "Shorten a tip, or take tooth numbers further apart.",
-      true}},
-    {"overlap", {kProblem, "the teeth overlap", "End the tip where it begins to stand out.", true}},
-    {"beyond_flank",
-     {kCaution, "", "Shorten the tip that strikes, or shift the gear that it reaches outward.",
-      true}},
-    {"tip_bulge", {kNote, "", ""}},
-    {"jam",
-     {kProblem, "the gears jam", "Thinner teeth, a greater centre distance or smaller errors."}},
-    {"contact_below_form",
-     {kCaution, "", "Shorten the mating gear’s tip or give it a tip relief.", true}},
-    {"fillet_contact",
-     {kCaution, "", "Shorten that tip, a greater centre distance or smaller errors.", true}},
-    {"fillets_not_asked", {kNote, "", ""}},
-    {"contact_search_unfinished", {kCaution, "", "Ask for other positions."}},
-    {"correction_at_bound", {kCaution, "", "Align the housing better.", false}},
-    {"not_read", {kNote, "", "Leave it out."}},
-    {"rack_not_used", {kCaution, "", "Leave these numbers of the rack out."}},
-    {"tip_below_base", {kCaution, "", "A greater tip diameter would help."}},
-    {"no_tip_clearance", {kCaution, "", "Shorten the tip that runs on the root.", true}},
-    {"transverse_contact_ratio", {kNote, "", ""}},
-    {"undercut", {kCaution, "", "More profile shift avoids it.", true}},
-    {"pointed", {kCaution, "", "Less profile shift or a smaller tip diameter would help."}},
-    {"thin_tip", {kCaution, "", "Less profile shift or a smaller tip diameter would help."}},
-    {"trimming", {kCaution, "", "Assemble the pair along the axis.", true}},
-    {"nearly_parallel", {kCaution, "", "Give both gears one helix angle, of opposite hand.", true}},
-    {"face_width", {kCaution, "", "A wider face would use the whole line of action.", true}},
-    {"self_locking", {kNote, "", ""}},
-    {"full_radius_root", {kNote, "", ""}},
-    {"tip_cut_by_rack", {kNote, "", ""}},
-    {"default_face_width", {kNote, "", ""}},
-    {"default_shaft_angle",
-     {kCaution, "", "Give the shaft angle, or both gears one helix angle, of opposite hand."}},
-    {"default_cutter", {kNote, "", ""}},
-    {"tip_fillet_cut_off", {kNote, "", ""}},
-    {"no_chord", {kNote, "", ""}},
-    {"interference",
-     {kProblem, "the flanks cut into each other",
-      "A greater difference of the arcs’ radii would help.", true}},
-    {"contact_off_flank",
-     {kProblem, "the teeth touch off their flanks",
-      "A centre distance nearer to the reference one would help.", true}},
-    {"pressure_angle", {kCaution, "", "Leave it out, or write the angle at which they touch."}},
-    {"unequal_lead", {kCaution, "", "The verb contact says where they touch."}},
-    {"no_span", {kNote, "", ""}},
-    {"no_balls", {kNote, "", ""}},
-    {"span_off_flank", {kNote, "", ""}},
-    {"span_off_face", {kNote, "", ""}},
-    {"ball_off_flank", {kNote, "", ""}},
-    {"pin_off_flank", {kNote, "", ""}},
-    {"tolerances_out_of_range", {kNote, "", ""}},
-    {"edge_carries", {kCaution, "", "Tip relief takes the load off the edge.", true}},
-    {"beyond_hertz", {kCaution, "", "Less torque or a wider face would help."}},
-    {"held_at_half_the_root", {kNote, "", ""}},
-    {"held_at_rim_as_drawn", {kNote, "", ""}},
-    {"no_load", {kNote, "", ""}},
-    {"load_unfinished", {kCaution, "", "Ask for other positions."}},
+// The pair loses contact under its errors. The same code with a gear's number means an undercut
+// flank, where the mating tip touches nothing.
+constexpr Row kContactLostByPair{"contact_lost", kProblem, "contact is lost at some positions"};
+
+constexpr auto kRows = std::to_array<Row>({
+    // There is no such gear.
+    {"through_axis", kProblem, "the cutter passes the axis"},
+    {"severed", kProblem, "the teeth are cut off at their roots"},
+    {"no_body", kProblem, "a bore leaves its gear no body"},
+    {"no_flank", kProblem, "a gear has no usable flank"},
+    // The gears do not run.
+    {"no_contact", kProblem, "the teeth do not touch"},
+    {"jam", kProblem, "the gears jam"},
+    {"negative_backlash", kProblem, "the teeth are too thick for this centre distance"},
+    {"contact_ratio", kProblem, "contact is not continuous"},
+    {"interference", kProblem, "the flanks cut into each other"},
+    {"contact_off_flank", kProblem, "the teeth touch off their flanks"},
+    {"root", kProblem, "a tip cuts into the mating gear’s root"},
+    {"base_tangent", kProblem, "a tip reaches where the mating gear has no involute"},
+    {"form_circle", kProblem, "a tip reaches below the mating gear’s usable flank"},
+    {"tip_to_fillet", kProblem, "a tip corner cuts into a root fillet"},
+    {"trochoid", kProblem, "the tips strike each other"},
+    {"overlap", kProblem, "the teeth overlap"},
+    {"root_safety", kCaution, "the safety against root breakage is too small"},
+    {"flank_safety", kCaution, "the safety against pitting is too small"},
+    // They run, but not as they should.
+    {"contact_lost", kCaution, "contact is lost where undercut has taken the flank"},
+    {"beyond_flank", kCaution, "teeth meet beyond their flanks, where the ratio is not constant"},
+    {"contact_below_form", kCaution, "a tip works into a root fillet"},
+    {"fillet_contact", kCaution, "a tip meets a root fillet"},
+    {"edge_carries", kCaution, "an edge carries"},
+    {"edge_contact", kCaution, "an edge touches"},
+    {"no_tip_clearance", kCaution, "a tip runs on the mating root"},
+    {"beyond_hertz", kCaution, "the contact is beyond what Hertz’ formulas describe"},
+    {"nearly_parallel", kCaution, "the axes cross at a small angle"},
+    {"face_width", kCaution, "a face is too narrow for the line of action"},
+    {"undercut", kCaution, "undercut"},
+    {"pointed", kCaution, "pointed teeth"},
+    {"thin_tip", kCaution, "a thin tip"},
+    {"tip_below_base", kCaution, "a tip inside its base circle"},
+    {"trimming", kCaution, "the pinion cannot be put in radially"},
+    {"tip_margin", kCaution, "a small tip clearance"},
+    {"form_margin", kCaution, "a small form clearance"},
+    {"fillet_margin", kCaution, "a tip corner close to a root fillet"},
+    {"contact_place", kCaution, "the contact lies near the end of the face"},
+    {"thickened_for_backlash", kCaution, "teeth thickened for the backlash"},
+    // The numbers of the answer, or of the spec, deserve a look.
+    {"no_outline", kCaution, "a gear without an outline"},
+    {"no_corrections", kCaution, "no corrections"},
+    {"ellipse_beyond_flank", kCaution, "a contact ellipse beyond the flank"},
+    {"rating_root_fillet", kCaution, "a root that the standard does not describe"},
+    {"load_unfinished", kCaution, "positions under load without a result",
+     "Choose other positions."},
+    {"contact_search_unfinished", kCaution, "positions without an exact contact point",
+     "Choose other positions."},
+    {"correction_at_bound", kCaution, "a correction at its bound", "Align the housing better."},
+    {"rack_not_used", kCaution, "numbers of a rack that have no effect",
+     "Leave these numbers of the rack out."},
+    {"default_shaft_angle", kCaution, "a shaft angle that was not given",
+     "Give the shaft angle, or give both gears one helix angle, of opposite hand."},
+    {"pressure_angle", kCaution, "a pressure angle that does not fit",
+     "Leave it out, or write the angle at which the flanks touch."},
+    {"unequal_lead", kCaution, "unequal leads", "The verb contact computes where the teeth touch."},
+    // Good to know.
+    {"not_read", kNote, "", "Leave it out."},
+    {"tip_bulge", kNote},
+    {"fillets_not_asked", kNote},
+    {"transverse_contact_ratio", kNote},
+    {"self_locking", kNote},
+    {"full_radius_root", kNote},
+    {"tip_cut_by_rack", kNote},
+    {"default_face_width", kNote},
+    {"default_cutter", kNote},
+    {"tip_fillet_cut_off", kNote},
+    {"no_chord", kNote},
+    {"no_span", kNote},
+    {"no_balls", kNote},
+    {"span_off_flank", kNote},
+    {"span_off_face", kNote},
+    {"ball_off_flank", kNote},
+    {"pin_off_flank", kNote},
+    {"tolerances_out_of_range", kNote},
+    {"held_at_half_the_root", kNote},
+    {"held_at_rim_as_drawn", kNote},
+    {"no_load", kNote},
 });
+
+Meaning of_row(const Row& row, int rank) { return {row.severity, row.reason, row.advice, rank}; }
 
 }  // namespace
 
-Meaning meaning_of(const Warning& warning) {
-  // Of the pair under its errors: no gear is undercut there.
-  if (warning.code == "contact_lost" && warning.gear == 0)
-    return {kProblem, "contact is lost at some positions",
-            "Smaller errors or less relief would help."};
-  for (const Entry& entry : kMeanings) {
-    if (warning.code == entry.code) return entry.meaning;
+Meaning meaning_of(std::string_view code, int gear) {
+  if (gear == 0 && code == kContactLostByPair.code) return of_row(kContactLostByPair, 0);
+  for (std::size_t i = 0; i < kRows.size(); ++i) {
+    if (code == kRows[i].code) return of_row(kRows[i], static_cast<int>(i));
   }
-  return {kCaution, "", ""};
+  return {kCaution, "", "", static_cast<int>(kRows.size())};
 }
 
 }  // namespace gearwright

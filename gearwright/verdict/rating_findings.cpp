@@ -9,8 +9,15 @@ namespace gearwright::detail {
 
 namespace {
 
-// "6 mm more face width, or 17CrNiMo6": what has been rated to be enough.
-std::string remedy(const JudgedRating& rating) {
+// To three significant digits.
+double rounded_down(double x) {
+  const double step = std::pow(10.0, std::floor(std::log10(x)) - 2);
+  return std::floor(x / step) * step;
+}
+
+}  // namespace
+
+std::string rating_remedy(const JudgedRating& rating) {
   const RatedPair& pair = *rating.pair;
   const auto face = face_width_of_safety(pair, *rating.input, rating.wanted,
                                          kMostFaceModules * pair.normal_module);
@@ -24,22 +31,22 @@ std::string remedy(const JudgedRating& rating) {
   }
   if (steel) text += (text.empty() ? "" : ", or ") + *steel;
   if (!text.empty()) return text + " would hold.";
-  return fmt::format(
-      "No face width up to {:g} modules and no steel of the list alone holds: a "
-      "greater module or less load would help.",
-      kMostFaceModules);
+  text = fmt::format("No face width up to {:g} modules and no steel of the list alone holds.",
+                     kMostFaceModules);
+  const auto torque = torque_of_safety(pair, *rating.input, rating.wanted);
+  // Rounded down, so that it holds as printed.
+  if (torque)
+    text += fmt::format(" The greatest torque on gear 1 that holds is {:g} N m.",
+                        rounded_down(*torque));
+  return text;
 }
-
-}  // namespace
 
 std::vector<Finding> rating_findings(const JudgedRating& rating) {
   std::vector<Finding> findings;
   const Rating& r = *rating.rating;
-  std::string help;
   const auto judge = [&](const char* code, const char* what, int gear, double safety,
                          double wanted) {
     if (safety >= wanted) return;
-    if (help.empty()) help = remedy(rating);
     const std::string less =
         safety < 1.0 ? "less than 1" : fmt::format("less than the wanted {:g}", wanted);
     findings.push_back(
@@ -47,7 +54,7 @@ std::vector<Finding> rating_findings(const JudgedRating& rating) {
          safety < 1.0 ? Level::red : Level::amber,
          gear,
          fmt::format("The safety of gear {} against {} is {:.2f}, {}.", gear, what, safety, less),
-         help,
+         "",
          {{"safety", safety, false}, {"wanted", wanted, false}}});
   };
   for (const int which : {1, 2}) {

@@ -1,13 +1,17 @@
-// What a strength rating says to the verdict: safeties that fall short, and what would help.
+// Safeties of a strength rating that fall short, and what would hold.
 //
 // Internal to verdict/.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "gearwright/verdict/verdict.hpp"
 
 namespace gearwright::detail {
+
+/// "6 mm more face width, or 17CrNiMo6 would hold.": what has been rated to be enough.
+std::string rating_remedy(const JudgedRating& rating);
 
 /// Red where a safety is below 1, amber where it is below the wanted one.
 std::vector<Finding> rating_findings(const JudgedRating& rating);

@@ -2,55 +2,130 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 
-#include "gearwright/verdict/meaning.hpp"
+#include "gearwright/verdict/rating_findings.hpp"
+#include "gearwright/verdict/remedy_table.hpp"
 
 namespace gearwright::detail {
 
 namespace {
 
-// Contact below the usable flank of the gear that the warning names: the mating tip reaches too
-// far, or the gear stands too deep in its cutter.
-bool reaches_too_deep(const std::string& code) {
-  return code == "base_tangent" || code == "form_circle" || code == "tip_to_fillet";
-}
+// How bad a state is: red findings count before amber ones.
+struct Score {
+  int red = 0, amber = 0;
+  auto operator<=>(const Score&) const = default;
+};
 
-// A sum of shifts that a given centre distance asked for, when it is the reason.
-std::string of_the_distance(const Judged& judged, const InvolutePair& pair) {
-  const double sum = pair.gears[0].spec.profile_shift + pair.gears[1].spec.profile_shift;
-  if (!judged.shifts_follow || pair.crossed() || !(sum < 0.0)) return "";
-  return fmt::format(
-      "The centre distance {:.6g} mm asks for a sum of profile shifts of {:.4f}: one nearer to the "
-      "reference centre distance, {:.6g} mm, would help most.",
-      pair.center_distance, sum, pair.reference_center_distance);
-}
-
-std::string shorter_tip(const InvolutePair& pair, const Warning& warning) {
-  const int tip = 3 - warning.gear;
-  const auto diameter = tip_that_clears(pair, tip);
-  const std::string shift = fmt::format("shift gear {} outward", warning.gear);
-  if (warning.code == "tip_to_fillet" || !diameter)
-    return fmt::format("Shorten the tip of gear {}, or {}.", tip, shift);
-  const bool internal = pair.gears[static_cast<std::size_t>(tip - 1)].internal();
-  return fmt::format("A tip diameter of gear {} of at {} {:.4f} mm would do; or {}.", tip,
-                     internal ? "least" : "most", *diameter, shift);
-}
-
-// Where an undercut took the flank, the shift without it brings the contact back.
-std::string without_undercut(const InvolutePair& pair) {
-  for (std::size_t i = 0; i < 2; ++i) {
-    const Gear& gear = pair.gears[i];
-    if (!gear.undercut || !gear.involute()) continue;
-    const auto least = gear.involute()->undercut_free_profile_shift;
-    return least ? fmt::format(
-                       "Undercut has taken the flank of gear {}: more teeth, or a generating "
-                       "profile shift nearer to {:.4f}, would help.",
-                       i + 1, *least)
-                 : fmt::format("Undercut has taken the flank of gear {}: more teeth would help.",
-                               i + 1);
+Score score_of(const std::vector<Finding>& findings) {
+  Score score;
+  for (const Finding& f : findings) {
+    score.red += f.level == Level::red;
+    score.amber += f.level == Level::amber;
   }
-  return "";
+  return score;
+}
+
+Level level_in(const std::vector<Finding>& findings, const Finding& like) {
+  Level level = Level::green;
+  for (const Finding& f : findings) {
+    if (f.code == like.code && f.gear == like.gear) level = std::max(level, f.level);
+  }
+  return level;
+}
+
+// Tries changes of one spec against one list of findings, each change once.
+class Trials {
+ public:
+  Trials(const std::vector<Finding>& before, const TryChange& attempt)
+      : before_(before), attempt_(attempt) {}
+
+  const std::optional<ChangedState>& of(const SpecChange& change, TryDepth depth) {
+    const Key key{change.what, change.gear, change.value, depth};
+    const auto found = done_.find(key);
+    if (found != done_.end()) return found->second;
+    return done_.emplace(key, attempt_(change, depth)).first->second;
+  }
+
+  /// The score of a change that takes the finding away and makes no other one worse; else none.
+  std::optional<Score> score(const Finding& finding, const SpecChange& change, TryDepth depth) {
+    // Most changes are ruled out by the gears as drawn, which cost least.
+    if (depth != TryDepth::as_drawn && !score(finding, change, TryDepth::as_drawn))
+      return std::nullopt;
+    const std::optional<ChangedState>& state = of(change, depth);
+    if (!state || level_in(state->findings, finding) > Level::green) return std::nullopt;
+    for (const Finding& f : state->findings) {
+      if (f.level > level_in(before_, f)) return std::nullopt;
+    }
+    return score_of(state->findings);
+  }
+
+ private:
+  using Key = std::tuple<Adjustable, int, double, TryDepth>;
+  const std::vector<Finding>& before_;
+  const TryChange& attempt_;
+  std::map<Key, std::optional<ChangedState>> done_;
+};
+
+struct Found {
+  SpecChange change;
+  Score score;
+};
+
+// The least change of one number with the best score. Values are multiples of the step, so that what
+// is printed is what was tried.
+std::optional<Found> least_change(Trials& trials, const Finding& finding, const Lever& lever,
+                                  TryDepth depth) {
+  const double step = lever.step();
+  const double begin = lever.now / step;
+  const auto steps_for = [&](double offset) {  // at least one step away from today's value
+    const double to = begin + lever.direction * std::max(offset / step, 0.0);
+    const double whole = lever.direction > 0 ? std::ceil(to - 1e-9) : std::floor(to + 1e-9);
+    return std::abs(whole - begin) < 1e-9 ? whole + lever.direction : whole;
+  };
+  const auto change_of = [&](double steps) {
+    return SpecChange{lever.what, lever.gear, lever.in_steps(steps)};
+  };
+  if (lever.exact) {
+    const SpecChange change{lever.what, lever.gear, *lever.exact};
+    const auto score = trials.score(finding, change, depth);
+    return score ? std::optional(Found{change, *score}) : std::nullopt;
+  }
+  std::vector<double> places;
+  for (const double share : {1.0 / 64, 1.0 / 32, 1.0 / 16, 1.0 / 8, 0.25, 0.5, 0.75, 1.0}) {
+    const bool dear =
+        depth == TryDepth::with_contact && (share == 1.0 / 32 || share == 1.0 / 8 || share == 0.75);
+    if (!dear) places.push_back(steps_for(share * lever.span));
+  }
+  if (lever.hint) {
+    const double offset = lever.direction * (*lever.hint - lever.now);
+    if (offset > 0.0 && offset < lever.span) places.push_back(steps_for(offset));
+  }
+  std::sort(places.begin(), places.end(),
+            [&](double a, double b) { return lever.direction * (a - b) < 0.0; });
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  std::optional<Score> best;
+  double at = begin, below = begin, last = begin;
+  for (const double steps : places) {
+    const auto score = trials.score(finding, change_of(steps), depth);
+    if (score && (!best || *score < *best)) {
+      best = score;
+      at = steps;
+      below = last;
+    }
+    last = steps;
+  }
+  if (!best) return std::nullopt;
+  while (std::abs(at - below) > 1.0) {
+    const double middle = std::floor((at + below) / 2);
+    if (middle == at || middle == below) break;
+    const auto score = trials.score(finding, change_of(middle), depth);
+    (score && *score <= *best ? at : below) = middle;
+  }
+  return Found{change_of(at), *trials.score(finding, change_of(at), depth)};
 }
 
 }  // namespace
@@ -77,20 +152,36 @@ std::optional<double> tip_that_clears(const InvolutePair& pair, int tip) {
   return 2 * radius;
 }
 
-std::string remedy_for(const Warning& warning, const Judged& judged) {
-  const Meaning meaning = meaning_of(warning);
-  const InvolutePair* pair = judged.pair ? judged.pair->involute() : nullptr;
-  if (!pair) return meaning.remedy;
-  if (reaches_too_deep(warning.code)) {
-    const std::string distance = of_the_distance(judged, *pair);
-    return distance.empty() ? shorter_tip(*pair, warning) : distance;
+void add_remedies(std::vector<Finding>& findings, const Judged& judged, const TryChange& attempt) {
+  const std::vector<Finding> before = findings;
+  Trials trials(before, attempt);
+  std::string strength;  // one remedy for all safeties
+  for (Finding& finding : findings) {
+    const bool safety = finding.code == "root_safety" || finding.code == "flank_safety";
+    if (safety && finding.at.empty() && judged.rating) {
+      if (strength.empty()) strength = rating_remedy(*judged.rating);
+      finding.remedy = strength;
+    } else {
+      finding.remedy = meaning_of(finding.code, finding.gear).advice;
+    }
+    const Cure* const cure = cure_of(finding);
+    const bool worst = finding.level == findings.front().level && finding.level > Level::green;
+    if (!worst || !attempt || cure == nullptr) continue;
+    const TryDepth depth = cure->needs_contact ? TryDepth::with_contact
+                           : judged.tolerances ? TryDepth::at_tolerances
+                                               : TryDepth::as_drawn;
+    std::optional<Found> best;
+    for (const Lever& lever : levers(*cure, finding, judged)) {
+      const auto found = least_change(trials, finding, lever, depth);
+      if (found && (!best || found->score < best->score)) best = found;
+      // A contact analysis takes milliseconds: the first lever that helps is taken.
+      if (best && (best->score == Score{} || cure->needs_contact)) break;
+    }
+    if (!best) continue;
+    finding.change = best->change;
+    finding.remedy =
+        remedy_words(*cure, best->change, finding, judged, *trials.of(best->change, depth));
   }
-  if (warning.code == "no_contact") {
-    std::string help = of_the_distance(judged, *pair);
-    if (help.empty()) help = without_undercut(*pair);
-    if (!help.empty()) return help;
-  }
-  return meaning.remedy;
 }
 
 }  // namespace gearwright::detail

@@ -1,10 +1,14 @@
-// What would help against one finding, with the numbers of this very pair where it has them: how
-// far a tip may reach, which gear wants more shift, that a given centre distance asked for the
-// shifts. Without a pair, or where nothing more is known, what meaning_of says.
+// What would help against a finding, tried before it is printed.
+//
+// For each code a table names the numbers of the spec that can help and in which direction. The least
+// change of each is looked for at which the finding is gone and no other one has come or got worse;
+// of several the change that leaves the fewest findings is taken. The remedy states the number that
+// was tried, with the digits that were tried. A finding that no single change takes away has none.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "gearwright/pair/pair.hpp"
 #include "gearwright/verdict/verdict.hpp"
@@ -17,7 +21,8 @@ namespace gearwright::detail {
 /// least.
 std::optional<double> tip_that_clears(const InvolutePair& pair, int tip);
 
-/// One sentence or two, plain words; empty: nothing to do.
-std::string remedy_for(const Warning& warning, const Judged& judged);
+/// Fills `remedy` of the findings, worst first, and `change` of those of the worst level: the others
+/// come after.
+void add_remedies(std::vector<Finding>& findings, const Judged& judged, const TryChange& attempt);
 
 }  // namespace gearwright::detail

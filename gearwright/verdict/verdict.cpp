@@ -25,13 +25,15 @@ Level level_of(Severity severity) {
   return Level::amber;
 }
 
-std::vector<std::string> reasons(const std::vector<Warning>& warnings) {
+// The clauses of these findings of one level, each once, worst first, from the place `first` on.
+std::vector<std::string> reasons(const std::vector<Finding>& findings, Level level,
+                                 std::size_t first = 0) {
   std::vector<std::string> list;
-  for (const Warning& w : warnings) {
-    const Meaning meaning = meaning_of(w);
-    if (meaning.severity != Severity::problem) continue;
-    if (std::find(list.begin(), list.end(), meaning.reason) == list.end())
-      list.emplace_back(meaning.reason);
+  for (std::size_t i = first; i < findings.size(); ++i) {
+    const Finding& f = findings[i];
+    const std::string reason = meaning_of(f.code, f.gear).reason;
+    if (f.level != level || reason.empty()) continue;
+    if (std::find(list.begin(), list.end(), reason) == list.end()) list.push_back(reason);
   }
   return list;
 }
@@ -103,7 +105,7 @@ std::string gears_alone(const Judged& judged) {
   return fmt::format("{} can be cut as specified.", who);
 }
 
-// How it stands, when nothing speaks against it.
+// How it runs, when no finding is red.
 std::string standing(const Judged& judged) {
   if (!judged.pair) return gears_alone(judged);
   const std::string nominal = judged.pair->visit([](const auto& pair) { return running(pair); });
@@ -111,12 +113,17 @@ std::string standing(const Judged& judged) {
   return "Under its errors a tooth pair touches in every position. Without them: " + nominal;
 }
 
-std::string not_running(const Judged& judged, const std::vector<std::string>& against) {
+std::string not_running(const Judged& judged, const Verdict& verdict) {
+  const std::string against = joined(reasons(verdict.findings, Level::red));
+  const Finding& worst = verdict.findings.front();
   if (!judged.pair) {
     return fmt::format("{} has a problem: {}.", judged.gears.size() == 1 ? "The gear" : "Each gear",
-                       joined(against));
+                       against);
   }
-  std::string text = fmt::format("The pair does not run as specified: {}.", joined(against));
+  if (worst.code == "root_safety" || worst.code == "flank_safety")
+    return "The pair does not hold its load. " + worst.whole();
+  std::string text = fmt::format("The pair does not run as specified: {}.", against);
+  if (!worst.at.empty()) return text + " " + worst.whole();
   const InvolutePair* p = judged.pair->involute();
   const auto face = p ? face_width_needed(*p) : std::nullopt;
   if (face && p->contact_ratio_true() < 1.0) {
@@ -125,29 +132,67 @@ std::string not_running(const Judged& judged, const std::vector<std::string>& ag
         "from b ≥ {:.2f} mm on.",
         p->mesh.true_ratio, *face);
   }
-  return text;
+  return worst.remedy.empty() ? text : text + " " + worst.remedy;
+}
+
+// What else is not green: everything amber beside the finding that the headline states.
+std::string besides(const Verdict& verdict) {
+  std::vector<std::string> list = reasons(verdict.findings, Level::amber, 1);
+  const std::string named = meaning_of(verdict.findings[0].code, verdict.findings[0].gear).reason;
+  std::erase(list, named);
+  return list.empty() ? "" : fmt::format(" Also: {}.", joined(list));
 }
 
 std::string headline(const Judged& judged, const Verdict& verdict) {
   for (std::size_t i = 0; i < judged.gears.size(); ++i) {
     const Gear& gear = *judged.gears[i];
     if (gear.exists()) continue;
-    return fmt::format("Gear {} cannot be made as specified: {}.", i + 1,
-                       gear.tooth->through_axis ? "the cutter passes its axis"
-                                                : "its teeth are cut off at their roots");
+    const std::string text =
+        fmt::format("Gear {} cannot be made as specified: {}.", i + 1,
+                    gear.tooth->through_axis ? "the cutter passes its axis"
+                                             : "its teeth are cut off at their roots");
+    const std::string& remedy = verdict.findings.front().remedy;
+    return remedy.empty() ? text : text + " " + remedy;
   }
   if (verdict.level == Level::green) return standing(judged);
+  if (verdict.level == Level::red) return not_running(judged, verdict) + besides(verdict);
   const Finding& worst = verdict.findings.front();
-  if (verdict.level == Level::red) {
-    const std::vector<std::string> against = reasons(*judged.warnings);
-    if (against.empty()) return "The pair does not hold its load. " + worst.whole();
-    const std::string text = not_running(judged, against);
-    return worst.remedy.empty() ? text : text + " " + worst.remedy;
+  const bool names_gear =
+      worst.message.find(fmt::format("gear {}", worst.gear)) != std::string::npos;
+  const std::string where =
+      worst.gear > 0 && worst.at.empty() && !names_gear ? fmt::format("Gear {}: ", worst.gear) : "";
+  return fmt::format("{} To look at: {}{}{}", standing(judged), where, worst.whole(),
+                     besides(verdict));
+}
+
+// The number that a warning is about, where the pair or the gear has it.
+std::vector<FindingValue> value_of(const Warning& w, const Judged& judged) {
+  if ((w.code == "thin_tip" || w.code == "pointed") && w.gear > 0) {
+    const auto& s_an =
+        judged.gears[static_cast<std::size_t>(w.gear - 1)]->tip_tooth_thickness_normal;
+    if (s_an) return {{"tip_thickness", *s_an, true}};
   }
-  const std::string where = worst.gear > 0 && worst.message.find("gear ") == std::string::npos
-                                ? fmt::format("Gear {}: ", worst.gear)
-                                : "";
-  return fmt::format("{} To look at: {}{}", standing(judged), where, worst.whole());
+  if (!judged.pair) return {};
+  const auto i = static_cast<std::size_t>(w.gear == 2 ? 1 : 0);
+  const MountedGears& mounted = judged.pair->mounted();
+  if (w.code == "no_tip_clearance") return {{"clearance", mounted.tip_clearance[i], true}};
+  if (w.code == "contact_ratio" || w.code == "no_contact")
+    return {{"contact_ratio", true_contact_ratio(*judged.pair), false}};
+  if (const ArcPair* arcs = judged.pair->arcs()) {
+    if (w.code == "negative_backlash") return {{"backlash", arcs->backlash_normal, true}};
+    return {};
+  }
+  const InvolutePair& p = *judged.pair->involute();
+  if (w.code == "negative_backlash") return {{"backlash", p.mesh.backlash.normal, true}};
+  for (const Interference& found : p.interference) {
+    const double* amount = std::get_if<double>(&found.amount);
+    if (amount && found.code == w.code && found.gear == w.gear)
+      return {{"clearance", *amount, true}};
+  }
+  for (const Strike& strike : p.beyond_flank) {
+    if (w.code == "beyond_flank" && strike.gear == w.gear) return {{"early", -strike.depth, true}};
+  }
+  return {};
 }
 
 }  // namespace
@@ -161,28 +206,59 @@ const char* to_string(Level level) {
   return "";
 }
 
-Verdict verdict_of(const Judged& judged) {
+std::string Finding::whole() const {
+  std::string text = at.empty() ? message : fmt::format("{}: {}", at, message);
+  return remedy.empty() ? text : text + " " + remedy;
+}
+
+std::vector<Finding> findings_of(const Judged& judged) {
   GW_EXPECTS(!judged.gears.empty() && judged.warnings != nullptr);
-  Verdict verdict;
+  std::vector<Finding> findings;
   for (const Warning& w : *judged.warnings) {
-    const Meaning meaning = meaning_of(w);
-    verdict.findings.push_back({w.code,
-                                level_of(meaning.severity),
-                                w.gear,
-                                w.message,
-                                detail::remedy_for(w, judged),
-                                {},
-                                meaning.told});
+    findings.push_back(
+        {w.code, level_of(severity_of(w)), w.gear, w.message, "", value_of(w, judged)});
   }
   const auto add = [&](std::vector<Finding> more) {
-    for (Finding& f : more) verdict.findings.push_back(std::move(f));
+    std::move(more.begin(), more.end(), std::back_inserter(findings));
   };
   if (judged.pair) add(detail::margin_findings(*judged.pair));
   if (judged.rating) add(detail::rating_findings(*judged.rating));
   if (judged.contact && judged.pair) add(detail::contact_findings(*judged.contact, *judged.pair));
-  std::stable_sort(verdict.findings.begin(), verdict.findings.end(),
-                   [](const Finding& a, const Finding& b) { return a.level > b.level; });
+  return findings;
+}
+
+namespace {
+
+// Worst first. Safeties keep the order that they have among each other, the least first.
+bool before(const Finding& a, const Finding& b) {
+  if (a.level != b.level) return a.level > b.level;
+  if (a.level == Level::green) return false;
+  const auto is_safety = [](const Finding& f) {
+    return f.code == "root_safety" || f.code == "flank_safety";
+  };
+  if (is_safety(a) && is_safety(b)) return false;
+  return meaning_of(a.code, a.gear).rank < meaning_of(b.code, b.gear).rank;
+}
+
+}  // namespace
+
+double true_contact_ratio(const Pair& pair) {
+  const InvolutePair* p = pair.involute();
+  return p ? p->contact_ratio_true() : pair.contact_ratio();
+}
+
+bool worse(const Finding& a, const Finding& b) {
+  if (a.level != b.level) return a.level > b.level;
+  return !a.values.empty() && !b.values.empty() && a.values[0].value < b.values[0].value;
+}
+
+Verdict verdict_of(const Judged& judged, std::vector<Finding> findings, const TryChange& attempt) {
+  GW_EXPECTS(!judged.gears.empty());
+  Verdict verdict;
+  verdict.findings = std::move(findings);
+  std::stable_sort(verdict.findings.begin(), verdict.findings.end(), before);
   if (!verdict.findings.empty()) verdict.level = verdict.findings.front().level;
+  detail::add_remedies(verdict.findings, judged, attempt);
   verdict.headline = headline(judged, verdict);
   return verdict;
 }

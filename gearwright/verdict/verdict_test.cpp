@@ -99,8 +99,7 @@ TEST(Verdict, level_is_that_of_the_worst_finding) {
   const Verdict red = judged(tight);
   EXPECT_EQ(red.level, Level::red);
   EXPECT_EQ(red.findings.front().code, "negative_backlash");
-  EXPECT_FALSE(red.findings.front().remedy.empty());
-  EXPECT_NE(red.headline.find(red.findings.front().remedy), std::string::npos);
+  EXPECT_TRUE(red.findings.front().remedy.empty());  // nothing to try a change with
   for (std::size_t i = 1; i < red.findings.size(); ++i)
     EXPECT_LE(red.findings[i].level, red.findings[i - 1].level);
 }
@@ -171,7 +170,7 @@ TEST(Verdict, edges_and_places_under_errors) {
     p.height[0] = -0.8 * involutes.gears[0].spec.face_width / 2;
   }
   EXPECT_TRUE(finds(judged_with(none), "contact_place", Level::amber));
-  EXPECT_EQ(meaning_of({"contact_lost", "", 0}).severity, Severity::problem);
+  EXPECT_EQ(meaning_of("contact_lost", 0).severity, Severity::problem);
 }
 
 }  // namespace

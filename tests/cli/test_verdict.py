@@ -1,7 +1,6 @@
 """The verdict: last line of every listing, `verdict` of every JSON, exit status 4 with --strict."""
 
 import json
-import re
 import unittest
 
 from cli import SOURCE, Run
@@ -38,6 +37,7 @@ class VerdictTest(unittest.TestCase):
                         worst = said["findings"][0]
                         self.assertEqual(worst["level"], level)
                         self.assertTrue(worst["remedy"])
+                        self.assertTrue(worst["change"])
 
     def test_a_gear_alone_has_one_too(self):
         cut_through = "[gear1]\nteeth = 4\nnormal_module_mm = 2\nprofile_shift = -0.6\nface_width_mm = 10\n"
@@ -66,14 +66,67 @@ class VerdictTest(unittest.TestCase):
         near = "[gear1]\nteeth = 12\nnormal_module_mm = 2\n[gear2]\nteeth = 40\n[pair]\ncenter_distance_mm = 50.5\n"
         said = Run("pair", near, "--json").json["verdict"]
         self.assertIn("asks for a sum of profile shifts of -0.65", said["headline"])
-        self.assertIn("reference centre distance, 52 mm", said["headline"])
-        # The tip diameter that is named is the one at which contact ends where the flank begins.
+        self.assertIn("reference centre distance is 52 mm", said["headline"])
+        # The tip diameter that is named is the greatest, in hundredths, at which all is well.
         long = GREEN.replace("teeth = 41", "teeth = 41\ntip_diameter_mm = 88")
         found = next(f for f in Run("pair", long, "--json").json["verdict"]["findings"] if f["code"] == "form_circle")
-        tip = float(re.search(r"at most ([0-9.]+) mm would do", found["remedy"])[1])
-        for d, clear in ((tip - 0.001, True), (tip + 0.001, False)):
-            job = Run("pair", long.replace("= 88", f"= {d}"), "--json").json
-            self.assertEqual(job["pair"]["form_clearance_mm"][0] >= 0, clear, d)
+        (key, tip), = found["change"].items()
+        self.assertEqual(key, "gear2.tip_diameter_mm")
+        self.assertIn(f"With a tip diameter of {tip:g} mm on gear 2", found["remedy"])
+        for d, clear in ((tip, True), (tip + 0.01, False)):
+            level = Run("pair", long.replace("= 88", f"= {d}"), "--json").json["verdict"]["level"]
+            self.assertEqual(level == "green", clear, d)
+
+    def test_tolerances_are_judged_at_their_worst_ends(self):
+        tight = """
+[gear1]
+teeth = 17
+normal_module_mm = 2
+face_width_mm = 20
+[gear2]
+teeth = 43
+face_width_mm = 20
+[pair]
+center_distance_mm = 60
+"""
+        self.assertEqual(Run("pair", tight, "--json").json["verdict"]["level"], "green")
+        tolerated = tight + 'center_distance_tolerance = "JS7"\n'
+        said = Run("pair", tolerated, "--json").json
+        worst = said["verdict"]["findings"][0]
+        self.assertEqual((said["verdict"]["level"], worst["code"]), ("red", "negative_backlash"))
+        self.assertEqual(worst["at"], "At a centre distance of 59.9850 mm")
+        self.assertEqual(worst["values"]["backlash_mm"], said["pair"]["interval"]["backlash"]["normal_mm"][1])
+        (key, allowance), = worst["change"].items()
+        self.assertEqual(key, "gear1.thickness_allowance_mm")
+        thinner = tolerated.replace("teeth = 17", f"teeth = 17\nthickness_allowance_mm = {allowance}")
+        self.assertEqual(Run("pair", thinner, "--json").json["verdict"]["level"], "green")
+        # One backlash belongs to the drawing: the ends of the centre distance change it.
+        thinned = Run("pair", tolerated + "backlash_mm = 0.12\n", "--json").json
+        least = thinned["pair"]["interval"]["backlash"]["normal_mm"][1]
+        self.assertAlmostEqual(least, 0.12 - 0.0109, places=3)
+        self.assertNotIn("thickness_allowance_mm", thinned["gears"][0]["interval"])
+
+    def test_each_verb_names_what_it_did_not_judge(self):
+        spec = (SOURCE / "examples" / "loaded_pair.toml").read_text().replace("positions = 32\nslices = 24", "positions = 4\nslices = 8")
+        spec = spec.replace("[80, 250]", "[80]")
+        for verb, pending in (("gear", ["pair"]), ("pair", ["contact", "load"]), ("contact", ["load"]), ("load", ["contact"])):
+            verdict = Run(verb, spec, "--json").json["verdict"]
+            self.assertEqual((verdict["level"], verdict["not_judged"]), ("green", pending), verb)
+        self.assertIn("Not judged: contact, load.", " ".join(Run("pair", spec).out.split()))
+        ran = Run("run", spec, "--json", "--only", "result").json["verdict"]
+        self.assertEqual((ran["level"], ran["not_judged"]), ("green", []))
+
+    def test_a_pinion_of_eight_teeth_wants_more_shift_and_then_a_shorter_tip(self):
+        spec = "[gear1]\nteeth = 8\nnormal_module_mm = 2\nprofile_shift = {}\nface_width_mm = 20\n[gear2]\nteeth = 24\n"
+        def worst(x):
+            return Run("pair", spec.format(x), "--json").json["verdict"]["findings"][0]
+        red = worst(0)
+        self.assertEqual(red["code"], "contact_ratio")
+        self.assertGreater(red["change"]["gear1.profile_shift"], 0)
+        self.assertIn("the contact ratio is 1.", red["remedy"])
+        pointed = worst(0.62)
+        self.assertEqual(pointed["code"], "pointed")
+        self.assertLess(pointed["change"]["gear1.tip_diameter_mm"], 22.48)
 
     def test_a_correction_at_its_bound_is_said(self):
         example = (SOURCE / "examples" / "misaligned_pair.toml").read_text().split("[compensate.range]")[0]

@@ -91,7 +91,7 @@ Result<std::shared_ptr<Session>> Session::open(std::string text) {
 }
 
 std::string Session::json(std::string_view verb) const {
-  if (verb == "pair" && job_.pair) return json_text(job_json(job_), 2) + "\n";
+  if (verb == "pair" && job_.pair) return json_text(job_json(job_, judge(job_)), 2) + "\n";
   return answer(verb, text_.text);
 }
 

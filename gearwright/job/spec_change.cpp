@@ -1,0 +1,75 @@
+#include "gearwright/job/spec_change.hpp"
+
+#include "gearwright/gear/gear_field.hpp"
+
+namespace gearwright {
+
+namespace {
+
+bool set_allowance(JobSpec& spec, GearInput& gear, double value) {
+  if (gear.allowance_ends || gear.tolerance.says_thickness() || wants_backlash(spec.pair))
+    return false;
+  gear.cylindrical.thickness_allowance = value;
+  return true;
+}
+
+// A helix angle sets the normal module too, where the transverse one is given.
+bool set_helix(const JobSpec& spec, GearInput& gear, int which, double degrees) {
+  for (const char* key : {"transverse_module_mm", "transverse_pressure_angle_deg"})
+    if (spec.given.contains(gear_field(which, key))) return false;
+  gear.cylindrical.helix_angle = Angle::degrees(degrees);
+  gear.helix_given = true;
+  return true;
+}
+
+void set_face(GearInput& gear, double value) {
+  gear.cylindrical.face_width = value;
+  gear.face_width_given = true;
+}
+
+bool change_gear(JobSpec& spec, const SpecChange& change) {
+  GearInput& gear = *spec.gears[static_cast<std::size_t>(change.gear - 1)];
+  const bool has_rack = !gear.basic && !gear.cut_by;
+  switch (change.what) {
+    case Adjustable::profile_shift: gear.profile_shift = change.value; return has_rack;
+    case Adjustable::tip_diameter:
+      gear.cylindrical.tip_diameter = change.value;
+      return !gear.cylindrical.tip_fillet && !gear.tip_clearance && !gear.tip_clearance_by_rule;
+    case Adjustable::thickness_allowance:
+      return has_rack && set_allowance(spec, gear, change.value);
+    case Adjustable::teeth:
+      gear.cylindrical.teeth = static_cast<int>(change.value);
+      return has_rack;
+    case Adjustable::helix_angle:
+      return has_rack && set_helix(spec, gear, change.gear, change.value);
+    case Adjustable::face_width: set_face(gear, change.value); return true;
+    case Adjustable::bore:
+      if (gear.bore) gear.bore->diameter = change.value;
+      return gear.bore.has_value();
+    case Adjustable::lead_crowning:
+      for (FlankModifications& flank : gear.modifications)
+        flank.lead_crowning = kMmPerUm * change.value;
+      return true;
+    case Adjustable::lead_slope:
+      for (FlankModifications& flank : gear.modifications)
+        flank.lead_slope = kMmPerUm * change.value;
+      return true;
+    case Adjustable::center_distance: break;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool make_change(JobSpec& spec, const SpecChange& change) {
+  if (change.what == Adjustable::center_distance) {
+    spec.pair.center_distance = change.value;
+    return true;
+  }
+  if (change.gear > 0) return change_gear(spec, change);
+  return change.what == Adjustable::face_width &&
+         change_gear(spec, {change.what, 1, change.value}) &&
+         change_gear(spec, {change.what, 2, change.value});
+}
+
+}  // namespace gearwright

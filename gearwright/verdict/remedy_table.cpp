@@ -1,0 +1,272 @@
+#include "gearwright/verdict/remedy_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "gearwright/pair/drive.hpp"
+#include "gearwright/verdict/remedy.hpp"
+
+namespace gearwright::detail {
+
+namespace {
+
+using A = Adjustable;
+using W = Whose;
+
+const std::vector<Means> kGearGrows{{A::profile_shift, W::own, +1}, {A::teeth, W::own, +1}};
+const std::vector<Means> kReachLess{{A::tip_diameter, W::mate, -1},
+                                    {A::profile_shift, W::own, +1},
+                                    {A::center_distance, W::pair, +1},
+                                    {A::profile_shift, W::mate, -1}};
+const std::vector<Means> kThinTip{{A::tip_diameter, W::own, -1}, {A::profile_shift, W::own, -1}};
+const std::vector<Means> kOwnTipShorter{{A::tip_diameter, W::own, -1},
+                                        {A::center_distance, W::pair, +1}};
+const std::vector<Means> kLooser{{A::center_distance, W::pair, +1},
+                                 {A::thickness_allowance, W::first, -1},
+                                 {A::thickness_allowance, W::second, -1}};
+const std::vector<Means> kLongerContact{
+    {A::profile_shift, W::first, +1},  {A::profile_shift, W::second, +1},
+    {A::tip_diameter, W::first, +1},   {A::tip_diameter, W::second, +1},
+    {A::center_distance, W::pair, -1}, {A::profile_shift, W::first, -1},
+    {A::profile_shift, W::second, -1}, {A::center_distance, W::pair, +1},
+    {A::face_width, W::pair, +1}};
+
+constexpr const char* kContactRatio = "the contact ratio is {:.3f}";
+constexpr const char* kBacklash = "the normal backlash is {:.4f} mm";
+
+const std::vector<Cure>& cures() {
+  static const std::vector<Cure> kAll{
+      {"through_axis", "gear {} can be cut", kGearGrows},
+      {"severed", "the teeth of gear {} hold at their roots", kGearGrows},
+      {"no_flank",
+       "gear {} has a usable flank",
+       {{A::profile_shift, W::own, +1}, {A::tip_diameter, W::own, +1}, {A::teeth, W::own, +1}}},
+      {"no_body", "gear {} has a body", {{A::bore, W::own, -1}, {A::teeth, W::own, +1}}},
+      {"no_contact", kContactRatio, kLongerContact},
+      {"contact_ratio", kContactRatio, kLongerContact},
+      {"negative_backlash", kBacklash, kLooser},
+      {"interference", "the flanks stay clear of each other", kLooser},
+      {"contact_off_flank",
+       "the teeth touch on their flanks",
+       {{A::center_distance, W::pair, +1}, {A::center_distance, W::pair, -1}}},
+      {"root", "the tip stays clear of the root of gear {}", kReachLess},
+      {"base_tangent", "contact stays on the involute of gear {}", kReachLess},
+      {"form_circle", "contact stays on the usable flank of gear {}", kReachLess},
+      {"tip_to_fillet", "the tip corner stays clear of the root fillet of gear {}", kReachLess},
+      {"trochoid",
+       "the tips pass each other",
+       {{A::tip_diameter, W::first, -1}, {A::tip_diameter, W::second, -1}}},
+      {"overlap",
+       "the teeth do not overlap",
+       {{A::tip_diameter, W::mate, -1},
+        {A::tip_diameter, W::own, -1},
+        {A::profile_shift, W::own, +1},
+        {A::center_distance, W::pair, +1}}},
+      {"beyond_flank",
+       "the teeth meet on their flanks alone",
+       {{A::tip_diameter, W::mate, -1},
+        {A::tip_diameter, W::own, -1},
+        {A::profile_shift, W::own, +1},
+        {A::center_distance, W::pair, +1}}},
+      {"contact_lost", "undercut takes no part of the path of contact on gear {}", kGearGrows},
+      {"undercut", "gear {} is not undercut", kGearGrows},
+      {"no_tip_clearance", "the tip of gear {} has a clearance", kOwnTipShorter},
+      {"tip_margin", "the tip clearance of gear {} is large enough", kOwnTipShorter},
+      {"form_margin", "the form clearance of gear {} is large enough", kReachLess},
+      {"fillet_margin", "the clearance to the fillet of gear {} is large enough", kReachLess},
+      {"pointed", "gear {} is not pointed", kThinTip},
+      {"thin_tip", "the tip of gear {} is thick enough", kThinTip},
+      {"tip_below_base",
+       "the tip of gear {} lies outside its base circle",
+       {{A::tip_diameter, W::own, -1}}},
+      {"nearly_parallel", "the axes are parallel", {{A::helix_angle, W::second, +1}}},
+      {"face_width", "the face of gear {} holds the line of action", {{A::face_width, W::own, +1}}},
+      {"jam", "the gears do not jam", kLooser, true},
+      {"contact_below_form", "contact stays on the usable flank of gear {}", kReachLess, true},
+      {"fillet_contact", "the tips stay clear of the root fillets", kReachLess, true},
+      {"edge_contact",
+       "no edge touches",
+       {{A::lead_crowning, W::first, +1}, {A::tip_diameter, W::first, -1}},
+       true},
+      {"contact_place",
+       "the contact lies in the middle of the face",
+       {{A::lead_slope, W::first, +1},
+        {A::lead_slope, W::first, -1},
+        {A::lead_crowning, W::first, +1}},
+       true},
+  };
+  return kAll;
+}
+
+int gear_of(Whose whose, int own) {
+  switch (whose) {
+    case W::own: return own;
+    case W::mate: return 3 - own;
+    case W::first: return 1;
+    case W::second: return 2;
+    case W::pair: return 0;
+  }
+  return 0;
+}
+
+// The profile shift without undercut: of the cutter's place, so an allowance moves it.
+std::optional<double> shift_without_undercut(const Gear& gear) {
+  const InvoluteTeeth* involute = gear.involute();
+  if (!gear.undercut || involute == nullptr || !involute->undercut_free_profile_shift)
+    return std::nullopt;
+  const CylindricalSpec& s = gear.spec;
+  return *involute->undercut_free_profile_shift -
+         s.thickness_allowance / (2 * s.normal_module * std::tan(s.normal_pressure_angle.rad()));
+}
+
+// Decimals of a length in mm that is a hundredth of this module, or a finer part of it.
+int digits_for(double module, int more) {
+  return std::clamp(more - static_cast<int>(std::round(std::log10(module))), 0, 9);
+}
+
+std::optional<Lever> lever_of(const Means& means, const Finding& finding, const Judged& judged) {
+  const int which = gear_of(means.whose, finding.gear);
+  if (which > static_cast<int>(judged.gears.size())) return std::nullopt;
+  const auto gear = [&](int n) -> const Gear& {
+    return *judged.gears[static_cast<std::size_t>(n - 1)];
+  };
+  const double m = gear(1).spec.normal_module;
+  const double outward = which > 0 && gear(which).internal() ? -1.0 : 1.0;
+  const InvolutePair* p = judged.pair ? judged.pair->involute() : nullptr;
+  Lever lever{means.what, which, 0.0, means.direction, 0.0, 2};
+  switch (means.what) {
+    case A::profile_shift:
+      if (!gear(which).involute()) return std::nullopt;
+      lever.now = gear(which).spec.profile_shift;
+      lever.span = 1.5;
+      if (means.direction > 0) lever.hint = shift_without_undercut(gear(which));
+      return lever;
+    case A::tip_diameter:
+      lever.now = gear(which).tip_diameter;
+      lever.direction *= static_cast<int>(outward);
+      lever.span = 2 * m;
+      lever.digits = digits_for(m, 2);
+      if (p && means.direction < 0) lever.hint = tip_that_clears(*p, which);
+      return lever;
+    case A::thickness_allowance:
+      lever.now = gear(which).spec.thickness_allowance;
+      lever.span = 0.3 * m;
+      lever.digits = digits_for(m, 3);
+      return lever;
+    case A::teeth:
+      lever.now = gear(which).spec.teeth;
+      lever.direction *= static_cast<int>(outward);
+      lever.span = 64;
+      lever.digits = 0;
+      return lever;
+    case A::helix_angle:
+      lever.now = gear(which).spec.helix_angle.deg();
+      lever.exact = -gear(1).spec.helix_angle.deg();
+      return lever;
+    case A::face_width: {
+      const double b = which > 0 ? gear(which).spec.face_width
+                                 : std::min(gear(1).spec.face_width, gear(2).spec.face_width);
+      lever.now = b;
+      lever.span = std::max(4 * b, 20 * m);
+      lever.digits = digits_for(m, 1);
+      if (which == 0 && p) lever.hint = face_width_needed(*p);
+      return lever;
+    }
+    case A::bore:
+      if (!gear(which).bore) return std::nullopt;
+      lever.now = gear(which).bore->diameter;
+      lever.direction *= static_cast<int>(outward);
+      lever.span = outward > 0 ? 0.99 * lever.now : 10 * m;
+      lever.digits = digits_for(m, 1);
+      return lever;
+    case A::lead_crowning:
+    case A::lead_slope:
+      if (gear(which).internal()) return std::nullopt;
+      lever.span = 80;  // µm; today's value is not in the gear, whose change starts from nothing
+      lever.digits = 0;
+      return lever;
+    case A::center_distance:
+      if (!judged.pair || judged.distance_sets_shifts) return std::nullopt;
+      lever.now = judged.pair->center_distance();
+      if (judged.pair->kind() == PairKind::parallel_internal) lever.direction *= -1;
+      lever.span = m;
+      lever.digits = digits_for(m, 3);
+      if (p) lever.hint = p->backlash_free_center_distance;
+      return lever;
+  }
+  return std::nullopt;
+}
+
+std::string subject(const SpecChange& change) {
+  const std::string of_gear = change.gear > 0 ? fmt::format(" on gear {}", change.gear)
+                              : change.what == A::face_width ? std::string(" on both gears")
+                                                             : std::string();
+  switch (change.what) {
+    case A::profile_shift: return fmt::format("a profile shift of {{}}{}", of_gear);
+    case A::tip_diameter: return fmt::format("a tip diameter of {{}} mm{}", of_gear);
+    case A::thickness_allowance: return fmt::format("a thickness allowance of {{}} mm{}", of_gear);
+    case A::teeth: return fmt::format("{{}} teeth{}", of_gear);
+    case A::helix_angle: return fmt::format("a helix angle of {{}}°{}", of_gear);
+    case A::face_width: return fmt::format("a face width of {{}} mm{}", of_gear);
+    case A::bore: return fmt::format("a bore of {{}} mm{}", of_gear);
+    case A::lead_crowning: return fmt::format("a lead crowning of {{}} µm{}", of_gear);
+    case A::lead_slope: return fmt::format("a lead slope of {{}} µm{}", of_gear);
+    case A::center_distance: return "a centre distance of {} mm";
+  }
+  return "{}";
+}
+
+}  // namespace
+
+double Lever::step() const { return std::pow(10.0, -digits); }
+
+double Lever::in_steps(double steps) const {
+  const double value = steps / std::pow(10.0, digits);
+  return value == 0.0 ? 0.0 : value;  // no minus before a zero
+}
+
+const Cure* cure_of(const Finding& finding) {
+  for (const Cure& cure : cures()) {
+    if (finding.code != cure.code) continue;
+    return finding.code == "contact_lost" && finding.gear == 0 ? nullptr : &cure;
+  }
+  return nullptr;
+}
+
+std::vector<Lever> levers(const Cure& cure, const Finding& finding, const Judged& judged) {
+  std::vector<Lever> list;
+  for (const Means& means : cure.means) {
+    if (auto lever = lever_of(means, finding, judged)) list.push_back(*lever);
+  }
+  return list;
+}
+
+std::string remedy_words(const Cure& cure, const SpecChange& change, const Finding& finding,
+                         const Judged& judged, const ChangedState& trial) {
+  std::string then;
+  if (cure.then == kContactRatio) {
+    then = fmt::format(kContactRatio, trial.contact_ratio);
+  } else if (cure.then == kBacklash && finding.at.empty()) {
+    then = fmt::format(kBacklash, trial.backlash);
+  } else if (cure.then == kBacklash) {
+    then = "the backlash is positive at every end of the tolerances";
+  } else {
+    then = fmt::format(fmt::runtime(cure.then), finding.gear);
+  }
+  std::string because;
+  const InvolutePair* p = judged.pair ? judged.pair->involute() : nullptr;
+  if (judged.shifts_follow && p && !p->crossed() && change.what == A::center_distance) {
+    because = fmt::format(
+        "The centre distance {:.6g} mm asks for a sum of profile shifts of {:.4f}; the reference "
+        "centre distance is {:.6g} mm. ",
+        p->center_distance, p->gears[0].spec.profile_shift + p->gears[1].spec.profile_shift,
+        p->reference_center_distance);
+  }
+  return fmt::format("{}With {}, {}.", because,
+                     fmt::format(fmt::runtime(subject(change)), spoken(change.value)), then);
+}
+
+}  // namespace gearwright::detail

@@ -1,0 +1,57 @@
+// Which numbers of a spec can help against which finding, and how far they may go.
+//
+// A cure is a row: the code of a finding, the levers against it in the order in which they are tried,
+// and the clause that holds when the finding is gone. A lever of a row becomes a number of this spec:
+// its value of today, its direction, its span and the step in which it is printed.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gearwright/verdict/verdict.hpp"
+
+namespace gearwright::detail {
+
+/// The gear whose number is changed: the finding's, the mating one, gear 1, gear 2; or the pair.
+enum class Whose { own, mate, first, second, pair };
+
+struct Means {
+  Adjustable what;
+  Whose whose;
+  int direction;  ///< +1: more shift, a longer tooth, thicker, more teeth, wider, further apart; −1
+};
+
+struct Cure {
+  const char* code;
+  const char* then;  ///< "gear {} is not undercut"; a pair's number instead where `pair_number`
+  std::vector<Means> means{};
+  bool needs_contact = false;  ///< the finding is one of a contact analysis
+};
+
+/// One number of this spec that may be moved.
+struct Lever {
+  Adjustable what;
+  int gear;
+  double now;                     ///< value of today, in the unit of SpecChange
+  int direction;                  ///< of the value
+  double span;                    ///< greatest change
+  int digits;                     ///< decimals of the values that are tried
+  std::optional<double> hint{};   ///< a value that a closed form names
+  std::optional<double> exact{};  ///< the only value to try
+
+  double step() const;
+  /// A multiple of the step, the double that its decimals are read as.
+  double in_steps(double steps) const;
+};
+
+/// Null: no number is known that helps.
+const Cure* cure_of(const Finding& finding);
+
+std::vector<Lever> levers(const Cure& cure, const Finding& finding, const Judged& judged);
+
+/// "With a profile shift of 0.54 on gear 1 (now 0), the contact ratio is 1.286."
+std::string remedy_words(const Cure& cure, const SpecChange& change, const Finding& finding,
+                         const Judged& judged, const ChangedState& trial);
+
+}  // namespace gearwright::detail
