@@ -20,7 +20,9 @@ endif()
 
 function(gw_target target)
   gw_unity(${target})
+  # A contract that is violated names its file as the sources do, wherever they lie.
   target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic
+                         -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=
                          $<$<BOOL:${GEARWRIGHT_WERROR}>:-Werror>)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     # g++ 12 sees std::string copy past its small buffer where it cannot (GCC bug 105329), depending on

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -58,8 +59,13 @@ int batch_verb(const Options& o) {
   long long failed = 0;
   long long first_failed = 0;
   long long lines = 0;
+  std::atomic<long long> violations = 0;
   in_order([&](std::string& line) { return static_cast<bool>(std::getline(in, line)); },
-           [&](const std::string& line) { return batch_line(verb, line); },
+           [&](const std::string& line) {
+             BatchLine answer = batch_line(verb, line);
+             if (answer.violated) ++violations;
+             return std::move(answer.text);
+           },
            [&](const std::string& answer) {
              ++lines;
              if (answer.starts_with("{\"error\":") && failed++ == 0) first_failed = lines;
@@ -71,9 +77,12 @@ int batch_verb(const Options& o) {
   if (failed > 0)
     std::fprintf(stderr, "gearwright: %lld of %lld specs have no answer, the first in line %lld\n",
                  failed, lines, first_failed);
+  if (violations > 0)
+    std::fprintf(stderr, "gearwright: %lld of these met a mistake in Gearwright itself\n",
+                 violations.load());
   if (lines == 0)
     std::fprintf(stderr, "gearwright: no spec came in; batch reads one per line, as JSON\n");
-  return failed > 0 ? 1 : 0;
+  return violations > 0 ? kViolated : failed > 0 ? 1 : 0;
 }
 
 }  // namespace gearwright::cli

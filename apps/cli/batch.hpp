@@ -7,7 +7,8 @@
 
 namespace gearwright::cli {
 
-/// Lines of JSON in, lines of JSON out; 1 if one of them is an error.   Throws  IoError
+/// Lines of JSON in, lines of JSON out; 1 if one of them is an error, 5 if one is a mistake of ours.
+/// Throws    IoError
 int batch_verb(const Options& o);
 
 /// "gear, pair, …"

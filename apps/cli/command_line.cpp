@@ -325,7 +325,8 @@ int CommandLine::run(int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     return app_.exit(e) == 0 ? 0 : 2;
   }
-  return answer(app_.get_subcommands().front()->get_name());
+  const std::string verb = app_.get_subcommands().front()->get_name();
+  return guarded([&] { return answer(verb); }, options_.json || search_.json);
 }
 
 }  // namespace gearwright::cli

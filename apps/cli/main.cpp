@@ -1,7 +1,8 @@
 // gearwright: the program. Parses the command line, calls the job room, prints.
 //
 // Exit status: 0 done; 1 the input is wrong or the gears are impossible; 2 the command line is
-// wrong; 3 the outside world failed; 4 with --strict: the verdict is not green.
+// wrong; 3 the outside world failed; 4 with --strict: the verdict is not green; 5 a mistake in
+// Gearwright itself.
 #include <csignal>
 #include <cstdio>
 #include <exception>

@@ -56,4 +56,13 @@ int usage(const std::string& message) {
   return 2;
 }
 
+int guarded(const std::function<int()>& work, bool json) {
+  try {
+    return work();
+  } catch (const ContractViolation& e) {
+    fail({"", "", e.what()}, json);
+    return kViolated;
+  }
+}
+
 }  // namespace gearwright::cli

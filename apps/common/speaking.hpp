@@ -1,6 +1,7 @@
 // How a program of ours speaks: results on stdout, sentences on stderr, a status for the shell.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -25,5 +26,9 @@ Json refusal_json(const Error& error, const SpecText* text = nullptr);
 int fail(const Error& error, bool json, const SpecText* text = nullptr);
 /// The command line is wrong: status 2.
 int usage(const std::string& message);
+/// The exit status of a mistake in Gearwright itself (base/contract.hpp).
+inline constexpr int kViolated = 5;
+/// The status of the work; kViolated where it breaks a contract, which is said, as JSON too if asked.
+int guarded(const std::function<int()>& work, bool json);
 
 }  // namespace gearwright::cli

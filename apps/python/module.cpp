@@ -3,6 +3,7 @@
 
 #include "apps/python/contact.hpp"
 #include "apps/python/files.hpp"
+#include "gearwright/base/contract.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/version.hpp"
 
@@ -13,6 +14,7 @@ PYBIND11_MODULE(_core, m) {
   m.doc() = "The engine behind the package gearwright; import gearwright instead";
   m.attr("__version__") = gearwright::kVersion;
   py::register_exception<gearwright::IoError>(m, "FileError", PyExc_OSError);
+  py::register_exception<gearwright::ContractViolation>(m, "ContractViolation", PyExc_RuntimeError);
   bind_records(m);
   auto [gear, pair] = bind_gears(m);
   auto contact = bind_contact(m, pair);

@@ -101,7 +101,7 @@ py::array sweep(const PairValue& pair, int threads, const py::kwargs& kwargs) {
   array.add_column("error", "U80");
   array.allocate(rows);
   const JobSpec& given = pair.model->read;
-  const auto row = [&](std::size_t r) {
+  const auto filled = [&](std::size_t r) {
     JobSpec spec = given;
     std::optional<Error> error;
     for (const Swept& s : keys)
@@ -112,6 +112,13 @@ py::array sweep(const PairValue& pair, int threads, const py::kwargs& kwargs) {
       error = spelled(job.error(), spec.given);
     }
     array.nothing(r, error->message());
+  };
+  const auto row = [&](std::size_t r) {
+    try {
+      filled(r);
+    } catch (const ContractViolation& e) {  // the other rows go on
+      array.nothing(r, e.what());
+    }
   };
   Watched watched;
   watch(watched, [&] {

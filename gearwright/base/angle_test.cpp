@@ -11,6 +11,7 @@
 #include <random>
 
 #include "gearwright/base/testing/numbers.hpp"
+#include "gearwright/base/testing/violation.hpp"
 
 namespace gearwright {
 namespace {
@@ -88,7 +89,7 @@ TEST(SincosTurn, AgreesWithTheUnreducedAngle) {
   }
 }
 
-TEST(SincosTurnDeath, NoTeethIsAContract) { EXPECT_DEATH(sincos_turn(0, 0), "precondition"); }
+TEST(SincosTurnDeath, NoTeethIsAContract) { GW_EXPECT_VIOLATION(sincos_turn(0, 0)); }
 
 TEST(Angle, DegreesAndRadiansAreOneThing) {
   using namespace literals;

@@ -6,6 +6,7 @@
 
 #include "gearwright/base/angle.hpp"
 #include "gearwright/base/numbers.hpp"
+#include "gearwright/base/testing/violation.hpp"
 #include "gearwright/cad/testing/odd_outlines.hpp"
 #include "gearwright/cad/testing/sample_outlines.hpp"
 
@@ -167,11 +168,11 @@ TEST(Contour, ASeveredToothIsAFact) {
 TEST(ContourDeathTest, Contracts) {
   Outline gap = testing::sample_body({}).outline;
   gap.arcs[1].begin_point.x() += 1e-15 * gap.arcs[1].begin_point.x() * 4;
-  EXPECT_DEATH(static_cast<void>(closed_contour(gap)), "precondition");
+  GW_EXPECT_VIOLATION(static_cast<void>(closed_contour(gap)));
   Outline more = testing::sample_body({}).outline;
   more.teeth = 21;
-  EXPECT_DEATH(static_cast<void>(closed_contour(more)), "precondition");
-  EXPECT_DEATH(static_cast<void>(closed_contour({0, more.arcs})), "precondition");
+  GW_EXPECT_VIOLATION(static_cast<void>(closed_contour(more)));
+  GW_EXPECT_VIOLATION(static_cast<void>(closed_contour({0, more.arcs})));
 }
 
 }  // namespace

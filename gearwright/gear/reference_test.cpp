@@ -7,6 +7,7 @@
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/testing/numbers.hpp"
+#include "gearwright/base/testing/violation.hpp"
 
 namespace gearwright {
 namespace {
@@ -104,9 +105,9 @@ TEST(CosHelix, is_that_of_the_reference_cylinder_there) {
 }
 
 TEST(ReferenceDeathTest, numbers_that_are_no_gear) {
-  EXPECT_DEATH(reference_geometry<double>({0, 2.0, 0.3, 0.0, 0.0, 0.0}), "precondition");
-  EXPECT_DEATH(reference_geometry<double>({20, 0.0, 0.3, 0.0, 0.0, 0.0}), "precondition");
-  EXPECT_DEATH(tooth_thickness_transverse(20, 40.0, 3.0, 39.0), "precondition");
+  GW_EXPECT_VIOLATION(reference_geometry<double>({0, 2.0, 0.3, 0.0, 0.0, 0.0}));
+  GW_EXPECT_VIOLATION(reference_geometry<double>({20, 0.0, 0.3, 0.0, 0.0, 0.0}));
+  GW_EXPECT_VIOLATION(tooth_thickness_transverse(20, 40.0, 3.0, 39.0));
 }
 
 }  // namespace

@@ -82,8 +82,9 @@ Result<Json> answer_json(std::string_view verb, const JobSpec& spec, Headway* he
   return job_json(job, judge(job));
 }
 
-std::string batch_line(std::string_view verb, const std::string& text) {
-  const auto failed = [](const Error& error) { return json_text(error_json(error)); };
+BatchLine batch_line(const std::function<Result<Json>(const JobSpec&)>& answer,
+                     const std::string& text) {
+  const auto failed = [](const Error& error) { return BatchLine{json_text(error_json(error))}; };
   if (text.size() > kMaxSpec) {
     return failed({"", "",
                    fmt::format("this line has {} bytes; a spec has at most {}, more than any gear "
@@ -93,11 +94,18 @@ std::string batch_line(std::string_view verb, const std::string& text) {
   try {
     const auto spec = read_spec(text, SpecFormat::json);
     if (!spec) return failed(spec.error());
-    const auto answer = answer_json(verb, *spec);
-    return answer ? json_text(*answer) : failed(spelled(answer.error(), spec->given));
-  } catch (const IoError& e) {  // a file that the spec names: the other lines go on
+    const auto answered = answer(*spec);
+    return answered ? BatchLine{json_text(*answered)}
+                    : failed(spelled(answered.error(), spec->given));
+  } catch (const IoError& e) {  // a file that the spec names
     return failed({"", "", e.what()});
+  } catch (const ContractViolation& e) {
+    return {failed({"", "", e.what()}).text, true};
   }
+}
+
+BatchLine batch_line(std::string_view verb, const std::string& text) {
+  return batch_line([verb](const JobSpec& spec) { return answer_json(verb, spec); }, text);
 }
 
 }  // namespace gearwright

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -23,7 +24,16 @@ inline constexpr std::array<std::string_view, 9> kAnswering{
 /// Throws    IoError when a file that the spec names cannot be read
 Result<Json> answer_json(std::string_view verb, const JobSpec& spec, Headway* headway = nullptr);
 
-/// One line of a batch: the answer to a spec in JSON, or {"error": …}, on one line.
-std::string batch_line(std::string_view verb, const std::string& spec);
+/// What a batch writes for one spec.
+struct BatchLine {
+  std::string text;       ///< JSON on one line: the answer, or {"error": …}
+  bool violated = false;  ///< the error is a mistake of ours (base/contract.hpp)
+};
+/// The line of a spec in JSON by `answer`. Whatever goes wrong with it is its error: what a batch
+/// does with the other lines never depends on it.
+BatchLine batch_line(const std::function<Result<Json>(const JobSpec&)>& answer,
+                     const std::string& spec);
+/// The same by a verb, as answer_json has it.
+BatchLine batch_line(std::string_view verb, const std::string& spec);
 
 }  // namespace gearwright

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "gearwright/base/testing/violation.hpp"
+
 namespace gearwright {
 namespace {
 
@@ -125,12 +127,11 @@ TEST(BSplineBasis, DerivativesAgreeWithTheFunction) {
 }
 
 TEST(BSplineBasisDeathTest, Contracts) {
-  EXPECT_DEATH(BSplineBasis(3, 3), "precondition");
-  EXPECT_DEATH(BSplineBasis(2, std::vector<double>{0, 0, 0.5, 1, 1, 1}), "precondition");
-  EXPECT_DEATH(BSplineBasis(2, std::vector<double>{0, 0, 0, 0.6, 0.5, 1, 1, 1}), "precondition");
-  EXPECT_DEATH(BSplineBasis(2, std::vector<double>{0, 0, 0, 0.5, 0.5, 0.5, 1, 1, 1}),
-               "precondition");
-  EXPECT_DEATH(BSplineBasis(3, 5).interpolate(Eigen::MatrixXd::Zero(4, 2)), "precondition");
+  GW_EXPECT_VIOLATION(BSplineBasis(3, 3));
+  GW_EXPECT_VIOLATION(BSplineBasis(2, std::vector<double>{0, 0, 0.5, 1, 1, 1}));
+  GW_EXPECT_VIOLATION(BSplineBasis(2, std::vector<double>{0, 0, 0, 0.6, 0.5, 1, 1, 1}));
+  GW_EXPECT_VIOLATION(BSplineBasis(2, std::vector<double>{0, 0, 0, 0.5, 0.5, 0.5, 1, 1, 1}));
+  GW_EXPECT_VIOLATION(BSplineBasis(3, 5).interpolate(Eigen::MatrixXd::Zero(4, 2)));
 }
 
 }  // namespace

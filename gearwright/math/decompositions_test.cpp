@@ -6,6 +6,7 @@
 #include <random>
 
 #include "gearwright/base/testing/numbers.hpp"
+#include "gearwright/base/testing/violation.hpp"
 
 namespace gearwright {
 namespace {
@@ -77,8 +78,8 @@ TEST(Decompositions, least_squares_takes_the_shortest) {
 }
 
 TEST(DecompositionsDeathTest, shapes_are_contracts) {
-  EXPECT_DEATH(solve_linear(Eigen::MatrixXd::Zero(2, 3), Eigen::Vector2d::Zero()), "precondition");
-  EXPECT_DEATH(least_squares(Eigen::MatrixXd::Zero(3, 2), Eigen::Vector2d::Zero()), "precondition");
+  GW_EXPECT_VIOLATION(solve_linear(Eigen::MatrixXd::Zero(2, 3), Eigen::Vector2d::Zero()));
+  GW_EXPECT_VIOLATION(least_squares(Eigen::MatrixXd::Zero(3, 2), Eigen::Vector2d::Zero()));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "gearwright/base/testing/numbers.hpp"
+#include "gearwright/base/testing/violation.hpp"
 
 namespace gearwright {
 namespace {
@@ -90,8 +91,8 @@ TEST(Involute, inverse_of_the_smallest_numbers_is_finite) {
 }
 
 TEST(InvoluteDeathTest, a_right_angle_has_none) {
-  EXPECT_DEATH(involute(90.1 * kDegree), "precondition");
-  EXPECT_DEATH(inverse_involute(std::numeric_limits<double>::quiet_NaN()), "precondition");
+  GW_EXPECT_VIOLATION(involute(90.1 * kDegree));
+  GW_EXPECT_VIOLATION(inverse_involute(std::numeric_limits<double>::quiet_NaN()));
 }
 
 }  // namespace

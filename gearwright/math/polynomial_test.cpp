@@ -7,6 +7,8 @@
 #include <limits>
 #include <vector>
 
+#include "gearwright/base/testing/violation.hpp"
+
 namespace gearwright {
 namespace {
 
@@ -70,7 +72,7 @@ TEST(Polynomial, brackets_to_neighbouring_doubles) {
 }
 
 TEST(PolynomialDeathTest, the_interval_runs_upward) {
-  EXPECT_DEATH(polynomial_roots(std::vector<double>{-0.5, 1.0}, 1.0, 0.0), "precondition");
+  GW_EXPECT_VIOLATION(polynomial_roots(std::vector<double>{-0.5, 1.0}, 1.0, 0.0));
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "gearwright/base/testing/violation.hpp"
+
 namespace gearwright {
 namespace {
 
@@ -79,7 +81,7 @@ TEST(Root, a_step_is_bracketed_to_two_ulp) {
 }
 
 TEST(RootDeathTest, the_interval_runs_upward) {
-  EXPECT_DEATH(find_root([](double x) { return x; }, 1.0, 0.0), "precondition");
+  GW_EXPECT_VIOLATION(find_root([](double x) { return x; }, 1.0, 0.0));
 }
 
 }  // namespace

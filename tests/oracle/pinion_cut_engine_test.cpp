@@ -10,31 +10,21 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <csignal>
 #include <cstdint>
-#include <cstdio>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "tests/oracle/engine_pinion.hpp"
 #include "tests/oracle/random_pinion_cut.hpp"
+#include "tests/property/at_hand.hpp"
 #include "tests/property/outline_laws.hpp"
 
 namespace gearwright::oracle {
 namespace {
 
-std::string at_hand;  // the gear being made; the handler below may read it
-
-extern "C" void print_cut_at_hand(int) {
-  std::fprintf(stderr, "the gear at hand: %s\n", at_hand.c_str());
-}
-
-struct PrintsCutOnAbort {
-  PrintsCutOnAbort() : old(std::signal(SIGABRT, print_cut_at_hand)) {}
-  ~PrintsCutOnAbort() { std::signal(SIGABRT, old); }
-  void (*old)(int);
-};
+using property::at_hand;
+using property::PrintsAtHand;
 
 struct PinionCutTally {
   int gears = 0, external = 0, rings = 0, severed = 0, pointed = 0, undercut = 0;
@@ -63,7 +53,7 @@ void count(const Gear& cutter, const PinionCutSpec& cut, const PinionCutOutcome&
 }
 
 PinionCutTally check_gears(std::uint64_t seed, int n) {
-  const PrintsCutOnAbort handler;
+  const PrintsAtHand handler;
   Random random(seed);
   PinionCutTally tally;
   int failures = 0;
@@ -173,7 +163,7 @@ std::vector<Found> found_before() {
 }
 
 TEST(PinionCutEngine, gears_found_wrong_before_are_right) {
-  const PrintsCutOnAbort handler;
+  const PrintsAtHand handler;
   for (const Found& found : found_before()) {
     at_hand = found.name;
     const auto cutter = make_gear(found.cutter);

@@ -1,9 +1,9 @@
-// What a property test is about. When a contract breaks, it is printed before the program ends: the
-// reproducer.
+// What a test is about. When a contract breaks, it is printed before the test ends: the reproducer.
 #pragma once
 
 #include <csignal>
 #include <cstdio>
+#include <exception>
 #include <string>
 
 namespace gearwright::property {
@@ -14,9 +14,13 @@ extern "C" inline void print_at_hand(int) {
   std::fprintf(stderr, "at hand: %s\n", at_hand.c_str());
 }
 
-struct PrintsAtHandOnAbort {
-  PrintsAtHandOnAbort() : old(std::signal(SIGABRT, print_at_hand)) {}
-  ~PrintsAtHandOnAbort() { std::signal(SIGABRT, old); }
+/// Prints it when a violation passes by, or aborts (base/contract.hpp).
+struct PrintsAtHand {
+  PrintsAtHand() : old(std::signal(SIGABRT, print_at_hand)) {}
+  ~PrintsAtHand() {
+    if (std::uncaught_exceptions() > 0) print_at_hand(0);
+    std::signal(SIGABRT, old);
+  }
   void (*old)(int);
 };
 

@@ -203,7 +203,7 @@ std::string broken_cut(const Gear& cutter, const PinionCutSpec& wanted, Tally& t
 }
 
 Tally check_few_teeth(std::uint64_t seed, int n) {
-  const PrintsAtHandOnAbort handler;
+  const PrintsAtHand handler;
   Random random(seed);
   Tally tally;
   int failures = 0;

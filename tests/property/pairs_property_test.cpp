@@ -78,7 +78,7 @@ std::string not_finite(const InvolutePair& p) {
 }
 
 void check_pairs(std::uint64_t seed, int n) {
-  const PrintsAtHandOnAbort handler;
+  const PrintsAtHand handler;
   Random random(seed);
   int mounted = 0, refused = 0, failures = 0;
   for (int i = 0; i < n && failures < 10; ++i) {

@@ -7,22 +7,24 @@
     pair.contact_ratio, pair.replace(center_distance=79).backlash.normal
 
 Names without a unit are in mm and rad, keys with a unit in that unit; as_dict() has the keys of the program's
-JSON. A number that no gear can have raises SpecError, which names its key and says what is allowed.
+JSON. A number that no gear can have raises SpecError, which names its key and says what is allowed; a mistake in
+Gearwright itself raises ContractViolation, whose sentence asks for a report.
 """
 
 from __future__ import annotations
 
 from . import _plots
-from ._core import (ERRORS, Contact, FileError, Gear, Loaded, Pair, Rating, Record, Search, __version__, compensate, fit,
-                    load, solve)
+from ._core import (ERRORS, Contact, ContractViolation, FileError, Gear, Loaded, Pair, Rating, Record, Search,
+                    __version__, compensate, fit, load, solve)
 from ._doors import identify, measure, search, verify
 from ._errors import SpecError
 from .closed_forms import (backlash, center_distance, contact_ratio, inverse_involute, involute, pair_table,
                            shift_limits, working_pressure_angle)
 
 __all__ = [
-    "ERRORS", "Contact", "FileError", "Gear", "Loaded", "Pair", "Rating", "Record", "Search", "SpecError", "__version__",
-    "backlash", "center_distance", "compensate", "contact_ratio", "fit", "identify", "inverse_involute", "involute", "load",
-    "measure", "pair_table", "search", "shift_limits", "solve", "verify", "working_pressure_angle"]
+    "ERRORS", "Contact", "ContractViolation", "FileError", "Gear", "Loaded", "Pair", "Rating", "Record", "Search",
+    "SpecError", "__version__", "backlash", "center_distance", "compensate", "contact_ratio", "fit", "identify",
+    "inverse_involute", "involute", "load", "measure", "pair_table", "search", "shift_limits", "solve", "verify",
+    "working_pressure_angle"]
 
 _plots.add()

@@ -11,8 +11,9 @@
 //   * Calls are synchronous and single-threaded: run the engine in a Web Worker. Long work is a
 //     `Work`: step it for some milliseconds, look at messages, step again; drop it to cancel.
 //   * Everything with `delete()` lives in the module's memory until it is deleted.
-//   * A contract of the core that is broken, a mistake of ours, stops the module: that call and all
-//     later ones answer a Failed that says so; load the engine again.
+//   * A contract of the core that is broken, a mistake of ours, is a Failed that says so and asks for
+//     a report. What the call was made on (a session, a work) is of no more use then; others go on.
+//     Only a trap or too deep a recursion stops the module: load the engine again.
 //
 // Housing frame, rotations, signs: docs/theory/01-frames.md. Gear 1 turns clockwise seen from +z
 // for growing `rotation1`, gear 2 as it is driven.

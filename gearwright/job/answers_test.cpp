@@ -1,0 +1,65 @@
+// A batch whose work violates contracts: its door's runner gets work that does so.
+#include "gearwright/job/answers.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "gearwright/base/parallel.hpp"
+
+#ifndef GEARWRIGHT_STOP_AT_VIOLATIONS
+namespace gearwright {
+namespace {
+
+// Odd numbers of teeth are a mistake of ours, deep in the work and on whichever thread.
+Result<Json> answered(const JobSpec& spec) {
+  const int teeth = spec.gears[0]->cylindrical.teeth;
+  parallel_for(8, [&](std::size_t) { GW_EXPECTS(teeth % 2 == 0); });
+  return answer_json("gear", spec);
+}
+
+TEST(BatchLine, a_violation_is_the_error_of_its_own_line) {
+  constexpr int kLines = 40;
+  for (const int threads : {1, 4}) {
+    int next = 20;
+    std::vector<std::string> lines;
+    in_order(
+        [&](std::string& line) {
+          line = fmt::format(R"({{"gear1": {{"teeth": {}, "normal_module_mm": 2}}}})", next);
+          return next++ < 20 + kLines;
+        },
+        [](const std::string& line) { return batch_line(answered, line).text; },
+        [&](const std::string& line) { lines.push_back(line); }, threads);
+    ASSERT_EQ(lines.size(), kLines);
+    for (int i = 0; i < kLines; ++i) {
+      const Json answer = Json::parse(lines[static_cast<std::size_t>(i)]);
+      if (i % 2 == 0) {
+        EXPECT_EQ(answer["gears"][0]["teeth"], 20 + i);
+        continue;
+      }
+      EXPECT_EQ(answer["error"]["key"], "");
+      EXPECT_EQ(answer["error"]["value"], "");
+      const std::string message = answer["error"]["message"];
+      for (const char* words : {"teeth % 2 == 0", "answers_test.cpp:", "please report it"})
+        EXPECT_NE(message.find(words), std::string::npos) << message;
+    }
+  }
+}
+
+TEST(BatchLine, tells_a_violation_from_an_error_of_the_spec) {
+  const auto line = [](int teeth) {
+    return batch_line(answered,
+                      fmt::format(R"({{"gear1": {{"teeth": {}, "normal_module_mm": 2}}}})", teeth));
+  };
+  EXPECT_FALSE(line(20).violated);
+  EXPECT_TRUE(line(21).violated);
+  const BatchLine refused = batch_line(answered, "{}");
+  EXPECT_FALSE(refused.violated);
+  EXPECT_TRUE(refused.text.starts_with("{\"error\":")) << refused.text;
+}
+
+}  // namespace
+}  // namespace gearwright
+#endif
