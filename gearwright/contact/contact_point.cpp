@@ -174,7 +174,9 @@ std::string_view to_string(TouchKind kind) {
   return "";
 }
 
-bool is_edge(TouchKind kind) {
+bool is_edge(TouchKind kind) { return is_sharp(kind) && kind != TouchKind::ridge; }
+
+bool is_sharp(TouchKind kind) {
   return kind != TouchKind::none && kind != TouchKind::interior && kind != TouchKind::line;
 }
 

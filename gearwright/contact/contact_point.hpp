@@ -29,8 +29,11 @@ enum class TouchKind {
   corner
 };
 std::string_view to_string(TouchKind kind);
-/// Edges, which touch where the flanks themselves should.
+/// Edges of a tooth, which touch where the flanks themselves should. The start of a relief is none.
 bool is_edge(TouchKind kind);
+/// Edges and the start of a relief: the surface bends sharply there, so that no ellipse is left and
+/// a pressure is a lower bound.
+bool is_sharp(TouchKind kind);
 
 /// Gap below which a flat ridge counts as a contact line, mm: less than any flank is smooth.
 inline constexpr double kLineGap = 1e-6;

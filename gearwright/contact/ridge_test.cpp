@@ -61,7 +61,7 @@ TEST(Ridge, begins_where_the_relief_does) {
       const RemovalField& field = *p.removal[static_cast<std::size_t>(gear - 1)];
       for (const ContactPoint& c : r.positions) {
         if (c.kind != TouchKind::ridge) continue;
-        EXPECT_TRUE(is_edge(c.kind));
+        EXPECT_TRUE(is_sharp(c.kind) && !is_edge(c.kind));
         EXPECT_EQ(c.ridge->gear, gear);
         EXPECT_FALSE(c.gap_curvature || c.ellipse);
         const auto g = static_cast<std::size_t>(gear - 1);

@@ -56,7 +56,7 @@ std::string legend_of(const ContactResult& result) {
   std::vector<TouchKind> said;
   std::string text;
   for (const ContactPoint& p : result.positions) {
-    if (!is_edge(p.kind) || std::find(said.begin(), said.end(), p.kind) != said.end()) continue;
+    if (!is_sharp(p.kind) || std::find(said.begin(), said.end(), p.kind) != said.end()) continue;
     said.push_back(p.kind);
     text += fmt::format("{}: {}; ", to_string(p.kind), words_of(p.kind));
   }

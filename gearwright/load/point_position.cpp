@@ -190,7 +190,7 @@ Ellipse PointSolver::bent(const PointPosition& at, const std::vector<Laid>& laid
                           const VectorXd& force, std::size_t i) {
   const Laid& here = laid[i];
   const PointPlace& place = at.places[i];
-  if (is_edge(place.kind) || here.x.size() < kNodesToBend) return {0.0, place.curvature[0], 0.0};
+  if (is_sharp(place.kind) || here.x.size() < kNodesToBend) return {0.0, place.curvature[0], 0.0};
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
   double mean = 0.0;
@@ -299,7 +299,7 @@ LoadedPosition PointSolver::solve(PointPosition& at, double torque, Angle rotati
     pair.point = point;
     out.pairs.push_back(pair);
     out.max_width_ratio = std::max(out.max_width_ratio, point.semi_minor * place.curvature[1]);
-    if (is_edge(place.kind)) out.edge_carries = true;
+    if (is_sharp(place.kind)) out.edge_carries = true;
     if (point.pressure > out.max_pressure) {
       out.max_pressure = point.pressure;
       out.kind = place.kind;

@@ -27,6 +27,7 @@ double share(const ContactResult& result, bool (*is)(TouchKind)) {
 }
 
 bool inside(TouchKind kind) { return kind == TouchKind::interior || kind == TouchKind::line; }
+bool at_ridge(TouchKind kind) { return kind == TouchKind::ridge; }
 bool nowhere(TouchKind kind) { return kind == TouchKind::none; }
 
 std::string assumed(const ContactReport& report) {
@@ -51,6 +52,9 @@ std::string facts(const ContactReport& report) {
   t.row("Wave at the tooth frequency, amplitude", "", "″", {wave(a), wave(b)});
   t.row("Rotation with contact inside the flanks", "", "%",
         {percent(share(a, inside)), percent(share(b, inside))});
+  if (share(a, at_ridge) > 0.0 || share(b, at_ridge) > 0.0)
+    t.row("Rotation with contact at the start of a relief", "", "%",
+          {percent(share(a, at_ridge)), percent(share(b, at_ridge))});
   t.row("Rotation with an edge in contact", "", "%",
         {percent(share(a, is_edge)), percent(share(b, is_edge))});
   if (a.contact_lost || b.contact_lost)

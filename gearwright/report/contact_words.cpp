@@ -28,7 +28,14 @@ std::string contact_words(const ContactResult& contact) {
   std::string text = fmt::format("While a tooth passes, gear 2 runs up to {}″ unevenly. ",
                                  shown_arcsec(contact.peak_to_peak.arcsec()));
   if (lines) return text + "The flanks touch along lines across the face: no edge carries.";
-  if (edges == 0.0) return text + "The flanks always touch inside their limits: no edge carries.";
+  if (edges == 0.0) {
+    text += "The flanks always touch inside their limits: no edge carries.";
+    const double ridges = count([](TouchKind k) { return k == TouchKind::ridge; }) / all;
+    if (ridges > 0.0)
+      text += fmt::format(" During {:.0f} % of the rotation they touch at the start of a relief.",
+                          std::max(1.0, 100 * ridges));
+    return text;
+  }
   return text + fmt::format(
                     "During {:.0f} % of the rotation an edge touches where a flank should; "
                     "crowning or reliefs would bring the contact inside, or smaller errors.",

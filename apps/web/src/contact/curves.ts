@@ -10,7 +10,7 @@ const kLeastArcsec = 0.02;
 
 /** A kind of touch that is none of flanks. */
 export function isEdge(kind: string): boolean {
-  return !["interior", "line", "none", ""].includes(kind);
+  return !["interior", "line", "ridge", "none", ""].includes(kind);
 }
 
 export class TransmissionPlot extends MarkedPlot {
