@@ -205,8 +205,9 @@ std::vector<AimedLoad> aimed_loads(const LoadedAim& load, const CompensationTask
   return loads;
 }
 
-// What somebody meets who runs the corrected spec.
-Result<Verdict> judge_corrected(const std::string& corrected, const SolvedJob& job) {
+// What somebody meets who runs the corrected spec; `loads`: what the corrections do under torque.
+Result<Verdict> judge_corrected(const std::string& corrected, const SolvedJob& job,
+                                const std::vector<AimedLoad>& loads) {
   auto read = read_spec(corrected, SpecFormat::json);
   if (!read) return read.error();
   JobSpec spec = std::move(read).take();
@@ -221,7 +222,9 @@ Result<Verdict> judge_corrected(const std::string& corrected, const SolvedJob& j
   for (const Warning& w : job.warnings) {
     if (w.code == "contact_lost" && w.gear == 0) with.warnings.push_back(w);
   }
-  return judge(with, {.contact = &contact->driving});
+  for (const AimedLoad& load : loads)
+    if (load.after.edge_carries) with.warnings.push_back(edge_carries_at(load.torque));
+  return judge(with, {.contact = &contact->driving, .load = !loads.empty()});
 }
 
 }  // namespace
@@ -321,7 +324,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Headway* headway, int
   }
   if (auto warning = bound_warning(answer)) job.warnings.push_back(std::move(*warning));
   answer.corrected = json_text(corrected_spec(job, setup, answer.corrections, answer.result.value));
-  auto verdict = judge_corrected(answer.corrected, job);
+  auto verdict = judge_corrected(answer.corrected, job, answer.loads);
   if (!verdict) return verdict.error();
   answer.verdict = std::move(verdict).take();
   return answer;

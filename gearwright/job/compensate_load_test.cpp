@@ -114,6 +114,19 @@ TEST(CompensateLoad, IsNeverWorseThanNothing) {
   }
 }
 
+// It printed "an edge carries: yes" of the corrected pair, and ended green.
+TEST(CompensateLoad, AnEdgeThatStillCarriesIsAFinding) {
+  SolvedJob job = job_of(spec_of("aim = \"pressure\"\n", "[60, 250]"));
+  const auto answer = answer_compensate(job, nullptr, 20);
+  ASSERT_TRUE(answer) << answer.error().message();
+  ASSERT_TRUE(answer->loads[1].after.edge_carries);
+  EXPECT_NE(answer->verdict.level, Level::green);
+  const auto& findings = answer->verdict.findings;
+  const auto found = std::count_if(findings.begin(), findings.end(),
+                                   [](const Finding& f) { return f.code == "edge_carries"; });
+  EXPECT_GT(found, 0);
+}
+
 TEST(CompensateLoad, WantsTheTorque) {
   std::string text = spec_of("aim = \"pressure\"\n");
   text.erase(text.find("torque_Nm"), std::string("torque_Nm = 250\n").size());

@@ -93,11 +93,7 @@ void warn_about(const LoadedContact& contact, std::vector<Warning>& warnings) {
   for (const LoadedTorque& t : contact.torques) {
     const std::string torque = spoken(t.torque / kMmPerM);
     if (t.edge_carries)
-      warnings.push_back({"edge_carries",
-                          fmt::format("At {} N m an edge of a tooth carries: the pressure there is "
-                                      "a lower bound. Tip relief helps.",
-                                      torque),
-                          0});
+      warnings.push_back(edge_carries_at(t.torque));
     else if (t.beyond_flank)
       warnings.push_back({"ellipse_beyond_flank",
                           fmt::format("At {} N m the ellipse of contact hangs over an end of the "
@@ -254,6 +250,14 @@ Result<LoadAnswer> answer_load(SolvedJob& job, Headway* headway) {
   if (!contact) return contact.error();
   answer.contact = std::move(contact).take();
   return answer;
+}
+
+Warning edge_carries_at(double torque) {
+  return {"edge_carries",
+          fmt::format("At {} N m an edge of a tooth carries: the pressure there is a lower bound. "
+                      "Tip relief helps.",
+                      spoken(torque / kMmPerM)),
+          0};
 }
 
 bool not_made_for_load(const Error& error) {

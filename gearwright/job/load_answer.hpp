@@ -48,6 +48,9 @@ Result<LoadTask> load_task(SolvedJob& job);
 /// What there is to say against an answer; what it has to be read with becomes warnings of the job.
 std::optional<Error> judge_load(SolvedJob& job, const LoadTask& task, const LoadedContact& found);
 
+/// That an edge of a tooth carries under a torque, N mm.
+Warning edge_carries_at(double torque);
+
 /// What ISO 6336 says at each torque of an answer with contact, of solid discs; none where it says
 /// nothing of such pairs.
 std::vector<LoadStandard> load_standard(const SolvedJob& job, const LoadAnswer& answer);
