@@ -24,14 +24,17 @@ constexpr std::size_t kLettersOff = 3;  // of a verb, one of so many may be wron
 std::string version_text() { return std::string("gearwright ") + kVersion; }
 
 // CLI11's own range lets nan pass.
-CLI::Validator between(double lo, double hi) {
+CLI::Validator between(const ToleranceRange& range) {
   return CLI::Validator(
-      [lo, hi](const std::string& text) {
+      [range](const std::string& text) {
         double value = 0.0;
-        const bool good = CLI::detail::lexical_cast(text, value) && value >= lo && value <= hi;
-        return good ? std::string() : fmt::format("{} must lie between {} and {}", text, lo, hi);
+        const bool good = CLI::detail::lexical_cast(text, value) && value >= range.least &&
+                          value <= range.greatest;
+        return good ? std::string()
+                    : fmt::format("{} must lie between {} and {}", text, range.least,
+                                  range.greatest);
       },
-      fmt::format("{}...{}", lo, hi));
+      fmt::format("{}...{}", range.least, range.greatest));
 }
 
 void spec_argument(CLI::App* sub, Options& o) {
@@ -207,11 +210,11 @@ void CommandLine::add_files() {
   files
       ->add_option("--mesh-tolerance", o.mesh_tolerance,
                    "mm between mesh and exact surface (default 0.005)")
-      ->check(between(1e-5, 10.0));
+      ->check(between(kMeshTolerances));
   files
       ->add_option("--dxf-tolerance", o.drawing_tolerance,
                    "mm between the arcs of DXF or drawing and the exact outline (default 0.001)")
-      ->check(between(1e-7, 1.0));
+      ->check(between(kDrawingTolerances));
   files->add_flag("--dxf-splines", o.drawing_splines,
                   "DXF as splines (within 1 nm) instead of arcs");
 }

@@ -204,7 +204,8 @@ Result<TriangleMesh> tessellate(const ToothedBody& body, const MeshOptions& opti
                                    std::abs(body.twist) * body.face_width / steps, radius_max};
 
   // The section.
-  const std::vector<SectionPoint> half = section_points(body.outline, tolerance);
+  const std::vector<SectionPoint> half =
+      section_points(body.outline, tolerance, kHalfPointsMax + 1);
   const std::size_t n = half.size() - 1;
   if (n > kHalfPointsMax) return too_fine();
   if (2.0 * static_cast<double>(n) * copies * (steps + 1.0) > kVerticesMax) return too_fine();

@@ -70,6 +70,10 @@ TEST(MeshRefusal, WhatIsNoBody) {
 
   EXPECT_EQ(tessellate(sample_body({.beta = 0.3}), {.chord_tolerance_mm = 1e-9}).error().field,
             "chord_tolerance_mm");
+  // Without a helix no level is too many, and the points of the section ran on for ever.
+  for (const double tolerance : {1e-12, 1e-100, 1e-300, 5e-324})
+    EXPECT_EQ(tessellate(sample_body({}), {.chord_tolerance_mm = tolerance}).error().field,
+              "chord_tolerance_mm");
 }
 
 }  // namespace

@@ -34,19 +34,20 @@ double bound(const Arc& arc, double u_0, double u_1, const SectionTolerance& tol
 }
 
 void split(const Arc& arc, double u_0, double u_1, const SectionTolerance& tolerance,
-           std::vector<double>& parameters) {
+           std::size_t most, std::vector<double>& parameters) {
+  if (parameters.size() > most) return;
   const double middle = 0.5 * (u_0 + u_1);
   const bool divisible = u_0 < middle && middle < u_1;
   if (divisible && bound(arc, u_0, u_1, tolerance) > kCheckShare * tolerance.chord) {
-    split(arc, u_0, middle, tolerance, parameters);
-    split(arc, middle, u_1, tolerance, parameters);
+    split(arc, u_0, middle, tolerance, most, parameters);
+    split(arc, middle, u_1, tolerance, most, parameters);
   } else {
     parameters.push_back(u_1);
   }
 }
 
 // Parameters of the points on one arc, from 0 to 1.
-std::vector<double> place(const Arc& arc, const SectionTolerance& tolerance) {
+std::vector<double> place(const Arc& arc, const SectionTolerance& tolerance, std::size_t most) {
   const double turn = tolerance.level_turn;
   const double slack = 8.0 * kDensityShare * tolerance.chord - tolerance.radius * turn * turn;
   GW_EXPECTS(slack > 0.0);
@@ -65,7 +66,8 @@ std::vector<double> place(const Arc& arc, const SectionTolerance& tolerance) {
   }
 
   // A whole number up to rounding is that number, not the next one.
-  const int segments = std::max(1, static_cast<int>(std::ceil(count.back() - 1e-9)));
+  const double wanted = std::min(std::ceil(count.back() - 1e-9), static_cast<double>(most) + 1.0);
+  const int segments = std::max(1, static_cast<int>(wanted));
   std::vector<double> parameters{0.0};
   std::size_t cell = 0;
   for (int j = 1; j <= segments; ++j) {
@@ -76,7 +78,7 @@ std::vector<double> place(const Arc& arc, const SectionTolerance& tolerance) {
       u = (static_cast<double>(cell) + (target - count[cell]) / (count[cell + 1] - count[cell])) /
           kCells;
     }
-    split(arc, parameters.back(), u, tolerance, parameters);
+    split(arc, parameters.back(), u, tolerance, most, parameters);
   }
   return parameters;
 }
@@ -100,15 +102,15 @@ std::vector<SectionPoint> join_near(const std::vector<SectionPoint>& points, dou
 
 }  // namespace
 
-std::vector<SectionPoint> section_points(const Outline& outline,
-                                         const SectionTolerance& tolerance) {
+std::vector<SectionPoint> section_points(const Outline& outline, const SectionTolerance& tolerance,
+                                         std::size_t most) {
   GW_EXPECTS(!outline.arcs.empty() && outline.teeth != 0);
   GW_EXPECTS(tolerance.chord > 0.0 && tolerance.facet_turn > 0.0 && tolerance.level_turn >= 0.0);
   const double side = outline.teeth > 0 ? 1.0 : -1.0;  // arcs run clockwise: material on the right
 
   std::vector<SectionPoint> points;
   for (const Arc& arc : outline.arcs) {
-    const std::vector<double> parameters = place(arc, tolerance);
+    const std::vector<double> parameters = place(arc, tolerance, most);
     for (const double u : parameters) {
       const double angle = arc.at(u).tangent_angle;
       const Vec2 normal = side * Vec2(-std::sin(angle), std::cos(angle));
@@ -118,6 +120,7 @@ std::vector<SectionPoint> section_points(const Outline& outline,
         points.push_back({arc.point(u), normal, normal});
       }
     }
+    if (points.size() > most) return points;
   }
 
   const auto [s, c] = sincos_turn(1, 2LL * std::abs(outline.teeth));

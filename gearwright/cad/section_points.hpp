@@ -8,6 +8,7 @@
 // Its integral along an arc counts the segments; equal parts of the integral place the points.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "gearwright/generation/outline.hpp"
@@ -29,10 +30,12 @@ struct SectionTolerance {
 
 /// Points from the middle of the space to the middle of the tooth. The first lies on the ray π/|z|
 /// and the last on the x axis to the last bit. No two neighbours are closer than chord/50: nearer
-/// ones are joined, which moves the boundary by less than that.
+/// ones are joined, which moves the boundary by less than that. Once they are more than `most`, the
+/// rest is left out.
 ///
 /// Accuracy  (M1) < ε on every segment, with d measured at five points inside it
 /// Domain    ρΔ² < 8ε, ends on their rays to 1e-6 ρ (contract)
-std::vector<SectionPoint> section_points(const Outline& outline, const SectionTolerance& tolerance);
+std::vector<SectionPoint> section_points(const Outline& outline, const SectionTolerance& tolerance,
+                                         std::size_t most);
 
 }  // namespace gearwright

@@ -20,6 +20,12 @@ namespace gearwright {
 
 using Progress = std::function<void(std::string_view what)>;
 
+/// The tolerances that a user may choose, mm: finer ones make files that nothing reads.
+struct ToleranceRange {
+  double least, greatest;
+};
+inline constexpr ToleranceRange kMeshTolerances{1e-5, 10.0}, kDrawingTolerances{1e-7, 1.0};
+
 struct FileOptions {
   Progress progress;           ///< told before each file; may be empty
   Headway* headway = nullptr;  ///< told how far contact and corrections are
