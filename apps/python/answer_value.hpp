@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "apps/python/model.hpp"
+#include "apps/python/pickles.hpp"
 #include "apps/python/watched.hpp"
 #include "gearwright/catalogue/verdict_quantities.hpp"
 
@@ -48,9 +49,17 @@ Self answered(const ModelPtr& asked, const Solve& solve, const Say& say) {
   return self;
 }
 
-/// Attributes for all that the table says but `own`, which the kind has in a way of its own.
+/// Attributes for all that the table says but `own`, which the kind has in a way of its own. Out of a
+/// pickle comes what `of` finds of the pair again, bit for bit: an answer follows from its spec.
 template <class Self>
-void bind_answer(py::class_<Self>& type, const SaidTable& table, std::string_view own = {}) {
+void bind_answer(py::class_<Self>& type, const SaidTable& table, Self (*of)(const PairValue&),
+                 std::string_view own = {}) {
+  bind_copies(
+      type, [](const Self& s) { return py::make_tuple(to_python(s.model->spec), s.model->folder); },
+      [of](const py::tuple& state) {
+        return of({make_model(tree_of(state[0], ""), state[1].cast<std::filesystem::path>(),
+                              Scope::pair)});
+      });
   type.def(
           "as_dict", [](const Self& s) { return by_key(*s.record); },
           "Every quantity by key: what JSON has")

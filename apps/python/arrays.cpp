@@ -32,6 +32,16 @@ void put_word(char* at, std::size_t bytes, const std::string& word) {
 
 }  // namespace
 
+std::optional<Numbers> real_numbers(py::handle value) {
+  if (py::isinstance(value, py::module_::import("numpy.ma").attr("MaskedArray")))
+    return std::nullopt;
+  const py::array any = py::array::ensure(value);
+  PyErr_Clear();
+  if (!any || std::string_view("fiu").find(any.dtype().kind()) == std::string_view::npos)
+    return std::nullopt;
+  return Numbers::ensure(any);
+}
+
 py::array number_array(const Value& value, double unit) {
   std::vector<py::ssize_t> shape;
   for (const Value* v = &value; v->list(); v = &v->list()->front()) {

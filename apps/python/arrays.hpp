@@ -8,6 +8,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,12 @@ namespace gearwright::python {
 
 inline constexpr double kNothing =
     std::numeric_limits<double>::quiet_NaN();  ///< of what is not there
+
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// The real numbers of an array or of lists; none where they are something else, which numpy would
+/// turn into numbers without a word: complex ones, times, texts, flags, arrays with masked places.
+std::optional<Numbers> real_numbers(py::handle value);
 
 /// An array that owns the vector: no number is copied.
 template <class T, class Owner>

@@ -16,13 +16,11 @@ namespace gearwright::python {
 
 namespace {
 
-using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
-
 // A row of numbers in mm and rad, in the order of gearwright.ERRORS, as [errors].
 Json errors_of_row(py::handle row) {
-  const auto numbers = Numbers::ensure(row);
-  const py::ssize_t n = numbers ? numbers.size() : 0;
-  if (!numbers || numbers.ndim() != 1 || (n != 6 && n != 8))
+  const auto numbers = real_numbers(row);
+  const py::ssize_t n = numbers ? numbers->size() : 0;
+  if (!numbers || numbers->ndim() != 1 || (n != 6 && n != 8))
     raise(Error{"errors", std::string(py::repr(row)),
                 "must be a dict with keys of [errors], or 6 or 8 numbers in the order of "
                 "gearwright.ERRORS"});
@@ -30,7 +28,7 @@ Json errors_of_row(py::handle row) {
   for (py::ssize_t i = 0; i < n; ++i) {
     const ErrorEntry& e = error_entries()[static_cast<std::size_t>(i)];
     const std::string key = fmt::format("errors[{}]", i);
-    errors[std::string(e.key)] = tree_of(py::float_(numbers.at(i) / e.si()), key);
+    errors[std::string(e.key)] = tree_of(py::float_(numbers->at(i) / e.si()), key);
   }
   return errors;
 }
@@ -79,17 +77,19 @@ void check_rows(const Numbers& rows, const ContactSetup& setup) {
 py::array_t<double> transmission_errors(const PairValue& pair, const py::object& errors,
                                         int positions, const py::object& modifications,
                                         int threads) {
-  const auto rows = Numbers::ensure(errors);
-  PyErr_Clear();
-  if (!rows || rows.ndim() != 2 || (rows.shape(1) != 6 && rows.shape(1) != 8)) {
-    std::string shape = "no array of numbers";
-    if (rows) shape = std::string(py::str(rows.attr("shape")));
+  const auto given_rows = real_numbers(errors);
+  if (!given_rows || given_rows->ndim() != 2 ||
+      (given_rows->shape(1) != 6 && given_rows->shape(1) != 8)) {
+    std::string shape = "no array of real numbers";
+    if (given_rows) shape = std::string(py::str(given_rows->attr("shape")));
     raise(Error{
         "errors", shape,
         "must be an array of shape (n, 6) or (n, 8), mm and rad, columns as gearwright.ERRORS"});
   }
+  const Numbers& rows = *given_rows;
   const KeyRange& range = contact_keys().find("positions")->range;
   if (!range.contains(positions)) raise(refused("positions", positions, range.sentence(positions)));
+  threads_in_range(threads);
   const ModelPtr model =
       asked_model(pair, py::none(), modifications, contact_keys(), "contact", {});
   const ContactSetup setup = [&] {
@@ -166,7 +166,9 @@ py::class_<ContactValue> bind_contact(py::module_& m, py::class_<PairValue>& pai
                            c.answer->driving.positions.size(),
                            c.answer->driving.peak_to_peak.arcsec());
       });
-  bind_answer(contact, contact_quantities().table(), "positions");
+  bind_answer<ContactValue>(
+      contact, contact_quantities().table(),
+      [](const PairValue& p) { return contact_of(p, py::none(), py::none(), {}); }, "positions");
   for (const Quantity<ContactPoint>& q : position_quantities().list()) {
     if (q.said.of) continue;
     contact.def_property_readonly(

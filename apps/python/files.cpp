@@ -20,7 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostPoints = 100'000;  // of an arc
+constexpr int kMostPoints = 100'000;            // of an arc
+constexpr std::size_t kMostOfAll = 20'000'000;  // of a section
 
 int points_in_range(int points) {
   if (points < 2 || points > kMostPoints)
@@ -28,9 +29,10 @@ int points_in_range(int points) {
   return points;
 }
 
-double some_tolerance(double tolerance) {
-  if (!(tolerance > 0.0) || !std::isfinite(tolerance))
-    raise(refused("tolerance", tolerance, "must be greater than 0 mm"));
+double tolerance_in_range(double tolerance, const ToleranceRange& range) {
+  if (!(tolerance >= range.least && tolerance <= range.greatest))
+    raise(refused("tolerance", tolerance,
+                  fmt::format("must lie between {} and {} mm", range.least, range.greatest)));
   return tolerance;
 }
 
@@ -92,6 +94,11 @@ py::array_t<double> section(const GearValue& gear, int points) {
   auto made = closed_contour(body.outline);
   if (!made) raise(made.error(), *gear.model);
   const Contour contour = std::move(made).take();
+  if (contour.pieces.size() * static_cast<std::size_t>(points) > kMostOfAll)
+    raise(refused(
+        "points", points,
+        fmt::format("must be at most {}: the section has {} arcs, and at most {} points",
+                    kMostOfAll / contour.pieces.size(), contour.pieces.size(), kMostOfAll)));
   std::vector<std::vector<Vec2>> sampled;
   for (const Arc& arc : body.outline.arcs) sampled.push_back(sample(arc, points));
   std::vector<Vec2> all;
@@ -106,7 +113,7 @@ py::array_t<double> section(const GearValue& gear, int points) {
 }
 
 py::tuple mesh(const GearValue& gear, double tolerance) {
-  some_tolerance(tolerance);
+  tolerance_in_range(tolerance, kMeshTolerances);
   const ToothedBody body = body_of(gear);
   std::optional<Result<TriangleMesh>> made;
   {
@@ -134,7 +141,9 @@ py::object told(const JobFile& file, const std::optional<fs::path>& path) {
 py::object exported(FileKind kind, const std::vector<ToothedBody>& bodies, const Model& model,
                     const std::optional<fs::path>& path, double tolerance, bool splines) {
   FileOptions options;
-  options.mesh_tolerance_mm = options.drawing_tolerance_mm = some_tolerance(tolerance);
+  const bool drawn = kind == FileKind::dxf || kind == FileKind::svg;
+  const ToleranceRange& range = drawn ? kDrawingTolerances : kMeshTolerances;
+  options.mesh_tolerance_mm = options.drawing_tolerance_mm = tolerance_in_range(tolerance, range);
   options.drawing_splines = splines;
   const fs::path name = path.value_or(model.spec.contains("gear2") ? "pair" : "gear");
   std::optional<Result<JobFile>> file;
@@ -161,7 +170,7 @@ py::object drawing(const std::vector<int>& gears, const Model& model,
   if (!kind) raise({"format", format, "must be pdf, svg or dxf"});
   if (sheet != "A4" && sheet != "A3") raise({"sheet", sheet, "must be A4 or A3"});
   FileOptions options;
-  options.drawing_tolerance_mm = some_tolerance(tolerance);
+  options.drawing_tolerance_mm = tolerance_in_range(tolerance, kDrawingTolerances);
   const SheetSize size = sheet == "A3" ? SheetSize::a3 : SheetSize::a4;
   const fs::path name = path.value_or("drawing");
   std::optional<Result<JobFile>> file;
@@ -193,9 +202,9 @@ void bind_exports(Class& type) {
   for (const Export& e : kExports) {
     type.def(
         e.name,
-        [kind = e.kind](const Self& self, const std::optional<fs::path>& path, double tolerance,
-                        bool splines) {
-          return exported(kind, bodies_of(self), *self.model, path, tolerance, splines);
+        [kind = e.kind](const Self& self, const py::object& path, double tolerance, bool splines) {
+          return exported(kind, bodies_of(self), *self.model, path_or_none(path, "path"), tolerance,
+                          splines);
         },
         py::arg("path") = py::none(), py::arg("tolerance") = e.tolerance,
         py::arg("splines") = false,
@@ -204,9 +213,10 @@ void bind_exports(Class& type) {
   }
   type.def(
       "drawing",
-      [](const Self& self, const std::optional<fs::path>& path, const std::string& format,
+      [](const Self& self, const py::object& path, const std::string& format,
          const std::string& sheet, double tolerance) {
-        return drawing(sheets_of(self), *self.model, path, format, sheet, tolerance);
+        return drawing(sheets_of(self), *self.model, path_or_none(path, "path"), format, sheet,
+                       tolerance);
       },
       py::arg("path") = py::none(), py::arg("format") = "pdf", py::arg("sheet") = "A4",
       py::arg("tolerance") = 0.001,

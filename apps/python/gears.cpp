@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/python/model.hpp"
+#include "apps/python/pickles.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/pair_keys.hpp"
@@ -94,8 +95,8 @@ PairValue replaced(const PairValue& pair, const py::kwargs& kwargs) {
 py::object load(const py::object& given) {
   Json spec;
   fs::path folder;
-  if (py::isinstance<py::str>(given) || py::hasattr(given, "__fspath__")) {
-    const SpecText text = value_or_raise(read_spec_text(given.cast<fs::path>()));
+  if (is_path(given)) {
+    const SpecText text = value_or_raise(read_spec_text(path_of(given, "spec")));
     spec = parse_json(value_or_raise(read_spec(text)).tree);
     folder = text.folder;
   } else {
@@ -148,9 +149,7 @@ void bind_value(Class& type) {
              return py::isinstance<Self>(b) &&
                     json_text(spec_of(a)) == json_text(spec_of(b.cast<const Self&>()));
            })
-      .def("__hash__", [](const Self& s) { return py::hash(py::str(json_text(spec_of(s)))); })
-      .def("__copy__", [](const Self& s) { return s; })
-      .def("__deepcopy__", [](const Self& s, const py::dict&) { return s; });
+      .def("__hash__", [](const Self& s) { return py::hash(py::str(json_text(spec_of(s)))); });
 }
 
 }  // namespace
@@ -177,18 +176,18 @@ std::pair<py::class_<GearValue>, py::class_<PairValue>> bind_gears(py::module_& 
       .def_property_readonly(
           "spec", [](const GearValue& g) { return to_python(g.spec()); },
           "What it was made from, by key")
-      .def("__repr__",
-           [](const GearValue& g) {
-             const Gear& made = g.gear();
-             return fmt::format(
-                 "Gear(teeth={}, normal_module_mm={:g}, helix_angle_deg={:g}{})", made.spec.teeth,
-                 made.spec.normal_module, made.spec.helix_angle.deg(),
-                 made.involute() ? fmt::format(", profile_shift={:g}", made.spec.profile_shift)
-                                 : ", circular arcs");
-           })
-      .def("__reduce__", [](const GearValue& g) {
-        const py::object make = py::module_::import("gearwright._doors").attr("remade_gear");
-        return py::make_tuple(make, py::make_tuple(to_python(g.spec()), g.model->folder));
+      .def("__repr__", [](const GearValue& g) {
+        const Gear& made = g.gear();
+        return fmt::format("Gear(teeth={}, normal_module_mm={:g}, helix_angle_deg={:g}{})",
+                           made.spec.teeth, made.spec.normal_module, made.spec.helix_angle.deg(),
+                           made.involute()
+                               ? fmt::format(", profile_shift={:g}", made.spec.profile_shift)
+                               : ", circular arcs");
+      });
+  bind_copies(
+      gear, [](const GearValue& g) { return py::make_tuple(to_python(g.spec()), g.model->folder); },
+      [](const py::tuple& state) {
+        return make_gear_value(tree_of(state[0], ""), state[1].cast<fs::path>());
       });
   bind_value(gear);
   say_attributes(gear, gear_quantities(),
@@ -225,15 +224,16 @@ std::pair<py::class_<GearValue>, py::class_<PairValue>> bind_gears(py::module_& 
       .def(
           "result", [](const PairValue& p) { return to_python(job_json(p.model->job, judge(p.model->job))); },
           "gears, pair, warnings and verdict: the program's JSON")
-      .def("__repr__",
-           [](const PairValue& p) {
-             return fmt::format("Pair({} / {}, center_distance_mm={:.6g}, contact_ratio={:.4f})",
-                                p.pair().gear(1).spec.teeth, p.pair().gear(2).spec.teeth,
-                                p.pair().center_distance(), p.pair().contact_ratio());
-           })
-      .def("__reduce__", [](const PairValue& p) {
-        const py::object make = py::module_::import("gearwright._doors").attr("remade_pair");
-        return py::make_tuple(make, py::make_tuple(to_python(p.model->spec), p.model->folder));
+      .def("__repr__", [](const PairValue& p) {
+        return fmt::format("Pair({} / {}, center_distance_mm={:.6g}, contact_ratio={:.4f})",
+                           p.pair().gear(1).spec.teeth, p.pair().gear(2).spec.teeth,
+                           p.pair().center_distance(), p.pair().contact_ratio());
+      });
+  bind_copies(
+      pair,
+      [](const PairValue& p) { return py::make_tuple(to_python(p.model->spec), p.model->folder); },
+      [](const py::tuple& state) {
+        return PairValue{make_model(tree_of(state[0], ""), state[1].cast<fs::path>(), Scope::pair)};
       });
   bind_value(pair);
   say_attributes(pair, pair_quantities(),
@@ -243,12 +243,6 @@ std::pair<py::class_<GearValue>, py::class_<PairValue>> bind_gears(py::module_& 
         "The Gear or the Pair of a spec: of its file, TOML or JSON, beside which files that it "
         "names are looked for, "
         "or a dict");
-  m.def("_gear", [](const py::dict& spec, const fs::path& folder) {
-    return make_gear_value(tree_of(spec, ""), folder);
-  });
-  m.def("_pair", [](const py::dict& spec, const fs::path& folder) {
-    return PairValue{make_model(tree_of(spec, ""), folder, Scope::pair)};
-  });
   return {gear, pair};
 }
 

@@ -1,5 +1,8 @@
 // What the catalogue says, for the stubs and for whoever asks at run time.
+#include <algorithm>
+
 #include "apps/python/model.hpp"
+#include "apps/python/pickles.hpp"
 #include "gearwright/catalogue/compensate_keys.hpp"
 #include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/catalogue/contact_keys.hpp"
@@ -48,10 +51,16 @@ const char* word_of(KeyKind kind) {
 }
 
 // Adds a table and those of the records in it.
-void add(py::dict& all, const SaidTable& table) {
-  if (all.contains(table.name)) return;
+void add(std::vector<const SaidTable*>& all, const SaidTable& table) {
+  const auto same = [&](const SaidTable* other) { return other->name == table.name; };
+  if (std::any_of(all.begin(), all.end(), same)) return;
+  all.push_back(&table);
+  for (const Said* said : table.list)
+    if (said->of) add(all, said->of());
+}
+
+py::list said_list(const SaidTable& table) {
   py::list list;
-  all[py::str(table.name)] = list;
   for (const Said* said : table.list) {
     py::dict one;
     one["name"] = name_of(*said);
@@ -66,8 +75,8 @@ void add(py::dict& all, const SaidTable& table) {
     one["of"] = said->of ? said->of().name : "";
     one["doc"] = docstring(*said);
     list.append(one);
-    if (said->of) add(all, said->of());
   }
+  return list;
 }
 
 py::list keys_of(const KeyTable& table) {
@@ -87,15 +96,21 @@ py::list keys_of(const KeyTable& table) {
 
 }  // namespace
 
+std::vector<const SaidTable*> all_tables() {
+  std::vector<const SaidTable*> all;
+  for (const SaidTable* table :
+       {&gear_quantities().table(), &pair_quantities().table(), &contact_quantities().table(),
+        &compensate_quantities().table(), &fit_quantities().table(), &search_quantities().table(),
+        &design_quantities().table(), &rating_quantities().table(), &load_quantities().table(),
+        &verdict_quantities().table(), &warning_quantities().table()})
+    add(all, *table);
+  return all;
+}
+
 void bind_said(py::module_& m) {
   m.def("_catalogue", [] {
     py::dict all;
-    for (const SaidTable* table :
-         {&gear_quantities().table(), &pair_quantities().table(), &contact_quantities().table(),
-          &compensate_quantities().table(), &fit_quantities().table(), &search_quantities().table(),
-          &design_quantities().table(), &rating_quantities().table(), &load_quantities().table(),
-          &verdict_quantities().table(), &warning_quantities().table()})
-      add(all, *table);
+    for (const SaidTable* table : all_tables()) all[py::str(table->name)] = said_list(*table);
     return all;
   });
   m.def("_keys", [] {

@@ -1,17 +1,21 @@
 // The design search and the inverse questions: fit, compensate.
 #include <fmt/format.h>
+#include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
 #include <mutex>
+#include <tuple>
 
 #include "apps/python/arrays.hpp"
 #include "apps/python/model.hpp"
+#include "apps/python/pickles.hpp"
 #include "apps/python/watched.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/job/search_answer.hpp"
 #include "gearwright/job/search_job.hpp"
+#include "gearwright/job/search_record.hpp"
 #include "gearwright/job/search_tables.hpp"
 
 namespace gearwright::python {
@@ -22,6 +26,15 @@ namespace fs = std::filesystem;
 
 // A finished search; designs best first.
 struct Found {
+  explicit Found(SpecText given) : text(std::move(given)), spec(value_or_raise(read_spec(text))) {
+    if (!spec.search)
+      raise(Error{"search", "",
+                  "is missing; a search needs a table search with at least ratio, modules_mm and "
+                  "pinion_teeth"});
+    search = std::make_shared<const Search>(*spec.search);
+  }
+
+  SpecText text;
   JobSpec spec;
   std::shared_ptr<const Search> search;
   SearchRun run;
@@ -44,28 +57,20 @@ const char* word_of(SearchProgress::Stage stage) {
   return "";
 }
 
-FoundPtr search(const py::object& given, const std::optional<std::size_t>& top, int threads,
-                const py::object& progress, const std::optional<fs::path>& out, bool resume,
-                bool yes_large) {
-  JobSpec spec;
-  if (py::isinstance<py::str>(given) || py::hasattr(given, "__fspath__")) {
-    spec = value_or_raise(read_spec_file(given.cast<fs::path>()));
-  } else {
-    spec = read_tree_of(spec_with_keys(tree_of(given, "")), {});
-  }
-  if (!spec.search)
-    raise(Error{"search", "",
-                "is missing; a search needs a table search with at least ratio, modules_mm and "
-                "pinion_teeth"});
-  auto found = std::make_shared<Found>();
-  found->search = std::make_shared<const Search>(*spec.search);
-  found->spec = std::move(spec);
+FoundPtr search(const py::object& given, const std::optional<long long>& top, int threads,
+                const py::object& progress, const py::object& out, bool resume, bool yes_large) {
+  threads_in_range(threads);
+  if (top && *top < 1) raise({"top", std::to_string(*top), "must be at least 1"});
+  auto found = std::make_shared<Found>(
+      is_path(given)
+          ? value_or_raise(read_spec_text(path_of(given, "spec")))
+          : SpecText{"", json_text(spec_with_keys(tree_of(given, ""))), SpecFormat::json});
   Watched watched;
   SearchOptions options;
-  options.out = out.value_or("");
+  options.out = path_or_none(out, "out").value_or("");
   options.resume = resume;
   options.yes_large = yes_large;
-  options.top = top;
+  if (top) options.top = static_cast<std::size_t>(*top);
   options.threads = threads;
   options.stop = &watched.stop;
   std::mutex mutex;
@@ -125,7 +130,8 @@ py::array to_numpy(const Found& found) {
   return array.take();
 }
 
-void to_parquet(const Found& found, const fs::path& path) {
+void to_parquet(const Found& found, const py::object& given_path) {
+  const fs::path path = path_of(given_path, "path");
   const py::gil_scoped_release free;
   write_file_by(path, [&](const fs::path& part) {
     ParquetTable<DesignView> table(
@@ -154,6 +160,51 @@ py::dict counts_of(const Found& found) {
   return all;
 }
 
+// What a pickle keeps of a finished search: its spec, and what it found, which may have taken hours.
+py::tuple kept_search(const Found& found) {
+  const SearchRun& run = found.run;
+  const SearchCounts& counts = run.answer.counts;
+  py::list changes;
+  for (const NearestChange& c : run.changes)
+    changes.append(py::make_tuple(c.field, c.from, c.to, c.effort));
+  const bool toml = found.text.format == SpecFormat::toml;
+  return py::make_tuple(py::make_tuple(found.text.text, toml, found.text.folder),
+                        py::make_tuple(counts.tested, counts.feasible, counts.rejected,
+                                       counts.points_tested, counts.points_feasible),
+                        py::bytes(pack({run.answer.designs, {}})), run.answer.pareto,
+                        run.answer.cut, changes,
+                        run.safest ? py::object(py::bytes(pack({{*run.safest}, {}}))) : py::none(),
+                        run.changes_left_out, run.notes);
+}
+
+std::shared_ptr<Found> recalled_search(const py::tuple& state) {
+  const auto spec = state[0].cast<std::tuple<std::string, bool, fs::path>>();
+  auto found = std::make_shared<Found>(
+      SpecText{"", std::get<0>(spec), std::get<1>(spec) ? SpecFormat::toml : SpecFormat::json,
+               std::get<2>(spec)});
+  SearchRun& run = found->run = begun(found->spec, *found->search);
+  run.finished = true;
+  SearchCounts& counts = run.answer.counts;
+  std::tie(counts.tested, counts.feasible, counts.rejected, counts.points_tested,
+           counts.points_feasible) =
+      state[1]
+          .cast<std::tuple<std::int64_t, std::int64_t, std::array<std::int64_t, kLimits>,
+                           std::int64_t, std::int64_t>>();
+  const auto designs = [](const py::handle& bytes) {
+    return unpack(std::string(bytes.cast<py::bytes>()), "the pickle of a search").designs;
+  };
+  run.answer.designs = designs(state[2]);
+  run.answer.pareto = state[3].cast<std::vector<std::size_t>>();
+  run.answer.cut = state[4].cast<bool>();
+  for (const auto& [field, from, to, effort] :
+       state[5].cast<std::vector<std::tuple<std::string, std::string, std::string, double>>>())
+    run.changes.push_back({field, from, to, effort});
+  if (!state[6].is_none()) run.safest = designs(state[6]).front();
+  run.changes_left_out = state[7].cast<std::string>();
+  run.notes = state[8].cast<std::vector<std::string>>();
+  return found;
+}
+
 std::string report_of(const Found& found) {
   return search_page(found.spec, *found.search, found.run);
 }
@@ -161,9 +212,10 @@ std::string report_of(const Found& found) {
 }  // namespace
 
 void bind_search(py::module_& m) {
-  py::class_<Found, std::shared_ptr<Found>>(m, "Search",
-                                            "A finished design search: its designs, best first")
-      .def("__len__", [](const Found& f) { return f.run.answer.designs.size(); })
+  py::class_<Found, std::shared_ptr<Found>> type(
+      m, "Search", "A finished design search: its designs, best first");
+  bind_copies(type, &kept_search, &recalled_search);
+  type.def("__len__", [](const Found& f) { return f.run.answer.designs.size(); })
       .def("__getitem__", &design, "The design of this place as a Record")
       .def("pair", &pair_of, py::arg("place") = 0, "The Pair of a design")
       .def("to_numpy", &to_numpy,

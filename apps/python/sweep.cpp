@@ -16,8 +16,6 @@ namespace gearwright::python {
 
 namespace {
 
-using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
-
 // A key whose numbers change from row to row.
 struct Swept {
   const Key* key;
@@ -44,12 +42,11 @@ const Key& key_of(const KeyTable& table, const std::string& name, const std::str
 Swept swept(const KeyTable& table, int gear, const std::string& name, py::handle column) {
   const std::string path = (gear == 0 ? "pair." : fmt::format("gear{}.", gear)) + name;
   const Key& key = key_of(table, name, path);
-  auto numbers = Numbers::ensure(column);
-  PyErr_Clear();
-  if (!numbers || numbers.ndim() != 1)
-    raise(Error{path, "", "must be an array of one dimension, or a list of numbers"});
+  const auto numbers = real_numbers(column);
+  if (!numbers || numbers->ndim() != 1)
+    raise(Error{path, "", "must be an array of one dimension, or a list, of real numbers"});
   const bool in_unit = key.key == name;
-  return {&key, gear, path, numbers, in_unit ? 1.0 : units_per_house(key)};
+  return {&key, gear, path, *numbers, in_unit ? 1.0 : units_per_house(key)};
 }
 
 std::vector<Swept> swept_keys(const py::kwargs& kwargs) {
@@ -60,6 +57,8 @@ std::vector<Swept> swept_keys(const py::kwargs& kwargs) {
       all.push_back(swept(pair_keys(), 0, name, column));
       continue;
     }
+    if (!py::isinstance<py::dict>(column))
+      raise(Error{name, "", "must be a dict of the gear's keys with arrays"});
     for (const auto& [inner, numbers] : py::reinterpret_borrow<py::dict>(column))
       all.push_back(
           swept(gear_keys(), name == "gear1" ? 1 : 2, std::string(py::str(inner)), numbers));
@@ -94,6 +93,7 @@ std::optional<Error> put(JobSpec& spec, const Swept& s, std::size_t row) {
 }
 
 py::array sweep(const PairValue& pair, int threads, const py::kwargs& kwargs) {
+  threads_in_range(threads);
   const std::vector<Swept> keys = swept_keys(kwargs);
   const auto rows = static_cast<std::size_t>(keys.front().numbers.size());
   StructuredArray array;

@@ -58,14 +58,17 @@ py::object positions_of(const LoadedValue& loaded) {
 
 void bind_under_load(py::module_& m, py::class_<PairValue>& pair) {
   py::class_<RatingValue> rating(m, "Rating", "The strength of a pair by the standard");
-  bind_answer(rating, rating_quantities().table());
+  bind_answer<RatingValue>(rating, rating_quantities().table(),
+                           [](const PairValue& pair) { return rating_of(pair, {}); });
   rating.def("__repr__", [](const RatingValue& r) {
     const Rating& made = r.answer->rating;
     return fmt::format("Rating(S_H={:.4g} / {:.4g}, S_F={:.4g} / {:.4g})", made.S_H[0].value,
                        made.S_H[1].value, made.S_F[0].value, made.S_F[1].value);
   });
   py::class_<LoadedValue> loaded(m, "Loaded", "A pair under torque, its teeth yielding");
-  bind_answer(loaded, load_quantities().table());
+  bind_answer<LoadedValue>(loaded, load_quantities().table(), [](const PairValue& pair) {
+    return loaded_of(pair, py::none(), py::none(), {});
+  });
   loaded
       .def_property_readonly(
           "positions", &positions_of,

@@ -5,6 +5,7 @@
 
 #include "apps/python/arrays.hpp"
 #include "apps/python/model.hpp"
+#include "apps/python/pickles.hpp"
 #include "gearwright/base/units.hpp"
 
 namespace gearwright::python {
@@ -83,6 +84,16 @@ Json whole_of(py::handle value, const std::string& path) {
   if (overflow != 0)
     raise({path, std::string(py::str(value)), "is more than any number of a gear"});
   return whole;
+}
+
+// A time or an array of times, of which numpy's tolist() makes whole numbers where they are in ns.
+bool is_time(py::handle value) {
+  if (!py::isinstance<py::array>(value)) {
+    const py::object scalar = py::module_::import("numpy").attr("generic");
+    if (!py::isinstance(value, scalar)) return false;
+  }
+  const char kind = value.attr("dtype").cast<py::dtype>().kind();
+  return kind == 'm' || kind == 'M';
 }
 
 Json mapping_of(py::handle value, const std::string& path) {
@@ -167,7 +178,22 @@ py::object by_name(const Value& without_unit) {
   return std::visit(ByName{1.0}, without_unit.variant());
 }
 
+namespace {
+
+// A tree that has itself in it ends in a RecursionError.
+struct Depth {
+  Depth() {
+    if (Py_EnterRecursiveCall(" in a spec") != 0) throw py::error_already_set();
+  }
+  Depth(const Depth&) = delete;
+  Depth& operator=(const Depth&) = delete;
+  ~Depth() { Py_LeaveRecursiveCall(); }
+};
+
+}  // namespace
+
 Json tree_of(py::handle value, const std::string& path) {
+  const Depth deeper;
   PyObject* const o = value.ptr();
   if (value.is_none()) return nullptr;
   if (PyBool_Check(o)) return o == Py_True;
@@ -175,19 +201,51 @@ Json tree_of(py::handle value, const std::string& path) {
   if (PyFloat_Check(o)) return number_of(PyFloat_AS_DOUBLE(o), path);
   if (PyUnicode_Check(o)) return std::string(py::str(value));
   if (py::isinstance<GearValue>(value)) return value.cast<const GearValue&>().spec();
-  if (py::hasattr(value, "tolist")) return tree_of(value.attr("tolist")(), path);  // numpy
+  const bool numpy = py::hasattr(value, "tolist");
+  if (numpy && !is_time(value)) return tree_of(value.attr("tolist")(), path);
   if (PyDict_Check(o) || py::hasattr(value, "keys")) return mapping_of(value, path);
   if (py::hasattr(value, "__fspath__")) return std::string(py::str(value.attr("__fspath__")()));
-  if (PyIndex_Check(o)) return whole_of(py::reinterpret_steal<py::object>(PyNumber_Index(o)), path);
-  if (PySequence_Check(o)) {
+  if (PyIndex_Check(o) && !numpy)
+    return whole_of(py::reinterpret_steal<py::object>(PyNumber_Index(o)), path);
+  if (PySequence_Check(o) && !numpy) {
     Json list = Json::array();
     for (const auto& item : value)
       list.push_back(tree_of(item, path + "[" + std::to_string(list.size()) + "]"));
     return list;
   }
-  if (py::hasattr(value, "__float__"))
+  if (py::hasattr(value, "__float__") && !numpy)
     return number_of(value.attr("__float__")().cast<double>(), path);
   throw py::type_error(path + ": a spec has no place for " + std::string(py::repr(value)));
+}
+
+bool is_path(py::handle value) {
+  return py::isinstance<py::str>(value) || py::isinstance<py::bytes>(value) ||
+         py::hasattr(value, "__fspath__");
+}
+
+std::filesystem::path path_of(py::handle value, const std::string& name) {
+  PyObject* bytes = nullptr;
+  if (PyUnicode_FSConverter(value.ptr(), &bytes) != 0)
+    return std::string(py::reinterpret_steal<py::bytes>(bytes));
+  const bool another_type = PyErr_ExceptionMatches(PyExc_TypeError) != 0;
+  PyErr_Clear();
+  const std::string shown = py::repr(value);
+  if (another_type) throw py::type_error(name + ": must be the path of a file, not " + shown);
+  raise({name, shown, "cannot be the name of a file"});
+}
+
+std::optional<std::filesystem::path> path_or_none(py::handle value, const std::string& name) {
+  if (value.is_none()) return std::nullopt;
+  return path_of(value, name);
+}
+
+int threads_in_range(int threads) {
+  constexpr int kMostThreads = 1024;  // as batch and search take
+  if (threads < 0 || threads > kMostThreads)
+    raise(refused("threads", threads,
+                  "must lie between 1 and " + std::to_string(kMostThreads) +
+                      ", or be 0: as many as the machine has"));
+  return threads;
 }
 
 void raise(const Error& error) {
@@ -208,8 +266,12 @@ void raise_of_gear(Error error) {
 }
 
 void bind_records(py::module_& m) {
-  py::class_<Record>(m, "Record",
-                     "Quantities of the catalogue: attributes in mm and rad, items by key")
+  py::class_<Record> record(m, "Record",
+                            "Quantities of the catalogue: attributes in mm and rad, items by key");
+  bind_copies(
+      record, [](const Record& r) { return py::make_tuple(kept(r.members)); },
+      [](const py::tuple& state) { return Record{recalled(state[0])}; });
+  record
       .def("__getattr__",
            [](const Record& r, const std::string& name) {
              const Member* member = r.by_name(name);

@@ -6,6 +6,8 @@
 
 #include <pybind11/pybind11.h>
 
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -36,6 +38,14 @@ py::object by_name(const Value& without_unit);
 /// A tree of dicts, lists, numbers and texts; numpy's numbers and arrays, paths and Gears too. `path` names
 /// it in errors.   Throws  SpecError for what is not finite, TypeError for what has no place in a spec
 Json tree_of(py::handle value, const std::string& path);
+
+/// A text, bytes or a path object.
+bool is_path(py::handle value);
+/// The path of a file or folder; `name` names it in errors.   Throws  SpecError, TypeError
+std::filesystem::path path_of(py::handle value, const std::string& name);
+std::optional<std::filesystem::path> path_or_none(py::handle value, const std::string& name);
+/// So many threads, 0: as many as the machine has.   Throws  SpecError
+int threads_in_range(int threads);
 
 /// Raises gearwright.SpecError.
 [[noreturn]] void raise(const Error& error);

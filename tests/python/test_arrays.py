@@ -93,6 +93,50 @@ def test_what_is_no_array_of_errors_is_named(errors, key):
     assert e.value.key == key and e.value.allowed
 
 
+NO_REAL_NUMBERS = [np.zeros((1, 6), dtype=complex), np.zeros((1, 6), dtype="m8[ns]"), np.zeros((1, 6), dtype="m8[s]"),
+                   np.zeros((1, 6), dtype="M8[D]"), np.zeros((1, 6), dtype=bool), np.zeros((1, 6), dtype=object),
+                   np.zeros((1, 6)).astype(str), np.ma.masked_array(np.zeros((1, 6)), mask=True), [[1j] * 6], [["1"] * 6],
+                   [[None] * 6]]
+
+
+@pytest.mark.parametrize("given", NO_REAL_NUMBERS, ids=lambda a: str(np.asarray(a).dtype) + type(a).__name__)
+def test_numbers_are_real(given):
+    row = given[0]
+    for call, key in ((lambda: pair().transmission_error(given), "errors"), (lambda: pair().contact(errors=row), "errors"),
+                      (lambda: pair().sweep(center_distance=row), "pair.center_distance"),
+                      (lambda: pair().sweep(gear1={"profile_shift": row}), "gear1.profile_shift")):
+        with pytest.raises(gw.SpecError) as e:
+            call()
+        assert e.value.key == key
+    for form in (gw.involute, gw.inverse_involute, lambda a: gw.contact_ratio(17, 43, a), gw.shift_limits,
+                 lambda a: gw.backlash(17, 43, 0, 0, a), lambda a: gw.center_distance(17, 43, helix_angle=a)):
+        with pytest.raises(TypeError, match="real number"):
+            form(row)
+
+
+def test_times_are_no_numbers_of_a_spec():
+    for time in (np.timedelta64(17, "ns"), np.datetime64(17, "ns"), np.array([17], "m8[ns]")):
+        with pytest.raises(TypeError):
+            gw.Gear(teeth=time, normal_module=2)
+
+
+def test_sweep_wants_a_dict_of_a_gear():
+    for wrong in (5, [0.1, 0.2], "profile_shift"):
+        with pytest.raises(gw.SpecError) as e:
+            pair().sweep(gear1=wrong)
+        assert e.value.key == "gear1"
+
+
+def test_threads_in_range():
+    for threads in (-1, 10 ** 6):
+        for call in (lambda n: pair().transmission_error(np.zeros((1, 6)), threads=n),
+                     lambda n: pair().sweep(center_distance=[78.7], threads=n),
+                     lambda n: gw.search({"search": {"ratio": 2, "modules_mm": [2], "pinion_teeth": [20, 22]}}, threads=n)):
+            with pytest.raises(gw.SpecError) as e:
+                call(threads)
+            assert e.value.key == "threads"
+
+
 def test_positions_in_range():
     for positions in (-1, 0, 10 ** 8):
         with pytest.raises(gw.SpecError) as e:
@@ -110,9 +154,10 @@ def test_outline():
     assert np.array_equal(section[0], section[-1])
     area = 0.5 * abs(np.sum(section[:-1, 0] * section[1:, 1] - section[1:, 0] * section[:-1, 1]))
     assert math.pi * pinion().root_diameter ** 2 / 4 < area < math.pi * pinion().tip_diameter ** 2 / 4
-    with pytest.raises(gw.SpecError) as e:
-        pinion().outline(points=1)
-    assert e.value.key == "points"
+    for wrong in (lambda: pinion().outline(points=1), lambda: pinion(teeth=900).section(points=100_000)):
+        with pytest.raises(gw.SpecError) as e:
+            wrong()
+        assert e.value.key == "points"
     severed = gw.Gear(teeth=5, normal_module=1, profile_shift=-3)
     with pytest.raises(gw.SpecError) as e:
         severed.outline()
@@ -127,9 +172,13 @@ def test_mesh_is_closed_and_not_copied():
     back = {(b, a) for a, b in edges.tolist()}
     assert len(back) == len(edges) and all(tuple(e) in back for e in edges.tolist())
     assert vertices[:, 2].min() == -12.5 and vertices[:, 2].max() == 12.5
-    with pytest.raises(gw.SpecError) as e:
-        pinion().mesh(tolerance=math.nan)
-    assert e.value.key == "tolerance"
+    for value in (pinion(), pinion(helix_angle_deg=0), pair()):
+        kinds = ("mesh",) * (value != pair()) + ("step", "stl", "glb", "threemf", "dxf", "svg", "drawing")
+        for kind in kinds:  # 1e-300 never ended
+            for tolerance in (math.nan, math.inf, 0.0, -1.0, 1e-300, 1e-8, 11):
+                with pytest.raises(gw.SpecError) as e:
+                    getattr(value, kind)(tolerance=tolerance)
+                assert e.value.key == "tolerance"
 
 
 def test_files(tmp_path):

@@ -1,7 +1,9 @@
 """Gear and Pair are values: made by name, read by name, changed by replace; what is wrong is named."""
 
 import copy
+import json
 import math
+import os
 import pickle
 
 import numpy as np
@@ -59,8 +61,86 @@ def test_values_compare_copy_and_travel():
     assert pair() == pair() and hash(pair()) == hash(pair()) and pair() != pair(center_distance=79)
     assert pinion() == pinion() and pinion() != wheel() and pinion() != "pinion"
     for value in (pinion(), pair()):
-        assert pickle.loads(pickle.dumps(value)) == value == copy.deepcopy(value)
+        assert pickle.loads(pickle.dumps(value)) == value == copy.deepcopy(value) == copy.copy(value)
     assert "Gear(teeth=17" in repr(pinion()) and "Pair(17 / 43" in repr(pair())
+
+
+def same(a, b):
+    """Of one kind, with the same numbers to the last bit: what JSON has, and every attribute."""
+    assert type(a) is type(b) and json.dumps(a.as_dict()) == json.dumps(b.as_dict())
+    for name in (n for n in dir(a) if not n.startswith("_")):
+        one, other = getattr(a, name), getattr(b, name)
+        if isinstance(one, np.ndarray):
+            assert one.dtype == other.dtype and one.tobytes() == other.tobytes(), name
+        elif not callable(one):
+            assert repr(one) == repr(other), name
+
+
+def test_answers_copy_and_travel():
+    p = pair(errors={"crossing_deg": 0.02})
+    contact = p.contact(positions=16, pattern=True, errors={"crossing_deg": 0.03},
+                        modifications={"gear1": {"lead_crowning_um": 4}})
+    steel = {"name": "18CrNiMo7-6"}
+    steels = p.replace(gear1={"material": steel}, gear2={"material": steel})
+    rating = steels.rate(power_kW=10, speed_rpm=1480, quality=6, face_load_factor=1.2)
+    loaded = p.loaded(torque_Nm=[50, 100], positions=4, slices=8, accuracy="draft")
+    search = {"search": {"ratio": [3.0, 3.05], "modules_mm": [2, 2.5], "pinion_teeth": [14, 30]}}
+    searches = [gw.search(search, progress=False), gw.search(search, progress=False, top=3),
+                gw.search({"search": {**search["search"], "contact_ratio_min": 2.5}}, progress=False)]
+    records = [p.backlash, p.verdict, contact.pattern, contact.verdict, loaded.torques[1], searches[0][1],
+               gw.fit({"gear1": {"teeth": 17, "normal_module_mm": 2}, "gear2": {"teeth": 43},
+                       "pair": {"center_distance_mm": 61, "shaft_angle_deg": 20}})]
+    for value in [contact, rating, loaded, *searches, *records]:
+        assert copy.copy(value) is value and copy.deepcopy(value) is value  # values never change
+        again = pickle.loads(pickle.dumps(value))
+        same(value, again)
+        same(value, pickle.loads(pickle.dumps(again)))
+    again = pickle.loads(pickle.dumps(searches))
+    assert searches[2].changes and [s.changes for s in again] == [s.changes for s in searches]
+    assert again[0].pair(1) == searches[0].pair(1) and again[0].report() == searches[0].report()
+    assert again[0].to_numpy().tobytes() == searches[0].to_numpy().tobytes()
+    assert pickle.loads(pickle.dumps(contact)).report() == contact.report()
+    for error in (gw.SpecError("key", "1", "allowed", "message"), gw.FileError("disk full"),
+                  gw.ContractViolation("a mistake")):
+        assert pickle.loads(pickle.dumps(error)).args == error.args
+
+
+def test_a_search_of_a_file_travels(tmp_path):
+    path = tmp_path / "search.toml"
+    path.write_text('title = "from a file"\n[search]\nratio = [3.0, 3.05]\nmodules_mm = [2]\npinion_teeth = [14, 30]\n')
+    found = gw.search(path, progress=False)
+    path.unlink()
+    again = pickle.loads(pickle.dumps(found))
+    assert json.dumps(again.as_dict()) == json.dumps(found.as_dict()) and again.report() == found.report()
+
+
+@pytest.mark.parametrize("call", [
+    gw.load, lambda name: gw.search(name, progress=False), lambda name: pinion().stl(name),
+    lambda name: pair().drawing(name), lambda name: gw.verify(name),
+    lambda name: gw.search({"search": {"ratio": 2, "modules_mm": [2], "pinion_teeth": [20, 22]}}, progress=False, out=name)])
+def test_what_is_no_name_of_a_file_is_said(call):
+    with pytest.raises(ValueError) as e:
+        call("a\0b")
+    assert "cast" not in str(e.value) and "incompatible" not in str(e.value)
+
+
+@pytest.mark.parametrize("call", [gw.verify, gw.load, gw.search, gw.solve, gw.fit, gw.measure, gw.identify, gw.compensate,
+                                  pinion().stl, pair().drawing, pair().stl])
+@pytest.mark.parametrize("wrong", [True, 1, 2.5, 1j])
+def test_a_number_is_no_file(call, wrong):
+    # A whole number is a file that is open already: True was standard output, and closed it.
+    with pytest.raises((TypeError, gw.SpecError)) as e:
+        call(wrong)
+    assert "cast" not in str(e.value)
+    os.fstat(1), os.fstat(2)
+
+
+def test_a_dict_with_itself_in_it():
+    inner = {}
+    inner["gear1"] = inner
+    for call in (gw.load, gw.solve, lambda spec: gw.Gear(**spec), lambda spec: pair().contact(errors=spec)):
+        with pytest.raises((RecursionError, gw.SpecError)):
+            call(inner)
 
 
 def test_every_quantity_is_an_attribute():

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import pathlib
 import sys
 import time
 from collections.abc import Callable, Iterator, Mapping
@@ -76,20 +75,12 @@ def measure(value: Gear | Pair) -> Any:
 def verify(cases: str | os.PathLike[str] | Mapping[str, Any]) -> list[dict[str, Any]]:
     """Runs published numbers (a case file of `gearwright verify`) through the engine: for each case its id, how many
     values it compares and a line for each difference. `cases`: the file's path, or what stands in it."""
-    if not isinstance(cases, Mapping):
+    if isinstance(cases, (str, bytes, os.PathLike)):
         with open(cases, encoding="utf-8") as file:
             cases = json.load(file)
+    elif not isinstance(cases, Mapping):  # a number would be a file that is open already
+        raise TypeError(f"cases: must be the path of a case file, or what stands in it, not {cases!r}")
     return _core._verify(cases)
-
-
-def remade_gear(spec: dict[str, Any], folder: pathlib.Path) -> Gear:
-    """Out of a pickle."""
-    return _core._gear(spec, folder)
-
-
-def remade_pair(spec: dict[str, Any], folder: pathlib.Path) -> Pair:
-    """Out of a pickle."""
-    return _core._pair(spec, folder)
 
 
 def _designs(found: Search) -> Iterator[Any]:

@@ -20,14 +20,14 @@ _ALPHA = math.radians(20)
 
 def _columns(*values: ArrayLike) -> tuple[list[Array], int, tuple[int, ...]]:
     """Columns for the module, how many rows they broadcast to, and in which shape: what is one number stays one."""
-    arrays = [np.asarray(v, dtype=np.float64) for v in values]
+    arrays = [_core._real(v) for v in values]
     shape = np.broadcast_shapes(*(a.shape for a in arrays))
     columns = [a if a.size == 1 else np.ascontiguousarray(np.broadcast_to(a, shape)) for a in arrays]
     return [c.reshape(-1) for c in columns], math.prod(shape), shape
 
 
 def _sine_of_helix(angle: ArrayLike) -> Array:
-    beta = np.asarray(angle, dtype=np.float64)
+    beta = _core._real(angle)
     return np.sin(np.where(np.abs(beta) < math.pi / 2, beta, np.nan))
 
 
