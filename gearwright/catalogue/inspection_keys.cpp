@@ -73,7 +73,15 @@ const KeyTable& tolerance_keys() {
         .list = KeyList{2, 2},
         .excludes = {"thickness_series", "span_mm"},
         .meaning = "least and greatest dimension over (internal: between) balls of "
-                   "`ball_diameter_mm` of `[gearN.measure]`: the allowances follow"}}};
+                   "`ball_diameter_mm` of `[gearN.measure]`: the allowances follow"},
+       {.key = "tip_diameter_deviations_mm",
+        .symbol = "A_da",
+        .list = KeyList{2, 2},
+        .fallback = "the tip diameter has no tolerance",
+        .meaning = "lower and upper deviation of the tip diameter; every number that depends on it "
+                   "has an interval",
+        .fields = {"tip_deviations"},
+        .also = {"a_da", "tip_diameter_tolerance", "tip_tolerance", "tip_allowance"}}}};
   return table;
 }
 

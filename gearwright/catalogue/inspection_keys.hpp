@@ -22,13 +22,17 @@ struct MeasureInput {
 /// From, to.
 using Ends = std::array<double, 2>;
 
-/// [gearN.tolerance]: the grade of the flanks, and the thickness allowances said in another way.
+/// [gearN.tolerance]: the grade of the flanks, the thickness allowances said in another way, and the
+/// deviations of the tip diameter that the gear is given or gets.
 struct ToleranceInput {
   std::optional<int> quality;                           ///< A, the ISO 1328 grade
   FlankTolerances edition = FlankTolerances::iso_2013;  ///< of ISO 1328-1
   std::optional<std::string> series;                    ///< of DIN 3967, "cd25"
   std::optional<Ends> span;                             ///< W_k  mm
   std::optional<Ends> over_balls;                       ///< M_d  mm
+  /// A_da, mm: lower and upper deviation of d_a. The upper end is the longer tooth, of a ring the
+  /// shorter one.
+  std::optional<Ends> tip_deviations;
 
   bool says_thickness() const { return series || span || over_balls; }
 };

@@ -109,6 +109,8 @@ void read_tolerance(TableReader& gear, GearInput& g) {
   if (const auto values = t.numbers("span_mm")) g.tolerance.span = ends_of(t, "span_mm", *values);
   if (const auto values = t.numbers("over_balls_mm"))
     g.tolerance.over_balls = ends_of(t, "over_balls_mm", *values);
+  if (const auto values = t.numbers("tip_diameter_deviations_mm"))
+    g.tolerance.tip_deviations = ends_of(t, "tip_diameter_deviations_mm", *values);
   t.finish();
   const char* const said = g.tolerance.series       ? "thickness_series"
                            : g.tolerance.span       ? "span_mm"

@@ -80,6 +80,8 @@ class Measuring(Asked):
         self.refused(GEAR + 'thickness_allowance_mm = 0\n[gear1.tolerance]\nthickness_series = "cd25"',
                      "gear1.tolerance.thickness_series", "thick", verb="gear")
         self.refused(GEAR + '[gear1.tolerance]\nthickness_series = "zz25"', "gear1.tolerance.thickness_series", "DIN 3967", verb="gear")
+        self.refused(GEAR + "[gear1.tolerance]\ntip_diameter_deviations_mm = [0.0, -0.01]",
+                     "gear1.tolerance.tip_diameter_deviations_mm", "the lower one first", verb="gear")
 
     def test_nominal_points_for_a_measuring_machine(self):
         r = Run("measure", GEAR + "[gear1.modifications]\nlead_crowning_um = 10\n", "--points", "9x5")
