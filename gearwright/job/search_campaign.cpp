@@ -9,6 +9,7 @@
 #include "gearwright/job/search_record.hpp"
 #include "gearwright/job/search_workers.hpp"
 #include "gearwright/store/chunk_store.hpp"
+#include "gearwright/store/parquet.hpp"
 
 namespace gearwright {
 
@@ -39,6 +40,24 @@ std::vector<std::string> count_names() {
 
 std::optional<Error> refuse_folder() { return std::nullopt; }
 
+std::optional<Error> refuse_other_search(const std::filesystem::path& folder, const JobSpec& spec) {
+  const auto was = parquet_note(folder / kDesignsFile, kSpecNote);
+  if (!was) return std::nullopt;
+  const auto old = read_spec(*was, SpecFormat::json);
+  constexpr std::int64_t kAnyChunk = 0;  // the size of chunks is no part of the result
+  std::string changed = "its spec is not of this version";
+  if (old) {
+    const std::string before = search_fingerprint(*old, kAnyChunk);
+    const std::string now = search_fingerprint(spec, kAnyChunk);
+    if (before == now) return std::nullopt;
+    changed = campaign_differences(before, now);
+  }
+  return Error{"--out", folder.string(),
+               fmt::format("the finished search of another spec is here already ({}), and its files "
+                           "would be replaced; take another folder, or remove {} first",
+                           changed, kDesignsFile)};
+}
+
 Result<SearchRun> run_campaign(const JobSpec& spec, const Search& search, std::int64_t chunk,
                                const SearchOptions& options) {
   SearchRun run = begun(spec, search);
@@ -49,8 +68,11 @@ Result<SearchRun> run_campaign(const JobSpec& spec, const Search& search, std::i
   const OpenAs as = options.many || (options.together && options.resume) ? OpenAs::join
                     : options.resume                                     ? OpenAs::resume
                                                                          : OpenAs::fresh;
-  auto opened = ChunkStore::open(options.out, {search_fingerprint(spec, chunk), run.chunks},
-                                 count_names(), as, options.writer);
+  const auto other =
+      ChunkStore::is_in(options.out) ? std::nullopt : refuse_other_search(options.out, spec);
+  auto opened = other ? Result<ChunkStore>(*other)
+                      : ChunkStore::open(options.out, {search_fingerprint(spec, chunk), run.chunks},
+                                         count_names(), as, options.writer);
   if (options.folder_is_open && first) options.folder_is_open(static_cast<bool>(opened));
   if (!opened) return opened.error();
   ChunkStore store = std::move(opened).take();

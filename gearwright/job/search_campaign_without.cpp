@@ -10,6 +10,10 @@ std::optional<Error> refuse_folder() {
                "--out away and take the designs from --json, or run the program itself"};
 }
 
+std::optional<Error> refuse_other_search(const std::filesystem::path&, const JobSpec&) {
+  return std::nullopt;
+}
+
 Result<SearchRun> run_campaign(const JobSpec&, const Search&, std::int64_t, const SearchOptions&) {
   return *refuse_folder();
 }

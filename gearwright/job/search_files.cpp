@@ -21,7 +21,7 @@ void write_tables(const std::filesystem::path& designs, const std::filesystem::p
     limits += fmt::format("{}{}", i == 0 ? "" : ", ", name(static_cast<Limit>(i)));
   const std::vector<std::pair<std::string, std::string>> notes{
       {"program", fmt::format("gearwright {}", kVersion)},
-      {"spec", spec.tree},
+      {kSpecNote, spec.tree},
       {"limits", limits},
       {"trials", std::to_string(*search.space().size())}};
   write_file_by(designs, [&](const std::filesystem::path& part) {
@@ -83,7 +83,7 @@ std::vector<std::filesystem::path> write_search_files(const JobSpec& spec, const
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw IoError("cannot make the folder " + folder.string() + ": " + error.message());
-  std::vector<std::filesystem::path> files{folder / "search.parquet"};
+  std::vector<std::filesystem::path> files{folder / kDesignsFile};
   if (search.problem().shift_step) files.push_back(folder / "points.parquet");
   write_tables(files.front(), files.back(), spec, search, source);
   const auto write = [&](const char* name, const std::string& text) {

@@ -15,6 +15,9 @@
 
 namespace gearwright {
 
+inline constexpr const char* kDesignsFile = "search.parquet";
+inline constexpr const char* kSpecNote = "spec";  ///< in its footer: the spec as JSON
+
 /// Gives what was found, chunk by chunk, in the order of the trials; false: no more.
 using FindSource = std::function<bool(ChunkFinds& finds)>;
 

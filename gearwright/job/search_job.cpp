@@ -128,6 +128,9 @@ Result<SearchRun> run_search(const JobSpec& spec, const Search& search,
   const bool campaign =
       !options.out.empty() &&
       (trials > chunk || options.many || options.together || options.resume || options.chunk);
+  if (!campaign && !options.out.empty()) {
+    if (auto error = refuse_other_search(options.out, spec)) return *error;
+  }
   return campaign
              ? run_campaign(spec, search, chunk, options)
              : Result<SearchRun>(run_in_memory(spec, search, std::min(chunk, kShare), options));

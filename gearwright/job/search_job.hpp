@@ -89,8 +89,9 @@ inline constexpr std::int64_t kMaxChunks = 1'000'000;
 ///
 /// Throws    IoError
 /// Errors    --yes-large for a large search or grid, with how long or how many; no tooth numbers in
-///           the ratio; more chunks than kMaxChunks; --out of a campaign that is there already,
-///           --resume of none or of another spec; --shard or --resume without --out
+///           the ratio; more chunks than kMaxChunks; --out of a campaign that is there already, or of
+///           a finished search of another spec; --resume of none or of another spec; --shard or
+///           --resume without --out
 Result<SearchRun> run_search(const JobSpec& spec, const Search& search,
                              const SearchOptions& options);
 

@@ -68,8 +68,9 @@ std::optional<std::string> value_of(const std::vector<Line>& lines, const std::s
   return std::nullopt;
 }
 
-// "search.contact_ratio_min was 1.2, is 1.3; search.m_max was 5, is not set now".
-std::string differences(const std::string& was, const std::string& is) {
+}  // namespace
+
+std::string campaign_differences(const std::string& was, const std::string& is) {
   const std::vector<Line> old_lines = lines_of(was);
   const std::vector<Line> new_lines = lines_of(is);
   std::vector<std::string> found;
@@ -93,6 +94,8 @@ std::string differences(const std::string& was, const std::string& is) {
   return text;
 }
 
+namespace {
+
 Error refused_folder(const fs::path& folder, const std::string& why) {
   return {"--out", folder.string(), why};
 }
@@ -108,7 +111,7 @@ std::optional<Error> refusal(const fs::path& folder, const Record& old, const Re
   }
   std::string changed;
   if (!old.empty() && text_of(old) != text_of(now))
-    changed = differences(text_of(old), text_of(now));
+    changed = campaign_differences(text_of(old), text_of(now));
   for (std::size_t i = 0; i < chunks.size() && old.empty() && changed.empty(); ++i) {
     const auto read = files.read(chunks[i], Depth::header);
     if (!read || read->state != ChunkRead::State::foreign) continue;
@@ -258,7 +261,7 @@ Result<ChunkStore> ChunkStore::open(const fs::path& folder, const Campaign& camp
   const Record record = record_of(campaign, rejected_names);
   ChunkFolder files(folder / "chunks", checksum(text_of(record)));
   // What is refused leaves no trace in the folder.
-  if (!path_exists(folder / kJournal)) {
+  if (!is_in(folder)) {
     if (auto error = refusal(folder, {}, record, files, as)) return *std::move(error);
   }
   make_folder(files.folder());
@@ -276,6 +279,8 @@ Result<ChunkStore> ChunkStore::open(const fs::path& folder, const Campaign& camp
   impl->square_accounts();
   return ChunkStore(std::move(impl));
 }
+
+bool ChunkStore::is_in(const fs::path& folder) { return path_exists(folder / kJournal); }
 
 ChunkStore::ChunkStore(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 ChunkStore::ChunkStore(ChunkStore&&) noexcept = default;

@@ -10,8 +10,8 @@
 // chunk in work and nothing else: the next to open the folder writes the rows that are missing.
 // Shards, ranks and nodes on one file system may work in one folder at once; they meet in the
 // journal, under SQLite's locks, which the file system must support (Lustre: mounted with flock).
-// Nothing is synced to the platter before its row: after a power cut a file may be short, and its
-// checksum tells.
+// Nothing is synced to the platter: after a power cut a file may be short, and its checksum tells, or
+// the journal may be broken, and moving it away costs nothing.
 #pragma once
 
 #include <cstdint>
@@ -64,6 +64,9 @@ class ChunkStore {
                                  const std::vector<std::string>& rejected_names, OpenAs as,
                                  std::string writer);
 
+  /// Whether a campaign has been begun in the folder.
+  static bool is_in(const std::filesystem::path& folder);
+
   ChunkStore(ChunkStore&&) noexcept;
   ChunkStore& operator=(ChunkStore&&) noexcept;
   ~ChunkStore();
@@ -97,5 +100,9 @@ class ChunkStore {
   explicit ChunkStore(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
+
+/// In what two campaigns differ, of their lines "key = value": "search.contact_ratio_min was 1.2, is
+/// 1.3; search.m_max was 5, is not set now", the first three of them.
+std::string campaign_differences(const std::string& was, const std::string& is);
 
 }  // namespace gearwright

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <limits>
 #include <new>
 
@@ -24,6 +25,8 @@
 #include "gearwright/store/thrift.hpp"
 
 namespace gearwright {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -307,6 +310,45 @@ void ParquetWriter::close() {
   end += kParquetMagic;
   s.write(end);
   if (::close(std::exchange(s.file, -1)) != 0) s.fail(errno);
+}
+
+std::optional<std::string> parquet_note(const fs::path& file, std::string_view key) {
+  constexpr std::size_t kEnd = 8;  // the footer's size and the magic
+  std::error_code error;
+  if (!fs::exists(file, error)) return std::nullopt;
+  std::ifstream in(file, std::ios::binary | std::ios::ate);
+  if (!in) throw IoError("cannot read " + file.string());
+  const auto size = static_cast<std::size_t>(in.tellg());
+  const auto last = [&](std::size_t count) {
+    std::string bytes(count, '\0');
+    in.seekg(static_cast<std::streamoff>(size - count));
+    if (!in.read(bytes.data(), static_cast<std::streamsize>(count)))
+      throw IoError("cannot read " + file.string());
+    return bytes;
+  };
+  if (size < kEnd) return std::nullopt;
+  const std::string end = last(kEnd);
+  if (end.compare(4, 4, kParquetMagic) != 0) return std::nullopt;
+  std::uint32_t length = 0;
+  for (std::size_t i = 4; i-- > 0;) length = length << 8U | static_cast<unsigned char>(end[i]);
+  if (length > size - kEnd) return std::nullopt;
+  const std::string footer = last(length + kEnd);
+  // A struct of two binaries: field 1 the key, field 2 the value.
+  std::string before = "\x18";
+  append_varint(before, key.size());
+  before += key;
+  before += '\x18';
+  std::size_t at = footer.find(before);
+  if (at == std::string::npos) return std::nullopt;
+  at += before.size();
+  std::uint64_t count = 0;
+  for (unsigned shift = 0; at < footer.size() && shift < 64; shift += 7) {
+    const auto byte = static_cast<unsigned char>(footer[at++]);
+    count |= static_cast<std::uint64_t>(byte & 127U) << shift;
+    if (byte < 128) break;
+  }
+  if (count > footer.size() - at) return std::nullopt;
+  return footer.substr(at, count);
 }
 
 }  // namespace gearwright

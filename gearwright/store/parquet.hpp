@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -85,5 +86,11 @@ class ParquetWriter {
   struct State;
   std::unique_ptr<State> state_;
 };
+
+/// What a key says in the footer of a table that ParquetWriter made; none: there is no such table, or
+/// it does not have the key.
+///
+/// Throws    IoError where the file is there and cannot be read
+std::optional<std::string> parquet_note(const std::filesystem::path& file, std::string_view key);
 
 }  // namespace gearwright

@@ -54,6 +54,21 @@ TEST_F(ParquetFile, BeginsAndEndsAsTheFormatSays) {
   }
 }
 
+TEST_F(ParquetFile, GivesItsNotesBack) {
+  EXPECT_FALSE(parquet_note(file_, "spec"));  // no file
+  const std::string long_text(70'000, 'x');
+  write_rows(file_, random_rows(1000), {{"program", "a"}, {"spec", "teeth = 17"}, {"long", long_text}});
+  EXPECT_EQ(parquet_note(file_, "spec"), "teeth = 17");
+  EXPECT_EQ(parquet_note(file_, "long"), long_text);
+  EXPECT_EQ(parquet_note(file_, "program"), "a");
+  EXPECT_FALSE(parquet_note(file_, "spe"));
+  const std::string whole = content(file_);
+  std::ofstream(file_, std::ios::binary) << whole.substr(0, whole.size() - 1);  // no table
+  EXPECT_FALSE(parquet_note(file_, "spec"));
+  std::ofstream(file_, std::ios::binary) << "";
+  EXPECT_FALSE(parquet_note(file_, "spec"));
+}
+
 TEST_F(ParquetFile, TheSameRowsAreTheSameBytes) {
   auto rows = random_rows(70'000);
   write_rows(file_, rows, {{"spec", "teeth = 17"}});

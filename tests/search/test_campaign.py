@@ -172,6 +172,34 @@ class OneMachine(Campaign):
         self.assertGreater(json.loads(out)["search"]["tested"], 8e6)
 
 
+class FinishedFolder(unittest.TestCase):
+    """The files of a finished search are not replaced by those of another spec."""
+
+    def test_another_spec_is_refused(self):
+        where = folder(spec())
+
+        def run(*args):
+            return end(start(where, "o", *args))
+
+        self.assertEqual(run()[0], 0)
+        before = contents(where / "o")
+        self.assertEqual(run()[0], 0)  # the same spec again: the same files
+        self.assertEqual(contents(where / "o"), before)
+        (where / "case.toml").write_text('title = "other words"\n' + spec())
+        self.assertEqual(run()[0], 0)  # nothing of it decides the result
+        before = contents(where / "o")
+        (where / "case.toml").write_text(spec(contact_ratio_min=1.3))
+        for args in ((), ("--chunk", 50), ("--threads", 1)):
+            status, _, err = run(*args)
+            self.assertEqual(status, 1, err)
+            for words in ("--out", "finished search of another spec", "search.contact_ratio_min was not set, is 1.3", "another folder"):
+                self.assertIn(words, err)
+        self.assertEqual(contents(where / "o"), before)
+        self.assertFalse((where / "o/journal.sqlite").exists())
+        (where / "o/search.parquet").unlink()
+        self.assertEqual(run()[0], 0)
+
+
 class Grid(unittest.TestCase):
     def test_points_of_the_grid_too(self):
         text = spec(shift_step=0.05)
