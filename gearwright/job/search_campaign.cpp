@@ -52,10 +52,11 @@ std::optional<Error> refuse_other_search(const std::filesystem::path& folder, co
     if (before == now) return std::nullopt;
     changed = campaign_differences(before, now);
   }
-  return Error{"--out", folder.string(),
-               fmt::format("the finished search of another spec is here already ({}), and its files "
-                           "would be replaced; take another folder, or remove {} first",
-                           changed, kDesignsFile)};
+  return Error{
+      "--out", folder.string(),
+      fmt::format("the finished search of another spec is here already ({}), and its files "
+                  "would be replaced; take another folder, or remove {} first",
+                  changed, kDesignsFile)};
 }
 
 Result<SearchRun> run_campaign(const JobSpec& spec, const Search& search, std::int64_t chunk,

@@ -57,7 +57,8 @@ TEST_F(ParquetFile, BeginsAndEndsAsTheFormatSays) {
 TEST_F(ParquetFile, GivesItsNotesBack) {
   EXPECT_FALSE(parquet_note(file_, "spec"));  // no file
   const std::string long_text(70'000, 'x');
-  write_rows(file_, random_rows(1000), {{"program", "a"}, {"spec", "teeth = 17"}, {"long", long_text}});
+  write_rows(file_, random_rows(1000),
+             {{"program", "a"}, {"spec", "teeth = 17"}, {"long", long_text}});
   EXPECT_EQ(parquet_note(file_, "spec"), "teeth = 17");
   EXPECT_EQ(parquet_note(file_, "long"), long_text);
   EXPECT_EQ(parquet_note(file_, "program"), "a");
