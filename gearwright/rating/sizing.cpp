@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace gearwright {
@@ -11,11 +12,21 @@ namespace {
 
 constexpr double kDecades = 1e6;      // of the input's torque, to either side
 constexpr double kSameTorque = 1e-9;  // relative
-constexpr double kSameFace = 0.01;    // mm
+constexpr double kSameFace = 1e-7;    // relative
 
 bool safe(const RatedPair& pair, const RatingInput& input, const WantedSafety& wanted) {
   const auto r = rate(pair, input);
   return r && holds(*r, wanted);
+}
+
+// The least of the four safeties, each in parts of what is wanted of it.
+double share_of_wanted(const Rating& r, const WantedSafety& wanted) {
+  double share = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (wanted.flank > 0.0) share = std::min(share, r.S_H[i].value / wanted.flank);
+    if (wanted.root > 0.0) share = std::min(share, r.S_F[i].value / wanted.root);
+  }
+  return share;
 }
 
 }  // namespace
@@ -61,18 +72,23 @@ RatedPair with_face_width(RatedPair pair, double face_width) {
 std::optional<double> face_width_of_safety(const RatedPair& pair, const RatingInput& input,
                                            const WantedSafety& wanted, double most) {
   const auto holds_at = [&](double b) { return safe(with_face_width(pair, b), input, wanted); };
-  // Upward in small steps: tolerances grow with the face in steps of their own, so the least width
-  // may lie below a gap.
-  constexpr double kGrowth = 1.05;
+  // Safeties grow with the width, but they fall where a tolerance comes to its next step: widths that
+  // hold may lie below a gap, and be few. A safety of s times the wanted one at b is enough at
+  // b s^(−1/kPower) at the earliest, so that no step but the least one passes over a width that holds.
+  constexpr double kPower = 4.0;  // 1 of the load, the rest of overlap, running-in, load factors
+  constexpr double kLeastStep = 1e-4;  // relative: a range of widths narrower than that is no width
+  constexpr double kBlind = 1.001;     // where no rating is to be had
   double lo = std::min(most, pair.normal_module);
-  if (holds_at(lo)) return lo;
   double hi = lo;
-  do {
+  for (;;) {
+    const auto rated = rate(with_face_width(pair, hi), input);
+    if (rated && holds(*rated, wanted)) break;
+    if (hi >= most) return std::nullopt;
+    const double growth = rated ? std::pow(share_of_wanted(*rated, wanted), -1 / kPower) : kBlind;
     lo = hi;
-    if (lo >= most) return std::nullopt;
-    hi = std::min(most, lo * kGrowth);
-  } while (!holds_at(hi));
-  while (hi - lo > kSameFace) {
+    hi = std::min(most, lo * std::max(growth, 1 + kLeastStep));
+  }
+  while (hi - lo > kSameFace * hi) {
     const double middle = (lo + hi) / 2;
     (holds_at(middle) ? hi : lo) = middle;
   }

@@ -34,8 +34,9 @@ RatedPair with_face_width(RatedPair pair, double face_width);
 /// Wider faces than this, in modules, nobody cuts: where the search for one ends.
 constexpr double kMostFaceModules = 40.0;
 
-/// The least common face width with the wanted safeties, mm, to 0.01 mm and rated; none: no width up
-/// to `most` has them.
+/// The least common face width with the wanted safeties, mm, to 1e-7 of it and rated; none: no width
+/// from one module up to `most` has them. Safeties fall where a tolerance comes to its next step:
+/// ranges of widths narrower than 1e-4 of the width are passed over.
 std::optional<double> face_width_of_safety(const RatedPair& pair, const RatingInput& input,
                                            const WantedSafety& wanted, double most);
 
