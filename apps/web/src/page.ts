@@ -117,7 +117,10 @@ export class Page {
       this.parts(),
       this.said,
     );
-    bench.on("solved", () => this.name());
+    bench.on("solved", () => {
+      this.name();
+      this.main.classList.toggle("asking", bench.asks); // there are no numbers yet
+    });
     bench.on("text", () => void this.address());
     bench.on("history", () => {
       this.undo.disabled = !bench.canUndo;

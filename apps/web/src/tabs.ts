@@ -71,6 +71,11 @@ export class Tabs {
       const one = this.buttons.get(tab.id)!;
       one.setAttribute("aria-selected", String(here));
       one.tabIndex = here ? 0 : -1;
+      if (here && one.offsetParent) {
+        const before = one.offsetLeft - this.list.offsetLeft;
+        const after = before + one.offsetWidth + 8 - this.list.clientWidth;
+        this.list.scrollLeft = Math.max(after, Math.min(before, this.list.scrollLeft));
+      }
     }
   }
 

@@ -133,3 +133,19 @@ export function native(verb, text) {
     throw failure;
   }
 }
+
+/** The engine has nothing to do any more. */
+export async function idle(page) {
+  await page.waitForFunction(() => window.gearwright.idle(), undefined, { timeout: kPatience });
+}
+/** Whether boxes of two selectors overlap. */
+export const touching = (page, first, second) =>
+  page.evaluate(
+    ([first, second]) => {
+      const boxes = (selector) => [...document.querySelectorAll(selector)].map((one) => one.getBoundingClientRect());
+      return boxes(first).some((a) =>
+        boxes(second).some((b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom),
+      );
+    },
+    [first, second],
+  );

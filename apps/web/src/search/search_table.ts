@@ -1,5 +1,6 @@
 // The designs that a search has found, as a table: sorted by a click on a heading, taken by a click on
-// a row (or Enter). Columns and digits are the catalogue's.
+// a row (or Enter). Columns and digits are the catalogue's; what all designs have in common stands in
+// one line above the table.
 
 import type { Quantity } from "../../engine/engine";
 import { quantities } from "../catalogue";
@@ -14,6 +15,26 @@ export interface Column {
   words: string;
 }
 const kShown = 200;
+/** Of fewer designs every column is worth its room. */
+const kLeastForCommon = 3;
+/** Where in the region the shifts stand, as the report of a search calls it. */
+const kPlaces: Record<string, string> = { eq11: "balanced", lo_hi: "middle" };
+
+/** What tells a column from the others of its list, and of the next search's. */
+export function idOf(column: Column): string {
+  return `${column.said.key}.${column.place}`;
+}
+/** A value of a design as people read it. */
+export function cellOf(design: Design, column: Column): string {
+  const value = valueIn(design, column);
+  const place = column.said.key === "point" && typeof value === "string" ? kPlaces[value] : undefined;
+  return place ?? textOf(column.said, value);
+}
+/** Whether the designs differ in it. */
+export function varies(designs: Design[], column: Column): boolean {
+  const first = designs[0] && cellOf(designs[0], column);
+  return designs.some((design) => cellOf(design, column) !== first);
+}
 
 export function valueIn(design: Design, column: Column): Json | undefined {
   const value = design[column.said.key];
@@ -25,6 +46,7 @@ export function valueIn(design: Design, column: Column): Json | undefined {
 export function columnsOf(designs: Design[]): Column[] {
   const columns: Column[] = [];
   for (const said of quantities("search.designs")?.quantities ?? []) {
+    if (!said.page && !said.listing && said.key !== "objective") continue;
     const values = designs.map((one) => one[said.key]).filter((one) => one !== null && one !== undefined);
     if (!values.length) continue;
     // Objectives by their names: numbers that a search with several has compared.
@@ -52,8 +74,29 @@ export function columnsOf(designs: Design[]): Column[] {
   return columns;
 }
 
+/** Columns that read like another one, but for the sign, with that other; an objective is such a
+ *  twin, never the one that stays. */
+function twinsOf(designs: Design[], columns: Column[]): Map<Column, Column> {
+  const read = new Map<string, Column>();
+  const twins = new Map<Column, Column>();
+  const last = (one: Column) => Number(one.said.key === "objective");
+  for (const column of [...columns].sort((a, b) => last(a) - last(b))) {
+    const value = (design: Design) => {
+      const one = valueIn(design, column);
+      return typeof one === "number" ? Math.abs(one).toPrecision(9) : cellOf(design, column);
+    };
+    const all = column.said.unit + designs.map(value).join();
+    const other = read.get(all);
+    if (other) twins.set(column, other);
+    else read.set(all, column);
+  }
+  return twins;
+}
+
 export class SearchTable {
-  readonly element = scroller("designs-room", "designs found");
+  private readonly common = h("p", { class: "soft common" });
+  private readonly room = scroller("designs-scroll", "designs found");
+  readonly element = h("div", { class: "designs-room" }, this.common, this.room);
   private designs: Design[] = [];
   private columns: Column[] = [];
   private order: number[] = [];
@@ -68,7 +111,20 @@ export class SearchTable {
   show(designs: Design[], front: number[]): void {
     this.designs = designs;
     this.front = new Set(front);
-    this.columns = columnsOf(designs);
+    const columns = columnsOf(designs);
+    const few = designs.length < kLeastForCommon;
+    const different = columns.filter((one) => few || varies(designs, one));
+    const twins = few ? new Map<Column, Column>() : twinsOf(designs, different);
+    this.columns = different.filter((one) => !twins.has(one));
+    const said = columns
+      .filter((one) => !different.includes(one))
+      .map((one) => `${one.words} ${cellOf(designs[0]!, one)} ${shownUnit(one.said.unit)}`.trim());
+    for (const [one, other] of twins) {
+      const sign = (column: Column) => Math.sign(designs.map((of) => valueIn(of, column)).find(Boolean) as number);
+      said.push(`${one.words} ${sign(one) === -sign(other) ? "opposite to" : "as"} ${other.words}`);
+    }
+    this.common.textContent = said.length ? `All of them: ${said.join("; ")}.` : "";
+    this.room.scrollTop = 0;
     this.by = -1;
     this.taken = -1;
     this.most = kShown;
@@ -146,13 +202,13 @@ export class SearchTable {
           { scope: "row" },
           button(String(row + 1), () => undefined, { "aria-label": `take design ${row + 1}` }),
         ),
-        ...this.columns.map((column) => h("td", {}, textOf(column.said, valueIn(design, column)))),
+        ...this.columns.map((column) => h("td", {}, cellOf(design, column))),
       );
     });
     this.element.hidden = !rows.length;
     const rest = this.designs.length - rows.length;
     fill(
-      this.element,
+      this.room,
       h(
         "table",
         { class: "designs" },

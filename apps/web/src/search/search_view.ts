@@ -1,6 +1,7 @@
 // The tab "search": what a spec leaves to be found. A [search] runs through all candidates, with
 // progress and a way out; a spec whose gears are not complete is answered by the fit, branch by
-// branch. A click makes a design the one on screen; the list stays.
+// branch. A click makes a design the one on screen; the list stays as long as the text on screen is the
+// one that was searched, or one of its designs.
 
 import { quantity } from "../catalogue";
 import { button, download, fill, h } from "../elements";
@@ -9,12 +10,13 @@ import { shownUnit, textOf } from "../numbers";
 import { at, bench } from "../workbench";
 import type { Tab } from "../tabs";
 import { ParetoPicture, type Point } from "./pareto";
-import { columnsOf, SearchTable, valueIn, type Design } from "./search_table";
+import { columnsOf, idOf, SearchTable, valueIn, varies, type Column, type Design } from "./search_table";
 
 const kMostTrials = 1e7; // beyond it the program is the place
 const kAtOnce = 30_000; // so few need no button
 const kMostDesigns = 2000;
-const kNoisy = /^(point|rack)$/;
+/** Axes of the picture, the likeliest first; after them the catalogue's order. */
+const kAxes = ["objective", "center_distance_mm", "contact_ratio", "sliding_max", "ratio"];
 
 export class SearchView implements Tab {
   readonly id = "search";
@@ -30,9 +32,9 @@ export class SearchView implements Tab {
   private readonly bar = h("progress", { max: 1, value: 0, "aria-label": "progress of the search" });
   private readonly across = h("select", {
     "aria-label": "Pareto picture, across",
-    change: () => this.picture(),
+    change: () => this.plot(),
   });
-  private readonly up = h("select", { "aria-label": "Pareto picture, up", change: () => this.picture() });
+  private readonly up = h("select", { "aria-label": "Pareto picture, up", change: () => this.plot() });
   private readonly chooser = h(
     "p",
     { class: "soft pareto-axes" },
@@ -42,6 +44,13 @@ export class SearchView implements Tab {
   private readonly table = new SearchTable((row) => void this.take(row));
   private readonly pareto = new ParetoPicture((row) => void this.take(row));
   private readonly branches = h("div", { class: "branches" });
+  readonly picture = h(
+    "div",
+    { class: "found" },
+    this.branches,
+    this.table.element,
+    h("div", { class: "pareto-room" }, this.chooser, this.pareto.element),
+  );
   readonly element = h(
     "div",
     { class: "search-view" },
@@ -51,37 +60,38 @@ export class SearchView implements Tab {
       this.said,
       h("div", { class: "search-buttons" }, this.go, this.stop, this.back, this.save, this.bar),
     ),
-    this.branches,
-    h(
-      "div",
-      { class: "found" },
-      this.table.element,
-      h("div", { class: "pareto-room" }, this.chooser, this.pareto.element),
-    ),
+    this.picture,
   );
   private asked = ""; // the text whose designs are listed
+  private readonly of = new Set<string>(); // it, and those of its designs that were taken
   private designs: Design[] = [];
   private front: number[] = [];
   private taken = -1;
   private looked = "";
-  private running = false;
-  private columns: ReturnType<typeof columnsOf> = [];
+  private running = ""; // the text that is being searched
+  private columns: Column[] = [];
 
   constructor() {
-    this.stop.hidden = this.bar.hidden = this.back.hidden = this.save.hidden = this.chooser.hidden = true;
-    this.pareto.element.hidden = true;
+    this.forget();
     bench.on("opened", () => this.forget());
+  }
+
+  get shown(): string {
+    if (!this.designs.length) return this.branches.childElementCount ? this.looked : "";
+    return this.of.has(bench.text) ? bench.text : this.asked;
   }
 
   async refresh(): Promise<void> {
     const solved = bench.solved;
-    if (!solved || solved.text === this.looked || this.running) return;
+    if (!solved || solved.text === this.looked || solved.text === this.running) return;
+    this.end();
     this.looked = solved.text;
     fill(this.branches);
     const searching = solved.spec?.["search"] !== undefined;
     this.back.hidden = !this.asked || solved.text === this.asked;
     this.go.textContent = searching || !solved.hasPair ? "Search" : "Search around this pair";
     this.go.hidden = !searching && !solved.hasPair;
+    if (this.designs.length && this.of.has(solved.text)) return;
     if (searching) return this.offer(solved.text);
     if (solved.fault || solved.spec?.["fit"] !== undefined) return this.fit(solved.text);
     if (!this.designs.length)
@@ -92,18 +102,28 @@ export class SearchView implements Tab {
 
   /** Another design was opened: what was found for the last one goes. */
   private forget(): void {
-    if (this.running) this.cancel();
-    this.asked = this.looked = "";
-    this.list([], []);
+    this.end();
+    this.looked = "";
+    this.list([], [], "");
+    fill(this.branches);
     this.said.textContent = "";
     this.back.hidden = this.save.hidden = true;
+  }
+  /** A search that runs is of another spec than the one on screen. */
+  private end(): void {
+    if (this.running) bench.seek.cancel();
+    this.rest();
+  }
+  private rest(): void {
+    this.running = "";
+    this.stop.hidden = this.bar.hidden = true;
   }
 
   /** A spec with a [search]: how many candidates, and off it goes where they are few. */
   private async offer(text: string): Promise<void> {
     try {
       const trials = await bench.seek.ask("trials", { text });
-      if (bench.text !== text || text === this.asked) return;
+      if (bench.text !== text) return;
       if (trials > kMostTrials) {
         this.go.hidden = true;
         this.said.textContent = `${count(trials)} candidates are too many for a page. The program does them on all cores, on many machines too:  gearwright search spec.toml --out found`;
@@ -112,7 +132,7 @@ export class SearchView implements Tab {
       this.said.textContent = `${count(trials)} candidates.`;
       if (trials <= kAtOnce) await this.search();
     } catch (reason) {
-      this.said.textContent = words(reason);
+      if (bench.text === text) this.said.textContent = words(reason);
     }
   }
 
@@ -122,73 +142,80 @@ export class SearchView implements Tab {
       text = this.around();
       bench.setText(text, "search around");
     }
-    this.running = true;
-    this.looked = text;
+    this.running = this.looked = text;
     this.go.hidden = this.back.hidden = this.save.hidden = true;
     this.stop.hidden = this.bar.hidden = false;
     this.bar.value = 0;
     const begin = performance.now();
     try {
       const found = await bench.seek.ask("search", { text, most: kMostDesigns }, (done, of, sofar) => {
+        if (this.running !== text) return;
         this.bar.value = of ? done / of : 0;
         const best = typeof sofar === "string" && sofar ? (JSON.parse(sofar) as Design[]) : [];
         this.said.textContent = `${Math.floor((100 * done) / Math.max(1, of))} % of the candidates tried.`;
-        if (best.length) this.list(best, []);
+        if (best.length) this.list(best, [], text);
       });
-      if (!found) return;
+      if (!found || this.running !== text) return;
       const answer = JSON.parse(found.json) as {
         search?: { designs: Design[]; pareto?: number[]; rejected: Record<string, number> };
         error?: { message: string };
       };
       if (!answer.search) throw new Error(answer.error?.message ?? "no answer");
-      this.asked = text;
       this.save.hidden = false;
       const time = ((performance.now() - begin) / 1000).toFixed(2);
       this.said.textContent =
         `${count(found.feasible)} of ${count(found.tested)} candidates satisfy every limit; ${time} s.` +
         why(found.feasible, answer.search.rejected);
-      this.list(answer.search.designs, answer.search.pareto ?? []);
+      this.list(answer.search.designs, answer.search.pareto ?? [], text);
     } catch (reason) {
+      if (this.running !== text) return;
       this.said.textContent = words(reason) === "cancelled" ? "Cancelled." : words(reason);
     } finally {
-      this.running = false;
-      this.stop.hidden = this.bar.hidden = true;
-      this.go.hidden = false;
-      this.go.textContent = "Search";
+      if (this.running === text) {
+        this.rest();
+        this.go.hidden = false;
+        this.go.textContent = "Search";
+      }
     }
   }
   private cancel(): void {
     bench.seek.cancel();
   }
 
-  private list(designs: Design[], front: number[]): void {
+  /** The designs found for a text, so far or all of them. */
+  private list(designs: Design[], front: number[], text: string): void {
+    if (text !== this.asked) {
+      this.asked = text;
+      this.of.clear();
+    }
+    if (text) this.of.add(text);
     this.designs = designs;
     this.front = front;
     this.taken = -1;
     this.table.show(designs, front);
-    const columns = (this.columns = columnsOf(designs).filter(
-      (column) =>
-        !kNoisy.test(column.said.key) && designs.some((one) => typeof valueIn(one, column) === "number"),
-    ));
-    const options = () => columns.map((column, i) => h("option", { value: i }, column.words));
-    const before = [this.across.value, this.up.value];
-    fill(this.across, ...options());
-    fill(this.up, ...options());
-    const objectives = columns.flatMap((column, i) => (typeof column.place === "string" ? [i] : []));
-    const find = (key: string, other: number) =>
-      Math.max(
-        0,
-        columns.findIndex((column) => column.said.key === key),
-      ) || other;
-    this.across.value = before[0] || String(objectives[0] ?? find("center_distance_mm", 0));
-    this.up.value = before[1] || String(objectives[1] ?? find("contact_ratio", 1));
-    this.chooser.hidden = designs.length < 2;
-    this.picture();
+    // A number that all designs share is no axis.
+    const rank = (column: Column) => (kAxes.indexOf(column.said.key) + kAxes.length + 1) % (kAxes.length + 1);
+    this.columns = columnsOf(designs)
+      .filter((one) => designs.some((design) => typeof valueIn(design, one) === "number"))
+      .filter((one) => varies(designs, one))
+      .map((column, i) => ({ column, i }))
+      .sort((a, b) => rank(a.column) - rank(b.column) || a.i - b.i)
+      .map(({ column }) => column);
+    const ids = this.columns.map(idOf);
+    for (const [i, select] of [this.across, this.up].entries()) {
+      const before = select.value;
+      fill(select, ...this.columns.map((column) => h("option", { value: idOf(column) }, column.words)));
+      select.value = ids.includes(before) ? before : (ids[i] ?? "");
+    }
+    if (this.across.value === this.up.value) this.up.value = ids.find((id) => id !== this.across.value) ?? "";
+    this.plot();
   }
 
-  private picture(): void {
-    const [x, y] = [this.columns[Number(this.across.value)], this.columns[Number(this.up.value)]];
-    if (!x || !y) return;
+  private plot(): void {
+    const of = (select: HTMLSelectElement) => this.columns.find((one) => idOf(one) === select.value);
+    const [x, y] = [of(this.across), of(this.up)];
+    this.chooser.hidden = !x || !y;
+    if (!x || !y) return this.pareto.clear();
     const front = new Set(this.front);
     const points: Point[] = this.designs.map((design, row) => ({
       row,
@@ -204,8 +231,9 @@ export class SearchView implements Tab {
       const text = await bench.seek.ask("take", { design: row + 1 });
       this.taken = row;
       this.looked = text;
+      this.of.add(text);
       this.table.mark(row);
-      this.picture();
+      this.plot();
       bench.setText(text, "design " + row);
       this.back.hidden = false;
     } catch (reason) {
@@ -280,7 +308,7 @@ objective = ["contact_ratio", "sliding"]
           .map((one, i) => this.branch(one, i, verb === "fit" ? "fit.branches" : "identify.candidate")),
       );
     } catch (reason) {
-      this.said.textContent = words(reason);
+      if (this.looked === text) this.said.textContent = words(reason);
     }
   }
   private branch(branch: Design, i: number, table: string): HTMLElement {
@@ -293,6 +321,7 @@ objective = ["contact_ratio", "sliding"]
     const use = async () => {
       const spec = branch["spec"] ?? gearOf(branch);
       const text = await bench.front.ask("tomlOf", { json: JSON.stringify(spec) });
+      this.list([], [], "");
       this.asked = bench.text;
       this.back.hidden = false;
       bench.setText(text, "branch " + i);

@@ -1,0 +1,60 @@
+// The table of designs that a search has found: it has the room it needs, says in words where the
+// shifts stand, and has its scatter below it, over numbers in which the designs differ.
+
+import assert from "node:assert/strict";
+import { describe } from "node:test";
+import { example, idle, it, open, put, touching, withPage } from "./stage.mjs";
+
+let page, browser, address;
+withPage((stage) => ({ page, browser, address } = stage));
+
+describe("the table of designs", () => {
+  it("is whole at 1400 px, over its scatter, in words", async () => {
+    const page = await open(browser, address, { viewport: { width: 1400, height: 900 } });
+    await put(page, example("gearbox_search"), "search");
+    await idle(page);
+    const room = await page.evaluate(() => {
+      const table = document.querySelector(".designs-scroll");
+      const scatter = document.querySelector(".pareto").getBoundingClientRect();
+      const view = document.querySelector("#room-search").getBoundingClientRect();
+      return {
+        hidden: table.scrollWidth - table.clientWidth,
+        over: scatter.top - table.getBoundingClientRect().bottom,
+        empty: view.bottom - scatter.bottom,
+        tall: scatter.height,
+      };
+    });
+    assert.equal(room.hidden, 0);
+    assert.ok(room.over >= 0 && room.tall > 150 && room.empty < 30, JSON.stringify(room));
+    assert.equal(await touching(page, ".pareto .up", ".pareto .e"), false);
+    await page.context().close();
+  });
+
+  it("with a fixed centre distance has words for the shifts, and another axis", async () => {
+    await page.evaluate(() => window.gearwright.start());
+    await page.click('form.have:has-text("Two tooth numbers and a centre distance") button');
+    await page.waitForSelector(".designs tbody tr");
+    await idle(page);
+    assert.doesNotMatch(await page.textContent("#room-search"), /eq11|lo[ _]hi/);
+    assert.match(await page.textContent(".common"), /centre distance 90\.0000 mm/);
+    const across = "select[aria-label='Pareto picture, across']";
+    assert.doesNotMatch(await page.inputValue(across), /center_distance/);
+    const options = await page.locator(`${across} option`).allTextContents();
+    assert.ok(!options.includes("centre distance") && options.length > 4, options.join());
+    const places = await page.locator(".pareto circle").evaluateAll((all) => all.map((one) => one.getAttribute("cx")));
+    assert.ok(new Set(places).size > 1);
+    assert.deepEqual(page.complaints, []);
+  });
+
+  it("on a narrow screen it scrolls in its own room", async () => {
+    const page = await open(browser, address, { viewport: { width: 420, height: 860 } });
+    await put(page, example("gearbox_search"), "search");
+    await idle(page);
+    assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 420);
+    assert.ok((await page.locator(".designs-scroll").boundingBox()).height > 120);
+    assert.ok((await page.locator(".pareto").boundingBox()).height > 150);
+    const tab = await page.locator("#tab-search").boundingBox();
+    assert.ok(tab.x >= 0 && tab.x + tab.width <= 420, "the tab itself is out of sight");
+    await page.context().close();
+  });
+});
