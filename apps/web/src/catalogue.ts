@@ -28,14 +28,55 @@ export function materials(): NamedMaterial[] {
   return whole.materials;
 }
 
-/** What a key is called on the page: "normal module" of normal_module_mm. */
-export function wordsOf(key: InputKey): string {
-  let words = key.key;
-  if (key.suffix && words.endsWith("_" + key.suffix)) words = words.slice(0, -key.suffix.length - 1);
-  return words
-    .replace(/([12])$/, " $1")
+/** Results whose quantities have the words of a table's keys; the file's own tables come first. */
+const kResultsOf: Record<string, string[]> = {
+  material: ["rating"],
+  rating_plastic: ["rating"],
+  rating_spectrum: ["rating"],
+  basic: ["gear"],
+  measured: ["gear", "pair"],
+  cutter: ["gear"],
+  search: ["search.designs"],
+};
+/** Units that the catalogue leaves in a key's name. */
+const kUnitsInNames: [ending: string, unit: string][] = [
+  ["_m2K_per_W", "m²K/W"],
+  ["_m2", "m²"],
+  ["_C", "°C"],
+];
+/** Words that only a programmer reads: an end of a range, a letter, a symbol, a name without its apostrophe. */
+const kRaw = /(^| )(min|max|[a-z]|\S*[A-Z0-9]\S*|youngs|poisson|coprime)( |$)/;
+const kLongest = 44;
+
+/** The unit that stands beside a key, also one that is part of its name alone. */
+export function unitOf(key: InputKey): string {
+  return key.unit || (kUnitsInNames.find(([ending]) => key.key.endsWith(ending))?.[1] ?? "");
+}
+
+/** What a key of a table is called on the page: as the quantity that it sets, else by its own name,
+ *  "normal module" of normal_module_mm, or where that does not read, by what it means. */
+export function wordsOf(table: string, key: InputKey): string {
+  const said = (kResultsOf[table] ?? [table])
+    .map((name) => quantity(name, key.key))
+    .find((one) => one && one.symbol === key.symbol);
+  if (said) return said.words;
+  const ending = [key.suffix && "_" + key.suffix, ...kUnitsInNames.map(([name]) => name)].find(
+    (one) => one && key.key.endsWith(one),
+  );
+  const plain = key.key
+    .slice(0, key.key.length - (ending?.length ?? 0))
+    .replace(/([12])$/, ", gear $1")
     .replaceAll("_", " ")
-    .replace("center", "centre");
+    .replace(/\bcenter\b/, "centre")
+    .replace(/(?<=\w) (circumferential|flank|modules|root)$/, ", $1");
+  if (!kRaw.test(plain.replace(/, gear [12]$/, ""))) return plain;
+  const meaning = /^.*?(?=[;:(]|, |$)/.exec(key.meaning)?.[0].trim() ?? "";
+  if (meaning && meaning.length <= kLongest) return meaning;
+  return plain.replace(/^(.*) min$/, "least $1").replace(/^(.*) max$/, "greatest $1");
+}
+export function wordsAt(table: string, name: string): string {
+  const key = inputKey(table, name);
+  return key ? wordsOf(table, key) : name.replaceAll("_", " ");
 }
 
 /** The range of a key as a sentence: "between 1 and 60, usually 14.5 to 30". */

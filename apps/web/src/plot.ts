@@ -20,6 +20,13 @@ export function axis(label: string, size: number): uPlot.Axis {
   };
 }
 
+/** An axis that stands upright: as wide as its longest number, so that the label does not touch it. */
+export function upright(label: string, least: number): uPlot.Axis {
+  const size = (_: uPlot, ticks: string[] | null) =>
+    Math.max(least, 14 + 7.2 * Math.max(0, ...(ticks ?? []).map((tick) => tick.length)));
+  return { ...axis(label, least), size };
+}
+
 /** A curve in a room of its own that follows the room's width. */
 export abstract class Plot {
   readonly element = h("div", { class: "plot" });
@@ -114,7 +121,7 @@ export class CurvePlot extends MarkedPlot {
           },
         },
       },
-      axes: [axis("rotation of gear 1, °", 34), axis(this.label, 52)],
+      axes: [axis("rotation of gear 1, °", 34), upright(this.label, 52)],
       series: [
         {},
         ...this.curves.map((one) => ({

@@ -123,7 +123,7 @@ describe("form and text", () => {
     await page.keyboard.press("ArrowUp");
     await page.waitForFunction(() => window.gearwright.text().includes("teeth = 18"));
     await page.waitForSelector(
-      'input[aria-label^="teeth, gear 1, slider"], input[aria-label^="teeth, gear 1"][type=range]',
+      'input[aria-label^="number of teeth, gear 1"][type=range]',
     );
   });
 

@@ -3,7 +3,7 @@
 import uPlot from "uplot";
 import type { ContactCurve } from "../../engine/engine";
 import { colour } from "../elements";
-import { axis, MarkedPlot, Plot } from "../plot";
+import { axis, MarkedPlot, Plot, upright } from "../plot";
 
 /** A curve flatter than this is drawn flat. */
 const kLeastArcsec = 0.02;
@@ -25,7 +25,7 @@ export class TransmissionPlot extends MarkedPlot {
         x: { time: false },
         y: { range: (_, lo, hi) => [Math.min(lo, -kLeastArcsec) * 1.1, Math.max(hi, kLeastArcsec) * 1.1] },
       },
-      axes: [axis("rotation of gear 1, °", 34), axis("transmission error, ″", 44)],
+      axes: [axis("rotation of gear 1, °", 34), upright("transmission error, ″", 44)],
       series: [
         {},
         inside,
@@ -73,7 +73,7 @@ export class SpectrumPlot extends Plot {
           ...axis("waves per pitch", 34),
           splits: (_, __, ___, max) => [1, 2, 5, 10, 15, 20].filter((n) => n <= max),
         },
-        axis("amplitude, ″", 44),
+        upright("amplitude, ″", 44),
       ],
       series: [
         {},

@@ -2,7 +2,7 @@
 // row, with progress and a way out. A click mounts the pair with those errors.
 
 import type { ErrorMap } from "../../engine/engine";
-import { inputs, wordsOf } from "../catalogue";
+import { inputs, wordsAt, wordsOf } from "../catalogue";
 import { button, colour, fill, h } from "../elements";
 import { kOvertaken } from "../engine_link";
 import { fixed } from "../numbers";
@@ -67,7 +67,7 @@ export class ErrorMapView {
         select,
         ...(inputs("errors")?.keys ?? [])
           .filter((key) => key.documented)
-          .map((key) => h("option", { value: key.key }, wordsOf(key))),
+          .map((key) => h("option", { value: key.key }, wordsOf("errors", key))),
       );
       select.value = select.dataset["first"]!;
     }
@@ -137,7 +137,10 @@ export class ErrorMapView {
     if (!cell || !this.map) return;
     const [i, j] = cell;
     const value = this.map.peakToPeakArcsec[j * this.map.x.length + i]!;
-    this.said.textContent = `${this.x.value.replace(/_.*$/, "")} ${fixed(this.map.x[i]!, 4)}, ${this.y.value.replace(/_.*$/, "")} ${fixed(this.map.y[j]!, 4)}: ${Number.isFinite(value) ? value.toFixed(3) + "″" : "no contact"}`;
+    const at = (key: string, value: number) => `${wordsAt("errors", key)} ${fixed(value, 4)}`;
+    this.said.textContent =
+      `${at(this.x.value, this.map.x[i]!)}, ${at(this.y.value, this.map.y[j]!)}: ` +
+      (Number.isFinite(value) ? value.toFixed(3) + "″" : "no contact");
   }
   private take(event: MouseEvent): void {
     const cell = this.cell(event);

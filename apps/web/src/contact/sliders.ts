@@ -43,6 +43,7 @@ export class ContactSliders {
       "Errors",
       "",
       errors.map((key) => ["errors." + key.key, key]),
+      "errors",
     );
     for (const gear of ["gear1", "gear2"]) {
       const keys = kModifications
@@ -52,24 +53,25 @@ export class ContactSliders {
         "Modifications, gear " + gear[4],
         "g" + gear[4],
         keys.map((key) => [`${gear}.modifications.${key.key}`, key]),
+        "modifications",
       );
     }
   }
 
-  private group(title: string, style: string, entries: [string, InputKey][]): void {
+  private group(title: string, style: string, entries: [string, InputKey][], table: string): void {
     this.element.append(
       h("h3", { class: style }, title),
-      ...entries.map(([place, key]) => this.slide(place, key)),
+      ...entries.map(([place, key]) => this.slide(place, key, wordsOf(table, key))),
     );
   }
 
-  private slide(place: string, key: InputKey): HTMLElement {
+  private slide(place: string, key: InputKey, words: string): HTMLElement {
     const reach = kReach[key.unit] ?? 1;
     const output = h("output", {});
     const set = (value: number) => bench.setKey(place, value === 0 ? undefined : value);
     const input = h("input", {
       type: "range",
-      "aria-label": `${wordsOf(key)}, ${key.unit}${place.startsWith("gear") ? ", gear " + place[4] : ""}`,
+      "aria-label": `${words}, ${key.unit}${place.startsWith("gear") ? ", gear " + place[4] : ""}`,
       "data-slide": place,
       min: key.range?.lo === 0 ? 0 : -reach,
       max: reach,
@@ -90,7 +92,7 @@ export class ContactSliders {
     const row = h(
       "label",
       { class: "slider", title: key.meaning },
-      h("span", { class: "slider-words" }, wordsOf(key), " ", symbol(key.symbol)),
+      h("span", { class: "slider-words" }, words, " ", symbol(key.symbol)),
       output,
       input,
     );

@@ -5,7 +5,7 @@
 // has to say against a value stands in the same place.
 
 import type { InputKey } from "../../engine/engine";
-import { materials, rangeOf, wordsOf } from "../catalogue";
+import { materials, rangeOf, unitOf } from "../catalogue";
 import { h } from "../elements";
 import type { Json } from "../engine_worker";
 import { fromShown, niceStep, onStep, short, shownUnit, toShown } from "../numbers";
@@ -17,6 +17,21 @@ export interface Field {
   /** Shows the spec's value, or what holds without one. */
   show(value: Json | undefined, implied: string): void;
   fault(sentence: string | null): void;
+}
+
+/** Letters that a field beside its label has room for, in the form and in a panel. */
+const kLetters = { form: 8, panel: 7, chooser: 7, line: 24 };
+/** A longer value moves the fields of its row below their label. */
+function makeRoom(field: HTMLElement): void {
+  const row = field.closest(".row");
+  const most = field.closest(".key-panel") ? kLetters.panel : kLetters.form;
+  const letters = (one: HTMLInputElement | HTMLSelectElement) =>
+    (one instanceof HTMLInputElement ? one.value || one.placeholder : (one.selectedOptions[0]?.text ?? "")).length;
+  const fields = [...(row?.querySelectorAll<HTMLInputElement | HTMLSelectElement>("input, select") ?? [])];
+  const over = (one: HTMLInputElement | HTMLSelectElement) =>
+    letters(one) > (one instanceof HTMLSelectElement ? kLetters.chooser : most);
+  row?.classList.toggle("long", fields.some(over));
+  row?.classList.toggle("longest", fields.some((one) => letters(one) > kLetters.line));
 }
 
 /** Where the note of the field with the focus stands. */
@@ -49,7 +64,7 @@ export function makeNote(): Note {
   };
 }
 
-function parseNumber(text: string): number {
+export function numberIn(text: string): number {
   const plain = text
     .trim()
     .replace("−", "-")
@@ -57,23 +72,28 @@ function parseNumber(text: string): number {
   return plain === "" ? NaN : Number(plain);
 }
 
+/** Words of a list, "contact ratio, sliding", as a spec has them. */
+function wordsIn(text: string): string[] {
+  const parts = text.split(/[,;]+/).map((part) => part.trim().replaceAll(/\s+/g, "_"));
+  return parts.filter(Boolean);
+}
+
 /** What a text says for this key; undefined where it says nothing that the engine could judge. */
 function valueOf(key: InputKey, text: string): { value: Json | undefined } | null {
   const plain = text.trim();
   if (plain === "") return { value: undefined };
   if (key.kind === "text") return { value: text };
-  if (key.words.includes(plain)) return { value: plain };
+  const word = key.words.find((one) => one === plain || one.replaceAll("_", " ") === plain);
+  if (word !== undefined) return { value: word };
   if (key.list) {
-    const parts = plain
-      .replace(/^\[|\]$/g, "")
-      .split(/[,;…\s]+/)
-      .filter(Boolean);
-    const numbers = parts.map(parseNumber);
-    if (numbers.some(Number.isNaN)) return key.kind === "word" ? { value: parts } : null;
+    const inner = plain.replace(/^\[|\]$/g, "");
+    const parts = inner.split(/[,;…\s]+/).filter(Boolean);
+    const numbers = parts.map(numberIn);
+    if (numbers.some(Number.isNaN)) return key.kind === "word" ? { value: wordsIn(inner) } : null;
     const shown = numbers.map((one) => fromShown(one, key.unit));
     return { value: shown.length === 1 && key.list.single ? shown[0]! : shown };
   }
-  const number = parseNumber(plain);
+  const number = numberIn(plain);
   return Number.isNaN(number) ? null : { value: fromShown(number, key.unit) };
 }
 
@@ -81,6 +101,7 @@ function shown(key: InputKey, value: Json | undefined): string {
   if (value === undefined || value === null) return "";
   if (Array.isArray(value)) return value.map((one) => shown(key, one)).join(", ");
   if (typeof value === "number") return short(toShown(value, key.unit));
+  if (key.kind === "word" && !String(value).includes(".")) return String(value).replaceAll("_", " ");
   return typeof value === "object" ? "(in the text)" : String(value);
 }
 
@@ -89,14 +110,25 @@ function isMaterial(key: InputKey, place: string): boolean {
   return key.key === "name" && place.endsWith(".material.name");
 }
 
+/** Names of materials, by what they are: a name alone is short enough for a field. */
+export function materialGroups(): HTMLElement[] {
+  const groups = new Map<string, HTMLElement>();
+  for (const { name, note } of materials()) {
+    const kind = /^the older name/.test(note) ? "case-hardened" : note.replace(/,.*$/, "");
+    if (!groups.has(kind)) groups.set(kind, h("optgroup", { label: kind }));
+    groups.get(kind)!.append(h("option", { value: name, title: note }, name));
+  }
+  return [...groups.values()];
+}
+
 function chooser(key: InputKey, place: string, label: string): Field {
   const yesNo = key.kind === "boolean";
   const option = (word: string, words = word) => h("option", { value: word }, words);
   const options = yesNo
     ? [option("true", "yes"), option("false", "no")]
     : isMaterial(key, place)
-      ? materials().map((one) => option(one.name, `${one.name}, ${one.note}`))
-      : key.words.map((word) => option(word));
+      ? materialGroups()
+      : key.words.map((word) => option(word, word.replaceAll("_", " ")));
   const none = h("option", { value: "" }, "–");
   const select = h(
     "select",
@@ -113,19 +145,21 @@ function chooser(key: InputKey, place: string, label: string): Field {
     place,
     element: select,
     show(value, implied) {
-      none.textContent = implied ? implied : "–";
+      const absent = yesNo ? { true: "yes", false: "no" }[implied] : implied.replaceAll("_", " ");
+      none.textContent = absent || "–";
       const said = value === undefined || typeof value === "object" ? "" : String(value);
       if (key.kind === "text" && ![...select.options].some((one) => one.value === said))
         select.append(option(said)); // a name of one's own
       select.value = said;
       select.classList.toggle("implied", value === undefined);
+      makeRoom(select);
     },
     fault: (sentence) => void select.setAttribute("aria-invalid", String(sentence !== null)),
   };
 }
 
-export function makeField(key: InputKey, place: string, who: string, note: Note): Field {
-  const label = [wordsOf(key), who, shownUnit(key.unit)].filter(Boolean).join(", ");
+export function makeField(key: InputKey, named: string, place: string, who: string, note: Note): Field {
+  const label = [named, who, shownUnit(unitOf(key))].filter(Boolean).join(", ");
   const words = key.words.length > 0 && !key.list && key.kind !== "number";
   if (key.kind === "boolean" || words || isMaterial(key, place)) {
     const field = chooser(key, place, label);
@@ -156,7 +190,7 @@ export function makeField(key: InputKey, place: string, who: string, note: Note)
     bench.setKey(place, said.value);
   };
   const base = () =>
-    typeof current === "number" ? toShown(current, key.unit) : parseNumber(input.placeholder) || 0;
+    typeof current === "number" ? toShown(current, key.unit) : numberIn(input.placeholder) || 0;
   const stepOf = (value: number) =>
     key.kind === "whole"
       ? 1
@@ -215,7 +249,10 @@ export function makeField(key: InputKey, place: string, who: string, note: Note)
     show(value, implied) {
       current = value;
       input.placeholder = implied;
-      if (mine === null || document.activeElement !== input) input.value = shown(key, value);
+      if (mine === null || document.activeElement !== input) {
+        input.value = shown(key, value);
+        makeRoom(input);
+      }
       input.readOnly = value !== null && typeof value === "object" && !Array.isArray(value);
       if (slider) slider.hidden = Array.isArray(value);
       if (slider && document.activeElement !== slider) slider.value = String(base());

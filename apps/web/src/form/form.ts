@@ -92,7 +92,7 @@ export class Form {
     const columns = section.places.length;
     const rows = h("div", { class: "rows" });
     const addRow = (key: InputKey) => {
-      const row = makeRow(key, section.places);
+      const row = makeRow(section.table, key, section.places);
       this.fields.push(...row.fields);
       rows.append(...row.elements);
     };

@@ -41,7 +41,7 @@ export class KeyPanel {
       for (const name of group.keys) {
         const key = inputKey(group.table, name);
         if (!key) continue;
-        const row = makeRow(key, group.places);
+        const row = makeRow(group.table, key, group.places);
         this.fields.push(...row.fields);
         rows.append(...row.elements);
       }

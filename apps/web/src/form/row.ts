@@ -2,7 +2,7 @@
 // them the note of the field with the focus.
 
 import type { InputKey } from "../../engine/engine";
-import { quantity, wordsOf } from "../catalogue";
+import { quantity, unitOf, wordsOf } from "../catalogue";
 import { h, symbol } from "../elements";
 import type { Json } from "../engine_worker";
 import { fixed, shownUnit, toShown } from "../numbers";
@@ -40,24 +40,42 @@ export function implied(key: InputKey, place: string): string {
     : "";
 }
 
-/** `places` are those of the tables: ["gear1.bore", "gear2.bore"]. */
-export function makeRow(key: InputKey, places: string[]): { elements: HTMLElement[]; fields: RowField[] } {
+/** Letters of a word, and of the label of two fields, that a row of numbers has room for. */
+const kNarrow = 8;
+const kShortLabel = 26;
+
+/** A row with a label of its own line: words and lists are longer than numbers. */
+function isWide(key: InputKey): boolean {
+  if (key.kind === "text" || (key.list !== null && !key.list.single && key.list.most > 2)) return true;
+  return key.kind !== "number" && key.words.some((word) => word.length > kNarrow);
+}
+
+/** `places` are those of a table of the catalogue: ["gear1.bore", "gear2.bore"] of "bore". */
+export function makeRow(
+  table: string,
+  key: InputKey,
+  places: string[],
+): { elements: HTMLElement[]; fields: RowField[] } {
+  const words = wordsOf(table, key);
   const note = makeNote();
   const fields = places.map((place) => {
     const who = /^gear[12]/.test(place) ? "gear " + place[4] : "";
-    return { key, field: makeField(key, `${place}.${key.key}`, who, note), note };
+    return { key, field: makeField(key, words, `${place}.${key.key}`, who, note), note };
   });
-  const unit = shownUnit(key.unit);
+  const unit = shownUnit(unitOf(key));
+  const two = places.length > 1;
+  const stacked = two && (isWide(key) || words.length > kShortLabel);
+  const kind = ["row", two ? "two" : "", stacked ? "stacked" : isWide(key) ? "wide" : ""].join(" ").trim();
   const label = h(
     "span",
     { class: "label", title: key.meaning },
-    h("span", {}, wordsOf(key)),
+    h("span", {}, words),
     " ",
     key.symbol ? symbol(key.symbol) : null,
     unit ? h("span", { class: "unit" }, " " + unit) : null,
   );
   return {
-    elements: [h("div", { class: "row" }, label, ...fields.map((one) => one.field.element)), note.element],
+    elements: [h("div", { class: kind }, label, ...fields.map((one) => one.field.element)), note.element],
     fields,
   };
 }

@@ -108,6 +108,7 @@ export function draw(canvas: HTMLCanvasElement, view: ViewWindow, scene: Scene):
       c.setLineDash([]);
       c.globalAlpha = 1;
     });
+    circleNames(c, view, scene, width, height);
   }
   for (const place of scene.places) cross(c, view.px(place.x, place.y));
   if (scene.lines) contactLines(c, view, scene.lines);
@@ -134,6 +135,63 @@ function cross(c: CanvasRenderingContext2D, [x, y]: [number, number]): void {
   c.moveTo(x, y - 6);
   c.lineTo(x, y + 6);
   c.stroke();
+}
+
+/** The symbol of each circle beside it: where it leaves the picture or, if all of it is seen, above
+ *  its middle; where two are too close, on the next free height. */
+function circleNames(
+  c: CanvasRenderingContext2D,
+  view: ViewWindow,
+  scene: Scene,
+  width: number,
+  height: number,
+): void {
+  const taken: [number, number][] = [];
+  c.font = `12px ${getComputedStyle(document.body).fontFamily}`;
+  c.textBaseline = "middle";
+  c.textAlign = "center";
+  c.lineWidth = 3.5;
+  c.lineJoin = "round";
+  const facing = (i: number) => (scene.shapes.length > 1 && i === 0 && !scene.shapes[1]!.section.internal ? 0 : Math.PI);
+  scene.shapes.forEach((shape, i) => {
+    const { x, y } = scene.places[i]!;
+    const circles = [...shape.section.circles].sort((a, b) => a.radius - b.radius);
+    for (const { symbol, radius } of circles) {
+      // From the side of the mesh upwards, in steps of 2°, the first place that is seen and free.
+      for (let step = 4; step < 90; ++step) {
+        const angle = facing(i) + (facing(i) === 0 ? 1 : -1) * (step * Math.PI) / 90;
+        const [px, py] = view.px(x + radius * Math.cos(angle), y + radius * Math.sin(angle));
+        if (px < 18 || px > width - 18 || py < 12 || py > height - 30) continue;
+        if (taken.some(([tx, ty]) => Math.abs(tx - px) < 30 && Math.abs(ty - py) < 17)) continue;
+        if (scene.lines?.points.some((point) => near(view.px(point.x, point.y), px, py))) continue;
+        taken.push([px, py]);
+        writeSymbol(c, symbol, px, py, colour(`g${i + 1}`));
+        break;
+      }
+    }
+  });
+}
+function near([ax, ay]: [number, number], px: number, py: number): boolean {
+  return Math.abs(ax - px) < 28 && Math.abs(ay - py) < 18;
+}
+/** A symbol, "d_a1", its index lower, on a halo of the picture's ground. */
+function writeSymbol(c: CanvasRenderingContext2D, symbol: string, x: number, y: number, ink: string): void {
+  const [head, index = ""] = symbol.split("_");
+  const large = `italic 13px "STIX Two Text", "Times New Roman", "DejaVu Serif", serif`;
+  const small = `10px ${getComputedStyle(document.body).fontFamily}`;
+  c.textAlign = "left";
+  c.font = large;
+  const first = c.measureText(head!).width;
+  c.font = small;
+  const left = x - (first + c.measureText(index).width) / 2;
+  c.strokeStyle = colour("panel");
+  c.fillStyle = ink;
+  for (const paint of ["strokeText", "fillText"] as const) {
+    c.font = large;
+    c[paint](head!, left, y);
+    c.font = small;
+    c[paint](index, left + first + 0.5, y + 4);
+  }
 }
 
 function polyline(c: CanvasRenderingContext2D, view: ViewWindow, points: Float64Array): void {

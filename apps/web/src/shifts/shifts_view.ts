@@ -9,7 +9,7 @@ import { fixed, niceStep } from "../numbers";
 import { bench } from "../workbench";
 import type { Tab } from "../tabs";
 
-const kRoom = { left: 52, right: 18, top: 16, bottom: 44 };
+const kRoom = { left: 66, right: 18, top: 16, bottom: 44 };
 const kColours = [
   "var(--g1)",
   "var(--g2)",
@@ -25,7 +25,7 @@ const kColours = [
 export class ShiftsView implements Tab {
   readonly id = "shifts";
   readonly words = "shifts";
-  private readonly picture = svg("svg", {
+  private readonly chart = svg("svg", {
     class: "shift-chart",
     tabindex: "0",
     role: "application",
@@ -41,7 +41,7 @@ export class ShiftsView implements Tab {
   readonly element = h(
     "div",
     { class: "shifts-view" },
-    h("div", { class: "shift-room" }, this.picture),
+    h("div", { class: "shift-room" }, this.chart),
     h("div", { class: "shift-words" }, this.sentence, this.legend),
   );
   private region: ShiftRegion | null = null;
@@ -50,7 +50,7 @@ export class ShiftsView implements Tab {
   private shown = "";
 
   constructor() {
-    new ResizeObserver(() => this.draw()).observe(this.picture);
+    new ResizeObserver(() => this.draw()).observe(this.chart);
   }
 
   async refresh(): Promise<void> {
@@ -73,7 +73,7 @@ export class ShiftsView implements Tab {
     this.region = null;
     this.shown = "";
     fill(this.legend);
-    fill(this.picture);
+    fill(this.chart);
     this.sentence.textContent = sentence;
   }
 
@@ -95,19 +95,19 @@ export class ShiftsView implements Tab {
   /** px per module, across and up: the room is filled, but no direction is drawn twice as large. */
   private get scale(): [number, number] {
     const [x0, x1, y0, y1] = this.frame;
-    const across = (this.picture.clientWidth - kRoom.left - kRoom.right) / (x1 - x0);
-    const up = (this.picture.clientHeight - kRoom.top - kRoom.bottom) / (y1 - y0);
+    const across = (this.chart.clientWidth - kRoom.left - kRoom.right) / (x1 - x0);
+    const up = (this.chart.clientHeight - kRoom.top - kRoom.bottom) / (y1 - y0);
     return [Math.min(across, 2 * up), Math.min(up, 2 * across)];
   }
   private px(x: number, y: number): [number, number] {
     const [across, up] = this.scale;
     return [
       kRoom.left + (x - this.frame[0]) * across,
-      this.picture.clientHeight - kRoom.bottom - (y - this.frame[2]) * up,
+      this.chart.clientHeight - kRoom.bottom - (y - this.frame[2]) * up,
     ];
   }
   private at(event: PointerEvent): [number, number] {
-    const box = this.picture.getBoundingClientRect();
+    const box = this.chart.getBoundingClientRect();
     const [across, up] = this.scale;
     return [
       this.frame[0] + (event.clientX - box.left - kRoom.left) / across,
@@ -125,7 +125,7 @@ export class ShiftsView implements Tab {
   }
   private grab(event: PointerEvent): void {
     if (!this.region) return;
-    this.picture.setPointerCapture(event.pointerId);
+    this.chart.setPointerCapture(event.pointerId);
     this.held = true;
     this.drag(event);
   }
@@ -144,7 +144,7 @@ export class ShiftsView implements Tab {
 
   private draw(): void {
     const region = this.region;
-    if (!region || !this.picture.clientWidth) return;
+    if (!region || !this.chart.clientWidth) return;
     const path = (points: Float64Array) =>
       Array.from({ length: points.length / 2 }, (_, i) =>
         this.px(points[2 * i]!, points[2 * i + 1]!)
@@ -170,20 +170,31 @@ export class ShiftsView implements Tab {
     const [px, py] = this.px(...region.point);
     const chosen = region.chosen ? this.px(...region.chosen) : null;
     fill(
-      this.picture,
+      this.chart,
       ...this.grid(),
       ...areas,
       ...borders,
-      chosen &&
-        svg(
-          "circle",
-          { class: "chosen", cx: chosen[0], cy: chosen[1], r: 5 },
-          svg("title", {}, "what a search would take"),
-        ),
+      chosen && svg("circle", { class: "chosen", cx: chosen[0], cy: chosen[1], r: 5 }),
       svg("circle", { class: "halo", cx: px, cy: py, r: 13 }),
       svg("circle", { class: "design" + (region.inside ? "" : " outside"), cx: px, cy: py, r: 6.5 }),
+      ...this.names([px, py], chosen),
     );
     this.speak(region, names, inkOf);
+  }
+
+  /** The words of the two points, on the side where there is room; below, where they are close. */
+  private names(design: [number, number], chosen: [number, number] | null): SVGElement[] {
+    const word = ([x, y]: [number, number], off: number, text: string) => {
+      const left = x > this.chart.clientWidth - 190;
+      return svg(
+        "text",
+        { class: "point-name" + (left ? " e" : ""), x: left ? x - off : x + off, y: y + 4 },
+        text,
+      );
+    };
+    const close = chosen && Math.abs(chosen[0] - design[0]) < 150 && Math.abs(chosen[1] - design[1]) < 16;
+    const below = chosen && ([chosen[0], chosen[1] + (close ? (chosen[1] < design[1] ? -18 : 20) : 0)] as [number, number]);
+    return [word(design, 17, "the design"), ...(below ? [word(below, 10, "what a search would take")] : [])];
   }
 
   private speak(region: ShiftRegion, names: string[], inkOf: (name: string) => string): void {
@@ -218,7 +229,7 @@ export class ShiftsView implements Tab {
 
   private grid(): SVGElement[] {
     const [x0, x1, y0, y1] = this.frame;
-    const right = Math.max(x1, x0 + (this.picture.clientWidth - kRoom.left - kRoom.right) / this.scale[0]);
+    const right = Math.max(x1, x0 + (this.chart.clientWidth - kRoom.left - kRoom.right) / this.scale[0]);
     const step = niceStep(Math.max(right - x0, y1 - y0), 6);
     const lines: SVGElement[] = [];
     const word = (x: number, y: number, text: string, style: string) =>
@@ -236,15 +247,15 @@ export class ShiftsView implements Tab {
         svg("line", {
           class: Math.abs(y) < 1e-9 ? "zero" : "grid",
           x1: a,
-          x2: this.picture.clientWidth - kRoom.right,
+          x2: this.chart.clientWidth - kRoom.right,
           y1: b,
           y2: b,
         }),
       );
       word(a - 8, b + 4, fixed(y, 2), "e");
     }
-    word(this.picture.clientWidth / 2, this.picture.clientHeight - 8, "profile shift of gear 1", "m g1");
-    const middle = this.picture.clientHeight / 2;
+    word(this.chart.clientWidth / 2, this.chart.clientHeight - 8, "profile shift of gear 1", "m g1");
+    const middle = this.chart.clientHeight / 2;
     lines.push(
       svg(
         "text",
