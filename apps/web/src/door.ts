@@ -4,7 +4,9 @@
 //   gearwright.open(text)                puts a design on screen
 
 import type { Verb } from "../engine/engine";
+import { judgement } from "./judgement";
 import type { Page } from "./page";
+import { revisionOf } from "./revision";
 import { bench } from "./workbench";
 
 declare global {
@@ -26,6 +28,10 @@ export function doorOf(page: Page) {
       bench.solved?.text === bench.text &&
       !page.tabs.busy &&
       [bench.front, bench.back, bench.press, bench.seek].every((one) => one.idle),
+    /** Nothing of the verdict is pending. */
+    judged: (): boolean => bench.solved?.text === bench.text && judgement.pending.length === 0,
+    /** Which spec is on screen: pictures of it have the same in `data-revision`. */
+    revision: (): string => revisionOf(bench.text),
     /** Of the last change: until the answer was here, and what of it was the engine's work. */
     lastMs: (): number => bench.lastMs,
     engineMs: (): number => bench.solved?.milliseconds ?? NaN,

@@ -43,6 +43,8 @@ export interface Verdict {
   level: string;
   headline: string;
   findings: Finding[];
+  /** What the spec could have judged and this verb did not compute. */
+  not_judged?: string[];
 }
 type Edit = [key: string, valueJson: string];
 interface Step {
@@ -72,18 +74,29 @@ function session(text: string): E.Session {
   return next;
 }
 
+/** A spec is JSON when it begins with a brace, as the engine reads it. */
+const isJson = (text: string) => text.trimStart().startsWith("{");
+function treeOf(text: string): Solved["spec"] {
+  const tree = engine.toJson(isJson(text) ? good(engine.toToml(text)) : text);
+  return failed(tree) ? null : JSON.parse(tree);
+}
+
 function solve(text: string): Solved {
   const begin = performance.now();
-  const tree = engine.toJson(text);
   const solved: Solved = {
     text,
-    spec: failed(tree) ? null : JSON.parse(tree),
+    spec: null,
     result: null,
     fault: null,
     gears: 0,
     hasPair: false,
     milliseconds: 0,
   };
+  try {
+    solved.spec = treeOf(text);
+  } catch {
+    // The engine's own reading, next, has the reason.
+  }
   const opened = open?.text === text ? open.session : engine.open(text);
   if (failed(opened)) solved.fault = opened.error;
   else {
@@ -113,7 +126,7 @@ const questions = {
   solve: (q: { text: string }) => solve(q.text),
   /** Sets keys of the text, then solves what has become of it. */
   edit(q: { text: string; edits: Edit[] }): Solved | { refused: string } {
-    let text = q.text;
+    let text = isJson(q.text) ? good(engine.toToml(q.text)) : q.text;
     for (const [key, value] of q.edits) {
       const next = engine.edit(text, key, value);
       if (failed(next)) return { refused: next.error.message };

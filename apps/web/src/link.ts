@@ -8,6 +8,9 @@
 const kFormat = "#1.";
 /** A link that unpacks to more than this is no spec. */
 const kMostCharacters = 1_000_000;
+const kAgain = "Copy it again, from its first to its last letter.";
+
+class TooLong extends Error {}
 
 async function through(
   bytes: Uint8Array<ArrayBuffer>,
@@ -21,7 +24,10 @@ async function through(
     const { done, value } = await reader.read();
     if (done) break;
     length += value.length;
-    if (length > kMostCharacters) throw new Error("the link unpacks to more than a spec can be");
+    if (length > kMostCharacters) {
+      void reader.cancel();
+      throw new TooLong();
+    }
     parts.push(value as Uint8Array<ArrayBuffer>);
   }
   const whole = new Uint8Array(length);
@@ -41,11 +47,23 @@ export async function linkOf(text: string): Promise<string> {
   return kFormat + btoa(letters).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
 }
 
-/** The text in such a part; null: there is none. Throws where it is damaged. */
+/** The text in such a part; null: there is none. Throws a sentence where it is damaged. */
 export async function textOf(hash: string): Promise<string | null> {
   if (!hash.startsWith(kFormat)) return null;
-  const letters = atob(hash.slice(kFormat.length).replaceAll("-", "+").replaceAll("_", "/"));
-  const packed = Uint8Array.from(letters, (letter) => letter.charCodeAt(0));
-  const bytes = await through(packed, new DecompressionStream("deflate-raw"));
-  return new TextDecoder("utf-8", { fatal: true }).decode(bytes);
+  const packed = hash.slice(kFormat.length);
+  const strange = /[^A-Za-z0-9_-]/u.exec(packed)?.[0];
+  if (strange)
+    throw new Error(`This link is damaged: “${strange}” is no letter of a link. ${kAgain}`);
+  try {
+    const letters = atob(packed.replaceAll("-", "+").replaceAll("_", "/"));
+    const bytes = Uint8Array.from(letters, (letter) => letter.charCodeAt(0));
+    const whole = await through(bytes, new DecompressionStream("deflate-raw"));
+    return new TextDecoder("utf-8", { fatal: true }).decode(whole);
+  } catch (reason) {
+    throw new Error(
+      reason instanceof TooLong
+        ? "This link holds more than a million characters; a spec has at most so many."
+        : `This link is damaged: letters of it are missing or changed. ${kAgain}`,
+    );
+  }
 }

@@ -13,6 +13,8 @@ import { VerdictLine } from "./verdict";
 import { bench, kMostCharacters } from "./workbench";
 
 type Part = "spec" | "view" | "numbers";
+/** The numbers show their head alone. */
+const kFolded = 0.05;
 
 export class Page {
   readonly tabs: Tabs;
@@ -45,10 +47,10 @@ export class Page {
   /** Share of the height that the numbers have, per tab: a report or a list needs more than a picture. */
   private readonly shares: Record<string, number> = {
     contact: 0.2,
-    load: 0.055,
-    rating: 0.055,
+    load: kFolded,
+    rating: kFolded,
     search: 0.2,
-    sheet: 0.055,
+    sheet: kFolded,
   };
   private part: Part = "view";
 
@@ -131,8 +133,9 @@ export class Page {
   }
 
   private share(tab: string, set?: number): void {
-    if (set !== undefined) this.shares[tab] = Math.min(0.85, Math.max(0.05, set));
-    this.main.style.setProperty("--numbers", `${(100 * (this.shares[tab] ?? 0.34)).toFixed(1)}%`);
+    if (set !== undefined) this.shares[tab] = Math.min(0.85, Math.max(kFolded, set));
+    const share = this.shares[tab] ?? 0.34;
+    this.main.style.setProperty("--numbers", share > kFolded ? `${(100 * share).toFixed(1)}%` : "43px");
   }
   /** The line between picture and numbers, to be dragged or moved with the arrow keys. */
   private divider(): HTMLElement {
@@ -205,8 +208,8 @@ export class Page {
 
   begin(text: string, tab = "mesh"): void {
     this.showBench();
-    this.tabs.open(tab);
     bench.setText(text, "opened");
+    this.tabs.open(tab);
     scrollTo(0, 0);
   }
 
@@ -239,10 +242,12 @@ export class Page {
     }
   }
 
-  say(sentence: string): void {
+  private fading = 0;
+  say(sentence: string, forMs = 4000): void {
     this.said.textContent = sentence;
     this.said.classList.add("shown");
-    window.setTimeout(() => this.said.classList.remove("shown"), 4000);
+    clearTimeout(this.fading);
+    this.fading = window.setTimeout(() => this.said.classList.remove("shown"), forMs);
   }
 
   private save(): void {

@@ -6,6 +6,7 @@ import { fill, h, scroller } from "./elements";
 import type { Json } from "./engine_worker";
 import { onUnitChange } from "./numbers";
 import { cellText, fillCell, quantityTable, rowsOf, type Row } from "./quantity_table";
+import { markRevision } from "./revision";
 import { bench } from "./workbench";
 
 export class QuantityPane {
@@ -24,22 +25,40 @@ export class QuantityPane {
     this.sheet,
   );
   private signature = "";
+  private shown = ""; // the text whose numbers stand there
   private cells = new Map<string, HTMLElement[]>();
   private rows: Row[] = [];
 
   constructor() {
     bench.on("solved", () => this.update());
+    bench.on("text", () => this.age());
+    bench.on("opened", () => this.clear());
     onUnitChange(() => {
       this.signature = "";
       this.update();
     });
   }
 
+  /** Dims the numbers if they are of another spec than the one on screen. */
+  private age(): void {
+    markRevision(this.sheet, this.shown, bench.text, !bench.settled);
+  }
+  private clear(): void {
+    this.signature = this.shown = "";
+    this.rows = [];
+    fill(this.sheet);
+    this.count.textContent = "";
+    this.age();
+  }
+
   update(): void {
     const result = bench.solved?.result;
-    this.element.classList.toggle("stale", !result && bench.good !== null);
     this.element.classList.toggle("asking", bench.asks);
+    this.age();
+    if (!result && !bench.good) this.clear();
     if (!result) return;
+    this.shown = bench.solved!.text;
+    this.age();
     const gearTable = quantities("gear");
     const pairTable = quantities("pair");
     const gears = gearTable ? rowsOf(gearTable, (result["gears"] ?? []) as Json[], "gears") : [];

@@ -6,34 +6,38 @@ import { kOvertaken } from "./engine_link";
 import { bench } from "./workbench";
 import type { Tab } from "./tabs";
 
+const kRestMs = 350; // a report is read, not played with
+
 export class SheetView implements Tab {
   readonly id = "sheet";
   readonly words = "sheet";
   private readonly frame = h("iframe", { sandbox: "allow-scripts", title: "the report", class: "report" });
   private readonly state = h("p", { class: "soft sheet-state", role: "status" });
   readonly element = h("div", { class: "sheet-view" }, this.state, this.frame);
-  private shown = "";
-  private timer = 0;
+  readonly picture = this.frame;
+  shown = "";
 
-  refresh(): void {
+  async refresh(): Promise<void> {
     if (!bench.good) {
       this.frame.srcdoc = this.shown = "";
-      this.state.textContent = "There is no pair yet.";
+      this.state.textContent = bench.asks ? "There is no pair yet." : "";
       return;
     }
-    if (bench.good.text === this.shown) return;
-    clearTimeout(this.timer);
-    this.timer = window.setTimeout(() => void this.load(), this.shown ? 350 : 0); // a report is read, not played with
+    const { text } = bench.good;
+    if (text === this.shown) return;
+    if (this.shown) await new Promise((rested) => setTimeout(rested, kRestMs));
+    if (bench.good?.text === text) await this.load(text);
   }
 
-  private async load(): Promise<void> {
-    const text = bench.good!.text;
+  private async load(text: string): Promise<void> {
     this.state.textContent = this.shown ? "" : "Writing the report …";
     try {
       const bytes = await bench.back.latest("report", "file", { text, kind: "report", gear: 0 });
-      if (bytes === kOvertaken) return;
+      if (bytes === kOvertaken || bench.good?.text !== text) return;
       this.shown = text;
+      const loaded = new Promise((done) => this.frame.addEventListener("load", done, { once: true }));
       this.frame.srcdoc = new TextDecoder().decode(bytes);
+      await loaded;
       this.state.textContent = "";
     } catch (reason) {
       this.state.textContent = reason instanceof Error ? reason.message : String(reason);

@@ -1,12 +1,24 @@
 // The room on the right: one view at a time, each asked to look anew only while it is seen.
 
 import { h } from "./elements";
+import { judgement, kParts, type Part } from "./judgement";
+import { markRevision } from "./revision";
 import { bench } from "./workbench";
+
+/** A spec that has not changed for so long rests: then contact, load and rating are judged, too. */
+const kRestMs = 700;
 
 export interface Tab {
   readonly id: string;
   readonly words: string;
   readonly element: HTMLElement;
+  /** What is dimmed while it shows another spec than the one on screen. */
+  readonly picture: HTMLElement;
+  /** The text of the spec that the picture was made for; "" without a picture. */
+  readonly shown: string;
+  /** What of the verdict this tab's answer has, and how to come to it without being seen. */
+  readonly part?: Part;
+  judge?(): Promise<void>;
   /** Shows the design of now; called when it has changed or the tab is opened. */
   refresh(): Promise<void> | void;
   /** The tab is left. */
@@ -23,10 +35,18 @@ export class Tabs {
   readonly room = h("div", { class: "tab-room" });
   private readonly buttons = new Map<string, HTMLButtonElement>();
   private readonly fault = h("p", { class: "view-fault", role: "status" });
+  private readonly spinner = h(
+    "div",
+    { class: "spinner", role: "status" },
+    h("span", { class: "unseen" }, "The picture is being made."),
+  );
+  private readonly kept = h("p", { class: "kept", role: "status" });
   current: Tab;
   /** Called with the tab that is opened. */
   opened: (id: string) => void = () => undefined;
-  private asking = 0;
+  private readonly asking = new Map<Tab, number>();
+  private turn = 0;
+  private rest = 0;
 
   constructor(readonly tabs: Tab[]) {
     this.current = tabs[0]!;
@@ -49,9 +69,38 @@ export class Tabs {
       tab.element.setAttribute("aria-labelledby", "tab-" + tab.id);
       this.room.append(tab.element);
     }
-    this.room.append(this.fault);
-    bench.on("solved", () => void this.refresh());
+    this.room.append(this.fault, this.spinner, this.kept);
+    bench.on("text", () => this.age());
+    bench.on("solved", () => {
+      void this.refresh();
+      clearTimeout(this.rest);
+      this.rest = window.setTimeout(() => void this.judge(), kRestMs);
+    });
     this.mark();
+    this.age();
+  }
+
+  /** What the verdict still lacks, one after the other; a newer spec begins anew. */
+  private async judge(): Promise<void> {
+    const { text } = bench;
+    for (const part of kParts) {
+      if (bench.text !== text || !judgement.pending.includes(part)) continue;
+      await this.tabs.find((tab) => tab.part === part)?.judge?.().catch(() => undefined);
+    }
+  }
+
+  /** Dims the picture if it shows another spec than the one on screen. */
+  private age(): void {
+    const { picture, shown } = this.current;
+    const working = !bench.settled || (this.asking.get(this.current) ?? 0) > 0;
+    markRevision(picture, shown, bench.text, working);
+    const stale = picture.dataset["stale"];
+    this.spinner.hidden = !working || (shown !== "" && !stale);
+    this.kept.hidden = stale !== "kept";
+    this.kept.textContent =
+      bench.solved?.fault && !bench.asks
+        ? "This is of the last spec without a fault."
+        : "This is of an earlier spec.";
   }
 
   open(id: string): void {
@@ -61,7 +110,8 @@ export class Tabs {
     this.current = tab;
     this.mark();
     this.opened(id);
-    void this.refresh();
+    if (bench.settled) void this.refresh();
+    else this.age(); // the answer that is under way brings the picture
   }
 
   private mark(): void {
@@ -81,19 +131,22 @@ export class Tabs {
 
   async refresh(): Promise<void> {
     const tab = this.current;
-    ++this.asking;
+    const turn = ++this.turn;
+    const count = (more: number) => this.asking.set(tab, (this.asking.get(tab) ?? 0) + more);
+    count(1);
+    this.age();
+    let fault = "";
     try {
       await tab.refresh();
-      if (tab === this.current) this.fault.textContent = "";
     } catch (reason) {
-      if (tab === this.current)
-        this.fault.textContent = reason instanceof Error ? reason.message : String(reason);
-    } finally {
-      --this.asking;
+      fault = reason instanceof Error ? reason.message : String(reason);
     }
+    if (turn === this.turn) this.fault.textContent = fault; // else a newer one shows its own
+    count(-1);
+    this.age();
   }
   get busy(): boolean {
-    return this.asking > 0;
+    return [...this.asking.values()].some((count) => count > 0);
   }
 
   private key(event: KeyboardEvent): void {

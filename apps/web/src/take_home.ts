@@ -83,6 +83,8 @@ export class TakeHome {
       h("span", {}, h("b", {}, "Spec"), h("span", { class: "soft" }, " the design as text, TOML")),
       h("span", { class: "offer-buttons" }, button("save", this.save)),
     );
+    if (bench.good && bench.good.text !== bench.text)
+      this.state.textContent = "The spec on screen is not solved: these are files of the last one that was.";
     fill(this.sheet, spec, ...(bench.good ? rows : []), this.state);
     this.sheet.querySelector("button")?.focus();
   }
@@ -93,7 +95,8 @@ export class TakeHome {
   }
 
   private async get(offer: Offer, gear: 0 | 1 | 2): Promise<void> {
-    const text = bench.good!.text;
+    const text = bench.good?.text;
+    if (text === undefined) return;
     const ending = kEndings[offer.kind] ?? offer.kind;
     const who = offer.gears.length > 1 ? (gear === 0 ? "_pair" : `_gear${gear}`) : "";
     this.state.textContent = `Making ${offer.words} …`;

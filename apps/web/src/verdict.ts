@@ -1,13 +1,16 @@
-// The verdict, always in sight: its level, the worst thing in one sentence, and on request every
-// finding with what would help. The words are the engine's, the same as on the report.
+// The verdict, always in sight: its level, the worst thing in one sentence, what is still to be judged,
+// and on request every finding with what would help. The words are the engine's, the same as on the
+// report.
 
 import { fill, h } from "./elements";
-import type { Finding, Json, Notice, Verdict } from "./engine_worker";
+import type { Finding, Json, Notice } from "./engine_worker";
+import { judgement } from "./judgement";
 import { bench } from "./workbench";
 
 export class VerdictLine {
   private readonly level = h("b", { class: "level" }, "…");
   private readonly headline = h("span", { class: "headline" });
+  private readonly scope = h("span", { class: "scope" });
   private readonly list = h("ul", { class: "findings", id: "findings" });
   private readonly opener = h(
     "button",
@@ -19,6 +22,7 @@ export class VerdictLine {
       click: () => this.toggle(),
     },
     this.level,
+    this.scope,
     this.headline,
   );
   readonly element = h("div", { class: "verdict-box", "aria-live": "polite" }, this.opener, this.list);
@@ -26,6 +30,8 @@ export class VerdictLine {
   constructor() {
     this.list.hidden = true;
     bench.on("solved", () => this.update());
+    bench.on("opened", () => this.wait());
+    judgement.onChange(() => this.update());
     document.addEventListener("pointerdown", (event) => {
       if (!this.list.hidden && !this.element.contains(event.target as Node)) this.toggle();
     });
@@ -49,10 +55,17 @@ export class VerdictLine {
     this.opener.title = headline;
   }
 
+  /** Another design was opened: the verdict on the last one goes. */
+  private wait(): void {
+    this.say("none", "…", "");
+    fill(this.scope);
+    fill(this.list);
+  }
+
   private update(): void {
     const solved = bench.solved;
     if (!solved) return;
-    const verdict = solved.result?.["verdict"] as unknown as Verdict | undefined;
+    const verdict = judgement.verdict;
     const warnings = (solved.result?.["warnings"] ?? []) as unknown as {
       message: string;
       gear: number | null;
@@ -89,12 +102,20 @@ export class VerdictLine {
         count ? findings[0]!.message : "One gear; a second one makes a pair.",
       );
     }
+    const { pending, refused } = judgement;
+    const open = [
+      pending.length ? `${pending.join(", ")} pending` : "",
+      refused.length ? `${refused.map(([part]) => part).join(", ")} not judged` : "",
+    ];
+    fill(this.scope, open.filter(Boolean).join("; "));
     const whole = h("li", { class: "whole" }, this.headline.textContent);
     fill(
       this.list,
       whole,
       ...findings.map(findingItem),
       !findings.length && h("li", {}, "No further findings."),
+      pending.length > 0 && h("li", { class: "soft" }, `Still being judged: ${pending.join(", ")}.`),
+      ...refused.map(([part, reason]) => h("li", { class: "soft" }, `Not judged: ${part}. ${reason}`)),
     );
   }
 }

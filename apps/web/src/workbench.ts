@@ -18,6 +18,8 @@ class Workbench {
   solved: Solved | null = null;
   /** The last that could be solved: pictures keep it while a fault is being typed. */
   good: Solved | null = null;
+  /** Counts the designs that were opened: an answer about an earlier one comes too late. */
+  design = 0;
   /** How long the engine and the way to it took for the last change, ms. */
   lastMs = 0;
   front!: EngineLink;
@@ -48,7 +50,8 @@ class Workbench {
     this.text = text;
     this.edits.clear();
     if (what === "opened") {
-      this.good = null; // another design: nothing of the last one may stand beside it
+      ++this.design;
+      this.good = this.solved = null; // another design: nothing of the last one may stand beside it
       this.tell("opened");
     }
     this.tell("text");
@@ -84,10 +87,8 @@ class Workbench {
       const answer = await this.front.ask("edit", { text: from, edits });
       if (this.text !== from) return; // typed meanwhile: the text is right
       if ("refused" in answer) {
-        this.takeSolved(
-          { ...this.solved!, fault: { key: edits[0]![0], value: edits[0]![1], message: answer.refused } },
-          begin,
-        );
+        const fault = { key: edits[0]![0], value: edits[0]![1], message: answer.refused };
+        this.takeSolved({ ...(this.solved ?? faulty(from, "")), fault }, begin);
         return;
       }
       this.remember(edits.map(([key]) => key).join(" "));
@@ -131,6 +132,11 @@ class Workbench {
       solved.spec["fit"] !== undefined ||
       /gearwright (fit finds them|identify finds it)/.test(solved.fault.message)
     );
+  }
+
+  /** The answer of the engine is that to the text on screen. */
+  get settled(): boolean {
+    return this.solved?.text === this.text;
   }
 
   get canUndo(): boolean {

@@ -33,8 +33,8 @@ describe("every example", () => {
       await page.evaluate(() => window.gearwright.start());
       await page.click(`[data-example=${one.name}]`);
       await settled(page);
+      const headline = await page.textContent(".headline"); // before contact and load are judged, too
       const expected = native("pair", one.text);
-      const headline = await page.textContent(".headline");
       if (expected.verdict) assert.equal(headline, expected.verdict.headline, one.name);
       else assert.ok(headline.length > 10, one.name);
     }

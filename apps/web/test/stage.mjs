@@ -134,6 +134,10 @@ export function native(verb, text) {
   }
 }
 
+/** Nothing of the verdict on screen is pending. */
+export async function judged(page) {
+  await page.waitForFunction(() => window.gearwright.judged(), undefined, { timeout: kPatience });
+}
 /** The engine has nothing to do any more. */
 export async function idle(page) {
   await page.waitForFunction(() => window.gearwright.idle(), undefined, { timeout: kPatience });

@@ -37,7 +37,8 @@ describe("load", () => {
       for (const gear of [0, 1])
         shows(await cell("max_root_stress_MPa", gear), record.max_root_stress_MPa[gear]);
     }
-    assert.equal(await page.textContent("#room-load .view-sentence"), expected.verdict.headline);
+    const findings = expected.verdict.findings.filter((one) => one.level !== "green");
+    assert.ok((await page.locator("#room-load .notices li").count()) >= findings.length);
     assert.equal(await page.locator("#room-load .uplot").count(), 4);
   });
 
@@ -68,14 +69,13 @@ describe("rating", () => {
   it("shows the program's safeties and every factor with its clause and branch", async () => {
     await put(page, example("rated_pair"), "rating");
     await page.waitForSelector("#room-rating [data-safety]");
-    const { rating, verdict } = native("rate", example("rated_pair"));
+    const { rating } = native("rate", example("rated_pair"));
     for (const key of ["S_F", "S_H"])
       for (const gear of [1, 2])
         assert.equal(
           await page.textContent(`[data-safety="${key}.${gear}"] .level`),
           rating[key][gear - 1].toFixed(3),
         );
-    assert.equal(await page.textContent("#room-rating .view-sentence"), verdict.headline);
     for (const [key, { formula, branch }] of Object.entries(rating.formulas)) {
       if (rating[key] === null) continue;
       const row = await page.textContent(`#room-rating tr:has([data-quantity="rating.${key}"]) .place`);

@@ -2,8 +2,10 @@
 // follow while they move. The pattern is made in the background and comes a moment later.
 
 import type { ContactCurve } from "../../engine/engine";
-import { fill, flankFigure, h, onThemeChange, scroller } from "../elements";
+import { figure, fill, flankFigure, h, onThemeChange, scroller } from "../elements";
 import { kOvertaken } from "../engine_link";
+import { judgement } from "../judgement";
+import { markRevision } from "../revision";
 import { at, bench } from "../workbench";
 import type { Tab } from "../tabs";
 import { isEdge, SpectrumPlot, TransmissionPlot } from "./curves";
@@ -40,54 +42,47 @@ export class ContactView implements Tab {
   });
   private readonly where = h("output", { class: "soft" });
   private readonly time = h("span", { class: "soft time" });
+  /** The marking comes later than the curves. */
+  private readonly flanks = h(
+    "div",
+    { class: "plots" },
+    flankFigure(
+      1,
+      this.maps[0]!.canvas,
+      ", marking; darker: the gap now, in steps of 1, 2, 5, 10, 20, 50 µm.",
+    ),
+    flankFigure(2, this.maps[1]!.canvas, ", marking after a mesh."),
+  );
+  readonly picture = h(
+    "div",
+    {},
+    this.sentence,
+    h(
+      "div",
+      { class: "plots" },
+      figure(
+        this.te.element,
+        h("b", {}, "Transmission error"),
+        ", from its middle. ",
+        this.edges,
+        this.time,
+      ),
+      figure(this.spectrum.element, h("b", {}, "Its spectrum"), ": the first bar is the tooth frequency."),
+    ),
+    h("label", { class: "slide" }, h("span", {}, "position"), this.instant, this.where),
+    this.flanks,
+  );
   readonly element = h(
     "div",
     { class: "contact-view" },
     this.sliders.element,
-    scroller(
-      "contact-room",
-      "curves and flanks",
-      this.sentence,
-      h(
-        "div",
-        { class: "plots" },
-        h(
-          "figure",
-          {},
-          this.te.element,
-          h(
-            "figcaption",
-            {},
-            h("b", {}, "Transmission error"),
-            ", from its middle. ",
-            this.edges,
-            this.time,
-          ),
-        ),
-        h(
-          "figure",
-          {},
-          this.spectrum.element,
-          h("figcaption", {}, h("b", {}, "Its spectrum"), ": the first bar is the tooth frequency."),
-        ),
-      ),
-      h("label", { class: "slide" }, h("span", {}, "position"), this.instant, this.where),
-      h(
-        "div",
-        { class: "plots" },
-        flankFigure(
-          1,
-          this.maps[0]!.canvas,
-          ", marking; darker: the gap now, in steps of 1, 2, 5, 10, 20, 50 µm.",
-        ),
-        flankFigure(2, this.maps[1]!.canvas, ", marking after a mesh."),
-      ),
-      this.errorMap.element,
-    ),
+    scroller("contact-room", "curves and flanks", this.picture, this.errorMap.element),
   );
+  readonly part = "contact";
   private curve: Timed | null = null;
   private index = kPositions / 2;
-  private shown = "";
+  shown = "";
+  private marked = ""; // the text whose marking is on the flanks
 
   constructor() {
     new ResizeObserver(() => this.drawFlanks()).observe(this.maps[0]!.canvas);
@@ -104,10 +99,12 @@ export class ContactView implements Tab {
     this.sliders.show();
     const solved = bench.good;
     if (!solved?.hasPair) {
-      this.clear(solved ? "One gear touches nothing: a second one makes a pair." : "There is no pair yet.");
-      return;
+      return this.clear(
+        solved ? "One gear touches nothing: a second one makes a pair." : "There is no pair yet.",
+      );
     }
     if (solved.text === this.shown) return this.draw();
+    const { design } = bench;
     let answer;
     try {
       answer = await bench.front.latest("curve", "curve", { text: solved.text, positions: kPositions });
@@ -115,7 +112,7 @@ export class ContactView implements Tab {
       this.clear(reason instanceof Error ? reason.message : String(reason));
       return;
     }
-    if (answer === kOvertaken) return;
+    if (answer === kOvertaken || bench.design !== design || !bench.good) return;
     this.curve = answer;
     this.shown = solved.text;
     for (const map of this.maps) map.gap = null;
@@ -125,7 +122,7 @@ export class ContactView implements Tab {
 
   private clear(sentence: string): void {
     this.curve = null;
-    this.shown = "";
+    this.shown = this.marked = "";
     this.te.forget();
     this.spectrum.forget();
     for (const map of this.maps) map.gap = map.pattern = null;
@@ -160,7 +157,15 @@ export class ContactView implements Tab {
       .catch(() => null);
     if (pattern === kOvertaken || this.shown !== text) return;
     this.maps.forEach((map, i) => (map.pattern = pattern?.[i] ?? null));
+    this.marked = text;
     this.drawFlanks();
+  }
+
+  /** The verdict on the contact, which the curves alone do not have. */
+  async judge(): Promise<void> {
+    const { text } = bench;
+    const answer = await bench.press.latest("contact", "run", { text, verb: "contact" });
+    if (answer !== kOvertaken) judgement.take("contact", text, answer as Parameters<typeof judgement.take>[2]);
   }
 
   private draw(): void {
@@ -172,12 +177,13 @@ export class ContactView implements Tab {
     this.edges.hidden = !kinds.some(isEdge);
     fill(this.sentence, curve.words);
     const rotation = (curve.columns["rotation1_deg"] as Float64Array)[this.index]!;
-    this.where.textContent = `${rotation.toFixed(2)}°  ${kinds[this.index] || "no contact"}`;
+    this.where.textContent = `${rotation.toFixed(2)}°  ${kinds[this.index]?.replaceAll("_", " ") || "no contact"}`;
     this.time.textContent = `${curve.n} positions in ${curve.milliseconds.toFixed(1)} ms.`;
     this.drawFlanks();
   }
   private drawFlanks(): void {
     const marking = (at(bench.good?.spec ?? null, "contact.marking_mm") as number | undefined) ?? 0.00635;
     for (const map of this.maps) map.draw(this.curve, this.index, marking);
+    markRevision(this.flanks, this.marked, this.shown);
   }
 }

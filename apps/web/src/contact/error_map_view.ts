@@ -6,6 +6,7 @@ import { inputs, wordsAt, wordsOf } from "../catalogue";
 import { button, colour, fill, h } from "../elements";
 import { kOvertaken } from "../engine_link";
 import { fixed } from "../numbers";
+import { markRevision } from "../revision";
 import { at, bench } from "../workbench";
 
 const kReach: Record<string, number> = { "°": 0.05, µm: 20, mm: 0.1 };
@@ -32,6 +33,7 @@ export class ErrorMapView {
     click: (event: MouseEvent) => this.take(event),
     pointermove: (event: PointerEvent) => this.hover(event),
   });
+  private readonly room = h("div", { class: "map-room" }, this.canvas);
   private readonly go = button("Map", () => void this.make());
   private readonly stop = button("Cancel", () => this.cancel());
   private readonly bar = h("progress", { max: 1, value: 0, "aria-label": "progress of the map" });
@@ -50,12 +52,33 @@ export class ErrorMapView {
       this.bar,
       this.said,
     ),
-    this.canvas,
+    this.room,
   );
   private map: ErrorMap | null = null;
+  private axes = { x: "", y: "", rest: "", text: "" }; // of the map; its spec, and that without the two
 
   constructor() {
     this.stop.hidden = this.bar.hidden = this.canvas.hidden = true;
+    bench.on("text", () => this.age());
+    bench.on("solved", () => this.age());
+    bench.on("opened", () => {
+      if (!this.stop.hidden) this.cancel();
+      this.map = null;
+      this.canvas.hidden = true;
+      this.said.textContent = "";
+    });
+  }
+  /** A map is of a spec but for the two errors that it runs over. */
+  private restOf(x: string, y: string): string {
+    const { errors, ...spec } = bench.good?.spec ?? {};
+    const rest = Object.entries(errors ?? {}).filter(([key]) => key !== x && key !== y);
+    return JSON.stringify([spec, rest]);
+  }
+  /** Dims the map if the spec has become another one. */
+  private age(): void {
+    const { x, y, rest, text } = this.axes;
+    const fresh = bench.settled && this.restOf(x, y) === rest;
+    markRevision(this.room, this.map ? (fresh ? bench.text : text) : "", bench.text, !this.stop.hidden);
   }
   private chooser(where: string, first: string): HTMLSelectElement {
     return h("select", { "aria-label": "error " + where, "data-first": first });
@@ -85,19 +108,28 @@ export class ErrorMapView {
       this.said.textContent = "Choose two different errors.";
       return;
     }
-    this.canvas.hidden = this.stop.hidden = this.bar.hidden = false;
+    if (!bench.good) return;
+    this.stop.hidden = this.bar.hidden = false;
     this.go.hidden = true;
     this.said.textContent = "";
-    const question = { text: bench.good!.text, x: this.axis(this.x), y: this.axis(this.y), positions: 32 };
+    const [x, y] = [this.x.value, this.y.value];
+    const { design } = bench;
+    const axes = { x, y, rest: this.restOf(x, y), text: bench.good.text };
+    const take = (map: ErrorMap) => {
+      this.axes = axes;
+      this.paint(map);
+      this.age();
+    };
+    const question = { text: bench.good.text, x: this.axis(this.x), y: this.axis(this.y), positions: 32 };
     try {
       const map = await bench.back.latest("map", "errorMap", question, (done, of, sofar) => {
         this.bar.value = of ? done / of : 0;
-        if (sofar) this.show(sofar as ErrorMap);
+        if (sofar) take(sofar as ErrorMap);
       });
-      if (map && map !== kOvertaken) this.show(map);
+      if (map && map !== kOvertaken) take(map);
       this.said.textContent = "A click mounts the pair so.";
     } catch (reason) {
-      this.said.textContent = reason instanceof Error ? reason.message : String(reason);
+      if (bench.design === design) this.said.textContent = reason instanceof Error ? reason.message : String(reason);
     } finally {
       this.stop.hidden = this.bar.hidden = true;
       this.go.hidden = false;
@@ -107,8 +139,9 @@ export class ErrorMapView {
     bench.back.cancel();
   }
 
-  private show(map: ErrorMap): void {
+  private paint(map: ErrorMap): void {
     this.map = map;
+    this.canvas.hidden = false;
     const nx = map.x.length;
     const ny = map.y.length;
     this.canvas.width = nx;
@@ -139,13 +172,13 @@ export class ErrorMapView {
     const value = this.map.peakToPeakArcsec[j * this.map.x.length + i]!;
     const at = (key: string, value: number) => `${wordsAt("errors", key)} ${fixed(value, 4)}`;
     this.said.textContent =
-      `${at(this.x.value, this.map.x[i]!)}, ${at(this.y.value, this.map.y[j]!)}: ` +
+      `${at(this.axes.x, this.map.x[i]!)}, ${at(this.axes.y, this.map.y[j]!)}: ` +
       (Number.isFinite(value) ? value.toFixed(3) + "″" : "no contact");
   }
   private take(event: MouseEvent): void {
     const cell = this.cell(event);
     if (!cell || !this.map) return;
-    bench.setKey("errors." + this.x.value, Number(this.map.x[cell[0]]!.toPrecision(6)));
-    bench.setKey("errors." + this.y.value, Number(this.map.y[cell[1]]!.toPrecision(6)));
+    bench.setKey("errors." + this.axes.x, Number(this.map.x[cell[0]]!.toPrecision(6)));
+    bench.setKey("errors." + this.axes.y, Number(this.map.y[cell[1]]!.toPrecision(6)));
   }
 }

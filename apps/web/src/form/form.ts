@@ -51,7 +51,12 @@ export class Form {
     const solved = bench.solved;
     if (!solved) return;
     const spec = solved.spec ?? bench.good?.spec ?? null;
-    if (spec) {
+    if (!spec) {
+      // A text that cannot be read, and no design before it: there is nothing to show.
+      this.signature = this.title.value = "";
+      this.fields = [];
+      fill(this.body);
+    } else {
       const plan = planOf(spec);
       const signature = signatureOf(plan);
       if (signature !== this.signature) {

@@ -7,6 +7,7 @@ import { figure, fill, flankFigure, h, onThemeChange, scroller } from "../elemen
 import { kOvertaken } from "../engine_link";
 import type { Fault, Json, Loaded } from "../engine_worker";
 import { KeyPanel } from "../form/panel";
+import { judgement } from "../judgement";
 import { CurvePlot } from "../plot";
 import { quantityTable, rowsOf } from "../quantity_table";
 import type { Tab } from "../tabs";
@@ -105,19 +106,17 @@ export class LoadView implements Tab {
     this.ofLines[1]!,
     this.table,
   );
+  readonly picture = h("div", {}, this.sentence, this.room);
   readonly element = h(
     "div",
     { class: "side-view" },
     this.panel.element,
-    scroller(
-      "side-room",
-      "teeth under load",
-      this.sentence,
-      this.room,
-    ),
+    scroller("side-room", "teeth under load", this.picture),
   );
+  readonly part = "load";
   private answer: Answer | null = null;
-  private shown = { text: "", full: false };
+  shown = "";
+  private full = false; // it is not a draft
   private torque = 0;
   private index = 0;
   private rest = 0;
@@ -125,6 +124,7 @@ export class LoadView implements Tab {
 
   constructor() {
     this.bar.hidden = true;
+    judgement.onChange(() => this.speak());
     new ResizeObserver(() => this.drawFlanks()).observe(this.maps[0]!.canvas);
     onThemeChange(() => {
       for (const plot of Object.values(this.plots)) plot.forget();
@@ -139,10 +139,11 @@ export class LoadView implements Tab {
     if (!solved?.hasPair) {
       return this.clear(solved ? "One gear bears nothing: a second one makes a pair." : "There is no pair yet.");
     }
-    if (solved.text === this.shown.text) this.draw();
+    if (solved.text === this.shown) this.draw();
+    else if (this.asked === "full" + solved.text) this.wait();
     else await this.ask(solved.text, "draft");
-    if (this.shown.text === solved.text && !this.shown.full && this.answer)
-      this.rest = window.setTimeout(() => void this.finish(solved.text), kRestMs);
+    if (this.shown === solved.text && !this.full && this.answer)
+      this.rest = window.setTimeout(() => void this.finish(solved.text).catch(() => undefined), kRestMs);
   }
   leave(): void {
     clearTimeout(this.rest);
@@ -151,15 +152,23 @@ export class LoadView implements Tab {
   private async finish(text: string): Promise<void> {
     if (bench.good?.text === text) await this.ask(text, "full");
   }
+  /** The full answer, though nobody looks; a draft that is on its way ends in one by itself. */
+  async judge(): Promise<void> {
+    const { text } = bench;
+    if (!this.asked.endsWith(text) && !(this.shown === text && this.full)) await this.finish(text);
+  }
+  private wait(): void {
+    this.bar.hidden = false;
+    if (!this.answer) fill(this.sentence, "The teeth are being loaded …");
+  }
 
   private async ask(text: string, accuracy: "draft" | "full"): Promise<void> {
     const drafted = at(bench.good?.spec ?? null, "load.accuracy") === "draft";
     const asked = accuracy + text;
     if (asked === this.asked) return; // under way
     this.asked = asked;
-    this.bar.hidden = false;
     this.bar.value = 0;
-    if (!this.answer) fill(this.sentence, "The teeth are being loaded …");
+    this.wait();
     const question = { text, accuracy: drafted ? ("draft" as const) : accuracy };
     const answer = await bench.press
       .latest("load", "load", question, (done, of) => (this.bar.value = of ? done / of : 0))
@@ -169,11 +178,14 @@ export class LoadView implements Tab {
         this.bar.hidden = true;
       });
     if (answer === kOvertaken || answer === null || bench.good?.text !== text) return;
-    this.shown = { text, full: accuracy === "full" || drafted };
     if ("fault" in answer) {
+      judgement.take("load", text, { error: answer.fault });
       this.panel.show(answer.fault);
       return this.clear(answer.fault.message, text);
     }
+    this.shown = text;
+    this.full = accuracy === "full" || drafted;
+    if (this.full) judgement.take("load", text, answer);
     this.panel.show(null);
     this.answer = answer;
     this.draw();
@@ -181,7 +193,8 @@ export class LoadView implements Tab {
 
   private clear(sentence: string, text = ""): void {
     this.answer = null;
-    this.shown = { text, full: true };
+    this.shown = text;
+    this.full = true;
     this.room.hidden = true;
     fill(this.sentence, sentence);
   }
@@ -205,9 +218,9 @@ export class LoadView implements Tab {
     this.index = Math.min(this.index || Math.floor(positions.length / 2), positions.length - 1);
     this.position.max = String(positions.length - 1);
     this.position.value = String(this.index);
-    fill(this.sentence, answer.verdict.headline);
+    this.speak();
     this.state.textContent =
-      `${this.shown.full ? "" : "Draft. "}${positions.length} positions` +
+      `${this.full ? "" : "Draft. "}${positions.length} positions` +
       ` in ${(answer.milliseconds / 1000).toFixed(1)} s.`;
     fill(this.notices, ...noticesOf(answer.warnings, answer.verdict.findings));
     this.drawTorques();
@@ -215,6 +228,11 @@ export class LoadView implements Tab {
     this.drawFlanks();
     const rows = rowsOf(quantities("load.torques")!, [record], "load", "", true);
     fill(this.table, quantityTable(rows, ["gear 1", "gear 2"]).element);
+  }
+
+  /** The verdict on the spec, the same as in the bar. */
+  private speak(): void {
+    if (this.answer && this.shown === bench.text) fill(this.sentence, judgement.verdict?.headline);
   }
 
   private drawTorques(): void {

@@ -30,10 +30,11 @@ export class MeshView implements Tab {
     button(frame, () => this.show(frame), { "aria-pressed": String(frame === "mesh"), "data-frame": frame }),
   );
   private readonly circlesBox = h("input", { type: "checkbox", checked: true, change: () => this.ask() });
+  readonly picture = h("div", { class: "canvas-room" }, this.canvas, this.readout);
   readonly element = h(
     "div",
     { class: "picture mesh-view" },
-    h("div", { class: "canvas-room" }, this.canvas, this.readout),
+    this.picture,
     h(
       "div",
       { class: "controls" },
@@ -47,8 +48,10 @@ export class MeshView implements Tab {
   private shapes: Shape[] = [];
   private lines: MeshLines | null = null;
   private motion: Motion | null = null;
+  /** The gears' places are on their way, and there are none of a spec before. */
+  private unplaced = false;
   private asked = false;
-  private shown = "";
+  shown = "";
   private sizeOf = "";
 
   constructor() {
@@ -64,13 +67,15 @@ export class MeshView implements Tab {
     const solved = bench.good;
     if (!solved) {
       this.shapes = [];
+      this.motion = null;
       this.shown = "";
       return this.ask();
     }
     if (solved.text === this.shown) return;
+    const { design } = bench;
+    const late = () => bench.design !== design || !bench.good;
     const answer = await bench.front.latest("sections", "sections", { text: solved.text, tolerance: 0.002 });
-    if (answer === kOvertaken) return;
-    this.shown = solved.text;
+    if (answer === kOvertaken || late()) return;
     this.shapes = answer.gears.map((section: Section) => shapeOf(section));
     this.lines = answer.lines;
     if (this.motion?.places.length !== this.shapes.length) this.motion = null;
@@ -78,12 +83,16 @@ export class MeshView implements Tab {
       this.shapes.map((one) => one.reach.toPrecision(3)).join() +
       (answer.lines?.kind ?? "") +
       (answer.lines?.centerDistance.toPrecision(3) ?? "");
+    this.unplaced = !this.motion;
     if (!this.motion || size !== this.sizeOf) this.fit(size !== this.sizeOf && !this.sizeOf);
     this.sizeOf = size;
     this.ask();
-    const motion = await bench.back.latest("motion", "motion", { text: solved.text, n: 25 });
-    if (motion === kOvertaken || motion.places.length !== this.shapes.length) return;
+    // Until the gears' places are there, those of the spec before it serve; the picture stays dimmed.
+    const asked = bench.back.latest("motion", "motion", { text: solved.text, n: 25 });
+    const motion = await asked.finally(() => (this.unplaced = false));
+    if (motion === kOvertaken || late() || motion.places.length !== this.shapes.length) return;
     this.motion = motion;
+    this.shown = solved.text;
     this.ask();
   }
 
@@ -164,7 +173,7 @@ export class MeshView implements Tab {
 
   private paint(): void {
     this.turning.show(this.motion);
-    if (!this.shapes.length)
+    if (!this.shapes.length || this.unplaced)
       return void this.canvas.getContext("2d")!.clearRect(0, 0, this.canvas.width, this.canvas.height);
     if (!this.canvas.clientWidth) return;
     const touch = this.motion && !this.crossed ? touchAt(this.motion, this.turning.t) : null;

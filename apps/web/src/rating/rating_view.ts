@@ -7,11 +7,12 @@ import { fill, h, scroller, symbol } from "../elements";
 import { kOvertaken } from "../engine_link";
 import type { Fault, Json, Notice, Verdict } from "../engine_worker";
 import { KeyPanel } from "../form/panel";
+import { judgement } from "../judgement";
 import { onUnitChange, textOf } from "../numbers";
 import { quantityTable, rowsOf, type Row } from "../quantity_table";
 import type { Tab } from "../tabs";
 import { noticesOf } from "../verdict";
-import { bench } from "../workbench";
+import { at, bench } from "../workbench";
 
 const kRating = ["rating"];
 /** Safeties, and the finding that the verdict has where one falls short. */
@@ -74,22 +75,20 @@ export class RatingView implements Tab {
   private readonly safeties = h("div", { class: "safeties" });
   private readonly notices = h("ul", { class: "notices" });
   private readonly table = scroller("table-room", "factors");
+  readonly picture = h("div", {}, this.sentence, this.safeties, this.notices, this.table);
   readonly element = h(
     "div",
     { class: "side-view" },
     this.panel.element,
-    scroller(
-      "side-room",
-      "strength",
-      this.sentence,
-      this.safeties,
-      this.notices,
-      this.table,
-    ),
+    scroller("side-room", "strength", this.picture),
   );
-  private shown = "";
+  readonly part = "rating";
+  shown = "";
+
+  private rated = false;
 
   constructor() {
+    judgement.onChange(() => this.speak());
     onUnitChange(() => (this.shown = ""));
   }
 
@@ -102,23 +101,36 @@ export class RatingView implements Tab {
       );
     }
     if (solved.text === this.shown) return;
-    const answer = await bench.front.latest("rate", "run", { text: solved.text, verb: "rate" });
+    // Teeth in contact under the rated load take seconds: not where the next change of a key waits.
+    const link = at(solved.spec, "rating.tooth_contact") === true ? bench.press : bench.front;
+    const answer = await link.latest("rate", "run", { text: solved.text, verb: "rate" });
     if (answer === kOvertaken || bench.good?.text !== solved.text) return;
     this.shown = solved.text;
+    judgement.take("rating", solved.text, answer as unknown as Partial<Rated>);
     const fault = answer["error"] as unknown as Fault | undefined;
     this.panel.show(fault ?? null);
     if (fault) return this.clear(fault.message, solved.text);
     this.show(answer as unknown as Rated);
   }
+  judge(): Promise<void> {
+    return this.refresh();
+  }
+
+  /** The verdict on the spec, the same as in the bar. */
+  private speak(): void {
+    if (this.rated && this.shown === bench.text) fill(this.sentence, judgement.verdict?.headline);
+  }
 
   private clear(sentence: string, text = ""): void {
+    this.rated = false;
     this.shown = text;
     fill(this.sentence, sentence);
     for (const one of [this.safeties, this.notices, this.table]) fill(one);
   }
 
   private show({ rating, warnings, verdict }: Rated): void {
-    fill(this.sentence, verdict.headline);
+    this.rated = true;
+    this.speak();
     fill(
       this.safeties,
       ...kSafeties.flatMap(([key, code]) => {

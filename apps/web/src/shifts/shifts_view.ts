@@ -38,16 +38,17 @@ export class ShiftsView implements Tab {
   });
   private readonly sentence = h("p", { class: "shift-sentence", "aria-live": "polite" });
   private readonly legend = h("ul", { class: "shift-legend" });
+  readonly picture = h("div", { class: "shift-room" }, this.chart);
   readonly element = h(
     "div",
     { class: "shifts-view" },
-    h("div", { class: "shift-room" }, this.chart),
+    this.picture,
     h("div", { class: "shift-words" }, this.sentence, this.legend),
   );
   private region: ShiftRegion | null = null;
   private frame: [number, number, number, number] = [-1, 1, -1, 1];
   private held = false;
-  private shown = "";
+  shown = "";
 
   constructor() {
     new ResizeObserver(() => this.draw()).observe(this.chart);
@@ -58,8 +59,9 @@ export class ShiftsView implements Tab {
     if (!solved) return this.clear("There is no pair yet.");
     if (solved.text === this.shown) return;
     try {
+      const { design } = bench;
       const region = await bench.front.latest("shifts", "shifts", { text: solved.text });
-      if (region === kOvertaken) return;
+      if (region === kOvertaken || bench.design !== design || !bench.good) return;
       this.region = region;
       this.shown = solved.text;
       if (!this.held) this.reframe();

@@ -45,10 +45,11 @@ export class SolidView implements Tab {
     checked: true,
     change: () => void this.paintPattern(),
   });
+  readonly picture = h("div", { class: "canvas-room" }, this.canvas, this.state);
   readonly element = h(
     "div",
     { class: "picture solid-view" },
-    h("div", { class: "canvas-room" }, this.canvas, this.state),
+    this.picture,
     h(
       "div",
       { class: "controls" },
@@ -60,7 +61,7 @@ export class SolidView implements Tab {
   );
   private scene: SolidScene | null = null;
   private motion: Motion | null = null;
-  private shown = "";
+  shown = "";
   private low = 0;
   private high = 0;
   private size = 1;
@@ -94,16 +95,18 @@ export class SolidView implements Tab {
       }
     }
     if (solved.text === this.shown) return this.scene.ask();
+    const { design } = bench;
+    const late = () => bench.design !== design || !bench.good;
     const answer = await bench.back.latest("meshes", "meshes", {
       text: solved.text,
       tolerance: this.tolerance(),
     });
-    if (answer === kOvertaken) return;
+    if (answer === kOvertaken || late()) return;
     const motion = await bench.back.latest("motion-solid", "motion", {
       text: solved.text,
       n: kPositions + 1,
     });
-    if (motion === kOvertaken) return;
+    if (motion === kOvertaken || late()) return;
     const fresh = this.scene.count !== answer.length;
     const gears = (solved.result?.["gears"] ?? []) as unknown as { teeth: number }[];
     this.internal = gears.some((gear) => gear.teeth < 0);
@@ -137,7 +140,7 @@ export class SolidView implements Tab {
   private async paintPattern(): Promise<void> {
     const solved = bench.good;
     const scene = this.scene;
-    if (!solved || !scene) return;
+    if (!solved || !scene || solved.text !== this.shown) return;
     const thickness = (at(solved.spec, "contact.marking_mm") as number | undefined) ?? 0.00635;
     const clear = () => [0, 1].forEach((gear) => scene.marking(gear)?.set(null, 0));
     if (!this.markBox.checked || !solved.hasPair || !this.motion?.curve) {
