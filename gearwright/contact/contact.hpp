@@ -22,6 +22,7 @@ struct ContactRequest {
 };
 
 struct ContactResult {
+  ContactResult() = default;  ///< empty, and no aggregate: analyse_contact() makes it
   std::vector<ContactPoint> positions;
   std::vector<std::vector<Sensitivity>> sensitivities;  ///< [influence][position]; 0 where lost
   Angle peak_to_peak;                                   ///< over the positions with contact

@@ -73,7 +73,9 @@ Result<Contact> contact(const Pair& pair, const ContactErrors& errors,
                         const ContactOptions& options) {
   auto touching = contact_pair(pair, errors, options);
   if (!touching) return touching.error();
-  Contact contact{analyse_contact(**touching, options.request), std::move(touching).take()};
+  Contact contact;
+  static_cast<ContactResult&>(contact) = analyse_contact(**touching, options.request);
+  contact.pair = std::move(touching).take();
   return contact;
 }
 

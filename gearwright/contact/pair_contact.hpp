@@ -33,6 +33,7 @@ struct ContactOptions {
 
 /// A contact analysis with the pair that it is about: contact_pattern(*contact.pair, 64).
 struct Contact : ContactResult {
+  Contact() = default;                      ///< empty, and no aggregate: contact() makes it
   std::shared_ptr<const ContactPair> pair;  ///< keeps gears and modifications too
 };
 

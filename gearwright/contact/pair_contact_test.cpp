@@ -1,12 +1,18 @@
 // What contact() gives outlives the pair, and is what a ContactPair made by hand gives.
 #include "gearwright/contact/pair_contact.hpp"
 
+#include <type_traits>
+
 #include "gearwright/contact/testing/sample_pairs.hpp"
 
 namespace gearwright {
 namespace {
 
 using namespace literals;
+
+// Parts do not make one: a C++20 aggregate would take them, and leave the rest 0.
+static_assert(!std::is_constructible_v<Contact, ContactResult>);
+static_assert(!std::is_constructible_v<ContactResult, std::vector<ContactPoint>>);
 
 FlankModifications crowned() {
   FlankModifications m;

@@ -353,10 +353,16 @@ class Search {
                                  face, std::ceil(*needed * 100) / 100, p_.contact_ratio),
                      *needed - face);
     pinion.face_width = face;
-    const double tip = pair.gears[1].tip_diameter;
-    const double x2 = pair.gears[1].spec.profile_shift;
-    return {15, 0.0, "",
-            FewTeethDesign{pinion, cutter, tip, x2, distance, mounted, face, std::move(pair)}};
+    FewTeethDesign design;
+    design.pinion = pinion;
+    design.cutter = cutter;
+    design.wheel_tip_diameter = pair.gears[1].tip_diameter;
+    design.wheel_shift = pair.gears[1].spec.profile_shift;
+    design.generating_distance = distance;
+    design.center_distance = mounted;
+    design.face_width = face;
+    design.pair = std::move(pair);
+    return {15, 0.0, "", std::move(design)};
   }
 
   // The flank of the wheel ought to reach the conjugate of C; where the pinion's hollow root cuts a

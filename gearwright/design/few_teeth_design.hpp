@@ -42,6 +42,7 @@ struct FewTeethProblem {
 };
 
 struct FewTeethDesign {
+  FewTeethDesign() = default;  ///< empty, and no aggregate: design_few_teeth() makes it
   CylindricalSpec pinion, cutter;
   double wheel_tip_diameter, wheel_shift;
   double generating_distance, center_distance;

@@ -89,6 +89,7 @@ class Search {
 /// What a search found. Designs best first: without a Pareto front by the objective; of several
 /// objectives the front first, both parts by the first of them.
 struct SearchAnswer {
+  SearchAnswer() = default;  ///< empty, and no aggregate: a Search makes it
   SearchCounts counts;
   std::vector<DesignRow> designs;
   std::vector<std::size_t> pareto;  ///< places in `designs` of those that none dominates

@@ -14,6 +14,7 @@
 #include <set>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -32,6 +33,9 @@ using testing::search::number;
 using testing::search::problem_of_search;
 using testing::search::reference;
 using testing::search::whole;
+
+// Parts do not make one: a C++20 aggregate would take them, and leave the rest 0.
+static_assert(!std::is_constructible_v<SearchAnswer, SearchCounts>);
 
 constexpr double kPrintedDouble = 1e-11;  // the source's own doubles: areas of some 1 modules²
 

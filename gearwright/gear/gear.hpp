@@ -73,6 +73,7 @@ struct TipBulge {
 };
 
 struct Gear {
+  Gear() = default;  ///< empty, and no aggregate: a spec alone makes no gear, make_gear() does
   CylindricalSpec spec;
   std::optional<PinionCutting> cut_by;  ///< none: cut by its rack
   std::variant<InvoluteTeeth, ArcTeeth> flanks;

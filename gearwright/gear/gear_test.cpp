@@ -10,6 +10,7 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <type_traits>
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/gear/testing/made.hpp"
@@ -21,6 +22,10 @@ using testing::made;
 using testing::warns;
 
 using namespace literals;
+
+// Parts do not make one: a C++20 aggregate would take them, and leave the rest 0.
+static_assert(!std::is_constructible_v<Gear, CylindricalSpec>);
+static_assert(!std::is_aggregate_v<Gear>);
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 

@@ -20,9 +20,10 @@ namespace gearwright {
 /// A half tooth as it was cut, and what happened on the way. A tooth that cannot exist has flags
 /// and no arcs.
 struct GeneratedTooth {
-  Outline outline;     ///< empty when `through_axis` or `severed`
-  double root_radius;  ///< mm, signed: negative when the cutter passes the axis
-  double tip_radius;   ///< mm, where the tooth really ends: blank, cutter's bottom or point
+  GeneratedTooth() = default;  ///< empty, and no aggregate: cut_by_rack() makes it
+  Outline outline;             ///< empty when `through_axis` or `severed`
+  double root_radius;          ///< mm, signed: negative when the cutter passes the axis
+  double tip_radius;           ///< mm, where the tooth really ends: blank, cutter's bottom or point
   std::optional<double> form_radius;  ///< mm, where the flank starts; none when no flank is left
   std::optional<double> tip_form_radius;  ///< mm, where it ends
   std::optional<Angle> neck_half_angle;   ///< smallest half angle of the root fillet, signed

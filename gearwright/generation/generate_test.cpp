@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 #include <vector>
 
 #include "gearwright/base/numbers.hpp"
@@ -18,6 +19,9 @@ namespace {
 using namespace literals;
 using testing::expect_joined;
 using testing::names;
+
+// Parts do not make one: a C++20 aggregate would take them, and leave the rest 0.
+static_assert(!std::is_constructible_v<GeneratedTooth, Outline>);
 
 struct Cut {
   int teeth = 20;

@@ -90,6 +90,7 @@ struct LoadedTorque {
 };
 
 struct LoadedContact {
+  LoadedContact() = default;  ///< empty, and no aggregate: loaded_contact() makes it
   std::vector<LoadedTorque> torques;
   LoadRegime regime = LoadRegime::line;
   std::array<FaceSlices, 2> slices;    ///< mm, on each gear; of lines the same on both

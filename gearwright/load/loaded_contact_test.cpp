@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <type_traits>
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/contact/contact.hpp"
@@ -16,6 +17,9 @@ namespace {
 using testing::Drive;
 using testing::kE;
 using testing::run;
+
+// Parts do not make one: a C++20 aggregate would take them, and leave the rest 0.
+static_assert(!std::is_constructible_v<LoadedContact, std::vector<LoadedTorque>>);
 
 Drive external_drive(double helix_deg, double face, double module = 3.0) {
   const auto gear = [&](double hand) {

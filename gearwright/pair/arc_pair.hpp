@@ -24,6 +24,7 @@ struct ArcPairContact {
 };
 
 struct ArcPair : MountedGears {
+  ArcPair() = default;   ///< empty, and no aggregate: mount_arcs() makes it
   double overlap_ratio;  ///< ε_β  of the common face; for unequal racks of gear 1's
   std::vector<ArcPairContact> contacts;  ///< empty where the gears are not of one lead
   double contact_ratio;                  ///< ε_β times the number of contacts

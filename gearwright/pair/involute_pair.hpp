@@ -39,6 +39,7 @@ struct CrossedPlaces {
 };
 
 struct InvolutePair : MountedGears {
+  InvolutePair() = default;  ///< empty, and no aggregate: mount_involutes() makes it
   MeshInput<double> input;
   Mesh<double> mesh;
   std::optional<double>

@@ -17,6 +17,7 @@ namespace gearwright {
 enum class PairKind { parallel_external, parallel_internal, crossed };
 
 struct MountedGears {
+  MountedGears() = default;  ///< empty, and no aggregate: mount() makes it
   PairKind kind = PairKind::parallel_external;
   std::array<Gear, 2> gears{};
   double center_distance = 0.0;            ///< a    mm

@@ -22,6 +22,12 @@ namespace {
 
 using namespace literals;
 
+// Parts do not make one: a C++20 aggregate would take them, and leave the rest 0.
+static_assert(!std::is_constructible_v<InvolutePair, MountedGears>);
+static_assert(!std::is_constructible_v<ArcPair, MountedGears>);
+static_assert(!std::is_constructible_v<MountedGears, PairKind>);
+static_assert(!std::is_constructible_v<Pair, Gear>);
+
 // Kinds are types. What is about involute pairs alone takes no other pair, and a number without a
 // unit is no angle: {.shaft_angle = 90} does not compile.
 static_assert(std::is_invocable_v<decltype(axial_force), const InvolutePair&>);

@@ -43,6 +43,7 @@ struct RatedGear {
 };
 
 struct RatedPair {
+  RatedPair() = default;           ///< empty, and no aggregate: rated_pair() makes it
   std::array<RatedGear, 2> gears;  ///< pinion, wheel
   bool exchanged = false;          ///< the pinion is gear 2 of the spec
   double normal_module = 0.0;      ///< m_n   mm

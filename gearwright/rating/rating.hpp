@@ -59,6 +59,7 @@ struct RatingLimit {
 };
 
 struct Rating {
+  Rating() = default;  ///< empty, and no aggregate: rate() makes it
   RatingEdition edition = RatingEdition::iso_2006;
   Factor F_t;               ///< N
   std::optional<Factor> v;  ///< m/s

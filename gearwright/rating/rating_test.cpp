@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/rating/testing/sample_pairs.hpp"
@@ -14,6 +15,10 @@ namespace {
 
 using testing::case_hardened;
 using testing::printed_pair;
+
+// Parts do not make one: a C++20 aggregate would take them, and leave the rest 0.
+static_assert(!std::is_constructible_v<Rating, RatingEdition>);
+static_assert(!std::is_constructible_v<RatedPair, std::array<RatedGear, 2>>);
 
 void expect_both(const FactorPair& got, double first, double second, double tolerance) {
   EXPECT_NEAR(got[0].value, first, tolerance);
