@@ -97,8 +97,7 @@ void warn_about(const LoadedContact& contact, std::vector<Warning>& warnings) {
     else if (t.beyond_flank)
       warnings.push_back({"ellipse_beyond_flank",
                           fmt::format("At {} N m the ellipse of contact hangs over an end of the "
-                                      "flank: the pressure there is a lower bound. Less torque or "
-                                      "flanks that hug each other less keep it inside.",
+                                      "flank: the pressure there is a lower bound.",
                                       torque),
                           0});
     if (t.max_width_ratio > kHertzRatio)
@@ -254,8 +253,7 @@ Result<LoadAnswer> answer_load(SolvedJob& job, Headway* headway) {
 
 Warning edge_carries_at(double torque) {
   return {"edge_carries",
-          fmt::format("At {} N m an edge of a tooth carries: the pressure there is a lower bound. "
-                      "Tip relief helps.",
+          fmt::format("At {} N m an edge of a tooth carries: the pressure there is a lower bound.",
                       spoken(torque / kMmPerM)),
           0};
 }

@@ -34,6 +34,9 @@ std::vector<TolerancedNumber> tolerances_of(const SolvedJob& job) {
   for (const int which : {1, 2}) {
     const auto i = static_cast<std::size_t>(which - 1);
     if (i >= job.gears.size()) break;
+    if (job.spec.gears[i]->tolerance.tip_deviations)
+      add(TolerancedNumber::Of::tip, which, lower.gears[i].tip_diameter,
+          upper.gears[i].tip_diameter);
     // A gear that another one has cut has the thickness which that one gives it.
     if (job.spec.gears[i]->cut_by || job.spec.gears[i]->basic) continue;
     add(TolerancedNumber::Of::thickness, which, lower.gears[i].spec.thickness_allowance,

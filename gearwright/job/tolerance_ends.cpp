@@ -82,12 +82,31 @@ Result<std::optional<Ends>> distance_deviations(const SolvedJob& job) {
   return std::optional<Ends>({-*half, *half});
 }
 
-// The spec at one end: 0 the thinnest teeth and the most backlash, 1 the thickest and the least.
+// d_a at one end: 0 the shorter tooth, 1 the longer one, which of an internal gear has the lesser d_a.
+double tip_at_end(const Gear& gear, const Ends& deviations, std::size_t end) {
+  return gear.tip_diameter + deviations[gear.internal() ? 1 - end : end];
+}
+
+std::optional<Error> check_tips(const JobSpec& spec) {
+  for (const int which : {1, 2}) {
+    const auto& gear = spec.gears[static_cast<std::size_t>(which - 1)];
+    if (!gear || !gear->tolerance.tip_deviations) continue;
+    if (gear->cylindrical.tip_fillet || gear->tip_clearance || gear->tip_clearance_by_rule)
+      return Error{gear_field(which, "tolerance.tip_deviations"), "",
+                   "has no place beside `tip_fillet`, which sets where the tooth ends"};
+  }
+  return std::nullopt;
+}
+
+// The spec at one end: 0 the thinnest and shortest teeth and the most backlash, 1 the thickest and
+// longest and the least.
 JobSpec at_end(const SolvedJob& job, std::size_t end, const std::optional<Ends>& deviations) {
   JobSpec spec = job.spec;
   for (std::size_t i = 0; i < job.gears.size(); ++i) {
     GearInput& gear = *spec.gears[i];
     if (gear.allowance_ends) gear.cylindrical.thickness_allowance = (*gear.allowance_ends)[end];
+    if (gear.tolerance.tip_deviations)
+      gear.cylindrical.tip_diameter = tip_at_end(job.gears[i], *gear.tolerance.tip_deviations, end);
     // What follows from the centre distance is that of the drawing.
     if (job.gears[i].involute() && !gear.cut_by)
       gear.profile_shift = job.gears[i].spec.profile_shift;
@@ -153,8 +172,10 @@ Result<std::shared_ptr<const JobEnds>> solve_ends(const SolvedJob& job, Scope sc
   const auto deviations = distance_deviations(job);
   if (!deviations) return deviations.error();
   bool tolerated = deviations->has_value() || (job.pair && job.spec.pair.backlash_ends);
-  for (const auto& gear : job.spec.gears) tolerated = tolerated || (gear && gear->allowance_ends);
+  for (const auto& gear : job.spec.gears)
+    tolerated = tolerated || (gear && (gear->allowance_ends || gear->tolerance.tip_deviations));
   if (!tolerated) return std::shared_ptr<const JobEnds>();
+  if (const auto error = check_tips(job.spec)) return *error;
   auto lower = solve(at_end(job, 0, *deviations), scope);
   if (!lower) return lower.error();
   auto upper = solve(at_end(job, 1, *deviations), scope);

@@ -72,6 +72,37 @@ TEST(ToleranceEnds, of_the_centre_distance_go_with_the_backlash) {
   EXPECT_EQ(refused_spec("pair", spec).field, "pair.distance_tolerance");
 }
 
+// Short teeth far apart, long teeth close together: the contact ratio and the tip clearances of both.
+TEST(ToleranceEnds, of_the_tip_diameters_move_contact_ratio_and_clearance) {
+  for (const int mate : {40, -60}) {
+    Json spec{{"gear1", gear(17, -0.08)}, {"gear2", gear(mate, -0.1)}};
+    spec["pair"]["center_distance_mm"] = mate > 0 ? 72 : 54.5;
+    const Json drawn = answer("pair", spec);
+    Json tolerated = spec;
+    for (const char* g : {"gear1", "gear2"})
+      tolerated[g]["tolerance"]["tip_diameter_deviations_mm"] = {-0.1, 0.02};
+    const Json both = answer("pair", tolerated);
+    for (const int end : {0, 1}) {
+      Json plain = spec;
+      for (const int i : {0, 1}) {
+        const double deviation = (end == 1) == (i == 0 || mate > 0) ? 0.02 : -0.1;
+        const double tip = drawn["gears"][i]["tip_diameter_mm"].get<double>() + deviation;
+        plain[i == 0 ? "gear1" : "gear2"]["tip_diameter_mm"] = tip;
+        EXPECT_EQ(both["gears"][i]["interval"]["tip_diameter_mm"][end], tip);
+      }
+      const Json at = answer("pair", plain)["pair"];
+      EXPECT_EQ(both["pair"]["interval"]["contact_ratio"][end], at["contact_ratio"]);
+      for (const int i : {0, 1})
+        EXPECT_EQ(both["pair"]["interval"]["tip_clearance_mm"][i][end], at["tip_clearance_mm"][i]);
+    }
+    EXPECT_LT(both["pair"]["interval"]["contact_ratio"][0], drawn["pair"]["contact_ratio"]);
+  }
+  Json rounded{{"gear1", gear(17, nullptr)}};
+  rounded["gear1"]["tip_fillet"] = {{"radius_mm", 0.3}};
+  rounded["gear1"]["tolerance"]["tip_diameter_deviations_mm"] = {-0.1, 0.0};
+  EXPECT_EQ(refused_spec("gear", rounded).field, "gear1.tolerance.tip_deviations");
+}
+
 TEST(ToleranceEnds, a_backlash_range_says_the_allowances) {
   Json spec{{"gear1", gear(17, nullptr)},
             {"gear2", gear(40, nullptr)},

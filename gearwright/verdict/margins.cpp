@@ -45,6 +45,14 @@ void judge(std::vector<Finding>& findings, const Margin& margin, int gear,
                       {{"clearance", *clearance, true}, {"threshold", threshold, true}}});
 }
 
+// A warning states that already.
+bool runs_on_root(const Pair& pair, int which) {
+  const auto& warnings = pair.warnings();
+  return std::any_of(warnings.begin(), warnings.end(), [&](const Warning& w) {
+    return w.code == "no_tip_clearance" && w.gear == which;
+  });
+}
+
 // The kink of a linear relief (a ridge) is no edge of the tooth.
 bool is_edge_of_tooth(TouchKind kind) { return is_edge(kind) && kind != TouchKind::ridge; }
 
@@ -55,7 +63,8 @@ std::vector<Finding> margin_findings(const Pair& pair) {
   const double m = pair.gear(1).spec.normal_module;
   for (const int which : {1, 2}) {
     const auto i = static_cast<std::size_t>(which - 1);
-    judge(findings, kTip, which, pair.mounted().tip_clearance[i], m);
+    if (!runs_on_root(pair, which))
+      judge(findings, kTip, which, pair.mounted().tip_clearance[i], m);
     const InvolutePair* p = pair.involute();
     if (p == nullptr) continue;
     // Past an undercut there is no flank to be clear of: `undercut` and `contact_lost` say it.
