@@ -81,9 +81,9 @@ Result<Gear> make_pinion_cut_gear(const Gear& cutter, const PinionCutSpec& wante
   spec.root_fillet.reset();
   spec.tip_fillet.reset();
   const PinionMotion motion{cutter.spec.teeth, wanted.teeth, e};
-  // What the cutter's root leaves, where nothing else ends the tooth.
-  const double left = e - motion.side() * cutter.tooth->root_radius;
-  spec.tip_diameter = wanted.tip_diameter.value_or(2 * left);
+  // What the cutter's root leaves, where nothing else ends the tooth: the same number, so that no
+  // rounding decides which of the two it is.
+  spec.tip_diameter = wanted.tip_diameter.value_or(2 * left_by_root(*cutter.tooth, motion));
   if (auto error = check_limits(spec)) return *error;
   Gear gear = detail::described(spec);
   gear.cut_by = PinionCutting{cutter.spec.teeth, e};

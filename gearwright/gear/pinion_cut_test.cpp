@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/base/testing/draw.hpp"
 #include "gearwright/base/testing/named_limit.hpp"
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/ring_cutter.hpp"
@@ -50,6 +51,53 @@ double distance(const Gear& cutter, int teeth, double x) {
   const auto e = generating_distance(cutter, teeth, x);
   EXPECT_TRUE(e) << e.error().message();
   return *e;
+}
+
+bool warns_of_topping(const Gear& gear) {
+  return std::any_of(gear.warnings.begin(), gear.warnings.end(),
+                     [](const Warning& w) { return w.code == "tip_cut_by_rack"; });
+}
+
+// A tip that nobody gave is what the cutter leaves: nothing tops it, whatever the lengths are
+// multiplied by. 17:−62 cut by 31 was topped with all lengths times 7.3.
+TEST(PinionCutGear, no_rounding_decides_whether_the_default_tip_is_topped) {
+  testing::Draw random(20261123);
+  std::vector<double> scales{1.0, 7.3};
+  for (int i = 0; i < 60; ++i) scales.push_back(std::exp(random.uniform(-3, 3)));
+  for (const double scale : scales) {
+    for (const int teeth : {-62, -61, 40, 63}) {
+      for (const double x_0 : {0.0, 0.13, -0.21}) {
+        CylindricalSpec c = cutter_spec(31, x_0);
+        c.normal_module *= scale;
+        c.face_width *= scale;
+        const Gear cutter = made(c);
+        const Gear gear = cut(cutter, {teeth, distance(cutter, teeth, 0.05), 20.0 * scale, {}});
+        EXPECT_FALSE(gear.tooth->tip_cut_by_rack) << scale << " " << teeth << " " << x_0;
+        EXPECT_FALSE(warns_of_topping(gear));
+        // A blank that is larger by any amount is topped, one that is smaller is not.
+        const double side = teeth > 0 ? 1.0 : -1.0;
+        PinionCutSpec blank{teeth, gear.cut_by->distance, 20.0 * scale, gear.tip_diameter};
+        *blank.tip_diameter += side * 0.001 * scale;
+        EXPECT_TRUE(cut(cutter, blank).tooth->tip_cut_by_rack);
+        *blank.tip_diameter -= side * 0.002 * scale;
+        EXPECT_FALSE(cut(cutter, blank).tooth->tip_cut_by_rack);
+      }
+    }
+    // The land of a rack that rounds the tip lies at its addendum.
+    for (const int teeth : {17, 29, 64}) {
+      for (const double x : {0.0, 0.1, 0.37}) {
+        CylindricalSpec s = testing::plain_spec(
+            {.teeth = teeth, .module = 2.0 * scale, .x = x, .face_width = 20.0 * scale});
+        s.straight_rack().tip_fillet_radius = 0.1;
+        EXPECT_FALSE(made(s).tooth->tip_cut_by_rack) << scale << " " << teeth << " " << x;
+        s.straight_rack().tip_fillet_radius = 0.0;
+        s.straight_rack().tool_addendum = 1.0;
+        EXPECT_FALSE(made(s).tooth->tip_cut_by_rack) << scale << " " << teeth << " " << x;
+        s.thickness_allowance = -0.05 * scale;  // the cutter goes deeper, the blank stays
+        EXPECT_TRUE(made(s).tooth->tip_cut_by_rack);
+      }
+    }
+  }
 }
 
 TEST(GeneratingDistance, gives_the_shift_back) {

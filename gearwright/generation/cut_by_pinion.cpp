@@ -198,6 +198,10 @@ class Cutting {
 
 }  // namespace
 
+double left_by_root(const GeneratedTooth& cutter, const PinionMotion& motion) {
+  return motion.distance - motion.side() * cutter.root_radius;
+}
+
 Result<GeneratedTooth> cut_by_pinion(const GeneratedTooth& cutter, const PinionMotion& motion,
                                      double blank_radius) {
   GW_EXPECTS(!cutter.outline.arcs.empty());
@@ -206,7 +210,7 @@ Result<GeneratedTooth> cut_by_pinion(const GeneratedTooth& cutter, const PinionM
   const auto& arcs = cutter.outline.arcs;
   GeneratedTooth tooth{};
   tooth.root_radius = motion.distance - side * cutter.tip_radius;
-  const double cutter_radius = motion.distance - side * arcs.front().begin_point.norm();
+  const double cutter_radius = left_by_root(cutter, motion);
   if (!(tooth.root_radius > 0.0)) {
     tooth.tip_radius = side > 0.0 ? std::min(blank_radius, cutter_radius) : blank_radius;
     tooth.through_axis = true;

@@ -11,6 +11,9 @@
 
 namespace gearwright {
 
+/// The tip radius that the cutter's root leaves where no blank ends the tooth before, mm.
+double left_by_root(const GeneratedTooth& cutter, const PinionMotion& motion);
+
 /// Cuts a tooth with a pinion cutter.
 ///
 /// Units     mm, rad; `blank_radius` infinite (an internal gear: 0) leaves the tip to the cutter's

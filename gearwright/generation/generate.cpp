@@ -131,12 +131,15 @@ std::optional<Error> put_fillets(std::vector<Branch>& branches, int teeth,
 }  // namespace
 
 Result<GeneratedTooth> cut_by_rack(const CutterEdge& edge, const RackMotion& motion, int teeth,
+double left_by_land(const CutterEdge& edge, const RackMotion& motion) {
+  return motion.pitch_radius + motion.shift + edge.bottom_height;
+}
+
                                    double blank_radius, const CircularFillets& fillets) {
   GW_EXPECTS(teeth >= 1);
   GeneratedTooth tooth{};
   tooth.root_radius = motion.pitch_radius + motion.shift - edge.tip_depth;
-  detail::ToothEnds ends{teeth, 1.0, 0.0, blank_radius,
-                         motion.pitch_radius + motion.shift + edge.bottom_height};
+  detail::ToothEnds ends{teeth, 1.0, 0.0, blank_radius, left_by_land(edge, motion)};
   if (!(tooth.root_radius > 0.0) && !fillets.root) {
     tooth.tip_radius = std::min(blank_radius, ends.cutter_radius);
     tooth.through_axis = true;

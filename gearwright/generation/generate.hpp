@@ -36,6 +36,10 @@ struct GeneratedTooth {
   std::optional<FilletArc> root_fillet, tip_fillet;  ///< the circular ones, where asked for
 };
 
+/// The tip radius that the rack's bottom land leaves where no blank ends the tooth before, mm;
+/// infinite: the rack has none.
+double left_by_land(const CutterEdge& edge, const RackMotion& motion);
+
 /// Cuts a tooth with a rack, and puts circular fillets in place of what it cuts.
 ///
 /// Units     mm, rad
