@@ -310,7 +310,16 @@ const KeyTable& tip_fillet_keys() {
         .place = &TipFilletInput::clearance,
         .excludes = {"radius_mm", "l_mm"},
         .fallback = "0.2 m_n + 0.05",
-        .meaning = "what the tip leaves to the mating gear's root, on parallel axes [T6.7]"}}};
+        .meaning = "what the tip leaves to the mating gear's root, on parallel axes [T6.7]"},
+       {.key = "corner_radius_mm",
+        .symbol = "ρ_a",
+        .range = Range::positive(),
+        .place = &TipFilletInput::corner_radius,
+        .excludes = {"radius_mm", "l_mm", "clearance_mm"},
+        .meaning =
+            "instead: radius of both tip corners, tangent to the flank and to the tip circle "
+            "in the transverse section; of a cutter ρ_a0, which cuts the root fillet [T6.17]",
+        .also = {"rho_a", "rho_a0", "tip_radius", "corner", "rounding"}}}};
   return table;
 }
 

@@ -215,10 +215,10 @@ void say(Quantities<Gear>& q) {
        [](const G& g) { return fillet_center(g, kRoot); })
       .doors(kPage);
   q.mm(kTipFillet, "tip_fillet_radius_mm", "radius", "r_t",
-       "of the circular tip fillet; null without",
+       "of the circular tip fillet or of rounded tip corners; null without",
        [](const G& g) { return fillet_radius(g, kTip); });
   q.deg(kTipFillet, "tip_fillet_span_deg", "angle from the flank to the centre line of the tooth",
-        "σ_t", "of the circular tip fillet; null without",
+        "σ_t", "of the circular tip fillet; of rounded tip corners to the land; null without",
         [](const G& g) { return fillet_span(g, kTip); });
   q.mm(kTipFillet, "tip_fillet_center_mm", "distance of its centre from the axis", "",
        "of the circular tip fillet; null without",

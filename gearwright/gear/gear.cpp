@@ -46,8 +46,7 @@ std::optional<Error> check_limits(const CylindricalSpec& spec) {
   const auto within = [](double v, double lo, double hi) {
     return v >= lo && v <= hi;
   };  // false for NaN
-  if (spec.teeth == 0)
-    return refused("teeth", 0, "must not be 0; negative for an internal gear");
+  if (spec.teeth == 0) return refused("teeth", 0, "must not be 0; negative for an internal gear");
   if (std::abs(spec.teeth) > kMaxTeeth) {
     return refused(
         "teeth", spec.teeth,
@@ -121,8 +120,12 @@ std::optional<Error> cut(Gear& gear, const CutterEdge& edge) {
   const FlankRuler ruler = flank_ruler(edge, motion);
   flanks.undercut_l = ruler.undercut_l();
   gear.undercut = !spec.root_fillet && x_E < flanks.undercut_free_profile_shift;
-  const std::optional<double> blank =
-      spec.tip_diameter || !spec.tip_fillet ? std::optional(gear.tip_diameter / 2) : std::nullopt;
+  const double land = left_by_land(edge, motion);
+  const bool corner = spec.tip_fillet && spec.tip_fillet->by == TipFilletSpec::By::corner;
+  const std::optional<double> blank = corner ? std::optional(std::min(gear.tip_diameter / 2, land))
+                                      : spec.tip_diameter || !spec.tip_fillet
+                                          ? std::optional(gear.tip_diameter / 2)
+                                          : std::nullopt;
   auto fillets = circular_fillets(ruler, spec.teeth, spec.root_fillet, spec.tip_fillet, blank);
   if (!fillets) return fillets.error();
   if (fillets->root) flanks.point_c_l = ruler.l(fillets->root->roll);
@@ -132,7 +135,7 @@ std::optional<Error> cut(Gear& gear, const CutterEdge& edge) {
     if (!blank) gear.tip_diameter = 2 * fillets->tip->arc.end;
   }
   // The same number, where the land is the tip: no rounding decides which of the two ends the tooth.
-  const double end = ends_on_land(spec) ? left_by_land(edge, motion) : gear.tip_diameter / 2;
+  const double end = ends_on_land(spec) ? land : gear.tip_diameter / 2;
   auto tooth = cut_by_rack(edge, motion, spec.teeth, end, *fillets);
   if (!tooth) return tooth.error();
   gear.tooth = std::move(tooth).take();

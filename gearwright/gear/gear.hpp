@@ -44,9 +44,10 @@ struct Warning {
 
 /// How a pinion cutter stood when it had finished the gear.
 struct PinionCutting {
-  int cutter_teeth;         ///< z_0
-  double distance;          ///< E  mm
-  bool by_default = false;  ///< the drawing names no cutter: gear/ring_cutter.hpp chose it
+  int cutter_teeth;           ///< z_0
+  double distance;            ///< E  mm
+  double tip_rounding = 0.0;  ///< ρ_a0  mm, of the cutter's tip corners; 0: sharp
+  bool by_default = false;    ///< the drawing names no cutter: gear/ring_cutter.hpp chose it
 };
 
 /// What only an involute gear has.

@@ -23,6 +23,22 @@ double shift_at(const Gear& cutter, int teeth, double roll_w) {
   return sum - g.generating_profile_shift;
 }
 
+// ρ_a0 as the drawing of the cutter says it: of its circular tip, or of the bottom of the rack that
+// cut it, where the blank reaches that. What a cutter that was cut by a gear has there is no rounding
+// of one radius.
+double tip_rounding(const Gear& cutter) {
+  if (const auto& arc = cutter.tooth->tip_fillet) return arc->radius;
+  const StraightRack& rack = cutter.spec.straight_rack();
+  const double m = cutter.spec.normal_module;
+  if (cutter.cut_by || rack.tip_fillet_radius == 0.0) return 0.0;
+  const double sin_alpha = std::sin(cutter.spec.normal_pressure_angle.rad());
+  const double flank_end =
+      rack.tool_addendum.value_or(rack.addendum - rack.tip_fillet_radius * (1 - sin_alpha));
+  const double begin =
+      cutter.reference_diameter / 2 + m * (cutter.reference().generating_profile_shift + flank_end);
+  return cutter.tooth->tip_radius > begin ? rack.tip_fillet_radius * m : 0.0;
+}
+
 double base_distance(const Gear& cutter, int teeth) {
   return cutter.base_radius() * std::abs(1.0 + static_cast<double>(teeth) / cutter.spec.teeth);
 }
@@ -86,7 +102,7 @@ Result<Gear> make_pinion_cut_gear(const Gear& cutter, const PinionCutSpec& wante
   spec.tip_diameter = wanted.tip_diameter.value_or(2 * left_by_root(*cutter.tooth, motion));
   if (auto error = check_limits(spec)) return *error;
   Gear gear = detail::described(spec);
-  gear.cut_by = PinionCutting{cutter.spec.teeth, e};
+  gear.cut_by = PinionCutting{cutter.spec.teeth, e, tip_rounding(cutter)};
   auto tooth = cut_by_pinion(*cutter.tooth, motion, gear.tip_diameter / 2);
   if (!tooth) return tooth.error();
   gear.tooth = std::move(tooth).take();

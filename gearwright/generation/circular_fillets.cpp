@@ -11,6 +11,7 @@
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/math/involute.hpp"
 #include "gearwright/math/newton.hpp"
+#include "gearwright/math/root.hpp"
 
 namespace gearwright {
 
@@ -35,6 +36,18 @@ std::optional<FilletArc> tip_fillet_at(const Involute& flank, double xi) {
   if (!(radius > 0.0)) return std::nullopt;
   const double distance = r_b / std::cos(delta);
   return FilletArc{radius, distance, Angle::radians(kHalfPi + delta), distance + radius};
+}
+
+CircularFillet tip_corner_at(const Involute& flank, double tip_radius, double radius) {
+  const double r_b = flank.base_radius();
+  const double distance = tip_radius - radius;
+  GW_EXPECTS(radius > 0.0 && distance >= r_b);
+  const double along = std::sqrt((distance - r_b) * (distance + r_b));  // r_b ξ − ρ_a
+  const double xi = (radius + along) / r_b;
+  const double lean = std::atan2(along, r_b);
+  return {xi,
+          {radius, distance, Angle::radians(kHalfPi - lean), tip_radius,
+           Angle::radians(flank.base_half_angle() - xi + lean)}};
 }
 
 std::optional<double> roll_of_tip_fillet(const Involute& flank, double radius) {
@@ -108,6 +121,30 @@ std::optional<double> roll_of_end(const Involute& flank, double rho) {
   return root.x;
 }
 
+// Both corners rounded; the greatest radius leaves no land between them, or no flank below them.
+Result<CircularFillet> tip_corner(const FlankRuler& ruler, double radius, double tip_radius,
+                                  double least) {
+  const Involute& flank = ruler.flank;
+  constexpr double kInside = 1 - 1e-12;  // the centre stays outside the base circle
+  const double most = (tip_radius - flank.base_radius()) * kInside;
+  const auto room = [&](double rho) {
+    const CircularFillet corner = tip_corner_at(flank, tip_radius, rho);
+    return std::min(corner.arc.land.rad(), corner.roll - least);
+  };
+  constexpr double kSharp = 1e-9;  // of the tip radius: less rounding than any drawing names
+  const double sharp = kSharp * tip_radius;
+  if (!(most > sharp && room(sharp) > 0.0)) {
+    return Error{"tip_fillet.corner_radius", "",
+                 "there is no tip corner to round: the tooth is pointed, or no flank is left below "
+                 "the tip; less profile shift or a smaller tip diameter would help"};
+  }
+  if (radius < most && room(radius) > 0.0) return tip_corner_at(flank, tip_radius, radius);
+  const double greatest = room(most) > 0.0 ? most : find_root(room, sharp, most).x;
+  return refused("tip_fillet.corner_radius", radius, {greatest},
+                 "does not fit into the tip between flank and centre line; it must be less than {} "
+                 "mm");
+}
+
 Result<double> tip_roll(const FlankRuler& ruler, const TipFilletSpec& tip, double least) {
   const Involute& flank = ruler.flank;
   const double most = std::min(roll_of_point(flank), ruler.roll(ruler.end));
@@ -143,6 +180,7 @@ Result<double> tip_roll(const FlankRuler& ruler, const TipFilletSpec& tip, doubl
                      "must lie between {} mm, where the flank begins, and {} mm, where it ends or "
                      "the tooth is pointed");
     }
+    case TipFilletSpec::By::corner: break;  // tip_corner
     case TipFilletSpec::By::end_radius: {
       const auto xi = roll_of_end(flank, tip.value);
       if (xi && *xi > least && *xi < most) return *xi;
@@ -186,7 +224,14 @@ Result<CircularFillets> circular_fillets(const FlankRuler& ruler, int teeth,
   CircularFillets fillets;
   double top = std::min(roll_of_point(ruler.flank), ruler.roll(ruler.end));
   if (tip_radius) top = std::min(top, ruler.flank.roll_at(*tip_radius));
-  if (tip) {
+  if (tip && tip->by == TipFilletSpec::By::corner) {
+    GW_EXPECTS(tip_radius.has_value());
+    const double least = std::max(0.0, ruler.roll_at_0);
+    auto corner = tip_corner(ruler, tip->value, *tip_radius, least);
+    if (!corner) return corner.error();
+    fillets.tip = *corner;
+    top = std::min(top, corner->roll);
+  } else if (tip) {
     const double least = std::max(0.0, ruler.roll_at_0);
     auto xi = tip_roll(ruler, *tip, least);
     if (!xi) return xi.error();

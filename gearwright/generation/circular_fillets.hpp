@@ -7,10 +7,12 @@
 //   δ = ψ_b − ξ     the direction of the flank at ξ; its normal touches the base circle at polar δ
 //   η = π/z − ψ_b   half the space on the base circle, u = ξ_C + η
 //                                              theory: docs/theory/06-few-teeth.md
+//   γ    polar angle of the centre of a rounded tip corner, half of the land that is left
 //
-// Both arcs are tangent to the flank, so that their centres lie on its normal: the root fillet's
-// where that meets the space's centre line, the tip fillet's where it meets the tooth's. Both are
-// closed forms of the roll angle, and no sine law is needed.
+// All arcs are tangent to the flank, so that their centres lie on its normal: the root fillet's
+// where that meets the space's centre line, the tip fillet's where it meets the tooth's, that of a
+// rounded tip corner where it is as far from the tip circle. All are closed forms, and no sine law is
+// needed.
 #pragma once
 
 #include <optional>
@@ -31,9 +33,10 @@ struct RootFilletSpec {
 /// [gearN.tip_fillet]: one number, and what it is.
 struct TipFilletSpec {
   enum class By {
-    radius,     ///< r_t
-    l,          ///< l_J
-    end_radius  ///< of the finished tip on the tooth's centre line
+    radius,      ///< r_t
+    l,           ///< l_J
+    end_radius,  ///< of the finished tip on the tooth's centre line
+    corner       ///< ρ_a of each tip corner, which leaves a land between the two
   };
   By by = By::radius;
   double value = 0.0;  ///< mm
@@ -57,8 +60,9 @@ FlankRuler flank_ruler(const CutterEdge& edge, const RackMotion& motion);
 struct FilletArc {
   double radius;    ///< r_r or r_t  mm
   double distance;  ///< of the centre from the gear's axis, mm
-  Angle span;       ///< σ  from the flank to the centre line
-  double end;       ///< mm: radius at which the arc meets the centre line
+  Angle span;       ///< σ  from the flank to the centre line, of a tip corner to the land
+  double end;       ///< mm: radius at which the arc meets the centre line or the land
+  Angle land{};     ///< γ  half angle of the land, 0: there is none
 };
 
 /// The root fillet that touches the flank at ξ_C and is centred in the space; nothing when the
@@ -87,15 +91,23 @@ struct CircularFillet {
   FilletArc arc;
 };
 
+/// The rounding of a tip corner, tangent to the flank and to the tip circle.
+///
+/// Formula   r_b ξ_J = ρ_a + √((r_a − ρ_a)² − r_b²), D = r_a − ρ_a, γ = δ + acos(r_b/D),
+///           σ = π/2 − acos(r_b/D); [T6.17]
+/// Domain    0 < ρ_a ≤ r_a − r_b (contract)
+CircularFillet tip_corner_at(const Involute& flank, double tip_radius, double radius);
+
 /// Circular fillets in place of what the rack cuts, where they are asked for.
 struct CircularFillets {
   std::optional<CircularFillet> root, tip;
 };
 
-/// The fillets that are asked for. `tip_radius` is the blank's, where it is given.
+/// The fillets that are asked for. `tip_radius` is the blank's, where it is given; for the rounding
+/// of a tip corner it is where the tooth ends.
 ///
-/// Errors    `root_fillet.offset_mm`, `tip_fillet.radius_mm`, `tip_fillet.l_mm`, `tip_fillet`: with
-///           the range that fits
+/// Errors    `root_fillet.offset_mm`, `tip_fillet.radius_mm`, `tip_fillet.l_mm`,
+///           `tip_fillet.corner_radius`, `tip_fillet`: with the range that fits
 Result<CircularFillets> circular_fillets(const FlankRuler& ruler, int teeth,
                                          const std::optional<RootFilletSpec>& root,
                                          const std::optional<TipFilletSpec>& tip,

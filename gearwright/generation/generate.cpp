@@ -84,7 +84,7 @@ std::optional<Error> put_root_fillet(std::vector<Branch>& branches, int teeth,
   return std::nullopt;
 }
 
-// The circular tip fillet in place of what follows ξ_J. [T6.3]
+// The circular tip fillet, or the rounded corner, in place of what follows ξ_J. [T6.3] [T6.17]
 std::optional<Error> put_tip_fillet(std::vector<Branch>& branches, const CircularFillet& tip,
                                     GeneratedTooth& tooth) {
   Branch& flank = branches.back();
@@ -93,14 +93,15 @@ std::optional<Error> put_tip_fillet(std::vector<Branch>& branches, const Circula
   }
   flank.t_hi = tip.roll;
   flank.height_hi = flank.height(tip.roll);
+  const double land = tip.arc.land.rad();
   Branch fillet{ArcName::tip_fillet,
-                std::make_shared<OffsetCircle>(tip.arc.distance, 0.0, tip.arc.radius),
-                tip.arc.span.rad(),
-                0.0,
+                std::make_shared<OffsetCircle>(tip.arc.distance, land, tip.arc.radius),
+                land + tip.arc.span.rad(),
+                land,
                 flank.height_hi,
                 tip.arc.end,
                 true};
-  fillet.ends_on_center_line = true;
+  fillet.ends_on_center_line = land == 0.0;
   branches.push_back(std::move(fillet));
   tooth.tip_fillet = tip.arc;
   return std::nullopt;
@@ -130,11 +131,11 @@ std::optional<Error> put_fillets(std::vector<Branch>& branches, int teeth,
 
 }  // namespace
 
-Result<GeneratedTooth> cut_by_rack(const CutterEdge& edge, const RackMotion& motion, int teeth,
 double left_by_land(const CutterEdge& edge, const RackMotion& motion) {
   return motion.pitch_radius + motion.shift + edge.bottom_height;
 }
 
+Result<GeneratedTooth> cut_by_rack(const CutterEdge& edge, const RackMotion& motion, int teeth,
                                    double blank_radius, const CircularFillets& fillets) {
   GW_EXPECTS(teeth >= 1);
   GeneratedTooth tooth{};

@@ -10,7 +10,9 @@ namespace gearwright {
 namespace {
 
 // Of an internal gear whose drawing names no cutter gear/ring_cutter.hpp has chosen one without
-// shift; a cutter of the drawing has the shift that its own reference data say.
+// shift, rounded like the gear's own rack. A cutter of the drawing has the shift that its own
+// reference data say, and the rounding of its tip corners: the rack that cut the cutter says nothing
+// of the root of the gear.
 RootTool root_tool(const Gear& gear) {
   const StraightRack& rack = gear.spec.straight_rack();
   RootTool tool;
@@ -29,6 +31,11 @@ RootTool root_tool(const Gear& gear) {
       side * (r.reference_diameter - gear.root_diameter) / (2 * m) + r.generating_profile_shift;
   tool.cutter_teeth = gear.cut_by->cutter_teeth;
   if (gear.cut_by->by_default) return tool;
+  StraightRack reach;  // of the greatest rounding that fits
+  reach.dedendum = tool.dedendum;
+  tool.fillet = std::min(gear.cut_by->tip_rounding / m,
+                         std::max(0.0, full_radius(reach, gear.spec.normal_pressure_angle)));
+  tool.protuberance = 0.0;
   const double sum = gear.spec.teeth + tool.cutter_teeth;
   const double alpha_t = r.transverse_pressure_angle;
   const double alpha_0 = std::acos(std::min(

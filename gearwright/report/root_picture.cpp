@@ -171,7 +171,8 @@ std::string root_svg(const Gear& gear, const std::optional<Gear>& rack, const st
   if (const auto& arc = gear.tooth->root_fillet)
     draw_fillet(svg, view, *arc, root_center(gear), right(flank_of(gear).begin_point), "r_r");
   if (const auto& arc = gear.tooth->tip_fillet)
-    draw_fillet(svg, view, *arc, center_of(*arc, 0.0), right(flank_of(gear).end_point), "r_t");
+    draw_fillet(svg, view, *arc, center_of(*arc, -arc->land.rad()), right(flank_of(gear).end_point),
+                "r_t");
   svg.end_group();
 
   std::vector<Leader> leaders;

@@ -67,7 +67,9 @@ void read_fillets(TableReader& gear, GearInput& g) {
     g.tip_clearance = in.clearance;
     if (in.radius) g.cylindrical.tip_fillet = TipFilletSpec{TipFilletSpec::By::radius, *in.radius};
     if (in.l) g.cylindrical.tip_fillet = TipFilletSpec{TipFilletSpec::By::l, *in.l};
-    g.tip_clearance_by_rule = !in.radius && !in.l && !in.clearance;
+    if (in.corner_radius)
+      g.cylindrical.tip_fillet = TipFilletSpec{TipFilletSpec::By::corner, *in.corner_radius};
+    g.tip_clearance_by_rule = !in.radius && !in.l && !in.clearance && !in.corner_radius;
   }
 }
 
@@ -101,7 +103,8 @@ void read_cut_by(TableReader& gear, const Json& node, const Json* mate, GearInpu
     if (!by->contains("rack")) cutter.cylindrical.straight_rack().addendum = kCutterAddendum;
     if (cutter.tip_clearance || cutter.tip_clearance_by_rule) {
       gear.fail("cut_by.tip_fillet",
-                "a cutter has no mating gear to keep clear of; give radius_mm or l_mm");
+                "a cutter has no mating gear to keep clear of; give corner_radius_mm, radius_mm or "
+                "l_mm");
     }
     cut.cutter = std::make_shared<GearInput>(std::move(cutter));
   } else {
