@@ -114,9 +114,15 @@ const Quantities<PinView>& pin_quantities() {
     q.mm("", "two_free_mm", "over two pins that may tilt", "M_dR",
          "the least, as a micrometer finds it [T10.9]; null: an internal helical gear",
          [](const P& p) { return Value(p.reading.two_free); });
-    q.mm("", "three_mm", "over three pins, or two between parallel anvils", "M_dR",
-         "[T10.10]; of spur gears as over two; null: an internal helical gear",
+    q.mm("", "three_mm", "over two pins between parallel anvils", "M_dR",
+         "of helical gears over three pins too [T10.10]; of spur gears as over two; null: an "
+         "internal helical gear",
          [](const P& p) { return Value(p.reading.three); });
+    q.mm("", "three_pins_mm", "over three pins, two of them in neighbouring spaces", "M_d3R",
+         "one anvil rests on both neighbours, which lies deeper on a spur gear with an odd number "
+         "of "
+         "teeth [T10.30]; of others as between parallel anvils; null: an internal helical gear",
+         [](const P& p) { return Value(p.reading.three_pins); });
     say_seat<P>(q, [](const P& p) -> const BallSeat& { return p.seat; });
   });
   return kAll;

@@ -157,12 +157,15 @@ PinReading over_pins(const Gear& gear, const BallSeat& seat) {
                        std::tan(gear.reference().base_helix_angle);
   if (gear.spec.helix_angle.rad() == 0.0) {
     const double both = over_two_balls(gear, seat);
-    return {both, both};
+    const double c = z % 2 == 0 ? 1.0 : std::cos(pi / (2 * z));
+    const double side = gear.internal() ? -1.0 : 1.0;
+    return {both, both, seat.center_diameter * c * c + side * seat.ball_diameter};
   }
   if (gear.internal()) return {};
   const double delta = z % 2 == 0 ? 0.0 : pi / z;
-  return {seat.center_diameter * least_across(delta, tan_K * tan_K) + seat.ball_diameter,
-          seat.center_diameter + seat.ball_diameter};
+  const double outermost = seat.center_diameter + seat.ball_diameter;
+  return {seat.center_diameter * least_across(delta, tan_K * tan_K) + seat.ball_diameter, outermost,
+          outermost};
 }
 
 std::optional<double> ball_touching_at(const Gear& gear, double contact_diameter) {

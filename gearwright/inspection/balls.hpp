@@ -34,8 +34,9 @@ struct BallSeat {
 
 /// What is read over, or in an internal gear between, two pins.
 struct PinReading {
-  std::optional<double> two_free;  ///< mm, two pins that may tilt: the least
-  std::optional<double> three;     ///< mm, three pins, or two between parallel anvils
+  std::optional<double> two_free;    ///< mm, two pins that may tilt: the least
+  std::optional<double> three;       ///< mm, two between parallel anvils; helical: three as well
+  std::optional<double> three_pins;  ///< M_d3R mm, an anvil on two neighbours, the other on one
 };
 
 /// The ball or pin in a space of the gear, if it rests on both flanks and can be measured.
@@ -52,7 +53,8 @@ double over_two_balls(const Gear& gear, const BallSeat& seat);
 
 /// The same over pins. None: an internal helical gear, into which no straight pin goes.
 ///
-/// Formula   two free pins: ε − tan² β_K sin ε = δ, [T10.9]; three: d_K ± D_M [T10.10]
+/// Formula   two free pins: ε − tan² β_K sin ε = δ, [T10.9]; parallel anvils: d_K ± D_M [T10.10];
+///           three pins of a spur gear with odd |z|: d_K cos² (π/2|z|) ± D_M [T10.30]
 /// Domain    |z| ≥ 2 (contract)
 PinReading over_pins(const Gear& gear, const BallSeat& seat);
 

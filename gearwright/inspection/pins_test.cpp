@@ -1,0 +1,104 @@
+// Pins under anvils: two pins and three of them, against lines and planes laid over circles.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "gearwright/base/numbers.hpp"
+#include "gearwright/base/testing/taken.hpp"
+#include "gearwright/base/vector.hpp"
+#include "gearwright/gear/testing/made.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
+#include "gearwright/inspection/balls.hpp"
+
+namespace gearwright {
+namespace {
+
+Gear helical(int teeth, double module, double beta_deg, double x) {
+  return testing::made(testing::plain_spec(
+      {.teeth = teeth, .module = module, .beta_deg = beta_deg, .x = x, .face_width = 20.0}));
+}
+Gear spur(int teeth, double module, double x) { return helical(teeth, module, 0.0, x); }
+
+// Width between two parallel lines whose normal has the angle θ, over circles about these centres.
+double width_over(const std::vector<Vec2>& centers, double radius, double theta) {
+  double far = -1e300, near = 1e300;
+  for (const Vec2& c : centers) {
+    const double at = c.x() * std::cos(theta) + c.y() * std::sin(theta);
+    far = std::max(far, at + radius);
+    near = std::min(near, at - radius);
+  }
+  return far - near;
+}
+
+// Pins as circles in the spaces of a spur gear, anvils as lines that turn about them: over two pins a
+// micrometer reads the greatest width, on three it rests where the width is least.
+TEST(Pins, three_of_them_lie_deeper_on_a_spur_gear_with_an_odd_number_of_teeth) {
+  int odd = 0;
+  for (const int z : {5, 7, 8, 17, 20, 33, 61, 100}) {
+    const Gear gear = spur(z, 2, 0.2);
+    const auto seat = ball_in_space(gear, ball_sizes(gear)->ideal);
+    ASSERT_TRUE(seat) << z;
+    const double r_K = seat->center_diameter / 2, pitch = 2 * kPi / z;
+    const auto in_space = [&](int k) {
+      return Vec2(r_K * std::cos(k * pitch), r_K * std::sin(k * pitch));
+    };
+    const PinReading pins = over_pins(gear, *seat);
+    const std::vector<Vec2> two{in_space(0), in_space(z / 2)};
+    std::vector<Vec2> three = two;
+    if (z % 2 == 1) three.push_back(in_space(z / 2 + 1));
+    double greatest = 0, least = 1e300;
+    for (int i = -20000; i <= 20000;
+         ++i) {  // about the line of centres, a quarter pitch either way
+      const double theta = 1e-4 * i * pitch / 4;
+      greatest = std::max(greatest, width_over(two, seat->ball_diameter / 2, theta));
+      least = std::min(least, width_over(three, seat->ball_diameter / 2, theta));
+    }
+    EXPECT_NEAR(*pins.three, greatest, 1e-7 * r_K) << z;
+    EXPECT_EQ(*pins.three, over_two_balls(gear, *seat)) << z;
+    if (z % 2 == 1) {
+      EXPECT_NEAR(*pins.three_pins, least, 1e-12 * r_K) << z;
+      EXPECT_LT(*pins.three_pins, *pins.three) << z;
+    } else {
+      EXPECT_EQ(*pins.three_pins, *pins.three) << z;
+    }
+    odd += z % 2;
+  }
+  EXPECT_GE(odd, 4);
+}
+
+// Helical: a straight pin is tangent to its space where it stands. A plane over it touches its end, unless
+// it stands at the outermost place: there the plane lies lowest, and there the pins go.
+TEST(Pins, three_of_them_read_the_outermost_places_of_a_helical_gear) {
+  for (const int z : {17, 20, 95}) {
+    const Gear gear = helical(z, 3, 12, 0.3);
+    const auto seat = testing::taken(ball_in_space(gear, ball_sizes(gear)->ideal));
+    const PinReading pins = over_pins(gear, seat);
+    const double r_K = seat.center_diameter / 2, r = seat.ball_diameter / 2, half = 20.0;
+    const double beta_K = std::atan(2 * r_K / gear.reference().base_diameter *
+                                    std::tan(gear.reference().base_helix_angle));
+    double lowest = 1e300;
+    for (int i = -2000; i <= 2000; ++i) {
+      const double phi = 1e-5 * i;
+      const double lean =
+          std::abs(std::sin(phi) * std::sin(beta_K));  // of the pin against the plane
+      lowest = std::min(lowest, r_K * std::cos(phi) + half * lean + r * std::sqrt(1 - lean * lean));
+    }
+    EXPECT_NEAR(*pins.three_pins, 2 * lowest, 1e-12 * r_K);
+    EXPECT_EQ(*pins.three_pins, *pins.three);
+  }
+  // Rings: spur spaces as above with the anvils inside, and no straight pin in a helical one.
+  const Gear ring = spur(-61, 2, 0);
+  const auto seat = testing::taken(ball_in_space(ring, ball_sizes(ring)->ideal));
+  const double c = std::cos(kPi / 61);
+  EXPECT_NEAR(*over_pins(ring, seat).three_pins,
+              seat.center_diameter / 2 * (1 + c) - seat.ball_diameter,
+              1e-12 * ring.reference_diameter);
+  const Gear slanted = helical(-61, 2, 15, 0);
+  const auto ball = ball_in_space(slanted, ball_sizes(slanted)->ideal);
+  EXPECT_FALSE(over_pins(slanted, testing::taken(ball)).three_pins);
+}
+
+}  // namespace
+}  // namespace gearwright
