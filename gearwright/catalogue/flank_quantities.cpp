@@ -63,6 +63,30 @@ const Quantities<FlankToleranceValues>& tolerance_quantities() {
           "radial composite, tooth to tooth", "f_i″", "as the total",
           [](const T& t) { return Value(t.tooth_radial_composite); })
         .digits(1);
+    const auto perhaps = [&](const char* key, const char* words, const char* symbol,
+                             const char* meaning, std::optional<double> T::*member) {
+      q.add(Type::number, Unit::um, "", key, words, symbol, meaning, [member](const T& t) {
+         return Value(t.*member);
+       }).digits(1);
+    };
+    perhaps("base_pitch_um", "base pitch", "f_pb",
+            "±, f_pt cos α_t [T10.31]; null of circular arcs", &T::base_pitch);
+    perhaps("sector_pitch_um", "sector pitch over an eighth of the teeth", "F_pk",
+            "k = ⌊|z|/8⌋ pitches [T10.31]; null of fewer than 16 teeth and by the edition of 2013, "
+            "whose formula could not be confirmed",
+            &T::sector_pitch);
+    perhaps("single_flank_composite_um", "single flank composite, total", "F_i′",
+            "with the mating gear of the spec, ISO 1328-1:1995, annex A [T10.32]; null without one "
+            "and by the edition of 2013, which takes a design value of its own",
+            &T::single_flank);
+    perhaps("tooth_single_flank_composite_um", "single flank composite, tooth to tooth", "f_i′",
+            "as the total", &T::tooth_single_flank);
+    perhaps("axis_deviation_um", "crossing of the axes", "f_Σβ",
+            "of the pair over the span of the bearings, ISO/TR 10064-3:1996 [T10.33]; null without "
+            "`bearing_span_mm`",
+            &T::axis_deviation);
+    perhaps("axis_inclination_um", "inclination of the axes in their plane", "f_Σδ",
+            "as the crossing", &T::axis_inclination);
   });
   return kAll;
 }

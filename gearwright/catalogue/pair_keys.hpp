@@ -27,6 +27,7 @@ struct PairInput {
   double backlash_split = 0.5;                     ///< gear 1's share of it
   std::optional<Ends> distance_deviations;         ///< lower, upper  mm, of the centre distance
   std::optional<std::string> distance_tolerance;   ///< of ISO 286, "JS7"
+  std::optional<double> bearing_span;              ///< L  mm, for the tolerances of the axes
 };
 
 /// Whether the teeth are to be thinned for a backlash.

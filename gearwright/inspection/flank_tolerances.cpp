@@ -46,6 +46,28 @@ void add_radial(FlankToleranceValues& t, int quality, const ToleranceSubject& ge
   t.tooth_radial_composite = rounded_tolerance(f * (2.96 * m + 0.01 * std::sqrt(d) + 0.8));
 }
 
+// K of f_i′: the more teeth share the load, the less one of them shows. [T10.32]
+double overlap_factor(double contact_ratio) {
+  return contact_ratio < 4.0 ? 0.2 * (contact_ratio + 4.0) / contact_ratio : 0.4;
+}
+
+// What needs the mating gear or the sectors of the gear: formulas of 1995. [T10.31] [T10.32]
+void add_single_flank(FlankToleranceValues& t, int quality, const ToleranceSubject& gear) {
+  const double root_d = std::sqrt(mean_of_range(kDiameters, gear.reference_diameter));
+  const double m = mean_of_range(kModules, gear.normal_module);
+  const double f = step_factor(quality);
+  const double f_pt = 0.3 * (m + 0.4 * root_d) + 4;
+  constexpr int kSectors = 8;
+  if (const int k = gear.teeth / kSectors; k >= 2)
+    t.sector_pitch = rounded_tolerance(f * (f_pt + 1.6 * std::sqrt((k - 1) * m)));
+  if (!gear.contact_ratio || !(*gear.contact_ratio > 0.0)) return;
+  const double F_p = 0.3 * m + 1.25 * root_d + 7;
+  const double F_alpha = 3.2 * std::sqrt(m) + 0.22 * root_d + 0.7;
+  const double tooth = overlap_factor(*gear.contact_ratio) * (4.3 + f_pt + F_alpha);
+  t.tooth_single_flank = rounded_tolerance(f * tooth);
+  t.single_flank = rounded_tolerance(f * (F_p + tooth));
+}
+
 // [T10.15]…[T10.17]
 FlankToleranceValues of_2013(int quality, const ToleranceSubject& gear) {
   const double d = gear.reference_diameter, m = gear.normal_module, b = gear.face_width;
@@ -123,7 +145,17 @@ FlankToleranceValues flank_tolerances(FlankTolerances edition, int quality,
   FlankToleranceValues t =
       edition == FlankTolerances::iso_2013 ? of_2013(quality, gear) : of_1995(quality, gear);
   add_radial(t, quality, gear);
+  if (gear.transverse_pressure_angle)
+    t.base_pitch = t.single_pitch * std::cos(*gear.transverse_pressure_angle);
+  if (edition == FlankTolerances::iso_1995) add_single_flank(t, quality, gear);
   return t;
+}
+
+void set_axis_tolerances(FlankToleranceValues& t, double greater_helix_total, double face_width,
+                         double bearing_span) {
+  GW_EXPECTS(face_width > 0.0 && bearing_span > 0.0);
+  t.axis_deviation = 0.5 * bearing_span / face_width * greater_helix_total;
+  t.axis_inclination = 2 * *t.axis_deviation;
 }
 
 }  // namespace gearwright

@@ -5,7 +5,8 @@
 //                                              theory: docs/theory/10-inspection.md
 //
 // The edition of 2013 takes the gear's own numbers, that of 1995 the geometric means of the ranges
-// they lie in. Radial composite tolerances are those of ISO 1328-2:1997.
+// they lie in. Radial composite tolerances are those of ISO 1328-2:1997. Sector pitch and single flank
+// composites are known of the edition of 1995 alone. Tolerances of axes are those of ISO/TR 10064-3.
 #pragma once
 
 #include <optional>
@@ -15,11 +16,13 @@ namespace gearwright {
 enum class FlankTolerances { iso_2013, iso_1995 };
 
 struct ToleranceSubject {
-  double reference_diameter;  ///< d    mm
-  double normal_module;       ///< m_n  mm
-  double face_width;          ///< b    mm
-  int teeth;                  ///< |z|
-  double helix_angle;         ///< β    rad
+  double reference_diameter;                          ///< d    mm
+  double normal_module;                               ///< m_n  mm
+  double face_width;                                  ///< b    mm
+  int teeth;                                          ///< |z|
+  double helix_angle;                                 ///< β    rad
+  std::optional<double> transverse_pressure_angle{};  ///< α_t  rad; none: no involute
+  std::optional<double> contact_ratio{};              ///< ε_γ  of the mounted pair; none: no pair
 };
 
 /// All µm, rounded as the standard says.
@@ -35,6 +38,12 @@ struct FlankToleranceValues {
   double runout;                                 ///< F_rT
   std::optional<double> radial_composite;        ///< F_i″, total, ISO 1328-2:1997
   std::optional<double> tooth_radial_composite;  ///< f_i″, tooth to tooth
+  std::optional<double> base_pitch{};            ///< f_pb, ± ; not rounded
+  std::optional<double> sector_pitch{};          ///< F_pk over k = ⌊|z|/8⌋ pitches
+  std::optional<double> single_flank{};          ///< F_i′, total composite with the mating gear
+  std::optional<double> tooth_single_flank{};    ///< f_i′, tooth to tooth
+  std::optional<double> axis_deviation{};        ///< f_Σβ, of the pair: the axes cross
+  std::optional<double> axis_inclination{};      ///< f_Σδ, of the pair: in the plane of the axes
 };
 
 /// The classes that the edition has: 1 to 11, or 0 to 12.
@@ -43,11 +52,20 @@ bool has_class(FlankTolerances edition, int quality);
 /// Whether the gear lies in the range for which the edition says its formulas.
 bool in_range(FlankTolerances edition, const ToleranceSubject& gear);
 
-/// Formula   ISO 1328-1:2013, [T10.15]…[T10.17]; ISO 1328-1:1995 and -2:1997, [T10.18]
+/// All but the tolerances of the axes, which are the pair's.
+///
+/// Formula   ISO 1328-1:2013, [T10.15]…[T10.17]; ISO 1328-1:1995 and -2:1997, [T10.18]; f_pb, F_pk,
+///           F_i′ and f_i′ by ISO 1328-1:1995, [T10.31], [T10.32]
 /// Units     mm in, µm out
 /// Domain    has_class (contract). Radial composites are none beyond 1000 mm or 10 mm of module
 FlankToleranceValues flank_tolerances(FlankTolerances edition, int quality,
                                       const ToleranceSubject& gear);
+
+/// f_Σβ and f_Σδ over the span L of the bearings, µm, recommended by ISO/TR 10064-3:1996.
+///
+/// Formula   f_Σβ = (L/2b) F_β, f_Σδ = 2 f_Σβ, F_β the greater of both gears [T10.33]
+void set_axis_tolerances(FlankToleranceValues& t, double greater_helix_total, double face_width,
+                         double bearing_span);
 
 /// To 1 µm above 10 µm, to 0.5 µm from 5 µm on, to 0.1 µm below.
 double rounded_tolerance(double um);

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
+#include <optional>
 
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/inspection/flank_tolerances.hpp"
@@ -55,6 +57,57 @@ TEST(FlankTolerances, of_1995_are_those_of_its_tables) {
   EXPECT_DOUBLE_EQ(flank_tolerances(FlankTolerances::iso_1995, 5, small).single_pitch, 4.7);
   EXPECT_FALSE(
       flank_tolerances(FlankTolerances::iso_1995, 5, {1200, 3, 30, 400, 0.0}).radial_composite);
+}
+
+// Printed by KISSsoft 03/2017 for stages of the 5 MW wind turbine of NREL, grade 6: the third stage
+// (14:24/95, β 10°, ε_γ 2.884) and a planet (21:36, ε_γ 1.618 with its ring).
+TEST(FlankTolerances, of_sectors_base_pitch_and_single_flank_are_those_of_printed_reports) {
+  const double alpha_t = 20.284 / 180 * std::numbers::pi;
+  const auto of = [&](double d, double b, int z) {
+    return flank_tolerances(FlankTolerances::iso_1995, 6,
+                            {d, 14, b, z, 10.0 / 180 * std::numbers::pi, alpha_t, 2.884});
+  };
+  const auto pinion = of(341.183, 360, 24), wheel = of(1350.514, 360, 95);
+  EXPECT_EQ(pinion.single_pitch, 14.0);
+  EXPECT_EQ(wheel.single_pitch, 17.0);
+  EXPECT_NEAR(*pinion.base_pitch, 13.10, 0.05);
+  EXPECT_NEAR(*wheel.base_pitch, 15.90, 0.05);
+  EXPECT_EQ(*pinion.sector_pitch, 26.0);
+  EXPECT_EQ(*wheel.sector_pitch, 43.0);
+  EXPECT_EQ(*pinion.single_flank, 71.0);
+  EXPECT_EQ(*wheel.single_flank, 103.0);
+  EXPECT_EQ(*pinion.tooth_single_flank, 21.0);
+  EXPECT_EQ(*wheel.tooth_single_flank, 24.0);
+  const auto planet =
+      flank_tolerances(FlankTolerances::iso_1995, 6, {756, 21, 550, 36, 0.0, std::nullopt, 1.618});
+  EXPECT_EQ(*planet.single_flank, 105.0);
+  EXPECT_EQ(*planet.tooth_single_flank, 38.0);
+  EXPECT_FALSE(planet.base_pitch);
+  // K is continuous at ε_γ = 4 and needs a pair; sectors of one pitch are pitches.
+  const auto at = [](std::optional<double> overlap, int z) {
+    return flank_tolerances(FlankTolerances::iso_1995, 9,
+                            {300, 5, 50, z, 0.0, std::nullopt, overlap});
+  };
+  EXPECT_EQ(*at(3.9999999, 60).tooth_single_flank, *at(4.0, 60).tooth_single_flank);
+  EXPECT_FALSE(at(std::nullopt, 60).single_flank);
+  EXPECT_FALSE(at(2.0, 15).sector_pitch);
+  EXPECT_TRUE(at(2.0, 16).sector_pitch);
+  const auto later =
+      flank_tolerances(FlankTolerances::iso_2013, 6, {756, 21, 550, 36, 0.0, alpha_t, 1.618});
+  EXPECT_FALSE(later.sector_pitch || later.single_flank || later.tooth_single_flank);
+  EXPECT_TRUE(later.base_pitch);
+}
+
+// The same reports print f_Σβ and f_Σδ without their span: 27 and 54 µm beside F_β = 27 µm, which are those
+// of L = 2 b, and 19.5 and 39 µm beside 30 µm, those of L = 1.3 b.
+TEST(FlankTolerances, of_the_axes_grow_with_the_span_of_the_bearings) {
+  FlankToleranceValues t{};
+  set_axis_tolerances(t, 27.0, 360.0, 720.0);
+  EXPECT_DOUBLE_EQ(*t.axis_deviation, 27.0);
+  EXPECT_DOUBLE_EQ(*t.axis_inclination, 54.0);
+  set_axis_tolerances(t, 30.0, 550.0, 715.0);
+  EXPECT_NEAR(*t.axis_deviation, 19.5, 1e-12);
+  EXPECT_NEAR(*t.axis_inclination, 39.0, 1e-12);
 }
 
 TEST(FlankTolerances, know_their_classes_and_sizes) {

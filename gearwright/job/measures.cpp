@@ -177,13 +177,35 @@ class Measuring {
       return refused(gear_field(which_, in_gear ? "quality" : "tolerance.quality"), *asked.quality,
                      "ISO 1328-1:2013 has the classes 1 to 11; the edition of 1995 has 0 to 12");
     }
-    const ToleranceSubject subject = tolerance_subject(gear_);
+    ToleranceSubject subject = tolerance_subject(gear_);
+    const InvolutePair* const mounted = pair_ && !pair_->crossed() ? pair_->involute() : nullptr;
+    if (mounted && mounted->flanks_meet()) subject.contact_ratio = mounted->contact_ratio();
     m.tolerances = flank_tolerances(asked.edition, *asked.quality, subject);
     if (!in_range(asked.edition, subject))
       warn("tolerances_out_of_range",
            "The gear lies outside the sizes for which ISO 1328-1 says its tolerances: the formulas "
            "are used all the same.");
+    if (mounted) set_axes(*m.tolerances);
     return std::nullopt;
+  }
+
+  // The axes of the pair, by the coarser of both gears; the mating gear without a grade has this one's.
+  void set_axes(FlankToleranceValues& t) {
+    const auto& mounting = job_.spec.rating.input.mounting;
+    const auto span = job_.spec.pair.bearing_span ? job_.spec.pair.bearing_span
+                      : mounting                  ? std::optional(mounting->bearing_span)
+                                                  : std::nullopt;
+    if (!span) return;
+    const std::size_t mate = static_cast<std::size_t>(2 - which_);
+    const ToleranceInput& asked = job_.spec.gears[mate]->tolerance;
+    double coarser = t.helix_total;
+    if (asked.quality && has_class(asked.edition, *asked.quality)) {
+      const ToleranceSubject other = tolerance_subject(job_.gears[mate]);
+      coarser =
+          std::max(coarser, flank_tolerances(asked.edition, *asked.quality, other).helix_total);
+    }
+    const double face = std::min(gear_.spec.face_width, job_.gears[mate].spec.face_width);
+    set_axis_tolerances(t, coarser, face, *span);
   }
 
   SolvedJob& job_;
@@ -215,8 +237,13 @@ Result<std::vector<MeasureView>> measure_gears(SolvedJob& job) {
 
 ToleranceSubject tolerance_subject(const Gear& gear) {
   const CylindricalSpec& s = gear.spec;
-  return {gear.reference_diameter, s.normal_module, s.face_width, std::abs(s.teeth),
-          s.helix_angle.rad()};
+  return {gear.reference_diameter,
+          s.normal_module,
+          s.face_width,
+          std::abs(s.teeth),
+          s.helix_angle.rad(),
+          of_involute(gear, &ReferenceGeometry<double>::transverse_pressure_angle),
+          {}};
 }
 
 std::vector<ValueRecord> measure_records(const SolvedJob& job) {

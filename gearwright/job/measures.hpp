@@ -19,7 +19,7 @@ namespace gearwright {
 /// Errors    `gearN.measure.…`: what was asked for and cannot be measured
 Result<std::vector<MeasureView>> measure_gears(SolvedJob& job);
 
-/// What tolerances of flanks depend on.
+/// What tolerances of flanks depend on; without the mating gear.
 ToleranceSubject tolerance_subject(const Gear& gear);
 
 /// The same as records for the page; what was asked for and cannot be measured is left out.

@@ -1,5 +1,6 @@
 """Measuring a gear as a workshop asks for it: tools, tolerances, and the way back to the gear."""
 import json
+import math
 import tomllib
 import unittest
 
@@ -64,6 +65,32 @@ class Measuring(Asked):
         self.assertNotEqual(old["profile_total_um"], t["profile_total_um"])
         self.refused(GEAR + "quality = 12", "gear1.quality", "1 to 11", verb="measure")
         self.refused(GEAR + "quality = 6\n[gear1.tolerance]\nquality = 7", "gear1.tolerance.quality", "contradicts", verb="measure")
+
+    def test_tolerances_of_a_pair(self):
+        old = '[gear{}.tolerance]\nquality = 6\nedition = "ISO 1328:1995"\n'
+        pair = GEAR + "[gear2]\nteeth = 41\nface_width_mm = 18\n[pair]\nbearing_span_mm = 36\n" + old.format(1) + old.format(2)
+        t = [g["measure"]["tolerances"] for g in self.ok("measure", pair)["gears"]]
+        for one in t:
+            self.assertAlmostEqual(one["base_pitch_um"], one["single_pitch_um"] * math.cos(math.radians(20)), 9)
+            self.assertGreater(one["single_flank_composite_um"], one["tooth_single_flank_composite_um"])
+            self.assertEqual(one["axis_deviation_um"], max(a["helix_total_um"] for a in t))  # L = 2 b
+            self.assertEqual(one["axis_inclination_um"], 2 * one["axis_deviation_um"])
+        self.assertGreater(t[1]["sector_pitch_um"], t[1]["single_pitch_um"])
+        alone = self.measure(GEAR + old.format(1))["tolerances"]
+        self.assertIsNone(alone["single_flank_composite_um"])
+        self.assertIsNone(alone["axis_deviation_um"])
+        later = self.ok("measure", pair.replace("1995", "2013"))["gears"][0]["measure"]["tolerances"]
+        self.assertIsNone(later["sector_pitch_um"])
+        self.assertIsNotNone(later["base_pitch_um"])
+
+    def test_three_pins_lie_deeper_than_two_where_teeth_are_odd(self):
+        for teeth, beta in ((20, 0), (21, 0), (21, 12), (-61, 0)):
+            pins = self.measure(GEAR.replace("teeth = 20", f"teeth = {teeth}\nhelix_angle_deg = {beta}"))["over_pins"]
+            side = 1 if teeth > 0 else -1
+            d_K = pins["center_diameter_mm"]
+            c = math.cos(math.pi / (2 * abs(teeth))) if teeth % 2 and not beta else 1
+            self.assertAlmostEqual(pins["three_mm"], d_K * c + side * pins["pin_diameter_mm"], 9)
+            self.assertAlmostEqual(pins["three_pins_mm"], d_K * c * c + side * pins["pin_diameter_mm"], 9)
 
     def test_intervals_in_json_and_for_people(self):
         spec = GEAR + "thickness_allowance_mm = [-0.10, -0.06]"
