@@ -57,11 +57,32 @@ describe("load", () => {
     assert.deepEqual(page.complaints, []);
   });
 
-  it("what is missing stands at its field, in the engine's words", async () => {
-    await put(page, example("helical_pair"), "load");
-    await page.waitForSelector('#room-load [data-key="load.torque_Nm"][aria-invalid=true]');
-    const { message } = native("load", example("helical_pair")).error;
+  it("a spec without a torque is offered one, with a first value and without an error", async () => {
+    await put(page, example("helical_pair") + '\n[load]\npositions = 8\nslices = 8\naccuracy = "draft"\n', "load");
+    await page.waitForSelector("#room-load .asked-for:not([hidden])");
+    assert.equal(await page.locator('#room-load [aria-invalid="true"]').count(), 0);
+    assert.equal(await page.locator("#room-load [role=alert]:not(:empty)").count(), 0);
+    assert.equal(await page.textContent("#room-load .view-sentence"), "");
+    assert.equal(await page.inputValue('[data-offered="load.torque_Nm"]'), "20");
+    await page.fill('[data-offered="load.torque_Nm"]', "much");
+    await page.click("#room-load .asked-for button");
+    assert.match(await page.textContent("#room-load .asked-for .fault"), /“much” is not a number/);
+    await page.fill('[data-offered="load.torque_Nm"]', "30");
+    await page.click("#room-load .asked-for button");
+    await page.waitForFunction(() => /^torque_Nm = 30$/m.test(window.gearwright.text()));
+    await finished(30);
+    assert.equal(await page.locator("#room-load .asked-for").isVisible(), false);
+    const [record] = native("load", await page.evaluate(() => window.gearwright.text())).load.torques;
+    shows(await cell("max_pressure_MPa"), record.max_pressure_MPa);
+  });
+
+  it("another fault stands at its field, in the engine's words, and nowhere else", async () => {
+    const text = example("loaded_pair").replace("poisson_ratio = 0.3", "poisson_ratio = 0.495");
+    await put(page, text, "load");
+    await page.waitForSelector('#room-load [data-key="gear1.material.poisson_ratio"][aria-invalid=true]');
+    const { message } = native("load", text).error;
     assert.equal(await page.textContent("#room-load .note .fault:not(:empty)"), message);
+    assert.equal(await page.textContent("#room-load .view-sentence"), "There is no answer: see the marked field.");
   });
 });
 
@@ -97,13 +118,28 @@ describe("rating", () => {
   });
 
   it("what is missing stands at its field, in the engine's words", async () => {
-    const text = example("rated_pair").replace(/\[gear2.material\]\nname = .*\n/, "");
+    const text = example("rated_pair").replaceAll(/\[gear[12].material\]\nname = .*\n/g, "");
     await put(page, text, "rating");
-    await page.waitForSelector('#room-rating [data-key="gear2.material.name"][aria-invalid=true]');
-    const { message } = native("rate", text).error;
+    await page.waitForSelector("#room-rating [aria-invalid=true]");
+    const { key, message } = native("rate", text).error;
+    assert.ok((await page.getAttribute("#room-rating [aria-invalid=true]", "data-key")).startsWith(key));
     assert.equal(await page.textContent("#room-rating .note .fault:not(:empty)"), message);
+    assert.equal(await page.textContent("#room-rating .view-sentence"), "There is no answer: see the marked field.");
+  });
+
+  it("a spec without a load is offered what a rating needs; first values are enough", async () => {
     await put(page, example("helical_pair"), "rating");
-    await page.waitForSelector('#room-rating [data-key="rating.power_kW"][aria-invalid=true]');
+    await page.waitForSelector("#room-rating .asked-for:not([hidden])");
+    assert.equal(await page.locator('#room-rating [aria-invalid="true"]').count(), 0);
+    assert.equal(await page.locator("#room-rating [role=alert]:not(:empty)").count(), 0);
+    const offered = await page.locator("#room-rating .offer-row").count();
+    assert.equal(offered, 5);
+    await page.click("#room-rating .asked-for button");
+    await page.waitForSelector("#room-rating [data-safety]");
+    const text = await page.evaluate(() => window.gearwright.text());
+    assert.match(text, /name = "16MnCr5"/);
+    const { rating } = native("rate", text);
+    assert.equal(await page.textContent('[data-safety="S_F.1"] .level'), rating.S_F[0].toFixed(3));
     assert.deepEqual(page.complaints, []);
   });
 });

@@ -17,7 +17,6 @@ export interface PanelGroup {
 
 export class KeyPanel {
   readonly element: HTMLElement;
-  private readonly general = h("p", { class: "fault", role: "alert" });
   private readonly body = h("div");
   private fields: RowField[] = [];
   private answered: Fault | null = null;
@@ -26,7 +25,7 @@ export class KeyPanel {
     label: string,
     private readonly groups: PanelGroup[],
   ) {
-    this.element = h("div", { class: "key-panel", role: "group", "aria-label": label }, this.general, this.body);
+    this.element = h("div", { class: "key-panel", role: "group", "aria-label": label }, this.body);
     onUnitChange(() => {
       this.fields = [];
       this.show();
@@ -53,8 +52,9 @@ export class KeyPanel {
   }
 
   /** Shows what the spec says, and a fault at its field; of a table that is missing at its first.
-   *  `answered` is what the engine had to say of the last spec that could be solved. */
-  show(answered: Fault | null = this.answered): void {
+   *  `answered` is what the engine had to say of the last spec that could be solved. Returns the
+   *  sentence for the room beside the panel: the reason stands in one place only. */
+  show(answered: Fault | null = this.answered): string {
     this.build();
     this.answered = answered;
     const typed = bench.solved?.fault ?? null; // of a spec that cannot be solved: the form has it, too
@@ -73,6 +73,7 @@ export class KeyPanel {
       blamed.field.fault(fault.message);
       blamed.note.fault(fault.message);
     }
-    this.general.textContent = answered && !typed && !blamed ? answered.message : "";
+    if (!answered) return "";
+    return blamed ? "There is no answer: see the marked field." : answered.message;
   }
 }

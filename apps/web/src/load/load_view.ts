@@ -1,11 +1,13 @@
 // The tab "load": teeth under torque. While the spec changes a draft follows; when it rests, the full
-// answer takes its place. Every number is the engine's; the page draws.
+// answer takes its place. A spec without a torque is offered one. Every number is the engine's; the
+// page draws.
 
 import type { LoadedTorque } from "../../engine/engine";
 import { quantities } from "../catalogue";
 import { figure, fill, flankFigure, h, onThemeChange, scroller } from "../elements";
 import { kOvertaken } from "../engine_link";
 import type { Fault, Json, Loaded } from "../engine_worker";
+import { firstMaterial, firstTorque, Offer } from "../form/offer";
 import { KeyPanel } from "../form/panel";
 import { judgement } from "../judgement";
 import { CurvePlot } from "../plot";
@@ -17,6 +19,7 @@ import { PressureMap } from "./pressure_map";
 
 /** A spec that has not changed for so long rests. */
 const kRestMs = 1200;
+const kNoTorque = { key: "load.torque_Nm", value: "", message: "The spec has no torque." };
 const kToothColours = ["g1", "g2", "alpha", "root-fillet", "action", "flank"];
 type Answer = Exclude<Loaded, { fault: Fault }>;
 type Records = { [key: string]: Json }[];
@@ -80,6 +83,16 @@ export class LoadView implements Tab {
     h("b", {}, "Stiffness"),
     " of the points of contact, secant.",
   );
+  private readonly offer = new Offer("How the teeth share a load, yield and are stressed, for a torque:", "Load the teeth", [
+    { table: "load", key: "torque_Nm", places: ["load.torque_Nm"], first: firstTorque },
+    {
+      table: "material",
+      key: "name",
+      places: ["gear1.material.name", "gear2.material.name"],
+      instead: ["gear1.material.youngs_modulus_MPa", "gear2.material.youngs_modulus_MPa"],
+      first: () => firstMaterial(""),
+    },
+  ]);
   private readonly room = h(
     "div",
     {},
@@ -111,7 +124,7 @@ export class LoadView implements Tab {
     "div",
     { class: "side-view" },
     this.panel.element,
-    scroller("side-room", "teeth under load", this.picture),
+    scroller("side-room", "teeth under load", this.offer.element, this.picture),
   );
   readonly part = "load";
   private answer: Answer | null = null;
@@ -136,8 +149,15 @@ export class LoadView implements Tab {
     clearTimeout(this.rest);
     const solved = bench.good;
     this.panel.show();
+    this.offer.hide();
     if (!solved?.hasPair) {
       return this.clear(solved ? "One gear bears nothing: a second one makes a pair." : "There is no pair yet.");
+    }
+    if (at(solved.spec, "load.torque_Nm") === undefined) {
+      this.panel.show(null);
+      this.offer.show();
+      judgement.take("load", solved.text, { error: kNoTorque });
+      return this.clear("");
     }
     if (solved.text === this.shown) this.draw();
     else if (this.asked === "full" + solved.text) this.wait();
@@ -180,8 +200,7 @@ export class LoadView implements Tab {
     if (answer === kOvertaken || answer === null || bench.good?.text !== text) return;
     if ("fault" in answer) {
       judgement.take("load", text, { error: answer.fault });
-      this.panel.show(answer.fault);
-      return this.clear(answer.fault.message, text);
+      return this.clear(this.panel.show(answer.fault), text);
     }
     this.shown = text;
     this.full = accuracy === "full" || drafted;

@@ -1,11 +1,13 @@
 // The tab "rating": strength by ISO 6336. The safeties in the verdict's colours, and every factor
-// with its clause and the branch that was taken, as the report prints them.
+// with its clause and the branch that was taken, as the report prints them. A spec without a load is
+// offered what a rating needs.
 
 import type { Quantity } from "../../engine/engine";
 import { quantities, quantity } from "../catalogue";
 import { fill, h, scroller, symbol } from "../elements";
 import { kOvertaken } from "../engine_link";
 import type { Fault, Json, Notice, Verdict } from "../engine_worker";
+import { firstMaterial, firstSpeed, firstTorque, Offer } from "../form/offer";
 import { KeyPanel } from "../form/panel";
 import { judgement } from "../judgement";
 import { onUnitChange, textOf } from "../numbers";
@@ -15,6 +17,7 @@ import { noticesOf } from "../verdict";
 import { at, bench } from "../workbench";
 
 const kRating = ["rating"];
+const kNoLoad = { key: "rating", value: "", message: "The spec has no load to rate." };
 /** Safeties, and the finding that the verdict has where one falls short. */
 const kSafeties: [key: string, code: string][] = [
   ["S_F", "root_safety"],
@@ -71,6 +74,37 @@ export class RatingView implements Tab {
       keys: ["safety_root_min", "safety_flank_min", "standard"],
     },
   ]);
+  private readonly offer = new Offer("Whether the teeth hold, by ISO 6336. A rating needs:", "Rate the pair", [
+    { table: "rating", key: "torque_Nm", places: ["rating.torque_Nm"], first: firstTorque },
+    {
+      table: "rating",
+      key: "speed_rpm",
+      places: ["rating.speed_rpm"],
+      instead: ["rating.dynamic_factor"],
+      first: firstSpeed,
+    },
+    {
+      table: "material",
+      key: "name",
+      places: ["gear1.material.name", "gear2.material.name"],
+      instead: ["gear1.material.sigma_Hlim_MPa", "gear2.material.sigma_Hlim_MPa"],
+      first: () => firstMaterial("16MnCr5"),
+    },
+    {
+      table: "rating",
+      key: "quality",
+      places: ["rating.quality"],
+      instead: ["gear1.quality", "gear1.tolerance.quality"],
+      first: () => 6,
+    },
+    {
+      table: "rating",
+      key: "face_load_factor",
+      places: ["rating.face_load_factor"],
+      instead: ["rating.mounting"],
+      first: () => 1.2,
+    },
+  ]);
   private readonly sentence = h("p", { class: "view-sentence", "aria-live": "polite" });
   private readonly safeties = h("div", { class: "safeties" });
   private readonly notices = h("ul", { class: "notices" });
@@ -80,7 +114,7 @@ export class RatingView implements Tab {
     "div",
     { class: "side-view" },
     this.panel.element,
-    scroller("side-room", "strength", this.picture),
+    scroller("side-room", "strength", this.offer.element, this.picture),
   );
   readonly part = "rating";
   shown = "";
@@ -95,10 +129,18 @@ export class RatingView implements Tab {
   async refresh(): Promise<void> {
     const solved = bench.good;
     this.panel.show();
+    this.offer.hide();
     if (!solved?.hasPair) {
       return this.clear(
         solved ? "A rating is of a pair: a second gear makes one." : "There is no pair yet.",
       );
+    }
+    const load = ["torque_Nm", "power_kW", "spectrum"];
+    if (load.every((key) => at(solved.spec, "rating." + key) === undefined)) {
+      this.panel.show(null);
+      this.offer.show();
+      judgement.take("rating", solved.text, { error: kNoLoad });
+      return this.clear("");
     }
     if (solved.text === this.shown) return;
     // Teeth in contact under the rated load take seconds: not where the next change of a key waits.
@@ -108,8 +150,8 @@ export class RatingView implements Tab {
     this.shown = solved.text;
     judgement.take("rating", solved.text, answer as unknown as Partial<Rated>);
     const fault = answer["error"] as unknown as Fault | undefined;
-    this.panel.show(fault ?? null);
-    if (fault) return this.clear(fault.message, solved.text);
+    const sentence = this.panel.show(fault ?? null);
+    if (fault) return this.clear(sentence, solved.text);
     this.show(answer as unknown as Rated);
   }
   judge(): Promise<void> {
