@@ -20,7 +20,7 @@ export class SheetView implements Tab {
   async refresh(): Promise<void> {
     if (!bench.good) {
       this.frame.srcdoc = this.shown = "";
-      this.state.textContent = bench.asks ? "There is no pair yet." : "";
+      this.state.textContent = bench.nothing;
       return;
     }
     const { text } = bench.good;

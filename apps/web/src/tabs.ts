@@ -71,6 +71,9 @@ export class Tabs {
     }
     this.room.append(this.fault, this.spinner, this.kept);
     bench.on("text", () => this.age());
+    bench.on("opened", () => {
+      for (const tab of this.tabs) void tab.refresh(); // nothing of another design stays, seen or not
+    });
     bench.on("solved", () => {
       void this.refresh();
       clearTimeout(this.rest);

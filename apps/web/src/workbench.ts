@@ -139,6 +139,11 @@ class Workbench {
     return this.solved?.text === this.text;
   }
 
+  /** What stands where a picture would be, while there is no pair. */
+  get nothing(): string {
+    return this.settled ? "There is no pair yet." : "";
+  }
+
   get canUndo(): boolean {
     return this.past.length > 0;
   }

@@ -91,6 +91,23 @@ describe("a picture of another spec", () => {
     assert.equal(await page.locator(".pareto, .pareto-axes").filter({ visible: true }).count(), 0);
   });
 
+  it("the picture of another design goes, though the new one's is refused", async () => {
+    await put(page, example("printed_drive"), "mesh");
+    await idle(page);
+    const ink = () =>
+      page.evaluate(() => {
+        const canvas = document.querySelector("#room-mesh canvas");
+        return canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data.some((one) => one > 0);
+      });
+    assert.equal(await ink(), true);
+    // A bore that leaves its gear no body: the engine draws no section of it.
+    await put(page, example("printed_drive").replace(/^diameter_mm = .*$/m, "diameter_mm = 9"), "mesh");
+    await idle(page);
+    assert.match(await page.textContent(".view-fault"), /bore/);
+    assert.equal(await ink(), false);
+    assert.equal(await page.locator("[data-stale]:visible").count(), 0);
+  });
+
   it("a list of designs is dimmed when the design is neither what was searched nor one of them", async () => {
     await put(page, example("gearbox_search"), "search");
     await idle(page);

@@ -99,9 +99,7 @@ export class ContactView implements Tab {
     this.sliders.show();
     const solved = bench.good;
     if (!solved?.hasPair) {
-      return this.clear(
-        solved ? "One gear touches nothing: a second one makes a pair." : "There is no pair yet.",
-      );
+      return this.clear(solved ? "One gear touches nothing: a second one makes a pair." : bench.nothing);
     }
     if (solved.text === this.shown) return this.draw();
     const { design } = bench;
@@ -128,7 +126,12 @@ export class ContactView implements Tab {
     for (const map of this.maps) map.gap = map.pattern = null;
     this.where.textContent = this.time.textContent = "";
     fill(this.sentence, sentence);
-    this.drawFlanks();
+    this.empty(true);
+  }
+  /** Without a curve there is the sentence alone. */
+  private empty(yes: boolean): void {
+    for (const one of this.picture.children) if (one !== this.sentence) (one as HTMLElement).hidden = yes;
+    this.errorMap.element.hidden = yes;
   }
 
   private choose(index: number): void {
@@ -171,6 +174,7 @@ export class ContactView implements Tab {
   private draw(): void {
     const curve = this.curve;
     if (!curve) return;
+    this.empty(false);
     this.te.show(curve, this.index);
     this.spectrum.show(curve.harmonicsArcsec);
     const kinds = curve.columns["kind"] as string[];

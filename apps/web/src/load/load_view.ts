@@ -151,7 +151,7 @@ export class LoadView implements Tab {
     this.panel.show();
     this.offer.hide();
     if (!solved?.hasPair) {
-      return this.clear(solved ? "One gear bears nothing: a second one makes a pair." : "There is no pair yet.");
+      return this.clear(solved ? "One gear bears nothing: a second one makes a pair." : bench.nothing);
     }
     if (at(solved.spec, "load.torque_Nm") === undefined) {
       this.panel.show(null);

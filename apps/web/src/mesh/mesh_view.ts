@@ -69,9 +69,11 @@ export class MeshView implements Tab {
       this.shapes = [];
       this.motion = null;
       this.shown = "";
+      this.readout.textContent = bench.nothing;
       return this.ask();
     }
     if (solved.text === this.shown) return;
+    this.readout.textContent = "";
     const { design } = bench;
     const late = () => bench.design !== design || !bench.good;
     const answer = await bench.front.latest("sections", "sections", { text: solved.text, tolerance: 0.002 });

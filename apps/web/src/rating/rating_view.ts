@@ -131,9 +131,7 @@ export class RatingView implements Tab {
     this.panel.show();
     this.offer.hide();
     if (!solved?.hasPair) {
-      return this.clear(
-        solved ? "A rating is of a pair: a second gear makes one." : "There is no pair yet.",
-      );
+      return this.clear(solved ? "A rating is of a pair: a second gear makes one." : bench.nothing);
     }
     const load = ["torque_Nm", "power_kW", "spectrum"];
     if (load.every((key) => at(solved.spec, "rating." + key) === undefined)) {

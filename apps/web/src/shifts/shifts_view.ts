@@ -56,7 +56,7 @@ export class ShiftsView implements Tab {
 
   async refresh(): Promise<void> {
     const solved = bench.good;
-    if (!solved) return this.clear("There is no pair yet.");
+    if (!solved) return this.clear(bench.nothing);
     if (solved.text === this.shown) return;
     try {
       const { design } = bench;

@@ -80,7 +80,8 @@ export class SolidView implements Tab {
     if (!solved) {
       this.scene?.setMeshes([], [], 1);
       this.scene?.marks.show(null, 0, 1);
-      this.shown = this.state.textContent = "";
+      this.shown = "";
+      this.state.textContent = bench.nothing;
       this.motion = null;
       return;
     }
