@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
+#include <optional>
 
 namespace gearwright {
 
@@ -116,18 +118,37 @@ std::string plain_words(std::string_view meaning) {
   return text;
 }
 
-std::string nearest_word(const std::string& word, const std::vector<std::string>& known) {
-  std::string best;
-  std::size_t least = std::numeric_limits<std::size_t>::max();
-  const std::string cut = word.substr(0, 80);
-  for (const std::string& k : known) {
-    const std::size_t d = edit_distance(cut, k);
-    if (d < least) {
-      least = d;
+std::string word_hint(const std::string& word, const std::vector<std::string>& known,
+                      std::string_view meant) {
+  constexpr std::size_t kLettersOff = 3;  // one letter of so many may differ
+  constexpr std::size_t kLeastPart = 3;   // letters of a word that is a part of another
+  const auto small = [](std::string_view text) {
+    std::string letters(text.substr(0, 80));
+    for (char& c : letters)
+      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return letters;
+  };
+  const std::string given = small(word);
+  std::string best(meant);
+  const auto look = [&](std::size_t below, auto letters_off) {
+    if (!best.empty()) return;
+    for (const std::string& k : known) {
+      const std::optional<std::size_t> off = letters_off(small(k));
+      if (!off || *off >= below) continue;
+      below = *off;
       best = k;
     }
-  }
-  return best;
+  };
+  look(given.size() / kLettersOff + 1,
+       [&](const std::string& k) { return std::optional(edit_distance(given, k)); });
+  look(SIZE_MAX, [&](const std::string& k) {
+    const auto& [part, whole] =
+        std::minmax(given, k, [](const auto& a, const auto& b) { return a.size() < b.size(); });
+    const bool inside = part.size() >= kLeastPart && whole.find(part) != std::string::npos;
+    return inside ? std::optional(whole.size() - part.size()) : std::nullopt;
+  });
+  const std::string list = fmt::format("nown are {}", fmt::join(known, ", "));
+  return best.empty() ? "k" + list : fmt::format("did you mean {}? K{}", best, list);
 }
 
 }  // namespace gearwright

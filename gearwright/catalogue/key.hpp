@@ -189,8 +189,12 @@ std::string plain_words(std::string_view meaning);
 /// Letters to add, drop or exchange.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The word of `known` with the least edit distance to `word`; empty when `known` is.
-std::string nearest_word(const std::string& word, const std::vector<std::string>& known);
+/// What a word may have been meant to be, and what is known: "did you mean mass? Known are …". A
+/// word is a slip of another one where at most one of three letters differs, or a part of it;
+/// capitals do not count.
+/// `meant`: what the word means here, where that is known.
+std::string word_hint(const std::string& word, const std::vector<std::string>& known,
+                      std::string_view meant = {});
 
 template <class T, class F>
 KeyPlace KeyPlace::within(F reach) {

@@ -214,5 +214,17 @@ TEST(Keys, the_eight_errors_and_seven_modifications_have_their_derivatives) {
   }
 }
 
+TEST(Keys, a_word_is_a_slip_of_another_one_or_a_part_of_it) {
+  const std::vector<std::string> steels{"16MnCr5", "18CrNiMo7-6", "C45N"};
+  const auto starts = [&](const char* word) { return word_hint(word, steels).substr(0, 25); };
+  EXPECT_EQ(starts("16mncr5"), "did you mean 16MnCr5? Kno");
+  EXPECT_EQ(starts("18CrNiMo7"), "did you mean 18CrNiMo7-6?");
+  EXPECT_EQ(starts("C45"), "did you mean C45N? Known ");
+  for (const char* word : {"POM", "PA66", "brass", "N", ""})
+    EXPECT_EQ(word_hint(word, steels), "known are 16MnCr5, 18CrNiMo7-6, C45N") << word;
+  EXPECT_EQ(word_hint("weight", {"ratio", "mass"}, "mass"),
+            "did you mean mass? Known are ratio, mass");
+}
+
 }  // namespace
 }  // namespace gearwright

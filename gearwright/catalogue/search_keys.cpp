@@ -1,5 +1,8 @@
 #include "gearwright/catalogue/search_keys.hpp"
 
+#include <algorithm>
+#include <array>
+
 #include "gearwright/design/search_space.hpp"
 
 namespace gearwright {
@@ -19,6 +22,22 @@ constexpr const char* kBandForm = ", or a band [least, greatest]";
 std::vector<std::string_view> objective_words() {
   return {kObjectiveNames.begin(), kObjectiveNames.end()};
 }
+
+// What people call an objective.
+struct Called {
+  std::string_view word, objective;
+};
+constexpr std::array<Called, 11> kCalled{{{"weight", "mass"},
+                                          {"lightest", "mass"},
+                                          {"volume", "size"},
+                                          {"compactness", "size"},
+                                          {"diameter", "size"},
+                                          {"gear_ratio", "ratio"},
+                                          {"strength", "safety"},
+                                          {"overlap", "contact_ratio"},
+                                          {"epsilon", "contact_ratio"},
+                                          {"slip", "sliding"},
+                                          {"specific_sliding", "sliding"}}};
 
 // A number among the limits.
 template <class F>
@@ -266,6 +285,12 @@ const KeyTable& search_keys() {
     return t;
   }();
   return table;
+}
+
+std::string_view objective_called(std::string_view word) {
+  const auto row =
+      std::find_if(kCalled.begin(), kCalled.end(), [&](const Called& c) { return c.word == word; });
+  return row == kCalled.end() ? std::string_view() : row->objective;
 }
 
 }  // namespace gearwright

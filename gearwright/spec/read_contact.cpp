@@ -55,8 +55,8 @@ std::vector<std::size_t> read_corrections(TableReader& t) {
     const std::string name = item.is_string() ? item.get<std::string>() : json_text(item);
     const auto it = std::find(known.begin(), known.end(), name);
     if (it == known.end()) {
-      t.fail("corrections", fmt::format("does not know {}; did you mean {}?", printable(name, 60),
-                                        nearest_word(name, known)));
+      t.fail("corrections",
+             fmt::format("unknown correction {}; {}", printable(name, 60), word_hint(name, known)));
     }
     const auto index = static_cast<std::size_t>(it - known.begin());
     if (std::find(wanted.begin(), wanted.end(), index) != wanted.end())

@@ -158,9 +158,10 @@ MaterialInput read_material(const Json& node, const std::string& path) {
   std::vector<std::string> known;
   for (const NamedMaterial& row : named_materials()) known.emplace_back(row.name);
   if (std::find(known.begin(), known.end(), *m.name) == known.end()) {
-    t.fail("name", fmt::format("is not in the shipped table; did you mean {}? Or give the values: "
-                               "kind, sigma_Hlim_MPa, sigma_Flim_MPa",
-                               nearest_word(*m.name, known)));
+    t.fail("name", fmt::format("is not in the shipped table; {}. Of any other material give the "
+                               "values: kind, sigma_Hlim_MPa, sigma_Flim_MPa, and of a plastic "
+                               "youngs_modulus_MPa",
+                               word_hint(*m.name, known)));
   }
   return m;
 }

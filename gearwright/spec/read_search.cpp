@@ -169,9 +169,9 @@ void read_objectives(TableReader& t, SearchProblem& p) {
     const std::string word = item.is_string() ? item.get<std::string>() : shown(item);
     const auto at = std::find(known.begin(), known.end(), word);
     if (at == known.end()) {
-      t.fail("objective",
-             fmt::format("does not know {}; did you mean {}? ({}, or a list of them)",
-                         printable(word, 60), nearest_word(word, known), fmt::join(known, ", ")));
+      t.fail("objective", fmt::format("unknown objective{}; {}",
+                                      node->is_array() ? " " + printable(word, 60) : "",
+                                      word_hint(word, known, objective_called(word))));
     }
     const auto objective = static_cast<Objective>(at - known.begin());
     if (std::find(p.objectives.begin(), p.objectives.end(), objective) != p.objectives.end())
