@@ -9,6 +9,7 @@
 
 #include "gearwright/base/missing.hpp"
 #include "gearwright/catalogue/key_hint.hpp"
+#include "gearwright/catalogue/not_supported.hpp"
 
 namespace gearwright {
 
@@ -42,7 +43,10 @@ TableReader::TableReader(const KeyTable& keys, const Json& node, std::string pat
 
 void TableReader::fail(const std::string& key, const std::string& why) const {
   const auto it = node_.find(key);
-  throw SpecError{{name(key), it == node_.end() ? "" : shown(*it), why}};
+  const std::string value = it == node_.end() ? "" : shown(*it);
+  const std::string_view instead =
+      value.empty() ? std::string_view() : not_supported(name(key), value);
+  throw SpecError{{name(key), value, instead.empty() ? why : std::string(instead)}};
 }
 
 const Key& TableReader::entry(const std::string& key) const {
@@ -172,6 +176,8 @@ void TableReader::refuse_unknown() const {
   for (const auto& [key, value] : node_.items()) {
     if (keys_.find(key)) continue;
     const std::string where = path_.empty() ? "the file" : fmt::format("[{}]", path_);
+    const std::string_view instead = not_supported(name(key));
+    if (!instead.empty()) throw SpecError{{name(key), shown(value), std::string(instead)}};
     const std::string called = printable(key, 60);
     throw SpecError{{name(called), shown(value),
                      fmt::format("unknown key in {}; {}", where, key_hint(keys_, path_, key))}};

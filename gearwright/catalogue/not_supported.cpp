@@ -1,0 +1,87 @@
+#include "gearwright/catalogue/not_supported.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace gearwright {
+
+namespace {
+
+// `#` in a path is any number; a path that begins with "*." is a key of any table.
+struct Row {
+  std::string_view path;
+  std::string_view value;  // of a known key; of an unknown one empty
+  std::string_view sentence;
+};
+
+constexpr std::string_view kOnePair =
+    "planetary sets and trains of gears are not supported: a spec has one pair, [gear1] and "
+    "[gear2]. Give each mesh a spec of its own; a ring has a negative number of teeth";
+constexpr std::string_view kRackMate =
+    "a rack as a mating part is not supported: a pair is two gears. The rack that cuts a gear is "
+    "[gear1.rack]";
+constexpr std::string_view kOneHelix =
+    "double helical (herringbone) gears are not supported. Give one half as a helical gear: its "
+    "helix_angle_deg, the face_width_mm of one half, and half of the torque";
+constexpr std::string_view kUnits =
+    "units are not chosen: a length is in mm and an angle in degrees, as the ending of its key "
+    "says. An inch is 25.4 mm; in place of a module there is normal_diametral_pitch_per_in";
+constexpr std::string_view kInternal =
+    "is said by the number of teeth: teeth = -61 is an internal gear of 61 teeth, a positive "
+    "number is an external one";
+
+constexpr auto kRows = std::to_array<Row>({
+    {"gear#", "",
+     "a spec has at most two gears, [gear1] and [gear2]; give each mesh a spec of its own"},
+    {"rack", "", kRackMate},
+    {"gear#.form", "", kRackMate},
+    {"gear#.teeth", "0",
+     "must not be 0: a rack as a mating part is not supported. An internal gear has a negative "
+     "number of teeth, teeth = -61"},
+    {"gear#.internal", "", kInternal},
+    {"gear#.rack.points", "",
+     "a rack given by points is not supported. Give straight flanks by their numbers (addendum, "
+     "dedendum, root_fillet_radius), or a chain of arcs and lines, kind = \"arcs\""},
+    {"gear#.measured.helix_deg", "",
+     "the reading of the helix angle is helix_angle_deg, at the reference cylinder"},
+    {"measured", "", "readings belong to a gear: [gear1.measured]"},
+    {"planetary", "", kOnePair},
+    {"stage", "", kOnePair},
+    {"drive", "", kOnePair},
+    {"search.kind", "",
+     "a search finds pairs of gears; planetary sets and trains are not supported"},
+    {"*.herringbone", "", kOneHelix},
+    {"*.double_helical", "", kOneHelix},
+    {"*.units", "", kUnits},
+    {"*.unit", "", kUnits},
+});
+
+bool digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+bool matches(std::string_view pattern, std::string_view path) {
+  if (pattern.starts_with("*."))
+    return path.substr(path.rfind('.') + 1) == pattern.substr(2);  // npos + 1 is the beginning
+  while (!pattern.empty() && !path.empty()) {
+    if (pattern.front() == '#') {
+      if (!digit(path.front())) return false;
+      while (!path.empty() && digit(path.front())) path.remove_prefix(1);
+    } else {
+      if (pattern.front() != path.front()) return false;
+      path.remove_prefix(1);
+    }
+    pattern.remove_prefix(1);
+  }
+  return pattern.empty() && path.empty();
+}
+
+}  // namespace
+
+std::string_view not_supported(std::string_view path, std::string_view value) {
+  const auto row = std::find_if(kRows.begin(), kRows.end(), [&](const Row& r) {
+    return r.value == value && matches(r.path, path);
+  });
+  return row == kRows.end() ? std::string_view() : row->sentence;
+}
+
+}  // namespace gearwright

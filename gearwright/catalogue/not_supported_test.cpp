@@ -1,0 +1,50 @@
+#include "gearwright/catalogue/not_supported.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "gearwright/catalogue/spec_keys.hpp"
+
+namespace gearwright {
+namespace {
+
+TEST(NotSupported, a_number_in_a_path_is_any_and_a_star_any_table) {
+  EXPECT_FALSE(not_supported("gear3").empty());
+  EXPECT_FALSE(not_supported("gear12").empty());
+  EXPECT_FALSE(not_supported("gear2.form").empty());
+  EXPECT_FALSE(not_supported("units").empty());
+  EXPECT_FALSE(not_supported("gear1.rack.units").empty());
+  for (const char* path : {"", "gear", "gears", "gear3x", "gear1.forms", "myunits", "gear1.rack"})
+    EXPECT_TRUE(not_supported(path).empty()) << path;
+}
+
+TEST(NotSupported, a_value_may_be_refused_where_the_key_is_known) {
+  EXPECT_FALSE(not_supported("gear1.teeth", "0").empty());
+  EXPECT_TRUE(not_supported("gear1.teeth", "17").empty());
+  EXPECT_TRUE(not_supported("gear1.teeth").empty());
+}
+
+// A row whose key has come to be known has to go.
+TEST(NotSupported, no_known_key_is_refused) {
+  for (const Key& key : spec_keys().keys) {
+    const std::string top(key.key);
+    if (!top.starts_with("gear")) {
+      EXPECT_TRUE(not_supported(top).empty()) << top;
+    }
+    for (const auto table : key.tables) {
+      for (const Key& inner : table().keys) {
+        const std::string path = top + "." + std::string(inner.key);
+        EXPECT_TRUE(not_supported(path).empty()) << path;
+        for (const auto deeper : inner.tables)
+          for (const Key& innermost : deeper().keys) {
+            const std::string longer = path + "." + std::string(innermost.key);
+            EXPECT_TRUE(not_supported(longer).empty()) << longer;
+          }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gearwright
