@@ -8,7 +8,7 @@
 namespace gearwright::python {
 
 struct ContactValue : AnswerValue<ContactAnswer> {
-  Verdict verdict() const { return judge(model->job, &answer->driving); }
+  Verdict verdict() const { return judge(model->job, {.contact = &answer->driving}); }
 };
 
 py::class_<ContactValue> bind_contact(py::module_& m, py::class_<PairValue>& pair);
