@@ -64,10 +64,13 @@ ShiftEdge swapped_edge(ShiftEdge edge) {
   }
 }
 
-// The border that stands nearest to the point, of those in a chart.
-std::string nearest_border(const ShiftChart& chart) {
-  std::string nearest;
-  double least = std::numeric_limits<double>::infinity();
+// The border that stands nearest to the point, of those in a chart, and how far away it is, modules.
+struct Nearest {
+  std::string border;
+  double distance = std::numeric_limits<double>::infinity();
+};
+Nearest nearest_border(const ShiftChart& chart) {
+  Nearest nearest;
   for (const auto& loop : chart.pieces) {
     for (const auto& border : loop) {
       for (std::size_t i = 2; i + 1 < border.points.size(); i += 2) {
@@ -77,10 +80,7 @@ std::string nearest_border(const ShiftChart& chart) {
         const double square = (b - a).squaredNorm();
         const double t = square > 0.0 ? std::clamp((p - a).dot(b - a) / square, 0.0, 1.0) : 0.0;
         const double distance = (p - a - t * (b - a)).norm();
-        if (distance < least) {
-          least = distance;
-          nearest = border.name;
-        }
+        if (distance < nearest.distance) nearest = {border.name, distance};
       }
     }
   }
@@ -111,9 +111,11 @@ Result<ShiftChart> Session::shift_region() const {
   chart.point = {point.x(), point.y()};
   const auto range = graph.sums();
   const double sum = asked.x() + asked.y();
-  chart.margin = range.lo <= range.hi ? graph.margin(asked.x(), asked.y())
-                                      : -std::numeric_limits<double>::infinity();
-  chart.inside = chart.margin >= 0.0 && std::isfinite(sum);
+  // The least room that any limit leaves, each in its own unit: its sign alone concerns the chart.
+  const double room = range.lo <= range.hi ? graph.margin(asked.x(), asked.y())
+                                           : -std::numeric_limits<double>::infinity();
+  chart.inside = room >= 0.0 && std::isfinite(sum);
+  chart.margin = -std::numeric_limits<double>::infinity();
   if (const auto killed = graph.what_kills()) chart.what_kills = words_of(*killed);
   const auto& gears = graph.gears();
   chart.window = {gears[0].x_min, gears[0].x_max, gears[1].x_min, gears[1].x_max};
@@ -140,7 +142,9 @@ Result<ShiftChart> Session::shift_region() const {
   const Vec2 chosen = turned(chosen_point(graph, *region));
   chart.chosen = {chosen.x(), chosen.y()};
   constexpr double kAtWall = 1e-6;  // modules: nearer than any shift is made
-  if (chart.margin < kAtWall) chart.stopped_by = nearest_border(chart);
+  const Nearest nearest = nearest_border(chart);
+  chart.margin = chart.inside ? nearest.distance : -nearest.distance;
+  if (room < kAtWall) chart.stopped_by = nearest.border;
   return chart;
 }
 

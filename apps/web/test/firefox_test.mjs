@@ -38,6 +38,27 @@ describe("in Firefox", { skip }, () => {
     assert.deepEqual(page.complaints, []);
   });
 
+  it("quick changes of tab and design complain of nothing", async () => {
+    for (let i = 0; i < 40; ++i) {
+      const [text, tab] = [examples[(7 * i) % examples.length].text, kTabs[(3 * i) % kTabs.length]];
+      if (tab !== "solid") await page.evaluate((text, tab) => window.gearwright.open(text, tab), text, tab);
+    }
+    await page.until(() => window.gearwright.idle(), kPatience);
+    assert.deepEqual(page.complaints, []);
+  });
+
+  it("a damaged link gets a sentence of the page's own", async () => {
+    for (const hash of ["#1.not-a-design", "#1.q1ZK!LS7", "#1.A"]) {
+      await page.open(`${address}?${hash.length}${hash}`);
+      await page.until(() => document.documentElement.dataset.ready === "true", kPatience);
+      const said = await page.evaluate(() => document.querySelector(".said").textContent);
+      assert.match(said, /^This link is damaged: .*Copy it again, from its first to its last letter\.$/, hash);
+    }
+    assert.deepEqual(page.complaints, []);
+    await page.open(address);
+    await page.until(() => document.documentElement.dataset.ready === "true", kPatience);
+  });
+
   it("the engine gives the bytes that it gives in Chromium", async () => {
     const browser = await launch();
     const other = await open(browser, address);

@@ -81,6 +81,39 @@ describe("pictures", () => {
     await page.check("text=circles");
   });
 
+  it("the nearest border of the shift chart is as far away as it is drawn", async () => {
+    // With a tip clearance of 0.25 modules every design stood "0.230 modules from the nearest border".
+    for (const name of ["helical_pair", "rated_pair", "spur_pair"]) {
+      await put(page, example(name), "shifts");
+      await idle(page);
+      const drawn = await page.evaluate(() => {
+        const chart = document.querySelector(".shift-chart");
+        const ticks = (style, at) => {
+          const all = [...chart.querySelectorAll(`text.${style}:not(.g1, .g2, .point-name)`)];
+          const [a, b] = [all[0], all[all.length - 1]].map((one) => [Number(one.textContent), Number(one.getAttribute(at))]);
+          return Math.abs((b[1] - a[1]) / (b[0] - a[0]));
+        };
+        const [across, up] = [ticks("m", "x"), ticks("e", "y")];
+        const design = chart.querySelector(".design");
+        const p = [design.getAttribute("cx") / across, design.getAttribute("cy") / up];
+        let least = Infinity;
+        for (const border of chart.querySelectorAll("polyline")) {
+          const points = border.getAttribute("points").trim().split(" ").map((one) => one.split(",").map(Number));
+          for (let i = 1; i < points.length; ++i) {
+            const [a, b] = [points[i - 1], points[i]].map(([x, y]) => [x / across, y / up]);
+            const d = [b[0] - a[0], b[1] - a[1]];
+            const t = ((p[0] - a[0]) * d[0] + (p[1] - a[1]) * d[1]) / (d[0] ** 2 + d[1] ** 2 || 1);
+            const s = Math.min(1, Math.max(0, t));
+            least = Math.min(least, Math.hypot(p[0] - a[0] - s * d[0], p[1] - a[1] - s * d[1]));
+          }
+        }
+        return least;
+      });
+      const said = Number(/([\d.]+) modules/.exec(await page.textContent(".shift-sentence"))[1]);
+      assert.ok(Math.abs(said - drawn) < 0.01, `${name}: ${said} is said, ${drawn} is drawn`);
+    }
+  });
+
   it("both points of the shift chart have their words; the axis' title touches no tick", async () => {
     await put(page, example("helical_pair"), "shifts");
     await page.waitForSelector(".shift-chart .design");
