@@ -7,17 +7,17 @@
 
 namespace gearwright::cli {
 
-Result<JobSpec> Door::read() {
+Result<JobSpec> Door::read(SpecUse use) {
   auto text = read_spec_text(options_.spec);
   if (!text) return text.error();
   text_ = std::move(text).take();
-  auto spec = read_spec(*text_);
+  auto spec = read_spec(*text_, use);
   if (spec) given_ = spec->given;
   return spec;
 }
 
-Result<SolvedJob> Door::solve(Scope scope) {
-  const auto spec = read();
+Result<SolvedJob> Door::solve(Scope scope, SpecUse use) {
+  const auto spec = read(use);
   if (!spec) return spec.error();
   return gearwright::solve(*spec, scope);
 }

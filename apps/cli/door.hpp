@@ -17,8 +17,9 @@ class Door {
  public:
   explicit Door(const Options& o) : options_(o) {}
 
-  Result<JobSpec> read();
-  Result<SolvedJob> solve(Scope scope);
+  /// What the spec lacks for `use` is an error, too.
+  Result<JobSpec> read(SpecUse use = SpecUse::geometry);
+  Result<SolvedJob> solve(Scope scope, SpecUse use = SpecUse::geometry);
   /// Says what is wrong, in the keys that the spec has; the exit status.
   int fail(const Error& error) const;
 

@@ -91,7 +91,7 @@ int run_verb(const Options& o) {
     options.only = *parts;
   }
   Door door(o);
-  auto solved = door.solve(Scope::everything);
+  auto solved = door.solve(Scope::everything, SpecUse::run);
   if (!solved) return door.fail(solved.error());
   SolvedJob job = std::move(solved).take();
   fs::path out = o.out.value_or("");

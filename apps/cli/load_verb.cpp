@@ -13,7 +13,7 @@ namespace gearwright::cli {
 
 int load_verb(const Options& o) {
   Door door(o);
-  auto solved = door.solve(Scope::everything);
+  auto solved = door.solve(Scope::everything, SpecUse::load);
   if (!solved) return door.fail(solved.error());
   SolvedJob job = std::move(solved).take();
   const auto answer = [&] {

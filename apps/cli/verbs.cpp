@@ -111,7 +111,7 @@ int fit_verb(const Options& o) {
 
 int pair_verb(const Options& o) {
   Door door(o);
-  const auto job = door.solve(Scope::pair);
+  const auto job = door.solve(Scope::pair, SpecUse::pair);
   if (!job) return door.fail(job.error());
   const Verdict verdict = judge(*job);
   if (o.csv) {
@@ -127,7 +127,7 @@ int pair_verb(const Options& o) {
 
 int contact_verb(const Options& o) {
   Door door(o);
-  auto solved = door.solve(Scope::pair);
+  auto solved = door.solve(Scope::pair, SpecUse::pair);
   if (!solved) return door.fail(solved.error());
   SolvedJob job = std::move(solved).take();
   const auto answer = watched("contact", [&](Headway* h) { return answer_contact(job, h); });
@@ -145,7 +145,7 @@ int contact_verb(const Options& o) {
 
 int compensate_verb(const Options& o) {
   Door door(o);
-  auto solved = door.solve(Scope::pair);
+  auto solved = door.solve(Scope::pair, SpecUse::compensate);
   if (!solved) return door.fail(solved.error());
   SolvedJob job = std::move(solved).take();
   const auto answer = watched("compensate", [&](Headway* h) { return answer_compensate(job, h); });
@@ -168,7 +168,7 @@ int compensate_verb(const Options& o) {
 
 int rate_verb(const Options& o) {
   Door door(o);
-  auto solved = door.solve(Scope::pair);
+  auto solved = door.solve(Scope::pair, SpecUse::rate);
   if (!solved) return door.fail(solved.error());
   SolvedJob job = std::move(solved).take();
   const auto answer = answer_rating(job);

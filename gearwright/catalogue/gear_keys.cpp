@@ -49,7 +49,7 @@ const KeyTable& gear_keys() {
                   .reason = "; negative for an internal gear"},
         .place = KeyPlace::within<GearInput>([](auto& g) -> auto& { return g.cylindrical.teeth; }),
         .required = true,
-        .meaning = "number of teeth, negative for an internal gear",
+        .meaning = "number of teeth, 17 for example; negative for an internal gear, -61",
         .also = {"number_of_teeth", "tooth_number", "tooth_count", "z1", "z2"}},
        {.key = "normal_module_mm",
         .symbol = "m_n",

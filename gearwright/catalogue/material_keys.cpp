@@ -1,7 +1,6 @@
 #include "gearwright/catalogue/material_keys.hpp"
 
 #include "gearwright/base/error.hpp"
-#include "gearwright/gear/gear_field.hpp"
 
 namespace gearwright {
 
@@ -119,8 +118,8 @@ const KeyTable& material_keys() {
   return table;
 }
 
-Result<Material> material_of(const MaterialInput& given, int which, RatingEdition edition) {
-  const std::string table = gear_field(which, "material");
+Result<Material> material_of(const MaterialInput& given, const std::string& table,
+                             RatingEdition edition) {
   Material m;
   if (given.name) {
     const auto row = material_named(*given.name, given.surface_hardness);
@@ -149,12 +148,15 @@ Result<Material> material_of(const MaterialInput& given, int which, RatingEditio
   const bool flank = m.sigma_Hlim > 0.0 || !m.sigma_Hlim_by.empty();
   const bool root = m.sigma_Flim > 0.0 || !m.sigma_Flim_by.empty();
   if (!flank || !root) {
-    return Error{flank        ? table + ".sigma_Flim"
-                 : given.name ? table + ".sigma_Hlim"
-                              : table,
-                 "",
-                 "is missing; a rating needs the material's strength: `name` of the shipped table, "
-                 "\"16MnCr5\" for example, or `kind`, `sigma_Hlim` and `sigma_Flim`"};
+    return Error{
+        flank        ? table + ".sigma_Flim"
+        : given.name ? table + ".sigma_Hlim"
+                     : table,
+        "",
+        "is missing; a rating needs the material's strength: name = \"16MnCr5\" for example, "
+        "of the shipped table, or `material.kind`, `material.sigma_Hlim` and "
+        "`material.sigma_Flim`. Without "
+        "[gear2.material] that of gear 1 holds for both"};
   }
   const bool plastic = m.kind == MaterialKind::plastic;
   const bool by_temperature =

@@ -27,10 +27,11 @@ struct MaterialInput {
 
 const KeyTable& material_keys();
 
-/// The material of gear `which`: the named row of the table first, then whatever stands beside the
-/// name.
+/// The material of [`table`], "gear1.material": the named row of the shipped table first, then
+/// whatever stands beside the name.
 ///
-/// Errors    `gearN.material…` where a strength is not known, or the standard has no such material
-Result<Material> material_of(const MaterialInput& given, int which, RatingEdition edition);
+/// Errors    a member of `table` where a strength is not known, or the standard has no such material
+Result<Material> material_of(const MaterialInput& given, const std::string& table,
+                             RatingEdition edition);
 
 }  // namespace gearwright

@@ -99,7 +99,8 @@ const KeyTable& rating_keys() {
         .range = Range::between(kBestGrade, kWorstGrade, ", grades of ISO 1328-1"),
         .list = kBoth,
         .form = "one whole number, or a list of two: gear 1, gear 2",
-        .fallback = "only beside given dynamic and transverse load factors",
+        .fallback = "`quality` of the gears; none only beside given dynamic and transverse load "
+                    "factors",
         .meaning = "accuracy grades of ISO 1328-1, of 1995 for the edition of 2006, else of 2013",
         .also = {"accuracy", "grade", "iso1328"}},
        {.key = "flank_roughness_um",
@@ -192,6 +193,11 @@ const KeyTable& rating_keys() {
         .fallback = "one load for the whole life",
         .meaning = "steps of the load with their hours, each a table; the safeties by Miner's rule "
                    "with K_A = 1"},
+       {.key = "material",
+        .kind = KeyKind::table,
+        .tables = {material_keys},
+        .in_documents = false,
+        .meaning = "what the teeth of a gear without `material` are made of"},
        {.key = "mounting",
         .kind = KeyKind::table,
         .tables = {rating_mounting_keys},

@@ -6,20 +6,21 @@
 #include <optional>
 #include <vector>
 
-#include "gearwright/catalogue/key.hpp"
+#include "gearwright/catalogue/material_keys.hpp"
 #include "gearwright/rating/spectrum.hpp"
 
 namespace gearwright {
 
 /// [rating], as given. What is known of the gears themselves is taken from them.
 struct RatingTable {
-  bool given = false;                   ///< the spec has [rating]
-  RatingInput input;                    ///< all but torque and materials
-  std::optional<double> power;          ///< P    kW
-  std::optional<double> torque;         ///< T_1  N m, on gear 1
-  std::optional<double> web_thickness;  ///< b_s  mm
-  std::optional<double> rim_thickness;  ///< s_R  mm, of both gears
-  std::vector<LoadBin> spectrum;        ///< [[rating.spectrum]], in place of one load and life
+  bool given = false;                     ///< the spec has [rating]
+  RatingInput input;                      ///< all but torque and materials
+  std::optional<double> power;            ///< P    kW
+  std::optional<double> torque;           ///< T_1  N m, on gear 1
+  std::optional<double> web_thickness;    ///< b_s  mm
+  std::optional<double> rim_thickness;    ///< s_R  mm, of both gears
+  std::vector<LoadBin> spectrum;          ///< [[rating.spectrum]], in place of one load and life
+  std::optional<MaterialInput> material;  ///< of a gear without its own
   std::optional<double> safety_flank_min, safety_root_min;  ///< wanted
   bool tooth_contact = false;  ///< the teeth under this load beside the standard
 };

@@ -56,6 +56,13 @@ Scope scope_of(std::string_view verb) {
   return verb == "gear" || verb == "measure" ? Scope::gears : Scope::pair;
 }
 
+SpecUse use_of(std::string_view verb) {
+  if (verb == "pair" || verb == "contact") return SpecUse::pair;
+  if (verb == "load") return SpecUse::load;
+  if (verb == "compensate") return SpecUse::compensate;
+  return verb == "rate" ? SpecUse::rate : SpecUse::geometry;
+}
+
 }  // namespace
 
 Result<Json> answer_json(std::string_view verb, const JobSpec& spec, Headway* headway) {
@@ -92,7 +99,7 @@ BatchLine batch_line(const std::function<Result<Json>(const JobSpec&)>& answer,
                                text.size(), kMaxSpec)});
   }
   try {
-    const auto spec = read_spec(text, SpecFormat::json);
+    const auto spec = read_spec(text, SpecFormat::json, {}, use_of(verb));
     if (!spec) return failed(spec.error());
     const auto answered = answer(*spec);
     return answered ? BatchLine{json_text(*answered)}

@@ -235,6 +235,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Headway* headway, int
                  "this build cannot look for corrections, it has no minimiser (NLopt); the program "
                  "that is installed has one"};
   }
+  if (auto error = missing_error(SpecUse::compensate, job.spec)) return *error;
   auto made = ContactSetup::of(job);
   if (!made) return made.error();
   const ContactSetup setup = std::move(made).take();

@@ -279,6 +279,7 @@ Result<ShapeFiles> shape_files(SolvedJob& job, const fs::path& folder, const Fil
 
 Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
                                  const FileOptions& options) {
+  if (auto error = missing_error(SpecUse::run, job.spec)) return *error;
   const auto contact = contact_part(job, options.headway);
   if (!contact) return contact.error();
   const auto load = load_part(job, options.headway);

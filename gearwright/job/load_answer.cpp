@@ -148,21 +148,10 @@ Result<LoadTask> task_of(const SolvedJob& job, const std::array<ElasticBody, 2>&
   return task;
 }
 
-std::optional<Error> nothing_to_do(const SolvedJob& job) {
-  const LoadInput& input = job.spec.load;
-  if (input.torques.empty() && input.probes.empty()) {
-    return Error{"load.torques", "",
-                 "is missing: teeth under load want a torque on gear 1, in N m"};
-  }
-  if (!input.torques.empty() && !job.pair)
-    return Error{"gear2", "", "is missing from the spec; a torque wants two gears"};
-  return std::nullopt;
-}
-
 }  // namespace
 
 Result<LoadTask> load_task(SolvedJob& job) {
-  if (auto error = nothing_to_do(job)) return *error;
+  if (auto error = missing_error(SpecUse::load, job.spec)) return *error;
   if (job.spec.load.torques.empty())
     return Error{"load.torques", "", "is missing: probes alone make no pair under load"};
   const auto bodies = bodies_of(job);
@@ -216,7 +205,7 @@ Result<LoadedContact> contact_of(SolvedJob& job, const LoadTask& task,
 }  // namespace
 
 Result<LoadAnswer> answer_load(SolvedJob& job, Headway* headway) {
-  if (auto error = nothing_to_do(job)) return *error;
+  if (auto error = missing_error(SpecUse::load, job.spec)) return *error;
   const LoadInput& input = job.spec.load;
   const auto bodies = bodies_of(job);
   if (!bodies) return bodies.error();

@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "gearwright/job/load_answer.hpp"
-#include "gearwright/spec/missing_for_rating.hpp"
 
 namespace gearwright {
 
@@ -51,35 +50,28 @@ RatingView RatingAnswer::view() const {
 }
 
 Result<RatingAnswer> answer_rating(SolvedJob& job, Headway* headway) {
+  if (auto missing = missing_error(SpecUse::rate, job.spec)) return *missing;
   const RatingTable& table = job.spec.rating;
-  if (!table.given) {
-    return Error{
-        "rating", "",
-        "is missing; a rating asks for the load and what the gears are made of: [rating] "
-        "with torque_Nm = 50, speed_rpm = 1500, quality = 6 and face_load_factor = 1.2 for "
-        "example, and [gear1.material], [gear2.material], both with name = \"16MnCr5\""};
-  }
   const InvolutePair* pair = job.pair->involute();
   if (!pair) {
     return Error{"gear1.rack", "", "cuts circular arcs; ISO 6336 rates involute gears only"};
   }
-  if (auto missing =
-          missing_for_rating(table, {job.spec.gears[0]->material, job.spec.gears[1]->material})) {
-    return *missing;
-  }
   RatingAnswer answer;
   answer.input = table.input;
   std::array<double, 2> bore{};
-  for (const int which : {1, 2}) {
-    const auto i = static_cast<std::size_t>(which - 1);
-    auto material = material_of(job.spec.gears[i]->material, which, table.input.edition);
-    if (!material) return material.error();
-    answer.input.materials[i] = std::move(material).take();
-    if (const auto given = job.bore(which)) bore[i] = given->diameter;
-  }
+  for (const int which : {1, 2})
+    if (const auto given = job.bore(which))
+      bore[static_cast<std::size_t>(which - 1)] = given->diameter;
   auto rated = rated_pair(*pair, bore);
   if (!rated) return rated.error();
   answer.pair = *rated;
+  for (const int which : {1, 2}) {
+    const auto i = static_cast<std::size_t>(which - 1);
+    auto material = material_of(job.spec.gears[i]->material, material_table(job.spec, which),
+                                table.input.edition);
+    if (!material) return material.error();
+    answer.input.materials[i] = std::move(material).take();
+  }
   if (table.web_thickness) {
     answer.input.body = rated_body(*rated, *table.web_thickness, *table.rim_thickness);
   }

@@ -5,10 +5,7 @@
 namespace gearwright {
 
 std::vector<Error> missing_inputs(const RatingInput& in) {
-  if (in.edition == RatingEdition::vdi_2736) {
-    const auto missing = missing_plastic_input(in);
-    return missing ? std::vector<Error>{*missing} : std::vector<Error>{};
-  }
+  if (in.edition == RatingEdition::vdi_2736) return missing_plastic_inputs(in);
   std::vector<Error> missing;
   if (!in.quality && (!in.dynamic_factor || !in.transverse_load_factor)) {
     missing.push_back(

@@ -111,27 +111,28 @@ ToothTemperatures tooth_temperatures(const RatedPair& pair, const PlasticInput& 
           warm(input.root_temperature, input.root_heat_transfer.value_or(k.root))};
 }
 
-std::optional<Error> missing_plastic_input(const RatingInput& in) {
+std::vector<Error> missing_plastic_inputs(const RatingInput& in) {
   if (!plastic(in.materials[0]) && !plastic(in.materials[1])) {
-    return Error{"rating.edition", std::string(name(in.edition)),
-                 "rates plastics, and neither gear is of one; give a `kind` of \"plastic\" in "
-                 "[gearN.material], or an edition of ISO 6336"};
+    return {Error{"rating.edition", std::string(name(in.edition)),
+                  "rates plastics, and neither gear is of one; give a `kind` of \"plastic\" in "
+                  "[gearN.material], or an edition of ISO 6336"}};
   }
   const PlasticInput& p = in.plastic;
-  if (p.flank_temperature && p.root_temperature) return std::nullopt;
+  if (p.flank_temperature && p.root_temperature) return {};
   std::vector<Error> missing;
   if (!p.ambient_temperature || !p.friction) {
     missing.push_back(
         {p.ambient_temperature ? "rating.plastic.friction" : "rating.plastic.ambient_temperature",
          "",
          "is missing; how warm the teeth run decides what a plastic bears: give "
-         "`flank_temperature` and `root_temperature`, or `ambient_temperature` and "
-         "`friction`"});
+         "`flank_temperature` and `root_temperature`, or `ambient_temperature` = 23 and "
+         "`friction` = 0.2 for example"});
   }
   if (!in.speed)
-    missing.push_back({"rating.speed", "", "is missing; the warmth of the teeth comes of it"});
-  if (missing.empty()) return std::nullopt;
-  return all_missing(missing);
+    missing.push_back(
+        {"rating.speed", "",
+         "is missing; the warmth of the teeth comes of it: give it, `speed` = 1500 for example"});
+  return missing;
 }
 
 Result<Rating> rate_plastic(const RatedPair& pair, const RatingInput& in) {

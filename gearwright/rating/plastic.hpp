@@ -11,6 +11,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "gearwright/rating/factor.hpp"
 #include "gearwright/rating/material.hpp"
@@ -50,7 +51,7 @@ struct RatingInput;
 struct Rating;
 
 /// What VDI 2736 asks for and the input lacks.
-std::optional<Error> missing_plastic_input(const RatingInput& input);
+std::vector<Error> missing_plastic_inputs(const RatingInput& input);
 
 /// By pinion and wheel; rate() is the door.
 ///

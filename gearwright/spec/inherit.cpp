@@ -94,6 +94,29 @@ void hand_on(const Json& from, Json& to, Keys keys, const char* transverse,
   }
 }
 
+// The grade of a gear, which may stand among its tolerances.
+const Json* quality_of(const Json& gear) {
+  if (const auto own = gear.find("quality"); own != gear.end()) return &*own;
+  const auto tolerance = gear.find("tolerance");
+  if (tolerance == gear.end() || !tolerance->is_object()) return nullptr;
+  const auto grade = tolerance->find("quality");
+  return grade == tolerance->end() ? nullptr : &*grade;
+}
+
+// The edition that a grade is of.
+void hand_on_edition(const Json& from, Json& to) {
+  const auto tolerance = from.find("tolerance");
+  if (tolerance == from.end() || !tolerance->is_object() || !tolerance->contains("edition")) return;
+  Json own = to.contains("tolerance") ? to["tolerance"] : Json::object();
+  if (!own.is_object() || own.contains("edition")) return;
+  put(own, "edition", (*tolerance)["edition"]);
+  if (to.contains("tolerance")) {
+    to["tolerance"] = std::move(own);
+  } else {
+    put(to, "tolerance", own);
+  }
+}
+
 // Straight flanks and double arcs cut both gears of a pair; F and P cut one each.
 bool cuts_both(const Json& rack) {
   if (rack.is_string()) return true;
@@ -113,7 +136,17 @@ Inherited inherit(const Json& tree) {
   };
   const Json* from = gear("gear1");
   Json* to = gear("gear2");
-  if (!from || !to || has_any(*to, {"cut_by", "basic"})) return made;
+  if (!from || !to) return made;
+  if (from->contains("material") && !to->contains("material")) {
+    put(*to, "material", (*from)["material"]);
+    made.noted.emplace_back("material");
+  }
+  if (quality_of(*from) && !quality_of(*to)) {
+    put(*to, "quality", *quality_of(*from));
+    made.noted.emplace_back("quality");
+    hand_on_edition(*from, *to);
+  }
+  if (has_any(*to, {"cut_by", "basic"})) return made;
   if (parallel(tree) && !from->contains("basic")) made.helix_angle = hand_on_helix(*from, *to);
   hand_on(*from, *to, kModules, "transverse_module_mm",
           [](double m_t, double cos_beta) { return m_t * cos_beta; });

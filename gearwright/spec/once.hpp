@@ -32,12 +32,12 @@ class Once {
     }
   }
   std::optional<double> value() const { return value_; }
-  double required() const {
-    if (!value_) {
-      const std::string first = keys_.substr(0, keys_.find(','));
-      table_.fail(first, fmt::format("is missing; the {} is needed, by one of: {}", what_, keys_));
-    }
-    return *value_;
+  /// The table is refused without it.
+  void require() const {
+    if (!value_)
+      table_.lacks(keys_.substr(0, keys_.find(',')),
+                   fmt::format("is missing; the {} is needed, {} = 2 for example, by one of: {}",
+                               what_, keys_.substr(0, keys_.find(',')), keys_));
   }
 
  private:

@@ -105,7 +105,9 @@ std::optional<Rack> read_arc_rack(TableReader& gear, const Once& module) {
   if (!node) return std::nullopt;
   if (node->is_string() && node->get<std::string>() == "GBT12759") {
     refuse_involute_keys(gear);
-    auto rack = gbt12759_rack(module.required());
+    module.require();
+    if (!module.value()) gear.finish();  // which complains
+    auto rack = gbt12759_rack(*module.value());
     if (!rack) throw SpecError{spelled(within(gear.name(), rack.error()))};
     return *rack;
   }

@@ -243,13 +243,14 @@ GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& p
   } else {
     t.table("basic");
   }
+  if (!g.cut_by && !t.has("basic")) module.require();
   t.finish();
   if (g.cut_by) {
     g.cut_by->module = module.value();
     if (alpha.value()) g.cut_by->pressure_angle = Angle::degrees(*alpha.value());
     c.normal_module = module.value().value_or(0.0);
   } else if (!g.basic) {
-    c.normal_module = module.required();
+    c.normal_module = *module.value();
   }
   g.face_width_given = face.has_value();
   c.face_width = face.value_or(10 * c.normal_module);

@@ -89,9 +89,8 @@ void read_by_temperature(TableReader& t, MaterialInput& m) {
 
 }  // namespace
 
-RatingTable read_rating(const Json& node) {
+void read_rating(const Json& node, RatingTable& r) {
   TableReader t(rating_keys(), node, "rating");
-  RatingTable r;
   r.given = true;
   t.read(r);
   RatingInput& in = r.input;
@@ -118,6 +117,8 @@ RatingTable read_rating(const Json& node) {
       t.fail("plastic", "belongs to standard = \"VDI 2736:2014\"");
     in.plastic = read_plastic(*plastic);
   }
+  if (const Json* material = t.table("material"))
+    r.material = read_material(*material, t.name("material"));
   r.spectrum = read_spectrum(t);
   if (!r.spectrum.empty() && in.edition == RatingEdition::vdi_2736)
     t.fail("spectrum", "has no place in VDI 2736, whose strengths are given for one life");
@@ -144,7 +145,6 @@ RatingTable read_rating(const Json& node) {
     r.torque = torque;
   }
   in.torque = r.torque.value_or(0.0);
-  return r;
 }
 
 MaterialInput read_material(const Json& node, const std::string& path) {

@@ -9,8 +9,9 @@
 
 namespace gearwright {
 
-/// Without a torque where no load was given: missing_for_rating() says so, with what else is.
-RatingTable read_rating(const Json& node);
+/// Without a torque where no load was given. What was read before something turns out to be missing
+/// stays in `rating`.
+void read_rating(const Json& node, RatingTable& rating);
 MaterialInput read_material(const Json& node, const std::string& path);
 
 }  // namespace gearwright

@@ -1,9 +1,11 @@
 #include "gearwright/spec/read_search_rating.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/base/missing.hpp"
 #include "gearwright/catalogue/search_keys.hpp"
-#include "gearwright/spec/missing_for_rating.hpp"
+#include "gearwright/spec/missing_for.hpp"
 #include "gearwright/spec/read_rating.hpp"
 
 namespace gearwright {
@@ -11,16 +13,36 @@ namespace gearwright {
 namespace {
 
 // Of a gear's table, with teeth or without; gear 2 without one is of what gear 1 is of.
-std::array<MaterialInput, 2> read_materials(const Json& tree) {
+std::array<MaterialInput, 2> read_materials(const Json& tree, const RatingTable& rating) {
   std::array<MaterialInput, 2> materials;
+  bool before = false;
   for (const std::size_t i : {0, 1}) {
     const std::string gear = i == 0 ? "gear1" : "gear2";
-    const bool said = tree.contains(gear) && tree[gear].contains("material");
-    if (said) materials[i] = read_material(tree[gear]["material"], gear + ".material");
-    if (!said && i == 1) materials[1] = materials[0];
+    if (rating.material) materials[i] = *rating.material;
+    if (before) materials[i] = materials[0];
+    before = tree.contains(gear) && tree[gear].contains("material");
+    if (before) materials[i] = read_material(tree[gear]["material"], gear + ".material");
   }
   return materials;
 }
+
+// The key of [search] that asks for a rating, as far as it can be seen in a table that lacks keys.
+std::string asking_key(const Json& search) {
+  for (const char* key : {"safety_flank_min", "safety_root_min"})
+    if (search.contains(key)) return key;
+  const Json& objective = search.contains("objective") ? search["objective"] : search;
+  const bool safety = objective == "safety" ||
+                      (objective.is_array() &&
+                       std::find(objective.begin(), objective.end(), "safety") != objective.end());
+  return safety ? "objective" : "";
+}
+
+constexpr const char* kNeedsRating =
+    "needs a table [rating] with the load, the making and the mounting, torque_Nm = 50, speed_rpm "
+    "= "
+    "1500, quality = 6 and face_load_factor = 1.2 for example (or power_kW, [rating.mounting]), "
+    "and "
+    "[gear1.material] with name = \"16MnCr5\" for example";
 
 }  // namespace
 
@@ -29,9 +51,26 @@ bool wants_rating(const SearchProblem& problem, const RatingTable& rating) {
          problem.ranks_by(Objective::safety) || (rating.given && problem.ranks_by(Objective::mass));
 }
 
-void read_search_rating(const Json& tree, const RatingTable& rating, SearchProblem& problem) {
+void read_search_rating(const Json& tree, JobSpec& spec) {
+  const RatingTable& rating = spec.rating;
+  // What gear 2 has from gear 1 is named where it stands.
+  const std::array<std::string, 2> tables{material_table(spec, 1), material_table(spec, 2)};
+  const auto check = [&](const std::array<MaterialInput, 2>& given) {
+    const std::vector<Error> missing = missing_for_rating(rating, given, tables);
+    if (!missing.empty()) throw SpecError{all_missing(missing), missing};
+  };
+  if (!spec.search) {
+    const std::string asked = asking_key(tree["search"]);
+    if (asked.empty()) return;
+    if (rating.given) check(read_materials(tree, rating));
+    const Error table{"rating", "",
+                      std::string("is missing; search.") + asked + " " + kNeedsRating};
+    if (!rating.given) throw SpecError{table, {table}};
+    return;
+  }
+  SearchProblem& problem = *spec.search;
   if (!wants_rating(problem, rating) && !problem.weighs()) return;
-  const std::array<MaterialInput, 2> given = read_materials(tree);
+  const std::array<MaterialInput, 2> given = read_materials(tree, rating);
   constexpr double kPerCubicMillimetre = 1e-9;
   for (const std::size_t i : {0, 1}) {
     const auto row = given[i].name ? material_named(*given[i].name) : std::nullopt;
@@ -46,11 +85,7 @@ void read_search_rating(const Json& tree, const RatingTable& rating, SearchProbl
                                                    : "objective";
   if (problem.crossed())
     t.fail(asked, "has no place beside shaft_angle_deg: ISO 6336 rates gears on parallel axes");
-  if (!rating.given) {
-    t.fail(asked,
-           "needs a table [rating] with the load, power_kW or torque_Nm, speed_rpm, quality and "
-           "face_load_factor or [rating.mounting], and [gear1.material]");
-  }
+  if (!rating.given) t.fail(asked, kNeedsRating);
   if (!rating.spectrum.empty()) {
     t.fail(asked,
            "has no place beside [[rating.spectrum]], which a search does not go through: give one "
@@ -65,12 +100,9 @@ void read_search_rating(const Json& tree, const RatingTable& rating, SearchProbl
     wanted.web = rating.web_thickness;
     wanted.rim = rating.rim_thickness;
   }
-  // What gear 2 has from gear 1 is named where it stands.
-  const bool own = tree.contains("gear2") && tree["gear2"].contains("material");
-  const std::array<int, 2> named{1, own ? 2 : 1};
-  if (const auto missing = missing_for_rating(rating, given, named)) throw SpecError{*missing};
+  check(given);
   for (const std::size_t i : {0, 1}) {
-    auto material = material_of(given[i], named[i], rating.input.edition);
+    auto material = material_of(given[i], tables[i], rating.input.edition);
     if (!material) throw SpecError{spelled(material.error())};
     problem.density[i] = material->density;
     wanted.input.materials[i] = std::move(material).take();

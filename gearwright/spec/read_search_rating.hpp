@@ -12,6 +12,7 @@ namespace gearwright {
 bool wants_rating(const SearchProblem& problem, const RatingTable& rating);
 
 /// Completes the problem: densities of the materials, and what a rating needs where one is wanted.
-void read_search_rating(const Json& tree, const RatingTable& rating, SearchProblem& problem);
+/// Without a problem, in which something is missing, only what a rating would lack.
+void read_search_rating(const Json& tree, JobSpec& spec);
 
 }  // namespace gearwright

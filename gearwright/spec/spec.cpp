@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/base/missing.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
 #include "gearwright/spec/inherit.hpp"
-#include "gearwright/spec/missing_for_rating.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_contact.hpp"
 #include "gearwright/spec/read_gear.hpp"
@@ -96,12 +97,75 @@ void check_backlash(const Json& tree, const JobSpec& spec) {
   }
 }
 
-JobSpec read_tree(const Json& given, const std::filesystem::path& folder) {
-  const auto [tree, helix_inherited] = inherit(given);
+// What the tables of a spec lack, each by itself, told together.
+class Lacks {
+ public:
+  /// Reads a table; what is missing in it waits for the others.
+  template <class F>
+  void of(F read) {
+    try {
+      read();
+    } catch (const SpecError& e) {
+      if (e.missing.empty()) throw;
+      add(e.missing);
+      caught_.push_back(e);
+    }
+  }
+  void add(const std::vector<Error>& more) {
+    for (const Error& error : more) {
+      const auto known = std::find_if(all_.begin(), all_.end(),
+                                      [&](const Error& e) { return e.field == error.field; });
+      if (known == all_.end()) {
+        all_.push_back(error);
+      } else {
+        *known = error;  // what a verb needs says more than what a table needs
+      }
+    }
+  }
+  /// Who gives the first gives the second, too.
+  void shared(const std::string& first, const std::string& second) {
+    if (!has(all_, first)) return;
+    std::erase_if(all_, [&](const Error& e) { return e.field == second; });
+  }
+  bool any() const { return !all_.empty(); }
+  void finish() const {
+    if (all_.empty()) return;
+    if (caught_.size() == 1 && caught_[0].missing.size() == all_.size()) throw caught_[0];
+    throw SpecError{all_missing(all_), all_};
+  }
+
+ private:
+  static bool has(const std::vector<Error>& list, const std::string& field) {
+    return std::any_of(list.begin(), list.end(), [&](const Error& e) { return e.field == field; });
+  }
+  std::vector<Error> all_;
+  std::vector<SpecError> caught_;
+};
+
+// What [rating] leaves to the gears, and gears to [rating].
+void share_with_rating(const Json& tree, JobSpec& spec) {
+  RatingTable& rating = spec.rating;
+  auto& [one, two] = spec.gears;
+  for (const char* gear : {"gear1", "gear2"}) {
+    auto& made = spec.gears[gear == std::string_view("gear2")];
+    if (made && rating.material && !tree[gear].contains("material"))
+      made->material = *rating.material;
+  }
+  if (rating.input.quality || !one || !two) return;
+  if (one->tolerance.quality && two->tolerance.quality)
+    rating.input.quality = {*one->tolerance.quality, *two->tolerance.quality};
+}
+
+JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUse use) {
+  const Inherited made = inherit(given);
+  const Json& tree = made.tree;
   TableReader t(spec_keys(), tree, "");
+  t.refuse_unknown();
   JobSpec spec;
+  Lacks lacks;
   spec.tree = json_text(tree);
   note_keys(given, "", spec.given);
+  spec.inherited = made.noted;
   spec.title = t.text("title").value_or("");
   const Json* gear_1 = t.table("gear1");
   const Json* gear_2 = t.table("gear2");
@@ -111,43 +175,44 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder) {
     return gear && (!search || gear->contains("teeth")) && !is_unknown_gear(*gear);
   };
   spec.measured = {read_measured(gear_1, "gear1"), read_measured(gear_2, "gear2")};
-  if (is_gear(gear_1)) spec.gears[0] = read_gear(gear_keys(), *gear_1, "gear1", gear_2, folder);
-  if (is_gear(gear_2)) spec.gears[1] = read_gear(gear_keys(), *gear_2, "gear2", gear_1, folder);
-  if (spec.gears[1] && helix_inherited) spec.gears[1]->helix_given = false;
-  if (search) spec.search = read_search(*search, gear_1, gear_2);
+  const bool unknown = spec.measured[0] || spec.measured[1];
+  if (!gear_1 && !search && !unknown) {
+    lacks.add({{"gear1", "",
+                "is missing; a spec describes a gear in a table [gear1] with at least "
+                "teeth and normal_module_mm"}});
+  }
+  if (is_gear(gear_1))
+    lacks.of([&] { spec.gears[0] = read_gear(gear_keys(), *gear_1, "gear1", gear_2, folder); });
+  if (is_gear(gear_2))
+    lacks.of([&] { spec.gears[1] = read_gear(gear_keys(), *gear_2, "gear2", gear_1, folder); });
+  lacks.shared("gear1.normal_module_mm", "gear2.normal_module_mm");
+  lacks.shared("gear2.teeth", "gear2.normal_module_mm");  // with them it has that of gear 1
+  if (spec.gears[1] && made.helix_angle) spec.gears[1]->helix_given = false;
+  if (search) lacks.of([&] { spec.search = read_search(*search, gear_1, gear_2); });
   if (const Json* node = t.table("drawing")) spec.drawing = read_drawing(*node);
-  if (const Json* node = t.table("pair")) spec.pair = read_pair(*node);
-  if (const Json* node = t.table("fit")) spec.fit = read_fit(*node);
+  if (const Json* node = t.table("pair")) lacks.of([&] { spec.pair = read_pair(*node); });
+  if (const Json* node = t.table("fit")) lacks.of([&] { spec.fit = read_fit(*node); });
   if (const Json* node = t.table("errors")) spec.errors = read_errors(*node);
   if (const Json* node = t.table("contact")) spec.contact = read_contact(*node);
   if (const Json* node = t.table("compensate")) spec.compensate = read_compensate(*node);
-  if (const Json* node = t.table("load")) spec.load = read_load(*node);
-  if (const Json* node = t.table("rating")) spec.rating = read_rating(*node);
-  if (spec.search) read_search_rating(tree, spec.rating, *spec.search);
-  if (spec.rating.given && !spec.rating.torque) {
-    std::array<MaterialInput, 2> materials;
-    for (const std::size_t i : {0, 1})
-      if (spec.gears[i]) materials[i] = spec.gears[i]->material;
-    throw SpecError{*missing_for_rating(spec.rating, materials)};
-  }
+  if (const Json* node = t.table("load")) lacks.of([&] { spec.load = read_load(*node); });
+  if (const Json* node = t.table("rating")) lacks.of([&] { read_rating(*node, spec.rating); });
+  share_with_rating(tree, spec);
+  if (search) lacks.of([&] { read_search_rating(tree, spec); });
   t.finish();
-  check_backlash(tree, spec);
-  const bool unknown = spec.measured[0] || spec.measured[1];
-  if (!spec.gears[0] && !spec.search && !unknown) {
-    throw SpecError{{"gear1", "",
-                     "is missing; a spec describes a gear in a table [gear1] with at least "
-                     "teeth and normal_module_mm"}};
-  }
+  if (!lacks.any()) check_backlash(tree, spec);
+  lacks.add(missing_for(use, spec));
+  lacks.finish();
   return spec;
 }
 
 }  // namespace
 
-Result<JobSpec> read_spec(const SpecText& text) {
+Result<JobSpec> read_spec(const SpecText& text, SpecUse use) {
   const auto tree = parse_spec(text.text, text.format);
   if (!tree) return tree.error();
   try {
-    JobSpec spec = read_tree(*tree, text.folder);
+    JobSpec spec = read_tree(*tree, text.folder, use);
     spec.text = text.text;
     return spec;
   } catch (const SpecError& e) {
@@ -156,8 +221,8 @@ Result<JobSpec> read_spec(const SpecText& text) {
 }
 
 Result<JobSpec> read_spec(std::string_view text, SpecFormat format,
-                          const std::filesystem::path& folder) {
-  return read_spec({"", std::string(text), format, folder});
+                          const std::filesystem::path& folder, SpecUse use) {
+  return read_spec({"", std::string(text), format, folder}, use);
 }
 
 Result<JobSpec> read_spec_file(const std::filesystem::path& path) {

@@ -24,6 +24,7 @@
 #include "gearwright/catalogue/rating_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/design/search_problem.hpp"
+#include "gearwright/spec/missing_for.hpp"
 #include "gearwright/spec/spec_text.hpp"
 
 namespace gearwright {
@@ -47,19 +48,22 @@ struct JobSpec {
   std::optional<SearchProblem> search;
   /// [gearN.measured]: of a gear, or of one that is not known and has no place in `gears`.
   std::array<std::shared_ptr<const IdentifyProblem>, 2> measured;
-  bool shaft_angle_found = false;     ///< not given: it followed from the centre distance
-  std::vector<std::string> not_read;  ///< tables and keys of verbs that are not in this version
+  bool shaft_angle_found = false;      ///< not given: it followed from the centre distance
+  std::vector<std::string> inherited;  ///< keys of gear 2 that are gear 1's: material, quality
+  std::vector<std::string> not_read;   ///< tables and keys of verbs that are not in this version
 };
 
-/// Reads a spec from text. File names in it start at `folder`; empty: the working directory.
+/// Reads a spec from text. File names in it start at `folder`; empty: the working directory. What it
+/// lacks, in itself and for `use`, is one error.
 ///
 /// Throws    IoError when a file that it names is there and cannot be read
 /// Errors    the key with its table ("gear1.normal_module_mm") for a field, its value, what is
 ///           allowed; syntax errors with line and column; unknown keys with the nearest known one
 Result<JobSpec> read_spec(std::string_view text, SpecFormat format,
-                          const std::filesystem::path& folder = {});
+                          const std::filesystem::path& folder = {},
+                          SpecUse use = SpecUse::geometry);
 
-Result<JobSpec> read_spec(const SpecText& text);
+Result<JobSpec> read_spec(const SpecText& text, SpecUse use = SpecUse::geometry);
 
 /// Both at once: read_spec_text() and what it says.
 Result<JobSpec> read_spec_file(const std::filesystem::path& path);

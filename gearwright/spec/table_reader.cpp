@@ -46,7 +46,9 @@ void TableReader::fail(const std::string& key, const std::string& why) const {
   const std::string value = it == node_.end() ? "" : shown(*it);
   const std::string_view instead =
       value.empty() ? std::string_view() : not_supported(name(key), value);
-  throw SpecError{{name(key), value, instead.empty() ? why : std::string(instead)}};
+  Error error{name(key), value, instead.empty() ? why : std::string(instead)};
+  if (is_missing(error)) throw SpecError{error, {error}};
+  throw SpecError{std::move(error)};
 }
 
 const Key& TableReader::entry(const std::string& key) const {
@@ -184,19 +186,21 @@ void TableReader::refuse_unknown() const {
   }
 }
 
-void TableReader::fail_missing(const Key& key) const {
-  std::vector<Error> all{{name(std::string(key.key)), "", missing(key)}};
-  for (const Key& other : keys_.keys) {
-    const std::string also(other.key);
-    if (other.required && !given(also)) all.push_back({name(also), "", missing(other)});
+void TableReader::fail_missing() const {
+  std::vector<Error> all;
+  for (const Key& key : keys_.keys) {
+    const std::string absent(key.key);
+    if (key.required && !given(absent)) all.push_back({name(absent), "", missing(key)});
   }
-  throw SpecError{all_missing(all)};
+  all.insert(all.end(), lacking_.begin(), lacking_.end());
+  throw SpecError{all_missing(all), all};
 }
 
 void TableReader::require(const std::string& key) {
   if (find(key)) return;
   refuse_unknown();
-  fail_missing(entry(key));
+  if (!entry(key).required) lacks(key, missing(entry(key)));
+  fail_missing();
 }
 
 void TableReader::finish() const {
@@ -204,13 +208,16 @@ void TableReader::finish() const {
   for (const Key& key : keys_.keys) {
     const std::string name(key.key);
     if (!given(name)) {
-      if (key.required) fail_missing(key);
+      if (key.required) fail_missing();
       continue;
     }
     for (const std::string_view other : key.needs) {
       if (given(other)) continue;
-      fail(name,
-           fmt::format("needs {} beside it: {}", other, plain_words(keys_.find(other)->meaning)));
+      const Key& wanted = *keys_.find(other);
+      const auto it = node_.find(name);
+      throw SpecError{{this->name(name), shown(*it),
+                       fmt::format("needs {} beside it: {}", other, plain_words(wanted.meaning))},
+                      {{this->name(std::string(other)), "", missing(wanted)}}};
     }
     for (const std::string_view other : key.excludes) {
       if (!given(other)) continue;
@@ -218,6 +225,7 @@ void TableReader::finish() const {
                              fmt::join(key.excludes, ", "), name));
     }
   }
+  if (!lacking_.empty()) fail_missing();
   for (const Key& key : keys_.keys) GW_ENSURES(asked_.count(key.key) == 1);
 }
 

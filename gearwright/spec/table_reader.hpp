@@ -21,6 +21,7 @@ namespace gearwright {
 
 struct SpecError {
   Error error;
+  std::vector<Error> missing{};  ///< its parts, where that is what it is about
 };
 
 class TableReader {
@@ -51,11 +52,16 @@ class TableReader {
   void check(const std::string& key, double value) const;
   /// Complains if the key is absent; a misspelt one is named before one that is missing by it.
   void require(const std::string& key);
+  /// Something is missing that several keys could say; finish() complains.
+  void lacks(const std::string& key, const std::string& why) {
+    lacking_.push_back({name(key), "", why});
+  }
   /// A key that has no place here: refused in plain words when present.
   void refuse(const std::string& key, const std::string& why);
   /// Complains about a key that the table has not, naming the nearest one; about one that is
   /// missing, by itself or beside another; about two that exclude each other.
   void finish() const;
+  void refuse_unknown() const;  ///< the first of these alone
 
   const KeyTable& keys() const { return keys_; }
   const std::string& name() const { return path_; }  ///< of the table
@@ -68,14 +74,14 @@ class TableReader {
   std::optional<KeyValue> plain(const Key& key);
   std::optional<int> whole(const std::string& key);
   bool given(std::string_view key) const;
-  void refuse_unknown() const;
-  /// This key is missing, and whatever else the table must have.
-  [[noreturn]] void fail_missing(const Key& key) const;
+  /// Whatever the table must have and lacks.
+  [[noreturn]] void fail_missing() const;
 
   const KeyTable& keys_;
   const Json& node_;
   std::string path_;
   std::set<std::string, std::less<>> asked_;
+  std::vector<Error> lacking_;
 };
 
 /// A value as a person wrote it, cut to a length that fits a sentence.

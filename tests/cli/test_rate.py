@@ -109,7 +109,8 @@ class Rate(unittest.TestCase):
         self.refused(spec(without("face_load_factor")), "rating.face_load_factor", "mounting")
         self.refused(spec(RATING.replace("life_h", "live_h")), "rating.live_h", "life_h")
         self.refused(spec(material1='[gear1.material]\nname = "18CrNiMo7-5"\n'), "gear1.material.name", "18CrNiMo7-6")
-        self.refused(spec(material2=""), "gear2.material", "is missing")
+        self.refused(spec(material1=""), "gear1.material", "is missing")
+        self.assertEqual(self.rated(spec(material2="")), self.rated(spec()))  # gear 1's
         self.refused(spec(material1='[gear1.material]\nname = "42CrMo4"\nsurface_hardness_HV = 900\n'),
                      "gear1.material.surface_hardness_HV", "off the line")
         self.refused(spec(""), "rating", "is missing")

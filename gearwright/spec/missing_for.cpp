@@ -1,0 +1,116 @@
+#include "gearwright/spec/missing_for.hpp"
+
+#include <algorithm>
+#include <variant>
+
+#include "gearwright/base/missing.hpp"
+#include "gearwright/catalogue/spelling.hpp"
+#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/rating/missing_inputs.hpp"
+#include "gearwright/spec/spec.hpp"
+
+namespace gearwright {
+
+namespace {
+
+void add(std::vector<Error>& list, std::vector<Error> more) {
+  list.insert(list.end(), more.begin(), more.end());
+}
+
+std::vector<Error> missing_for_rating(const JobSpec& spec) {
+  std::vector<Error> missing;
+  if (!spec.rating.given)
+    missing.push_back({"rating", "",
+                       "is missing; a rating needs this table with the load, the making of the "
+                       "gears and their mounting"});
+  std::array<MaterialInput, 2> materials;
+  std::array<std::string, 2> tables;
+  for (const std::size_t i : {0, 1}) {
+    tables[i] = material_table(spec, static_cast<int>(i) + 1);
+    if (spec.rating.material) materials[i] = *spec.rating.material;
+    if (spec.gears[i]) materials[i] = spec.gears[i]->material;
+  }
+  add(missing, missing_for_rating(spec.rating, materials, tables));
+  std::erase_if(missing, [&](const Error& e) {
+    // A material that was not read, because something else of its gear is missing.
+    const bool of_material = e.field == tables[0] || e.field == tables[1];
+    return of_material && spec.given.contains(e.field);
+  });
+  return missing;
+}
+
+// Neither arcs nor crossed axes are: why, the rating says itself.
+bool can_be_rated(const JobSpec& spec) {
+  const bool crossed = spec.pair.shaft_angle && spec.pair.shaft_angle->rad() != 0.0;
+  return !crossed && std::none_of(spec.gears.begin(), spec.gears.end(), [](const auto& gear) {
+    return gear && !std::holds_alternative<StraightRack>(gear->cylindrical.rack);
+  });
+}
+
+}  // namespace
+
+std::string material_table(const JobSpec& spec, int which) {
+  for (const std::string& table :
+       {gear_field(which, "material"), gear_field(1, "material"), std::string("rating.material")})
+    if (spec.given.contains(table)) return table;
+  return gear_field(1, "material");
+}
+
+std::vector<Error> missing_for_rating(const RatingTable& rating,
+                                      const std::array<MaterialInput, 2>& materials,
+                                      const std::array<std::string, 2>& tables) {
+  std::vector<Error> missing;
+  if (!rating.torque && !rating.power) {
+    missing.push_back({"rating.torque_Nm", "",
+                       "is missing; a rating needs a load: power_kW with speed_rpm, or torque_Nm "
+                       "on gear 1, torque_Nm = 50 for example"});
+  }
+  RatingInput input = rating.input;
+  bool known = true;
+  for (const std::size_t i : {0, 1}) {
+    const auto material = material_of(materials[i], tables[i], input.edition);
+    known = known && material;
+    if (material) {
+      input.materials[i] = *material;
+    } else {
+      missing.push_back(spelled(material.error()));
+    }
+  }
+  // What VDI 2736 asks for depends on the materials.
+  if (known || input.edition != RatingEdition::vdi_2736)
+    for (const Error& error : missing_inputs(input)) missing.push_back(spelled(error));
+  return missing;
+}
+
+std::vector<Error> missing_for(SpecUse use, const JobSpec& spec) {
+  std::vector<Error> missing;
+  if (spec.search || spec.given.contains("search") || spec.measured[0] || spec.measured[1])
+    return missing;
+  const bool two = spec.given.contains("gear2");
+  const bool torque = !spec.load.torques.empty();
+  const bool probes_alone = use == SpecUse::load && !torque && !spec.load.probes.empty();
+  const bool of_two = use != SpecUse::geometry && use != SpecUse::run && !probes_alone;
+  const bool under_torque =
+      (use == SpecUse::load && !probes_alone) ||
+      ((use == SpecUse::compensate || (use == SpecUse::run && spec.compensate.given && two)) &&
+       under_load(spec.compensate.aim));
+  const bool rated = can_be_rated(spec) &&
+                     (use == SpecUse::rate || (use == SpecUse::run && spec.rating.given && two));
+  if (of_two && !two)
+    missing.push_back(
+        {"gear2", "",
+         "is missing; a pair needs a second gear, [gear2] with teeth = 40 for example"});
+  if (under_torque && !torque)
+    missing.push_back({"load.torque_Nm", "",
+                       "is missing: teeth under load want a torque on gear 1, in N m, torque_Nm = "
+                       "100 for example"});
+  if (rated) add(missing, missing_for_rating(spec));
+  return missing;
+}
+
+std::optional<Error> missing_error(SpecUse use, const JobSpec& spec) {
+  const std::vector<Error> missing = missing_for(use, spec);
+  return missing.empty() ? std::nullopt : std::optional(all_missing(missing));
+}
+
+}  // namespace gearwright
