@@ -12,6 +12,7 @@
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
 #include "gearwright/catalogue/verdict_quantities.hpp"
+#include "gearwright/job/default_notes.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/result_json.hpp"
 
@@ -222,12 +223,19 @@ std::pair<py::class_<GearValue>, py::class_<PairValue>> bind_gears(py::module_& 
           "verdict", [](const PairValue& p) { return verdict_of(*p.model); },
           "Whether the pair runs, the worst finding first")
       .def(
-          "result", [](const PairValue& p) { return to_python(job_json(p.model->job, judge(p.model->job))); },
+          "result",
+          [](const PairValue& p) { return to_python(job_json(p.model->job, judge(p.model->job))); },
           "gears, pair, warnings and verdict: the program's JSON")
       .def("__repr__", [](const PairValue& p) {
-        return fmt::format("Pair({} / {}, center_distance_mm={:.6g}, contact_ratio={:.4f})",
-                           p.pair().gear(1).spec.teeth, p.pair().gear(2).spec.teeth,
-                           p.pair().center_distance(), p.pair().contact_ratio());
+        const CylindricalSpec& one = p.pair().gear(1).spec;
+        const CylindricalSpec& two = p.pair().gear(2).spec;
+        const std::string chosen = shifts_follow(p.model->job.spec)
+                                       ? fmt::format("profile_shift={:.4g} / {:.4g} (chosen), ",
+                                                     one.profile_shift, two.profile_shift)
+                                       : "";
+        return fmt::format("Pair({} / {}, center_distance_mm={:.6g}, {}contact_ratio={:.4f})",
+                           one.teeth, two.teeth, p.pair().center_distance(), chosen,
+                           p.pair().contact_ratio());
       });
   bind_copies(
       pair,

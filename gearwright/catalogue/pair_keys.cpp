@@ -69,6 +69,12 @@ const KeyTable& pair_keys() {
         .meaning =
             "`\"tight\"`: free of backlash for nominal teeth; `\"extended\"`: a_d + m_n (x1 + "
             "x2), an internal gear a_d − m_n (x1 + x2)"},
+       {.key = "choose_profile_shifts",
+        .kind = KeyKind::boolean,
+        .place = &PairInput::choose_profile_shifts,
+        .fallback = "true",
+        .meaning = "at a given centre distance absent profile shifts follow from it, and a note "
+                   "says them; `false`: they must be given"},
        {.key = "shorten_tips",
         .kind = KeyKind::boolean,
         .place = &PairInput::shorten_tips,

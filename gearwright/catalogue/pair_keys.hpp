@@ -16,7 +16,8 @@ struct PairInput {
   std::optional<double> center_distance;  ///< a  mm
   std::optional<Angle> shaft_angle;       ///< Σ, signed
   Mounting mounting = Mounting::tight;
-  bool shorten_tips = false;  ///< tips cut back by k m_n, where no tip diameter is given
+  bool choose_profile_shifts = true;  ///< absent ones, at a given centre distance
+  bool shorten_tips = false;          ///< tips cut back by k m_n, where no tip diameter is given
   std::optional<double> friction_coefficient;  ///< μ
   std::optional<double> speed_rpm;             ///< n_1  1/min
   // The backlash that the teeth are thinned for, said in one of three ways.

@@ -6,6 +6,7 @@
 
 #include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/contact_report.hpp"
+#include "gearwright/job/default_notes.hpp"
 #include "gearwright/job/spec_change.hpp"
 #include "gearwright/job/tolerance_corners.hpp"
 #include "gearwright/rating/rated_pair.hpp"
@@ -28,7 +29,7 @@ Judged judged_of(const SolvedJob& job, const JudgedParts& parts) {
     const auto& pair = job.given->pair;
     const bool absent =
         job.pair->involute() && !(gears[0]->profile_shift && gears[1]->profile_shift);
-    judged.shifts_follow = absent && pair.center_distance.has_value();
+    judged.shifts_follow = shifts_follow(*job.given);
     judged.distance_sets_shifts = absent && !pair.center_distance;
   }
   if (parts.rating) {

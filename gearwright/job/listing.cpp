@@ -9,6 +9,7 @@
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/job/interval.hpp"
+#include "gearwright/verdict/meaning.hpp"
 
 namespace gearwright {
 
@@ -128,7 +129,8 @@ std::string pair_interval_listing(const SolvedJob& job) {
 std::string warning_listing(const std::vector<Warning>& warnings) {
   std::string out;
   for (const Warning& w : warnings) {
-    out += fmt::format("{}warning: {}{}\n", out.empty() ? "\n" : "",
+    out += fmt::format("{}{}: {}{}\n", out.empty() ? "\n" : "",
+                       severity_of(w) == Severity::note ? "note" : "warning",
                        w.gear ? fmt::format("gear {}: ", w.gear) : "", w.message);
   }
   return out;

@@ -12,6 +12,7 @@
 #include "gearwright/gear/ring_cutter.hpp"
 #include "gearwright/job/backlash_thinning.hpp"
 #include "gearwright/job/cut_gears.hpp"
+#include "gearwright/job/default_notes.hpp"
 #include "gearwright/job/solve_arcs.hpp"
 #include "gearwright/job/tolerance_ends.hpp"
 
@@ -276,6 +277,8 @@ void collect_warnings(SolvedJob& job) {
       job.warnings.push_back(std::move(w));
     }
   }
+  if (auto note = note_inherited(job.spec)) job.warnings.push_back(*note);
+  if (auto note = note_shifts(job.spec)) job.warnings.push_back(*note);
   std::vector<std::string> not_read = job.spec.not_read;
   for (const auto& gear : job.spec.gears) {
     if (gear) not_read.insert(not_read.end(), gear->not_read.begin(), gear->not_read.end());
@@ -349,13 +352,14 @@ Result<SolvedJob> solve_as_given(const JobSpec& given, Scope scope) {
     if (auto error = check_limits(gear->cylindrical)) return of_given_gear(*error, spec, which);
   }
   std::optional<PairPlace> place;
-  const bool shift_wanted = two && spec.pair.center_distance &&
-                            (!spec.gears[0]->profile_shift || !spec.gears[1]->profile_shift);
+  const bool shift_wanted = shifts_follow(spec);
   if (two && !arcs &&
       (want_pair || shift_wanted || clear_tips || spec.pair.shorten_tips ||
        wants_backlash(spec.pair))) {
     auto completed = complete_pair(spec, shift_wanted);
     if (!completed) return of_basic(completed.error(), spec);
+    if (shift_wanted)
+      if (auto error = forbidden_shifts(spec)) return *error;
     place = *completed;
   }
   if (two && wants_backlash(spec.pair)) {

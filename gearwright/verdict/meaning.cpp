@@ -90,6 +90,8 @@ constexpr auto kRows = std::to_array<Row>({
     {"tip_cut_by_rack", kNote},
     {"default_face_width", kNote},
     {"default_cutter", kNote},
+    {"inherited", kNote},
+    {"profile_shifts_chosen", kNote},
     {"tip_fillet_cut_off", kNote},
     {"no_chord", kNote},
     {"no_span", kNote},

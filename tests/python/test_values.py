@@ -57,6 +57,21 @@ def test_a_gear_of_a_pair_stands_by_itself():
     assert again.tip_diameter == shifts_wanted.gear1.tip_diameter
 
 
+def test_a_chosen_shift_is_said():
+    gears = [gw.Gear(teeth=z, normal_module=2.5, helix_angle_deg=beta) for z, beta in ((17, 15), (43, -15))]
+    chosen = gw.Pair(*gears, center_distance=79)
+    x = [g.profile_shift for g in (chosen.gear1, chosen.gear2)]
+    assert f"profile_shift={x[0]:.4g} / {x[1]:.4g} (chosen)" in repr(chosen)
+    notes = [w for w in chosen.warnings if w.code == "profile_shifts_chosen"]
+    assert len(notes) == 1 and f"{x[0]:.6g}" in notes[0].message
+    assert {f.level for f in chosen.verdict.findings if f.code == "profile_shifts_chosen"} == {"green"}
+    assert "chosen" not in repr(pair()) and "chosen" not in repr(gw.Pair(*gears))
+    with pytest.raises(gw.SpecError, match="choose_profile_shifts"):
+        gw.Pair(*gears, center_distance=79, choose_profile_shifts=False)
+    again = gw.Pair(chosen.gear1, chosen.gear2, center_distance=79, choose_profile_shifts=False)
+    assert again.contact_ratio == chosen.contact_ratio
+
+
 def test_values_compare_copy_and_travel():
     assert pair() == pair() and hash(pair()) == hash(pair()) and pair() != pair(center_distance=79)
     assert pinion() == pinion() and pinion() != wheel() and pinion() != "pinion"

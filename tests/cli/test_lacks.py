@@ -1,0 +1,192 @@
+"""What a spec lacks is told at once and before anything is computed; what gear 2 takes from gear 1 and what the
+program chooses is said; what does not exist here is refused by its name, and a wrong word is met by a plausible one."""
+import time
+import unittest
+
+from cli import SOURCE, Run
+
+TWO = "[gear1]\nteeth = 17\nnormal_module_mm = 2.5\n{}\n[gear2]\nteeth = 43\n{}\n"
+RATING = "[rating]\ntorque_Nm = 50\nspeed_rpm = 1500\nquality = 6\nface_load_factor = 1.2\n"
+STEEL = '[gear{}.material]\nname = "{}"\n'
+LOAD = "[load]\ntorque_Nm = 100\n"
+KEYS = {"rating.torque_Nm": "torque_Nm = 50", "rating.speed_rpm": "speed_rpm = 1500", "rating.quality": "quality = 6",
+        "rating.face_load_factor": "face_load_factor = 1.2", "gear1.material": '"16MnCr5"'}
+
+
+class Asked(unittest.TestCase):
+    def refused(self, verb, spec, key, *words, none=()):
+        run = Run(verb, spec, "--json")
+        self.assertEqual(run.status, 1, f"{spec}\n{run.out[:300]}")
+        error = run.json["error"]
+        self.assertEqual(error["key"], key, run.err)
+        for word in words:
+            self.assertIn(word, error["message"])
+        for word in none:
+            self.assertNotIn(word, error["message"])
+        return error["message"]
+
+    def answer(self, verb, spec, *options):
+        run = Run(verb, spec, "--json", *options)
+        self.assertEqual(run.status, 0, f"{spec}\n{run.err}")
+        return run.json
+
+    def notes(self, answer, code):
+        self.assertEqual([f["level"] for f in answer["verdict"]["findings"] if f["code"] == code],
+                         ["green"] * sum(w["code"] == code for w in answer["warnings"]))
+        return [(w["gear"], w["message"]) for w in answer["warnings"] if w["code"] == code]
+
+
+class Lacking(Asked):
+    def test_run_computes_nothing_first(self):
+        spec = TWO.format("face_width_mm = 25", "face_width_mm = 25") + LOAD + RATING.replace("quality = 6\n", "")
+        start = time.monotonic()
+        message = self.refused("run", spec, "gear1.material", "rating.quality (", "quality = 6")
+        self.assertLess(time.monotonic() - start, 2.0)  # the loaded contact alone takes more
+        self.assertNotIn("load", message.replace("face load", "").replace("face_load", ""))
+
+    def test_every_verb_says_all_at_once(self):
+        gears = TWO.format("", "")
+        self.refused("rate", gears, "rating", *KEYS, *KEYS.values())
+        self.refused("rate", gears + "[rating]\n", "rating.torque_Nm", *list(KEYS)[1:], *KEYS.values())
+        self.refused("run", gears + "[rating]\n", "rating.torque_Nm", *list(KEYS)[1:], *KEYS.values())
+        self.refused("load", gears, "load.torque_Nm", "torque_Nm = 100", none=("rating",))
+        aim = '[compensate]\naim = "pressure"\n[rating]\n'
+        self.refused("compensate", gears + aim, "load.torque_Nm", none=("rating",))
+        self.refused("run", gears + aim, "load.torque_Nm", *KEYS)
+        # A gear alone, an empty file: what the gears lack with what the verb needs.
+        alone = "[gear1]\nteeth = 17\n"
+        self.refused("rate", alone, "gear1.normal_module_mm", "gear2 (", *KEYS.values())
+        self.refused("load", alone, "gear1.normal_module_mm", "gear2 (", "torque_Nm = 100")
+        self.refused("pair", "title = \"nothing\"\n", "gear1", "gear2")
+        self.refused("pair", "[gear1]\n[gear2]\n", "gear1.teeth", "gear1.normal_module_mm", "gear2.teeth",
+                     none=("gear2.normal_module_mm",))
+        self.refused("pair", ByName.GEAR + "[gear2]\n", "gear2.teeth", none=("module",))
+        self.refused("rate", gears + "[rating]\npower_kW = 5\n", "rating.speed_rpm", "rating.quality (", "gear1.material",
+                     none=("rating.torque_Nm",))
+        # Whatever else is wrong is told alone.
+        self.refused("rate", gears + "[rating]\nquality = 13\n", "rating.quality", none=("missing",))
+
+    def test_what_no_rating_is_for_lacks_nothing(self):
+        crossed = TWO.format("helix_angle_deg = 45", "helix_angle_deg = 45") + "[pair]\nshaft_angle_deg = 90\n"
+        self.refused("rate", crossed, "pair.shaft_angle_deg", none=("missing",))
+        arcs = (SOURCE / "examples" / "circular_arc_drive.toml").read_text()
+        self.refused("rate", arcs, "gear1.rack", "ISO 6336", none=("missing",))
+
+    def test_a_search_with_its_rating(self):
+        self.refused("search", "[search]\nsafety_flank_min = 1.2\n[rating]\n", "search.ratio", "search.pinion_teeth (",
+                     "search.modules_mm (", *KEYS)
+        self.refused("search", "[search]\nobjective = \"safety\"\n", "search.ratio", "rating (", *KEYS.values())
+        self.refused("search", "[search]\n[rating]\n", "search.ratio", none=("rating",))
+
+    def test_what_is_not_computed_is_not_lacking(self):
+        gears = TWO.format("", "")
+        for verb in ("gear", "pair", "contact"):
+            self.answer(verb, gears + "[rating]\n")
+        self.answer("rate", gears + STEEL.format(1, "16MnCr5") + RATING)
+
+
+class Inherited(Asked):
+    def test_material_and_quality_of_gear_1(self):
+        both = self.answer("rate", TWO.format("", "") + STEEL.format(1, "16MnCr5") + STEEL.format(2, "16MnCr5") + RATING)
+        one = self.answer("rate", TWO.format("", "") + STEEL.format(1, "16MnCr5") + RATING)
+        self.assertEqual(one["rating"], both["rating"])
+        self.assertEqual(self.notes(one, "inherited"), [(2, "Taken from gear 1: material 16MnCr5.")])
+        self.assertEqual(self.notes(both, "inherited"), [])
+        # The grade stands with a gear, among its tolerances, or in [rating].
+        rating = RATING.replace("quality = 6\n", "")
+        for words in ("quality = 6", "[gear1.tolerance]\nquality = 6"):
+            given = self.answer("rate", TWO.format(words, "") + STEEL.format(1, "16MnCr5") + rating)
+            self.assertEqual(given["rating"], both["rating"])
+            self.assertEqual(self.notes(given, "inherited"), [(2, "Taken from gear 1: material 16MnCr5, quality 6.")])
+        mixed = self.answer("rate", TWO.format("quality = 6", "quality = 8") + STEEL.format(1, "16MnCr5") + rating)
+        as_list = self.answer("rate", TWO.format("", "") + STEEL.format(1, "16MnCr5") + rating + "quality = [6, 8]\n")
+        self.assertEqual(mixed["rating"], as_list["rating"])
+
+    def test_material_in_rating(self):
+        common = '[rating.material]\nname = "16MnCr5"\n'
+        both = self.answer("rate", TWO.format("", "") + STEEL.format(1, "16MnCr5") + STEEL.format(2, "16MnCr5") + RATING)
+        shared = self.answer("rate", TWO.format("", "") + RATING + common)
+        self.assertEqual(shared["rating"], both["rating"])
+        own = TWO.format("", "") + STEEL.format(2, "42CrMo4")
+        unlike = self.answer("rate", own + STEEL.format(1, "16MnCr5") + RATING)
+        self.assertEqual(self.answer("rate", own + RATING + common)["rating"], unlike["rating"])
+        self.refused("rate", TWO.format("", "") + RATING + "[rating.material]\nsigma_Hlim_MPa = 1500\n",
+                     "rating.material.sigma_Flim_MPa", "is missing")
+
+    def test_tolerances_of_gear_2(self):
+        gears = self.answer("measure", TWO.format("quality = 6", ""))["gears"]
+        same = self.answer("measure", TWO.format("quality = 6", "quality = 6"))["gears"]
+        self.assertEqual(gears, same)
+
+
+class Chosen(Asked):
+    SPEC = "[gear1]\nteeth = 17\nnormal_module_mm = 2.5\nhelix_angle_deg = 15\n{}\n[gear2]\nteeth = 43\n{}\n[pair]\ncenter_distance_mm = 79\n"
+
+    def test_a_chosen_shift_is_said(self):
+        answer = self.answer("pair", self.SPEC.format("", ""))
+        x = [g["profile_shift"] for g in answer["gears"]]
+        self.assertNotEqual(x, [0, 0])
+        words = f"Profile shifts chosen for a = 79 mm: gear1.profile_shift = {x[0]:.6g} and gear2.profile_shift = {x[1]:.6g}."
+        self.assertEqual(self.notes(answer, "profile_shifts_chosen"), [(None, words)])
+        lines = Run("pair", self.SPEC.format("", "")).out.splitlines()
+        self.assertIn("note: " + words, lines)
+        half = self.answer("pair", self.SPEC.format("profile_shift = 0.3", ""))
+        self.assertIn(": gear2.profile_shift = ", self.notes(half, "profile_shifts_chosen")[0][1])
+        self.assertEqual(self.notes(self.answer("pair", self.SPEC.format("profile_shift = 0", "profile_shift = 0")),
+                                    "profile_shifts_chosen"), [])
+        no_distance = self.SPEC.format("", "").replace("center_distance_mm = 79\n", "")
+        self.assertEqual(self.notes(self.answer("pair", no_distance), "profile_shifts_chosen"), [])
+
+    def test_it_can_be_forbidden(self):
+        x = [g["profile_shift"] for g in self.answer("pair", self.SPEC.format("", ""))["gears"]]
+        forbid = "choose_profile_shifts = false\n"
+        self.refused("pair", self.SPEC.format("", "") + forbid, "gear1.profile_shift", "pair.choose_profile_shifts = false",
+                     "pair.center_distance_mm = 79", f"gear1.profile_shift = {x[0]:.6g}", f"gear2.profile_shift = {x[1]:.6g}")
+        self.refused("pair", self.SPEC.format("profile_shift = 0.3", "") + forbid, "gear2.profile_shift", "gear2.profile_shift = ")
+        self.answer("pair", self.SPEC.format("profile_shift = 0", "profile_shift = 0") + forbid)
+        self.answer("pair", self.SPEC.format("", "").replace("center_distance_mm = 79\n", forbid))
+
+
+class ByName(Asked):
+    GEAR = "[gear1]\nteeth = 20\nnormal_module_mm = 2\n"
+
+    def test_what_does_not_exist_here(self):
+        gear, two = self.GEAR, self.GEAR + "[gear2]\nteeth = 61\n"
+        for spec, key, *words in (
+                (two + "[gear3]\nteeth = 20\n", "gear3", "at most two gears"),
+                (two + "[rack]\nteeth = 20\n", "rack", "rack as a mating part is not supported", "[gear1.rack]"),
+                (gear + "[gear2]\nteeth = 0\n", "gear2.teeth", "rack as a mating part is not supported", "teeth = -61"),
+                (gear + "[gear2]\nform = \"rack\"\n", "gear2.form", "rack as a mating part is not supported"),
+                ("[planetary]\nsun = 16\n", "planetary", "not supported", "one pair"),
+                ("[[stage]]\nteeth = [19, 58]\n", "stage", "not supported", "one pair"),
+                ("[drive]\ninput = \"ring1\"\n", "drive", "not supported", "one pair"),
+                (two + "[pair]\nherringbone = true\n", "pair.herringbone", "not supported", "one half"),
+                (gear + "herringbone = true\n", "gear1.herringbone", "not supported", "one half"),
+                (gear + "[gear1.double_helical]\ngap_mm = 30\n", "gear1.double_helical", "not supported", "one half"),
+                ("units = \"inch\"\n" + gear, "units", "mm", "normal_diametral_pitch_per_in"),
+                (gear + "units = \"inch\"\n", "gear1.units", "mm", "normal_diametral_pitch_per_in"),
+                (gear + "[gear1.rack]\npoints = [[0, 0], [1, 1]]\n", "gear1.rack.points", "not supported", "arcs"),
+                (gear + "internal = true\n", "gear1.internal", "teeth = -61"),
+                (gear + "[gear1.measured]\nhelix_deg = 15\n", "gear1.measured.helix_deg", "helix_angle_deg"),
+                ("[search]\nkind = \"planetary\"\n", "search.kind", "not supported")):
+            for verb in ("gear", "pair", "run"):
+                self.refused(verb, spec, key, *words, none=("did you mean", "nearest", "unknown key", "missing"))
+        # What is known keeps its own sentence.
+        self.refused("gear", gear + "teethh = 3\n", "gear1.teethh", "the nearest known one is teeth")
+
+    def test_a_word_that_is_meant(self):
+        search = "[search]\nratio = 2\npinion_teeth = [12, 40]\nmodules_mm = 2\nobjective = {}\n"
+        for wrong, near in (("weight", "mass"), ("strength", "safety"), ("Mass", "mass"), ("slidng", "sliding")):
+            self.refused("search", search.format(f'"{wrong}"'), "search.objective", f"unknown objective; did you mean {near}?")
+        self.refused("search", search.format('["ratio", "weight"]'), "search.objective",
+                     "unknown objective weight; did you mean mass?")
+        self.refused("search", search.format('"colour"'), "search.objective", "contact_ratio, ratio, size", none=("did you mean",))
+        for wrong in ("POM", "PA66", "brass", "unobtainium"):
+            self.refused("rate", self.GEAR + STEEL.format(1, wrong), "gear1.material.name", "18CrNiMo7-6", "sigma_Hlim_MPa",
+                         "youngs_modulus_MPa", none=("did you mean",))
+        for wrong, near in (("C45", "C45N"), ("16mncr5", "16MnCr5"), ("18CrNiMo7", "18CrNiMo7-6")):
+            self.refused("rate", self.GEAR + STEEL.format(1, wrong), "gear1.material.name", f"did you mean {near}?")
+
+
+if __name__ == "__main__":
+    unittest.main()
