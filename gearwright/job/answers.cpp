@@ -90,7 +90,7 @@ Result<Json> answer_json(std::string_view verb, const JobSpec& spec, Headway* he
 }
 
 BatchLine batch_line(const std::function<Result<Json>(const JobSpec&)>& answer,
-                     const std::string& text) {
+                     const std::string& text, SpecUse use) {
   const auto failed = [](const Error& error) { return BatchLine{json_text(error_json(error))}; };
   if (text.size() > kMaxSpec) {
     return failed({"", "",
@@ -99,7 +99,7 @@ BatchLine batch_line(const std::function<Result<Json>(const JobSpec&)>& answer,
                                text.size(), kMaxSpec)});
   }
   try {
-    const auto spec = read_spec(text, SpecFormat::json, {}, use_of(verb));
+    const auto spec = read_spec(text, SpecFormat::json, {}, use);
     if (!spec) return failed(spec.error());
     const auto answered = answer(*spec);
     return answered ? BatchLine{json_text(*answered)}
@@ -112,7 +112,8 @@ BatchLine batch_line(const std::function<Result<Json>(const JobSpec&)>& answer,
 }
 
 BatchLine batch_line(std::string_view verb, const std::string& text) {
-  return batch_line([verb](const JobSpec& spec) { return answer_json(verb, spec); }, text);
+  return batch_line([verb](const JobSpec& spec) { return answer_json(verb, spec); }, text,
+                    use_of(verb));
 }
 
 }  // namespace gearwright

@@ -30,9 +30,9 @@ struct BatchLine {
   bool violated = false;  ///< the error is a mistake of ours (base/contract.hpp)
 };
 /// The line of a spec in JSON by `answer`. Whatever goes wrong with it is its error: what a batch
-/// does with the other lines never depends on it.
+/// does with the other lines never depends on it. What the spec lacks for `use` is an error, too.
 BatchLine batch_line(const std::function<Result<Json>(const JobSpec&)>& answer,
-                     const std::string& spec);
+                     const std::string& spec, SpecUse use = SpecUse::geometry);
 /// The same by a verb, as answer_json has it.
 BatchLine batch_line(std::string_view verb, const std::string& spec);
 

@@ -122,7 +122,7 @@ Outcome outcome_of(const CylindricalSpec& spec, bool walk_centre_line) {
 }
 
 std::map<Ending, int> check_specs(std::uint64_t seed, int n) {
-  const PrintsAtHandOnAbort handler;
+  const PrintsAtHand handler;
   Random random(seed);
   std::map<Ending, int> count;
   int failures = 0;
@@ -159,7 +159,7 @@ TEST(LongSpecs, end_in_a_tooth_a_flag_or_an_error) {
 
 // Numbers that no drawing has: each in turn in a spec that was in order.
 TEST(Specs, wild_numbers_are_refused_or_survived) {
-  const PrintsAtHandOnAbort handler;
+  const PrintsAtHand handler;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const double wild[] = {std::numeric_limits<double>::quiet_NaN(),
                          kInfinity,
@@ -211,7 +211,7 @@ TEST(Specs, wild_numbers_are_refused_or_survived) {
 
 // Rings: no tooth from a rack, but never a broken contract either.
 TEST(Specs, rings) {
-  const PrintsAtHandOnAbort handler;
+  const PrintsAtHand handler;
   Random random(11);
   for (int i = 0; i < 20000; ++i) {
     CylindricalSpec spec = random_spec(random);
