@@ -239,6 +239,8 @@ describe("pictures", () => {
       await page.locator(".branch").count(),
       native("fit", example("crossed_fit")).fit.branches.length,
     );
+    const facts = await page.locator(".branch dd").allTextContents();
+    assert.ok(facts.every((fact) => /\d/.test(fact)), "a row without a value");
     await page.click(".branch button");
     await page.waitForFunction(() => document.querySelector(".level").textContent !== "fit");
     await settled(page);

@@ -314,7 +314,8 @@ objective = ["contact_ratio", "sliding"]
   private branch(branch: Design, i: number, table: string): HTMLElement {
     const facts = Object.entries(branch).flatMap(([key, value]) => {
       const said = quantity(table, key);
-      if (value === null || !said || said.type === "record") return [];
+      const record = typeof value === "object" && !Array.isArray(value); // the spec itself, or nothing
+      if (record || !said || said.type === "record") return [];
       const texts = (Array.isArray(value) ? value : [value]).map((one) => textOf(said, one)).join(" / ");
       return [h("dt", {}, said.words), h("dd", {}, `${texts} ${said.percent ? "%" : shownUnit(said.unit)}`)];
     });
