@@ -94,17 +94,19 @@ describe("a picture of another spec", () => {
   it("the picture of another design goes, though the new one's is refused", async () => {
     await put(page, example("printed_drive"), "mesh");
     await idle(page);
-    const ink = () =>
-      page.evaluate(() => {
+    // A canvas is painted with the browser's next frame.
+    const inked = (expected) =>
+      page.waitForFunction((expected) => {
         const canvas = document.querySelector("#room-mesh canvas");
-        return canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data.some((one) => one > 0);
-      });
-    assert.equal(await ink(), true);
+        const dots = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+        return dots.some((one) => one > 0) === expected;
+      }, expected);
+    await inked(true);
     // A bore that leaves its gear no body: the engine draws no section of it.
     await put(page, example("printed_drive").replace(/^diameter_mm = .*$/m, "diameter_mm = 9"), "mesh");
     await idle(page);
     assert.match(await page.textContent(".view-fault"), /bore/);
-    assert.equal(await ink(), false);
+    await inked(false);
     assert.equal(await page.locator("[data-stale]:visible").count(), 0);
   });
 

@@ -25,8 +25,10 @@ const kLetters = { form: 8, panel: 7, chooser: 7, line: 24 };
 function makeRoom(field: HTMLElement): void {
   const row = field.closest(".row");
   const most = field.closest(".key-panel") ? kLetters.panel : kLetters.form;
-  const letters = (one: HTMLInputElement | HTMLSelectElement) =>
-    (one instanceof HTMLInputElement ? one.value || one.placeholder : (one.selectedOptions[0]?.text ?? "")).length;
+  const letters = (one: HTMLInputElement | HTMLSelectElement) => {
+    const text = one instanceof HTMLInputElement ? one.value || one.placeholder : one.selectedOptions[0]?.text;
+    return text?.length ?? 0;
+  };
   const fields = [...(row?.querySelectorAll<HTMLInputElement | HTMLSelectElement>("input, select") ?? [])];
   const over = (one: HTMLInputElement | HTMLSelectElement) =>
     letters(one) > (one instanceof HTMLSelectElement ? kLetters.chooser : most);

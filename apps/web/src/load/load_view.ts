@@ -19,6 +19,7 @@ import { PressureMap } from "./pressure_map";
 
 /** A spec that has not changed for so long rests. */
 const kRestMs = 1200;
+const kOffered = "How the teeth share a load, yield and are stressed, for a torque:";
 const kNoTorque = { key: "load.torque_Nm", value: "", message: "The spec has no torque." };
 const kToothColours = ["g1", "g2", "alpha", "root-fillet", "action", "flank"];
 type Answer = Exclude<Loaded, { fault: Fault }>;
@@ -83,7 +84,7 @@ export class LoadView implements Tab {
     h("b", {}, "Stiffness"),
     " of the points of contact, secant.",
   );
-  private readonly offer = new Offer("How the teeth share a load, yield and are stressed, for a torque:", "Load the teeth", [
+  private readonly offer = new Offer(kOffered, "Load the teeth", [
     { table: "load", key: "torque_Nm", places: ["load.torque_Nm"], first: firstTorque },
     {
       table: "material",

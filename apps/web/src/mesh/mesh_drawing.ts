@@ -152,7 +152,8 @@ function circleNames(
   c.textAlign = "center";
   c.lineWidth = 3.5;
   c.lineJoin = "round";
-  const facing = (i: number) => (scene.shapes.length > 1 && i === 0 && !scene.shapes[1]!.section.internal ? 0 : Math.PI);
+  const rightwards = scene.shapes.length > 1 && !scene.shapes[1]!.section.internal;
+  const facing = (i: number) => (rightwards && i === 0 ? 0 : Math.PI);
   scene.shapes.forEach((shape, i) => {
     const { x, y } = scene.places[i]!;
     const circles = [...shape.section.circles].sort((a, b) => a.radius - b.radius);

@@ -195,8 +195,11 @@ export class ShiftsView implements Tab {
       );
     };
     const close = chosen && Math.abs(chosen[0] - design[0]) < 150 && Math.abs(chosen[1] - design[1]) < 16;
-    const below = chosen && ([chosen[0], chosen[1] + (close ? (chosen[1] < design[1] ? -18 : 20) : 0)] as [number, number]);
-    return [word(design, 17, "the design"), ...(below ? [word(below, 10, "what a search would take")] : [])];
+    const off = !close ? 0 : chosen[1] < design[1] ? -18 : 20;
+    return [
+      word(design, 17, "the design"),
+      ...(chosen ? [word([chosen[0], chosen[1] + off], 10, "what a search would take")] : []),
+    ];
   }
 
   private speak(region: ShiftRegion, names: string[], inkOf: (name: string) => string): void {
