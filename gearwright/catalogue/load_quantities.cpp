@@ -69,15 +69,15 @@ void say_position(Quantities<P>& q) {
      return Value(p.position->rotation1.deg());
    }).always();
   q.add(Type::number, Unit::arcsec, "", "transmission_error_arcsec", "loaded transmission error",
-        "TE", "that of `contact` less what gear 2 yields",
-        [](const P& p) { return Value(p.position->te.arcsec()); })
-      .always();
+        "TE",
+        "that of `contact` less what gear 2 yields; null, as all numbers of a position, where "
+        "nothing touches or the forces come to no end",
+        [](const P& p) { return Value(p.position->te.arcsec()); });
   q.add(Type::number, Unit::um, "", "approach_um", "approach under load", "Θ r_b2",
         "along the line of action in the transverse section, of teeth that touch at points along "
         "their normals, from the first touch of the unloaded flanks, deflections included; the "
         "bodies' twist is in it",
-        [](const P& p) { return Value(p.position->approach * kUmPerMm); })
-      .always();
+        [](const P& p) { return Value(p.position->approach * kUmPerMm); });
   q.pure("", "share", "load shares", "",
          "of each tooth pair that carries, the one nearest to its exit last; of teeth that touch "
          "at points of each point",
@@ -86,8 +86,7 @@ void say_position(Quantities<P>& q) {
       .always();
   q.add(Type::number, Unit::megapascal, "", "max_pressure_MPa", "greatest pressure", "p_max",
         "of Hertz; a lower bound where `kind` is an edge",
-        [](const P& p) { return Value(p.position->max_pressure); })
-      .always();
+        [](const P& p) { return Value(p.position->max_pressure); });
   q.add(Type::number, Unit::megapascal, "", "root_stress_MPa", "greatest root stress", "",
         "greatest principal stress along the fillets, per gear",
         [](const P& p) { return Value(p.position->root_stress); })
@@ -127,11 +126,11 @@ void say_torque(Quantities<T>& q) {
       .always()
       .doors(kJson);
   q.add(Type::number, Unit::arcsec, kLoad, "peak_to_peak_arcsec",
-        "loaded transmission error, peak to peak", "", "over the positions",
-        [](const T& t) { return Value(t.torque->peak_to_peak.arcsec()); })
-      .always();
+        "loaded transmission error, peak to peak", "", "over the positions that have an answer",
+        [](const T& t) { return Value(t.torque->peak_to_peak.arcsec()); });
   q.add(Type::number, Unit::arcsec, kLoad, "harmonics_arcsec", "harmonics", "",
-        "amplitudes of 1, 2, … waves per pitch, 20 at most; empty with `rotation1_deg`",
+        "amplitudes of 1, 2, … waves per pitch, 20 at most; empty with `rotation1_deg` and where a "
+        "position has no answer",
         [](const T& t) { return Value(angles(t.torque->harmonics)); })
       .list({0})
       .always()
@@ -175,8 +174,7 @@ void say_torque(Quantities<T>& q) {
       .when(has_standard);
   q.add(Type::number, Unit::megapascal, kLoad, "max_pressure_MPa", "greatest pressure", "p_max",
         "of Hertz, over all positions; a lower bound where an edge carries",
-        [](const T& t) { return Value(t.torque->max_pressure); })
-      .always();
+        [](const T& t) { return Value(t.torque->max_pressure); });
   q.add(Type::number, Unit::megapascal, kLoad, "max_root_stress_MPa", "greatest root stress", "",
         "greatest principal stress along the fillets over all positions, per gear",
         [](const T& t) { return Value(t.torque->max_root_stress); })
@@ -210,8 +208,7 @@ void say_torque(Quantities<T>& q) {
       .when(on_lines);
   q.pure(kLoad, "transverse_load_factor", "transverse load factor", "K_Hα",
          "greatest share of a tooth pair over that of the pair without errors and deflections",
-         [](const T& t) { return Value(t.torque->transverse_load_factor); })
-      .always();
+         [](const T& t) { return Value(t.torque->transverse_load_factor); });
   q.flag(kLoad, "edge_carries", "an edge carries", "the pressure there is a lower bound",
          [](const T& t) { return Value(t.torque->edge_carries); });
   q.flag(kLoad, "ellipse_beyond_flank", "an ellipse of contact hangs over the flank",

@@ -201,6 +201,24 @@ TEST(ToothCompliance, OfOneToothIsSymmetricAndPositive) {
   }
 }
 
+// Of teeth that touch at points nothing takes the end of the face out of the table.
+TEST(ToothCompliance, AtItsFreeEndsAToothYieldsMoreThanInItsMiddle) {
+  auto section =
+      make_tooth_section(gear_of(kModule), 0.0, body_of(kModule), ComplianceAccuracy::draft);
+  ASSERT_TRUE(section) << section.error().message();
+  ToothTableRequest request{.face_width = 5.0, .slices = {8, -2.5, 2.5}, .root_stress = false};
+  const ToothTable table(*section, request);
+  for (const double s : (*section)->s) {
+    const auto own = [&](double z) {
+      const Eigen::MatrixXd at = table.on_grid(TablePlace{s, z});
+      return table.yield(0, at, at);
+    };
+    EXPECT_GT(own(0.0), 0.0) << s;
+    EXPECT_GT(own(2.5), own(0.0)) << s;
+    EXPECT_NEAR(own(-2.5), own(2.5), 1e-9 * own(2.5)) << s;
+  }
+}
+
 TEST(ToothCompliance, SaysWhatIsWrong) {
   const Gear gear = gear_of(kModule);
   const auto full = ComplianceAccuracy::draft;

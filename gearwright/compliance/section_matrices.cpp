@@ -12,6 +12,8 @@ namespace {
 
 using Matrix27 = Eigen::Matrix<double, 27, 27>;
 
+constexpr double kPoint = 1e-4;  // of the area in the middle of an element: less has no slopes
+
 Place9 places(const SectionMesh& mesh, const std::array<int, 9>& e) {
   Place9 x;
   for (int k = 0; k < 9; ++k) {
@@ -177,8 +179,11 @@ Eigen::MatrixXd trace_fields(const SectionMesh& mesh, const Eigen::MatrixXd& fie
   std::vector<int> count(mesh.nodes.size(), 0);
   for (const auto& e : mesh.elements) {
     const Place9 x = places(mesh, e);
+    const double middle = (shape9(0.0, 0.0).slope * x).determinant();
     for (int a = 0; a < 9; ++a) {
-      const Shape9 s = shape9(kX[a], kY[a]);
+      Shape9 s = shape9(kX[a], kY[a]);
+      // The tip of a pointed tooth is a whole side of its element: the middle's slopes stand for it.
+      if ((s.slope * x).determinant() < kPoint * middle) s = shape9(0.0, 0.0);
       const Slope9 slope = (s.slope * x).inverse() * s.slope;
       for (int k = 0; k < 9; ++k) {
         out.row(3 * e[a] + 2) += slope(0, k) * fields.row(3 * e[k]);

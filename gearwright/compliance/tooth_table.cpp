@@ -183,6 +183,7 @@ void ToothTable::make_local(const ToothTableRequest& request) {
     const double sum = slices_.middle(j) + slices_.middle(l);
     return f(2 * half_face_ - sum) + f(2 * half_face_ + sum);
   };
+  image_.assign(same_.size(), 0.0);
   parallel_for(static_cast<std::size_t>(places_), [&](std::size_t at) {
     count_step(request.headway);
     const int i = static_cast<int>(at);
@@ -206,11 +207,13 @@ void ToothTable::make_local(const ToothTableRequest& request) {
       const FlankMetric across{0.0, metric.zz - metric.sz * metric.sz};
       for (int j = 0; j < n_; ++j) {
         for (int l = 0; l < n_; ++l) {
-          entry(same_, i, j, p, l) -= direct[l - j + n_ - 1];
-          entry(same_, i, j, p, l) -= ends(j, l, [&](double d) {
+          const double image = ends(j, l, [&](double d) {
             if (d > 2 * kImageReach) return 0.0;
             return mean(across, metric.sz * h * (l - j), d);
           });
+          entry(same_, i, j, p, l) -= direct[l - j + n_ - 1];
+          entry(same_, i, j, p, l) -= image;
+          entry(image_, i, j, p, l) = image;
         }
       }
     }
@@ -289,7 +292,8 @@ MatrixXd ToothTable::other_tooth(int k, const LinePlaces& read, const LinePlaces
 MatrixXd ToothTable::on_grid(const TablePlace& place) const {
   MatrixXd grid = MatrixXd::Zero(n_, places_);
   const Weights along = weights(place.s);
-  const Weights across = cubic(middles_, place.z);
+  // What yields rises steeply at an end of the face: beyond the last middle it is that of the middle.
+  const Weights across = cubic(middles_, std::clamp(place.z, middles_.front(), middles_.back()));
   for (int j = 0; j < 4; ++j)
     for (int a = 0; a < 4; ++a) grid(across.first + j, along.first + a) = across.w[j] * along.w[a];
   return grid;
@@ -303,10 +307,12 @@ double ToothTable::yield(int k, const MatrixXd& read, const MatrixXd& loaded) co
     if (loaded.row(j).isZero(0.0)) continue;
     for (int l = 0; l < n_; ++l) {
       if (read.row(l).isZero(0.0)) continue;
-      const double* t = &table[(static_cast<std::size_t>(j) * n_ + l) * places_ * places_];
+      const std::size_t at = (static_cast<std::size_t>(j) * n_ + l) * places_ * places_;
       for (int i = 0; i < places_; ++i) {
+        const std::size_t from = at + static_cast<std::size_t>(i * places_);
         double row = 0.0;
-        for (int p = 0; p < places_; ++p) row += read(l, p) * t[i * places_ + p];
+        for (int p = 0; p < places_; ++p)
+          row += read(l, p) * (k == 0 ? table[from + p] + image_[from + p] : table[from + p]);
         sum += loaded(j, i) * row;
       }
     }

@@ -59,7 +59,8 @@ class ToothTable {
   Eigen::MatrixXd on_grid(const LinePlaces& line, const Eigen::VectorXd& force) const;
   Eigen::MatrixXd on_grid(const TablePlace& place) const;
   /// Displacement on tooth `k`, as the mean that `read` weighs, under forces on tooth 0, without the
-  /// contact itself: the first two terms of [T12.9].
+  /// contact itself: the first two terms of [T12.9], of H the half space alone. Its mirror image at a
+  /// free end stays in C_FE, for no H[a, a] brings it back.
   double yield(int k, const Eigen::MatrixXd& read, const Eigen::MatrixXd& loaded) const;
 
   /// Stress at the root points of tooth k, −1 … 1, under forces on the grid of tooth 0: adds to
@@ -84,6 +85,7 @@ class ToothTable {
   int n_ = 0, places_ = 0;
   std::vector<double> middles_;             // of the slices
   std::vector<double> same_;                // [load slice][read slice][load place][read place]
+  std::vector<double> image_;               // the same of H[b, b] mirrored at the ends
   std::vector<std::vector<double>> other_;  // of tooth −side … side
   Eigen::MatrixXd hertz_;                   // H[a, a] of slices
   detail::RootPoints root_;

@@ -218,9 +218,10 @@ Result<Verdict> judge_corrected(const std::string& corrected, const SolvedJob& j
   SolvedJob with = std::move(solved).take();
   const auto contact = answer_contact(with);
   if (!contact) return contact.error();
-  // Of the range of errors, which the spec's own are but one of.
+  // Of the range of errors, which the spec's own are but one of, and of the load.
   for (const Warning& w : job.warnings) {
-    if (w.code == "contact_lost" && w.gear == 0) with.warnings.push_back(w);
+    if ((w.code == "contact_lost" && w.gear == 0) || w.code == "load_unfinished")
+      with.warnings.push_back(w);
   }
   for (const AimedLoad& load : loads)
     if (load.after.edge_carries) with.warnings.push_back(edge_carries_at(load.torque));
@@ -319,6 +320,14 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Headway* headway, int
                             0});
   }
   if (load) answer.loads = aimed_loads(*load, task, answer.result.value);
+  for (const AimedLoad& l : answer.loads)
+    if (std::isnan(l.after.max_pressure))
+      job.warnings.push_back(
+          {"load_unfinished",
+           fmt::format("At {} N m the corrected teeth are without an answer at a position: nothing "
+                       "touches there, or the forces come to no end.",
+                       spoken(l.torque / kMmPerM)),
+           0});
   for (std::size_t k = 0; k < answer.corrections.size(); ++k) {
     answer.spec_keys.push_back(spec_key(job, setup, answer.corrections[k]));
     answer.at_bound.push_back(at_bound(task.corrections[k], answer.result.value[k]));

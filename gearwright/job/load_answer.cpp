@@ -89,9 +89,43 @@ std::optional<Error> not_for_points(const LoadInput& input) {
   return std::nullopt;
 }
 
+// The rotations of gear 1 at positions of a kind, as many as a sentence holds; empty: there are none.
+template <class Is>
+std::string rotations_where(const LoadedTorque& t, Is is) {
+  constexpr int kMostNamed = 8;
+  std::string list;
+  int count = 0;
+  for (const LoadedPosition& p : t.positions) {
+    if (!is(p) || ++count > kMostNamed) continue;
+    list += fmt::format("{}{}°", list.empty() ? "" : ", ", spoken(p.rotation1.deg()));
+  }
+  return count > kMostNamed ? fmt::format("{} and {} more", list, count - kMostNamed) : list;
+}
+
 void warn_about(const LoadedContact& contact, std::vector<Warning>& warnings) {
+  const auto untouched = [](const LoadedPosition& p) { return !p.solved() && !p.unfinished; };
+  const auto is_lost = [](const Warning& w) { return w.code == "contact_lost" && w.gear == 0; };
+  // Whether anything touches does not depend on the torque.
+  if (const std::string where = rotations_where(contact.torques.front(), untouched);
+      !where.empty() && std::none_of(warnings.begin(), warnings.end(), is_lost))
+    warnings.push_back(
+        {"contact_lost",
+         fmt::format("Nothing touches at rotation1 = {}: what is told of the load is "
+                     "told of the other positions.",
+                     where),
+         0});
   for (const LoadedTorque& t : contact.torques) {
     const std::string torque = spoken(t.torque / kMmPerM);
+    if (const std::string where =
+            rotations_where(t, [](const LoadedPosition& p) { return p.unfinished; });
+        !where.empty())
+      warnings.push_back(
+          {"load_unfinished",
+           fmt::format("At {} N m the forces come to no end at rotation1 = {}: these "
+                       "positions are without numbers, and greatest values and peak "
+                       "to peak are those of the others.",
+                       torque, where),
+           0});
     if (t.edge_carries)
       warnings.push_back(edge_carries_at(t.torque));
     else if (t.beyond_flank)
@@ -108,10 +142,6 @@ void warn_about(const LoadedContact& contact, std::vector<Warning>& warnings) {
                        torque, t.max_width_ratio),
            0});
   }
-  if (contact.unfinished > 0)
-    warnings.push_back({"load_unfinished",
-                        fmt::format("{} positions did not come to an end.", contact.unfinished),
-                        0});
 }
 
 Result<std::array<ElasticBody, 2>> bodies_of(SolvedJob& job) {
@@ -122,6 +152,19 @@ Result<std::array<ElasticBody, 2>> bodies_of(SolvedJob& job) {
     bodies[i] = *body;
   }
   return bodies;
+}
+
+Error too_fine(const ContactSetup& setup, const LoadRequest& request) {
+  const int fair = fair_slices(setup.gear(1), setup.gear(2), request.regime);
+  const double face = std::min(setup.gear(1).spec.face_width, setup.gear(2).spec.face_width);
+  const std::string width = spoken(face / request.slices);
+  return refused(
+      "load.slices", request.slices,
+      request.slices > fair
+          ? fmt::format("are too fine for these teeth: {} mm each; {} would do", width, fair)
+          : fmt::format("are narrower than the contact is wide: {} mm each; less "
+                        "torque or fewer slices would do",
+                        width));
 }
 
 Result<LoadTask> task_of(const SolvedJob& job, const std::array<ElasticBody, 2>& bodies) {
@@ -142,6 +185,8 @@ Result<LoadTask> task_of(const SolvedJob& job, const std::array<ElasticBody, 2>&
   request.slices =
       input.slices.value_or(fair_slices(task.setup.gear(1), task.setup.gear(2), request.regime));
   request.accuracy = input.accuracy;
+  if (surely_too_fine(task.setup.gear(1), task.setup.gear(2), request))
+    return too_fine(task.setup, request);
   request.bodies = bodies;
   request.deflection_slope = input.deflection_slope * kMmPerUm;
   request.deflection_bow = input.deflection_bow * kMmPerUm;
@@ -177,18 +222,15 @@ LoadedContact LoadTask::contact(const PairCompliance& compliance) const {
 std::optional<Error> judge_load(SolvedJob& job, const LoadTask& task, const LoadedContact& found) {
   const auto& positions = found.torques.front().positions;
   if (std::all_of(positions.begin(), positions.end(),
-                  [](const LoadedPosition& p) { return p.kind == TouchKind::none; }))
+                  [](const LoadedPosition& p) { return !p.solved() && !p.unfinished; }))
     return nothing_touches(task.setup);
-  if (found.slices_too_fine) {
-    const int fair = fair_slices(task.setup.gear(1), task.setup.gear(2), task.request.regime);
-    return refused("load.slices", task.request.slices,
-                   task.request.slices > fair
-                       ? fmt::format("are too fine for these teeth: {} mm each; {} would do",
-                                     spoken(found.slices[0].width()), fair)
-                       : fmt::format("are narrower than the contact is wide: {} mm each; less "
-                                     "torque or fewer slices would do",
-                                     spoken(found.slices[0].width())));
-  }
+  if (found.slices_too_fine) return too_fine(task.setup, task.request);
+  for (const LoadedTorque& t : found.torques)
+    if (std::none_of(t.positions.begin(), t.positions.end(),
+                     [](const LoadedPosition& p) { return p.solved(); }))
+      return refused("load.torques", t.torque / kMmPerM,
+                     "leaves no position at which the forces of these teeth come to an end; "
+                     "accuracy = \"full\", other slices or less torque may");
   warn_about(found, job.warnings);
   return std::nullopt;
 }

@@ -17,7 +17,7 @@ namespace gearwright {
 namespace {
 
 // Every torque in a line: what changes with the load.
-std::string harris_map(const LoadedContact& contact, const LoadedTorque& quiet) {
+std::string harris_map(const LoadedContact& contact, const LoadedTorque* quiet) {
   const bool lines = contact.regime == LoadRegime::line;
   std::string out =
       fmt::format("  {:>11}{:>14}{:>16}{:>12}{:>11}{:>11}{}\n", "torque", "TE p-p", "stiffness",
@@ -31,7 +31,7 @@ std::string harris_map(const LoadedContact& contact, const LoadedTorque& quiet) 
                        fixed_text(t.max_pressure, 1), fixed_text(t.max_root_stress[0], 1),
                        fixed_text(t.max_root_stress[1], 1),
                        lines ? fmt::format("{:>9}", fixed_text(t.face_load_factor, 3)) : "",
-                       &t == &quiet ? "  quietest" : "");
+                       &t == quiet ? "  quietest" : "");
   return out;
 }
 
@@ -72,8 +72,9 @@ std::string load_listing(const SolvedJob& job, const LoadAnswer& answer) {
     const std::size_t step = std::max<std::size_t>(1, t.positions.size() / 32);
     for (std::size_t i = 0; i < t.positions.size(); i += step) {
       const LoadedPosition& p = t.positions[i];
-      if (p.kind == TouchKind::none) {
-        out += fmt::format("  {:>11.4f}{:>14}\n", p.rotation1.deg(), "no contact");
+      if (!p.solved()) {
+        out += fmt::format("  {:>11}{:>14}\n", fixed_text(p.rotation1.deg(), 4),
+                           p.unfinished ? "unfinished" : "no contact");
         continue;
       }
       std::string shares;
@@ -86,7 +87,7 @@ std::string load_listing(const SolvedJob& job, const LoadAnswer& answer) {
     out += "\n";
   }
   if (const LoadedTorque* quiet = quietest(*answer.contact))
-    out += harris_map(*answer.contact, *quiet);
+    out += harris_map(*answer.contact, quiet);
   return out;
 }
 

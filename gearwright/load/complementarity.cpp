@@ -59,6 +59,7 @@ ContactSolution solve_contact(const ContactProblem& q, const std::vector<char>& 
       }
       arm[i] = q.arm[k];
     }
+    if (!a.allFinite()) return x;  // its decomposition would not notice
     const Eigen::LLT<MatrixXd> llt(a);
     if (llt.info() != Eigen::Success) {
       x.stop = ContactSolution::Stop::indefinite;

@@ -14,16 +14,17 @@ namespace {
 
 constexpr int kMostWaves = 20;
 
+using Solved = std::vector<const LoadedPosition*>;
+
 // Load per approach over the positions, N/(mm µm) of a line load, N/µm of a force; the mean is that
 // of the mean approach.
 template <class Yield>
-LoadedTorque::Stiffness stiffness(const std::vector<LoadedPosition>& positions, double load,
-                                  Yield yield) {
+LoadedTorque::Stiffness stiffness(const Solved& positions, double load, Yield yield) {
   double sum = 0.0;
   double least = kInfinity;
   double greatest = 0.0;
-  for (const LoadedPosition& p : positions) {
-    const double u = yield(p) / kMmPerUm;
+  for (const LoadedPosition* p : positions) {
+    const double u = yield(*p) / kMmPerUm;
     sum += u;
     least = std::min(least, u);
     greatest = std::max(greatest, u);
@@ -47,28 +48,24 @@ std::vector<Angle> waves(const std::vector<LoadedPosition>& positions) {
   return amplitude;
 }
 
-void summarise_lines(LoadedTorque& t, const SummaryBasis& basis) {
+void summarise_lines(LoadedTorque& t, const Solved& solved, const SummaryBasis& basis) {
   const double force = t.torque / basis.base_radius;
   const double line_load = force / basis.face;
   for (LoadedPosition& p : t.positions)
     if (p.approach > 0.0) p.stiffness = line_load / (p.approach / kMmPerUm);
-  t.stiffness = stiffness(t.positions, line_load, [](const auto& p) { return p.approach; });
-  t.without_twist = stiffness(t.positions, line_load, [&](const auto& p) {
-    return p.approach - line_load * basis.body_twist;
-  });
-  t.tangent = stiffness(t.positions, line_load, [&](const auto& p) { return p.tangent * force; });
+  t.stiffness = stiffness(solved, line_load, [](const auto& p) { return p.approach; });
+  t.without_twist = stiffness(
+      solved, line_load, [&](const auto& p) { return p.approach - line_load * basis.body_twist; });
+  t.tangent = stiffness(solved, line_load, [&](const auto& p) { return p.tangent * force; });
   if (t.face_load.size() > 0) t.face_load_factor = t.face_load.maxCoeff() / t.face_load.mean();
 }
 
-void summarise_points(LoadedTorque& t) {
+void summarise_points(LoadedTorque& t, const Solved& solved) {
   for (LoadedPosition& p : t.positions)
     if (p.approach > 0.0) p.stiffness = p.force / (p.approach / kMmPerUm);
   // By the force of each position: what 1 N approaches.
-  const auto per_newton = [](const LoadedPosition& p) {
-    return p.force > 0.0 ? p.approach / p.force : 0.0;
-  };
-  t.stiffness = stiffness(t.positions, 1.0, per_newton);
-  t.tangent = stiffness(t.positions, 1.0, [](const auto& p) { return p.tangent; });
+  t.stiffness = stiffness(solved, 1.0, [](const auto& p) { return p.approach / p.force; });
+  t.tangent = stiffness(solved, 1.0, [](const auto& p) { return p.tangent; });
 }
 
 }  // namespace
@@ -81,36 +78,44 @@ double share_of(const LoadedPosition& p, int pair) {
 }
 
 void summarise(LoadedTorque& t, const SummaryBasis& basis) {
-  if (t.positions.empty()) return;
+  Solved solved;
+  for (const LoadedPosition& p : t.positions)
+    if (p.solved()) solved.push_back(&p);
+  if (solved.empty()) return;
+  if (basis.whole_pitch && solved.size() == t.positions.size()) t.harmonics = waves(t.positions);
   double least = kInfinity;
   double greatest = -kInfinity;
-  for (const LoadedPosition& p : t.positions) {
-    least = std::min(least, p.te.rad());
-    greatest = std::max(greatest, p.te.rad());
-    t.max_pressure = std::max(t.max_pressure, p.max_pressure);
-    t.max_width_ratio = std::max(t.max_width_ratio, p.max_width_ratio);
-    t.edge_carries = t.edge_carries || p.edge_carries;
+  t.max_pressure = t.max_width_ratio = 0.0;
+  t.max_root_stress = {0.0, 0.0};
+  for (const LoadedPosition* p : solved) {
+    least = std::min(least, p->te.rad());
+    greatest = std::max(greatest, p->te.rad());
+    t.max_pressure = std::max(t.max_pressure, p->max_pressure);
+    t.max_width_ratio = std::max(t.max_width_ratio, p->max_width_ratio);
+    t.edge_carries = t.edge_carries || p->edge_carries;
     for (int g = 0; g < 2; ++g)
-      t.max_root_stress[g] = std::max(t.max_root_stress[g], p.root_stress[g]);
-    for (const LoadedPair& pair : p.pairs) {
-      t.max_share = std::max(t.max_share, share_of(p, pair.pair));
+      t.max_root_stress[g] = std::max(t.max_root_stress[g], p->root_stress[g]);
+    for (const LoadedPair& pair : p->pairs) {
+      t.max_share = std::max(t.max_share, share_of(*p, pair.pair));
       t.beyond_flank = t.beyond_flank || pair.point.beyond;
       if (basis.regime == LoadRegime::point) continue;
       if (t.face_load.size() == 0) t.face_load = Eigen::VectorXd::Zero(pair.line_load.size());
-      t.face_load += pair.line_load / static_cast<double>(t.positions.size());
+      t.face_load += pair.line_load / static_cast<double>(solved.size());
     }
   }
   t.peak_to_peak = Angle::radians(greatest - least);
-  if (basis.whole_pitch) t.harmonics = waves(t.positions);
-  basis.regime == LoadRegime::point ? summarise_points(t) : summarise_lines(t, basis);
+  basis.regime == LoadRegime::point ? summarise_points(t, solved)
+                                    : summarise_lines(t, solved, basis);
 }
 
 const LoadedTorque* quietest(const LoadedContact& contact) {
-  const auto& all = contact.torques;
-  if (all.size() < 2 || all.front().harmonics.empty()) return nullptr;
-  return &*std::min_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
-    return a.peak_to_peak.rad() < b.peak_to_peak.rad();
-  });
+  if (contact.torques.size() < 2) return nullptr;
+  const LoadedTorque* quiet = nullptr;
+  for (const LoadedTorque& t : contact.torques) {
+    if (t.harmonics.empty()) continue;
+    if (!quiet || t.peak_to_peak.rad() < quiet->peak_to_peak.rad()) quiet = &t;
+  }
+  return quiet;
 }
 
 }  // namespace gearwright

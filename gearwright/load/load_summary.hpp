@@ -30,8 +30,8 @@ void summarise(LoadedTorque& torque, const SummaryBasis& basis);
 /// The share of a tooth pair, whatever number of places it touches at.
 double share_of(const LoadedPosition& position, int pair);
 
-/// The torque at which the loaded transmission error is least, peak to peak, of two or more;
-/// nullptr: one alone, or rotations instead of a pitch.
+/// The torque at which the loaded transmission error is least, peak to peak, of those of two or more
+/// that have harmonics; nullptr: none, or one alone.
 const LoadedTorque* quietest(const LoadedContact& contact);
 
 }  // namespace gearwright

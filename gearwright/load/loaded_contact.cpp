@@ -1,6 +1,7 @@
 #include "gearwright/load/loaded_contact.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "gearwright/base/parallel.hpp"
@@ -18,8 +19,11 @@ using detail::PositionSolver;
 using detail::RootStress;
 using Eigen::MatrixXd;
 
+// NaN if one of them is.
 double greatest_of(const std::vector<double>& list) {
-  return list.empty() ? 0.0 : *std::max_element(list.begin(), list.end());
+  for (const double v : list)
+    if (std::isnan(v)) return v;
+  return *std::max_element(list.begin(), list.end());
 }
 
 void add_swing(LoadedTorque& to, std::size_t g, const detail::RootSwing& more) {
@@ -87,10 +91,8 @@ void LoadedTurn::solve_with(std::size_t from, std::size_t to) {
     for (std::size_t k = 0; k < swing.size(); ++k) {
       LoadedTorque& t = found_.torques[k];
       bool fine = false;
-      long open = 0;
-      t.positions[i] = solver.solve(at, t.torque, rotations_[i], fine, open, swing[k]);
+      t.positions[i] = solver.solve(at, t.torque, rotations_[i], fine, swing[k]);
       if (fine) too_fine_ = true;
-      unfinished_ += open;
     }
     if (perfect_) {
       auto free = perfect->prepare(perfect_->to_world(rotations_[i].rad()));
@@ -107,7 +109,6 @@ void LoadedTurn::solve_with(std::size_t from, std::size_t to) {
 LoadedContact LoadedTurn::result() const {
   LoadedContact result = found_;
   result.slices_too_fine = too_fine_;
-  result.unfinished = unfinished_;
   const SummaryBasis basis{result.slices[0].hi - result.slices[0].lo,
                            result.regime == LoadRegime::line ? one_.base_radius() : 0.0,
                            result.body_twist[0] + result.body_twist[1], request_.rotations.empty(),
@@ -125,9 +126,12 @@ LoadedContact LoadedTurn::result() const {
       t.root_stress[g].maxCoeff(&point, &slice);
       t.least_at_max[g] = t.least_root_stress[g](point, slice);
     }
+    result.unfinished += std::count_if(t.positions.begin(), t.positions.end(),
+                                       [](const LoadedPosition& p) { return p.unfinished; });
     summarise(t, basis);
+    if (perfect_share_[k].empty()) continue;
     const double perfect = greatest_of(perfect_share_[k]);
-    if (perfect > 0.0) t.transverse_load_factor = t.max_share / perfect;
+    t.transverse_load_factor = perfect > 0.0 ? t.max_share / perfect : LoadedPosition::kNone;
   }
   return result;
 }

@@ -11,6 +11,7 @@
 #include <array>
 #include <atomic>
 #include <complex>
+#include <limits>
 #include <mutex>
 #include <vector>
 
@@ -43,38 +44,48 @@ struct LoadedPair {
   std::vector<std::array<double, 2>> radius;  ///< mm of each place on both gears
 };
 
+/// NaN: there is no such number, for nothing touches or the forces came to no end.
 struct LoadedPosition {
-  Angle rotation1;
-  Angle te;               ///< loaded
-  Angle unloaded_te;      ///< of the first touch, deflections included
-  double approach = 0.0;  ///< Θ r_b2  mm; of points Θ M2/ΣF
-  double force = 0.0;     ///< ΣF  N, normal; of points
-  double tangent = 0.0;   ///< d(Θ r_b2)/dF_bt  mm/N; of points by the same arm
-  /// Line load over approach, N/(mm µm); of points force over approach, N/µm; 0: nothing touches.
-  double stiffness = 0.0;
-  std::vector<LoadedPair> pairs;     ///< that carry, of points places; the nearest to its exit last
-  double max_pressure = 0.0;         ///< MPa
-  double max_width_ratio = 0.0;      ///< greatest half width of contact over its radius
-  TouchKind kind = TouchKind::line;  ///< or the edge that carries most
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+  Angle rotation1{};
+  Angle te = Angle::radians(kNone);           ///< loaded
+  Angle unloaded_te = Angle::radians(kNone);  ///< of the first touch, deflections included
+  double approach = kNone;                    ///< Θ r_b2  mm; of points Θ M2/ΣF
+  double force = kNone;                       ///< ΣF  N, normal; of points
+  double tangent = kNone;                     ///< d(Θ r_b2)/dF_bt  mm/N; of points by the same arm
+  /// Line load over approach, N/(mm µm); of points force over approach, N/µm.
+  double stiffness = kNone;
+  std::vector<LoadedPair> pairs{};  ///< that carry, of points places; the nearest to its exit last
+  double max_pressure = kNone;      ///< MPa
+  double max_width_ratio = kNone;   ///< greatest half width of contact over its radius
+  TouchKind kind =
+      TouchKind::none;      ///< line, interior, or the edge that carries most; none: no answer
+  bool unfinished = false;  ///< it touches, but the forces came to no end
   bool edge_carries = false;
-  std::array<double, 2> root_stress{};  ///< MPa, greatest principal at the root of each gear
+  std::array<double, 2> root_stress{kNone, kNone};  ///< MPa, greatest principal at each root
   int iterations = 0;
+
+  bool solved() const { return kind != TouchKind::none; }
 };
 
+/// Of the positions that are solved; NaN where none is.
 struct LoadedTorque {
   double torque = 0.0;  ///< N mm
   std::vector<LoadedPosition> positions;
-  Angle peak_to_peak;
-  std::vector<Angle> harmonics;  ///< empty for rotations
+  Angle peak_to_peak = Angle::radians(LoadedPosition::kNone);
+  /// Empty for rotations, and unless all positions are solved: a wave needs its whole length.
+  std::vector<Angle> harmonics{};
   struct Stiffness {
-    double mean = 0.0, min = 0.0, max = 0.0;  ///< N/(mm µm), N/µm; mean: at the mean approach
+    /// N/(mm µm), N/µm; mean: at the mean approach
+    double mean = LoadedPosition::kNone, min = LoadedPosition::kNone, max = LoadedPosition::kNone;
   };
   Stiffness stiffness, without_twist, tangent;
-  double max_pressure = 0.0;
+  double max_pressure = LoadedPosition::kNone;
   double max_share = 0.0;  ///< of one tooth pair
   /// K_Hα: the greatest share over that of the pair without errors, [T12.19]
   double transverse_load_factor = 1.0;
-  std::array<double, 2> max_root_stress{};
+  std::array<double, 2> max_root_stress{LoadedPosition::kNone, LoadedPosition::kNone};
   double face_load_factor = 1.0;  ///< K_Hβ: load over the face, mean of the positions
   double max_width_ratio = 0.0;
   bool edge_carries = false;
@@ -86,7 +97,8 @@ struct LoadedTorque {
   /// The least principal stress there, 0 where nothing presses: a tooth is pressed while its neighbours
   /// bear.
   std::array<Eigen::MatrixXd, 2> least_root_stress;
-  std::array<double, 2> least_at_max{};  ///< where root_stress is greatest
+  /// Where root_stress is greatest.
+  std::array<double, 2> least_at_max{LoadedPosition::kNone, LoadedPosition::kNone};
 };
 
 struct LoadedContact {
@@ -98,7 +110,7 @@ struct LoadedContact {
   /// Of each gear along the fillet that is pulled, from the root on: mm in the section, with the
   /// tooth's centre line as x axis and the loaded flank at y > 0.
   std::array<std::vector<std::complex<double>>, 2> root_points;
-  long unfinished = 0;
+  long unfinished = 0;  ///< positions, of all torques
   bool slices_too_fine = false;
 };
 
@@ -135,7 +147,6 @@ class LoadedTurn {
   std::vector<std::vector<double>> perfect_share_;  // the greatest, [torque][position]
   LoadedContact found_;
   std::atomic<bool> too_fine_{false};
-  std::atomic<long> unfinished_{0};
   std::mutex root_;  // of the greatest root stress, whatever the order of the positions
 };
 

@@ -123,22 +123,20 @@ MatrixXd PositionSolver::yields(const Position& at) const {
 }
 
 LoadedPosition PositionSolver::solve(Position& at, double torque, Angle rotation1, bool& too_fine,
-                                     long& unfinished, RootStress& swing) const {
+                                     RootStress& swing) const {
   LoadedPosition out;
   out.rotation1 = rotation1;
+  if (at.rows.empty()) return out;
   const double sign = pair_.turned();
   out.unloaded_te = Angle::radians(sign * at.te);
-  out.te = out.unloaded_te;
-  if (at.rows.empty()) {
-    out.kind = TouchKind::none;
-    return out;
-  }
   ContactProblem& q = at.problem;
   q.moment = torque * ratio_;
   const ContactSolution x = solve_contact(q);
   out.iterations = x.iterations;
   if (x.stop == ContactSolution::Stop::indefinite) too_fine = true;
-  if (!x.found()) ++unfinished;
+  out.unfinished = !x.found();
+  if (out.unfinished) return out;
+  out.max_pressure = out.max_width_ratio = 0.0;
   out.te = Angle::radians(sign * (at.te - x.approach));
   out.approach = x.approach * base_radius_;
   out.tangent = x.yield_per_moment * base_radius_ * base_radius_;
@@ -184,7 +182,9 @@ LoadedPosition PositionSolver::solve(Position& at, double torque, Angle rotation
 double PositionSolver::greatest_share(Position& at, double torque) const {
   if (at.rows.empty()) return 0.0;
   at.problem.moment = torque * ratio_;
-  const VectorXd load = solve_contact(at.problem).line_load;
+  const ContactSolution x = solve_contact(at.problem);
+  if (!x.found()) return LoadedPosition::kNone;
+  const VectorXd& load = x.line_load;
   VectorXd of_pair = VectorXd::Zero(static_cast<Index>(at.pairs.size()));
   for (std::size_t i = 0; i < at.rows.size(); ++i)
     of_pair[at.rows[i].pair] += load[static_cast<Index>(i)];

@@ -48,8 +48,8 @@ class PositionSolver {
   Position prepare(double rotation);
   /// Adds to `swing` the root stresses.
   LoadedPosition solve(Position& at, double torque, Angle rotation1, bool& too_fine,
-                       long& unfinished, RootStress& swing) const;
-  /// The greatest share of a tooth pair alone.
+                       RootStress& swing) const;
+  /// The greatest share of a tooth pair alone; NaN where the forces come to no end.
   double greatest_share(Position& at, double torque) const;
 
  private:

@@ -7,11 +7,11 @@
 namespace gearwright {
 
 std::vector<LoadedScore> loaded_scores(const LoadedContact& contact) {
-  if (contact.slices_too_fine || contact.unfinished > 0) return {};
+  if (contact.slices_too_fine) return {};
   std::vector<LoadedScore> scores;
   for (const LoadedTorque& t : contact.torques) {
-    if (std::any_of(t.positions.begin(), t.positions.end(),
-                    [](const LoadedPosition& p) { return p.kind == TouchKind::none; }))
+    if (!std::all_of(t.positions.begin(), t.positions.end(),
+                     [](const LoadedPosition& p) { return p.solved(); }))
       return {};
     scores.push_back({t.peak_to_peak, t.max_pressure, std::nullopt, t.edge_carries});
     if (contact.regime == LoadRegime::line) scores.back().face_load_factor = t.face_load_factor;

@@ -11,8 +11,9 @@ namespace gearwright {
 namespace {
 
 constexpr double kHertzWidth = 0.05;  // modules: a0, of no consequence but for rounding
-constexpr double kFairSpur = 0.25, kFairHelical = 0.4;  // modules, width of a slice
-constexpr double kFairWidth = 0.15;                     // modules, where R is one module
+constexpr double kFairSpur = 0.25, kFairHelical = 0.4;           // modules, width of a slice
+constexpr double kHopelessSpur = 0.15, kHopelessHelical = 0.18;  // modules
+constexpr double kFairWidth = 0.15;                              // modules, where R is one module
 constexpr int kSlices = 32, kLeastSlices = 4;
 constexpr int kTableSteps = 80;  // about: waves and parts of the section, places of the table
 
@@ -90,6 +91,12 @@ int fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegime regime) {
   const double face = std::max(face_of(gears, 0, regime), face_of(gears, 1, regime));
   const double count = face / (fair * m);
   return static_cast<int>(std::clamp<double>(count, kLeastSlices, kSlices));
+}
+
+bool surely_too_fine(const Gear& gear_1, const Gear& gear_2, const LoadRequest& request) {
+  const double face = std::min(gear_1.spec.face_width, gear_2.spec.face_width);
+  const double least = gear_1.spec.helix_angle.rad() == 0.0 ? kHopelessSpur : kHopelessHelical;
+  return face / request.slices < least * gear_1.spec.normal_module;
 }
 
 Result<PairCompliance> pair_compliance(

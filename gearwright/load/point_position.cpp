@@ -19,25 +19,26 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kMostTurns = 60;    // of footprints that follow the forces
+constexpr int kMostTurns = 120;   // of footprints that follow the forces
 constexpr double kStill = 1e-11;  // of force and approach: footprints do not change any more
-constexpr int kWhole = 10;        // turns after which ellipses go half the way only
+constexpr int kWhole = 10;        // turns after which ellipses go a part of the way
+constexpr double kLeastPart = 0.1, kMostPart = 5.0;
 constexpr int kHalvings = 40;
-constexpr std::size_t kNodesToBend = 5;  // of a parabola with room to be a fit
-constexpr double kIdle = 1e-6;           // of the whole force
+constexpr double kNoLength = 1e-3;     // of the half axis: less of it on the flanks is one place
+constexpr double kIdle = 1e-6;         // of the whole force
 constexpr double kStraightest = 0.25;  // of k1: bodies bend no closer than that to a straight line
 
 using Nodes = boost::math::quadrature::gauss<double, 9>;
 
-// The load of half an ellipsoid of pressure, projected onto its major axis: ¾ (1 − x²), x in [−1, 1].
+// Places in [−1, 1] and their weights, from the middle outwards. The load of half an ellipsoid of pressure, projected onto its
+// major axis, is ¾ (1 − x²) there.
 template <class Visit>
-void along_major_axis(Visit visit) {
+void along_axis(Visit visit) {
   const auto& x = Nodes::abscissa();
   const auto& w = Nodes::weights();
   for (std::size_t i = 0; i < x.size(); ++i) {
-    const double share = 0.75 * (1 - x[i] * x[i]) * w[i];
-    visit(x[i], share);
-    if (x[i] > 0.0) visit(-x[i], share);
+    visit(x[i], w[i]);
+    if (x[i] > 0.0) visit(-x[i], w[i]);
   }
 }
 
@@ -105,9 +106,9 @@ AxisPlace PointSolver::on_axis(const PointPlace& place, double x) {
   return {{std::abs(j.w1), std::exp(u)}, {z_on, z2}, inside};
 }
 
-double PointSolver::reach(const PointPlace& place, double x) {
+double PointSolver::reach(const PointPlace& place, double from, double x) {
   if (on_axis(place, x).inside) return x;
-  double in = 0.0;
+  double in = from;
   double out = x;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (in + out);
@@ -139,8 +140,14 @@ Laid PointSolver::lay(const PointPlace& place, double force, const Ellipse& bent
                               Eigen::Vector2d(turned * step[0], step[1]);
     }
   }
-  for (const double end : {-ellipse.semi_major, ellipse.semi_major})
-    point.beyond = point.beyond || !on_axis(place, bent.middle + end).inside;
+  // What lies on the flanks grows and shrinks with the force: nodes that came and went with it would
+  // leave forces and footprints without a place to stand still.
+  const double a = ellipse.semi_major;
+  const double lo = reach(place, bent.middle, bent.middle - a);
+  const double hi = reach(place, bent.middle, bent.middle + a);
+  point.beyond = lo != bent.middle - a || hi != bent.middle + a;
+  const double center = point.beyond ? 0.5 * (lo + hi) : bent.middle;
+  const double half = point.beyond ? 0.5 * (hi - lo) : a;
   const auto add = [&](double x, const AxisPlace& at, double share) {
     laid.x.push_back(x);
     laid.share.push_back(share);
@@ -151,14 +158,15 @@ Laid PointSolver::lay(const PointPlace& place, double force, const Ellipse& bent
     }
   };
   double sum = 0.0;
-  along_major_axis([&](double at, double share) {
-    const double x = bent.middle + at * ellipse.semi_major;
-    const AxisPlace on = on_axis(place, x);
-    if (!on.inside) return;
-    add(x, on, share);
-    sum += share;
-  });
-  if (laid.x.empty()) {
+  if (half > kNoLength * a) {
+    along_axis([&](double at, double weight) {
+      const double x = center + at * half;
+      const double within = (x - bent.middle) / a;
+      const double share = 0.75 * (1 - within * within) * weight;
+      add(x, on_axis(place, x), share);
+      sum += share;
+    });
+  } else {
     add(bent.middle, middle, 1.0);
     sum = 1.0;
   }
@@ -190,11 +198,14 @@ Ellipse PointSolver::bent(const PointPosition& at, const std::vector<Laid>& laid
                           const VectorXd& force, std::size_t i) {
   const Laid& here = laid[i];
   const PointPlace& place = at.places[i];
-  if (is_sharp(place.kind) || here.x.size() < kNodesToBend) return {0.0, place.curvature[0], 0.0};
+  if (is_sharp(place.kind) || here.x.size() == 1) return {0.0, place.curvature[0], 0.0};
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
   double mean = 0.0;
-  const double length = here.point.semi_major;  // of no consequence but for rounding
+  // From the footprint's middle, which is the first node, in units of what reaches to the last one, an
+  // end: a short footprint far from the touch is fitted as well as any.
+  const double center = here.x.front();
+  const double length = std::abs(here.x.back() - center);
   for (std::size_t m = 0; m < here.x.size(); ++m) {
     double w = 0.0;
     for (int g = 0; g < 2; ++g) {
@@ -206,7 +217,7 @@ Ellipse PointSolver::bent(const PointPosition& at, const std::vector<Laid>& laid
         w += f * unit(g) * table.yield(k, here.node[g][m], laid[j].grid[g]);
       }
     }
-    const double x = here.x[m] / length;
+    const double x = (here.x[m] - center) / length;
     const Eigen::Vector3d basis(1.0, x, 0.5 * x * x);
     normal += here.share[m] * basis * basis.transpose();
     right += here.share[m] * w * basis;
@@ -214,11 +225,14 @@ Ellipse PointSolver::bent(const PointPosition& at, const std::vector<Laid>& laid
   }
   const Eigen::Vector3d c = solve_linear(normal, right);
   const double k1 = place.curvature[0];
+  const double from = center / length;
   Ellipse e;
   e.curvature = std::clamp(k1 + c[2] / (length * length), kStraightest * k1, place.curvature[1]);
-  const double tilt = c[1] / length;
-  e.middle = reach(place, -tilt / e.curvature);
-  e.relief = c[0] + (tilt + 0.5 * e.curvature * e.middle) * e.middle - mean;
+  // At the touch, x = 0.
+  const double tilt = (c[1] - c[2] * from) / length;
+  e.middle = reach(place, 0.0, -tilt / e.curvature);
+  e.relief = c[0] - (c[1] - 0.5 * c[2] * from) * from +
+             (tilt + 0.5 * e.curvature * e.middle) * e.middle - mean;
   return e;
 }
 
@@ -238,6 +252,10 @@ PointSolver::Shared PointSolver::share(const PointPosition& at, double torque) {
   all.laid.resize(at.places.size());
   VectorXd force = VectorXd::Constant(n, q.moment / q.arm.sum());
   double approach = 0.0;
+  // Whole steps, and where these do not end as long a part of a step as the last two suggest: more
+  // than one where they creep, less where they swing.
+  double part = 1.0;
+  VectorXd last;
   bool still = false;
   for (int turn = 0; turn < kMostTurns && !still; ++turn) {
     for (Index i = 0; i < n; ++i) {
@@ -250,17 +268,39 @@ PointSolver::Shared PointSolver::share(const PointPosition& at, double torque) {
     }
     q.yield = yields(at, all.laid);
     all.sharing = share_points(q);
+    if (!all.sharing.force.allFinite()) {
+      all.sharing.found = false;
+      return all;
+    }
     still = (all.sharing.force - force).cwiseAbs().maxCoeff() <=
                 kStill * all.sharing.force.maxCoeff() &&
             std::abs(all.sharing.approach - approach) <= kStill * approach;
     force = all.sharing.force;
     approach = all.sharing.approach;
-    const double part = turn < kWhole ? 1.0 : 0.5;
+    std::vector<Ellipse> step;
+    VectorXd change(3 * n);
     for (Index i = 0; i < n; ++i) {
       const Ellipse next = bent(at, all.laid, force, i);
-      ellipse[i].middle += part * (next.middle - ellipse[i].middle);
-      ellipse[i].curvature += part * (next.curvature - ellipse[i].curvature);
-      ellipse[i].relief += part * (next.relief - ellipse[i].relief);
+      const Ellipse& now = ellipse[i];
+      step.push_back(
+          {next.middle - now.middle, next.curvature - now.curvature, next.relief - now.relief});
+      change.segment<3>(3 * i) << step[i].middle / all.laid[i].point.semi_major,
+          step[i].curvature / at.places[i].curvature[0], step[i].relief / (approach * q.arm[i]);
+    }
+    const VectorXd bend = turn > kWhole ? VectorXd(change - last) : VectorXd();
+    if (turn < kWhole)
+      part = 1.0;
+    else if (turn == kWhole)
+      part = 0.5;
+    else if (bend.squaredNorm() > 0.0)
+      part = std::clamp(-part * last.dot(bend) / bend.squaredNorm(), kLeastPart, kMostPart);
+    last = change;
+    for (Index i = 0; i < n; ++i) {
+      ellipse[i].middle += part * step[i].middle;
+      ellipse[i].curvature =
+          std::clamp(ellipse[i].curvature + part * step[i].curvature,
+                     kStraightest * at.places[i].curvature[0], at.places[i].curvature[1]);
+      ellipse[i].relief += part * step[i].relief;
     }
   }
   all.sharing.found = all.sharing.found && still;
@@ -269,20 +309,17 @@ PointSolver::Shared PointSolver::share(const PointPosition& at, double torque) {
 }
 
 LoadedPosition PointSolver::solve(PointPosition& at, double torque, Angle rotation1, bool&,
-                                  long& unfinished, std::array<RootSwing, 2>& swing) {
+                                  std::array<RootSwing, 2>& swing) {
   LoadedPosition out;
   out.rotation1 = rotation1;
+  if (at.places.empty()) return out;
   const double sign = pair_.turned();
   out.unloaded_te = Angle::radians(sign * at.te);
-  out.te = out.unloaded_te;
-  if (at.places.empty()) {
-    out.kind = TouchKind::none;
-    out.te = out.unloaded_te = Angle();
-    return out;
-  }
   const Shared x = share(at, torque);
-  if (!x.sharing.found) ++unfinished;
   out.iterations = x.sharing.iterations;
+  out.unfinished = !x.sharing.found;
+  if (out.unfinished) return out;
+  out.max_pressure = out.max_width_ratio = 0.0;
   out.te = Angle::radians(sign * (at.te - x.sharing.approach));
   out.force = x.sharing.force.sum();
   const double arm = torque * ratio_ / out.force;
@@ -315,6 +352,7 @@ LoadedPosition PointSolver::solve(PointPosition& at, double torque, Angle rotati
 double PointSolver::greatest_share(PointPosition& at, double torque) {
   if (at.places.empty()) return 0.0;
   const Shared x = share(at, torque);
+  if (!x.sharing.found) return LoadedPosition::kNone;
   double most = 0.0;
   for (std::size_t i = 0; i < at.places.size(); ++i) {
     double of_pair = 0.0;

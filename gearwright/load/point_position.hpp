@@ -63,7 +63,7 @@ class PointSolver {
 
   PointPosition prepare(double rotation);
   LoadedPosition solve(PointPosition& at, double torque, Angle rotation1, bool& too_fine,
-                       long& unfinished, std::array<RootSwing, 2>& swing);
+                       std::array<RootSwing, 2>& swing);
   double greatest_share(PointPosition& at, double torque);
 
  private:
@@ -78,8 +78,8 @@ class PointSolver {
   }
   Eigen::MatrixXd yields(const PointPosition& at, const std::vector<Laid>& laid) const;
   AxisPlace on_axis(const PointPlace& place, double x);
-  // x, or as far towards it as the flanks reach.
-  double reach(const PointPlace& place, double x);
+  // x, or as far towards it from a place on the flanks as these reach.
+  double reach(const PointPlace& place, double from, double x);
   Laid lay(const PointPlace& place, double force, const Ellipse& ellipse);
   // How the bodies bend along the major axis of place i.
   Ellipse bent(const PointPosition& at, const std::vector<Laid>& laid, const Eigen::VectorXd& force,

@@ -27,8 +27,7 @@ const char* const kTurn = "rotation of gear 1, °";
 template <class Of>
 std::vector<Vec2> over_the_pitch(const LoadReport& report, const LoadedTorque& t, const Of& of) {
   std::vector<Vec2> values;
-  for (const LoadedPosition& p : t.positions)
-    values.push_back({p.rotation1.deg(), p.kind == TouchKind::none ? kNaN : of(p)});
+  for (const LoadedPosition& p : t.positions) values.push_back({p.rotation1.deg(), of(p)});
   const Vec2 first = values.front();
   values.push_back({first.x() + pitch_of(report) * kDegPerRad, first.y()});
   return values;
@@ -66,11 +65,11 @@ std::string curves_svg(const PlotWords& words, const std::vector<PlotCurve>& cur
   Vec2 hi = -lo;
   for (const PlotCurve& c : curves) {
     for (const Vec2& v : c.values) {
-      if (std::isnan(v.y())) continue;
-      lo = lo.cwiseMin(v);
-      hi = hi.cwiseMax(v);
+      lo = {std::min(lo.x(), v.x()), std::isfinite(v.y()) ? std::min(lo.y(), v.y()) : lo.y()};
+      hi = {std::max(hi.x(), v.x()), std::isfinite(v.y()) ? std::max(hi.y(), v.y()) : hi.y()};
     }
   }
+  if (!(lo.x() < hi.x() && lo.y() <= hi.y())) return {};
   const double least = from_zero ? 0.0 : lo.y();
   const std::vector<double> range = widened(least, hi.y(), 0.06);
   const Axis x{lo.x(), hi.x(), kLeft, kWidth - kRight};
@@ -83,7 +82,8 @@ std::string curves_svg(const PlotWords& words, const std::vector<PlotCurve>& cur
   for (const PlotCurve& c : curves) {
     draw_curve(svg, x, y, c.values, c.style);
     if (!c.dots) continue;
-    for (const Vec2& v : c.values) svg.dot({x(v.x()), y(v.y())}, 3.0, "mark");
+    for (const Vec2& v : c.values)
+      if (std::isfinite(v.y())) svg.dot({x(v.x()), y(v.y())}, 3.0, "mark");
   }
   svg.end_group();
   return svg.str();
@@ -116,6 +116,7 @@ std::string share_figure(const LoadReport& report) {
         values.push_back({own_pitches(report, p, k), share_of(p, k.pair)});
     std::sort(values.begin(), values.end(),
               [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
+    if (values.empty()) return values;
     // Before and after it bears nothing.
     values.insert(values.begin(), {values.front().x() - step, 0.0});
     values.push_back({values.back().x() + step, 0.0});
@@ -163,8 +164,9 @@ std::string harris_figure(const LoadReport& report) {
       line([](const LoadedTorque& t) { return t.peak_to_peak.arcsec(); }, "curve ink")};
   std::string keys = "<span class=\"key\"><i class=\"swatch ink\"></i>peak to peak</span> ";
   for (std::size_t h = 0; h < std::min(kWaves, quiet->harmonics.size()); ++h) {
-    curves.push_back(line([h](const LoadedTorque& t) { return t.harmonics[h].arcsec(); },
-                          "curve " + curve_style(h)));
+    curves.push_back(line(
+        [h](const LoadedTorque& t) { return t.harmonics.empty() ? kNaN : t.harmonics[h].arcsec(); },
+        "curve " + curve_style(h)));
     keys +=
         fmt::format("<span class=\"key\"><i class=\"swatch {}\"></i>{} wave{} per pitch</span> ",
                     curve_style(h), h + 1, h == 0 ? "" : "s");

@@ -28,7 +28,8 @@ struct PlotWords {
   std::string up, along;               ///< SVG markup: what the axes carry
 };
 
-/// Curves over their common range; with `from_zero` the values' axis begins at 0.
+/// Curves over their common range; with `from_zero` the values' axis begins at 0. Empty where they
+/// have no range.
 std::string curves_svg(const PlotWords& words, const std::vector<PlotCurve>& curves,
                        bool from_zero);
 

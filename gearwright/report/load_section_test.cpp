@@ -110,6 +110,28 @@ TEST(LoadSection, SharesAndFieldsAreThoseOfTheContact) {
   }
 }
 
+// Without an answer at some positions, or at all but one: gaps, and no page that ends.
+TEST(LoadSection, PositionsWithoutAnAnswerAreGaps) {
+  for (const bool only_one : {false, true}) {
+    LoadSample s = load_sample(testing::spur_pair(), {50e3, 150e3}, 0.01);
+    for (LoadedTorque& t : s.report.contact.torques) {
+      LoadedTorque rest;
+      rest.torque = t.torque;
+      rest.positions = t.positions;
+      for (std::size_t i = 0; i < rest.positions.size(); ++i)
+        if (only_one ? i != 4 : i == 4)
+          rest.positions[i] =
+              LoadedPosition{.rotation1 = rest.positions[i].rotation1, .unfinished = true};
+      rest.root_stress = t.root_stress;
+      summarise(rest, {28.0, s.pair->gears[0].base_radius(), 0.0, true, LoadRegime::line});
+      t = rest;
+    }
+    const std::string text = sound(s);
+    EXPECT_EQ(text.find("id=\"harris"), text.npos);
+    EXPECT_NE(text.find("id=\"mesh-stiffness"), text.npos);
+  }
+}
+
 TEST(LoadSection, StandsInThePage) {
   const LoadSample s = load_sample(testing::spur_pair(), {100e3}, 0.0);
   ReportInput input = testing::report_input(*s.pair);

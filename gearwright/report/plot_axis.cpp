@@ -60,11 +60,17 @@ void draw_foot(Svg& svg, const Axis& x, double top, double bottom, int most,
 void draw_curve(Svg& svg, const Axis& x, const Axis& y, const std::vector<Vec2>& values,
                 std::string_view style) {
   std::vector<Vec2> points;
+  const auto draw = [&] {
+    if (points.size() > 1) svg.polyline(points, style);
+    points.clear();
+  };
   for (const Vec2& v : values) {
     if (std::isfinite(v.x()) && std::isfinite(v.y()))
       points.push_back({x.near(v.x()), y.near(v.y())});
+    else
+      draw();
   }
-  if (points.size() > 1) svg.polyline(points, style);
+  draw();
 }
 
 }  // namespace gearwright

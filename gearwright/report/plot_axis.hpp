@@ -41,7 +41,8 @@ void draw_rows(Svg& svg, const Axis& x, const Axis& y, int most);
 void draw_foot(Svg& svg, const Axis& x, double top, double bottom, int most,
                std::string_view words);
 
-/// Points as one curve, without pieces of it that are far outside.
+/// Points as one curve, without pieces of it that are far outside; it ends before a point that is not
+/// finite and begins anew behind it.
 void draw_curve(Svg& svg, const Axis& x, const Axis& y, const std::vector<Vec2>& values,
                 std::string_view style);
 

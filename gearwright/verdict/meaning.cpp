@@ -32,6 +32,7 @@ constexpr auto kRows = std::to_array<Row>({
     {"jam", kProblem, "the gears jam"},
     {"negative_backlash", kProblem, "the teeth are too thick for this centre distance"},
     {"contact_ratio", kProblem, "contact is not continuous"},
+    {"load_unfinished", kProblem, "under load some positions have no answer"},
     {"interference", kProblem, "the flanks cut into each other"},
     {"contact_off_flank", kProblem, "the teeth touch off their flanks"},
     {"root", kProblem, "a tip cuts into the mating gear’s root"},
@@ -68,8 +69,6 @@ constexpr auto kRows = std::to_array<Row>({
     {"no_corrections", kCaution, "no corrections"},
     {"ellipse_beyond_flank", kCaution, "a contact ellipse beyond the flank"},
     {"rating_root_fillet", kCaution, "a root that the standard does not describe"},
-    {"load_unfinished", kCaution, "positions under load without a result",
-     "Choose other positions."},
     {"contact_search_unfinished", kCaution, "positions without an exact contact point",
      "Choose other positions."},
     {"correction_at_bound", kCaution, "a correction at its bound", "Align the housing better."},
@@ -104,6 +103,7 @@ constexpr auto kRows = std::to_array<Row>({
     {"held_at_half_the_root", kNote},
     {"held_at_rim_as_drawn", kNote},
     {"no_load", kNote},
+    {"stiffness_differs", kNote},
 });
 
 Meaning of_row(const Row& row, int rank) { return {row.severity, row.reason, row.advice, rank}; }
