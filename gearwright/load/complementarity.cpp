@@ -18,6 +18,8 @@ using Eigen::VectorXd;
 constexpr int kMost = 200;
 constexpr int kOneByOne = 30;        // after as many steps one place at a time: no cycles
 constexpr double kStill = 1e-11;     // of the greatest load: the last step
+constexpr double kRounding = 1e-14;  // of terms that cancel: a step that is their rounding
+constexpr double kRough = 1e-3;      // of the greatest load: more rounding than that is no answer
 constexpr double kOverlap = 1e-12;   // of the greatest displacement: an idle place overlaps
 constexpr double kLeastLoad = 1e-9;  // of the mean: what the logarithm is given at least
 
@@ -100,7 +102,12 @@ ContactSolution solve_contact(const ContactProblem& q, const std::vector<char>& 
     const double step = (next - x.line_load).cwiseAbs().maxCoeff();
     const double greatest = next.maxCoeff();
     x.line_load = next;
-    if (!changed && (q.local == 0.0 || step <= kStill * greatest)) {
+    // Under next to no load only rounding is left of gaps that cancel.
+    const double cancelling =
+        free.cwiseAbs().maxCoeff() + std::abs(x.approach) * turned.cwiseAbs().maxCoeff();
+    const double still =
+        std::max(kStill * greatest, std::min(kRounding * cancelling, kRough * greatest));
+    if (!changed && (q.local == 0.0 || step <= still)) {
       x.stop = ContactSolution::Stop::converged;
       return x;
     }

@@ -28,7 +28,9 @@ struct ContactProblem {
 
 struct ContactSolution {
   enum class Stop {
-    converged,   ///< no place changed, and the last step was below 1e-11 of the greatest load
+    /// No place changed, and the last step was below 1e-11 of the greatest load, or rounding of gaps
+    /// that cancel to less than a thousandth of it.
+    converged,
     indefinite,  ///< slices too fine for the widths of contact: the local term makes A indefinite
     too_long
   };
