@@ -8,6 +8,7 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/job/files.hpp"
+#include "gearwright/job/stiffness_reasons.hpp"
 #include "gearwright/rating/elasticity.hpp"
 #include "gearwright/rating/material.hpp"
 #include "gearwright/rating/root.hpp"
@@ -18,7 +19,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kMostPoisson = 0.49;  // 0.5 is a liquid: plane strain has no stiffness matrix
-constexpr double kShaft = 0.5;         // of the root diameter, where no bore is given
+constexpr double kFullLineLoad = 100;  // N/mm: below it the standard softens the teeth
 constexpr double kHertzRatio = 0.1;    // half width over radius: beyond it Hertz errs by a percent
 
 Result<ElasticBody> body_of(SolvedJob& job, int which) {
@@ -279,6 +280,7 @@ Result<LoadAnswer> answer_load(SolvedJob& job, Headway* headway) {
   auto contact = contact_of(job, task, *answer.compliance);
   if (!contact) return contact.error();
   answer.contact = std::move(contact).take();
+  explain_stiffness(job, task, answer);
   return answer;
 }
 
@@ -338,8 +340,11 @@ std::vector<LoadStandard> load_standard(const SolvedJob& job, const LoadAnswer& 
   for (const LoadedTorque& t : answer.contact->torques) {
     const double force = 2 * t.torque / first.reference_diameter;
     LoadStandard s;
-    s.stiffness = mesh_stiffness(*rated, force / rated->face_width, elasticity, std::nullopt)
-                      .c_gamma_alpha.value;
+    const auto under = [&](double line_load) {
+      return mesh_stiffness(*rated, line_load, elasticity, std::nullopt).c_gamma_alpha.value;
+    };
+    s.stiffness = under(force / rated->face_width);
+    s.low_load = std::max(1.0, under(kFullLineLoad) / s.stiffness);
     if (nominal) s.root_stress = {force * (*nominal)[0], force * (*nominal)[1]};
     list.push_back(s);
   }

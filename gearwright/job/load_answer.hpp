@@ -16,6 +16,9 @@ struct LoadAnswer {
   std::vector<ProbeAnswer> probes;           ///< of spec.load.probes
 };
 
+/// Of the root diameter: where a gear without a bore is held.
+inline constexpr double kShaft = 0.5;
+
 /// Errors    `load` without torque and probes; `gear2` missing; `pair.…` and `gearN.…` where loaded
 ///           contact is not made for such gears; `gearN.material.poisson_ratio`, `gearN.bore.…`,
 ///           `load.slices` too many, `load.probe[i].…`; as ContactSetup

@@ -14,6 +14,7 @@ struct LoadStandard {
   double stiffness = 0.0;  ///< c_γα  N/(mm µm)
   /// σ_F0 of each gear, MPa: F_t/(b m_n) Y_F Y_S Y_β; none: a gear has no critical section.
   std::optional<std::array<double, 2>> root_stress{};
+  double low_load = 1.0;  ///< c_γα under 100 N/mm over this one; more than 1 below that load
 };
 
 struct SummaryBasis {

@@ -286,5 +286,61 @@ gear2 = {{ teeth = 50, normal_module_mm = 4, helix_angle_deg = -22, face_width_m
         self.assertEqual(run.json["error"]["key"], "load.deflection_bow_um")
 
 
+# Gear 1 ends in a line below its tip diameter.
+POINTED = """
+[gear1]
+teeth = 14
+normal_module_mm = 1
+face_width_mm = 10
+profile_shift = 0.739
+rack = {{ addendum = 1.1 }}
+material = {{ name = "16MnCr5" }}
+[gear2]
+teeth = 64
+face_width_mm = 10
+material = {{ name = "16MnCr5" }}
+[load]
+torque_Nm = 5
+positions = 8
+accuracy = "draft"
+{rest}
+"""
+
+
+class PointedTeeth(unittest.TestCase):
+    def test_every_verb_has_numbers(self):
+        run = Run("load", POINTED.format(rest=""), "--json")
+        self.assertEqual(run.status, 0, run.err)
+        torque = run.json["load"]["torques"][0]
+        self.assertGreater(torque["max_pressure_MPa"], 500)
+        self.assertGreater(min(torque["max_root_stress_MPa"]), 50)
+        for p in torque["positions"]:
+            self.assertGreater(p["approach_um"], 0)
+            self.assertGreater(p["max_pressure_MPa"], 0)
+        self.assertNotIn("nan", Run("load", POINTED.format(rest="")).out)
+
+    def test_the_rating_beside_them(self):
+        rating = ("[rating]\ntorque_Nm = 5\nspeed_rpm = 1500\nquality = 6\nface_load_factor = 1.2\n"
+                  "tooth_contact = true\n")
+        run = Run("rate", POINTED.format(rest=rating), "--json")
+        self.assertEqual(run.status, 0, run.err)
+        self.assertGreater(run.json["rating"]["contact_pressure_MPa"], 500)
+
+    def test_corrections_for_their_pressure(self):
+        wish = '[errors]\ncrossing_deg = 0.02\n[compensate]\naim = "pressure"\ncorrections = ["gear1.lead_slope_um"]\n'
+        run = Run("compensate", POINTED.format(rest="slices = 8\n" + wish).replace("positions = 8", "positions = 4"),
+                  "--json")
+        self.assertEqual(run.status, 0, run.err)
+        scores = run.json["compensate"]["under_load"][0]
+        self.assertGreater(scores["before"]["max_pressure_MPa"], scores["after"]["max_pressure_MPa"])
+        self.assertGreater(scores["after"]["max_pressure_MPa"], 500)
+
+    def test_the_whole_page(self):
+        with tempfile.TemporaryDirectory() as folder:
+            run = Run("run", POINTED.format(rest=""), "--out", folder + "/made")
+            self.assertEqual(run.status, 0, run.err)
+            self.assertIn("Under load", (Path(folder) / "made" / "report.html").read_text())
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -6,6 +6,7 @@
 #include "apps/web/engine/stopwatch.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/load_text.hpp"
+#include "gearwright/job/stiffness_reasons.hpp"
 #include "gearwright/job/value_json.hpp"
 #include "gearwright/load/load_summary.hpp"
 
@@ -136,6 +137,7 @@ std::optional<Error> LoadWork::close() {
   answer.contact = turn_->result();
   answer.compliance = *compliance_;
   if (auto error = judge_load(job_, task_, *answer.contact)) return error;
+  explain_stiffness(job_, task_, answer);
   json_ = json_text(load_json(job_, answer, judge(job_, {.load = true})), 2) + "\n";
   picture_ = picture_of(*answer.contact);
   return std::nullopt;

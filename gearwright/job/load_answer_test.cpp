@@ -1,0 +1,197 @@
+// Teeth under load at the edge of what teeth are: pointed ones, corners that bear, positions that have
+// no answer, slices that are too fine.
+#include "gearwright/job/load_answer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "gearwright/job/judgement.hpp"
+#include "gearwright/job/load_text.hpp"
+
+namespace gearwright {
+namespace {
+
+SolvedJob loaded_job(const std::string& text) {
+  const auto spec = read_spec(text, SpecFormat::toml);
+  EXPECT_TRUE(spec) << spec.error().message();
+  auto solved = solve(*spec, Scope::pair);
+  EXPECT_TRUE(solved) << solved.error().message();
+  return std::move(solved).take();
+}
+
+LoadAnswer loaded_answer(SolvedJob& job) {
+  auto answer = answer_load(job);
+  EXPECT_TRUE(answer) << answer.error().message();
+  return std::move(answer).take();
+}
+
+// Every position has an answer, and none is 0.
+void expect_numbers(const LoadAnswer& answer) {
+  for (const LoadedTorque& t : answer.contact->torques) {
+    EXPECT_TRUE(std::isfinite(t.peak_to_peak.rad()));
+    EXPECT_FALSE(t.harmonics.empty());
+    for (const LoadedPosition& p : t.positions) {
+      const double at = p.rotation1.deg();
+      EXPECT_TRUE(p.solved()) << at;
+      EXPECT_TRUE(std::isfinite(p.te.rad())) << at;
+      EXPECT_GT(p.approach, 0.0) << at;
+      EXPECT_GT(p.max_pressure, 0.0) << at;
+      EXPECT_GT(std::min(p.root_stress[0], p.root_stress[1]), 0.0) << at;
+    }
+  }
+}
+
+std::string pointed_spur(const std::string& tip) {
+  return "gear1 = { teeth = 14, normal_module_mm = 1, face_width_mm = 10, profile_shift = 0.739, "
+         "rack = { addendum = 1.1 }" +
+         tip + R"( }
+gear2 = { teeth = 64, face_width_mm = 10 }
+[load]
+torque_Nm = 5
+positions = 8
+accuracy = "draft"
+)";
+}
+
+// Its teeth end in a line at 17.667 mm; those of the other gear end 0.027 mm below with 0.04 mm of land.
+TEST(LoadAnswer, APointedToothBearsAsOneThatEndsALittleLower) {
+  SolvedJob pointed = loaded_job(pointed_spur(""));
+  ASSERT_TRUE(pointed.gears[0].pointed());
+  const LoadAnswer sharp = loaded_answer(pointed);
+  expect_numbers(sharp);
+  SolvedJob blunt = loaded_job(pointed_spur(", tip_diameter_mm = 17.64"));
+  ASSERT_FALSE(blunt.gears[0].pointed());
+  const LoadAnswer other = loaded_answer(blunt);
+  for (std::size_t i = 0; i < 8; ++i) {
+    const LoadedPosition& p = sharp.contact->torques[0].positions[i];
+    const LoadedPosition& q = other.contact->torques[0].positions[i];
+    EXPECT_NEAR(p.approach, q.approach, 0.03 * q.approach) << i;
+    EXPECT_NEAR(p.max_pressure, q.max_pressure, 0.05 * q.max_pressure) << i;
+  }
+}
+
+std::string crossed_draft(const std::string& gear1, const std::string& gear2,
+                          const std::string& load) {
+  return "gear1 = { " + gear1 + " }\ngear2 = { " + gear2 + " }\n[load]\naccuracy = \"draft\"\n" +
+         load;
+}
+
+TEST(LoadAnswer, PointedTeethOfCrossedGearsBear) {
+  const std::string load = "torque_Nm = 5\npositions = 4\n";
+  for (const auto& [one, two] :
+       {std::pair("teeth = 20, normal_module_mm = 2, helix_angle_deg = 20, tip_diameter_mm = 52",
+                  "teeth = 60, helix_angle_deg = 25"),
+        std::pair("teeth = 11, normal_module_mm = 2, helix_angle_deg = 18.88",
+                  "teeth = 93, helix_angle_deg = 21.72, tip_diameter_mm = 222.872"),
+        std::pair("teeth = 39, normal_module_mm = 5, helix_angle_deg = 12.97, profile_shift = "
+                  "0.357, tip_diameter_mm = 233.293",
+                  "teeth = 91, helix_angle_deg = 13.84")}) {
+    SolvedJob job = loaded_job(crossed_draft(one, two, load));
+    ASSERT_TRUE(job.gears[0].pointed() || job.gears[1].pointed());
+    expect_numbers(loaded_answer(job));
+  }
+}
+
+// Where its faces end, gear 2 touches with corners. 16″ from peak to peak of finer tables; positions
+// that found no end once made 103″ of it.
+TEST(LoadAnswer, CornersThatBearComeToAnEnd) {
+  SolvedJob job = loaded_job(crossed_draft(
+      "teeth = 24, normal_module_mm = 2.5, helix_angle_deg = 35.06, face_width_mm = 12.47, "
+      "profile_shift = -0.015",
+      "teeth = 91, helix_angle_deg = 15.59, face_width_mm = 13.02, profile_shift = -0.006",
+      "torque_Nm = [145, 290]\n"));
+  const LoadAnswer answer = loaded_answer(job);
+  expect_numbers(answer);
+  EXPECT_EQ(answer.contact->unfinished, 0);
+  EXPECT_LT(answer.contact->torques[1].peak_to_peak.arcsec(), 25.0);
+}
+
+TEST(LoadAnswer, APositionWithoutAnAnswerIsNullNamedAndRed) {
+  SolvedJob job = loaded_job(pointed_spur(", tip_diameter_mm = 17.2"));
+  auto made = load_task(job);
+  ASSERT_TRUE(made) << made.error().message();
+  const LoadTask task = std::move(made).take();
+  LoadAnswer answer;
+  answer.compliance = task.compliance().value();
+  answer.contact = task.contact(*answer.compliance);
+  LoadedTorque& t = answer.contact->torques[0];
+  const LoadedTorque whole = t;
+  const Angle turned = t.positions[3].rotation1;
+  t.positions[3] = LoadedPosition{.rotation1 = turned, .unfinished = true};
+  t.harmonics.clear();
+  summarise(t, {10.0, job.gears[0].base_radius(), 0.0, true, LoadRegime::line});
+  EXPECT_TRUE(std::isfinite(t.peak_to_peak.rad()));
+  EXPECT_LE(t.peak_to_peak.rad(), whole.peak_to_peak.rad());
+  EXPECT_LE(t.max_pressure, whole.max_pressure);
+  EXPECT_GT(t.max_pressure, 0.0);
+  EXPECT_TRUE(t.harmonics.empty());
+  EXPECT_FALSE(judge_load(job, task, *answer.contact));
+  const auto said = std::find_if(job.warnings.begin(), job.warnings.end(),
+                                 [](const Warning& w) { return w.code == "load_unfinished"; });
+  ASSERT_NE(said, job.warnings.end());
+  EXPECT_NE(said->message.find("-3.21429°"), std::string::npos) << said->message;
+  const Verdict verdict = judge(job);
+  EXPECT_EQ(verdict.level, Level::red);
+  const auto json = load_json(job, answer);
+  const auto& position = json["load"]["torques"][0]["positions"][3];
+  for (const char* key : {"transmission_error_arcsec", "approach_um", "max_pressure_MPa", "kind"})
+    EXPECT_TRUE(position[key].is_null() || !std::isfinite(position[key].get<double>())) << key;
+  EXPECT_NE(load_listing(job, answer).find("unfinished"), std::string::npos);
+  // With no position left there is nothing to tell.
+  for (LoadedPosition& p : t.positions)
+    p = LoadedPosition{.rotation1 = p.rotation1, .unfinished = true};
+  const auto error = judge_load(job, task, *answer.contact);
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->field, "load.torques");
+}
+
+// A spur pair out of line, and a light load: what is named makes the difference.
+TEST(LoadAnswer, AStiffnessFarFromTheStandardsIsExplained) {
+  const auto note_of = [](const std::string& more) {
+    SolvedJob job = loaded_job(
+        "gear1 = { teeth = 25, normal_module_mm = 3, face_width_mm = 30 }\n"
+        "gear2 = { teeth = 43, face_width_mm = 28 }\n[load]\npositions = 8\naccuracy = "
+        "\"draft\"\nslices = 16\n" +
+        more);
+    loaded_answer(job);
+    for (const Warning& w : job.warnings)
+      if (w.code == "stiffness_differs") return w.message;
+    return std::string();
+  };
+  EXPECT_EQ(note_of("torque_Nm = 250\n"), "");
+  const std::string crossed = note_of("torque_Nm = 120\n[errors]\ncrossing_deg = 0.02\n");
+  EXPECT_NE(crossed.find("for errors of mounting"), crossed.npos) << crossed;
+  EXPECT_EQ(crossed.find("softens"), crossed.npos) << crossed;
+  const std::string light = note_of("torque_Nm = 20\n");
+  EXPECT_NE(light.find("softens"), light.npos) << light;
+  EXPECT_EQ(light.find("errors of mounting"), light.npos) << light;
+}
+
+TEST(LoadAnswer, SlicesThatAreTooFineAreRefusedBeforeAnyTable) {
+  for (const char* helix : {"0", "20"}) {
+    SolvedJob job =
+        loaded_job(std::string("gear1 = { teeth = 20, normal_module_mm = 2, helix_angle_deg "
+                               "= ") +
+                   helix + R"(, face_width_mm = 20 }
+gear2 = { teeth = 40, face_width_mm = 20 }
+load = { torque_Nm = 50, slices = 128 }
+)");
+    const auto task = load_task(job);
+    ASSERT_FALSE(task);
+    EXPECT_EQ(task.error().field, "load.slices");
+    EXPECT_NE(task.error().rule.find("would do"), std::string::npos);
+  }
+  SolvedJob points = loaded_job(crossed_draft(
+      "teeth = 24, normal_module_mm = 2.5, helix_angle_deg = 35.06, face_width_mm = 12",
+      "teeth = 91, helix_angle_deg = 15.59, face_width_mm = 13", "torque_Nm = 145\nslices = 64\n"));
+  const auto task = load_task(points);
+  ASSERT_FALSE(task);
+  EXPECT_EQ(task.error().field, "load.slices");
+}
+
+}  // namespace
+}  // namespace gearwright

@@ -1,0 +1,15 @@
+// Why teeth under load are softer or stiffer than the standard has them: the same pair once more
+// without its errors, without its modifications, with a wider face, with solid bodies.
+#pragma once
+
+#include "gearwright/job/load_answer.hpp"
+
+namespace gearwright {
+
+/// Where the mean stiffness is more than a quarter off c_γα: a note in the job's warnings, with the
+/// factor that each of these makes and what is left.
+///
+/// Domain    an answer of this task with contact (contract)
+void explain_stiffness(SolvedJob& job, const LoadTask& task, const LoadAnswer& answer);
+
+}  // namespace gearwright
