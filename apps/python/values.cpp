@@ -98,10 +98,10 @@ bool is_time(py::handle value) {
 
 Json mapping_of(py::handle value, const std::string& path) {
   Json tree = Json::object();
-  for (const auto& item : py::reinterpret_steal<py::object>(PyMapping_Items(value.ptr()))) {
-    const auto pair = py::reinterpret_borrow<py::tuple>(item);
-    const std::string key = py::str(pair[0]);
-    const py::object member = pair[1];
+  const py::object keys = value.attr("keys")();  // all that dicts, Records and tables have in common
+  for (const auto& name : keys) {
+    const std::string key = py::str(name);
+    const py::object member = value[name];
     if (member.is_none()) continue;  // not given
     tree[key] = tree_of(member, path.empty() ? key : path + "." + key);
   }

@@ -95,8 +95,8 @@ def test_what_is_no_array_of_errors_is_named(errors, key):
 
 NO_REAL_NUMBERS = [np.zeros((1, 6), dtype=complex), np.zeros((1, 6), dtype="m8[ns]"), np.zeros((1, 6), dtype="m8[s]"),
                    np.zeros((1, 6), dtype="M8[D]"), np.zeros((1, 6), dtype=bool), np.zeros((1, 6), dtype=object),
-                   np.zeros((1, 6)).astype(str), np.ma.masked_array(np.zeros((1, 6)), mask=True), [[1j] * 6], [["1"] * 6],
-                   [[None] * 6]]
+                   np.zeros((1, 6)).astype(str), np.ma.masked_array(np.zeros((1, 6)), mask=True), [[1j] * 6],
+                   [["1"] * 6], [[None] * 6]]
 
 
 @pytest.mark.parametrize("given", NO_REAL_NUMBERS, ids=lambda a: str(np.asarray(a).dtype) + type(a).__name__)
@@ -270,6 +270,15 @@ def test_closed_forms_out_of_their_domain():
     assert gw.Gear(teeth=10, normal_module=1, profile_shift=least[0] - 1e-3).undercut is True
     with pytest.raises(ValueError, match="could not be broadcast|shape mismatch"):
         gw.center_distance([1, 2], [1, 2, 3])
+
+
+@pytest.mark.parametrize("angle", [5.0, -1.0, 0.0, math.pi / 2, math.nan, math.inf, 1e308])
+def test_closed_forms_want_a_pressure_angle(angle):
+    # shift_limits ended the interpreter at 5 rad
+    for form in (lambda **a: gw.shift_limits(17, **a), lambda **a: gw.contact_ratio(17, 43, **a),
+                 lambda **a: gw.backlash(17, 43, 0, 0, 30.5, **a)):
+        with pytest.raises(ValueError, match="normal_pressure_angle"):
+            form(normal_pressure_angle=angle)
 
 
 def test_wheel_of_the_pair_is_a_left_hand():

@@ -158,6 +158,15 @@ def test_a_dict_with_itself_in_it():
             call(inner)
 
 
+def test_a_record_or_a_search_is_no_spec():
+    # Each ended the interpreter: they have keys, or places, and no items.
+    found = gw.search({"search": {"ratio": [3.0, 3.05], "modules_mm": [2], "pinion_teeth": [14, 30]}}, progress=False)
+    for value in (pair().backlash, found, pair().verdict):
+        for call in (gw.load, lambda v: gw.Gear(teeth=v, normal_module=2), lambda v: pinion().replace(rack=v)):
+            with pytest.raises((gw.SpecError, TypeError)):
+                call(value)
+
+
 def test_every_quantity_is_an_attribute():
     for value, table in ((pinion(), "gear"), (pair(), "pair")):
         keyed = value.as_dict()

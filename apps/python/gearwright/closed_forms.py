@@ -31,6 +31,12 @@ def _sine_of_helix(angle: ArrayLike) -> Array:
     return np.sin(np.where(np.abs(beta) < math.pi / 2, beta, np.nan))
 
 
+def _pressure_angle(angle: float) -> float:
+    if not 0 < angle < math.pi / 2:
+        raise ValueError(f"normal_pressure_angle = {angle!r}: must lie between 0 and π/2 rad")
+    return angle
+
+
 def _shaped(column: Array, shape: tuple[int, ...]) -> Any:
     return column.reshape(shape) if shape else float(column[0])
 
@@ -82,7 +88,7 @@ def pair_table(
     wanted = [places["tan_working" if name == "working_pressure_angle" else name] for name in names]
     lanes, rows, shape = _columns(z1, z2, _sine_of_helix(helix_angle), x1, x2, normal_module)
     module = lanes.pop()
-    found = _core._candidates(lanes, rows, math.tan(normal_pressure_angle), (addendum, addendum),
+    found = _core._candidates(lanes, rows, math.tan(_pressure_angle(normal_pressure_angle)), (addendum, addendum),
                               (dedendum, dedendum), flank_depth, mounting == "tight", shorten_tips, wanted)
     table = {}
     for name, column in zip(names, found, strict=True):
@@ -119,7 +125,8 @@ def backlash(z1: ArrayLike, z2: ArrayLike, x1: ArrayLike, x2: ArrayLike, center_
     """The normal backlash j_n at a centre distance; < 0: the teeth overlap."""
     columns, rows, shape = _columns(z1, z2, x1, x2, _sine_of_helix(helix_angle), thickness_allowance1,
                                     thickness_allowance2, center_distance)
-    return _shaped(_core._backlash(columns, rows, normal_module, math.tan(normal_pressure_angle)), shape)
+    tan_alpha = math.tan(_pressure_angle(normal_pressure_angle))
+    return _shaped(_core._backlash(columns, rows, normal_module, tan_alpha), shape)
 
 
 def shift_limits(z: ArrayLike, helix_angle: ArrayLike = 0.0, *, tip_thickness: float = 0.2,
@@ -128,5 +135,6 @@ def shift_limits(z: ArrayLike, helix_angle: ArrayLike = 0.0, *, tip_thickness: f
     """(least, greatest) profile shift: without undercut, and with a tip of at least tip_thickness modules. An
     internal gear knows no undercut: its least shift is -inf. NaN where there is none."""
     columns, rows, shape = _columns(z, helix_angle)
-    least, greatest = _core._shift_limits(columns, rows, normal_pressure_angle, addendum, flank_depth, tip_thickness)
+    alpha = _pressure_angle(normal_pressure_angle)
+    least, greatest = _core._shift_limits(columns, rows, alpha, addendum, flank_depth, tip_thickness)
     return _shaped(least, shape), _shaped(greatest, shape)
