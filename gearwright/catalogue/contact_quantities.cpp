@@ -100,13 +100,13 @@ void say_position(Quantities<P>& q) {
         "at the point, of the rack that cut gear 1; α_n on an involute",
         [](const P& p) { return p.rack_angle ? Value(p.rack_angle->deg()) : Value(); });
   q.add(Type::number, Unit::per_mm, "", "gap_curvature_per_mm", "curvatures of the gap", "k_1, k_2",
-        "k1 ≤ k2 [T8.15]; 0 and k2 of a line, null at an edge",
+        "k1 ≤ k2 [T8.15]; 0 and k2 of a line, null at an edge or a ridge",
         [](const P& p) { return Value(p.gap_curvature); })
       .list({2});
-  q.record("", "ellipse", "where the gap is the marking's thickness [T8.16]; null at an edge",
-           ellipse_table, [](const P& p) {
-             return p.ellipse ? Value(ellipse_quantities().of(*p.ellipse)) : Value();
-           });
+  q.record(
+      "", "ellipse", "where the gap is the marking's thickness [T8.16]; null at an edge or a ridge",
+      ellipse_table,
+      [](const P& p) { return p.ellipse ? Value(ellipse_quantities().of(*p.ellipse)) : Value(); });
   q.record("", "ridge", "how the gap opens on either side of a ridge; absent of other kinds",
            ridge_table, [](const P& p) { return Value(ridge_quantities().of(*p.ridge)); })
       .when([](const P& p) { return p.ridge.has_value(); });
