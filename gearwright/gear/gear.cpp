@@ -101,15 +101,6 @@ void forget_fillet_cut_off(Gear& gear, double fillet_begin) {
                            2 * tooth.tip_radius));
 }
 
-// A tooth without a given tip and without an allowance ends at the rack's addendum: on the land of
-// a rack whose bottom lies there.
-bool ends_on_land(const CylindricalSpec& spec) {
-  const StraightRack& rack = spec.straight_rack();
-  if (spec.tip_diameter || spec.thickness_allowance != 0.0 || rack.semi_topping_angle) return false;
-  if (!rack.tool_addendum) return rack.tip_fillet_radius > 0.0;
-  return rack.tip_fillet_radius == 0.0 && *rack.tool_addendum == rack.addendum;
-}
-
 // The tooth of an external gear, with circular fillets where they are asked for.
 std::optional<Error> cut(Gear& gear, const CutterEdge& edge) {
   const CylindricalSpec& spec = gear.spec;
@@ -134,9 +125,7 @@ std::optional<Error> cut(Gear& gear, const CutterEdge& edge) {
     // A tooth that its fillet ends needs no other tip.
     if (!blank) gear.tip_diameter = 2 * fillets->tip->arc.end;
   }
-  // The same number, where the land is the tip: no rounding decides which of the two ends the tooth.
-  const double end = ends_on_land(spec) ? land : gear.tip_diameter / 2;
-  auto tooth = cut_by_rack(edge, motion, spec.teeth, end, *fillets);
+  auto tooth = cut_by_rack(edge, motion, spec.teeth, gear.tip_diameter / 2, *fillets);
   if (!tooth) return tooth.error();
   gear.tooth = std::move(tooth).take();
   if (fillets->tip)

@@ -189,8 +189,11 @@ Result<GeneratedTooth> finish_tooth(const std::vector<Branch>& branches, const T
     return tooth;
   }
   end_at_tip(chain, side, tooth);
+  // A blank that ends where the cutter does is not topped: the two radii differ by their rounding.
+  constexpr double kOneRadius = 1e-13;
   tooth.tip_cut_by_rack =
-      !tooth.pointed && !tooth.rounded_tip && side * ends.cutter_radius < side * ends.blank_radius;
+      !tooth.pointed && !tooth.rounded_tip &&
+      side * (ends.blank_radius - ends.cutter_radius) > kOneRadius * std::abs(ends.cutter_radius);
   for (const Branch& branch : chain) {
     if (branch.name != ArcName::flank) continue;
     // A rack of arcs may cut several: the usable flank runs from the first to the last,

@@ -133,7 +133,7 @@ TEST(CompensateLoad, WantsTheTorque) {
   SolvedJob job = job_of(text);
   const auto answer = answer_compensate(job);
   ASSERT_FALSE(answer);
-  EXPECT_EQ(answer.error().field, "load.torques");
+  EXPECT_EQ(answer.error().field, "load.torque_Nm");
 }
 
 }  // namespace

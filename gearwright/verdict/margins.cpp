@@ -53,9 +53,6 @@ bool runs_on_root(const Pair& pair, int which) {
   });
 }
 
-// The kink of a linear relief (a ridge) is no edge of the tooth.
-bool is_edge_of_tooth(TouchKind kind) { return is_edge(kind) && kind != TouchKind::ridge; }
-
 }  // namespace
 
 std::vector<Finding> margin_findings(const Pair& pair) {
@@ -81,7 +78,7 @@ std::vector<Finding> contact_findings(const ContactResult& contact, const Pair& 
   for (const ContactPoint& p : contact.positions) {
     if (p.kind == TouchKind::none) continue;
     ++touching;
-    if (is_edge_of_tooth(p.kind)) ++edges;
+    if (is_edge(p.kind)) ++edges;
     if (p.kind == TouchKind::line) continue;
     ++points;
     place += p.height[0] / (pair.gear(1).spec.face_width / 2);

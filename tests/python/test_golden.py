@@ -49,6 +49,8 @@ def test_examples(path):
     run = subprocess.run([BIN, verb, str(path), "--json"], capture_output=True, text=True, check=True)
     told = json.loads(run.stdout)
     again = gw.solve(value, verb)
+    for answer in (again, told):  # the value's spec has in its gear 2 what that took from gear 1
+        answer["verdict"]["findings"] = [f for f in answer["verdict"]["findings"] if f["code"] != "inherited"]
     assert {k: v for k, v in again.items() if k != "warnings"} == {k: v for k, v in told.items() if k != "warnings"}
     if verb == "pair":
         assert value.result() == again
