@@ -15,15 +15,11 @@
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/base/printable.hpp"
-#include "gearwright/job/answers.hpp"
+#include "gearwright/job/verbs.hpp"
 
 namespace gearwright::cli {
 
 namespace {
-
-bool answering(const std::string& word) {
-  return std::find(kAnswering.begin(), kAnswering.end(), word) != kAnswering.end();
-}
 
 void write_line(const std::string& line) {
   if (std::fwrite(line.data(), 1, line.size(), stdout) != line.size() ||
@@ -33,19 +29,17 @@ void write_line(const std::string& line) {
 
 }  // namespace
 
-std::string batch_verbs() { return fmt::format("{}", fmt::join(kAnswering, ", ")); }
-
 int batch_verb(const Options& o) {
   std::vector<std::string> words = o.words;
   std::string verb;
-  if (!words.empty() && answering(words.front())) {
+  if (!words.empty() && find_verb(words.front()) != nullptr) {
     verb = words.front();
     words.erase(words.begin());
   }
   const std::string path = words.empty() ? "-" : words.front();
   const bool a_word = path.find_first_of("-./") == std::string::npos;
   if (words.size() > 1 || (a_word && !std::filesystem::exists(path)))
-    return usage(fmt::format("batch answers with one of {}, not with {}", batch_verbs(),
+    return usage(fmt::format("batch answers with one of {}, not with {}", verb_names(),
                              printable(path, 60)));
   std::ifstream file;
   if (path != "-") {

@@ -11,7 +11,4 @@ namespace gearwright::cli {
 /// Throws    IoError
 int batch_verb(const Options& o);
 
-/// "gear, pair, …"
-std::string batch_verbs();
-
 }  // namespace gearwright::cli

@@ -14,6 +14,7 @@
 #include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/key.hpp"
 #include "gearwright/job/files.hpp"
+#include "gearwright/job/verbs.hpp"
 
 namespace gearwright::cli {
 
@@ -96,67 +97,21 @@ void CommandLine::add_run() {
 
 void CommandLine::add_answering() {
   Options& o = options_;
-  const CLI::Range gears(1, 2);
-  CLI::App* gear = json_verb("gear", "Geometry of each gear: diameters, thicknesses, limits, flags",
-                             "gearwright gear examples/helical_pair.toml --json");
-  spec_argument(gear, o);
-  csv_flag(gear, o);
-  strict_flag(gear, o);
-  gear->add_option("--as-rack", o.as_rack,
-                   "MODULE,ANGLE: the same teeth as that rack describes them; one may be empty");
-
-  CLI::App* outline =
-      json_verb("outline", "Points of the transverse tooth outline, per named arc",
-                "gearwright outline examples/helical_pair.toml --gear 2 --points 100");
-  spec_argument(outline, o);
-  csv_flag(outline, o);
-  outline->add_option("--gear", o.gear, "Which gear, 1 or 2 (default 1)")->check(gears);
-  outline->add_option("--points", o.points, "Points per arc, both ends included (default 50)")
-      ->check(CLI::Range(2, 1000000));
-
-  CLI::App* pair =
-      json_verb("pair", "The mounted pair: distances, angles, contact ratios, backlash, sliding",
-                "gearwright pair examples/helical_pair.toml");
-  spec_argument(pair, o);
-  strict_flag(pair, o);
-  csv_flag(pair, o);
-
-  CLI::App* contact =
-      json_verb("contact",
-                "Tooth contact under the spec's [errors]: transmission error, contact points, "
-                "edges, ellipses",
-                "gearwright contact examples/misaligned_pair.toml");
-  spec_argument(contact, o);
-  strict_flag(contact, o);
-  csv_flag(contact, o);
-
-  CLI::App* compensate =
-      json_verb("compensate", "Tool settings, leads and crowning that cancel the spec's [errors]",
-                "gearwright compensate examples/misaligned_pair.toml --take");
-  spec_argument(compensate, o);
-  strict_flag(compensate, o);
-  compensate->add_flag("--take", o.spec_only, "Print the corrected spec and nothing else");
-
-  CLI::App* load = json_verb("load",
-                             "Teeth under torque: load sharing, loaded transmission error, "
-                             "stiffness, pressure, root stress",
-                             "gearwright load examples/loaded_pair.toml");
-  spec_argument(load, o);
-  strict_flag(load, o);
-  csv_flag(load, o);
-
-  CLI::App* rate = json_verb("rate",
-                             "Strength by ISO 6336: every factor with its place in the standard, "
-                             "stresses, safeties",
-                             "gearwright rate examples/rated_pair.toml");
-  spec_argument(rate, o);
-  strict_flag(rate, o);
-  csv_flag(rate, o);
-
-  CLI::App* measure = json_verb(
-      "measure", "Spans, dimensions over balls and pins, chords, tolerances of the flanks",
-      "gearwright measure examples/helical_pair.toml");
-  spec_argument(measure, o);
+  for (const Verb& row : verbs()) {
+    CLI::App* sub = json_verb(row.name, row.meaning, row.example);
+    spec_argument(sub, o);
+    if (row.csv) csv_flag(sub, o);
+    if (row.strict) strict_flag(sub, o);
+    if (row.take == Verb::Take::flag)
+      sub->add_flag_callback(
+          "--take", [&o] { o.take = 1; }, row.take_meaning);
+    if (row.take == Verb::Take::number)
+      sub->add_option("--take", o.take, row.take_meaning)->check(CLI::Range(1, 1000));
+  }
+  app_.get_subcommand("gear")->add_option(
+      "--as-rack", o.as_rack,
+      "MODULE,ANGLE: the same teeth as that rack describes them; one may be empty");
+  CLI::App* measure = app_.get_subcommand("measure");
   CLI::Option* points = measure->add_option(
       "--points", o.grid,
       "Print nominal points and normals of the flanks for a measuring machine, CSV: "
@@ -167,19 +122,14 @@ void CommandLine::add_answering() {
       ->needs(points)
       ->check(CLI::Range(2, 1000));
 
-  CLI::App* identify =
-      json_verb("identify", "The gears that the readings of an unknown one allow, likeliest first",
-                "gearwright identify examples/broken_gear.toml");
-  spec_argument(identify, o);
-  identify->add_option("--take", o.take, "Print the spec of this candidate and nothing else")
-      ->check(CLI::Range(1, 1000));
-
-  CLI::App* fit =
-      json_verb("fit", "Gears for a place, or places for gears: what the spec leaves out is found",
-                "gearwright fit examples/crossed_fit.toml");
-  spec_argument(fit, o);
-  fit->add_option("--take", o.take, "Print the spec of this branch and nothing else")
-      ->check(CLI::Range(1, 1000));
+  CLI::App* outline =
+      json_verb("outline", "Points of the transverse tooth outline, per named arc",
+                "gearwright outline examples/helical_pair.toml --gear 2 --points 100");
+  spec_argument(outline, o);
+  csv_flag(outline, o);
+  outline->add_option("--gear", o.gear, "Which gear, 1 or 2 (default 1)")->check(CLI::Range(1, 2));
+  outline->add_option("--points", o.points, "Points per arc, both ends included (default 50)")
+      ->check(CLI::Range(2, 1000000));
 }
 
 void CommandLine::add_files() {
@@ -229,7 +179,7 @@ void CommandLine::add_others() {
       ->add_option("VERB", o.words,
                    fmt::format("{} (absent: pair, or gear of a single gear); then a file, absent "
                                "or -: standard input",
-                               batch_verbs()))
+                               verb_names()))
       ->expected(0, 2);
   batch->add_option("--threads", o.threads, "Threads (default: as many as the machine has)")
       ->check(CLI::Range(1, 1024));
@@ -294,17 +244,11 @@ std::optional<int> CommandLine::answer_at_once(int argc, char** argv) const {
 
 int CommandLine::answer(const std::string& verb) const {
   const Options& o = options_;
+  if (o.as_rack) return gear_as_rack(o);
+  if (o.grid) return nominal_points(o);
+  if (const Verb* row = find_verb(verb)) return answering_verb(*row, o);
   if (verb == "run") return run_verb(o);
-  if (verb == "gear") return gear_verb(o);
   if (verb == "outline") return outline_verb(o);
-  if (verb == "pair") return pair_verb(o);
-  if (verb == "contact") return contact_verb(o);
-  if (verb == "compensate") return compensate_verb(o);
-  if (verb == "load") return load_verb(o);
-  if (verb == "rate") return rate_verb(o);
-  if (verb == "measure") return measure_verb(o);
-  if (verb == "fit") return fit_verb(o);
-  if (verb == "identify") return identify_verb(o);
   if (verb == "search") return run_search_verb(search_);
   if (verb == "export") return export_verb(o);
   if (verb == "batch") return batch_verb(o);

@@ -6,8 +6,8 @@
 
 #include "apps/cli/command_line.hpp"
 #include "gearwright/base/contract.hpp"
-#include "gearwright/job/answers.hpp"
 #include "gearwright/job/files.hpp"
+#include "gearwright/job/verbs.hpp"
 
 namespace gearwright::cli {
 
@@ -31,11 +31,12 @@ std::vector<std::string> words_after(const CLI::App& app, const CLI::App& verb) 
   const std::string& name = verb.get_name();
   if (name == "schema") return {"spec", "result"};
   if (name == "completion") return {"bash", "zsh", "fish"};
-  if (name == "batch") return {kAnswering.begin(), kAnswering.end()};
-  if (name != "help") return {};
-  std::vector<std::string> verbs;
-  for (const CLI::App* sub : verbs_of(app)) verbs.push_back(sub->get_name());
-  return verbs;
+  std::vector<std::string> words;
+  if (name == "batch")
+    for (const Verb& answering : verbs()) words.emplace_back(answering.name);
+  if (name == "help")
+    for (const CLI::App* sub : verbs_of(app)) words.push_back(sub->get_name());
+  return words;
 }
 
 std::string joined(const std::vector<std::string>& words) {

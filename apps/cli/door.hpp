@@ -34,9 +34,4 @@ inline int status(const Options& o, const Verdict& verdict) {
   return o.strict && verdict.level != Level::green ? 4 : 0;
 }
 
-/// Prints the spec of answer --take and nothing else; the exit status. `too_many`: why there is no
-/// such one.   Domain  o.take is given
-int take_spec(const Options& o, const Door& door, const std::vector<Json>& specs,
-              const std::string& too_many);
-
 }  // namespace gearwright::cli

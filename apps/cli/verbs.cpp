@@ -14,15 +14,12 @@
 #include "apps/common/watch.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/catalogue/spec_schema.hpp"
-#include "gearwright/job/compensate_text.hpp"
-#include "gearwright/job/contact_text.hpp"
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/files.hpp"
-#include "gearwright/job/fit_answer.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/measures.hpp"
-#include "gearwright/job/rating_text.hpp"
+#include "gearwright/job/nominal_csv.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/result_schema.hpp"
 #include "gearwright/job/verify.hpp"
@@ -52,21 +49,46 @@ std::string read_text(const std::string& path) {
 
 }  // namespace
 
-int gear_verb(const Options& o) {
-  std::optional<RackQuestion> question;
-  if (o.as_rack) {
-    question = parse_rack_question(*o.as_rack);
-    if (!question) {
-      return usage(
-          "--as-rack takes MODULE,ANGLE in mm and degrees (1 to 60), one of them may be empty: "
-          "--as-rack 3,20 or --as-rack ,17.5");
-    }
+int answering_verb(const Verb& verb, const Options& o) {
+  Door door(o);
+  const auto spec = door.read(verb.use);
+  if (!spec) return door.fail(spec.error());
+  const auto answer = watched(verb.name, [&](Headway* h) { return verb.run(*spec, h); });
+  if (!answer) return door.fail(answer.error());
+  const auto number = static_cast<std::size_t>(o.take.value_or(0));
+  if (number > answer->specs.size()) {
+    const std::string none =
+        "there is none" + (answer->why_none.empty() ? "" : ": " + answer->why_none);
+    return door.fail(
+        {"--take", std::to_string(number),
+         answer->specs.empty() ? none : fmt::format("there are {}", answer->specs.size())});
+  }
+  if (o.take && o.json) {
+    print_json(answer->specs[number - 1]);
+  } else if (o.take) {
+    print(toml_text(answer->specs[number - 1]));
+  } else if (o.csv) {
+    print(answer->csv());
+  } else if (o.json) {
+    print_json(answer->json());
+  } else {
+    print(answer->text());
+  }
+  return answer->verdict ? status(o, *answer->verdict) : 0;
+}
+
+int gear_as_rack(const Options& o) {
+  const auto question = parse_rack_question(*o.as_rack);
+  if (!question) {
+    return usage(
+        "--as-rack takes MODULE,ANGLE in mm and degrees (1 to 60), one of them may be empty: "
+        "--as-rack 3,20 or --as-rack ,17.5");
   }
   Door door(o);
   const auto job = door.solve(Scope::gears);
   if (!job) return door.fail(job.error());
   std::vector<ReferenceInput<double>> racks;
-  for (std::size_t i = 0; question && i < job->gears.size(); ++i) {
+  for (std::size_t i = 0; i < job->gears.size(); ++i) {
     auto rack = gear_as_rack(job->gears[i], *question);
     if (!rack) {
       Error error = rack.error();
@@ -83,105 +105,23 @@ int gear_verb(const Options& o) {
     for (std::size_t i = 0; i < racks.size(); ++i) j["gears"][i]["as_rack"] = rack_json(racks[i]);
     print_json(j);
   } else {
-    print(gear_listing(*job) + (racks.empty() ? std::string() : rack_listing(racks)) +
-          warning_listing(job->warnings) + verdict_listing(verdict));
+    print(gear_listing(*job) + rack_listing(racks) + warning_listing(job->warnings) +
+          verdict_listing(verdict));
   }
   return status(o, verdict);
 }
 
-int fit_verb(const Options& o) {
+int nominal_points(const Options& o) {
+  const auto grid = parse_grid(*o.grid);
+  if (!grid)
+    return usage("--points takes two numbers from 2 to 1000, along the profile and the face: 9x5");
   Door door(o);
-  const auto spec = door.read();
-  if (!spec) return door.fail(spec.error());
-  const auto answer = watched("fit", [&](Headway* h) { return answer_fit(*spec, h); });
-  if (!answer) return door.fail(answer.error());
-  if (o.take) {
-    return take_spec(o, door, answer->specs,
-                     answer->specs.empty()
-                         ? "there is no branch: " + answer->fit.reason
-                         : fmt::format("there are {} branches", answer->specs.size()));
-  }
-  if (o.json) {
-    print_json(fit_json(*answer));
-  } else {
-    print(fit_listing(*answer));
-  }
-  return 0;
-}
-
-int pair_verb(const Options& o) {
-  Door door(o);
-  const auto job = door.solve(Scope::pair, SpecUse::pair);
+  const auto job = door.solve(Scope::gears);
   if (!job) return door.fail(job.error());
-  const Verdict verdict = judge(*job);
-  if (o.csv) {
-    print(quantities_csv(*job));
-  } else if (o.json) {
-    print_json(job_json(*job, verdict));
-  } else {
-    print(gear_listing(*job) + pair_listing(*job) + warning_listing(job->warnings) +
-          verdict_listing(verdict));
-  }
-  return status(o, verdict);
-}
-
-int contact_verb(const Options& o) {
-  Door door(o);
-  auto solved = door.solve(Scope::pair, SpecUse::pair);
-  if (!solved) return door.fail(solved.error());
-  SolvedJob job = std::move(solved).take();
-  const auto answer = watched("contact", [&](Headway* h) { return answer_contact(job, h); });
-  if (!answer) return door.fail(answer.error());
-  const Verdict verdict = judge(job, {.contact = &answer->driving});
-  if (o.csv) {
-    print(contact_csv(job, *answer));
-  } else if (o.json) {
-    print_json(contact_json(job, *answer, verdict));
-  } else {
-    print(contact_listing(job, *answer) + warning_listing(job.warnings) + verdict_listing(verdict));
-  }
-  return status(o, verdict);
-}
-
-int compensate_verb(const Options& o) {
-  Door door(o);
-  auto solved = door.solve(Scope::pair, SpecUse::compensate);
-  if (!solved) return door.fail(solved.error());
-  SolvedJob job = std::move(solved).take();
-  const auto answer = watched("compensate", [&](Headway* h) { return answer_compensate(job, h); });
-  if (!answer) return door.fail(answer.error());
-  const Verdict& verdict = answer->verdict;
-  if (o.spec_only) {
-    if (o.json) {
-      print_json(parse_json(answer->corrected));
-    } else {
-      print(toml_text(parse_json(answer->corrected)));
-    }
-  } else if (o.json) {
-    print_json(compensate_json(job, *answer));
-  } else {
-    print(compensate_listing(job, *answer) + warning_listing(job.warnings) +
-          verdict_listing(verdict));
-  }
-  return status(o, verdict);
-}
-
-int rate_verb(const Options& o) {
-  Door door(o);
-  auto solved = door.solve(Scope::pair, SpecUse::rate);
-  if (!solved) return door.fail(solved.error());
-  SolvedJob job = std::move(solved).take();
-  const auto answer = answer_rating(job);
-  if (!answer) return door.fail(answer.error());
-  const Verdict verdict = judge(job, {.rating = &*answer});
-  if (o.csv) {
-    print(rating_csv(*answer));
-  } else if (o.json) {
-    print_json(rating_json(job, *answer, verdict));
-  } else {
-    print(rating_listing(job, *answer) + warning_listing(job.warnings) + verdict_listing(verdict));
-  }
-  return status(o, verdict);
+  const auto points = nominal_csv(*job, *grid, o.fillet_points);
+  if (!points) return door.fail(points.error());
+  print(*points);
+  return 0;
 }
 
 int outline_verb(const Options& o) {

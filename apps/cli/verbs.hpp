@@ -1,9 +1,11 @@
-// One function per verb: each reads a spec, calls the job room, prints, and gives the exit status.
+// What the verbs of the command line do: read a spec, call the job room, print, give the exit status.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "gearwright/job/verbs.hpp"
 
 namespace gearwright::cli {
 
@@ -24,10 +26,9 @@ struct Options {
   bool drawing_splines = false;
   std::vector<std::string> cases;
   std::optional<std::string> as_rack;  // of gear: "module,angle"
-  std::optional<int> take;             // of fit, identify: the answer whose spec is printed
+  std::optional<int> take;             // the number of the proposal whose spec is printed
   std::optional<std::string> grid;     // of measure: the nominal points of the flanks, "9x5"
   std::optional<int> fillet_points;    // of measure: as many along each root fillet
-  bool spec_only = false;              // of compensate: print the corrected spec
   std::string schema;                  // of schema: of what
   std::string shell;                   // of completion
   std::vector<std::string> words;      // of batch: a verb, a file
@@ -35,17 +36,14 @@ struct Options {
 };
 
 // All throw IoError when the outside world fails.
+/// Any verb of the table: its answer as JSON, CSV or text, or a spec that it proposes.
+int answering_verb(const Verb& verb, const Options& o);
+/// `gear --as-rack`: the teeth as another rack describes them.
+int gear_as_rack(const Options& o);
+/// `measure --points`: nominal points of the flanks.
+int nominal_points(const Options& o);
 int run_verb(const Options& o);
-int gear_verb(const Options& o);
 int outline_verb(const Options& o);
-int pair_verb(const Options& o);
-int measure_verb(const Options& o);
-int fit_verb(const Options& o);
-int identify_verb(const Options& o);
-int contact_verb(const Options& o);
-int compensate_verb(const Options& o);
-int load_verb(const Options& o);
-int rate_verb(const Options& o);
 int export_verb(const Options& o);
 int verify_verb(const Options& o);
 int schema_verb(const Options& o);

@@ -10,9 +10,9 @@
 #include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/job/answers.hpp"
 #include "gearwright/job/compensate_text.hpp"
 #include "gearwright/job/fit_answer.hpp"
+#include "gearwright/job/verbs.hpp"
 #include "gearwright/job/verify.hpp"
 
 namespace gearwright::python {
@@ -36,9 +36,8 @@ std::pair<Json, std::filesystem::path> spec_and_folder(const py::object& spec) {
 }
 
 py::object solve_spec(const py::object& given, const std::string& verb) {
-  const bool known =
-      verb.empty() || std::find(kAnswering.begin(), kAnswering.end(), verb) != kAnswering.end();
-  if (!known) raise({"verb", verb, fmt::format("must be one of {}", fmt::join(kAnswering, ", "))});
+  if (!verb.empty() && find_verb(verb) == nullptr)
+    raise({"verb", verb, "must be one of " + verb_names()});
   const auto [tree, folder] = spec_and_folder(given);
   const JobSpec spec = read_tree_of(tree, folder);
   std::optional<Result<Json>> told;
@@ -94,10 +93,10 @@ py::object verify(const py::object& cases) {
 
 void bind_answers(py::module_& m) {
   m.def("solve", &solve_spec, py::arg("spec"), py::arg("verb") = "",
-        "The program's JSON answer as a dict. `spec`: a dict with the tables of a spec file, a "
-        "Pair or a Gear; "
-        "`verb`: gear, pair, measure, contact, compensate, load, fit, identify or rate; by default "
-        "pair where there are two gears");
+        ("The program's JSON answer as a dict. `spec`: a dict with the tables of a spec file, a "
+         "Pair or a Gear; `verb`: one of " +
+         verb_names() + "; by default pair where there are two gears")
+            .c_str());
   m.def("fit", &fit, py::arg("spec"),
         "What is absent in the spec's gears and [pair] is found: a Record with branches, reason, "
         "nearest; load(branch.spec) "

@@ -10,7 +10,6 @@
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/job/interval.hpp"
 #include "gearwright/job/listing.hpp"
-#include "gearwright/job/judgement.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/value_json.hpp"
 
@@ -288,8 +287,9 @@ std::vector<std::vector<ValueRecord>> measure_end_records(const SolvedJob& job) 
   return records;
 }
 
-Json measures_json(const SolvedJob& job, const std::vector<MeasureView>& measures) {
-  Json j = job_json(job, judge(job));
+Json measures_json(const SolvedJob& job, const std::vector<MeasureView>& measures,
+                   const Verdict& verdict) {
+  Json j = job_json(job, verdict);
   for (std::size_t i = 0; i < measures.size(); ++i) {
     Json& measure = j["gears"][i]["measure"];
     measure = to_json(measure_quantities().of(measures[i]));

@@ -30,7 +30,8 @@ std::vector<ValueRecord> measure_records(const SolvedJob& job);
 std::vector<std::vector<ValueRecord>> measure_end_records(const SolvedJob& job);
 
 /// job_json with `measure` in each of `gears`, and the interval that tolerances give it.
-Json measures_json(const SolvedJob& job, const std::vector<MeasureView>& measures);
+Json measures_json(const SolvedJob& job, const std::vector<MeasureView>& measures,
+                   const Verdict& verdict);
 
 std::string measure_listing(const SolvedJob& job, const std::vector<MeasureView>& measures);
 

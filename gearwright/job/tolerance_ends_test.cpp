@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/base/testing/taken.hpp"
-#include "gearwright/job/answers.hpp"
+#include "gearwright/job/verbs.hpp"
 
 namespace gearwright {
 namespace {

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/job/answers.hpp"
+#include "gearwright/job/verbs.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/spec/table_reader.hpp"
 

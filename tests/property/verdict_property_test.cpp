@@ -14,7 +14,7 @@
 #include <string>
 #include <utility>
 
-#include "gearwright/job/answers.hpp"
+#include "gearwright/job/verbs.hpp"
 #include "tests/property/random_spec.hpp"
 
 namespace gearwright::property {

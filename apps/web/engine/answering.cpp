@@ -7,9 +7,9 @@
 
 #include "apps/common/speaking.hpp"
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/job/answers.hpp"
 #include "gearwright/job/search_answer.hpp"
 #include "gearwright/job/search_job.hpp"
+#include "gearwright/job/verbs.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/toml_text.hpp"
 
@@ -81,9 +81,7 @@ std::string refusal(const Error& error, const SpecText* text, const GivenKeys& g
 
 std::string answer(std::string_view verb, const std::string& given) {
   const SpecText text = spec_text(given);
-  const bool known =
-      verb == "search" || std::find(kAnswering.begin(), kAnswering.end(), verb) != kAnswering.end();
-  if (!known)
+  if (verb != "search" && find_verb(verb) == nullptr)
     return refusal({"", std::string(verb), "is no verb that answers a spec with JSON"}, nullptr);
   const auto spec = read(text);
   if (!spec) return refusal(spec.error(), &text);

@@ -1,5 +1,5 @@
 // A batch whose work violates contracts: its door's runner gets work that does so.
-#include "gearwright/job/answers.hpp"
+#include "gearwright/job/verbs.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ TEST(BatchLine, a_violation_is_the_error_of_its_own_line) {
       EXPECT_EQ(answer["error"]["key"], "");
       EXPECT_EQ(answer["error"]["value"], "");
       const std::string message = answer["error"]["message"];
-      for (const char* words : {"teeth % 2 == 0", "answers_test.cpp:", "please report it"})
+      for (const char* words : {"teeth % 2 == 0", "verbs_test.cpp:", "please report it"})
         EXPECT_NE(message.find(words), std::string::npos) << message;
     }
   }
@@ -58,6 +58,34 @@ TEST(BatchLine, tells_a_violation_from_an_error_of_the_spec) {
   const BatchLine refused = batch_line(answered, "{}");
   EXPECT_FALSE(refused.violated);
   EXPECT_TRUE(refused.text.starts_with("{\"error\":")) << refused.text;
+}
+
+// The doors find a verb by its name, and each row says what its answer has.
+TEST(Verbs, are_found_by_their_names) {
+  for (const Verb& verb : verbs()) {
+    EXPECT_EQ(find_verb(verb.name), &verb);
+    EXPECT_TRUE(std::string_view(verb.example).starts_with(std::string("gearwright ") + verb.name));
+    EXPECT_EQ(verb.take == Verb::Take::none, std::string_view(verb.take_meaning).empty());
+  }
+  EXPECT_EQ(find_verb("run"), nullptr);  // writes files
+  EXPECT_EQ(find_verb(""), nullptr);
+}
+
+TEST(Verbs, answer_in_the_forms_that_their_rows_promise) {
+  const auto spec = read_spec(
+      R"({"gear1": {"teeth": 17, "normal_module_mm": 2, "face_width_mm": 20},
+          "gear2": {"teeth": 43, "face_width_mm": 20}})",
+      SpecFormat::json);
+  ASSERT_TRUE(spec);
+  for (const char* name : {"gear", "pair", "measure", "contact"}) {
+    const Verb& verb = *find_verb(name);
+    const auto answer = verb.run(*spec, nullptr);
+    ASSERT_TRUE(answer) << name;
+    EXPECT_EQ(static_cast<bool>(answer->csv), verb.csv) << name;
+    EXPECT_EQ(answer->verdict.has_value(), verb.strict) << name;
+    EXPECT_EQ(answer->json()["verdict"]["level"], "green") << name;
+    EXPECT_NE(answer->text().find("Verdict: green"), std::string::npos) << name;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,278 @@
+#include "gearwright/job/verbs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/base/output_file.hpp"
+#include "gearwright/catalogue/spelling.hpp"
+#include "gearwright/job/compensate_text.hpp"
+#include "gearwright/job/contact_text.hpp"
+#include "gearwright/job/csv_answer.hpp"
+#include "gearwright/job/fit_answer.hpp"
+#include "gearwright/job/identify_answer.hpp"
+#include "gearwright/job/judgement.hpp"
+#include "gearwright/job/listing.hpp"
+#include "gearwright/job/load_text.hpp"
+#include "gearwright/job/measures.hpp"
+#include "gearwright/job/rating_text.hpp"
+#include "gearwright/job/result_json.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// How a verb that solves a spec goes on with the gears and the pair: what it finds of them, how that is
+// judged, and its forms.
+template <class Found>
+struct Solving {
+  Scope scope;
+  Result<Found> (*find)(SolvedJob&, Headway*);
+  Verdict (*judge)(const SolvedJob&, const Found&);
+  Json (*json)(const SolvedJob&, const Found&, const Verdict&);
+  std::string (*text)(const SolvedJob&, const Found&);
+  std::string (*csv)(const SolvedJob&, const Found&) = nullptr;
+  std::vector<Json> (*specs)(const Found&) = nullptr;
+};
+
+template <class Found>
+Result<Answer> solved_answer(const Solving<Found>& how, const JobSpec& spec, Headway* headway) {
+  struct State {
+    SolvedJob job;
+    Found found;
+    Verdict verdict;
+  };
+  auto solved = solve(spec, how.scope);
+  if (!solved) return solved.error();
+  SolvedJob job = std::move(solved).take();
+  auto found = how.find(job, headway);
+  if (!found) return found.error();
+  Verdict verdict = how.judge(job, *found);
+  const auto state = std::make_shared<const State>(
+      State{std::move(job), std::move(found).take(), std::move(verdict)});
+  Answer answer;
+  answer.json = [state, json = how.json] { return json(state->job, state->found, state->verdict); };
+  answer.text = [state, text = how.text] {
+    return text(state->job, state->found) + warning_listing(state->job.warnings) +
+           verdict_listing(state->verdict);
+  };
+  if (how.csv != nullptr)
+    answer.csv = [state, csv = how.csv] { return csv(state->job, state->found); };
+  answer.verdict = state->verdict;
+  if (how.specs != nullptr) answer.specs = how.specs(state->found);
+  return answer;
+}
+
+// Of the gears and the pair themselves, nothing more is looked for.
+struct AsSolved {};
+
+Result<AsSolved> nothing_more(SolvedJob&, Headway*) { return AsSolved{}; }
+
+Verdict judge_as_solved(const SolvedJob& job, const AsSolved&) { return judge(job); }
+
+Json solved_json(const SolvedJob& job, const AsSolved&, const Verdict& verdict) {
+  return job_json(job, verdict);
+}
+
+std::string solved_csv(const SolvedJob& job, const AsSolved&) { return quantities_csv(job); }
+
+Result<Answer> run_gear(const JobSpec& spec, Headway* headway) {
+  return solved_answer<AsSolved>(
+      {.scope = Scope::gears,
+       .find = nothing_more,
+       .judge = judge_as_solved,
+       .json = solved_json,
+       .text = [](const SolvedJob& job, const AsSolved&) { return gear_listing(job); },
+       .csv = solved_csv},
+      spec, headway);
+}
+
+Result<Answer> run_pair(const JobSpec& spec, Headway* headway) {
+  return solved_answer<AsSolved>(
+      {.scope = Scope::pair,
+       .find = nothing_more,
+       .judge = judge_as_solved,
+       .json = solved_json,
+       .text = [](const SolvedJob& job,
+                  const AsSolved&) { return gear_listing(job) + pair_listing(job); },
+       .csv = solved_csv},
+      spec, headway);
+}
+
+using Measures = std::vector<MeasureView>;
+
+Result<Answer> run_measure(const JobSpec& spec, Headway* headway) {
+  return solved_answer<Measures>(
+      {.scope = Scope::gears,
+       .find = [](SolvedJob& job, Headway*) { return measure_gears(job); },
+       .judge = [](const SolvedJob& job, const Measures&) { return judge(job); },
+       .json = measures_json,
+       .text = measure_listing},
+      spec, headway);
+}
+
+Result<Answer> run_contact(const JobSpec& spec, Headway* headway) {
+  return solved_answer<ContactAnswer>(
+      {.scope = Scope::pair,
+       .find = answer_contact,
+       .judge = [](const SolvedJob& job,
+                   const ContactAnswer& a) { return judge(job, {.contact = &a.driving}); },
+       .json = contact_json,
+       .text = contact_listing,
+       .csv = contact_csv},
+      spec, headway);
+}
+
+Result<Answer> run_compensate(const JobSpec& spec, Headway* headway) {
+  return solved_answer<CompensateAnswer>(
+      {.scope = Scope::pair,
+       .find = [](SolvedJob& job, Headway* h) { return answer_compensate(job, h); },
+       .judge = [](const SolvedJob&, const CompensateAnswer& a) { return a.verdict; },
+       .json = [](const SolvedJob& job, const CompensateAnswer& a,
+                  const Verdict&) { return compensate_json(job, a); },
+       .text = compensate_listing,
+       .specs = [](const CompensateAnswer& a) { return std::vector{parse_json(a.corrected)}; }},
+      spec, headway);
+}
+
+Result<Answer> run_load(const JobSpec& spec, Headway* headway) {
+  return solved_answer<LoadAnswer>(
+      {.scope = Scope::everything,
+       .find = answer_load,
+       .judge = [](const SolvedJob& job, const LoadAnswer&) { return judge(job, {.load = true}); },
+       .json = load_json,
+       .text = load_listing,
+       .csv = [](const SolvedJob&, const LoadAnswer& a) { return load_csv(a); }},
+      spec, headway);
+}
+
+Result<Answer> run_rate(const JobSpec& spec, Headway* headway) {
+  return solved_answer<RatingAnswer>(
+      {.scope = Scope::pair,
+       .find = answer_rating,
+       .judge = [](const SolvedJob& job,
+                   const RatingAnswer& a) { return judge(job, {.rating = &a}); },
+       .json = rating_json,
+       .text = rating_listing,
+       .csv = [](const SolvedJob&, const RatingAnswer& a) { return rating_csv(a); }},
+      spec, headway);
+}
+
+// A verb that looks for gears answers without any: its specs are the gears.
+template <class Found>
+Answer proposals(Found&& found, Json (*json)(const Found&), std::string (*text)(const Found&)) {
+  const auto state = std::make_shared<const Found>(std::move(found));
+  Answer answer;
+  answer.json = [state, json] { return json(*state); };
+  answer.text = [state, text] { return text(*state); };
+  answer.specs = state->specs;
+  return answer;
+}
+
+Result<Answer> run_identify(const JobSpec& spec, Headway*) {
+  auto found = answer_identify(spec);
+  if (!found) return found.error();
+  return proposals(std::move(found).take(), identify_json, identify_listing);
+}
+
+Result<Answer> run_fit(const JobSpec& spec, Headway* headway) {
+  auto found = answer_fit(spec, headway);
+  if (!found) return found.error();
+  std::string reason = found->fit.reason;
+  Answer answer = proposals(std::move(found).take(), fit_json, fit_listing);
+  answer.why_none = std::move(reason);
+  return answer;
+}
+
+using Take = Verb::Take;
+
+constexpr Verb kVerbs[] = {
+    {"gear", "Geometry of each gear: diameters, thicknesses, limits, flags",
+     "gearwright gear examples/helical_pair.toml --json", SpecUse::geometry, true, true, Take::none,
+     "", run_gear},
+    {"pair", "The mounted pair: distances, angles, contact ratios, backlash, sliding",
+     "gearwright pair examples/helical_pair.toml", SpecUse::pair, true, true, Take::none, "",
+     run_pair},
+    {"contact",
+     "Tooth contact under the spec's [errors]: transmission error, contact points, edges, ellipses",
+     "gearwright contact examples/misaligned_pair.toml", SpecUse::pair, true, true, Take::none, "",
+     run_contact},
+    {"compensate", "Tool settings, leads and crowning that cancel the spec's [errors]",
+     "gearwright compensate examples/misaligned_pair.toml --take", SpecUse::compensate, false, true,
+     Take::flag, "Print the corrected spec and nothing else", run_compensate},
+    {"load",
+     "Teeth under torque: load sharing, loaded transmission error, stiffness, pressure, root "
+     "stress",
+     "gearwright load examples/loaded_pair.toml", SpecUse::load, true, true, Take::none, "",
+     run_load},
+    {"rate",
+     "Strength by ISO 6336: every factor with its place in the standard, stresses, safeties",
+     "gearwright rate examples/rated_pair.toml", SpecUse::rate, true, true, Take::none, "",
+     run_rate},
+    {"measure", "Spans, dimensions over balls and pins, chords, tolerances of the flanks",
+     "gearwright measure examples/helical_pair.toml", SpecUse::geometry, false, true, Take::none,
+     "", run_measure},
+    {"identify", "The gears that the readings of an unknown one allow, likeliest first",
+     "gearwright identify examples/broken_gear.toml", SpecUse::geometry, false, false, Take::number,
+     "Print the spec of this candidate and nothing else", run_identify},
+    {"fit", "Gears for a place, or places for gears: what the spec leaves out is found",
+     "gearwright fit examples/crossed_fit.toml", SpecUse::geometry, false, false, Take::number,
+     "Print the spec of this branch and nothing else", run_fit},
+};
+
+}  // namespace
+
+std::span<const Verb> verbs() { return kVerbs; }
+
+const Verb* find_verb(std::string_view name) {
+  const auto it = std::find_if(std::begin(kVerbs), std::end(kVerbs),
+                               [&](const Verb& verb) { return verb.name == name; });
+  return it == std::end(kVerbs) ? nullptr : it;
+}
+
+std::string verb_names() {
+  std::string names;
+  for (const Verb& verb : kVerbs) names += (names.empty() ? "" : ", ") + std::string(verb.name);
+  return names;
+}
+
+Result<Json> answer_json(std::string_view name, const JobSpec& spec, Headway* headway) {
+  const Verb* const verb = find_verb(!name.empty() ? name : spec.gears[1] ? "pair" : "gear");
+  GW_EXPECTS(verb != nullptr);
+  const auto answer = verb->run(spec, headway);
+  if (!answer) return answer.error();
+  return answer->json();
+}
+
+BatchLine batch_line(const std::function<Result<Json>(const JobSpec&)>& answer,
+                     const std::string& text, SpecUse use) {
+  const auto failed = [](const Error& error) { return BatchLine{json_text(error_json(error))}; };
+  if (text.size() > kMaxSpec) {
+    return failed({"", "",
+                   fmt::format("this line has {} bytes; a spec has at most {}, more than any gear "
+                               "needs",
+                               text.size(), kMaxSpec)});
+  }
+  try {
+    const auto spec = read_spec(text, SpecFormat::json, {}, use);
+    if (!spec) return failed(spec.error());
+    const auto answered = answer(*spec);
+    return answered ? BatchLine{json_text(*answered)}
+                    : failed(spelled(answered.error(), spec->given));
+  } catch (const IoError& e) {  // a file that the spec names
+    return failed({"", "", e.what()});
+  } catch (const ContractViolation& e) {
+    return {failed({"", "", e.what()}).text, true};
+  }
+}
+
+BatchLine batch_line(std::string_view name, const std::string& text) {
+  const Verb* const verb = find_verb(name);
+  return batch_line([name](const JobSpec& spec) { return answer_json(name, spec); }, text,
+                    verb ? verb->use : SpecUse::geometry);
+}
+
+}  // namespace gearwright

@@ -1,0 +1,68 @@
+// The verbs that answer a spec: one table, which all doors walk.
+//
+// A verb is a row of the table: its name, what it computes, an example, what its answer has, and the
+// function that makes the answer. The command line with its help, completion and manual page, batch, case
+// files, Python and the page read this table. A new verb is one row and one function.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gearwright/base/headway.hpp"
+#include "gearwright/spec/json.hpp"
+#include "gearwright/spec/spec.hpp"
+#include "gearwright/verdict/verdict.hpp"
+
+namespace gearwright {
+
+/// What a verb found, and its forms; a form is made when it is called.
+struct Answer {
+  std::function<Json()> json;          ///< with warnings and verdict
+  std::function<std::string()> text;   ///< for a terminal, with warnings and verdict
+  std::function<std::string()> csv{};  ///< empty: the verb has no table
+  std::optional<Verdict> verdict{};    ///< none: the verb judges no gears
+  std::vector<Json> specs;             ///< that it proposes: branches, candidates, corrections
+  std::string why_none{};              ///< why `specs` is empty, where it can be
+};
+
+struct Verb {
+  const char* name;
+  const char* meaning;  ///< one sentence without its full stop
+  const char* example;
+  SpecUse use;       ///< for which a spec must be complete
+  bool csv, strict;  ///< the answer has a table; it has a verdict
+  /// The option --take: none; a flag, of the one spec that is proposed; the number of one of them.
+  enum class Take { none, flag, number } take;
+  const char* take_meaning;
+  /// Throws  IoError when a file that the spec names cannot be read
+  Result<Answer> (*run)(const JobSpec& spec, Headway* headway);
+};
+
+/// In the order in which a user meets them.
+std::span<const Verb> verbs();
+/// Null: there is no such verb.
+const Verb* find_verb(std::string_view name);
+/// "gear, pair, …"
+std::string verb_names();
+
+/// The JSON of a verb's answer; of an empty name that of `pair` where there are two gears, else of
+/// `gear`.   Domain  such a verb (contract)
+Result<Json> answer_json(std::string_view verb, const JobSpec& spec, Headway* headway = nullptr);
+
+/// What a batch writes for one spec.
+struct BatchLine {
+  std::string text;       ///< JSON on one line: the answer, or {"error": …}
+  bool violated = false;  ///< the error is a mistake of ours (base/contract.hpp)
+};
+/// The line of a spec in JSON by `answer`. Whatever goes wrong with it is its error: what a batch
+/// does with the other lines never depends on it. What the spec lacks for `use` is an error, too.
+BatchLine batch_line(const std::function<Result<Json>(const JobSpec&)>& answer,
+                     const std::string& spec, SpecUse use = SpecUse::geometry);
+/// The same by a verb, as answer_json has it.
+BatchLine batch_line(std::string_view verb, const std::string& spec);
+
+}  // namespace gearwright
