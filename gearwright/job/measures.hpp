@@ -9,6 +9,7 @@
 #include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/job/solved_job.hpp"
 #include "gearwright/spec/json.hpp"
+#include "gearwright/verdict/verdict.hpp"
 
 namespace gearwright {
 
