@@ -3,6 +3,7 @@
 // A verb is a row of the table: its name, what it computes, an example, what its answer has, and the
 // function that makes the answer. The command line with its help, completion and manual page, batch, case
 // files, Python and the page read this table. A new verb is one row and one function.
+// Internal to job/ and the programs.
 #pragma once
 
 #include <functional>

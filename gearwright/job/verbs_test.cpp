@@ -73,8 +73,8 @@ TEST(Verbs, are_found_by_their_names) {
 
 TEST(Verbs, answer_in_the_forms_that_their_rows_promise) {
   const auto spec = read_spec(
-      R"({"gear1": {"teeth": 17, "normal_module_mm": 2, "face_width_mm": 20},
-          "gear2": {"teeth": 43, "face_width_mm": 20}})",
+      R"({"gear1": {"teeth": 20, "normal_module_mm": 2, "face_width_mm": 20, "profile_shift": 0.2},
+          "gear2": {"teeth": 41, "face_width_mm": 20, "profile_shift": 0}})",
       SpecFormat::json);
   ASSERT_TRUE(spec);
   for (const char* name : {"gear", "pair", "measure", "contact"}) {
