@@ -70,9 +70,9 @@ SpecText spec_text(std::string text) {
   return read;
 }
 
-Result<JobSpec> read(const SpecText& text) {
+Result<JobSpec> read(const SpecText& text, SpecUse use) {
   if (text.text.size() > kMaxSpec) return too_long(text.text.size());
-  return read_spec(text);
+  return read_spec(text, use);
 }
 
 std::string refusal(const Error& error, const SpecText* text, const GivenKeys& given) {
@@ -81,9 +81,10 @@ std::string refusal(const Error& error, const SpecText* text, const GivenKeys& g
 
 std::string answer(std::string_view verb, const std::string& given) {
   const SpecText text = spec_text(given);
-  if (verb != "search" && find_verb(verb) == nullptr)
+  const Verb* const row = find_verb(verb);
+  if (verb != "search" && row == nullptr)
     return refusal({"", std::string(verb), "is no verb that answers a spec with JSON"}, nullptr);
-  const auto spec = read(text);
+  const auto spec = read(text, row ? row->use : SpecUse::geometry);
   if (!spec) return refusal(spec.error(), &text);
   const auto said = answered(verb, *spec);
   return said ? *said : refusal(said.error(), &text, spec->given);

@@ -14,7 +14,7 @@ namespace gearwright::web {
 SpecText spec_text(std::string text);
 
 /// Reads it.   Errors  with more than kMaxSpec bytes, else as read_spec
-Result<JobSpec> read(const SpecText& text);
+Result<JobSpec> read(const SpecText& text, SpecUse use = SpecUse::geometry);
 
 /// {"error": …} with the keys that the spec has and the line, as the program prints it.
 std::string refusal(const Error& error, const SpecText* text = nullptr,
