@@ -53,7 +53,9 @@ int answering_verb(const Verb& verb, const Options& o) {
   Door door(o);
   const auto spec = door.read(verb.use);
   if (!spec) return door.fail(spec.error());
-  const auto answer = watched(verb.name, [&](Headway* h) { return verb.run(*spec, h); });
+  const auto answer = verb.lasts
+                          ? watched(verb.name, [&](Headway* h) { return verb.run(*spec, h); })
+                          : verb.run(*spec, nullptr);
   if (!answer) return door.fail(answer.error());
   const auto number = static_cast<std::size_t>(o.take.value_or(0));
   if (number > answer->specs.size()) {

@@ -36,6 +36,7 @@ struct Verb {
   const char* example;
   SpecUse use;       ///< for which a spec must be complete
   bool csv, strict;  ///< the answer has a table; it has a verdict
+  bool lasts;        ///< it may take seconds: its progress is shown
   /// The option --take: none; a flag, of the one spec that is proposed; the number of one of them.
   enum class Take { none, flag, number } take;
   const char* take_meaning;
