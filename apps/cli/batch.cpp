@@ -11,13 +11,13 @@
 #include <fstream>
 #include <iostream>
 
-#include "apps/common/speaking.hpp"
+#include "apps/common/output.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/job/verbs.hpp"
 
-namespace gearwright::cli {
+namespace gearwright::apps {
 
 namespace {
 
@@ -79,4 +79,4 @@ int batch_verb(const Options& o) {
   return violations > 0 ? kViolated : failed > 0 ? 1 : 0;
 }
 
-}  // namespace gearwright::cli
+}  // namespace gearwright::apps

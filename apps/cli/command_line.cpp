@@ -9,14 +9,14 @@
 #include "apps/cli/completion.hpp"
 #include "apps/cli/introduction.hpp"
 #include "apps/cli/manual.hpp"
-#include "apps/common/speaking.hpp"
+#include "apps/common/output.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/key.hpp"
 #include "gearwright/job/files.hpp"
 #include "gearwright/job/verbs.hpp"
 
-namespace gearwright::cli {
+namespace gearwright::apps {
 
 namespace {
 
@@ -276,4 +276,4 @@ int CommandLine::run(int argc, char** argv) {
   return guarded([&] { return answer(verb); }, options_.json || search_.json);
 }
 
-}  // namespace gearwright::cli
+}  // namespace gearwright::apps

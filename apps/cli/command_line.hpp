@@ -9,7 +9,7 @@
 #include "apps/cli/verbs.hpp"
 #include "apps/common/search_verb.hpp"
 
-namespace gearwright::cli {
+namespace gearwright::apps {
 
 class CommandLine {
  public:
@@ -42,4 +42,4 @@ class CommandLine {
 /// Verbs that a user sees, in their order.
 std::vector<const CLI::App*> verbs_of(const CLI::App& app);
 
-}  // namespace gearwright::cli
+}  // namespace gearwright::apps

@@ -9,7 +9,7 @@
 #include "gearwright/job/files.hpp"
 #include "gearwright/job/verbs.hpp"
 
-namespace gearwright::cli {
+namespace gearwright::apps {
 
 namespace {
 
@@ -204,4 +204,4 @@ std::string completion(const std::string& shell, const CLI::App& app) {
   return shell == "bash" ? bash(app) : shell == "zsh" ? zsh(app) : fish(app);
 }
 
-}  // namespace gearwright::cli
+}  // namespace gearwright::apps

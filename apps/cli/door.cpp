@@ -1,8 +1,8 @@
 #include "apps/cli/door.hpp"
 
-#include "apps/common/speaking.hpp"
+#include "apps/common/output.hpp"
 
-namespace gearwright::cli {
+namespace gearwright::apps {
 
 Result<JobSpec> Door::read(SpecUse use) {
   auto text = read_spec_text(options_.spec);
@@ -20,8 +20,8 @@ Result<SolvedJob> Door::solve(Scope scope, SpecUse use) {
 }
 
 int Door::fail(const Error& error) const {
-  return cli::fail(given_ ? spelled(error, *given_) : error, options_.json,
-                   text_ ? &*text_ : nullptr);
+  return apps::fail(given_ ? spelled(error, *given_) : error, options_.json,
+                    text_ ? &*text_ : nullptr);
 }
 
-}  // namespace gearwright::cli
+}  // namespace gearwright::apps

@@ -10,7 +10,7 @@
 #include "gearwright/spec/json.hpp"
 #include "gearwright/verdict/verdict.hpp"
 
-namespace gearwright::cli {
+namespace gearwright::apps {
 
 /// The spec of a verb: read once, from a file or a pipe, and what is wrong with it said by its lines.
 class Door {
@@ -34,4 +34,4 @@ inline int status(const Options& o, const Verdict& verdict) {
   return o.strict && verdict.level != Level::green ? 4 : 0;
 }
 
-}  // namespace gearwright::cli
+}  // namespace gearwright::apps

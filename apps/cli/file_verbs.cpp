@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/cli/door.hpp"
-#include "apps/common/speaking.hpp"
+#include "apps/common/output.hpp"
 #include "apps/common/watch.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/job/files.hpp"
@@ -15,7 +15,7 @@
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/workshop_drawing.hpp"
 
-namespace gearwright::cli {
+namespace gearwright::apps {
 
 namespace fs = std::filesystem;
 
@@ -37,7 +37,7 @@ class SlowProgress {
 FileOptions file_options(const Options& o) {
   FileOptions options;
   options.step_schema = o.step_schema == "ap214" ? StepSchema::ap214 : StepSchema::ap242;
-  options.progress = SlowProgress();
+  options.on_file = SlowProgress();
   options.mesh_tolerance_mm = o.mesh_tolerance;
   options.drawing_tolerance_mm = o.drawing_tolerance;
   options.drawing_splines = o.drawing_splines;
@@ -100,8 +100,8 @@ int run_verb(const Options& o) {
     if (out.extension() == ".toml" || out.extension() == ".json") out.replace_extension();
     out += "_out";
   }
-  const auto made = watched("run", [&](Headway* h) {
-    options.headway = h;
+  const auto made = watched("run", [&](Progress* h) {
+    options.progress = h;
     return write_everything(job, out, options);
   });
   if (!made) return door.fail(made.error());
@@ -174,4 +174,4 @@ int export_verb(const Options& o) {
   return 0;
 }
 
-}  // namespace gearwright::cli
+}  // namespace gearwright::apps

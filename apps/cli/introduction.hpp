@@ -1,7 +1,7 @@
 // What `gearwright --help` says first.
 #pragma once
 
-namespace gearwright::cli {
+namespace gearwright::apps {
 
 inline constexpr const char* kIntroduction =
     "Gearwright: exact geometry, mesh and CAD files of cylindrical gears.\n\n"
@@ -29,4 +29,4 @@ inline constexpr const char* kIntroduction =
     "  teeth = 17\n"
     "  normal_module_mm = 2.5\n";
 
-}  // namespace gearwright::cli
+}  // namespace gearwright::apps

@@ -14,7 +14,7 @@
 int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is a full disk: write() says so
   try {
-    return gearwright::cli::CommandLine().run(argc, argv);
+    return gearwright::apps::CommandLine().run(argc, argv);
   } catch (const gearwright::IoError& e) {
     std::fprintf(stderr, "gearwright: %s\n", e.what());
   } catch (const std::bad_alloc&) {

@@ -6,7 +6,7 @@
 #include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
 
-namespace gearwright::cli {
+namespace gearwright::apps {
 
 namespace {
 
@@ -122,4 +122,4 @@ std::string manual_page(const CLI::App& app) {
   return out;
 }
 
-}  // namespace gearwright::cli
+}  // namespace gearwright::apps

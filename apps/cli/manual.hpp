@@ -4,9 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-namespace gearwright::cli {
+namespace gearwright::apps {
 
 /// gearwright(1), for man.
 std::string manual_page(const CLI::App& app);
 
-}  // namespace gearwright::cli
+}  // namespace gearwright::apps

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/cli/door.hpp"
-#include "apps/common/speaking.hpp"
+#include "apps/common/output.hpp"
 #include "apps/common/watch.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/catalogue/spec_schema.hpp"
@@ -25,7 +25,7 @@
 #include "gearwright/job/verify.hpp"
 #include "gearwright/spec/toml_text.hpp"
 
-namespace gearwright::cli {
+namespace gearwright::apps {
 
 namespace fs = std::filesystem;
 
@@ -54,7 +54,7 @@ int answering_verb(const Verb& verb, const Options& o) {
   const auto spec = door.read(verb.use);
   if (!spec) return door.fail(spec.error());
   const auto answer = verb.lasts
-                          ? watched(verb.name, [&](Headway* h) { return verb.run(*spec, h); })
+                          ? watched(verb.name, [&](Progress* h) { return verb.run(*spec, h); })
                           : verb.run(*spec, nullptr);
   if (!answer) return door.fail(answer.error());
   const auto number = static_cast<std::size_t>(o.take.value_or(0));
@@ -185,4 +185,4 @@ int schema_verb(const Options& o) {
   return 0;
 }
 
-}  // namespace gearwright::cli
+}  // namespace gearwright::apps

@@ -7,7 +7,7 @@
 
 #include "gearwright/job/verbs.hpp"
 
-namespace gearwright::cli {
+namespace gearwright::apps {
 
 struct Options {
   std::string spec;
@@ -48,4 +48,4 @@ int export_verb(const Options& o);
 int verify_verb(const Options& o);
 int schema_verb(const Options& o);
 
-}  // namespace gearwright::cli
+}  // namespace gearwright::apps

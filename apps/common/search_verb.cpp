@@ -10,11 +10,11 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "apps/common/speaking.hpp"
+#include "apps/common/output.hpp"
 #include "gearwright/job/search_answer.hpp"
 #include "gearwright/spec/toml_text.hpp"
 
-namespace gearwright::cli {
+namespace gearwright::apps {
 
 CLI::App* add_search(CLI::App& app, SearchCommand& c) {
   CLI::App* sub = app.add_subcommand(
@@ -237,4 +237,4 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
   return 0;
 }
 
-}  // namespace gearwright::cli
+}  // namespace gearwright::apps

@@ -8,7 +8,7 @@
 
 #include "gearwright/job/search_job.hpp"
 
-namespace gearwright::cli {
+namespace gearwright::apps {
 
 struct SearchCommand {
   std::string spec;
@@ -35,4 +35,4 @@ struct Together {
 /// The exit status.   Throws  IoError
 int run_search_verb(const SearchCommand& command, const Together* together = nullptr);
 
-}  // namespace gearwright::cli
+}  // namespace gearwright::apps

@@ -8,7 +8,7 @@
 #include <csignal>
 #include <cstdio>
 
-namespace gearwright::cli {
+namespace gearwright::apps {
 
 namespace {
 
@@ -54,7 +54,7 @@ void Watch::wait() {
     const int signal = sigtimedwait(&set, nullptr, &kNap);
     const std::lock_guard lock(mutex_);
     if (end_) return;
-    if (signal > 0 && headway_.writing()) {
+    if (signal > 0 && progress_.writing()) {
       signal_ = signal;
     } else if (signal > 0) {
       std::fprintf(stderr, "%sgearwright: %s stopped; nothing was written\n",
@@ -68,7 +68,7 @@ void Watch::wait() {
 void Watch::say(double seconds) {
   const double pause = terminal_ ? kTerminal : kElsewhere;
   if (seconds < kFirst || (shown_ && seconds - said_ < pause)) return;
-  const Headway::State s = headway_.state();
+  const Progress::State s = progress_.state();
   const char* stage = s.stage ? s.stage : "reading";
   std::fprintf(stderr, "%sgearwright: %s, %.0f s: %s", terminal_ ? "\r" : "", verb_.c_str(),
                seconds, stage);
@@ -82,4 +82,4 @@ void Watch::say(double seconds) {
   said_ = seconds;
 }
 
-}  // namespace gearwright::cli
+}  // namespace gearwright::apps

@@ -5,9 +5,9 @@
 #include <string>
 #include <thread>
 
-#include "gearwright/base/headway.hpp"
+#include "gearwright/base/progress.hpp"
 
-namespace gearwright::cli {
+namespace gearwright::apps {
 
 /// From its making to its end Ctrl-C (SIGINT) and SIGTERM end the program within half a second,
 /// with status 3: nothing is printed or written before the work is done, so that nothing is left
@@ -20,14 +20,14 @@ class Watch {
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
 
-  Headway* headway() { return &headway_; }
+  Progress* progress() { return &progress_; }
 
  private:
   void wait();
   void say(double seconds);
 
   std::string verb_;
-  Headway headway_;
+  Progress progress_;
   bool terminal_, shown_ = false;
   double said_ = 0.0;  // s
   std::mutex mutex_;
@@ -40,7 +40,7 @@ class Watch {
 template <class Work>
 auto watched(const char* verb, const Work& work) {
   Watch watch(verb);
-  return work(watch.headway());
+  return work(watch.progress());
 }
 
-}  // namespace gearwright::cli
+}  // namespace gearwright::apps

@@ -2,10 +2,10 @@
 // program as it ends any other.
 #include "apps/common/watch.hpp"
 
-namespace gearwright::cli {
+namespace gearwright::apps {
 
 Watch::Watch(std::string verb) : verb_(std::move(verb)), terminal_(false) {}
 
 Watch::~Watch() = default;
 
-}  // namespace gearwright::cli
+}  // namespace gearwright::apps

@@ -60,11 +60,11 @@ int main(int argc, char** argv) {
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
 
-  gearwright::cli::SearchCommand command;
+  gearwright::apps::SearchCommand command;
   CLI::App app("Gearwright: the design search on many ranks.", "gearwright-mpi");
   app.set_version_flag("--version", std::string("gearwright-mpi ") + gearwright::kVersion);
   app.require_subcommand(1);
-  gearwright::cli::add_search(app, command);
+  gearwright::apps::add_search(app, command);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -77,7 +77,7 @@ int main(int argc, char** argv) {
   // failed rank leaves behind wait for it.
   auto queue = std::make_unique<Queue>();
   try {
-    gearwright::cli::Together together;
+    gearwright::apps::Together together;
     together.rank = rank;
     together.ranks = ranks;
     together.next_chunk = [&] { return queue->draw(); };
@@ -91,7 +91,7 @@ int main(int argc, char** argv) {
       return rank == 0;
     };
     if (provided < MPI_THREAD_SERIALIZED && command.threads > 1) command.threads = 1;
-    status = gearwright::cli::run_search_verb(command, &together);
+    status = gearwright::apps::run_search_verb(command, &together);
   } catch (const std::exception& e) {
     // The others wait for this rank: end them too.
     std::cerr << "gearwright-mpi: rank " << rank << ": " << e.what() << "\n";

@@ -30,7 +30,7 @@ ModelPtr asked_model(const PairValue& pair, const py::object& errors,
                      const py::object& modifications, const KeyTable& table,
                      const std::string& name, const py::kwargs& keys);
 
-/// solve(job, headway) as a Self, and say(job, answer) as its record; Ctrl-C stops it.
+/// solve(job, progress) as a Self, and say(job, answer) as its record; Ctrl-C stops it.
 template <class Self, class Solve, class Say>
 Self answered(const ModelPtr& asked, const Solve& solve, const Say& say) {
   const auto model = std::make_shared<Model>(*asked);
@@ -38,7 +38,7 @@ Self answered(const ModelPtr& asked, const Solve& solve, const Say& say) {
   std::shared_ptr<const ValueRecord> record;
   Watched watched;
   watch(watched, [&] {
-    found = solve(model->job, &watched.headway);
+    found = solve(model->job, &watched.progress);
     if (*found) record = std::make_shared<const ValueRecord>(say(model->job, found->value()));
   });
   if (!*found) raise(found->error(), *model);
@@ -52,7 +52,7 @@ Self answered(const ModelPtr& asked, const Solve& solve, const Say& say) {
 /// Attributes for all that the table says but `own`, which the kind has in a way of its own. Out of a
 /// pickle comes what `of` finds of the pair again, bit for bit: an answer follows from its spec.
 template <class Self>
-void bind_answer(py::class_<Self>& type, const SaidTable& table, Self (*of)(const PairValue&),
+void bind_answer(py::class_<Self>& type, const QuantityTable& table, Self (*of)(const PairValue&),
                  std::string_view own = {}) {
   bind_copies(
       type, [](const Self& s) { return py::make_tuple(to_python(s.model->spec), s.model->folder); },
@@ -74,16 +74,16 @@ void bind_answer(py::class_<Self>& type, const SaidTable& table, Self (*of)(cons
       .def_property_readonly(
           "warnings", [](const Self& s) { return warnings_of(s.model->job.warnings); },
           "What a person should know: Records with code, message, gear");
-  for (const Said* said : table.list) {
-    if (said->key == own) continue;
+  for (const QuantityInfo* info : table.list) {
+    if (info->key == own) continue;
     type.def_property_readonly(
-        name_of(*said).c_str(),
-        [said](const Self& s) -> py::object {
+        name_of(*info).c_str(),
+        [info](const Self& s) -> py::object {
           for (const Member& member : *s.record)
-            if (member.said == said) return by_name(*said, member.value);
+            if (member.info == info) return by_name(*info, member.value);
           return py::none();
         },
-        docstring(*said).c_str());
+        docstring(*info).c_str());
   }
 }
 

@@ -40,11 +40,11 @@ py::object solve_spec(const py::object& given, const std::string& verb) {
     raise({"verb", verb, "must be one of " + verb_names()});
   const auto [tree, folder] = spec_and_folder(given);
   const JobSpec spec = read_tree_of(tree, folder);
-  std::optional<Result<Json>> told;
+  std::optional<Result<Json>> answer;
   Watched watched;
-  watch(watched, [&] { told = answer_json(verb, spec, &watched.headway); });
-  if (!*told) raise(spelled(told->error(), spec.given));
-  return to_python(told->value());
+  watch(watched, [&] { answer = answer_json(verb, spec, &watched.progress); });
+  if (!*answer) raise(spelled(answer->error(), spec.given));
+  return to_python(answer->value());
 }
 
 py::object fit(const py::object& given) {
@@ -52,7 +52,7 @@ py::object fit(const py::object& given) {
   const JobSpec spec = read_tree_of(tree, folder);
   std::optional<Result<FitAnswer>> found;
   Watched watched;
-  watch(watched, [&] { found = answer_fit(spec, &watched.headway); });
+  watch(watched, [&] { found = answer_fit(spec, &watched.progress); });
   if (!*found) raise(spelled(found->error(), spec.given));
   return by_name(Value(fit_quantities().of(fit_view(found->value()))));
 }
@@ -65,7 +65,7 @@ py::object compensate(const py::object& given, const py::kwargs& kwargs) {
   SolvedJob job = model->job;
   std::optional<Result<CompensateAnswer>> found;
   Watched watched;
-  watch(watched, [&] { found = answer_compensate(job, &watched.headway); });
+  watch(watched, [&] { found = answer_compensate(job, &watched.progress); });
   if (!*found) raise(found->error(), *model);
   return by_name(Value(compensate_quantities().of(compensate_view(found->value()))));
 }

@@ -60,31 +60,31 @@ void StructuredArray::add_column(const std::string& name, const std::string& for
   columns_.push_back({name, format, {}, 0, 1, bytes});
 }
 
-void StructuredArray::add_columns(const SaidTable& table, const std::string& prefix,
+void StructuredArray::add_columns(const QuantityTable& table, const std::string& prefix,
                                   bool optional) {
-  for (const Said* said : table.list) {
-    const bool there = said->always && !said->optional_key && !optional;
-    if (said->of && said->list.empty()) {
-      add_columns(said->of(), prefix + said->key + "_", optional || !there);
+  for (const QuantityInfo* info : table.list) {
+    const bool there = info->always && !info->optional_key && !optional;
+    if (info->of && info->list.empty()) {
+      add_columns(info->of(), prefix + info->key + "_", optional || !there);
       continue;
     }
-    add_column(prefix + said->key, "f8");
+    add_column(prefix + info->key, "f8");
     Column& c = columns_.back();
-    const bool any_length = std::find(said->list.begin(), said->list.end(), 0) != said->list.end();
-    if (said->of || said->type == Type::map || said->type == Type::text || any_length) {
+    const bool any_length = std::find(info->list.begin(), info->list.end(), 0) != info->list.end();
+    if (info->of || info->type == Type::map || info->type == Type::text || any_length) {
       c.count = 0;  // no column: its value is passed over
-    } else if (said->type == Type::word) {
+    } else if (info->type == Type::word) {
       std::size_t longest = 1;
-      for (const std::string& word : said->one_of) longest = std::max(longest, word.size());
+      for (const std::string& word : info->one_of) longest = std::max(longest, word.size());
       c.format = "U" + std::to_string(longest);
       c.bytes = 4 * longest;
-    } else if (said->type == Type::flag && there) {
+    } else if (info->type == Type::flag && there) {
       c.format = "?";
       c.bytes = 1;
-    } else if (said->type != Type::number && there) {
+    } else if (info->type != Type::number && there) {
       c.format = "i8";
     }
-    for (const int n : said->list) {
+    for (const int n : info->list) {
       c.shape.push_back(n);
       c.count *= static_cast<std::size_t>(n);
     }
@@ -137,14 +137,14 @@ void StructuredArray::nothing(std::size_t row, const std::string& why) {
   put_word(data_ + row * stride_ + columns_.back().offset, columns_.back().bytes, why);
 }
 
-std::size_t StructuredArray::put(std::size_t row, std::size_t column, const Said& said,
+std::size_t StructuredArray::put(std::size_t row, std::size_t column, const QuantityInfo& info,
                                  const Value& value) {
-  if (said.of && said.list.empty()) {
+  if (info.of && info.list.empty()) {
     const ValueRecord* record = value.record();
     std::size_t i = 0;
-    for (const Said* inner : said.of().list) {
+    for (const QuantityInfo* inner : info.of().list) {
       // A record leaves out what does not exist in it.
-      const bool there = record && i < record->size() && (*record)[i].said == inner;
+      const bool there = record && i < record->size() && (*record)[i].info == inner;
       column = put(row, column, *inner, there ? (*record)[i].value : Value());
       if (there) ++i;
     }

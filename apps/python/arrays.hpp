@@ -44,7 +44,8 @@ py::array_t<T> array_of(std::vector<T> numbers, std::vector<py::ssize_t> shape) 
 class StructuredArray {
  public:
   /// Columns of the table, those of its records too; names begin with the prefix.
-  void add_columns(const SaidTable& table, const std::string& prefix = "", bool optional = false);
+  void add_columns(const QuantityTable& table, const std::string& prefix = "",
+                   bool optional = false);
   /// A column by itself: "f8", "i8", "?", "U7".
   void add_column(const std::string& name, const std::string& format);
   /// So many rows of the columns added.
@@ -55,7 +56,7 @@ class StructuredArray {
             std::size_t from = 0) {
     for (const Quantity<S>& q : quantities.list()) {
       const bool there = !q.exists || q.exists(subject);
-      from = put(row, from, q.said, there ? q.get(subject) : Value());
+      from = put(row, from, q.info, there ? q.get(subject) : Value());
     }
   }
   /// NaN and false in every column, and a text in the last.
@@ -72,7 +73,8 @@ class StructuredArray {
     std::vector<py::ssize_t> shape;
     std::size_t offset = 0, count = 1, bytes = 8;
   };
-  std::size_t put(std::size_t row, std::size_t column, const Said& said, const Value& value);
+  std::size_t put(std::size_t row, std::size_t column, const QuantityInfo& info,
+                  const Value& value);
   void put_plain(char* at, const Column& column, const Value& value);
 
   std::vector<Column> columns_;

@@ -43,7 +43,7 @@ ContactValue contact_of(const PairValue& pair, const py::object& errors,
                         const py::object& modifications, const py::kwargs& kwargs) {
   return answered<ContactValue>(
       asked_model(pair, errors, modifications, contact_keys(), "contact", kwargs),
-      [](SolvedJob& job, Headway* headway) { return answer_contact(job, headway); },
+      [](SolvedJob& job, Progress* progress) { return answer_contact(job, progress); },
       contact_record);
 }
 
@@ -124,10 +124,10 @@ py::array_t<double> transmission_errors(const PairValue& pair, const py::object&
 }
 
 // A column of the positions in mm and rad.
-py::object column(const ContactValue& c, const Said& said) {
+py::object column(const ContactValue& c, const QuantityInfo& info) {
   const py::array all = positions_of(c);
-  const py::object one = all.attr("__getitem__")(said.key);
-  const double unit = house_unit(said.unit);
+  const py::object one = all.attr("__getitem__")(info.key);
+  const double unit = house_unit(info.unit);
   return unit == 1.0 ? one : one.attr("__mul__")(unit);
 }
 
@@ -170,11 +170,11 @@ py::class_<ContactValue> bind_contact(py::module_& m, py::class_<PairValue>& pai
       contact, contact_quantities().table(),
       [](const PairValue& p) { return contact_of(p, py::none(), py::none(), {}); }, "positions");
   for (const Quantity<ContactPoint>& q : position_quantities().list()) {
-    if (q.said.of) continue;
+    if (q.info.of) continue;
     contact.def_property_readonly(
-        name_of(q.said).c_str(),
-        [&said = q.said](const ContactValue& c) { return column(c, said); },
-        (docstring(q.said) + " At each position.").c_str());
+        name_of(q.info).c_str(),
+        [&info = q.info](const ContactValue& c) { return column(c, info); },
+        (docstring(q.info) + " At each position.").c_str());
   }
   pair.def("contact", &contact_of, py::arg("errors") = py::none(),
            py::arg("modifications") = py::none(),

@@ -131,7 +131,7 @@ py::tuple mesh(const GearValue& gear, double tolerance) {
 }
 
 // The file's bytes, or where it was written.
-py::object told(const JobFile& file, const std::optional<fs::path>& path) {
+py::object bytes_or_file(const JobFile& file, const std::optional<fs::path>& path) {
   if (!path) return py::bytes(file.bytes);
   write_file(*path, file.bytes);
   return py::cast(*path);
@@ -150,7 +150,7 @@ py::object exported(FileKind kind, const std::vector<ToothedBody>& bodies, const
   Watched watched;
   watch(watched, [&] { file = make_file(kind, bodies, name, options); });
   if (!*file) raise(file->error(), model);
-  return told(file->value(), path);
+  return bytes_or_file(file->value(), path);
 }
 
 std::vector<ToothedBody> bodies_of(const GearValue& gear) { return {body_of(gear)}; }
@@ -179,7 +179,7 @@ py::object drawing(const std::vector<int>& gears, const Model& model,
     file = make_workshop_drawing(model.job, gears, *kind, size, name, options);
   }
   if (!*file) raise_of_body(file->error(), model);
-  return told(file->value(), path);
+  return bytes_or_file(file->value(), path);
 }
 
 struct Export {

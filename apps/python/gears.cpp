@@ -112,7 +112,7 @@ template <class S, class Class, class Subject>
 void say_attributes(Class& type, const Quantities<S>& quantities, const Subject& subject) {
   using Self = typename Class::type;
   for (const Quantity<S>& q : quantities.list()) {
-    const std::string name = name_of(q.said);
+    const std::string name = name_of(q.info);
     if (py::hasattr(type, name.c_str()))
       throw std::logic_error("two attributes are called " + name);
     type.def_property_readonly(
@@ -120,9 +120,9 @@ void say_attributes(Class& type, const Quantities<S>& quantities, const Subject&
         [&q, subject](const Self& self) -> py::object {
           const S& s = subject(self);
           if (q.exists && !q.exists(s)) return py::none();
-          return by_name(q.said, q.get(s));
+          return by_name(q.info, q.get(s));
         },
-        docstring(q.said).c_str());
+        docstring(q.info).c_str());
   }
 }
 

@@ -25,28 +25,28 @@ struct Keep {
   }
 };
 
-const std::string& table_of(const Said* said) {
-  static const std::map<const Said*, std::string> kTables = [] {
-    std::map<const Said*, std::string> all;
-    for (const SaidTable* table : all_tables())
-      for (const Said* s : table->list) all.emplace(s, table->name);
+const std::string& table_of(const QuantityInfo* info) {
+  static const std::map<const QuantityInfo*, std::string> kTables = [] {
+    std::map<const QuantityInfo*, std::string> all;
+    for (const QuantityTable* table : all_tables())
+      for (const QuantityInfo* s : table->list) all.emplace(s, table->name);
     return all;
   }();
-  return kTables.at(said);
+  return kTables.at(info);
 }
 
-const Said* said_of(const std::string& table, const std::string& key) {
-  static const std::map<std::string, const SaidTable*> kTables = [] {
-    std::map<std::string, const SaidTable*> all;
-    for (const SaidTable* t : all_tables()) all.emplace(t->name, t);
+const QuantityInfo* said_of(const std::string& table, const std::string& key) {
+  static const std::map<std::string, const QuantityTable*> kTables = [] {
+    std::map<std::string, const QuantityTable*> all;
+    for (const QuantityTable* t : all_tables()) all.emplace(t->name, t);
     return all;
   }();
   const auto at = kTables.find(table);
-  const Said* said = at == kTables.end() ? nullptr : at->second->find(key);
-  if (!said)
+  const QuantityInfo* info = at == kTables.end() ? nullptr : at->second->find(key);
+  if (!info)
     throw py::value_error("the pickle is of another version of gearwright: there is no quantity " +
                           key + " of " + table);
-  return said;
+  return info;
 }
 
 Value recalled_value(py::handle value) {
@@ -74,7 +74,7 @@ py::object kept(const ValueRecord& record) {
   py::tuple all(record.size());
   for (std::size_t i = 0; i < record.size(); ++i) {
     const Member& m = record[i];
-    all[i] = py::make_tuple(table_of(m.said), m.said->key, std::visit(Keep(), m.value.variant()),
+    all[i] = py::make_tuple(table_of(m.info), m.info->key, std::visit(Keep(), m.value.variant()),
                             m.shown);
   }
   return all;

@@ -13,7 +13,7 @@ py::object kept(const ValueRecord& record);
 ValueRecord recalled(py::handle record);
 
 /// Every table of the catalogue that attributes and records come from, those of records in them too.
-std::vector<const SaidTable*> all_tables();
+std::vector<const QuantityTable*> all_tables();
 
 /// copy, deepcopy and pickle of a value that never changes: itself, and what `keep` and `make_again`
 /// say of it.

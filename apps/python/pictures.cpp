@@ -75,10 +75,10 @@ std::string pair_html(const PairValue& p) {
 // A part of the report, made while the interpreter may interrupt.
 template <class Part>
 std::optional<Part> part_of(SolvedJob& job,
-                            Result<std::optional<Part>> (*make)(SolvedJob&, Headway*)) {
+                            Result<std::optional<Part>> (*make)(SolvedJob&, Progress*)) {
   std::optional<Result<std::optional<Part>>> part;
   Watched watched;
-  watch(watched, [&] { part = make(job, &watched.headway); });
+  watch(watched, [&] { part = make(job, &watched.progress); });
   if (!*part) raise(spelled(part->error(), job.spec.given));
   return std::move(*part).take();
 }

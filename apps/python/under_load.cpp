@@ -24,7 +24,7 @@ struct LoadedValue : AnswerValue<LoadAnswer> {
 RatingValue rating_of(const PairValue& pair, const py::kwargs& keys) {
   return answered<RatingValue>(
       asked_model(pair, py::none(), py::none(), rating_keys(), "rating", keys),
-      [](SolvedJob& job, Headway* headway) { return answer_rating(job, headway); },
+      [](SolvedJob& job, Progress* progress) { return answer_rating(job, progress); },
       [](const SolvedJob&, const RatingAnswer& a) { return rating_quantities().of(a.view()); });
 }
 
@@ -32,7 +32,7 @@ LoadedValue loaded_of(const PairValue& pair, const py::object& errors,
                       const py::object& modifications, const py::kwargs& keys) {
   return answered<LoadedValue>(
       asked_model(pair, errors, modifications, load_keys(), "load", keys),
-      [](SolvedJob& job, Headway* headway) { return answer_load(job, headway); },
+      [](SolvedJob& job, Progress* progress) { return answer_load(job, progress); },
       [](const SolvedJob& job, const LoadAnswer& a) {
         return load_quantities().of(load_view(job, a));
       });

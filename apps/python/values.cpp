@@ -18,12 +18,12 @@ struct Record {
 
   const Member* by_name(std::string_view name) const {
     for (const Member& m : members)
-      if (name_of(*m.said) == name) return &m;
+      if (name_of(*m.info) == name) return &m;
     return nullptr;
   }
   const Member* by_key(std::string_view key) const {
     for (const Member& m : members)
-      if (m.said->key == key) return &m;
+      if (m.info->key == key) return &m;
     return nullptr;
   }
 };
@@ -44,7 +44,7 @@ struct ByKey {
   py::object operator()(const ValueRecord& record) const {
     py::dict all;
     for (const Member& m : record)
-      if (m.said->doors & kJson) all[py::str(m.said->key)] = by_key(m.value);
+      if (m.info->doors & kJson) all[py::str(m.info->key)] = by_key(m.value);
     return all;
   }
   py::object operator()(const ValueMap& map) const {
@@ -98,7 +98,8 @@ bool is_time(py::handle value) {
 
 Json mapping_of(py::handle value, const std::string& path) {
   Json tree = Json::object();
-  const py::object keys = value.attr("keys")();  // all that dicts, Records and tables have in common
+  const py::object keys =
+      value.attr("keys")();  // all that dicts, Records and tables have in common
   for (const auto& name : keys) {
     const std::string key = py::str(name);
     const py::object member = value[name];
@@ -110,11 +111,11 @@ Json mapping_of(py::handle value, const std::string& path) {
 
 }  // namespace
 
-std::string name_of(const Said& said) {
-  if (said.key == "from") return "from_";  // a word of Python's own
-  if (said.unit == Unit::m_per_s) return said.key;
-  const std::string_view suffix = unit_suffix(said.unit);
-  const std::string_view key = said.key;
+std::string name_of(const QuantityInfo& info) {
+  if (info.key == "from") return "from_";  // a word of Python's own
+  if (info.unit == Unit::m_per_s) return info.key;
+  const std::string_view suffix = unit_suffix(info.unit);
+  const std::string_view key = info.key;
   return std::string(key.ends_with(suffix) ? key.substr(0, key.size() - suffix.size()) : key);
 }
 
@@ -127,17 +128,17 @@ double house_unit(Unit unit) {
   }
 }
 
-std::string docstring(const Said& said) {
-  const bool angle = said.unit == Unit::deg || said.unit == Unit::arcsec;
+std::string docstring(const QuantityInfo& info) {
+  const bool angle = info.unit == Unit::deg || info.unit == Unit::arcsec;
   const std::string unit(angle                        ? "rad"
-                         : said.unit == Unit::um      ? "mm"
-                         : said.unit == Unit::percent ? "share of 1"
-                                                      : unit_text(said.unit));
-  std::string text = said.symbol;
+                         : info.unit == Unit::um      ? "mm"
+                         : info.unit == Unit::percent ? "share of 1"
+                                                      : unit_text(info.unit));
+  std::string text = info.symbol;
   if (!unit.empty()) text += (text.empty() ? "" : ", ") + unit;
   if (!text.empty()) text += ": ";
-  text += said.words;
-  if (!said.meaning.empty()) text += (said.words.empty() ? "" : ", ") + said.meaning;
+  text += info.words;
+  if (!info.meaning.empty()) text += (info.words.empty() ? "" : ", ") + info.meaning;
   return text + ".";
 }
 
@@ -167,11 +168,11 @@ py::object to_python(const Json& tree) {
 
 py::object by_key(const Value& value) { return std::visit(ByKey(), value.variant()); }
 
-py::object by_name(const Said& said, const Value& value) {
-  const bool any_length = !said.list.empty() && said.list[0] == 0;
-  if (said.type == Type::number && any_length && value.list())
-    return number_array(value, house_unit(said.unit));
-  return std::visit(ByName{house_unit(said.unit)}, value.variant());
+py::object by_name(const QuantityInfo& info, const Value& value) {
+  const bool any_length = !info.list.empty() && info.list[0] == 0;
+  if (info.type == Type::number && any_length && value.list())
+    return number_array(value, house_unit(info.unit));
+  return std::visit(ByName{house_unit(info.unit)}, value.variant());
 }
 
 py::object by_name(const Value& without_unit) {
@@ -276,7 +277,7 @@ void bind_records(py::module_& m) {
            [](const Record& r, const std::string& name) {
              const Member* member = r.by_name(name);
              if (!member) throw py::attribute_error("there is no quantity " + name);
-             return by_name(*member->said, member->value);
+             return by_name(*member->info, member->value);
            })
       .def("__getitem__",
            [](const Record& r, const std::string& key) {
@@ -290,14 +291,14 @@ void bind_records(py::module_& m) {
            [](const Record& r) {
              py::list names;
              for (const char* own : {"as_dict", "keys"}) names.append(own);
-             for (const Member& member : r.members) names.append(name_of(*member.said));
+             for (const Member& member : r.members) names.append(name_of(*member.info));
              return names;
            })
       .def("keys",
            [](const Record& r) {
              py::list keys;
              for (const Member& member : r.members)
-               if (member.said->doors & kJson) keys.append(member.said->key);
+               if (member.info->doors & kJson) keys.append(member.info->key);
              return keys;
            })
       .def(

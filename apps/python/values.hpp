@@ -22,17 +22,17 @@ namespace py = pybind11;
 
 /// The key without a unit that has a place in mm and rad: "tip_diameter" of tip_diameter_mm,
 /// "transmission_error" of transmission_error_arcsec; others stay.
-std::string name_of(const Said& said);
+std::string name_of(const QuantityInfo& info);
 /// What one unit of the key is in mm or rad.
 double house_unit(Unit unit);
 /// "m_n, mm: normal module, as in the spec": what help() says of an attribute.
-std::string docstring(const Said& said);
+std::string docstring(const QuantityInfo& info);
 
 /// As JSON has it: null is None, lists are lists, records are dicts by key.
 py::object to_python(const Json& tree);
 py::object by_key(const Value& value);
 /// As an attribute: numbers in mm and rad, lists are tuples, records are Records.
-py::object by_name(const Said& said, const Value& value);
+py::object by_name(const QuantityInfo& info, const Value& value);
 py::object by_name(const Value& without_unit);
 
 /// A tree of dicts, lists, numbers and texts; numpy's numbers and arrays, paths and Gears too. `path` names

@@ -14,7 +14,7 @@
 #include <mutex>
 #include <thread>
 
-#include "gearwright/base/headway.hpp"
+#include "gearwright/base/progress.hpp"
 
 namespace gearwright::python {
 
@@ -25,11 +25,11 @@ constexpr std::chrono::milliseconds kLook{50};
 /// Told to stop, a work that counts its steps, or looks at `stop`, ends at the next one.
 struct Watched {
   std::atomic<bool> stop{false};
-  Headway headway;
+  Progress progress;
 
   void end() {
     stop = true;
-    headway.stop();
+    progress.stop();
   }
 };
 

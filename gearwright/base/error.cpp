@@ -56,12 +56,14 @@ std::string Error::quoted() const {
   return Error{field.empty() ? field : fmt::format("`{}`", field), value, rule}.message();
 }
 
-std::string spoken(double x) { return with_digits(x, kDigits); }
+std::string format_number(double x) { return with_digits(x, kDigits); }
 
-std::string spoken(double x, double other) { return with_digits(x, digits_between(x, other)); }
+std::string format_number(double x, double other) {
+  return with_digits(x, digits_between(x, other));
+}
 
 Error refused(std::string field, double value, std::string rule) {
-  return {std::move(field), spoken(value), std::move(rule)};
+  return {std::move(field), format_number(value), std::move(rule)};
 }
 
 Error refused(std::string field, int value, std::string rule) {

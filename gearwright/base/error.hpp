@@ -45,8 +45,8 @@ Error following_from(std::string field, std::string value, std::string_view how,
                      const Error& error);
 
 /// A number as sentences say it: six digits.
-std::string spoken(double x);
+std::string format_number(double x);
 /// As many digits more as tell it from `other`.
-std::string spoken(double x, double other);
+std::string format_number(double x, double other);
 
 }  // namespace gearwright

@@ -31,15 +31,15 @@ TEST(Error, of_a_part_is_one_of_the_whole) {
 }
 
 TEST(Spoken, has_six_digits_or_as_many_as_it_takes) {
-  EXPECT_EQ(spoken(20.0), "20");
-  EXPECT_EQ(spoken(29.999821636830927), "29.9998");
-  EXPECT_EQ(spoken(20.000000000000004), "20");
-  EXPECT_EQ(spoken(60.0000001, 60.0), "60.0000001");
-  EXPECT_EQ(spoken(60.0, 60.0000001), "60");
-  EXPECT_EQ(spoken(1.0, 2.0), "1");
-  EXPECT_EQ(spoken(2e6), "2000000");
-  EXPECT_EQ(spoken(5e-324), "5e-324");
-  EXPECT_EQ(spoken(0.1 + 0.2, 0.3), "0.30000000000000004");
+  EXPECT_EQ(format_number(20.0), "20");
+  EXPECT_EQ(format_number(29.999821636830927), "29.9998");
+  EXPECT_EQ(format_number(20.000000000000004), "20");
+  EXPECT_EQ(format_number(60.0000001, 60.0), "60.0000001");
+  EXPECT_EQ(format_number(60.0, 60.0000001), "60");
+  EXPECT_EQ(format_number(1.0, 2.0), "1");
+  EXPECT_EQ(format_number(2e6), "2000000");
+  EXPECT_EQ(format_number(5e-324), "5e-324");
+  EXPECT_EQ(format_number(0.1 + 0.2, 0.3), "0.30000000000000004");
 }
 
 TEST(Refused, tells_a_value_from_its_limits) {

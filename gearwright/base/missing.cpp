@@ -31,12 +31,13 @@ Error all_missing(const std::vector<Error>& errors) {
   if (other != errors.end()) return *other;
   Error all = errors.front();
   std::set<std::string> named{all.field};
-  std::set<std::string_view> told{what_is_wanted(errors.front())};
+  std::set<std::string_view> written{what_is_wanted(errors.front())};
   for (const Error& error : errors) {
     if (!named.insert(error.field).second) continue;
     const std::string_view wanted = what_is_wanted(error);
     all.rule += (named.size() == 2 ? "; also missing: " : ", ") + error.field;
-    if (told.insert(wanted).second && !wanted.empty()) all.rule += " (" + std::string(wanted) + ")";
+    if (written.insert(wanted).second && !wanted.empty())
+      all.rule += " (" + std::string(wanted) + ")";
   }
   return all;
 }

@@ -29,9 +29,9 @@ TEST(Stl, HoldsEveryTriangleWithItsNormal) {
   const std::string bytes = stl_bytes({part});
   const std::size_t count = part.mesh.triangles.size();
   ASSERT_EQ(bytes.size(), 84 + 50 * count);
-  std::uint32_t said = 0;
-  std::memcpy(&said, bytes.data() + 80, 4);
-  EXPECT_EQ(said, count);
+  std::uint32_t named = 0;
+  std::memcpy(&named, bytes.data() + 80, 4);
+  EXPECT_EQ(named, count);
   EXPECT_EQ(bytes.substr(0, 33), "Gearwright, binary STL, mm: gear1");
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t at = 84 + 50 * i;

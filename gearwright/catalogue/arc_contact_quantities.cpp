@@ -104,7 +104,7 @@ void say(Quantities<C>& q) {
       .doors(kJson);
   q.record(
        "", "curvature_per_mm", "of both flanks",
-       []() -> const SaidTable& { return tensor_quantities().table(); },
+       []() -> const QuantityTable& { return tensor_quantities().table(); },
        [](const C& c) { return Value(tensor_quantities().of(c)); })
       .doors(kJson);
   q.add(Type::number, Unit::per_mm, "", "gap_curvature_per_mm", "relative curvatures", "k_1, k_2",
@@ -112,11 +112,11 @@ void say(Quantities<C>& q) {
       .list({2});
   q.record(
       "", "ellipse", "the contact ellipse under the marking compound",
-      []() -> const SaidTable& { return ellipse_quantities().table(); },
+      []() -> const QuantityTable& { return ellipse_quantities().table(); },
       at([](const ArcContact& a) { return ellipse_quantities().of(a); }));
   q.record(
       "", "transverse_radius_mm", "of the transverse profiles",
-      []() -> const SaidTable& { return radius_quantities().table(); },
+      []() -> const QuantityTable& { return radius_quantities().table(); },
       at([](const ArcContact& a) { return radius_quantities().of(a); }));
   q.mm("", "transverse_radius_difference_mm", "difference of the transverse radii", "Δρ",
        "concave less convex", at([](const ArcContact& a) {

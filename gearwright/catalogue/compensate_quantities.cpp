@@ -15,7 +15,7 @@ constexpr const char* kLead = "Lead angle that takes the slope out of the transm
 
 Value degrees(const std::optional<Angle>& angle) { return angle ? Value(angle->deg()) : Value(); }
 
-const SaidTable& score_table() { return score_quantities().table(); }
+const QuantityTable& score_table() { return score_quantities().table(); }
 
 const Quantities<FoundCorrection>& correction_quantities() {
   using C = FoundCorrection;
@@ -34,7 +34,7 @@ const Quantities<FoundCorrection>& correction_quantities() {
   });
   return kAll;
 }
-const SaidTable& correction_table() { return correction_quantities().table(); }
+const QuantityTable& correction_table() { return correction_quantities().table(); }
 
 const Quantities<Scenario>& scenario_quantities() {
   using S = Scenario;
@@ -49,7 +49,7 @@ const Quantities<Scenario>& scenario_quantities() {
   });
   return kAll;
 }
-const SaidTable& scenario_table() { return scenario_quantities().table(); }
+const QuantityTable& scenario_table() { return scenario_quantities().table(); }
 
 const Quantities<SettingAnswer>& angle_quantities() {
   using S = SettingAnswer;
@@ -69,7 +69,7 @@ const Quantities<SettingAnswer>& angle_quantities() {
   });
   return kAll;
 }
-const SaidTable& angle_table() { return angle_quantities().table(); }
+const QuantityTable& angle_table() { return angle_quantities().table(); }
 
 const Quantities<SettingAnswer>& setting_quantities() {
   using S = SettingAnswer;
@@ -91,7 +91,7 @@ const Quantities<SettingAnswer>& setting_quantities() {
   });
   return kAll;
 }
-const SaidTable& setting_table() { return setting_quantities().table(); }
+const QuantityTable& setting_table() { return setting_quantities().table(); }
 
 const Quantities<LeadAnswer>& lead_quantities() {
   using L = LeadAnswer;
@@ -113,9 +113,9 @@ const Quantities<LeadAnswer>& lead_quantities() {
   });
   return kAll;
 }
-const SaidTable& lead_table() { return lead_quantities().table(); }
+const QuantityTable& lead_table() { return lead_quantities().table(); }
 
-const SaidTable& loaded_score_table() { return loaded_score_quantities().table(); }
+const QuantityTable& loaded_score_table() { return loaded_score_quantities().table(); }
 
 const Quantities<AimedLoad>& load_quantities_of_aim() {
   using L = AimedLoad;
@@ -132,7 +132,7 @@ const Quantities<AimedLoad>& load_quantities_of_aim() {
   });
   return kAll;
 }
-const SaidTable& aimed_load_table() { return load_quantities_of_aim().table(); }
+const QuantityTable& aimed_load_table() { return load_quantities_of_aim().table(); }
 
 bool loaded(const V& v) { return under_load(v.aim); }
 

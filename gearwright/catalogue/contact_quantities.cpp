@@ -37,7 +37,7 @@ const Quantities<ContactEllipse>& ellipse_quantities() {
   });
   return kAll;
 }
-const SaidTable& ellipse_table() { return ellipse_quantities().table(); }
+const QuantityTable& ellipse_table() { return ellipse_quantities().table(); }
 
 const Quantities<ContactRidge>& ridge_quantities() {
   using R = ContactRidge;
@@ -65,7 +65,7 @@ const Quantities<ContactRidge>& ridge_quantities() {
   });
   return kAll;
 }
-const SaidTable& ridge_table() { return ridge_quantities().table(); }
+const QuantityTable& ridge_table() { return ridge_quantities().table(); }
 
 void say_position(Quantities<P>& q) {
   q.deg("", "rotation1_deg", "rotation of gear 1", "φ_1", "clockwise seen from +z", [](const P& p) {
@@ -115,7 +115,7 @@ void say_position(Quantities<P>& q) {
    }).list({2, 3});
 }
 
-const SaidTable& position_table() { return position_quantities().table(); }
+const QuantityTable& position_table() { return position_quantities().table(); }
 
 // The other flanks at the same positions.
 const Quantities<ContactResult>& non_working_quantities() {
@@ -147,7 +147,7 @@ const Quantities<ContactResult>& non_working_quantities() {
   });
   return kAll;
 }
-const SaidTable& non_working_table() { return non_working_quantities().table(); }
+const QuantityTable& non_working_table() { return non_working_quantities().table(); }
 
 // How transmission error and contact point move with one unit, over the positions.
 Value sensitivities(const V& v) {
@@ -208,7 +208,7 @@ const Quantities<RasterView>& raster_quantities() {
   });
   return kAll;
 }
-const SaidTable& raster_table() { return raster_quantities().table(); }
+const QuantityTable& raster_table() { return raster_quantities().table(); }
 
 const Quantities<V>& pattern_quantities() {
   static const Quantities<V> kAll("contact.pattern", [](Quantities<V>& q) {
@@ -222,7 +222,7 @@ const Quantities<V>& pattern_quantities() {
   });
   return kAll;
 }
-const SaidTable& pattern_table() { return pattern_quantities().table(); }
+const QuantityTable& pattern_table() { return pattern_quantities().table(); }
 
 const Quantities<V>& map_quantities() {
   static const Quantities<V> kAll("contact.map", [](Quantities<V>& q) {
@@ -252,7 +252,7 @@ const Quantities<V>& map_quantities() {
   });
   return kAll;
 }
-const SaidTable& map_table() { return map_quantities().table(); }
+const QuantityTable& map_table() { return map_quantities().table(); }
 
 void say(Quantities<V>& q) {
   q.record("", "positions", "in the order of the rotations", position_table,

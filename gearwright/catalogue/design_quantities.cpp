@@ -73,8 +73,8 @@ const Quantities<V>& region_quantities() {
   });
   return kAll;
 }
-const SaidTable& region_table() { return region_quantities().table(); }
-const SaidTable& gears_table() { return two_gears().table(); }
+const QuantityTable& region_table() { return region_quantities().table(); }
+const QuantityTable& gears_table() { return two_gears().table(); }
 
 void say_numbers(Quantities<V>& q) {
   q.add(Type::index, Unit::none, "", "trial", "number of the trial", "",

@@ -47,7 +47,7 @@ const Quantities<BranchView>& branch_quantities() {
   });
   return kAll;
 }
-const SaidTable& branch_table() { return branch_quantities().table(); }
+const QuantityTable& branch_table() { return branch_quantities().table(); }
 
 const Quantities<Fit>& nearest_quantities() {
   static const Quantities<Fit> kAll("fit.nearest", [](Quantities<Fit>& q) {
@@ -60,7 +60,7 @@ const Quantities<Fit>& nearest_quantities() {
   });
   return kAll;
 }
-const SaidTable& nearest_table() { return nearest_quantities().table(); }
+const QuantityTable& nearest_table() { return nearest_quantities().table(); }
 
 }  // namespace
 

@@ -23,8 +23,8 @@ const Quantities<G>& uncertainty_quantities() {
   });
   return kAll;
 }
-const SaidTable& uncertainty_table() { return uncertainty_quantities().table(); }
-const SaidTable& candidate_table() { return identified_gear_quantities().table(); }
+const QuantityTable& uncertainty_table() { return uncertainty_quantities().table(); }
+const QuantityTable& candidate_table() { return identified_gear_quantities().table(); }
 
 Value series_word(const G& g) {
   switch (g.series) {
@@ -101,7 +101,7 @@ const Quantities<Contradiction>& contradiction_quantities() {
   });
   return kAll;
 }
-const SaidTable& contradiction_table() { return contradiction_quantities().table(); }
+const QuantityTable& contradiction_table() { return contradiction_quantities().table(); }
 
 const Quantities<NextMeasurement>& next_quantities() {
   using N = NextMeasurement;
@@ -121,7 +121,7 @@ const Quantities<NextMeasurement>& next_quantities() {
   });
   return kAll;
 }
-const SaidTable& next_table() { return next_quantities().table(); }
+const QuantityTable& next_table() { return next_quantities().table(); }
 
 }  // namespace
 

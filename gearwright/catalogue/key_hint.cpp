@@ -120,12 +120,12 @@ bool of_one_kind(std::string_view a, std::string_view b) {
 // In other tables: below this one, then anywhere; "diameter_mm in [gear1.bore]".
 std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_view path,
                                             const Word& word, std::string_view unit) {
-  const auto told = [](const Key& key, const std::string& where) {
+  const auto named = [](const Key& key, const std::string& where) {
     return fmt::format("{} in [{}]", key.key, where);
   };
   for (const Place& p : tables_below(table, path)) {
     if (p.table == &measured_keys()) continue;  // readings are called as what they are readings of
-    if (const Key* found = called(*p.table, word, by_word, false)) return told(*found, p.path);
+    if (const Key* found = called(*p.table, word, by_word, false)) return named(*found, p.path);
   }
   if (path.empty()) return std::nullopt;
   // A table of gear 2 looks in gear 2 first.
@@ -137,7 +137,7 @@ std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_v
     const bool outside = p.path.find('.') == std::string::npos;
     if (p.table == &gear_keys() && own == "gear2") p.path = own;
     const Key* found = called(*p.table, word, outside ? by_symbol : by_word, false);
-    if (found && of_one_kind(unit, key_unit(found->key))) return told(*found, p.path);
+    if (found && of_one_kind(unit, key_unit(found->key))) return named(*found, p.path);
   }
   return std::nullopt;
 }

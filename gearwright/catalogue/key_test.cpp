@@ -79,10 +79,11 @@ void expect_defaults(const KeyTable& table, std::size_t at_least) {
   for (const Key& key : table.keys) {
     const Json v = Json::parse(key.fallback, nullptr, false);
     if (!key.place || v.is_discarded()) continue;
-    T said{};
-    key.place.put(said, value_of(key, v));
+    T input{};
+    key.place.put(input, value_of(key, v));
     // What is absent by itself has its default from elsewhere.
-    EXPECT_TRUE(key.place.same(T{}, said)) << table.name << "." << key.key << " = " << key.fallback;
+    EXPECT_TRUE(key.place.same(T{}, input))
+        << table.name << "." << key.key << " = " << key.fallback;
     EXPECT_TRUE(!v.is_number() || key.range.contains(v.get<double>())) << key.key;
     ++seen;
   }

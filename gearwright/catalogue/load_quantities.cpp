@@ -29,15 +29,15 @@ const Quantities<S>& stiffness_quantities() {
   static const auto kAll = stiffness_in(Unit::newton_per_mm_um, "load.torques stiffness");
   return kAll;
 }
-const SaidTable& stiffness_table() { return stiffness_quantities().table(); }
+const QuantityTable& stiffness_table() { return stiffness_quantities().table(); }
 // Of teeth that touch at points.
 const Quantities<S>& point_stiffness_quantities() {
   static const auto kAll = stiffness_in(Unit::newton_per_um, "load.torques point stiffness");
   return kAll;
 }
-const SaidTable& point_stiffness_table() { return point_stiffness_quantities().table(); }
+const QuantityTable& point_stiffness_table() { return point_stiffness_quantities().table(); }
 
-const SaidTable& point_table() { return load_point_quantities().table(); }
+const QuantityTable& point_table() { return load_point_quantities().table(); }
 
 bool at_points(const P& p) { return p.regime == LoadRegime::point; }
 bool at_points(const T& t) { return t.all->regime == LoadRegime::point; }
@@ -106,7 +106,7 @@ void say_position(Quantities<P>& q) {
       .one_of({"line", "interior", "tip1", "tip2", "form1", "form2", "face1", "face2", "ridge",
                "corner"});
 }
-const SaidTable& position_table() { return load_position_quantities().table(); }
+const QuantityTable& position_table() { return load_position_quantities().table(); }
 
 bool has_standard(const T& t) { return t.standard.has_value(); }
 bool has_nominal(const T& t) { return has_standard(t) && t.standard->root_stress; }
@@ -222,7 +222,7 @@ void say_torque(Quantities<T>& q) {
       .when(on_lines)
       .doors(kJson);
 }
-const SaidTable& torque_table() { return load_torque_quantities().table(); }
+const QuantityTable& torque_table() { return load_torque_quantities().table(); }
 
 const Quantities<ProbeView>& probe_quantities() {
   static const Quantities<ProbeView> kAll("load.probes", [](Quantities<ProbeView>& q) {
@@ -246,7 +246,7 @@ const Quantities<ProbeView>& probe_quantities() {
   });
   return kAll;
 }
-const SaidTable& probe_table() { return probe_quantities().table(); }
+const QuantityTable& probe_table() { return probe_quantities().table(); }
 
 }  // namespace
 

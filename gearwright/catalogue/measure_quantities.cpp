@@ -65,7 +65,7 @@ const Quantities<Span>& span_quantities() {
   static const Quantities<Span> kAll("measure.span", say_span);
   return kAll;
 }
-const SaidTable& span_table() { return span_quantities().table(); }
+const QuantityTable& span_table() { return span_quantities().table(); }
 
 // Where a ball or pin lies, after what is read over it.
 template <class V, class Seat>
@@ -103,7 +103,7 @@ const Quantities<BallView>& ball_quantities() {
   });
   return kAll;
 }
-const SaidTable& ball_table() { return ball_quantities().table(); }
+const QuantityTable& ball_table() { return ball_quantities().table(); }
 
 const Quantities<PinView>& pin_quantities() {
   using P = PinView;
@@ -127,7 +127,7 @@ const Quantities<PinView>& pin_quantities() {
   });
   return kAll;
 }
-const SaidTable& pin_table() { return pin_quantities().table(); }
+const QuantityTable& pin_table() { return pin_quantities().table(); }
 
 std::string inch_text(double inch) {
   int over = static_cast<int>(std::lround(inch * 64)), under = 64;
@@ -159,7 +159,7 @@ const Quantities<BallSizes>& size_quantities() {
   });
   return kAll;
 }
-const SaidTable& size_table() { return size_quantities().table(); }
+const QuantityTable& size_table() { return size_quantities().table(); }
 
 const Quantities<ChordView>& chord_quantities() {
   using C = ChordView;
@@ -185,7 +185,7 @@ const Quantities<ChordView>& chord_quantities() {
   });
   return kAll;
 }
-const SaidTable& chord_table() { return chord_quantities().table(); }
+const QuantityTable& chord_table() { return chord_quantities().table(); }
 
 const Quantities<ConstantChord>& constant_quantities() {
   using C = ConstantChord;
@@ -206,7 +206,7 @@ const Quantities<ConstantChord>& constant_quantities() {
   });
   return kAll;
 }
-const SaidTable& constant_table() { return constant_quantities().table(); }
+const QuantityTable& constant_table() { return constant_quantities().table(); }
 
 const Quantities<ThicknessView>& thickness_quantities() {
   using T = ThicknessView;
@@ -229,10 +229,10 @@ const Quantities<ThicknessView>& thickness_quantities() {
   });
   return kAll;
 }
-const SaidTable& thickness_table() { return thickness_quantities().table(); }
+const QuantityTable& thickness_table() { return thickness_quantities().table(); }
 
-const SaidTable& tolerance_table() { return tolerance_quantities().table(); }
-const SaidTable& range_table() { return range_quantities().table(); }
+const QuantityTable& tolerance_table() { return tolerance_quantities().table(); }
+const QuantityTable& range_table() { return range_quantities().table(); }
 
 template <class T>
 Value record_of(const Quantities<T>& quantities, const std::optional<T>& subject) {

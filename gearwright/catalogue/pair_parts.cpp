@@ -48,7 +48,7 @@ const Quantities<PathPoint>& path_point_quantities() {
   return kAll;
 }
 
-const SaidTable& path_point_table() { return path_point_quantities().table(); }
+const QuantityTable& path_point_table() { return path_point_quantities().table(); }
 
 // Speeds of sliding at A, the pitch point of gear 1 and E, per radian of gear 1.
 Value sliding_at_A_C_E(const InvolutePair& p, double (*part)(double across, double along)) {
@@ -320,8 +320,8 @@ const Quantities<InterferenceView>& interference_quantities() {
   return kAll;
 }
 
-const Quantities<Strike>& strike_quantities() {
-  using S = Strike;
+const Quantities<Collision>& collision_quantities() {
+  using S = Collision;
   const auto at = [](auto get) {
     return [get](const S& s) { return s.touch ? Value(get(*s.touch)) : Value(); };
   };

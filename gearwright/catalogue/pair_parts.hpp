@@ -58,7 +58,7 @@ const Quantities<InterferenceView>& interference_quantities();
 std::vector<InterferenceView> interference_of(const Pair& pair);
 
 /// An entry of `overlap` or of `beyond_flank`.
-const Quantities<Strike>& strike_quantities();
+const Quantities<Collision>& collision_quantities();
 
 /// A contact of circular arcs and the pair it belongs to.
 struct ArcContactView {

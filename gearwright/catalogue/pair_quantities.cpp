@@ -38,7 +38,7 @@ auto parallel(F get) {
 
 // The table of a sub-catalogue, and its record of something that may not be there.
 template <const auto& (*quantities)()>
-const SaidTable& table_of() {
+const QuantityTable& table_of() {
   return quantities().table();
 }
 template <class S>
@@ -252,17 +252,17 @@ void say_contact(Quantities<V>& q) {
        "where the bodies would share space, in the middle of the play, deepest first "
        "[T2.34], on crossed axes of tips and roots [T4.33]; null: not looked for (circular arcs "
        "of unequal lead, an internal gear whose cutter is not known)",
-       table_of<strike_quantities>,
+       table_of<collision_quantities>,
        [](const V& v) {
          const auto& overlap = v.mounted().overlap;
-         return overlap ? Value(strike_quantities().each(*overlap)) : Value();
+         return overlap ? Value(collision_quantities().each(*overlap)) : Value();
        })
       .list({0})
       .doors(kJson);
   q.record("", "beyond_flank",
            "contact on a root or a tip that is no flank, while nothing overlaps",
-           table_of<strike_quantities>,
-           [](const V& v) { return Value(strike_quantities().each(v.mounted().beyond_flank)); })
+           table_of<collision_quantities>,
+           [](const V& v) { return Value(collision_quantities().each(v.mounted().beyond_flank)); })
       .always()
       .list({0})
       .doors(kJson);

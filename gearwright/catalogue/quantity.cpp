@@ -9,9 +9,9 @@
 
 namespace gearwright {
 
-const Said* SaidTable::find(std::string_view key) const {
+const QuantityInfo* QuantityTable::find(std::string_view key) const {
   const auto it =
-      std::find_if(list.begin(), list.end(), [&](const Said* s) { return s->key == key; });
+      std::find_if(list.begin(), list.end(), [&](const QuantityInfo* s) { return s->key == key; });
   return it == list.end() ? nullptr : *it;
 }
 
@@ -71,9 +71,9 @@ std::string_view unit_suffix(Unit unit) {
   return "";
 }
 
-int digits_of(const Said& said) {
-  if (said.digits) return *said.digits;
-  switch (said.unit) {
+int digits_of(const QuantityInfo& info) {
+  if (info.digits) return *info.digits;
+  switch (info.unit) {
     case Unit::mm:
     case Unit::arcsec:
     case Unit::mm_per_rad:
@@ -105,13 +105,13 @@ std::string fixed_text(double value, int digits) {
   return fmt::format("{:.{}f}", std::abs(value) < half ? 0.0 : value, digits);
 }
 
-std::string text_of(const Said& said, const Value& value, std::string_view none) {
-  const std::string absent(said.nothing.empty() ? none : std::string_view(said.nothing));
+std::string text_of(const QuantityInfo& info, const Value& value, std::string_view none) {
+  const std::string absent(info.nothing.empty() ? none : std::string_view(info.nothing));
   if (all_nothing(value)) return absent;
   if (const ValueList* list = value.list()) {
     std::string text;
     for (const Value& v : *list)
-      text += (text.empty() ? "" : said.two == Two::ends ? " … " : ", ") + text_of(said, v, none);
+      text += (text.empty() ? "" : info.two == Two::ends ? " … " : ", ") + text_of(info, v, none);
     return text;
   }
   if (const auto* flag = std::get_if<bool>(&value.variant())) return *flag ? "yes" : "no";
@@ -120,12 +120,12 @@ std::string text_of(const Said& said, const Value& value, std::string_view none)
   if (const auto* word = std::get_if<std::string>(&value.variant())) {
     std::string text = *word;
     // One of some identifiers: "beyond_tip" reads as two words.
-    if (!said.one_of.empty()) std::replace(text.begin(), text.end(), '_', ' ');
+    if (!info.one_of.empty()) std::replace(text.begin(), text.end(), '_', ' ');
     return text;
   }
   if (const auto* x = std::get_if<double>(&value.variant())) {
     if (!std::isfinite(*x)) return absent;
-    return fixed_text(said.unit == Unit::percent ? 100 * *x : *x, digits_of(said));
+    return fixed_text(info.unit == Unit::percent ? 100 * *x : *x, digits_of(info));
   }
   return absent;
 }
@@ -134,7 +134,7 @@ namespace {
 
 // One quantity of the records side by side; null where a record lacks it.
 struct Across {
-  const Said* said;
+  const QuantityInfo* info;
   std::vector<const Member*> members;
 };
 
@@ -147,12 +147,12 @@ std::vector<Across> across(const std::vector<const ValueRecord*>& records) {
     if (!records[k]) continue;
     for (const Member& m : *records[k]) {
       const auto it =
-          std::find_if(all.begin(), all.end(), [&](const Across& a) { return a.said == m.said; });
+          std::find_if(all.begin(), all.end(), [&](const Across& a) { return a.info == m.info; });
       if (it != all.end()) {
         it->members[k] = &m;
         place = static_cast<std::size_t>(it - all.begin()) + 1;
       } else {
-        Across a{m.said, std::vector<const Member*>(records.size(), nullptr)};
+        Across a{m.info, std::vector<const Member*>(records.size(), nullptr)};
         a.members[k] = &m;
         all.insert(all.begin() + static_cast<std::ptrdiff_t>(place), std::move(a));
         ++place;
@@ -168,15 +168,15 @@ class Groups {
 
   void add(const std::vector<const ValueRecord*>& records, const std::string& heading) {
     for (const Across& a : across(records)) {
-      const Said& said = *a.said;
+      const QuantityInfo& info = *a.info;
       const bool shown = std::any_of(a.members.begin(), a.members.end(),
                                      [](const Member* m) { return m && m->shown; });
-      if (!(said.doors & door_) || !shown) continue;
-      const std::string& title = said.group.empty() ? heading : said.group;
-      if (said.type == Type::record) {
+      if (!(info.doors & door_) || !shown) continue;
+      const std::string& title = info.group.empty() ? heading : info.group;
+      if (info.type == Type::record) {
         nest(a, title);
       } else {
-        group(title).rows.push_back({&said, texts(a)});
+        group(title).rows.push_back({&info, texts(a)});
       }
     }
   }
@@ -204,11 +204,11 @@ class Groups {
   std::vector<std::string> texts(const Across& a) const {
     std::vector<std::string> texts;
     for (const Member* m : a.members) {
-      const ValueList* list = m && a.said->two == Two::gears ? m->value.list() : nullptr;
+      const ValueList* list = m && a.info->two == Two::gears ? m->value.list() : nullptr;
       if (list) {
-        for (const Value& v : *list) texts.push_back(text_of(*a.said, v, none_));
+        for (const Value& v : *list) texts.push_back(text_of(*a.info, v, none_));
       } else {
-        texts.push_back(text_of(*a.said, m ? m->value : Value(), none_));
+        texts.push_back(text_of(*a.info, m ? m->value : Value(), none_));
       }
     }
     return texts;
@@ -228,8 +228,9 @@ class Groups {
 
 }  // namespace
 
-std::vector<TextGroup> text_groups(const SaidTable& table, const std::vector<ValueRecord>& records,
-                                   Doors door, std::string_view none) {
+std::vector<TextGroup> text_groups(const QuantityTable& table,
+                                   const std::vector<ValueRecord>& records, Doors door,
+                                   std::string_view none) {
   std::vector<const ValueRecord*> all;
   for (const ValueRecord& r : records) all.push_back(&r);
   Groups groups(door, none);

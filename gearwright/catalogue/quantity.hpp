@@ -1,6 +1,6 @@
 // The catalogue of results: what is said of each quantity, once, and how it is got.
 //
-//   Said            key, words (the standard's term), symbol, unit, digits, one sentence
+//   QuantityInfo            key, words (the standard's term), symbol, unit, digits, one sentence
 //   Quantity<S>     the same with the way to get it from a subject S: a gear, a pair, a contact
 //   Quantities<S>   all quantities of a subject; of(subject) is the record that every door takes
 //
@@ -72,10 +72,10 @@ enum class Two {
   ends     ///< from, to
 };
 
-struct SaidTable;
+struct QuantityTable;
 
 /// What is said of a quantity.
-struct Said {
+struct QuantityInfo {
   std::string key;     ///< in JSON, with its unit: "tip_diameter_mm"
   std::string words;   ///< the term of ISO 21771 or ISO 1122-1 where there is one
   std::string symbol;  ///< "d_a", indices after the underscore
@@ -88,44 +88,44 @@ struct Said {
   bool always = false;                ///< never null
   std::vector<std::string> one_of{};  ///< of a word
   unsigned doors = kAllDoors;
-  std::optional<int> digits{};         ///< decimals for people; absent: those of the unit
-  std::string nothing{};               ///< what people read where there is no value
-  const SaidTable& (*of)() = nullptr;  ///< of a record: what it holds
-  std::string column{};                ///< in CSV and Parquet; "#" is the gear's number
-  bool greater_first = false;          ///< the better are the greater
-  bool optional_key = false;           ///< absent, not null, where it does not exist
+  std::optional<int> digits{};             ///< decimals for people; absent: those of the unit
+  std::string nothing{};                   ///< what people read where there is no value
+  const QuantityTable& (*of)() = nullptr;  ///< of a record: what it holds
+  std::string column{};                    ///< in CSV and Parquet; "#" is the gear's number
+  bool greater_first = false;              ///< the better are the greater
+  bool optional_key = false;               ///< absent, not null, where it does not exist
 };
 
 /// What may stand in a record, in order.
-struct SaidTable {
+struct QuantityTable {
   std::string name;  ///< "gear", "pair", "pair.backlash"
-  std::vector<const Said*> list;
+  std::vector<const QuantityInfo*> list;
   std::vector<std::string> groups;  ///< headings for people, in their order
 
-  const Said* find(std::string_view key) const;
+  const QuantityInfo* find(std::string_view key) const;
 };
 
 template <class S>
 struct Quantity {
-  Said said;
+  QuantityInfo info;
   std::function<Value(const S&)> get;
   std::function<bool(const S&)> exists{};  ///< else the key is absent; none: always there
   std::function<bool(const S&)> worth{};   ///< else no row for people; none: always
   std::function<bool(const S&)> asked{};   ///< people see a dash where it has no value
 
   // Refinements of an entry, in the order in which one says them.
-  Quantity& always() { return said.always = true, *this; }
-  Quantity& digits(int n) { return said.digits = n, *this; }
-  Quantity& doors(unsigned d) { return said.doors = d, *this; }
-  Quantity& one_of(std::vector<std::string> w) { return said.one_of = std::move(w), *this; }
-  Quantity& list(std::vector<int> l) { return said.list = std::move(l), *this; }
-  Quantity& per_gear() { return said.list = {2}, said.two = Two::gears, *this; }
-  Quantity& ends() { return said.list = {2}, said.two = Two::ends, *this; }
-  Quantity& column(std::string name) { return said.column = std::move(name), *this; }
-  Quantity& greater_first() { return said.greater_first = true, *this; }
-  Quantity& otherwise(std::string text) { return said.nothing = std::move(text), *this; }
+  Quantity& always() { return info.always = true, *this; }
+  Quantity& digits(int n) { return info.digits = n, *this; }
+  Quantity& doors(unsigned d) { return info.doors = d, *this; }
+  Quantity& one_of(std::vector<std::string> w) { return info.one_of = std::move(w), *this; }
+  Quantity& list(std::vector<int> l) { return info.list = std::move(l), *this; }
+  Quantity& per_gear() { return info.list = {2}, info.two = Two::gears, *this; }
+  Quantity& ends() { return info.list = {2}, info.two = Two::ends, *this; }
+  Quantity& column(std::string name) { return info.column = std::move(name), *this; }
+  Quantity& greater_first() { return info.greater_first = true, *this; }
+  Quantity& otherwise(std::string text) { return info.nothing = std::move(text), *this; }
   Quantity& when(std::function<bool(const S&)> f) {
-    said.optional_key = true;
+    info.optional_key = true;
     return exists = std::move(f), *this;
   }
   Quantity& expected(std::function<bool(const S&)> f) { return asked = std::move(f), *this; }
@@ -142,7 +142,7 @@ class Quantities {
   Quantities(std::string name, const Fill& fill) {
     fill(*this);
     table_.name = std::move(name);
-    for (const Quantity<S>& q : list_) table_.list.push_back(&q.said);
+    for (const Quantity<S>& q : list_) table_.list.push_back(&q.info);
   }
   Quantities(const Quantities&) = delete;  // the table points into the list
   Quantities& operator=(const Quantities&) = delete;
@@ -185,13 +185,13 @@ class Quantities {
   }
   /// A record, or a list of them, of what `of` says.
   Quantity<S>& record(const char* group, const char* key, const char* meaning,
-                      const SaidTable& (*of)(), Get get) {
+                      const QuantityTable& (*of)(), Get get) {
     Quantity<S>& q = add(Type::record, Unit::none, group, key, key, "", meaning, std::move(get));
-    q.said.of = of;
+    q.info.of = of;
     return q;
   }
 
-  const SaidTable& table() const { return table_; }
+  const QuantityTable& table() const { return table_; }
   const std::deque<Quantity<S>>& list() const { return list_; }
 
   /// The record of a subject.
@@ -203,7 +203,7 @@ class Quantities {
       Value value = q.get(subject);
       const bool row =
           (!q.worth || q.worth(subject)) && (!all_nothing(value) || (q.asked && q.asked(subject)));
-      record.push_back({&q.said, std::move(value), row});
+      record.push_back({&q.info, std::move(value), row});
     }
     return record;
   }
@@ -217,7 +217,7 @@ class Quantities {
 
  private:
   std::deque<Quantity<S>> list_;  // entries stay where they are while more are added
-  SaidTable table_;
+  QuantityTable table_;
 };
 
 /// "mm", "°", "µm"; empty for pure numbers.
@@ -227,18 +227,18 @@ std::string_view unit_suffix(Unit unit);
 
 /// Decimals that people read: 4 of mm (0.1 µm, the last digit of a gear drawing), 5 of degrees
 /// (0.17 µm on a radius of 1 m) and of pure numbers.
-int digits_of(const Said& said);
+int digits_of(const QuantityInfo& info);
 
 /// A value as people read it, without its unit; `none` where there is no value. Lists become
 /// "x, y, z", two ends "lo … hi".
-std::string text_of(const Said& said, const Value& value, std::string_view none = "–");
+std::string text_of(const QuantityInfo& info, const Value& value, std::string_view none = "–");
 
 /// A number with so many decimals; what rounds to nothing has no sign.
 std::string fixed_text(double value, int digits);
 
 /// A row for people: one quantity, a text for each column. A pair's common value has one text.
 struct TextRow {
-  const Said* said;
+  const QuantityInfo* info;
   std::vector<std::string> texts;
 };
 
@@ -251,8 +251,9 @@ struct TextGroup {
 /// What people see of records side by side (two gears), or of one with values per gear (a pair):
 /// the quantities of that door which any of the records shows, under their headings.
 /// Records inside are rows too, under their own words. `table` is that of the records.
-std::vector<TextGroup> text_groups(const SaidTable& table, const std::vector<ValueRecord>& records,
-                                   Doors door, std::string_view none = "–");
+std::vector<TextGroup> text_groups(const QuantityTable& table,
+                                   const std::vector<ValueRecord>& records, Doors door,
+                                   std::string_view none = "–");
 
 /// "Tip diameter" of "tip diameter".
 std::string capitalised(std::string words);

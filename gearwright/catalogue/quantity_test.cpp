@@ -29,15 +29,15 @@ namespace gearwright {
 namespace {
 
 // Every table, those inside others too.
-void collect(const SaidTable& table, std::set<const SaidTable*>& all) {
+void collect(const QuantityTable& table, std::set<const QuantityTable*>& all) {
   if (!all.insert(&table).second) return;
-  for (const Said* s : table.list)
+  for (const QuantityInfo* s : table.list)
     if (s->of) collect(s->of(), all);
 }
 
-std::set<const SaidTable*> all_tables() {
-  std::set<const SaidTable*> all;
-  for (const SaidTable* t :
+std::set<const QuantityTable*> all_tables() {
+  std::set<const QuantityTable*> all;
+  for (const QuantityTable* t :
        {&gear_quantities().table(), &pair_quantities().table(), &contact_quantities().table(),
         &compensate_quantities().table(), &load_quantities().table(), &fit_quantities().table(),
         &measure_quantities().table(), &as_rack_quantities().table(), &search_quantities().table(),
@@ -51,9 +51,9 @@ std::set<const SaidTable*> all_tables() {
 TEST(Catalogue, EveryKeyStandsOnceAndEndsWithItsUnit) {
   const auto tables = all_tables();
   EXPECT_GT(tables.size(), 30u);
-  for (const SaidTable* t : tables) {
+  for (const QuantityTable* t : tables) {
     std::set<std::string> keys;
-    for (const Said* s : t->list) {
+    for (const QuantityInfo* s : t->list) {
       EXPECT_TRUE(keys.insert(s->key).second) << t->name << ": " << s->key;
       for (const Unit u :
            {Unit::mm, Unit::um, Unit::deg, Unit::arcsec, Unit::per_mm, Unit::mm_per_rad}) {
@@ -70,8 +70,8 @@ TEST(Catalogue, EveryKeyStandsOnceAndEndsWithItsUnit) {
 }
 
 TEST(Catalogue, WordsAreTerms) {
-  for (const SaidTable* t : all_tables()) {
-    for (const Said* s : t->list) {
+  for (const QuantityTable* t : all_tables()) {
+    for (const QuantityInfo* s : t->list) {
       ASSERT_FALSE(s->words.empty()) << t->name << ": " << s->key;
       if (!(s->doors & kPeople) || s->type == Type::record) continue;
       EXPECT_FALSE(s->words[0] >= 'A' && s->words[0] <= 'Z') << s->words;
@@ -84,16 +84,16 @@ TEST(Catalogue, WordsAreTerms) {
 }
 
 // What is wrong with a value of what is said of it, empty if nothing.
-std::string fault(const Said& s, const Value& v, std::size_t depth = 0);
+std::string fault(const QuantityInfo& s, const Value& v, std::size_t depth = 0);
 
 std::string fault_in(const ValueRecord& record) {
   for (const Member& m : record) {
-    if (const std::string f = fault(*m.said, m.value); !f.empty()) return m.said->key + ": " + f;
+    if (const std::string f = fault(*m.info, m.value); !f.empty()) return m.info->key + ": " + f;
   }
   return {};
 }
 
-std::string fault(const Said& s, const Value& v, std::size_t depth) {
+std::string fault(const QuantityInfo& s, const Value& v, std::size_t depth) {
   if (v.nothing()) return s.always && depth == 0 ? "is null" : "";
   if (depth < s.list.size()) {
     const ValueList* list = v.list();
@@ -162,16 +162,16 @@ TEST(Catalogue, WhatIsNotThereIsADashAtEveryDoor) {
   const SolvedJob job =
       solved("[gear1]\nteeth = 10\nnormal_module_mm = 2\ntip_diameter_mm = 17.5\n");
   const ValueRecord record = gear_quantities().of(job.gears[0]);
-  const Said* said = gear_quantities().table().find("tip_form_diameter_mm");
+  const QuantityInfo* info = gear_quantities().table().find("tip_form_diameter_mm");
   for (const Member& m : record)
-    if (m.said == said) {
+    if (m.info == info) {
       EXPECT_TRUE(m.value.nothing());
     }
   for (const Doors door : {kListing, kPage}) {
     int rows = 0;
     for (const TextGroup& g : text_groups(gear_quantities().table(), {record}, door, "-")) {
       for (const TextRow& row : g.rows) {
-        if (row.said != said) continue;
+        if (row.info != info) continue;
         ++rows;
         EXPECT_EQ(row.texts, std::vector<std::string>{"-"});
       }
@@ -181,7 +181,7 @@ TEST(Catalogue, WhatIsNotThereIsADashAtEveryDoor) {
 }
 
 TEST(Catalogue, TextsOfValues) {
-  Said length{.key = "a_mm", .words = "a", .symbol = "", .unit = Unit::mm};
+  QuantityInfo length{.key = "a_mm", .words = "a", .symbol = "", .unit = Unit::mm};
   EXPECT_EQ(text_of(length, 1.23456), "1.2346");
   EXPECT_EQ(text_of(length, -1e-9), "0.0000");
   EXPECT_EQ(text_of(length, Value()), "–");
@@ -192,7 +192,7 @@ TEST(Catalogue, TextsOfValues) {
   EXPECT_EQ(text_of(length, std::array{1.0, 2.0}), "1.0000, 2.0000");
   length.two = Two::ends;
   EXPECT_EQ(text_of(length, std::array{1.0, 2.0}), "1.0000 … 2.0000");
-  const Said share{.key = "s", .words = "s", .symbol = "", .unit = Unit::percent};
+  const QuantityInfo share{.key = "s", .words = "s", .symbol = "", .unit = Unit::percent};
   EXPECT_EQ(text_of(share, 0.5), "50.000");
 }
 

@@ -316,13 +316,14 @@ void say_temperatures(Quantities<V>& q) {
 }
 
 void say_factor(Quantities<V>& q, const FactorEntry& e) {
-  auto& said = q.add(Type::number, e.unit, e.group, e.key, e.words, e.symbol, "", [&e](const V& v) {
-    if (e.of) return number(e.of(v.rating));
-    return Value(ValueList{number(e.each(v.rating, 0)), number(e.each(v.rating, 1))});
-  });
-  said.digits(e.digits);
-  if (e.each) said.per_gear();
-  if (std::string_view(e.key) == "Y_epsilon") said.when(by_vdi);
+  auto& quantity =
+      q.add(Type::number, e.unit, e.group, e.key, e.words, e.symbol, "", [&e](const V& v) {
+        if (e.of) return number(e.of(v.rating));
+        return Value(ValueList{number(e.each(v.rating, 0)), number(e.each(v.rating, 1))});
+      });
+  quantity.digits(e.digits);
+  if (e.each) quantity.per_gear();
+  if (std::string_view(e.key) == "Y_epsilon") quantity.when(by_vdi);
 }
 
 void say(Quantities<V>& q) {

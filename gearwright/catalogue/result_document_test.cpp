@@ -27,7 +27,7 @@ namespace {
 constexpr const char* kDocument = "docs/spec.md";
 
 // A word's values, then the meaning: "tip diameter, of the blank".
-std::string meaning_of(const Said& s) {
+std::string meaning_of(const QuantityInfo& s) {
   std::string text = s.words == s.key ? "" : s.words;
   if (!s.meaning.empty()) text += (text.empty() ? "" : "; ") + s.meaning;
   std::string words;
@@ -39,8 +39,8 @@ std::string meaning_of(const Said& s) {
 }
 
 // Tables of their own; records of other tables stand inside the row that holds them.
-const std::map<std::string, const SaidTable*>& blocks() {
-  static const std::map<std::string, const SaidTable*> kBlocks{
+const std::map<std::string, const QuantityTable*>& blocks() {
+  static const std::map<std::string, const QuantityTable*> kBlocks{
       {"gear", &gear_quantities().table()},
       {"measure", &measure_quantities().table()},
       {"as_rack", &as_rack_quantities().table()},
@@ -66,19 +66,19 @@ const std::map<std::string, const SaidTable*>& blocks() {
 }
 
 // What a record holds is said once in a table, where it first stands.
-void add_rows(std::string& text, const SaidTable& table, const std::string& before,
-              std::set<const SaidTable*>& said) {
-  for (const Said* s : table.list) {
+void add_rows(std::string& text, const QuantityTable& table, const std::string& before,
+              std::set<const QuantityTable*>& written) {
+  for (const QuantityInfo* s : table.list) {
     if (!(s->doors & kJson)) continue;
     const std::string key = before + s->key;
     text += fmt::format("| `{}` | {} | {} | {} |\n", key, cell(s->symbol),
                         s->unit == Unit::percent ? "" : unit_text(s->unit), cell(meaning_of(*s)));
     if (s->type != Type::record) continue;
-    const SaidTable& inner = s->of();
+    const QuantityTable& inner = s->of();
     const bool own = std::any_of(blocks().begin(), blocks().end(),
                                  [&](const auto& b) { return b.second == &inner; });
-    if (!own && said.insert(&inner).second)
-      add_rows(text, inner, key + (s->list.empty() ? "." : "[]."), said);
+    if (!own && written.insert(&inner).second)
+      add_rows(text, inner, key + (s->list.empty() ? "." : "[]."), written);
   }
 }
 
@@ -89,8 +89,8 @@ TEST(ResultDocument, TablesAreTheCatalogues) {
     const auto it = blocks().find(name);
     ASSERT_NE(it, blocks().end()) << name;
     std::string text = "| key | symbol | unit | meaning |\n|---|---|---|---|\n";
-    std::set<const SaidTable*> said;
-    add_rows(text, *it->second, "", said);
+    std::set<const QuantityTable*> written;
+    add_rows(text, *it->second, "", written);
     expect_block(kDocument, "quantities", name, text);
   }
 }

@@ -6,13 +6,13 @@ namespace gearwright {
 
 SpelledChange spelled_change(const NearestChange& change) {
   const bool of_search = !change.field.starts_with("rating.") && !change.field.starts_with("gear");
-  SpelledChange said{spelled_member((of_search ? "search." : "") + change.field), change.from,
-                     change.to};
+  SpelledChange spelled{spelled_member((of_search ? "search." : "") + change.field), change.from,
+                        change.to};
   if (change.field == "limits.avoid_interference")
-    said = {"search.interference", "\"exclude\"", "\"flag\""};
+    spelled = {"search.interference", "\"exclude\"", "\"flag\""};
   if (change.field.ends_with("material.name"))
-    said = {said.key, "\"" + change.from + "\"", "\"" + change.to + "\""};
-  return said;
+    spelled = {spelled.key, "\"" + change.from + "\"", "\"" + change.to + "\""};
+  return spelled;
 }
 
 namespace {
@@ -52,9 +52,9 @@ const Quantities<SearchLimits>& margin_quantities() {
   });
   return kAll;
 }
-const SaidTable& margin_table() { return margin_quantities().table(); }
-const SaidTable& change_table() { return change_quantities().table(); }
-const SaidTable& design_table() { return design_quantities().table(); }
+const QuantityTable& margin_table() { return margin_quantities().table(); }
+const QuantityTable& change_table() { return change_quantities().table(); }
+const QuantityTable& design_table() { return design_quantities().table(); }
 
 void say_search(Quantities<SearchView>& q) {
   using S = SearchView;

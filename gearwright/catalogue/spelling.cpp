@@ -117,18 +117,18 @@ Error spelled(const Error& error, const GivenKeys& given) {
   const std::size_t dot = error.field.rfind('.');
   const std::string_view owner =
       dot == std::string::npos ? std::string_view() : std::string_view(error.field).substr(0, dot);
-  Error told{error.field, error.value, spelled(error.rule, given, owner)};
+  Error worded{error.field, error.value, spelled(error.rule, given, owner)};
   const auto s = spelling_of(error.field, given);
-  if (!s) return told;
-  told.field = s->path;
-  told.value = spelled_value(told.value, *s->key);
+  if (!s) return worded;
+  worded.field = s->path;
+  worded.value = spelled_value(worded.value, *s->key);
   // A rack that nobody wrote down in a file is not what somebody did wrong.
   const bool of_rack = !given.empty() && s->path.find(".rack.") != std::string::npos;
-  if (of_rack && !told.value.empty() && !given.contains(s->path))
-    told.rule = "not given, and this default does not suit the other values: " + told.rule;
+  if (of_rack && !worded.value.empty() && !given.contains(s->path))
+    worded.rule = "not given, and this default does not suit the other values: " + worded.rule;
   const auto own = own_spelling(error.field, *s);
-  if (!own) return told;
-  Error made = told;
+  if (!own) return worded;
+  Error made = worded;
   made.field = own->path.substr(own->path.rfind('.') + 1);
   return {s->path, "", "with it " + made.message()};
 }

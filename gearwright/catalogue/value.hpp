@@ -17,7 +17,7 @@
 namespace gearwright {
 
 class Value;
-struct Said;  // catalogue/quantity.hpp
+struct QuantityInfo;  // catalogue/quantity.hpp
 struct Member;
 
 using ValueList = std::vector<Value>;
@@ -79,7 +79,7 @@ class Value {
 
 /// One quantity of a record: what is said of it, and its value.
 struct Member {
-  const Said* said;  ///< of the catalogue, which lives as long as the program
+  const QuantityInfo* info;  ///< of the catalogue, which lives as long as the program
   Value value;
   bool shown = true;  ///< worth a row for people in this very record: it has a value, or is missed
 };

@@ -80,7 +80,7 @@ const Quantities<Finding>& finding_quantities() {
   return kAll;
 }
 
-const SaidTable& finding_table() { return finding_quantities().table(); }
+const QuantityTable& finding_table() { return finding_quantities().table(); }
 
 }  // namespace
 

@@ -79,7 +79,7 @@ RowMajor side_by_side(const std::vector<Eigen::MatrixXd>& fields) {
 // free ends plane stress, and the warping by which a section in plane strain becomes one.
 std::vector<Eigen::MatrixXd> fields_of_a_spur(const SectionMesh& mesh, const SectionMatrices& wave,
                                               double nu, const std::vector<BumpPlace>& places,
-                                              double tau, Headway* headway) {
+                                              double tau, Progress* progress) {
   std::vector<Functional> loads;
   for (const auto& [s, c] : places) loads.push_back(bump(mesh, s, c, 0.0));
   const Eigen::Index n = wave.aa.rows();
@@ -92,7 +92,7 @@ std::vector<Eigen::MatrixXd> fields_of_a_spur(const SectionMesh& mesh, const Sec
   constexpr std::size_t kPlaneStress = kPlaneStrain + 1;
   std::vector<Eigen::MatrixXd> fields(kPlaneStress + 1);
   parallel_for(fields.size(), [&](std::size_t i) {
-    count_step(headway);
+    count_step(progress);
     if (i == kPlaneStress) {
       const Matrix6 thin = hooke((1 + 2 * nu) / ((1 + nu) * (1 + nu)), nu / (1 + nu));
       const StripSolver<double> of_thin(mesh, section_matrices(mesh, thin, 0.0, true));
@@ -110,14 +110,14 @@ std::vector<Eigen::MatrixXd> fields_of_a_spur(const SectionMesh& mesh, const Sec
 // parts. [T12.18]
 std::vector<Eigen::MatrixXd> fields_along_helix(const SectionMesh& mesh, const SectionMatrices& own,
                                                 const std::vector<BumpPlace>& places, double tau,
-                                                Headway* headway) {
+                                                Progress* progress) {
   std::vector<Functional> screw;
   for (const auto& [s, c] : places) screw.push_back(bump(mesh, s, c, tau));
   const Eigen::MatrixXd loads = columns(screw, own.aa.rows());
   const StripSolver<std::complex<double>> strip(mesh, own);
   std::vector<Eigen::MatrixXd> fields(kHelixWaves.size());
   parallel_for(fields.size(), [&](std::size_t i) {
-    count_step(headway);
+    count_step(progress);
     const Eigen::MatrixXcd x = strip.solve(kHelixWaves[i], loads);
     fields[i].resize(x.rows(), 2 * x.cols());
     fields[i] << x.real(), x.imag();
@@ -125,11 +125,11 @@ std::vector<Eigen::MatrixXd> fields_along_helix(const SectionMesh& mesh, const S
   return fields;
 }
 
-ModeMatrices projected(const SectionMatrices& own, const RowMajor& phi, Headway* headway) {
+ModeMatrices projected(const SectionMatrices& own, const RowMajor& phi, Progress* progress) {
   const std::array<const Sparse*, 3> from{&own.aa, &own.ab, &own.bb};
   std::array<Eigen::MatrixXd, 3> to;
   parallel_for(from.size(), [&](std::size_t i) {
-    count_step(headway);
+    count_step(progress);
     const RowMajor right = *from[i] * phi;
     to[i] = phi.transpose() * right;
   });
@@ -147,20 +147,20 @@ Eigen::MatrixXd plane_strain(const SectionMesh& mesh, double poisson_ratio,
 
 SectionModes section_modes(const SectionMesh& mesh, double poisson_ratio,
                            const std::vector<BumpPlace>& places, double tau, double tolerance,
-                           Headway* headway) {
+                           Progress* progress) {
   const Matrix6 law = hooke(1.0, poisson_ratio);
   const SectionMatrices wave = section_matrices(mesh, law, 0.0, true);
   const SectionMatrices own = section_matrices(mesh, law, tau, false);
   std::vector<Eigen::MatrixXd> fields =
-      fields_of_a_spur(mesh, wave, poisson_ratio, places, tau, headway);
-  if (tau != 0.0) append(fields, fields_along_helix(mesh, own, places, tau, headway));
+      fields_of_a_spur(mesh, wave, poisson_ratio, places, tau, progress);
+  if (tau != 0.0) append(fields, fields_along_helix(mesh, own, places, tau, progress));
   const RowMajor snapshots = side_by_side(fields);
 
   const Sparse energy = wave.aa + wave.bb;
   const RowMajor loaded = energy * snapshots;
   std::array<Eigen::MatrixXd, 2> of_part;
   parallel_for(2, [&](std::size_t i) {
-    count_step(headway);
+    count_step(progress);
     of_part[i] = principal(part(snapshots, i == 0), part(loaded, i == 0), tolerance);
   });
   const auto& [across, along] = of_part;
@@ -170,7 +170,7 @@ SectionModes section_modes(const SectionMesh& mesh, double poisson_ratio,
     modes.fields.block(3 * i, 0, 2, across.cols()) = across.middleRows(2 * i, 2);
     modes.fields.row(3 * i + 2).tail(along.cols()) = along.row(i);
   }
-  modes.matrices = projected(own, modes.fields, headway);
+  modes.matrices = projected(own, modes.fields, progress);
   return modes;
 }
 

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "gearwright/base/headway.hpp"
+#include "gearwright/base/progress.hpp"
 #include "gearwright/compliance/flank_load.hpp"
 #include "gearwright/compliance/section_matrices.hpp"
 
@@ -25,10 +25,10 @@ struct SectionModes {
 
 /// Modes for loads at these places of the flank, of a helical gear (τ ≠ 0) for waves along its helix
 /// too. Singular values below `tolerance` of the greatest are dropped. Every wave and every part is a
-/// step of the headway.
+/// step of the progress.
 SectionModes section_modes(const SectionMesh& mesh, double poisson_ratio,
                            const std::vector<BumpPlace>& places, double tau, double tolerance,
-                           Headway* headway = nullptr);
+                           Progress* progress = nullptr);
 
 /// Displacements of the section under each load, uniform along the face (k = 0), without modes.
 Eigen::MatrixXd plane_strain(const SectionMesh& mesh, double poisson_ratio,

@@ -73,7 +73,7 @@ double bump_width(double s, double flank_hi) {
 
 Result<std::shared_ptr<const detail::ToothSection>> make_tooth_section(
     const Gear& gear, double twist, const ElasticBody& body, ComplianceAccuracy accuracy,
-    std::optional<double> also, Headway* headway) {
+    std::optional<double> also, Progress* progress) {
   using namespace detail;
   GW_EXPECTS(gear.tooth);
   const double m = gear.spec.normal_module;
@@ -104,7 +104,7 @@ Result<std::shared_ptr<const detail::ToothSection>> make_tooth_section(
   }
   if (also) places.push_back({*also, bump_width(*also, section->flank_hi)});
   section->modes = section_modes(section->mesh, body.poisson_ratio, places, section->tau,
-                                 mode_tolerance(accuracy, section->tau != 0.0), headway);
+                                 mode_tolerance(accuracy, section->tau != 0.0), progress);
   return std::shared_ptr<const ToothSection>(std::move(section));
 }
 

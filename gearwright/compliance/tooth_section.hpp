@@ -56,12 +56,12 @@ double bump_width(double s, double flank_hi);
 
 /// `twist` is the turn per mm of the section whose loaded flank lies at y > 0.
 ///
-/// `also`: one more place along the flank for whose load there are modes. `headway`: as section_modes.
+/// `also`: one more place along the flank for whose load there are modes. `progress`: as section_modes.
 ///
 /// Domain    a gear with teeth (contract)
 /// Errors    as make_section_mesh
 Result<std::shared_ptr<const detail::ToothSection>> make_tooth_section(
     const Gear& gear, double twist, const ElasticBody& body, ComplianceAccuracy accuracy,
-    std::optional<double> also = std::nullopt, Headway* headway = nullptr);
+    std::optional<double> also = std::nullopt, Progress* progress = nullptr);
 
 }  // namespace gearwright

@@ -60,9 +60,9 @@ void ToothTable::make(const ToothTableRequest& request) {
   using namespace detail;
   const ToothSection& s = *section_;
   const int side = s.mesh.side_teeth;
-  count_step(request.headway);
+  count_step(request.progress);
   const Face face(s.modes.matrices, request.face_width, kElement);
-  count_step(request.headway);
+  count_step(request.progress);
   const Index r = face.mode_count();
   const Index nodes = face.node_count();
   const Index n3 = s.modes.fields.rows();
@@ -95,19 +95,19 @@ void ToothTable::make(const ToothTableRequest& request) {
   const int solved = symmetric ? (n_ + 1) / 2 : n_;
   // Every place by itself.
   parallel_for(static_cast<std::size_t>(places_), [&](std::size_t at) {
-    count_step(request.headway);
+    count_step(request.progress);
     const int i = static_cast<int>(at);
     MatrixXd x(nodes * r, solved);
     for (int j = 0; j < solved; ++j)
       for (Index a = 0; a < nodes; ++a) x.col(j).segment(a * r, r) = mean(a, j) * load.col(i);
     face.solve(x);
-    count_step(request.headway);
+    count_step(request.progress);
     // Displacements: by place first, then by slice.
     MatrixXd by_node(nodes * read.cols(), solved);
     for (Index a = 0; a < nodes; ++a)
       by_node.middleRows(a * read.cols(), read.cols()).noalias() =
           read.transpose() * x.middleRows(a * r, r);
-    count_step(request.headway);
+    count_step(request.progress);
     for (int l = 0; l < n_; ++l) {
       MatrixXd u = MatrixXd::Zero(read.cols(), solved);
       for (Index a = 0; a < nodes; ++a)
@@ -124,7 +124,7 @@ void ToothTable::make(const ToothTableRequest& request) {
       }
     }
     if (!request.root_stress) return;
-    count_step(request.headway);
+    count_step(request.progress);
     // Amplitudes and their slopes at the middles of all slices, those of one slice side by side.
     MatrixXd f = MatrixXd::Zero(r, solved * n_);
     MatrixXd g = f;
@@ -137,7 +137,7 @@ void ToothTable::make(const ToothTableRequest& request) {
       }
     }
     for (int k = 0; k < 3; ++k) {
-      count_step(request.headway);
+      count_step(request.progress);
       MatrixXd sigma = root_.of_mode[k] * f;
       sigma.noalias() += root_.of_slope[k] * g;
       MatrixXd& to = stress_[k][i];
@@ -185,7 +185,7 @@ void ToothTable::make_local(const ToothTableRequest& request) {
   };
   image_.assign(same_.size(), 0.0);
   parallel_for(static_cast<std::size_t>(places_), [&](std::size_t at) {
-    count_step(request.headway);
+    count_step(request.progress);
     const int i = static_cast<int>(at);
     for (int p = 0; p < places_; ++p) {
       const FlankMetric metric = s.metric(0.5 * (s.s[i] + s.s[p]));

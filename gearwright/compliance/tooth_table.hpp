@@ -38,7 +38,7 @@ struct ToothTableRequest {
   double half_width = 0.05;      ///< a0 of H[a, a], normal modules
   double line_per_height = 1.0;  ///< length of a contact line per height, 1/cos β_b
   bool root_stress = true;
-  Headway* headway = nullptr;  ///< eight steps for each place along the flank
+  Progress* progress = nullptr;  ///< eight steps for each place along the flank
 };
 
 class ToothTable {

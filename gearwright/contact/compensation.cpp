@@ -40,7 +40,7 @@ class Judge {
 
   std::vector<ContactCurve> curves(const std::vector<double>& v, bool edges = false) {
     ++evaluations_;
-    count_step(task_.headway);
+    count_step(task_.progress);
     std::vector<ContactCurve> all;
     for (int s = 0; s < task_.scenarios; ++s) {
       const auto pair = task_.pair_at(v, s);
@@ -72,7 +72,7 @@ class Judge {
  private:
   double aimed(const std::vector<double>& v) {
     ++evaluations_;
-    count_step(task_.headway);
+    count_step(task_.progress);
     double worst = 0.0;
     for (int s = 0; s < task_.scenarios; ++s) {
       const auto pair = task_.pair_at(v, s);
@@ -257,7 +257,7 @@ Compensation compensate(const CompensationTask& task) {
     GW_EXPECTS(c.lo <= 0.0 && c.hi >= 0.0 && c.lo < c.hi && c.step > 0.0);
   // Two or three searches of the box and as many descents as there are starts, most ended early.
   constexpr std::int64_t kUsual = 1000;
-  begin_stage(task.headway, "corrections tried", kUsual);
+  begin_stage(task.progress, "corrections tried", kUsual);
   Judge coarse(task, task.positions);
   Judge fine(task, task.fine_positions);
   Compensation result;

@@ -21,7 +21,7 @@
 #include <optional>
 #include <vector>
 
-#include "gearwright/base/headway.hpp"
+#include "gearwright/base/progress.hpp"
 #include "gearwright/contact/contact_score.hpp"
 
 namespace gearwright {
@@ -50,7 +50,7 @@ struct CompensationTask {
   bool along_face = true;  ///< false: a contact point runs along the face anyhow, h does not count
   ProfileTarget profile{};
   std::vector<std::vector<double>> starts{};  ///< guesses beside its own
-  Headway* headway = nullptr;                 ///< told how far it is
+  Progress* progress = nullptr;               ///< told how far it is
   std::optional<CompensationAim> aim{};       ///< absent: f
   /// The pair under a scenario with the corrections made. Null where there is none.
   std::function<std::shared_ptr<const ContactPair>(const std::vector<double>&, int)> pair_at;

@@ -62,7 +62,7 @@ std::vector<Angle> harmonics(const std::vector<ContactPoint>& points, int n) {
 
 ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& request) {
   GW_EXPECTS(request.positions >= 2 && request.pitches >= 1 && request.marking > 0.0);
-  Transmission transmission(pair, request.headway);
+  Transmission transmission(pair, request.progress);
   ContactResult result;
   std::vector<PairTouch> touches;
   std::vector<Angle> rotations = request.rotations;
@@ -75,7 +75,7 @@ ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& req
            ? static_cast<std::int64_t>(n) *
                  (1 + request.pitches * (1 + static_cast<std::int64_t>(request.influences.size())))
            : 0);
-  begin_stage(request.headway, pair.gear2_drives() ? "positions, gear 2 driving" : "positions",
+  begin_stage(request.progress, pair.gear2_drives() ? "positions, gear 2 driving" : "positions",
               wanted);
   if (rotations.empty()) {
     // Errors stand still: every pitch is like the first, its tooth pair one further.
@@ -94,7 +94,7 @@ ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& req
   for (std::size_t i = 0; i < touches.size(); ++i) {
     const ContactPoint p = describe(transmission, touches[i], rotations[i], request.marking);
     result.positions.push_back(p);
-    count_step(request.headway);
+    count_step(request.progress);
     if (p.kind == TouchKind::none) {
       result.contact_lost = true;
       continue;
@@ -109,7 +109,7 @@ ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& req
   for (const Influence& influence : request.influences) {
     std::vector<Sensitivity> column;
     for (const PairTouch& t : touches) {
-      count_step(request.headway);
+      count_step(request.progress);
       column.push_back(t.found() ? sensitivity(transmission, t, influence)
                                  : Sensitivity{0.0, Vec3::Zero()});
     }

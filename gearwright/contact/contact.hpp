@@ -18,7 +18,7 @@ struct ContactRequest {
   double marking = 0.00635;        ///< δ  mm
   std::vector<Angle> rotations{};  ///< of gear 1: these instead of positions
   std::vector<Influence> influences{};
-  Headway* headway = nullptr;  ///< told how far it is
+  Progress* progress = nullptr;  ///< told how far it is
 };
 
 struct ContactResult {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "gearwright/base/headway.hpp"
+#include "gearwright/base/progress.hpp"
 #include "gearwright/contact/contact_pair.hpp"
 
 namespace gearwright {
@@ -22,6 +22,6 @@ struct ErrorMap {
 /// Domain    positions ≥ 2, x and y not empty (contract); `threads` 0: as many as there are cores
 ErrorMap map_of_errors(const std::vector<double>& x, const std::vector<double>& y,
                        const std::function<ContactPair(double, double)>& pair_at, int positions,
-                       int threads = 0, Headway* headway = nullptr);
+                       int threads = 0, Progress* progress = nullptr);
 
 }  // namespace gearwright

@@ -36,14 +36,14 @@ int gear_of_fillet(const ContactPair& outlines, const ContactPoint& p) {
 }  // namespace
 
 FilletContacts fillet_contacts(const ContactPair& outlines, std::span<const ContactPoint> flanks,
-                               Headway* headway) {
+                               Progress* progress) {
   std::vector<std::size_t> touches;
   for (std::size_t i = 0; i < flanks.size(); ++i)
     if (flanks[i].kind != TouchKind::none) touches.push_back(i);
   FilletContacts found;
   const std::size_t every = (touches.size() + kMaxRotations - 1) / kMaxRotations;
   ContactRequest request;
-  request.headway = headway;
+  request.progress = progress;
   for (std::size_t i = 0; i < touches.size(); i += every) {
     found.asked.push_back(touches[i]);
     request.rotations.push_back(flanks[touches[i]].rotation1);

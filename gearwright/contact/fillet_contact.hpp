@@ -33,6 +33,6 @@ struct FilletContacts {
 /// Accuracy    of a rotation that is looked at: rounding. At most 64 are, evenly chosen; deeper
 ///             touches between them may be missed
 FilletContacts fillet_contacts(const ContactPair& outlines, std::span<const ContactPoint> flanks,
-                               Headway* headway = nullptr);
+                               Progress* progress = nullptr);
 
 }  // namespace gearwright

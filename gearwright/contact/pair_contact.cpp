@@ -92,9 +92,10 @@ std::optional<Error> check_cutter_lead(const Gear& gear, int which, Angle change
                                which - 1));
   const double lambda = 90.0 - std::abs(gear.spec.helix_angle.deg()) + delta;
   if (lambda > kMinLead.deg() && lambda < kMaxLead.deg()) return std::nullopt;
-  return refused(field, delta,
-                 fmt::format("makes the lead angle {} degrees; it must stay between {} and {}",
-                             spoken(lambda, kMaxLead.deg()), kMinLead.deg(), kMaxLead.deg()));
+  return refused(
+      field, delta,
+      fmt::format("makes the lead angle {} degrees; it must stay between {} and {}",
+                  format_number(lambda, kMaxLead.deg()), kMinLead.deg(), kMaxLead.deg()));
 }
 
 Error of_flank(int which, int side, Error error) {

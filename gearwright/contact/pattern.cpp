@@ -297,17 +297,17 @@ class Rasterer {
 }  // namespace
 
 std::array<FlankRaster, 2> contact_pattern(const ContactPair& pair, int positions,
-                                           const RasterSize& size, Headway* headway) {
+                                           const RasterSize& size, Progress* progress) {
   GW_EXPECTS(positions >= 2 && size.rows >= 2 && size.columns >= 2);
   Transmission transmission(pair);
   const auto touches = transmission.over_a_pitch(-0.5 * pair.pitch(), positions);
   Rasterer rasterer(pair, size);
   // One tooth pair through all of its range: every position of every pitch it may be in.
   const int farthest = transmission.farthest_pair();
-  begin_stage(headway, "pattern", (2 * std::int64_t{farthest} + 1) * positions);
+  begin_stage(progress, "pattern", (2 * std::int64_t{farthest} + 1) * positions);
   for (int k = farthest; k >= -farthest; --k) {
     for (int i = 0; i < positions; ++i) {
-      count_step(headway);
+      count_step(progress);
       const double phi = pair.pitch() * (-0.5 + static_cast<double>(i) / positions - k);
       touches[i].found() ? rasterer.add(phi, touches[i].te()) : rasterer.close();
     }

@@ -10,7 +10,7 @@
 #include <array>
 #include <vector>
 
-#include "gearwright/base/headway.hpp"
+#include "gearwright/base/progress.hpp"
 #include "gearwright/contact/transmission.hpp"
 
 namespace gearwright {
@@ -36,7 +36,8 @@ struct RasterSize {
 ///           the place comes into reach is that of the next position
 /// Domain    positions ≥ 2, a raster of 2 × 2 or more (contract)
 std::array<FlankRaster, 2> contact_pattern(const ContactPair& pair, int positions,
-                                           const RasterSize& size = {}, Headway* headway = nullptr);
+                                           const RasterSize& size = {},
+                                           Progress* progress = nullptr);
 
 /// The gap of tooth pair k on the flank of gear 1 at the rotation `rotation1` (housing).
 FlankRaster gap_map(const ContactPair& pair, Angle rotation1, int k, const RasterSize& size = {});

@@ -54,8 +54,8 @@ double reach_of(const ContactPair& pair, const FlankPatch& one, const FlankPatch
 
 }  // namespace
 
-Transmission::Transmission(const ContactPair& pair, Headway* headway)
-    : pair_(pair), headway_(headway) {
+Transmission::Transmission(const ContactPair& pair, Progress* progress)
+    : pair_(pair), progress_(progress) {
   double widest = 0.0;
   for (const FlankPatch& a : pair.patches(1)) {
     widest = std::max(widest, std::abs(a.twist) * std::max(std::abs(a.z_lo), std::abs(a.z_hi)));
@@ -80,7 +80,7 @@ PairTouch Transmission::at(double phi) {
   // Whole pitches change nothing but the number of the tooth pair.
   const double whole = std::round(phi / pair_.pitch());
   phi -= whole * pair_.pitch();
-  count_step(headway_);
+  count_step(progress_);
   PairTouch best;
   for (std::size_t f = 0; f < fields_.size(); ++f) {
     for (int k = -farthest_pair_; k <= farthest_pair_; ++k) {
@@ -125,7 +125,7 @@ class Transmission::Track {
   bool offer(int m, const Touch& t) {
     // Position m of pair 0 is position i of pair k.
     const int i = ((m % n_) + n_) % n_;
-    count_step(all_.headway_);
+    count_step(all_.progress_);
     PairTouch& b = best_[static_cast<std::size_t>(i)];
     if (wins(t, own(m), b)) b = {t, fields_, own(m), (i - m) / n_};
     return t.te >= b.touch.te - below_;

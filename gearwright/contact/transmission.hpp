@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "gearwright/base/headway.hpp"
+#include "gearwright/base/progress.hpp"
 #include "gearwright/contact/contact_pair.hpp"
 #include "gearwright/contact/touch.hpp"
 
@@ -30,8 +30,8 @@ struct PairTouch {
 
 class Transmission {
  public:
-  /// The pair must outlive it. `headway` is told of every position looked at.
-  explicit Transmission(const ContactPair& pair, Headway* headway = nullptr);
+  /// The pair must outlive it. `progress` counts every position.
+  explicit Transmission(const ContactPair& pair, Progress* progress = nullptr);
 
   /// n positions over one pitch, from `first` (rad, N) on in steps of a pitch/n.
   std::vector<PairTouch> over_a_pitch(double first, int n);
@@ -59,7 +59,7 @@ class Transmission {
   Touch cold(int fields, double phi);
 
   const ContactPair& pair_;
-  Headway* headway_;
+  Progress* progress_;
   std::vector<std::unique_ptr<GapField>> fields_;
   std::vector<std::unique_ptr<TouchSearch>> searches_;
   int farthest_pair_;

@@ -114,13 +114,13 @@ class Search {
                        std::nullopt});
     }
     tried += static_cast<int>(all.size());
-    begin_stage(p_.headway, "pairs of profile shifts", static_cast<std::int64_t>(all.size()));
+    begin_stage(p_.progress, "pairs of profile shifts", static_cast<std::int64_t>(all.size()));
     // Each by itself: the answer does not depend on the number of threads.
     parallel_for(all.size(), [&](std::size_t i) {
       Candidate& c = all[i];
       const auto cut = cut_gears(c.x1, c.x2, c.verdict);
       if (cut) c.rank = rank_of(*cut);
-      count_step(p_.headway);
+      count_step(p_.progress);
     });
     mount_the_best(all);
     if (best.design) return;
@@ -139,7 +139,7 @@ class Search {
       return a->rank->is_better_than(*b->rank);
     });
     // One, then two together, four, …: the first that passes is mostly among the first.
-    begin_stage(p_.headway, "pairs mounted", static_cast<std::int64_t>(order.size()));
+    begin_stage(p_.progress, "pairs mounted", static_cast<std::int64_t>(order.size()));
     std::size_t together = 1;
     for (std::size_t from = 0; from < order.size(); from += together, together *= 2) {
       together = std::min({together, std::size_t{64}, order.size() - from});
@@ -147,7 +147,7 @@ class Search {
         Candidate& c = *order[from + i];
         auto cut = cut_gears(c.x1, c.x2, c.verdict);
         c.verdict = mounted(std::move(*cut));
-        count_step(p_.headway);
+        count_step(p_.progress);
       });
       for (std::size_t i = from; i < from + together; ++i) {
         Candidate& c = *order[i];

@@ -15,7 +15,7 @@
 #include <optional>
 #include <string>
 
-#include "gearwright/base/headway.hpp"
+#include "gearwright/base/progress.hpp"
 #include "gearwright/base/result.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/pair/pair.hpp"
@@ -38,7 +38,7 @@ struct FewTeethProblem {
   double backlash = 0.0;                  ///< circumferential
   double contact_ratio = 1.2;             ///< total, which the face width is made for
   std::optional<double> face_width;       ///< of both; absent: what the contact ratio needs
-  Headway* headway = nullptr;             ///< told how far it is
+  Progress* progress = nullptr;           ///< told how far it is
 };
 
 struct FewTeethDesign {

@@ -66,7 +66,7 @@ Fit place_on_parallel_axes(const FitProblem& p, const BasePair<double>& gears,
     result.reason = fmt::format(
         "on parallel axes these gears are free of backlash at {} mm only; leave out a profile "
         "shift to have it follow from the centre distance",
-        spoken(a, *p.center_distance));
+        format_number(a, *p.center_distance));
     result.nearest_distance = a;
     result.nearest_shaft_angle = Angle();
     return result;
@@ -93,7 +93,7 @@ Fit angles_of_distance(const FitProblem& p, const BasePair<double>& gears,
     result.reason = fmt::format(
         "the minimum centre distance of these gears is {} mm, at the shaft angle {}°; thinner "
         "teeth (less profile shift) come closer",
-        spoken(place.center_distance, a), spoken(place.shaft_angle.deg()));
+        format_number(place.center_distance, a), format_number(place.shaft_angle.deg()));
   } else {
     result.reason =
         "these teeth are too thin to have a minimum centre distance, and no shaft angle within "
@@ -146,7 +146,7 @@ Result<Fit> place_of_gears(const FitProblem& p) {
     result.reason = fmt::format(
         "at this shaft angle these gears are free of backlash at {} mm only; leave out a profile "
         "shift, the shaft angle or the centre distance to have it follow",
-        spoken(a, *p.center_distance));
+        format_number(a, *p.center_distance));
     return result;
   }
   return Fit{

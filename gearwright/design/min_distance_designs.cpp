@@ -165,12 +165,12 @@ void find_nearest(const FitProblem& p, double cos_wn, Fit& result) {
   const PitchSum& H = designs.pitch_sum();
   const double t = designs.target(cos_wn);
   result.nearest_distance = *p.center_distance * H.min() / t;
-  result.reason =
-      refused("", *p.center_distance, {*result.nearest_distance},
-              fmt::format("at the shaft angle {}° every such pair is at least {{}} mm "
-                          "apart (working normal pressure angle {:.6g}°)",
-                          spoken(p.shaft_angle->deg()), Angle::radians(std::acos(cos_wn)).deg()))
-          .rule;
+  result.reason = refused("", *p.center_distance, {*result.nearest_distance},
+                          fmt::format("at the shaft angle {}° every such pair is at least {{}} mm "
+                                      "apart (working normal pressure angle {:.6g}°)",
+                                      format_number(p.shaft_angle->deg()),
+                                      Angle::radians(std::acos(cos_wn)).deg()))
+                      .rule;
   if (p.teeth[1] < 0) return;
   // The least sum of pitch diameters grows with |Σ| from z1 + z2 on.
   if (!(t > p.teeth[0] + p.teeth[1])) {
@@ -244,7 +244,7 @@ Result<Fit> min_distance_designs(const FitProblem& p) {
     for (const double b1 : roots(miss, H.lo(), H.hi())) add(b1);
     result.reason =
         fmt::format("no pair with `{}` = {} has its minimum centre distance there",
-                    gear_field(known + 1, "helix_angle"), spoken(p.helix[known]->deg()));
+                    gear_field(known + 1, "helix_angle"), format_number(p.helix[known]->deg()));
   } else if (p.working_normal_pressure_angle || wanted_sum == 0.0) {
     // x1 + x2 = 0 at the minimum centre distance: the working angle is the rack's own.
     const Angle alpha = p.working_normal_pressure_angle.value_or(p.normal_pressure_angle);
@@ -263,7 +263,7 @@ Result<Fit> min_distance_designs(const FitProblem& p) {
     if (result.branches.empty()) {
       find_nearest(p, 1.0, result);
       result.reason = fmt::format("no pair with x1 + x2 = {} has its minimum centre distance there",
-                                  spoken(wanted_sum));
+                                  format_number(wanted_sum));
       result.nearest_distance.reset();
       result.nearest_shaft_angle.reset();
     }

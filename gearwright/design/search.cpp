@@ -157,7 +157,7 @@ void Search::sift(std::int64_t from, std::int64_t to, const SearchWatch& watch,
 }
 
 SearchCounts Search::range(std::int64_t from, std::int64_t to, std::vector<DesignRow>& rows,
-                           const RangeWish& wish) const {
+                           const RangeOptions& wish) const {
   const bool grid = problem_.shift_step && wish.points;
   SearchCounts result;
   sift(from, to, wish.watch,

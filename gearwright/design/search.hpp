@@ -42,7 +42,7 @@ struct SieveCounts {
 using SearchWatch = std::function<bool(std::int64_t trials)>;
 
 /// What a range is asked for beside its designs.
-struct RangeWish {
+struct RangeOptions {
   RegionDetail detail = RegionDetail::whole;  ///< of each row; rank by area needs the whole
   SieveCounts* sieve = nullptr;
   std::vector<ShiftPoint>* points = nullptr;  ///< of the grid of shifts
@@ -59,7 +59,7 @@ class Search {
   /// Searches [from, to) and appends its feasible designs in the order of the trials. Safe from
   /// several threads. What a watch has ended is a part of the range.
   SearchCounts range(std::int64_t from, std::int64_t to, std::vector<DesignRow>& rows,
-                     const RangeWish& wish = {}) const;
+                     const RangeOptions& wish = {}) const;
 
   /// The row with the numbers of its region.
   DesignRow whole(const DesignRow& row) const;

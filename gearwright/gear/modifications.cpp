@@ -62,7 +62,7 @@ std::optional<Error> check_steepness(const std::string& name, const Relief& reli
                  fmt::format("must be at most {{}} µm over {} mm, a slope of 1 in 5; a longer "
                              "relief (`{}`) may remove more, a chamfer is cut by the rack "
                              "(`rack.semi_topping_angle`)",
-                             spoken(over), reach_of(name)));
+                             format_number(over), reach_of(name)));
 }
 
 std::optional<Error> check_relief(const std::string& name, const Relief& relief) {
@@ -87,7 +87,7 @@ std::optional<Error> check_profile_relief(const std::string& name, const Relief&
     return refused(reach_of(name), *relief.reach, {lo, hi},
                    fmt::format("must lie on the usable flank, between {{}} and {{}} mm diameter, "
                                "and not on the end that it relieves, {} mm",
-                               spoken(2 * rho_end, *relief.reach)));
+                               format_number(2 * rho_end, *relief.reach)));
   }
   return check_steepness(name, relief, std::abs(rho_end - *relief.reach / 2));
 }
@@ -119,7 +119,7 @@ std::optional<Error> check_topography(const FlankModifications& m, const FlankEx
   const auto range = [](double lo, double hi, double value) {
     return fmt::format(
         "the grid must cover the usable flank, {} to {} mm; measure or design it that far",
-        spoken(lo, value), spoken(hi, value));
+        format_number(lo, value), format_number(hi, value));
   };
   const double first = t.diameters.front(), last = t.diameters.back();
   if (!(first <= inner + slack))

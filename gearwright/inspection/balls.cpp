@@ -50,8 +50,8 @@ std::string sizes_text(const Gear& gear, const UsableFlank& flank) {
   const auto lo = ball_touching_at(gear, flank.root_end);
   const auto hi = ball_touching_at(gear, flank.tip_end);
   if (!lo || !hi) return "no ball rests on these flanks";
-  return fmt::format("balls of {} to {} mm touch on the usable flank", spoken(std::min(*lo, *hi)),
-                     spoken(std::max(*lo, *hi)));
+  return fmt::format("balls of {} to {} mm touch on the usable flank",
+                     format_number(std::min(*lo, *hi)), format_number(std::max(*lo, *hi)));
 }
 
 // A ball where the two helicoids say, whatever else is in its way; none: they do not meet.
@@ -105,18 +105,18 @@ Result<BallSeat> ball_in_space(const Gear& gear, double ball) {
     return no_ball(ball,
                    fmt::format("rests on the tips: it would touch the flanks at {} mm, beyond "
                                "the tip at {} mm; {}",
-                               spoken(seat->contact_diameter, flank->tip),
-                               spoken(flank->tip, seat->contact_diameter), sizes));
+                               format_number(seat->contact_diameter, flank->tip),
+                               format_number(flank->tip, seat->contact_diameter), sizes));
   if (hits_root(gear, *seat))
     return no_ball(ball, fmt::format("falls between the teeth onto the root at {} mm before it "
                                      "touches both flanks; {}",
-                                     spoken(gear.root_diameter), sizes));
+                                     format_number(gear.root_diameter), sizes));
   const double proud = seat->radial - flank->tip / 2;
   if (internal ? proud >= 0.0 : proud <= 0.0)
     return no_ball(ball, fmt::format("does not stand out beyond the tip, it ends at {} mm and the "
                                      "tip at {} mm from the axis; {}",
-                                     spoken(seat->radial, flank->tip / 2),
-                                     spoken(flank->tip / 2, seat->radial), sizes));
+                                     format_number(seat->radial, flank->tip / 2),
+                                     format_number(flank->tip / 2, seat->radial), sizes));
   return *seat;
 }
 

@@ -29,8 +29,8 @@ Result<FlankRange> flank_range(const Gear& gear, double diameter) {
     return FlankRange{std::max(d_Fa, d_b), gear.root_diameter,
                       fmt::format("at least the base diameter {} mm, from d_Fa = {} mm to the "
                                   "internal gear's root diameter {} mm",
-                                  spoken(d_b, diameter), spoken(d_Fa, diameter),
-                                  spoken(gear.root_diameter, diameter))};
+                                  format_number(d_b, diameter), format_number(d_Fa, diameter),
+                                  format_number(gear.root_diameter, diameter))};
   }
   const auto form = gear.root_form_radius();
   if (!gear.exists() || !form) {
@@ -38,11 +38,11 @@ Result<FlankRange> flank_range(const Gear& gear, double diameter) {
                      "there is no usable flank to measure, neither here nor at another diameter; "
                      "see the gear's warnings");
   }
-  return FlankRange{
-      std::max(2 * *form, d_b), d_Fa,
-      fmt::format("at least the base diameter {} mm, on the usable flank from d_Ff = "
-                  "{} mm to d_Fa = {} mm",
-                  spoken(d_b, diameter), spoken(2 * *form, diameter), spoken(d_Fa, diameter))};
+  return FlankRange{std::max(2 * *form, d_b), d_Fa,
+                    fmt::format("at least the base diameter {} mm, on the usable flank from d_Ff = "
+                                "{} mm to d_Fa = {} mm",
+                                format_number(d_b, diameter), format_number(2 * *form, diameter),
+                                format_number(d_Fa, diameter))};
 }
 
 }  // namespace
@@ -71,7 +71,7 @@ Result<ChordalThickness<double>> chordal_thickness(const Gear& gear, double diam
         diameter,
         fmt::format("the two flanks meet at {} mm, there is no tooth {} that; the diameter must be "
                     "{}",
-                    spoken(gear.pointed_diameter.value_or(diameter)),
+                    format_number(gear.pointed_diameter.value_or(diameter)),
                     gear.internal() ? "inside" : "beyond", range->ends));
   }
   if (arc.half_angle < std::numbers::pi) {
@@ -82,7 +82,7 @@ Result<ChordalThickness<double>> chordal_thickness(const Gear& gear, double diam
       diameter,
       fmt::format("the tooth covers {} degrees about the axis, no calliper reaches over it; a "
                   "greater diameter may do, it must be {}",
-                  spoken(2 * arc.half_angle * kDegPerRad), range->ends));
+                  format_number(2 * arc.half_angle * kDegPerRad), range->ends));
 }
 
 }  // namespace gearwright

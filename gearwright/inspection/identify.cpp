@@ -251,12 +251,12 @@ std::optional<Contradiction> contradiction(const IdentifyProblem& p,
     const auto expected = reading_of(without.front().fit.gear, readings[i]);
     if (!expected) continue;
     best = without.front().log_worth;
-    const auto said = [&](double value) {
+    const auto text = [&](double value) {
       if (readings[i].kind == Observation::Kind::lead) return value > 0.0 ? 1 / value : 0.0;
       return readings[i].kind == Observation::Kind::helix ? value * kDegPerRad : value;
     };
-    worst = Contradiction{name_of(readings[i].kind), readings[i].tool, said(readings[i].value),
-                          said(*expected)};
+    worst = Contradiction{name_of(readings[i].kind), readings[i].tool, text(readings[i].value),
+                          text(*expected)};
     found = std::move(without);
   }
   return worst;

@@ -102,8 +102,8 @@ Result<Span> span_over(const Gear& gear, int k) {
     return no(
         fmt::format("the anvils would touch at a diameter of {} mm, beyond the tip at {} mm; "
                     "{}",
-                    spoken(span.contact_diameter, flank->tip),
-                    spoken(flank->tip, span.contact_diameter), range_text(gear, *flank)));
+                    format_number(span.contact_diameter, flank->tip),
+                    format_number(flank->tip, span.contact_diameter), range_text(gear, *flank)));
   }
   return span;
 }

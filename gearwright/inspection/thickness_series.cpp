@@ -106,7 +106,7 @@ Result<std::array<double, 2>> thickness_allowances(std::string_view series,
     return Error{"series", std::string(series),
                  fmt::format("DIN 3967 ends at a reference diameter of 10000 mm; this gear's is {} "
                              "mm",
-                             spoken(reference_diameter))};
+                             format_number(reference_diameter))};
   const double upper = -kAllowance[row][static_cast<std::size_t>(name - kSeries.begin())];
   const double tolerance = kTolerance[row][static_cast<std::size_t>(column)];
   return std::array{(upper - tolerance) / kUmPerMm, upper / kUmPerMm};

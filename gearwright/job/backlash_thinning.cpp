@@ -65,7 +65,7 @@ std::optional<Error> thin_for_backlash(JobSpec& spec, const std::optional<PairPl
   GW_EXPECTS(wants_backlash(spec.pair) && spec.gears[0] && spec.gears[1]);
   const Wanted wanted = wanted_of(spec.pair);
   const auto asked = [&](const Error& error) {
-    return following_from(wanted.field, spoken(wanted.value), "it asks for", error);
+    return following_from(wanted.field, format_number(wanted.value), "it asks for", error);
   };
   double before = 0.0;
   auto at_before = backlash_at(spec, place, before);
@@ -91,7 +91,7 @@ std::optional<Error> thin_for_backlash(JobSpec& spec, const std::optional<PairPl
                         fmt::format("The centre distance leaves a backlash greater than "
                                     "`{}` = {}: the teeth are thicker than their profile shifts "
                                     "make them, by {} mm together.",
-                                    wanted.field, spoken(wanted.value), spoken(-now)),
+                                    wanted.field, format_number(wanted.value), format_number(-now)),
                         0});
   }
   return std::nullopt;

@@ -230,7 +230,7 @@ Result<Verdict> judge_corrected(const std::string& corrected, const SolvedJob& j
 
 }  // namespace
 
-Result<CompensateAnswer> answer_compensate(SolvedJob& job, Headway* headway, int curves) {
+Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, int curves) {
   if (!can_minimise()) {
     return Error{"compensate", "",
                  "this build cannot look for corrections, it has no minimiser (NLopt); the program "
@@ -254,14 +254,14 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Headway* headway, int
   CompensationTask task;
   task.scenarios = static_cast<int>(scenarios.size());
   task.positions = kPositions;
-  task.headway = headway;
+  task.progress = progress;
   task.curves = curves;
   task.along_face = setup.gear(1).involute() != nullptr;
   task.fine_positions = job.spec.contact.positions;
   answer.aim = input.aim;
   std::optional<LoadedAim> load;
   if (under_load(job.spec.compensate.aim)) {
-    auto aimed = LoadedAim::of(job, headway);
+    auto aimed = LoadedAim::of(job, progress);
     if (!aimed) return aimed.error();
     load = std::move(aimed).take();
     task.aim = load->aim();
@@ -312,8 +312,9 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Headway* headway, int
     if (answer.result.each_after[i].nothing_touches())
       return nothing_touches_under(setup, scenarios[i].name, scenarios[i].errors);
   }
-  const auto said = [](const Warning& w) { return w.code == "contact_lost"; };
-  if (answer.result.after.lost && std::none_of(job.warnings.begin(), job.warnings.end(), said)) {
+  const auto contact_lost = [](const Warning& w) { return w.code == "contact_lost"; };
+  if (answer.result.after.lost &&
+      std::none_of(job.warnings.begin(), job.warnings.end(), contact_lost)) {
     job.warnings.push_back({"contact_lost",
                             "Contact is lost at some positions, and no correction within reach "
                             "brings it back: the error is told of the others.",
@@ -326,7 +327,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Headway* headway, int
           {"load_unfinished",
            fmt::format("At {} N m the corrected teeth are without an answer at a position: nothing "
                        "touches there, or the forces come to no end.",
-                       spoken(l.torque / kMmPerM)),
+                       format_number(l.torque / kMmPerM)),
            0});
   for (std::size_t k = 0; k < answer.corrections.size(); ++k) {
     answer.spec_keys.push_back(spec_key(job, setup, answer.corrections[k]));

@@ -34,7 +34,7 @@ struct CompensateAnswer {
 ///           `compensate.corrections` for one that the teeth cannot take; `compensate.range` when
 ///           nothing touches in a corner of it, whatever is corrected
 /// `curves`  as CompensationTask
-Result<CompensateAnswer> answer_compensate(SolvedJob& job, Headway* headway = nullptr,
+Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress = nullptr,
                                            int curves = CompensationTask{}.curves);
 
 }  // namespace gearwright

@@ -12,18 +12,18 @@ constexpr double kSamePressure = 0.1;  // MPa: a ten thousandth of what flanks b
 
 }  // namespace
 
-Result<LoadedAim> LoadedAim::of(SolvedJob& job, Headway* headway) {
+Result<LoadedAim> LoadedAim::of(SolvedJob& job, Progress* progress) {
   auto made = load_task(job);
   if (!made) return made.error();
   Held held{std::move(made).take(), {}, job.spec.compensate.aim};
   LoadRequest& request = held.task.request;
   request.rotations.clear();
   request.root_stress = false;
-  request.headway = headway;
+  request.progress = progress;
   auto compliance = held.task.compliance();
   if (!compliance) return compliance.error();
   held.compliance = std::move(compliance).take();
-  request.headway = nullptr;     // trials are counted, not their positions
+  request.progress = nullptr;    // trials are counted, not their positions
   SolvedJob as_it_stands = job;  // what is said of it is not said of the corrected pair
   if (auto error = judge_load(as_it_stands, held.task, held.task.contact(held.compliance)))
     return *error;

@@ -16,7 +16,7 @@ namespace gearwright {
 class LoadedAim {
  public:
   /// Errors    as load_task; where nothing touches, or the slices are too fine, as judge_load
-  static Result<LoadedAim> of(SolvedJob& job, Headway* headway);
+  static Result<LoadedAim> of(SolvedJob& job, Progress* progress);
 
   /// Peak to peak in rad or pressure in MPa, at the worst of the torques.
   CompensationAim aim() const;

@@ -67,10 +67,10 @@ std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) 
     out +=
         fmt::format("  nothing to correct: none within reach is better by {}\n", least_gain(a.aim));
   for (const AimedLoad& l : a.loads) {
-    const auto& said = loaded_score_quantities();
-    head(fmt::format("Under {} N m", spoken(l.torque / kMmPerM)).c_str());
-    out +=
-        quantity_listing(said.table(), {said.of(l.before), said.of(l.after)}, {"before", "after"});
+    const auto& quantities = loaded_score_quantities();
+    head(fmt::format("Under {} N m", format_number(l.torque / kMmPerM)).c_str());
+    out += quantity_listing(quantities.table(), {quantities.of(l.before), quantities.of(l.after)},
+                            {"before", "after"});
   }
   if (!a.loads.empty()) head("Without load");
   const auto& scores = score_quantities();

@@ -19,13 +19,13 @@ std::vector<double> spread(const std::array<double, 2>& range, int n) {
 }
 
 ErrorMap make_map(const ContactSetup& setup, const ContactMapInput& m, int positions,
-                  bool gear2_drives, Headway* headway) {
+                  bool gear2_drives, Progress* progress) {
   const auto pair_at = [&](double x, double y) {
     ContactErrors e = setup.with_error(setup.place().errors, m.key[0], x);
     return setup.pair(setup.with_error(e, m.key[1], y), gear2_drives);
   };
   return map_of_errors(spread(m.range[0], m.points[0]), spread(m.range[1], m.points[1]), pair_at,
-                       positions, 0, headway);
+                       positions, 0, progress);
 }
 
 void warn_of_jam(Angle least_play, const char* touched, std::vector<Warning>& warnings) {
@@ -91,7 +91,7 @@ std::optional<Angle> play_between(const ContactPoint& driving, const ContactPoin
 
 // Without errors the two outlines say it, [T2.34] and [T4.33].
 void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
-                        std::vector<Warning>& warnings, Headway* headway) {
+                        std::vector<Warning>& warnings, Progress* progress) {
   const bool gear2_drives = input.driver == 2;
   const auto driving_outlines = answer.setup.outlines(gear2_drives);
   const auto other_outlines = answer.setup.outlines(!gear2_drives);
@@ -109,8 +109,9 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
                                    : positions;
   };
   const auto driving =
-      fillet_contacts(*driving_outlines, first_pitch(answer.driving.positions), headway);
-  const auto other = fillet_contacts(*other_outlines, first_pitch(answer.other.positions), headway);
+      fillet_contacts(*driving_outlines, first_pitch(answer.driving.positions), progress);
+  const auto other =
+      fillet_contacts(*other_outlines, first_pitch(answer.other.positions), progress);
   if (driving.earliest) warn_of_fillet(*driving.earliest, false, warnings);
   if (other.earliest) warn_of_fillet(*other.earliest, true, warnings);
   if (!driving.earliest && !other.earliest) return;
@@ -129,7 +130,7 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
 
 }  // namespace
 
-Result<ContactAnswer> answer_contact(SolvedJob& job, Headway* headway) {
+Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress) {
   auto made = ContactSetup::of(job);
   if (!made) return made.error();
   ContactAnswer answer{std::move(made).take(), {}, {}, std::nullopt, std::nullopt, std::nullopt};
@@ -137,7 +138,7 @@ Result<ContactAnswer> answer_contact(SolvedJob& job, Headway* headway) {
   const bool gear2_drives = input.driver == 2;
   ContactRequest request{input.positions, input.pitches, input.marking};
   request.rotations = input.rotations;
-  request.headway = headway;
+  request.progress = progress;
   ContactRequest other = request;
   for (const NamedInfluence& i : answer.setup.influences())
     request.influences.push_back(i.influence);
@@ -152,11 +153,12 @@ Result<ContactAnswer> answer_contact(SolvedJob& job, Headway* headway) {
     if (play) answer.min_play = std::min(answer.min_play.value_or(*play), *play);
   }
   if (input.map)
-    answer.map = make_map(answer.setup, *input.map, input.positions, gear2_drives, headway);
+    answer.map = make_map(answer.setup, *input.map, input.positions, gear2_drives, progress);
   if (input.pattern)
-    answer.pattern = contact_pattern(answer.setup.pair(gear2_drives), input.positions, {}, headway);
+    answer.pattern =
+        contact_pattern(answer.setup.pair(gear2_drives), input.positions, {}, progress);
   warn_about(answer, job.warnings);
-  if (job.spec.errors.any()) warn_about_fillets(answer, input, job.warnings, headway);
+  if (job.spec.errors.any()) warn_about_fillets(answer, input, job.warnings, progress);
   return answer;
 }
 

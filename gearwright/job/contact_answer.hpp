@@ -20,6 +20,6 @@ struct ContactAnswer {
 };
 
 /// Errors    as ContactSetup; `errors` when no tooth touches at any position
-Result<ContactAnswer> answer_contact(SolvedJob& job, Headway* headway = nullptr);
+Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress = nullptr);
 
 }  // namespace gearwright

@@ -184,9 +184,9 @@ bool wants_contact(const SolvedJob& job) {
          job.pair->arcs();
 }
 
-Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Headway* headway) {
+Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progress) {
   if (!wants_contact(job)) return std::optional<ContactPart>();
-  auto made = answer_contact(job, headway);
+  auto made = answer_contact(job, progress);
   if (!made) {
     // Of the whole pair there is a reason why nothing touches; of one number it is wrong.
     const std::string& field = made.error().field;

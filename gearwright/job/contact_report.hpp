@@ -23,6 +23,6 @@ struct ContactPart {
 /// spec has other rotations, those are the answer's, and a pitch of its own the report's.
 ///
 /// Errors    as answer_contact: modifications that do not fit, a lead that cannot be
-Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Headway* headway = nullptr);
+Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progress = nullptr);
 
 }  // namespace gearwright

@@ -53,11 +53,13 @@ std::string kinds_of(const ContactResult& result) {
 
 // What the short words of the table mean: the kinds that are no contact inside, and its columns.
 std::string legend_of(const ContactResult& result) {
-  std::vector<TouchKind> said;
+  std::vector<TouchKind> explained;
   std::string text;
   for (const ContactPoint& p : result.positions) {
-    if (!is_sharp(p.kind) || std::find(said.begin(), said.end(), p.kind) != said.end()) continue;
-    said.push_back(p.kind);
+    if (!is_sharp(p.kind) ||
+        std::find(explained.begin(), explained.end(), p.kind) != explained.end())
+      continue;
+    explained.push_back(p.kind);
     text += fmt::format("{}: {}; ", to_string(p.kind), words_of(p.kind));
   }
   return text + "major, minor: semi-axes of the contact ellipse";

@@ -38,61 +38,61 @@ bool plain(const Value& v) { return !v.list() && !v.record() && !v.map(); }
 
 bool all_plain(const ValueList& list) { return std::all_of(list.begin(), list.end(), plain); }
 
-void add_row(const Said& said, const std::string& path, const std::string& first,
+void add_row(const QuantityInfo& info, const std::string& path, const std::string& first,
              const std::string& second, std::string& out) {
-  out += row({path, cell(std::string_view(said.words)), cell(std::string_view(said.symbol)),
-              std::string(unit_text(said.unit)), first, second});
+  out += row({path, cell(std::string_view(info.words)), cell(std::string_view(info.symbol)),
+              std::string(unit_text(info.unit)), first, second});
 }
 
 // A quantity of one or two records: plain values side by side, two of one record too; a longer list
 // of one record takes a row for each. Lists of records are for --json.
-void add_rows(const Said& said, const std::string& path, const std::vector<const Value*>& values,
-              std::string& out) {
+void add_rows(const QuantityInfo& info, const std::string& path,
+              const std::vector<const Value*>& values, std::string& out) {
   const ValueList* list = values.front()->list();
   if (values.size() == 1 && list) {
     if (!all_plain(*list)) return;
     if (list->size() == 2) {
-      add_row(said, path, cell((*list)[0]), cell((*list)[1]), out);
+      add_row(info, path, cell((*list)[0]), cell((*list)[1]), out);
     } else {
       for (std::size_t i = 0; i < list->size(); ++i)
-        add_row(said, fmt::format("{}.{}", path, i + 1), cell((*list)[i]), "", out);
+        add_row(info, fmt::format("{}.{}", path, i + 1), cell((*list)[i]), "", out);
     }
     return;
   }
   if (!std::all_of(values.begin(), values.end(), [](const Value* v) { return plain(*v); })) return;
-  add_row(said, path, cell(*values[0]), values.size() > 1 ? cell(*values[1]) : "", out);
+  add_row(info, path, cell(*values[0]), values.size() > 1 ? cell(*values[1]) : "", out);
 }
 
 // Records side by side, those of the gears, or one of the pair; null: the gear has none.
 void add_records(const std::string& path, const std::vector<const ValueRecord*>& records,
                  std::string& out) {
-  std::vector<const Said*> all;
+  std::vector<const QuantityInfo*> all;
   for (const ValueRecord* record : records) {
     if (!record) continue;
     for (const Member& m : *record) {
-      if ((m.said->doors & kJson) && std::find(all.begin(), all.end(), m.said) == all.end())
-        all.push_back(m.said);
+      if ((m.info->doors & kJson) && std::find(all.begin(), all.end(), m.info) == all.end())
+        all.push_back(m.info);
     }
   }
   static const Value kNothing;
-  for (const Said* said : all) {
+  for (const QuantityInfo* info : all) {
     std::vector<const Value*> values;
     std::vector<const ValueRecord*> inner;
     for (const ValueRecord* record : records) {
       const Value* value = &kNothing;
       if (record) {
         const auto same = std::find_if(record->begin(), record->end(),
-                                       [&](const Member& o) { return o.said == said; });
+                                       [&](const Member& o) { return o.info == info; });
         if (same != record->end()) value = &same->value;
       }
       values.push_back(value);
       inner.push_back(value->record());
     }
-    const std::string here = path + "." + said->key;
+    const std::string here = path + "." + info->key;
     if (std::any_of(inner.begin(), inner.end(), [](const auto* r) { return r != nullptr; })) {
       add_records(here, inner, out);
     } else {
-      add_rows(*said, here, values, out);
+      add_rows(*info, here, values, out);
     }
   }
 }
@@ -103,7 +103,7 @@ using Cells = std::vector<std::pair<std::string, std::string>>;
 void add_cells(const std::string& name, const Value& value, Cells& cells) {
   if (const ValueRecord* record = value.record()) {
     for (const Member& m : *record)
-      if (m.said->doors & kJson) add_cells(name + "." + m.said->key, m.value, cells);
+      if (m.info->doors & kJson) add_cells(name + "." + m.info->key, m.value, cells);
   } else if (const ValueList* list = value.list()) {
     for (std::size_t i = 0; i < list->size(); ++i)
       add_cells(fmt::format("{}.{}", name, i + 1), (*list)[i], cells);
@@ -119,7 +119,7 @@ std::string records_csv(const ValueList& records) {
   for (const Value& v : records) {
     Cells cells;
     for (const Member& m : *v.record())
-      if (m.said->doors & kJson) add_cells(m.said->key, m.value, cells);
+      if (m.info->doors & kJson) add_cells(m.info->key, m.value, cells);
     std::size_t at = 0;
     for (const auto& [name, text] : cells) {
       const auto it = std::find(heads.begin(), heads.end(), name);
@@ -161,7 +161,7 @@ std::string quantities_csv(const SolvedJob& job) {
 
 std::string contact_csv(const SolvedJob& job, const ContactAnswer& answer) {
   for (const Member& m : contact_record(job, answer)) {
-    if (m.said->key == "positions" && m.value.list()) return records_csv(*m.value.list());
+    if (m.info->key == "positions" && m.value.list()) return records_csv(*m.value.list());
   }
   return {};
 }
@@ -180,15 +180,15 @@ std::string rating_csv(const RatingAnswer& answer) {
       row({"key", "quantity", "symbol", "unit", "first", "second", "formula", "branch"});
   const std::vector<FactorSource> sources = factor_sources(answer.rating);
   for (const Member& m : rating_quantities().of(answer.view())) {
-    const Said& said = *m.said;
-    if (said.type == Type::map) continue;
+    const QuantityInfo& info = *m.info;
+    if (info.type == Type::map) continue;
     const ValueList* two = m.value.list();
     const auto source = std::find_if(sources.begin(), sources.end(),
-                                     [&](const FactorSource& s) { return s.key == said.key; });
+                                     [&](const FactorSource& s) { return s.key == info.key; });
     const bool known = source != sources.end();
     const std::string branches = known ? fmt::format("{}", fmt::join(source->branches, "; ")) : "";
-    out += row({"rating." + said.key, cell(std::string_view(said.words)),
-                cell(std::string_view(said.symbol)), std::string(unit_text(said.unit)),
+    out += row({"rating." + info.key, cell(std::string_view(info.words)),
+                cell(std::string_view(info.symbol)), std::string(unit_text(info.unit)),
                 cell(two ? two->front() : m.value), two ? cell(two->back()) : "",
                 known ? cell(std::string_view(source->formula)) : "",
                 cell(std::string_view(branches))});

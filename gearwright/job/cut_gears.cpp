@@ -96,8 +96,8 @@ Result<double> distance_of(const JobSpec& spec, const Gear& cutter, int which) {
   if (cut.profile_shift_pair) {
     auto e = generating_distance(cutter, z, *cut.profile_shift_pair - x_0);
     if (e) return e;
-    return following_from("profile_shift_pair", spoken(*cut.profile_shift_pair),
-                          fmt::format("with the cutter's shift {} it means", spoken(x_0)),
+    return following_from("profile_shift_pair", format_number(*cut.profile_shift_pair),
+                          fmt::format("with the cutter's shift {} it means", format_number(x_0)),
                           e.error());
   }
   if (gear.profile_shift) return generating_distance(cutter, z, *gear.profile_shift);

@@ -18,8 +18,9 @@ std::string chosen_shifts(const JobSpec& spec) {
   for (const int which : {1, 2}) {
     const GearInput& gear = *spec.gears[static_cast<std::size_t>(which - 1)];
     if (gear.profile_shift) continue;
-    text += fmt::format("{}`{}` = {}", text.empty() ? "" : " and ",
-                        gear_field(which, "profile_shift"), spoken(gear.cylindrical.profile_shift));
+    text +=
+        fmt::format("{}`{}` = {}", text.empty() ? "" : " and ", gear_field(which, "profile_shift"),
+                    format_number(gear.cylindrical.profile_shift));
   }
   return text;
 }
@@ -38,7 +39,7 @@ std::optional<Error> forbidden_shifts(const JobSpec& spec) {
       fmt::format("is missing, and `pair.choose_profile_shifts` = false keeps the program "
                   "from choosing it. At `pair.center_distance` = {} mm it would choose {}; "
                   "give these or others: the backlash follows",
-                  spoken(*spec.pair.center_distance), chosen_shifts(spec))};
+                  format_number(*spec.pair.center_distance), chosen_shifts(spec))};
 }
 
 std::optional<Warning> note_shifts(const JobSpec& spec) {
@@ -51,7 +52,7 @@ std::optional<Warning> note_shifts(const JobSpec& spec) {
   if (greatest < kRounding) return std::nullopt;
   return Warning{"profile_shifts_chosen",
                  fmt::format("Profile shifts chosen for a = {} mm: {}.",
-                             spoken(*spec.pair.center_distance), chosen_shifts(spec)),
+                             format_number(*spec.pair.center_distance), chosen_shifts(spec)),
                  0};
 }
 

@@ -22,7 +22,7 @@ namespace {
 const Member* find(const ValueRecord& record, std::string_view path) {
   const std::size_t dot = std::min(path.find('.'), path.size());
   for (const Member& m : record) {
-    if (m.said->key != path.substr(0, dot) || all_nothing(m.value)) continue;
+    if (m.info->key != path.substr(0, dot) || all_nothing(m.value)) continue;
     if (dot == path.size()) return &m;
     const ValueRecord* inner = m.value.record();
     return inner ? find(*inner, path.substr(dot + 1)) : nullptr;
@@ -34,9 +34,9 @@ std::string with_minus(std::string number) {
   return number.starts_with('-') ? "−" + number.substr(1) : number;
 }
 
-std::string number(const Said& said, double value) {
-  const std::string text = short_decimal(value, digits_of(said));
-  return with_minus(text) + (said.unit == Unit::deg ? "°" : "");
+std::string number(const QuantityInfo& info, double value) {
+  const std::string text = short_decimal(value, digits_of(info));
+  return with_minus(text) + (info.unit == Unit::deg ? "°" : "");
 }
 
 // A drawing says a hand and no sign.
@@ -51,18 +51,18 @@ struct Records {
     const Member* const m = find(nominal, path);
     if (!m) return std::nullopt;
     const auto x = m->value.number();
-    if (!x || m->said->type != Type::number) return with_minus(text_of(*m->said, m->value));
-    if (const auto limits = between(*m->said, path)) return limits;
-    return number(*m->said, sign == Sign::kept ? *x : std::abs(*x));
+    if (!x || m->info->type != Type::number) return with_minus(text_of(*m->info, m->value));
+    if (const auto limits = between(*m->info, path)) return limits;
+    return number(*m->info, sign == Sign::kept ? *x : std::abs(*x));
   }
 
  private:
-  std::optional<std::string> between(const Said& said, std::string_view path) const {
+  std::optional<std::string> between(const QuantityInfo& info, std::string_view path) const {
     if (ends.size() != 2) return std::nullopt;
     const Member *const a = find(ends[0], path), *const b = find(ends[1], path);
     if (!a || !b || !a->value.number() || !b->value.number()) return std::nullopt;
     const double x = *a->value.number(), y = *b->value.number();
-    const std::string from = number(said, std::min(x, y)), to = number(said, std::max(x, y));
+    const std::string from = number(info, std::min(x, y)), to = number(info, std::max(x, y));
     return from == to ? std::nullopt : std::optional(from + " … " + to);
   }
 };
@@ -77,7 +77,7 @@ class Group {
   /// As the catalogue says it; nothing where there is no value.
   void row(const Records& r, std::string_view path, Sign sign = Sign::kept) {
     const Member* const m = find(r.nominal, path);
-    if (m) row(capitalised(m->said->words), m->said->symbol, *r.value(path, sign));
+    if (m) row(capitalised(m->info->words), m->info->symbol, *r.value(path, sign));
   }
   void add_to(std::vector<DataGroup>& groups) && {
     if (!group_.rows.empty()) groups.push_back(std::move(group_));

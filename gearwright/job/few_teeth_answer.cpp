@@ -117,7 +117,7 @@ Json spec_of(const JobSpec& spec, const FewTeethDesign& d) {
 
 }  // namespace
 
-Result<FitAnswer> answer_few_teeth(const JobSpec& spec, Headway* headway) {
+Result<FitAnswer> answer_few_teeth(const JobSpec& spec, Progress* progress) {
   if (auto error = out_of_place(spec)) return *error;
   const GearInput& g1 = *spec.gears[0];
   const GearInput& g2 = *spec.gears[1];
@@ -125,7 +125,7 @@ Result<FitAnswer> answer_few_teeth(const JobSpec& spec, Headway* headway) {
   limits.profile_shift = g1.profile_shift.value_or(0.0);
   if (auto error = check_limits(limits)) return of_gear(1, *error);
   FewTeethProblem p;
-  p.headway = headway;
+  p.progress = progress;
   p.teeth = {g1.cylindrical.teeth, g2.cylindrical.teeth};
   p.normal_module = g1.cylindrical.normal_module;
   p.normal_pressure_angle = g1.cylindrical.normal_pressure_angle;

@@ -8,6 +8,6 @@
 namespace gearwright {
 
 /// Errors    keys of the spec that have no place here, or are missing
-Result<FitAnswer> answer_few_teeth(const JobSpec& spec, Headway* headway = nullptr);
+Result<FitAnswer> answer_few_teeth(const JobSpec& spec, Progress* progress = nullptr);
 
 }  // namespace gearwright

@@ -97,9 +97,9 @@ Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodi
 
 // None where the spec has no [compensate], and where nothing touches: then the warning of the
 // contact analysis, or one of its own, says why.
-Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Headway* headway) {
+Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress* progress) {
   if (!job.pair || !job.spec.compensate.given) return std::optional<CompensateView>();
-  auto answer = answer_compensate(job, headway);
+  auto answer = answer_compensate(job, progress);
   if (answer) return std::optional(compensate_view(*answer));
   const std::string& field = answer.error().field;
   const auto none = [&](const std::string& why) {
@@ -191,7 +191,7 @@ Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place) {
 Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
                           const fs::path& path, const FileOptions& options) {
   GW_EXPECTS(!bodies.empty());
-  if (options.progress) options.progress(path.filename().string());
+  if (options.on_file) options.on_file(path.filename().string());
   if (kind == FileKind::dxf || kind == FileKind::svg)
     return make_drawing(kind, bodies, path, options);
   if (kind != FileKind::step) return make_mesh(kind, bodies, path, options);
@@ -211,7 +211,7 @@ void add_solid(ReportInput& report, const SolvedJob& job, const std::vector<Toot
   constexpr double kOfDiameter = 1.0 / 2000;  // half a pixel of a picture as wide as the gear
   constexpr std::size_t kMost = 3'000'000;    // bytes
   FileOptions coarse = options;
-  coarse.progress = nullptr;
+  coarse.on_file = nullptr;
   for (const Gear& gear : job.gears)
     coarse.mesh_tolerance_mm =
         std::max(coarse.mesh_tolerance_mm, kOfDiameter * std::abs(gear.tip_diameter));
@@ -280,11 +280,11 @@ Result<ShapeFiles> shape_files(SolvedJob& job, const fs::path& folder, const Fil
 Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
                                  const FileOptions& options) {
   if (auto error = missing_error(SpecUse::run, job.spec)) return *error;
-  const auto contact = contact_part(job, options.headway);
+  const auto contact = contact_part(job, options.progress);
   if (!contact) return contact.error();
-  const auto load = load_part(job, options.headway);
+  const auto load = load_part(job, options.progress);
   if (!load) return load.error();
-  const auto compensation = compensation_part(job, options.headway);
+  const auto compensation = compensation_part(job, options.progress);
   if (!compensation) return compensation.error();
   const auto rating = rating_part(job);
   if (!rating) return rating.error();
@@ -337,7 +337,7 @@ Result<RunFiles> write_everything(SolvedJob& job, const fs::path& folder,
                                   const FileOptions& options) {
   auto made = make_everything(job, folder, options);
   if (!made) return made;
-  if (options.headway) options.headway->begin_writing();
+  if (options.progress) options.progress->begin_writing();
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw IoError("cannot make the folder " + folder.string() + ": " + error.message());

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gearwright/base/headway.hpp"
+#include "gearwright/base/progress.hpp"
 #include "gearwright/cad/mesh.hpp"
 #include "gearwright/cad/step.hpp"
 #include "gearwright/cad/toothed_body.hpp"
@@ -18,7 +18,7 @@
 
 namespace gearwright {
 
-using Progress = std::function<void(std::string_view what)>;
+using OnFile = std::function<void(std::string_view what)>;
 
 /// The tolerances that a user may choose, mm: finer ones make files that nothing reads.
 struct ToleranceRange {
@@ -27,8 +27,8 @@ struct ToleranceRange {
 inline constexpr ToleranceRange kMeshTolerances{1e-5, 10.0}, kDrawingTolerances{1e-7, 1.0};
 
 struct FileOptions {
-  Progress progress;           ///< told before each file; may be empty
-  Headway* headway = nullptr;  ///< told how far contact and corrections are
+  OnFile on_file;                ///< called before each file; may be empty
+  Progress* progress = nullptr;  ///< told how far contact and corrections are
   StepSchema step_schema = StepSchema::ap242;
   double mesh_tolerance_mm = 0.005;     ///< of STL, GLB, 3MF
   double drawing_tolerance_mm = 0.001;  ///< of DXF as arcs

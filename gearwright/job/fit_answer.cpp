@@ -79,12 +79,12 @@ void mark_refused(FitAnswer& answer) {
 
 }  // namespace
 
-Result<FitAnswer> answer_fit(const JobSpec& spec, Headway* headway) {
+Result<FitAnswer> answer_fit(const JobSpec& spec, Progress* progress) {
   if (!spec.gears[0]) return Error{"gear1", "", "is missing; fit is about two gears"};
   if (auto error = refuse_arcs(spec, "fit")) return *error;
   if (!spec.gears[1]) return Error{"gear2", "", "is missing; fit is about two gears"};
   if (spec.fit.few_teeth) {
-    auto made = answer_few_teeth(spec, headway);
+    auto made = answer_few_teeth(spec, progress);
     if (!made) return made.error();
     FitAnswer few = std::move(made).take();
     mark_refused(few);
@@ -124,7 +124,7 @@ Result<FitAnswer> answer_fit(const JobSpec& spec, Headway* headway) {
     return refused("gear2.normal_module", c2.normal_module, {c1.normal_module},
                    fmt::format("to find helix angles or profile shifts both gears need the same "
                                "module ({{}} mm) and pressure angle ({}°)",
-                               spoken(c1.normal_pressure_angle.deg())));
+                               format_number(c1.normal_pressure_angle.deg())));
   }
   if (p.teeth[0] < 0) {
     return refused("gear1.teeth", p.teeth[0],

@@ -7,7 +7,7 @@
 
 #include <string>
 
-#include "gearwright/base/headway.hpp"
+#include "gearwright/base/progress.hpp"
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/design/fit.hpp"
 #include "gearwright/spec/json.hpp"
@@ -24,7 +24,7 @@ struct FitAnswer {
 };
 
 /// Errors    as fit, with keys of the spec; `gear2` missing
-Result<FitAnswer> answer_fit(const JobSpec& spec, Headway* headway = nullptr);
+Result<FitAnswer> answer_fit(const JobSpec& spec, Progress* progress = nullptr);
 
 /// What the catalogue says of an answer; it points into the answer.
 FitView fit_view(const FitAnswer& answer);

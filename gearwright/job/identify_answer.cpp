@@ -33,7 +33,8 @@ Json spec_of(const JobSpec& spec, int which, const IdentifiedGear& found) {
 // "over 3 teeth", "over balls of 5 mm"
 std::string tool_text(const std::string& reading, double tool) {
   if (reading == "span") return fmt::format("span over {:.0f} teeth", tool);
-  if (reading == "over_balls") return fmt::format("dimension over balls of {} mm", spoken(tool));
+  if (reading == "over_balls")
+    return fmt::format("dimension over balls of {} mm", format_number(tool));
   return reading == "lead" ? "lead" : "helix angle";
 }
 
@@ -80,8 +81,8 @@ std::string identify_listing(const IdentifyAnswer& answer) {
     text += fmt::format(
         "\nThe {} disagrees with the other readings: it is {}{}, and they want "
         "{}{}. The gears below are those of the others.\n",
-        tool_text(c->reading, c->tool), spoken(c->value), unit, spoken(c->expected, c->value),
-        unit);
+        tool_text(c->reading, c->tool), format_number(c->value), unit,
+        format_number(c->expected, c->value), unit);
   }
   if (!found.reason.empty()) text += "\n" + capitalised(found.reason) + ".\n";
   if (found.candidates.empty()) return text;

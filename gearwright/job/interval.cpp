@@ -34,9 +34,9 @@ Json interval_of(const Value& lower, const Value& upper) {
 }
 
 template <class Record>
-auto same_quantity(Record& record, const Said* said) -> decltype(&record.front()) {
+auto same_quantity(Record& record, const QuantityInfo* info) -> decltype(&record.front()) {
   const auto it =
-      std::find_if(record.begin(), record.end(), [&](const Member& m) { return m.said == said; });
+      std::find_if(record.begin(), record.end(), [&](const Member& m) { return m.info == info; });
   return it == record.end() ? nullptr : &*it;
 }
 
@@ -44,7 +44,7 @@ auto same_quantity(Record& record, const Said* said) -> decltype(&record.front()
 bool keep_differing(ValueRecord& lower, ValueRecord& upper) {
   bool any = false;
   for (Member& m : lower) {
-    Member* const other = same_quantity(upper, m.said);
+    Member* const other = same_quantity(upper, m.info);
     bool kept = false;
     if (other && m.value.record() && other->value.record()) {
       ValueRecord a = *m.value.record(), b = *other->value.record();
@@ -58,7 +58,7 @@ bool keep_differing(ValueRecord& lower, ValueRecord& upper) {
     if (other) other->shown = other->shown && kept;
     any = any || m.shown;
   }
-  for (Member& m : upper) m.shown = m.shown && same_quantity(lower, m.said);
+  for (Member& m : upper) m.shown = m.shown && same_quantity(lower, m.info);
   return any;
 }
 
@@ -67,10 +67,10 @@ bool keep_differing(ValueRecord& lower, ValueRecord& upper) {
 Json interval_json(const ValueRecord& lower, const ValueRecord& upper) {
   Json j = Json::object();
   for (const Member& m : lower) {
-    const Member* other = same_quantity(upper, m.said);
+    const Member* other = same_quantity(upper, m.info);
     if (!other) continue;
     Json value = interval_of(m.value, other->value);
-    if (!value.is_null()) j[m.said->key] = std::move(value);
+    if (!value.is_null()) j[m.info->key] = std::move(value);
   }
   return j;
 }

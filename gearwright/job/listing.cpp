@@ -50,14 +50,14 @@ std::string line(const std::string& words, std::size_t words_width, const std::s
 
 }  // namespace
 
-std::string quantity_listing(const SaidTable& table, const std::vector<ValueRecord>& records,
+std::string quantity_listing(const QuantityTable& table, const std::vector<ValueRecord>& records,
                              const std::vector<std::string>& columns,
-                             const std::function<std::string(const Said&)>& note) {
+                             const std::function<std::string(const QuantityInfo&)>& note) {
   const std::vector<TextGroup> groups = text_groups(table, records, kListing, "-");
   std::size_t words_width = kWordsWidth;
   for (const TextGroup& g : groups) {
     for (const TextRow& row : g.rows)
-      words_width = std::max(words_width, width(row.said->words) + 2);
+      words_width = std::max(words_width, width(row.info->words) + 2);
   }
   std::string text;
   if (!columns.empty()) text += "\n" + line("", words_width, "", columns, "");
@@ -65,8 +65,8 @@ std::string quantity_listing(const SaidTable& table, const std::vector<ValueReco
     if (!g.title.empty()) text += (columns.empty() ? "\n" : "") + g.title + "\n";
     for (const TextRow& row : g.rows)
       text +=
-          line(row.said->words, words_width, row.said->symbol, row.texts, unit_text(row.said->unit),
-               columns.size(), note ? note(*row.said) : std::string());
+          line(row.info->words, words_width, row.info->symbol, row.texts, unit_text(row.info->unit),
+               columns.size(), note ? note(*row.info) : std::string());
   }
   return text;
 }
@@ -81,7 +81,7 @@ std::string pair_listing(const SolvedJob& job) {
   return job.pair ? pair_listing(*job.pair) + pair_interval_listing(job) : std::string();
 }
 
-std::string interval_listing(const SolvedJob& job, std::size_t gear, const SaidTable& table,
+std::string interval_listing(const SolvedJob& job, std::size_t gear, const QuantityTable& table,
                              const ValueRecord& lower, const ValueRecord& upper) {
   const std::string subject = gear_columns(job.gears.size())[gear];
   const auto allowance = [&](const SolvedJob& end) {

@@ -17,11 +17,11 @@ std::string pair_interval_listing(const SolvedJob& job);
 std::string pair_listing(const SolvedJob& job);
 /// Records side by side under their headings; without `columns` one record, whose values may be
 /// two. `note` says what stands at the end of a quantity's line.
-std::string quantity_listing(const SaidTable& table, const std::vector<ValueRecord>& records,
+std::string quantity_listing(const QuantityTable& table, const std::vector<ValueRecord>& records,
                              const std::vector<std::string>& columns,
-                             const std::function<std::string(const Said&)>& note = nullptr);
+                             const std::function<std::string(const QuantityInfo&)>& note = nullptr);
 /// The rows of a gear's record that differ at the two ends of its tolerances.   Domain  it has ends
-std::string interval_listing(const SolvedJob& job, std::size_t gear, const SaidTable& table,
+std::string interval_listing(const SolvedJob& job, std::size_t gear, const QuantityTable& table,
                              const ValueRecord& lower, const ValueRecord& upper);
 /// "gear 1", "gear 2"
 std::vector<std::string> gear_columns(std::size_t count);

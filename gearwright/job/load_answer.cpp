@@ -42,14 +42,14 @@ Result<ElasticBody> body_of(SolvedJob& job, int which) {
         {"held_at_rim_as_drawn",
          fmt::format("Gear {} has no bore, which is its rim: it is held at the outside of the rim "
                      "that its files have, {} mm.",
-                     which, spoken(body.bore_diameter)),
+                     which, format_number(body.bore_diameter)),
          which});
   } else {
     body.bore_diameter = kShaft * gear.root_diameter;
     job.warnings.push_back(
         {"held_at_half_the_root",
          fmt::format("Gear {} has no bore: its body is held at half the root diameter, {} mm.",
-                     which, spoken(body.bore_diameter)),
+                     which, format_number(body.bore_diameter)),
          which});
   }
   return body;
@@ -98,7 +98,7 @@ std::string rotations_where(const LoadedTorque& t, Is is) {
   int count = 0;
   for (const LoadedPosition& p : t.positions) {
     if (!is(p) || ++count > kMostNamed) continue;
-    list += fmt::format("{}{}°", list.empty() ? "" : ", ", spoken(p.rotation1.deg()));
+    list += fmt::format("{}{}°", list.empty() ? "" : ", ", format_number(p.rotation1.deg()));
   }
   return count > kMostNamed ? fmt::format("{} and {} more", list, count - kMostNamed) : list;
 }
@@ -116,7 +116,7 @@ void warn_about(const LoadedContact& contact, std::vector<Warning>& warnings) {
                      where),
          0});
   for (const LoadedTorque& t : contact.torques) {
-    const std::string torque = spoken(t.torque / kMmPerM);
+    const std::string torque = format_number(t.torque / kMmPerM);
     if (const std::string where =
             rotations_where(t, [](const LoadedPosition& p) { return p.unfinished; });
         !where.empty())
@@ -158,7 +158,7 @@ Result<std::array<ElasticBody, 2>> bodies_of(SolvedJob& job) {
 Error too_fine(const ContactSetup& setup, const LoadRequest& request) {
   const int fair = fair_slices(setup.gear(1), setup.gear(2), request.regime);
   const double face = std::min(setup.gear(1).spec.face_width, setup.gear(2).spec.face_width);
-  const std::string width = spoken(face / request.slices);
+  const std::string width = format_number(face / request.slices);
   return refused(
       "load.slices", request.slices,
       request.slices > fair
@@ -247,7 +247,7 @@ Result<LoadedContact> contact_of(SolvedJob& job, const LoadTask& task,
 
 }  // namespace
 
-Result<LoadAnswer> answer_load(SolvedJob& job, Headway* headway) {
+Result<LoadAnswer> answer_load(SolvedJob& job, Progress* progress) {
   if (auto error = missing_error(SpecUse::load, job.spec)) return *error;
   const LoadInput& input = job.spec.load;
   const auto bodies = bodies_of(job);
@@ -273,7 +273,7 @@ Result<LoadAnswer> answer_load(SolvedJob& job, Headway* headway) {
   auto made = task_of(job, *bodies);
   if (!made) return made.error();
   LoadTask task = std::move(made).take();
-  task.request.headway = headway;
+  task.request.progress = progress;
   auto compliance = task.compliance();
   if (!compliance) return compliance.error();
   answer.compliance = std::move(compliance).take();
@@ -287,7 +287,7 @@ Result<LoadAnswer> answer_load(SolvedJob& job, Headway* headway) {
 Warning edge_carries_at(double torque) {
   return {"edge_carries",
           fmt::format("At {} N m an edge of a tooth carries: the pressure there is a lower bound.",
-                      spoken(torque / kMmPerM)),
+                      format_number(torque / kMmPerM)),
           0};
 }
 
@@ -297,13 +297,13 @@ bool not_made_for_load(const Error& error) {
   return std::find(kOfTheKind.begin(), kOfTheKind.end(), error.field) != kOfTheKind.end();
 }
 
-Result<LoadedContact> contact_under(SolvedJob& job, double torque, Headway* headway) {
+Result<LoadedContact> contact_under(SolvedJob& job, double torque, Progress* progress) {
   const auto bodies = bodies_of(job);
   if (!bodies) return bodies.error();
   auto made = task_of(job, *bodies);
   if (!made) return made.error();
   LoadTask task = std::move(made).take();
-  task.request.headway = headway;
+  task.request.progress = progress;
   task.request.torques = {torque * kMmPerM};
   const auto compliance = task.compliance();
   if (!compliance) return compliance.error();

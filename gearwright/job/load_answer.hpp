@@ -22,19 +22,19 @@ inline constexpr double kShaft = 0.5;
 /// Errors    `load` without torque and probes; `gear2` missing; `pair.…` and `gearN.…` where loaded
 ///           contact is not made for such gears; `gearN.material.poisson_ratio`, `gearN.bore.…`,
 ///           `load.slices` too many, `load.probe[i].…`; as ContactSetup
-Result<LoadAnswer> answer_load(SolvedJob& job, Headway* headway = nullptr);
+Result<LoadAnswer> answer_load(SolvedJob& job, Progress* progress = nullptr);
 
 /// Whether it refuses gears that loaded contact is not made for, and no number of the spec.
 bool not_made_for_load(const Error& error);
 
 /// The same under this one torque on gear 1, N m, with the other numbers of [load].
-Result<LoadedContact> contact_under(SolvedJob& job, double torque, Headway* headway = nullptr);
+Result<LoadedContact> contact_under(SolvedJob& job, double torque, Progress* progress = nullptr);
 
 /// The part of answer_load with a torque, made ready for one who takes it in steps: tables of the
 /// teeth, positions, and at last judge_load.
 struct LoadTask {
   ContactSetup setup;
-  LoadRequest request;  ///< without headway
+  LoadRequest request;  ///< without progress
   bool gear2_drives = false;
   bool with_errors = false;  ///< or deflections
 

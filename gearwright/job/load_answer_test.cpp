@@ -130,10 +130,10 @@ TEST(LoadAnswer, APositionWithoutAnAnswerIsNullNamedAndRed) {
   EXPECT_GT(t.max_pressure, 0.0);
   EXPECT_TRUE(t.harmonics.empty());
   EXPECT_FALSE(judge_load(job, task, *answer.contact));
-  const auto said = std::find_if(job.warnings.begin(), job.warnings.end(),
-                                 [](const Warning& w) { return w.code == "load_unfinished"; });
-  ASSERT_NE(said, job.warnings.end());
-  EXPECT_NE(said->message.find("-3.21429°"), std::string::npos) << said->message;
+  const auto warning = std::find_if(job.warnings.begin(), job.warnings.end(),
+                                    [](const Warning& w) { return w.code == "load_unfinished"; });
+  ASSERT_NE(warning, job.warnings.end());
+  EXPECT_NE(warning->message.find("-3.21429°"), std::string::npos) << warning->message;
   const Verdict verdict = judge(job);
   EXPECT_EQ(verdict.level, Level::red);
   const auto json = load_json(job, answer, verdict);

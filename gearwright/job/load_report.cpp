@@ -15,14 +15,14 @@ bool nothing_touched(const Error& error) {
 
 // The answer's positions, or a pitch of its own where the spec has other rotations.
 Result<LoadedContact> over_a_pitch(const SolvedJob& job, const LoadAnswer& answer,
-                                   Headway* headway) {
+                                   Progress* progress) {
   if (job.spec.load.rotations.empty()) return *answer.contact;
   SolvedJob again = job;  // its warnings have been said
   auto made = load_task(again);
   if (!made) return made.error();
   LoadTask task = std::move(made).take();
   task.request.rotations.clear();
-  task.request.headway = headway;
+  task.request.progress = progress;
   auto contact = task.contact(*answer.compliance);
   if (auto error = judge_load(again, task, contact)) return *error;
   return contact;
@@ -30,10 +30,10 @@ Result<LoadedContact> over_a_pitch(const SolvedJob& job, const LoadAnswer& answe
 
 }  // namespace
 
-Result<std::optional<LoadPart>> load_part(SolvedJob& job, Headway* headway) {
+Result<std::optional<LoadPart>> load_part(SolvedJob& job, Progress* progress) {
   const LoadInput& input = job.spec.load;
   if (input.torques.empty() && input.probes.empty()) return std::optional<LoadPart>();
-  auto made = answer_load(job, headway);
+  auto made = answer_load(job, progress);
   if (!made) {
     const bool alone = !job.pair && made.error().field == "gear2";
     const bool apart = job.pair && nothing_touched(made.error());
@@ -48,7 +48,7 @@ Result<std::optional<LoadPart>> load_part(SolvedJob& job, Headway* headway) {
   }
   LoadPart part{std::move(made).take(), std::nullopt};
   if (part.answer.contact) {
-    auto contact = over_a_pitch(job, part.answer, headway);
+    auto contact = over_a_pitch(job, part.answer, progress);
     if (!contact) return contact.error();
     const bool lines = contact->regime == LoadRegime::line;
     part.report = LoadReport{{&job.gears[0], &job.gears[1]},

@@ -18,6 +18,6 @@ struct LoadPart {
 /// made for: then a warning in the job says why.
 ///
 /// Errors    as answer_load, where a number of the spec is wrong
-Result<std::optional<LoadPart>> load_part(SolvedJob& job, Headway* headway = nullptr);
+Result<std::optional<LoadPart>> load_part(SolvedJob& job, Progress* progress = nullptr);
 
 }  // namespace gearwright

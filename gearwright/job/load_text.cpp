@@ -26,10 +26,10 @@ std::string harris_map(const LoadedContact& contact, const LoadedTorque* quiet) 
                      unit_text(lines ? Unit::newton_per_mm_um : Unit::newton_per_um), "N/mm²",
                      "N/mm²", "N/mm²");
   for (const LoadedTorque& t : contact.torques)
-    out += fmt::format("  {:>11}{:>14}{:>16}{:>12}{:>11}{:>11}{}{}\n", spoken(t.torque / kMmPerM),
-                       fixed_text(t.peak_to_peak.arcsec(), 4), fixed_text(t.stiffness.mean, 3),
-                       fixed_text(t.max_pressure, 1), fixed_text(t.max_root_stress[0], 1),
-                       fixed_text(t.max_root_stress[1], 1),
+    out += fmt::format("  {:>11}{:>14}{:>16}{:>12}{:>11}{:>11}{}{}\n",
+                       format_number(t.torque / kMmPerM), fixed_text(t.peak_to_peak.arcsec(), 4),
+                       fixed_text(t.stiffness.mean, 3), fixed_text(t.max_pressure, 1),
+                       fixed_text(t.max_root_stress[0], 1), fixed_text(t.max_root_stress[1], 1),
                        lines ? fmt::format("{:>9}", fixed_text(t.face_load_factor, 3)) : "",
                        &t == quiet ? "  quietest" : "");
   return out;
@@ -53,9 +53,9 @@ std::string load_listing(const SolvedJob& job, const LoadAnswer& answer) {
     const LoadProbeInput& input = job.spec.load.probes[i];
     const ProbeAnswer& p = answer.probes[i];
     out += fmt::format("  Probe {}: gear {}, diameter {} mm: {:.6g} µm per {}\n", i + 1, input.gear,
-                       spoken(input.diameter), p.own * kUmPerMm, input.z ? "N" : "N/mm");
+                       format_number(input.diameter), p.own * kUmPerMm, input.z ? "N" : "N/mm");
     for (std::size_t k = 0; k < p.profile.size(); ++k)
-      out += fmt::format("    z = {:>9} mm{:>16.6g} µm per N\n", spoken(input.read_z[k]),
+      out += fmt::format("    z = {:>9} mm{:>16.6g} µm per N\n", format_number(input.read_z[k]),
                          p.profile[k] * kUmPerMm);
   }
   if (!answer.contact) return out;

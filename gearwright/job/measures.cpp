@@ -88,13 +88,13 @@ class Measuring {
       warn(
           "span_off_flank",
           fmt::format("Span over {} teeth: the contacts at {} mm do not lie on the usable flank{}.",
-                      asked->teeth, spoken(asked->contact_diameter), instead));
+                      asked->teeth, format_number(asked->contact_diameter), instead));
     } else {
       warn("span_off_face",
            fmt::format("Span over {} teeth: the contacts lie {} mm apart along the axis, and the "
                        "face is {} mm wide{}.",
-                       asked->teeth, spoken(asked->min_face_width, gear_.spec.face_width),
-                       spoken(gear_.spec.face_width), usual ? instead + " not" : ""));
+                       asked->teeth, format_number(asked->min_face_width, gear_.spec.face_width),
+                       format_number(gear_.spec.face_width), usual ? instead + " not" : ""));
     }
     return std::nullopt;
   }
@@ -110,8 +110,9 @@ class Measuring {
 
   void warn_off_flank(const BallSeat& seat, const char* code, const char* what) {
     if (seat.usable()) return;
-    warn(code, fmt::format("{} of {} mm: the contacts at {} mm do not lie on the usable flank.",
-                           what, spoken(seat.ball_diameter), spoken(seat.contact_diameter)));
+    warn(code,
+         fmt::format("{} of {} mm: the contacts at {} mm do not lie on the usable flank.", what,
+                     format_number(seat.ball_diameter), format_number(seat.contact_diameter)));
   }
 
   Fault balls(MeasureView& m) {
@@ -303,7 +304,7 @@ Json measures_json(const SolvedJob& job, const std::vector<MeasureView>& measure
 std::string measure_listing(const SolvedJob& job, const std::vector<MeasureView>& measures) {
   std::vector<ValueRecord> records;
   for (const MeasureView& m : measures) records.push_back(measure_quantities().of(m));
-  const SaidTable& table = measure_quantities().table();
+  const QuantityTable& table = measure_quantities().table();
   std::string text = quantity_listing(table, records, gear_columns(records.size()));
   for (std::size_t i = 0; job.ends && i < measures.size(); ++i)
     text += interval_listing(job, i, table, measured_at(job.ends->lower, i, measures[i]),

@@ -60,19 +60,19 @@ Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion
   if (question.normal_module) {
     const double m = *question.normal_module;
     if (!(m > m_cos)) {
-      return bad(spoken(m, m_cos) + ",",
+      return bad(format_number(m, m_cos) + ",",
                  fmt::format("no rack of this module has the gear: m_n cos α_n is {} mm, and the "
                              "module must be greater",
-                             spoken(m_cos, m)));
+                             format_number(m_cos, m)));
     }
     const double of_module = std::acos(m_cos / m);
     const double m_max = m_cos / std::cos(kMaxRackAngle * kRadPerDeg);
     if (m > m_max) {
-      return bad(
-          spoken(m, m_max) + ",",
-          fmt::format("at this base pitch the angle would be {}°; it is at most {}°, of a "
-                      "module of {} mm",
-                      spoken(deg(of_module), kMaxRackAngle), kMaxRackAngle, spoken(m_max, m)));
+      return bad(format_number(m, m_max) + ",",
+                 fmt::format("at this base pitch the angle would be {}°; it is at most {}°, of a "
+                             "module of {} mm",
+                             format_number(deg(of_module), kMaxRackAngle), kMaxRackAngle,
+                             format_number(m_max, m)));
     }
     if (!question.normal_pressure_angle) {
       alpha = of_module;
@@ -86,10 +86,10 @@ Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion
   }
   if (!has_rack(base, alpha)) {
     const double limit = 90 - std::abs(deg(base.helix_angle));
-    return bad("," + spoken(deg(alpha), limit),
+    return bad("," + format_number(deg(alpha), limit),
                fmt::format("no rack of this angle has the gear; it must be less than {}°, 90° less "
                            "the base helix angle",
-                           spoken(limit, deg(alpha))));
+                           format_number(limit, deg(alpha))));
   }
   return as_rack(base, alpha);
 }

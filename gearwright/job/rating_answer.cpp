@@ -23,10 +23,10 @@ void warn_of_limits(SolvedJob& job, const Rating& rating) {
     job.warnings.push_back({limit.code, limit.text, limit.gear});
 }
 
-Result<ToothContact> tooth_contact(SolvedJob& job, const RatingAnswer& answer, Headway* headway) {
+Result<ToothContact> tooth_contact(SolvedJob& job, const RatingAnswer& answer, Progress* progress) {
   const Rating& r = answer.rating;
   const double torque = answer.input.torque * r.K_A.value * r.K_gamma.value * r.K_v.value;
-  const auto made = contact_under(job, torque, headway);
+  const auto made = contact_under(job, torque, progress);
   if (!made) return made.error();
   const LoadedTorque& t = made->torques.front();
   return ToothContact{torque, t.max_pressure, t.max_root_stress, t.face_load_factor};
@@ -49,7 +49,7 @@ RatingView RatingAnswer::view() const {
           contact};
 }
 
-Result<RatingAnswer> answer_rating(SolvedJob& job, Headway* headway) {
+Result<RatingAnswer> answer_rating(SolvedJob& job, Progress* progress) {
   if (auto missing = missing_error(SpecUse::rate, job.spec)) return *missing;
   const RatingTable& table = job.spec.rating;
   const InvolutePair* pair = job.pair->involute();
@@ -89,7 +89,7 @@ Result<RatingAnswer> answer_rating(SolvedJob& job, Headway* headway) {
                                              kMostFaceModules * answer.pair.normal_module);
   warn_of_limits(job, answer.rating);
   if (table.tooth_contact) {
-    auto contact = tooth_contact(job, answer, headway);
+    auto contact = tooth_contact(job, answer, progress);
     if (!contact) return contact.error();
     answer.contact = *contact;
   }

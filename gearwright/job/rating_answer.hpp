@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "gearwright/base/headway.hpp"
+#include "gearwright/base/progress.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/job/solved_job.hpp"
 #include "gearwright/rating/sizing.hpp"
@@ -29,6 +29,6 @@ struct RatingAnswer {
 ///
 /// Errors    `rating` where the spec has none, `gearN.material…` where a limit is not known; as
 ///           rated_pair and rate, and where `rating.tooth_contact` is asked as answer_load
-Result<RatingAnswer> answer_rating(SolvedJob& job, Headway* headway = nullptr);
+Result<RatingAnswer> answer_rating(SolvedJob& job, Progress* progress = nullptr);
 
 }  // namespace gearwright

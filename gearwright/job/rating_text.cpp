@@ -19,11 +19,11 @@ Json rating_json(const SolvedJob& job, const RatingAnswer& answer, const Verdict
 }
 
 std::string rating_listing(const SolvedJob& job, const RatingAnswer& answer) {
-  const auto& said = rating_quantities();
+  const auto& quantities = rating_quantities();
   const std::string& title = job.spec.title;
   return (title.empty() ? "" : "\n" + printable(title) + "\n") +
-         quantity_listing(said.table(), {said.of(answer.view())}, gear_columns(2),
-                          [&](const Said& s) { return source_text(answer.rating, s.key); });
+         quantity_listing(quantities.table(), {quantities.of(answer.view())}, gear_columns(2),
+                          [&](const QuantityInfo& s) { return source_text(answer.rating, s.key); });
 }
 
 }  // namespace gearwright

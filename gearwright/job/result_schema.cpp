@@ -22,7 +22,7 @@ namespace gearwright {
 
 namespace {
 
-std::string definition_name(const SaidTable& table) {
+std::string definition_name(const QuantityTable& table) {
   std::string name = table.name;
   std::replace(name.begin(), name.end(), ' ', '_');
   return name;
@@ -30,7 +30,7 @@ std::string definition_name(const SaidTable& table) {
 
 class Schema {
  public:
-  Json reference(const SaidTable& table) {
+  Json reference(const QuantityTable& table) {
     const std::string name = definition_name(table);
     if (!definitions_.contains(name)) {
       definitions_[name] = nullptr;  // a record inside itself would stop here
@@ -38,16 +38,18 @@ class Schema {
     }
     return {{"$ref", "#/$defs/" + name}};
   }
-  Json list_of(const SaidTable& table) { return {{"type", "array"}, {"items", reference(table)}}; }
+  Json list_of(const QuantityTable& table) {
+    return {{"type", "array"}, {"items", reference(table)}};
+  }
   Json& definitions() { return definitions_; }
 
  private:
-  Json record(const SaidTable& table) {
+  Json record(const QuantityTable& table) {
     Json properties = Json::object(), required = Json::array();
-    for (const Said* said : table.list) {
-      if (!(said->doors & kJson)) continue;
-      properties[said->key] = value(*said);
-      if (!said->optional_key) required.push_back(said->key);
+    for (const QuantityInfo* info : table.list) {
+      if (!(info->doors & kJson)) continue;
+      properties[info->key] = value(*info);
+      if (!info->optional_key) required.push_back(info->key);
     }
     return {{"type", "object"},
             {"properties", std::move(properties)},
@@ -55,43 +57,43 @@ class Schema {
             {"additionalProperties", false}};
   }
 
-  Json value(const Said& said) {
-    Json j = listed(said, 0);
-    std::string text = capitalised(said.words == said.key ? said.meaning : said.words);
-    if (said.words != said.key && !said.meaning.empty()) text += ": " + said.meaning;
+  Json value(const QuantityInfo& info) {
+    Json j = listed(info, 0);
+    std::string text = capitalised(info.words == info.key ? info.meaning : info.words);
+    if (info.words != info.key && !info.meaning.empty()) text += ": " + info.meaning;
     if (!text.empty()) j["description"] = text;
     return j;
   }
   // The value itself inside as many lists as there are.
-  Json listed(const Said& said, std::size_t depth) {
-    if (depth == said.list.size()) return single(said, said.list.empty() && said.always);
-    Json j{{"type", said.always || depth > 0 ? Json("array") : Json{"array", "null"}},
-           {"items", listed(said, depth + 1)}};
-    if (const int n = said.list[depth]; n > 0) {
+  Json listed(const QuantityInfo& info, std::size_t depth) {
+    if (depth == info.list.size()) return single(info, info.list.empty() && info.always);
+    Json j{{"type", info.always || depth > 0 ? Json("array") : Json{"array", "null"}},
+           {"items", listed(info, depth + 1)}};
+    if (const int n = info.list[depth]; n > 0) {
       j["minItems"] = n;
       j["maxItems"] = n;
     }
     return j;
   }
-  Json single(const Said& said, bool always) {
+  Json single(const QuantityInfo& info, bool always) {
     const auto plain = [&](const char* type) {
       return Json{{"type", always ? Json(type) : Json{type, "null"}}};
     };
-    switch (said.type) {
+    switch (info.type) {
       case Type::number: return plain("number");
       case Type::whole:
       case Type::index: return plain("integer");
       case Type::flag: return plain("boolean");
       case Type::text: return plain("string");
       case Type::word: {
-        if (said.one_of.empty()) return plain("string");
-        Json words = said.one_of;
+        if (info.one_of.empty()) return plain("string");
+        Json words = info.one_of;
         if (!always) words.push_back(nullptr);
         return {{"enum", std::move(words)}};
       }
       case Type::record: {
-        const Json inner = reference(said.of());
-        if (always || !said.list.empty()) return inner;
+        const Json inner = reference(info.of());
+        if (always || !info.list.empty()) return inner;
         return {{"anyOf", Json{inner, Json{{"type", "null"}}}}};
       }
       case Type::map: break;  // its names are a job's own
@@ -148,7 +150,7 @@ Json result_schema() {
                       {"description",
                        "of tolerances: the numbers that differ, at the lower and at "
                        "the upper end"}};
-  for (const SaidTable* table :
+  for (const QuantityTable* table :
        {&gear_quantities().table(), &measure_quantities().table(), &pair_quantities().table()})
     schema.definitions()[definition_name(*table)]["properties"]["interval"] = interval;
   properties["contact"] = schema.reference(contact_quantities().table());

@@ -193,8 +193,8 @@ std::string rating_line(const SearchProblem& problem) {
 std::vector<std::string> change_lines(const SearchRun& run) {
   std::vector<std::string> lines;
   for (const NearestChange& c : run.changes) {
-    const SpelledChange said = spelled_change(c);
-    lines.push_back(fmt::format("{} = {} instead of {}", said.key, said.to, said.from));
+    const SpelledChange spelled = spelled_change(c);
+    lines.push_back(fmt::format("{} = {} instead of {}", spelled.key, spelled.to, spelled.from));
   }
   return lines;
 }

@@ -23,12 +23,12 @@ class TableColumns {
   explicit TableColumns(const Quantities<S>& quantities,
                         std::initializer_list<std::string_view> without = {}) {
     for (const Quantity<S>& q : quantities.list()) {
-      if (std::find(without.begin(), without.end(), q.said.key) != without.end()) continue;
+      if (std::find(without.begin(), without.end(), q.info.key) != without.end()) continue;
       const std::size_t before = heads_.size();
-      if (q.said.type == Type::record) {
-        for (const Said* inner : q.said.of().list) add(*inner);
+      if (q.info.type == Type::record) {
+        for (const QuantityInfo* inner : q.info.of().list) add(*inner);
       } else {
-        add(q.said);
+        add(q.info);
       }
       if (heads_.size() > before) quantities_.push_back(&q);
     }
@@ -40,8 +40,8 @@ class TableColumns {
   template <class Cell>
   void row(const S& subject, const Cell& cell) const {
     std::size_t column = 0;
-    const auto give = [&](const Said& said, const Value& value) {
-      if (said.column.empty()) return;
+    const auto give = [&](const QuantityInfo& info, const Value& value) {
+      if (info.column.empty()) return;
       if (const ValueList* list = value.list()) {
         for (const Value& v : *list) cell(column++, v);
       } else {
@@ -51,30 +51,30 @@ class TableColumns {
     for (const Quantity<S>* q : quantities_) {
       const Value value = q->get(subject);
       if (const ValueRecord* record = value.record()) {
-        for (const Member& m : *record) give(*m.said, m.value);
+        for (const Member& m : *record) give(*m.info, m.value);
       } else {
-        give(q->said, value);
+        give(q->info, value);
       }
     }
   }
 
  private:
-  void add(const Said& said) {
-    if (said.column.empty()) return;
-    const ParquetType type = said.type == Type::index ? ParquetType::int64
-                             : said.type == Type::whole || said.type == Type::flag
+  void add(const QuantityInfo& info) {
+    if (info.column.empty()) return;
+    const ParquetType type = info.type == Type::index ? ParquetType::int64
+                             : info.type == Type::whole || info.type == Type::flag
                                  ? ParquetType::int32
-                             : said.type == Type::number ? ParquetType::float64
+                             : info.type == Type::number ? ParquetType::float64
                                                          : ParquetType::text;
-    const std::size_t mark = said.column.find('#');
-    const std::vector<std::string> names = said.list.empty() ? std::vector<std::string>{""}
-                                           : said.two == Two::ends
+    const std::size_t mark = info.column.find('#');
+    const std::vector<std::string> names = info.list.empty() ? std::vector<std::string>{""}
+                                           : info.two == Two::ends
                                                ? std::vector<std::string>{"min", "max"}
                                                : std::vector<std::string>{"1", "2"};
     for (const std::string& name : names) {
-      std::string column = said.column;
+      std::string column = info.column;
       if (mark != std::string::npos) column.replace(mark, 1, name);
-      heads_.push_back({std::move(column), type, !said.always});
+      heads_.push_back({std::move(column), type, !info.always});
     }
   }
 

@@ -28,7 +28,7 @@ Error of_given_gear(Error error, const JobSpec& spec, int which) {
     // Nobody gave it: it follows from the shift, or from the rack alone.
     const std::string from = gear.profile_shift ? "profile_shift" : "rack.addendum";
     const double value = gear.profile_shift.value_or(addendum_of(gear.cylindrical.rack));
-    return following_from(gear_field(which, from), spoken(value), "it asks for",
+    return following_from(gear_field(which, from), format_number(value), "it asks for",
                           of_gear(which, std::move(error)));
   }
   if (!gear.basic || own) return of_gear(which, std::move(error));
@@ -52,8 +52,8 @@ Error of_basic(const Error& error, const JobSpec& spec) {
                      Angle::radians(base.helix_angle).deg()},
           std::tuple{"profile_shift", "basic.base_tooth_thickness", base.tooth_thickness}}) {
       if (error.field != gear_field(which, of_rack)) continue;
-      return following_from(gear_field(which, own), spoken(value), "as a rack describes this gear,",
-                            error);
+      return following_from(gear_field(which, own), format_number(value),
+                            "as a rack describes this gear,", error);
     }
   }
   return error;
@@ -66,7 +66,7 @@ Error of_clearance(const Error& error, const JobSpec& spec, int which) {
   const double clearance =
       gear.tip_clearance.value_or(default_tip_clearance(gear.cylindrical.normal_module));
   return {
-      gear_field(which, "tip_fillet.clearance"), spoken(clearance),
+      gear_field(which, "tip_fillet.clearance"), format_number(clearance),
       fmt::format("the tip would have to end at a radius of {} mm: {}", error.value, error.rule)};
 }
 
@@ -76,8 +76,8 @@ Error of_distance(const Error& error, const JobSpec& spec) {
     if (error.field != gear_field(which, "profile_shift") || !spec.pair.center_distance ||
         spec.gears[static_cast<std::size_t>(which - 1)]->profile_shift)
       continue;
-    return following_from("pair.center_distance", spoken(*spec.pair.center_distance), "it asks for",
-                          error);
+    return following_from("pair.center_distance", format_number(*spec.pair.center_distance),
+                          "it asks for", error);
   }
   return error;
 }
@@ -167,7 +167,7 @@ Error told_of_a_gear(const Error& error, const JobSpec& spec) {
   const std::size_t i = size(1) > size(0) ? 1 : 0;
   if (size(i) < 0.0) return error;
   return {gear_field(static_cast<int>(i) + 1, "profile_shift"),
-          spoken(*spec.gears[i]->profile_shift), error.rule};
+          format_number(*spec.gears[i]->profile_shift), error.rule};
 }
 
 // Two helices of one hand and angle cross at twice that angle; who gives no shaft angle has
@@ -185,11 +185,11 @@ std::optional<Error> check_hands(const JobSpec& spec) {
   const std::string opposite =
       spec.given.contains("gear2.hand")
           ? fmt::format("`gear2.hand` = \"{}\"", b2 > 0.0 ? "left" : "right")
-          : fmt::format("`gear2.helix_angle` = {}", spoken(-b2));
+          : fmt::format("`gear2.helix_angle` = {}", format_number(-b2));
   return refused("gear2.helix_angle", b2,
                  fmt::format("is of the hand of gear 1. On parallel shafts the hands are opposite, "
                              "{}; if the shafts are to cross, say so: `pair.shaft_angle` = {}",
-                             opposite, spoken(2 * b2)));
+                             opposite, format_number(2 * b2)));
 }
 
 // The place of the pair, after its shifts: absent distance and angle follow from the teeth.
@@ -248,9 +248,10 @@ std::optional<Warning> warn_about_body(const Gear& gear, const std::optional<Bor
                                        int number) {
   if (!bore || !gear.exists()) return std::nullopt;
   const auto warning = [&](const std::string& why) {
-    return Warning{"no_body",
-                   fmt::format("A bore of {} mm leaves no body: {}.", spoken(bore->diameter), why),
-                   number};
+    return Warning{
+        "no_body",
+        fmt::format("A bore of {} mm leaves no body: {}.", format_number(bore->diameter), why),
+        number};
   };
   if (!gear.internal()) {
     const auto error = bore_error(*bore, gear.root_diameter / 2);
@@ -258,7 +259,7 @@ std::optional<Warning> warn_about_body(const Gear& gear, const std::optional<Bor
   }
   if (bore->diameter > gear.root_diameter) return std::nullopt;
   return warning(fmt::format("the rim of an internal gear must lie outside its roots, beyond {} mm",
-                             spoken(gear.root_diameter)));
+                             format_number(gear.root_diameter)));
 }
 
 void collect_warnings(SolvedJob& job) {
@@ -269,7 +270,7 @@ void collect_warnings(SolvedJob& job) {
     if (!input.face_width_given) {
       job.warnings.push_back({"default_face_width",
                               fmt::format("No `face_width` given: {} mm (10 modules) is used.",
-                                          spoken(input.cylindrical.face_width)),
+                                          format_number(input.cylindrical.face_width)),
                               number});
     }
     for (Warning w : job.gears[i].warnings) {

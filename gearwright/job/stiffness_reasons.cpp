@@ -33,7 +33,7 @@ double mean_stiffness(const ContactPair& pair, const Gear& gear_1, const Gear& g
                       const PairCompliance& compliance, LoadRequest request, double torque) {
   request.torques = {torque};
   request.root_stress = false;
-  request.headway = nullptr;
+  request.progress = nullptr;
   request.deflection_slope = request.deflection_bow = 0.0;
   return loaded_contact(pair, gear_1, gear_2, compliance, request)
       .torques.front()
@@ -74,7 +74,7 @@ double drafted(const LoadTask& task, double torque, double wider, bool solid) {
   request.rotations.clear();
   request.positions = kPositions;
   request.root_stress = false;
-  request.headway = nullptr;
+  request.progress = nullptr;
   request.slices = std::min(fair_slices(gears[0], gears[1], request.regime), kMostSlices);
   const auto compliance = pair_compliance(gears[0], gears[1], request);
   if (!compliance) return std::numeric_limits<double>::quiet_NaN();
@@ -158,11 +158,11 @@ void explain_stiffness(SolvedJob& job, const LoadTask& task, const LoadAnswer& a
              ? fmt::format("At {} N m the mesh is {:.2f} times as stiff as c_γα of ISO 6336-1, "
                            "twist of the bodies apart: neither errors nor modifications, face or "
                            "bodies make the difference, but the teeth themselves{}.",
-                           spoken(t.torque / kMmPerM), ratio, ring)
+                           format_number(t.torque / kMmPerM), ratio, ring)
              : fmt::format("At {} N m the mesh is {:.2f} times as stiff as c_γα of ISO 6336-1, "
                            "twist of the bodies apart: a factor of {}; {:.2f} is left for the "
                            "teeth themselves{}.",
-                           spoken(t.torque / kMmPerM), ratio, list, left, ring),
+                           format_number(t.torque / kMmPerM), ratio, list, left, ring),
          0});
   }
 }

@@ -142,9 +142,9 @@ Result<JobSpec> with_allowances(const JobSpec& given, const SolveAsGiven& solve)
       return Error{gear_field(which, std::string("tolerance.") + key), "", why};
     };
     const ToleranceInput& tolerance = gear->tolerance;
-    const char* const said = tolerance.series ? "series" : tolerance.span ? "span" : "over_balls";
-    if (gear->cut_by) return no(said, "is the cutter's, which sets the thickness; leave it out");
-    if (gear->basic) return no(said, "has no place beside `basic`, whose thickness is given");
+    const char* const key = tolerance.series ? "series" : tolerance.span ? "span" : "over_balls";
+    if (gear->cut_by) return no(key, "is the cutter's, which sets the thickness; leave it out");
+    if (gear->basic) return no(key, "has no place beside `basic`, whose thickness is given");
     if (!nominal) {
       auto solved = solve(spec, Scope::gears);
       if (!solved) return solved.error();
@@ -152,7 +152,7 @@ Result<JobSpec> with_allowances(const JobSpec& given, const SolveAsGiven& solve)
     }
     const Gear& made = nominal->gears[static_cast<std::size_t>(which - 1)];
     if (!made.involute() && !tolerance.series)
-      return no(said, "is measured on involute flanks; these are circular arcs");
+      return no(key, "is measured on involute flanks; these are circular arcs");
     auto ends = tolerance.series ? thickness_allowances(*tolerance.series, made.reference_diameter)
                 : tolerance.span ? of_span(made, *gear)
                                  : of_balls(made, *gear);

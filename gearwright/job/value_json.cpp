@@ -18,7 +18,7 @@ struct JsonWriter {
   Json operator()(const ValueRecord& record) const {
     Json j = Json::object();
     for (const Member& m : record) {
-      if (m.said->doors & kJson) j[m.said->key] = to_json(m.value);
+      if (m.info->doors & kJson) j[m.info->key] = to_json(m.value);
     }
     return j;
   }

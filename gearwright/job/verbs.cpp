@@ -30,7 +30,7 @@ namespace {
 template <class Found>
 struct Solving {
   Scope scope;
-  Result<Found> (*find)(SolvedJob&, Headway*);
+  Result<Found> (*find)(SolvedJob&, Progress*);
   Verdict (*judge)(const SolvedJob&, const Found&);
   Json (*json)(const SolvedJob&, const Found&, const Verdict&);
   std::string (*text)(const SolvedJob&, const Found&);
@@ -39,7 +39,7 @@ struct Solving {
 };
 
 template <class Found>
-Result<Answer> solved_answer(const Solving<Found>& how, const JobSpec& spec, Headway* headway) {
+Result<Answer> solved_answer(const Solving<Found>& how, const JobSpec& spec, Progress* progress) {
   struct State {
     SolvedJob job;
     Found found;
@@ -48,7 +48,7 @@ Result<Answer> solved_answer(const Solving<Found>& how, const JobSpec& spec, Hea
   auto solved = solve(spec, how.scope);
   if (!solved) return solved.error();
   SolvedJob job = std::move(solved).take();
-  auto found = how.find(job, headway);
+  auto found = how.find(job, progress);
   if (!found) return found.error();
   Verdict verdict = how.judge(job, *found);
   const auto state = std::make_shared<const State>(
@@ -69,7 +69,7 @@ Result<Answer> solved_answer(const Solving<Found>& how, const JobSpec& spec, Hea
 // Of the gears and the pair themselves, nothing more is looked for.
 struct AsSolved {};
 
-Result<AsSolved> nothing_more(SolvedJob&, Headway*) { return AsSolved{}; }
+Result<AsSolved> nothing_more(SolvedJob&, Progress*) { return AsSolved{}; }
 
 Verdict judge_as_solved(const SolvedJob& job, const AsSolved&) { return judge(job); }
 
@@ -79,7 +79,7 @@ Json solved_json(const SolvedJob& job, const AsSolved&, const Verdict& verdict) 
 
 std::string solved_csv(const SolvedJob& job, const AsSolved&) { return quantities_csv(job); }
 
-Result<Answer> run_gear(const JobSpec& spec, Headway* headway) {
+Result<Answer> run_gear(const JobSpec& spec, Progress* progress) {
   return solved_answer<AsSolved>(
       {.scope = Scope::gears,
        .find = nothing_more,
@@ -87,10 +87,10 @@ Result<Answer> run_gear(const JobSpec& spec, Headway* headway) {
        .json = solved_json,
        .text = [](const SolvedJob& job, const AsSolved&) { return gear_listing(job); },
        .csv = solved_csv},
-      spec, headway);
+      spec, progress);
 }
 
-Result<Answer> run_pair(const JobSpec& spec, Headway* headway) {
+Result<Answer> run_pair(const JobSpec& spec, Progress* progress) {
   return solved_answer<AsSolved>(
       {.scope = Scope::pair,
        .find = nothing_more,
@@ -99,22 +99,22 @@ Result<Answer> run_pair(const JobSpec& spec, Headway* headway) {
        .text = [](const SolvedJob& job,
                   const AsSolved&) { return gear_listing(job) + pair_listing(job); },
        .csv = solved_csv},
-      spec, headway);
+      spec, progress);
 }
 
 using Measures = std::vector<MeasureView>;
 
-Result<Answer> run_measure(const JobSpec& spec, Headway* headway) {
+Result<Answer> run_measure(const JobSpec& spec, Progress* progress) {
   return solved_answer<Measures>(
       {.scope = Scope::gears,
-       .find = [](SolvedJob& job, Headway*) { return measure_gears(job); },
+       .find = [](SolvedJob& job, Progress*) { return measure_gears(job); },
        .judge = [](const SolvedJob& job, const Measures&) { return judge(job); },
        .json = measures_json,
        .text = measure_listing},
-      spec, headway);
+      spec, progress);
 }
 
-Result<Answer> run_contact(const JobSpec& spec, Headway* headway) {
+Result<Answer> run_contact(const JobSpec& spec, Progress* progress) {
   return solved_answer<ContactAnswer>(
       {.scope = Scope::pair,
        .find = answer_contact,
@@ -123,22 +123,22 @@ Result<Answer> run_contact(const JobSpec& spec, Headway* headway) {
        .json = contact_json,
        .text = contact_listing,
        .csv = contact_csv},
-      spec, headway);
+      spec, progress);
 }
 
-Result<Answer> run_compensate(const JobSpec& spec, Headway* headway) {
+Result<Answer> run_compensate(const JobSpec& spec, Progress* progress) {
   return solved_answer<CompensateAnswer>(
       {.scope = Scope::pair,
-       .find = [](SolvedJob& job, Headway* h) { return answer_compensate(job, h); },
+       .find = [](SolvedJob& job, Progress* h) { return answer_compensate(job, h); },
        .judge = [](const SolvedJob&, const CompensateAnswer& a) { return a.verdict; },
        .json = [](const SolvedJob& job, const CompensateAnswer& a,
                   const Verdict&) { return compensate_json(job, a); },
        .text = compensate_listing,
        .specs = [](const CompensateAnswer& a) { return std::vector{parse_json(a.corrected)}; }},
-      spec, headway);
+      spec, progress);
 }
 
-Result<Answer> run_load(const JobSpec& spec, Headway* headway) {
+Result<Answer> run_load(const JobSpec& spec, Progress* progress) {
   return solved_answer<LoadAnswer>(
       {.scope = Scope::everything,
        .find = answer_load,
@@ -146,10 +146,10 @@ Result<Answer> run_load(const JobSpec& spec, Headway* headway) {
        .json = load_json,
        .text = load_listing,
        .csv = [](const SolvedJob&, const LoadAnswer& a) { return load_csv(a); }},
-      spec, headway);
+      spec, progress);
 }
 
-Result<Answer> run_rate(const JobSpec& spec, Headway* headway) {
+Result<Answer> run_rate(const JobSpec& spec, Progress* progress) {
   return solved_answer<RatingAnswer>(
       {.scope = Scope::pair,
        .find = answer_rating,
@@ -158,7 +158,7 @@ Result<Answer> run_rate(const JobSpec& spec, Headway* headway) {
        .json = rating_json,
        .text = rating_listing,
        .csv = [](const SolvedJob&, const RatingAnswer& a) { return rating_csv(a); }},
-      spec, headway);
+      spec, progress);
 }
 
 // A verb that looks for gears answers without any: its specs are the gears.
@@ -172,14 +172,14 @@ Answer proposals(Found&& found, Json (*json)(const Found&), std::string (*text)(
   return answer;
 }
 
-Result<Answer> run_identify(const JobSpec& spec, Headway*) {
+Result<Answer> run_identify(const JobSpec& spec, Progress*) {
   auto found = answer_identify(spec);
   if (!found) return found.error();
   return proposals(std::move(found).take(), identify_json, identify_listing);
 }
 
-Result<Answer> run_fit(const JobSpec& spec, Headway* headway) {
-  auto found = answer_fit(spec, headway);
+Result<Answer> run_fit(const JobSpec& spec, Progress* progress) {
+  auto found = answer_fit(spec, progress);
   if (!found) return found.error();
   std::string reason = found->fit.reason;
   Answer answer = proposals(std::move(found).take(), fit_json, fit_listing);
@@ -239,10 +239,10 @@ std::string verb_names() {
   return names;
 }
 
-Result<Json> answer_json(std::string_view name, const JobSpec& spec, Headway* headway) {
+Result<Json> answer_json(std::string_view name, const JobSpec& spec, Progress* progress) {
   const Verb* const verb = find_verb(!name.empty() ? name : spec.gears[1] ? "pair" : "gear");
   GW_EXPECTS(verb != nullptr);
-  const auto answer = verb->run(spec, headway);
+  const auto answer = verb->run(spec, progress);
   if (!answer) return answer.error();
   return answer->json();
 }

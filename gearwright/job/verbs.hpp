@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gearwright/base/headway.hpp"
+#include "gearwright/base/progress.hpp"
 #include "gearwright/spec/json.hpp"
 #include "gearwright/spec/spec.hpp"
 #include "gearwright/verdict/verdict.hpp"
@@ -41,7 +41,7 @@ struct Verb {
   enum class Take { none, flag, number } take;
   const char* take_meaning;
   /// Throws  IoError when a file that the spec names cannot be read
-  Result<Answer> (*run)(const JobSpec& spec, Headway* headway);
+  Result<Answer> (*run)(const JobSpec& spec, Progress* progress);
 };
 
 /// In the order in which a user meets them.
@@ -53,7 +53,7 @@ std::string verb_names();
 
 /// The JSON of a verb's answer; of an empty name that of `pair` where there are two gears, else of
 /// `gear`.   Domain  such a verb (contract)
-Result<Json> answer_json(std::string_view verb, const JobSpec& spec, Headway* headway = nullptr);
+Result<Json> answer_json(std::string_view verb, const JobSpec& spec, Progress* progress = nullptr);
 
 /// What a batch writes for one spec.
 struct BatchLine {

@@ -72,7 +72,7 @@ Result<JobFile> make_workshop_drawing(const SolvedJob& job, const std::vector<in
                                       SheetFormat format, SheetSize size, const fs::path& path,
                                       const FileOptions& options) {
   GW_EXPECTS(!gears.empty());
-  if (options.progress) options.progress(path.filename().string());
+  if (options.on_file) options.on_file(path.filename().string());
   const auto made = workshop_sheets(job, gears, size, options.drawing_tolerance_mm);
   if (!made) return made.error();
   const DrawingInput words = title_words(job);

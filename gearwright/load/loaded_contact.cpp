@@ -99,7 +99,7 @@ void LoadedTurn::solve_with(std::size_t from, std::size_t to) {
       for (std::size_t k = 0; k < swing.size(); ++k)
         perfect_share_[k][i] = perfect->greatest_share(free, found_.torques[k].torque);
     }
-    count_step(request_.headway);
+    count_step(request_.progress);
   }
   const std::lock_guard lock(root_);
   for (std::size_t k = 0; k < swing.size(); ++k)
@@ -140,7 +140,8 @@ LoadedContact loaded_contact(const ContactPair& pair, const Gear& gear_1, const 
                              const PairCompliance& compliance, const LoadRequest& request,
                              const ContactPair* perfect) {
   LoadedTurn turn(pair, gear_1, gear_2, compliance, request, perfect);
-  begin_stage(request.headway, "positions under load", static_cast<std::int64_t>(turn.positions()));
+  begin_stage(request.progress, "positions under load",
+              static_cast<std::int64_t>(turn.positions()));
   parallel_for(turn.positions(), [&](std::size_t i) { turn.solve(i, i + 1); });
   return turn.result();
 }

@@ -59,7 +59,7 @@ Result<std::shared_ptr<const ToothTable>> tooth_compliance(const Gear& gear_1, c
   // left flank, as the section has it, its ring with the right one, and is mirrored back.
   const double twist = gear.internal() ? gear.twist() : -gear.twist();
   const auto section = make_tooth_section(gear, twist, request.bodies[which - 1], request.accuracy,
-                                          std::nullopt, request.headway);
+                                          std::nullopt, request.progress);
   if (!section) return of_gear(which, section.error());
   ToothTableRequest t;
   t.face_width = gear.spec.face_width / m;
@@ -67,7 +67,7 @@ Result<std::shared_ptr<const ToothTable>> tooth_compliance(const Gear& gear_1, c
   t.half_width = kHertzWidth * (gear_1.spec.normal_module / m);
   t.root_stress = request.root_stress;
   t.line_per_height = 1 / std::sqrt(1 - sin_b * sin_b);
-  t.headway = request.headway;
+  t.progress = request.progress;
   return std::make_shared<const ToothTable>(*section, t);
 }
 
@@ -110,7 +110,7 @@ Result<PairCompliance> pair_compliance(
     c.slices[g] = {request.slices, -face / 2, face / 2};
   }
   c.half_width = kHertzWidth * gear_1.spec.normal_module;
-  begin_stage(request.headway, "compliance of the teeth", 2 * kTableSteps);
+  begin_stage(request.progress, "compliance of the teeth", 2 * kTableSteps);
   std::array<std::optional<Error>, 2> errors;
   const auto make = [&](std::size_t g) {
     if (c.table[g]) return;

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gearwright/base/headway.hpp"
+#include "gearwright/base/progress.hpp"
 #include "gearwright/compliance/tooth_table.hpp"
 
 namespace gearwright {
@@ -31,7 +31,7 @@ struct LoadRequest {
   double deflection_slope = 0.0;  ///< mm, further approach of the flanks over the common face
   double deflection_bow = 0.0;    ///< mm, height of its parabola in the middle
   bool root_stress = true;        ///< false: tables and positions go without
-  Headway* headway = nullptr;
+  Progress* progress = nullptr;
 };
 
 /// Slices of the common face that are fine enough and never too fine: 32, or as many as are a

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "gearwright/base/headway.hpp"
+#include "gearwright/base/progress.hpp"
 
 namespace gearwright {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 TEST(Minimise, WhatTheFunctionThrowsArrives) {
   ASSERT_TRUE(can_minimise());
   for (const Minimiser how : {Minimiser::whole_box, Minimiser::downhill}) {
-    Headway headway;
+    Progress progress;
     int calls = 0;
     MinimiserTask task{};
     task.lo = {-1.0, -1.0};
@@ -19,13 +19,13 @@ TEST(Minimise, WhatTheFunctionThrowsArrives) {
     task.step = {0.1, 0.1};
     task.evaluations = 200;
     task.f = [&](const std::vector<double>& x) {
-      if (++calls == 5) headway.stop();
-      headway.step();
+      if (++calls == 5) progress.stop();
+      progress.step();
       return x[0] * x[0] + x[1] * x[1];
     };
     EXPECT_THROW(minimise(how, task, {0.5, 0.5}), WorkStopped);
     EXPECT_EQ(calls, 5);
-    EXPECT_EQ(headway.state().done, 4);
+    EXPECT_EQ(progress.state().done, 4);
   }
 }
 

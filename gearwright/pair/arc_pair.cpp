@@ -310,13 +310,13 @@ Result<ArcPair> mount_arcs(Gear gear_1, Gear gear_2, std::optional<double> dista
   find_backlash(pair);
   // Sections of gears of one lead are one outline that turns: the whole body is looked at.
   if (pair.backlash_rotation) {
-    detail::find_strikes(pair, pair.backlash_rotation->at(1).rad() / 2, pair.backlash_normal);
+    detail::find_collisions(pair, pair.backlash_rotation->at(1).rad() / 2, pair.backlash_normal);
     // Flanks too thick and tips in roots have warnings of their own.
-    for (const Strike& s : *pair.overlap) {
+    for (const Collision& s : *pair.overlap) {
       if (s.cause != "negative_backlash" && s.cause != "root")
         pair.warnings.push_back({"overlap", s.message, s.gear});
     }
-    for (const Strike& s : pair.beyond_flank)
+    for (const Collision& s : pair.beyond_flank)
       pair.warnings.push_back({"beyond_flank", s.message, s.gear});
   }
   warn_about_pair(pair);

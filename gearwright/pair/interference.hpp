@@ -18,7 +18,7 @@ void find_fillet_clearance(InvolutePair& pair);
 /// have this play: half of it as a turn of gear 2, all of it along the normal, mm. [T2.29]…[T2.33]
 ///
 /// Domain    both gears with a tooth. On crossed axes the tips against the roots [T4.33]
-void find_strikes(MountedGears& pair, double half_play, double normal_play);
+void find_collisions(MountedGears& pair, double half_play, double normal_play);
 /// The same of an involute pair; leaves in `interference` what explains an overlap. After all
 /// others.
 void find_overlap(InvolutePair& pair);

@@ -92,7 +92,7 @@ void warn_about_mesh(InvolutePair& p) {
          fmt::format("Self-locking with this friction: gear {} cannot drive.", gear), gear);
   }
   for (const Interference& i : p.interference) warn(p, i.code, i.message, i.gear);
-  for (const Strike& s : p.beyond_flank) warn(p, "beyond_flank", s.message, s.gear);
+  for (const Collision& s : p.beyond_flank) warn(p, "beyond_flank", s.message, s.gear);
 }
 
 // Backlash-free pairs stand further apart than their base radii; half of that is in nobody's mind.

@@ -10,7 +10,7 @@
 
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/kinematics/pose.hpp"
-#include "gearwright/pair/strike.hpp"
+#include "gearwright/pair/collision.hpp"
 
 namespace gearwright {
 
@@ -27,9 +27,9 @@ struct MountedGears {
   std::optional<double> speed_rpm{};       ///< n_1  1/min, where one is given
   /// Where the bodies would share space, in the middle of the play, deepest first. None: not looked
   /// for (unequal leads, an internal gear whose cutter nobody knows). On crossed axes: tips in roots
-  std::optional<std::vector<Strike>> overlap{};
+  std::optional<std::vector<Collision>> overlap{};
   /// Contact off the flanks while nothing overlaps: the ratio is not constant then.
-  std::vector<Strike> beyond_flank{};
+  std::vector<Collision> beyond_flank{};
   /// The play of gear 2 in which nothing strikes, that of the flanks or less; < 0: there is no place
   /// without overlap. None: not looked for, or a tip stands in a root
   std::optional<Angle> free_play{};

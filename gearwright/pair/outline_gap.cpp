@@ -254,7 +254,7 @@ class CornerFamily {
   bool reaches_;
 };
 
-void strike_with_corners(const Motion& motion) {
+void collide_with_corners(const Motion& motion) {
   for (const ProfileCorner& corner : motion.mover.corners()) {
     for (const ProfileArc& arc : motion.asked.arcs()) {
       CornerFamily family(motion, corner, arc);
@@ -268,7 +268,7 @@ void strike_with_corners(const Motion& motion) {
 }
 
 // The stretches of an arc of A that meet one arc of B each.
-void strike_with_arc(const Motion& motion, const ProfileArc& arc, double branch) {
+void collide_with_arc(const Motion& motion, const ProfileArc& arc, double branch) {
   ArcFamily family(motion, arc, branch);
   const EnvelopeNodes nodes([&](double u) { return family.envelope(u); });
   for (const ProfileArc& b : motion.asked.arcs()) {
@@ -305,9 +305,9 @@ void strike_with_arc(const Motion& motion, const ProfileArc& arc, double branch)
   }
 }
 
-void strike_with_arcs(const Motion& motion) {
+void collide_with_arcs(const Motion& motion) {
   for (const ProfileArc& arc : motion.mover.arcs()) {
-    for (const double branch : {1.0, -1.0}) strike_with_arc(motion, arc, branch);
+    for (const double branch : {1.0, -1.0}) collide_with_arc(motion, arc, branch);
   }
 }
 
@@ -346,9 +346,9 @@ OutlineGap outline_gap(const Outline& gear_1, const Outline& gear_2, double cent
   Table table{{}, limit};
   const Motion first(one, two, table, center_distance, true);
   const Motion second(two, one, table, center_distance, false);
-  strike_with_arcs(first);
-  strike_with_corners(first);
-  strike_with_corners(second);
+  collide_with_arcs(first);
+  collide_with_corners(first);
+  collide_with_corners(second);
   return table.found;
 }
 

@@ -1,4 +1,4 @@
-// Overlap and strikes beyond the flanks, from the gap of the two finished outlines.
+// Overlap and collisions beyond the flanks, from the gap of the two finished outlines.
 //
 //   g_f    gap of the flanks, half their play as a turn of gear 2     g  gap of two other arcs
 //   early  (g_f − g) h: what lies nearer than the flanks, mm along the common normal; > 0: driven to
@@ -75,7 +75,7 @@ std::string at(const OutlineTouch& touch) {
   return fmt::format("at {:.3f}° of gear 1", Angle::radians(touch.rotation_1).deg());
 }
 
-Strike overlapping(const MountedGears& p, const OutlineTouch& touch) {
+Collision overlapping(const MountedGears& p, const OutlineTouch& touch) {
   const Cause cause = cause_of(p, touch);
   const double depth = -touch.gap * touch.arm;
   return {cause.code, cause.gear, depth, touch,
@@ -83,7 +83,7 @@ Strike overlapping(const MountedGears& p, const OutlineTouch& touch) {
                       part(touch, 2), depth, at(touch), bulge(p, cause))};
 }
 
-Strike beyond(const MountedGears& p, const OutlineTouch& touch, double early) {
+Collision beyond(const MountedGears& p, const OutlineTouch& touch, double early) {
   const Cause cause = cause_of(p, touch);
   return {cause.code, cause.gear, early, touch,
           fmt::format("The {} and the {} meet {:.4g} mm before the flanks do, {}: the ratio is not "
@@ -92,7 +92,7 @@ Strike beyond(const MountedGears& p, const OutlineTouch& touch, double early) {
 }
 
 // A tip below the mating gear's root circle, on the centre line.
-Strike in_root(const MountedGears& p, int tip) {
+Collision in_root(const MountedGears& p, int tip) {
   const auto i = static_cast<std::size_t>(tip - 1);
   const double depth = -p.tip_clearance[i];
   OutlineTouch touch;
@@ -108,7 +108,7 @@ Strike in_root(const MountedGears& p, int tip) {
                       3 - tip)};
 }
 
-Strike too_thick(double normal_play, const std::optional<OutlineTouch>& touch) {
+Collision too_thick(double normal_play, const std::optional<OutlineTouch>& touch) {
   const double depth = -normal_play / 2;
   return {"negative_backlash", 0, depth, touch,
           fmt::format("The flanks overlap by {:.4g} mm on either side: the teeth are too thick for "
@@ -120,14 +120,14 @@ bool flank_on_flank(const OutlineTouch& touch) {
   return touch.places[0].arc == ArcName::flank && touch.places[1].arc == ArcName::flank;
 }
 
-void deepest_first(std::vector<Strike>& strikes) {
-  std::stable_sort(strikes.begin(), strikes.end(),
-                   [](const Strike& a, const Strike& b) { return a.depth > b.depth; });
+void deepest_first(std::vector<Collision>& collisions) {
+  std::stable_sort(collisions.begin(), collisions.end(),
+                   [](const Collision& a, const Collision& b) { return a.depth > b.depth; });
 }
 
-// A named finding that the strikes bear out.
-bool borne_out(const Interference& named, const std::vector<Strike>& strikes) {
-  return std::any_of(strikes.begin(), strikes.end(), [&](const Strike& s) {
+// A named finding that the collisions bear out.
+bool borne_out(const Interference& named, const std::vector<Collision>& collisions) {
+  return std::any_of(collisions.begin(), collisions.end(), [&](const Collision& s) {
     if (named.code == "trochoid") return s.cause == "trochoid";
     return (s.cause == "tip_to_fillet" || s.cause == "tip_corner") && s.gear == named.gear;
   });
@@ -141,7 +141,7 @@ bool is_of_a_circle(const Interference& named) {
 // flank or nothing.
 void explain(InvolutePair& p) {
   std::vector<Interference> named = std::exchange(p.interference, {});
-  const auto said = [&](const Strike& s, const std::vector<Interference>& by) {
+  const auto explained = [&](const Collision& s, const std::vector<Interference>& by) {
     return std::any_of(by.begin(), by.end(),
                        [&](const Interference& i) { return borne_out(i, {s}); });
   };
@@ -153,18 +153,18 @@ void explain(InvolutePair& p) {
       only_beyond.push_back(std::move(i));
     }
   }
-  for (const Strike& s : *p.overlap) {
-    if (s.cause == "negative_backlash" || said(s, p.interference)) continue;
+  for (const Collision& s : *p.overlap) {
+    if (s.cause == "negative_backlash" || explained(s, p.interference)) continue;
     const bool has_name = s.cause == "tip_to_fillet";
     p.interference.push_back({has_name ? s.cause : "overlap", s.gear, -s.depth, s.message});
   }
   // One line for one fact: the circle says by which diameter, the outlines by how much.
-  std::vector<Strike>& strikes = p.beyond_flank;
+  std::vector<Collision>& collisions = p.beyond_flank;
   for (Interference& i : only_beyond) {
-    if (borne_out(i, strikes)) continue;
-    strikes.push_back({i.code, i.gear, -std::get<double>(i.amount), std::nullopt, i.message});
+    if (borne_out(i, collisions)) continue;
+    collisions.push_back({i.code, i.gear, -std::get<double>(i.amount), std::nullopt, i.message});
   }
-  deepest_first(strikes);
+  deepest_first(collisions);
 }
 
 // What lies nearer than the flanks, and on parallel axes the flanks.
@@ -183,7 +183,7 @@ std::vector<OutlineTouch> touches_of(const MountedGears& p, double half_play) {
 
 }  // namespace
 
-void find_strikes(MountedGears& p, double half_play, double normal_play) {
+void find_collisions(MountedGears& p, double half_play, double normal_play) {
   const double close = touching(p);
   p.overlap.emplace();
   for (int tip : {1, 2}) {
@@ -215,7 +215,7 @@ void find_strikes(MountedGears& p, double half_play, double normal_play) {
 
 void find_overlap(InvolutePair& p) {
   if (!p.gears[0].tooth || !p.gears[1].tooth) return;
-  find_strikes(p, p.mesh.backlash.rotation[1] / 2, p.mesh.backlash.normal_base);
+  find_collisions(p, p.mesh.backlash.rotation[1] / 2, p.mesh.backlash.normal_base);
   // With a tip in a root the outlines were not asked: all that has a name stays.
   if (p.free_play) explain(p);
 }

@@ -45,7 +45,7 @@ TEST(Overlap, a_tip_that_bulges_is_said_by_the_gear_and_by_the_pair) {
   EXPECT_TRUE(warns(wheel, "tip_bulge"));
   const InvolutePair p = mounted(made(spec(20, 2.5)), wheel, 100.0);
   ASSERT_EQ(p.overlap->size(), 1U);
-  const Strike& strike = p.overlap->front();
+  const Collision& strike = p.overlap->front();
   EXPECT_EQ(strike.cause, "tip_bulge");
   EXPECT_EQ(strike.gear, 2);
   EXPECT_NEAR(strike.depth, 8.0247e-3, 1e-6);

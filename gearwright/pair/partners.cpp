@@ -45,7 +45,7 @@ std::optional<Error> check_shaft_angle(const BasePair<double>& gears, double sig
         range, 0.0,
         fmt::format("parallel axes need opposite base helices (a helix angle of {}° on a gear 2 of "
                     "the same module); {}",
-                    spoken(0.0 - gear_1.helix_angle.deg()), kReach));
+                    format_number(0.0 - gear_1.helix_angle.deg()), kReach));
   }
   if (range.contains(sigma)) {
     const RackAngles<double> angles = angles_at_shaft_angle(gears, sigma);
@@ -109,7 +109,7 @@ std::optional<Error> check_partners(const CylindricalSpec& g1, const Cylindrical
             "mm; gears mesh only with equal m_n cos α_n. At this pressure angle the "
             "module would have to be {:.9g} mm, at this base helix the base diameter {:.9g} "
             "mm",
-            p2 - p1, spoken(p1, p2), spoken(p2, p1), g2.normal_module * p1 / p2,
+            p2 - p1, format_number(p1, p2), format_number(p2, p1), g2.normal_module * p1 / p2,
             2 * gears[1].radius * p1 / p2));
   }
   if (z2 < 0 && !axes_are_parallel(gears)) {
@@ -119,7 +119,7 @@ std::optional<Error> check_partners(const CylindricalSpec& g1, const Cylindrical
                     "touches its pinion along the flanks on parallel axes only; {}° (the "
                     "same hand) is allowed on an internal gear of the same module",
                     deg(gears[0].helix_angle - gears[1].helix_angle),
-                    spoken(g1.helix_angle.deg(), g2.helix_angle.deg())));
+                    format_number(g1.helix_angle.deg(), g2.helix_angle.deg())));
   }
   if (!shaft_angle) return std::nullopt;
   return check_shaft_angle(gears, shaft_angle->rad(), g1);

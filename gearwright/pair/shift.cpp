@@ -16,7 +16,7 @@ Error no_working_angle(double a, double least, bool external, double a_d) {
                  fmt::format("there is no working pressure angle; it must be greater than {{}} mm, "
                              "the {} of the base radii, and at most {{}} mm, {} times that "
                              "(reference centre distance: {} mm)",
-                             external ? "sum" : "difference", kMaxDistance, spoken(a_d)));
+                             external ? "sum" : "difference", kMaxDistance, format_number(a_d)));
 }
 
 // One sum, two shifts: what is given stays.
@@ -99,18 +99,18 @@ Result<ShiftSolution> complete_shifts(const ShiftProblem& p) {
     s.center_distance = extended_center_distance(p.z1, p.z2, p.normal_module, cos_beta, sum);
     if (s.center_distance > least) return s;
     return Error{
-        "profile_shift", spoken(sum),
+        "profile_shift", format_number(sum),
         fmt::format("the sum of both gears, {}, gives the extended centre distance {} mm, at which "
                     "there is no working pressure angle; that must exceed {} mm",
-                    spoken(sum), spoken(s.center_distance, least),
-                    spoken(least, s.center_distance))};
+                    format_number(sum), format_number(s.center_distance, least),
+                    format_number(least, s.center_distance))};
   }
   if (!(nominal_working_involute(p.z1, p.z2, alpha_n, alpha_t, sum) >= 0.0)) {
     const double limit = -involute(alpha_t) * (p.z1 + p.z2) / (2 * std::tan(alpha_n));
     return refused("profile_shift", sum, {limit},
                    fmt::format("the sum of both gears, {}, leaves the teeth too {} for any "
                                "backlash-free centre distance; it must be {} than {{}}",
-                               spoken(sum, limit), external ? "thin" : "thick",
+                               format_number(sum, limit), external ? "thin" : "thick",
                                external ? "greater" : "less"));
   }
   s.center_distance =

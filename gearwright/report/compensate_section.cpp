@@ -29,12 +29,12 @@ std::string finding_under_load(const CompensateView& v) {
   const auto worst = std::max_element(
       v.loads.begin(), v.loads.end(),
       [&](const auto& a, const auto& b) { return aimed(a.before) < aimed(b.before); });
-  const auto said = [&](const LoadedScore& s) {
+  const auto text = [&](const LoadedScore& s) {
     return pressure ? fixed(s.max_pressure, 0) : fixed(s.peak_to_peak.arcsec(), 3);
   };
   return fmt::format("Under {:.6g} N m {} then {}{} instead of {}{}.", worst->torque / kMmPerM,
-                     pressure ? "the flanks bear up to" : "gear 2 runs up to", said(worst->after),
-                     pressure ? " N/mm²" : "″ unevenly", said(worst->before), pressure ? "" : "″");
+                     pressure ? "the flanks bear up to" : "gear 2 runs up to", text(worst->after),
+                     pressure ? " N/mm²" : "″ unevenly", text(worst->before), pressure ? "" : "″");
 }
 
 std::string finding(const CompensateView& v) {
@@ -100,7 +100,7 @@ std::string corrections(const CompensateView& v) {
 }
 
 std::string scores(const CompensateView& v) {
-  const auto& said = score_quantities();
+  const auto& quantities = score_quantities();
   const auto& loaded = loaded_score_quantities();
   TableBuilder t("The aims, at the worst of the errors", {"Before", "After"});
   for (const AimedLoad& l : v.loads) {
@@ -109,7 +109,8 @@ std::string scores(const CompensateView& v) {
          text_groups(loaded.table(), {loaded.of(l.before), loaded.of(l.after)}, kPage))
       add_rows(t, g);
   }
-  const auto unloaded = text_groups(said.table(), {said.of(v.before), said.of(v.after)}, kPage);
+  const auto unloaded =
+      text_groups(quantities.table(), {quantities.of(v.before), quantities.of(v.after)}, kPage);
   if (v.loads.empty()) {
     add_groups(t, unloaded);
   } else {
@@ -128,8 +129,8 @@ std::string scores(const CompensateView& v) {
 std::string closed_forms(const CompensateView& v) {
   if (!v.setting && !v.lead) return {};
   TableBuilder t("In closed form, one by one", {"Value"});
-  const auto& said = compensate_quantities();
-  add_groups(t, text_groups(said.table(), {said.of(v)}, kPage));
+  const auto& quantities = compensate_quantities();
+  add_groups(t, text_groups(quantities.table(), {quantities.of(v)}, kPage));
   return t.str();
 }
 

@@ -38,22 +38,22 @@ std::string finding(const LoadReport& report) {
 std::string facts(const LoadReport& report) {
   std::vector<ValueRecord> records;
   std::vector<std::string> columns;
-  const auto& said = load_torque_quantities();
+  const auto& quantities = load_torque_quantities();
   const auto views = torque_views(report.contact, report.standard);
   for (const std::size_t i : shown_torques(report)) {
-    records.push_back(said.of(views[i]));
+    records.push_back(quantities.of(views[i]));
     columns.push_back(torque_words(*views[i].torque));
   }
   TableBuilder table("Under load", columns);
-  for (const TextGroup& group : text_groups(said.table(), records, kPage)) {
+  for (const TextGroup& group : text_groups(quantities.table(), records, kPage)) {
     for (const TextRow& row : group.rows) {
-      if (row.said->key == "torque_Nm") continue;  // heads the columns
+      if (row.info->key == "torque_Nm") continue;  // heads the columns
       // A torque's texts, both gears' where there are two.
       const std::size_t each = row.texts.size() / columns.size();
       std::vector<std::string> texts;
       for (std::size_t i = 0; i < columns.size(); ++i)
         texts.push_back(each == 2 ? row.texts[2 * i] + ", " + row.texts[2 * i + 1] : row.texts[i]);
-      table.row(capitalised(row.said->words), row.said->symbol, unit_text(row.said->unit), texts);
+      table.row(capitalised(row.info->words), row.info->symbol, unit_text(row.info->unit), texts);
     }
   }
   return table.str() + "<p>Of two values the first is gear 1’s.</p>\n";

@@ -4,12 +4,12 @@ namespace gearwright {
 
 void add_rows(TableBuilder& table, const TextGroup& group) {
   for (const TextRow& row : group.rows) {
-    const std::string words = capitalised(row.said->words);
-    const std::string_view unit = unit_text(row.said->unit);
+    const std::string words = capitalised(row.info->words);
+    const std::string_view unit = unit_text(row.info->unit);
     if (row.texts.size() == table.columns()) {
-      table.row(words, row.said->symbol, unit, row.texts);
+      table.row(words, row.info->symbol, unit, row.texts);
     } else {
-      table.common(words, row.said->symbol, unit, row.texts.front());
+      table.common(words, row.info->symbol, unit, row.texts.front());
     }
   }
 }

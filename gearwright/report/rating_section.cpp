@@ -25,17 +25,17 @@ std::string finding(const Rating& r) {
 
 std::string table(const RatingView& view) {
   TableBuilder t("Strength, as rated", {"Gear 1", "Gear 2", "Place in the standard, branch"});
-  const auto& said = rating_quantities();
-  for (const TextGroup& group : text_groups(said.table(), {said.of(view)}, kPage)) {
+  const auto& quantities = rating_quantities();
+  for (const TextGroup& group : text_groups(quantities.table(), {quantities.of(view)}, kPage)) {
     t.group(group.title.empty() ? "Standard" : group.title);
     for (const TextRow& row : group.rows) {
-      const std::string words = capitalised(row.said->words);
-      const std::string place = source_text(view.rating, row.said->key);
+      const std::string words = capitalised(row.info->words);
+      const std::string place = source_text(view.rating, row.info->key);
       if (row.texts.size() > 1) {
-        t.row(words, row.said->symbol, unit_text(row.said->unit),
+        t.row(words, row.info->symbol, unit_text(row.info->unit),
               {row.texts.front(), row.texts.back(), place});
       } else {
-        t.common(words, row.said->symbol, unit_text(row.said->unit), row.texts.front(), place);
+        t.common(words, row.info->symbol, unit_text(row.info->unit), row.texts.front(), place);
       }
     }
   }

@@ -85,20 +85,20 @@ std::string nothing_strikes(const InvolutePair& p) {
            : "none reaches below the mating gear’s usable flank");
 }
 
-struct StrikeRow {
+struct CollisionRow {
   std::string code;
   int gear;
   std::string amount, words;
 };
 
-std::string strike_rows(const std::string& caption, const std::vector<StrikeRow>& rows) {
+std::string strike_rows(const std::string& caption, const std::vector<CollisionRow>& rows) {
   if (rows.empty()) return "";
   std::string text = fmt::format(
       "<div class=\"scroll\"><table>\n<caption>{}</caption>\n<thead><tr><th scope=\"col\">What</th>"
       "<th scope=\"col\">Gear</th><th scope=\"col\" class=\"value\">Depth</th>"
       "<th scope=\"col\">In words</th></tr></thead>\n<tbody>\n",
       caption);
-  for (const StrikeRow& row : rows) {
+  for (const CollisionRow& row : rows) {
     text += fmt::format(
         "<tr><th scope=\"row\">{}</th><td>{}</td><td class=\"value\">{}</td><td "
         "class=\"words\">{}</td></tr>\n",
@@ -108,20 +108,20 @@ std::string strike_rows(const std::string& caption, const std::vector<StrikeRow>
   return text + "</tbody></table></div>\n";
 }
 
-std::vector<StrikeRow> rows_of(const std::vector<Strike>& strikes) {
-  std::vector<StrikeRow> rows;
-  for (const Strike& s : strikes)
+std::vector<CollisionRow> rows_of(const std::vector<Collision>& collisions) {
+  std::vector<CollisionRow> rows;
+  for (const Collision& s : collisions)
     rows.push_back({s.cause, s.gear, length(s.depth) + " mm", s.message});
   return rows;
 }
 
 // Without what a row of the overlap has said.
-std::vector<StrikeRow> rows_of(const std::vector<Interference>& named,
-                               const std::vector<StrikeRow>& said) {
-  std::vector<StrikeRow> rows;
+std::vector<CollisionRow> rows_of(const std::vector<Interference>& named,
+                                  const std::vector<CollisionRow>& listed) {
+  std::vector<CollisionRow> rows;
   for (const Interference& i : named) {
-    const bool again = std::any_of(said.begin(), said.end(),
-                                   [&](const StrikeRow& row) { return row.words == i.message; });
+    const bool again = std::any_of(listed.begin(), listed.end(),
+                                   [&](const CollisionRow& row) { return row.words == i.message; });
     if (again) continue;
     const auto* turn = std::get_if<Angle>(&i.amount);
     rows.push_back({i.code, i.gear,
@@ -134,7 +134,8 @@ std::vector<StrikeRow> rows_of(const std::vector<Interference>& named,
 }  // namespace
 
 std::string interference_table(const InvolutePair& p) {
-  const std::vector<StrikeRow> overlap = p.overlap ? rows_of(*p.overlap) : std::vector<StrikeRow>{};
+  const std::vector<CollisionRow> overlap =
+      p.overlap ? rows_of(*p.overlap) : std::vector<CollisionRow>{};
   if (overlap.empty() && p.interference.empty() && p.beyond_flank.empty())
     return nothing_strikes(p);
   return strike_rows("Overlap of the outlines, in the middle of the backlash", overlap) +

@@ -74,20 +74,20 @@ struct Cell {
 };
 
 struct Column {
-  const Said* said;
+  const QuantityInfo* info;
   std::optional<std::size_t> gear;  // of a value per gear
 };
 
 Cell mark(bool is, const char* text) { return {is ? text : "", is ? 1.0 : 0.0}; }
 
-const Member* find(const ValueRecord& record, const Said* said) {
+const Member* find(const ValueRecord& record, const QuantityInfo* info) {
   const auto it =
-      std::find_if(record.begin(), record.end(), [&](const Member& m) { return m.said == said; });
+      std::find_if(record.begin(), record.end(), [&](const Member& m) { return m.info == info; });
   return it == record.end() ? nullptr : &*it;
 }
 
 Cell cell_of(const Column& column, const ValueRecord& record) {
-  const Member* member = find(record, column.said);
+  const Member* member = find(record, column.info);
   if (!member) return {std::string(kNoValue), std::nullopt};
   const Value& v = column.gear ? (*member->value.list())[*column.gear] : member->value;
   if (const auto* flag = std::get_if<bool>(&v.variant())) return mark(*flag, "yes");
@@ -95,26 +95,26 @@ Cell cell_of(const Column& column, const ValueRecord& record) {
     const bool balanced = *word == "eq11";
     return {balanced ? "balanced" : "middle", balanced ? 1.0 : 0.0};
   }
-  if (column.said->key == "module_mm") return {fmt::format("{:.10g}", *v.number()), v.number()};
-  return {text_of(*column.said, v), v.number()};
+  if (column.info->key == "module_mm") return {fmt::format("{:.10g}", *v.number()), v.number()};
+  return {text_of(*column.info, v), v.number()};
 }
 
 // Columns that no design has a row for are left out.
 std::vector<Column> columns_of(const std::vector<ValueRecord>& records) {
   std::vector<Column> columns;
   for (const char* key : kOrder) {
-    const Said* said = design_quantities().table().find(key);
-    GW_EXPECTS(said != nullptr);
+    const QuantityInfo* info = design_quantities().table().find(key);
+    GW_EXPECTS(info != nullptr);
     if (std::none_of(records.begin(), records.end(), [&](const ValueRecord& r) {
-          const Member* m = find(r, said);
+          const Member* m = find(r, info);
           return m && m->shown;
         }))
       continue;
-    const bool one = said->two != Two::gears || said->key == "helix_angle_deg";
+    const bool one = info->two != Two::gears || info->key == "helix_angle_deg";
     if (one)
       columns.push_back(
-          {said, said->two == Two::gears ? std::optional<std::size_t>(0) : std::nullopt});
-    for (std::size_t gear = 0; !one && gear < 2; ++gear) columns.push_back({said, gear});
+          {info, info->two == Two::gears ? std::optional<std::size_t>(0) : std::nullopt});
+    for (std::size_t gear = 0; !one && gear < 2; ++gear) columns.push_back({info, gear});
   }
   return columns;
 }
@@ -129,27 +129,27 @@ std::vector<ValueRecord> records_of(const SearchProblem& problem, const SearchAn
 
 // The symbol with the gear's number, or the words of what has no symbol.
 std::string symbol_of(const Column& c) {
-  if (c.said->symbol.empty()) return c.said->key;
-  if (!c.gear) return symbol_html(c.said->symbol);
-  const bool indexed = c.said->symbol.find('_') != std::string::npos;
-  return symbol_html(c.said->symbol + (indexed ? "" : "_") + std::to_string(*c.gear + 1));
+  if (c.info->symbol.empty()) return c.info->key;
+  if (!c.gear) return symbol_html(c.info->symbol);
+  const bool indexed = c.info->symbol.find('_') != std::string::npos;
+  return symbol_html(c.info->symbol + (indexed ? "" : "_") + std::to_string(*c.gear + 1));
 }
 
 std::string words_of(const Column& c) {
-  std::string words = c.said->words;
+  std::string words = c.info->words;
   if (c.gear) words += fmt::format(" of gear {}", *c.gear + 1);
   const auto* own = std::find_if(std::begin(kMeanings), std::end(kMeanings),
-                                 [&](const Meaning& m) { return m.key == c.said->key; });
+                                 [&](const Meaning& m) { return m.key == c.info->key; });
   const std::string_view meaning =
-      own == std::end(kMeanings) ? std::string_view(c.said->meaning) : own->words;
+      own == std::end(kMeanings) ? std::string_view(c.info->meaning) : own->words;
   return meaning.empty() ? words : fmt::format("{}: {}", words, meaning);
 }
 
 std::string heading(const Column& c) {
-  const std::string_view unit = unit_text(c.said->unit);
+  const std::string_view unit = unit_text(c.info->unit);
   return fmt::format(
       "<th scope=\"col\" class=\"value\" title=\"{}\" data-first=\"{}\">{}{}</th>",
-      escaped(words_of(c)), c.said->greater_first ? "descending" : "ascending", symbol_of(c),
+      escaped(words_of(c)), c.info->greater_first ? "descending" : "ascending", symbol_of(c),
       unit.empty() ? "" : fmt::format(" <span class=\"unit\">{}</span>", escaped(unit)));
 }
 

@@ -232,24 +232,24 @@ Result<std::string> with_key(std::string_view toml, std::string_view path, std::
   const bool blank = toml.find_first_not_of(" \t\r\n") == std::string_view::npos;
   const auto before = blank ? Result<Json>(Json::object()) : parse_spec(toml, SpecFormat::toml);
   if (!before) return before.error();
-  Json said;
+  Json wished;
   try {
     if (json_depth(value) > 32) return Error{std::string(path), "", "nests too deep"};
-    said = parse_json(value);
+    wished = parse_json(value);
   } catch (const nlohmann::json::exception&) {
     return Error{std::string(path), std::string(value), "is no value of JSON"};
   }
-  if (said.is_structured() && has_null(said))
+  if (wished.is_structured() && has_null(wished))
     return Error{std::string(path), "null", "is no value of a spec; leave the key out"};
   Json wanted = *before;
-  if (!set_in(wanted, parts, said))
+  if (!set_in(wanted, parts, wished))
     return Error{std::string(path), "", "leads through something that is no table"};
   if (same(wanted, *before)) return std::string(toml);
   Editor editor(toml);
-  if (said.is_null()) {
+  if (wished.is_null()) {
     editor.take_out(parts);
   } else {
-    editor.set(parts, value_text(said));
+    editor.set(parts, value_text(wished));
   }
   std::string text = std::move(editor).text();
   // Rare forms, a table in dotted pieces: written anew, without the comments.

@@ -49,8 +49,8 @@ std::optional<Bore> read_bore(TableReader& gear) {
   t.read(bore);
   t.finish();
   if (bore.keyway_width >= bore.diameter) {
-    t.fail("keyway_width_mm",
-           fmt::format("must be less than the bore's diameter {} mm", spoken(bore.diameter)));
+    t.fail("keyway_width_mm", fmt::format("must be less than the bore's diameter {} mm",
+                                          format_number(bore.diameter)));
   }
   return bore;
 }
@@ -112,14 +112,14 @@ void read_tolerance(TableReader& gear, GearInput& g) {
   if (const auto values = t.numbers("tip_diameter_deviations_mm"))
     g.tolerance.tip_deviations = ends_of(t, "tip_diameter_deviations_mm", *values);
   t.finish();
-  const char* const said = g.tolerance.series       ? "thickness_series"
-                           : g.tolerance.span       ? "span_mm"
-                           : g.tolerance.over_balls ? "over_balls_mm"
-                                                    : nullptr;
-  if (said && gear.has("thickness_allowance_mm"))
-    t.fail(said, fmt::format("has no place beside {}: both say how thick the teeth are; leave one "
-                             "out",
-                             gear.name("thickness_allowance_mm")));
+  const char* const given = g.tolerance.series       ? "thickness_series"
+                            : g.tolerance.span       ? "span_mm"
+                            : g.tolerance.over_balls ? "over_balls_mm"
+                                                     : nullptr;
+  if (given && gear.has("thickness_allowance_mm"))
+    t.fail(given, fmt::format("has no place beside {}: both say how thick the teeth are; leave one "
+                              "out",
+                              gear.name("thickness_allowance_mm")));
 }
 
 // α_n of the transverse angle α_t, both in degrees:  tan α_n = tan α_t cos β.
@@ -154,31 +154,31 @@ void read_basic(TableReader& gear, GearInput& g, const Once& module, const Once&
     if (!(*module.value() > m_cos_alpha)) {
       gear.fail("normal_module_mm",
                 fmt::format("is too small for this base pitch; m_n cos α_n is {} mm",
-                            spoken(m_cos_alpha, *module.value())));
+                            format_number(m_cos_alpha, *module.value())));
     }
     const double of_module = std::acos(m_cos_alpha / *module.value());
     if (alpha.value() && std::abs(of_module - alpha_n) > kSameInput) {
       gear.fail("normal_module_mm",
                 fmt::format("contradicts normal_pressure_angle_deg on this base cylinder: at {}° "
                             "the module is {} mm",
-                            spoken(*alpha.value()),
-                            spoken(m_cos_alpha / std::cos(alpha_n), *module.value())));
+                            format_number(*alpha.value()),
+                            format_number(m_cos_alpha / std::cos(alpha_n), *module.value())));
     }
     alpha_n = of_module;
   }
   if (!has_rack(base, alpha_n)) {
     const double asked = Angle::radians(alpha_n).deg();
     const double limit = 90.0 - std::abs(in.base_helix_angle.deg());
-    gear.fail(
-        "normal_pressure_angle_deg",
-        fmt::format("{}° has no rack with the base helix angle {}°; it must be less than {}°",
-                    spoken(asked, limit), spoken(in.base_helix_angle.deg()), spoken(limit, asked)));
+    gear.fail("normal_pressure_angle_deg",
+              fmt::format("{}° has no rack with the base helix angle {}°; it must be less than {}°",
+                          format_number(asked, limit), format_number(in.base_helix_angle.deg()),
+                          format_number(limit, asked)));
   }
   const ReferenceInput<double> rack = as_rack(base, alpha_n);
   const auto agrees = [&](const char* key, const std::optional<double>& given, double value) {
     if (!given || std::abs(*given - value) <= kSameInput * std::max(1.0, std::abs(value))) return;
     gear.fail(key, fmt::format("contradicts [{}], which makes it {}; leave one of them out",
-                               gear.name("basic"), spoken(value, *given)));
+                               gear.name("basic"), format_number(value, *given)));
   };
   agrees(gear.has("lead_angle_deg") ? "lead_angle_deg" : "helix_angle_deg",
          g.helix_given ? std::optional(g.cylindrical.helix_angle.deg()) : std::nullopt,

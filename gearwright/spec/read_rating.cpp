@@ -28,7 +28,7 @@ PinionMounting read_mounting(const Json& node) {
     t.fail("pinion_offset_mm",
            fmt::format("must be less than half of the bearing span {} mm; an overhung pinion is "
                        "arrangement = \"c\"",
-                       spoken(m.bearing_span)));
+                       format_number(m.bearing_span)));
   return m;
 }
 
@@ -140,7 +140,7 @@ void read_rating(const Json& node, RatingTable& r) {
     if (r.torque && std::abs(torque - *r.torque) > 1e-9 * torque) {
       t.fail("torque_Nm", fmt::format("contradicts power_kW = {}, which is {} N m at this speed; "
                                       "leave one of them out",
-                                      spoken(*r.power), spoken(torque, *r.torque)));
+                                      format_number(*r.power), format_number(torque, *r.torque)));
     }
     r.torque = torque;
   }

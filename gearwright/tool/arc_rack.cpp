@@ -63,7 +63,7 @@ std::optional<Error> check_joint(const ArcRack& rack) {
         "rack.dedendum", rack.dedendum, {rack.center_b + rho},
         fmt::format("the flank's arc ends {} modules below the datum line; with this root "
                     "fillet radius the dedendum must be less than {{}}",
-                    spoken(rack.center_b)));
+                    format_number(rack.center_b)));
   }
   if (is_F(rack) && !(s < 1.0)) {
     return refused("rack.dedendum", rack.dedendum, {rack.center_b - rack.arc_radius},
@@ -126,7 +126,7 @@ Result<RackOfArcs> arcs_of(const ArcRack& rack) {
         "rack.dedendum", rack.dedendum,
         fmt::format("the flank would end before it begins: its arc reaches {} modules above "
                     "the datum line and starts at {}",
-                    spoken(top), spoken(point_at(flank, flank.begin).x())));
+                    format_number(top), format_number(point_at(flank, flank.begin).x())));
   }
   if (!(rack.addendum <= top)) {
     return refused(

@@ -64,7 +64,7 @@ Result<DoubleArcRack> gbt12759_rack(double m) {
       fmt::format("for a normal module of {} mm the standard's numbers are not known here (known: "
                   "1.5 to 3, over 3 to 6, over 10 to 16, over 32 to 50 mm); give the numbers "
                   "themselves, of a rack of the kind double_circular_arc",
-                  spoken(m))};
+                  format_number(m))};
 }
 
 Result<DoubleArcDerived> derived(const DoubleArcRack& r) {

@@ -31,13 +31,13 @@ std::optional<Error> check_arc(const RackArc& arc, std::size_t i) {
     if (!(tau.rad() > 0.0 && tau.rad() <= kHalfPi * (1 + kAbove90)))
       return bad_arc(i,
                      fmt::format("normal angles must be greater than 0° and at most 90°, not {}°",
-                                 spoken(tau.deg(), 90.0)));
+                                 format_number(tau.deg(), 90.0)));
   }
   if (arc.radius != 0.0 && (arc.radius > 0.0) != (arc.end.rad() > arc.begin.rad())) {
     return bad_arc(i, fmt::format("from {}° to {}° it falls towards the gear's axis; an edge rises "
                                   "from the cutter's tip on, a radius > 0 with growing angle",
-                                  spoken(arc.begin.deg(), arc.end.deg()),
-                                  spoken(arc.end.deg(), arc.begin.deg())));
+                                  format_number(arc.begin.deg(), arc.end.deg()),
+                                  format_number(arc.end.deg(), arc.begin.deg())));
   }
   if (arc.radius == 0.0 && !(arc.end.rad() < arc.begin.rad()))
     return bad_arc(i, "a corner (radius 0) turns from the greater normal angle to the smaller one");
@@ -53,10 +53,10 @@ Result<std::vector<RackArc>> joined(const RackOfArcs& rack) {
     const Vec2 begin = point_at(arc, arc.begin);
     if (chain.empty()) {
       if (std::abs(begin.x() + rack.dedendum) > kSameRackPoint) {
-        return bad_arc(
-            i, fmt::format("begins {} modules below the datum line; the cutter's tip "
-                           "lies at the dedendum, {}",
-                           spoken(-begin.x(), rack.dedendum), spoken(rack.dedendum, -begin.x())));
+        return bad_arc(i, fmt::format("begins {} modules below the datum line; the cutter's tip "
+                                      "lies at the dedendum, {}",
+                                      format_number(-begin.x(), rack.dedendum),
+                                      format_number(rack.dedendum, -begin.x())));
       }
       arc.center_height -= begin.x() + rack.dedendum;
       if (arc.begin.rad() < kHalfPi - kSameNormal)
@@ -69,7 +69,8 @@ Result<std::vector<RackArc>> joined(const RackOfArcs& rack) {
     const Vec2 gap = end - begin;
     if (!(gap.norm() <= kSameRackPoint)) {
       return bad_arc(i, fmt::format("begins at ({}, {}), {} modules from where the arc before ends",
-                                    spoken(begin.x()), spoken(begin.y()), spoken(gap.norm())));
+                                    format_number(begin.x()), format_number(begin.y()),
+                                    format_number(gap.norm())));
     }
     arc.center_height += gap.x();
     arc.center_offset += gap.y();
@@ -120,7 +121,7 @@ Result<CutterEdge> make_edge(const RackOfArcs& rack, double m, double thickness_
   if (!(std::abs(rack.dedendum) <= kMaxModules && rack.dedendum > -rack.addendum)) {
     return refused("rack.dedendum", rack.dedendum,
                    fmt::format("must be greater than -{}, less the addendum, and at most {}",
-                               spoken(rack.addendum), kMaxModules));
+                               format_number(rack.addendum), kMaxModules));
   }
   if (rack.arcs.empty())
     return Error{"rack.arcs", "", "is empty; an edge has one arc at least, a flank"};
@@ -141,7 +142,7 @@ Result<CutterEdge> make_edge(const RackOfArcs& rack, double m, double thickness_
   if (first.y() * m + thinner > kHalfPi * m * (1 + kOverlap)) {
     return refused("rack.dedendum", rack.dedendum,
                    fmt::format("the two sides of the cutter's tip overlap by {} modules there",
-                               spoken(2 * (first.y() + thinner / m - kHalfPi))));
+                               format_number(2 * (first.y() + thinner / m - kHalfPi))));
   }
   std::optional<double> flank_begin;
   for (std::size_t i = 0; i < chain.size(); ++i) {
@@ -149,10 +150,11 @@ Result<CutterEdge> make_edge(const RackOfArcs& rack, double m, double thickness_
     const Vec2 begin = point_at(arc, arc.begin);
     const Vec2 end = point_at(arc, arc.end);
     if (end.y() * m + thinner < -kSameRackPoint * m) {
-      return refused("rack.addendum", rack.addendum,
-                     fmt::format("the two sides of the cutter's space overlap by {} modules at the "
-                                 "height {}",
-                                 spoken(-2 * (end.y() + thinner / m)), spoken(end.x())));
+      return refused(
+          "rack.addendum", rack.addendum,
+          fmt::format("the two sides of the cutter's space overlap by {} modules at the "
+                      "height {}",
+                      format_number(-2 * (end.y() + thinner / m)), format_number(end.x())));
     }
     if (arc.cuts == ArcName::flank && arc.radius != 0.0) {
       if (!flank_begin) flank_begin = begin.x() * m;

@@ -123,7 +123,7 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
         "rack.dedendum", rack.dedendum, {deepest},
         fmt::format("the cutter's tooth is pointed before it gets that deep; the greatest at "
                     "α_n = {}° is {{}}",
-                    spoken(normal_pressure_angle.deg())));
+                    format_number(normal_pressure_angle.deg())));
   }
   StraightRackEdge result;
   double rho = rack.root_fillet_radius;
@@ -174,7 +174,7 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
           "rack.protuberance", rack.protuberance,
           fmt::format("at `protuberance_angle` = {} the proud line ends {} modules above the "
                       "datum line, where no flank is left; a smaller protuberance or angle helps",
-                      spoken(rack.protuberance_angle.deg()), spoken(x_end / m)));
+                      format_number(rack.protuberance_angle.deg()), format_number(x_end / m)));
     }
     edge.arcs.push_back(
         line(ArcName::root_fillet, {Angle::radians(a), y_datum, x_begin, x_end}, true));

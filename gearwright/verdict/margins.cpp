@@ -26,7 +26,7 @@ constexpr Margin kTip{
     "tip_margin", "The clearance of the tip of gear {} to the root of its mating gear", kMarginTip};
 
 // "0.1500 mm", below a micrometre "0.021 µm", which would be 0.0000 mm.
-std::string said(double mm) {
+std::string millimetres(double mm) {
   return mm < kMmPerUm ? fmt::format("{:.2g} µm", kUmPerMm * mm) : fmt::format("{:.4f} mm", mm);
 }
 
@@ -39,8 +39,8 @@ void judge(std::vector<Finding>& findings, const Margin& margin, int gear,
                       Level::amber,
                       gear,
                       fmt::format("{} is {}, less than {:g} modules ({}).",
-                                  fmt::format(fmt::runtime(margin.what), gear), said(*clearance),
-                                  margin.modules, said(threshold)),
+                                  fmt::format(fmt::runtime(margin.what), gear),
+                                  millimetres(*clearance), margin.modules, millimetres(threshold)),
                       "",
                       {{"clearance", *clearance, true}, {"threshold", threshold, true}}});
 }

@@ -266,7 +266,7 @@ std::string remedy_words(const Cure& cure, const SpecChange& change, const Findi
         p->reference_center_distance);
   }
   return fmt::format("{}With {}, {}.", because,
-                     fmt::format(fmt::runtime(subject(change)), spoken(change.value)), then);
+                     fmt::format(fmt::runtime(subject(change)), format_number(change.value)), then);
 }
 
 }  // namespace gearwright::detail

@@ -189,8 +189,9 @@ std::vector<FindingValue> value_of(const Warning& w, const Judged& judged) {
     if (amount && found.code == w.code && found.gear == w.gear)
       return {{"clearance", *amount, true}};
   }
-  for (const Strike& strike : p.beyond_flank) {
-    if (w.code == "beyond_flank" && strike.gear == w.gear) return {{"early", -strike.depth, true}};
+  for (const Collision& collision : p.beyond_flank) {
+    if (w.code == "beyond_flank" && collision.gear == w.gear)
+      return {{"early", -collision.depth, true}};
   }
   return {};
 }

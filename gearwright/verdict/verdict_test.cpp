@@ -139,11 +139,11 @@ TEST(Verdict, small_clearances_are_said_with_their_thresholds) {
 TEST(Verdict, says_small_clearances_in_micrometres) {
   InvolutePair pair = helical_pair();
   pair.fillet_clearance[0] = 21e-6;
-  bool said = false;
+  bool found = false;
   for (const Finding& f : judged(pair).findings)
-    said = said ||
-           f.message.find("is 0.021 µm, less than 0.0001 modules (0.25 µm)") != std::string::npos;
-  EXPECT_TRUE(said);
+    found = found ||
+            f.message.find("is 0.021 µm, less than 0.0001 modules (0.25 µm)") != std::string::npos;
+  EXPECT_TRUE(found);
 }
 
 TEST(Verdict, edges_and_places_under_errors) {

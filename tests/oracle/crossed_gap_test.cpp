@@ -104,9 +104,9 @@ TEST(CrossedGapOracle, edges_are_free_within_the_free_play_and_strikes_are_tight
         EXPECT_GE(deepest(two, one, false, away), -kCrossedShared);
       }
     }
-    std::vector<Strike> all = *pair->overlap;
+    std::vector<Collision> all = *pair->overlap;
     all.insert(all.end(), pair->beyond_flank.begin(), pair->beyond_flank.end());
-    for (const Strike& s : all) {
+    for (const Collision& s : all) {
       if (!s.touch || s.cause == "negative_backlash") continue;
       ++strikes;
       const double turn_1 = -s.touch->rotation_1;

@@ -263,7 +263,7 @@ INSTANTIATE_TEST_SUITE_P(All, DisplacedFilletOracle,
 
 TEST_P(DisplacedFilletOracle, tips_are_free_of_fillets_where_the_whole_outlines_hold_the_gears) {
   const Sample& sample = GetParam();
-  int free = 0, met = 0, said = 0;
+  int free = 0, met = 0, explained = 0;
   for (std::uint64_t seed = 9000; seed < 13000 && (free < sample.free || met < sample.met);
        ++seed) {
     const auto pair = sample.make(seed);
@@ -288,7 +288,7 @@ TEST_P(DisplacedFilletOracle, tips_are_free_of_fillets_where_the_whole_outlines_
     }
     // Tips without a rounding strike nothing but fillets first.
     if (!has_round_tip(pair->gears[0]) && !has_round_tip(pair->gears[1])) {
-      ++said;
+      ++explained;
       EXPECT_TRUE(touch || by_flanks_alone >= -2 * kFilletShared) << text << " " << by_flanks_alone;
     }
     if (touch) {
@@ -302,7 +302,7 @@ TEST_P(DisplacedFilletOracle, tips_are_free_of_fillets_where_the_whole_outlines_
   }
   EXPECT_EQ(free, sample.free);
   EXPECT_EQ(met, sample.met);
-  EXPECT_GT(said, sample.met);
+  EXPECT_GT(explained, sample.met);
 }
 
 }  // namespace

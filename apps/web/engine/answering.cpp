@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "apps/common/speaking.hpp"
+#include "apps/common/output.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/job/search_answer.hpp"
 #include "gearwright/job/search_job.hpp"
@@ -76,7 +76,7 @@ Result<JobSpec> read(const SpecText& text, SpecUse use) {
 }
 
 std::string refusal(const Error& error, const SpecText* text, const GivenKeys& given) {
-  return json_text(cli::refusal_json(spelled(error, given), text), 2) + "\n";
+  return json_text(apps::refusal_json(spelled(error, given), text), 2) + "\n";
 }
 
 std::string answer(std::string_view verb, const std::string& given) {
@@ -86,8 +86,8 @@ std::string answer(std::string_view verb, const std::string& given) {
     return refusal({"", std::string(verb), "is no verb that answers a spec with JSON"}, nullptr);
   const auto spec = read(text, row ? row->use : SpecUse::geometry);
   if (!spec) return refusal(spec.error(), &text);
-  const auto said = answered(verb, *spec);
-  return said ? *said : refusal(said.error(), &text, spec->given);
+  const auto answer = answered(verb, *spec);
+  return answer ? *answer : refusal(answer.error(), &text, spec->given);
 }
 
 Result<std::string> to_toml(const std::string& json) {

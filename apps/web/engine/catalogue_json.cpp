@@ -105,7 +105,7 @@ Json key_json(const Key& k) {
   return j;
 }
 
-Json said_json(const Said& s) {
+Json said_json(const QuantityInfo& s) {
   return {{"key", s.key},
           {"words", s.words},
           {"symbol", s.symbol},
@@ -126,10 +126,10 @@ Json said_json(const Said& s) {
 }
 
 // A table and those of the records in it, each once.
-void collect(const SaidTable& table, std::vector<const SaidTable*>& all) {
+void collect(const QuantityTable& table, std::vector<const QuantityTable*>& all) {
   if (std::find(all.begin(), all.end(), &table) != all.end()) return;
   all.push_back(&table);
-  for (const Said* s : table.list)
+  for (const QuantityInfo* s : table.list)
     if (s->type == Type::record && s->of) collect(s->of(), all);
 }
 
@@ -144,8 +144,8 @@ std::string catalogue_json() {
                       {"meaning", plain_words(table->meaning)},
                       {"keys", std::move(keys)}});
   }
-  std::vector<const SaidTable*> all;
-  for (const SaidTable* table :
+  std::vector<const QuantityTable*> all;
+  for (const QuantityTable* table :
        {&gear_quantities().table(), &measure_quantities().table(), &as_rack_quantities().table(),
         &outline_quantities().table(), &pair_quantities().table(), &contact_quantities().table(),
         &position_quantities().table(), &compensate_quantities().table(),
@@ -155,9 +155,9 @@ std::string catalogue_json() {
         &verdict_quantities().table()})
     collect(*table, all);
   Json quantities = Json::array();
-  for (const SaidTable* table : all) {
+  for (const QuantityTable* table : all) {
     Json list = Json::array();
-    for (const Said* s : table->list)
+    for (const QuantityInfo* s : table->list)
       if ((s->doors & kJson) != 0) list.push_back(said_json(*s));
     quantities.push_back(
         {{"name", table->name}, {"groups", table->groups}, {"quantities", std::move(list)}});

@@ -67,13 +67,13 @@ Result<Numbers> bore_outline(const ToothedBody& body, const Contour& contour, do
 }
 
 // The diameters that the catalogue knows of a gear, as circles.
-std::vector<Section::Circle> circles_of(const ValueRecord& record, const SaidTable& table) {
+std::vector<Section::Circle> circles_of(const ValueRecord& record, const QuantityTable& table) {
   std::vector<Section::Circle> circles;
-  for (const Said* said : table.list) {
-    if (!said->key.ends_with("_diameter_mm") || !said->list.empty()) continue;
+  for (const QuantityInfo* info : table.list) {
+    if (!info->key.ends_with("_diameter_mm") || !info->list.empty()) continue;
     for (const Member& m : record) {
-      const auto d = m.said == said ? m.value.number() : std::nullopt;
-      if (d) circles.push_back({said->key, said->symbol, said->words, std::abs(*d) / 2});
+      const auto d = m.info == info ? m.value.number() : std::nullopt;
+      if (d) circles.push_back({info->key, info->symbol, info->words, std::abs(*d) / 2});
     }
   }
   return circles;
@@ -128,10 +128,10 @@ Result<Section> Session::section(int gear, double tolerance) const {
   if (job_.pair) {
     const ValueRecord pair = pair_quantities().of(*job_.pair);
     for (const Member& m : pair) {
-      if (!m.said->key.ends_with("_diameter_mm") || m.said->two != Two::gears) continue;
+      if (!m.info->key.ends_with("_diameter_mm") || m.info->two != Two::gears) continue;
       const ValueList* each = m.value.list();
       const auto d = each ? (*each)[static_cast<std::size_t>(gear - 1)].number() : std::nullopt;
-      if (d) section.circles.push_back({m.said->key, m.said->symbol, m.said->words, *d / 2});
+      if (d) section.circles.push_back({m.info->key, m.info->symbol, m.info->words, *d / 2});
     }
   }
   return section;

@@ -17,14 +17,14 @@ namespace gearwright::web {
 
 namespace {
 
-bool is_number(const Said& said) {
-  return said.type == Type::number || said.type == Type::whole || said.type == Type::index;
+bool is_number(const QuantityInfo& info) {
+  return info.type == Type::number || info.type == Type::whole || info.type == Type::index;
 }
 
 // How many numbers a value of this quantity has; 0: no fixed number of them.
-int width_of(const Said& said) {
+int width_of(const QuantityInfo& info) {
   int width = 1;
-  for (const int n : said.list) width *= n;
+  for (const int n : info.list) width *= n;
   return width;
 }
 
@@ -37,38 +37,38 @@ void append_numbers(const Value& value, Numbers& out) {
 }
 
 // The value of a row's member, itself a record's of one key; null where there is none.
-const Value* member(const ValueRecord& row, const Said* said) {
+const Value* member(const ValueRecord& row, const QuantityInfo* info) {
   for (const Member& m : row)
-    if (m.said == said) return &m.value;
+    if (m.info == info) return &m.value;
   return nullptr;
 }
 
 // One column for each quantity of the table that has a fixed width; records open into their own.
-void add_columns(const SaidTable& table, const std::vector<const ValueRecord*>& rows,
+void add_columns(const QuantityTable& table, const std::vector<const ValueRecord*>& rows,
                  const std::string& before, ContactCurve& curve) {
-  for (const Said* said : table.list) {
-    const std::string key = before + said->key;
-    const int width = width_of(*said);
-    if (said->type == Type::record && said->list.empty()) {
+  for (const QuantityInfo* info : table.list) {
+    const std::string key = before + info->key;
+    const int width = width_of(*info);
+    if (info->type == Type::record && info->list.empty()) {
       std::vector<const ValueRecord*> inner;
       for (const ValueRecord* row : rows) {
-        const Value* v = row ? member(*row, said) : nullptr;
+        const Value* v = row ? member(*row, info) : nullptr;
         inner.push_back(v ? v->record() : nullptr);
       }
-      add_columns(said->of(), inner, key + ".", curve);
-    } else if (said->type == Type::word) {
+      add_columns(info->of(), inner, key + ".", curve);
+    } else if (info->type == Type::word) {
       std::vector<std::string> words;
       for (const ValueRecord* row : rows) {
-        const Value* v = row ? member(*row, said) : nullptr;
+        const Value* v = row ? member(*row, info) : nullptr;
         const auto* word = v ? std::get_if<std::string>(&v->variant()) : nullptr;
         words.push_back(word ? *word : std::string());
       }
       curve.columns[key] = {1, std::move(words)};
-    } else if (is_number(*said) && width > 0) {
+    } else if (is_number(*info) && width > 0) {
       Numbers numbers;
       for (const ValueRecord* row : rows) {
         const std::size_t until = numbers.size() + static_cast<std::size_t>(width);
-        const Value* v = row ? member(*row, said) : nullptr;
+        const Value* v = row ? member(*row, info) : nullptr;
         if (v) append_numbers(*v, numbers);
         numbers.resize(until, kNaN);
       }
@@ -149,9 +149,9 @@ Result<ContactPoint> Session::touch(double rotation1_deg) {
 Result<std::string> Session::contact_point(double rotation1_deg) {
   const auto p = touch(rotation1_deg);
   if (!p) return p.error();
-  Json said = to_json(position_quantities().of(*p));
-  if (p->kind == TouchKind::none) said["kind"] = "none";
-  return json_text(said);
+  Json json = to_json(position_quantities().of(*p));
+  if (p->kind == TouchKind::none) json["kind"] = "none";
+  return json_text(json);
 }
 
 Result<FlankRaster> Session::gap_map(double rotation1_deg, int k, const RasterSize& size) {

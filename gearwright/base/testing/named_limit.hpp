@@ -21,13 +21,13 @@ inline double number_after(const std::string& text, const std::string& words) {
 /// beyond, the sentence has the digits for that. The limit itself, to 1e-12.
 inline double named_limit(const std::function<std::string(double)>& refusal, double beyond,
                           const std::string& words) {
-  const double said = number_after(refusal(beyond), words);
-  const double out = beyond > said ? 1.0 : -1.0;
-  const double scale = std::abs(said);
-  double allowed = said - out * 1e-9 * scale;  // the end itself may be excluded
+  const double limit = number_after(refusal(beyond), words);
+  const double out = beyond > limit ? 1.0 : -1.0;
+  const double scale = std::abs(limit);
+  double allowed = limit - out * 1e-9 * scale;  // the end itself may be excluded
   EXPECT_EQ(refusal(allowed), "");
-  double refused = said + out * 2e-5 * scale;
-  EXPECT_NE(refusal(refused), "") << said << " is not all of it";
+  double refused = limit + out * 2e-5 * scale;
+  EXPECT_NE(refusal(refused), "") << limit << " is not all of it";
   while (std::abs(refused - allowed) > 1e-12 * scale) {
     const double middle = (allowed + refused) / 2;
     (refusal(middle).empty() ? allowed : refused) = middle;

@@ -51,29 +51,29 @@ const char* word_of(KeyKind kind) {
 }
 
 // Adds a table and those of the records in it.
-void add(std::vector<const SaidTable*>& all, const SaidTable& table) {
-  const auto same = [&](const SaidTable* other) { return other->name == table.name; };
+void add(std::vector<const QuantityTable*>& all, const QuantityTable& table) {
+  const auto same = [&](const QuantityTable* other) { return other->name == table.name; };
   if (std::any_of(all.begin(), all.end(), same)) return;
   all.push_back(&table);
-  for (const Said* said : table.list)
-    if (said->of) add(all, said->of());
+  for (const QuantityInfo* info : table.list)
+    if (info->of) add(all, info->of());
 }
 
-py::list said_list(const SaidTable& table) {
+py::list said_list(const QuantityTable& table) {
   py::list list;
-  for (const Said* said : table.list) {
+  for (const QuantityInfo* info : table.list) {
     py::dict one;
-    one["name"] = name_of(*said);
-    one["key"] = said->key;
-    one["symbol"] = said->symbol;
-    one["unit"] = unit_text(said->unit);
-    one["words"] = said->words;
-    one["meaning"] = said->meaning;
-    one["type"] = word_of(said->type);
-    one["list"] = said->list;
-    one["always"] = said->always && !said->optional_key;
-    one["of"] = said->of ? said->of().name : "";
-    one["doc"] = docstring(*said);
+    one["name"] = name_of(*info);
+    one["key"] = info->key;
+    one["symbol"] = info->symbol;
+    one["unit"] = unit_text(info->unit);
+    one["words"] = info->words;
+    one["meaning"] = info->meaning;
+    one["type"] = word_of(info->type);
+    one["list"] = info->list;
+    one["always"] = info->always && !info->optional_key;
+    one["of"] = info->of ? info->of().name : "";
+    one["doc"] = docstring(*info);
     list.append(one);
   }
   return list;
@@ -96,9 +96,9 @@ py::list keys_of(const KeyTable& table) {
 
 }  // namespace
 
-std::vector<const SaidTable*> all_tables() {
-  std::vector<const SaidTable*> all;
-  for (const SaidTable* table :
+std::vector<const QuantityTable*> all_tables() {
+  std::vector<const QuantityTable*> all;
+  for (const QuantityTable* table :
        {&gear_quantities().table(), &pair_quantities().table(), &contact_quantities().table(),
         &compensate_quantities().table(), &fit_quantities().table(), &search_quantities().table(),
         &design_quantities().table(), &rating_quantities().table(), &load_quantities().table(),
@@ -110,7 +110,7 @@ std::vector<const SaidTable*> all_tables() {
 void bind_said(py::module_& m) {
   m.def("_catalogue", [] {
     py::dict all;
-    for (const SaidTable* table : all_tables()) all[py::str(table->name)] = said_list(*table);
+    for (const QuantityTable* table : all_tables()) all[py::str(table->name)] = said_list(*table);
     return all;
   });
   m.def("_keys", [] {

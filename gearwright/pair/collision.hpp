@@ -13,7 +13,7 @@
 namespace gearwright {
 
 /// Two parts of the pair's outlines that strike each other.
-struct Strike {
+struct Collision {
   std::string cause;  ///< negative_backlash, root, tip_to_fillet, tip_corner, trochoid, tip_bulge,
                       ///< outline (no name); of beyond_flank also form_circle, base_tangent
   int gear;           ///< whose root, or whose tip that stands out; 0: both alike

@@ -1,4 +1,4 @@
-#include "apps/common/speaking.hpp"
+#include "apps/common/output.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "gearwright/base/printable.hpp"
 #include "gearwright/job/result_json.hpp"
 
-namespace gearwright::cli {
+namespace gearwright::apps {
 
 void print(const std::string& text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
@@ -27,14 +27,14 @@ std::optional<TextPlace> place_of(const Error& error, const SpecText& text) {
 }
 
 Json refusal_json(const Error& error, const SpecText* text) {
-  Json said = error_json(error);
-  if (!text || error.field.starts_with("--")) return said;
-  if (!text->name.empty()) said["error"]["file"] = text->name;
+  Json json = error_json(error);
+  if (!text || error.field.starts_with("--")) return json;
+  if (!text->name.empty()) json["error"]["file"] = text->name;
   if (const auto place = place_of(error, *text)) {
-    said["error"]["line"] = place->line;
-    said["error"]["column"] = place->column;
+    json["error"]["line"] = place->line;
+    json["error"]["column"] = place->column;
   }
-  return said;
+  return json;
 }
 
 int fail(const Error& error, bool json, const SpecText* text) {
@@ -65,4 +65,4 @@ int guarded(const std::function<int()>& work, bool json) {
   }
 }
 
-}  // namespace gearwright::cli
+}  // namespace gearwright::apps

@@ -1,4 +1,4 @@
-#include "apps/common/speaking.hpp"
+#include "apps/common/output.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "gearwright/base/output_file.hpp"
 
-namespace gearwright::cli {
+namespace gearwright::apps {
 namespace {
 
 TEST(Guarded, hands_on_the_status_of_the_work) {
@@ -26,11 +26,11 @@ TEST(Guarded, a_violation_is_said_and_has_a_status_of_its_own) {
   EXPECT_EQ(guarded(work, true), kViolated);
   const std::string sentence = testing::internal::GetCapturedStderr();
   const Json answer = Json::parse(testing::internal::GetCapturedStdout());
-  EXPECT_NE(sentence.find("1 > 2 (apps/common/speaking_test.cpp:"), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("1 > 2 (apps/common/output_test.cpp:"), std::string::npos) << sentence;
   EXPECT_NE(sentence.find("please report it, together with the spec"), std::string::npos);
   EXPECT_EQ("gearwright: " + answer["error"]["message"].get<std::string>() + "\n", sentence);
 }
 #endif
 
 }  // namespace
-}  // namespace gearwright::cli
+}  // namespace gearwright::apps

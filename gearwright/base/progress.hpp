@@ -1,6 +1,6 @@
 // How far a long work is: counted by whoever does it, read by whoever waits, from any thread.
 //
-// Work that can be watched takes a `Headway*`; null means that nobody waits. Counting changes no
+// Work that can be watched takes a `Progress*`; null means that nobody waits. Counting changes no
 // result and needs no lock. Who waits may stop the work: its next step throws `WorkStopped`, which
 // passes through everything that works and reaches who called it.
 #pragma once
@@ -10,10 +10,10 @@
 
 namespace gearwright {
 
-/// Out of a step after `Headway::stop`. No fault of the work and no answer to it.
+/// Out of a step after `Progress::stop`. No fault of the work and no answer to it.
 struct WorkStopped {};
 
-class Headway {
+class Progress {
  public:
   struct State {
     const char* stage;  ///< "map of two errors"; null: nothing has begun
@@ -45,11 +45,11 @@ class Headway {
   std::atomic<bool> writing_{false}, stopped_{false};
 };
 
-inline void begin_stage(Headway* headway, const char* stage, std::int64_t steps) {
-  if (headway) headway->begin(stage, steps);
+inline void begin_stage(Progress* progress, const char* stage, std::int64_t steps) {
+  if (progress) progress->begin(stage, steps);
 }
-inline void count_step(Headway* headway) {
-  if (headway) headway->step();
+inline void count_step(Progress* progress) {
+  if (progress) progress->step();
 }
 
 }  // namespace gearwright

@@ -9,7 +9,7 @@
 #include "gearwright/spec/json.hpp"
 #include "gearwright/spec/spec_text.hpp"
 
-namespace gearwright::cli {
+namespace gearwright::apps {
 
 /// All of stdout in one piece, so that a full disk behind it is seen.   Throws  IoError
 void print(const std::string& text);
@@ -31,4 +31,4 @@ inline constexpr int kViolated = 5;
 /// The status of the work; kViolated where it breaks a contract, which is said, as JSON too if asked.
 int guarded(const std::function<int()>& work, bool json);
 
-}  // namespace gearwright::cli
+}  // namespace gearwright::apps

@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+"""Hashes all that the program answers, to compare two builds before and after a change of its house.
+
+    tools/freeze_answers.py build/release/gearwright before.txt [SPECS]
+    … change the code, build …
+    tools/freeze_answers.py build/release/gearwright after.txt [SPECS]
+    diff before.txt after.txt
+
+One line for each output: its sha256, the exit status, its name. The outputs are those of every verb, as text, JSON and
+CSV, on every example and every spec of the fuzz corpus, all files of `run` on the examples, and all help texts. SPECS is
+a list that tests/cli writes when GW_SPECS names it: every spec that a test runs, with its verb.
+"""
+import concurrent.futures
+import hashlib
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+SOURCE = pathlib.Path(__file__).resolve().parent.parent
+VERBS = "gear pair contact compensate load rate measure identify fit".split()
+FORMATS = {"text": [], "json": ["--json"], "csv": ["--csv"]}
+SLOW = {("compensate", "loaded_pair")}  # minutes
+
+
+def outcome(binary, arguments, folder):
+    """(status, stdout and stderr) of one run, without the folder it ran in."""
+    p = subprocess.run([binary, *arguments], capture_output=True, cwd=folder, timeout=600)
+    text = (p.stdout + b"\0" + p.stderr).replace(str(folder).encode(), b"FOLDER")
+    return p.returncode, re.sub(rb"\d+(\.\d+)? m?s\b", b"TIME", text)
+
+
+def line(name, status, data):
+    return f"{hashlib.sha256(data).hexdigest()} {status} {name}"
+
+
+def answers(binary, name, text, verb, formats):
+    """The outputs of one verb on one spec."""
+    with tempfile.TemporaryDirectory() as folder:
+        spec = pathlib.Path(folder, "case.toml")
+        spec.write_bytes(text)
+        return [line(f"{name} {verb} {form}", *outcome(binary, [verb, str(spec), *FORMATS[form]], folder))
+                for form in formats]
+
+
+def files(binary, example):
+    """The files of `run` on one example, and its drawings of a gear."""
+    with tempfile.TemporaryDirectory() as folder:
+        lines = []
+        status, text = outcome(binary, ["run", str(example), "--out", "out"], folder)
+        lines.append(line(f"{example.stem} run", status, text))
+        for file in sorted(pathlib.Path(folder, "out").rglob("*")):
+            if file.is_file():
+                data = re.sub(rb"\d{4}-\d\d-\d\dT[\d:]+", b"DATE", file.read_bytes())
+                lines.append(line(f"{example.stem} run {file.name}", 0, data))
+        status, text = outcome(binary, ["outline", str(example), "--gear", "1", "--points", "9"], folder)
+        return [*lines, line(f"{example.stem} outline", status, text)]
+
+
+def help_texts(binary):
+    verbs = [*VERBS, "run", "outline", "export", "search", "verify", "schema", "batch"]
+    asked = [["--help"], ["schema"], ["schema", "result"], *([v, "--help"] for v in verbs)]
+    with tempfile.TemporaryDirectory() as folder:
+        return [line(" ".join(a), *outcome(binary, a, folder)) for a in asked]
+
+
+def main():
+    binary, out = os.path.abspath(sys.argv[1]), sys.argv[2]
+    jobs = [(help_texts, binary)]
+    for example in sorted((SOURCE / "examples").glob("*.toml")):
+        jobs.append((files, binary, example))
+        for verb in VERBS:
+            if (verb, example.stem) not in SLOW:
+                jobs.append((answers, binary, example.stem, example.read_bytes(), verb, list(FORMATS)))
+    for spec in sorted((SOURCE / "tests/fuzz/corpus/spec").glob("*.toml")):
+        for verb in VERBS:
+            jobs.append((answers, binary, "fuzz/" + spec.stem, spec.read_bytes(), verb, ["json"]))
+    if len(sys.argv) > 3:
+        kept = {(k["verb"], k["text"]) for k in map(json.loads, open(sys.argv[3]))}
+        for verb, text in sorted(kept):
+            name = hashlib.sha256(text.encode()).hexdigest()[:12]
+            if verb in VERBS:
+                jobs.append((answers, binary, "test/" + name, text.encode(), verb, ["text", "json"]))
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        done = [pool.submit(*job) for job in jobs]
+        lines = [one for each in done for one in each.result()]
+    pathlib.Path(out).write_text("\n".join(lines) + "\n")
+    print(f"{len(lines)} outputs")
+
+
+main()
