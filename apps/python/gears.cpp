@@ -6,13 +6,13 @@
 
 #include "apps/python/model.hpp"
 #include "apps/python/pickles.hpp"
+#include "gearwright/arrange/notes.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/pair_keys.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
 #include "gearwright/catalogue/verdict_quantities.hpp"
-#include "gearwright/job/default_notes.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/result_json.hpp"
 

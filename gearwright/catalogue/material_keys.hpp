@@ -1,37 +1,11 @@
 // The keys of [gearN.material]: what the teeth are made of, for loads and ratings.
 #pragma once
 
-#include <optional>
-#include <string>
-
-#include "gearwright/base/result.hpp"
+#include "gearwright/arrange/given_material.hpp"
 #include "gearwright/catalogue/key.hpp"
-#include "gearwright/rating/factor.hpp"
-#include "gearwright/rating/material.hpp"
 
 namespace gearwright {
 
-/// As given. A name of the shipped table brings the rest; whatever stands beside it counts instead.
-struct MaterialInput {
-  std::optional<std::string> name;
-  std::optional<MaterialKind> kind;
-  std::optional<double> youngs_modulus;    ///< E        N/mm²
-  std::optional<double> poisson_ratio;     ///< ν
-  std::optional<double> density;           ///< ρ        kg/m³
-  std::optional<double> sigma_Hlim;        ///< σ_Hlim   N/mm²
-  std::optional<double> sigma_Flim;        ///< σ_Flim   N/mm²
-  std::optional<double> surface_hardness;  ///< HV
-  std::optional<double> yield_strength;    ///< R_e      N/mm²
-  ByTemperature sigma_Hlim_by, sigma_Flim_by, youngs_modulus_by;
-};
-
 const KeyTable& material_keys();
-
-/// The material of [`table`], "gear1.material": the named row of the shipped table first, then
-/// whatever stands beside the name.
-///
-/// Errors    a member of `table` where a strength is not known, or the standard has no such material
-Result<Material> material_of(const MaterialInput& given, const std::string& table,
-                             RatingEdition edition);
 
 }  // namespace gearwright

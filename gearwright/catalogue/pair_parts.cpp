@@ -168,8 +168,8 @@ const Quantities<InvolutePair>& path_quantities() {
   return kAll;
 }
 
-const Quantities<BacklashView>& backlash_quantities() {
-  using B = BacklashView;
+const Quantities<PairBacklash>& backlash_quantities() {
+  using B = PairBacklash;
   static const Quantities<B> kAll("pair.backlash", [](Quantities<B>& q) {
     q.mm("", "normal_base_mm", "normal backlash along the line of action", "j_bn",
          "along the common normal", [](const B& b) { return Value(b.normal_base); })
@@ -202,36 +202,6 @@ const Quantities<BacklashView>& backlash_quantities() {
         });
   });
   return kAll;
-}
-
-namespace {
-
-std::optional<std::array<Angle, 2>> free_play_of(const Pair& v) {
-  const auto& play = v.mounted().free_play;
-  if (!play) return std::nullopt;
-  return std::array{std::abs(v.gear_ratio()) * *play, *play};
-}
-
-}  // namespace
-
-std::optional<BacklashView> backlash_of(const Pair& v) {
-  if (v.involute()) {
-    const Backlash<double>& b = v.involute()->mesh.backlash;
-    return BacklashView{b.normal_base,
-                        b.normal,
-                        b.circumferential,
-                        {Angle::radians(b.rotation[0]), Angle::radians(b.rotation[1])},
-                        free_play_of(v)};
-  }
-  const ArcPair& p = *v.arcs();
-  if (!p.backlash_rotation) return std::nullopt;
-  const auto& j = *p.backlash_rotation;
-  const auto d_w = p.working_pitch_diameter();
-  return BacklashView{p.backlash_normal,
-                      p.backlash_normal / std::cos(p.first_contact().at.theta.rad()),
-                      {j[0].rad() * d_w[0] / 2, j[1].rad() * d_w[1] / 2},
-                      j,
-                      free_play_of(v)};
 }
 
 const Quantities<InvolutePair>& needed_face_quantities() {

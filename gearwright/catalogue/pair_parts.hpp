@@ -5,6 +5,7 @@
 #include <array>
 
 #include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/pair/pair_backlash.hpp"
 
 namespace gearwright {
 
@@ -32,15 +33,7 @@ std::optional<LineView> line_of(const Pair& pair);
 /// The points A to E of an involute pair's path.
 const Quantities<InvolutePair>& path_quantities();
 
-/// Backlash of any pair.
-struct BacklashView {
-  double normal_base, normal;
-  std::array<double, 2> circumferential;  ///< mm
-  std::array<Angle, 2> rotation;
-  std::optional<std::array<Angle, 2>> free;  ///< in which nothing strikes
-};
-const Quantities<BacklashView>& backlash_quantities();
-std::optional<BacklashView> backlash_of(const Pair& pair);
+const Quantities<PairBacklash>& backlash_quantities();
 
 const Quantities<InvolutePair>& needed_face_quantities();
 const Quantities<InvolutePair>& sliding_velocity_quantities();

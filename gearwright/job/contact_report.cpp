@@ -56,8 +56,8 @@ std::string words_of(const FlankModifications& m) {
 std::vector<std::string> modifications_of(const SolvedJob& job) {
   std::vector<std::string> list;
   for (std::size_t i = 0; i < 2; ++i) {
-    if (!job.spec.gears[i]) continue;
-    const auto& flanks = job.spec.gears[i]->modifications;
+    if (!job.completed.gears[i]) continue;
+    const auto& flanks = job.completed.gears[i]->modifications;
     const std::string right = words_of(flanks[0]);
     const std::string left = words_of(flanks[1]);
     if (right == left) {

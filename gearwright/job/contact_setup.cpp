@@ -152,7 +152,7 @@ Result<ContactSetup> ContactSetup::of(const SolvedJob& job) {
     }
     if (auto error = check_cutter_lead(gear, i + 1, setup.place_.errors.cutter_lead[i]))
       return *error;
-    const GearInput& input = *job.spec.gears[i];
+    const GearInput& input = *job.completed.gears[i];
     setup.modifications_[i] = input.modifications;
     if (!any_modification(input)) continue;
     for (int side = 0; side < 2; ++side) {
@@ -167,7 +167,7 @@ Result<ContactSetup> ContactSetup::of(const SolvedJob& job) {
           {fmt::format("{}_per_{}", e.name(), e.unit()), e.si(), {*e.kind}});
   }
   for (int i = 0; i < 2; ++i) {
-    const GearInput& input = *job.spec.gears[i];
+    const GearInput& input = *job.completed.gears[i];
     if (!any_modification(input)) continue;
     for (const ModificationEntry& m : modification_entries()) {
       if (!m.placed(input.modifications[0]) && !m.placed(input.modifications[1])) continue;

@@ -194,7 +194,7 @@ Group mate(const SolvedJob& job, int which) {
 
 std::vector<DataGroup> drawing_data(const SolvedJob& job, int which) {
   const auto i = static_cast<std::size_t>(which - 1);
-  const GearInput& input = *job.spec.gears[i];
+  const GearInput& input = *job.completed.gears[i];
   Records gear{gear_quantities().of(job.gears[i]), {}};
   Records measure{measure_records(job)[i], {}};
   if (job.ends) {

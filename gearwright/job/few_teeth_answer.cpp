@@ -8,7 +8,7 @@
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/design/few_teeth_design.hpp"
 #include "gearwright/gear/gear_field.hpp"
-#include "gearwright/job/cut_gears.hpp"
+#include "gearwright/arrange/cut_gears.hpp"
 
 namespace gearwright {
 

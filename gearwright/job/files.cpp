@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "gearwright/arrange/body.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/base/version.hpp"
@@ -157,12 +158,8 @@ Error of_body(Error error, const std::string& name) {
   return {name, "", error.rule};
 }
 
-Bore rim(const Gear& ring, const std::optional<Bore>& given) {
-  return given.value_or(Bore{ring.root_diameter + 5 * ring.spec.normal_module});
-}
-
 Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place) {
-  const Gear& gear = job.gears[static_cast<std::size_t>(which - 1)];
+  const Gear& gear = job.gear(which);
   const std::string name = gear_name(which);
   if (!gear.tooth) {
     return Error{name + ".cut_by", "",
@@ -180,7 +177,7 @@ Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place) {
                    gear.tooth->outline,
                    gear.twist(),
                    gear.spec.face_width,
-                   gear.internal() ? rim(gear, job.bore(which)) : job.bore(which),
+                   gear.internal() ? rim(gear) : gear.bore,
                    Eigen::Isometry3d::Identity()};
   if (in_place && job.pair) {
     body.pose = which == 1 ? job.pair->pose_1().isometry() : job.pair->pose_2().isometry();

@@ -54,9 +54,6 @@ enum class FileKind { step, stl, glb, threemf, dxf, svg };
 /// The kind of a file's name ending, ".step" and so on.
 std::string_view ending(FileKind kind);
 
-/// The rim of an internal gear: as given, or one of 2.5 modules around its roots.
-Bore rim(const Gear& ring, const std::optional<Bore>& given);
-
 /// One gear as a body, in its own frame or in the housing.
 ///
 /// Errors    the gear's reason when it has no outline: an internal gear, a severed tooth, a root

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/arrange/arc_checks.hpp"
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/job/few_teeth_answer.hpp"
-#include "gearwright/job/solve_arcs.hpp"
 #include "gearwright/job/solved_job.hpp"
 #include "gearwright/job/value_json.hpp"
 

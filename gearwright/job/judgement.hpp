@@ -1,8 +1,7 @@
 // The verdict over a job: its gears, its pair, and what else was computed of it.
 //
-// Every limit is judged as drawn and at every combination of the ends of the tolerances. A finding
-// that is worse there than as drawn names the combination. Contact and load are those of the job
-// itself, at the mean of its tolerances.
+// As judge() of its gears (arrange/judge.hpp), with the keys as the file has them. Load is that of the
+// job itself, at the mean of its tolerances.
 #pragma once
 
 #include <string>

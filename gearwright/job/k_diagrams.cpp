@@ -53,7 +53,7 @@ std::vector<KDiagram> k_diagrams(const SolvedJob& job) {
   std::vector<KDiagram> list;
   for (std::size_t i = 0; i < job.gears.size(); ++i) {
     const Gear& gear = job.gears[i];
-    const GearInput& input = *job.spec.gears[i];
+    const GearInput& input = *job.completed.gears[i];
     const auto ranges = evaluation_ranges(gear);
     if (!ranges) continue;
     const auto tolerances = tolerances_of(gear, input.tolerance);

@@ -84,7 +84,7 @@ std::string pair_listing(const SolvedJob& job) {
 std::string interval_listing(const SolvedJob& job, std::size_t gear, const QuantityTable& table,
                              const ValueRecord& lower, const ValueRecord& upper) {
   const std::string subject = gear_columns(job.gears.size())[gear];
-  const auto allowance = [&](const SolvedJob& end) {
+  const auto allowance = [&](const Arranged& end) {
     return fixed_text(end.gears[gear].spec.thickness_allowance, 4);
   };
   return fmt::format("\nBetween the thickness allowances {} and {} mm of {}\n",

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/arrange/body.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/gear/gear_field.hpp"
-#include "gearwright/job/files.hpp"
 #include "gearwright/job/stiffness_reasons.hpp"
 #include "gearwright/rating/elasticity.hpp"
 #include "gearwright/rating/material.hpp"
@@ -23,8 +23,8 @@ constexpr double kFullLineLoad = 100;  // N/mm: below it the standard softens th
 constexpr double kHertzRatio = 0.1;    // half width over radius: beyond it Hertz errs by a percent
 
 Result<ElasticBody> body_of(SolvedJob& job, int which) {
-  const GearInput& input = *job.spec.gears[which - 1];
-  const Gear& gear = job.gears[which - 1];
+  const GearInput& input = job.spec.gear(which);
+  const Gear& gear = job.gear(which);
   ElasticBody body;
   const MaterialInput& given = input.material;
   const Material row = given.name ? material_named(*given.name).value_or(Material()) : Material();
@@ -34,10 +34,10 @@ Result<ElasticBody> body_of(SolvedJob& job, int which) {
     return refused(gear_field(which, "material.poisson_ratio"), body.poisson_ratio,
                    {0.0, kMostPoisson}, "must lie between {} and {} for teeth under load");
   }
-  if (const auto bore = job.bore(which)) {
+  if (const auto& bore = gear.bore) {
     body.bore_diameter = bore->diameter;
   } else if (gear.internal()) {
-    body.bore_diameter = rim(gear, bore).diameter;
+    body.bore_diameter = rim(gear).diameter;
     job.warnings.push_back(
         {"held_at_rim_as_drawn",
          fmt::format("Gear {} has no bore, which is its rim: it is held at the outside of the rim "

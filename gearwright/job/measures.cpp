@@ -38,8 +38,8 @@ class Measuring {
       : job_(job),
         pair_(pair),
         which_(which),
-        gear_(job.gears[static_cast<std::size_t>(which - 1)]),
-        input_(job.spec.gears[static_cast<std::size_t>(which - 1)]->measure) {}
+        gear_(job.gear(which)),
+        input_(job.spec.gear(which).measure) {}
 
   Result<MeasureView> all() {
     MeasureView m;
@@ -170,7 +170,7 @@ class Measuring {
   }
 
   Fault tolerances(MeasureView& m) {
-    const ToleranceInput& asked = job_.spec.gears[static_cast<std::size_t>(which_ - 1)]->tolerance;
+    const ToleranceInput& asked = job_.spec.gear(which_).tolerance;
     if (!asked.quality) return std::nullopt;
     if (!has_class(asked.edition, *asked.quality)) {
       const bool in_gear = job_.spec.given.contains(gear_field(which_, "quality"));
@@ -196,15 +196,15 @@ class Measuring {
                       : mounting                  ? std::optional(mounting->bearing_span)
                                                   : std::nullopt;
     if (!span) return;
-    const std::size_t mate = static_cast<std::size_t>(2 - which_);
-    const ToleranceInput& asked = job_.spec.gears[mate]->tolerance;
+    const int mate = 3 - which_;
+    const ToleranceInput& asked = job_.spec.gear(mate).tolerance;
     double coarser = t.helix_total;
     if (asked.quality && has_class(asked.edition, *asked.quality)) {
-      const ToleranceSubject other = tolerance_subject(job_.gears[mate]);
+      const ToleranceSubject other = tolerance_subject(job_.gear(mate));
       coarser =
           std::max(coarser, flank_tolerances(asked.edition, *asked.quality, other).helix_total);
     }
-    const double face = std::min(gear_.spec.face_width, job_.gears[mate].spec.face_width);
+    const double face = std::min(gear_.spec.face_width, job_.gear(mate).spec.face_width);
     set_axis_tolerances(t, coarser, face, *span);
   }
 
@@ -218,8 +218,8 @@ class Measuring {
 // The gears as mounted, where they can be; measuring asks for no pair.
 std::optional<Pair> mounted(const SolvedJob& job) {
   if (job.pair || job.gears.size() < 2) return job.pair;
-  const auto solved = solve(job.spec, Scope::pair);
-  return solved ? solved->pair : std::nullopt;
+  const auto arranged = arrange(job.completed, Scope::pair);
+  return arranged ? arranged->pair : std::nullopt;
 }
 
 }  // namespace
@@ -259,8 +259,9 @@ std::vector<ValueRecord> measure_records(const SolvedJob& job) {
 namespace {
 
 // The gear at one end of its tolerances, under the same tools.
-ValueRecord measured_at(const SolvedJob& end, std::size_t i, const MeasureView& nominal) {
-  SolvedJob job = end;
+ValueRecord measured_at(const Arranged& end, const JobSpec& spec, std::size_t i,
+                        const MeasureView& nominal) {
+  SolvedJob job{end, spec};
   MeasureInput& input = job.spec.gears[i]->measure;
   if (nominal.span) input.span_teeth = nominal.span->teeth;
   if (nominal.balls) input.ball_diameter = nominal.balls->seat.ball_diameter;
@@ -281,8 +282,8 @@ std::vector<std::vector<ValueRecord>> measure_end_records(const SolvedJob& job) 
   SolvedJob copy = job;
   for (std::size_t i = 0; job.ends && i < job.gears.size(); ++i) {
     const auto nominal = Measuring(copy, static_cast<int>(i) + 1, job.pair).all();
-    records.push_back(nominal ? differing(measured_at(job.ends->lower, i, *nominal),
-                                          measured_at(job.ends->upper, i, *nominal))
+    records.push_back(nominal ? differing(measured_at(job.ends->lower, job.spec, i, *nominal),
+                                          measured_at(job.ends->upper, job.spec, i, *nominal))
                               : std::vector<ValueRecord>());
   }
   return records;
@@ -295,8 +296,8 @@ Json measures_json(const SolvedJob& job, const std::vector<MeasureView>& measure
     Json& measure = j["gears"][i]["measure"];
     measure = to_json(measure_quantities().of(measures[i]));
     if (!job.ends) continue;
-    measure["interval"] = interval_json(measured_at(job.ends->lower, i, measures[i]),
-                                        measured_at(job.ends->upper, i, measures[i]));
+    measure["interval"] = interval_json(measured_at(job.ends->lower, job.spec, i, measures[i]),
+                                        measured_at(job.ends->upper, job.spec, i, measures[i]));
   }
   return j;
 }
@@ -307,8 +308,8 @@ std::string measure_listing(const SolvedJob& job, const std::vector<MeasureView>
   const QuantityTable& table = measure_quantities().table();
   std::string text = quantity_listing(table, records, gear_columns(records.size()));
   for (std::size_t i = 0; job.ends && i < measures.size(); ++i)
-    text += interval_listing(job, i, table, measured_at(job.ends->lower, i, measures[i]),
-                             measured_at(job.ends->upper, i, measures[i]));
+    text += interval_listing(job, i, table, measured_at(job.ends->lower, job.spec, i, measures[i]),
+                             measured_at(job.ends->upper, job.spec, i, measures[i]));
   return text;
 }
 

@@ -49,7 +49,7 @@ Result<std::string> nominal_csv(const SolvedJob& job, const PointGrid& grid,
     for (const FlankSide side : {FlankSide::right, FlankSide::left}) {
       const bool right = side == FlankSide::right;
       const char* const flank = right ? "right" : "left";
-      const auto field = make_removal_field(job.spec.gears[i]->modifications[right ? 0 : 1],
+      const auto field = make_removal_field(job.completed.gears[i]->modifications[right ? 0 : 1],
                                             extent_of(gear, *ranges));
       if (!field) return within(gear_field(which, "modifications"), field.error());
       append(text, which, flank, nominal_points(gear, *field, side, *ranges, grid));

@@ -13,7 +13,7 @@ namespace {
 
 void warn_of_limits(SolvedJob& job, const Rating& rating) {
   for (const int which : {1, 2}) {
-    if (!job.gears[static_cast<std::size_t>(which - 1)].spec.root_fillet) continue;
+    if (!job.gear(which).spec.root_fillet) continue;
     job.warnings.push_back({"rating_root_fillet",
                             "The root's circular arc is not in the standard: Y_F and Y_S are those "
                             "of the root that the rack would have cut.",
@@ -59,9 +59,8 @@ Result<RatingAnswer> answer_rating(SolvedJob& job, Progress* progress) {
   RatingAnswer answer;
   answer.input = table.input;
   std::array<double, 2> bore{};
-  for (const int which : {1, 2})
-    if (const auto given = job.bore(which))
-      bore[static_cast<std::size_t>(which - 1)] = given->diameter;
+  for (std::size_t i = 0; i < 2; ++i)
+    if (job.gears[i].bore) bore[i] = job.gears[i].bore->diameter;
   auto rated = rated_pair(*pair, bore);
   if (!rated) return rated.error();
   answer.pair = *rated;

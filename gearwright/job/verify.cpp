@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/job/verbs.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/job/verbs.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {

@@ -51,12 +51,12 @@ Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<i
     if (!body) return body.error();
     GearSheetInput input{*body,
                          job.gears[static_cast<std::size_t>(which - 1)].reference_diameter,
-                         job.bore(which).has_value(),
+                         job.gear(which).bore.has_value(),
                          drawing_data(job, which),
                          words,
                          fmt::format("{}/{}", i + 1, gears.size())};
     if (job.gears.size() > 1) input.words.title += fmt::format(", gear {}", which);
-    const auto& material = job.spec.gears[static_cast<std::size_t>(which - 1)]->material.name;
+    const auto& material = job.spec.gear(which).material.name;
     if (words.material.empty() && material) input.words.material = *material;
     auto made = gear_sheet(input, size, tolerance_mm);
     if (!made) return of_body(made.error(), body->name);

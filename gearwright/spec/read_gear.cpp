@@ -208,6 +208,8 @@ GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& p
   CylindricalSpec& c = g.cylindrical;
   const auto helix = read_helix(t);
   g.helix_given = helix.has_value();
+  g.hand_given = t.has("hand");
+  g.transverse_given = t.has("transverse_module_mm") || t.has("transverse_pressure_angle_deg");
   c.helix_angle = Angle::degrees(helix.value_or(0.0));
   const double cos_beta = std::cos(c.helix_angle.rad());
   Once module(t, "module");

@@ -79,7 +79,7 @@ bool says_thickness(const Json& tolerance) {
 
 // A backlash and the allowances that would make one say the same thing.
 void check_backlash(const Json& tree, const JobSpec& spec) {
-  if (!wants_backlash(spec.pair)) return;
+  if (!spec.pair.wants_backlash()) return;
   const PairInput& p = spec.pair;
   const std::string key = p.backlash                   ? "backlash_mm"
                           : p.backlash_circumferential ? "backlash_circumferential_mm"

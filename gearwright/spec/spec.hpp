@@ -31,14 +31,12 @@ namespace gearwright {
 
 struct IdentifyProblem;  // inspection/identify.hpp
 
-struct JobSpec {
+struct JobSpec : GivenPair {
   std::string text;  ///< the spec as read, for the report
   std::string tree;  ///< the same as a tree of tables, in JSON, with what gear 2 has from gear 1
   GivenKeys given;   ///< the paths of the keys in the text
   std::string title;
   DrawingInput drawing;
-  std::array<std::optional<GearInput>, 2> gears;  ///< without the first only beside a search
-  PairInput pair;
   FitInput fit;
   ErrorsInput errors;
   ContactInput contact;
@@ -48,7 +46,6 @@ struct JobSpec {
   std::optional<SearchProblem> search;
   /// [gearN.measured]: of a gear, or of one that is not known and has no place in `gears`.
   std::array<std::shared_ptr<const IdentifyProblem>, 2> measured;
-  bool shaft_angle_found = false;      ///< not given: it followed from the centre distance
   std::vector<std::string> inherited;  ///< keys of gear 2 that are gear 1's: material, quality
   std::vector<std::string> not_read;   ///< tables and keys of verbs that are not in this version
 };

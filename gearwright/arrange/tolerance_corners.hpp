@@ -1,8 +1,8 @@
-// A job at the combinations of the ends of its tolerances.
+// A nominal at the combinations of the ends of its tolerances.
 //
 // Backlash, contact ratio, clearances, tip thickness and safeties are monotonic in each toleranced
 // number over its small range, so that the worst of each lies at a corner of the box of tolerances.
-// Internal to job/.
+// Internal to arrange/.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "gearwright/job/solved_job.hpp"
+#include "gearwright/arrange/arrange.hpp"
 
 namespace gearwright {
 
@@ -21,8 +21,8 @@ struct TolerancedNumber {
   Ends ends;  ///< mm: thickness allowance, tip diameter, centre distance
 };
 
-/// Empty: the spec has no tolerances.
-std::vector<TolerancedNumber> tolerances_of(const SolvedJob& job);
+/// Empty: there are no tolerances.
+std::vector<TolerancedNumber> tolerances_of(const Arranged& nominal);
 
 /// For each tolerance the end at which it stands, 0 or 1; none: its nominal value.
 using ToleranceCorner = std::vector<std::optional<std::size_t>>;
@@ -30,9 +30,9 @@ using ToleranceCorner = std::vector<std::optional<std::size_t>>;
 /// All combinations of ends.
 std::vector<ToleranceCorner> corners_of(const std::vector<TolerancedNumber>& tolerances);
 
-/// The job there.   Errors  as solve
-Result<SolvedJob> at_corner(const SolvedJob& job, const std::vector<TolerancedNumber>& tolerances,
-                            const ToleranceCorner& corner);
+/// The nominal there.   Errors  as arrange()
+Result<Arranged> at_corner(const Arranged& nominal, const std::vector<TolerancedNumber>& tolerances,
+                           const ToleranceCorner& corner);
 
 /// "At a centre distance of 59.985 mm and a thickness allowance of −0.02 mm on gear 1".
 std::string corner_words(const std::vector<TolerancedNumber>& tolerances,

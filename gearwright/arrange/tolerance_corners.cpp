@@ -1,4 +1,4 @@
-#include "gearwright/job/tolerance_corners.hpp"
+#include "gearwright/arrange/tolerance_corners.hpp"
 
 #include <fmt/format.h>
 
@@ -21,24 +21,25 @@ std::string words(const TolerancedNumber& tolerance, std::size_t end) {
 
 }  // namespace
 
-std::vector<TolerancedNumber> tolerances_of(const SolvedJob& job) {
+std::vector<TolerancedNumber> tolerances_of(const Arranged& nominal) {
   std::vector<TolerancedNumber> list;
-  if (!job.ends) return list;
-  const auto& [lower, upper] = *job.ends;
+  if (!nominal.ends) return list;
+  const auto& [lower, upper] = *nominal.ends;
   const auto add = [&](TolerancedNumber::Of of, int gear, double a, double b) {
     if (a != b) list.push_back({of, gear, {std::min(a, b), std::max(a, b)}});
   };
-  if (job.pair && (job.spec.pair.distance_deviations || job.spec.pair.distance_tolerance))
+  if (nominal.pair &&
+      (nominal.completed.pair.distance_deviations || nominal.completed.pair.distance_tolerance))
     add(TolerancedNumber::Of::distance, 0, lower.pair->center_distance(),
         upper.pair->center_distance());
   for (const int which : {1, 2}) {
     const auto i = static_cast<std::size_t>(which - 1);
-    if (i >= job.gears.size()) break;
-    if (job.spec.gears[i]->tolerance.tip_deviations)
+    if (i >= nominal.gears.size()) break;
+    if (nominal.completed.gears[i]->tolerance.tip_deviations)
       add(TolerancedNumber::Of::tip, which, lower.gears[i].tip_diameter,
           upper.gears[i].tip_diameter);
     // A gear that another one has cut has the thickness which that one gives it.
-    if (job.spec.gears[i]->cut_by || job.spec.gears[i]->basic) continue;
+    if (nominal.completed.gears[i]->cut_by || nominal.completed.gears[i]->basic) continue;
     add(TolerancedNumber::Of::thickness, which, lower.gears[i].spec.thickness_allowance,
         upper.gears[i].spec.thickness_allowance);
   }
@@ -60,34 +61,35 @@ std::vector<ToleranceCorner> corners_of(const std::vector<TolerancedNumber>& tol
   return corners;
 }
 
-Result<SolvedJob> at_corner(const SolvedJob& job, const std::vector<TolerancedNumber>& tolerances,
-                            const ToleranceCorner& corner) {
-  JobSpec spec = job.spec;
-  PairInput& pair = spec.pair;
+Result<Arranged> at_corner(const Arranged& nominal, const std::vector<TolerancedNumber>& tolerances,
+                           const ToleranceCorner& corner) {
+  GivenPair given = nominal.completed;
+  PairInput& pair = given.pair;
   pair.backlash.reset();  // the teeth have been thinned for it
   pair.backlash_circumferential.reset();
   pair.backlash_angle.reset();
   pair.backlash_ends.reset();
   pair.distance_deviations.reset();
   pair.distance_tolerance.reset();
-  for (std::size_t i = 0; i < job.gears.size(); ++i) {
-    GearInput& gear = *spec.gears[i];
+  for (std::size_t i = 0; i < nominal.gears.size(); ++i) {
+    GearInput& gear = *given.gears[i];
     gear.allowance_ends.reset();
     gear.tolerance = {};
-    if (job.gears[i].involute() && !gear.cut_by) {
-      gear.profile_shift = job.gears[i].spec.profile_shift;
-      gear.cylindrical.thickness_allowance = job.gears[i].spec.thickness_allowance;
+    if (nominal.gears[i].involute() && !gear.cut_by) {
+      gear.profile_shift = nominal.gears[i].spec.profile_shift;
+      gear.cylindrical.thickness_allowance = nominal.gears[i].spec.thickness_allowance;
     }
   }
   for (std::size_t k = 0; k < tolerances.size(); ++k) {
     const TolerancedNumber& tolerance = tolerances[k];
     if (tolerance.of == TolerancedNumber::Of::distance) {
-      pair.center_distance = corner[k] ? tolerance.ends[*corner[k]] : job.pair->center_distance();
-      pair.shaft_angle = job.pair->shaft_angle();
+      pair.center_distance =
+          corner[k] ? tolerance.ends[*corner[k]] : nominal.pair->center_distance();
+      pair.shaft_angle = nominal.pair->shaft_angle();
       continue;
     }
     if (!corner[k]) continue;
-    CylindricalSpec& gear = spec.gears[static_cast<std::size_t>(tolerance.gear - 1)]->cylindrical;
+    CylindricalSpec& gear = given.gears[static_cast<std::size_t>(tolerance.gear - 1)]->cylindrical;
     const double value = tolerance.ends[*corner[k]];
     if (tolerance.of == TolerancedNumber::Of::tip) {
       gear.tip_diameter = value;
@@ -95,7 +97,7 @@ Result<SolvedJob> at_corner(const SolvedJob& job, const std::vector<TolerancedNu
       gear.thickness_allowance = value;
     }
   }
-  return solve(spec, job.pair ? Scope::pair : Scope::gears);
+  return arrange(given, nominal.pair ? Scope::pair : Scope::gears);
 }
 
 std::string corner_words(const std::vector<TolerancedNumber>& tolerances,

@@ -1,9 +1,10 @@
-#include "gearwright/job/cut_gears.hpp"
+#include "gearwright/arrange/cut_gears.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
+#include "gearwright/arrange/given_errors.hpp"
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
 
@@ -11,17 +12,13 @@ namespace gearwright {
 
 namespace {
 
-GearInput& input(JobSpec& spec, int which) {
-  return *spec.gears[static_cast<std::size_t>(which - 1)];
-}
-
 // Who cuts whom must be possible at all.
-std::optional<Error> check_cutters(const JobSpec& spec) {
+std::optional<Error> check_cutters(const GivenPair& given) {
   for (const int which : {1, 2}) {
-    const auto& gear = spec.gears[static_cast<std::size_t>(which - 1)];
+    const auto& gear = given.gears[static_cast<std::size_t>(which - 1)];
     if (!gear || !gear->cut_by || gear->cut_by->gear == 0) continue;
     const int by = gear->cut_by->gear;
-    const auto& cutter = spec.gears[static_cast<std::size_t>(by - 1)];
+    const auto& cutter = given.gears[static_cast<std::size_t>(by - 1)];
     const auto fail = [&](const std::string& why) {
       return Error{gear_field(which, "cut_by"), gear_field(by), why};
     };
@@ -68,10 +65,10 @@ std::optional<Error> check_agreement(const GearInput& gear, const Gear& made, in
 
 // A gear with a cutter of its own that names neither shift nor e meets its mating gear at the
 // pair's distance without backlash.
-std::optional<double> shift_at_distance(const JobSpec& spec, const Gear& cutter, int which) {
-  const auto& mate = spec.gears[static_cast<std::size_t>(2 - which)];
-  const auto& gear = *spec.gears[static_cast<std::size_t>(which - 1)];
-  if (!mate || !spec.pair.center_distance || gear.cut_by->gear != 0) return std::nullopt;
+std::optional<double> shift_at_distance(const GivenPair& given, const Gear& cutter, int which) {
+  const auto& mate = given.gears[static_cast<std::size_t>(2 - which)];
+  const auto& gear = given.gear(which);
+  if (!mate || !given.pair.center_distance || gear.cut_by->gear != 0) return std::nullopt;
   if (mate->cut_by) return std::nullopt;
   const CylindricalSpec& c = cutter.spec;
   const int z = gear.cylindrical.teeth;
@@ -79,7 +76,7 @@ std::optional<double> shift_at_distance(const JobSpec& spec, const Gear& cutter,
   if (z + z_m == 0 || (z < 0 && -z < z_m) || (z_m < 0 && -z_m < z)) return std::nullopt;
   const double cos_beta = std::cos(c.helix_angle.rad());
   const double alpha_t = cutter.reference().transverse_pressure_angle;
-  const double a = *spec.pair.center_distance;
+  const double a = *given.pair.center_distance;
   const double a_d = reference_center_distance(z, z_m, c.normal_module, cos_beta);
   if (a < a_d * std::cos(alpha_t)) return std::nullopt;  // mount names it
   const double sum =
@@ -87,8 +84,8 @@ std::optional<double> shift_at_distance(const JobSpec& spec, const Gear& cutter,
   return sum - mate->profile_shift.value_or(0.0);
 }
 
-Result<double> distance_of(const JobSpec& spec, const Gear& cutter, int which) {
-  const auto& gear = *spec.gears[static_cast<std::size_t>(which - 1)];
+Result<double> distance_of(const GivenPair& given, const Gear& cutter, int which) {
+  const auto& gear = given.gear(which);
   const CutByInput& cut = *gear.cut_by;
   const double x_0 = cutter.reference().generating_profile_shift;
   const int z = gear.cylindrical.teeth;
@@ -101,21 +98,21 @@ Result<double> distance_of(const JobSpec& spec, const Gear& cutter, int which) {
                           e.error());
   }
   if (gear.profile_shift) return generating_distance(cutter, z, *gear.profile_shift);
-  if (cut.gear != 0 && spec.pair.center_distance) return *spec.pair.center_distance;
-  if (const auto x = shift_at_distance(spec, cutter, which))
+  if (cut.gear != 0 && given.pair.center_distance) return *given.pair.center_distance;
+  if (const auto x = shift_at_distance(given, cutter, which))
     return generating_distance(cutter, z, *x);
   return generating_distance(cutter, z, -x_0);
 }
 
-std::optional<Error> make_cut_gear(JobSpec& spec, int which, MadeGears& made) {
-  GearInput& gear = input(spec, which);
+std::optional<Error> make_cut_gear(GivenPair& given, int which, MadeGears& made) {
+  GearInput& gear = given.gear(which);
   CutByInput& cut = *gear.cut_by;
   std::optional<Gear> own;
   if (cut.gear == 0) {
     CylindricalSpec c = cut.cutter->cylindrical;
     c.profile_shift = cut.cutter->profile_shift.value_or(0.0);
     auto cutter = make_gear(c);
-    if (!cutter) return of_given_gear(within("cut_by", cutter.error()), spec, which);
+    if (!cutter) return of_given_gear(within("cut_by", cutter.error()), given, which);
     own = std::move(cutter).take();
   }
   const Gear& cutter = own ? *own : *made[static_cast<std::size_t>(cut.gear - 1)];
@@ -123,17 +120,17 @@ std::optional<Error> make_cut_gear(JobSpec& spec, int which, MadeGears& made) {
     return Error{gear_field(which, "cut_by"), "",
                  "the cutter is no gear. " + cutter.warnings.back().message};
   }
-  auto distance = distance_of(spec, cutter, which);
-  if (!distance) return of_given_gear(distance.error(), spec, which);
+  auto distance = distance_of(given, cutter, which);
+  if (!distance) return of_given_gear(distance.error(), given, which);
   const double face =
       gear.face_width_given ? gear.cylindrical.face_width : 10 * cutter.spec.normal_module;
   const bool by_distance =
-      cut.gear != 0 && spec.pair.center_distance && !cut.profile_shift_pair && !gear.profile_shift;
+      cut.gear != 0 && given.pair.center_distance && !cut.profile_shift_pair && !gear.profile_shift;
   auto result = make_pinion_cut_gear(
       cutter, {gear.cylindrical.teeth, *distance, face, gear.cylindrical.tip_diameter});
   if (!result) {
     const Error& error = result.error();
-    if (!by_distance || error.field != "cut_by") return of_given_gear(error, spec, which);
+    if (!by_distance || error.field != "cut_by") return of_given_gear(error, given, which);
     // The pair's distance is the generating one here.
     return Error{"pair.center_distance", error.value, "the gear is cut there: " + error.rule};
   }
@@ -141,59 +138,59 @@ std::optional<Error> make_cut_gear(JobSpec& spec, int which, MadeGears& made) {
   gear.cylindrical = result->spec;
   gear.helix_given = true;
   gear.profile_shift = result->spec.profile_shift;
-  if (cut.gear != 0 && !spec.pair.center_distance) spec.pair.center_distance = *distance;
+  if (cut.gear != 0 && !given.pair.center_distance) given.pair.center_distance = *distance;
   made[static_cast<std::size_t>(which - 1)] = std::move(result).take();
   return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<Error> make_cut_gears(JobSpec& spec, MadeGears& made) {
-  if (auto error = check_cutters(spec)) return error;
+std::optional<Error> make_cut_gears(GivenPair& given, MadeGears& made) {
+  if (auto error = check_cutters(given)) return error;
   const auto is_cut = [&](int which) {
-    const auto& gear = spec.gears[static_cast<std::size_t>(which - 1)];
+    const auto& gear = given.gears[static_cast<std::size_t>(which - 1)];
     return gear && gear->cut_by.has_value();
   };
   if (!is_cut(1) && !is_cut(2)) return std::nullopt;
-  if (spec.pair.shorten_tips) {
+  if (given.pair.shorten_tips) {
     return Error{"pair.shorten_tips", "true",
                  fmt::format("has no place beside `{}`; give `gear1.tip_diameter` and "
                              "`gear2.tip_diameter`",
                              gear_field(is_cut(1) ? 1 : 2, "cut_by"))};
   }
-  const bool mates = (is_cut(1) && spec.gears[0]->cut_by->gear != 0) ||
-                     (is_cut(2) && spec.gears[1]->cut_by->gear != 0);
-  if (mates && spec.pair.mounting == Mounting::extended) {
+  const bool mates = (is_cut(1) && given.gears[0]->cut_by->gear != 0) ||
+                     (is_cut(2) && given.gears[1]->cut_by->gear != 0);
+  if (mates && given.pair.mounting == Mounting::extended) {
     return Error{"pair.mounting", "extended",
                  "a gear cut by its mating gear is mounted at the generating distance; give "
                  "`pair.center_distance` for another one"};
   }
   // First the one that waits for no other.
-  const bool second_first = is_cut(1) && spec.gears[0]->cut_by->gear == 2;
+  const bool second_first = is_cut(1) && given.gears[0]->cut_by->gear == 2;
   const std::array<int, 2> order = second_first ? std::array{2, 1} : std::array{1, 2};
   for (const int which : order) {
-    if (!spec.gears[static_cast<std::size_t>(which - 1)]) continue;
+    if (!given.gears[static_cast<std::size_t>(which - 1)]) continue;
     if (is_cut(which)) {
-      if (auto error = make_cut_gear(spec, which, made)) return error;
+      if (auto error = make_cut_gear(given, which, made)) return error;
       continue;
     }
-    GearInput& gear = input(spec, which);
-    if (!is_cut(3 - which) || input(spec, 3 - which).cut_by->gear != which) continue;
+    GearInput& gear = given.gear(which);
+    if (!is_cut(3 - which) || given.gear(3 - which).cut_by->gear != which) continue;
     gear.profile_shift = gear.profile_shift.value_or(0.0);
     gear.cylindrical.profile_shift = *gear.profile_shift;
     auto cutter = make_gear(gear.cylindrical);
-    if (!cutter) return of_given_gear(cutter.error(), spec, which);
+    if (!cutter) return of_given_gear(cutter.error(), given, which);
     made[static_cast<std::size_t>(which - 1)] = std::move(cutter).take();
   }
   return std::nullopt;
 }
 
-std::optional<Error> place_clear_tips(JobSpec& spec, const MadeGears& made,
+std::optional<Error> place_clear_tips(GivenPair& given, const MadeGears& made,
                                       std::optional<double> center_distance) {
   for (const int which : {1, 2}) {
-    auto& gear = spec.gears[static_cast<std::size_t>(which - 1)];
+    auto& gear = given.gears[static_cast<std::size_t>(which - 1)];
     if (!gear || !(gear->tip_clearance || gear->tip_clearance_by_rule)) continue;
-    const auto& mate = spec.gears[static_cast<std::size_t>(2 - which)];
+    const auto& mate = given.gears[static_cast<std::size_t>(2 - which)];
     if (!mate || !center_distance) {
       return Error{
           gear_field(which, "tip_fillet.clearance"), "",
@@ -207,7 +204,7 @@ std::optional<Error> place_clear_tips(JobSpec& spec, const MadeGears& made,
       CylindricalSpec bare = mate->cylindrical;
       bare.tip_fillet.reset();
       auto other = make_gear(bare);
-      if (!other) return of_given_gear(other.error(), spec, 3 - which);
+      if (!other) return of_given_gear(other.error(), given, 3 - which);
       root = other->root_diameter / 2;
     }
     const double clearance =

@@ -1,13 +1,12 @@
-#include "gearwright/job/backlash_thinning.hpp"
+#include "gearwright/arrange/backlash_thinning.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
 
-#include "gearwright/catalogue/pair_parts.hpp"
 #include "gearwright/gear/gear_field.hpp"
-#include "gearwright/pair/pair.hpp"
+#include "gearwright/pair/pair_backlash.hpp"
 
 namespace gearwright {
 
@@ -30,50 +29,52 @@ Wanted wanted_of(const PairInput& p) {
 }
 
 // How much thinner both teeth are together, in mm of the normal section, split onto the two.
-void thin(JobSpec& spec, double thinning) {
-  const double share = spec.pair.backlash_split;
+void thin(GivenPair& given, double thinning) {
+  const double share = given.pair.backlash_split;
   const std::array<double, 2> shares{share, 1.0 - share};
   for (std::size_t i = 0; i < 2; ++i)
-    spec.gears[i]->cylindrical.thickness_allowance = thinning == 0.0 ? 0.0 : -shares[i] * thinning;
+    given.gears[i]->cylindrical.thickness_allowance = thinning == 0.0 ? 0.0 : -shares[i] * thinning;
 }
 
 // Of the pair with teeth thinned so; fillets and tips do not matter to it.
-Result<double> backlash_at(JobSpec spec, const std::optional<PairPlace>& place, double thinning) {
-  thin(spec, thinning);
+Result<double> backlash_at(GivenPair given, const std::optional<PairPlace>& place,
+                           double thinning) {
+  thin(given, thinning);
   std::vector<Gear> gears;
-  for (auto& gear : spec.gears) {
+  for (auto& gear : given.gears) {
     gear->cylindrical.root_fillet.reset();
     gear->cylindrical.tip_fillet.reset();
     auto made = make_gear(gear->cylindrical);
     if (!made) return of_gear(static_cast<int>(gears.size()) + 1, made.error());
     gears.push_back(std::move(made).take());
   }
-  const PairSpec at{place ? place->center_distance : spec.pair.center_distance,
+  const PairSpec at{place ? place->center_distance : given.pair.center_distance,
                     place ? place->shaft_angle : std::nullopt};
   const auto pair = mount(gears[0], gears[1], at);
   if (!pair) return pair.error();
-  const auto view = backlash_of(*pair);
-  if (!view) return Error{"pair", "", "has no contact whose backlash could be set"};
-  if (spec.pair.backlash) return view->normal;
-  return spec.pair.backlash_circumferential ? view->circumferential[0] : view->rotation[0].deg();
+  const auto backlash = backlash_of(*pair);
+  if (!backlash) return Error{"pair", "", "has no contact whose backlash could be set"};
+  if (given.pair.backlash) return backlash->normal;
+  return given.pair.backlash_circumferential ? backlash->circumferential[0]
+                                             : backlash->rotation[0].deg();
 }
 
 }  // namespace
 
-std::optional<Error> thin_for_backlash(JobSpec& spec, const std::optional<PairPlace>& place,
+std::optional<Error> thin_for_backlash(GivenPair& given, const std::optional<PairPlace>& place,
                                        std::vector<Warning>& warnings) {
-  GW_EXPECTS(wants_backlash(spec.pair) && spec.gears[0] && spec.gears[1]);
-  const Wanted wanted = wanted_of(spec.pair);
+  GW_EXPECTS(given.pair.wants_backlash() && given.gears[0] && given.gears[1]);
+  const Wanted wanted = wanted_of(given.pair);
   const auto asked = [&](const Error& error) {
     return following_from(wanted.field, format_number(wanted.value), "it asks for", error);
   };
   double before = 0.0;
-  auto at_before = backlash_at(spec, place, before);
+  auto at_before = backlash_at(given, place, before);
   if (!at_before) return at_before.error();
   double off_before = *at_before - wanted.value;
-  double now = 0.05 * spec.gears[0]->cylindrical.normal_module;
+  double now = 0.05 * given.gears[0]->cylindrical.normal_module;
   for (int step = 0; step < kMostSteps; ++step) {
-    const auto at_now = backlash_at(spec, place, now);
+    const auto at_now = backlash_at(given, place, now);
     if (!at_now) return asked(at_now.error());
     const double off = *at_now - wanted.value;
     const double slope = (off - off_before) / (now - before);
@@ -82,8 +83,8 @@ std::optional<Error> thin_for_backlash(JobSpec& spec, const std::optional<PairPl
     off_before = off;
     now -= off / slope;
   }
-  thin(spec, now);
-  const auto made = backlash_at(spec, place, now);
+  thin(given, now);
+  const auto made = backlash_at(given, place, now);
   if (!made || std::abs(*made - wanted.value) > kSame * std::max(1.0, wanted.value))
     return refused(wanted.field, wanted.value, "no thickness of these teeth has this backlash");
   if (now < -kSame) {

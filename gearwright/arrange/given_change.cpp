@@ -1,22 +1,21 @@
-#include "gearwright/job/spec_change.hpp"
+#include "gearwright/arrange/given_change.hpp"
 
-#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/base/units.hpp"
 
 namespace gearwright {
 
 namespace {
 
-bool set_allowance(JobSpec& spec, GearInput& gear, double value) {
-  if (gear.allowance_ends || gear.tolerance.says_thickness() || wants_backlash(spec.pair))
+bool set_allowance(GivenPair& given, GearInput& gear, double value) {
+  if (gear.allowance_ends || gear.tolerance.says_thickness() || given.pair.wants_backlash())
     return false;
   gear.cylindrical.thickness_allowance = value;
   return true;
 }
 
 // A helix angle sets the normal module too, where the transverse one is given.
-bool set_helix(const JobSpec& spec, GearInput& gear, int which, double degrees) {
-  for (const char* key : {"transverse_module_mm", "transverse_pressure_angle_deg"})
-    if (spec.given.contains(gear_field(which, key))) return false;
+bool set_helix(GearInput& gear, double degrees) {
+  if (gear.transverse_given) return false;
   gear.cylindrical.helix_angle = Angle::degrees(degrees);
   gear.helix_given = true;
   return true;
@@ -27,8 +26,8 @@ void set_face(GearInput& gear, double value) {
   gear.face_width_given = true;
 }
 
-bool change_gear(JobSpec& spec, const SpecChange& change) {
-  GearInput& gear = *spec.gears[static_cast<std::size_t>(change.gear - 1)];
+bool change_gear(GivenPair& given, const SpecChange& change) {
+  GearInput& gear = *given.gears[static_cast<std::size_t>(change.gear - 1)];
   const bool has_rack = !gear.basic && !gear.cut_by;
   switch (change.what) {
     case Adjustable::profile_shift: gear.profile_shift = change.value; return has_rack;
@@ -36,12 +35,11 @@ bool change_gear(JobSpec& spec, const SpecChange& change) {
       gear.cylindrical.tip_diameter = change.value;
       return !gear.cylindrical.tip_fillet && !gear.tip_clearance && !gear.tip_clearance_by_rule;
     case Adjustable::thickness_allowance:
-      return has_rack && set_allowance(spec, gear, change.value);
+      return has_rack && set_allowance(given, gear, change.value);
     case Adjustable::teeth:
       gear.cylindrical.teeth = static_cast<int>(change.value);
       return has_rack;
-    case Adjustable::helix_angle:
-      return has_rack && set_helix(spec, gear, change.gear, change.value);
+    case Adjustable::helix_angle: return has_rack && set_helix(gear, change.value);
     case Adjustable::face_width: set_face(gear, change.value); return true;
     case Adjustable::bore:
       if (gear.bore) gear.bore->diameter = change.value;
@@ -61,15 +59,15 @@ bool change_gear(JobSpec& spec, const SpecChange& change) {
 
 }  // namespace
 
-bool make_change(JobSpec& spec, const SpecChange& change) {
+bool make_change(GivenPair& given, const SpecChange& change) {
   if (change.what == Adjustable::center_distance) {
-    spec.pair.center_distance = change.value;
+    given.pair.center_distance = change.value;
     return true;
   }
-  if (change.gear > 0) return change_gear(spec, change);
+  if (change.gear > 0) return change_gear(given, change);
   return change.what == Adjustable::face_width &&
-         change_gear(spec, {change.what, 1, change.value}) &&
-         change_gear(spec, {change.what, 2, change.value});
+         change_gear(given, {change.what, 1, change.value}) &&
+         change_gear(given, {change.what, 2, change.value});
 }
 
 }  // namespace gearwright

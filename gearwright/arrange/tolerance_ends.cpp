@@ -1,10 +1,11 @@
-#include "gearwright/job/tolerance_ends.hpp"
+#include "gearwright/arrange/tolerance_ends.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/arrange/nominal.hpp"
 #include "gearwright/gear/gear_field.hpp"
 #include "gearwright/inspection/balls.hpp"
 #include "gearwright/inspection/span.hpp"
@@ -61,19 +62,19 @@ Result<Ends> of_balls(const Gear& gear, const GearInput& input) {
 }
 
 // The deviations of the centre distance, mm: lower, upper.
-Result<std::optional<Ends>> distance_deviations(const SolvedJob& job) {
-  const PairInput& pair = job.spec.pair;
-  if (!job.pair || (!pair.distance_deviations && !pair.distance_tolerance))
+Result<std::optional<Ends>> distance_deviations(const Arranged& nominal) {
+  const PairInput& pair = nominal.completed.pair;
+  if (!nominal.pair || (!pair.distance_deviations && !pair.distance_tolerance))
     return std::optional<Ends>();
   for (const int which : {1, 2}) {
-    if (!job.spec.gears[static_cast<std::size_t>(which - 1)]->cut_by) continue;
+    if (!nominal.completed.gear(which).cut_by) continue;
     return Error{pair.distance_tolerance ? "pair.distance_tolerance" : "pair.distance_deviations",
                  "",
                  fmt::format("has no place beside `{}`: the cutter's distance would go with it",
                              gear_field(which, "cut_by"))};
   }
   if (pair.distance_deviations) return pair.distance_deviations;
-  auto half = js_deviation(*pair.distance_tolerance, job.pair->center_distance());
+  auto half = js_deviation(*pair.distance_tolerance, nominal.pair->center_distance());
   if (!half) {
     Error error = half.error();
     if (error.field == "tolerance") error.field = "distance_tolerance";
@@ -87,9 +88,9 @@ double tip_at_end(const Gear& gear, const Ends& deviations, std::size_t end) {
   return gear.tip_diameter + deviations[gear.internal() ? 1 - end : end];
 }
 
-std::optional<Error> check_tips(const JobSpec& spec) {
+std::optional<Error> check_tips(const GivenPair& given) {
   for (const int which : {1, 2}) {
-    const auto& gear = spec.gears[static_cast<std::size_t>(which - 1)];
+    const auto& gear = given.gears[static_cast<std::size_t>(which - 1)];
     if (!gear || !gear->tolerance.tip_deviations) continue;
     if (gear->cylindrical.tip_fillet || gear->tip_clearance || gear->tip_clearance_by_rule)
       return Error{gear_field(which, "tolerance.tip_deviations"), "",
@@ -98,45 +99,46 @@ std::optional<Error> check_tips(const JobSpec& spec) {
   return std::nullopt;
 }
 
-// The spec at one end: 0 the thinnest and shortest teeth and the most backlash, 1 the thickest and
+// The input at one end: 0 the thinnest and shortest teeth and the most backlash, 1 the thickest and
 // longest and the least.
-JobSpec at_end(const SolvedJob& job, std::size_t end, const std::optional<Ends>& deviations) {
-  JobSpec spec = job.spec;
-  for (std::size_t i = 0; i < job.gears.size(); ++i) {
-    GearInput& gear = *spec.gears[i];
+GivenPair at_end(const Arranged& nominal, std::size_t end, const std::optional<Ends>& deviations) {
+  GivenPair given = nominal.completed;
+  for (std::size_t i = 0; i < nominal.gears.size(); ++i) {
+    GearInput& gear = *given.gears[i];
     if (gear.allowance_ends) gear.cylindrical.thickness_allowance = (*gear.allowance_ends)[end];
     if (gear.tolerance.tip_deviations)
-      gear.cylindrical.tip_diameter = tip_at_end(job.gears[i], *gear.tolerance.tip_deviations, end);
+      gear.cylindrical.tip_diameter =
+          tip_at_end(nominal.gears[i], *gear.tolerance.tip_deviations, end);
     // What follows from the centre distance is that of the drawing.
-    if (job.gears[i].involute() && !gear.cut_by)
-      gear.profile_shift = job.gears[i].spec.profile_shift;
+    if (nominal.gears[i].involute() && !gear.cut_by)
+      gear.profile_shift = nominal.gears[i].spec.profile_shift;
   }
-  if (spec.pair.backlash_ends) {
-    spec.pair.backlash = (*spec.pair.backlash_ends)[1 - end];
-  } else if (wants_backlash(spec.pair)) {
+  if (given.pair.backlash_ends) {
+    given.pair.backlash = (*given.pair.backlash_ends)[1 - end];
+  } else if (given.pair.wants_backlash()) {
     // One backlash is that of the drawing: the teeth thinned for it stay as they are.
-    spec.pair.backlash.reset();
-    spec.pair.backlash_circumferential.reset();
-    spec.pair.backlash_angle.reset();
-    for (std::size_t i = 0; i < job.gears.size(); ++i)
-      spec.gears[i]->cylindrical.thickness_allowance = job.gears[i].spec.thickness_allowance;
+    given.pair.backlash.reset();
+    given.pair.backlash_circumferential.reset();
+    given.pair.backlash_angle.reset();
+    for (std::size_t i = 0; i < nominal.gears.size(); ++i)
+      given.gears[i]->cylindrical.thickness_allowance = nominal.gears[i].spec.thickness_allowance;
   }
   if (deviations) {
-    const bool wider_is_looser = job.pair->kind() != PairKind::parallel_internal;
-    spec.pair.center_distance =
-        job.pair->center_distance() + (*deviations)[(end == 0) == wider_is_looser ? 1 : 0];
-    spec.pair.shaft_angle = job.pair->shaft_angle();
+    const bool wider_is_looser = nominal.pair->kind() != PairKind::parallel_internal;
+    given.pair.center_distance =
+        nominal.pair->center_distance() + (*deviations)[(end == 0) == wider_is_looser ? 1 : 0];
+    given.pair.shaft_angle = nominal.pair->shaft_angle();
   }
-  return spec;
+  return given;
 }
 
 }  // namespace
 
-Result<JobSpec> with_allowances(const JobSpec& given, const SolveAsGiven& solve) {
-  JobSpec spec = given;
-  std::optional<SolvedJob> nominal;
+Result<GivenPair> with_allowances(const GivenPair& as_given) {
+  GivenPair given = as_given;
+  std::optional<Arranged> nominal;
   for (const int which : {1, 2}) {
-    auto& gear = spec.gears[static_cast<std::size_t>(which - 1)];
+    auto& gear = given.gears[static_cast<std::size_t>(which - 1)];
     if (!gear || !gear->tolerance.says_thickness()) continue;
     const auto no = [&](const char* key, const char* why) {
       return Error{gear_field(which, std::string("tolerance.") + key), "", why};
@@ -146,11 +148,11 @@ Result<JobSpec> with_allowances(const JobSpec& given, const SolveAsGiven& solve)
     if (gear->cut_by) return no(key, "is the cutter's, which sets the thickness; leave it out");
     if (gear->basic) return no(key, "has no place beside `basic`, whose thickness is given");
     if (!nominal) {
-      auto solved = solve(spec, Scope::gears);
+      auto solved = arrange_nominal(given, Scope::gears);
       if (!solved) return solved.error();
       nominal = std::move(solved).take();
     }
-    const Gear& made = nominal->gears[static_cast<std::size_t>(which - 1)];
+    const Gear& made = nominal->gear(which);
     if (!made.involute() && !tolerance.series)
       return no(key, "is measured on involute flanks; these are circular arcs");
     auto ends = tolerance.series ? thickness_allowances(*tolerance.series, made.reference_diameter)
@@ -164,24 +166,24 @@ Result<JobSpec> with_allowances(const JobSpec& given, const SolveAsGiven& solve)
     gear->allowance_ends = *ends;
     gear->cylindrical.thickness_allowance = ((*ends)[0] + (*ends)[1]) / 2;
   }
-  return spec;
+  return given;
 }
 
-Result<std::shared_ptr<const JobEnds>> solve_ends(const SolvedJob& job, Scope scope,
-                                                  const SolveAsGiven& solve) {
-  const auto deviations = distance_deviations(job);
+Result<std::shared_ptr<const ArrangedEnds>> arrange_ends(const Arranged& nominal, Scope scope) {
+  const auto deviations = distance_deviations(nominal);
   if (!deviations) return deviations.error();
-  bool tolerated = deviations->has_value() || (job.pair && job.spec.pair.backlash_ends);
-  for (const auto& gear : job.spec.gears)
+  bool tolerated =
+      deviations->has_value() || (nominal.pair && nominal.completed.pair.backlash_ends);
+  for (const auto& gear : nominal.completed.gears)
     tolerated = tolerated || (gear && (gear->allowance_ends || gear->tolerance.tip_deviations));
-  if (!tolerated) return std::shared_ptr<const JobEnds>();
-  if (const auto error = check_tips(job.spec)) return *error;
-  auto lower = solve(at_end(job, 0, *deviations), scope);
+  if (!tolerated) return std::shared_ptr<const ArrangedEnds>();
+  if (const auto error = check_tips(nominal.completed)) return *error;
+  auto lower = arrange_nominal(at_end(nominal, 0, *deviations), scope);
   if (!lower) return lower.error();
-  auto upper = solve(at_end(job, 1, *deviations), scope);
+  auto upper = arrange_nominal(at_end(nominal, 1, *deviations), scope);
   if (!upper) return upper.error();
-  JobEnds ends{std::move(lower).take(), std::move(upper).take()};
-  for (std::size_t i = 0; i < job.gears.size() && job.spec.pair.backlash_ends; ++i) {
+  ArrangedEnds ends{std::move(lower).take(), std::move(upper).take()};
+  for (std::size_t i = 0; i < nominal.gears.size() && nominal.completed.pair.backlash_ends; ++i) {
     if (ends.lower.gears[i].spec.thickness_allowance <=
         ends.upper.gears[i].spec.thickness_allowance)
       continue;
@@ -189,7 +191,7 @@ Result<std::shared_ptr<const JobEnds>> solve_ends(const SolvedJob& job, Scope sc
                  "the tolerance of the centre distance alone changes the backlash by more than "
                  "this range"};
   }
-  return std::shared_ptr<const JobEnds>(std::make_shared<JobEnds>(std::move(ends)));
+  return std::shared_ptr<const ArrangedEnds>(std::make_shared<ArrangedEnds>(std::move(ends)));
 }
 
 }  // namespace gearwright

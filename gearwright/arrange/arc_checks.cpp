@@ -1,4 +1,4 @@
-#include "gearwright/job/solve_arcs.hpp"
+#include "gearwright/arrange/arc_checks.hpp"
 
 #include <fmt/format.h>
 
@@ -16,18 +16,18 @@ bool cuts_with_arcs(const GearInput& gear) {
 
 }  // namespace
 
-bool has_arcs(const JobSpec& spec) {
-  for (const auto& gear : spec.gears) {
+bool has_arcs(const GivenPair& given) {
+  for (const auto& gear : given.gears) {
     if (gear && (of_arcs(*gear) || cuts_with_arcs(*gear))) return true;
   }
   return false;
 }
 
-std::optional<Error> check_arcs(const JobSpec& spec) {
+std::optional<Error> check_arcs(const GivenPair& given) {
   for (const int which : {1, 2}) {
-    const auto& gear = spec.gears[static_cast<std::size_t>(which - 1)];
+    const auto& gear = given.gears[static_cast<std::size_t>(which - 1)];
     if (!gear || !gear->cut_by) continue;
-    const auto& cutter = spec.gears[static_cast<std::size_t>(2 - which)];
+    const auto& cutter = given.gears[static_cast<std::size_t>(2 - which)];
     const bool by_mate = gear->cut_by->gear != 0 && cutter && of_arcs(*cutter);
     if (!by_mate && !cuts_with_arcs(*gear)) continue;
     return Error{
@@ -35,12 +35,12 @@ std::optional<Error> check_arcs(const JobSpec& spec) {
         "a gear with circular-arc teeth is no pinion cutter here; give this gear a rack of "
         "its own"};
   }
-  if (!spec.gears[1]) return std::nullopt;
-  if (spec.pair.shaft_angle && spec.pair.shaft_angle->rad() != 0.0) {
-    return refused("pair.shaft_angle", spec.pair.shaft_angle->deg(),
+  if (!given.gears[1]) return std::nullopt;
+  if (given.pair.shaft_angle && given.pair.shaft_angle->rad() != 0.0) {
+    return refused("pair.shaft_angle", given.pair.shaft_angle->deg(),
                    "circular-arc gears run on parallel axes; leave it out");
   }
-  if (spec.pair.shorten_tips) {
+  if (given.pair.shorten_tips) {
     return Error{"pair.shorten_tips", "true",
                  "circular-arc gears have no profile shifts that would ask for it; give "
                  "`gear1.tip_diameter` and `gear2.tip_diameter`"};
@@ -48,9 +48,9 @@ std::optional<Error> check_arcs(const JobSpec& spec) {
   return std::nullopt;
 }
 
-std::optional<Error> refuse_arcs(const JobSpec& spec, const std::string& verb) {
+std::optional<Error> refuse_arcs(const GivenPair& given, const std::string& verb) {
   for (const int which : {1, 2}) {
-    const auto& gear = spec.gears[static_cast<std::size_t>(which - 1)];
+    const auto& gear = given.gears[static_cast<std::size_t>(which - 1)];
     if (!gear || !(of_arcs(*gear) || cuts_with_arcs(*gear))) continue;
     return Error{
         gear_field(which, "rack"), "",

@@ -1,0 +1,152 @@
+#include "gearwright/arrange/arrange.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "gearwright/arrange/arc_checks.hpp"
+#include "gearwright/arrange/backlash_thinning.hpp"
+#include "gearwright/arrange/body.hpp"
+#include "gearwright/arrange/complete_pair.hpp"
+#include "gearwright/arrange/cut_gears.hpp"
+#include "gearwright/arrange/given_errors.hpp"
+#include "gearwright/arrange/nominal.hpp"
+#include "gearwright/arrange/notes.hpp"
+#include "gearwright/arrange/tolerance_ends.hpp"
+#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/gear/ring_cutter.hpp"
+
+namespace gearwright {
+
+namespace {
+
+void add_gear_warnings(Arranged& arranged, int which) {
+  const GearInput& input = arranged.completed.gear(which);
+  if (auto w = body_warning(arranged.gear(which), which)) arranged.warnings.push_back(*w);
+  if (!input.face_width_given) {
+    arranged.warnings.push_back({"default_face_width",
+                                 fmt::format("No `face_width` given: {} mm (10 modules) is used.",
+                                             format_number(input.cylindrical.face_width)),
+                                 which});
+  }
+  for (Warning w : arranged.gear(which).warnings) {
+    w.gear = which;
+    arranged.warnings.push_back(std::move(w));
+  }
+}
+
+void collect_warnings(Arranged& arranged) {
+  const GivenPair& given = arranged.completed;
+  for (int which = 1; which <= static_cast<int>(arranged.gears.size()); ++which)
+    add_gear_warnings(arranged, which);
+  arranged.warnings.insert(arranged.warnings.end(), given.notes.begin(), given.notes.end());
+  if (auto note = note_shifts(given)) arranged.warnings.push_back(*note);
+  if (!arranged.pair) return;
+  if (arranged.pair->crossed() && (given.shaft_angle_found || !given.pair.shaft_angle)) {
+    arranged.warnings.push_back(
+        {"default_shaft_angle",
+         fmt::format(
+             "No `pair.shaft_angle` given, and these helix angles do not allow parallel axes: "
+             "the pair crosses at {:.6g}°, the angle of its minimum centre distance.",
+             arranged.pair->shaft_angle().deg()),
+         0});
+  }
+  for (const Warning& w : arranged.pair->warnings()) arranged.warnings.push_back(w);
+}
+
+// The gears' shifts as far as they are given, and whether a tip is to keep a clearance.
+Result<bool> begin_gears(GivenPair& given) {
+  bool clear_tips = false;
+  for (const int which : {1, 2}) {
+    if (!given.has(which)) continue;
+    GearInput& gear = given.gear(which);
+    gear.cylindrical.profile_shift = gear.profile_shift.value_or(0.0);
+    clear_tips = clear_tips || gear.tip_clearance || gear.tip_clearance_by_rule;
+    if (auto error = check_limits(gear.cylindrical)) return of_given_gear(*error, given, which);
+  }
+  return clear_tips;
+}
+
+Result<Gear> make_given_gear(const GivenPair& given, int which, bool clear_tips) {
+  auto gear = make_gear(given.gear(which).cylindrical);
+  if (!gear) {
+    const Error error = of_distance(of_given_gear(gear.error(), given, which), given);
+    return clear_tips ? of_clearance(error, given, which) : error;
+  }
+  auto cut = gear->internal() ? cut_by_default(*gear) : std::nullopt;
+  return cut ? *std::move(cut) : std::move(gear).take();
+}
+
+}  // namespace
+
+Result<Arranged> arrange_nominal(const GivenPair& as_given, Scope scope) {
+  GW_EXPECTS(as_given.has(1));
+  Arranged arranged{as_given};
+  GivenPair& given = arranged.completed;
+  const bool two = given.has(2);
+  if (scope == Scope::pair && !two)
+    return Error{"gear2", "", "is missing; a pair needs a second gear, `gear2`"};
+  const bool want_pair = two && scope != Scope::gears;
+  const bool arcs = has_arcs(given);
+  if (arcs) {
+    if (auto error = check_arcs(given)) return *error;
+  }
+  MadeGears made;
+  if (auto error = make_cut_gears(given, made)) return *error;
+  const auto clear_tips = begin_gears(given);
+  if (!clear_tips) return clear_tips.error();
+  std::optional<PairPlace> place;
+  const bool shift_wanted = shifts_follow(given);
+  if (two && !arcs &&
+      (want_pair || shift_wanted || *clear_tips || given.pair.shorten_tips ||
+       given.pair.wants_backlash())) {
+    auto completed = complete_pair(given, shift_wanted);
+    if (!completed) return of_basic(completed.error(), given);
+    if (shift_wanted)
+      if (auto error = forbidden_shifts(given)) return *error;
+    place = *completed;
+  }
+  if (two && given.pair.wants_backlash()) {
+    auto thinned = thin_for_backlash(given, place, arranged.warnings);
+    if (thinned) return of_basic(of_distance(*thinned, given), given);
+  }
+  if (*clear_tips) {
+    const bool parallel = place && place->shaft_angle.value_or(Angle()).rad() == 0.0;
+    const auto a = parallel ? std::optional(place->center_distance) : std::nullopt;
+    if (auto error = place_clear_tips(given, made, a)) return *error;
+  }
+  for (int which = 1; which <= (two ? 2 : 1); ++which) {
+    auto& cut = made[static_cast<std::size_t>(which - 1)];
+    auto gear = cut ? Result<Gear>(*std::move(cut)) : make_given_gear(given, which, *clear_tips);
+    if (!gear) return gear.error();
+    arranged.gears.push_back(std::move(gear).take());
+    arranged.gears.back().bore = given.gear(which).bore;
+  }
+  if (want_pair) {
+    const PairSpec at{place ? place->center_distance : given.pair.center_distance,
+                      place ? place->shaft_angle : std::nullopt, given.pair.friction_coefficient,
+                      given.pair.speed_rpm};
+    auto pair = mount(arranged.gears[0], arranged.gears[1], at);
+    if (!pair) return arcs ? pair.error() : of_basic(of_distance(pair.error(), given), given);
+    arranged.pair = std::move(pair).take();
+    if (arcs && given.pair.friction_coefficient)
+      given.notes.push_back(not_read("pair.friction_coefficient of circular-arc gears"));
+  }
+  collect_warnings(arranged);
+  return arranged;
+}
+
+Result<Arranged> arrange(const GivenPair& given, Scope scope) {
+  auto allowed = with_allowances(given);
+  if (!allowed) return allowed.error();
+  auto nominal = arrange_nominal(*allowed, scope);
+  if (!nominal) return nominal;
+  Arranged arranged = std::move(nominal).take();
+  auto ends = arrange_ends(arranged, scope);
+  if (!ends) return ends.error();
+  arranged.ends = std::move(ends).take();
+  arranged.given = std::make_shared<const GivenPair>(given);
+  return arranged;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,167 @@
+#include "gearwright/arrange/complete_pair.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "gearwright/gear/gear_field.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// Whether the axes cross: the helices decide, and the shaft angle has been checked against them.
+bool axes_cross(const GivenPair& given) {
+  return !axes_are_parallel(
+      nominal_base_pair(given.gears[0]->cylindrical, given.gears[1]->cylindrical));
+}
+
+ShiftProblem shift_problem(const GivenPair& given) {
+  const CylindricalSpec& c1 = given.gears[0]->cylindrical;
+  const CylindricalSpec& c2 = given.gears[1]->cylindrical;
+  ShiftProblem p;
+  p.z1 = c1.teeth;
+  p.z2 = c2.teeth;
+  p.normal_module = c1.normal_module;
+  p.normal_pressure_angle = c1.normal_pressure_angle;
+  p.helix_angle = {c1.helix_angle, c2.helix_angle};
+  if (axes_cross(given)) p.shaft_angle = given.pair.shaft_angle.value_or(Angle());
+  p.x1 = given.gears[0]->profile_shift;
+  p.x2 = given.gears[1]->profile_shift;
+  if (!given.pair.center_distance) {
+    p.x1 = p.x1.value_or(0.0);
+    p.x2 = p.x2.value_or(0.0);
+  }
+  p.center_distance = given.pair.center_distance;
+  p.mounting = given.pair.mounting;
+  return p;
+}
+
+// Shifts and centre distances are completed between gears cut by the same rack angle and module,
+// on parallel axes with the same |β| too.
+bool share_a_rack(const GivenPair& given) {
+  const CylindricalSpec& c1 = given.gears[0]->cylindrical;
+  const CylindricalSpec& c2 = given.gears[1]->cylindrical;
+  const auto near = [](double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(a); };
+  return near(c1.normal_module, c2.normal_module) &&
+         near(c1.normal_pressure_angle.rad(), c2.normal_pressure_angle.rad());
+}
+
+// Tips cut back so that the racks' clearance is kept at this distance: k m_n = σ (a − a_ext).
+// [T2.21]
+void shorten_tips(GivenPair& given, double a) {
+  double extended = 0.0;
+  const double side = given.gears[1]->cylindrical.teeth > 0 ? 1.0 : -1.0;
+  const auto reference_radius = [](const CylindricalSpec& c) {
+    return c.normal_module / std::cos(c.helix_angle.rad()) * std::abs(c.teeth) / 2;
+  };
+  for (const auto& gear : given.gears) {
+    const CylindricalSpec& c = gear->cylindrical;
+    extended += (c.teeth > 0 ? side : 1.0) * reference_radius(c);
+    extended += side * c.normal_module * c.profile_shift;
+  }
+  // Never outward: further apart than that the clearance is larger than the racks' anyway.
+  const double k_m = std::min(0.0, side * (a - extended));
+  for (auto& gear : given.gears) {
+    CylindricalSpec& c = gear->cylindrical;
+    if (c.tip_diameter) continue;
+    const double sign = c.teeth > 0 ? 1.0 : -1.0;
+    c.tip_diameter = 2 * reference_radius(c) +
+                     sign * 2 * (c.normal_module * (addendum_of(c.rack) + c.profile_shift) + k_m);
+  }
+}
+
+// What cannot be had from gears of different racks: x means something else in each of them.
+std::optional<Error> needs_one_rack(const GivenPair& given, bool shift_wanted) {
+  const std::string why =
+      "needs two gears of the same module and pressure angle; of different racks give both "
+      "shifts and the centre distance";
+  if (shift_wanted) {
+    return Error{gear_field(given.gears[0]->profile_shift ? 2 : 1, "profile_shift"), "",
+                 "is missing, and to find it from the centre distance " + why};
+  }
+  if (given.pair.mounting == Mounting::extended) return Error{"pair.mounting", "extended", why};
+  if (given.pair.shorten_tips) return Error{"pair.shorten_tips", "true", why};
+  return std::nullopt;
+}
+
+// A sum of two shifts is refused by the shift that was given; of two, by the larger one.
+Error of_given_shift(const Error& error, const GivenPair& given) {
+  if (error.field != "profile_shift") return error;
+  const auto size = [&](std::size_t i) {
+    const auto& x = given.gears[i]->profile_shift;
+    return x ? std::abs(*x) : -1.0;
+  };
+  const std::size_t i = size(1) > size(0) ? 1 : 0;
+  if (size(i) < 0.0) return error;
+  return {gear_field(static_cast<int>(i) + 1, "profile_shift"),
+          format_number(*given.gears[i]->profile_shift), error.rule};
+}
+
+// Two helices of one hand and angle cross at twice that angle. Without a shaft angle a sign has more
+// often been forgotten than meant.
+std::optional<Error> check_hands(const GivenPair& given) {
+  if (given.pair.shaft_angle) return std::nullopt;
+  const CylindricalSpec& c1 = given.gears[0]->cylindrical;
+  const CylindricalSpec& c2 = given.gears[1]->cylindrical;
+  const double b1 = c1.helix_angle.deg();
+  const double b2 = c2.helix_angle.deg();
+  const bool one_angle = b1 != 0.0 && std::abs(b1 - b2) <= 1e-9 * std::abs(b1);
+  if (!one_angle || c1.teeth < 0 || c2.teeth < 0) return std::nullopt;
+  // Base cylinders have no helix angle whose sign could be forgotten.
+  if (given.gears[0]->basic || given.gears[1]->basic) return std::nullopt;
+  const std::string opposite =
+      given.gears[1]->hand_given ? fmt::format("`gear2.hand` = \"{}\"", b2 > 0.0 ? "left" : "right")
+                                 : fmt::format("`gear2.helix_angle` = {}", format_number(-b2));
+  return refused("gear2.helix_angle", b2,
+                 fmt::format("is of the hand of gear 1. On parallel shafts the hands are opposite, "
+                             "{}; if the shafts are to cross, say so: `pair.shaft_angle` = {}",
+                             opposite, format_number(2 * b2)));
+}
+
+}  // namespace
+
+Result<PairPlace> complete_pair(GivenPair& given, bool shift_wanted) {
+  if (auto error = check_hands(given)) return *error;
+  if (auto error = check_partners(given.gears[0]->cylindrical, given.gears[1]->cylindrical,
+                                  given.pair.shaft_angle)) {
+    return *error;
+  }
+  const bool crossed = axes_cross(given);
+  const bool extended = given.pair.mounting == Mounting::extended && !given.pair.center_distance;
+  const bool one_rack = share_a_rack(given);
+  if (!one_rack) {
+    if (auto error = needs_one_rack(given, shift_wanted)) return *error;
+  }
+  if (crossed && shift_wanted && !given.pair.shaft_angle) {
+    // Neither shifts nor angle: the pair whose minimum centre distance this is.
+    const auto gears = nominal_base_pair(given.gears[0]->cylindrical, given.gears[1]->cylindrical);
+    const double a = *given.pair.center_distance;
+    const auto alpha = transverse_angle_at_pitch_sum(gears, a);
+    if (!alpha) {
+      return refused(
+          "pair.center_distance", a, {base_radius_sum(gears)},
+          "there is no working pressure angle; it must be greater than {} mm, the sum of "
+          "the base radii");
+    }
+    given.pair.shaft_angle = crossed_place(gears, *alpha).shaft_angle;
+    given.shaft_angle_found = true;
+  }
+  // Gears of one rack on parallel axes meet at a distance of closed form, to the last digit.
+  const bool by_shifts = one_rack && (!crossed || shift_wanted || extended);
+  std::optional<double> a = given.pair.center_distance;
+  if (by_shifts) {
+    auto shifts = complete_shifts(shift_problem(given));
+    if (!shifts) return of_given_shift(shifts.error(), given);
+    given.gears[0]->cylindrical.profile_shift = shifts->x1;
+    given.gears[1]->cylindrical.profile_shift = shifts->x2;
+    a = shifts->center_distance;
+  }
+  auto place =
+      complete_place(nominal_base_pair(given.gears[0]->cylindrical, given.gears[1]->cylindrical), a,
+                     given.pair.shaft_angle);
+  if (place && given.pair.shorten_tips) shorten_tips(given, place->center_distance);
+  return place;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,80 @@
+// A gear as a drawing gives it, for arrange() to complete: what is absent here follows from the rest.
+//
+// Beside the numbers of the gear itself a drawing gives how the teeth are cut, measured and
+// toleranced, what they are made of, and what is removed from their flanks.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gearwright/arrange/given_material.hpp"
+#include "gearwright/gear/basic.hpp"
+#include "gearwright/gear/bore.hpp"
+#include "gearwright/gear/gear.hpp"
+#include "gearwright/gear/modifications.hpp"
+#include "gearwright/inspection/flank_tolerances.hpp"
+
+namespace gearwright {
+
+struct GearInput;
+
+/// From, to.
+using Ends = std::array<double, 2>;
+
+/// The pinion cutter, and how deep it goes.
+struct CutByInput {
+  int gear = 0;                             ///< 1 or 2: that gear, finished; 0: a cutter of its own
+  std::shared_ptr<const GearInput> cutter;  ///< the cutter of its own
+  std::optional<double> profile_shift_pair;  ///< e: shift of the cutter and of the gear together
+  std::optional<double> module;              ///< mm; given though it is the cutter's
+  std::optional<Angle> pressure_angle;       ///< α_n; given though it is the cutter's
+};
+
+/// The measuring tools, and where they touch.
+struct MeasureInput {
+  std::optional<int> span_teeth;         ///< k
+  std::optional<double> ball_diameter;   ///< D_M  mm
+  std::optional<double> pin_diameter;    ///< D_M  mm
+  std::optional<double> chord_diameter;  ///< d_y  mm
+};
+
+/// The grade of the flanks, the thickness allowances in another form, and the deviations of the tip
+/// diameter that the gear is given or gets.
+struct ToleranceInput {
+  std::optional<int> quality;                           ///< A, the ISO 1328 grade
+  FlankTolerances edition = FlankTolerances::iso_2013;  ///< of ISO 1328-1
+  std::optional<std::string> series;                    ///< of DIN 3967, "cd25"
+  std::optional<Ends> span;                             ///< W_k  mm
+  std::optional<Ends> over_balls;                       ///< M_d  mm
+  /// A_da, mm: lower and upper deviation of d_a. The upper end is the longer tooth, of a ring the
+  /// shorter one.
+  std::optional<Ends> tip_deviations;
+
+  bool says_thickness() const { return series || span || over_balls; }
+};
+
+/// The gear's numbers; `cylindrical.profile_shift` is used once `profile_shift` is known.
+struct GearInput {
+  CylindricalSpec cylindrical;
+  std::optional<double> profile_shift;  ///< x
+  bool helix_given = false;             ///< else 0 for a gear, and an unknown for `fit`
+  bool hand_given = false;        ///< the hand is a word of its own, not the sign of the helix
+  bool transverse_given = false;  ///< module or pressure angle is that of the transverse section
+  bool face_width_given = false;  ///< else 10 m_n, with a warning
+  std::optional<BaseGear<double>> basic;  ///< the gear as itself; module, helix, shift follow
+  std::optional<CutByInput> cut_by;       ///< none: cut by its rack
+  std::optional<double> tip_clearance;    ///< of a tip fillet, to the mating root  mm
+  bool tip_clearance_by_rule = false;     ///< a tip fillet without a number: 0.2 m_n + 0.05
+  std::optional<Ends> allowance_ends;     ///< E_sni, E_sns  mm; the gear is made at their mean
+  MeasureInput measure;
+  ToleranceInput tolerance;
+  std::vector<std::string> not_read;  ///< sub-tables of verbs that are not in this version
+  std::optional<Bore> bore;
+  MaterialInput material;
+  std::array<FlankModifications, 2> modifications;  ///< right flank, left flank
+};
+
+}  // namespace gearwright

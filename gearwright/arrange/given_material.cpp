@@ -1,0 +1,64 @@
+#include "gearwright/arrange/given_material.hpp"
+
+#include "gearwright/base/error.hpp"
+
+namespace gearwright {
+
+Result<Material> material_of(const MaterialInput& given, const std::string& owner,
+                             RatingEdition edition) {
+  Material m;
+  if (given.name) {
+    const auto row = material_named(*given.name, given.surface_hardness);
+    const bool in_table = material_named(*given.name).has_value();
+    if (!row && in_table && !(given.sigma_Hlim && given.sigma_Flim)) {
+      return refused(owner + ".surface_hardness", *given.surface_hardness,
+                     "is off the line of ISO 6336-5 for this material; give its "
+                     "`sigma_Hlim` and `sigma_Flim`");
+    }
+    if (row) m = *row;
+    m.name = *given.name;
+  }
+  if (given.kind) m.kind = *given.kind;
+  if (given.sigma_Hlim || given.sigma_Flim) m.from_table = false;
+  if (given.sigma_Hlim) m.sigma_Hlim = *given.sigma_Hlim;
+  if (given.sigma_Flim) m.sigma_Flim = *given.sigma_Flim;
+  if (given.youngs_modulus) m.youngs_modulus = *given.youngs_modulus;
+  if (given.poisson_ratio) m.poisson_ratio = *given.poisson_ratio;
+  constexpr double kPerCubicMillimetre = 1e-9;
+  if (given.density) m.density = *given.density * kPerCubicMillimetre;
+  if (given.surface_hardness) m.hardness_HV = given.surface_hardness;
+  if (given.yield_strength) m.yield_strength = given.yield_strength;
+  m.sigma_Hlim_by = given.sigma_Hlim_by;
+  m.sigma_Flim_by = given.sigma_Flim_by;
+  m.youngs_modulus_by = given.youngs_modulus_by;
+  const bool flank = m.sigma_Hlim > 0.0 || !m.sigma_Hlim_by.empty();
+  const bool root = m.sigma_Flim > 0.0 || !m.sigma_Flim_by.empty();
+  if (!flank || !root) {
+    return Error{
+        flank        ? owner + ".sigma_Flim"
+        : given.name ? owner + ".sigma_Hlim"
+                     : owner,
+        "",
+        "is missing; a rating needs the material's strength: name = \"16MnCr5\" for example, "
+        "of the shipped table, or `material.kind`, `material.sigma_Hlim` and "
+        "`material.sigma_Flim`. Without "
+        "[gear2.material] that of gear 1 holds for both"};
+  }
+  const bool plastic = m.kind == MaterialKind::plastic;
+  const bool by_temperature =
+      !m.sigma_Hlim_by.empty() || !m.sigma_Flim_by.empty() || !m.youngs_modulus_by.empty();
+  if (by_temperature && !plastic)
+    return Error{owner + ".temperatures", "", "belongs to a `kind` of \"plastic\""};
+  if (plastic && edition != RatingEdition::vdi_2736) {
+    return Error{owner + ".kind", "plastic",
+                 "is not a material of ISO 6336; plastics are rated by VDI 2736: give "
+                 "`rating.edition` = \"VDI 2736:2014\""};
+  }
+  if (plastic && !given.youngs_modulus && m.youngs_modulus_by.empty()) {
+    return Error{owner + ".youngs_modulus", "",
+                 "is missing; that of steel, which it would be otherwise, is not a plastic's"};
+  }
+  return m;
+}
+
+}  // namespace gearwright

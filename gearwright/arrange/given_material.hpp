@@ -1,0 +1,34 @@
+// The material of a gear as a drawing gives it, and the material that follows.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "gearwright/base/result.hpp"
+#include "gearwright/rating/factor.hpp"
+#include "gearwright/rating/material.hpp"
+
+namespace gearwright {
+
+/// As given. A name of the shipped table brings the rest; whatever stands beside it counts instead.
+struct MaterialInput {
+  std::optional<std::string> name;
+  std::optional<MaterialKind> kind;
+  std::optional<double> youngs_modulus;    ///< E        N/mm²
+  std::optional<double> poisson_ratio;     ///< ν
+  std::optional<double> density;           ///< ρ        kg/m³
+  std::optional<double> sigma_Hlim;        ///< σ_Hlim   N/mm²
+  std::optional<double> sigma_Flim;        ///< σ_Flim   N/mm²
+  std::optional<double> surface_hardness;  ///< HV
+  std::optional<double> yield_strength;    ///< R_e      N/mm²
+  ByTemperature sigma_Hlim_by, sigma_Flim_by, youngs_modulus_by;
+};
+
+/// The material of `owner`, "gear1.material": the named row of the shipped table first, then whatever
+/// stands beside the name.
+///
+/// Errors    a member of `owner` where a strength is not known, or the standard has no such material
+Result<Material> material_of(const MaterialInput& given, const std::string& owner,
+                             RatingEdition edition);
+
+}  // namespace gearwright

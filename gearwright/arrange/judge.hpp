@@ -1,0 +1,30 @@
+// The verdict over arranged gears, as drawn and at the ends of their tolerances.
+//
+// Every limit is judged as drawn and at every combination of the ends of the tolerances. A finding
+// that is worse there than as drawn names the combination. Contact is that of the gears themselves,
+// at the mean of their tolerances. Remedies are changes of the input that are arranged and judged
+// before they are named.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "gearwright/arrange/arrange.hpp"
+#include "gearwright/verdict/verdict.hpp"
+
+namespace gearwright {
+
+/// What was computed beside the pair. All outlive the call.
+struct JudgedWith {
+  const ContactResult* contact = nullptr;  ///< of the working flanks; null: not computed
+  bool errors = false;                     ///< the contact is under errors
+  std::optional<JudgedRating> rating{};    ///< none: not computed
+  /// The contact of a changed pair under the same errors; it may add warnings. None: there is none.
+  /// Needed where `contact` is given.
+  std::function<std::optional<ContactResult>(Arranged&)> contact_again{};
+};
+
+/// Messages name members of the input, "`gear1.profile_shift`".
+Verdict judge(const Arranged& arranged, const JudgedWith& with = {});
+
+}  // namespace gearwright

@@ -1,0 +1,62 @@
+#include "gearwright/arrange/notes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/gear/gear_field.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// "`gear1.profile_shift` = 0.433 and `gear2.profile_shift` = 0.14": those that were absent.
+std::string chosen_shifts(const GivenPair& given) {
+  std::string text;
+  for (const int which : {1, 2}) {
+    const GearInput& gear = given.gear(which);
+    if (gear.profile_shift) continue;
+    text +=
+        fmt::format("{}`{}` = {}", text.empty() ? "" : " and ", gear_field(which, "profile_shift"),
+                    format_number(gear.cylindrical.profile_shift));
+  }
+  return text;
+}
+
+}  // namespace
+
+bool shifts_follow(const GivenPair& given) {
+  const auto& [one, two] = given.gears;
+  return one && two && given.pair.center_distance && !(one->profile_shift && two->profile_shift);
+}
+
+std::optional<Error> forbidden_shifts(const GivenPair& given) {
+  if (given.pair.choose_profile_shifts) return std::nullopt;
+  return Error{
+      gear_field(given.gears[0]->profile_shift ? 2 : 1, "profile_shift"), "",
+      fmt::format("is missing, and `pair.choose_profile_shifts` = false keeps the program "
+                  "from choosing it. At `pair.center_distance` = {} mm it would choose {}; "
+                  "give these or others: the backlash follows",
+                  format_number(*given.pair.center_distance), chosen_shifts(given))};
+}
+
+std::optional<Warning> note_shifts(const GivenPair& given) {
+  if (!shifts_follow(given)) return std::nullopt;
+  constexpr double kRounding = 1e-12;  // modules: 0 but for rounding
+  double greatest = 0.0;
+  for (const auto& gear : given.gears)
+    if (!gear->profile_shift)
+      greatest = std::max(greatest, std::abs(gear->cylindrical.profile_shift));
+  if (greatest < kRounding) return std::nullopt;
+  return Warning{"profile_shifts_chosen",
+                 fmt::format("Profile shifts chosen for a = {} mm: {}.",
+                             format_number(*given.pair.center_distance), chosen_shifts(given)),
+                 0};
+}
+
+Warning not_read(const std::string& what) {
+  return {"not_read", what + " is of a part that is not in this version: it was not read.", 0};
+}
+
+}  // namespace gearwright

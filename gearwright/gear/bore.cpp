@@ -1,0 +1,42 @@
+#include "gearwright/gear/bore.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace gearwright {
+
+double bore_reach(const Bore& bore) {
+  const double r = bore.diameter / 2.0;
+  return bore.has_keyway() ? std::hypot(bore.keyway_width / 2.0, r + bore.keyway_depth) : r;
+}
+
+std::optional<Error> bore_error(const Bore& bore, double room) {
+  if (!(bore.diameter > 0.0)) {
+    return refused("bore.diameter", bore.diameter,
+                   "a bore must be greater than 0; leave it out for a solid body");
+  }
+  if (!(bore.keyway_width >= 0.0 && bore.keyway_width < bore.diameter)) {
+    return refused("bore.keyway_width", bore.keyway_width, {0.0, bore.diameter},
+                   "a keyway must be at least {} and narrower than the bore, {} mm");
+  }
+  if (bore.has_keyway() && !(bore.keyway_depth >= 0.0)) {
+    return refused("bore.keyway_depth", bore.keyway_depth,
+                   "a keyway's depth, measured from the bore circle, must not be negative");
+  }
+  if (bore_reach(bore) <= room) return std::nullopt;
+
+  const double half = bore.keyway_width / 2.0;
+  const double depth = bore.has_keyway() ? bore.keyway_depth : 0.0;
+  const double largest =
+      room > half ? 2.0 * (std::sqrt((room - half) * (room + half)) - depth) : 0.0;
+  const double printed = std::floor(largest * 1000.0) / 1000.0;  // rounded down: it fits
+  const char* with = bore.has_keyway() ? " with its keyway" : "";
+  return refused(
+      "bore.diameter", bore.diameter,
+      printed > bore.keyway_width
+          ? fmt::format("the bore{} must stay inside the root: at most {:.3f} mm", with, printed)
+          : fmt::format("the bore{} must stay inside the root; none does", with));
+}
+
+}  // namespace gearwright
