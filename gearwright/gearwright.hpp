@@ -33,18 +33,27 @@
 #include "gearwright/pair/drive.hpp"
 #include "gearwright/pair/pair.hpp"
 
-// How they touch under errors: contact, contact_pattern, map_of_errors, compensate
-#include "gearwright/contact/compensation.hpp"
+// From a drawing, numbers missing, to gears and pair: arrange, and judge, the verdict over them
+#include "gearwright/arrange/arrange.hpp"
+#include "gearwright/arrange/judge.hpp"
+
+// How they touch under errors: contact, contact_pattern, map_of_errors, ContactSetup, compensate
+#include "gearwright/contact/corrections.hpp"
 #include "gearwright/contact/error_map.hpp"
 #include "gearwright/contact/pair_contact.hpp"
 #include "gearwright/contact/pattern.hpp"
+
+// Teeth that yield: loaded, teeth under torque; probes of one tooth
+#include "gearwright/arrange/loaded_pair.hpp"
 
 // What they bear: rated_pair, rate, rate_spectrum, torque_of_safety, the table of steels
 #include "gearwright/rating/sizing.hpp"
 #include "gearwright/rating/spectrum.hpp"
 
-// What a calliper reads: chordal_thickness
+// What a workshop measures: measure; which gear has these readings: identify
+#include "gearwright/arrange/measured_gear.hpp"
 #include "gearwright/inspection/chordal_thickness.hpp"
+#include "gearwright/inspection/identify.hpp"
 
 // Which gears to make: fit, design_few_teeth, Search
 #include "gearwright/design/few_teeth_design.hpp"

@@ -51,7 +51,8 @@ def files(binary, example):
     with tempfile.TemporaryDirectory() as folder:
         lines = []
         status, text = outcome(binary, ["run", str(example), "--out", "out"], folder)
-        text = text.split(b"\0")[0]  # stderr names the files that take long
+        if status == 0:
+            text = text.split(b"\0")[0]  # stderr names the files that take long
         lines.append(line(f"{example.stem} run", status, text))
         for file in sorted(pathlib.Path(folder, "out").rglob("*")):
             if file.is_file():

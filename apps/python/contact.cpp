@@ -9,7 +9,7 @@
 #include "apps/python/arrays.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
 #include "gearwright/catalogue/modification_keys.hpp"
-#include "gearwright/contact/pair_contact.hpp"
+#include "gearwright/contact/contact_setup.hpp"
 #include "gearwright/job/contact_text.hpp"
 
 namespace gearwright::python {
@@ -93,7 +93,7 @@ py::array_t<double> transmission_errors(const PairValue& pair, const py::object&
   const ModelPtr model =
       asked_model(pair, py::none(), modifications, contact_keys(), "contact", {});
   const ContactSetup setup = [&] {
-    auto made = ContactSetup::of(model->job);
+    auto made = setup_of(model->job);
     if (!made) raise(made.error(), *model);
     return std::move(made).take();
   }();
@@ -106,7 +106,7 @@ py::array_t<double> transmission_errors(const PairValue& pair, const py::object&
   const auto row = [&](std::size_t r) {
     ContactErrors e = setup.place().errors;
     for (std::size_t i = 0; i < columns; ++i)
-      e = setup.with_error(e, i, given[r * columns + i] / error_entries()[i].si());
+      e = with_error(setup, e, i, given[r * columns + i] / error_entries()[i].si());
     const auto curve = transmission_error(setup.pair(e, gear2_drives), positions);
     std::copy(curve.begin(), curve.end(),
               te.begin() + static_cast<std::ptrdiff_t>(r * curve.size()));

@@ -17,7 +17,7 @@ struct RatingValue : AnswerValue<RatingAnswer> {
   Verdict verdict() const { return judge(model->job, {.rating = answer.get()}); }
 };
 
-struct LoadedValue : AnswerValue<LoadAnswer> {
+struct LoadedValue : AnswerValue<LoadAnalysis> {
   Verdict verdict() const { return judge(model->job, {.load = true}); }
 };
 
@@ -33,7 +33,7 @@ LoadedValue loaded_of(const PairValue& pair, const py::object& errors,
   return answered<LoadedValue>(
       asked_model(pair, errors, modifications, load_keys(), "load", keys),
       [](SolvedJob& job, Progress* progress) { return answer_load(job, progress); },
-      [](const SolvedJob& job, const LoadAnswer& a) {
+      [](const SolvedJob& job, const LoadAnalysis& a) {
         return load_quantities().of(load_view(job, a));
       });
 }

@@ -21,21 +21,15 @@ int main() {
   const Result<Pair> pair = mount(*pinion, *wheel, {.center_distance = 116.6});
   if (!pair) return fail(pair.error());
 
-  const Angle crossings[] = {-0.01_deg, 0.04_deg};
-  CompensationTask task;
-  task.corrections = {{.lo = -50, .hi = 50, .step = 1},  // lead slope of gear 1, um
-                      {.lo = 0, .hi = 20, .step = 1}};   // lead crowning of gear 1, um
-  task.scenarios = 2;
+  const Result<ContactSetup> setup = ContactSetup::of(*pair, {});
+  if (!setup) return fail(setup.error());
+
+  const std::vector<ContactErrors> shafts{{.crossing = -0.01_deg}, {.crossing = 0.04_deg}};
+  CompensationTask task = compensation_task(
+      *setup, {{CorrectionOf::lead_slope, 1}, {CorrectionOf::lead_crowning, 1}}, shafts);
+  task.corrections = {{.lo = -50, .hi = 50, .step = 1},  // um
+                      {.lo = 0, .hi = 20, .step = 1}};
   task.centering = Angle::arcseconds(20);  // what contact at the end of the face may cost
-  task.pair_at = [&](const std::vector<double>& um, int s) -> std::shared_ptr<const ContactPair> {
-    FlankModifications m;
-    m.lead_slope = um[0] * kMmPerUm;
-    m.lead_crowning = um[1] * kMmPerUm;
-    ContactOptions options;
-    options.modifications[0].right = m;  // the flank that drives
-    const auto made = contact_pair(*pair, {.crossing = crossings[s]}, options);
-    return made ? *made : nullptr;
-  };
   const Compensation found = compensate(task);
   std::printf("lead slope %.2f um, crowning %.2f um\n", found.value[0], found.value[1]);
   std::printf("worst transmission error %.3f arcsec before, %.3f arcsec after\n",

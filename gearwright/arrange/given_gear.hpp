@@ -75,6 +75,15 @@ struct GearInput {
   std::optional<Bore> bore;
   MaterialInput material;
   std::array<FlankModifications, 2> modifications;  ///< right flank, left flank
+
+  /// A gear by all its numbers, its profile shift among them; reset that to have it chosen.
+  static GearInput of(const CylindricalSpec& spec) {
+    GearInput gear;
+    gear.cylindrical = spec;
+    gear.profile_shift = spec.profile_shift;
+    gear.helix_given = gear.face_width_given = true;
+    return gear;
+  }
 };
 
 }  // namespace gearwright

@@ -1,5 +1,7 @@
 #include "gearwright/catalogue/compensate_keys.hpp"
 
+#include <algorithm>
+
 namespace gearwright {
 
 namespace {
@@ -70,6 +72,14 @@ const KeyTable& compensate_range_keys() {
     return t;
   }();
   return table;
+}
+
+const CorrectionEntry& entry_of(const WorkshopCorrection& correction) {
+  const auto it =
+      std::find_if(kCorrections.begin(), kCorrections.end(),
+                   [&](const CorrectionEntry& e) { return e.correction == correction; });
+  GW_EXPECTS(it != kCorrections.end());
+  return *it;
 }
 
 }  // namespace gearwright

@@ -9,14 +9,14 @@
 
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/catalogue/key.hpp"
+#include "gearwright/contact/corrections.hpp"
 
 namespace gearwright {
 
-/// A correction that a workshop can make.
+/// A correction, as specs and results name it.
 struct CorrectionEntry {
   std::string_view key;  ///< as in the result, "gear1.lead_crowning_um"
-  double lo, hi;         ///< bounds, in its unit
-  double step;           ///< a small change
+  WorkshopCorrection correction;
   std::string_view words;
 
   std::string_view unit() const { return key_unit(key); }
@@ -24,23 +24,32 @@ struct CorrectionEntry {
   std::string_view shown_unit() const {
     return unit() == "um" ? "µm" : unit() == "deg" ? "°" : unit();
   }
+  /// "lead_crowning_um": of a flank's, its key in the table of modifications.
+  std::string_view own_key() const { return key.substr(key.find('.') + 1); }
 };
 
 constexpr std::size_t kCorrectionCount = 11;
 
-/// Bounds of everyday work; `tool_setting_mm` is bounded by the module as well.
-inline constexpr std::array<CorrectionEntry, kCorrectionCount> kCorrections{
-    {{"tool_setting_mm", -5.0, 5.0, 0.005, "tool setting of rack F, Δb_F"},
-     {"cutter_lead1_deg", -0.5, 0.5, 0.005, "lead angle of the cutter of gear 1"},
-     {"cutter_lead2_deg", -0.5, 0.5, 0.005, "lead angle of the cutter of gear 2"},
-     {"gear1.lead_slope_um", -100.0, 100.0, 2.0, "helix slope modification of gear 1"},
-     {"gear1.lead_crowning_um", 0.0, 50.0, 2.0, "helix crowning of gear 1"},
-     {"gear1.profile_slope_um", -50.0, 50.0, 1.0, "profile slope of gear 1"},
-     {"gear1.profile_crowning_um", 0.0, 50.0, 1.0, "profile crowning of gear 1"},
-     {"gear2.lead_slope_um", -100.0, 100.0, 2.0, "helix slope modification of gear 2"},
-     {"gear2.lead_crowning_um", 0.0, 50.0, 2.0, "helix crowning of gear 2"},
-     {"gear2.profile_slope_um", -50.0, 50.0, 1.0, "profile slope of gear 2"},
-     {"gear2.profile_crowning_um", 0.0, 50.0, 1.0, "profile crowning of gear 2"}}};
+inline constexpr std::array<CorrectionEntry, kCorrectionCount> kCorrections{{
+    {"tool_setting_mm", {CorrectionOf::tool_setting, 0}, "tool setting of rack F, Δb_F"},
+    {"cutter_lead1_deg", {CorrectionOf::cutter_lead, 1}, "lead angle of the cutter of gear 1"},
+    {"cutter_lead2_deg", {CorrectionOf::cutter_lead, 2}, "lead angle of the cutter of gear 2"},
+    {"gear1.lead_slope_um", {CorrectionOf::lead_slope, 1}, "helix slope modification of gear 1"},
+    {"gear1.lead_crowning_um", {CorrectionOf::lead_crowning, 1}, "helix crowning of gear 1"},
+    {"gear1.profile_slope_um", {CorrectionOf::profile_slope, 1}, "profile slope of gear 1"},
+    {"gear1.profile_crowning_um",
+     {CorrectionOf::profile_crowning, 1},
+     "profile crowning of gear 1"},
+    {"gear2.lead_slope_um", {CorrectionOf::lead_slope, 2}, "helix slope modification of gear 2"},
+    {"gear2.lead_crowning_um", {CorrectionOf::lead_crowning, 2}, "helix crowning of gear 2"},
+    {"gear2.profile_slope_um", {CorrectionOf::profile_slope, 2}, "profile slope of gear 2"},
+    {"gear2.profile_crowning_um",
+     {CorrectionOf::profile_crowning, 2},
+     "profile crowning of gear 2"},
+}};
+
+/// The entry of a correction.
+const CorrectionEntry& entry_of(const WorkshopCorrection& correction);
 
 /// What corrections are to make least.
 enum class CompensateAim { transmission_error, loaded_transmission_error, pressure };
@@ -49,8 +58,8 @@ constexpr bool under_load(CompensateAim aim) { return aim != CompensateAim::tran
 struct CompensateInput {
   bool given = false;  ///< the spec has [compensate]
   CompensateAim aim = CompensateAim::transmission_error;
-  std::vector<std::size_t> corrections;    ///< places in kCorrections; empty: the pair's own
-  std::optional<double> centering_arcsec;  ///< what a pattern at the end of the face may cost
+  std::vector<WorkshopCorrection> corrections;  ///< empty: the pair's own
+  std::optional<double> centering_arcsec;       ///< what a pattern at the end of the face may cost
   /// [compensate.range]: the least and the greatest value of an error, by its place in
   /// error_entries.
   std::array<std::optional<std::array<double, 2>>, kErrorCount> range{};

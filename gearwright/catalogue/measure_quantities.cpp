@@ -86,8 +86,8 @@ void say_seat(Quantities<V>& q, const Seat& seat) {
       .one_of(kPlaces);
 }
 
-const Quantities<BallView>& ball_quantities() {
-  using B = BallView;
+const Quantities<BallMeasure>& ball_quantities() {
+  using B = BallMeasure;
   static const Quantities<B> kAll("measure.over_balls", [](Quantities<B>& q) {
     q.mm("", "ball_diameter_mm", "diameter of the balls", "D_M", "given, or the standard size",
          [](const B& b) { return Value(b.seat.ball_diameter); })
@@ -105,8 +105,8 @@ const Quantities<BallView>& ball_quantities() {
 }
 const QuantityTable& ball_table() { return ball_quantities().table(); }
 
-const Quantities<PinView>& pin_quantities() {
-  using P = PinView;
+const Quantities<PinMeasure>& pin_quantities() {
+  using P = PinMeasure;
   static const Quantities<P> kAll("measure.over_pins", [](Quantities<P>& q) {
     q.mm("", "pin_diameter_mm", "diameter of the pins", "D_M", "given, or that of the balls",
          [](const P& p) { return Value(p.seat.ball_diameter); })
@@ -161,8 +161,8 @@ const Quantities<BallSizes>& size_quantities() {
 }
 const QuantityTable& size_table() { return size_quantities().table(); }
 
-const Quantities<ChordView>& chord_quantities() {
-  using C = ChordView;
+const Quantities<ChordMeasure>& chord_quantities() {
+  using C = ChordMeasure;
   static const Quantities<C> kAll("measure.chordal_thickness", [](Quantities<C>& q) {
     q.mm("", "diameter_mm", "diameter of the chord", "d_y", "at which the calliper's jaws touch",
          [](const C& c) { return Value(c.diameter); })
@@ -208,8 +208,8 @@ const Quantities<ConstantChord>& constant_quantities() {
 }
 const QuantityTable& constant_table() { return constant_quantities().table(); }
 
-const Quantities<ThicknessView>& thickness_quantities() {
-  using T = ThicknessView;
+const Quantities<ThicknessAt>& thickness_quantities() {
+  using T = ThicknessAt;
   static const Quantities<T> kAll("measure.tooth_thickness", [](Quantities<T>& q) {
     q.mm("", "diameter_mm", "diameter", "d_y", "that of the chord", [](const T& t) {
        return Value(t.diameter);
@@ -239,8 +239,8 @@ Value record_of(const Quantities<T>& quantities, const std::optional<T>& subject
   return subject ? Value(quantities.of(*subject)) : Value();
 }
 
-void say_measure(Quantities<MeasureView>& q) {
-  using M = MeasureView;
+void say_measure(Quantities<GearMeasures>& q) {
+  using M = GearMeasures;
   q.record(kSpan, "span", "null: none can be measured", span_table,
            [](const M& m) { return record_of(span_quantities(), m.span); });
   q.record("Other spans", "spans", "all that can be measured, at most 31 about the usual one",
@@ -276,8 +276,8 @@ void say_measure(Quantities<MeasureView>& q) {
 
 }  // namespace
 
-const Quantities<MeasureView>& measure_quantities() {
-  static const Quantities<MeasureView> kAll("measure", say_measure);
+const Quantities<GearMeasures>& measure_quantities() {
+  static const Quantities<GearMeasures> kAll("measure", say_measure);
   return kAll;
 }
 

@@ -30,6 +30,8 @@ struct ContactErrors {
   double axial = 0.0;                   ///< Δz  mm
   std::array<double, 2> helix_twist{};  ///< κ   rad/mm: section z turned by κz
   std::array<Angle, 2> cutter_lead{};   ///< Δλ  cut with another lead angle
+
+  bool operator==(const ContactErrors&) const = default;
 };
 
 struct ContactGear {

@@ -55,19 +55,4 @@ Result<std::shared_ptr<const ContactPair>> contact_pair(const Pair& pair,
 Result<Contact> contact(const Pair& pair, const ContactErrors& errors = {},
                         const ContactOptions& options = {});
 
-/// A cutter may be set wrong by this much: nothing, or why not.
-///
-/// Errors    `errors.cutter_lead[N]` of a spur gear, of one that a gear has cut, or where the lead
-///           angle leaves kMinLead to kMaxLead
-std::optional<Error> check_cutter_lead(const Gear& gear, int which, Angle change);
-constexpr Angle kMinLead = Angle::degrees(0.5), kMaxLead = Angle::degrees(90);
-
-/// The error of a flank's modifications, side 0 right, as one of gear 1 or 2.
-Error of_flank(int which, int side, Error error);
-
-/// The usable flank of a gear, which its modifications lie on.
-///
-/// Domain  a gear with a root form radius (contract)
-FlankExtent flank_extent(const Gear& gear);
-
 }  // namespace gearwright

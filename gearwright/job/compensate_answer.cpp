@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "gearwright/base/units.hpp"
+#include "gearwright/gear/gear_field.hpp"
 #include "gearwright/job/compensate_forms.hpp"
 #include "gearwright/job/compensate_load.hpp"
 #include "gearwright/job/contact_answer.hpp"
@@ -27,52 +28,15 @@ bool gear2_drives(const JobSpec& spec) {
   return (under_load(spec.compensate.aim) ? spec.load.driver : spec.contact.driver) == 2;
 }
 
-enum CorrectionIndex { setting, lead1, lead2, first_flank };
-
-bool can_take(const ContactSetup& setup, std::size_t index) {
-  if (index == setting) return setup.convex_gear().has_value();
-  if (index == lead1 || index == lead2) {
-    const Gear& g = setup.gear(index == lead1 ? 1 : 2);
-    return g.twist() != 0.0 && !g.cut_by;
-  }
-  return true;
-}
-
 std::optional<Error> check_corrections(const ContactSetup& setup, const CompensateInput& input) {
-  for (const std::size_t i : input.corrections) {
-    if (can_take(setup, i)) continue;
-    return Error{"compensate.corrections", std::string(kCorrections[i].key),
-                 i == setting ? "is the setting of a rack F (one of circular arcs), which cuts "
-                                "neither gear"
-                              : "needs a helical gear cut by a rack"};
+  for (const WorkshopCorrection& c : input.corrections) {
+    if (can_take(setup, c)) continue;
+    return Error{"compensate.corrections", std::string(entry_of(c).key),
+                 c.what == CorrectionOf::tool_setting
+                     ? "is the setting of a rack F (one of circular arcs), which cuts neither gear"
+                     : "needs a helical gear cut by a rack"};
   }
   return std::nullopt;
-}
-
-// What a workshop would reach for when nothing is said.
-std::vector<std::size_t> default_corrections(const ContactSetup& setup) {
-  if (can_take(setup, setting)) return {setting, lead1};
-  return {first_flank, first_flank + 1};  // helix slope modification and crowning of gear 1
-}
-
-SetupChange change_of(const std::vector<std::size_t>& which, const std::vector<double>& v,
-                      bool left) {
-  SetupChange c;
-  c.left = left;
-  for (std::size_t k = 0; k < which.size(); ++k) {
-    const std::size_t i = which[k];
-    if (i == setting) {
-      c.tool_setting = v[k];
-    } else if (i == lead1 || i == lead2) {
-      c.cutter_lead[i - lead1] = Angle::degrees(v[k]);
-    } else {
-      SetupChange::Flank& f = c.flank[(i - first_flank) / 4];
-      double* const amounts[] = {&f.lead_slope, &f.lead_crowning, &f.profile_slope,
-                                 &f.profile_crowning};
-      *amounts[(i - first_flank) % 4] = v[k] * kMmPerUm;
-    }
-  }
-  return c;
 }
 
 struct NamedErrors {
@@ -91,7 +55,7 @@ std::vector<NamedErrors> scenarios_of(const ContactSetup& setup, const Compensat
     NamedErrors s{"", setup.place().errors};
     for (std::size_t k = 0; k < ranged.size(); ++k) {
       const double value = (*input.range[ranged[k]])[(corner >> k) & 1u];
-      s.errors = setup.with_error(s.errors, ranged[k], value);
+      s.errors = with_error(setup, s.errors, ranged[k], value);
       s.name += fmt::format("{}{} = {}", k ? ", " : "", error_entries()[ranged[k]].key, value);
     }
     list.push_back(std::move(s));
@@ -100,18 +64,16 @@ std::vector<NamedErrors> scenarios_of(const ContactSetup& setup, const Compensat
 }
 
 // Where the corrected spec holds a correction: the slope of the flank that works, a crowning of both.
-std::string spec_key(const SolvedJob& job, const ContactSetup& setup, std::size_t i) {
-  if (i == setting) return fmt::format("gear{}.rack.center_b", *setup.convex_gear());
-  if (i == lead1 || i == lead2) return fmt::format("errors.{}", kCorrections[i].key);
-  const int gear = i < first_flank + 4 ? 1 : 2;
-  const std::string_view name = kCorrections[i].key.substr(6);
-  const bool slope = name.find("slope") != std::string_view::npos;
-  const bool left = gear2_drives(job.spec) != (gear == 2 && setup.gear(2).internal());
-  return fmt::format("gear{}.modifications.{}{}", gear,
-                     !slope ? ""
-                     : left ? "left_"
-                            : "right_",
-                     name);
+std::string spec_key(const SolvedJob& job, const ContactSetup& setup, const WorkshopCorrection& c) {
+  if (c.what == CorrectionOf::tool_setting)
+    return fmt::format("gear{}.rack.center_b", *setup.convex_gear());
+  if (c.what == CorrectionOf::cutter_lead) return fmt::format("errors.{}", entry_of(c).key);
+  const bool left = gear2_drives(job.spec) != (c.gear == 2 && setup.gear(2).internal());
+  return fmt::format("gear{}.modifications.{}{}", c.gear,
+                     !c.slope() ? ""
+                     : left     ? "left_"
+                                : "right_",
+                     entry_of(c).own_key());
 }
 
 // A correction that stands at the end of what is looked for may want to go further; a crowning of 0
@@ -126,7 +88,7 @@ std::optional<Warning> bound_warning(const CompensateAnswer& answer) {
   std::string list;
   for (std::size_t k = 0; k < answer.corrections.size(); ++k) {
     if (!answer.at_bound[k]) continue;
-    const CorrectionEntry& c = kCorrections[answer.corrections[k]];
+    const CorrectionEntry& c = entry_of(answer.corrections[k]);
     list += fmt::format("{}{}, {:g} {}", list.empty() ? "" : "; ", c.words, answer.result.value[k],
                         c.shown_unit());
   }
@@ -140,7 +102,7 @@ std::optional<Warning> bound_warning(const CompensateAnswer& answer) {
 
 // Corrections written into the spec, where its own keys hold them.
 Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
-                    const std::vector<std::size_t>& which, const std::vector<double>& v) {
+                    const std::vector<WorkshopCorrection>& which, const std::vector<double>& v) {
   Json tree = parse_json(job.spec.tree);
   tree.erase("compensate");
   const auto add = [](Json& table, const std::string& key, double value) {
@@ -150,22 +112,21 @@ Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
     table[key] = std::round(sum * kDigits) / kDigits;
   };
   for (std::size_t k = 0; k < which.size(); ++k) {
-    const std::size_t i = which[k];
+    const WorkshopCorrection& c = which[k];
     if (v[k] == 0.0) continue;
-    if (i == setting) {
+    if (c.what == CorrectionOf::tool_setting) {
       const int gear = *setup.convex_gear();
-      Json& rack = tree[fmt::format("gear{}", gear)]["rack"];
+      Json& rack = tree[gear_field(gear)]["rack"];
       const auto& arc = std::get<ArcRack>(setup.gear(gear).spec.rack);
       rack["center_b"] = arc.center_b + v[k] / setup.gear(gear).spec.normal_module;
       rack.erase("pressure_angle_deg");  // it was a check of the old setting
-    } else if (i == lead1 || i == lead2) {
-      add(tree["errors"], std::string(kCorrections[i].key), v[k]);  // an error of the same name
+    } else if (c.what == CorrectionOf::cutter_lead) {
+      add(tree["errors"], std::string(entry_of(c).key), v[k]);  // an error of the same name
     } else {
-      const int gear = i < first_flank + 4 ? 1 : 2;
-      const std::string name(kCorrections[i].key.substr(6));
-      const bool slope = name.find("slope") != std::string::npos;
-      Json& table = tree[fmt::format("gear{}", gear)]["modifications"];
-      const std::string path = spec_key(job, setup, i);
+      const std::string name(entry_of(c).own_key());
+      const bool slope = c.slope();
+      Json& table = tree[gear_field(c.gear)]["modifications"];
+      const std::string path = spec_key(job, setup, c);
       const std::string own = path.substr(path.rfind('.') + 1);
       // What holds for both flanks so far is the amount to add to.
       if (slope && !table.contains(own) && table.contains(name)) table[own] = table[name];
@@ -237,13 +198,13 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
                  "that is installed has one"};
   }
   if (auto error = missing_error(SpecUse::compensate, job.spec)) return *error;
-  auto made = ContactSetup::of(job);
+  auto made = setup_of(job);
   if (!made) return made.error();
   const ContactSetup setup = std::move(made).take();
   const CompensateInput& input = job.spec.compensate;
   if (auto error = check_corrections(setup, input)) return *error;
   CompensateAnswer answer;
-  answer.corrections = input.corrections.empty() ? default_corrections(setup) : input.corrections;
+  answer.corrections = input.corrections.empty() ? usual_corrections(setup) : input.corrections;
   const bool gear2_drives = gearwright::gear2_drives(job.spec);
   // Before a search: nothing that a workshop corrects makes teeth longer.
   if (std::isnan(
@@ -251,12 +212,12 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
     return nothing_touches(setup);
   const std::vector<NamedErrors> scenarios = scenarios_of(setup, input);
   for (const NamedErrors& s : scenarios) answer.scenarios.push_back(s.name);
-  CompensationTask task;
-  task.scenarios = static_cast<int>(scenarios.size());
+  std::vector<ContactErrors> errors;
+  for (const NamedErrors& s : scenarios) errors.push_back(s.errors);
+  CompensationTask task = compensation_task(setup, answer.corrections, errors, gear2_drives);
   task.positions = kPositions;
   task.progress = progress;
   task.curves = curves;
-  task.along_face = setup.gear(1).involute() != nullptr;
   task.fine_positions = job.spec.contact.positions;
   answer.aim = input.aim;
   std::optional<LoadedAim> load;
@@ -270,12 +231,6 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
     task.curves = std::min(curves, kLoadCurves);
   }
   if (input.centering_arcsec) task.centering = Angle::arcseconds(*input.centering_arcsec);
-  for (const std::size_t i : answer.corrections) {
-    const CorrectionEntry& c = kCorrections[i];
-    const double most =
-        i == setting ? 0.1 * setup.gear(*setup.convex_gear()).spec.normal_module : c.hi;
-    task.corrections.push_back({std::max(c.lo, -most), std::min(c.hi, most), c.step});
-  }
   answer.setting = arc_setting(job, setup);
   answer.lead = lead_without_slope(job, setup);
   if (answer.setting && answer.setting->angle_nominal) {
@@ -285,28 +240,13 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   }
   std::vector<double> closed_forms(answer.corrections.size(), 0.0);
   for (std::size_t k = 0; k < closed_forms.size(); ++k) {
-    const std::size_t i = answer.corrections[k];
-    if (i == setting && answer.setting) closed_forms[k] = answer.setting->exact;
-    if (i == lead1 && answer.lead)
+    const WorkshopCorrection& c = answer.corrections[k];
+    if (c.what == CorrectionOf::tool_setting && answer.setting)
+      closed_forms[k] = answer.setting->exact;
+    if (c.what == CorrectionOf::cutter_lead && c.gear == 1 && answer.lead)
       closed_forms[k] = answer.lead->exact[0].value_or(Angle()).rad() / kRadPerDeg;
   }
   task.starts.push_back(std::move(closed_forms));
-  // A pair points to what its setup holds.
-  struct Held {
-    ContactSetup setup;
-    ContactPair pair;
-  };
-  task.pair_at = [&](const std::vector<double>& v, int s) -> std::shared_ptr<const ContactPair> {
-    const auto changed = setup.changed(change_of(answer.corrections, v, gear2_drives));
-    if (!changed) return nullptr;
-    ContactErrors errors = scenarios[static_cast<std::size_t>(s)].errors;
-    for (int i = 0; i < 2; ++i)
-      errors.cutter_lead[i] +=
-          changed->place().errors.cutter_lead[i] - setup.place().errors.cutter_lead[i];
-    const auto held =
-        std::make_shared<const Held>(Held{*changed, changed->pair(errors, gear2_drives)});
-    return {held, &held->pair};
-  };
   answer.result = compensate(task);
   for (std::size_t i = 0; i < scenarios.size(); ++i) {
     if (answer.result.each_after[i].nothing_touches())

@@ -10,16 +10,16 @@
 #include <vector>
 
 #include "gearwright/contact/compensation.hpp"
-#include "gearwright/job/contact_setup.hpp"
+#include "gearwright/job/job_contact.hpp"
 #include "gearwright/load/loaded_score.hpp"
 #include "gearwright/verdict/verdict.hpp"
 
 namespace gearwright {
 
 struct CompensateAnswer {
-  std::vector<std::size_t> corrections;  ///< in kCorrections
-  std::vector<std::string> spec_keys;    ///< of each: the key that holds it in `corrected`
-  std::vector<bool> at_bound;            ///< of each: at the end of what is looked for
+  std::vector<WorkshopCorrection> corrections;
+  std::vector<std::string> spec_keys;  ///< of each: the key that holds it in `corrected`
+  std::vector<bool> at_bound;          ///< of each: at the end of what is looked for
   Compensation result;
   std::vector<std::string> scenarios;
   CompensateAim aim = CompensateAim::transmission_error;

@@ -23,9 +23,9 @@ Result<LoadedAim> LoadedAim::of(SolvedJob& job, Progress* progress) {
   auto compliance = held.task.compliance();
   if (!compliance) return compliance.error();
   held.compliance = std::move(compliance).take();
-  request.progress = nullptr;    // trials are counted, not their positions
-  SolvedJob as_it_stands = job;  // what is said of it is not said of the corrected pair
-  if (auto error = judge_load(as_it_stands, held.task, held.task.contact(held.compliance)))
+  request.progress = nullptr;        // trials are counted, not their positions
+  std::vector<Warning> of_the_pair;  // as it stands; the corrected one has its own
+  if (auto error = judge_load(held.task, held.task.contact(held.compliance), of_the_pair))
     return *error;
   return LoadedAim(std::make_shared<const Held>(std::move(held)));
 }

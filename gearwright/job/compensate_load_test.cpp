@@ -53,7 +53,7 @@ std::vector<LoadedScore> scanned(const std::string& text) {
   SolvedJob job = job_of(text);
   const auto load = LoadedAim::of(job, nullptr);
   EXPECT_TRUE(load) << load.error().message();
-  const auto setup = ContactSetup::of(job);
+  const auto setup = setup_of(job);
   std::vector<LoadedScore> all;
   for (double slope = -40; slope <= 40; slope += 5) {
     for (double crowning = 0; crowning <= 24; crowning += 4) {

@@ -25,7 +25,7 @@ CompensateView compensate_view(const CompensateAnswer& a) {
                       a.lead,
                       {}};
   for (std::size_t i = 0; i < a.corrections.size(); ++i) {
-    const CorrectionEntry& c = kCorrections[a.corrections[i]];
+    const CorrectionEntry& c = entry_of(a.corrections[i]);
     view.corrections.push_back({std::string(c.key), std::string(c.unit()), std::string(c.words),
                                 std::string(c.shown_unit()), a.result.value[i], a.spec_keys[i],
                                 a.at_bound[i]});
@@ -58,7 +58,7 @@ std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) 
                           {compensate_quantities().of(compensate_view(a))}, {});
   head("Corrections together, for the worst of the errors");
   for (std::size_t i = 0; i < a.corrections.size(); ++i) {
-    const CorrectionEntry& c = kCorrections[a.corrections[i]];
+    const CorrectionEntry& c = entry_of(a.corrections[i]);
     row(std::string(c.words), fmt::format("{:>11} {}{}", fixed_text(a.result.value[i], 4),
                                           c.shown_unit(), a.at_bound[i] ? "  (the bound)" : ""));
     if (a.result.value[i] != 0.0) row("  in the spec: " + a.spec_keys[i], "");

@@ -21,8 +21,8 @@ std::vector<double> spread(const std::array<double, 2>& range, int n) {
 ErrorMap make_map(const ContactSetup& setup, const ContactMapInput& m, int positions,
                   bool gear2_drives, Progress* progress) {
   const auto pair_at = [&](double x, double y) {
-    ContactErrors e = setup.with_error(setup.place().errors, m.key[0], x);
-    return setup.pair(setup.with_error(e, m.key[1], y), gear2_drives);
+    ContactErrors e = with_error(setup, setup.place().errors, m.key[0], x);
+    return setup.pair(with_error(setup, e, m.key[1], y), gear2_drives);
   };
   return map_of_errors(spread(m.range[0], m.points[0]), spread(m.range[1], m.points[1]), pair_at,
                        positions, 0, progress);
@@ -131,7 +131,7 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
 }  // namespace
 
 Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress) {
-  auto made = ContactSetup::of(job);
+  auto made = setup_of(job);
   if (!made) return made.error();
   ContactAnswer answer{std::move(made).take(), {}, {}, std::nullopt, std::nullopt, std::nullopt};
   const ContactInput& input = job.spec.contact;
@@ -140,8 +140,7 @@ Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress) {
   request.rotations = input.rotations;
   request.progress = progress;
   ContactRequest other = request;
-  for (const NamedInfluence& i : answer.setup.influences())
-    request.influences.push_back(i.influence);
+  for (const NamedInfluence& i : influences_of(job)) request.influences.push_back(i.influence);
   answer.driving = analyse_contact(answer.setup.pair(gear2_drives), request);
   answer.other = analyse_contact(answer.setup.pair(!gear2_drives), other);
   const auto touches = [](const ContactPoint& p) { return p.kind != TouchKind::none; };

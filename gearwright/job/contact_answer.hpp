@@ -6,7 +6,7 @@
 
 #include "gearwright/contact/error_map.hpp"
 #include "gearwright/contact/pattern.hpp"
-#include "gearwright/job/contact_setup.hpp"
+#include "gearwright/job/job_contact.hpp"
 
 namespace gearwright {
 
@@ -19,7 +19,7 @@ struct ContactAnswer {
   std::optional<std::array<FlankRaster, 2>> pattern;  ///< where [contact] asks for it
 };
 
-/// Errors    as ContactSetup; `errors` when no tooth touches at any position
+/// Errors    as setup_of; `errors` when no tooth touches at any position
 Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress = nullptr);
 
 }  // namespace gearwright

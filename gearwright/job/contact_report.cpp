@@ -11,7 +11,7 @@
 #include "gearwright/catalogue/modification_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/contact/contact.hpp"
-#include "gearwright/contact/pair_contact.hpp"
+#include "gearwright/contact/contact_setup.hpp"
 
 namespace gearwright {
 
@@ -114,7 +114,7 @@ std::vector<Under> each_error(const SolvedJob& job, const ContactSetup& setup) {
       if (v == value[i] && count == 1) continue;  // that is all of them
       if (!can_be(setup, i, v)) continue;
       const NamedAmount n = named(i, v);
-      list.push_back({n.name + " " + words_of(n), setup.with_error({}, i, v), false});
+      list.push_back({n.name + " " + words_of(n), with_error(setup, {}, i, v), false});
     }
   }
   list.push_back({"as specified", setup.place().errors, true});

@@ -166,7 +166,7 @@ std::string contact_csv(const SolvedJob& job, const ContactAnswer& answer) {
   return {};
 }
 
-std::string load_csv(const LoadAnswer& answer) {
+std::string load_csv(const LoadAnalysis& answer) {
   ValueList rows;
   if (!answer.contact) return {};
   for (const LoadedTorque& t : answer.contact->torques)

@@ -17,7 +17,7 @@ std::string quantities_csv(const SolvedJob& job);
 /// A row for each position of the working flanks, a column for each number of it.
 std::string contact_csv(const SolvedJob& job, const ContactAnswer& answer);
 /// A row for each torque and position.
-std::string load_csv(const LoadAnswer& answer);
+std::string load_csv(const LoadAnalysis& answer);
 /// A row for each quantity: key, quantity, symbol, unit, first, second, formula, branch; `second`
 /// where it is gear 2's.
 std::string rating_csv(const RatingAnswer& answer);

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/arrange/cut_gears.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/design/few_teeth_design.hpp"
 #include "gearwright/gear/gear_field.hpp"
-#include "gearwright/arrange/cut_gears.hpp"
 
 namespace gearwright {
 

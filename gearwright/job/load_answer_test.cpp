@@ -23,14 +23,14 @@ SolvedJob loaded_job(const std::string& text) {
   return std::move(solved).take();
 }
 
-LoadAnswer loaded_answer(SolvedJob& job) {
+LoadAnalysis loaded_answer(SolvedJob& job) {
   auto answer = answer_load(job);
   EXPECT_TRUE(answer) << answer.error().message();
   return std::move(answer).take();
 }
 
 // Every position has an answer, and none is 0.
-void expect_numbers(const LoadAnswer& answer) {
+void expect_numbers(const LoadAnalysis& answer) {
   for (const LoadedTorque& t : answer.contact->torques) {
     EXPECT_TRUE(std::isfinite(t.peak_to_peak.rad()));
     EXPECT_FALSE(t.harmonics.empty());
@@ -61,11 +61,11 @@ accuracy = "draft"
 TEST(LoadAnswer, APointedToothBearsAsOneThatEndsALittleLower) {
   SolvedJob pointed = loaded_job(pointed_spur(""));
   ASSERT_TRUE(pointed.gears[0].pointed());
-  const LoadAnswer sharp = loaded_answer(pointed);
+  const LoadAnalysis sharp = loaded_answer(pointed);
   expect_numbers(sharp);
   SolvedJob blunt = loaded_job(pointed_spur(", tip_diameter_mm = 17.64"));
   ASSERT_FALSE(blunt.gears[0].pointed());
-  const LoadAnswer other = loaded_answer(blunt);
+  const LoadAnalysis other = loaded_answer(blunt);
   for (std::size_t i = 0; i < 8; ++i) {
     const LoadedPosition& p = sharp.contact->torques[0].positions[i];
     const LoadedPosition& q = other.contact->torques[0].positions[i];
@@ -104,7 +104,7 @@ TEST(LoadAnswer, CornersThatBearComeToAnEnd) {
       "profile_shift = -0.015",
       "teeth = 91, helix_angle_deg = 15.59, face_width_mm = 13.02, profile_shift = -0.006",
       "torque_Nm = [145, 290]\n"));
-  const LoadAnswer answer = loaded_answer(job);
+  const LoadAnalysis answer = loaded_answer(job);
   expect_numbers(answer);
   EXPECT_EQ(answer.contact->unfinished, 0);
   EXPECT_LT(answer.contact->torques[1].peak_to_peak.arcsec(), 25.0);
@@ -115,7 +115,7 @@ TEST(LoadAnswer, APositionWithoutAnAnswerIsNullNamedAndRed) {
   auto made = load_task(job);
   ASSERT_TRUE(made) << made.error().message();
   const LoadTask task = std::move(made).take();
-  LoadAnswer answer;
+  LoadAnalysis answer;
   answer.compliance = task.compliance().value();
   answer.contact = task.contact(*answer.compliance);
   LoadedTorque& t = answer.contact->torques[0];
@@ -129,7 +129,7 @@ TEST(LoadAnswer, APositionWithoutAnAnswerIsNullNamedAndRed) {
   EXPECT_LE(t.max_pressure, whole.max_pressure);
   EXPECT_GT(t.max_pressure, 0.0);
   EXPECT_TRUE(t.harmonics.empty());
-  EXPECT_FALSE(judge_load(job, task, *answer.contact));
+  EXPECT_FALSE(judge_load(task, *answer.contact, job.warnings));
   const auto warning = std::find_if(job.warnings.begin(), job.warnings.end(),
                                     [](const Warning& w) { return w.code == "load_unfinished"; });
   ASSERT_NE(warning, job.warnings.end());
@@ -144,7 +144,7 @@ TEST(LoadAnswer, APositionWithoutAnAnswerIsNullNamedAndRed) {
   // With no position left there is nothing to tell.
   for (LoadedPosition& p : t.positions)
     p = LoadedPosition{.rotation1 = p.rotation1, .unfinished = true};
-  const auto error = judge_load(job, task, *answer.contact);
+  const auto error = judge_load(task, *answer.contact, job.warnings);
   ASSERT_TRUE(error);
   EXPECT_EQ(error->field, "load.torques");
 }

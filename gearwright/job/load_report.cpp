@@ -14,7 +14,7 @@ bool nothing_touched(const Error& error) {
 }
 
 // The answer's positions, or a pitch of its own where the spec has other rotations.
-Result<LoadedContact> over_a_pitch(const SolvedJob& job, const LoadAnswer& answer,
+Result<LoadedContact> over_a_pitch(const SolvedJob& job, const LoadAnalysis& answer,
                                    Progress* progress) {
   if (job.spec.load.rotations.empty()) return *answer.contact;
   SolvedJob again = job;  // its warnings have been said
@@ -24,7 +24,7 @@ Result<LoadedContact> over_a_pitch(const SolvedJob& job, const LoadAnswer& answe
   task.request.rotations.clear();
   task.request.progress = progress;
   auto contact = task.contact(*answer.compliance);
-  if (auto error = judge_load(again, task, contact)) return *error;
+  if (auto error = judge_load(task, contact, again.warnings)) return *error;
   return contact;
 }
 

@@ -10,7 +10,7 @@ namespace gearwright {
 
 /// The report points into the job; it has a pitch of positions, whatever rotations the answer has.
 struct LoadPart {
-  LoadAnswer answer;
+  LoadAnalysis answer;
   std::optional<LoadReport> report;  ///< none: only probes were asked
 };
 

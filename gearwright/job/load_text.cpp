@@ -37,7 +37,7 @@ std::string harris_map(const LoadedContact& contact, const LoadedTorque* quiet) 
 
 }  // namespace
 
-Json load_json(const SolvedJob& job, const LoadAnswer& answer, const Verdict& verdict) {
+Json load_json(const SolvedJob& job, const LoadAnalysis& answer, const Verdict& verdict) {
   Json j;
   if (!job.spec.title.empty()) j["title"] = job.spec.title;
   j["load"] = to_json(load_quantities().of(load_view(job, answer)));
@@ -46,7 +46,7 @@ Json load_json(const SolvedJob& job, const LoadAnswer& answer, const Verdict& ve
   return j;
 }
 
-std::string load_listing(const SolvedJob& job, const LoadAnswer& answer) {
+std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer) {
   std::string out;
   if (!job.spec.title.empty()) out += printable(job.spec.title) + "\n";
   for (std::size_t i = 0; i < answer.probes.size(); ++i) {

@@ -11,7 +11,7 @@
 
 namespace gearwright {
 
-Json load_json(const SolvedJob& job, const LoadAnswer& answer, const Verdict& verdict);
-std::string load_listing(const SolvedJob& job, const LoadAnswer& answer);
+Json load_json(const SolvedJob& job, const LoadAnalysis& answer, const Verdict& verdict);
+std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer);
 
 }  // namespace gearwright

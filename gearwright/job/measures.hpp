@@ -18,10 +18,7 @@ namespace gearwright {
 /// `no_span`, `no_balls`, `no_pins`; a contact that is off the usable flank is one too.
 ///
 /// Errors    `gearN.measure.…`: what was asked for and cannot be measured
-Result<std::vector<MeasureView>> measure_gears(SolvedJob& job);
-
-/// What tolerances of flanks depend on; without the mating gear.
-ToleranceSubject tolerance_subject(const Gear& gear);
+Result<std::vector<GearMeasures>> measure_gears(SolvedJob& job);
 
 /// The same as records for the page; what was asked for and cannot be measured is left out.
 std::vector<ValueRecord> measure_records(const SolvedJob& job);
@@ -31,10 +28,10 @@ std::vector<ValueRecord> measure_records(const SolvedJob& job);
 std::vector<std::vector<ValueRecord>> measure_end_records(const SolvedJob& job);
 
 /// job_json with `measure` in each of `gears`, and the interval that tolerances give it.
-Json measures_json(const SolvedJob& job, const std::vector<MeasureView>& measures,
+Json measures_json(const SolvedJob& job, const std::vector<GearMeasures>& measures,
                    const Verdict& verdict);
 
-std::string measure_listing(const SolvedJob& job, const std::vector<MeasureView>& measures);
+std::string measure_listing(const SolvedJob& job, const std::vector<GearMeasures>& measures);
 
 /// The rack that --as-rack names: "module,angle", either of them empty.
 struct RackQuestion {

@@ -102,7 +102,7 @@ Result<Answer> run_pair(const JobSpec& spec, Progress* progress) {
       spec, progress);
 }
 
-using Measures = std::vector<MeasureView>;
+using Measures = std::vector<GearMeasures>;
 
 Result<Answer> run_measure(const JobSpec& spec, Progress* progress) {
   return solved_answer<Measures>(
@@ -139,13 +139,14 @@ Result<Answer> run_compensate(const JobSpec& spec, Progress* progress) {
 }
 
 Result<Answer> run_load(const JobSpec& spec, Progress* progress) {
-  return solved_answer<LoadAnswer>(
+  return solved_answer<LoadAnalysis>(
       {.scope = Scope::everything,
        .find = answer_load,
-       .judge = [](const SolvedJob& job, const LoadAnswer&) { return judge(job, {.load = true}); },
+       .judge = [](const SolvedJob& job,
+                   const LoadAnalysis&) { return judge(job, {.load = true}); },
        .json = load_json,
        .text = load_listing,
-       .csv = [](const SolvedJob&, const LoadAnswer& a) { return load_csv(a); }},
+       .csv = [](const SolvedJob&, const LoadAnalysis& a) { return load_csv(a); }},
       spec, progress);
 }
 

@@ -44,8 +44,8 @@ ContactMapInput read_map(const Json& node) {
 
 constexpr std::size_t kMaxRanges = 5;  // 32 corners
 
-std::vector<std::size_t> read_corrections(TableReader& t) {
-  std::vector<std::size_t> wanted;
+std::vector<WorkshopCorrection> read_corrections(TableReader& t) {
+  std::vector<WorkshopCorrection> wanted;
   const Json* list = t.any("corrections");
   if (!list) return wanted;
   const Key& key = *t.keys().find("corrections");
@@ -58,10 +58,10 @@ std::vector<std::size_t> read_corrections(TableReader& t) {
       t.fail("corrections",
              fmt::format("unknown correction {}; {}", printable(name, 60), word_hint(name, known)));
     }
-    const auto index = static_cast<std::size_t>(it - known.begin());
-    if (std::find(wanted.begin(), wanted.end(), index) != wanted.end())
+    const auto& correction = kCorrections[static_cast<std::size_t>(it - known.begin())].correction;
+    if (std::find(wanted.begin(), wanted.end(), correction) != wanted.end())
       t.fail("corrections", fmt::format("names {} twice", name));
-    wanted.push_back(index);
+    wanted.push_back(correction);
   }
   return wanted;
 }

@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/web/engine/stopwatch.hpp"
+#include "gearwright/arrange/stiffness_reasons.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/load_text.hpp"
-#include "gearwright/job/stiffness_reasons.hpp"
 #include "gearwright/job/value_json.hpp"
 #include "gearwright/load/load_summary.hpp"
 
@@ -133,10 +133,10 @@ Result<Steps> LoadWork::step(double milliseconds) {
 }
 
 std::optional<Error> LoadWork::close() {
-  LoadAnswer answer;
+  LoadAnalysis answer;
   answer.contact = turn_->result();
   answer.compliance = *compliance_;
-  if (auto error = judge_load(job_, task_, *answer.contact)) return error;
+  if (auto error = judge_load(task_, *answer.contact, job_.warnings)) return error;
   explain_stiffness(job_, task_, answer);
   json_ = json_text(load_json(job_, answer, judge(job_, {.load = true})), 2) + "\n";
   picture_ = picture_of(*answer.contact);

@@ -97,7 +97,7 @@ std::string Session::json(std::string_view verb) const {
 
 Result<ContactSetup*> Session::setup() {
   if (!job_.pair) return Error{"gear2", "", "is missing: contact is of a pair"};
-  if (!setup_) setup_ = ContactSetup::of(job_);
+  if (!setup_) setup_ = setup_of(job_);
   if (!*setup_) return setup_->error();
   return const_cast<ContactSetup*>(&setup_->value());
 }
@@ -114,7 +114,7 @@ Result<ContactPair> Session::pair_under(const std::array<std::size_t, 2>& keys,
   const auto made = setup();
   if (!made) return made.error();
   ContactErrors errors = (*made)->place().errors;
-  for (const std::size_t i : {0, 1}) errors = (*made)->with_error(errors, keys[i], values[i]);
+  for (const std::size_t i : {0, 1}) errors = with_error(**made, errors, keys[i], values[i]);
   return (*made)->pair(errors, job_.spec.contact.driver == 2);
 }
 

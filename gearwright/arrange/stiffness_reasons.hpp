@@ -2,14 +2,14 @@
 // without its errors, without its modifications, with a wider face, with solid bodies.
 #pragma once
 
-#include "gearwright/job/load_answer.hpp"
+#include "gearwright/arrange/loaded_pair.hpp"
 
 namespace gearwright {
 
-/// Where the mean stiffness is more than a quarter off c_γα: a note in the job's warnings, with the
+/// Where the mean stiffness is more than a quarter off c_γα: a note in its warnings, with the
 /// factor that each of these makes and what is left.
 ///
 /// Domain    an answer of this task with contact (contract)
-void explain_stiffness(SolvedJob& job, const LoadTask& task, const LoadAnswer& answer);
+void explain_stiffness(Arranged& arranged, const LoadTask& task, const LoadAnalysis& answer);
 
 }  // namespace gearwright

@@ -1,12 +1,9 @@
-#include "gearwright/job/contact_setup.hpp"
+#include "gearwright/contact/contact_setup.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cmath>
 
-#include "gearwright/base/units.hpp"
-#include "gearwright/catalogue/modification_keys.hpp"
-#include "gearwright/contact/pair_contact.hpp"
 #include "gearwright/contact/recut.hpp"
 #include "gearwright/gear/gear_field.hpp"
 
@@ -14,13 +11,11 @@ namespace gearwright {
 
 namespace {
 
-bool any_modification(const GearInput& gear) {
-  for (const FlankModifications& m : gear.modifications) {
-    if (m.topography) return true;
-    for (const ModificationEntry& e : modification_entries())
-      if (e.relief ? e.placed(m) : e.amount_of(m) != 0.0) return true;
-  }
-  return false;
+bool any_modification(const FlankModifications& m) {
+  for (const Relief* relief : {&m.tip_relief, &m.root_relief, &m.end_relief})
+    if (relief->amount != 0.0 || relief->reach) return true;
+  return m.topography || m.profile_crowning != 0.0 || m.profile_slope != 0.0 ||
+         m.lead_crowning != 0.0 || m.lead_slope != 0.0;
 }
 
 // Tips that pass each other, or why else no tooth finds another.
@@ -51,9 +46,8 @@ Error nothing_touches_under(const ContactSetup& setup, const std::string& name,
   return {"compensate.range", name, "nothing touches there; " + why_nothing_touches(setup, errors)};
 }
 
-ContactErrors ContactSetup::with_error(ContactErrors e, std::size_t index, double value) const {
-  error_entries()[index].set(e, {gears_[0].get(), gears_[1].get()}, value);
-  return e;
+bool any_modification(const std::array<FlankModifications, 2>& flanks) {
+  return any_modification(flanks[0]) || any_modification(flanks[1]);
 }
 
 const RemovalField* ContactSetup::removal(int gear, bool left) const {
@@ -65,6 +59,16 @@ ContactPair ContactSetup::pair(const ContactErrors& errors, bool gear2_drives) c
   place.errors = errors;
   place.gear2_drives = gear2_drives;
   return at(place);
+}
+
+std::shared_ptr<const ContactPair> ContactSetup::shared_pair(const ContactErrors& errors,
+                                                             bool gear2_drives) const {
+  struct Held {
+    ContactSetup setup;
+    ContactPair pair;
+  };
+  const auto held = std::make_shared<const Held>(Held{*this, pair(errors, gear2_drives)});
+  return {held, &held->pair};
 }
 
 ContactPair ContactSetup::at(const ContactMount& place) const {
@@ -135,48 +139,58 @@ Result<ContactSetup> ContactSetup::changed(const SetupChange& change) const {
   return setup;
 }
 
-Result<ContactSetup> ContactSetup::of(const SolvedJob& job) {
+Result<ContactSetup> ContactSetup::of(const Pair& pair, const ContactErrors& errors,
+                                      const PairModifications& modifications,
+                                      std::array<bool, 2> fields) {
   ContactSetup setup;
-  GW_EXPECTS(job.pair.has_value());
-  setup.place_.center_distance = job.pair->center_distance();
-  setup.place_.shaft_angle = job.pair->shaft_angle();
-  for (const int i : {0, 1}) setup.gears_[i] = std::make_shared<const Gear>(job.pair->gear(i + 1));
-  for (std::size_t i = 0; i < kErrorCount; ++i)
-    setup.place_.errors = setup.with_error(setup.place_.errors, i, job.spec.errors.value[i]);
+  setup.place_.center_distance = pair.center_distance();
+  setup.place_.shaft_angle = pair.shaft_angle();
+  setup.place_.errors = errors;
+  setup.modifications_ = modifications;
   for (int i = 0; i < 2; ++i) {
+    setup.gears_[i] = std::make_shared<const Gear>(pair.gear(i + 1));
     const Gear& gear = setup.gear(i + 1);
-    const auto form = gear.root_form_radius();
-    if (!form) {
+    if (!gear.root_form_radius())
       return Error{gear_field(i + 1), "",
                    "has no usable flank to touch with; see its warnings (gearwright gear)"};
-    }
-    if (auto error = check_cutter_lead(gear, i + 1, setup.place_.errors.cutter_lead[i]))
-      return *error;
-    const GearInput& input = *job.completed.gears[i];
-    setup.modifications_[i] = input.modifications;
-    if (!any_modification(input)) continue;
+    if (auto error = check_cutter_lead(gear, i + 1, errors.cutter_lead[i])) return *error;
+    if (!fields[i] && !any_modification(modifications[i])) continue;
     for (int side = 0; side < 2; ++side) {
-      auto field = make_removal_field(input.modifications[side], flank_extent(gear));
+      auto field = make_removal_field(modifications[i][side], flank_extent(gear));
       if (!field) return of_flank(i + 1, side, field.error());
       setup.removal_[i][side] = std::make_shared<const RemovalField>(std::move(field).take());
     }
   }
-  for (const ErrorEntry& e : error_entries()) {
-    if (e.kind)
-      setup.influences_.push_back(
-          {fmt::format("{}_per_{}", e.name(), e.unit()), e.si(), {*e.kind}});
-  }
-  for (int i = 0; i < 2; ++i) {
-    const GearInput& input = *job.completed.gears[i];
-    if (!any_modification(input)) continue;
-    for (const ModificationEntry& m : modification_entries()) {
-      if (!m.placed(input.modifications[0]) && !m.placed(input.modifications[1])) continue;
-      setup.influences_.push_back({fmt::format("gear{}_{}_per_um", i + 1, m.name),
-                                   kMmPerUm,
-                                   {ErrorKind::center_distance, i + 1, m.parameter}});
-    }
-  }
   return setup;
+}
+
+std::optional<Error> check_cutter_lead(const Gear& gear, int which, Angle change) {
+  if (change == Angle()) return std::nullopt;
+  const double delta = change.deg();
+  const std::string field = fmt::format("errors.cutter_lead[{}]", which - 1);
+  if (gear.twist() == 0.0)
+    return refused(field, delta, "a spur gear has no lead to change; give it a helix angle");
+  if (gear.cut_by)
+    return refused(field, delta,
+                   fmt::format("the gear is cut by a gear, whose lead is that of its guide; a "
+                               "change of it is `errors.helix_twist[{}]`",
+                               which - 1));
+  const double lambda = 90.0 - std::abs(gear.spec.helix_angle.deg()) + delta;
+  if (lambda > kMinLead.deg() && lambda < kMaxLead.deg()) return std::nullopt;
+  return refused(
+      field, delta,
+      fmt::format("makes the lead angle {} degrees; it must stay between {} and {}",
+                  format_number(lambda, kMaxLead.deg()), kMinLead.deg(), kMaxLead.deg()));
+}
+
+Error of_flank(int which, int side, Error error) {
+  const char* const flank = side == 0 ? "modifications.right" : "modifications.left";
+  return of_gear(which, within(flank, std::move(error)));
+}
+
+FlankExtent flank_extent(const Gear& gear) {
+  return {gear.involute() ? gear.base_radius() : 0.0, gear.root_form_radius().value(),
+          gear.tip_form_radius(), gear.spec.face_width};
 }
 
 }  // namespace gearwright

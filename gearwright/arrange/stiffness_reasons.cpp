@@ -1,4 +1,4 @@
-#include "gearwright/job/stiffness_reasons.hpp"
+#include "gearwright/arrange/stiffness_reasons.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "gearwright/base/units.hpp"
-#include "gearwright/job/files.hpp"
 
 namespace gearwright {
 
@@ -109,8 +108,8 @@ void add_of_shape(const LoadTask& task, const InvolutePair& pair, double torque,
                        wide / drafted(task, torque, narrow ? wider : 1.0, true)});
 }
 
-std::vector<StiffnessFactor> factors_of(const SolvedJob& job, const LoadTask& task,
-                                        const LoadAnswer& answer, const LoadedTorque& t,
+std::vector<StiffnessFactor> factors_of(const Arranged& arranged, const LoadTask& task,
+                                        const LoadAnalysis& answer, const LoadedTorque& t,
                                         const LoadStandard& standard) {
   std::vector<StiffnessFactor> factors;
   const Gear& one = task.setup.gear(1);
@@ -131,28 +130,28 @@ std::vector<StiffnessFactor> factors_of(const SolvedJob& job, const LoadTask& ta
   double left = t.without_twist.mean / standard.stiffness;
   for (const StiffnessFactor& f : factors) left /= f.value;
   if (!(std::abs(left - 1) <= kMuchLeft))
-    add_of_shape(task, *job.pair->involute(), t.torque, factors);
+    add_of_shape(task, *arranged.pair->involute(), t.torque, factors);
   return factors;
 }
 
 }  // namespace
 
-void explain_stiffness(SolvedJob& job, const LoadTask& task, const LoadAnswer& answer) {
-  const std::vector<LoadStandard> standard = load_standard(job, answer);
+void explain_stiffness(Arranged& arranged, const LoadTask& task, const LoadAnalysis& answer) {
+  const std::vector<LoadStandard> standard = load_standard(arranged, answer);
   for (std::size_t i = 0; i < standard.size(); ++i) {
     const LoadedTorque& t = answer.contact->torques[i];
     const double ratio = t.without_twist.mean / standard[i].stiffness;
     if (!(std::abs(ratio - 1) > kWorthANote)) continue;
     double left = ratio;
     std::string list;
-    for (const StiffnessFactor& f : factors_of(job, task, answer, t, standard[i])) {
+    for (const StiffnessFactor& f : factors_of(arranged, task, answer, t, standard[i])) {
       if (!(std::abs(f.value - 1) > kFactor) || !std::isfinite(f.value)) continue;
       left /= f.value;
       list += fmt::format("{}{:.2f} for {}", list.empty() ? "" : ", ", f.value, f.of);
     }
     const char* ring =
         task.setup.gear(2).internal() ? ", a ring, which the standard takes for a rack" : "";
-    job.warnings.push_back(
+    arranged.warnings.push_back(
         {"stiffness_differs",
          list.empty()
              ? fmt::format("At {} N m the mesh is {:.2f} times as stiff as c_γα of ISO 6336-1, "

@@ -1,0 +1,37 @@
+// What a workshop measures of a gear: span, dimension over balls and chord, with the usual tools.
+#include <cstdio>
+
+#include <gearwright/gearwright.hpp>
+
+using namespace gearwright;
+using namespace gearwright::literals;
+
+int fail(const Error& error) {
+  std::fprintf(stderr, "%s\n", error.message().c_str());
+  return 1;
+}
+
+int main() {
+  CylindricalSpec spec{.teeth = 23, .normal_module = 2.5, .helix_angle = 18_deg, .face_width = 25};
+  spec.profile_shift = 0.4;
+  spec.thickness_allowance = -0.06;
+  const Result<Gear> gear = make_gear(spec);
+  if (!gear) return fail(gear.error());
+
+  const Result<GearMeasures> usual = measure(*gear);
+  if (!usual) return fail(usual.error());
+  std::printf("span over %d teeth     %.4f mm\n", usual->span->teeth, usual->span->length);
+  std::printf("over balls of %.1f mm  %.4f mm\n", usual->balls->seat.ball_diameter,
+              usual->balls->dimension);
+  std::printf("chord at %.3f mm    %.4f mm, %.4f mm below the tip\n", usual->chord->diameter,
+              usual->chord->chord.chord, usual->chord->chord.height);
+
+  const Result<GearMeasures> own = measure(*gear, {.span_teeth = 3, .ball_diameter = 5});
+  if (!own) return fail(own.error());
+  std::printf("span over %d teeth     %.4f mm\n", own->span->teeth, own->span->length);
+  std::printf("over balls of %.1f mm  %.4f mm\n", own->balls->seat.ball_diameter,
+              own->balls->dimension);
+}
+
+/* prints
+*/

@@ -1,0 +1,32 @@
+// Does it run? The verdict over a pair at a fixed centre distance, at the ends of its tolerances too.
+#include <cstdio>
+
+#include <gearwright/gearwright.hpp>
+
+using namespace gearwright;
+using namespace gearwright::literals;
+
+int fail(const Error& error) {
+  std::fprintf(stderr, "%s\n", error.message().c_str());
+  return 1;
+}
+
+int main() {
+  CylindricalSpec pinion{.teeth = 17, .normal_module = 2, .face_width = 20};
+  CylindricalSpec wheel = pinion;
+  wheel.teeth = 43;
+  GivenPair given;
+  given.gears = {GearInput::of(pinion), GearInput::of(wheel)};
+  given.gear(2).profile_shift.reset();  // follows from the centre distance
+  given.pair.center_distance = 60;
+  given.pair.distance_tolerance = "JS7";
+  const Result<Arranged> pair = arrange(given);
+  if (!pair) return fail(pair.error());
+
+  const Verdict verdict = judge(*pair);
+  std::printf("%s: %s\n", to_string(verdict.level), verdict.headline.c_str());
+  for (const Finding& finding : verdict.findings) std::printf("- %s\n", finding.whole().c_str());
+}
+
+/* prints
+*/

@@ -1,0 +1,317 @@
+#include "gearwright/arrange/loaded_pair.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/arrange/body.hpp"
+#include "gearwright/arrange/stiffness_reasons.hpp"
+#include "gearwright/base/units.hpp"
+#include "gearwright/gear/gear_field.hpp"
+#include "gearwright/rating/material.hpp"
+
+namespace gearwright {
+
+namespace {
+
+constexpr double kMostPoisson = 0.49;  // 0.5 is a liquid: plane strain has no stiffness matrix
+constexpr double kHertzRatio = 0.1;    // half width over radius: beyond it Hertz errs by a percent
+
+Result<ElasticBody> body_of(Arranged& arranged, int which) {
+  const GearInput& input = arranged.completed.gear(which);
+  const Gear& gear = arranged.gear(which);
+  ElasticBody body;
+  const MaterialInput& given = input.material;
+  const Material row = given.name ? material_named(*given.name).value_or(Material()) : Material();
+  body.youngs_modulus = given.youngs_modulus.value_or(row.youngs_modulus);
+  body.poisson_ratio = given.poisson_ratio.value_or(row.poisson_ratio);
+  if (!(body.poisson_ratio <= kMostPoisson)) {
+    return refused(gear_field(which, "material.poisson_ratio"), body.poisson_ratio,
+                   {0.0, kMostPoisson}, "must lie between {} and {} for teeth under load");
+  }
+  if (const auto& bore = gear.bore) {
+    body.bore_diameter = bore->diameter;
+  } else if (gear.internal()) {
+    body.bore_diameter = rim(gear).diameter;
+    arranged.warnings.push_back(
+        {"held_at_rim_as_drawn",
+         fmt::format("Gear {} has no bore, which is its rim: it is held at the outside of the rim "
+                     "that its files have, {} mm.",
+                     which, format_number(body.bore_diameter)),
+         which});
+  } else {
+    body.bore_diameter = kShaft * gear.root_diameter;
+    arranged.warnings.push_back(
+        {"held_at_half_the_root",
+         fmt::format("Gear {} has no bore: its body is held at half the root diameter, {} mm.",
+                     which, format_number(body.bore_diameter)),
+         which});
+  }
+  return body;
+}
+
+// Why teeth of this kind are not looked at under load, if so.
+std::optional<Error> not_made_for(const Gear& gear, int which) {
+  if (gear.involute() && !gear.tooth)
+    return Error{gear_field(which, "cut_by"), "",
+                 "is missing: no pinion cutter that the program would choose leaves this internal "
+                 "gear's whole flank"};
+  if (gear.internal() && !gear.involute())
+    return refused(gear_field(which, "teeth"), gear.spec.teeth,
+                   "is an internal gear of circular arcs; teeth under load are looked at in "
+                   "internal pairs of involutes");
+  return std::nullopt;
+}
+
+std::optional<Error> not_made_for(const Arranged& arranged) {
+  for (int i = 1; i <= 2; ++i)
+    if (auto error = not_made_for(arranged.gears[i - 1], i)) return error;
+  return std::nullopt;
+}
+
+LoadRegime regime_of(const Arranged& arranged) {
+  const bool lines = arranged.pair->involute() && !arranged.pair->crossed();
+  return lines ? LoadRegime::line : LoadRegime::point;
+}
+
+// Deflections bend lines; where a point of contact goes is for the errors of mounting to say.
+std::optional<Error> not_for_points(const LoadInput& input) {
+  for (const auto& [field, value] : {std::pair("load.deflection_slope", input.deflection_slope),
+                                     std::pair("load.deflection_bow", input.deflection_bow)})
+    if (value != 0.0)
+      return refused(field, value,
+                     "is for teeth that touch along lines; these touch at points, which "
+                     "`[errors]` of mounting move");
+  return std::nullopt;
+}
+
+// The rotations of gear 1 at positions of a kind, as many as a sentence holds; empty: there are none.
+template <class Is>
+std::string rotations_where(const LoadedTorque& t, Is is) {
+  constexpr int kMostNamed = 8;
+  std::string list;
+  int count = 0;
+  for (const LoadedPosition& p : t.positions) {
+    if (!is(p) || ++count > kMostNamed) continue;
+    list += fmt::format("{}{}°", list.empty() ? "" : ", ", format_number(p.rotation1.deg()));
+  }
+  return count > kMostNamed ? fmt::format("{} and {} more", list, count - kMostNamed) : list;
+}
+
+void warn_about(const LoadedContact& contact, std::vector<Warning>& warnings) {
+  const auto untouched = [](const LoadedPosition& p) { return !p.solved() && !p.unfinished; };
+  const auto is_lost = [](const Warning& w) { return w.code == "contact_lost" && w.gear == 0; };
+  // Whether anything touches does not depend on the torque.
+  if (const std::string where = rotations_where(contact.torques.front(), untouched);
+      !where.empty() && std::none_of(warnings.begin(), warnings.end(), is_lost))
+    warnings.push_back(
+        {"contact_lost",
+         fmt::format("Nothing touches at rotation1 = {}: what is told of the load is "
+                     "told of the other positions.",
+                     where),
+         0});
+  for (const LoadedTorque& t : contact.torques) {
+    const std::string torque = format_number(t.torque / kMmPerM);
+    if (const std::string where =
+            rotations_where(t, [](const LoadedPosition& p) { return p.unfinished; });
+        !where.empty())
+      warnings.push_back(
+          {"load_unfinished",
+           fmt::format("At {} N m the forces come to no end at rotation1 = {}: these "
+                       "positions are without numbers, and greatest values and peak "
+                       "to peak are those of the others.",
+                       torque, where),
+           0});
+    if (t.edge_carries)
+      warnings.push_back(edge_carries_at(t.torque));
+    else if (t.beyond_flank)
+      warnings.push_back({"ellipse_beyond_flank",
+                          fmt::format("At {} N m the ellipse of contact hangs over an end of the "
+                                      "flank: the pressure there is a lower bound.",
+                                      torque),
+                          0});
+    if (t.max_width_ratio > kHertzRatio)
+      warnings.push_back(
+          {"beyond_hertz",
+           fmt::format("At {} N m the contact is {:.2f} of its radius of curvature wide: more than "
+                       "Hertz' theory is made for.",
+                       torque, t.max_width_ratio),
+           0});
+  }
+}
+
+Result<std::array<ElasticBody, 2>> bodies_of(Arranged& arranged) {
+  std::array<ElasticBody, 2> bodies;
+  for (std::size_t i = 0; i < arranged.gears.size(); ++i) {
+    auto body = body_of(arranged, static_cast<int>(i) + 1);
+    if (!body) return body.error();
+    bodies[i] = *body;
+  }
+  return bodies;
+}
+
+Error too_fine(const ContactSetup& setup, const LoadRequest& request) {
+  const int fair = fair_slices(setup.gear(1), setup.gear(2), request.regime);
+  const double face = std::min(setup.gear(1).spec.face_width, setup.gear(2).spec.face_width);
+  const std::string width = format_number(face / request.slices);
+  return refused(
+      "load.slices", request.slices,
+      request.slices > fair
+          ? fmt::format("are too fine for these teeth: {} mm each; {} would do", width, fair)
+          : fmt::format("are narrower than the contact is wide: {} mm each; less "
+                        "torque or fewer slices would do",
+                        width));
+}
+
+Result<LoadTask> task_of(const Arranged& arranged, const ContactErrors& errors,
+                         const LoadInput& input, const std::array<ElasticBody, 2>& bodies) {
+  if (auto error = not_made_for(arranged)) return *error;
+  auto setup = setup_of(arranged, errors);
+  if (!setup) return setup.error();
+  LoadTask task{std::move(setup).take(), {}, input.driver == 2};
+  task.with_errors =
+      input.deflection_slope != 0.0 || input.deflection_bow != 0.0 || errors != ContactErrors();
+  LoadRequest& request = task.request;
+  request.regime = regime_of(arranged);
+  if (request.regime == LoadRegime::point)
+    if (auto error = not_for_points(input)) return *error;
+  for (const double m : input.torques) request.torques.push_back(m * kMmPerM);
+  request.positions = input.positions;
+  request.rotations = input.rotations;
+  request.slices =
+      input.slices.value_or(fair_slices(task.setup.gear(1), task.setup.gear(2), request.regime));
+  request.accuracy = input.accuracy;
+  if (surely_too_fine(task.setup.gear(1), task.setup.gear(2), request))
+    return too_fine(task.setup, request);
+  request.bodies = bodies;
+  request.deflection_slope = input.deflection_slope * kMmPerUm;
+  request.deflection_bow = input.deflection_bow * kMmPerUm;
+  return task;
+}
+
+}  // namespace
+
+Result<ContactSetup> setup_of(const Arranged& arranged, const ContactErrors& errors) {
+  GW_EXPECTS(arranged.pair.has_value());
+  const GivenPair& given = arranged.completed;
+  return ContactSetup::of(*arranged.pair, errors,
+                          {given.gear(1).modifications, given.gear(2).modifications});
+}
+
+Result<LoadTask> load_task(Arranged& arranged, const ContactErrors& errors,
+                           const LoadInput& input) {
+  if (input.torques.empty())
+    return Error{"load.torques", "", "is missing: probes alone make no pair under load"};
+  const auto bodies = bodies_of(arranged);
+  if (!bodies) return bodies.error();
+  return task_of(arranged, errors, input, *bodies);
+}
+
+std::optional<ContactPair> LoadTask::perfect_pair() const {
+  if (!with_errors) return std::nullopt;
+  return setup.pair(ContactErrors(), gear2_drives);
+}
+
+Result<PairCompliance> LoadTask::compliance() const {
+  return pair_compliance(setup.gear(1), setup.gear(2), request);
+}
+
+LoadedContact LoadTask::contact(const PairCompliance& compliance) const {
+  const auto perfect = perfect_pair();
+  return loaded_contact(pair(), setup.gear(1), setup.gear(2), compliance, request,
+                        perfect ? &*perfect : nullptr);
+}
+
+std::optional<Error> judge_load(const LoadTask& task, const LoadedContact& found,
+                                std::vector<Warning>& warnings) {
+  const auto& positions = found.torques.front().positions;
+  if (std::all_of(positions.begin(), positions.end(),
+                  [](const LoadedPosition& p) { return !p.solved() && !p.unfinished; }))
+    return nothing_touches(task.setup);
+  if (found.slices_too_fine) return too_fine(task.setup, task.request);
+  for (const LoadedTorque& t : found.torques)
+    if (std::none_of(t.positions.begin(), t.positions.end(),
+                     [](const LoadedPosition& p) { return p.solved(); }))
+      return refused("load.torques", t.torque / kMmPerM,
+                     "leaves no position at which the forces of these teeth come to an end; "
+                     "accuracy = \"full\", other slices or less torque may");
+  warn_about(found, warnings);
+  return std::nullopt;
+}
+
+namespace {
+
+Result<LoadedContact> contact_of(std::vector<Warning>& warnings, const LoadTask& task,
+                                 const PairCompliance& compliance) {
+  auto contact = task.contact(compliance);
+  if (auto error = judge_load(task, contact, warnings)) return *error;
+  return contact;
+}
+
+}  // namespace
+
+Result<LoadAnalysis> loaded(Arranged& arranged, const ContactErrors& errors, const LoadInput& input,
+                            Progress* progress) {
+  const auto bodies = bodies_of(arranged);
+  if (!bodies) return bodies.error();
+  LoadAnalysis answer;
+  for (std::size_t i = 0; i < input.probes.size(); ++i) {
+    const LoadProbeInput& p = input.probes[i];
+    const std::string field = fmt::format("load.probe[{}]", i);
+    if (p.gear > static_cast<int>(arranged.gears.size()))
+      return refused(field + ".gear", p.gear, "is not in the spec");
+    const Gear& gear = arranged.gears[p.gear - 1];
+    if (auto error = not_made_for(gear, p.gear)) return *error;
+    auto found = probe_compliance(gear, (*bodies)[p.gear - 1],
+                                  {p.diameter, p.z, p.half_width, p.read_z}, input.accuracy);
+    if (!found) {
+      const std::string& of = found.error().field;
+      const bool of_body = of == "teeth" || of == "bore.diameter";
+      return of_body ? of_gear(p.gear, found.error()) : within(field, found.error());
+    }
+    answer.probes.push_back(std::move(found).take());
+  }
+  if (input.torques.empty()) return answer;
+  auto made = task_of(arranged, errors, input, *bodies);
+  if (!made) return made.error();
+  LoadTask task = std::move(made).take();
+  task.request.progress = progress;
+  auto compliance = task.compliance();
+  if (!compliance) return compliance.error();
+  answer.compliance = std::move(compliance).take();
+  auto contact = contact_of(arranged.warnings, task, *answer.compliance);
+  if (!contact) return contact.error();
+  answer.contact = std::move(contact).take();
+  explain_stiffness(arranged, task, answer);
+  return answer;
+}
+
+Warning edge_carries_at(double torque) {
+  return {"edge_carries",
+          fmt::format("At {} N m an edge of a tooth carries: the pressure there is a lower bound.",
+                      format_number(torque / kMmPerM)),
+          0};
+}
+
+bool not_made_for_load(const Error& error) {
+  constexpr std::array<std::string_view, 3> kOfTheKind{"gear1.teeth", "gear2.teeth",
+                                                       "gear2.cut_by"};
+  return std::find(kOfTheKind.begin(), kOfTheKind.end(), error.field) != kOfTheKind.end();
+}
+
+Result<LoadedContact> contact_under(Arranged& arranged, const ContactErrors& errors,
+                                    const LoadInput& input, double torque, Progress* progress) {
+  const auto bodies = bodies_of(arranged);
+  if (!bodies) return bodies.error();
+  auto made = task_of(arranged, errors, input, *bodies);
+  if (!made) return made.error();
+  LoadTask task = std::move(made).take();
+  task.request.progress = progress;
+  task.request.torques = {torque * kMmPerM};
+  const auto compliance = task.compliance();
+  if (!compliance) return compliance.error();
+  return contact_of(arranged.warnings, task, *compliance);
+}
+
+}  // namespace gearwright

@@ -1,0 +1,78 @@
+// A pair under torque, and probes of its teeth: what its bodies are, how finely it is looked at, and
+// whether the answer can be used.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "gearwright/arrange/arrange.hpp"
+#include "gearwright/arrange/load_input.hpp"
+#include "gearwright/base/progress.hpp"
+#include "gearwright/compliance/probe.hpp"
+#include "gearwright/contact/contact_setup.hpp"
+#include "gearwright/load/load_summary.hpp"
+
+namespace gearwright {
+
+/// The pair as contact takes it, with the modifications of its input.
+///
+/// Domain    a pair (contract)
+/// Errors    as ContactSetup::of
+Result<ContactSetup> setup_of(const Arranged& arranged, const ContactErrors& errors);
+
+struct LoadAnalysis {
+  std::optional<LoadedContact> contact;      ///< none: there are probes only
+  std::optional<PairCompliance> compliance;  ///< of its teeth
+  std::vector<ProbeAnswer> probes;           ///< of LoadInput::probes
+};
+
+/// Of the root diameter: where a gear without a bore is held.
+inline constexpr double kShaft = 0.5;
+
+/// The pair under each of the torques, and its probes. Warnings are added to `arranged`.
+///
+/// Domain    torques or probes, with torques a pair (contract)
+/// Errors    `pair.…` and `gearN.…` where loaded contact is not made for such gears;
+///           `gearN.material.poisson_ratio`, `gearN.bore.…`, `load.slices` too many,
+///           `load.probe[i].…`; as setup_of
+Result<LoadAnalysis> loaded(Arranged& arranged, const ContactErrors& errors, const LoadInput& input,
+                            Progress* progress = nullptr);
+
+/// Whether the kind of gears is not supported, rather than a value invalid.
+bool not_made_for_load(const Error& error);
+
+/// The same under this one torque on gear 1, N m, with the other numbers of `input`.
+Result<LoadedContact> contact_under(Arranged& arranged, const ContactErrors& errors,
+                                    const LoadInput& input, double torque,
+                                    Progress* progress = nullptr);
+
+/// The part of loaded() with a torque, ready to be taken in steps: tables of the teeth, positions,
+/// and at last judge_load.
+struct LoadTask {
+  ContactSetup setup;
+  LoadRequest request;  ///< without progress
+  bool gear2_drives = false;
+  bool with_errors = false;  ///< or deflections
+
+  ContactPair pair() const { return setup.pair(gear2_drives); }
+  /// The same without errors, for K_Hα; none: there are none.
+  std::optional<ContactPair> perfect_pair() const;
+  Result<PairCompliance> compliance() const;
+  LoadedContact contact(const PairCompliance& compliance) const;
+};
+
+/// Errors    as loaded(), and `load` without torque
+Result<LoadTask> load_task(Arranged& arranged, const ContactErrors& errors, const LoadInput& input);
+
+/// Why an answer cannot be used; `warnings` gets what it has to be read with.
+std::optional<Error> judge_load(const LoadTask& task, const LoadedContact& found,
+                                std::vector<Warning>& warnings);
+
+/// That an edge of a tooth carries under a torque, N mm.
+Warning edge_carries_at(double torque);
+
+/// The values of ISO 6336 at each torque of an answer with contact, of solid discs; none where it has
+/// none of such pairs.
+std::vector<LoadStandard> load_standard(const Arranged& arranged, const LoadAnalysis& answer);
+
+}  // namespace gearwright

@@ -1,0 +1,236 @@
+#include "gearwright/arrange/measured_gear.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "gearwright/gear/gear_field.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// The usual place: the reference diameter if there is usable flank, else the flank's middle.
+double default_chord_diameter(const Gear& g) {
+  const double d = g.reference_diameter;
+  const double end = 2 * g.tip_form_radius();
+  const auto form = g.root_form_radius();
+  const double begin = form           ? 2 * *form
+                       : g.internal() ? g.root_diameter
+                                      : g.reference().base_diameter;
+  const double lo = std::min(begin, end), hi = std::max(begin, end);
+  return d >= lo && d <= hi ? d : 0.5 * (lo + hi);
+}
+
+constexpr int kMostSpans = 31;  // more are of gears with hundreds of teeth
+
+// With a given tool, a thing that cannot be measured is an error, else a warning.
+class Measuring {
+ public:
+  Measuring(const Arranged& arranged, const MeasureRequest& request, std::vector<Warning>& warnings)
+      : arranged_(arranged),
+        request_(request),
+        warnings_(warnings),
+        which_(request.which),
+        gear_(arranged.gear(request.which)),
+        input_(request.tools) {}
+
+  Result<GearMeasures> all() {
+    GearMeasures m;
+    if (gear_.involute()) m.reference = gear_.reference();
+    if (auto error = span(m)) return *error;
+    if (auto error = balls(m)) return *error;
+    if (auto error = pins(m)) return *error;
+    if (auto error = chord(m)) return *error;
+    m.constant = constant_chord(gear_);
+    m.ranges = evaluation_ranges(gear_);
+    const InvolutePair* const mounted = request_.pair ? request_.pair->involute() : nullptr;
+    if (m.ranges && mounted) m.ranges->active = active_flank(*mounted, which_);
+    if (auto error = tolerances(m)) return *error;
+    return m;
+  }
+
+ private:
+  using Fault = std::optional<Error>;
+
+  Fault missing(bool asked, const Error& error, const char* code, const char* what) {
+    const Error here = within(gear_field(which_, "measure"), error);
+    if (asked) return here;
+    warn(code, std::string(what) + ": " + (request_.words ? request_.words(here) : here.message()));
+    return std::nullopt;
+  }
+  void warn(const char* code, std::string message) {
+    warnings_.push_back({code, std::move(message), which_});
+  }
+
+  Fault span(GearMeasures& m) {
+    m.spans = usable_spans(gear_, kMostSpans);
+    m.span = usual_span(gear_);
+    if (!input_.span_teeth) {
+      if (!m.span && m.reference)
+        warn("no_span", "No span: the contacts of none lie on the usable flank, within the face.");
+      return std::nullopt;
+    }
+    const auto asked = span_over(gear_, *input_.span_teeth);
+    if (!asked) return within(gear_field(which_, "measure"), asked.error());
+    const std::optional<Span> usual = m.span;
+    m.span = *asked;
+    if (asked->usable()) return std::nullopt;
+    const std::string instead =
+        usual ? fmt::format("; over {} teeth they do", usual->teeth) : std::string();
+    if (asked->place != ContactPlace::usable) {
+      warn(
+          "span_off_flank",
+          fmt::format("Span over {} teeth: the contacts at {} mm do not lie on the usable flank{}.",
+                      asked->teeth, format_number(asked->contact_diameter), instead));
+    } else {
+      warn("span_off_face",
+           fmt::format("Span over {} teeth: the contacts lie {} mm apart along the axis, and the "
+                       "face is {} mm wide{}.",
+                       asked->teeth, format_number(asked->min_face_width, gear_.spec.face_width),
+                       format_number(gear_.spec.face_width), usual ? instead + " not" : ""));
+    }
+    return std::nullopt;
+  }
+
+  // The given diameter, or the usual one: the standard size, and the ideal where that does not fit.
+  std::optional<Result<BallSeat>> seat(const std::optional<double>& given, GearMeasures& m) {
+    if (given) return ball_in_space(gear_, *given);
+    if (!m.sizes) return std::nullopt;
+    auto standard = ball_in_space(gear_, m.sizes->metric);
+    if (standard && standard->usable()) return standard;
+    return ball_in_space(gear_, m.sizes->ideal);
+  }
+
+  void warn_off_flank(const BallSeat& seat, const char* code, const char* what) {
+    if (seat.usable()) return;
+    warn(code,
+         fmt::format("{} of {} mm: the contacts at {} mm do not lie on the usable flank.", what,
+                     format_number(seat.ball_diameter), format_number(seat.contact_diameter)));
+  }
+
+  Fault balls(GearMeasures& m) {
+    m.sizes = ball_sizes(gear_);
+    const auto found = seat(input_.ball_diameter, m);
+    if (!found) {
+      if (m.reference)
+        warn("no_balls", "No dimension over balls: none rests on the usable flanks.");
+      return std::nullopt;
+    }
+    if (!*found)
+      return missing(input_.ball_diameter.has_value(), found->error(), "no_balls",
+                     "No dimension over balls");
+    const BallSeat& seat = **found;
+    m.balls = BallMeasure{seat, over_two_balls(gear_, seat)};
+    warn_off_flank(seat, "ball_off_flank", "Balls");
+    return std::nullopt;
+  }
+
+  Fault pins(GearMeasures& m) {
+    const bool asked = input_.pin_diameter.has_value();
+    if (asked && gear_.internal() && gear_.spec.helix_angle.rad() != 0.0)
+      return refused(gear_field(which_, "measure.pin_diameter"), *input_.pin_diameter,
+                     "a straight pin does not go into the spaces of an internal helical gear; "
+                     "measure between balls");
+    auto found = asked ? std::optional(ball_in_space(gear_, *input_.pin_diameter)) : std::nullopt;
+    if (found && !*found) {
+      Error error = found->error();
+      error.field = "pin_diameter";
+      return within(gear_field(which_, "measure"), error);
+    }
+    if (!found && !m.balls) return std::nullopt;
+    const BallSeat& seat = found ? **found : m.balls->seat;
+    m.pins = PinMeasure{seat, over_pins(gear_, seat)};
+    if (asked) warn_off_flank(seat, "pin_off_flank", "Pins");
+    return std::nullopt;
+  }
+
+  Fault chord(GearMeasures& m) {
+    const bool asked = input_.chord_diameter.has_value();
+    if (!gear_.involute())
+      return missing(asked,
+                     Error{"chord_diameter", "",
+                           "chords are measured on involute flanks; these are circular arcs"},
+                     "no_chord", "No chordal thickness");
+    const double d = input_.chord_diameter.value_or(default_chord_diameter(gear_));
+    const auto chord = chordal_thickness(gear_, d);
+    if (!chord) return missing(asked, chord.error(), "no_chord", "No chordal thickness");
+    m.chord = ChordMeasure{d, *chord};
+    const ToothArc<double> arc = tooth_arc(gear_, d);
+    const double s_t = arc.half_angle * d;
+    m.thickness =
+        ThicknessAt{d, s_t, s_t * std::cos(arc.helix_angle), arc.half_angle, arc.helix_angle};
+    return std::nullopt;
+  }
+
+  Fault tolerances(GearMeasures& m) {
+    const ToleranceInput& asked = arranged_.completed.gear(which_).tolerance;
+    if (!asked.quality) return std::nullopt;
+    if (!has_class(asked.edition, *asked.quality)) {
+      return refused(gear_field(which_, "tolerance.quality"), *asked.quality,
+                     "ISO 1328-1:2013 has the classes 1 to 11; the edition of 1995 has 0 to 12");
+    }
+    ToleranceSubject subject = tolerance_subject(gear_);
+    const InvolutePair* const mounted =
+        request_.pair && !request_.pair->crossed() ? request_.pair->involute() : nullptr;
+    if (mounted && mounted->flanks_meet()) subject.contact_ratio = mounted->contact_ratio();
+    m.tolerances = flank_tolerances(asked.edition, *asked.quality, subject);
+    if (!in_range(asked.edition, subject))
+      warn("tolerances_out_of_range",
+           "The gear lies outside the sizes for which ISO 1328-1 says its tolerances: the formulas "
+           "are used all the same.");
+    if (mounted) set_axes(*m.tolerances);
+    return std::nullopt;
+  }
+
+  // The axes of the pair, by the coarser of both gears; the mating gear without a grade has this one's.
+  void set_axes(FlankToleranceValues& t) {
+    if (!request_.bearing_span) return;
+    const int mate = 3 - which_;
+    const ToleranceInput& asked = arranged_.completed.gear(mate).tolerance;
+    double coarser = t.helix_total;
+    if (asked.quality && has_class(asked.edition, *asked.quality)) {
+      const ToleranceSubject other = tolerance_subject(arranged_.gear(mate));
+      coarser =
+          std::max(coarser, flank_tolerances(asked.edition, *asked.quality, other).helix_total);
+    }
+    const double face = std::min(gear_.spec.face_width, arranged_.gear(mate).spec.face_width);
+    set_axis_tolerances(t, coarser, face, *request_.bearing_span);
+  }
+
+  const Arranged& arranged_;
+  const MeasureRequest& request_;
+  std::vector<Warning>& warnings_;
+  int which_;
+  const Gear& gear_;
+  const MeasureInput& input_;
+};
+
+}  // namespace
+
+Result<GearMeasures> measure(const Arranged& arranged, const MeasureRequest& request,
+                             std::vector<Warning>& warnings) {
+  return Measuring(arranged, request, warnings).all();
+}
+
+Result<GearMeasures> measure(const Gear& gear, const MeasureInput& tools) {
+  Arranged alone{GivenPair()};
+  alone.completed.gears[0].emplace();
+  alone.gears.push_back(gear);
+  std::vector<Warning> warnings;
+  return measure(alone, {.tools = tools}, warnings);
+}
+
+ToleranceSubject tolerance_subject(const Gear& gear) {
+  const CylindricalSpec& s = gear.spec;
+  return {gear.reference_diameter,
+          s.normal_module,
+          s.face_width,
+          std::abs(s.teeth),
+          s.helix_angle.rad(),
+          of_involute(gear, &ReferenceGeometry<double>::transverse_pressure_angle),
+          {}};
+}
+
+}  // namespace gearwright

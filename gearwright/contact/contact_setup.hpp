@@ -1,0 +1,95 @@
+// A mounted pair as contact takes it: its gears, their modifications and its errors, and what
+// corrections would make of it.
+//
+// A ContactPair points to its gears and to what is removed from their flanks; a ContactSetup owns them.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "gearwright/base/result.hpp"
+#include "gearwright/contact/contact.hpp"
+#include "gearwright/gear/modifications.hpp"
+#include "gearwright/pair/pair.hpp"
+
+namespace gearwright {
+
+/// Of gear 1 and gear 2: the right flank, the left flank.
+using PairModifications = std::array<std::array<FlankModifications, 2>, 2>;
+
+/// What a workshop changes: amounts on top of the drawing's.
+struct SetupChange {
+  double tool_setting = 0.0;           ///< Δb_F  mm, of the gear that F cuts
+  std::array<Angle, 2> cutter_lead{};  ///< Δλ
+  struct Flank {
+    double lead_slope = 0.0, lead_crowning = 0.0;        ///< mm; the slope on the driven flanks
+    double profile_slope = 0.0, profile_crowning = 0.0;  ///< only, right if gear 1 drives
+  };
+  std::array<Flank, 2> flank;
+  bool left = false;  ///< the slopes are meant for the left flanks of gear 1 (gear 2 drives)
+};
+
+class ContactSetup {
+ public:
+  /// `fields`: gears whose removed material is needed though nothing is removed, for its derivatives.
+  ///
+  /// Errors    `gearN` without a usable flank; `gearN.modifications.…` as make_removal_field;
+  ///           `errors.cutter_lead[N]` as check_cutter_lead
+  static Result<ContactSetup> of(const Pair& pair, const ContactErrors& errors,
+                                 const PairModifications& modifications = {},
+                                 std::array<bool, 2> fields = {});
+
+  /// It points to this setup, which must outlive it.
+  ContactPair pair(bool gear2_drives) const { return pair(place_.errors, gear2_drives); }
+  ContactPair pair(const ContactErrors& errors, bool gear2_drives) const;
+  /// The same with a copy of what it points to.
+  std::shared_ptr<const ContactPair> shared_pair(const ContactErrors& errors,
+                                                 bool gear2_drives) const;
+  /// With root fillets and tips beside the flanks; none: a cutter's lead was changed, and the root
+  /// is no rack's.
+  std::optional<ContactPair> outlines(bool gear2_drives) const;
+  const ContactMount& place() const { return place_; }
+  const Gear& gear(int which) const { return *gears_[which - 1]; }
+  std::array<const Gear*, 2> gears() const { return {gears_[0].get(), gears_[1].get()}; }
+  const RemovalField* removal(int gear, bool left) const;
+  /// The same with corrections made; an error where there are no such teeth.
+  Result<ContactSetup> changed(const SetupChange& change) const;
+  /// The gear that a rack F cuts, 1 or 2; none: the teeth are no such pair.
+  std::optional<int> convex_gear() const;
+
+ private:
+  ContactPair at(const ContactMount& place) const;
+
+  std::array<std::shared_ptr<const Gear>, 2> gears_;
+  PairModifications modifications_;
+  std::array<std::array<std::shared_ptr<const RemovalField>, 2>, 2> removal_;
+  ContactMount place_;
+};
+
+/// Whether something is removed, or a relief of 0 is placed.
+bool any_modification(const std::array<FlankModifications, 2>& flanks);
+
+/// A cutter may be set wrong by this much: nothing, or why not.
+///
+/// Errors    `errors.cutter_lead[N]` of a spur gear, of one that a gear has cut, or where the lead
+///           angle leaves kMinLead to kMaxLead
+std::optional<Error> check_cutter_lead(const Gear& gear, int which, Angle change);
+constexpr Angle kMinLead = Angle::degrees(0.5), kMaxLead = Angle::degrees(90);
+
+/// The error of a flank's modifications, side 0 right, as one of gear 1 or 2.
+Error of_flank(int which, int side, Error error);
+
+/// The usable flank of a gear, which its modifications lie on.
+///
+/// Domain  a gear with a root form radius (contract)
+FlankExtent flank_extent(const Gear& gear);
+
+/// No tooth touches at any position: the tips pass each other, or why else. The second: under
+/// `errors`, a corner of [compensate.range] of this name.
+Error nothing_touches(const ContactSetup& setup);
+Error nothing_touches_under(const ContactSetup& setup, const std::string& name,
+                            const ContactErrors& errors);
+
+}  // namespace gearwright

@@ -1,0 +1,75 @@
+#include "gearwright/contact/corrections.hpp"
+
+#include <algorithm>
+
+#include "gearwright/base/units.hpp"
+
+namespace gearwright {
+
+namespace {
+
+SetupChange change_of(const std::vector<WorkshopCorrection>& corrections,
+                      const std::vector<double>& value, bool left) {
+  SetupChange change;
+  change.left = left;
+  for (std::size_t k = 0; k < corrections.size(); ++k) {
+    const auto gear = static_cast<std::size_t>(std::max(1, corrections[k].gear) - 1);
+    SetupChange::Flank& flank = change.flank[gear];
+    const double mm = value[k] * kMmPerUm;
+    switch (corrections[k].what) {
+      case CorrectionOf::tool_setting: change.tool_setting = value[k]; break;
+      case CorrectionOf::cutter_lead: change.cutter_lead[gear] = Angle::degrees(value[k]); break;
+      case CorrectionOf::lead_slope: flank.lead_slope = mm; break;
+      case CorrectionOf::lead_crowning: flank.lead_crowning = mm; break;
+      case CorrectionOf::profile_slope: flank.profile_slope = mm; break;
+      case CorrectionOf::profile_crowning: flank.profile_crowning = mm; break;
+    }
+  }
+  return change;
+}
+
+}  // namespace
+
+bool can_take(const ContactSetup& setup, const WorkshopCorrection& correction) {
+  if (correction.what == CorrectionOf::tool_setting) return setup.convex_gear().has_value();
+  if (correction.what != CorrectionOf::cutter_lead) return true;
+  const Gear& gear = setup.gear(correction.gear);
+  return gear.twist() != 0.0 && !gear.cut_by;
+}
+
+std::vector<WorkshopCorrection> usual_corrections(const ContactSetup& setup) {
+  const WorkshopCorrection setting{CorrectionOf::tool_setting, 0};
+  if (can_take(setup, setting)) return {setting, {CorrectionOf::cutter_lead, 1}};
+  return {{CorrectionOf::lead_slope, 1}, {CorrectionOf::lead_crowning, 1}};
+}
+
+CompensationTask compensation_task(const ContactSetup& setup,
+                                   const std::vector<WorkshopCorrection>& corrections,
+                                   const std::vector<ContactErrors>& scenarios, bool gear2_drives) {
+  CompensationTask task;
+  task.scenarios = static_cast<int>(scenarios.size());
+  task.along_face = setup.gear(1).involute() != nullptr;
+  for (const WorkshopCorrection& c : corrections) {
+    GW_EXPECTS(can_take(setup, c));
+    Correction bounds = usual_bounds(c.what);
+    if (c.what == CorrectionOf::tool_setting) {
+      const double most = 0.1 * setup.gear(*setup.convex_gear()).spec.normal_module;
+      bounds.lo = std::max(bounds.lo, -most);
+      bounds.hi = std::min(bounds.hi, most);
+    }
+    task.corrections.push_back(bounds);
+  }
+  task.pair_at = [=](const std::vector<double>& value,
+                     int s) -> std::shared_ptr<const ContactPair> {
+    const auto changed = setup.changed(change_of(corrections, value, gear2_drives));
+    if (!changed) return nullptr;
+    ContactErrors errors = scenarios[static_cast<std::size_t>(s)];
+    for (int i = 0; i < 2; ++i)
+      errors.cutter_lead[i] +=
+          changed->place().errors.cutter_lead[i] - setup.place().errors.cutter_lead[i];
+    return changed->shared_pair(errors, gear2_drives);
+  };
+  return task;
+}
+
+}  // namespace gearwright

@@ -1,0 +1,33 @@
+// The errors and modifications of a spec as contact takes them, with the names of their influences.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gearwright/contact/contact_setup.hpp"
+#include "gearwright/job/solved_job.hpp"
+
+namespace gearwright {
+
+/// The errors of the spec; of one gear alone none.
+ContactErrors errors_of(const SolvedJob& job);
+
+/// Domain    a job with a pair (contract)
+/// Errors    as ContactSetup::of
+Result<ContactSetup> setup_of(const SolvedJob& job);
+
+/// The errors with one of error_entries set to a value in its own unit.
+ContactErrors with_error(const ContactSetup& setup, ContactErrors errors, std::size_t index,
+                         double value);
+
+/// A number whose influence is computed: its key in results, and rad or mm of it per unit of the key.
+struct NamedInfluence {
+  std::string key;    ///< "crossing_per_deg", "gear1_lead_crowning_per_um"
+  double unit = 1.0;  ///< rad or mm per unit of the key
+  Influence influence;
+};
+
+/// Every error, and every modification that the drawing places.
+std::vector<NamedInfluence> influences_of(const SolvedJob& job);
+
+}  // namespace gearwright
