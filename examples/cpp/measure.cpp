@@ -24,7 +24,7 @@ int main() {
   std::printf("over balls of %.1f mm  %.4f mm\n", usual->balls->seat.ball_diameter,
               usual->balls->dimension);
   std::printf("chord at %.3f mm    %.4f mm, %.4f mm below the tip\n", usual->chord->diameter,
-              usual->chord->chord.chord, usual->chord->chord.height);
+              usual->chord->chord.chord, usual->chord->chord.tip_to_chord);
 
   const Result<GearMeasures> own = measure(*gear, {.span_teeth = 3, .ball_diameter = 5});
   if (!own) return fail(own.error());
@@ -34,4 +34,9 @@ int main() {
 }
 
 /* prints
+span over 4 teeth     27.3879 mm
+over balls of 4.5 mm  68.3956 mm
+chord at 60.459 mm    4.5913 mm, 3.5790 mm below the tip
+span over 3 teeth     20.0076 mm
+over balls of 5.0 mm  69.9698 mm
 */

@@ -27,7 +27,9 @@ int main() {
 
   const Result<RatedPair> rated = rated_pair(*pair->involute());
   if (!rated) return fail(rated.error());
-  RatingInput input{.torque = 480, .speed = 1480};  // N m on gear 1, 1/min
+  RatingInput input;
+  input.torque = 480;  // N m on gear 1
+  input.speed = 1480;  // 1/min, of gear 1
   input.application_factor = 1.25;
   input.life_h = 20000;
   input.viscosity = 220;  // mm2/s at 40 degrees Celsius
@@ -47,4 +49,7 @@ int main() {
 }
 
 /* prints
+safety against pitting        1.376 and 1.430
+safety against root breakage  2.897 and 2.780
+torque with S_H 1.1, S_F 1.4  844 N m
 */

@@ -35,10 +35,10 @@ struct CutByInput {
 
 /// The measuring tools, and where they touch.
 struct MeasureInput {
-  std::optional<int> span_teeth;         ///< k
-  std::optional<double> ball_diameter;   ///< D_M  mm
-  std::optional<double> pin_diameter;    ///< D_M  mm
-  std::optional<double> chord_diameter;  ///< d_y  mm
+  std::optional<int> span_teeth{};         ///< k
+  std::optional<double> ball_diameter{};   ///< D_M  mm
+  std::optional<double> pin_diameter{};    ///< D_M  mm
+  std::optional<double> chord_diameter{};  ///< d_y  mm
 };
 
 /// The grade of the flanks, the thickness allowances in another form, and the deviations of the tip

@@ -13,24 +13,24 @@ namespace gearwright {
 /// A load on one tooth, and where its deflection is read.
 struct LoadProbeInput {
   int gear = 1;
-  double diameter = 0.0;                   ///< mm
-  std::optional<std::array<double, 2>> z;  ///< mm
-  std::optional<double> half_width;        ///< mm
-  std::vector<double> read_z;              ///< mm
+  double diameter = 0.0;                     ///< mm
+  std::optional<std::array<double, 2>> z{};  ///< mm
+  std::optional<double> half_width{};        ///< mm
+  std::vector<double> read_z{};              ///< mm
 };
 
 /// The load of a pair, and how finely its teeth are looked at.
 struct LoadInput {
-  bool given = false;           ///< there is a load, or a probe
-  std::vector<double> torques;  ///< N m, on gear 1
+  bool given = false;             ///< there is a load, or a probe
+  std::vector<double> torques{};  ///< N m, on gear 1
   int driver = 1;
-  int positions = 64;            ///< per pitch
-  std::vector<Angle> rotations;  ///< of gear 1: these instead of positions
-  std::optional<int> slices;     ///< absent: fair_slices
+  int positions = 64;              ///< per pitch
+  std::vector<Angle> rotations{};  ///< of gear 1: these instead of positions
+  std::optional<int> slices{};     ///< absent: fair_slices
   ComplianceAccuracy accuracy = ComplianceAccuracy::full;
   double deflection_slope = 0.0;  ///< µm
   double deflection_bow = 0.0;    ///< µm
-  std::vector<LoadProbeInput> probes;
+  std::vector<LoadProbeInput> probes{};
 };
 
 constexpr int kMostTorques = 100, kMostProbes = 100, kMostReadings = 1000;

@@ -18,7 +18,7 @@ namespace {
 constexpr double kMostPoisson = 0.49;  // 0.5 is a liquid: plane strain has no stiffness matrix
 constexpr double kHertzRatio = 0.1;    // half width over radius: beyond it Hertz errs by a percent
 
-Result<ElasticBody> body_of(Arranged& arranged, int which) {
+Result<ElasticBody> body_of(const Arranged& arranged, int which, std::vector<Warning>& warnings) {
   const GearInput& input = arranged.completed.gear(which);
   const Gear& gear = arranged.gear(which);
   ElasticBody body;
@@ -34,7 +34,7 @@ Result<ElasticBody> body_of(Arranged& arranged, int which) {
     body.bore_diameter = bore->diameter;
   } else if (gear.internal()) {
     body.bore_diameter = rim(gear).diameter;
-    arranged.warnings.push_back(
+    warnings.push_back(
         {"held_at_rim_as_drawn",
          fmt::format("Gear {} has no bore, which is its rim: it is held at the outside of the rim "
                      "that its files have, {} mm.",
@@ -42,7 +42,7 @@ Result<ElasticBody> body_of(Arranged& arranged, int which) {
          which});
   } else {
     body.bore_diameter = kShaft * gear.root_diameter;
-    arranged.warnings.push_back(
+    warnings.push_back(
         {"held_at_half_the_root",
          fmt::format("Gear {} has no bore: its body is held at half the root diameter, {} mm.",
                      which, format_number(body.bore_diameter)),
@@ -141,10 +141,11 @@ void warn_about(const LoadedContact& contact, std::vector<Warning>& warnings) {
   }
 }
 
-Result<std::array<ElasticBody, 2>> bodies_of(Arranged& arranged) {
+Result<std::array<ElasticBody, 2>> bodies_of(const Arranged& arranged,
+                                             std::vector<Warning>& warnings) {
   std::array<ElasticBody, 2> bodies;
   for (std::size_t i = 0; i < arranged.gears.size(); ++i) {
-    auto body = body_of(arranged, static_cast<int>(i) + 1);
+    auto body = body_of(arranged, static_cast<int>(i) + 1, warnings);
     if (!body) return body.error();
     bodies[i] = *body;
   }
@@ -199,11 +200,11 @@ Result<ContactSetup> setup_of(const Arranged& arranged, const ContactErrors& err
                           {given.gear(1).modifications, given.gear(2).modifications});
 }
 
-Result<LoadTask> load_task(Arranged& arranged, const ContactErrors& errors,
-                           const LoadInput& input) {
+Result<LoadTask> load_task(const Arranged& arranged, const ContactErrors& errors,
+                           const LoadInput& input, std::vector<Warning>& warnings) {
   if (input.torques.empty())
     return Error{"load.torques", "", "is missing: probes alone make no pair under load"};
-  const auto bodies = bodies_of(arranged);
+  const auto bodies = bodies_of(arranged, warnings);
   if (!bodies) return bodies.error();
   return task_of(arranged, errors, input, *bodies);
 }
@@ -251,9 +252,10 @@ Result<LoadedContact> contact_of(std::vector<Warning>& warnings, const LoadTask&
 
 }  // namespace
 
-Result<LoadAnalysis> loaded(Arranged& arranged, const ContactErrors& errors, const LoadInput& input,
+Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& errors,
+                            const LoadInput& input, std::vector<Warning>& warnings,
                             Progress* progress) {
-  const auto bodies = bodies_of(arranged);
+  const auto bodies = bodies_of(arranged, warnings);
   if (!bodies) return bodies.error();
   LoadAnalysis answer;
   for (std::size_t i = 0; i < input.probes.size(); ++i) {
@@ -280,10 +282,10 @@ Result<LoadAnalysis> loaded(Arranged& arranged, const ContactErrors& errors, con
   auto compliance = task.compliance();
   if (!compliance) return compliance.error();
   answer.compliance = std::move(compliance).take();
-  auto contact = contact_of(arranged.warnings, task, *answer.compliance);
+  auto contact = contact_of(warnings, task, *answer.compliance);
   if (!contact) return contact.error();
   answer.contact = std::move(contact).take();
-  explain_stiffness(arranged, task, answer);
+  explain_stiffness(arranged, task, answer, warnings);
   return answer;
 }
 
@@ -300,9 +302,10 @@ bool not_made_for_load(const Error& error) {
   return std::find(kOfTheKind.begin(), kOfTheKind.end(), error.field) != kOfTheKind.end();
 }
 
-Result<LoadedContact> contact_under(Arranged& arranged, const ContactErrors& errors,
-                                    const LoadInput& input, double torque, Progress* progress) {
-  const auto bodies = bodies_of(arranged);
+Result<LoadedContact> contact_under(const Arranged& arranged, const ContactErrors& errors,
+                                    const LoadInput& input, double torque,
+                                    std::vector<Warning>& warnings, Progress* progress) {
+  const auto bodies = bodies_of(arranged, warnings);
   if (!bodies) return bodies.error();
   auto made = task_of(arranged, errors, input, *bodies);
   if (!made) return made.error();
@@ -311,7 +314,7 @@ Result<LoadedContact> contact_under(Arranged& arranged, const ContactErrors& err
   task.request.torques = {torque * kMmPerM};
   const auto compliance = task.compliance();
   if (!compliance) return compliance.error();
-  return contact_of(arranged.warnings, task, *compliance);
+  return contact_of(warnings, task, *compliance);
 }
 
 }  // namespace gearwright

@@ -29,22 +29,24 @@ struct LoadAnalysis {
 /// Of the root diameter: where a gear without a bore is held.
 inline constexpr double kShaft = 0.5;
 
-/// The pair under each of the torques, and its probes. Warnings are added to `arranged`.
+/// The pair under each of the torques, and its probes. `warnings` gets how the
+/// answer has to be read.
 ///
 /// Domain    torques or probes, with torques a pair (contract)
 /// Errors    `pair.…` and `gearN.…` where loaded contact is not made for such gears;
 ///           `gearN.material.poisson_ratio`, `gearN.bore.…`, `load.slices` too many,
 ///           `load.probe[i].…`; as setup_of
-Result<LoadAnalysis> loaded(Arranged& arranged, const ContactErrors& errors, const LoadInput& input,
+Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& errors,
+                            const LoadInput& input, std::vector<Warning>& warnings,
                             Progress* progress = nullptr);
 
 /// Whether the kind of gears is not supported, rather than a value invalid.
 bool not_made_for_load(const Error& error);
 
 /// The same under this one torque on gear 1, N m, with the other numbers of `input`.
-Result<LoadedContact> contact_under(Arranged& arranged, const ContactErrors& errors,
+Result<LoadedContact> contact_under(const Arranged& arranged, const ContactErrors& errors,
                                     const LoadInput& input, double torque,
-                                    Progress* progress = nullptr);
+                                    std::vector<Warning>& warnings, Progress* progress = nullptr);
 
 /// The part of loaded() with a torque, ready to be taken in steps: tables of the teeth, positions,
 /// and at last judge_load.
@@ -62,7 +64,8 @@ struct LoadTask {
 };
 
 /// Errors    as loaded(), and `load` without torque
-Result<LoadTask> load_task(Arranged& arranged, const ContactErrors& errors, const LoadInput& input);
+Result<LoadTask> load_task(const Arranged& arranged, const ContactErrors& errors,
+                           const LoadInput& input, std::vector<Warning>& warnings);
 
 /// Why an answer cannot be used; `warnings` gets what it has to be read with.
 std::optional<Error> judge_load(const LoadTask& task, const LoadedContact& found,

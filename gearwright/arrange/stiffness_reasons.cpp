@@ -136,7 +136,8 @@ std::vector<StiffnessFactor> factors_of(const Arranged& arranged, const LoadTask
 
 }  // namespace
 
-void explain_stiffness(Arranged& arranged, const LoadTask& task, const LoadAnalysis& answer) {
+void explain_stiffness(const Arranged& arranged, const LoadTask& task, const LoadAnalysis& answer,
+                       std::vector<Warning>& warnings) {
   const std::vector<LoadStandard> standard = load_standard(arranged, answer);
   for (std::size_t i = 0; i < standard.size(); ++i) {
     const LoadedTorque& t = answer.contact->torques[i];
@@ -151,7 +152,7 @@ void explain_stiffness(Arranged& arranged, const LoadTask& task, const LoadAnaly
     }
     const char* ring =
         task.setup.gear(2).internal() ? ", a ring, which the standard takes for a rack" : "";
-    arranged.warnings.push_back(
+    warnings.push_back(
         {"stiffness_differs",
          list.empty()
              ? fmt::format("At {} N m the mesh is {:.2f} times as stiff as c_γα of ISO 6336-1, "

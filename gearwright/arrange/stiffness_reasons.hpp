@@ -6,10 +6,11 @@
 
 namespace gearwright {
 
-/// Where the mean stiffness is more than a quarter off c_γα: a note in its warnings, with the
+/// Where the mean stiffness is more than a quarter off c_γα: a note, with the
 /// factor that each of these makes and what is left.
 ///
 /// Domain    an answer of this task with contact (contract)
-void explain_stiffness(Arranged& arranged, const LoadTask& task, const LoadAnalysis& answer);
+void explain_stiffness(const Arranged& arranged, const LoadTask& task, const LoadAnalysis& answer,
+                       std::vector<Warning>& warnings);
 
 }  // namespace gearwright

@@ -4,12 +4,12 @@ namespace gearwright {
 
 Result<LoadAnalysis> answer_load(SolvedJob& job, Progress* progress) {
   if (auto error = missing_error(SpecUse::load, job.spec)) return *error;
-  return loaded(job, errors_of(job), job.spec.load, progress);
+  return loaded(job, errors_of(job), job.spec.load, job.warnings, progress);
 }
 
 Result<LoadTask> load_task(SolvedJob& job) {
   if (auto error = missing_error(SpecUse::load, job.spec)) return *error;
-  return load_task(job, errors_of(job), job.spec.load);
+  return load_task(job, errors_of(job), job.spec.load, job.warnings);
 }
 
 LoadView load_view(const SolvedJob& job, const LoadAnalysis& answer) {

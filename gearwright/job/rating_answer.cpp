@@ -26,7 +26,8 @@ void warn_of_limits(SolvedJob& job, const Rating& rating) {
 Result<ToothContact> tooth_contact(SolvedJob& job, const RatingAnswer& answer, Progress* progress) {
   const Rating& r = answer.rating;
   const double torque = answer.input.torque * r.K_A.value * r.K_gamma.value * r.K_v.value;
-  const auto made = contact_under(job, errors_of(job), job.spec.load, torque, progress);
+  const auto made =
+      contact_under(job, errors_of(job), job.spec.load, torque, job.warnings, progress);
   if (!made) return made.error();
   const LoadedTorque& t = made->torques.front();
   return ToothContact{torque, t.max_pressure, t.max_root_stress, t.face_load_factor};

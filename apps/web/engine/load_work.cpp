@@ -137,7 +137,7 @@ std::optional<Error> LoadWork::close() {
   answer.contact = turn_->result();
   answer.compliance = *compliance_;
   if (auto error = judge_load(task_, *answer.contact, job_.warnings)) return error;
-  explain_stiffness(job_, task_, answer);
+  explain_stiffness(job_, task_, answer, job_.warnings);
   json_ = json_text(load_json(job_, answer, judge(job_, {.load = true})), 2) + "\n";
   picture_ = picture_of(*answer.contact);
   return std::nullopt;
