@@ -11,7 +11,8 @@ void tell(const Error& error) { std::printf("error: %s\n", error.message().c_str
 void tell(const Result<Gear>& gear) {
   if (!gear) return tell(gear.error());
   std::printf("%d teeth, tip diameter %.3f mm\n", gear->spec.teeth, gear->tip_diameter);
-  for (const Warning& warning : gear->warnings) std::printf("  warning %s\n", warning.code.c_str());
+  for (const Warning& warning : gear->warnings)
+    std::printf("  warning %s\n", to_string(warning.code));
 }
 
 int main() {

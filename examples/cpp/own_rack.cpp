@@ -29,7 +29,7 @@ int main() {
               2 * gear->tip_form_radius());
   for (const Arc& arc : gear->tooth->outline.arcs)
     std::printf("%-12s ends at radius %.4f mm\n", to_string(arc.name).data(), arc.end_point.norm());
-  for (const Warning& warning : gear->warnings) std::printf("%s\n", warning.code.c_str());
+  for (const Warning& warning : gear->warnings) std::printf("%s\n", to_string(warning.code));
 }
 
 /* prints

@@ -24,7 +24,7 @@ void add_gear_warnings(Arranged& arranged, int which) {
   const GearInput& input = arranged.completed.gear(which);
   if (auto w = body_warning(arranged.gear(which), which)) arranged.warnings.push_back(*w);
   if (!input.face_width_given) {
-    arranged.warnings.push_back({"default_face_width",
+    arranged.warnings.push_back({WarningCode::default_face_width,
                                  fmt::format("No `face_width` given: {} mm (10 modules) is used.",
                                              format_number(input.cylindrical.face_width)),
                                  which});
@@ -44,7 +44,7 @@ void collect_warnings(Arranged& arranged) {
   if (!arranged.pair) return;
   if (arranged.pair->crossed() && (given.shaft_angle_found || !given.pair.shaft_angle)) {
     arranged.warnings.push_back(
-        {"default_shaft_angle",
+        {WarningCode::default_shaft_angle,
          fmt::format(
              "No `pair.shaft_angle` given, and these helix angles do not allow parallel axes: "
              "the pair crosses at {:.6g}°, the angle of its minimum centre distance.",

@@ -88,7 +88,7 @@ std::optional<Error> thin_for_backlash(GivenPair& given, const std::optional<Pai
   if (!made || std::abs(*made - wanted.value) > kSame * std::max(1.0, wanted.value))
     return refused(wanted.field, wanted.value, "no thickness of these teeth has this backlash");
   if (now < -kSame) {
-    warnings.push_back({"thickened_for_backlash",
+    warnings.push_back({WarningCode::thickened_for_backlash,
                         fmt::format("The centre distance leaves a backlash greater than "
                                     "`{}` = {}: the teeth are thicker than their profile shifts "
                                     "make them, by {} mm together.",

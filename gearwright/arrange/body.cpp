@@ -13,7 +13,7 @@ std::optional<Warning> body_warning(const Gear& gear, int which) {
   if (!bore || !gear.exists()) return std::nullopt;
   const auto warning = [&](const std::string& why) {
     return Warning{
-        "no_body",
+        WarningCode::no_body,
         fmt::format("A bore of {} mm leaves no body: {}.", format_number(bore->diameter), why),
         which};
   };

@@ -35,7 +35,7 @@ Result<ElasticBody> body_of(const Arranged& arranged, int which, std::vector<War
   } else if (gear.internal()) {
     body.bore_diameter = rim(gear).diameter;
     warnings.push_back(
-        {"held_at_rim_as_drawn",
+        {WarningCode::held_at_rim_as_drawn,
          fmt::format("Gear {} has no bore, which is its rim: it is held at the outside of the rim "
                      "that its files have, {} mm.",
                      which, format_number(body.bore_diameter)),
@@ -43,7 +43,7 @@ Result<ElasticBody> body_of(const Arranged& arranged, int which, std::vector<War
   } else {
     body.bore_diameter = kShaft * gear.root_diameter;
     warnings.push_back(
-        {"held_at_half_the_root",
+        {WarningCode::held_at_half_the_root,
          fmt::format("Gear {} has no bore: its body is held at half the root diameter, {} mm.",
                      which, format_number(body.bore_diameter)),
          which});
@@ -101,12 +101,12 @@ std::string rotations_where(const LoadedTorque& t, Is is) {
 
 void warn_about(const LoadedContact& contact, std::vector<Warning>& warnings) {
   const auto untouched = [](const LoadedPosition& p) { return !p.solved() && !p.unfinished; };
-  const auto is_lost = [](const Warning& w) { return w.code == "contact_lost" && w.gear == 0; };
+  const auto is_lost = [](const Warning& w) { return w.code == WarningCode::contact_lost; };
   // Whether anything touches does not depend on the torque.
   if (const std::string where = rotations_where(contact.torques.front(), untouched);
       !where.empty() && std::none_of(warnings.begin(), warnings.end(), is_lost))
     warnings.push_back(
-        {"contact_lost",
+        {WarningCode::contact_lost,
          fmt::format("Nothing touches at rotation1 = {}: what is told of the load is "
                      "told of the other positions.",
                      where),
@@ -117,7 +117,7 @@ void warn_about(const LoadedContact& contact, std::vector<Warning>& warnings) {
             rotations_where(t, [](const LoadedPosition& p) { return p.unfinished; });
         !where.empty())
       warnings.push_back(
-          {"load_unfinished",
+          {WarningCode::load_unfinished,
            fmt::format("At {} N m the forces come to no end at rotation1 = {}: these "
                        "positions are without numbers, and greatest values and peak "
                        "to peak are those of the others.",
@@ -126,14 +126,14 @@ void warn_about(const LoadedContact& contact, std::vector<Warning>& warnings) {
     if (t.edge_carries)
       warnings.push_back(edge_carries_at(t.torque));
     else if (t.beyond_flank)
-      warnings.push_back({"ellipse_beyond_flank",
+      warnings.push_back({WarningCode::ellipse_beyond_flank,
                           fmt::format("At {} N m the ellipse of contact hangs over an end of the "
                                       "flank: the pressure there is a lower bound.",
                                       torque),
                           0});
     if (t.max_width_ratio > kHertzRatio)
       warnings.push_back(
-          {"beyond_hertz",
+          {WarningCode::beyond_hertz,
            fmt::format("At {} N m the contact is {:.2f} of its radius of curvature wide: more than "
                        "Hertz' theory is made for.",
                        torque, t.max_width_ratio),
@@ -290,7 +290,7 @@ Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& error
 }
 
 Warning edge_carries_at(double torque) {
-  return {"edge_carries",
+  return {WarningCode::edge_carries,
           fmt::format("At {} N m an edge of a tooth carries: the pressure there is a lower bound.",
                       format_number(torque / kMmPerM)),
           0};

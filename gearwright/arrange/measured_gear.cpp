@@ -54,13 +54,13 @@ class Measuring {
  private:
   using Fault = std::optional<Error>;
 
-  Fault missing(bool asked, const Error& error, const char* code, const char* what) {
+  Fault missing(bool asked, const Error& error, WarningCode code, const char* what) {
     const Error here = within(gear_field(which_, "measure"), error);
     if (asked) return here;
     warn(code, std::string(what) + ": " + (request_.words ? request_.words(here) : here.message()));
     return std::nullopt;
   }
-  void warn(const char* code, std::string message) {
+  void warn(WarningCode code, std::string message) {
     warnings_.push_back({code, std::move(message), which_});
   }
 
@@ -69,7 +69,8 @@ class Measuring {
     m.span = usual_span(gear_);
     if (!input_.span_teeth) {
       if (!m.span && m.reference)
-        warn("no_span", "No span: the contacts of none lie on the usable flank, within the face.");
+        warn(WarningCode::no_span,
+             "No span: the contacts of none lie on the usable flank, within the face.");
       return std::nullopt;
     }
     const auto asked = span_over(gear_, *input_.span_teeth);
@@ -81,11 +82,11 @@ class Measuring {
         usual ? fmt::format("; over {} teeth they do", usual->teeth) : std::string();
     if (asked->place != ContactPlace::usable) {
       warn(
-          "span_off_flank",
+          WarningCode::span_off_flank,
           fmt::format("Span over {} teeth: the contacts at {} mm do not lie on the usable flank{}.",
                       asked->teeth, format_number(asked->contact_diameter), instead));
     } else {
-      warn("span_off_face",
+      warn(WarningCode::span_off_face,
            fmt::format("Span over {} teeth: the contacts lie {} mm apart along the axis, and the "
                        "face is {} mm wide{}.",
                        asked->teeth, format_number(asked->min_face_width, gear_.spec.face_width),
@@ -103,7 +104,7 @@ class Measuring {
     return ball_in_space(gear_, m.sizes->ideal);
   }
 
-  void warn_off_flank(const BallSeat& seat, const char* code, const char* what) {
+  void warn_off_flank(const BallSeat& seat, WarningCode code, const char* what) {
     if (seat.usable()) return;
     warn(code,
          fmt::format("{} of {} mm: the contacts at {} mm do not lie on the usable flank.", what,
@@ -115,15 +116,15 @@ class Measuring {
     const auto found = seat(input_.ball_diameter, m);
     if (!found) {
       if (m.reference)
-        warn("no_balls", "No dimension over balls: none rests on the usable flanks.");
+        warn(WarningCode::no_balls, "No dimension over balls: none rests on the usable flanks.");
       return std::nullopt;
     }
     if (!*found)
-      return missing(input_.ball_diameter.has_value(), found->error(), "no_balls",
+      return missing(input_.ball_diameter.has_value(), found->error(), WarningCode::no_balls,
                      "No dimension over balls");
     const BallSeat& seat = **found;
     m.balls = BallMeasure{seat, over_two_balls(gear_, seat)};
-    warn_off_flank(seat, "ball_off_flank", "Balls");
+    warn_off_flank(seat, WarningCode::ball_off_flank, "Balls");
     return std::nullopt;
   }
 
@@ -142,7 +143,7 @@ class Measuring {
     if (!found && !m.balls) return std::nullopt;
     const BallSeat& seat = found ? **found : m.balls->seat;
     m.pins = PinMeasure{seat, over_pins(gear_, seat)};
-    if (asked) warn_off_flank(seat, "pin_off_flank", "Pins");
+    if (asked) warn_off_flank(seat, WarningCode::pin_off_flank, "Pins");
     return std::nullopt;
   }
 
@@ -152,10 +153,10 @@ class Measuring {
       return missing(asked,
                      Error{"chord_diameter", "",
                            "chords are measured on involute flanks; these are circular arcs"},
-                     "no_chord", "No chordal thickness");
+                     WarningCode::no_chord, "No chordal thickness");
     const double d = input_.chord_diameter.value_or(default_chord_diameter(gear_));
     const auto chord = chordal_thickness(gear_, d);
-    if (!chord) return missing(asked, chord.error(), "no_chord", "No chordal thickness");
+    if (!chord) return missing(asked, chord.error(), WarningCode::no_chord, "No chordal thickness");
     m.chord = ChordMeasure{d, *chord};
     const ToothArc<double> arc = tooth_arc(gear_, d);
     const double s_t = arc.half_angle * d;
@@ -177,7 +178,7 @@ class Measuring {
     if (mounted && mounted->flanks_meet()) subject.contact_ratio = mounted->contact_ratio();
     m.tolerances = flank_tolerances(asked.edition, *asked.quality, subject);
     if (!in_range(asked.edition, subject))
-      warn("tolerances_out_of_range",
+      warn(WarningCode::tolerances_out_of_range,
            "The gear lies outside the sizes for which ISO 1328-1 says its tolerances: the formulas "
            "are used all the same.");
     if (mounted) set_axes(*m.tolerances);

@@ -49,14 +49,15 @@ std::optional<Warning> note_shifts(const GivenPair& given) {
     if (!gear->profile_shift)
       greatest = std::max(greatest, std::abs(gear->cylindrical.profile_shift));
   if (greatest < kRounding) return std::nullopt;
-  return Warning{"profile_shifts_chosen",
+  return Warning{WarningCode::profile_shifts_chosen,
                  fmt::format("Profile shifts chosen for a = {} mm: {}.",
                              format_number(*given.pair.center_distance), chosen_shifts(given)),
                  0};
 }
 
 Warning not_read(const std::string& what) {
-  return {"not_read", what + " is of a part that is not in this version: it was not read.", 0};
+  return {WarningCode::not_read,
+          what + " is of a part that is not in this version: it was not read.", 0};
 }
 
 }  // namespace gearwright

@@ -153,7 +153,7 @@ void explain_stiffness(const Arranged& arranged, const LoadTask& task, const Loa
     const char* ring =
         task.setup.gear(2).internal() ? ", a ring, which the standard takes for a rack" : "";
     warnings.push_back(
-        {"stiffness_differs",
+        {WarningCode::stiffness_differs,
          list.empty()
              ? fmt::format("At {} N m the mesh is {:.2f} times as stiff as c_γα of ISO 6336-1, "
                            "twist of the bodies apart: neither errors nor modifications, face or "

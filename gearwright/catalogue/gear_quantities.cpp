@@ -265,7 +265,7 @@ const Quantities<Gear>& gear_quantities() {
 const Quantities<Warning>& warning_quantities() {
   static const Quantities<Warning> kAll("warning", [](Quantities<Warning>& q) {
     q.text("code", "a fixed word for programs", [](const Warning& w) {
-       return Value(w.code);
+       return Value(to_string(w.code));
      }).always();
     q.text("message", "one sentence for people", [](const Warning& w) {
        return Value(w.message);

@@ -277,7 +277,9 @@ const Quantities<InvolutePair>& internal_quantities() {
 const Quantities<InterferenceView>& interference_quantities() {
   using I = InterferenceView;
   static const Quantities<I> kAll("pair.interference", [](Quantities<I>& q) {
-    q.text("code", "a fixed word for programs", [](const I& i) { return Value(i.code); }).always();
+    q.text("code", "a fixed word for programs", [](const I& i) {
+       return Value(to_string(i.code));
+     }).always();
     q.whole("", "gear", "gear", "", "the one whose root or tip suffers; null: both",
             [](const I& i) { return i.gear ? Value(i.gear) : Value(); });
     q.pure("", "amount", "amount", "", "mm; rad for `trochoid`; < 0: by so much", [](const I& i) {
@@ -297,7 +299,7 @@ const Quantities<Collision>& collision_quantities() {
   };
   static const Quantities<S> kAll("pair.strike", [at](Quantities<S>& q) {
     q.text("cause", "a fixed word for programs", [](const S& s) {
-       return Value(s.cause);
+       return Value(to_string(s.cause));
      }).always();
     q.whole("", "gear", "gear", "", "whose root, or whose tip that stands out; null: both alike",
             [](const S& s) { return s.gear ? Value(s.gear) : Value(); });
@@ -335,7 +337,9 @@ std::vector<InterferenceView> interference_of(const Pair& v) {
       list.push_back({i.code, i.gear, amount(i), i.message});
   } else {
     for (const Warning& w : v.arcs()->warnings) {
-      if (w.code != "root" && w.code != "interference" && w.code != "overlap") continue;
+      if (w.code != WarningCode::root && w.code != WarningCode::interference &&
+          w.code != WarningCode::overlap)
+        continue;
       list.push_back({w.code, w.gear, std::nullopt, w.message});
     }
   }

@@ -42,7 +42,7 @@ const Quantities<InvolutePair>& internal_quantities();
 
 /// One entry of `interference`.
 struct InterferenceView {
-  std::string code;
+  WarningCode code;
   int gear;
   std::optional<double> amount;
   std::string message;

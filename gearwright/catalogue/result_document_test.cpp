@@ -95,5 +95,19 @@ TEST(ResultDocument, TablesAreTheCatalogues) {
   }
 }
 
+// A pair and a gear may have warnings of one word: `contact_lost`.
+TEST(ResultDocument, CodesAreTheWarnings) {
+  std::string text = "| code | level | meaning |\n|---|---|---|\n";
+  for (const WarningMeaning& m : warning_meanings()) {
+    EXPECT_FALSE(std::string(m.text).empty() || std::string(m.sentence).empty());
+    EXPECT_EQ(std::string(m.reason).empty(), m.severity == Severity::note) << m.text;
+    const char* const level = m.severity == Severity::problem   ? "red"
+                              : m.severity == Severity::caution ? "amber"
+                                                                : "green";
+    text += fmt::format("| `{}` | {} | {} |\n", m.text, level, cell(m.sentence));
+  }
+  expect_block(kDocument, "codes", "warning", text);
+}
+
 }  // namespace
 }  // namespace gearwright

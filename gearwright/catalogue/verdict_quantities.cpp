@@ -54,7 +54,7 @@ const Quantities<Finding>& finding_quantities() {
     q.text("code",
            "of a warning, or `form_margin`, `fillet_margin`, `tip_margin`, `edge_contact`, "
            "`contact_place`, `root_safety`, `flank_safety`",
-           [](const F& f) { return Value(f.code); })
+           [](const F& f) { return Value(to_string(f.code)); })
         .always();
     q.word("", "level", "level", "green: good to know",
            [](const F& f) { return Value(to_string(f.level)); })

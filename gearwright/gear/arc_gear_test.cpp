@@ -96,14 +96,14 @@ TEST(ArcGear, flags_say_what_happened) {
   std::get<ArcRack>(deep.rack).dedendum = 0.5;
   const Gear undercut = made(deep);
   EXPECT_TRUE(undercut.undercut);
-  EXPECT_TRUE(warns(undercut, "undercut"));
+  EXPECT_TRUE(warns(undercut, WarningCode::undercut));
   EXPECT_LT(undercut.arcs()->flank_begin, *undercut.arcs()->undercut_limit);
   CylindricalSpec high = spec_of(Cutter::F, 20);
   high.tip_diameter = made(high).reference_diameter + 4.5;
   const Gear pointed = made(high);
   EXPECT_TRUE(pointed.pointed() || pointed.tooth->tip_cut_by_rack);
   CylindricalSpec small = spec_of(Cutter::P, 1);
-  EXPECT_TRUE(warns(made(small), "through_axis"));
+  EXPECT_TRUE(warns(made(small), WarningCode::through_axis));
   EXPECT_FALSE(made(small).exists());
 }
 
@@ -124,7 +124,7 @@ TEST(ArcGear, the_arcs_end_tops_the_tooth) {
   s.tip_diameter = made(s).reference_diameter + 4.0;
   const Gear gear = made(s);
   EXPECT_TRUE(gear.tooth->tip_cut_by_rack);
-  EXPECT_TRUE(warns(gear, "tip_cut_by_rack"));
+  EXPECT_TRUE(warns(gear, WarningCode::tip_cut_by_rack));
   const double top = gear.reference_diameter / 2 + reach(gear.arcs()->rack) * 2.0;
   EXPECT_NEAR(gear.actual_tip_radius(), top, 1e-12);
 }

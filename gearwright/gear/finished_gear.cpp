@@ -35,7 +35,7 @@ Gear described(const CylindricalSpec& spec) {
   return gear;
 }
 
-void warn(Gear& gear, const char* code, std::string message) {
+void warn(Gear& gear, WarningCode code, std::string message) {
   gear.warnings.push_back({code, std::move(message), 0});
 }
 
@@ -65,13 +65,13 @@ void warn_about_tip(Gear& gear) {
   const auto& s_an = gear.tip_tooth_thickness_normal;
   if (gear.pointed()) {
     const double end = gear.tooth ? 2 * gear.tooth->tip_radius : *gear.pointed_diameter;
-    warn(gear, "pointed",
+    warn(gear, WarningCode::pointed,
          fmt::format(
              "Pointed: the tooth ends at {:.4f} mm diameter, before the tip diameter {:.4f} mm.",
              end, gear.tip_diameter));
   } else if (s_an && *s_an < 0.2 * gear.spec.normal_module &&
              !(gear.tooth && gear.tooth->rounded_tip)) {
-    warn(gear, "thin_tip",
+    warn(gear, WarningCode::thin_tip,
          fmt::format("Thin tip: {:.4f} mm, less than 0.2 modules ({:.4f} mm).", *s_an,
                      0.2 * gear.spec.normal_module));
   }
@@ -82,12 +82,12 @@ void warn_about_ring(Gear& gear) {
   const StraightRack& rack = gear.spec.straight_rack();
   if (rack.tip_fillet_radius > 0.0 || rack.tool_addendum || rack.semi_topping_angle ||
       rack.protuberance > 0.0) {
-    warn(gear, "rack_not_used",
+    warn(gear, WarningCode::rack_not_used,
          "An internal gear is not cut by a rack: `rack.tip_fillet_radius`, `rack.tool_addendum`, "
          "`rack.semi_topping_angle` and `rack.protuberance` have no effect on it.");
   }
   if (gear.tip_diameter < gear.reference().base_diameter) {
-    warn(gear, "tip_below_base",
+    warn(gear, WarningCode::tip_below_base,
          fmt::format("The internal gear's tip {:.4f} mm lies inside its base circle {:.4f} mm: the "
                      "flank has no "
                      "involute there.",
@@ -99,33 +99,33 @@ void warn_about_ring(Gear& gear) {
 void warn_about_tooth(Gear& gear) {
   const GeneratedTooth& tooth = *gear.tooth;
   if (tooth.through_axis) {
-    warn(gear, "through_axis",
+    warn(gear, WarningCode::through_axis,
          fmt::format(
              "The cutter passes the gear's axis (root diameter {:.4f} mm): there is no gear.",
              gear.root_diameter));
     return;
   }
   if (tooth.severed) {
-    warn(gear, "severed",
+    warn(gear, WarningCode::severed,
          "The root fillets of both sides meet: the tooth is cut through." +
              (gear.undercut ? " There is undercut: " + without_undercut(gear) : std::string()));
     return;
   }
   if (gear.undercut) {
-    warn(gear, "undercut",
+    warn(gear, WarningCode::undercut,
          fmt::format("Undercut: the usable flank starts at {}; {}",
                      tooth.form_radius ? fmt::format("{:.4f} mm diameter", 2 * *tooth.form_radius)
                                        : std::string("no diameter"),
                      without_undercut(gear)));
   }
   if (!tooth.form_radius) {
-    warn(gear, "no_flank",
+    warn(gear, WarningCode::no_flank,
          fmt::format("No usable {}flank is left between root fillet and tip.",
                      gear.involute() ? "involute " : ""));
   }
   warn_about_tip(gear);
   if (tooth.tip_cut_by_rack) {
-    warn(gear, "tip_cut_by_rack",
+    warn(gear, WarningCode::tip_cut_by_rack,
          fmt::format(
              "The cutter's bottom land tops the tooth at {:.4f} mm diameter, below the blank's "
              "{:.4f} mm.",
@@ -138,7 +138,7 @@ void find_tip_bulge(Gear& gear) {
   gear.tip_bulge = tip_bulge(gear);
   if (!gear.tip_bulge) return;
   const TipBulge& bulge = *gear.tip_bulge;
-  warn(gear, "tip_bulge",
+  warn(gear, WarningCode::tip_bulge,
        fmt::format(
            "The tip stands out by {:.4g} mm beyond the involute, from {:.4f} mm diameter on, "
            "where the cutter's own flank ends: another mating gear than the cutter may "

@@ -15,6 +15,6 @@ Gear described(const CylindricalSpec& spec);
 /// Root and tip of the tooth as it was cut, and the warnings that follow.
 void finish(Gear& gear);
 
-void warn(Gear& gear, const char* code, std::string message);
+void warn(Gear& gear, WarningCode code, std::string message);
 
 }  // namespace gearwright::detail

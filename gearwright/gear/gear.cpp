@@ -95,7 +95,7 @@ void forget_fillet_cut_off(Gear& gear, double fillet_begin) {
   if (!tooth.tip_fillet || !(gear.tip_diameter / 2 <= fillet_begin)) return;
   tooth.tip_fillet.reset();
   std::get<InvoluteTeeth>(gear.flanks).point_j_l.reset();
-  detail::warn(gear, "tip_fillet_cut_off",
+  detail::warn(gear, WarningCode::tip_fillet_cut_off,
                fmt::format("The tooth ends at {:.4f} mm diameter, before its tip fillet begins: "
                            "`tip_fillet` has no effect.",
                            2 * tooth.tip_radius));
@@ -182,7 +182,7 @@ Result<Gear> make_involute_gear(const CylindricalSpec& spec, const StraightRack&
                                    std::cos(spec.helix_angle.rad()));
   if (rack_edge->became_full_radius) {
     detail::warn(
-        gear, "full_radius_root",
+        gear, WarningCode::full_radius_root,
         fmt::format(
             "The rack's root fillet radius {} does not fit at this pressure angle; the full "
             "radius {:.6f} is used.",

@@ -12,6 +12,7 @@
 #include "gearwright/base/result.hpp"
 #include "gearwright/gear/bore.hpp"
 #include "gearwright/gear/reference.hpp"
+#include "gearwright/gear/warning.hpp"
 #include "gearwright/generation/generate.hpp"
 #include "gearwright/tool/rack.hpp"
 
@@ -33,13 +34,6 @@ struct CylindricalSpec {
   /// The rack of an involute gear.   Domain: it is straight (contract)
   const StraightRack& straight_rack() const;
   StraightRack& straight_rack();
-};
-
-/// Something a person should know about a gear or a pair that is not an error.
-struct Warning {
-  std::string code;     ///< fixed word for programs: "undercut"
-  std::string message;  ///< one sentence for people
-  int gear = 0;         ///< 1, 2, or 0 for the pair
 };
 
 /// How a pinion cutter stood when it had finished the gear.

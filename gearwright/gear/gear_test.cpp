@@ -84,32 +84,32 @@ TEST(MakeGear, undercut_begins_where_the_shift_says) {
   EXPECT_FALSE(made(s).undercut);
   s.profile_shift = limit - 1e-9;
   EXPECT_TRUE(made(s).undercut);
-  EXPECT_TRUE(warns(made(s), "undercut"));
+  EXPECT_TRUE(warns(made(s), WarningCode::undercut));
 }
 
 TEST(MakeGear, warnings_say_what_happened) {
   CylindricalSpec pointed = spec(10);
   pointed.profile_shift = 0.9;
-  EXPECT_TRUE(warns(made(pointed), "pointed"));
+  EXPECT_TRUE(warns(made(pointed), WarningCode::pointed));
   EXPECT_EQ(made(pointed).tip_tooth_thickness_normal, 0.0);
   CylindricalSpec thin = spec(10);
   thin.profile_shift = 0.65;
-  EXPECT_TRUE(warns(made(thin), "thin_tip"));
+  EXPECT_TRUE(warns(made(thin), WarningCode::thin_tip));
   CylindricalSpec axis = spec(2);
-  EXPECT_TRUE(warns(made(axis), "through_axis"));
+  EXPECT_TRUE(warns(made(axis), WarningCode::through_axis));
   EXPECT_FALSE(made(axis).exists());
   CylindricalSpec severed = spec(4);
   severed.profile_shift = -0.6;
-  EXPECT_TRUE(warns(made(severed), "severed"));
+  EXPECT_TRUE(warns(made(severed), WarningCode::severed));
   EXPECT_FALSE(made(severed).exists());
   CylindricalSpec topped = spec(30);
   topped.straight_rack().tip_fillet_radius = 0.1;
   topped.tip_diameter = 65.0;
-  EXPECT_TRUE(warns(made(topped), "tip_cut_by_rack"));
+  EXPECT_TRUE(warns(made(topped), WarningCode::tip_cut_by_rack));
   EXPECT_EQ(made(topped).actual_tip_radius(), 32.0);
   CylindricalSpec steep = spec(30);
   steep.normal_pressure_angle = 30_deg;
-  EXPECT_TRUE(warns(made(steep), "full_radius_root"));
+  EXPECT_TRUE(warns(made(steep), WarningCode::full_radius_root));
 }
 
 TEST(MakeGear, tip_thickness_is_that_of_the_finished_tooth) {

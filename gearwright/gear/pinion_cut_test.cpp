@@ -55,7 +55,7 @@ double distance(const Gear& cutter, int teeth, double x) {
 
 bool warns_of_topping(const Gear& gear) {
   return std::any_of(gear.warnings.begin(), gear.warnings.end(),
-                     [](const Warning& w) { return w.code == "tip_cut_by_rack"; });
+                     [](const Warning& w) { return w.code == WarningCode::tip_cut_by_rack; });
 }
 
 // A tip that nobody gave is what the cutter leaves: nothing tops it, whatever the lengths are
@@ -228,8 +228,9 @@ TEST(PinionCut, undercut_begins_at_the_base_tangent_point) {
     if (!gear->exists()) continue;
     EXPECT_EQ(gear->undercut, r_b0 * xi_a > line) << teeth;
     ++(gear->undercut ? undercut : free);
-    const bool warned = std::any_of(gear->warnings.begin(), gear->warnings.end(),
-                                    [](const Warning& w) { return w.code == "undercut"; });
+    const bool warned =
+        std::any_of(gear->warnings.begin(), gear->warnings.end(),
+                    [](const Warning& w) { return w.code == WarningCode::undercut; });
     EXPECT_EQ(gear->undercut, warned) << teeth;
   }
   EXPECT_GT(undercut, 3);

@@ -61,7 +61,7 @@ std::optional<Gear> cut_with(const Gear& ring, const Cutter& cutter) {
   with.warnings.clear();
   detail::finish(with);
   detail::warn(
-      with, "default_cutter",
+      with, WarningCode::default_cutter,
       fmt::format(
           "No `cut_by` given: the internal gear's fillets are those of a pinion cutter of {} "
           "teeth without profile shift that reaches the root diameter.",

@@ -93,7 +93,7 @@ std::optional<Warning> bound_warning(const CompensateAnswer& answer) {
                         c.shown_unit());
   }
   if (list.empty()) return std::nullopt;
-  return Warning{"correction_at_bound",
+  return Warning{WarningCode::correction_at_bound,
                  fmt::format("At the end of what is looked for: {}. More might be better still; "
                              "the errors are large for what a flank modification mends.",
                              list),
@@ -181,7 +181,7 @@ Result<Verdict> judge_corrected(const std::string& corrected, const SolvedJob& j
   if (!contact) return contact.error();
   // Of the range of errors, which the spec's own are but one of, and of the load.
   for (const Warning& w : job.warnings) {
-    if ((w.code == "contact_lost" && w.gear == 0) || w.code == "load_unfinished")
+    if (w.code == WarningCode::contact_lost || w.code == WarningCode::load_unfinished)
       with.warnings.push_back(w);
   }
   for (const AimedLoad& load : loads)
@@ -252,10 +252,12 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
     if (answer.result.each_after[i].nothing_touches())
       return nothing_touches_under(setup, scenarios[i].name, scenarios[i].errors);
   }
-  const auto contact_lost = [](const Warning& w) { return w.code == "contact_lost"; };
+  const auto contact_lost = [](const Warning& w) {
+    return w.code == WarningCode::contact_lost || w.code == WarningCode::contact_lost_to_undercut;
+  };
   if (answer.result.after.lost &&
       std::none_of(job.warnings.begin(), job.warnings.end(), contact_lost)) {
-    job.warnings.push_back({"contact_lost",
+    job.warnings.push_back({WarningCode::contact_lost,
                             "Contact is lost at some positions, and no correction within reach "
                             "brings it back: the error is told of the others.",
                             0});
@@ -264,7 +266,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   for (const AimedLoad& l : answer.loads)
     if (std::isnan(l.after.max_pressure))
       job.warnings.push_back(
-          {"load_unfinished",
+          {WarningCode::load_unfinished,
            fmt::format("At {} N m the corrected teeth are without an answer at a position: nothing "
                        "touches there, or the forces come to no end.",
                        format_number(l.torque / kMmPerM)),

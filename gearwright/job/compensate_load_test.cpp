@@ -122,8 +122,9 @@ TEST(CompensateLoad, AnEdgeThatStillCarriesIsAFinding) {
   ASSERT_TRUE(answer->loads[1].after.edge_carries);
   EXPECT_NE(answer->verdict.level, Level::green);
   const auto& findings = answer->verdict.findings;
-  const auto found = std::count_if(findings.begin(), findings.end(),
-                                   [](const Finding& f) { return f.code == "edge_carries"; });
+  const auto found = std::count_if(findings.begin(), findings.end(), [](const Finding& f) {
+    return f.code == WarningCode::edge_carries;
+  });
   EXPECT_GT(found, 0);
 }
 

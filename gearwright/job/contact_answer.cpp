@@ -31,7 +31,7 @@ ErrorMap make_map(const ContactSetup& setup, const ContactMapInput& m, int posit
 void warn_of_jam(Angle least_play, const char* touched, std::vector<Warning>& warnings) {
   constexpr Angle kTouching = Angle::radians(1e-12);  // teeth without backlash do not jam
   if (!(least_play < -kTouching)) return;
-  warnings.push_back({"jam",
+  warnings.push_back({WarningCode::jam,
                       fmt::format("The gears jam: {} touched at once, gear 2 would have to give "
                                   "way by {:.6f} degrees.",
                                   touched, -least_play.deg()),
@@ -40,7 +40,7 @@ void warn_of_jam(Angle least_play, const char* touched, std::vector<Warning>& wa
 
 // What the answer says that the numbers alone do not.
 void warn_about(const ContactAnswer& answer, std::vector<Warning>& warnings) {
-  const auto warn = [&](const char* code, std::string text, int gear = 0) {
+  const auto warn = [&](WarningCode code, std::string text, int gear = 0) {
     warnings.push_back({code, std::move(text), gear});
   };
   std::array<bool, 2> below{};
@@ -51,7 +51,7 @@ void warn_about(const ContactAnswer& answer, std::vector<Warning>& warnings) {
   for (int i = 0; i < 2; ++i) {
     const Gear& gear = answer.setup.gear(i + 1);
     if (!below[i] || gear.undercut) continue;
-    warn("contact_below_form",
+    warn(WarningCode::contact_below_form,
          fmt::format(
              "Contact reaches the end of gear {}'s usable flank, {:.4f} mm diameter, where "
              "the tooth goes on as a root fillet: the mating gear's tip works into it, and the "
@@ -60,10 +60,11 @@ void warn_about(const ContactAnswer& answer, std::vector<Warning>& warnings) {
          i + 1);
   }
   if (answer.driving.contact_lost)
-    warn("contact_lost", "Contact is lost at some positions: no tooth pair touches there.");
+    warn(WarningCode::contact_lost,
+         "Contact is lost at some positions: no tooth pair touches there.");
   if (answer.min_play) warn_of_jam(*answer.min_play, "both flanks of a tooth space are", warnings);
   if (answer.driving.unfinished + answer.other.unfinished > 0) {
-    warn("contact_search_unfinished",
+    warn(WarningCode::contact_search_unfinished,
          fmt::format("{} searches for a contact point did not end; their positions took the next "
                      "best one.",
                      answer.driving.unfinished + answer.other.unfinished));
@@ -72,7 +73,7 @@ void warn_about(const ContactAnswer& answer, std::vector<Warning>& warnings) {
 
 void warn_of_fillet(const FilletContact& touch, bool other, std::vector<Warning>& warnings) {
   warnings.push_back(
-      {"fillet_contact",
+      {WarningCode::fillet_contact,
        fmt::format("Under these errors the tip of gear {} meets the root fillet of gear {} {:.4g} "
                    "mm before the {}flanks do, at {:.3f}° of gear 1, on {:.4f} mm diameter: {}.",
                    3 - touch.gear, touch.gear, touch.early, other ? "non-working " : "",
@@ -97,7 +98,7 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
   const auto other_outlines = answer.setup.outlines(!gear2_drives);
   if (!driving_outlines || !other_outlines) {
     warnings.push_back(
-        {"fillets_not_asked",
+        {WarningCode::fillets_not_asked,
          "Whether a tip meets a root fillet under these errors was not looked at: with a changed "
          "lead of the cutter that is done for roots that a rack cuts, not for those of a pinion "
          "cutter or circular fillets."});

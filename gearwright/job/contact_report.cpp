@@ -193,7 +193,7 @@ Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progre
     if (field != "errors" && field != "gear1" && field != "gear2") return made.error();
     const Error why = spelled(made.error(), job.spec.given);
     const std::string reason = field == "errors" ? why.rule : why.message();
-    job.warnings.push_back({"no_contact", "No contact analysis: " + reason + ".", 0});
+    job.warnings.push_back({WarningCode::no_contact, "No contact analysis: " + reason + ".", 0});
     return std::optional<ContactPart>();
   }
   ContactAnswer answer = std::move(made).take();
@@ -203,8 +203,8 @@ Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progre
                                [](const ContactPoint& p) { return p.kind != TouchKind::none; });
   if (!any) {
     job.warnings.push_back(
-        {"no_contact", "No contact analysis: at none of the positions of a pitch do teeth touch.",
-         0});
+        {WarningCode::no_contact,
+         "No contact analysis: at none of the positions of a pitch do teeth touch.", 0});
     return std::optional<ContactPart>();
   }
   return std::optional(ContactPart{std::move(answer), std::move(report)});

@@ -104,17 +104,17 @@ Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress
   if (answer) return std::optional(compensate_view(*answer));
   const std::string& field = answer.error().field;
   const auto none = [&](const std::string& why) {
-    job.warnings.push_back({"no_corrections", "No corrections: " + why + ".", 0});
+    job.warnings.push_back({WarningCode::no_corrections, "No corrections: " + why + ".", 0});
     return std::optional<CompensateView>();
   };
   if (field == "compensate") return none(answer.error().rule);  // of the whole table: of this build
   if (under_load(job.spec.compensate.aim) && not_made_for_load(answer.error()))
     return none(spelled(answer.error(), job.spec.given).message());
   if (field != "errors" && field != "gear1" && field != "gear2") return answer.error();
-  const auto is_said = [](const Warning& w) { return w.code == "no_contact"; };
+  const auto is_said = [](const Warning& w) { return w.code == WarningCode::no_contact; };
   if (std::none_of(job.warnings.begin(), job.warnings.end(), is_said)) {
     const Error why = spelled(answer.error(), job.spec.given);
-    job.warnings.push_back({"no_contact", "No corrections: " + why.message() + ".", 0});
+    job.warnings.push_back({WarningCode::no_contact, "No corrections: " + why.message() + ".", 0});
   }
   return std::optional<CompensateView>();
 }
@@ -251,7 +251,7 @@ Result<ShapeFiles> shape_files(SolvedJob& job, const fs::path& folder, const Fil
     const auto body = make_body(job, which, false);
     if (!body) {
       job.warnings.push_back(
-          {"no_outline", spelled(body.error(), job.spec.given).message(), which});
+          {WarningCode::no_outline, spelled(body.error(), job.spec.given).message(), which});
       continue;
     }
     drawn.push_back(which);

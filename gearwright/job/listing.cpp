@@ -9,7 +9,6 @@
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/job/interval.hpp"
-#include "gearwright/verdict/meaning.hpp"
 
 namespace gearwright {
 

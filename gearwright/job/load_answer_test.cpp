@@ -130,8 +130,9 @@ TEST(LoadAnswer, APositionWithoutAnAnswerIsNullNamedAndRed) {
   EXPECT_GT(t.max_pressure, 0.0);
   EXPECT_TRUE(t.harmonics.empty());
   EXPECT_FALSE(judge_load(task, *answer.contact, job.warnings));
-  const auto warning = std::find_if(job.warnings.begin(), job.warnings.end(),
-                                    [](const Warning& w) { return w.code == "load_unfinished"; });
+  const auto warning = std::find_if(job.warnings.begin(), job.warnings.end(), [](const Warning& w) {
+    return w.code == WarningCode::load_unfinished;
+  });
   ASSERT_NE(warning, job.warnings.end());
   EXPECT_NE(warning->message.find("-3.21429°"), std::string::npos) << warning->message;
   const Verdict verdict = judge(job);
@@ -159,7 +160,7 @@ TEST(LoadAnswer, AStiffnessFarFromTheStandardsIsExplained) {
         more);
     loaded_answer(job);
     for (const Warning& w : job.warnings)
-      if (w.code == "stiffness_differs") return w.message;
+      if (w.code == WarningCode::stiffness_differs) return w.message;
     return std::string();
   };
   EXPECT_EQ(note_of("torque_Nm = 250\n"), "");

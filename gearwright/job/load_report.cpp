@@ -38,7 +38,7 @@ Result<std::optional<LoadPart>> load_part(SolvedJob& job, Progress* progress) {
     const bool alone = !job.pair && made.error().field == "gear2";
     const bool apart = job.pair && nothing_touched(made.error());
     if (!alone && !apart && !not_made_for_load(made.error())) return made.error();
-    const char* const code = apart ? "no_contact" : "no_load";
+    const WarningCode code = apart ? WarningCode::no_contact : WarningCode::no_load;
     const auto is_said = [&](const Warning& w) { return w.code == code; };
     if (std::any_of(job.warnings.begin(), job.warnings.end(), is_said))
       return std::optional<LoadPart>();

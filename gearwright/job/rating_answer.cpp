@@ -14,13 +14,12 @@ namespace {
 void warn_of_limits(SolvedJob& job, const Rating& rating) {
   for (const int which : {1, 2}) {
     if (!job.gear(which).spec.root_fillet) continue;
-    job.warnings.push_back({"rating_root_fillet",
+    job.warnings.push_back({WarningCode::rating_root_fillet,
                             "The root's circular arc is not in the standard: Y_F and Y_S are those "
                             "of the root that the rack would have cut.",
                             which});
   }
-  for (const RatingLimit& limit : rating.limits)
-    job.warnings.push_back({limit.code, limit.text, limit.gear});
+  for (const Warning& limit : rating.limits) job.warnings.push_back(limit);
 }
 
 Result<ToothContact> tooth_contact(SolvedJob& job, const RatingAnswer& answer, Progress* progress) {

@@ -9,6 +9,7 @@
 #include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/spelling.hpp"
+#include "gearwright/job/result_json.hpp"
 #include "gearwright/job/value_json.hpp"
 #include "gearwright/report/search_report.hpp"
 
@@ -111,32 +112,34 @@ std::string search_json_text(const Search& search, const SearchRun& run) {
     text += json_text(design_row_json(search, a.designs[i], edges));
   }
   text += a.designs.empty() ? "]}" : "\n  ]}";
-  Json warnings = Json::array();
-  const auto warn = [&](const char* code, const std::string& message) {
-    warnings.push_back({{"code", code}, {"message", message}, {"gear", nullptr}});
+  std::vector<Warning> warnings;
+  const auto warn = [&](WarningCode code, const std::string& message) {
+    warnings.push_back({code, message});
   };
   if (a.cut) {
-    warn("designs_cut", fmt::format("Of {} feasible designs the best {} are listed; search.parquet "
-                                    "in --out DIR holds all.",
-                                    a.counts.feasible, a.designs.size()));
+    warn(WarningCode::designs_cut,
+         fmt::format("Of {} feasible designs the best {} are listed; search.parquet "
+                     "in --out DIR holds all.",
+                     a.counts.feasible, a.designs.size()));
   }
   if (run.pair_not_read) {
-    warn("not_read",
+    warn(WarningCode::not_read,
          "[pair] is of one pair: a search has center_distance_mm and mounting of its own.");
   }
   if (run.rating_not_read) {
-    warn("not_read",
+    warn(WarningCode::not_read,
          "[rating] says nothing to this search: safety_flank_min, safety_root_min or "
          "objective = \"safety\" in [search] asks for it.");
   }
   if (!edges) {
-    warn("edges_left_out",
+    warn(WarningCode::edges_left_out,
          fmt::format("With more than {} designs the regions come without their edges; --top N asks "
                      "for fewer designs.",
                      kMaxBoundaries));
   }
-  if (!run.changes_left_out.empty()) warn("changes_left_out", run.changes_left_out + ".");
-  return text + ",\n  \"warnings\": " + json_text(warnings) + "\n}\n";
+  if (!run.changes_left_out.empty())
+    warn(WarningCode::changes_left_out, run.changes_left_out + ".");
+  return text + ",\n  \"warnings\": " + json_text(warnings_json(warnings)) + "\n}\n";
 }
 
 Json unfinished_json(const SearchRun& run) {
@@ -156,7 +159,7 @@ std::vector<std::string> rejected_lines(const SearchCounts& counts) {
       "overlap ratio",
       "specific sliding",
       "tip clearance",
-      "interference",
+      WarningCode::interference,
       "safety against pitting, at the shifts of the design",
       "safety against root breakage, at the shifts of the design"};
   std::vector<std::string> lines;

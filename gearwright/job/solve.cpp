@@ -22,7 +22,7 @@ std::optional<Warning> note_inherited(const JobSpec& spec) {
     text += fmt::format("{}`{}`{}", text.empty() ? "" : ", ", key, value);
   }
   if (text.empty()) return std::nullopt;
-  return Warning{"inherited", fmt::format("Taken from gear 1: {}.", text), 2};
+  return Warning{WarningCode::inherited, fmt::format("Taken from gear 1: {}.", text), 2};
 }
 
 std::vector<Warning> notes_of(const JobSpec& spec) {

@@ -183,7 +183,7 @@ void find_backlash(ArcPair& pair) {
   pair.backlash_normal = of_gear_2.rad() * lever;
 }
 
-void warn(ArcPair& pair, const char* code, std::string message) {
+void warn(ArcPair& pair, WarningCode code, std::string message) {
   pair.warnings.push_back({code, std::move(message), 0});
 }
 
@@ -192,7 +192,7 @@ void warn_about_contact(ArcPair& pair, const ArcPairContact& c) {
   const Gear& concave = pair.gears[c.convex_gear == 1 ? 1 : 0];
   const std::string where = fmt::format("convex flank of gear {}", c.convex_gear);
   if (!(c.at.gap[0] > 0.0)) {
-    warn(pair, "interference",
+    warn(pair, WarningCode::interference,
          fmt::format("At the {} the surfaces cut into each other: relative curvatures {:.4g} and "
                      "{:.4g} per mm. The arcs' radii differ by too little.",
                      where, c.at.gap[0], c.at.gap[1]));
@@ -204,7 +204,7 @@ void warn_about_contact(ArcPair& pair, const ArcPairContact& c) {
   };
   if (off(convex, 1.0, c.at.radius_convex) || off(concave, -1.0, c.at.radius_concave)) {
     warn(
-        pair, "contact_off_flank",
+        pair, WarningCode::contact_off_flank,
         fmt::format("The contact on the {}, at a normal angle of {:.4f}°, lies off the usable "
                     "flanks: the teeth touch with an edge. The reference centre distance is {:.4f} "
                     "mm.",
@@ -224,7 +224,7 @@ void warn_about_contact(ArcPair& pair, const ArcPairContact& c) {
                                ? fmt::format("they touch at {:.4f}°", c.nominal_theta->deg())
                                : "they have no common normal";
     pair.warnings.push_back(
-        {"pressure_angle",
+        {WarningCode::pressure_angle,
          fmt::format("The rack's pressure angle is written as {:.4f}°, but with these radii and "
                      "centres {} at the reference centre distance.",
                      written->deg(), is),
@@ -236,7 +236,7 @@ void warn_about_pair(ArcPair& pair) {
   for (const ArcPairContact& c : pair.contacts) warn_about_contact(pair, c);
   const CylindricalSpec &s_1 = pair.gears[0].spec, &s_2 = pair.gears[1].spec;
   if (pair.contacts.empty()) {
-    warn(pair, "unequal_lead",
+    warn(pair, WarningCode::unequal_lead,
          fmt::format("The gears are not of one lead (modules {} and {} mm, helix angles {}° and "
                      "{}°): they touch in no point that stays on the teeth, and what follows from "
                      "it is left out.",
@@ -245,14 +245,14 @@ void warn_about_pair(ArcPair& pair) {
   }
   const double face = std::min(s_1.face_width, s_2.face_width);
   if (!pair.contacts.empty() && face < pair.face_for_contact) {
-    warn(pair, "contact_ratio",
+    warn(pair, WarningCode::contact_ratio,
          fmt::format("Contact is not continuous: the common face is {:.4f} mm, and a point of "
                      "contact comes only every {:.4f} mm.",
                      face, pair.face_for_contact));
   }
   constexpr double kRounding = 1e-9;  // modules: of a backlash-free distance as people write it
   if (pair.backlash_rotation && pair.backlash_normal < -kRounding * s_1.normal_module) {
-    warn(pair, "negative_backlash",
+    warn(pair, WarningCode::negative_backlash,
          fmt::format("The teeth are too thick for this centre distance: normal backlash {:.4f} mm.",
                      pair.backlash_normal));
   }
@@ -260,7 +260,7 @@ void warn_about_pair(ArcPair& pair) {
     const double c = pair.tip_clearance[static_cast<std::size_t>(which - 1)];
     if (c > 0.0) continue;
     pair.warnings.push_back(
-        {"root",
+        {WarningCode::root,
          fmt::format("The tip of gear {} reaches {:.4f} mm below the root circle of gear {}.",
                      which, -c, 3 - which),
          3 - which});
@@ -313,11 +313,11 @@ Result<ArcPair> mount_arcs(Gear gear_1, Gear gear_2, std::optional<double> dista
     detail::find_collisions(pair, pair.backlash_rotation->at(1).rad() / 2, pair.backlash_normal);
     // Flanks too thick and tips in roots have warnings of their own.
     for (const Collision& s : *pair.overlap) {
-      if (s.cause != "negative_backlash" && s.cause != "root")
-        pair.warnings.push_back({"overlap", s.message, s.gear});
+      if (s.cause != CollisionCause::negative_backlash && s.cause != CollisionCause::root)
+        pair.warnings.push_back({WarningCode::overlap, s.message, s.gear});
     }
     for (const Collision& s : pair.beyond_flank)
-      pair.warnings.push_back({"beyond_flank", s.message, s.gear});
+      pair.warnings.push_back({WarningCode::beyond_flank, s.message, s.gear});
   }
   warn_about_pair(pair);
   return pair;

@@ -141,27 +141,27 @@ TEST(ArcPair, double_arcs_need_less_face) {
   // The standard's backlash: e_f less S_a along the datum line, 0.06 m_n.
   EXPECT_NEAR(pair.backlash_normal, (1.1773 - 1.1174) * 4 * std::cos(24 * kPi / 180), 2e-3);
   s_1.face_width = s_2.face_width = pair.face_for_contact * 0.99;
-  EXPECT_TRUE(warns(mounted(s_1, s_2), "contact_ratio"));
+  EXPECT_TRUE(warns(mounted(s_1, s_2), WarningCode::contact_ratio));
   s_1.face_width = s_2.face_width = pair.face_for_contact * 1.01;
-  EXPECT_FALSE(warns(mounted(s_1, s_2), "contact_ratio"));
+  EXPECT_FALSE(warns(mounted(s_1, s_2), WarningCode::contact_ratio));
 }
 
 TEST(ArcPair, warnings_say_what_is_amiss) {
   auto F = spec_of(rack_of(Cutter::F), 15, 18), P = spec_of(rack_of(Cutter::P), 40, -18);
   const double a_d = mounted(F, P).center_distance;
   std::get<ArcRack>(F.rack).pressure_angle = Angle::degrees(25);
-  EXPECT_TRUE(warns(mounted(F, P), "pressure_angle"));
+  EXPECT_TRUE(warns(mounted(F, P), WarningCode::pressure_angle));
   std::get<ArcRack>(F.rack).pressure_angle = Angle::degrees(30.01);
-  EXPECT_FALSE(warns(mounted(F, P), "pressure_angle"));
-  EXPECT_TRUE(warns(mounted(F, P, a_d + 0.25), "contact_off_flank"));
-  EXPECT_FALSE(warns(mounted(F, P, a_d + 0.05), "contact_off_flank"));
-  EXPECT_TRUE(warns(mounted(F, P, a_d - 0.05), "negative_backlash"));
+  EXPECT_FALSE(warns(mounted(F, P), WarningCode::pressure_angle));
+  EXPECT_TRUE(warns(mounted(F, P, a_d + 0.25), WarningCode::contact_off_flank));
+  EXPECT_FALSE(warns(mounted(F, P, a_d + 0.05), WarningCode::contact_off_flank));
+  EXPECT_TRUE(warns(mounted(F, P, a_d - 0.05), WarningCode::negative_backlash));
   P.tip_diameter = made(P).reference_diameter + 4.0;
   std::get<ArcRack>(F.rack).dedendum = 0.1;
-  EXPECT_TRUE(warns(mounted(F, P), "root"));
+  EXPECT_TRUE(warns(mounted(F, P), WarningCode::root));
   auto other = spec_of(rack_of(Cutter::P), 40, -18.1);
   const ArcPair unequal = mounted(F, other);
-  EXPECT_TRUE(warns(unequal, "unequal_lead"));
+  EXPECT_TRUE(warns(unequal, WarningCode::unequal_lead));
   EXPECT_TRUE(unequal.contacts.empty());
   EXPECT_FALSE(unequal.backlash_rotation);
 }
@@ -243,10 +243,10 @@ TEST(ArcPair, an_overlap_is_said) {
     const ArcPair pair = mounted(one, spec_of(rack_of(Cutter::P), 40, -15.0));
     ASSERT_TRUE(pair.overlap);
     if (pair.overlap->empty()) continue;
-    const std::string& cause = pair.overlap->front().cause;
-    if (cause == "root" || cause == "negative_backlash") continue;
+    const CollisionCause cause = pair.overlap->front().cause;
+    if (cause == CollisionCause::root || cause == CollisionCause::negative_backlash) continue;
     ++overlaps;
-    EXPECT_TRUE(warns(pair, "overlap")) << cause;
+    EXPECT_TRUE(warns(pair, WarningCode::overlap)) << to_string(cause);
   }
   EXPECT_GT(overlaps, 0);
 }

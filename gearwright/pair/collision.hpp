@@ -12,13 +12,26 @@
 
 namespace gearwright {
 
+/// Which parts strike each other.
+enum class CollisionCause {
+  negative_backlash,  ///< the flanks themselves
+  root,               ///< a tip below the mating gear's root circle
+  tip_to_fillet,
+  tip_corner,
+  trochoid,
+  tip_bulge,
+  outline,      ///< parts without a name
+  form_circle,  ///< of beyond_flank only, and the next
+  base_tangent,
+};
+const char* to_string(CollisionCause cause);
+
 /// Two parts of the pair's outlines that strike each other.
 struct Collision {
-  std::string cause;  ///< negative_backlash, root, tip_to_fillet, tip_corner, trochoid, tip_bulge,
-                      ///< outline (no name); of beyond_flank also form_circle, base_tangent
-  int gear;           ///< whose root, or whose tip that stands out; 0: both alike
-  double depth;       ///< mm along the common normal: of an overlap in the middle of the play, of
-                      ///< a strike beyond the flank how much earlier than the flanks
+  CollisionCause cause;
+  int gear;      ///< whose root, or whose tip that stands out; 0: both alike
+  double depth;  ///< mm along the common normal: of an overlap in the middle of the play, of
+                 ///< a strike beyond the flank how much earlier than the flanks
   std::optional<OutlineTouch> touch;  ///< where; none: a named circle says it, not the outlines
   std::string message;                ///< one sentence
 };

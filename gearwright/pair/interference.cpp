@@ -19,12 +19,12 @@ double diameter_of(double base_radius, double rho) { return 2 * std::hypot(base_
 
 // Past the flank that an undercut took nothing strikes: contact is lost. Elsewhere it is
 // interference.
-void past_the_flank(InvolutePair& p, const char* code, int gear, double amount,
+void past_the_flank(InvolutePair& p, WarningCode code, int gear, double amount,
                     const std::string& where) {
   const int mate = 3 - gear;
   if (p.gears[gear - 1].undercut) {
     p.warnings.push_back(
-        {"contact_lost",
+        {WarningCode::contact_lost_to_undercut,
          fmt::format(
              "The tip of gear {} reaches {:.4f} mm {} of gear {}: contact is lost there, the "
              "undercut has taken the flank.",
@@ -47,7 +47,7 @@ void find_form_clearance(InvolutePair& p) {
   const std::array<double, 2> rho{p.mesh.rho1_A, p.mesh.rho2(p.mesh.rho1_E)};
   for (int i : {0, 1}) {
     if (rho[i] < -noise(p)) {
-      past_the_flank(p, "base_tangent", i + 1, rho[i], "past the base tangent point");
+      past_the_flank(p, WarningCode::base_tangent, i + 1, rho[i], "past the base tangent point");
       continue;
     }
     p.contact_root_diameter[i] = diameter_of(p.gears[i].base_radius(), std::max(0.0, rho[i]));
@@ -57,7 +57,7 @@ void find_form_clearance(InvolutePair& p) {
     p.form_clearance[i] = side * (*p.contact_root_diameter[i] / 2 - *form);
     if (*p.form_clearance[i] < -noise(p)) {
       past_the_flank(
-          p, "form_circle", i + 1, *p.form_clearance[i],
+          p, WarningCode::form_circle, i + 1, *p.form_clearance[i],
           fmt::format("below the start of the usable flank (d_Ff = {:.4f} mm)", 2 * *form));
     }
   }
@@ -79,7 +79,7 @@ void find_tip_clearance(InvolutePair& p) {
     if (std::abs(p.tip_clearance[i]) <= noise(p)) {
       const double m = p.gears[0].spec.normal_module;
       p.warnings.push_back(
-          {"no_tip_clearance",
+          {WarningCode::no_tip_clearance,
            fmt::format(
                "The tip of gear {} runs on the root of gear {} without clearance; 0.2 m_n + "
                "0.05 mm = {:.3f} mm is usual.{}",
@@ -91,7 +91,7 @@ void find_tip_clearance(InvolutePair& p) {
            i + 1});
     } else if (p.tip_clearance[i] < 0.0) {
       p.interference.push_back(
-          {"root", 2 - i, p.tip_clearance[i],
+          {WarningCode::root, 2 - i, p.tip_clearance[i],
            fmt::format("The tip of gear {} cuts {:.4f} mm into the root of gear {}.", i + 1,
                        -p.tip_clearance[i], 2 - i)});
     }
@@ -137,14 +137,14 @@ void find_internal_margins(InvolutePair& p) {
   }
   if (p.trochoid_margin && p.trochoid_margin->rad() < 0.0) {
     p.interference.push_back(
-        {"trochoid", 2, *p.trochoid_margin,
+        {WarningCode::trochoid, 2, *p.trochoid_margin,
          "Trochoid interference: the pinion's tip strikes the internal gear's tip on its way "
          "out."});
   }
   if (p.trimming_margin && p.trimming_margin->rad() < 0.0) {
     // Of assembly only: once in place nothing strikes.
     p.warnings.push_back(
-        {"trimming",
+        {WarningCode::trimming,
          "Trimming interference: the pinion cannot be put into the internal gear radially with a "
          "space on the centre line; slide it in along the axis.",
          2});
@@ -156,7 +156,7 @@ void find_fillet_clearance(InvolutePair& p) {
     p.fillet_clearance[i] = fillet_clearance(p, i + 1);
     if (p.fillet_clearance[i] && *p.fillet_clearance[i] < -noise(p)) {
       p.interference.push_back(
-          {"tip_to_fillet", i + 1, *p.fillet_clearance[i],
+          {WarningCode::tip_to_fillet, i + 1, *p.fillet_clearance[i],
            fmt::format("The tip corner of gear {} cuts {:.4f} mm into the root fillet of gear {}.",
                        2 - i, -*p.fillet_clearance[i], i + 1)});
     }

@@ -14,7 +14,7 @@ namespace gearwright {
 
 namespace {
 
-void warn(InvolutePair& p, const std::string& code, std::string message, int gear = 0) {
+void warn(InvolutePair& p, WarningCode code, std::string message, int gear = 0) {
   p.warnings.push_back({code, std::move(message), gear});
 }
 
@@ -26,7 +26,7 @@ void warn_about_axes(InvolutePair& p) {
   if (std::abs(p.shaft_angle.deg()) < kNearlyParallel) {
     const double wanted = -p.gears[0].spec.helix_angle.deg();
     warn(
-        p, "nearly_parallel",
+        p, WarningCode::nearly_parallel,
         fmt::format("The axes cross at {:.4g}°: the teeth touch in points. Parallel axes need the "
                     "helix angle {:.6f}° on gear 2 (with the module and pressure angle of gear 1).",
                     p.shaft_angle.deg(), wanted));
@@ -36,7 +36,7 @@ void warn_about_axes(InvolutePair& p) {
     const double wanted = p.face_widths->both_flanks[i];
     if (p.flanks_meet() && wanted > b) {
       warn(
-          p, "face_width",
+          p, WarningCode::face_width,
           fmt::format("The line of action runs beyond the face of gear {}; both flanks need {:.2f} "
                       "mm about the centre line, the face is {:.2f} mm wide.",
                       i + 1, wanted, b),
@@ -48,7 +48,7 @@ void warn_about_axes(InvolutePair& p) {
 void warn_about_contact(InvolutePair& p) {
   const double ratio = p.contact_ratio_true();
   if (ratio == 0.0) {
-    warn(p, "no_contact",
+    warn(p, WarningCode::no_contact,
          p.flanks_meet()
              ? (p.crossed() ? "No contact: what the tips reach of the line of action lies outside "
                               "the usable flanks or the faces."
@@ -56,11 +56,11 @@ void warn_about_contact(InvolutePair& p) {
                               "the usable flanks.")
              : "No contact: at this centre distance the teeth do not reach each other's flanks.");
   } else if (ratio < 1.0) {
-    warn(p, "contact_ratio",
+    warn(p, WarningCode::contact_ratio,
          fmt::format("{} {:.3f}: below 1, motion is not passed on continuously.",
                      p.crossed() ? "Contact ratio" : "Total contact ratio", ratio));
   } else if (p.mesh.true_ratio < 1.0) {
-    warn(p, "transverse_contact_ratio",
+    warn(p, WarningCode::transverse_contact_ratio,
          fmt::format(
              "Transverse contact ratio {:.3f}: these run only as helical gears; a face width of at "
              "least {:.2f} mm is needed.",
@@ -78,7 +78,7 @@ void warn_about_mesh(InvolutePair& p) {
     const std::string distance = p.backlash_free_center_distance
                                      ? fmt::format("{:.4f} mm", *p.backlash_free_center_distance)
                                      : "none";
-    warn(p, "negative_backlash",
+    warn(p, WarningCode::negative_backlash,
          fmt::format(
              "Negative backlash: the teeth are too thick by {:.4f} mm (normal) at this centre "
              "distance; the backlash-free one is {}.",
@@ -88,11 +88,11 @@ void warn_about_mesh(InvolutePair& p) {
   warn_about_axes(p);
   if (p.efficiency && !(p.efficiency->gear1_drives && p.efficiency->gear2_drives)) {
     const int gear = p.efficiency->gear1_drives ? 2 : 1;
-    warn(p, "self_locking",
+    warn(p, WarningCode::self_locking,
          fmt::format("Self-locking with this friction: gear {} cannot drive.", gear), gear);
   }
   for (const Interference& i : p.interference) warn(p, i.code, i.message, i.gear);
-  for (const Collision& s : p.beyond_flank) warn(p, "beyond_flank", s.message, s.gear);
+  for (const Collision& s : p.beyond_flank) warn(p, WarningCode::beyond_flank, s.message, s.gear);
 }
 
 // Backlash-free pairs stand further apart than their base radii; half of that is in nobody's mind.

@@ -17,9 +17,9 @@ namespace gearwright {
 
 /// Why parts of the pair get in each other's way.
 struct Interference {
-  std::string code;  ///< form_circle, base_tangent, tip_to_fillet, trochoid, root, or `overlap` for
-                     ///< what has no name of its own
-                     ///< (past an undercut nothing strikes: a warning `contact_lost` instead)
+  WarningCode code;  ///< form_circle, base_tangent, tip_to_fillet, trochoid, root, or `overlap` for
+                     ///< what has no name of its own (past an undercut nothing strikes: a warning
+                     ///< `contact_lost_to_undercut` instead)
   int gear;          ///< the gear whose root or tip suffers
   std::variant<double, Angle> amount;  ///< mm, or of trochoid an angle; < 0: by so much
   std::string message;                 ///< one sentence

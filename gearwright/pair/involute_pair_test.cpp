@@ -131,28 +131,28 @@ TEST(Pair, leading_line_is_the_driving_one) {
 TEST(Pair, what_is_wrong_with_a_mesh_is_data) {
   const InvolutePair tight = mounted(gear(20), gear(40), 59.9);
   EXPECT_LT(tight.mesh.backlash.normal, 0.0);
-  EXPECT_TRUE(warns(tight, "negative_backlash"));
-  EXPECT_FALSE(warns(mounted(gear(20), gear(40), 60.0), "negative_backlash"));
+  EXPECT_TRUE(warns(tight, WarningCode::negative_backlash));
+  EXPECT_FALSE(warns(mounted(gear(20), gear(40), 60.0), WarningCode::negative_backlash));
   const InvolutePair apart = mounted(gear(20), gear(40), 62.0);
   EXPECT_LT(apart.contact_ratio(), 1.0);
   EXPECT_GT(apart.contact_ratio_true(), 0.0);
-  EXPECT_TRUE(warns(apart, "contact_ratio"));
+  EXPECT_TRUE(warns(apart, WarningCode::contact_ratio));
   const InvolutePair apart_for_good = mounted(gear(20), gear(40), 66.0);
   EXPECT_EQ(apart_for_good.contact_ratio_true(), 0.0);
-  EXPECT_TRUE(warns(apart_for_good, "no_contact"));
+  EXPECT_TRUE(warns(apart_for_good, WarningCode::no_contact));
   const InvolutePair long_tip = mounted(gear(20), gear(40, 0, 0_deg, 85.0), 60.0);
-  EXPECT_TRUE(warns(long_tip, "form_circle"));
+  EXPECT_TRUE(warns(long_tip, WarningCode::form_circle));
   EXPECT_LT(*long_tip.form_clearance[0], 0.0);
   const InvolutePair longer = mounted(gear(20), gear(40, 0, 0_deg, 86.0), 60.0);
-  EXPECT_TRUE(warns(longer, "base_tangent"));
+  EXPECT_TRUE(warns(longer, WarningCode::base_tangent));
   EXPECT_FALSE(longer.form_clearance[0]);
-  EXPECT_TRUE(warns(longer, "root"));
+  EXPECT_TRUE(warns(longer, WarningCode::root));
   EXPECT_NEAR(longer.tip_clearance[1], -0.5, 1e-12);
   const InvolutePair undercut = mounted(gear(9), gear(120), 129.0);
-  EXPECT_TRUE(warns(undercut, "contact_lost"));
-  EXPECT_FALSE(warns(undercut, "base_tangent"));
+  EXPECT_TRUE(warns(undercut, WarningCode::contact_lost_to_undercut));
+  EXPECT_FALSE(warns(undercut, WarningCode::base_tangent));
   const InvolutePair close_ring = mounted(gear(50), gear(-56), 6.0);
-  EXPECT_TRUE(warns(close_ring, "trochoid"));
+  EXPECT_TRUE(warns(close_ring, WarningCode::trochoid));
 }
 
 }  // namespace

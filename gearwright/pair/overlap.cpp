@@ -16,6 +16,25 @@
 #include "gearwright/pair/crossed_gap.hpp"
 #include "gearwright/pair/interference.hpp"
 
+namespace gearwright {
+
+const char* to_string(CollisionCause cause) {
+  switch (cause) {
+    case CollisionCause::negative_backlash: return "negative_backlash";
+    case CollisionCause::root: return "root";
+    case CollisionCause::tip_to_fillet: return "tip_to_fillet";
+    case CollisionCause::tip_corner: return "tip_corner";
+    case CollisionCause::trochoid: return "trochoid";
+    case CollisionCause::tip_bulge: return "tip_bulge";
+    case CollisionCause::outline: return "outline";
+    case CollisionCause::form_circle: return "form_circle";
+    case CollisionCause::base_tangent: return "base_tangent";
+  }
+  return "";
+}
+
+}  // namespace gearwright
+
 namespace gearwright::detail {
 
 namespace {
@@ -46,25 +65,27 @@ int gear_with(const OutlineTouch& touch, ArcName arc) {
 }
 
 struct Cause {
-  const char* code;
+  CollisionCause what;
   int gear;
 };
 
 Cause cause_of(const MountedGears& p, const OutlineTouch& touch) {
-  if (const int gear = gear_with(touch, ArcName::root_fillet)) return {"tip_to_fillet", gear};
+  if (const int gear = gear_with(touch, ArcName::root_fillet))
+    return {CollisionCause::tip_to_fillet, gear};
   if (const int gear = gear_with(touch, ArcName::tip_fillet);
       gear > 0 && p.gears[static_cast<std::size_t>(gear - 1)].tip_bulge)
-    return {"tip_bulge", gear};
+    return {CollisionCause::tip_bulge, gear};
   // A pinion's tip corner in an internal gear's flank passes it on the way in or out.
   if (touch.places[0].corner)
-    return p.kind == PairKind::parallel_internal ? Cause{"trochoid", 2} : Cause{"tip_corner", 2};
-  if (touch.places[1].corner) return {"tip_corner", 1};
-  return {"outline", 0};
+    return p.kind == PairKind::parallel_internal ? Cause{CollisionCause::trochoid, 2}
+                                                 : Cause{CollisionCause::tip_corner, 2};
+  if (touch.places[1].corner) return {CollisionCause::tip_corner, 1};
+  return {CollisionCause::outline, 0};
 }
 
 // That a tip stands out of its involute is a fact that the outlines alone do not show.
 std::string bulge(const MountedGears& p, const Cause& cause) {
-  if (std::string_view(cause.code) != "tip_bulge") return "";
+  if (cause.what != CollisionCause::tip_bulge) return "";
   const Gear& gear = p.gears[static_cast<std::size_t>(cause.gear - 1)];
   return fmt::format(
       " The tip of gear {} stands out beyond its involute from {:.4f} mm diameter on.", cause.gear,
@@ -78,14 +99,14 @@ std::string at(const OutlineTouch& touch) {
 Collision overlapping(const MountedGears& p, const OutlineTouch& touch) {
   const Cause cause = cause_of(p, touch);
   const double depth = -touch.gap * touch.arm;
-  return {cause.code, cause.gear, depth, touch,
+  return {cause.what, cause.gear, depth, touch,
           fmt::format("The {} and the {} overlap by {:.4g} mm, {}.{}", part(touch, 1),
                       part(touch, 2), depth, at(touch), bulge(p, cause))};
 }
 
 Collision beyond(const MountedGears& p, const OutlineTouch& touch, double early) {
   const Cause cause = cause_of(p, touch);
-  return {cause.code, cause.gear, early, touch,
+  return {cause.what, cause.gear, early, touch,
           fmt::format("The {} and the {} meet {:.4g} mm before the flanks do, {}: the ratio is not "
                       "constant there.{}",
                       part(touch, 1), part(touch, 2), early, at(touch), bulge(p, cause))};
@@ -103,14 +124,14 @@ Collision in_root(const MountedGears& p, int tip) {
   touch.rotation_1 = tip == 1 ? 0.0 : std::numbers::pi / p.gears[0].spec.teeth;
   touch.places[i] = {ArcName::tip_land, false};
   touch.places[1 - i] = {ArcName::root_land, false};
-  return {"root", 3 - tip, depth, touch,
+  return {CollisionCause::root, 3 - tip, depth, touch,
           fmt::format("The tip of gear {} cuts {:.4g} mm into the root of gear {}.", tip, depth,
                       3 - tip)};
 }
 
 Collision too_thick(double normal_play, const std::optional<OutlineTouch>& touch) {
   const double depth = -normal_play / 2;
-  return {"negative_backlash", 0, depth, touch,
+  return {CollisionCause::negative_backlash, 0, depth, touch,
           fmt::format("The flanks overlap by {:.4g} mm on either side: the teeth are too thick for "
                       "this centre distance.",
                       depth)};
@@ -128,13 +149,14 @@ void deepest_first(std::vector<Collision>& collisions) {
 // A named finding that the collisions bear out.
 bool borne_out(const Interference& named, const std::vector<Collision>& collisions) {
   return std::any_of(collisions.begin(), collisions.end(), [&](const Collision& s) {
-    if (named.code == "trochoid") return s.cause == "trochoid";
-    return (s.cause == "tip_to_fillet" || s.cause == "tip_corner") && s.gear == named.gear;
+    if (named.code == WarningCode::trochoid) return s.cause == CollisionCause::trochoid;
+    return (s.cause == CollisionCause::tip_to_fillet || s.cause == CollisionCause::tip_corner) &&
+           s.gear == named.gear;
   });
 }
 
 bool is_of_a_circle(const Interference& named) {
-  return named.code == "form_circle" || named.code == "base_tangent";
+  return named.code == WarningCode::form_circle || named.code == WarningCode::base_tangent;
 }
 
 // What overlaps has a name, or gets one; what has a name but does not overlap is contact beyond the
@@ -154,15 +176,18 @@ void explain(InvolutePair& p) {
     }
   }
   for (const Collision& s : *p.overlap) {
-    if (s.cause == "negative_backlash" || explained(s, p.interference)) continue;
-    const bool has_name = s.cause == "tip_to_fillet";
-    p.interference.push_back({has_name ? s.cause : "overlap", s.gear, -s.depth, s.message});
+    if (s.cause == CollisionCause::negative_backlash || explained(s, p.interference)) continue;
+    const auto code = s.cause == CollisionCause::tip_to_fillet ? WarningCode::tip_to_fillet
+                                                               : WarningCode::overlap;
+    p.interference.push_back({code, s.gear, -s.depth, s.message});
   }
   // One line for one fact: the circle says by which diameter, the outlines by how much.
   std::vector<Collision>& collisions = p.beyond_flank;
   for (Interference& i : only_beyond) {
     if (borne_out(i, collisions)) continue;
-    collisions.push_back({i.code, i.gear, -std::get<double>(i.amount), std::nullopt, i.message});
+    const auto circle = i.code == WarningCode::form_circle ? CollisionCause::form_circle
+                                                           : CollisionCause::base_tangent;
+    collisions.push_back({circle, i.gear, -std::get<double>(i.amount), std::nullopt, i.message});
   }
   deepest_first(collisions);
 }

@@ -42,16 +42,16 @@ TEST(Overlap, a_tip_that_bulges_is_said_by_the_gear_and_by_the_pair) {
   ASSERT_TRUE(wheel.tip_bulge);
   EXPECT_NEAR(wheel.tip_bulge->amount, 8.0247e-3, 1e-6);
   EXPECT_EQ(wheel.tip_bulge->from_diameter, 2 * wheel.tip_form_radius());
-  EXPECT_TRUE(warns(wheel, "tip_bulge"));
+  EXPECT_TRUE(warns(wheel, WarningCode::tip_bulge));
   const InvolutePair p = mounted(made(spec(20, 2.5)), wheel, 100.0);
   ASSERT_EQ(p.overlap->size(), 1U);
   const Collision& strike = p.overlap->front();
-  EXPECT_EQ(strike.cause, "tip_bulge");
+  EXPECT_EQ(strike.cause, CollisionCause::tip_bulge);
   EXPECT_EQ(strike.gear, 2);
   EXPECT_NEAR(strike.depth, 8.0247e-3, 1e-6);
   ASSERT_EQ(p.interference.size(), 1U);
-  EXPECT_EQ(p.interference[0].code, "overlap");
-  EXPECT_TRUE(warns(p, "overlap"));
+  EXPECT_EQ(p.interference[0].code, WarningCode::overlap);
+  EXPECT_TRUE(warns(p, WarningCode::overlap));
   EXPECT_LT(p.free_play->rad(), 0.0);
   // The remedy that is named helps.
   CylindricalSpec cutter = spec(10, 2.5);
@@ -76,10 +76,10 @@ TEST(Overlap, a_wheel_runs_with_the_pinion_that_cut_it) {
   const InvolutePair apart = mounted(pinion, wheel, 61.0);
   EXPECT_TRUE(apart.overlap->empty());
   ASSERT_EQ(apart.beyond_flank.size(), 1U);
-  EXPECT_EQ(apart.beyond_flank[0].cause, "tip_bulge");
+  EXPECT_EQ(apart.beyond_flank[0].cause, CollisionCause::tip_bulge);
   EXPECT_NEAR(apart.beyond_flank[0].depth, 38.466e-3, 1e-6);
   EXPECT_TRUE(apart.interference.empty());
-  EXPECT_TRUE(warns(apart, "beyond_flank"));
+  EXPECT_TRUE(warns(apart, WarningCode::beyond_flank));
   EXPECT_GT(apart.free_play->rad(), 0.0);
   EXPECT_LT(apart.free_play->rad(), apart.mesh.backlash.rotation[1]);
 }
@@ -90,28 +90,28 @@ TEST(Overlap, below_the_form_circle_it_is_overlap_or_contact_beyond_the_flank) {
   const CylindricalSpec one = spec(60, 2.0, -0.5);
   const InvolutePair close = testing::taken(mount_involutes(made(one), made(one), {}));
   ASSERT_FALSE(close.overlap->empty());
-  EXPECT_EQ(close.overlap->front().cause, "tip_to_fillet");
-  EXPECT_TRUE(warns(close, "form_circle"));
+  EXPECT_EQ(close.overlap->front().cause, CollisionCause::tip_to_fillet);
+  EXPECT_TRUE(warns(close, WarningCode::form_circle));
   EXPECT_NEAR(close.mesh.backlash.normal_base, 0.0, 1e-12);
   EXPECT_LT(close.free_play->rad(), 0.0);
   const InvolutePair apart = mounted(made(one), made(one), close.center_distance + 0.08);
   EXPECT_TRUE(apart.overlap->empty());
   EXPECT_TRUE(apart.interference.empty());
   EXPECT_FALSE(apart.beyond_flank.empty());
-  EXPECT_FALSE(warns(apart, "form_circle"));
+  EXPECT_FALSE(warns(apart, WarningCode::form_circle));
 }
 
 TEST(Overlap, teeth_too_thick_and_tips_in_roots_overlap) {
   const InvolutePair thick = mounted(made(spec(20, 2.0)), made(spec(40, 2.0)), 59.9);
   ASSERT_EQ(thick.overlap->size(), 1U);
-  EXPECT_EQ(thick.overlap->front().cause, "negative_backlash");
+  EXPECT_EQ(thick.overlap->front().cause, CollisionCause::negative_backlash);
   EXPECT_NEAR(thick.overlap->front().depth, -thick.mesh.backlash.normal_base / 2, 1e-15);
   EXPECT_TRUE(thick.interference.empty());
   CylindricalSpec longer = spec(40, 2.0);
   longer.tip_diameter = 86.0;
   const InvolutePair deep = mounted(made(spec(20, 2.0)), made(longer), 60.0);
   ASSERT_FALSE(deep.overlap->empty());
-  EXPECT_EQ(deep.overlap->front().cause, "root");
+  EXPECT_EQ(deep.overlap->front().cause, CollisionCause::root);
   EXPECT_NEAR(deep.overlap->front().depth, 0.5, 1e-12);
   EXPECT_FALSE(deep.free_play);
 }

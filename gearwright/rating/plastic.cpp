@@ -213,7 +213,7 @@ Result<Rating> rate_plastic(const RatedPair& pair, const RatingInput& in) {
     r.sigma_FG[i] = {r.Y_ST[i].value * *root, kRootStress, strength_branch(m, m.sigma_Flim_by)};
     r.S_F[i] = {r.sigma_FG[i].value / r.sigma_F[i].value, kRootStress, ""};
   }
-  r.limits.push_back({"rating_plastic",
+  r.limits.push_back({WarningCode::rating_plastic,
                       "VDI 2736 also asks for the wear and the deformation of plastic teeth and "
                       "for static peaks: they are not rated here."});
   return r;

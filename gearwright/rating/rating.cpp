@@ -214,33 +214,36 @@ std::optional<Error> Rater::root() {
 }
 
 void Rater::check_limits() {
-  const auto say = [&](bool bad, const char* code, const char* text, int gear = 0) {
+  const auto say = [&](bool bad, WarningCode code, const char* text, int gear = 0) {
     if (bad) r.limits.push_back({code, text, gear});
   };
-  say(!(pair.epsilon_alpha > 1.0 && pair.epsilon_alpha < 2.5), "rating_contact_ratio",
+  say(!(pair.epsilon_alpha > 1.0 && pair.epsilon_alpha < 2.5), WarningCode::rating_contact_ratio,
       "ISO 6336 is stated for a transverse contact ratio between 1 and 2.5; this one is outside.");
-  say(pair.beta > 30 * kRadPerDeg, "rating_helix_angle",
+  say(pair.beta > 30 * kRadPerDeg, WarningCode::rating_helix_angle,
       "ISO 6336 is confirmed up to a helix angle of 30°; this one is steeper.");
-  say(pair.alpha_n < 15 * kRadPerDeg || pair.alpha_n > 25 * kRadPerDeg, "rating_pressure_angle",
+  say(pair.alpha_n < 15 * kRadPerDeg || pair.alpha_n > 25 * kRadPerDeg,
+      WarningCode::rating_pressure_angle,
       "ISO 6336 is confirmed for normal pressure angles of 15° to 25°; this one is outside.");
-  say(!r.stiffness.in_range, "rating_stiffness",
+  say(!r.stiffness.in_range, WarningCode::rating_stiffness,
       "The formula of the tooth stiffness c' is stated for x1 ≥ x2 and −0.5 ≤ x1 + x2 ≤ 2; these "
       "shifts are outside.");
-  say(r.N && r.N->value > 0.85 && r.N->value <= 1.15 && !in.dynamic_factor, "rating_resonance",
+  say(r.N && r.N->value > 0.85 && r.N->value <= 1.15 && !in.dynamic_factor,
+      WarningCode::rating_resonance,
       "The pinion runs in the main resonance of the mesh, 0.85 < N ≤ 1.15; ISO 6336-1 asks for a "
       "closer analysis there.");
-  say(!r.face.offset_in_range, "rating_mounting",
+  say(!r.face.offset_in_range, WarningCode::rating_mounting,
       "The offset s of the pinion is greater than the mounting's figure allows.");
   for (const int which : {1, 2}) {
     const std::size_t i = pair.place(which);
     const double q = r.section[i].q_s;
-    say(!(q >= 1.0 && q < 8.0), "rating_notch",
+    say(!(q >= 1.0 && q < 8.0), WarningCode::rating_notch,
         "The stress correction Y_S is stated for 1 ≤ q_s < 8; this fillet is outside.", which);
     const auto rim = in.rim[static_cast<std::size_t>(which - 1)];
     const RatedGear& g = pair.gears[i];
     const bool thin =
         rim && (g.internal() ? *rim <= 1.75 * pair.normal_module : *rim <= 0.5 * g.tooth_height);
-    say(thin, "rating_rim", "The rim is thinner than the rim factor Y_B is stated for.", which);
+    say(thin, WarningCode::rating_rim, "The rim is thinner than the rim factor Y_B is stated for.",
+        which);
   }
 }
 

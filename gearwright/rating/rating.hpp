@@ -51,13 +51,6 @@ struct RatingInput {
   std::array<Material, 2> materials;
 };
 
-/// A limit of the standard that this pair passes.
-struct RatingLimit {
-  const char* code;  ///< of a warning
-  const char* text;  ///< "the transverse contact ratio is not between 1 and 2.5"
-  int gear = 0;
-};
-
 struct Rating {
   Rating() = default;  ///< empty, and no aggregate: rate() makes it
   RatingEdition edition = RatingEdition::iso_2006;
@@ -79,7 +72,7 @@ struct Rating {
   FactorPair sigma_F0, sigma_F, sigma_FG, S_F;
   std::optional<Factor> Y_epsilon;               ///< of VDI 2736
   std::optional<ToothTemperatures> temperature;  ///< °C, the same
-  std::vector<RatingLimit> limits;
+  std::vector<Warning> limits;                   ///< of the standard, that this pair passes
 };
 
 /// What the standard asks for and the input lacks, whatever the pair; as the errors of rate().

@@ -76,8 +76,9 @@ std::string nothing_strikes(const InvolutePair& p) {
         p.crossed() ? "gears meet flank on flank only; tips keep clear of roots and fillets"
                     : "outlines meet flank on flank only");
   }
-  const bool lost = std::any_of(p.warnings.begin(), p.warnings.end(),
-                                [](const Warning& w) { return w.code == "contact_lost"; });
+  const bool lost = std::any_of(p.warnings.begin(), p.warnings.end(), [](const Warning& w) {
+    return w.code == WarningCode::contact_lost_to_undercut;
+  });
   return fmt::format(
       "<p>No interference was found: tips keep clear of roots, and {}. The internal gear’s root "
       "fillet is not checked.</p>\n",
@@ -111,7 +112,7 @@ std::string strike_rows(const std::string& caption, const std::vector<CollisionR
 std::vector<CollisionRow> rows_of(const std::vector<Collision>& collisions) {
   std::vector<CollisionRow> rows;
   for (const Collision& s : collisions)
-    rows.push_back({s.cause, s.gear, length(s.depth) + " mm", s.message});
+    rows.push_back({to_string(s.cause), s.gear, length(s.depth) + " mm", s.message});
   return rows;
 }
 
@@ -124,7 +125,7 @@ std::vector<CollisionRow> rows_of(const std::vector<Interference>& named,
                                    [&](const CollisionRow& row) { return row.words == i.message; });
     if (again) continue;
     const auto* turn = std::get_if<Angle>(&i.amount);
-    rows.push_back({i.code, i.gear,
+    rows.push_back({to_string(i.code), i.gear,
                     turn ? angle(*turn) + "°" : length(std::get<double>(i.amount)) + " mm",
                     i.message});
   }

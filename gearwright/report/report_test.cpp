@@ -217,7 +217,7 @@ TEST(Report, TextIsText) {
   input.spec_text = "</pre>" + evil;
   input.version = evil;
   input.verdict.headline = evil;
-  input.verdict.findings.push_back({"unheard_of", Level::amber, 1, evil, evil});
+  input.verdict.findings.push_back({WarningCode::undercut, Level::amber, 1, evil, evil});
   input.files.push_back({"javascript:alert(1)//\"<b>", evil, evil});
   const std::string page = report_html(input);
   expect_sound_page(page);

@@ -97,7 +97,7 @@ std::string why_no_outline(const Gear& gear) {
            "cutter leaves, and no cutter is given: with cut_by there is a picture of its tooth.";
   }
   for (const Warning& w : gear.warnings) {
-    if (w.code == "severed" || w.code == "through_axis") return w.message;
+    if (w.code == WarningCode::severed || w.code == WarningCode::through_axis) return w.message;
   }
   return "The cutter leaves no outline to draw.";
 }

@@ -13,17 +13,19 @@ namespace gearwright::detail {
 namespace {
 
 struct Margin {
-  const char* code;
+  WarningCode code;
   const char* what;  // "The form clearance at the root of gear {}"
   double modules;
 };
 
-constexpr Margin kForm{"form_margin", "The form clearance at the root of gear {}", kMarginForm};
-constexpr Margin kFillet{"fillet_margin",
+constexpr Margin kForm{WarningCode::form_margin, "The form clearance at the root of gear {}",
+                       kMarginForm};
+constexpr Margin kFillet{WarningCode::fillet_margin,
                          "The clearance of the mating tip corner to the root fillet of gear {}",
                          kMarginFillet};
-constexpr Margin kTip{
-    "tip_margin", "The clearance of the tip of gear {} to the root of its mating gear", kMarginTip};
+constexpr Margin kTip{WarningCode::tip_margin,
+                      "The clearance of the tip of gear {} to the root of its mating gear",
+                      kMarginTip};
 
 // "0.1500 mm", below a micrometre "0.021 µm", which would be 0.0000 mm.
 std::string millimetres(double mm) {
@@ -49,7 +51,7 @@ void judge(std::vector<Finding>& findings, const Margin& margin, int gear,
 bool runs_on_root(const Pair& pair, int which) {
   const auto& warnings = pair.warnings();
   return std::any_of(warnings.begin(), warnings.end(), [&](const Warning& w) {
-    return w.code == "no_tip_clearance" && w.gear == which;
+    return w.code == WarningCode::no_tip_clearance && w.gear == which;
   });
 }
 
@@ -87,7 +89,7 @@ std::vector<Finding> contact_findings(const ContactResult& contact, const Pair& 
   const double share = static_cast<double>(edges) / static_cast<double>(touching);
   if (edges > 0) {
     findings.push_back(
-        {"edge_contact",
+        {WarningCode::edge_contact,
          Level::amber,
          0,
          fmt::format("An edge touches during {:.0f} % of the rotation: pressure there "
@@ -100,7 +102,7 @@ std::vector<Finding> contact_findings(const ContactResult& contact, const Pair& 
     place /= static_cast<double>(points);
     if (std::abs(place) > kCentralPlace && edges < touching) {
       findings.push_back(
-          {"contact_place",
+          {WarningCode::contact_place,
            Level::amber,
            0,
            fmt::format("The contact lies at {:.0f} % of half the face, near its end.",

@@ -44,7 +44,7 @@ std::string rating_remedy(const JudgedRating& rating) {
 std::vector<Finding> rating_findings(const JudgedRating& rating) {
   std::vector<Finding> findings;
   const Rating& r = *rating.rating;
-  const auto judge = [&](const char* code, const char* what, int gear, double safety,
+  const auto judge = [&](WarningCode code, const char* what, int gear, double safety,
                          double wanted) {
     if (safety >= wanted) return;
     const std::string less =
@@ -59,8 +59,8 @@ std::vector<Finding> rating_findings(const JudgedRating& rating) {
   };
   for (const int which : {1, 2}) {
     const auto i = static_cast<std::size_t>(which - 1);
-    judge("root_safety", "root breakage", which, r.S_F[i].value, rating.wanted.root);
-    judge("flank_safety", "pitting", which, r.S_H[i].value, rating.wanted.flank);
+    judge(WarningCode::root_safety, "root breakage", which, r.S_F[i].value, rating.wanted.root);
+    judge(WarningCode::flank_safety, "pitting", which, r.S_H[i].value, rating.wanted.flank);
   }
   // The least of each level first.
   std::stable_sort(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) {

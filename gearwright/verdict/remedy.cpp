@@ -157,12 +157,13 @@ void add_remedies(std::vector<Finding>& findings, const Judged& judged, const Tr
   Trials trials(before, attempt);
   std::string strength;  // one remedy for all safeties
   for (Finding& finding : findings) {
-    const bool safety = finding.code == "root_safety" || finding.code == "flank_safety";
+    const bool safety =
+        finding.code == WarningCode::root_safety || finding.code == WarningCode::flank_safety;
     if (safety && finding.at.empty() && judged.rating) {
       if (strength.empty()) strength = rating_remedy(*judged.rating);
       finding.remedy = strength;
     } else {
-      finding.remedy = meaning_of(finding.code, finding.gear).advice;
+      finding.remedy = meaning_of(finding.code).advice;
     }
     const Cure* const cure = cure_of(finding);
     const bool worst = finding.level == findings.front().level && finding.level > Level::green;

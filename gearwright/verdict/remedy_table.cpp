@@ -14,6 +14,7 @@ namespace gearwright::detail {
 namespace {
 
 using A = Adjustable;
+using C = WarningCode;
 using W = Whose;
 
 const std::vector<Means> kGearGrows{{A::profile_shift, W::own, +1}, {A::teeth, W::own, +1}};
@@ -39,59 +40,62 @@ constexpr const char* kBacklash = "the normal backlash is {:.4f} mm";
 
 const std::vector<Cure>& cures() {
   static const std::vector<Cure> kAll{
-      {"through_axis", "gear {} can be cut", kGearGrows},
-      {"severed", "the teeth of gear {} hold at their roots", kGearGrows},
-      {"no_flank",
+      {C::through_axis, "gear {} can be cut", kGearGrows},
+      {C::severed, "the teeth of gear {} hold at their roots", kGearGrows},
+      {C::no_flank,
        "gear {} has a usable flank",
        {{A::profile_shift, W::own, +1}, {A::tip_diameter, W::own, +1}, {A::teeth, W::own, +1}}},
-      {"no_body", "gear {} has a body", {{A::bore, W::own, -1}, {A::teeth, W::own, +1}}},
-      {"no_contact", kContactRatio, kLongerContact},
-      {"contact_ratio", kContactRatio, kLongerContact},
-      {"negative_backlash", kBacklash, kLooser},
-      {"interference", "the flanks stay clear of each other", kLooser},
-      {"contact_off_flank",
+      {C::no_body, "gear {} has a body", {{A::bore, W::own, -1}, {A::teeth, W::own, +1}}},
+      {C::no_contact, kContactRatio, kLongerContact},
+      {C::contact_ratio, kContactRatio, kLongerContact},
+      {C::negative_backlash, kBacklash, kLooser},
+      {C::interference, "the flanks stay clear of each other", kLooser},
+      {C::contact_off_flank,
        "the teeth touch on their flanks",
        {{A::center_distance, W::pair, +1}, {A::center_distance, W::pair, -1}}},
-      {"root", "the tip stays clear of the root of gear {}", kReachLess},
-      {"base_tangent", "contact stays on the involute of gear {}", kReachLess},
-      {"form_circle", "contact stays on the usable flank of gear {}", kReachLess},
-      {"tip_to_fillet", "the tip corner stays clear of the root fillet of gear {}", kReachLess},
-      {"trochoid",
+      {C::root, "the tip stays clear of the root of gear {}", kReachLess},
+      {C::base_tangent, "contact stays on the involute of gear {}", kReachLess},
+      {C::form_circle, "contact stays on the usable flank of gear {}", kReachLess},
+      {C::tip_to_fillet, "the tip corner stays clear of the root fillet of gear {}", kReachLess},
+      {C::trochoid,
        "the tips pass each other",
        {{A::tip_diameter, W::first, -1}, {A::tip_diameter, W::second, -1}}},
-      {"overlap",
+      {C::overlap,
        "the teeth do not overlap",
        {{A::tip_diameter, W::mate, -1},
         {A::tip_diameter, W::own, -1},
         {A::profile_shift, W::own, +1},
         {A::center_distance, W::pair, +1}}},
-      {"beyond_flank",
+      {C::beyond_flank,
        "the teeth meet on their flanks alone",
        {{A::tip_diameter, W::mate, -1},
         {A::tip_diameter, W::own, -1},
         {A::profile_shift, W::own, +1},
         {A::center_distance, W::pair, +1}}},
-      {"contact_lost", "undercut takes no part of the path of contact on gear {}", kGearGrows},
-      {"undercut", "gear {} is not undercut", kGearGrows},
-      {"no_tip_clearance", "the tip of gear {} has a clearance", kOwnTipShorter},
-      {"tip_margin", "the tip clearance of gear {} is large enough", kOwnTipShorter},
-      {"form_margin", "the form clearance of gear {} is large enough", kReachLess},
-      {"fillet_margin", "the clearance to the fillet of gear {} is large enough", kReachLess},
-      {"pointed", "gear {} is not pointed", kThinTip},
-      {"thin_tip", "the tip of gear {} is thick enough", kThinTip},
-      {"tip_below_base",
+      {C::contact_lost_to_undercut, "undercut takes no part of the path of contact on gear {}",
+       kGearGrows},
+      {C::undercut, "gear {} is not undercut", kGearGrows},
+      {C::no_tip_clearance, "the tip of gear {} has a clearance", kOwnTipShorter},
+      {C::tip_margin, "the tip clearance of gear {} is large enough", kOwnTipShorter},
+      {C::form_margin, "the form clearance of gear {} is large enough", kReachLess},
+      {C::fillet_margin, "the clearance to the fillet of gear {} is large enough", kReachLess},
+      {C::pointed, "gear {} is not pointed", kThinTip},
+      {C::thin_tip, "the tip of gear {} is thick enough", kThinTip},
+      {C::tip_below_base,
        "the tip of gear {} lies outside its base circle",
        {{A::tip_diameter, W::own, -1}}},
-      {"nearly_parallel", "the axes are parallel", {{A::helix_angle, W::second, +1}}},
-      {"face_width", "the face of gear {} holds the line of action", {{A::face_width, W::own, +1}}},
-      {"jam", "the gears do not jam", kLooser, true},
-      {"contact_below_form", "contact stays on the usable flank of gear {}", kReachLess, true},
-      {"fillet_contact", "the tips stay clear of the root fillets", kReachLess, true},
-      {"edge_contact",
+      {C::nearly_parallel, "the axes are parallel", {{A::helix_angle, W::second, +1}}},
+      {C::face_width,
+       "the face of gear {} holds the line of action",
+       {{A::face_width, W::own, +1}}},
+      {C::jam, "the gears do not jam", kLooser, true},
+      {C::contact_below_form, "contact stays on the usable flank of gear {}", kReachLess, true},
+      {C::fillet_contact, "the tips stay clear of the root fillets", kReachLess, true},
+      {C::edge_contact,
        "no edge touches",
        {{A::lead_crowning, W::first, +1}, {A::tip_diameter, W::first, -1}},
        true},
-      {"contact_place",
+      {C::contact_place,
        "the contact lies in the middle of the face",
        {{A::lead_slope, W::first, +1},
         {A::lead_slope, W::first, -1},
@@ -230,8 +234,7 @@ double Lever::in_steps(double steps) const {
 
 const Cure* cure_of(const Finding& finding) {
   for (const Cure& cure : cures()) {
-    if (finding.code != cure.code) continue;
-    return finding.code == "contact_lost" && finding.gear == 0 ? nullptr : &cure;
+    if (finding.code == cure.code) return &cure;
   }
   return nullptr;
 }

@@ -23,7 +23,7 @@ struct Means {
 };
 
 struct Cure {
-  const char* code;
+  WarningCode code;
   const char* then;  ///< "gear {} is not undercut"; a pair's number instead where `pair_number`
   std::vector<Means> means{};
   bool needs_contact = false;  ///< the finding is one of a contact analysis

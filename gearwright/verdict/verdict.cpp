@@ -31,7 +31,7 @@ std::vector<std::string> reasons(const std::vector<Finding>& findings, Level lev
   std::vector<std::string> list;
   for (std::size_t i = first; i < findings.size(); ++i) {
     const Finding& f = findings[i];
-    const std::string reason = meaning_of(f.code, f.gear).reason;
+    const std::string reason = meaning_of(f.code).reason;
     if (f.level != level || reason.empty()) continue;
     if (std::find(list.begin(), list.end(), reason) == list.end()) list.push_back(reason);
   }
@@ -120,7 +120,7 @@ std::string not_running(const Judged& judged, const Verdict& verdict) {
     return fmt::format("{} has a problem: {}.", judged.gears.size() == 1 ? "The gear" : "Each gear",
                        against);
   }
-  if (worst.code == "root_safety" || worst.code == "flank_safety")
+  if (worst.code == WarningCode::root_safety || worst.code == WarningCode::flank_safety)
     return "The pair does not hold its load. " + worst.whole();
   std::string text = fmt::format("The pair does not run as specified: {}.", against);
   if (!worst.at.empty()) return text + " " + worst.whole();
@@ -138,7 +138,7 @@ std::string not_running(const Judged& judged, const Verdict& verdict) {
 // What else is not green: everything amber beside the finding that the headline states.
 std::string besides(const Verdict& verdict) {
   std::vector<std::string> list = reasons(verdict.findings, Level::amber, 1);
-  const std::string named = meaning_of(verdict.findings[0].code, verdict.findings[0].gear).reason;
+  const std::string named = meaning_of(verdict.findings[0].code).reason;
   std::erase(list, named);
   return list.empty() ? "" : fmt::format(" Also: {}.", joined(list));
 }
@@ -157,17 +157,15 @@ std::string headline(const Judged& judged, const Verdict& verdict) {
   if (verdict.level == Level::green) return standing(judged);
   if (verdict.level == Level::red) return not_running(judged, verdict) + besides(verdict);
   const Finding& worst = verdict.findings.front();
-  const bool names_gear =
-      worst.message.find(fmt::format("gear {}", worst.gear)) != std::string::npos;
-  const std::string where =
-      worst.gear > 0 && worst.at.empty() && !names_gear ? fmt::format("Gear {}: ", worst.gear) : "";
+  const bool unnamed = worst.gear > 0 && worst.at.empty() && meaning_of(worst.code).gear_unnamed;
+  const std::string where = unnamed ? fmt::format("Gear {}: ", worst.gear) : "";
   return fmt::format("{} To look at: {}{}{}", standing(judged), where, worst.whole(),
                      besides(verdict));
 }
 
 // The number that a warning is about, where the pair or the gear has it.
 std::vector<FindingValue> value_of(const Warning& w, const Judged& judged) {
-  if ((w.code == "thin_tip" || w.code == "pointed") && w.gear > 0) {
+  if ((w.code == WarningCode::thin_tip || w.code == WarningCode::pointed) && w.gear > 0) {
     const auto& s_an =
         judged.gears[static_cast<std::size_t>(w.gear - 1)]->tip_tooth_thickness_normal;
     if (s_an) return {{"tip_thickness", *s_an, true}};
@@ -175,22 +173,24 @@ std::vector<FindingValue> value_of(const Warning& w, const Judged& judged) {
   if (!judged.pair) return {};
   const auto i = static_cast<std::size_t>(w.gear == 2 ? 1 : 0);
   const MountedGears& mounted = judged.pair->mounted();
-  if (w.code == "no_tip_clearance") return {{"clearance", mounted.tip_clearance[i], true}};
-  if (w.code == "contact_ratio" || w.code == "no_contact")
+  if (w.code == WarningCode::no_tip_clearance)
+    return {{"clearance", mounted.tip_clearance[i], true}};
+  if (w.code == WarningCode::contact_ratio || w.code == WarningCode::no_contact)
     return {{"contact_ratio", true_contact_ratio(*judged.pair), false}};
   if (const ArcPair* arcs = judged.pair->arcs()) {
-    if (w.code == "negative_backlash") return {{"backlash", arcs->backlash_normal, true}};
+    if (w.code == WarningCode::negative_backlash)
+      return {{"backlash", arcs->backlash_normal, true}};
     return {};
   }
   const InvolutePair& p = *judged.pair->involute();
-  if (w.code == "negative_backlash") return {{"backlash", p.mesh.backlash.normal, true}};
+  if (w.code == WarningCode::negative_backlash) return {{"backlash", p.mesh.backlash.normal, true}};
   for (const Interference& found : p.interference) {
     const double* amount = std::get_if<double>(&found.amount);
     if (amount && found.code == w.code && found.gear == w.gear)
       return {{"clearance", *amount, true}};
   }
   for (const Collision& collision : p.beyond_flank) {
-    if (w.code == "beyond_flank" && collision.gear == w.gear)
+    if (w.code == WarningCode::beyond_flank && collision.gear == w.gear)
       return {{"early", -collision.depth, true}};
   }
   return {};
@@ -235,10 +235,10 @@ bool before(const Finding& a, const Finding& b) {
   if (a.level != b.level) return a.level > b.level;
   if (a.level == Level::green) return false;
   const auto is_safety = [](const Finding& f) {
-    return f.code == "root_safety" || f.code == "flank_safety";
+    return f.code == WarningCode::root_safety || f.code == WarningCode::flank_safety;
   };
   if (is_safety(a) && is_safety(b)) return false;
-  return meaning_of(a.code, a.gear).rank < meaning_of(b.code, b.gear).rank;
+  return a.code < b.code;
 }
 
 }  // namespace

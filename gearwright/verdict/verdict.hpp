@@ -17,7 +17,6 @@
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/pair/pair.hpp"
 #include "gearwright/rating/sizing.hpp"
-#include "gearwright/verdict/meaning.hpp"
 
 namespace gearwright {
 
@@ -56,7 +55,7 @@ struct SpecChange {
 };
 
 struct Finding {
-  std::string code;  ///< of a warning, or of a margin: form_margin, fillet_margin, tip_margin,
+  WarningCode code;  ///< of a warning, or of a margin: form_margin, fillet_margin, tip_margin,
                      ///< edge_contact, contact_place, root_safety, flank_safety
   Level level;       ///< green: good to know
   int gear;          ///< 1, 2, or 0 for the pair

@@ -43,7 +43,7 @@ TEST(Verdict, OfPairsThatRunOnlyAsHelicalGears) {
       words.find("it needs b ≥ 3.46 mm. There is no backlash (ISO/TR 10064-2 recommends at least"),
       std::string::npos)
       << words;
-  EXPECT_EQ(severity_of({"transverse_contact_ratio", "", 0}), Severity::note);
+  EXPECT_EQ(severity_of({WarningCode::transverse_contact_ratio, "", 0}), Severity::note);
 
   // At the width itself contact never stops, a hundredth below it does.
   EXPECT_GE(testing::two_and_sixty(3.46).contact_ratio_true(), 1.0);
@@ -61,30 +61,29 @@ TEST(Verdict, OfPairsThatRunOnlyAsHelicalGears) {
 }
 
 TEST(Verdict, SeverityLooksAtTheGearThatIsMeant) {
-  const auto severity = [](const InvolutePair& pair, const std::string& code) {
+  const auto severity = [](const InvolutePair& pair, WarningCode code) {
     for (const Warning& w : testing::warnings_of(pair)) {
       if (w.code == code) return severity_of(w);
     }
-    ADD_FAILURE() << "no warning " << code;
+    ADD_FAILURE() << "no warning " << to_string(code);
     return Severity::note;
   };
   // Gear 1 is undercut and loses contact there; an internal gear's tip below the pinion's base is
   // in the way.
-  EXPECT_EQ(severity(undercut_pair(), "contact_lost"), Severity::caution);
+  EXPECT_EQ(severity(undercut_pair(), WarningCode::contact_lost_to_undercut), Severity::caution);
   const InvolutePair internal =
       sample_pair(sample_gear(18, 2, 0, 0.2), sample_gear(-60, 2, 0, 0.1), 41.8);
-  EXPECT_EQ(severity(internal, "base_tangent"), Severity::problem);
-  EXPECT_EQ(severity_of({"unheard_of", "", 0}), Severity::caution);
+  EXPECT_EQ(severity(internal, WarningCode::base_tangent), Severity::problem);
   const InvolutePair askew = testing::nearly_parallel_pair();
-  EXPECT_EQ(severity(askew, "nearly_parallel"), Severity::caution);
-  EXPECT_EQ(severity(askew, "face_width"), Severity::caution);
-  EXPECT_EQ(severity(askew, "no_contact"), Severity::problem);
-  EXPECT_EQ(severity(testing::worm_pair(), "self_locking"), Severity::note);
+  EXPECT_EQ(severity(askew, WarningCode::nearly_parallel), Severity::caution);
+  EXPECT_EQ(severity(askew, WarningCode::face_width), Severity::caution);
+  EXPECT_EQ(severity(askew, WarningCode::no_contact), Severity::problem);
+  EXPECT_EQ(severity(testing::worm_pair(), WarningCode::self_locking), Severity::note);
 }
 
 Verdict judged(const InvolutePair& pair) { return report_input(pair).verdict; }
 
-bool finds(const Verdict& verdict, const std::string& code, Level level) {
+bool finds(const Verdict& verdict, WarningCode code, Level level) {
   return std::any_of(verdict.findings.begin(), verdict.findings.end(),
                      [&](const Finding& f) { return f.code == code && f.level == level; });
 }
@@ -98,7 +97,7 @@ TEST(Verdict, level_is_that_of_the_worst_finding) {
   const InvolutePair tight = sample_pair(sample_gear(20, 2, 0, 0), sample_gear(40, 2, 0, 0), 59.9);
   const Verdict red = judged(tight);
   EXPECT_EQ(red.level, Level::red);
-  EXPECT_EQ(red.findings.front().code, "negative_backlash");
+  EXPECT_EQ(red.findings.front().code, WarningCode::negative_backlash);
   EXPECT_TRUE(red.findings.front().remedy.empty());  // nothing to try a change with
   for (std::size_t i = 1; i < red.findings.size(); ++i)
     EXPECT_LE(red.findings[i].level, red.findings[i - 1].level);
@@ -111,11 +110,11 @@ TEST(Verdict, small_clearances_are_said_with_their_thresholds) {
         testing::taken(mount_involutes(sample_gear(19, m, 0, x), sample_gear(40, m, 0, 0.0), {}));
     const Verdict verdict = judged(pair);
     const double form = pair.form_clearance[0].value_or(-1.0);
-    EXPECT_EQ(finds(verdict, "form_margin", Level::amber),
+    EXPECT_EQ(finds(verdict, WarningCode::form_margin, Level::amber),
               !pair.gears[0].undercut && form >= 0.0 && form < kMarginForm * m)
         << x;
     const double fillet = pair.fillet_clearance[0].value_or(-1.0);
-    EXPECT_EQ(finds(verdict, "fillet_margin", Level::amber),
+    EXPECT_EQ(finds(verdict, WarningCode::fillet_margin, Level::amber),
               fillet >= 0.0 && fillet < kMarginFillet * m)
         << x;
   }
@@ -124,9 +123,9 @@ TEST(Verdict, small_clearances_are_said_with_their_thresholds) {
   const InvolutePair close =
       sample_pair(sample_gear(30, m, 0, 0), testing::taken(make_gear(longer)), 70.0);
   const Verdict verdict = judged(close);
-  ASSERT_TRUE(finds(verdict, "tip_margin", Level::amber));
+  ASSERT_TRUE(finds(verdict, WarningCode::tip_margin, Level::amber));
   for (const Finding& f : verdict.findings) {
-    if (f.code != "tip_margin") continue;
+    if (f.code != WarningCode::tip_margin) continue;
     EXPECT_EQ(f.gear, 2);
     EXPECT_NEAR(f.values[0].value, 0.15, 1e-12);
     EXPECT_NEAR(f.values[1].value, kMarginTip * m, 1e-12);
@@ -149,19 +148,19 @@ TEST(Verdict, says_small_clearances_in_micrometres) {
 TEST(Verdict, edges_and_places_under_errors) {
   const InvolutePair involutes = helical_pair();
   const Pair pair(involutes);
-  const std::vector<Warning> none, jams{{"jam", "They jam.", 0}};
+  const std::vector<Warning> none, jams{{WarningCode::jam, "They jam.", 0}};
   ContactResult contact;
   contact.positions.resize(4);
   for (ContactPoint& p : contact.positions) p.kind = TouchKind::interior;
   const auto judged_with = [&](const std::vector<Warning>& warnings) {
     return verdict_of({{&involutes.gears[0], &involutes.gears[1]}, &pair, &warnings, &contact});
   };
-  EXPECT_FALSE(finds(judged_with(none), "edge_contact", Level::amber));
+  EXPECT_FALSE(finds(judged_with(none), WarningCode::edge_contact, Level::amber));
   contact.positions[1].kind = TouchKind::tip2;
   const Verdict edge = judged_with(none);
-  ASSERT_TRUE(finds(edge, "edge_contact", Level::amber));
+  ASSERT_TRUE(finds(edge, WarningCode::edge_contact, Level::amber));
   EXPECT_EQ(edge.level, Level::amber);
-  EXPECT_EQ(edge.findings.front().code, "edge_contact");
+  EXPECT_EQ(edge.findings.front().code, WarningCode::edge_contact);
   EXPECT_EQ(edge.findings.front().values[0].value, 0.25);
   EXPECT_EQ(judged_with(jams).level, Level::red);
   EXPECT_NE(judged_with(jams).headline.find("the gears jam"), std::string::npos);
@@ -169,8 +168,8 @@ TEST(Verdict, edges_and_places_under_errors) {
     p.kind = TouchKind::interior;
     p.height[0] = -0.8 * involutes.gears[0].spec.face_width / 2;
   }
-  EXPECT_TRUE(finds(judged_with(none), "contact_place", Level::amber));
-  EXPECT_EQ(meaning_of("contact_lost", 0).severity, Severity::problem);
+  EXPECT_TRUE(finds(judged_with(none), WarningCode::contact_place, Level::amber));
+  EXPECT_EQ(meaning_of(WarningCode::contact_lost).severity, Severity::problem);
 }
 
 }  // namespace

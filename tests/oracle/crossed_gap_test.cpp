@@ -107,7 +107,7 @@ TEST(CrossedGapOracle, edges_are_free_within_the_free_play_and_strikes_are_tight
     std::vector<Collision> all = *pair->overlap;
     all.insert(all.end(), pair->beyond_flank.begin(), pair->beyond_flank.end());
     for (const Collision& s : all) {
-      if (!s.touch || s.cause == "negative_backlash") continue;
+      if (!s.touch || s.cause == CollisionCause::negative_backlash) continue;
       ++strikes;
       const double turn_1 = -s.touch->rotation_1;
       const double turn_2 = -turn_1 * one.teeth() / two.teeth() + s.touch->turn_2;

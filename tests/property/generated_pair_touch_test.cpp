@@ -172,7 +172,8 @@ void expect_overlap_when_closer(const InvolutePair& pair) {
 void expect_good(const std::vector<NamedPair>& pairs) {
   for (const auto& [name, pair] : pairs) {
     SCOPED_TRACE(name);
-    for (const Interference& i : pair.interference) ADD_FAILURE() << i.code << ": " << i.message;
+    for (const Interference& i : pair.interference)
+      ADD_FAILURE() << to_string(i.code) << ": " << i.message;
     PitchTurn{pair};
     expect_tip_clearance(pair);
     expect_overlap_when_closer(pair);

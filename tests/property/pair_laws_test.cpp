@@ -38,7 +38,7 @@ TEST(PairLaws, no_backlash_at_the_backlash_free_distance) {
   const int held = over_spec_pairs(201, [](const SpecPair&, const InvolutePair& p, Random&) {
     EXPECT_NEAR(p.mesh.backlash.normal_base, 0.0,
                 64 * kEps * (p.input.gears[0].radius + p.input.gears[1].radius));
-    for (const Warning& w : p.warnings) EXPECT_NE(w.code, "negative_backlash");
+    for (const Warning& w : p.warnings) EXPECT_NE(w.code, WarningCode::negative_backlash);
   });
   EXPECT_GT(held, kPairs / 2);
 }

@@ -2,14 +2,13 @@
 #pragma once
 
 #include <algorithm>
-#include <string>
 
 #include "gearwright/gear/gear.hpp"
 
 namespace gearwright::testing {
 
 template <class Warned>
-bool warns(const Warned& of, const std::string& code) {
+bool warns(const Warned& of, WarningCode code) {
   return std::any_of(of.warnings.begin(), of.warnings.end(),
                      [&](const Warning& w) { return w.code == code; });
 }

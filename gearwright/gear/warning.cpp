@@ -1,0 +1,275 @@
+#include "gearwright/gear/warning.hpp"
+
+#include <cstddef>
+
+namespace gearwright {
+
+namespace {
+
+using C = WarningCode;
+constexpr Severity kProblem = Severity::problem;
+constexpr Severity kCaution = Severity::caution;
+constexpr Severity kNote = Severity::note;
+constexpr bool kGearUnnamed = true;
+
+constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
+    {C::contact_lost, "contact_lost", kProblem,
+     "of the verbs contact, load and compensate: at some positions no tooth pair touches",
+     "contact is lost at some positions"},
+    // There is no such gear.
+    {C::through_axis, "through_axis", kProblem, "the cutter passes the gear's axis; no outline",
+     "the cutter passes the axis"},
+    {C::severed, "severed", kProblem,
+     "the root fillets of both sides meet below the tip; no outline",
+     "the teeth are cut off at their roots"},
+    {C::no_body, "no_body", kProblem,
+     "the bore, or its keyway, reaches the roots; of an internal gear the rim lies inside them",
+     "a bore leaves its gear no body"},
+    {C::no_flank, "no_flank", kProblem, "no usable involute is left between root fillet and tip",
+     "a gear has no usable flank"},
+    // The gears do not run.
+    {C::no_contact, "no_contact", kProblem,
+     "the teeth do not reach each other, or only outside the usable flanks (crossed: or faces)",
+     "the teeth do not touch"},
+    {C::jam, "jam", kProblem,
+     "of the verb contact: both flanks of a space, or root fillets and flanks, are touched at "
+     "once; the message has the angle by which gear 2 would have to give way",
+     "the gears jam"},
+    {C::negative_backlash, "negative_backlash", kProblem,
+     "the teeth are too thick for the centre distance",
+     "the teeth are too thick for this centre distance"},
+    {C::contact_ratio, "contact_ratio", kProblem,
+     "the clipped ε_γ, crossed the clipped AE/p_bn, is below 1", "contact is not continuous"},
+    {C::load_unfinished, "load_unfinished", kProblem,
+     "of the verbs load and compensate: at some positions the forces come to no end; these "
+     "positions have no numbers",
+     "under load some positions have no answer"},
+    {C::interference, "interference", kProblem,
+     "circular arcs: the flanks cut into each other at the contact; an entry of interference too",
+     "the flanks cut into each other"},
+    {C::contact_off_flank, "contact_off_flank", kProblem,
+     "circular arcs: at this centre distance the contact lies off the usable flanks",
+     "the teeth touch off their flanks"},
+    {C::root, "root", kProblem, "a tip reaches below the mating gear's root circle",
+     "a tip cuts into the mating gear’s root"},
+    {C::base_tangent, "base_tangent", kProblem,
+     "the mating gear's tip passes the base tangent point",
+     "a tip reaches where the mating gear has no involute"},
+    {C::form_circle, "form_circle", kProblem, "the mating gear's tip touches below d_Ff [T2.25]",
+     "a tip reaches below the mating gear’s usable flank"},
+    {C::tip_to_fillet, "tip_to_fillet", kProblem,
+     "the mating gear's tip corner cuts into the root fillet [T2.26]",
+     "a tip corner cuts into a root fillet"},
+    {C::trochoid, "trochoid", kProblem,
+     "internal pairs: the pinion's tip strikes the internal gear's tip on its way in or out "
+     "[T2.27]",
+     "the tips strike each other"},
+    {C::overlap, "overlap", kProblem, "the outlines overlap where no other code explains it",
+     "the teeth overlap"},
+    {C::root_safety, "root_safety", kCaution,
+     "a safety against root breakage is below the wanted one; below 1 the level is red",
+     "the safety against root breakage is too small"},
+    {C::flank_safety, "flank_safety", kCaution,
+     "a safety against pitting is below the wanted one; below 1 the level is red",
+     "the safety against pitting is too small"},
+    // They run, but not as they should.
+    {C::contact_lost_to_undercut, "contact_lost", kCaution,
+     "with a gear's number: the mating gear's tip passes the flank where an undercut has taken it; "
+     "nothing strikes, contact ends earlier",
+     "contact is lost where undercut has taken the flank"},
+    {C::beyond_flank, "beyond_flank", kCaution,
+     "what meets before the flanks do; an entry of beyond_flank too",
+     "teeth meet beyond their flanks, where the ratio is not constant"},
+    {C::contact_below_form, "contact_below_form", kCaution,
+     "of the verb contact: the mating gear's tip gets past the end of a usable flank that no "
+     "undercut has taken, into the fillet",
+     "a tip works into a root fillet"},
+    {C::fillet_contact, "fillet_contact", kCaution,
+     "of the verb contact under errors: a tip meets the mating gear's root fillet before the "
+     "flanks meet; the message has the amount, the place and the side of the play",
+     "a tip meets a root fillet"},
+    {C::edge_carries, "edge_carries", kCaution,
+     "of the verbs load and compensate: an edge of a tooth carries, and the pressure there is a "
+     "lower bound",
+     "an edge carries"},
+    {C::edge_contact, "edge_contact", kCaution,
+     "an edge touches under the errors; the message has the share of the rotation",
+     "an edge touches"},
+    {C::no_tip_clearance, "no_tip_clearance", kCaution,
+     "a tip runs on the mating gear's root: one has cut the other",
+     "a tip runs on the mating root"},
+    {C::beyond_hertz, "beyond_hertz", kCaution,
+     "of the verb load: the contact is wider than a tenth of its radius of curvature",
+     "the contact is beyond what Hertz’ formulas describe"},
+    {C::nearly_parallel, "nearly_parallel", kCaution,
+     "the axes cross at less than 1°; the message has the helix angle that parallel axes need",
+     "the axes cross at a small angle"},
+    {C::face_width, "face_width", kCaution,
+     "crossed: the lines of action run beyond the face; the message has f′",
+     "a face is too narrow for the line of action"},
+    {C::undercut, "undercut", kCaution,
+     "the profile shift is less than the least one without undercut, x_E", "undercut", "",
+     kGearUnnamed},
+    {C::pointed, "pointed", kCaution, "the flanks meet before the tip diameter", "pointed teeth",
+     "", kGearUnnamed},
+    {C::thin_tip, "thin_tip", kCaution, "s_an < 0.2 m_n", "a thin tip", "", kGearUnnamed},
+    {C::tip_below_base, "tip_below_base", kCaution,
+     "internal gear: d_a < d_b, there is no involute down to the tip",
+     "a tip inside its base circle", "", kGearUnnamed},
+    {C::trimming, "trimming", kCaution,
+     "internal pairs: the pinion goes in along the axis only [T2.28]; in place nothing strikes",
+     "the pinion cannot be put in radially", "", kGearUnnamed},
+    {C::tip_margin, "tip_margin", kCaution, "the tip clearance is less than 0.1 modules",
+     "a small tip clearance"},
+    {C::form_margin, "form_margin", kCaution,
+     "the form clearance at the root is less than 0.01 modules", "a small form clearance"},
+    {C::fillet_margin, "fillet_margin", kCaution,
+     "the clearance of the mating gear's tip corner to the root fillet is less than 0.0001 modules",
+     "a tip corner close to a root fillet"},
+    {C::contact_place, "contact_place", kCaution,
+     "under the errors the contact lies further out than 0.7 of half the face",
+     "the contact lies near the end of the face"},
+    {C::thickened_for_backlash, "thickened_for_backlash", kCaution,
+     "the centre distance leaves more backlash than the spec wants: the teeth are thicker than "
+     "their shifts make them",
+     "teeth thickened for the backlash"},
+    // The numbers of the answer, or of the spec, deserve a look.
+    {C::no_outline, "no_outline", kCaution,
+     "a gear without an outline (severed, through the axis, an internal gear that no default "
+     "cutter can cut) has no CAD files",
+     "a gear without an outline", "", kGearUnnamed},
+    {C::no_corrections, "no_corrections", kCaution,
+     "the verb run has no corrections for this spec; the message has the reason", "no corrections"},
+    {C::ellipse_beyond_flank, "ellipse_beyond_flank", kCaution,
+     "of the verb load: the ellipse of contact hangs over an end of the flank, and the pressure "
+     "there is a lower bound",
+     "a contact ellipse beyond the flank"},
+    {C::rating_root_fillet, "rating_root_fillet", kCaution,
+     "the root is a circular arc, which the standard does not have: Y_F and Y_S are those of the "
+     "root as the rack would cut it",
+     "a root that the standard does not describe", "", kGearUnnamed},
+    {C::contact_search_unfinished, "contact_search_unfinished", kCaution,
+     "of the verb contact: searches for a contact point that did not end",
+     "positions without an exact contact point", "Choose other positions."},
+    {C::correction_at_bound, "correction_at_bound", kCaution,
+     "of the verb compensate: a correction is at the end of the range that is searched",
+     "a correction at its bound", "Align the housing better."},
+    {C::rack_not_used, "rack_not_used", kCaution,
+     "internal gear: numbers of its rack that have no effect",
+     "numbers of a rack that have no effect", "Leave these numbers of the rack out.", kGearUnnamed},
+    {C::default_shaft_angle, "default_shaft_angle", kCaution,
+     "the axes cross at the angle of the minimum centre distance, because none was given",
+     "a shaft angle that was not given",
+     "Give the shaft angle, or give both gears one helix angle, of opposite hand."},
+    {C::pressure_angle, "pressure_angle", kCaution,
+     "circular arcs: the pair touches at another angle than its rack has",
+     "a pressure angle that does not fit",
+     "Leave it out, or write the angle at which the flanks touch."},
+    {C::unequal_lead, "unequal_lead", kCaution,
+     "circular arcs: the gears are not of one lead, contacts are left out", "unequal leads",
+     "The verb contact computes where the teeth touch."},
+    {C::rating_contact_ratio, "rating_contact_ratio", kCaution,
+     "the transverse contact ratio is outside 1 to 2.5, for which ISO 6336 is stated",
+     "a contact ratio that the standard does not cover"},
+    {C::rating_helix_angle, "rating_helix_angle", kCaution,
+     "the helix angle is above 30°, up to which ISO 6336 is confirmed",
+     "a helix angle that the standard does not cover"},
+    {C::rating_pressure_angle, "rating_pressure_angle", kCaution,
+     "the normal pressure angle is outside 15° to 25°, for which ISO 6336 is confirmed",
+     "a pressure angle that the standard does not cover"},
+    {C::rating_stiffness, "rating_stiffness", kCaution,
+     "the profile shifts are outside the range of the formula of the tooth stiffness c'",
+     "shifts that the standard’s stiffness does not cover"},
+    {C::rating_resonance, "rating_resonance", kCaution,
+     "the pinion runs in the main resonance of the mesh, 0.85 < N ≤ 1.15",
+     "a speed in the main resonance"},
+    {C::rating_mounting, "rating_mounting", kCaution,
+     "the offset s of the pinion is greater than the mounting's figure allows",
+     "an offset that the mounting’s figure does not cover"},
+    {C::rating_notch, "rating_notch", kCaution,
+     "the notch parameter q_s is outside 1 to 8, for which Y_S is stated",
+     "a fillet that the stress correction does not cover", "", kGearUnnamed},
+    {C::rating_rim, "rating_rim", kCaution,
+     "the rim is thinner than the rim factor Y_B is stated for",
+     "a rim that the rim factor does not cover", "", kGearUnnamed},
+    {C::rating_plastic, "rating_plastic", kCaution,
+     "plastic teeth: wear, deformation and static peaks, which VDI 2736 covers too, are not rated",
+     "wear and deformation that are not rated"},
+    // Good to know.
+    {C::not_read, "not_read", kNote,
+     "a part of the spec that has no effect in this version, or none in this verb", "",
+     "Leave it out."},
+    {C::tip_bulge, "tip_bulge", kNote,
+     "the tip stands out beyond its involute, where the cutter's own flank ended: another mating "
+     "gear may strike it; the message has the tip diameter that takes it away"},
+    {C::fillets_not_asked, "fillets_not_asked", kNote,
+     "of the verb contact with a changed lead of the cutter, where a pinion cutter or a circular "
+     "fillet made the root: contact of tips with root fillets is not checked"},
+    {C::transverse_contact_ratio, "transverse_contact_ratio", kNote,
+     "the clipped ε_α is below 1, the helix makes up for it; the message has the least face width"},
+    {C::self_locking, "self_locking", kNote, "with this friction the gear named cannot drive"},
+    {C::full_radius_root, "full_radius_root", kNote,
+     "a named rack's radius does not fit, the full radius is used"},
+    {C::tip_cut_by_rack, "tip_cut_by_rack", kNote,
+     "the cutter's bottom land ends the tooth below the blank"},
+    {C::default_face_width, "default_face_width", kNote, "b is 10 m_n, because none was given"},
+    {C::default_cutter, "default_cutter", kNote,
+     "internal gear: no `cut_by`, so its fillets are of a cutter that the program chose; the "
+     "message has its teeth"},
+    {C::inherited, "inherited", kNote,
+     "gear 2 has material or quality of gear 1, because it has none of its own"},
+    {C::profile_shifts_chosen, "profile_shifts_chosen", kNote,
+     "absent profile shifts follow from the centre distance; the message has them"},
+    {C::tip_fillet_cut_off, "tip_fillet_cut_off", kNote,
+     "the blank ends the tooth before its circular tip fillet begins"},
+    {C::no_chord, "no_chord", kNote,
+     "of the verb measure: there is no usable flank, or none that a calliper spans, and no "
+     "diameter was given"},
+    {C::no_span, "no_span", kNote,
+     "of the verb measure: no span touches the usable flank, and none was given"},
+    {C::no_balls, "no_balls", kNote,
+     "of the verb measure: no balls touch the usable flanks, and none were given"},
+    {C::span_off_flank, "span_off_flank", kNote,
+     "of the verb measure: the contacts of the given span lie off the usable flank"},
+    {C::span_off_face, "span_off_face", kNote,
+     "of the verb measure: the face is too narrow for both anvils"},
+    {C::ball_off_flank, "ball_off_flank", kNote,
+     "of the verb measure: the contacts of the given balls lie off the usable flank"},
+    {C::pin_off_flank, "pin_off_flank", kNote,
+     "of the verb measure: the contacts of the given pins lie off the usable flank"},
+    {C::tolerances_out_of_range, "tolerances_out_of_range", kNote,
+     "of the verb measure: beyond the sizes of ISO 1328-1"},
+    {C::held_at_half_the_root, "held_at_half_the_root", kNote,
+     "of the verb load: a gear has no bore, and its body is held at half the root diameter"},
+    {C::held_at_rim_as_drawn, "held_at_rim_as_drawn", kNote,
+     "of the verb load: an internal gear has no rim diameter, and is held at the outside of the "
+     "rim that its files have"},
+    {C::no_load, "no_load", kNote,
+     "the verb run has no analysis under load for these gears; the message has the reason"},
+    {C::stiffness_differs, "stiffness_differs", kNote,
+     "of the verb load: the mesh is stiffer or less stiff than c_γα of ISO 6336-1; the message has "
+     "the reasons"},
+    {C::designs_cut, "designs_cut", kNote,
+     "of the verb search: there are more designs than are listed"},
+    {C::edges_left_out, "edges_left_out", kNote,
+     "of the verb search: of more than 10 000 designs the edges of the regions are left out"},
+    {C::changes_left_out, "changes_left_out", kNote,
+     "of the verb search: changes of the limits were not searched, or not all of them; the message "
+     "has the reason"},
+}};
+
+constexpr bool each_has_its_row() {
+  for (std::size_t i = 0; i < kRows.size(); ++i) {
+    if (kRows[i].code != static_cast<WarningCode>(i)) return false;
+  }
+  return true;
+}
+static_assert(each_has_its_row());
+
+}  // namespace
+
+const WarningMeaning& meaning_of(WarningCode code) { return kRows[static_cast<std::size_t>(code)]; }
+
+const std::array<WarningMeaning, kWarningCodes>& warning_meanings() { return kRows; }
+
+}  // namespace gearwright

@@ -1,0 +1,142 @@
+// What is worth knowing about gears and pairs and is no error: which facts there are, and what each
+// means for the user who has to decide.
+//
+// Warnings, findings of a verdict and entries of `interference` carry an enumerator. One table
+// (warning.cpp) has a row for each: its word in answers, how bad it is, and its sentences.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+namespace gearwright {
+
+enum class Severity {
+  note,     ///< a default or a consequence that is good to know
+  caution,  ///< it works; the user should look at this
+  problem,  ///< as specified it cannot be made or does not run
+};
+
+/// In the order of how bad they are, the worst first: of two findings of one level the one that
+/// stands higher is named first.
+enum class WarningCode {
+  contact_lost,  ///< of the pair
+  // There is no such gear.
+  through_axis,
+  severed,
+  no_body,
+  no_flank,
+  // The gears do not run.
+  no_contact,
+  jam,
+  negative_backlash,
+  contact_ratio,
+  load_unfinished,
+  interference,
+  contact_off_flank,
+  root,
+  base_tangent,
+  form_circle,
+  tip_to_fillet,
+  trochoid,
+  overlap,
+  root_safety,
+  flank_safety,
+  // They run, but not as they should.
+  contact_lost_to_undercut,  ///< of a gear
+  beyond_flank,
+  contact_below_form,
+  fillet_contact,
+  edge_carries,
+  edge_contact,
+  no_tip_clearance,
+  beyond_hertz,
+  nearly_parallel,
+  face_width,
+  undercut,
+  pointed,
+  thin_tip,
+  tip_below_base,
+  trimming,
+  tip_margin,
+  form_margin,
+  fillet_margin,
+  contact_place,
+  thickened_for_backlash,
+  // The numbers of the answer, or of the spec, deserve a look.
+  no_outline,
+  no_corrections,
+  ellipse_beyond_flank,
+  rating_root_fillet,
+  contact_search_unfinished,
+  correction_at_bound,
+  rack_not_used,
+  default_shaft_angle,
+  pressure_angle,
+  unequal_lead,
+  rating_contact_ratio,
+  rating_helix_angle,
+  rating_pressure_angle,
+  rating_stiffness,
+  rating_resonance,
+  rating_mounting,
+  rating_notch,
+  rating_rim,
+  rating_plastic,
+  // Good to know.
+  not_read,
+  tip_bulge,
+  fillets_not_asked,
+  transverse_contact_ratio,
+  self_locking,
+  full_radius_root,
+  tip_cut_by_rack,
+  default_face_width,
+  default_cutter,
+  inherited,
+  profile_shifts_chosen,
+  tip_fillet_cut_off,
+  no_chord,
+  no_span,
+  no_balls,
+  span_off_flank,
+  span_off_face,
+  ball_off_flank,
+  pin_off_flank,
+  tolerances_out_of_range,
+  held_at_half_the_root,
+  held_at_rim_as_drawn,
+  no_load,
+  stiffness_differs,
+  designs_cut,
+  edges_left_out,
+  changes_left_out,
+  count  ///< how many there are; no code itself
+};
+
+inline constexpr std::size_t kWarningCodes = static_cast<std::size_t>(WarningCode::count);
+
+/// A row of the table.
+struct WarningMeaning {
+  WarningCode code;
+  const char* text;  ///< the word for programs, in every answer: "undercut"
+  Severity severity;
+  const char* sentence;       ///< when it occurs, for documents
+  const char* reason = "";    ///< a clause for headlines, "the gears jam"; empty for a note
+  const char* advice = "";    ///< what to write otherwise in the spec, where no number would help
+  bool gear_unnamed = false;  ///< the message of a gear does not name the gear
+};
+
+const WarningMeaning& meaning_of(WarningCode code);
+const std::array<WarningMeaning, kWarningCodes>& warning_meanings();
+inline const char* to_string(WarningCode code) { return meaning_of(code).text; }
+
+/// Something that the user should know about a gear or a pair and that is not an error.
+struct Warning {
+  WarningCode code;
+  std::string message;  ///< one sentence for people
+  int gear = 0;         ///< 1, 2, or 0 for the pair
+};
+inline Severity severity_of(const Warning& warning) { return meaning_of(warning.code).severity; }
+
+}  // namespace gearwright
