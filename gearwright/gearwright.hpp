@@ -68,4 +68,3 @@
 #include "gearwright/cad/stl.hpp"
 #include "gearwright/cad/svg_outline.hpp"
 #include "gearwright/cad/threemf.hpp"
-#include "gearwright/cad/write_step.hpp"

@@ -5,8 +5,7 @@
 #include <cmath>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/cad/circle_distance.hpp"
-#include "gearwright/cad/longest_step.hpp"
+#include "gearwright/cad/fitting.hpp"
 #include "gearwright/curve/arc_length.hpp"
 
 namespace gearwright {

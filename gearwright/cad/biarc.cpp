@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/cad/circle_distance.hpp"
-#include "gearwright/cad/longest_step.hpp"
+#include "gearwright/cad/drawing.hpp"
+#include "gearwright/cad/fitting.hpp"
 
 namespace gearwright {
 namespace {
@@ -150,6 +150,28 @@ double bulge_area(const Vec2& from, const Vec2& to, double bulge) {
   const double chord = (to - from).norm();
   const double radius = chord / (2.0 * std::sin(half));
   return 0.5 * radius * radius * (2.0 * half - std::sin(2.0 * half));
+}
+
+// Mirroring turns a bulge over, and so does running it backwards: pieces do one or the other.
+Result<BiarcContour> biarc_contour(const Outline& outline, const Contour& contour,
+                                   double tolerance_mm) {
+  const auto fits = fit_arcs(outline, contour, tolerance_mm, fit_biarcs);
+  if (!fits) return fits.error();
+  BiarcContour result{{}, {}, fits->deviation_mm};
+  for (const ContourPiece& piece : contour.pieces) {
+    if (piece.land) {
+      result.points.push_back(piece.begin);
+      result.bulges.push_back(std::tan(piece.sweep / 4.0));
+      continue;
+    }
+    const BiarcChain& chain = *fits->arcs[piece.arc];
+    const std::vector<Vec2> here = placed(contour, piece, chain.points);
+    result.points.insert(result.points.end(), here.begin(), here.end() - 1);
+    const std::size_t n = chain.bulges.size();
+    for (std::size_t i = 0; i < n; ++i)
+      result.bulges.push_back(-chain.bulges[piece.mirrored ? i : n - 1 - i]);
+  }
+  return result;
 }
 
 }  // namespace gearwright

@@ -14,7 +14,8 @@
 
 #include <vector>
 
-#include "gearwright/generation/outline.hpp"
+#include "gearwright/base/result.hpp"
+#include "gearwright/cad/contour.hpp"
 
 namespace gearwright {
 
@@ -38,5 +39,20 @@ BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm);
 /// Area between an arc and its chord, mm²; > 0 to the right of the chord (a counter-clockwise
 /// bulge).
 double bulge_area(const Vec2& from, const Vec2& to, double bulge);
+
+/// The closed outline of the whole gear in true circular arcs: one chain of points and bulges.
+struct BiarcContour {
+  std::vector<Vec2> points;    ///< mm, counter-clockwise
+  std::vector<double> bulges;  ///< tan(sweep/4); bulges[i] leads from points[i] to the next, the
+                               ///< last one to the first
+  double deviation_mm;         ///< greatest normal distance measured from the exact outline
+};
+
+/// Lands are one arc each, the other pieces the biarcs of their arc, fitted once for all teeth.
+///
+/// Facts     `tolerance_mm`: an arc that does not meet it
+/// Domain    tolerance_mm > 0 (contract)
+Result<BiarcContour> biarc_contour(const Outline& outline, const Contour& contour,
+                                   double tolerance_mm);
 
 }  // namespace gearwright

@@ -11,6 +11,8 @@ namespace gearwright {
 
 namespace {
 
+using std::numbers::pi;
+
 // Columns of an arc of the circle from `begin` to `end` rad, both ends included.
 std::vector<Column> arc_columns(double radius, double begin, double end, int segments) {
   std::vector<Column> columns;
@@ -22,11 +24,60 @@ std::vector<Column> arc_columns(double radius, double begin, double end, int seg
   return columns;
 }
 
+WallLoop circle(double radius) {
+  // One wall from the +y axis once round.
+  const Complex top(0.0, radius);
+  WallLoop loop;
+  loop.walls.push_back(
+      {WallShape::circle, top, top, nullptr, {}, radius, pi / 2.0, pi / 2.0 + 2.0 * pi});
+  return loop;
+}
+
+WallLoop circle_with_keyway(double radius, double half, double bottom) {
+  const double y = std::sqrt((radius - half) * (radius + half));
+  const Complex left(-half, y);
+  const Complex right(half, y);
+  const Complex right_corner(half, bottom);
+  const Complex left_corner(-half, bottom);
+  const double side = std::asin(half / radius);
+  WallLoop loop;
+  loop.walls.push_back({WallShape::circle,
+                        left,
+                        right,
+                        nullptr,
+                        {},
+                        radius,
+                        pi / 2.0 + side,
+                        pi / 2.0 + 2.0 * pi - side});
+  const auto line = [&](Complex from, Complex to) {
+    loop.walls.push_back({WallShape::line, from, to, nullptr, {}});
+  };
+  line(right, right_corner);
+  line(right_corner, left_corner);
+  line(left_corner, left);
+  return loop;
+}
+
 }  // namespace
+
+std::optional<Error> rim_error(const ToothedBody& body, double room) {
+  const double smallest = std::ceil(2.0 * room * 1000.0) / 1000.0;  // rounded up: it fits
+  const std::string need = fmt::format(
+      "a ring's bore is its rim and must lie around its roots: at least {:.3f} mm", smallest);
+  if (!body.bore) return Error{"bore.diameter", "", need};
+  if (body.bore->keyway_width > 0.0) {
+    return refused("bore.keyway_width", body.bore->keyway_width,
+                   "a ring has no keyway; leave it out");
+  }
+  if (!(body.bore->diameter / 2.0 >= room)) {
+    return refused("bore.diameter", body.bore->diameter, need);
+  }
+  return std::nullopt;
+}
 
 std::vector<Column> bore_columns(const Bore& bore, double chord, double facet_turn) {
   GW_EXPECTS(bore.diameter > 0.0 && bore.keyway_width < bore.diameter && chord > 0.0);
-  constexpr double kDown = -std::numbers::pi / 2.0;
+  constexpr double kDown = -pi / 2.0;
   const double r = bore.diameter / 2.0;
   const double half = bore.keyway_width / 2.0;
   // Sagitta r (1 − cos(step/2)) = chord.
@@ -53,6 +104,43 @@ std::vector<Column> bore_columns(const Bore& bore, double chord, double facet_tu
     columns.push_back({mirror(right[i].point), mirror(right[i].after), mirror(right[i].before)});
   }
   return columns;
+}
+
+Result<WallLoop> make_bore(const ToothedBody& body, double inner, double outer) {
+  if (body.outline.teeth < 0) {
+    if (auto error = rim_error(body, outer + kShortestArc_mm)) return *std::move(error);
+    return circle(body.bore->diameter / 2.0);
+  }
+  const Bore& bore = *body.bore;
+  if (auto error = bore_error(bore, inner - kShortestArc_mm)) return *std::move(error);
+  const double radius = bore.diameter / 2.0;
+  const double half = bore.keyway_width / 2.0;
+  if (half == 0.0) return circle(radius);
+  const double bottom = radius + bore.keyway_depth;
+  // The slot's sides are faces; shorter than a sliver they, and with them the slot, are left out.
+  const double mouth = std::sqrt((radius - half) * (radius + half));
+  if (bottom - mouth < kShortestArc_mm) return circle(radius);
+  return circle_with_keyway(radius, half, bottom);
+}
+
+Result<std::optional<BoreContour>> bore_contour(const ToothedBody& body, double inner,
+                                                double outer) {
+  if (!body.bore) return std::optional<BoreContour>();
+  if (const auto checked = make_bore(body, inner, outer); !checked) return checked.error();
+  const double r = body.bore->diameter / 2.0;
+  const double half = body.bore->keyway_width / 2.0;
+  if (half == 0.0) return std::optional(BoreContour{r, false, {{r, 0.0}, {-r, 0.0}}, {1.0, 1.0}});
+
+  // Two arcs from the keyway down to (0, −r) and up again, so that neither is more than half a
+  // turn.
+  const double y = std::sqrt((r - half) * (r + half));
+  const double floor = r + body.bore->keyway_depth;
+  const double bulge = std::tan((pi - std::asin(half / r)) / 4.0);
+  return std::optional(
+      BoreContour{r,
+                  true,
+                  {{-half, y}, {0.0, -r}, {half, y}, {half, floor}, {-half, floor}},
+                  {bulge, bulge, 0.0, 0.0, 0.0}});
 }
 
 }  // namespace gearwright

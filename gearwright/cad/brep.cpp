@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/cad/slices.hpp"
 
 namespace gearwright {
 namespace {

@@ -2,31 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <numbers>
-
-#include "gearwright/cad/bore_walls.hpp"
+#include <utility>
 
 namespace gearwright {
 
-Result<std::optional<BoreContour>> bore_contour(const ToothedBody& body, double inner,
-                                                double outer) {
-  if (!body.bore) return std::optional<BoreContour>();
-  if (const auto checked = make_bore(body, inner, outer); !checked) return checked.error();
-  const double r = body.bore->diameter / 2.0;
-  const double half = body.bore->keyway_width / 2.0;
-  if (half == 0.0) return std::optional(BoreContour{r, false, {{r, 0.0}, {-r, 0.0}}, {1.0, 1.0}});
-
-  // Two arcs from the keyway down to (0, −r) and up again, so that neither is more than half a
-  // turn.
-  const double y = std::sqrt((r - half) * (r + half));
-  const double floor = r + body.bore->keyway_depth;
-  const double bulge = std::tan((std::numbers::pi - std::asin(half / r)) / 4.0);
-  return std::optional(
-      BoreContour{r,
-                  true,
-                  {{-half, y}, {0.0, -r}, {half, y}, {half, floor}, {-half, floor}},
-                  {bulge, bulge, 0.0, 0.0, 0.0}});
+Result<BodyContour> body_contour(const ToothedBody& body) {
+  auto teeth = closed_contour(body.outline);
+  if (!teeth) return teeth.error();
+  auto bore = bore_contour(body, teeth->inner_radius, teeth->outer_radius);
+  if (!bore) return bore.error();
+  return BodyContour{std::move(teeth).take(), std::move(bore).take()};
 }
 
 Error beyond_tolerance(const Arc& arc, double deviation_mm, double tolerance_mm) {

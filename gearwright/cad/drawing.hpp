@@ -1,15 +1,18 @@
-// What the drawings of a transverse section share: options, facts, and the bore's contour.
+// What the drawings of a transverse section share: options, facts, the closed outlines of a body, and the
+// fits of its arcs.
 //
 // A drawing is the section z = 0 in the gear frame, in millimetres; `body.pose` does not apply. It
 // is returned as text with the numbers a program prints beside it ("320 segments, within 0.9 µm").
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "gearwright/base/result.hpp"
-#include "gearwright/cad/toothed_body.hpp"
+#include "gearwright/cad/bore_loop.hpp"
+#include "gearwright/cad/contour.hpp"
 
 namespace gearwright {
 
@@ -39,24 +42,49 @@ struct Drawing {
   double tolerance_mm;  ///< what was allowed
 };
 
-/// The bore, or the rim of an internal gear, as a closed chain of arcs and lines,
-/// counter-clockwise.
-struct BoreContour {
-  double radius;               ///< r  mm
-  bool keyway;                 ///< false: the whole circle
-  std::vector<Vec2> points;    ///< mm; two of a whole circle
-  std::vector<double> bulges;  ///< tan(sweep/4); bulges[i] leads from points[i] to the next
+/// The closed outline of a body and its bore.
+struct BodyContour {
+  Contour teeth;
+  std::optional<BoreContour> bore;
+
+  double reach() const {
+    return bore ? std::max(teeth.outer_radius, bore->radius) : teeth.outer_radius;
+  }
 };
 
-/// None without a bore.
-///
-/// Facts     refused as make_walls refuses them (cad/walls.hpp): a bore or keyway that leaves the
-///           root, an internal gear's rim that does not go round it
-/// Units     inner, outer: extreme radii of the outline, mm
-Result<std::optional<BoreContour>> bore_contour(const ToothedBody& body, double inner,
-                                                double outer);
+/// Facts     those of closed_contour and bore_contour
+Result<BodyContour> body_contour(const ToothedBody& body);
 
 /// The reason why an arc could not be drawn as closely as was asked.
 Error beyond_tolerance(const Arc& arc, double deviation_mm, double tolerance_mm);
+
+/// What stands for each arc of the outline that makes pieces of other kind than lands, one for all teeth.
+template <class Fit>
+struct ArcFits {
+  std::vector<std::optional<Fit>> arcs;  ///< as Outline::arcs
+  double deviation_mm = 0.0;             ///< greatest of all
+};
+
+/// `fit` of an arc and the tolerance knows its `deviation_mm`.
+///
+/// Facts     `tolerance_mm`: an arc that does not meet it
+template <class Fit>
+Result<ArcFits<Fit>> fit_arcs(const Outline& outline, const Contour& contour, double tolerance_mm,
+                              Fit (*fit)(const Arc&, double)) {
+  std::vector<bool> wanted(outline.arcs.size(), false);
+  for (const ContourPiece& piece : contour.pieces) {
+    if (!piece.land) wanted[piece.arc] = true;
+  }
+  ArcFits<Fit> fits{std::vector<std::optional<Fit>>(wanted.size())};
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (!wanted[i]) continue;
+    fits.arcs[i] = fit(outline.arcs[i], tolerance_mm);
+    const double deviation = fits.arcs[i]->deviation_mm;
+    if (!(deviation <= tolerance_mm))
+      return beyond_tolerance(outline.arcs[i], deviation, tolerance_mm);
+    fits.deviation_mm = std::max(fits.deviation_mm, deviation);
+  }
+  return fits;
+}
 
 }  // namespace gearwright

@@ -19,13 +19,11 @@ class DxfEntities {
  public:
   /// Where what follows stands: a turn about z and a shift in the plane. Absent: where it is.
   void place(const Eigen::Isometry3d& pose);
-  /// Closed LWPOLYLINE; bulges[i] leads from points[i] to the next, the last one to the first.
-  void closed_polyline(const std::string& layer, const std::vector<Vec2>& points,
-                       const std::vector<double>& bulges);
-  void circle(const std::string& layer, double radius, const Vec2& center = Vec2::Zero());
-  /// LWPOLYLINE from the first point to the last; one bulge fewer than points.
+  /// LWPOLYLINE; bulges[i] leads from points[i] to the next. With as many bulges as points it is closed,
+  /// the last one leads to the first; else it has one fewer.
   void polyline(const std::string& layer, const std::vector<Vec2>& points,
                 const std::vector<double>& bulges);
+  void circle(const std::string& layer, double radius, const Vec2& center = Vec2::Zero());
   void line(const std::string& layer, const Vec2& a, const Vec2& b);
   /// SOLID, a filled triangle.
   void triangle(const std::string& layer, const Vec2& a, const Vec2& b, const Vec2& c);
@@ -46,8 +44,6 @@ class DxfEntities {
  private:
   Vec2 at(const Vec2& p) const { return moved_ ? Vec2(pose_ * p) : p; }
   void begin(const char* type, const std::string& layer, const char* subclass);
-  void polyline(const std::string& layer, const std::vector<Vec2>& points,
-                const std::vector<double>& bulges, bool closed);
 
   std::string text_;
   bool moved_ = false;  // false: points are written as they are, to the bit

@@ -28,8 +28,9 @@ void DxfEntities::place(const Eigen::Isometry3d& pose) {
 }
 
 void DxfEntities::polyline(const std::string& layer, const std::vector<Vec2>& points,
-                           const std::vector<double>& bulges, bool closed) {
-  GW_EXPECTS(points.size() == bulges.size() + (closed ? 0 : 1));
+                           const std::vector<double>& bulges) {
+  const bool closed = bulges.size() == points.size();
+  GW_EXPECTS(closed || points.size() == bulges.size() + 1);
   begin("LWPOLYLINE", layer, "AcDbPolyline");
   DxfPairs out(text_);
   out.integer(90, static_cast<int>(points.size())).integer(70, closed ? 1 : 0).real(43, 0);
@@ -38,16 +39,6 @@ void DxfEntities::polyline(const std::string& layer, const std::vector<Vec2>& po
     out.point(10, p.x(), p.y());
     if (i < bulges.size() && bulges[i] != 0.0) out.real(42, bulges[i]);
   }
-}
-
-void DxfEntities::polyline(const std::string& layer, const std::vector<Vec2>& points,
-                           const std::vector<double>& bulges) {
-  polyline(layer, points, bulges, false);
-}
-
-void DxfEntities::closed_polyline(const std::string& layer, const std::vector<Vec2>& points,
-                                  const std::vector<double>& bulges) {
-  polyline(layer, points, bulges, true);
 }
 
 void DxfEntities::circle(const std::string& layer, double radius, const Vec2& center) {

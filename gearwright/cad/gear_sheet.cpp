@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearwright/cad/biarc_contour.hpp"
+#include "gearwright/base/number_text.hpp"
+#include "gearwright/cad/biarc.hpp"
 #include "gearwright/cad/drawing.hpp"
-#include "gearwright/cad/file_text.hpp"
 #include "gearwright/cad/sheet_font.hpp"
 #include "gearwright/cad/sheet_parts.hpp"
 
@@ -47,15 +47,16 @@ constexpr std::array<Scale, 18> kScales{{{50, 1},
                                          {1, 5000},
                                          {1, 10000}}};
 
-std::string millimetres(double value) { return short_decimal(value, 4); }
+std::string millimetres(double value) { return short_decimals(value, 4); }
 std::string diameter(double radius) { return "Ø" + millimetres(2 * radius); }
 
 // Both views at one scale: the transverse one about the origin, the axial one to its right.
 class Views {
  public:
-  Views(const GearSheetInput& input, const BiarcContour& outline,
-        const std::optional<BoreContour>& bore, double inner, double outer, double scale)
-      : input_(input), outline_(outline), bore_(bore), k_(scale) {
+  Views(const GearSheetInput& input, const BiarcContour& outline, const BodyContour& contour,
+        double scale)
+      : input_(input), outline_(outline), bore_(contour.bore), k_(scale) {
+    const double inner = contour.teeth.inner_radius, outer = contour.teeth.outer_radius;
     const bool ring = input.body.outline.teeth < 0;
     tip_ = ring ? inner : outer;
     root_ = ring ? outer : inner;
@@ -214,11 +215,9 @@ Place place_of(SheetSize size, const SheetBox& frame, const SheetBox& block,
 
 Result<GearSheet> gear_sheet(const GearSheetInput& input, SheetSize size, double tolerance_mm) {
   const ToothedBody& body = input.body;
-  const auto contour = closed_contour(body.outline);
+  const auto contour = body_contour(body);
   if (!contour) return contour.error();
-  const auto bore = bore_contour(body, contour->inner_radius, contour->outer_radius);
-  if (!bore) return bore.error();
-  const auto outline = biarc_contour(body.outline, *contour, tolerance_mm);
+  const auto outline = biarc_contour(body.outline, contour->teeth, tolerance_mm);
   if (!outline) return outline.error();
 
   const bool a4 = size == SheetSize::a4;
@@ -230,8 +229,7 @@ Result<GearSheet> gear_sheet(const GearSheetInput& input, SheetSize size, double
   const Place place = place_of(size, frame, block, input.data);
   const Vec2 room = place.views.hi - place.views.lo - Vec2(2 * kInner, 2 * kInner);
   for (const Scale& scale : kScales) {
-    Views views(input, *outline, *bore, contour->inner_radius, contour->outer_radius,
-                scale.factor());
+    Views views(input, *outline, *contour, scale.factor());
     const SheetBox box = views.box();
     const Vec2 needed = box.hi - box.lo;
     const bool last = &scale == &kScales.back();

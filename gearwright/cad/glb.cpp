@@ -9,7 +9,7 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/little_endian.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/cad/part_colours.hpp"
+#include "gearwright/cad/toothed_body.hpp"
 
 namespace gearwright {
 

@@ -109,22 +109,6 @@ void add_tooth_caps(MeshBuilder& builder, const std::vector<Triangle>& half_cap,
   }
 }
 
-// A ring's bore is its rim, the cylinder around its roots.
-std::optional<Error> rim_error(const ToothedBody& body, double room) {
-  const double smallest = std::ceil(2.0 * room * 1000.0) / 1000.0;  // rounded up: it fits
-  const std::string need = fmt::format(
-      "a ring's bore is its rim and must lie around its roots: at least {:.3f} mm", smallest);
-  if (!body.bore) return Error{"bore.diameter", "", need};
-  if (body.bore->keyway_width > 0.0) {
-    return refused("bore.keyway_width", body.bore->keyway_width,
-                   "a ring has no keyway; leave it out");
-  }
-  if (!(body.bore->diameter / 2.0 >= room)) {
-    return refused("bore.diameter", body.bore->diameter, need);
-  }
-  return std::nullopt;
-}
-
 // Distance of the section's polygon from the axis.
 double polygon_reach_min(const std::vector<SectionPoint>& half) {
   double reach = half.front().point.norm();

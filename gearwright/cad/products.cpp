@@ -8,7 +8,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/cad/brep.hpp"
-#include "gearwright/cad/part_colours.hpp"
+#include "gearwright/cad/toothed_body.hpp"
 
 namespace gearwright {
 namespace {

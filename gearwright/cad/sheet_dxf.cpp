@@ -15,9 +15,7 @@ void add(DxfEntities& entities, const SheetPath& path) {
   if (path.filled) {
     GW_EXPECTS(p.size() == 3);
     entities.triangle(layer, p[0], p[1], p[2]);
-  } else if (path.closed) {
-    entities.closed_polyline(layer, p, path.bulges);
-  } else if (p.size() == 2 && path.bulges[0] == 0.0) {
+  } else if (!path.closed && p.size() == 2 && path.bulges[0] == 0.0) {
     entities.line(layer, p[0], p[1]);
   } else {
     entities.polyline(layer, p, path.bulges);

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/utf8.hpp"
-#include "gearwright/cad/file_text.hpp"
 #include "gearwright/cad/sheet_files.hpp"
 #include "gearwright/cad/sheet_font.hpp"
 
@@ -18,7 +18,7 @@ constexpr int kDecimals = 4;  // of a mm
 // An arc of at most an eighth of π is a cubic within 4e-8 of its radius.
 const double kMostBulge = std::tan(std::acos(-1.0) / 32);
 
-std::string pdf_number(double value) { return short_decimal(value, kDecimals); }
+std::string pdf_number(double value) { return short_decimals(value, kDecimals); }
 std::string point(const Vec2& p) { return pdf_number(p.x()) + " " + pdf_number(p.y()); }
 
 // From a to b, where the pen stands at a.

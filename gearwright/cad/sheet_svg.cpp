@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/cad/file_text.hpp"
 #include "gearwright/cad/sheet_files.hpp"
 #include "gearwright/cad/sheet_font.hpp"
@@ -12,7 +13,7 @@ namespace gearwright {
 
 namespace {
 
-std::string svg_number(double value) { return short_decimal(value, 4); }
+std::string svg_number(double value) { return short_decimals(value, 4); }
 
 // One sheet in a group of its own; y is turned over here and nowhere else.
 class SheetSvg {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/output_file.hpp"
 #include "gearwright/base/version.hpp"
 #include "gearwright/cad/brep.hpp"
 #include "gearwright/cad/part21.hpp"
@@ -87,6 +88,14 @@ Result<StepDocument> step_document(const std::vector<ToothedBody>& bodies,
     report.max_deviation_mm = std::max(report.max_deviation_mm, face.max_deviation_mm);
   add_products(file, protocol, parts, without_ending(file_name));
   return StepDocument{std::move(file).finish(), std::move(report)};
+}
+
+Result<StepReport> write_step(const std::vector<ToothedBody>& bodies,
+                              const std::filesystem::path& path, const StepOptions& options) {
+  auto document = step_document(bodies, path.filename().string(), options);
+  if (!document) return document.error();
+  write_file(path, document->text);
+  return document->report;
 }
 
 }  // namespace gearwright

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -66,5 +67,11 @@ struct StepDocument {
 ///           within 1e-7 mm (kBrepUncertainty_mm), which the file states; reals read back to the bit
 Result<StepDocument> step_document(const std::vector<ToothedBody>& bodies,
                                    const std::string& file_name, const StepOptions& options = {});
+
+/// Writes the text of step_document to `path`, whole or not at all.
+///
+/// Throws    IoError naming the path, where the file cannot be written
+Result<StepReport> write_step(const std::vector<ToothedBody>& bodies,
+                              const std::filesystem::path& path, const StepOptions& options = {});
 
 }  // namespace gearwright

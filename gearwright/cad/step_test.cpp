@@ -13,12 +13,10 @@
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/testing/scratch_folder.hpp"
-#include "gearwright/cad/part_colours.hpp"
 #include "gearwright/cad/section.hpp"
 #include "gearwright/cad/testing/generated_bodies.hpp"
 #include "gearwright/cad/testing/sample_outlines.hpp"
 #include "gearwright/cad/testing/step_reader.hpp"
-#include "gearwright/cad/write_step.hpp"
 
 namespace gearwright {
 namespace {

@@ -9,14 +9,14 @@
 #include <optional>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/cad/bezier.hpp"
-#include "gearwright/cad/contour.hpp"
 #include "gearwright/cad/file_text.hpp"
 
 namespace gearwright {
 namespace {
 
-constexpr double kMargin = 0.05;  // of the radius, so that the stroke is not cut off
+constexpr double kMarginShare = 0.05;  // of the radius, so that the stroke is not cut off
 
 // The d attribute; y is turned over here and nowhere else.
 class Path {
@@ -50,7 +50,7 @@ class Path {
 
  private:
   // 1e-10 mm.
-  static std::string shorter(double value) { return short_decimal(value, 10); }
+  static std::string shorter(double value) { return short_decimals(value, 10); }
   static int shorter(int value) { return value; }
   template <class... T>
   void add(const char* form, T... values) {
@@ -70,39 +70,27 @@ struct DrawnBody {
 };
 
 Result<DrawnBody> draw(const ToothedBody& body, const SvgOptions& options, bool in_place) {
-  const auto contour = closed_contour(body.outline);
+  const auto contour = body_contour(body);
   if (!contour) return contour.error();
-  const auto bore = bore_contour(body, contour->inner_radius, contour->outer_radius);
-  if (!bore) return bore.error();
+  const auto fits = fit_arcs(body.outline, contour->teeth, options.tolerance_mm, fit_beziers);
+  if (!fits) return fits.error();
 
   int segments = 0;
-  double deviation = 0.0;
-  std::vector<std::optional<BezierChain>> chains(body.outline.arcs.size());
   Path path(in_place ? &body.pose : nullptr);
-  path.move(contour->pieces.front().begin);
-  for (const ContourPiece& piece : contour->pieces) {
+  path.move(contour->teeth.pieces.front().begin);
+  for (const ContourPiece& piece : contour->teeth.pieces) {
     if (piece.land) {
       path.arc(piece.begin.norm(), piece.sweep, piece.end);
       ++segments;
       continue;
     }
-    std::optional<BezierChain>& chain = chains[piece.arc];
-    if (!chain) {
-      const Arc& arc = body.outline.arcs[piece.arc];
-      chain = fit_beziers(arc, options.tolerance_mm);
-      if (!(chain->deviation_mm <= options.tolerance_mm)) {
-        return beyond_tolerance(arc, chain->deviation_mm, options.tolerance_mm);
-      }
-      deviation = std::max(deviation, chain->deviation_mm);
-    }
-    const std::vector<Vec2> p = placed(*contour, piece, chain->points);
+    const std::vector<Vec2> p = placed(contour->teeth, piece, fits->arcs[piece.arc]->points);
     for (std::size_t i = 1; i < p.size(); i += 3) path.cubic(p[i], p[i + 1], p[i + 2]);
     segments += static_cast<int>(p.size() / 3);
   }
   path.close();
 
-  double reach = contour->outer_radius;
-  if (const auto& b = *bore) {
+  if (const auto& b = contour->bore) {
     path.move(b->points.front());
     for (std::size_t i = 0; i < b->points.size(); ++i) {
       const Vec2& to = b->points[(i + 1) % b->points.size()];
@@ -114,10 +102,9 @@ Result<DrawnBody> draw(const ToothedBody& body, const SvgOptions& options, bool 
     }
     path.close();
     segments += static_cast<int>(b->points.size());
-    reach = std::max(reach, b->radius);
   }
 
-  return DrawnBody{path.text(), segments, deviation, reach};
+  return DrawnBody{path.text(), segments, fits->deviation_mm, contour->reach()};
 }
 
 }  // namespace
@@ -137,13 +124,13 @@ Result<Drawing> svg_drawing(const std::vector<ToothedBody>& bodies, const SvgOpt
     drawing.deviation_mm = std::max(drawing.deviation_mm, drawn->deviation);
     const Vec2 center = in_place ? Vec2(body.pose.translation().x(), -body.pose.translation().y())
                                  : Vec2(Vec2::Zero());
-    margin = std::max(margin, kMargin * drawn->radius);
+    margin = std::max(margin, kMarginShare * drawn->radius);
     box.extend(center - Vec2::Constant(drawn->radius));
     box.extend(center + Vec2::Constant(drawn->radius));
     paths += fmt::format(
         "<path fill=\"#dfe3e8\" fill-rule=\"evenodd\" stroke=\"#1b2733\" stroke-width=\"{:.4f}\" "
         "stroke-linejoin=\"round\" d=\"\n{}\"/>\n",
-        0.002 * (1.0 + kMargin) * drawn->radius, drawn->path);
+        0.002 * (1.0 + kMarginShare) * drawn->radius, drawn->path);
   }
   std::string title = bodies.front().name;
   for (std::size_t i = 1; i < bodies.size(); ++i) title += ", " + bodies[i].name;

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/cad/file_text.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/modification_keys.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
@@ -35,7 +35,7 @@ std::string with_minus(std::string number) {
 }
 
 std::string number(const QuantityInfo& info, double value) {
-  const std::string text = short_decimal(value, digits_of(info));
+  const std::string text = short_decimals(value, digits_of(info));
   return with_minus(text) + (info.unit == Unit::deg ? "°" : "");
 }
 
@@ -137,10 +137,10 @@ Group thickness(bool ring, const Records& gear, const Records& measure) {
 }
 
 std::string amount(const ModificationEntry& entry, const FlankModifications& m) {
-  const std::string text = with_minus(short_decimal(kUmPerMm * entry.amount_of(m), 3)) + " µm";
+  const std::string text = with_minus(short_decimals(kUmPerMm * entry.amount_of(m), 3)) + " µm";
   if (!entry.relief || !(m.*entry.relief).reach) return text;
   const bool diameter = entry.reach == "_start_mm";
-  return text + (diameter ? " from Ø" : " over ") + short_decimal(*(m.*entry.relief).reach, 4);
+  return text + (diameter ? " from Ø" : " over ") + short_decimals(*(m.*entry.relief).reach, 4);
 }
 
 Group modifications(const std::array<FlankModifications, 2>& flanks) {

@@ -1,0 +1,73 @@
+// What fits of arcs by simpler curves share. Internal to cad/.
+//
+// How far a point lies from a circle that is given where it touches, good for lines too:
+//
+//   e    the point, seen from a point of the circle, mm      κ    curvature, 1/mm
+//   N    unit normal there, to the left: the centre is N/κ away
+//
+// |e − N/κ|² = (1 + κq)/κ² with q = κ|e|² − 2e·N, hence
+//
+//     | |e − N/κ| − 1/|κ| | = |q|/(1 + √(1 + κq))
+//
+// where nothing is divided by κ, and nothing cancels where the radius is huge.
+//
+// Marching along an interval by steps that are each as long as a condition allows: where the condition
+// fails for every longer step once it has failed (an error that grows with the length), they are the
+// fewest that cover the interval.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/curve/curve.hpp"
+
+namespace gearwright {
+
+/// Distance of e from the circle through the origin with normal N and curvature κ.
+///
+/// Units     mm
+/// Domain    |N| = 1; κ = 0 is the straight line
+/// Accuracy  |error| < 4 ε (|e| + κ|e|²)
+inline double circle_distance(const Vec2& e, const Vec2& normal, double kappa) {
+  const double q = kappa * e.squaredNorm() - 2.0 * e.dot(normal);
+  return std::abs(q) / (1.0 + std::sqrt(std::max(0.0, 1.0 + kappa * q)));
+}
+
+/// Normal distance of p from a curve near the point w of it: from the osculating circle at w.
+///
+/// Accuracy  third order in the distance from w along the curve
+inline double osculating_distance(const CurvePoint& w, const Vec2& p) {
+  const Vec2 normal(-std::sin(w.tangent_angle), std::cos(w.tangent_angle));
+  return circle_distance(p - w.point, normal, w.curvature);
+}
+
+struct StepLimits {
+  double shortest;  ///< of the interval's unit: a step this short is taken, fit or not
+  double known;     ///< the end is known well enough when bracketed within this part of the step
+};
+
+/// The greatest x in (from, to] with fits(x), by a bracket grown from `guess`, a step length.
+///
+/// Accuracy  within limits.known of the step, on the side that fits; from + shortest if nothing
+///           fits
+/// Domain    from < to, guess > 0
+template <class Fits>
+double longest_step(double from, double to, double guess, StepLimits limits, const Fits& fits) {
+  if (to - from <= limits.shortest || fits(to)) return to;
+  double good = from;
+  double bad = to;
+  double next = std::min(from + guess, 0.5 * (from + to));
+  while (true) {
+    if (fits(next)) {
+      good = next;
+      next = std::min(from + 1.5 * (good - from), 0.5 * (good + bad));
+    } else {
+      bad = next;
+      if (good == from && bad - from <= limits.shortest) return bad;
+      next = 0.5 * (good + bad);
+    }
+    if (good > from && bad - good <= limits.known * (good - from)) return good;
+  }
+}
+
+}  // namespace gearwright
