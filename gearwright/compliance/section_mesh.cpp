@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "gearwright/compliance/q9.hpp"
+#include "gearwright/curve/arc_length.hpp"
 
 namespace gearwright {
 
@@ -24,11 +25,7 @@ struct Part {
 };
 
 double arc_length(const Arc& arc) {
-  constexpr int kSteps = 32;
-  double length = 0.0;
-  for (int i = 0; i < kSteps; ++i)
-    length += (arc.point((i + 1.0) / kSteps) - arc.point(double(i) / kSteps)).norm();
-  return length;
+  return arc.begin == arc.end ? 0.0 : ArcLength(*arc.curve, arc.begin, arc.end).length();
 }
 
 // The elements of one kind of arc shared among its pieces by their length, one each at least.
