@@ -10,16 +10,14 @@
 #include "gearwright/job/contact_report.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/load_report.hpp"
-#include "gearwright/report/contact_flank_picture.hpp"
-#include "gearwright/report/contact_te_picture.hpp"
+#include "gearwright/report/contact_figures.hpp"
+#include "gearwright/report/gear_figures.hpp"
 #include "gearwright/report/gear_shape.hpp"
-#include "gearwright/report/gear_table.hpp"
 #include "gearwright/report/html_text.hpp"
-#include "gearwright/report/mesh_picture.hpp"
 #include "gearwright/report/page_parts.hpp"
+#include "gearwright/report/pair_figures.hpp"
 #include "gearwright/report/report.hpp"
 #include "gearwright/report/report_tables.hpp"
-#include "gearwright/report/tooth_picture.hpp"
 
 namespace gearwright::python {
 

@@ -1,5 +1,3 @@
-#include "gearwright/report/arc_pair_section.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,14 +8,10 @@
 #include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/named_circles.hpp"
+#include "gearwright/report/report_sections.hpp"
 #include "gearwright/report/report_tables.hpp"
-#include "gearwright/report/shown_values.hpp"
-#include "gearwright/report/svg.hpp"
 
 namespace gearwright {
-
-using shown::length;
-using shown::ratio;
 
 namespace {
 
@@ -60,14 +54,14 @@ std::string contact_figure(const ArcPair& pair, std::size_t which,
   const Vec2 p(at.x(), at.y());
   svg.line(view.px(p - n), view.px(p + n), "action-line");
   svg.dot(view.px(p), 4.0, "mark action-dot");
-  return fmt::format(
-      "<figure>{}<figcaption><strong>Contact on the convex flank of gear {}</strong>, section z = "
-      "{} mm, gear 1 driving clockwise. <span class=\"key\"><i class=\"swatch g1\"></i>gear "
-      "1</span> <span class=\"key\"><i class=\"swatch g2\"></i>gear 2</span> <span "
-      "class=\"key\"><i class=\"swatch action\"></i>common normal</span> Tip circles full, working "
-      "pitch circles dash-dot, root circles dashed. The point runs along the face, parallel to the "
-      "axes.</figcaption></figure>\n",
-      svg.str(), contact.convex_gear, fixed(at.z(), kLengthDigits));
+  return captioned(
+      svg.str(),
+      fmt::format(
+          "<strong>Contact on the convex flank of gear {}</strong>, section z = {} mm, gear 1 "
+          "driving clockwise. {} {} Tip circles full, working pitch circles dash-dot, root "
+          "circles dashed. The point runs along the face, parallel to the axes.",
+          contact.convex_gear, fixed(at.z(), kLengthDigits), gear_keys(),
+          caption_key("action", "common normal")));
 }
 
 }  // namespace

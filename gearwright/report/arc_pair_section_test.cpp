@@ -1,7 +1,7 @@
 // The page of a pair of circular-arc gears: sound HTML, nothing of an involute, flanks that touch
 // in the pictures.
-#include "gearwright/report/arc_pair_section.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
+#include "gearwright/report/report_sections.hpp"
 
 #include <gtest/gtest.h>
 

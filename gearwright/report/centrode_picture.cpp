@@ -1,5 +1,3 @@
-#include "gearwright/report/centrode_picture.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,7 +6,7 @@
 
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/named_circles.hpp"
-#include "gearwright/report/svg.hpp"
+#include "gearwright/report/pair_figures.hpp"
 
 namespace gearwright {
 
@@ -118,17 +116,20 @@ std::string centrode_figures(const InvolutePair& pair) {
   const Centrodes c = centrodes_of(pair);
   const Viewport view = window(pair, c);
   const double sum = pair.gears[0].spec.profile_shift + pair.gears[1].spec.profile_shift;
-  return fmt::format(
-      "<h3>Centrodes</h3>\n<div class=\"figures\">\n<figure>{}<figcaption><strong>Before the "
-      "shift</strong>: at {} = {} mm the reference circles touch at I and roll on each "
-      "other.</figcaption></figure>\n<figure>{}<figcaption><strong>After it</strong>: with {} + {} "
-      "= {} the axes stand {} = {} mm apart. The working pitch circles (full) roll on each other "
-      "at I′ in the same ratio; the reference circles (dash-dot) {} by {} "
-      "mm.</figcaption></figure>\n</div>\n",
-      before_svg(view, c), symbol_html("a_d"), fixed(c.a_d, kLengthDigits), after_svg(view, c),
+  const std::string before = fmt::format(
+      "<strong>Before the shift</strong>: at {} = {} mm the reference circles touch at I and roll "
+      "on "
+      "each other.",
+      symbol_html("a_d"), fixed(c.a_d, kLengthDigits));
+  const std::string after = fmt::format(
+      "<strong>After it</strong>: with {} + {} = {} the axes stand {} = {} mm apart. The working "
+      "pitch circles (full) roll on each other at I′ in the same ratio; the reference circles "
+      "(dash-dot) {} by {} mm.",
       symbol_html("x_1"), symbol_html("x_2"), fixed(sum, kRatioDigits), symbol_html("a"),
       fixed(c.a, kLengthDigits), (c.a - c.a_d) * c.side_1 > 0.0 ? "are apart" : "overlap",
       fixed(std::abs(c.a - c.a_d), kLengthDigits));
+  return "<h3>Centrodes</h3>\n" + side_by_side(captioned(before_svg(view, c), before) +
+                                               captioned(after_svg(view, c), after));
 }
 
 }  // namespace gearwright

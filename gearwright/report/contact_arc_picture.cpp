@@ -1,5 +1,3 @@
-#include "gearwright/report/contact_arc_picture.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,10 +7,10 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/report/arc_pair_section.hpp"
+#include "gearwright/report/contact_figures.hpp"
 #include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
-#include "gearwright/report/svg.hpp"
+#include "gearwright/report/report_sections.hpp"
 
 namespace gearwright {
 
@@ -20,8 +18,6 @@ namespace {
 
 constexpr double kWidth = 640.0;
 constexpr double kHeight = 460.0;
-
-const std::array<const char*, 2> kInk{"g1", "g2"};
 
 // A rack over two pitches, from the side of the material, in the frame of the convex gear's tooth:
 // (height towards the mating gear, across). `mate`: turned over and moved by half a pitch.
@@ -49,7 +45,7 @@ std::vector<Vec2> closed(std::vector<Vec2> chain, double depth) {
 }
 
 // Plane (up, right) to the picture; Viewport with x_up has y to the left.
-Vec2 upright(const Viewport& view, const Vec2& p) { return view.px({p.x(), -p.y()}); }
+Vec2 upright(const Viewport& view, const Vec2& p) { return view.px(mirrored(p)); }
 
 std::vector<Vec2> carried(const Viewport& view, const std::vector<Vec2>& points) {
   std::vector<Vec2> px;
@@ -103,12 +99,10 @@ Arcs arcs_of_contact(const ArcPair& pair, const ArcPairContact& contact, double 
 
 // "■ gear 1, convex: ρ = …, a = …, b = … mm"
 std::string arc_key(std::size_t gear, const char* shape, const WorkingArc& arc) {
-  return fmt::format(
-      "<span class=\"key\"><i class=\"swatch {}\"></i>gear {}, {}:</span> {} = {}, {} = {}, {} = "
-      "{} "
-      "mm",
-      kInk[gear], gear + 1, shape, symbol_html("ρ"), fixed(arc.radius, 4), symbol_html("a"),
-      fixed(arc.a, 4), symbol_html("b"), fixed(arc.b, 4));
+  return fmt::format("{} {} = {}, {} = {}, {} = {} mm",
+                     caption_key(kInk[gear], fmt::format("gear {}, {}:", gear + 1, shape)),
+                     symbol_html("ρ"), fixed(arc.radius, 4), symbol_html("a"), fixed(arc.a, 4),
+                     symbol_html("b"), fixed(arc.b, 4));
 }
 
 std::string rack_figure(const ArcPair& pair, const ArcPairContact& contact) {
@@ -156,14 +150,15 @@ std::string rack_figure(const ArcPair& pair, const ArcPairContact& contact) {
     svg.text(upright(view, center + 0.3 * (M - center)), symbol_svg("ρ_" + number), Anchor::middle,
              std::string("halo ") + kInk[gear], {0.0, up ? -12.0 : 24.0});
   }
-  return fmt::format(
-      "<figure>{}<figcaption><strong>The racks in the normal section</strong>, pitch lines "
-      "dash-dot one on the other; at M they touch, the normal at {} = {}° to the pitch line. The "
-      "centres O lie {} beyond the middle of the tooth and {} below the pitch line.<br>{}<br>{}"
-      "</figcaption></figure>\n",
-      svg.str(), symbol_html("ψ_c"), fixed(theta * kDegPerRad, 3), symbol_html("a"),
-      symbol_html("b"), arc_key(arcs.convex, "convex", arcs.v),
-      arc_key(arcs.concave, "concave", arcs.c));
+  return captioned(
+      svg.str(),
+      fmt::format(
+          "<strong>The racks in the normal section</strong>, pitch lines dash-dot one on the "
+          "other; "
+          "at M they touch, the normal at {} = {}° to the pitch line. The centres O lie {} beyond "
+          "the middle of the tooth and {} below the pitch line.<br>{}<br>{}",
+          symbol_html("ψ_c"), fixed(theta * kDegPerRad, 3), symbol_html("a"), symbol_html("b"),
+          arc_key(arcs.convex, "convex", arcs.v), arc_key(arcs.concave, "concave", arcs.c)));
 }
 
 std::string teeth_figure(const ArcPair& pair, const ArcPairContact& contact) {
@@ -180,13 +175,12 @@ std::string teeth_figure(const ArcPair& pair, const ArcPairContact& contact) {
       Vec2(contact.at.normal.x(), contact.at.normal.dot(plane.across)).normalized() * 1.4 * m;
   svg.line(upright(view, -n), upright(view, n), "action-line");
   svg.dot(upright(view, {0, 0}), 4.2, "mark action-dot");
-  return fmt::format(
-      "<figure>{}<figcaption><strong>The teeth across the contact point</strong>, in the plane "
-      "normal to the tooth, as mounted without errors: normal angle {}°. <span class=\"key\"><i "
-      "class=\"swatch g1\"></i>gear 1, below</span> <span class=\"key\"><i class=\"swatch "
-      "g2\"></i>gear 2, above</span> <span class=\"key\"><i class=\"swatch action\"></i>common "
-      "normal</span></figcaption></figure>\n",
-      svg.str(), fixed(contact.at.theta.deg(), 3));
+  return captioned(
+      svg.str(),
+      fmt::format("<strong>The teeth across the contact point</strong>, in the plane normal to the "
+                  "tooth, as mounted without errors: normal angle {}°. {} {} {}",
+                  fixed(contact.at.theta.deg(), 3), caption_key("g1", "gear 1, below"),
+                  caption_key("g2", "gear 2, above"), caption_key("action", "common normal")));
 }
 
 }  // namespace
@@ -271,8 +265,7 @@ std::vector<Vec2> normal_section(const ArcPair& pair, const ArcPairContact& cont
 std::string arc_contact_figures(const ArcPair& pair) {
   if (pair.contacts.empty()) return {};
   const ArcPairContact& contact = pair.first_contact();
-  return "<div class=\"figures\">\n" + rack_figure(pair, contact) + teeth_figure(pair, contact) +
-         "</div>\n";
+  return side_by_side(rack_figure(pair, contact) + teeth_figure(pair, contact));
 }
 
 }  // namespace gearwright

@@ -2,15 +2,17 @@
 //
 // A raster's nodes are (column, row); between two of them the value is linear. A node that is
 // infinite lies above every level: the border runs halfway to it, for no one knows where between
-// the nodes the values end. The raster's own edge closes every region.
+// the nodes the values end. The raster's own edge closes every region. Values are shown as ten shades
+// from dark (low) to bright, with the levels at which they change.
 #pragma once
 
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "gearwright/base/vector.hpp"
+#include "gearwright/report/svg.hpp"
 
 namespace gearwright {
 
@@ -35,5 +37,15 @@ std::string loops_path(const std::vector<std::vector<Vec2>>& loops,
 
 /// The enclosed area in squares of the raster, even-odd.
 double area_of(const std::vector<std::vector<Vec2>>& loops);
+
+constexpr double kShadeBox = 20.0;  ///< px, of the key
+
+/// Classes of step i of n, from the lowest on.
+std::string shade_style(std::size_t i, std::size_t n);
+
+/// The key: a box for each step, the lowest at the bottom, with the levels between them and the
+/// words at its upper end (SVG markup). Where it ends, px.
+double draw_shades(Svg& svg, const Vec2& corner, const std::vector<double>& levels,
+                   std::string_view most);
 
 }  // namespace gearwright

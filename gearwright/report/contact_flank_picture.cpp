@@ -1,5 +1,3 @@
-#include "gearwright/report/contact_flank_picture.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,24 +6,14 @@
 #include <limits>
 
 #include "gearwright/base/units.hpp"
-#include "gearwright/report/contact_te_picture.hpp"
+#include "gearwright/report/contact_figures.hpp"
 #include "gearwright/report/flank_frame.hpp"
 #include "gearwright/report/html_text.hpp"
-#include "gearwright/report/shown_values.hpp"
-#include "gearwright/report/svg.hpp"
 
 namespace gearwright {
 
 namespace {
 
-using flank::kBeyond;
-using flank::kFoot;
-using flank::kHigh;
-using flank::kLeft;
-using flank::kLow;
-using flank::kRight;
-using flank::kTop;
-using flank::kWidth;
 constexpr int kEllipses = 7;  // drawn, or a few more
 
 // A contact line is straight in space and a curve on a flank laid flat.
@@ -110,36 +98,29 @@ std::string pattern_figure(const ContactReport& report, const std::vector<PathPi
                            std::size_t which) {
   const Gear& gear = *report.gears[which];
   const FlankRaster& raster = report.patterns[which];
-  const FlankFrame f =
-      frame_of(raster, gear.internal(), kLeft, kWidth - kRight, kTop + kBeyond, kLow, kHigh);
+  const FlankFrame f = frame_of(raster, gear.internal());
   const std::string name = fmt::format("Gear {}", which + 1);
-  Svg svg(fmt::format("bearing{}", which + 1), kWidth, f.bottom() + kBeyond + kFoot,
-          fmt::format("{}: bearing contact on the flank", name),
-          "The usable flank laid flat with the marking pattern, the path of the contact point and "
-          "contact ellipses or lines at equal steps of rotation.");
-  draw_flank(svg, f, which);
-  svg.begin_clip(f.z.from, f.top(), f.z.to - f.z.from, f.bottom() - f.top());
+  Svg svg = flank_picture(fmt::format("bearing{}", which + 1), f, which,
+                          name + ": bearing contact on the flank",
+                          "The usable flank laid flat with the marking pattern, the path of the "
+                          "contact point and contact "
+                          "ellipses or lines at equal steps of rotation.");
   svg.path(loops_path(regions_below(field_of(raster), report.marking), nodes_px(raster, f)),
            "marked");
   draw_instants(svg, report, pieces, which, f);
   svg.end_group();
   draw_path(svg, pieces, which, f);
   const Seen seen = seen_in(pieces);
-  std::string keys =
-      "<span class=\"key\"><i class=\"swatch marked\"></i>marking rubbed off</span> ";
-  if (seen.inside)
-    keys += "<span class=\"key\"><i class=\"swatch action\"></i>way of the contact point</span> ";
-  if (seen.edge)
-    keys += "<span class=\"key\"><i class=\"swatch edge-way\"></i>touched by an edge</span> ";
-  if (seen.ellipse)
-    keys += "<span class=\"key\"><i class=\"swatch instant\"></i>contact ellipse</span> ";
-  if (seen.line)
-    keys += "<span class=\"key\"><i class=\"swatch instant-line\"></i>contact line</span> ";
-  return fmt::format(
-      "<figure>{}<figcaption><strong>{}, {}</strong>; the marking covers {} % of it. {}From the "
-      "hollow dot to the full one. {}</figcaption></figure>\n",
-      svg.str(), name, side_words(report, which),
-      fixed(100 * pattern_share(raster, report.marking), 0), keys, proportions(f));
+  std::string keys = caption_key("marked", "marking rubbed off") + " ";
+  if (seen.inside) keys += caption_key("action", "way of the contact point") + " ";
+  if (seen.edge) keys += caption_key("edge-way", "touched by an edge") + " ";
+  if (seen.ellipse) keys += caption_key("instant", "contact ellipse") + " ";
+  if (seen.line) keys += caption_key("instant-line", "contact line") + " ";
+  return captioned(
+      svg.str(), fmt::format("<strong>{}, {}</strong>; the marking covers {} % of it. {}From the "
+                             "hollow dot to the full one. {}",
+                             name, side_words(report, which),
+                             percent(pattern_share(raster, report.marking)), keys, proportions(f)));
 }
 
 constexpr std::array<double, 6> kGapLevels{50, 20, 10, 5, 2, 1};  // µm
@@ -232,21 +213,18 @@ std::vector<PathPiece> path_on_tooth(const ContactReport& report) {
 
 std::string pattern_figures(const ContactReport& report) {
   const std::vector<PathPiece> pieces = path_on_tooth(report);
-  return "<div class=\"figures\">\n" + pattern_figure(report, pieces, 0) +
-         pattern_figure(report, pieces, 1) + "</div>\n";
+  return side_by_side(pattern_figure(report, pieces, 0) + pattern_figure(report, pieces, 1));
 }
 
 std::string gap_figure(const ContactReport& report) {
   if (!report.middle) return {};
   const FlankRaster& raster = report.middle_gap;
-  const FlankFrame f =
-      frame_of(raster, false, kLeft, kWidth - kRight, kTop + kBeyond, 230.0, kHigh);
-  Svg svg("gap", kWidth, f.bottom() + kBeyond + kFoot, "Gap between the flanks",
-          "Contour lines of the gap between both flanks at one position, on the flank of gear 1.");
-  draw_flank(svg, f, 0);
+  const FlankFrame f = frame_of(raster, false, 230.0);
+  Svg svg = flank_picture(
+      "gap", f, 0, "Gap between the flanks",
+      "Contour lines of the gap between both flanks at one position, on the flank of gear 1.");
   const ContourField field = field_of(raster);
   const auto px = nodes_px(raster, f);
-  svg.begin_clip(f.z.from, f.top(), f.z.to - f.z.from, f.bottom() - f.top());
   std::vector<std::pair<double, std::vector<std::vector<Vec2>>>> levels;
   for (const double um : kGapLevels) {
     levels.emplace_back(um, regions_below(field, um * kMmPerUm));
@@ -263,14 +241,13 @@ std::string gap_figure(const ContactReport& report) {
     taken.push_back({*place});
     svg.text(*place, fmt::format("{:g}", it->first), Anchor::middle, "inzone halo", {0.0, 4.0});
   }
-  return fmt::format(
-      "<figure>{}<figcaption><strong>Gap between the flanks</strong> on gear 1, tooth pair {}, at "
-      "rotation {}°: lines where it is 1, 2, 5, 10, 20 and 50 µm, as far as the mating gear "
-      "reaches. "
-      "<span class=\"key\"><i class=\"swatch action\"></i>{}</span></figcaption></figure>\n",
-      svg.str(), report.middle->pair == 0 ? "0" : fmt::format("{:+d}", report.middle->pair),
-      fixed(report.middle->rotation1.deg(), 3),
-      report.middle->line ? "contact line" : "contact point");
+  return captioned(
+      svg.str(),
+      fmt::format(
+          "<strong>Gap between the flanks</strong> on gear 1, tooth pair {}, at rotation {}°: "
+          "lines where it is 1, 2, 5, 10, 20 and 50 µm, as far as the mating gear reaches. {}",
+          pair_words(report.middle->pair), fixed(report.middle->rotation1.deg(), 3),
+          caption_key("action", report.middle->line ? "contact line" : "contact point")));
 }
 
 std::string pattern_multiples(const ContactReport& report) {
@@ -286,11 +263,12 @@ std::string pattern_multiples(const ContactReport& report) {
              "marked");
     svg.rect(f.z.from, f.top(), f.z.to - f.z.from, f.bottom() - f.top(), "limit");
     const double peak = u.peak_to_peak.arcsec();
-    text += fmt::format(
-        "<figure{}>{}<figcaption>{}{}{}<br>{}</figcaption></figure>\n",
-        u.as_specified ? " class=\"own\"" : "", svg.str(), u.as_specified ? "<strong>" : "",
-        escaped(u.name), u.as_specified ? "</strong>" : "",
-        std::isnan(peak) ? "nothing touches" : "peak to peak " + shown_arcsec(peak) + "″");
+    const std::string name = escaped(u.name);
+    text += captioned(
+        svg.str(),
+        (u.as_specified ? "<strong>" + name + "</strong>" : name) + "<br>" +
+            (std::isnan(peak) ? "nothing touches" : "peak to peak " + shown_arcsec(peak) + "″"),
+        u.as_specified ? " class=\"own\"" : "");
   }
   return text.empty() ? text : "<div class=\"multiples contact\">\n" + text + "</div>\n";
 }

@@ -1,5 +1,3 @@
-#include "gearwright/report/contact_map_picture.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,22 +6,15 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/report/contact_contour.hpp"
-#include "gearwright/report/contact_te_picture.hpp"
+#include "gearwright/report/contact_figures.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/plot_axis.hpp"
-#include "gearwright/report/shades.hpp"
-#include "gearwright/report/svg.hpp"
 
 namespace gearwright {
 
 namespace {
 
-constexpr double kWidth = 640.0;
-constexpr double kLeft = 74.0;
-constexpr double kRight = 138.0;
-constexpr double kTop = 44.0;
-constexpr double kPlot = 350.0;
+constexpr PlotArea kArea{640, 74, 138, 44, 350, 50};
 constexpr int kMaxLevels = 9;
 
 // Values of the map as a raster; what touches nothing lies above every level.
@@ -35,9 +26,9 @@ ContourField field_of(const ErrorMap& map) {
 }
 
 void draw_legend(Svg& svg, const std::vector<double>& levels, double most, bool gaps) {
-  const double left = kWidth - kRight + 22;
-  svg.text({kWidth - 12, 20}, "peak to peak, ″", Anchor::end, "panel");
-  const double foot = draw_shades(svg, {left, kTop + 4}, levels, "≤ " + shown_arcsec(most));
+  const double left = kArea.width - kArea.right + 22;
+  svg.text({kArea.width - 12, 20}, "peak to peak, ″", Anchor::end, "panel");
+  const double foot = draw_shades(svg, {left, kArea.top + 4}, levels, "≤ " + shown_arcsec(most));
   if (!gaps) return;
   const double y = foot + 14;
   svg.rect(left, y, kShadeBox, kShadeBox, "zone none");
@@ -58,19 +49,16 @@ std::vector<double> map_levels(const ErrorMap& map) {
   }
   // Rounding alone is no field.
   if (!(hi - lo > 1e-6)) return {};
-  std::vector<double> levels;
-  for (const double v : round_ticks(lo, hi, kMaxLevels).values)
-    if (v > lo && v < hi) levels.push_back(v);
-  return levels;
+  return levels_between(lo, hi, kMaxLevels);
 }
 
 std::string map_figure(const ContactReport& report) {
   GW_EXPECTS(report.map.has_value());
   const ErrorMap& map = report.map->map;
   const auto& names = report.map->axes;
-  const Axis x{map.x.front(), map.x.back(), kLeft, kWidth - kRight};
-  const Axis y{map.y.front(), map.y.back(), kTop + kPlot, kTop};
-  Svg svg("error-map", kWidth, kTop + kPlot + 50, "Peak to peak over two errors",
+  const Axis x = kArea.across(map.x.front(), map.x.back());
+  const Axis y = kArea.up(map.y.front(), map.y.back());
+  Svg svg("error-map", kArea.width, kArea.height(), "Peak to peak over two errors",
           fmt::format("Shades and contour lines of the transmission error's peak to peak over {} "
                       "and {}.",
                       names[0].name, names[1].name));
@@ -91,10 +79,10 @@ std::string map_figure(const ContactReport& report) {
   }
   svg.text({12, 20}, escaped(names[1].name) + ", " + escaped(names[1].unit), Anchor::start,
            "panel");
-  svg.begin_clip(x.from, kTop, x.to - x.from, kPlot);
+  svg.begin_clip(x.from, kArea.top, x.to - x.from, kArea.tall);
   // From the whole down to the lowest step, one over the other.
   const std::size_t n = levels.size() + 1;
-  svg.rect(x.from, kTop, x.to - x.from, kPlot, "zone none");
+  svg.rect(x.from, kArea.top, x.to - x.from, kArea.tall, "zone none");
   svg.path(loops_path(regions_below(field, 2 * most + 1), px), shade_style(n - 1, n));
   for (std::size_t i = levels.size(); i-- > 0;) {
     const auto loops = regions_below(field, levels[i]);
@@ -106,8 +94,8 @@ std::string map_figure(const ContactReport& report) {
     svg.line({x.from - 4, y(v)}, {x.from, y(v)}, "axis");
     svg.text({x.from - 8, y(v) + 4}, fixed(v, rows.decimals), Anchor::end, "tick");
   }
-  svg.rect(x.from, kTop, x.to - x.from, kPlot, "axis");
-  draw_foot(svg, x, kTop + kPlot, kTop + kPlot, 6,
+  svg.rect(x.from, kArea.top, x.to - x.from, kArea.tall, "axis");
+  draw_foot(svg, x, kArea.bottom(), kArea.bottom(), 6,
             escaped(names[0].name) + ", " + escaped(names[0].unit));
   draw_legend(svg, levels, most, gaps);
   const bool inside = names[0].value >= x.lo && names[0].value <= x.hi && names[1].value >= y.lo &&
@@ -117,10 +105,10 @@ std::string map_figure(const ContactReport& report) {
     svg.dot(at, 7.5, "here-ring");
     svg.dot(at, 3.0, "here-dot");
   }
-  return fmt::format(
-      "<figure>{}<figcaption><strong>Peak to peak over two errors</strong>, all others as "
-      "specified; the brighter, the more.{}</figcaption></figure>\n",
-      svg.str(), inside ? " The ringed dot: as specified." : "");
+  return captioned(svg.str(),
+                   fmt::format("<strong>Peak to peak over two errors</strong>, all others as "
+                               "specified; the brighter, the more.{}",
+                               inside ? " The ringed dot: as specified." : ""));
 }
 
 }  // namespace gearwright

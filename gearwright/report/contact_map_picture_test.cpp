@@ -1,4 +1,4 @@
-#include "gearwright/report/contact_map_picture.hpp"
+#include "gearwright/report/contact_figures.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/report/html_text.hpp"
 
 namespace gearwright {
 
@@ -59,6 +61,48 @@ std::vector<FlankPlace> ellipse_on(const ContactReport& report, const ContactPoi
     points.push_back({at.height + d.dot(axis.direction), at.radius + d.dot(radial)});
   }
   return points;
+}
+
+std::string pair_words(int k) { return k == 0 ? "0" : fmt::format("{:+d}", k); }
+
+std::string shown_arcsec(double arcsec) {
+  const double size = std::abs(arcsec);
+  if (size < 5e-7) return "0";
+  return fixed(arcsec, size >= 100 ? 1 : size >= 10 ? 2 : size >= 0.1 ? 3 : 6);
+}
+
+std::string contact_words(const ContactResult& contact) {
+  if (contact.contact_lost) {
+    return "At some positions no tooth pair touches: the teeth would part and strike. This "
+           "pair needs a wider face, more teeth in mesh or smaller errors.";
+  }
+  const auto all = static_cast<double>(contact.positions.size());
+  const auto count = [&](auto is) {
+    return static_cast<double>(std::count_if(contact.positions.begin(), contact.positions.end(),
+                                             [&](const ContactPoint& p) { return is(p.kind); }));
+  };
+  const double edges = count(is_edge) / all;
+  const bool lines = count([](TouchKind k) { return k == TouchKind::line; }) == all;
+  if (contact.peak_to_peak.arcsec() < kConjugate && edges == 0.0)
+    return lines ? "Rotation is passed on exactly, without any error, and the flanks touch as they "
+                   "should, along lines across the face."
+                 : "Rotation is passed on exactly, without any error, and the flanks touch as they "
+                   "should.";
+  std::string text = fmt::format("While a tooth passes, gear 2 runs up to {}″ unevenly. ",
+                                 shown_arcsec(contact.peak_to_peak.arcsec()));
+  if (lines) return text + "The flanks touch along lines across the face: no edge carries.";
+  if (edges == 0.0) {
+    text += "The flanks always touch inside their limits: no edge carries.";
+    const double ridges = count([](TouchKind k) { return k == TouchKind::ridge; }) / all;
+    if (ridges > 0.0)
+      text += fmt::format(" During {:.0f} % of the rotation they touch at the start of a relief.",
+                          std::max(1.0, 100 * ridges));
+    return text;
+  }
+  return text + fmt::format(
+                    "During {:.0f} % of the rotation an edge touches where a flank should; "
+                    "crowning or reliefs would bring the contact inside, or smaller errors.",
+                    100 * edges);
 }
 
 std::string words_of(const NamedAmount& amount) {

@@ -70,6 +70,18 @@ double pitch_of(const ContactReport& report);
 /// "tip edge of gear 1"
 const char* words_of(TouchKind kind);
 
+/// A tooth pair's number with its sign; "0" is the one nearest the centre line.
+std::string pair_words(int k);
+
+/// Arc seconds with the digits that a reader can use.
+std::string shown_arcsec(double arcsec);
+
+inline constexpr double kConjugate = 1e-6;  ///< arcsec: a peak to peak below it is rounding
+
+/// What tooth contact comes to, in the words of every door: how unevenly gear 2 runs, and whether
+/// flanks touch, along lines or in points, or edges. One or two sentences, plain text.
+std::string contact_words(const ContactResult& contact);
+
 /// Place of a point of the housing on a gear: height along its axis and radius, mm.
 struct FlankPlace {
   double height, radius;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearwright/report/contact_flank_picture.hpp"
+#include "gearwright/report/contact_figures.hpp"
 #include "gearwright/report/testing/sample_contact.hpp"
 
 namespace gearwright {

@@ -1,5 +1,3 @@
-#include "gearwright/report/contact_section.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,13 +5,9 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/report/contact_arc_picture.hpp"
-#include "gearwright/report/contact_flank_picture.hpp"
-#include "gearwright/report/contact_map_picture.hpp"
-#include "gearwright/report/contact_te_picture.hpp"
-#include "gearwright/report/contact_words.hpp"
+#include "gearwright/report/contact_figures.hpp"
 #include "gearwright/report/html_text.hpp"
-#include "gearwright/report/shown_values.hpp"
+#include "gearwright/report/report_sections.hpp"
 #include "gearwright/report/table_builder.hpp"
 
 namespace gearwright {
@@ -47,7 +41,7 @@ std::string facts(const ContactReport& report) {
   t.row("Transmission error, peak to peak", "", "″",
         {shown_arcsec(a.peak_to_peak.arcsec()), shown_arcsec(b.peak_to_peak.arcsec())});
   const auto wave = [](const ContactResult& r) {
-    return r.harmonics.empty() ? shown::none() : shown_arcsec(r.harmonics[0].arcsec());
+    return r.harmonics.empty() ? std::string(kNoValue) : shown_arcsec(r.harmonics[0].arcsec());
   };
   t.row("Wave at the tooth frequency, amplitude", "", "″", {wave(a), wave(b)});
   t.row("Rotation with contact inside the flanks", "", "%",
@@ -62,38 +56,41 @@ std::string facts(const ContactReport& report) {
           {percent(share(a, nowhere)), percent(share(b, nowhere))});
   if (report.min_play) {
     t.common("Minimum angular backlash of gear 2 between both flanks", "", "°",
-             shown::angle(*report.min_play));
+             fixed(kDegPerRad * report.min_play->rad(), kAngleDigits));
   }
   t.common("Thickness of the marking compound", "δ", "mm", fmt::format("{:g}", report.marking));
   return t.str();
 }
 
+// A figure and a paragraph about it.
+std::string beside(const std::string& figure, const char* words) {
+  return in_columns(figure, fmt::format("\n<p>{}</p>\n", words));
+}
+
 std::string te_part(const ContactReport& report) {
   const std::string spectrum = te_spectrum_figure(report);
-  return "<h3>Transmission error: what makes the noise</h3>\n"
-         "<p>Turn gear 1 evenly, and a perfect gear 2 would turn evenly too. The <em>transmission "
-         "error</em> is how far gear 2 is really ahead (above zero) or behind. A constant part is "
-         "a "
-         "small shift and does nothing. What comes back with every tooth pushes the shafts to and "
-         "fro at the tooth frequency: that is the whine of gears. The lower and the rounder the "
-         "curve, the quieter the pair; a sharp corner is a knock. The teeth are rigid here and "
-         "carry no load.</p>\n<div class=\"figures\">\n" +
-         te_figure(report, false) + te_figure(report, true) + "</div>\n" +
-         (spectrum.empty()
-              ? std::string("<p class=\"nopicture\">") +
-                    (report.driving.contact_lost ? "There is no spectrum, for contact is lost."
-                                                 : "The curve is flat: it has no waves.") +
-                    "</p>\n"
-              : "<div class=\"columns\"><div>" + spectrum +
-                    "</div><div>\n<p>A curve that repeats is a sum of waves. The first bar is one "
-                    "wave "
-                    "per tooth: the tooth frequency, teeth × revolutions per second. The next are "
-                    "its "
-                    "overtones. One tall bar at the left is a pure, low tone; bars that fall off "
-                    "slowly come from sharp corners, where one tooth pair hands over to the next, "
-                    "and "
-                    "sound harsh. A tall bar near a resonance of the housing is the one to "
-                    "lower.</p>\n</div></div>\n");
+  const std::string curves =
+      "<h3>Transmission error: what makes the noise</h3>\n<p>Turn gear 1 evenly, and a perfect "
+      "gear "
+      "2 would turn evenly too. The <em>transmission error</em> is how far gear 2 is really ahead "
+      "(above zero) or behind. A constant part is a small shift and does nothing. What comes back "
+      "with every tooth pushes the shafts to and fro at the tooth frequency: that is the whine of "
+      "gears. The lower and the rounder the curve, the quieter the pair; a sharp corner is a "
+      "knock. "
+      "The teeth are rigid here and carry no load.</p>\n" +
+      side_by_side(te_figure(report, false) + te_figure(report, true));
+  if (spectrum.empty())
+    return curves + fmt::format("<p class=\"nopicture\">{}</p>\n",
+                                report.driving.contact_lost
+                                    ? "There is no spectrum, for contact is lost."
+                                    : "The curve is flat: it has no waves.");
+  return curves + beside(spectrum,
+                         "A curve that repeats is a sum of waves. The first bar is one wave per "
+                         "tooth: the tooth frequency, teeth × revolutions per second. The next are "
+                         "its overtones. One tall bar at the left is a pure, low tone; bars that "
+                         "fall off slowly come from sharp corners, where one tooth pair hands over "
+                         "to the next, and sound harsh. A tall bar near a resonance of the housing "
+                         "is the one to lower.");
 }
 
 std::string pattern_part(const ContactReport& report) {
@@ -120,34 +117,35 @@ std::string pattern_part(const ContactReport& report) {
 std::string gap_part(const ContactReport& report) {
   const std::string figure = gap_figure(report);
   if (figure.empty()) return {};
-  return "<h3>Gap between the flanks</h3>\n<div class=\"columns\"><div>" + figure +
-         "</div><div>\n<p>A map of the air between two teeth at "
-         "one position, like the height lines of a hill turned over: at the contact point there "
-         "is none. Lines far apart mean flanks that lie close over a wide area, so that load "
-         "spreads; lines close together mean a small, highly pressed spot. Misaligned shafts tilt "
-         "the map, so that the air grows towards one end of the face.</p>\n</div></div>\n";
+  return "<h3>Gap between the flanks</h3>\n" +
+         beside(
+             figure,
+             "A map of the air between two teeth at one position, like the height lines of a hill "
+             "turned over: at the contact point there is none. Lines far apart mean flanks that "
+             "lie close over a wide area, so that load spreads; lines close together mean a "
+             "small, highly pressed spot. Misaligned shafts tilt the map, so that the air grows "
+             "towards one end of the face.");
 }
 
 std::string multiples_part(const ContactReport& report) {
   const std::string pictures = pattern_multiples(report);
   if (pictures.empty()) return {};
   return "<h3>Which error moves the pattern</h3>\n<p>The pattern on gear 1 under each error by "
-         "itself, "
-         "one way and the other, and under all of them together. What a fitter sees on the real "
-         "gears can be compared with these: the picture it is like names the error to "
+         "itself, one way and the other, and under all of them together. What a fitter sees on the "
+         "real gears can be compared with these: the picture it is like names the error to "
          "correct.</p>\n" +
          pictures;
 }
 
 std::string map_part(const ContactReport& report) {
   if (!report.map) return {};
-  return "<h3>How much misalignment it bears</h3>\n<div class=\"columns\"><div>" +
-         map_figure(report) +
-         "</div><div>\n<p>Each place is a pair with these two "
-         "errors; its shade says how uneven its rotation is. A wide field of low values is a pair "
-         "that forgives what housings and bearings do; a narrow one asks for accurate mounting. A "
-         "valley that runs aslant means that one error can be mended by the other.</p>\n"
-         "</div></div>\n";
+  return "<h3>How much misalignment it bears</h3>\n" +
+         beside(
+             map_figure(report),
+             "Each place is a pair with these two errors; its shade says how uneven its rotation "
+             "is. A wide field of low values is a pair that forgives what housings and bearings "
+             "do; a narrow one asks for accurate mounting. A valley that runs aslant means that "
+             "one error can be mended by the other.");
 }
 
 std::string arc_part(const ContactReport& report) {
@@ -155,8 +153,8 @@ std::string arc_part(const ContactReport& report) {
   const std::string figures = arc_contact_figures(*report.arc_pair);
   if (figures.empty()) return {};
   return "<h3>Arc on arc</h3>\n<p>A convex arc lies in a slightly wider concave one and touches it "
-         "in a "
-         "point; both centres lie on the common normal through it. Across the tooth the fit is "
+         "in a point; both centres lie on the common normal through it. Across the tooth the fit "
+         "is "
          "close, which is why such teeth carry much. The point runs along the tooth while the "
          "gears "
          "turn. The price: a wrong centre distance changes the angle at which the arcs touch, and "
@@ -171,16 +169,16 @@ std::string contact_section(const ContactReport& report) {
   GW_EXPECTS(report.driving.positions.size() == static_cast<std::size_t>(report.positions));
   GW_EXPECTS(report.other.positions.size() == report.driving.positions.size());
   GW_EXPECTS(share(report.driving, nowhere) < 1.0);
-  return fmt::format(
-      "<section class=\"contact\">\n<h2>Tooth contact</h2>\n<div class=\"columns\"><div>\n<p>No "
-      "pair "
-      "is mounted perfectly. Here it is turned through one tooth with the errors and modifications "
-      "of the specification, and at each position the place is found where the flanks touch "
-      "first.</p>\n<p><strong>{}</strong></p>\n{}</div><div>\n{}</div></div>\n{}{}{}{}{}{}</"
-      "section>\n",
-      contact_words(report.driving), assumed(report), facts(report), te_part(report),
-      pattern_part(report), gap_part(report), multiples_part(report), map_part(report),
-      arc_part(report));
+  const std::string what = fmt::format(
+      "\n<p>No pair is mounted perfectly. Here it is turned through one tooth with the errors and "
+      "modifications of the specification, and at each position the place is found where the "
+      "flanks "
+      "touch first.</p>\n<p><strong>{}</strong></p>\n{}",
+      contact_words(report.driving), assumed(report));
+  return "<section class=\"contact\">\n<h2>Tooth contact</h2>\n" +
+         in_columns(what, "\n" + facts(report)) + te_part(report) + pattern_part(report) +
+         gap_part(report) + multiples_part(report) + map_part(report) + arc_part(report) +
+         "</section>\n";
 }
 
 }  // namespace gearwright

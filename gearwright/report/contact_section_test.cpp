@@ -1,4 +1,4 @@
-#include "gearwright/report/contact_section.hpp"
+#include "gearwright/report/report_sections.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 #include <string_view>
 
-#include "gearwright/report/contact_flank_picture.hpp"
+#include "gearwright/report/contact_figures.hpp"
 #include "gearwright/report/testing/page_text.hpp"
 #include "gearwright/report/testing/sample_contact.hpp"
 #include "gearwright/report/testing/strict_html.hpp"

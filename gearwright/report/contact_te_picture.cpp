@@ -1,5 +1,3 @@
-#include "gearwright/report/contact_te_picture.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,20 +6,16 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/report/contact_figures.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/plot_axis.hpp"
-#include "gearwright/report/shown_values.hpp"
-#include "gearwright/report/svg.hpp"
 
 namespace gearwright {
 
 namespace {
 
-constexpr double kWidth = 640.0;
-constexpr double kLeft = 156.0;
-constexpr double kRight = 40.0;
-constexpr double kTop = 74.0;
-constexpr double kPlot = 190.0;
+constexpr PlotArea kArea{640, 156, 40, 74, 190, 10};  // the lanes follow
+constexpr double kWidth = kArea.width, kTop = kArea.top, kPlot = kArea.tall;
 constexpr double kLane = 22.0;
 constexpr double kRounding = 1e-6;  // arcsec: waves below it are not drawn
 constexpr double kFlat = 0.01;      // arcsec: a span below it is drawn as no more than this
@@ -31,8 +25,6 @@ const std::array<const char*, 3> kPairStyles{"tp0", "tp1", "tp2"};
 const char* pair_style(int pair) {
   return kPairStyles[static_cast<std::size_t>(((pair % 3) + 3) % 3)];
 }
-
-std::string pair_name(int k) { return k == 0 ? "0" : fmt::format("{:+d}", k); }
 
 // The shown pitch and half of its neighbours: positions with their rotation and tooth pair moved.
 std::vector<ContactPoint> repeated(const std::vector<ContactPoint>& one, double pitch) {
@@ -104,7 +96,7 @@ void draw_lanes(Svg& svg, const std::vector<ContactPoint>& points, const Axis& x
     if (k == kNoPair || px.hi <= px.lo) continue;
     svg.rect(px.lo, top, px.hi - px.lo, kLane - 4, std::string("lane ") + pair_style(k));
     if (px.hi - px.lo > 24)
-      svg.text({(px.lo + px.hi) / 2, top + 14}, pair_name(k), Anchor::middle, "inzone");
+      svg.text({(px.lo + px.hi) / 2, top + 14}, pair_words(k), Anchor::middle, "inzone");
   }
   double y = top;
   for (const TouchKind kind : kinds_of(points)) {
@@ -132,10 +124,10 @@ std::string te_svg(const ContactReport& report, bool other_flanks) {
   const double middle = 0.5 * (te.lo + te.hi);
   const double peak = (te.hi - te.lo) * kArcsecPerRad;
   const double height =
-      kTop + kPlot + 10 + kLane * static_cast<double>(1 + kinds_of(points).size()) + 48;
-  const Axis x{-pitch, pitch, kLeft, kWidth - kRight};
+      kArea.height() + kLane * static_cast<double>(1 + kinds_of(points).size()) + 48;
+  const Axis x = kArea.across(-pitch, pitch);
   const double half = 0.62 * std::max(peak, kFlat);
-  const Axis y{-half, half, kTop + kPlot, kTop};
+  const Axis y = kArea.up(-half, half);
   Svg svg(
       other_flanks ? "te-other" : "te", kWidth, height,
       other_flanks ? "Transmission error of the non-working flanks" : "Transmission error",
@@ -145,7 +137,7 @@ std::string te_svg(const ContactReport& report, bool other_flanks) {
   svg.text({kWidth - 12, 22}, "peak to peak " + shown_arcsec(peak) + "″", Anchor::end, "panel");
   // The pitch that was computed; what is beside it repeats.
   svg.rect(x(-pitch / 2), kTop, x(pitch / 2) - x(-pitch / 2), kPlot, "measured");
-  const double lanes = kTop + kPlot + 10;
+  const double lanes = kArea.height();
   const double foot = height - 46;
   for (const auto& [at, words] : {std::pair(-1.0, "−1"), std::pair(-0.5, "−½"), std::pair(0.0, "0"),
                                   std::pair(0.5, "½"), std::pair(1.0, "1")}) {
@@ -243,41 +235,35 @@ bool waves_are_rounding(const std::vector<Angle>& waves) {
   return std::none_of(waves.begin(), waves.end(), [](Angle w) { return w.arcsec() > kRounding; });
 }
 
-std::string shown_arcsec(double arcsec) {
-  const double size = std::abs(arcsec);
-  if (size < 5e-7) return "0";
-  return fixed(arcsec, size >= 100 ? 1 : size >= 10 ? 2 : size >= 0.1 ? 3 : 6);
-}
-
 std::string te_figure(const ContactReport& report, bool other_flanks) {
   const ContactResult& result = other_flanks ? report.other : report.driving;
   const Span te = span_of(result.positions);
   if (te.hi < te.lo) return {};
   const double middle = 0.5 * (te.lo + te.hi) * kArcsecPerRad;
-  return fmt::format(
-      "<figure>{}<figcaption><strong>Transmission error{}</strong>, from its middle at {}″. {} "
-      "positions in the shaded pitch, which repeats for ever. A colour for each tooth pair, "
-      "numbered from the one nearest "
-      "the centre line; dashed: an edge touches; dotted upright: one pair hands over to the "
-      "next.</figcaption></figure>\n",
-      te_svg(report, other_flanks), other_flanks ? " of the non-working flanks" : "",
-      shown_arcsec(middle), report.positions);
+  return captioned(
+      te_svg(report, other_flanks),
+      fmt::format(
+          "<strong>Transmission error{}</strong>, from its middle at {}″. {} positions in the "
+          "shaded "
+          "pitch, which repeats for ever. A colour for each tooth pair, numbered from the one "
+          "nearest the centre line; dashed: an edge touches; dotted upright: one pair hands over "
+          "to "
+          "the next.",
+          other_flanks ? " of the non-working flanks" : "", shown_arcsec(middle),
+          report.positions));
 }
 
 std::string te_spectrum_figure(const ContactReport& report) {
   const std::vector<Angle>& waves = report.driving.harmonics;
   if (waves.empty() || waves_are_rounding(waves)) return {};
-  constexpr double kSpectrumLeft = 66.0;
-  constexpr double kSpectrumTop = 46.0;
-  constexpr double kSpectrumPlot = 240.0;
+  constexpr PlotArea kSpectrum{kWidth, 66, 18, 46, 240, 48};
   std::vector<double> arcsec;
   for (const Angle w : waves) arcsec.push_back(w.arcsec());
   const double most = *std::max_element(arcsec.begin(), arcsec.end());
   const int n = static_cast<int>(arcsec.size());
-  const Axis x{0.3, n + 0.7, kSpectrumLeft, kWidth - 18};
-  const Axis y{0.0, 1.15 * std::max(most, kFlat / 2), kSpectrumTop + kSpectrumPlot, kSpectrumTop};
-  Svg svg("spectrum", kWidth, kSpectrumTop + kSpectrumPlot + 48,
-          "Spectrum of the transmission error",
+  const Axis x = kSpectrum.across(0.3, n + 0.7);
+  const Axis y = kSpectrum.up(0.0, 1.15 * std::max(most, kFlat / 2));
+  Svg svg("spectrum", kWidth, kSpectrum.height(), "Spectrum of the transmission error",
           "Bars: amplitudes of one, two, three waves per pitch and so on, in arc seconds.");
   svg.text({12, 22}, "amplitude, arc seconds", Anchor::start, "panel");
   draw_rows(svg, x, y, 5);
@@ -310,10 +296,9 @@ std::string te_spectrum_figure(const ContactReport& report) {
     svg.text({x(h), y(a)}, shown_arcsec(a), h == 1 ? Anchor::start : Anchor::middle, "halo",
              {h == 1 ? -wide / 2 : 0.0, -6.0});
   }
-  return fmt::format(
-      "<figure>{}<figcaption><strong>Its spectrum</strong>: the same curve as a sum of waves, how "
-      "high each of them is.</figcaption></figure>\n",
-      svg.str());
+  return captioned(svg.str(),
+                   "<strong>Its spectrum</strong>: the same curve as a sum of waves, how high each "
+                   "of them is.");
 }
 
 }  // namespace gearwright

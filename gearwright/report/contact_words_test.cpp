@@ -1,5 +1,5 @@
 // The words about a contact and the kinds of its positions, which the pictures are drawn by, agree.
-#include "gearwright/report/contact_words.hpp"
+#include "gearwright/report/contact_report.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,3 @@
-#include "gearwright/report/crossed_picture.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <vector>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/report/crossed_figures.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/line_marks.hpp"
 #include "gearwright/report/svg.hpp"
@@ -25,8 +24,6 @@ constexpr double kMaxReduction = 5.0;  // of the whole gears' scale, for lines f
 constexpr double kMaxEnlargement = 12.0;
 constexpr int kTeethShown = 400;  // beyond that they are a grey area
 
-const std::array<const char*, 2> kInk{"g1", "g2"};
-
 // Along the axis of a gear, and across it, in plan. Axis 2 lies along (sin Σ, cos Σ).
 struct PlanFrame {
   Vec2 along, across;
@@ -38,10 +35,10 @@ PlanFrame frame_of(const InvolutePair& pair, std::size_t which) {
   return {{std::sin(sigma), std::cos(sigma)}, {std::cos(sigma), -std::sin(sigma)}};
 }
 
-std::vector<Vec2> on_screen(const Viewport& view, const std::array<Vec2, 4>& corners) {
-  std::vector<Vec2> points;
-  for (const Vec2& c : corners) points.push_back(view.px(c));
-  return points;
+void draw_face(Svg& svg, const Viewport& view, const InvolutePair& pair, std::size_t i,
+               double radius, const std::string& style) {
+  const auto corners = face_in_plan(pair, i, radius);
+  svg.polygon(view.px(std::vector<Vec2>(corners.begin(), corners.end())), style + kInk[i]);
 }
 
 // Half the size of what the tips of both gears cover, mm.
@@ -104,10 +101,8 @@ std::string plan_svg(const InvolutePair& pair) {
           "as rectangles, tip cylinders thin, both axes, the direction of the teeth, and the "
           "leading and trailing lines of action with their ends and base tangent points.");
   for (const std::size_t i : {0u, 1u}) {
-    svg.polygon(on_screen(view, face_in_plan(pair, i, pair.mesh.rack.sides[i].pitch_radius)),
-                std::string("face ") + kInk[i]);
-    svg.polygon(on_screen(view, face_in_plan(pair, i, pair.gears[i].actual_tip_radius())),
-                std::string("thin ") + kInk[i]);
+    draw_face(svg, view, pair, i, pair.mesh.rack.sides[i].pitch_radius, "face ");
+    draw_face(svg, view, pair, i, pair.gears[i].actual_tip_radius(), "thin ");
   }
   draw_axes(svg, view, pair);
   const auto& side = pair.mesh.rack.sides[0];
@@ -179,8 +174,7 @@ std::string whole_svg(const InvolutePair& pair) {
   Svg svg("whole", view.width, view.height, "The whole pair",
           "Both gears seen along the centre line, gear 2 in front, with the run of their teeth.");
   for (const std::size_t i : {0u, 1u}) {
-    const auto tips = on_screen(view, face_in_plan(pair, i, pair.gears[i].actual_tip_radius()));
-    svg.polygon(tips, std::string("solid ") + kInk[i]);
+    draw_face(svg, view, pair, i, pair.gears[i].actual_tip_radius(), "solid ");
     draw_teeth(svg, view, pair, i);
   }
   draw_axes(svg, view, pair);
@@ -204,16 +198,17 @@ std::array<Vec2, 4> face_in_plan(const InvolutePair& pair, std::size_t which, do
 }
 
 std::string plan_figures(const InvolutePair& pair) {
-  return fmt::format(
-      "<div class=\"figures mesh\">\n<figure>{}<figcaption><strong>Lines of action</strong> seen "
-      "along the centre line from gear 2. {} Rectangles: pitch cylinders from face to face, thin: "
-      "tip cylinders; dashed: the common direction of the teeth.</figcaption></figure>\n"
-      "<figure>{}<figcaption><strong>The whole pair</strong>, gear 2 in front: shaft angle {}°, "
-      "centre distance {} mm{}.</figcaption>"
-      "</figure>\n</div>\n",
-      plan_svg(pair), line_key(), whole_svg(pair), fixed(pair.shaft_angle.deg(), kAngleDigits),
-      fixed(pair.center_distance, kLengthDigits),
+  const std::string whole = fmt::format(
+      "<strong>The whole pair</strong>, gear 2 in front: shaft angle {}°, centre distance {} mm{}.",
+      fixed(pair.shaft_angle.deg(), kAngleDigits), fixed(pair.center_distance, kLengthDigits),
       frame_of_plan(pair) ? "; the frame is the picture of the lines of action" : "");
+  return "<div class=\"figures mesh\">\n" +
+         captioned(plan_svg(pair),
+                   "<strong>Lines of action</strong> seen along the centre line from gear 2. " +
+                       line_key() +
+                       " Rectangles: pitch cylinders from face to face, thin: tip cylinders; "
+                       "dashed: the common direction of the teeth.") +
+         captioned(whole_svg(pair), whole) + "</div>\n";
 }
 
 }  // namespace gearwright

@@ -116,13 +116,17 @@ std::vector<Approximation> approximations(const InvolutePair& pair) {
   return all;
 }
 
-Axis angle_axis(const std::vector<CrossedSample>& samples, double from, double to) {
-  return {deg(samples.front().place.normal_pressure_angle.rad()),
-          deg(samples.back().place.normal_pressure_angle.rad()), from, to};
+Axis angle_axis(const std::vector<CrossedSample>& samples, const PlotArea& area) {
+  return area.across(deg(samples.front().place.normal_pressure_angle.rad()),
+                     deg(samples.back().place.normal_pressure_angle.rad()));
 }
 
-void draw_marked_angles(Svg& svg, const InvolutePair& pair, const Axis& x, double top,
-                        double bottom) {
+std::string angle_words() { return "working normal pressure angle " + symbol_svg("α_wn") + ", °"; }
+
+void draw_angles(Svg& svg, const InvolutePair& pair, const Axis& x, const PlotArea& area) {
+  const double top = area.top;
+  const double bottom = area.bottom();
+  draw_foot(svg, x, top, bottom, 8, angle_words());
   if (pair.contact_ratio_range) {
     const double lo = x(deg(pair.contact_ratio_range->lo.normal_pressure_angle.rad()));
     const double hi =

@@ -7,7 +7,7 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
+#include <string>
 #include <vector>
 
 #include "gearwright/pair/pair.hpp"
@@ -49,12 +49,14 @@ struct Approximation {
 std::vector<Approximation> approximations(const InvolutePair& pair);
 
 /// The α_wn axis of these pictures, in degrees.
-Axis angle_axis(const std::vector<CrossedSample>& samples, double from, double to);
+Axis angle_axis(const std::vector<CrossedSample>& samples, const PlotArea& area);
 
-/// The ground of a picture over α_wn: shaded where ε ≥ 1, lines at the least centre distance and at
-/// the pair's place, named above `top`.
-void draw_marked_angles(Svg& svg, const InvolutePair& pair, const Axis& x, double top,
-                        double bottom);
+/// The ground of a picture over α_wn, with its foot: shaded where ε ≥ 1, lines at the least centre
+/// distance and at the pair's place, named above the plot.
+void draw_angles(Svg& svg, const InvolutePair& pair, const Axis& x, const PlotArea& area);
+
+/// What an axis of α_wn carries (SVG markup).
+std::string angle_words();
 
 /// Values of the samples as a curve over α_wn in degrees.
 template <class Value>

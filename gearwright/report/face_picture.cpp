@@ -1,5 +1,3 @@
-#include "gearwright/report/face_picture.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,24 +6,16 @@
 #include <vector>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/report/crossed_figures.hpp"
 #include "gearwright/report/crossed_range.hpp"
 #include "gearwright/report/free_labels.hpp"
 #include "gearwright/report/html_text.hpp"
-#include "gearwright/report/plot_axis.hpp"
-#include "gearwright/report/svg.hpp"
 
 namespace gearwright {
 
 namespace {
 
-constexpr double kWidth = 640.0;
-constexpr double kLeft = 58.0;
-constexpr double kRight = 18.0;
-constexpr double kTop = 58.0;
-constexpr double kPlot = 230.0;
-constexpr double kHeight = kTop + kPlot + 50.0;
-
-const std::array<const char*, 2> kInk{"g1", "g2"};
+constexpr PlotArea kArea{640, 58, 18, 58, 230, 50};
 
 double deg(double rad) { return Angle::radians(rad).deg(); }
 
@@ -45,25 +35,24 @@ double max_shown(const InvolutePair& pair, const std::vector<CrossedSample>& sam
 
 std::string widths_svg(const InvolutePair& pair) {
   const std::vector<CrossedSample> samples = crossed_samples(pair);
-  const Axis x = angle_axis(samples, kLeft, kWidth - kRight);
-  const Axis y{0.0, max_shown(pair, samples), kTop + kPlot, kTop};
-  Svg svg("widths", kWidth, kHeight, "Face widths over the pressure angle of the common rack",
+  const Axis x = angle_axis(samples, kArea);
+  const Axis y = kArea.up(0.0, max_shown(pair, samples));
+  Svg svg("widths", kArea.width, kArea.height(),
+          "Face widths over the pressure angle of the common rack",
           "Face widths that one flank and both flanks of each gear need, over the normal pressure "
           "angle of the common rack, with the actual face widths as lines.");
-  draw_foot(svg, x, kTop, kTop + kPlot, 8,
-            "working normal pressure angle " + symbol_svg("α_wn") + ", °");
-  draw_marked_angles(svg, pair, x, kTop, kTop + kPlot);
+  draw_angles(svg, pair, x, kArea);
   draw_rows(svg, x, y, 5);
-  svg.text({x.from, kTop - 36}, "face widths, mm", Anchor::start, "panel");
+  svg.text({x.from, kArea.top - 36}, "face widths, mm", Anchor::start, "panel");
   const Vec2 here(x(deg(pair.mesh.rack.normal_pressure_angle)), 0.0);
-  FreeLabels labels({x.from, kTop, x.to, kTop + kPlot});
+  FreeLabels labels({x.from, kArea.top, x.to, kArea.bottom()});
   const auto curve = [&](const std::vector<Vec2>& values, const std::string& style) {
     draw_curve(svg, x, y, values, style);
     std::vector<Vec2> px;
     for (const Vec2& v : values) px.push_back({x(v.x()), y(v.y())});
     labels.keep_off(px);
   };
-  svg.begin_clip(x.from, kTop, x.to - x.from, kPlot);
+  svg.begin_clip(x.from, kArea.top, x.to - x.from, kArea.tall);
   for (const std::size_t i : {0u, 1u}) {
     const auto one = [&](const CrossedSample& s) { return s.faces.one_flank[i]; };
     const auto both = [&](const CrossedSample& s) { return s.faces.both_flanks[i]; };
@@ -71,7 +60,7 @@ std::string widths_svg(const InvolutePair& pair) {
     curve(over_angle(samples, both), std::string("curve dash ") + kInk[i]);
   }
   svg.end_group();
-  labels.keep_off({{here.x(), kTop}, {here.x(), kTop + kPlot}});
+  labels.keep_off({{here.x(), kArea.top}, {here.x(), kArea.bottom()}});
   // The faces as they are; equal ones share a line. Their names stand at its right end, else further
   // left, beside the curves.
   const bool equal = pair.input.face_width[0] == pair.input.face_width[1];
@@ -100,8 +89,7 @@ std::string widths_svg(const InvolutePair& pair) {
 
 constexpr double kStrip = 34.0;  // px, height of a face
 constexpr double kRow = 104.0;
-constexpr double kFacesTop = 30.0;
-constexpr double kFacesHeight = kFacesTop + 2 * kRow + 40.0;
+constexpr PlotArea kFaces{640, kArea.left + 14, 18, 30, 2 * kRow - 6, 46};
 
 // A line's part of the face: what the tips reach, and within it what flanks and faces leave.
 void draw_use(Svg& svg, const InvolutePair& pair, std::size_t i, bool leading, const Axis& x,
@@ -130,15 +118,14 @@ std::string faces_svg(const InvolutePair& pair) {
   for (const std::size_t i : {0u, 1u}) {
     reach = std::max({reach, pair.input.face_width[i] / 2, pair.face_widths->both_flanks[i] / 2});
   }
-  const Axis x{-1.1 * reach, 1.1 * reach, kLeft + 14, kWidth - kRight};
-  Svg svg("faces", kWidth, kFacesHeight, "Faces and the lines of action on them",
+  const Axis x = kFaces.across(-1.1 * reach, 1.1 * reach);
+  Svg svg("faces", kFaces.width, kFaces.height(), "Faces and the lines of action on them",
           "For each gear its face from end to end, and the parts that the leading and the trailing "
           "line of action use.");
-  const double bottom = kFacesHeight - 46.0;
-  draw_foot(svg, x, kFacesTop - 14, bottom, 8,
+  draw_foot(svg, x, kFaces.top - 14, kFaces.bottom(), 8,
             "along each gear’s axis from the common perpendicular, mm");
   for (const std::size_t i : {0u, 1u}) {
-    const double top = kFacesTop + static_cast<double>(i) * kRow;
+    const double top = kFaces.top + static_cast<double>(i) * kRow;
     const double half = pair.input.face_width[i] / 2;
     svg.rect(x(-half), top, x(half) - x(-half), 2 * kStrip, std::string("face ") + kInk[i]);
     svg.text({8, top + kStrip + 4}, fmt::format("Gear {}", i + 1), Anchor::start,
@@ -146,7 +133,7 @@ std::string faces_svg(const InvolutePair& pair) {
     draw_use(svg, pair, i, true, x, top + kStrip / 2);
     draw_use(svg, pair, i, false, x, top + 3 * kStrip / 2);
   }
-  svg.line({x(0), kFacesTop - 14}, {x(0), bottom}, "thin dashdot");
+  svg.line({x(0), kFaces.top - 14}, {x(0), kFaces.bottom()}, "thin dashdot");
   return svg.str();
 }
 
@@ -166,24 +153,24 @@ std::string beyond(const InvolutePair& pair) {
 
 std::string face_width_figure(const InvolutePair& pair) {
   GW_EXPECTS(pair.crossed());
-  return fmt::format(
-      "<figure>{}<figcaption><strong>Face widths</strong> that the lines of action ask for, free "
-      "of backlash: full for one flank ({}), dashed for both flanks about the common perpendicular "
-      "({}). <span class=\"key\"><i class=\"swatch g1\"></i>gear 1</span> <span "
-      "class=\"key\"><i class=\"swatch g2\"></i>gear 2</span>{}{}</figcaption></figure>\n",
-      widths_svg(pair), symbol_html("f"), symbol_html("f′"),
-      pair.flanks_meet() ? " Dots: as mounted." : "",
-      pair.contact_ratio_range ? " Shaded: the contact ratio is at least 1." : "");
+  return captioned(
+      widths_svg(pair),
+      fmt::format(
+          "<strong>Face widths</strong> that the lines of action ask for, free of backlash: "
+          "full for one flank ({}), dashed for both flanks about the common perpendicular "
+          "({}). {}{}{}",
+          symbol_html("f"), symbol_html("f′"), gear_keys(),
+          pair.flanks_meet() ? " Dots: as mounted." : "",
+          pair.contact_ratio_range ? " Shaded: the contact ratio is at least 1." : ""));
 }
 
 std::string face_use_figure(const InvolutePair& pair) {
   GW_EXPECTS(pair.crossed() && pair.flanks_meet());
-  return fmt::format(
-      "<figure>{}<figcaption><strong>Use of the faces</strong> as mounted. <span class=\"key\"><i "
-      "class=\"swatch action\"></i>leading flanks A–E</span> <span class=\"key\"><i "
-      "class=\"swatch trailing\"></i>trailing flanks A′–E′</span> Thick: within usable flanks and "
-      "faces.{}</figcaption></figure>\n",
-      faces_svg(pair), beyond(pair));
+  return captioned(faces_svg(pair),
+                   fmt::format("<strong>Use of the faces</strong> as mounted. {} {} Thick: within "
+                               "usable flanks and faces.{}",
+                               caption_key("action", "leading flanks A–E"),
+                               caption_key("trailing", "trailing flanks A′–E′"), beyond(pair)));
 }
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-#include "gearwright/report/face_picture.hpp"
+#include "gearwright/report/crossed_figures.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,13 @@
 
 namespace gearwright {
 
-using flank::kBeyond;
+namespace {
+
+constexpr double kPictureWidth = 640.0, kPictureLeft = 74.0, kPictureRight = 104.0,
+                 kPictureTop = 44.0, kPictureFoot = 54.0;  // px
+constexpr double kBeyond = 16.0;  // px of tooth drawn beyond the usable flank
+
+}  // namespace
 
 FlankFrame frame_of(const FlankRaster& raster, bool internal, double left, double right, double top,
                     double low, double high) {
@@ -25,6 +31,11 @@ FlankFrame frame_of(const FlankRaster& raster, bool internal, double left, doubl
           tall / (scale * deep)};
 }
 
+FlankFrame frame_of(const FlankRaster& raster, bool internal, double low) {
+  return frame_of(raster, internal, kPictureLeft, kPictureWidth - kPictureRight,
+                  kPictureTop + kBeyond, low, kHighFlank);
+}
+
 std::function<Vec2(const Vec2&)> nodes_px(const FlankRaster& raster, const FlankFrame& f) {
   const double columns = static_cast<double>(raster.height.size() - 1);
   const double rows = static_cast<double>(raster.diameter.size() - 1);
@@ -34,7 +45,9 @@ std::function<Vec2(const Vec2&)> nodes_px(const FlankRaster& raster, const Flank
   };
 }
 
-void draw_flank(Svg& svg, const FlankFrame& f, std::size_t which) {
+Svg flank_picture(std::string_view id, const FlankFrame& f, std::size_t which,
+                  std::string_view title, std::string_view description) {
+  Svg svg(id, kPictureWidth, f.bottom() + kBeyond + kPictureFoot, title, description);
   const std::string n = std::to_string(which + 1);
   const double wide = f.z.to - f.z.from;
   svg.rect(f.z.from, f.top() - kBeyond, wide, f.bottom() - f.top() + 2 * kBeyond, "slice");
@@ -58,6 +71,8 @@ void draw_flank(Svg& svg, const FlankFrame& f, std::size_t which) {
     svg.text({f.z.from + 6, y + (up ? -4 : 13)}, word, Anchor::start, "inzone");
   }
   for (const double z : {f.z.from, f.z.to}) svg.line({z, f.top()}, {z, f.bottom()}, "limit");
+  svg.begin_clip(f.z.from, f.top(), f.z.to - f.z.from, f.bottom() - f.top());
+  return svg;
 }
 
 std::string proportions(const FlankFrame& f) {

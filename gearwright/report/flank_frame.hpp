@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "gearwright/report/contact_report.hpp"
 #include "gearwright/report/plot_axis.hpp"
@@ -12,11 +13,8 @@
 
 namespace gearwright {
 
-namespace flank {
-constexpr double kWidth = 640.0, kLeft = 74.0, kRight = 104.0, kTop = 44.0, kFoot = 54.0;  ///< px
-constexpr double kLow = 170.0, kHigh = 330.0;  ///< px, a flank is drawn no lower nor higher
-constexpr double kBeyond = 16.0;               ///< px of tooth drawn beyond the usable flank
-}  // namespace flank
+constexpr double kLowFlank = 170.0,
+                 kHighFlank = 330.0;  ///< px, a flank is drawn no lower nor higher
 
 /// The usable flank in a plot: height along the face, radius upwards to the tip.
 struct FlankFrame {
@@ -33,11 +31,16 @@ struct FlankFrame {
 FlankFrame frame_of(const FlankRaster& raster, bool internal, double left, double right, double top,
                     double low, double high);
 
+/// The same with room for its scales, in a picture of its own.
+FlankFrame frame_of(const FlankRaster& raster, bool internal, double low = kLowFlank);
+
 /// Node coordinates of a raster to px.
 std::function<Vec2(const Vec2&)> nodes_px(const FlankRaster& raster, const FlankFrame& f);
 
-/// Tooth beyond the flank of gear `which` (0, 1), its limits with their names, both scales.
-void draw_flank(Svg& svg, const FlankFrame& f, std::size_t which);
+/// The picture of the flank of gear `which` (0, 1): the tooth beyond it, its limits with their names,
+/// both scales. What follows is seen only on the flank, until end_group.
+Svg flank_picture(std::string_view id, const FlankFrame& f, std::size_t which,
+                  std::string_view title, std::string_view description);
 
 /// "True proportions." or how many times higher than wide.
 std::string proportions(const FlankFrame& f);

@@ -52,6 +52,18 @@ class FreeLabels {
   std::vector<std::vector<Vec2>> lines_;
 };
 
+struct Leader {
+  Vec2 from;           ///< px, what is named
+  std::string markup;  ///< SVG text content
+};
+
+/// Draws labels in a column beside a plot, at `x` and to its right, each with a line to what it names,
+/// one below the other in the order of that, between the top and `height`.
+void draw_leaders(Svg& svg, const std::vector<Leader>& leaders, double x, double height);
+
+/// Where a circle about `axis` leaves a plot at its right edge, or before when it is small; px.
+Vec2 leaves_right(const Vec2& axis, double radius, double edge);
+
 /// The four sides of a dot and the corners between them, `distance` px away; those towards
 /// `towards` first.
 std::vector<LabelPlace> places_around(const Vec2& at, double distance, const Vec2& towards);

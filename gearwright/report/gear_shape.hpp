@@ -5,10 +5,12 @@
 // lands) are circles, other arcs chains of chords, halved until they lie within the tolerance.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "gearwright/gear/gear.hpp"
+#include "gearwright/report/svg.hpp"
 
 namespace gearwright {
 
@@ -25,6 +27,10 @@ std::vector<Vec2> chords(const Arc& arc, double tolerance);
 
 /// Path data of one arc of the tooth at the x axis; `side` +1 as generated (y > 0), −1 mirrored.
 std::string arc_path(const Gear& gear, const Arc& arc, int side);
+
+/// Both sides of the tooth arc by arc in a window with x_up, each in the style of its name.
+void draw_upright_arcs(Svg& svg, const Viewport& view, const Gear& gear,
+                       const std::function<const char*(ArcName)>& style);
 
 /// Path data of one tooth from the middle of one space to the middle of the next.
 std::string tooth_path(const Gear& gear);

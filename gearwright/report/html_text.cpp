@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/catalogue/symbol_pieces.hpp"
 
 namespace gearwright {
@@ -45,15 +46,8 @@ std::string file_link(std::string_view name) {
   return result;
 }
 
-std::string fixed(double value, int decimals) {
-  if (!std::isfinite(value)) return std::string(kNoValue);
-  std::string text = fmt::format("{:.{}f}", value, decimals);
-  if (text.front() == '-' && text.find_first_not_of("-0.") == std::string::npos) text.erase(0, 1);
-  return text;
-}
-
 std::string fixed(const std::optional<double>& value, int decimals) {
-  return value ? fixed(*value, decimals) : std::string(kNoValue);
+  return value && std::isfinite(*value) ? fixed_decimals(*value, decimals) : std::string(kNoValue);
 }
 
 std::string percent(double share) { return fixed(100 * std::abs(share), 0); }
@@ -110,6 +104,44 @@ std::string with_symbols(std::string_view text) {
     text.remove_prefix(std::min<std::size_t>(1, text.size()));
   }
   return result;
+}
+
+std::string captioned(std::string_view picture, std::string_view caption,
+                      std::string_view attributes) {
+  return fmt::format("<figure{}>{}<figcaption>{}</figcaption></figure>\n", attributes, picture,
+                     caption);
+}
+
+std::string side_by_side(std::string_view figures) {
+  return fmt::format("<div class=\"figures\">\n{}</div>\n", figures);
+}
+
+std::string caption_key(std::string_view swatch, std::string_view words) {
+  return fmt::format("<span class=\"key\"><i class=\"swatch {}\"></i>{}</span>", swatch, words);
+}
+
+std::string gear_keys() { return caption_key("g1", "gear 1") + " " + caption_key("g2", "gear 2"); }
+
+std::string in_columns(std::string_view left, std::string_view right) {
+  return fmt::format("<div class=\"columns\"><div>{}</div><div>{}</div></div>\n", left, right);
+}
+
+std::string value_table(std::string_view caption, const std::vector<std::string>& heads,
+                        const std::vector<std::vector<std::string>>& rows, std::string_view style) {
+  std::string text = fmt::format(
+      "<div class=\"scroll\"><table{}>\n<caption>{}</caption>\n<thead><tr><th "
+      "scope=\"col\">{}</th>",
+      style.empty() ? "" : fmt::format(" class=\"{}\"", style), caption, heads.front());
+  for (std::size_t i = 1; i < heads.size(); ++i)
+    text += fmt::format("<th scope=\"col\" class=\"value\">{}</th>", heads[i]);
+  text += "</tr></thead>\n<tbody>\n";
+  for (const auto& row : rows) {
+    text += fmt::format("<tr><th scope=\"row\">{}</th>", row.front());
+    for (std::size_t i = 1; i < row.size(); ++i)
+      text += fmt::format("<td class=\"value\">{}</td>", row[i]);
+    text += "</tr>\n";
+  }
+  return text + "</tbody></table></div>\n";
 }
 
 }  // namespace gearwright

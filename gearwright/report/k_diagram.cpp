@@ -6,18 +6,12 @@
 
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/plot_axis.hpp"
-#include "gearwright/report/svg.hpp"
 
 namespace gearwright {
 
 namespace {
 
-constexpr double kWidth = 460.0;
-constexpr double kLeft = 58.0;
-constexpr double kRight = 18.0;
-constexpr double kTop = 34.0;
-constexpr double kPlot = 190.0;
-constexpr double kHeight = kTop + kPlot + 50.0;
+constexpr PlotArea kArea{460, 58, 18, 34, 190, 50};
 constexpr double kFlat = 1.0;  // µm: a trace that moves by less is drawn on this scale
 
 // The band: the design moved by half of the tolerance either way, over the evaluation range.
@@ -42,20 +36,20 @@ std::string trace_svg(const std::string& id, const std::string& title, const Fla
   }
   const double spare = std::max(0.0, kFlat - (hi - lo)) / 2;
   const auto ends = widened(lo - spare, hi + spare, 0.15);
-  const Axis x{trace.design.front().x(), trace.design.back().x(), kLeft, kWidth - kRight};
-  const Axis y{ends[0], ends[1], kTop + kPlot, kTop};
-  Svg svg(id, kWidth, kHeight, title,
+  const Axis x = kArea.across(trace.design.front().x(), trace.design.back().x());
+  const Axis y = kArea.up(ends[0], ends[1]);
+  Svg svg(id, kArea.width, kArea.height(), title,
           title + ": the design flank, and the band of its tolerance where it is evaluated.");
   draw_rows(svg, x, y, 5);
-  draw_foot(svg, x, kTop, kTop + kPlot, 6, foot);
-  svg.text({x.from, kTop - 14}, "µm, up is out of the material", Anchor::start, "panel");
+  draw_foot(svg, x, kArea.top, kArea.bottom(), 6, foot);
+  svg.text({x.from, kArea.top - 14}, "µm, up is out of the material", Anchor::start, "panel");
   if (trace.tolerance) {
     std::vector<Vec2> shape;
     for (const Vec2& p : band(trace)) shape.push_back({x(p.x()), y(p.y())});
     if (shape.size() > 2) svg.polygon(shape, "neighbour");
   }
   for (const double end : trace.evaluation)
-    svg.line({x(end), kTop}, {x(end), kTop + kPlot}, "leader");
+    svg.line({x(end), kArea.top}, {x(end), kArea.bottom()}, "leader");
   draw_curve(svg, x, y, trace.design, "curve action-curve");
   return svg.str();
 }
@@ -68,17 +62,17 @@ std::string k_figures(const std::vector<KDiagram>& diagrams) {
     const KDiagram& d = diagrams[i];
     const auto figure = [&](const char* kind, const FlankTrace& trace, const char* foot) {
       const std::string title = d.name + ", " + kind;
-      text += fmt::format(
-          "<figure>{}<figcaption><strong>{}</strong>: the design{}</figcaption></figure>\n",
-          trace_svg(fmt::format("k{}-{}", i + 1, kind), title, trace, foot), escaped(title),
-          trace.tolerance ? fmt::format(" and the band of {} µm in which a trace must lie",
-                                        fixed(*trace.tolerance, 1))
-                          : std::string());
+      const std::string band = trace.tolerance
+                                   ? fmt::format(" and the band of {} µm in which a trace must lie",
+                                                 fixed(*trace.tolerance, 1))
+                                   : std::string();
+      text += captioned(trace_svg(fmt::format("k{}-{}", i + 1, kind), title, trace, foot),
+                        fmt::format("<strong>{}</strong>: the design{}", escaped(title), band));
     };
     figure("profile", d.profile, "roll length, mm");
     figure("helix", d.helix, "height from the middle of the face, mm");
   }
-  return text.empty() ? text : "<div class=\"figures\">\n" + text + "</div>\n";
+  return text.empty() ? text : side_by_side(text);
 }
 
 }  // namespace gearwright

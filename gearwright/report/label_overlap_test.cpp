@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "gearwright/report/free_labels.hpp"
-#include "gearwright/report/load_section.hpp"
+#include "gearwright/report/report_sections.hpp"
 #include "gearwright/report/testing/sample_load.hpp"
 
 namespace gearwright {

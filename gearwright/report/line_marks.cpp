@@ -17,22 +17,15 @@ constexpr double kAside = 16.0;  // px from the line to the middle of a letter
 constexpr double kTouching = 2.0;  // px
 constexpr double kFar = 3.2;       // path lengths
 
-struct Mark {
-  const char* letter;
-  double rho1;
-  const char* style;
-};
-
-std::vector<Mark> marks_of(const InvolutePair& pair, bool leading) {
+std::vector<PathMark> marks_of(const InvolutePair& pair, bool leading) {
   const Mesh<double>& m = pair.mesh;
   const char* end = leading ? "mark action-dot" : "mark trailing-dot";
-  std::vector<Mark> marks{{leading ? "A" : "A′", m.rho1_A, end},
-                          {leading ? "E" : "E′", m.rho1_E, end},
-                          {leading ? "T_1" : "T_1′", 0.0, "mark hollow"},
-                          {leading ? "T_2" : "T_2′", m.base_tangent_distance, "mark hollow"}};
+  std::vector<PathMark> marks{{leading ? "A" : "A′", m.rho1_A, end},
+                              {leading ? "E" : "E′", m.rho1_E, end},
+                              {leading ? "T_1" : "T_1′", 0.0, "mark hollow"},
+                              {leading ? "T_2" : "T_2′", m.base_tangent_distance, "mark hollow"}};
   if (leading) marks.push_back({"C", m.rho1_C, "mark pitch-dot"});
-  std::sort(marks.begin(), marks.end(),
-            [](const Mark& a, const Mark& b) { return a.rho1 < b.rho1; });
+  sort_marks(marks);
   return marks;
 }
 
@@ -50,6 +43,18 @@ Vec2 letter_side(const Vec2& p, const Vec2& along, const Vec2& other_from, const
 
 }  // namespace
 
+void sort_marks(std::vector<PathMark>& marks) {
+  std::sort(marks.begin(), marks.end(),
+            [](const PathMark& a, const PathMark& b) { return a.rho1 < b.rho1; });
+}
+
+std::vector<PathMark> path_marks(const Mesh<double>& m, double last) {
+  std::vector<PathMark> marks{
+      {"A", m.rho1_A}, {"B", m.rho1_B}, {"C", m.rho1_C}, {"D", m.rho1_D}, {"E", m.rho1_E}};
+  std::erase_if(marks, [&](const PathMark& k) { return k.rho1 < m.rho1_A || k.rho1 > last; });
+  return marks;
+}
+
 std::vector<double> line_ends(const InvolutePair& pair) {
   GW_EXPECTS(pair.crossed());
   const Mesh<double>& m = pair.mesh;
@@ -66,11 +71,12 @@ void draw_lines_of_action(Svg& svg, const InvolutePair& pair,
   const Mesh<double>& m = pair.mesh;
   const std::array<double, 5> ends{m.rho1_A, m.rho1_E, 0.0, m.base_tangent_distance, m.rho1_C};
   const auto [from, to] = std::minmax_element(ends.begin(), ends.end());
+  const auto on_line = [&](bool leading, double rho1) {
+    return on(leading ? pair.on_line_of_action(rho1) : pair.on_trailing_line(rho1));
+  };
   for (const bool leading : {false, true}) {
     if (!leading && lines == Lines::leading) continue;
-    const auto at = [&](double rho1) {
-      return on(leading ? pair.on_line_of_action(rho1) : pair.on_trailing_line(rho1));
-    };
+    const auto at = [&](double rho1) { return on_line(leading, rho1); };
     const char* style = leading ? "action" : "trailing";
     svg.line(at(*from), at(*to), std::string(style) + "-line");
     if (pair.flanks_meet()) {
@@ -81,32 +87,28 @@ void draw_lines_of_action(Svg& svg, const InvolutePair& pair,
   }
   for (const bool leading : {false, true}) {
     if (!leading && lines == Lines::leading) continue;
-    const auto at = [&](double rho1) {
-      return on(leading ? pair.on_line_of_action(rho1) : pair.on_trailing_line(rho1));
-    };
+    const auto at = [&](double rho1) { return on_line(leading, rho1); };
     const Vec2 along = (at(*to) - at(*from)).normalized();
-    const auto other = [&](double rho1) {
-      return on(leading ? pair.on_trailing_line(rho1) : pair.on_line_of_action(rho1));
-    };
-    const Vec2 other_along = (other(*to) - other(*from)).normalized();
-    const std::vector<Mark> marks = marks_of(pair, leading);
+    const Vec2 other_from = on_line(!leading, *from);
+    const Vec2 other_along = (on_line(!leading, *to) - other_from).normalized();
+    const std::vector<PathMark> marks = marks_of(pair, leading);
     std::vector<double> wanted;
-    for (const Mark& mark : marks) wanted.push_back(at(mark.rho1).dot(along));
+    for (const PathMark& mark : marks) wanted.push_back(at(mark.rho1).dot(along));
     const std::vector<double> placed = spread(wanted, kRoom, -1e9, 1e9);
     for (std::size_t i = 0; i < marks.size(); ++i) {
       const Vec2 p = at(marks[i].rho1);
       svg.dot(p, 3.4, marks[i].style);
       svg.text(p, symbol_svg(marks[i].letter), Anchor::middle, "letter halo",
-               kAside * letter_side(p, along, other(*from), other_along, leading) +
+               kAside * letter_side(p, along, other_from, other_along, leading) +
                    (placed[i] - wanted[i]) * along + Vec2(0.0, 5.0));
     }
   }
 }
 
 std::string line_key() {
-  return "<span class=\"key\"><i class=\"swatch action\"></i>leading line A–E</span> <span "
-         "class=\"key\"><i class=\"swatch trailing\"></i>trailing line A′–E′</span> A: tip of gear "
-         "2, E: tip of gear 1, C: pitch point of gear 1, T: base tangent points.";
+  return caption_key("action", "leading line A–E") + " " +
+         caption_key("trailing", "trailing line A′–E′") +
+         " A: tip of gear 2, E: tip of gear 1, C: pitch point of gear 1, T: base tangent points.";
 }
 
 }  // namespace gearwright

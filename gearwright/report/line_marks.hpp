@@ -14,6 +14,20 @@
 
 namespace gearwright {
 
+/// A point of a line of action by its letter.
+struct PathMark {
+  const char* letter;
+  double rho1;
+  const char* style = "";  ///< of its dot
+};
+
+/// By growing ρ_1.
+void sort_marks(std::vector<PathMark>& marks);
+
+/// A to E, in this order, those from A to `last`: with ε_α > 2 a period's end lies beyond the path, and
+/// B and D say nothing.
+std::vector<PathMark> path_marks(const Mesh<double>& mesh, double last);
+
 /// ρ_1 of what a picture should hold: A, E, and C and the base tangent points unless far from them.
 std::vector<double> line_ends(const InvolutePair& pair);
 

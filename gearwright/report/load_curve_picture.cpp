@@ -1,4 +1,4 @@
-#include "gearwright/report/load_curve_picture.hpp"
+#include "gearwright/report/load_figures.hpp"
 
 #include <fmt/format.h>
 
@@ -8,16 +8,13 @@
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/load/load_summary.hpp"
-#include "gearwright/report/contact_te_picture.hpp"
+#include "gearwright/report/contact_report.hpp"
 #include "gearwright/report/html_text.hpp"
-#include "gearwright/report/svg.hpp"
 
 namespace gearwright {
 
 namespace {
 
-constexpr double kWidth = 640.0, kLeft = 74.0, kRight = 26.0, kTop = 44.0, kPlot = 240.0;
-constexpr double kFoot = 50.0;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kWaves = 3;  // in the Harris map
 
@@ -53,41 +50,7 @@ void from_their_mean(std::vector<Vec2>& values) {
   for (Vec2& v : values) v.y() -= sum / count;
 }
 
-std::string figure_of(const std::string& svg, const std::string& caption) {
-  return fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", svg, caption);
-}
-
 }  // namespace
-
-std::string curves_svg(const PlotWords& words, const std::vector<PlotCurve>& curves,
-                       bool from_zero) {
-  Vec2 lo = Vec2::Constant(std::numeric_limits<double>::infinity());
-  Vec2 hi = -lo;
-  for (const PlotCurve& c : curves) {
-    for (const Vec2& v : c.values) {
-      lo = {std::min(lo.x(), v.x()), std::isfinite(v.y()) ? std::min(lo.y(), v.y()) : lo.y()};
-      hi = {std::max(hi.x(), v.x()), std::isfinite(v.y()) ? std::max(hi.y(), v.y()) : hi.y()};
-    }
-  }
-  if (!(lo.x() < hi.x() && lo.y() <= hi.y())) return {};
-  const double least = from_zero ? 0.0 : lo.y();
-  const std::vector<double> range = widened(least, hi.y(), 0.06);
-  const Axis x{lo.x(), hi.x(), kLeft, kWidth - kRight};
-  const Axis y{from_zero ? 0.0 : range[0], range[1], kTop + kPlot, kTop};
-  Svg svg(words.id, kWidth, kTop + kPlot + kFoot, words.title, words.description);
-  svg.text({12, 20}, words.up, Anchor::start, "panel");
-  draw_foot(svg, x, kTop, kTop + kPlot, 8, words.along);
-  draw_rows(svg, x, y, 5);
-  svg.begin_clip(x.from - 5, kTop, x.to - x.from + 10, kPlot + 5);
-  for (const PlotCurve& c : curves) {
-    draw_curve(svg, x, y, c.values, c.style);
-    if (!c.dots) continue;
-    for (const Vec2& v : c.values)
-      if (std::isfinite(v.y())) svg.dot({x(v.x()), y(v.y())}, 3.0, "mark");
-  }
-  svg.end_group();
-  return svg.str();
-}
 
 std::string loaded_te_figure(const LoadReport& report) {
   std::vector<PlotCurve> curves = torque_curves(report, [&](const LoadedTorque& t) {
@@ -97,14 +60,13 @@ std::string loaded_te_figure(const LoadReport& report) {
                                    [](const LoadedPosition& p) { return p.unloaded_te.arcsec(); }),
                     "before"});
   for (PlotCurve& c : curves) from_their_mean(c.values);
-  return figure_of(
+  return captioned(
       curves_svg({"loaded-te", "Loaded transmission error",
                   "Over the rotation of gear 1: transmission error from its mean, for each torque.",
                   "transmission error, arc seconds", kTurn},
                  curves, false),
-      fmt::format("<strong>Loaded transmission error</strong>, each curve from its mean. {}<span "
-                  "class=\"key\"><i class=\"swatch before\"></i>without load</span>",
-                  torque_keys(report)));
+      "<strong>Loaded transmission error</strong>, each curve from its mean. " +
+          torque_keys(report) + caption_key("before", "without load"));
 }
 
 std::string share_figure(const LoadReport& report) {
@@ -122,7 +84,7 @@ std::string share_figure(const LoadReport& report) {
     values.push_back({values.back().x() + step, 0.0});
     return values;
   });
-  return figure_of(
+  return captioned(
       curves_svg({"load-share", "Load share of a tooth pair",
                   "Over the way of one tooth pair through its mesh: its part of the whole load.",
                   "share of the load", "turn of the tooth pair from the centre line, pitches"},
@@ -137,7 +99,7 @@ std::string stiffness_figure(const LoadReport& report) {
   const auto curves = torque_curves(report, [&](const LoadedTorque& t) {
     return over_the_pitch(report, t, [](const LoadedPosition& p) { return p.stiffness; });
   });
-  return figure_of(
+  return captioned(
       curves_svg({"mesh-stiffness", "Mesh stiffness",
                   fmt::format("Over the rotation of gear 1: {} over approach, for each torque.",
                               points ? "force" : "line load"),
@@ -162,16 +124,16 @@ std::string harris_figure(const LoadReport& report) {
   };
   std::vector<PlotCurve> curves{
       line([](const LoadedTorque& t) { return t.peak_to_peak.arcsec(); }, "curve ink")};
-  std::string keys = "<span class=\"key\"><i class=\"swatch ink\"></i>peak to peak</span> ";
+  std::string keys = caption_key("ink", "peak to peak") + " ";
   for (std::size_t h = 0; h < std::min(kWaves, quiet->harmonics.size()); ++h) {
     curves.push_back(line(
         [h](const LoadedTorque& t) { return t.harmonics.empty() ? kNaN : t.harmonics[h].arcsec(); },
         "curve " + curve_style(h)));
     keys +=
-        fmt::format("<span class=\"key\"><i class=\"swatch {}\"></i>{} wave{} per pitch</span> ",
-                    curve_style(h), h + 1, h == 0 ? "" : "s");
+        caption_key(curve_style(h), fmt::format("{} wave{} per pitch", h + 1, h == 0 ? "" : "s")) +
+        " ";
   }
-  return figure_of(
+  return captioned(
       curves_svg(
           {"harris", "Harris map",
            "Over the torque: the loaded transmission error's peak to peak and the amplitudes "

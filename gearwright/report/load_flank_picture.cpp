@@ -1,5 +1,3 @@
-#include "gearwright/report/load_flank_picture.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,7 +6,7 @@
 #include "gearwright/report/contact_contour.hpp"
 #include "gearwright/report/flank_frame.hpp"
 #include "gearwright/report/html_text.hpp"
-#include "gearwright/report/shades.hpp"
+#include "gearwright/report/load_figures.hpp"
 #include "gearwright/report/turning.hpp"
 
 namespace gearwright {
@@ -19,7 +17,6 @@ constexpr std::size_t kRows = 81;
 constexpr std::size_t kColumns = 65;
 constexpr int kMostLevels = 10;
 constexpr double kLow = 276.0;      // px of flank: the key stands between the names of tip and root
-constexpr double kPlot = 200.0;     // px, pressure along the face
 constexpr double kStraight = 0.15;  // px: points of a line so near to a chord are left out
 
 // A slice of a flank on its way through the mesh: where it is nearest, and how it presses there.
@@ -97,33 +94,21 @@ void draw_frames(Svg& svg, const LoadReport& report, const Draw& draw) {
   }
 }
 
-std::vector<double> levels_of(double most) {
-  std::vector<double> levels;
-  for (const double v : round_ticks(0.0, most, kMostLevels).values)
-    if (v > 0.0 && v < most) levels.push_back(v);
-  return levels;
-}
-
-std::string flank_figure(const LoadReport& report, std::size_t which) {
+std::string flank_svg(const LoadReport& report, std::size_t which) {
   const LoadedTorque& t = heaviest(report);
   const FlankRaster raster = pressure_raster(report, which);
-  const FlankFrame f =
-      frame_of(raster, report.gears[which]->internal(), flank::kLeft,
-               flank::kWidth - flank::kRight, flank::kTop + flank::kBeyond, kLow, flank::kHigh);
+  const FlankFrame f = frame_of(raster, report.gears[which]->internal(), kLow);
   const std::string name = fmt::format("Gear {}", which + 1);
-  Svg svg(
-      fmt::format("pressure{}", which + 1), flank::kWidth,
-      f.bottom() + flank::kBeyond + flank::kFoot, name + ": pressure on the flank",
+  Svg svg = flank_picture(
+      fmt::format("pressure{}", which + 1), f, which, name + ": pressure on the flank",
       "The usable flank laid flat, shaded by the greatest pressure over a mesh; lines: where the "
       "tooth pairs bear at one position.");
-  draw_flank(svg, f, which);
   // Of pressures turned over, to have the regions above a level.
   ContourField field{raster.height.size(), raster.diameter.size(), raster.gap};
   for (double& v : field.value) v = -v;
-  const std::vector<double> levels = levels_of(t.max_pressure);
+  const std::vector<double> levels = levels_between(0.0, t.max_pressure, kMostLevels);
   const std::size_t n = levels.size() + 1;
   const auto px = nodes_px(raster, f);
-  svg.begin_clip(f.z.from, f.top(), f.z.to - f.z.from, f.bottom() - f.top());
   for (std::size_t i = 0; i < n; ++i) {
     const double level = i == 0 ? 0.0 : levels[i - 1];
     const auto loops = regions_below(field, -level);
@@ -142,18 +127,18 @@ std::string flank_figure(const LoadReport& report, std::size_t which) {
   return svg.str();
 }
 
-std::string along_figure(const LoadReport& report) {
+std::string along_svg(const LoadReport& report) {
   const LoadedTorque& t = heaviest(report);
   const FaceSlices& s = report.contact.slices[0];
-  const Axis x{s.lo, s.hi, flank::kLeft, flank::kWidth - flank::kRight};
-  const Axis y{0.0, 1.06 * t.max_pressure, flank::kTop + kPlot, flank::kTop};
+  constexpr PlotArea kArea{640, 74, 104, 44, 200, 54};
+  const Axis x = kArea.across(s.lo, s.hi);
+  const Axis y = kArea.up(0.0, 1.06 * t.max_pressure);
   Svg svg(
-      "pressure-along", flank::kWidth, flank::kTop + kPlot + flank::kFoot,
-      "Pressure along the face",
+      "pressure-along", kArea.width, kArea.height(), "Pressure along the face",
       "Over the face: the greatest pressure of a mesh, and that of the tooth pairs that bear at "
       "one position.");
   svg.text({12, 20}, "pressure, N/mm²", Anchor::start, "panel");
-  draw_foot(svg, x, flank::kTop, flank::kTop + kPlot, 8, "along the face from its middle, mm");
+  draw_foot(svg, x, kArea.top, kArea.bottom(), 8, "along the face from its middle, mm");
   draw_rows(svg, x, y, 5);
   const auto heights = heights_of(report, 0);
   const auto curve = [&](auto of) {
@@ -212,22 +197,17 @@ FlankRaster pressure_raster(const LoadReport& report, std::size_t which) {
 }
 
 std::string pressure_figures(const LoadReport& report) {
-  const auto figure = [](const std::string& svg, const std::string& more,
-                         const std::string& caption) {
-    return fmt::format("<figure>{}{}<figcaption>{}</figcaption></figure>\n", svg, more, caption);
-  };
-  return fmt::format(
-      "<div class=\"figures\">\n{}{}{}</div>\n",
-      figure(flank_figure(report, 0), turn_control(*report.pair),
-             fmt::format("<strong>Gear 1</strong> at {}: the greatest pressure over a mesh, N/mm². "
-                         "<span class=\"key\"><i class=\"swatch action\"></i>where teeth bear at "
-                         "the slider’s position</span>",
-                         torque_words(heaviest(report)))),
-      figure(flank_figure(report, 1), "", "<strong>Gear 2</strong>, the same."),
-      figure(along_figure(report), "",
-             "<strong>Pressure along the face</strong> of each tooth pair that bears there, a "
-             "colour for each. <span class=\"key\"><i class=\"swatch before\"></i>the greatest "
-             "over a mesh</span>"));
+  return side_by_side(
+      captioned(
+          flank_svg(report, 0) + turn_control(*report.pair),
+          fmt::format("<strong>Gear 1</strong> at {}: the greatest pressure over a mesh, N/mm². {}",
+                      torque_words(heaviest(report)),
+                      caption_key("action", "where teeth bear at the slider’s position"))) +
+      captioned(flank_svg(report, 1), "<strong>Gear 2</strong>, the same.") +
+      captioned(along_svg(report),
+                "<strong>Pressure along the face</strong> of each tooth pair that bears there, a "
+                "colour for each. " +
+                    caption_key("before", "the greatest over a mesh")));
 }
 
 }  // namespace gearwright

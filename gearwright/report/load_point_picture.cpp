@@ -1,5 +1,3 @@
-#include "gearwright/report/load_point_picture.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +9,7 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/report/flank_frame.hpp"
 #include "gearwright/report/html_text.hpp"
-#include "gearwright/report/load_curve_picture.hpp"
+#include "gearwright/report/load_figures.hpp"
 
 namespace gearwright {
 
@@ -57,7 +55,7 @@ std::vector<Vec2> outline_of(const LoadedPoint& p, std::size_t which, const Flan
   return line;
 }
 
-std::string flank_figure(const LoadReport& report, std::size_t which) {
+std::string flank_svg(const LoadReport& report, std::size_t which) {
   const Gear& gear = *report.gears[which];
   const auto ways = ways_of(report, heaviest(report));
   double lo = gear.tip_form_radius();
@@ -70,15 +68,13 @@ std::string flank_figure(const LoadReport& report, std::size_t which) {
   if (const auto form = gear.root_form_radius()) lo = std::min(lo, *form);
   const double half = gear.spec.face_width / 2;
   const FlankRaster extent{{2 * lo, 2 * hi}, {-half, half}, {}};
-  const FlankFrame f = frame_of(extent, false, flank::kLeft, flank::kWidth - flank::kRight,
-                                flank::kTop + flank::kBeyond, kLow, flank::kHigh);
+  const FlankFrame f = frame_of(extent, false, kLow);
   const std::string name = fmt::format("Gear {}", which + 1);
-  Svg svg(fmt::format("ellipses{}", which + 1), flank::kWidth,
-          f.bottom() + flank::kBeyond + flank::kFoot, name + ": ellipses of contact",
-          "The usable flank laid flat; ellipses: where a tooth presses at places of its way "
-          "through the mesh; the line joins their middles.");
-  draw_flank(svg, f, which);
-  svg.begin_clip(f.z.from, f.top(), f.z.to - f.z.from, f.bottom() - f.top());
+  Svg svg =
+      flank_picture(fmt::format("ellipses{}", which + 1), f, which, name + ": ellipses of contact",
+                    "The usable flank laid flat; ellipses: where a tooth presses at places of its "
+                    "way through the "
+                    "mesh; the line joins their middles.");
   for (const auto& way : ways) {
     std::vector<Vec2> path;
     for (const Passing& p : way) {
@@ -106,32 +102,28 @@ std::string pressure_figure(const LoadReport& report) {
       curves.push_back(std::move(c));
     }
   }
-  return fmt::format(
-      "<figure>{}<figcaption><strong>Pressure</strong> in the middle of the ellipse, of one tooth "
-      "pair from where it begins to bear to where it ceases. {}</figcaption></figure>\n",
+  return captioned(
       curves_svg({"point-pressure", "Pressure of a tooth pair",
                   "Over the way of one tooth pair through its mesh: the greatest pressure.",
                   "N/mm²", "turn of the tooth pair from the centre line, pitches"},
                  curves, true),
-      torque_keys(report));
+      "<strong>Pressure</strong> in the middle of the ellipse, of one tooth pair from where it "
+      "begins to bear to where it ceases. " +
+          torque_keys(report));
 }
 
 }  // namespace
 
 std::string ellipse_figures(const LoadReport& report) {
   GW_EXPECTS(report.contact.regime == LoadRegime::point);
-  const auto figure = [&](std::size_t which, const std::string& caption) {
-    return fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n",
-                       flank_figure(report, which), caption);
-  };
-  const std::string keys =
-      "<span class=\"key\"><i class=\"swatch action\"></i>on the flank</span> <span "
-      "class=\"key\"><i class=\"swatch before\"></i>hanging over an end of it</span>";
-  return "<div class=\"figures\">\n" +
-         figure(0, fmt::format("<strong>Gear 1</strong> at {}: the ellipses of contact of a tooth "
-                               "on its way through the mesh. {}",
-                               torque_words(heaviest(report)), keys)) +
-         figure(1, "<strong>Gear 2</strong>, the same.") + pressure_figure(report) + "</div>\n";
+  const std::string caption = fmt::format(
+      "<strong>Gear 1</strong> at {}: the ellipses of contact of a tooth on its way through the "
+      "mesh. {} {}",
+      torque_words(heaviest(report)), caption_key("action", "on the flank"),
+      caption_key("before", "hanging over an end of it"));
+  return side_by_side(captioned(flank_svg(report, 0), caption) +
+                      captioned(flank_svg(report, 1), "<strong>Gear 2</strong>, the same.") +
+                      pressure_figure(report));
 }
 
 }  // namespace gearwright

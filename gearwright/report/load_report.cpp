@@ -51,8 +51,7 @@ std::string torque_keys(const LoadReport& report) {
   std::string keys;
   const auto shown = shown_torques(report);
   for (std::size_t i = 0; i < shown.size(); ++i)
-    keys += fmt::format("<span class=\"key\"><i class=\"swatch {}\"></i>{}</span> ", curve_style(i),
-                        torque_words(report.contact.torques[shown[i]]));
+    keys += caption_key(curve_style(i), torque_words(report.contact.torques[shown[i]])) + " ";
   return keys;
 }
 

@@ -1,5 +1,3 @@
-#include "gearwright/report/load_root_picture.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,8 +5,7 @@
 
 #include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
-#include "gearwright/report/load_curve_picture.hpp"
-#include "gearwright/report/svg.hpp"
+#include "gearwright/report/load_figures.hpp"
 
 namespace gearwright {
 
@@ -18,9 +15,6 @@ using Eigen::Index;
 
 constexpr double kWidth = 520.0, kHeight = 360.0;
 constexpr double kLongest = 0.7;  // normal modules: the greatest stress as it is drawn
-
-// The pulled side is drawn on the right, which is y < 0 of the gear frame.
-Vec2 right(const Vec2& p) { return {p.x(), -p.y()}; }
 
 struct Fillet {
   std::vector<Vec2> at, in;    // mm, and the direction into the material
@@ -60,7 +54,8 @@ std::string fillet_figure(const LoadReport& report, std::size_t which, const std
   const auto [lo, hi] = std::minmax(root, flank);
   const double scale = kHeight / (hi - lo);
   const Vec2 middle = f.at[f.worst];
-  const Viewport view{kWidth, kHeight, right({0.5 * (lo + hi), middle.y()}), scale, true};
+  // The pulled side is drawn on the right, which is y < 0 of the gear frame.
+  const Viewport view{kWidth, kHeight, mirrored({0.5 * (lo + hi), middle.y()}), scale, true};
   Svg svg(fmt::format("root-stress{}", which + 1), kWidth, kHeight,
           name + ": stress along the fillet",
           "The tooth in the transverse section; bars on the fillet that is pulled: the greatest "
@@ -73,19 +68,21 @@ std::string fillet_figure(const LoadReport& report, std::size_t which, const std
   std::vector<Vec2> ends;
   for (std::size_t i = 0; i < f.at.size(); ++i) {
     const Vec2 end = f.at[i] + (kLongest * module * f.stress[i] / most) * f.in[i];
-    ends.push_back(view.px(right(end)));
-    svg.line(view.px(right(f.at[i])), ends.back(), "thin");
+    ends.push_back(view.px(mirrored(end)));
+    svg.line(view.px(mirrored(f.at[i])), ends.back(), "thin");
   }
   svg.polyline(ends, "curve c-root-fillet");
   svg.end_group();
-  svg.dot(view.px(right(f.at[f.worst])), 3.0, "mark");
+  svg.dot(view.px(mirrored(f.at[f.worst])), 3.0, "mark");
   svg.text(ends[f.worst], fixed(most, 0) + " N/mm²", Anchor::end, "halo", {-6.0, 4.0});
-  return fmt::format(
-      "<figure>{}<figcaption><strong>{}: {} N/mm²</strong> at the dot, on a diameter of {} mm, {} "
-      "mm along the face from its middle. Bars: the greatest principal stress at each point of the "
-      "fillet over a mesh.</figcaption></figure>\n",
-      svg.str(), name, fixed(most, 1), fixed(2 * middle.norm(), 2),
-      fixed(report.contact.slices[which].middle(static_cast<int>(f.slice)), 2));
+  return captioned(
+      svg.str(),
+      fmt::format(
+          "<strong>{}: {} N/mm²</strong> at the dot, on a diameter of {} mm, {} mm along the face "
+          "from its middle. Bars: the greatest principal stress at each point of the fillet over a "
+          "mesh.",
+          name, fixed(most, 1), fixed(2 * middle.norm(), 2),
+          fixed(report.contact.slices[which].middle(static_cast<int>(f.slice)), 2)));
 }
 
 std::string face_figure(const LoadReport& report) {
@@ -98,14 +95,12 @@ std::string face_figure(const LoadReport& report) {
       c.values.push_back({heights[j], most[static_cast<Index>(j)]});
     curves.push_back(std::move(c));
   }
-  return fmt::format(
-      "<figure>{}<figcaption><strong>Over the face</strong>: the greatest along the fillet. <span "
-      "class=\"key\"><i class=\"swatch g1\"></i>gear 1</span> <span class=\"key\"><i "
-      "class=\"swatch g2\"></i>gear 2</span></figcaption></figure>\n",
+  return captioned(
       curves_svg({"root-stress-face", "Root stress over the face",
                   "Over the face: the greatest stress along the fillet, of both gears.",
                   "root stress, N/mm²", "along the face from its middle, mm"},
-                 curves, true));
+                 curves, true),
+      "<strong>Over the face</strong>: the greatest along the fillet. " + gear_keys());
 }
 
 }  // namespace
@@ -118,7 +113,7 @@ std::string root_stress_figures(const LoadReport& report,
         heaviest(report).root_stress[g].maxCoeff() > 0.0)
       figures += fillet_figure(report, g, shapes[g]);
   if (figures.empty()) return {};
-  return "<div class=\"figures\">\n" + figures + face_figure(report) + "</div>\n";
+  return side_by_side(figures + face_figure(report));
 }
 
 }  // namespace gearwright

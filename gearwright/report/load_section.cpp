@@ -1,5 +1,3 @@
-#include "gearwright/report/load_section.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,12 +5,10 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/catalogue/load_quantities.hpp"
 #include "gearwright/load/load_summary.hpp"
-#include "gearwright/report/contact_te_picture.hpp"
+#include "gearwright/report/contact_report.hpp"
 #include "gearwright/report/html_text.hpp"
-#include "gearwright/report/load_curve_picture.hpp"
-#include "gearwright/report/load_flank_picture.hpp"
-#include "gearwright/report/load_point_picture.hpp"
-#include "gearwright/report/load_root_picture.hpp"
+#include "gearwright/report/load_figures.hpp"
+#include "gearwright/report/report_sections.hpp"
 #include "gearwright/report/table_builder.hpp"
 
 namespace gearwright {
@@ -53,7 +49,7 @@ std::string facts(const LoadReport& report) {
       std::vector<std::string> texts;
       for (std::size_t i = 0; i < columns.size(); ++i)
         texts.push_back(each == 2 ? row.texts[2 * i] + ", " + row.texts[2 * i + 1] : row.texts[i]);
-      table.row(capitalised(row.info->words), row.info->symbol, unit_text(row.info->unit), texts);
+      table.row(*row.info, texts);
     }
   }
   return table.str() + "<p>Of two values the first is gear 1’s.</p>\n";
@@ -67,8 +63,8 @@ std::string te_part(const LoadReport& report) {
          "so that gear 2 swings at the tooth frequency even when the flanks are perfect. Tip "
          "relief "
          "fills that swing at one torque: below it the relief itself is heard, above it the "
-         "teeth.</p>\n<div class=\"figures\">\n" +
-         loaded_te_figure(report) + harris + "</div>\n" +
+         "teeth.</p>\n" +
+         side_by_side(loaded_te_figure(report) + harris) +
          (harris.empty()
               ? "<p>With several torques a Harris map shows at which of them the pair is "
                 "quietest.</p>\n"
@@ -84,8 +80,8 @@ std::string share_part(const LoadReport& report) {
          "The stiffness of the mesh is the " +
          std::string(at_points(report) ? "force" : "line load") +
          " over how far the gears approach each other; that it changes while they turn shakes the "
-         "shafts.</p>\n<div class=\"figures\">\n" +
-         share_figure(report) + stiffness_figure(report) + "</div>\n";
+         "shafts.</p>\n" +
+         side_by_side(share_figure(report) + stiffness_figure(report));
 }
 
 std::string ellipse_part(const LoadReport& report) {

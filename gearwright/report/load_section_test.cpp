@@ -1,4 +1,4 @@
-#include "gearwright/report/load_section.hpp"
+#include "gearwright/report/report_sections.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/report/gear_shape.hpp"
-#include "gearwright/report/load_flank_picture.hpp"
+#include "gearwright/report/load_figures.hpp"
 #include "gearwright/report/testing/page_text.hpp"
 #include "gearwright/report/testing/sample_load.hpp"
 #include "gearwright/report/testing/strict_html.hpp"

@@ -1,5 +1,3 @@
-#include "gearwright/report/mesh_picture.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,8 +8,9 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
+#include "gearwright/report/line_marks.hpp"
 #include "gearwright/report/named_circles.hpp"
-#include "gearwright/report/svg.hpp"
+#include "gearwright/report/pair_figures.hpp"
 #include "gearwright/report/turning.hpp"
 
 namespace gearwright {
@@ -23,10 +22,6 @@ constexpr double kMeshHeight = 560.0;
 constexpr double kWholeWidth = 420.0;
 constexpr double kWholeHeight = 360.0;
 constexpr double kLetterRoom = 17.0;  // px between two letters on one side of the line
-
-const std::array<const char*, 2> kBody{"body g1", "body g2"};
-const std::array<const char*, 2> kOutline{"outline g1", "outline g2"};
-const std::array<const char*, 2> kInk{"g1", "g2"};
 
 Vec2 flat(const Point<Housing>& p) { return {p.r.x(), p.r.y()}; }
 
@@ -58,24 +53,21 @@ void draw_bodies(Svg& svg, const Viewport& view, const InvolutePair& pair,
                  const std::array<std::string, 2>& shapes) {
   const std::array<double, 2> angles = drawn_angles(pair);
   // Outlines after both bodies: where the teeth overlap, both are seen.
-  for (const auto& styles : {kBody, kOutline}) {
+  for (const char* style : {"body ", "outline "}) {
     for (const std::size_t i : {1, 0}) {
       const Gear& gear = pair.gears[i];
       if (!has_outline(gear)) continue;
       svg.use(shapes[i], view.px(axis_of(pair, i)), view.scale * outline_unit_mm(gear), angles[i],
-              styles[i], turn_attribute(pair, i));
+              std::string(style) + kInk[i], turn_attribute(pair, i));
     }
   }
 }
 
 std::vector<NamedCircle> circles_of(const InvolutePair& pair, std::size_t i) {
   const Gear& gear = pair.gears[i];
-  const double r_w = pair.mesh.rack.sides[i].pitch_radius;
-  const std::string n = std::to_string(i + 1);
-  std::vector<NamedCircle> circles{{"d_a" + n, gear.actual_tip_radius(), ""},
-                                   {"d_w" + n, r_w, " dashdot"},
-                                   {"d_b" + n, gear.base_radius(), " dash"}};
-  if (!has_outline(gear)) circles.push_back({"d_f" + n, gear.root_diameter / 2, ""});
+  std::vector<NamedCircle> circles = mesh_circles(pair, i);
+  if (!has_outline(gear))
+    circles.push_back({"d_f" + std::to_string(i + 1), gear.root_diameter / 2, ""});
   return circles;
 }
 
@@ -101,24 +93,18 @@ void draw_path(Svg& svg, const Viewport& view, const InvolutePair& pair,
   svg.line(at(from), at(to), "action-line");
   svg.line(at(mesh.rho1_A), at(mesh.rho1_E), "action");
 
-  struct Mark {
-    std::string letter;
-    double rho1;
-    const char* style;
-  };
-  std::vector<Mark> marks{{"A", mesh.rho1_A, "mark action-dot"},
-                          {"B", mesh.rho1_B, "mark action-dot"},
-                          {"C", mesh.rho1_C, "mark pitch-dot"},
-                          {"D", mesh.rho1_D, "mark action-dot"},
-                          {"E", mesh.rho1_E, "mark action-dot"},
-                          {"T_1", 0.0, "mark hollow"},
-                          {"T_2", T2, "mark hollow"}};
-  std::sort(marks.begin(), marks.end(),
-            [](const Mark& a, const Mark& b) { return a.rho1 < b.rho1; });
+  std::vector<PathMark> marks{{"A", mesh.rho1_A, "mark action-dot"},
+                              {"B", mesh.rho1_B, "mark action-dot"},
+                              {"C", mesh.rho1_C, "mark pitch-dot"},
+                              {"D", mesh.rho1_D, "mark action-dot"},
+                              {"E", mesh.rho1_E, "mark action-dot"},
+                              {"T_1", 0.0, "mark hollow"},
+                              {"T_2", T2, "mark hollow"}};
+  sort_marks(marks);
   const Vec2 along = (at(to) - at(from)).normalized();
   const Vec2 across(-along.y(), along.x());
   std::array<double, 2> last{-1e9, -1e9};
-  for (const Mark& mark : marks) {
+  for (const PathMark& mark : marks) {
     const Vec2 p = at(mark.rho1);
     svg.dot(p, 3.2, mark.style);
     const double s = p.dot(along);
@@ -152,8 +138,7 @@ std::string mesh_svg(const InvolutePair& pair, const std::array<std::string, 2>&
   const Viewport view = mesh_window(pair);
   Svg svg("mesh", kMeshWidth, kMeshHeight, "The mesh at the pitch point",
           "Both gears near the pitch point C in the transverse section, with pitch, base and tip "
-          "circles, "
-          "the line of action and the points A to E of the path of contact on it.");
+          "circles, the line of action and the points A to E of the path of contact on it.");
   draw_bodies(svg, view, pair, shapes);
   // The centre line reaches over both gears, for readers who zoom out.
   const Extent across = extent_of(pair);
@@ -194,11 +179,10 @@ std::string whole_svg(const InvolutePair& pair, const std::array<std::string, 2>
                 "part that the picture of the mesh shows."
           : has_outline(pair.gears[1])
               ? "The pinion in the internal gear with axes and directions of rotation; a frame "
-                "marks the part "
-                "that the picture of the mesh shows."
+                "marks the part that the picture of the mesh shows."
               : "The pinion in the internal gear, whose circles alone are drawn, with axes and "
-                "directions of "
-                "rotation; a frame marks the part that the picture of the mesh shows.");
+                "directions of rotation; a frame marks the part that the picture of the mesh "
+                "shows.");
   draw_bodies(svg, view, pair, shapes);
   for (const std::size_t i : {0, 1}) {
     for (const NamedCircle& c : circles_of(pair, i)) {
@@ -252,22 +236,20 @@ std::string mesh_figures(const InvolutePair& pair, const std::array<std::string,
       : has_outline(gear_2)
           ? fmt::format(" The internal gear is drawn with a rim of {:g} modules.", kRim)
           : " <strong>The internal gear has no outline</strong>, for its cutter is not given: tip "
-            "and root "
-            "circles stand for it.";
-  return fmt::format(
-      "<div class=\"figures mesh\">\n<figure>{}{}<figcaption><strong>The mesh</strong> at the "
-      "pitch "
-      "point C, gear 1 driving clockwise. <span class=\"key\"><i class=\"swatch g1\"></i>gear "
-      "1</span> <span class=\"key\"><i class=\"swatch g2\"></i>gear 2</span> <span "
-      "class=\"key\"><i class=\"swatch action\"></i>path of contact A–E</span> <span class=\"key "
-      "turn-key\" hidden><i class=\"swatch touch\"></i>flanks touch, once turned</span> Tip "
-      "circles full, "
-      "pitch circles dash-dot, base circles dashed; T: base tangent "
-      "points.{}</figcaption></figure>\n<div><figure>{}<figcaption><strong>The whole "
-      "pair</strong>, centre distance {} mm; the frame is the picture of the "
-      "mesh.</figcaption></figure>\n{}</div>\n</div>\n",
-      mesh_svg(pair, shapes), turn_control(pair), ring, whole_svg(pair, shapes),
-      fixed(pair.center_distance, kLengthDigits), below);
+            "and root circles stand for it.";
+  const std::string mesh = fmt::format(
+      "<strong>The mesh</strong> at the pitch point C, gear 1 driving clockwise. {} {} <span "
+      "class=\"key turn-key\" hidden><i class=\"swatch touch\"></i>flanks touch, once "
+      "turned</span> "
+      "Tip circles full, pitch circles dash-dot, base circles dashed; T: base tangent points.{}",
+      gear_keys(), caption_key("action", "path of contact A–E"), ring);
+  const std::string whole = fmt::format(
+      "<strong>The whole pair</strong>, centre distance {} mm; the frame is the picture of the "
+      "mesh.",
+      fixed(pair.center_distance, kLengthDigits));
+  return "<div class=\"figures mesh\">\n" +
+         captioned(mesh_svg(pair, shapes) + turn_control(pair), mesh) + "<div>" +
+         captioned(whole_svg(pair, shapes), whole) + below + "</div>\n</div>\n";
 }
 
 }  // namespace gearwright

@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kEdge = 30.0;  // px from the edge where a circle's line to its symbol begins
 constexpr double kAway = 0.80;  // cosine of where the line to a whole circle's symbol begins
-const std::array<const char*, 2> kInk{"g1", "g2"};
 
 struct Named {
   std::string symbol;
@@ -56,6 +55,13 @@ void name_in_column(Svg& svg, const Viewport& view, double side, std::size_t gea
 }
 
 }  // namespace
+
+std::vector<NamedCircle> mesh_circles(const InvolutePair& pair, std::size_t i) {
+  const std::string n = std::to_string(i + 1);
+  return {{"d_a" + n, pair.gears[i].actual_tip_radius(), ""},
+          {"d_w" + n, pair.mesh.rack.sides[i].pitch_radius, " dashdot"},
+          {"d_b" + n, pair.gears[i].base_radius(), " dash"}};
+}
 
 std::vector<PixelBox> draw_named_circles(Svg& svg, const Viewport& view, const Vec2& axis_mm,
                                          double side, std::size_t gear,

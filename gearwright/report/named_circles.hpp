@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/pair/pair.hpp"
 #include "gearwright/report/free_labels.hpp"
 #include "gearwright/report/svg.hpp"
 
@@ -13,8 +14,11 @@ namespace gearwright {
 struct NamedCircle {
   std::string symbol;
   double radius;      ///< mm
-  const char* style;  ///< classes beside the gear's colour, with a space before: " dash"
+  const char* style;  ///< classes beside "thin" and the gear's colour, with a space before: " dash"
 };
+
+/// Tip, working pitch and base circle of gear `i` (0, 1), named d_a1, d_w1, d_b1.
+std::vector<NamedCircle> mesh_circles(const InvolutePair& pair, std::size_t i);
 
 /// Draws circles about `axis` (mm). `side` is where the mesh lies: +1 to the right of the axis;
 /// `gear` is 0 or 1. A circle that the window holds entirely is named beside it, on the other side.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "gearwright/report/html_text.hpp"
-#include "gearwright/report/page_style.hpp"
 
 namespace gearwright {
 

@@ -1,5 +1,3 @@
-#include "gearwright/report/pareto_picture.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,20 +6,14 @@
 
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/plot_axis.hpp"
+#include "gearwright/report/search_figures.hpp"
 #include "gearwright/report/search_words.hpp"
-#include "gearwright/report/svg.hpp"
 
 namespace gearwright {
 
 namespace {
 
-constexpr double kWidth = 640.0;
-constexpr double kTop = 40.0;
-constexpr double kPlot = 400.0;
-constexpr double kBottom = kTop + kPlot;
-constexpr double kHeight = kBottom + 54.0;
-constexpr double kLeft = 84.0;
-constexpr double kRight = 18.0;
+constexpr PlotArea kArea{640, 84, 18, 40, 400, 54};
 constexpr double kFree = 0.06;  // of an axis, left free at both ends
 
 enum class Along { objective, distance, ratio };
@@ -132,16 +124,17 @@ void draw_axes(Svg& svg, const Scale& x, const Scale& y, const std::string& word
       svg.line({x.axis.from, y(v)}, {x.axis.to, y(v)}, "grid");
       svg.text({x.axis.from - 6, y(v) + 4}, tick_words(v), Anchor::end, "tick");
     }
-    svg.line({x.axis.from, kBottom}, {x.axis.to, kBottom}, "axis");
+    svg.line({x.axis.from, y.axis.from}, {x.axis.to, y.axis.from}, "axis");
   } else {
     draw_rows(svg, x.axis, y.axis, 7);
   }
-  if (!x.log) return draw_foot(svg, x.axis, kTop, kBottom, 6, words);
+  const double top = y.axis.to, bottom = y.axis.from;
+  if (!x.log) return draw_foot(svg, x.axis, top, bottom, 6, words);
   for (const double v : log_ticks(x.axis)) {
-    svg.line({x(v), kTop}, {x(v), kBottom + 4}, "grid");
-    svg.text({x(v), kBottom + 17}, tick_words(v), Anchor::middle, "tick");
+    svg.line({x(v), top}, {x(v), bottom + 4}, "grid");
+    svg.text({x(v), bottom + 17}, tick_words(v), Anchor::middle, "tick");
   }
-  svg.text({middle, kBottom + 36}, words, Anchor::middle, "tick");
+  svg.text({middle, bottom + 36}, words, Anchor::middle, "tick");
 }
 
 }  // namespace
@@ -175,20 +168,18 @@ std::string pareto_figure(const SearchProblem& problem, const SearchAnswer& answ
   if (dots.empty()) return {};
   const Quantity upright = plane ? quantity_of(problem.objectives[1]) : objective;
 
-  Vec2 lo = dots.front().value;
-  Vec2 hi = lo;
+  Bounds box;
   bool unranked = false;
   for (const Dot& d : dots) {
-    lo = lo.cwiseMin(d.value);
-    hi = hi.cwiseMax(d.value);
+    box.cover(d.value);
     unranked = unranked || !d.row->balanced;
   }
-  const Scale x = scale_of(lo.x(), hi.x(), kLeft, kWidth - kRight);
-  const Scale y = scale_of(lo.y(), hi.y(), kBottom, kTop);
+  const Scale x = scale_of(box.lo.x(), box.hi.x(), kArea.left, kArea.width - kArea.right);
+  const Scale y = scale_of(box.lo.y(), box.hi.y(), kArea.bottom(), kArea.top);
   const auto px = [&](const Vec2& v) { return Vec2(x(v.x()), y(v.y())); };
 
   const std::string name = fmt::format("Designs by {} and {}", across.plain, upright.plain);
-  Svg svg("designs-plot", kWidth, kHeight, name,
+  Svg svg("designs-plot", kArea.width, kArea.height(), name,
           fmt::format("{} designs as dots; to the right the {}, upright the {}.", dots.size(),
                       across.plain, upright.plain));
   svg.text({12, 22}, upright.words, Anchor::start, "panel");
@@ -232,10 +223,10 @@ std::string pareto_figure(const SearchProblem& problem, const SearchAnswer& answ
   if (dots.size() < static_cast<std::size_t>(answer.counts.feasible))
     words += fmt::format("Shown are {} of {} feasible designs. ",
                          counted(std::int64_t(dots.size())), counted(answer.counts.feasible));
-  return fmt::format(
-      "<figure>{}<figcaption><strong>{}</strong>, a dot each: rest the pointer on one for its "
-      "module, teeth and shifts. {}</figcaption></figure>\n",
-      svg.str(), name, words);
+  return captioned(svg.str(),
+                   fmt::format("<strong>{}</strong>, a dot each: rest the pointer on one "
+                               "for its module, teeth and shifts. {}",
+                               name, words));
 }
 
 }  // namespace gearwright

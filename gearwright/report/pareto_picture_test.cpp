@@ -1,4 +1,4 @@
-#include "gearwright/report/pareto_picture.hpp"
+#include "gearwright/report/search_figures.hpp"
 
 #include <gtest/gtest.h>
 

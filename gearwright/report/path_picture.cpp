@@ -1,5 +1,3 @@
-#include "gearwright/report/path_picture.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,21 +9,16 @@
 #include "gearwright/pair/contact_zones.hpp"
 #include "gearwright/report/free_labels.hpp"
 #include "gearwright/report/html_text.hpp"
+#include "gearwright/report/line_marks.hpp"
+#include "gearwright/report/pair_figures.hpp"
 #include "gearwright/report/plot_axis.hpp"
-#include "gearwright/report/svg.hpp"
 
 namespace gearwright {
 
 namespace {
 
-constexpr double kWidth = 640.0;
-constexpr double kLeft = 46.0;
-constexpr double kRight = 22.0;
-constexpr double kStripTop = 34.0;
-constexpr double kStripHeight = 26.0;
-constexpr double kPlotTop = 112.0;
-constexpr double kPlotHeight = 230.0;
-constexpr double kHeight = kPlotTop + kPlotHeight + 58.0;
+constexpr PlotArea kArea{640, 46, 22, 112, 230, 58};
+constexpr double kStripTop = 34.0, kStripHeight = 26.0;
 constexpr double kDeepest = -8.0;  // specific sliding shown, where a curve ends there
 constexpr double kEndless = -4.0;  // and where it falls without end, towards a base tangent point
 
@@ -51,23 +44,12 @@ void draw_strip(Svg& svg, const InvolutePair& pair, const Axis& x) {
     svg.text({left + width / 2, kStripTop + kStripHeight / 2 + 5}, count_words(zone.pairs, width),
              Anchor::middle, "inzone");
   }
-  const double end = std::max(mesh.rho1_E, mesh.rho1_D);
-  struct Mark {
-    const char* letter;
-    double rho1;
-  };
-  std::vector<Mark> marks{{"A", mesh.rho1_A},
-                          {"B", mesh.rho1_B},
-                          {"C", mesh.rho1_C},
-                          {"D", mesh.rho1_D},
-                          {"E", mesh.rho1_E}};
-  // ε_α > 2: a period's end lies beyond the path, and B and D say nothing.
-  std::erase_if(marks, [&](const Mark& m) { return m.rho1 < mesh.rho1_A || m.rho1 > end; });
+  const std::vector<PathMark> marks = path_marks(mesh, std::max(mesh.rho1_E, mesh.rho1_D));
   std::vector<double> wanted;
-  for (const Mark& m : marks) wanted.push_back(x(m.rho1));
-  const std::vector<double> letters = spread(wanted, 16.0, 10.0, kWidth - 10.0);
-  const std::vector<double> values = spread(wanted, 58.0, 30.0, kWidth - 30.0);
-  const double foot = kPlotTop + kPlotHeight;
+  for (const PathMark& m : marks) wanted.push_back(x(m.rho1));
+  const std::vector<double> letters = spread(wanted, 16.0, 10.0, kArea.width - 10.0);
+  const std::vector<double> values = spread(wanted, 58.0, 30.0, kArea.width - 30.0);
+  const double foot = kArea.bottom();
   for (std::size_t i = 0; i < marks.size(); ++i) {
     svg.polyline({{letters[i], kStripTop - 9}, {wanted[i], kStripTop - 3}, {wanted[i], foot}},
                  "leader");
@@ -75,7 +57,7 @@ void draw_strip(Svg& svg, const InvolutePair& pair, const Axis& x) {
     svg.line({wanted[i], foot}, {values[i], foot + 10}, "leader");
     svg.text({values[i], foot + 23}, fixed(marks[i].rho1 - mesh.rho1_C, 3), Anchor::middle, "tick");
   }
-  svg.text({(x.from + x.to) / 2, kHeight - 8},
+  svg.text({(x.from + x.to) / 2, kArea.height() - 8},
            "distance from the pitch point C along the line of action, mm", Anchor::middle, "tick");
 
   // What is left of the path when it is clipped to the usable flanks.
@@ -131,7 +113,7 @@ void label_end(Svg& svg, const InvolutePair& pair, bool at_A, const Axis& x, con
     wanted.push_back(y(shown) + (shown > 0.0 ? -10.0 : 13.0));
     if (v && *v >= y.lo) svg.dot({x(rho1), y(*v)}, 3.0, wanted.size() == 1 ? "mark g1" : "mark g2");
   }
-  const std::vector<double> placed = spread(wanted, 17.0, kPlotTop - 6, kPlotTop + kPlotHeight - 6);
+  const std::vector<double> placed = spread(wanted, 17.0, kArea.top - 6, kArea.bottom() - 6);
   for (std::size_t i = 0; i < 2; ++i) {
     const std::string value = values[i] ? fixed(*values[i], 3) : std::string("no involute");
     svg.text({x(rho1), placed[i]},
@@ -145,19 +127,19 @@ std::string path_svg(const InvolutePair& pair) {
   const Mesh<double>& mesh = pair.mesh;
   const double end = std::max(mesh.rho1_E, mesh.rho1_D);
   const Axis x{mesh.rho1_A, std::max(mesh.rho1_E, mesh.path_ratio < 1.0 ? end : mesh.rho1_E),
-               kLeft + 14, kWidth - kRight};
-  const Axis y{lowest_shown(pair), 1.0, kPlotTop + kPlotHeight, kPlotTop};
+               kArea.left + 14, kArea.width - kArea.right};
+  const Axis y = kArea.up(lowest_shown(pair), 1.0);
   Svg svg(
-      "path", kWidth, kHeight, "Path of contact and specific sliding",
+      "path", kArea.width, kArea.height(), "Path of contact and specific sliding",
       "A strip from A to E with the number of tooth pairs in contact, and below it the specific "
       "sliding of both gears over the path.");
   const double step = y.hi - y.lo > 3.0 ? 1.0 : 0.5;
   for (double v = std::ceil(y.lo / step) * step; v <= 1.0; v += step) {
-    svg.line({kLeft, y(v)}, {kWidth - kRight, y(v)}, v == 0.0 ? "axis" : "grid");
-    svg.text({kLeft - 6, y(v) + 4}, fixed(v, 1), Anchor::end, "tick");
+    svg.line({kArea.left, y(v)}, {kArea.width - kArea.right, y(v)}, v == 0.0 ? "axis" : "grid");
+    svg.text({kArea.left - 6, y(v) + 4}, fixed(v, 1), Anchor::end, "tick");
   }
   draw_strip(svg, pair, x);
-  svg.begin_clip(kLeft, kPlotTop, kWidth - kRight - kLeft, kPlotHeight);
+  svg.begin_clip(kArea.left, kArea.top, kArea.width - kArea.right - kArea.left, kArea.tall);
   for (const int gear : {1, 2}) draw_sliding(svg, pair, gear, x, y);
   svg.end_group();
   for (const bool at_A : {true, false}) label_end(svg, pair, at_A, x, y);
@@ -222,23 +204,21 @@ std::string ratio_svg(const InvolutePair& pair) {
 }  // namespace
 
 std::string path_figure(const InvolutePair& pair) {
-  return fmt::format(
-      "<figure>{}<figcaption><strong>Path of contact</strong>, zones of tooth "
-      "pairs in contact in one transverse section. Specific sliding: <span class=\"key\"><i "
-      "class=\"swatch g1\"></i>gear 1</span> <span class=\"key\"><i class=\"swatch g2\"></i>gear 2 "
-      "(dashed)</span></figcaption></figure>\n",
-      path_svg(pair));
+  return captioned(path_svg(pair),
+                   "<strong>Path of contact</strong>, zones of tooth pairs in contact in one "
+                   "transverse section. Specific sliding: " +
+                       caption_key("g1", "gear 1") + " " + caption_key("g2", "gear 2 (dashed)"));
 }
 
 std::string ratio_figure(const InvolutePair& pair) {
   const bool differs = std::abs(pair.mesh.path_ratio - pair.mesh.true_ratio) > 1e-9;
-  return fmt::format(
-      "<figure>{}<figcaption><strong>Contact ratios</strong>; from 1 on contact never stops.{} "
-      "<span class=\"key\"><i class=\"swatch alpha\"></i>transverse</span> <span "
-      "class=\"key\"><i class=\"swatch beta\"></i>overlap</span></figcaption></figure>\n",
-      ratio_svg(pair),
+  const char* const filled =
       differs ? " Filled: of the usable flanks; outlined: from tip to tip, as the formula has it."
-              : "");
+              : "";
+  return captioned(
+      ratio_svg(pair),
+      fmt::format("<strong>Contact ratios</strong>; from 1 on contact never stops.{} {} {}", filled,
+                  caption_key("alpha", "transverse"), caption_key("beta", "overlap")));
 }
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-#include "gearwright/report/path_picture.hpp"
+#include "gearwright/report/pair_figures.hpp"
 
 #include <gtest/gtest.h>
 

@@ -19,6 +19,18 @@ struct Axis {
   double near(double v) const;
 };
 
+/// Where a plot stands in its picture, px.
+struct PlotArea {
+  double width;        ///< of the picture
+  double left, right;  ///< from the picture's edges to the plot's
+  double top, tall, foot;
+
+  constexpr double bottom() const { return top + tall; }
+  constexpr double height() const { return bottom() + foot; }  ///< of the picture
+  Axis across(double lo, double hi) const { return {lo, hi, left, width - right}; }
+  Axis up(double lo, double hi) const { return {lo, hi, bottom(), top}; }
+};
+
 struct Ticks {
   std::vector<double> values;
   int decimals;  ///< that tell them apart
@@ -29,6 +41,9 @@ struct Ticks {
 /// Domain    lo < hi, most ≥ 1 (contract)
 /// Laws      at most most + 1 values
 Ticks round_ticks(double lo, double hi, int most);
+
+/// Those of them that lie between lo and hi.
+std::vector<double> levels_between(double lo, double hi, int most);
 
 /// lo … hi widened by `share` of its length on both sides; a single value gets room of its own.
 std::vector<double> widened(double lo, double hi, double share);
@@ -45,5 +60,23 @@ void draw_foot(Svg& svg, const Axis& x, double top, double bottom, int most,
 /// finite and begins anew behind it.
 void draw_curve(Svg& svg, const Axis& x, const Axis& y, const std::vector<Vec2>& values,
                 std::string_view style);
+
+/// A curve of a plot and the classes it is drawn with.
+struct PlotCurve {
+  std::vector<Vec2> values;
+  std::string style;
+  bool dots = false;
+};
+
+/// What stands around the curves.
+struct PlotWords {
+  std::string id, title, description;  ///< plain text
+  std::string up, along;               ///< SVG markup: what the axes carry
+};
+
+/// Curves over their common range; with `from_zero` the values' axis begins at 0. Empty where they
+/// have no range.
+std::string curves_svg(const PlotWords& words, const std::vector<PlotCurve>& curves,
+                       bool from_zero);
 
 }  // namespace gearwright

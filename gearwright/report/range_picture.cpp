@@ -1,5 +1,3 @@
-#include "gearwright/report/range_picture.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,23 +6,17 @@
 #include <functional>
 #include <vector>
 
+#include "gearwright/report/crossed_figures.hpp"
 #include "gearwright/report/crossed_range.hpp"
 #include "gearwright/report/html_text.hpp"
-#include "gearwright/report/plot_axis.hpp"
-#include "gearwright/report/svg.hpp"
 
 namespace gearwright {
 
 namespace {
 
-constexpr double kWidth = 640.0;
-constexpr double kLeft = 66.0;
-constexpr double kRight = 18.0;
-constexpr double kTop = 58.0;
-constexpr double kPanel = 124.0;
-constexpr double kGap = 34.0;
+constexpr double kPanel = 124.0, kGap = 34.0;  // px, height of a panel and from one to the next
+constexpr PlotArea kArea{640, 66, 18, 58, 3 * kPanel + 2 * kGap, kGap + 20};
 constexpr double kNear = 12.0;  // px, a label's height
-constexpr double kHeight = kTop + 3 * kPanel + 3 * kGap + 20.0;
 
 // One of the three quantities: on the curve, and of the pair as mounted.
 struct Quantity {
@@ -74,7 +66,7 @@ void draw_panel(Svg& svg, const InvolutePair& pair, const std::vector<CrossedSam
   const auto [lo, hi] = shown(pair, samples, q);
   const Axis y{lo, hi, top + kPanel, top};
   draw_rows(svg, x, y, 6);
-  svg.text({x.from, top == kTop ? top - 36 : top - 7}, q.words, Anchor::start, "panel");
+  svg.text({x.from, top == kArea.top ? top - 36 : top - 7}, q.words, Anchor::start, "panel");
   svg.begin_clip(x.from, top, x.to - x.from, kPanel);
   draw_curve(svg, x, y, over_angle(samples, q.value), "curve ink");
   svg.end_group();
@@ -102,15 +94,13 @@ void draw_panel(Svg& svg, const InvolutePair& pair, const std::vector<CrossedSam
 
 std::string range_svg(const InvolutePair& pair) {
   const std::vector<CrossedSample> samples = crossed_samples(pair);
-  const Axis x = angle_axis(samples, kLeft, kWidth - kRight);
-  const double bottom = kTop + 3 * kPanel + 2 * kGap;
-  Svg svg("range", kWidth, kHeight, "Places that the pair can take",
+  const Axis x = angle_axis(samples, kArea);
+  Svg svg("range", kArea.width, kArea.height(), "Places that the pair can take",
           "Centre distance, shaft angle and contact ratio of the pair free of backlash, each over "
           "the normal pressure angle of the common rack; shaded where the contact ratio is at "
           "least 1, with lines at the least centre distance and where the pair is mounted.");
-  draw_foot(svg, x, kTop, bottom, 8, "working normal pressure angle " + symbol_svg("α_wn") + ", °");
-  draw_marked_angles(svg, pair, x, kTop, bottom);
-  double top = kTop;
+  draw_angles(svg, pair, x, kArea);
+  double top = kArea.top;
   for (const Quantity& q : quantities(pair)) {
     draw_panel(svg, pair, samples, q, x, top);
     top += kPanel + kGap;
@@ -122,15 +112,14 @@ std::string range_svg(const InvolutePair& pair) {
 
 std::string range_figure(const InvolutePair& pair) {
   const bool by_hand = !approximations(pair).empty();
-  return fmt::format(
-      "<figure>{}<figcaption><strong>Places that the pair can take</strong> free of backlash. "
-      "<span class=\"key\"><i class=\"swatch action\"></i>as mounted</span> <span "
-      "class=\"key\"><i class=\"swatch ink\"></i>least centre distance</span> {}{}</figcaption>"
-      "</figure>\n",
+  return captioned(
       range_svg(pair),
-      pair.contact_ratio_range ? "Shaded: the contact ratio is at least 1."
-                               : "The contact ratio reaches 1 nowhere.",
-      by_hand ? " Hollow dots: approximate solutions of the least centre distance." : "");
+      fmt::format(
+          "<strong>Places that the pair can take</strong> free of backlash. {} {} {}{}",
+          caption_key("action", "as mounted"), caption_key("ink", "least centre distance"),
+          pair.contact_ratio_range ? "Shaded: the contact ratio is at least 1."
+                                   : "The contact ratio reaches 1 nowhere.",
+          by_hand ? " Hollow dots: approximate solutions of the least centre distance." : ""));
 }
 
 }  // namespace gearwright

@@ -8,32 +8,15 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/overloaded.hpp"
-#include "gearwright/report/arc_pair_section.hpp"
-#include "gearwright/report/centrode_picture.hpp"
-#include "gearwright/report/compensate_section.hpp"
-#include "gearwright/report/contact_section.hpp"
-#include "gearwright/report/crossed_picture.hpp"
-#include "gearwright/report/face_picture.hpp"
-#include "gearwright/report/few_teeth_table.hpp"
+#include "gearwright/report/crossed_figures.hpp"
+#include "gearwright/report/gear_figures.hpp"
 #include "gearwright/report/gear_shape.hpp"
-#include "gearwright/report/gear_table.hpp"
 #include "gearwright/report/html_text.hpp"
-#include "gearwright/report/load_section.hpp"
-#include "gearwright/report/measure_section.hpp"
-#include "gearwright/report/mesh_picture.hpp"
-#include "gearwright/report/min_distance_picture.hpp"
 #include "gearwright/report/page_parts.hpp"
-#include "gearwright/report/page_style.hpp"
-#include "gearwright/report/path_picture.hpp"
-#include "gearwright/report/range_picture.hpp"
-#include "gearwright/report/rating_section.hpp"
+#include "gearwright/report/pair_figures.hpp"
+#include "gearwright/report/report_sections.hpp"
 #include "gearwright/report/report_tables.hpp"
-#include "gearwright/report/root_picture.hpp"
-#include "gearwright/report/section_picture.hpp"
-#include "gearwright/report/shift_picture.hpp"
 #include "gearwright/report/solid.hpp"
-#include "gearwright/report/speed_picture.hpp"
-#include "gearwright/report/tooth_picture.hpp"
 #include "gearwright/report/turning.hpp"
 
 namespace gearwright {
@@ -106,10 +89,10 @@ std::string few_teeth_section(const ReportInput& input) {
   const std::string table = few_teeth_table(input.gears);
   if (table.empty() && pictures == 0) return {};
   // One picture has the table beside it, two stand side by side above it.
-  const char* frame = pictures == 1 && !table.empty()
-                          ? "<div class=\"columns\"><div>{}</div><div>{}</div></div>\n"
-                          : "<div class=\"figures\">{}</div>\n{}";
-  const std::string first = pictures == 0 ? table : fmt::format(fmt::runtime(frame), roots, table);
+  const std::string first = pictures == 0 ? table
+                            : pictures == 1 && !table.empty()
+                                ? in_columns(roots, table)
+                                : fmt::format("<div class=\"figures\">{}</div>\n{}", roots, table);
   return fmt::format("<section>\n<h2>Roots and tips</h2>\n{}{}</section>\n", first, shifts);
 }
 
@@ -121,36 +104,31 @@ std::string gear_section(const ReportInput& input) {
   const std::string hint = picture_hint();
   const std::string table = gear_table(input.gears);
   if (input.gears.size() == 1) {
-    return fmt::format(
-        "<section>\n<h2>Gear</h2>\n{}<div class=\"columns\"><div>{}</div><div>{}{}</div></div>\n"
-        "</section>\n",
-        hint, table, pictures, solid_figure(input));
+    return "<section>\n<h2>Gear</h2>\n" + hint + in_columns(table, pictures + solid_figure(input)) +
+           "</section>\n";
   }
-  return fmt::format(
-      "<section>\n<h2>Gears</h2>\n{}<div class=\"figures\">\n{}</div>\n{}</section>\n", hint,
-      pictures, table);
+  return "<section>\n<h2>Gears</h2>\n" + hint + side_by_side(pictures) + table + "</section>\n";
 }
 
 std::string crossed_section(const InvolutePair& pair) {
   const auto if_they_meet = [&](std::string (*figures)(const InvolutePair&)) {
     return pair.flanks_meet() ? figures(pair) : std::string();
   };
-  return fmt::format(
-      "<section class=\"pair\">\n<h2>Pair</h2>\n{}<div "
-      "class=\"columns\"><div>{}{}</div><div>{}{}{}{}</div></div>\n"
-      "<h3>Other places for these gears</h3>\n<div "
-      "class=\"columns\"><div>{}</div><div>{}</div></div>\n{}</section>\n",
-      plan_figures(pair), pair_table(pair), interference_table(pair), section_figure(pair),
-      if_they_meet(face_use_figure), if_they_meet(speed_figures), path_table(pair),
-      range_figure(pair), face_width_figure(pair), min_distance_part(pair));
+  return "<section class=\"pair\">\n<h2>Pair</h2>\n" + plan_figures(pair) +
+         in_columns(pair_table(pair) + interference_table(pair),
+                    section_figure(pair) + if_they_meet(face_use_figure) +
+                        if_they_meet(speed_figures) + path_table(pair)) +
+         "<h3>Other places for these gears</h3>\n" +
+         in_columns(range_figure(pair), face_width_figure(pair)) + min_distance_part(pair) +
+         "</section>\n";
 }
 
 std::string pair_section(const InvolutePair& pair) {
   if (pair.crossed()) return crossed_section(pair);
   const bool meet = pair.flanks_meet();
-  const std::string path = meet ? fmt::format("<div class=\"figures\">\n{}<div>{}</div></div>\n",
-                                              path_figure(pair), path_table(pair))
-                                : path_table(pair);
+  const std::string path =
+      meet ? side_by_side(path_figure(pair) + "<div>" + path_table(pair) + "</div>")
+           : path_table(pair);
   return fmt::format("<section class=\"pair\">\n<h2>Pair</h2>\n{}{}{}{}{}</section>\n",
                      mesh_figures(pair, kShapes, meet ? ratio_figure(pair) : std::string()),
                      pair_table(pair), interference_table(pair), path, centrode_figures(pair));

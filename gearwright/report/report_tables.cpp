@@ -5,67 +5,110 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
+#include "gearwright/base/units.hpp"
+#include "gearwright/catalogue/gear_quantities.hpp"
+#include "gearwright/report/gear_figures.hpp"
 #include "gearwright/report/html_text.hpp"
-#include "gearwright/report/quantity_table.hpp"
-#include "gearwright/report/shown_values.hpp"
+#include "gearwright/report/table_builder.hpp"
 
 namespace gearwright {
 
-using shown::angle;
-using shown::length;
-using shown::ratio;
-
-std::string pair_table(const Pair& pair) {
-  TableBuilder t("Pair data, symbols of ISO 21771", {"Gear 1", "Gear 2"});
-  const auto& quantities = pair_quantities();
-  add_groups(t, text_groups(quantities.table(), {quantities.of(pair)}, kPage));
-  return t.str();
-}
-
-std::string path_table(const InvolutePair& p) {
-  const Mesh<double>& m = p.mesh;
-  struct Mark {
-    const char* letter;
-    const char* words;
-    double rho1;
-  };
-  // Along the line of action: crossed lines leave the transverse section at the angle β_b1.
-  const double cosine = p.crossed() ? std::cos(p.input.gears[0].helix_angle) : 1.0;
-  const std::array<Mark, 5> marks{
-      {{"A", "tip of gear 2 comes in", m.rho1_A},
-       {"B", p.crossed() ? "one pitch before E" : "one base pitch before E", m.rho1_B},
-       {"C", p.crossed() ? "pitch point of gear 1" : "pitch point", m.rho1_C},
-       {"D", p.crossed() ? "one pitch after A" : "one base pitch after A", m.rho1_D},
-       {"E", "tip of gear 1 goes out", m.rho1_E}}};
-  std::string text =
-      "<div class=\"scroll\"><table>\n<caption>" +
-      std::string(p.crossed() ? "Points of the line of action; ζ: mm of sliding per mm that the "
-                                "contact runs over the flank"
-                              : "Points of the path of contact") +
-      "</caption>\n<thead><tr><th scope=\"col\">Point</th><th scope=\"col\" class=\"value\">from "
-      "C, mm</th>";
-  for (const char* symbol : {"ρ_1", "ρ_2"}) {
-    text += fmt::format("<th scope=\"col\" class=\"value\">{}, mm</th>", symbol_html(symbol));
-  }
-  for (const char* symbol : {"ζ_1", "ζ_2"}) {
-    text += fmt::format("<th scope=\"col\" class=\"value\">{}</th>", symbol_html(symbol));
-  }
-  text += "</tr></thead>\n<tbody>\n";
-  for (const Mark& mark : marks) {
-    const SpecificSliding<double> s = specific_sliding(p.input, m, mark.rho1);
-    text +=
-        fmt::format("<tr><th scope=\"row\"><strong>{}</strong> {}</th>", mark.letter, mark.words);
-    for (const std::string& value : {length((mark.rho1 - m.rho1_C) / cosine), length(mark.rho1),
-                                     length(m.rho2(mark.rho1)), ratio(s.zeta_1), ratio(s.zeta_2)}) {
-      text += fmt::format("<td class=\"value\">{}</td>", value);
-    }
-    text += "</tr>\n";
-  }
-  return text + "</tbody></table></div>\n";
-}
-
 namespace {
+
+std::string length(const std::optional<double>& mm) { return fixed(mm, kLengthDigits); }
+std::string ratio(const std::optional<double>& value) { return fixed(value, kRatioDigits); }
+std::string none() { return std::string(kNoValue); }
+
+// A factor as given: no digit more than the input had.
+std::string given(double value) { return fmt::format("{:.10g}", value); }
+
+constexpr int kRackDigits = 6;  // of arcs, in modules or degrees
+
+std::optional<double> unless_zero(double value) {
+  return value != 0.0 ? std::optional(value) : std::nullopt;
+}
+
+// Rows that no rack has a number for are left out. A gear that a pinion has cut has no rack.
+void add_rack(TableBuilder& table, const std::vector<const Gear*>& gears) {
+  struct Row {
+    const char *words, *symbol, *unit;
+    std::optional<double> (*value)(const StraightRack&);
+  };
+  static const std::array<Row, 8> kRows{
+      {{"Addendum", "h_aP*", "", [](const StraightRack& r) { return std::optional(r.addendum); }},
+       {"Dedendum", "h_fP*", "", [](const StraightRack& r) { return std::optional(r.dedendum); }},
+       {"Root fillet radius", "ρ_fP*", "",
+        [](const StraightRack& r) { return std::optional(r.root_fillet_radius); }},
+       {"Tip fillet radius", "ρ_1*", "",
+        [](const StraightRack& r) { return unless_zero(r.tip_fillet_radius); }},
+       {"Height of the tool’s straight flank", "", "",
+        [](const StraightRack& r) { return r.tool_addendum; }},
+       {"Semi-topping angle", "", "°",
+        [](const StraightRack& r) {
+          return r.semi_topping_angle ? std::optional(r.semi_topping_angle->deg()) : std::nullopt;
+        }},
+       {"Protuberance", "pr_P*", "",
+        [](const StraightRack& r) { return unless_zero(r.protuberance); }},
+       {"Protuberance angle", "α_pr", "°", [](const StraightRack& r) {
+          return r.protuberance != 0.0 ? std::optional(r.protuberance_angle.deg()) : std::nullopt;
+        }}}};
+  const auto rack_of = [](const Gear& g) {
+    return g.cut_by || !g.involute() ? nullptr : &g.spec.straight_rack();
+  };
+  if (std::none_of(gears.begin(), gears.end(), [&](const Gear* g) { return rack_of(*g); })) return;
+  table.group("Basic rack, in normal modules");
+  for (const Row& row : kRows) {
+    std::vector<std::string> values;
+    bool any = false;
+    for (const Gear* g : gears) {
+      const StraightRack* rack = rack_of(*g);
+      const std::optional<double> v = rack ? row.value(*rack) : std::nullopt;
+      values.push_back(v ? given(*v) : none());
+      any = any || v;
+    }
+    if (any) table.row(row.words, row.symbol, row.unit, values);
+  }
+}
+
+// The arcs of a rack, one row each: signed radius, place of the centre, from which to which angle.
+void add_arcs(TableBuilder& table, const std::vector<const Gear*>& gears) {
+  std::size_t most = 0;
+  for (const Gear* g : gears) most = std::max(most, g->arcs() ? g->arcs()->rack.arcs.size() : 0);
+  if (most == 0) return;
+  table.group("Basic rack of arcs, in normal modules; from the cutter’s tip on");
+  const auto row = [&](const char* words, const char* symbol, const char* unit, const auto& value) {
+    std::vector<std::string> values;
+    for (const Gear* g : gears) values.push_back(g->arcs() ? value(g->arcs()->rack) : none());
+    table.row(words, symbol, unit, values);
+  };
+  row("Addendum", "h_a*", "", [](const RackOfArcs& r) { return given(r.addendum); });
+  row("Dedendum", "h_f*", "", [](const RackOfArcs& r) { return given(r.dedendum); });
+  for (std::size_t i = 0; i < most; ++i) {
+    const auto of = [i](double RackArc::*member) {
+      return [i, member](const RackOfArcs& r) {
+        return i < r.arcs.size() ? fixed(r.arcs[i].*member, kRackDigits) : none();
+      };
+    };
+    const std::string n = std::to_string(i + 1);
+    row(("Arc " + n + ": radius, > 0 convex, < 0 concave tooth").c_str(), "q*", "",
+        of(&RackArc::radius));
+    row("  height of its centre", "x*", "", of(&RackArc::center_height));
+    row("  distance of its centre from the tooth’s middle", "y*", "", of(&RackArc::center_offset));
+    row("  normal angle, root … tip", "τ", "°", [i](const RackOfArcs& r) {
+      if (i >= r.arcs.size()) return none();
+      return fixed(r.arcs[i].begin.deg(), kRackDigits) + " … " +
+             fixed(r.arcs[i].end.deg(), kRackDigits);
+    });
+  }
+}
+
+std::vector<TextGroup> gear_groups(const std::vector<const Gear*>& gears) {
+  std::vector<ValueRecord> records;
+  for (const Gear* g : gears) records.push_back(gear_quantities().of(*g));
+  return text_groups(gear_quantities().table(), records, kPage);
+}
 
 // What was looked at, where nothing was found.
 std::string nothing_strikes(const InvolutePair& p) {
@@ -126,13 +169,93 @@ std::vector<CollisionRow> rows_of(const std::vector<Interference>& named,
     if (again) continue;
     const auto* turn = std::get_if<Angle>(&i.amount);
     rows.push_back({to_string(i.code), i.gear,
-                    turn ? angle(*turn) + "°" : length(std::get<double>(i.amount)) + " mm",
+                    turn ? fixed(kDegPerRad * turn->rad(), kAngleDigits) + "°"
+                         : length(std::get<double>(i.amount)) + " mm",
                     i.message});
   }
   return rows;
 }
 
 }  // namespace
+
+std::vector<std::string> gear_headings(std::size_t gears) {
+  std::vector<std::string> columns;
+  for (std::size_t i = 1; i <= gears; ++i) columns.push_back(fmt::format("Gear {}", i));
+  return columns;
+}
+
+std::string gear_table(const std::vector<const Gear*>& gears) {
+  using namespace gear_group;
+  // What only gears with few teeth have stands in a table of its own.
+  std::vector<TextGroup> common, cutter;
+  for (TextGroup& g : gear_groups(gears)) {
+    if (g.title == kCutter)
+      cutter.push_back(std::move(g));
+    else if (g.title == kTeeth || g.title == kDiameters || g.title == kTooth)
+      common.push_back(std::move(g));
+  }
+  TableBuilder table("Gear data, symbols of ISO 21771", gear_headings(gears.size()));
+  table.groups(common);
+  add_rack(table, gears);
+  add_arcs(table, gears);
+  table.groups(cutter);
+  return table.str();
+}
+
+std::string few_teeth_table(const std::vector<const Gear*>& gears) {
+  using namespace gear_group;
+  const bool any = std::any_of(gears.begin(), gears.end(), [](const Gear* g) {
+    return (g->tooth && (g->tooth->root_fillet || g->tooth->tip_fillet)) ||
+           root_is_worth_a_picture(*g);
+  });
+  if (!any) return {};
+  std::vector<TextGroup> groups = gear_groups(gears);
+  std::erase_if(groups, [](const TextGroup& g) {
+    return g.title != kUndercut && g.title != kRootFillet && g.title != kTipFillet;
+  });
+  if (groups.empty()) return {};
+  TableBuilder table("Points and fillets; l runs along the rack’s straight flank",
+                     gear_headings(gears.size()));
+  table.groups(groups);
+  return table.str();
+}
+
+std::string pair_table(const Pair& pair) {
+  TableBuilder t("Pair data, symbols of ISO 21771", gear_headings(2));
+  const auto& quantities = pair_quantities();
+  t.groups(text_groups(quantities.table(), {quantities.of(pair)}, kPage));
+  return t.str();
+}
+
+std::string path_table(const InvolutePair& p) {
+  const Mesh<double>& m = p.mesh;
+  struct Mark {
+    const char* letter;
+    const char* words;
+    double rho1;
+  };
+  // Along the line of action: crossed lines leave the transverse section at the angle β_b1.
+  const double cosine = p.crossed() ? std::cos(p.input.gears[0].helix_angle) : 1.0;
+  const std::array<Mark, 5> marks{
+      {{"A", "tip of gear 2 comes in", m.rho1_A},
+       {"B", p.crossed() ? "one pitch before E" : "one base pitch before E", m.rho1_B},
+       {"C", p.crossed() ? "pitch point of gear 1" : "pitch point", m.rho1_C},
+       {"D", p.crossed() ? "one pitch after A" : "one base pitch after A", m.rho1_D},
+       {"E", "tip of gear 1 goes out", m.rho1_E}}};
+  std::vector<std::vector<std::string>> rows;
+  for (const Mark& mark : marks) {
+    const SpecificSliding<double> s = specific_sliding(p.input, m, mark.rho1);
+    rows.push_back({fmt::format("<strong>{}</strong> {}", mark.letter, mark.words),
+                    length((mark.rho1 - m.rho1_C) / cosine), length(mark.rho1),
+                    length(m.rho2(mark.rho1)), ratio(s.zeta_1), ratio(s.zeta_2)});
+  }
+  return value_table(p.crossed() ? "Points of the line of action; ζ: mm of sliding per mm that the "
+                                   "contact runs over the flank"
+                                 : "Points of the path of contact",
+                     {"Point", "from C, mm", symbol_html("ρ_1") + ", mm",
+                      symbol_html("ρ_2") + ", mm", symbol_html("ζ_1"), symbol_html("ζ_2")},
+                     rows);
+}
 
 std::string interference_table(const InvolutePair& p) {
   const std::vector<CollisionRow> overlap =

@@ -1,11 +1,22 @@
-// The tables of the pair: its numbers, its path, what gets in the way. Digits: html_text.hpp.
+// The tables of the page: of gears side by side and of the pair. Digits: html_text.hpp.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "gearwright/catalogue/pair_quantities.hpp"
 
 namespace gearwright {
+
+/// "Gear 1", "Gear 2"
+std::vector<std::string> gear_headings(std::size_t gears);
+
+/// Gears side by side: what was given as on the drawing, what follows from it, and how they were cut.
+std::string gear_table(const std::vector<const Gear*>& gears);
+
+/// What gears with few teeth have beyond other gears: the points F, C and J, and circular fillets
+/// (symbols: gear_figures.hpp); empty when no gear has any of it.
+std::string few_teeth_table(const std::vector<const Gear*>& gears);
 
 /// The catalogue's quantities of a pair, under their headings.
 std::string pair_table(const Pair& pair);

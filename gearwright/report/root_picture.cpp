@@ -1,5 +1,3 @@
-#include "gearwright/report/root_picture.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,11 +5,10 @@
 #include <numbers>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/report/free_labels.hpp"
+#include "gearwright/report/gear_figures.hpp"
 #include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
-#include "gearwright/report/leaders.hpp"
-#include "gearwright/report/svg.hpp"
-#include "gearwright/report/tooth_picture.hpp"
 
 namespace gearwright {
 
@@ -23,8 +20,7 @@ constexpr double kPlotWidth = 400.0;  // the rest is for labels
 constexpr double kMargin = 22.0;      // px around what must be seen
 constexpr int kFewTeeth = 12;         // beyond, a root without undercut looks like any other
 
-// Points are marked on the right of the tooth, which is the side y < 0 of the gear frame.
-Vec2 right(const Vec2& p) { return {p.x(), -p.y()}; }
+// Points are marked on the right of the tooth, which is the side y < 0 of the gear frame: mirrored.
 
 const Arc& flank_of(const Gear& gear) {
   const Arc* flank = gear.tooth->outline.find(ArcName::flank);
@@ -59,7 +55,7 @@ std::vector<Vec2> points_shown(const Gear& gear, const std::optional<Gear>& rack
     for (const Arc& arc : g.tooth->outline.arcs) {
       for (const Vec2& p : sample(arc, 40)) {
         if (p.norm() > top) continue;
-        points.push_back(right(p));
+        points.push_back(mirrored(p));
         if (whole) points.push_back(p);
       }
     }
@@ -67,22 +63,18 @@ std::vector<Vec2> points_shown(const Gear& gear, const std::optional<Gear>& rack
   add(gear);
   if (rack && has_outline(*rack)) add(*rack);
   if (gear.tooth->root_fillet) points.push_back(root_center(gear));
-  if (shows_limit(gear)) points.push_back(right(undercut_limit_point(gear)));
+  if (shows_limit(gear)) points.push_back(mirrored(undercut_limit_point(gear)));
   return points;
 }
 
 Viewport window(const Gear& gear, const std::optional<Gear>& rack) {
-  Vec2 lo = Vec2::Constant(1e300);
-  Vec2 hi = -lo;
-  for (const Vec2& p : points_shown(gear, rack)) {
-    lo = lo.cwiseMin(p);
-    hi = hi.cwiseMax(p);
-  }
+  Bounds box;
+  for (const Vec2& p : points_shown(gear, rack)) box.cover(p);
   // The gear's y runs to the left, its x up.
-  const double scale = std::min((kPlotWidth - 2 * kMargin) / (hi.y() - lo.y()),
-                                (kHeight - 2 * kMargin) / (hi.x() - lo.x()));
+  const double scale = std::min((kPlotWidth - 2 * kMargin) / box.size().y(),
+                                (kHeight - 2 * kMargin) / box.size().x());
   const double shift = (kWidth - kPlotWidth) / 2 / scale;
-  return {kWidth, kHeight, (lo + hi) / 2 - Vec2(0.0, shift), scale, true};
+  return {kWidth, kHeight, (box.lo + box.hi) / 2 - Vec2(0.0, shift), scale, true};
 }
 
 // The flank that an undercut took away: from the base circle to where the flank now starts.
@@ -98,18 +90,6 @@ void draw_lost_flank(Svg& svg, const Viewport& view, const Gear& gear) {
     }
     svg.polyline(points, "before");
   }
-}
-
-void draw_outline(Svg& svg, const Viewport& view, const Gear& gear, bool in_colours) {
-  const Vec2 axis = view.px(Vec2::Zero());
-  svg.begin_group(fmt::format("transform=\"translate({} {}) scale({:.9g}) rotate(-90)\"",
-                              pixel(axis.x()), pixel(axis.y()),
-                              view.scale * outline_unit_mm(gear)));
-  for (const Arc& arc : gear.tooth->outline.arcs) {
-    for (const int side : {+1, -1})
-      svg.path(arc_path(gear, arc, side), in_colours ? arc_style(arc.name) : "before");
-  }
-  svg.end_group();
 }
 
 // The circle that an arc is part of, with its centre and the radius to where it touches the flank.
@@ -138,16 +118,16 @@ std::vector<Mark> marks_of(const Gear& gear) {
   const InvoluteTeeth& teeth = *gear.involute();
   std::vector<Mark> marks;
   if (gear.tooth->tip_fillet && teeth.point_j_l)
-    marks.push_back({right(flank_of(gear).end_point), with_l("J", *teeth.point_j_l)});
+    marks.push_back({mirrored(flank_of(gear).end_point), with_l("J", *teeth.point_j_l)});
   if (gear.tooth->root_fillet && teeth.point_c_l) {
-    marks.push_back({right(flank_of(gear).begin_point), with_l("C", *teeth.point_c_l)});
+    marks.push_back({mirrored(flank_of(gear).begin_point), with_l("C", *teeth.point_c_l)});
   } else if (has_flank(gear)) {
     marks.push_back(
-        {right(flank_of(gear).begin_point),
+        {mirrored(flank_of(gear).begin_point),
          symbol_svg("d_Ff") + " " + fixed(2 * flank_of(gear).begin_point.norm(), kLengthDigits)});
   }
   if (shows_limit(gear) && teeth.undercut_l)
-    marks.push_back({right(undercut_limit_point(gear)), with_l("F", *teeth.undercut_l)});
+    marks.push_back({mirrored(undercut_limit_point(gear)), with_l("F", *teeth.undercut_l)});
   return marks;
 }
 
@@ -165,14 +145,15 @@ std::string root_svg(const Gear& gear, const std::optional<Gear>& rack, const st
   const double far = 2 * gear.actual_tip_radius();
   svg.line(axis, view.px({far * std::cos(space), -far * std::sin(space)}), "thin dashdot");
   svg.circle(axis, gear.base_radius() * view.scale, "thin dash");
-  if (rack && has_outline(*rack)) draw_outline(svg, view, *rack, false);
+  if (rack && has_outline(*rack))
+    draw_upright_arcs(svg, view, *rack, [](ArcName) { return "before"; });
   if (!rack && gear.undercut) draw_lost_flank(svg, view, gear);
-  draw_outline(svg, view, gear, true);
+  draw_upright_arcs(svg, view, gear, arc_style);
   if (const auto& arc = gear.tooth->root_fillet)
-    draw_fillet(svg, view, *arc, root_center(gear), right(flank_of(gear).begin_point), "r_r");
+    draw_fillet(svg, view, *arc, root_center(gear), mirrored(flank_of(gear).begin_point), "r_r");
   if (const auto& arc = gear.tooth->tip_fillet)
-    draw_fillet(svg, view, *arc, center_of(*arc, -arc->land.rad()), right(flank_of(gear).end_point),
-                "r_t");
+    draw_fillet(svg, view, *arc, center_of(*arc, -arc->land.rad()),
+                mirrored(flank_of(gear).end_point), "r_t");
   svg.end_group();
 
   std::vector<Leader> leaders;
@@ -190,9 +171,7 @@ std::string root_svg(const Gear& gear, const std::optional<Gear>& rack, const st
 }
 
 std::string behind_words(const Gear& gear, const std::optional<Gear>& rack) {
-  const auto key = [](const char* words) {
-    return fmt::format("<span class=\"key\"><i class=\"swatch before\"></i>{}</span> ", words);
-  };
+  const auto key = [](const char* words) { return caption_key("before", words) + " "; };
   if (rack && has_outline(*rack)) {
     return key(rack->undercut ? "as the rack alone would cut it: undercut"
                               : "as the rack alone would cut it");
@@ -241,9 +220,8 @@ std::string root_figure(const Gear& gear, const std::string& shape, const std::s
     words += fmt::format(" <b>J</b>: the tip fillet, {} = {} mm, touches the flank.",
                          symbol_html("r_t"), fixed(gear.tooth->tip_fillet->radius, kLengthDigits));
   }
-  return fmt::format(
-      "<figure>{}<figcaption><strong>{}: its root</strong>. {}</figcaption></figure>\n",
-      root_svg(gear, rack, shape, name), name, words);
+  return captioned(root_svg(gear, rack, shape, name),
+                   fmt::format("<strong>{}: its root</strong>. {}", name, words));
 }
 
 }  // namespace gearwright

@@ -1,10 +1,10 @@
-#include "gearwright/report/root_picture.hpp"
+#include "gearwright/report/gear_figures.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "gearwright/report/few_teeth_table.hpp"
+#include "gearwright/report/report_tables.hpp"
 #include "gearwright/report/testing/page_text.hpp"
 #include "gearwright/report/testing/sample_reports.hpp"
 

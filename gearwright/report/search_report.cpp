@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include "gearwright/base/units.hpp"
+#include <algorithm>
+
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/page_parts.hpp"
-#include "gearwright/report/page_style.hpp"
-#include "gearwright/report/search_section.hpp"
+#include "gearwright/report/search_figures.hpp"
 #include "gearwright/report/search_table.hpp"
-#include "gearwright/report/shown_values.hpp"
+#include "gearwright/report/search_words.hpp"
 
 namespace gearwright {
 
@@ -38,6 +38,107 @@ std::string kind_of(const SearchProblem& problem) {
   return kind;
 }
 
+// "by contact ratio"; of several: "by size, the Pareto front over size and contact ratio first".
+std::string order_in_words(const SearchProblem& problem) {
+  const auto& objectives = problem.objectives;
+  std::string text = fmt::format("by {}", words_of(objectives[0]).name);
+  if (objectives.size() == 1) return text;
+  text += ", the Pareto front over ";
+  for (std::size_t i = 0; i < objectives.size(); ++i) {
+    const char* before = i == 0 ? "" : i + 1 == objectives.size() ? " and " : ", ";
+    text += fmt::format("{}{}", before, words_of(objectives[i]).name);
+  }
+  return text + " first";
+}
+
+std::string rejected_table(const SearchCounts& counts) {
+  if (counts.tested == counts.feasible) return {};
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t i = 0; i < counts.rejected.size(); ++i) {
+    const std::int64_t n = counts.rejected[i];
+    if (n == 0) continue;
+    const double share = 100.0 * static_cast<double>(n) / static_cast<double>(counts.tested);
+    rows.push_back({std::string(words_of(static_cast<Limit>(i))), counted(n),
+                    fixed(share, share < 1.0 ? 3 : 1) + "\u00a0%"});
+  }
+  return value_table("What they fell to: the first limit that leaves no profile shift",
+                     {"Limit", "Trials", "Share of all"}, rows, "tally");
+}
+
+std::string reason_list(const std::vector<std::string>& reasons) {
+  if (reasons.empty()) return {};
+  std::string text = "<ul class=\"reasons\">\n";
+  for (const std::string& reason : reasons) text += "<li>" + escaped(reason) + "</li>\n";
+  return text + "</ul>\n";
+}
+
+std::string tried_section(const SearchReport& report) {
+  const bool none = report.answer.counts.feasible == 0;
+  const std::string lists = reason_list(report.reasons) + rejected_table(report.answer.counts);
+  if (lists.empty()) return {};
+  return fmt::format("<section>\n<h2>{}</h2>\n{}</section>\n",
+                     none ? "Why nothing fits" : "What was rejected", lists);
+}
+
+std::string table_section(const SearchReport& report) {
+  const SearchProblem& problem = report.search.problem();
+  const SearchAnswer& answer = report.answer;
+  const std::size_t shown = std::min(report.rows, answer.designs.size());
+  const auto* const end = answer.designs.data() + shown;
+  const bool interferes = std::any_of(answer.designs.data(), end,
+                                      [](const DesignRow& row) { return row.interference; });
+  const bool all = static_cast<std::int64_t>(shown) == answer.counts.feasible;
+  return fmt::format(
+      "<section>\n<h2>Designs</h2>\n<p>{} {}; profile shifts in modules.{}<span id=\"sort-hint\" "
+      "hidden> A heading sorts by its column, once more the other way round.</span></p>\n{}{}"
+      "</section>\n",
+      all ? fmt::format("All {}", counted(answer.counts.feasible))
+          : fmt::format("The best {} of {}", counted(static_cast<std::int64_t>(shown)),
+                        counted(answer.counts.feasible)),
+      escaped(order_in_words(problem)), interferes ? "" : " None of these interferes.",
+      design_table(problem, answer, report.rows), design_table_key(problem, answer, report.rows));
+}
+
+std::string picture_section(const SearchReport& report) {
+  const SearchProblem& problem = report.search.problem();
+  const DesignRow& best = report.answer.designs.front();
+  return "<section>\n<h2>The best design and the others</h2>\n" + picture_hint() +
+         side_by_side(shift_region_figure(report.search.graph(best.trial), best) +
+                      pareto_figure(problem, report.answer)) +
+         "</section>\n";
+}
+
+std::string thumbnail_section(const SearchReport& report) {
+  const std::size_t n = std::min({kRegionPictures, report.rows, report.answer.designs.size()});
+  if (n < 2) return {};
+  std::string text = fmt::format(
+      "<section>\n<h2>Room for the profile shifts of the best {}</h2>\n<p>{} to the right, {} up, "
+      "each in its own window: the filled region is what the limits leave, the dot the design. "
+      "Much "
+      "room forgives changes later on; a sliver or a line asks for exactly these shifts.</p>\n<div "
+      "class=\"multiples\">\n",
+      n, symbol_html("x_1"), symbol_html("x_2"));
+  for (std::size_t i = 0; i < n; ++i) {
+    const DesignRow& row = report.answer.designs[i];
+    text +=
+        shift_region_thumbnail(report.search.graph(row.trial), row, fmt::format("region-{}", i + 1),
+                               fmt::format("#design-{}", i + 1));
+  }
+  return text + "</div>\n</section>\n";
+}
+
+std::string chart_section(const SearchReport& report) {
+  const SearchProblem& problem = report.search.problem();
+  const DesignRow* best = report.answer.designs.empty() ? nullptr : &report.answer.designs.front();
+  Trial trial;  // of the first rack and helix, when there is no design
+  trial.helix = {problem.helix.front(), Angle()};
+  if (best != nullptr) trial = best->trial;
+  return "<section>\n<h2>What tooth numbers allow</h2>\n" + (best ? "" : picture_hint()) +
+         side_by_side(shift_limits_figure(problem, trial, best) +
+                      identical_gears_figure(problem, trial)) +
+         "</section>\n";
+}
+
 std::string foot(const SearchReport& report) {
   const std::string version = report.version.empty() ? "" : " " + escaped(report.version);
   return fmt::format(
@@ -51,6 +152,34 @@ std::string foot(const SearchReport& report) {
 }
 
 }  // namespace
+
+std::string search_verdict(const SearchReport& report) {
+  const SearchCounts& counts = report.answer.counts;
+  std::string text = fmt::format(
+      "{} combinations of module and tooth numbers were tried; {} of them can be made "
+      "within the limits.",
+      counted(counts.tested), counts.feasible == 0 ? "none" : counted(counts.feasible));
+  if (report.answer.designs.empty()) return text;
+  const DesignRow& best = report.answer.designs.front();
+  text += fmt::format(
+      " The best by {}: module {:.10g} mm, {}:{} teeth, {}\u00a0=\u00a0{}, {}\u00a0=\u00a0{}",
+      words_of(report.search.problem().objectives.front()).name, best.trial.module, best.trial.z1,
+      best.trial.z2, symbol_html("x_1"), fixed(best.shift[0], 4), symbol_html("x_2"),
+      fixed(best.shift[1], 4));
+  text += fmt::format(", centre distance {} mm, contact ratio {}.",
+                      fixed(best.center_distance, kLengthDigits), fixed(best.contact_ratio, 3));
+  return text;
+}
+
+std::string search_sections(const SearchReport& report) {
+  std::string text;
+  const bool any = !report.answer.designs.empty();
+  if (!any) text += tried_section(report);
+  if (any) text += table_section(report) + picture_section(report) + thumbnail_section(report);
+  text += chart_section(report);
+  if (any) text += tried_section(report);
+  return text;
+}
 
 std::string search_report(const SearchReport& report) {
   const SearchProblem& problem = report.search.problem();

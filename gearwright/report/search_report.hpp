@@ -22,6 +22,14 @@ struct SearchReport {
   std::string version;               ///< of the program
 };
 
+inline constexpr std::size_t kRegionPictures = 20;  ///< of the best designs
+
+/// Counts and the best design in two or three sentences (HTML).
+std::string search_verdict(const SearchReport& report);
+
+/// Everything between the head of the page and the spec.
+std::string search_sections(const SearchReport& report);
+
 /// The page, UTF-8.
 ///
 ///   Laws      (1) same input, same bytes

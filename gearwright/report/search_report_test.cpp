@@ -5,7 +5,6 @@
 #include <string>
 
 #include "gearwright/report/html_text.hpp"
-#include "gearwright/report/search_section.hpp"
 #include "gearwright/report/testing/page_text.hpp"
 #include "gearwright/report/testing/sample_search.hpp"
 #include "gearwright/report/testing/strict_html.hpp"

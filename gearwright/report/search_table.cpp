@@ -15,38 +15,19 @@ namespace gearwright {
 
 namespace {
 
-// The quantities in the order of the page: which design, where it stands, what it is worth.
-constexpr const char* kOrder[] = {"interference",
-                                  "module_mm",
-                                  "teeth",
-                                  "helix_angle_deg",
-                                  "rack",
-                                  "ratio",
-                                  "ratio_error",
-                                  "center_distance_mm",
-                                  "profile_shift",
-                                  "point",
-                                  "contact_ratio",
-                                  "contact_ratio_true",
-                                  "overlap_ratio",
-                                  "working_normal_pressure_angle_deg",
-                                  "working_transverse_pressure_angle_deg",
-                                  "backlash_normal_mm",
-                                  "tip_thickness_mm",
-                                  "tip_clearance_mm",
-                                  "sliding_max",
-                                  "face_width_mm",
-                                  "S_H",
-                                  "S_F",
-                                  "mass_kg",
-                                  "area"};
-
-// What a column means, where the page has room for less than the documents, or knows more.
-struct Meaning {
-  std::string_view key, words;
+// The quantities in the order of the page: which design, where it stands, what it is worth. With what a
+// column means, where the page has room for less than the documents, or knows more.
+struct Entry {
+  std::string_view key;
+  std::optional<std::string_view> meaning;
 };
-constexpr Meaning kMeanings[] = {
+constexpr Entry kEntries[] = {
+    {"interference", {}},
+    {"module_mm", {}},
     {"teeth", ""},
+    {"helix_angle_deg", {}},
+    {"rack", {}},
+    {"ratio", {}},
     {"ratio_error", ""},
     {"center_distance_mm", ""},
     {"profile_shift", "in modules"},
@@ -66,6 +47,7 @@ constexpr Meaning kMeanings[] = {
     {"face_width_mm", "of both gears"},
     {"S_H", ""},
     {"S_F", ""},
+    {"mass_kg", {}},
     {"area", "in modules²: how much room the limits leave the profile shifts"}};
 
 struct Cell {
@@ -75,6 +57,7 @@ struct Cell {
 
 struct Column {
   const QuantityInfo* info;
+  std::string_view meaning;
   std::optional<std::size_t> gear;  // of a value per gear
 };
 
@@ -102,19 +85,20 @@ Cell cell_of(const Column& column, const ValueRecord& record) {
 // Columns that no design has a row for are left out.
 std::vector<Column> columns_of(const std::vector<ValueRecord>& records) {
   std::vector<Column> columns;
-  for (const char* key : kOrder) {
-    const QuantityInfo* info = design_quantities().table().find(key);
+  for (const Entry& entry : kEntries) {
+    const QuantityInfo* info = design_quantities().table().find(entry.key);
     GW_EXPECTS(info != nullptr);
     if (std::none_of(records.begin(), records.end(), [&](const ValueRecord& r) {
           const Member* m = find(r, info);
           return m && m->shown;
         }))
       continue;
+    const std::string_view meaning = entry.meaning.value_or(info->meaning);
     const bool one = info->two != Two::gears || info->key == "helix_angle_deg";
     if (one)
       columns.push_back(
-          {info, info->two == Two::gears ? std::optional<std::size_t>(0) : std::nullopt});
-    for (std::size_t gear = 0; !one && gear < 2; ++gear) columns.push_back({info, gear});
+          {info, meaning, info->two == Two::gears ? std::optional<std::size_t>(0) : std::nullopt});
+    for (std::size_t gear = 0; !one && gear < 2; ++gear) columns.push_back({info, meaning, gear});
   }
   return columns;
 }
@@ -138,11 +122,7 @@ std::string symbol_of(const Column& c) {
 std::string words_of(const Column& c) {
   std::string words = c.info->words;
   if (c.gear) words += fmt::format(" of gear {}", *c.gear + 1);
-  const auto* own = std::find_if(std::begin(kMeanings), std::end(kMeanings),
-                                 [&](const Meaning& m) { return m.key == c.info->key; });
-  const std::string_view meaning =
-      own == std::end(kMeanings) ? std::string_view(c.info->meaning) : own->words;
-  return meaning.empty() ? words : fmt::format("{}: {}", words, meaning);
+  return c.meaning.empty() ? words : fmt::format("{}: {}", words, c.meaning);
 }
 
 std::string heading(const Column& c) {
@@ -175,8 +155,7 @@ std::string design_table(const SearchProblem& problem, const SearchAnswer& answe
   if (fronts)
     text +=
         "<th scope=\"col\" class=\"value\" title=\"on the Pareto front: no other design betters it "
-        "in every "
-        "objective\" data-first=\"descending\">front</th>";
+        "in every objective\" data-first=\"descending\">front</th>";
   for (const Column& c : columns) text += heading(c);
   text += "</tr></thead>\n<tbody>\n";
   for (std::size_t i = 0; i < records.size(); ++i) {

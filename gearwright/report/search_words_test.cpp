@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "gearwright/report/page_style.hpp"
+#include "gearwright/report/page_parts.hpp"
 #include "gearwright/report/testing/sample_search.hpp"
 
 namespace gearwright {

@@ -1,5 +1,3 @@
-#include "gearwright/report/section_picture.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,8 +6,10 @@
 #include <vector>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/report/crossed_figures.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/line_marks.hpp"
+#include "gearwright/report/named_circles.hpp"
 #include "gearwright/report/svg.hpp"
 
 namespace gearwright {
@@ -21,20 +21,8 @@ constexpr double kTallest = 460.0;
 constexpr double kMargin = 82.0;  // px for labels, left and right
 constexpr double kLabelGap = 19.0;
 
-const std::array<const char*, 2> kInk{"g1", "g2"};
-
-struct Box {
-  Vec2 lo{1e300, 1e300};
-  Vec2 hi{-1e300, -1e300};
-  void cover(const Vec2& p) {
-    lo = lo.cwiseMin(p);
-    hi = hi.cwiseMax(p);
-  }
-  Vec2 size() const { return hi - lo; }
-};
-
-Box box_of_lines(const InvolutePair& pair, Lines lines) {
-  Box box;
+Bounds box_of_lines(const InvolutePair& pair, Lines lines) {
+  Bounds box;
   for (const double rho1 : line_ends(pair)) {
     box.cover(in_section(pair, pair.on_line_of_action(rho1)));
     if (lines == Lines::both) box.cover(in_section(pair, pair.on_trailing_line(rho1)));
@@ -50,7 +38,7 @@ Lines lines_shown(const InvolutePair& pair) {
 }
 
 Viewport window(const InvolutePair& pair) {
-  Box box = box_of_lines(pair, lines_shown(pair));
+  Bounds box = box_of_lines(pair, lines_shown(pair));
   const double middle = (box.lo.x() + box.hi.x()) / 2;
   box.cover({middle, pair.mesh.rack.sides[0].pitch_radius});
   box.cover({middle, pair.center_distance - pair.mesh.rack.sides[1].pitch_radius});
@@ -89,26 +77,13 @@ std::optional<Vec2> leaves_at(const SectionEllipse& e, const Viewport& view, boo
   return last;
 }
 
-struct Cut {
-  std::string symbol;
-  double radius;
-  const char* style;
-};
-
-std::vector<Cut> cuts_of(const InvolutePair& pair, std::size_t i) {
-  const std::string n = std::to_string(i + 1);
-  return {{"d_a" + n, pair.gears[i].actual_tip_radius(), ""},
-          {"d_w" + n, pair.mesh.rack.sides[i].pitch_radius, " dashdot"},
-          {"d_b" + n, pair.gears[i].base_radius(), " dash"}};
-}
-
 void draw_cylinders(Svg& svg, const Viewport& view, const InvolutePair& pair, std::size_t i) {
   const double side = i == 0 ? 1.0 : -1.0;  // gear 1's labels to the right, gear 2's to the left
   std::vector<Vec2> ends;
   std::vector<double> wanted;
   std::vector<std::string> symbols;
   svg.begin_clip(kMargin, 0, kWidth - 2 * kMargin, view.height);
-  for (const Cut& cut : cuts_of(pair, i)) {
+  for (const NamedCircle& cut : mesh_circles(pair, i)) {
     const SectionEllipse e = section_of_cylinder(pair, i, cut.radius);
     const Vec2 c = view.px(e.center);
     const double rx = e.half_width * view.scale;
@@ -172,15 +147,18 @@ SectionEllipse section_of_cylinder(const InvolutePair& pair, std::size_t which, 
 
 std::string section_figure(const InvolutePair& pair) {
   const Mesh<double>& m = pair.mesh;
-  return fmt::format(
-      "<figure>{}<figcaption><strong>Section normal to the teeth</strong> of the common rack, "
-      "through the leading line, gear 1 below: the lines at their true length under {} = {}°. "
-      "Tip cylinders full, pitch cylinders dash-dot, base cylinders dashed; the pitch planes lie "
-      "{} = {} mm apart, the lines {} mm on either side of the centre line, along the "
-      "teeth.</figcaption></figure>\n",
-      section_svg(pair), symbol_html("α_wn"),
-      fixed(Angle::radians(m.rack.normal_pressure_angle).deg(), kAngleDigits), symbol_html("X"),
-      fixed(m.pitch_plane_distance, kLengthDigits), fixed(std::abs(m.line_offset), kLengthDigits));
+  return captioned(
+      section_svg(pair),
+      fmt::format(
+          "<strong>Section normal to the teeth</strong> of the common rack, through the leading "
+          "line, "
+          "gear 1 below: the lines at their true length under {} = {}°. Tip cylinders full, pitch "
+          "cylinders dash-dot, base cylinders dashed; the pitch planes lie {} = {} mm apart, the "
+          "lines {} mm on either side of the centre line, along the teeth.",
+          symbol_html("α_wn"),
+          fixed(Angle::radians(m.rack.normal_pressure_angle).deg(), kAngleDigits), symbol_html("X"),
+          fixed(m.pitch_plane_distance, kLengthDigits),
+          fixed(std::abs(m.line_offset), kLengthDigits)));
 }
 
 }  // namespace gearwright

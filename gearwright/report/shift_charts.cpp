@@ -1,5 +1,3 @@
-#include "gearwright/report/shift_charts.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,21 +10,15 @@
 #include "gearwright/report/free_labels.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/plot_axis.hpp"
-#include "gearwright/report/shown_values.hpp"
-#include "gearwright/report/svg.hpp"
+#include "gearwright/report/search_figures.hpp"
 
 namespace gearwright {
 
 namespace {
 
-constexpr double kWidth = 640.0;
-constexpr double kTop = 40.0;
-constexpr double kPlot = 360.0;
-constexpr double kBottom = kTop + kPlot;
-constexpr double kHeight = kBottom + 52.0;
-constexpr double kLeft = 62.0;
-constexpr double kRight = 18.0;
-constexpr double kNames = 98.0;  // more of it, for names at the ends of curves
+constexpr PlotArea kArea{640, 62, 18, 40, 360, 52};
+constexpr double kTop = kArea.top, kBottom = kArea.bottom();
+constexpr double kNames = 98.0;  // px more at the right, for names at the ends of curves
 constexpr std::array<int, 11> kTeethTicks{7, 8, 10, 12, 15, 20, 25, 30, 40, 60, 100};
 constexpr double kSoundContactRatio = 1.2;  // the usual least contact ratio of spur gears
 
@@ -35,7 +27,7 @@ const std::array<const char*, 3> kTipNames{"pointed", "tip 0.2", "tip 0.4"};
 double place_of(double teeth) { return std::log(teeth); }
 
 Axis teeth_axis(double right) {
-  return {place_of(kChartMin), place_of(kChartMax), kLeft, kWidth - right};
+  return {place_of(kChartMin), place_of(kChartMax), kArea.left, kArea.width - right};
 }
 
 void draw_teeth(Svg& svg, const Axis& x) {
@@ -65,7 +57,7 @@ void name_curves(Svg& svg, const Axis& x, const Axis& y, const std::vector<Chart
 }
 
 void draw_curves(Svg& svg, const Axis& x, const Axis& y, const std::vector<ChartLine>& curves) {
-  svg.begin_clip(x.from, kTop, x.to - x.from, kPlot);
+  svg.begin_clip(x.from, kTop, x.to - x.from, kArea.tall);
   for (const ChartLine& c : curves) draw_curve(svg, x, y, c.points, "curve " + c.style);
   svg.end_group();
 }
@@ -89,7 +81,7 @@ void name_on_curve(Svg& svg, FreeLabels& labels, const std::vector<Vec2>& px, co
 
 // What the problem leaves, as polygons: one for each run of tooth numbers with a shift at all.
 void draw_room(Svg& svg, const Axis& x, const Axis& y, const std::vector<ShiftLimits>& chart) {
-  svg.begin_clip(x.from, kTop, x.to - x.from, kPlot);
+  svg.begin_clip(x.from, kTop, x.to - x.from, kArea.tall);
   std::vector<Vec2> below;
   std::vector<Vec2> above;
   const auto flush = [&] {
@@ -140,10 +132,10 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
     lowest = std::min(lowest, row.min);
     highest = std::max(highest, row.max);
   }
-  const Axis x = teeth_axis(kRight);
-  const Axis y{std::max(lowest, -2.0) - 0.35, std::min(std::max(highest, 1.4), 3.0) + 0.25, kBottom,
-               kTop};
-  Svg svg("chart-limits", kWidth, kHeight, "Limits of the profile shift",
+  const Axis x = teeth_axis(kArea.right);
+  const Axis y =
+      kArea.up(std::max(lowest, -2.0) - 0.35, std::min(std::max(highest, 1.4), 3.0) + 0.25);
+  Svg svg("chart-limits", kArea.width, kArea.height(), "Limits of the profile shift",
           "Over the number of teeth: the shift below which gears are undercut, and the shifts at "
           "which tips are pointed, 0.2 and 0.4 modules thick.");
   svg.text({12, 22}, "profile shift " + symbol_svg("x") + ", modules", Anchor::start, "panel");
@@ -187,16 +179,16 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
     }
   }
   for (const ChartLine& c : curves) name_on_curve(svg, labels, in_px(x, y, c), c);
-  return fmt::format(
-      "<figure>{}<figcaption><strong>Limits of the profile shift</strong> of gear 1’s rack{}. "
-      "<span class=\"key\"><i class=\"swatch room\"></i>what this search allows</span> Below the "
-      "line “undercut” the cutter hollows the root; above the tip lines the tooth is thinner at "
-      "its "
-      "tip than 0, 0.2 and 0.4 modules. They meet at the fewest teeth that can be made at "
-      "all{}{}.{}"
-      "</figcaption></figure>\n",
-      svg.str(), helix_words(trial), fewest.empty() ? "" : ": ", fewest,
-      design != nullptr ? " Ringed: the best design." : "");
+  return captioned(
+      svg.str(),
+      fmt::format(
+          "<strong>Limits of the profile shift</strong> of gear 1’s rack{}. {} Below the line "
+          "“undercut” the cutter hollows the root; above the tip lines the tooth is thinner "
+          "at its tip than 0, 0.2 and 0.4 modules. They meet at the fewest teeth that can be "
+          "made at all{}{}.{}",
+          helix_words(trial), caption_key("room", "what this search allows"),
+          fewest.empty() ? "" : ": ", fewest,
+          design != nullptr ? " Ringed: the best design." : ""));
 }
 
 std::string identical_gears_figure(const SearchProblem& problem, const Trial& trial) {
@@ -221,9 +213,9 @@ std::string identical_gears_figure(const SearchProblem& problem, const Trial& tr
     if (!c.points.empty()) curves.push_back(std::move(c));
   }
   if (curves.empty()) return {};
-  const Axis x = teeth_axis(kRight + kNames);
-  const Axis y{std::max(lowest, 0.8) - 0.05, std::min(highest, 2.6) + 0.05, kBottom, kTop};
-  Svg svg("chart-identical", kWidth, kHeight, "Contact ratio of two identical gears",
+  const Axis x = teeth_axis(kArea.right + kNames);
+  const Axis y = kArea.up(std::max(lowest, 0.8) - 0.05, std::min(highest, 2.6) + 0.05);
+  Svg svg("chart-identical", kArea.width, kArea.height(), "Contact ratio of two identical gears",
           "Over the number of teeth, one curve for each of five shifts between the least and the "
           "greatest that the search allows.");
   svg.text({12, 22}, "contact ratio " + symbol_svg("ε_α"), Anchor::start, "panel");
@@ -251,14 +243,16 @@ std::string identical_gears_figure(const SearchProblem& problem, const Trial& tr
     labels.draw(svg, words, symbol_svg("z") + fmt::format(" ≥ {}", *first), "halo", places,
                 FreeLabels::If::free);
   }
-  return fmt::format(
-      "<figure>{}<figcaption><strong>Contact ratio of two identical gears</strong>{}, at shifts 0, "
-      "¼, ½, ¾ and 1 of the way from the least to the greatest that this search allows. The "
-      "straight line: 1.2, below which spur gears call for unusual care{}. {}The less shift, the "
-      "more teeth in mesh; few teeth leave little of either.</figcaption></figure>\n",
-      svg.str(), helix_words(trial),
-      asked != kSoundContactRatio ? fmt::format("; dashed: {:g}, asked here", asked) : "",
-      first ? fmt::format("From {} teeth on some shift reaches it. ", *first) : "");
+  return captioned(
+      svg.str(),
+      fmt::format(
+          "<strong>Contact ratio of two identical gears</strong>{}, at shifts 0, ¼, ½, ¾ and 1 "
+          "of the way from the least to the greatest that this search allows. The straight "
+          "line: 1.2, below which spur gears call for unusual care{}. {}The less shift, the "
+          "more teeth in mesh; few teeth leave little of either.",
+          helix_words(trial),
+          asked != kSoundContactRatio ? fmt::format("; dashed: {:g}, asked here", asked) : "",
+          first ? fmt::format("From {} teeth on some shift reaches it. ", *first) : ""));
 }
 
 }  // namespace gearwright

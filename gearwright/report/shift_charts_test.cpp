@@ -1,4 +1,4 @@
-#include "gearwright/report/shift_charts.hpp"
+#include "gearwright/report/search_figures.hpp"
 
 #include <gtest/gtest.h>
 

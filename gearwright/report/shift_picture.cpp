@@ -1,5 +1,3 @@
-#include "gearwright/report/shift_picture.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,10 +6,10 @@
 #include <limits>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/report/gear_figures.hpp"
 #include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/svg.hpp"
-#include "gearwright/report/tooth_picture.hpp"
 
 namespace gearwright {
 
@@ -160,20 +158,18 @@ std::string shift_figures(const Gear& gear, const std::string& shape, const std:
   const Viewport view = window(teeth);
   std::string text = fmt::format(
       "<h3>{}: profile shift and root</h3>\n<p>The same tooth cut at other profile shifts, to one "
-      "scale. <span class=\"key\"><i class=\"swatch before\"></i>as the rack cuts it</span> <span "
-      "class=\"key\"><i class=\"swatch c-root-fillet\"></i>circular root fillet</span> "
-      "from {}the undercut limit on. Dashed circle: the base circle.</p>\n<div "
+      "scale. {} {} from {}the undercut limit on. Dashed circle: the base circle.</p>\n<div "
       "class=\"multiples\">\n",
-      name,
+      name, caption_key("before", "as the rack cuts it"),
+      caption_key("c-root-fillet", "circular root fillet"),
       gear.spec.root_fillet ? fmt::format("{:.4g} mm beyond ", gear.spec.root_fillet->offset) : "");
   for (std::size_t i = 0; i < teeth.size(); ++i) {
     const ShiftedTooth& t = teeth[i];
     const std::string words = words_of(t);
-    text += fmt::format(
-        "<figure{}>{}<figcaption><strong>{} = {:.4g}</strong>{}<br>{}</figcaption></figure>\n",
-        t.own ? " class=\"own\"" : "",
-        tooth_svg(t, view, fmt::format("shift{}-{}", i + 1, shape), words), symbol_html("x"),
-        t.shift, t.own ? ", this gear" : "", words);
+    text += captioned(tooth_svg(t, view, fmt::format("shift{}-{}", i + 1, shape), words),
+                      fmt::format("<strong>{} = {:.4g}</strong>{}<br>{}", symbol_html("x"), t.shift,
+                                  t.own ? ", this gear" : "", words),
+                      t.own ? " class=\"own\"" : "");
   }
   return text + "</div>\n";
 }

@@ -1,4 +1,4 @@
-#include "gearwright/report/shift_picture.hpp"
+#include "gearwright/report/gear_figures.hpp"
 
 #include <gtest/gtest.h>
 

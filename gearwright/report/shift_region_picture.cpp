@@ -1,5 +1,3 @@
-#include "gearwright/report/shift_region_picture.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/report/html_text.hpp"
+#include "gearwright/report/search_figures.hpp"
 #include "gearwright/report/search_words.hpp"
 #include "gearwright/report/shift_region_drawing.hpp"
 
@@ -123,8 +122,9 @@ std::string edge_key(const Loops& loops, bool exact) {
     if (!there[i]) continue;
     const auto edge = static_cast<ShiftEdge>(i);
     const bool both = exact && edge == ShiftEdge::Cmin;
-    key += fmt::format("<span class=\"key\"><i class=\"swatch line {}\"></i>{}</span> ",
-                       style_of(edge), both ? "exact centre distance" : words_of(edge));
+    key += caption_key(fmt::format("line {}", style_of(edge)),
+                       both ? "exact centre distance" : words_of(edge)) +
+           " ";
   }
   return key;
 }
@@ -295,13 +295,15 @@ std::string shift_region_figure(const ShiftGraph& graph, const DesignRow& row) {
           ? std::string("the pinion takes all of the shift")
           : fmt::format("balanced, the teeth of both gears are about equally strong ({} = {:g})",
                         symbol_html("λ"), graph.problem().lambda);
-  return fmt::format(
-      "<figure>{}<figcaption><strong>Where {} is feasible</strong>: the filled region, in normal "
-      "modules, {}; faint: the rectangle of the shift limits. {}{}{}Thin dashed: {}; thick "
-      "where that is feasible. Dots: the middles at the least and the greatest {}. Ringed: the "
-      "design.</figcaption></figure>\n",
-      big_svg(d), design_name(row.trial), area, key.empty() ? "" : "Its edges: ", key,
-      distance ? "Thin: the centre distances, mm. " : "", line, symbol_html("Σx"));
+  return captioned(
+      big_svg(d),
+      fmt::format(
+          "<strong>Where {} is feasible</strong>: the filled region, in normal modules, {}; "
+          "faint: the rectangle of the shift limits. {}{}{}Thin dashed: {}; thick where that "
+          "is feasible. Dots: the middles at the least and the greatest {}. Ringed: the "
+          "design.",
+          design_name(row.trial), area, key.empty() ? "" : "Its edges: ", key,
+          distance ? "Thin: the centre distances, mm. " : "", line, symbol_html("Σx")));
 }
 
 std::string shift_region_thumbnail(const ShiftGraph& graph, const DesignRow& row,
@@ -317,10 +319,9 @@ std::string shift_region_thumbnail(const ShiftGraph& graph, const DesignRow& row
   draw_distances(svg, graph, g);
   draw_region(svg, g, d.loops, d.region);
   svg.dot(g.px({row.shift[0], row.shift[1]}), 4.0, "design-small");
-  return fmt::format(
-      "<figure>{}<figcaption><strong><a href=\"{}\">{}</a></strong><br>{} "
-      "{}</figcaption></figure>\n",
-      svg.str(), row_link, name, symbol_html("ε_α"), fixed(row.contact_ratio, 3));
+  return captioned(svg.str(),
+                   fmt::format("<strong><a href=\"{}\">{}</a></strong><br>{} {}", row_link, name,
+                               symbol_html("ε_α"), fixed(row.contact_ratio, 3)));
 }
 
 }  // namespace gearwright

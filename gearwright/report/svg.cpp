@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/report/html_text.hpp"
 
 namespace gearwright {
@@ -32,20 +33,19 @@ Vec2 Viewport::px(const Vec2& mm) const {
               : Vec2(width / 2 + d.x(), height / 2 - d.y());
 }
 
+std::vector<Vec2> Viewport::px(const std::vector<Vec2>& mm) const {
+  std::vector<Vec2> found;
+  for (const Vec2& p : mm) found.push_back(px(p));
+  return found;
+}
+
 Vec2 Viewport::mm(const Vec2& px) const {
   const double right = (px.x() - width / 2) / scale;
   const double up = (height / 2 - px.y()) / scale;
   return center + (x_up ? Vec2(up, -right) : Vec2(right, up));
 }
 
-std::string pixel(double value) {
-  std::string text = fixed(value, 2);
-  if (text.find('.') != std::string::npos) {
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-  }
-  return text;
-}
+std::string pixel(double value) { return short_decimals(value, 2); }
 
 Svg::Svg(std::string_view id, double width, double height, std::string_view title,
          std::string_view description)

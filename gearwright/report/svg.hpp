@@ -7,6 +7,7 @@
 // groups of class "lb" at their place, which the page's script scales back.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,20 @@
 #include "gearwright/curve/curve.hpp"
 
 namespace gearwright {
+
+/// Classes of what belongs to gear 1 and gear 2.
+inline constexpr std::array<const char*, 2> kInk{"g1", "g2"};
+
+/// The rectangle that holds some points; empty at first.
+struct Bounds {
+  Vec2 lo{1e300, 1e300};
+  Vec2 hi{-1e300, -1e300};
+  void cover(const Vec2& p) {
+    lo = lo.cwiseMin(p);
+    hi = hi.cwiseMax(p);
+  }
+  Vec2 size() const { return hi - lo; }
+};
 
 /// A window on a plane in millimetres.
 struct Viewport {
@@ -24,6 +39,7 @@ struct Viewport {
   bool x_up = false;  ///< the plane's x axis points up (a tooth stands upright), else to the right
 
   Vec2 px(const Vec2& mm) const;
+  std::vector<Vec2> px(const std::vector<Vec2>& mm) const;
   Vec2 mm(const Vec2& px) const;
 };
 

@@ -54,20 +54,38 @@ void TableBuilder::row(std::string_view words, std::string_view symbol, std::str
   text_ += "</tr>\n";
 }
 
-void TableBuilder::common(std::string_view words, std::string_view symbol, std::string_view unit,
-                          const std::string& value) {
-  open_row(words, symbol, unit);
-  cell(value, columns_);
-  text_ += "</tr>\n";
+void TableBuilder::row(const QuantityInfo& info, const std::vector<std::string>& values) {
+  row(capitalised(info.words), info.symbol, unit_text(info.unit), values);
 }
 
 void TableBuilder::common(std::string_view words, std::string_view symbol, std::string_view unit,
-                          const std::string& value, const std::string& note) {
-  GW_EXPECTS(columns_ > 1);
+                          const std::string& value, const std::optional<std::string>& note) {
+  GW_EXPECTS(!note || columns_ > 1);
   open_row(words, symbol, unit);
-  cell(value, columns_ - 1);
-  cell(note, 1);
+  cell(value, note ? columns_ - 1 : columns_);
+  if (note) cell(*note, 1);
   text_ += "</tr>\n";
+}
+
+void TableBuilder::common(const QuantityInfo& info, const std::string& value,
+                          const std::optional<std::string>& note) {
+  common(capitalised(info.words), info.symbol, unit_text(info.unit), value, note);
+}
+
+void TableBuilder::rows(const TextGroup& group) {
+  for (const TextRow& each : group.rows) {
+    if (each.texts.size() == columns_)
+      row(*each.info, each.texts);
+    else
+      common(*each.info, each.texts.front());
+  }
+}
+
+void TableBuilder::groups(const std::vector<TextGroup>& groups) {
+  for (const TextGroup& each : groups) {
+    if (!each.title.empty()) group(each.title);
+    rows(each);
+  }
 }
 
 std::string TableBuilder::str() const {

@@ -1,9 +1,12 @@
 // An HTML table of quantities: words, symbol, unit, then one value per column.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "gearwright/catalogue/quantity.hpp"
 
 namespace gearwright {
 
@@ -16,14 +19,18 @@ class TableBuilder {
   /// One value per column; the symbol as in html_text.hpp, may be empty.
   void row(std::string_view words, std::string_view symbol, std::string_view unit,
            const std::vector<std::string>& values);
-  /// One value that belongs to all columns.
+  void row(const QuantityInfo& info, const std::vector<std::string>& values);
+  /// One value that belongs to all columns, or to all but the last, which then holds a note.
   void common(std::string_view words, std::string_view symbol, std::string_view unit,
-              const std::string& value);
-  /// One value that belongs to all columns but the last, which holds a note.
-  void common(std::string_view words, std::string_view symbol, std::string_view unit,
-              const std::string& value, const std::string& note);
+              const std::string& value, const std::optional<std::string>& note = {});
+  void common(const QuantityInfo& info, const std::string& value,
+              const std::optional<std::string>& note = {});
+  /// The rows of the catalogue, without the group's heading: a value per column, or one that is common
+  /// to all. The table has as many columns as there are records, or two beside one record (a pair).
+  void rows(const TextGroup& group);
+  /// The same under their headings.
+  void groups(const std::vector<TextGroup>& groups);
 
-  std::size_t columns() const { return columns_; }  ///< of values
   std::string str() const;
 
  private:

@@ -1,5 +1,3 @@
-#include "gearwright/report/tooth_picture.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,10 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include "gearwright/report/gear_figures.hpp"
 #include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
-#include "gearwright/report/leaders.hpp"
-#include "gearwright/report/svg.hpp"
+#include "gearwright/report/named_circles.hpp"
 
 namespace gearwright {
 
@@ -21,21 +19,15 @@ constexpr double kWidth = 520.0;
 constexpr double kHeight = 360.0;
 constexpr double kPlotWidth = 400.0;  // the rest is for labels
 
-struct LabelledCircle {
-  std::string symbol;
-  double radius;  // mm
-  const char* style;
-};
-
-std::vector<LabelledCircle> circles_of(const Gear& gear) {
-  std::vector<LabelledCircle> circles;
-  circles.push_back({"d_a", gear.actual_tip_radius(), "thin"});
-  circles.push_back({"d", gear.reference_diameter / 2, "thin dashdot"});
-  if (gear.involute()) circles.push_back({"d_b", gear.base_radius(), "thin dash"});
-  circles.push_back({"d_f", gear.tooth->root_radius, "thin"});
-  if (const auto form = gear.root_form_radius()) circles.push_back({"d_Ff", *form, "thin dot"});
+std::vector<NamedCircle> circles_of(const Gear& gear) {
+  std::vector<NamedCircle> circles;
+  circles.push_back({"d_a", gear.actual_tip_radius(), ""});
+  circles.push_back({"d", gear.reference_diameter / 2, " dashdot"});
+  if (gear.involute()) circles.push_back({"d_b", gear.base_radius(), " dash"});
+  circles.push_back({"d_f", gear.tooth->root_radius, ""});
+  if (const auto form = gear.root_form_radius()) circles.push_back({"d_Ff", *form, " dot"});
   if (const auto form = gear.tooth->tip_form_radius; form && *form != gear.tooth->tip_radius) {
-    circles.push_back({"d_Fa", *form, "thin dot"});
+    circles.push_back({"d_Fa", *form, " dot"});
   }
   return circles;
 }
@@ -66,11 +58,10 @@ std::string shown_diameter(double d) {
 
 void draw_circles(Svg& svg, const Viewport& view, const Gear& gear) {
   const Vec2 axis = view.px(Vec2::Zero());
-  const std::vector<LabelledCircle> circles = circles_of(gear);
   std::vector<Leader> leaders;
   svg.begin_clip(0, 0, kPlotWidth, kHeight);
-  for (const LabelledCircle& c : circles) {
-    svg.circle(axis, c.radius * view.scale, c.style);
+  for (const NamedCircle& c : circles_of(gear)) {
+    svg.circle(axis, c.radius * view.scale, std::string("thin") + c.style);
     const Vec2 end = leaves_right(axis, c.radius * view.scale, kPlotWidth);
     if (end.y() > kHeight || end.y() < 0.0) continue;  // outside the window; the table has it
     leaders.push_back({end, symbol_svg(c.symbol) + " " + shown_diameter(2 * c.radius)});
@@ -93,8 +84,9 @@ const char* words_of(const Gear& gear, ArcName name) {
 std::string why_no_outline(const Gear& gear) {
   if (gear.internal()) {
     return "An internal gear: its diameters and thicknesses are in the table. Its outline is what "
-           "its pinion "
-           "cutter leaves, and no cutter is given: with cut_by there is a picture of its tooth.";
+           "its pinion cutter leaves, and no cutter is given: with cut_by there is a picture of "
+           "its "
+           "tooth.";
   }
   for (const Warning& w : gear.warnings) {
     if (w.code == WarningCode::severed || w.code == WarningCode::through_axis) return w.message;
@@ -136,12 +128,7 @@ std::string tooth_figure(const Gear& gear, const std::string& shape, const std::
   svg.end_group();
   draw_circles(svg, view, gear);
   svg.begin_clip(0, 0, kPlotWidth, kHeight);
-  svg.begin_group(fmt::format("transform=\"translate({} {}) scale({:.9g}) rotate(-90)\"",
-                              pixel(axis.x()), pixel(axis.y()), unit));
-  for (const Arc& arc : gear.tooth->outline.arcs) {
-    for (const int side : {+1, -1}) svg.path(arc_path(gear, arc, side), arc_style(arc.name));
-  }
-  svg.end_group();
+  draw_upright_arcs(svg, view, gear, arc_style);
   svg.end_group();
   for (const Arc& arc : gear.tooth->outline.arcs) {
     if (&arc == &gear.tooth->outline.arcs.front()) continue;
@@ -156,13 +143,10 @@ std::string tooth_figure(const Gear& gear, const std::string& shape, const std::
   for (const Arc& arc : gear.tooth->outline.arcs) {
     if (std::find(shown.begin(), shown.end(), arc.name) != shown.end()) continue;
     shown.push_back(arc.name);
-    legend += fmt::format("<span class=\"key\"><i class=\"swatch {}\"></i>{}</span> ",
-                          arc_style(arc.name), words_of(gear, arc.name));
+    legend += caption_key(arc_style(arc.name), words_of(gear, arc.name)) + " ";
   }
-  return fmt::format(
-      "<figure>{}<figcaption><strong>{}</strong>, transverse section, mm. "
-      "{}</figcaption></figure>\n",
-      svg.str(), name, legend);
+  return captioned(svg.str(),
+                   fmt::format("<strong>{}</strong>, transverse section, mm. {}", name, legend));
 }
 
 }  // namespace gearwright

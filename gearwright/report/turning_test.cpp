@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearwright/report/mesh_picture.hpp"
+#include "gearwright/report/pair_figures.hpp"
 #include "gearwright/report/testing/sample_reports.hpp"
 
 namespace gearwright {

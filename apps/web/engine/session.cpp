@@ -11,7 +11,7 @@
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/value_json.hpp"
-#include "gearwright/report/contact_words.hpp"
+#include "gearwright/report/contact_report.hpp"
 
 namespace gearwright::web {
 

@@ -1,4 +1,4 @@
-#include "gearwright/report/shift_region_window.hpp"
+#include "gearwright/report/shift_region_drawing.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "gearwright/report/compensate_section.hpp"
+#include "gearwright/report/report_sections.hpp"
 
 #include <gtest/gtest.h>
 

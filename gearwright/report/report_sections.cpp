@@ -1,4 +1,4 @@
-#include "gearwright/report/compensate_section.hpp"
+#include "gearwright/report/report_sections.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,9 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
+#include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/report/html_text.hpp"
-#include "gearwright/report/quantity_table.hpp"
+#include "gearwright/report/report_tables.hpp"
 #include "gearwright/report/table_builder.hpp"
 
 namespace gearwright {
@@ -107,15 +108,15 @@ std::string scores(const CompensateView& v) {
     t.group(fmt::format("Under {:.6g} N m", l.torque / kMmPerM));
     for (const TextGroup& g :
          text_groups(loaded.table(), {loaded.of(l.before), loaded.of(l.after)}, kPage))
-      add_rows(t, g);
+      t.rows(g);
   }
   const auto unloaded =
       text_groups(quantities.table(), {quantities.of(v.before), quantities.of(v.after)}, kPage);
   if (v.loads.empty()) {
-    add_groups(t, unloaded);
+    t.groups(unloaded);
   } else {
     t.group("Without load");
-    for (const TextGroup& g : unloaded) add_rows(t, g);
+    for (const TextGroup& g : unloaded) t.rows(g);
   }
   if (v.scenarios.size() > 1) {
     t.group("Transmission error, peak to peak, one by one");
@@ -130,21 +131,78 @@ std::string closed_forms(const CompensateView& v) {
   if (!v.setting && !v.lead) return {};
   TableBuilder t("In closed form, one by one", {"Value"});
   const auto& quantities = compensate_quantities();
-  add_groups(t, text_groups(quantities.table(), {quantities.of(v)}, kPage));
+  t.groups(text_groups(quantities.table(), {quantities.of(v)}, kPage));
+  return t.str();
+}
+
+std::string finding(const Rating& r) {
+  const auto least = [](const FactorPair& f) {
+    return fmt::format("{} (gear {})", fixed(std::min(f[0].value, f[1].value), 2),
+                       f[0].value <= f[1].value ? 1 : 2);
+  };
+  return fmt::format(
+      "Least safety against root breakage {}, against pitting {}. Allowable stress numbers "
+      "from the table of materials are the standard’s reference values: check them against the "
+      "material’s certificate.",
+      least(r.S_F), least(r.S_H));
+}
+
+std::string table(const RatingView& view) {
+  TableBuilder t("Strength, as rated", {"Gear 1", "Gear 2", "Place in the standard, branch"});
+  const auto& quantities = rating_quantities();
+  for (const TextGroup& group : text_groups(quantities.table(), {quantities.of(view)}, kPage)) {
+    t.group(group.title.empty() ? "Standard" : group.title);
+    for (const TextRow& row : group.rows) {
+      const std::string place = source_text(view.rating, row.info->key);
+      if (row.texts.size() > 1)
+        t.row(*row.info, {row.texts.front(), row.texts.back(), place});
+      else
+        t.common(*row.info, row.texts.front(), place);
+    }
+  }
   return t.str();
 }
 
 }  // namespace
 
+std::string measure_section(const std::vector<ValueRecord>& measures,
+                            const std::vector<std::vector<ValueRecord>>& ends,
+                            const std::vector<KDiagram>& diagrams) {
+  const auto groups = text_groups(measure_quantities().table(), measures, kPage);
+  if (groups.empty()) return {};
+  const std::vector<std::string> columns = gear_headings(measures.size());
+  TableBuilder table("What is measured, thickness allowances included", columns);
+  table.groups(groups);
+  std::string text = table.str();
+  for (std::size_t i = 0; i < std::min(ends.size(), columns.size()); ++i) {
+    const auto differing = text_groups(measure_quantities().table(), ends[i], kPage);
+    if (differing.empty()) continue;
+    TableBuilder interval(columns[i] + " between its thickness allowances", {"Lower", "Upper"});
+    interval.groups(differing);
+    text += interval.str();
+  }
+  return "<section>\n<h2>Measuring</h2>\n" + text + k_figures(diagrams) + "</section>\n";
+}
+
 std::string compensate_section(const CompensateView& view) {
   GW_EXPECTS(!view.before.nothing_touches() && !view.corrections.empty());
+  const std::string what = fmt::format(
+      "\n<p>What a workshop can change so that this pair bears its errors. {} <code>gearwright "
+      "compensate --take</code> prints the specification with the corrections in it.</p>\n"
+      "<p><strong>{}</strong></p>\n{}",
+      aim_words(view.aim), finding(view), corrections(view));
+  return "<section class=\"compensate\">\n<h2>Corrections</h2>\n" +
+         in_columns(what, "\n" + scores(view)) + closed_forms(view) + "</section>\n";
+}
+
+std::string rating_section(const RatingView& view) {
+  const bool plastic = view.rating.edition == RatingEdition::vdi_2736;
+  const std::string method =
+      fmt::format("{}{}", name(view.rating.edition), plastic ? "" : ", method B");
   return fmt::format(
-      "<section class=\"compensate\">\n<h2>Corrections</h2>\n<div "
-      "class=\"columns\"><div>\n<p>What a workshop can change so that this pair bears its errors. "
-      "{} <code>gearwright compensate --take</code> prints the specification "
-      "with the corrections in it.</p>\n<p><strong>{}</strong></p>\n{}</div><div>\n{}</div></div>\n"
-      "{}</section>\n",
-      aim_words(view.aim), finding(view), corrections(view), scores(view), closed_forms(view));
+      "<section class=\"rating\">\n<h2>Strength</h2>\n<p>Rated by {}. Scuffing and "
+      "micropitting are not rated{}.</p>\n<p><strong>{}</strong></p>\n{}</section>\n",
+      method, plastic ? ", nor are wear and deformation" : "", finding(view.rating), table(view));
 }
 
 }  // namespace gearwright

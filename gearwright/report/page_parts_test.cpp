@@ -1,6 +1,6 @@
 // Every class on a page is known to its style sheet or its scripts: a name that nothing knows is a
 // slip, and the picture lacks what it should show.
-#include "gearwright/report/page_style.hpp"
+#include "gearwright/report/page_parts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-#include "gearwright/report/load_section.hpp"
+#include "gearwright/report/report_sections.hpp"
 #include "gearwright/report/search_table.hpp"
 #include "gearwright/report/solid.hpp"
 #include "gearwright/report/testing/sample_load.hpp"

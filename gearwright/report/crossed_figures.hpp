@@ -1,0 +1,86 @@
+// The pictures of a crossed pair: in plan, in section, on its faces, and over the pressure angle of the
+// rack between its gears.
+//
+//   leading line A–E, trailing line A′–E′: its image under the half turn about the centre line
+//   T_1, T_2  base tangent points      C  pitch point of gear 1
+//   plan      seen along the centre line, from gear 2's side: y to the right, z up, axis 1 upright.
+//             True to scale
+//   section   cut by the plane of the leading line, normal to the teeth of the common rack: the rack is
+//             seen as it is, the line of action at its true length under α_wn, cylinders as ellipses.
+//             The trailing line, in a parallel plane, is carried here along the teeth
+//   h         to the right, the way the rack moves    x   up, along the centre line, gear 1 to gear 2
+//   z_L       the plane's offset along the teeth from the centre line, mm
+//   f, f′     face widths of one flank, and of both flanks about the common perpendicular, mm
+//   s_i       axial place on gear i, from the middle of its face, mm
+//
+// Domain    crossed axes (contract), of all that follows
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "gearwright/base/vector.hpp"
+#include "gearwright/pair/pair.hpp"
+
+namespace gearwright {
+
+/// A point of the housing in plan, mm: (y, z).
+Vec2 in_plan(const Point<Housing>& p);
+
+/// Corners in plan of gear `which` (0, 1): its cylinder of `radius` from face to face.
+std::array<Vec2, 4> face_in_plan(const InvolutePair& pair, std::size_t which, double radius);
+
+/// The figures: lines of action in plan, and both gears whole.
+std::string plan_figures(const InvolutePair& pair);
+
+/// A point of the housing in section, mm: (h, x).
+///
+/// Formula   h = −y cos β_1 + z sin β_1
+Vec2 in_section(const InvolutePair& pair, const Point<Housing>& p);
+
+struct SectionEllipse {
+  Vec2 center;         ///< (h, x)  mm
+  double half_width;   ///< along h, mm
+  double half_height;  ///< along x, mm
+};
+
+/// The cylinder of `radius` about the axis of gear `which` (0, 1), cut by the plane.
+///
+/// Formula   centre (z_L tan β_1, 0), (−z_L tan β_2, a); half width r/cos β_i, half height r
+/// Domain    radius > 0 (contract)
+SectionEllipse section_of_cylinder(const InvolutePair& pair, std::size_t which, double radius);
+
+std::string section_figure(const InvolutePair& pair);
+
+/// Over the pressure angle of the common rack: centre distance, shaft angle and contact ratio without
+/// backlash, with the least centre distance, its approximations and the place where the pair is
+/// mounted. One curve per panel, all over the same α_wn.
+std::string range_figure(const InvolutePair& pair);
+
+/// What the lines of action ask for of the faces: f and f′ over α_wn, with the actual face widths.
+std::string face_width_figure(const InvolutePair& pair);
+
+/// The faces from end to end, with what the leading and the trailing line use of them.
+///
+/// Domain    the flanks meet (contract)
+std::string face_use_figure(const InvolutePair& pair);
+
+/// How the flanks slide over each other: across the teeth, as on parallel axes, and along them, as a
+/// screw. A figure and a table: speeds of the contact over the flanks, mm per radian of gear 1.
+///
+/// Domain    the flanks meet (contract)
+std::string speed_figures(const InvolutePair& pair);
+
+/// The least centre distance, exact and as it was found by hand: where on the curve a(α_wn) the
+/// approximate solutions of pair/series.hpp lie, magnified. Empty where there is nothing to compare: no
+/// least centre distance, gears of two racks, or a difference of less than 1e-6 µm.
+std::string min_distance_figure(const InvolutePair& pair);
+
+/// The solutions with the exact place at the angle of each: Δ to the exact solution. A sentence
+/// where all agree (the sum of shifts is nothing), empty where there are none.
+std::string min_distance_table(const InvolutePair& pair);
+
+/// Both, folded away: they are for whoever checks a calculation by hand.
+std::string min_distance_part(const InvolutePair& pair);
+
+}  // namespace gearwright

@@ -1,0 +1,51 @@
+// The sections of the page, each HTML from <section> to </section>. `shapes` are the names of the gears'
+// definitions (gear_shape.hpp).
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "gearwright/catalogue/compensate_quantities.hpp"
+#include "gearwright/catalogue/rating_quantities.hpp"
+#include "gearwright/pair/arc_pair.hpp"
+#include "gearwright/report/contact_report.hpp"
+#include "gearwright/report/k_diagram.hpp"
+#include "gearwright/report/load_report.hpp"
+
+namespace gearwright {
+
+/// What a workshop measures. A column per gear, records of catalogue/measure_quantities.hpp; of gears
+/// with tolerances their two ends; the designs of flanks that have one. Empty without any.
+std::string measure_section(const std::vector<ValueRecord>& measures,
+                            const std::vector<std::vector<ValueRecord>>& ends,
+                            const std::vector<KDiagram>& diagrams);
+
+/// A pair of circular-arc gears: its numbers, and each contact in the transverse section through it.
+std::string arc_pair_section(const ArcPair& pair, const std::array<std::string, 2>& shapes);
+
+/// Where the gears are turned to in the section through a contact, rad counter-clockwise: the
+/// angles of their x axes.
+std::array<double, 2> angles_at_contact(const ArcPair& pair, const ArcPairContact& contact);
+
+/// Tooth contact: pictures, and words for readers who have never seen such an analysis.
+///
+/// Domain    two gears with teeth; results of the same positions over one pitch, one at least with
+///           contact; rasters of 2 × 2 or more (contract)
+std::string contact_section(const ContactReport& report);
+
+/// Teeth under load, one paragraph and its pictures for each thing.
+///
+/// Domain    at least one torque; positions evenly over one pitch, some of which touch (contract)
+std::string load_section(const LoadReport& report, const std::array<std::string, 2>& shapes);
+
+/// Corrections: what a workshop would change, and what it does to each of the aims.
+///
+/// Domain    `before` of a pair that touches somewhere (contract)
+std::string compensate_section(const CompensateView& view);
+
+/// Strength: inputs, factors, stresses, safeties, each with its place in the standard, as licences
+/// print them.
+std::string rating_section(const RatingView& view);
+
+}  // namespace gearwright
