@@ -14,7 +14,7 @@ namespace gearwright {
 namespace {
 
 // Ends of keys that say a unit.
-constexpr std::array<std::string_view, 6> kUnits{"mm", "deg", "um", "per_in", "arcsec", "rpm"};
+constexpr std::array<std::string_view, 6> kKeyUnits{"mm", "deg", "um", "per_in", "arcsec", "rpm"};
 
 }  // namespace
 
@@ -55,7 +55,7 @@ std::string KeyRange::sentence(double value) const {
 }
 
 std::string_view key_unit(std::string_view key) {
-  for (const std::string_view unit : kUnits) {
+  for (const std::string_view unit : kKeyUnits) {
     if (key.size() > unit.size() && key.ends_with(unit) && key[key.size() - unit.size() - 1] == '_')
       return unit;
   }

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
+#include "gearwright/catalogue/columns.hpp"
+#include "gearwright/catalogue/contact_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
-#include "gearwright/job/contact_text.hpp"
 
 namespace gearwright {
 
@@ -21,15 +21,6 @@ std::string cell(std::string_view text) {
   return out + "\"";
 }
 
-// A plain value; lists and records have cells of their own.
-std::string cell(const Value& value) {
-  if (const auto* n = std::get_if<long long>(&value.variant())) return std::to_string(*n);
-  if (const auto* flag = std::get_if<bool>(&value.variant())) return *flag ? "1" : "0";
-  if (const auto* x = std::get_if<double>(&value.variant())) return fmt::format("{}", *x);
-  if (const auto* s = std::get_if<std::string>(&value.variant())) return cell(std::string_view(*s));
-  return {};
-}
-
 std::string row(const std::vector<std::string>& cells) {
   return fmt::format("{}\r\n", fmt::join(cells, ","));
 }
@@ -38,106 +29,105 @@ bool plain(const Value& v) { return !v.list() && !v.record() && !v.map(); }
 
 bool all_plain(const ValueList& list) { return std::all_of(list.begin(), list.end(), plain); }
 
+const Value kNothing;
+
+// The values of a column in rows, one after the other.
+using Cells = std::vector<const Value*>;
+using Rows = std::vector<const ValueRecord*>;  // null: a row has no such record
+
+// Calls f(column, cells) for the columns of a table that JSON has, too, and that one of the rows has.
+template <class F>
+void each_column(const QuantityTable& table, const Rows& rows, const F& f) {
+  for (const Column& column : columns_of(table)) {
+    bool there = false;
+    Cells cells;
+    for (const ValueRecord* row : rows) {
+      const Value* const value = row ? column.in(*row) : nullptr;
+      there = there || value;
+      cells.push_back(value ? value : &kNothing);
+    }
+    if (there && column.has(kJson)) f(column, cells);
+  }
+}
+
 void add_row(const QuantityInfo& info, const std::string& path, const std::string& first,
              const std::string& second, std::string& out) {
-  out += row({path, cell(std::string_view(info.words)), cell(std::string_view(info.symbol)),
-              std::string(unit_text(info.unit)), first, second});
+  out += row({path, cell(info.words), cell(info.symbol), std::string(unit_text(info.unit)), first,
+              second});
 }
 
 // A quantity of one or two records: plain values side by side, two of one record too; a longer list
 // of one record takes a row for each. Lists of records are for --json.
-void add_rows(const QuantityInfo& info, const std::string& path,
-              const std::vector<const Value*>& values, std::string& out) {
-  const ValueList* list = values.front()->list();
-  if (values.size() == 1 && list) {
+void add_rows(const QuantityInfo& info, const std::string& path, const Cells& cells,
+              std::string& out) {
+  const ValueList* list = cells.front()->list();
+  if (cells.size() == 1 && list) {
     if (!all_plain(*list)) return;
     if (list->size() == 2) {
-      add_row(info, path, cell((*list)[0]), cell((*list)[1]), out);
+      add_row(info, path, csv_cell((*list)[0]), csv_cell((*list)[1]), out);
     } else {
       for (std::size_t i = 0; i < list->size(); ++i)
-        add_row(info, fmt::format("{}.{}", path, i + 1), cell((*list)[i]), "", out);
+        add_row(info, fmt::format("{}.{}", path, i + 1), csv_cell((*list)[i]), "", out);
     }
     return;
   }
-  if (!std::all_of(values.begin(), values.end(), [](const Value* v) { return plain(*v); })) return;
-  add_row(info, path, cell(*values[0]), values.size() > 1 ? cell(*values[1]) : "", out);
+  if (!std::all_of(cells.begin(), cells.end(), [](const Value* v) { return plain(*v); })) return;
+  add_row(info, path, csv_cell(*cells[0]), cells.size() > 1 ? csv_cell(*cells[1]) : "", out);
 }
 
-// Records side by side, those of the gears, or one of the pair; null: the gear has none.
-void add_records(const std::string& path, const std::vector<const ValueRecord*>& records,
+// Records side by side, those of the gears, or one of the pair.
+void add_records(const std::string& path, const QuantityTable& table, const Rows& records,
                  std::string& out) {
-  std::vector<const QuantityInfo*> all;
-  for (const ValueRecord* record : records) {
-    if (!record) continue;
-    for (const Member& m : *record) {
-      if ((m.info->doors & kJson) && std::find(all.begin(), all.end(), m.info) == all.end())
-        all.push_back(m.info);
-    }
+  each_column(table, records, [&](const Column& column, const Cells& cells) {
+    add_rows(column.info(), path + "." + column.name("."), cells, out);
+  });
+}
+
+// A column of plain values on its way to the file.
+struct CsvColumn {
+  std::string name;
+  Cells cells;
+};
+
+// Lists and records of a quantity take a column for each of their plain values.
+void add_columns(const std::string& name, const QuantityInfo& info, const Cells& cells,
+                 std::vector<CsvColumn>& all) {
+  if (info.of && info.list.empty()) return;  // its own columns come by themselves
+  std::size_t longest = 0;
+  Rows records;
+  for (const Value* v : cells) {
+    if (v->list()) longest = std::max(longest, v->list()->size());
+    records.push_back(v->record());
   }
-  static const Value kNothing;
-  for (const QuantityInfo* info : all) {
-    std::vector<const Value*> values;
-    std::vector<const ValueRecord*> inner;
-    for (const ValueRecord* record : records) {
-      const Value* value = &kNothing;
-      if (record) {
-        const auto same = std::find_if(record->begin(), record->end(),
-                                       [&](const Member& o) { return o.info == info; });
-        if (same != record->end()) value = &same->value;
-      }
-      values.push_back(value);
-      inner.push_back(value->record());
-    }
-    const std::string here = path + "." + info->key;
-    if (std::any_of(inner.begin(), inner.end(), [](const auto* r) { return r != nullptr; })) {
-      add_records(here, inner, out);
-    } else {
-      add_rows(*info, here, values, out);
-    }
+  for (std::size_t i = 0; i < longest; ++i) {
+    Cells items;
+    for (const Value* v : cells)
+      items.push_back(v->list() && i < v->list()->size() ? &(*v->list())[i] : &kNothing);
+    add_columns(fmt::format("{}.{}", name, i + 1), info, items, all);
+  }
+  if (info.of) {
+    each_column(info.of(), records, [&](const Column& column, const Cells& inner) {
+      add_columns(name + "." + column.name("."), column.info(), inner, all);
+    });
+  } else if (longest == 0 && !std::all_of(cells.begin(), cells.end(),
+                                          [](const Value* v) { return all_nothing(*v); })) {
+    all.push_back({name, cells});
   }
 }
 
-using Cells = std::vector<std::pair<std::string, std::string>>;
-
-// Columns of one value of a row: records and short lists take one for each number.
-void add_cells(const std::string& name, const Value& value, Cells& cells) {
-  if (const ValueRecord* record = value.record()) {
-    for (const Member& m : *record)
-      if (m.info->doors & kJson) add_cells(name + "." + m.info->key, m.value, cells);
-  } else if (const ValueList* list = value.list()) {
-    for (std::size_t i = 0; i < list->size(); ++i)
-      add_cells(fmt::format("{}.{}", name, i + 1), (*list)[i], cells);
-  } else if (!value.nothing()) {
-    cells.emplace_back(name, cell(value));
-  }
-}
-
-// Rows of records; a column for whatever one of them has.
-std::string records_csv(const ValueList& records) {
-  std::vector<std::string> heads;
-  std::vector<Cells> rows;
-  for (const Value& v : records) {
-    Cells cells;
-    for (const Member& m : *v.record())
-      if (m.info->doors & kJson) add_cells(m.info->key, m.value, cells);
-    std::size_t at = 0;
-    for (const auto& [name, text] : cells) {
-      const auto it = std::find(heads.begin(), heads.end(), name);
-      // What this row has and no earlier one stands beside its neighbour.
-      if (it == heads.end()) {
-        heads.insert(heads.begin() + static_cast<std::ptrdiff_t>(at++), name);
-      } else {
-        at = static_cast<std::size_t>(it - heads.begin()) + 1;
-      }
-    }
-    rows.push_back(std::move(cells));
-  }
-  std::string out = row(heads);
-  for (const Cells& cells : rows) {
-    std::vector<std::string> line(heads.size());
-    for (const auto& [name, text] : cells)
-      line[static_cast<std::size_t>(std::find(heads.begin(), heads.end(), name) - heads.begin())] =
-          text;
+// A column for whatever one of the rows has.
+std::string records_csv(const QuantityTable& table, const ValueList& records) {
+  Rows rows;
+  for (const Value& v : records) rows.push_back(v.record());
+  std::vector<CsvColumn> columns;
+  each_column(table, rows, [&](const Column& column, const Cells& cells) {
+    add_columns(column.name("."), column.info(), cells, columns);
+  });
+  std::vector<std::string> line;
+  for (const CsvColumn& column : columns) line.push_back(column.name);
+  std::string out = row(line);
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    for (std::size_t c = 0; c < columns.size(); ++c) line[c] = csv_cell(*columns[c].cells[r]);
     out += row(line);
   }
   return out;
@@ -145,25 +135,31 @@ std::string records_csv(const ValueList& records) {
 
 }  // namespace
 
+std::string csv_cell(const Value& value) {
+  if (const auto* n = std::get_if<long long>(&value.variant())) return std::to_string(*n);
+  if (const auto* flag = std::get_if<bool>(&value.variant())) return *flag ? "1" : "0";
+  if (const auto* x = std::get_if<double>(&value.variant())) return fmt::format("{}", *x);
+  if (const auto* s = std::get_if<std::string>(&value.variant())) return cell(*s);
+  return {};
+}
+
 std::string quantities_csv(const SolvedJob& job) {
   std::string out = row({"key", "quantity", "symbol", "unit", "first", "second"});
   std::vector<ValueRecord> records;
   for (const Gear& g : job.gears) records.push_back(gear_quantities().of(g));
-  std::vector<const ValueRecord*> gears;
+  Rows gears;
   for (const ValueRecord& record : records) gears.push_back(&record);
-  add_records("gears", gears, out);
+  add_records("gears", gear_quantities().table(), gears, out);
   if (job.pair) {
     const ValueRecord pair = pair_quantities().of(*job.pair);
-    add_records("pair", {&pair}, out);
+    add_records("pair", pair_quantities().table(), {&pair}, out);
   }
   return out;
 }
 
-std::string contact_csv(const SolvedJob& job, const ContactAnswer& answer) {
-  for (const Member& m : contact_record(job, answer)) {
-    if (m.info->key == "positions" && m.value.list()) return records_csv(*m.value.list());
-  }
-  return {};
+std::string contact_csv(const SolvedJob&, const ContactAnswer& answer) {
+  return records_csv(position_quantities().table(),
+                     position_quantities().each(answer.driving.positions));
 }
 
 std::string load_csv(const LoadAnalysis& answer) {
@@ -172,7 +168,7 @@ std::string load_csv(const LoadAnalysis& answer) {
   for (const LoadedTorque& t : answer.contact->torques)
     for (const LoadedPosition& p : t.positions)
       rows.push_back(load_position_quantities().of({&t, &p, answer.contact->regime}));
-  return records_csv(rows);
+  return records_csv(load_position_quantities().table(), rows);
 }
 
 std::string rating_csv(const RatingAnswer& answer) {
@@ -187,11 +183,10 @@ std::string rating_csv(const RatingAnswer& answer) {
                                      [&](const FactorSource& s) { return s.key == info.key; });
     const bool known = source != sources.end();
     const std::string branches = known ? fmt::format("{}", fmt::join(source->branches, "; ")) : "";
-    out += row({"rating." + info.key, cell(std::string_view(info.words)),
-                cell(std::string_view(info.symbol)), std::string(unit_text(info.unit)),
-                cell(two ? two->front() : m.value), two ? cell(two->back()) : "",
-                known ? cell(std::string_view(source->formula)) : "",
-                cell(std::string_view(branches))});
+    out +=
+        row({"rating." + info.key, cell(info.words), cell(info.symbol),
+             std::string(unit_text(info.unit)), csv_cell(two ? two->front() : m.value),
+             two ? csv_cell(two->back()) : "", known ? cell(source->formula) : "", cell(branches)});
   }
   return out;
 }

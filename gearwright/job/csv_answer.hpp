@@ -9,6 +9,8 @@
 
 namespace gearwright {
 
+/// A plain value in a cell; empty: nothing, or a list, a record or a map.
+std::string csv_cell(const Value& value);
 /// A row for each quantity of the gears and, where they are mounted, of the pair:
 /// key, quantity, symbol, unit, first, second. The last two are gear 1 and gear 2, or the two ends
 /// of a range; what both have in common stands in `first`, a longer list in rows of its own

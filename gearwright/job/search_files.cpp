@@ -4,6 +4,7 @@
 
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/version.hpp"
+#include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/search_answer.hpp"
 #include "gearwright/job/search_tables.hpp"
 
@@ -46,14 +47,6 @@ void write_tables(const std::filesystem::path& designs, const std::filesystem::p
     }
     table.close();
   });
-}
-
-std::string csv_cell(const Value& v) {
-  if (const auto* n = std::get_if<long long>(&v.variant())) return std::to_string(*n);
-  if (const auto* flag = std::get_if<bool>(&v.variant())) return *flag ? "1" : "0";
-  if (const auto* x = std::get_if<double>(&v.variant())) return fmt::format("{}", *x);
-  if (const auto* s = std::get_if<std::string>(&v.variant())) return *s;
-  return {};
 }
 
 std::string csv_text(const SearchProblem& problem, const SearchAnswer& answer, std::size_t most) {

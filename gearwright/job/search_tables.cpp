@@ -2,6 +2,25 @@
 
 namespace gearwright {
 
+void add_heads(const Column& column, std::vector<ParquetColumn>& heads) {
+  const QuantityInfo& info = column.info();
+  const ParquetType type = info.type == Type::index ? ParquetType::int64
+                           : info.type == Type::whole || info.type == Type::flag
+                               ? ParquetType::int32
+                           : info.type == Type::number ? ParquetType::float64
+                                                       : ParquetType::text;
+  const std::size_t mark = info.column.find('#');
+  const std::vector<std::string> names = info.list.empty() ? std::vector<std::string>{""}
+                                         : info.two == Two::ends
+                                             ? std::vector<std::string>{"min", "max"}
+                                             : std::vector<std::string>{"1", "2"};
+  for (const std::string& name : names) {
+    std::string head = info.column;
+    if (mark != std::string::npos) head.replace(mark, 1, name);
+    heads.push_back({std::move(head), type, !info.always});
+  }
+}
+
 const TableColumns<DesignView>& design_columns(const SearchProblem& problem) {
   static const TableColumns<DesignView> kPlain(design_quantities(),
                                                {"face_width_mm", "S_H", "S_F", "mass_kg"});

@@ -11,10 +11,14 @@
 #include <utility>
 #include <vector>
 
+#include "gearwright/catalogue/columns.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/store/parquet.hpp"
 
 namespace gearwright {
+
+/// Adds the heads of a column: one, or one for each gear or end.
+void add_heads(const Column& column, std::vector<ParquetColumn>& heads);
 
 template <class S>
 class TableColumns {
@@ -22,15 +26,16 @@ class TableColumns {
   /// Without the quantities of these keys.
   explicit TableColumns(const Quantities<S>& quantities,
                         std::initializer_list<std::string_view> without = {}) {
+    const std::vector<Column> all = columns_of(quantities.table());
     for (const Quantity<S>& q : quantities.list()) {
       if (std::find(without.begin(), without.end(), q.info.key) != without.end()) continue;
-      const std::size_t before = heads_.size();
-      if (q.info.type == Type::record) {
-        for (const QuantityInfo* inner : q.info.of().list) add(*inner);
-      } else {
-        add(q.info);
+      Source source{&q, {}};
+      for (const Column& column : all) {
+        if (column.path.front() != &q.info || column.info().column.empty()) continue;
+        source.columns.push_back(column);
+        add_heads(column, heads_);
       }
-      if (heads_.size() > before) quantities_.push_back(&q);
+      if (!source.columns.empty()) sources_.push_back(std::move(source));
     }
   }
 
@@ -39,46 +44,20 @@ class TableColumns {
   /// Calls `cell(column, value)` for every column, in order.
   template <class Cell>
   void row(const S& subject, const Cell& cell) const {
-    std::size_t column = 0;
-    const auto give = [&](const QuantityInfo& info, const Value& value) {
-      if (info.column.empty()) return;
-      if (const ValueList* list = value.list()) {
-        for (const Value& v : *list) cell(column++, v);
-      } else {
-        cell(column++, value);
-      }
-    };
-    for (const Quantity<S>* q : quantities_) {
-      const Value value = q->get(subject);
-      if (const ValueRecord* record = value.record()) {
-        for (const Member& m : *record) give(*m.info, m.value);
-      } else {
-        give(q->info, value);
-      }
+    std::size_t at = 0;
+    for (const Source& source : sources_) {
+      const ValueRecord record{{&source.quantity->info, source.quantity->get(subject)}};
+      for (const Column& column : source.columns)
+        for (const Value* value : column.values(record)) cell(at++, *value);
     }
   }
 
  private:
-  void add(const QuantityInfo& info) {
-    if (info.column.empty()) return;
-    const ParquetType type = info.type == Type::index ? ParquetType::int64
-                             : info.type == Type::whole || info.type == Type::flag
-                                 ? ParquetType::int32
-                             : info.type == Type::number ? ParquetType::float64
-                                                         : ParquetType::text;
-    const std::size_t mark = info.column.find('#');
-    const std::vector<std::string> names = info.list.empty() ? std::vector<std::string>{""}
-                                           : info.two == Two::ends
-                                               ? std::vector<std::string>{"min", "max"}
-                                               : std::vector<std::string>{"1", "2"};
-    for (const std::string& name : names) {
-      std::string column = info.column;
-      if (mark != std::string::npos) column.replace(mark, 1, name);
-      heads_.push_back({std::move(column), type, !info.always});
-    }
-  }
-
-  std::vector<const Quantity<S>*> quantities_;
+  struct Source {
+    const Quantity<S>* quantity;
+    std::vector<Column> columns;  ///< of it, or of its record
+  };
+  std::vector<Source> sources_;
   std::vector<ParquetColumn> heads_;
 };
 

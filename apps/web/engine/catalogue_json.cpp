@@ -1,11 +1,12 @@
 #include "apps/web/engine/catalogue_json.hpp"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "gearwright/base/version.hpp"
+#include "gearwright/catalogue/columns.hpp"
 #include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
 #include "gearwright/catalogue/drawing_quantities.hpp"
@@ -125,14 +126,6 @@ Json said_json(const QuantityInfo& s) {
           {"greaterFirst", s.greater_first}};
 }
 
-// A table and those of the records in it, each once.
-void collect(const QuantityTable& table, std::vector<const QuantityTable*>& all) {
-  if (std::find(all.begin(), all.end(), &table) != all.end()) return;
-  all.push_back(&table);
-  for (const QuantityInfo* s : table.list)
-    if (s->type == Type::record && s->of) collect(s->of(), all);
-}
-
 }  // namespace
 
 std::string catalogue_json() {
@@ -144,18 +137,16 @@ std::string catalogue_json() {
                       {"meaning", plain_words(table->meaning)},
                       {"keys", std::move(keys)}});
   }
-  std::vector<const QuantityTable*> all;
-  for (const QuantityTable* table :
-       {&gear_quantities().table(), &measure_quantities().table(), &as_rack_quantities().table(),
-        &outline_quantities().table(), &pair_quantities().table(), &contact_quantities().table(),
-        &position_quantities().table(), &compensate_quantities().table(),
-        &load_quantities().table(), &rating_quantities().table(), &fit_quantities().table(),
-        &identify_quantities().table(), &drawing_quantities().table(), &search_quantities().table(),
-        &design_quantities().table(), &file_quantities().table(), &warning_quantities().table(),
-        &verdict_quantities().table()})
-    collect(*table, all);
   Json quantities = Json::array();
-  for (const QuantityTable* table : all) {
+  for (const QuantityTable* table : with_inner_tables(
+           {&gear_quantities().table(), &measure_quantities().table(),
+            &as_rack_quantities().table(), &outline_quantities().table(),
+            &pair_quantities().table(), &contact_quantities().table(),
+            &position_quantities().table(), &compensate_quantities().table(),
+            &load_quantities().table(), &rating_quantities().table(), &fit_quantities().table(),
+            &identify_quantities().table(), &drawing_quantities().table(),
+            &search_quantities().table(), &design_quantities().table(), &file_quantities().table(),
+            &warning_quantities().table(), &verdict_quantities().table()})) {
     Json list = Json::array();
     for (const QuantityInfo* s : table->list)
       if ((s->doors & kJson) != 0) list.push_back(said_json(*s));

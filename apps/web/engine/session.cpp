@@ -6,6 +6,7 @@
 
 #include "apps/web/engine/answering.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/catalogue/columns.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/contact/contact.hpp"
@@ -21,59 +22,25 @@ bool is_number(const QuantityInfo& info) {
   return info.type == Type::number || info.type == Type::whole || info.type == Type::index;
 }
 
-// How many numbers a value of this quantity has; 0: no fixed number of them.
-int width_of(const QuantityInfo& info) {
-  int width = 1;
-  for (const int n : info.list) width *= n;
-  return width;
-}
-
-void append_numbers(const Value& value, Numbers& out) {
-  if (const ValueList* list = value.list()) {
-    for (const Value& v : *list) append_numbers(v, out);
-  } else {
-    out.push_back(value.number().value_or(kNaN));
-  }
-}
-
-// The value of a row's member, itself a record's of one key; null where there is none.
-const Value* member(const ValueRecord& row, const QuantityInfo* info) {
-  for (const Member& m : row)
-    if (m.info == info) return &m.value;
-  return nullptr;
-}
-
-// One column for each quantity of the table that has a fixed width; records open into their own.
-void add_columns(const QuantityTable& table, const std::vector<const ValueRecord*>& rows,
-                 const std::string& before, ContactCurve& curve) {
-  for (const QuantityInfo* info : table.list) {
-    const std::string key = before + info->key;
-    const int width = width_of(*info);
-    if (info->type == Type::record && info->list.empty()) {
-      std::vector<const ValueRecord*> inner;
-      for (const ValueRecord* row : rows) {
-        const Value* v = row ? member(*row, info) : nullptr;
-        inner.push_back(v ? v->record() : nullptr);
+// One column for each of the table that has a fixed width, of numbers or of words.
+void add_columns(const QuantityTable& table, const std::vector<ValueRecord>& rows,
+                 ContactCurve& curve) {
+  for (const Column& column : columns_of(table)) {
+    const bool words = column.info().type == Type::word;
+    if (column.width() == 0 || (!words && !is_number(column.info()))) continue;
+    Numbers numbers;
+    std::vector<std::string> texts;
+    for (const ValueRecord& row : rows) {
+      for (const Value* value : column.values(row)) {
+        const auto* const word = std::get_if<std::string>(&value->variant());
+        if (words) texts.push_back(word ? *word : std::string());
+        if (!words) numbers.push_back(value->number().value_or(kNaN));
       }
-      add_columns(info->of(), inner, key + ".", curve);
-    } else if (info->type == Type::word) {
-      std::vector<std::string> words;
-      for (const ValueRecord* row : rows) {
-        const Value* v = row ? member(*row, info) : nullptr;
-        const auto* word = v ? std::get_if<std::string>(&v->variant()) : nullptr;
-        words.push_back(word ? *word : std::string());
-      }
-      curve.columns[key] = {1, std::move(words)};
-    } else if (is_number(*info) && width > 0) {
-      Numbers numbers;
-      for (const ValueRecord* row : rows) {
-        const std::size_t until = numbers.size() + static_cast<std::size_t>(width);
-        const Value* v = row ? member(*row, info) : nullptr;
-        if (v) append_numbers(*v, numbers);
-        numbers.resize(until, kNaN);
-      }
-      curve.columns[key] = {width, std::move(numbers)};
     }
+    ContactCurve::Column& made = curve.columns[column.name(".")];
+    made.width = static_cast<int>(column.width());
+    if (words) made.values = std::move(texts);
+    if (!words) made.values = std::move(numbers);
   }
 }
 
@@ -132,9 +99,7 @@ Result<ContactCurve> Session::contact_curve(int positions) {
   for (const Angle& a : found.harmonics) curve.harmonics_arcsec.push_back(a.arcsec());
   std::vector<ValueRecord> records;
   for (const ContactPoint& p : found.positions) records.push_back(position_quantities().of(p));
-  std::vector<const ValueRecord*> rows;
-  for (const ValueRecord& r : records) rows.push_back(&r);
-  add_columns(position_quantities().table(), rows, "", curve);
+  add_columns(position_quantities().table(), records, curve);
   return curve;
 }
 
