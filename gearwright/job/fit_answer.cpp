@@ -12,6 +12,7 @@
 #include "gearwright/job/few_teeth_answer.hpp"
 #include "gearwright/job/solved_job.hpp"
 #include "gearwright/job/value_json.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
 
@@ -67,7 +68,7 @@ std::optional<Error> unknown_module(const JobSpec& spec) {
 void mark_refused(FitAnswer& answer) {
   for (const Json& tree : answer.specs) {
     std::optional<Error> error;
-    const auto branch = read_spec(json_text(tree), SpecFormat::json);
+    const auto branch = read_spec_tree(tree);
     if (!branch) {
       error = branch.error();
     } else if (const auto job = solve(*branch, Scope::pair); !job) {

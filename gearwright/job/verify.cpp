@@ -10,6 +10,7 @@
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/verbs.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {
@@ -84,7 +85,7 @@ Result<CaseOutcome> run_case(const Json& c) {
   if (verb != "gear" && verb != "pair" && verb != "measure" && verb != "fit" && verb != "identify")
     return malformed(id, fmt::format("verb \"{}\": gear, pair, measure, fit or identify", verb));
 
-  const auto spec = read_spec(json_text(c["spec"]), SpecFormat::json);
+  const auto spec = read_spec_tree(c["spec"]);
   const auto answered = spec ? answer_json(verb, *spec) : Result<Json>(spec.error());
   const Json result = answered ? *answered
                       : spec   ? error_json(spelled(answered.error(), spec->given))

@@ -1,12 +1,14 @@
-// The text of a spec as a tree of tables.
+// The tree of tables between the text of a spec and what it says.
 //
-// Internal to spec/.
+// Internal to spec/, job/ and the programs: public headers show no tree.
 #pragma once
 
+#include <filesystem>
+#include <optional>
 #include <string_view>
 
 #include "gearwright/spec/json.hpp"
-#include "gearwright/spec/spec_text.hpp"
+#include "gearwright/spec/spec.hpp"
 
 namespace gearwright {
 
@@ -15,5 +17,14 @@ namespace gearwright {
 ///
 /// Errors    what is wrong, with line and column
 Result<Json> parse_spec(std::string_view text, SpecFormat format);
+
+/// What is wrong with a tree before its keys are looked at: no table at all, or tables too deep in tables.
+std::optional<Error> check_tree(const Json& tree);
+
+/// The spec of a tree: what read_spec makes of its text.
+///
+/// Errors    as read_spec, but for syntax; as check_tree
+Result<JobSpec> read_spec_tree(const Json& tree, const std::filesystem::path& folder = {},
+                               SpecUse use = SpecUse::geometry);
 
 }  // namespace gearwright

@@ -206,18 +206,28 @@ JobSpec read_tree(const Json& given, const std::filesystem::path& folder, SpecUs
   return spec;
 }
 
-}  // namespace
-
-Result<JobSpec> read_spec(const SpecText& text, SpecUse use) {
-  const auto tree = parse_spec(text.text, text.format);
-  if (!tree) return tree.error();
+Result<JobSpec> read_parsed(const Json& tree, std::string text, const std::filesystem::path& folder,
+                            SpecUse use) {
   try {
-    JobSpec spec = read_tree(*tree, text.folder, use);
-    spec.text = text.text;
+    JobSpec spec = read_tree(tree, folder, use);
+    spec.text = std::move(text);
     return spec;
   } catch (const SpecError& e) {
     return e.error;
   }
+}
+
+}  // namespace
+
+Result<JobSpec> read_spec_tree(const Json& tree, const std::filesystem::path& folder, SpecUse use) {
+  if (auto error = check_tree(tree)) return *error;
+  return read_parsed(tree, json_text(tree, 2), folder, use);
+}
+
+Result<JobSpec> read_spec(const SpecText& text, SpecUse use) {
+  const auto tree = parse_spec(text.text, text.format);
+  if (!tree) return tree.error();
+  return read_parsed(*tree, text.text, text.folder, use);
 }
 
 Result<JobSpec> read_spec(std::string_view text, SpecFormat format,

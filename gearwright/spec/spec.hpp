@@ -32,7 +32,7 @@ namespace gearwright {
 struct IdentifyProblem;  // inspection/identify.hpp
 
 struct JobSpec : GivenPair {
-  std::string text;  ///< the spec as read, for the report
+  std::string text;  ///< the spec as read, for the report; of a tree its JSON
   std::string tree;  ///< the same as a tree of tables, in JSON, with what gear 2 has from gear 1
   GivenKeys given;   ///< the paths of the keys in the text
   std::string title;

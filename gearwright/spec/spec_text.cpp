@@ -30,6 +30,8 @@ constexpr int kDeepest = 32;  // tables in tables; a spec has three
 
 Error syntax_error(const std::string& what) { return {"", "", "the spec cannot be read: " + what}; }
 
+Error too_deep() { return syntax_error(fmt::format("it nests more than {} tables", kDeepest)); }
+
 // Members are put at the end of an object without a look for their like, which would take a time
 // that grows with the square of their number: both parsers give every key once.
 Json& put(Json& object, std::string key, Json value) {
@@ -110,10 +112,7 @@ class TreeBuilder final : public nlohmann::json_sax<Json> {
   bool open(Json value) {
     Json* node = place(std::move(value));
     open_.push_back({node});
-    if (open_.size() > static_cast<std::size_t>(kDeepest)) {
-      throw SpecError{
-          {"", "", fmt::format("the spec cannot be read: it nests more than {} tables", kDeepest)}};
-    }
+    if (open_.size() > static_cast<std::size_t>(kDeepest)) throw SpecError{too_deep()};
     return true;
   }
   bool close() {
@@ -205,7 +204,21 @@ std::optional<TextPlace> toml_place(const toml::table& root, std::string_view pa
   return place;
 }
 
+// Tables and lists, one in the other; no further than to one too many.
+int depth_of(const Json& tree, int most) {
+  int deepest = 0;
+  if (!tree.is_structured() || most == 0) return 0;
+  for (const Json& inner : tree) deepest = std::max(deepest, depth_of(inner, most - 1));
+  return deepest + 1;
+}
+
 }  // namespace
+
+std::optional<Error> check_tree(const Json& tree) {
+  if (!tree.is_object()) return syntax_error("a JSON spec is one object, {\"gear1\": {...}}");
+  if (depth_of(tree, kDeepest + 1) > kDeepest) return too_deep();
+  return std::nullopt;
+}
 
 Result<Json> parse_spec(std::string_view text, SpecFormat format) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
@@ -214,8 +227,7 @@ Result<Json> parse_spec(std::string_view text, SpecFormat format) {
     if (format == SpecFormat::json) {
       TreeBuilder builder;
       Json::sax_parse(text.begin(), text.end(), &builder);
-      if (!builder.tree.is_object())
-        return syntax_error("a JSON spec is one object, {\"gear1\": {...}}");
+      if (auto error = check_tree(builder.tree)) return *error;
       return std::move(builder.tree);
     }
     if (const auto line = deep_line(text))
