@@ -12,6 +12,7 @@
 
 #include "apps/common/output.hpp"
 #include "gearwright/job/search_answer.hpp"
+#include "gearwright/job/search_refusal.hpp"
 #include "gearwright/spec/toml_text.hpp"
 
 namespace gearwright::apps {
@@ -188,12 +189,7 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
   if (!text) return speaks ? fail(text.error(), c.json) : 1;
   const auto spec = read_spec(*text);
   if (!spec) return speaks ? fail(spec.error(), c.json, &*text) : 1;
-  if (!spec->search) {
-    const Error error{"search", "",
-                      "is missing; a search needs a table [search] with at least ratio, "
-                      "modules_mm and pinion_teeth"};
-    return speaks ? fail(error, c.json, &*text) : 1;
-  }
+  if (!spec->search) return speaks ? fail(no_search(), c.json, &*text) : 1;
   const Search search(*spec->search);
   options.out = c.out.value_or("");
   options.resume = c.resume;

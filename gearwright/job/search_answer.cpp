@@ -159,7 +159,7 @@ std::vector<std::string> rejected_lines(const SearchCounts& counts) {
       "overlap ratio",
       "specific sliding",
       "tip clearance",
-      WarningCode::interference,
+      "interference",
       "safety against pitting, at the shifts of the design",
       "safety against root breakage, at the shifts of the design"};
   std::vector<std::string> lines;

@@ -10,6 +10,12 @@
 
 namespace gearwright {
 
+Error no_search() {
+  return {"search", "",
+          "is missing; a search needs a table [search] with at least ratio, modules_mm and "
+          "pinion_teeth"};
+}
+
 Error no_tooth_numbers() {
   return {"search.ratio", "",
           "no tooth numbers within `pinion_teeth` have such a ratio; widen one of the two bands"};

@@ -13,6 +13,8 @@ namespace gearwright {
 /// Why the search is not begun; none: it is.
 std::optional<Error> refuse_large(const Search& search, const SearchOptions& options);
 
+/// That a spec describes no search.
+Error no_search();
 /// Why a search of no candidates is not begun.
 Error no_tooth_numbers();
 

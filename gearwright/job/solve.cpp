@@ -6,6 +6,7 @@
 #include "gearwright/base/printable.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/gear/gear_field.hpp"
+#include "gearwright/job/finder.hpp"
 
 namespace gearwright {
 
@@ -36,18 +37,19 @@ std::vector<Warning> notes_of(const JobSpec& spec) {
   return notes;
 }
 
-// Absent numbers may be what the verb fit is to find: the place, helices, shifts.
-bool fit_would_find(const JobSpec& spec, const Error& error) {
-  if (!spec.has(1) || !spec.has(2)) return false;
-  const bool found_by_fit = error.field.starts_with("pair.") ||
-                            error.field.ends_with(".helix_angle") ||
-                            error.field.ends_with(".profile_shift");
-  if (!found_by_fit) return false;
-  const bool helices = spec.gear(1).helix_given || spec.gear(2).helix_given;
-  return spec.given.contains("fit") || (spec.pair.shaft_angle && !helices);
-}
-
 }  // namespace
+
+std::string_view finder_of(const JobSpec& spec, const Error& error) {
+  if (!spec.has(1)) return spec.measured[0] ? "identify" : "search";
+  if (!spec.has(2)) return "";
+  // A fit finds the place, helices and shifts.
+  const bool found_by_fit = error.field.starts_with("pair.") ||
+                            error.field.find(".helix_angle") != std::string::npos ||
+                            error.field.ends_with(".profile_shift");
+  const bool helices = spec.gear(1).helix_given || spec.gear(2).helix_given;
+  const bool fit = spec.given.contains("fit") || (spec.pair.shaft_angle && !helices);
+  return found_by_fit && fit ? "fit" : "";
+}
 
 Result<SolvedJob> solve(const JobSpec& spec, Scope scope) {
   if (!spec.has(1) && spec.measured[0]) {
@@ -65,7 +67,7 @@ Result<SolvedJob> solve(const JobSpec& spec, Scope scope) {
   auto arranged = arrange(given, scope);
   if (!arranged) {
     Error error = arranged.error();
-    if (fit_would_find(spec, error))
+    if (finder_of(spec, error) == "fit")
       error.rule +=
           ". The spec leaves numbers to be found: gearwright fit finds them, and its --take 1 "
           "writes the pair that this verb takes";
