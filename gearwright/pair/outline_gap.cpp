@@ -283,21 +283,26 @@ void collide_with_arc(const Motion& motion, const ProfileArc& arc, double branch
                           limit == lo ? -1.0 : 1.0);
     };
     family.ask(b);
-    std::optional<double> begin;
+    bool inside = false;
+    double begin = 0.0;
+    const auto begin_at = [&](double u) {
+      inside = true;
+      begin = u;
+    };
     const auto end_at = [&](double u) {
-      if (begin && *begin < u) LeastGap(family, *begin, u);
-      begin.reset();
+      if (inside && begin < u) LeastGap(family, begin, u);
+      inside = false;
     };
     const EnvelopeNode* last = nullptr;
     for (const EnvelopeNode& two : nodes) {
       if (two.begins) {
         if (last) end_at(last->u);
-        if (meets(two.radius)) begin = two.u;
+        if (meets(two.radius)) begin_at(two.u);
       } else if (const EnvelopeNode& one = *last; !meets(one.radius) || !meets(two.radius)) {
         // In at one end or past the whole arc.
         if (!meets(one.radius) && (meets(two.radius) || (one.radius < lo) == (two.radius > hi)))
-          begin = crossing(one, two, one.radius < lo ? lo : hi);
-        if (!meets(two.radius) && begin) end_at(crossing(one, two, two.radius < lo ? lo : hi));
+          begin_at(crossing(one, two, one.radius < lo ? lo : hi));
+        if (!meets(two.radius) && inside) end_at(crossing(one, two, two.radius < lo ? lo : hi));
       }
       last = &two;
     }

@@ -9,6 +9,7 @@
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/job/search_answer.hpp"
 #include "gearwright/job/search_job.hpp"
+#include "gearwright/job/search_refusal.hpp"
 #include "gearwright/job/verbs.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/toml_text.hpp"
@@ -23,21 +24,14 @@ Error too_long(std::size_t bytes) {
                       kMaxSpec)};
 }
 
-// The whole search at once, as the program does it.
-Result<std::string> search_answer(const JobSpec& spec) {
-  if (!spec.search) {
-    return Error{"search", "",
-                 "is missing; a search needs a table [search] with at least ratio, modules_mm and "
-                 "pinion_teeth"};
-  }
-  const Search search(*spec.search);
-  const auto run = run_search(spec, search, {});
-  if (!run) return run.error();
-  return search_json_text(search, *run);
-}
-
 Result<std::string> answered(std::string_view verb, const JobSpec& spec) {
-  if (verb == "search") return search_answer(spec);
+  if (verb == "search") {  // the whole of it at once, as the program does it
+    if (!spec.search) return no_search();
+    const Search search(*spec.search);
+    const auto run = run_search(spec, search, {});
+    if (!run) return run.error();
+    return search_json_text(search, *run);
+  }
   const auto json = answer_json(verb, spec);
   if (!json) return json.error();
   return json_text(*json, 2) + "\n";

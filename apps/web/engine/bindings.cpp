@@ -6,16 +6,17 @@
 #include <emscripten/val.h>
 
 #include <exception>
+#include <functional>
 #include <new>
 #include <nlohmann/json.hpp>
 
 #include "apps/web/engine/answering.hpp"
 #include "apps/web/engine/catalogue_json.hpp"
-#include "apps/web/engine/js_values.hpp"
-#include "apps/web/engine/load_work.hpp"
 #include "apps/web/engine/search_session.hpp"
+#include "apps/web/engine/work.hpp"
 #include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/spec_schema.hpp"
+#include "gearwright/job/finder.hpp"
 #include "gearwright/job/result_schema.hpp"
 #include "gearwright/spec/edit_text.hpp"
 
@@ -25,8 +26,63 @@ namespace {
 
 using emscripten::val;
 
+// A typed array of JavaScript's own: a copy, which no growth of our memory detaches.
+template <class T>
+val array_of(const std::vector<std::uint8_t>& bytes) {
+  const auto* data = reinterpret_cast<const T*>(bytes.data());
+  return val(emscripten::typed_memory_view(bytes.size() / sizeof(T), data)).call<val>("slice");
+}
+val array_of(const Json::binary_t& row) {
+  switch (static_cast<RowType>(row.subtype())) {
+    case RowType::float64: return array_of<double>(row);
+    case RowType::float32: return array_of<float>(row);
+    case RowType::uint32: return array_of<std::uint32_t>(row);
+    case RowType::uint8: return array_of<std::uint8_t>(row);
+  }
+  return val::null();
+}
+
+// A tree as JavaScript's objects and arrays.
+val js(const Json& tree) {
+  if (tree.is_binary()) return array_of(tree.get_binary());
+  if (tree.is_object()) {
+    val object = val::object();
+    for (const auto& [key, value] : tree.items()) object.set(key, js(value));
+    return object;
+  }
+  if (tree.is_array()) {
+    val list = val::array();
+    for (const Json& value : tree) list.call<void>("push", js(value));
+    return list;
+  }
+  if (tree.is_string()) return val(tree.get_ref<const std::string&>());
+  if (tree.is_boolean()) return val(tree.get<bool>());
+  return tree.is_null() ? val::null() : val(tree.get<double>());
+}
+val js(const std::string& json) { return val::global("JSON").call<val>("parse", json); }
+val js(const ContactCurve& curve) { return js(shape(curve)); }
+val js(const FlankRaster& raster) { return js(shape(raster)); }
+val js(const Steps& s) {
+  return js(Json{{"done", s.done}, {"of", s.of}, {"finished", s.finished}});
+}
+template <class T>
+val js(const std::shared_ptr<T>& handle) {
+  return val(handle);
+}
+
 val failed(const Error& error, const SpecText* text = nullptr, const GivenKeys& given = {}) {
-  return parsed(refusal(error, text, given));
+  return js(refusal(error, text, given));
+}
+
+// What was thrown, inside of a handler.
+Error caught() {
+  try {
+    throw;
+  } catch (const std::bad_alloc&) {
+    return {"", "", "out of memory; a coarser tolerance or fewer teeth would help"};
+  } catch (const std::exception& e) {
+    return {"", "", e.what()};
+  }
 }
 
 // What work gives, or a Failed.
@@ -34,235 +90,122 @@ template <class Work>
 val guarded(const Work& work) {
   try {
     return work();
-  } catch (const std::bad_alloc&) {
-    return failed({"", "", "out of memory; a coarser tolerance or fewer teeth would help"});
-  } catch (const std::exception& e) {
-    return failed({"", "", e.what()});
+  } catch (...) {
+    return failed(caught());
   }
 }
 template <class Work>
 std::string guarded_text(const Work& work) {
   try {
     return work();
-  } catch (const std::bad_alloc&) {
-    return refusal({"", "", "out of memory; a coarser tolerance or fewer teeth would help"});
-  } catch (const std::exception& e) {
-    return refusal({"", "", e.what()});
+  } catch (...) {
+    return refusal(caught());
   }
 }
 
-// Turns a value of a session into JavaScript's, its error with the line in the session's text.
-template <class T, class Show>
-val shown(const Session& session, const Result<T>& result, const Show& show) {
-  if (result) return show(*result);
-  return failed(result.error(), &session.text(), session.job().spec.given);
-}
+const Session& session_of(const Session& session) { return session; }
+const Session& session_of(const Work& work) { return work.session(); }
 
-val text_or_failed(const Result<std::string>& text, const SpecText* of = nullptr) {
-  return text ? val(*text) : failed(text.error(), of);
-}
-
-// What a page holds on to.
-struct SessionDoor {
-  std::shared_ptr<Session> at;
-
-  int gears() const { return at->gears(); }
-  bool has_pair() const { return at->has_pair(); }
-  std::string json(const std::string& verb) const {
-    return guarded_text([&] { return at->json(verb); });
-  }
-  val section(int gear, double tolerance) const {
-    return guarded([&] { return shown(*at, at->section(gear, tolerance), section_val); });
-  }
-  val mesh(int gear, double tolerance) const {
-    return guarded([&] { return shown(*at, at->mesh(gear, tolerance), mesh_val); });
-  }
-  val lines() const {
-    return guarded([&] { return shown(*at, at->lines(), lines_val); });
-  }
-  val pose(int gear, double rotation1_deg, bool nominal) const {
-    return guarded(
-        [&] { return shown(*at, at->pose(gear, rotation1_deg, nominal), copied<double>); });
-  }
-  val contact_curve(int positions) const {
-    return guarded([&] { return shown(*at, at->contact_curve(positions), curve_val); });
-  }
-  val contact_point(double rotation1_deg) const {
-    return guarded([&] { return shown(*at, at->contact_point(rotation1_deg), parsed); });
-  }
-  val gap_map(double rotation1_deg, int k, int rows, int columns) const {
-    return guarded([&] {
-      return shown(*at, at->gap_map(rotation1_deg, k, {rows, columns}), raster_val);
-    });
-  }
-  val pattern(int positions, int rows, int columns) const;
-  val error_map(const std::string& x, double x_from, double x_to, int nx, const std::string& y,
-                double y_from, double y_to, int ny, int positions) const;
-  val load(const std::string& accuracy) const;
-  val shift_region() const {
-    return guarded([&] { return shown(*at, at->shift_region(), chart_val); });
-  }
-  val file(const std::string& kind, int gear, double tolerance) const {
-    return guarded([&] {
-      return shown(*at, at->file(kind, gear, tolerance),
-                   [](const std::string& bytes) { return copied(bytes); });
-    });
-  }
-};
-
-struct PatternDoor {
-  std::shared_ptr<Session> session;
-  std::shared_ptr<PatternWork> at;
-  val step(double) const {
-    return guarded([&] { return shown(*session, at->step(), steps_val); });
-  }
-  val result() const {
-    return guarded([&] {
-      if (!at->result()) return val::null();
-      val both = val::array();
-      for (const FlankRaster& r : *at->result()) both.call<void>("push", raster_val(r));
-      return both;
-    });
-  }
-};
-
-struct ErrorMapDoor {
-  std::shared_ptr<Session> session;
-  std::shared_ptr<ErrorMapWork> at;
-  val step(double milliseconds) const {
-    return guarded([&] { return shown(*session, at->step(milliseconds), steps_val); });
-  }
-  val result() const {
-    return guarded([&] {
-      val o = val::object();
-      o.set("x", copied(at->result().x));
-      o.set("y", copied(at->result().y));
-      o.set("peakToPeakArcsec", copied(at->result().peak_to_peak_arcsec));
-      return o;
-    });
-  }
-};
-
-val SessionDoor::pattern(int positions, int rows, int columns) const {
+// A method of a session or of its work: what it gives, or its error with the line in the spec's text.
+template <auto method, class Of, class... Arguments>
+val call(Of& of, Arguments... arguments) {
   return guarded([&] {
-    const RasterSize size{rows, columns};
-    if (positions < 2 || rows < 2 || columns < 2 || positions > 1024 || rows * columns > 1'000'000)
-      return failed({"", "", "a pattern has 2 to 1024 positions and 2 x 2 to 10^6 nodes"});
-    return val(PatternDoor{at, std::make_shared<PatternWork>(at, positions, size)});
+    const auto result = std::invoke(method, of, arguments...);
+    if (result) return js(*result);
+    const Session& session = session_of(of);
+    return failed(result.error(), &session.text(), session.job().spec.given);
   });
 }
 
-val SessionDoor::error_map(const std::string& x, double x_from, double x_to, int nx,
-                           const std::string& y, double y_from, double y_to, int ny,
-                           int positions) const {
-  return guarded([&] {
-    const auto work =
-        ErrorMapWork::begin(at, {x, x_from, x_to, nx}, {y, y_from, y_to, ny}, positions);
-    return shown(*at, work, [&](const auto& made) { return val(ErrorMapDoor{at, made}); });
-  });
+Result<FlankRaster> gap_map(Session& session, double rotation1_deg, int k, int rows, int columns) {
+  return session.gap_map(rotation1_deg, k, {rows, columns});
+}
+MadeWork pattern(Session& session, int positions, int rows, int columns) {
+  return pattern_work(session.shared_from_this(), positions, {rows, columns});
+}
+MadeWork error_map(Session& session, const val& x, const val& y, int positions) {
+  const auto axis = [](const val& of) {
+    return ErrorAxis{of["key"].as<std::string>(), of["from"].as<double>(), of["to"].as<double>(),
+                     of["n"].as<int>()};
+  };
+  return error_map_work(session.shared_from_this(), {axis(x), axis(y)}, positions);
+}
+MadeWork load(Session& session, const std::string& accuracy,
+              const std::shared_ptr<ToothTables>& tables) {
+  std::optional<ComplianceAccuracy> wanted;
+  if (accuracy == "draft") wanted = ComplianceAccuracy::draft;
+  if (accuracy == "full") wanted = ComplianceAccuracy::full;
+  return load_work(session.shared_from_this(), wanted, tables);
+}
+std::string session_json(const Session& session, const std::string& verb) {
+  return guarded_text([&] { return session.json(verb); });
+}
+val work_result(const Work& work) {
+  return guarded([&] { return js(work.result()); });
 }
 
-struct LoadDoor {
-  std::shared_ptr<Session> session;
-  std::shared_ptr<LoadWork> at;
-  val step(double milliseconds) const {
-    return guarded([&] { return shown(*session, at->step(milliseconds), steps_val); });
-  }
-  val result() const {
-    return guarded([&] {
-      if (!at->picture()) return val::null();
-      val o = load_val(*at->picture());
-      o.set("json", at->json());
-      return o;
-    });
-  }
-};
-
-val SessionDoor::load(const std::string& accuracy) const {
-  return guarded([&] {
-    std::optional<ComplianceAccuracy> wanted;
-    if (accuracy == "draft") wanted = ComplianceAccuracy::draft;
-    if (accuracy == "full") wanted = ComplianceAccuracy::full;
-    const auto work = LoadWork::begin(at, wanted);
-    return shown(*at, work, [&](const auto& made) { return val(LoadDoor{at, made}); });
-  });
+// What a function of a text gives, or its error with the line in the text.
+template <class T>
+val of_text(const Result<T>& result, const SpecText& text) {
+  return result ? js(*result) : failed(result.error(), &text);
 }
-
-struct SearchDoor {
-  std::shared_ptr<SearchSession> at;
-  double trials() const { return static_cast<double>(at->trials()); }
-  val step(double milliseconds) const {
-    return guarded([&] { return steps_val(at->step(milliseconds)); });
-  }
-  val result() const {
-    return guarded([&] {
-      val o = val::object();
-      o.set("json", at->json());
-      o.set("tested", static_cast<double>(at->tested()));
-      o.set("feasible", static_cast<double>(at->feasible()));
-      return o;
-    });
-  }
-  std::string best(int most) const {
-    return guarded_text([&] { return at->best(most); });
-  }
-  val take(int design) const {
-    return guarded([&] { return text_or_failed(at->take(design)); });
-  }
-  val report() const {
-    return guarded([&] {
-      const auto page = at->report();
-      return page ? copied(*page) : failed(page.error());
-    });
-  }
-};
-
+val of_text(const Result<std::string>& result, const SpecText& text) {
+  return result ? val(*result) : failed(result.error(), &text);
+}
 val open_session(const std::string& text) {
   return guarded([&] {
+    const SpecText of = spec_text(text);
     const auto session = Session::open(text);
-    if (session) return val(SessionDoor{*session});
-    const SpecText of = spec_text(text);
-    return failed(session.error(), &of);
+    val opened = of_text(session, of);
+    if (session) return opened;
+    const auto spec = read(of);
+    const auto finder = spec ? finder_of(*spec, session.error()) : std::string_view();
+    if (!finder.empty()) opened["error"].set("finder", std::string(finder));
+    return opened;
   });
 }
-
 val open_search(const std::string& text, int most) {
-  return guarded([&] {
-    const auto session = SearchSession::open(text, most);
-    if (session) return val(SearchDoor{*session});
-    const SpecText of = spec_text(text);
-    return failed(session.error(), &of);
-  });
+  return guarded([&] { return of_text(SearchSession::open(text, most), spec_text(text)); });
 }
-
+val to_toml_val(const std::string& json) {
+  return guarded([&] { return of_text(to_toml(json), {"", json, SpecFormat::json}); });
+}
+val to_json_val(const std::string& toml) {
+  return guarded([&] { return of_text(to_json_text(toml), {"", toml}); });
+}
+val edit_val(const std::string& toml, const std::string& key, const std::string& value) {
+  return guarded([&] { return of_text(with_key(toml, key, value), {"", toml}); });
+}
 std::string run(const std::string& verb, const std::string& spec) {
   return guarded_text([&] { return answer(verb, spec); });
 }
-
 std::string schema(const std::string& of) {
   return of == "spec" ? spec_schema() : json_text(result_schema(), 2) + "\n";
 }
-
-val to_toml_val(const std::string& json) {
-  return guarded([&] {
-    const SpecText of{"", json, SpecFormat::json};
-    return text_or_failed(to_toml(json), &of);
-  });
-}
-val to_json_val(const std::string& toml) {
-  return guarded([&] {
-    const SpecText of{"", toml};
-    return text_or_failed(to_json_text(toml), &of);
-  });
-}
-val edit_val(const std::string& toml, const std::string& key, const std::string& value) {
-  return guarded([&] {
-    const SpecText of{"", toml};
-    return text_or_failed(with_key(toml, key, value), &of);
-  });
-}
-
 std::string version() { return std::string(kVersion); }
+
+double trials(const SearchSession& search) { return static_cast<double>(search.trials()); }
+val search_step(SearchSession& search, double milliseconds) {
+  return guarded([&] { return js(search.step(milliseconds)); });
+}
+val search_result(const SearchSession& search) {
+  return guarded([&] { return js(search.result()); });
+}
+std::string best(const SearchSession& search, int most) {
+  return guarded_text([&] { return search.best(most); });
+}
+val take(const SearchSession& search, int design) {
+  return guarded([&] {
+    const auto spec = search.take(design);
+    return spec ? val(*spec) : failed(spec.error());
+  });
+}
+val report(const SearchSession& search) {
+  return guarded([&] {
+    const auto page = search.report();
+    return page ? js(row(*page)) : failed(page.error());
+  });
+}
 
 }  // namespace
 
@@ -277,36 +220,37 @@ EMSCRIPTEN_BINDINGS(gearwright) {
   emscripten::function("edit", &edit_val);
   emscripten::function("open", &open_session);
   emscripten::function("openSearch", &open_search);
-  class_<SessionDoor>("Session")
-      .property("gears", &SessionDoor::gears)
-      .property("hasPair", &SessionDoor::has_pair)
-      .function("json", &SessionDoor::json)
-      .function("section", &SessionDoor::section)
-      .function("mesh", &SessionDoor::mesh)
-      .function("lines", &SessionDoor::lines)
-      .function("pose", &SessionDoor::pose)
-      .function("contactCurve", &SessionDoor::contact_curve)
-      .function("contactPoint", &SessionDoor::contact_point)
-      .function("gapMap", &SessionDoor::gap_map)
-      .function("pattern", &SessionDoor::pattern)
-      .function("errorMap", &SessionDoor::error_map)
-      .function("load", &SessionDoor::load)
-      .function("shiftRegion", &SessionDoor::shift_region)
-      .function("file", &SessionDoor::file);
-  class_<PatternDoor>("Pattern")
-      .function("step", &PatternDoor::step)
-      .function("result", &PatternDoor::result);
-  class_<ErrorMapDoor>("ErrorMap")
-      .function("step", &ErrorMapDoor::step)
-      .function("result", &ErrorMapDoor::result);
-  class_<LoadDoor>("Load").function("step", &LoadDoor::step).function("result", &LoadDoor::result);
-  class_<SearchDoor>("Search")
-      .property("trials", &SearchDoor::trials)
-      .function("step", &SearchDoor::step)
-      .function("result", &SearchDoor::result)
-      .function("best", &SearchDoor::best)
-      .function("take", &SearchDoor::take)
-      .function("report", &SearchDoor::report);
+  class_<ToothTables>("ToothTables")
+      .smart_ptr_constructor("ToothTablesHandle", &std::make_shared<ToothTables>);
+  class_<Session>("Session")
+      .smart_ptr<std::shared_ptr<Session>>("SessionHandle")
+      .property("gears", &Session::gears)
+      .property("hasPair", &Session::has_pair)
+      .function("json", &session_json)
+      .function("section", &call<&Session::section, Session, int, double>)
+      .function("mesh", &call<&Session::mesh, Session, int, double>)
+      .function("lines", &call<&Session::lines, Session>)
+      .function("pose", &call<&Session::pose, Session, int, double, bool>)
+      .function("contactCurve", &call<&Session::contact_curve, Session, int>)
+      .function("contactPoint", &call<&Session::contact_point, Session, double>)
+      .function("gapMap", &call<&gap_map, Session, double, int, int, int>)
+      .function("pattern", &call<&pattern, Session, int, int, int>)
+      .function("errorMap", &call<&error_map, Session, val, val, int>)
+      .function("load", &call<&load, Session, std::string, std::shared_ptr<ToothTables>>)
+      .function("shiftRegion", &call<&Session::shift_region, Session>)
+      .function("file", &call<&Session::file, Session, std::string, int, double>);
+  class_<Work>("Work")
+      .smart_ptr<std::shared_ptr<Work>>("WorkHandle")
+      .function("step", &call<&Work::step, Work, double>)
+      .function("result", &work_result);
+  class_<SearchSession>("Search")
+      .smart_ptr<std::shared_ptr<SearchSession>>("SearchHandle")
+      .property("trials", &trials)
+      .function("step", &search_step)
+      .function("result", &search_result)
+      .function("best", &best)
+      .function("take", &take)
+      .function("report", &report);
 }
 
 }  // namespace gearwright::web

@@ -4,14 +4,14 @@
 // hands back what came out. Rules:
 //
 //   * No call throws. What went wrong is `Failed`, in the words and with the line that the program
-//     prints; ask `failed(x)` (or look for `error`).
-//   * Lengths mm, angles at this interface degrees, said in the name. Keys of results are those of
-//     `gearwright … --json` (docs/spec.md); the catalogue tells words, symbol, unit and digits.
+//     prints; test `failed(x)` (or look for `error`).
+//   * Lengths mm, angles at this interface degrees, by name. Keys of results are those of
+//     `gearwright … --json` (docs/spec.md); the catalogue has words, symbol, unit and digits.
 //   * Arrays are copies that belong to the caller: transfer them, keep them.
 //   * Calls are synchronous and single-threaded: run the engine in a Web Worker. Long work is a
 //     `Work`: step it for some milliseconds, look at messages, step again; drop it to cancel.
 //   * Everything with `delete()` lives in the module's memory until it is deleted.
-//   * A contract of the core that is broken, a mistake of ours, is a Failed that says so and asks for
+//   * A contract of the core that is broken, a mistake of ours, is a Failed that names it and requests
 //     a report. What the call was made on (a session, a work) is of no more use then; others go on.
 //     Only a trap or too deep a recursion stops the module: load the engine again.
 //
@@ -27,6 +27,7 @@ export interface Failed {
     file?: string;
     line?: number; // counted from 1, where the key (or its table) stands in the text
     column?: number; // in characters, from 1
+    finder?: "search" | "fit" | "identify"; // of `open`: no fault, this verb finds what is missing
   };
 }
 
@@ -55,7 +56,7 @@ export interface InputKey {
     reason: string; // goes on after the range: ", usually 14.5 to 30"
   } | null;
   list: { least: number; most: number; single: boolean } | null; // a list instead of one value
-  form: string; // what may stand there, as a sentence says it: "a number", "true or false"
+  form: string; // what may stand there, as part of a sentence: "a number", "true or false"
   required: boolean;
   needs: string[]; // keys that must stand beside it
   excludes: string[]; // keys that may not
@@ -158,7 +159,7 @@ export interface ContactCurve {
   meanSlope: number;
   harmonicsArcsec: Float64Array;
   contactLost: boolean;
-  words: string; // what it comes to, as the report says it
+  words: string; // what it comes to, as in the report
 }
 
 /** A flank as a raster: rows are diameters, columns heights z in the gear's own frame. */
@@ -227,7 +228,7 @@ export interface LoadedTooth {
 
 // ---------------------------------------------------------------------------------- a session
 
-/** A spec that was read and solved; everything live is asked of it. */
+/** A spec that was read and solved, for everything live. */
 export interface Session {
   readonly gears: number; // 1 or 2
   readonly hasPair: boolean;

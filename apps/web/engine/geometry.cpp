@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "apps/web/engine/session.hpp"
 #include "gearwright/cad/contour.hpp"
@@ -66,18 +67,22 @@ Result<Numbers> bore_outline(const ToothedBody& body, const Contour& contour, do
   return out;
 }
 
-// The diameters that the catalogue knows of a gear, as circles.
-std::vector<Section::Circle> circles_of(const ValueRecord& record, const QuantityTable& table) {
-  std::vector<Section::Circle> circles;
-  for (const QuantityInfo* info : table.list) {
-    if (!info->key.ends_with("_diameter_mm") || !info->list.empty()) continue;
-    for (const Member& m : record) {
-      const auto d = m.info == info ? m.value.number() : std::nullopt;
-      if (d) circles.push_back({info->key, info->symbol, info->words, std::abs(*d) / 2});
-    }
+// The diameters of a record, as circles about the axis of a gear.
+void append_circles(Json& circles, const ValueRecord& record, std::size_t gear) {
+  for (const Member& m : record) {
+    const QuantityInfo& info = *m.info;
+    if (!info.key.ends_with("_diameter_mm")) continue;
+    const ValueList* each = info.two == Two::gears ? m.value.list() : nullptr;
+    const auto d = each ? (*each)[gear].number() : m.value.number();
+    if (!d) continue;
+    circles.push_back({{"key", info.key},
+                       {"symbol", info.symbol},
+                       {"words", info.words},
+                       {"radius", std::abs(*d) / 2}});
   }
-  return circles;
 }
+
+Json row(const Eigen::Isometry3d& x) { return web::row(Numbers(x.data(), x.data() + 16)); }
 
 std::string kind_name(PairKind kind) {
   switch (kind) {
@@ -97,7 +102,7 @@ Result<ToothedBody> Session::body(int gear, bool in_place) const {
   return made;
 }
 
-Result<Section> Session::section(int gear, double tolerance) const {
+Result<Json> Session::section(int gear, double tolerance) const {
   if (auto error = check_tolerance(tolerance)) return *error;
   const auto made = body(gear, false);
   if (!made) return made.error();
@@ -106,11 +111,11 @@ Result<Section> Session::section(int gear, double tolerance) const {
   auto bore = bore_outline(*made, *contour, tolerance);
   if (!bore) return spelled(within(made->name, bore.error()), job_.spec.given);
   const Gear& g = job_.gears[static_cast<std::size_t>(gear - 1)];
-  Section section{contour->teeth, g.internal(), {}, {}, std::move(bore).take(), {}, tolerance};
   // Each arc of the half tooth once, then in all its places.
   std::vector<std::vector<Vec2>> arcs;
   for (const Arc& arc : made->outline.arcs) arcs.push_back(chords(arc, tolerance));
-  Numbers& out = section.outline;
+  Numbers out;
+  Json pieces = Json::array(), circles = Json::array();
   append(out, contour->pieces.front().begin);
   for (const ContourPiece& piece : contour->pieces) {
     const int from = static_cast<int>(out.size() / 2) - 1;
@@ -120,76 +125,87 @@ Result<Section> Session::section(int gear, double tolerance) const {
       const auto points = placed(*contour, piece, arcs[piece.arc]);
       for (std::size_t i = 1; i < points.size(); ++i) append(out, points[i]);
     }
-    section.pieces.push_back({std::string(to_string(made->outline.arcs[piece.arc].name)),
-                              piece.tooth, piece.land, from, static_cast<int>(out.size() / 2) - 1});
+    pieces.push_back({{"name", to_string(made->outline.arcs[piece.arc].name)},
+                      {"tooth", piece.tooth},
+                      {"land", piece.land},
+                      {"from", from},
+                      {"to", static_cast<int>(out.size() / 2) - 1}});
   }
   out.resize(out.size() - 2);  // closed: the last point is the first
-  section.circles = circles_of(gear_quantities().of(g), gear_quantities().table());
-  if (job_.pair) {
-    const ValueRecord pair = pair_quantities().of(*job_.pair);
-    for (const Member& m : pair) {
-      if (!m.info->key.ends_with("_diameter_mm") || m.info->two != Two::gears) continue;
-      const ValueList* each = m.value.list();
-      const auto d = each ? (*each)[static_cast<std::size_t>(gear - 1)].number() : std::nullopt;
-      if (d) section.circles.push_back({m.info->key, m.info->symbol, m.info->words, *d / 2});
-    }
-  }
-  return section;
+  const auto which = static_cast<std::size_t>(gear - 1);
+  append_circles(circles, gear_quantities().of(g), which);
+  if (job_.pair) append_circles(circles, pair_quantities().of(*job_.pair), which);
+  return Json{{"teeth", contour->teeth}, {"internal", g.internal()},
+              {"outline", row(out)},     {"pieces", std::move(pieces)},
+              {"bore", row(*bore)},      {"circles", std::move(circles)},
+              {"toleranceMm", tolerance}};
 }
 
-Result<Mesh> Session::mesh(int gear, double tolerance) const {
+Result<Json> Session::mesh(int gear, double tolerance) const {
   if (auto error = check_tolerance(tolerance)) return *error;
   const auto made = body(gear, false);
   if (!made) return made.error();
   const auto mesh = tessellate(*made, {.chord_tolerance_mm = tolerance});
   if (!mesh) return spelled(within(made->name, mesh.error()), job_.spec.given);
-  Mesh out{{}, {}, {}, tolerance};
-  out.positions.reserve(3 * mesh->shaded_vertices.size());
-  out.normals.reserve(3 * mesh->normals.size());
-  out.indices.reserve(3 * mesh->shaded_triangles.size());
+  std::vector<float> positions, normals;
+  std::vector<std::uint32_t> indices;
+  positions.reserve(3 * mesh->shaded_vertices.size());
+  normals.reserve(3 * mesh->normals.size());
+  indices.reserve(3 * mesh->shaded_triangles.size());
   const auto put = [](std::vector<float>& to, const Vec3& v) {
     for (const double x : {v.x(), v.y(), v.z()}) to.push_back(static_cast<float>(x));
   };
-  for (const std::uint32_t v : mesh->shaded_vertices) put(out.positions, mesh->vertices[v]);
-  for (const Vec3& n : mesh->normals) put(out.normals, n);
+  for (const std::uint32_t v : mesh->shaded_vertices) put(positions, mesh->vertices[v]);
+  for (const Vec3& n : mesh->normals) put(normals, n);
   for (const Triangle& t : mesh->shaded_triangles)
-    out.indices.insert(out.indices.end(), t.begin(), t.end());
-  return out;
+    indices.insert(indices.end(), t.begin(), t.end());
+  return Json{{"positions", row(positions)},
+              {"normals", row(normals)},
+              {"indices", row(indices)},
+              {"toleranceMm", tolerance}};
 }
 
-Result<MeshLines> Session::lines() const {
+Result<Json> Session::lines() const {
   if (!job_.pair) return Error{"gear2", "", "is missing: there is no pair"};
   const Pair& pair = *job_.pair;
-  MeshLines lines{
-      kind_name(pair.kind()), pair.center_distance(), pair.shaft_angle().deg(), {}, {}, {}, {}};
-  const InvolutePair* p = pair.involute();
-  if (!p) return lines;  // circular arcs touch in points that run along the teeth
-  const gearwright::Mesh<double>& m = p->mesh;
-  const double tangent_2 = m.sigma * m.base_tangent_distance;
-  for (const double rho : {0.0, tangent_2}) {
-    append(lines.line_of_action, p->on_line_of_action(rho).r);
-    append(lines.trailing_line, p->on_trailing_line(rho).r);
+  Numbers line_of_action, trailing_line, path_of_contact;
+  Json points = Json::array();
+  // Circular arcs touch in points that run along the teeth.
+  if (const InvolutePair* p = pair.involute()) {
+    const gearwright::Mesh<double>& m = p->mesh;
+    for (const double rho : {0.0, m.sigma * m.base_tangent_distance}) {
+      append(line_of_action, p->on_line_of_action(rho).r);
+      append(trailing_line, p->on_trailing_line(rho).r);
+    }
+    if (p->flanks_meet()) {
+      for (const double rho : {m.rho1_A, m.rho1_E})
+        append(path_of_contact, p->on_line_of_action(rho).r);
+      for (const auto& [name, rho] :
+           {std::pair("A", m.rho1_A), std::pair("B", m.rho1_B), std::pair("C", m.rho1_C),
+            std::pair("D", m.rho1_D), std::pair("E", m.rho1_E)}) {
+        const Vec3 r = p->on_line_of_action(rho).r;
+        if (r.allFinite())
+          points.push_back({{"name", name}, {"x", r.x()}, {"y", r.y()}, {"z", r.z()}});
+      }
+    }
   }
-  if (!p->flanks_meet()) return lines;
-  for (const double rho : {m.rho1_A, m.rho1_E})
-    append(lines.path_of_contact, p->on_line_of_action(rho).r);
-  for (const auto& [name, rho] :
-       {std::pair("A", m.rho1_A), std::pair("B", m.rho1_B), std::pair("C", m.rho1_C),
-        std::pair("D", m.rho1_D), std::pair("E", m.rho1_E)}) {
-    const Vec3 r = p->on_line_of_action(rho).r;
-    if (r.allFinite()) lines.points.push_back({name, {r.x(), r.y(), r.z()}});
-  }
-  return lines;
+  return Json{{"kind", kind_name(pair.kind())},
+              {"centerDistance", pair.center_distance()},
+              {"shaftAngleDeg", pair.shaft_angle().deg()},
+              {"lineOfAction", row(line_of_action)},
+              {"trailingLine", row(trailing_line)},
+              {"pathOfContact", row(path_of_contact)},
+              {"points", std::move(points)}};
 }
 
 // Gear 1 turns clockwise seen from +z, gear 2 as it is driven; errors tilt and shift axis 1, ΔC moves
 // axis 2. [T1.5], [T8.12]
-Result<Numbers> Session::pose(int gear, double rotation1_deg, bool nominal) {
+Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
   if (!job_.pair) {
     if (gear != 1) return Error{"gear2", "", "is missing: there is no pair"};
     const Eigen::Isometry3d x(
         Eigen::AngleAxisd(-Angle::degrees(rotation1_deg).rad(), Vec3::UnitZ()));
-    return Numbers(x.data(), x.data() + 16);
+    return row(x);
   }
   const Pair& pair = *job_.pair;
   const bool internal = pair.kind() == PairKind::parallel_internal;
@@ -211,7 +227,7 @@ Result<Numbers> Session::pose(int gear, double rotation1_deg, bool nominal) {
       }
       x = errors * x;
     }
-    return Numbers(x.data(), x.data() + 16);
+    return row(x);
   }
   Angle rotation2 = std::abs(1.0 / pair.gear_ratio()) * rotation1;
   if (contact) {
@@ -221,7 +237,7 @@ Result<Numbers> Session::pose(int gear, double rotation1_deg, bool nominal) {
     x.translation().x() += contact->place().errors.center_distance;
   }
   x = x * Eigen::AngleAxisd((internal ? -1.0 : 1.0) * rotation2.rad(), Vec3::UnitZ());
-  return Numbers(x.data(), x.data() + 16);
+  return row(x);
 }
 
 }  // namespace gearwright::web

@@ -1,9 +1,10 @@
-#include "apps/web/engine/load_work.hpp"
-
+// Teeth under load in steps: a table for each gear, then position by position.
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "apps/web/engine/stopwatch.hpp"
+#include "apps/web/engine/work.hpp"
 #include "gearwright/arrange/stiffness_reasons.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/load_text.hpp"
@@ -17,119 +18,119 @@ namespace {
 constexpr int kTableSteps = 32;       // a table takes about as long as so many positions
 constexpr std::size_t kMostKept = 4;  // both gears, draft and full
 
-// A table and what it was made of.
-struct Kept {
-  int which;
-  std::array<std::shared_ptr<const Gear>, 2> gears;
-  LoadRequest request;
-  std::shared_ptr<const ToothTable> table;
+// A tooth pair in rows over the positions, or [position * slices + slice]; NaN: it does not carry.
+struct Tooth {
+  Numbers share, pressure, diameter_1, diameter_2;
+  Tooth(std::size_t positions, std::size_t slices)
+      : share(positions, kNaN),
+        pressure(positions * slices, kNaN),
+        diameter_1(pressure),
+        diameter_2(pressure) {}
 };
-std::vector<Kept>& kept_tables() {
-  static std::vector<Kept> kAll;
-  return kAll;
-}
 
-LoadPicture::Tooth& tooth_of(LoadPicture::Torque& torque, int pair, std::size_t positions,
-                             std::size_t slices) {
-  for (LoadPicture::Tooth& tooth : torque.teeth)
-    if (tooth.pair == pair) return tooth;
-  const Numbers none(positions * slices, kNaN);
-  torque.teeth.push_back({pair, Numbers(positions, kNaN), none, none, none});
-  return torque.teeth.back();
-}
-
-LoadPicture picture_of(const LoadedContact& found) {
-  LoadPicture picture;
-  // Teeth that touch at points have no slices that press.
-  const int count = found.regime == LoadRegime::line ? found.slices[0].count : 0;
-  const auto slices = static_cast<std::size_t>(count);
-  for (int j = 0; j < count; ++j) picture.height.push_back(found.slices[0].middle(j));
-  for (const LoadedTorque& t : found.torques) {
-    LoadPicture::Torque& torque = picture.torques.emplace_back();
-    for (std::size_t i = 0; i < t.positions.size(); ++i) {
-      torque.stiffness.push_back(t.positions[i].stiffness);
-      for (const LoadedPair& p : t.positions[i].pairs) {
-        LoadPicture::Tooth& tooth = tooth_of(torque, p.pair, t.positions.size(), slices);
-        tooth.share[i] = share_of(t.positions[i], p.pair);
-        for (std::size_t j = 0; j < slices; ++j) {
-          const double pressure = p.pressure[static_cast<Eigen::Index>(j)];
-          if (!(p.radius[j][0] > 0.0)) continue;
-          const std::size_t at = i * slices + j;
-          tooth.pressure[at] = pressure;
-          tooth.diameter_1[at] = 2 * p.radius[j][0];
-          tooth.diameter_2[at] = 2 * p.radius[j][1];
-        }
+// One torque as pictures show it.
+Json picture_of(const LoadedTorque& t, std::size_t slices) {
+  Numbers stiffness;
+  std::map<int, Tooth> teeth;  // by as many pitches as they are behind tooth pair 0
+  for (std::size_t i = 0; i < t.positions.size(); ++i) {
+    stiffness.push_back(t.positions[i].stiffness);
+    for (const LoadedPair& p : t.positions[i].pairs) {
+      Tooth& tooth = teeth.try_emplace(p.pair, t.positions.size(), slices).first->second;
+      tooth.share[i] = share_of(t.positions[i], p.pair);
+      for (std::size_t j = 0; j < slices; ++j) {
+        if (!(p.radius[j][0] > 0.0)) continue;
+        const std::size_t at = i * slices + j;
+        tooth.pressure[at] = p.pressure[static_cast<Eigen::Index>(j)];
+        tooth.diameter_1[at] = 2 * p.radius[j][0];
+        tooth.diameter_2[at] = 2 * p.radius[j][1];
       }
     }
-    std::sort(torque.teeth.begin(), torque.teeth.end(),
-              [](const auto& a, const auto& b) { return a.pair < b.pair; });
   }
-  return picture;
+  Json list = Json::array();
+  for (const auto& [pair, tooth] : teeth)
+    list.push_back({{"pair", pair},
+                    {"share", row(tooth.share)},
+                    {"pressure", row(tooth.pressure)},
+                    {"diameter1", row(tooth.diameter_1)},
+                    {"diameter2", row(tooth.diameter_2)}});
+  return {{"stiffness", row(stiffness)}, {"teeth", std::move(list)}};
 }
 
-}  // namespace
-
-Result<std::shared_ptr<LoadWork>> LoadWork::begin(std::shared_ptr<Session> session,
-                                                  std::optional<ComplianceAccuracy> accuracy) {
-  SolvedJob job = session->job();
-  if (accuracy) job.spec.load.accuracy = *accuracy;
-  auto task = load_task(job);
-  if (!task) return task.error();
-  return std::shared_ptr<LoadWork>(new LoadWork(std::move(job), std::move(task).take()));
+// What the JSON of `load` does not hold, for pictures.
+Json picture_of(const LoadedContact& found) {
+  // Teeth that touch at points have no slices that press.
+  const int slices = found.regime == LoadRegime::line ? found.slices[0].count : 0;
+  Numbers height;
+  for (int j = 0; j < slices; ++j) height.push_back(found.slices[0].middle(j));
+  Json torques = Json::array();
+  for (const LoadedTorque& t : found.torques)
+    torques.push_back(picture_of(t, static_cast<std::size_t>(slices)));
+  return {{"height", row(height)}, {"torques", std::move(torques)}};
 }
 
-std::optional<Error> LoadWork::make_table(int which) {
-  const std::array<const Gear*, 2> gears{&task_.setup.gear(1), &task_.setup.gear(2)};
-  auto& kept = kept_tables();
-  auto& table = tables_[static_cast<std::size_t>(which - 1)];
-  const auto same = std::find_if(kept.begin(), kept.end(), [&](const Kept& k) {
-    return k.which == which && same_compliance({k.gears[0].get(), k.gears[1].get()}, k.request,
-                                               gears, task_.request, which);
-  });
-  if (same != kept.end()) {
-    table = same->table;
-    std::rotate(kept.begin(), same, same + 1);
-    return std::nullopt;
-  }
-  auto made = tooth_compliance(*gears[0], *gears[1], which, task_.request);
+class LoadWork : public Work {
+ public:
+  LoadWork(std::shared_ptr<Session> session, SolvedJob job, LoadTask task,
+           std::shared_ptr<ToothTables> tables)
+      : Work(std::move(session)),
+        job_(std::move(job)),
+        task_(std::move(task)),
+        kept_(std::move(tables)) {}
+
+  Result<Steps> step(double milliseconds) override;
+  Json result() const override { return result_; }
+
+ private:
+  std::optional<Error> make_table();
+  std::optional<Error> close();
+
+  SolvedJob job_;
+  LoadTask task_;
+  std::shared_ptr<ToothTables> kept_;
+  std::array<std::shared_ptr<const ToothTable>, 2> tables_;
+  std::optional<ContactPair> pair_;
+  std::optional<ContactPair> perfect_;
+  std::optional<PairCompliance> compliance_;
+  std::optional<LoadedTurn> turn_;
+  std::size_t next_ = 0;
+  Json result_;
+};
+
+// The table of the next gear; with both of them the teeth may turn.
+std::optional<Error> LoadWork::make_table() {
+  const Gear &gear_1 = task_.setup.gear(1), &gear_2 = task_.setup.gear(2);
+  const int which = tables_[0] ? 2 : 1;
+  auto table = kept_->of({&gear_1, &gear_2}, which, task_.request);
+  if (!table) return table.error();
+  tables_[static_cast<std::size_t>(which - 1)] = *table;
+  if (which == 1) return std::nullopt;
+  pair_ = task_.pair();
+  auto made = pair_compliance(gear_1, gear_2, task_.request, tables_);
   if (!made) return made.error();
-  table = *made;
-  kept.insert(kept.begin(),
-              {which,
-               {std::make_shared<const Gear>(*gears[0]), std::make_shared<const Gear>(*gears[1])},
-               task_.request,
-               table});
-  if (kept.size() > kMostKept) kept.pop_back();
+  compliance_ = std::move(made).take();
+  perfect_ = task_.perfect_pair();
+  turn_.emplace(*pair_, gear_1, gear_2, *compliance_, task_.request,
+                perfect_ ? &*perfect_ : nullptr);
   return std::nullopt;
 }
 
 Result<Steps> LoadWork::step(double milliseconds) {
   const Stopwatch watch;
   if (!turn_) {
-    const int which = tables_[0] ? 2 : 1;
-    if (auto error = make_table(which)) return *error;
-    if (which == 2) {
-      pair_ = task_.pair();
-      auto made = pair_compliance(task_.setup.gear(1), task_.setup.gear(2), task_.request, tables_);
-      if (!made) return made.error();
-      compliance_ = std::move(made).take();
-      perfect_ = task_.perfect_pair();
-      turn_.emplace(*pair_, task_.setup.gear(1), task_.setup.gear(2), *compliance_, task_.request,
-                    perfect_ ? &*perfect_ : nullptr);
-    }
+    if (auto error = make_table()) return *error;
   } else {
     while (next_ < turn_->positions() && watch.ms() < milliseconds) {
       turn_->solve(next_, next_ + 1);
       ++next_;
     }
-    if (next_ == turn_->positions() && !finished())
+    if (next_ == turn_->positions() && result_.is_null())
       if (auto error = close()) return *error;
   }
-  const int tables = turn_ ? 2 : tables_[0] ? 1 : 0;
+  const int tables = turn_ ? 2 : 1;
   const auto positions = static_cast<std::int64_t>(
       task_.request.rotations.empty() ? task_.request.positions : task_.request.rotations.size());
   return Steps{tables * kTableSteps + static_cast<std::int64_t>(next_), 2 * kTableSteps + positions,
-               finished()};
+               !result_.is_null()};
 }
 
 std::optional<Error> LoadWork::close() {
@@ -138,9 +139,42 @@ std::optional<Error> LoadWork::close() {
   answer.compliance = *compliance_;
   if (auto error = judge_load(task_, *answer.contact, job_.warnings)) return error;
   explain_stiffness(job_, task_, answer, job_.warnings);
-  json_ = json_text(load_json(job_, answer, judge(job_, {.load = true})), 2) + "\n";
-  picture_ = picture_of(*answer.contact);
+  result_ = picture_of(*answer.contact);
+  result_["json"] = json_text(load_json(job_, answer, judge(job_, {.load = true})), 2) + "\n";
   return std::nullopt;
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const ToothTable>> ToothTables::of(const std::array<const Gear*, 2>& gears,
+                                                          int which, const LoadRequest& request) {
+  const auto same = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& k) {
+    return k.which == which &&
+           same_compliance({k.gears[0].get(), k.gears[1].get()}, k.request, gears, request, which);
+  });
+  if (same != kept_.end()) {
+    std::rotate(kept_.begin(), same, same + 1);
+    return kept_.front().table;
+  }
+  auto made = tooth_compliance(*gears[0], *gears[1], which, request);
+  if (!made) return made.error();
+  kept_.insert(kept_.begin(),
+               {which,
+                {std::make_shared<const Gear>(*gears[0]), std::make_shared<const Gear>(*gears[1])},
+                request,
+                *made});
+  if (kept_.size() > kMostKept) kept_.pop_back();
+  return *made;
+}
+
+MadeWork load_work(std::shared_ptr<Session> session, std::optional<ComplianceAccuracy> accuracy,
+                   std::shared_ptr<ToothTables> tables) {
+  SolvedJob job = session->job();
+  if (accuracy) job.spec.load.accuracy = *accuracy;
+  auto task = load_task(job);
+  if (!task) return task.error();
+  return std::shared_ptr<Work>(std::make_shared<LoadWork>(
+      std::move(session), std::move(job), std::move(task).take(), std::move(tables)));
 }
 
 }  // namespace gearwright::web

@@ -5,8 +5,6 @@
 
 #include "apps/web/engine/answering.hpp"
 #include "apps/web/engine/stopwatch.hpp"
-#include "gearwright/catalogue/error_keys.hpp"
-#include "gearwright/contact/contact.hpp"
 #include "gearwright/job/search_answer.hpp"
 #include "gearwright/job/search_closing.hpp"
 #include "gearwright/job/search_refusal.hpp"
@@ -34,11 +32,7 @@ Result<std::shared_ptr<SearchSession>> SearchSession::open(std::string given, in
   SpecText text = spec_text(std::move(given));
   auto spec = read(text);
   if (!spec) return spec.error();
-  if (!spec->search) {
-    return Error{"search", "",
-                 "is missing; a search needs a table [search] with at least ratio, modules_mm and "
-                 "pinion_teeth"};
-  }
+  if (!spec->search) return no_search();
   const std::size_t designs = most > 0 ? static_cast<std::size_t>(most) : kDefaultDesigns;
   std::shared_ptr<SearchSession> session(
       new SearchSession(std::move(text), std::move(spec).take(), designs));
@@ -92,8 +86,10 @@ Steps SearchSession::step(double milliseconds) {
   return {from_ + static_cast<std::int64_t>(region_), trials_ + regions, finished()};
 }
 
-std::string SearchSession::json() const {
-  return finished() ? search_json_text(search_, run_) : std::string();
+Json SearchSession::result() const {
+  return {{"json", finished() ? search_json_text(search_, run_) : std::string()},
+          {"tested", counts_.tested},
+          {"feasible", counts_.feasible}};
 }
 
 std::string SearchSession::best(int most) const {
@@ -121,60 +117,6 @@ Result<std::string> SearchSession::take(int design) const {
 Result<std::string> SearchSession::report() const {
   if (!finished()) return Error{"search", "", "is not finished"};
   return search_page(spec_, search_, run_);
-}
-
-PatternWork::PatternWork(std::shared_ptr<Session> session, int positions, const RasterSize& size)
-    : session_(std::move(session)), positions_(positions), size_(size) {}
-
-// A sixteenth, a quarter of the nodes, then all of them: together a third more than these alone.
-Result<Steps> PatternWork::step() {
-  constexpr int kSteps = 3;
-  if (next_ == kSteps) return Steps{kSteps, kSteps, true};
-  const auto pair = session_->contact_pair();
-  if (!pair) return pair.error();
-  const int part = 1 << (kSteps - 1 - next_);
-  const RasterSize size{std::max(2, size_.rows / part), std::max(2, size_.columns / part)};
-  result_ = contact_pattern(**pair, std::max(2, positions_ / part), size);
-  ++next_;
-  return Steps{next_, kSteps, next_ == kSteps};
-}
-
-Result<std::shared_ptr<ErrorMapWork>> ErrorMapWork::begin(std::shared_ptr<Session> session,
-                                                          const ErrorAxis& x, const ErrorAxis& y,
-                                                          int positions) {
-  constexpr int kMost = 1000;
-  auto work = std::make_shared<ErrorMapWork>();
-  if (const auto pair = session->contact_pair(); !pair) return pair.error();
-  if (positions < 2 || positions > kMost)
-    return refused("positions", positions, "must lie between 2 and 1000");
-  work->session_ = std::move(session);
-  work->positions_ = positions;
-  for (const std::size_t i : {0, 1}) {
-    const ErrorAxis& axis = i == 0 ? x : y;
-    const auto place = error_index(axis.key);
-    if (!place) return Error{"errors", axis.key, "is no key of [errors]"};
-    if (axis.n < 2 || axis.n > kMost) return refused("n", axis.n, "must lie between 2 and 1000");
-    work->keys_[i] = *place;
-    Numbers& values = i == 0 ? work->grid_.x : work->grid_.y;
-    for (int k = 0; k < axis.n; ++k)
-      values.push_back(axis.from + (axis.to - axis.from) * (static_cast<double>(k) / (axis.n - 1)));
-  }
-  work->grid_.peak_to_peak_arcsec.assign(work->grid_.x.size() * work->grid_.y.size(),
-                                         std::numeric_limits<double>::quiet_NaN());
-  return work;
-}
-
-Result<Steps> ErrorMapWork::step(double milliseconds) {
-  const Stopwatch watch;
-  Numbers& value = grid_.peak_to_peak_arcsec;
-  while (next_ < value.size() && watch.ms() < milliseconds) {
-    const auto pair = session_->pair_under(
-        keys_, {grid_.x[next_ % grid_.x.size()], grid_.y[next_ / grid_.x.size()]});
-    if (!pair) return pair.error();
-    value[next_++] = Angle::radians(peak_to_peak(transmission_error(*pair, positions_))).arcsec();
-  }
-  return Steps{static_cast<std::int64_t>(next_), static_cast<std::int64_t>(value.size()),
-               next_ == value.size()};
 }
 
 }  // namespace gearwright::web

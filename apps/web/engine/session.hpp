@@ -1,6 +1,6 @@
-// A spec that was read and solved: what a page asks of it while a person moves something.
+// A spec that was read and solved: what a page shows of it while the user moves something.
 //
-// Everything is computed by the rooms of the core when it is asked for; what several questions share,
+// Everything is computed by the rooms of the core when it is wanted; what several questions share,
 // the solved pair and its contact, is kept.
 #pragma once
 
@@ -16,14 +16,7 @@
 
 namespace gearwright::web {
 
-/// A rotation or an error axis is in the unit of the page: degrees, or the key's.
-struct ErrorAxis {
-  std::string key;  ///< of [errors]
-  double from = 0.0, to = 0.0;
-  int n = 2;
-};
-
-class Session {
+class Session : public std::enable_shared_from_this<Session> {
  public:
   /// Errors    as read_spec and solve
   static Result<std::shared_ptr<Session>> open(std::string text);
@@ -34,11 +27,11 @@ class Session {
   bool has_pair() const { return job_.pair.has_value(); }
 
   std::string json(std::string_view verb) const;
-  Result<Section> section(int gear, double tolerance) const;
-  Result<Mesh> mesh(int gear, double tolerance) const;
-  Result<MeshLines> lines() const;
+  Result<Json> section(int gear, double tolerance) const;
+  Result<Json> mesh(int gear, double tolerance) const;
+  Result<Json> lines() const;
   /// Column-major, as three.js takes it.
-  Result<Numbers> pose(int gear, double rotation1_deg, bool nominal);
+  Result<Json> pose(int gear, double rotation1_deg, bool nominal);
 
   Result<ContactCurve> contact_curve(int positions);
   /// An object of contact.positions, JSON.
@@ -51,8 +44,8 @@ class Session {
                                  const std::array<double, 2>& values);
   double marking() const { return job_.spec.contact.marking; }
 
-  Result<ShiftChart> shift_region() const;
-  Result<std::string> file(std::string_view kind, int gear, double tolerance);
+  Result<Json> shift_region() const;
+  Result<Json> file(const std::string& kind, int gear, double tolerance);
 
  private:
   explicit Session(SpecText text) : text_(std::move(text)) {}

@@ -1,6 +1,7 @@
 // The files of a session: the bytes that the program would write.
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "apps/web/engine/session.hpp"
@@ -19,15 +20,15 @@ std::optional<FileKind> kind_of(std::string_view word) {
 
 }  // namespace
 
-Result<std::string> Session::file(std::string_view kind, int gear, double tolerance) {
-  if (kind == "json") return json(job_.pair ? "pair" : "gear");
+Result<Json> Session::file(const std::string& kind, int gear, double tolerance) {
+  if (kind == "json") return row(json(job_.pair ? "pair" : "gear"));
   FileOptions options;
   if (kind == "report") {
     SolvedJob job = job_;  // what is left out becomes a warning of the job
     options.only = {"report"};
     auto made = make_everything(job, "", options);
     if (!made) return spelled(made.error(), job_.spec.given);
-    return made->files.front().bytes;
+    return row(made->files.front().bytes);
   }
   if (tolerance > 0.0) {
     options.mesh_tolerance_mm = tolerance;
@@ -41,10 +42,10 @@ Result<std::string> Session::file(std::string_view kind, int gear, double tolera
     auto made = make_workshop_drawing(job_, chosen, SheetFormat::pdf, SheetSize::a4, "drawing.pdf",
                                       options);
     if (!made) return spelled(made.error(), job_.spec.given);
-    return made->bytes;
+    return row(made->bytes);
   }
   const auto wanted = kind_of(kind);
-  if (!wanted) return Error{"", std::string(kind), "is no kind of file that the engine makes"};
+  if (!wanted) return Error{"", kind, "is no kind of file that the engine makes"};
   std::vector<ToothedBody> bodies;
   for (const int which : chosen) {
     auto made = body(which, gear == 0);
@@ -54,7 +55,7 @@ Result<std::string> Session::file(std::string_view kind, int gear, double tolera
   const std::string name = gear == 0 ? "pair" : bodies.front().name;
   auto made = make_file(*wanted, bodies, name + std::string(ending(*wanted)), options);
   if (!made) return spelled(made.error(), job_.spec.given);
-  return made->bytes;
+  return row(made->bytes);
 }
 
 }  // namespace gearwright::web

@@ -1,61 +1,31 @@
-// What the engine hands to a page beside JSON: numbers in rows, ready for buffers.
+// What the engine hands to a page: JSON, in it numbers in rows, ready for buffers.
 //
-// Plain values of the standard library, so that they are made and tested without a browser;
-// bindings.cpp turns them into JavaScript's. What each means: engine.d.ts, under the same names.
+// A row is binary data of the tree, so that trees are made and tested without a browser; bindings.cpp
+// turns them into JavaScript's values. What each member means: engine.d.ts, under the same names.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <map>
 #include <string>
-#include <utility>
+#include <string_view>
 #include <variant>
 #include <vector>
 
 #include "gearwright/contact/pattern.hpp"
+#include "gearwright/spec/json.hpp"
 
 namespace gearwright::web {
 
 using Numbers = std::vector<double>;
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();  ///< nothing there
 
-struct Section {
-  struct Piece {
-    std::string name;
-    int tooth;
-    bool land;
-    int from, to;  // points
-  };
-  struct Circle {
-    std::string key, symbol, words;
-    double radius;  // mm
-  };
-  int teeth;
-  bool internal;
-  Numbers outline;  // x, y, …, mm
-  std::vector<Piece> pieces;
-  Numbers bore;
-  std::vector<Circle> circles;
-  double tolerance;  // mm
-};
-
-struct Mesh {
-  std::vector<float> positions, normals;
-  std::vector<std::uint32_t> indices;
-  double tolerance;  // mm
-};
-
-struct MeshLines {
-  struct Mark {
-    std::string name;
-    std::array<double, 3> at;
-  };
-  std::string kind;
-  double center_distance, shaft_angle_deg;
-  Numbers line_of_action, trailing_line, path_of_contact;  // x, y, z, …
-  std::vector<Mark> points;
-};
+/// Which typed array of JavaScript a row becomes: the subtype of its binary data.
+enum class RowType : std::uint8_t { float64, float32, uint32, uint8 };
+Json row(const Numbers& numbers);
+Json row(const std::vector<float>& numbers);
+Json row(const std::vector<std::uint32_t>& numbers);
+Json row(std::string_view bytes);
 
 struct ContactCurve {
   struct Column {
@@ -70,30 +40,7 @@ struct ContactCurve {
   std::string words;  // what it comes to
 };
 
-struct ErrorMapGrid {
-  Numbers x, y, peak_to_peak_arcsec;  // [iy·nx + ix]; NaN: nothing touches, or not done yet
-};
-
-struct ShiftChart {
-  struct Border {
-    std::string name;
-    Numbers points;
-  };
-  std::array<double, 2> point;
-  bool inside;
-  double margin;
-  std::string stopped_by;
-  double area;
-  std::vector<std::vector<Border>> pieces;
-  std::map<std::string, std::string> borders;
-  std::array<double, 4> window;
-  std::vector<double> chosen;  // two, or none
-  std::string what_kills;
-};
-
-struct Steps {  // of a Work
-  std::int64_t done, of;
-  bool finished;
-};
+Json shape(const ContactCurve& curve);
+Json shape(const FlankRaster& raster);
 
 }  // namespace gearwright::web

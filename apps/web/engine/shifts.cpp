@@ -1,8 +1,9 @@
-// The x1–x2 chart of a session's pair: the search asked about this one pair of tooth numbers.
+// The x1–x2 chart of a session's pair: that of a search for this one pair of tooth numbers.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "apps/web/engine/session.hpp"
@@ -64,32 +65,25 @@ ShiftEdge swapped_edge(ShiftEdge edge) {
   }
 }
 
-// The border that stands nearest to the point, of those in a chart, and how far away it is, modules.
+// The border that stands nearest to a point, and how far away it is, modules.
 struct Nearest {
   std::string border;
   double distance = std::numeric_limits<double>::infinity();
-};
-Nearest nearest_border(const ShiftChart& chart) {
-  Nearest nearest;
-  for (const auto& loop : chart.pieces) {
-    for (const auto& border : loop) {
-      for (std::size_t i = 2; i + 1 < border.points.size(); i += 2) {
-        const Vec2 a(border.points[i - 2], border.points[i - 1]);
-        const Vec2 b(border.points[i], border.points[i + 1]);
-        const Vec2 p(chart.point[0], chart.point[1]);
-        const double square = (b - a).squaredNorm();
-        const double t = square > 0.0 ? std::clamp((p - a).dot(b - a) / square, 0.0, 1.0) : 0.0;
-        const double distance = (p - a - t * (b - a)).norm();
-        if (distance < nearest.distance) nearest = {border.name, distance};
-      }
+
+  void look_at(const std::string& name, const std::vector<Vec2>& line, const Vec2& p) {
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      const Vec2 &a = line[i - 1], &b = line[i];
+      const double square = (b - a).squaredNorm();
+      const double t = square > 0.0 ? std::clamp((p - a).dot(b - a) / square, 0.0, 1.0) : 0.0;
+      const double away = (p - a - t * (b - a)).norm();
+      if (away < distance) *this = {name, away};
     }
   }
-  return nearest;
-}
+};
 
 }  // namespace
 
-Result<ShiftChart> Session::shift_region() const {
+Result<Json> Session::shift_region() const {
   if (!job_.pair) return Error{"gear2", "", "is missing: the chart is of two profile shifts"};
   if (!job_.pair->involute())
     return Error{"gear1.rack.kind", "",
@@ -107,44 +101,52 @@ Result<ShiftChart> Session::shift_region() const {
   const auto turned = [&](const Vec2& p) { return swapped ? Vec2(p.y(), p.x()) : p; };
   const Vec2 point(job_.gears[0].spec.profile_shift, job_.gears[1].spec.profile_shift);
   const Vec2 asked = turned(point);
-  ShiftChart chart{};
-  chart.point = {point.x(), point.y()};
-  const auto range = graph.sums();
-  const double sum = asked.x() + asked.y();
   // The least room that any limit leaves, each in its own unit: its sign alone concerns the chart.
+  const auto range = graph.sums();
   const double room = range.lo <= range.hi ? graph.margin(asked.x(), asked.y())
                                            : -std::numeric_limits<double>::infinity();
-  chart.inside = room >= 0.0 && std::isfinite(sum);
-  chart.margin = -std::numeric_limits<double>::infinity();
-  if (const auto killed = graph.what_kills()) chart.what_kills = words_of(*killed);
-  const auto& gears = graph.gears();
-  chart.window = {gears[0].x_min, gears[0].x_max, gears[1].x_min, gears[1].x_max};
-  if (swapped) {
-    std::swap(chart.window[0], chart.window[2]);
-    std::swap(chart.window[1], chart.window[3]);
-  }
+  const bool inside = room >= 0.0 && std::isfinite(asked.x() + asked.y());
+  const auto killed = graph.what_kills();
+  std::array<Json, 2> ends;  // floors and ceilings
+  for (const std::size_t i : {0, 1})
+    ends[swapped ? 1 - i : i] = {graph.gears()[i].x_min, graph.gears()[i].x_max};
+  Json chart{{"point", {point.x(), point.y()}},
+             {"inside", inside},
+             {"margin", -std::numeric_limits<double>::infinity()},
+             {"stoppedBy", ""},
+             {"area", 0.0},
+             {"pieces", Json::array()},
+             {"borders", Json::object()},
+             {"window", {ends[0][0], ends[0][1], ends[1][0], ends[1][1]}},
+             {"chosen", nullptr},
+             {"whatKills", killed ? words_of(*killed) : ""}};
   const auto region = gearwright::shift_region(graph);
   if (!region) return chart;
-  chart.area = region->area;
+  std::map<std::string, std::string> borders;
+  Nearest nearest;
   for (const auto& loop : region_boundary(graph, *region)) {
-    auto& piece = chart.pieces.emplace_back();
+    Json piece = Json::array();
     for (const RegionEdge& edge : loop) {
       const ShiftEdge which = swapped ? swapped_edge(edge.edge) : edge.edge;
-      ShiftChart::Border border{std::string(name(which)), {}};
+      const std::string border(name(which));
+      Numbers points;
       for (const Vec2& p : edge.points) {
         const Vec2 q = turned(p);
-        border.points.insert(border.points.end(), {q.x(), q.y()});
+        points.insert(points.end(), {q.x(), q.y()});
       }
-      chart.borders[border.name] = words_of(which);
-      piece.push_back(std::move(border));
+      nearest.look_at(border, edge.points, asked);
+      borders[border] = words_of(which);
+      piece.push_back({{"border", border}, {"points", row(points)}});
     }
+    chart["pieces"].push_back(std::move(piece));
   }
   const Vec2 chosen = turned(chosen_point(graph, *region));
-  chart.chosen = {chosen.x(), chosen.y()};
   constexpr double kAtWall = 1e-6;  // modules: nearer than any shift is made
-  const Nearest nearest = nearest_border(chart);
-  chart.margin = chart.inside ? nearest.distance : -nearest.distance;
-  if (room < kAtWall) chart.stopped_by = nearest.border;
+  chart["margin"] = inside ? nearest.distance : -nearest.distance;
+  if (room < kAtWall) chart["stoppedBy"] = nearest.border;
+  chart["area"] = region->area;
+  chart["borders"] = borders;
+  chart["chosen"] = {chosen.x(), chosen.y()};
   return chart;
 }
 

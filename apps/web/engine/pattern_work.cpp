@@ -1,0 +1,108 @@
+// The pattern and the map of two errors, in steps.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "apps/web/engine/stopwatch.hpp"
+#include "apps/web/engine/work.hpp"
+#include "gearwright/catalogue/error_keys.hpp"
+#include "gearwright/contact/contact.hpp"
+
+namespace gearwright::web {
+
+namespace {
+
+class PatternWork : public Work {
+ public:
+  PatternWork(std::shared_ptr<Session> session, int positions, const RasterSize& size)
+      : Work(std::move(session)), positions_(positions), size_(size) {}
+
+  // A sixteenth, a quarter of the nodes, then all of them: together a third more than these alone.
+  Result<Steps> step(double) override {
+    constexpr int kSteps = 3;
+    if (next_ == kSteps) return Steps{kSteps, kSteps, true};
+    const auto pair = session().contact_pair();
+    if (!pair) return pair.error();
+    const int part = 1 << (kSteps - 1 - next_);
+    const RasterSize size{std::max(2, size_.rows / part), std::max(2, size_.columns / part)};
+    const auto both = contact_pattern(**pair, std::max(2, positions_ / part), size);
+    result_ = Json::array({shape(both[0]), shape(both[1])});
+    ++next_;
+    return Steps{next_, kSteps, next_ == kSteps};
+  }
+  Json result() const override { return result_; }
+
+ private:
+  int positions_;
+  RasterSize size_;
+  int next_ = 0;
+  Json result_;
+};
+
+class ErrorMapWork : public Work {
+ public:
+  ErrorMapWork(std::shared_ptr<Session> session, const std::array<std::size_t, 2>& keys,
+               std::array<Numbers, 2> axes, int positions)
+      : Work(std::move(session)),
+        keys_(keys),
+        axes_(std::move(axes)),
+        peak_to_peak_arcsec_(axes_[0].size() * axes_[1].size(), kNaN),
+        positions_(positions) {}
+
+  Result<Steps> step(double milliseconds) override {
+    const Stopwatch watch;
+    Numbers& value = peak_to_peak_arcsec_;
+    const std::size_t nx = axes_[0].size();
+    while (next_ < value.size() && watch.ms() < milliseconds) {
+      const auto pair = session().pair_under(keys_, {axes_[0][next_ % nx], axes_[1][next_ / nx]});
+      if (!pair) return pair.error();
+      value[next_++] = Angle::radians(peak_to_peak(transmission_error(*pair, positions_))).arcsec();
+    }
+    return Steps{static_cast<std::int64_t>(next_), static_cast<std::int64_t>(value.size()),
+                 next_ == value.size()};
+  }
+  Json result() const override {
+    return {{"x", row(axes_[0])},
+            {"y", row(axes_[1])},
+            {"peakToPeakArcsec", row(peak_to_peak_arcsec_)}};
+  }
+
+ private:
+  std::array<std::size_t, 2> keys_;  // places of the errors in error_entries()
+  std::array<Numbers, 2> axes_;
+  Numbers peak_to_peak_arcsec_;  // [iy·nx + ix]; NaN: nothing touches, or not done yet
+  int positions_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace
+
+MadeWork pattern_work(std::shared_ptr<Session> session, int positions, const RasterSize& size) {
+  if (positions < 2 || size.rows < 2 || size.columns < 2 || positions > 1024 ||
+      size.rows * size.columns > 1'000'000)
+    return Error{"", "", "a pattern has 2 to 1024 positions and 2 x 2 to 10^6 nodes"};
+  return std::shared_ptr<Work>(std::make_shared<PatternWork>(std::move(session), positions, size));
+}
+
+MadeWork error_map_work(std::shared_ptr<Session> session, const std::array<ErrorAxis, 2>& axes,
+                        int positions) {
+  constexpr int kMost = 1000;
+  if (const auto pair = session->contact_pair(); !pair) return pair.error();
+  if (positions < 2 || positions > kMost)
+    return refused("positions", positions, "must lie between 2 and 1000");
+  std::array<std::size_t, 2> keys{};
+  std::array<Numbers, 2> values;
+  for (const std::size_t i : {0, 1}) {
+    const ErrorAxis& axis = axes[i];
+    const auto place = error_index(axis.key);
+    if (!place) return Error{"errors", axis.key, "is no key of [errors]"};
+    if (axis.n < 2 || axis.n > kMost) return refused("n", axis.n, "must lie between 2 and 1000");
+    keys[i] = *place;
+    for (int k = 0; k < axis.n; ++k)
+      values[i].push_back(axis.from +
+                          (axis.to - axis.from) * (static_cast<double>(k) / (axis.n - 1)));
+  }
+  return std::shared_ptr<Work>(
+      std::make_shared<ErrorMapWork>(std::move(session), keys, std::move(values), positions));
+}
+
+}  // namespace gearwright::web

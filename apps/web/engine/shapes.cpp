@@ -1,0 +1,52 @@
+#include "apps/web/engine/shapes.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace gearwright::web {
+
+namespace {
+
+template <class T>
+Json binary(const T* data, std::size_t count, RowType type) {
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(data);
+  return Json::binary(std::vector<std::uint8_t>(bytes, bytes + count * sizeof(T)),
+                      static_cast<std::uint8_t>(type));
+}
+
+}  // namespace
+
+Json row(const Numbers& numbers) {
+  return binary(numbers.data(), numbers.size(), RowType::float64);
+}
+Json row(const std::vector<float>& numbers) {
+  return binary(numbers.data(), numbers.size(), RowType::float32);
+}
+Json row(const std::vector<std::uint32_t>& numbers) {
+  return binary(numbers.data(), numbers.size(), RowType::uint32);
+}
+Json row(std::string_view bytes) { return binary(bytes.data(), bytes.size(), RowType::uint8); }
+
+Json shape(const ContactCurve& curve) {
+  Json columns = Json::object(), width = Json::object();
+  for (const auto& [key, column] : curve.columns) {
+    width[key] = column.width;
+    const auto* numbers = std::get_if<Numbers>(&column.values);
+    columns[key] =
+        numbers ? row(*numbers) : Json(std::get<std::vector<std::string>>(column.values));
+  }
+  return {{"n", curve.n},
+          {"columns", std::move(columns)},
+          {"width", std::move(width)},
+          {"peakToPeakArcsec", curve.peak_to_peak_arcsec},
+          {"meanSlope", curve.mean_slope},
+          {"harmonicsArcsec", row(curve.harmonics_arcsec)},
+          {"contactLost", curve.contact_lost},
+          {"words", curve.words}};
+}
+
+Json shape(const FlankRaster& raster) {
+  return {
+      {"diameter", row(raster.diameter)}, {"height", row(raster.height)}, {"gap", row(raster.gap)}};
+}
+
+}  // namespace gearwright::web

@@ -1,0 +1,75 @@
+// Long work in steps, so that a worker hears messages meanwhile: the pattern, a map of two errors,
+// teeth under load.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "apps/web/engine/session.hpp"
+#include "gearwright/job/load_answer.hpp"
+
+namespace gearwright::web {
+
+/// How far some work is.
+struct Steps {
+  std::int64_t done, of;
+  bool finished;
+};
+
+/// Work on a session's pair.
+class Work {
+ public:
+  explicit Work(std::shared_ptr<Session> session) : session_(std::move(session)) {}
+  virtual ~Work() = default;
+  Work(const Work&) = delete;
+  Work& operator=(const Work&) = delete;
+
+  Session& session() const { return *session_; }
+  /// Works for about so long.
+  virtual Result<Steps> step(double milliseconds) = 0;
+  /// What is there so far; null: nothing yet.
+  virtual Json result() const = 0;
+
+ private:
+  std::shared_ptr<Session> session_;
+};
+using MadeWork = Result<std::shared_ptr<Work>>;
+
+/// The pattern in rasters that grow finer: the first is there at once.
+MadeWork pattern_work(std::shared_ptr<Session> session, int positions, const RasterSize& size);
+
+/// An error axis is in the unit of its key.
+struct ErrorAxis {
+  std::string key;  ///< of [errors]
+  double from = 0.0, to = 0.0;
+  int n = 2;
+};
+/// Peak to peak over two errors, curve by curve.
+MadeWork error_map_work(std::shared_ptr<Session> session, const std::array<ErrorAxis, 2>& axes,
+                        int positions);
+
+/// The compliance of the last gears under load. Torque, errors and modifications do not change it, so
+/// that a page that moves these waits for the positions alone.
+class ToothTables {
+ public:
+  Result<std::shared_ptr<const ToothTable>> of(const std::array<const Gear*, 2>& gears, int which,
+                                               const LoadRequest& request);
+
+ private:
+  struct Kept {
+    int which;
+    std::array<std::shared_ptr<const Gear>, 2> gears;
+    LoadRequest request;
+    std::shared_ptr<const ToothTable> table;
+  };
+  std::vector<Kept> kept_;
+};
+
+/// Teeth under load: a table for each gear, which takes longest, then position by position.
+/// Errors    as load_task
+MadeWork load_work(std::shared_ptr<Session> session, std::optional<ComplianceAccuracy> accuracy,
+                   std::shared_ptr<ToothTables> tables);
+
+}  // namespace gearwright::web
