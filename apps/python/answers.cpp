@@ -1,29 +1,138 @@
-// What a verb of the program answers: solve, verify.
+// What the verbs of the program answer: Contact, Rating and Loaded of a pair; solve, fit, compensate and verify.
 #include <fmt/format.h>
-#include <pybind11/stl.h>
 
-#include <algorithm>
-
+#include "apps/python/arrays.hpp"
 #include "apps/python/model.hpp"
 #include "apps/python/watched.hpp"
 #include "gearwright/catalogue/compensate_keys.hpp"
-#include "gearwright/catalogue/compensate_quantities.hpp"
+#include "gearwright/catalogue/contact_quantities.hpp"
 #include "gearwright/catalogue/fit_quantities.hpp"
-#include "gearwright/catalogue/spelling.hpp"
+#include "gearwright/catalogue/load_keys.hpp"
+#include "gearwright/catalogue/rating_keys.hpp"
 #include "gearwright/job/compensate_text.hpp"
+#include "gearwright/job/contact_text.hpp"
 #include "gearwright/job/fit_answer.hpp"
+#include "gearwright/job/load_answer.hpp"
 #include "gearwright/job/verbs.hpp"
 #include "gearwright/job/verify.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright::python {
 
 namespace {
 
+// find(job, progress) as a Self, with record(job, answer) and judged(job, answer); Ctrl-C stops it.
+template <class Self, class Find, class Record, class Judge>
+Self answered(const ModelPtr& asked, const Find& find, const Record& record, const Judge& judged) {
+  const auto model = std::make_shared<Model>(*asked);
+  const auto work = [&](Progress* progress) -> Result<AnswerValue> {
+    auto found = find(model->job, progress);
+    if (!found) return found.error();
+    const auto answer =
+        std::make_shared<const std::decay_t<decltype(*found)>>(std::move(found).take());
+    return AnswerValue{model, std::make_shared<const ValueRecord>(record(model->job, *answer)),
+                       [model, answer, judged] { return judged(model->job, *answer); }};
+  };
+  return Self{watched_result(model->given(), work)};
+}
+
+ContactValue contact_of(const PairValue& pair, const py::object& errors,
+                        const py::object& modifications, const py::kwargs& keys) {
+  return answered<ContactValue>(
+      asked_model(pair, errors, modifications, contact_keys(), "contact", keys), answer_contact,
+      contact_record, [](const SolvedJob& job, const ContactAnswer& a) {
+        return judge(job, {.contact = &a.driving});
+      });
+}
+
+RatingValue rating_of(const PairValue& pair, const py::kwargs& keys) {
+  return answered<RatingValue>(
+      asked_model(pair, py::none(), py::none(), rating_keys(), "rating", keys),
+      [](SolvedJob& job, Progress* progress) { return answer_rating(job, progress); },
+      [](const SolvedJob&, const RatingAnswer& a) { return rating_quantities().of(a.view()); },
+      [](const SolvedJob& job, const RatingAnswer& a) { return judge(job, {.rating = &a}); });
+}
+
+LoadedValue loaded_of(const PairValue& pair, const py::object& errors,
+                      const py::object& modifications, const py::kwargs& keys) {
+  return answered<LoadedValue>(
+      asked_model(pair, errors, modifications, load_keys(), "load", keys), answer_load,
+      [](const SolvedJob& job, const LoadAnalysis& a) {
+        return load_quantities().of(load_view(job, a));
+      },
+      [](const SolvedJob& job, const LoadAnalysis&) { return judge(job, {.load = true}); });
+}
+
+// A quantity of a record; nothing where it has none of this key.
+const Value& quantity(const ValueRecord& record, std::string_view key) {
+  static const Value kNothing;
+  for (const Member& member : record)
+    if (member.info->key == key) return member.value;
+  return kNothing;
+}
+
+py::array positions_of(const ContactValue& c) {
+  return table_array(position_quantities().table(), *quantity(c.record(), "positions").list());
+}
+
+// A row for each torque, in it the positions.
+py::object load_positions_of(const LoadedValue& loaded) {
+  const ValueList& torques = *quantity(loaded.record(), "torques").list();
+  if (torques.empty()) return py::none();
+  ValueList all;
+  for (const Value& torque : torques)
+    for (const Value& position : *quantity(*torque.record(), "positions").list())
+      all.push_back(position);
+  return table_array(load_position_quantities().table(), all)
+      .attr("reshape")(torques.size(), all.size() / torques.size());
+}
+
+// A column of the positions in mm and rad.
+py::object column(const ContactValue& c, const QuantityInfo& info) {
+  const py::object one = positions_of(c).attr("__getitem__")(info.key);
+  const double unit = house_unit(info.unit);
+  return unit == 1.0 ? one : one.attr("__mul__")(unit);
+}
+
+std::string repr_of(const ContactValue& c) {
+  return fmt::format("Contact({} positions, peak_to_peak_arcsec={:.4g})",
+                     quantity(c.record(), "positions").list()->size(),
+                     quantity(c.record(), "peak_to_peak_arcsec").number().value_or(kNothing));
+}
+
+std::string repr_of(const RatingValue& r) {
+  const auto both = [&](const char* key) {
+    const ValueList& each = *quantity(r.record(), key).list();
+    return fmt::format("{}={:.4g} / {:.4g}", key, *each[0].number(), *each[1].number());
+  };
+  return "Rating(" + both("S_H") + ", " + both("S_F") + ")";
+}
+
+std::string repr_of(const LoadedValue& l) {
+  const auto count = [&](const char* key) { return quantity(l.record(), key).list()->size(); };
+  return fmt::format("Loaded({} torques, {} probes)", count("torques"), count("probes"));
+}
+
+// What a kind of answer has beside its own: every quantity of the table. Out of a pickle comes what of(pair) is again.
+template <class Self>
+void bind_answer(py::class_<Self>& type, const QuantityTable& table, Self (*of)(const PairValue&)) {
+  bind_made(type, [of](Json spec, const std::filesystem::path& folder) {
+    return of({make_model(std::move(spec), folder, Scope::pair)});
+  });
+  bind_verdict(type);
+  type.def_property_readonly("pair", [](const Self& s) { return PairValue{s.model}; })
+      .def("__repr__", [](const Self& s) { return repr_of(s); });
+  for (const QuantityInfo* info : table.list)
+    bind_quantity(type, *info, [info](const Self& s) -> const Value& {
+      return quantity(s.record(), info->key);
+    });
+}
+
 // The spec of a dict, or of what has one: a Pair, a Gear.
 std::pair<Json, std::filesystem::path> spec_and_folder(const py::object& spec) {
   if (py::isinstance<PairValue>(spec)) {
     const auto& pair = spec.cast<const PairValue&>();
-    return {pair.model->spec, pair.model->folder};
+    return {pair.spec(), pair.model->folder};
   }
   if (py::isinstance<GearValue>(spec)) {
     const auto& gear = spec.cast<const GearValue&>();
@@ -35,26 +144,24 @@ std::pair<Json, std::filesystem::path> spec_and_folder(const py::object& spec) {
   return {spec_with_keys(tree_of(spec, "")), {}};
 }
 
+JobSpec read_spec_of(const py::object& given) {
+  const auto [tree, folder] = spec_and_folder(given);
+  return value_or_raise(read_spec_tree(tree, folder));
+}
+
 py::object solve_spec(const py::object& given, const std::string& verb) {
   if (!verb.empty() && find_verb(verb) == nullptr)
     raise({"verb", verb, "must be one of " + verb_names()});
-  const auto [tree, folder] = spec_and_folder(given);
-  const JobSpec spec = read_tree_of(tree, folder);
-  std::optional<Result<Json>> answer;
-  Watched watched;
-  watch(watched, [&] { answer = answer_json(verb, spec, &watched.progress); });
-  if (!*answer) raise(spelled(answer->error(), spec.given));
-  return to_python(answer->value());
+  const JobSpec spec = read_spec_of(given);
+  return to_python(watched_result(
+      spec.given, [&](Progress* progress) { return answer_json(verb, spec, progress); }));
 }
 
 py::object fit(const py::object& given) {
-  const auto [tree, folder] = spec_and_folder(given);
-  const JobSpec spec = read_tree_of(tree, folder);
-  std::optional<Result<FitAnswer>> found;
-  Watched watched;
-  watch(watched, [&] { found = answer_fit(spec, &watched.progress); });
-  if (!*found) raise(spelled(found->error(), spec.given));
-  return by_name(Value(fit_quantities().of(fit_view(found->value()))));
+  const JobSpec spec = read_spec_of(given);
+  const FitAnswer found =
+      watched_result(spec.given, [&](Progress* progress) { return answer_fit(spec, progress); });
+  return by_name(Value(fit_quantities().of(fit_view(found))));
 }
 
 py::object compensate(const py::object& given, const py::kwargs& kwargs) {
@@ -63,23 +170,19 @@ py::object compensate(const py::object& given, const py::kwargs& kwargs) {
   for (const auto& [key, value] : changes.items()) tree["compensate"][key] = value;
   const ModelPtr model = make_model(std::move(tree), folder, Scope::pair);
   SolvedJob job = model->job;
-  std::optional<Result<CompensateAnswer>> found;
-  Watched watched;
-  watch(watched, [&] { found = answer_compensate(job, &watched.progress); });
-  if (!*found) raise(found->error(), *model);
-  return by_name(Value(compensate_quantities().of(compensate_view(found->value()))));
+  const CompensateAnswer found = watched_result(
+      model->given(), [&](Progress* progress) { return answer_compensate(job, progress); });
+  return by_name(Value(compensate_quantities().of(compensate_view(found))));
 }
 
 py::object verify(const py::object& cases) {
-  const Json tree = tree_of(cases, "");
-  const std::string text = json_text(tree);
-  const auto outcomes = [&] {
+  const std::string text = json_text(tree_of(cases, ""));
+  const auto outcomes = value_or_raise([&] {
     const py::gil_scoped_release free;
     return verify_cases(text);
-  }();
-  if (!outcomes) raise(outcomes.error());
+  }());
   py::list all;
-  for (const CaseOutcome& c : *outcomes) {
+  for (const CaseOutcome& c : outcomes) {
     py::dict one;
     one["id"] = c.id;
     one["values"] = c.values;
@@ -91,7 +194,49 @@ py::object verify(const py::object& cases) {
 
 }  // namespace
 
-void bind_answers(py::module_& m) {
+py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pair) {
+  py::class_<ContactValue> contact(m, "Contact",
+                                   "How a pair touches under its errors, turned through a pitch");
+  contact.def_property_readonly(
+      "positions", &positions_of,
+      "A structured array, a row for each position, a column for each quantity by key");
+  bind_answer<ContactValue>(contact, contact_quantities().table(), [](const PairValue& p) {
+    return contact_of(p, py::none(), py::none(), {});
+  });
+  for (const Quantity<ContactPoint>& q : position_quantities().list()) {
+    if (q.info.of) continue;
+    contact.def_property_readonly(
+        name_of(q.info).c_str(),
+        [&info = q.info](const ContactValue& c) { return column(c, info); },
+        (docstring(q.info) + " At each position.").c_str());
+  }
+  py::class_<RatingValue> rating(m, "Rating", "The strength of a pair by the standard");
+  bind_answer<RatingValue>(rating, rating_quantities().table(),
+                           [](const PairValue& p) { return rating_of(p, {}); });
+  py::class_<LoadedValue> loaded(m, "Loaded", "A pair under torque, its teeth yielding");
+  loaded.def_property_readonly(
+      "positions", &load_positions_of,
+      "A structured array (torques, positions), a column for each quantity by key; load shares, "
+      "as many as pairs carry, are those of torques[i].positions. None where only probes were "
+      "asked");
+  bind_answer<LoadedValue>(loaded, load_quantities().table(), [](const PairValue& p) {
+    return loaded_of(p, py::none(), py::none(), {});
+  });
+
+  pair.def(
+          "contact", &contact_of, py::arg("errors") = py::none(),
+          py::arg("modifications") = py::none(),
+          "Turns the pair under errors and says where it touches. errors: keys of [errors], or a "
+          "row of transmission_error; modifications: {\"gear1\": {…}, \"gear2\": {…}}; and keys of "
+          "[contact]: positions=64, driver, pattern, … What is not given is as in the pair's spec")
+      .def("rate", &rating_of,
+           "Strength by ISO 6336 or VDI 2736, with keys of [rating]: torque_Nm, speed_rpm, "
+           "quality, …; what is not given is as in the pair's spec. Gears have their material, "
+           "material={\"name\": \"18CrNiMo7-6\"}")
+      .def("loaded", &loaded_of, py::arg("errors") = py::none(),
+           py::arg("modifications") = py::none(),
+           "The pair under torque, with keys of [load]: torque_Nm=[100, 200], positions, slices, "
+           "…; errors and modifications as contact(). What is not given is as in the pair's spec");
   m.def("solve", &solve_spec, py::arg("spec"), py::arg("verb") = "",
         ("The program's JSON answer as a dict. `spec`: a dict with the tables of a spec file, a "
          "Pair or a Gear; `verb`: one of " +
@@ -99,13 +244,13 @@ void bind_answers(py::module_& m) {
             .c_str());
   m.def("fit", &fit, py::arg("spec"),
         "What is absent in the spec's gears and [pair] is found: a Record with branches, reason, "
-        "nearest; load(branch.spec) "
-        "is an answer as a Pair");
+        "nearest; load(branch.spec) is an answer as a Pair");
   m.def("compensate", &compensate, py::arg("pair"),
         "Corrections against errors, with the keys of [compensate] (corrections=, range=, "
-        "centering=): a Record with "
-        "corrections, before, after; load(record.spec) is the corrected pair");
+        "centering=): a Record with corrections, before, after; load(record.spec) is the corrected "
+        "pair");
   m.def("_verify", &verify, py::arg("cases"));
+  return contact;
 }
 
 }  // namespace gearwright::python

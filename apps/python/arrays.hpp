@@ -1,4 +1,4 @@
-// Quantities of many subjects as one structured array, a column for each quantity of the catalogue.
+// Quantities of many subjects as one structured array, a column for each column of the catalogue (columns.hpp).
 //
 // Columns are called by key, "transmission_error_arcsec", and have the key's unit; those of records by both keys,
 // "ellipse_semi_minor_mm". What is not there is NaN, of a word "".
@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "apps/python/values.hpp"
+#include "gearwright/catalogue/columns.hpp"
 
 namespace gearwright::python {
 
@@ -40,50 +41,37 @@ py::array_t<T> array_of(std::vector<T> numbers, std::vector<py::ssize_t> shape) 
   return array_of<T>(std::move(owner), data, std::move(shape));
 }
 
-/// Rows of a table, filled value by value.
+/// A structured array in the making.
 class StructuredArray {
  public:
-  /// Columns of the table, those of its records too; names begin with the prefix.
-  void add_columns(const QuantityTable& table, const std::string& prefix = "",
-                   bool optional = false);
-  /// A column by itself: "f8", "i8", "?", "U7".
-  void add_column(const std::string& name, const std::string& format);
+  StructuredArray() = default;
+  /// With the columns of a table that have a fixed number of values.
+  explicit StructuredArray(const QuantityTable& table);
+  /// The place of one more column: "f8", "i8", "?", "U7", of a shape.
+  std::size_t add(const std::string& name, const std::string& format,
+                  const std::vector<py::ssize_t>& shape = {});
   /// So many rows of the columns added.
   void allocate(std::size_t rows);
-  /// One row, its values in the order of the tables: null of a record is nothing in all of its columns.
-  template <class S>
-  void fill(std::size_t row, const Quantities<S>& quantities, const S& subject,
-            std::size_t from = 0) {
-    for (const Quantity<S>& q : quantities.list()) {
-      const bool there = !q.exists || q.exists(subject);
-      from = put(row, from, q.info, there ? q.get(subject) : Value());
-    }
-  }
-  /// NaN and false in every column, and a text in the last.
-  void nothing(std::size_t row, const std::string& why);
-  void set(std::size_t row, std::size_t column, const Value& value) {
-    const Column& c = columns_[column];
-    put_plain(data_ + row * stride_ + c.offset, c, value);
-  }
+  /// The values of a row in one column, as many as its shape has; nothing is NaN, false, "".
+  void set(std::size_t row, std::size_t column, const std::vector<const Value*>& values);
+  /// The columns of the table from a record of it.
+  void fill(std::size_t row, const ValueRecord& record);
   py::array take() { return std::move(array_); }
 
  private:
-  struct Column {
-    std::string name, format;
-    std::vector<py::ssize_t> shape;
-    std::size_t offset = 0, count = 1, bytes = 8;
+  struct Field {
+    std::string format;
+    std::size_t offset, count, bytes;
   };
-  std::size_t put(std::size_t row, std::size_t column, const QuantityInfo& info,
-                  const Value& value);
-  void put_plain(char* at, const Column& column, const Value& value);
-
   std::vector<Column> columns_;
+  std::vector<Field> fields_;
+  py::list types_;
   py::array array_;
   char* data_ = nullptr;
   std::size_t stride_ = 0;
 };
 
-/// Numbers of nested lists as an array, null as NaN.   Domain  lists of one length on each level
-py::array number_array(const Value& value, double unit);
+/// A row for each record of a list.
+py::array table_array(const QuantityTable& table, const ValueList& records);
 
 }  // namespace gearwright::python

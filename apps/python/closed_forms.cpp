@@ -47,25 +47,34 @@ void in_parts(const Columns<N>& columns, std::size_t rows, const F& f) {
   }
 }
 
-py::array_t<double> involutes(const Columns<1>& alpha, std::size_t rows) {
+// The column that f(in, out, n) makes of the parts, `out` pointing to the part's n results.
+template <std::size_t N, class F>
+py::array_t<double> column_of(const Columns<N>& columns, std::size_t rows, const F& f) {
   py::array_t<double> found = results(rows);
   double* const out = found.mutable_data();
-  in_parts(alpha, rows, [out](const auto& in, std::size_t from, std::size_t n) {
-    for (std::size_t i = 0; i < n; ++i) {
-      const double a = in[0][i];
-      out[from + i] = std::abs(a) < std::numbers::pi / 2 ? involute(a) : kNothing;
-    }
-  });
+  in_parts(columns, rows,
+           [&](const auto& in, std::size_t from, std::size_t n) { f(in, out + from, n); });
   return found;
 }
 
-py::array_t<double> inverses(const Columns<1>& inv, std::size_t rows) {
-  py::array_t<double> found = results(rows);
-  double* const out = found.mutable_data();
-  in_parts(inv, rows, [out](const auto& in, std::size_t from, std::size_t n) {
-    inverse_involutes(in[0], out + from, n);
+py::array_t<double> involutes(const Columns<1>& alpha, std::size_t rows) {
+  return column_of(alpha, rows, [](const auto& in, double* out, std::size_t n) {
+    for (std::size_t i = 0; i < n; ++i)
+      out[i] = std::abs(in[0][i]) < std::numbers::pi / 2 ? involute(in[0][i]) : kNothing;
   });
-  return found;
+}
+
+py::array_t<double> inverses(const Columns<1>& inv, std::size_t rows) {
+  return column_of(inv, rows, [](const auto& in, double* out, std::size_t n) {
+    inverse_involutes(in[0], out, n);
+  });
+}
+
+py::array_t<double> backlashes(const Columns<BacklashColumns::kIn>& columns, std::size_t rows,
+                               double module, double tan_alpha) {
+  return column_of(columns, rows, [&](const auto& in, double* out, std::size_t n) {
+    normal_backlashes({module, tan_alpha}, {in}, out, n);
+  });
 }
 
 // Columns of CandidateBatch, in normal modules.
@@ -99,16 +108,6 @@ py::tuple candidates(const Columns<CandidateBatch::kIn>& columns, std::size_t ro
       std::copy_n(batch.out[wanted[w]].begin(), n, out[w] + from);
   });
   return all;
-}
-
-py::array_t<double> backlashes(const Columns<BacklashColumns::kIn>& columns, std::size_t rows,
-                               double module, double tan_alpha) {
-  py::array_t<double> found = results(rows);
-  double* const out = found.mutable_data();
-  in_parts(columns, rows, [&](const auto& in, std::size_t from, std::size_t n) {
-    normal_backlashes({module, tan_alpha}, {in}, out + from, n);
-  });
-  return found;
 }
 
 // Least and greatest profile shift of each gear, once for each tooth number and helix.

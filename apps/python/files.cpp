@@ -1,12 +1,12 @@
 // The tooth as points, triangles and files for machines.
-#include "apps/python/files.hpp"
-
 #include <fmt/format.h>
+#include <pybind11/eigen.h>
 #include <pybind11/stl/filesystem.h>
 
 #include <cmath>
 
 #include "apps/python/arrays.hpp"
+#include "apps/python/model.hpp"
 #include "apps/python/watched.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/cad/contour.hpp"
@@ -42,21 +42,19 @@ double tolerance_in_range(double tolerance, const ToleranceRange& range) {
   raise(error, model);
 }
 
-ToothedBody body_of(const GearValue& gear, bool in_place = false) {
-  auto body = make_body(gear.model->job, gear.which, in_place);
-  if (!body) raise_of_body(body.error(), *gear.model);
+ToothedBody body_of(const Model& model, int which, bool in_place) {
+  auto body = make_body(model.job, which, in_place);
+  if (!body) raise_of_body(body.error(), model);
   return std::move(body).take();
 }
 
-std::vector<double> flat(const std::vector<Vec2>& points) {
-  std::vector<double> numbers;
-  numbers.reserve(2 * points.size());
-  for (const Vec2& p : points) numbers.insert(numbers.end(), {p.x(), p.y()});
-  return numbers;
-}
+ToothedBody body_of(const GearValue& gear) { return body_of(*gear.model, gear.which, false); }
 
-py::array_t<double> rows_of(const std::vector<Vec2>& points) {
-  return array_of(flat(points), {static_cast<py::ssize_t>(points.size()), 2});
+py::array_t<double> rows_of(std::vector<Vec2> points) {
+  const auto owner = std::make_shared<std::vector<Vec2>>(std::move(points));
+  static_assert(sizeof(Vec2) == 2 * sizeof(double));
+  return array_of<double>(owner, owner->data()->data(),
+                          {static_cast<py::ssize_t>(owner->size()), 2});
 }
 
 py::dict outline(const GearValue& gear, int points) {
@@ -115,13 +113,10 @@ py::array_t<double> section(const GearValue& gear, int points) {
 py::tuple mesh(const GearValue& gear, double tolerance) {
   tolerance_in_range(tolerance, kMeshTolerances);
   const ToothedBody body = body_of(gear);
-  std::optional<Result<TriangleMesh>> made;
-  {
-    const py::gil_scoped_release free;
-    made = tessellate(body, {.chord_tolerance_mm = tolerance});
-  }
-  if (!*made) raise(made->error(), *gear.model);
-  const auto owner = std::make_shared<TriangleMesh>(std::move(*made).take());
+  const auto owner =
+      std::make_shared<TriangleMesh>(watched_result(gear.model->given(), [&](Progress*) {
+        return tessellate(body, {.chord_tolerance_mm = tolerance});
+      }));
   static_assert(sizeof(Vec3) == 3 * sizeof(double) &&
                 sizeof(Triangle) == 3 * sizeof(std::uint32_t));
   const auto n = static_cast<py::ssize_t>(owner->vertices.size());
@@ -137,8 +132,8 @@ py::object bytes_or_file(const JobFile& file, const std::optional<fs::path>& pat
   return py::cast(*path);
 }
 
-// One file of the bodies.
-py::object exported(FileKind kind, const std::vector<ToothedBody>& bodies, const Model& model,
+// One file of the gears, two of them in place.
+py::object exported(FileKind kind, const std::vector<int>& gears, const Model& model,
                     const std::optional<fs::path>& path, double tolerance, bool splines) {
   FileOptions options;
   const bool drawn = kind == FileKind::dxf || kind == FileKind::svg;
@@ -146,20 +141,13 @@ py::object exported(FileKind kind, const std::vector<ToothedBody>& bodies, const
   options.mesh_tolerance_mm = options.drawing_tolerance_mm = tolerance_in_range(tolerance, range);
   options.drawing_splines = splines;
   const fs::path name = path.value_or(model.spec.contains("gear2") ? "pair" : "gear");
-  std::optional<Result<JobFile>> file;
-  Watched watched;
-  watch(watched, [&] { file = make_file(kind, bodies, name, options); });
-  if (!*file) raise(file->error(), model);
-  return bytes_or_file(file->value(), path);
+  std::vector<ToothedBody> bodies;
+  for (const int which : gears) bodies.push_back(body_of(model, which, gears.size() == 2));
+  return bytes_or_file(
+      watched_result(model.given(),
+                     [&](Progress*) { return make_file(kind, bodies, name, options); }),
+      path);
 }
-
-std::vector<ToothedBody> bodies_of(const GearValue& gear) { return {body_of(gear)}; }
-std::vector<ToothedBody> bodies_of(const PairValue& pair) {
-  return {body_of({pair.model, 1}, true), body_of({pair.model, 2}, true)};
-}
-
-std::vector<int> sheets_of(const GearValue& gear) { return {gear.which}; }
-std::vector<int> sheets_of(const PairValue&) { return {1, 2}; }
 
 // The workshop drawing, a sheet for each gear; what the path ends in goes before `format`.
 py::object drawing(const std::vector<int>& gears, const Model& model,
@@ -203,7 +191,7 @@ void bind_exports(Class& type) {
     type.def(
         e.name,
         [kind = e.kind](const Self& self, const py::object& path, double tolerance, bool splines) {
-          return exported(kind, bodies_of(self), *self.model, path_or_none(path, "path"), tolerance,
+          return exported(kind, self.gears(), *self.model, path_or_none(path, "path"), tolerance,
                           splines);
         },
         py::arg("path") = py::none(), py::arg("tolerance") = e.tolerance,
@@ -215,7 +203,7 @@ void bind_exports(Class& type) {
       "drawing",
       [](const Self& self, const py::object& path, const std::string& format,
          const std::string& sheet, double tolerance) {
-        return drawing(sheets_of(self), *self.model, path_or_none(path, "path"), format, sheet,
+        return drawing(self.gears(), *self.model, path_or_none(path, "path"), format, sheet,
                        tolerance);
       },
       py::arg("path") = py::none(), py::arg("format") = "pdf", py::arg("sheet") = "A4",
@@ -225,15 +213,11 @@ void bind_exports(Class& type) {
       "is within tolerance, mm");
 }
 
-py::array_t<double> pose(const PairValue& pair, int which) {
+Eigen::Matrix4d pose(const PairValue& pair, int which) {
   if (which != 1 && which != 2)
     raise(refused("which", which, "must be 1 or 2, the number of the gear"));
-  const Eigen::Matrix4d m =
-      (which == 1 ? pair.pair().pose_1().isometry() : pair.pair().pose_2().isometry()).matrix();
-  std::vector<double> rows;
-  for (int i = 0; i < 4; ++i)
-    for (int k = 0; k < 4; ++k) rows.push_back(m(i, k));
-  return array_of(std::move(rows), {4, 4});
+  const Pair& p = pair.pair();
+  return (which == 1 ? p.pose_1().isometry() : p.pose_2().isometry()).matrix();
 }
 
 }  // namespace

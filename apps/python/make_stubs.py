@@ -1,8 +1,9 @@
-"""Type stubs of the extension module: core.pyi.in with the catalogue's keys and quantities in it.
+"""Type stubs of the extension module: core.pyi.in with the catalogue's keys and quantities and the module's docstrings in it.
 
     make_stubs.py PACKAGE      writes PACKAGE/_core.pyi
 """
 
+import re
 import sys
 from pathlib import Path
 
@@ -33,8 +34,7 @@ def type_of(said):
 
 
 def attribute(said):
-    doc = said["doc"].replace("\\", "\\\\").replace('"""', "'''")
-    return f'    @property\n    def {said["name"]}(self) -> {type_of(said)}:\n        """{doc}"""\n'
+    return f'    @property\n    def {said["name"]}(self) -> {type_of(said)}:\n        {quoted(said["doc"])}\n'
 
 
 def keywords(keys):
@@ -49,6 +49,35 @@ def keywords(keys):
     return "".join(lines)
 
 
+def quoted(doc):
+    return '"""' + doc.replace("\\", "\\\\").replace('"""', "'''") + '"""'
+
+
+def doc_of(member):
+    """What the module says of a class, a function or a property; pybind11 puts the signature of a function before it."""
+    first, _, rest = (member.__doc__ or "").strip().partition("\n")
+    doc = (rest if "->" in first else f"{first}\n{rest}").strip()
+    return doc if not doc or doc.endswith(".") else doc + "."
+
+
+def with_docs(text):
+    """The stubs with the module's words for each class, and for each member that ends in an ellipsis."""
+    lines, owner, name = [], core, ""
+    for line in text.splitlines():
+        if found := re.match(r"class (\w+):", line):
+            owner = getattr(core, found[1])
+            line += "\n    " + quoted(doc_of(owner)) + "\n"
+        elif re.match(r"\w", line):
+            owner = core
+        if found := re.match(r" *def (\w+)", line):
+            name = found[1]
+        ends = line.endswith(": ...") and not name.startswith("_") and hasattr(owner, name)
+        if ends and (doc := doc_of(getattr(owner, name))):
+            line = line[:-4] + "\n" + ("    " if owner is core else "        ") + quoted(doc)
+        lines.append(line)
+    return "\n".join(lines) + "\n"
+
+
 def main():
     tables = core._catalogue()
     keys = core._keys()
@@ -56,23 +85,21 @@ def main():
                for name, said in tables.items() if name not in ("gear", "pair", "contact", "contact.positions", "rating", "load")]
     columns = [dict(said, type="column") for said in tables["contact.positions"] if not said["of"]]
     contact = [said for said in tables["contact"] if said["name"] != "positions"]
-    text = Path(__file__).with_name("core.pyi.in").read_text(encoding="utf-8")
-    for mark, made in (("    # gear attributes\n", "".join(map(attribute, tables["gear"]))),
-                       ("    # pair attributes\n", "".join(map(attribute, tables["pair"]))),
-                       ("    # contact attributes\n", "".join(map(attribute, contact + columns))),
-                       ("    # rating attributes\n", "".join(map(attribute, tables["rating"]))),
-                       ("    # loaded attributes\n", "".join(map(attribute, tables["load"]))),
-                       ("        # gear keywords\n", keywords(keys["gear"])),
-                       ("        # pair keywords\n", keywords(keys["pair"])),
-                       ("        # sweep keywords\n", keywords(keys["pair"]).replace("float | None", "ArrayLike")),
-                       ("        # compensate keywords\n", keywords(keys["compensate"])),
-                       ("        # rating keywords\n", keywords(keys["rating"])),
-                       ("        # load keywords\n", keywords(keys["load"])),
-                       ("        # contact keywords\n", keywords(keys["contact"])),
-                       ("# records\n", "\n".join(records))):
-        assert mark in text, f"core.pyi.in has no {mark.strip()}"
-        text = text.replace(mark, made)
-    Path(sys.argv[1], "_core.pyi").write_text(text, encoding="utf-8")
+    text, *blocks = Path(__file__).with_name("core.pyi.in").read_text(encoding="utf-8").split("# block ")
+    made = dict(block.split("\n", 1) for block in blocks)
+    made["file members"] = "".join(made["file members"].replace("FILE", file)
+                                   for file in ("step", "stl", "threemf", "glb", "dxf", "svg"))
+    for name, said in (("gear", tables["gear"]), ("pair", tables["pair"]), ("contact", contact + columns),
+                       ("rating", tables["rating"]), ("loaded", tables["load"])):
+        made[f"{name} attributes"] = "".join(map(attribute, said))
+    for name in ("gear", "pair", "compensate", "rating", "load", "contact"):
+        made[f"{name} keywords"] = keywords(keys[name])
+    made["sweep keywords"] = made["pair keywords"].replace("float | None", "ArrayLike")
+    made["records"] = "\n".join(records)
+    for mark, body in made.items():
+        text, count = re.subn(rf"^ *# {mark}\n", lambda _, body=body: body, text, flags=re.M)
+        assert count, f"core.pyi.in has no {mark}"
+    Path(sys.argv[1], "_core.pyi").write_text(with_docs(text), encoding="utf-8")
 
 
 if __name__ == "__main__":

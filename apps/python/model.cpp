@@ -1,10 +1,11 @@
 #include "apps/python/model.hpp"
 
-#include <nlohmann/json.hpp>
+#include <algorithm>
 
 #include "gearwright/base/units.hpp"
-#include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
+#include "gearwright/spec/inherit.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright::python {
 
@@ -12,7 +13,7 @@ namespace {
 
 // The units that a key may name instead of mm and rad, and how many of them one mm or rad is.
 struct NamedUnit {
-  const char* suffix;
+  std::string_view suffix;
   double per_house;
 };
 constexpr NamedUnit kNamed[] = {
@@ -27,10 +28,9 @@ void scale(Json& value, double factor) {
   }
 }
 
-bool known(const std::vector<const KeyTable*>& tables, const std::string& key) {
-  for (const KeyTable* t : tables)
-    if (t->find(key)) return true;
-  return false;
+bool has(const std::vector<const KeyTable*>& tables, const std::string& key) {
+  return std::any_of(tables.begin(), tables.end(),
+                     [&](const KeyTable* table) { return table->find(key) != nullptr; });
 }
 
 std::vector<const KeyTable*> tables_under(const std::vector<const KeyTable*>& tables,
@@ -42,19 +42,23 @@ std::vector<const KeyTable*> tables_under(const std::vector<const KeyTable*>& ta
   return under;
 }
 
+const NamedUnit* unit_of(std::string_view key) {
+  for (const NamedUnit& unit : kNamed)
+    if (key.ends_with(unit.suffix)) return &unit;
+  return nullptr;
+}
+
 }  // namespace
 
 Json with_keys(Json tree, const std::vector<const KeyTable*>& tables, const std::string& path) {
   Json made = Json::object();
   for (auto& [name, value] : tree.items()) {
+    const NamedUnit* unit = has(tables, name) ? std::end(kNamed) : std::begin(kNamed);
+    while (unit != std::end(kNamed) && !has(tables, name + std::string(unit->suffix))) ++unit;
     std::string key = name;
-    if (!known(tables, key)) {
-      for (const NamedUnit& unit : kNamed) {
-        if (!known(tables, name + unit.suffix)) continue;
-        key = name + unit.suffix;
-        scale(value, unit.per_house);
-        break;
-      }
+    if (unit != std::end(kNamed)) {
+      key += unit->suffix;
+      scale(value, unit->per_house);
     }
     const std::string here = path.empty() ? key : path + "." + key;
     if (made.contains(key)) raise(Error{here, "", "is given twice, in its unit and in mm or rad"});
@@ -69,16 +73,13 @@ Json with_keys(Json tree, const std::vector<const KeyTable*>& tables, const std:
 }
 
 std::string house_key(const Key& key) {
-  for (const NamedUnit& unit : kNamed)
-    if (key.key.ends_with(unit.suffix))
-      return std::string(key.key.substr(0, key.key.size() - std::string_view(unit.suffix).size()));
-  return std::string(key.key);
+  const NamedUnit* const unit = unit_of(key.key);
+  return std::string(key.key.substr(0, key.key.size() - (unit ? unit->suffix.size() : 0)));
 }
 
 double units_per_house(const Key& key) {
-  for (const NamedUnit& unit : kNamed)
-    if (key.key.ends_with(unit.suffix)) return unit.per_house;
-  return 1.0;
+  const NamedUnit* const unit = unit_of(key.key);
+  return unit ? unit->per_house : 1.0;
 }
 
 Json spec_with_keys(Json tree) {
@@ -97,30 +98,24 @@ void change(Json& tree, const Json& changes) {
   }
 }
 
-JobSpec read_tree_of(const Json& spec, const std::filesystem::path& folder) {
+Result<ModelPtr> solved_model(Json spec, const std::filesystem::path& folder, Scope scope) {
   const py::gil_scoped_release free;
-  auto read = read_spec(json_text(spec), SpecFormat::json, folder);
-  if (read) return std::move(read).take();
-  const py::gil_scoped_acquire hold;
-  raise(read.error());
+  const auto read = read_spec_tree(spec, folder);
+  if (!read) return read.error();
+  auto solved = solve(*read, scope);
+  if (!solved) return spelled(solved.error(), read->given);
+  return std::make_shared<const Model>(Model{std::move(spec), folder, std::move(solved).take()});
 }
 
 ModelPtr make_model(Json spec, const std::filesystem::path& folder, Scope scope) {
-  JobSpec read = read_tree_of(spec, folder);
-  auto solved = [&] {
-    const py::gil_scoped_release free;
-    return solve(read, scope);
-  }();
-  if (!solved) raise(spelled(solved.error(), read.given));
-  return std::make_shared<const Model>(
-      Model{std::move(spec), folder, std::move(read), std::move(solved).take()});
+  return value_or_raise(solved_model(std::move(spec), folder, scope));
 }
 
 void raise(const Error& error, const Model& model) { raise(spelled(error, model.given())); }
 
 Json GearValue::spec() const {
+  const Json tree = inherit(model->spec).tree;  // with what gear 2 has from gear 1
   const std::string table = which == 1 ? "gear1" : "gear2";
-  const Json tree = parse_json(model->job.spec.tree);  // with what gear 2 has from gear 1
   Json own = tree.contains(table) ? tree[table] : Json::object();
   const bool followed = model->spec.contains("gear2") && gear().involute() && !gear().cut_by;
   if (followed && !own.contains("profile_shift") && !own.contains("basic"))

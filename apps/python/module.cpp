@@ -1,8 +1,7 @@
 // The extension module gearwright._core: a list of what Python is given.
 #include <pybind11/pybind11.h>
 
-#include "apps/python/contact.hpp"
-#include "apps/python/files.hpp"
+#include "apps/python/model.hpp"
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/version.hpp"
@@ -15,15 +14,14 @@ PYBIND11_MODULE(_core, m) {
   m.attr("__version__") = gearwright::kVersion;
   py::register_exception<gearwright::IoError>(m, "FileError", PyExc_OSError);
   py::register_exception<gearwright::ContractViolation>(m, "ContractViolation", PyExc_RuntimeError);
-  bind_records(m);
+  m.attr("Record") = py::module_::import("gearwright._records").attr("Record");
   auto [gear, pair] = bind_gears(m);
-  auto contact = bind_contact(m, pair);
-  bind_under_load(m, pair);
+  auto contact = bind_answers(m, pair);
+  bind_mountings(m, pair);
   bind_sweep(pair);
   bind_files(gear, pair);
   bind_pictures(gear, pair, contact);
   bind_search(m);
   bind_closed_forms(m);
-  bind_answers(m);
-  bind_said(m);
+  bind_catalogue(m);
 }

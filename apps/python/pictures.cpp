@@ -4,11 +4,10 @@
 // the reader's preference, dark or light.
 #include <fmt/format.h>
 
-#include "apps/python/contact.hpp"
+#include "apps/python/model.hpp"
 #include "apps/python/watched.hpp"
 #include "gearwright/base/version.hpp"
 #include "gearwright/job/contact_report.hpp"
-#include "gearwright/job/judgement.hpp"
 #include "gearwright/job/load_report.hpp"
 #include "gearwright/report/contact_figures.hpp"
 #include "gearwright/report/gear_figures.hpp"
@@ -43,10 +42,6 @@ std::string definitions(const std::vector<const Gear*>& gears) {
                               "</defs></svg>\n";
 }
 
-std::string columns(const std::string& left, const std::string& right) {
-  return "<div class=\"columns\"><div>" + left + "</div><div>" + right + "</div></div>\n";
-}
-
 std::string verdict_line(const Verdict& v) {
   return fmt::format("<p class=\"verdict {}\"><b>{}</b> {}</p>\n", to_string(v.level),
                      to_string(v.level), escaped(v.headline));
@@ -54,9 +49,9 @@ std::string verdict_line(const Verdict& v) {
 
 std::string gear_html(const GearValue& g) {
   const Gear& gear = g.gear();
-  return framed(
-      fmt::format("Gear with {} teeth", gear.spec.teeth),
-      definitions({&gear}) + columns(gear_table({&gear}), tooth_figure(gear, kShapes[0], "Gear")));
+  return framed(fmt::format("Gear with {} teeth", gear.spec.teeth),
+                definitions({&gear}) + "<div class=\"columns\"><div>" + gear_table({&gear}) +
+                    "</div><div>" + tooth_figure(gear, kShapes[0], "Gear") + "</div></div>\n");
 }
 
 std::string pair_html(const PairValue& p) {
@@ -72,13 +67,8 @@ std::string pair_html(const PairValue& p) {
 
 // A part of the report, made while the interpreter may interrupt.
 template <class Part>
-std::optional<Part> part_of(SolvedJob& job,
-                            Result<std::optional<Part>> (*make)(SolvedJob&, Progress*)) {
-  std::optional<Result<std::optional<Part>>> part;
-  Watched watched;
-  watch(watched, [&] { part = make(job, &watched.progress); });
-  if (!*part) raise(spelled(part->error(), job.spec.given));
-  return std::move(*part).take();
+Part part_of(SolvedJob& job, Result<Part> (*make)(SolvedJob&, Progress*)) {
+  return watched_result(job.spec.given, [&](Progress* progress) { return make(job, progress); });
 }
 
 std::string contact_html(const ContactValue& c) {
@@ -107,7 +97,7 @@ std::string page_of(const Model& source, const std::vector<const Gear*>& gears, 
   if (part) input.contact = &part->report;
   if (load && load->report) input.load = &*load->report;
   input.verdict = judge(job, {.contact = part ? &part->answer.driving : nullptr});
-  input.spec_text = json_text(source.spec, 2);
+  input.spec_text = source.job.spec.text;
   input.version = kVersion;
   return report_html(input);
 }
@@ -116,13 +106,13 @@ std::string page_of(const Model& source, const std::vector<const Gear*>& gears, 
 
 void bind_pictures(py::class_<GearValue>& gear, py::class_<PairValue>& pair,
                    py::class_<ContactValue>& contact) {
+  const auto both = [](const Model& m) {
+    return std::vector<const Gear*>{&m.job.pair->gear(1), &m.job.pair->gear(2)};
+  };
   gear.def("_repr_html_", &gear_html)
       .def(
           "report", [](const GearValue& g) { return page_of(*g.model, {&g.gear()}, false); },
           "The program's report as one HTML page");
-  const auto both = [](const Model& m) {
-    return std::vector<const Gear*>{&m.job.pair->gear(1), &m.job.pair->gear(2)};
-  };
   pair.def("_repr_html_", &pair_html)
       .def(
           "report", [both](const PairValue& p) { return page_of(*p.model, both(*p.model), false); },

@@ -1,14 +1,14 @@
-// The design search and the inverse questions: fit, compensate.
+// The design search.
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <array>
 #include <mutex>
 #include <tuple>
 
 #include "apps/python/arrays.hpp"
 #include "apps/python/model.hpp"
-#include "apps/python/pickles.hpp"
 #include "apps/python/watched.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/version.hpp"
@@ -48,14 +48,8 @@ struct Found {
 };
 using FoundPtr = std::shared_ptr<const Found>;
 
-const char* word_of(SearchProgress::Stage stage) {
-  switch (stage) {
-    case SearchProgress::Stage::trials: return "candidates";
-    case SearchProgress::Stage::changes: return "what would help";
-    case SearchProgress::Stage::regions: return "regions";
-  }
-  return "";
-}
+// Words of SearchProgress::Stage, in its order.
+constexpr std::array kStages{"candidates", "what would help", "regions"};
 
 FoundPtr search(const py::object& given, const std::optional<long long>& top, int threads,
                 const py::object& progress, const py::object& out, bool resume, bool yes_large) {
@@ -82,13 +76,12 @@ FoundPtr search(const py::object& given, const std::optional<long long>& top, in
   const auto total = found->search->space().size();
   const auto tell = [&] {
     if (progress.is_none()) return;
-    SearchProgress now;
-    {
+    const SearchProgress now = [&] {
       const std::lock_guard lock(mutex);
-      now = latest;
-    }
+      return latest;
+    }();
     const bool trials = now.stage == SearchProgress::Stage::trials;
-    progress(word_of(now.stage), trials ? now.trials : now.done,
+    progress(kStages[static_cast<std::size_t>(now.stage)], trials ? now.trials : now.done,
              trials ? total.value_or(0) : now.of);
   };
   std::optional<Result<SearchRun>> run;
@@ -123,10 +116,10 @@ py::array to_numpy(const Found& found) {
   for (std::size_t c = 0; c < heads.size(); ++c) {
     const bool text = heads[c].type == ParquetType::text;
     const bool number = heads[c].type == ParquetType::float64 || heads[c].optional;
-    array.add_column(heads[c].name, text ? fmt::format("U{}", longest[c]) : number ? "f8" : "i8");
+    array.add(heads[c].name, text ? fmt::format("U{}", longest[c]) : number ? "f8" : "i8");
   }
   array.allocate(rows.size());
-  each_cell([&](std::size_t r, std::size_t c, const Value& v) { array.set(r, c, v); });
+  each_cell([&](std::size_t r, std::size_t c, const Value& v) { array.set(r, c, {&v}); });
   return array.take();
 }
 
@@ -160,53 +153,48 @@ py::dict counts_of(const Found& found) {
   return all;
 }
 
-// What a pickle keeps of a finished search: its spec, and what it found, which may have taken hours.
+// What a pickle keeps of a run, which may have taken hours, as it is; designs and changes are packed.
+template <class Run>
+auto plain_members(Run& run) {
+  auto& answer = run.answer;
+  auto& counts = answer.counts;
+  return std::tie(counts.tested, counts.feasible, counts.rejected, counts.points_tested,
+                  counts.points_feasible, answer.pareto, answer.cut, run.changes_left_out,
+                  run.notes);
+}
+using PlainMembers =
+    std::tuple<std::int64_t, std::int64_t, std::array<std::int64_t, kLimits>, std::int64_t,
+               std::int64_t, std::vector<std::size_t>, bool, std::string, std::vector<std::string>>;
+using Change = std::tuple<std::string, std::string, std::string, double>;
+
 py::tuple kept_search(const Found& found) {
   const SearchRun& run = found.run;
-  const SearchCounts& counts = run.answer.counts;
-  py::list changes;
-  for (const NearestChange& c : run.changes)
-    changes.append(py::make_tuple(c.field, c.from, c.to, c.effort));
+  const auto packed = [](const std::vector<DesignRow>& rows) {
+    return py::bytes(pack({rows, {}}));
+  };
+  std::vector<Change> changes;
+  for (const NearestChange& c : run.changes) changes.emplace_back(c.field, c.from, c.to, c.effort);
   const bool toml = found.text.format == SpecFormat::toml;
-  return py::make_tuple(py::make_tuple(found.text.text, toml, found.text.folder),
-                        py::make_tuple(counts.tested, counts.feasible, counts.rejected,
-                                       counts.points_tested, counts.points_feasible),
-                        py::bytes(pack({run.answer.designs, {}})), run.answer.pareto,
-                        run.answer.cut, changes,
-                        run.safest ? py::object(py::bytes(pack({{*run.safest}, {}}))) : py::none(),
-                        run.changes_left_out, run.notes);
+  return py::make_tuple(found.text.text, toml, found.text.folder, plain_members(run),
+                        packed(run.answer.designs), run.safest ? packed({*run.safest}) : packed({}),
+                        changes);
 }
 
 std::shared_ptr<Found> recalled_search(const py::tuple& state) {
-  const auto spec = state[0].cast<std::tuple<std::string, bool, fs::path>>();
+  const auto format = state[1].cast<bool>() ? SpecFormat::toml : SpecFormat::json;
   auto found = std::make_shared<Found>(
-      SpecText{"", std::get<0>(spec), std::get<1>(spec) ? SpecFormat::toml : SpecFormat::json,
-               std::get<2>(spec)});
+      SpecText{"", state[0].cast<std::string>(), format, state[2].cast<fs::path>()});
   SearchRun& run = found->run = begun(found->spec, *found->search);
   run.finished = true;
-  SearchCounts& counts = run.answer.counts;
-  std::tie(counts.tested, counts.feasible, counts.rejected, counts.points_tested,
-           counts.points_feasible) =
-      state[1]
-          .cast<std::tuple<std::int64_t, std::int64_t, std::array<std::int64_t, kLimits>,
-                           std::int64_t, std::int64_t>>();
-  const auto designs = [](const py::handle& bytes) {
-    return unpack(std::string(bytes.cast<py::bytes>()), "the pickle of a search").designs;
+  plain_members(run) = state[3].cast<PlainMembers>();
+  const auto designs = [&](int i) {
+    return unpack(state[i].cast<std::string>(), "the pickle of a search").designs;
   };
-  run.answer.designs = designs(state[2]);
-  run.answer.pareto = state[3].cast<std::vector<std::size_t>>();
-  run.answer.cut = state[4].cast<bool>();
-  for (const auto& [field, from, to, effort] :
-       state[5].cast<std::vector<std::tuple<std::string, std::string, std::string, double>>>())
+  run.answer.designs = designs(4);
+  for (const DesignRow& safest : designs(5)) run.safest = safest;
+  for (const auto& [field, from, to, effort] : state[6].cast<std::vector<Change>>())
     run.changes.push_back({field, from, to, effort});
-  if (!state[6].is_none()) run.safest = designs(state[6]).front();
-  run.changes_left_out = state[7].cast<std::string>();
-  run.notes = state[8].cast<std::vector<std::string>>();
   return found;
-}
-
-std::string report_of(const Found& found) {
-  return search_page(found.spec, *found.search, found.run);
 }
 
 }  // namespace
@@ -233,7 +221,9 @@ void bind_search(py::module_& m) {
           "as_dict",
           [](const Found& f) { return to_python(parse_json(search_json_text(*f.search, f.run))); },
           "What the program prints with --json")
-      .def("report", &report_of, "The page of the search, HTML")
+      .def(
+          "report", [](const Found& f) { return search_page(f.spec, *f.search, f.run); },
+          "The page of the search, HTML")
       .def("__repr__", [](const Found& f) {
         return fmt::format("Search({} designs of {} candidates)", f.run.answer.designs.size(),
                            f.run.answer.counts.tested);

@@ -1,16 +1,13 @@
 // One pair with columns of numbers in place of some of its own: a row of quantities for each.
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include <cmath>
 
 #include "apps/python/arrays.hpp"
-#include "apps/python/contact.hpp"
+#include "apps/python/model.hpp"
 #include "apps/python/watched.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/pair_keys.hpp"
-#include "gearwright/catalogue/pair_quantities.hpp"
 
 namespace gearwright::python {
 
@@ -28,14 +25,12 @@ struct Swept {
 };
 
 const Key& key_of(const KeyTable& table, const std::string& name, const std::string& path) {
-  for (const Key& key : table.keys)
-    if ((key.key == name || house_key(key) == name) && key.place && key.kind != KeyKind::word &&
-        key.kind != KeyKind::boolean && key.kind != KeyKind::text)
-      return key;
   std::vector<std::string> may;
-  for (const Key& key : table.keys)
-    if (key.place && (key.kind == KeyKind::number || key.kind == KeyKind::whole))
-      may.push_back(house_key(key));
+  for (const Key& key : table.keys) {
+    if (!key.place || (key.kind != KeyKind::number && key.kind != KeyKind::whole)) continue;
+    may.push_back(house_key(key));
+    if (key.key == name || may.back() == name) return key;
+  }
   raise(Error{path, "", fmt::format("cannot be swept over; these can: {}", fmt::join(may, ", "))});
 }
 
@@ -79,11 +74,9 @@ std::optional<Error> put(JobSpec& spec, const Swept& s, std::size_t row) {
   if (!std::isfinite(x)) return Error{s.path, fmt::format("{}", x), "must be a finite number"};
   if (s.key->range.limited() && !s.key->range.contains(x))
     return refused(s.path, x, s.key->range.sentence(x));
-  KeyValue value = x;
-  if (s.key->place.kind() == KeyKind::whole) {
-    if (x != std::round(x)) return refused(s.path, x, "must be a whole number");
-    value = static_cast<int>(x);
-  }
+  const bool whole = s.key->place.kind() == KeyKind::whole;
+  if (whole && x != std::round(x)) return refused(s.path, x, "must be a whole number");
+  const KeyValue value = whole ? KeyValue(static_cast<int>(x)) : KeyValue(x);
   if (s.gear == 0) {
     s.key->place.put(spec.pair, value);
   } else {
@@ -92,42 +85,34 @@ std::optional<Error> put(JobSpec& spec, const Swept& s, std::size_t row) {
   return std::nullopt;
 }
 
+// The pair with the numbers of a row.
+Result<SolvedJob> solved_row(JobSpec spec, const std::vector<Swept>& keys, std::size_t row) {
+  for (const Swept& s : keys)
+    if (auto error = put(spec, s, row)) return *error;
+  auto job = solve(spec, Scope::pair);
+  if (!job) return spelled(job.error(), spec.given);
+  return job;
+}
+
 py::array sweep(const PairValue& pair, int threads, const py::kwargs& kwargs) {
   threads_in_range(threads);
   const std::vector<Swept> keys = swept_keys(kwargs);
   const auto rows = static_cast<std::size_t>(keys.front().numbers.size());
-  StructuredArray array;
-  array.add_columns(pair_quantities().table());
-  array.add_column("error", "U80");
+  StructuredArray array(pair_quantities().table());
+  const std::size_t error = array.add("error", "U80");
   array.allocate(rows);
-  const JobSpec& given = pair.model->read;
-  const auto filled = [&](std::size_t r) {
-    JobSpec spec = given;
-    std::optional<Error> error;
-    for (const Swept& s : keys)
-      if (!error) error = put(spec, s, r);
-    if (!error) {
-      const auto job = solve(spec, Scope::pair);
-      if (job) return array.fill(r, pair_quantities(), *job->pair);
-      error = spelled(job.error(), spec.given);
-    }
-    array.nothing(r, error->message());
+  const auto refuse = [&](std::size_t r, const Value& why) {
+    array.fill(r, ValueRecord());
+    array.set(r, error, {&why});
   };
-  const auto row = [&](std::size_t r) {
+  watched_rows(rows, threads, [&](std::size_t r) {
     try {
-      filled(r);
+      const auto job = solved_row(*pair.model->job.given, keys, r);
+      if (job) return array.fill(r, pair_quantities().of(*job->pair));
+      refuse(r, job.error().message());
     } catch (const ContractViolation& e) {  // the other rows go on
-      array.nothing(r, e.what());
+      refuse(r, e.what());
     }
-  };
-  Watched watched;
-  watch(watched, [&] {
-    oneapi::tbb::task_arena arena(threads > 0 ? threads : oneapi::tbb::task_arena::automatic);
-    arena.execute([&] {
-      oneapi::tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t r) {
-        if (!watched.stop) row(r);
-      });
-    });
   });
   return array.take();
 }
@@ -135,13 +120,11 @@ py::array sweep(const PairValue& pair, int threads, const py::kwargs& kwargs) {
 }  // namespace
 
 void bind_sweep(py::class_<PairValue>& pair) {
-  pair.def(
-      "sweep", &sweep, py::arg("threads") = 0,
-      "The pair with arrays in place of some of its numbers: sweep(center_distance=distances), "
-      "sweep(gear1={\"profile_shift\": shifts}). A structured array, a row for each, a column for "
-      "each quantity "
-      "by key; where there is no such pair, NaN and the sentence in `error`. All cores, without "
-      "the GIL");
+  pair.def("sweep", &sweep, py::arg("threads") = 0,
+           "The pair with arrays in place of some of its numbers: "
+           "sweep(center_distance=distances), sweep(gear1={\"profile_shift\": shifts}). A "
+           "structured array, a row for each, a column for each quantity by key; where there is no "
+           "such pair, NaN and the sentence in `error`. All cores, without the GIL");
 }
 
 }  // namespace gearwright::python

@@ -5,70 +5,52 @@
 
 #include "apps/python/arrays.hpp"
 #include "apps/python/model.hpp"
-#include "apps/python/pickles.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/job/value_json.hpp"
 
 namespace gearwright::python {
 
 namespace {
 
-// A record of the catalogue: attributes by name, items by key.
-struct Record {
-  ValueRecord members;
+py::object type_of(const char* module, const char* name) {
+  return py::module_::import(module).attr(name);
+}
 
-  const Member* by_name(std::string_view name) const {
-    for (const Member& m : members)
-      if (name_of(*m.info) == name) return &m;
-    return nullptr;
-  }
-  const Member* by_key(std::string_view key) const {
-    for (const Member& m : members)
-      if (m.info->key == key) return &m;
-    return nullptr;
-  }
-};
+struct ToPython {
+  bool by_name;       // as an attribute: in mm and rad, lists as tuples, records as Records
+  double unit = 1.0;  // of the numbers of an attribute
 
-struct ByKey {
   py::object operator()(std::monostate) const { return py::none(); }
   py::object operator()(bool flag) const { return py::bool_(flag); }
   py::object operator()(long long whole) const { return py::int_(whole); }
   py::object operator()(double x) const {
-    return std::isfinite(x) ? py::object(py::float_(x)) : py::object(py::none());
+    if (!std::isfinite(x)) return py::none();
+    return py::float_(x * unit);
   }
   py::object operator()(const std::string& word) const { return py::str(word); }
   py::object operator()(const ValueList& list) const {
     py::list all;
-    for (const Value& v : list) all.append(by_key(v));
+    for (const Value& v : list) all.append(std::visit(*this, v.variant()));
+    if (by_name) return py::tuple(all);
     return all;
   }
   py::object operator()(const ValueRecord& record) const {
-    py::dict all;
-    for (const Member& m : record)
-      if (m.info->doors & kJson) all[py::str(m.info->key)] = by_key(m.value);
-    return all;
+    py::dict attributes, items;
+    py::list keys;
+    for (const Member& m : record) {
+      const py::str key(m.info->key);
+      const bool in_json = (m.info->doors & kJson) != 0;
+      if (in_json) keys.append(key);
+      if (in_json || by_name) items[key] = by_key(m.value);
+      if (by_name) attributes[py::str(name_of(*m.info))] = python::by_name(*m.info, m.value);
+    }
+    if (!by_name) return items;
+    return type_of("gearwright._records", "Record")(attributes, items, keys);
   }
   py::object operator()(const ValueMap& map) const {
     py::dict all;
     for (const auto& [name, value] : map) all[py::str(name)] = by_key(value);
     return all;
-  }
-};
-
-struct ByName {
-  double unit;
-
-  py::object operator()(double x) const {
-    return std::isfinite(x) ? py::object(py::float_(x * unit)) : py::object(py::none());
-  }
-  py::object operator()(const ValueList& list) const {
-    py::tuple all(list.size());
-    for (std::size_t i = 0; i < list.size(); ++i) all[i] = std::visit(*this, list[i].variant());
-    return all;
-  }
-  py::object operator()(const ValueRecord& record) const { return py::cast(Record{record}); }
-  template <class T>
-  py::object operator()(const T& other) const {
-    return ByKey()(other);
   }
 };
 
@@ -88,12 +70,9 @@ Json whole_of(py::handle value, const std::string& path) {
 
 // A time or an array of times, of which numpy's tolist() makes whole numbers where they are in ns.
 bool is_time(py::handle value) {
-  if (!py::isinstance<py::array>(value)) {
-    const py::object scalar = py::module_::import("numpy").attr("generic");
-    if (!py::isinstance(value, scalar)) return false;
-  }
-  const char kind = value.attr("dtype").cast<py::dtype>().kind();
-  return kind == 'm' || kind == 'M';
+  const py::object type = py::getattr(value, "dtype", py::none());
+  const std::string kind = py::str(py::getattr(type, "kind", py::none()));
+  return kind == "m" || kind == "M";
 }
 
 Json mapping_of(py::handle value, const std::string& path) {
@@ -142,41 +121,20 @@ std::string docstring(const QuantityInfo& info) {
   return text + ".";
 }
 
-py::object to_python(const Json& tree) {
-  switch (tree.type()) {
-    case Json::value_t::boolean: return py::bool_(tree.get<bool>());
-    case Json::value_t::number_integer:
-    case Json::value_t::number_unsigned: return py::int_(tree.get<long long>());
-    case Json::value_t::number_float: return ByKey()(tree.get<double>());
-    case Json::value_t::string: return py::str(tree.get_ref<const std::string&>());
-    case Json::value_t::array: {
-      py::list all;
-      for (const Json& j : tree) all.append(to_python(j));
-      return all;
-    }
-    case Json::value_t::object: {
-      py::dict all;
-      for (const auto& [key, j] : tree.items()) all[py::str(key)] = to_python(j);
-      return all;
-    }
-    case Json::value_t::null:
-    case Json::value_t::binary:
-    case Json::value_t::discarded: break;
-  }
-  return py::none();
-}
+py::object to_python(const Json& tree) { return by_key(to_value(tree)); }
 
-py::object by_key(const Value& value) { return std::visit(ByKey(), value.variant()); }
+py::object by_key(const Value& value) { return std::visit(ToPython{false}, value.variant()); }
 
 py::object by_name(const QuantityInfo& info, const Value& value) {
   const bool any_length = !info.list.empty() && info.list[0] == 0;
   if (info.type == Type::number && any_length && value.list())
-    return number_array(value, house_unit(info.unit));
-  return std::visit(ByName{house_unit(info.unit)}, value.variant());
+    return py::array(py::module_::import("numpy").attr("array")(
+        std::visit(ToPython{false, house_unit(info.unit)}, value.variant()), "f8"));
+  return std::visit(ToPython{true, house_unit(info.unit)}, value.variant());
 }
 
 py::object by_name(const Value& without_unit) {
-  return std::visit(ByName{1.0}, without_unit.variant());
+  return std::visit(ToPython{true}, without_unit.variant());
 }
 
 namespace {
@@ -250,7 +208,7 @@ int threads_in_range(int threads) {
 }
 
 void raise(const Error& error) {
-  const py::object type = py::module_::import("gearwright._errors").attr("SpecError");
+  const py::object type = type_of("gearwright._errors", "SpecError");
   PyErr_SetObject(type.ptr(), type(error.field, error.value, error.rule, error.message()).ptr());
   throw py::error_already_set();
 }
@@ -264,51 +222,6 @@ void raise_of_gear(Error error) {
   if (const std::size_t at = error.rule.find(table); at != std::string::npos)
     error.rule.replace(at, table.size(), "of a gear");
   raise(error);
-}
-
-void bind_records(py::module_& m) {
-  py::class_<Record> record(m, "Record",
-                            "Quantities of the catalogue: attributes in mm and rad, items by key");
-  bind_copies(
-      record, [](const Record& r) { return py::make_tuple(kept(r.members)); },
-      [](const py::tuple& state) { return Record{recalled(state[0])}; });
-  record
-      .def("__getattr__",
-           [](const Record& r, const std::string& name) {
-             const Member* member = r.by_name(name);
-             if (!member) throw py::attribute_error("there is no quantity " + name);
-             return by_name(*member->info, member->value);
-           })
-      .def("__getitem__",
-           [](const Record& r, const std::string& key) {
-             const Member* member = r.by_key(key);
-             if (!member) throw py::key_error(key);
-             return by_key(member->value);
-           })
-      .def("__contains__",
-           [](const Record& r, const std::string& key) { return r.by_key(key) != nullptr; })
-      .def("__dir__",
-           [](const Record& r) {
-             py::list names;
-             for (const char* own : {"as_dict", "keys"}) names.append(own);
-             for (const Member& member : r.members) names.append(name_of(*member.info));
-             return names;
-           })
-      .def("keys",
-           [](const Record& r) {
-             py::list keys;
-             for (const Member& member : r.members)
-               if (member.info->doors & kJson) keys.append(member.info->key);
-             return keys;
-           })
-      .def(
-          "as_dict", [](const Record& r) { return by_key(r.members); },
-          "By key, each in the unit that its key names: what JSON has")
-      .def("__eq__", [](const Record& a,
-                        const Record& b) { return by_key(a.members).equal(by_key(b.members)); })
-      .def("__repr__", [](const Record& r) {
-        return "Record(" + std::string(py::repr(by_key(r.members))) + ")";
-      });
 }
 
 }  // namespace gearwright::python

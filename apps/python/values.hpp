@@ -29,8 +29,8 @@ double house_unit(Unit unit);
 std::string docstring(const QuantityInfo& info);
 
 /// As JSON has it: null is None, lists are lists, records are dicts by key.
-py::object to_python(const Json& tree);
 py::object by_key(const Value& value);
+py::object to_python(const Json& tree);
 /// As an attribute: numbers in mm and rad, lists are tuples, records are Records.
 py::object by_name(const QuantityInfo& info, const Value& value);
 py::object by_name(const Value& without_unit);
@@ -58,6 +58,12 @@ T value_or_raise(Result<T> result) {
   return std::move(result).take();
 }
 
-void bind_records(py::module_& m);
+/// copy, deepcopy and pickle of a value that never changes: itself, and what `keep` and `make_again` make of it.
+template <class Type, class Keep, class MakeAgain>
+void bind_copies(Type& type, const Keep& keep, const MakeAgain& make_again) {
+  type.def("__copy__", [](const py::object& self) { return self; })
+      .def("__deepcopy__", [](const py::object& self, const py::dict&) { return self; })
+      .def(py::pickle(keep, make_again));
+}
 
 }  // namespace gearwright::python

@@ -8,21 +8,21 @@
 
 #include <atomic>
 #include <chrono>
-#include <condition_variable>
 #include <exception>
 #include <functional>
-#include <mutex>
-#include <thread>
+#include <future>
+#include <optional>
 
+#include "apps/python/values.hpp"
+#include "gearwright/base/parallel.hpp"
 #include "gearwright/base/progress.hpp"
+#include "gearwright/catalogue/spelling.hpp"
 
 namespace gearwright::python {
 
-namespace py = pybind11;
-
 constexpr std::chrono::milliseconds kLook{50};
 
-/// Told to stop, a work that counts its steps, or looks at `stop`, ends at the next one.
+/// A work that counts its steps, or looks at `stop`, ends at the next one after end().
 struct Watched {
   std::atomic<bool> stop{false};
   Progress progress;
@@ -33,47 +33,51 @@ struct Watched {
   }
 };
 
-/// Runs it to its end and hands on what it throws. On Ctrl-C, and when `look` raises, it is told to stop, and the
-/// exception is raised once it has.
+/// Runs it to its end and hands on what it throws. On Ctrl-C, and when `look` raises, the work is ended, and then the
+/// exception is raised.
 inline void watch(Watched& watched, const std::function<void()>& work,
                   const std::function<void()>& look = {}) {
-  std::exception_ptr failed, raised;
-  std::mutex mutex;
-  std::condition_variable ended;
-  bool done = false;
+  std::exception_ptr raised;
+  std::future<void> ended;
   {
     const py::gil_scoped_release free;
-    std::thread thread([&] {
-      try {
-        work();
-      } catch (...) {
-        failed = std::current_exception();
-      }
-      const std::lock_guard lock(mutex);
-      done = true;
-      ended.notify_one();
-    });
-    std::unique_lock lock(mutex);
-    while (!ended.wait_for(lock, kLook, [&] { return done; })) {
+    ended = std::async(std::launch::async, work);
+    while (ended.wait_for(kLook) != std::future_status::ready) {
       if (raised) continue;
-      lock.unlock();
-      {
-        const py::gil_scoped_acquire hold;
-        try {
-          if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-          if (look) look();
-        } catch (...) {
-          raised = std::current_exception();
-          watched.end();
-        }
+      const py::gil_scoped_acquire hold;
+      try {
+        if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+        if (look) look();
+      } catch (...) {
+        raised = std::current_exception();
+        watched.end();
       }
-      lock.lock();
     }
-    lock.unlock();
-    thread.join();
   }
   if (raised) std::rethrow_exception(raised);
-  if (failed) std::rethrow_exception(failed);
+  ended.get();
+}
+
+/// What the work, work(progress), finds.   Throws  SpecError in the keys of the spec
+template <class Work>
+auto watched_result(const GivenKeys& given, const Work& work) {
+  std::optional<decltype(work(static_cast<Progress*>(nullptr)))> found;
+  Watched watched;
+  watch(watched, [&] { found = work(&watched.progress); });
+  if (!*found) raise(spelled(found->error(), given));
+  return std::move(*found).take();
+}
+
+/// row(0) … row(n − 1) from so many threads; 0: as many as the machine has.
+template <class Row>
+void watched_rows(std::size_t n, int threads, const Row& row) {
+  Watched watched;
+  watch(watched, [&] {
+    const auto unless_stopped = [&](std::size_t r) {
+      if (!watched.stop) row(r);
+    };
+    parallel_for(n, unless_stopped, threads);
+  });
 }
 
 }  // namespace gearwright::python

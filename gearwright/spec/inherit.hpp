@@ -1,7 +1,7 @@
 // What gear 2 has from gear 1 when its table leaves it out: module, pressure angle, rack, material,
 // quality and the angle of the helix, of the opposite hand; an internal gear has the same hand.
 //
-// Internal to spec/.
+// Internal to spec/ and the programs.
 #pragma once
 
 #include <nlohmann/json.hpp>

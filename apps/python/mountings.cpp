@@ -1,16 +1,15 @@
-// The contact of a pair: its quantities as attributes, its positions as arrays, many mountings at once.
-#include "apps/python/contact.hpp"
-
+// A pair under errors of its mounting: one as a table or a row, many as an array.
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <cmath>
 
 #include "apps/python/arrays.hpp"
-#include "gearwright/catalogue/contact_quantities.hpp"
+#include "apps/python/model.hpp"
+#include "apps/python/watched.hpp"
+#include "gearwright/catalogue/contact_keys.hpp"
+#include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/catalogue/modification_keys.hpp"
-#include "gearwright/contact/contact_setup.hpp"
-#include "gearwright/job/contact_text.hpp"
+#include "gearwright/job/job_contact.hpp"
 
 namespace gearwright::python {
 
@@ -37,23 +36,6 @@ Json errors_tree(const py::object& errors) {
   if (PyMapping_Check(errors.ptr()) && py::hasattr(errors, "keys"))
     return with_keys(tree_of(errors, "errors"), {&error_keys()}, "errors");
   return errors_of_row(errors);
-}
-
-ContactValue contact_of(const PairValue& pair, const py::object& errors,
-                        const py::object& modifications, const py::kwargs& kwargs) {
-  return answered<ContactValue>(
-      asked_model(pair, errors, modifications, contact_keys(), "contact", kwargs),
-      [](SolvedJob& job, Progress* progress) { return answer_contact(job, progress); },
-      contact_record);
-}
-
-py::array positions_of(const ContactValue& c) {
-  const auto& points = c.answer->driving.positions;
-  StructuredArray array;
-  array.add_columns(position_quantities().table());
-  array.allocate(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) array.fill(i, position_quantities(), points[i]);
-  return array.take();
 }
 
 // What a pair's errors may be, checked row by row: finite, and within the ranges of their keys.
@@ -92,43 +74,24 @@ py::array_t<double> transmission_errors(const PairValue& pair, const py::object&
   threads_in_range(threads);
   const ModelPtr model =
       asked_model(pair, py::none(), modifications, contact_keys(), "contact", {});
-  const ContactSetup setup = [&] {
-    auto made = setup_of(model->job);
-    if (!made) raise(made.error(), *model);
-    return std::move(made).take();
-  }();
+  const auto made = setup_of(model->job);
+  if (!made) raise(made.error(), *model);
+  const ContactSetup& setup = *made;
   check_rows(rows, setup);
   const auto n = static_cast<std::size_t>(rows.shape(0));
   const auto columns = static_cast<std::size_t>(rows.shape(1));
   std::vector<double> te(n * static_cast<std::size_t>(positions));
   const double* const given = rows.data();
   const bool gear2_drives = model->job.spec.contact.driver == 2;
-  const auto row = [&](std::size_t r) {
+  watched_rows(n, threads, [&](std::size_t r) {
     ContactErrors e = setup.place().errors;
     for (std::size_t i = 0; i < columns; ++i)
       e = with_error(setup, e, i, given[r * columns + i] / error_entries()[i].si());
     const auto curve = transmission_error(setup.pair(e, gear2_drives), positions);
     std::copy(curve.begin(), curve.end(),
               te.begin() + static_cast<std::ptrdiff_t>(r * curve.size()));
-  };
-  Watched watched;
-  watch(watched, [&] {
-    oneapi::tbb::task_arena arena(threads > 0 ? threads : oneapi::tbb::task_arena::automatic);
-    arena.execute([&] {
-      oneapi::tbb::parallel_for(std::size_t{0}, n, [&](std::size_t r) {
-        if (!watched.stop) row(r);
-      });
-    });
   });
   return array_of(std::move(te), {static_cast<py::ssize_t>(n), positions});
-}
-
-// A column of the positions in mm and rad.
-py::object column(const ContactValue& c, const QuantityInfo& info) {
-  const py::array all = positions_of(c);
-  const py::object one = all.attr("__getitem__")(info.key);
-  const double unit = house_unit(info.unit);
-  return unit == 1.0 ? one : one.attr("__mul__")(unit);
 }
 
 }  // namespace
@@ -154,46 +117,15 @@ ModelPtr asked_model(const PairValue& pair, const py::object& errors,
   return make_model(std::move(spec), pair.model->folder, Scope::pair);
 }
 
-py::class_<ContactValue> bind_contact(py::module_& m, py::class_<PairValue>& pair) {
-  py::class_<ContactValue> contact(m, "Contact",
-                                   "How a pair touches under its errors, turned through a pitch");
-  contact
-      .def_property_readonly(
-          "positions", &positions_of,
-          "A structured array, a row for each position, a column for each quantity by key")
-      .def("__repr__", [](const ContactValue& c) {
-        return fmt::format("Contact({} positions, peak_to_peak_arcsec={:.4g})",
-                           c.answer->driving.positions.size(),
-                           c.answer->driving.peak_to_peak.arcsec());
-      });
-  bind_answer<ContactValue>(
-      contact, contact_quantities().table(),
-      [](const PairValue& p) { return contact_of(p, py::none(), py::none(), {}); }, "positions");
-  for (const Quantity<ContactPoint>& q : position_quantities().list()) {
-    if (q.info.of) continue;
-    contact.def_property_readonly(
-        name_of(q.info).c_str(),
-        [&info = q.info](const ContactValue& c) { return column(c, info); },
-        (docstring(q.info) + " At each position.").c_str());
-  }
-  pair.def("contact", &contact_of, py::arg("errors") = py::none(),
-           py::arg("modifications") = py::none(),
-           "Turns the pair under errors and says where it touches. errors: keys of [errors], or a "
-           "row of "
-           "transmission_error; modifications: {\"gear1\": {…}, \"gear2\": {…}}; and keys of "
-           "[contact]: "
-           "positions=64, driver, pattern, … What is not given is as in the pair's spec")
-      .def("transmission_error", &transmission_errors, py::arg("errors"), py::arg("positions") = 64,
+void bind_mountings(py::module_& m, py::class_<PairValue>& pair) {
+  pair.def("transmission_error", &transmission_errors, py::arg("errors"), py::arg("positions") = 64,
            py::arg("modifications") = py::none(), py::arg("threads") = 0,
            "Transmission error in rad, (n, positions), over one pitch from half a pitch before the "
-           "centre line "
-           "on, of n mountings: errors has the columns of gearwright.ERRORS, mm and rad, the first "
-           "6 or all 8. "
-           "NaN where contact is lost. All cores, without the GIL");
+           "centre line on, of n mountings: errors has the columns of gearwright.ERRORS, mm and "
+           "rad, the first 6 or all 8. NaN where contact is lost. All cores, without the GIL");
   py::list names;
   for (const ErrorEntry& e : error_entries()) names.append(std::string(e.name()));
   m.attr("ERRORS") = py::tuple(names);
-  return contact;
 }
 
 }  // namespace gearwright::python

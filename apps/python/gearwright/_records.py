@@ -1,0 +1,53 @@
+"""Quantities of the catalogue as values: what an attribute of a gear, a pair or an answer is where it is no plain one."""
+
+from __future__ import annotations
+
+import copy
+from typing import Any
+
+
+class Record:
+    """Quantities of the catalogue: attributes in mm and rad, items by key"""
+
+    __slots__ = ("_attributes", "_items", "_keys")
+
+    def __init__(self, attributes: dict[str, Any], items: dict[str, Any], keys: list[str]) -> None:
+        self._attributes = attributes
+        self._items = items
+        self._keys = keys  # those that JSON has
+
+    def __getattr__(self, name: str) -> Any:
+        if name in self._attributes:
+            return self._attributes[name]
+        raise AttributeError(f"there is no quantity {name}")
+
+    def __getitem__(self, key: str) -> Any:
+        return copy.deepcopy(self._items[key])
+
+    def __contains__(self, key: str) -> bool:
+        return key in self._items
+
+    def __dir__(self) -> list[str]:
+        return ["as_dict", "keys", *self._attributes]
+
+    def keys(self) -> list[str]:
+        return list(self._keys)
+
+    def as_dict(self) -> dict[str, Any]:
+        """By key, each in the unit that its key names: what JSON has"""
+        return {key: self[key] for key in self._keys}
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Record) and self.as_dict() == other.as_dict()
+
+    def __repr__(self) -> str:
+        return f"Record({self.as_dict()!r})"
+
+    def __copy__(self) -> Record:
+        return self
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Record:
+        return self
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Record, (self._attributes, self._items, self._keys)
