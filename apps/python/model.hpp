@@ -26,7 +26,7 @@ struct Model {
   std::filesystem::path folder;  ///< where file names in it start
   SolvedJob job;
 
-  const GivenKeys& given() const { return job.given->given; }
+  const GivenKeys& given() const { return job.spec.given; }
 };
 using ModelPtr = std::shared_ptr<const Model>;
 

@@ -107,7 +107,7 @@ py::array sweep(const PairValue& pair, int threads, const py::kwargs& kwargs) {
   };
   watched_rows(rows, threads, [&](std::size_t r) {
     try {
-      const auto job = solved_row(*pair.model->job.given, keys, r);
+      const auto job = solved_row(pair.model->job.spec, keys, r);
       if (job) return array.fill(r, pair_quantities().of(*job->pair));
       refuse(r, job.error().message());
     } catch (const ContractViolation& e) {  // the other rows go on

@@ -60,7 +60,7 @@ std::string contact_figure(const ArcPair& pair, std::size_t which,
           "<strong>Contact on the convex flank of gear {}</strong>, section z = {} mm, gear 1 "
           "driving clockwise. {} {} Tip circles full, working pitch circles dash-dot, root "
           "circles dashed. The point runs along the face, parallel to the axes.",
-          contact.convex_gear, fixed(at.z(), kLengthDigits), gear_keys(),
+          contact.convex_gear, fixed(at.z(), kLengthDigits), caption_of_gears(),
           caption_key("action", "common normal")));
 }
 

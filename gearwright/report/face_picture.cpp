@@ -159,7 +159,7 @@ std::string face_width_figure(const InvolutePair& pair) {
           "<strong>Face widths</strong> that the lines of action ask for, free of backlash: "
           "full for one flank ({}), dashed for both flanks about the common perpendicular "
           "({}). {}{}{}",
-          symbol_html("f"), symbol_html("f′"), gear_keys(),
+          symbol_html("f"), symbol_html("f′"), caption_of_gears(),
           pair.flanks_meet() ? " Dots: as mounted." : "",
           pair.contact_ratio_range ? " Shaded: the contact ratio is at least 1." : ""));
 }

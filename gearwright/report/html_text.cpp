@@ -120,7 +120,9 @@ std::string caption_key(std::string_view swatch, std::string_view words) {
   return fmt::format("<span class=\"key\"><i class=\"swatch {}\"></i>{}</span>", swatch, words);
 }
 
-std::string gear_keys() { return caption_key("g1", "gear 1") + " " + caption_key("g2", "gear 2"); }
+std::string caption_of_gears() {
+  return caption_key("g1", "gear 1") + " " + caption_key("g2", "gear 2");
+}
 
 std::string in_columns(std::string_view left, std::string_view right) {
   return fmt::format("<div class=\"columns\"><div>{}</div><div>{}</div></div>\n", left, right);

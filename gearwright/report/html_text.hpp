@@ -48,7 +48,7 @@ std::string side_by_side(std::string_view figures);
 std::string caption_key(std::string_view swatch, std::string_view words);
 
 /// The keys of gear 1 and gear 2.
-std::string gear_keys();
+std::string caption_of_gears();
 
 /// Two columns.
 std::string in_columns(std::string_view left, std::string_view right);

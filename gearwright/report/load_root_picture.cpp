@@ -100,7 +100,7 @@ std::string face_figure(const LoadReport& report) {
                   "Over the face: the greatest stress along the fillet, of both gears.",
                   "root stress, N/mm²", "along the face from its middle, mm"},
                  curves, true),
-      "<strong>Over the face</strong>: the greatest along the fillet. " + gear_keys());
+      "<strong>Over the face</strong>: the greatest along the fillet. " + caption_of_gears());
 }
 
 }  // namespace

@@ -242,7 +242,7 @@ std::string mesh_figures(const InvolutePair& pair, const std::array<std::string,
       "class=\"key turn-key\" hidden><i class=\"swatch touch\"></i>flanks touch, once "
       "turned</span> "
       "Tip circles full, pitch circles dash-dot, base circles dashed; T: base tangent points.{}",
-      gear_keys(), caption_key("action", "path of contact A–E"), ring);
+      caption_of_gears(), caption_key("action", "path of contact A–E"), ring);
   const std::string whole = fmt::format(
       "<strong>The whole pair</strong>, centre distance {} mm; the frame is the picture of the "
       "mesh.",
