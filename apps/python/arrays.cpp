@@ -34,7 +34,7 @@ std::optional<Numbers> real_numbers(py::handle value) {
 }
 
 StructuredArray::StructuredArray(const QuantityTable& table) {
-  for (const Column& c : columns_of(table)) {
+  for (const RecordColumn& c : columns_of(table)) {
     const QuantityInfo& info = c.info();
     if (info.of || info.type == Type::map || info.type == Type::text || c.width() == 0) continue;
     std::string format = "f8";

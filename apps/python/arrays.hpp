@@ -63,7 +63,7 @@ class StructuredArray {
     std::string format;
     std::size_t offset, count, bytes;
   };
-  std::vector<Column> columns_;
+  std::vector<RecordColumn> columns_;
   std::vector<Field> fields_;
   py::list types_;
   py::array array_;

@@ -113,7 +113,7 @@ std::optional<Error> check_hands(const GivenPair& given) {
   const std::string opposite =
       given.gears[1]->hand_given ? fmt::format("`gear2.hand` = \"{}\"", b2 > 0.0 ? "left" : "right")
                                  : fmt::format("`gear2.helix_angle` = {}", format_number(-b2));
-  return refused("gear2.helix_angle", b2,
+  return refused(gear_field(2, "helix_angle"), b2,
                  fmt::format("is of the hand of gear 1. On parallel shafts the hands are opposite, "
                              "{}; if the shafts are to cross, say so: `pair.shaft_angle` = {}",
                              opposite, format_number(2 * b2)));

@@ -41,8 +41,7 @@ Result<Material> material_of(const MaterialInput& given, const std::string& owne
         "",
         "is missing; a rating needs the material's strength: name = \"16MnCr5\" for example, "
         "of the shipped table, or `material.kind`, `material.sigma_Hlim` and "
-        "`material.sigma_Flim`. Without "
-        "[gear2.material] that of gear 1 holds for both"};
+        "`material.sigma_Flim`. Without a material of gear 2 that of gear 1 holds for both"};
   }
   const bool plastic = m.kind == MaterialKind::plastic;
   const bool by_temperature =

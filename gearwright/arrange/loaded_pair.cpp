@@ -82,7 +82,7 @@ std::optional<Error> not_for_points(const LoadInput& input) {
     if (value != 0.0)
       return refused(field, value,
                      "is for teeth that touch along lines; these touch at points, which "
-                     "`[errors]` of mounting move");
+                     "errors of mounting move");
   return std::nullopt;
 }
 
@@ -297,8 +297,8 @@ Warning edge_carries_at(double torque) {
 }
 
 bool not_made_for_load(const Error& error) {
-  constexpr std::array<std::string_view, 3> kOfTheKind{"gear1.teeth", "gear2.teeth",
-                                                       "gear2.cut_by"};
+  const std::array<std::string, 3> kOfTheKind{gear_field(1, "teeth"), gear_field(2, "teeth"),
+                                              gear_field(2, "cut_by")};
   return std::find(kOfTheKind.begin(), kOfTheKind.end(), error.field) != kOfTheKind.end();
 }
 

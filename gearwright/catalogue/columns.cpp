@@ -8,9 +8,9 @@ namespace gearwright {
 
 namespace {
 
-void add(const QuantityTable& table, const Column& around, std::vector<Column>& all) {
+void add(const QuantityTable& table, const RecordColumn& around, std::vector<RecordColumn>& all) {
   for (const QuantityInfo* info : table.list) {
-    Column column = around;
+    RecordColumn column = around;
     column.path.push_back(info);
     column.optional = around.optional || !info->always || info->optional_key;
     all.push_back(column);
@@ -27,7 +27,7 @@ void add(const QuantityTable& table, std::vector<const QuantityTable*>& all) {
 
 }  // namespace
 
-std::string Column::name(std::string_view between) const {
+std::string RecordColumn::name(std::string_view between) const {
   std::string name;
   for (const QuantityInfo* info : path) {
     if (!name.empty()) name += between;
@@ -36,18 +36,18 @@ std::string Column::name(std::string_view between) const {
   return name;
 }
 
-bool Column::has(Doors door) const {
+bool RecordColumn::has(Doors door) const {
   return std::all_of(path.begin(), path.end(),
                      [&](const QuantityInfo* info) { return (info->doors & door) != 0; });
 }
 
-std::size_t Column::width() const {
+std::size_t RecordColumn::width() const {
   std::size_t width = 1;
   for (const int length : info().list) width *= static_cast<std::size_t>(length);
   return width;
 }
 
-const Value* Column::in(const ValueRecord& row) const {
+const Value* RecordColumn::in(const ValueRecord& row) const {
   const ValueRecord* record = &row;
   const Value* value = nullptr;
   for (const QuantityInfo* info : path) {
@@ -57,7 +57,7 @@ const Value* Column::in(const ValueRecord& row) const {
   return value;
 }
 
-std::vector<const Value*> Column::values(const ValueRecord& row) const {
+std::vector<const Value*> RecordColumn::values(const ValueRecord& row) const {
   GW_EXPECTS(width() > 0);
   static const Value kNothing;
   const Value* const value = in(row);
@@ -74,8 +74,8 @@ std::vector<const Value*> Column::values(const ValueRecord& row) const {
   return all;
 }
 
-std::vector<Column> columns_of(const QuantityTable& table) {
-  std::vector<Column> all;
+std::vector<RecordColumn> columns_of(const QuantityTable& table) {
+  std::vector<RecordColumn> all;
   add(table, {}, all);
   return all;
 }

@@ -15,7 +15,7 @@
 
 namespace gearwright {
 
-struct Column {
+struct RecordColumn {
   std::vector<const QuantityInfo*> path;  ///< from the row's own quantity to that of the column
   bool optional = false;                  ///< a row may lack it, or have no value for it
 
@@ -36,7 +36,7 @@ struct Column {
 };
 
 /// In the table's order.
-std::vector<Column> columns_of(const QuantityTable& table);
+std::vector<RecordColumn> columns_of(const QuantityTable& table);
 
 /// The quantity's value in a record of its table; null: the record lacks it.
 const Value* value_in(const ValueRecord& record, const QuantityInfo& info);

@@ -21,15 +21,15 @@ ContactPoint point() {
   return p;
 }
 
-const Column& named(const std::vector<Column>& columns, const std::string& name) {
+const RecordColumn& named(const std::vector<RecordColumn>& columns, const std::string& name) {
   return *std::find_if(columns.begin(), columns.end(),
-                       [&](const Column& c) { return c.name(".") == name; });
+                       [&](const RecordColumn& c) { return c.name(".") == name; });
 }
 
 TEST(Columns, ARecordComesBeforeItsOwnColumns) {
   const auto columns = columns_of(position_quantities().table());
   const auto record = std::find_if(columns.begin(), columns.end(),
-                                   [](const Column& c) { return c.name(".") == "ellipse"; });
+                                   [](const RecordColumn& c) { return c.name(".") == "ellipse"; });
   ASSERT_NE(record, columns.end());
   EXPECT_TRUE(record->opened());
   EXPECT_EQ(record[1].name("_"), "ellipse_semi_major_mm");
@@ -44,9 +44,9 @@ TEST(Columns, ValuesAreAsManyAsTheWidth) {
   EXPECT_EQ(named(columns, "rotation1_deg").values(row).front()->number(), point().rotation1.deg());
   EXPECT_EQ(named(columns, "ellipse.semi_minor_mm").in(row)->number(), 0.25);
   EXPECT_EQ(named(columns, "ridge.gear").in(row), nullptr) << "the record has no ridge";
-  const Column& line = named(columns, "line_mm");
+  const RecordColumn& line = named(columns, "line_mm");
   EXPECT_EQ(line.width(), 6u);
-  for (const Column& c : columns) {
+  for (const RecordColumn& c : columns) {
     if (c.width() == 0) continue;
     const auto values = c.values(row);
     EXPECT_EQ(values.size(), c.width()) << c.name(".");

@@ -38,7 +38,7 @@ using Rows = std::vector<const ValueRecord*>;  // null: a row has no such record
 // Calls f(column, cells) for the columns of a table that JSON has, too, and that one of the rows has.
 template <class F>
 void each_column(const QuantityTable& table, const Rows& rows, const F& f) {
-  for (const Column& column : columns_of(table)) {
+  for (const RecordColumn& column : columns_of(table)) {
     bool there = false;
     Cells cells;
     for (const ValueRecord* row : rows) {
@@ -78,7 +78,7 @@ void add_rows(const QuantityInfo& info, const std::string& path, const Cells& ce
 // Records side by side, those of the gears, or one of the pair.
 void add_records(const std::string& path, const QuantityTable& table, const Rows& records,
                  std::string& out) {
-  each_column(table, records, [&](const Column& column, const Cells& cells) {
+  each_column(table, records, [&](const RecordColumn& column, const Cells& cells) {
     add_rows(column.info(), path + "." + column.name("."), cells, out);
   });
 }
@@ -106,7 +106,7 @@ void add_columns(const std::string& name, const QuantityInfo& info, const Cells&
     add_columns(fmt::format("{}.{}", name, i + 1), info, items, all);
   }
   if (info.of) {
-    each_column(info.of(), records, [&](const Column& column, const Cells& inner) {
+    each_column(info.of(), records, [&](const RecordColumn& column, const Cells& inner) {
       add_columns(name + "." + column.name("."), column.info(), inner, all);
     });
   } else if (longest == 0 && !std::all_of(cells.begin(), cells.end(),
@@ -120,7 +120,7 @@ std::string records_csv(const QuantityTable& table, const ValueList& records) {
   Rows rows;
   for (const Value& v : records) rows.push_back(v.record());
   std::vector<CsvColumn> columns;
-  each_column(table, rows, [&](const Column& column, const Cells& cells) {
+  each_column(table, rows, [&](const RecordColumn& column, const Cells& cells) {
     add_columns(column.name("."), column.info(), cells, columns);
   });
   std::vector<std::string> line;

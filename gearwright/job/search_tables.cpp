@@ -2,7 +2,7 @@
 
 namespace gearwright {
 
-void add_heads(const Column& column, std::vector<ParquetColumn>& heads) {
+void add_heads(const RecordColumn& column, std::vector<ParquetColumn>& heads) {
   const QuantityInfo& info = column.info();
   const ParquetType type = info.type == Type::index ? ParquetType::int64
                            : info.type == Type::whole || info.type == Type::flag

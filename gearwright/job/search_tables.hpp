@@ -18,7 +18,7 @@
 namespace gearwright {
 
 /// Adds the heads of a column: one, or one for each gear or end.
-void add_heads(const Column& column, std::vector<ParquetColumn>& heads);
+void add_heads(const RecordColumn& column, std::vector<ParquetColumn>& heads);
 
 template <class S>
 class TableColumns {
@@ -26,11 +26,11 @@ class TableColumns {
   /// Without the quantities of these keys.
   explicit TableColumns(const Quantities<S>& quantities,
                         std::initializer_list<std::string_view> without = {}) {
-    const std::vector<Column> all = columns_of(quantities.table());
+    const std::vector<RecordColumn> all = columns_of(quantities.table());
     for (const Quantity<S>& q : quantities.list()) {
       if (std::find(without.begin(), without.end(), q.info.key) != without.end()) continue;
       Source source{&q, {}};
-      for (const Column& column : all) {
+      for (const RecordColumn& column : all) {
         if (column.path.front() != &q.info || column.info().column.empty()) continue;
         source.columns.push_back(column);
         add_heads(column, heads_);
@@ -47,7 +47,7 @@ class TableColumns {
     std::size_t at = 0;
     for (const Source& source : sources_) {
       const ValueRecord record{{&source.quantity->info, source.quantity->get(subject)}};
-      for (const Column& column : source.columns)
+      for (const RecordColumn& column : source.columns)
         for (const Value* value : column.values(record)) cell(at++, *value);
     }
   }
@@ -55,7 +55,7 @@ class TableColumns {
  private:
   struct Source {
     const Quantity<S>* quantity;
-    std::vector<Column> columns;  ///< of it, or of its record
+    std::vector<RecordColumn> columns;  ///< of it, or of its record
   };
   std::vector<Source> sources_;
   std::vector<ParquetColumn> heads_;

@@ -82,7 +82,7 @@ void append_circles(Json& circles, const ValueRecord& record, std::size_t gear) 
   }
 }
 
-Json row(const Eigen::Isometry3d& x) { return web::row(Numbers(x.data(), x.data() + 16)); }
+Json pose_row(const Eigen::Isometry3d& x) { return web::row(Numbers(x.data(), x.data() + 16)); }
 
 std::string kind_name(PairKind kind) {
   switch (kind) {
@@ -205,7 +205,7 @@ Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
     if (gear != 1) return Error{"gear2", "", "is missing: there is no pair"};
     const Eigen::Isometry3d x(
         Eigen::AngleAxisd(-Angle::degrees(rotation1_deg).rad(), Vec3::UnitZ()));
-    return row(x);
+    return pose_row(x);
   }
   const Pair& pair = *job_.pair;
   const bool internal = pair.kind() == PairKind::parallel_internal;
@@ -227,7 +227,7 @@ Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
       }
       x = errors * x;
     }
-    return row(x);
+    return pose_row(x);
   }
   Angle rotation2 = std::abs(1.0 / pair.gear_ratio()) * rotation1;
   if (contact) {
@@ -237,7 +237,7 @@ Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
     x.translation().x() += contact->place().errors.center_distance;
   }
   x = x * Eigen::AngleAxisd((internal ? -1.0 : 1.0) * rotation2.rad(), Vec3::UnitZ());
-  return row(x);
+  return pose_row(x);
 }
 
 }  // namespace gearwright::web

@@ -25,7 +25,7 @@ bool is_number(const QuantityInfo& info) {
 // One column for each of the table that has a fixed width, of numbers or of words.
 void add_columns(const QuantityTable& table, const std::vector<ValueRecord>& rows,
                  ContactCurve& curve) {
-  for (const Column& column : columns_of(table)) {
+  for (const RecordColumn& column : columns_of(table)) {
     const bool words = column.info().type == Type::word;
     if (column.width() == 0 || (!words && !is_number(column.info()))) continue;
     Numbers numbers;
