@@ -16,6 +16,7 @@
 #include "gearwright/job/search_answer.hpp"
 #include "gearwright/job/search_job.hpp"
 #include "gearwright/job/search_record.hpp"
+#include "gearwright/job/search_refusal.hpp"
 #include "gearwright/job/search_tables.hpp"
 
 namespace gearwright::python {
@@ -27,10 +28,7 @@ namespace fs = std::filesystem;
 // A finished search; designs best first.
 struct Found {
   explicit Found(SpecText given) : text(std::move(given)), spec(value_or_raise(read_spec(text))) {
-    if (!spec.search)
-      raise(Error{"search", "",
-                  "is missing; a search needs a table search with at least ratio, modules_mm and "
-                  "pinion_teeth"});
+    if (!spec.search) raise(no_search());
     search = std::make_shared<const Search>(*spec.search);
   }
 
