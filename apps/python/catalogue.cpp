@@ -2,17 +2,8 @@
 #include <array>
 
 #include "apps/python/model.hpp"
-#include "gearwright/catalogue/columns.hpp"
-#include "gearwright/catalogue/compensate_quantities.hpp"
-#include "gearwright/catalogue/contact_quantities.hpp"
-#include "gearwright/catalogue/fit_quantities.hpp"
-#include "gearwright/catalogue/gear_quantities.hpp"
-#include "gearwright/catalogue/load_quantities.hpp"
-#include "gearwright/catalogue/pair_quantities.hpp"
-#include "gearwright/catalogue/rating_quantities.hpp"
-#include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
-#include "gearwright/catalogue/verdict_quantities.hpp"
+#include "gearwright/job/result_schema.hpp"
 
 namespace gearwright::python {
 
@@ -57,14 +48,8 @@ py::list keys_of(const KeyTable& table) {
 void bind_catalogue(py::module_& m) {
   m.def("_catalogue", [] {
     py::dict all;
-    // The tables that attributes and records come from.
-    for (const QuantityTable* table : with_inner_tables(
-             {&gear_quantities().table(), &pair_quantities().table(), &contact_quantities().table(),
-              &compensate_quantities().table(), &fit_quantities().table(),
-              &search_quantities().table(), &design_quantities().table(),
-              &rating_quantities().table(), &load_quantities().table(),
-              &verdict_quantities().table(), &warning_quantities().table()}))
-      all[py::str(table->name)] = quantity_list(*table);
+    for (const QuantityTable* table : result_tables())
+      if (!all.contains(table->name)) all[py::str(table->name)] = quantity_list(*table);
     return all;
   });
   m.def("_keys", [] {

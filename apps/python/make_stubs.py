@@ -20,21 +20,21 @@ def class_of(table):
     return "_" + "".join(word[0].upper() + word[1:] for word in words)
 
 
-def type_of(said):
-    if said["type"] == "column":
+def type_of(entry):
+    if entry["type"] == "column":
         return "Array"
-    if said["type"] == "number" and said["list"][:1] == [0]:
-        return "Array" if said["always"] else "Array | None"
-    inner = class_of(said["of"]) if said["of"] else PLAIN.get(said["type"], "Record")
+    if entry["type"] == "number" and entry["list"][:1] == [0]:
+        return "Array" if entry["always"] else "Array | None"
+    inner = class_of(entry["of"]) if entry["of"] else PLAIN.get(entry["type"], "Record")
     text = inner
-    for length in reversed(said["list"]):
-        item = text if said["always"] or text.startswith("tuple") else f"{text} | None"
+    for length in reversed(entry["list"]):
+        item = text if entry["always"] or text.startswith("tuple") else f"{text} | None"
         text = f"tuple[{', '.join([item] * length) if 0 < length < 5 else item + ', ...'}]"
-    return text if said["always"] else f"{text} | None"
+    return text if entry["always"] else f"{text} | None"
 
 
-def attribute(said):
-    return f'    @property\n    def {said["name"]}(self) -> {type_of(said)}:\n        {quoted(said["doc"])}\n'
+def attribute(entry):
+    return f'    @property\n    def {entry["name"]}(self) -> {type_of(entry)}:\n        {quoted(entry["doc"])}\n'
 
 
 def keywords(keys):
@@ -54,14 +54,14 @@ def quoted(doc):
 
 
 def doc_of(member):
-    """What the module says of a class, a function or a property; pybind11 puts the signature of a function before it."""
+    """The docstring of a class, a function or a property, without the signature that pybind11 puts before it."""
     first, _, rest = (member.__doc__ or "").strip().partition("\n")
     doc = (rest if "->" in first else f"{first}\n{rest}").strip()
     return doc if not doc or doc.endswith(".") else doc + "."
 
 
 def with_docs(text):
-    """The stubs with the module's words for each class, and for each member that ends in an ellipsis."""
+    """The stubs with the module's docstring of each class, and of each member that ends in an ellipsis."""
     lines, owner, name = [], core, ""
     for line in text.splitlines():
         if found := re.match(r"class (\w+):", line):
@@ -81,25 +81,27 @@ def with_docs(text):
 def main():
     tables = core._catalogue()
     keys = core._keys()
-    records = [f"class {class_of(name)}(Record):\n" + "".join(map(attribute, said))
-               for name, said in tables.items() if name not in ("gear", "pair", "contact", "contact.positions", "rating", "load")]
-    columns = [dict(said, type="column") for said in tables["contact.positions"] if not said["of"]]
-    contact = [said for said in tables["contact"] if said["name"] != "positions"]
+    columns = [dict(entry, type="column") for entry in tables["contact.positions"] if not entry["of"]]
+    contact = [entry for entry in tables["contact"] if entry["name"] != "positions"]
     text, *blocks = Path(__file__).with_name("core.pyi.in").read_text(encoding="utf-8").split("# block ")
     made = dict(block.split("\n", 1) for block in blocks)
     made["file members"] = "".join(made["file members"].replace("FILE", file)
                                    for file in ("step", "stl", "threemf", "glb", "dxf", "svg"))
-    for name, said in (("gear", tables["gear"]), ("pair", tables["pair"]), ("contact", contact + columns),
-                       ("rating", tables["rating"]), ("loaded", tables["load"])):
-        made[f"{name} attributes"] = "".join(map(attribute, said))
+    for name, entries in (("gear", tables["gear"]), ("pair", tables["pair"]), ("contact", contact + columns),
+                          ("rating", tables["rating"]), ("loaded", tables["load"])):
+        made[f"{name} attributes"] = "".join(map(attribute, entries))
     for name in ("gear", "pair", "compensate", "rating", "load", "contact"):
         made[f"{name} keywords"] = keywords(keys[name])
     made["sweep keywords"] = made["pair keywords"].replace("float | None", "ArrayLike")
-    made["records"] = "\n".join(records)
     for mark, body in made.items():
         text, count = re.subn(rf"^ *# {mark}\n", lambda _, body=body: body, text, flags=re.M)
         assert count, f"core.pyi.in has no {mark}"
-    Path(sys.argv[1], "_core.pyi").write_text(with_docs(text), encoding="utf-8")
+    records = ""
+    for name, entries in tables.items():  # a table comes before those of the records in it
+        if re.search(rf"\b{class_of(name)}\b", text + records):
+            records += f"class {class_of(name)}(Record):\n" + "".join(map(attribute, entries)) + "\n"
+    text = with_docs(text.replace("# records\n", records))
+    Path(sys.argv[1], "_core.pyi").write_text(text, encoding="utf-8")
 
 
 if __name__ == "__main__":

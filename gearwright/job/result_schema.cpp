@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "gearwright/catalogue/columns.hpp"
 #include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
 #include "gearwright/catalogue/drawing_quantities.hpp"
@@ -132,6 +133,16 @@ Json error_schema() {
 }
 
 }  // namespace
+
+std::vector<const QuantityTable*> result_tables() {
+  return with_inner_tables(
+      {&gear_quantities().table(), &measure_quantities().table(), &as_rack_quantities().table(),
+       &outline_quantities().table(), &pair_quantities().table(), &contact_quantities().table(),
+       &compensate_quantities().table(), &load_quantities().table(), &rating_quantities().table(),
+       &fit_quantities().table(), &identify_quantities().table(), &drawing_quantities().table(),
+       &search_quantities().table(), &file_quantities().table(), &warning_quantities().table(),
+       &verdict_quantities().table()});
+}
 
 Json result_schema() {
   Schema schema;

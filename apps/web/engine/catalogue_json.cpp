@@ -6,21 +6,9 @@
 #include <vector>
 
 #include "gearwright/base/version.hpp"
-#include "gearwright/catalogue/columns.hpp"
-#include "gearwright/catalogue/compensate_quantities.hpp"
-#include "gearwright/catalogue/contact_quantities.hpp"
-#include "gearwright/catalogue/drawing_quantities.hpp"
-#include "gearwright/catalogue/file_quantities.hpp"
-#include "gearwright/catalogue/fit_quantities.hpp"
-#include "gearwright/catalogue/gear_quantities.hpp"
-#include "gearwright/catalogue/identify_quantities.hpp"
-#include "gearwright/catalogue/load_quantities.hpp"
-#include "gearwright/catalogue/measure_quantities.hpp"
-#include "gearwright/catalogue/pair_quantities.hpp"
-#include "gearwright/catalogue/rating_quantities.hpp"
-#include "gearwright/catalogue/search_quantities.hpp"
+#include "gearwright/catalogue/quantity.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
-#include "gearwright/catalogue/verdict_quantities.hpp"
+#include "gearwright/job/result_schema.hpp"
 #include "gearwright/rating/material.hpp"
 #include "gearwright/spec/json.hpp"
 
@@ -138,15 +126,7 @@ std::string catalogue_json() {
                       {"keys", std::move(keys)}});
   }
   Json quantities = Json::array();
-  for (const QuantityTable* table : with_inner_tables(
-           {&gear_quantities().table(), &measure_quantities().table(),
-            &as_rack_quantities().table(), &outline_quantities().table(),
-            &pair_quantities().table(), &contact_quantities().table(),
-            &position_quantities().table(), &compensate_quantities().table(),
-            &load_quantities().table(), &rating_quantities().table(), &fit_quantities().table(),
-            &identify_quantities().table(), &drawing_quantities().table(),
-            &search_quantities().table(), &design_quantities().table(), &file_quantities().table(),
-            &warning_quantities().table(), &verdict_quantities().table()})) {
+  for (const QuantityTable* table : result_tables()) {
     Json list = Json::array();
     for (const QuantityInfo* s : table->list)
       if ((s->doors & kJson) != 0) list.push_back(said_json(*s));
