@@ -113,7 +113,7 @@ std::string repr_of(const LoadedValue& l) {
   return fmt::format("Loaded({} torques, {} probes)", count("torques"), count("probes"));
 }
 
-// What a kind of answer has beside its own: every quantity of the table. Out of a pickle comes what of(pair) is again.
+// A kind of answer, with every quantity of the table. Out of a pickle comes what of(pair) is again.
 template <class Self>
 void bind_answer(py::class_<Self>& type, const QuantityTable& table, Self (*of)(const PairValue&)) {
   bind_made(type, [of](Json spec, const std::filesystem::path& folder) {

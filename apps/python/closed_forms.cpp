@@ -77,19 +77,36 @@ py::array_t<double> backlashes(const Columns<BacklashColumns::kIn>& columns, std
   });
 }
 
-// Columns of CandidateBatch, in normal modules.
+using Out = CandidateBatch::Out;
+
+// Columns of CandidateBatch by the names of pair_table.
+std::size_t place_of(const std::string& name) {
+  for (const auto& [known, place] : {std::pair{"center_distance", Out::center_distance},
+                                     {"working_pressure_angle", Out::tan_working},
+                                     {"contact_ratio", Out::contact_ratio},
+                                     {"contact_ratio_true", Out::contact_ratio_true},
+                                     {"sliding", Out::sliding},
+                                     {"tip_thickness1", Out::tip_1},
+                                     {"tip_thickness2", Out::tip_2},
+                                     {"tip_clearance1", Out::clearance_1},
+                                     {"tip_clearance2", Out::clearance_2}})
+    if (name == known) return place;
+  throw py::key_error(name);
+}
+
+// Columns of this name, in normal modules; of an angle its tangent.
 py::tuple candidates(const Columns<CandidateBatch::kIn>& columns, std::size_t rows,
                      double tan_alpha, const std::array<double, 2>& addendum,
                      const std::array<double, 2>& dedendum, double edge_depth, bool tight,
-                     bool shorten, const std::vector<std::size_t>& wanted) {
+                     bool shorten, const std::vector<std::string>& names) {
   const CandidateConstants constants{
       tan_alpha, addendum, dedendum, {edge_depth, edge_depth}, {edge_depth, edge_depth},
       tight,     shorten};
-  py::tuple all(wanted.size());
-  std::vector<double*> out;
-  for (std::size_t w = 0; w < wanted.size(); ++w) {
+  py::tuple all(names.size());
+  std::vector<std::pair<std::size_t, double*>> wanted;
+  for (std::size_t w = 0; w < names.size(); ++w) {
     py::array_t<double> column = results(rows);
-    out.push_back(column.mutable_data());
+    wanted.emplace_back(place_of(names[w]), column.mutable_data());
     all[w] = std::move(column);
   }
   CandidateBatch batch;
@@ -104,8 +121,7 @@ py::tuple candidates(const Columns<CandidateBatch::kIn>& columns, std::size_t ro
       if (residual[i] <= kSieveDoubt * tan_w[i] * tan_w[i]) continue;
       for (auto& column : batch.out) column[i] = kNothing;
     }
-    for (std::size_t w = 0; w < wanted.size(); ++w)
-      std::copy_n(batch.out[wanted[w]].begin(), n, out[w] + from);
+    for (const auto& [place, out] : wanted) std::copy_n(batch.out[place].begin(), n, out + from);
   });
   return all;
 }
@@ -162,19 +178,6 @@ void bind_closed_forms(py::module_& m) {
   m.def("_candidates", &candidates);
   m.def("_backlash", &backlashes);
   m.def("_shift_limits", &shift_limits);
-  using Out = CandidateBatch::Out;
-  py::dict columns;
-  for (const auto& [name, place] : {std::pair{"center_distance", Out::center_distance},
-                                    {"tan_working", Out::tan_working},
-                                    {"contact_ratio", Out::contact_ratio},
-                                    {"contact_ratio_true", Out::contact_ratio_true},
-                                    {"sliding", Out::sliding},
-                                    {"tip_thickness1", Out::tip_1},
-                                    {"tip_thickness2", Out::tip_2},
-                                    {"tip_clearance1", Out::clearance_1},
-                                    {"tip_clearance2", Out::clearance_2}})
-    columns[name] = static_cast<int>(place);
-  m.attr("_CANDIDATE_COLUMNS") = columns;
 }
 
 }  // namespace gearwright::python

@@ -5,7 +5,6 @@
 #include "apps/python/model.hpp"
 #include "gearwright/arrange/notes.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
-#include "gearwright/catalogue/pair_keys.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/spec/inherit.hpp"
@@ -30,18 +29,15 @@ Json changes_of(const py::kwargs& kwargs) {
 // Keys of [pair] and of the file itself side by side, as keywords have them.
 Json pair_changes(const py::kwargs& kwargs) {
   Json spec = Json::object();
-  Json pair = Json::object();
   const Json changes = changes_of(kwargs);
-  for (const auto& [key, value] : changes.items())
-    (spec_keys().find(key) && key != "pair" ? spec : pair)[key] = value;
-  if (pair.contains("pair")) {
-    const Json inner = pair["pair"];
-    pair.erase("pair");
-    change(pair, inner);
+  for (const auto& [key, value] : changes.items()) {
+    if (key == "pair") {
+      for (const auto& [inner, of_pair] : value.items()) spec["pair"][inner] = of_pair;
+    } else {
+      (spec_keys().find(key) ? spec : spec["pair"])[key] = value;
+    }
   }
-  spec = spec_with_keys(std::move(spec));
-  if (!pair.empty()) spec["pair"] = with_keys(std::move(pair), {&pair_keys()}, "pair");
-  return spec;
+  return spec_with_keys(std::move(spec));
 }
 
 GearValue gear_value(const Json& gear, const fs::path& folder) {

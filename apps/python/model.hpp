@@ -73,7 +73,7 @@ struct PairValue {
   Verdict verdict() const { return judge(model->job); }
 };
 
-/// What a verb finds of a pair: the pair's spec with what was asked, and every quantity of the answer.
+/// What a verb finds of a pair: the pair's spec with what was given beside it, and every quantity of the answer.
 struct AnswerValue {
   ModelPtr model;  ///< with the warnings of the answer
   std::shared_ptr<const ValueRecord> quantities;

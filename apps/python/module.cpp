@@ -14,7 +14,6 @@ PYBIND11_MODULE(_core, m) {
   m.attr("__version__") = gearwright::kVersion;
   py::register_exception<gearwright::IoError>(m, "FileError", PyExc_OSError);
   py::register_exception<gearwright::ContractViolation>(m, "ContractViolation", PyExc_RuntimeError);
-  m.attr("Record") = py::module_::import("gearwright._records").attr("Record");
   auto [gear, pair] = bind_gears(m);
   auto contact = bind_answers(m, pair);
   bind_mountings(m, pair);

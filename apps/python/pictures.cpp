@@ -73,7 +73,7 @@ Part part_of(SolvedJob& job, Result<Part> (*make)(SolvedJob&, Progress*)) {
 
 std::string contact_html(const ContactValue& c) {
   SolvedJob job = c.model->job;
-  job.spec.contact.given = true;  // that it is asked for
+  job.spec.contact.given = true;  // as if the spec had the table
   const auto part = part_of(job, contact_part);
   if (!part) return "<p>Nothing touches.</p>";
   return framed("Tooth contact", "<div class=\"figures\">\n" + te_figure(part->report, false) +

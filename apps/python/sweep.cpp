@@ -68,7 +68,7 @@ std::vector<Swept> swept_keys(const py::kwargs& kwargs) {
   return all;
 }
 
-// A number of the row that its key does not allow, as reading a file would say it.
+// The error of a number that its key does not allow, as of a file with it.
 std::optional<Error> put(JobSpec& spec, const Swept& s, std::size_t row) {
   const double x = s.at(row);
   if (!std::isfinite(x)) return Error{s.path, fmt::format("{}", x), "must be a finite number"};

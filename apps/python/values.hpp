@@ -25,7 +25,7 @@ namespace py = pybind11;
 std::string name_of(const QuantityInfo& info);
 /// What one unit of the key is in mm or rad.
 double house_unit(Unit unit);
-/// "m_n, mm: normal module, as in the spec": what help() says of an attribute.
+/// "m_n, mm: normal module, as in the spec": what help() prints of an attribute.
 std::string docstring(const QuantityInfo& info);
 
 /// As JSON has it: null is None, lists are lists, records are dicts by key.

@@ -1,4 +1,4 @@
-// A long work on a thread of its own, while Python's main thread looks for Ctrl-C and says how far it is.
+// A long work on a thread of its own, while Python's main thread looks for Ctrl-C and reports how far it is.
 //
 // Python hears a signal only between two of its own instructions, so that a call of seconds would not. The thread that
 // called waits here, without the GIL but for a look every kLook.

@@ -14,10 +14,11 @@ Gearwright itself raises ContractViolation, whose sentence asks for a report.
 from __future__ import annotations
 
 from . import _plots
-from ._core import (ERRORS, Contact, ContractViolation, FileError, Gear, Loaded, Pair, Rating, Record, Search,
-                    __version__, compensate, fit, load, solve)
+from ._core import (ERRORS, Contact, ContractViolation, FileError, Gear, Loaded, Pair, Rating, Search, __version__,
+                    compensate, fit, load, solve)
 from ._doors import identify, measure, search, verify
 from ._errors import SpecError
+from ._records import Record
 from .closed_forms import (backlash, center_distance, contact_ratio, inverse_involute, involute, pair_table,
                            shift_limits, working_pressure_angle)
 

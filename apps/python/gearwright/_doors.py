@@ -19,17 +19,17 @@ class _Line:
     """How far a search is, on stderr, from its second second on."""
 
     def __init__(self) -> None:
-        self.start = self.said = time.monotonic()
+        self.start = self.printed = time.monotonic()
         self.shown = False
 
     def __call__(self, stage: str, done: int, of: int) -> None:
         now = time.monotonic()
-        if now - self.start < 1.5 or now - self.said < 0.5:
+        if now - self.start < 1.5 or now - self.printed < 0.5:
             return
         share = f" {100 * done / of:.0f} %" if of else ""
         sys.stderr.write(f"\rgearwright: {stage} {done}{share}   ")
         sys.stderr.flush()
-        self.said, self.shown = now, True
+        self.printed, self.shown = now, True
 
     def end(self) -> None:
         if self.shown:
@@ -53,9 +53,9 @@ def search(
     Ctrl-C ends it within a tenth of a second.
     """
     line = _Line()
-    told: Progress | None = progress if callable(progress) else line if progress else None
+    report: Progress | None = progress if callable(progress) else line if progress else None
     try:
-        return _core._search(spec, top, threads, told, out, resume, yes_large)
+        return _core._search(spec, top, threads, report, out, resume, yes_large)
     finally:
         line.end()
 

@@ -84,12 +84,10 @@ def pair_table(
         raise ValueError(f'mounting = {mounting!r}: must be "tight" or "extended"')
     names = columns or ("center_distance", "working_pressure_angle", "contact_ratio", "contact_ratio_true", "sliding",
                         "tip_thickness1", "tip_thickness2", "tip_clearance1", "tip_clearance2")
-    places = _core._CANDIDATE_COLUMNS
-    wanted = [places["tan_working" if name == "working_pressure_angle" else name] for name in names]
     lanes, rows, shape = _columns(z1, z2, _sine_of_helix(helix_angle), x1, x2, normal_module)
     module = lanes.pop()
     found = _core._candidates(lanes, rows, math.tan(_pressure_angle(normal_pressure_angle)), (addendum, addendum),
-                              (dedendum, dedendum), flank_depth, mounting == "tight", shorten_tips, wanted)
+                              (dedendum, dedendum), flank_depth, mounting == "tight", shorten_tips, names)
     table = {}
     for name, column in zip(names, found, strict=True):
         if name == "working_pressure_angle":
