@@ -32,7 +32,7 @@ const char* name_of(const Names& names, E value) {
 struct Ending {
   std::string_view suffix, unit;
 };
-constexpr std::array<Ending, 12> kEndings{{{"deg", "°"},
+constexpr std::array<Ending, 15> kEndings{{{"deg", "°"},
                                            {"um", "µm"},
                                            {"arcsec", "″"},
                                            {"per_in", "1/in"},
@@ -43,7 +43,10 @@ constexpr std::array<Ending, 12> kEndings{{{"deg", "°"},
                                            {"HV", "HV"},
                                            {"kg_per_m3", "kg/m³"},
                                            {"mm2_s", "mm²/s"},
-                                           {"h", "h"}}};
+                                           {"h", "h"},
+                                           {"m2K_per_W", "m²K/W"},
+                                           {"m2", "m²"},
+                                           {"C", "°C"}}};
 
 Ending ending_of(std::string_view key) {
   for (const Ending& e : kEndings) {

@@ -1,4 +1,4 @@
-// The catalogue of the engine: every key of a spec and every quantity of a result, said once there.
+// The catalogue of the engine: every key of a spec and every quantity of a result, defined once there.
 
 import type { Catalogue, InputKey, InputTable, NamedMaterial, Quantity, QuantityTable } from "../engine/engine";
 
@@ -6,9 +6,6 @@ let whole: Catalogue;
 
 export function setCatalogue(catalogue: Catalogue): void {
   whole = catalogue;
-}
-export function version(): string {
-  return whole.version;
 }
 export function inputs(name: string): InputTable | undefined {
   return whole.inputs.find((table) => table.name === name);
@@ -38,33 +35,20 @@ const kResultsOf: Record<string, string[]> = {
   cutter: ["gear"],
   search: ["search.designs"],
 };
-/** Units that the catalogue leaves in a key's name. */
-const kUnitsInNames: [ending: string, unit: string][] = [
-  ["_m2K_per_W", "m²K/W"],
-  ["_m2", "m²"],
-  ["_C", "°C"],
-];
 /** Words that only a programmer reads: an end of a range, a letter, a symbol, a name without its apostrophe. */
 const kRaw = /(^| )(min|max|[a-z]|\S*[A-Z0-9]\S*|youngs|poisson|coprime)( |$)/;
 const kLongest = 44;
 
-/** The unit that stands beside a key, also one that is part of its name alone. */
-export function unitOf(key: InputKey): string {
-  return key.unit || (kUnitsInNames.find(([ending]) => key.key.endsWith(ending))?.[1] ?? "");
-}
-
 /** What a key of a table is called on the page: as the quantity that it sets, else by its own name,
  *  "normal module" of normal_module_mm, or where that does not read, by what it means. */
 export function wordsOf(table: string, key: InputKey): string {
-  const said = (kResultsOf[table] ?? [table])
+  const info = (kResultsOf[table] ?? [table])
     .map((name) => quantity(name, key.key))
     .find((one) => one && one.symbol === key.symbol);
-  if (said) return said.words;
-  const ending = [key.suffix && "_" + key.suffix, ...kUnitsInNames.map(([name]) => name)].find(
-    (one) => one && key.key.endsWith(one),
-  );
+  if (info) return info.words;
+  const ending = key.suffix && "_" + key.suffix;
   const plain = key.key
-    .slice(0, key.key.length - (ending?.length ?? 0))
+    .slice(0, key.key.length - ending.length)
     .replace(/([12])$/, ", gear $1")
     .replaceAll("_", " ")
     .replace(/\bcenter\b/, "centre")

@@ -1,4 +1,4 @@
-// The door for scripts: what tests, and people at the browser's console, may ask of the page.
+// The door for scripts: tests, and users at the browser's console.
 //
 //   await gearwright.run("pair", text)   the JSON that `gearwright pair --json` prints
 //   gearwright.open(text)                puts a design on screen
@@ -17,13 +17,13 @@ declare global {
 
 export function doorOf(page: Page) {
   return {
-    run: (verb: Verb, text: string): Promise<string> => bench.front.ask("print", { text, verb }),
+    run: (verb: Verb, text: string): Promise<string> => bench.front.call("print", { text, verb }),
     open: (text: string, tab?: string): void => page.begin(text, tab),
     start: (): void => page.showStarts(),
     text: (): string => bench.text,
     /** The answer on screen is that of the text on screen. */
     settled: (): boolean => bench.solved?.text === bench.text,
-    /** Nothing is asked of the engine any more. */
+    /** The engine has nothing more to do. */
     idle: (): boolean =>
       bench.solved?.text === bench.text &&
       !page.tabs.busy &&

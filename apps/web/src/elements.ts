@@ -51,14 +51,108 @@ export function fill(element: Element, ...children: Child[]): void {
   put(element, ...children);
 }
 
-/** A button that says what it does; `title` only where the words are short. */
+/** A button with words; `title` only where these are short. */
 export function button(words: string, click: () => void, properties: Properties = {}): HTMLButtonElement {
   return h("button", { type: "button", click, ...properties }, words);
+}
+
+/** A slider from `min` to `max` that calls `change` while it is moved. */
+export function slider(
+  name: string,
+  range: { min: number; max: number; step: number; value?: number },
+  change: (value: number) => void,
+): HTMLInputElement {
+  const input = h("input", { type: "range", ...range, "aria-label": name });
+  input.addEventListener("input", () => change(Number(input.value)));
+  return input;
+}
+/** A slider among the controls of a picture, with the word before it and what follows it. */
+export function slide(words: string, of: HTMLInputElement, ...rest: Child[]): HTMLElement {
+  return h("label", { class: "slide" }, h("span", {}, words), of, ...rest);
+}
+/** A box to be checked, with the word behind it. */
+export function check(words: string, box: HTMLInputElement): HTMLElement {
+  return h("label", { class: "check" }, box, words);
+}
+
+type Words = Record<string, string> | ArrayLike<string>;
+/** Buttons in a row of which one is pressed. */
+export class Choice {
+  readonly element: HTMLElement;
+  constructor(
+    name: string,
+    options: Words, // of each value
+    now: string,
+    private readonly pick: (value: string) => void,
+    properties: Properties = {},
+  ) {
+    this.element = h("div", { class: "choice", role: "group", "aria-label": name, ...properties });
+    this.offer(options, now);
+  }
+  offer(options: Words, now: string): void {
+    const one = ([value, words]: [string, string]) =>
+      button(words, () => this.press(value), { "data-choice": value });
+    fill(this.element, ...Object.entries<string>(options).map(one));
+    this.show(now);
+  }
+  show(now: string): void {
+    for (const one of this.element.querySelectorAll("button"))
+      one.setAttribute("aria-pressed", String(one.dataset["choice"] === now));
+  }
+  private press(value: string): void {
+    this.show(value);
+    this.pick(value);
+  }
+}
+
+/** A sheet that its button folds out and in; Escape and a press beside it fold it in, too. */
+export function foldOut(
+  style: string,
+  opener: HTMLButtonElement,
+  sheet: HTMLElement,
+  opened: () => void = () => undefined,
+): HTMLElement {
+  const toggle = () => {
+    sheet.hidden = !sheet.hidden;
+    opener.setAttribute("aria-expanded", String(!sheet.hidden));
+    if (!sheet.hidden) opened();
+  };
+  const holder = h("div", { class: style }, opener, sheet);
+  sheet.hidden = true;
+  opener.setAttribute("aria-expanded", "false");
+  opener.addEventListener("click", toggle);
+  document.addEventListener("pointerdown", (event) => {
+    if (!sheet.hidden && !holder.contains(event.target as Node)) toggle();
+  });
+  holder.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape" || sheet.hidden) return;
+    toggle();
+    opener.focus();
+  });
+  return holder;
+}
+
+/** What the keys of a table do while an element has the focus. */
+export function onKeys(
+  element: HTMLElement | SVGElement,
+  acts: Record<string, (event: KeyboardEvent) => void>,
+): void {
+  element.addEventListener("keydown", (event) => {
+    const act = acts[(event as KeyboardEvent).key];
+    if (!act) return;
+    event.preventDefault();
+    act(event as KeyboardEvent);
+  });
 }
 
 /** A room that scrolls by itself: the keyboard reaches it, and a screen reader knows its name. */
 export function scroller(style: string, name: string, ...children: Child[]): HTMLDivElement {
   return h("div", { class: style, tabindex: "0", role: "region", "aria-label": name }, ...children);
+}
+
+/** A table under a row of headings. */
+export function tableOf(style: string, heads: Child[], ...rows: Child[]): HTMLTableElement {
+  return h("table", { class: style }, h("thead", {}, h("tr", {}, ...heads)), h("tbody", {}, ...rows));
 }
 
 /** A symbol of the catalogue, "d_a", "F_z/F_t", "α_wn": letters slanted, indices below. */
@@ -88,7 +182,49 @@ export function onThemeChange(then: () => void): void {
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", then);
 }
 
-/** Hands a file to the person who asked for it. */
+/** Calls `paint` with the browser's next frame, once however often it is called before. */
+export function onNextFrame(paint: () => void): () => void {
+  let waiting = false;
+  return () => {
+    if (waiting) return;
+    waiting = true;
+    requestAnimationFrame(() => {
+      waiting = false;
+      paint();
+    });
+  };
+}
+
+/** A canvas with as many dots as its room on screen has, `most` per px, and a clean sheet in px; null
+ *  where it has no room. */
+export function sheetOf(canvas: HTMLCanvasElement, most: number): Sheet | null {
+  const { clientWidth: width, clientHeight: height } = canvas;
+  if (!width || !height) return null;
+  const ratio = Math.min(most, devicePixelRatio || 1);
+  const dots = [Math.round(width * ratio), Math.round(height * ratio)] as const;
+  if (canvas.width !== dots[0] || canvas.height !== dots[1]) [canvas.width, canvas.height] = dots;
+  const c = canvas.getContext("2d")!;
+  c.setTransform(ratio, 0, 0, ratio, 0, 0);
+  c.clearRect(0, 0, width, height);
+  return { c, width, height, ratio };
+}
+export interface Sheet {
+  c: CanvasRenderingContext2D;
+  width: number; // px
+  height: number;
+  ratio: number; // dots per px
+}
+/** The page's letters for a canvas. */
+export function font(size: string): string {
+  return `${size} ${getComputedStyle(document.body).fontFamily}`;
+}
+
+/** What went wrong, as a sentence. */
+export function sentenceOf(reason: unknown): string {
+  return reason instanceof Error ? reason.message : String(reason);
+}
+
+/** Hands a file to the user. */
 export function download(name: string, bytes: BlobPart, type = "application/octet-stream"): void {
   const address = URL.createObjectURL(new Blob([bytes], { type }));
   const link = h("a", { href: address, download: name });
@@ -96,7 +232,7 @@ export function download(name: string, bytes: BlobPart, type = "application/octe
   setTimeout(() => URL.revokeObjectURL(address), 10_000);
 }
 
-/** A picture, a curve or a map with its title and what is to be said of it. */
+/** A picture, a curve or a map with its title and a caption. */
 export function figure(of: Element, title: Node, ...rest: (string | Node)[]): HTMLElement {
   return h("figure", {}, of, h("figcaption", {}, title, ...rest));
 }

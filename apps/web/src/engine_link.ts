@@ -6,25 +6,27 @@
 //   seek    searches and fits, which keep what they have found
 //
 // Where a newer question makes an older one pointless, `latest` lets the older ones go: at most one
-// question of a kind is under way and one waits.
+// question of a kind is under way and one waits. The answer of one that was let go is null.
 
 import type { Questions } from "./engine_worker";
 
-/** What a question is answered when a newer one has taken its place. */
-export const kOvertaken = Symbol("overtaken");
-type Name = keyof Questions;
-type Answer<N extends Name> = Awaited<ReturnType<Questions[N]>>;
+export type Name = keyof Questions;
+export type Answer<N extends Name> = Awaited<ReturnType<Questions[N]>>;
 export type Progress = (done: number, of: number, sofar?: unknown) => void;
+
+/** Why there is no answer: the user has ended the work. */
+export class Cancelled extends Error {
+  override message = "cancelled";
+}
 
 interface Pending {
   resolve(answer: unknown): void;
   reject(reason: unknown): void;
   progress?: Progress;
 }
-interface Heard {
+interface Reply {
   id: number;
   answer?: unknown;
-  overtaken?: boolean;
   failed?: string;
   broken?: string;
   progress?: [number, number, unknown];
@@ -56,20 +58,19 @@ export class EngineLink {
     if (this.worker) return this.worker;
     const worker = this.make();
     this.worker = worker;
-    worker.onmessage = (event: MessageEvent) => this.hear(event.data);
+    worker.onmessage = (event: MessageEvent) => this.take(event.data);
     worker.onerror = (event) => this.fail(new Error(event.message || "the engine has stopped"));
     worker.postMessage({ wasm: bytes });
     return worker;
   }
 
-  private hear(message: Heard): void {
+  private take(message: Reply): void {
     if (message.broken !== undefined) return this.fail(new Error(message.broken));
     const pending = this.pending.get(message.id);
     if (!pending) return;
     if (message.progress) return pending.progress?.(...message.progress);
     this.pending.delete(message.id);
     if (message.failed !== undefined) pending.reject(new Error(message.failed));
-    else if (message.overtaken) pending.resolve(kOvertaken);
     else pending.resolve(message.answer);
   }
 
@@ -80,8 +81,8 @@ export class EngineLink {
     this.worker = null;
   }
 
-  /** Asks; the answer comes in its time. */
-  async ask<N extends Name>(
+  /** Puts a question; the answer comes in its time. */
+  async call<N extends Name>(
     name: N,
     question: Parameters<Questions[N]>[0],
     progress?: Progress,
@@ -98,16 +99,16 @@ export class EngineLink {
     });
   }
 
-  /** Asks, or lets go when a newer question on this channel comes before it was its turn. */
+  /** Puts a question, or lets it go when a newer one on this channel comes before its turn. */
   latest<N extends Name>(
     channel: string,
     name: N,
     question: Parameters<Questions[N]>[0],
     progress?: Progress,
-  ): Promise<Answer<N> | typeof kOvertaken> {
+  ): Promise<Answer<N> | null> {
     return new Promise((resolve, reject) => {
       const waiting: Waiting = {
-        drop: () => resolve(kOvertaken),
+        drop: () => resolve(null),
         go: () => {
           this.channels.set(channel, null);
           this.send(name, question, progress, channel)
@@ -128,7 +129,7 @@ export class EngineLink {
 
   /** Ends whatever is under way; the next question starts anew. */
   cancel(): void {
-    this.fail(new Error("cancelled"));
+    this.fail(new Cancelled());
     for (const waiting of this.channels.values()) waiting?.drop();
     this.channels.clear();
   }

@@ -1,4 +1,4 @@
-// The worker: the engine, and the questions that the page asks of it.
+// The worker: the engine, and the questions that it answers to the page.
 //
 // A question names the spec's text. The last spec stays open, so that the second question about the
 // same text costs nothing. Long questions are worked in steps of some milliseconds; between two
@@ -55,13 +55,13 @@ let engine: E.Engine;
 let open: { text: string; session: E.Session } | null = null;
 let search: E.SearchSession | null = null;
 
-/** Why there is no answer: a sentence, and the key to blame if there is one. */
+/** Why there is no answer. */
 class Refused extends Error {
-  constructor(readonly fault: Fault | string) {
-    super(typeof fault === "string" ? fault : fault.message);
+  constructor(readonly fault: Fault) {
+    super(fault.message);
   }
 }
-/** The answer, or the sentence that says why there is none. */
+/** The answer. Throws  Refused where there is none */
 function good<T>(answer: T | E.Failed): T {
   if (failed(answer)) throw new Refused(answer.error);
   return answer as T;
@@ -97,28 +97,39 @@ function solve(text: string): Solved {
   } catch {
     // The engine's own reading, next, has the reason.
   }
-  const opened = open?.text === text ? open.session : engine.open(text);
-  if (failed(opened)) solved.fault = opened.error;
-  else {
-    if (open && open.session !== opened) open.session.delete();
-    open = { text, session: opened };
-    solved.gears = opened.gears;
-    solved.hasPair = opened.hasPair;
-    const answer = JSON.parse(opened.json(opened.hasPair ? "pair" : "gear"));
-    if (failed(answer)) solved.fault = answer.error;
-    else solved.result = answer as Solved["result"];
+  try {
+    const { gears, hasPair, json } = session(text);
+    Object.assign(solved, { gears, hasPair });
+    solved.result = good(JSON.parse(json(hasPair ? "pair" : "gear")));
+  } catch (reason) {
+    if (!(reason instanceof Refused)) throw reason;
+    solved.fault = reason.fault;
   }
   solved.milliseconds = performance.now() - begin;
   return solved;
 }
 
 /** Steps some work to its end; null when it was overtaken. */
-async function work<T>(task: E.Work<T>, step: Step, sofar?: () => unknown): Promise<T | null> {
+async function stepped<T>(task: E.Work<T>, step: Step, sofar?: () => unknown): Promise<T | null> {
   for (;;) {
     const state = good(task.step(30));
     if (state.finished) return good(task.result() as T | E.Failed);
     if (!(await step(state.done, state.of, sofar?.()))) return null;
   }
+}
+/** The same of work that is of no use later. */
+async function work<T>(begun: E.Work<T> | E.Failed, step: Step, growing = false): Promise<T | null> {
+  const task = good(begun);
+  try {
+    return await stepped(task, step, growing ? () => task.result() : undefined);
+  } finally {
+    task.delete();
+  }
+}
+
+/** What `make` gives for each gear of a session. */
+function eachGear<T>(s: E.Session, make: (gear: 1 | 2) => T | E.Failed): T[] {
+  return ([1, 2] as const).filter((gear) => gear <= s.gears).map((gear) => good(make(gear)));
 }
 
 const questions = {
@@ -136,9 +147,7 @@ const questions = {
   },
   sections(q: { text: string; tolerance: number }) {
     const s = session(q.text);
-    const gears = ([1, 2] as const)
-      .filter((gear) => gear <= s.gears)
-      .map((gear) => good(s.section(gear, q.tolerance)));
+    const gears = eachGear(s, (gear) => s.section(gear, q.tolerance));
     return { gears, lines: s.hasPair ? good(s.lines()) : null };
   },
   /** Where the gears stand, and where they touch, over a pitch of gear 1 from −½ to ½. */
@@ -146,18 +155,16 @@ const questions = {
     const s = session(q.text);
     const pitchDeg = 360 / good(s.section(1, 1)).teeth;
     const curve = s.hasPair ? s.contactCurve(q.n - 1) : null;
-    const places = ([1, 2] as const)
-      .filter((gear) => gear <= s.gears)
-      .map((gear) => {
-        const all = new Float64Array(16 * q.n);
-        for (let i = 0; i < q.n; ++i) all.set(good(s.pose(gear, pitchDeg * (i / (q.n - 1) - 0.5))), 16 * i);
-        return all;
-      });
+    const places = eachGear(s, (gear) => {
+      const all = new Float64Array(16 * q.n);
+      for (let i = 0; i < q.n; ++i) all.set(good(s.pose(gear, pitchDeg * (i / (q.n - 1) - 0.5))), 16 * i);
+      return all;
+    });
     return { pitchDeg, n: q.n, places, curve: failed(curve) ? null : curve };
   },
   meshes(q: { text: string; tolerance: number }) {
     const s = session(q.text);
-    return ([1, 2] as const).filter((gear) => gear <= s.gears).map((gear) => good(s.mesh(gear, q.tolerance)));
+    return eachGear(s, (gear) => s.mesh(gear, q.tolerance));
   },
   curve: (q: { text: string; positions: number }) => {
     const begin = performance.now();
@@ -166,37 +173,21 @@ const questions = {
   },
   gapMap: (q: { text: string; rotation: number; tooth: number; rows: number; columns: number }) =>
     good(session(q.text).gapMap(q.rotation, q.tooth, q.rows, q.columns)),
-  async pattern(q: { text: string; positions: number; rows: number; columns: number }, step: Step) {
-    const task = good(session(q.text).pattern(q.positions, q.rows, q.columns));
-    try {
-      return await work(task, step);
-    } finally {
-      task.delete();
-    }
-  },
-  async errorMap(q: { text: string; x: E.ErrorAxis; y: E.ErrorAxis; positions: number }, step: Step) {
-    const task = good(session(q.text).errorMap(q.x, q.y, q.positions));
-    try {
-      return await work(task, step, () => task.result());
-    } finally {
-      task.delete();
-    }
-  },
+  pattern: (q: { text: string; positions: number; rows: number; columns: number }, step: Step) =>
+    work(session(q.text).pattern(q.positions, q.rows, q.columns), step),
+  errorMap: (q: { text: string; x: E.ErrorAxis; y: E.ErrorAxis; positions: number }, step: Step) =>
+    work(session(q.text).errorMap(q.x, q.y, q.positions), step, true),
   /** Teeth under load; a refusal with its key, so that it can stand at its field. */
   async load(q: { text: string; accuracy?: "draft" | "full" }, step: Step): Promise<Loaded | null> {
     const begin = performance.now();
-    const task = session(q.text).load(q.accuracy);
-    if (failed(task)) return { fault: task.error };
     try {
-      const picture = await work(task, step);
+      const picture = await work(session(q.text).load(q.accuracy), step);
       if (!picture) return null;
       const { load, warnings, verdict } = JSON.parse(picture.json);
       return { picture, load, warnings, verdict, milliseconds: performance.now() - begin };
     } catch (reason) {
-      if (reason instanceof Refused && typeof reason.fault !== "string") return { fault: reason.fault };
+      if (reason instanceof Refused) return { fault: reason.fault };
       throw reason;
-    } finally {
-      task.delete();
     }
   },
   shifts: (q: { text: string }) => good(session(q.text).shiftRegion()),
@@ -215,15 +206,15 @@ const questions = {
     search?.delete();
     search = null;
     const s = (search = good(engine.openSearch(q.text, q.most)));
-    const result = await work(s, step, () => s.best(20));
+    const result = await stepped(s, step, () => s.best(20));
     return result && { ...result, trials: s.trials };
   },
   take(q: { design: number }): string {
-    if (!search) throw new Refused("the search has gone; run it again");
+    if (!search) throw new Error("the search has gone; run it again");
     return good(search.take(q.design));
   },
   searchReport(): Uint8Array {
-    if (!search) throw new Refused("run the search first");
+    if (!search) throw new Error("run the search first");
     return good(search.report());
   },
   file: (q: { text: string; kind: E.FileKind; gear: 0 | 1 | 2 }) =>
@@ -264,10 +255,11 @@ async function answer(q: Question): Promise<void> {
   try {
     const result = await (questions[q.name] as (question: unknown, step: Step) => unknown)(q.question, step);
     // What was done is handed on, though something newer waits: a slider that is pulled shows its way.
-    const ended = overtaken.delete(q.id) && result === null;
-    postMessage({ id: q.id, answer: result, overtaken: ended });
+    postMessage({ id: q.id, answer: result });
   } catch (reason) {
     postMessage({ id: q.id, failed: reason instanceof Error ? reason.message : String(reason) });
+  } finally {
+    overtaken.delete(q.id);
   }
 }
 

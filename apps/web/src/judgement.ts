@@ -2,12 +2,13 @@
 // as it is mounted, its contact, its load, its rating. The worst level wins, and every finding is
 // listed once. What is still to be computed is named, and so is what the engine refused.
 
-import type { Fault, Verdict } from "./engine_worker";
+import type { Verdict } from "./engine_worker";
 import { at, bench } from "./workbench";
 
 export const kParts = ["contact", "rating", "load"] as const;
 export type Part = (typeof kParts)[number];
-type Judged = { verdict: Verdict } | { refused: string };
+/** What an answer has of it, or why there is none. */
+type Judged = { verdict?: Verdict; error?: { message: string } };
 const kLevels = ["green", "amber", "red"];
 
 /** The worst of several verdicts: its headline, and the findings of all, worst first. */
@@ -24,28 +25,22 @@ export function worstOf(verdicts: Verdict[]): Verdict {
 }
 
 class Judgement {
-  private text = "";
-  private readonly answers = new Map<Part, Judged>();
+  private readonly answers = new Map<Part, Judged & { text: string }>();
   private readonly listeners = new Set<() => void>();
 
   onChange(listener: () => void): void {
     this.listeners.add(listener);
   }
 
-  /** What the engine came to for a part of a spec; of another spec than the one on screen it is
-   *  let go. */
-  take(part: Part, text: string, answer: { verdict?: Verdict; error?: Fault }): void {
-    if (text !== bench.text) return;
-    this.follow();
-    if (answer.error) this.answers.set(part, { refused: answer.error.message });
-    else if (answer.verdict) this.answers.set(part, { verdict: answer.verdict });
+  /** What the engine came to for a part of a spec. */
+  take(part: Part, text: string, { verdict, error }: Judged): void {
+    this.answers.set(part, { verdict, error, text });
     for (const listener of this.listeners) listener();
   }
-
-  private follow(): void {
-    if (this.text === bench.text) return;
-    this.text = bench.text;
-    this.answers.clear();
+  /** The same for the spec on screen. */
+  private of(part: Part): Judged | null {
+    const last = this.answers.get(part);
+    return last?.text === bench.text ? last : null;
   }
 
   /** What the spec lets the engine judge beside the pair itself. */
@@ -53,35 +48,28 @@ class Judgement {
     const { solved } = bench;
     const verdict = solved?.result?.["verdict"] as unknown as Verdict | undefined;
     if (!bench.settled || !solved?.hasPair || solved.fault || !verdict) return [];
-    const asks = (part: Part) =>
+    const wanted = (part: Part) =>
       verdict.not_judged?.includes(part) ??
       (part === "contact" || at(solved.spec, part === "load" ? "load.torque_Nm" : part) !== undefined);
-    return kParts.filter(asks);
+    return kParts.filter(wanted);
   }
 
   /** What is still to be computed. */
   get pending(): Part[] {
-    this.follow();
-    return this.wanted.filter((part) => !this.answers.has(part));
+    return this.wanted.filter((part) => !this.of(part));
   }
   /** What the engine refused to judge, and why. */
   get refused(): [Part, string][] {
-    this.follow();
     return this.wanted.flatMap((part) => {
-      const one = this.answers.get(part);
-      return one && "refused" in one ? [[part, one.refused]] : [];
+      const error = this.of(part)?.error;
+      return error ? [[part, error.message]] : [];
     });
   }
   /** The verdict of all that was judged; null where there is no pair. */
   get verdict(): Verdict | null {
-    this.follow();
     const pair = bench.solved?.result?.["verdict"] as unknown as Verdict | undefined;
     if (!pair) return null;
-    const judged = kParts.flatMap((part) => {
-      const one = this.answers.get(part);
-      return one && "verdict" in one ? [one.verdict] : [];
-    });
-    return worstOf([pair, ...judged]);
+    return worstOf([pair, ...kParts.flatMap((part) => this.of(part)?.verdict ?? [])]);
   }
 }
 export const judgement = new Judgement();

@@ -5,9 +5,9 @@
 // 1 is the number of this format. A link of 100 000 characters still opens in every browser; a spec
 // is about 400.
 
+import { kMostCharacters } from "./workbench";
+
 const kFormat = "#1.";
-/** A link that unpacks to more than this is no spec. */
-const kMostCharacters = 1_000_000;
 const kAgain = "Copy it again, from its first to its last letter.";
 
 class TooLong extends Error {}

@@ -7,7 +7,7 @@ import "./style/spec.css";
 import "./style/views.css";
 import { makeWorker, wasmBytes } from "gearwright:parts";
 import { setCatalogue } from "./catalogue";
-import { h } from "./elements";
+import { h, sentenceOf } from "./elements";
 import { ContactView } from "./contact/contact_view";
 import { doorOf } from "./door";
 import { EngineLink } from "./engine_link";
@@ -29,7 +29,7 @@ async function begin(): Promise<void> {
   bench.back = new EngineLink(makeWorker, wasmBytes);
   bench.press = new EngineLink(makeWorker, wasmBytes);
   bench.seek = new EngineLink(makeWorker, wasmBytes);
-  setCatalogue(await bench.front.ask("catalogue", undefined as never));
+  setCatalogue(await bench.front.call("catalogue", undefined as never));
   const page = new Page([
     new MeshView(),
     new SolidView(),
@@ -48,7 +48,7 @@ async function begin(): Promise<void> {
       return text !== null;
     } catch (reason) {
       page.showStarts();
-      page.say(reason instanceof Error ? reason.message : String(reason), kReading);
+      page.notify(sentenceOf(reason), kReading);
       return true;
     }
   };
@@ -67,7 +67,7 @@ begin().catch((reason) => {
       h(
         "p",
         { role: "alert" },
-        `The engine did not start: ${reason instanceof Error ? reason.message : String(reason)}.`,
+        `The engine did not start: ${sentenceOf(reason)}.`,
       ),
       h(
         "p",

@@ -12,6 +12,13 @@ export interface Motion {
   curve: ContactCurve | null;
 }
 
+/** The angle of b = a · turn about the gear's own z, from the first two columns. */
+function turnBetween(a: ArrayLike<number>, b: ArrayLike<number>): number {
+  const cos = a[0]! * b[0]! + a[1]! * b[1]! + a[2]! * b[2]!;
+  const sin = a[4]! * b[0]! + a[5]! * b[1]! + a[6]! * b[2]!;
+  return Math.atan2(sin, cos);
+}
+
 /** A pose between two of the engine's, 16 numbers: the turn is shared out, the rest is a line. */
 export function poseAt(motion: Motion, gear: number, t: number): number[] {
   const all = motion.places[gear]!;
@@ -20,10 +27,7 @@ export function poseAt(motion: Motion, gear: number, t: number): number[] {
   const a = all.subarray(16 * i, 16 * i + 16);
   const b = all.subarray(16 * i + 16, 16 * i + 32);
   const share = at - i;
-  // b = a · turn about the gear's own z: its angle from the first two columns.
-  const cos = a[0]! * b[0]! + a[1]! * b[1]! + a[2]! * b[2]!;
-  const sin = a[4]! * b[0]! + a[5]! * b[1]! + a[6]! * b[2]!;
-  const angle = Math.atan2(sin, cos) * share;
+  const angle = turnBetween(a, b) * share;
   const c = Math.cos(angle);
   const s = Math.sin(angle);
   const pose = Array.from(a);
@@ -37,11 +41,7 @@ export function poseAt(motion: Motion, gear: number, t: number): number[] {
 
 /** How far a gear has turned about its own axis out of the pose at t = −½, rad. */
 export function turnAt(motion: Motion, gear: number, t: number): number {
-  const a = motion.places[gear]!;
-  const b = poseAt(motion, gear, t);
-  const cos = a[0]! * b[0]! + a[1]! * b[1]! + a[2]! * b[2]!;
-  const sin = a[4]! * b[0]! + a[5]! * b[1]! + a[6]! * b[2]!;
-  return Math.atan2(sin, cos);
+  return turnBetween(motion.places[gear]!, poseAt(motion, gear, t));
 }
 
 /** Where the flanks touch at the position nearest to t; null without contact. */
@@ -52,38 +52,4 @@ export function touchAt(motion: Motion, t: number): { x: number; y: number; z: n
   const i = ((Math.round((t + 0.5) * n) % n) + n) % n;
   const [x, y, z] = points.subarray(3 * i, 3 * i + 3);
   return Number.isFinite(x) ? { x: x!, y: y!, z: z! } : null;
-}
-
-/** Turns while it is asked to: a slider, and a button that lets the gears run. */
-export class Turning {
-  t = 0;
-  private running = 0;
-  private last = 0;
-  constructor(private readonly changed: () => void) {}
-  get runs(): boolean {
-    return this.running !== 0;
-  }
-  set(t: number): void {
-    this.t = t;
-    this.changed();
-  }
-  toggle(): void {
-    if (this.running) this.stop();
-    else {
-      this.last = performance.now();
-      this.running = requestAnimationFrame(this.frame);
-    }
-    this.changed();
-  }
-  stop(): void {
-    cancelAnimationFrame(this.running);
-    this.running = 0;
-  }
-  private readonly frame = (now: number) => {
-    this.t += (now - this.last) / 4000; // a pitch in four seconds
-    this.last = now;
-    if (this.t > 0.5) this.t -= 1;
-    this.running = requestAnimationFrame(this.frame);
-    this.changed();
-  };
 }

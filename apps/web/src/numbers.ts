@@ -7,12 +7,10 @@ const kMmPerInch = 25.4;
 let inches = localStorage.getItem("gearwright.unit") === "in";
 const listeners = new Set<() => void>();
 
-export function inInches(): boolean {
-  return inches;
-}
-export function setInches(yes: boolean): void {
-  inches = yes;
-  localStorage.setItem("gearwright.unit", yes ? "in" : "mm");
+/** Lengths are shown in "mm" or "in". */
+export function showLengthsIn(unit: string): void {
+  inches = unit === "in";
+  localStorage.setItem("gearwright.unit", unit);
   for (const listener of listeners) listener();
 }
 export function onUnitChange(listener: () => void): void {

@@ -1,18 +1,19 @@
 // The page: a bar with title and verdict, the spec on the left, the picture on the right, the
 // numbers below it. On a narrow screen one of the three is seen at a time.
 
-import { button, download, fill, h } from "./elements";
+import { button, Choice, download, fill, h, onKeys, sentenceOf } from "./elements";
 import { Form } from "./form/form";
 import { linkOf } from "./link";
 import { QuantityPane } from "./quantities";
-import { Starts, startButton } from "./starts";
+import { Starts } from "./starts";
 import { Tabs, type Tab } from "./tabs";
 import { fileName, TakeHome } from "./take_home";
 import { TextPane } from "./text/text_pane";
 import { VerdictLine } from "./verdict";
 import { bench, kMostCharacters } from "./workbench";
 
-type Part = "spec" | "view" | "numbers";
+/** What a narrow screen shows first. */
+const kFirstPart = "view";
 /** The numbers show their head alone. */
 const kFolded = 0.05;
 
@@ -40,7 +41,7 @@ export class Page {
     "aria-label": "open a spec",
     change: () => void this.pick(),
   });
-  private readonly said = h("div", { class: "said", role: "status" });
+  private readonly toast = h("div", { class: "said", role: "status" });
   private readonly main: HTMLElement;
   private readonly verdict = new VerdictLine();
   private readonly numbers = new QuantityPane();
@@ -52,39 +53,26 @@ export class Page {
     search: 0.2,
     sheet: kFolded,
   };
-  private part: Part = "view";
 
   constructor(tabs: Tab[]) {
     this.tabs = new Tabs(tabs);
     this.starts = new Starts((text, tab) => this.begin(text, tab));
     const form = new Form();
     const text = new TextPane();
-    const sides = [form.element, text.element];
-    const side = (words: string, index: number) =>
-      button(
-        words,
-        () => {
-          sides.forEach((one, i) => (one.hidden = i !== index));
-          for (const [i, one] of [...choice.children].entries())
-            one.setAttribute("aria-pressed", String(i === index));
-        },
-        { "aria-pressed": String(index === 0) },
-      );
-    const choice = h(
-      "div",
-      { class: "choice", role: "group", "aria-label": "the spec as" },
-      side("form", 0),
-      side("text", 1),
-    );
+    const choice = new Choice("the spec as", { form: "form", text: "text" }, "form", (side) => {
+      form.element.hidden = side !== "form";
+      text.element.hidden = side !== "text";
+    });
     text.element.hidden = true;
     this.main = h(
       "main",
-      { class: "bench", "data-part": this.part },
+      { class: "bench", "data-part": kFirstPart },
       h(
         "section",
         { class: "spec", "aria-label": "spec" },
-        h("div", { class: "spec-head" }, choice, form.units),
-        ...sides,
+        h("div", { class: "spec-head" }, choice.element, form.units.element),
+        form.element,
+        text.element,
       ),
       h("section", { class: "view", "aria-label": "pictures" }, this.tabs.list, this.tabs.room),
       this.numbers.element,
@@ -104,7 +92,7 @@ export class Page {
           { class: "actions" },
           this.undo,
           this.redo,
-          startButton(() => this.showStarts()),
+          button("New", () => this.showStarts(), { title: "examples and other beginnings" }),
           button("Open", () => this.picker.click(), {
             title: "a spec: TOML or JSON; files may also be dropped",
           }),
@@ -117,11 +105,11 @@ export class Page {
       this.main,
       this.starts.element,
       this.parts(),
-      this.said,
+      this.toast,
     );
     bench.on("solved", () => {
       this.name();
-      this.main.classList.toggle("asking", bench.asks); // there are no numbers yet
+      this.main.classList.toggle("unsolved", bench.finder !== undefined); // there are no numbers yet
     });
     bench.on("text", () => void this.address());
     bench.on("history", () => {
@@ -158,38 +146,19 @@ export class Page {
         const box = this.main.getBoundingClientRect();
         if (event.buttons) set((box.bottom - event.clientY) / box.height);
       },
-      keydown: (event: KeyboardEvent) => {
-        if (event.key === "ArrowUp") set(now() + 0.05);
-        else if (event.key === "ArrowDown") set(now() - 0.05);
-        else return;
-        event.preventDefault();
-      },
     });
+    onKeys(line, { ArrowUp: () => set(now() + 0.05), ArrowDown: () => set(now() - 0.05) });
     return line;
   }
 
   /** The three parts of a narrow screen. */
   private parts(): HTMLElement {
-    const one = (part: Part, words: string) =>
-      button(
-        words,
-        () => {
-          this.part = part;
-          this.main.dataset["part"] = part;
-          for (const other of nav.querySelectorAll("button"))
-            other.setAttribute("aria-pressed", String(other.dataset["part"] === part));
-          void this.tabs.refresh();
-        },
-        { "data-part": part, "aria-pressed": String(part === this.part) },
-      );
-    const nav: HTMLElement = h(
-      "nav",
-      { class: "parts", "aria-label": "parts of the page" },
-      one("spec", "Spec"),
-      one("view", "Pictures"),
-      one("numbers", "Numbers"),
-    );
-    return nav;
+    const parts = { spec: "Spec", view: "Pictures", numbers: "Numbers" };
+    const show = (part: string) => {
+      this.main.dataset["part"] = part;
+      void this.tabs.refresh();
+    };
+    return new Choice("parts of the page", parts, kFirstPart, show, { class: "parts", role: "navigation" }).element;
   }
 
   showStarts(): void {
@@ -236,18 +205,18 @@ export class Page {
     history.replaceState(null, "", hash);
     try {
       await navigator.clipboard.writeText(location.href);
-      this.say("The address is copied. It holds the whole design.");
+      this.notify("The address is copied. It holds the whole design.");
     } catch {
-      this.say("The address of this page holds the whole design: copy it from the address line.");
+      this.notify("The address of this page holds the whole design: copy it from the address line.");
     }
   }
 
   private fading = 0;
-  say(sentence: string, forMs = 4000): void {
-    this.said.textContent = sentence;
-    this.said.classList.add("shown");
+  notify(sentence: string, forMs = 4000): void {
+    this.toast.textContent = sentence;
+    this.toast.classList.add("shown");
     clearTimeout(this.fading);
-    this.fading = window.setTimeout(() => this.said.classList.remove("shown"), forMs);
+    this.fading = window.setTimeout(() => this.toast.classList.remove("shown"), forMs);
   }
 
   private save(): void {
@@ -260,13 +229,13 @@ export class Page {
   }
   async open(file: File): Promise<void> {
     if (file.size > kMostCharacters)
-      return this.say(`${file.name} has ${(file.size / 1e6).toFixed(1)} MB; a spec has at most 1 MB.`);
+      return this.notify(`${file.name} has ${(file.size / 1e6).toFixed(1)} MB; a spec has at most 1 MB.`);
     const text = await file.text();
     if (!text.trimStart().startsWith("{")) return this.begin(text);
     try {
-      this.begin(await bench.front.ask("tomlOf", { json: text }));
+      this.begin(await bench.front.call("tomlOf", { json: text }));
     } catch (reason) {
-      this.say(`${file.name}: ${reason instanceof Error ? reason.message : String(reason)}`);
+      this.notify(`${file.name}: ${sentenceOf(reason)}`);
     }
   }
 

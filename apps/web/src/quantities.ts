@@ -53,7 +53,7 @@ export class QuantityPane {
 
   update(): void {
     const result = bench.solved?.result;
-    this.element.classList.toggle("asking", bench.asks);
+    this.element.classList.toggle("unsolved", bench.finder !== undefined);
     this.age();
     if (!result && !bench.good) this.clear();
     if (!result) return;
@@ -85,11 +85,9 @@ export class QuantityPane {
   }
 
   private build(columns: number, pairRows: number): void {
-    const table = quantityTable(
-      this.rows,
-      Array.from({ length: columns }, (_, i) => `gear ${i + 1}`),
-      { headingOf: (row, index) => [index < pairRows ? "Pair" : "Gears", row.group] },
-    );
+    const table = quantityTable(this.rows, columns, {
+      headingOf: (row, index) => [index < pairRows ? "Pair" : "Gears", row.group],
+    });
     this.cells = table.cells;
     fill(this.sheet, table.element);
     this.filter();

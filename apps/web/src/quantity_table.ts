@@ -2,15 +2,14 @@
 
 import type { Quantity, QuantityTable } from "../engine/engine";
 import { quantities } from "./catalogue";
-import { fill, h, symbol } from "./elements";
+import { fill, h, symbol, tableOf } from "./elements";
 import type { Json } from "./engine_worker";
 import { shownUnit, textOf } from "./numbers";
 
 export interface Row {
   id: string;
   group: string;
-  said: Quantity;
-  words: string;
+  info: Quantity;
   values: (Json | undefined)[]; // one, or one per gear
   ends: (Json | undefined)[]; // of a value that a tolerance moves: at its lower and its upper end
 }
@@ -25,24 +24,23 @@ export function rowsOf(
   intervals: (Json | undefined)[] = records.map((record) => member(record, "interval")),
 ): Row[] {
   const rows: Row[] = [];
-  for (const said of table.quantities) {
-    const values = records.map((record) => member(record, said.key));
-    const ends = intervals.map((interval) => member(interval, said.key));
+  for (const info of table.quantities) {
+    const values = records.map((record) => member(record, info.key));
+    const ends = intervals.map((interval) => member(interval, info.key));
     if (values.every((value) => value === undefined || value === null)) continue;
-    const id = `${prefix}.${said.key}`;
-    if (said.type === "record" || said.type === "map") {
-      const inner = quantities(said.of);
-      if (inner && !said.list.length && (said.page || said.listing || !printed))
-        rows.push(...rowsOf(inner, values as Json[], id, said.group || within, printed, ends));
+    const id = `${prefix}.${info.key}`;
+    if (info.type === "record" || info.type === "map") {
+      const inner = quantities(info.of);
+      if (inner && !info.list.length && (info.page || info.listing || !printed))
+        rows.push(...rowsOf(inner, values as Json[], id, info.group || within, printed, ends));
       continue;
     }
-    if (!said.page && !said.listing) continue;
-    const perGear = records.length === 1 && said.two === "gears" && Array.isArray(values[0]);
+    if (!info.page && !info.listing) continue;
+    const perGear = records.length === 1 && info.two === "gears" && Array.isArray(values[0]);
     rows.push({
       id,
-      group: said.group || within,
-      said,
-      words: said.words,
+      group: info.group || within,
+      info,
       values: perGear ? (values[0] as Json[]) : values,
       ends: perGear && Array.isArray(ends[0]) ? ends[0] : perGear ? [] : ends,
     });
@@ -59,8 +57,8 @@ function member(record: Json | undefined, key: string): Json | undefined {
 export function cellText(row: Row, i: number): [value: string, ends: string] {
   const ends = row.ends[i];
   const both = Array.isArray(ends) && ends.length === 2 && ends.every((one) => typeof one === "number");
-  const value = textOf(row.said, row.values[i]);
-  return [value, both ? ends.map((one) => textOf(row.said, one)).join(" … ") : ""];
+  const value = textOf(row.info, row.values[i]);
+  return [value, both ? ends.map((one) => textOf(row.info, one)).join(" … ") : ""];
 }
 export function fillCell(cell: Element, row: Row, i: number): void {
   const [value, ends] = cellText(row, i);
@@ -68,29 +66,28 @@ export function fillCell(cell: Element, row: Row, i: number): void {
   fill(cell, value, ends && h("small", { class: "ends", title }, ends));
 }
 
-interface Extra {
-  /** What tells one group of rows from the next; its last word is the heading. */
+export interface Extra {
+  /** What distinguishes one group of rows from the next; its last word is the heading. */
   headingOf?(row: Row, index: number): string[];
   /** A column at the end. */
   last?: { head: string; of(row: Row): string };
 }
 
-/** The table, and of each row the cells of its values. */
+/** The table with a column for each gear, and of each row the cells of its values. */
 export function quantityTable(
   rows: Row[],
-  heads: string[],
+  gears: number,
   extra: Extra = {},
 ): { element: HTMLTableElement; cells: Map<string, HTMLElement[]> } {
   const all = new Map<string, HTMLElement[]>();
-  const body = h("tbody");
-  const columns = heads.length;
+  const lines: HTMLElement[] = [];
   let group = "";
   rows.forEach((row, index) => {
     const heading = extra.headingOf?.(row, index) ?? [row.group];
     if (heading.join(": ") !== group) {
       group = heading.join(": ");
-      const width = 3 + columns + (extra.last ? 1 : 0);
-      body.append(
+      const width = 3 + gears + (extra.last ? 1 : 0);
+      lines.push(
         h("tr", { class: "group" }, h("th", { scope: "rowgroup", colspan: width }, heading[heading.length - 1])),
       );
     }
@@ -99,45 +96,35 @@ export function quantityTable(
         class: "value",
         "data-quantity": row.id,
         "data-column": i,
-        colspan: row.values.length === 1 && columns > 1 ? columns : null,
+        colspan: row.values.length === 1 && gears > 1 ? gears : null,
       });
       fillCell(cell, row, i);
       return cell;
     });
     all.set(row.id, cells);
-    body.append(
+    const { info } = row;
+    lines.push(
       h(
         "tr",
         {
-          "data-words": `${row.words} ${row.said.symbol} ${row.said.key}`.toLowerCase(),
-          title: row.said.meaning,
+          "data-words": `${info.words} ${info.symbol} ${info.key}`.toLowerCase(),
+          title: info.meaning,
         },
-        h("th", { scope: "row" }, row.words),
-        h("td", {}, row.said.symbol ? symbol(row.said.symbol) : ""),
-        h("td", { class: "unit" }, shownUnit(row.said.percent ? "%" : row.said.unit)),
+        h("th", { scope: "row" }, info.words),
+        h("td", {}, info.symbol ? symbol(info.symbol) : ""),
+        h("td", { class: "unit" }, shownUnit(info.percent ? "%" : info.unit)),
         ...cells,
         extra.last ? h("td", { class: "place" }, extra.last.of(row)) : null,
       ),
     );
   });
   const head = (words: string, style?: string) => h("th", { scope: "col", class: style }, words);
-  const element = h(
-    "table",
-    { class: "quantities" },
-    h(
-      "thead",
-      {},
-      h(
-        "tr",
-        {},
-        head("quantity"),
-        head("symbol"),
-        head("unit"),
-        ...heads.map((words) => head(words, /^gear [12]$/.test(words) ? `value g${words[5]}` : "value")),
-        extra.last ? head(extra.last.head) : null,
-      ),
-    ),
-    body,
-  );
-  return { element, cells: all };
+  const heads = [
+    head("quantity"),
+    head("symbol"),
+    head("unit"),
+    ...Array.from({ length: gears }, (_, i) => head(`gear ${i + 1}`, `value g${i + 1}`)),
+    extra.last && head(extra.last.head),
+  ];
+  return { element: tableOf("quantities", heads, ...lines), cells: all };
 }

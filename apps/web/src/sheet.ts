@@ -1,8 +1,7 @@
 // The tab "sheet": the report, the same page that the program writes. It lives in a frame of its own
 // without any right to this page.
 
-import { h } from "./elements";
-import { kOvertaken } from "./engine_link";
+import { h, sentenceOf } from "./elements";
 import { bench } from "./workbench";
 import type { Tab } from "./tabs";
 
@@ -10,7 +9,6 @@ const kRestMs = 350; // a report is read, not played with
 
 export class SheetView implements Tab {
   readonly id = "sheet";
-  readonly words = "sheet";
   private readonly frame = h("iframe", { sandbox: "allow-scripts", title: "the report", class: "report" });
   private readonly state = h("p", { class: "soft sheet-state", role: "status" });
   readonly element = h("div", { class: "sheet-view" }, this.state, this.frame);
@@ -33,14 +31,14 @@ export class SheetView implements Tab {
     this.state.textContent = this.shown ? "" : "Writing the report …";
     try {
       const bytes = await bench.back.latest("report", "file", { text, kind: "report", gear: 0 });
-      if (bytes === kOvertaken || bench.good?.text !== text) return;
+      if (!bytes || bench.good?.text !== text) return;
       this.shown = text;
       const loaded = new Promise((done) => this.frame.addEventListener("load", done, { once: true }));
       this.frame.srcdoc = new TextDecoder().decode(bytes);
       await loaded;
       this.state.textContent = "";
     } catch (reason) {
-      this.state.textContent = reason instanceof Error ? reason.message : String(reason);
+      this.state.textContent = sentenceOf(reason);
     }
   }
 }

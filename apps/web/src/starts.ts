@@ -3,10 +3,11 @@
 // A start is a spec and nothing more: numbers that are to be found are left to the engine's search
 // and fit.
 
-import type { Section, MeshLines } from "../engine/engine";
-import { button, colour, fill, h } from "./elements";
-import type { Turnable } from "./small_picture";
-import { paintSmall } from "./small_picture";
+import type { MeshLines, Section } from "../engine/engine";
+import { colour, fill, h } from "./elements";
+import { numberIn } from "./form/field";
+import { drawBodies, extentOf, placesOf, shapeOf } from "./mesh/mesh_drawing";
+import type { Motion } from "./motion";
 import { bench } from "./workbench";
 
 const examples = import.meta.glob("../../../examples/*.toml", {
@@ -229,7 +230,7 @@ export class Starts {
           const values: Record<string, number> = {};
           for (const input of form.querySelectorAll("input")) {
             const empty = input.value.trim() === "";
-            const value = empty ? NaN : Number(input.value.replace(",", "."));
+            const value = numberIn(input.value);
             if (!Number.isFinite(value) && !(empty && !input.required)) {
               wrong.textContent = `“${input.value.slice(0, 40)}” is not a number.`;
               return input.focus();
@@ -284,13 +285,9 @@ export class Starts {
       const searching = /^\[search\]/m.test(example.text);
       try {
         if (searching) throw new Error("a search has no picture yet");
-        const answer: { gears: Section[]; lines: MeshLines | null } = await bench.back.ask("sections", {
-          text: example.text,
-          tolerance: 0.02,
-        });
-        const motion = answer.lines ? await bench.back.ask("motion", { text: example.text, n: 2 }) : null;
-        const turn: Turnable = { sections: answer.gears, lines: answer.lines, motion };
-        paintSmall(canvas, turn);
+        const { text } = example;
+        const { gears, lines } = await bench.back.call("sections", { text, tolerance: 0.02 });
+        drawSmall(canvas, gears, lines, lines && (await bench.back.call("motion", { text, n: 2 })));
       } catch {
         writeWord(canvas, searching ? "search" : "fit");
       }
@@ -298,7 +295,28 @@ export class Starts {
   }
 }
 
-/** A card of a spec that asks for gears: the word alone. */
+/** The small picture of a card: the gears in section, whole, without letters. */
+function drawSmall(
+  canvas: HTMLCanvasElement,
+  sections: Section[],
+  lines: MeshLines | null,
+  motion: Motion | null,
+): void {
+  const { width, height } = canvas;
+  const shapes = sections.map(shapeOf);
+  const places = placesOf(shapes, lines, motion, 0);
+  const [left, right, tall] = extentOf(shapes, places);
+  const scale = 0.9 * Math.min(width / (right - left), height / (2 * tall));
+  const px = (x: number, y: number): [number, number] => [
+    width / 2 + (x - (left + right) / 2) * scale,
+    height / 2 - y * scale,
+  ];
+  const c = canvas.getContext("2d")!;
+  c.clearRect(0, 0, width, height);
+  drawBodies(c, { px, now: { scale } }, { shapes, places });
+}
+
+/** A card of a spec that leaves gears to be found: the word alone. */
 function writeWord(canvas: HTMLCanvasElement, word: string): void {
   const c = canvas.getContext("2d")!;
   c.fillStyle = colour("grey-ink");
@@ -306,9 +324,4 @@ function writeWord(canvas: HTMLCanvasElement, word: string): void {
   c.textAlign = "center";
   c.textBaseline = "middle";
   c.fillText(word + " …", canvas.width / 2, canvas.height / 2);
-}
-
-/** A button that leads back to the beginning. */
-export function startButton(go: () => void): HTMLButtonElement {
-  return button("New", go, { title: "examples and other beginnings" });
 }

@@ -1,6 +1,6 @@
-// The room on the right: one view at a time, each asked to look anew only while it is seen.
+// The room on the right: one view at a time, each refreshed only while it is seen.
 
-import { h } from "./elements";
+import { h, onKeys, sentenceOf } from "./elements";
 import { judgement, kParts, type Part } from "./judgement";
 import { markRevision } from "./revision";
 import { bench } from "./workbench";
@@ -9,8 +9,7 @@ import { bench } from "./workbench";
 const kRestMs = 700;
 
 export interface Tab {
-  readonly id: string;
-  readonly words: string;
+  readonly id: string; // its name, too
   readonly element: HTMLElement;
   /** What is dimmed while it shows another spec than the one on screen. */
   readonly picture: HTMLElement;
@@ -26,12 +25,7 @@ export interface Tab {
 }
 
 export class Tabs {
-  readonly list = h("div", {
-    class: "tab-list",
-    role: "tablist",
-    "aria-label": "views",
-    keydown: (event: KeyboardEvent) => this.key(event),
-  });
+  readonly list = h("div", { class: "tab-list", role: "tablist", "aria-label": "views" });
   readonly room = h("div", { class: "tab-room" });
   private readonly buttons = new Map<string, HTMLButtonElement>();
   private readonly fault = h("p", { class: "view-fault", role: "status" });
@@ -44,12 +38,13 @@ export class Tabs {
   current: Tab;
   /** Called with the tab that is opened. */
   opened: (id: string) => void = () => undefined;
-  private readonly asking = new Map<Tab, number>();
+  private readonly refreshing = new Map<Tab, number>();
   private turn = 0;
   private rest = 0;
 
   constructor(readonly tabs: Tab[]) {
     this.current = tabs[0]!;
+    onKeys(this.list, { ArrowLeft: () => this.step(-1), ArrowRight: () => this.step(1) });
     for (const tab of tabs) {
       const one = h(
         "button",
@@ -60,7 +55,7 @@ export class Tabs {
           "aria-controls": "room-" + tab.id,
           click: () => this.open(tab.id),
         },
-        tab.words,
+        tab.id,
       );
       this.buttons.set(tab.id, one);
       this.list.append(one);
@@ -95,15 +90,14 @@ export class Tabs {
   /** Dims the picture if it shows another spec than the one on screen. */
   private age(): void {
     const { picture, shown } = this.current;
-    const working = !bench.settled || (this.asking.get(this.current) ?? 0) > 0;
+    const working = !bench.settled || (this.refreshing.get(this.current) ?? 0) > 0;
     markRevision(picture, shown, bench.text, working);
     const stale = picture.dataset["stale"];
     this.spinner.hidden = !working || (shown !== "" && !stale);
     this.kept.hidden = stale !== "kept";
-    this.kept.textContent =
-      bench.solved?.fault && !bench.asks
-        ? "This is of the last spec without a fault."
-        : "This is of an earlier spec.";
+    this.kept.textContent = bench.fault
+      ? "This is of the last spec without a fault."
+      : "This is of an earlier spec.";
   }
 
   open(id: string): void {
@@ -135,26 +129,24 @@ export class Tabs {
   async refresh(): Promise<void> {
     const tab = this.current;
     const turn = ++this.turn;
-    const count = (more: number) => this.asking.set(tab, (this.asking.get(tab) ?? 0) + more);
+    const count = (more: number) => this.refreshing.set(tab, (this.refreshing.get(tab) ?? 0) + more);
     count(1);
     this.age();
     let fault = "";
     try {
       await tab.refresh();
     } catch (reason) {
-      fault = reason instanceof Error ? reason.message : String(reason);
+      fault = sentenceOf(reason);
     }
     if (turn === this.turn) this.fault.textContent = fault; // else a newer one shows its own
     count(-1);
     this.age();
   }
   get busy(): boolean {
-    return [...this.asking.values()].some((count) => count > 0);
+    return [...this.refreshing.values()].some((count) => count > 0);
   }
 
-  private key(event: KeyboardEvent): void {
-    const step = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
-    if (!step) return;
+  private step(step: number): void {
     const index = (this.tabs.indexOf(this.current) + step + this.tabs.length) % this.tabs.length;
     this.open(this.tabs[index]!.id);
     this.buttons.get(this.current.id)!.focus();

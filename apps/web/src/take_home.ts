@@ -1,7 +1,7 @@
 // What one takes home: the same files that the program writes, made here by the same code.
 
 import type { FileKind } from "../engine/engine";
-import { button, download, fill, h } from "./elements";
+import { button, download, fill, foldOut, h, sentenceOf } from "./elements";
 import { bench } from "./workbench";
 
 interface Offer {
@@ -37,31 +37,14 @@ export function fileName(): string {
 }
 
 export class TakeHome {
-  private readonly opener = button("Take home", () => this.toggle(), {
-    "aria-haspopup": "true",
-    "aria-expanded": "false",
-    class: "main",
-  });
   private readonly sheet = h("div", { class: "menu", role: "dialog", "aria-label": "files to take home" });
   private readonly state = h("p", { class: "soft", role: "status" });
-  readonly element = h("div", { class: "menu-holder" }, this.opener, this.sheet);
+  private readonly opener = button("Take home", () => undefined, { "aria-haspopup": "true", class: "main" });
+  readonly element = foldOut("menu-holder", this.opener, this.sheet, () => this.show());
 
-  constructor(private readonly save: () => void) {
-    this.sheet.hidden = true;
-    document.addEventListener("pointerdown", (event) => {
-      if (!this.sheet.hidden && !this.element.contains(event.target as Node)) this.toggle();
-    });
-    this.element.addEventListener("keydown", (event) => {
-      if (event.key !== "Escape" || this.sheet.hidden) return;
-      this.toggle();
-      this.opener.focus();
-    });
-  }
+  constructor(private readonly save: () => void) {}
 
-  private toggle(): void {
-    this.sheet.hidden = !this.sheet.hidden;
-    this.opener.setAttribute("aria-expanded", String(!this.sheet.hidden));
-    if (this.sheet.hidden) return;
+  private show(): void {
     this.state.textContent = "";
     const gears = bench.good?.gears ?? 0;
     const pair = bench.good?.hasPair ?? false;
@@ -101,11 +84,11 @@ export class TakeHome {
     const who = offer.gears.length > 1 ? (gear === 0 ? "_pair" : `_gear${gear}`) : "";
     this.state.textContent = `Making ${offer.words} …`;
     try {
-      const bytes = await bench.back.ask("file", { text, kind: offer.kind, gear });
+      const bytes = await bench.back.call("file", { text, kind: offer.kind, gear });
       download(`${fileName()}${who}.${ending}`, bytes as Uint8Array<ArrayBuffer>);
       this.state.textContent = `${offer.words}: ${(bytes.length / 1e6).toFixed(2)} MB`;
     } catch (reason) {
-      this.state.textContent = reason instanceof Error ? reason.message : String(reason);
+      this.state.textContent = sentenceOf(reason);
     }
   }
 }

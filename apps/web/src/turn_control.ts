@@ -1,40 +1,47 @@
 // The controls that turn a pair: a slider over one pitch of gear 1, a button that lets the gears run,
 // the angle in degrees.
 
-import { button, h } from "./elements";
-import { Turning, type Motion } from "./motion";
+import { button, h, slide, slider } from "./elements";
+import type { Motion } from "./motion";
 
 export class TurnControl {
-  private readonly slider = h("input", {
-    type: "range",
-    min: -0.5,
-    max: 0.5,
-    step: 0.002,
-    "aria-label": "rotation of gear 1",
-    input: () => this.turning.set(Number(this.slider.value)),
+  /** Rotation of gear 1 in its pitches, −½ … ½. */
+  t = 0;
+  private readonly slider = slider("rotation of gear 1", { min: -0.5, max: 0.5, step: 0.002 }, (t) => {
+    this.t = t;
+    this.changed();
   });
   private readonly angle = h("output", { class: "angle" });
-  private readonly run = button("Turn", () => this.turning.toggle());
-  readonly elements = [
-    this.run,
-    h("label", { class: "slide" }, h("span", {}, "rotation"), this.slider),
-    this.angle,
-  ];
-  private readonly turning: Turning;
+  private readonly run = button("Turn", () => this.toggle());
+  readonly elements = [this.run, slide("rotation", this.slider), this.angle];
+  private running = 0;
+  private last = 0;
 
-  constructor(changed: () => void) {
-    this.turning = new Turning(changed);
-  }
-  /** Rotation of gear 1 in its pitches, −½ … ½. */
-  get t(): number {
-    return this.turning.t;
-  }
-  stop(): void {
-    this.turning.stop();
-  }
+  constructor(private readonly changed: () => void) {}
+
   show(motion: Motion | null): void {
-    this.run.textContent = this.turning.runs ? "Stop" : "Turn";
+    this.run.textContent = this.running ? "Stop" : "Turn";
     this.slider.value = String(this.t);
     if (motion) this.angle.textContent = (this.t * motion.pitchDeg).toFixed(2) + "°";
   }
+  stop(): void {
+    cancelAnimationFrame(this.running);
+    this.running = 0;
+  }
+
+  private toggle(): void {
+    if (this.running) this.stop();
+    else {
+      this.last = performance.now();
+      this.running = requestAnimationFrame(this.frame);
+    }
+    this.changed();
+  }
+  private readonly frame = (now: number) => {
+    this.t += (now - this.last) / 4000; // a pitch in four seconds
+    this.last = now;
+    if (this.t > 0.5) this.t -= 1;
+    this.running = requestAnimationFrame(this.frame);
+    this.changed();
+  };
 }

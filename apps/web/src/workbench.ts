@@ -3,8 +3,8 @@
 // The text is the design; form, pictures and tables are views of it. A change goes to the engine,
 // which answers with the new text (comments kept) and what it solves to; then all views look anew.
 
-import { EngineLink, kOvertaken } from "./engine_link";
-import type { Fault, Json, Solved } from "./engine_worker";
+import { type Answer, EngineLink, type Name, type Progress } from "./engine_link";
+import type { Fault, Json, Questions, Solved } from "./engine_worker";
 
 type Listener = () => void;
 /** Texts beyond this are no specs: the longest of ours has 2000 characters. */
@@ -39,7 +39,7 @@ class Workbench {
     if (!this.listeners.has(what)) this.listeners.set(what, new Set());
     this.listeners.get(what)!.add(listener);
   }
-  private tell(what: string): void {
+  private notify(what: string): void {
     for (const listener of this.listeners.get(what) ?? []) listener();
   }
 
@@ -52,9 +52,9 @@ class Workbench {
     if (what === "opened") {
       ++this.design;
       this.good = this.solved = null; // another design: nothing of the last one may stand beside it
-      this.tell("opened");
+      this.notify("opened");
     }
-    this.tell("text");
+    this.notify("text");
     void this.solve();
   }
 
@@ -67,7 +67,7 @@ class Workbench {
     if (this.text) this.past.push(this.text);
     if (this.past.length > 500) this.past.shift();
     this.future.length = 0;
-    this.tell("history");
+    this.notify("history");
   }
 
   /** Sets one key, "gear1.profile_shift"; undefined takes it out. Many in one moment are one. */
@@ -84,7 +84,7 @@ class Workbench {
     const edits = [...this.edits];
     this.edits.clear();
     try {
-      const answer = await this.front.ask("edit", { text: from, edits });
+      const answer = await this.front.call("edit", { text: from, edits });
       if (this.text !== from) return; // typed meanwhile: the text is right
       if ("refused" in answer) {
         const fault = { key: edits[0]![0], value: edits[0]![1], message: answer.refused };
@@ -93,12 +93,26 @@ class Workbench {
       }
       this.remember(edits.map(([key]) => key).join(" "));
       this.text = answer.text;
-      this.tell("text");
+      this.notify("text");
       this.takeSolved(answer, begin);
     } finally {
       this.busy = false;
       void this.applyEdits();
     }
+  }
+
+  /** The answer about the design on screen; null when a newer question has taken its place, or another
+   *  design has been opened. */
+  async about<N extends Name>(
+    link: EngineLink,
+    channel: string,
+    name: N,
+    question: Parameters<Questions[N]>[0],
+    progress?: Progress,
+  ): Promise<Answer<N> | null> {
+    const { design } = this;
+    const answer = await link.latest(channel, name, question, progress);
+    return this.design === design && this.good ? answer : null;
   }
 
   private async solve(): Promise<void> {
@@ -112,26 +126,28 @@ class Workbench {
       return;
     }
     const answer = await this.front.latest("solve", "solve", { text: this.text });
-    if (answer !== kOvertaken && answer.text === this.text) this.takeSolved(answer, begin);
+    if (answer?.text === this.text) this.takeSolved(answer, begin);
   }
 
   private takeSolved(solved: Solved, begin: number): void {
     this.solved = solved;
     if (solved.result) this.good = solved;
-    else if (this.asks) this.good = null;
+    else if (this.finder) this.good = null;
     this.lastMs = performance.now() - begin;
-    this.tell("solved");
+    this.notify("solved");
   }
 
-  /** The spec asks for gears, by a search or a fit: that it is no pair yet is no fault. */
-  get asks(): boolean {
-    const { solved } = this;
-    if (!solved?.fault || !solved.spec) return false;
-    return (
-      solved.spec["search"] !== undefined ||
-      solved.spec["fit"] !== undefined ||
-      /gearwright (fit finds them|identify finds it)/.test(solved.fault.message)
-    );
+  /** The verb that finds what the spec leaves open: that it is no pair yet is no fault. */
+  get finder(): Fault["finder"] {
+    const { fault, spec } = this.solved ?? {};
+    if (!fault || !spec) return undefined;
+    if (spec["search"] !== undefined) return "search";
+    return fault.finder ?? (spec["fit"] !== undefined ? "fit" : undefined);
+  }
+
+  /** What is wrong with the text on screen. */
+  get fault(): Fault | null {
+    return this.finder ? null : (this.solved?.fault ?? null);
   }
 
   /** The answer of the engine is that to the text on screen. */
@@ -163,8 +179,8 @@ class Workbench {
     this.text = text;
     this.lastWhat = "";
     this.edits.clear();
-    this.tell("text");
-    this.tell("history");
+    this.notify("text");
+    this.notify("history");
     void this.solve();
   }
 }

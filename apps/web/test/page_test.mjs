@@ -76,9 +76,9 @@ describe("numbers", () => {
     assert.equal(await cell("pair.center_distance_mm"), result.pair.center_distance_mm.toFixed(4));
     for (const gear of [0, 1])
       assert.equal(await cell("gears.tip_diameter_mm", gear), result.gears[gear].tip_diameter_mm.toFixed(4));
-    await page.click('[data-unit="inch"]');
+    await page.click('[data-choice="in"]');
     assert.equal(await cell("pair.center_distance_mm"), (result.pair.center_distance_mm / 25.4).toFixed(5));
-    await page.click('[data-unit="mm"]');
+    await page.click('[data-choice="mm"]');
   });
 });
 
@@ -211,10 +211,10 @@ describe("pictures", () => {
   it("an error slider moves transmission error and text", async () => {
     await put(page, example("misaligned_pair"), "contact");
     await page.waitForSelector(".uplot canvas");
-    const before = await page.textContent(".contact-sentence");
+    const before = await page.textContent("#room-contact .view-sentence");
     await page.fill('[data-slide="errors.crossing_deg"]', "0.06");
     await page.waitForFunction(
-      (before) => document.querySelector(".contact-sentence").textContent !== before,
+      (before) => document.querySelector("#room-contact .view-sentence").textContent !== before,
       before,
     );
     assert.match(await page.evaluate(() => window.gearwright.text()), /crossing_deg = 0\.06/);

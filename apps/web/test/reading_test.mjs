@@ -35,14 +35,14 @@ describe("fields and labels", () => {
       for (const { name, text } of examples) {
         for (const tab of ["load", "rating"]) {
           await put(page, text, tab);
-          if (width < 900) await page.click('.parts [data-part="spec"]');
+          if (width < 900) await page.click('.parts [data-choice="spec"]');
           await page.evaluate(openAll);
           const labels = await page.locator(".row .label > span:first-child").allTextContents();
           assert.deepEqual(labels.filter((label) => raw.test(label)), [], name);
           const heads = await page.locator(".section-title").allTextContents();
           assert.deepEqual(heads.filter((head) => !/^\p{Lu}/u.test(head) || /_/.test(head)), [], name);
           assert.deepEqual(await page.evaluate(clipped), [], `${name}, form`);
-          if (width < 900) await page.click('.parts [data-part="view"]');
+          if (width < 900) await page.click('.parts [data-choice="view"]');
           assert.deepEqual(await page.evaluate(clipped), [], `${name}, ${tab}`);
         }
       }
@@ -69,13 +69,13 @@ describe("pictures", () => {
     });
     await put(page, example("helical_pair"), "mesh");
     await idle(page);
-    await page.click('[data-frame="whole"]');
+    await page.click('[data-choice="whole"]');
     await page.waitForTimeout(200);
     const written = await page.evaluate(() => window.written.splice(0));
     for (const index of ["a", "b", "f", "w"]) assert.ok(written.includes(index), `d_${index}`);
     await page.uncheck("text=circles");
     await page.evaluate(() => (window.written.length = 0));
-    await page.click('[data-frame="mesh"]');
+    await page.click('[data-choice="mesh"]');
     await page.waitForTimeout(200);
     assert.ok(!(await page.evaluate(() => window.written)).includes("b"));
     await page.check("text=circles");

@@ -59,19 +59,19 @@ describe("load", () => {
 
   it("a spec without a torque is offered one, with a first value and without an error", async () => {
     await put(page, example("helical_pair") + '\n[load]\npositions = 8\nslices = 8\naccuracy = "draft"\n', "load");
-    await page.waitForSelector("#room-load .asked-for:not([hidden])");
+    await page.waitForSelector("#room-load .offered:not([hidden])");
     assert.equal(await page.locator('#room-load [aria-invalid="true"]').count(), 0);
     assert.equal(await page.locator("#room-load [role=alert]:not(:empty)").count(), 0);
     assert.equal(await page.textContent("#room-load .view-sentence"), "");
     assert.equal(await page.inputValue('[data-offered="load.torque_Nm"]'), "20");
     await page.fill('[data-offered="load.torque_Nm"]', "much");
-    await page.click("#room-load .asked-for button");
-    assert.match(await page.textContent("#room-load .asked-for .fault"), /“much” is not a number/);
+    await page.click("#room-load .offered button");
+    assert.match(await page.textContent("#room-load .offered .fault"), /“much” is not a number/);
     await page.fill('[data-offered="load.torque_Nm"]', "30");
-    await page.click("#room-load .asked-for button");
+    await page.click("#room-load .offered button");
     await page.waitForFunction(() => /^torque_Nm = 30$/m.test(window.gearwright.text()));
     await finished(30);
-    assert.equal(await page.locator("#room-load .asked-for").isVisible(), false);
+    assert.equal(await page.locator("#room-load .offered").isVisible(), false);
     const [record] = native("load", await page.evaluate(() => window.gearwright.text())).load.torques;
     shows(await cell("max_pressure_MPa"), record.max_pressure_MPa);
   });
@@ -129,12 +129,12 @@ describe("rating", () => {
 
   it("a spec without a load is offered what a rating needs; first values are enough", async () => {
     await put(page, example("helical_pair"), "rating");
-    await page.waitForSelector("#room-rating .asked-for:not([hidden])");
+    await page.waitForSelector("#room-rating .offered:not([hidden])");
     assert.equal(await page.locator('#room-rating [aria-invalid="true"]').count(), 0);
     assert.equal(await page.locator("#room-rating [role=alert]:not(:empty)").count(), 0);
     const offered = await page.locator("#room-rating .offer-row").count();
     assert.equal(offered, 5);
-    await page.click("#room-rating .asked-for button");
+    await page.click("#room-rating .offered button");
     await page.waitForSelector("#room-rating [data-safety]");
     const text = await page.evaluate(() => window.gearwright.text());
     assert.match(text, /name = "16MnCr5"/);

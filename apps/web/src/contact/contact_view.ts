@@ -2,13 +2,13 @@
 // follow while they move. The pattern is made in the background and comes a moment later.
 
 import type { ContactCurve } from "../../engine/engine";
-import { figure, fill, flankFigure, h, onThemeChange, scroller } from "../elements";
-import { kOvertaken } from "../engine_link";
+import { figure, fill, flankFigure, h, onThemeChange, scroller, sentenceOf, slide, slider } from "../elements";
 import { judgement } from "../judgement";
+import { CurvePlot } from "../plot";
 import { markRevision } from "../revision";
 import { at, bench } from "../workbench";
 import type { Tab } from "../tabs";
-import { isEdge, SpectrumPlot, TransmissionPlot } from "./curves";
+import { isEdge, kAboutNothing, SpectrumPlot, transmissionCurves } from "./curves";
 import { ErrorMapView } from "./error_map_view";
 import { FlankMap } from "./flank_map";
 import { ContactSliders } from "./sliders";
@@ -18,28 +18,23 @@ type Timed = ContactCurve & { milliseconds: number };
 
 export class ContactView implements Tab {
   readonly id = "contact";
-  readonly words = "contact";
   private readonly sliders = new ContactSliders();
-  private readonly sentence = h("p", { class: "contact-sentence", "aria-live": "polite" });
+  private readonly sentence = h("p", { class: "view-sentence", "aria-live": "polite" });
   private readonly edges = h(
     "span",
     { hidden: true },
     h("span", { class: "edge-ink" }, "Here an edge touches"),
     ". ",
   );
-  private readonly te = new TransmissionPlot((index) => this.choose(index));
+  private readonly te = new CurvePlot("transmission error, ″", (i) => this.choose(i), kAboutNothing);
   private readonly spectrum = new SpectrumPlot();
   private readonly maps = [new FlankMap(0), new FlankMap(1)];
   private readonly errorMap = new ErrorMapView();
-  private readonly instant = h("input", {
-    type: "range",
-    min: 0,
-    max: kPositions - 1,
-    step: 1,
-    value: kPositions / 2,
-    "aria-label": "position over the pitch",
-    input: () => this.choose(Number(this.instant.value)),
-  });
+  private readonly instant = slider(
+    "position over the pitch",
+    { min: 0, max: kPositions - 1, step: 1, value: kPositions / 2 },
+    (index) => this.choose(index),
+  );
   private readonly where = h("output", { class: "soft" });
   private readonly time = h("span", { class: "soft time" });
   /** The marking comes later than the curves. */
@@ -69,14 +64,14 @@ export class ContactView implements Tab {
       ),
       figure(this.spectrum.element, h("b", {}, "Its spectrum"), ": the first bar is the tooth frequency."),
     ),
-    h("label", { class: "slide" }, h("span", {}, "position"), this.instant, this.where),
+    slide("position", this.instant, this.where),
     this.flanks,
   );
   readonly element = h(
     "div",
-    { class: "contact-view" },
+    { class: "side-view narrow" },
     this.sliders.element,
-    scroller("contact-room", "curves and flanks", this.picture, this.errorMap.element),
+    scroller("side-room", "curves and flanks", this.picture, this.errorMap.element),
   );
   readonly part = "contact";
   private curve: Timed | null = null;
@@ -102,16 +97,14 @@ export class ContactView implements Tab {
       return this.clear(solved ? "One gear touches nothing: a second one makes a pair." : bench.nothing);
     }
     if (solved.text === this.shown) return this.draw();
-    const { design } = bench;
-    let answer;
+    const question = { text: solved.text, positions: kPositions };
     try {
-      answer = await bench.front.latest("curve", "curve", { text: solved.text, positions: kPositions });
+      const answer = await bench.about(bench.front, "curve", "curve", question);
+      if (!answer) return;
+      this.curve = answer;
     } catch (reason) {
-      this.clear(reason instanceof Error ? reason.message : String(reason));
-      return;
+      return this.clear(sentenceOf(reason));
     }
-    if (answer === kOvertaken || bench.design !== design || !bench.good) return;
-    this.curve = answer;
     this.shown = solved.text;
     for (const map of this.maps) map.gap = null;
     this.draw();
@@ -148,18 +141,18 @@ export class ContactView implements Tab {
     if (!curve || rotation === undefined || tooth === undefined || !Number.isFinite(tooth)) return;
     const gap = await bench.front
       .latest("gap", "gapMap", { text: this.shown, rotation, tooth, rows: 25, columns: 49 })
-      .catch(() => null);
-    if (gap === kOvertaken || this.curve !== curve) return;
-    this.maps[0]!.gap = gap;
+      .catch(() => undefined); // there is none
+    if (gap === null || this.curve !== curve) return;
+    this.maps[0]!.gap = gap ?? null;
     this.drawFlanks();
   }
 
   private async pattern(text: string): Promise<void> {
     const pattern = await bench.back
       .latest("pattern-flat", "pattern", { text, positions: 32, rows: 25, columns: 49 })
-      .catch(() => null);
-    if (pattern === kOvertaken || this.shown !== text) return;
-    this.maps.forEach((map, i) => (map.pattern = pattern?.[i] ?? null));
+      .catch(() => []); // there is none
+    if (!pattern || this.shown !== text) return;
+    this.maps.forEach((map, i) => (map.pattern = pattern[i] ?? null));
     this.marked = text;
     this.drawFlanks();
   }
@@ -168,20 +161,21 @@ export class ContactView implements Tab {
   async judge(): Promise<void> {
     const { text } = bench;
     const answer = await bench.press.latest("contact", "run", { text, verb: "contact" });
-    if (answer !== kOvertaken) judgement.take("contact", text, answer as Parameters<typeof judgement.take>[2]);
+    if (answer) judgement.take("contact", text, answer as Parameters<typeof judgement.take>[2]);
   }
 
   private draw(): void {
     const curve = this.curve;
     if (!curve) return;
     this.empty(false);
-    this.te.show(curve, this.index);
+    const x = curve.columns["rotation1_deg"] as Float64Array;
+    const peaks = `peak to peak ${curve.peakToPeakArcsec.toFixed(3)} arc seconds`;
+    this.te.show(x, transmissionCurves(curve), this.index, `transmission error over one pitch, ${peaks}`);
     this.spectrum.show(curve.harmonicsArcsec);
     const kinds = curve.columns["kind"] as string[];
     this.edges.hidden = !kinds.some(isEdge);
     fill(this.sentence, curve.words);
-    const rotation = (curve.columns["rotation1_deg"] as Float64Array)[this.index]!;
-    this.where.textContent = `${rotation.toFixed(2)}°  ${kinds[this.index]?.replaceAll("_", " ") || "no contact"}`;
+    this.where.textContent = `${x[this.index]!.toFixed(2)}°  ${kinds[this.index]?.replaceAll("_", " ") || "no contact"}`;
     this.time.textContent = `${curve.n} positions in ${curve.milliseconds.toFixed(1)} ms.`;
     this.drawFlanks();
   }

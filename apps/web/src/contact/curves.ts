@@ -3,7 +3,7 @@
 import uPlot from "uplot";
 import type { ContactCurve } from "../../engine/engine";
 import { colour } from "../elements";
-import { axis, MarkedPlot, Plot, upright } from "../plot";
+import { axis, type Curve, type Ends, Plot, upright } from "../plot";
 
 /** A curve flatter than this is drawn flat. */
 const kLeastArcsec = 0.02;
@@ -13,53 +13,28 @@ export function isEdge(kind: string): boolean {
   return !["interior", "line", "ridge", "none", ""].includes(kind);
 }
 
-export class TransmissionPlot extends MarkedPlot {
-  constructor(chosen: (index: number) => void) {
-    super(190, chosen);
-  }
-  protected options(): Omit<uPlot.Options, "width" | "height"> {
-    const inside = { stroke: colour("flank"), width: 2, points: { show: false } };
-    return {
-      ...this.shared(),
-      scales: {
-        x: { time: false },
-        y: { range: (_, lo, hi) => [Math.min(lo, -kLeastArcsec) * 1.1, Math.max(hi, kLeastArcsec) * 1.1] },
-      },
-      axes: [axis("rotation of gear 1, °", 34), upright("transmission error, ″", 44)],
-      series: [
-        {},
-        inside,
-        { stroke: colour("root-fillet"), width: 2.5, points: { show: false }, spanGaps: false },
-      ],
-    };
-  }
-  /** The curve from its middle; where an edge touches, in the colour of edges. */
-  show(curve: ContactCurve, at: number): void {
-    const x = curve.columns["rotation1_deg"] as Float64Array;
-    const y = curve.columns["transmission_error_arcsec"] as Float64Array;
-    const kinds = curve.columns["kind"] as string[];
-    const real = y.filter(Number.isFinite);
-    const middle = real.length ? (Math.min(...real) + Math.max(...real)) / 2 : 0;
-    const edge = (i: number) => kinds[i] !== undefined && isEdge(kinds[i]!);
-    const all = Array.from(y, (value) => (Number.isFinite(value) ? value - middle : null));
-    // An edge's stretch joins the points on either side of it.
-    const edges = all.map((value, i) =>
-      edge(i) || (i > 0 && edge(i - 1)) || (i + 1 < all.length && edge(i + 1)) ? value : null,
-    );
-    this.marked = x[at] ?? NaN;
-    this.element.setAttribute(
-      "aria-label",
-      `transmission error over one pitch, peak to peak ${curve.peakToPeakArcsec.toFixed(3)} arc seconds`,
-    );
-    this.draw([Array.from(x), all, edges]);
-  }
+/** Ends of the axis of a transmission error. */
+export const kAboutNothing: Ends = (lo, hi) => [
+  Math.min(lo, -kLeastArcsec) * 1.1,
+  Math.max(hi, kLeastArcsec) * 1.1,
+];
+/** The transmission error from its middle; where an edge touches, in the colour of edges. */
+export function transmissionCurves(curve: ContactCurve): Curve[] {
+  const y = curve.columns["transmission_error_arcsec"] as Float64Array;
+  const kinds = curve.columns["kind"] as string[];
+  const real = y.filter(Number.isFinite);
+  const middle = real.length ? (Math.min(...real) + Math.max(...real)) / 2 : 0;
+  const edge = (i: number) => kinds[i] !== undefined && isEdge(kinds[i]);
+  const all = y.map((value) => value - middle);
+  // An edge's stretch joins the points on either side of it.
+  const edges = all.map((value, i) => (edge(i - 1) || edge(i) || edge(i + 1) ? value : NaN));
+  return [
+    { values: all, colour: "flank" },
+    { values: edges, colour: "root-fillet", width: 2.5 },
+  ];
 }
 
 export class SpectrumPlot extends Plot {
-  constructor() {
-    super(190);
-    this.element.setAttribute("role", "img");
-  }
   protected options(): Omit<uPlot.Options, "width" | "height"> {
     return {
       legend: { show: false },
@@ -70,10 +45,10 @@ export class SpectrumPlot extends Plot {
       },
       axes: [
         {
-          ...axis("waves per pitch", 34),
+          ...axis("waves per pitch"),
           splits: (_, __, ___, max) => [1, 2, 5, 10, 15, 20].filter((n) => n <= max),
         },
-        upright("amplitude, ″", 44),
+        upright("amplitude, ″"),
       ],
       series: [
         {},

@@ -3,8 +3,7 @@
 
 import type { ErrorMap } from "../../engine/engine";
 import { inputs, wordsAt, wordsOf } from "../catalogue";
-import { button, colour, fill, h } from "../elements";
-import { kOvertaken } from "../engine_link";
+import { button, colour, fill, h, sentenceOf } from "../elements";
 import { fixed } from "../numbers";
 import { markRevision } from "../revision";
 import { at, bench } from "../workbench";
@@ -35,9 +34,9 @@ export class ErrorMapView {
   });
   private readonly room = h("div", { class: "map-room" }, this.canvas);
   private readonly go = button("Map", () => void this.make());
-  private readonly stop = button("Cancel", () => this.cancel());
+  private readonly stop = button("Cancel", () => bench.back.cancel());
   private readonly bar = h("progress", { max: 1, value: 0, "aria-label": "progress of the map" });
-  private readonly said = h("span", { class: "soft", role: "status" });
+  private readonly status = h("span", { class: "soft", role: "status" });
   readonly element = h(
     "figure",
     { class: "error-map" },
@@ -50,7 +49,7 @@ export class ErrorMapView {
       this.go,
       this.stop,
       this.bar,
-      this.said,
+      this.status,
     ),
     this.room,
   );
@@ -62,10 +61,10 @@ export class ErrorMapView {
     bench.on("text", () => this.age());
     bench.on("solved", () => this.age());
     bench.on("opened", () => {
-      if (!this.stop.hidden) this.cancel();
+      if (!this.stop.hidden) bench.back.cancel();
       this.map = null;
       this.canvas.hidden = true;
-      this.said.textContent = "";
+      this.status.textContent = "";
     });
   }
   /** A map is of a spec but for the two errors that it runs over. */
@@ -105,13 +104,13 @@ export class ErrorMapView {
 
   private async make(): Promise<void> {
     if (this.x.value === this.y.value) {
-      this.said.textContent = "Choose two different errors.";
+      this.status.textContent = "Choose two different errors.";
       return;
     }
     if (!bench.good) return;
     this.stop.hidden = this.bar.hidden = false;
     this.go.hidden = true;
-    this.said.textContent = "";
+    this.status.textContent = "";
     const [x, y] = [this.x.value, this.y.value];
     const { design } = bench;
     const axes = { x, y, rest: this.restOf(x, y), text: bench.good.text };
@@ -126,17 +125,14 @@ export class ErrorMapView {
         this.bar.value = of ? done / of : 0;
         if (sofar) take(sofar as ErrorMap);
       });
-      if (map && map !== kOvertaken) take(map);
-      this.said.textContent = "A click mounts the pair so.";
+      if (map) take(map);
+      this.status.textContent = "A click mounts the pair so.";
     } catch (reason) {
-      if (bench.design === design) this.said.textContent = reason instanceof Error ? reason.message : String(reason);
+      if (bench.design === design) this.status.textContent = sentenceOf(reason);
     } finally {
       this.stop.hidden = this.bar.hidden = true;
       this.go.hidden = false;
     }
-  }
-  cancel(): void {
-    bench.back.cancel();
   }
 
   private paint(map: ErrorMap): void {
@@ -171,7 +167,7 @@ export class ErrorMapView {
     const [i, j] = cell;
     const value = this.map.peakToPeakArcsec[j * this.map.x.length + i]!;
     const at = (key: string, value: number) => `${wordsAt("errors", key)} ${fixed(value, 4)}`;
-    this.said.textContent =
+    this.status.textContent =
       `${at(this.axes.x, this.map.x[i]!)}, ${at(this.axes.y, this.map.y[j]!)}: ` +
       (Number.isFinite(value) ? value.toFixed(3) + "″" : "no contact");
   }

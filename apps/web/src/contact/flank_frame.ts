@@ -1,6 +1,6 @@
 // A flank laid flat: the face from left to right, the root below, the tip above; its edges and axes.
 
-import { colour, h } from "../elements";
+import { colour, font, h, type Sheet, sheetOf } from "../elements";
 import { fixed, shownUnit, toShown } from "../numbers";
 
 const kRoom = { left: 46, right: 12, top: 10, bottom: 34 };
@@ -23,17 +23,10 @@ export abstract class FlankFrame {
   }
 
   /** An empty flank of this span, or nothing where the canvas has no room. */
-  protected begin(span: Span | null): { c: CanvasRenderingContext2D; box: Box; ratio: number } | null {
-    const width = this.canvas.clientWidth;
-    const height = this.canvas.clientHeight;
-    if (!width || !height) return null;
-    const ratio = Math.min(2, devicePixelRatio || 1);
-    this.canvas.width = Math.round(width * ratio);
-    this.canvas.height = Math.round(height * ratio);
-    const c = this.canvas.getContext("2d")!;
-    c.setTransform(ratio, 0, 0, ratio, 0, 0);
-    c.clearRect(0, 0, width, height);
-    if (!span) return null;
+  protected begin(span: Span | null): (Sheet & { box: Box }) | null {
+    const sheet = sheetOf(this.canvas, 2);
+    if (!sheet || !span) return null;
+    const { c, width, height } = sheet;
     this.span = span;
     const box = {
       x: kRoom.left,
@@ -43,7 +36,7 @@ export abstract class FlankFrame {
     };
     c.fillStyle = colour("paper");
     c.fillRect(box.x, box.y, box.w, box.h);
-    return { c, box, ratio };
+    return { ...sheet, box };
   }
 
   protected frame(c: CanvasRenderingContext2D, box: Box): void {
@@ -61,7 +54,7 @@ export abstract class FlankFrame {
   private axes(c: CanvasRenderingContext2D, box: Box): void {
     const [z0, z1, d0, d1] = this.span;
     c.fillStyle = colour("soft");
-    c.font = `11.5px ${getComputedStyle(document.body).fontFamily}`;
+    c.font = font("11.5px");
     c.textAlign = "right";
     c.textBaseline = "middle";
     for (const d of [d0, (d0 + d1) / 2, d1])

@@ -3,7 +3,7 @@
 
 import type { InputKey } from "../../engine/engine";
 import { inputKey, inputs, wordsOf } from "../catalogue";
-import { h, symbol } from "../elements";
+import { h, onKeys, symbol } from "../elements";
 import { fixed, niceStep, onStep } from "../numbers";
 import { at, bench } from "../workbench";
 
@@ -83,12 +83,8 @@ export class ContactSliders {
         set(value);
       },
       dblclick: () => set(0),
-      keydown: (event: KeyboardEvent) => {
-        if (event.key !== "0") return;
-        event.preventDefault();
-        set(0);
-      },
     });
+    onKeys(input, { "0": () => set(0) });
     const row = h(
       "label",
       { class: "slider", title: key.meaning },
@@ -100,7 +96,7 @@ export class ContactSliders {
     return row;
   }
 
-  /** Shows what the spec says. */
+  /** Shows the values of the spec. */
   show(): void {
     const spec = bench.solved?.spec;
     if (!spec) return;

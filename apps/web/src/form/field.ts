@@ -1,12 +1,12 @@
 // One field of the form: a key of the catalogue at a place of the spec.
 //
 // A number may be typed, stepped with the arrow keys, or slid: while a field has the focus its note
-// stands below the row, with one sentence, the range and a slider about the value. What the engine
-// has to say against a value stands in the same place.
+// stands below the row, with one sentence, the range and a slider about the value. The fault that the
+// engine finds in a value stands in the same place.
 
 import type { InputKey } from "../../engine/engine";
-import { materials, rangeOf, unitOf } from "../catalogue";
-import { h } from "../elements";
+import { materials, rangeOf } from "../catalogue";
+import { h, onKeys } from "../elements";
 import type { Json } from "../engine_worker";
 import { fromShown, niceStep, onStep, short, shownUnit, toShown } from "../numbers";
 import { bench } from "../workbench";
@@ -80,7 +80,7 @@ function wordsIn(text: string): string[] {
   return parts.filter(Boolean);
 }
 
-/** What a text says for this key; undefined where it says nothing that the engine could judge. */
+/** The value of this key that a text means; null where it means none that the engine could judge. */
 function valueOf(key: InputKey, text: string): { value: Json | undefined } | null {
   const plain = text.trim();
   if (plain === "") return { value: undefined };
@@ -115,9 +115,8 @@ function isMaterial(key: InputKey, place: string): boolean {
 /** Names of materials, by what they are: a name alone is short enough for a field. */
 export function materialGroups(): HTMLElement[] {
   const groups = new Map<string, HTMLElement>();
-  for (const { name, note } of materials()) {
-    const kind = /^the older name/.test(note) ? "case-hardened" : note.replace(/,.*$/, "");
-    if (!groups.has(kind)) groups.set(kind, h("optgroup", { label: kind }));
+  for (const { name, kind, note } of materials()) {
+    if (!groups.has(kind)) groups.set(kind, h("optgroup", { label: note.replace(/,.*$/, "") }));
     groups.get(kind)!.append(h("option", { value: name, title: note }, name));
   }
   return [...groups.values()];
@@ -149,10 +148,10 @@ function chooser(key: InputKey, place: string, label: string): Field {
     show(value, implied) {
       const absent = yesNo ? { true: "yes", false: "no" }[implied] : implied.replaceAll("_", " ");
       none.textContent = absent || "–";
-      const said = value === undefined || typeof value === "object" ? "" : String(value);
-      if (key.kind === "text" && ![...select.options].some((one) => one.value === said))
-        select.append(option(said)); // a name of one's own
-      select.value = said;
+      const meant = value === undefined || typeof value === "object" ? "" : String(value);
+      if (key.kind === "text" && ![...select.options].some((one) => one.value === meant))
+        select.append(option(meant)); // a name of one's own
+      select.value = meant;
       select.classList.toggle("implied", value === undefined);
       makeRoom(select);
     },
@@ -161,7 +160,7 @@ function chooser(key: InputKey, place: string, label: string): Field {
 }
 
 export function makeField(key: InputKey, named: string, place: string, who: string, note: Note): Field {
-  const label = [named, who, shownUnit(unitOf(key))].filter(Boolean).join(", ");
+  const label = [named, who, shownUnit(key.unit)].filter(Boolean).join(", ");
   const words = key.words.length > 0 && !key.list && key.kind !== "number";
   if (key.kind === "boolean" || words || isMaterial(key, place)) {
     const field = chooser(key, place, label);
@@ -186,10 +185,10 @@ export function makeField(key: InputKey, named: string, place: string, who: stri
     : null;
 
   const send = (text: string) => {
-    const said = valueOf(key, text);
-    if (!said) return note.fault(`“${text.slice(0, 60)}” is not ${key.form || "a number"}.`);
+    const meant = valueOf(key, text);
+    if (!meant) return note.fault(`“${text.slice(0, 60)}” is not ${key.form || "a number"}.`);
     note.fault(null);
-    bench.setKey(place, said.value);
+    bench.setKey(place, meant.value);
   };
   const base = () =>
     typeof current === "number" ? toShown(current, key.unit) : numberIn(input.placeholder) || 0;
@@ -225,19 +224,15 @@ export function makeField(key: InputKey, named: string, place: string, who: stri
     mine = null;
     field.show(current, input.placeholder);
   });
-  input.addEventListener("keydown", (event: KeyboardEvent) => {
-    if (!numeric || (event.key !== "ArrowUp" && event.key !== "ArrowDown")) return;
-    event.preventDefault();
+  const arrow = (event: KeyboardEvent, sign: 1 | -1) => {
     const step = stepOf(base()) * (event.shiftKey ? 10 : 1);
-    let value = onStep(
-      base() + (event.key === "ArrowUp" ? step : -step),
-      key.kind === "whole" ? 1 : step / 100,
-    );
-    if (key.range && !key.range.zero && value === 0) value += event.key === "ArrowUp" ? 1 : -1;
+    let value = onStep(base() + sign * step, key.kind === "whole" ? 1 : step / 100);
+    if (key.range && !key.range.zero && value === 0) value += sign;
     mine = null;
     input.value = short(value);
     send(input.value);
-  });
+  };
+  if (numeric) onKeys(input, { ArrowUp: (event) => arrow(event, 1), ArrowDown: (event) => arrow(event, -1) });
   slider?.addEventListener("input", () => {
     mine = null;
     if (key.range && !key.range.zero && Number(slider.value) === 0) return;

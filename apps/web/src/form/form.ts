@@ -3,19 +3,18 @@
 // Rows come and go with the keys of the text; as long as they stay, only values change, so that
 // focus and slider stay where they are.
 
-import type { InputKey } from "../../engine/engine";
 import { inputKey } from "../catalogue";
-import { button, fill, h } from "../elements";
-import { inInches, onUnitChange, setInches } from "../numbers";
+import { button, Choice, fill, h } from "../elements";
+import { onUnitChange, showLengthsIn, shownUnit } from "../numbers";
 import { at, bench } from "../workbench";
-import { implied, makeRow, type RowField } from "./row";
+import { columnHeads, Rows } from "./row";
 import { planOf, signatureOf, type Section } from "./plan";
 
 export class Form {
   readonly element = h("div", { class: "form" });
-  readonly units = h("div", { class: "choice", role: "group", "aria-label": "unit of length" });
+  readonly units = new Choice("unit of length", { mm: "mm", in: "inch" }, shownUnit("mm"), showLengthsIn);
   private signature = "";
-  private fields: RowField[] = [];
+  private readonly rows = new Rows();
   private readonly opened = new Set<string>(["gear", "pair", "search", "fit"]);
   private readonly more = new Set<string>();
   private readonly general = h("p", { class: "fault", role: "alert" });
@@ -30,17 +29,8 @@ export class Form {
   });
 
   constructor() {
-    const unit = (words: string, yes: boolean) =>
-      button(words, () => setInches(yes), {
-        class: "unit-choice",
-        "aria-pressed": String(inInches() === yes),
-        "data-unit": words,
-      });
-    fill(this.units, unit("mm", false), unit("inch", true));
     fill(this.element, this.title, this.general, this.body);
     onUnitChange(() => {
-      for (const one of this.units.querySelectorAll("button"))
-        one.setAttribute("aria-pressed", String((one.dataset["unit"] === "inch") === inInches()));
       this.signature = "";
       this.update();
     });
@@ -54,7 +44,7 @@ export class Form {
     if (!spec) {
       // A text that cannot be read, and no design before it: there is nothing to show.
       this.signature = this.title.value = "";
-      this.fields = [];
+      this.rows.clear();
       fill(this.body);
     } else {
       const plan = planOf(spec);
@@ -63,66 +53,40 @@ export class Form {
         this.signature = signature;
         this.build(plan);
       }
-      for (const { key, field } of this.fields) field.show(at(spec, field.place), implied(key, field.place));
+      this.rows.show(spec);
       if (document.activeElement !== this.title)
         this.title.value = typeof spec["title"] === "string" ? spec["title"] : "";
     }
-    this.showFault();
-  }
-
-  private showFault(): void {
-    const fault = bench.solved?.fault ?? null;
-    const asks = bench.asks;
-    let found = false;
-    for (const { field } of this.fields) field.fault(null);
-    for (const note of new Set(this.fields.map((one) => one.note))) note.fault(null);
-    for (const { field, note } of this.fields) {
-      if (!fault || asks || field.place !== fault.key) continue;
-      found = true;
-      field.fault(fault.message);
-      note.fault(fault.message);
-      field.element.closest("details")?.setAttribute("open", "");
-    }
-    this.general.textContent = fault && !found && !asks ? fault.message : "";
+    const blamed = this.rows.blame(bench.fault);
+    blamed?.element.closest("details")?.setAttribute("open", "");
+    this.general.textContent = blamed ? "" : (bench.fault?.message ?? "");
   }
 
   private build(plan: Section[]): void {
     const focused = (document.activeElement as HTMLElement | null)?.dataset?.["key"];
-    this.fields = [];
+    this.rows.clear();
     fill(this.body, ...plan.map((section) => this.section(section)), this.offers(plan));
     if (focused) this.body.querySelector<HTMLElement>(`[data-key="${CSS.escape(focused)}"]`)?.focus();
   }
 
   private section(section: Section): HTMLElement {
     const columns = section.places.length;
-    const rows = h("div", { class: "rows" });
-    const addRow = (key: InputKey) => {
-      const row = makeRow(section.table, key, section.places);
-      this.fields.push(...row.fields);
-      rows.append(...row.elements);
-    };
-    for (const key of section.rows) addRow(key);
     const showMore = this.more.has(section.id);
-    if (showMore) for (const key of section.more) addRow(key);
-    const toggle =
-      section.more.length > 0
-        ? button(
-            showMore ? "fewer" : `${section.more.length} more`,
-            () => {
-              if (showMore) this.more.delete(section.id);
-              else this.more.add(section.id);
-              this.signature = "";
-              this.update();
-            },
-            {
-              class: "quiet more",
-              "aria-expanded": String(showMore),
-              "aria-label": `${showMore ? "fewer" : section.more.length + " more"} keys: ${section.title}`,
-            },
-          )
-        : null;
-    const heads = section.places.map((place) =>
-      place.startsWith("gear") ? h("span", { class: "g" + place[4] }, "gear " + place[4]) : null,
+    const keys = showMore ? [...section.rows, ...section.more] : section.rows;
+    const words = showMore ? "fewer" : `${section.more.length} more`;
+    const toggle = button(
+      words,
+      () => {
+        if (showMore) this.more.delete(section.id);
+        else this.more.add(section.id);
+        this.signature = "";
+        this.update();
+      },
+      {
+        class: "quiet more",
+        "aria-expanded": String(showMore),
+        "aria-label": `${words} keys: ${section.title}`,
+      },
     );
     const open = this.opened.has(section.id) || section.present;
     const details = h(
@@ -132,10 +96,10 @@ export class Form {
         "summary",
         { title: section.meaning },
         h("span", { class: "section-title" }, section.title),
-        ...heads,
+        ...columnHeads(section.places),
       ),
-      rows,
-      toggle,
+      this.rows.add(section.table, keys, section.places),
+      section.more.length > 0 && toggle,
     );
     details.querySelector("summary")!.addEventListener("click", () => {
       if (details.open)
@@ -148,7 +112,7 @@ export class Form {
   /** What the text does not have yet: a second gear. */
   private offers(plan: Section[]): HTMLElement | null {
     const gears = plan.find((one) => one.id === "gear")?.places.length;
-    if (gears !== 1 || bench.asks) return null;
+    if (gears !== 1 || bench.finder) return null;
     return button(
       "add a second gear",
       () => {

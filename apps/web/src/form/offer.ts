@@ -2,7 +2,7 @@
 // button that writes them into the spec. Nothing is written before it is pressed.
 
 import type { InputKey } from "../../engine/engine";
-import { inputKey, unitOf, wordsOf } from "../catalogue";
+import { inputKey, wordsOf } from "../catalogue";
 import { fill, h, symbol } from "../elements";
 import type { Json } from "../engine_worker";
 import { shownUnit } from "../numbers";
@@ -31,7 +31,7 @@ export class Offer {
   ) {
     this.element = h(
       "form",
-      { class: "asked-for", novalidate: true, submit: (event: Event) => this.submit(event) },
+      { class: "offered", novalidate: true, submit: (event: Event) => this.submit(event) },
       h("p", {}, words),
       this.rows,
       this.wrong,
@@ -77,7 +77,7 @@ export class Offer {
       ? h("select", {}, !first && h("option", { value: "" }, "steel"), ...materialGroups())
       : h("input", { type: "text", inputmode: "decimal", class: "number", autocomplete: "off" });
     input.value = first;
-    input.setAttribute("aria-label", [words, shownUnit(unitOf(key))].filter(Boolean).join(", "));
+    input.setAttribute("aria-label", [words, shownUnit(key.unit)].filter(Boolean).join(", "));
     input.dataset["offered"] = of.places[0]!;
     this.fields.push({ of, input });
     return h(
@@ -85,7 +85,7 @@ export class Offer {
       { class: "offer-row", title: key.meaning },
       h("span", {}, words, " ", key.symbol ? symbol(key.symbol) : null),
       input,
-      h("span", { class: "unit" }, shownUnit(unitOf(key))),
+      h("span", { class: "unit" }, shownUnit(key.unit)),
     );
   }
 

@@ -1,12 +1,12 @@
 // A few keys of the spec beside a picture that needs them: the same fields as in the form, with what
-// the engine has to say against them when it makes that picture.
+// the engine finds wrong with them when it makes that picture.
 
 import { inputKey } from "../catalogue";
 import { fill, h } from "../elements";
 import type { Fault } from "../engine_worker";
 import { onUnitChange } from "../numbers";
-import { at, bench } from "../workbench";
-import { implied, makeRow, type RowField } from "./row";
+import { bench } from "../workbench";
+import { columnHeads, Rows } from "./row";
 
 export interface PanelGroup {
   title: string;
@@ -18,7 +18,7 @@ export interface PanelGroup {
 export class KeyPanel {
   readonly element: HTMLElement;
   private readonly body = h("div");
-  private fields: RowField[] = [];
+  private readonly rows = new Rows();
   private answered: Fault | null = null;
 
   constructor(
@@ -27,32 +27,25 @@ export class KeyPanel {
   ) {
     this.element = h("div", { class: "key-panel", role: "group", "aria-label": label }, this.body);
     onUnitChange(() => {
-      this.fields = [];
+      this.rows.clear();
       this.show();
     });
   }
 
   private build(): void {
-    if (this.fields.length) return;
-    fill(this.body);
-    for (const group of this.groups) {
-      const rows = h("div", { class: "rows", style: `--columns:${group.places.length}` });
-      for (const name of group.keys) {
-        const key = inputKey(group.table, name);
-        if (!key) continue;
-        const row = makeRow(group.table, key, group.places);
-        this.fields.push(...row.fields);
-        rows.append(...row.elements);
-      }
-      const heads = group.places.map((place) =>
-        place.startsWith("gear") ? h("span", { class: "g" + place[4] }, "gear " + place[4]) : null,
+    if (!this.rows.empty) return;
+    const group = ({ title, table, places, keys }: PanelGroup) =>
+      h(
+        "section",
+        { style: `--columns:${places.length}` },
+        h("h3", {}, title, ...columnHeads(places)),
+        this.rows.add(table, keys.flatMap((name) => inputKey(table, name) ?? []), places),
       );
-      this.body.append(h("h3", { style: `--columns:${group.places.length}` }, group.title, ...heads), rows);
-    }
+    fill(this.body, ...this.groups.map(group));
   }
 
-  /** Shows what the spec says, and a fault at its field; of a table that is missing at its first.
-   *  `answered` is what the engine had to say of the last spec that could be solved. Returns the
+  /** Shows the values of the spec, and a fault at its field; of a table that is missing at its first.
+   *  `answered` is the fault of the last spec that could be solved. Returns the
    *  sentence for the room beside the panel: the reason stands in one place only. */
   show(answered: Fault | null = this.answered): string {
     this.build();
@@ -60,19 +53,8 @@ export class KeyPanel {
     const typed = bench.solved?.fault ?? null; // of a spec that cannot be solved: the form has it, too
     const fault = typed ?? answered;
     const spec = bench.solved?.spec ?? bench.good?.spec ?? null;
-    const blamed =
-      fault &&
-      (this.fields.find((one) => one.field.place === fault.key) ??
-        this.fields.find((one) => fault.key !== "" && one.field.place.startsWith(fault.key + ".")));
-    for (const { key, field } of this.fields) {
-      field.show(at(spec, field.place), implied(key, field.place));
-      field.fault(null);
-    }
-    for (const note of new Set(this.fields.map((one) => one.note))) note.fault(null);
-    if (fault && blamed) {
-      blamed.field.fault(fault.message);
-      blamed.note.fault(fault.message);
-    }
+    this.rows.show(spec);
+    const blamed = this.rows.blame(fault, true);
     if (!answered) return "";
     return blamed ? "There is no answer: see the marked field." : answered.message;
   }

@@ -125,18 +125,18 @@ export function planOf(spec: Json): Section[] {
   const sections: (Section | null)[] = [];
   const add = (one: Section | null) => sections.push(one);
   if (searching) add(section("search", "search", "search", ["search"], spec));
-  // A search asks for gears: what it is told of them stands in the text, the rest is not offered.
-  const told = searching ? gears.filter((gear) => at(spec, gear) !== undefined) : gears;
-  const gear = section("gear", "gear", "gear", told, spec);
+  // A search finds the gears: what the text fixes of them is shown, the rest is not offered.
+  const fixed = searching ? gears.filter((gear) => at(spec, gear) !== undefined) : gears;
+  const gear = section("gear", "gear", "gear", fixed, spec);
   if (gear && searching)
     gear.rows = gear.rows.filter((key) =>
-      told.some((where) => at(spec, `${where}.${key.key}`) !== undefined),
+      fixed.some((where) => at(spec, `${where}.${key.key}`) !== undefined),
     );
-  if (told.length) add(gear);
+  if (fixed.length) add(gear);
   if (gears.length > 1 && !searching) add(section("pair", "pair", "pair", ["pair"], spec));
   for (const key of inputs("gear")?.keys ?? []) {
     if (key.kind !== "table") continue;
-    const holders = told.map((gear) => `${gear}.${key.key}`);
+    const holders = fixed.map((gear) => `${gear}.${key.key}`);
     const tables = holders.filter((where) => isTable(at(spec, where)));
     const offered = !searching && (key.key === "bore" || key.key === "modifications");
     if (!tables.length && !offered) continue;

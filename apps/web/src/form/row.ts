@@ -2,21 +2,21 @@
 // them the note of the field with the focus.
 
 import type { InputKey } from "../../engine/engine";
-import { quantity, unitOf, wordsOf } from "../catalogue";
+import { quantity, wordsOf } from "../catalogue";
 import { h, symbol } from "../elements";
-import type { Json } from "../engine_worker";
+import type { Fault, Json } from "../engine_worker";
 import { fixed, shownUnit, toShown } from "../numbers";
 import { at, bench } from "../workbench";
 import { makeField, makeNote, type Field, type Note } from "./field";
 
-export interface RowField {
+interface RowField {
   key: InputKey;
   field: Field;
   note: Note;
 }
 
-/** What holds for a key that is absent: the result's value, else what the catalogue says. */
-export function implied(key: InputKey, place: string): string {
+/** What holds for a key that is absent: the result's value, else that of the catalogue. */
+function implied(key: InputKey, place: string): string {
   const [head, ...rest] = place.split(".");
   const result = bench.solved?.result ?? bench.good?.result ?? null;
   if (rest.length === 1 && result) {
@@ -28,15 +28,15 @@ export function implied(key: InputKey, place: string): string {
           ? result["pair"]
           : undefined;
     const value = at(owner, rest[0]!);
-    const said = quantity(gear >= 0 ? "gear" : "pair", rest[0]!);
-    if (typeof value === "number" && said)
-      return fixed(toShown(value, said.unit), said.digits)
+    const info = quantity(gear >= 0 ? "gear" : "pair", rest[0]!);
+    if (typeof value === "number" && info)
+      return fixed(toShown(value, info.unit), info.digits)
         .replace(/(\.\d*?)0+$/, "$1")
         .replace(/\.$/, "");
   }
-  const said = key.fallback.replace(/^"|"$/g, "");
-  return /^-?[\d.]+$/.test(said) || key.words.includes(said) || said === "true" || said === "false"
-    ? said
+  const info = key.fallback.replace(/^"|"$/g, "");
+  return /^-?[\d.]+$/.test(info) || key.words.includes(info) || info === "true" || info === "false"
+    ? info
     : "";
 }
 
@@ -50,32 +50,67 @@ function isWide(key: InputKey): boolean {
   return key.kind !== "number" && key.words.some((word) => word.length > kNarrow);
 }
 
-/** `places` are those of a table of the catalogue: ["gear1.bore", "gear2.bore"] of "bore". */
-export function makeRow(
-  table: string,
-  key: InputKey,
-  places: string[],
-): { elements: HTMLElement[]; fields: RowField[] } {
-  const words = wordsOf(table, key);
-  const note = makeNote();
-  const fields = places.map((place) => {
-    const who = /^gear[12]/.test(place) ? "gear " + place[4] : "";
-    return { key, field: makeField(key, words, `${place}.${key.key}`, who, note), note };
-  });
-  const unit = shownUnit(unitOf(key));
-  const two = places.length > 1;
-  const stacked = two && (isWide(key) || words.length > kShortLabel);
-  const kind = ["row", two ? "two" : "", stacked ? "stacked" : isWide(key) ? "wide" : ""].join(" ").trim();
-  const label = h(
-    "span",
-    { class: "label", title: key.meaning },
-    h("span", {}, words),
-    " ",
-    key.symbol ? symbol(key.symbol) : null,
-    unit ? h("span", { class: "unit" }, " " + unit) : null,
+/** "gear 1" over the column of fields of a place of gear 1. */
+export function columnHeads(places: string[]): (HTMLElement | null)[] {
+  return places.map((place) =>
+    place.startsWith("gear") ? h("span", { class: "g" + place[4] }, "gear " + place[4]) : null,
   );
-  return {
-    elements: [h("div", { class: kind }, label, ...fields.map((one) => one.field.element)), note.element],
-    fields,
-  };
+}
+
+/** Rows of fields, and the faults that the engine finds in them. */
+export class Rows {
+  private fields: RowField[] = [];
+
+  get empty(): boolean {
+    return !this.fields.length;
+  }
+  clear(): void {
+    this.fields = [];
+  }
+  /** Rows for keys of a table of the catalogue; `places` are where it stands: ["gear1.bore",
+   *  "gear2.bore"] of "bore". */
+  add(table: string, keys: InputKey[], places: string[]): HTMLElement {
+    return h("div", { class: "rows" }, ...keys.flatMap((key) => this.row(table, key, places)));
+  }
+  show(spec: Json): void {
+    for (const { key, field } of this.fields) field.show(at(spec, field.place), implied(key, field.place));
+  }
+  /** Shows a fault at its field; of a table that is missing at its first one if `within`. */
+  blame(fault: Fault | null, within = false): Field | undefined {
+    for (const { field, note } of this.fields) {
+      field.fault(null);
+      note.fault(null);
+    }
+    if (!fault?.key) return undefined;
+    const find = (fits: (place: string) => boolean) => this.fields.find(({ field }) => fits(field.place));
+    const blamed =
+      find((place) => place === fault.key) ?? find((place) => within && place.startsWith(fault.key + "."));
+    blamed?.field.fault(fault.message);
+    blamed?.note.fault(fault.message);
+    return blamed?.field;
+  }
+
+  private row(table: string, key: InputKey, places: string[]): HTMLElement[] {
+    const words = wordsOf(table, key);
+    const note = makeNote();
+    const fields = places.map((place) => {
+      const gear = /^gear[12]/.test(place) ? "gear " + place[4] : "";
+      return makeField(key, words, `${place}.${key.key}`, gear, note);
+    });
+    this.fields.push(...fields.map((field) => ({ key, field, note })));
+    const unit = shownUnit(key.unit);
+    const two = places.length > 1;
+    const stacked = two && (isWide(key) || words.length > kShortLabel);
+    const style = ["row", two ? "two" : "", stacked ? "stacked" : isWide(key) ? "wide" : ""];
+    const label = h(
+      "span",
+      { class: "label", title: key.meaning },
+      h("span", {}, words),
+      " ",
+      key.symbol ? symbol(key.symbol) : null,
+      unit ? h("span", { class: "unit" }, " " + unit) : null,
+    );
+    const elements = fields.map((one) => one.element);
+    return [h("div", { class: style.filter(Boolean).join(" ") }, label, ...elements), note.element];
+  }
 }

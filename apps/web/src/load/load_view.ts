@@ -3,32 +3,26 @@
 // page draws.
 
 import type { LoadedTorque } from "../../engine/engine";
+import { AnswerView } from "../answer_view";
 import { quantities } from "../catalogue";
-import { figure, fill, flankFigure, h, onThemeChange, scroller } from "../elements";
-import { kOvertaken } from "../engine_link";
+import { Choice, figure, fill, flankFigure, h, onThemeChange, slide, slider } from "../elements";
 import type { Fault, Json, Loaded } from "../engine_worker";
-import { firstMaterial, firstTorque, Offer } from "../form/offer";
-import { KeyPanel } from "../form/panel";
+import { firstMaterial, firstTorque } from "../form/offer";
 import { judgement } from "../judgement";
-import { CurvePlot } from "../plot";
-import { quantityTable, rowsOf } from "../quantity_table";
-import type { Tab } from "../tabs";
-import { noticesOf } from "../verdict";
+import { CurvePlot, kFromNothing } from "../plot";
+import { rowsOf } from "../quantity_table";
 import { at, bench } from "../workbench";
 import { PressureMap } from "./pressure_map";
 
 /** A spec that has not changed for so long rests. */
 const kRestMs = 1200;
-const kOffered = "How the teeth share a load, yield and are stressed, for a torque:";
-const kNoTorque = { key: "load.torque_Nm", value: "", message: "The spec has no torque." };
-const kToothColours = ["g1", "g2", "alpha", "root-fillet", "action", "flank"];
-type Answer = Exclude<Loaded, { fault: Fault }>;
-type Records = { [key: string]: Json }[];
-
-export class LoadView implements Tab {
-  readonly id = "load";
-  readonly words = "load";
-  private readonly panel = new KeyPanel("load and materials", [
+const kNeeds = {
+  keys: ["load.torque_Nm"],
+  without: "The spec has no torque.",
+  alone: "One gear bears nothing: a second one makes a pair.",
+  offer: "How the teeth share a load, yield and are stressed, for a torque:",
+  go: "Load the teeth",
+  panel: [
     {
       title: "Load",
       table: "load",
@@ -42,28 +36,40 @@ export class LoadView implements Tab {
       keys: ["name", "youngs_modulus_MPa", "poisson_ratio"],
     },
     { title: "Bore", table: "bore", places: ["gear1.bore", "gear2.bore"], keys: ["diameter_mm"] },
-  ]);
-  private readonly sentence = h("p", { class: "view-sentence", "aria-live": "polite" });
+  ],
+  offered: [
+    { table: "load", key: "torque_Nm", places: ["load.torque_Nm"], first: firstTorque },
+    {
+      table: "material",
+      key: "name",
+      places: ["gear1.material.name", "gear2.material.name"],
+      instead: ["gear1.material.youngs_modulus_MPa", "gear2.material.youngs_modulus_MPa"],
+      first: () => firstMaterial(""),
+    },
+  ],
+};
+const kToothColours = ["g1", "g2", "alpha", "root-fillet", "action", "flank"];
+type Answer = Exclude<Loaded, { fault: Fault }>;
+type Records = { [key: string]: Json }[];
+
+export class LoadView extends AnswerView<Answer> {
   private readonly bar = h("progress", { max: 1, value: 0, "aria-label": "progress of the load" });
   private readonly state = h("span", { class: "soft" });
-  private readonly torques = h("div", { class: "choice", role: "group", "aria-label": "torque shown" });
-  private readonly notices = h("ul", { class: "notices" });
-  private readonly table = scroller("table-room", "numbers under load");
+  private readonly torques = new Choice("torque shown", [], "", (torque) => {
+    this.torque = Number(torque);
+    this.draw();
+  });
   private readonly plots = {
     te: new CurvePlot("loaded TE, ″", (i) => this.choose(i)),
     stiffness: new CurvePlot("N/(mm µm)", (i) => this.choose(i)),
     pointStiffness: new CurvePlot("N/µm", (i) => this.choose(i)),
-    share: new CurvePlot("share", (i) => this.choose(i), true),
-    root: new CurvePlot("root stress, MPa", (i) => this.choose(i), true),
+    share: new CurvePlot("share", (i) => this.choose(i), kFromNothing),
+    root: new CurvePlot("root stress, MPa", (i) => this.choose(i), kFromNothing),
   };
   private readonly maps = [new PressureMap(1), new PressureMap(2)];
-  private readonly position = h("input", {
-    type: "range",
-    min: 0,
-    step: 1,
-    "aria-label": "position over the pitch",
-    input: () => this.choose(Number(this.position.value)),
-  });
+  private readonly position = slider("position over the pitch", { min: 0, max: 1, step: 1 }, (i) =>
+    this.choose(i),
+  );
   private readonly where = h("output", { class: "soft" });
   /** What only teeth that touch along lines have; and only those that touch at points. */
   private readonly ofLines = [
@@ -84,61 +90,39 @@ export class LoadView implements Tab {
     h("b", {}, "Stiffness"),
     " of the points of contact, secant.",
   );
-  private readonly offer = new Offer(kOffered, "Load the teeth", [
-    { table: "load", key: "torque_Nm", places: ["load.torque_Nm"], first: firstTorque },
-    {
-      table: "material",
-      key: "name",
-      places: ["gear1.material.name", "gear2.material.name"],
-      instead: ["gear1.material.youngs_modulus_MPa", "gear2.material.youngs_modulus_MPa"],
-      first: () => firstMaterial(""),
-    },
-  ]);
-  private readonly room = h(
-    "div",
-    {},
-    h("div", { class: "load-head" }, this.torques, this.bar, this.state),
-    this.notices,
-    h(
-      "div",
-      { class: "plots" },
-      figure(this.plots.te.element, h("b", {}, "Loaded transmission error")),
-      this.ofLines[0]!,
-      this.ofPoints,
-      figure(this.plots.share.element, h("b", {}, "Load shares"), ", a colour for each tooth pair."),
-      figure(
-        this.plots.root.element,
-        h("b", {}, "Greatest root stress"),
-        ": ",
-        h("span", { class: "g1" }, "gear 1"),
-        ", ",
-        h("span", { class: "g2" }, "gear 2"),
-        ".",
-      ),
-    ),
-    h("label", { class: "slide" }, h("span", {}, "position"), this.position, this.where),
-    this.ofLines[1]!,
-    this.table,
-  );
-  readonly picture = h("div", {}, this.sentence, this.room);
-  readonly element = h(
-    "div",
-    { class: "side-view" },
-    this.panel.element,
-    scroller("side-room", "teeth under load", this.offer.element, this.picture),
-  );
-  readonly part = "load";
-  private answer: Answer | null = null;
-  shown = "";
   private full = false; // it is not a draft
   private torque = 0;
   private index = 0;
   private rest = 0;
-  private asked = "";
+  private wanted = ""; // accuracy and text of the answer that is under way
 
   constructor() {
+    super("load", kNeeds);
+    this.room.append(
+      h("div", { class: "load-head" }, this.torques.element, this.bar, this.state),
+      this.notices,
+      h(
+        "div",
+        { class: "plots" },
+        figure(this.plots.te.element, h("b", {}, "Loaded transmission error")),
+        this.ofLines[0]!,
+        this.ofPoints,
+        figure(this.plots.share.element, h("b", {}, "Load shares"), ", a colour for each tooth pair."),
+        figure(
+          this.plots.root.element,
+          h("b", {}, "Greatest root stress"),
+          ": ",
+          h("span", { class: "g1" }, "gear 1"),
+          ", ",
+          h("span", { class: "g2" }, "gear 2"),
+          ".",
+        ),
+      ),
+      slide("position", this.position, this.where),
+      this.ofLines[1]!,
+      this.table,
+    );
     this.bar.hidden = true;
-    judgement.onChange(() => this.speak());
     new ResizeObserver(() => this.drawFlanks()).observe(this.maps[0]!.canvas);
     onThemeChange(() => {
       for (const plot of Object.values(this.plots)) plot.forget();
@@ -148,21 +132,11 @@ export class LoadView implements Tab {
 
   async refresh(): Promise<void> {
     clearTimeout(this.rest);
-    const solved = bench.good;
-    this.panel.show();
-    this.offer.hide();
-    if (!solved?.hasPair) {
-      return this.clear(solved ? "One gear bears nothing: a second one makes a pair." : bench.nothing);
-    }
-    if (at(solved.spec, "load.torque_Nm") === undefined) {
-      this.panel.show(null);
-      this.offer.show();
-      judgement.take("load", solved.text, { error: kNoTorque });
-      return this.clear("");
-    }
+    const solved = this.pair();
+    if (!solved) return;
     if (solved.text === this.shown) this.draw();
-    else if (this.asked === "full" + solved.text) this.wait();
-    else await this.ask(solved.text, "draft");
+    else if (this.wanted === "full" + solved.text) this.wait();
+    else await this.compute(solved.text, "draft");
     if (this.shown === solved.text && !this.full && this.answer)
       this.rest = window.setTimeout(() => void this.finish(solved.text).catch(() => undefined), kRestMs);
   }
@@ -171,52 +145,39 @@ export class LoadView implements Tab {
   }
   /** The spec rests: the draft gives way. */
   private async finish(text: string): Promise<void> {
-    if (bench.good?.text === text) await this.ask(text, "full");
+    if (bench.good?.text === text) await this.compute(text, "full");
   }
-  /** The full answer, though nobody looks; a draft that is on its way ends in one by itself. */
+  /** The full answer, though the tab is not open; a draft that is on its way ends in one by itself. */
   async judge(): Promise<void> {
     const { text } = bench;
-    if (!this.asked.endsWith(text) && !(this.shown === text && this.full)) await this.finish(text);
+    if (!this.wanted.endsWith(text) && !(this.shown === text && this.full)) await this.finish(text);
   }
   private wait(): void {
     this.bar.hidden = false;
     if (!this.answer) fill(this.sentence, "The teeth are being loaded …");
   }
 
-  private async ask(text: string, accuracy: "draft" | "full"): Promise<void> {
+  private async compute(text: string, accuracy: "draft" | "full"): Promise<void> {
     const drafted = at(bench.good?.spec ?? null, "load.accuracy") === "draft";
-    const asked = accuracy + text;
-    if (asked === this.asked) return; // under way
-    this.asked = asked;
+    const wanted = accuracy + text;
+    if (wanted === this.wanted) return;
+    this.wanted = wanted;
     this.bar.value = 0;
     this.wait();
     const question = { text, accuracy: drafted ? ("draft" as const) : accuracy };
     const answer = await bench.press
       .latest("load", "load", question, (done, of) => (this.bar.value = of ? done / of : 0))
       .finally(() => {
-        if (this.asked !== asked) return;
-        this.asked = "";
+        if (this.wanted !== wanted) return;
+        this.wanted = "";
         this.bar.hidden = true;
       });
-    if (answer === kOvertaken || answer === null || bench.good?.text !== text) return;
-    if ("fault" in answer) {
-      judgement.take("load", text, { error: answer.fault });
-      return this.clear(this.panel.show(answer.fault), text);
-    }
-    this.shown = text;
-    this.full = accuracy === "full" || drafted;
+    if (!answer || bench.good?.text !== text) return;
+    this.full = accuracy === "full" || drafted || "fault" in answer;
+    if ("fault" in answer) return this.refuse(answer.fault, text);
+    this.take(answer, text);
     if (this.full) judgement.take("load", text, answer);
-    this.panel.show(null);
-    this.answer = answer;
     this.draw();
-  }
-
-  private clear(sentence: string, text = ""): void {
-    this.answer = null;
-    this.shown = text;
-    this.full = true;
-    this.room.hidden = true;
-    fill(this.sentence, sentence);
   }
 
   private get records(): Records {
@@ -230,7 +191,6 @@ export class LoadView implements Tab {
   private draw(): void {
     const answer = this.answer;
     if (!answer) return;
-    this.room.hidden = false;
     this.torque = Math.min(this.torque, this.records.length - 1);
     const record = this.records[this.torque]!;
     const picture = answer.picture.torques[this.torque]!;
@@ -238,42 +198,17 @@ export class LoadView implements Tab {
     this.index = Math.min(this.index || Math.floor(positions.length / 2), positions.length - 1);
     this.position.max = String(positions.length - 1);
     this.position.value = String(this.index);
-    this.speak();
+    this.show(answer, rowsOf(quantities("load.torques")!, [record], "load", "", true));
     this.state.textContent =
       `${this.full ? "" : "Draft. "}${positions.length} positions` +
       ` in ${(answer.milliseconds / 1000).toFixed(1)} s.`;
-    fill(this.notices, ...noticesOf(answer.warnings, answer.verdict.findings));
-    this.drawTorques();
+    this.torques.element.hidden = this.records.length < 2;
+    this.torques.offer(
+      this.records.map((one) => `${one["torque_Nm"]} N m`),
+      String(this.torque),
+    );
     this.drawCurves(positions, picture);
     this.drawFlanks();
-    const rows = rowsOf(quantities("load.torques")!, [record], "load", "", true);
-    fill(this.table, quantityTable(rows, ["gear 1", "gear 2"]).element);
-  }
-
-  /** The verdict on the spec, the same as in the bar. */
-  private speak(): void {
-    if (this.answer && this.shown === bench.text) fill(this.sentence, judgement.verdict?.headline);
-  }
-
-  private drawTorques(): void {
-    this.torques.hidden = this.records.length < 2;
-    fill(
-      this.torques,
-      ...this.records.map((record, i) =>
-        h(
-          "button",
-          {
-            type: "button",
-            "aria-pressed": String(i === this.torque),
-            click: () => {
-              this.torque = i;
-              this.draw();
-            },
-          },
-          `${record["torque_Nm"]} N m`,
-        ),
-      ),
-    );
   }
 
   private drawCurves(positions: Records, picture: LoadedTorque): void {

@@ -4,7 +4,8 @@
 // Every point comes from the engine; here they only find their place and colour.
 
 import type { MeshLines, Section } from "../../engine/engine";
-import { colour } from "../elements";
+import { colour, font, sheetOf } from "../elements";
+import { poseAt, turnAt, type Motion } from "../motion";
 import type { ViewWindow } from "./view_window";
 
 export interface Shape {
@@ -51,6 +52,24 @@ export interface Placed {
   angle: number;
 }
 
+/** Where the gears stand at t: in the housing, or side by side where the axes cross. */
+export function placesOf(shapes: Shape[], lines: MeshLines | null, motion: Motion | null, t: number): Placed[] {
+  const crossed = lines?.kind === "crossed";
+  const beside = crossed && shapes[1] ? shapes[0]!.reach + 1.12 * shapes[1].reach : (lines?.centerDistance ?? 0);
+  return shapes.map((_, i) => {
+    const x = i ? beside : 0;
+    if (!motion) return { x, y: 0, angle: 0 };
+    if (crossed) return { x, y: 0, angle: turnAt(motion, i, t) };
+    const pose = poseAt(motion, i, t);
+    return { x: pose[12]!, y: pose[13]!, angle: Math.atan2(pose[1]!, pose[0]!) };
+  });
+}
+/** The ends of all gears across, and their greatest height above the centre line. */
+export function extentOf(shapes: Shape[], places: Placed[]): [left: number, right: number, tall: number] {
+  const reach = (side: number) => shapes.map((shape, i) => places[i]!.x + side * shape.reach);
+  return [Math.min(...reach(-1)), Math.max(...reach(1)), Math.max(...shapes.map((one) => one.reach))];
+}
+
 export interface Scene {
   shapes: Shape[];
   places: Placed[];
@@ -59,40 +78,48 @@ export interface Scene {
   circles: boolean;
 }
 
+/** Where a picture shows a point, px, and how large, px per mm. */
+export interface Projection {
+  px(x: number, y: number): [number, number];
+  now: { scale: number };
+}
+
+/** The gears themselves: each filled, then all outlines over them. */
+export function drawBodies(
+  c: CanvasRenderingContext2D,
+  view: Projection,
+  { shapes, places }: Pick<Scene, "shapes" | "places">,
+): void {
+  const { scale } = view.now;
+  const each = (paint: (body: Path2D, ink: string) => void) =>
+    shapes.forEach(({ body }, i) => {
+      c.save();
+      c.translate(...view.px(places[i]!.x, places[i]!.y));
+      c.scale(scale, -scale);
+      c.rotate(places[i]!.angle);
+      paint(body, `g${i + 1}`);
+      c.restore();
+    });
+  each((body, ink) => {
+    c.fillStyle = colour(ink + "-fill");
+    c.fill(body, "evenodd");
+  });
+  each((body, ink) => {
+    c.strokeStyle = colour(ink);
+    c.lineWidth = 1.3 / scale;
+    c.lineJoin = "round";
+    c.stroke(body);
+  });
+}
+
 const kCircleDash: Record<string, number[]> = { d: [12, 4, 2, 4], d_w: [12, 4, 2, 4], d_b: [7, 4] };
 
 export function draw(canvas: HTMLCanvasElement, view: ViewWindow, scene: Scene): void {
-  const ratio = Math.min(3, devicePixelRatio || 1);
-  const width = canvas.clientWidth;
-  const height = canvas.clientHeight;
-  if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
-    canvas.width = Math.round(width * ratio);
-    canvas.height = Math.round(height * ratio);
-  }
-  const c = canvas.getContext("2d")!;
-  c.setTransform(ratio, 0, 0, ratio, 0, 0);
-  c.clearRect(0, 0, width, height);
+  const sheet = sheetOf(canvas, 3);
+  if (!sheet) return;
+  const { c, width, height } = sheet;
   const scale = view.now.scale;
-
-  const within = (place: Placed, paint: () => void) => {
-    const [x, y] = view.px(place.x, place.y);
-    c.save();
-    c.translate(x, y);
-    c.scale(scale, -scale);
-    c.rotate(place.angle);
-    paint();
-    c.restore();
-  };
-  scene.shapes.forEach((shape, i) => {
-    c.fillStyle = colour(`g${i + 1}-fill`);
-    within(scene.places[i]!, () => c.fill(shape.body, "evenodd"));
-  });
-  scene.shapes.forEach((shape, i) => {
-    c.strokeStyle = colour(`g${i + 1}`);
-    c.lineWidth = 1.3 / scale;
-    c.lineJoin = "round";
-    within(scene.places[i]!, () => c.stroke(shape.body));
-  });
+  drawBodies(c, view, scene);
   if (scene.circles) {
     scene.shapes.forEach((shape, i) => {
       const [x, y] = view.px(scene.places[i]!.x, scene.places[i]!.y);
@@ -147,7 +174,7 @@ function circleNames(
   height: number,
 ): void {
   const taken: [number, number][] = [];
-  c.font = `12px ${getComputedStyle(document.body).fontFamily}`;
+  c.font = font("12px");
   c.textBaseline = "middle";
   c.textAlign = "center";
   c.lineWidth = 3.5;
@@ -179,7 +206,7 @@ function near([ax, ay]: [number, number], px: number, py: number): boolean {
 function writeSymbol(c: CanvasRenderingContext2D, symbol: string, x: number, y: number, ink: string): void {
   const [head, index = ""] = symbol.split("_");
   const large = `italic 13px "STIX Two Text", "Times New Roman", "DejaVu Serif", serif`;
-  const small = `10px ${getComputedStyle(document.body).fontFamily}`;
+  const small = font("10px");
   c.textAlign = "left";
   c.font = large;
   const first = c.measureText(head!).width;
@@ -215,7 +242,7 @@ function contactLines(c: CanvasRenderingContext2D, view: ViewWindow, lines: Mesh
   c.setLineDash([]);
   c.lineWidth = 3;
   polyline(c, view, lines.pathOfContact);
-  c.font = `italic 600 14px ${getComputedStyle(document.body).fontFamily}`;
+  c.font = font("italic 600 14px");
   c.textAlign = "center";
   c.textBaseline = "middle";
   const placed: [number, number][] = [];

@@ -1,22 +1,20 @@
 // The tab "mesh": the section at z = 0 that turns with its slider, the path of contact, circles by
 // name, and under the pointer the diameters there.
 
-import type { MeshLines, Section } from "../../engine/engine";
-import { button, h, onThemeChange } from "../elements";
-import { kOvertaken } from "../engine_link";
-import { poseAt, touchAt, turnAt, type Motion } from "../motion";
+import type { MeshLines } from "../../engine/engine";
+import { check, Choice, h, onNextFrame, onThemeChange } from "../elements";
+import { touchAt, type Motion } from "../motion";
 import { length } from "../numbers";
 import { bench } from "../workbench";
 import type { Tab } from "../tabs";
 import { TurnControl } from "../turn_control";
-import { draw, shapeOf, type Placed, type Scene, type Shape } from "./mesh_drawing";
+import { draw, extentOf, placesOf, shapeOf, type Placed, type Scene, type Shape } from "./mesh_drawing";
 import { ViewWindow } from "./view_window";
 
-type Frame = "whole" | "mesh" | "flank";
+const kFrames = { whole: "whole", mesh: "mesh", flank: "flank" };
 
 export class MeshView implements Tab {
   readonly id = "mesh";
-  readonly words = "mesh";
   private readonly canvas = h("canvas", {
     tabindex: "0",
     role: "img",
@@ -24,12 +22,14 @@ export class MeshView implements Tab {
     pointermove: (event: PointerEvent) => this.hover(event),
     pointerleave: () => (this.readout.textContent = ""),
   });
+  private readonly repaint = onNextFrame(() => this.paint());
   private readonly readout = h("output", { class: "readout" });
-  private readonly turning = new TurnControl(() => this.ask());
-  private readonly frames = (["whole", "mesh", "flank"] as const).map((frame) =>
-    button(frame, () => this.show(frame), { "aria-pressed": String(frame === "mesh"), "data-frame": frame }),
-  );
-  private readonly circlesBox = h("input", { type: "checkbox", checked: true, change: () => this.ask() });
+  private readonly turning = new TurnControl(() => this.repaint());
+  private readonly frames = new Choice("what the picture shows", kFrames, "mesh", (frame) => {
+    this.frame = frame;
+    this.fit(true);
+  });
+  private readonly circlesBox = h("input", { type: "checkbox", checked: true, change: () => this.repaint() });
   readonly picture = h("div", { class: "canvas-room" }, this.canvas, this.readout);
   readonly element = h(
     "div",
@@ -39,24 +39,23 @@ export class MeshView implements Tab {
       "div",
       { class: "controls" },
       ...this.turning.elements,
-      h("div", { class: "choice", role: "group", "aria-label": "what the picture shows" }, ...this.frames),
-      h("label", { class: "check" }, this.circlesBox, "circles"),
+      this.frames.element,
+      check("circles", this.circlesBox),
     ),
   );
-  private readonly view = new ViewWindow(this.canvas, () => this.ask());
-  private frame: Frame = "mesh";
+  private readonly view = new ViewWindow(this.canvas, () => this.repaint());
+  private frame = "mesh";
   private shapes: Shape[] = [];
   private lines: MeshLines | null = null;
   private motion: Motion | null = null;
   /** The gears' places are on their way, and there are none of a spec before. */
   private unplaced = false;
-  private asked = false;
   shown = "";
   private sizeOf = "";
 
   constructor() {
     new ResizeObserver(() => this.fit(false)).observe(this.canvas);
-    onThemeChange(() => this.ask());
+    onThemeChange(() => this.repaint());
   }
 
   leave(): void {
@@ -70,15 +69,14 @@ export class MeshView implements Tab {
       this.motion = null;
       this.shown = "";
       this.readout.textContent = bench.nothing;
-      return this.ask();
+      return this.repaint();
     }
     if (solved.text === this.shown) return;
     this.readout.textContent = "";
-    const { design } = bench;
-    const late = () => bench.design !== design || !bench.good;
-    const answer = await bench.front.latest("sections", "sections", { text: solved.text, tolerance: 0.002 });
-    if (answer === kOvertaken || late()) return;
-    this.shapes = answer.gears.map((section: Section) => shapeOf(section));
+    const { text } = solved;
+    const answer = await bench.about(bench.front, "sections", "sections", { text, tolerance: 0.002 });
+    if (!answer) return;
+    this.shapes = answer.gears.map(shapeOf);
     this.lines = answer.lines;
     if (this.motion?.places.length !== this.shapes.length) this.motion = null;
     const size =
@@ -88,52 +86,34 @@ export class MeshView implements Tab {
     this.unplaced = !this.motion;
     if (!this.motion || size !== this.sizeOf) this.fit(size !== this.sizeOf && !this.sizeOf);
     this.sizeOf = size;
-    this.ask();
+    this.repaint();
     // Until the gears' places are there, those of the spec before it serve; the picture stays dimmed.
-    const asked = bench.back.latest("motion", "motion", { text: solved.text, n: 25 });
-    const motion = await asked.finally(() => (this.unplaced = false));
-    if (motion === kOvertaken || late() || motion.places.length !== this.shapes.length) return;
+    const motion = await bench
+      .about(bench.back, "motion", "motion", { text, n: 25 })
+      .finally(() => (this.unplaced = false));
+    if (motion?.places.length !== this.shapes.length) return;
     this.motion = motion;
-    this.shown = solved.text;
-    this.ask();
+    this.shown = text;
+    this.repaint();
   }
 
   private get crossed(): boolean {
     return this.lines?.kind === "crossed";
   }
-  /** Where gear 2 is drawn: in the housing, or beside gear 1 when the axes cross. */
-  private middle2(): number {
-    if (!this.lines || this.shapes.length < 2) return 0;
-    return this.crossed ? this.shapes[0]!.reach + this.shapes[1]!.reach * 1.12 : this.lines.centerDistance;
-  }
-
   private places(): Placed[] {
-    return this.shapes.map((_, i) => {
-      if (!this.motion) return { x: i ? this.middle2() : 0, y: 0, angle: 0 };
-      if (this.crossed)
-        return { x: i ? this.middle2() : 0, y: 0, angle: turnAt(this.motion, i, this.turning.t) };
-      const pose = poseAt(this.motion, i, this.turning.t);
-      return { x: pose[12]!, y: pose[13]!, angle: Math.atan2(pose[1]!, pose[0]!) };
-    });
-  }
-
-  private show(frame: Frame): void {
-    this.frame = frame;
-    for (const one of this.frames) one.setAttribute("aria-pressed", String(one.dataset["frame"] === frame));
-    this.fit(true);
+    return placesOf(this.shapes, this.lines, this.motion, this.turning.t);
   }
 
   private fit(take: boolean): void {
     if (!this.shapes.length || !this.canvas.clientWidth) return;
     const [one, two] = this.shapes as [Shape, Shape | undefined];
-    const x2 = this.middle2();
+    const places = placesOf(this.shapes, this.lines, null, 0);
     const path = this.lines?.pathOfContact;
     if (this.frame === "whole" || !two || this.crossed || !path) {
-      const x0 = Math.min(-one.reach, two ? x2 - two.reach : 0);
-      const x1 = Math.max(one.reach, two ? x2 + two.reach : 0);
-      const tall = Math.max(one.reach, two?.reach ?? 0);
+      const [x0, x1, tall] = extentOf(this.shapes, places);
       return this.view.frame(x0, x1, -tall, tall, take);
     }
+    const x2 = places[1]!.x;
     let [x0, x1, y0, y1] = [Infinity, -Infinity, Infinity, -Infinity];
     if (!path.length) {
       // No path in this section: where the gears overlap.
@@ -162,15 +142,6 @@ export class MeshView implements Tab {
       ? undefined
       : this.lines?.points.find((one) => Math.hypot(one.x - x, one.y - y) < 2 * near);
     this.readout.textContent = (named ? named.name + "   " : "") + words.join("   ");
-  }
-
-  private ask(): void {
-    if (this.asked) return;
-    this.asked = true;
-    requestAnimationFrame(() => {
-      this.asked = false;
-      this.paint();
-    });
   }
 
   private paint(): void {

@@ -2,6 +2,10 @@
 // closer to what is under it, a drag moves, a double click restores; + − 0 and the arrows do the
 // same for the keyboard.
 
+import { onKeys } from "../elements";
+
+const kStep = 40; // px, of an arrow key
+
 export interface Window {
   x: number; // of the middle, mm
   y: number;
@@ -34,7 +38,16 @@ export class ViewWindow {
     for (const name of ["pointerup", "pointercancel"] as const)
       canvas.addEventListener(name, (event) => void this.held.delete(event.pointerId));
     canvas.addEventListener("dblclick", () => this.restore());
-    canvas.addEventListener("keydown", (event) => this.key(event));
+    onKeys(canvas, {
+      "+": () => this.come(1.25),
+      "=": () => this.come(1.25),
+      "-": () => this.come(0.8),
+      "0": () => this.restore(),
+      ArrowLeft: () => this.move(kStep, 0),
+      ArrowRight: () => this.move(-kStep, 0),
+      ArrowUp: () => this.move(0, kStep),
+      ArrowDown: () => this.move(0, -kStep),
+    });
   }
 
   /** The window that shows a rectangle, as the one to restore. Keeps a window that was moved by hand
@@ -92,36 +105,8 @@ export class ViewWindow {
     this.move((here.x - before.x) / 2, (here.y - before.y) / 2);
   }
 
-  private key(event: KeyboardEvent): void {
-    const w = this.canvas.clientWidth / 2;
-    const h = this.canvas.clientHeight / 2;
-    const step = 40;
-    switch (event.key) {
-      case "+":
-      case "=":
-        this.zoom(1.25, w, h);
-        break;
-      case "-":
-        this.zoom(0.8, w, h);
-        break;
-      case "0":
-        this.restore();
-        break;
-      case "ArrowLeft":
-        this.move(step, 0);
-        break;
-      case "ArrowRight":
-        this.move(-step, 0);
-        break;
-      case "ArrowUp":
-        this.move(0, step);
-        break;
-      case "ArrowDown":
-        this.move(0, -step);
-        break;
-      default:
-        return;
-    }
-    event.preventDefault();
+  /** Comes closer to the middle. */
+  private come(factor: number): void {
+    this.zoom(factor, this.canvas.clientWidth / 2, this.canvas.clientHeight / 2);
   }
 }

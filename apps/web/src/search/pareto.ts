@@ -2,8 +2,9 @@
 // The picture is as large as its room.
 
 import type { Quantity } from "../../engine/engine";
+import { gridLines, ticksOf } from "../axes";
 import { fill, h, svg } from "../elements";
-import { fixed, niceStep, toShown, shownUnit } from "../numbers";
+import { niceStep, toShown, shownUnit } from "../numbers";
 
 export interface Point {
   row: number;
@@ -44,23 +45,16 @@ export class ParetoPicture {
     const across = axisOf(shown.map((one) => one.x), w / 110);
     const up = axisOf(shown.map((one) => one.y), tall / 36);
     const left = kRoom.letter * Math.max(...up.ticks.map(([, text]) => text.length)) + kRoom.gap;
-    const bottom = tall - kRoom.bottom;
-    const px = (v: number) => left + ((v - across.lo) / (across.hi - across.lo)) * (w - left - kRoom.right);
+    const [right, bottom] = [w - kRoom.right, tall - kRoom.bottom];
+    const px = (v: number) => left + ((v - across.lo) / (across.hi - across.lo)) * (right - left);
     const py = (v: number) => bottom - ((v - up.lo) / (up.hi - up.lo)) * (bottom - kRoom.top);
     const unit = (q: Quantity) => (shownUnit(q.unit) ? ", " + shownUnit(q.unit) : "");
     this.picture.setAttribute("viewBox", `0 0 ${w} ${tall}`);
     fill(
       this.picture,
       svg("title", {}, `${y.words} over ${x.words}; the front is violet`),
-      ...across.ticks.flatMap(([v, text]) => [
-        svg("line", { class: "grid", x1: px(v), x2: px(v), y1: kRoom.top, y2: bottom }),
-        svg("text", { class: "m", x: px(v), y: bottom + 16 }, text),
-      ]),
-      ...up.ticks.flatMap(([v, text]) => [
-        svg("line", { class: "grid", x1: left, x2: w - kRoom.right, y1: py(v), y2: py(v) }),
-        svg("text", { class: "e", x: left - 7, y: py(v) + 4 }, text),
-      ]),
-      svg("text", { class: "m", x: (left + w - kRoom.right) / 2, y: tall - 7 }, x.words + unit(x)),
+      ...gridLines({ left, right, top: kRoom.top, bottom }, { ...across, px }, { ...up, px: py }),
+      svg("text", { class: "m", x: (left + right) / 2, y: tall - 7 }, x.words + unit(x)),
       svg("text", { class: "up", x: 8, y: 19 }, y.words + unit(y)),
       ...shown
         .sort((a, b) => Number(a.front) - Number(b.front))
@@ -82,14 +76,12 @@ export class ParetoPicture {
 }
 
 /** Ends with some room, and about so many ticks with their words. */
-function axisOf(values: number[], count: number): { lo: number; hi: number; ticks: [number, string][] } {
+function axisOf(values: number[], count: number) {
   const least = Math.min(...values);
   const most = Math.max(...values);
   const room = (most - least || Math.abs(most) || 1) * 0.06;
   const [lo, hi] = [least - room, most + room];
   const step = niceStep(hi - lo, Math.min(8, Math.max(2, count)));
   const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
-  const ticks: [number, string][] = [];
-  for (let v = Math.ceil(lo / step) * step; v <= hi; v += step) ticks.push([v, fixed(v, digits)]);
-  return { lo, hi, ticks };
+  return { lo, hi, ticks: ticksOf(lo, hi, step, digits) };
 }

@@ -34,7 +34,7 @@ objective = ["contact_ratio", "sliding"]
 export function measured(spec: Json): boolean {
   return at(spec, "gear1.measured") !== undefined || at(spec, "gear2.measured") !== undefined;
 }
-/** The spec of an identified gear: what of it a spec can say, and the rest of the old gear 1. */
+/** The spec of an identified gear: what of it a spec can hold, and the rest of the old gear 1. */
 export function gearOf(candidate: Design): Json {
   const old = (at(bench.solved?.spec ?? null, "gear1") ?? {}) as Design;
   const gear: Design = { ...old };

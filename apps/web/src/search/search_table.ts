@@ -4,13 +4,13 @@
 
 import type { Quantity } from "../../engine/engine";
 import { quantities } from "../catalogue";
-import { button, fill, h, scroller, symbol } from "../elements";
+import { button, fill, h, scroller, symbol, tableOf } from "../elements";
 import type { Json } from "../engine_worker";
 import { shownUnit, textOf } from "../numbers";
 
 export type Design = { [key: string]: Json };
 export interface Column {
-  said: Quantity;
+  info: Quantity;
   place: number | string; // of a list: which of them; −1: the value itself; of a record: its key
   words: string;
 }
@@ -20,15 +20,15 @@ const kLeastForCommon = 3;
 /** Where in the region the shifts stand, as the report of a search calls it. */
 const kPlaces: Record<string, string> = { eq11: "balanced", lo_hi: "middle" };
 
-/** What tells a column from the others of its list, and of the next search's. */
+/** What distinguishes a column from the others of its list, and of the next search's. */
 export function idOf(column: Column): string {
-  return `${column.said.key}.${column.place}`;
+  return `${column.info.key}.${column.place}`;
 }
 /** A value of a design as people read it. */
 export function cellOf(design: Design, column: Column): string {
   const value = valueIn(design, column);
-  const place = column.said.key === "point" && typeof value === "string" ? kPlaces[value] : undefined;
-  return place ?? textOf(column.said, value);
+  const place = column.info.key === "point" && typeof value === "string" ? kPlaces[value] : undefined;
+  return place ?? textOf(column.info, value);
 }
 /** Whether the designs differ in it. */
 export function varies(designs: Design[], column: Column): boolean {
@@ -37,7 +37,7 @@ export function varies(designs: Design[], column: Column): boolean {
 }
 
 export function valueIn(design: Design, column: Column): Json | undefined {
-  const value = design[column.said.key];
+  const value = design[column.info.key];
   if (typeof column.place === "string") return (value as Design | null)?.[column.place];
   return column.place < 0 || !Array.isArray(value) ? value : value[column.place];
 }
@@ -45,31 +45,31 @@ export function valueIn(design: Design, column: Column): Json | undefined {
 /** The columns that have a value in some design. */
 export function columnsOf(designs: Design[]): Column[] {
   const columns: Column[] = [];
-  for (const said of quantities("search.designs")?.quantities ?? []) {
-    if (!said.page && !said.listing && said.key !== "objective") continue;
-    const values = designs.map((one) => one[said.key]).filter((one) => one !== null && one !== undefined);
+  for (const info of quantities("search.designs")?.quantities ?? []) {
+    if (!info.page && !info.listing && info.key !== "objective") continue;
+    const values = designs.map((one) => one[info.key]).filter((one) => one !== null && one !== undefined);
     if (!values.length) continue;
     // Objectives by their names: numbers that a search with several has compared.
-    if (said.key === "objective" && typeof values[0] === "object") {
+    if (info.key === "objective" && typeof values[0] === "object") {
       for (const name of Object.keys(values[0] as Design))
         columns.push({
-          said: { ...said, symbol: "", unit: "", digits: 4, type: "number" },
+          info: { ...info, symbol: "", unit: "", digits: 4, type: "number" },
           place: name,
           words: name.replaceAll("_", " "),
         });
       continue;
     }
     if (
-      said.type === "record" ||
-      said.type === "map" ||
+      info.type === "record" ||
+      info.type === "map" ||
       (typeof values[0] === "object" && !Array.isArray(values[0]))
     )
       continue;
     if (Array.isArray(values[0]))
       values[0].forEach((_, place) =>
-        columns.push({ said, place, words: `${said.words}, gear ${place + 1}` }),
+        columns.push({ info, place, words: `${info.words}, gear ${place + 1}` }),
       );
-    else columns.push({ said, place: -1, words: said.words });
+    else columns.push({ info, place: -1, words: info.words });
   }
   return columns;
 }
@@ -79,13 +79,13 @@ export function columnsOf(designs: Design[]): Column[] {
 function twinsOf(designs: Design[], columns: Column[]): Map<Column, Column> {
   const read = new Map<string, Column>();
   const twins = new Map<Column, Column>();
-  const last = (one: Column) => Number(one.said.key === "objective");
+  const last = (one: Column) => Number(one.info.key === "objective");
   for (const column of [...columns].sort((a, b) => last(a) - last(b))) {
     const value = (design: Design) => {
       const one = valueIn(design, column);
       return typeof one === "number" ? Math.abs(one).toPrecision(9) : cellOf(design, column);
     };
-    const all = column.said.unit + designs.map(value).join();
+    const all = column.info.unit + designs.map(value).join();
     const other = read.get(all);
     if (other) twins.set(column, other);
     else read.set(all, column);
@@ -116,14 +116,14 @@ export class SearchTable {
     const different = columns.filter((one) => few || varies(designs, one));
     const twins = few ? new Map<Column, Column>() : twinsOf(designs, different);
     this.columns = different.filter((one) => !twins.has(one));
-    const said = columns
+    const same = columns
       .filter((one) => !different.includes(one))
-      .map((one) => `${one.words} ${cellOf(designs[0]!, one)} ${shownUnit(one.said.unit)}`.trim());
+      .map((one) => `${one.words} ${cellOf(designs[0]!, one)} ${shownUnit(one.info.unit)}`.trim());
     for (const [one, other] of twins) {
       const sign = (column: Column) => Math.sign(designs.map((of) => valueIn(of, column)).find(Boolean) as number);
-      said.push(`${one.words} ${sign(one) === -sign(other) ? "opposite to" : "as"} ${other.words}`);
+      same.push(`${one.words} ${sign(one) === -sign(other) ? "opposite to" : "as"} ${other.words}`);
     }
-    this.common.textContent = said.length ? `All of them: ${said.join("; ")}.` : "";
+    this.common.textContent = same.length ? `All of them: ${same.join("; ")}.` : "";
     this.room.scrollTop = 0;
     this.by = -1;
     this.taken = -1;
@@ -152,31 +152,31 @@ export class SearchTable {
   }
 
   private head(column: Column, index: number): HTMLElement {
-    const { said, place, words } = column;
-    const name = said.symbol
+    const { info, place, words } = column;
+    const name = info.symbol
       ? symbol(
-          said.symbol +
+          info.symbol +
             (typeof place === "number" && place >= 0
-              ? (said.symbol.includes("_") ? "" : "_") + (place + 1)
+              ? (info.symbol.includes("_") ? "" : "_") + (place + 1)
               : ""),
         )
       : words;
     const sortBy = button(
       "",
       () => {
-        this.down = this.by === index ? !this.down : said.greaterFirst;
+        this.down = this.by === index ? !this.down : info.greaterFirst;
         this.by = index;
         this.sort();
       },
       { title: words },
     );
     // A symbol alone is not read out well: the words stand beside it, unseen.
-    if (said.symbol) (name as HTMLElement).setAttribute("aria-hidden", "true");
+    if (info.symbol) (name as HTMLElement).setAttribute("aria-hidden", "true");
     fill(
       sortBy,
       name,
-      said.symbol ? h("span", { class: "unseen" }, words) : null,
-      shownUnit(said.unit) ? h("span", { class: "unit" }, " " + shownUnit(said.unit)) : null,
+      info.symbol ? h("span", { class: "unseen" }, words) : null,
+      shownUnit(info.unit) ? h("span", { class: "unit" }, " " + shownUnit(info.unit)) : null,
     );
     return h(
       "th",
@@ -209,20 +209,10 @@ export class SearchTable {
     const rest = this.designs.length - rows.length;
     fill(
       this.room,
-      h(
-        "table",
-        { class: "designs" },
-        h(
-          "thead",
-          {},
-          h(
-            "tr",
-            {},
-            h("th", { scope: "col" }, "No."),
-            ...this.columns.map((column, i) => this.head(column, i)),
-          ),
-        ),
-        h("tbody", {}, ...rows),
+      tableOf(
+        "designs",
+        [h("th", { scope: "col" }, "No."), ...this.columns.map((column, i) => this.head(column, i))],
+        ...rows,
       ),
       rest > 0
         ? button(

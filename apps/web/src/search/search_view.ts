@@ -4,7 +4,8 @@
 // one that was searched, or one of its designs.
 
 import { quantity } from "../catalogue";
-import { button, download, fill, h } from "../elements";
+import { button, download, fill, h, sentenceOf } from "../elements";
+import { Cancelled } from "../engine_link";
 import type { Json } from "../engine_worker";
 import { shownUnit, textOf } from "../numbers";
 import { at, bench } from "../workbench";
@@ -21,13 +22,12 @@ const kAxes = ["objective", "center_distance_mm", "contact_ratio", "sliding_max"
 
 export class SearchView implements Tab {
   readonly id = "search";
-  readonly words = "search";
-  private readonly said = h("p", { class: "search-said", role: "status" });
+  private readonly status = h("p", { class: "search-said", role: "status" });
   private readonly go = button("Search", () => void this.search(), { class: "main" });
-  private readonly stop = button("Cancel", () => this.cancel());
+  private readonly stop = button("Cancel", () => bench.seek.cancel());
   private readonly back = button(
     "Back to what was asked",
-    () => this.asked && bench.setText(this.asked, "back"),
+    () => this.searched && bench.setText(this.searched, "back"),
   );
   private readonly save = button("Report of the search", () => void this.report());
   private readonly bar = h("progress", { max: 1, value: 0, "aria-label": "progress of the search" });
@@ -58,12 +58,12 @@ export class SearchView implements Tab {
     h(
       "div",
       { class: "search-head" },
-      this.said,
+      this.status,
       h("div", { class: "search-buttons" }, this.go, this.stop, this.back, this.save, this.bar),
     ),
     this.picture,
   );
-  private asked = ""; // the text whose designs are listed
+  private searched = ""; // the text whose designs are listed
   private readonly of = new Set<string>(); // it, and those of its designs that were taken
   private designs: Design[] = [];
   private front: number[] = [];
@@ -79,7 +79,7 @@ export class SearchView implements Tab {
 
   get shown(): string {
     if (!this.designs.length) return this.branches.childElementCount ? this.looked : "";
-    return this.of.has(bench.text) ? bench.text : this.asked;
+    return this.of.has(bench.text) ? bench.text : this.searched;
   }
 
   async refresh(): Promise<void> {
@@ -89,14 +89,14 @@ export class SearchView implements Tab {
     this.looked = solved.text;
     fill(this.branches);
     const searching = solved.spec?.["search"] !== undefined;
-    this.back.hidden = !this.asked || solved.text === this.asked;
+    this.back.hidden = !this.searched || solved.text === this.searched;
     this.go.textContent = searching || !solved.hasPair ? "Search" : "Search around this pair";
     this.go.hidden = !searching && !solved.hasPair;
     if (this.designs.length && this.of.has(solved.text)) return;
     if (searching) return this.offer(solved.text);
     if (solved.fault || solved.spec?.["fit"] !== undefined) return this.fit(solved.text);
     if (!this.designs.length)
-      this.said.textContent = solved.hasPair
+      this.status.textContent = solved.hasPair
         ? "What other pairs would do: the same ratio within 3 %, the same centre distance within 2 %."
         : "A search needs a pair, or a [search] table in the spec.";
   }
@@ -107,7 +107,7 @@ export class SearchView implements Tab {
     this.looked = "";
     this.list([], [], "");
     fill(this.branches);
-    this.said.textContent = "";
+    this.status.textContent = "";
     this.back.hidden = this.save.hidden = true;
   }
   /** A search that runs is of another spec than the one on screen. */
@@ -123,17 +123,17 @@ export class SearchView implements Tab {
   /** A spec with a [search]: how many candidates, and off it goes where they are few. */
   private async offer(text: string): Promise<void> {
     try {
-      const trials = await bench.seek.ask("trials", { text });
+      const trials = await bench.seek.call("trials", { text });
       if (bench.text !== text) return;
       if (trials > kMostTrials) {
         this.go.hidden = true;
-        this.said.textContent = `${count(trials)} candidates are too many for a page. The program does them on all cores, on many machines too:  gearwright search spec.toml --out found`;
+        this.status.textContent = `${count(trials)} candidates are too many for a page. The program does them on all cores, on many machines too:  gearwright search spec.toml --out found`;
         return;
       }
-      this.said.textContent = `${count(trials)} candidates.`;
+      this.status.textContent = `${count(trials)} candidates.`;
       if (trials <= kAtOnce) await this.search();
     } catch (reason) {
-      if (bench.text === text) this.said.textContent = words(reason);
+      if (bench.text === text) this.status.textContent = sentenceOf(reason);
     }
   }
 
@@ -149,11 +149,11 @@ export class SearchView implements Tab {
     this.bar.value = 0;
     const begin = performance.now();
     try {
-      const found = await bench.seek.ask("search", { text, most: kMostDesigns }, (done, of, sofar) => {
+      const found = await bench.seek.call("search", { text, most: kMostDesigns }, (done, of, sofar) => {
         if (this.running !== text) return;
         this.bar.value = of ? done / of : 0;
         const best = typeof sofar === "string" && sofar ? (JSON.parse(sofar) as Design[]) : [];
-        this.said.textContent = `${Math.floor((100 * done) / Math.max(1, of))} % of the candidates tried.`;
+        this.status.textContent = `${Math.floor((100 * done) / Math.max(1, of))} % of the candidates tried.`;
         if (best.length) this.list(best, [], text);
       });
       if (!found || this.running !== text) return;
@@ -164,13 +164,13 @@ export class SearchView implements Tab {
       if (!answer.search) throw new Error(answer.error?.message ?? "no answer");
       this.save.hidden = false;
       const time = ((performance.now() - begin) / 1000).toFixed(2);
-      this.said.textContent =
+      this.status.textContent =
         `${count(found.feasible)} of ${count(found.tested)} candidates satisfy every limit; ${time} s.` +
         why(found.feasible, answer.search.rejected);
       this.list(answer.search.designs, answer.search.pareto ?? [], text);
     } catch (reason) {
       if (this.running !== text) return;
-      this.said.textContent = words(reason) === "cancelled" ? "Cancelled." : words(reason);
+      this.status.textContent = reason instanceof Cancelled ? "Cancelled." : sentenceOf(reason);
     } finally {
       if (this.running === text) {
         this.rest();
@@ -179,14 +179,10 @@ export class SearchView implements Tab {
       }
     }
   }
-  private cancel(): void {
-    bench.seek.cancel();
-  }
-
   /** The designs found for a text, so far or all of them. */
   private list(designs: Design[], front: number[], text: string): void {
-    if (text !== this.asked) {
-      this.asked = text;
+    if (text !== this.searched) {
+      this.searched = text;
       this.of.clear();
     }
     if (text) this.of.add(text);
@@ -195,13 +191,11 @@ export class SearchView implements Tab {
     this.taken = -1;
     this.table.show(designs, front);
     // A number that all designs share is no axis.
-    const rank = (column: Column) => (kAxes.indexOf(column.said.key) + kAxes.length + 1) % (kAxes.length + 1);
+    const rank = (column: Column) => (kAxes.indexOf(column.info.key) + kAxes.length + 1) % (kAxes.length + 1);
     this.columns = columnsOf(designs)
       .filter((one) => designs.some((design) => typeof valueIn(design, one) === "number"))
       .filter((one) => varies(designs, one))
-      .map((column, i) => ({ column, i }))
-      .sort((a, b) => rank(a.column) - rank(b.column) || a.i - b.i)
-      .map(({ column }) => column);
+      .sort((a, b) => rank(a) - rank(b));
     const ids = this.columns.map(idOf);
     for (const [i, select] of [this.across, this.up].entries()) {
       const before = select.value;
@@ -224,12 +218,12 @@ export class SearchView implements Tab {
       y: real(valueIn(design, y)),
       front: front.has(row),
     }));
-    this.pareto.show(points, { ...x.said, words: x.words }, { ...y.said, words: y.words }, this.taken);
+    this.pareto.show(points, { ...x.info, words: x.words }, { ...y.info, words: y.words }, this.taken);
   }
 
   private async take(row: number): Promise<void> {
     try {
-      const text = await bench.seek.ask("take", { design: row + 1 });
+      const text = await bench.seek.call("take", { design: row + 1 });
       this.taken = row;
       this.looked = text;
       this.of.add(text);
@@ -238,19 +232,16 @@ export class SearchView implements Tab {
       bench.setText(text, "design " + row);
       this.back.hidden = false;
     } catch (reason) {
-      this.said.textContent = words(reason);
+      this.status.textContent = sentenceOf(reason);
     }
   }
 
   private async report(): Promise<void> {
     try {
-      download(
-        "search.html",
-        (await bench.seek.ask("searchReport", undefined as never)) as Uint8Array<ArrayBuffer>,
-        "text/html",
-      );
+      const page = await bench.seek.call("searchReport", undefined as never);
+      download("search.html", page as Uint8Array<ArrayBuffer>, "text/html");
     } catch (reason) {
-      this.said.textContent = words(reason);
+      this.status.textContent = sentenceOf(reason);
     }
   }
 
@@ -259,47 +250,40 @@ export class SearchView implements Tab {
   private async fit(text: string): Promise<void> {
     const verb = measured(bench.solved?.spec ?? null) ? "identify" : "fit";
     const list = verb === "fit" ? "branches" : "candidates";
-    this.said.textContent =
-      verb === "fit" ? "Looking for gears that fit …" : "Looking for gears with these readings …";
+    this.status.textContent = `Looking for gears ${verb === "fit" ? "that fit" : "with these readings"} …`;
     try {
-      const answer = await bench.seek.ask("run", { text, verb });
+      const answer = await bench.seek.call("run", { text, verb });
       if (this.looked !== text) return;
       const found = (at(answer, `${verb}.${list}`) ?? []) as Design[];
-      const next = at(answer, "identify.next_measurement.reading");
-      const wrong = at(answer, "identify.contradiction.reading");
-      const hint =
-        (typeof wrong === "string"
-          ? ` The reading ${wrong.replaceAll("_", " ")} contradicts the others.`
-          : "") +
-        (typeof next === "string" ? ` What would decide: measure ${next.replaceAll("_", " ")}.` : "");
+      const hint = (path: string, before: string, after = "") => {
+        const reading = at(answer, `identify.${path}.reading`);
+        return typeof reading === "string" ? before + reading.replaceAll("_", " ") + after : "";
+      };
       const reason = at(answer, verb + ".reason") ?? at(answer, "error.message");
-      this.said.textContent = found.length
+      this.status.textContent = found.length
         ? `${found.length === 1 ? "One answer fits" : found.length + " answers fit"}. A click makes it the design.` +
-          hint
+          hint("contradiction", " The reading ", " contradicts the others.") +
+          hint("next_measurement", " What would decide: measure ", ".")
         : String(reason ?? "Nothing fits.");
-      fill(
-        this.branches,
-        ...found
-          .slice(0, 12)
-          .map((one, i) => this.branch(one, i, verb === "fit" ? "fit.branches" : "identify.candidate")),
-      );
+      const table = verb === "fit" ? "fit.branches" : "identify.candidate";
+      fill(this.branches, ...found.slice(0, 12).map((one, i) => this.branch(one, i, table)));
     } catch (reason) {
-      if (this.looked === text) this.said.textContent = words(reason);
+      if (this.looked === text) this.status.textContent = sentenceOf(reason);
     }
   }
   private branch(branch: Design, i: number, table: string): HTMLElement {
     const facts = Object.entries(branch).flatMap(([key, value]) => {
-      const said = quantity(table, key);
+      const info = quantity(table, key);
       const record = typeof value === "object" && !Array.isArray(value); // the spec itself, or nothing
-      if (record || !said || said.type === "record") return [];
-      const texts = (Array.isArray(value) ? value : [value]).map((one) => textOf(said, one)).join(" / ");
-      return [h("dt", {}, said.words), h("dd", {}, `${texts} ${said.percent ? "%" : shownUnit(said.unit)}`)];
+      if (record || !info || info.type === "record") return [];
+      const texts = (Array.isArray(value) ? value : [value]).map((one) => textOf(info, one)).join(" / ");
+      return [h("dt", {}, info.words), h("dd", {}, `${texts} ${info.percent ? "%" : shownUnit(info.unit)}`)];
     });
     const use = async () => {
       const spec = branch["spec"] ?? gearOf(branch);
-      const text = await bench.front.ask("tomlOf", { json: JSON.stringify(spec) });
+      const text = await bench.front.call("tomlOf", { json: JSON.stringify(spec) });
       this.list([], [], "");
-      this.asked = bench.text;
+      this.searched = bench.text;
       this.back.hidden = false;
       bench.setText(text, "branch " + i);
     };
@@ -318,9 +302,6 @@ function real(value: Json | undefined): number {
 }
 function count(n: number): string {
   return n.toLocaleString("en").replaceAll(",", "\u202f");
-}
-function words(reason: unknown): string {
-  return reason instanceof Error ? reason.message : String(reason);
 }
 /** What rejected most, when nothing is left. */
 function why(feasible: number, rejected: { [key: string]: Json | number }): string {

@@ -1,10 +1,10 @@
 // The tab "shifts": all profile shifts that the limits leave to this pair of tooth numbers, with
 // their exact borders. The point is the design; it is dragged, or moved with the arrow keys, and
-// everything follows. Where it stops, the border's name is said.
+// everything follows. Where it stops, the border is named.
 
 import type { ShiftRegion } from "../../engine/engine";
-import { fill, h, svg } from "../elements";
-import { kOvertaken } from "../engine_link";
+import { gridLines, ticksOf } from "../axes";
+import { fill, h, onKeys, sentenceOf, svg } from "../elements";
 import { fixed, niceStep } from "../numbers";
 import { bench } from "../workbench";
 import type { Tab } from "../tabs";
@@ -24,7 +24,6 @@ const kColours = [
 
 export class ShiftsView implements Tab {
   readonly id = "shifts";
-  readonly words = "shifts";
   private readonly chart = svg("svg", {
     class: "shift-chart",
     tabindex: "0",
@@ -34,7 +33,6 @@ export class ShiftsView implements Tab {
     pointermove: (event: PointerEvent) => this.drag(event),
     pointerup: () => (this.held = false),
     pointercancel: () => (this.held = false),
-    keydown: (event: KeyboardEvent) => this.key(event),
   });
   private readonly sentence = h("p", { class: "shift-sentence", "aria-live": "polite" });
   private readonly legend = h("ul", { class: "shift-legend" });
@@ -52,6 +50,12 @@ export class ShiftsView implements Tab {
 
   constructor() {
     new ResizeObserver(() => this.draw()).observe(this.chart);
+    onKeys(this.chart, {
+      ArrowLeft: (event) => this.step(event, -1, 0),
+      ArrowRight: (event) => this.step(event, 1, 0),
+      ArrowUp: (event) => this.step(event, 0, 1),
+      ArrowDown: (event) => this.step(event, 0, -1),
+    });
   }
 
   async refresh(): Promise<void> {
@@ -59,14 +63,13 @@ export class ShiftsView implements Tab {
     if (!solved) return this.clear(bench.nothing);
     if (solved.text === this.shown) return;
     try {
-      const { design } = bench;
-      const region = await bench.front.latest("shifts", "shifts", { text: solved.text });
-      if (region === kOvertaken || bench.design !== design || !bench.good) return;
+      const region = await bench.about(bench.front, "shifts", "shifts", { text: solved.text });
+      if (!region) return;
       this.region = region;
       this.shown = solved.text;
       if (!this.held) this.reframe();
     } catch (reason) {
-      return this.clear(reason instanceof Error ? reason.message : String(reason));
+      return this.clear(sentenceOf(reason));
     }
     this.draw();
   }
@@ -134,14 +137,9 @@ export class ShiftsView implements Tab {
   private drag(event: PointerEvent): void {
     if (this.held) this.move(...this.at(event));
   }
-  private key(event: KeyboardEvent): void {
+  private step(event: KeyboardEvent, across: number, up: number): void {
     const step = event.shiftKey ? 0.1 : 0.01;
-    const way = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] }[
-      event.key
-    ];
-    if (!way || !this.region) return;
-    event.preventDefault();
-    this.move(this.region.point[0] + way[0]!, this.region.point[1] + way[1]!);
+    if (this.region) this.move(this.region.point[0] + across * step, this.region.point[1] + up * step);
   }
 
   private draw(): void {
@@ -181,7 +179,7 @@ export class ShiftsView implements Tab {
       svg("circle", { class: "design" + (region.inside ? "" : " outside"), cx: px, cy: py, r: 6.5 }),
       ...this.names([px, py], chosen),
     );
-    this.speak(region, names, inkOf);
+    this.describe(region, names, inkOf);
   }
 
   /** The words of the two points, on the side where there is room; below, where they are close. */
@@ -202,7 +200,7 @@ export class ShiftsView implements Tab {
     ];
   }
 
-  private speak(region: ShiftRegion, names: string[], inkOf: (name: string) => string): void {
+  private describe(region: ShiftRegion, names: string[], inkOf: (name: string) => string): void {
     const where = `x1 = ${fixed(region.point[0], 4)}, x2 = ${fixed(region.point[1], 4)}`;
     const stop = region.stoppedBy ? (region.borders[region.stoppedBy] ?? region.stoppedBy) : "";
     fill(
@@ -234,40 +232,17 @@ export class ShiftsView implements Tab {
 
   private grid(): SVGElement[] {
     const [x0, x1, y0, y1] = this.frame;
-    const right = Math.max(x1, x0 + (this.chart.clientWidth - kRoom.left - kRoom.right) / this.scale[0]);
-    const step = niceStep(Math.max(right - x0, y1 - y0), 6);
-    const lines: SVGElement[] = [];
-    const word = (x: number, y: number, text: string, style: string) =>
-      lines.push(svg("text", { x, y, class: style }, text));
-    for (let x = Math.ceil(x0 / step) * step; x <= right + 1e-9; x += step) {
-      const [a, b] = this.px(x, y0);
-      lines.push(
-        svg("line", { class: Math.abs(x) < 1e-9 ? "zero" : "grid", x1: a, x2: a, y1: b, y2: kRoom.top }),
-      );
-      word(a, b + 16, fixed(x, 2), "m");
-    }
-    for (let y = Math.ceil(y0 / step) * step; y <= y1 + 1e-9; y += step) {
-      const [a, b] = this.px(x0, y);
-      lines.push(
-        svg("line", {
-          class: Math.abs(y) < 1e-9 ? "zero" : "grid",
-          x1: a,
-          x2: this.chart.clientWidth - kRoom.right,
-          y1: b,
-          y2: b,
-        }),
-      );
-      word(a - 8, b + 4, fixed(y, 2), "e");
-    }
-    word(this.chart.clientWidth / 2, this.chart.clientHeight - 8, "profile shift of gear 1", "m g1");
-    const middle = this.chart.clientHeight / 2;
-    lines.push(
-      svg(
-        "text",
-        { class: "m g2", transform: `translate(13 ${middle}) rotate(-90)` },
-        "profile shift of gear 2",
-      ),
-    );
-    return lines;
+    const { clientWidth: width, clientHeight: height } = this.chart;
+    const box = { left: kRoom.left, right: width - kRoom.right, top: kRoom.top, bottom: height - kRoom.bottom };
+    const end = Math.max(x1, x0 + (box.right - box.left) / this.scale[0]);
+    const step = niceStep(Math.max(end - x0, y1 - y0), 6);
+    const across = { ticks: ticksOf(x0, end, step, 2), px: (x: number) => this.px(x, y0)[0] };
+    const up = { ticks: ticksOf(y0, y1, step, 2), px: (y: number) => this.px(x0, y)[1] };
+    const left = `translate(13 ${height / 2}) rotate(-90)`;
+    return [
+      ...gridLines(box, across, up),
+      svg("text", { x: width / 2, y: height - 8, class: "m g1" }, "profile shift of gear 1"),
+      svg("text", { class: "m g2", transform: left }, "profile shift of gear 2"),
+    ];
   }
 }

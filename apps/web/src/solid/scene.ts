@@ -6,7 +6,7 @@
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import type { Mesh } from "../../engine/engine";
-import { colour } from "../elements";
+import { colour, onKeys, onNextFrame } from "../elements";
 import { ContactMarks } from "./contact_marks";
 import { markedMaterial, metal, type Marking } from "./marking";
 
@@ -19,8 +19,8 @@ export class SolidScene {
   private readonly gears: THREE.Group[] = [];
   private readonly markings: Marking[] = [];
   private readonly cut = new THREE.Plane(new THREE.Vector3(0, 0, -1), 1e9);
-  private asked = false;
   private radius = 0;
+  readonly repaint = onNextFrame(() => this.draw());
 
   constructor(private readonly canvas: HTMLCanvasElement) {
     this.renderer = new THREE.WebGLRenderer({
@@ -33,14 +33,23 @@ export class SolidScene {
     this.orbit = new OrbitControls(this.camera, canvas);
     this.orbit.enableDamping = false;
     this.orbit.zoomToCursor = true;
-    this.orbit.addEventListener("change", () => this.ask());
+    this.orbit.addEventListener("change", () => this.repaint());
     const key = new THREE.DirectionalLight(0xffffff, 2.6);
     key.position.set(-0.5, 1.3, 0.9);
     const fill = new THREE.DirectionalLight(0xffffff, 0.55);
     fill.position.set(1, -0.5, 0.8);
     this.camera.add(key, fill);
     this.scene.add(new THREE.HemisphereLight(0xffffff, 0x6a7078, 1.0), this.camera, this.marks.group);
-    canvas.addEventListener("keydown", (event) => this.key(event));
+    onKeys(canvas, {
+      ArrowLeft: () => this.turn(this.camera.up, 0.12),
+      ArrowRight: () => this.turn(this.camera.up, -0.12),
+      ArrowUp: () => this.turn(this.across, 0.12),
+      ArrowDown: () => this.turn(this.across, -0.12),
+      "+": () => this.come(0.85),
+      "=": () => this.come(0.85),
+      "-": () => this.come(1 / 0.85),
+      "0": () => this.look(),
+    });
     canvas.addEventListener("dblclick", () => this.look());
   }
 
@@ -76,7 +85,7 @@ export class SolidScene {
       this.markings.push(marking);
       this.scene.add(group);
     });
-    this.ask();
+    this.repaint();
   }
 
   /** The colours of light or dark. */
@@ -87,7 +96,7 @@ export class SolidScene {
       (inner!.material as THREE.MeshBasicMaterial).color.set(colour(`g${i + 1}-fill`));
     });
     this.marks.recolour();
-    this.ask();
+    this.repaint();
   }
 
   get count(): number {
@@ -103,13 +112,13 @@ export class SolidScene {
     if (!group) return;
     group.matrix.fromArray(pose);
     group.matrixWorldNeedsUpdate = true;
-    this.ask();
+    this.repaint();
   }
 
   /** Cuts everything above z, mm; Infinity: nothing. */
   section(z: number): void {
     this.cut.constant = Number.isFinite(z) ? z : 1e9;
-    this.ask();
+    this.repaint();
   }
 
   /** Least and greatest z, and the diagonal, mm. */
@@ -145,16 +154,7 @@ export class SolidScene {
     this.camera.far = distance * 20;
     this.camera.updateProjectionMatrix();
     this.orbit.update();
-    this.ask();
-  }
-
-  ask(): void {
-    if (this.asked) return;
-    this.asked = true;
-    requestAnimationFrame(() => {
-      this.asked = false;
-      this.draw();
-    });
+    this.repaint();
   }
 
   private draw(): void {
@@ -171,23 +171,17 @@ export class SolidScene {
     this.renderer.render(this.scene, this.camera);
   }
 
-  private key(event: KeyboardEvent): void {
-    const about = (axis: THREE.Vector3, angle: number) => {
-      this.camera.position.sub(this.orbit.target).applyAxisAngle(axis, angle).add(this.orbit.target);
-    };
-    const across = new THREE.Vector3(1, 0, 0).applyQuaternion(this.camera.quaternion);
-    const come = (factor: number) =>
-      this.camera.position.sub(this.orbit.target).multiplyScalar(factor).add(this.orbit.target);
-    if (event.key === "ArrowLeft") about(this.camera.up, 0.12);
-    else if (event.key === "ArrowRight") about(this.camera.up, -0.12);
-    else if (event.key === "ArrowUp") about(across, 0.12);
-    else if (event.key === "ArrowDown") about(across, -0.12);
-    else if (event.key === "+" || event.key === "=") come(0.85);
-    else if (event.key === "-") come(1 / 0.85);
-    else if (event.key === "0") return this.look();
-    else return;
-    event.preventDefault();
+  private get across(): THREE.Vector3 {
+    return new THREE.Vector3(1, 0, 0).applyQuaternion(this.camera.quaternion);
+  }
+  private turn(axis: THREE.Vector3, angle: number): void {
+    this.camera.position.sub(this.orbit.target).applyAxisAngle(axis, angle).add(this.orbit.target);
     this.orbit.update();
-    this.ask();
+    this.repaint();
+  }
+  private come(factor: number): void {
+    this.camera.position.sub(this.orbit.target).multiplyScalar(factor).add(this.orbit.target);
+    this.orbit.update();
+    this.repaint();
   }
 }

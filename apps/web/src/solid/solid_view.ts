@@ -2,8 +2,7 @@
 // apart; the contact point and its ellipse move over the flanks, and the marking stays on them.
 
 import { loadScene } from "gearwright:parts";
-import { h, onThemeChange } from "../elements";
-import { kOvertaken } from "../engine_link";
+import { check, h, onThemeChange, slide, slider } from "../elements";
 import { poseAt, type Motion } from "../motion";
 import { at, bench } from "../workbench";
 import type { Tab } from "../tabs";
@@ -14,7 +13,6 @@ const kPositions = 64;
 
 export class SolidView implements Tab {
   readonly id = "solid";
-  readonly words = "solid";
   private readonly canvas = h("canvas", {
     tabindex: "0",
     role: "img",
@@ -22,24 +20,12 @@ export class SolidView implements Tab {
   });
   private readonly state = h("output", { class: "readout" });
   private readonly turning = new TurnControl(() => this.arrange());
-  private readonly cut = h("input", {
-    type: "range",
-    min: 0,
-    max: 1,
-    step: 0.005,
-    value: 1,
-    "aria-label": "section along the axis",
-    input: () => this.arrange(),
-  });
-  private readonly apart = h("input", {
-    type: "range",
-    min: 0,
-    max: 1,
-    step: 0.01,
-    value: 0,
-    "aria-label": "gears apart",
-    input: () => this.arrange(),
-  });
+  private readonly cut = slider("section along the axis", { min: 0, max: 1, step: 0.005, value: 1 }, () =>
+    this.arrange(),
+  );
+  private readonly apart = slider("gears apart", { min: 0, max: 1, step: 0.01, value: 0 }, () =>
+    this.arrange(),
+  );
   private readonly markBox = h("input", {
     type: "checkbox",
     checked: true,
@@ -54,9 +40,9 @@ export class SolidView implements Tab {
       "div",
       { class: "controls" },
       ...this.turning.elements,
-      h("label", { class: "slide short" }, h("span", {}, "section"), this.cut),
-      h("label", { class: "slide short" }, h("span", {}, "apart"), this.apart),
-      h("label", { class: "check" }, this.markBox, "marking"),
+      slide("section", this.cut),
+      slide("apart", this.apart),
+      check("marking", this.markBox),
     ),
   );
   private scene: SolidScene | null = null;
@@ -68,7 +54,7 @@ export class SolidView implements Tab {
   private internal = false;
 
   constructor() {
-    new ResizeObserver(() => this.scene?.ask()).observe(this.canvas);
+    new ResizeObserver(() => this.scene?.repaint()).observe(this.canvas);
     onThemeChange(() => this.scene?.recolour());
   }
   leave(): void {
@@ -95,19 +81,12 @@ export class SolidView implements Tab {
         );
       }
     }
-    if (solved.text === this.shown) return this.scene.ask();
-    const { design } = bench;
-    const late = () => bench.design !== design || !bench.good;
-    const answer = await bench.back.latest("meshes", "meshes", {
-      text: solved.text,
-      tolerance: this.tolerance(),
-    });
-    if (answer === kOvertaken || late()) return;
-    const motion = await bench.back.latest("motion-solid", "motion", {
-      text: solved.text,
-      n: kPositions + 1,
-    });
-    if (motion === kOvertaken || late()) return;
+    if (solved.text === this.shown) return this.scene.repaint();
+    const { text } = solved;
+    const answer = await bench.about(bench.back, "meshes", "meshes", { text, tolerance: this.tolerance() });
+    if (!answer) return;
+    const motion = await bench.about(bench.back, "motion-solid", "motion", { text, n: kPositions + 1 });
+    if (!motion) return;
     const fresh = this.scene.count !== answer.length;
     const gears = (solved.result?.["gears"] ?? []) as unknown as { teeth: number }[];
     this.internal = gears.some((gear) => gear.teeth < 0);
@@ -118,7 +97,7 @@ export class SolidView implements Tab {
       driver,
     );
     this.motion = motion;
-    this.shown = solved.text;
+    this.shown = text;
     this.arrange();
     ({ low: this.low, high: this.high, size: this.size } = this.scene.extent());
     this.scene.frame(fresh);
@@ -143,18 +122,12 @@ export class SolidView implements Tab {
     const scene = this.scene;
     if (!solved || !scene || solved.text !== this.shown) return;
     const thickness = (at(solved.spec, "contact.marking_mm") as number | undefined) ?? 0.00635;
-    const clear = () => [0, 1].forEach((gear) => scene.marking(gear)?.set(null, 0));
-    if (!this.markBox.checked || !solved.hasPair || !this.motion?.curve) {
-      clear();
-      return scene.ask();
-    }
-    const pattern = await bench.back
-      .latest("pattern", "pattern", { text: solved.text, positions: 24, rows: 25, columns: 49 })
-      .catch(() => null);
-    if (pattern === kOvertaken || this.shown !== solved.text) return;
-    if (!pattern) clear();
-    else pattern.forEach((raster, gear) => scene.marking(gear)?.set(raster, thickness));
-    scene.ask();
+    const marked = this.markBox.checked && solved.hasPair && this.motion?.curve;
+    const question = { text: solved.text, positions: 24, rows: 25, columns: 49 };
+    const pattern = marked ? await bench.back.latest("pattern", "pattern", question).catch(() => []) : [];
+    if (!pattern || this.shown !== solved.text) return;
+    for (const gear of [0, 1]) scene.marking(gear)?.set(pattern[gear] ?? null, thickness);
+    scene.repaint();
   }
 
   private arrange(): void {
@@ -172,6 +145,6 @@ export class SolidView implements Tab {
     scene.section(share >= 1 ? Infinity : this.low + share * (this.high - this.low));
     const i = ((Math.round((this.turning.t + 0.5) * kPositions) % kPositions) + kPositions) % kPositions;
     scene.marks.show(apart < 0.02 ? motion.curve : null, i, this.size);
-    scene.ask();
+    scene.repaint();
   }
 }

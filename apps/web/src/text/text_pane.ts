@@ -108,14 +108,12 @@ export class TextPane {
   }
 
   private showFault(): void {
-    const fault = bench.solved?.fault ?? null;
-    const asks = bench.asks;
+    const { fault } = bench;
     const line = fault?.line ?? lineIn(fault?.message ?? "");
-    this.sentence.textContent =
-      fault && !asks ? (fault.line ? `Line ${fault.line}: ` : "") + fault.message : "";
-    this.mark.hidden = !fault || !line || asks;
+    this.sentence.textContent = fault ? (fault.line ? `Line ${fault.line}: ` : "") + fault.message : "";
+    this.mark.hidden = !line;
     if (line) this.mark.style.top = `${(line - 1) * kLine}px`;
-    this.area.setAttribute("aria-invalid", String(fault !== null && !asks));
+    this.area.setAttribute("aria-invalid", String(fault !== null));
   }
 }
 

@@ -1,0 +1,102 @@
+// A tab with an answer of the engine beside the keys of the spec that it needs: teeth under load, and
+// their rating. Above the answer stands the verdict on the spec, the same as in the bar. A spec without
+// a load is offered fields for one.
+
+import { fill, h, scroller } from "./elements";
+import type { Fault, Notice, Solved, Verdict } from "./engine_worker";
+import { Offer, type Offered } from "./form/offer";
+import { KeyPanel, type PanelGroup } from "./form/panel";
+import { judgement, type Part } from "./judgement";
+import { quantityTable, type Extra, type Row } from "./quantity_table";
+import type { Tab } from "./tabs";
+import { noticesOf } from "./verdict";
+import { at, bench } from "./workbench";
+
+interface Needs {
+  panel: PanelGroup[];
+  keys: string[]; // places: a spec with none of them has no load
+  without: string; // why there is no answer then
+  alone: string; // why there is none for one gear
+  offer: string; // what the fields offered are for
+  go: string;
+  offered: Offered[];
+}
+
+export abstract class AnswerView<A extends { warnings: Notice[]; verdict: Verdict }> implements Tab {
+  readonly id: string;
+  protected readonly panel: KeyPanel;
+  private readonly offer: Offer;
+  protected readonly sentence = h("p", { class: "view-sentence", "aria-live": "polite" });
+  protected readonly notices = h("ul", { class: "notices" });
+  protected readonly table = scroller("table-room", "numbers");
+  protected readonly room = h("div");
+  readonly picture = h("div", {}, this.sentence, this.room);
+  readonly element: HTMLElement;
+  protected answer: A | null = null;
+  shown = "";
+
+  constructor(
+    readonly part: Part,
+    private readonly needs: Needs,
+  ) {
+    this.id = part;
+    this.panel = new KeyPanel(`keys of the ${part}`, needs.panel);
+    this.offer = new Offer(needs.offer, needs.go, needs.offered);
+    this.element = h(
+      "div",
+      { class: "side-view" },
+      this.panel.element,
+      scroller("side-room", part, this.offer.element, this.picture),
+    );
+    judgement.onChange(() => this.showVerdict());
+  }
+
+  abstract refresh(): Promise<void>;
+  abstract judge(): Promise<void>;
+
+  /** The pair to answer for; null where the view shows why there is none. */
+  protected pair(): Solved | null {
+    const solved = bench.good;
+    this.panel.show();
+    this.offer.hide();
+    if (!solved?.hasPair) {
+      this.clear(solved ? this.needs.alone : bench.nothing);
+      return null;
+    }
+    if (this.needs.keys.some((key) => at(solved.spec, key) !== undefined)) return solved;
+    this.panel.show(null);
+    this.offer.show();
+    judgement.take(this.part, solved.text, { error: { message: this.needs.without } });
+    this.clear("");
+    return null;
+  }
+
+  /** The answer about a text: the panel has nothing against it. */
+  protected take(answer: A, text: string): void {
+    this.panel.show(null);
+    this.answer = answer;
+    this.shown = text;
+  }
+  /** The engine refuses an answer, for a reason that the panel shows at its field. */
+  protected refuse(fault: Fault, text: string): void {
+    judgement.take(this.part, text, { error: fault });
+    this.clear(this.panel.show(fault), text);
+  }
+  private clear(sentence: string, text = ""): void {
+    this.answer = null;
+    this.shown = text;
+    this.room.hidden = true;
+    fill(this.sentence, sentence);
+  }
+
+  /** The verdict, what the answer has to be read with, and its numbers. */
+  protected show(answer: A, rows: Row[], extra?: Extra): void {
+    this.room.hidden = false;
+    this.showVerdict();
+    fill(this.notices, ...noticesOf(answer.warnings, answer.verdict.findings));
+    fill(this.table, quantityTable(rows, 2, extra).element);
+  }
+  private showVerdict(): void {
+    if (this.answer && this.shown === bench.text) fill(this.sentence, judgement.verdict?.headline);
+  }
+}
