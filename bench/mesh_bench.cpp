@@ -2,9 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "gearwright/cad/dxf.hpp"
-#include "gearwright/cad/glb.hpp"
-#include "gearwright/cad/stl.hpp"
-#include "gearwright/cad/threemf.hpp"
+#include "gearwright/cad/mesh_files.hpp"
 #include "gearwright/gear/gear.hpp"
 
 namespace {

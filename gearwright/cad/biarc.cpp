@@ -134,7 +134,7 @@ BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm) {
   GW_EXPECTS(tolerance_mm > 0.0);
   GW_EXPECTS(arc.begin_point != arc.end_point);
   // 24 looks see the crest of an error of a hump or two to a hundredth; where a parameter runs
-  // unevenly they do not, the verification says so, and four times as many look again.
+  // unevenly they do not, the verification finds that, and four times as many look again.
   BiarcChain chain{};
   for (const int looks : {24, 96, kVouching}) {
     chain = Fitter(arc, looks).chain(0.98 * tolerance_mm);

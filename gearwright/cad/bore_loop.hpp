@@ -1,11 +1,11 @@
-// The bore's section: a circle, or a circle with a rectangular keyway; of a ring (teeth < 0) its rim, the
-// cylinder round its roots. As columns of a mesh, as walls of a solid, and as the contour of a drawing.
+// The bore's section: a circle, or a circle with a rectangular keyway; of a ring (teeth < 0) its rim,
+// the cylinder round its roots. As columns of a mesh, walls of a solid, and contour of a drawing.
 //
 //   r  bore radius     w, t  keyway width and depth from the bore circle     all mm
 //
-// The keyway is a slot along +y: its flat floor lies at y = r + t, its walls at x = ±w/2, which meet the
-// bore at y = √(r² − w²/4); w = 0: no keyway. What must lie inside the root is its corner,
-// hypot(w/2, r + t).
+// The keyway is a slot along +y: its flat floor lies at y = r + t, its walls at x = ±w/2, which meet
+// the bore at y = √(r² − w²/4); w = 0: no keyway. Its corner, hypot(w/2, r + t), must lie inside the
+// root.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// What the drawings of a transverse section share: options, facts, the closed outlines of a body, and the
-// fits of its arcs.
+// What the drawings of a transverse section share: options, facts, the closed outlines of a body, and
+// the fits of its arcs.
 //
 // A drawing is the section z = 0 in the gear frame, in millimetres; `body.pose` does not apply. It
 // is returned as text with the numbers a program prints beside it ("320 segments, within 0.9 µm").
@@ -58,7 +58,7 @@ Result<BodyContour> body_contour(const ToothedBody& body);
 /// The reason why an arc could not be drawn as closely as was asked.
 Error beyond_tolerance(const Arc& arc, double deviation_mm, double tolerance_mm);
 
-/// What stands for each arc of the outline that makes pieces of other kind than lands, one for all teeth.
+/// A fit of each arc of the outline that makes pieces of other kind than lands, one for all teeth.
 template <class Fit>
 struct ArcFits {
   std::vector<std::optional<Fit>> arcs;  ///< as Outline::arcs

@@ -4,7 +4,6 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/cad/dxf_pairs.hpp"
-#include "gearwright/cad/sheet.hpp"
 
 namespace gearwright {
 
@@ -25,7 +24,7 @@ void record(DxfPairs& out, const char* type, int handle, int owner, const char* 
   out.word(100, "AcDbSymbolTableRecord").word(100, subclass).word(2, name);
 }
 
-void header(DxfPairs& out, int handle_seed, const DxfExtent& extent) {
+void header(DxfPairs& out, int handle_seed, const SheetBox& extent) {
   const auto& [lo, hi] = extent;
   begin_section(out, "HEADER");
   out.word(9, "$ACADVER").word(1, "AC1015");
@@ -80,7 +79,7 @@ void text_styles(DxfPairs& out, bool words) {
 }
 
 void tables(DxfPairs& out, const std::vector<DxfLayer>& layers, bool words,
-            const DxfExtent& extent) {
+            const SheetBox& extent) {
   const Vec2 half = (extent.hi - extent.lo) / 2, middle = extent.lo + half;
   begin_section(out, "TABLES");
   begin_table(out, "VPORT", kVports, 1);
@@ -142,7 +141,7 @@ void block(DxfPairs& out, const char* name, int owner, int begin, int end) {
 
 // An A3 sheet; nothing is placed on it.
 void layout(DxfPairs& out, const char* name, int handle, int order, int record_handle,
-            const DxfExtent& extent) {
+            const SheetBox& extent) {
   const auto& [lo, hi] = extent;
   const bool model = order == 0;
   out.word(0, "LAYOUT").handle(5, handle).handle(330, kLayouts).word(100, "AcDbPlotSettings");
@@ -158,7 +157,7 @@ void layout(DxfPairs& out, const char* name, int handle, int order, int record_h
   out.handle(330, record_handle);
 }
 
-void objects(DxfPairs& out, const DxfExtent& extent) {
+void objects(DxfPairs& out, const SheetBox& extent) {
   const auto dictionary = [&](const char* type, int handle, int owner) {
     out.word(0, type).handle(5, handle).handle(330, owner);
     out.word(100, "AcDbDictionary").integer(281, 1);
@@ -184,7 +183,7 @@ void objects(DxfPairs& out, const DxfExtent& extent) {
 }  // namespace
 
 std::string dxf_document(const DxfEntities& entities, const std::vector<DxfLayer>& layers,
-                         const DxfExtent& extent) {
+                         const SheetBox& extent) {
   GW_EXPECTS(kLayer0 + static_cast<int>(layers.size()) < 0x100);
   GW_EXPECTS((extent.hi - extent.lo).minCoeff() > 0.0);
   std::string text;

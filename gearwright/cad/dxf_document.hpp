@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "gearwright/curve/curve.hpp"
+#include "gearwright/cad/sheet.hpp"
 
 namespace gearwright {
 
@@ -19,8 +19,8 @@ class DxfEntities {
  public:
   /// Where what follows stands: a turn about z and a shift in the plane. Absent: where it is.
   void place(const Eigen::Isometry3d& pose);
-  /// LWPOLYLINE; bulges[i] leads from points[i] to the next. With as many bulges as points it is closed,
-  /// the last one leads to the first; else it has one fewer.
+  /// LWPOLYLINE; bulges[i] leads from points[i] to the next. With as many bulges as points it is
+  /// closed, the last one leads to the first; else it has one fewer.
   void polyline(const std::string& layer, const std::vector<Vec2>& points,
                 const std::vector<double>& bulges);
   void circle(const std::string& layer, double radius, const Vec2& center = Vec2::Zero());
@@ -59,13 +59,10 @@ struct DxfLayer {
   bool chain = false;   ///< of long dashes and dots, the line type CENTER
 };
 
-struct DxfExtent {
-  Vec2 lo, hi;  ///< mm, hold everything
-};
-
-/// The whole file. Words are in the style SHEET, of Arial, whose letters are as wide as Helvetica's.
+/// The whole file; `extent` holds everything. Words are in the style SHEET, of Arial, whose letters
+/// are as wide as Helvetica's.
 std::string dxf_document(const DxfEntities& entities, const std::vector<DxfLayer>& layers,
-                         const DxfExtent& extent);
+                         const SheetBox& extent);
 /// `reach`: half the side of the square about the origin that holds everything, mm.
 inline std::string dxf_document(const DxfEntities& entities, const std::vector<DxfLayer>& layers,
                                 double reach) {

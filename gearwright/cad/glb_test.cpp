@@ -1,4 +1,4 @@
-#include "gearwright/cad/glb.hpp"
+#include "gearwright/cad/mesh_files.hpp"
 
 #include <gtest/gtest.h>
 

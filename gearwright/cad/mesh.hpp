@@ -48,7 +48,7 @@ struct TriangleMesh {
   std::vector<Triangle> shaded_triangles;      ///< index into `shaded_vertices`
 };
 
-/// A mesh with its name and its place, what the writers take.
+/// A mesh with its name and its place, the input of the writers.
 struct MeshPart {
   std::string name;                                        ///< UTF-8
   TriangleMesh mesh;                                       ///< in the gear frame

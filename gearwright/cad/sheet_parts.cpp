@@ -83,7 +83,7 @@ void draw_dimension(Sheet& sheet, const Dimension& d) {
   const Vec2 forward = at(1, 0);
   sheet.arrow(kLayer, at(d.begin, d.line), inside ? Vec2(-forward) : forward);
   sheet.arrow(kLayer, at(d.end, d.line), inside ? forward : Vec2(-forward));
-  // Upright words stand to the left of their line, which is above it for who reads them.
+  // Upright words are to the left of their line, which is above it for the reader.
   const double base = up ? d.line - kOverLine : d.line + kOverLine;
   const auto words = [&](double along, Along where) {
     if (up)

@@ -2,7 +2,7 @@
 // Internal to cad/.
 //
 // Frame and margins follow ISO 5457, the fields of the title block ISO 7200, dimensions ISO 129-1:
-// words stand above their line and are read from below or from the right.
+// words are above their line and are read from below or from the right.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ namespace gearwright {
 /// Heights of capitals, mm (ISO 3098-1).
 inline constexpr double kSmall = 1.8, kUsual = 2.5, kLarge = 3.5;
 
-/// Frame and centring marks of a sheet; returns what lies within the frame.
+/// Frame and centring marks of a sheet; returns the room within the frame.
 SheetBox draw_frame(Sheet& sheet);
 
 struct TitleBlock {
@@ -25,7 +25,7 @@ struct TitleBlock {
   std::string scale, format, number;  ///< "1:2", "A4", "1/2"
 };
 
-/// At the lower right corner of `within`, 180 mm wide; returns what it covers.
+/// At the lower right corner of `within`, 180 mm wide; returns the box that it covers.
 SheetBox draw_title_block(Sheet& sheet, const SheetBox& within, const TitleBlock& block);
 
 /// Size of the table of data in so many columns, mm.

@@ -98,7 +98,7 @@ double height_for(const std::vector<Cell>& cells, double height, double largest)
   return height;
 }
 
-// One row of cells from `lo` up; the label stands above the words.
+// One row of cells from `lo` up; the label is above the words.
 void draw_row(Sheet& sheet, const Vec2& lo, double height, const std::vector<Cell>& cells,
               double largest) {
   double x = lo.x();

@@ -27,7 +27,7 @@ struct ToothedBody {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< gear frame to housing frame
 };
 
-/// Colours by which gears in contact are told apart wherever their file is opened.
+/// Colours that distinguish gears in contact wherever their file is opened.
 /// Linear RGB, far apart in lightness as well as hue: steel, bronze, blue, green.
 inline constexpr std::array<std::array<double, 3>, 4> kPartColours{
     {{0.45, 0.49, 0.53}, {0.55, 0.34, 0.14}, {0.12, 0.26, 0.48}, {0.2, 0.42, 0.24}}};

@@ -80,9 +80,9 @@ struct BodyWalls {
 /// Domain    face width > 0, outline.teeth ≠ 0, the outline's laws hold within 1e-6 mm (contract)
 Result<BodyWalls> make_walls(const ToothedBody& body);
 
-// The layers of a body: where its walls are cut across, and how a point of the section climbs through one
-// of them. A pole of a wall in a slice is h_j c_i at the height z_j: h_j and z_j are the slice's, c_i the
-// wall's.
+// The layers of a body: where its walls are cut across, and how a point of the section climbs through
+// one of them. A pole of a wall in a slice is h_j c_i at the height z_j: h_j and z_j are the slice's,
+// c_i the wall's.
 
 /// A plane z = const; the section in it is turned by e^{iτz}.
 struct WallLevel {

@@ -1,19 +1,86 @@
-#include "gearwright/cad/glb.hpp"
+#include "gearwright/cad/mesh_files.hpp"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <utility>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/little_endian.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/cad/toothed_body.hpp"
+#include "gearwright/cad/file_text.hpp"
+#include "gearwright/cad/zip.hpp"
 
 namespace gearwright {
 
 namespace {
+
+constexpr std::size_t kHeaderBytes = 80;
+constexpr std::size_t kTriangleBytes = 50;
+
+void append(std::string& out, const Eigen::Vector3f& v) {
+  for (int i = 0; i < 3; ++i) append_f32(out, v[i]);
+}
+
+// Of the triangle as rounded, which is the one the reader sees.
+Eigen::Vector3f facet_normal(const Eigen::Vector3f& a, const Eigen::Vector3f& b,
+                             const Eigen::Vector3f& c) {
+  const Vec3 edge = (b - a).cast<double>();
+  return edge.cross((c - a).cast<double>()).normalized().cast<float>();
+}
+
+constexpr const char* kContentTypes =
+    R"(<?xml version="1.0" encoding="UTF-8"?>
+<Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">
+<Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>
+<Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/>
+</Types>
+)";
+
+constexpr const char* kRelationships =
+    R"(<?xml version="1.0" encoding="UTF-8"?>
+<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">
+<Relationship Target="/3D/3dmodel.model" Id="rel0" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>
+</Relationships>
+)";
+
+constexpr const char* kModelHead =
+    R"(<?xml version="1.0" encoding="UTF-8"?>
+<model unit="millimeter" xml:lang="en-US" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">
+<metadata name="Application">Gearwright</metadata>
+<resources>
+)";
+
+void append_object(std::string& xml, const MeshPart& part, std::size_t id) {
+  xml += fmt::format("<object id=\"{}\" type=\"model\" name=\"{}\"><mesh><vertices>\n", id,
+                     xml_text(part.name));
+  const auto out = std::back_inserter(xml);
+  for (const Vec3& v : part.mesh.vertices) {
+    fmt::format_to(out, FMT_COMPILE("<vertex x=\"{:.9g}\" y=\"{:.9g}\" z=\"{:.9g}\"/>\n"), v.x(),
+                   v.y(), v.z());
+  }
+  xml += "</vertices><triangles>\n";
+  for (const Triangle& t : part.mesh.triangles) {
+    fmt::format_to(out, FMT_COMPILE("<triangle v1=\"{}\" v2=\"{}\" v3=\"{}\"/>\n"), t[0], t[1],
+                   t[2]);
+  }
+  xml += "</triangles></mesh></object>\n";
+}
+
+// 3MF multiplies row vectors: the images of the axes one after the other, then the origin's.
+std::string transform(const Eigen::Isometry3d& pose) {
+  std::string out;
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 3; ++row) {
+      const double value = pose.matrix()(row, column);
+      out += fmt::format("{}{}", out.empty() ? "" : " ", value == 0.0 ? 0.0 : value);
+    }
+  }
+  return out;
+}
 
 // glTF's numbers for component types and buffer targets.
 constexpr int kUnsignedInt = 5125;
@@ -93,7 +160,7 @@ void add_part(const MeshPart& part, std::size_t index, Lists& lists, std::string
     const Eigen::Vector3f p = (kMetresPerMm * mesh.vertices[vertex]).cast<float>();
     low = low.min(p.array());
     high = high.max(p.array());
-    for (int i = 0; i < 3; ++i) append_f32(binary, p[i]);
+    append(binary, p);
   }
   const int positions = lists.add_view(begin, binary.size(), kArrayBuffer);
   Lists::add(
@@ -103,9 +170,7 @@ void add_part(const MeshPart& part, std::size_t index, Lists& lists, std::string
           positions, kFloat, shaded, json_vector(low), json_vector(high)));
 
   begin = binary.size();
-  for (const Vec3& n : mesh.normals) {
-    for (int i = 0; i < 3; ++i) append_f32(binary, static_cast<float>(n[i]));
-  }
+  for (const Vec3& n : mesh.normals) append(binary, n.cast<float>());
   const int normals = lists.add_view(begin, binary.size(), kArrayBuffer);
   Lists::add(lists.accessors,
              fmt::format(R"({{"bufferView":{},"componentType":{},"count":{},"type":"VEC3"}})",
@@ -135,6 +200,53 @@ void append_chunk(std::string& out, const char (&type)[5], const std::string& co
 }
 
 }  // namespace
+
+std::string stl_bytes(const std::vector<MeshPart>& parts) {
+  std::size_t count = 0;
+  for (const MeshPart& part : parts) count += part.mesh.triangles.size();
+  GW_EXPECTS(count <= 0xffffffffU);
+
+  std::string out;
+  out.reserve(kHeaderBytes + 4 + kTriangleBytes * count);
+  out = "Gearwright, binary STL, mm:";  // must not begin with "solid", the mark of a text STL
+  for (const MeshPart& part : parts) out += " " + part.name;
+  out.resize(kHeaderBytes, ' ');
+  append_u32(out, static_cast<std::uint32_t>(count));
+  for (const MeshPart& part : parts) {
+    std::vector<Eigen::Vector3f> vertices;
+    vertices.reserve(part.mesh.vertices.size());
+    for (const Vec3& v : part.mesh.vertices) vertices.emplace_back((part.pose * v).cast<float>());
+    for (const Triangle& t : part.mesh.triangles) {
+      const Eigen::Vector3f& a = vertices[t[0]];
+      const Eigen::Vector3f& b = vertices[t[1]];
+      const Eigen::Vector3f& c = vertices[t[2]];
+      append(out, facet_normal(a, b, c));
+      append(out, a);
+      append(out, b);
+      append(out, c);
+      append_u16(out, 0);
+    }
+  }
+  return out;
+}
+
+std::string threemf_bytes(const std::vector<MeshPart>& parts) {
+  GW_EXPECTS(!parts.empty());
+  std::string xml = kModelHead;
+  for (std::size_t i = 0; i < parts.size(); ++i) append_object(xml, parts[i], i + 1);
+  xml += "</resources>\n<build>\n";
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    xml +=
+        fmt::format("<item objectid=\"{}\" transform=\"{}\"/>\n", i + 1, transform(parts[i].pose));
+  }
+  xml += "</build>\n</model>\n";
+
+  ZipWriter zip;
+  zip.add("[Content_Types].xml", kContentTypes);
+  zip.add("_rels/.rels", kRelationships);
+  zip.add("3D/3dmodel.model", xml);
+  return std::move(zip).finish();
+}
 
 std::string glb_bytes(const std::vector<MeshPart>& parts) {
   GW_EXPECTS(!parts.empty());

@@ -1,12 +1,16 @@
 // PDF 1.4 (Adobe, PDF Reference, third edition): the few operators that a drawing needs.
+#include "gearwright/cad/sheet_files.hpp"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/utf8.hpp"
-#include "gearwright/cad/sheet_files.hpp"
+#include "gearwright/cad/dxf_document.hpp"
+#include "gearwright/cad/file_text.hpp"
 #include "gearwright/cad/sheet_font.hpp"
 
 namespace gearwright {
@@ -18,8 +22,8 @@ constexpr int kDecimals = 4;  // of a mm
 // An arc of at most an eighth of π is a cubic within 4e-8 of its radius.
 const double kMostBulge = std::tan(std::acos(-1.0) / 32);
 
-std::string pdf_number(double value) { return short_decimals(value, kDecimals); }
-std::string point(const Vec2& p) { return pdf_number(p.x()) + " " + pdf_number(p.y()); }
+std::string number(double mm) { return short_decimals(mm, kDecimals); }
+std::string point(const Vec2& p) { return number(p.x()) + " " + number(p.y()); }
 
 // From a to b, where the pen stands at a.
 void append_arc(std::string& out, const Vec2& a, const Vec2& b, double bulge) {
@@ -57,7 +61,7 @@ class Content {
 
  private:
   void style(const LayerStyle& style) {
-    if (style.line_width != width_) out_ += pdf_number(style.line_width) + " w\n";
+    if (style.line_width != width_) out_ += number(style.line_width) + " w\n";
     if (style.chain != chain_)
       out_ += style.chain ? fmt::format("[{:g}] 0 d\n", fmt::join(kChain_mm, " ")) : "[] 0 d\n";
     width_ = style.line_width;
@@ -81,7 +85,7 @@ class Content {
     const auto show = [&] {
       if (run.empty()) return;
       out_ += fmt::format("/{} {} Tf ({}) Tj\n", font == SheetFont::symbol ? "S" : "H",
-                          pdf_number(size), run);
+                          number(size), run);
       run.clear();
     };
     for (const char32_t code : code_points(text.text)) {
@@ -128,9 +132,86 @@ class Objects {
   }
 
  private:
-  std::string text_ = "%PDF-1.4\n%\xE2\xE3\xCF\xD3\n";  // four bytes that say: not plain text
+  std::string text_ = "%PDF-1.4\n%\xE2\xE3\xCF\xD3\n";  // four bytes that mark a binary file
   std::vector<std::size_t> places_;
 };
+
+// One sheet in a group of its own; y is turned over here and nowhere else.
+class SheetSvg {
+ public:
+  explicit SheetSvg(const Sheet& sheet) : sheet_(sheet) {
+    for (int i = 0; i < kSheetLayers; ++i) layer(static_cast<SheetLayer>(i));
+  }
+  const std::string& text() const { return out_; }
+
+ private:
+  std::string place(const Vec2& p) const {
+    return number(p.x()) + " " + number(sheet_.size.y() - p.y());
+  }
+
+  void layer(SheetLayer layer) {
+    const LayerStyle& style = style_of(layer);
+    out_ += fmt::format("<g class=\"{}\" stroke-width=\"{}\"", style.name, style.line_width);
+    if (style.chain) out_ += fmt::format(" stroke-dasharray=\"{:g}\"", fmt::join(kChain_mm, " "));
+    out_ += ">\n";
+    for (const SheetPath& path : sheet_.paths) {
+      if (path.layer == layer) add(path);
+    }
+    for (const SheetCircle& c : sheet_.circles) {
+      if (c.layer != layer) continue;
+      out_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", number(c.center.x()),
+                          number(sheet_.size.y() - c.center.y()), number(c.radius));
+    }
+    for (const SheetText& text : sheet_.texts) {
+      if (text.layer == layer) add(text);
+    }
+    out_ += "</g>\n";
+  }
+
+  void add(const SheetPath& path) {
+    out_ += path.filled ? "<path fill=\"#000\" stroke=\"none\" d=\"M" : "<path d=\"M";
+    out_ += place(path.points.front());
+    const std::size_t n = path.points.size();
+    for (std::size_t i = 0; i < path.bulges.size(); ++i) {
+      const Vec2 &a = path.points[i], &b = path.points[(i + 1) % n];
+      const double bulge = path.bulges[i];
+      if (bulge == 0.0) {
+        out_ += "\nL" + place(b);
+        continue;
+      }
+      const double radius = (b - a).norm() * (1 + bulge * bulge) / (4 * std::abs(bulge));
+      out_ += fmt::format("\nA{0} {0} 0 {1} {2} {3}", number(radius), std::abs(bulge) > 1 ? 1 : 0,
+                          bulge > 0 ? 0 : 1, place(b));
+    }
+    out_ += path.closed ? "Z\"/>\n" : "\"/>\n";
+  }
+
+  void add(const SheetText& text) {
+    const std::string x = number(text.at.x()), y = number(sheet_.size.y() - text.at.y());
+    out_ += fmt::format(
+        "<text x=\"{}\" y=\"{}\" font-size=\"{}\" textLength=\"{}\" "
+        "lengthAdjust=\"spacingAndGlyphs\"",
+        x, y, number(text.height / kCapital), number(text_width(text.text, text.height)));
+    if (text.upright) out_ += fmt::format(" transform=\"rotate(-90 {} {})\"", x, y);
+    out_ += fmt::format(">{}</text>\n", xml_text(text.text));
+  }
+
+  const Sheet& sheet_;
+  std::string out_;
+};
+
+void add(DxfEntities& entities, const SheetPath& path) {
+  const char* layer = style_of(path.layer).name;
+  const std::vector<Vec2>& p = path.points;
+  if (path.filled) {
+    GW_EXPECTS(p.size() == 3);
+    entities.triangle(layer, p[0], p[1], p[2]);
+  } else if (!path.closed && p.size() == 2 && path.bulges[0] == 0.0) {
+    entities.line(layer, p[0], p[1]);
+  } else {
+    entities.polyline(layer, p, path.bulges);
+  }
+}
 
 }  // namespace
 
@@ -150,12 +231,11 @@ std::string sheets_pdf(const std::vector<Sheet>& sheets, const SheetWords& words
   if (!words.author.empty()) info += " /Author " + information(words.author);
   objects.add(info + " >>");
   for (const Sheet& sheet : sheets) {
-    objects.add(
-        fmt::format("<< /Type /Page /Parent {} 0 R /MediaBox [0 0 {} {}] /Contents {} 0 R\n"
-                    "/Resources << /Font << /H {} 0 R /S {} 0 R >> >> >>",
-                    int{kPages}, pdf_number(kPointsPerMm * sheet.size.x()),
-                    pdf_number(kPointsPerMm * sheet.size.y()), objects.next() + 1, int{kHelvetica},
-                    int{kSymbol}));
+    objects.add(fmt::format(
+        "<< /Type /Page /Parent {} 0 R /MediaBox [0 0 {} {}] /Contents {} 0 R\n"
+        "/Resources << /Font << /H {} 0 R /S {} 0 R >> >> >>",
+        int{kPages}, number(kPointsPerMm * sheet.size.x()), number(kPointsPerMm * sheet.size.y()),
+        objects.next() + 1, int{kHelvetica}, int{kSymbol}));
     const Content content(sheet);
     objects.add(fmt::format("<< /Length {} >>\nstream\n{}endstream", content.text().size(),
                             content.text()));
@@ -171,6 +251,53 @@ int letters_not_in_pdf(const std::vector<Sheet>& sheets) {
     }
   }
   return count;
+}
+
+std::string sheets_svg(const std::vector<Sheet>& sheets, const SheetWords& words) {
+  GW_EXPECTS(!sheets.empty());
+  std::string groups;
+  double x = 0.0, height = 0.0;
+  for (const Sheet& sheet : sheets) {
+    if (x > 0.0) x += kBetweenSheets_mm;
+    groups += fmt::format("<g transform=\"translate({} 0)\">\n{}</g>\n", number(x),
+                          SheetSvg(sheet).text());
+    x += sheet.size.x();
+    height = std::max(height, sheet.size.y());
+  }
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}mm\" height=\"{1}mm\" "
+      "viewBox=\"0 0 {0} {1}\">\n<title>{2}</title>\n"
+      "<style>text{{font-family:Helvetica,Arial,\"Liberation Sans\",sans-serif;fill:#000;"
+      "stroke:none;white-space:pre}}</style>\n"
+      "<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n"
+      "<g fill=\"none\" stroke=\"#000\" stroke-linejoin=\"round\">\n{3}</g>\n</svg>\n",
+      number(x), number(height), xml_text(words.title), groups);
+}
+
+std::string sheets_dxf(const std::vector<Sheet>& sheets) {
+  GW_EXPECTS(!sheets.empty());
+  constexpr double kUpright_deg = 90.0;
+  DxfEntities entities;
+  double x = 0.0, height = 0.0;
+  for (const Sheet& sheet : sheets) {
+    if (x > 0.0) x += kBetweenSheets_mm;
+    entities.place(Eigen::Isometry3d(Eigen::Translation3d(x, 0.0, 0.0)));
+    for (const SheetPath& path : sheet.paths) add(entities, path);
+    for (const SheetCircle& c : sheet.circles)
+      entities.circle(style_of(c.layer).name, c.radius, c.center);
+    for (const SheetText& t : sheet.texts)
+      entities.text(style_of(t.layer).name, t.at, t.text, t.height, t.upright ? kUpright_deg : 0.0);
+    x += sheet.size.x();
+    height = std::max(height, sheet.size.y());
+  }
+  std::vector<DxfLayer> layers;
+  for (int i = 0; i < kSheetLayers; ++i) {
+    const LayerStyle& style = style_of(static_cast<SheetLayer>(i));
+    const auto hundredths = static_cast<int>(std::lround(100 * style.line_width));
+    layers.push_back({style.name, style.dxf_color, hundredths, style.chain});
+  }
+  return dxf_document(entities, layers, {Vec2::Zero(), {x, height}});
 }
 
 }  // namespace gearwright
