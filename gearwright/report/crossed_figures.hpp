@@ -57,10 +57,10 @@ std::string section_figure(const InvolutePair& pair);
 /// mounted. One curve per panel, all over the same α_wn.
 std::string range_figure(const InvolutePair& pair);
 
-/// What the lines of action ask for of the faces: f and f′ over α_wn, with the actual face widths.
+/// The face widths that the lines of action need: f and f′ over α_wn, with the actual face widths.
 std::string face_width_figure(const InvolutePair& pair);
 
-/// The faces from end to end, with what the leading and the trailing line use of them.
+/// The faces from end to end, with the parts that the leading and the trailing line use.
 ///
 /// Domain    the flanks meet (contract)
 std::string face_use_figure(const InvolutePair& pair);
@@ -80,7 +80,7 @@ std::string min_distance_figure(const InvolutePair& pair);
 /// where all agree (the sum of shifts is nothing), empty where there are none.
 std::string min_distance_table(const InvolutePair& pair);
 
-/// Both, folded away: they are for whoever checks a calculation by hand.
+/// Both, folded away: they are for a user who checks a calculation by hand.
 std::string min_distance_part(const InvolutePair& pair);
 
 }  // namespace gearwright

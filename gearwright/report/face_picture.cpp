@@ -10,6 +10,8 @@
 #include "gearwright/report/crossed_range.hpp"
 #include "gearwright/report/free_labels.hpp"
 #include "gearwright/report/html_text.hpp"
+#include "gearwright/report/line_marks.hpp"
+#include "gearwright/report/plot_axis.hpp"
 
 namespace gearwright {
 
@@ -91,7 +93,7 @@ constexpr double kStrip = 34.0;  // px, height of a face
 constexpr double kRow = 104.0;
 constexpr PlotArea kFaces{640, kArea.left + 14, 18, 30, 2 * kRow - 6, 46};
 
-// A line's part of the face: what the tips reach, and within it what flanks and faces leave.
+// A line's part of the face: the reach of the tips, and within it the part left by flanks and faces.
 void draw_use(Svg& svg, const InvolutePair& pair, std::size_t i, bool leading, const Axis& x,
               double y) {
   const Mesh<double>& m = pair.mesh;
@@ -149,6 +151,84 @@ std::string beyond(const InvolutePair& pair) {
   return text.empty() ? " Both faces hold both lines." : text;
 }
 
+constexpr PlotArea kSpeeds{640, 58, 18, 54, 210, 50};
+constexpr int kSpeedSteps = 96;
+
+// Flank 1 over flank 2, mm per radian of gear 1.
+struct Sliding {
+  double across, along;
+  double whole() const { return std::hypot(across, along); }
+};
+
+Sliding sliding_of(const FlankSpeeds<double>& w) {
+  return {w.across[0] - w.across[1], w.along[0] - w.along[1]};
+}
+
+Sliding sliding_at(const InvolutePair& pair, double rho1) {
+  return sliding_of(flank_speeds(pair.input, pair.mesh, rho1));
+}
+
+// mm from C along the line of action.
+double along_line(const InvolutePair& pair, double rho1) {
+  return (rho1 - pair.mesh.rho1_C) / std::cos(pair.input.gears[0].helix_angle);
+}
+
+std::string speed_svg(const InvolutePair& pair) {
+  const Mesh<double>& m = pair.mesh;
+  const auto rho1 = [&](int k) { return m.rho1_A + k * m.path_length / kSpeedSteps; };
+  std::array<std::vector<Vec2>, 3> curves;
+  double lo = 0.0;
+  double hi = 0.0;
+  for (int k = 0; k <= kSpeedSteps; ++k) {
+    const Sliding s = sliding_at(pair, rho1(k));
+    const double at = along_line(pair, rho1(k));
+    const std::array<double, 3> values{s.across, s.along, s.whole()};
+    for (std::size_t i = 0; i < 3; ++i) {
+      curves[i].push_back({at, values[i]});
+      lo = std::min(lo, values[i]);
+      hi = std::max(hi, values[i]);
+    }
+  }
+  const Axis x = kSpeeds.across(along_line(pair, m.rho1_A), along_line(pair, m.rho1_E));
+  const auto ends = widened(lo, hi, 0.08);
+  const Axis y = kSpeeds.up(ends[0], ends[1]);
+  Svg svg("speeds", kSpeeds.width, kSpeeds.height(), "Sliding of the flanks",
+          "Sliding speeds across and along the teeth and altogether, over the line of action from "
+          "A to E.");
+  draw_rows(svg, x, y, 5);
+  draw_foot(svg, x, kSpeeds.top, kSpeeds.bottom(), 8,
+            "distance from the pitch point C along the line of action, mm");
+  svg.text({x.from, kSpeeds.top - 37}, "sliding, mm per radian of gear 1", Anchor::start, "panel");
+  const std::vector<PathMark> marks = path_marks(m, m.rho1_E);
+  std::vector<double> wanted;
+  for (const PathMark& k : marks) wanted.push_back(x(along_line(pair, k.rho1)));
+  const std::vector<double> placed = spread(wanted, 16.0, kSpeeds.left, kSpeeds.width - 10.0);
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    svg.polyline(
+        {{placed[i], kSpeeds.top - 8}, {wanted[i], kSpeeds.top - 2}, {wanted[i], kSpeeds.bottom()}},
+        "leader");
+    svg.text({placed[i], kSpeeds.top - 12}, marks[i].letter, Anchor::middle, "letter");
+  }
+  draw_curve(svg, x, y, curves[2], "curve ink");
+  draw_curve(svg, x, y, curves[0], "curve action-curve");
+  draw_curve(svg, x, y, curves[1], "curve trailing-curve dash");
+  return svg.str();
+}
+
+std::string speed_table(const InvolutePair& pair) {
+  const Mesh<double>& m = pair.mesh;
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& [letter, rho1] :
+       {std::pair("A", m.rho1_A), std::pair("C", m.rho1_C), std::pair("E", m.rho1_E)}) {
+    const FlankSpeeds<double> w = flank_speeds(pair.input, m, rho1);
+    rows.push_back({fmt::format("<strong>{}</strong>", letter)});
+    for (const double v : {w.across[0], w.across[1], w.along[0], w.along[1], sliding_of(w).whole()})
+      rows.back().push_back(fixed(v, kRatioDigits));
+  }
+  return value_table("Speeds of the contact over the flanks, mm per radian of gear 1",
+                     {"Point", "across 1", "across 2", "along 1", "along 2", "sliding"}, rows);
+}
+
 }  // namespace
 
 std::string face_width_figure(const InvolutePair& pair) {
@@ -171,6 +251,16 @@ std::string face_use_figure(const InvolutePair& pair) {
                                "usable flanks and faces.{}",
                                caption_key("action", "leading flanks A–E"),
                                caption_key("trailing", "trailing flanks A′–E′"), beyond(pair)));
+}
+
+std::string speed_figures(const InvolutePair& pair) {
+  GW_EXPECTS(pair.crossed() && pair.flanks_meet());
+  const std::string keys = caption_key("action", "across the teeth") + " " +
+                           caption_key("trailing", "along the teeth (dashed)") + " " +
+                           caption_key("ink", "altogether");
+  return captioned(speed_svg(pair),
+                   "<strong>Sliding of the flanks</strong>, gear 1 over gear 2. " + keys) +
+         speed_table(pair);
 }
 
 }  // namespace gearwright

@@ -23,10 +23,10 @@ namespace gearwright {
 const char* arc_style(ArcName name);
 
 /// The tooth, upright, its arcs in colours, with the circles of the drawing and its legend; where there
-/// is no outline, a paragraph that says why.
+/// is no outline, a paragraph with the reason.
 std::string tooth_figure(const Gear& gear, const std::string& shape, const std::string& name);
 
-/// Whether the picture of the root says something: a circular root fillet, undercut, or at most 12
+/// Whether the picture of the root shows something: a circular root fillet, undercut, or at most 12
 /// teeth, of a gear that a rack has cut and that has an outline.
 bool root_is_worth_a_picture(const Gear& gear);
 
@@ -39,7 +39,7 @@ std::optional<Gear> by_rack_alone(const Gear& gear);
 /// Formula   r_b e^{i ψ_b}, ψ_b = s_bt/d_b
 Vec2 undercut_limit_point(const Gear& gear);
 
-/// The root; empty where it says nothing.
+/// The root; empty where it shows nothing.
 std::string root_figure(const Gear& gear, const std::string& shape, const std::string& name);
 
 /// The tooth at one shift.
@@ -62,7 +62,7 @@ bool shift_is_worth_a_picture(const Gear& gear);
 std::vector<ShiftedTooth> shifted_teeth(const Gear& gear);
 
 /// The tooth at those shifts, the root that the rack cuts and a circular one instead, to one scale;
-/// empty where they say nothing.
+/// empty where they show nothing.
 std::string shift_figures(const Gear& gear, const std::string& shape, const std::string& name);
 
 }  // namespace gearwright

@@ -37,7 +37,7 @@ std::string symbol_svg(std::string_view symbol);
 /// a symbol has one letter before its "_".
 std::string with_symbols(std::string_view text);
 
-/// A picture, what stands with it, and below it its caption; `attributes` of the whole.
+/// A picture with its controls, and its caption below; `attributes` of the whole.
 std::string captioned(std::string_view picture, std::string_view caption,
                       std::string_view attributes = "");
 

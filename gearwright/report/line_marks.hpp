@@ -25,7 +25,7 @@ struct PathMark {
 void sort_marks(std::vector<PathMark>& marks);
 
 /// A to E, in this order, those from A to `last`: with ε_α > 2 a period's end lies beyond the path, and
-/// B and D say nothing.
+/// B and D have no meaning.
 std::vector<PathMark> path_marks(const Mesh<double>& mesh, double last);
 
 /// ρ_1 of what a picture should hold: A, E, and C and the base tangent points unless far from them.

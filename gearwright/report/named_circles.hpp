@@ -23,7 +23,7 @@ std::vector<NamedCircle> mesh_circles(const InvolutePair& pair, std::size_t i);
 /// Draws circles about `axis` (mm). `side` is where the mesh lies: +1 to the right of the axis;
 /// `gear` is 0 or 1. A circle that the window holds entirely is named beside it, on the other side.
 ///
-/// Returns  what the names cover.
+/// Returns  the boxes that the names cover.
 std::vector<PixelBox> draw_named_circles(Svg& svg, const Viewport& view, const Vec2& axis,
                                          double side, std::size_t gear,
                                          const std::vector<NamedCircle>& circles);

@@ -10,7 +10,7 @@
 namespace gearwright {
 
 /// Light and dark by the reader's preference, paper always light. Colours: Okabe and Ito's set,
-/// which people tell apart whatever their colour vision; nothing is said by colour alone.
+/// which people tell apart whatever their colour vision; no information is in colour alone.
 std::string_view page_style();
 
 /// What the page of a design search adds: the wide table, colours of the edges of a region, dots and

@@ -1,8 +1,8 @@
 // The pictures of a pair on parallel axes: the mesh at the pitch point and the whole pair, the path of
-// contact, and what the profile shifts do to its centrodes.
+// contact, and the effect of the profile shifts on its centrodes.
 //
-// Meshes stand in the housing frame, seen from +z: axis 1 left, axis 2 right (an internal gear's too), y
-// up. Gear 1 is turned so that its leading flank touches at C, gear 2 so that it is touched there;
+// Meshes are drawn in the housing frame, seen from +z: axis 1 left, axis 2 right (an internal gear's
+// too), y up. Gear 1 is turned so that its leading flank touches at C, gear 2 so that it is touched there;
 // a backlash opens on the other side.
 //
 //   I    where the reference circles touch, at a_d      I′   the pitch point at a
@@ -41,7 +41,7 @@ std::string ratio_figure(const InvolutePair& pair);
 bool centrodes_are_worth_a_picture(const InvolutePair& pair);
 
 /// The reference circles at the reference centre distance, where they roll on each other, and the
-/// working pitch circles that do it instead at the distance of the pair; empty where they say nothing.
+/// working pitch circles that do it instead at the distance of the pair; empty where they show nothing.
 std::string centrode_figures(const InvolutePair& pair);
 
 }  // namespace gearwright

@@ -19,7 +19,7 @@ struct Axis {
   double near(double v) const;
 };
 
-/// Where a plot stands in its picture, px.
+/// The place of a plot in its picture, px.
 struct PlotArea {
   double width;        ///< of the picture
   double left, right;  ///< from the picture's edges to the plot's
@@ -33,7 +33,7 @@ struct PlotArea {
 
 struct Ticks {
   std::vector<double> values;
-  int decimals;  ///< that tell them apart
+  int decimals;  ///< by which they differ
 };
 
 /// Round values within [lo, hi]: multiples of 1, 2 or 5 times a power of ten.
@@ -71,7 +71,7 @@ struct PlotCurve {
 /// What stands around the curves.
 struct PlotWords {
   std::string id, title, description;  ///< plain text
-  std::string up, along;               ///< SVG markup: what the axes carry
+  std::string up, along;               ///< SVG markup: the quantities of the axes
 };
 
 /// Curves over their common range; with `from_zero` the values' axis begins at 0. Empty where they

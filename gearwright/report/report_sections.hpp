@@ -1,5 +1,5 @@
-// The sections of the page, each HTML from <section> to </section>. `shapes` are the names of the gears'
-// definitions (gear_shape.hpp).
+// The sections of the page, each HTML from <section> to </section>. `shapes` are the names of the
+// gears' definitions (gear_shape.hpp).
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ std::string arc_pair_section(const ArcPair& pair, const std::array<std::string, 
 /// angles of their x axes.
 std::array<double, 2> angles_at_contact(const ArcPair& pair, const ArcPairContact& contact);
 
-/// Tooth contact: pictures, and words for readers who have never seen such an analysis.
+/// Tooth contact: pictures, and words for readers without experience of such an analysis.
 ///
 /// Domain    two gears with teeth; results of the same positions over one pitch, one at least with
 ///           contact; rasters of 2 × 2 or more (contract)
@@ -39,7 +39,7 @@ std::string contact_section(const ContactReport& report);
 /// Domain    at least one torque; positions evenly over one pitch, some of which touch (contract)
 std::string load_section(const LoadReport& report, const std::array<std::string, 2>& shapes);
 
-/// Corrections: what a workshop would change, and what it does to each of the aims.
+/// Corrections: the changes for a workshop, and their effect on each of the aims.
 ///
 /// Domain    `before` of a pair that touches somewhere (contract)
 std::string compensate_section(const CompensateView& view);

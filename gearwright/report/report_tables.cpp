@@ -159,7 +159,7 @@ std::vector<CollisionRow> rows_of(const std::vector<Collision>& collisions) {
   return rows;
 }
 
-// Without what a row of the overlap has said.
+// Without the rows that the overlap already has.
 std::vector<CollisionRow> rows_of(const std::vector<Interference>& named,
                                   const std::vector<CollisionRow>& listed) {
   std::vector<CollisionRow> rows;
@@ -186,7 +186,7 @@ std::vector<std::string> gear_headings(std::size_t gears) {
 
 std::string gear_table(const std::vector<const Gear*>& gears) {
   using namespace gear_group;
-  // What only gears with few teeth have stands in a table of its own.
+  // The rows of gears with few teeth are in a table of their own.
   std::vector<TextGroup> common, cutter;
   for (TextGroup& g : gear_groups(gears)) {
     if (g.title == kCutter)

@@ -11,7 +11,7 @@ namespace gearwright {
 /// "Gear 1", "Gear 2"
 std::vector<std::string> gear_headings(std::size_t gears);
 
-/// Gears side by side: what was given as on the drawing, what follows from it, and how they were cut.
+/// Gears side by side: the data of the drawing, the derived values, and how they were cut.
 std::string gear_table(const std::vector<const Gear*>& gears);
 
 /// What gears with few teeth have beyond other gears: the points F, C and J, and circular fillets

@@ -1,4 +1,4 @@
-// The pictures of a design search: the designs by what they were ranked by, the room of their profile
+// The pictures of a design search: the designs by their objectives, the room of their profile
 // shifts, and what tooth numbers allow.
 //
 //   front    the designs that no other betters in every objective, joined as a staircase
@@ -19,7 +19,7 @@ namespace gearwright {
 inline constexpr std::size_t kMaxDots = 2000;  ///< of one picture: more are no longer told apart
 
 /// The corners of the staircase through the points that none of them betters in both values: the
-/// border between what was found and what nobody reached. `greater` says for each axis whether more
+/// border between the designs found and those out of reach. `greater`: for each axis, whether more
 /// is better.
 ///
 /// Laws   (1) no given point lies beyond it   (2) along it one value gets worse as the other gets
@@ -27,7 +27,7 @@ inline constexpr std::size_t kMaxDots = 2000;  ///< of one picture: more are no 
 std::vector<Vec2> staircase(const std::vector<Vec2>& points, const std::array<bool, 2>& greater);
 
 /// By the first two objectives; one alone over the centre distance, over the ratio where the
-/// distance is given. The first kMaxDots designs and the whole front. Each dot tells its design
+/// distance is given. The first kMaxDots designs and the whole front. Each dot shows its design
 /// where the pointer rests on it. Empty without designs.
 std::string pareto_figure(const SearchProblem& problem, const SearchAnswer& answer);
 
@@ -45,14 +45,14 @@ std::string shift_region_thumbnail(const ShiftGraph& graph, const DesignRow& row
 inline constexpr int kChartMin = 7, kChartMax = 100;  ///< teeth
 
 /// Between which profile shifts a gear can be made, over the tooth number on a logarithmic axis:
-/// undercut limit, limits of the tip thicknesses 0, 0.2, 0.4 modules and, filled, what the problem
-/// itself leaves gear 1; rack and helix are those of the trial, with the design's shifts marked
+/// undercut limit, limits of the tip thicknesses 0, 0.2, 0.4 modules and, filled, the range that the
+/// problem itself leaves gear 1; rack and helix are those of the trial, with the design's shifts marked
 /// when there is one.
 std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial,
                                 const DesignRow* design);
 
 /// The contact ratio of two identical gears: ε_α at shifts 0, ¼, ½, ¾ and 1 of the way from the least
-/// to the greatest; empty for searches of crossed axes and internal gears, about which it says nothing.
+/// to the greatest; empty for searches of crossed axes and internal gears, to which it does not apply.
 std::string identical_gears_figure(const SearchProblem& problem, const Trial& trial);
 
 }  // namespace gearwright

@@ -1,5 +1,5 @@
 // One HTML page about a design search, for people: what was tried, the best designs in a table that
-// sorts, and pictures of what they were ranked by and of the room their profile shifts have.
+// sorts, and pictures of their objectives and of the room their profile shifts have.
 //
 // As the report of a pair (report/report.hpp): a function of its input alone, in one file that
 // needs nothing else.

@@ -15,8 +15,8 @@ namespace gearwright {
 
 namespace {
 
-// The quantities in the order of the page: which design, where it stands, what it is worth. With what a
-// column means, where the page has room for less than the documents, or knows more.
+// The quantities in the order of the page: which design, its rank, its values. With the meaning of
+// a column, where the page has room for less than the documents, or knows more.
 struct Entry {
   std::string_view key;
   std::optional<std::string_view> meaning;

@@ -17,7 +17,7 @@ constexpr double kZoomPadding = 0.42;  // of a region: room for its labels
 constexpr double kMinWindow = 1e-3;    // modules: a hundredth of what a cutter can be set to
 
 // The piece of Σ = const inside the window; empty: none.
-std::vector<Vec2> line_of_sum(const ShiftBox& box, double sum) {
+std::vector<Vec2> line_of_sum(const Bounds& box, double sum) {
   const double from = std::max(box.lo.x(), sum - box.hi.y());
   const double to = std::min(box.hi.x(), sum - box.lo.y());
   if (!(from < to)) return {};
@@ -26,24 +26,19 @@ std::vector<Vec2> line_of_sum(const ShiftBox& box, double sum) {
 
 }  // namespace
 
-void ShiftBox::hold(const Vec2& p) {
-  lo = lo.cwiseMin(p);
-  hi = hi.cwiseMax(p);
-}
-
-ShiftBox limits_box(const ShiftGraph& graph) {
+Bounds limits_box(const ShiftGraph& graph) {
   const auto& [g_1, g_2] = graph.gears();
   return {{g_1.x_min, g_2.x_min}, {g_1.x_max, g_2.x_max}};
 }
 
-RegionWindow region_window(const ShiftBox& limits, const ShiftBox& region, double aspect,
+RegionWindow region_window(const Bounds& limits, const Bounds& region, double aspect,
                            double fair_part) {
   const bool zoomed = region.size().maxCoeff() < fair_part * limits.size().maxCoeff();
-  ShiftBox box = region;
+  Bounds box = region;
   double pad = kZoomPadding * std::max(region.size().maxCoeff(), kMinWindow);
   if (!zoomed) {
-    box.hold(limits.lo);
-    box.hold(limits.hi);
+    box.cover(limits.lo);
+    box.cover(limits.hi);
     pad = kPadding * std::max(box.size().maxCoeff(), kMinWindow);
   }
   const Vec2 size = box.size() + 2 * Vec2(pad, pad);
@@ -53,7 +48,7 @@ RegionWindow region_window(const ShiftBox& limits, const ShiftBox& region, doubl
   return {{middle - half, middle + half}, zoomed};
 }
 
-std::optional<double> sum_at_distance(const ShiftGraph& graph, double a, const ShiftBox& window) {
+std::optional<double> sum_at_distance(const ShiftGraph& graph, double a, const Bounds& window) {
   const double module = graph.trial().module;
   const double lo = window.lo.sum();
   const double hi = window.hi.sum();
@@ -69,7 +64,7 @@ std::vector<Vec2> GraphFrame::px(const std::vector<Vec2>& points) const {
   return found;
 }
 
-GraphFrame frame_on(const ShiftBox& box, const PixelBox& place) {
+GraphFrame frame_on(const Bounds& box, const PixelBox& place) {
   return {{box.lo.x(), box.hi.x(), place.left, place.right},
           {box.lo.y(), box.hi.y(), place.bottom, place.top}};
 }
@@ -80,7 +75,7 @@ std::vector<Vec2> outline_of(const std::vector<RegionEdge>& loop) {
   return points;
 }
 
-void draw_box(Svg& svg, const GraphFrame& g, const ShiftBox& box, std::string_view style) {
+void draw_box(Svg& svg, const GraphFrame& g, const Bounds& box, std::string_view style) {
   const Vec2 corner = g.px(Vec2(box.lo.x(), box.hi.y()));
   const Vec2 other = g.px(Vec2(box.hi.x(), box.lo.y()));
   svg.rect(corner.x(), corner.y(), other.x() - corner.x(), other.y() - corner.y(), style);

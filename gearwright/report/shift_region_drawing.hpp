@@ -15,29 +15,22 @@
 
 namespace gearwright {
 
-/// A rectangle of the graph, modules.
-struct ShiftBox {
-  Vec2 lo{0.0, 0.0}, hi{0.0, 0.0};
-  void hold(const Vec2& p);
-  Vec2 size() const { return hi - lo; }
-};
-
 /// The rectangle of the shift limits of both gears.
-ShiftBox limits_box(const ShiftGraph& graph);
+Bounds limits_box(const ShiftGraph& graph);
 
 /// What the picture shows, and whether that is a part only: the whole rectangle where the region is
 /// at least `fair_part` as long. In the given ratio of width to height; never without extent.
 struct RegionWindow {
-  ShiftBox box;
+  Bounds box;
   bool zoomed;
 };
-RegionWindow region_window(const ShiftBox& limits, const ShiftBox& region, double aspect,
+RegionWindow region_window(const Bounds& limits, const Bounds& region, double aspect,
                            double fair_part);
 
 /// Σx at which the pair stands at the centre distance a; none within the window.
 ///
 /// Units     a mm
-std::optional<double> sum_at_distance(const ShiftGraph& graph, double a, const ShiftBox& window);
+std::optional<double> sum_at_distance(const ShiftGraph& graph, double a, const Bounds& window);
 
 /// The boundary of every piece of a region.
 using Loops = std::vector<std::vector<RegionEdge>>;
@@ -47,19 +40,19 @@ struct GraphFrame {
   Axis x, y;
   Vec2 px(const Vec2& p) const { return {x(p.x()), y(p.y())}; }
   std::vector<Vec2> px(const std::vector<Vec2>& points) const;
-  ShiftBox box() const { return {{x.lo, y.lo}, {x.hi, y.hi}}; }
+  Bounds box() const { return {{x.lo, y.lo}, {x.hi, y.hi}}; }
 };
-GraphFrame frame_on(const ShiftBox& box, const PixelBox& place);
+GraphFrame frame_on(const Bounds& box, const PixelBox& place);
 
 /// All points of a loop, in order.
 std::vector<Vec2> outline_of(const std::vector<RegionEdge>& loop);
 
-void draw_box(Svg& svg, const GraphFrame& g, const ShiftBox& box, std::string_view style);
+void draw_box(Svg& svg, const GraphFrame& g, const Bounds& box, std::string_view style);
 
 /// Filled, each edge in the colour of its kind; what only touches is a dot.
 void draw_region(Svg& svg, const GraphFrame& g, const Loops& loops, const ShiftRegion& region);
 
-/// One centre distance is asked, not a band.
+/// One centre distance is wanted, not a band.
 bool exact_distance(const SearchProblem& problem);
 
 /// The centre distances asked, as thin lines through the whole window.

@@ -10,9 +10,9 @@ namespace gearwright {
 namespace {
 
 constexpr double kAspect = 1.25;
-const ShiftBox kDrawnLimits{{-0.6, -0.6}, {1.0, 1.0}};
+const Bounds kDrawnLimits{{-0.6, -0.6}, {1.0, 1.0}};
 
-void expect_holds(const RegionWindow& w, const ShiftBox& box) {
+void expect_holds(const RegionWindow& w, const Bounds& box) {
   EXPECT_LT(w.box.lo.x(), box.lo.x());
   EXPECT_LT(w.box.lo.y(), box.lo.y());
   EXPECT_GT(w.box.hi.x(), box.hi.x());
@@ -21,15 +21,14 @@ void expect_holds(const RegionWindow& w, const ShiftBox& box) {
 }
 
 TEST(ShiftRegionWindow, HoldsTheRegionInItsShape) {
-  for (const ShiftBox& region :
-       {ShiftBox{{-0.6, -0.6}, {1.0, 1.0}}, ShiftBox{{0.0, 0.1}, {0.9, 0.2}},
-        ShiftBox{{0.3, -0.4}, {0.35, 0.9}}}) {
+  for (const Bounds& region : {Bounds{{-0.6, -0.6}, {1.0, 1.0}}, Bounds{{0.0, 0.1}, {0.9, 0.2}},
+                               Bounds{{0.3, -0.4}, {0.35, 0.9}}}) {
     const RegionWindow w = region_window(kDrawnLimits, region, kAspect, 0.5);
     EXPECT_FALSE(w.zoomed);
     expect_holds(w, region);
     expect_holds(w, kDrawnLimits);
   }
-  const ShiftBox small{{0.30, 0.20}, {0.31, 0.205}};
+  const Bounds small{{0.30, 0.20}, {0.31, 0.205}};
   const RegionWindow w = region_window(kDrawnLimits, small, kAspect, 0.5);
   EXPECT_TRUE(w.zoomed);
   expect_holds(w, small);
@@ -37,8 +36,8 @@ TEST(ShiftRegionWindow, HoldsTheRegionInItsShape) {
 }
 
 TEST(ShiftRegionWindow, APointHasAWindowToo) {
-  const ShiftBox point{{-0.5, -0.5}, {-0.5, -0.5}};
-  for (const ShiftBox& limits : {kDrawnLimits, point}) {
+  const Bounds point{{-0.5, -0.5}, {-0.5, -0.5}};
+  for (const Bounds& limits : {kDrawnLimits, point}) {
     const RegionWindow w = region_window(limits, point, kAspect, 0.5);
     expect_holds(w, point);
     EXPECT_GT(w.box.size().y(), 1e-5);
@@ -47,7 +46,7 @@ TEST(ShiftRegionWindow, APointHasAWindowToo) {
 
 // Whatever the mounting, the pair stands at the distance whose line is drawn.
 TEST(ShiftRegionWindow, SumsOfDistances) {
-  const ShiftBox wide{{-2.0, -2.0}, {2.0, 2.0}};
+  const Bounds wide{{-2.0, -2.0}, {2.0, 2.0}};
   int drawn = 0;
   for (const auto& sample :
        {testing::spur_search(), testing::pareto_search(), testing::ring_search(),

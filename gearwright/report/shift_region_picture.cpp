@@ -24,7 +24,7 @@ constexpr double kSmallFairPart = 0.12;  // the small ones lie side by side: rat
 constexpr double kMap = 104.0;           // px, the small map of the whole
 constexpr double kShortStretch = 14.0;   // px: a stretch as short is named only if no longer one is
 
-std::vector<Vec2> corners_of(const ShiftBox& box) {
+std::vector<Vec2> corners_of(const Bounds& box) {
   return {box.lo, {box.hi.x(), box.lo.y()}, box.hi, {box.lo.x(), box.hi.y()}, box.lo};
 }
 
@@ -131,7 +131,7 @@ std::string edge_key(const Loops& loops, bool exact) {
 
 // The whole rectangle in a free corner, with the window in it.
 void draw_map(Svg& svg, FreeLabels& labels, const GraphFrame& g, const Loops& loops,
-              const ShiftBox& limits, const ShiftRegion& region) {
+              const Bounds& limits, const ShiftRegion& region) {
   constexpr double kGap = 8.0;
   const double left = kPlot.left + kGap;
   const double right = kPlot.right - kGap - kMap;
@@ -175,7 +175,7 @@ struct Drawn {
   const DesignRow& row;
   ShiftRegion region;
   Loops loops;
-  ShiftBox limits, around;  ///< around the region and the design
+  Bounds limits, around;  ///< around the region and the design
 };
 
 Drawn drawn_of(const ShiftGraph& graph, const DesignRow& row) {
@@ -184,10 +184,10 @@ Drawn drawn_of(const ShiftGraph& graph, const DesignRow& row) {
   Drawn d{graph, row, *std::move(region), {}, limits_box(graph), {}};
   d.loops = region_boundary(graph, d.region);
   d.around = {{row.shift[0], row.shift[1]}, {row.shift[0], row.shift[1]}};
-  d.around.hold(d.region.lo);
-  d.around.hold(d.region.hi);
+  d.around.cover(d.region.lo);
+  d.around.cover(d.region.hi);
   for (const auto& loop : d.loops)
-    for (const Vec2& p : outline_of(loop)) d.around.hold(p);
+    for (const Vec2& p : outline_of(loop)) d.around.cover(p);
   return d;
 }
 
@@ -195,7 +195,7 @@ Drawn drawn_of(const ShiftGraph& graph, const DesignRow& row) {
 std::vector<Vec2> draw_balanced(Svg& svg, const Drawn& d, const GraphFrame& g) {
   const Trial& t = d.row.trial;
   const double lambda = d.graph.problem().lambda;
-  const ShiftBox box = g.box();
+  const Bounds box = g.box();
   const auto on = [&](double sum) { return g.px(balanced_point(t.z1, t.z2, sum, lambda)); };
   const double lo = box.lo.sum();
   const double hi = box.hi.sum();

@@ -90,7 +90,7 @@ class Svg {
 /// Domain    gap ≥ 0; (n − 1) gap ≤ hi − lo, else the labels share [lo, hi] evenly
 std::vector<double> spread(const std::vector<double>& wanted, double gap, double lo, double hi);
 
-/// A pixel coordinate with two decimals and no zeros at its end: 0.01 px is seen by nobody.
+/// A pixel coordinate with two decimals and no zeros at its end: 0.01 px is invisible.
 std::string pixel(double value);
 
 }  // namespace gearwright

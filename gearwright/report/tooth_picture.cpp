@@ -1,15 +1,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <vector>
 
+#include "gearwright/base/contract.hpp"
 #include "gearwright/report/gear_figures.hpp"
 #include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/named_circles.hpp"
+#include "gearwright/report/svg.hpp"
 
 namespace gearwright {
 
@@ -94,6 +98,101 @@ std::string why_no_outline(const Gear& gear) {
   return "The cutter leaves no outline to draw.";
 }
 
+constexpr int kMaxTeeth = 8;
+constexpr std::array<double, 5> kShifts{0.3, 0.5, 0.7, 0.9, 1.0};
+constexpr double kSameShift = 1e-6;  // a shift this near to one of them is that one
+constexpr double kSmallWidth = 240.0;
+constexpr double kSmallHeight = 230.0;
+constexpr double kMargin = 12.0;
+constexpr double kChords = 1e-3;  // m_n: a tenth of a pixel of these small pictures
+
+std::vector<Vec2> tooth_points(const Gear& gear) {
+  std::vector<Vec2> points;
+  for (const Arc& arc : gear.tooth->outline.arcs) {
+    const std::vector<Vec2> piece = chords(arc, kChords * gear.spec.normal_module);
+    points.insert(points.end(), piece.begin(), piece.end());
+  }
+  return points;
+}
+
+// One window for all, mm: from the lowest root to the highest tip, and as wide as the widest.
+Viewport window(const std::vector<ShiftedTooth>& teeth) {
+  double half = 0.0;
+  double low = std::numeric_limits<double>::infinity();
+  double high = 0.0;
+  const auto hold = [&](const Gear& gear) {
+    if (!has_outline(gear)) return;
+    for (const Vec2& p : tooth_points(gear)) {
+      half = std::max(half, std::abs(p.y()));
+      low = std::min(low, p.x());
+      high = std::max(high, p.x());
+    }
+  };
+  for (const ShiftedTooth& t : teeth) {
+    hold(t.rack_cut);
+    if (t.rounded) hold(*t.rounded);
+  }
+  low -= 0.12 * (high - low);
+  const double scale =
+      std::min((kSmallWidth - 2 * kMargin) / (2 * half), (kSmallHeight - kMargin) / (high - low));
+  return {kSmallWidth, kSmallHeight, Vec2((low + high + kMargin / scale) / 2, 0.0), scale, true};
+}
+
+// Both flanks of one arc, in the window.
+void draw_arc(Svg& svg, const Viewport& view, const Gear& gear, const Arc& arc, const char* style) {
+  for (const double side : {1.0, -1.0}) {
+    std::vector<Vec2> points;
+    for (const Vec2& p : chords(arc, kChords * gear.spec.normal_module))
+      points.push_back(view.px({p.x(), side * p.y()}));
+    svg.polyline(points, style);
+  }
+}
+
+// The tooth on its own pitch, filled down to the axis.
+void fill_slice(Svg& svg, const Viewport& view, const Gear& gear) {
+  const std::vector<Vec2> side = tooth_points(gear);
+  std::vector<Vec2> slice{view.px(Vec2::Zero())};
+  for (const Vec2& p : side) slice.push_back(view.px(p));
+  for (auto p = side.rbegin(); p != side.rend(); ++p) slice.push_back(view.px({p->x(), -p->y()}));
+  svg.polygon(slice, "slice");
+}
+
+std::string tooth_svg(const ShiftedTooth& t, const Viewport& view, const std::string& id,
+                      const std::string& words) {
+  Svg svg(id, kSmallWidth, kSmallHeight, fmt::format("The tooth at x = {:.4g}", t.shift), words);
+  const Vec2 axis = view.px(Vec2::Zero());
+  const bool cut = has_outline(t.rack_cut);
+  const bool rounded = t.rounded && has_outline(*t.rounded);
+  if (rounded || cut) fill_slice(svg, view, rounded ? *t.rounded : t.rack_cut);
+  svg.circle(axis, t.rack_cut.base_radius() * view.scale, "thin dash");
+  svg.line({axis.x(), 0}, {axis.x(), kSmallHeight}, "thin dashdot");
+  // What both have in common covers the dashes.
+  if (cut) {
+    for (const Arc& arc : t.rack_cut.tooth->outline.arcs)
+      draw_arc(svg, view, t.rack_cut, arc, "before");
+  }
+  if (rounded) {
+    for (const Arc& arc : t.rounded->tooth->outline.arcs) {
+      draw_arc(svg, view, *t.rounded, arc,
+               arc.name == ArcName::root_fillet ? arc_style(arc.name) : "kept");
+    }
+  }
+  return svg.str();
+}
+
+std::string words_of(const ShiftedTooth& t) {
+  const Gear& g = t.rack_cut;
+  std::string words;
+  if (!g.exists()) {
+    words = g.tooth->through_axis ? "the rack passes the axis" : "the rack cuts the tooth off";
+  } else {
+    words = g.undercut ? "rack-cut: undercut" : "rack-cut: no undercut";
+    if (g.pointed()) words += ", pointed";
+  }
+  if (!t.rounded) words += "; no circle fits";
+  return words;
+}
+
 }  // namespace
 
 const char* arc_style(ArcName name) {
@@ -147,6 +246,68 @@ std::string tooth_figure(const Gear& gear, const std::string& shape, const std::
   }
   return captioned(svg.str(),
                    fmt::format("<strong>{}</strong>, transverse section, mm. {}", name, legend));
+}
+
+bool shift_is_worth_a_picture(const Gear& gear) {
+  if (gear.internal() || gear.cut_by || !has_outline(gear) || gear.spec.teeth > kMaxTeeth)
+    return false;
+  if (!gear.involute()) return false;
+  return gear.spec.root_fillet || gear.undercut;
+}
+
+std::vector<ShiftedTooth> shifted_teeth(const Gear& gear) {
+  GW_EXPECTS(shift_is_worth_a_picture(gear));
+  std::vector<double> shifts(kShifts.begin(), kShifts.end());
+  const double own = gear.spec.profile_shift;
+  std::erase_if(shifts, [&](double x) { return std::abs(x - own) < kSameShift; });
+  shifts.push_back(own);
+  std::sort(shifts.begin(), shifts.end());
+
+  std::vector<ShiftedTooth> teeth;
+  for (const double x : shifts) {
+    CylindricalSpec spec = gear.spec;
+    spec.profile_shift = x;
+    spec.tip_diameter.reset();
+    spec.root_fillet.reset();
+    spec.tip_fillet.reset();
+    auto cut = make_gear(spec);
+    if (!cut) continue;  // beyond the limits of a spec
+    ShiftedTooth t{x, x == own, std::move(cut).take(), std::nullopt};
+    spec.root_fillet = gear.spec.root_fillet.value_or(RootFilletSpec{});
+    // With its own tip where that fits, else with the rack's.
+    spec.tip_fillet = gear.spec.tip_fillet;
+    auto rounded = make_gear(spec);
+    if (!rounded && spec.tip_fillet) {
+      spec.tip_fillet.reset();
+      rounded = make_gear(spec);
+    }
+    if (rounded) t.rounded = std::move(rounded).take();
+    teeth.push_back(std::move(t));
+  }
+  return teeth;
+}
+
+std::string shift_figures(const Gear& gear, const std::string& shape, const std::string& name) {
+  if (!shift_is_worth_a_picture(gear)) return {};
+  const std::vector<ShiftedTooth> teeth = shifted_teeth(gear);
+  if (teeth.empty()) return {};
+  const Viewport view = window(teeth);
+  std::string text = fmt::format(
+      "<h3>{}: profile shift and root</h3>\n<p>The same tooth cut at other profile shifts, to one "
+      "scale. {} {} from {}the undercut limit on. Dashed circle: the base circle.</p>\n<div "
+      "class=\"multiples\">\n",
+      name, caption_key("before", "as the rack cuts it"),
+      caption_key("c-root-fillet", "circular root fillet"),
+      gear.spec.root_fillet ? fmt::format("{:.4g} mm beyond ", gear.spec.root_fillet->offset) : "");
+  for (std::size_t i = 0; i < teeth.size(); ++i) {
+    const ShiftedTooth& t = teeth[i];
+    const std::string words = words_of(t);
+    text += captioned(tooth_svg(t, view, fmt::format("shift{}-{}", i + 1, shape), words),
+                      fmt::format("<strong>{} = {:.4g}</strong>{}<br>{}", symbol_html("x"), t.shift,
+                                  t.own ? ", this gear" : "", words),
+                      t.own ? " class=\"own\"" : "");
+  }
+  return text + "</div>\n";
 }
 
 }  // namespace gearwright

@@ -8,6 +8,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/report/flank_frame.hpp"
+#include "gearwright/report/gear_shape.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/load_figures.hpp"
 
@@ -112,6 +113,98 @@ std::string pressure_figure(const LoadReport& report) {
           torque_keys(report));
 }
 
+using Eigen::Index;
+
+constexpr double kWidth = 520.0, kHeight = 360.0;
+constexpr double kLongest = 0.7;  // normal modules: the greatest stress as it is drawn
+
+struct Fillet {
+  std::vector<Vec2> at, in;    // mm, and the direction into the material
+  std::vector<double> stress;  // MPa, where along the face it is greatest
+  std::size_t worst = 0;
+  Index slice = 0;
+};
+
+Fillet fillet_of(const LoadReport& report, std::size_t which) {
+  // The outline runs to the tip with the material on its right, of an internal gear on its left.
+  const double side = report.gears[which]->internal() ? -1.0 : 1.0;
+  const Eigen::MatrixXd& stress = heaviest(report).root_stress[which];
+  Fillet f;
+  Index row = 0;
+  stress.maxCoeff(&row, &f.slice);
+  f.worst = static_cast<std::size_t>(row);
+  for (const auto& p : report.contact.root_points[which]) f.at.push_back({p.real(), p.imag()});
+  const std::size_t n = f.at.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 along = (f.at[std::min(i + 1, n - 1)] - f.at[i == 0 ? 0 : i - 1]).normalized();
+    f.in.push_back({side * along.y(), -side * along.x()});
+    f.stress.push_back(stress(static_cast<Index>(i), f.slice));
+  }
+  return f;
+}
+
+std::string fillet_figure(const LoadReport& report, std::size_t which, const std::string& shape) {
+  const Gear& gear = *report.gears[which];
+  const Fillet f = fillet_of(report, which);
+  const double module = gear.spec.normal_module;
+  const double most = f.stress[f.worst];
+  const std::string name = fmt::format("Gear {}", which + 1);
+  // From a module behind the root to almost one beyond the fillet, the pulled side in the middle.
+  const double out = gear.internal() ? -1.0 : 1.0;
+  const double root = f.at.front().norm() - out * 1.0 * module;
+  const double flank = f.at.back().norm() + out * 0.9 * module;
+  const auto [lo, hi] = std::minmax(root, flank);
+  const double scale = kHeight / (hi - lo);
+  const Vec2 middle = f.at[f.worst];
+  // The pulled side is drawn on the right, which is y < 0 of the gear frame.
+  const Viewport view{kWidth, kHeight, mirrored({0.5 * (lo + hi), middle.y()}), scale, true};
+  Svg svg(fmt::format("root-stress{}", which + 1), kWidth, kHeight,
+          name + ": stress along the fillet",
+          "The tooth in the transverse section; bars on the fillet that is pulled: the greatest "
+          "principal stress over a mesh.");
+  const Vec2 axis = view.px(Vec2::Zero());
+  svg.begin_clip(0, 0, kWidth, kHeight);
+  svg.use(shape, axis, view.scale * outline_unit_mm(gear), 90.0,
+          fmt::format("body g{}", which + 1));
+  svg.line(axis, view.px({2 * hi, 0.0}), "thin dashdot");
+  std::vector<Vec2> ends;
+  for (std::size_t i = 0; i < f.at.size(); ++i) {
+    const Vec2 end = f.at[i] + (kLongest * module * f.stress[i] / most) * f.in[i];
+    ends.push_back(view.px(mirrored(end)));
+    svg.line(view.px(mirrored(f.at[i])), ends.back(), "thin");
+  }
+  svg.polyline(ends, "curve c-root-fillet");
+  svg.end_group();
+  svg.dot(view.px(mirrored(f.at[f.worst])), 3.0, "mark");
+  svg.text(ends[f.worst], fixed(most, 0) + " N/mm²", Anchor::end, "halo", {-6.0, 4.0});
+  return captioned(
+      svg.str(),
+      fmt::format(
+          "<strong>{}: {} N/mm²</strong> at the dot, on a diameter of {} mm, {} mm along the face "
+          "from its middle. Bars: the greatest principal stress at each point of the fillet over a "
+          "mesh.",
+          name, fixed(most, 1), fixed(2 * middle.norm(), 2),
+          fixed(report.contact.slices[which].middle(static_cast<int>(f.slice)), 2)));
+}
+
+std::string face_figure(const LoadReport& report) {
+  std::vector<PlotCurve> curves;
+  for (std::size_t g = 0; g < 2; ++g) {
+    const auto heights = heights_of(report, g);
+    const Eigen::RowVectorXd most = heaviest(report).root_stress[g].colwise().maxCoeff();
+    PlotCurve c{{}, fmt::format("curve g{}", g + 1)};
+    for (std::size_t j = 0; j < heights.size(); ++j)
+      c.values.push_back({heights[j], most[static_cast<Index>(j)]});
+    curves.push_back(std::move(c));
+  }
+  return captioned(
+      curves_svg({"root-stress-face", "Root stress over the face",
+                  "Over the face: the greatest stress along the fillet, of both gears.",
+                  "root stress, N/mm²", "along the face from its middle, mm"},
+                 curves, true),
+      "<strong>Over the face</strong>: the greatest along the fillet. " + caption_of_gears());
+}
+
 }  // namespace
 
 std::string ellipse_figures(const LoadReport& report) {
@@ -124,6 +217,17 @@ std::string ellipse_figures(const LoadReport& report) {
   return side_by_side(captioned(flank_svg(report, 0), caption) +
                       captioned(flank_svg(report, 1), "<strong>Gear 2</strong>, the same.") +
                       pressure_figure(report));
+}
+
+std::string root_stress_figures(const LoadReport& report,
+                                const std::array<std::string, 2>& shapes) {
+  std::string figures;
+  for (std::size_t g = 0; g < 2; ++g)
+    if (heaviest(report).root_stress[g].size() > 0 &&
+        heaviest(report).root_stress[g].maxCoeff() > 0.0)
+      figures += fillet_figure(report, g, shapes[g]);
+  if (figures.empty()) return {};
+  return side_by_side(figures + face_figure(report));
 }
 
 }  // namespace gearwright
