@@ -67,18 +67,23 @@ int likeness(const Key& key, const Word& word) {
 // How sure a name must be, as likeness() counts.
 enum Sure { by_symbol = 1, by_word = 2 };
 
-const Key* called(const KeyTable& table, const Word& word, Sure sure, bool tables) {
+// The key of the least cost, the first of several; none: all cost `below` or more.
+template <class F>
+const Key* cheapest(const KeyTable& table, double below, F cost) {
   const Key* best = nullptr;
-  int most = sure - 1;
   for (const Key& key : table.keys) {
-    if (!tables && is_table(key)) continue;
-    const int now = likeness(key, word);
-    if (now > most) {
-      best = &key;
-      most = now;
-    }
+    const double now = cost(key);
+    if (now >= below) continue;
+    below = now;
+    best = &key;
   }
   return best;
+}
+
+const Key* called(const KeyTable& table, const Word& word, Sure sure, bool tables) {
+  return cheapest(table, 1 - sure, [&](const Key& key) {
+    return !tables && is_table(key) ? 0 : -likeness(key, word);
+  });
 }
 
 std::string joined(std::string_view path, std::string_view key) {
@@ -144,18 +149,13 @@ std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_v
 
 // A part of the other: the one that says least besides.
 const Key* with_part(const KeyTable& table, const Word& word) {
-  const Key* best = nullptr;
-  std::size_t least = kLongest;
-  for (const Key& key : table.keys) {
+  return cheapest(table, kLongest, [&](const Key& key) {
     const std::string name = folded(without_unit(key.key));
-    const std::string& a = name.size() < word.bare.size() ? name : word.bare;
-    const std::string& b = &a == &name ? word.bare : name;
-    if (a.size() < kLeastPart || b.find(a) == std::string::npos || b.size() - a.size() >= least)
-      continue;
-    least = b.size() - a.size();
-    best = &key;
-  }
-  return best;
+    const auto& [part, whole] = std::minmax(
+        name, word.bare, [](const auto& a, const auto& b) { return a.size() < b.size(); });
+    const bool inside = part.size() >= kLeastPart && whole.find(part) != std::string::npos;
+    return inside ? whole.size() - part.size() : kLongest;
+  });
 }
 
 // The words of a name, between underscores.
@@ -172,37 +172,25 @@ std::vector<std::string_view> words_of(std::string_view name) {
 // Of the same words but one of four or more: tip_relief_begin_mm.
 const Key* of_like_words(const KeyTable& table, std::string_view name) {
   const auto words = words_of(name);
-  const Key* best = nullptr;
-  double most = kLikeWords;
-  for (const Key& key : table.keys) {
+  return cheapest(table, -kLikeWords, [&](const Key& key) {
     const auto own = words_of(key.key);
     const auto common = std::count_if(own.begin(), own.end(), [&](std::string_view w) {
       return std::find(words.begin(), words.end(), w) != words.end();
     });
-    const double share =
-        static_cast<double>(common) / static_cast<double>(std::max(own.size(), words.size()));
-    if (share <= most) continue;
-    most = share;
-    best = &key;
-  }
-  return best;
+    return -static_cast<double>(common) / static_cast<double>(std::max(own.size(), words.size()));
+  });
 }
 
 const Key* nearly_called(const KeyTable& table, const Word& word, std::size_t letters_off) {
-  const Key* best = nullptr;
-  std::size_t least = word.bare.size() / letters_off + 1;
-  const auto look = [&](const Key& key, std::string_view name) {
-    const std::size_t off = edit_distance(word.bare, folded(without_unit(name)));
-    if (off >= least) return;
-    least = off;
-    best = &key;
+  const auto off = [&](std::string_view name) {
+    return edit_distance(word.bare, folded(without_unit(name)));
   };
-  for (const Key& key : table.keys) {
-    look(key, key.key);
+  return cheapest(table, word.bare.size() / letters_off + 1, [&](const Key& key) {
+    std::size_t least = off(key.key);
     for (const std::string_view also : key.also)
-      if (folded(also).size() > kLettersOff) look(key, also);
-  }
-  return best;
+      if (folded(also).size() > kLettersOff) least = std::min(least, off(also));
+    return least;
+  });
 }
 
 std::string listed(const KeyTable& table) {
